@@ -1,0 +1,170 @@
+//! Messages that point into a text: which file, line, column and word, what was expected, the nearest known name.
+//!
+//! Nothing here prints. `main` renders a [`Diagnostic`] for a terminal; a test looks at its fields.
+
+use std::fmt;
+use std::sync::Arc;
+
+/// A text that messages can point into: a script, a study, a table of numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct SourceId(u32);
+
+/// A stretch of bytes of one source, end excluded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Span {
+    /// The text.
+    pub source: SourceId,
+    /// First byte.
+    pub start: u32,
+    /// One past the last byte.
+    pub end: u32,
+}
+
+impl Span {
+    /// The stretch from the start of `self` to the end of `other`, which is in the same source.
+    pub fn to(self, other: Span) -> Span {
+        Span { source: self.source, start: self.start.min(other.start), end: self.end.max(other.end) }
+    }
+}
+
+/// Where a span starts, as people count: lines and columns (in characters) from 1.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Location {
+    /// Name of the source, as it was given.
+    pub name: Arc<str>,
+    /// Line, from 1.
+    pub line: usize,
+    /// Column in characters, from 1.
+    pub column: usize,
+}
+
+impl fmt::Display for Location {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}:{}", self.name, self.line, self.column)
+    }
+}
+
+#[derive(Debug)]
+struct Source {
+    name: Arc<str>,
+    text: Arc<str>,
+    /// Byte at which each line starts.
+    lines: Vec<u32>,
+}
+
+/// All texts read so far.
+#[derive(Debug, Default)]
+pub struct SourceMap {
+    sources: Vec<Source>,
+}
+
+impl SourceMap {
+    /// Take in a text under a name (usually its path as the user wrote it).
+    pub fn add(&mut self, name: &str, text: &str) -> SourceId {
+        let mut lines = vec![0];
+        lines.extend(text.bytes().enumerate().filter(|&(_, b)| b == b'\n').map(|(i, _)| i as u32 + 1));
+        self.sources.push(Source { name: name.into(), text: text.into(), lines });
+        SourceId(self.sources.len() as u32 - 1)
+    }
+
+    /// The name under which the text was added.
+    pub fn name(&self, id: SourceId) -> Arc<str> {
+        self.sources[id.0 as usize].name.clone()
+    }
+
+    /// The whole text.
+    pub fn text(&self, id: SourceId) -> Arc<str> {
+        self.sources[id.0 as usize].text.clone()
+    }
+
+    /// File, line and column of the start of a span.
+    pub fn location(&self, span: Span) -> Location {
+        let s = &self.sources[span.source.0 as usize];
+        let line = s.lines.partition_point(|&l| l <= span.start);
+        let from = s.lines[line - 1] as usize;
+        let column = s.text.get(from..span.start as usize).map_or(0, |t| t.chars().count()) + 1;
+        Location { name: s.name.clone(), line, column }
+    }
+
+    /// The text of a span; empty where the span does not fit the text.
+    pub fn snippet(&self, span: Span) -> &str {
+        self.sources[span.source.0 as usize].text.get(span.start as usize..span.end as usize).unwrap_or("")
+    }
+}
+
+/// How bad it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// Worth knowing; nothing is wrong.
+    Note,
+    /// Goes on, but the result may not be what was meant. An error under `--strict`.
+    Warning,
+    /// The input is refused or the analysis has failed.
+    Error,
+}
+
+/// One level of the chain of calls that led to a message: `in proc "storey", called here`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Caller {
+    /// What was called, for instance `proc "storey"`.
+    pub what: String,
+    /// The call.
+    pub span: Span,
+}
+
+/// A message with its place.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// How bad it is.
+    pub severity: Severity,
+    /// What is wrong, in one sentence without a full stop.
+    pub message: String,
+    /// The offending word.
+    pub span: Option<Span>,
+    /// A few words to stand under the offending word: what was expected there.
+    pub label: String,
+    /// What may help: the nearest known name, the usage of the command.
+    pub help: Vec<String>,
+    /// Calls from the innermost outwards.
+    pub callers: Vec<Caller>,
+}
+
+impl Diagnostic {
+    fn new(severity: Severity, message: impl Into<String>) -> Self {
+        Self { severity, message: message.into(), span: None, label: String::new(), help: vec![], callers: vec![] }
+    }
+
+    /// An error.
+    pub fn error(message: impl Into<String>) -> Self {
+        Self::new(Severity::Error, message)
+    }
+
+    /// A warning.
+    pub fn warning(message: impl Into<String>) -> Self {
+        Self::new(Severity::Warning, message)
+    }
+
+    /// Point at a word and say what was expected there (may be empty).
+    pub fn at(mut self, span: Option<Span>, label: impl Into<String>) -> Self {
+        self.span = span;
+        self.label = label.into();
+        self
+    }
+
+    /// Add a line of help.
+    pub fn help(mut self, help: impl Into<String>) -> Self {
+        self.help.push(help.into());
+        self
+    }
+}
+
+/// The known name nearest to a misspelled one, if any is near enough to be meant.
+pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let lower = word.to_lowercase();
+    known
+        .into_iter()
+        .map(|k| (strsim::damerau_levenshtein(&lower, &k.to_lowercase()), k))
+        .filter(|&(d, k)| d <= 1 + k.len().max(word.len()) / 4)
+        .min_by_key(|&(d, _)| d)
+        .map(|(_, k)| k)
+}

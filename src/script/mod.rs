@@ -1,0 +1,1 @@
+//! The Tcl 8.6 interpreter that runs the scripts.
