@@ -1,0 +1,557 @@
+//! `open`, `puts`, `gets`, `read` and the other commands on channels; `chan` is another name for them.
+
+use std::io::{self, SeekFrom};
+
+use crate::script::channel::{Buffering, Channel, Encoding, Target, Translation};
+use crate::script::command::{Call, CoreFn};
+use crate::script::core::Core;
+use crate::script::ensemble::choose_sub;
+use crate::script::error::Exception;
+use crate::script::files::{OpenMode, reason};
+use crate::script::value::Value;
+use crate::script::vars::VarName;
+
+pub(crate) const COMMANDS: &[(&str, CoreFn)] = &[
+    ("chan", chan),
+    ("close", |core, call| close(core, call, 1)),
+    ("encoding", encoding),
+    ("eof", |core, call| eof(core, call, 1)),
+    ("fblocked", |core, call| blocked(core, call, 1)),
+    ("fconfigure", |core, call| configure(core, call, 1)),
+    ("fcopy", |core, call| copy(core, call, 1)),
+    ("fileevent", |_, call| no_events(call)),
+    ("flush", |core, call| flush(core, call, 1)),
+    ("gets", |core, call| gets(core, call, 1)),
+    ("open", open),
+    ("puts", |core, call| puts(core, call, 1)),
+    ("read", |core, call| read(core, call, 1)),
+    ("seek", |core, call| seek(core, call, 1)),
+    ("tell", |core, call| tell(core, call, 1)),
+];
+
+/// A command whose first argument is the word with this number.
+type At = fn(&mut Core, &Call<'_>, usize) -> Result<Value, Exception>;
+
+fn chan(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
+    let subs: [(&str, At); 19] = [
+        ("blocked", blocked),
+        ("close", close),
+        ("configure", configure),
+        ("copy", copy),
+        ("create", |_, call, _| no_events(call)),
+        ("eof", eof),
+        ("event", |_, call, _| no_events(call)),
+        ("flush", flush),
+        ("gets", gets),
+        ("names", |core, _, _| Ok(Value::list(core.channels.names().map(Value::from)))),
+        ("pending", |_, _, _| Ok(Value::from(0i64))),
+        ("pipe", |_, call, _| no_events(call)),
+        ("pop", |_, call, _| no_events(call)),
+        ("postevent", |_, call, _| no_events(call)),
+        ("push", |_, call, _| no_events(call)),
+        ("puts", puts),
+        ("read", read),
+        ("seek", seek),
+        ("tell", tell),
+    ];
+    let names = subs.iter().map(|s| s.0).chain(std::iter::once("truncate"));
+    match subs.get(choose_sub(call, names)?) {
+        Some((_, function)) => function(core, call, 2),
+        None => truncate(core, call),
+    }
+}
+
+fn no_events(call: &Call<'_>) -> Result<Value, Exception> {
+    let message = format!("{}: channels with events or programs behind them are not supported", call.name());
+    Err(call.error_at(0, message, "not supported"))
+}
+
+fn posix(error: &io::Error, message: impl FnOnce(&str) -> String) -> Exception {
+    let (code, why) = reason(error);
+    Exception::error(message(why)).with_code(Value::list(["POSIX", code, why].map(Value::from)))
+}
+
+/// The usage of a command, with the words as it was called.
+fn usage(call: &Call<'_>, at: usize, rest: &str) -> Exception {
+    call.usage(at, rest)
+}
+
+/// The channel that a word names.
+fn channel<'c>(core: &'c mut Core, call: &Call<'_>, word: usize) -> Result<&'c mut Channel, Exception> {
+    let name = call.arg(word).as_str();
+    match core.channels.get(&name) {
+        Some(channel) => Ok(channel),
+        None => {
+            let message = format!("can not find channel named \"{name}\"");
+            Err(Exception::coded(message, &["TCL", "LOOKUP", "CHANNEL", &name]).at(call.span(word), "no open file"))
+        }
+    }
+}
+
+fn must(call: &Call<'_>, word: usize, can: bool, what: &str) -> Result<(), Exception> {
+    if can {
+        return Ok(());
+    }
+    let message = format!("channel \"{}\" wasn't opened for {what}", call.arg(word));
+    Err(Exception::coded(message, &["POSIX", "EACCES", "permission denied"]).at(call.span(word), ""))
+}
+
+fn puts(core: &mut Core, call: &Call<'_>, at: usize) -> Result<Value, Exception> {
+    let words = call.from(at);
+    let dashed = words.first().is_some_and(|w| w.as_str() == "-nonewline");
+    let (newline, target, text) = match words {
+        [text] => (true, None, text),
+        [_, text] if dashed => (false, None, text),
+        [_, text] => (true, Some(at), text),
+        [_, _, text] if dashed => (false, Some(at + 1), text),
+        // An old form still accepted.
+        [_, text, last] if last.as_str() == "nonewline" => (false, Some(at), text),
+        _ => return Err(usage(call, at, "?-nonewline? ?channelId? string")),
+    };
+    let mut line = String::new();
+    text.write_to(&mut line);
+    if newline {
+        line.push('\n');
+    }
+    match target {
+        None => core.console.out(&line),
+        Some(word) => {
+            let name = call.arg(word).as_str();
+            let Some(channel) = core.channels.get(&name) else {
+                return channel(core, call, word).map(|_| Value::EMPTY);
+            };
+            must(call, word, channel.writable, "writing")?;
+            channel
+                .write(&line, core.console.as_mut())
+                .map_err(|e| posix(&e, |why| format!("error writing \"{name}\": {why}")))?;
+        }
+    }
+    Ok(Value::EMPTY)
+}
+
+fn gets(core: &mut Core, call: &Call<'_>, at: usize) -> Result<Value, Exception> {
+    if !(at + 1..=at + 2).contains(&call.len()) {
+        return Err(usage(call, at, "channelId ?varName?"));
+    }
+    let channel = channel(core, call, at)?;
+    must(call, at, channel.readable, "reading")?;
+    let line = channel
+        .read_line()
+        .map_err(|e| posix(&e, |why| format!("error reading \"{}\": {why}", call.arg(at))))?;
+    let Some(name) = call.get(at + 1) else { return Ok(Value::from(line.unwrap_or_default())) };
+    let length = line.as_ref().map_or(-1, |l| l.chars().count() as i64);
+    let name = VarName::of(name);
+    core.write(&name, name.element.as_ref(), Value::from(line.unwrap_or_default()))?;
+    Ok(Value::from(length))
+}
+
+fn read(core: &mut Core, call: &Call<'_>, at: usize) -> Result<Value, Exception> {
+    let words = call.from(at);
+    let trim = words.len() == 2 && words.first().is_some_and(|w| w.as_str() == "-nonewline");
+    let (word, limit) = match words {
+        [_, _] if trim => (at + 1, None),
+        [_] => (at, None),
+        [_, limit] => {
+            let old_form = limit.as_str() == "nonewline";
+            let number = limit.to_i64().ok().and_then(|n| usize::try_from(n).ok());
+            if !old_form && number.is_none() {
+                let message = format!("expected non-negative integer but got \"{limit}\"");
+                return Err(Exception::coded(message, &["TCL", "VALUE", "NUMBER"]).at(call.span(at + 1), ""));
+            }
+            (at, number)
+        }
+        _ => {
+            let words = call.from(0)[..at].iter().map(|w| w.as_str().into_owned()).collect::<Vec<_>>().join(" ");
+            return Err(call.wrong_args(&format!("{words} channelId ?numChars?\" or \"{words} ?-nonewline? channelId")));
+        }
+    };
+    let channel = channel(core, call, word)?;
+    must(call, word, channel.readable, "reading")?;
+    let mut text = channel
+        .read(limit)
+        .map_err(|e| posix(&e, |why| format!("error reading \"{}\": {why}", call.arg(word))))?;
+    if trim && text.ends_with('\n') {
+        text.pop();
+    }
+    Ok(Value::from(text))
+}
+
+fn open(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
+    call.expect(2..=4, "open fileName ?access? ?permissions?")?;
+    let name = call.arg(1).as_str();
+    if name.starts_with('|') {
+        let code = Value::list(["HYSTERON", "REFUSED", "open"].map(Value::from));
+        let message = format!("open \"{name}\": a script cannot start other programs");
+        return Err(call.error_at(1, message, "refused").with_code(code));
+    }
+    let (mode, binary) = access(call)?;
+    let full = core.absolute(&name);
+    let mut stream = core
+        .files
+        .open(&full, mode)
+        .map_err(|e| posix(&e, |why| format!("couldn't open \"{name}\": {why}")).at(call.span(1), ""))?;
+    if mode.append {
+        let _ = stream.seek(SeekFrom::End(0));
+    }
+    let mut channel = Channel::new(Target::File(stream), mode.read, mode.write, mode.append);
+    if binary {
+        make_binary(&mut channel);
+    }
+    Ok(Value::from(core.channels.add(channel)))
+}
+
+fn make_binary(channel: &mut Channel) {
+    channel.encoding = Encoding::Latin1;
+    channel.binary = true;
+    channel.input_translation = Translation::Lf;
+    channel.output_translation = Translation::Lf;
+    channel.eof_char = None;
+}
+
+/// The access mode: `r`, `w+`, `ab`, or a list like `{WRONLY CREAT TRUNC}`.
+fn access(call: &Call<'_>) -> Result<(OpenMode, bool), Exception> {
+    let Some(word) = call.get(2) else { return Ok((OpenMode { read: true, ..OpenMode::default() }, false)) };
+    let text = word.as_str();
+    let mut mode = OpenMode::default();
+    if text.starts_with(|c: char| c.is_ascii_lowercase()) {
+        let letters: String = text.chars().skip(1).collect();
+        let bad = || {
+            let message = format!("illegal access mode \"{text}\"");
+            Exception::coded(message, &["TCL", "OPENMODE", "INVALID"]).at(call.span(2), "")
+        };
+        let (plus, binary) = match letters.as_str() {
+            "" => (false, false),
+            "b" => (false, true),
+            "+" => (true, false),
+            "b+" | "+b" => (true, true),
+            _ => return Err(bad()),
+        };
+        match text.chars().next() {
+            Some('r') => mode.read = true,
+            Some('w') => (mode.write, mode.create, mode.truncate) = (true, true, true),
+            Some('a') => (mode.write, mode.create, mode.append) = (true, true, true),
+            _ => return Err(bad()),
+        }
+        mode.read |= plus;
+        mode.write |= plus;
+        return Ok((mode, binary));
+    }
+    let mut binary = false;
+    let mut direction = false;
+    for flag in word.to_list()?.iter() {
+        match &*flag.as_str() {
+            "RDONLY" => (mode.read, direction) = (true, true),
+            "WRONLY" => (mode.write, direction) = (true, true),
+            "RDWR" => (mode.read, mode.write, direction) = (true, true, true),
+            "APPEND" => mode.append = true,
+            "BINARY" => binary = true,
+            "CREAT" => mode.create = true,
+            "EXCL" => mode.exclusive = true,
+            "TRUNC" => mode.truncate = true,
+            "NOCTTY" | "NONBLOCK" => {}
+            other => {
+                let list = "RDONLY, WRONLY, RDWR, APPEND, BINARY, CREAT, EXCL, NOCTTY, NONBLOCK, or TRUNC";
+                let message = format!("invalid access mode \"{other}\": must be {list}");
+                return Err(Exception::coded(message, &["TCL", "OPENMODE", "INVALID"]).at(call.span(2), ""));
+            }
+        }
+    }
+    if !direction {
+        let message = "access mode must include either RDONLY, WRONLY, or RDWR";
+        return Err(Exception::coded(message, &["TCL", "OPENMODE", "INVALID"]).at(call.span(2), ""));
+    }
+    mode.exclusive &= mode.create;
+    Ok((mode, binary))
+}
+
+fn close(core: &mut Core, call: &Call<'_>, at: usize) -> Result<Value, Exception> {
+    if !(at + 1..=at + 2).contains(&call.len()) {
+        return Err(usage(call, at, "channelId ?direction?"));
+    }
+    channel(core, call, at)?;
+    let name = call.arg(at).as_str();
+    if let Some(mut closed) = core.channels.remove(&name) {
+        closed.flush().map_err(|e| posix(&e, |why| format!("error closing \"{name}\": {why}")))?;
+    }
+    Ok(Value::EMPTY)
+}
+
+fn eof(core: &mut Core, call: &Call<'_>, at: usize) -> Result<Value, Exception> {
+    if call.len() != at + 1 {
+        return Err(usage(call, at, "channelId"));
+    }
+    Ok(Value::from(channel(core, call, at)?.eof))
+}
+
+fn blocked(core: &mut Core, call: &Call<'_>, at: usize) -> Result<Value, Exception> {
+    if call.len() != at + 1 {
+        return Err(usage(call, at, "channelId"));
+    }
+    let channel = channel(core, call, at)?;
+    must(call, at, channel.readable, "reading")?;
+    Ok(Value::from(false))
+}
+
+fn flush(core: &mut Core, call: &Call<'_>, at: usize) -> Result<Value, Exception> {
+    if call.len() != at + 1 {
+        return Err(usage(call, at, "channelId"));
+    }
+    let channel = channel(core, call, at)?;
+    must(call, at, channel.writable, "writing")?;
+    channel.flush().map_err(|e| posix(&e, |why| format!("error flushing \"{}\": {why}", call.arg(at))))?;
+    Ok(Value::EMPTY)
+}
+
+fn seek(core: &mut Core, call: &Call<'_>, at: usize) -> Result<Value, Exception> {
+    if !(at + 2..=at + 3).contains(&call.len()) {
+        return Err(usage(call, at, "channelId offset ?origin?"));
+    }
+    channel(core, call, at)?;
+    let offset = call.arg(at + 1).to_i64()?;
+    let from = match call.get(at + 2) {
+        None => 2,
+        Some(_) => call.choose(at + 2, "origin", &["current", "end", "start"], false)?,
+    };
+    let to = match from {
+        0 => SeekFrom::Current(offset),
+        1 => SeekFrom::End(offset),
+        _ => match u64::try_from(offset) {
+            Ok(offset) => SeekFrom::Start(offset),
+            Err(_) => {
+                let e = io::ErrorKind::InvalidInput.into();
+                return Err(posix(&e, |why| format!("error during seek on \"{}\": {why}", call.arg(at))));
+            }
+        },
+    };
+    let channel = channel(core, call, at)?;
+    channel.seek(to).map_err(|e| posix(&e, |why| format!("error during seek on \"{}\": {why}", call.arg(at))))?;
+    Ok(Value::EMPTY)
+}
+
+fn tell(core: &mut Core, call: &Call<'_>, at: usize) -> Result<Value, Exception> {
+    if call.len() != at + 1 {
+        return Err(usage(call, at, "channelId"));
+    }
+    Ok(Value::from(channel(core, call, at)?.tell().unwrap_or(-1)))
+}
+
+fn truncate(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
+    call.expect(3..=4, "chan truncate channelId ?length?")?;
+    let length = match call.get(3) {
+        None => None,
+        Some(length) => match u64::try_from(length.to_i64()?) {
+            Ok(length) => Some(length),
+            Err(_) => return Err(call.error_at(3, "cannot truncate to negative length of file", "")),
+        },
+    };
+    let channel = channel(core, call, 2)?;
+    must(call, 2, channel.writable, "writing")?;
+    channel
+        .truncate(length)
+        .map_err(|e| posix(&e, |why| format!("error during truncate on \"{}\": {why}", call.arg(2))))?;
+    Ok(Value::EMPTY)
+}
+
+fn copy(core: &mut Core, call: &Call<'_>, at: usize) -> Result<Value, Exception> {
+    let size = match call.from(at) {
+        [_, _] => None,
+        [_, _, option, size] if option.as_str() == "-size" => usize::try_from(size.to_i64()?).ok(),
+        [_, _, option, _] if option.as_str() == "-command" => return no_events(call),
+        _ => return Err(usage(call, at, "input output ?-size size? ?-command callback?")),
+    };
+    let input = channel(core, call, at)?;
+    must(call, at, input.readable, "reading")?;
+    let text = input
+        .read(size)
+        .map_err(|e| posix(&e, |why| format!("error reading \"{}\": {why}", call.arg(at))))?;
+    let name = call.arg(at + 1).as_str();
+    let Some(output) = core.channels.get(&name) else { return channel(core, call, at + 1).map(|_| Value::EMPTY) };
+    must(call, at + 1, output.writable, "writing")?;
+    output
+        .write(&text, core.console.as_mut())
+        .map_err(|e| posix(&e, |why| format!("error writing \"{name}\": {why}")))?;
+    Ok(Value::from(text.chars().count()))
+}
+
+const OPTIONS: [&str; 6] = ["-blocking", "-buffering", "-buffersize", "-encoding", "-eofchar", "-translation"];
+
+fn translation_name(translation: Translation) -> &'static str {
+    match translation {
+        Translation::Auto => "auto",
+        Translation::CrLf => "crlf",
+        Translation::Cr => "cr",
+        Translation::Lf | Translation::Binary => "lf",
+    }
+}
+
+/// The value of an option.
+fn option(channel: &Channel, name: &str) -> Value {
+    match name {
+        "-blocking" => Value::from(1i64),
+        "-buffering" => Value::from(match channel.buffering {
+            Buffering::Full => "full",
+            Buffering::Line => "line",
+            Buffering::None => "none",
+        }),
+        "-buffersize" => Value::from(4096i64),
+        "-encoding" => Value::from(match channel.encoding {
+            _ if channel.binary => "binary",
+            Encoding::Utf8 => "utf-8",
+            Encoding::Latin1 => "iso8859-1",
+            Encoding::Ascii => "ascii",
+        }),
+        "-eofchar" => {
+            let one = channel.eof_char.map(|c| Value::from((c as char).to_string())).unwrap_or_default();
+            if channel.readable && channel.writable { Value::list([one, Value::EMPTY]) } else { one }
+        }
+        _ => {
+            let input = translation_name(channel.input_translation);
+            let output = translation_name(channel.output_translation);
+            match (channel.readable, channel.writable) {
+                (true, true) => Value::list([input, output].map(Value::from)),
+                (true, false) => Value::from(input),
+                _ => Value::from(output),
+            }
+        }
+    }
+}
+
+fn configure(core: &mut Core, call: &Call<'_>, at: usize) -> Result<Value, Exception> {
+    if call.len() <= at || (call.len() > at + 2 && (call.len() - at) % 2 == 0) {
+        return Err(usage(call, at, "channelId ?-option value ...?"));
+    }
+    let bad_option = |word: usize| {
+        let message = format!(
+            "bad option \"{}\": should be one of -blocking, -buffering, -buffersize, -encoding, -eofchar, or -translation",
+            call.arg(word)
+        );
+        Exception::coded(message, &["TCL", "LOOKUP", "OPTION"]).at(call.span(word), "")
+    };
+    let find = |word: usize| {
+        let text = call.arg(word).as_str();
+        let mut fitting = OPTIONS.iter().filter(|o| text.len() > 1 && o.starts_with(&*text));
+        let exact = OPTIONS.iter().find(|o| **o == text);
+        exact.or(match (fitting.next(), fitting.next()) {
+            (Some(one), None) => Some(one),
+            _ => None,
+        })
+    };
+    let channel = channel(core, call, at)?;
+    match call.len() - at {
+        1 => return Ok(Value::list(OPTIONS.iter().flat_map(|o| [Value::from(*o), option(channel, o)]))),
+        2 => {
+            let name = find(at + 1).ok_or_else(|| bad_option(at + 1))?;
+            return Ok(option(channel, name));
+        }
+        _ => {}
+    }
+    for word in (at + 1..call.len()).step_by(2) {
+        let name = find(word).ok_or_else(|| bad_option(word))?;
+        set_option(channel, name, call, word + 1)?;
+    }
+    Ok(Value::EMPTY)
+}
+
+fn set_option(channel: &mut Channel, name: &str, call: &Call<'_>, word: usize) -> Result<(), Exception> {
+    let value = call.arg(word);
+    let text = value.as_str();
+    let bad = |message: String| call.error_at(word, message, "");
+    match name {
+        "-blocking" => {
+            value.to_bool()?;
+        }
+        "-buffersize" => {
+            value.to_i64()?;
+        }
+        "-buffering" => {
+            channel.buffering = match &*text {
+                "full" => Buffering::Full,
+                "line" => Buffering::Line,
+                "none" => Buffering::None,
+                _ => return Err(bad("bad value for -buffering: must be one of full, line, or none".to_owned())),
+            }
+        }
+        "-encoding" => {
+            channel.binary = text == "binary" || text.is_empty();
+            channel.encoding = match &*text {
+                "utf-8" => Encoding::Utf8,
+                "binary" | "" | "iso8859-1" | "cp1252" => Encoding::Latin1,
+                "ascii" => Encoding::Ascii,
+                _ => return Err(bad(format!("unknown encoding \"{text}\""))),
+            }
+        }
+        "-eofchar" => {
+            let first = value.to_list()?.first().map(|v| v.as_str().into_owned()).unwrap_or_default();
+            channel.eof_char = first.bytes().next();
+        }
+        _ => {
+            let words = value.to_list()?;
+            let mut sides = vec![];
+            for side in words.iter() {
+                sides.push(match &*side.as_str() {
+                    "auto" => Translation::Auto,
+                    "binary" => Translation::Binary,
+                    "lf" => Translation::Lf,
+                    "cr" => Translation::Cr,
+                    "crlf" | "platform" if side.as_str() == "crlf" || cfg!(windows) => Translation::CrLf,
+                    "platform" => Translation::Lf,
+                    _ => {
+                        let list = "auto, binary, cr, lf, crlf, or platform";
+                        return Err(bad(format!("bad value for -translation: must be one of {list}")));
+                    }
+                });
+            }
+            let (input, output) = match *sides {
+                [both] => (both, both),
+                [input, output] => (input, output),
+                _ => {
+                    let message = "bad value for -translation: must be a one or two element list";
+                    return Err(bad(message.to_owned()));
+                }
+            };
+            if input == Translation::Binary || output == Translation::Binary {
+                make_binary(channel);
+            }
+            let plain = |t: Translation, auto: Translation| match t {
+                Translation::Auto => auto,
+                Translation::Binary => Translation::Lf,
+                t => t,
+            };
+            channel.input_translation = plain(input, Translation::Auto);
+            channel.output_translation =
+                plain(output, if cfg!(windows) { Translation::CrLf } else { Translation::Lf });
+        }
+    }
+    Ok(())
+}
+
+fn encoding(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
+    let names = ["convertfrom", "convertto", "dirs", "names", "system"];
+    match choose_sub(call, names.into_iter())? {
+        at @ (0 | 1) => {
+            call.expect(3..=4, &format!("encoding {} ?encoding? data", names[at]))?;
+            let name = if call.len() == 4 { call.arg(2).as_str() } else { "utf-8".into() };
+            let data = call.arg(call.len() - 1).as_str();
+            match (&*name, at) {
+                ("utf-8", 0) => {
+                    let bytes: Vec<u8> = data.chars().map(|c| c as u32 as u8).collect();
+                    Ok(Value::from(String::from_utf8_lossy(&bytes).into_owned()))
+                }
+                ("utf-8", _) => Ok(Value::from(data.bytes().map(|b| b as char).collect::<String>())),
+                ("iso8859-1" | "ascii" | "binary", 0) => Ok(call.arg(call.len() - 1).clone()),
+                ("iso8859-1" | "ascii" | "binary", _) => {
+                    let limit = if name == "ascii" { 0x80 } else { 0x100 };
+                    let narrow = data.chars().map(|c| if u32::from(c) < limit { c } else { '?' });
+                    Ok(Value::from(narrow.collect::<String>()))
+                }
+                _ => {
+                    let message = format!("unknown encoding \"{name}\"");
+                    Err(Exception::coded(message, &["TCL", "LOOKUP", "ENCODING", &name]).at(call.span(2), ""))
+                }
+            }
+        }
+        3 => Ok(Value::list(["utf-8", "iso8859-1", "ascii"].map(Value::from))),
+        4 => Ok(if call.len() > 2 { Value::EMPTY } else { Value::from("utf-8") }),
+        _ => Ok(Value::EMPTY),
+    }
+}

@@ -1,0 +1,390 @@
+//! Running parsed scripts.
+
+use std::rc::Rc;
+
+use super::ast::{Command, Found, Index, ParseError, Part, Script, Unit, VarRef, WordKind};
+use super::command::{Call, CmdId, Imp, Place};
+use super::core::Core;
+use super::error::{Exception, ScriptError};
+use super::interp::Interp;
+use super::lexer;
+use super::list::List;
+use super::stack;
+use super::value::{Cache, Rep, Value};
+use crate::diagnostic::Span;
+
+/// How many calls may be under way, as in Tcl.
+pub(crate) const MAX_LEVELS: usize = 1000;
+/// How many scripts may be under way within one another: a call takes several, for instance one for an `if` in it.
+const MAX_DEPTH: usize = 20_000;
+
+/// Tcl's error for calls without end.
+pub(crate) fn too_deep() -> Exception {
+    Exception::coded("too many nested evaluations (infinite loop?)", &["TCL", "LIMIT", "STACK"])
+}
+
+impl Core {
+    /// Count a call; the caller subtracts it from `levels` at its end.
+    pub(crate) fn enter(&mut self) -> Result<(), Exception> {
+        if self.levels >= MAX_LEVELS {
+            return Err(too_deep());
+        }
+        self.levels += 1;
+        Ok(())
+    }
+}
+
+/// The parsed form of a value.
+pub(crate) fn script_of(value: &Value) -> Rc<Script> {
+    let obj = value.str_obj();
+    if let Some(script) = obj.cached(|c| if let Cache::Script(s) = c { Some(s.clone()) } else { None }) {
+        return script;
+    }
+    let unit = Rc::new(Unit { text: (*value.as_str()).into(), origin: value.origin().cloned() });
+    let script = Rc::new(lexer::script(&unit));
+    obj.set_cache(Cache::Script(script.clone()));
+    script
+}
+
+impl<H> Interp<H> {
+    /// Evaluate a value as a script.
+    pub(crate) fn eval_body(&mut self, body: &Value) -> Result<Value, Exception> {
+        if let Rep::List(list) = &body.0 {
+            // A list that never was a text is one command: nothing is to be parsed.
+            return self.eval_words(&List(list.clone()));
+        }
+        let script = script_of(body);
+        self.run(&script)
+    }
+
+    /// Evaluate a list as one command.
+    pub(crate) fn eval_words(&mut self, words: &[Value]) -> Result<Value, Exception> {
+        if words.is_empty() {
+            return Ok(Value::EMPTY);
+        }
+        let mut argv = self.core.take_words();
+        argv.extend_from_slice(words);
+        self.core.tick()?;
+        self.deeper(|interp| interp.invoke(argv, None))
+    }
+
+    fn deeper<R>(&mut self, work: impl FnOnce(&mut Self) -> Result<R, Exception>) -> Result<R, Exception> {
+        if self.core.depth >= MAX_DEPTH {
+            return Err(too_deep());
+        }
+        self.core.depth += 1;
+        let result = stack::grow(|| work(self));
+        self.core.depth -= 1;
+        result
+    }
+
+    /// Run the commands of a script; the result is that of the last one.
+    pub(crate) fn run(&mut self, script: &Script) -> Result<Value, Exception> {
+        self.deeper(|interp| {
+            let Some((last, before)) = script.commands.split_last() else {
+                return match &script.error {
+                    None => Ok(Value::EMPTY),
+                    Some(error) => Err(interp.core.syntax_error(script, error)),
+                };
+            };
+            // Results in between are let go at once: what holds a list beside its variable has the next change copy it.
+            for command in before {
+                interp.command(script, command)?;
+            }
+            let result = interp.command(script, last)?;
+            match &script.error {
+                None => Ok(result),
+                Some(error) => Err(interp.core.syntax_error(script, error)),
+            }
+        })
+    }
+
+    fn command(&mut self, script: &Script, command: &Command) -> Result<Value, Exception> {
+        self.core.tick()?;
+        let mut argv = self.core.take_words();
+        let mut map: Option<Vec<u32>> = None;
+        for (i, word) in command.words.iter().enumerate() {
+            let value = match &word.kind {
+                WordKind::Literal(v) => Ok(v.clone()),
+                kind => self.word(script, kind),
+            };
+            let value = match value {
+                Ok(v) => v,
+                Err(e) => return Err(self.word_failed(e, script, command, argv)),
+            };
+            if word.expand {
+                let map = map.get_or_insert_with(|| (0..i as u32).collect());
+                match value.to_list() {
+                    Ok(list) => {
+                        map.extend(std::iter::repeat_n(i as u32, list.len()));
+                        argv.extend_from_slice(&list);
+                    }
+                    Err(e) => {
+                        let e = e.at(script.unit.span(word.start, word.end), "");
+                        return Err(self.word_failed(e, script, command, argv));
+                    }
+                }
+            } else {
+                if let Some(map) = &mut map {
+                    map.push(i as u32);
+                }
+                argv.push(value);
+            }
+        }
+        if argv.is_empty() {
+            self.core.give_words(argv);
+            return Ok(Value::EMPTY);
+        }
+        self.invoke(argv, Some(Place { script, command, map: map.as_deref() }))
+    }
+
+    fn word_failed(&mut self, e: Exception, script: &Script, command: &Command, argv: Vec<Value>) -> Exception {
+        self.core.give_words(argv);
+        if !matches!(e, Exception::Error(_)) {
+            return e;
+        }
+        let place = Place { script, command, map: None };
+        let e = self.core.settle_place(e, Some(place));
+        self.core.trace_command(e, Some(place), None)
+    }
+
+    /// The value of a word.
+    pub(crate) fn word(&mut self, script: &Script, kind: &WordKind) -> Result<Value, Exception> {
+        match kind {
+            WordKind::Literal(v) => Ok(v.clone()),
+            WordKind::Var(var) => self.variable(&script.unit, var),
+            WordKind::Script(script) => self.run(script),
+            WordKind::Parts(parts) => self.join(&script.unit, parts).map(Value::from),
+        }
+    }
+
+    /// The value of `$name` or `$name(index)`.
+    pub(crate) fn variable(&mut self, unit: &Unit, var: &VarRef) -> Result<Value, Exception> {
+        let result = match &var.index {
+            None => self.core.read(&var.name, None),
+            Some(Index::Text(index)) => self.core.read(&var.name, Some(index)),
+            Some(Index::Parts(parts)) => match &**parts {
+                [Part::Var(v)] => {
+                    let index = self.variable(unit, v)?;
+                    self.core.read(&var.name, Some(&index.as_str()))
+                }
+                parts => {
+                    let index = self.join(unit, parts)?;
+                    self.core.read(&var.name, Some(&index))
+                }
+            },
+        };
+        result.map_err(|e| e.at(unit.span(var.start, var.end), ""))
+    }
+
+    /// The text of several parts.
+    pub(crate) fn join(&mut self, unit: &Unit, parts: &[Part]) -> Result<String, Exception> {
+        let mut text = String::new();
+        for part in parts {
+            match part {
+                Part::Text(t) => text.push_str(t),
+                Part::Var(v) => self.variable(unit, v)?.write_to(&mut text),
+                Part::Script(s) => self.run(s)?.write_to(&mut text),
+            }
+        }
+        Ok(text)
+    }
+
+    /// Call the command that the first of some words names.
+    pub(crate) fn invoke(&mut self, argv: Vec<Value>, place: Option<Place<'_>>) -> Result<Value, Exception> {
+        let Some(id) = self.core.lookup(&argv, place) else { return self.unknown(argv, place) };
+        self.invoke_command(id, argv, place)
+    }
+
+    pub(crate) fn invoke_command(
+        &mut self,
+        id: CmdId,
+        argv: Vec<Value>,
+        place: Option<Place<'_>>,
+    ) -> Result<Value, Exception> {
+        let result = match &self.core.commands[id.0 as usize].imp {
+            Imp::Core(function) => function(&mut self.core, &Call::new(&argv, place)),
+            Imp::Full(number) => {
+                let function = self.functions[*number as usize];
+                let outer = self.core.site;
+                if let Some(span) = place.and_then(|p| p.whole()) {
+                    self.core.site = Some(span);
+                }
+                let result = function(self, &Call::new(&argv, place));
+                self.core.site = outer;
+                result
+            }
+            Imp::Proc(proc) => {
+                let proc = proc.clone();
+                return self.call_proc(&proc, argv, place);
+            }
+            Imp::Import(of) => {
+                let of = *of;
+                return self.invoke_command(of, argv, place);
+            }
+            Imp::Ensemble(ensemble) => {
+                let ensemble = ensemble.clone();
+                return self.call_ensemble(&ensemble, argv, place);
+            }
+            Imp::Deleted => return self.unknown(argv, place),
+        };
+        match result {
+            Ok(value) => {
+                self.core.give_words(argv);
+                Ok(value)
+            }
+            Err(e) => Err(self.failed(e, argv, place)),
+        }
+    }
+
+    /// Complete an error with where it happened.
+    pub(crate) fn failed(&mut self, e: Exception, argv: Vec<Value>, place: Option<Place<'_>>) -> Exception {
+        if !matches!(e, Exception::Error(_)) {
+            self.core.give_words(argv);
+            return e;
+        }
+        let e = self.core.blame(e, &argv, place);
+        let e = self.core.settle_place(e, place);
+        let e = self.core.trace_command(e, place, Some(&argv));
+        self.core.give_words(argv);
+        e
+    }
+
+    /// No command has this name: give it to the script's own `unknown`, if there is one.
+    fn unknown(&mut self, mut argv: Vec<Value>, place: Option<Place<'_>>) -> Result<Value, Exception> {
+        let ns = self.core.here();
+        let handler = self.core.ns(ns).unknown.clone();
+        if !handler.is_empty() {
+            let prefix = handler.to_list()?;
+            argv.splice(0..0, prefix.iter().cloned());
+            return self.invoke(argv, place);
+        }
+        if let Some(id) = self.core.find_command("::unknown") {
+            argv.insert(0, Value::from("unknown"));
+            return self.invoke_command(id, argv, place);
+        }
+        let name = argv.first().map(|v| v.as_str().into_owned()).unwrap_or_default();
+        let near = if self.core.catching > 0 { None } else { self.core.nearest_command(&name) };
+        let code = ["TCL", "LOOKUP", "COMMAND", &name];
+        let e = Exception::coded(format!("invalid command name \"{name}\""), &code);
+        let e = e.at(place.and_then(|p| p.word(0)), "no such command").suggest(near);
+        Err(self.failed(e, argv, place))
+    }
+}
+
+impl Core {
+    /// The error for a text that is no script.
+    fn syntax_error(&self, script: &Script, error: &ParseError) -> Exception {
+        let span = script.unit.span(error.start, error.end);
+        let mut e = Exception::error(error.message.clone()).at(span, error.label);
+        if let Some(help) = error.help {
+            e = e.help(help);
+        }
+        let line = script.unit.line(error.start);
+        self.settle_place(e.map_error(|e| e.line = line), None)
+    }
+
+    /// The command that the first word names; remembered with the parsed command.
+    fn lookup(&self, argv: &[Value], place: Option<Place<'_>>) -> Option<CmdId> {
+        let name = argv.first()?;
+        let ns = self.here();
+        let memory = place.filter(|p| {
+            p.map.is_none() && matches!(p.command.words.first().map(|w| &w.kind), Some(WordKind::Literal(_)))
+        });
+        if let Some(p) = memory {
+            let found = p.command.found.get();
+            if found.epoch == self.epoch && found.namespace == ns.0 {
+                return Some(CmdId(found.command));
+            }
+        }
+        let id = self.find_command(&name.as_str())?;
+        if let Some(p) = memory {
+            p.command.found.set(Found { epoch: self.epoch, namespace: ns.0, command: id.0 });
+        }
+        Some(id)
+    }
+
+    /// Point an error that points nowhere at the word it is about: one that the message quotes, else the first.
+    fn blame(&self, e: Exception, argv: &[Value], place: Option<Place<'_>>) -> Exception {
+        let Some(place) = place else { return e };
+        e.map_error(|e| {
+            if e.diagnostic.span.is_some() || e.located {
+                return;
+            }
+            let message = e.result.as_str();
+            let quoted = |v: &Value| {
+                let text = v.as_str();
+                !text.is_empty() && text.len() < 200 && message.contains(&format!("\"{text}\""))
+            };
+            let word = (1..argv.len()).find(|i| argv.get(*i).is_some_and(quoted)).unwrap_or(0);
+            e.diagnostic.span = place.word(word);
+        })
+    }
+
+    /// The first time that an error passes a command: settle where it happened and how that was reached.
+    pub(crate) fn settle_place(&self, e: Exception, place: Option<Place<'_>>) -> Exception {
+        e.map_error(|e| {
+            if e.located {
+                return;
+            }
+            e.located = true;
+            if e.diagnostic.span.is_none() {
+                e.diagnostic.span = place.and_then(|p| p.whole()).or(self.site);
+            }
+            if e.diagnostic.callers.is_empty() {
+                e.diagnostic.callers = self.callers();
+            }
+        })
+    }
+
+    /// Add a command to what `$errorInfo` will be.
+    pub(crate) fn trace_command(&self, e: Exception, place: Option<Place<'_>>, argv: Option<&[Value]>) -> Exception {
+        e.map_error(|e| {
+            if self.compiled && e.traced {
+                return;
+            }
+            e.traced = true;
+            let text = match (place, argv) {
+                (Some(p), _) => {
+                    e.line = p.script.unit.line(p.command.start);
+                    e.place = p.whole();
+                    std::borrow::Cow::Borrowed(p.script.unit.slice(p.command.start, p.command.end))
+                }
+                (None, Some(argv)) => {
+                    e.line = 1;
+                    e.place = None;
+                    super::list::join(argv).into()
+                }
+                (None, None) => return,
+            };
+            add_command(e, &text);
+        })
+    }
+
+    /// Line of the failing command within a body that starts at `body`.
+    pub(crate) fn line_within(&self, e: &ScriptError, body: Option<Span>) -> usize {
+        match (e.place, body) {
+            (Some(at), Some(body)) if at.source == body.source && body.start <= at.start && at.start <= body.end => {
+                let text = self.sources.snippet(Span { end: at.start, ..body });
+                text.bytes().filter(|b| *b == b'\n').count() + 1
+            }
+            _ => e.line,
+        }
+    }
+}
+
+fn add_command(e: &mut ScriptError, text: &str) {
+    let first = e.error_info.is_empty();
+    if first {
+        e.error_info = e.result.as_str().into_owned();
+    }
+    e.error_info.push_str(if first { "\n    while executing\n\"" } else { "\n    invoked from within\n\"" });
+    match text.char_indices().nth(150) {
+        Some((cut, _)) => {
+            e.error_info.push_str(&text[..cut]);
+            e.error_info.push_str("...");
+        }
+        None => e.error_info.push_str(text),
+    }
+    e.error_info.push('"');
+}

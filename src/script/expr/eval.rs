@@ -1,0 +1,192 @@
+//! Evaluation of compiled expressions.
+
+use super::super::ast::Found;
+use super::super::command::{CmdId, Imp};
+use super::super::core::NsId;
+use super::super::error::Exception;
+use super::super::interp::Interp;
+use super::super::number::Number;
+use super::super::value::{Rep, Value};
+use super::{Expr, Function, Op, Range, arith, compile, compile_text, func};
+
+impl<H> Interp<H> {
+    /// Evaluate an expression that will be evaluated again, such as the condition of a loop.
+    pub(crate) fn expr(&mut self, value: &Value) -> Result<Value, Exception> {
+        if let Rep::Int(_) | Rep::Double(_) = value.0 {
+            return Ok(self.numeric(value.clone()));
+        }
+        let expr = compile(value).map_err(|e| e.at(None, ""))?;
+        let result = self.evaluate(&expr)?;
+        self.finish(result)
+    }
+
+    /// Evaluate an expression whose text was put together just now.
+    pub(crate) fn expr_text(&mut self, text: &str) -> Result<Value, Exception> {
+        let expr = compile_text(text)?;
+        let result = self.evaluate(&expr)?;
+        self.finish(result)
+    }
+
+    /// The condition of `if`, `while` and `for`.
+    pub(crate) fn condition(&mut self, value: &Value) -> Result<bool, Exception> {
+        if let Rep::Int(i) = value.0 {
+            return Ok(i != 0);
+        }
+        let expr = compile(value)?;
+        let result = self.evaluate(&expr)?;
+        match result.0 {
+            Rep::Int(i) => Ok(i != 0),
+            _ => result.to_bool().map_err(|e| e.at(expr.unit.span(0, expr.unit.text.len() as u32), "")),
+        }
+    }
+
+    /// Results that are numbers are given in Tcl's own spelling.
+    fn finish(&mut self, value: Value) -> Result<Value, Exception> {
+        let value = self.numeric(value);
+        match &value.0 {
+            Rep::Double(d) if d.is_nan() => Err(arith::domain_error()),
+            _ => Ok(value),
+        }
+    }
+
+    fn numeric(&self, value: Value) -> Value {
+        match &value.0 {
+            Rep::Double(d) if self.core.precision > 0 => self.core.double(*d),
+            Rep::Str(_) => match value.number() {
+                Some(Number::Double(d)) => self.core.double(d),
+                Some(n) => Value::from(n),
+                None => value,
+            },
+            _ => value,
+        }
+    }
+
+    fn evaluate(&mut self, expr: &Expr) -> Result<Value, Exception> {
+        let mut stack = self.core.take_words();
+        let result = self.operate(expr, &mut stack);
+        self.core.give_words(stack);
+        result
+    }
+
+    fn operate(&mut self, expr: &Expr, stack: &mut Vec<Value>) -> Result<Value, Exception> {
+        let mut at = 0;
+        while let Some(op) = expr.ops.get(at) {
+            let place = expr.places.get(at).copied().unwrap_or_default();
+            at += 1;
+            match op {
+                Op::Push(v) => stack.push(v.clone()),
+                Op::Var(var) => stack.push(self.variable(&expr.unit, var)?),
+                Op::Script(script) => stack.push(self.run(script)?),
+                Op::Parts(parts) => stack.push(Value::from(self.join(&expr.unit, parts)?)),
+                Op::Unary(op) => {
+                    if let Some(top) = stack.last_mut() {
+                        *top = arith::unary(*op, top).map_err(|e| e.at(expr.right(place), ""))?;
+                    }
+                }
+                Op::Binary(op) => {
+                    let right = stack.pop().unwrap_or_default();
+                    if let Some(left) = stack.last_mut() {
+                        *left = match arith::binary(*op, left, &right) {
+                            Ok(value) => value,
+                            Err(fault) => {
+                                let span = match fault.side {
+                                    arith::Side::Left => expr.left(place),
+                                    arith::Side::Right => expr.right(place),
+                                };
+                                return Err(fault.error.at(span, ""));
+                            }
+                        };
+                    }
+                }
+                Op::Function(function) => {
+                    let from = stack.len().saturating_sub(function.args);
+                    let args = stack.split_off(from);
+                    let value = self.function(function, args);
+                    stack.push(value.map_err(|e| e.at(expr.unit.span(place.start, place.end), ""))?);
+                }
+                Op::And(end) | Op::Or(end) => {
+                    let is_or = matches!(op, Op::Or(_));
+                    let truth = self.truth(expr, place, stack.pop())?;
+                    if truth == is_or {
+                        stack.push(Value::from(truth));
+                        at = *end as usize;
+                    }
+                }
+                Op::Truth => {
+                    let truth = self.truth(expr, place, stack.pop())?;
+                    stack.push(Value::from(truth));
+                }
+                Op::Else(other) => {
+                    if !self.truth(expr, place, stack.pop())? {
+                        at = *other as usize;
+                    }
+                }
+                Op::Jump(to) => at = *to as usize,
+            }
+        }
+        Ok(stack.pop().unwrap_or_default())
+    }
+
+    fn truth(&self, expr: &Expr, place: Range, value: Option<Value>) -> Result<bool, Exception> {
+        let value = value.unwrap_or_default();
+        match value.0 {
+            Rep::Int(i) => Ok(i != 0),
+            _ => value.to_bool().map_err(|e| e.at(expr.unit.span(place.start, place.end), "")),
+        }
+    }
+
+    /// Call a math function: one of the script's own, `proc tcl::mathfunc::name`, or one of Tcl's.
+    fn function(&mut self, function: &Function, args: Vec<Value>) -> Result<Value, Exception> {
+        let found = function.found.get();
+        let ns = self.core.here();
+        if found.epoch == self.core.epoch && found.namespace == ns.0 && found.command == u32::MAX {
+            return func::call(&mut self.core, &function.name, &args);
+        }
+        let local = format!("tcl::mathfunc::{}", function.name);
+        let id = self
+            .core
+            .find_command_from(ns, &local)
+            .or_else(|| self.core.find_command_from(NsId::GLOBAL, &local))
+            .map(|id| self.core.origin_of(id));
+        let own = match id.map(|id| (id, &self.core.commands[id.0 as usize].imp)) {
+            Some((_, Imp::Core(f))) if std::ptr::fn_addr_eq(*f, func::command as super::super::command::CoreFn) => None,
+            Some((id, _)) => Some(id),
+            None => {
+                let near = crate::diagnostic::nearest(&function.name, func::names()).map(str::to_owned);
+                let message = format!("unknown math function \"{}\"", function.name);
+                let code = ["TCL", "LOOKUP", "COMMAND", &local];
+                return Err(Exception::coded(message, &code).suggest(near));
+            }
+        };
+        match own {
+            Some(id) => self.call_function(id, &local, args),
+            None => {
+                let found = Found { epoch: self.core.epoch, namespace: ns.0, command: u32::MAX };
+                function.found.set(found);
+                func::call(&mut self.core, &function.name, &args)
+            }
+        }
+    }
+
+    fn call_function(&mut self, id: CmdId, name: &str, args: Vec<Value>) -> Result<Value, Exception> {
+        let mut argv = vec![Value::from(name)];
+        argv.extend(args);
+        self.invoke_command(id, argv, None)
+    }
+}
+
+impl Expr {
+    /// Place of the left operand of a binary operation.
+    fn left(&self, place: Range) -> Option<crate::diagnostic::Span> {
+        let text = self.unit.slice(place.start, place.operator.0);
+        let length = text.trim_end().len() as u32;
+        self.unit.span(place.start, place.start + length)
+    }
+
+    /// Place of the right or only operand.
+    fn right(&self, place: Range) -> Option<crate::diagnostic::Span> {
+        let text = self.unit.slice(place.operator.1, place.end);
+        let blanks = (text.len() - text.trim_start().len()) as u32;
+        self.unit.span(place.operator.1 + blanks, place.end)
+    }
+}

@@ -1,0 +1,163 @@
+//! Expressions: compiled to a row of operations on a stack, so that neither long nor deep ones recurse.
+
+pub(crate) mod arith;
+pub(crate) mod func;
+mod eval;
+mod parse;
+
+use std::cell::Cell;
+use std::rc::Rc;
+
+use super::ast::{Found, ParseError, Part, Script, Unit, VarRef};
+use super::error::Exception;
+use super::value::{Cache, Value};
+use crate::diagnostic::Span;
+
+/// A compiled expression.
+#[derive(Debug)]
+pub(crate) struct Expr {
+    unit: Rc<Unit>,
+    ops: Vec<Op>,
+    /// For each operation where its text is.
+    places: Vec<Range>,
+}
+
+/// Bytes of the text.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Range {
+    start: u32,
+    end: u32,
+    /// For a binary operation: its operator, which tells the operands apart.
+    operator: (u32, u32),
+}
+
+/// One operation.
+#[derive(Debug)]
+enum Op {
+    Push(Value),
+    Var(VarRef),
+    Script(Rc<Script>),
+    Parts(Box<[Part]>),
+    Unary(Unary),
+    Binary(Binary),
+    Function(Box<Function>),
+    /// If the top is false, replace it by 0 and go on there.
+    And(u32),
+    /// If the top is true, replace it by 1 and go on there.
+    Or(u32),
+    /// The top as 0 or 1.
+    Truth,
+    /// Take the top off; go on there if it is false.
+    Else(u32),
+    /// Go on there.
+    Jump(u32),
+}
+
+/// A call of a math function.
+#[derive(Debug)]
+struct Function {
+    name: Box<str>,
+    args: usize,
+    found: Cell<Found>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Unary {
+    Plus,
+    Minus,
+    BitNot,
+    Not,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Binary {
+    Add,
+    Sub,
+    Mul,
+    Div,
+    Mod,
+    Pow,
+    Shl,
+    Shr,
+    BitAnd,
+    BitXor,
+    BitOr,
+    Lt,
+    Gt,
+    Le,
+    Ge,
+    Eq,
+    Ne,
+    StrEq,
+    StrNe,
+    In,
+    NotIn,
+}
+
+impl Binary {
+    pub(crate) fn symbol(self) -> &'static str {
+        match self {
+            Binary::Add => "+",
+            Binary::Sub => "-",
+            Binary::Mul => "*",
+            Binary::Div => "/",
+            Binary::Mod => "%",
+            Binary::Pow => "**",
+            Binary::Shl => "<<",
+            Binary::Shr => ">>",
+            Binary::BitAnd => "&",
+            Binary::BitXor => "^",
+            Binary::BitOr => "|",
+            Binary::Lt => "<",
+            Binary::Gt => ">",
+            Binary::Le => "<=",
+            Binary::Ge => ">=",
+            Binary::Eq => "==",
+            Binary::Ne => "!=",
+            Binary::StrEq => "eq",
+            Binary::StrNe => "ne",
+            Binary::In => "in",
+            Binary::NotIn => "ni",
+        }
+    }
+}
+
+/// What is wrong with an expression.
+#[derive(Debug)]
+pub(crate) struct ExprError {
+    /// Tcl's message with all its lines, and where it points.
+    error: ParseError,
+    /// The rest of `$errorCode` after `TCL PARSE EXPR`.
+    code: Vec<&'static str>,
+}
+
+/// Compile a value, or take its compiled form from last time.
+pub(crate) fn compile(value: &Value) -> Result<Rc<Expr>, Exception> {
+    let obj = value.str_obj();
+    if let Some(expr) = obj.cached(|c| if let Cache::Expr(e) = c { Some(e.clone()) } else { None }) {
+        return Ok(expr);
+    }
+    let unit = Rc::new(Unit { text: (*value.as_str()).into(), origin: value.origin().cloned() });
+    let expr = Rc::new(compile_unit(unit)?);
+    obj.set_cache(Cache::Expr(expr.clone()));
+    Ok(expr)
+}
+
+/// Compile a text that is used once.
+pub(crate) fn compile_text(text: &str) -> Result<Expr, Exception> {
+    compile_unit(Rc::new(Unit { text: text.into(), origin: None }))
+}
+
+fn compile_unit(unit: Rc<Unit>) -> Result<Expr, Exception> {
+    parse::Parser::new(&unit).parse().map_err(|e| {
+        let ExprError { error, code } = *e;
+        let span: Option<Span> = unit.span(error.start, error.end);
+        let mut words = vec!["TCL", "PARSE", "EXPR"];
+        words.extend(code);
+        let shown: String = unit.text.chars().take(50).collect();
+        let dots = if unit.text.chars().count() > 50 { "..." } else { "" };
+        Exception::coded(error.message, &words)
+            .at(span, error.label)
+            .trace(|_| format!("parsing expression \"{shown}{dots}\""))
+    })
+}
