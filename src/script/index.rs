@@ -22,14 +22,12 @@ pub(crate) fn index(value: &Value, last: i64) -> Result<i64, Exception> {
 fn integer(text: &str) -> Option<i64> {
     match number::parse(text)? {
         Number::Int(i) => Some(i),
-        // Far outside, whichever way.
-        Number::Big(b) => Some(if b.sign() == num_bigint::Sign::Minus { i64::MIN } else { i64::MAX }),
-        Number::Double(_) => None,
+        _ => None,
     }
 }
 
 fn parse(text: &str, last: i64) -> Option<i64> {
-    if text == "end" {
+    if !text.is_empty() && "end".starts_with(text) {
         return Some(last);
     }
     if let Some(i) = integer(text) {

@@ -294,11 +294,13 @@ impl Core {
     }
 
     /// Change the value of a variable where it is, so that a list of its own is not copied.
-    /// A variable that does not exist starts out empty if `create`; it is an error to read it otherwise.
+    /// A variable that does not exist starts out empty if `create`. `doing`: what an error says of a variable that is in the
+    /// way, `read` or `set`.
     pub(crate) fn update<R>(
         &mut self,
         name: &VarName,
         create: bool,
+        doing: &str,
         change: impl FnOnce(&mut Value, bool) -> Result<R, Exception>,
     ) -> Result<R, Exception> {
         let index = name.element.as_ref();
@@ -311,7 +313,6 @@ impl Core {
             Ok(value) => (value, true),
             Err(Trouble::NoVariable | Trouble::NoElement) if create => (Value::EMPTY, false),
             Err(why) => {
-                let doing = if create && !matches!(why, Trouble::IsArray) { "set" } else { "read" };
                 return Err(self.var_error(doing, name, index.map(|t| &**t), why));
             }
         };

@@ -152,6 +152,8 @@ fn read(core: &mut Core, call: &Call<'_>, at: usize) -> Result<Value, Exception>
         [_, _] if trim => (at + 1, None),
         [_] => (at, None),
         [_, limit] => {
+            let channel = channel(core, call, at)?;
+            must(call, at, channel.readable, "reading")?;
             let old_form = limit.as_str() == "nonewline";
             let number = limit.to_i64().ok().and_then(|n| usize::try_from(n).ok());
             if !old_form && number.is_none() {

@@ -142,7 +142,7 @@ fn change(
     change: impl FnOnce(&mut Table<Value>) -> Result<(), Exception>,
 ) -> Result<Value, Exception> {
     let name = VarName::of(variable);
-    core.update(&name, true, |value, _| change(value.dict_mut()?))?;
+    core.update(&name, true, "read", |value, _| change(value.dict_mut()?))?;
     core.read(&name, name.element.as_deref())
 }
 

@@ -44,7 +44,6 @@ struct Spec {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Size {
-    Int,
     Short,
     Wide,
     Big,
@@ -65,14 +64,9 @@ fn spec(s: &str) -> IResult<&str, Spec> {
         tag("ll").map(|_| Size::Big),
         tag("l").map(|_| Size::Wide),
         tag("h").map(|_| Size::Short),
-        tag("q").map(|_| Size::Wide),
-        tag("j").map(|_| Size::Wide),
-        tag("z").map(|_| Size::Wide),
-        tag("t").map(|_| Size::Wide),
-        tag("L").map(|_| Size::Big),
     ));
     let (s, size) = opt(size).parse(s)?;
-    let (s, conversion) = anychar(s)?;
+    let (s, conversion) = opt(anychar).parse(s)?;
     let has = |flag: char| flags.contains(flag);
     let spec = Spec {
         position: position.map(|p| usize::try_from(p).unwrap_or(usize::MAX)),
@@ -83,14 +77,18 @@ fn spec(s: &str) -> IResult<&str, Spec> {
         alternate: has('#'),
         width,
         precision: precision.map(|p| p.unwrap_or(Amount::Number(0))),
-        size: size.unwrap_or(Size::Int),
-        conversion,
+        size: size.unwrap_or(Size::Wide),
+        conversion: conversion.unwrap_or('\0'),
     };
     Ok((s, spec))
 }
 
 fn refuse(message: &str, code: &str) -> Exception {
     Exception::coded(message, &["TCL", "FORMAT", code])
+}
+
+fn incomplete() -> Exception {
+    refuse("format string ended in middle of field specifier", "INCOMPLETE")
 }
 
 fn format_command(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
@@ -113,7 +111,7 @@ fn format(template: &str, args: &[Value]) -> Result<String, Exception> {
             continue;
         }
         let Ok((after, spec)) = spec(rest) else {
-            return Err(refuse("format string ended in middle of field specifier", "INCOMPLETE"));
+            return Err(incomplete());
         };
         rest = after;
         let by_position = spec.position.is_some();
@@ -151,11 +149,14 @@ fn format(template: &str, args: &[Value]) -> Result<String, Exception> {
             precision: precision.map(|p| p as usize),
             spec: &spec,
         };
-        if !"diuoxXbcsfeEgGaA".contains(spec.conversion) {
+        let value = take()?;
+        if spec.conversion == '\0' {
+            return Err(incomplete());
+        }
+        if !"diuoxXbcsfeEgG".contains(spec.conversion) {
             let message = format!("bad field specifier \"{}\"", spec.conversion);
             return Err(refuse(&message, "BADTYPE"));
         }
-        let value = take()?;
         field.write(value, &mut out)?;
     }
     out.push_str(rest);
@@ -175,14 +176,14 @@ impl Field<'_> {
             's' => {
                 let text = value.as_str();
                 match self.precision {
-                    Some(p) => self.pad("", &text.chars().take(p).collect::<String>(), false, out),
-                    None => self.pad("", &text, false, out),
+                    Some(p) => self.pad("", &text.chars().take(p).collect::<String>(), self.spec.zero, out),
+                    None => self.pad("", &text, self.spec.zero, out),
                 }
             }
             'c' => {
                 let code = value.to_i64()?;
                 let c = char::from_u32(code as u32).unwrap_or(char::REPLACEMENT_CHARACTER);
-                self.pad("", c.encode_utf8(&mut [0; 4]), false, out);
+                self.pad("", c.encode_utf8(&mut [0; 4]), self.spec.zero, out);
             }
             'd' | 'i' | 'u' | 'o' | 'x' | 'X' | 'b' => self.integer(value, out)?,
             _ => self.float(value.to_f64()?, out),
@@ -195,14 +196,14 @@ impl Field<'_> {
         let length = sign.chars().count() + body.chars().count();
         let fill = self.width.saturating_sub(length);
         let fill_with = |c: char| std::iter::repeat_n(c, fill);
-        if self.left {
-            out.push_str(sign);
-            out.push_str(body);
-            out.extend(fill_with(' '));
-        } else if zeros {
+        if zeros {
             out.push_str(sign);
             out.extend(fill_with('0'));
             out.push_str(body);
+        } else if self.left {
+            out.push_str(sign);
+            out.push_str(body);
+            out.extend(fill_with(' '));
         } else {
             out.extend(fill_with(' '));
             out.push_str(sign);
@@ -222,7 +223,7 @@ impl Field<'_> {
         };
         let (negative, digits): (bool, String) = match spec.size {
             Size::Big => {
-                if whole.is_negative() && !signed {
+                if whole.is_negative() && spec.conversion == 'u' {
                     return Err(refuse("unsigned bignum format is invalid", "BADUNSIGNED"));
                 }
                 (whole.is_negative(), self.digits(&Number::Big(whole.abs().into())))
@@ -230,7 +231,6 @@ impl Field<'_> {
             size => {
                 let bits = match size {
                     Size::Short => low() as u16 as i16 as i64,
-                    Size::Int => low() as u32 as i32 as i64,
                     _ => low() as i64,
                 };
                 if signed {
@@ -238,7 +238,6 @@ impl Field<'_> {
                 } else {
                     let unsigned = match size {
                         Size::Short => bits as u16 as u64,
-                        Size::Int => bits as u32 as u64,
                         _ => bits as u64,
                     };
                     (false, self.digits(&Number::Big(BigInt::from(unsigned).into())))
@@ -265,12 +264,13 @@ impl Field<'_> {
         if spec.alternate && !is_zero {
             sign.push_str(match spec.conversion {
                 'o' => "0",
-                'x' | 'X' => "0x",
+                'x' => "0x",
+                'X' => "0X",
                 'b' => "0b",
                 _ => "",
             });
         }
-        self.pad(&sign, &digits, spec.zero, out);
+        self.pad(&sign, &digits, spec.zero && self.precision.is_none(), out);
         Ok(())
     }
 
@@ -304,13 +304,12 @@ impl Field<'_> {
         let mut text = match spec.conversion {
             'f' => fixed(size, self.precision.unwrap_or(6), spec.alternate),
             'e' | 'E' => exponential(size, self.precision.unwrap_or(6), spec.alternate),
-            'a' | 'A' => hexadecimal(size, self.precision),
             _ => general(size, self.precision.unwrap_or(6).max(1), spec.alternate),
         };
         if upper {
             text = text.to_uppercase();
         }
-        self.pad(sign, &text, spec.zero, out);
+        self.pad(sign, &text, spec.zero && !self.left, out);
     }
 }
 
@@ -348,37 +347,4 @@ fn general(d: f64, precision: usize, keep_zeros: bool) -> String {
     };
     let number = number.trim_end_matches('0').trim_end_matches('.');
     format!("{number}{exponent}")
-}
-
-/// As C's `%a`: `0x1.8p+1`.
-fn hexadecimal(d: f64, precision: Option<usize>) -> String {
-    let bits = d.to_bits();
-    let raw_exponent = (bits >> 52 & 0x7ff) as i32;
-    let mut fraction = bits & ((1 << 52) - 1);
-    let mut lead = u64::from(raw_exponent != 0);
-    let exponent = match (raw_exponent, fraction) {
-        (0, 0) => 0,
-        (0, _) => -1022,
-        (e, _) => e - 1023,
-    };
-    let mut digits = 13;
-    if let Some(p) = precision.filter(|p| *p < 13) {
-        // Round half to even.
-        let drop = (13 - p) * 4;
-        let half = 1u64 << (drop - 1);
-        let whole = lead << 52 | fraction;
-        let kept = whole >> drop;
-        let rest = whole & ((1 << drop) - 1);
-        let rounded = kept + u64::from(rest > half || (rest == half && kept & 1 == 1));
-        lead = rounded >> (p * 4);
-        fraction = rounded & ((1u64 << (p * 4)) - 1);
-        digits = p;
-    }
-    let mut hex = if digits == 0 { String::new() } else { format!("{fraction:0digits$x}") };
-    match precision {
-        None => hex.truncate(hex.trim_end_matches('0').len()),
-        Some(p) => hex.extend(std::iter::repeat_n('0', p.saturating_sub(13))),
-    }
-    let point = if hex.is_empty() { "" } else { "." };
-    format!("0x{lead}{point}{hex}p{exponent:+}")
 }

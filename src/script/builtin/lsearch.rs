@@ -199,8 +199,9 @@ fn lsearch(call: &Call<'_>) -> Result<Value, Exception> {
     let mut results = vec![];
     for at in found {
         results.push(match (o.inline, o.subindices) {
-            (true, true) => part(at)?,
-            (true, false) => items.get(at).cloned().unwrap_or_default(),
+            // One level down Tcl gives the whole element all the same.
+            (true, true) if o.path.len() > 1 => part(at)?,
+            (true, _) => items.get(at).cloned().unwrap_or_default(),
             (false, true) => Value::list(std::iter::once(Value::from(at)).chain(o.path.iter().cloned())),
             (false, false) => Value::from(at),
         });

@@ -16,7 +16,7 @@ fn lset(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     let value = call.arg(last).clone();
     let words = &call.from(2)[..last - 2];
     core.read(&name, name.element.as_deref())?;
-    core.update(&name, false, |list, _| match words {
+    core.update(&name, false, "read", |list, _| match words {
         [one] if index(one, 0).is_err() => {
             let path = one.to_list()?;
             if path.len() == 1 { set(list, std::slice::from_ref(one), value) } else { set(list, &path, value) }

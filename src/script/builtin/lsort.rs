@@ -2,11 +2,14 @@
 
 use std::cmp::Ordering;
 
+use num_traits::ToPrimitive as _;
+
 use crate::script::command::{Call, CommandFn};
 use crate::script::error::Exception;
 use crate::script::index::index;
 use crate::script::interp::Interp;
-use crate::script::value::Value;
+use crate::script::number::Number;
+use crate::script::value::{Value, too_large};
 
 pub(crate) fn commands<H>() -> [(&'static str, CommandFn<H>); 1] {
     [("lsort", lsort)]
@@ -50,7 +53,7 @@ impl Key {
         Ok(match kind {
             Kind::Ascii if nocase => Key::Text(value.as_str().to_lowercase()),
             Kind::Ascii | Kind::Dictionary => Key::Text(value.as_str().into_owned()),
-            Kind::Integer => Key::Integer(value.to_i64()?),
+            Kind::Integer => Key::Integer(wide(value)?),
             Kind::Real => Key::Real(value.to_f64()?),
             Kind::Command => Key::Value(value.clone()),
         })
@@ -64,6 +67,15 @@ impl Key {
             (Key::Real(a), Key::Real(b)) => a.partial_cmp(b).unwrap_or(Ordering::Equal),
             _ => Ordering::Equal,
         }
+    }
+}
+
+/// An integer of 64 bits; as in Tcl, one that has them all without a sign becomes negative.
+fn wide(value: &Value) -> Result<i64, Exception> {
+    match value.to_integer() {
+        Ok(Number::Big(b)) => b.to_u64().map(|u| u as i64).ok_or_else(too_large),
+        Ok(_) => value.to_i64(),
+        Err(e) => Err(e),
     }
 }
 
@@ -123,11 +135,7 @@ pub(crate) fn select(value: &Value, path: &[Value]) -> Result<Value, Exception> 
         value = match inner {
             Some(v) => v,
             None => {
-                let message = if place.as_str().starts_with("end") {
-                    format!("element {place} missing from sublist \"{value}\"")
-                } else {
-                    format!("element {at} missing from sublist \"{value}\"")
-                };
+                let message = format!("element {at} missing from sublist \"{value}\"");
                 return Err(Exception::coded(message, &["TCL", "OPERATION", "LSORT", "INDEXFAILED"]));
             }
         };
@@ -233,7 +241,8 @@ fn lsort<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception>
     let items = call.arg(last).to_list()?;
     let sorted = order(interp, &items, &o)?;
     if o.indices {
-        let all = sorted.into_iter().map(|at| Value::from(at * o.group));
+        // Tcl gives the places of all elements of a group.
+        let all = sorted.into_iter().flat_map(|at| (at * o.group..(at + 1) * o.group).map(Value::from));
         return Ok(Value::list(all));
     }
     let groups = sorted.into_iter().flat_map(|at| items[at * o.group..(at + 1) * o.group].iter().cloned());
@@ -282,7 +291,7 @@ fn order<H>(interp: &mut Interp<H>, items: &[Value], o: &Options) -> Result<Vec<
         }
         let result = interp.eval_words(&words).map_err(|e| e.trace(|_| "-compare command".to_owned()))?;
         let number = result.to_i64().map_err(|_| {
-            let code = ["TCL", "OPERATION", "LSORT", "BADRESULT"];
+            let code = ["TCL", "OPERATION", "LSORT", "COMPARISONFAILED"];
             Exception::coded("-compare command returned non-integer result", &code)
         })?;
         Ok(flip(number.cmp(&0)))

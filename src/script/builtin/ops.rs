@@ -37,7 +37,7 @@ pub(crate) const COMMANDS: &[(&str, CoreFn)] = &[
 fn apply(core: &Core, op: Binary, a: &Value, b: &Value) -> Result<Value, Exception> {
     let value = arith::binary(op, a, b).map_err(|f| f.error)?;
     Ok(match value.0 {
-        crate::script::value::Rep::Double(d) => core.double(d),
+        crate::script::value::Rep::Double(d) => core.double(d.get()),
         _ => value,
     })
 }

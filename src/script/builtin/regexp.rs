@@ -36,7 +36,12 @@ struct Options {
 fn options(call: &Call<'_>, names: &[&str]) -> Result<Options, Exception> {
     let mut o = Options { next: 1, ..Options::default() };
     while call.get(o.next).is_some_and(|w| w.as_str().starts_with('-')) {
-        let name = names[call.choose(o.next, "option", names, false)?];
+        let word = call.arg(o.next).as_str();
+        let name = if word.len() > 3 && "-nocase".starts_with(&*word) {
+            "-nocase"
+        } else {
+            names[call.choose(o.next, "option", names, true)?]
+        };
         match name {
             "-all" => o.all = true,
             "-indices" => o.indices = true,
@@ -70,7 +75,7 @@ impl Options {
     fn start(&self, value: &Value, text: &str) -> Result<usize, Exception> {
         let Some(start) = &self.start else { return Ok(0) };
         let count = value.char_count() as i64;
-        let at = index(start, count - 1)?.clamp(0, count) as usize;
+        let at = index(start, count)?.clamp(0, count) as usize;
         Ok(text.char_indices().nth(at).map_or(text.len(), |(byte, _)| byte))
     }
 }
@@ -127,7 +132,8 @@ fn regexp(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         } else {
             last = Some(groups);
         }
-        if !o.all {
+        // Nothing is found at the end for an empty pattern.
+        if !o.all || (at >= text.len() && call.arg(o.next).is_empty()) {
             break;
         }
         at = if start == end { end + step(&text, end.min(text.len())) } else { end };
@@ -174,7 +180,7 @@ fn substitute(template: &str, text: &str, groups: &Groups, out: &mut String) {
 
 fn regsub(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     const NAMES: [&str; 8] =
-        ["-all", "-expanded", "-line", "-linestop", "-lineanchor", "-nocase", "-start", "--"];
+        ["-all", "-nocase", "-expanded", "-line", "-linestop", "-lineanchor", "-start", "--"];
     let o = options(call, &NAMES)?;
     let given = call.len().saturating_sub(o.next);
     if !(3..=4).contains(&given) {
@@ -201,7 +207,8 @@ fn regsub(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
             out.push_str(text.get(at..next).unwrap_or_default());
             at = next;
         }
-        if !o.all || at >= text.len() {
+        // Nothing is found at the end for an empty pattern.
+        if !o.all || (at >= text.len() && call.arg(o.next).is_empty()) {
             break;
         }
     }

@@ -28,7 +28,6 @@ enum Item {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Size {
-    Int,
     Wide,
     Big,
 }
@@ -59,7 +58,7 @@ fn digits(s: &str) -> IResult<&str, usize> {
 }
 
 /// What follows a `%`, up to the conversion character.
-fn modifiers(s: &str) -> IResult<&str, (bool, Option<usize>, usize, Size, char)> {
+fn modifiers(s: &str) -> IResult<&str, (bool, Option<usize>, usize, Size, bool, char)> {
     let (s, star) = opt(char('*')).parse(s)?;
     let (s, position) = opt(terminated(digits, char('$'))).parse(s)?;
     let (s, width) = opt(digits).parse(s)?;
@@ -67,15 +66,14 @@ fn modifiers(s: &str) -> IResult<&str, (bool, Option<usize>, usize, Size, char)>
         tag("ll").map(|_| Size::Big),
         tag("L").map(|_| Size::Big),
         tag("l").map(|_| Size::Wide),
-        tag("h").map(|_| Size::Int),
-        tag("q").map(|_| Size::Wide),
-        tag("j").map(|_| Size::Wide),
-        tag("z").map(|_| Size::Wide),
-        tag("t").map(|_| Size::Wide),
+        tag("h").map(|_| Size::Wide),
     ));
+    // `h` is taken and means nothing.
+    let sized = s.starts_with(['l', 'L']);
     let (s, size) = opt(size).parse(s)?;
-    let (s, conversion) = anychar(s)?;
-    Ok((s, (star.is_some(), position, width.unwrap_or(0), size.unwrap_or(Size::Int), conversion)))
+    // Where the format ends Tcl sees the byte that ends its strings.
+    let (s, conversion) = opt(anychar).map(|c| c.unwrap_or('\0')).parse(s)?;
+    Ok((s, (star.is_some(), position, width.unwrap_or(0), size.unwrap_or(Size::Wide), sized, conversion)))
 }
 
 fn refuse(message: &str, code: &str) -> Exception {
@@ -126,10 +124,14 @@ fn parse(format: &str) -> Result<Vec<Item>, Exception> {
             rest = after;
             continue;
         }
-        let Ok((after, (skip, position, width, size, conversion))) = modifiers(rest) else {
+        let Ok((after, (skip, position, width, size, sized, conversion))) = modifiers(rest) else {
             return Err(refuse("bad scan conversion character \"\"", "BADTYPE"));
         };
         rest = after;
+        if sized && matches!(conversion, 'c' | 's' | '[' | 'n') {
+            let message = format!("field size modifier may not be specified in %{conversion} conversion");
+            return Err(refuse(&message, "BADSIZE"));
+        }
         let kind = match conversion {
             'd' => Kind::Integer(10),
             'i' => Kind::Integer(0),
@@ -183,7 +185,7 @@ fn places(items: &[Item], variables: usize) -> Result<(Vec<usize>, usize), Excep
     for field in &fields {
         let position = field.position.unwrap_or(0);
         if position == 0 || (variables > 0 && position > variables) || position > 10_000 {
-            return Err(refuse("\"%n$\" conversion specifier out of range", "INDEXRANGE"));
+            return Err(refuse("\"%n$\" argument index out of range", "INDEXRANGE"));
         }
         if seen.contains(&position) {
             return Err(refuse("variable is assigned by multiple \"%n$\" conversion specifiers", "POLYASSIGNED"));
@@ -236,7 +238,15 @@ fn scan(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
                     ended = true;
                     break;
                 }
-                let Some((length, value)) = field.take(rest)? else { break };
+                let Some((length, value)) = field.take(rest)? else {
+                    // A sign alone is where a number ended too early.
+                    ended = match field.kind {
+                        Kind::Float => matches!(rest, "-" | "+" | "."),
+                        Kind::Set { .. } => false,
+                        _ => matches!(rest, "-" | "+"),
+                    };
+                    break;
+                };
                 rest = &rest[length..];
                 if let Some(place) = place {
                     values[place] = Some(value);
@@ -247,7 +257,7 @@ fn scan(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     }
     if names.is_empty() {
         if ended && done == 0 {
-            return Ok(Value::from(-1i64));
+            return Ok(Value::EMPTY);
         }
         return Ok(Value::list(values.into_iter().map(Option::unwrap_or_default)));
     }
@@ -280,13 +290,12 @@ impl Field {
             Kind::Count => None,
             Kind::Float => float_length(limited).and_then(|length| {
                 let number = limited[..length].parse::<f64>().ok()?;
-                Some((length, Value::from(number)))
+                if number.is_nan() { None } else { Some((length, Value::from(number))) }
             }),
             Kind::Integer(base) => self.integer(limited, *base),
             Kind::Unsigned => self.integer(limited, 10).map(|(length, value)| {
                 let value = match (value.to_i64(), self.size) {
-                    (Ok(i), Size::Int) if i < 0 => Value::from(i64::from(i as u32)),
-                    (Ok(i), _) if i < 0 => Value::from(BigInt::from(i as u64)),
+                    (Ok(i), Size::Wide) if i < 0 => Value::from(BigInt::from(i as u64)),
                     _ => value,
                 };
                 (length, value)
@@ -305,8 +314,6 @@ impl Field {
         };
         let (base, digits) = match (base, lower.as_str()) {
             (0 | 16, "0x") => (16, after_prefix(16).unwrap_or(unsigned)),
-            (0 | 8, "0o") => (8, after_prefix(8).unwrap_or(unsigned)),
-            (0 | 2, "0b") => (2, after_prefix(2).unwrap_or(unsigned)),
             (0, _) if unsigned.starts_with('0') => (8, unsigned),
             (0, _) => (10, unsigned),
             (base, _) => (base, unsigned),
@@ -320,18 +327,10 @@ impl Field {
         let used = sign + (unsigned.len() - digits.len()) + length;
         let value = match self.size {
             Size::Big => Value::from(whole),
-            // Narrowed as Tcl does: what is out of range becomes the limit, then the low 32 bits count.
-            size => {
-                let wide = whole.to_i64().unwrap_or(if negative { i64::MIN } else { i64::MAX });
-                Value::from(if size == Size::Wide { wide } else { narrow(wide) })
-            }
+            Size::Wide => Value::from(whole.to_i64().unwrap_or(if negative { i64::MIN } else { i64::MAX })),
         };
         Some((used, value))
     }
-}
-
-fn narrow(wide: i64) -> i64 {
-    i64::from(wide as i32)
 }
 
 /// Length of the number that a float conversion takes.

@@ -193,7 +193,7 @@ fn first(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
 }
 
 fn last(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
-    call.expect(4..=5, "string last needleString haystackString ?lastIndex?")?;
+    call.expect(4..=5, "string last needleString haystackString ?startIndex?")?;
     let (needle, value) = (call.arg(2).as_str(), call.arg(3));
     let text = value.as_str();
     let count = value.char_count();

@@ -36,6 +36,7 @@ pub(crate) fn is(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     let usage = "string is class ?-strict? ?-failindex var? str";
     call.expect(4..=7, usage)?;
     let class = CLASSES[choose(&call.arg(2).as_str(), "class", &CLASSES, false).map_err(|e| e.at(call.span(2), ""))?];
+    let usage = format!("string is {class} ?-strict? ?-failindex var? str");
     let mut strict = false;
     let mut fail_var = None;
     let mut i = 3;
@@ -45,7 +46,7 @@ pub(crate) fn is(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
             _ => {
                 i += 1;
                 if i >= call.len() - 1 {
-                    return Err(call.wrong_args(usage));
+                    return Err(call.wrong_args(&usage));
                 }
                 fail_var = Some(VarName::of(call.arg(i)));
             }
@@ -93,7 +94,8 @@ fn failure(class: &str, value: &Value, text: &str) -> Option<i64> {
             let narrow = class == "integer";
             number_failure(text, move |n| match n {
                 Number::Double(_) => Fit::No,
-                Number::Big(_) => Fit::TooLarge,
+                Number::Big(b) if narrow || b.bits() > 64 => Fit::TooLarge,
+                Number::Big(_) => Fit::Yes,
                 Number::Int(i) if narrow && i.unsigned_abs() > u64::from(u32::MAX) => Fit::TooLarge,
                 Number::Int(_) => Fit::Yes,
             })
@@ -104,8 +106,9 @@ fn failure(class: &str, value: &Value, text: &str) -> Option<i64> {
 
 fn boolean(value: &Value) -> Option<bool> {
     match value.number() {
-        Some(Number::Int(_)) | None => value.truth(),
+        Some(Number::Int(i @ (0 | 1))) => Some(i == 1),
         Some(_) => None,
+        None => value.truth(),
     }
 }
 
@@ -141,7 +144,8 @@ fn number_failure(text: &str, fit: impl Fn(&Number) -> Fit) -> Option<i64> {
         Some(_) => rest[sign..].bytes().take_while(u8::is_ascii_digit).count() + sign,
         None => 0,
     };
-    Some((blanks + good) as i64)
+    let after = rest[good..].bytes().take_while(|b| good > sign && is_space(*b)).count();
+    Some((blanks + good + after) as i64)
 }
 
 fn list_failure(text: &str) -> Option<i64> {

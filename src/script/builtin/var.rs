@@ -60,21 +60,26 @@ fn unset(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     Ok(Value::EMPTY)
 }
 
+/// An integer of any size, with the error that `incr` has for others.
+fn incrementable(value: &Value) -> Result<Number, Exception> {
+    value.to_integer().map_err(|e| e.with_code(Value::list(["TCL", "VALUE", "INTEGER"].map(Value::from))))
+}
+
 fn incr(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(2..=3, "incr varName ?increment?")?;
     let name = VarName::of(call.arg(1));
     let by = match call.get(2) {
         None => Number::Int(1),
-        Some(by) => match by.to_integer() {
+        Some(by) => match incrementable(by) {
             Ok(by) => by,
             Err(e) => {
                 // Tcl looks at the variable first.
-                core.peek(&name, name.element.as_deref()).ok().map_or(Ok(()), |v| v.to_integer().map(|_| ()))?;
+                core.peek(&name, name.element.as_deref()).ok().map_or(Ok(()), |v| incrementable(&v).map(|_| ()))?;
                 return Err(e.at(call.span(2), ""));
             }
         },
     };
-    core.update(&name, true, |value, existed| {
+    core.update(&name, true, "read", |value, existed| {
         let sum = match (&value.0, &by) {
             (Rep::Int(i), Number::Int(by)) => i.checked_add(*by),
             (Rep::Empty, Number::Int(by)) if !existed => Some(*by),
@@ -83,7 +88,7 @@ fn incr(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         *value = match sum {
             Some(sum) => Value::from(sum),
             None => {
-                let old = if existed { arith::big(&value.to_integer()?) } else { BigInt::ZERO };
+                let old = if existed { arith::big(&incrementable(value)?) } else { BigInt::ZERO };
                 Value::from(old + arith::big(&by))
             }
         };
@@ -97,7 +102,7 @@ fn append(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     if call.len() == 2 {
         return core.read(&name, name.element.as_deref());
     }
-    core.update(&name, true, |value, _| {
+    core.update(&name, true, "set", |value, _| {
         if value.is_empty() && call.len() == 3 {
             *value = call.arg(2).clone();
         } else {
@@ -119,7 +124,7 @@ fn lappend(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         value.to_list()?;
         return Ok(value);
     }
-    core.update(&name, true, |value, _| {
+    core.update(&name, true, "set", |value, _| {
         if call.len() > 2 {
             value.list_mut()?.extend_from_slice(call.from(2));
         }

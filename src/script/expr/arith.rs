@@ -8,7 +8,7 @@ use num_traits::{Signed as _, ToPrimitive as _, Zero as _};
 
 use super::super::error::Exception;
 use super::super::number::{Number, looks_like_bad_octal};
-use super::super::value::{Rep, Value, too_large};
+use super::super::value::{Rep, Value};
 use super::{Binary, Unary};
 
 /// Shifting further than this would make integers of more than a hundred megabytes.
@@ -79,7 +79,7 @@ pub(crate) fn big(n: &Number) -> BigInt {
 
 pub(crate) fn unary(op: Unary, value: &Value) -> Result<Value, Exception> {
     match (op, &value.0) {
-        (Unary::Minus, Rep::Double(d)) => return Ok(Value::from(-d)),
+        (Unary::Minus, Rep::Double(d)) => return Ok(Value::from(-d.get())),
         (Unary::Not, Rep::Int(i)) => return Ok(Value::from(*i == 0)),
         _ => {}
     }
@@ -108,17 +108,17 @@ pub(crate) fn unary(op: Unary, value: &Value) -> Result<Value, Exception> {
 pub(crate) fn binary(op: Binary, a: &Value, b: &Value) -> Result<Value, Fault> {
     match (&a.0, &b.0) {
         (Rep::Double(x), Rep::Double(y)) => {
-            if let Some(v) = doubles(op, *x, *y) {
+            if let Some(v) = doubles(op, x.get(), y.get()) {
                 return Ok(v);
             }
         }
         (Rep::Double(x), Rep::Int(y)) => {
-            if let (true, Some(v)) = (is_arithmetic(op), doubles(op, *x, *y as f64)) {
+            if let (true, Some(v)) = (is_arithmetic(op), doubles(op, x.get(), *y as f64)) {
                 return Ok(v);
             }
         }
         (Rep::Int(x), Rep::Double(y)) => {
-            if let (true, Some(v)) = (is_arithmetic(op), doubles(op, *x as f64, *y)) {
+            if let (true, Some(v)) = (is_arithmetic(op), doubles(op, *x as f64, y.get())) {
                 return Ok(v);
             }
         }
@@ -273,7 +273,7 @@ fn integers(op: Binary, x: &Number, y: &Number) -> Result<Value, Fault> {
         Binary::Shl if a.is_zero() => a,
         Binary::Shl => match b.to_u64() {
             Some(by) if by < MAX_SHIFT => a << by,
-            _ => return Err(right(too_large())),
+            _ => return Err(right(Exception::error("integer value too large to represent"))),
         },
         Binary::Shr => match b.to_u64() {
             Some(by) if by <= a.bits() => a >> by,

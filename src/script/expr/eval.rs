@@ -44,14 +44,14 @@ impl<H> Interp<H> {
     fn finish(&mut self, value: Value) -> Result<Value, Exception> {
         let value = self.numeric(value);
         match &value.0 {
-            Rep::Double(d) if d.is_nan() => Err(arith::domain_error()),
+            Rep::Double(d) if d.get().is_nan() => Err(arith::domain_error()),
             _ => Ok(value),
         }
     }
 
     fn numeric(&self, value: Value) -> Value {
         match &value.0 {
-            Rep::Double(d) if self.core.precision > 0 => self.core.double(*d),
+            Rep::Double(d) if self.core.precision > 0 => self.core.double(d.get()),
             Rep::Str(_) => match value.number() {
                 Some(Number::Double(d)) => self.core.double(d),
                 Some(n) => Value::from(n),
@@ -153,9 +153,9 @@ impl<H> Interp<H> {
             Some((id, _)) => Some(id),
             None => {
                 let near = crate::diagnostic::nearest(&function.name, func::names()).map(str::to_owned);
-                let message = format!("unknown math function \"{}\"", function.name);
-                let code = ["TCL", "LOOKUP", "COMMAND", &local];
-                return Err(Exception::coded(message, &code).suggest(near));
+                let e = Exception::coded(format!("invalid command name \"{local}\""), &["TCL", "LOOKUP", "COMMAND", &local]);
+                let told = format!("unknown math function \"{}\"", function.name);
+                return Err(e.map_error(|e| e.diagnostic.message = told).suggest(near));
             }
         };
         match own {

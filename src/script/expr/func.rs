@@ -6,7 +6,7 @@ use num_traits::{FromPrimitive as _, Signed as _, ToPrimitive as _};
 use super::super::command::Call;
 use super::super::core::Core;
 use super::super::error::Exception;
-use super::super::number::{Number, looks_like_bad_octal};
+use super::super::number::Number;
 use super::super::value::Value;
 use super::arith::{big, compare_numbers, domain_error};
 
@@ -72,18 +72,18 @@ pub(crate) fn command(core: &mut Core, call: &Call<'_>) -> Result<Value, Excepti
 /// Call a function.
 pub(crate) fn call(core: &mut Core, name: &str, args: &[Value]) -> Result<Value, Exception> {
     let count = |least: usize, most: usize| match args.len() {
-        n if n < least => Err(wrong_count("few", name)),
-        n if n > most => Err(wrong_count("many", name)),
+        n if n < least => Err(wrong_count("not enough", name)),
+        n if n > most => Err(wrong_count("too many", name)),
         _ => Ok(()),
     };
     if let Some((_, f)) = REAL.iter().find(|f| f.0 == name) {
         count(1, 1)?;
-        let [x] = args else { return Err(wrong_count("few", name)) };
+        let [x] = args else { return Err(wrong_count("not enough", name)) };
         return finite(f(real(x)?));
     }
     if let Some((_, f)) = REAL2.iter().find(|f| f.0 == name) {
         count(2, 2)?;
-        let [x, y] = args else { return Err(wrong_count("few", name)) };
+        let [x, y] = args else { return Err(wrong_count("not enough", name)) };
         return finite(f(real(x)?, real(y)?));
     }
     let Some((_, least, most)) = OTHER.iter().find(|f| f.0 == name) else {
@@ -94,12 +94,15 @@ pub(crate) fn call(core: &mut Core, name: &str, args: &[Value]) -> Result<Value,
         ("rand", _) => Ok(Value::from(core.next_random())),
         ("max" | "min", args) => extreme(args, name == "max"),
         (_, [x]) => one(core, name, x),
-        _ => Err(wrong_count("few", name)),
+        _ => Err(wrong_count("not enough", name)),
     }
 }
 
 fn wrong_count(what: &str, name: &str) -> Exception {
-    Exception::coded(format!("too {what} arguments for math function \"{name}\""), &["TCL", "WRONGARGS"])
+    if matches!(name, "max" | "min") {
+        return Exception::error(format!("{what} arguments to math function \"{name}\""));
+    }
+    Exception::coded(format!("{what} arguments for math function \"{name}\""), &["TCL", "WRONGARGS"])
 }
 
 fn finite(d: f64) -> Result<Value, Exception> {
@@ -155,7 +158,7 @@ fn number(x: &Value) -> Result<Number, Exception> {
     match x.number() {
         Some(Number::Double(d)) if d.is_nan() => real(x).map(Number::Double),
         Some(n) => Ok(n),
-        None => Err(x.not_a("floating-point number")),
+        None => Err(x.not_a("number")),
     }
 }
 
@@ -165,13 +168,7 @@ fn whole(x: &Value) -> Result<BigInt, Exception> {
         Some(Number::Double(d)) if !d.is_nan() => from_double(d.trunc()),
         Some(Number::Double(_)) => Err(real(x).err().unwrap_or_else(domain_error)),
         Some(n) => Ok(big(&n)),
-        None => {
-            let mut message = format!("expected number but got \"{x}\"");
-            if looks_like_bad_octal(&x.as_str()) {
-                message.push_str(" (looks like invalid octal number)");
-            }
-            Err(Exception::coded(message, &["TCL", "VALUE", "NUMBER"]))
-        }
+        None => Err(x.not_a("number")),
     }
 }
 
@@ -185,7 +182,9 @@ fn from_double(d: f64) -> Result<BigInt, Exception> {
 fn extreme(args: &[Value], greatest: bool) -> Result<Value, Exception> {
     let mut best: Option<Number> = None;
     for arg in args {
-        let n = number(arg)?;
+        let n = number(arg).map_err(|_| {
+            Exception::error(format!("expected floating-point number but got \"{arg}\""))
+        })?;
         let better = match &best {
             None => true,
             Some(b) => {

@@ -152,8 +152,7 @@ fn compile_unit(unit: Rc<Unit>) -> Result<Expr, Exception> {
     parse::Parser::new(&unit).parse().map_err(|e| {
         let ExprError { error, code } = *e;
         let span: Option<Span> = unit.span(error.start, error.end);
-        let mut words = vec!["TCL", "PARSE", "EXPR"];
-        words.extend(code);
+        let words = if code.is_empty() { vec!["NONE"] } else { [vec!["TCL", "PARSE", "EXPR"], code].concat() };
         let shown: String = unit.text.chars().take(50).collect();
         let dots = if unit.text.chars().count() > 50 { "..." } else { "" };
         Exception::coded(error.message, &words)

@@ -217,7 +217,7 @@ impl<'a> Parser<'a> {
 
     /// Operators that are words.
     fn word_operator(&self, at: usize) -> Option<Lexeme> {
-        if self.byte(at + 2).is_some_and(is_word_byte) {
+        if self.byte(at + 2).is_some_and(|b| b.is_ascii_alphabetic()) {
             return None;
         }
         Some(Lexeme::Binary(match self.text.as_bytes().get(at..at + 2)? {
@@ -369,7 +369,9 @@ impl<'a> Parser<'a> {
                     Ok(op) => op,
                     Err(e) => {
                         let start = e.start as usize;
-                        let mut failed = self.error(e.message, start, 0, "", &["UNBALANCED"]);
+                        let unbalanced = e.message.starts_with("missing");
+                        let code: &[&str] = if unbalanced { &["UNBALANCED"] } else { &[] };
+                        let mut failed = self.error(e.message, start, 0, "", code);
                         failed.error.end = e.end;
                         failed.error.label = e.label;
                         return Err(failed);
@@ -456,7 +458,7 @@ impl<'a> Parser<'a> {
         if lexeme == Lexeme::Comma {
             if self.last() != Lexeme::Open || self.before_last() != Lexeme::Function {
                 let what = "unexpected \",\" outside function argument list".to_owned();
-                return Err(self.error(what, at, length, "", &["UNEXPECTED"]));
+                return Err(self.error(what, at, length, "", &["SURPRISE"]));
             }
             if let Some(open) = self.pending.last_mut() {
                 open.commas += 1;
@@ -498,7 +500,7 @@ impl<'a> Parser<'a> {
         } else if lexeme == Lexeme::Close {
             return Err(self.error("unbalanced close paren".into(), at, length, "", &["UNBALANCED"]));
         } else if lexeme == Lexeme::Comma && top == Lexeme::Open && self.before_last() == Lexeme::Function {
-            return Err(self.missing("function argument", at));
+            return Err(self.error(format!("missing function argument at {MARK}"), at, 0, "", &["UNBALANCED"]));
         }
         Err(self.missing("operand", at))
     }

@@ -20,7 +20,7 @@ pub(super) struct Translated {
 
 fn refuse(why: &str, code: &str) -> Exception {
     let message = format!("couldn't compile regular expression pattern: {why}");
-    Exception::coded(message, &["REGEXP", code, why])
+    Exception::coded(message, &["REGEXP", &format!("REG_{code}"), why])
 }
 
 fn not_balanced_paren() -> Exception {
