@@ -1,0 +1,92 @@
+//! Solution algorithms: how the equations of a step are brought into balance.
+
+mod krylov;
+mod line_search;
+mod linear;
+mod newton;
+
+use super::convergence::{Test, Verdict};
+use super::failure::{Cause, Failure};
+use super::integrator::Integrator;
+use super::prepared::TangentMix;
+use super::system::System;
+use std::fmt;
+
+pub use krylov::KrylovNewton;
+pub use line_search::{LineSearch, NewtonLineSearch, SearchKind};
+pub use linear::Linear;
+pub use newton::{ModifiedNewton, Newton};
+
+/// What an algorithm works on during a step.
+pub struct Iteration<'a, 'b> {
+    /// The equations.
+    pub system: &'a mut System<'b>,
+    /// Takes the corrections.
+    pub integrator: &'a mut dyn Integrator,
+    /// Judges them.
+    pub test: &'a mut Test,
+}
+
+impl Iteration<'_, '_> {
+    /// Give the integrator the correction in `system.work.x`.
+    pub fn update(&mut self) -> Result<(), Failure> {
+        let mut x = std::mem::take(&mut self.system.work.x);
+        let result = self.integrator.update(self.system, &mut x);
+        self.system.work.x = x;
+        result
+    }
+
+    /// Let the test judge the last correction and the unbalance after it; the number of iterations when it is passed.
+    pub fn judge(&mut self) -> Result<Option<usize>, Failure> {
+        let work = &self.system.work;
+        let n = work.plan.map.equations;
+        match self.test.judge(&work.x[..n], &work.b[..n]) {
+            Verdict::Converged => Ok(Some(self.test.iteration)),
+            Verdict::Continue => Ok(None),
+            Verdict::Failed => Err(self.not_converged()),
+        }
+    }
+
+    fn not_converged(&self) -> Failure {
+        let cause = Cause::NotConverged {
+            norm: self.test.last_norm(),
+            tolerance: self.test.tolerance,
+            iterations: self.test.iteration,
+            test: self.test.measure.name(),
+        };
+        let place = self.system.worst(&self.system.work.b);
+        Failure { place, ..self.system.failure(cause) }
+    }
+}
+
+/// A solution algorithm.
+pub trait Algorithm: fmt::Debug + Send {
+    /// Name in the `algorithm` command.
+    fn name(&self) -> &'static str;
+
+    /// The model has changed.
+    fn prepare(&mut self, _system: &System<'_>) {}
+
+    /// Solve the step that the integrator has begun; the number of iterations.
+    fn solve(&mut self, it: &mut Iteration<'_, '_>) -> Result<usize, Failure>;
+}
+
+/// Which tangent the iterations of a step use.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum TangentChoice {
+    /// One mix for all iterations.
+    Always(TangentMix),
+    /// The initial tangent in the first iteration, the current one after it.
+    InitialThenCurrent,
+}
+
+impl TangentChoice {
+    /// The mix of an iteration, from 0.
+    pub fn at(self, iteration: usize) -> TangentMix {
+        match self {
+            Self::Always(mix) => mix,
+            Self::InitialThenCurrent if iteration == 0 => TangentMix::INITIAL,
+            Self::InitialThenCurrent => TangentMix::CURRENT,
+        }
+    }
+}

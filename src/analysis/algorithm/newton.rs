@@ -1,0 +1,71 @@
+//! Newton's method with a new tangent in each iteration, and with one for the whole step.
+
+use super::{Algorithm, Iteration, TangentChoice};
+use crate::analysis::failure::Failure;
+use crate::analysis::prepared::TangentMix;
+
+/// `algorithm Newton`.
+#[derive(Clone, Debug)]
+pub struct Newton(pub TangentChoice);
+
+impl Algorithm for Newton {
+    fn name(&self) -> &'static str {
+        "Newton"
+    }
+    fn solve(&mut self, it: &mut Iteration<'_, '_>) -> Result<usize, Failure> {
+        let wants = self.0 != TangentChoice::Always(TangentMix::INITIAL);
+        it.system.form_unbalance(wants)?;
+        it.test.start();
+        for iteration in 0.. {
+            it.system.form_tangent(self.0.at(iteration))?;
+            it.system.solve()?;
+            it.update()?;
+            it.system.form_unbalance(wants)?;
+            if let Some(n) = it.judge()? {
+                return Ok(n);
+            }
+        }
+        unreachable!("the test ends the iterations")
+    }
+}
+
+/// `algorithm ModifiedNewton`: one tangent for all iterations of a step, or of the analysis.
+#[derive(Clone, Debug)]
+pub struct ModifiedNewton {
+    mix: TangentMix,
+    factor_once: bool,
+    factored: bool,
+}
+
+impl ModifiedNewton {
+    /// With which tangent, and whether it is factored only once.
+    pub fn new(mix: TangentMix, factor_once: bool) -> Self {
+        Self { mix, factor_once, factored: false }
+    }
+}
+
+impl Algorithm for ModifiedNewton {
+    fn name(&self) -> &'static str {
+        "ModifiedNewton"
+    }
+    fn prepare(&mut self, _: &super::System<'_>) {
+        self.factored = false;
+    }
+    fn solve(&mut self, it: &mut Iteration<'_, '_>) -> Result<usize, Failure> {
+        it.system.form_unbalance(self.mix.current != 0.0 && !self.factored)?;
+        if !self.factored {
+            it.system.form_tangent(self.mix)?;
+        }
+        self.factored = false;
+        it.test.start();
+        loop {
+            it.system.solve()?;
+            it.update()?;
+            it.system.form_unbalance(false)?;
+            if let Some(n) = it.judge()? {
+                self.factored = self.factor_once;
+                return Ok(n);
+            }
+        }
+    }
+}

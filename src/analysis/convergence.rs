@@ -1,0 +1,190 @@
+//! Convergence tests.
+
+/// What a test measures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Measure {
+    /// Norm of the correction of the displacements.
+    DispIncr,
+    /// Norm of the unbalanced force.
+    Unbalance,
+    /// Half the work of the unbalanced force on the correction.
+    Energy,
+    /// Correction over the first correction of the step.
+    RelativeDispIncr,
+    /// Unbalance over the first unbalance tested in the step.
+    RelativeUnbalance,
+    /// Work over the first work of the step.
+    RelativeEnergy,
+    /// Correction over the sum of the norms of all corrections of the step.
+    RelativeTotalDispIncr,
+    /// None: a given number of iterations.
+    FixedIterations,
+    /// Correction and unbalance, both.
+    DispAndUnbalance,
+    /// Correction or unbalance, either.
+    DispOrUnbalance,
+}
+
+impl Measure {
+    /// Name in the `test` command.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::DispIncr => "NormDispIncr",
+            Self::Unbalance => "NormUnbalance",
+            Self::Energy => "EnergyIncr",
+            Self::RelativeDispIncr => "RelativeNormDispIncr",
+            Self::RelativeUnbalance => "RelativeNormUnbalance",
+            Self::RelativeEnergy => "RelativeEnergyIncr",
+            Self::RelativeTotalDispIncr => "RelativeTotalNormDispIncr",
+            Self::FixedIterations => "FixedNumIter",
+            Self::DispAndUnbalance => "NormDispAndUnbalance",
+            Self::DispOrUnbalance => "NormDispOrUnbalance",
+        }
+    }
+}
+
+/// Which norm of a vector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Norm {
+    /// Largest entry.
+    Max,
+    /// p-norm; 2 is the Euclidean norm.
+    P(u32),
+}
+
+impl Norm {
+    fn of(self, v: &[f64]) -> f64 {
+        match self {
+            Self::Max => v.iter().fold(0.0, |m, x| if x.abs() <= m { m } else { x.abs() }),
+            Self::P(1) => v.iter().map(|x| x.abs()).sum(),
+            Self::P(2) => v.iter().map(|x| x * x).sum::<f64>().sqrt(),
+            Self::P(p) => v.iter().map(|x| x.abs().powi(p as i32)).sum::<f64>().powf(1.0 / f64::from(p)),
+        }
+    }
+}
+
+/// A convergence test and its count.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Test {
+    /// What it measures.
+    pub measure: Measure,
+    /// Tolerance.
+    pub tolerance: f64,
+    /// Tolerance of the unbalance for the tests that have two.
+    pub second_tolerance: f64,
+    /// Iterations allowed.
+    pub max_iterations: usize,
+    /// Which norm.
+    pub norm: Norm,
+    /// Go on as if converged when the iterations are used up (print flag 5 of OpenSees).
+    pub accept_unconverged: bool,
+    /// How often the norm may grow before the step fails; only tests of the unbalance have it.
+    pub max_increases: Option<usize>,
+    /// A norm beyond this fails the step.
+    pub max_norm: f64,
+    /// Iterations made in this step.
+    pub iteration: usize,
+    /// Norms of this step, one an iteration.
+    pub norms: Vec<f64>,
+    first: f64,
+    total: f64,
+    increases: usize,
+}
+
+/// What a test says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// Passed.
+    Converged,
+    /// Not passed yet.
+    Continue,
+    /// Not passed within the iterations.
+    Failed,
+}
+
+impl Test {
+    /// A test with the Euclidean norm.
+    pub fn new(measure: Measure, tolerance: f64, max_iterations: usize) -> Self {
+        Self {
+            measure,
+            tolerance,
+            second_tolerance: tolerance,
+            max_iterations,
+            norm: Norm::P(2),
+            accept_unconverged: false,
+            max_increases: None,
+            max_norm: f64::MAX,
+            iteration: 0,
+            norms: Vec::with_capacity(max_iterations.min(1000)),
+            first: 0.0,
+            total: 0.0,
+            increases: 0,
+        }
+    }
+
+    /// A test of the same kind for a single iteration, which leaves this one as it is. Allocates nothing.
+    pub fn probe(&self) -> Self {
+        Self { norms: vec![], iteration: 0, first: 0.0, total: 0.0, increases: 0, ..*self }
+    }
+
+    /// Begin a step.
+    pub fn start(&mut self) {
+        self.iteration = 0;
+        self.norms.clear();
+        (self.first, self.total, self.increases) = (0.0, 0.0, 0);
+    }
+
+    /// Norm at the last iteration.
+    pub fn last_norm(&self) -> f64 {
+        self.norms.last().copied().unwrap_or(f64::NAN)
+    }
+
+    /// Judge an iteration by its correction and the unbalance after it.
+    pub fn judge(&mut self, correction: &[f64], unbalance: &[f64]) -> Verdict {
+        let mut norm = match self.measure {
+            Measure::DispIncr | Measure::RelativeDispIncr | Measure::RelativeTotalDispIncr => self.norm.of(correction),
+            Measure::Unbalance | Measure::RelativeUnbalance => self.norm.of(unbalance),
+            Measure::Energy | Measure::RelativeEnergy | Measure::FixedIterations => {
+                0.5 * correction.iter().zip(unbalance).map(|(x, b)| x * b).sum::<f64>().abs()
+            }
+            Measure::DispAndUnbalance | Measure::DispOrUnbalance => self.norm.of(correction),
+        };
+        self.iteration += 1;
+        if self.iteration == 1 {
+            self.first = norm;
+        }
+        match self.measure {
+            Measure::RelativeDispIncr | Measure::RelativeUnbalance | Measure::RelativeEnergy if self.first != 0.0 => {
+                norm /= self.first;
+            }
+            Measure::RelativeTotalDispIncr => {
+                self.total += norm;
+                if self.total != 0.0 {
+                    norm /= self.total;
+                }
+            }
+            _ => {}
+        }
+        let grown = self.norms.last().is_some_and(|last| *last < norm);
+        if self.norms.len() < self.norms.capacity() {
+            self.norms.push(norm);
+        } else if let Some(last) = self.norms.last_mut() {
+            *last = norm;
+        }
+        self.increases += usize::from(grown);
+        let passed = match self.measure {
+            Measure::FixedIterations => self.iteration == self.max_iterations,
+            Measure::DispAndUnbalance => norm <= self.tolerance && self.norm.of(unbalance) <= self.second_tolerance,
+            Measure::DispOrUnbalance => norm <= self.tolerance || self.norm.of(unbalance) <= self.second_tolerance,
+            _ => norm <= self.tolerance,
+        };
+        if passed {
+            return Verdict::Converged;
+        }
+        let too_often = self.max_increases.is_some_and(|m| self.increases >= m);
+        if self.iteration >= self.max_iterations || too_often || norm > self.max_norm || norm.is_nan() {
+            return if self.accept_unconverged && !norm.is_nan() { Verdict::Converged } else { Verdict::Failed };
+        }
+        Verdict::Continue
+    }
+}

@@ -1,0 +1,408 @@
+//! A model, its state, and the steps that advance it.
+
+use super::algorithm::{Algorithm, Iteration};
+use super::convergence::Test;
+use super::failure::{Cause, Failure};
+use super::integrator::Integrator;
+use super::ladder::Ladder;
+use super::prepared::{PrepareOptions, Prepared};
+use super::state::State;
+use super::system::{Coefficients, System};
+use crate::assembly::{Handler, MpScope};
+use crate::element::{Element, Snapshot};
+use crate::model::{ElementId, Model, NodeId, Tag};
+use std::sync::Arc;
+
+/// Kind of analysis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Equilibrium under loads.
+    Static,
+    /// Motion in time.
+    Transient,
+}
+
+/// The parts of an analysis.
+#[derive(Debug)]
+pub struct Setup {
+    /// Kind.
+    pub kind: Kind,
+    /// Constraint handler.
+    pub handler: Handler,
+    /// Solution algorithm.
+    pub algorithm: Box<dyn Algorithm>,
+    /// Integrator.
+    pub integrator: Box<dyn Integrator>,
+    /// Convergence test.
+    pub test: Test,
+}
+
+/// Settings that hold for all analyses of an engine.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// Follow OpenSees where it is known to slip.
+    pub compat: bool,
+    /// Remedies for a step that fails.
+    pub ladder: Option<Ladder>,
+    /// Force a dense matrix, or a sparse one.
+    pub dense: Option<bool>,
+}
+
+/// Who wants to know about steps.
+pub trait Observer {
+    /// A step has been committed.
+    ///
+    /// # Errors
+    /// What keeps the observer from going on (a recorder that cannot write); ends the analysis.
+    fn committed(&mut self, engine: &Engine) -> Result<(), String>;
+
+    /// Whether to stop before the next step.
+    fn interrupted(&self) -> bool {
+        false
+    }
+}
+
+/// Nobody.
+pub struct Quiet;
+
+impl Observer for Quiet {
+    fn committed(&mut self, _: &Engine) -> Result<(), String> {
+        Ok(())
+    }
+}
+
+/// The largest unbalanced force left by a step that counted as converged.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Imbalance {
+    /// Domain time.
+    pub time: f64,
+    /// Largest unbalanced force over the largest force in the model.
+    pub ratio: f64,
+    /// Where, in words.
+    pub place: String,
+    /// Steps so far that were out of balance by more than [`Imbalance::LIMIT`].
+    pub steps: usize,
+}
+
+impl Imbalance {
+    /// Unbalanced forces beyond this fraction of the largest force are worth telling.
+    pub const LIMIT: f64 = 1e-2;
+}
+
+/// A model, its state, and the steps that advance it.
+#[derive(Debug, Default)]
+pub struct Engine {
+    model: Model,
+    committed: State,
+    trial: State,
+    setup: Option<Setup>,
+    prepared: Option<(u64, PrepareOptions, Prepared)>,
+    /// The parts of the analysis that have not seen the prepared model yet.
+    fresh: bool,
+    /// Settings.
+    pub options: Options,
+    /// The worst step that counted as converged.
+    pub imbalance: Option<Imbalance>,
+    /// Number of steps committed.
+    pub steps: u64,
+    /// Number of iterations of all steps.
+    pub iterations: u64,
+    /// The last failure.
+    pub failure: Option<Failure>,
+    pub(super) modes: Option<super::modes::Modes>,
+    pub(super) reaction_words: Vec<f64>,
+}
+
+impl Engine {
+    /// An engine without a model.
+    pub fn new(options: Options) -> Self {
+        Self { options, ..Self::default() }
+    }
+
+    /// The model.
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+    /// The committed state.
+    pub fn state(&self) -> &State {
+        &self.committed
+    }
+    /// The parts of the analysis, if there is one.
+    pub fn setup(&self) -> Option<&Setup> {
+        self.setup.as_ref()
+    }
+
+    /// Forget model and analysis; settings and counts stay.
+    pub fn wipe(&mut self) {
+        // A revision that no plan has been made for.
+        let options = std::mem::take(&mut self.options);
+        *self = Self { options, steps: self.steps, iterations: self.iterations, ..Self::default() };
+    }
+
+    /// Forget the analysis.
+    pub fn wipe_analysis(&mut self) {
+        self.setup = None;
+        self.prepared = None;
+    }
+
+    /// Set up an analysis.
+    pub fn set_up(&mut self, setup: Setup) {
+        self.setup = Some(setup);
+        self.fresh = true;
+    }
+
+    /// Change parts of the analysis.
+    pub fn change_setup(&mut self, change: impl FnOnce(&mut Setup)) {
+        if let Some(s) = &mut self.setup {
+            change(s);
+            self.fresh = true;
+        }
+    }
+
+    /// Change the model: constraints, loads, masses, damping. Nodes and elements have methods of their own.
+    pub fn change_model<T>(&mut self, change: impl FnOnce(&mut Model) -> T) -> T {
+        let result = change(&mut self.model);
+        self.model.touch();
+        self.grow();
+        result
+    }
+
+    fn grow(&mut self) {
+        self.committed.grow(&self.model);
+        self.trial.clone_from(&self.committed);
+    }
+
+    /// Add a node.
+    pub fn add_node(&mut self, tag: Tag, coords: &[f64], ndf: usize) -> NodeId {
+        let id = self.model.add_node(tag, coords, ndf);
+        self.committed.grow(&self.model);
+        self.trial.grow(&self.model);
+        id
+    }
+
+    /// Add an element.
+    pub fn add_element(&mut self, tag: Tag, nodes: Vec<NodeId>, element: Arc<dyn Element>) -> ElementId {
+        let id = self.model.add_element(tag, nodes, element);
+        self.committed.grow(&self.model);
+        self.trial.grow(&self.model);
+        id
+    }
+
+    /// Remove an element.
+    pub fn remove_element(&mut self, id: ElementId) {
+        self.rearrange(|m| m.remove_element(id));
+    }
+
+    /// Remove a node.
+    ///
+    /// # Errors
+    /// The tag of an element that it belongs to.
+    pub fn remove_node(&mut self, id: NodeId) -> Result<(), Tag> {
+        self.rearrange(|m| m.remove_node(id))
+    }
+
+    fn rearrange<T>(&mut self, change: impl FnOnce(&mut Model) -> T) -> T {
+        let before = self.model.clone();
+        let result = change(&mut self.model);
+        self.committed = self.committed.rearranged(&before, &self.model);
+        self.trial.clone_from(&self.committed);
+        result
+    }
+
+    /// Change the committed state by hand: time, displacements, velocities.
+    pub fn change_state(&mut self, change: impl FnOnce(&mut State, &Model)) {
+        change(&mut self.committed, &self.model);
+        self.trial.clone_from(&self.committed);
+        if let Some((_, _, p)) = &mut self.prepared {
+            p.loads.invalidate();
+        }
+    }
+
+    /// Back to the undeformed, virgin model at time zero.
+    pub fn reset(&mut self) {
+        self.committed = State::default();
+        self.committed.grow(&self.model);
+        self.trial.clone_from(&self.committed);
+        self.fresh = true;
+        self.prepared = None;
+    }
+
+    /// What a recorder reads an element's responses from.
+    pub fn snapshot<'a>(&'a self, id: ElementId, disp: &'a mut Vec<f64>) -> Snapshot<'a> {
+        let e = &self.model.elements[id.0];
+        disp.clear();
+        disp.extend(e.dofs.iter().map(|&d| self.committed.disp[d as usize]));
+        Snapshot {
+            disp,
+            state: &self.committed.history[e.state.clone()],
+            force: &self.committed.force[e.force.clone()],
+            load: &self.committed.element_load[e.load.clone()],
+        }
+    }
+
+    fn prepare_options(&self, handler: Handler) -> PrepareOptions {
+        let compat = self.options.compat;
+        let first_only = compat && handler == Handler::Transformation;
+        PrepareOptions {
+            handler,
+            scope: if first_only { MpScope::FirstOfNode } else { MpScope::All },
+            homogeneous: compat && handler == Handler::Plain,
+            dense: self.options.dense,
+        }
+    }
+
+    /// Make sure that there is a plan for the model as it is.
+    pub(super) fn prepare(&mut self, handler: Handler) -> Result<&mut Prepared, Failure> {
+        let options = self.prepare_options(handler);
+        let up_to_date = matches!(&self.prepared, Some((r, o, _)) if *r == self.model.revision() && *o == options);
+        if !up_to_date {
+            let time = self.committed.time;
+            let prepared =
+                Prepared::new(&self.model, &options).map_err(|cause| Failure { cause, time, place: None, code: -1 })?;
+            let multipliers = prepared.plan.multipliers;
+            self.committed.multipliers.resize(multipliers, 0.0);
+            self.trial.clone_from(&self.committed);
+            self.prepared = Some((self.model.revision(), options, prepared));
+            self.fresh = true;
+        }
+        match &mut self.prepared {
+            Some((_, _, p)) => Ok(p),
+            None => unreachable!("made above"),
+        }
+    }
+
+    /// The plan and the factors, where there are any.
+    pub fn prepared(&self) -> Option<&Prepared> {
+        self.prepared.as_ref().map(|(_, _, p)| p)
+    }
+
+    /// Model, committed state and work, borrowed apart.
+    pub(super) fn parts(&mut self) -> (&Model, &State, Option<&mut Prepared>) {
+        (&self.model, &self.committed, self.prepared.as_mut().map(|(_, _, p)| p))
+    }
+
+    /// The equations at the committed state, outside of a step.
+    pub(super) fn system(&mut self) -> Option<System<'_>> {
+        let (_, _, work) = self.prepared.as_mut()?;
+        Some(System {
+            model: &self.model,
+            old: &self.committed,
+            new: &mut self.trial,
+            work,
+            coefficients: Coefficients::default(),
+            dynamic: false,
+            elapses: false,
+        })
+    }
+
+    /// Make `steps` steps of length `dt` (which a static analysis takes from its integrator). What is committed stays
+    /// committed when a step fails.
+    ///
+    /// # Errors
+    /// Why a step failed.
+    pub fn analyze(&mut self, steps: usize, dt: f64, observer: &mut dyn Observer) -> Result<(), Failure> {
+        for _ in 0..steps {
+            if observer.interrupted() {
+                let cause = Cause::Interrupted;
+                return Err(Failure { cause, time: self.committed.time, place: None, code: -3 });
+            }
+            let done = match self.step(dt) {
+                Err(failure) if self.options.ladder.is_some() => self.climb(dt, failure, observer),
+                done => done,
+            };
+            if let Err(failure) = done {
+                self.failure = Some(failure.clone());
+                return Err(failure);
+            }
+            self.steps += 1;
+            if let Err(message) = observer.committed(self) {
+                let cause = Cause::Model(message);
+                return Err(Failure { cause, time: self.committed.time, place: None, code: -4 });
+            }
+        }
+        Ok(())
+    }
+
+    /// One step; commits it or leaves the committed state as it was.
+    pub(super) fn step(&mut self, dt: f64) -> Result<(), Failure> {
+        let Some(handler) = self.setup.as_ref().map(|s| s.handler) else {
+            let cause = Cause::Model("there is no analysis: the command \"analysis\" is missing".into());
+            return Err(Failure { cause, time: self.committed.time, place: None, code: -1 });
+        };
+        self.prepare(handler)?;
+        let (Some(setup), Some((_, _, work))) = (&mut self.setup, &mut self.prepared) else {
+            unreachable!("prepared above")
+        };
+        let mut system = System {
+            model: &self.model,
+            old: &self.committed,
+            new: &mut self.trial,
+            coefficients: Coefficients::default(),
+            dynamic: setup.kind == Kind::Transient,
+            elapses: setup.integrator.elapses(),
+            work,
+        };
+        let result = advance(&mut system, setup, self.fresh, dt);
+        match result {
+            Ok(iterations) => {
+                self.fresh = false;
+                self.iterations += iterations as u64;
+                if setup.integrator.balances() {
+                    note_imbalance(&system, &mut self.imbalance);
+                }
+                self.committed.copy_from(&self.trial);
+                Ok(())
+            }
+            Err(failure) => {
+                system.work.loads.invalidate();
+                self.trial.copy_from(&self.committed);
+                Err(failure)
+            }
+        }
+    }
+}
+
+/// Begin, solve and end a step.
+fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, dt: f64) -> Result<usize, Failure> {
+    if fresh {
+        setup.integrator.prepare(system)?;
+        setup.algorithm.prepare(system);
+        system.work.tangent_is_current = false;
+        if system.work.wants_committed_tangent() {
+            system.respond(true)?;
+            system.work.commit_tangent();
+        }
+    }
+    setup.integrator.begin(system, dt)?;
+    let mut iteration = Iteration { system, integrator: setup.integrator.as_mut(), test: &mut setup.test };
+    let iterations = setup.algorithm.solve(&mut iteration)?;
+    setup.integrator.commit(system, iterations).map_err(|f| Failure { code: -4, ..f })?;
+    if system.work.wants_committed_tangent() {
+        if !system.work.tangent_is_current {
+            system.respond(true)?;
+        }
+        system.work.commit_tangent();
+    }
+    Ok(iterations)
+}
+
+/// Remember a step that counted as converged though forces were left over.
+fn note_imbalance(system: &System<'_>, worst: &mut Option<Imbalance>) {
+    let largest = |v: &[f64]| v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    let unbalanced = largest(&system.work.b);
+    if unbalanced == 0.0 {
+        return;
+    }
+    let force = largest(&system.new.force).max(largest(&system.work.loads.nodal));
+    let ratio = unbalanced / force;
+    if ratio > Imbalance::LIMIT {
+        let steps = worst.as_ref().map_or(0, |w| w.steps) + 1;
+        match worst {
+            Some(w) if w.ratio >= ratio => w.steps = steps,
+            _ => {
+                let place = system.worst(&system.work.b).unwrap_or_default();
+                *worst = Some(Imbalance { time: system.new.time, ratio, place, steps });
+            }
+        }
+    }
+}

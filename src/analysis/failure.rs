@@ -1,0 +1,74 @@
+//! Why an analysis step failed, with what an engineer needs to find the reason.
+
+use std::fmt;
+
+/// Why a step failed.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cause {
+    /// The test was not passed within its iterations.
+    NotConverged {
+        /// Norm at the last iteration, as the test has it.
+        norm: f64,
+        /// What the norm has to come below.
+        tolerance: f64,
+        /// Iterations made.
+        iterations: usize,
+        /// Name of the test.
+        test: &'static str,
+    },
+    /// A number that is not finite turned up in the equations.
+    NotFinite,
+    /// The equations are singular: a mechanism.
+    Singular,
+    /// The factors of the equations do not fit into memory.
+    OutOfMemory,
+    /// An element could not answer.
+    Element {
+        /// Class and tag.
+        element: String,
+        /// What it said.
+        message: String,
+    },
+    /// The model makes no sense to the analysis.
+    Model(String),
+    /// The user interrupted.
+    Interrupted,
+}
+
+/// A failed step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Failure {
+    /// Why.
+    pub cause: Cause,
+    /// Domain time that the step was to reach.
+    pub time: f64,
+    /// The degree of freedom that is worst off, in words: `node 3, dof 1`.
+    pub place: Option<String>,
+    /// What `analyze` returns for it in OpenSees: -1 the model, -2 the new step, -3 the solution, -4 the commit.
+    pub code: i32,
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.cause {
+            Cause::NotConverged { norm, tolerance, iterations, test } => write!(
+                f,
+                "no convergence at time {}: {test} {norm:.4e} after {iterations} iterations, wanted {tolerance:.1e}",
+                self.time
+            )?,
+            Cause::NotFinite => write!(f, "a number that is not finite turned up at time {}", self.time)?,
+            Cause::Singular => write!(f, "the structure is a mechanism at time {}", self.time)?,
+            Cause::OutOfMemory => write!(f, "the equations do not fit into memory")?,
+            Cause::Element { element, message } => write!(f, "{element} failed at time {}: {message}", self.time)?,
+            Cause::Model(message) => write!(f, "{message}")?,
+            Cause::Interrupted => write!(f, "interrupted at time {}", self.time)?,
+        }
+        match (&self.place, &self.cause) {
+            (Some(p), Cause::Singular) => write!(f, " ({p} has no stiffness)"),
+            (Some(p), _) => write!(f, " (worst: {p})"),
+            (None, _) => Ok(()),
+        }
+    }
+}
+
+impl std::error::Error for Failure {}

@@ -1,0 +1,84 @@
+//! Integrators: how a step advances, in a load factor or in time.
+
+mod displacement_control;
+mod hht;
+mod load_control;
+mod newmark;
+
+use super::failure::Failure;
+use super::system::System;
+use std::fmt;
+
+pub use displacement_control::DisplacementControl;
+pub use hht::Hht;
+pub use load_control::LoadControl;
+pub use newmark::{Form, Newmark};
+
+/// How a step advances.
+///
+/// The calls of a step are `begin`, then `update` for each correction, then `commit`; a step that fails ends without
+/// `commit`, and the next `begin` finds the committed state again.
+pub trait Integrator: fmt::Debug + Send {
+    /// Name in the `integrator` command.
+    fn name(&self) -> &'static str;
+
+    /// Whether it serves `analysis Static`.
+    fn is_static(&self) -> bool;
+
+    /// Whether domain time is time: it is not where the step is ruled by something else than time.
+    fn elapses(&self) -> bool {
+        true
+    }
+
+    /// Whether the unbalance of a solved step is an error of equilibrium: it is not for explicit methods.
+    fn balances(&self) -> bool {
+        true
+    }
+
+    /// The model has changed, or the integrator is new.
+    fn prepare(&mut self, _system: &mut System<'_>) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    /// Begin a step of length `dt` (which static integrators know themselves): set the predicted motion, the loads
+    /// and the coefficients of the tangent.
+    fn begin(&mut self, system: &mut System<'_>, dt: f64) -> Result<(), Failure>;
+
+    /// Take a correction of the equations. An integrator that rules the load factor may change it.
+    fn update(&mut self, system: &mut System<'_>, correction: &mut [f64]) -> Result<(), Failure>;
+
+    /// The step has been found: bring the trial state to the end of the step.
+    fn commit(&mut self, _system: &mut System<'_>, _iterations: usize) -> Result<(), Failure> {
+        Ok(())
+    }
+}
+
+/// Steps whose size follows the number of iterations that the last step took.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Adaptive {
+    /// Iterations that a step should take; 0 keeps the size.
+    pub desired_iterations: usize,
+    /// Smallest size.
+    pub min: f64,
+    /// Largest size.
+    pub max: f64,
+}
+
+impl Adaptive {
+    /// A fixed size.
+    pub fn fixed(size: f64) -> Self {
+        Self { desired_iterations: 1, min: size, max: size }
+    }
+
+    /// The next size.
+    pub fn next(&self, size: f64, last_iterations: usize) -> f64 {
+        let next = size * self.desired_iterations as f64 / last_iterations.max(1) as f64;
+        if next < self.min {
+            self.min
+        } else if next > self.max {
+            self.max
+        } else {
+            next
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! Newmark's method.
+
+use super::Integrator;
+use crate::analysis::failure::Failure;
+use crate::analysis::system::{Coefficients, System};
+
+/// What the equations are solved for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// Displacements.
+    Displacement,
+    /// Velocities.
+    Velocity,
+    /// Accelerations.
+    Acceleration,
+}
+
+/// `integrator Newmark` (Newmark, 1959).
+#[derive(Clone, Debug)]
+pub struct Newmark {
+    gamma: f64,
+    beta: f64,
+    form: Form,
+    c: Coefficients,
+}
+
+impl Newmark {
+    /// From γ and β.
+    pub fn new(gamma: f64, beta: f64, form: Form) -> Self {
+        Self { gamma, beta, form, c: Coefficients::default() }
+    }
+
+    /// What a unit of the unknown adds to displacement, velocity and acceleration.
+    pub(super) fn coefficients(gamma: f64, beta: f64, form: Form, dt: f64) -> Coefficients {
+        match form {
+            Form::Displacement => Coefficients { k: 1.0, c: gamma / (beta * dt), m: 1.0 / (beta * dt * dt) },
+            Form::Velocity => Coefficients { k: beta * dt / gamma, c: 1.0, m: 1.0 / (gamma * dt) },
+            Form::Acceleration => Coefficients { k: beta * dt * dt, c: gamma * dt, m: 1.0 },
+        }
+    }
+}
+
+impl Integrator for Newmark {
+    fn name(&self) -> &'static str {
+        "Newmark"
+    }
+    fn is_static(&self) -> bool {
+        false
+    }
+
+    /// Predictor: the unknown does not change, the two others follow by Newmark's formulas. Degrees of freedom that
+    /// are held keep their velocity and acceleration.
+    fn begin(&mut self, s: &mut System<'_>, dt: f64) -> Result<(), Failure> {
+        let (gamma, beta) = (self.gamma, self.beta);
+        self.c = Self::coefficients(gamma, beta, self.form, dt);
+        s.coefficients = self.c;
+        let (old, new, held) = (s.old, &mut *s.new, &s.work.plan.map.held);
+        for i in (0..held.len()).filter(|&i| !held[i]) {
+            let (v, a) = (old.vel[i], old.accel[i]);
+            match self.form {
+                Form::Displacement => {
+                    new.vel[i] = (1.0 - gamma / beta) * v + dt * (1.0 - 0.5 * gamma / beta) * a;
+                    new.accel[i] = -v / (beta * dt) + (1.0 - 0.5 / beta) * a;
+                }
+                Form::Velocity => {
+                    new.disp[i] = old.disp[i] + dt * v + dt * dt * (0.5 - beta / gamma) * a;
+                    new.accel[i] = (1.0 - 1.0 / gamma) * a;
+                }
+                Form::Acceleration => {
+                    new.disp[i] = old.disp[i] + dt * v + 0.5 * dt * dt * a;
+                    new.vel[i] = v + dt * a;
+                }
+            }
+        }
+        s.apply_loads(s.old.time + dt)
+    }
+
+    fn update(&mut self, s: &mut System<'_>, correction: &mut [f64]) -> Result<(), Failure> {
+        s.spread(correction);
+        let c = self.c;
+        let new = &mut *s.new;
+        for (i, d) in s.work.spread.iter().enumerate() {
+            new.disp[i] += c.k * d;
+            new.vel[i] += c.c * d;
+            new.accel[i] += c.m * d;
+        }
+        s.work.spread.fill(0.0);
+        Ok(())
+    }
+}

@@ -1,0 +1,172 @@
+//! Loads and imposed displacements at a time.
+
+use crate::assembly::{DofMap, Imposed};
+use crate::element::{ElementLoad, Mass};
+use crate::model::{ElementId, Model, PatternKind, Tag};
+
+/// An imposed displacement, found once.
+#[derive(Clone, Debug)]
+pub(super) struct ImposedDof {
+    /// Global degree of freedom.
+    pub dof: usize,
+    pattern: usize,
+    value: f64,
+    constant: bool,
+    initial: f64,
+}
+
+#[derive(Clone, Debug)]
+struct NodalEntry {
+    dof: usize,
+    pattern: usize,
+    value: f64,
+    constant: bool,
+}
+
+/// The loads of all patterns, laid out flat.
+#[derive(Clone, Debug)]
+pub struct Loads {
+    tags: Vec<Tag>,
+    /// Load factor (or ground acceleration) of each pattern at the last time.
+    factors: Vec<f64>,
+    entries: Vec<NodalEntry>,
+    /// Inertia force of all degrees of freedom per unit ground acceleration, by pattern.
+    inertia: Vec<(usize, Vec<f64>)>,
+    elements: Vec<(ElementId, usize, ElementLoad)>,
+    /// Imposed displacements that are out of the equations.
+    pub(super) imposed: Vec<ImposedDof>,
+    /// Forces on all degrees of freedom at the last time.
+    pub(super) nodal: Vec<f64>,
+    valid: bool,
+}
+
+impl Loads {
+    pub(super) fn new(model: &Model, map: &DofMap) -> Self {
+        let tags: Vec<Tag> = model.patterns.keys().copied().collect();
+        let mut loads = Self {
+            factors: vec![0.0; tags.len()],
+            entries: vec![],
+            inertia: vec![],
+            elements: vec![],
+            imposed: vec![],
+            nodal: vec![0.0; model.dofs()],
+            valid: false,
+            tags,
+        };
+        for (i, p) in model.patterns.values().enumerate() {
+            for l in &p.nodal_loads {
+                let dofs = model.nodes[l.node.0].dofs();
+                loads.entries.extend(dofs.zip(&l.values).filter(|(_, v)| **v != 0.0).map(|(dof, &value)| NodalEntry {
+                    dof,
+                    pattern: i,
+                    value,
+                    constant: l.constant,
+                }));
+            }
+            loads.elements.extend(p.element_loads.iter().map(|(e, l)| (*e, i, *l)));
+            if let PatternKind::Uniform(e) = &p.kind {
+                loads.inertia.push((i, inertia_forces(model, e.direction, e.influence)));
+            }
+        }
+        loads.imposed = map.imposed.iter().filter_map(|i| loads.find(model, i)).collect();
+        loads
+    }
+
+    fn find(&self, model: &Model, i: &Imposed) -> Option<ImposedDof> {
+        let m = &model.patterns.get(&i.pattern)?.motions[i.index];
+        let pattern = self.tags.binary_search(&i.pattern).ok()?;
+        Some(ImposedDof { dof: i.dof, pattern, value: m.value, constant: m.constant, initial: m.initial })
+    }
+
+    /// Displacement imposed at the last time.
+    pub(super) fn imposed_value(&self, i: &ImposedDof) -> f64 {
+        i.initial + i.value * if i.constant { 1.0 } else { self.factors[i.pattern] }
+    }
+
+    /// Value of a constraint that the handler keeps in the equations.
+    pub(super) fn link_value(&self, model: &Model, i: &Imposed) -> f64 {
+        self.find(model, i).map_or(0.0, |i| self.imposed_value(&i))
+    }
+
+    /// Forget what has been worked out: the state it went into is gone.
+    pub(super) fn invalidate(&mut self) {
+        self.valid = false;
+    }
+
+    /// Work out the loads at a time; `words` takes those on elements.
+    ///
+    /// # Errors
+    /// Class and tag of an element that does not take its load, and what it says.
+    pub(super) fn apply(&mut self, model: &Model, time: f64, words: &mut [f64]) -> Result<(), (String, String)> {
+        let mut changed = !self.valid;
+        for (f, p) in self.factors.iter_mut().zip(model.patterns.values()) {
+            let factor = p.factor(time);
+            changed |= factor != *f;
+            *f = factor;
+        }
+        if !changed {
+            return Ok(());
+        }
+        self.valid = true;
+        self.nodal.fill(0.0);
+        for e in &self.entries {
+            self.nodal[e.dof] += e.value * if e.constant { 1.0 } else { self.factors[e.pattern] };
+        }
+        for (pattern, force) in &self.inertia {
+            let accel = self.factors[*pattern];
+            self.nodal.iter_mut().zip(force).for_each(|(p, f)| *p -= accel * f);
+        }
+        if !self.elements.is_empty() {
+            words.fill(0.0);
+        }
+        for (id, pattern, load) in &self.elements {
+            let e = &model.elements[id.0];
+            e.element
+                .add_load(load, self.factors[*pattern], &mut words[e.load.clone()])
+                .map_err(|error| (format!("{} {}", e.element.class(), e.tag), error.0))?;
+        }
+        Ok(())
+    }
+
+    /// Forces on all degrees of freedom per unit of load factor of the patterns that still follow one, for
+    /// integrators that control the factor; into `out`.
+    pub(super) fn reference(&self, model: &Model, out: &mut [f64]) {
+        out.fill(0.0);
+        let follows: Vec<bool> = model.patterns.values().map(|p| p.held.is_none()).collect();
+        for e in self.entries.iter().filter(|e| follows[e.pattern] && !e.constant) {
+            out[e.dof] += e.value;
+        }
+    }
+}
+
+/// M R for a uniform motion: the masses of nodes and elements times the influence of the motion.
+fn inertia_forces(model: &Model, direction: usize, influence: f64) -> Vec<f64> {
+    let mut r = vec![0.0; model.dofs()];
+    for node in &model.nodes {
+        r[node.dofs()].copy_from_slice(&node.influence(direction));
+    }
+    let mut force: Vec<f64> = vec![0.0; model.dofs()];
+    for node in &model.nodes {
+        for (dof, m) in node.dofs().zip(&node.mass) {
+            force[dof] += influence * m * r[dof];
+        }
+    }
+    for e in &model.elements {
+        let n = e.dofs.len();
+        match e.element.mass() {
+            Mass::None => {}
+            Mass::Lumped(m) => {
+                for (&d, m) in e.dofs.iter().zip(&m) {
+                    force[d as usize] += influence * m * r[d as usize];
+                }
+            }
+            Mass::Consistent(m) => {
+                for (&d, row) in e.dofs.iter().zip(m.chunks_exact(n)) {
+                    let sum: f64 = e.dofs.iter().zip(row).map(|(&c, m)| m * r[c as usize]).sum();
+                    force[d as usize] += influence * sum;
+                }
+            }
+        }
+    }
+    force
+}

@@ -1,0 +1,24 @@
+//! Analyses: the state of the motion, the integrators and algorithms that advance it, and what may go wrong.
+
+pub mod algorithm;
+mod convergence;
+mod engine;
+mod failure;
+pub mod integrator;
+mod ladder;
+mod loads;
+mod modes;
+mod prepared;
+mod reactions;
+mod state;
+mod system;
+
+pub use convergence::{Measure, Norm, Test, Verdict};
+pub use engine::{Engine, Imbalance, Kind, Observer, Options, Quiet, Setup};
+pub use failure::{Cause, Failure};
+pub use ladder::{Ladder, Remedy};
+pub use modes::{Modes, ModesError, Problem};
+pub use prepared::{PrepareOptions, Prepared, TangentMix};
+pub use reactions::ReactionKind;
+pub use state::State;
+pub use system::{Coefficients, System};

@@ -1,0 +1,184 @@
+//! Natural modes of the model in its committed state.
+
+use super::engine::Engine;
+use super::failure::{Cause, Failure};
+use super::prepared::{Prepared, TangentMix};
+use super::system::{Coefficients, System};
+use crate::assembly::Handler;
+use crate::solve::eigen::{self, Pencil};
+use crate::solve::{SINGULAR, SolveError};
+
+/// Natural modes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Modes {
+    /// Eigenvalues λ = ω², rising.
+    pub lambda: Vec<f64>,
+    /// Mode shapes over all degrees of freedom, of unit modal mass.
+    pub shapes: Vec<Vec<f64>>,
+}
+
+/// What the eigenvalues are of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Problem {
+    /// K x = λ M x.
+    Generalized,
+    /// K x = λ x.
+    Standard,
+}
+
+/// Why there are no modes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ModesError {
+    /// The equations cannot be made or solved.
+    Failure(Failure),
+    /// There are fewer modes than were asked for: the mass moves only so many.
+    TooFew {
+        /// Number of modes that there are.
+        available: usize,
+    },
+}
+
+impl From<Failure> for ModesError {
+    fn from(f: Failure) -> Self {
+        Self::Failure(f)
+    }
+}
+
+impl std::fmt::Display for ModesError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Failure(e) => write!(f, "{e}"),
+            Self::TooFew { available } => {
+                write!(f, "the model has only {available} modes: as many as independent motions that have a mass")
+            }
+        }
+    }
+}
+
+impl std::error::Error for ModesError {}
+
+/// The factored stiffness and the mass matrix.
+struct Matrices<'a> {
+    work: &'a mut Prepared,
+    /// Mass; `None` for the unit matrix.
+    mass: Option<Vec<f64>>,
+}
+
+impl Pencil for Matrices<'_> {
+    fn len(&self) -> usize {
+        self.work.plan.equations()
+    }
+    fn solve(&mut self, x: &mut [f64]) {
+        self.work.solver.solve(x);
+    }
+    fn mass(&self, x: &[f64], y: &mut [f64]) {
+        match &self.mass {
+            Some(m) => self.work.plan.pattern.multiply(m, x, y),
+            None => {
+                let n = self.work.plan.map.equations;
+                y[..n].copy_from_slice(&x[..n]);
+                y[n..].fill(0.0);
+            }
+        }
+    }
+}
+
+impl Engine {
+    /// The modes with the smallest eigenvalues (the largest where `largest`), under the constraints as the analysis
+    /// handles them; they stay with the engine.
+    ///
+    /// # Errors
+    /// A model that cannot be analysed, or that has fewer modes.
+    pub fn find_modes(&mut self, count: usize, problem: Problem, largest: bool) -> Result<&Modes, ModesError> {
+        let handler = self.setup().map_or(Handler::Transformation, |s| s.handler);
+        self.prepare(handler)?;
+        self.respond_as_committed()?;
+        let (model, state, work) = self.parts();
+        let Some(work) = work else { return Err(ModesError::TooFew { available: 0 }) };
+        let time = state.time;
+        work.assemble(model, Coefficients { k: 0.0, c: 0.0, m: 1.0 }, TangentMix::CURRENT);
+        let mass = match problem {
+            Problem::Generalized => Some(work.values.clone()),
+            Problem::Standard => None,
+        };
+        work.assemble(model, Coefficients { k: 1.0, c: 0.0, m: 0.0 }, TangentMix::CURRENT);
+        let sum = |v: &[f64]| v.iter().map(|x| x.abs()).sum::<f64>();
+        let masses = mass.as_deref().map_or(work.plan.equations() as f64, sum);
+        let failure = |cause| Failure { cause, time, place: None, code: -3 };
+        if masses == 0.0 {
+            return Err(ModesError::TooFew { available: 0 });
+        }
+        // A body that floats is held by a very soft spring, which the eigenvalues are freed of again.
+        let mut shift = 0.0;
+        for attempt in 0..2 {
+            let pivots = work.solver.factor(&work.plan.pattern, &work.values);
+            match pivots {
+                Ok(p) if p.ratio > SINGULAR || !work.plan.handler.eliminates() => break,
+                Err(SolveError::OutOfMemory) => return Err(failure(Cause::OutOfMemory).into()),
+                Ok(p) if attempt == 1 => {
+                    let place = Some(work.plan.equation_name(model, p.equation));
+                    return Err(Failure { place, ..failure(Cause::Singular) }.into());
+                }
+                Err(SolveError::Singular { equation }) if attempt == 1 => {
+                    let place = Some(work.plan.equation_name(model, equation));
+                    return Err(Failure { place, ..failure(Cause::Singular) }.into());
+                }
+                _ => {
+                    shift = -1e-7 * sum(&work.values) / masses;
+                    match &mass {
+                        Some(m) => work.values.iter_mut().zip(m).for_each(|(k, m)| *k -= shift * m),
+                        None => (0..work.plan.map.equations).for_each(|e| {
+                            if let Some(at) = work.plan.pattern.place(e, e) {
+                                work.values[at] -= shift;
+                            }
+                        }),
+                    }
+                }
+            }
+        }
+        let available = work.plan.map.equations;
+        let wanted = if largest { available } else { count };
+        let mut pairs = eigen::nearest(&mut Matrices { work: &mut *work, mass }, wanted);
+        // The factors are not those of a step.
+        work.solver.forget();
+        if largest {
+            pairs.reverse();
+            pairs.truncate(count);
+        }
+        if pairs.len() < count {
+            return Err(ModesError::TooFew { available: pairs.len() });
+        }
+        let n = work.plan.map.equations;
+        let shapes = pairs.iter().map(|p| {
+            let mut full = vec![0.0; model.dofs()];
+            work.plan.map.spread(&p.vector[..n], &mut full);
+            full
+        });
+        let modes = Modes { lambda: pairs.iter().map(|p| p.lambda + shift).collect(), shapes: shapes.collect() };
+        Ok(self.modes.insert(modes))
+    }
+
+    /// The modes found last.
+    pub fn modes(&self) -> Option<&Modes> {
+        self.modes.as_ref()
+    }
+
+    /// Tangents of all elements in the committed state.
+    fn respond_as_committed(&mut self) -> Result<(), Failure> {
+        self.with_system(|system| {
+            let time = system.old.time;
+            system.apply_loads(time)?;
+            system.respond(true)
+        })
+    }
+
+    /// Do something with the equations at the committed state; nothing is committed.
+    fn with_system<T>(&mut self, act: impl FnOnce(&mut System<'_>) -> Result<T, Failure>) -> Result<T, Failure> {
+        let Some(mut system) = self.system() else { unreachable!("called after prepare") };
+        let result = act(&mut system);
+        system.work.loads.invalidate();
+        let old = system.old;
+        system.new.copy_from(old);
+        result
+    }
+}

@@ -1,0 +1,355 @@
+//! What an analysis works with between two changes of the model: plan, factors, matrices of the elements, buffers.
+
+use super::failure::Cause;
+use super::loads::Loads;
+use super::state::State;
+use super::system::Coefficients;
+use crate::assembly::{DofError, Handler, MpScope, Plan};
+use crate::element::{MAX_DOFS, Mass};
+use crate::model::{Model, Rayleigh};
+use crate::solve::{NEARLY_SINGULAR, Pivots, SolveError, Solver};
+
+/// Which stiffness goes into the tangent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TangentMix {
+    /// Share of the current tangent.
+    pub current: f64,
+    /// Share of the initial one.
+    pub initial: f64,
+}
+
+impl TangentMix {
+    /// The current tangent.
+    pub const CURRENT: Self = Self { current: 1.0, initial: 0.0 };
+    /// The initial tangent.
+    pub const INITIAL: Self = Self { current: 0.0, initial: 1.0 };
+}
+
+/// Where the matrices of an element lie, and what they are multiplied with.
+#[derive(Clone, Debug)]
+pub(super) struct Matrices {
+    /// Place of the tangent.
+    pub at: usize,
+    /// The tangent never changes, and there is no damping matrix.
+    pub linear: bool,
+    /// Place of the damping matrix of viscous materials.
+    pub damping: Option<usize>,
+    mass: MassPlace,
+    rayleigh: Rayleigh,
+}
+
+#[derive(Clone, Debug)]
+enum MassPlace {
+    None,
+    Lumped(usize),
+    Consistent(usize),
+}
+
+/// Everything an analysis works with between two changes of the model.
+#[derive(Debug)]
+pub struct Prepared {
+    /// Numbering, pattern and scatter maps.
+    pub plan: Plan,
+    /// Factors.
+    pub solver: Solver,
+    /// Loads, laid out flat.
+    pub loads: Loads,
+    /// Unbalance of the equations.
+    pub b: Vec<f64>,
+    /// Correction of the equations.
+    pub x: Vec<f64>,
+    /// A vector over all degrees of freedom, zero between uses.
+    pub spread: Vec<f64>,
+    /// Smallest pivot seen, where it was nearly zero.
+    pub weak_pivot: Option<Pivots>,
+    pub(super) full: Vec<f64>,
+    pub(super) values: Vec<f64>,
+    pub(super) factored: Vec<f64>,
+    pub(super) matrices: Vec<Matrices>,
+    pub(super) tangent: Vec<f64>,
+    pub(super) damping: Vec<f64>,
+    pub(super) tangent_is_current: bool,
+    pub(super) residual_needs_tangent: bool,
+    initial: Vec<f64>,
+    committed: Vec<f64>,
+    mass: Vec<f64>,
+    base: Vec<f64>,
+    base_of: Option<(Coefficients, TangentMix)>,
+    /// Lumped masses of the nodes: degree of freedom, mass, mass-proportional damping.
+    nodal: Vec<(usize, f64, f64)>,
+}
+
+/// How to prepare.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PrepareOptions {
+    /// Constraint handler.
+    pub handler: Handler,
+    /// Which multi-point constraints count.
+    pub scope: MpScope,
+    /// Whether imposed motions only hold their degrees of freedom.
+    pub homogeneous: bool,
+    /// Force a dense matrix, or a sparse one.
+    pub dense: Option<bool>,
+}
+
+impl Prepared {
+    /// Prepare for a model.
+    ///
+    /// # Errors
+    /// Constraints that make no sense, or too little memory.
+    pub fn new(model: &Model, options: &PrepareOptions) -> Result<Self, Cause> {
+        let plan = Plan::new(model, options.handler, options.scope, options.homogeneous, options.dense)
+            .map_err(|e: DofError| Cause::Model(e.message(model)))?;
+        let solver = Solver::new(&plan.pattern, plan.multipliers > 0).map_err(|e| match e {
+            SolveError::OutOfMemory => Cause::OutOfMemory,
+            SolveError::Singular { .. } => Cause::Singular,
+        })?;
+        let (mut at, mut damping, mut mass, mut matrices) = (0, 0, vec![], vec![]);
+        for e in &model.elements {
+            let n = e.dofs.len();
+            let nature = e.element.nature();
+            let place = match e.element.mass() {
+                Mass::None => MassPlace::None,
+                Mass::Lumped(m) => {
+                    mass.extend(m);
+                    MassPlace::Lumped(mass.len() - n)
+                }
+                Mass::Consistent(m) => {
+                    mass.extend(m);
+                    MassPlace::Consistent(mass.len() - n * n)
+                }
+            };
+            matrices.push(Matrices {
+                at,
+                linear: nature.linear && !nature.viscous,
+                damping: nature.viscous.then_some(damping),
+                mass: place,
+                rayleigh: if nature.rayleigh { e.rayleigh } else { Rayleigh::default() },
+            });
+            at += n * n;
+            damping += if nature.viscous { n * n } else { 0 };
+        }
+        let nodal = model.nodes.iter().flat_map(|node| {
+            node.dofs().zip(&node.mass).filter(|(_, m)| **m != 0.0).map(|(d, &m)| (d, m, node.alpha_m))
+        });
+        let (n, len) = (plan.equations(), plan.pattern.len());
+        let mut prepared = Self {
+            nodal: nodal.collect(),
+            loads: Loads::new(model, &plan.map),
+            b: vec![0.0; n],
+            x: vec![0.0; n],
+            spread: vec![0.0; model.dofs()],
+            weak_pivot: None,
+            full: vec![0.0; model.dofs()],
+            values: vec![0.0; len],
+            factored: vec![0.0; len],
+            tangent: vec![0.0; at],
+            damping: vec![0.0; damping],
+            tangent_is_current: false,
+            residual_needs_tangent: false,
+            initial: vec![],
+            committed: vec![],
+            mass,
+            base: vec![0.0; len],
+            base_of: None,
+            matrices,
+            plan,
+            solver,
+        };
+        prepared.fill_matrices(model);
+        Ok(prepared)
+    }
+
+    fn fill_matrices(&mut self, model: &Model) {
+        let mut damped = Rayleigh::default();
+        for (e, m) in model.elements.iter().zip(&self.matrices) {
+            if m.linear {
+                e.element.initial_tangent(&mut self.tangent[m.at..m.at + e.dofs.len().pow(2)]);
+            } else {
+                damped.beta_k += m.rayleigh.beta_k.abs();
+                damped.beta_k0 += m.rayleigh.beta_k0.abs();
+                damped.beta_kc += m.rayleigh.beta_kc.abs();
+            }
+        }
+        if damped.beta_k0 != 0.0 {
+            self.fill_initial(model);
+        }
+        if damped.beta_kc != 0.0 {
+            self.committed = vec![0.0; self.tangent.len()];
+        }
+        self.residual_needs_tangent = damped.beta_k != 0.0;
+    }
+
+    fn fill_initial(&mut self, model: &Model) {
+        if self.initial.is_empty() && !self.tangent.is_empty() {
+            self.initial = vec![0.0; self.tangent.len()];
+            for (e, m) in model.elements.iter().zip(&self.matrices) {
+                e.element.initial_tangent(&mut self.initial[m.at..m.at + e.dofs.len().pow(2)]);
+            }
+        }
+    }
+
+    /// Whether the damping needs the tangent of the committed state.
+    pub(super) fn wants_committed_tangent(&self) -> bool {
+        !self.committed.is_empty()
+    }
+
+    /// Take the current tangents for those of the committed state.
+    pub(super) fn commit_tangent(&mut self) {
+        if self.wants_committed_tangent() {
+            self.committed.copy_from_slice(&self.tangent);
+            self.base_of = None;
+        }
+    }
+
+    /// Remember a pivot that is nearly zero.
+    pub(super) fn note_pivot(&mut self, p: Pivots) {
+        if p.ratio <= NEARLY_SINGULAR && self.plan.handler.eliminates() && self.weak_pivot.is_none() {
+            self.weak_pivot = Some(p);
+        }
+    }
+
+    /// Assemble the tangent into `values`. What does not change from iteration to iteration is kept.
+    pub(super) fn assemble(&mut self, model: &Model, c: Coefficients, mix: TangentMix) {
+        if mix.initial != 0.0 {
+            self.fill_initial(model);
+        }
+        if self.base_of != Some((c, mix)) {
+            self.assemble_base(model, c, mix);
+            self.base_of = Some((c, mix));
+        }
+        self.values.copy_from_slice(&self.base);
+        for (i, (e, m)) in model.elements.iter().zip(&self.matrices).enumerate().filter(|(_, (_, m))| !m.linear) {
+            let range = m.at..m.at + e.dofs.len().pow(2);
+            let current = c.k * mix.current + c.c * m.rayleigh.beta_k;
+            if current != 0.0 {
+                self.plan.add_element(i, &self.tangent[range.clone()], current, &mut self.values);
+            }
+            let initial = c.k * mix.initial + c.c * m.rayleigh.beta_k0;
+            if initial != 0.0 {
+                self.plan.add_element(i, &self.initial[range.clone()], initial, &mut self.values);
+            }
+            if m.rayleigh.beta_kc != 0.0 && c.c != 0.0 {
+                let factor = c.c * m.rayleigh.beta_kc;
+                self.plan.add_element(i, &self.committed[range.clone()], factor, &mut self.values);
+            }
+            if let Some(at) = m.damping.filter(|_| c.c != 0.0) {
+                self.plan.add_element(i, &self.damping[at..at + range.len()], c.c, &mut self.values);
+            }
+        }
+    }
+
+    fn assemble_base(&mut self, model: &Model, c: Coefficients, mix: TangentMix) {
+        self.base.fill(0.0);
+        let mut diagonal = [0.0; MAX_DOFS * MAX_DOFS];
+        for (i, (e, m)) in model.elements.iter().zip(&self.matrices).enumerate() {
+            let n = e.dofs.len();
+            if m.linear {
+                let r = &m.rayleigh;
+                let factor = c.k * (mix.current + mix.initial) + c.c * (r.beta_k + r.beta_k0 + r.beta_kc);
+                self.plan.add_element(i, &self.tangent[m.at..m.at + n * n], factor, &mut self.base);
+            }
+            let factor = c.m + c.c * m.rayleigh.alpha_m;
+            if factor == 0.0 {
+                continue;
+            }
+            match m.mass {
+                MassPlace::None => {}
+                MassPlace::Lumped(at) => {
+                    diagonal[..n * n].fill(0.0);
+                    for (k, mass) in self.mass[at..at + n].iter().enumerate() {
+                        diagonal[k * n + k] = *mass;
+                    }
+                    self.plan.add_element(i, &diagonal[..n * n], factor, &mut self.base);
+                }
+                MassPlace::Consistent(at) => {
+                    self.plan.add_element(i, &self.mass[at..at + n * n], factor, &mut self.base);
+                }
+            }
+        }
+        for &(dof, mass, alpha_m) in &self.nodal {
+            self.plan.add_diagonal(dof, (c.m + c.c * alpha_m) * mass, &mut self.base);
+        }
+        self.plan.add_links(if c.k == 0.0 { 0.0 } else { 1.0 }, &mut self.base);
+    }
+
+    /// Subtract the forces of the elements from `full`: resisting forces, and with `dynamic` damping and inertia.
+    pub(super) fn subtract_elements(&mut self, model: &Model, state: &State, dynamic: bool) {
+        for (e, m) in model.elements.iter().zip(&self.matrices) {
+            let force = &state.force[e.force.clone()];
+            for (&d, f) in e.dofs.iter().zip(force) {
+                self.full[d as usize] -= f;
+            }
+            let has_mass = !matches!(m.mass, MassPlace::None);
+            if dynamic && (has_mass || !m.rayleigh.is_zero()) {
+                let mut f = [0.0; MAX_DOFS];
+                self.add_dynamic_force(&e.dofs, m, state, true, &mut f);
+                for (&d, f) in e.dofs.iter().zip(&f) {
+                    self.full[d as usize] -= f;
+                }
+            }
+        }
+    }
+
+    /// Add damping and, if wanted, inertia forces of an element.
+    fn add_dynamic_force(&self, dofs: &[u32], m: &Matrices, state: &State, inertia: bool, out: &mut [f64; MAX_DOFS]) {
+        let n = dofs.len();
+        let (mut v, mut a) = ([0.0; MAX_DOFS], [0.0; MAX_DOFS]);
+        for ((&d, v), a) in dofs.iter().zip(&mut v).zip(&mut a) {
+            *v = state.vel[d as usize];
+            *a = m.rayleigh.alpha_m * *v + if inertia { state.accel[d as usize] } else { 0.0 };
+        }
+        let mut add = |matrix: &[f64], factor: f64, x: &[f64]| {
+            if factor != 0.0 {
+                for (o, row) in out.iter_mut().zip(matrix.chunks_exact(n)) {
+                    *o += factor * row.iter().zip(x).map(|(k, x)| k * x).sum::<f64>();
+                }
+            }
+        };
+        let range = m.at..m.at + n * n;
+        let r = &m.rayleigh;
+        if m.linear {
+            add(&self.tangent[range], r.beta_k + r.beta_k0 + r.beta_kc, &v[..n]);
+        } else {
+            add(&self.tangent[range.clone()], r.beta_k, &v[..n]);
+            if r.beta_k0 != 0.0 {
+                add(&self.initial[range.clone()], r.beta_k0, &v[..n]);
+            }
+            if r.beta_kc != 0.0 {
+                add(&self.committed[range], r.beta_kc, &v[..n]);
+            }
+        }
+        match m.mass {
+            MassPlace::None => {}
+            MassPlace::Lumped(at) => {
+                out.iter_mut().zip(&self.mass[at..at + n]).zip(&a).for_each(|((o, m), a)| *o += m * a);
+            }
+            MassPlace::Consistent(at) => add(&self.mass[at..at + n * n], 1.0, &a[..n]),
+        }
+    }
+
+    /// Subtract the Rayleigh damping forces of the elements from `full`.
+    pub(super) fn subtract_damping(&mut self, model: &Model, state: &State) {
+        for (e, m) in model.elements.iter().zip(&self.matrices).filter(|(_, m)| !m.rayleigh.is_zero()) {
+            let mut f = [0.0; MAX_DOFS];
+            self.add_dynamic_force(&e.dofs, m, state, false, &mut f);
+            for (&d, f) in e.dofs.iter().zip(&f) {
+                self.full[d as usize] -= f;
+            }
+        }
+    }
+
+    /// Subtract the mass-proportional damping of the nodes from `full`.
+    pub(super) fn subtract_nodal_damping(&mut self, state: &State) {
+        for &(dof, mass, alpha_m) in &self.nodal {
+            self.full[dof] -= mass * alpha_m * state.vel[dof];
+        }
+    }
+
+    /// Subtract inertia and mass-proportional damping of the nodes from `full`.
+    pub(super) fn subtract_nodal_inertia(&mut self, state: &State) {
+        for &(dof, mass, alpha_m) in &self.nodal {
+            self.full[dof] -= mass * (state.accel[dof] + alpha_m * state.vel[dof]);
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! Reactions of the supports.
+
+use super::engine::Engine;
+use super::failure::Failure;
+use super::state::State;
+use crate::assembly::Handler;
+
+/// Which forces count in a reaction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ReactionKind {
+    /// Resisting forces of the elements less the loads; and, as in OpenSees, mass-proportional damping of the nodes.
+    Static,
+    /// Inertia and damping forces too.
+    Dynamic,
+    /// Rayleigh damping forces only.
+    Rayleigh,
+}
+
+impl Engine {
+    /// Reactions of all degrees of freedom in the committed state, into `out` (its length becomes that of the
+    /// degrees of freedom): what the rest of the world exerts on each node.
+    ///
+    /// # Errors
+    /// Constraints that make no sense.
+    pub fn reactions(&mut self, kind: ReactionKind, out: &mut Vec<f64>) -> Result<(), Failure> {
+        let handler = self.setup().map_or(Handler::Transformation, |s| s.handler);
+        self.prepare(handler)?;
+        // The state is read while the work vectors are written.
+        let mut words = std::mem::take(&mut self.reaction_words);
+        words.clone_from(&self.state().element_load);
+        let result = self.sum_reactions(kind, &mut words, out);
+        self.reaction_words = words;
+        result
+    }
+
+    fn sum_reactions(&mut self, kind: ReactionKind, words: &mut [f64], out: &mut Vec<f64>) -> Result<(), Failure> {
+        let (model, state, work) = self.parts();
+        let Some(work) = work else { return Ok(()) };
+        if kind != ReactionKind::Rayleigh {
+            work.loads.apply(model, state.time, words).map_err(|(element, message)| Failure {
+                cause: super::failure::Cause::Element { element, message },
+                time: state.time,
+                place: None,
+                code: -3,
+            })?;
+        }
+        work.sum_forces(model, state, kind);
+        out.clear();
+        out.extend(work.full.iter().map(|f| -f));
+        Ok(())
+    }
+}
+
+impl super::prepared::Prepared {
+    /// Loads less forces of elements and nodes, into `full`.
+    fn sum_forces(&mut self, model: &crate::model::Model, state: &State, kind: ReactionKind) {
+        match kind {
+            ReactionKind::Static => {
+                self.full.copy_from_slice(&self.loads.nodal);
+                self.subtract_elements(model, state, false);
+                self.subtract_nodal_damping(state);
+            }
+            ReactionKind::Dynamic => {
+                self.full.copy_from_slice(&self.loads.nodal);
+                self.subtract_elements(model, state, true);
+                self.subtract_nodal_inertia(state);
+            }
+            ReactionKind::Rayleigh => {
+                self.full.fill(0.0);
+                self.subtract_damping(model, state);
+                self.subtract_nodal_damping(state);
+            }
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! Everything that changes from step to step, as flat data.
+
+use crate::model::Model;
+
+/// The motion of a model and the history of its elements at one time.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct State {
+    /// Domain time (the load factor of static analyses).
+    pub time: f64,
+    /// Displacements of all degrees of freedom, node after node.
+    pub disp: Vec<f64>,
+    /// Velocities, likewise.
+    pub vel: Vec<f64>,
+    /// Accelerations, likewise; relative to the ground under a uniform excitation.
+    pub accel: Vec<f64>,
+    /// History words of all elements.
+    pub history: Vec<f64>,
+    /// Resisting forces of all elements.
+    pub force: Vec<f64>,
+    /// Load words of all elements.
+    pub element_load: Vec<f64>,
+    /// Forces of the constraints under the Lagrange handler.
+    pub multipliers: Vec<f64>,
+}
+
+impl State {
+    /// Take over another state of the same model without allocating.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.time = other.time;
+        self.disp.copy_from_slice(&other.disp);
+        self.vel.copy_from_slice(&other.vel);
+        self.accel.copy_from_slice(&other.accel);
+        self.history.copy_from_slice(&other.history);
+        self.force.copy_from_slice(&other.force);
+        self.element_load.copy_from_slice(&other.element_load);
+        self.multipliers.copy_from_slice(&other.multipliers);
+    }
+
+    /// Make room for nodes and elements that have been added behind the others; new elements are virgin.
+    pub fn grow(&mut self, model: &Model) {
+        for v in [&mut self.disp, &mut self.vel, &mut self.accel] {
+            v.resize(model.dofs(), 0.0);
+        }
+        let known = self.history.len();
+        let known_force = self.force.len();
+        self.history.resize(model.state_len(), 0.0);
+        self.force.resize(model.force_len(), 0.0);
+        self.element_load.resize(model.load_len(), 0.0);
+        for e in &model.elements {
+            // An element without history has a force all the same.
+            if e.state.start >= known && e.force.start >= known_force {
+                e.element.init(&mut self.history[e.state.clone()]);
+            }
+        }
+    }
+
+    /// The state of a model after nodes or elements have been removed: each thing keeps what it had.
+    pub fn rearranged(&self, before: &Model, after: &Model) -> Self {
+        let mut next = Self { time: self.time, ..Self::default() };
+        next.grow(after);
+        for node in &after.nodes {
+            if let Some(old) = before.node(node.tag).map(|id| &before.nodes[id.0]).filter(|o| o.ndf == node.ndf) {
+                for (to, from) in
+                    [(&mut next.disp, &self.disp), (&mut next.vel, &self.vel), (&mut next.accel, &self.accel)]
+                {
+                    to[node.dofs()].copy_from_slice(&from[old.dofs()]);
+                }
+            }
+        }
+        for e in &after.elements {
+            if let Some(old) = before.element(e.tag).map(|id| &before.elements[id.0]) {
+                next.history[e.state.clone()].copy_from_slice(&self.history[old.state.clone()]);
+                next.force[e.force.clone()].copy_from_slice(&self.force[old.force.clone()]);
+                next.element_load[e.load.clone()].copy_from_slice(&self.element_load[old.load.clone()]);
+            }
+        }
+        next
+    }
+}

@@ -1,0 +1,212 @@
+//! The equations of a step: unbalance, tangent, correction, for a trial state.
+
+use super::failure::{Cause, Failure};
+use super::prepared::{Prepared, TangentMix};
+use super::state::State;
+use crate::element::{Answer, MAX_DOFS, Motion};
+use crate::model::Model;
+use crate::solve::{SINGULAR, SolveError};
+
+/// Share of stiffness, damping and mass in the tangent of an integrator.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Coefficients {
+    /// Of the stiffness.
+    pub k: f64,
+    /// Of the damping.
+    pub c: f64,
+    /// Of the mass.
+    pub m: f64,
+}
+
+/// The equations of a step, for whoever solves them: integrators and algorithms.
+pub struct System<'a> {
+    /// The model.
+    pub model: &'a Model,
+    /// The committed state.
+    pub old: &'a State,
+    /// The trial state.
+    pub new: &'a mut State,
+    /// Plan, factors and work vectors.
+    pub work: &'a mut Prepared,
+    /// Share of stiffness, damping and mass in the tangent.
+    pub coefficients: Coefficients,
+    /// Inertia and damping count.
+    pub dynamic: bool,
+    /// Time passes with the domain time: not where a load factor stands for it.
+    pub elapses: bool,
+}
+
+impl System<'_> {
+    /// A failure of this step.
+    pub fn failure(&self, cause: Cause) -> Failure {
+        Failure { cause, time: self.new.time, place: None, code: -3 }
+    }
+
+    /// A failure that names an equation.
+    fn failure_at(&self, cause: Cause, equation: usize) -> Failure {
+        Failure { place: Some(self.work.plan.equation_name(self.model, equation)), ..self.failure(cause) }
+    }
+
+    /// Set the time, and with it loads and imposed displacements.
+    pub fn apply_loads(&mut self, time: f64) -> Result<(), Failure> {
+        self.new.time = time;
+        self.work
+            .loads
+            .apply(self.model, time, &mut self.new.element_load)
+            .map_err(|(element, message)| self.failure(Cause::Element { element, message }))?;
+        self.impose();
+        Ok(())
+    }
+
+    /// Move the imposed degrees of freedom, and those that follow them.
+    fn impose(&mut self) {
+        let work = &mut *self.work;
+        if work.loads.imposed.is_empty() {
+            return;
+        }
+        for i in &work.loads.imposed {
+            let value = work.loads.imposed_value(i);
+            work.spread[i.dof] = value - self.new.disp[i.dof];
+            self.new.disp[i.dof] = value;
+        }
+        for d in &work.plan.map.dependents {
+            let step: f64 = d.terms.iter().map(|&(from, c)| c * work.spread[from]).sum();
+            work.spread[d.dof] = step;
+            self.new.disp[d.dof] += step;
+        }
+        work.spread.fill(0.0);
+    }
+
+    /// Spread a correction of the equations to all degrees of freedom, into `work.spread`.
+    pub fn spread(&mut self, correction: &[f64]) {
+        let work = &mut *self.work;
+        let n = work.plan.map.equations;
+        work.plan.map.spread(&correction[..n], &mut work.spread);
+        for (l, x) in self.new.multipliers.iter_mut().zip(&correction[n..]) {
+            *l += x;
+        }
+    }
+
+    /// Add `work.spread` times a factor to the trial displacements.
+    pub fn add_disp(&mut self, factor: f64) {
+        for (u, d) in self.new.disp.iter_mut().zip(&self.work.spread) {
+            *u += factor * d;
+        }
+    }
+
+    /// Ask all elements for forces, and for tangents if they are wanted.
+    pub fn respond(&mut self, want_tangent: bool) -> Result<(), Failure> {
+        let dt = if self.elapses { self.new.time - self.old.time } else { 0.0 };
+        let work = &mut *self.work;
+        let want_tangent = want_tangent || work.residual_needs_tangent;
+        let (mut disp, mut vel) = ([0.0; MAX_DOFS], [0.0; MAX_DOFS]);
+        for (i, e) in self.model.elements.iter().enumerate() {
+            let n = e.dofs.len();
+            for ((&d, u), v) in e.dofs.iter().zip(&mut disp).zip(&mut vel) {
+                *u = self.new.disp[d as usize];
+                *v = self.new.vel[d as usize];
+            }
+            let force = &mut self.new.force[e.force.clone()];
+            force.fill(0.0);
+            let m = &work.matrices[i];
+            let tangent = if want_tangent && !m.linear {
+                let k = &mut work.tangent[m.at..m.at + n * n];
+                k.fill(0.0);
+                Some(k)
+            } else {
+                None
+            };
+            let damping = m.damping.map(|at| {
+                let c = &mut work.damping[at..at + n * n];
+                c.fill(0.0);
+                c
+            });
+            let motion = Motion { disp: &disp[..n], vel: &vel[..n], load: &self.new.element_load[e.load.clone()], dt };
+            let answer = Answer { force, tangent, damping };
+            let committed = &self.old.history[e.state.clone()];
+            let trial = &mut self.new.history[e.state.clone()];
+            e.element.respond(&motion, committed, trial, answer).map_err(|error| Failure {
+                cause: Cause::Element { element: format!("{} {}", e.element.class(), e.tag), message: error.0 },
+                time: self.new.time,
+                place: None,
+                code: -3,
+            })?;
+        }
+        work.tangent_is_current = want_tangent;
+        Ok(())
+    }
+
+    /// Work out the unbalance b = P - R - C v - M a at the trial state; with the element tangents, if they are going
+    /// to be needed.
+    pub fn form_unbalance(&mut self, want_tangent: bool) -> Result<(), Failure> {
+        self.respond(want_tangent)?;
+        self.sum_unbalance();
+        if self.work.b.iter().any(|b| !b.is_finite()) {
+            let at = self.work.b.iter().position(|b| !b.is_finite()).unwrap_or(0);
+            return Err(self.failure_at(Cause::NotFinite, at));
+        }
+        Ok(())
+    }
+
+    fn sum_unbalance(&mut self) {
+        let work = &mut *self.work;
+        work.full.copy_from_slice(&work.loads.nodal);
+        work.subtract_elements(self.model, self.new, self.dynamic);
+        if self.dynamic {
+            work.subtract_nodal_inertia(self.new);
+        }
+        let n = work.plan.map.equations;
+        work.plan.map.condense(&work.full, &mut work.b[..n]);
+        work.b[n..].fill(0.0);
+        let loads = &work.loads;
+        work.plan.add_link_forces(
+            |link| link.imposed.map_or(0.0, |i| loads.link_value(self.model, &i)),
+            &self.new.disp,
+            &self.new.multipliers,
+            &mut work.b,
+        );
+    }
+
+    /// Assemble and factor the tangent of the integrator.
+    pub fn form_tangent(&mut self, mix: TangentMix) -> Result<(), Failure> {
+        if mix.current != 0.0 && !self.work.tangent_is_current {
+            self.respond(true)?;
+        }
+        let work = &mut *self.work;
+        work.assemble(self.model, self.coefficients, mix);
+        if work.solver.is_factored() && work.values == work.factored {
+            return Ok(());
+        }
+        work.factored.copy_from_slice(&work.values);
+        match work.solver.factor(&work.plan.pattern, &work.values) {
+            Err(SolveError::Singular { equation }) => Err(self.failure_at(Cause::Singular, equation)),
+            Err(SolveError::OutOfMemory) => Err(self.failure(Cause::OutOfMemory)),
+            Ok(p) if p.ratio <= SINGULAR && work.plan.handler.eliminates() => {
+                work.solver.forget();
+                Err(self.failure_at(Cause::Singular, p.equation))
+            }
+            Ok(p) => {
+                work.note_pivot(p);
+                Ok(())
+            }
+        }
+    }
+
+    /// Solve for the correction: x = A⁻¹ b.
+    pub fn solve(&mut self) -> Result<(), Failure> {
+        let work = &mut *self.work;
+        work.x.copy_from_slice(&work.b);
+        work.solver.solve(&mut work.x);
+        if work.x.iter().any(|x| !x.is_finite()) {
+            let at = work.x.iter().position(|x| !x.is_finite()).unwrap_or(0);
+            return Err(self.failure_at(Cause::NotFinite, at));
+        }
+        Ok(())
+    }
+
+    /// The equation with the largest entry of a vector, in words.
+    pub fn worst(&self, vector: &[f64]) -> Option<String> {
+        let (i, _) = vector.iter().enumerate().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
+        Some(self.work.plan.equation_name(self.model, i))
+    }
+}

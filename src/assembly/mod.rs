@@ -1,0 +1,10 @@
+//! From the model to equations: which degrees of freedom are unknowns, the pattern of the matrix, and where the
+//! entries of each element go.
+
+mod dofs;
+mod pattern;
+mod plan;
+
+pub use dofs::{DofError, DofMap, Handler, Imposed, Link, MpScope};
+pub use pattern::{Pattern, Storage};
+pub use plan::Plan;

@@ -1,0 +1,90 @@
+//! Sparsity pattern of the system matrix.
+
+/// How the matrix is kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Storage {
+    /// All n x n values by rows.
+    Dense,
+    /// By compressed columns, the upper triangle of a symmetric matrix.
+    Upper,
+    /// By compressed columns, all entries of a matrix whose pattern is symmetric.
+    Full,
+}
+
+/// Places of the entries of a square matrix with a symmetric pattern.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Pattern {
+    /// Number of rows.
+    pub n: usize,
+    /// How the values are kept.
+    pub storage: Storage,
+    /// Start of each column; empty for dense storage.
+    pub col_ptr: Vec<usize>,
+    /// Row of each entry, rising within a column; empty for dense storage.
+    pub row_idx: Vec<usize>,
+}
+
+impl Pattern {
+    /// From groups of equations that are all joined with each other (one group an element). The diagonal is always
+    /// there.
+    pub fn new<'a>(n: usize, storage: Storage, groups: impl Iterator<Item = &'a [u32]>) -> Self {
+        let mut pattern = Self { n, storage, col_ptr: vec![], row_idx: vec![] };
+        if storage == Storage::Dense {
+            return pattern;
+        }
+        let mut columns: Vec<Vec<u32>> = (0..n as u32).map(|i| vec![i]).collect();
+        for group in groups {
+            for &col in group {
+                columns[col as usize]
+                    .extend(group.iter().copied().filter(|&row| storage == Storage::Full || row < col));
+            }
+        }
+        pattern.col_ptr.push(0);
+        for c in &mut columns {
+            c.sort_unstable();
+            c.dedup();
+            pattern.row_idx.extend(c.iter().map(|&r| r as usize));
+            pattern.col_ptr.push(pattern.row_idx.len());
+        }
+        pattern
+    }
+
+    /// Number of values kept.
+    pub fn len(&self) -> usize {
+        if self.storage == Storage::Dense { self.n * self.n } else { self.row_idx.len() }
+    }
+
+    /// Whether there is nothing to keep.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Place of an entry among the values; `None` where the transposed entry stands for it, or there is none.
+    pub fn place(&self, row: usize, col: usize) -> Option<usize> {
+        if self.storage == Storage::Dense {
+            return Some(row * self.n + col);
+        }
+        let from = self.col_ptr[col];
+        self.row_idx[from..self.col_ptr[col + 1]].binary_search(&row).ok().map(|i| from + i)
+    }
+
+    /// y = A x.
+    pub fn multiply(&self, values: &[f64], x: &[f64], y: &mut [f64]) {
+        if self.storage == Storage::Dense {
+            for (y, row) in y.iter_mut().zip(values.chunks_exact(self.n.max(1))) {
+                *y = row.iter().zip(x).map(|(a, x)| a * x).sum();
+            }
+            return;
+        }
+        y.fill(0.0);
+        for col in 0..self.n {
+            for at in self.col_ptr[col]..self.col_ptr[col + 1] {
+                let row = self.row_idx[at];
+                y[row] += values[at] * x[col];
+                if self.storage == Storage::Upper && row != col {
+                    y[col] += values[at] * x[row];
+                }
+            }
+        }
+    }
+}

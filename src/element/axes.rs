@@ -1,0 +1,78 @@
+//! Local axes of two-node elements.
+
+use nalgebra::{Matrix3, Vector3};
+
+/// Why no axes could be made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AxesError {
+    /// The local x axis has no length.
+    NoLength,
+    /// The vectors that span the local x-y plane are parallel.
+    Parallel,
+}
+
+impl AxesError {
+    /// In words, for a message.
+    pub fn message(self) -> &'static str {
+        match self {
+            Self::NoLength => "the local x axis has no length",
+            Self::Parallel => "the two vectors that span the local axes are parallel",
+        }
+    }
+}
+
+/// Rotation from global to local axes: its rows are the local x, y and z axes, where x is given and `y` lies in the
+/// local x-y plane.
+pub fn from_x_and_y(x: Vector3<f64>, y: Vector3<f64>) -> Result<Matrix3<f64>, AxesError> {
+    if x.norm() == 0.0 {
+        return Err(AxesError::NoLength);
+    }
+    let z = x.cross(&y);
+    if z.norm() <= 1e-12 * x.norm() * y.norm() {
+        return Err(AxesError::Parallel);
+    }
+    let y = z.cross(&x);
+    Ok(Matrix3::from_rows(&[x.normalize().transpose(), y.normalize().transpose(), z.normalize().transpose()]))
+}
+
+/// The same, where `xz` lies in the local x-z plane: the convention of `geomTransf`.
+pub fn from_x_and_xz(x: Vector3<f64>, xz: Vector3<f64>) -> Result<Matrix3<f64>, AxesError> {
+    if x.norm() == 0.0 {
+        return Err(AxesError::NoLength);
+    }
+    let y = xz.cross(&x);
+    if y.norm() <= 1e-12 * x.norm() * xz.norm() {
+        return Err(AxesError::Parallel);
+    }
+    let z = x.cross(&y);
+    Ok(Matrix3::from_rows(&[x.normalize().transpose(), y.normalize().transpose(), z.normalize().transpose()]))
+}
+
+/// Axes as the user may give them with `-orient`: `x` and `y`, or `y` alone, or nothing.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Orientation {
+    /// Local x axis.
+    pub x: Option<Vector3<f64>>,
+    /// A vector in the local x-y plane.
+    pub y: Option<Vector3<f64>>,
+}
+
+impl Orientation {
+    /// Rotation and length of a link from `i` to `j` (global coordinates), as OpenSees' bearings and links have it:
+    /// the line between the nodes is the local x axis unless one is given; in the plane the local y axis is then
+    /// square to it, in space it lies towards the global Y unless it is given.
+    pub fn of_link(&self, i: Vector3<f64>, j: Vector3<f64>, plane: bool) -> Result<(Matrix3<f64>, f64), AxesError> {
+        let line = j - i;
+        let length = if line.norm() > f64::EPSILON { line.norm() } else { 0.0 };
+        let x = match self.x {
+            Some(x) => x,
+            None if length > 0.0 => line,
+            None => return Err(AxesError::NoLength),
+        };
+        let y = match self.y {
+            None if plane => Vector3::new(-x.y, x.x, 0.0),
+            y => y.unwrap_or_else(Vector3::y),
+        };
+        Ok((from_x_and_y(x, y)?, length))
+    }
+}

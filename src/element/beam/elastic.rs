@@ -1,0 +1,286 @@
+//! `elasticBeamColumn` in the plane and in space: Euler-Bernoulli or, with shear areas, Timoshenko.
+
+use crate::element::load::{ElementLoad, EndActions};
+use crate::element::transform::{Frame, Reactions, Transform};
+use crate::element::{Answer, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
+use crate::probe::Probe;
+
+/// Moment hinges at the ends of a beam.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Release {
+    /// None.
+    #[default]
+    None,
+    /// At node i.
+    I,
+    /// At node j.
+    J,
+    /// At both.
+    Both,
+}
+
+/// Bending about one axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bending {
+    /// Flexural rigidity E I.
+    pub ei: f64,
+    /// Shear rigidity G A_v; `None` for a beam rigid in shear.
+    pub gav: Option<f64>,
+    /// Hinges.
+    pub release: Release,
+}
+
+impl Bending {
+    /// Ratio of bending to shear stiffness φ = 12 EI / (G A_v L²) (Przemieniecki, 1968, section 5.6).
+    fn phi(&self, length: f64) -> f64 {
+        self.gav.map_or(0.0, |g| 12.0 * self.ei / (g * length * length))
+    }
+
+    /// Stiffness of the end rotations: [[k_ii, k_ij], [k_ij, k_jj]].
+    fn stiffness(&self, length: f64) -> [[f64; 2]; 2] {
+        let phi = self.phi(length);
+        let k = self.ei / length / (1.0 + phi);
+        let hinged = 3.0 * self.ei / length / (1.0 + 0.25 * phi);
+        match self.release {
+            Release::None => [[(4.0 + phi) * k, (2.0 - phi) * k], [(2.0 - phi) * k, (4.0 + phi) * k]],
+            Release::I => [[0.0, 0.0], [0.0, hinged]],
+            Release::J => [[hinged, 0.0], [0.0, 0.0]],
+            Release::Both => [[0.0; 2]; 2],
+        }
+    }
+
+    /// Moments at the clamped or hinged ends under a load across the beam, positive like the end rotations for a load
+    /// along the positive axis and rotations that go with it (i, then j).
+    fn end_moments(&self, actions: &EndActions, length: f64) -> (f64, f64) {
+        let phi = self.phi(length);
+        let (mi, mj) = (-actions.moment.0, actions.moment.1);
+        let i = (mi + 0.5 * phi * (mi - mj)) / (1.0 + phi);
+        let j = (mj + 0.5 * phi * (mj - mi)) / (1.0 + phi);
+        let carry = (2.0 - phi) / (4.0 + phi);
+        match self.release {
+            Release::None => (i, j),
+            Release::I => (0.0, j - carry * i),
+            Release::J => (i - carry * j, 0.0),
+            Release::Both => (0.0, 0.0),
+        }
+    }
+}
+
+/// An elastic beam-column with `N` degrees of freedom and `B` basic deformations.
+#[derive(Debug)]
+pub struct ElasticBeam<const N: usize, const B: usize> {
+    transform: Box<dyn Transform<N, B>>,
+    /// Basic stiffness.
+    kb: [[f64; B]; B],
+    /// Bending about z and, in space, about y.
+    bending: [Bending; 2],
+    /// Mass per length.
+    rho: f64,
+    /// Polar radius of gyration squared J/A, for a consistent mass; `None` for a lumped one.
+    consistent: Option<f64>,
+}
+
+impl ElasticBeam<6, 3> {
+    /// In the plane: axial rigidity E A, bending, mass per length, lumped or consistent.
+    pub fn plane(transform: Box<dyn Transform<6, 3>>, ea: f64, z: Bending, rho: f64, consistent: bool) -> Self {
+        let length = transform.length();
+        let k = z.stiffness(length);
+        let kb = [[ea / length, 0.0, 0.0], [0.0, k[0][0], k[0][1]], [0.0, k[1][0], k[1][1]]];
+        Self { transform, kb, bending: [z, z], rho, consistent: consistent.then_some(0.0) }
+    }
+}
+
+impl ElasticBeam<12, 6> {
+    /// In space: axial rigidity E A, torsional rigidity G J, bending about z and y, mass per length; `consistent` has
+    /// J/A for a consistent mass.
+    pub fn space(
+        transform: Box<dyn Transform<12, 6>>,
+        (ea, gj): (f64, f64),
+        (z, y): (Bending, Bending),
+        rho: f64,
+        consistent: Option<f64>,
+    ) -> Self {
+        let length = transform.length();
+        let mut kb = [[0.0; 6]; 6];
+        kb[0][0] = ea / length;
+        kb[5][5] = gj / length;
+        for (at, bending) in [(1, z), (3, y)] {
+            let k = bending.stiffness(length);
+            for (row, k) in kb[at..at + 2].iter_mut().zip(k) {
+                row[at..at + 2].copy_from_slice(&k);
+            }
+        }
+        Self { transform, kb, bending: [z, y], rho, consistent }
+    }
+}
+
+impl<const N: usize, const B: usize> ElasticBeam<N, B> {
+    fn frame(&self) -> &Frame<N, B> {
+        self.transform.frame()
+    }
+
+    /// Basic forces: stiffness times deformations, and the fixed-end forces of member loads.
+    #[inline]
+    fn basic_force(&self, disp: &[f64], load: &[f64]) -> [f64; B] {
+        let v = self.transform.deformation(disp);
+        let mut q = self.kb.each_ref().map(|row| row.iter().zip(&v).map(|(k, v)| k * v).sum());
+        q.iter_mut().zip(load).for_each(|(q, l)| *q += l);
+        q
+    }
+
+    fn reactions(load: &[f64]) -> Reactions {
+        let mut p0 = [0.0; 5];
+        p0.copy_from_slice(&load[B..]);
+        p0
+    }
+
+    /// Local consistent mass matrix (Przemieniecki, 1968, section 11.4, rigid in shear).
+    fn consistent_mass(&self, gyration: f64) -> [[f64; N]; N] {
+        let l = self.transform.length();
+        let m = self.rho * l / 420.0;
+        let mut out = [[0.0; N]; N];
+        let mut pair = |i: usize, j: usize, x: f64| {
+            out[i][j] = m * x;
+            out[j][i] = m * x;
+        };
+        let half = N / 2;
+        for (at, factor) in [(0, 1.0), (3, gyration)] {
+            // Axial, and in space torsion.
+            if at == 0 || N == 12 {
+                pair(at, at, 140.0 * factor);
+                pair(at + half, at + half, 140.0 * factor);
+                pair(at, at + half, 70.0 * factor);
+            }
+        }
+        // Deflection, rotation, and the sign with which they go together.
+        let planes: &[(usize, usize, f64)] = if N == 6 { &[(1, 2, 1.0)] } else { &[(1, 5, 1.0), (2, 4, -1.0)] };
+        for &(v, r, s) in planes {
+            let (v2, r2) = (v + half, r + half);
+            pair(v, v, 156.0);
+            pair(v2, v2, 156.0);
+            pair(v, v2, 54.0);
+            pair(r, r, 4.0 * l * l);
+            pair(r2, r2, 4.0 * l * l);
+            pair(r, r2, -3.0 * l * l);
+            pair(v, r, s * 22.0 * l);
+            pair(v2, r2, -s * 22.0 * l);
+            pair(v, r2, -s * 13.0 * l);
+            pair(v2, r, s * 13.0 * l);
+        }
+        out
+    }
+}
+
+const LOCAL_FORCE: u32 = 3;
+const BASIC_FORCE: u32 = 4;
+const DEFORMATION: u32 = 5;
+const STIFFNESS: u32 = 19;
+
+impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
+    fn class(&self) -> &'static str {
+        if N == 6 { "ElasticBeam2d" } else { "ElasticBeam3d" }
+    }
+    fn dofs(&self) -> usize {
+        N
+    }
+    fn state_len(&self) -> usize {
+        0
+    }
+    fn init(&self, _: &mut [f64]) {}
+    fn nature(&self) -> Nature {
+        Nature { linear: self.transform.is_linear(), symmetric: true, viscous: false, rayleigh: true }
+    }
+
+    fn respond(&self, m: &Motion<'_>, _: &[f64], _: &mut [f64], answer: Answer<'_>) -> Result<(), ElementError> {
+        let q = self.basic_force(m.disp, m.load);
+        self.transform.add_force(m.disp, &q, &Self::reactions(m.load), answer.force);
+        if let Some(tangent) = answer.tangent {
+            self.transform.add_tangent(m.disp, &self.kb, &q, tangent);
+        }
+        Ok(())
+    }
+
+    fn initial_tangent(&self, tangent: &mut [f64]) {
+        self.frame().add_basic_stiffness(&self.kb, tangent);
+    }
+
+    fn mass(&self) -> Mass {
+        if self.rho == 0.0 {
+            return Mass::None;
+        }
+        if let Some(gyration) = self.consistent {
+            return Mass::Consistent(self.frame().global_of_local(&self.consistent_mass(gyration)));
+        }
+        let mut m = vec![0.0; N];
+        let half = N / 2;
+        for node in 0..2 {
+            m[node * half..node * half + if N == 6 { 2 } else { 3 }].fill(0.5 * self.rho * self.transform.length());
+        }
+        Mass::Lumped(m)
+    }
+
+    fn load_len(&self) -> usize {
+        B + 5
+    }
+
+    fn add_load(&self, load: &ElementLoad, factor: f64, words: &mut [f64]) -> Result<(), ElementError> {
+        let length = self.transform.length();
+        let (y, z, (axial, axial_j)) = load.end_actions(length);
+        let (q0, p0) = words.split_at_mut(B);
+        q0[0] -= factor * axial_j;
+        p0[0] -= factor * axial;
+        // A load along z bends about y, with the opposite sign.
+        let planes = [(&y, &self.bending[0], 1, 1.0), (&z, &self.bending[1], 3, -1.0)];
+        for (actions, bending, at, sign) in planes.into_iter().take(if N == 6 { 1 } else { 2 }) {
+            let (i, j) = bending.end_moments(actions, length);
+            q0[at] += sign * factor * i;
+            q0[at + 1] += sign * factor * j;
+            p0[at] -= factor * actions.shear.0;
+            p0[at + 1] -= factor * actions.shear.1;
+        }
+        Ok(())
+    }
+
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        let plane = N == 6;
+        Some(match *words.first()? {
+            "localForce" | "localForces" => {
+                let names: &[&str] = if plane { &["N", "V", "M"] } else { &["N", "Vy", "Vz", "T", "My", "Mz"] };
+                Probe::new(LOCAL_FORCE, (1..=2).flat_map(|e| names.iter().map(move |n| format!("{n}_{e}"))))
+            }
+            "basicForce" | "basicForces" => Probe::new(
+                BASIC_FORCE,
+                if plane { &["N", "M_1", "M_2"][..] } else { &BASIC_FORCES[..] }.iter().copied(),
+            ),
+            "deformatons" | "deformations" | "basicDeformation" | "basicDeformations" | "chordRotation"
+            | "chordDeformation" => {
+                let names = if plane { &["eps", "theta1", "theta2"][..] } else { &BASIC_DEFORMATIONS[..] };
+                Probe::new(DEFORMATION, names.iter().copied())
+            }
+            "basicStiffness" => Probe::new(STIFFNESS, (1..=B * B).map(|i| format!("k{i}"))),
+            _ => return None,
+        })
+    }
+
+    fn probe_names(&self) -> &'static [&'static str] {
+        &["localForce", "basicForce", "deformations", "basicDeformation", "chordRotation", "basicStiffness"]
+    }
+
+    fn force_labels(&self) -> Vec<String> {
+        frame_force_labels(N)
+    }
+
+    fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
+        match path[0] {
+            LOCAL_FORCE => {
+                self.frame().local_force(&self.basic_force(s.disp, s.load), &Self::reactions(s.load), out);
+            }
+            BASIC_FORCE => out.copy_from_slice(&self.basic_force(s.disp, s.load)),
+            DEFORMATION => out.copy_from_slice(&self.transform.deformation(s.disp)),
+            _ => out.iter_mut().zip(self.kb.iter().flatten()).for_each(|(o, k)| *o = *k),
+        }
+    }
+}
+
+const BASIC_FORCES: [&str; 6] = ["N", "Mz_1", "Mz_2", "My_1", "My_2", "T"];
+const BASIC_DEFORMATIONS: [&str; 6] = ["eps", "thetaZ_1", "thetaZ_2", "thetaY_1", "thetaY_2", "thetaX"];

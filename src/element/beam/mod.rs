@@ -1,0 +1,5 @@
+//! Beam-columns.
+
+mod elastic;
+
+pub use elastic::{Bending, ElasticBeam, Release};

@@ -1,0 +1,166 @@
+//! Kinematics of two-node bearings: basic deformations, and the P-Delta moments of the axial force.
+
+use crate::element::{add_outer, dot};
+use nalgebra::Matrix3;
+
+/// Linear kinematics of a two-node bearing with `N` degrees of freedom and `B` basic deformations.
+///
+/// In the plane (`N` = 6, `B` = 3) the basic deformations are axial, shear and rotation; in space (`N` = 12, `B` = 6)
+/// axial, shear y, shear z, torsion, rotation about y, rotation about z, in local axes. The shear force acts at
+/// `shear_dist` times the length from node i, and half of the axial force times the offset goes to each end as a
+/// moment, as in OpenSees.
+#[derive(Clone, Debug)]
+pub struct Link<const N: usize, const B: usize> {
+    /// Basic deformations from global displacements.
+    pub basic: [[f64; N]; B],
+    /// Local displacements from global ones.
+    pub local: [[f64; N]; N],
+    /// Forces in global axes per unit of axial force and displacement.
+    p_delta: [[f64; N]; N],
+}
+
+impl<const N: usize, const B: usize> Link<N, B> {
+    /// From the rotation to local axes, the length and the place of the shear force (0 node i, 1 node j).
+    pub fn new(axes: &Matrix3<f64>, length: f64, shear_dist: f64) -> Self {
+        let plane = N == 6;
+        let per_node = N / 2;
+        let mut local = [[0.0; N]; N];
+        for node in 0..2 {
+            let at = node * per_node;
+            if plane {
+                for a in 0..2 {
+                    for b in 0..2 {
+                        local[at + a][at + b] = axes[(a, b)];
+                    }
+                }
+                local[at + 2][at + 2] = axes[(2, 2)];
+            } else {
+                for a in 0..3 {
+                    for b in 0..3 {
+                        local[at + a][at + b] = axes[(a, b)];
+                        local[at + 3 + a][at + 3 + b] = axes[(a, b)];
+                    }
+                }
+            }
+        }
+        let (i, j) = (shear_dist * length, (1.0 - shear_dist) * length);
+        let mut from_local = [[0.0; N]; B];
+        for (k, row) in from_local.iter_mut().enumerate() {
+            row[k] = -1.0;
+            row[k + per_node] = 1.0;
+        }
+        // One bending plane: shear displacement v, rotation θ, with the sign of θ's share in v.
+        let planes: &[(usize, usize, f64)] = if plane { &[(1, 2, -1.0)] } else { &[(1, 5, -1.0), (2, 4, 1.0)] };
+        let mut geometry = [[0.0; N]; N];
+        for &(v, r, sign) in planes {
+            from_local[v][r] = sign * i;
+            from_local[v][r + per_node] = sign * j;
+            let (v2, r2) = (v + per_node, r + per_node);
+            for end in [r, r2] {
+                geometry[end][v] = 0.5 * sign;
+                geometry[end][v2] = -0.5 * sign;
+            }
+            geometry[r][r] += 0.5 * i;
+            geometry[r2][r] -= 0.5 * i;
+            geometry[r][r2] -= 0.5 * j;
+            geometry[r2][r2] += 0.5 * j;
+        }
+        let mut basic = [[0.0; N]; B];
+        for (row, out) in from_local.iter().zip(&mut basic) {
+            for (c, to) in row.iter().zip(&local) {
+                for (o, t) in out.iter_mut().zip(to) {
+                    *o += c * t;
+                }
+            }
+        }
+        let mut p_delta = [[0.0; N]; N];
+        for a in 0..N {
+            for b in 0..N {
+                if geometry[a][b] != 0.0 {
+                    for c in 0..N {
+                        for d in 0..N {
+                            p_delta[c][d] += local[a][c] * geometry[a][b] * local[b][d];
+                        }
+                    }
+                }
+            }
+        }
+        Self { basic, local, p_delta }
+    }
+
+    /// Basic deformations of global displacements (or their rates).
+    #[inline]
+    pub fn deformation(&self, disp: &[f64]) -> [f64; B] {
+        self.basic.each_ref().map(|row| dot(row, disp))
+    }
+
+    /// Moments in global axes per unit of axial force.
+    #[inline]
+    fn lever(&self, disp: &[f64]) -> [f64; N] {
+        self.p_delta.each_ref().map(|row| dot(row, disp))
+    }
+
+    /// Add the global forces of basic forces `q`, P-Delta moments included.
+    pub fn add_force(&self, q: &[f64; B], disp: &[f64], force: &mut [f64]) {
+        for (row, &qi) in self.basic.iter().zip(q) {
+            for (f, r) in force.iter_mut().zip(row) {
+                *f += qi * r;
+            }
+        }
+        for (f, l) in force.iter_mut().zip(self.lever(disp)) {
+            *f += q[0] * l;
+        }
+    }
+
+    /// Add the consistent tangent of [`Link::add_force`] for the basic stiffness `k`.
+    pub fn add_tangent(&self, k: &[[f64; B]; B], q: &[f64; B], disp: &[f64], tangent: &mut [f64]) {
+        self.add_basic(k, tangent);
+        for (row, g) in tangent.chunks_exact_mut(N).zip(&self.p_delta) {
+            for (t, g) in row.iter_mut().zip(g) {
+                *t += q[0] * g;
+            }
+        }
+        // The moments grow with the axial force too.
+        let mut axial = [0.0; N];
+        for (row, &kb) in self.basic.iter().zip(&k[0]) {
+            for (a, r) in axial.iter_mut().zip(row) {
+                *a += kb * r;
+            }
+        }
+        for (row, l) in tangent.chunks_exact_mut(N).zip(self.lever(disp)) {
+            if l != 0.0 {
+                for (t, a) in row.iter_mut().zip(&axial) {
+                    *t += l * a;
+                }
+            }
+        }
+    }
+
+    /// Add Aᵀ k A for a basic matrix `k`.
+    pub fn add_basic(&self, k: &[[f64; B]; B], tangent: &mut [f64]) {
+        for (a, row) in self.basic.iter().enumerate() {
+            if k[a][a] != 0.0 {
+                add_outer(tangent, row, k[a][a]);
+            }
+            for (b, other) in self.basic.iter().enumerate() {
+                let kab = k[a][b];
+                if a != b && kab != 0.0 {
+                    for (i, &ri) in row.iter().enumerate() {
+                        if ri != 0.0 {
+                            for (t, o) in tangent[i * N..(i + 1) * N].iter_mut().zip(other) {
+                                *t += kab * ri * o;
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Local forces of basic forces, P-Delta moments included.
+    pub fn local_force(&self, global: &[f64], out: &mut [f64]) {
+        for (o, row) in out.iter_mut().zip(&self.local) {
+            *o = dot(row, global);
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! Loads on elements, as `eleLoad` gives them.
+
+/// A load on an element, in its local axes and independent of time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ElementLoad {
+    /// Distributed over a beam from `a` to `b` (fractions of the length), linear in between; force per length along
+    /// local y, z and x, at the start and at the end.
+    Distributed {
+        /// Start and end, 0 to 1.
+        span: (f64, f64),
+        /// Along local y at start and end.
+        y: (f64, f64),
+        /// Along local z at start and end.
+        z: (f64, f64),
+        /// Along local x at start and end.
+        x: (f64, f64),
+    },
+    /// A point force on a beam at a fraction of its length; along local y, z and x.
+    Point {
+        /// Place, 0 to 1.
+        at: f64,
+        /// Along local y.
+        y: f64,
+        /// Along local z.
+        z: f64,
+        /// Along local x.
+        x: f64,
+    },
+}
+
+/// What one component of a load across a beam of length L amounts to: the shears that a simple beam passes to its
+/// ends, and the moments of a clamped one.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct EndActions {
+    /// Shear at i and j, positive against the load.
+    pub shear: (f64, f64),
+    /// Moment of the clamped beam: ∫ w x (1-x/L)² dx and ∫ w x² (1-x/L)/L dx.
+    pub moment: (f64, f64),
+}
+
+/// Abscissae and weights of Gauss' rule with three points on 0 to 1, exact for a cubic times a linear load.
+const GAUSS: [(f64, f64); 3] =
+    [(0.112_701_665_379_258_3, 5.0 / 18.0), (0.5, 8.0 / 18.0), (0.887_298_334_620_741_7, 5.0 / 18.0)];
+
+impl EndActions {
+    /// Of a force `p` at `at` (fraction of the length).
+    pub fn point(p: f64, at: f64, length: f64) -> Self {
+        let rest = 1.0 - at;
+        Self { shear: (p * rest, p * at), moment: (p * length * at * rest * rest, p * length * at * at * rest) }
+    }
+
+    /// Of a load per length that goes from `w.0` to `w.1` over `span` (fractions of the length).
+    pub fn distributed(w: (f64, f64), span: (f64, f64), length: f64) -> Self {
+        let mut sum = Self::default();
+        if w == (0.0, 0.0) {
+            return sum;
+        }
+        let width = span.1 - span.0;
+        for (g, weight) in GAUSS {
+            let force = (w.0 + (w.1 - w.0) * g) * weight * width * length;
+            let p = Self::point(force, span.0 + g * width, length);
+            sum.shear.0 += p.shear.0;
+            sum.shear.1 += p.shear.1;
+            sum.moment.0 += p.moment.0;
+            sum.moment.1 += p.moment.1;
+        }
+        sum
+    }
+}
+
+impl ElementLoad {
+    /// End actions of the components along local y and z, and the axial force with its share at j.
+    pub fn end_actions(&self, length: f64) -> (EndActions, EndActions, (f64, f64)) {
+        match *self {
+            Self::Point { at, y, z, x } => {
+                (EndActions::point(y, at, length), EndActions::point(z, at, length), (x, x * at))
+            }
+            Self::Distributed { span, y, z, x } => {
+                let axial = EndActions::distributed(x, span, length);
+                (
+                    EndActions::distributed(y, span, length),
+                    EndActions::distributed(z, span, length),
+                    (axial.shear.0 + axial.shear.1, axial.shear.1),
+                )
+            }
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! Finite elements.
+//!
+//! An element is a struct of constants that implements [`Element`]. Its history lies in a slice of the model's state
+//! (see [`words`](crate::words)); it answers with forces and tangents for the motion of its nodes. Forces are those
+//! that the nodes exert on the element, in global axes, node after node: OpenSees' "resisting force".
+//!
+//! A model with many elements of a kind calls [`Element::respond`] millions of times: it must not allocate.
+
+pub mod axes;
+pub mod beam;
+pub mod bearing;
+pub mod load;
+pub mod transform;
+mod truss;
+mod zero_length;
+
+use crate::material::MaterialError;
+use crate::probe::Probe;
+use std::fmt;
+
+pub use load::ElementLoad;
+pub use truss::Truss;
+pub use zero_length::{RayleighDamping, ZeroLength};
+
+/// Largest number of degrees of freedom of an element that the buffers of the analysis are made for.
+pub const MAX_DOFS: usize = 24;
+
+/// What an element is given at a trial state.
+#[derive(Clone, Copy, Debug)]
+pub struct Motion<'a> {
+    /// Trial displacements of its degrees of freedom, node after node.
+    pub disp: &'a [f64],
+    /// Trial velocities, likewise.
+    pub vel: &'a [f64],
+    /// Its load words, as [`Element::add_load`] has summed them.
+    pub load: &'a [f64],
+    /// Domain time since the committed state.
+    pub dt: f64,
+}
+
+/// Where an element writes its answer; each part has been set to zero.
+#[derive(Debug)]
+pub struct Answer<'a> {
+    /// Resisting force, length n.
+    pub force: &'a mut [f64],
+    /// Tangent stiffness n x n by rows, where it is wanted.
+    pub tangent: Option<&'a mut [f64]>,
+    /// Damping matrix of viscous materials n x n by rows, where it is wanted.
+    pub damping: Option<&'a mut [f64]>,
+}
+
+/// What a recorder reads an element's response from: the committed state.
+#[derive(Clone, Copy, Debug)]
+pub struct Snapshot<'a> {
+    /// Displacements of its degrees of freedom.
+    pub disp: &'a [f64],
+    /// Its history.
+    pub state: &'a [f64],
+    /// Its resisting force.
+    pub force: &'a [f64],
+    /// Its load words.
+    pub load: &'a [f64],
+}
+
+/// Mass of an element.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Mass {
+    /// No mass.
+    None,
+    /// Diagonal of a lumped mass matrix, length n.
+    Lumped(Vec<f64>),
+    /// Consistent mass matrix n x n by rows.
+    Consistent(Vec<f64>),
+}
+
+/// What is constant about an element's answers; the analysis saves work by it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Nature {
+    /// The tangent never changes and the force is linear in the displacements (and the loads).
+    pub linear: bool,
+    /// The tangent is symmetric.
+    pub symmetric: bool,
+    /// Materials depend on the rate of the nodal velocities.
+    pub viscous: bool,
+    /// Rayleigh damping applies to it.
+    pub rayleigh: bool,
+}
+
+/// Why an element could not answer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ElementError(pub String);
+
+impl fmt::Display for ElementError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for ElementError {}
+
+impl From<MaterialError> for ElementError {
+    fn from(e: MaterialError) -> Self {
+        Self(e.0)
+    }
+}
+
+/// A finite element.
+pub trait Element: fmt::Debug + Send + Sync {
+    /// OpenSees' name of the class, as recorders and `print` show it.
+    fn class(&self) -> &'static str;
+    /// Number of degrees of freedom n, all nodes together.
+    fn dofs(&self) -> usize;
+    /// Number of words of history.
+    fn state_len(&self) -> usize;
+    /// Write the virgin state.
+    fn init(&self, state: &mut [f64]);
+    /// What is constant about it.
+    fn nature(&self) -> Nature;
+
+    /// Force and tangent for a trial motion from the committed history; writes every word of `trial`.
+    fn respond(
+        &self,
+        motion: &Motion<'_>,
+        committed: &[f64],
+        trial: &mut [f64],
+        answer: Answer<'_>,
+    ) -> Result<(), ElementError>;
+
+    /// Tangent of the virgin element, n x n by rows, added to a zero matrix.
+    fn initial_tangent(&self, tangent: &mut [f64]);
+
+    /// Mass.
+    fn mass(&self) -> Mass {
+        Mass::None
+    }
+
+    /// Number of words that [`Element::add_load`] sums loads in.
+    fn load_len(&self) -> usize {
+        0
+    }
+
+    /// Add a load, multiplied by a factor, to the load words.
+    fn add_load(&self, _load: &ElementLoad, _factor: f64, _words: &mut [f64]) -> Result<(), ElementError> {
+        Err(ElementError(format!("{} takes no element loads", self.class())))
+    }
+
+    /// A response by the words of a recorder command; `None` where the element has none of that name.
+    /// The global force is common to all elements and is not asked for here.
+    fn probe(&self, words: &[&str]) -> Option<Probe>;
+
+    /// Names of the responses, to suggest the nearest to a misspelled one.
+    fn probe_names(&self) -> &'static [&'static str];
+
+    /// Names of the columns of the global force.
+    fn force_labels(&self) -> Vec<String> {
+        let n = self.dofs() / 2;
+        (1..=2).flat_map(|node| (1..=n).map(move |i| format!("P{node}_{i}"))).collect()
+    }
+
+    /// Value of a probe.
+    fn read(&self, path: &[u32], snapshot: &Snapshot<'_>, out: &mut [f64]);
+}
+
+/// Names of the global end forces of elements that join nodes with rotations.
+pub(crate) fn frame_force_labels(dofs: usize) -> Vec<String> {
+    let names: &[&str] = if dofs == 6 { &["Px", "Py", "Mz"] } else { &["Px", "Py", "Pz", "Mx", "My", "Mz"] };
+    (1..=2).flat_map(|end| names.iter().map(move |n| format!("{n}_{end}"))).collect()
+}
+
+/// `k += factor aᵀ a` for a row vector `a`; `k` is n x n by rows.
+#[inline]
+pub(crate) fn add_outer(k: &mut [f64], a: &[f64], factor: f64) {
+    let n = a.len();
+    for (i, &ai) in a.iter().enumerate() {
+        if ai != 0.0 {
+            let f = factor * ai;
+            for (kij, &aj) in k[i * n..(i + 1) * n].iter_mut().zip(a) {
+                *kij += f * aj;
+            }
+        }
+    }
+}
+
+/// Scalar product.
+#[inline]
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}

@@ -1,0 +1,210 @@
+//! Undeformed geometry of a beam: length, axes, joint offsets, and the linear map to the basic system.
+
+use super::{Ends, Reactions};
+use crate::element::axes::{self, AxesError};
+use crate::element::dot;
+use nalgebra::{Matrix3, Vector3};
+
+/// Undeformed geometry of a beam with `N` degrees of freedom and `B` basic deformations.
+#[derive(Clone, Debug)]
+pub struct Frame<const N: usize, const B: usize> {
+    /// Length between the faces of the joints.
+    pub length: f64,
+    /// Local axes as rows.
+    pub axes: Matrix3<f64>,
+    /// Local displacements of the faces of the joints from the global ones of the nodes.
+    pub local: [[f64; N]; N],
+    /// Basic deformations from the global displacements.
+    pub basic: [[f64; N]; B],
+    /// Displacements of the nodes when the beam was made.
+    pub initial: [f64; N],
+}
+
+/// Which local displacements the reactions go with: axial at i, y at i and j, z at i and j.
+fn reaction_rows(n: usize) -> &'static [usize] {
+    if n == 6 { &[0, 1, 4] } else { &[0, 1, 7, 2, 8] }
+}
+
+impl Frame<6, 3> {
+    /// Of a beam in the plane; offsets in global axes from node i and node j.
+    ///
+    /// # Errors
+    /// No length.
+    pub fn plane(ends: &Ends<'_>, offsets: &(Vector3<f64>, Vector3<f64>)) -> Result<Self, AxesError> {
+        let mut initial = [0.0; 6];
+        initial.copy_from_slice(ends.disp);
+        let moved = |k: usize| Vector3::new(initial[k], initial[k + 1], 0.0);
+        let line = (ends.place.1 + moved(3) + offsets.1) - (ends.place.0 + moved(0) + offsets.0);
+        let axes = axes::from_x_and_y(line, Vector3::new(-line.y, line.x, 0.0))?;
+        let mut local = [[0.0; 6]; 6];
+        for (at, offset) in [(0, &offsets.0), (3, &offsets.1)] {
+            for a in 0..2 {
+                local[at + a][at] = axes[(a, 0)];
+                local[at + a][at + 1] = axes[(a, 1)];
+                // A rotation moves the face of the joint by θ x offset.
+                local[at + a][at + 2] = axes[(a, 1)] * offset.x - axes[(a, 0)] * offset.y;
+            }
+            local[at + 2][at + 2] = 1.0;
+        }
+        let length = line.norm();
+        let slope = |out: &mut [f64; 6]| {
+            out[1] += 1.0 / length;
+            out[4] -= 1.0 / length;
+        };
+        let mut from_local = [[0.0; 6]; 3];
+        from_local[0][0] = -1.0;
+        from_local[0][3] = 1.0;
+        slope(&mut from_local[1]);
+        from_local[1][2] = 1.0;
+        slope(&mut from_local[2]);
+        from_local[2][5] = 1.0;
+        Ok(Self { length, axes, local, basic: product(&from_local, &local), initial })
+    }
+}
+
+impl Frame<12, 6> {
+    /// Of a beam in space; `xz` lies in the local x-z plane.
+    ///
+    /// # Errors
+    /// No length, or `xz` along the beam.
+    pub fn space(ends: &Ends<'_>, offsets: &(Vector3<f64>, Vector3<f64>), xz: Vector3<f64>) -> Result<Self, AxesError> {
+        let mut initial = [0.0; 12];
+        initial.copy_from_slice(ends.disp);
+        let moved = |k: usize| Vector3::new(initial[k], initial[k + 1], initial[k + 2]);
+        let line = (ends.place.1 + moved(6) + offsets.1) - (ends.place.0 + moved(0) + offsets.0);
+        let axes = axes::from_x_and_xz(line, xz)?;
+        let mut local = [[0.0; 12]; 12];
+        for (at, offset) in [(0, &offsets.0), (6, &offsets.1)] {
+            // θ x offset = -[offset]ₓ θ
+            let lever = axes * -offset.cross_matrix();
+            for a in 0..3 {
+                for b in 0..3 {
+                    local[at + a][at + b] = axes[(a, b)];
+                    local[at + 3 + a][at + 3 + b] = axes[(a, b)];
+                    local[at + a][at + 3 + b] = lever[(a, b)];
+                }
+            }
+        }
+        let length = line.norm();
+        let mut from_local = [[0.0; 12]; 6];
+        from_local[0][0] = -1.0;
+        from_local[0][6] = 1.0;
+        // Rotations about z go with v/L, those about y with -w/L.
+        for (row, rotation, shift, sign) in [(1, 5, 1, 1.0), (2, 11, 1, 1.0), (3, 4, 2, -1.0), (4, 10, 2, -1.0)] {
+            from_local[row][rotation] = 1.0;
+            from_local[row][shift] += sign / length;
+            from_local[row][shift + 6] -= sign / length;
+        }
+        from_local[5][3] = -1.0;
+        from_local[5][9] = 1.0;
+        Ok(Self { length, axes, local, basic: product(&from_local, &local), initial })
+    }
+}
+
+/// a b
+fn product<const N: usize, const B: usize>(a: &[[f64; N]; B], b: &[[f64; N]; N]) -> [[f64; N]; B] {
+    let mut c = [[0.0; N]; B];
+    for (row, out) in a.iter().zip(&mut c) {
+        for (x, from) in row.iter().zip(b) {
+            if *x != 0.0 {
+                out.iter_mut().zip(from).for_each(|(o, f)| *o += x * f);
+            }
+        }
+    }
+    c
+}
+
+impl<const N: usize, const B: usize> Frame<N, B> {
+    /// Displacements since the beam was made.
+    #[inline]
+    pub fn since_made(&self, disp: &[f64]) -> [f64; N] {
+        let mut u = [0.0; N];
+        for ((u, d), i) in u.iter_mut().zip(disp).zip(&self.initial) {
+            *u = d - i;
+        }
+        u
+    }
+
+    /// Basic deformations for small displacements.
+    #[inline]
+    pub fn deformation(&self, disp: &[f64]) -> [f64; B] {
+        let u = self.since_made(disp);
+        self.basic.each_ref().map(|row| dot(row, &u))
+    }
+
+    /// Add Aᵀ q.
+    #[inline]
+    pub fn add_basic_force(&self, q: &[f64; B], force: &mut [f64]) {
+        for (row, q) in self.basic.iter().zip(q) {
+            force.iter_mut().zip(row).for_each(|(f, r)| *f += q * r);
+        }
+    }
+
+    /// Add the reactions to member loads.
+    #[inline]
+    pub fn add_reactions(&self, p0: &Reactions, force: &mut [f64]) {
+        for (&at, p) in reaction_rows(N).iter().zip(p0) {
+            if *p != 0.0 {
+                force.iter_mut().zip(&self.local[at]).for_each(|(f, r)| *f += p * r);
+            }
+        }
+    }
+
+    /// Add Aᵀ k A.
+    pub fn add_basic_stiffness(&self, k: &[[f64; B]; B], tangent: &mut [f64]) {
+        let ka = k.map(|row| {
+            let mut out = [0.0; N];
+            for (kij, a) in row.iter().zip(&self.basic) {
+                if *kij != 0.0 {
+                    out.iter_mut().zip(a).for_each(|(o, a)| *o += kij * a);
+                }
+            }
+            out
+        });
+        for (a, ka) in self.basic.iter().zip(&ka) {
+            for (row, &ai) in tangent.chunks_exact_mut(N).zip(a) {
+                if ai != 0.0 {
+                    row.iter_mut().zip(ka).for_each(|(t, k)| *t += ai * k);
+                }
+            }
+        }
+    }
+
+    /// Rows whose product with the displacements is the offset of end i from end j across the beam, along y and z.
+    #[inline]
+    pub fn across(&self) -> impl Iterator<Item = [f64; N]> + '_ {
+        let pairs: &[(usize, usize)] = if N == 6 { &[(1, 4)] } else { &[(1, 7), (2, 8)] };
+        pairs.iter().map(|&(i, j)| {
+            let mut row = self.local[i];
+            row.iter_mut().zip(&self.local[j]).for_each(|(a, b)| *a -= b);
+            row
+        })
+    }
+
+    /// Local end forces of basic forces and reactions, without second-order terms, as beams report them.
+    pub fn local_force(&self, q: &[f64; B], p0: &Reactions, out: &mut [f64]) {
+        let l = self.length;
+        if N == 6 {
+            let v = (q[1] + q[2]) / l;
+            out.copy_from_slice(&[p0[0] - q[0], v + p0[1], q[1], q[0], p0[2] - v, q[2]]);
+            return;
+        }
+        let (vy, vz) = ((q[1] + q[2]) / l, -(q[3] + q[4]) / l);
+        let i = [p0[0] - q[0], vy + p0[1], vz + p0[3], -q[5], q[3], q[1]];
+        let j = [q[0], p0[2] - vy, p0[4] - vz, q[5], q[4], q[2]];
+        out[..6].copy_from_slice(&i);
+        out[6..].copy_from_slice(&j);
+    }
+
+    /// Tᵀ m T for a local matrix, N x N by rows.
+    pub fn global_of_local(&self, m: &[[f64; N]; N]) -> Vec<f64> {
+        let mt = product(m, &self.local);
+        let mut out = vec![0.0; N * N];
+        for (row, mt) in self.local.iter().zip(&mt) {
+            for (i, &t) in row.iter().enumerate() {
+                out[i * N..(i + 1) * N].iter_mut().zip(mt).for_each(|(o, m)| *o += t * m);
+            }
+        }
+        out
+    }
+}

@@ -1,0 +1,66 @@
+//! Small displacements, with and without the P-Delta effect.
+
+use super::{Frame, Reactions, Transform};
+use crate::element::{add_outer, dot};
+
+/// Small displacements: equilibrium in the undeformed position.
+#[derive(Clone, Debug)]
+pub struct Linear<const N: usize, const B: usize>(pub Frame<N, B>);
+
+impl<const N: usize, const B: usize> Transform<N, B> for Linear<N, B> {
+    fn length(&self) -> f64 {
+        self.0.length
+    }
+    fn is_linear(&self) -> bool {
+        true
+    }
+    fn deformation(&self, disp: &[f64]) -> [f64; B] {
+        self.0.deformation(disp)
+    }
+    fn add_force(&self, _: &[f64], q: &[f64; B], p0: &Reactions, force: &mut [f64]) {
+        self.0.add_basic_force(q, force);
+        self.0.add_reactions(p0, force);
+    }
+    fn add_tangent(&self, _: &[f64], kb: &[[f64; B]; B], _: &[f64; B], tangent: &mut [f64]) {
+        self.0.add_basic_stiffness(kb, tangent);
+    }
+    fn frame(&self) -> &Frame<N, B> {
+        &self.0
+    }
+}
+
+/// Small displacements, and the axial force N pulls the ends apart across the beam: shear N Δ / L.
+#[derive(Clone, Debug)]
+pub struct PDelta<const N: usize, const B: usize>(pub Frame<N, B>);
+
+impl<const N: usize, const B: usize> Transform<N, B> for PDelta<N, B> {
+    fn length(&self) -> f64 {
+        self.0.length
+    }
+    fn is_linear(&self) -> bool {
+        false
+    }
+    fn deformation(&self, disp: &[f64]) -> [f64; B] {
+        self.0.deformation(disp)
+    }
+    fn add_force(&self, disp: &[f64], q: &[f64; B], p0: &Reactions, force: &mut [f64]) {
+        self.0.add_basic_force(q, force);
+        self.0.add_reactions(p0, force);
+        let u = self.0.since_made(disp);
+        for row in self.0.across() {
+            let pull = q[0] / self.0.length * dot(&row, &u);
+            force.iter_mut().zip(&row).for_each(|(f, r)| *f += pull * r);
+        }
+    }
+    /// The derivative of the axial force with the displacements is left out, as is usual: it would make the
+    /// stiffness unsymmetric, and is small where P-Delta is meant to be used.
+    fn add_tangent(&self, _: &[f64], kb: &[[f64; B]; B], q: &[f64; B], tangent: &mut [f64]) {
+        self.0.add_basic_stiffness(kb, tangent);
+        for row in self.0.across() {
+            add_outer(tangent, &row, q[0] / self.0.length);
+        }
+    }
+    fn frame(&self) -> &Frame<N, B> {
+        &self.0
+    }
+}

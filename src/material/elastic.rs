@@ -1,0 +1,44 @@
+//! Linear elastic, with another modulus in compression if wanted, and a dashpot in parallel.
+
+use super::{MaterialError, Strain, Stress, UniaxialLaw};
+
+/// σ = E ε + η ε̇, with E = `e_pos` for ε ≥ 0 and `e_neg` for ε < 0.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Elastic {
+    /// Modulus in tension, stress.
+    pub e_pos: f64,
+    /// Damping modulus, stress x time.
+    pub eta: f64,
+    /// Modulus in compression, stress.
+    pub e_neg: f64,
+}
+
+impl Elastic {
+    /// The same modulus in tension and compression, no damping.
+    pub fn new(e: f64) -> Self {
+        Self { e_pos: e, eta: 0.0, e_neg: e }
+    }
+}
+
+impl UniaxialLaw for Elastic {
+    type State = ();
+    const NAME: &'static str = "Elastic";
+
+    #[inline]
+    fn update(&self, _: &(), strain: Strain) -> Result<(Stress, ()), MaterialError> {
+        let e = if strain.value >= 0.0 { self.e_pos } else { self.e_neg };
+        Ok((Stress { value: e * strain.value + self.eta * strain.rate, tangent: e, damping: self.eta }, ()))
+    }
+
+    fn initial_tangent(&self) -> f64 {
+        self.e_pos
+    }
+
+    fn is_viscous(&self) -> bool {
+        self.eta != 0.0
+    }
+
+    fn is_linear(&self) -> bool {
+        self.e_pos == self.e_neg
+    }
+}

@@ -1,0 +1,149 @@
+//! Uniaxial materials: stress, tangent and next state for a trial strain, as pure functions of the committed state.
+//!
+//! A law is a struct of constant parameters that implements [`UniaxialLaw`]; its history is a plain struct declared
+//! with [`words!`](crate::words!). Whoever uses a law (a spring, a fiber) keeps the history through a [`Slot`].
+//! Stress and strain may as well be force and displacement: a law knows no units.
+
+mod bouc_wen;
+mod elastic;
+mod elastic_pp;
+mod slot;
+mod steel01;
+mod viscous;
+
+use crate::probe::Probe;
+use crate::words::Words;
+use std::fmt;
+use std::sync::Arc;
+
+pub use bouc_wen::BoucWen;
+pub use elastic::Elastic;
+pub use elastic_pp::ElasticPP;
+pub use slot::Slot;
+pub use steel01::Steel01;
+pub use viscous::Viscous;
+
+/// A trial strain with what rate-dependent laws need to know.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Strain {
+    /// Total strain.
+    pub value: f64,
+    /// Strain rate from the nodal velocities, in 1/time: zero in static analyses, as in OpenSees.
+    pub rate: f64,
+    /// Domain time since the committed state; zero where no time has passed (a state determined anew).
+    pub dt: f64,
+}
+
+/// What a law answers to a trial strain.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Stress {
+    /// Stress, viscous part included.
+    pub value: f64,
+    /// Consistent tangent, d stress / d strain at constant rate.
+    pub tangent: f64,
+    /// d stress / d rate.
+    pub damping: f64,
+}
+
+/// Why a law could not answer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MaterialError(pub String);
+
+impl fmt::Display for MaterialError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for MaterialError {}
+
+/// A uniaxial law with a fixed number of history variables.
+pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {
+    /// History of one point; `default()` must be the virgin state.
+    type State: Words;
+
+    /// Name in the `uniaxialMaterial` command.
+    const NAME: &'static str;
+
+    /// Stress and next state for a trial strain, from the committed state.
+    fn update(&self, committed: &Self::State, strain: Strain) -> Result<(Stress, Self::State), MaterialError>;
+
+    /// Tangent of the virgin material.
+    fn initial_tangent(&self) -> f64;
+
+    /// Whether the stress depends on the rate of the nodal velocities, that is, whether `Stress::damping` is ever used.
+    fn is_viscous(&self) -> bool {
+        false
+    }
+
+    /// Whether the stress is proportional to the strain, whatever the history.
+    fn is_linear(&self) -> bool {
+        false
+    }
+
+    /// A response of the law's own, beyond those that every material has.
+    fn probe(&self, _words: &[&str]) -> Option<Probe> {
+        None
+    }
+
+    /// Value of a probe from the state.
+    fn read(&self, _path: &[u32], _state: &Self::State, _out: &mut [f64]) {}
+}
+
+/// A uniaxial material of any kind.
+pub trait Uniaxial: fmt::Debug + Send + Sync {
+    /// Name in the `uniaxialMaterial` command.
+    fn name(&self) -> &'static str;
+    /// Number of words of history.
+    fn state_len(&self) -> usize;
+    /// Write the virgin state.
+    fn init(&self, state: &mut [f64]);
+    /// Stress for a trial strain from the committed history; writes every word of `next`.
+    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError>;
+    /// Tangent of the virgin material.
+    fn initial_tangent(&self) -> f64;
+    /// Whether `Stress::damping` is ever used.
+    fn is_viscous(&self) -> bool;
+    /// Whether the stress is proportional to the strain, whatever the history.
+    fn is_linear(&self) -> bool;
+    /// A response of the material's own, by the words of a recorder command.
+    fn probe(&self, words: &[&str]) -> Option<Probe>;
+    /// Value of a probe from the state.
+    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]);
+}
+
+impl<L: UniaxialLaw> Uniaxial for L {
+    fn name(&self) -> &'static str {
+        L::NAME
+    }
+    fn state_len(&self) -> usize {
+        L::State::LEN
+    }
+    fn init(&self, state: &mut [f64]) {
+        L::State::default().write(state);
+    }
+    #[inline]
+    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+        let (stress, state) = UniaxialLaw::update(self, &L::State::read(committed), strain)?;
+        state.write(next);
+        Ok(stress)
+    }
+    fn initial_tangent(&self) -> f64 {
+        UniaxialLaw::initial_tangent(self)
+    }
+    fn is_viscous(&self) -> bool {
+        UniaxialLaw::is_viscous(self)
+    }
+    fn is_linear(&self) -> bool {
+        UniaxialLaw::is_linear(self)
+    }
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        UniaxialLaw::probe(self, words)
+    }
+    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
+        UniaxialLaw::read(self, path, &L::State::read(state), out);
+    }
+}
+
+/// A material as elements hold it: the parameters are shared, the state lies elsewhere.
+pub type Material = Arc<dyn Uniaxial>;

@@ -1,0 +1,126 @@
+//! Where an element keeps a material's state, with what recorders ask of every material.
+
+use super::{Material, MaterialError, Strain, Stress};
+use crate::probe::Probe;
+
+/// A material at a place in its owner's state. The first words hold strain, strain rate, stress, tangent and energy,
+/// so that recorders read them whatever the law.
+#[derive(Clone, Debug)]
+pub struct Slot {
+    /// The law.
+    pub material: Material,
+    /// Tag in the script.
+    pub tag: i32,
+    at: usize,
+}
+
+const STRAIN: usize = 0;
+const RATE: usize = 1;
+const STRESS: usize = 2;
+const TANGENT: usize = 3;
+const ENERGY: usize = 4;
+const HEADER: usize = 5;
+
+/// First number of the path of a response that the law itself answers.
+const OWN: u32 = 100;
+
+impl Slot {
+    /// Place a material at word `at` of the owner's state.
+    pub fn new(material: Material, tag: i32, at: usize) -> Self {
+        Self { material, tag, at }
+    }
+
+    /// Place materials one after the other from word `at`; also the first word after them.
+    pub fn pack(materials: impl IntoIterator<Item = (Material, i32)>, mut at: usize) -> (Vec<Self>, usize) {
+        let slots = materials
+            .into_iter()
+            .map(|(m, tag)| {
+                let s = Self::new(m, tag, at);
+                at += s.len();
+                s
+            })
+            .collect();
+        (slots, at)
+    }
+
+    /// Number of words it takes.
+    pub fn len(&self) -> usize {
+        HEADER + self.material.state_len()
+    }
+
+    /// Never: there is always the header.
+    pub fn is_empty(&self) -> bool {
+        false
+    }
+
+    /// Write the virgin state.
+    pub fn init(&self, state: &mut [f64]) {
+        let words = &mut state[self.at..self.at + self.len()];
+        words[..HEADER].fill(0.0);
+        words[TANGENT] = self.material.initial_tangent();
+        self.material.init(&mut words[HEADER..]);
+    }
+
+    /// Set the trial strain.
+    #[inline]
+    pub fn update(&self, committed: &[f64], strain: Strain, trial: &mut [f64]) -> Result<Stress, MaterialError> {
+        let end = self.at + self.len();
+        let old = &committed[self.at..end];
+        let new = &mut trial[self.at..end];
+        let (head, next) = new.split_at_mut(HEADER);
+        let s = self.material.update(&old[HEADER..], strain, next)?;
+        head[STRAIN] = strain.value;
+        head[RATE] = strain.rate;
+        head[STRESS] = s.value;
+        head[TANGENT] = s.tangent;
+        head[ENERGY] = old[ENERGY] + 0.5 * (old[STRESS] + s.value) * (strain.value - old[STRAIN]);
+        Ok(s)
+    }
+
+    /// Strain in a state.
+    pub fn strain(&self, state: &[f64]) -> f64 {
+        state[self.at + STRAIN]
+    }
+
+    /// Stress in a state.
+    pub fn stress(&self, state: &[f64]) -> f64 {
+        state[self.at + STRESS]
+    }
+
+    /// Tangent in a state.
+    pub fn tangent(&self, state: &[f64]) -> f64 {
+        state[self.at + TANGENT]
+    }
+
+    /// A response by the words of a recorder command: those of every material, then the law's own.
+    pub fn probe(&self, words: &[&str]) -> Option<Probe> {
+        let common = match *words.first()? {
+            "stress" => Probe::new(1, ["sigma11"]),
+            "tangent" => Probe::new(2, ["C11"]),
+            "strain" => Probe::new(3, ["eps11"]),
+            "stressStrain" | "stressANDstrain" | "stressAndStrain" => Probe::new(4, ["sig11", "eps11"]),
+            "stressStrainTangent" | "stressANDstrainANDtangent" => Probe::new(5, ["sig11", "eps11", "C11"]),
+            "plasticStrain" => Probe::new(6, ["eps11"]),
+            "strainRate" => Probe::new(7, ["epsDot11"]),
+            "energy" | "Energy" => Probe::new(9, ["energy"]),
+            _ => return self.material.probe(words).map(|p| p.inside(&[OWN])),
+        };
+        Some(common)
+    }
+
+    /// Value of a probe.
+    pub fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
+        let words = &state[self.at..self.at + self.len()];
+        match path[0] {
+            1 => out[0] = words[STRESS],
+            2 => out[0] = words[TANGENT],
+            3 => out[0] = words[STRAIN],
+            4 => out.copy_from_slice(&[words[STRESS], words[STRAIN]]),
+            5 => out.copy_from_slice(&[words[STRESS], words[STRAIN], words[TANGENT]]),
+            6 => out[0] = words[STRAIN] - words[STRESS] / self.material.initial_tangent(),
+            7 => out[0] = words[RATE],
+            9 => out[0] = words[ENERGY],
+            _ => self.material.read(&path[1..], &words[HEADER..], out),
+        }
+    }
+}

@@ -1,0 +1,35 @@
+//! Nonlinear dashpot.
+
+use super::{MaterialError, Strain, Stress, UniaxialLaw};
+
+/// σ = C |ε̇|^α sign ε̇. No stiffness, and no force where the nodal velocities are zero (static analyses).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Viscous {
+    /// Damping coefficient C.
+    pub c: f64,
+    /// Velocity exponent α.
+    pub alpha: f64,
+    /// Rate below which the damping tangent is held, since it is infinite at zero for α < 1.
+    pub min_rate: f64,
+}
+
+impl UniaxialLaw for Viscous {
+    type State = ();
+    const NAME: &'static str = "Viscous";
+
+    #[inline]
+    fn update(&self, _: &(), strain: Strain) -> Result<(Stress, ()), MaterialError> {
+        let rate = strain.rate.abs();
+        let value = (self.c * rate.powf(self.alpha)).copysign(self.c * strain.rate);
+        let damping = self.alpha * self.c * rate.max(self.min_rate).powf(self.alpha - 1.0);
+        Ok((Stress { value, tangent: 0.0, damping }, ()))
+    }
+
+    fn initial_tangent(&self) -> f64 {
+        0.0
+    }
+
+    fn is_viscous(&self) -> bool {
+        true
+    }
+}

@@ -1,0 +1,65 @@
+//! Named things that elements and patterns are made from: materials, series, transformations.
+
+use super::Tag;
+use crate::element::transform::TransformSpec;
+use crate::material::Material;
+use crate::series::Series;
+use std::collections::BTreeMap;
+
+/// Things of one kind by tag.
+#[derive(Clone, Debug)]
+pub struct Registry<T> {
+    /// What the things are called in messages.
+    pub kind: &'static str,
+    things: BTreeMap<Tag, T>,
+}
+
+impl<T> Registry<T> {
+    /// An empty registry of things called `kind`.
+    pub fn new(kind: &'static str) -> Self {
+        Self { kind, things: BTreeMap::new() }
+    }
+    /// The thing with a tag.
+    pub fn get(&self, tag: Tag) -> Option<&T> {
+        self.things.get(&tag)
+    }
+    /// Add a thing; `false` if the tag is taken (nothing changes then).
+    pub fn add(&mut self, tag: Tag, thing: T) -> bool {
+        match self.things.entry(tag) {
+            std::collections::btree_map::Entry::Vacant(v) => {
+                v.insert(thing);
+                true
+            }
+            std::collections::btree_map::Entry::Occupied(_) => false,
+        }
+    }
+    /// Remove the thing with a tag.
+    pub fn remove(&mut self, tag: Tag) -> Option<T> {
+        self.things.remove(&tag)
+    }
+    /// Tags, rising.
+    pub fn tags(&self) -> impl Iterator<Item = Tag> + '_ {
+        self.things.keys().copied()
+    }
+}
+
+/// Everything that has been defined by tag.
+#[derive(Clone, Debug)]
+pub struct Definitions {
+    /// `uniaxialMaterial`.
+    pub materials: Registry<Material>,
+    /// `timeSeries`.
+    pub series: Registry<Series>,
+    /// `geomTransf`.
+    pub transforms: Registry<TransformSpec>,
+}
+
+impl Default for Definitions {
+    fn default() -> Self {
+        Self {
+            materials: Registry::new("uniaxial material"),
+            series: Registry::new("time series"),
+            transforms: Registry::new("geometric transformation"),
+        }
+    }
+}

@@ -1,0 +1,113 @@
+//! Load patterns.
+
+use super::{ElementId, NodeId, Tag};
+use crate::element::ElementLoad;
+use crate::series::Series;
+
+/// A force on a node.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NodalLoad {
+    /// Node.
+    pub node: NodeId,
+    /// Reference force of each degree of freedom.
+    pub values: Vec<f64>,
+    /// Does not follow the series.
+    pub constant: bool,
+}
+
+/// A displacement imposed by a pattern.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SupportMotion {
+    /// Node.
+    pub node: NodeId,
+    /// Local degree of freedom, from 0.
+    pub dof: usize,
+    /// Reference displacement.
+    pub value: f64,
+    /// Does not follow the series.
+    pub constant: bool,
+    /// Displacement that the value is added to: zero unless asked for.
+    pub initial: f64,
+    /// Number by which OpenSees' `remove sp` knows it.
+    pub tag: Tag,
+}
+
+/// A uniform motion of all supports.
+#[derive(Clone, Debug)]
+pub struct Excitation {
+    /// Direction, from 0: translations, then rotations.
+    pub direction: usize,
+    /// Ground acceleration.
+    pub accel: Series,
+    /// Multiplies the influence of the motion (`-fact`).
+    pub influence: f64,
+    /// Velocity of the model at the start (`-vel0`).
+    pub initial_velocity: f64,
+}
+
+/// What drives a pattern.
+#[derive(Clone, Debug)]
+pub enum PatternKind {
+    /// Loads times a series and a constant factor.
+    Plain {
+        /// The series; `None` for one that is zero.
+        series: Series,
+        /// The constant factor (`-fact`).
+        factor: f64,
+    },
+    /// Inertia forces of a uniform motion of the ground.
+    Uniform(Excitation),
+}
+
+/// A load pattern.
+#[derive(Clone, Debug)]
+pub struct Pattern {
+    /// What drives it.
+    pub kind: PatternKind,
+    /// Forces on nodes.
+    pub nodal_loads: Vec<NodalLoad>,
+    /// Imposed displacements.
+    pub motions: Vec<SupportMotion>,
+    /// Loads on elements.
+    pub element_loads: Vec<(ElementId, ElementLoad)>,
+    /// Set by `loadConst`: the factor it had, or the time at which its motion stopped.
+    pub held: Option<f64>,
+}
+
+impl Pattern {
+    /// A pattern without loads.
+    pub fn new(kind: PatternKind) -> Self {
+        Self { kind, nodal_loads: vec![], motions: vec![], element_loads: vec![], held: None }
+    }
+
+    /// Load factor at a time; for a uniform excitation the ground acceleration.
+    pub fn factor(&self, time: f64) -> f64 {
+        match &self.kind {
+            PatternKind::Plain { series, factor } => self.held.unwrap_or_else(|| factor * series.factor(time)),
+            PatternKind::Uniform(e) => {
+                let time = self.held.unwrap_or(time);
+                if time < 0.0 { 0.0 } else { e.accel.factor(time) }
+            }
+        }
+    }
+
+    /// Hold what it gives at this time.
+    pub fn hold(&mut self, time: f64) {
+        if self.held.is_none() {
+            self.held = Some(match &self.kind {
+                PatternKind::Plain { .. } => self.factor(time),
+                PatternKind::Uniform(_) => time,
+            });
+        }
+    }
+
+    /// Forget the loads and motions of a node.
+    pub(super) fn remove_node(&mut self, node: NodeId) {
+        self.nodal_loads.retain(|l| l.node != node);
+        self.motions.retain(|m| m.node != node);
+    }
+
+    pub(super) fn nodes_mut(&mut self) -> impl Iterator<Item = &mut NodeId> {
+        self.nodal_loads.iter_mut().map(|l| &mut l.node).chain(self.motions.iter_mut().map(|m| &mut m.node))
+    }
+}

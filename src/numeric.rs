@@ -1,0 +1,48 @@
+//! Small numerical tools that several laws share.
+
+/// Root of a function that is negative on the left and positive on the right, by Newton's method kept inside a bracket
+/// once there is one. `f` gives value and derivative; `scale` is the size of a root that counts as one.
+///
+/// Goes on to round-off. `None` where no root is found within `limit` steps.
+pub fn newton_root(mut f: impl FnMut(f64) -> (f64, f64), start: f64, scale: f64, limit: u32) -> Option<f64> {
+    let (mut lo, mut hi) = (f64::NEG_INFINITY, f64::INFINITY);
+    let mut x = start;
+    for i in 0..limit {
+        let (value, slope) = f(x);
+        if value == 0.0 {
+            return Some(x);
+        }
+        if value > 0.0 {
+            hi = hi.min(x)
+        } else {
+            lo = lo.max(x)
+        }
+        let mut next = x - value / slope;
+        // Half-way where Newton leaves the bracket, or is slow because of a kink.
+        if lo.is_finite() && hi.is_finite() && (!(next > lo && next < hi) || i > limit / 2) {
+            next = 0.5 * (lo + hi);
+        }
+        if !next.is_finite() {
+            return None;
+        }
+        let step = (next - x).abs();
+        x = next;
+        if step <= 1e-15 * scale.max(x.abs()) {
+            return Some(x);
+        }
+    }
+    let (value, slope) = f(x);
+    (value.abs() <= 1e-12 * scale * slope.abs().max(1.0)).then_some(x)
+}
+
+/// Sign, zero for zero.
+#[inline]
+pub fn sign(x: f64) -> f64 {
+    if x > 0.0 {
+        1.0
+    } else if x < 0.0 {
+        -1.0
+    } else {
+        0.0
+    }
+}

@@ -1,0 +1,165 @@
+//! Eigenvalues of K x = λ M x nearest to a shift, by block Lanczos with full reorthogonalisation (Grimes, Lewis and
+//! Simon, 1994) on the operator (K - σM)⁻¹ M in the inner product of M, which may be singular.
+
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+
+/// The two matrices as operators.
+pub trait Pencil {
+    /// Number of equations.
+    fn len(&self) -> usize;
+    /// Whether there are no equations.
+    fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+    /// x = (K - σM)⁻¹ x.
+    fn solve(&mut self, x: &mut [f64]);
+    /// y = M x.
+    fn mass(&self, x: &[f64], y: &mut [f64]);
+}
+
+/// An eigenvalue and its vector, which has unit length in M.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pair {
+    /// λ - σ.
+    pub lambda: f64,
+    /// Vector.
+    pub vector: Vec<f64>,
+}
+
+/// Vectors start from the same numbers every time.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+/// A basis that is orthonormal in M, with the products of M and its vectors.
+struct Basis {
+    v: Vec<Vec<f64>>,
+    mv: Vec<Vec<f64>>,
+}
+
+impl Basis {
+    /// Add what is new in `w`; `false` where nothing is. `scale` is the length in M that `w` came with.
+    fn add(&mut self, pencil: &impl Pencil, mut w: Vec<f64>, scale: f64) -> bool {
+        for _ in 0..2 {
+            for (v, mv) in self.v.iter().zip(&self.mv) {
+                let c = dot(mv, &w);
+                w.iter_mut().zip(v).for_each(|(w, v)| *w -= c * v);
+            }
+        }
+        let mut mw = vec![0.0; w.len()];
+        pencil.mass(&w, &mut mw);
+        let length = dot(&w, &mw).max(0.0).sqrt();
+        if length.is_nan() || length <= 1e-10 * scale {
+            return false;
+        }
+        w.iter_mut().chain(&mut mw).for_each(|x| *x /= length);
+        self.v.push(w);
+        self.mv.push(mw);
+        true
+    }
+}
+
+/// The `count` pairs nearest to the shift, by rising λ; fewer where the mass has fewer.
+pub fn nearest(pencil: &mut impl Pencil, count: usize) -> Vec<Pair> {
+    let n = pencil.len();
+    let block = count.clamp(2, 6).min(n.max(1));
+    let mut random = Random(20_261);
+    let mut basis = Basis { v: vec![], mv: vec![] };
+    // Products of the operator with the basis.
+    let mut av: Vec<Vec<f64>> = vec![];
+    let mut last: Vec<f64> = vec![];
+    let length = |pencil: &dyn Fn(&[f64], &mut [f64]), w: &[f64]| {
+        let mut mw = vec![0.0; w.len()];
+        pencil(w, &mut mw);
+        dot(w, &mw).max(0.0).sqrt()
+    };
+    // Into the range of the operator, where the length in M is a length.
+    for _ in 0..block {
+        let mut w: Vec<f64> = (0..n).map(|_| random.next()).collect();
+        let mut mw = vec![0.0; n];
+        for _ in 0..2 {
+            pencil.mass(&w, &mut mw);
+            pencil.solve(&mut mw);
+            w.copy_from_slice(&mw);
+        }
+        let scale = length(&|x, y| pencil.mass(x, y), &w);
+        basis.add(pencil, w, scale);
+    }
+    loop {
+        // Operator times the vectors that are new.
+        let known = av.len();
+        let full = basis.v.len();
+        for mv in &basis.mv[known..full] {
+            let mut w = mv.clone();
+            pencil.solve(&mut w);
+            av.push(w);
+        }
+        let (theta, s) = ritz(&basis, &av);
+        let wanted = &theta[..count.min(theta.len())];
+        let settled = wanted.len() == last.len()
+            && wanted.len() == count
+            && wanted.iter().zip(&last).all(|(a, b)| (a - b).abs() <= 1e-15 * a.abs());
+        last = wanted.to_vec();
+        let grown = !settled
+            && (known..full).fold(false, |grown, k| {
+                let w = av[k].clone();
+                let scale = length(&|x, y| pencil.mass(x, y), &w);
+                basis.add(pencil, w, scale) | grown
+            });
+        if !grown {
+            return pairs(pencil, &basis, &theta, &s, count);
+        }
+    }
+}
+
+/// Eigenvalues θ of the operator in the basis, the largest by size first, and their coordinates.
+fn ritz(basis: &Basis, av: &[Vec<f64>]) -> (Vec<f64>, Vec<DVector<f64>>) {
+    let m = av.len();
+    let t = DMatrix::from_fn(m, m, |i, j| 0.5 * (dot(&basis.mv[i], &av[j]) + dot(&basis.mv[j], &av[i])));
+    let eigen = SymmetricEigen::new(t);
+    let mut order: Vec<usize> = (0..m).collect();
+    order.sort_by(|&a, &b| eigen.eigenvalues[b].abs().total_cmp(&eigen.eigenvalues[a].abs()));
+    (
+        order.iter().map(|&i| eigen.eigenvalues[i]).collect(),
+        order.iter().map(|&i| eigen.eigenvectors.column(i).into_owned()).collect(),
+    )
+}
+
+fn pairs(pencil: &mut impl Pencil, basis: &Basis, theta: &[f64], s: &[DVector<f64>], count: usize) -> Vec<Pair> {
+    let n = pencil.len();
+    let mut mw = vec![0.0; n];
+    let mut out: Vec<Pair> = theta
+        .iter()
+        .zip(s)
+        .take(count)
+        .filter(|(theta, _)| **theta != 0.0)
+        .map(|(theta, s)| {
+            let mut w = vec![0.0; n];
+            for (v, c) in basis.v.iter().zip(s.iter()) {
+                w.iter_mut().zip(v).for_each(|(w, v)| *w += c * v);
+            }
+            // One more product cleans the vector of what the mass does not see.
+            pencil.mass(&w, &mut mw);
+            w.copy_from_slice(&mw);
+            pencil.solve(&mut w);
+            pencil.mass(&w, &mut mw);
+            let length = dot(&w, &mw).max(0.0).sqrt();
+            // The largest entry is positive, so that the sign is always the same.
+            let largest = w.iter().fold(0.0f64, |m, x| if x.abs() > m.abs() * (1.0 + 1e-9) { *x } else { m });
+            let factor = largest.signum() / length;
+            w.iter_mut().for_each(|x| *x *= factor);
+            Pair { lambda: 1.0 / theta, vector: w }
+        })
+        .collect();
+    out.sort_by(|a, b| a.lambda.total_cmp(&b.lambda));
+    out
+}
