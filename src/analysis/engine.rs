@@ -5,12 +5,12 @@ use super::convergence::Test;
 use super::failure::{Cause, Failure};
 use super::integrator::Integrator;
 use super::ladder::Ladder;
-use super::prepared::{PrepareOptions, Prepared};
+use super::prepared::{PrepareOptions, Prepared, TangentMix};
 use super::state::State;
 use super::system::{Coefficients, System};
 use crate::assembly::{Handler, MpScope};
 use crate::element::{Element, Snapshot};
-use crate::model::{ElementId, Model, NodeId, Tag};
+use crate::model::{ElementId, Model, NodeId, Pattern, PatternKind, Tag};
 use std::sync::Arc;
 
 /// Kind of analysis.
@@ -54,7 +54,7 @@ pub trait Observer {
     ///
     /// # Errors
     /// What keeps the observer from going on (a recorder that cannot write); ends the analysis.
-    fn committed(&mut self, engine: &Engine) -> Result<(), String>;
+    fn committed(&mut self, engine: &mut Engine) -> Result<(), String>;
 
     /// Whether to stop before the next step.
     fn interrupted(&self) -> bool {
@@ -66,7 +66,7 @@ pub trait Observer {
 pub struct Quiet;
 
 impl Observer for Quiet {
-    fn committed(&mut self, _: &Engine) -> Result<(), String> {
+    fn committed(&mut self, _: &mut Engine) -> Result<(), String> {
         Ok(())
     }
 }
@@ -90,7 +90,7 @@ impl Imbalance {
 }
 
 /// A model, its state, and the steps that advance it.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Engine {
     model: Model,
     committed: State,
@@ -109,6 +109,8 @@ pub struct Engine {
     pub iterations: u64,
     /// The last failure.
     pub failure: Option<Failure>,
+    /// Constraint handler where no analysis is set up (for modes and reactions).
+    pub default_handler: Handler,
     pub(super) modes: Option<super::modes::Modes>,
     pub(super) reaction_words: Vec<f64>,
 }
@@ -116,7 +118,22 @@ pub struct Engine {
 impl Engine {
     /// An engine without a model.
     pub fn new(options: Options) -> Self {
-        Self { options, ..Self::default() }
+        Self {
+            model: Model::new(),
+            committed: State::default(),
+            trial: State::default(),
+            setup: None,
+            prepared: None,
+            fresh: true,
+            options,
+            imbalance: None,
+            steps: 0,
+            iterations: 0,
+            failure: None,
+            default_handler: Handler::Transformation,
+            modes: None,
+            reaction_words: vec![],
+        }
     }
 
     /// The model.
@@ -134,15 +151,25 @@ impl Engine {
 
     /// Forget model and analysis; settings and counts stay.
     pub fn wipe(&mut self) {
-        // A revision that no plan has been made for.
         let options = std::mem::take(&mut self.options);
-        *self = Self { options, steps: self.steps, iterations: self.iterations, ..Self::default() };
+        let imbalance = self.imbalance.take();
+        *self = Self { imbalance, steps: self.steps, iterations: self.iterations, ..Self::new(options) };
     }
 
     /// Forget the analysis.
     pub fn wipe_analysis(&mut self) {
         self.setup = None;
         self.prepared = None;
+    }
+
+    /// Take the parts of the analysis out, to set up another with them.
+    pub fn take_setup(&mut self) -> Option<Setup> {
+        self.setup.take()
+    }
+
+    /// Handler of the analysis, or the default one.
+    pub(super) fn handler(&self) -> Handler {
+        self.setup.as_ref().map_or(self.default_handler, |s| s.handler)
     }
 
     /// Set up an analysis.
@@ -271,6 +298,23 @@ impl Engine {
         }
     }
 
+    /// Time of the last given value of the excitations that go on, where there are any.
+    pub fn excitation_end(&self) -> Option<f64> {
+        let going = self.model.patterns.values().filter(|p| p.held.is_none());
+        let end = |p: &Pattern| match &p.kind {
+            PatternKind::Plain { series, .. } => series.end(),
+            PatternKind::Uniform(e) => e.accel.end(),
+        };
+        going.filter_map(end).max_by(f64::total_cmp)
+    }
+
+    /// The smallest pivot that was nearly zero: where it was, and the fraction of the stiffness that was left.
+    pub fn weak_pivot(&self) -> Option<(String, f64)> {
+        let (_, _, work) = self.prepared.as_ref()?;
+        let p = work.weak_pivot?;
+        Some((work.plan.equation_name(&self.model, p.equation), p.ratio))
+    }
+
     /// The plan and the factors, where there are any.
     pub fn prepared(&self) -> Option<&Prepared> {
         self.prepared.as_ref().map(|(_, _, p)| p)
@@ -320,6 +364,43 @@ impl Engine {
                 return Err(Failure { cause, time: self.committed.time, place: None, code: -4 });
             }
         }
+        Ok(())
+    }
+
+    /// Begin a step and form its equations, to find what is wrong with them, and let the prediction stand for `steps`
+    /// steps: what [`Engine::analyze`] would do to the time and to controlled displacements.
+    ///
+    /// # Errors
+    /// Why no step can be made.
+    pub fn rehearse(&mut self, steps: usize, dt: f64) -> Result<(), Failure> {
+        let handler = self.handler();
+        self.prepare(handler)?;
+        let (Some(setup), Some((_, _, work))) = (&mut self.setup, &mut self.prepared) else { return Ok(()) };
+        let mut system = System {
+            model: &self.model,
+            old: &self.committed,
+            new: &mut self.trial,
+            coefficients: Coefficients::default(),
+            dynamic: setup.kind == Kind::Transient,
+            elapses: setup.integrator.elapses(),
+            work,
+        };
+        if self.fresh {
+            setup.integrator.prepare(&mut system)?;
+            setup.algorithm.prepare(&system);
+            self.fresh = false;
+        }
+        setup.integrator.begin(&mut system, dt)?;
+        system.form_unbalance(true)?;
+        system.form_tangent(TangentMix::CURRENT)?;
+        system.work.loads.invalidate();
+        let n = steps as f64;
+        let old = &mut self.committed;
+        old.time += n * if setup.kind == Kind::Static { self.trial.time - old.time } else { dt };
+        for (u, trial) in old.disp.iter_mut().zip(&self.trial.disp) {
+            *u += n * (trial - *u);
+        }
+        self.trial.copy_from(&self.committed);
         Ok(())
     }
 

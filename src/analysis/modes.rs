@@ -4,7 +4,6 @@ use super::engine::Engine;
 use super::failure::{Cause, Failure};
 use super::prepared::{Prepared, TangentMix};
 use super::system::{Coefficients, System};
-use crate::assembly::Handler;
 use crate::solve::eigen::{self, Pencil};
 use crate::solve::{SINGULAR, SolveError};
 
@@ -90,7 +89,7 @@ impl Engine {
     /// # Errors
     /// A model that cannot be analysed, or that has fewer modes.
     pub fn find_modes(&mut self, count: usize, problem: Problem, largest: bool) -> Result<&Modes, ModesError> {
-        let handler = self.setup().map_or(Handler::Transformation, |s| s.handler);
+        let handler = self.handler();
         self.prepare(handler)?;
         self.respond_as_committed()?;
         let (model, state, work) = self.parts();

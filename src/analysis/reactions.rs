@@ -3,7 +3,6 @@
 use super::engine::Engine;
 use super::failure::Failure;
 use super::state::State;
-use crate::assembly::Handler;
 
 /// Which forces count in a reaction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,7 +22,7 @@ impl Engine {
     /// # Errors
     /// Constraints that make no sense.
     pub fn reactions(&mut self, kind: ReactionKind, out: &mut Vec<f64>) -> Result<(), Failure> {
-        let handler = self.setup().map_or(Handler::Transformation, |s| s.handler);
+        let handler = self.handler();
         self.prepare(handler)?;
         // The state is read while the work vectors are written.
         let mut words = std::mem::take(&mut self.reaction_words);
@@ -31,6 +30,23 @@ impl Engine {
         let result = self.sum_reactions(kind, &mut words, out);
         self.reaction_words = words;
         result
+    }
+
+    /// Loads on all degrees of freedom at the committed time, into `out`; less inertia and mass-proportional damping
+    /// of the nodes if `inertia`.
+    ///
+    /// # Errors
+    /// Constraints that make no sense.
+    pub fn unbalanced(&mut self, inertia: bool, out: &mut Vec<f64>) -> Result<(), Failure> {
+        self.reactions(ReactionKind::Static, out)?;
+        let (_, state, work) = self.parts();
+        let Some(work) = work else { return Ok(()) };
+        work.full.copy_from_slice(&work.loads.nodal);
+        if inertia {
+            work.subtract_nodal_inertia(state);
+        }
+        out.clone_from(&work.full);
+        Ok(())
     }
 
     fn sum_reactions(&mut self, kind: ReactionKind, words: &mut [f64], out: &mut Vec<f64>) -> Result<(), Failure> {

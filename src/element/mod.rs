@@ -19,7 +19,7 @@ use crate::probe::Probe;
 use std::fmt;
 
 pub use load::ElementLoad;
-pub use truss::Truss;
+pub use truss::{Truss, TrussOptions};
 pub use zero_length::{RayleighDamping, ZeroLength};
 
 /// Largest number of degrees of freedom of an element that the buffers of the analysis are made for.

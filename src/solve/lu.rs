@@ -22,9 +22,8 @@ pub(super) struct Lu {
     ptr: Vec<usize>,
     /// Rows of L by columns, rising.
     idx: Vec<usize>,
-    l: Vec<f64>,
-    /// U by rows, at the places of L's columns.
-    u: Vec<f64>,
+    /// Entries of L by columns and of U by rows, side by side: the pattern is the same, and they are used together.
+    lu: Vec<[f64; 2]>,
     /// For each row the columns left of it that it is in: place of the entry and the column.
     left_ptr: Vec<usize>,
     left: Vec<(usize, usize)>,
@@ -32,8 +31,8 @@ pub(super) struct Lu {
     /// of the column from the diagonal down, then those of the row right of the diagonal.
     entries: Vec<(usize, usize)>,
     entry_ptr: Vec<(usize, usize)>,
-    column: Vec<f64>,
-    row: Vec<f64>,
+    /// Column of L and row of U that are being worked out.
+    work: Vec<[f64; 2]>,
     x: Vec<f64>,
     /// Takes over where a pivot is lost.
     fallback: Option<Box<PivotedLu>>,
@@ -92,14 +91,12 @@ impl Lu {
             row_of,
             ptr,
             idx,
-            l: vec![0.0; nnz],
-            u: vec![0.0; nnz],
+            lu: vec![[0.0; 2]; nnz],
             left_ptr,
             left: rows.into_iter().flatten().collect(),
             entries,
             entry_ptr,
-            column: vec![0.0; n],
-            row: vec![0.0; n],
+            work: vec![[0.0; 2]; n],
             x: vec![0.0; n],
             fallback: None,
             fallen: false,
@@ -135,36 +132,31 @@ impl Lu {
         for k in 0..self.original.len() {
             let (start, middle) = self.entry_ptr[k];
             for &(at, i) in &self.entries[start..middle] {
-                self.column[i] = values[at];
+                self.work[i][0] = values[at];
             }
             for &(at, j) in &self.entries[middle..self.entry_ptr[k + 1].0] {
-                self.row[j] = values[at];
+                self.work[j][1] = values[at];
             }
-            let diagonal = self.column[k];
+            let diagonal = self.work[k][0];
             for &(at, j) in &self.left[self.left_ptr[k]..self.left_ptr[k + 1]] {
                 // Entry (k, j) of L and (j, k) of U lie at the same place; what follows them in column j of L and row
                 // j of U reaches into this column and row.
-                let (lkj, ujk) = (self.l[at], self.u[at]);
+                let [lkj, ujk] = self.lu[at];
                 let rest = at..self.ptr[j + 1];
-                for ((&i, l), u) in self.idx[rest.clone()].iter().zip(&self.l[rest.clone()]).zip(&self.u[rest]) {
-                    self.column[i] -= l * ujk;
-                    self.row[i] -= u * lkj;
+                for (&i, [l, u]) in self.idx[rest.clone()].iter().zip(&self.lu[rest]) {
+                    let [column, row] = &mut self.work[i];
+                    *column -= l * ujk;
+                    *row -= u * lkj;
                 }
             }
-            let pivot = self.column[k];
+            let pivot = std::mem::take(&mut self.work[k])[0];
             pivots.see(self.original[k], pivot, diagonal);
-            self.row[k] = 0.0;
-            self.column[k] = 0.0;
             let own = self.ptr[k]..self.ptr[k + 1];
-            self.l[own.start] = 1.0;
-            self.u[own.start] = pivot;
+            self.lu[own.start] = [1.0, pivot];
             let inverse = 1.0 / pivot;
             for at in own.start + 1..own.end {
-                let i = self.idx[at];
-                self.l[at] = self.column[i] * inverse;
-                self.u[at] = self.row[i];
-                self.column[i] = 0.0;
-                self.row[i] = 0.0;
+                let [column, row] = std::mem::take(&mut self.work[self.idx[at]]);
+                self.lu[at] = [column * inverse, row];
             }
         }
         pivots
@@ -185,15 +177,15 @@ impl Lu {
             let y = self.x[k];
             if y != 0.0 {
                 let below = self.ptr[k] + 1..self.ptr[k + 1];
-                for (&i, l) in self.idx[below.clone()].iter().zip(&self.l[below]) {
-                    self.x[i] -= l * y;
+                for (&i, lu) in self.idx[below.clone()].iter().zip(&self.lu[below]) {
+                    self.x[i] -= lu[0] * y;
                 }
             }
         }
         for k in (0..n).rev() {
             let right = self.ptr[k] + 1..self.ptr[k + 1];
-            let s: f64 = self.idx[right.clone()].iter().zip(&self.u[right]).map(|(&j, u)| u * self.x[j]).sum();
-            self.x[k] = (self.x[k] - s) / self.u[self.ptr[k]];
+            let s: f64 = self.idx[right.clone()].iter().zip(&self.lu[right]).map(|(&j, lu)| lu[1] * self.x[j]).sum();
+            self.x[k] = (self.x[k] - s) / self.lu[self.ptr[k]][1];
         }
         for (to, &row) in x.iter_mut().zip(&self.row_of) {
             *to = self.x[row];

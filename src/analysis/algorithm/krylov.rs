@@ -69,7 +69,7 @@ impl KrylovNewton {
 }
 
 /// Largest dimension of a subspace that there is room for.
-pub const MAX_SUBSPACE: usize = 32;
+const MAX_SUBSPACE: usize = 32;
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()

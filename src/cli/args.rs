@@ -1,0 +1,59 @@
+//! Arguments.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+/// Structural analysis of buildings and bridges on seismic isolation.
+///
+/// Runs OpenSees Tcl scripts. Exit status: 0 done; 1 the analysis failed, or the script raised an error of its own;
+/// 2 the input is wrong.
+#[derive(Parser, Debug)]
+#[command(name = "hysteron", version, max_term_width = 100)]
+pub(super) struct Arguments {
+    #[command(subcommand)]
+    pub(super) command: Command,
+}
+
+#[derive(Subcommand, Debug)]
+pub(super) enum Command {
+    /// Run a script; recorders write to the current folder
+    Run {
+        #[command(flatten)]
+        run: Run,
+        /// Try other algorithms and shorter steps where a step fails
+        #[arg(long)]
+        ladder: bool,
+        /// The script
+        model: String,
+        /// Words that the script finds in $argv
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        args: Vec<String>,
+    },
+    /// Report what is wrong with a script without running its analyses
+    Check {
+        #[command(flatten)]
+        run: Run,
+        /// The script
+        model: String,
+        /// Words that the script finds in $argv
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        args: Vec<String>,
+    },
+    /// List the commands of OpenSees that scripts may use
+    Commands,
+}
+
+#[derive(Args, Debug)]
+pub(super) struct Run {
+    /// Refuse what would otherwise be a warning
+    #[arg(long)]
+    pub(super) strict: bool,
+    /// Follow another program where it is known to slip
+    #[arg(long, value_enum, value_name = "PROGRAM")]
+    pub(super) compat: Option<Compat>,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(super) enum Compat {
+    /// OpenSees
+    Opensees,
+}

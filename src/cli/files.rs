@@ -1,0 +1,14 @@
+//! Recorders' files.
+
+use hysteron::command::{FileFormat, Outputs};
+use hysteron::record::{Output, RecordError, TextFile};
+use std::path::Path;
+
+/// Files of the system.
+pub(super) struct SystemFiles;
+
+impl Outputs for SystemFiles {
+    fn create(&mut self, _: &str, path: &Path, f: FileFormat) -> Result<Box<dyn Output>, RecordError> {
+        Ok(Box::new(TextFile::create(path, f.style, f.separator, f.close_on_write)?))
+    }
+}

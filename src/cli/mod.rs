@@ -1,0 +1,10 @@
+//! The command line: arguments, messages, progress. Only here is anything printed.
+
+mod args;
+mod console;
+mod files;
+mod messages;
+mod progress;
+mod run;
+
+pub(crate) use run::main;

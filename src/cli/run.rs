@@ -1,0 +1,113 @@
+//! What the sub-commands do.
+
+use super::args::{Arguments, Command, Run as RunArguments};
+use super::console::Terminal;
+use super::files::SystemFiles;
+use super::messages::Messages;
+use super::progress::Bar;
+use clap::Parser;
+use hysteron::analysis::{Ladder, Options};
+use hysteron::command::{self, Mode, Tcl};
+use hysteron::diagnostic::{Diagnostic, Severity, Span};
+use hysteron::run::{End, Run, Settings};
+use hysteron::script::OsFiles;
+use std::collections::BTreeMap;
+use std::sync::atomic::Ordering;
+
+/// Carry out the command line; the exit status.
+pub(crate) fn main() -> i32 {
+    match Arguments::parse().command {
+        Command::Run { run, ladder, model, args } => script(&run, Mode::Run, ladder, &model, &args),
+        Command::Check { run, model, args } => script(&run, Mode::Check, false, &model, &args),
+        Command::Commands => {
+            command::commands().for_each(|c| println!("{}", c.usage));
+            0
+        }
+    }
+}
+
+fn script(run: &RunArguments, mode: Mode, ladder: bool, model: &str, args: &[String]) -> i32 {
+    let bar = Bar::new();
+    let options = Options {
+        compat: run.compat.is_some(),
+        ladder: ladder.then(Ladder::default),
+        dense: None,
+    };
+    let settings = Settings { mode, strict: run.strict, options };
+    let console = Terminal::new(bar.clone());
+    let mut run = Run::new(settings, Box::new(console), Box::new(OsFiles), Box::new(SystemFiles));
+    run.interp.host.tell(Box::new(bar.steps()));
+    let aside = bar.clone();
+    let mut shown = Shown::default();
+    run.interp.host.on_warning(Box::new(move |warning, sources| {
+        if shown.wants(warning) {
+            aside.aside(|| eprintln!("{}\n", Messages::new().render(warning, sources)));
+        }
+    }));
+    let interrupt = run.interp.interrupt.clone();
+    // A second interrupt ends the program at once.
+    let handled = ctrlc::set_handler(move || {
+        if interrupt.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+    });
+    if let Err(e) = handled {
+        eprintln!("note: interrupts are not caught: {e}");
+    }
+    let end = run.script(model, args);
+    bar.clear();
+    tell_end(&end, &run.interp);
+    summarise(&run.interp);
+    let rejected = mode == Mode::Check && run.interp.warnings.iter().any(|w| w.severity == Severity::Error);
+    if rejected { 2 } else { end.status() }
+}
+
+/// How often a warning from one place has been shown.
+#[derive(Default)]
+struct Shown(BTreeMap<(Option<(u32, u32)>, String), usize>);
+
+impl Shown {
+    /// Warnings from one place are shown three times in full.
+    fn wants(&mut self, w: &Diagnostic) -> bool {
+        let place = w.span.map(|s: Span| (s.start, s.end));
+        let count = self.0.entry((place, w.label.clone())).or_default();
+        *count += 1;
+        *count <= 3
+    }
+}
+
+fn tell_end(end: &End, interp: &Tcl) {
+    let messages = Messages::new();
+    match end {
+        End::Rejected(d) | End::Raised(d) => eprintln!("{}", messages.render(d, &interp.sources)),
+        End::Failed(f) => eprintln!("error: the last analysis failed: {f}"),
+        End::Interrupted => eprintln!("interrupted: what was recorded so far has been kept"),
+        End::Enough => eprintln!("note: the check was ended: the script waits for results that only a run has"),
+        End::Done | End::Exit(_) => {}
+    }
+}
+
+/// All warnings again, a line each, so that none is overlooked.
+fn summarise(interp: &Tcl) {
+    let messages = Messages::new();
+    let mut lines: Vec<(String, usize)> = vec![];
+    for w in &interp.warnings {
+        let line = messages.line(w, &interp.sources);
+        match lines.iter_mut().find(|(l, _)| *l == line) {
+            Some((_, n)) => *n += 1,
+            None => lines.push((line, 1)),
+        }
+    }
+    if lines.is_empty() {
+        return;
+    }
+    let total: usize = lines.iter().map(|l| l.1).sum();
+    eprintln!("{total} warning{}:", if total == 1 { "" } else { "s" });
+    for (line, n) in lines.iter().take(30) {
+        let times = if *n > 1 { format!(" ({n} times)") } else { String::new() };
+        eprintln!("  {line}{times}");
+    }
+    if lines.len() > 30 {
+        eprintln!("  ... and {} more", lines.len() - 30);
+    }
+}

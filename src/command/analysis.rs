@@ -1,0 +1,215 @@
+//! Analyses: `analysis analyze eigen` and what goes with them.
+
+use super::args::Args;
+use super::session::{Mode, Parts};
+use super::{Command, Outcome, Tcl, finish, warn};
+use crate::analysis::algorithm::{Algorithm, Newton, TangentChoice};
+use crate::analysis::integrator::{Adaptive, Integrator, LoadControl, Newmark};
+use crate::analysis::integrator::Form;
+use crate::analysis::{Cause, Failure, Kind, Ladder, Measure, ModesError, Problem, Setup, TangentMix, Test};
+use crate::assembly::Handler;
+use crate::diagnostic::{Diagnostic, Span};
+use crate::script::{Call, Exception, Value};
+
+pub(super) const COMMANDS: &[Command] = &[
+    Command { name: "analysis", usage: ANALYSIS, run: analysis },
+    Command { name: "analyze", usage: ANALYZE, run: analyze },
+    Command { name: "eigen", usage: EIGEN, run: eigen },
+    Command { name: "wipeAnalysis", usage: "wipeAnalysis", run: wipe_analysis },
+    Command { name: "reset", usage: "reset", run: reset },
+    Command { name: "revertToStart", usage: "revertToStart", run: reset },
+    Command { name: "initialize", usage: "initialize", run: |_, _| Ok(Value::EMPTY) },
+    Command { name: "ladder", usage: LADDER, run: ladder },
+];
+
+const ANALYSIS: &str = "analysis Static | Transient";
+const ANALYZE: &str = "analyze $steps (static) or analyze $steps $dt (transient)";
+const EIGEN: &str = "eigen <$solver> <-generalized | -standard> <-findLargest> $count";
+const LADDER: &str = "ladder on | off: try other algorithms and shorter steps before a step fails";
+
+fn analysis(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, ANALYSIS);
+    let kind = match a.word("kind of analysis")?.as_ref() {
+        "Static" => Kind::Static,
+        "Transient" => Kind::Transient,
+        _ => return Err(a.unknown_name("analysis", ["Static", "Transient"])),
+    };
+    while a.left() > 0 {
+        // `-numSublevels` and the like: substepping is asked for with `ladder`.
+        a.option();
+        warn(interp, a.unknown_option(&[]))?;
+    }
+    let session = &mut interp.host;
+    let old = session.engine.take_setup();
+    let parts = std::mem::take(&mut session.parts);
+    let Parts { handler, test, algorithm, integrator, print } = parts;
+    // Parts that were given for an analysis serve the next one too, unless new ones are given.
+    let (old_algorithm, old_integrator, old_test, old_handler) = match old {
+        Some(s) => (Some(s.algorithm), Some(s.integrator), Some(s.test), Some(s.handler)),
+        None => (None, None, None, None),
+    };
+    let fits = |i: &Box<dyn Integrator>| i.is_static() == (kind == Kind::Static);
+    let (integrator, kept) = match integrator {
+        Some(i) if fits(&i) => (Some(i), None),
+        other => (old_integrator.filter(fits), other),
+    };
+    let integrator = integrator.unwrap_or_else(|| default_integrator(kind));
+    let algorithm = algorithm.or(old_algorithm).unwrap_or_else(default_algorithm);
+    let test = test.or(old_test).unwrap_or_else(|| Test::new(Measure::Unbalance, 1e-6, 25));
+    let handler = handler.or(old_handler).unwrap_or(Handler::Plain);
+    session.recorders.print = print;
+    session.parts = Parts { handler: Some(handler), test: Some(test.clone()), integrator: kept, print, algorithm: None };
+    session.engine.set_up(Setup { kind, handler, algorithm, integrator, test });
+    Ok(Value::EMPTY)
+}
+
+fn default_integrator(kind: Kind) -> Box<dyn Integrator> {
+    match kind {
+        Kind::Static => Box::new(LoadControl::new(1.0, Adaptive::fixed(1.0))),
+        Kind::Transient => Box::new(Newmark::new(0.5, 0.25, Form::Displacement)),
+    }
+}
+
+fn default_algorithm() -> Box<dyn Algorithm> {
+    Box::new(Newton(TangentChoice::Always(TangentMix::CURRENT)))
+}
+
+fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, ANALYZE);
+    let Some(kind) = interp.host.kind() else {
+        return Err(a.refuse_at(call.span(0), "analyze: there is no analysis", "expected a command \"analysis\" before"));
+    };
+    let steps = a.int("number of steps")?;
+    if steps < 0 {
+        return Err(a.refuse(format!("the number of steps is {steps}"), "expected a number that is not negative"));
+    }
+    let dt = if kind == Kind::Transient { a.positive("step of time dt")? } else { 0.0 };
+    if kind == Kind::Transient {
+        finish(interp, &a)?;
+    }
+    let session = &mut interp.host;
+    let done = match session.mode {
+        Mode::Check => session.engine.rehearse(steps as usize, dt),
+        Mode::Run => {
+            session.recorders.print = session.parts.print;
+            session.recorders.end = session.engine.excitation_end();
+            session.engine.analyze(steps as usize, dt, &mut session.recorders)
+        }
+    };
+    let printed = std::mem::take(&mut interp.host.recorders.printed);
+    if !printed.is_empty() {
+        super::print_error(interp, &printed);
+    }
+    for missing in interp.host.recorders.missing() {
+        warn(interp, missing)?;
+    }
+    tell_doubts(interp, call.span(0))?;
+    match done {
+        Ok(()) => {
+            interp.host.last_failure = None;
+            Ok(Value::from(0i64))
+        }
+        Err(Failure { cause: Cause::Interrupted, .. }) => Err(Exception::Interrupted),
+        Err(failure) => {
+            let severe = interp.host.mode == Mode::Check;
+            let d = told(&failure, call.span(0));
+            let code = failure.code;
+            interp.host.last_failure = Some(failure);
+            if severe {
+                return Err(Exception::diagnosed(Diagnostic::error(d.message.clone()).at(d.span, d.label)));
+            }
+            // The script sees the code; it may have a remedy, so `--strict` does not make an error of it.
+            super::tell(interp, d);
+            Ok(Value::from(i64::from(code)))
+        }
+    }
+}
+
+/// A failure as a message.
+fn told(failure: &Failure, span: Option<Span>) -> Diagnostic {
+    let d = Diagnostic::warning(failure.to_string()).at(span, format!("returns {}", failure.code));
+    match &failure.cause {
+        Cause::NotConverged { .. } => d.help("\"ladder on\" tries other algorithms and shorter steps before it gives up"),
+        Cause::Singular => d.help("hold the degree of freedom, or join it to something with stiffness"),
+        _ => d,
+    }
+}
+
+/// Warn, once each, of steps that were out of balance though they counted as converged, and of equations that are
+/// nearly singular.
+fn tell_doubts(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
+    let session = &mut interp.host;
+    let weak = session.engine.weak_pivot();
+    if let Some((place, ratio)) = weak.filter(|_| session.told.insert("pivot", 1).is_none()) {
+        let message = format!("the equations are nearly singular at {place}: {ratio:.1e} of the stiffness is left there");
+        warn(interp, Diagnostic::warning(message).at(span, "few digits of the results are right"))?;
+    }
+    let session = &mut interp.host;
+    if let Some(i) = session.engine.imbalance.clone().filter(|_| session.told.insert("balance", 1).is_none()) {
+        let message = format!(
+            "a step counted as converged though the forces are out of balance: {:.1} % of the largest force \
+             at time {} ({})",
+            100.0 * i.ratio,
+            i.time,
+            i.place
+        );
+        warn(interp, Diagnostic::warning(message).at(span, "a tighter test, or one of the unbalance, shows it"))?;
+    }
+    Ok(())
+}
+
+const SOLVERS: &[&str] = &[
+    "-genBandArpack", "-fullGenLapack", "-symmBandLapack", "-symmGenLapack", "-generalized", "-standard", "-frequency",
+    "-findLargest",
+];
+
+fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, EIGEN);
+    let (mut problem, mut largest) = (Problem::Generalized, false);
+    while a.left() > 1 {
+        let option = a.word("option")?;
+        match option.trim_start_matches('-') {
+            "genBandArpack" | "genBandArpackEigen" | "fullGenLapack" | "fullGenLapackEigen" | "symmBandLapack"
+            | "symmBandLapackEigen" | "symmGenLapack" | "symmGenLapackEigen" | "UmfPack" => {}
+            "generalized" | "frequency" => problem = Problem::Generalized,
+            "standard" => problem = Problem::Standard,
+            "findLargest" => largest = true,
+            _ => warn(interp, a.unknown_option(SOLVERS))?,
+        }
+    }
+    let count = a.count("number of modes")?;
+    let span = a.last_span();
+    let engine = &mut interp.host.engine;
+    if let Some(handler) = interp.host.parts.handler {
+        engine.default_handler = handler;
+    }
+    match engine.find_modes(count, problem, largest) {
+        Ok(modes) => Ok(Value::list(modes.lambda.iter().map(|l| Value::from(*l)))),
+        Err(ModesError::Failure(f)) => Err(a.refuse_at(call.span(0), format!("eigen: {f}"), "")),
+        Err(e @ ModesError::TooFew { .. }) => Err(a.refuse_at(span, format!("eigen: {e}"), "expected no more")),
+    }
+}
+
+fn wipe_analysis(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    finish(interp, &Args::new(call, "wipeAnalysis"))?;
+    interp.host.engine.wipe_analysis();
+    interp.host.parts = Parts::default();
+    Ok(Value::EMPTY)
+}
+
+fn reset(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
+    interp.host.engine.reset();
+    Ok(Value::EMPTY)
+}
+
+fn ladder(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, LADDER);
+    let on = match a.word("on or off")?.as_ref() {
+        "on" => true,
+        "off" => false,
+        _ => return Err(a.unknown_name("state of the ladder", ["on", "off"])),
+    };
+    finish(interp, &a)?;
+    interp.host.engine.options.ladder = on.then(Ladder::default);
+    Ok(Value::EMPTY)
+}

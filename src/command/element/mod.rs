@@ -1,0 +1,106 @@
+//! `element`.
+
+mod beam;
+mod bearing;
+mod truss;
+mod zero_length;
+
+use super::args::Args;
+use super::model::{need_model, node_of};
+use super::{Command, Outcome, Tcl, finish};
+use crate::element::axes::Orientation;
+use crate::element::{Element, ElementError};
+use crate::model::NodeId;
+use crate::script::{Call, Exception, Value};
+use nalgebra::Vector3;
+use std::sync::Arc;
+
+pub(super) const COMMANDS: &[Command] =
+    &[Command { name: "element", usage: "element $kind $tag $iNode $jNode ...", run: element }];
+
+/// A kind of element between two nodes, and how it is made from the words after its nodes.
+struct Kind {
+    names: &'static [&'static str],
+    usage: &'static str,
+    make: fn(&mut Tcl, &mut Args<'_>, &Ends) -> Result<Arc<dyn Element>, Exception>,
+}
+
+const KINDS: &[Kind] = &[beam::ELASTIC, bearing::BOUC_WEN, truss::TRUSS, zero_length::ZERO_LENGTH];
+
+/// The two nodes of an element.
+struct Ends {
+    nodes: [NodeId; 2],
+    place: (Vector3<f64>, Vector3<f64>),
+    /// Displacements of all degrees of freedom of i, then of j.
+    disp: Vec<f64>,
+    ndm: usize,
+    /// Degrees of freedom of each node.
+    ndf: usize,
+}
+
+impl Ends {
+    fn take(interp: &Tcl, a: &mut Args<'_>) -> Result<Self, Exception> {
+        let i = node_of(interp, a, "tag of node i")?;
+        let j = node_of(interp, a, "tag of node j")?;
+        let engine = &interp.host.engine;
+        let (ni, nj) = (&engine.model().nodes[i.0], &engine.model().nodes[j.0]);
+        if i == j {
+            return Err(a.refuse("the element joins a node with itself", "expected another node"));
+        }
+        if ni.ndf != nj.ndf {
+            let message = format!("node {} has {} degrees of freedom, node {} has {}", ni.tag, ni.ndf, nj.tag, nj.ndf);
+            return Err(a.refuse(message, "expected as many as at node i"));
+        }
+        let disp = ni.dofs().chain(nj.dofs()).map(|d| engine.state().disp[d]).collect();
+        Ok(Self { nodes: [i, j], place: (ni.place(), nj.place()), disp, ndm: ni.ndm(), ndf: ni.ndf })
+    }
+
+    /// Displacement of j less that of i.
+    fn initial(&self) -> Vec<f64> {
+        let (i, j) = self.disp.split_at(self.ndf);
+        j.iter().zip(i).map(|(j, i)| j - i).collect()
+    }
+
+    /// The error for nodes that the element cannot join.
+    fn wrong(&self, a: &Args<'_>, wanted: &str) -> Exception {
+        let message = format!(
+            "the element needs {wanted}; its nodes have {} degrees of freedom in {} dimensions",
+            self.ndf, self.ndm
+        );
+        a.refuse(message, "not between these nodes")
+    }
+}
+
+fn element(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    need_model(interp, call)?;
+    let mut a = Args::new(call, "element $kind $tag $iNode $jNode ...");
+    let name = a.word("kind of element")?;
+    let Some(kind) = KINDS.iter().find(|k| k.names.contains(&name.as_ref())) else {
+        return Err(a.unknown_name("element", KINDS.iter().flat_map(|k| k.names.iter().copied())));
+    };
+    a.usage(kind.usage);
+    let tag = a.int("tag of the element")?;
+    if interp.host.engine.model().element(tag).is_some() {
+        return Err(a.refuse(format!("there is an element {tag} already"), "expected a new tag"));
+    }
+    let ends = Ends::take(interp, &mut a)?;
+    let made = (kind.make)(interp, &mut a, &ends)?;
+    finish(interp, &a)?;
+    interp.host.engine.add_element(tag, ends.nodes.to_vec(), made);
+    Ok(Value::EMPTY)
+}
+
+/// An error of an element as one of the command.
+fn refused(a: &Args<'_>, span: Option<crate::diagnostic::Span>, e: ElementError) -> Exception {
+    a.refuse_at(span, e.0, "")
+}
+
+/// The words after `-orient`: x and y of the local axes (six numbers), or, in space, y alone (three).
+fn orientation(a: &mut Args<'_>, ndm: usize) -> Result<Orientation, Exception> {
+    use super::transform::vector;
+    let first = vector(a, 3, "vector after -orient")?;
+    if ndm == 3 && !a.at_number() {
+        return Ok(Orientation { x: None, y: Some(first) });
+    }
+    Ok(Orientation { x: Some(first), y: Some(vector(a, 3, "local x-y plane's vector after -orient")?) })
+}

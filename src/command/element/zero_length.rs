@@ -1,0 +1,74 @@
+//! `element zeroLength`.
+
+use super::{Ends, Kind, refused};
+use crate::command::args::Args;
+use crate::command::{Tcl, warn};
+use crate::diagnostic::Diagnostic;
+use crate::element::axes::{self, Orientation};
+use crate::element::{Element, RayleighDamping, ZeroLength};
+use crate::material::Material;
+use crate::script::Exception;
+use nalgebra::{Matrix3, Vector3};
+use std::sync::Arc;
+
+pub(super) const ZERO_LENGTH: Kind = Kind {
+    names: &["zeroLength"],
+    usage: "element zeroLength $tag $i $j -mat $mat1 ... -dir $dir1 ... <-doRayleigh <$flag>> \
+            <-dampMats $mat1 ...> <-orient $x1 $x2 $x3 $yp1 $yp2 $yp3>",
+    make,
+};
+
+const OPTIONS: &[&str] = &["-mat", "-dir", "-doRayleigh", "-dampMats", "-orient"];
+
+fn materials(interp: &Tcl, a: &mut Args<'_>) -> Result<Vec<(Material, i32)>, Exception> {
+    let mut out = vec![a.of(&interp.host.definitions.materials)?];
+    while a.at_number() {
+        out.push(a.of(&interp.host.definitions.materials)?);
+    }
+    Ok(out)
+}
+
+fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let span = a.last_span();
+    let (mut mats, mut dirs) = (vec![], vec![]);
+    let mut damping = RayleighDamping::None;
+    let mut axes = Matrix3::identity();
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-mat" => mats = materials(interp, a)?,
+            "-dir" | "-dof" => {
+                while dirs.is_empty() || a.at_number() {
+                    dirs.push((a.dof("direction", 6)? + 1, a.last_span()));
+                }
+            }
+            "-doRayleigh" => match a.optional_int("flag")? {
+                None | Some(1) => damping = RayleighDamping::Model,
+                _ => damping = RayleighDamping::None,
+            },
+            "-dampMats" => damping = RayleighDamping::Materials(materials(interp, a)?),
+            "-orient" => {
+                let place = a.last_span();
+                let Orientation { x, y } = super::orientation(a, 1)?;
+                let (x, y) = (x.unwrap_or(Vector3::x()), y.unwrap_or(Vector3::y()));
+                axes = axes::from_x_and_y(x, y).map_err(|e| a.refuse_at(place, e.message(), ""))?;
+            }
+            _ => warn(interp, a.unknown_option(OPTIONS))?,
+        }
+    }
+    if mats.is_empty() {
+        return Err(a.refuse_at(span, "zeroLength: the materials are missing", "expected -mat and their tags after this"));
+    }
+    if mats.len() != dirs.len() {
+        let message = format!("zeroLength: {} materials but {} directions", mats.len(), dirs.len());
+        return Err(a.refuse_at(dirs.last().map_or(span, |d| d.1), message, "expected a direction for each material"));
+    }
+    let gap = (ends.place.1 - ends.place.0).norm();
+    if gap > 1e-6 * ends.place.0.norm().max(ends.place.1.norm()) {
+        let message = format!("zeroLength: its nodes are {gap:.6} apart, which the element takes no notice of");
+        warn(interp, Diagnostic::warning(message).at(span, "expected a node at the same place"))?;
+    }
+    let last = dirs.last().and_then(|d| d.1);
+    let springs = mats.into_iter().zip(&dirs).map(|((m, tag), (d, _))| (m, tag, *d)).collect();
+    let element = ZeroLength::new(springs, ends.ndm, ends.ndf, axes, ends.initial(), damping);
+    Ok(Arc::new(element.map_err(|e| refused(a, last, e))?))
+}

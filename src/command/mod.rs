@@ -1,0 +1,109 @@
+//! The OpenSees commands of a script.
+//!
+//! A command is a function of the interpreter and the call; it takes its words with [`args::Args`], which points at
+//! each that is not what it should be, and changes the [`Session`]. To add one: a function in the file of its family,
+//! and a line in the family's `COMMANDS`.
+
+mod analysis;
+mod args;
+mod constraint;
+mod damping;
+mod display;
+mod element;
+mod figure;
+mod load;
+mod material;
+mod model;
+mod query;
+mod recorder;
+mod remove;
+mod series;
+mod session;
+mod solution;
+mod transform;
+
+use crate::diagnostic::Diagnostic;
+use crate::script::{Call, Exception, Interp, Value};
+use args::Args;
+
+pub use session::{FileFormat, Mode, OnWarning, Outputs, Progress, Session};
+
+/// The interpreter that the commands run in.
+pub type Tcl = Interp<Session>;
+
+/// How a command ends.
+type Outcome = Result<Value, Exception>;
+
+/// A command and how it is used.
+pub struct Command {
+    /// Name.
+    pub name: &'static str,
+    /// How it is used, in one line.
+    pub usage: &'static str,
+    run: fn(&mut Tcl, &Call<'_>) -> Outcome,
+}
+
+/// The commands of all families.
+pub fn commands() -> impl Iterator<Item = &'static Command> {
+    [
+        model::COMMANDS,
+        constraint::COMMANDS,
+        material::COMMANDS,
+        transform::COMMANDS,
+        element::COMMANDS,
+        series::COMMANDS,
+        load::COMMANDS,
+        damping::COMMANDS,
+        solution::COMMANDS,
+        analysis::COMMANDS,
+        recorder::COMMANDS,
+        query::COMMANDS,
+        remove::COMMANDS,
+        display::COMMANDS,
+        figure::COMMANDS,
+    ]
+    .into_iter()
+    .flatten()
+}
+
+/// Make the commands known to an interpreter.
+pub fn install(interp: &mut Tcl) {
+    for c in commands() {
+        interp.register(c.name, c.run);
+    }
+}
+
+/// Warn, or under `--strict` refuse.
+fn warn(interp: &mut Tcl, mut warning: Diagnostic) -> Result<(), Exception> {
+    if interp.host.strict {
+        warning.severity = crate::diagnostic::Severity::Error;
+        return Err(Exception::diagnosed(warning));
+    }
+    tell(interp, warning);
+    Ok(())
+}
+
+/// Warn, whether or not warnings are errors.
+fn tell(interp: &mut Tcl, warning: Diagnostic) {
+    interp.warn(warning);
+    if let (Some(hear), Some(warning)) = (&mut interp.host.on_warning, interp.core.warnings.last()) {
+        hear(warning, &interp.core.sources);
+    }
+}
+
+/// Warn about words that are left over.
+fn finish(interp: &mut Tcl, args: &Args<'_>) -> Result<(), Exception> {
+    args.rest().map_or(Ok(()), |w| warn(interp, w))
+}
+
+/// Content of a text file, by the name the script gives it.
+fn read_text(interp: &mut Tcl, name: &str) -> std::io::Result<String> {
+    let path = interp.absolute(name);
+    let bytes = interp.files.read(&path)?;
+    Ok(String::from_utf8(bytes).unwrap_or_else(|e| e.into_bytes().iter().map(|b| char::from(*b)).collect()))
+}
+
+/// Write to the script's error stream.
+fn print_error(interp: &mut Tcl, text: &str) {
+    interp.console.err(text);
+}

@@ -1,0 +1,285 @@
+//! What a script may ask: responses of nodes and elements, time, tags; and what it may set by hand.
+
+use super::args::Args;
+use super::model::node_of;
+use super::{Command, Outcome, Tcl, finish, warn};
+use crate::analysis::{Failure, ReactionKind, State};
+use crate::model::{ElementId, NodeId};
+use crate::record::ElementResponse;
+use crate::script::{Call, Exception, Value};
+
+const NODE: &str = "nodeDisp $node <$dof>";
+const SET: &str = "setNodeDisp $node $dof $value <-commit>";
+const RESPONSE: &str = "eleResponse $element $response ...";
+
+pub(super) const COMMANDS: &[Command] = &[
+    Command { name: "nodeDisp", usage: NODE, run: |i, c| node_field(i, c, |s| &s.disp) },
+    Command { name: "nodeVel", usage: NODE, run: |i, c| node_field(i, c, |s| &s.vel) },
+    Command { name: "nodeAccel", usage: NODE, run: |i, c| node_field(i, c, |s| &s.accel) },
+    Command { name: "nodeReaction", usage: NODE, run: node_reaction },
+    Command { name: "nodeUnbalance", usage: NODE, run: node_unbalance },
+    Command { name: "nodeCoord", usage: "nodeCoord $node <$direction>", run: node_coord },
+    Command { name: "nodeMass", usage: NODE, run: node_mass },
+    Command { name: "nodeEigenvector", usage: "nodeEigenvector $node $mode <$dof>", run: node_eigenvector },
+    Command { name: "reactions", usage: "reactions <-dynamic> <-rayleigh>", run: reactions },
+    Command { name: "setNodeDisp", usage: SET, run: |i, c| set_node(i, c, |s| &mut s.disp) },
+    Command { name: "setNodeVel", usage: SET, run: |i, c| set_node(i, c, |s| &mut s.vel) },
+    Command { name: "setNodeAccel", usage: SET, run: |i, c| set_node(i, c, |s| &mut s.accel) },
+    Command { name: "setNodeMass", usage: "setNodeMass $node $dof $mass", run: set_mass },
+    Command { name: "eleResponse", usage: RESPONSE, run: ele_response },
+    Command { name: "eleForce", usage: "eleForce $element <$dof>", run: |i, c| named(i, c, "force") },
+    Command { name: "localForce", usage: "localForce $element <$dof>", run: |i, c| named(i, c, "localForce") },
+    Command { name: "basicForce", usage: "basicForce $element <$dof>", run: |i, c| named(i, c, "basicForce") },
+    Command {
+        name: "basicDeformation",
+        usage: "basicDeformation $element <$dof>",
+        run: |i, c| named(i, c, "basicDeformation"),
+    },
+    Command { name: "eleNodes", usage: "eleNodes $element", run: ele_nodes },
+    Command { name: "eleType", usage: "eleType $element", run: ele_type },
+    Command { name: "getTime", usage: "getTime", run: |i, _| Ok(Value::from(i.host.engine.state().time)) },
+    Command { name: "getLoadFactor", usage: "getLoadFactor $pattern", run: load_factor },
+    Command { name: "getNodeTags", usage: "getNodeTags", run: node_tags },
+    Command { name: "getEleTags", usage: "getEleTags", run: ele_tags },
+    Command { name: "getNDM", usage: "getNDM", run: |i, _| Ok(Value::from(i.host.ndm as i64)) },
+    Command { name: "getNDF", usage: "getNDF <$node>", run: ndf },
+    Command { name: "nodeDOFs", usage: "nodeDOFs $node", run: node_dofs },
+    Command { name: "systemSize", usage: "systemSize", run: system_size },
+    Command { name: "testIter", usage: "testIter", run: iterations },
+    Command { name: "numIter", usage: "numIter", run: iterations },
+    Command { name: "testNorm", usage: "testNorm", run: norms },
+    Command { name: "testNorms", usage: "testNorms", run: norms },
+    Command { name: "numFact", usage: "numFact", run: factorizations },
+    Command { name: "version", usage: "version", run: |_, _| Ok(Value::from(env!("CARGO_PKG_VERSION"))) },
+];
+
+fn list(values: &[f64]) -> Value {
+    Value::list(values.iter().map(|x| Value::from(*x)))
+}
+
+/// All values of a node, or the one of a degree of freedom.
+fn pick(interp: &mut Tcl, a: &mut Args<'_>, values: &[f64], what: &str) -> Outcome {
+    if a.left() == 0 {
+        return Ok(list(values));
+    }
+    let i = a.dof(what, values.len())?;
+    finish(interp, a)?;
+    Ok(Value::from(values[i]))
+}
+
+fn of_node(interp: &Tcl, node: NodeId, field: &[f64]) -> Vec<f64> {
+    field[interp.host.engine.model().nodes[node.0].dofs()].to_vec()
+}
+
+fn node_field(interp: &mut Tcl, call: &Call<'_>, field: fn(&State) -> &Vec<f64>) -> Outcome {
+    let mut a = Args::new(call, NODE);
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    let values = of_node(interp, node, field(interp.host.engine.state()));
+    pick(interp, &mut a, &values, "degree of freedom")
+}
+
+fn failed(call: &Call<'_>, f: &Failure) -> Exception {
+    call.error_at(0, f.to_string(), "")
+}
+
+fn node_reaction(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, NODE);
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    let kind = interp.host.reaction_kind;
+    let mut all = vec![];
+    interp.host.engine.reactions(kind, &mut all).map_err(|f| failed(call, &f))?;
+    let values = of_node(interp, node, &all);
+    pick(interp, &mut a, &values, "degree of freedom")
+}
+
+fn node_unbalance(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, NODE);
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    let mut all = vec![];
+    interp.host.engine.unbalanced(false, &mut all).map_err(|f| failed(call, &f))?;
+    let values = of_node(interp, node, &all);
+    pick(interp, &mut a, &values, "degree of freedom")
+}
+
+/// Which reactions `nodeReaction` gives: they are always those of the present state.
+fn reactions(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "reactions <-dynamic> <-rayleigh>");
+    interp.host.reaction_kind = ReactionKind::Static;
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-dynamic" | "-incInertia" | "-dynamical" | "-Dynamic" => {
+                interp.host.reaction_kind = ReactionKind::Dynamic;
+            }
+            "-rayleigh" | "-Rayleigh" => interp.host.reaction_kind = ReactionKind::Rayleigh,
+            _ => warn(interp, a.unknown_option(&["-dynamic", "-rayleigh"]))?,
+        }
+    }
+    Ok(Value::EMPTY)
+}
+
+fn node_coord(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "nodeCoord $node <$direction>");
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    let coords = interp.host.engine.model().nodes[node.0].coords.clone();
+    if let Some(i) = a.peek().and_then(|w| ["X", "Y", "Z"].iter().position(|n| w.eq_ignore_ascii_case(n))) {
+        a.option();
+        return Ok(Value::from(coords.get(i).copied().unwrap_or(0.0)));
+    }
+    pick(interp, &mut a, &coords, "direction")
+}
+
+fn node_mass(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, NODE);
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    let mass = interp.host.engine.model().nodes[node.0].mass.clone();
+    pick(interp, &mut a, &mass, "degree of freedom")
+}
+
+fn node_eigenvector(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "nodeEigenvector $node $mode <$dof>");
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    let count = interp.host.engine.modes().map_or(0, |m| m.shapes.len());
+    let mode = a.count("number of the mode")?;
+    let Some(shape) = interp.host.engine.modes().and_then(|m| m.shapes.get(mode - 1)) else {
+        let label = if count == 0 { "expected a command \"eigen\" before".into() } else { format!("expected 1 to {count}") };
+        return Err(a.refuse(format!("there is no mode {mode}"), label));
+    };
+    let dofs = interp.host.engine.model().nodes[node.0].dofs();
+    let values = shape.get(dofs).map(<[f64]>::to_vec).unwrap_or_default();
+    pick(interp, &mut a, &values, "degree of freedom")
+}
+
+fn set_node(interp: &mut Tcl, call: &Call<'_>, field: fn(&mut State) -> &mut Vec<f64>) -> Outcome {
+    let mut a = Args::new(call, SET);
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    let (offset, ndf) = {
+        let n = &interp.host.engine.model().nodes[node.0];
+        (n.offset, n.ndf)
+    };
+    let dof = a.dof("degree of freedom", ndf)?;
+    let value = a.float("value")?;
+    a.flag("-commit");
+    finish(interp, &a)?;
+    interp.host.engine.change_state(|s, _| field(s)[offset + dof] = value);
+    Ok(Value::EMPTY)
+}
+
+fn set_mass(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "setNodeMass $node $dof $mass");
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    let dof = a.dof("degree of freedom", interp.host.engine.model().nodes[node.0].ndf)?;
+    let mass = a.not_negative("mass")?;
+    finish(interp, &a)?;
+    interp.host.engine.change_model(|m| m.nodes[node.0].mass[dof] = mass);
+    Ok(Value::EMPTY)
+}
+
+fn element_of(interp: &Tcl, a: &mut Args<'_>) -> Result<ElementId, Exception> {
+    let tag = a.int("tag of the element")?;
+    let id = interp.host.engine.model().element(tag);
+    id.ok_or_else(|| a.refuse(format!("there is no element {tag}"), "expected the tag of an element"))
+}
+
+fn ele_response(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, RESPONSE);
+    let id = element_of(interp, &mut a)?;
+    a.word("name of the response")?;
+    let span = a.last_span();
+    let words: Vec<_> = call.args()[1..].iter().map(Value::as_str).collect();
+    let words: Vec<&str> = words.iter().map(AsRef::as_ref).collect();
+    match ElementResponse::evaluate(&interp.host.engine, id, &words) {
+        Some(values) => Ok(list(&values)),
+        None => Err(no_response(interp, &a, id, &words, span)),
+    }
+}
+
+fn no_response(
+    interp: &Tcl,
+    a: &Args<'_>,
+    id: ElementId,
+    words: &[&str],
+    span: Option<crate::diagnostic::Span>,
+) -> Exception {
+    let engine = &interp.host.engine;
+    let class = engine.model().elements[id.0].element.class();
+    let known: Vec<&str> = ElementResponse::names(engine, id).collect();
+    a.refuse_at(span, format!("{class} has no response \"{}\"", words.join(" ")), format!("known: {}", known.join(", ")))
+}
+
+/// A response with a command of its own: all of it, or one column.
+fn named(interp: &mut Tcl, call: &Call<'_>, response: &str) -> Outcome {
+    let mut a = Args::new(call, "eleForce $element <$dof>");
+    let id = element_of(interp, &mut a)?;
+    match ElementResponse::evaluate(&interp.host.engine, id, &[response]) {
+        Some(values) => pick(interp, &mut a, &values, "number of the column"),
+        None => Err(no_response(interp, &a, id, &[response], call.span(0))),
+    }
+}
+
+fn ele_nodes(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "eleNodes $element");
+    let id = element_of(interp, &mut a)?;
+    let model = interp.host.engine.model();
+    Ok(Value::list(model.elements[id.0].nodes.iter().map(|n| Value::from(i64::from(model.nodes[n.0].tag)))))
+}
+
+fn ele_type(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "eleType $element");
+    let id = element_of(interp, &mut a)?;
+    Ok(Value::from(interp.host.engine.model().elements[id.0].element.class()))
+}
+
+fn load_factor(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "getLoadFactor $pattern");
+    let tag = a.int("tag of the pattern")?;
+    let engine = &interp.host.engine;
+    match engine.model().patterns.get(&tag) {
+        Some(p) => Ok(Value::from(p.factor(engine.state().time))),
+        None => Err(a.refuse(format!("there is no load pattern {tag}"), "expected the tag of a pattern")),
+    }
+}
+
+fn node_tags(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
+    Ok(Value::list(interp.host.engine.model().node_tags().map(|t| Value::from(i64::from(t)))))
+}
+
+fn ele_tags(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
+    Ok(Value::list(interp.host.engine.model().element_tags().map(|t| Value::from(i64::from(t)))))
+}
+
+fn ndf(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "getNDF <$node>");
+    if a.left() == 0 {
+        return Ok(Value::from(interp.host.ndf as i64));
+    }
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    Ok(Value::from(interp.host.engine.model().nodes[node.0].ndf as i64))
+}
+
+/// Equation numbers of a node, -1 where it is held.
+fn node_dofs(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "nodeDOFs $node");
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    let engine = &interp.host.engine;
+    let number = |dof| match engine.prepared().map(|p| p.plan.map.terms(dof)) {
+        Some([(e, _)]) => i64::from(*e),
+        _ => -1,
+    };
+    Ok(Value::list(engine.model().nodes[node.0].dofs().map(|d| Value::from(number(d)))))
+}
+
+fn system_size(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
+    Ok(Value::from(interp.host.engine.prepared().map_or(0, |p| p.plan.equations()) as i64))
+}
+
+fn iterations(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
+    Ok(Value::from(interp.host.engine.setup().map_or(0, |s| s.test.iteration) as i64))
+}
+
+fn norms(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
+    Ok(interp.host.engine.setup().map_or(Value::EMPTY, |s| list(&s.test.norms)))
+}
+
+fn factorizations(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
+    Ok(Value::from(interp.host.engine.prepared().map_or(0, |p| p.solver.factorizations) as i64))
+}

@@ -1,0 +1,289 @@
+//! What the OpenSees commands of a script work on.
+
+use crate::analysis::integrator::Integrator;
+use crate::analysis::algorithm::Algorithm;
+use crate::analysis::{Engine, Failure, Kind, Observer, Options, ReactionKind, Test};
+use crate::assembly::Handler;
+use crate::diagnostic::{Diagnostic, SourceMap, Span};
+use crate::model::{Definitions, ElementId, NodeId, Tag};
+use crate::record::{Output, RecordError, Recorder, Separator};
+use crate::io::number::Style;
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// How a script is run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// For its results.
+    Run,
+    /// To find what is wrong with it: analyses are passed over.
+    Check,
+}
+
+/// How a recorder's file is to be written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FileFormat {
+    /// Numbers.
+    pub style: Style,
+    /// What stands between them.
+    pub separator: Separator,
+    /// Every row at once.
+    pub close_on_write: bool,
+}
+
+/// Where recorders write: files, or the memory of a study.
+pub trait Outputs {
+    /// An output by the name the script gives it, and as a path that is not relative to anything.
+    ///
+    /// # Errors
+    /// It cannot be made.
+    fn create(&mut self, name: &str, path: &Path, format: FileFormat) -> Result<Box<dyn Output>, RecordError>;
+}
+
+/// What is told while an analysis runs.
+pub trait Progress {
+    /// A step has been committed at this time; `end` is the time at which the excitation ends, where that is known.
+    fn step(&mut self, time: f64, end: Option<f64>);
+}
+
+/// Is called with each warning when it comes up.
+pub type OnWarning = Box<dyn FnMut(&Diagnostic, &SourceMap)>;
+
+/// The parts of an analysis as the commands have given them so far.
+#[derive(Debug, Default)]
+pub(super) struct Parts {
+    pub(super) handler: Option<Handler>,
+    pub(super) test: Option<Test>,
+    pub(super) algorithm: Option<Box<dyn Algorithm>>,
+    pub(super) integrator: Option<Box<dyn Integrator>>,
+    /// Print flag of the test.
+    pub(super) print: i32,
+}
+
+/// A named set of nodes and elements.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Region {
+    pub(super) nodes: Vec<NodeId>,
+    pub(super) elements: Vec<ElementId>,
+}
+
+/// A recorder with the place of its command, for messages.
+pub(super) struct PlacedRecorder {
+    pub(super) recorder: Recorder,
+    pub(super) span: Option<Span>,
+    pub(super) told: bool,
+}
+
+/// The recorders of a model, and who else wants to know about steps.
+#[derive(Default)]
+pub(super) struct Recorders {
+    pub(super) by_tag: BTreeMap<Tag, PlacedRecorder>,
+    next: Tag,
+    pub(super) interrupt: Option<Arc<AtomicBool>>,
+    pub(super) progress: Option<Box<dyn Progress>>,
+    pub(super) end: Option<f64>,
+    /// Norms of the iterations, to be printed.
+    pub(super) printed: String,
+    pub(super) print: i32,
+}
+
+impl Recorders {
+    /// Add a recorder; its tag.
+    pub(super) fn add(&mut self, recorder: Recorder, span: Option<Span>) -> Tag {
+        self.next += 1;
+        self.by_tag.insert(self.next, PlacedRecorder { recorder, span, told: false });
+        self.next
+    }
+
+    /// Record the committed state.
+    pub(super) fn record(&mut self, engine: &mut Engine) -> Result<(), RecordError> {
+        self.by_tag.values_mut().try_for_each(|r| r.recorder.record(engine))
+    }
+
+    /// Finish and forget all recorders.
+    pub(super) fn finish(&mut self) -> Result<(), RecordError> {
+        let all = std::mem::take(&mut self.by_tag);
+        // All of them are finished, whatever the first that cannot be.
+        let mut result = Ok(());
+        for mut r in all.into_values() {
+            result = result.and(r.recorder.finish());
+        }
+        result
+    }
+
+    /// What recorders asked for in vain, told once each.
+    pub(super) fn missing(&mut self) -> Vec<Diagnostic> {
+        let tell = |r: &mut PlacedRecorder| {
+            let missing = &r.recorder.missing;
+            if missing.is_empty() || std::mem::replace(&mut r.told, true) {
+                return None;
+            }
+            let message = format!("recorder: the model has no {}", missing.join(", no "));
+            Some(Diagnostic::warning(message).at(r.span, "left out of the record"))
+        };
+        self.by_tag.values_mut().filter_map(tell).collect()
+    }
+}
+
+impl Observer for Recorders {
+    fn committed(&mut self, engine: &mut Engine) -> Result<(), String> {
+        self.record(engine).map_err(|e| e.to_string())?;
+        if self.print != 0 {
+            self.note_iterations(engine);
+        }
+        if let Some(p) = &mut self.progress {
+            p.step(engine.state().time, self.end);
+        }
+        Ok(())
+    }
+
+    fn interrupted(&self) -> bool {
+        self.interrupt.as_ref().is_some_and(|i| i.load(Ordering::Relaxed))
+    }
+}
+
+impl Recorders {
+    /// Note the norms of a step's iterations as OpenSees prints them.
+    fn note_iterations(&mut self, engine: &Engine) {
+        use std::fmt::Write as _;
+        let Some(test) = engine.setup().map(|s| &s.test) else { return };
+        let name = test.measure.name();
+        let all = matches!(self.print, 1 | 4);
+        let n = test.norms.len();
+        for (i, norm) in test.norms.iter().enumerate().filter(|(i, _)| all || i + 1 == n) {
+            let _ = writeln!(
+                self.printed,
+                "{name}: iteration {} norm {norm:.6e} (max {:.3e})",
+                i + 1,
+                test.tolerance
+            );
+        }
+    }
+}
+
+/// What the OpenSees commands of a script work on.
+pub struct Session {
+    /// The model with its state and analysis.
+    pub engine: Engine,
+    pub(super) definitions: Definitions,
+    pub(super) ndm: usize,
+    pub(super) ndf: usize,
+    pub(super) pattern: Option<Tag>,
+    pub(super) parts: Parts,
+    pub(super) regions: BTreeMap<Tag, Region>,
+    pub(super) recorders: Recorders,
+    pub(super) outputs: Box<dyn Outputs>,
+    /// Values that a study gives to parameters: they win over `pset`.
+    pub parameters: BTreeMap<String, f64>,
+    /// Parameters that the script has declared, with their values.
+    pub declared: BTreeMap<String, f64>,
+    /// How the script is run.
+    pub mode: Mode,
+    /// Warnings are errors.
+    pub strict: bool,
+    /// Why the last `analyze` failed; none if it succeeded.
+    pub last_failure: Option<Failure>,
+    pub(super) on_warning: Option<OnWarning>,
+    pub(super) style: Style,
+    pub(super) reaction_kind: ReactionKind,
+    pub(super) next_sp: Tag,
+    pub(super) next_mp: Tag,
+    pub(super) told: BTreeMap<&'static str, usize>,
+}
+
+impl Session {
+    /// A session whose recorders write to `outputs`.
+    pub fn new(options: Options, mode: Mode, strict: bool, outputs: Box<dyn Outputs>) -> Self {
+        Self {
+            engine: Engine::new(options),
+            definitions: Definitions::default(),
+            ndm: 0,
+            ndf: 0,
+            pattern: None,
+            parts: Parts::default(),
+            regions: BTreeMap::new(),
+            recorders: Recorders::default(),
+            outputs,
+            parameters: BTreeMap::new(),
+            declared: BTreeMap::new(),
+            mode,
+            strict,
+            last_failure: None,
+            on_warning: None,
+            style: Style::default(),
+            reaction_kind: ReactionKind::Static,
+            next_sp: 0,
+            next_mp: 0,
+            told: BTreeMap::new(),
+        }
+    }
+
+    /// Stop analyses when the flag is set.
+    pub fn stop_on(&mut self, flag: Arc<AtomicBool>) {
+        self.recorders.interrupt = Some(flag);
+    }
+
+    /// Tell about steps.
+    pub fn tell(&mut self, progress: Box<dyn Progress>) {
+        self.recorders.progress = Some(progress);
+    }
+
+    /// Hear of warnings when they come up.
+    pub fn on_warning(&mut self, hear: OnWarning) {
+        self.on_warning = Some(hear);
+    }
+
+    /// Finish the recorders.
+    ///
+    /// # Errors
+    /// An output that cannot be written.
+    pub fn finish(&mut self) -> Result<(), RecordError> {
+        self.recorders.finish()
+    }
+
+    /// Forget everything but the settings.
+    pub(super) fn wipe(&mut self) -> Result<(), RecordError> {
+        let finished = self.recorders.finish();
+        self.engine.wipe();
+        self.definitions = Definitions::default();
+        (self.ndm, self.ndf, self.pattern) = (0, 0, None);
+        self.parts = Parts::default();
+        self.regions.clear();
+        finished
+    }
+
+    /// Kind of the analysis that is set up.
+    pub(super) fn kind(&self) -> Option<Kind> {
+        self.engine.setup().map(|s| s.kind)
+    }
+
+    /// Number for the next single-point constraint.
+    pub(super) fn sp_tag(&mut self) -> Tag {
+        self.next_sp += 1;
+        self.next_sp - 1
+    }
+
+    /// Number for the next multi-point constraint.
+    pub(super) fn mp_tag(&mut self) -> Tag {
+        self.next_mp += 1;
+        self.next_mp - 1
+    }
+
+    /// A node has been removed: the numbers of those behind it have moved down.
+    pub(super) fn forget_node(&mut self, node: NodeId) {
+        for r in self.regions.values_mut() {
+            r.nodes.retain(|n| *n != node);
+            r.nodes.iter_mut().filter(|n| n.0 > node.0).for_each(|n| n.0 -= 1);
+        }
+    }
+
+    /// An element has been removed, likewise.
+    pub(super) fn forget_element(&mut self, element: ElementId) {
+        for r in self.regions.values_mut() {
+            r.elements.retain(|e| *e != element);
+            r.elements.iter_mut().filter(|e| e.0 > element.0).for_each(|e| e.0 -= 1);
+        }
+    }
+}

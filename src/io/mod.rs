@@ -1,0 +1,3 @@
+//! Reading and writing numbers.
+
+pub mod number;

@@ -1,0 +1,12 @@
+//! `hysteron`: see `hysteron --help`.
+
+#![forbid(unsafe_code)]
+// The binary is the only place that prints.
+#![allow(clippy::print_stdout, clippy::print_stderr)]
+
+mod cli;
+
+fn main() {
+    let status = cli::main();
+    std::process::exit(status);
+}

@@ -1,0 +1,129 @@
+//! Responses of elements.
+
+use super::{RecordError, Source};
+use crate::analysis::Engine;
+use crate::model::{ElementId, Tag};
+use crate::probe::Probe;
+
+/// A response of some elements.
+#[derive(Debug)]
+pub struct ElementResponse {
+    /// Elements by tag; `None` for all of them.
+    elements: Option<Vec<Tag>>,
+    /// Words of the recorder command that name the response.
+    words: Vec<String>,
+    /// Columns of the response from 0; empty for all.
+    columns: Vec<usize>,
+    found: Vec<(ElementId, Answer)>,
+    values: Vec<f64>,
+    disp: Vec<f64>,
+}
+
+#[derive(Debug)]
+enum Answer {
+    /// The global force.
+    Force(Vec<String>),
+    /// A response of the element's own.
+    Probe(Probe),
+}
+
+impl Answer {
+    fn labels(&self) -> &[String] {
+        match self {
+            Self::Force(labels) => labels,
+            Self::Probe(p) => &p.labels,
+        }
+    }
+}
+
+/// Names of the global force.
+const FORCE: [&str; 5] = ["force", "forces", "globalForce", "globalForces", "globalforces"];
+
+impl ElementResponse {
+    /// Of elements (all of them for `None`), by the words that name it; only some columns of it if any are given.
+    pub fn new(elements: Option<Vec<Tag>>, words: Vec<String>, columns: Vec<usize>) -> Self {
+        Self { elements, words, columns, found: vec![], values: vec![], disp: vec![] }
+    }
+
+    fn answer(&self, engine: &Engine, id: ElementId) -> Option<Answer> {
+        let element = &engine.model().elements[id.0].element;
+        let words: Vec<&str> = self.words.iter().map(String::as_str).collect();
+        if words.first().is_some_and(|w| FORCE.contains(w)) {
+            return Some(Answer::Force(element.force_labels()));
+        }
+        element.probe(&words).map(Answer::Probe)
+    }
+
+    /// Names that an element knows besides those common to all, to suggest the nearest to a misspelled one.
+    pub fn names(engine: &Engine, id: ElementId) -> impl Iterator<Item = &'static str> + use<> {
+        let own = engine.model().elements[id.0].element.probe_names();
+        FORCE[..4].iter().copied().chain(own.iter().copied())
+    }
+
+    /// Value of the response of one element in the committed state; `None` where it has none of that name.
+    pub fn evaluate(engine: &Engine, id: ElementId, words: &[&str]) -> Option<Vec<f64>> {
+        let words = words.iter().map(|w| (*w).to_owned()).collect();
+        let mut response = Self::new(None, words, vec![]);
+        let answer = response.answer(engine, id)?;
+        response.read(engine, id, &answer);
+        Some(response.values)
+    }
+
+    fn read(&mut self, engine: &Engine, id: ElementId, answer: &Answer) {
+        let snapshot = engine.snapshot(id, &mut self.disp);
+        self.values.clear();
+        match answer {
+            Answer::Force(_) => self.values.extend_from_slice(snapshot.force),
+            Answer::Probe(p) => {
+                self.values.resize(p.len(), 0.0);
+                engine.model().elements[id.0].element.read(&p.path, &snapshot, &mut self.values);
+            }
+        }
+    }
+
+    fn chosen(&self, n: usize) -> impl Iterator<Item = usize> + '_ {
+        let all = self.columns.is_empty();
+        (0..n).filter(move |_| all).chain(self.columns.iter().copied().filter(move |c| !all && *c < n))
+    }
+}
+
+impl Source for ElementResponse {
+    fn find(&mut self, engine: &Engine, missing: &mut Vec<String>) -> Result<(), RecordError> {
+        let model = engine.model();
+        let wanted: Vec<Tag> = self.elements.clone().unwrap_or_else(|| model.element_tags().collect());
+        self.found.clear();
+        for tag in wanted {
+            let Some(id) = model.element(tag) else {
+                missing.push(format!("element {tag}"));
+                continue;
+            };
+            match self.answer(engine, id) {
+                Some(answer) => self.found.push((id, answer)),
+                None => missing.push(format!(
+                    "response \"{}\" of element {tag} ({})",
+                    self.words.join(" "),
+                    model.elements[id.0].element.class()
+                )),
+            }
+        }
+        Ok(())
+    }
+
+    fn labels(&self) -> Vec<String> {
+        let label = |id: &ElementId, l: &String| format!("element {} {l}", id.0);
+        self.found
+            .iter()
+            .flat_map(|(id, a)| self.chosen(a.labels().len()).map(move |i| label(id, &a.labels()[i])))
+            .collect()
+    }
+
+    fn row(&mut self, engine: &mut Engine, row: &mut Vec<f64>) -> Result<(), RecordError> {
+        let found = std::mem::take(&mut self.found);
+        for (id, answer) in &found {
+            self.read(engine, *id, answer);
+            row.extend(self.chosen(self.values.len()).map(|i| self.values[i]));
+        }
+        self.found = found;
+        Ok(())
+    }
+}

@@ -1,0 +1,168 @@
+//! Recorders: what is written down after each step.
+//!
+//! A recorder is a [`Source`] of rows and an [`Output`] that takes them, either as they come or as their envelope.
+
+mod drift;
+mod element;
+mod envelope;
+mod node;
+mod output;
+
+use crate::analysis::Engine;
+use std::fmt;
+
+pub use drift::Drift;
+pub use element::ElementResponse;
+pub use envelope::Envelope;
+pub use node::{NodeQuantity, NodeResponse};
+pub use output::{Memory, Output, Separator, TextFile};
+
+/// Why a recorder cannot go on.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RecordError(pub String);
+
+impl fmt::Display for RecordError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for RecordError {}
+
+impl From<std::io::Error> for RecordError {
+    fn from(e: std::io::Error) -> Self {
+        Self(e.to_string())
+    }
+}
+
+/// Where rows come from.
+pub trait Source: fmt::Debug + Send {
+    /// Find what is to be recorded in the model as it is now; called before the first row and after every change of
+    /// the model. What is not there is left out, and told in `missing`.
+    ///
+    /// # Errors
+    /// A response that an element does not have.
+    fn find(&mut self, engine: &Engine, missing: &mut Vec<String>) -> Result<(), RecordError>;
+
+    /// Names of the columns.
+    fn labels(&self) -> Vec<String>;
+
+    /// Append the row of the committed state.
+    ///
+    /// # Errors
+    /// What keeps it from being worked out.
+    fn row(&mut self, engine: &mut Engine, row: &mut Vec<f64>) -> Result<(), RecordError>;
+}
+
+/// What becomes of the rows.
+#[derive(Debug)]
+enum Keep {
+    /// All of them.
+    History,
+    /// Smallest, largest and largest absolute value of each column.
+    Envelope(Envelope),
+}
+
+/// Which rows, and how.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Cadence {
+    /// Write the time before the columns (`-time`).
+    pub time: bool,
+    /// Least time between rows; zero records every step (`-dT`).
+    pub dt: f64,
+    /// How much earlier, as a fraction of `dt`, a row may come for round-off (`-rTolDt`).
+    pub tolerance: f64,
+}
+
+/// A recorder.
+#[derive(Debug)]
+pub struct Recorder {
+    source: Box<dyn Source>,
+    output: Box<dyn Output>,
+    keep: Keep,
+    cadence: Cadence,
+    next: f64,
+    found: Option<u64>,
+    row: Vec<f64>,
+    /// What was asked for and is not in the model.
+    pub missing: Vec<String>,
+}
+
+impl Recorder {
+    /// Record every row.
+    pub fn history(source: Box<dyn Source>, output: Box<dyn Output>, cadence: Cadence) -> Self {
+        Self { source, output, keep: Keep::History, cadence, next: 0.0, found: None, row: vec![], missing: vec![] }
+    }
+
+    /// Record the envelope.
+    pub fn envelope(source: Box<dyn Source>, output: Box<dyn Output>, cadence: Cadence) -> Self {
+        Self { keep: Keep::Envelope(Envelope::default()), ..Self::history(source, output, cadence) }
+    }
+
+    /// Record the committed state, if it is time to.
+    ///
+    /// # Errors
+    /// A response that is not there, or an output that cannot be written.
+    pub fn record(&mut self, engine: &mut Engine) -> Result<(), RecordError> {
+        let time = engine.state().time;
+        let c = self.cadence;
+        if c.dt != 0.0 {
+            if time - self.next < -c.dt * c.tolerance {
+                return Ok(());
+            }
+            self.next = time + c.dt;
+        }
+        if self.found != Some(engine.model().revision()) {
+            self.missing.clear();
+            self.source.find(engine, &mut self.missing)?;
+            self.found = Some(engine.model().revision());
+            self.output.begin(&self.all_labels())?;
+        }
+        self.row.clear();
+        match &mut self.keep {
+            Keep::History => {
+                if c.time {
+                    self.row.push(time);
+                }
+                self.source.row(engine, &mut self.row)?;
+                self.output.row(&self.row)?;
+            }
+            Keep::Envelope(envelope) => {
+                self.source.row(engine, &mut self.row)?;
+                if envelope.take(time, &self.row) && self.output.wants_every_row() {
+                    envelope.write(c.time, self.output.as_mut())?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn all_labels(&self) -> Vec<String> {
+        let labels = self.source.labels();
+        let time = || "time".to_owned();
+        match (&self.keep, self.cadence.time) {
+            (_, false) => labels,
+            (Keep::History, true) => std::iter::once(time()).chain(labels).collect(),
+            (Keep::Envelope(_), true) => labels.into_iter().flat_map(|l| [time(), l]).collect(),
+        }
+    }
+
+    /// Write what is left to write, and close the output.
+    ///
+    /// # Errors
+    /// An output that cannot be written.
+    pub fn finish(&mut self) -> Result<(), RecordError> {
+        if let Keep::Envelope(envelope) = &self.keep {
+            envelope.write(self.cadence.time, self.output.as_mut())?;
+        }
+        self.output.finish()
+    }
+
+    /// Write out what is buffered.
+    ///
+    /// # Errors
+    /// An output that cannot be written.
+    pub fn flush(&mut self) -> Result<(), RecordError> {
+        self.output.flush()
+    }
+}

@@ -1,0 +1,211 @@
+//! Responses of nodes.
+
+use super::{RecordError, Source};
+use crate::analysis::{Engine, ReactionKind};
+use crate::model::Tag;
+use crate::series::Series;
+
+/// What is recorded of a node.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NodeQuantity {
+    /// Displacement.
+    Disp,
+    /// Velocity.
+    Vel,
+    /// Acceleration, relative to the ground under a uniform excitation.
+    Accel,
+    /// Displacement of the last step. OpenSees writes zeros: it forgets it when the step is committed.
+    IncrDisp,
+    /// Force of the supports.
+    Reaction(ReactionKind),
+    /// Loads.
+    Unbalance {
+        /// Less inertia and mass-proportional damping of the node.
+        inertia: bool,
+    },
+    /// Shape of a mode, from 1.
+    Mode(usize),
+    /// Length of the displacement over the chosen degrees of freedom: one column a node.
+    DispNorm,
+}
+
+impl NodeQuantity {
+    /// By its name in a recorder command.
+    pub fn parse(name: &str) -> Option<Self> {
+        Some(match name {
+            "disp" => Self::Disp,
+            "vel" => Self::Vel,
+            "accel" => Self::Accel,
+            "incrDisp" | "incrDeltaDisp" => Self::IncrDisp,
+            "reaction" => Self::Reaction(ReactionKind::Static),
+            "reactionIncInertia" | "reactionInclInertia" | "reactionIncludingInertia" => {
+                Self::Reaction(ReactionKind::Dynamic)
+            }
+            "rayleighForces" | "rayleighDampingForces" => Self::Reaction(ReactionKind::Rayleigh),
+            "unbalance" => Self::Unbalance { inertia: false },
+            "unbalanceInclInertia" | "unbalanceIncInertia" | "unbalanceIncludingInertia" => {
+                Self::Unbalance { inertia: true }
+            }
+            "dispNorm" => Self::DispNorm,
+            _ => {
+                let mode = name.strip_prefix("eigen")?.trim().parse().ok()?;
+                Self::Mode(mode)
+            }
+        })
+    }
+
+    /// Names that [`NodeQuantity::parse`] knows, to suggest the nearest to a misspelled one.
+    pub const NAMES: &'static [&'static str] = &[
+        "disp",
+        "vel",
+        "accel",
+        "incrDisp",
+        "incrDeltaDisp",
+        "reaction",
+        "reactionIncludingInertia",
+        "rayleighForces",
+        "unbalance",
+        "unbalanceIncludingInertia",
+        "dispNorm",
+        "eigen 1",
+    ];
+}
+
+/// Responses of some degrees of freedom of some nodes.
+#[derive(Debug)]
+pub struct NodeResponse {
+    quantity: NodeQuantity,
+    /// Nodes by tag; `None` for all of them.
+    nodes: Option<Vec<Tag>>,
+    /// Local degrees of freedom from 0; empty for all.
+    dofs: Vec<usize>,
+    /// Series added to each degree of freedom, in the order of `dofs`.
+    series: Vec<Option<Series>>,
+    /// Degrees of freedom found; `None` where a node has not got it.
+    found: Vec<Option<usize>>,
+    tags: Vec<Tag>,
+    width: usize,
+    reactions: Vec<f64>,
+    last: Vec<f64>,
+}
+
+impl NodeResponse {
+    /// Of nodes (all of them for `None`) and local degrees of freedom from 0 (all for none).
+    pub fn new(
+        quantity: NodeQuantity,
+        nodes: Option<Vec<Tag>>,
+        dofs: Vec<usize>,
+        series: Vec<Option<Series>>,
+    ) -> Self {
+        Self {
+            quantity,
+            nodes,
+            dofs,
+            series,
+            found: vec![],
+            tags: vec![],
+            width: 0,
+            reactions: vec![],
+            last: vec![],
+        }
+    }
+
+    /// Values of all degrees of freedom that the quantity is taken from.
+    fn field<'a>(&'a self, engine: &'a Engine) -> Option<&'a [f64]> {
+        let state = engine.state();
+        Some(match self.quantity {
+            NodeQuantity::Disp | NodeQuantity::DispNorm => &state.disp,
+            NodeQuantity::Vel => &state.vel,
+            NodeQuantity::Accel => &state.accel,
+            NodeQuantity::Mode(m) => engine.modes()?.shapes.get(m.checked_sub(1)?)?,
+            NodeQuantity::IncrDisp | NodeQuantity::Reaction(_) | NodeQuantity::Unbalance { .. } => &self.reactions,
+        })
+    }
+
+    /// Work out what is not simply there.
+    fn work_out(&mut self, engine: &mut Engine) -> Result<(), RecordError> {
+        let failed = |f: crate::analysis::Failure| RecordError(f.to_string());
+        match self.quantity {
+            NodeQuantity::Reaction(kind) => engine.reactions(kind, &mut self.reactions).map_err(failed)?,
+            NodeQuantity::Unbalance { inertia } => engine.unbalanced(inertia, &mut self.reactions).map_err(failed)?,
+            NodeQuantity::IncrDisp => {
+                let disp = &engine.state().disp;
+                self.last.resize(disp.len(), 0.0);
+                self.reactions.clear();
+                if engine.options.compat {
+                    self.reactions.resize(disp.len(), 0.0);
+                } else {
+                    self.reactions.extend(disp.iter().zip(&self.last).map(|(u, last)| u - last));
+                }
+                self.last.copy_from_slice(disp);
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+}
+
+impl Source for NodeResponse {
+    fn find(&mut self, engine: &Engine, missing: &mut Vec<String>) -> Result<(), RecordError> {
+        let model = engine.model();
+        let wanted: Vec<Tag> = self.nodes.clone().unwrap_or_else(|| model.node_tags().collect());
+        self.found.clear();
+        self.tags.clear();
+        let all: Vec<usize>;
+        let dofs = if self.dofs.is_empty() {
+            all = (0..model.nodes.iter().map(|n| n.ndf).max().unwrap_or(0)).collect();
+            &all
+        } else {
+            &self.dofs
+        };
+        self.width = dofs.len();
+        for tag in wanted {
+            let Some(id) = model.node(tag) else {
+                missing.push(format!("node {tag}"));
+                continue;
+            };
+            let node = &model.nodes[id.0];
+            self.tags.push(tag);
+            self.found.extend(dofs.iter().map(|&d| (d < node.ndf).then_some(node.offset + d)));
+        }
+        Ok(())
+    }
+
+    fn labels(&self) -> Vec<String> {
+        let dofs = |i: usize| self.dofs.get(i).copied().unwrap_or(i) + 1;
+        if self.quantity == NodeQuantity::DispNorm {
+            return self.tags.iter().map(|t| format!("node {t}")).collect();
+        }
+        self.tags.iter().flat_map(|t| (0..self.width).map(move |i| format!("node {t} dof {}", dofs(i)))).collect()
+    }
+
+    fn row(&mut self, engine: &mut Engine, row: &mut Vec<f64>) -> Result<(), RecordError> {
+        self.work_out(engine)?;
+        let time = engine.state().time;
+        let start = row.len();
+        let field = self.field(engine);
+        row.extend(self.found.iter().map(|d| match (d, field) {
+            (Some(d), Some(f)) => f.get(*d).copied().unwrap_or(0.0),
+            _ => 0.0,
+        }));
+        let adds = matches!(
+            self.quantity,
+            NodeQuantity::Disp | NodeQuantity::Vel | NodeQuantity::Accel | NodeQuantity::DispNorm
+        );
+        for (i, series) in self.series.iter().enumerate().filter(|_| adds) {
+            if let Some(s) = series {
+                let value = s.factor(time);
+                row[start..].iter_mut().skip(i).step_by(self.width).for_each(|x| *x += value);
+            }
+        }
+        if self.quantity == NodeQuantity::DispNorm && self.width > 0 {
+            let n = (row.len() - start) / self.width;
+            for i in 0..n {
+                let part = &row[start + i * self.width..start + (i + 1) * self.width];
+                row[start + i] = part.iter().map(|x| x * x).sum::<f64>().sqrt();
+            }
+            row.truncate(start + n);
+        }
+        Ok(())
+    }
+}

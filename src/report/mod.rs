@@ -1,0 +1,5 @@
+//! Pictures of results.
+
+mod figure;
+
+pub use figure::{Curve, Figure, FigureError, Mark};
