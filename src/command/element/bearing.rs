@@ -26,8 +26,6 @@ struct Common {
     shear_dist: f64,
     rayleigh: bool,
     mass: f64,
-    max_iterations: u32,
-    tolerance: f64,
 }
 
 const OPTIONS: &[&str] = &["-P", "-T", "-My", "-Mz", "-orient", "-shearDist", "-doRayleigh", "-mass", "-iter"];
@@ -51,8 +49,6 @@ fn common(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Common, Exc
         shear_dist: 0.5,
         rayleigh: false,
         mass: 0.0,
-        max_iterations: 25,
-        tolerance: 1e-12,
     };
     while let Some(option) = a.option() {
         match option.as_ref() {
@@ -69,8 +65,9 @@ fn common(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Common, Exc
             "-doRayleigh" => c.rayleigh = true,
             "-mass" => c.mass = a.not_negative("mass")?,
             "-iter" => {
-                c.max_iterations = a.count("largest number of iterations")? as u32;
-                c.tolerance = a.positive("tolerance")?;
+                // z is always found to round-off.
+                a.count("largest number of iterations")?;
+                a.positive("tolerance")?;
             }
             _ => warn(interp, a.unknown_option(OPTIONS))?,
         }
@@ -123,8 +120,6 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         eta,
         beta,
         gamma,
-        max_iterations: c.max_iterations,
-        tolerance: c.tolerance,
     };
     match (ends.ndm, ends.ndf) {
         (2, 3) => {

@@ -1,12 +1,13 @@
 //! What the Bouc-Wen bearings in the plane and in space share: parameters, the hysteretic law, responses.
 
 use crate::element::{ElementError, Mass};
+use crate::numeric::sign;
 use crate::probe::Probe;
 
 /// Shear law of `elastomericBearingBoucWen`: q = q_d z + k₂ u + k₃ sign(u) |u|^μ, with
 /// ż = (k₀/q_d) [A u̇ - z |z|^(η-2) (z·u̇) (γ + β sign(z·u̇))], A = 1.
 ///
-/// Casciati (1989) and Nagarajaiah, Reinhorn and Constantinou (1991), as in OpenSees; backward Euler over a step.
+/// Casciati (1989) and Nagarajaiah, Reinhorn and Constantinou (1991), as in OpenSees; backward Euler over a step, solved to round-off.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShearParameters {
     /// Elastic stiffness of the hysteretic part k₀ = (1-α₁) k_init.
@@ -25,10 +26,6 @@ pub struct ShearParameters {
     pub beta: f64,
     /// Second loop shape parameter γ.
     pub gamma: f64,
-    /// Newton steps allowed for z.
-    pub max_iterations: u32,
-    /// Tolerance on z.
-    pub tolerance: f64,
 }
 
 impl ShearParameters {
@@ -42,29 +39,66 @@ impl ShearParameters {
         (self.k2 * u + self.k3 * p * u, self.k2 + self.k3 * self.mu * p)
     }
 
-    /// The shape factor γ + β sign(z·Δu).
+    /// Hysteretic parameters at the end of a step (backward Euler) and dz/dd by rows, for an increment `d` of the
+    /// displacement over the yield displacement q_d/k₀; `N` directions.
+    ///
+    /// The equation z = z_c + d - z |z|^(η-2) (z·d) (γ + β sign(z·d)) says that z points along w = z_c + d. With z = t w
+    /// it is one equation for a number, t + a t^η = 1 with a = |w|^(η-2) (w·d) (γ + β sign(w·d)). Its root next to
+    /// t = 1 is the one that grows out of the committed state.
     #[inline]
-    pub(super) fn shape(&self, work: f64) -> f64 {
-        if work > 0.0 {
-            self.gamma + self.beta
-        } else if work < 0.0 {
-            self.gamma - self.beta
-        } else {
-            self.gamma
+    pub(super) fn hysteresis<const N: usize>(
+        &self,
+        zc: [f64; N],
+        d: [f64; N],
+    ) -> Result<([f64; N], [[f64; N]; N]), ElementError> {
+        let w: [f64; N] = std::array::from_fn(|i| zc[i] + d[i]);
+        let work: f64 = w.iter().zip(&d).map(|(w, d)| w * d).sum();
+        let norm2: f64 = w.iter().map(|w| w * w).sum();
+        let shape = self.gamma + self.beta * sign(work);
+        // |w|^(η-2), kept finite where w vanishes: there z does too.
+        let power = if self.eta == 2.0 { 1.0 } else { norm2.max(f64::MIN_POSITIVE).powf(0.5 * self.eta - 1.0) };
+        let a = power * work * shape;
+        let t = self.relax(a).ok_or_else(|| self.no_root())?;
+        let slope = if self.eta == 2.0 { t } else { t.powf(self.eta - 1.0) };
+        // ∂t/∂d = -t^η / (1 + η a t^(η-1)) ∂a/∂d
+        let factor = -t * slope / (1.0 + self.eta * a * slope) * power * shape;
+        let radial = if norm2 > 0.0 { (self.eta - 2.0) * work / norm2 } else { 0.0 };
+        let dt: [f64; N] = std::array::from_fn(|i| factor * (radial * w[i] + d[i] + w[i]));
+        let z = w.map(|w| t * w);
+        let dz = std::array::from_fn(|i| std::array::from_fn(|j| w[i] * dt[j] + if i == j { t } else { 0.0 }));
+        Ok((z, dz))
+    }
+
+    /// The root of t + a t^η = 1 next to 1; `None` where the step is so large that there is none.
+    #[inline]
+    fn relax(&self, a: f64) -> Option<f64> {
+        if self.eta == 1.0 {
+            return Some(1.0 / (1.0 + a)).filter(|t| *t > 0.0);
         }
+        if self.eta == 2.0 {
+            let root = 1.0 + 4.0 * a;
+            return (root >= 0.0).then(|| 2.0 / (1.0 + root.sqrt()));
+        }
+        // Newton's method from 1 goes towards the root from one side: the function is convex for a > 0 and concave for
+        // a < 0, if η > 1; for η < 1 the steps are kept positive.
+        let mut t = 1.0f64;
+        for _ in 0..200 {
+            let slope = a * t.powf(self.eta - 1.0);
+            let step = (t + slope * t - 1.0) / (1.0 + self.eta * slope);
+            let next = if t - step > 0.0 { t - step } else { 0.5 * t };
+            if !next.is_finite() || next > 1e6 {
+                return None;
+            }
+            if (next - t).abs() <= 2e-16 * t {
+                return Some(next);
+            }
+            t = next;
+        }
+        ((t + a * t.powf(self.eta) - 1.0).abs() < 1e-13 * t.max(1.0)).then_some(t)
     }
 
-    /// |z|^(η-2), without the cost of `powf` for the usual exponent; |z| is kept off zero for η < 2.
-    #[inline]
-    pub(super) fn power(&self, norm: f64) -> f64 {
-        if self.eta == 2.0 { 1.0 } else { norm.max(f64::EPSILON).powf(self.eta - 2.0) }
-    }
-
-    pub(super) fn no_root(&self) -> ElementError {
-        ElementError(format!(
-            "found no hysteretic parameter z within {} iterations (option -iter)",
-            self.max_iterations
-        ))
+    fn no_root(&self) -> ElementError {
+        ElementError("the step is too large: no hysteretic parameter z belongs to it".into())
     }
 }
 

@@ -4,7 +4,6 @@ use super::bouc_wen::{self, ShearParameters};
 use super::link::Link;
 use crate::element::{Answer, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
 use crate::material::{Slot, Strain};
-use crate::numeric::newton_root;
 use crate::probe::Probe;
 use crate::words::Words;
 
@@ -55,24 +54,7 @@ impl BoucWen2d {
             // At rest the step may go on either way: the tangent of continued loading, as at the end of the last step.
             return Ok(Shear { u, z: c.z, q: p.qd * c.z + hardening, k: c.k });
         }
-        let rate = |z: f64| {
-            let shape = p.shape(z * d);
-            let pow = if p.eta == 2.0 { z * z } else { z.abs().powf(p.eta) };
-            let slope = if z == 0.0 { 0.0 } else { p.eta * pow / z };
-            (1.0 - pow * shape, slope * shape)
-        };
-        let root = newton_root(
-            |z| {
-                let (r, s) = rate(z);
-                (z - c.z - d * r, 1.0 + d * s)
-            },
-            c.z,
-            1.0,
-            p.max_iterations.max(60),
-        );
-        let z = root.ok_or_else(|| p.no_root())?;
-        let (r, s) = rate(z);
-        let dz = r / (1.0 + d * s);
+        let ([z], [[dz]]) = p.hysteresis([c.z], [d])?;
         Ok(Shear { u, z, q: p.qd * z + hardening, k: p.k0 * dz + k_hardening })
     }
 

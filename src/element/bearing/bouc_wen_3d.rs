@@ -63,65 +63,13 @@ impl BoucWen3d {
             // At rest: the tangent of the end of the last step.
             return Ok(Shear { u, q: [p.qd * c.z[0] + h0, p.qd * c.z[1] + h1], ..*c });
         }
-        let (z, dz) = self.hysteresis(c.z, d)?;
+        let (z, [row0, row1]) = p.hysteresis(c.z, d)?;
         Ok(Shear {
             u,
             z,
             q: [p.qd * z[0] + h0, p.qd * z[1] + h1],
-            k: [p.k0 * dz[0] + k0, p.k0 * dz[1], p.k0 * dz[2], p.k0 * dz[3] + k1],
+            k: [p.k0 * row0[0] + k0, p.k0 * row0[1], p.k0 * row1[0], p.k0 * row1[1] + k1],
         })
-    }
-
-    /// Backward Euler: z = z_c + d - z s(z), s = |z|^(η-2) (z·d) (γ + β sign(z·d)), for an increment `d` of the
-    /// displacement over the yield displacement. Also dz/dd by rows.
-    fn hysteresis(&self, zc: [f64; 2], d: [f64; 2]) -> Result<([f64; 2], [f64; 4]), ElementError> {
-        let p = &self.shear;
-        let mut z = zc;
-        // First try outside: keeps z·d positive while loading, so that the first shape factor is the right one.
-        if z == [0.0; 2] {
-            z = d;
-            let norm = z[0].hypot(z[1]);
-            if norm > 1.0 {
-                z = [z[0] / norm, z[1] / norm];
-            }
-        }
-        let mut last = f64::INFINITY;
-        for _ in 0..p.max_iterations.max(60) {
-            let (f, jacobian, _) = self.residual(zc, d, z);
-            let det = jacobian[0] * jacobian[3] - jacobian[1] * jacobian[2];
-            if det == 0.0 || !det.is_finite() {
-                break;
-            }
-            let step =
-                [(jacobian[3] * f[0] - jacobian[1] * f[1]) / det, (jacobian[0] * f[1] - jacobian[2] * f[0]) / det];
-            let size = step[0].hypot(step[1]);
-            // Shorter where Newton jumps to and fro across the kink at z·d = 0.
-            let damp = if size > 0.9 * last { 0.5 } else { 1.0 };
-            z = [z[0] - damp * step[0], z[1] - damp * step[1]];
-            last = size;
-            if size <= 1e-15 || (size < p.tolerance && size * size < 1e-16) {
-                let (_, jacobian, dd) = self.residual(zc, d, z);
-                return Ok((z, solve_2x2(&jacobian, &dd)));
-            }
-        }
-        Err(p.no_root())
-    }
-
-    /// Residual f(z), its Jacobian ∂f/∂z and -∂f/∂d, by rows.
-    #[inline]
-    fn residual(&self, zc: [f64; 2], d: [f64; 2], z: [f64; 2]) -> ([f64; 2], [f64; 4], [f64; 4]) {
-        let p = &self.shear;
-        let norm2 = z[0] * z[0] + z[1] * z[1];
-        let work = z[0] * d[0] + z[1] * d[1];
-        let c = p.power(norm2.sqrt()) * p.shape(work);
-        let s = c * work;
-        // ∂s/∂z = c d + (η-2) s z / |z|²
-        let radial = if p.eta == 2.0 || norm2 == 0.0 { 0.0 } else { (p.eta - 2.0) * s / norm2 };
-        let ds = [c * d[0] + radial * z[0], c * d[1] + radial * z[1]];
-        let f = [z[0] - zc[0] - d[0] + z[0] * s, z[1] - zc[1] - d[1] + z[1] * s];
-        let jacobian = [1.0 + s + z[0] * ds[0], z[0] * ds[1], z[1] * ds[0], 1.0 + s + z[1] * ds[1]];
-        let dd = [1.0 - z[0] * c * z[0], -z[0] * c * z[1], -z[1] * c * z[0], 1.0 - z[1] * c * z[1]];
-        (f, jacobian, dd)
     }
 
     fn initial_stiffness(&self) -> [[f64; 6]; 6] {
@@ -133,17 +81,6 @@ impl BoucWen3d {
         k[2][2] = k[1][1];
         k
     }
-}
-
-/// A⁻¹ B for 2 x 2 matrices by rows.
-fn solve_2x2(a: &[f64; 4], b: &[f64; 4]) -> [f64; 4] {
-    let det = a[0] * a[3] - a[1] * a[2];
-    [
-        (a[3] * b[0] - a[1] * b[2]) / det,
-        (a[3] * b[1] - a[1] * b[3]) / det,
-        (a[0] * b[2] - a[2] * b[0]) / det,
-        (a[0] * b[3] - a[2] * b[1]) / det,
-    ]
 }
 
 impl Element for BoucWen3d {

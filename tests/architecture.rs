@@ -1,0 +1,109 @@
+//! The layers hold: a module uses only those before it; the library neither prints nor exits; files stay small.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Modules of the library, each of which may use those before it.
+const LAYERS: &[&str] = &[
+    "words", "numeric", "probe", "diagnostic", "io", "series", "material", "element", "model", "assembly", "solve",
+    "analysis", "record", "report", "script", "command", "run",
+];
+
+/// Pairs that stand beside each other: the first never uses the second, though it comes later.
+const APART: &[(&str, &str)] = &[
+    ("script", "analysis"), ("script", "model"), ("script", "element"), ("script", "material"), ("script", "record"),
+    ("script", "report"), ("script", "series"), ("script", "assembly"), ("script", "solve"), ("report", "analysis"),
+    ("report", "model"),
+];
+
+fn files(dir: &Path, out: &mut Vec<PathBuf>) {
+    let mut entries: Vec<PathBuf> = fs::read_dir(dir).unwrap().map(|e| e.unwrap().path()).collect();
+    entries.sort();
+    for path in entries {
+        if path.is_dir() {
+            files(&path, out);
+        } else if path.extension().is_some_and(|e| e == "rs") {
+            out.push(path);
+        }
+    }
+}
+
+fn sources(dir: &str) -> Vec<(PathBuf, String)> {
+    let mut all = vec![];
+    files(&Path::new(env!("CARGO_MANIFEST_DIR")).join(dir), &mut all);
+    all.into_iter().map(|p| (p.clone(), fs::read_to_string(p).unwrap())).collect()
+}
+
+/// The module of the library that a file belongs to.
+fn module(path: &Path) -> Option<String> {
+    let inside = path.strip_prefix(Path::new(env!("CARGO_MANIFEST_DIR")).join("src")).ok()?;
+    let first = inside.iter().next()?.to_str()?.trim_end_matches(".rs").to_owned();
+    (!["lib", "main", "cli"].contains(&first.as_str())).then_some(first)
+}
+
+/// Modules that a text uses: `crate::name` and `crate::{name, ...}`.
+fn used(text: &str) -> Vec<String> {
+    let code: String = text.lines().filter(|l| !l.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n");
+    let mut out = vec![];
+    for part in code.split("crate::").skip(1) {
+        let word = |s: &str| s.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>();
+        match part.strip_prefix('{') {
+            Some(list) => out.extend(list.split('}').next().unwrap_or("").split(',').map(|w| word(w.trim()))),
+            None => out.push(word(part)),
+        }
+    }
+    out
+}
+
+#[test]
+fn modules_use_only_those_before_them() {
+    let order: BTreeMap<&str, usize> = LAYERS.iter().enumerate().map(|(i, l)| (*l, i)).collect();
+    let mut wrong = vec![];
+    for (path, text) in sources("src") {
+        let Some(own) = module(&path) else { continue };
+        let Some(&place) = order.get(own.as_str()) else {
+            wrong.push(format!("{}: module {own} is in no layer", path.display()));
+            continue;
+        };
+        for other in used(&text) {
+            if let Some(&there) = order.get(other.as_str()) {
+                let apart = APART.contains(&(own.as_str(), other.as_str()));
+                if there > place || apart {
+                    wrong.push(format!("{}: {own} uses {other}", path.display()));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn the_library_neither_prints_nor_exits_nor_panics() {
+    let banned = ["println!", "eprintln!", "print!(", "process::exit", "panic!(", "todo!(", "unimplemented!(", "dbg!("];
+    let mut wrong = vec![];
+    for (path, text) in sources("src") {
+        if module(&path).is_none() {
+            continue;
+        }
+        let code = text.split("#[cfg(test)]").next().unwrap_or("");
+        for (i, line) in code.lines().enumerate().filter(|(_, l)| !l.trim_start().starts_with("//")) {
+            for b in banned.iter().filter(|b| line.contains(**b)) {
+                wrong.push(format!("{}:{}: {b}", path.display(), i + 1));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn rooms_are_small() {
+    let mut long = vec![];
+    for (path, text) in sources("src").into_iter().chain(sources("tests")) {
+        let lines = text.lines().count();
+        if lines > 560 {
+            long.push(format!("{}: {lines} lines", path.display()));
+        }
+    }
+    assert!(long.is_empty(), "split along their sense:\n{}", long.join("\n"));
+}

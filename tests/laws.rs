@@ -1,0 +1,13 @@
+//! Laws of materials and elements: tangents against finite differences, energy, equilibrium, objectivity, mirrored
+//! input, and that a law is a function of the committed state alone.
+
+#[path = "laws/beams.rs"]
+mod beams;
+#[path = "laws/bearings.rs"]
+mod bearings;
+#[path = "laws/driver.rs"]
+mod driver;
+#[path = "laws/materials.rs"]
+mod materials;
+#[path = "laws/springs.rs"]
+mod springs;
