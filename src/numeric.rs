@@ -1,5 +1,33 @@
 //! Small numerical tools that several laws share.
 
+/// Scalar product. Four sums side by side, so that it takes the width of the processor; always in the same order.
+#[inline]
+pub fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let n = a.len().min(b.len());
+    let (head_a, tail_a) = a[..n].as_chunks::<4>();
+    let (head_b, tail_b) = b[..n].as_chunks::<4>();
+    let mut sum = [0.0; 4];
+    for (x, y) in head_a.iter().zip(head_b) {
+        for ((s, x), y) in sum.iter_mut().zip(x).zip(y) {
+            *s += x * y;
+        }
+    }
+    let rest: f64 = tail_a.iter().zip(tail_b).map(|(x, y)| x * y).sum();
+    (sum[0] + sum[1]) + (sum[2] + sum[3]) + rest
+}
+
+/// y += c x
+#[inline]
+pub fn axpy(c: f64, x: &[f64], y: &mut [f64]) {
+    y.iter_mut().zip(x).for_each(|(y, x)| *y += c * x);
+}
+
+/// Euclidean length.
+#[inline]
+pub fn norm(a: &[f64]) -> f64 {
+    dot(a, a).sqrt()
+}
+
 /// Root of a function that is negative on the left and positive on the right, by Newton's method kept inside a bracket
 /// once there is one. `f` gives value and derivative; `scale` is the size of a root that counts as one.
 ///

@@ -1,5 +1,7 @@
 //! Convergence tests.
 
+use crate::numeric::{dot, norm};
+
 /// What a test measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measure {
@@ -57,7 +59,7 @@ impl Norm {
         match self {
             Self::Max => v.iter().fold(0.0, |m, x| if x.abs() <= m { m } else { x.abs() }),
             Self::P(1) => v.iter().map(|x| x.abs()).sum(),
-            Self::P(2) => v.iter().map(|x| x * x).sum::<f64>().sqrt(),
+            Self::P(2) => norm(v),
             Self::P(p) => v.iter().map(|x| x.abs().powi(p as i32)).sum::<f64>().powf(1.0 / f64::from(p)),
         }
     }
@@ -103,6 +105,9 @@ pub enum Verdict {
 }
 
 impl Test {
+    /// Norms kept of a step; the last place takes those that come after.
+    const KEPT: usize = 1000;
+
     /// A test with the Euclidean norm.
     pub fn new(measure: Measure, tolerance: f64, max_iterations: usize) -> Self {
         Self {
@@ -115,7 +120,7 @@ impl Test {
             max_increases: None,
             max_norm: f64::MAX,
             iteration: 0,
-            norms: Vec::with_capacity(max_iterations.min(1000)),
+            norms: vec![],
             first: 0.0,
             total: 0.0,
             increases: 0,
@@ -131,6 +136,7 @@ impl Test {
     pub fn start(&mut self) {
         self.iteration = 0;
         self.norms.clear();
+        self.norms.reserve(self.max_iterations.min(Self::KEPT));
         (self.first, self.total, self.increases) = (0.0, 0.0, 0);
     }
 
@@ -145,7 +151,7 @@ impl Test {
             Measure::DispIncr | Measure::RelativeDispIncr | Measure::RelativeTotalDispIncr => self.norm.of(correction),
             Measure::Unbalance | Measure::RelativeUnbalance => self.norm.of(unbalance),
             Measure::Energy | Measure::RelativeEnergy | Measure::FixedIterations => {
-                0.5 * correction.iter().zip(unbalance).map(|(x, b)| x * b).sum::<f64>().abs()
+                0.5 * dot(correction, unbalance).abs()
             }
             Measure::DispAndUnbalance | Measure::DispOrUnbalance => self.norm.of(correction),
         };
@@ -166,7 +172,7 @@ impl Test {
             _ => {}
         }
         let grown = self.norms.last().is_some_and(|last| *last < norm);
-        if self.norms.len() < self.norms.capacity() {
+        if self.norms.len() < Self::KEPT {
             self.norms.push(norm);
         } else if let Some(last) = self.norms.last_mut() {
             *last = norm;

@@ -10,6 +10,7 @@ use super::state::State;
 use super::system::{Coefficients, System};
 use crate::assembly::{Handler, MpScope};
 use crate::element::{Element, Snapshot};
+use crate::solve::Use;
 use crate::model::{ElementId, Model, NodeId, Pattern, PatternKind, Tag};
 use std::sync::Arc;
 
@@ -392,7 +393,7 @@ impl Engine {
         }
         setup.integrator.begin(&mut system, dt)?;
         system.form_unbalance(true)?;
-        system.form_tangent(TangentMix::CURRENT)?;
+        system.form_tangent(TangentMix::CURRENT, Use::Often)?;
         system.work.loads.invalidate();
         let n = steps as f64;
         let old = &mut self.committed;

@@ -68,7 +68,7 @@ impl Pencil for Matrices<'_> {
         self.work.plan.equations()
     }
     fn solve(&mut self, x: &mut [f64]) {
-        self.work.solver.solve(x);
+        self.work.solver.back_substitute(x);
     }
     fn mass(&self, x: &[f64], y: &mut [f64]) {
         match &self.mass {

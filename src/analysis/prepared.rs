@@ -7,6 +7,7 @@ use super::system::Coefficients;
 use crate::assembly::{DofError, Handler, MpScope, Plan};
 use crate::element::{MAX_DOFS, Mass};
 use crate::model::{Model, Rayleigh};
+use crate::numeric::dot;
 use crate::solve::{NEARLY_SINGULAR, Pivots, SolveError, Solver};
 
 /// Which stiffness goes into the tangent.
@@ -302,7 +303,7 @@ impl Prepared {
         let mut add = |matrix: &[f64], factor: f64, x: &[f64]| {
             if factor != 0.0 {
                 for (o, row) in out.iter_mut().zip(matrix.chunks_exact(n)) {
-                    *o += factor * row.iter().zip(x).map(|(k, x)| k * x).sum::<f64>();
+                    *o += factor * dot(row, x);
                 }
             }
         };

@@ -5,7 +5,7 @@ use super::prepared::{Prepared, TangentMix};
 use super::state::State;
 use crate::element::{Answer, MAX_DOFS, Motion};
 use crate::model::Model;
-use crate::solve::{SINGULAR, SolveError};
+use crate::solve::{Pivots, SINGULAR, SolveError, Use};
 
 /// Share of stiffness, damping and mass in the tangent of an integrator.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -167,8 +167,8 @@ impl System<'_> {
         );
     }
 
-    /// Assemble and factor the tangent of the integrator.
-    pub fn form_tangent(&mut self, mix: TangentMix) -> Result<(), Failure> {
+    /// Assemble the tangent of the integrator, to be solved with once or often.
+    pub fn form_tangent(&mut self, mix: TangentMix, how: Use) -> Result<(), Failure> {
         if mix.current != 0.0 && !self.work.tangent_is_current {
             self.respond(true)?;
         }
@@ -178,14 +178,22 @@ impl System<'_> {
             return Ok(());
         }
         work.factored.copy_from_slice(&work.values);
-        match work.solver.factor(&work.plan.pattern, &work.values) {
+        let result = work.solver.prepare(&work.plan.pattern, &work.values, how);
+        self.check(result)
+    }
+
+    /// Turn what a factorisation found into a failure, or remember it.
+    fn check(&mut self, result: Result<Option<Pivots>, SolveError>) -> Result<(), Failure> {
+        let work = &mut *self.work;
+        match result {
+            Ok(None) => Ok(()),
             Err(SolveError::Singular { equation }) => Err(self.failure_at(Cause::Singular, equation)),
             Err(SolveError::OutOfMemory) => Err(self.failure(Cause::OutOfMemory)),
-            Ok(p) if p.ratio <= SINGULAR && work.plan.handler.eliminates() => {
+            Ok(Some(p)) if p.ratio <= SINGULAR && work.plan.handler.eliminates() => {
                 work.solver.forget();
                 Err(self.failure_at(Cause::Singular, p.equation))
             }
-            Ok(p) => {
+            Ok(Some(p)) => {
                 work.note_pivot(p);
                 Ok(())
             }
@@ -194,14 +202,22 @@ impl System<'_> {
 
     /// Solve for the correction: x = A⁻¹ b.
     pub fn solve(&mut self) -> Result<(), Failure> {
+        let mut x = std::mem::take(&mut self.work.x);
+        x.copy_from_slice(&self.work.b);
+        let result = self.solve_for(&mut x);
+        self.work.x = x;
+        result
+    }
+
+    /// Solve with the tangent for another right-hand side, in place.
+    pub fn solve_for(&mut self, x: &mut [f64]) -> Result<(), Failure> {
         let work = &mut *self.work;
-        work.x.copy_from_slice(&work.b);
-        work.solver.solve(&mut work.x);
-        if work.x.iter().any(|x| !x.is_finite()) {
-            let at = work.x.iter().position(|x| !x.is_finite()).unwrap_or(0);
-            return Err(self.failure_at(Cause::NotFinite, at));
+        let result = work.solver.solve(&work.plan.pattern, &work.values, x);
+        self.check(result)?;
+        match x.iter().position(|x| !x.is_finite()) {
+            Some(at) => Err(self.failure_at(Cause::NotFinite, at)),
+            None => Ok(()),
         }
-        Ok(())
     }
 
     /// The equation with the largest entry of a vector, in words.

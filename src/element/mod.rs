@@ -15,6 +15,7 @@ mod truss;
 mod zero_length;
 
 use crate::material::MaterialError;
+pub(crate) use crate::numeric::dot;
 use crate::probe::Probe;
 use std::fmt;
 
@@ -179,10 +180,4 @@ pub(crate) fn add_outer(k: &mut [f64], a: &[f64], factor: f64) {
             }
         }
     }
-}
-
-/// Scalar product.
-#[inline]
-pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }

@@ -1,6 +1,7 @@
 //! Eigenvalues of K x = λ M x nearest to a shift, by block Lanczos with full reorthogonalisation (Grimes, Lewis and
 //! Simon, 1994) on the operator (K - σM)⁻¹ M in the inner product of M, which may be singular.
 
+use crate::numeric::dot;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 /// The two matrices as operators.
@@ -34,10 +35,6 @@ impl Random {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1u64 << 53) as f64 - 0.5
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
 /// A basis that is orthonormal in M, with the products of M and its vectors.

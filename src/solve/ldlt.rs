@@ -33,6 +33,13 @@ impl Ldlt {
         Ok(Self { values: vec![0.0; symbolic.len_val()], diagonal: vec![0.0; pattern.n], symbolic, memory })
     }
 
+    /// Multiplications of a factorisation and of a solution, about.
+    pub(super) fn work(&self) -> (f64, f64) {
+        let (n, nnz) = (self.diagonal.len() as f64, self.values.len() as f64);
+        // As if all columns were of the same length; they are not, so it is more.
+        (0.5 * nnz * nnz / n.max(1.0), 2.0 * nnz)
+    }
+
     pub(super) fn factor(&mut self, pattern: &Pattern, values: &[f64]) -> Result<Pivots, SolveError> {
         for (j, d) in self.diagonal.iter_mut().enumerate() {
             // In the upper triangle the diagonal ends each column.

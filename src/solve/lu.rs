@@ -103,6 +103,12 @@ impl Lu {
         })
     }
 
+    /// Multiplications of a factorisation and of a solution.
+    pub(super) fn work(&self) -> (f64, f64) {
+        let lengths = self.ptr.windows(2).map(|w| (w[1] - w[0]) as f64);
+        (lengths.map(|l| l * l).sum(), 2.0 * self.idx.len() as f64)
+    }
+
     pub(super) fn factor(&mut self, pattern: &Pattern, values: &[f64]) -> Result<Pivots, SolveError> {
         let pivots = self.factor_in_order(values);
         self.fallen = pivots.ratio <= SINGULAR;

@@ -7,12 +7,14 @@ mod ldlt;
 mod lu;
 mod ordering;
 mod pivoted;
+mod refine;
 
 use crate::assembly::{Pattern, Storage};
 use dense::DenseLu;
 use ldlt::Ldlt;
 use lu::Lu;
 use pivoted::PivotedLu;
+use refine::Gmres;
 
 /// A pivot of this fraction of the diagonal it came from means that the equations are singular to round-off.
 pub const SINGULAR: f64 = 1e-14;
@@ -54,11 +56,33 @@ pub enum SolveError {
     OutOfMemory,
 }
 
-/// A factorisation that is made again and again on one pattern.
+/// How often a matrix is going to be solved with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Use {
+    /// Once: old factors may do, if the matrix has changed little.
+    Once,
+    /// Several times: it is worth factors of its own.
+    Often,
+}
+
+/// What there is to solve with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Factors {
+    None,
+    /// Of the matrix itself.
+    Own,
+    /// Of a matrix before it.
+    Old,
+}
+
+/// Solves systems with one pattern, again and again.
 #[derive(Debug)]
 pub struct Solver {
     kind: Kind,
-    factored: bool,
+    factors: Factors,
+    gmres: Gmres,
+    /// Steps of GMRES that cost less than factors.
+    patience: usize,
     /// Number of factorisations so far.
     pub factorizations: u64,
 }
@@ -83,7 +107,29 @@ impl Solver {
             Storage::Full if indefinite => Kind::Pivoted(Box::new(PivotedLu::new(pattern)?)),
             Storage::Full => Kind::Lu(Box::new(Lu::new(pattern)?)),
         };
-        Ok(Self { kind, factored: false, factorizations: 0 })
+        // Half of the work of factors at most, since they may be needed after all.
+        let step = |solve: f64| solve + 2.0 * pattern.len() as f64;
+        let patience = match &kind {
+            Kind::Dense(_) | Kind::Pivoted(_) => 0,
+            Kind::Ldlt(s) => (0.5 * s.work().0 / step(s.work().1)) as usize,
+            Kind::Lu(s) => (0.5 * s.work().0 / step(s.work().1)) as usize,
+        };
+        let patience = patience.min(8);
+        let mut gmres = Gmres::default();
+        gmres.reserve(pattern.n, patience);
+        Ok(Self { kind, factors: Factors::None, gmres, patience, factorizations: 0 })
+    }
+
+    /// Take a new matrix to solve with. Its factors are made at once where there are none that may do.
+    ///
+    /// # Errors
+    /// An equation without a pivot.
+    pub fn prepare(&mut self, pattern: &Pattern, values: &[f64], how: Use) -> Result<Option<Pivots>, SolveError> {
+        if how == Use::Once && self.factors != Factors::None && self.patience > 1 {
+            self.factors = Factors::Old;
+            return Ok(None);
+        }
+        self.factor(pattern, values).map(Some)
     }
 
     /// Factor the matrix with these values.
@@ -92,7 +138,7 @@ impl Solver {
     /// An equation without a pivot.
     pub fn factor(&mut self, pattern: &Pattern, values: &[f64]) -> Result<Pivots, SolveError> {
         self.factorizations += 1;
-        self.factored = false;
+        self.factors = Factors::None;
         let pivots = match &mut self.kind {
             Kind::Dense(s) => s.factor(values),
             Kind::Ldlt(s) => s.factor(pattern, values),
@@ -102,28 +148,55 @@ impl Solver {
         if pivots.ratio == 0.0 {
             return Err(SolveError::Singular { equation: pivots.equation });
         }
-        self.factored = true;
+        self.factors = Factors::Own;
         Ok(pivots)
     }
 
-    /// Whether there are factors to solve with.
+    /// Whether there are factors.
     pub fn is_factored(&self) -> bool {
-        self.factored
+        self.factors != Factors::None
     }
 
-    /// Do not solve with the last factors any more.
+    /// Forget the factors.
     pub fn forget(&mut self) {
-        self.factored = false;
+        self.factors = Factors::None;
     }
 
-    /// Solve with the last factors, in place; length n.
-    pub fn solve(&mut self, x: &mut [f64]) {
-        debug_assert!(self.factored);
-        match &mut self.kind {
-            Kind::Dense(s) => s.solve(x),
-            Kind::Ldlt(s) => s.solve(x),
-            Kind::Lu(s) => s.solve(x),
-            Kind::Pivoted(s) => s.solve(x),
+    /// Solve with the matrix of the last [`Solver::prepare`], in place; length n. Tells of factors made on the way.
+    ///
+    /// # Errors
+    /// An equation without a pivot.
+    pub fn solve(&mut self, pattern: &Pattern, values: &[f64], x: &mut [f64]) -> Result<Option<Pivots>, SolveError> {
+        let mut made = None;
+        if self.factors != Factors::Own {
+            let kind = &mut self.kind;
+            let done = self.factors == Factors::Old
+                && self.gmres.solve(
+                    self.patience,
+                    x,
+                    |v, w| pattern.multiply(values, v, w),
+                    |v| back_substitute(kind, v),
+                );
+            if done {
+                return Ok(None);
+            }
+            made = Some(self.factor(pattern, values)?);
         }
+        back_substitute(&mut self.kind, x);
+        Ok(made)
+    }
+
+    /// Solve with the factors as they are, in place.
+    pub fn back_substitute(&mut self, x: &mut [f64]) {
+        back_substitute(&mut self.kind, x);
+    }
+}
+
+fn back_substitute(kind: &mut Kind, x: &mut [f64]) {
+    match kind {
+        Kind::Dense(s) => s.solve(x),
+        Kind::Ldlt(s) => s.solve(x),
+        Kind::Lu(s) => s.solve(x),
+        Kind::Pivoted(s) => s.solve(x),
     }
 }

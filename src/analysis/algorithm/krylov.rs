@@ -4,6 +4,8 @@ use super::{Algorithm, Iteration};
 use crate::analysis::failure::Failure;
 use crate::analysis::prepared::TangentMix;
 use crate::analysis::system::System;
+use crate::numeric::{axpy, dot, norm};
+use crate::solve::Use;
 
 /// `algorithm KrylovNewton` (Carlson and Miller, 1998; Scott and Fenves, 2010).
 #[derive(Clone, Debug)]
@@ -40,15 +42,15 @@ impl KrylovNewton {
         let (basis, new) = self.q.split_at_mut(k - 1);
         let q = &mut new[0];
         q.copy_from_slice(&self.av[k - 1]);
-        let size = dot(q, q).sqrt();
+        let size = norm(q);
         for _ in 0..2 {
             for b in basis.iter() {
                 axpy(-dot(b, q), b, q);
             }
         }
-        let norm = dot(q, q).sqrt();
+        let length = norm(q);
         // A direction that depends on the others adds nothing.
-        let inverse = if norm > 1e-12 * size { 1.0 / norm } else { 0.0 };
+        let inverse = if length > 1e-12 * size { 1.0 / length } else { 0.0 };
         q.iter_mut().for_each(|x| *x *= inverse);
         // Back substitution for the coefficients: av_j = Σ R_ij q_i.
         let mut rest: [f64; MAX_SUBSPACE] = [0.0; MAX_SUBSPACE];
@@ -71,14 +73,6 @@ impl KrylovNewton {
 /// Largest dimension of a subspace that there is room for.
 const MAX_SUBSPACE: usize = 32;
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
-}
-
-fn axpy(c: f64, x: &[f64], y: &mut [f64]) {
-    y.iter_mut().zip(x).for_each(|(y, x)| *y += c * x);
-}
-
 impl Algorithm for KrylovNewton {
     fn name(&self) -> &'static str {
         "KrylovNewton"
@@ -93,7 +87,7 @@ impl Algorithm for KrylovNewton {
 
     fn solve(&mut self, it: &mut Iteration<'_, '_>) -> Result<usize, Failure> {
         it.system.form_unbalance(self.increment.current != 0.0)?;
-        it.system.form_tangent(self.increment)?;
+        it.system.form_tangent(self.increment, Use::Often)?;
         it.test.start();
         let mut k = 0;
         loop {
@@ -113,7 +107,7 @@ impl Algorithm for KrylovNewton {
             if full {
                 k = 0;
                 if let Some(mix) = self.iterate {
-                    it.system.form_tangent(mix)?;
+                    it.system.form_tangent(mix, Use::Often)?;
                 }
             }
         }

@@ -3,6 +3,8 @@
 use super::{Algorithm, Iteration, TangentChoice};
 use crate::analysis::convergence::Verdict;
 use crate::analysis::failure::Failure;
+use crate::numeric::dot;
+use crate::solve::Use;
 
 /// How the length is searched for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,7 +66,7 @@ impl NewtonLineSearch {
     }
 
     fn work(&self, it: &Iteration<'_, '_>) -> f64 {
-        self.direction.iter().zip(&it.system.work.b).map(|(d, b)| d * b).sum()
+        dot(&self.direction, &it.system.work.b)
     }
 
     /// Search from length 1; `s0` and `s1` are the work of the unbalance on the correction at lengths 0 and 1. The
@@ -169,7 +171,7 @@ impl Algorithm for NewtonLineSearch {
         it.test.start();
         it.system.form_unbalance(true)?;
         for iteration in 0.. {
-            it.system.form_tangent(self.tangent.at(iteration))?;
+            it.system.form_tangent(self.tangent.at(iteration), Use::Once)?;
             it.system.solve()?;
             self.direction.clear();
             self.direction.extend_from_slice(&it.system.work.x);

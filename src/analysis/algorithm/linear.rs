@@ -3,6 +3,7 @@
 use super::{Algorithm, Iteration};
 use crate::analysis::failure::Failure;
 use crate::analysis::prepared::TangentMix;
+use crate::solve::Use;
 
 /// `algorithm Linear`: one correction and no test.
 #[derive(Clone, Debug)]
@@ -29,7 +30,7 @@ impl Algorithm for Linear {
     fn solve(&mut self, it: &mut Iteration<'_, '_>) -> Result<usize, Failure> {
         it.system.form_unbalance(self.mix.current != 0.0 && !self.factored)?;
         if !self.factored {
-            it.system.form_tangent(self.mix)?;
+            it.system.form_tangent(self.mix, Use::Once)?;
             self.factored = self.factor_once;
         }
         it.system.solve()?;

@@ -3,6 +3,7 @@
 use super::{Algorithm, Iteration, TangentChoice};
 use crate::analysis::failure::Failure;
 use crate::analysis::prepared::TangentMix;
+use crate::solve::Use;
 
 /// `algorithm Newton`.
 #[derive(Clone, Debug)]
@@ -17,7 +18,7 @@ impl Algorithm for Newton {
         it.system.form_unbalance(wants)?;
         it.test.start();
         for iteration in 0.. {
-            it.system.form_tangent(self.0.at(iteration))?;
+            it.system.form_tangent(self.0.at(iteration), Use::Once)?;
             it.system.solve()?;
             it.update()?;
             it.system.form_unbalance(wants)?;
@@ -54,7 +55,7 @@ impl Algorithm for ModifiedNewton {
     fn solve(&mut self, it: &mut Iteration<'_, '_>) -> Result<usize, Failure> {
         it.system.form_unbalance(self.mix.current != 0.0 && !self.factored)?;
         if !self.factored {
-            it.system.form_tangent(self.mix)?;
+            it.system.form_tangent(self.mix, Use::Often)?;
         }
         self.factored = false;
         it.test.start();

@@ -4,6 +4,7 @@ use super::{Adaptive, Integrator};
 use crate::analysis::failure::{Cause, Failure};
 use crate::analysis::prepared::TangentMix;
 use crate::analysis::system::{Coefficients, System};
+use crate::solve::Use;
 
 /// `integrator DisplacementControl`: one degree of freedom moves by a given increment, the load factor follows
 /// (Batoz and Dhatt, 1979).
@@ -51,7 +52,7 @@ impl DisplacementControl {
     /// Displacement under the reference load, with the factors at hand; how much of it is controlled.
     fn solve_unit(&mut self, s: &mut System<'_>) -> Result<f64, Failure> {
         self.unit.copy_from_slice(&self.reference);
-        s.work.solver.solve(&mut self.unit);
+        s.solve_for(&mut self.unit)?;
         let unit = self.controlled(&self.unit);
         if unit == 0.0 || !unit.is_finite() {
             let message = format!(
@@ -107,7 +108,7 @@ impl Integrator for DisplacementControl {
         s.work.spread.fill(0.0);
         // The loads as they are: element loads count in the tangent of a beam with P-Delta.
         s.apply_loads(self.factor)?;
-        s.form_tangent(self.mix).map_err(|f| Failure { code: -2, ..f })?;
+        s.form_tangent(self.mix, Use::Once).map_err(|f| Failure { code: -2, ..f })?;
         let factor = self.step / self.solve_unit(s)?;
         let mut unit = std::mem::take(&mut self.unit);
         unit.iter_mut().for_each(|u| *u *= factor);

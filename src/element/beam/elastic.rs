@@ -2,7 +2,8 @@
 
 use crate::element::load::{ElementLoad, EndActions};
 use crate::element::transform::{Frame, Reactions, Transform};
-use crate::element::{Answer, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
+use crate::element::{Answer, Element, ElementError, Mass, Motion, Nature, Snapshot, dot, frame_force_labels};
+use crate::numeric::axpy;
 use crate::probe::Probe;
 
 /// Moment hinges at the ends of a beam.
@@ -78,6 +79,36 @@ pub struct ElasticBeam<const N: usize, const B: usize> {
     rho: f64,
     /// Polar radius of gyration squared J/A, for a consistent mass; `None` for a lumped one.
     consistent: Option<f64>,
+    /// Global matrices, where they do not change with the displacements.
+    constant: Option<Box<Constant<N>>>,
+}
+
+/// What is constant about an elastic beam under small displacements: worth keeping, since most elements of a building
+/// are such beams.
+#[derive(Debug)]
+struct Constant<const N: usize> {
+    stiffness: [[f64; N]; N],
+    /// Geometric stiffness per unit of axial force; none without P-Delta.
+    geometric: Option<[[f64; N]; N]>,
+}
+
+impl<const N: usize> Constant<N> {
+    fn of<const B: usize>(transform: &dyn Transform<N, B>, kb: &[[f64; B]; B]) -> Option<Box<Self>> {
+        if !transform.is_small() {
+            return None;
+        }
+        let rest = vec![0.0; N];
+        let matrix = |kb: &[[f64; B]; B], q: &[f64; B]| {
+            let mut k = vec![0.0; N * N];
+            transform.add_tangent(&rest, kb, q, &mut k);
+            std::array::from_fn(|i| std::array::from_fn(|j| k[i * N + j]))
+        };
+        let stiffness = matrix(kb, &[0.0; B]);
+        let mut pull = [0.0; B];
+        pull[0] = 1.0;
+        let geometric = (!transform.is_linear()).then(|| matrix(&[[0.0; B]; B], &pull));
+        Some(Box::new(Self { stiffness, geometric }))
+    }
 }
 
 impl ElasticBeam<6, 3> {
@@ -86,7 +117,7 @@ impl ElasticBeam<6, 3> {
         let length = transform.length();
         let k = z.stiffness(length);
         let kb = [[ea / length, 0.0, 0.0], [0.0, k[0][0], k[0][1]], [0.0, k[1][0], k[1][1]]];
-        Self { transform, kb, bending: [z, z], rho, consistent: consistent.then_some(0.0) }
+        Self::new(transform, kb, [z, z], rho, consistent.then_some(0.0))
     }
 }
 
@@ -110,11 +141,54 @@ impl ElasticBeam<12, 6> {
                 row[at..at + 2].copy_from_slice(&k);
             }
         }
-        Self { transform, kb, bending: [z, y], rho, consistent }
+        Self::new(transform, kb, [z, y], rho, consistent)
     }
 }
 
 impl<const N: usize, const B: usize> ElasticBeam<N, B> {
+    fn new(
+        transform: Box<dyn Transform<N, B>>,
+        kb: [[f64; B]; B],
+        bending: [Bending; 2],
+        rho: f64,
+        consistent: Option<f64>,
+    ) -> Self {
+        let constant = Constant::of(transform.as_ref(), &kb);
+        Self { transform, kb, bending, rho, consistent, constant }
+    }
+
+    /// Force and tangent from the constant matrices.
+    fn respond_small(&self, c: &Constant<N>, m: &Motion<'_>, answer: Answer<'_>) {
+        let frame = self.frame();
+        let u = frame.since_made(m.disp);
+        // The matrices are symmetric: rows serve as columns.
+        for (row, u) in c.stiffness.iter().zip(&u) {
+            axpy(*u, row, answer.force);
+        }
+        if m.load.iter().any(|l| *l != 0.0) {
+            let mut q = [0.0; B];
+            q.copy_from_slice(&m.load[..B]);
+            frame.add_basic_force(&q, answer.force);
+            frame.add_reactions(&Self::reactions(m.load), answer.force);
+        }
+        let axial = m.load[0] + self.kb[0][0] * dot(&frame.basic[0], &u);
+        if let Some(g) = &c.geometric {
+            for (row, u) in g.iter().zip(&u) {
+                axpy(axial * u, row, answer.force);
+            }
+        }
+        if let Some(tangent) = answer.tangent {
+            for (t, k) in tangent.iter_mut().zip(c.stiffness.iter().flatten()) {
+                *t += k;
+            }
+            if let Some(g) = &c.geometric {
+                for (t, g) in tangent.iter_mut().zip(g.iter().flatten()) {
+                    *t += axial * g;
+                }
+            }
+        }
+    }
+
     fn frame(&self) -> &Frame<N, B> {
         self.transform.frame()
     }
@@ -192,6 +266,10 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
     }
 
     fn respond(&self, m: &Motion<'_>, _: &[f64], _: &mut [f64], answer: Answer<'_>) -> Result<(), ElementError> {
+        if let Some(c) = &self.constant {
+            self.respond_small(c, m, answer);
+            return Ok(());
+        }
         let q = self.basic_force(m.disp, m.load);
         self.transform.add_force(m.disp, &q, &Self::reactions(m.load), answer.force);
         if let Some(tangent) = answer.tangent {

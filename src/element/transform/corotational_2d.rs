@@ -54,6 +54,9 @@ impl Transform<6, 3> for Corotational2d {
     fn is_linear(&self) -> bool {
         false
     }
+    fn is_small(&self) -> bool {
+        false
+    }
     fn deformation(&self, disp: &[f64]) -> [f64; 3] {
         let c = self.chord(disp);
         let turned = c.sin.atan2(c.cos);

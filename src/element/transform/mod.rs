@@ -25,6 +25,11 @@ pub trait Transform<const N: usize, const B: usize>: fmt::Debug + Send + Sync {
     fn length(&self) -> f64;
     /// Whether force and stiffness do not depend on the displacements.
     fn is_linear(&self) -> bool;
+    /// Whether displacements are small: deformations are linear in them, and the stiffness of the geometry is
+    /// proportional to the axial force.
+    fn is_small(&self) -> bool {
+        true
+    }
     /// Basic deformations of global displacements (those at the making of the element included).
     fn deformation(&self, disp: &[f64]) -> [f64; B];
     /// Add the global forces of the basic forces `q` and the reactions `p0`.
