@@ -337,6 +337,7 @@ impl Engine {
             coefficients: Coefficients::default(),
             dynamic: false,
             elapses: false,
+            moved: true,
         })
     }
 
@@ -384,6 +385,7 @@ impl Engine {
             coefficients: Coefficients::default(),
             dynamic: setup.kind == Kind::Transient,
             elapses: setup.integrator.elapses(),
+            moved: false,
             work,
         };
         if self.fresh {
@@ -422,6 +424,7 @@ impl Engine {
             coefficients: Coefficients::default(),
             dynamic: setup.kind == Kind::Transient,
             elapses: setup.integrator.elapses(),
+            moved: false,
             work,
         };
         let result = advance(&mut system, setup, self.fresh, dt);

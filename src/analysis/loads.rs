@@ -93,11 +93,11 @@ impl Loads {
         self.valid = false;
     }
 
-    /// Work out the loads at a time; `words` takes those on elements.
+    /// Work out the loads at a time; `words` takes those on elements. Whether the latter may have changed.
     ///
     /// # Errors
     /// Class and tag of an element that does not take its load, and what it says.
-    pub(super) fn apply(&mut self, model: &Model, time: f64, words: &mut [f64]) -> Result<(), (String, String)> {
+    pub(super) fn apply(&mut self, model: &Model, time: f64, words: &mut [f64]) -> Result<bool, (String, String)> {
         let mut changed = !self.valid;
         for (f, p) in self.factors.iter_mut().zip(model.patterns.values()) {
             let factor = p.factor(time);
@@ -105,7 +105,7 @@ impl Loads {
             *f = factor;
         }
         if !changed {
-            return Ok(());
+            return Ok(false);
         }
         self.valid = true;
         self.nodal.fill(0.0);
@@ -125,7 +125,7 @@ impl Loads {
                 .add_load(load, self.factors[*pattern], &mut words[e.load.clone()])
                 .map_err(|error| (format!("{} {}", e.element.class(), e.tag), error.0))?;
         }
-        Ok(())
+        Ok(!self.elements.is_empty())
     }
 
     /// Forces on all degrees of freedom per unit of load factor of the patterns that still follow one, for

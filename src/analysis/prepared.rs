@@ -33,6 +33,8 @@ pub(super) struct Matrices {
     pub at: usize,
     /// The tangent never changes, and there is no damping matrix.
     pub linear: bool,
+    /// The force depends on velocities or on the time that passes.
+    pub rates: bool,
     /// Place of the damping matrix of viscous materials.
     pub damping: Option<usize>,
     mass: MassPlace,
@@ -123,6 +125,7 @@ impl Prepared {
             matrices.push(Matrices {
                 at,
                 linear: nature.linear && !nature.viscous,
+                rates: nature.viscous || nature.elapses,
                 damping: nature.viscous.then_some(damping),
                 mass: place,
                 rayleigh: if nature.rayleigh { e.rayleigh } else { Rayleigh::default() },

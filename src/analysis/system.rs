@@ -34,6 +34,8 @@ pub struct System<'a> {
     pub dynamic: bool,
     /// Time passes with the domain time: not where a load factor stands for it.
     pub elapses: bool,
+    /// Displacements or element loads differ from the committed ones, or may.
+    pub moved: bool,
 }
 
 impl System<'_> {
@@ -50,10 +52,8 @@ impl System<'_> {
     /// Set the time, and with it loads and imposed displacements.
     pub fn apply_loads(&mut self, time: f64) -> Result<(), Failure> {
         self.new.time = time;
-        self.work
-            .loads
-            .apply(self.model, time, &mut self.new.element_load)
-            .map_err(|(element, message)| self.failure(Cause::Element { element, message }))?;
+        let applied = self.work.loads.apply(self.model, time, &mut self.new.element_load);
+        self.moved |= applied.map_err(|(element, message)| self.failure(Cause::Element { element, message }))?;
         self.impose();
         Ok(())
     }
@@ -64,6 +64,7 @@ impl System<'_> {
         if work.loads.imposed.is_empty() {
             return;
         }
+        self.moved = true;
         for i in &work.loads.imposed {
             let value = work.loads.imposed_value(i);
             work.spread[i.dof] = value - self.new.disp[i.dof];
@@ -89,6 +90,7 @@ impl System<'_> {
 
     /// Add `work.spread` times a factor to the trial displacements.
     pub fn add_disp(&mut self, factor: f64) {
+        self.moved = true;
         for (u, d) in self.new.disp.iter_mut().zip(&self.work.spread) {
             *u += factor * d;
         }
@@ -99,8 +101,15 @@ impl System<'_> {
         let dt = if self.elapses { self.new.time - self.old.time } else { 0.0 };
         let work = &mut *self.work;
         let want_tangent = want_tangent || work.residual_needs_tangent;
+        // Where nothing has moved the answers are those of the committed state, which are there still, but for what
+        // depends on rates.
+        let all = self.moved || (want_tangent && !work.tangent_is_current);
         let (mut disp, mut vel) = ([0.0; MAX_DOFS], [0.0; MAX_DOFS]);
         for (i, e) in self.model.elements.iter().enumerate() {
+            let m = &work.matrices[i];
+            if !(all || m.rates) {
+                continue;
+            }
             let n = e.dofs.len();
             for ((&d, u), v) in e.dofs.iter().zip(&mut disp).zip(&mut vel) {
                 *u = self.new.disp[d as usize];
@@ -108,7 +117,6 @@ impl System<'_> {
             }
             let force = &mut self.new.force[e.force.clone()];
             force.fill(0.0);
-            let m = &work.matrices[i];
             let tangent = if want_tangent && !m.linear {
                 let k = &mut work.tangent[m.at..m.at + n * n];
                 k.fill(0.0);
@@ -132,7 +140,7 @@ impl System<'_> {
                 code: -3,
             })?;
         }
-        work.tangent_is_current = want_tangent;
+        work.tangent_is_current = want_tangent || (work.tangent_is_current && !all);
         Ok(())
     }
 

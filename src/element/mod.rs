@@ -83,6 +83,8 @@ pub struct Nature {
     pub symmetric: bool,
     /// Materials depend on the rate of the nodal velocities.
     pub viscous: bool,
+    /// Materials depend on the time that passes.
+    pub elapses: bool,
     /// Rayleigh damping applies to it.
     pub rayleigh: bool,
 }

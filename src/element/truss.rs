@@ -93,6 +93,7 @@ impl Element for Truss {
             linear: self.slot.material.is_linear(),
             symmetric: true,
             viscous: self.slot.material.is_viscous(),
+            elapses: self.slot.material.depends_on_time(),
             rayleigh: self.rayleigh,
         }
     }

@@ -27,6 +27,7 @@ pub struct ZeroLength {
     rayleigh: bool,
     linear: bool,
     viscous: bool,
+    elapses: bool,
     state_len: usize,
 }
 
@@ -40,6 +41,13 @@ struct Spring {
     direction: usize,
     /// Deformation from the displacements of all degrees of freedom.
     row: Vec<f64>,
+}
+
+impl Spring {
+    /// The material, and the damper if there is one.
+    fn slots(&self) -> impl Iterator<Item = &Slot> {
+        std::iter::once(&self.slot).chain(&self.damper)
+    }
 }
 
 impl ZeroLength {
@@ -77,6 +85,7 @@ impl ZeroLength {
         }
         let linear = made.iter().all(|s| s.slot.material.is_linear() && s.damper.is_none());
         let viscous = made.iter().any(|s| s.slot.material.is_viscous() || s.damper.is_some());
+        let elapses = made.iter().any(|s| s.slots().any(|slot| slot.material.depends_on_time()));
         Ok(Self {
             springs: made,
             dofs: 2 * per_node,
@@ -85,6 +94,7 @@ impl ZeroLength {
             rayleigh: matches!(damping, RayleighDamping::Model),
             linear,
             viscous,
+            elapses,
             state_len: at,
         })
     }
@@ -138,13 +148,10 @@ impl Element for ZeroLength {
         self.state_len
     }
     fn init(&self, state: &mut [f64]) {
-        for s in &self.springs {
-            s.slot.init(state);
-            s.damper.iter().for_each(|d| d.init(state));
-        }
+        self.springs.iter().flat_map(Spring::slots).for_each(|slot| slot.init(state));
     }
     fn nature(&self) -> Nature {
-        Nature { linear: self.linear, symmetric: true, viscous: self.viscous, rayleigh: self.rayleigh }
+        Nature { linear: self.linear, symmetric: true, viscous: self.viscous, elapses: self.elapses, rayleigh: self.rayleigh }
     }
 
     fn respond(

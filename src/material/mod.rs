@@ -76,6 +76,11 @@ pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {
         false
     }
 
+    /// Whether the stress depends on the time that passes (`Strain::dt`).
+    fn depends_on_time(&self) -> bool {
+        false
+    }
+
     /// Whether the stress is proportional to the strain, whatever the history.
     fn is_linear(&self) -> bool {
         false
@@ -104,6 +109,8 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
     fn initial_tangent(&self) -> f64;
     /// Whether `Stress::damping` is ever used.
     fn is_viscous(&self) -> bool;
+    /// Whether the stress depends on the time that passes.
+    fn depends_on_time(&self) -> bool;
     /// Whether the stress is proportional to the strain, whatever the history.
     fn is_linear(&self) -> bool;
     /// A response of the material's own, by the words of a recorder command.
@@ -133,6 +140,9 @@ impl<L: UniaxialLaw> Uniaxial for L {
     }
     fn is_viscous(&self) -> bool {
         UniaxialLaw::is_viscous(self)
+    }
+    fn depends_on_time(&self) -> bool {
+        UniaxialLaw::depends_on_time(self)
     }
     fn is_linear(&self) -> bool {
         UniaxialLaw::is_linear(self)

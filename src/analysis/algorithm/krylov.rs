@@ -95,6 +95,7 @@ impl Algorithm for KrylovNewton {
             let r = std::mem::take(&mut it.system.work.x);
             self.accelerate(k, &r);
             // The test sees the correction before it is accelerated.
+            it.system.moved = true;
             let result = it.integrator.update(it.system, &mut self.v[k]);
             it.system.work.x = r;
             result?;

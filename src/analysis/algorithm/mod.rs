@@ -30,6 +30,7 @@ pub struct Iteration<'a, 'b> {
 impl Iteration<'_, '_> {
     /// Give the integrator the correction in `system.work.x`.
     pub fn update(&mut self) -> Result<(), Failure> {
+        self.system.moved = true;
         let mut x = std::mem::take(&mut self.system.work.x);
         let result = self.integrator.update(self.system, &mut x);
         self.system.work.x = x;

@@ -84,6 +84,7 @@ impl Integrator for Hht {
             s.new.disp[i] = self.disp[i];
             s.new.vel[i] = self.vel[i];
         }
+        s.moved = true;
         s.apply_loads(s.old.time + self.dt)?;
         s.respond(false)
     }

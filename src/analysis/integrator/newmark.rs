@@ -54,6 +54,7 @@ impl Integrator for Newmark {
         let (gamma, beta) = (self.gamma, self.beta);
         self.c = Self::coefficients(gamma, beta, self.form, dt);
         s.coefficients = self.c;
+        s.moved |= self.form != Form::Displacement;
         let (old, new, held) = (s.old, &mut *s.new, &s.work.plan.map.held);
         for i in (0..held.len()).filter(|&i| !held[i]) {
             let (v, a) = (old.vel[i], old.accel[i]);

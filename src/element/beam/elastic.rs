@@ -262,7 +262,7 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
     }
     fn init(&self, _: &mut [f64]) {}
     fn nature(&self) -> Nature {
-        Nature { linear: self.transform.is_linear(), symmetric: true, viscous: false, rayleigh: true }
+        Nature { linear: self.transform.is_linear(), symmetric: true, viscous: false, elapses: false, rayleigh: true }
     }
 
     fn respond(&self, m: &Motion<'_>, _: &[f64], _: &mut [f64], answer: Answer<'_>) -> Result<(), ElementError> {

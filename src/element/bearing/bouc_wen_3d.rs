@@ -103,6 +103,7 @@ impl Element for BoucWen3d {
             linear: false,
             symmetric: false,
             viscous: self.materials.iter().any(|m| m.material.is_viscous()),
+            elapses: self.materials.iter().any(|m| m.material.depends_on_time()),
             rayleigh: self.rayleigh,
         }
     }
