@@ -6,14 +6,37 @@ use std::path::{Path, PathBuf};
 
 /// Modules of the library, each of which may use those before it.
 const LAYERS: &[&str] = &[
-    "words", "numeric", "probe", "diagnostic", "io", "series", "material", "element", "model", "assembly", "solve",
-    "analysis", "record", "report", "script", "command", "run",
+    "words",
+    "numeric",
+    "probe",
+    "diagnostic",
+    "io",
+    "series",
+    "material",
+    "element",
+    "model",
+    "assembly",
+    "solve",
+    "analysis",
+    "record",
+    "report",
+    "script",
+    "command",
+    "run",
 ];
 
 /// Pairs that stand beside each other: the first never uses the second, though it comes later.
 const APART: &[(&str, &str)] = &[
-    ("script", "analysis"), ("script", "model"), ("script", "element"), ("script", "material"), ("script", "record"),
-    ("script", "report"), ("script", "series"), ("script", "assembly"), ("script", "solve"), ("report", "analysis"),
+    ("script", "analysis"),
+    ("script", "model"),
+    ("script", "element"),
+    ("script", "material"),
+    ("script", "record"),
+    ("script", "report"),
+    ("script", "series"),
+    ("script", "assembly"),
+    ("script", "solve"),
+    ("report", "analysis"),
     ("report", "model"),
 ];
 

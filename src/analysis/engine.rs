@@ -10,8 +10,8 @@ use super::state::State;
 use super::system::{Coefficients, System};
 use crate::assembly::{Handler, MpScope};
 use crate::element::{Element, Snapshot};
-use crate::solve::Use;
 use crate::model::{ElementId, Model, NodeId, Pattern, PatternKind, Tag};
+use crate::solve::Use;
 use std::sync::Arc;
 
 /// Kind of analysis.

@@ -39,8 +39,9 @@ impl Messages {
         let mut report = vec![group];
         for (caller, (text, name)) in d.callers.iter().zip(texts_of) {
             let range = caller.span.start as usize..caller.span.end as usize;
-            let snippet =
-                Snippet::source(&**text).path(&**name).annotation(AnnotationKind::Context.span(range).label("called here"));
+            let snippet = Snippet::source(&**text)
+                .path(&**name)
+                .annotation(AnnotationKind::Context.span(range).label("called here"));
             report.push(Group::with_title(Level::NOTE.secondary_title(format!("in {}", caller.what))).element(snippet));
         }
         self.renderer.render(&report).to_string()

@@ -28,11 +28,7 @@ pub(crate) fn main() -> i32 {
 
 fn script(run: &RunArguments, mode: Mode, ladder: bool, model: &str, args: &[String]) -> i32 {
     let bar = Bar::new();
-    let options = Options {
-        compat: run.compat.is_some(),
-        ladder: ladder.then(Ladder::default),
-        dense: None,
-    };
+    let options = Options { compat: run.compat.is_some(), ladder: ladder.then(Ladder::default), dense: None };
     let settings = Settings { mode, strict: run.strict, options };
     let console = Terminal::new(bar.clone());
     let mut run = Run::new(settings, Box::new(console), Box::new(OsFiles), Box::new(SystemFiles));

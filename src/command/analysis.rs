@@ -4,8 +4,8 @@ use super::args::Args;
 use super::session::{Mode, Parts};
 use super::{Command, Outcome, Tcl, finish, warn};
 use crate::analysis::algorithm::{Algorithm, Newton, TangentChoice};
-use crate::analysis::integrator::{Adaptive, Integrator, LoadControl, Newmark};
 use crate::analysis::integrator::Form;
+use crate::analysis::integrator::{Adaptive, Integrator, LoadControl, Newmark};
 use crate::analysis::{Cause, Failure, Kind, Ladder, Measure, ModesError, Problem, Setup, TangentMix, Test};
 use crate::assembly::Handler;
 use crate::diagnostic::{Diagnostic, Span};
@@ -58,7 +58,8 @@ fn analysis(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let test = test.or(old_test).unwrap_or_else(|| Test::new(Measure::Unbalance, 1e-6, 25));
     let handler = handler.or(old_handler).unwrap_or(Handler::Plain);
     session.recorders.print = print;
-    session.parts = Parts { handler: Some(handler), test: Some(test.clone()), integrator: kept, print, algorithm: None };
+    session.parts =
+        Parts { handler: Some(handler), test: Some(test.clone()), integrator: kept, print, algorithm: None };
     session.engine.set_up(Setup { kind, handler, algorithm, integrator, test });
     Ok(Value::EMPTY)
 }
@@ -77,7 +78,11 @@ fn default_algorithm() -> Box<dyn Algorithm> {
 fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, ANALYZE);
     let Some(kind) = interp.host.kind() else {
-        return Err(a.refuse_at(call.span(0), "analyze: there is no analysis", "expected a command \"analysis\" before"));
+        return Err(a.refuse_at(
+            call.span(0),
+            "analyze: there is no analysis",
+            "expected a command \"analysis\" before",
+        ));
     };
     let steps = a.int("number of steps")?;
     if steps < 0 {
@@ -129,7 +134,9 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 fn told(failure: &Failure, span: Option<Span>) -> Diagnostic {
     let d = Diagnostic::warning(failure.to_string()).at(span, format!("returns {}", failure.code));
     match &failure.cause {
-        Cause::NotConverged { .. } => d.help("\"ladder on\" tries other algorithms and shorter steps before it gives up"),
+        Cause::NotConverged { .. } => {
+            d.help("\"ladder on\" tries other algorithms and shorter steps before it gives up")
+        }
         Cause::Singular => d.help("hold the degree of freedom, or join it to something with stiffness"),
         _ => d,
     }
@@ -141,7 +148,8 @@ fn tell_doubts(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
     let session = &mut interp.host;
     let weak = session.engine.weak_pivot();
     if let Some((place, ratio)) = weak.filter(|_| session.told.insert("pivot", 1).is_none()) {
-        let message = format!("the equations are nearly singular at {place}: {ratio:.1e} of the stiffness is left there");
+        let message =
+            format!("the equations are nearly singular at {place}: {ratio:.1e} of the stiffness is left there");
         warn(interp, Diagnostic::warning(message).at(span, "few digits of the results are right"))?;
     }
     let session = &mut interp.host;
@@ -159,7 +167,13 @@ fn tell_doubts(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
 }
 
 const SOLVERS: &[&str] = &[
-    "-genBandArpack", "-fullGenLapack", "-symmBandLapack", "-symmGenLapack", "-generalized", "-standard", "-frequency",
+    "-genBandArpack",
+    "-fullGenLapack",
+    "-symmBandLapack",
+    "-symmGenLapack",
+    "-generalized",
+    "-standard",
+    "-frequency",
     "-findLargest",
 ];
 
@@ -169,8 +183,15 @@ fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     while a.left() > 1 {
         let option = a.word("option")?;
         match option.trim_start_matches('-') {
-            "genBandArpack" | "genBandArpackEigen" | "fullGenLapack" | "fullGenLapackEigen" | "symmBandLapack"
-            | "symmBandLapackEigen" | "symmGenLapack" | "symmGenLapackEigen" | "UmfPack" => {}
+            "genBandArpack"
+            | "genBandArpackEigen"
+            | "fullGenLapack"
+            | "fullGenLapackEigen"
+            | "symmBandLapack"
+            | "symmBandLapackEigen"
+            | "symmGenLapack"
+            | "symmGenLapackEigen"
+            | "UmfPack" => {}
             "generalized" | "frequency" => problem = Problem::Generalized,
             "standard" => problem = Problem::Standard,
             "findLargest" => largest = true,

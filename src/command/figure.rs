@@ -22,7 +22,8 @@ fn columns(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         read_text(interp, &name).map_err(|e| a.refuse(format!("cannot read \"{name}\": {e}"), "expected a file"))?;
     let mut columns: Vec<Vec<Value>> = vec![];
     for (i, line) in text.lines().enumerate() {
-        let words: Vec<&str> = line.split(|c: char| c.is_ascii_whitespace() || c == ',').filter(|w| !w.is_empty()).collect();
+        let words: Vec<&str> =
+            line.split(|c: char| c.is_ascii_whitespace() || c == ',').filter(|w| !w.is_empty()).collect();
         if columns.is_empty() {
             columns.resize(words.len(), vec![]);
         }
@@ -50,7 +51,11 @@ fn numbers(a: &mut Args<'_>, what: &str) -> Result<Vec<f64>, Exception> {
 
 fn range(a: &mut Args<'_>) -> Result<(f64, f64), Exception> {
     let (low, high) = (a.float("low end of the axis")?, a.float("high end of the axis")?);
-    if low < high { Ok((low, high)) } else { Err(a.refuse(format!("the axis goes from {low} to {high}"), "expected more")) }
+    if low < high {
+        Ok((low, high))
+    } else {
+        Err(a.refuse(format!("the axis goes from {low} to {high}"), "expected more"))
+    }
 }
 
 fn figure(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
@@ -77,7 +82,10 @@ fn figure(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
                 }
                 f.curves.push(Curve { name, points: xs.into_iter().zip(ys).collect(), mark });
             }
-            _ => warn(interp, a.unknown_option(&["-title", "-x", "-y", "-xrange", "-yrange", "-equal", "-line", "-dots"]))?,
+            _ => warn(
+                interp,
+                a.unknown_option(&["-title", "-x", "-y", "-xrange", "-yrange", "-equal", "-line", "-dots"]),
+            )?,
         }
     }
     let svg = f.svg().map_err(|e| a.refuse_at(span, format!("figure: {e}"), ""))?;

@@ -216,7 +216,11 @@ fn ele_load(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         }
     }
     let Some(load) = given else {
-        return Err(a.refuse_at(call.span(0), "eleLoad: there is no load", "expected -type -beamUniform or -beamPoint"));
+        return Err(a.refuse_at(
+            call.span(0),
+            "eleLoad: there is no load",
+            "expected -type -beamUniform or -beamPoint",
+        ));
     };
     if elements.is_empty() {
         return Err(a.refuse_at(call.span(0), "eleLoad: there are no elements", "expected -ele or -range"));

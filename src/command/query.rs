@@ -141,7 +141,8 @@ fn node_eigenvector(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let count = interp.host.engine.modes().map_or(0, |m| m.shapes.len());
     let mode = a.count("number of the mode")?;
     let Some(shape) = interp.host.engine.modes().and_then(|m| m.shapes.get(mode - 1)) else {
-        let label = if count == 0 { "expected a command \"eigen\" before".into() } else { format!("expected 1 to {count}") };
+        let label =
+            if count == 0 { "expected a command \"eigen\" before".into() } else { format!("expected 1 to {count}") };
         return Err(a.refuse(format!("there is no mode {mode}"), label));
     };
     let dofs = interp.host.engine.model().nodes[node.0].dofs();
@@ -203,7 +204,11 @@ fn no_response(
     let engine = &interp.host.engine;
     let class = engine.model().elements[id.0].element.class();
     let known: Vec<&str> = ElementResponse::names(engine, id).collect();
-    a.refuse_at(span, format!("{class} has no response \"{}\"", words.join(" ")), format!("known: {}", known.join(", ")))
+    a.refuse_at(
+        span,
+        format!("{class} has no response \"{}\"", words.join(" ")),
+        format!("known: {}", known.join(", ")),
+    )
 }
 
 /// A response with a command of its own: all of it, or one column.

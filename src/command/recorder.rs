@@ -32,8 +32,7 @@ struct Common {
     cadence: Cadence,
 }
 
-const COMMON: &[&str] =
-    &["-file", "-csv", "-time", "-dT", "-rTolDt", "-closeOnWrite", "-precision", "-scientific"];
+const COMMON: &[&str] = &["-file", "-csv", "-time", "-dT", "-rTolDt", "-closeOnWrite", "-precision", "-scientific"];
 
 impl Common {
     fn new(interp: &Tcl) -> Self {
@@ -68,13 +67,7 @@ impl Common {
     }
 
     /// Open the output and add the recorder; its tag.
-    fn finish(
-        self,
-        interp: &mut Tcl,
-        call: &Call<'_>,
-        source: Box<dyn Source>,
-        envelope: bool,
-    ) -> Outcome {
+    fn finish(self, interp: &mut Tcl, call: &Call<'_>, source: Box<dyn Source>, envelope: bool) -> Outcome {
         let output: Box<dyn Output> = match &self.file {
             Some((name, span)) => {
                 let path = interp.absolute(name);
@@ -213,9 +206,12 @@ fn node(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, envelope: bool) -> O
         }
     }
     let quantity = match &response {
-        None => return Err(a.refuse_at(call.span(0), "recorder: the response is missing", "expected for instance disp")),
+        None => {
+            return Err(a.refuse_at(call.span(0), "recorder: the response is missing", "expected for instance disp"));
+        }
         Some((name, span)) => NodeQuantity::parse(name).ok_or_else(|| {
-            let mut d = Diagnostic::error(format!("unknown response of a node \"{name}\"")).at(*span, "expected a response");
+            let mut d =
+                Diagnostic::error(format!("unknown response of a node \"{name}\"")).at(*span, "expected a response");
             if let Some(near) = crate::diagnostic::nearest(name, NodeQuantity::NAMES.iter().copied()) {
                 d = d.help(format!("did you mean \"{near}\"?"));
             }
@@ -312,7 +308,11 @@ fn drift(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, envelope: bool) -> 
         }
     }
     let (Some(dof), Some(across)) = (dof, across) else {
-        return Err(a.refuse_at(call.span(0), "recorder Drift: the direction is missing", "expected -dof and -perpDirn"));
+        return Err(a.refuse_at(
+            call.span(0),
+            "recorder Drift: the direction is missing",
+            "expected -dof and -perpDirn",
+        ));
     };
     if i.is_empty() || i.len() != j.len() {
         let message = format!("recorder Drift: {} nodes i but {} nodes j", i.len(), j.len());

@@ -72,7 +72,8 @@ fn remove(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             interp.host.definitions.series.remove(tag);
         }
         _ => {
-            let known = ["loadPattern", "recorders", "recorder", "element", "node", "sp", "mp", "material", "timeSeries"];
+            let known =
+                ["loadPattern", "recorders", "recorder", "element", "node", "sp", "mp", "material", "timeSeries"];
             return Err(a.unknown_name("thing to remove", known));
         }
     }

@@ -140,7 +140,16 @@ fn rectangular(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> 
 }
 
 const PATH_OPTIONS: &[&str] = &[
-    "-dt", "-values", "-time", "-filePath", "-fileTime", "-file", "-factor", "-useLast", "-prependZero", "-startTime",
+    "-dt",
+    "-values",
+    "-time",
+    "-filePath",
+    "-fileTime",
+    "-file",
+    "-factor",
+    "-useLast",
+    "-prependZero",
+    "-startTime",
 ];
 
 fn path(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {

@@ -1,13 +1,13 @@
 //! What the OpenSees commands of a script work on.
 
-use crate::analysis::integrator::Integrator;
 use crate::analysis::algorithm::Algorithm;
+use crate::analysis::integrator::Integrator;
 use crate::analysis::{Engine, Failure, Kind, Observer, Options, ReactionKind, Test};
 use crate::assembly::Handler;
 use crate::diagnostic::{Diagnostic, SourceMap, Span};
+use crate::io::number::Style;
 use crate::model::{Definitions, ElementId, NodeId, Tag};
 use crate::record::{Output, RecordError, Recorder, Separator};
-use crate::io::number::Style;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
@@ -153,12 +153,7 @@ impl Recorders {
         let all = matches!(self.print, 1 | 4);
         let n = test.norms.len();
         for (i, norm) in test.norms.iter().enumerate().filter(|(i, _)| all || i + 1 == n) {
-            let _ = writeln!(
-                self.printed,
-                "{name}: iteration {} norm {norm:.6e} (max {:.3e})",
-                i + 1,
-                test.tolerance
-            );
+            let _ = writeln!(self.printed, "{name}: iteration {} norm {norm:.6e} (max {:.3e})", i + 1, test.tolerance);
         }
     }
 }

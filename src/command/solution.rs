@@ -46,7 +46,9 @@ fn constraints(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             Handler::Lagrange { single, multi: a.optional_float("factor alphaM")?.unwrap_or(1.0) }
         }
         _ => {
-            return Err(a.unknown_name("constraint handler", ["Plain", "Transformation", "Penalty", "Lagrange", "Auto"]));
+            return Err(
+                a.unknown_name("constraint handler", ["Plain", "Transformation", "Penalty", "Lagrange", "Auto"])
+            );
         }
     };
     finish(interp, &a)?;
@@ -69,9 +71,30 @@ fn numberer(_: &mut Tcl, call: &Call<'_>) -> Outcome {
 fn system(_: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, SYSTEM);
     let known = [
-        "BandGeneral", "BandGEN", "BandGen", "BandSPD", "ProfileSPD", "SProfileSPD", "ParallelProfileSPD",
-        "SparseGeneral", "SparseGEN", "SuperLU", "SparseSPD", "SparseSYM", "Sparse", "UmfPack", "Umfpack",
-        "FullGeneral", "FullGen", "Diagonal", "MPIDiagonal", "Mumps", "Petsc", "Itpack", "CuSP", "PFEM",
+        "BandGeneral",
+        "BandGEN",
+        "BandGen",
+        "BandSPD",
+        "ProfileSPD",
+        "SProfileSPD",
+        "ParallelProfileSPD",
+        "SparseGeneral",
+        "SparseGEN",
+        "SuperLU",
+        "SparseSPD",
+        "SparseSYM",
+        "Sparse",
+        "UmfPack",
+        "Umfpack",
+        "FullGeneral",
+        "FullGen",
+        "Diagonal",
+        "MPIDiagonal",
+        "Mumps",
+        "Petsc",
+        "Itpack",
+        "CuSP",
+        "PFEM",
     ];
     if !known.contains(&a.word("kind of system")?.as_ref()) {
         return Err(a.unknown_name("system of equations", known));
@@ -141,7 +164,10 @@ fn tangent(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(TangentChoice, bool), 
             }
             "-secant" | "-Secant" => {
                 let message = "the secant tangent is not supported: the current tangent is used";
-                warn(interp, Diagnostic::warning(message).at(a.last_span(), "the results are the same once converged"))?;
+                warn(
+                    interp,
+                    Diagnostic::warning(message).at(a.last_span(), "the results are the same once converged"),
+                )?;
             }
             "-factorOnce" | "-FactorOnce" | "-factoronce" => once = true,
             _ => warn(interp, a.unknown_option(&["-initial", "-initialThenCurrent", "-Hall", "-factorOnce"]))?,

@@ -151,7 +151,13 @@ impl Element for ZeroLength {
         self.springs.iter().flat_map(Spring::slots).for_each(|slot| slot.init(state));
     }
     fn nature(&self) -> Nature {
-        Nature { linear: self.linear, symmetric: true, viscous: self.viscous, elapses: self.elapses, rayleigh: self.rayleigh }
+        Nature {
+            linear: self.linear,
+            symmetric: true,
+            viscous: self.viscous,
+            elapses: self.elapses,
+            rayleigh: self.rayleigh,
+        }
     }
 
     fn respond(

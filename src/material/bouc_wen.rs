@@ -36,6 +36,8 @@ crate::words! {
         z: f64,
         /// Dissipated energy e.
         e: f64,
+        /// Tangent, less the initial one, so that the virgin state is zero.
+        softening: f64,
     }
 }
 
@@ -77,9 +79,6 @@ impl BoucWen {
 
     /// z at the end of the step.
     fn solve(&self, c: &History, d: f64) -> Result<f64, MaterialError> {
-        if d == 0.0 {
-            return Ok(c.z);
-        }
         newton_root(|z| self.residual(c, d, z), c.z, c.z.abs().max(d.abs()), 120).ok_or_else(|| {
             MaterialError(format!("BoucWen found no hysteretic displacement for a strain increment of {d:.6e}"))
         })
@@ -92,6 +91,12 @@ impl UniaxialLaw for BoucWen {
 
     fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
         let d = strain.value - c.strain;
+        let initial = UniaxialLaw::initial_tangent(self);
+        if d == 0.0 {
+            // At rest the next step may go either way: the tangent of the last one, as if it went on.
+            let value = self.alpha * self.ko * strain.value + (1.0 - self.alpha) * self.ko * c.z;
+            return Ok((Stress { value, tangent: initial + c.softening, damping: 0.0 }, *c));
+        }
         let z = self.solve(c, d)?;
         let k = (1.0 - self.alpha) * self.ko;
         let e = c.e + k * d * z;
@@ -105,7 +110,7 @@ impl UniaxialLaw for BoucWen {
         let b5 = 1.0 + d / eta * (dpow * psi * nu + k * d * loss);
         let tangent = self.alpha * self.ko + k * b4 / b5;
         let stress = Stress { value: self.alpha * self.ko * strain.value + k * z, tangent, damping: 0.0 };
-        Ok((stress, History { strain: strain.value, z, e }))
+        Ok((stress, History { strain: strain.value, z, e, softening: tangent - initial }))
     }
 
     fn initial_tangent(&self) -> f64 {

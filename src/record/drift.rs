@@ -37,7 +37,10 @@ impl Source for Drift {
             };
             let distance = (b.place()[self.across] - a.place()[self.across]).abs();
             if distance == 0.0 || self.dof >= a.ndf.min(b.ndf) || self.across >= a.ndm() {
-                missing.push(format!("a drift between nodes {i} and {j}, which are level in direction {}", self.across + 1));
+                missing.push(format!(
+                    "a drift between nodes {i} and {j}, which are level in direction {}",
+                    self.across + 1
+                ));
                 continue;
             }
             self.found.push((a.offset + self.dof, b.offset + self.dof, 1.0 / distance));

@@ -45,12 +45,8 @@ impl Envelope {
         }
         output.restart()?;
         for kind in 0..3 {
-            let row: Vec<f64> = self
-                .columns
-                .iter()
-                .flat_map(|c| [times.then_some(c[kind].0), Some(c[kind].1)])
-                .flatten()
-                .collect();
+            let row: Vec<f64> =
+                self.columns.iter().flat_map(|c| [times.then_some(c[kind].0), Some(c[kind].1)]).flatten().collect();
             output.row(&row)?;
         }
         Ok(())

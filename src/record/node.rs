@@ -91,23 +91,8 @@ pub struct NodeResponse {
 
 impl NodeResponse {
     /// Of nodes (all of them for `None`) and local degrees of freedom from 0 (all for none).
-    pub fn new(
-        quantity: NodeQuantity,
-        nodes: Option<Vec<Tag>>,
-        dofs: Vec<usize>,
-        series: Vec<Option<Series>>,
-    ) -> Self {
-        Self {
-            quantity,
-            nodes,
-            dofs,
-            series,
-            found: vec![],
-            tags: vec![],
-            width: 0,
-            reactions: vec![],
-            last: vec![],
-        }
+    pub fn new(quantity: NodeQuantity, nodes: Option<Vec<Tag>>, dofs: Vec<usize>, series: Vec<Option<Series>>) -> Self {
+        Self { quantity, nodes, dofs, series, found: vec![], tags: vec![], width: 0, reactions: vec![], last: vec![] }
     }
 
     /// Values of all degrees of freedom that the quantity is taken from.

@@ -74,25 +74,27 @@ impl TextFile {
     ///
     /// # Errors
     /// It cannot be made.
-    pub fn create(
-        place: &Path,
-        style: Style,
-        separator: Separator,
-        close_on_write: bool,
-    ) -> Result<Self, RecordError> {
+    pub fn create(place: &Path, style: Style, separator: Separator, close_on_write: bool) -> Result<Self, RecordError> {
         let mut name = place.file_name().unwrap_or_default().to_owned();
         name.push(".part");
         let part = if close_on_write { place.to_path_buf() } else { place.with_file_name(name) };
         let separator = if separator == Separator::Space { ' ' } else { ',' };
-        let mut file =
-            Self { place: place.to_path_buf(), part, writer: None, style, separator, close_on_write, line: String::new() };
+        let mut file = Self {
+            place: place.to_path_buf(),
+            part,
+            writer: None,
+            style,
+            separator,
+            close_on_write,
+            line: String::new(),
+        };
         file.open()?;
         Ok(file)
     }
 
     fn open(&mut self) -> Result<(), RecordError> {
-        let file = File::create(&self.part)
-            .map_err(|e| RecordError(format!("cannot write {}: {e}", self.part.display())))?;
+        let file =
+            File::create(&self.part).map_err(|e| RecordError(format!("cannot write {}: {e}", self.part.display())))?;
         self.writer = Some(BufWriter::new(file));
         Ok(())
     }

@@ -123,7 +123,8 @@ impl Figure {
 
     /// A number on an axis; only whole ones where all points have whole ones.
     fn tick(&self, value: f64, range: (f64, f64), of: impl Fn(&(f64, f64)) -> f64) -> String {
-        let whole = range.1 - range.0 < 20.0 && self.curves.iter().flat_map(|c| &c.points).all(|p| of(p).fract() == 0.0);
+        let whole =
+            range.1 - range.0 < 20.0 && self.curves.iter().flat_map(|c| &c.points).all(|p| of(p).fract() == 0.0);
         if whole && value.fract() != 0.0 { String::new() } else { tick(value, range) }
     }
 
@@ -169,7 +170,9 @@ impl Figure {
             };
             let drawn = drawn.map_err(|e| failed(&e))?;
             if !curve.name.is_empty() {
-                drawn.label(&curve.name).legend(move |(x, y)| Rectangle::new([(x, y - 1), (x + 18, y + 1)], colour.filled()));
+                drawn
+                    .label(&curve.name)
+                    .legend(move |(x, y)| Rectangle::new([(x, y - 1), (x + 18, y + 1)], colour.filled()));
             }
         }
         if self.curves.iter().any(|c| !c.name.is_empty()) {

@@ -105,14 +105,8 @@ pub struct Core {
 
 impl Core {
     pub(crate) fn new(console: Box<dyn Console>, files: Box<dyn Files>) -> Self {
-        let global = Frame {
-            ns: NsId::GLOBAL,
-            vars: Table::default(),
-            is_proc: false,
-            level: 0,
-            caller: 0,
-            words: vec![],
-        };
+        let global =
+            Frame { ns: NsId::GLOBAL, vars: Table::default(), is_proc: false, level: 0, caller: 0, words: vec![] };
         let cwd = files.current_dir();
         Core {
             console,

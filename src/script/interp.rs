@@ -178,5 +178,4 @@ impl Core {
         self.active = active;
         result
     }
-
 }

@@ -95,7 +95,9 @@ const ALL: Substitutions = Substitutions { backslashes: true, commands: true, va
 #[derive(Clone, Copy, PartialEq)]
 enum Stop {
     /// At a blank or the end of the command; in brackets also at the closing one.
-    Word { nested: bool },
+    Word {
+        nested: bool,
+    },
     Quote,
     Paren,
     End,

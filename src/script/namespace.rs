@@ -77,11 +77,8 @@ impl Core {
     /// As [`Core::find_namespace`], with the error for one that is not there.
     pub(crate) fn namespace_named(&self, path: &str) -> Result<NsId, Exception> {
         self.find_namespace(path).ok_or_else(|| {
-            let place = if path.starts_with("::") {
-                String::new()
-            } else {
-                format!(" in \"{}\"", &*self.ns(self.here()).full)
-            };
+            let place =
+                if path.starts_with("::") { String::new() } else { format!(" in \"{}\"", &*self.ns(self.here()).full) };
             Exception::coded(format!("namespace \"{path}\" not found{place}"), &["TCL", "LOOKUP", "NAMESPACE", path])
         })
     }

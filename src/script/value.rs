@@ -311,10 +311,9 @@ impl Value {
             Rep::Double(d) => Ok(d.get()),
             _ => match self.number() {
                 Some(n) if !n.to_f64().is_nan() => Ok(n.to_f64()),
-                Some(_) => Err(Exception::coded(
-                    "floating point value is Not a Number",
-                    &["TCL", "VALUE", "DOUBLE", "NAN"],
-                )),
+                Some(_) => {
+                    Err(Exception::coded("floating point value is Not a Number", &["TCL", "VALUE", "DOUBLE", "NAN"]))
+                }
                 None => Err(self.not_a("floating-point number")),
             },
         }

@@ -74,23 +74,7 @@ pub fn nearest(pencil: &mut impl Pencil, count: usize) -> Vec<Pair> {
     // Products of the operator with the basis.
     let mut av: Vec<Vec<f64>> = vec![];
     let mut last: Vec<f64> = vec![];
-    let length = |pencil: &dyn Fn(&[f64], &mut [f64]), w: &[f64]| {
-        let mut mw = vec![0.0; w.len()];
-        pencil(w, &mut mw);
-        dot(w, &mw).max(0.0).sqrt()
-    };
-    // Into the range of the operator, where the length in M is a length.
-    for _ in 0..block {
-        let mut w: Vec<f64> = (0..n).map(|_| random.next()).collect();
-        let mut mw = vec![0.0; n];
-        for _ in 0..2 {
-            pencil.mass(&w, &mut mw);
-            pencil.solve(&mut mw);
-            w.copy_from_slice(&mw);
-        }
-        let scale = length(&|x, y| pencil.mass(x, y), &w);
-        basis.add(pencil, w, scale);
-    }
+    start(pencil, &mut basis, &mut random, block);
     loop {
         // Operator times the vectors that are new.
         let known = av.len();
@@ -106,15 +90,40 @@ pub fn nearest(pencil: &mut impl Pencil, count: usize) -> Vec<Pair> {
             && wanted.len() == count
             && wanted.iter().zip(&last).all(|(a, b)| (a - b).abs() <= 1e-15 * a.abs());
         last = wanted.to_vec();
-        let grown = !settled
-            && (known..full).fold(false, |grown, k| {
-                let w = av[k].clone();
-                let scale = length(&|x, y| pencil.mass(x, y), &w);
-                basis.add(pencil, w, scale) | grown
-            });
-        if !grown {
+        if settled {
             return pairs(pencil, &basis, &theta, &s, count);
         }
+        for w in &av[known..full] {
+            let scale = length(pencil, w);
+            basis.add(pencil, w.clone(), scale);
+        }
+        // Vectors that the operator leads no further belong to values of which there are more than in a block.
+        if basis.v.len() == full {
+            start(pencil, &mut basis, &mut random, block);
+        }
+        if basis.v.len() == full {
+            return pairs(pencil, &basis, &theta, &s, count);
+        }
+    }
+}
+
+/// Length in M.
+fn length(pencil: &impl Pencil, w: &[f64]) -> f64 {
+    let mut mw = vec![0.0; w.len()];
+    pencil.mass(w, &mut mw);
+    dot(w, &mw).max(0.0).sqrt()
+}
+
+/// Add vectors in the range of the operator, where the length in M is a length.
+fn start(pencil: &mut impl Pencil, basis: &mut Basis, random: &mut Random, count: usize) {
+    let n = pencil.len();
+    for _ in 0..count {
+        let w: Vec<f64> = (0..n).map(|_| random.next()).collect();
+        let mut mw = vec![0.0; n];
+        pencil.mass(&w, &mut mw);
+        pencil.solve(&mut mw);
+        let scale = length(pencil, &mw);
+        basis.add(pencil, mw, scale);
     }
 }
 

@@ -185,7 +185,11 @@ fn clamped_moments_are_those_of_the_handbook() {
     let beam = || Alone::new(ElasticBeam::plane(straight.plane(&ends).unwrap(), 1000.0, z, 0.0, false));
     for (load, mi, mj) in [
         (ElementLoad::Distributed { span: (0.0, 1.0), y: (-10.0, -10.0), z: (0.0, 0.0), x: (0.0, 0.0) }, 30.0, -30.0),
-        (ElementLoad::Point { at: 1.0 / 3.0, y: -10.0, z: 0.0, x: 0.0 }, 10.0 * 2.0 * 16.0 / 36.0, -10.0 * 4.0 * 4.0 / 36.0),
+        (
+            ElementLoad::Point { at: 1.0 / 3.0, y: -10.0, z: 0.0, x: 0.0 },
+            10.0 * 2.0 * 16.0 / 36.0,
+            -10.0 * 4.0 * 4.0 / 36.0,
+        ),
     ] {
         let mut e = beam();
         let mut words = vec![0.0; e.load.len()];
@@ -209,7 +213,9 @@ fn masses_add_up() {
             (r[direction], r[direction + 6]) = (1.0, 1.0);
             let moved: f64 = match e.mass() {
                 Mass::Lumped(m) => m.iter().zip(&r).map(|(m, r)| m * r).sum(),
-                Mass::Consistent(m) => m.chunks(12).zip(&r).map(|(row, ri)| ri * row.iter().zip(&r).map(|(m, r)| m * r).sum::<f64>()).sum(),
+                Mass::Consistent(m) => {
+                    m.chunks(12).zip(&r).map(|(row, ri)| ri * row.iter().zip(&r).map(|(m, r)| m * r).sum::<f64>()).sum()
+                }
                 Mass::None => 0.0,
             };
             assert!((moved - total).abs() < 1e-12 * total, "{consistent:?} {direction}: {moved} and {total}");

@@ -188,8 +188,15 @@ fn force_depends_on_the_committed_state_alone() {
 #[test]
 fn space_and_plane_agree_in_one_direction() {
     for (name, p) in laws() {
-        let (axes, length) = Orientation::default().of_link(Vector3::zeros(), Vector3::new(0.0, 0.3, 0.0), true).unwrap();
-        let mut flat = Alone::new(BoucWen2d::new(p.clone(), Link::new(&axes, length, 0.5), [elastic(1e5), elastic(6000.0)], 0.0, false));
+        let (axes, length) =
+            Orientation::default().of_link(Vector3::zeros(), Vector3::new(0.0, 0.3, 0.0), true).unwrap();
+        let mut flat = Alone::new(BoucWen2d::new(
+            p.clone(),
+            Link::new(&axes, length, 0.5),
+            [elastic(1e5), elastic(6000.0)],
+            0.0,
+            false,
+        ));
         let o = Orientation { x: None, y: Some(Vector3::new(-1.0, 0.0, 0.0)) };
         let mut deep = space_along(p, 0.5, o, Vector3::new(0.0, 0.3, 0.0));
         for x in path(13, 600, 0.1) {

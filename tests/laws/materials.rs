@@ -44,7 +44,9 @@ fn tangent_is_the_derivative_of_the_stress() {
             let s = p.go(strain);
             let (near, far) = ((up - down) / (2.0 * h), (more - less) / (4.0 * h));
             // Kinks have no derivative; they show by differences that depend on their step.
-            if (near - far).abs() < 1e-4 * near.abs().max(1.0) && (up - 2.0 * s.value + down).abs() < 1e-4 * h * near.abs() {
+            if (near - far).abs() < 1e-4 * near.abs().max(1.0)
+                && (up - 2.0 * s.value + down).abs() < 1e-4 * h * near.abs()
+            {
                 tested += 1;
                 let error = (s.tangent - near).abs();
                 assert!(error < 1e-3 * near.abs().max(1.0), "{name}, step {k}: tangent {} but {near}", s.tangent);

@@ -15,7 +15,17 @@ fn steel() -> Material {
 }
 
 fn smooth() -> Material {
-    let law = BoucWen { alpha: 0.1, ko: 500.0, n: 2.0, gamma: 40.0, beta: 40.0, ao: 1.0, delta_a: 0.0, delta_nu: 0.0, delta_eta: 0.0 };
+    let law = BoucWen {
+        alpha: 0.1,
+        ko: 500.0,
+        n: 2.0,
+        gamma: 40.0,
+        beta: 40.0,
+        ao: 1.0,
+        delta_a: 0.0,
+        delta_nu: 0.0,
+        delta_eta: 0.0,
+    };
     Arc::new(law)
 }
 
@@ -24,7 +34,8 @@ fn turned() -> Matrix3<f64> {
 }
 
 fn spring_set(axes: Matrix3<f64>) -> Alone {
-    let springs = vec![(smooth(), 1, 1), (elastic(80.0), 2, 2), (smooth(), 3, 3), (elastic(5.0), 4, 4), (smooth(), 5, 6)];
+    let springs =
+        vec![(smooth(), 1, 1), (elastic(80.0), 2, 2), (smooth(), 3, 3), (elastic(5.0), 4, 4), (smooth(), 5, 6)];
     Alone::new(ZeroLength::new(springs, 3, 6, axes, vec![0.0; 6], RayleighDamping::None).unwrap())
 }
 
@@ -74,7 +85,8 @@ fn zero_length_is_objective() {
 fn zero_length_measures_from_where_it_was_made() {
     let made_at = vec![0.1, 0.0];
     let mut e = Alone::new(
-        ZeroLength::new(vec![(elastic(10.0), 1, 1)], 2, 2, Matrix3::identity(), made_at, RayleighDamping::None).unwrap(),
+        ZeroLength::new(vec![(elastic(10.0), 1, 1)], 2, 2, Matrix3::identity(), made_at, RayleighDamping::None)
+            .unwrap(),
     );
     assert!(e.force(&[0.0, 0.0, 0.1, 0.0]).iter().all(|f| f.abs() < 1e-12));
     assert!((e.force(&[0.0, 0.0, 0.3, 0.0])[2] - 2.0).abs() < 1e-12);
@@ -82,8 +94,23 @@ fn zero_length_measures_from_where_it_was_made() {
 
 #[test]
 fn zero_length_needs_a_degree_of_freedom_in_each_direction() {
-    for (ndm, ndf, direction, good) in [(1, 1, 1, true), (1, 1, 2, false), (2, 2, 6, false), (2, 3, 6, true), (2, 3, 3, false), (3, 3, 4, false), (3, 6, 5, true)] {
-        let made = ZeroLength::new(vec![(elastic(1.0), 1, direction)], ndm, ndf, Matrix3::identity(), vec![0.0; ndf], RayleighDamping::None);
+    for (ndm, ndf, direction, good) in [
+        (1, 1, 1, true),
+        (1, 1, 2, false),
+        (2, 2, 6, false),
+        (2, 3, 6, true),
+        (2, 3, 3, false),
+        (3, 3, 4, false),
+        (3, 6, 5, true),
+    ] {
+        let made = ZeroLength::new(
+            vec![(elastic(1.0), 1, direction)],
+            ndm,
+            ndf,
+            Matrix3::identity(),
+            vec![0.0; ndf],
+            RayleighDamping::None,
+        );
         assert_eq!(made.is_ok(), good, "direction {direction} with {ndf} in {ndm} dimensions");
     }
 }
@@ -127,5 +154,15 @@ fn truss_tangent_and_mass() {
     }
     let Mass::Lumped(m) = e.element.mass() else { panic!("lumped") };
     assert_eq!(m[0], 0.5 * 2.0 * 5.0);
-    assert!(Truss::new(elastic(1.0), 1, &[0.0, 0.0], 2, &[0.0; 2], &TrussOptions { area: 1.0, rho: 0.0, consistent: true, rayleigh: false }).is_err());
+    assert!(
+        Truss::new(
+            elastic(1.0),
+            1,
+            &[0.0, 0.0],
+            2,
+            &[0.0; 2],
+            &TrussOptions { area: 1.0, rho: 0.0, consistent: true, rayleigh: false }
+        )
+        .is_err()
+    );
 }

@@ -56,7 +56,11 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         }
     }
     if mats.is_empty() {
-        return Err(a.refuse_at(span, "zeroLength: the materials are missing", "expected -mat and their tags after this"));
+        return Err(a.refuse_at(
+            span,
+            "zeroLength: the materials are missing",
+            "expected -mat and their tags after this",
+        ));
     }
     if mats.len() != dirs.len() {
         let message = format!("zeroLength: {} materials but {} directions", mats.len(), dirs.len());

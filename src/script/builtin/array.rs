@@ -9,7 +9,8 @@ use crate::script::regex::{self, Flags};
 use crate::script::value::{Text, Value};
 use crate::script::vars::{Slot, Trouble, VarName};
 
-pub(crate) const COMMANDS: &[(&str, CoreFn)] = &[("array", |core, call| dispatch(core, call, SUBS)), ("parray", parray)];
+pub(crate) const COMMANDS: &[(&str, CoreFn)] =
+    &[("array", |core, call| dispatch(core, call, SUBS)), ("parray", parray)];
 
 const SUBS: &[(&str, CoreFn)] = &[
     ("anymore", refuse_search),

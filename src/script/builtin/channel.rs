@@ -135,9 +135,8 @@ fn gets(core: &mut Core, call: &Call<'_>, at: usize) -> Result<Value, Exception>
     }
     let channel = channel(core, call, at)?;
     must(call, at, channel.readable, "reading")?;
-    let line = channel
-        .read_line()
-        .map_err(|e| posix(&e, |why| format!("error reading \"{}\": {why}", call.arg(at))))?;
+    let line =
+        channel.read_line().map_err(|e| posix(&e, |why| format!("error reading \"{}\": {why}", call.arg(at))))?;
     let Some(name) = call.get(at + 1) else { return Ok(Value::from(line.unwrap_or_default())) };
     let length = line.as_ref().map_or(-1, |l| l.chars().count() as i64);
     let name = VarName::of(name);
@@ -169,9 +168,8 @@ fn read(core: &mut Core, call: &Call<'_>, at: usize) -> Result<Value, Exception>
     };
     let channel = channel(core, call, word)?;
     must(call, word, channel.readable, "reading")?;
-    let mut text = channel
-        .read(limit)
-        .map_err(|e| posix(&e, |why| format!("error reading \"{}\": {why}", call.arg(word))))?;
+    let mut text =
+        channel.read(limit).map_err(|e| posix(&e, |why| format!("error reading \"{}\": {why}", call.arg(word))))?;
     if trim && text.ends_with('\n') {
         text.pop();
     }
@@ -363,9 +361,7 @@ fn copy(core: &mut Core, call: &Call<'_>, at: usize) -> Result<Value, Exception>
     };
     let input = channel(core, call, at)?;
     must(call, at, input.readable, "reading")?;
-    let text = input
-        .read(size)
-        .map_err(|e| posix(&e, |why| format!("error reading \"{}\": {why}", call.arg(at))))?;
+    let text = input.read(size).map_err(|e| posix(&e, |why| format!("error reading \"{}\": {why}", call.arg(at))))?;
     let name = call.arg(at + 1).as_str();
     let Some(output) = core.channels.get(&name) else { return channel(core, call, at + 1).map(|_| Value::EMPTY) };
     must(call, at + 1, output.writable, "writing")?;
@@ -520,8 +516,7 @@ fn set_option(channel: &mut Channel, name: &str, call: &Call<'_>, word: usize) -
                 t => t,
             };
             channel.input_translation = plain(input, Translation::Auto);
-            channel.output_translation =
-                plain(output, if cfg!(windows) { Translation::CrLf } else { Translation::Lf });
+            channel.output_translation = plain(output, if cfg!(windows) { Translation::CrLf } else { Translation::Lf });
         }
     }
     Ok(())

@@ -40,8 +40,7 @@ pub(super) const MONTHS: [&str; 12] = [
     "November",
     "December",
 ];
-pub(super) const DAYS: [&str; 7] =
-    ["Sunday", "Monday", "Tuesday", "Wednesday", "Thursday", "Friday", "Saturday"];
+pub(super) const DAYS: [&str; 7] = ["Sunday", "Monday", "Tuesday", "Wednesday", "Thursday", "Friday", "Saturday"];
 
 /// Time since 1970 in parts of a second.
 pub(super) fn since_1970(parts: u32) -> i64 {
@@ -115,9 +114,8 @@ pub(super) fn zone_named(name: &str) -> Result<TimeZone, Exception> {
     if matches!(bare.to_ascii_uppercase().as_str(), "UTC" | "GMT" | "Z") {
         return Ok(TimeZone::UTC);
     }
-    TimeZone::get(bare).map_err(|_| {
-        Exception::coded(format!("time zone \"{name}\" not found"), &["CLOCK", "badTimeZone", name])
-    })
+    TimeZone::get(bare)
+        .map_err(|_| Exception::coded(format!("time zone \"{name}\" not found"), &["CLOCK", "badTimeZone", name]))
 }
 
 /// `+0130`, `-05:00`: seconds east of Greenwich.
@@ -143,9 +141,8 @@ pub(super) struct Local {
 }
 
 pub(super) fn local(seconds: i64, zone: &TimeZone) -> Result<Local, Exception> {
-    let stamp = Timestamp::from_second(seconds).map_err(|_| {
-        Exception::coded("integer value too large to represent", &["CLOCK", "dateTooLarge"])
-    })?;
+    let stamp = Timestamp::from_second(seconds)
+        .map_err(|_| Exception::coded("integer value too large to represent", &["CLOCK", "dateTooLarge"]))?;
     let info = zone.to_offset_info(stamp);
     let abbreviation = info.abbreviation();
     let zone = if *zone == TimeZone::UTC { "GMT".to_owned() } else { abbreviation.to_owned() };

@@ -37,7 +37,8 @@ fn no_match() -> Exception {
 
 pub(super) fn scan(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     if call.len() < 3 || call.len() % 2 == 0 {
-        let usage = "clock scan string ?-base seconds? ?-format string? ?-gmt boolean? ?-locale LOCALE? ?-timezone ZONE?";
+        let usage =
+            "clock scan string ?-base seconds? ?-format string? ?-gmt boolean? ?-locale LOCALE? ?-timezone ZONE?";
         return Err(call.wrong_args(usage));
     }
     let o = options(call, 3, &["-base", "-format", "-gmt", "-locale", "-timezone"])?;
@@ -113,11 +114,8 @@ fn full_year(short: i64) -> i16 {
 fn by_format(text: &str, format: &str) -> Result<Fields, Exception> {
     let mut fields = Fields::default();
     let mut rest = text.trim();
-    let expanded = format
-        .replace("%D", "%m/%d/%Y")
-        .replace("%T", "%H:%M:%S")
-        .replace("%R", "%H:%M")
-        .replace("%r", "%I:%M:%S %p");
+    let expanded =
+        format.replace("%D", "%m/%d/%Y").replace("%T", "%H:%M:%S").replace("%R", "%H:%M").replace("%r", "%I:%M:%S %p");
     let mut letters = expanded.trim().chars();
     while let Some(c) = letters.next() {
         if c.is_whitespace() {

@@ -180,7 +180,9 @@ fn if_command<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Excep
                 }
                 if call.len() > i + 1 {
                     let message = "wrong # args: extra words after \"else\" clause in \"if\" command";
-                    return Err(Exception::coded(message, &["TCL", "WRONGARGS"]).at(call.span(i + 1), "one word too many"));
+                    return Err(
+                        Exception::coded(message, &["TCL", "WRONGARGS"]).at(call.span(i + 1), "one word too many")
+                    );
                 }
                 return interp.body(call, i, "\"if\" else script");
             }

@@ -1,5 +1,6 @@
 //! `dict`, but for the sub-commands that run scripts.
 
+use crate::diagnostic;
 use crate::script::command::{Call, CoreFn};
 use crate::script::core::Core;
 use crate::script::dict::Dict;
@@ -10,7 +11,6 @@ use crate::script::number::Number;
 use crate::script::table::Table;
 use crate::script::value::Value;
 use crate::script::vars::VarName;
-use crate::diagnostic;
 
 pub(super) const SUBS: [(&str, CoreFn); 15] = [
     ("append", append),

@@ -32,13 +32,17 @@ const SUBS: &[(&str, CoreFn)] = &[
     ("lstat", |core, call| stat(core, call, "lstat", false)),
     ("mkdir", mkdir),
     ("mtime", |core, call| time(core, call, "mtime")),
-    ("nativename", |_, call| on_name(call, "nativename", |n| if cfg!(windows) { n.replace('/', "\\") } else { n.to_owned() })),
+    ("nativename", |_, call| {
+        on_name(call, "nativename", |n| if cfg!(windows) { n.replace('/', "\\") } else { n.to_owned() })
+    }),
     ("normalize", |core, call| {
         call.expect(3..=3, "file normalize name")?;
         Ok(Value::from(core.absolute(&call.arg(2).as_str())))
     }),
     ("owned", |core, call| test(core, call, "owned", |_| true)),
-    ("pathtype", |_, call| on_name(call, "pathtype", |n| if paths::is_absolute(n) { "absolute" } else { "relative" }.to_owned())),
+    ("pathtype", |_, call| {
+        on_name(call, "pathtype", |n| if paths::is_absolute(n) { "absolute" } else { "relative" }.to_owned())
+    }),
     ("readable", |core, call| permitted(core, call, "readable", 0o444)),
     ("readlink", |_, call| unsupported(call)),
     ("rename", |core, call| transfer(core, call, "rename")),
@@ -237,11 +241,8 @@ fn delete(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     for name in names {
         let path = core.absolute(&name.as_str());
         let Ok(info) = core.files.info(&path, false) else { continue };
-        let result = if force && info.kind == FileKind::Directory {
-            remove_all(core, &path)
-        } else {
-            core.files.remove(&path)
-        };
+        let result =
+            if force && info.kind == FileKind::Directory { remove_all(core, &path) } else { core.files.remove(&path) };
         result.map_err(|e| {
             let full = e.kind() == io::ErrorKind::DirectoryNotEmpty;
             posix(&e, |why| {
@@ -285,10 +286,8 @@ fn transfer(core: &mut Core, call: &Call<'_>, sub: &str) -> Result<Value, Except
     for source in sources {
         let from = core.absolute(&source.as_str());
         let to = if into_dir { format!("{to}/{}", paths::tail(&from)) } else { to.clone() };
-        let found = core
-            .files
-            .info(&from, true)
-            .map_err(|e| posix(&e, |why| format!("error {doing} \"{source}\": {why}")))?;
+        let found =
+            core.files.info(&from, true).map_err(|e| posix(&e, |why| format!("error {doing} \"{source}\": {why}")))?;
         let shown = if into_dir { format!("{target}/{}", paths::tail(&from)) } else { target.as_str().into_owned() };
         if !force && core.files.info(&to, true).is_ok() {
             let e: io::Error = io::ErrorKind::AlreadyExists.into();

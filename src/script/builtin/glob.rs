@@ -114,7 +114,10 @@ fn braces(pattern: &str) -> Result<Vec<String>, Exception> {
             }
         }
         let Some(close) = close else {
-            return Err(Exception::coded("unmatched open-brace in file name", &["TCL", "OPERATION", "GLOB", "BALANCE"]));
+            return Err(Exception::coded(
+                "unmatched open-brace in file name",
+                &["TCL", "OPERATION", "GLOB", "BALANCE"],
+            ));
         };
         cuts.push(close);
         let alternatives = cuts.windows(2).rev().filter_map(|w| pattern.get(w[0] + 1..w[1]));

@@ -277,8 +277,7 @@ fn order<H>(interp: &mut Interp<H>, items: &[Value], o: &Options) -> Result<Vec<
     }
     let flip = |order: Ordering| if o.decreasing { order.reverse() } else { order };
     if o.kind != Kind::Command {
-        let sorted =
-            sort(keyed, o.unique, &mut |a, b| Ok(flip(a.0.compare(&b.0, o.kind))))?;
+        let sorted = sort(keyed, o.unique, &mut |a, b| Ok(flip(a.0.compare(&b.0, o.kind))))?;
         return Ok(sorted.into_iter().map(|k| k.1).collect());
     }
     let prefix = o.command.to_list()?;

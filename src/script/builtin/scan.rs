@@ -50,7 +50,10 @@ enum Kind {
     Text,
     Char,
     Count,
-    Set { negated: bool, ranges: Vec<(char, char)> },
+    Set {
+        negated: bool,
+        ranges: Vec<(char, char)>,
+    },
 }
 
 fn digits(s: &str) -> IResult<&str, usize> {

@@ -256,7 +256,9 @@ fn variable(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         } else {
             VarName::simple(&core.qualified(ns, &text))
         };
-        let target = core.variable_in(0, &name).map_err(|_| core.var_error("define", &VarName::simple(&text), None, Trouble::NoNamespace))?;
+        let target = core
+            .variable_in(0, &name)
+            .map_err(|_| core.var_error("define", &VarName::simple(&text), None, Trouble::NoNamespace))?;
         if let Some(value) = pair.get(1) {
             core.write(&VarName::simple(&format!("::{}", name.text.trim_start_matches(':'))), None, value.clone())?;
         }

@@ -1,8 +1,8 @@
 //! Expressions: compiled to a row of operations on a stack, so that neither long nor deep ones recurse.
 
 pub(crate) mod arith;
-pub(crate) mod func;
 mod eval;
+pub(crate) mod func;
 mod parse;
 
 use std::cell::Cell;

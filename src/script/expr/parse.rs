@@ -300,8 +300,7 @@ impl<'a> Parser<'a> {
         let text = self.text;
         let cut = |from: usize, to: usize| String::from_utf8_lossy(&text.as_bytes()[from.min(to)..to]).into_owned();
         let before = if at < CONTEXT { cut(0, at) } else { format!("...{}", cut(at + 3 - CONTEXT, at)) };
-        let scanned =
-            if length < CONTEXT { cut(at, at + length) } else { format!("{}...", cut(at, at + CONTEXT - 3)) };
+        let scanned = if length < CONTEXT { cut(at, at + length) } else { format!("{}...", cut(at, at + CONTEXT - 3)) };
         let rest = at + length;
         let after = if rest + CONTEXT > text.len() {
             cut(rest, text.len())
@@ -311,13 +310,7 @@ impl<'a> Parser<'a> {
         let mark = if marked { MARK } else { "" };
         let message = format!("{what}\nin expression \"{before}{scanned}{mark}{after}\"{post}");
         let end = at + length.max(1);
-        let error = ParseError {
-            message,
-            start: at as u32,
-            end: end.min(text.len()) as u32,
-            label: "",
-            help: None,
-        };
+        let error = ParseError { message, start: at as u32, end: end.min(text.len()) as u32, label: "", help: None };
         Box::new(ExprError { error, code: code.to_vec() })
     }
 

@@ -115,9 +115,9 @@ impl Regex {
         match &self.engine {
             Engine::Plain(plain) => Ok(plain.find(text, start)),
             Engine::Fancy(regex) => {
-                let found = regex.captures_from_pos(text, start).map_err(|e| {
-                    Exception::error(format!("error while matching regular expression: {e}"))
-                })?;
+                let found = regex
+                    .captures_from_pos(text, start)
+                    .map_err(|e| Exception::error(format!("error while matching regular expression: {e}")))?;
                 let Some(found) = found else { return Ok(None) };
                 Ok(Some((0..=self.groups).map(|i| found.get(i).map(|m| (m.start(), m.end()))).collect()))
             }

@@ -57,13 +57,7 @@ pub(super) fn translate(pattern: &str, flags: Flags) -> Result<Translated, Excep
     if t.highest_reference > t.groups {
         return Err(refuse("invalid backreference number", "ESUBREG"));
     }
-    Ok(Translated {
-        text: t.out,
-        groups: t.groups,
-        fancy: t.fancy,
-        longest: longest.unwrap_or(true),
-        simple: t.simple,
-    })
+    Ok(Translated { text: t.out, groups: t.groups, fancy: t.fancy, longest: longest.unwrap_or(true), simple: t.simple })
 }
 
 /// `***:`, `***=` and `(?letters)` at the start.
@@ -77,8 +71,7 @@ fn director(pattern: &str, mut flags: Flags) -> Result<(&str, Flags), Exception>
         None => pattern,
     };
     let letters = rest.strip_prefix("(?").and_then(|r| r.split_once(')'));
-    let Some((letters, after)) =
-        letters.filter(|(l, _)| !l.is_empty() && l.chars().all(|c| c.is_ascii_alphabetic()))
+    let Some((letters, after)) = letters.filter(|(l, _)| !l.is_empty() && l.chars().all(|c| c.is_ascii_alphabetic()))
     else {
         return Ok((rest, flags));
     };
@@ -219,7 +212,8 @@ impl Translator<'_> {
             self.out.push('?');
             self.simple = false;
         }
-        if matches!(self.chars.peek(), Some('*' | '+' | '?')) || (self.chars.peek() == Some(&'{') && self.bound_ahead()) {
+        if matches!(self.chars.peek(), Some('*' | '+' | '?')) || (self.chars.peek() == Some(&'{') && self.bound_ahead())
+        {
             return Err(refuse("quantifier operand invalid", "BADRPT"));
         }
         Ok(if fixed { atom.preference } else { Some(!lazy) })

@@ -1,0 +1,19 @@
+//! Analyses against closed forms, and one way of solving against another.
+
+#[path = "analysis/constraints.rs"]
+mod constraints;
+#[path = "analysis/dynamics.rs"]
+mod dynamics;
+#[path = "analysis/model.rs"]
+mod model;
+#[path = "analysis/modes.rs"]
+mod modes;
+#[path = "support/script.rs"]
+mod script;
+#[path = "analysis/statics.rs"]
+mod statics;
+
+/// Whether two numbers agree to a fraction of the larger.
+fn close(a: f64, b: f64, tolerance: f64) -> bool {
+    (a - b).abs() <= tolerance * a.abs().max(b.abs())
+}

@@ -1,0 +1,203 @@
+//! Motion in time.
+
+use super::close;
+use super::script::{Script, run};
+
+/// A mass on a spring and a dashpot, let go from a displacement of 1: m = 1, k = ω², damping ratio ζ.
+fn free_vibration(integrator: &str, dt: f64, omega: f64, zeta: f64) -> f64 {
+    let text = format!(
+        "model basic -ndm 1 -ndf 1
+        node 1 0; node 2 0 -mass 1.0 -disp 1.0
+        fix 1 1
+        uniaxialMaterial Elastic 1 {k}
+        uniaxialMaterial Viscous 2 {c} 1.0
+        element zeroLength 1 1 2 -mat 1 2 -dir 1 1
+        setNodeAccel 2 1 {a0}
+        constraints Plain; numberer Plain; system BandGeneral; test NormUnbalance 1e-12 20; algorithm Newton
+        integrator {integrator}
+        analysis Transient
+        analyze {n} {dt}
+        puts [nodeDisp 2 1]",
+        k = omega * omega,
+        c = 2.0 * zeta * omega,
+        a0 = -omega * omega,
+        n = (1.0 / dt).round(),
+    );
+    // The springs measure from the displacement that they are made at, so it is set after them.
+    let text = text.replace(" -disp 1.0", "").replace("setNodeAccel", "setNodeDisp 2 1 1.0\nsetNodeAccel");
+    run(&text).numbers()[0]
+}
+
+fn exact(t: f64, omega: f64, zeta: f64) -> f64 {
+    let damped = omega * (1.0 - zeta * zeta).sqrt();
+    (-zeta * omega * t).exp() * ((damped * t).cos() + zeta * omega / damped * (damped * t).sin())
+}
+
+#[test]
+fn integrators_have_their_order() {
+    for (integrator, order) in [
+        ("Newmark 0.5 0.25", 2.0),
+        ("Newmark 0.5 0.25 -form V", 2.0),
+        ("Newmark 0.5 0.25 -form A", 2.0),
+        ("Newmark 0.5 0.166666666666666", 2.0),
+        ("Newmark 0.6 0.3025", 1.0),
+        ("HHT 0.9", 2.0),
+        ("HHT 1.0", 2.0),
+    ] {
+        for zeta in [0.0, 0.05] {
+            let error = |dt: f64| (free_vibration(integrator, dt, 9.0, zeta) - exact(1.0, 9.0, zeta)).abs();
+            let found = (error(0.005) / error(0.0025)).log2();
+            assert!((found - order).abs() < 0.15, "{integrator}, damping {zeta}: order {found}");
+        }
+    }
+}
+
+#[test]
+fn forms_of_newmark_are_the_same_method() {
+    let d = free_vibration("Newmark 0.5 0.25", 0.02, 12.0, 0.02);
+    for form in ["V", "A"] {
+        let other = free_vibration(&format!("Newmark 0.5 0.25 -form {form}"), 0.02, 12.0, 0.02);
+        assert!(close(d, other, 1e-9), "{form}: {other} and {d}");
+    }
+}
+
+/// Constant acceleration keeps the energy of a linear oscillator to round-off over many periods.
+#[test]
+fn average_acceleration_keeps_the_energy() {
+    let ran = run("model basic -ndm 1 -ndf 1
+        node 1 0; node 2 0 -mass 2.0
+        fix 1 1
+        uniaxialMaterial Elastic 1 50.0
+        element zeroLength 1 1 2 -mat 1 -dir 1
+        setNodeDisp 2 1 0.3; setNodeAccel 2 1 -7.5
+        constraints Plain; numberer Plain; system BandGeneral; test NormUnbalance 1e-13 20; algorithm Newton
+        integrator Newmark 0.5 0.25
+        analysis Transient
+        for {set i 0} {$i < 50} {incr i} {
+            analyze 100 0.03
+            puts [expr {25.0*[nodeDisp 2 1]**2 + [nodeVel 2 1]**2}]
+        }");
+    for energy in ran.numbers() {
+        assert!(close(energy, 25.0 * 0.09, 1e-9), "{energy}");
+    }
+}
+
+/// Resonance of a damped oscillator under a harmonic ground acceleration: amplitude a / (2 ζ ω²) (Chopra, eq. 3.2.15).
+#[test]
+fn ground_motion_at_resonance() {
+    let ran = run("model basic -ndm 2 -ndf 3
+        node 1 0 0; node 2 0 0 -mass 4.0 4.0 0.0
+        fix 1 1 1 1; fix 2 0 1 1
+        set w 6.0
+        uniaxialMaterial Elastic 1 [expr {4.0*$w**2}]
+        element zeroLength 1 1 2 -mat 1 -dir 1 -doRayleigh 1
+        rayleigh [expr {2*0.05*$w}] 0.0 0.0 0.0
+        timeSeries Trig 1 0.0 1000.0 [expr {2*acos(-1)/$w}] -factor 1.5
+        pattern UniformExcitation 1 1 -accel 1
+        recorder EnvelopeNode -file d.out -node 2 -dof 1 disp
+        recorder EnvelopeNode -file a.out -timeSeries 1 -node 2 -dof 1 accel
+        constraints Transformation; numberer Plain; system BandGeneral; test NormUnbalance 1e-12 20; algorithm Newton
+        integrator Newmark 0.5 0.25
+        analysis Transient
+        analyze 10000 0.005");
+    let peak = ran.tables["d.out"][2][0];
+    assert!(close(peak, 1.5 / (2.0 * 0.05 * 36.0), 2e-3), "{peak}");
+    // Absolute acceleration: the spring's and, a quarter of a period later, the dashpot's share.
+    let accel = ran.tables["a.out"][2][0];
+    assert!(close(accel, 15.0 * (1.0f64 + 0.01).sqrt(), 3e-3), "{accel}");
+}
+
+/// The four parts of Rayleigh damping of an elastic spring are all the same; mass-proportional is the node's.
+#[test]
+fn parts_of_rayleigh_damping_agree_on_an_elastic_spring() {
+    let decay = |rayleigh: &str| {
+        run(&format!(
+            "model basic -ndm 1 -ndf 1
+            node 1 0; node 2 0 -mass 1.0
+            fix 1 1
+            uniaxialMaterial Steel01 1 1e9 100.0 0.1
+            element zeroLength 1 1 2 -mat 1 -dir 1 -doRayleigh 1
+            rayleigh {rayleigh}
+            setNodeDisp 2 1 1.0; setNodeAccel 2 1 -100.0
+            constraints Plain; numberer Plain; system BandGeneral; test NormUnbalance 1e-12 20; algorithm Newton
+            integrator Newmark 0.5 0.25
+            analysis Transient
+            analyze 400 0.005
+            puts [nodeDisp 2 1]"
+        ))
+        .numbers()[0]
+    };
+    // ζ = 2 % at ω = 10: 2 ζ ω, or 2 ζ / ω.
+    let reference = decay("0.0 0.004 0.0 0.0");
+    for other in ["0.4 0.0 0.0 0.0", "0.0 0.0 0.004 0.0", "0.0 0.0 0.0 0.004", "0.1 0.001 0.001 0.001"] {
+        assert!(close(reference, decay(other), 1e-3), "{other}: {} and {reference}", decay(other));
+    }
+    assert!(close(reference, exact(2.0, 10.0, 0.02), 2e-2));
+}
+
+/// A step that fails leaves the committed state, and returns OpenSees' code; a smaller step then goes through.
+#[test]
+fn a_failed_step_leaves_the_committed_state() {
+    let ran = run("model basic -ndm 1 -ndf 1
+        node 1 0; node 2 0 -mass 1.0
+        fix 1 1
+        uniaxialMaterial ElasticPP 1 1000.0 0.01
+        element zeroLength 1 1 2 -mat 1 -dir 1
+        timeSeries Constant 1
+        pattern Plain 1 1 { load 2 30.0 }
+        constraints Plain; numberer Plain; system BandGeneral; test NormUnbalance 1e-12 1; algorithm Newton
+        integrator Newmark 0.5 0.25
+        analysis Transient
+        analyze 1 0.001
+        set before [list [nodeDisp 2 1] [nodeVel 2 1] [getTime] [eleResponse 1 material 1 stress]]
+        puts [analyze 1 10.0]
+        set after [list [nodeDisp 2 1] [nodeVel 2 1] [getTime] [eleResponse 1 material 1 stress]]
+        puts [expr {$before eq $after}]
+        test NormUnbalance 1e-9 50
+        puts [analyze 5 0.01]");
+    assert_eq!(ran.numbers(), [-3.0, 1.0, 0.0]);
+}
+
+#[test]
+fn the_ladder_gets_over_a_step_that_fails() {
+    let text = "model basic -ndm 1 -ndf 1
+        node 1 0; node 2 0 -mass 1.0
+        fix 1 1
+        uniaxialMaterial ElasticPP 1 1000.0 0.01
+        element zeroLength 1 1 2 -mat 1 -dir 1
+        timeSeries Constant 1
+        pattern Plain 1 1 { load 2 30.0 }
+        LADDER
+        constraints Plain; numberer Plain; system BandGeneral; test NormUnbalance 1e-10 2; algorithm ModifiedNewton -initial
+        integrator Newmark 0.5 0.25
+        analysis Transient
+        puts [analyze 20 0.02]";
+    let without = Script::default().run(&text.replace("LADDER", ""));
+    assert_eq!(without.numbers(), [-3.0]);
+    assert_eq!(without.end.status(), 1, "an analysis that nobody rescued has failed");
+    assert_eq!(run(&text.replace("LADDER", "ladder on")).numbers(), [0.0]);
+}
+
+/// `-dT` records at the steps that are nearest after each multiple, whatever the round-off of the time.
+#[test]
+fn recorders_keep_their_step() {
+    let ran = run("model basic -ndm 1 -ndf 1
+        node 1 0; node 2 0 -mass 1.0
+        fix 1 1
+        uniaxialMaterial Elastic 1 10.0
+        element zeroLength 1 1 2 -mat 1 -dir 1
+        timeSeries Trig 1 0 100 1.3
+        pattern UniformExcitation 1 1 -accel 1
+        recorder Node -file all.out -time -node 2 -dof 1 disp
+        recorder Node -file some.out -time -dT 0.1 -node 2 -dof 1 disp
+        constraints Plain; numberer Plain; system BandGeneral; test NormUnbalance 1e-10 20; algorithm Linear
+        integrator Newmark 0.5 0.25
+        analysis Transient
+        analyze 1000 0.01");
+    let (all, some) = (&ran.tables["all.out"], &ran.tables["some.out"]);
+    assert_eq!(all.len(), 1000);
+    assert_eq!(some.len(), 100);
+    for (i, row) in some.iter().enumerate() {
+        assert_eq!(row, &all[10 * i], "row {i}");
+    }
+}

@@ -1,0 +1,119 @@
+//! Models that change between analyses.
+
+use super::close;
+use super::script::run;
+
+/// Removing an element passes its force to the others; what is left keeps its history.
+#[test]
+fn elements_come_and_go() {
+    let ran = run("model basic -ndm 1 -ndf 1
+        node 1 0; node 2 0; node 3 0; fix 1 1
+        uniaxialMaterial Elastic 1 100.0
+        uniaxialMaterial ElasticPP 2 100.0 0.01
+        element zeroLength 5 1 2 -mat 1 -dir 1
+        element zeroLength 3 1 2 -mat 2 -dir 1
+        element zeroLength 7 2 3 -mat 1 -dir 1
+        timeSeries Linear 1
+        pattern Plain 1 1 { load 3 5.0 }
+        constraints Plain; numberer Plain; system BandGeneral; test NormUnbalance 1e-9 20; algorithm Newton
+        integrator LoadControl 0.1; analysis Static
+        analyze 10
+        puts [nodeDisp 2 1]
+        loadConst -time 0.0
+        remove element 5
+        puts [getEleTags]
+        puts [eleResponse 3 material 1 stress]
+        uniaxialMaterial Elastic 4 400.0
+        element zeroLength 9 1 2 -mat 4 -dir 1
+        analyze 1
+        puts [nodeDisp 2 1]; puts [eleForce 9 2]");
+    let v = ran.numbers();
+    assert!(close(v[0], 0.04, 1e-9), "4 on the elastic spring, 1 on the plastic one");
+    assert_eq!(&v[1..3], [3.0, 7.0]);
+    assert!(close(v[3], 1.0, 1e-12));
+    // The new spring is without force where it is made: it takes the 4 that the removed one held.
+    assert!(close(v[4], 0.05, 1e-9) && close(v[5], 4.0, 1e-9), "{v:?}");
+}
+
+#[test]
+fn supports_and_patterns_come_and_go() {
+    let ran = run("model basic -ndm 1 -ndf 1
+        node 1 0; node 2 0; node 3 0; fix 1 1; fix 3 1
+        uniaxialMaterial Elastic 1 100.0
+        element zeroLength 1 1 2 -mat 1 -dir 1; element zeroLength 2 2 3 -mat 1 -dir 1
+        timeSeries Linear 1
+        pattern Plain 1 1 { load 2 1.0 }
+        constraints Transformation; numberer Plain; system BandGeneral; test NormUnbalance 1e-9 20; algorithm Newton
+        integrator LoadControl 1.0; analysis Static
+        analyze 1
+        puts [nodeDisp 2 1]
+        remove sp 3 1
+        analyze 1
+        puts [nodeDisp 2 1]
+        remove loadPattern 1
+        analyze 1
+        puts [nodeDisp 2 1]
+        remove element 2
+        remove node 3
+        puts [getNodeTags]");
+    let v = ran.numbers();
+    assert!(close(v[0], 0.005, 1e-9) && close(v[1], 0.02, 1e-9) && v[2].abs() < 1e-12);
+    assert_eq!(&v[3..], [1.0, 2.0]);
+}
+
+/// A node held after it has moved stays where it is.
+#[test]
+fn a_support_holds_where_it_is_made() {
+    let ran = run("model basic -ndm 1 -ndf 1
+        node 1 0; node 2 0; fix 1 1
+        uniaxialMaterial Elastic 1 100.0
+        element zeroLength 1 1 2 -mat 1 -dir 1
+        timeSeries Linear 1
+        pattern Plain 1 1 { load 2 1.0 }
+        constraints Plain; numberer Plain; system BandGeneral; test NormUnbalance 1e-9 20; algorithm Newton
+        integrator LoadControl 1.0; analysis Static
+        analyze 1
+        fix 2 1
+        analyze 3
+        puts [nodeDisp 2 1]; puts [nodeReaction 2 1]");
+    let v = ran.numbers();
+    assert!(close(v[0], 0.01, 1e-9) && close(v[1], -3.0, 1e-9), "{v:?}");
+}
+
+#[test]
+fn reset_goes_back_to_the_virgin_model() {
+    let ran = run("model basic -ndm 1 -ndf 1
+        node 1 0; node 2 0; fix 1 1
+        uniaxialMaterial ElasticPP 1 100.0 0.01
+        element zeroLength 1 1 2 -mat 1 -dir 1
+        timeSeries Linear 1
+        pattern Plain 1 1 { sp 2 1 0.01 }
+        constraints Transformation; numberer Plain; system BandGeneral; test NormUnbalance 1e-9 20; algorithm Newton
+        integrator LoadControl 1.0; analysis Static
+        analyze 1
+        set first [eleResponse 1 material 1 stressStrain]
+        analyze 5
+        reset
+        puts [getTime]
+        analyze 1
+        puts [expr {$first eq [eleResponse 1 material 1 stressStrain]}]");
+    assert_eq!(ran.numbers(), [0.0, 1.0]);
+}
+
+/// Two models in one script, with a `wipe` between, know nothing of each other.
+#[test]
+fn wipe_leaves_nothing_behind() {
+    let text = "model basic -ndm 1 -ndf 1
+        node 1 0; node 2 0; fix 1 1
+        uniaxialMaterial Elastic 1 100.0
+        element zeroLength 1 1 2 -mat 1 -dir 1
+        timeSeries Linear 1
+        pattern Plain 1 1 { load 2 1.0 }
+        constraints Plain; numberer Plain; system BandGeneral; test NormUnbalance 1e-9 20; algorithm Newton
+        integrator LoadControl 1.0; analysis Static
+        analyze 3
+        puts [nodeDisp 2 1]
+        wipe\n";
+    let v = run(&format!("{text}{text}")).numbers();
+    assert_eq!(v[0], v[1]);
+}

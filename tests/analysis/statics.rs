@@ -1,0 +1,239 @@
+//! Equilibrium.
+
+use super::close;
+use super::script::{Script, run};
+
+/// Tip of an elastic cantilever, plane and space, through every system name and both kinds of matrix.
+#[test]
+fn cantilever_through_every_system() {
+    for system in
+        ["BandGeneral", "BandSPD", "ProfileSPD", "SparseGeneral", "UmfPack", "FullGeneral", "SparseSYM", "Mumps"]
+    {
+        for dense in [true, false] {
+            let mut script = Script::default();
+            script.options.dense = Some(dense);
+            let text = format!(
+                "model basic -ndm 2 -ndf 3
+                for {{set i 0}} {{$i <= 10}} {{incr i}} {{ node $i [expr {{0.4*$i}}] 0.0 }}
+                fix 0 1 1 1
+                geomTransf Linear 1
+                for {{set i 1}} {{$i <= 10}} {{incr i}} {{ element elasticBeamColumn $i [expr {{$i-1}}] $i 0.02 2e8 1e-4 1 }}
+                timeSeries Linear 1
+                pattern Plain 1 1 {{ load 10 5.0 -12.0 3.0 }}
+                system {system}; numberer RCM; constraints Plain; test NormDispIncr 1e-12 5; algorithm Newton
+                integrator LoadControl 1.0; analysis Static
+                analyze 1
+                puts [nodeDisp 10]"
+            );
+            let u = script.run(&text).done().numbers();
+            let (l, ei) = (4.0f64, 2e8 * 1e-4);
+            assert!(close(u[0], 5.0 * l / (2e8 * 0.02), 1e-9), "{system}");
+            assert!(close(u[1], -12.0 * l.powi(3) / (3.0 * ei) + 3.0 * l * l / (2.0 * ei), 1e-9), "{system}");
+            assert!(close(u[2], -12.0 * l * l / (2.0 * ei) + 3.0 * l / ei, 1e-9), "{system}");
+        }
+    }
+}
+
+/// A column under its axial load: P-Delta stiffness, and buckling of the corotational one at Euler's load.
+#[test]
+fn columns_lose_stiffness_under_axial_load() {
+    let push = |transf: &str, p: f64| {
+        let ran = run(&format!(
+            "model basic -ndm 2 -ndf 3
+            for {{set i 0}} {{$i <= 16}} {{incr i}} {{ node $i 0.0 [expr {{0.25*$i}}] }}
+            fix 0 1 1 1
+            geomTransf {transf} 1
+            for {{set i 1}} {{$i <= 16}} {{incr i}} {{ element elasticBeamColumn $i [expr {{$i-1}}] $i 0.1 2e8 1e-5 1 }}
+            timeSeries Linear 1
+            pattern Plain 1 1 {{ load 16 0.0 [expr -{p}] 0.0 }}
+            system BandGeneral; numberer RCM; constraints Plain; test NormUnbalance 1e-6 30; algorithm Newton
+            integrator LoadControl 0.1; analysis Static
+            analyze 10
+            loadConst -time 0.0
+            pattern Plain 2 1 {{ load 16 1e-3 0.0 0.0 }}
+            integrator LoadControl 1.0
+            analyze 1
+            puts [nodeDisp 16 1]"
+        ));
+        1e-3 / ran.numbers()[0]
+    };
+    let (l, ei) = (4.0f64, 2e8 * 1e-5);
+    let p = 0.6 * (std::f64::consts::PI / (2.0 * l)).powi(2) * ei;
+    // Beam-column theory: u = H (tan kL - kL) / (P k).
+    let k = (p / ei).sqrt();
+    let exact = p * k / ((k * l).tan() - k * l);
+    for transf in ["PDelta", "Corotational"] {
+        let found = push(transf, p);
+        assert!(close(found, exact, 4e-3), "{transf}: {found} and {exact}");
+    }
+    assert!(close(push("Linear", p), 3.0 * ei / l.powi(3), 1e-6));
+}
+
+/// A softening spring is followed past its peak by displacement control, and the load factor falls.
+#[test]
+fn displacement_control_follows_softening() {
+    let ran = run("model basic -ndm 1 -ndf 1
+        node 1 0; node 2 0
+        fix 1 1
+        uniaxialMaterial Steel01 1 10.0 1000.0 -0.05
+        element zeroLength 1 1 2 -mat 1 -dir 1
+        timeSeries Linear 1
+        pattern Plain 1 1 { load 2 2.0 }
+        system BandGeneral; numberer Plain; constraints Plain; test NormUnbalance 1e-10 20; algorithm Newton
+        integrator DisplacementControl 2 1 0.002
+        analysis Static
+        puts [analyze 30]
+        puts [nodeDisp 2 1]
+        puts [getTime]
+        puts [eleResponse 1 material 1 stress]");
+    let v = ran.numbers();
+    assert_eq!(v[0], 0.0);
+    assert!(close(v[1], 0.06, 1e-12));
+    assert!(close(v[3], 10.0 - 50.0 * 0.05, 1e-9), "stress {}", v[3]);
+    assert!(close(v[2], 0.5 * v[3], 1e-9), "load factor {}", v[2]);
+}
+
+/// All algorithms come to the same equilibrium of a yielding frame of springs.
+#[test]
+fn algorithms_come_to_the_same_answer() {
+    let answer = |algorithm: &str| {
+        run(&format!(
+            "model basic -ndm 2 -ndf 2
+            node 1 0 0; node 2 3 0; node 3 1.5 2; node 4 1.5 4
+            fix 1 1 1; fix 2 1 1
+            uniaxialMaterial Steel01 1 250.0 2e5 0.02
+            uniaxialMaterial BoucWen 2 0.05 1e5 2.0 3e4 3e4 1.0 0.0 0.0 0.0
+            element truss 1 1 3 0.01 1; element truss 2 2 3 0.012 1; element truss 3 3 4 0.01 2
+            element truss 4 1 4 0.005 1; element truss 5 2 4 0.006 2
+            timeSeries Linear 1
+            pattern Plain 1 1 {{ load 4 0.9 -0.6 }}
+            system BandGeneral; numberer Plain; constraints Plain; test NormUnbalance 1e-11 2000
+            algorithm {algorithm}
+            integrator LoadControl 0.1; analysis Static
+            puts [analyze 14]
+            puts [nodeDisp 4]"
+        ))
+        .numbers()
+    };
+    let reference = answer("Newton");
+    assert_eq!(reference[0], 0.0);
+    for algorithm in [
+        "Newton -initial",
+        "Newton -initialThenCurrent",
+        "Newton -Hall 0.3 0.7",
+        "ModifiedNewton",
+        "ModifiedNewton -initial",
+        "KrylovNewton",
+        "KrylovNewton -maxDim 6 -iterate initial -increment initial",
+        "NewtonLineSearch",
+        "NewtonLineSearch -type Bisection",
+        "NewtonLineSearch -type Secant",
+        "NewtonLineSearch -type RegulaFalsi -tol 0.5",
+    ] {
+        let other = answer(algorithm);
+        assert_eq!(other[0], 0.0, "{algorithm}");
+        assert!(close(other[1], reference[1], 1e-8) && close(other[2], reference[2], 1e-8), "{algorithm}: {other:?}");
+    }
+}
+
+/// Every test stops the iterations; those that measure something leave the same answer.
+#[test]
+fn tests_stop_the_iterations() {
+    let mut reference = None;
+    for test in [
+        "NormDispIncr 1e-12 30",
+        "NormUnbalance 1e-9 30",
+        "EnergyIncr 1e-20 30",
+        "RelativeNormDispIncr 1e-12 30",
+        "RelativeNormUnbalance 1e-10 30",
+        "RelativeEnergyIncr 1e-20 30",
+        "RelativeTotalNormDispIncr 1e-12 30",
+        "FixedNumIter 12",
+        "NormDispAndUnbalance 1e-12 1e-9 30",
+        "NormDispOrUnbalance 1e-12 1e-9 30",
+        "NormDispIncr 1e-12 30 0 0",
+        "NormDispIncr 1e-12 30 0 1",
+    ] {
+        let ran = run(&format!(
+            "model basic -ndm 1 -ndf 1
+            node 1 0; node 2 0; fix 1 1
+            uniaxialMaterial BoucWen 1 0.1 100.0 2.0 50.0 50.0 1.0 0 0 0
+            element zeroLength 1 1 2 -mat 1 -dir 1
+            timeSeries Linear 1
+            pattern Plain 1 1 {{ load 2 3.0 }}
+            system BandGeneral; numberer Plain; constraints Plain; test {test}; algorithm Newton
+            integrator LoadControl 0.25; analysis Static
+            puts [analyze 8]; puts [nodeDisp 2 1]; puts [testIter]"
+        ));
+        let v = ran.numbers();
+        assert_eq!(v[0], 0.0, "{test}");
+        let u = *reference.get_or_insert(v[1]);
+        assert!(close(v[1], u, 1e-8), "{test}: {} and {u}", v[1]);
+        assert!(v[2] >= 1.0 && v[2] <= 30.0, "{test}");
+    }
+}
+
+/// A laboratory test: every degree of freedom is imposed, no equation is left.
+#[test]
+fn a_model_without_equations_runs() {
+    let ran = run("model basic -ndm 1 -ndf 1
+        node 1 0; node 2 0; fix 1 1
+        uniaxialMaterial ElasticPP 1 100.0 0.01
+        element zeroLength 1 1 2 -mat 1 -dir 1
+        timeSeries Path 1 -dt 1.0 -values {0.0 0.005 0.02 0.01 -0.02 0.0 0.0}
+        pattern Plain 1 1 { sp 2 1 1.0 }
+        recorder Element -file f.out -time -ele 1 material 1 stressStrain
+        constraints Transformation; numberer Plain; system BandGeneral; test NormDispIncr 1e-9 20; algorithm Newton
+        integrator LoadControl 1.0; analysis Static
+        puts [analyze 5]");
+    assert_eq!(ran.numbers(), [0.0]);
+    let stress: Vec<f64> = ran.tables["f.out"].iter().map(|r| r[1]).collect();
+    for (found, expected) in stress.iter().zip([0.5, 1.0, 0.0, -1.0, 1.0]) {
+        assert!((found - expected).abs() < 1e-12, "{stress:?}");
+    }
+}
+
+#[test]
+fn adaptive_steps_stay_within_their_limits() {
+    let ran = run("model basic -ndm 1 -ndf 1
+        node 1 0; node 2 0; fix 1 1
+        uniaxialMaterial Elastic 1 100.0
+        element zeroLength 1 1 2 -mat 1 -dir 1
+        timeSeries Linear 1
+        pattern Plain 1 1 { load 2 1.0 }
+        constraints Plain; numberer Plain; system BandGeneral; test NormUnbalance 1e-9 20; algorithm Newton
+        integrator LoadControl 0.1 4 0.05 1.0; analysis Static
+        foreach i {1 2 3 4} { analyze 1; puts [getTime] }");
+    // One iteration a step: the step is multiplied by four until the limit.
+    let expected = [0.1, 0.5, 1.5, 2.5];
+    for (t, e) in ran.numbers().iter().zip(expected) {
+        assert!(close(*t, e, 1e-12), "{:?}", ran.numbers());
+    }
+}
+
+#[test]
+fn reactions_balance_the_loads() {
+    let ran = run("model basic -ndm 3 -ndf 6
+        node 1 0 0 0; node 2 4 0 0; node 3 4 3 0; node 4 0 0 5; node 5 4 0 5; node 6 4 3 5
+        foreach n {1 2 3} { fix $n 1 1 1 1 1 1 }
+        geomTransf Linear 1 1 0 0; geomTransf Linear 2 0 0 1
+        foreach {e i j} {1 1 4 2 2 5 3 3 6} { element elasticBeamColumn $e $i $j 0.1 3e7 1.2e7 0.002 0.001 0.0015 1 }
+        foreach {e i j} {4 4 5 5 5 6} { element elasticBeamColumn $e $i $j 0.08 3e7 1.2e7 0.002 0.001 0.0015 2 }
+        timeSeries Constant 1
+        pattern Plain 1 1 {
+            load 4 10 -5 -20 1 2 3
+            eleLoad -ele 4 -type -beamUniform -3.0 2.0 0.5
+            eleLoad -ele 5 -type -beamPoint -7.0 1.0 0.4 2.0
+        }
+        system SparseGeneral; numberer RCM; constraints Transformation; test NormUnbalance 1e-9 5; algorithm Newton
+        integrator LoadControl 1.0; analysis Static
+        analyze 1
+        foreach n {1 2 3} { puts [nodeReaction $n] }");
+    let r = ran.numbers();
+    let sum = |k: usize| r[k] + r[6 + k] + r[12 + k];
+    // Beam 4 runs along x with local z up and local y along y; beam 5 runs along y, local y is against x.
+    let applied = [10.0 + 0.5 * 4.0 + 7.0, -5.0 - 3.0 * 4.0 + 2.0, -20.0 + 2.0 * 4.0 + 1.0];
+    for k in 0..3 {
+        assert!((sum(k) + applied[k]).abs() < 1e-8, "direction {}: {} and {}", k + 1, sum(k), applied[k]);
+    }
+}

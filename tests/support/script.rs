@@ -1,0 +1,102 @@
+//! Runs scripts in memory.
+#![allow(dead_code)]
+
+use hysteron::analysis::Options;
+use hysteron::command::{FileFormat, Mode, Outputs, Tcl};
+use hysteron::diagnostic::Diagnostic;
+use hysteron::record::{Memory, Output, RecordError};
+use hysteron::run::{End, Run, Settings};
+use hysteron::script::{Files, MemoryFiles, OpenMode, Recorded};
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::io::Write;
+use std::path::Path;
+use std::rc::Rc;
+
+/// Recorders' tables by file name.
+#[derive(Clone, Default)]
+pub struct Tables(Rc<RefCell<BTreeMap<String, Memory>>>);
+
+impl Outputs for Tables {
+    fn create(&mut self, name: &str, _: &Path, _: FileFormat) -> Result<Box<dyn Output>, RecordError> {
+        let memory = Memory::default();
+        self.0.borrow_mut().insert(name.to_owned(), memory.clone());
+        Ok(Box::new(memory))
+    }
+}
+
+/// A script that has been run.
+pub struct Ran {
+    pub end: End,
+    pub out: String,
+    pub err: String,
+    pub interp: Tcl,
+    pub tables: BTreeMap<String, Vec<Vec<f64>>>,
+}
+
+impl Ran {
+    /// Numbers that the script has put out, separated by blanks.
+    pub fn numbers(&self) -> Vec<f64> {
+        self.out.split_whitespace().map(|w| w.parse().unwrap_or_else(|_| panic!("no number: {w}"))).collect()
+    }
+
+    /// The script must have come to its end.
+    pub fn done(self) -> Self {
+        assert!(matches!(self.end, End::Done), "{:?}\n{}{}", self.end, self.out, self.err);
+        self
+    }
+
+    pub fn warnings(&self) -> &[Diagnostic] {
+        &self.interp.warnings
+    }
+
+    /// The error that ended the script.
+    pub fn error(&self) -> &Diagnostic {
+        match &self.end {
+            End::Rejected(d) | End::Raised(d) => d,
+            other => panic!("no error but {other:?}"),
+        }
+    }
+}
+
+pub struct Script {
+    pub options: Options,
+    pub mode: Mode,
+    pub strict: bool,
+    files: MemoryFiles,
+}
+
+impl Default for Script {
+    fn default() -> Self {
+        Self { options: Options::default(), mode: Mode::Run, strict: false, files: MemoryFiles::default() }
+    }
+}
+
+impl Script {
+    pub fn compat() -> Self {
+        Self { options: Options { compat: true, ..Options::default() }, ..Self::default() }
+    }
+
+    /// A file that the script may read.
+    pub fn with_file(mut self, name: &str, text: &str) -> Self {
+        let path = format!("{}/{name}", self.files.current_dir().trim_end_matches('/'));
+        let mode = OpenMode { write: true, create: true, truncate: true, ..OpenMode::default() };
+        self.files.open(&path, mode).unwrap().write_all(text.as_bytes()).unwrap();
+        self
+    }
+
+    pub fn run(self, text: &str) -> Ran {
+        let Self { options, mode, strict, files } = self.with_file("model.tcl", text);
+        let (console, tables) = (Recorded::default(), Tables::default());
+        let settings = Settings { mode, strict, options };
+        let mut run = Run::new(settings, Box::new(console.clone()), Box::new(files), Box::new(tables.clone()));
+        let end = run.script("model.tcl", &[]);
+        let tables = tables.0.borrow().iter().map(|(name, m)| (name.clone(), m.take())).collect();
+        Ran { end, out: console.out(), err: console.err(), interp: run.interp, tables }
+    }
+}
+
+/// Run a script that must come to its end.
+pub fn run(text: &str) -> Ran {
+    Script::default().run(text).done()
+}
