@@ -88,6 +88,7 @@ pub struct Test {
     pub iteration: usize,
     /// Norms of this step, one an iteration.
     pub norms: Vec<f64>,
+    keep: bool,
     first: f64,
     total: f64,
     increases: usize,
@@ -121,6 +122,7 @@ impl Test {
             max_norm: f64::MAX,
             iteration: 0,
             norms: vec![],
+            keep: true,
             first: 0.0,
             total: 0.0,
             increases: 0,
@@ -129,7 +131,7 @@ impl Test {
 
     /// A test of the same kind for a single iteration, which leaves this one as it is. Allocates nothing.
     pub fn probe(&self) -> Self {
-        Self { norms: vec![], iteration: 0, first: 0.0, total: 0.0, increases: 0, ..*self }
+        Self { norms: vec![], keep: false, iteration: 0, first: 0.0, total: 0.0, increases: 0, ..*self }
     }
 
     /// Begin a step.
@@ -172,7 +174,7 @@ impl Test {
             _ => {}
         }
         let grown = self.norms.last().is_some_and(|last| *last < norm);
-        if self.norms.len() < Self::KEPT {
+        if self.keep && self.norms.len() < Self::KEPT {
             self.norms.push(norm);
         } else if let Some(last) = self.norms.last_mut() {
             *last = norm;

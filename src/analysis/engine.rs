@@ -246,6 +246,26 @@ impl Engine {
         }
     }
 
+    /// The state, to be gone back to. What follows from here and what follows [`Engine::restore`] is the same to the
+    /// bit: factors of earlier steps are forgotten both times, and nothing else is remembered.
+    pub fn checkpoint(&mut self) -> State {
+        self.forget_work();
+        self.committed.clone()
+    }
+
+    /// Go back to a state that [`Engine::checkpoint`] gave.
+    pub fn restore(&mut self, state: &State) {
+        self.change_state(|s, _| s.clone_from(state));
+        self.forget_work();
+    }
+
+    fn forget_work(&mut self) {
+        if let Some((_, _, work)) = &mut self.prepared {
+            work.forget();
+        }
+        self.fresh = true;
+    }
+
     /// Back to the undeformed, virgin model at time zero.
     pub fn reset(&mut self) {
         self.committed = State::default();

@@ -193,6 +193,12 @@ impl Prepared {
         }
     }
 
+    /// Forget tangents and factors, which are those of another state.
+    pub(super) fn forget(&mut self) {
+        self.tangent_is_current = false;
+        self.solver.forget();
+    }
+
     /// Whether the damping needs the tangent of the committed state.
     pub(super) fn wants_committed_tangent(&self) -> bool {
         !self.committed.is_empty()

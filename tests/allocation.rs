@@ -1,0 +1,162 @@
+//! The analysis loop allocates nothing after its first step, and the same input gives the same bits.
+
+#[path = "support/script.rs"]
+mod script;
+
+use hysteron::analysis::{Engine, Observer, Quiet};
+use hysteron::io::number::Style;
+use hysteron::record::{Cadence, ElementResponse, NodeQuantity, NodeResponse, Recorder, Separator, TextFile};
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+
+struct Counting;
+
+thread_local! {
+    static COUNT: Cell<usize> = const { Cell::new(0) };
+}
+
+// Safety: passes everything on to the system's allocator.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        COUNT.with(|c| c.set(c.get() + 1));
+        unsafe { System.alloc(layout) }
+    }
+    unsafe fn dealloc(&self, p: *mut u8, layout: Layout) {
+        unsafe { System.dealloc(p, layout) }
+    }
+    unsafe fn realloc(&self, p: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        COUNT.with(|c| c.set(c.get() + 1));
+        unsafe { System.realloc(p, layout, size) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+/// A storey on four bearings with a rigid floor, P-Delta columns, dashpots, Rayleigh damping and member loads.
+fn storey(algorithm: &str, integrator: &str, handler: &str) -> String {
+    format!(
+        "model basic -ndm 3 -ndf 6
+        set n 0
+        uniaxialMaterial Elastic 1 1.2e6
+        uniaxialMaterial Elastic 2 2.0e4
+        uniaxialMaterial Viscous 3 20.0 0.7
+        uniaxialMaterial Steel01 4 50.0 1e4 0.05
+        geomTransf PDelta 1 1 0 0; geomTransf Linear 2 0 0 1
+        foreach {{x y}} {{0 0 6 0 6 4 0 4}} {{
+            incr n
+            node $n $x $y 0; node 1$n $x $y 0; node 2$n $x $y 3
+            fix $n 1 1 1 1 1 1
+            element elastomericBearingBoucWen $n $n 1$n 7000. 45.0 0.10 0.0 2.0 1.0 0.5 0.5 -P 1 -T 2 -My 2 -Mz 2 -orient 0 0 1 1 0 0
+            element zeroLength 3$n $n 1$n -mat 3 4 -dir 1 2
+            element elasticBeamColumn 1$n 1$n 2$n 0.1 3e7 1.2e7 0.002 0.001 0.0015 1
+            mass 2$n 0 0 10 0 0 0; mass 1$n 5 5 5 0 0 0
+        }}
+        node 20 3 2 3; fix 20 0 0 1 1 1 0; mass 20 100 100 0 0 0 500
+        rigidDiaphragm 3 20 21 22 23 24
+        foreach {{e i j}} {{5 21 22 6 22 23 7 23 24 8 24 21}} {{ element elasticBeamColumn $e $i $j 0.08 3e7 1.2e7 0.002 0.001 0.0015 2 -mass 0.2 }}
+        timeSeries Linear 1
+        pattern Plain 1 1 {{ foreach k {{1 2 3 4}} {{ load 2$k 0 0 -200 0 0 0 }}; eleLoad -ele 5 6 -type -beamUniform 0.0 -3.0 }}
+        constraints {handler}; numberer RCM; system UmfPack; test NormDispIncr 1e-9 80; algorithm Newton
+        integrator LoadControl 0.1; analysis Static
+        analyze 10
+        loadConst -time 0.0
+        wipeAnalysis
+        rayleigh 0.1 0.0 0.001 0.001
+        timeSeries Trig 2 0 100 1.1 -factor 3.0
+        timeSeries Trig 3 0 100 0.7 -factor 2.0
+        pattern UniformExcitation 2 1 -accel 2
+        pattern UniformExcitation 3 2 -accel 3
+        constraints {handler}; numberer RCM; system UmfPack; test NormDispIncr 1e-7 300; algorithm {algorithm}
+        integrator {integrator}; analysis Transient
+        analyze 3 0.01"
+    )
+}
+
+struct Recording(Vec<Recorder>);
+
+impl Observer for Recording {
+    fn committed(&mut self, engine: &mut Engine) -> Result<(), String> {
+        self.0.iter_mut().try_for_each(|r| r.record(engine)).map_err(|e| e.to_string())
+    }
+}
+
+fn allocations(engine: &mut Engine, steps: usize, observer: &mut dyn Observer) -> usize {
+    engine.analyze(2, 0.01, observer).unwrap();
+    let before = COUNT.with(Cell::get);
+    engine.analyze(steps, 0.01, observer).unwrap();
+    COUNT.with(Cell::get) - before
+}
+
+#[test]
+fn steps_allocate_nothing() {
+    for (algorithm, integrator, handler) in [
+        ("Newton", "Newmark 0.5 0.25", "Transformation"),
+        ("KrylovNewton", "Newmark 0.5 0.25", "Transformation"),
+        ("ModifiedNewton", "HHT 0.9", "Transformation"),
+        ("NewtonLineSearch", "Newmark 0.5 0.25", "Penalty 1e9 1e9"),
+        ("Newton -initial", "Newmark 0.5 0.25", "Transformation"),
+    ] {
+        for dense in [Some(false), Some(true)] {
+            let mut script = script::Script::default();
+            script.options.dense = dense;
+            let mut ran = script.run(&storey(algorithm, integrator, handler)).done();
+            let count = allocations(&mut ran.interp.host.engine, 40, &mut Quiet);
+            assert_eq!(count, 0, "{algorithm}, {integrator}, {handler}, dense {dense:?}");
+        }
+    }
+}
+
+#[test]
+fn recorders_allocate_nothing() {
+    let mut ran = script::run(&storey("Newton", "Newmark 0.5 0.25", "Transformation"));
+    let dir = std::env::temp_dir().join(format!("hysteron-allocation-{}", std::process::id()));
+    std::fs::create_dir_all(&dir).unwrap();
+    let file = |name: &str| {
+        Box::new(TextFile::create(&dir.join(name), Style::default(), Separator::Space, false).unwrap())
+    };
+    let all = Cadence { time: true, ..Cadence::default() };
+    let node = |q: &str| Box::new(NodeResponse::new(NodeQuantity::parse(q).unwrap(), None, vec![0, 1], vec![]));
+    let element = |w: &str| Box::new(ElementResponse::new(Some(vec![1, 2]), vec![w.to_owned()], vec![]));
+    let mut recorders = Recording(vec![
+        Recorder::history(node("disp"), file("disp"), all),
+        Recorder::history(node("reaction"), file("reaction"), all),
+        Recorder::history(element("localForce"), file("force"), all),
+        Recorder::envelope(element("deformation"), file("envelope"), all),
+    ]);
+    let count = allocations(&mut ran.interp.host.engine, 40, &mut recorders);
+    drop(recorders);
+    std::fs::remove_dir_all(&dir).unwrap();
+    assert_eq!(count, 0);
+}
+
+#[test]
+fn the_same_input_gives_the_same_bits() {
+    let bits = || {
+        let mut ran = script::run(&storey("Newton", "Newmark 0.5 0.25", "Transformation"));
+        let engine = &mut ran.interp.host.engine;
+        engine.analyze(60, 0.01, &mut Quiet).unwrap();
+        engine.state().clone()
+    };
+    let first = bits();
+    let threads: Vec<_> = (0..3).map(|_| std::thread::spawn(bits)).collect();
+    for t in threads {
+        assert_eq!(t.join().unwrap(), first);
+    }
+}
+
+/// State is data: an engine that is put back goes on to the bit.
+#[test]
+fn a_state_put_back_goes_on_to_the_bit() {
+    let mut script = script::Script::default();
+    script.options.dense = Some(false);
+    let mut ran = script.run(&storey("Newton", "Newmark 0.5 0.25", "Transformation")).done();
+    let engine = &mut ran.interp.host.engine;
+    engine.analyze(20, 0.01, &mut Quiet).unwrap();
+    let kept = engine.checkpoint();
+    engine.analyze(30, 0.01, &mut Quiet).unwrap();
+    let end = engine.state().clone();
+    engine.restore(&kept);
+    engine.analyze(30, 0.01, &mut Quiet).unwrap();
+    assert_eq!(*engine.state(), end);
+}
