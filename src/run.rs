@@ -31,8 +31,8 @@ pub enum End {
     Raised(Box<Diagnostic>),
     /// It was interrupted.
     Interrupted,
-    /// A check had seen enough: the script goes on and on.
-    Enough,
+    /// A check had seen enough: the script waits for results that only a run has. With what stopped it, if anything.
+    Enough(Option<Box<Diagnostic>>),
 }
 
 impl End {
@@ -40,7 +40,7 @@ impl End {
     /// 130 interrupted.
     pub fn status(&self) -> i32 {
         match self {
-            Self::Done | Self::Enough => 0,
+            Self::Done | Self::Enough(_) => 0,
             Self::Failed(_) | Self::Raised(_) => 1,
             Self::Exit(n) => *n,
             Self::Rejected(_) => 2,
@@ -100,8 +100,9 @@ impl Run {
                 _ => End::Done,
             },
             Err(Exception::Exit(status)) => End::Exit(status),
-            Err(Exception::Interrupted) if self.interp.budget == Some(0) => End::Enough,
+            Err(Exception::Interrupted) if self.interp.budget == Some(0) => End::Enough(None),
             Err(Exception::Interrupted) => End::Interrupted,
+            Err(Exception::Error(e)) if self.interp.host.rehearsed => End::Enough(Some(Box::new(e.diagnostic))),
             Err(Exception::Error(e)) if e.error_code.is_some() && false => End::Raised(Box::new(e.diagnostic)),
             Err(Exception::Error(e)) => End::Rejected(Box::new(e.diagnostic)),
             Err(_) => End::Done,

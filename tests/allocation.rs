@@ -112,9 +112,8 @@ fn recorders_allocate_nothing() {
     let mut ran = script::run(&storey("Newton", "Newmark 0.5 0.25", "Transformation"));
     let dir = std::env::temp_dir().join(format!("hysteron-allocation-{}", std::process::id()));
     std::fs::create_dir_all(&dir).unwrap();
-    let file = |name: &str| {
-        Box::new(TextFile::create(&dir.join(name), Style::default(), Separator::Space, false).unwrap())
-    };
+    let file =
+        |name: &str| Box::new(TextFile::create(&dir.join(name), Style::default(), Separator::Space, false).unwrap());
     let all = Cadence { time: true, ..Cadence::default() };
     let node = |q: &str| Box::new(NodeResponse::new(NodeQuantity::parse(q).unwrap(), None, vec![0, 1], vec![]));
     let element = |w: &str| Box::new(ElementResponse::new(Some(vec![1, 2]), vec![w.to_owned()], vec![]));

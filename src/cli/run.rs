@@ -2,12 +2,12 @@
 
 use super::args::{Arguments, Command, Run as RunArguments};
 use super::console::Terminal;
-use super::files::SystemFiles;
+use super::files::{NoFiles, SystemFiles};
 use super::messages::Messages;
 use super::progress::Bar;
 use clap::Parser;
 use hysteron::analysis::{Ladder, Options};
-use hysteron::command::{self, Mode, Tcl};
+use hysteron::command::{self, Mode, Outputs, Tcl};
 use hysteron::diagnostic::{Diagnostic, Severity, Span};
 use hysteron::run::{End, Run, Settings};
 use hysteron::script::OsFiles;
@@ -31,7 +31,8 @@ fn script(run: &RunArguments, mode: Mode, ladder: bool, model: &str, args: &[Str
     let options = Options { compat: run.compat.is_some(), ladder: ladder.then(Ladder::default), dense: None };
     let settings = Settings { mode, strict: run.strict, options };
     let console = Terminal::new(bar.clone());
-    let mut run = Run::new(settings, Box::new(console), Box::new(OsFiles), Box::new(SystemFiles));
+    let outputs: Box<dyn Outputs> = if mode == Mode::Run { Box::new(SystemFiles) } else { Box::new(NoFiles) };
+    let mut run = Run::new(settings, Box::new(console), Box::new(OsFiles), outputs);
     run.interp.host.tell(Box::new(bar.steps()));
     let aside = bar.clone();
     let mut shown = Shown::default();
@@ -78,17 +79,22 @@ fn tell_end(end: &End, interp: &Tcl) {
         End::Rejected(d) | End::Raised(d) => eprintln!("{}", messages.render(d, &interp.sources)),
         End::Failed(f) => eprintln!("error: the last analysis failed: {f}"),
         End::Interrupted => eprintln!("interrupted: what was recorded so far has been kept"),
-        End::Enough => eprintln!("note: the check was ended: the script waits for results that only a run has"),
+        End::Enough(None) => eprintln!("note: the check was ended: the script waits for results that only a run has"),
+        End::Enough(Some(d)) => {
+            let place = messages.line(d, &interp.sources);
+            eprintln!("note: the check ends where the script needs results of the analysis: {place}");
+        }
         End::Done | End::Exit(_) => {}
     }
 }
 
-/// All warnings again, a line each, so that none is overlooked.
+/// Everything again that was told on the way, a line each, so that nothing is overlooked.
 fn summarise(interp: &Tcl) {
     let messages = Messages::new();
     let mut lines: Vec<(String, usize)> = vec![];
     for w in &interp.warnings {
-        let line = messages.line(w, &interp.sources);
+        let kind = if w.severity == Severity::Error { "error" } else { "warning" };
+        let line = format!("{kind}: {}", messages.line(w, &interp.sources));
         match lines.iter_mut().find(|(l, _)| *l == line) {
             Some((_, n)) => *n += 1,
             None => lines.push((line, 1)),
@@ -97,8 +103,11 @@ fn summarise(interp: &Tcl) {
     if lines.is_empty() {
         return;
     }
-    let total: usize = lines.iter().map(|l| l.1).sum();
-    eprintln!("{total} warning{}:", if total == 1 { "" } else { "s" });
+    let count = |severity| interp.warnings.iter().filter(|w| w.severity == severity).count();
+    let plural = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
+    let totals = [(count(Severity::Error), "error"), (count(Severity::Warning), "warning")];
+    let totals: Vec<String> = totals.iter().filter(|t| t.0 > 0).map(|t| plural(t.0, t.1)).collect();
+    eprintln!("{}:", totals.join(", "));
     for (line, n) in lines.iter().take(30) {
         let times = if *n > 1 { format!(" ({n} times)") } else { String::new() };
         eprintln!("  {line}{times}");

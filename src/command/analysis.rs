@@ -2,13 +2,13 @@
 
 use super::args::Args;
 use super::session::{Mode, Parts};
-use super::{Command, Outcome, Tcl, finish, warn};
+use super::{Command, Outcome, Tcl, finish, ignore_option, warn};
 use crate::analysis::algorithm::{Algorithm, Newton, TangentChoice};
 use crate::analysis::integrator::Form;
 use crate::analysis::integrator::{Adaptive, Integrator, LoadControl, Newmark};
 use crate::analysis::{Cause, Failure, Kind, Ladder, Measure, ModesError, Problem, Setup, TangentMix, Test};
 use crate::assembly::Handler;
-use crate::diagnostic::{Diagnostic, Span};
+use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::script::{Call, Exception, Value};
 
 pub(super) const COMMANDS: &[Command] = &[
@@ -37,7 +37,7 @@ fn analysis(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     while a.left() > 0 {
         // `-numSublevels` and the like: substepping is asked for with `ladder`.
         a.option();
-        warn(interp, a.unknown_option(&[]))?;
+        ignore_option(interp, &mut a, &[])?;
     }
     let session = &mut interp.host;
     let old = session.engine.take_setup();
@@ -94,7 +94,10 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     }
     let session = &mut interp.host;
     let done = match session.mode {
-        Mode::Check => session.engine.rehearse(steps as usize, dt),
+        Mode::Check => {
+            session.rehearsed = true;
+            session.engine.rehearse(steps as usize, dt)
+        }
         Mode::Run => {
             session.recorders.print = session.parts.print;
             session.recorders.end = session.engine.excitation_end();
@@ -116,14 +119,14 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         }
         Err(Failure { cause: Cause::Interrupted, .. }) => Err(Exception::Interrupted),
         Err(failure) => {
-            let severe = interp.host.mode == Mode::Check;
-            let d = told(&failure, call.span(0));
+            let mut d = told(&failure, call.span(0));
+            // A check has found what a run would stumble over. In a run the script sees the code; it may have a
+            // remedy, so `--strict` makes no error of it.
+            if interp.host.mode == Mode::Check {
+                d.severity = Severity::Error;
+            }
             let code = failure.code;
             interp.host.last_failure = Some(failure);
-            if severe {
-                return Err(Exception::diagnosed(Diagnostic::error(d.message.clone()).at(d.span, d.label)));
-            }
-            // The script sees the code; it may have a remedy, so `--strict` does not make an error of it.
             super::tell(interp, d);
             Ok(Value::from(i64::from(code)))
         }
@@ -195,7 +198,7 @@ fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             "generalized" | "frequency" => problem = Problem::Generalized,
             "standard" => problem = Problem::Standard,
             "findLargest" => largest = true,
-            _ => warn(interp, a.unknown_option(SOLVERS))?,
+            _ => ignore_option(interp, &mut a, SOLVERS)?,
         }
     }
     let count = a.count("number of modes")?;

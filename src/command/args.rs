@@ -259,23 +259,30 @@ impl<'a> Args<'a> {
         self.call.arg(self.at - 1).as_str()
     }
 
-    /// A warning about the last word taken, which is no option of the command.
-    pub(super) fn unknown_option(&self, known: &[&str]) -> Diagnostic {
-        let word = self.call.arg(self.at - 1).as_str();
-        let message = format!("{}: \"{word}\" is not an option and is ignored", self.call.name());
-        let mut d = Diagnostic::warning(message).at(self.last_span(), format!("expected one of {}", known.join(" ")));
-        if let Some(near) = diagnostic::nearest(&word, known.iter().copied()) {
-            d = d.help(format!("did you mean \"{near}\"?"));
+    /// A warning about the last word taken, which is no option of the command. Numbers after it are left out with it.
+    pub(super) fn unknown_option(&mut self, known: &[&str]) -> Diagnostic {
+        let (word, span) = (self.last_word(), self.last_span());
+        let mut values = 0;
+        while word.starts_with('-') && self.at_number() {
+            self.at += 1;
+            values += 1;
         }
-        d
+        let with = if values > 0 { ", and so is what follows it" } else { "" };
+        let message = format!("{}: \"{word}\" is not an option and is ignored{with}", self.call.name());
+        let expected = if known.is_empty() { String::new() } else { format!("expected one of {}", known.join(" ")) };
+        let d = Diagnostic::warning(message).at(span, expected);
+        match diagnostic::nearest(&word, known.iter().copied()) {
+            Some(near) => d.help(format!("did you mean \"{near}\"?")),
+            None => d,
+        }
     }
 
     /// An error about the last word taken, which is none of the names that may stand there.
     pub(super) fn unknown_name(&self, what: &str, known: impl IntoIterator<Item = &'static str>) -> Exception {
         let word = self.call.arg(self.at - 1).as_str();
         let known: Vec<&str> = known.into_iter().collect();
-        let mut d =
-            Diagnostic::error(format!("unknown {what} \"{word}\"")).at(self.last_span(), format!("expected a {what}"));
+        let mut d = Diagnostic::error(format!("unknown {what} \"{word}\""))
+            .at(self.last_span(), format!("expected one of those below"));
         if let Some(near) = diagnostic::nearest(&word, known.iter().copied()) {
             d = d.help(format!("did you mean \"{near}\"?"));
         }

@@ -2,7 +2,7 @@
 
 use super::args::Args;
 use super::session::Region;
-use super::{Command, Outcome, Tcl, finish, warn};
+use super::{Command, Outcome, Tcl, finish, ignore_option};
 use crate::model::{ElementId, NodeId, Rayleigh};
 use crate::script::{Call, Exception, Value};
 
@@ -93,7 +93,7 @@ fn region(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             "-rayleigh" => damping = Some(factors(&mut a)?),
             _ => {
                 let known = ["-ele", "-eleOnly", "-eleRange", "-node", "-nodeOnly", "-nodeRange", "-rayleigh"];
-                warn(interp, a.unknown_option(&known))?;
+                ignore_option(interp, &mut a, &known)?;
             }
         }
     }

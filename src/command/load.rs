@@ -3,7 +3,7 @@
 use super::args::Args;
 use super::model::{need_model, node_of};
 use super::series::series_of;
-use super::{Command, Outcome, Tcl, finish, warn};
+use super::{Command, Outcome, Tcl, finish, ignore_option, warn};
 use crate::diagnostic::Diagnostic;
 use crate::element::ElementLoad;
 use crate::model::{ElementId, Excitation, NodalLoad, Pattern, PatternKind, SupportMotion, Tag};
@@ -58,7 +58,7 @@ fn plain(interp: &mut Tcl, mut a: Args<'_>) -> Outcome {
         a.option();
         match a.last_word().as_ref() {
             "-fact" | "-factor" => factor = a.float("factor")?,
-            _ => warn(interp, a.unknown_option(&["-fact"]))?,
+            _ => ignore_option(interp, &mut a, &["-fact"])?,
         }
     }
     let pattern = Pattern::new(PatternKind::Plain { series, factor });
@@ -94,7 +94,7 @@ fn uniform(interp: &mut Tcl, mut a: Args<'_>) -> Outcome {
                 let message = format!("a uniform excitation by {option} is not supported: give the acceleration");
                 return Err(a.refuse(message, "expected -accel"));
             }
-            _ => warn(interp, a.unknown_option(&["-accel", "-vel0", "-fact"]))?,
+            _ => ignore_option(interp, &mut a, &["-accel", "-vel0", "-fact"])?,
         }
     }
     if !given {
@@ -141,7 +141,7 @@ fn load(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         match option.as_ref() {
             "-const" => constant = true,
             "-pattern" => named = Some(a.int("tag of the pattern")?),
-            _ => warn(interp, a.unknown_option(&["-const", "-pattern"]))?,
+            _ => ignore_option(interp, &mut a, &["-const", "-pattern"])?,
         }
     }
     let tag = current(interp, &a, named)?;
@@ -165,7 +165,7 @@ fn sp(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             "-const" => constant = true,
             "-subtractInit" => initial = interp.host.engine.state().disp[offset + dof],
             "-pattern" => named = Some(a.int("tag of the pattern")?),
-            _ => warn(interp, a.unknown_option(&["-const", "-subtractInit", "-pattern"]))?,
+            _ => ignore_option(interp, &mut a, &["-const", "-subtractInit", "-pattern"])?,
         }
     }
     let pattern = current(interp, &a, named)?;
@@ -212,7 +212,7 @@ fn ele_load(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             _ if given.is_none() => {
                 return Err(a.unknown_name("element load", ["-ele", "-range", "-type", "-beamUniform", "-beamPoint"]));
             }
-            _ => warn(interp, a.unknown_option(&["-ele", "-range", "-type"]))?,
+            _ => ignore_option(interp, &mut a, &["-ele", "-range", "-type"])?,
         }
     }
     let Some(load) = given else {
@@ -269,7 +269,7 @@ fn load_const(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-time" => time = Some(a.float("time")?),
-            _ => warn(interp, a.unknown_option(&["-time"]))?,
+            _ => ignore_option(interp, &mut a, &["-time"])?,
         }
     }
     let engine = &mut interp.host.engine;

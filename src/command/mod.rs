@@ -68,8 +68,29 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
 
 /// Make the commands known to an interpreter.
 pub fn install(interp: &mut Tcl) {
+    let check = interp.host.mode == Mode::Check;
     for c in commands() {
-        interp.register(c.name, c.run);
+        interp.register(c.name, if check { checked } else { c.run });
+    }
+}
+
+/// Run a command for a check: what is wrong with it is told, and the script goes on.
+fn checked(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let name = call.name();
+    let name = name.rsplit("::").next().unwrap_or_default();
+    let Some(command) = commands().find(|c| c.name == name) else {
+        return Err(Exception::error(format!("the command \"{name}\" was renamed, which a check does not follow")));
+    };
+    match (command.run)(interp, call) {
+        Err(Exception::Error(e)) => {
+            let mut wrong = e.diagnostic;
+            if wrong.span.is_none() {
+                wrong.span = call.whole_span();
+            }
+            tell(interp, wrong);
+            Ok(Value::EMPTY)
+        }
+        other => other,
     }
 }
 
@@ -81,6 +102,11 @@ fn warn(interp: &mut Tcl, mut warning: Diagnostic) -> Result<(), Exception> {
     }
     tell(interp, warning);
     Ok(())
+}
+
+/// Warn that the word just taken is none of the command's options, and go on without it.
+fn ignore_option(interp: &mut Tcl, args: &mut Args<'_>, known: &[&str]) -> Result<(), Exception> {
+    warn(interp, args.unknown_option(known))
 }
 
 /// Warn, whether or not warnings are errors.

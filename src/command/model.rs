@@ -1,7 +1,7 @@
 //! The model and its nodes.
 
 use super::args::Args;
-use super::{Command, Outcome, Tcl, finish, warn};
+use super::{Command, Outcome, Tcl, finish, ignore_option};
 use crate::diagnostic::Diagnostic;
 use crate::model::NodeId;
 use crate::script::{Call, Exception, Value};
@@ -49,7 +49,7 @@ fn model(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         match option.as_ref() {
             "-ndm" | "-NDM" => ndm = Some(a.dof("number of dimensions", 3)? + 1),
             "-ndf" | "-NDF" => ndf = Some(a.dof("number of degrees of freedom of a node", 6)? + 1),
-            _ => warn(interp, a.unknown_option(&["-ndm", "-ndf"]))?,
+            _ => ignore_option(interp, &mut a, &["-ndm", "-ndf"])?,
         }
     }
     let Some(ndm) = ndm else {
@@ -89,7 +89,7 @@ fn node(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             "-mass" => mass = Some(values(&mut a, ndf, "mass")?),
             "-disp" | "-dispLoc" => disp = Some(values(&mut a, ndf, "displacement")?),
             "-vel" => vel = Some(values(&mut a, ndf, "velocity")?),
-            _ => warn(interp, a.unknown_option(&["-ndf", "-mass", "-disp", "-vel"]))?,
+            _ => ignore_option(interp, &mut a, &["-ndf", "-mass", "-disp", "-vel"])?,
         }
     }
     let engine = &mut interp.host.engine;

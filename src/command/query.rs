@@ -2,7 +2,7 @@
 
 use super::args::Args;
 use super::model::node_of;
-use super::{Command, Outcome, Tcl, finish, warn};
+use super::{Command, Outcome, Tcl, finish, ignore_option};
 use crate::analysis::{Failure, ReactionKind, State};
 use crate::model::{ElementId, NodeId};
 use crate::record::ElementResponse;
@@ -111,7 +111,7 @@ fn reactions(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
                 interp.host.reaction_kind = ReactionKind::Dynamic;
             }
             "-rayleigh" | "-Rayleigh" => interp.host.reaction_kind = ReactionKind::Rayleigh,
-            _ => warn(interp, a.unknown_option(&["-dynamic", "-rayleigh"]))?,
+            _ => ignore_option(interp, &mut a, &["-dynamic", "-rayleigh"])?,
         }
     }
     Ok(Value::EMPTY)

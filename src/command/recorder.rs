@@ -2,7 +2,7 @@
 
 use super::args::Args;
 use super::session::FileFormat;
-use super::{Command, Outcome, Tcl, warn};
+use super::{Command, Outcome, Tcl, ignore_option, warn};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::io::number::Style;
 use crate::model::Tag;
@@ -193,7 +193,7 @@ fn node(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, envelope: bool) -> O
             }
             word if word.starts_with('-') => {
                 let known = [COMMON, &["-node", "-nodeRange", "-region", "-dof", "-timeSeries"]].concat();
-                warn(interp, a.unknown_option(&known))?;
+                ignore_option(interp, &mut a, &known)?;
             }
             word => {
                 // `eigen 1` may come as one word or as two.
@@ -303,7 +303,7 @@ fn drift(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, envelope: bool) -> 
             "-perpDirn" | "-perpDirection" => across = Some(a.dof("perpendicular direction", 3)?),
             _ => {
                 let known = [COMMON, &["-iNode", "-jNode", "-dof", "-perpDirn"]].concat();
-                warn(interp, a.unknown_option(&known))?;
+                ignore_option(interp, &mut a, &known)?;
             }
         }
     }

@@ -1,7 +1,7 @@
 //! `timeSeries`.
 
 use super::args::Args;
-use super::{Command, Outcome, Tcl, warn};
+use super::{Command, Outcome, Tcl, ignore_option, warn};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::script::{Call, Exception, Value};
 use crate::series::{Constant, Linear, Path, PathTimes, Pulse, Rectangular, Series, Triangle, Trig, Wave};
@@ -83,7 +83,7 @@ fn factor_only(interp: &mut Tcl, a: &mut Args<'_>) -> Result<f64, Exception> {
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-factor" => factor = a.float("factor")?,
-            _ => warn(interp, a.unknown_option(&["-factor"]))?,
+            _ => ignore_option(interp, a, &["-factor"])?,
         }
     }
     Ok(factor)
@@ -110,7 +110,7 @@ fn wave(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Wave, f64), Exception> {
             "-shift" | "-phaseShift" => w.shift = a.float("phase shift")?,
             "-zeroShift" => w.zero_shift = a.float("zero shift")?,
             "-width" | "-pulseWidth" => width = a.float("width of the pulse as a fraction of the period")?,
-            _ => warn(interp, a.unknown_option(&["-factor", "-shift", "-zeroShift", "-width"]))?,
+            _ => ignore_option(interp, a, &["-factor", "-shift", "-zeroShift", "-width"])?,
         }
     }
     Ok((w, width))
@@ -174,7 +174,7 @@ fn path(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
             "-startTime" | "-tStart" => start = a.float("start time")?,
             // An old script may give the tag as an option.
             "-tag" => drop(a.int("tag")?),
-            _ => warn(interp, a.unknown_option(PATH_OPTIONS))?,
+            _ => ignore_option(interp, a, PATH_OPTIONS)?,
         }
     }
     let Some(mut values) = values.filter(|v| !v.is_empty()) else {

@@ -178,6 +178,8 @@ pub struct Session {
     pub mode: Mode,
     /// Warnings are errors.
     pub strict: bool,
+    /// A check has passed over an analysis: results that the script reads are not there.
+    pub rehearsed: bool,
     /// Why the last `analyze` failed; none if it succeeded.
     pub last_failure: Option<Failure>,
     pub(super) on_warning: Option<OnWarning>,
@@ -205,6 +207,7 @@ impl Session {
             declared: BTreeMap::new(),
             mode,
             strict,
+            rehearsed: false,
             last_failure: None,
             on_warning: None,
             style: Style::default(),

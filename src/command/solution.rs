@@ -2,7 +2,7 @@
 
 use super::args::Args;
 use super::model::node_of;
-use super::{Command, Outcome, Tcl, finish, warn};
+use super::{Command, Outcome, Tcl, finish, ignore_option, warn};
 use crate::analysis::algorithm::{
     Algorithm, KrylovNewton, LineSearch, Linear, ModifiedNewton, Newton, NewtonLineSearch, SearchKind, TangentChoice,
 };
@@ -170,7 +170,7 @@ fn tangent(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(TangentChoice, bool), 
                 )?;
             }
             "-factorOnce" | "-FactorOnce" | "-factoronce" => once = true,
-            _ => warn(interp, a.unknown_option(&["-initial", "-initialThenCurrent", "-Hall", "-factorOnce"]))?,
+            _ => ignore_option(interp, a, &["-initial", "-initialThenCurrent", "-Hall", "-factorOnce"])?,
         }
     }
     Ok((choice, once))
@@ -238,7 +238,7 @@ fn line_search(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Box<dyn Algorithm>,
             "-minEta" => search.min_eta = a.float("shortest length")?,
             "-maxEta" => search.max_eta = a.float("longest length")?,
             "-pFlag" | "-flag" => drop(a.int("print flag")?),
-            _ => warn(interp, a.unknown_option(&["-type", "-tol", "-maxIter", "-minEta", "-maxEta", "-pFlag"]))?,
+            _ => ignore_option(interp, a, &["-type", "-tol", "-maxIter", "-minEta", "-maxEta", "-pFlag"])?,
         }
     }
     Ok(Box::new(NewtonLineSearch::new(search, TangentChoice::Always(TangentMix::CURRENT))))
@@ -258,7 +258,7 @@ fn krylov(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Box<dyn Algorithm>, Exce
                 if option == "-iterate" { iterate = mix } else { increment = mix.unwrap_or(TangentMix::CURRENT) }
             }
             "-maxDim" => dimension = a.count("largest dimension of the subspace")?,
-            _ => warn(interp, a.unknown_option(&["-increment", "-iterate", "-maxDim"]))?,
+            _ => ignore_option(interp, a, &["-increment", "-iterate", "-maxDim"])?,
         }
     }
     Ok(Box::new(KrylovNewton::new(increment, iterate, dimension)))
@@ -334,7 +334,7 @@ fn newmark(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Box<dyn Integrator>, Ex
                     _ => return Err(a.unknown_name("form of Newmark's method", ["D", "V", "A"])),
                 };
             }
-            _ => warn(interp, a.unknown_option(&["-form"]))?,
+            _ => ignore_option(interp, a, &["-form"])?,
         }
     }
     if beta == 0.0 && form != Form::Acceleration {

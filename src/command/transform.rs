@@ -2,7 +2,7 @@
 
 use super::args::Args;
 use super::model::need_model;
-use super::{Command, Outcome, Tcl, warn};
+use super::{Command, Outcome, Tcl, ignore_option};
 use crate::element::transform::{TransformKind, TransformSpec};
 use crate::script::{Call, Exception, Value};
 use nalgebra::Vector3;
@@ -39,7 +39,7 @@ fn geom_transf(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             "-jntOffset" => {
                 offsets = (vector(&mut a, ndm, "offset at node i")?, vector(&mut a, ndm, "offset at node j")?);
             }
-            _ => warn(interp, a.unknown_option(&["-jntOffset"]))?,
+            _ => ignore_option(interp, &mut a, &["-jntOffset"])?,
         }
     }
     let transform = TransformSpec { kind, xz, offsets };

@@ -2,7 +2,7 @@
 
 use super::{Ends, Kind};
 use crate::command::args::Args;
-use crate::command::{Tcl, warn};
+use crate::command::{Tcl, ignore_option};
 use crate::element::Element;
 use crate::element::beam::{Bending, ElasticBeam, Release};
 use crate::element::transform::{self, TransformError};
@@ -44,7 +44,7 @@ fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Options, Exception> {
             "-lMass" => o.consistent = false,
             "-release" | "-releasez" => o.release.0 = release(a)?,
             "-releasey" => o.release.1 = release(a)?,
-            _ => warn(interp, a.unknown_option(OPTIONS))?,
+            _ => ignore_option(interp, a, OPTIONS)?,
         }
     }
     Ok(o)

@@ -2,7 +2,7 @@
 
 use super::{Ends, Kind, orientation};
 use crate::command::args::Args;
-use crate::command::{Tcl, warn};
+use crate::command::{Tcl, ignore_option};
 use crate::element::Element;
 use crate::element::axes::Orientation;
 use crate::element::bearing::{BoucWen2d, BoucWen3d, Link, ShearParameters};
@@ -69,7 +69,7 @@ fn common(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Common, Exc
                 a.count("largest number of iterations")?;
                 a.positive("tolerance")?;
             }
-            _ => warn(interp, a.unknown_option(OPTIONS))?,
+            _ => ignore_option(interp, a, OPTIONS)?,
         }
     }
     Ok(c)

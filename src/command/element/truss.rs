@@ -2,7 +2,7 @@
 
 use super::{Ends, Kind, refused};
 use crate::command::args::Args;
-use crate::command::{Tcl, warn};
+use crate::command::{Tcl, ignore_option};
 use crate::element::{Element, Truss, TrussOptions};
 use crate::script::Exception;
 use std::sync::Arc;
@@ -29,7 +29,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
                     initial.fill(0.0);
                 }
             }
-            _ => warn(interp, a.unknown_option(&["-rho", "-cMass", "-doRayleigh", "-useInitialDisp"]))?,
+            _ => ignore_option(interp, a, &["-rho", "-cMass", "-doRayleigh", "-useInitialDisp"])?,
         }
     }
     if !matches!((ends.ndm, ends.ndf), (1, 1) | (2, 2 | 3) | (3, 3 | 6)) {

@@ -2,7 +2,7 @@
 
 use super::{Ends, Kind, refused};
 use crate::command::args::Args;
-use crate::command::{Tcl, warn};
+use crate::command::{Tcl, ignore_option, warn};
 use crate::diagnostic::Diagnostic;
 use crate::element::axes::{self, Orientation};
 use crate::element::{Element, RayleighDamping, ZeroLength};
@@ -52,7 +52,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
                 let (x, y) = (x.unwrap_or(Vector3::x()), y.unwrap_or(Vector3::y()));
                 axes = axes::from_x_and_y(x, y).map_err(|e| a.refuse_at(place, e.message(), ""))?;
             }
-            _ => warn(interp, a.unknown_option(OPTIONS))?,
+            _ => ignore_option(interp, a, OPTIONS)?,
         }
     }
     if mats.is_empty() {
