@@ -96,7 +96,10 @@ pub struct Core {
     pub(crate) scripts: Vec<Value>,
     /// Files read so far: their text and its parsed form.
     pub(crate) loaded: HashMap<String, (Arc<str>, Value)>,
+    /// Packages provided, and their versions.
     pub(crate) packages: Table<Value>,
+    /// Packages that a script could provide: name, version, script.
+    pub(crate) offered: Vec<[Value; 3]>,
     /// Words of a command to run in place of the procedure that asked for it.
     pub(crate) tailcall: Option<Vec<Value>>,
     spare_words: Vec<Vec<Value>>,
@@ -140,6 +143,7 @@ impl Core {
             scripts: vec![],
             loaded: HashMap::new(),
             packages: Table::default(),
+            offered: vec![],
             tailcall: None,
             spare_words: vec![],
             spare_vars: vec![],

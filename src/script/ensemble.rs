@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use super::command::{Call, CmdId, CoreFn, Imp, Place, alternatives};
+use super::command::{Call, CmdId, CoreFn, Imp, Place};
 use super::core::{Core, NsId};
 use super::error::Exception;
 use super::interp::Interp;
@@ -29,9 +29,17 @@ fn find<'n>(word: &str, names: impl Iterator<Item = &'n str> + Clone) -> Option<
     }
 }
 
+/// `a`, `a, or b`, `a, b, or c`.
+fn listed(names: &[&str]) -> String {
+    match names {
+        [most @ .., last] if !most.is_empty() => format!("{}, or {last}", most.join(", ")),
+        names => names.concat(),
+    }
+}
+
 fn unknown<'n>(word: &str, names: impl Iterator<Item = &'n str>) -> Exception {
     let names: Vec<&str> = names.collect();
-    let message = format!("unknown or ambiguous subcommand \"{word}\": must be {}", alternatives(&names));
+    let message = format!("unknown or ambiguous subcommand \"{word}\": must be {}", listed(&names));
     let near = diagnostic::nearest(word, names.iter().copied()).map(str::to_owned);
     Exception::coded(message, &["TCL", "LOOKUP", "SUBCOMMAND", word]).suggest(near)
 }
@@ -116,19 +124,31 @@ impl<H> Interp<H> {
                     unknown(&word, names)
                 } else {
                     let names: Vec<&str> = names.collect();
-                    let text = format!("unknown subcommand \"{word}\": must be {}", alternatives(&names));
+                    let text = format!("unknown subcommand \"{word}\": must be {}", listed(&names));
                     Exception::coded(text, &["TCL", "LOOKUP", "SUBCOMMAND", &word])
                 };
                 return Err(self.failed(e.at(place.and_then(|p| p.word(1)), "no such subcommand"), argv, place));
             }
         };
+        let called = crate::script::list::join(&argv[..2]);
+        let inner = crate::script::list::join(target.iter());
         argv.splice(0..2, target.iter().cloned());
         if let Err(e) = self.core.enter() {
             return Err(self.failed(e, argv, place));
         }
         let result = self.invoke_words(argv, place);
         self.core.levels -= 1;
-        result
+        // A wrong number of words is told as the ensemble was called.
+        result.map_err(|e| {
+            e.map_error(|e| {
+                let start = format!("wrong # args: should be \"{inner}");
+                if let Some(rest) = e.result.as_str().strip_prefix(&start) {
+                    let message = format!("wrong # args: should be \"{called}{rest}");
+                    e.diagnostic.message.clone_from(&message);
+                    e.result = Value::from(message);
+                }
+            })
+        })
     }
 
     /// Call words that are no longer those of the script.

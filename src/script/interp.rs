@@ -10,6 +10,7 @@ use super::core::{Core, Site, What};
 use super::error::Exception;
 use super::files::{Files, reason};
 use super::origin::Origin;
+use super::proc::outside_of_loop;
 use super::value::{Text, Value};
 
 /// A Tcl interpreter. `host` is what the commands of the host work on.
@@ -158,8 +159,8 @@ fn settle(result: Result<Value, Exception>) -> Result<Value, Exception> {
     match result {
         Err(Exception::Return(v) | Exception::Other(_, v)) => Ok(v),
         Err(Exception::ReturnWith(r)) => Ok(r.value),
-        Err(Exception::Break) => Err(Exception::error("invoked \"break\" outside of a loop")),
-        Err(Exception::Continue) => Err(Exception::error("invoked \"continue\" outside of a loop")),
+        Err(Exception::Break) => Err(outside_of_loop("break")),
+        Err(Exception::Continue) => Err(outside_of_loop("continue")),
         other => other,
     }
 }

@@ -139,6 +139,8 @@ impl Slot {
 #[derive(Clone, Copy)]
 pub(crate) enum Trouble {
     NoVariable,
+    /// The name is there, but nothing is set.
+    Undefined,
     NoElement,
     IsArray,
     NotArray,
@@ -149,7 +151,7 @@ pub(crate) enum Trouble {
 impl Trouble {
     fn text(self) -> &'static str {
         match self {
-            Trouble::NoVariable => "no such variable",
+            Trouble::NoVariable | Trouble::Undefined => "no such variable",
             Trouble::NoElement => "no such element in array",
             Trouble::IsArray => "variable is array",
             Trouble::NotArray => "variable isn't array",
@@ -166,10 +168,13 @@ impl Core {
         let message = format!("can't {doing} \"{full}\": {}", why.text());
         let code: &[&str] = match (why, doing) {
             (Trouble::NoVariable | Trouble::DanglingLink, _) => &["TCL", "LOOKUP", "VARNAME", &full],
+            (Trouble::Undefined, "unset") => &["TCL", "UNSET", "VARNAME"],
+            (Trouble::Undefined, _) => &["TCL", "READ", "VARNAME"],
             (Trouble::NoElement, "read") => &["TCL", "READ", "VARNAME"],
             (Trouble::NoElement, _) => &["TCL", "LOOKUP", "ELEMENT", index.unwrap_or_default()],
             (Trouble::IsArray, "read") => &["TCL", "READ", "VARNAME"],
-            (Trouble::IsArray, _) => &["TCL", "WRITE", "ARRAY"],
+            (Trouble::IsArray, _) => &["TCL", "WRITE", "VARNAME"],
+            (Trouble::NotArray, "array set") => &["TCL", "WRITE", "ARRAY"],
             (Trouble::NotArray | Trouble::NoNamespace, _) => &["TCL", "LOOKUP", "VARNAME", &name.text],
         };
         let e = Exception::coded(message, code);
@@ -177,7 +182,7 @@ impl Core {
             return e;
         }
         match (why, index) {
-            (Trouble::NoVariable, _) => e.suggest(self.nearest_variable(name)),
+            (Trouble::NoVariable | Trouble::Undefined, _) => e.suggest(self.nearest_variable(name)),
             (Trouble::NoElement, Some(index)) => {
                 let near = self.slot(name).and_then(|slot| {
                     slot.with(|s| match s {
@@ -277,7 +282,7 @@ impl Core {
             (Slot::Array(a), Some(i)) => a.get(i).and_then(Slot::scalar).ok_or(Trouble::NoElement),
             (Slot::Array(_), None) => Err(Trouble::IsArray),
             (Slot::Scalar(_), Some(_)) => Err(Trouble::NotArray),
-            _ => Err(Trouble::NoVariable),
+            _ => Err(Trouble::Undefined),
         })
     }
 
@@ -311,8 +316,9 @@ impl Core {
         };
         let (mut value, existed) = match taken {
             Ok(value) => (value, true),
-            Err(Trouble::NoVariable | Trouble::NoElement) if create => (Value::EMPTY, false),
+            Err(Trouble::NoVariable | Trouble::Undefined | Trouble::NoElement) if create => (Value::EMPTY, false),
             Err(why) => {
+                let doing = if matches!(why, Trouble::IsArray) { "set" } else { doing };
                 return Err(self.var_error(doing, name, index.map(|t| &**t), why));
             }
         };
@@ -328,7 +334,7 @@ impl Core {
         let done = match self.slot_mut(name) {
             None => Err(Trouble::NoVariable),
             Some(slot) => slot.with_mut(|slot| match (slot, index) {
-                (Slot::Empty, _) => Err(Trouble::NoVariable),
+                (Slot::Empty, _) => Err(Trouble::Undefined),
                 (Slot::Array(a), Some(i)) => match a.get_mut(i).filter(|s| s.exists()) {
                     None => Err(Trouble::NoElement),
                     Some(element) => {
@@ -481,6 +487,6 @@ fn take(slot: &mut Slot, index: Option<&Text>) -> Result<Value, Trouble> {
         },
         (Slot::Array(_), None) => Err(Trouble::IsArray),
         (Slot::Scalar(_), Some(_)) => Err(Trouble::NotArray),
-        _ => Err(Trouble::NoVariable),
+        _ => Err(Trouble::Undefined),
     }
 }

@@ -31,7 +31,7 @@ fn refuse_search(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
 }
 
 fn not_an_array(name: &Value) -> Exception {
-    Exception::coded(format!("\"{name}\" isn't an array"), &["TCL", "LOOKUP", "ARRAY", &name.as_str()])
+    Exception::error(format!("\"{name}\" isn't an array"))
 }
 
 fn exists(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
@@ -91,9 +91,10 @@ fn set(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         return Err(Exception::coded(message, &["TCL", "ARGUMENT", "FORMAT"]).at(call.span(3), ""));
     }
     let name = VarName::of(call.arg(2));
-    if let Some(element) = &name.element {
-        let why = Trouble::NotArray;
-        return Err(core.var_error("set", &name, Some(element), why));
+    if name.element.is_some() {
+        let full = call.arg(2).as_str();
+        let message = format!("can't set \"{full}\": variable isn't array");
+        return Err(Exception::coded(message, &["TCL", "LOOKUP", "VARNAME", &full]));
     }
     if let Err(why) = core.make_array(&name) {
         let first = items.first().map(|k| k.as_str().into_owned());

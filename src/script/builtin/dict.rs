@@ -10,6 +10,7 @@ use crate::script::number::Number;
 use crate::script::table::Table;
 use crate::script::value::Value;
 use crate::script::vars::VarName;
+use super::var::incrementable;
 use crate::diagnostic;
 
 pub(super) const SUBS: [(&str, CoreFn); 15] = [
@@ -142,7 +143,7 @@ fn change(
     change: impl FnOnce(&mut Table<Value>) -> Result<(), Exception>,
 ) -> Result<Value, Exception> {
     let name = VarName::of(variable);
-    core.update(&name, true, "read", |value, _| change(value.dict_mut()?))?;
+    core.update(&name, true, "set", |value, _| change(value.dict_mut()?))?;
     core.read(&name, name.element.as_deref())
 }
 
@@ -178,12 +179,12 @@ fn incr(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(4..=5, "dict incr dictVarName key ?increment?")?;
     let by = match call.get(4) {
         None => Number::Int(1),
-        Some(by) => by.to_integer()?,
+        Some(by) => incrementable(by)?,
     };
     change(core, call.arg(2), |table| {
         let key = call.arg(3).to_text();
         let old = match table.get(&key) {
-            Some(value) => value.to_integer()?,
+            Some(value) => incrementable(value)?,
             None => Number::Int(0),
         };
         table.insert(key, Value::from(arith::big(&old) + arith::big(&by)));

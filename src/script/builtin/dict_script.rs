@@ -34,11 +34,11 @@ fn dict<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> 
 }
 
 /// The names of the variables for key and value.
-fn pair_names(call: &Call<'_>, word: usize) -> Result<[std::rc::Rc<VarName>; 2], Exception> {
+fn pair_names(call: &Call<'_>, word: usize, sub: &str) -> Result<[std::rc::Rc<VarName>; 2], Exception> {
     match &*call.arg(word).to_list()? {
         [key, value] => Ok([VarName::of(key), VarName::of(value)]),
         _ => {
-            let code = ["TCL", "SYNTAX", "dict", "for"];
+            let code = ["TCL", "SYNTAX", "dict", sub];
             Err(Exception::coded("must have exactly two variable names", &code).at(call.span(word), ""))
         }
     }
@@ -52,26 +52,27 @@ fn set_pair<H>(interp: &mut Interp<H>, names: &[std::rc::Rc<VarName>; 2], key: V
 
 fn for_each<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(5..=5, "dict for {keyVarName valueVarName} dictionary script")?;
-    each(interp, call, "\"dict for\" body", &mut |_, _| {})
+    each(interp, call, "\"dict for\" body", &mut |_, _| {})?;
+    Ok(Value::EMPTY)
 }
 
 fn map<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(5..=5, "dict map {keyVarName valueVarName} dictionary script")?;
     let mut mapped: Table<Value> = Table::default();
-    each(interp, call, "\"dict map\" body", &mut |key, value| {
+    let whole = each(interp, call, "\"dict map\" body", &mut |key, value| {
         mapped.insert(key.to_text(), value);
     })?;
-    Ok(Dict::from_table(mapped).into())
+    Ok(if whole { Dict::from_table(mapped).into() } else { Value::EMPTY })
 }
 
-/// Run a script for each entry; `take` gets the key and the result of each round that ends normally.
+/// Run a script for each entry; `take` gets the key and the result of each round that ends normally. False after `break`.
 fn each<H>(
     interp: &mut Interp<H>,
     call: &Call<'_>,
     what: &str,
     take: &mut dyn FnMut(&Value, Value),
-) -> Result<Value, Exception> {
-    let names = pair_names(call, 2)?;
+) -> Result<bool, Exception> {
+    let names = pair_names(call, 2, if what.contains("map") { "map" } else { "for" })?;
     let dict = call.arg(3).to_dict()?;
     let body = call.arg(4);
     let script = script_of(body);
@@ -86,11 +87,11 @@ fn each<H>(
                 take(&key, result);
             }
             Err(Exception::Continue) => {}
-            Err(Exception::Break) => break,
+            Err(Exception::Break) => return Ok(false),
             Err(e) => return Err(e),
         }
     }
-    Ok(Value::EMPTY)
+    Ok(true)
 }
 
 fn filter<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> {
@@ -111,7 +112,7 @@ fn filter<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception
         return Ok(Dict::from_table(kept).into());
     }
     call.expect(6..=6, "dict filter dictionary script {keyVarName valueVarName} filterScript")?;
-    let names = pair_names(call, 4)?;
+    let names = pair_names(call, 4, "filter")?;
     let body = call.arg(5);
     let script = script_of(body);
     for (key, value) in dict.iter() {

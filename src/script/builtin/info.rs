@@ -145,11 +145,9 @@ fn qualified_names<'c>(
     let fits = |n: &&Text| pattern.is_none_or(|p| glob::matches(p, n));
     let mut names: Vec<&Text> = list(here).into_iter().filter(fits).collect();
     if here != NsId::GLOBAL {
-        for name in list(NsId::GLOBAL).into_iter().filter(fits) {
-            if !core.ns(here).commands.contains(name) {
-                names.push(name);
-            }
-        }
+        let own: std::collections::HashSet<&str> = names.iter().map(|n| &***n).collect();
+        let more = list(NsId::GLOBAL).into_iter().filter(fits).filter(|n| !own.contains(&***n));
+        names.extend(more.collect::<Vec<_>>());
     }
     Ok(Value::list(names.into_iter().map(Text::to_value)))
 }
@@ -229,7 +227,7 @@ fn level(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     let absolute = if number > 0 { number } else { here as i64 + number };
     let bad = || {
         let message = format!("bad level \"{word}\"");
-        Exception::coded(message, &["TCL", "LOOKUP", "LEVEL", &word.as_str()]).at(call.span(2), "")
+        Exception::coded(message, &["TCL", "LOOKUP", "STACK_LEVEL", &word.as_str()]).at(call.span(2), "")
     };
     let target = usize::try_from(absolute).ok().filter(|l| *l > 0).ok_or_else(bad)?;
     let frame = core.frame_at(target).ok_or_else(bad)?;

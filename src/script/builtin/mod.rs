@@ -44,7 +44,7 @@ pub(crate) const PATCH_LEVEL: &str = "8.6.13";
 
 /// Make the commands and variables known.
 pub(crate) fn install<H>(interp: &mut Interp<H>) {
-    let core: [&[(&str, CoreFn)]; 16] = [
+    let core: [&[(&str, CoreFn)]; 15] = [
         array::COMMANDS,
         binary::COMMANDS,
         channel::COMMANDS,
@@ -55,7 +55,6 @@ pub(crate) fn install<H>(interp: &mut Interp<H>) {
         glob::COMMANDS,
         list::COMMANDS,
         lset::COMMANDS,
-        package::COMMANDS,
         scan::COMMANDS,
         string::COMMANDS,
         var::COMMANDS,
@@ -65,7 +64,7 @@ pub(crate) fn install<H>(interp: &mut Interp<H>) {
     for (name, function) in core.into_iter().flatten() {
         interp.register_core(name, *function);
     }
-    let full: [&[(&str, CommandFn<H>)]; 12] = [
+    let full: [&[(&str, CommandFn<H>)]; 13] = [
         &control::commands(),
         &dict_script::commands(),
         &info::commands(),
@@ -73,6 +72,7 @@ pub(crate) fn install<H>(interp: &mut Interp<H>) {
         &lsort::commands(),
         &lsearch::commands(),
         &namespace::commands(),
+        &package::commands(),
         &proc::commands(),
         &subst::commands(),
         &switch::commands(),

@@ -190,14 +190,15 @@ fn import(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         let text = pattern.as_str();
         let refuse = |message: String| Exception::coded(message, &["TCL", "IMPORT", "ORIGIN"]);
         if text.is_empty() {
-            return Err(refuse("empty import pattern".to_owned()));
+            return Err(Exception::coded("empty import pattern", &["TCL", "IMPORT", "EMPTY"]));
         }
         let Some((path, tail)) = split_qualified(&text) else {
             return Err(refuse(format!("no namespace specified in import pattern \"{text}\"")));
         };
         let path = if path.is_empty() { "::" } else { path };
         let Some(from) = core.find_namespace(path) else {
-            return Err(refuse(format!("unknown namespace in import pattern \"{text}\"")));
+            let message = format!("unknown namespace in import pattern \"{text}\"");
+            return Err(Exception::coded(message, &["TCL", "LOOKUP", "NAMESPACE", &text]));
         };
         if from == here {
             let name = core.ns(here).full.clone();

@@ -33,7 +33,7 @@ fn switch<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception
     let mut match_var = None;
     let mut index_var = None;
     let mut i = 1;
-    while i < call.len() && call.arg(i).as_str().starts_with('-') {
+    while i + 2 < call.len() && call.arg(i).as_str().starts_with('-') {
         let option = call.choose(i, "option", &OPTIONS, false)?;
         let named = match option {
             0 => Some(Mode::Exact),
@@ -55,7 +55,7 @@ fn switch<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception
         }
         match option {
             2 | 3 => {
-                let Some(name) = call.get(i + 1) else {
+                let Some(name) = call.get(i + 1).filter(|_| i + 3 < call.len()) else {
                     let message = format!("missing variable name argument to {} option", OPTIONS[option]);
                     return Err(refuse(message, "NOVAR"));
                 };
@@ -96,13 +96,14 @@ fn switch<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception
         if split && comment {
             message.push_str(", this may be due to a comment incorrectly placed outside of a switch body - see the \"switch\" documentation");
         }
-        return Err(refuse(message, "BADPAT"));
+        return Err(refuse(message, "BADARM"));
     }
     if let Some([pattern, body]) = arms.chunks_exact(2).next_back()
         && body.as_str() == "-"
     {
         let message = format!("no body specified for pattern \"{pattern}\"");
-        return Err(refuse(message, "BADPAT"));
+        let code = ["TCL", "OPERATION", "SWITCH", "BADARM", "FALLTHROUGH"];
+        return Err(Exception::coded(message, &code));
     }
     let count = arms.len() / 2;
     for (n, arm) in arms.chunks_exact(2).enumerate() {
