@@ -6,7 +6,8 @@ use std::sync::Arc;
 
 use super::origin::Origin;
 use super::stack;
-use super::value::{Text, Value};
+use super::text::Text;
+use super::value::Value;
 use super::vars::VarName;
 use crate::diagnostic::Span;
 

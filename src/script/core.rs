@@ -11,7 +11,8 @@ use super::error::Exception;
 use super::files::Files;
 use super::namespace::Namespace;
 use super::table::Table;
-use super::value::{Text, Value};
+use super::text::Text;
+use super::value::Value;
 use super::vars::Slot;
 use crate::diagnostic::{Caller, Diagnostic, SourceMap, Span};
 
@@ -108,14 +109,8 @@ pub struct Core {
 
 impl Core {
     pub(crate) fn new(console: Box<dyn Console>, files: Box<dyn Files>) -> Self {
-        let global = Frame {
-            ns: NsId::GLOBAL,
-            vars: Table::default(),
-            is_proc: false,
-            level: 0,
-            caller: 0,
-            words: vec![],
-        };
+        let global =
+            Frame { ns: NsId::GLOBAL, vars: Table::default(), is_proc: false, level: 0, caller: 0, words: vec![] };
         let cwd = files.current_dir();
         Core {
             console,

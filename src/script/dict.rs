@@ -87,10 +87,7 @@ impl Dict {
 
     pub(crate) fn from_list(items: &[Value]) -> Result<Dict, Exception> {
         if !items.len().is_multiple_of(2) {
-            return Err(Exception::coded(
-                "missing value to go with key",
-                &["TCL", "VALUE", "DICTIONARY"],
-            ));
+            return Err(Exception::coded("missing value to go with key", &["TCL", "VALUE", "DICTIONARY"]));
         }
         let mut table = Table::default();
         for pair in items.chunks_exact(2) {

@@ -10,7 +10,10 @@ use super::value::Value;
 use crate::diagnostic;
 
 /// Which of some sub-commands word 1 names or abbreviates.
-pub(crate) fn choose_sub<'n>(call: &Call<'_>, names: impl Iterator<Item = &'n str> + Clone) -> Result<usize, Exception> {
+pub(crate) fn choose_sub<'n>(
+    call: &Call<'_>,
+    names: impl Iterator<Item = &'n str> + Clone,
+) -> Result<usize, Exception> {
     if call.len() < 2 {
         return Err(call.wrong_args(&format!("{} subcommand ?arg ...?", call.name())));
     }
@@ -118,7 +121,8 @@ impl<H> Interp<H> {
             None => {
                 let e = if map.is_empty() {
                     let ns = self.core.ns(ensemble.ns).full.clone();
-                    let text = format!("unknown subcommand \"{word}\": namespace {} does not export any commands", &*ns);
+                    let text =
+                        format!("unknown subcommand \"{word}\": namespace {} does not export any commands", &*ns);
                     Exception::coded(text, &["TCL", "LOOKUP", "SUBCOMMAND", &word])
                 } else if ensemble.prefixes {
                     unknown(&word, names)

@@ -10,7 +10,8 @@ use super::interp::Interp;
 use super::lexer;
 use super::list::List;
 use super::stack;
-use super::value::{Cache, Rep, Value};
+use super::text::Cache;
+use super::value::{Rep, Value};
 use crate::diagnostic::Span;
 
 /// How many calls may be under way, as in Tcl.
@@ -304,7 +305,7 @@ impl Core {
         Some(id)
     }
 
-    /// Point an error that points nowhere at the word it is about: one that the message quotes, else the first.
+    /// Point an error that points nowhere at the word it is about: one that the message quotes, the only one, or the name.
     fn blame(&self, e: Exception, argv: &[Value], place: Option<Place<'_>>) -> Exception {
         let Some(place) = place else { return e };
         e.map_error(|e| {
@@ -316,7 +317,9 @@ impl Core {
                 let text = v.as_str();
                 !text.is_empty() && text.len() < 200 && message.contains(&format!("\"{text}\""))
             };
-            let word = (1..argv.len()).find(|i| argv.get(*i).is_some_and(quoted)).unwrap_or(0);
+            let no_list = |v: &Value| message.ends_with(" in list") && v.to_list().is_err();
+            let about = |i: &usize| argv.get(*i).is_some_and(|v| quoted(v) || no_list(v));
+            let word = (1..argv.len()).find(about).unwrap_or(usize::from(argv.len() == 2));
             e.diagnostic.span = place.word(word);
         })
     }

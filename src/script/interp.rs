@@ -11,7 +11,8 @@ use super::error::Exception;
 use super::files::{Files, reason};
 use super::origin::Origin;
 use super::proc::outside_of_loop;
-use super::value::{Text, Value};
+use super::text::Text;
+use super::value::Value;
 
 /// A Tcl interpreter. `host` is what the commands of the host work on.
 ///
@@ -131,7 +132,11 @@ impl<H> Interp<H> {
 
     /// Run a text that stands for itself.
     fn top_level(&mut self, script: &Value, name: &str) -> Result<Value, Exception> {
-        self.core.enter()?;
+        // Tcl counts the command `source` but not the script that a program starts with.
+        let nested = !self.core.scripts.is_empty();
+        if nested {
+            self.core.enter()?;
+        }
         let compiled = std::mem::replace(&mut self.core.compiled, false);
         let site = self.core.site.take();
         self.core.sites.push(Site { what: What::Source(Text::from(name)), span: site });
@@ -141,7 +146,7 @@ impl<H> Interp<H> {
         self.core.sites.pop();
         self.core.site = site;
         self.core.compiled = compiled;
-        self.core.levels -= 1;
+        self.core.levels -= usize::from(nested);
         match result {
             Err(Exception::Return(v)) => Ok(v),
             Err(Exception::ReturnWith(r)) => super::proc::leave(*r),
@@ -179,5 +184,4 @@ impl Core {
         self.active = active;
         result
     }
-
 }

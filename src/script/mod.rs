@@ -16,6 +16,7 @@ mod core;
 mod dict;
 mod ensemble;
 mod error;
+mod escape;
 mod eval;
 mod expr;
 mod files;
@@ -33,6 +34,7 @@ mod proc;
 mod regex;
 mod stack;
 mod table;
+mod text;
 mod value;
 mod vars;
 

@@ -4,7 +4,8 @@ use super::command::{CmdId, Definition, Imp};
 use super::core::{Core, NsId};
 use super::error::Exception;
 use super::table::Table;
-use super::value::{Text, Value};
+use super::text::Text;
+use super::value::Value;
 use super::vars::{Slot, split_qualified};
 use crate::diagnostic;
 
@@ -77,11 +78,8 @@ impl Core {
     /// As [`Core::find_namespace`], with the error for one that is not there.
     pub(crate) fn namespace_named(&self, path: &str) -> Result<NsId, Exception> {
         self.find_namespace(path).ok_or_else(|| {
-            let place = if path.starts_with("::") {
-                String::new()
-            } else {
-                format!(" in \"{}\"", &*self.ns(self.here()).full)
-            };
+            let place =
+                if path.starts_with("::") { String::new() } else { format!(" in \"{}\"", &*self.ns(self.here()).full) };
             Exception::coded(format!("namespace \"{path}\" not found{place}"), &["TCL", "LOOKUP", "NAMESPACE", path])
         })
     }

@@ -8,7 +8,8 @@ use super::error::{Exception, Returned};
 use super::eval::script_of;
 use super::interp::Interp;
 use super::table::Table;
-use super::value::{Text, Value};
+use super::text::Text;
+use super::value::Value;
 use super::vars::{Slot, VarName};
 
 impl Proc {
@@ -18,7 +19,8 @@ impl Proc {
         let mut list = Vec::with_capacity(specs.len());
         for spec in specs.iter() {
             let fields = spec.to_list()?;
-            let refuse = |message: String| Exception::coded(message, &["TCL", "OPERATION", "PROC", "FORMALARGUMENTFORMAT"]);
+            let refuse =
+                |message: String| Exception::coded(message, &["TCL", "OPERATION", "PROC", "FORMALARGUMENTFORMAT"]);
             let (param, default) = match &*fields {
                 [param] => (param, None),
                 [param, default] => (param, Some(default.clone())),
@@ -66,11 +68,18 @@ impl<H> Interp<H> {
             Some(v) => v.to_text(),
             None => Text::from(""),
         };
-        self.call_body(proc, argv, 1, place, || quoted(&name), |line| {
-            let shown: String = name.chars().take(60).collect();
-            let dots = if name.chars().count() > 60 { "..." } else { "" };
-            format!("procedure \"{shown}{dots}\" line {line}")
-        })
+        self.call_body(
+            proc,
+            argv,
+            1,
+            place,
+            || quoted(&name),
+            |line| {
+                let shown: String = name.chars().take(60).collect();
+                let dots = if name.chars().count() > 60 { "..." } else { "" };
+                format!("procedure \"{shown}{dots}\" line {line}")
+            },
+        )
     }
 
     /// Call a procedure or lambda. `skip`: how many words stand before the arguments.
@@ -99,14 +108,8 @@ impl<H> Interp<H> {
         let span = place.and_then(|p| p.whole()).or(self.core.site);
         let name = argv.first().map_or_else(|| Text::from(""), Value::to_text);
         let caller = self.core.active;
-        let frame = Frame {
-            ns: proc.ns,
-            vars,
-            is_proc: true,
-            level: self.core.frames[caller].level + 1,
-            caller,
-            words: argv,
-        };
+        let frame =
+            Frame { ns: proc.ns, vars, is_proc: true, level: self.core.frames[caller].level + 1, caller, words: argv };
         let outer_site = self.core.site;
         self.core.sites.push(Site { what: What::Proc(name), span });
         self.core.frames.push(frame);

@@ -1,7 +1,7 @@
 //! A hash table that remembers two orders: of insertion (for dictionaries) and of Tcl's own hash tables (for
 //! arrays and for the names in a namespace), so that `array names` lists in the order that tclsh does.
 
-use super::value::Text;
+use super::text::Text;
 
 const NONE: u32 = u32::MAX;
 /// Entries per bucket above which Tcl rebuilds a table with four times the buckets.

@@ -6,7 +6,8 @@ use std::rc::Rc;
 use super::core::{Core, NsId};
 use super::error::Exception;
 use super::table::{self, Table};
-use super::value::{Cache, Rep, Text, Value};
+use super::text::{Cache, Text};
+use super::value::{Rep, Value};
 use crate::diagnostic;
 
 /// The name of a variable, taken apart once.

@@ -6,10 +6,12 @@ use crate::script::ensemble::dispatch;
 use crate::script::error::Exception;
 use crate::script::glob;
 use crate::script::regex::{self, Flags};
-use crate::script::value::{Text, Value};
+use crate::script::text::Text;
+use crate::script::value::Value;
 use crate::script::vars::{Slot, Trouble, VarName};
 
-pub(crate) const COMMANDS: &[(&str, CoreFn)] = &[("array", |core, call| dispatch(core, call, SUBS)), ("parray", parray)];
+pub(crate) const COMMANDS: &[(&str, CoreFn)] =
+    &[("array", |core, call| dispatch(core, call, SUBS)), ("parray", parray)];
 
 const SUBS: &[(&str, CoreFn)] = &[
     ("anymore", refuse_search),

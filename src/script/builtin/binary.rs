@@ -79,7 +79,7 @@ fn number_field(letter: char) -> Option<(usize, bool, bool)> {
 }
 
 fn bad_field(letter: char) -> Exception {
-    Exception::coded(format!("bad field specifier \"{letter}\""), &["TCL", "BINARY", "FIELD"])
+    Exception::error(format!("bad field specifier \"{letter}\""))
 }
 
 fn format(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
@@ -101,8 +101,7 @@ fn format(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         };
         match letter {
             'x' if count == Count::All => {
-                let code = ["TCL", "BINARY", "FIELD"];
-                return Err(Exception::coded("cannot use \"*\" in format string with \"x\"", &code));
+                return Err(Exception::error("cannot use \"*\" in format string with \"x\""));
             }
             'x' => {
                 put(&mut out, &mut at, &vec![0; number]);
@@ -124,10 +123,7 @@ fn format(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
             }
             _ => {}
         }
-        let missing = || {
-            let code = ["TCL", "BINARY", "FIELD"];
-            Exception::coded("not enough arguments for all format specifiers", &code)
-        };
+        let missing = || Exception::error("not enough arguments for all format specifiers");
         if !"aAbBhH".contains(letter) && number_field(letter).is_none() {
             return Err(bad_field(letter));
         }
@@ -152,15 +148,14 @@ fn format(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
                         let list = value.to_list()?;
                         let wanted = if count == Count::All { list.len() } else { number };
                         if list.len() < wanted {
-                            let code = ["TCL", "BINARY", "FIELD"];
-                            return Err(Exception::coded("number of elements in list does not match count", &code));
+                            return Err(Exception::error("number of elements in list does not match count"));
                         }
                         list[..wanted].to_vec()
                     }
                 };
                 for item in items {
                     let raw = if !float {
-                        item.to_i64()?.to_le_bytes()
+                        item.to_wide()?.to_le_bytes()
                     } else if size == 4 {
                         let single = (item.to_f64()? as f32).to_le_bytes();
                         let [a, b, c, d] = single;
@@ -194,7 +189,7 @@ fn pack(letter: char, value: &Value, count: Option<usize>) -> Result<Vec<u8>, Ex
         let Some(digit) = c.to_digit(base) else {
             let what = if hex { "hexadecimal" } else { "binary" };
             let message = format!("expected {what} string but got \"{text}\" instead");
-            return Err(Exception::coded(message, &["TCL", "BINARY", "FIELD"]));
+            return Err(Exception::error(message));
         };
         let place = i % per_byte;
         let shift = if letter.is_uppercase() { per_byte - 1 - place } else { place } * bits;
@@ -245,8 +240,7 @@ fn scan(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
             return Err(bad_field(letter));
         }
         let Some(name) = names.next() else {
-            let code = ["TCL", "BINARY", "FIELD"];
-            return Err(Exception::coded("not enough arguments for all format specifiers", &code));
+            return Err(Exception::error("not enough arguments for all format specifiers"));
         };
         let rest = bytes.get(at..).unwrap_or_default();
         let taken = match letter {

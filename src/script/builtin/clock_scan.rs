@@ -5,7 +5,7 @@ use jiff::civil::{Date, DateTime, Time};
 use jiff::tz::TimeZone;
 use jiff::{Span, ToSpan as _};
 
-use super::clock::{DAYS, MONTHS, local, numeric_zone, options, since_1970, zone_named};
+use super::clock::{DAYS, MONTHS, local, numeric_zone, options, since_1970, wrong_args, zone_named};
 use crate::script::command::Call;
 use crate::script::core::Core;
 use crate::script::error::Exception;
@@ -36,9 +36,10 @@ fn no_match() -> Exception {
 }
 
 pub(super) fn scan(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
-    if call.len() < 3 || call.len() % 2 == 0 {
-        let usage = "clock scan string ?-base seconds? ?-format string? ?-gmt boolean? ?-locale LOCALE? ?-timezone ZONE?";
-        return Err(call.wrong_args(usage));
+    if call.len() < 3 || call.len().is_multiple_of(2) {
+        let usage =
+            "clock scan string ?-base seconds? ?-format string? ?-gmt boolean? ?-locale LOCALE? ?-timezone ZONE?";
+        return Err(wrong_args(call, usage));
     }
     let o = options(call, 3, &["-base", "-format", "-gmt", "-locale", "-timezone"])?;
     let base = o.base.unwrap_or_else(|| since_1970(1));
@@ -113,11 +114,8 @@ fn full_year(short: i64) -> i16 {
 fn by_format(text: &str, format: &str) -> Result<Fields, Exception> {
     let mut fields = Fields::default();
     let mut rest = text.trim();
-    let expanded = format
-        .replace("%D", "%m/%d/%Y")
-        .replace("%T", "%H:%M:%S")
-        .replace("%R", "%H:%M")
-        .replace("%r", "%I:%M:%S %p");
+    let expanded =
+        format.replace("%D", "%m/%d/%Y").replace("%T", "%H:%M:%S").replace("%R", "%H:%M").replace("%r", "%I:%M:%S %p");
     let mut letters = expanded.trim().chars();
     while let Some(c) = letters.next() {
         if c.is_whitespace() {
@@ -310,8 +308,9 @@ fn add_unit(span: Span, count: i64, unit: &str) -> Option<Span> {
 
 pub(super) fn add(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     let usage = "clock add clockval ?number units?... ?-gmt boolean? ?-locale LOCALE? ?-timezone ZONE?";
-    if call.len() < 3 || call.len() % 2 == 0 {
-        return Err(call.wrong_args(usage));
+    call.expect(3.., "clock add clockval ?arg ...?")?;
+    if call.len().is_multiple_of(2) {
+        return Err(wrong_args(call, usage));
     }
     let mut seconds = call.arg(2).to_i64()?;
     let is_option = |i: usize| {
@@ -325,7 +324,7 @@ pub(super) fn add(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         let word = call.arg(i + 1).as_str();
         let Some(unit) = unit_of(&word) else {
             let list = "years, months, weeks, days, hours, minutes or seconds";
-            let message = format!("unknown unit \"{word}\", must be {list}");
+            let message = format!("unknown unit \"{word}\", must be  {list}");
             return Err(Exception::coded(message, &["CLOCK", "badUnit", &word]).at(call.span(i + 1), ""));
         };
         let fixed = match unit {

@@ -145,9 +145,7 @@ fn expr<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> 
 /// The clauses of an `if`: the word of each condition (none for `else`) and that of its body. All words are checked
 /// before anything is evaluated.
 fn next_clause(call: &Call<'_>, at: &mut usize) -> Result<Option<(Option<usize>, usize)>, Exception> {
-    let wrong = |i: usize, message: String| {
-        Exception::coded(message, &["TCL", "WRONGARGS"]).at(call.span(i), "")
-    };
+    let wrong = |i: usize, message: String| Exception::coded(message, &["TCL", "WRONGARGS"]).at(call.span(i), "");
     let no_script = |i: usize| wrong(i, format!("wrong # args: no script following \"{}\" argument", call.arg(i)));
     let is = |i: usize, word: &str| call.get(i).is_some_and(|w| w.as_str() == word);
     let mut i = *at;

@@ -1,5 +1,7 @@
 //! `dict`, but for the sub-commands that run scripts.
 
+use super::var::incrementable;
+use crate::diagnostic;
 use crate::script::command::{Call, CoreFn};
 use crate::script::core::Core;
 use crate::script::dict::Dict;
@@ -10,8 +12,6 @@ use crate::script::number::Number;
 use crate::script::table::Table;
 use crate::script::value::Value;
 use crate::script::vars::VarName;
-use super::var::incrementable;
-use crate::diagnostic;
 
 pub(super) const SUBS: [(&str, CoreFn); 15] = [
     ("append", append),
@@ -123,7 +123,7 @@ fn remove(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
 
 fn replace(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(3.., "dict replace dictionary ?key value ...?")?;
-    if call.len() % 2 == 0 {
+    if call.len().is_multiple_of(2) {
         return Err(call.wrong_args("dict replace dictionary ?key value ...?"));
     }
     let mut dict = call.arg(2).clone();

@@ -2,6 +2,7 @@
 
 use super::dict::SUBS;
 use crate::script::command::{Call, CommandFn, choose};
+use crate::script::dict::Dict;
 use crate::script::ensemble::choose_sub;
 use crate::script::error::Exception;
 use crate::script::eval::script_of;
@@ -9,7 +10,6 @@ use crate::script::glob;
 use crate::script::interp::Interp;
 use crate::script::table::Table;
 use crate::script::value::Value;
-use crate::script::dict::Dict;
 use crate::script::vars::VarName;
 
 pub(crate) fn commands<H>() -> [(&'static str, CommandFn<H>); 1] {
@@ -44,7 +44,12 @@ fn pair_names(call: &Call<'_>, word: usize, sub: &str) -> Result<[std::rc::Rc<Va
     }
 }
 
-fn set_pair<H>(interp: &mut Interp<H>, names: &[std::rc::Rc<VarName>; 2], key: Value, value: Value) -> Result<(), Exception> {
+fn set_pair<H>(
+    interp: &mut Interp<H>,
+    names: &[std::rc::Rc<VarName>; 2],
+    key: Value,
+    value: Value,
+) -> Result<(), Exception> {
     let [k, v] = names;
     interp.core.write(k, k.element.as_ref(), key)?;
     interp.core.write(v, v.element.as_ref(), value)

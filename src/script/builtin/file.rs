@@ -18,10 +18,15 @@ pub(crate) const COMMANDS: &[(&str, CoreFn)] =
 const SUBS: &[(&str, CoreFn)] = &[
     ("atime", |core, call| time(core, call, "atime")),
     ("attributes", attributes),
-    ("channels", |core, _| Ok(Value::list(core.channels.names().map(Value::from)))),
+    ("channels", |core, call| {
+        call.expect(2..=3, "file channels ?pattern?")?;
+        let pattern = call.get(2).map_or("*".into(), Value::as_str);
+        let fits = |name: &&str| crate::script::glob::matches(&pattern, name);
+        Ok(Value::list(core.channels.names().filter(fits).map(Value::from)))
+    }),
     ("copy", |core, call| transfer(core, call, "copy")),
     ("delete", delete),
-    ("dirname", |_, call| on_name(call, "dirname", |n| paths::dirname(n))),
+    ("dirname", |_, call| on_name(call, "dirname", paths::dirname)),
     ("executable", |core, call| permitted(core, call, "executable", 0o111)),
     ("exists", |core, call| test(core, call, "exists", |_| true)),
     ("extension", |_, call| on_name(call, "extension", |n| paths::extension(n).to_owned())),
@@ -32,13 +37,17 @@ const SUBS: &[(&str, CoreFn)] = &[
     ("lstat", |core, call| stat(core, call, "lstat", false)),
     ("mkdir", mkdir),
     ("mtime", |core, call| time(core, call, "mtime")),
-    ("nativename", |_, call| on_name(call, "nativename", |n| if cfg!(windows) { n.replace('/', "\\") } else { n.to_owned() })),
+    ("nativename", |_, call| {
+        on_name(call, "nativename", |n| if cfg!(windows) { n.replace('/', "\\") } else { n.to_owned() })
+    }),
     ("normalize", |core, call| {
         call.expect(3..=3, "file normalize name")?;
         Ok(Value::from(core.absolute(&call.arg(2).as_str())))
     }),
     ("owned", |core, call| test(core, call, "owned", |_| true)),
-    ("pathtype", |_, call| on_name(call, "pathtype", |n| if paths::is_absolute(n) { "absolute" } else { "relative" }.to_owned())),
+    ("pathtype", |_, call| {
+        on_name(call, "pathtype", |n| if paths::is_absolute(n) { "absolute" } else { "relative" }.to_owned())
+    }),
     ("readable", |core, call| permitted(core, call, "readable", 0o444)),
     ("readlink", |_, call| unsupported(call)),
     ("rename", |core, call| transfer(core, call, "rename")),
@@ -50,8 +59,8 @@ const SUBS: &[(&str, CoreFn)] = &[
         Ok(Value::list(paths::split(&call.arg(2).as_str()).into_iter().map(Value::from)))
     }),
     ("stat", |core, call| stat(core, call, "stat", true)),
-    ("system", |_, _| Ok(Value::from("native"))),
-    ("tail", |_, call| on_name(call, "tail", |n| paths::tail(n))),
+    ("system", |_, call| on_name(call, "system", |_| "native".to_owned())),
+    ("tail", |_, call| on_name(call, "tail", paths::tail)),
     ("tempfile", |_, call| unsupported(call)),
     ("type", file_type),
     ("volumes", |_, _| Ok(Value::from("/"))),
@@ -144,6 +153,8 @@ fn stat(core: &mut Core, call: &Call<'_>, sub: &str, follow: bool) -> Result<Val
         ("mtime", found.modified.as_secs() as i64),
         ("mode", i64::from(found.mode) | kind),
         ("size", found.size as i64),
+        ("blksize", 4096),
+        ("blocks", found.size.div_ceil(512) as i64),
         ("dev", 0),
         ("gid", 0),
         ("ino", 0),
@@ -202,11 +213,19 @@ fn mkdir(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
                 Err(_) => core.files.make_dir(&at),
             };
             result.map_err(|e| {
-                posix(&e, |why| format!("can't create directory \"{name}\": {why}")).at(call.span(i + 2), "")
+                posix(&e, |why| format!("can't create directory \"{}\": {why}", shown(&name.as_str(), &at, &path)))
+                    .at(call.span(i + 2), "")
             })?;
         }
     }
     Ok(Value::EMPTY)
+}
+
+/// The part of a name up to the folder that could not be made.
+fn shown(name: &str, at: &str, path: &str) -> String {
+    let missing = paths::split(path).len() - paths::split(at).len();
+    let parts = paths::split(name);
+    paths::join(parts[..parts.len().saturating_sub(missing)].iter().map(String::as_str))
 }
 
 /// The names after `-force` and `--`.
@@ -237,11 +256,8 @@ fn delete(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     for name in names {
         let path = core.absolute(&name.as_str());
         let Ok(info) = core.files.info(&path, false) else { continue };
-        let result = if force && info.kind == FileKind::Directory {
-            remove_all(core, &path)
-        } else {
-            core.files.remove(&path)
-        };
+        let result =
+            if force && info.kind == FileKind::Directory { remove_all(core, &path) } else { core.files.remove(&path) };
         result.map_err(|e| {
             let full = e.kind() == io::ErrorKind::DirectoryNotEmpty;
             posix(&e, |why| {
@@ -280,15 +296,13 @@ fn transfer(core: &mut Core, call: &Call<'_>, sub: &str) -> Result<Value, Except
     let doing = if sub == "copy" { "copying" } else { "renaming" };
     if sources.len() > 1 && !into_dir {
         let message = format!("error {doing}: target \"{target}\" is not a directory");
-        return Err(Exception::coded(message, &["TCL", "OPERATION", "FILE", "NONDIR"]));
+        return Err(Exception::coded(message, &["POSIX", "ENOTDIR", "not a directory"]));
     }
     for source in sources {
         let from = core.absolute(&source.as_str());
         let to = if into_dir { format!("{to}/{}", paths::tail(&from)) } else { to.clone() };
-        let found = core
-            .files
-            .info(&from, true)
-            .map_err(|e| posix(&e, |why| format!("error {doing} \"{source}\": {why}")))?;
+        let found =
+            core.files.info(&from, true).map_err(|e| posix(&e, |why| format!("error {doing} \"{source}\": {why}")))?;
         let shown = if into_dir { format!("{target}/{}", paths::tail(&from)) } else { target.as_str().into_owned() };
         if !force && core.files.info(&to, true).is_ok() {
             let e: io::Error = io::ErrorKind::AlreadyExists.into();

@@ -60,11 +60,7 @@ fn spec(s: &str) -> IResult<&str, Spec> {
     let (s, flags) = take_while(|c| matches!(c, '-' | '+' | ' ' | '0' | '#')).parse(s)?;
     let (s, width) = opt(amount).parse(s)?;
     let (s, precision) = opt(preceded(char('.'), opt(amount))).parse(s)?;
-    let size = alt((
-        tag("ll").map(|_| Size::Big),
-        tag("l").map(|_| Size::Wide),
-        tag("h").map(|_| Size::Short),
-    ));
+    let size = alt((tag("ll").map(|_| Size::Big), tag("l").map(|_| Size::Wide), tag("h").map(|_| Size::Short)));
     let (s, size) = opt(size).parse(s)?;
     let (s, conversion) = opt(anychar).parse(s)?;
     let has = |flag: char| flags.contains(flag);

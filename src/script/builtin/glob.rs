@@ -49,7 +49,15 @@ fn glob_command(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     }
     let patterns = call.from(i);
     if patterns.is_empty() {
-        return Err(call.wrong_args("glob ?-option value ...? ?name ...?"));
+        return if o.complain {
+            Err(Exception::coded("no files matched glob patterns \"\"", &["TCL", "OPERATION", "GLOB", "NOMATCH"]))
+        } else {
+            Ok(Value::EMPTY)
+        };
+    }
+    if o.tails && o.directory.is_none() && o.path.is_none() {
+        let message = "\"-tails\" must be used with either \"-directory\" or \"-path\"";
+        return Err(Exception::coded(message, &["TCL", "OPERATION", "GLOB", "BADOPTIONCOMBINATION"]));
     }
     if o.directory.is_some() && o.path.is_some() {
         let message = "\"-directory\" cannot be used with \"-path\"";
@@ -114,7 +122,10 @@ fn braces(pattern: &str) -> Result<Vec<String>, Exception> {
             }
         }
         let Some(close) = close else {
-            return Err(Exception::coded("unmatched open-brace in file name", &["TCL", "OPERATION", "GLOB", "BALANCE"]));
+            return Err(Exception::coded(
+                "unmatched open-brace in file name",
+                &["TCL", "OPERATION", "GLOB", "BALANCE"],
+            ));
         };
         cuts.push(close);
         let alternatives = cuts.windows(2).rev().filter_map(|w| pattern.get(w[0] + 1..w[1]));

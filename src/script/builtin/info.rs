@@ -8,7 +8,8 @@ use crate::script::expr::func;
 use crate::script::glob;
 use crate::script::interp::Interp;
 use crate::script::lexer::is_complete;
-use crate::script::value::{Text, Value};
+use crate::script::text::Text;
+use crate::script::value::Value;
 use crate::script::vars::{Slot, VarName, split_qualified};
 
 pub(crate) fn commands<H>() -> [(&'static str, CommandFn<H>); 1] {
@@ -164,9 +165,8 @@ fn procs(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     let pattern = call.get(2).map(Value::as_str);
     let core = &*core;
     let here = core.here();
-    let is_proc = |id: crate::script::command::CmdId| {
-        matches!(core.commands[core.origin_of(id).0 as usize].imp, Imp::Proc(_))
-    };
+    let is_proc =
+        |id: crate::script::command::CmdId| matches!(core.commands[core.origin_of(id).0 as usize].imp, Imp::Proc(_));
     // Unlike commands, procedures of the global namespace are not listed elsewhere.
     qualified_names(core, pattern.as_deref(), |ns| {
         if ns == NsId::GLOBAL && here != ns && pattern.as_ref().is_none_or(|p| !p.contains("::")) {

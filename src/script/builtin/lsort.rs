@@ -254,7 +254,7 @@ fn order<H>(interp: &mut Interp<H>, items: &[Value], o: &Options) -> Result<Vec<
     let mut offset = 0;
     let mut path = &o.path[..];
     if o.group > 1 {
-        if items.len() % o.group != 0 {
+        if !items.len().is_multiple_of(o.group) {
             let message = "list size must be a multiple of the stride length";
             return Err(Exception::coded(message, &["TCL", "OPERATION", "LSORT", "BADSTRIDE"]));
         }
@@ -277,8 +277,7 @@ fn order<H>(interp: &mut Interp<H>, items: &[Value], o: &Options) -> Result<Vec<
     }
     let flip = |order: Ordering| if o.decreasing { order.reverse() } else { order };
     if o.kind != Kind::Command {
-        let sorted =
-            sort(keyed, o.unique, &mut |a, b| Ok(flip(a.0.compare(&b.0, o.kind))))?;
+        let sorted = sort(keyed, o.unique, &mut |a, b| Ok(flip(a.0.compare(&b.0, o.kind))))?;
         return Ok(sorted.into_iter().map(|k| k.1).collect());
     }
     let prefix = o.command.to_list()?;

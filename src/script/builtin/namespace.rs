@@ -10,7 +10,8 @@ use crate::script::error::Exception;
 use crate::script::glob;
 use crate::script::interp::Interp;
 use crate::script::table::Table;
-use crate::script::value::{Text, Value};
+use crate::script::text::Text;
+use crate::script::value::Value;
 use crate::script::vars::{VarName, split_qualified};
 
 pub(crate) fn commands<H>() -> [(&'static str, CommandFn<H>); 1] {
@@ -177,9 +178,11 @@ fn import(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     let here = core.here();
     let mut patterns = call.from(2);
     if patterns.is_empty() {
-        let imported = core.ns(here).commands.iter_hashed().filter(|(_, id)| {
-            matches!(core.commands.get(id.0 as usize).map(|d| &d.imp), Some(Imp::Import(_)))
-        });
+        let imported = core
+            .ns(here)
+            .commands
+            .iter_hashed()
+            .filter(|(_, id)| matches!(core.commands.get(id.0 as usize).map(|d| &d.imp), Some(Imp::Import(_))));
         return Ok(Value::list(imported.map(|(name, _)| name.to_value())));
     }
     let force = patterns.first().is_some_and(|p| p.as_str() == "-force");
@@ -202,7 +205,10 @@ fn import(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         };
         if from == here {
             let name = core.ns(here).full.clone();
-            return Err(refuse(format!("import pattern \"{text}\" tries to import from namespace \"{}\" into itself", &*name)));
+            return Err(refuse(format!(
+                "import pattern \"{text}\" tries to import from namespace \"{}\" into itself",
+                &*name
+            )));
         }
         let exports = core.ns(from).exports.clone();
         let exported = |name: &str| exports.iter().any(|p| glob::matches(p, name));
@@ -310,7 +316,7 @@ fn unknown(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
 fn upvar(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     let usage = "namespace upvar ns ?otherVar myVar ...?";
     call.expect(3.., usage)?;
-    if call.len() % 2 == 0 {
+    if call.len().is_multiple_of(2) {
         return Err(call.wrong_args(usage));
     }
     let ns = core.namespace_named(&call.arg(2).as_str())?;
@@ -370,13 +376,12 @@ fn ensemble(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
 }
 
 fn create_ensemble(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
-    if call.len() % 2 == 0 {
+    if call.len().is_multiple_of(2) {
         return Err(call.wrong_args("namespace ensemble create ?option value ...?"));
     }
     let ns = core.here();
     let mut name = core.ns(ns).full.to_string();
-    let mut made =
-        Ensemble { ns, map: vec![], subcommands: vec![], prefixes: true, unknown: Value::EMPTY };
+    let mut made = Ensemble { ns, map: vec![], subcommands: vec![], prefixes: true, unknown: Value::EMPTY };
     let options = ["-command", "-map", "-parameters", "-prefixes", "-subcommands", "-unknown"];
     for i in (3..call.len()).step_by(2) {
         let value = call.arg(i + 1);
@@ -390,7 +395,8 @@ fn create_ensemble(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception>
                         return Err(Exception::coded(message, &["TCL", "ENSEMBLE", "EMPTY_TARGET"]));
                     };
                     let command = first.as_str();
-                    let command = if command.starts_with("::") { command.into_owned() } else { core.qualified(ns, &command) };
+                    let command =
+                        if command.starts_with("::") { command.into_owned() } else { core.qualified(ns, &command) };
                     let full = std::iter::once(Value::from(command)).chain(words[1..].iter().cloned());
                     made.map.push((key.to_value(), Value::list(full)));
                 }

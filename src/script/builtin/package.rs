@@ -55,7 +55,9 @@ fn package<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exceptio
         "names" => {
             call.expect(2..=2, "package names")?;
             let offered: Vec<Value> = core.offered.iter().map(|o| o[0].clone()).collect();
-            Ok(Value::list([Value::from("Tcl")].into_iter().chain(core.packages.iter().map(|(k, _)| k.to_value())).chain(offered)))
+            Ok(Value::list(
+                [Value::from("Tcl")].into_iter().chain(core.packages.iter().map(|(k, _)| k.to_value())).chain(offered),
+            ))
         }
         "prefer" => Ok(Value::from("stable")),
         "present" => require(core, call, true),
@@ -144,9 +146,7 @@ fn satisfies(version: &Value, requirements: &[Value]) -> Result<bool, Exception>
                 (least, Some(next_major))
             }
             Some((least, "")) => (version_numbers(&Value::from(least))?, None),
-            Some((least, most)) => {
-                (version_numbers(&Value::from(least))?, Some(version_numbers(&Value::from(most))?))
-            }
+            Some((least, most)) => (version_numbers(&Value::from(least))?, Some(version_numbers(&Value::from(most))?)),
         };
         fits |= have >= least && most.is_none_or(|m| have.cmp(&m) == Ordering::Less || have == least);
     }
@@ -193,7 +193,8 @@ fn require(core: &mut Core, call: &Call<'_>, present: bool) -> Result<Value, Exc
     for requirement in requirements {
         satisfies(&Value::from("1"), std::slice::from_ref(requirement))?;
     }
-    let shown: String = requirements.iter().map(|r| if exact { format!(" exactly {r}") } else { format!(" {r}") }).collect();
+    let shown: String =
+        requirements.iter().map(|r| if exact { format!(" exactly {r}") } else { format!(" {r}") }).collect();
     let Some(version) = provided(core, &name) else {
         let message = match present {
             true => format!("package {name}{shown} is not present"),
@@ -207,7 +208,9 @@ fn require(core: &mut Core, call: &Call<'_>, present: bool) -> Result<Value, Exc
         None => satisfies(&version, requirements)?,
     };
     if !fits {
-        let need = if exact { format!("exactly {}", requirements[0]) } else {
+        let need = if exact {
+            format!("exactly {}", requirements[0])
+        } else {
             requirements.iter().map(|r| r.as_str().into_owned()).collect::<Vec<_>>().join(" ")
         };
         let message = format!("version conflict for package \"{name}\": have {version}, need {need}");

@@ -114,11 +114,7 @@ fn regexp(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     let text = subject.as_str();
     let mut at = o.start(subject, &text)?;
     let shown = |group: Option<(usize, usize)>| {
-        if o.indices {
-            indices(&text, group)
-        } else {
-            Value::from(group.map_or("", |(start, end)| &text[start..end]))
-        }
+        if o.indices { indices(&text, group) } else { Value::from(group.map_or("", |(start, end)| &text[start..end])) }
     };
     let mut count = 0i64;
     let mut collected = vec![];
@@ -179,8 +175,7 @@ fn substitute(template: &str, text: &str, groups: &Groups, out: &mut String) {
 }
 
 fn regsub(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
-    const NAMES: [&str; 8] =
-        ["-all", "-nocase", "-expanded", "-line", "-linestop", "-lineanchor", "-start", "--"];
+    const NAMES: [&str; 8] = ["-all", "-nocase", "-expanded", "-line", "-linestop", "-lineanchor", "-start", "--"];
     let o = options(call, &NAMES)?;
     let given = call.len().saturating_sub(o.next);
     if !(3..=4).contains(&given) {

@@ -50,15 +50,29 @@ enum Kind {
     Text,
     Char,
     Count,
-    Set { negated: bool, ranges: Vec<(char, char)> },
+    Set {
+        negated: bool,
+        ranges: Vec<(char, char)>,
+    },
 }
 
 fn digits(s: &str) -> IResult<&str, usize> {
     take_while1(|c: char| c.is_ascii_digit()).map(|d: &str| d.parse().unwrap_or(usize::MAX)).parse(s)
 }
 
+/// What follows a `%`.
+struct Modifiers {
+    skip: bool,
+    position: Option<usize>,
+    width: usize,
+    size: Size,
+    /// Whether a size was given.
+    sized: bool,
+    conversion: char,
+}
+
 /// What follows a `%`, up to the conversion character.
-fn modifiers(s: &str) -> IResult<&str, (bool, Option<usize>, usize, Size, bool, char)> {
+fn modifiers(s: &str) -> IResult<&str, Modifiers> {
     let (s, star) = opt(char('*')).parse(s)?;
     let (s, position) = opt(terminated(digits, char('$'))).parse(s)?;
     let (s, width) = opt(digits).parse(s)?;
@@ -73,7 +87,15 @@ fn modifiers(s: &str) -> IResult<&str, (bool, Option<usize>, usize, Size, bool, 
     let (s, size) = opt(size).parse(s)?;
     // Where the format ends Tcl sees the byte that ends its strings.
     let (s, conversion) = opt(anychar).map(|c| c.unwrap_or('\0')).parse(s)?;
-    Ok((s, (star.is_some(), position, width.unwrap_or(0), size.unwrap_or(Size::Wide), sized, conversion)))
+    let modifiers = Modifiers {
+        skip: star.is_some(),
+        position,
+        width: width.unwrap_or(0),
+        size: size.unwrap_or(Size::Wide),
+        sized,
+        conversion,
+    };
+    Ok((s, modifiers))
 }
 
 fn refuse(message: &str, code: &str) -> Exception {
@@ -124,7 +146,7 @@ fn parse(format: &str) -> Result<Vec<Item>, Exception> {
             rest = after;
             continue;
         }
-        let Ok((after, (skip, position, width, size, sized, conversion))) = modifiers(rest) else {
+        let Ok((after, Modifiers { skip, position, width, size, sized, conversion })) = modifiers(rest) else {
             return Err(refuse("bad scan conversion character \"\"", "BADTYPE"));
         };
         rest = after;

@@ -235,7 +235,8 @@ fn map(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     let mut rest: &str = &text;
     'text: while let Some(c) = rest.chars().next() {
         for (from, to) in &pairs {
-            let length = if nocase { starts_nocase(rest, from) } else { rest.starts_with(&**from).then_some(from.len()) };
+            let length =
+                if nocase { starts_nocase(rest, from) } else { rest.starts_with(&**from).then_some(from.len()) };
             if let Some(length) = length {
                 to.write_to(&mut out);
                 rest = &rest[length..];

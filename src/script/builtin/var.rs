@@ -205,7 +205,7 @@ fn upvar(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     let usage = "upvar ?level? otherVar localVar ?otherVar localVar ...?";
     call.expect(3.., usage)?;
     let level = call.arg(1).as_str();
-    let leveled = call.len() % 2 == 0;
+    let leveled = call.len().is_multiple_of(2);
     let (frame, from) = match core.find_level(&level).filter(|_| leveled) {
         Some(frame) => (frame?, 2),
         None if leveled => {
@@ -253,7 +253,9 @@ fn variable(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         } else {
             VarName::simple(&core.qualified(ns, &text))
         };
-        let target = core.variable_in(0, &name).map_err(|_| core.var_error("define", &VarName::simple(&text), None, Trouble::NoNamespace))?;
+        let target = core
+            .variable_in(0, &name)
+            .map_err(|_| core.var_error("define", &VarName::simple(&text), None, Trouble::NoNamespace))?;
         if let Some(value) = pair.get(1) {
             core.write(&VarName::simple(&format!("::{}", name.text.trim_start_matches(':'))), None, value.clone())?;
         }

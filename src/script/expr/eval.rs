@@ -153,7 +153,10 @@ impl<H> Interp<H> {
             Some((id, _)) => Some(id),
             None => {
                 let near = crate::diagnostic::nearest(&function.name, func::names()).map(str::to_owned);
-                let e = Exception::coded(format!("invalid command name \"{local}\""), &["TCL", "LOOKUP", "COMMAND", &local]);
+                let e = Exception::coded(
+                    format!("invalid command name \"{local}\""),
+                    &["TCL", "LOOKUP", "COMMAND", &local],
+                );
                 let told = format!("unknown math function \"{}\"", function.name);
                 return Err(e.map_error(|e| e.diagnostic.message = told).suggest(near));
             }

@@ -182,9 +182,8 @@ fn from_double(d: f64) -> Result<BigInt, Exception> {
 fn extreme(args: &[Value], greatest: bool) -> Result<Value, Exception> {
     let mut best: Option<Number> = None;
     for arg in args {
-        let n = number(arg).map_err(|_| {
-            Exception::error(format!("expected floating-point number but got \"{arg}\""))
-        })?;
+        let n =
+            number(arg).map_err(|_| Exception::error(format!("expected floating-point number but got \"{arg}\"")))?;
         let better = match &best {
             None => true,
             Some(b) => {

@@ -1,8 +1,9 @@
 //! Expressions: compiled to a row of operations on a stack, so that neither long nor deep ones recurse.
 
 pub(crate) mod arith;
-pub(crate) mod func;
 mod eval;
+pub(crate) mod func;
+mod lexeme;
 mod parse;
 
 use std::cell::Cell;
@@ -10,7 +11,8 @@ use std::rc::Rc;
 
 use super::ast::{Found, ParseError, Part, Script, Unit, VarRef};
 use super::error::Exception;
-use super::value::{Cache, Value};
+use super::text::Cache;
+use super::value::Value;
 use crate::diagnostic::Span;
 
 /// A compiled expression.

@@ -10,6 +10,7 @@
 //! - Collating elements of more than one character, equivalence classes other than of a character with itself, and the
 //!   basic regular expressions of `(?b)` are refused.
 
+mod bracket;
 mod translate;
 
 use std::cell::RefCell;
@@ -21,7 +22,8 @@ use regex_automata::util::syntax;
 use regex_automata::{Anchored, HalfMatch, Input, MatchKind, meta};
 
 use super::error::Exception;
-use super::value::{Cache, Value};
+use super::text::Cache;
+use super::value::Value;
 
 /// The options of `regexp` that change what a pattern means.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -115,9 +117,9 @@ impl Regex {
         match &self.engine {
             Engine::Plain(plain) => Ok(plain.find(text, start)),
             Engine::Fancy(regex) => {
-                let found = regex.captures_from_pos(text, start).map_err(|e| {
-                    Exception::error(format!("error while matching regular expression: {e}"))
-                })?;
+                let found = regex
+                    .captures_from_pos(text, start)
+                    .map_err(|e| Exception::error(format!("error while matching regular expression: {e}")))?;
                 let Some(found) = found else { return Ok(None) };
                 Ok(Some((0..=self.groups).map(|i| found.get(i).map(|m| (m.start(), m.end()))).collect()))
             }
