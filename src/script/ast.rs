@@ -1,9 +1,10 @@
 //! A parsed script. Bytes are counted in the text of the [`Unit`], which knows where that text comes from.
 
-use std::cell::Cell;
+use std::cell::{Cell, OnceCell};
 use std::rc::Rc;
 use std::sync::Arc;
 
+use super::expr::Template;
 use super::origin::Origin;
 use super::stack;
 use super::text::Text;
@@ -76,6 +77,8 @@ pub(crate) struct Command {
     pub(crate) start: u32,
     pub(crate) end: u32,
     pub(crate) found: Cell<Found>,
+    /// For a command called `expr`: its words as a ready expression.
+    pub(crate) template: Option<Box<OnceCell<Option<Template>>>>,
 }
 
 /// One word.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::channel::Channels;
-use super::command::Definition;
+use super::command::{CmdId, Definition};
 use super::console::Console;
 use super::error::Exception;
 use super::files::Files;
@@ -103,6 +103,8 @@ pub struct Core {
     pub(crate) offered: Vec<[Value; 3]>,
     /// Words of a command to run in place of the procedure that asked for it.
     pub(crate) tailcall: Option<Vec<Value>>,
+    /// The command `expr` of the language, which is evaluated without being called.
+    pub(crate) expr_id: Option<CmdId>,
     spare_words: Vec<Vec<Value>>,
     spare_vars: Vec<Table<Slot>>,
 }
@@ -140,6 +142,7 @@ impl Core {
             packages: Table::default(),
             offered: vec![],
             tailcall: None,
+            expr_id: None,
             spare_words: vec![],
             spare_vars: vec![],
         }

@@ -102,6 +102,12 @@ impl<H> Interp<H> {
 
     fn command(&mut self, script: &Script, command: &Command) -> Result<Value, Exception> {
         self.core.tick()?;
+        if command.template.is_some()
+            && self.core.is_expr(Place { script, command, map: None })
+            && let Some(result) = self.expr_command(script, command)
+        {
+            return result;
+        }
         let mut argv = self.core.take_words();
         let mut map: Option<Vec<u32>> = None;
         for (i, word) in command.words.iter().enumerate() {
@@ -283,6 +289,17 @@ impl Core {
         }
         let line = script.unit.line(error.start);
         self.settle_place(e.map_error(|e| e.line = line), None)
+    }
+
+    /// Whether a command called `expr` is the one of the language.
+    fn is_expr(&self, place: Place<'_>) -> bool {
+        let known = place.command.found.get();
+        let id = if known.epoch == self.epoch && known.namespace == self.here().0 {
+            Some(CmdId(known.command))
+        } else {
+            self.lookup(&[Value::from("expr")], Some(place))
+        };
+        id.is_some() && id == self.expr_id
     }
 
     /// The command that the first word names; remembered with the parsed command.

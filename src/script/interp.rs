@@ -8,7 +8,7 @@ use super::command::{CommandFn, CoreFn, Imp};
 use super::console::Console;
 use super::core::{Core, Site, What};
 use super::error::Exception;
-use super::files::{Files, reason};
+use super::files::{Files, posix};
 use super::origin::Origin;
 use super::proc::outside_of_loop;
 use super::text::Text;
@@ -103,11 +103,8 @@ impl<H> Interp<H> {
     /// The command `source`: `shown` is the path as the script wrote it.
     pub(crate) fn source(&mut self, path: &str, shown: &str) -> Result<Value, Exception> {
         let full = self.core.absolute(path);
-        let bytes = self.core.files.read(&full).map_err(|e| {
-            let (code, why) = reason(&e);
-            let code = Value::list(["POSIX", code, why].map(Value::from));
-            Exception::error(format!("couldn't read file \"{shown}\": {why}")).with_code(code)
-        })?;
+        let bytes = self.core.files.read(&full);
+        let bytes = bytes.map_err(|e| posix(&e, |why| format!("couldn't read file \"{shown}\": {why}")))?;
         let mut text = match String::from_utf8(bytes) {
             Ok(text) => text,
             Err(e) => e.into_bytes().iter().map(|b| *b as char).collect(),

@@ -166,7 +166,9 @@ impl<'a> Lexer<'a> {
             end = self.pos;
             self.skip_blanks();
         }
-        Ok(Command { words: words.into(), start: start as u32, end: end as u32, found: Cell::default() })
+        let is_expr = |w: &Word| matches!(&w.kind, WordKind::Literal(v) if v.as_str() == "expr");
+        let template = words.first().is_some_and(is_expr).then(Box::default);
+        Ok(Command { words: words.into(), start: start as u32, end: end as u32, found: Cell::default(), template })
     }
 
     fn word(&mut self, nested: bool) -> Result<Word, ParseError> {

@@ -157,6 +157,10 @@ impl Core {
         self.epoch += 1;
         if let Some(&old) = self.ns(ns).commands.get(name) {
             self.commands[old.0 as usize].imp = imp;
+            if self.expr_id == Some(old) {
+                // No longer the one of the language.
+                self.expr_id = None;
+            }
             return old;
         }
         let id = CmdId(self.commands.len() as u32);

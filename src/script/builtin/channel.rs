@@ -8,7 +8,7 @@ use crate::script::command::{Call, CoreFn};
 use crate::script::core::Core;
 use crate::script::ensemble::choose_sub;
 use crate::script::error::Exception;
-use crate::script::files::{OpenMode, reason};
+use crate::script::files::{OpenMode, posix};
 use crate::script::value::Value;
 use crate::script::vars::VarName;
 
@@ -65,11 +65,6 @@ fn chan(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
 fn no_events(call: &Call<'_>) -> Result<Value, Exception> {
     let message = format!("{}: channels with events or programs behind them are not supported", call.name());
     Err(call.error_at(0, message, "not supported"))
-}
-
-fn posix(error: &io::Error, message: impl FnOnce(&str) -> String) -> Exception {
-    let (code, why) = reason(error);
-    Exception::error(message(why)).with_code(Value::list(["POSIX", code, why].map(Value::from)))
 }
 
 /// The usage of a command, with the words as it was called.

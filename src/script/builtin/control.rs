@@ -31,6 +31,24 @@ impl<H> Interp<H> {
     /// Run a body that is a word of a command; `what` is how `$errorInfo` calls it.
     pub(crate) fn body(&mut self, call: &Call<'_>, word: usize, what: &str) -> Result<Value, Exception> {
         let body = call.arg(word);
+        let result = self.body_from(call, word, body);
+        result.map_err(|e| self.core.trace_body(e, body, what))
+    }
+
+    /// Run a script that was put together from the words of a call from `word` on.
+    pub(crate) fn dynamic(
+        &mut self,
+        call: &Call<'_>,
+        word: usize,
+        body: &Value,
+        what: &str,
+    ) -> Result<Value, Exception> {
+        let result = self.body_from(call, word, body);
+        result.map_err(|e| self.core.trace_always(e, body, what))
+    }
+
+    /// Run a body; errors in a text that was put together at run time point at the word that it came from.
+    fn body_from(&mut self, call: &Call<'_>, word: usize, body: &Value) -> Result<Value, Exception> {
         let outer = self.core.site;
         if body.origin().is_none()
             && let Some(span) = call.span(word)
@@ -40,8 +58,9 @@ impl<H> Interp<H> {
         let compiled = std::mem::replace(&mut self.core.compiled, true);
         let result = self.eval_body(body);
         self.core.compiled = compiled;
+        let result = result.map_err(|e| self.core.settle_place(e, None));
         self.core.site = outer;
-        result.map_err(|e| self.core.trace_body(e, body, what))
+        result
     }
 
     /// As [`Interp::body`], for the parsed form of a body that runs often.
@@ -86,33 +105,6 @@ fn eval<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> 
     let result = interp.dynamic(call, 1, &body, "\"eval\" body");
     interp.core.levels -= 1;
     result
-}
-
-impl<H> Interp<H> {
-    /// Run a script that was put together from the words of a call from `word` on.
-    pub(crate) fn dynamic(
-        &mut self,
-        call: &Call<'_>,
-        word: usize,
-        body: &Value,
-        what: &str,
-    ) -> Result<Value, Exception> {
-        let outer = self.core.site;
-        if body.origin().is_none()
-            && let Some(span) = call.span(word)
-        {
-            self.core.site = Some(span);
-        }
-        let compiled = std::mem::replace(&mut self.core.compiled, true);
-        let result = self.eval_body(body);
-        self.core.compiled = compiled;
-        let result = result.map_err(|e| {
-            let e = if matches!(e, Exception::Error(_)) { self.core.settle_place(e, None) } else { e };
-            self.core.trace_always(e, body, what)
-        });
-        self.core.site = outer;
-        result
-    }
 }
 
 fn exit<H>(_: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> {

@@ -7,7 +7,7 @@ use crate::script::command::{Call, CoreFn};
 use crate::script::core::Core;
 use crate::script::ensemble::dispatch;
 use crate::script::error::Exception;
-use crate::script::files::{FileInfo, FileKind, OpenMode, reason};
+use crate::script::files::{FileInfo, FileKind, OpenMode, posix};
 use crate::script::paths;
 use crate::script::value::Value;
 use crate::script::vars::VarName;
@@ -69,11 +69,6 @@ const SUBS: &[(&str, CoreFn)] = &[
 
 fn unsupported(call: &Call<'_>) -> Result<Value, Exception> {
     Err(call.error_at(1, format!("file {} is not supported", call.arg(1)), "not supported"))
-}
-
-fn posix(error: &io::Error, message: impl FnOnce(&str) -> String) -> Exception {
-    let (code, why) = reason(error);
-    Exception::error(message(why)).with_code(Value::list(["POSIX", code, why].map(Value::from)))
 }
 
 fn on_name(call: &Call<'_>, sub: &str, f: impl Fn(&str) -> String) -> Result<Value, Exception> {

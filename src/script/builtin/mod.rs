@@ -87,6 +87,7 @@ pub(crate) fn install<H>(interp: &mut Interp<H>) {
     for name in func::names() {
         interp.core.define(ns, &name.into(), Imp::Core(func::command));
     }
+    interp.core.expr_id = interp.core.find_command("expr");
     variables(interp);
 }
 

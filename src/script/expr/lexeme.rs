@@ -14,6 +14,8 @@ pub(super) enum Lexeme {
     Quoted,
     Braced,
     Variable,
+    /// An operand that is handed in.
+    Slot,
     Script,
     Function,
     Open,
@@ -83,6 +85,7 @@ pub(super) fn lexeme(text: &str, at: usize) -> (Lexeme, usize) {
         b')' => (L::Close, 1),
         b'$' => (L::Variable, 1),
         b'"' => (L::Quoted, 1),
+        super::template::SLOT => (L::Slot, 1),
         b',' => (L::Comma, 1),
         b'?' => (L::Question, 1),
         b':' => (L::Colon, 1),

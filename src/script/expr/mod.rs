@@ -5,6 +5,7 @@ mod eval;
 pub(crate) mod func;
 mod lexeme;
 mod parse;
+mod template;
 
 use std::cell::Cell;
 use std::rc::Rc;
@@ -14,6 +15,7 @@ use super::error::Exception;
 use super::text::Cache;
 use super::value::Value;
 use crate::diagnostic::Span;
+pub(crate) use template::Template;
 
 /// A compiled expression.
 #[derive(Debug)]
@@ -37,6 +39,8 @@ struct Range {
 #[derive(Debug)]
 enum Op {
     Push(Value),
+    /// The operand with this number, handed in.
+    Slot(usize),
     Var(VarRef),
     Script(Rc<Script>),
     Parts(Box<[Part]>),

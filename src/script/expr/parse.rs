@@ -47,6 +47,8 @@ pub(super) struct Parser<'a> {
     names: Vec<&'a str>,
     complete: Option<Operand>,
     open: usize,
+    /// How many operands are handed in, so far; none outside of templates.
+    slots: Option<usize>,
 }
 
 type Failed = Box<ExprError>;
@@ -64,7 +66,13 @@ impl<'a> Parser<'a> {
             names: vec![],
             complete: None,
             open: 0,
+            slots: None,
         }
+    }
+
+    /// For a text with marks where operands are handed in.
+    pub(super) fn template(unit: &'a Rc<Unit>) -> Self {
+        Parser { slots: Some(0), ..Self::new(unit) }
     }
 
     pub(super) fn parse(mut self) -> Result<Expr, Failed> {
@@ -74,6 +82,7 @@ impl<'a> Parser<'a> {
             let (lexeme, length) = lexeme::lexeme(self.text, at);
             let after_operator = self.complete.is_none();
             let lexeme = match lexeme {
+                Lexeme::Slot if self.slots.is_none() => Lexeme::Invalid,
                 Lexeme::Bareword => self.bareword(at, length)?,
                 Lexeme::Binary(Binary::Add) if after_operator => Lexeme::Unary(Unary::Plus),
                 Lexeme::Binary(Binary::Sub) if after_operator => Lexeme::Unary(Unary::Minus),
@@ -92,6 +101,7 @@ impl<'a> Parser<'a> {
                 | Lexeme::Quoted
                 | Lexeme::Braced
                 | Lexeme::Variable
+                | Lexeme::Slot
                 | Lexeme::Script => {
                     self.no_operand_before(at)?;
                     let end = self.leaf(lexeme, at, length)?;
@@ -189,6 +199,11 @@ impl<'a> Parser<'a> {
         let op = match lexeme {
             Lexeme::Number => Op::Push(number_value(text)),
             Lexeme::Bareword => Op::Push(Value::from(text)),
+            Lexeme::Slot => {
+                let number = self.slots.unwrap_or(0);
+                self.slots = Some(number + 1);
+                Op::Slot(number)
+            }
             _ => {
                 self.lexer.pos = at;
                 let parsed = match lexeme {
