@@ -235,6 +235,9 @@ fn quoting(text: &str, first: bool) -> Quoting {
     let mut needs_escapes = false;
     let mut prefers_escapes = false;
     let mut prefers_braces = false;
+    if head == b'#' && first {
+        prefers_braces = true;
+    }
     if head == b'{' || head == b'"' {
         bare = false;
         prefers_braces = true;

@@ -212,12 +212,10 @@ impl Value {
     pub fn to_f64(&self) -> Result<f64, Exception> {
         match &self.0 {
             Rep::Int(i) => Ok(*i as f64),
-            Rep::Double(d) => Ok(d.get()),
+            Rep::Double(d) if !d.get().is_nan() => Ok(d.get()),
             _ => match self.number() {
                 Some(n) if !n.to_f64().is_nan() => Ok(n.to_f64()),
-                Some(_) => {
-                    Err(Exception::coded("floating point value is Not a Number", &["TCL", "VALUE", "DOUBLE", "NAN"]))
-                }
+                Some(_) => Err(not_a_number()),
                 None => Err(self.not_a("floating-point number")),
             },
         }
@@ -236,6 +234,12 @@ impl Value {
                 Err(Exception::coded(message, &["TCL", "VALUE", "INTEGER"]))
             }
         }
+    }
+
+    /// An integer of 32 bits, with or without a sign, where Tcl takes no others.
+    pub(crate) fn to_int(&self) -> Result<i64, Exception> {
+        let i = self.to_i64()?;
+        if i.unsigned_abs() > u64::from(u32::MAX) { Err(too_large()) } else { Ok(i) }
     }
 
     /// As [`Value::to_i64`], with the error code of commands that want 64 bits.
@@ -270,6 +274,7 @@ impl Value {
     pub fn to_bool(&self) -> Result<bool, Exception> {
         match self.truth() {
             Some(b) => Ok(b),
+            None if self.number().is_some() => Err(not_a_number()),
             None => Err(self.not_a("boolean value")),
         }
     }
@@ -384,6 +389,10 @@ impl Value {
     pub fn list(items: impl IntoIterator<Item = Value>) -> Value {
         Value::from(items.into_iter().collect::<Vec<_>>())
     }
+}
+
+fn not_a_number() -> Exception {
+    Exception::coded("floating point value is Not a Number", &["TCL", "VALUE", "DOUBLE", "NAN"])
 }
 
 /// The error for integers beyond 64 bits where only those will do.

@@ -157,7 +157,7 @@ fn lreplace(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
 
 fn lrepeat(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(2.., "lrepeat count ?value ...?")?;
-    let count = call.arg(1).to_i64()?;
+    let count = call.arg(1).to_int()?;
     if count < 0 {
         let message = format!("bad count \"{count}\": must be integer >= 0");
         return Err(Exception::coded(message, &["TCL", "OPERATION", "LREPEAT", "NEGARG"]).at(call.span(1), ""));
@@ -177,7 +177,8 @@ fn lrepeat(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
 
 fn lreverse(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(2..=2, "lreverse list")?;
-    Ok(Value::list(call.arg(1).to_list()?.iter().rev().cloned()))
+    let items = call.arg(1).to_list()?;
+    Ok(if items.is_empty() { call.arg(1).clone() } else { Value::list(items.iter().rev().cloned()) })
 }
 
 fn lassign(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {

@@ -118,8 +118,6 @@ fn variables<H>(interp: &mut Interp<H>) {
         ("tcl_platform(engine)", "Tcl"),
         ("argv0", ""),
         ("argv", ""),
-        ("errorInfo", ""),
-        ("errorCode", "NONE"),
     ];
     let numbers: [(&str, i64); 5] = [
         ("tcl_precision", 0),

@@ -233,6 +233,7 @@ fn scan(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     // Whether the text ended before the first conversion, and how many conversions were done.
     let mut ended = false;
     let mut done = 0;
+    let mut any = false;
     for item in &items {
         match item {
             Item::Blanks => rest = rest.trim_start(),
@@ -247,7 +248,8 @@ fn scan(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
                 let place = if field.skip { None } else { places.next() };
                 if let Kind::Count = field.kind {
                     if let Some(place) = place {
-                        let used = text[..text.len() - rest.len()].chars().count();
+                        // Tcl counts bytes here.
+                        let used = text.len() - rest.len();
                         values[place] = Some(Value::from(used));
                         done += 1;
                     }
@@ -262,14 +264,16 @@ fn scan(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
                 }
                 let Some((length, value)) = field.take(rest)? else {
                     // A sign alone is where a number ended too early.
-                    ended = match field.kind {
+                    let lone = match field.kind {
                         Kind::Float => matches!(rest, "-" | "+" | "."),
                         Kind::Set { .. } => false,
                         _ => matches!(rest, "-" | "+"),
                     };
+                    ended = lone && field.width == 0;
                     break;
                 };
                 rest = &rest[length..];
+                any = true;
                 if let Some(place) = place {
                     values[place] = Some(value);
                     done += 1;
@@ -278,7 +282,7 @@ fn scan(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         }
     }
     if names.is_empty() {
-        if ended && done == 0 {
+        if ended && !any && done == 0 {
             return Ok(Value::EMPTY);
         }
         return Ok(Value::list(values.into_iter().map(Option::unwrap_or_default)));
@@ -289,7 +293,7 @@ fn scan(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
             core.write(&name, name.element.as_ref(), value)?;
         }
     }
-    Ok(Value::from(if ended && done == 0 { -1i64 } else { done }))
+    Ok(Value::from(if ended && !any && done == 0 { -1i64 } else { done }))
 }
 
 impl Field {

@@ -79,7 +79,7 @@ pub(crate) fn big(n: &Number) -> BigInt {
 
 pub(crate) fn unary(op: Unary, value: &Value) -> Result<Value, Exception> {
     match (op, &value.0) {
-        (Unary::Minus, Rep::Double(d)) => return Ok(Value::from(-d.get())),
+        (Unary::Minus, Rep::Double(d)) if !d.get().is_nan() => return Ok(Value::from(-d.get())),
         (Unary::Not, Rep::Int(i)) => return Ok(Value::from(*i == 0)),
         _ => {}
     }

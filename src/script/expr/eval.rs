@@ -40,8 +40,8 @@ impl<H> Interp<H> {
         }
     }
 
-    /// Results that are numbers are given in Tcl's own spelling.
-    pub(super) fn finish(&mut self, value: Value) -> Result<Value, Exception> {
+    /// Results that are numbers are given in Tcl's own spelling; what is no number at the end is an error.
+    pub(super) fn finish(&self, value: Value) -> Result<Value, Exception> {
         let value = self.numeric(value);
         match &value.0 {
             Rep::Double(d) if d.get().is_nan() => Err(arith::domain_error()),
