@@ -38,6 +38,8 @@ pub(crate) enum Imp {
     Proc(Rc<Proc>),
     Import(CmdId),
     Ensemble(Rc<Ensemble>),
+    /// Other words in place of the name.
+    Alias(Rc<[Value]>),
     Deleted,
 }
 

@@ -57,7 +57,7 @@ pub(crate) fn dispatch(core: &mut Core, call: &Call<'_>, table: &[(&'static str,
 }
 
 /// An ensemble of a script's own.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Ensemble {
     pub(crate) ns: NsId,
     /// Sub-commands and what stands in their place; taken from the exports of the namespace where empty.
@@ -91,6 +91,7 @@ impl Core {
 impl<H> Interp<H> {
     pub(crate) fn call_ensemble(
         &mut self,
+        id: CmdId,
         ensemble: &Rc<Ensemble>,
         mut argv: Vec<Value>,
         place: Option<Place<'_>>,
@@ -114,7 +115,10 @@ impl<H> Interp<H> {
                 words.extend_from_slice(&argv);
                 let target = self.eval_words(&words)?.to_list()?;
                 if target.is_empty() {
-                    return self.call_ensemble(ensemble, argv, place);
+                    // The handler may have made the sub-command known; this is the last try.
+                    let now = self.core.ensemble_of(id).unwrap_or_else(|| ensemble.clone());
+                    let last = Rc::new(Ensemble { unknown: Value::EMPTY, ..Ensemble::clone(&now) });
+                    return self.call_ensemble(id, &last, argv, place);
                 }
                 target
             }
@@ -153,6 +157,27 @@ impl<H> Interp<H> {
                 }
             })
         })
+    }
+
+    /// Call other words in place of the first.
+    pub(crate) fn call_alias(
+        &mut self,
+        words: &[Value],
+        mut argv: Vec<Value>,
+        place: Option<Place<'_>>,
+    ) -> Result<Value, Exception> {
+        argv.splice(0..1, words.iter().cloned());
+        if let Err(e) = self.core.enter() {
+            return Err(self.failed(e, argv, place));
+        }
+        // The target is looked up in the global namespace.
+        let found = words.first().and_then(|w| self.core.find_command_from(NsId::GLOBAL, &w.as_str()));
+        let result = match found {
+            Some(id) => self.invoke_command(id, argv, place),
+            None => self.invoke(argv, None),
+        };
+        self.core.levels -= 1;
+        result
     }
 
     /// Call words that are no longer those of the script.

@@ -231,7 +231,11 @@ impl<H> Interp<H> {
             }
             Imp::Ensemble(ensemble) => {
                 let ensemble = ensemble.clone();
-                return self.call_ensemble(&ensemble, argv, place);
+                return self.deeper(|interp| interp.call_ensemble(id, &ensemble, argv, place));
+            }
+            Imp::Alias(words) => {
+                let words = words.clone();
+                return self.deeper(|interp| interp.call_alias(&words, argv, place));
             }
             Imp::Deleted => return self.unknown(argv, place),
         };
@@ -264,11 +268,11 @@ impl<H> Interp<H> {
         if !handler.is_empty() {
             let prefix = handler.to_list()?;
             argv.splice(0..0, prefix.iter().cloned());
-            return self.invoke(argv, place);
+            return self.deeper(|interp| interp.invoke(argv, place));
         }
         if let Some(id) = self.core.find_command("::unknown") {
             argv.insert(0, Value::from("unknown"));
-            return self.invoke_command(id, argv, place);
+            return self.deeper(|interp| interp.invoke_command(id, argv, place));
         }
         let name = argv.first().map(|v| v.as_str().into_owned()).unwrap_or_default();
         let near = if self.core.catching > 0 { None } else { self.core.nearest_command(&name) };

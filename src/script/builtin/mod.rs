@@ -14,6 +14,7 @@ mod file;
 mod format;
 mod glob;
 mod info;
+mod interp;
 mod list;
 mod loops;
 mod lsearch;
@@ -45,7 +46,7 @@ pub(crate) const PATCH_LEVEL: &str = "8.6.13";
 
 /// Make the commands and variables known.
 pub(crate) fn install<H>(interp: &mut Interp<H>) {
-    let core: [&[(&str, CoreFn)]; 15] = [
+    let core: [&[(&str, CoreFn)]; 16] = [
         array::COMMANDS,
         binary::COMMANDS,
         channel::COMMANDS,
@@ -54,6 +55,7 @@ pub(crate) fn install<H>(interp: &mut Interp<H>) {
         file::COMMANDS,
         format::COMMANDS,
         glob::COMMANDS,
+        interp::COMMANDS,
         list::COMMANDS,
         lset::COMMANDS,
         scan::COMMANDS,

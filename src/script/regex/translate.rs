@@ -16,6 +16,8 @@ pub(super) struct Translated {
     pub(super) longest: bool,
     /// Whether there is only one way to match from a given place.
     pub(super) simple: bool,
+    /// Whether it has `\A`, which matches where the search starts.
+    pub(super) anchored: bool,
 }
 
 pub(super) fn refuse(why: &str, code: &str) -> Exception {
@@ -42,13 +44,14 @@ pub(super) fn translate(pattern: &str, flags: Flags) -> Result<Translated, Excep
         highest_reference: 0,
         fancy: false,
         simple: true,
+        anchored: false,
     };
     if flags.line_anchor {
         t.out.push_str("(?m)");
     }
     if flags.literal {
         t.out.push_str(&escape(pattern));
-        return Ok(Translated { text: t.out, groups: 0, fancy: false, longest: true, simple: true });
+        return Ok(Translated { text: t.out, groups: 0, fancy: false, longest: true, simple: true, anchored: false });
     }
     let longest = t.alternatives()?;
     if t.chars.peek().is_some() {
@@ -124,6 +127,7 @@ pub(super) struct Translator<'a> {
     highest_reference: usize,
     fancy: bool,
     simple: bool,
+    anchored: bool,
 }
 
 /// Whether something prefers to match long (or short); `None`: it has no choice.
@@ -393,6 +397,7 @@ impl Translator<'_> {
             'M' => "\\b{end}",
             _ => "",
         };
+        self.anchored |= c == 'A';
         if !constraint.is_empty() {
             self.out.push_str(constraint);
             return Ok(Atom { repeatable: false, ..single });
