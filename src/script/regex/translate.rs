@@ -60,7 +60,14 @@ pub(super) fn translate(pattern: &str, flags: Flags) -> Result<Translated, Excep
     if t.highest_reference > t.groups {
         return Err(refuse("invalid backreference number", "ESUBREG"));
     }
-    Ok(Translated { text: t.out, groups: t.groups, fancy: t.fancy, longest: longest.unwrap_or(true), simple: t.simple })
+    Ok(Translated {
+        text: t.out,
+        groups: t.groups,
+        fancy: t.fancy,
+        longest: longest.unwrap_or(true),
+        simple: t.simple,
+        anchored: t.anchored,
+    })
 }
 
 /// `***:`, `***=` and `(?letters)` at the start.
