@@ -77,8 +77,18 @@ pub(crate) struct Command {
     pub(crate) start: u32,
     pub(crate) end: u32,
     pub(crate) found: Cell<Found>,
-    /// For a command called `expr`: its words as a ready expression.
-    pub(crate) template: Option<Box<OnceCell<Option<Template>>>>,
+    /// Whether it can be carried out without a call.
+    pub(crate) inline: Inline,
+}
+
+/// Frequent commands that are carried out without a call, if their name means the command of the language.
+#[derive(Debug)]
+pub(crate) enum Inline {
+    No,
+    /// `expr`, with its words as a ready expression.
+    Expr(Box<OnceCell<Option<Template>>>),
+    /// `set name value`
+    Set(Rc<VarName>),
 }
 
 /// One word.

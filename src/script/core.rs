@@ -103,8 +103,8 @@ pub struct Core {
     pub(crate) offered: Vec<[Value; 3]>,
     /// Words of a command to run in place of the procedure that asked for it.
     pub(crate) tailcall: Option<Vec<Value>>,
-    /// The command `expr` of the language, which is evaluated without being called.
-    pub(crate) expr_id: Option<CmdId>,
+    /// The commands `expr` and `set` of the language, which are carried out without being called.
+    pub(crate) inlined: (Option<CmdId>, Option<CmdId>),
     spare_words: Vec<Vec<Value>>,
     spare_vars: Vec<Table<Slot>>,
 }
@@ -142,7 +142,7 @@ impl Core {
             packages: Table::default(),
             offered: vec![],
             tailcall: None,
-            expr_id: None,
+            inlined: (None, None),
             spare_words: vec![],
             spare_vars: vec![],
         }

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use super::ast::{Command, Found, Index, ParseError, Part, Script, Unit, VarRef, WordKind};
+use super::ast::{Command, Found, Index, Inline, ParseError, Part, Script, Unit, VarRef, WordKind};
 use super::command::{Call, CmdId, Imp, Place};
 use super::core::Core;
 use super::error::{Exception, ScriptError};
@@ -102,11 +102,30 @@ impl<H> Interp<H> {
 
     fn command(&mut self, script: &Script, command: &Command) -> Result<Value, Exception> {
         self.core.tick()?;
-        if command.template.is_some()
-            && self.core.is_expr(Place { script, command, map: None })
-            && let Some(result) = self.expr_command(script, command)
-        {
-            return result;
+        match &command.inline {
+            Inline::No => {}
+            Inline::Expr(_) => {
+                if self.core.is_inlined(Place { script, command, map: None }, self.core.inlined.0)
+                    && let Some(result) = self.expr_command(script, command)
+                {
+                    return result;
+                }
+            }
+            Inline::Set(name) => {
+                if let Some(word) = command.words.get(2)
+                    && self.core.is_inlined(Place { script, command, map: None }, self.core.inlined.1)
+                {
+                    let result = match &word.kind {
+                        WordKind::Literal(v) => Ok(v.clone()),
+                        kind => self.word(script, kind),
+                    };
+                    let result = result.and_then(|value| {
+                        self.core.write(name, name.element.as_ref(), value.clone())?;
+                        Ok(value)
+                    });
+                    return result.map_err(|e| self.inline_failed(e, script, command));
+                }
+            }
         }
         let mut argv = self.core.take_words();
         let mut map: Option<Vec<u32>> = None;
@@ -295,15 +314,18 @@ impl Core {
         self.settle_place(e.map_error(|e| e.line = line), None)
     }
 
-    /// Whether a command called `expr` is the one of the language.
-    fn is_expr(&self, place: Place<'_>) -> bool {
+    /// Whether the name of a command means a certain one of the language.
+    fn is_inlined(&self, place: Place<'_>, wanted: Option<CmdId>) -> bool {
         let known = place.command.found.get();
         let id = if known.epoch == self.epoch && known.namespace == self.here().0 {
             Some(CmdId(known.command))
         } else {
-            self.lookup(&[Value::from("expr")], Some(place))
+            match place.command.words.first().map(|w| &w.kind) {
+                Some(WordKind::Literal(name)) => self.lookup(std::slice::from_ref(name), Some(place)),
+                _ => None,
+            }
         };
-        id.is_some() && id == self.expr_id
+        id.is_some() && id == wanted
     }
 
     /// The command that the first word names; remembered with the parsed command.

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::rc::Rc;
 
-use super::ast::{Command, Index, ParseError, Part, Script, Unit, VarRef, Word, WordKind};
+use super::ast::{Command, Index, Inline, ParseError, Part, Script, Unit, VarRef, Word, WordKind};
 use super::escape::backslash;
 use super::origin::Origin;
 use super::stack;
@@ -166,9 +166,8 @@ impl<'a> Lexer<'a> {
             end = self.pos;
             self.skip_blanks();
         }
-        let is_expr = |w: &Word| matches!(&w.kind, WordKind::Literal(v) if v.as_str() == "expr");
-        let template = words.first().is_some_and(is_expr).then(Box::default);
-        Ok(Command { words: words.into(), start: start as u32, end: end as u32, found: Cell::default(), template })
+        let inline = inline(&words);
+        Ok(Command { words: words.into(), start: start as u32, end: end as u32, found: Cell::default(), inline })
     }
 
     fn word(&mut self, nested: bool) -> Result<Word, ParseError> {
@@ -439,6 +438,19 @@ impl<'a> Lexer<'a> {
         };
         let name = VarName::simple(name);
         Ok(Some(VarRef { name, index: Some(index), start: start as u32, end: self.pos as u32 }))
+    }
+}
+
+/// Whether a command is one of those that need no call.
+fn inline(words: &[Word]) -> Inline {
+    let [Word { kind: WordKind::Literal(name), .. }, rest @ ..] = words else { return Inline::No };
+    if rest.iter().any(|w| w.expand) {
+        return Inline::No;
+    }
+    match (&*name.as_str(), rest) {
+        ("expr", _) => Inline::Expr(Box::default()),
+        ("set", [Word { kind: WordKind::Literal(name), .. }, _]) => Inline::Set(VarName::of(name)),
+        _ => Inline::No,
     }
 }
 

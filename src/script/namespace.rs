@@ -157,9 +157,12 @@ impl Core {
         self.epoch += 1;
         if let Some(&old) = self.ns(ns).commands.get(name) {
             self.commands[old.0 as usize].imp = imp;
-            if self.expr_id == Some(old) {
-                // No longer the one of the language.
-                self.expr_id = None;
+            // No longer those of the language.
+            if self.inlined.0 == Some(old) {
+                self.inlined.0 = None;
+            }
+            if self.inlined.1 == Some(old) {
+                self.inlined.1 = None;
             }
             return old;
         }

@@ -43,10 +43,10 @@ const SUBS: &[(&str, CoreFn)] = &[
     ("frame", frame),
     ("functions", functions),
     ("globals", globals),
-    ("hostname", |_, call| {
+    ("hostname", |core, call| {
         call.expect(2..=2, "info hostname")?;
-        let read = std::fs::read_to_string("/etc/hostname").unwrap_or_default();
-        Ok(Value::from(read.trim()))
+        let read = core.files.read("/etc/hostname").unwrap_or_default();
+        Ok(Value::from(String::from_utf8_lossy(&read).trim()))
     }),
     ("level", level),
     ("library", |core, call| {

@@ -23,6 +23,9 @@ pub(crate) const COMMANDS: &[(&str, CoreFn)] = &[
     ("split", split),
 ];
 
+/// Longer lists are refused; they would take gigabytes.
+const MAX_LENGTH: usize = 1 << 26;
+
 /// Lists put one after the other; other texts are joined by blanks.
 pub(crate) fn concat(words: &[Value]) -> Value {
     let pure = |v: &Value| matches!(v.0, Rep::List(_) | Rep::Empty);
@@ -163,9 +166,9 @@ fn lrepeat(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         return Err(Exception::coded(message, &["TCL", "OPERATION", "LREPEAT", "NEGARG"]).at(call.span(1), ""));
     }
     let values = call.from(2);
-    let total = (count as usize).checked_mul(values.len()).filter(|n| *n < 1 << 28);
+    let total = (count as usize).checked_mul(values.len()).filter(|n| *n < MAX_LENGTH);
     let Some(total) = total else {
-        let message = format!("max length of a Tcl list ({} elements) exceeded", 1u32 << 28);
+        let message = format!("max length of a Tcl list ({} elements) exceeded", MAX_LENGTH);
         return Err(Exception::coded(message, &["TCL", "MEMORY"]));
     };
     let mut items = Vec::with_capacity(total);

@@ -89,7 +89,7 @@ pub(crate) fn install<H>(interp: &mut Interp<H>) {
     for name in func::names() {
         interp.core.define(ns, &name.into(), Imp::Core(func::command));
     }
-    interp.core.expr_id = interp.core.find_command("expr");
+    interp.core.inlined = (interp.core.find_command("expr"), interp.core.find_command("set"));
     variables(interp);
 }
 

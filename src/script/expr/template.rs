@@ -5,7 +5,7 @@
 
 use std::rc::Rc;
 
-use super::super::ast::{Command, Part, Script, Unit, Word, WordKind};
+use super::super::ast::{Command, Inline, Part, Script, Unit, Word, WordKind};
 use super::super::command::Place;
 use super::super::error::Exception;
 use super::super::interp::Interp;
@@ -110,13 +110,14 @@ impl<H> Interp<H> {
     pub(crate) fn expr_command(&mut self, script: &Script, command: &Command) -> Option<Result<Value, Exception>> {
         let words = command.words.get(1..)?;
         if let [Word { kind: WordKind::Literal(text), expand: false, .. }] = words {
-            return Some(self.expr(text).map_err(|e| self.expr_failed(e, script, command)));
+            return Some(self.expr(text).map_err(|e| self.inline_failed(e, script, command)));
         }
-        let template = command.template.as_ref()?.get_or_init(|| Template::new(words)).as_ref()?;
+        let Inline::Expr(template) = &command.inline else { return None };
+        let template = template.get_or_init(|| Template::new(words)).as_ref()?;
         let mut operands = self.core.take_words();
         let result = self.expr_template(template, script, words, &mut operands);
         self.core.give_words(operands);
-        Some(result.map_err(|e| self.expr_failed(e, script, command)))
+        Some(result.map_err(|e| self.inline_failed(e, script, command)))
     }
 
     fn expr_template(
@@ -165,12 +166,13 @@ impl<H> Interp<H> {
         self.expr_text(&text)
     }
 
-    fn expr_failed(&mut self, e: Exception, script: &Script, command: &Command) -> Exception {
+    pub(in crate::script) fn inline_failed(&mut self, e: Exception, script: &Script, command: &Command) -> Exception {
         if !matches!(e, Exception::Error(_)) {
             return e;
         }
         let place = Place { script, command, map: None };
-        let e = self.core.settle_place(e.at(place.word(1), ""), Some(place));
+        let word = command.words.len() - 1;
+        let e = self.core.settle_place(e.at(place.word(word.min(1)), ""), Some(place));
         self.core.trace_command(e, Some(place), None)
     }
 }
