@@ -120,7 +120,7 @@ impl<H> Interp<H> {
                         kind => self.word(script, kind),
                     };
                     let result = result.and_then(|value| {
-                        self.core.write(name, name.element.as_ref(), value.clone())?;
+                        self.core.assign(name, value.clone())?;
                         Ok(value)
                     });
                     return result.map_err(|e| self.inline_failed(e, script, command));

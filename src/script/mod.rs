@@ -25,6 +25,7 @@ mod index;
 mod interp;
 mod lexer;
 mod list;
+mod lookup;
 mod memory_files;
 mod namespace;
 mod number;

@@ -256,7 +256,7 @@ fn scan(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         let Some((size, value)) = taken else { break };
         at += size;
         let name = VarName::of(name);
-        core.write(&name, name.element.as_ref(), value)?;
+        core.assign(&name, value)?;
         done += 1;
     }
     Ok(Value::from(done))

@@ -136,7 +136,7 @@ fn gets(core: &mut Core, call: &Call<'_>, at: usize) -> Result<Value, Exception>
     let Some(name) = call.get(at + 1) else { return Ok(Value::from(line.unwrap_or_default())) };
     let length = line.as_ref().map_or(-1, |l| l.chars().count() as i64);
     let name = VarName::of(name);
-    core.write(&name, name.element.as_ref(), Value::from(line.unwrap_or_default()))?;
+    core.assign(&name, Value::from(line.unwrap_or_default()))?;
     Ok(Value::from(length))
 }
 

@@ -144,7 +144,7 @@ fn change(
 ) -> Result<Value, Exception> {
     let name = VarName::of(variable);
     core.update(&name, true, "set", |value, _| change(value.dict_mut()?))?;
-    core.read(&name, name.element.as_deref())
+    core.value_of(&name)
 }
 
 fn append(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {

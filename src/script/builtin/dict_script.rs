@@ -51,8 +51,8 @@ fn set_pair<H>(
     value: Value,
 ) -> Result<(), Exception> {
     let [k, v] = names;
-    interp.core.write(k, k.element.as_ref(), key)?;
-    interp.core.write(v, v.element.as_ref(), value)
+    interp.core.assign(k, key)?;
+    interp.core.assign(v, value)
 }
 
 fn for_each<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> {
@@ -88,7 +88,7 @@ fn each<H>(
             Ok(result) => {
                 // The script may have changed the variable of the key.
                 let [k, _] = &names;
-                let key = interp.core.read(k, k.element.as_deref()).unwrap_or_else(|_| key.to_value());
+                let key = interp.core.value_of(k).unwrap_or_else(|_| key.to_value());
                 take(&key, result);
             }
             Err(Exception::Continue) => {}
@@ -143,14 +143,14 @@ fn update<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception
         return Err(call.wrong_args(usage));
     }
     let name = VarName::of(call.arg(2));
-    let dict = interp.core.read(&name, name.element.as_deref())?.to_dict()?;
+    let dict = interp.core.value_of(&name)?.to_dict()?;
     let last = call.len() - 1;
     let mut pairs = vec![];
     for pair in call.from(3)[..last - 3].chunks_exact(2) {
         if let [key, variable] = pair {
             let variable = VarName::of(variable);
             match dict.get(&key.as_str()) {
-                Some(value) => interp.core.write(&variable, variable.element.as_ref(), value.clone())?,
+                Some(value) => interp.core.assign(&variable, value.clone())?,
                 None => {
                     // A key that is not there leaves its variable unset.
                     let _ = interp.core.unset(&variable, variable.element.as_deref());
@@ -169,7 +169,7 @@ fn with<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> 
     let name = VarName::of(call.arg(2));
     let last = call.len() - 1;
     let path = &call.from(3)[..last - 3];
-    let mut dict = interp.core.read(&name, name.element.as_deref())?.to_dict()?;
+    let mut dict = interp.core.value_of(&name)?.to_dict()?;
     for key in path {
         let inner = dict.get(&key.as_str()).cloned();
         dict = match inner {
@@ -185,7 +185,7 @@ fn with<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> 
     for (key, value) in dict.iter() {
         let key = key.to_value();
         let variable = VarName::of(&key);
-        interp.core.write(&variable, variable.element.as_ref(), value.clone())?;
+        interp.core.assign(&variable, value.clone())?;
         pairs.push((key, variable));
     }
     let result = interp.body(call, last, "body of \"dict with\"");
@@ -200,7 +200,7 @@ fn store<H>(
     path: &[Value],
     pairs: &[(Value, std::rc::Rc<VarName>)],
 ) -> Result<(), Exception> {
-    let Ok(mut whole) = interp.core.peek(name, name.element.as_deref()) else { return Ok(()) };
+    let Ok(mut whole) = interp.core.look(name) else { return Ok(()) };
     let mut at = whole.dict_mut()?;
     for key in path {
         at = match at.get_mut(&key.as_str()) {
@@ -209,7 +209,7 @@ fn store<H>(
         };
     }
     for (key, variable) in pairs {
-        match interp.core.peek(variable, variable.element.as_deref()) {
+        match interp.core.look(variable) {
             Ok(value) => {
                 at.insert(key.to_text(), value);
             }
@@ -218,5 +218,5 @@ fn store<H>(
             }
         }
     }
-    interp.core.write(name, name.element.as_ref(), whole)
+    interp.core.assign(name, whole)
 }

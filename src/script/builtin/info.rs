@@ -116,7 +116,7 @@ fn default(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         return Err(Exception::coded(message, &["TCL", "LOOKUP", "ARGUMENT", &wanted]).at(call.span(3), ""));
     };
     let name = VarName::of(call.arg(4));
-    core.write(&name, name.element.as_ref(), param.default.clone().unwrap_or_default())?;
+    core.assign(&name, param.default.clone().unwrap_or_default())?;
     Ok(Value::from(param.default.is_some()))
 }
 

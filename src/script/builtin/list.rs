@@ -190,7 +190,7 @@ fn lassign(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     let names = call.from(2);
     for (i, name) in names.iter().enumerate() {
         let name = VarName::of(name);
-        core.write(&name, name.element.as_ref(), items.get(i).cloned().unwrap_or_default())?;
+        core.assign(&name, items.get(i).cloned().unwrap_or_default())?;
     }
     Ok(Value::from(items.get(names.len()..).unwrap_or_default().to_vec()))
 }

@@ -290,7 +290,7 @@ fn scan(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     for (name, value) in names.iter().zip(values) {
         if let Some(value) = value {
             let name = VarName::of(name);
-            core.write(&name, name.element.as_ref(), value)?;
+            core.assign(&name, value)?;
         }
     }
     Ok(Value::from(if ended && !any && done == 0 { -1i64 } else { done }))

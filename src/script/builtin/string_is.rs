@@ -63,7 +63,7 @@ pub(crate) fn is(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         failure(class, value, &text)
     };
     if let (Some(at), Some(name)) = (fails, fail_var) {
-        core.write(&name, name.element.as_ref(), Value::from(at))?;
+        core.assign(&name, Value::from(at))?;
     }
     Ok(Value::from(fails.is_none()))
 }

@@ -111,10 +111,10 @@ fn switch<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception
         let is_default = n + 1 == count && pattern.as_str() == "default";
         let found = if is_default {
             if let Some(name) = &match_var {
-                interp.core.write(name, name.element.as_ref(), Value::EMPTY)?;
+                interp.core.assign(name, Value::EMPTY)?;
             }
             if let Some(name) = &index_var {
-                interp.core.write(name, name.element.as_ref(), Value::EMPTY)?;
+                interp.core.assign(name, Value::EMPTY)?;
             }
             true
         } else {
@@ -131,11 +131,11 @@ fn switch<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception
                         Some(groups) => {
                             if let Some(name) = &match_var {
                                 let texts = groups.iter().map(|g| Value::from(g.map_or("", |(s, e)| &text[s..e])));
-                                interp.core.write(name, name.element.as_ref(), Value::list(texts))?;
+                                interp.core.assign(name, Value::list(texts))?;
                             }
                             if let Some(name) = &index_var {
                                 let places = groups.iter().map(|g| super::regexp::indices(&text, *g));
-                                interp.core.write(name, name.element.as_ref(), Value::list(places))?;
+                                interp.core.assign(name, Value::list(places))?;
                             }
                             true
                         }

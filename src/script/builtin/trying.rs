@@ -129,11 +129,11 @@ fn catch<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception>
     let outcome = interp.core.outcome(result)?;
     if let Some(name) = call.get(2) {
         let name = VarName::of(name);
-        interp.core.write(&name, name.element.as_ref(), outcome.value)?;
+        interp.core.assign(&name, outcome.value)?;
     }
     if let Some(name) = call.get(3) {
         let name = VarName::of(name);
-        interp.core.write(&name, name.element.as_ref(), outcome.options.into())?;
+        interp.core.assign(&name, outcome.options.into())?;
     }
     Ok(Value::from(i64::from(outcome.code)))
 }
@@ -262,7 +262,7 @@ fn handle<H>(
     let values = [outcome.value.clone(), outcome.options.clone().into()];
     for (name, value) in names.iter().zip(values) {
         let name = VarName::of(name);
-        interp.core.write(&name, name.element.as_ref(), value)?;
+        interp.core.assign(&name, value)?;
     }
     let body = handlers[chosen..].iter().find(|h| call.arg(h.body).as_str() != "-");
     let Some(body) = body else { return Ok(Value::EMPTY) };

@@ -28,9 +28,9 @@ fn set(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(2..=3, "set varName ?newValue?")?;
     let name = VarName::of(call.arg(1));
     match call.get(2) {
-        None => core.read(&name, name.element.as_deref()),
+        None => core.value_of(&name),
         Some(value) => {
-            core.write(&name, name.element.as_ref(), value.clone())?;
+            core.assign(&name, value.clone())?;
             Ok(value.clone())
         }
     }
@@ -74,7 +74,7 @@ fn incr(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
             Ok(by) => by,
             Err(e) => {
                 // Tcl looks at the variable first.
-                core.peek(&name, name.element.as_deref()).ok().map_or(Ok(()), |v| incrementable(&v).map(|_| ()))?;
+                core.look(&name).ok().map_or(Ok(()), |v| incrementable(&v).map(|_| ()))?;
                 return Err(e.at(call.span(2), ""));
             }
         },
@@ -100,7 +100,7 @@ fn append(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(2.., "append varName ?value ...?")?;
     let name = VarName::of(call.arg(1));
     if call.len() == 2 {
-        return core.read(&name, name.element.as_deref());
+        return core.value_of(&name);
     }
     core.update(&name, true, "set", |value, _| {
         if value.is_empty() && call.len() == 3 {
@@ -113,14 +113,14 @@ fn append(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         }
         Ok(())
     })?;
-    core.read(&name, name.element.as_deref())
+    core.value_of(&name)
 }
 
 fn lappend(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(2.., "lappend varName ?value ...?")?;
     let name = VarName::of(call.arg(1));
-    if call.len() == 2 && core.peek(&name, name.element.as_deref()).is_ok() {
-        let value = core.read(&name, name.element.as_deref())?;
+    if call.len() == 2 && core.look(&name).is_ok() {
+        let value = core.value_of(&name)?;
         value.to_list()?;
         return Ok(value);
     }
@@ -130,7 +130,7 @@ fn lappend(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         }
         Ok(())
     })?;
-    core.read(&name, name.element.as_deref())
+    core.value_of(&name)
 }
 
 impl Core {

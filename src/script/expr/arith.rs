@@ -11,8 +11,8 @@ use super::super::number::{Number, looks_like_bad_octal};
 use super::super::value::{Rep, Value};
 use super::{Binary, Unary};
 
-/// Shifting further than this would make integers of more than a hundred megabytes.
-const MAX_SHIFT: u64 = 1 << 30;
+/// Shifting further than this would make integers that take minutes to write.
+const MAX_SHIFT: u64 = 1 << 27;
 
 /// Which operand is at fault.
 #[derive(Clone, Copy)]

@@ -152,6 +152,11 @@ impl<H> Interp<H> {
         let own = match id.map(|id| (id, &self.core.commands[id.0 as usize].imp)) {
             Some((_, Imp::Core(f))) if std::ptr::fn_addr_eq(*f, func::command as super::super::command::CoreFn) => None,
             Some((id, _)) => Some(id),
+            None if self.core.find_command("::unknown").is_some() => {
+                let mut argv = vec![Value::from(local)];
+                argv.extend(args);
+                return self.invoke(argv, None);
+            }
             None => {
                 let near = crate::diagnostic::nearest(&function.name, func::names()).map(str::to_owned);
                 let e = Exception::coded(
