@@ -16,7 +16,7 @@ impl Core {
         let full = name.full(index);
         let message = format!("can't {doing} \"{full}\": {}", why.text());
         let code: &[&str] = match (why, doing) {
-            (Trouble::NoVariable | Trouble::DanglingLink, _) => &["TCL", "LOOKUP", "VARNAME", &full],
+            (Trouble::NoVariable | Trouble::DanglingLink, _) => &["TCL", "LOOKUP", "VARNAME", &name.text],
             (Trouble::Undefined, "unset") => &["TCL", "UNSET", "VARNAME"],
             (Trouble::Undefined, _) => &["TCL", "READ", "VARNAME"],
             (Trouble::NoElement, "read") => &["TCL", "READ", "VARNAME"],
@@ -140,7 +140,11 @@ impl Core {
 
     /// The value of a variable, or why there is none.
     pub(crate) fn peek(&self, name: &VarName, index: Option<&str>) -> Result<Value, Trouble> {
-        let Some(slot) = self.slot(name) else { return Err(Trouble::NoVariable) };
+        let Some(slot) = self.slot(name) else {
+            // The variables of a procedure are known from its text on.
+            let known = self.frame().is_proc && matches!(name.scope, Scope::Here);
+            return Err(if known { Trouble::Undefined } else { Trouble::NoVariable });
+        };
         slot.with(|slot| match (slot, index) {
             (Slot::Scalar(v), None) => Ok(v.clone()),
             (Slot::Array(a), Some(i)) => a.get(i).and_then(Slot::scalar).ok_or(Trouble::NoElement),
@@ -195,7 +199,9 @@ impl Core {
 
     /// Remove a variable, or tell why it cannot be removed.
     pub(crate) fn unset(&mut self, name: &VarName, index: Option<&str>) -> Result<(), Exception> {
+        let known = index.is_none() && self.frame().is_proc && matches!(name.scope, Scope::Here);
         let done = match self.slot_mut(name) {
+            None if known => Err(Trouble::Undefined),
             None => Err(Trouble::NoVariable),
             Some(slot) => slot.with_mut(|slot| match (slot, index) {
                 (Slot::Empty, _) => Err(Trouble::Undefined),

@@ -177,17 +177,19 @@ fn lappend(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
 
 fn incr(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(4..=5, "dict incr dictVarName key ?increment?")?;
-    let by = match call.get(4) {
-        None => Number::Int(1),
-        Some(by) => incrementable(by)?,
-    };
     change(core, call.arg(2), |table| {
         let key = call.arg(3).to_text();
-        let old = match table.get(&key) {
-            Some(value) => incrementable(value)?,
-            None => Number::Int(0),
+        let by = call.get(4);
+        let sum = match (table.get(&key), by) {
+            (None, None) => Value::from(1i64),
+            (None, Some(by)) => by.to_integer().map(|_| by.clone())?,
+            (Some(old), by) => {
+                let old = incrementable(old)?;
+                let by = by.map_or(Ok(Number::Int(1)), incrementable)?;
+                Value::from(arith::big(&old) + arith::big(&by))
+            }
         };
-        table.insert(key, Value::from(arith::big(&old) + arith::big(&by)));
+        table.insert(key, sum);
         Ok(())
     })
 }
