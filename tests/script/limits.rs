@@ -99,6 +99,56 @@ fn the_budget_ends_a_script() {
 }
 
 #[test]
+fn extreme_numbers_are_errors_or_fine() {
+    let (mut interp, ..) = interp();
+    interp.eval_str("m.tcl", "set f [open x w+]; puts $f abc").unwrap();
+    for number in ["9223372036854775807", "-9223372036854775808", "4294967295", "-4294967295", "99999999999999999999"] {
+        for script in [
+            "clock add 0 N weeks",
+            "clock add N 1 day -gmt 1",
+            "clock scan \"N weeks ago\" -base 0",
+            "clock format N -gmt 1",
+            "seek $f N current",
+            "seek $f N end",
+            "seek $f N",
+            "read $f N",
+            "lindex {a b} N",
+            "lindex {a b} end-N",
+            "lindex {a b} N+N",
+            "lrange {a b} N end",
+            "linsert {a b} N c",
+            "lreplace {a b} N N c",
+            "string range abc N N",
+            "string index abc end+N",
+            "string first a abc N",
+            "string last a abc N",
+            "info level N",
+            "info frame N",
+            "uplevel N {}",
+            "expr {srand(N)}",
+            "expr {N << 1}",
+            "expr {N >> 1}",
+            "expr {-N}",
+            "expr {abs(N)}",
+            "expr {N % -1}",
+            "expr {N / -1}",
+            "expr {int(N * 1.0)}",
+            "expr {round(N * 1e300)}",
+            "regexp -start N a abc",
+            "scan abc %Nd",
+            "format %c N",
+            "string wordend abc N",
+            "lsearch -start N {a b} b",
+            "binary scan abc @Na x",
+            "chan truncate $f N",
+            "after cancel N",
+        ] {
+            let _ = interp.eval_str("m.tcl", &script.replace('N', number));
+        }
+    }
+}
+
+#[test]
 fn huge_results_are_refused() {
     let (mut interp, ..) = interp();
     for script in [

@@ -196,7 +196,8 @@ fn free_form(text: &str, base: DateTime, base_seconds: i64, zone: &TimeZone) -> 
         {
             words.next();
             let ago = words.next_if(|w| *w == "ago").is_some();
-            shift = add_unit(shift, if ago { -count } else { count }, unit)?;
+            let count = if ago { count.checked_neg()? } else { count };
+            shift = add_unit(shift, count, unit)?;
             continue;
         }
         match word {
@@ -293,15 +294,16 @@ fn unit_of(word: &str) -> Option<&'static str> {
 }
 
 fn add_unit(span: Span, count: i64, unit: &str) -> Option<Span> {
+    let total = |have: i64, each: i64| count.checked_mul(each)?.checked_add(have);
     match unit {
-        "second" => span.try_seconds(span.get_seconds() + count),
-        "minute" => span.try_minutes(span.get_minutes() + count),
-        "hour" => span.try_hours(i64::from(span.get_hours()) + count),
-        "day" => span.try_days(i64::from(span.get_days()) + count),
-        "week" => span.try_days(i64::from(span.get_days()) + count * 7),
-        "fortnight" => span.try_days(i64::from(span.get_days()) + count * 14),
-        "month" => span.try_months(i64::from(span.get_months()) + count),
-        _ => span.try_years(i64::from(span.get_years()) + count),
+        "second" => span.try_seconds(total(span.get_seconds(), 1)?),
+        "minute" => span.try_minutes(total(span.get_minutes(), 1)?),
+        "hour" => span.try_hours(total(span.get_hours().into(), 1)?),
+        "day" => span.try_days(total(span.get_days().into(), 1)?),
+        "week" => span.try_days(total(span.get_days().into(), 7)?),
+        "fortnight" => span.try_days(total(span.get_days().into(), 14)?),
+        "month" => span.try_months(total(span.get_months().into(), 1)?),
+        _ => span.try_years(total(span.get_years().into(), 1)?),
     }
     .ok()
 }
