@@ -1,12 +1,14 @@
 //! A parsed script. Bytes are counted in the text of the [`Unit`], which knows where that text comes from.
 
-use std::cell::Cell;
+use std::cell::{Cell, OnceCell};
 use std::rc::Rc;
 use std::sync::Arc;
 
+use super::expr::Template;
 use super::origin::Origin;
 use super::stack;
-use super::value::{Text, Value};
+use super::text::Text;
+use super::value::Value;
 use super::vars::VarName;
 use crate::diagnostic::Span;
 
@@ -75,6 +77,18 @@ pub(crate) struct Command {
     pub(crate) start: u32,
     pub(crate) end: u32,
     pub(crate) found: Cell<Found>,
+    /// Whether it can be carried out without a call.
+    pub(crate) inline: Inline,
+}
+
+/// Frequent commands that are carried out without a call, if their name means the command of the language.
+#[derive(Debug)]
+pub(crate) enum Inline {
+    No,
+    /// `expr`, with its words as a ready expression.
+    Expr(Box<OnceCell<Option<Template>>>),
+    /// `set name value`
+    Set(Rc<VarName>),
 }
 
 /// One word.

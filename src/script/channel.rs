@@ -302,7 +302,7 @@ impl Channel {
     pub(crate) fn seek(&mut self, to: SeekFrom) -> io::Result<()> {
         self.flush()?;
         let to = match to {
-            SeekFrom::Current(by) => SeekFrom::Current(by - self.rest().len() as i64),
+            SeekFrom::Current(by) => SeekFrom::Current(by.saturating_sub(self.rest().len() as i64)),
             other => other,
         };
         match &mut self.target {

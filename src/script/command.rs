@@ -7,7 +7,8 @@ use super::core::{Core, NsId};
 use super::ensemble::Ensemble;
 use super::error::Exception;
 use super::interp::Interp;
-use super::value::{Text, Value};
+use super::text::Text;
+use super::value::Value;
 use super::vars::VarName;
 use crate::diagnostic::{self, Diagnostic, Span};
 
@@ -37,6 +38,8 @@ pub(crate) enum Imp {
     Proc(Rc<Proc>),
     Import(CmdId),
     Ensemble(Rc<Ensemble>),
+    /// Other words in place of the name.
+    Alias(Rc<[Value]>),
     Deleted,
 }
 

@@ -5,13 +5,14 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::channel::Channels;
-use super::command::Definition;
+use super::command::{CmdId, Definition};
 use super::console::Console;
 use super::error::Exception;
 use super::files::Files;
 use super::namespace::Namespace;
 use super::table::Table;
-use super::value::{Text, Value};
+use super::text::Text;
+use super::value::Value;
 use super::vars::Slot;
 use crate::diagnostic::{Caller, Diagnostic, SourceMap, Span};
 
@@ -96,9 +97,14 @@ pub struct Core {
     pub(crate) scripts: Vec<Value>,
     /// Files read so far: their text and its parsed form.
     pub(crate) loaded: HashMap<String, (Arc<str>, Value)>,
+    /// Packages provided, and their versions.
     pub(crate) packages: Table<Value>,
+    /// Packages that a script could provide: name, version, script.
+    pub(crate) offered: Vec<[Value; 3]>,
     /// Words of a command to run in place of the procedure that asked for it.
     pub(crate) tailcall: Option<Vec<Value>>,
+    /// The commands `expr` and `set` of the language, which are carried out without being called.
+    pub(crate) inlined: (Option<CmdId>, Option<CmdId>),
     spare_words: Vec<Vec<Value>>,
     spare_vars: Vec<Table<Slot>>,
 }
@@ -134,7 +140,9 @@ impl Core {
             scripts: vec![],
             loaded: HashMap::new(),
             packages: Table::default(),
+            offered: vec![],
             tailcall: None,
+            inlined: (None, None),
             spare_words: vec![],
             spare_vars: vec![],
         }

@@ -100,13 +100,11 @@ impl Dict {
 
     /// From the text of a value; what is wrong with a list is told in the words for dictionaries.
     pub(crate) fn from_text(value: &Value) -> Result<Dict, Exception> {
-        let items = value.to_list().map_err(|e| match e {
-            Exception::Error(mut e) => {
-                let message = &mut e.diagnostic.message;
-                *message = message.replace("list element", "dict element").replace(" in list", " in dict");
-                Exception::Error(e)
-            }
-            other => other,
+        let items = value.to_list().map_err(|e| {
+            let Exception::Error(e) = e else { return e };
+            let message = e.diagnostic.message.replace("list element", "dict element").replace(" in list", " in dict");
+            let kind = e.error_code.and_then(|c| c.to_list().ok()?.last().cloned()).unwrap_or_default();
+            Exception::coded(message, &["TCL", "VALUE", "DICTIONARY", &kind.as_str()])
         })?;
         Dict::from_list(&items)
     }

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use super::command::{Call, CmdId, CoreFn, Imp, Place, alternatives};
+use super::command::{Call, CmdId, CoreFn, Imp, Place};
 use super::core::{Core, NsId};
 use super::error::Exception;
 use super::interp::Interp;
@@ -32,9 +32,17 @@ fn find<'n>(word: &str, names: impl Iterator<Item = &'n str> + Clone) -> Option<
     }
 }
 
+/// `a`, `a, or b`, `a, b, or c`.
+fn listed(names: &[&str]) -> String {
+    match names {
+        [most @ .., last] if !most.is_empty() => format!("{}, or {last}", most.join(", ")),
+        names => names.concat(),
+    }
+}
+
 fn unknown<'n>(word: &str, names: impl Iterator<Item = &'n str>) -> Exception {
     let names: Vec<&str> = names.collect();
-    let message = format!("unknown or ambiguous subcommand \"{word}\": must be {}", alternatives(&names));
+    let message = format!("unknown or ambiguous subcommand \"{word}\": must be {}", listed(&names));
     let near = diagnostic::nearest(word, names.iter().copied()).map(str::to_owned);
     Exception::coded(message, &["TCL", "LOOKUP", "SUBCOMMAND", word]).suggest(near)
 }
@@ -49,7 +57,7 @@ pub(crate) fn dispatch(core: &mut Core, call: &Call<'_>, table: &[(&'static str,
 }
 
 /// An ensemble of a script's own.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Ensemble {
     pub(crate) ns: NsId,
     /// Sub-commands and what stands in their place; taken from the exports of the namespace where empty.
@@ -83,6 +91,7 @@ impl Core {
 impl<H> Interp<H> {
     pub(crate) fn call_ensemble(
         &mut self,
+        id: CmdId,
         ensemble: &Rc<Ensemble>,
         mut argv: Vec<Value>,
         place: Option<Place<'_>>,
@@ -106,7 +115,10 @@ impl<H> Interp<H> {
                 words.extend_from_slice(&argv);
                 let target = self.eval_words(&words)?.to_list()?;
                 if target.is_empty() {
-                    return self.call_ensemble(ensemble, argv, place);
+                    // The handler may have made the sub-command known; this is the last try.
+                    let now = self.core.ensemble_of(id).unwrap_or_else(|| ensemble.clone());
+                    let last = Rc::new(Ensemble { unknown: Value::EMPTY, ..Ensemble::clone(&now) });
+                    return self.call_ensemble(id, &last, argv, place);
                 }
                 target
             }
@@ -120,17 +132,50 @@ impl<H> Interp<H> {
                     unknown(&word, names)
                 } else {
                     let names: Vec<&str> = names.collect();
-                    let text = format!("unknown subcommand \"{word}\": must be {}", alternatives(&names));
+                    let text = format!("unknown subcommand \"{word}\": must be {}", listed(&names));
                     Exception::coded(text, &["TCL", "LOOKUP", "SUBCOMMAND", &word])
                 };
                 return Err(self.failed(e.at(place.and_then(|p| p.word(1)), "no such subcommand"), argv, place));
             }
         };
+        let called = crate::script::list::join(&argv[..2]);
+        let inner = crate::script::list::join(target.iter());
         argv.splice(0..2, target.iter().cloned());
         if let Err(e) = self.core.enter() {
             return Err(self.failed(e, argv, place));
         }
         let result = self.invoke_words(argv, place);
+        self.core.levels -= 1;
+        // A wrong number of words is told as the ensemble was called.
+        result.map_err(|e| {
+            e.map_error(|e| {
+                let start = format!("wrong # args: should be \"{inner}");
+                if let Some(rest) = e.result.as_str().strip_prefix(&start) {
+                    let message = format!("wrong # args: should be \"{called}{rest}");
+                    e.diagnostic.message.clone_from(&message);
+                    e.result = Value::from(message);
+                }
+            })
+        })
+    }
+
+    /// Call other words in place of the first.
+    pub(crate) fn call_alias(
+        &mut self,
+        words: &[Value],
+        mut argv: Vec<Value>,
+        place: Option<Place<'_>>,
+    ) -> Result<Value, Exception> {
+        argv.splice(0..1, words.iter().cloned());
+        if let Err(e) = self.core.enter() {
+            return Err(self.failed(e, argv, place));
+        }
+        // The target is looked up in the global namespace.
+        let found = words.first().and_then(|w| self.core.find_command_from(NsId::GLOBAL, &w.as_str()));
+        let result = match found {
+            Some(id) => self.invoke_command(id, argv, place),
+            None => self.invoke(argv, None),
+        };
         self.core.levels -= 1;
         result
     }

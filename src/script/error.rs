@@ -148,7 +148,8 @@ impl Exception {
             }
             let text = line(e.line);
             e.error_info.push_str(&format!("\n    ({text})"));
-            e.traced = true;
+            // The command around it is told next.
+            e.traced = false;
         })
     }
 

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use super::ast::{Command, Found, Index, ParseError, Part, Script, Unit, VarRef, WordKind};
+use super::ast::{Command, Found, Index, Inline, ParseError, Part, Script, Unit, VarRef, WordKind};
 use super::command::{Call, CmdId, Imp, Place};
 use super::core::Core;
 use super::error::{Exception, ScriptError};
@@ -10,7 +10,8 @@ use super::interp::Interp;
 use super::lexer;
 use super::list::List;
 use super::stack;
-use super::value::{Cache, Rep, Value};
+use super::text::Cache;
+use super::value::{Rep, Value};
 use crate::diagnostic::Span;
 
 /// How many calls may be under way, as in Tcl.
@@ -101,6 +102,31 @@ impl<H> Interp<H> {
 
     fn command(&mut self, script: &Script, command: &Command) -> Result<Value, Exception> {
         self.core.tick()?;
+        match &command.inline {
+            Inline::No => {}
+            Inline::Expr(_) => {
+                if self.core.is_inlined(Place { script, command, map: None }, self.core.inlined.0)
+                    && let Some(result) = self.expr_command(script, command)
+                {
+                    return result;
+                }
+            }
+            Inline::Set(name) => {
+                if let Some(word) = command.words.get(2)
+                    && self.core.is_inlined(Place { script, command, map: None }, self.core.inlined.1)
+                {
+                    let result = match &word.kind {
+                        WordKind::Literal(v) => Ok(v.clone()),
+                        kind => self.word(script, kind),
+                    };
+                    let result = result.and_then(|value| {
+                        self.core.assign(name, value.clone())?;
+                        Ok(value)
+                    });
+                    return result.map_err(|e| self.inline_failed(e, script, command));
+                }
+            }
+        }
         let mut argv = self.core.take_words();
         let mut map: Option<Vec<u32>> = None;
         for (i, word) in command.words.iter().enumerate() {
@@ -224,7 +250,11 @@ impl<H> Interp<H> {
             }
             Imp::Ensemble(ensemble) => {
                 let ensemble = ensemble.clone();
-                return self.call_ensemble(&ensemble, argv, place);
+                return self.deeper(|interp| interp.call_ensemble(id, &ensemble, argv, place));
+            }
+            Imp::Alias(words) => {
+                let words = words.clone();
+                return self.deeper(|interp| interp.call_alias(&words, argv, place));
             }
             Imp::Deleted => return self.unknown(argv, place),
         };
@@ -257,11 +287,11 @@ impl<H> Interp<H> {
         if !handler.is_empty() {
             let prefix = handler.to_list()?;
             argv.splice(0..0, prefix.iter().cloned());
-            return self.invoke(argv, place);
+            return self.deeper(|interp| interp.invoke(argv, place));
         }
         if let Some(id) = self.core.find_command("::unknown") {
             argv.insert(0, Value::from("unknown"));
-            return self.invoke_command(id, argv, place);
+            return self.deeper(|interp| interp.invoke_command(id, argv, place));
         }
         let name = argv.first().map(|v| v.as_str().into_owned()).unwrap_or_default();
         let near = if self.core.catching > 0 { None } else { self.core.nearest_command(&name) };
@@ -284,6 +314,20 @@ impl Core {
         self.settle_place(e.map_error(|e| e.line = line), None)
     }
 
+    /// Whether the name of a command means a certain one of the language.
+    fn is_inlined(&self, place: Place<'_>, wanted: Option<CmdId>) -> bool {
+        let known = place.command.found.get();
+        let id = if known.epoch == self.epoch && known.namespace == self.here().0 {
+            Some(CmdId(known.command))
+        } else {
+            match place.command.words.first().map(|w| &w.kind) {
+                Some(WordKind::Literal(name)) => self.lookup(std::slice::from_ref(name), Some(place)),
+                _ => None,
+            }
+        };
+        id.is_some() && id == wanted
+    }
+
     /// The command that the first word names; remembered with the parsed command.
     fn lookup(&self, argv: &[Value], place: Option<Place<'_>>) -> Option<CmdId> {
         let name = argv.first()?;
@@ -304,7 +348,7 @@ impl Core {
         Some(id)
     }
 
-    /// Point an error that points nowhere at the word it is about: one that the message quotes, else the first.
+    /// Point an error that points nowhere at the word it is about: one that the message quotes, the only one, or the name.
     fn blame(&self, e: Exception, argv: &[Value], place: Option<Place<'_>>) -> Exception {
         let Some(place) = place else { return e };
         e.map_error(|e| {
@@ -316,7 +360,9 @@ impl Core {
                 let text = v.as_str();
                 !text.is_empty() && text.len() < 200 && message.contains(&format!("\"{text}\""))
             };
-            let word = (1..argv.len()).find(|i| argv.get(*i).is_some_and(quoted)).unwrap_or(0);
+            let no_list = |v: &Value| message.ends_with(" in list") && v.to_list().is_err();
+            let about = |i: &usize| argv.get(*i).is_some_and(|v| quoted(v) || no_list(v));
+            let word = (1..argv.len()).find(about).unwrap_or(usize::from(argv.len() == 2));
             e.diagnostic.span = place.word(word);
         })
     }

@@ -5,6 +5,8 @@ use std::io::{self, Read, Seek, Write};
 use std::path::Path;
 use std::time::{Duration, SystemTime};
 
+use super::error::Exception;
+
 /// An open file.
 pub trait Stream: Read + Write + Seek {
     /// Cut or extend the file to a length in bytes.
@@ -167,8 +169,14 @@ fn mode_of(meta: &fs::Metadata) -> u32 {
     0o444 | write | if meta.is_dir() { 0o111 } else { 0 }
 }
 
+/// The error for a file, its message made from the reason.
+pub(crate) fn posix(error: &io::Error, message: impl FnOnce(&str) -> String) -> Exception {
+    let (code, why) = reason(error);
+    Exception::coded(message(why), &["POSIX", code, why])
+}
+
 /// What went wrong with a file, in the words of the C library that Tcl uses.
-pub(crate) fn reason(error: &io::Error) -> (&'static str, &'static str) {
+fn reason(error: &io::Error) -> (&'static str, &'static str) {
     use io::ErrorKind as K;
     match error.kind() {
         K::NotFound => ("ENOENT", "no such file or directory"),

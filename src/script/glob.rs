@@ -67,8 +67,7 @@ fn one<'p, 't>(pattern: &'p str, text: &'t str, nocase: bool) -> Option<(&'p str
         '[' => {
             let c = fold(c, nocase);
             let mut found = false;
-            loop {
-                let Some(low) = p.next() else { break };
+            while let Some(low) = p.next() {
                 if low == ']' {
                     break;
                 }

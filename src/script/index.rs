@@ -4,9 +4,14 @@ use super::error::Exception;
 use super::number::{self, Number, looks_like_bad_octal};
 use super::value::{Rep, Value};
 
+/// Tcl takes no places further out.
+const LIMIT: u64 = u32::MAX as u64;
+
 /// A place, counted from 0, where the last one is `last`. May lie outside.
 pub(crate) fn index(value: &Value, last: i64) -> Result<i64, Exception> {
-    if let Rep::Int(i) = value.0 {
+    if let Rep::Int(i) = value.0
+        && i.unsigned_abs() <= LIMIT
+    {
         return Ok(i);
     }
     let text = value.as_str();
@@ -21,7 +26,7 @@ pub(crate) fn index(value: &Value, last: i64) -> Result<i64, Exception> {
 
 fn integer(text: &str) -> Option<i64> {
     match number::parse(text)? {
-        Number::Int(i) => Some(i),
+        Number::Int(i) if i.unsigned_abs() <= LIMIT => Some(i),
         _ => None,
     }
 }

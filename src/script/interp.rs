@@ -8,9 +8,11 @@ use super::command::{CommandFn, CoreFn, Imp};
 use super::console::Console;
 use super::core::{Core, Site, What};
 use super::error::Exception;
-use super::files::{Files, reason};
+use super::files::{Files, posix};
 use super::origin::Origin;
-use super::value::{Text, Value};
+use super::proc::outside_of_loop;
+use super::text::Text;
+use super::value::Value;
 
 /// A Tcl interpreter. `host` is what the commands of the host work on.
 ///
@@ -101,11 +103,8 @@ impl<H> Interp<H> {
     /// The command `source`: `shown` is the path as the script wrote it.
     pub(crate) fn source(&mut self, path: &str, shown: &str) -> Result<Value, Exception> {
         let full = self.core.absolute(path);
-        let bytes = self.core.files.read(&full).map_err(|e| {
-            let (code, why) = reason(&e);
-            let code = Value::list(["POSIX", code, why].map(Value::from));
-            Exception::error(format!("couldn't read file \"{shown}\": {why}")).with_code(code)
-        })?;
+        let bytes = self.core.files.read(&full);
+        let bytes = bytes.map_err(|e| posix(&e, |why| format!("couldn't read file \"{shown}\": {why}")))?;
         let mut text = match String::from_utf8(bytes) {
             Ok(text) => text,
             Err(e) => e.into_bytes().iter().map(|b| *b as char).collect(),
@@ -130,7 +129,11 @@ impl<H> Interp<H> {
 
     /// Run a text that stands for itself.
     fn top_level(&mut self, script: &Value, name: &str) -> Result<Value, Exception> {
-        self.core.enter()?;
+        // Tcl counts the command `source` but not the script that a program starts with.
+        let nested = !self.core.scripts.is_empty();
+        if nested {
+            self.core.enter()?;
+        }
         let compiled = std::mem::replace(&mut self.core.compiled, false);
         let site = self.core.site.take();
         self.core.sites.push(Site { what: What::Source(Text::from(name)), span: site });
@@ -140,7 +143,7 @@ impl<H> Interp<H> {
         self.core.sites.pop();
         self.core.site = site;
         self.core.compiled = compiled;
-        self.core.levels -= 1;
+        self.core.levels -= usize::from(nested);
         match result {
             Err(Exception::Return(v)) => Ok(v),
             Err(Exception::ReturnWith(r)) => super::proc::leave(*r),
@@ -158,8 +161,8 @@ fn settle(result: Result<Value, Exception>) -> Result<Value, Exception> {
     match result {
         Err(Exception::Return(v) | Exception::Other(_, v)) => Ok(v),
         Err(Exception::ReturnWith(r)) => Ok(r.value),
-        Err(Exception::Break) => Err(Exception::error("invoked \"break\" outside of a loop")),
-        Err(Exception::Continue) => Err(Exception::error("invoked \"continue\" outside of a loop")),
+        Err(Exception::Break) => Err(outside_of_loop("break")),
+        Err(Exception::Continue) => Err(outside_of_loop("continue")),
         other => other,
     }
 }

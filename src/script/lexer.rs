@@ -3,7 +3,8 @@
 use std::cell::Cell;
 use std::rc::Rc;
 
-use super::ast::{Command, Index, ParseError, Part, Script, Unit, VarRef, Word, WordKind};
+use super::ast::{Command, Index, Inline, ParseError, Part, Script, Unit, VarRef, Word, WordKind};
+use super::escape::backslash;
 use super::origin::Origin;
 use super::stack;
 use super::value::Value;
@@ -15,63 +16,6 @@ pub(crate) const MAX_NESTING: usize = 1000;
 /// A letter, digit or underscore: what names of variables and functions are made of.
 pub(crate) fn is_word_byte(b: u8) -> bool {
     b.is_ascii_alphanumeric() || b == b'_'
-}
-
-/// The backslash sequence at `at`: its length in bytes and what it stands for.
-pub(crate) fn backslash(text: &str, at: usize) -> (usize, char) {
-    let bytes = text.as_bytes();
-    let Some(next) = text.get(at + 1..).and_then(|t| t.chars().next()) else { return (1, '\\') };
-    let number = |from: usize, most: usize, base: u32, limit: u32| {
-        let mut value = 0;
-        let mut length = 0;
-        while length < most
-            && let Some(digit) = bytes.get(from + length).and_then(|b| (*b as char).to_digit(base))
-            && value * base + digit <= limit
-        {
-            value = value * base + digit;
-            length += 1;
-        }
-        (length, char::from_u32(value).unwrap_or(char::REPLACEMENT_CHARACTER))
-    };
-    let hex = |most| match number(at + 2, most, 16, 0x10_ffff) {
-        (0, _) => (2, next),
-        (length, c) => (2 + length, c),
-    };
-    match next {
-        'a' => (2, '\u{7}'),
-        'b' => (2, '\u{8}'),
-        'f' => (2, '\u{c}'),
-        'n' => (2, '\n'),
-        'r' => (2, '\r'),
-        't' => (2, '\t'),
-        'v' => (2, '\u{b}'),
-        'x' => hex(2),
-        'u' => hex(4),
-        'U' => hex(8),
-        '0'..='7' => {
-            let (length, c) = number(at + 1, 3, 8, 0xff);
-            (1 + length, c)
-        }
-        '\n' => {
-            let blanks = bytes[at + 2..].iter().take_while(|b| matches!(b, b' ' | b'\t')).count();
-            (2 + blanks, ' ')
-        }
-        c => (1 + c.len_utf8(), c),
-    }
-}
-
-/// Replace every backslash sequence.
-pub(crate) fn unescape(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    let mut rest = text;
-    while let Some(at) = rest.find('\\') {
-        out.push_str(&rest[..at]);
-        let (length, c) = backslash(rest, at);
-        out.push(c);
-        rest = &rest[at + length..];
-    }
-    out.push_str(rest);
-    out
 }
 
 /// Parse a whole text as a script.
@@ -222,7 +166,8 @@ impl<'a> Lexer<'a> {
             end = self.pos;
             self.skip_blanks();
         }
-        Ok(Command { words: words.into(), start: start as u32, end: end as u32, found: Cell::default() })
+        let inline = inline(&words);
+        Ok(Command { words: words.into(), start: start as u32, end: end as u32, found: Cell::default(), inline })
     }
 
     fn word(&mut self, nested: bool) -> Result<Word, ParseError> {
@@ -493,6 +438,19 @@ impl<'a> Lexer<'a> {
         };
         let name = VarName::simple(name);
         Ok(Some(VarRef { name, index: Some(index), start: start as u32, end: self.pos as u32 }))
+    }
+}
+
+/// Whether a command is one of those that need no call.
+fn inline(words: &[Word]) -> Inline {
+    let [Word { kind: WordKind::Literal(name), .. }, rest @ ..] = words else { return Inline::No };
+    if rest.iter().any(|w| w.expand) {
+        return Inline::No;
+    }
+    match (&*name.as_str(), rest) {
+        ("expr", _) => Inline::Expr(Box::default()),
+        ("set", [Word { kind: WordKind::Literal(name), .. }, _]) => Inline::Set(VarName::of(name)),
+        _ => Inline::No,
     }
 }
 

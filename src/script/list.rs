@@ -6,7 +6,7 @@ use std::rc::Rc;
 
 use super::dict::Dict;
 use super::error::Exception;
-use super::lexer;
+use super::escape;
 use super::number::is_space;
 use super::origin::Origin;
 use super::stack;
@@ -133,7 +133,7 @@ pub(crate) fn next_element(text: &str, at: usize) -> Result<Option<Element>, Exc
             while i < bytes.len() && !is_space(bytes[i]) {
                 if bytes[i] == b'\\' {
                     escaped = true;
-                    i += lexer::backslash(text, i).0;
+                    i += escape::backslash(text, i).0;
                 } else {
                     i += 1;
                 }
@@ -173,7 +173,7 @@ fn quoted(text: &str, open: usize) -> Result<Element, Exception> {
         match bytes[i] {
             b'\\' => {
                 escaped = true;
-                i += lexer::backslash(text, i).0;
+                i += escape::backslash(text, i).0;
                 continue;
             }
             b'"' => {
@@ -207,7 +207,7 @@ pub(crate) fn parse(text: &str, origin: Option<&Origin>) -> Result<Vec<Value>, E
     while let Some(e) = next_element(text, at)? {
         let content = &text[e.start..e.end];
         items.push(if e.escaped {
-            Value::from(lexer::unescape(content))
+            Value::from(escape::unescape(content))
         } else {
             Value::element(content, || origin.map(|o| o.slice(e.start, e.end)))
         });
@@ -235,6 +235,9 @@ fn quoting(text: &str, first: bool) -> Quoting {
     let mut needs_escapes = false;
     let mut prefers_escapes = false;
     let mut prefers_braces = false;
+    if head == b'#' && first {
+        prefers_braces = true;
+    }
     if head == b'{' || head == b'"' {
         bare = false;
         prefers_braces = true;

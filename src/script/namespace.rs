@@ -4,7 +4,8 @@ use super::command::{CmdId, Definition, Imp};
 use super::core::{Core, NsId};
 use super::error::Exception;
 use super::table::Table;
-use super::value::{Text, Value};
+use super::text::Text;
+use super::value::Value;
 use super::vars::{Slot, split_qualified};
 use crate::diagnostic;
 
@@ -156,6 +157,13 @@ impl Core {
         self.epoch += 1;
         if let Some(&old) = self.ns(ns).commands.get(name) {
             self.commands[old.0 as usize].imp = imp;
+            // No longer those of the language.
+            if self.inlined.0 == Some(old) {
+                self.inlined.0 = None;
+            }
+            if self.inlined.1 == Some(old) {
+                self.inlined.1 = None;
+            }
             return old;
         }
         let id = CmdId(self.commands.len() as u32);

@@ -175,7 +175,7 @@ pub(crate) fn looks_like_bad_octal(text: &str) -> bool {
 /// The shortest text that reads back as the same double.
 pub(crate) fn write_double(out: &mut String, d: f64) {
     let size = d.abs();
-    if size < 1e17 && size >= 1e-4 {
+    if (1e-4..1e17).contains(&size) {
         let start = out.len();
         let _ = write!(out, "{d}");
         if !out.as_bytes()[start..].contains(&b'.') {

@@ -8,7 +8,8 @@ use super::error::{Exception, Returned};
 use super::eval::script_of;
 use super::interp::Interp;
 use super::table::Table;
-use super::value::{Text, Value};
+use super::text::Text;
+use super::value::Value;
 use super::vars::{Slot, VarName};
 
 impl Proc {
@@ -130,8 +131,8 @@ impl<H> Interp<H> {
         let result = match result {
             Err(Exception::Return(value)) => Ok(value),
             Err(Exception::ReturnWith(returned)) => leave(*returned),
-            Err(Exception::Break) => Err(Exception::error("invoked \"break\" outside of a loop")),
-            Err(Exception::Continue) => Err(Exception::error("invoked \"continue\" outside of a loop")),
+            Err(Exception::Break) => Err(outside_of_loop("break")),
+            Err(Exception::Continue) => Err(outside_of_loop("continue")),
             other => other,
         };
         match result {
@@ -157,6 +158,11 @@ impl<H> Interp<H> {
             }
         }
     }
+}
+
+/// Tcl's error for `break` and `continue` with no loop around them.
+pub(crate) fn outside_of_loop(what: &str) -> Exception {
+    Exception::coded(format!("invoked \"{what}\" outside of a loop"), &["TCL", "RESULT", "UNEXPECTED"])
 }
 
 fn quoted(name: &str) -> String {
@@ -210,7 +216,11 @@ fn bind(proc: &Proc, args: &[Value], vars: &mut Table<Slot>) -> bool {
                 None => return false,
             }
         };
-        *vars.entry_or(&param.name.tail, param.name.hash, Slot::default) = Slot::Scalar(value);
+        // Of two parameters with the same name the first counts.
+        let slot = vars.entry_or(&param.name.tail, param.name.hash, Slot::default);
+        if !slot.exists() {
+            *slot = Slot::Scalar(value);
+        }
     }
     true
 }

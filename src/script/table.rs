@@ -1,7 +1,7 @@
 //! A hash table that remembers two orders: of insertion (for dictionaries) and of Tcl's own hash tables (for
 //! arrays and for the names in a namespace), so that `array names` lists in the order that tclsh does.
 
-use super::value::Text;
+use super::text::Text;
 
 const NONE: u32 = u32::MAX;
 /// Entries per bucket above which Tcl rebuilds a table with four times the buckets.
@@ -12,6 +12,13 @@ pub(crate) fn hash(key: &str) -> u32 {
     let mut bytes = key.bytes();
     let first = bytes.next().map_or(0, u32::from);
     bytes.fold(first, |h, b| h.wrapping_mul(9).wrapping_add(u32::from(b)))
+}
+
+/// Equality of texts that are almost surely equal and mostly short: a call of `memcmp` takes longer than the comparison.
+#[inline]
+fn same(a: &str, b: &str) -> bool {
+    let (a, b) = (a.as_bytes(), b.as_bytes());
+    if a.len() <= 8 { a.len() == b.len() && a.iter().zip(b).all(|(x, y)| x == y) } else { a == b }
 }
 
 #[derive(Clone, Debug)]
@@ -86,7 +93,7 @@ impl<V> Table<V> {
         let mut at = self.heads.first(hash);
         while at != NONE {
             let entry = self.entries[at as usize].as_ref()?;
-            if entry.hash == hash && *entry.key == *key {
+            if entry.hash == hash && same(&entry.key, key) {
                 return Some(at as usize);
             }
             at = entry.next;

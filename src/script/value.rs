@@ -3,7 +3,6 @@
 use std::borrow::Cow;
 use std::cell::{Cell, OnceCell, RefCell};
 use std::fmt;
-use std::ops::Deref;
 use std::rc::Rc;
 
 use num_bigint::BigInt;
@@ -14,7 +13,7 @@ use super::error::Exception;
 use super::list::{self, List, ListObj};
 use super::number::{self, Number};
 use super::origin::Origin;
-use super::vars::VarName;
+use super::text::{Cache, StrObj, Text};
 
 /// A Tcl value. Cloning copies a reference at most.
 ///
@@ -49,101 +48,6 @@ impl Bits {
     #[inline]
     pub(crate) fn get(self) -> f64 {
         f64::from_bits(self.0)
-    }
-}
-
-/// A text together with what it was last understood as.
-pub(crate) struct StrObj {
-    text: String,
-    /// Where the text stands in a script.
-    origin: Option<Origin>,
-    cache: RefCell<Cache>,
-    /// Number of characters; `u32::MAX` while it is not known.
-    chars: Cell<u32>,
-}
-
-/// What a text was last understood as.
-#[derive(Clone, Default)]
-pub(crate) enum Cache {
-    #[default]
-    None,
-    NotNumber,
-    Number(Number),
-    List(List),
-    Dict(Rc<DictObj>),
-    Script(Rc<super::ast::Script>),
-    Expr(Rc<super::expr::Expr>),
-    Var(Rc<VarName>),
-    Regex(Rc<super::regex::Regex>),
-}
-
-impl StrObj {
-    fn new(text: String, origin: Option<Origin>) -> Rc<Self> {
-        Rc::new(Self { text, origin, cache: RefCell::default(), chars: Cell::new(u32::MAX) })
-    }
-
-    pub(crate) fn origin(&self) -> Option<&Origin> {
-        self.origin.as_ref()
-    }
-
-    pub(crate) fn cached<T>(&self, pick: impl FnOnce(&Cache) -> Option<T>) -> Option<T> {
-        pick(&self.cache.borrow())
-    }
-
-    pub(crate) fn set_cache(&self, cache: Cache) {
-        *self.cache.borrow_mut() = cache;
-    }
-
-    fn number(&self) -> Option<Number> {
-        match &*self.cache.borrow() {
-            Cache::Number(n) => return Some(n.clone()),
-            Cache::NotNumber => return None,
-            // Costly to work out again, and hardly ever a number.
-            Cache::Script(_) | Cache::Expr(_) | Cache::Regex(_) => return number::parse(&self.text),
-            _ => {}
-        }
-        let number = number::parse(&self.text);
-        self.set_cache(number.clone().map_or(Cache::NotNumber, Cache::Number));
-        number
-    }
-}
-
-impl Drop for StrObj {
-    fn drop(&mut self) {
-        if let Cache::List(List(l)) = self.cache.take()
-            && let Ok(mut l) = Rc::try_unwrap(l)
-        {
-            list::dismantle(l.take_items());
-        }
-    }
-}
-
-/// A shared text, the key of tables.
-#[derive(Clone)]
-pub(crate) struct Text(Rc<StrObj>);
-
-impl Text {
-    pub(crate) fn to_value(&self) -> Value {
-        Value(Rep::Str(self.0.clone()))
-    }
-}
-
-impl Deref for Text {
-    type Target = str;
-    fn deref(&self) -> &str {
-        &self.0.text
-    }
-}
-
-impl From<&str> for Text {
-    fn from(text: &str) -> Self {
-        Text(StrObj::new(text.to_owned(), None))
-    }
-}
-
-impl fmt::Debug for Text {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Debug::fmt(&**self, f)
     }
 }
 
@@ -308,12 +212,10 @@ impl Value {
     pub fn to_f64(&self) -> Result<f64, Exception> {
         match &self.0 {
             Rep::Int(i) => Ok(*i as f64),
-            Rep::Double(d) => Ok(d.get()),
+            Rep::Double(d) if !d.get().is_nan() => Ok(d.get()),
             _ => match self.number() {
                 Some(n) if !n.to_f64().is_nan() => Ok(n.to_f64()),
-                Some(_) => {
-                    Err(Exception::coded("floating point value is Not a Number", &["TCL", "VALUE", "DOUBLE", "NAN"]))
-                }
+                Some(_) => Err(not_a_number()),
                 None => Err(self.not_a("floating-point number")),
             },
         }
@@ -331,6 +233,20 @@ impl Value {
                 let message = format!("expected integer but got \"{self}\"");
                 Err(Exception::coded(message, &["TCL", "VALUE", "INTEGER"]))
             }
+        }
+    }
+
+    /// An integer of 32 bits, with or without a sign, where Tcl takes no others.
+    pub(crate) fn to_int(&self) -> Result<i64, Exception> {
+        let i = self.to_i64()?;
+        if i.unsigned_abs() > u64::from(u32::MAX) { Err(too_large()) } else { Ok(i) }
+    }
+
+    /// As [`Value::to_i64`], with the error code of commands that want 64 bits.
+    pub(crate) fn to_wide(&self) -> Result<i64, Exception> {
+        match self.to_integer()? {
+            Number::Int(i) => Ok(i),
+            _ => Err(too_large()),
         }
     }
 
@@ -358,6 +274,7 @@ impl Value {
     pub fn to_bool(&self) -> Result<bool, Exception> {
         match self.truth() {
             Some(b) => Ok(b),
+            None if self.number().is_some() => Err(not_a_number()),
             None => Err(self.not_a("boolean value")),
         }
     }
@@ -472,6 +389,10 @@ impl Value {
     pub fn list(items: impl IntoIterator<Item = Value>) -> Value {
         Value::from(items.into_iter().collect::<Vec<_>>())
     }
+}
+
+fn not_a_number() -> Exception {
+    Exception::coded("floating point value is Not a Number", &["TCL", "VALUE", "DOUBLE", "NAN"])
 }
 
 /// The error for integers beyond 64 bits where only those will do.

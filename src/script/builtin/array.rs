@@ -6,7 +6,8 @@ use crate::script::ensemble::dispatch;
 use crate::script::error::Exception;
 use crate::script::glob;
 use crate::script::regex::{self, Flags};
-use crate::script::value::{Text, Value};
+use crate::script::text::Text;
+use crate::script::value::Value;
 use crate::script::vars::{Slot, Trouble, VarName};
 
 pub(crate) const COMMANDS: &[(&str, CoreFn)] =
@@ -32,7 +33,7 @@ fn refuse_search(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
 }
 
 fn not_an_array(name: &Value) -> Exception {
-    Exception::coded(format!("\"{name}\" isn't an array"), &["TCL", "LOOKUP", "ARRAY", &name.as_str()])
+    Exception::error(format!("\"{name}\" isn't an array"))
 }
 
 fn exists(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
@@ -92,9 +93,10 @@ fn set(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         return Err(Exception::coded(message, &["TCL", "ARGUMENT", "FORMAT"]).at(call.span(3), ""));
     }
     let name = VarName::of(call.arg(2));
-    if let Some(element) = &name.element {
-        let why = Trouble::NotArray;
-        return Err(core.var_error("set", &name, Some(element), why));
+    if name.element.is_some() {
+        let full = call.arg(2).as_str();
+        let message = format!("can't set \"{full}\": variable isn't array");
+        return Err(Exception::coded(message, &["TCL", "LOOKUP", "VARNAME", &full]));
     }
     if let Err(why) = core.make_array(&name) {
         let first = items.first().map(|k| k.as_str().into_owned());

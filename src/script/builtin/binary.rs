@@ -79,7 +79,7 @@ fn number_field(letter: char) -> Option<(usize, bool, bool)> {
 }
 
 fn bad_field(letter: char) -> Exception {
-    Exception::coded(format!("bad field specifier \"{letter}\""), &["TCL", "BINARY", "FIELD"])
+    Exception::error(format!("bad field specifier \"{letter}\""))
 }
 
 fn format(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
@@ -101,8 +101,7 @@ fn format(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         };
         match letter {
             'x' if count == Count::All => {
-                let code = ["TCL", "BINARY", "FIELD"];
-                return Err(Exception::coded("cannot use \"*\" in format string with \"x\"", &code));
+                return Err(Exception::error("cannot use \"*\" in format string with \"x\""));
             }
             'x' => {
                 put(&mut out, &mut at, &vec![0; number]);
@@ -124,10 +123,7 @@ fn format(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
             }
             _ => {}
         }
-        let missing = || {
-            let code = ["TCL", "BINARY", "FIELD"];
-            Exception::coded("not enough arguments for all format specifiers", &code)
-        };
+        let missing = || Exception::error("not enough arguments for all format specifiers");
         if !"aAbBhH".contains(letter) && number_field(letter).is_none() {
             return Err(bad_field(letter));
         }
@@ -152,15 +148,14 @@ fn format(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
                         let list = value.to_list()?;
                         let wanted = if count == Count::All { list.len() } else { number };
                         if list.len() < wanted {
-                            let code = ["TCL", "BINARY", "FIELD"];
-                            return Err(Exception::coded("number of elements in list does not match count", &code));
+                            return Err(Exception::error("number of elements in list does not match count"));
                         }
                         list[..wanted].to_vec()
                     }
                 };
                 for item in items {
                     let raw = if !float {
-                        item.to_i64()?.to_le_bytes()
+                        item.to_wide()?.to_le_bytes()
                     } else if size == 4 {
                         let single = (item.to_f64()? as f32).to_le_bytes();
                         let [a, b, c, d] = single;
@@ -194,7 +189,7 @@ fn pack(letter: char, value: &Value, count: Option<usize>) -> Result<Vec<u8>, Ex
         let Some(digit) = c.to_digit(base) else {
             let what = if hex { "hexadecimal" } else { "binary" };
             let message = format!("expected {what} string but got \"{text}\" instead");
-            return Err(Exception::coded(message, &["TCL", "BINARY", "FIELD"]));
+            return Err(Exception::error(message));
         };
         let place = i % per_byte;
         let shift = if letter.is_uppercase() { per_byte - 1 - place } else { place } * bits;
@@ -245,8 +240,7 @@ fn scan(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
             return Err(bad_field(letter));
         }
         let Some(name) = names.next() else {
-            let code = ["TCL", "BINARY", "FIELD"];
-            return Err(Exception::coded("not enough arguments for all format specifiers", &code));
+            return Err(Exception::error("not enough arguments for all format specifiers"));
         };
         let rest = bytes.get(at..).unwrap_or_default();
         let taken = match letter {
@@ -262,7 +256,7 @@ fn scan(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         let Some((size, value)) = taken else { break };
         at += size;
         let name = VarName::of(name);
-        core.write(&name, name.element.as_ref(), value)?;
+        core.assign(&name, value)?;
         done += 1;
     }
     Ok(Value::from(done))
@@ -304,23 +298,82 @@ fn take_numbers(letter: char, unsigned: bool, rest: &[u8], count: Count, number:
     Some((part.len(), value))
 }
 
+const BASE64: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
 fn encode(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
-    call.expect(4..=4, "binary encode format data")?;
-    hex_only(call)?;
-    let bytes = bytes_of(call.arg(3));
-    Ok(Value::from(bytes.iter().map(|b| format!("{b:02x}")).collect::<String>()))
+    call.expect(4.., "binary encode format ?-option value ...? data")?;
+    let data = call.arg(call.len() - 1);
+    let bytes = bytes_of(data);
+    if kind(call)? == Kind::Hex {
+        return Ok(Value::from(bytes.iter().map(|b| format!("{b:02x}")).collect::<String>()));
+    }
+    let (mut most, mut wrap) = (0, "\n".to_owned());
+    for i in (3..call.len() - 1).step_by(2) {
+        match call.choose(i, "option", &["-maxlen", "-wrapchar"], false)? {
+            0 => most = usize::try_from(call.arg(i + 1).to_int()?).unwrap_or(0),
+            _ => wrap = call.arg(i + 1).as_str().into_owned(),
+        }
+    }
+    let mut text = String::new();
+    for chunk in bytes.chunks(3) {
+        let byte = |i: usize| u32::from(chunk.get(i).copied().unwrap_or(0));
+        let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
+        for i in 0..4 {
+            let letter = BASE64[(bits >> (18 - 6 * i) & 63) as usize];
+            text.push(if i <= chunk.len() { letter as char } else { '=' });
+        }
+    }
+    if most == 0 {
+        return Ok(Value::from(text));
+    }
+    let mut out = String::new();
+    for (i, c) in text.chars().enumerate() {
+        if i > 0 && i % most == 0 {
+            out.push_str(&wrap);
+        }
+        out.push(c);
+    }
+    Ok(Value::from(out))
 }
 
 fn decode(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
-    call.expect(4..=4, "binary decode format data")?;
-    hex_only(call)?;
-    Ok(to_value(&pack('H', call.arg(3), None)?))
+    call.expect(4.., "binary decode format ?-option value ...? data")?;
+    let data = call.arg(call.len() - 1);
+    if kind(call)? == Kind::Hex {
+        return Ok(to_value(&pack('H', data, None)?));
+    }
+    let text = data.as_str();
+    let mut out = vec![];
+    let (mut bits, mut count) = (0u32, 0);
+    for c in text.bytes().filter(|b| !b.is_ascii_whitespace() && *b != b'=') {
+        let Some(value) = BASE64.iter().position(|b| *b == c) else {
+            let message = format!("invalid base64 character \"{}\"", c as char);
+            return Err(Exception::error(message).at(call.span(call.len() - 1), ""));
+        };
+        bits = bits << 6 | value as u32;
+        count += 6;
+        if count >= 8 {
+            count -= 8;
+            out.push((bits >> count) as u8);
+            bits &= (1 << count) - 1;
+        }
+    }
+    Ok(to_value(&out))
 }
 
-fn hex_only(call: &Call<'_>) -> Result<(), Exception> {
-    if call.arg(2).as_str() == "hex" {
-        return Ok(());
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    Base64,
+    Hex,
+}
+
+fn kind(call: &Call<'_>) -> Result<Kind, Exception> {
+    match &*call.arg(2).as_str() {
+        "hex" => Ok(Kind::Hex),
+        "base64" => Ok(Kind::Base64),
+        other => {
+            let message = format!("binary {} {other}: only base64 and hex are supported", call.arg(1));
+            Err(call.error_at(2, message, "not supported"))
+        }
     }
-    let message = format!("binary {} {}: only hex is supported", call.arg(1), call.arg(2));
-    Err(call.error_at(2, message, "not supported"))
 }

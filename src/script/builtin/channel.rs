@@ -2,22 +2,23 @@
 
 use std::io::{self, SeekFrom};
 
-use crate::script::channel::{Buffering, Channel, Encoding, Target, Translation};
+use super::channel_options;
+use crate::script::channel::{Channel, Target};
 use crate::script::command::{Call, CoreFn};
 use crate::script::core::Core;
 use crate::script::ensemble::choose_sub;
 use crate::script::error::Exception;
-use crate::script::files::{OpenMode, reason};
+use crate::script::files::{OpenMode, posix};
 use crate::script::value::Value;
 use crate::script::vars::VarName;
 
 pub(crate) const COMMANDS: &[(&str, CoreFn)] = &[
     ("chan", chan),
     ("close", |core, call| close(core, call, 1)),
-    ("encoding", encoding),
+    ("encoding", channel_options::encoding),
     ("eof", |core, call| eof(core, call, 1)),
     ("fblocked", |core, call| blocked(core, call, 1)),
-    ("fconfigure", |core, call| configure(core, call, 1)),
+    ("fconfigure", |core, call| channel_options::configure(core, call, 1)),
     ("fcopy", |core, call| copy(core, call, 1)),
     ("fileevent", |_, call| no_events(call)),
     ("flush", |core, call| flush(core, call, 1)),
@@ -36,7 +37,7 @@ fn chan(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     let subs: [(&str, At); 19] = [
         ("blocked", blocked),
         ("close", close),
-        ("configure", configure),
+        ("configure", channel_options::configure),
         ("copy", copy),
         ("create", |_, call, _| no_events(call)),
         ("eof", eof),
@@ -66,18 +67,13 @@ fn no_events(call: &Call<'_>) -> Result<Value, Exception> {
     Err(call.error_at(0, message, "not supported"))
 }
 
-fn posix(error: &io::Error, message: impl FnOnce(&str) -> String) -> Exception {
-    let (code, why) = reason(error);
-    Exception::error(message(why)).with_code(Value::list(["POSIX", code, why].map(Value::from)))
-}
-
 /// The usage of a command, with the words as it was called.
-fn usage(call: &Call<'_>, at: usize, rest: &str) -> Exception {
+pub(super) fn usage(call: &Call<'_>, at: usize, rest: &str) -> Exception {
     call.usage(at, rest)
 }
 
 /// The channel that a word names.
-fn channel<'c>(core: &'c mut Core, call: &Call<'_>, word: usize) -> Result<&'c mut Channel, Exception> {
+pub(super) fn channel<'c>(core: &'c mut Core, call: &Call<'_>, word: usize) -> Result<&'c mut Channel, Exception> {
     let name = call.arg(word).as_str();
     match core.channels.get(&name) {
         Some(channel) => Ok(channel),
@@ -93,7 +89,7 @@ fn must(call: &Call<'_>, word: usize, can: bool, what: &str) -> Result<(), Excep
         return Ok(());
     }
     let message = format!("channel \"{}\" wasn't opened for {what}", call.arg(word));
-    Err(Exception::coded(message, &["POSIX", "EACCES", "permission denied"]).at(call.span(word), ""))
+    Err(Exception::error(message).at(call.span(word), ""))
 }
 
 fn puts(core: &mut Core, call: &Call<'_>, at: usize) -> Result<Value, Exception> {
@@ -140,7 +136,7 @@ fn gets(core: &mut Core, call: &Call<'_>, at: usize) -> Result<Value, Exception>
     let Some(name) = call.get(at + 1) else { return Ok(Value::from(line.unwrap_or_default())) };
     let length = line.as_ref().map_or(-1, |l| l.chars().count() as i64);
     let name = VarName::of(name);
-    core.write(&name, name.element.as_ref(), Value::from(line.unwrap_or_default()))?;
+    core.assign(&name, Value::from(line.unwrap_or_default()))?;
     Ok(Value::from(length))
 }
 
@@ -195,17 +191,9 @@ fn open(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     }
     let mut channel = Channel::new(Target::File(stream), mode.read, mode.write, mode.append);
     if binary {
-        make_binary(&mut channel);
+        channel_options::make_binary(&mut channel);
     }
     Ok(Value::from(core.channels.add(channel)))
-}
-
-fn make_binary(channel: &mut Channel) {
-    channel.encoding = Encoding::Latin1;
-    channel.binary = true;
-    channel.input_translation = Translation::Lf;
-    channel.output_translation = Translation::Lf;
-    channel.eof_char = None;
 }
 
 /// The access mode: `r`, `w+`, `ab`, or a list like `{WRONLY CREAT TRUNC}`.
@@ -217,7 +205,7 @@ fn access(call: &Call<'_>) -> Result<(OpenMode, bool), Exception> {
         let letters: String = text.chars().skip(1).collect();
         let bad = || {
             let message = format!("illegal access mode \"{text}\"");
-            Exception::coded(message, &["TCL", "OPENMODE", "INVALID"]).at(call.span(2), "")
+            Exception::error(message).at(call.span(2), "")
         };
         let (plus, binary) = match letters.as_str() {
             "" => (false, false),
@@ -252,13 +240,13 @@ fn access(call: &Call<'_>) -> Result<(OpenMode, bool), Exception> {
             other => {
                 let list = "RDONLY, WRONLY, RDWR, APPEND, BINARY, CREAT, EXCL, NOCTTY, NONBLOCK, or TRUNC";
                 let message = format!("invalid access mode \"{other}\": must be {list}");
-                return Err(Exception::coded(message, &["TCL", "OPENMODE", "INVALID"]).at(call.span(2), ""));
+                return Err(Exception::error(message).at(call.span(2), ""));
             }
         }
     }
     if !direction {
         let message = "access mode must include either RDONLY, WRONLY, or RDWR";
-        return Err(Exception::coded(message, &["TCL", "OPENMODE", "INVALID"]).at(call.span(2), ""));
+        return Err(Exception::error(message).at(call.span(2), ""));
     }
     mode.exclusive &= mode.create;
     Ok((mode, binary))
@@ -307,14 +295,14 @@ fn seek(core: &mut Core, call: &Call<'_>, at: usize) -> Result<Value, Exception>
         return Err(usage(call, at, "channelId offset ?origin?"));
     }
     channel(core, call, at)?;
-    let offset = call.arg(at + 1).to_i64()?;
+    let offset = call.arg(at + 1).to_wide()?;
     let from = match call.get(at + 2) {
-        None => 2,
-        Some(_) => call.choose(at + 2, "origin", &["current", "end", "start"], false)?,
+        None => 0,
+        Some(_) => call.choose(at + 2, "origin", &["start", "current", "end"], false)?,
     };
     let to = match from {
-        0 => SeekFrom::Current(offset),
-        1 => SeekFrom::End(offset),
+        1 => SeekFrom::Current(offset),
+        2 => SeekFrom::End(offset),
         _ => match u64::try_from(offset) {
             Ok(offset) => SeekFrom::Start(offset),
             Err(_) => {
@@ -369,186 +357,4 @@ fn copy(core: &mut Core, call: &Call<'_>, at: usize) -> Result<Value, Exception>
         .write(&text, core.console.as_mut())
         .map_err(|e| posix(&e, |why| format!("error writing \"{name}\": {why}")))?;
     Ok(Value::from(text.chars().count()))
-}
-
-const OPTIONS: [&str; 6] = ["-blocking", "-buffering", "-buffersize", "-encoding", "-eofchar", "-translation"];
-
-fn translation_name(translation: Translation) -> &'static str {
-    match translation {
-        Translation::Auto => "auto",
-        Translation::CrLf => "crlf",
-        Translation::Cr => "cr",
-        Translation::Lf | Translation::Binary => "lf",
-    }
-}
-
-/// The value of an option.
-fn option(channel: &Channel, name: &str) -> Value {
-    match name {
-        "-blocking" => Value::from(1i64),
-        "-buffering" => Value::from(match channel.buffering {
-            Buffering::Full => "full",
-            Buffering::Line => "line",
-            Buffering::None => "none",
-        }),
-        "-buffersize" => Value::from(4096i64),
-        "-encoding" => Value::from(match channel.encoding {
-            _ if channel.binary => "binary",
-            Encoding::Utf8 => "utf-8",
-            Encoding::Latin1 => "iso8859-1",
-            Encoding::Ascii => "ascii",
-        }),
-        "-eofchar" => {
-            let one = channel.eof_char.map(|c| Value::from((c as char).to_string())).unwrap_or_default();
-            if channel.readable && channel.writable { Value::list([one, Value::EMPTY]) } else { one }
-        }
-        _ => {
-            let input = translation_name(channel.input_translation);
-            let output = translation_name(channel.output_translation);
-            match (channel.readable, channel.writable) {
-                (true, true) => Value::list([input, output].map(Value::from)),
-                (true, false) => Value::from(input),
-                _ => Value::from(output),
-            }
-        }
-    }
-}
-
-fn configure(core: &mut Core, call: &Call<'_>, at: usize) -> Result<Value, Exception> {
-    if call.len() <= at || (call.len() > at + 2 && (call.len() - at) % 2 == 0) {
-        return Err(usage(call, at, "channelId ?-option value ...?"));
-    }
-    let bad_option = |word: usize| {
-        let message = format!(
-            "bad option \"{}\": should be one of -blocking, -buffering, -buffersize, -encoding, -eofchar, or -translation",
-            call.arg(word)
-        );
-        Exception::coded(message, &["TCL", "LOOKUP", "OPTION"]).at(call.span(word), "")
-    };
-    let find = |word: usize| {
-        let text = call.arg(word).as_str();
-        let mut fitting = OPTIONS.iter().filter(|o| text.len() > 1 && o.starts_with(&*text));
-        let exact = OPTIONS.iter().find(|o| **o == text);
-        exact.or(match (fitting.next(), fitting.next()) {
-            (Some(one), None) => Some(one),
-            _ => None,
-        })
-    };
-    let channel = channel(core, call, at)?;
-    match call.len() - at {
-        1 => return Ok(Value::list(OPTIONS.iter().flat_map(|o| [Value::from(*o), option(channel, o)]))),
-        2 => {
-            let name = find(at + 1).ok_or_else(|| bad_option(at + 1))?;
-            return Ok(option(channel, name));
-        }
-        _ => {}
-    }
-    for word in (at + 1..call.len()).step_by(2) {
-        let name = find(word).ok_or_else(|| bad_option(word))?;
-        set_option(channel, name, call, word + 1)?;
-    }
-    Ok(Value::EMPTY)
-}
-
-fn set_option(channel: &mut Channel, name: &str, call: &Call<'_>, word: usize) -> Result<(), Exception> {
-    let value = call.arg(word);
-    let text = value.as_str();
-    let bad = |message: String| call.error_at(word, message, "");
-    match name {
-        "-blocking" => {
-            value.to_bool()?;
-        }
-        "-buffersize" => {
-            value.to_i64()?;
-        }
-        "-buffering" => {
-            channel.buffering = match &*text {
-                "full" => Buffering::Full,
-                "line" => Buffering::Line,
-                "none" => Buffering::None,
-                _ => return Err(bad("bad value for -buffering: must be one of full, line, or none".to_owned())),
-            }
-        }
-        "-encoding" => {
-            channel.binary = text == "binary" || text.is_empty();
-            channel.encoding = match &*text {
-                "utf-8" => Encoding::Utf8,
-                "binary" | "" | "iso8859-1" | "cp1252" => Encoding::Latin1,
-                "ascii" => Encoding::Ascii,
-                _ => return Err(bad(format!("unknown encoding \"{text}\""))),
-            }
-        }
-        "-eofchar" => {
-            let first = value.to_list()?.first().map(|v| v.as_str().into_owned()).unwrap_or_default();
-            channel.eof_char = first.bytes().next();
-        }
-        _ => {
-            let words = value.to_list()?;
-            let mut sides = vec![];
-            for side in words.iter() {
-                sides.push(match &*side.as_str() {
-                    "auto" => Translation::Auto,
-                    "binary" => Translation::Binary,
-                    "lf" => Translation::Lf,
-                    "cr" => Translation::Cr,
-                    "crlf" | "platform" if side.as_str() == "crlf" || cfg!(windows) => Translation::CrLf,
-                    "platform" => Translation::Lf,
-                    _ => {
-                        let list = "auto, binary, cr, lf, crlf, or platform";
-                        return Err(bad(format!("bad value for -translation: must be one of {list}")));
-                    }
-                });
-            }
-            let (input, output) = match *sides {
-                [both] => (both, both),
-                [input, output] => (input, output),
-                _ => {
-                    let message = "bad value for -translation: must be a one or two element list";
-                    return Err(bad(message.to_owned()));
-                }
-            };
-            if input == Translation::Binary || output == Translation::Binary {
-                make_binary(channel);
-            }
-            let plain = |t: Translation, auto: Translation| match t {
-                Translation::Auto => auto,
-                Translation::Binary => Translation::Lf,
-                t => t,
-            };
-            channel.input_translation = plain(input, Translation::Auto);
-            channel.output_translation = plain(output, if cfg!(windows) { Translation::CrLf } else { Translation::Lf });
-        }
-    }
-    Ok(())
-}
-
-fn encoding(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
-    let names = ["convertfrom", "convertto", "dirs", "names", "system"];
-    match choose_sub(call, names.into_iter())? {
-        at @ (0 | 1) => {
-            call.expect(3..=4, &format!("encoding {} ?encoding? data", names[at]))?;
-            let name = if call.len() == 4 { call.arg(2).as_str() } else { "utf-8".into() };
-            let data = call.arg(call.len() - 1).as_str();
-            match (&*name, at) {
-                ("utf-8", 0) => {
-                    let bytes: Vec<u8> = data.chars().map(|c| c as u32 as u8).collect();
-                    Ok(Value::from(String::from_utf8_lossy(&bytes).into_owned()))
-                }
-                ("utf-8", _) => Ok(Value::from(data.bytes().map(|b| b as char).collect::<String>())),
-                ("iso8859-1" | "ascii" | "binary", 0) => Ok(call.arg(call.len() - 1).clone()),
-                ("iso8859-1" | "ascii" | "binary", _) => {
-                    let limit = if name == "ascii" { 0x80 } else { 0x100 };
-                    let narrow = data.chars().map(|c| if u32::from(c) < limit { c } else { '?' });
-                    Ok(Value::from(narrow.collect::<String>()))
-                }
-                _ => {
-                    let message = format!("unknown encoding \"{name}\"");
-                    Err(Exception::coded(message, &["TCL", "LOOKUP", "ENCODING", &name]).at(call.span(2), ""))
-                }
-            }
-        }
-        3 => Ok(Value::list(["utf-8", "iso8859-1", "ascii"].map(Value::from))),
-        4 => Ok(if call.len() > 2 { Value::EMPTY } else { Value::from("utf-8") }),
-        _ => Ok(Value::EMPTY),
-    }
 }

@@ -42,6 +42,11 @@ pub(super) const MONTHS: [&str; 12] = [
 ];
 pub(super) const DAYS: [&str; 7] = ["Sunday", "Monday", "Tuesday", "Wednesday", "Thursday", "Friday", "Saturday"];
 
+/// The error for a wrong number of words, with the code that `clock` has for it.
+pub(super) fn wrong_args(call: &Call<'_>, usage: &str) -> Exception {
+    call.wrong_args(usage).with_code(Value::list(["CLOCK", "wrongNumArgs"].map(Value::from)))
+}
+
 /// Time since 1970 in parts of a second.
 pub(super) fn since_1970(parts: u32) -> i64 {
     let since = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
@@ -77,7 +82,10 @@ pub(super) fn options(call: &Call<'_>, from: usize, names: &[&str]) -> Result<Op
         let word = call.arg(i).as_str();
         let mut fitting = names.iter().filter(|n| word.len() > 1 && n.starts_with(&*word));
         let (Some(name), None) = (fitting.next(), fitting.next()) else {
-            let message = format!("bad option \"{word}\": must be {}", crate::script::command::alternatives(names));
+            let (last, most) = names.split_last().unwrap_or((&"", &[]));
+            // `clock format` has a wording of its own.
+            let (before, and) = if names.first() == Some(&"-format") { (":", ", or") } else { (",", " or") };
+            let message = format!("bad option \"{word}\"{before} must be {}{and} {last}", most.join(", "));
             return Err(Exception::coded(message, &["CLOCK", "badOption", &word]).at(call.span(i), ""));
         };
         let value = call.arg(i + 1);
@@ -150,12 +158,12 @@ pub(super) fn local(seconds: i64, zone: &TimeZone) -> Result<Local, Exception> {
 }
 
 fn format(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
-    if call.len() < 3 || call.len() % 2 == 0 {
+    if call.len() < 3 || call.len().is_multiple_of(2) {
         let usage = "clock format clockval ?-format string? ?-gmt boolean? ?-locale LOCALE? ?-timezone ZONE?";
-        return Err(call.wrong_args(usage));
+        return Err(wrong_args(call, usage));
     }
     let o = options(call, 3, &["-format", "-gmt", "-locale", "-timezone"])?;
-    let seconds = call.arg(2).to_i64()?;
+    let seconds = call.arg(2).to_wide()?;
     let local = local(seconds, &o.zone)?;
     let pattern = o.format.as_ref().map_or("%a %b %d %H:%M:%S %Z %Y".into(), Value::as_str);
     let mut out = String::new();
@@ -216,7 +224,7 @@ impl Local {
             'm' => write!(out, "{:02}", t.month()),
             'M' => write!(out, "{:02}", t.minute()),
             'N' => write!(out, "{:2}", t.month()),
-            'n' => write!(out, "\n"),
+            'n' => writeln!(out),
             'p' => write!(out, "{}", if t.hour() < 12 { "AM" } else { "PM" }),
             'P' => write!(out, "{}", if t.hour() < 12 { "am" } else { "pm" }),
             's' => write!(out, "{seconds}"),
@@ -238,7 +246,7 @@ impl Local {
             'D' => return self.write_all("m/d/Y", seconds, out),
             'x' => return self.write_all("m/d/Y", seconds, out),
             'X' | 'T' => return self.write_all("H:M:S", seconds, out),
-            'r' => return self.write_all("I:M:S p", seconds, out),
+            'r' => return self.write_all("I:M:S P", seconds, out),
             'R' => return self.write_all("H:M", seconds, out),
             'c' => return self.write_all("a b e H:M:S Y", seconds, out),
             '+' => return self.write_all("a b e H:M:S Z Y", seconds, out),

@@ -5,7 +5,7 @@ use jiff::civil::{Date, DateTime, Time};
 use jiff::tz::TimeZone;
 use jiff::{Span, ToSpan as _};
 
-use super::clock::{DAYS, MONTHS, local, numeric_zone, options, since_1970, zone_named};
+use super::clock::{DAYS, MONTHS, local, numeric_zone, options, since_1970, wrong_args, zone_named};
 use crate::script::command::Call;
 use crate::script::core::Core;
 use crate::script::error::Exception;
@@ -36,10 +36,10 @@ fn no_match() -> Exception {
 }
 
 pub(super) fn scan(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
-    if call.len() < 3 || call.len() % 2 == 0 {
+    if call.len() < 3 || call.len().is_multiple_of(2) {
         let usage =
             "clock scan string ?-base seconds? ?-format string? ?-gmt boolean? ?-locale LOCALE? ?-timezone ZONE?";
-        return Err(call.wrong_args(usage));
+        return Err(wrong_args(call, usage));
     }
     let o = options(call, 3, &["-base", "-format", "-gmt", "-locale", "-timezone"])?;
     let base = o.base.unwrap_or_else(|| since_1970(1));
@@ -196,7 +196,8 @@ fn free_form(text: &str, base: DateTime, base_seconds: i64, zone: &TimeZone) -> 
         {
             words.next();
             let ago = words.next_if(|w| *w == "ago").is_some();
-            shift = add_unit(shift, if ago { -count } else { count }, unit)?;
+            let count = if ago { count.checked_neg()? } else { count };
+            shift = add_unit(shift, count, unit)?;
             continue;
         }
         match word {
@@ -293,23 +294,25 @@ fn unit_of(word: &str) -> Option<&'static str> {
 }
 
 fn add_unit(span: Span, count: i64, unit: &str) -> Option<Span> {
+    let total = |have: i64, each: i64| count.checked_mul(each)?.checked_add(have);
     match unit {
-        "second" => span.try_seconds(span.get_seconds() + count),
-        "minute" => span.try_minutes(span.get_minutes() + count),
-        "hour" => span.try_hours(i64::from(span.get_hours()) + count),
-        "day" => span.try_days(i64::from(span.get_days()) + count),
-        "week" => span.try_days(i64::from(span.get_days()) + count * 7),
-        "fortnight" => span.try_days(i64::from(span.get_days()) + count * 14),
-        "month" => span.try_months(i64::from(span.get_months()) + count),
-        _ => span.try_years(i64::from(span.get_years()) + count),
+        "second" => span.try_seconds(total(span.get_seconds(), 1)?),
+        "minute" => span.try_minutes(total(span.get_minutes(), 1)?),
+        "hour" => span.try_hours(total(span.get_hours().into(), 1)?),
+        "day" => span.try_days(total(span.get_days().into(), 1)?),
+        "week" => span.try_days(total(span.get_days().into(), 7)?),
+        "fortnight" => span.try_days(total(span.get_days().into(), 14)?),
+        "month" => span.try_months(total(span.get_months().into(), 1)?),
+        _ => span.try_years(total(span.get_years().into(), 1)?),
     }
     .ok()
 }
 
 pub(super) fn add(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     let usage = "clock add clockval ?number units?... ?-gmt boolean? ?-locale LOCALE? ?-timezone ZONE?";
-    if call.len() < 3 || call.len() % 2 == 0 {
-        return Err(call.wrong_args(usage));
+    call.expect(3.., "clock add clockval ?arg ...?")?;
+    if call.len().is_multiple_of(2) {
+        return Err(wrong_args(call, usage));
     }
     let mut seconds = call.arg(2).to_i64()?;
     let is_option = |i: usize| {
@@ -323,7 +326,7 @@ pub(super) fn add(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         let word = call.arg(i + 1).as_str();
         let Some(unit) = unit_of(&word) else {
             let list = "years, months, weeks, days, hours, minutes or seconds";
-            let message = format!("unknown unit \"{word}\", must be {list}");
+            let message = format!("unknown unit \"{word}\", must be  {list}");
             return Err(Exception::coded(message, &["CLOCK", "badUnit", &word]).at(call.span(i + 1), ""));
         };
         let fixed = match unit {

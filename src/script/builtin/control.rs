@@ -31,6 +31,24 @@ impl<H> Interp<H> {
     /// Run a body that is a word of a command; `what` is how `$errorInfo` calls it.
     pub(crate) fn body(&mut self, call: &Call<'_>, word: usize, what: &str) -> Result<Value, Exception> {
         let body = call.arg(word);
+        let result = self.body_from(call, word, body);
+        result.map_err(|e| self.core.trace_body(e, body, what))
+    }
+
+    /// Run a script that was put together from the words of a call from `word` on.
+    pub(crate) fn dynamic(
+        &mut self,
+        call: &Call<'_>,
+        word: usize,
+        body: &Value,
+        what: &str,
+    ) -> Result<Value, Exception> {
+        let result = self.body_from(call, word, body);
+        result.map_err(|e| self.core.trace_always(e, body, what))
+    }
+
+    /// Run a body; errors in a text that was put together at run time point at the word that it came from.
+    fn body_from(&mut self, call: &Call<'_>, word: usize, body: &Value) -> Result<Value, Exception> {
         let outer = self.core.site;
         if body.origin().is_none()
             && let Some(span) = call.span(word)
@@ -40,8 +58,9 @@ impl<H> Interp<H> {
         let compiled = std::mem::replace(&mut self.core.compiled, true);
         let result = self.eval_body(body);
         self.core.compiled = compiled;
+        let result = result.map_err(|e| self.core.settle_place(e, None));
         self.core.site = outer;
-        result.map_err(|e| self.core.trace_body(e, body, what))
+        result
     }
 
     /// As [`Interp::body`], for the parsed form of a body that runs often.
@@ -88,33 +107,6 @@ fn eval<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> 
     result
 }
 
-impl<H> Interp<H> {
-    /// Run a script that was put together from the words of a call from `word` on.
-    pub(crate) fn dynamic(
-        &mut self,
-        call: &Call<'_>,
-        word: usize,
-        body: &Value,
-        what: &str,
-    ) -> Result<Value, Exception> {
-        let outer = self.core.site;
-        if body.origin().is_none()
-            && let Some(span) = call.span(word)
-        {
-            self.core.site = Some(span);
-        }
-        let compiled = std::mem::replace(&mut self.core.compiled, true);
-        let result = self.eval_body(body);
-        self.core.compiled = compiled;
-        let result = result.map_err(|e| {
-            let e = if matches!(e, Exception::Error(_)) { self.core.settle_place(e, None) } else { e };
-            self.core.trace_always(e, body, what)
-        });
-        self.core.site = outer;
-        result
-    }
-}
-
 fn exit<H>(_: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(1..=2, "exit ?returnCode?")?;
     let code = match call.get(1) {
@@ -142,52 +134,56 @@ fn expr<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> 
     result.map_err(|e| e.at(call.span(1), ""))
 }
 
-fn if_command<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> {
-    let no_script = |i: usize| {
-        let message = format!("wrong # args: no script following \"{}\" argument", call.arg(i));
-        Exception::coded(message, &["TCL", "WRONGARGS"]).at(call.span(i), "")
-    };
-    let mut i = 1;
-    loop {
-        let Some(condition) = call.get(i) else {
-            let message = format!("wrong # args: no expression after \"{}\" argument", call.arg(i - 1));
-            return Err(Exception::coded(message, &["TCL", "WRONGARGS"]).at(call.span(i - 1), ""));
-        };
-        if call.get(i + 1).is_none() {
-            return Err(no_script(i));
+/// The clauses of an `if`: the word of each condition (none for `else`) and that of its body. All words are checked
+/// before anything is evaluated.
+fn next_clause(call: &Call<'_>, at: &mut usize) -> Result<Option<(Option<usize>, usize)>, Exception> {
+    let wrong = |i: usize, message: String| Exception::coded(message, &["TCL", "WRONGARGS"]).at(call.span(i), "");
+    let no_script = |i: usize| wrong(i, format!("wrong # args: no script following \"{}\" argument", call.arg(i)));
+    let is = |i: usize, word: &str| call.get(i).is_some_and(|w| w.as_str() == word);
+    let mut i = *at;
+    if i > 1 {
+        if call.get(i).is_none() {
+            return Ok(None);
         }
-        let truth = interp.condition(condition).map_err(|e| e.at(call.span(i), ""))?;
-        i += 1;
-        if call.arg(i).as_str() == "then" {
-            i += 1;
-        }
-        if truth {
+        if !is(i, "elseif") {
+            i += usize::from(is(i, "else"));
             if call.get(i).is_none() {
                 return Err(no_script(i - 1));
             }
-            return interp.body(call, i, "\"if\" then script");
+            if call.len() > i + 1 {
+                let message = "wrong # args: extra words after \"else\" clause in \"if\" command";
+                return Err(wrong(i + 1, message.to_owned()));
+            }
+            *at = i + 1;
+            return Ok(Some((None, i)));
         }
         i += 1;
-        match call.get(i) {
-            None => return Ok(Value::EMPTY),
-            Some(word) if word.as_str() == "elseif" => i += 1,
-            Some(word) => {
-                if word.as_str() == "else" {
-                    i += 1;
-                    if call.get(i).is_none() {
-                        return Err(no_script(i - 1));
-                    }
-                }
-                if call.len() > i + 1 {
-                    let message = "wrong # args: extra words after \"else\" clause in \"if\" command";
-                    return Err(
-                        Exception::coded(message, &["TCL", "WRONGARGS"]).at(call.span(i + 1), "one word too many")
-                    );
-                }
-                return interp.body(call, i, "\"if\" else script");
-            }
+    }
+    let condition = i;
+    if call.get(i).is_none() {
+        let message = format!("wrong # args: no expression after \"{}\" argument", call.arg(i - 1));
+        return Err(wrong(i - 1, message));
+    }
+    i += 1;
+    i += usize::from(is(i, "then"));
+    if call.get(i).is_none() {
+        return Err(no_script(i - 1));
+    }
+    *at = i + 1;
+    Ok(Some((Some(condition), i)))
+}
+
+fn if_command<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> {
+    let mut at = 1;
+    while next_clause(call, &mut at)?.is_some() {}
+    at = 1;
+    while let Some((condition, body)) = next_clause(call, &mut at)? {
+        let Some(word) = condition else { return interp.body(call, body, "\"if\" else script") };
+        if interp.condition(call.arg(word)).map_err(|e| e.at(call.span(word), ""))? {
+            return interp.body(call, body, "\"if\" then script");
         }
     }
+    Ok(Value::EMPTY)
 }
 
 /// The number of a code given by name or number.
@@ -221,7 +217,7 @@ fn return_command<H>(_: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Except
         let [key, value] = pair else { continue };
         if key.as_str() == "-options" {
             let dict = value.to_dict().map_err(|_| {
-                let message = format!("bad -options value: expected dictionary but got \"{value}\"");
+                let message = format!("expected dict but got \"{value}\"");
                 Exception::coded(message, &["TCL", "RESULT", "ILLEGAL_OPTIONS"])
             })?;
             for (key, value) in dict.iter() {

@@ -1,5 +1,6 @@
 //! `dict`, but for the sub-commands that run scripts.
 
+use super::var::incrementable;
 use crate::diagnostic;
 use crate::script::command::{Call, CoreFn};
 use crate::script::core::Core;
@@ -122,7 +123,7 @@ fn remove(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
 
 fn replace(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(3.., "dict replace dictionary ?key value ...?")?;
-    if call.len() % 2 == 0 {
+    if call.len().is_multiple_of(2) {
         return Err(call.wrong_args("dict replace dictionary ?key value ...?"));
     }
     let mut dict = call.arg(2).clone();
@@ -142,8 +143,8 @@ fn change(
     change: impl FnOnce(&mut Table<Value>) -> Result<(), Exception>,
 ) -> Result<Value, Exception> {
     let name = VarName::of(variable);
-    core.update(&name, true, "read", |value, _| change(value.dict_mut()?))?;
-    core.read(&name, name.element.as_deref())
+    core.update(&name, true, "set", |value, _| change(value.dict_mut()?))?;
+    core.value_of(&name)
 }
 
 fn append(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
@@ -176,17 +177,19 @@ fn lappend(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
 
 fn incr(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(4..=5, "dict incr dictVarName key ?increment?")?;
-    let by = match call.get(4) {
-        None => Number::Int(1),
-        Some(by) => by.to_integer()?,
-    };
     change(core, call.arg(2), |table| {
         let key = call.arg(3).to_text();
-        let old = match table.get(&key) {
-            Some(value) => value.to_integer()?,
-            None => Number::Int(0),
+        let by = call.get(4);
+        let sum = match (table.get(&key), by) {
+            (None, None) => Value::from(1i64),
+            (None, Some(by)) => by.to_integer().map(|_| by.clone())?,
+            (Some(old), by) => {
+                let old = incrementable(old)?;
+                let by = by.map_or(Ok(Number::Int(1)), incrementable)?;
+                Value::from(arith::big(&old) + arith::big(&by))
+            }
         };
-        table.insert(key, Value::from(arith::big(&old) + arith::big(&by)));
+        table.insert(key, sum);
         Ok(())
     })
 }

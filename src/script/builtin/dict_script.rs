@@ -34,11 +34,11 @@ fn dict<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> 
 }
 
 /// The names of the variables for key and value.
-fn pair_names(call: &Call<'_>, word: usize) -> Result<[std::rc::Rc<VarName>; 2], Exception> {
+fn pair_names(call: &Call<'_>, word: usize, sub: &str) -> Result<[std::rc::Rc<VarName>; 2], Exception> {
     match &*call.arg(word).to_list()? {
         [key, value] => Ok([VarName::of(key), VarName::of(value)]),
         _ => {
-            let code = ["TCL", "SYNTAX", "dict", "for"];
+            let code = ["TCL", "SYNTAX", "dict", sub];
             Err(Exception::coded("must have exactly two variable names", &code).at(call.span(word), ""))
         }
     }
@@ -51,32 +51,33 @@ fn set_pair<H>(
     value: Value,
 ) -> Result<(), Exception> {
     let [k, v] = names;
-    interp.core.write(k, k.element.as_ref(), key)?;
-    interp.core.write(v, v.element.as_ref(), value)
+    interp.core.assign(k, key)?;
+    interp.core.assign(v, value)
 }
 
 fn for_each<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(5..=5, "dict for {keyVarName valueVarName} dictionary script")?;
-    each(interp, call, "\"dict for\" body", &mut |_, _| {})
+    each(interp, call, "\"dict for\" body", &mut |_, _| {})?;
+    Ok(Value::EMPTY)
 }
 
 fn map<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(5..=5, "dict map {keyVarName valueVarName} dictionary script")?;
     let mut mapped: Table<Value> = Table::default();
-    each(interp, call, "\"dict map\" body", &mut |key, value| {
+    let whole = each(interp, call, "\"dict map\" body", &mut |key, value| {
         mapped.insert(key.to_text(), value);
     })?;
-    Ok(Dict::from_table(mapped).into())
+    Ok(if whole { Dict::from_table(mapped).into() } else { Value::EMPTY })
 }
 
-/// Run a script for each entry; `take` gets the key and the result of each round that ends normally.
+/// Run a script for each entry; `take` gets the key and the result of each round that ends normally. False after `break`.
 fn each<H>(
     interp: &mut Interp<H>,
     call: &Call<'_>,
     what: &str,
     take: &mut dyn FnMut(&Value, Value),
-) -> Result<Value, Exception> {
-    let names = pair_names(call, 2)?;
+) -> Result<bool, Exception> {
+    let names = pair_names(call, 2, if what.contains("map") { "map" } else { "for" })?;
     let dict = call.arg(3).to_dict()?;
     let body = call.arg(4);
     let script = script_of(body);
@@ -87,15 +88,15 @@ fn each<H>(
             Ok(result) => {
                 // The script may have changed the variable of the key.
                 let [k, _] = &names;
-                let key = interp.core.read(k, k.element.as_deref()).unwrap_or_else(|_| key.to_value());
+                let key = interp.core.value_of(k).unwrap_or_else(|_| key.to_value());
                 take(&key, result);
             }
             Err(Exception::Continue) => {}
-            Err(Exception::Break) => break,
+            Err(Exception::Break) => return Ok(false),
             Err(e) => return Err(e),
         }
     }
-    Ok(Value::EMPTY)
+    Ok(true)
 }
 
 fn filter<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> {
@@ -116,7 +117,7 @@ fn filter<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception
         return Ok(Dict::from_table(kept).into());
     }
     call.expect(6..=6, "dict filter dictionary script {keyVarName valueVarName} filterScript")?;
-    let names = pair_names(call, 4)?;
+    let names = pair_names(call, 4, "filter")?;
     let body = call.arg(5);
     let script = script_of(body);
     for (key, value) in dict.iter() {
@@ -142,14 +143,14 @@ fn update<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception
         return Err(call.wrong_args(usage));
     }
     let name = VarName::of(call.arg(2));
-    let dict = interp.core.read(&name, name.element.as_deref())?.to_dict()?;
+    let dict = interp.core.value_of(&name)?.to_dict()?;
     let last = call.len() - 1;
     let mut pairs = vec![];
     for pair in call.from(3)[..last - 3].chunks_exact(2) {
         if let [key, variable] = pair {
             let variable = VarName::of(variable);
             match dict.get(&key.as_str()) {
-                Some(value) => interp.core.write(&variable, variable.element.as_ref(), value.clone())?,
+                Some(value) => interp.core.assign(&variable, value.clone())?,
                 None => {
                     // A key that is not there leaves its variable unset.
                     let _ = interp.core.unset(&variable, variable.element.as_deref());
@@ -168,7 +169,7 @@ fn with<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> 
     let name = VarName::of(call.arg(2));
     let last = call.len() - 1;
     let path = &call.from(3)[..last - 3];
-    let mut dict = interp.core.read(&name, name.element.as_deref())?.to_dict()?;
+    let mut dict = interp.core.value_of(&name)?.to_dict()?;
     for key in path {
         let inner = dict.get(&key.as_str()).cloned();
         dict = match inner {
@@ -184,7 +185,7 @@ fn with<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> 
     for (key, value) in dict.iter() {
         let key = key.to_value();
         let variable = VarName::of(&key);
-        interp.core.write(&variable, variable.element.as_ref(), value.clone())?;
+        interp.core.assign(&variable, value.clone())?;
         pairs.push((key, variable));
     }
     let result = interp.body(call, last, "body of \"dict with\"");
@@ -199,7 +200,7 @@ fn store<H>(
     path: &[Value],
     pairs: &[(Value, std::rc::Rc<VarName>)],
 ) -> Result<(), Exception> {
-    let Ok(mut whole) = interp.core.peek(name, name.element.as_deref()) else { return Ok(()) };
+    let Ok(mut whole) = interp.core.look(name) else { return Ok(()) };
     let mut at = whole.dict_mut()?;
     for key in path {
         at = match at.get_mut(&key.as_str()) {
@@ -208,7 +209,7 @@ fn store<H>(
         };
     }
     for (key, variable) in pairs {
-        match interp.core.peek(variable, variable.element.as_deref()) {
+        match interp.core.look(variable) {
             Ok(value) => {
                 at.insert(key.to_text(), value);
             }
@@ -217,5 +218,5 @@ fn store<H>(
             }
         }
     }
-    interp.core.write(name, name.element.as_ref(), whole)
+    interp.core.assign(name, whole)
 }

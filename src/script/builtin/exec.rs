@@ -7,7 +7,6 @@ use crate::script::value::Value;
 
 pub(crate) const COMMANDS: &[(&str, CoreFn)] = &[
     ("exec", programs),
-    ("interp", |_, call| refused(call, "interpreters within a script are not supported")),
     ("load", |_, call| refused(call, "a script cannot load machine code")),
     ("pid", |_, call| refused(call, "a script cannot see processes")),
     ("socket", |_, call| refused(call, "a script cannot reach the network")),

@@ -7,7 +7,7 @@ use crate::script::command::{Call, CoreFn};
 use crate::script::core::Core;
 use crate::script::ensemble::dispatch;
 use crate::script::error::Exception;
-use crate::script::files::{FileInfo, FileKind, OpenMode, reason};
+use crate::script::files::{FileInfo, FileKind, OpenMode, posix};
 use crate::script::paths;
 use crate::script::value::Value;
 use crate::script::vars::VarName;
@@ -18,10 +18,15 @@ pub(crate) const COMMANDS: &[(&str, CoreFn)] =
 const SUBS: &[(&str, CoreFn)] = &[
     ("atime", |core, call| time(core, call, "atime")),
     ("attributes", attributes),
-    ("channels", |core, _| Ok(Value::list(core.channels.names().map(Value::from)))),
+    ("channels", |core, call| {
+        call.expect(2..=3, "file channels ?pattern?")?;
+        let pattern = call.get(2).map_or("*".into(), Value::as_str);
+        let fits = |name: &&str| crate::script::glob::matches(&pattern, name);
+        Ok(Value::list(core.channels.names().filter(fits).map(Value::from)))
+    }),
     ("copy", |core, call| transfer(core, call, "copy")),
     ("delete", delete),
-    ("dirname", |_, call| on_name(call, "dirname", |n| paths::dirname(n))),
+    ("dirname", |_, call| on_name(call, "dirname", paths::dirname)),
     ("executable", |core, call| permitted(core, call, "executable", 0o111)),
     ("exists", |core, call| test(core, call, "exists", |_| true)),
     ("extension", |_, call| on_name(call, "extension", |n| paths::extension(n).to_owned())),
@@ -54,8 +59,8 @@ const SUBS: &[(&str, CoreFn)] = &[
         Ok(Value::list(paths::split(&call.arg(2).as_str()).into_iter().map(Value::from)))
     }),
     ("stat", |core, call| stat(core, call, "stat", true)),
-    ("system", |_, _| Ok(Value::from("native"))),
-    ("tail", |_, call| on_name(call, "tail", |n| paths::tail(n))),
+    ("system", |_, call| on_name(call, "system", |_| "native".to_owned())),
+    ("tail", |_, call| on_name(call, "tail", paths::tail)),
     ("tempfile", |_, call| unsupported(call)),
     ("type", file_type),
     ("volumes", |_, _| Ok(Value::from("/"))),
@@ -64,11 +69,6 @@ const SUBS: &[(&str, CoreFn)] = &[
 
 fn unsupported(call: &Call<'_>) -> Result<Value, Exception> {
     Err(call.error_at(1, format!("file {} is not supported", call.arg(1)), "not supported"))
-}
-
-fn posix(error: &io::Error, message: impl FnOnce(&str) -> String) -> Exception {
-    let (code, why) = reason(error);
-    Exception::error(message(why)).with_code(Value::list(["POSIX", code, why].map(Value::from)))
 }
 
 fn on_name(call: &Call<'_>, sub: &str, f: impl Fn(&str) -> String) -> Result<Value, Exception> {
@@ -148,6 +148,8 @@ fn stat(core: &mut Core, call: &Call<'_>, sub: &str, follow: bool) -> Result<Val
         ("mtime", found.modified.as_secs() as i64),
         ("mode", i64::from(found.mode) | kind),
         ("size", found.size as i64),
+        ("blksize", 4096),
+        ("blocks", found.size.div_ceil(512) as i64),
         ("dev", 0),
         ("gid", 0),
         ("ino", 0),
@@ -206,11 +208,19 @@ fn mkdir(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
                 Err(_) => core.files.make_dir(&at),
             };
             result.map_err(|e| {
-                posix(&e, |why| format!("can't create directory \"{name}\": {why}")).at(call.span(i + 2), "")
+                posix(&e, |why| format!("can't create directory \"{}\": {why}", shown(&name.as_str(), &at, &path)))
+                    .at(call.span(i + 2), "")
             })?;
         }
     }
     Ok(Value::EMPTY)
+}
+
+/// The part of a name up to the folder that could not be made.
+fn shown(name: &str, at: &str, path: &str) -> String {
+    let missing = paths::split(path).len() - paths::split(at).len();
+    let parts = paths::split(name);
+    paths::join(parts[..parts.len().saturating_sub(missing)].iter().map(String::as_str))
 }
 
 /// The names after `-force` and `--`.
@@ -281,7 +291,7 @@ fn transfer(core: &mut Core, call: &Call<'_>, sub: &str) -> Result<Value, Except
     let doing = if sub == "copy" { "copying" } else { "renaming" };
     if sources.len() > 1 && !into_dir {
         let message = format!("error {doing}: target \"{target}\" is not a directory");
-        return Err(Exception::coded(message, &["TCL", "OPERATION", "FILE", "NONDIR"]));
+        return Err(Exception::coded(message, &["POSIX", "ENOTDIR", "not a directory"]));
     }
     for source in sources {
         let from = core.absolute(&source.as_str());

@@ -118,21 +118,26 @@ fn format(template: &str, args: &[Value]) -> Result<String, Exception> {
         if let Some(position) = spec.position {
             next = position.wrapping_sub(1);
         }
+        let missing = || {
+            if by_position {
+                refuse("\"%n$\" argument index out of range", "INDEXRANGE")
+            } else {
+                refuse("not enough arguments for all format specifiers", "FIELDVARMISMATCH")
+            }
+        };
         let mut take = || {
-            let value = args.get(next).ok_or_else(|| {
-                if by_position {
-                    refuse("\"%n$\" argument index out of range", "INDEXRANGE")
-                } else {
-                    refuse("not enough arguments for all format specifiers", "FIELDVARMISMATCH")
-                }
-            })?;
+            let value = args.get(next).ok_or_else(missing)?;
             next += 1;
-            Ok::<&Value, Exception>(value)
+            Ok::<(&Value, bool), Exception>((value, next < args.len()))
         };
         let mut amount = |amount: Option<Amount>| match amount {
             None => Ok(None),
             Some(Amount::Number(n)) => Ok(Some(n)),
-            Some(Amount::Star) => Ok::<_, Exception>(Some(take()?.to_i64()?)),
+            Some(Amount::Star) => match take()? {
+                // The value itself must follow.
+                (_, false) => Err(missing()),
+                (value, true) => Ok::<_, Exception>(Some(value.to_int()?)),
+            },
         };
         let width = amount(spec.width)?.unwrap_or(0);
         let precision = amount(spec.precision)?.map(|p| p.max(0));
@@ -145,13 +150,16 @@ fn format(template: &str, args: &[Value]) -> Result<String, Exception> {
             precision: precision.map(|p| p as usize),
             spec: &spec,
         };
-        let value = take()?;
+        let (value, _) = take()?;
         if spec.conversion == '\0' {
             return Err(incomplete());
         }
         if !"diuoxXbcsfeEgG".contains(spec.conversion) {
             let message = format!("bad field specifier \"{}\"", spec.conversion);
             return Err(refuse(&message, "BADTYPE"));
+        }
+        if spec.conversion == 'u' && spec.size == Size::Big {
+            return Err(refuse("unsigned bignum format is invalid", "BADUNSIGNED"));
         }
         field.write(value, &mut out)?;
     }
@@ -177,7 +185,7 @@ impl Field<'_> {
                 }
             }
             'c' => {
-                let code = value.to_i64()?;
+                let code = value.to_int()?;
                 let c = char::from_u32(code as u32).unwrap_or(char::REPLACEMENT_CHARACTER);
                 self.pad("", c.encode_utf8(&mut [0; 4]), self.spec.zero, out);
             }
@@ -192,6 +200,12 @@ impl Field<'_> {
         let length = sign.chars().count() + body.chars().count();
         let fill = self.width.saturating_sub(length);
         let fill_with = |c: char| std::iter::repeat_n(c, fill);
+        if zeros && self.left && matches!(self.spec.conversion, 's' | 'c') {
+            // Tcl fills texts with zeros on either side.
+            out.push_str(body);
+            out.extend(fill_with('0'));
+            return;
+        }
         if zeros {
             out.push_str(sign);
             out.extend(fill_with('0'));
@@ -218,12 +232,7 @@ impl Field<'_> {
             (&whole & mask).to_u64().unwrap_or_default()
         };
         let (negative, digits): (bool, String) = match spec.size {
-            Size::Big => {
-                if whole.is_negative() && spec.conversion == 'u' {
-                    return Err(refuse("unsigned bignum format is invalid", "BADUNSIGNED"));
-                }
-                (whole.is_negative(), self.digits(&Number::Big(whole.abs().into())))
-            }
+            Size::Big => (whole.is_negative(), self.digits(&Number::Big(whole.abs().into()))),
             size => {
                 let bits = match size {
                     Size::Short => low() as u16 as i16 as i64,
@@ -242,24 +251,24 @@ impl Field<'_> {
         };
         let mut digits = digits;
         let is_zero = digits == "0";
+        if spec.alternate && spec.conversion == 'o' && !is_zero {
+            digits.insert(0, '0');
+        }
         if let Some(precision) = self.precision {
             let missing = precision.saturating_sub(digits.len());
             digits.insert_str(0, &"0".repeat(missing));
         }
         let mut sign = String::new();
-        if signed {
+        if signed || spec.size == Size::Big {
             sign.push_str(match (negative, spec.plus, spec.space) {
                 (true, _, _) => "-",
                 (_, true, _) => "+",
                 (_, _, true) => " ",
                 _ => "",
             });
-        } else if negative {
-            sign.push('-');
         }
         if spec.alternate && !is_zero {
             sign.push_str(match spec.conversion {
-                'o' => "0",
                 'x' => "0x",
                 'X' => "0X",
                 'b' => "0b",

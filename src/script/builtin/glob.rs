@@ -49,7 +49,15 @@ fn glob_command(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     }
     let patterns = call.from(i);
     if patterns.is_empty() {
-        return Err(call.wrong_args("glob ?-option value ...? ?name ...?"));
+        return if o.complain {
+            Err(Exception::coded("no files matched glob patterns \"\"", &["TCL", "OPERATION", "GLOB", "NOMATCH"]))
+        } else {
+            Ok(Value::EMPTY)
+        };
+    }
+    if o.tails && o.directory.is_none() && o.path.is_none() {
+        let message = "\"-tails\" must be used with either \"-directory\" or \"-path\"";
+        return Err(Exception::coded(message, &["TCL", "OPERATION", "GLOB", "BADOPTIONCOMBINATION"]));
     }
     if o.directory.is_some() && o.path.is_some() {
         let message = "\"-directory\" cannot be used with \"-path\"";

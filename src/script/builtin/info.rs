@@ -8,7 +8,8 @@ use crate::script::expr::func;
 use crate::script::glob;
 use crate::script::interp::Interp;
 use crate::script::lexer::is_complete;
-use crate::script::value::{Text, Value};
+use crate::script::text::Text;
+use crate::script::value::Value;
 use crate::script::vars::{Slot, VarName, split_qualified};
 
 pub(crate) fn commands<H>() -> [(&'static str, CommandFn<H>); 1] {
@@ -42,10 +43,10 @@ const SUBS: &[(&str, CoreFn)] = &[
     ("frame", frame),
     ("functions", functions),
     ("globals", globals),
-    ("hostname", |_, call| {
+    ("hostname", |core, call| {
         call.expect(2..=2, "info hostname")?;
-        let read = std::fs::read_to_string("/etc/hostname").unwrap_or_default();
-        Ok(Value::from(read.trim()))
+        let read = core.files.read("/etc/hostname").unwrap_or_default();
+        Ok(Value::from(String::from_utf8_lossy(&read).trim()))
     }),
     ("level", level),
     ("library", |core, call| {
@@ -115,7 +116,7 @@ fn default(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         return Err(Exception::coded(message, &["TCL", "LOOKUP", "ARGUMENT", &wanted]).at(call.span(3), ""));
     };
     let name = VarName::of(call.arg(4));
-    core.write(&name, name.element.as_ref(), param.default.clone().unwrap_or_default())?;
+    core.assign(&name, param.default.clone().unwrap_or_default())?;
     Ok(Value::from(param.default.is_some()))
 }
 
@@ -145,11 +146,9 @@ fn qualified_names<'c>(
     let fits = |n: &&Text| pattern.is_none_or(|p| glob::matches(p, n));
     let mut names: Vec<&Text> = list(here).into_iter().filter(fits).collect();
     if here != NsId::GLOBAL {
-        for name in list(NsId::GLOBAL).into_iter().filter(fits) {
-            if !core.ns(here).commands.contains(name) {
-                names.push(name);
-            }
-        }
+        let own: std::collections::HashSet<&str> = names.iter().map(|n| &***n).collect();
+        let more = list(NsId::GLOBAL).into_iter().filter(fits).filter(|n| !own.contains(&***n));
+        names.extend(more.collect::<Vec<_>>());
     }
     Ok(Value::list(names.into_iter().map(Text::to_value)))
 }
@@ -228,7 +227,7 @@ fn level(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     let absolute = if number > 0 { number } else { here as i64 + number };
     let bad = || {
         let message = format!("bad level \"{word}\"");
-        Exception::coded(message, &["TCL", "LOOKUP", "LEVEL", &word.as_str()]).at(call.span(2), "")
+        Exception::coded(message, &["TCL", "LOOKUP", "STACK_LEVEL", &word.as_str()]).at(call.span(2), "")
     };
     let target = usize::try_from(absolute).ok().filter(|l| *l > 0).ok_or_else(bad)?;
     let frame = core.frame_at(target).ok_or_else(bad)?;

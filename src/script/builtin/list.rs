@@ -23,6 +23,9 @@ pub(crate) const COMMANDS: &[(&str, CoreFn)] = &[
     ("split", split),
 ];
 
+/// Longer lists are refused; they would take gigabytes.
+const MAX_LENGTH: usize = 1 << 26;
+
 /// Lists put one after the other; other texts are joined by blanks.
 pub(crate) fn concat(words: &[Value]) -> Value {
     let pure = |v: &Value| matches!(v.0, Rep::List(_) | Rep::Empty);
@@ -157,15 +160,15 @@ fn lreplace(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
 
 fn lrepeat(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(2.., "lrepeat count ?value ...?")?;
-    let count = call.arg(1).to_i64()?;
+    let count = call.arg(1).to_int()?;
     if count < 0 {
         let message = format!("bad count \"{count}\": must be integer >= 0");
         return Err(Exception::coded(message, &["TCL", "OPERATION", "LREPEAT", "NEGARG"]).at(call.span(1), ""));
     }
     let values = call.from(2);
-    let total = (count as usize).checked_mul(values.len()).filter(|n| *n < 1 << 28);
+    let total = (count as usize).checked_mul(values.len()).filter(|n| *n < MAX_LENGTH);
     let Some(total) = total else {
-        let message = format!("max length of a Tcl list ({} elements) exceeded", 1u32 << 28);
+        let message = format!("max length of a Tcl list ({} elements) exceeded", MAX_LENGTH);
         return Err(Exception::coded(message, &["TCL", "MEMORY"]));
     };
     let mut items = Vec::with_capacity(total);
@@ -177,7 +180,8 @@ fn lrepeat(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
 
 fn lreverse(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(2..=2, "lreverse list")?;
-    Ok(Value::list(call.arg(1).to_list()?.iter().rev().cloned()))
+    let items = call.arg(1).to_list()?;
+    Ok(if items.is_empty() { call.arg(1).clone() } else { Value::list(items.iter().rev().cloned()) })
 }
 
 fn lassign(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
@@ -186,7 +190,7 @@ fn lassign(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     let names = call.from(2);
     for (i, name) in names.iter().enumerate() {
         let name = VarName::of(name);
-        core.write(&name, name.element.as_ref(), items.get(i).cloned().unwrap_or_default())?;
+        core.assign(&name, items.get(i).cloned().unwrap_or_default())?;
     }
     Ok(Value::from(items.get(names.len()..).unwrap_or_default().to_vec()))
 }

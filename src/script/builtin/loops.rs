@@ -87,7 +87,7 @@ fn each<H>(interp: &mut Interp<H>, call: &Call<'_>, name: &str) -> Result<Value,
         for (names, items) in &lists {
             for (i, name) in names.iter().enumerate() {
                 let value = items.get(round * names.len() + i).cloned().unwrap_or_default();
-                interp.core.write(name, name.element.as_ref(), value)?;
+                interp.core.assign(name, value)?;
             }
         }
         match interp.body_again(&script, body, what) {

@@ -15,7 +15,7 @@ fn lset(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     let last = call.len() - 1;
     let value = call.arg(last).clone();
     let words = &call.from(2)[..last - 2];
-    core.read(&name, name.element.as_deref())?;
+    core.value_of(&name)?;
     core.update(&name, false, "read", |list, _| match words {
         [one] if index(one, 0).is_err() => {
             let path = one.to_list()?;
@@ -23,7 +23,7 @@ fn lset(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         }
         path => set(list, path, value),
     })?;
-    core.read(&name, name.element.as_deref())
+    core.value_of(&name)
 }
 
 /// Set the element at the end of a path; one place past the end of a list appends to it.

@@ -254,7 +254,7 @@ fn order<H>(interp: &mut Interp<H>, items: &[Value], o: &Options) -> Result<Vec<
     let mut offset = 0;
     let mut path = &o.path[..];
     if o.group > 1 {
-        if items.len() % o.group != 0 {
+        if !items.len().is_multiple_of(o.group) {
             let message = "list size must be a multiple of the stride length";
             return Err(Exception::coded(message, &["TCL", "OPERATION", "LSORT", "BADSTRIDE"]));
         }

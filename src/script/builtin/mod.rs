@@ -3,6 +3,7 @@
 mod array;
 mod binary;
 mod channel;
+mod channel_options;
 mod clock;
 mod clock_scan;
 mod control;
@@ -13,6 +14,7 @@ mod file;
 mod format;
 mod glob;
 mod info;
+mod interp;
 mod list;
 mod loops;
 mod lsearch;
@@ -53,9 +55,9 @@ pub(crate) fn install<H>(interp: &mut Interp<H>) {
         file::COMMANDS,
         format::COMMANDS,
         glob::COMMANDS,
+        interp::COMMANDS,
         list::COMMANDS,
         lset::COMMANDS,
-        package::COMMANDS,
         scan::COMMANDS,
         string::COMMANDS,
         var::COMMANDS,
@@ -65,7 +67,7 @@ pub(crate) fn install<H>(interp: &mut Interp<H>) {
     for (name, function) in core.into_iter().flatten() {
         interp.register_core(name, *function);
     }
-    let full: [&[(&str, CommandFn<H>)]; 12] = [
+    let full: [&[(&str, CommandFn<H>)]; 13] = [
         &control::commands(),
         &dict_script::commands(),
         &info::commands(),
@@ -73,6 +75,7 @@ pub(crate) fn install<H>(interp: &mut Interp<H>) {
         &lsort::commands(),
         &lsearch::commands(),
         &namespace::commands(),
+        &package::commands(),
         &proc::commands(),
         &subst::commands(),
         &switch::commands(),
@@ -86,6 +89,7 @@ pub(crate) fn install<H>(interp: &mut Interp<H>) {
     for name in func::names() {
         interp.core.define(ns, &name.into(), Imp::Core(func::command));
     }
+    interp.core.inlined = (interp.core.find_command("expr"), interp.core.find_command("set"));
     variables(interp);
 }
 
@@ -116,8 +120,6 @@ fn variables<H>(interp: &mut Interp<H>) {
         ("tcl_platform(engine)", "Tcl"),
         ("argv0", ""),
         ("argv", ""),
-        ("errorInfo", ""),
-        ("errorCode", "NONE"),
     ];
     let numbers: [(&str, i64); 5] = [
         ("tcl_precision", 0),

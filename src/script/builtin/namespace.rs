@@ -10,7 +10,8 @@ use crate::script::error::Exception;
 use crate::script::glob;
 use crate::script::interp::Interp;
 use crate::script::table::Table;
-use crate::script::value::{Text, Value};
+use crate::script::text::Text;
+use crate::script::value::Value;
 use crate::script::vars::{VarName, split_qualified};
 
 pub(crate) fn commands<H>() -> [(&'static str, CommandFn<H>); 1] {
@@ -192,14 +193,15 @@ fn import(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         let text = pattern.as_str();
         let refuse = |message: String| Exception::coded(message, &["TCL", "IMPORT", "ORIGIN"]);
         if text.is_empty() {
-            return Err(refuse("empty import pattern".to_owned()));
+            return Err(Exception::coded("empty import pattern", &["TCL", "IMPORT", "EMPTY"]));
         }
         let Some((path, tail)) = split_qualified(&text) else {
             return Err(refuse(format!("no namespace specified in import pattern \"{text}\"")));
         };
         let path = if path.is_empty() { "::" } else { path };
         let Some(from) = core.find_namespace(path) else {
-            return Err(refuse(format!("unknown namespace in import pattern \"{text}\"")));
+            let message = format!("unknown namespace in import pattern \"{text}\"");
+            return Err(Exception::coded(message, &["TCL", "LOOKUP", "NAMESPACE", &text]));
         };
         if from == here {
             let name = core.ns(here).full.clone();
@@ -314,7 +316,7 @@ fn unknown(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
 fn upvar(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     let usage = "namespace upvar ns ?otherVar myVar ...?";
     call.expect(3.., usage)?;
-    if call.len() % 2 == 0 {
+    if call.len().is_multiple_of(2) {
         return Err(call.wrong_args(usage));
     }
     let ns = core.namespace_named(&call.arg(2).as_str())?;
@@ -363,7 +365,7 @@ fn ensemble(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     match choose(&call.arg(2).as_str(), "subcommand", &["configure", "create", "exists"], false)
         .map_err(|e| e.at(call.span(2), ""))?
     {
-        0 => Err(call.error_at(2, "namespace ensemble configure is not supported", "not supported")),
+        0 => configure_ensemble(core, call),
         1 => create_ensemble(core, call),
         _ => {
             call.expect(4..=4, "namespace ensemble exists cmdname")?;
@@ -373,36 +375,85 @@ fn ensemble(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     }
 }
 
+const ENSEMBLE_OPTIONS: [&str; 6] = ["-command", "-map", "-parameters", "-prefixes", "-subcommands", "-unknown"];
+
+/// Set an option of an ensemble from word `i` and the one after.
+fn set_option(core: &Core, call: &Call<'_>, i: usize, option: usize, made: &mut Ensemble) -> Result<(), Exception> {
+    let value = call.arg(i + 1);
+    match option {
+        1 => {
+            made.map.clear();
+            for (key, target) in value.to_dict()?.iter() {
+                let words = target.to_list()?;
+                let Some((first, rest)) = words.split_first() else {
+                    let message = "ensemble subcommand implementations must be non-empty lists";
+                    return Err(Exception::coded(message, &["TCL", "ENSEMBLE", "EMPTY_TARGET"]));
+                };
+                let command = first.as_str();
+                let command =
+                    if command.starts_with("::") { command.into_owned() } else { core.qualified(made.ns, &command) };
+                let full = std::iter::once(Value::from(command)).chain(rest.iter().cloned());
+                made.map.push((key.to_value(), Value::list(full)));
+            }
+        }
+        3 => made.prefixes = value.to_bool()?,
+        4 => made.subcommands = value.to_list()?.to_vec(),
+        5 => made.unknown = value.clone(),
+        _ => {
+            let message = format!("ensemble {} is not supported", ENSEMBLE_OPTIONS[option]);
+            return Err(call.error_at(i, message, "not supported"));
+        }
+    }
+    Ok(())
+}
+
+fn configure_ensemble(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
+    call.expect(4.., "namespace ensemble configure cmdname ?-option value ...? ?arg ...?")?;
+    let name = call.arg(3).as_str();
+    let id = core.find_command(&name).map(|id| core.origin_of(id));
+    let Some((id, ensemble)) = id.and_then(|id| Some((id, core.ensemble_of(id)?))) else {
+        let message = format!("\"{name}\" is not an ensemble command");
+        return Err(Exception::coded(message, &["TCL", "LOOKUP", "ENSEMBLE", &name]).at(call.span(3), ""));
+    };
+    let get = |option: usize| match option {
+        1 => Value::list(ensemble.map.iter().flat_map(|(k, v)| [k.clone(), v.clone()])),
+        3 => Value::from(ensemble.prefixes),
+        4 => Value::list(ensemble.subcommands.iter().cloned()),
+        5 => ensemble.unknown.clone(),
+        _ => Value::EMPTY,
+    };
+    if call.len() == 4 {
+        let all = [1, 2, 3, 4, 5].into_iter().flat_map(|o| [Value::from(ENSEMBLE_OPTIONS[o]), get(o)]);
+        let ns = [Value::from("-namespace"), core.ns(ensemble.ns).full.to_value()];
+        return Ok(Value::list(all.chain(ns)));
+    }
+    if call.len() == 5 {
+        let names = ["-namespace", "-map", "-parameters", "-prefixes", "-subcommands", "-unknown"];
+        return Ok(match call.choose(4, "option", &names, false)? {
+            0 => core.ns(ensemble.ns).full.to_value(),
+            option => get(option),
+        });
+    }
+    let mut made = Ensemble::clone(&ensemble);
+    for i in (4..call.len()).step_by(2) {
+        let option = call.choose(i, "option", &ENSEMBLE_OPTIONS, false)?;
+        set_option(core, call, i, option, &mut made)?;
+    }
+    core.commands[id.0 as usize].imp = Imp::Ensemble(Rc::new(made));
+    Ok(Value::EMPTY)
+}
+
 fn create_ensemble(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
-    if call.len() % 2 == 0 {
+    if call.len().is_multiple_of(2) {
         return Err(call.wrong_args("namespace ensemble create ?option value ...?"));
     }
     let ns = core.here();
     let mut name = core.ns(ns).full.to_string();
     let mut made = Ensemble { ns, map: vec![], subcommands: vec![], prefixes: true, unknown: Value::EMPTY };
-    let options = ["-command", "-map", "-parameters", "-prefixes", "-subcommands", "-unknown"];
     for i in (3..call.len()).step_by(2) {
-        let value = call.arg(i + 1);
-        match call.choose(i, "option", &options, false)? {
-            0 => name = value.as_str().into_owned(),
-            1 => {
-                for (key, target) in value.to_dict()?.iter() {
-                    let words = target.to_list()?;
-                    let Some(first) = words.first() else {
-                        let message = "ensemble subcommand implementations must be non-empty lists";
-                        return Err(Exception::coded(message, &["TCL", "ENSEMBLE", "EMPTY_TARGET"]));
-                    };
-                    let command = first.as_str();
-                    let command =
-                        if command.starts_with("::") { command.into_owned() } else { core.qualified(ns, &command) };
-                    let full = std::iter::once(Value::from(command)).chain(words[1..].iter().cloned());
-                    made.map.push((key.to_value(), Value::list(full)));
-                }
-            }
-            2 => return Err(call.error_at(i, "ensemble -parameters are not supported", "not supported")),
-            3 => made.prefixes = value.to_bool()?,
-            4 => made.subcommands = value.to_list()?.to_vec(),
-            _ => made.unknown = value.clone(),
+        match call.choose(i, "option", &ENSEMBLE_OPTIONS, false)? {
+            0 => name = call.arg(i + 1).as_str().into_owned(),
+            option => set_option(core, call, i, option, &mut made)?,
         }
     }
     let (at, tail) = core.place_for(&name);

@@ -2,12 +2,15 @@
 
 use std::cmp::Ordering;
 
-use crate::script::command::{Call, CoreFn};
+use crate::script::command::{Call, CommandFn};
 use crate::script::core::Core;
 use crate::script::error::Exception;
+use crate::script::interp::Interp;
 use crate::script::value::Value;
 
-pub(crate) const COMMANDS: &[(&str, CoreFn)] = &[("package", package)];
+pub(crate) fn commands<H>() -> [(&'static str, CommandFn<H>); 1] {
+    [("package", package)]
+}
 
 const NAMES: [&str; 11] = [
     "forget",
@@ -23,7 +26,8 @@ const NAMES: [&str; 11] = [
     "vsatisfies",
 ];
 
-fn package(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
+fn package<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> {
+    let core = &mut interp.core;
     call.expect(2.., "package option ?arg ...?")?;
     match NAMES[call.choose(1, "option", &NAMES, false)?] {
         "forget" => {
@@ -34,10 +38,26 @@ fn package(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         }
         "ifneeded" => {
             call.expect(4..=5, "package ifneeded package version ?script?")?;
-            Ok(Value::EMPTY)
+            version_numbers(call.arg(3))?;
+            let (name, version) = (call.arg(2).clone(), call.arg(3).clone());
+            let known = core.offered.iter().position(|o| o[0] == name && o[1] == version);
+            match (call.get(4), known) {
+                (None, known) => Ok(known.map(|at| core.offered[at][2].clone()).unwrap_or_default()),
+                (Some(script), known) => {
+                    if let Some(at) = known {
+                        core.offered.remove(at);
+                    }
+                    core.offered.push([name, version, script.clone()]);
+                    Ok(Value::EMPTY)
+                }
+            }
         }
         "names" => {
-            Ok(Value::list([Value::from("Tcl")].into_iter().chain(core.packages.iter().map(|(k, _)| k.to_value()))))
+            call.expect(2..=2, "package names")?;
+            let offered: Vec<Value> = core.offered.iter().map(|o| o[0].clone()).collect();
+            Ok(Value::list(
+                [Value::from("Tcl")].into_iter().chain(core.packages.iter().map(|(k, _)| k.to_value())).chain(offered),
+            ))
         }
         "prefer" => Ok(Value::from("stable")),
         "present" => require(core, call, true),
@@ -52,14 +72,21 @@ fn package(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
                 }
             }
         }
-        "require" => require(core, call, false),
+        "require" => {
+            offer(interp, call)?;
+            require(&mut interp.core, call, false)
+        }
         "unknown" => Ok(Value::EMPTY),
         "vcompare" => {
             call.expect(4..=4, "package vcompare version1 version2")?;
             let order = version_numbers(call.arg(2))?.cmp(&version_numbers(call.arg(3))?);
             Ok(Value::from(order as i64))
         }
-        "versions" => Ok(Value::list(provided(core, &call.arg(2).as_str()))),
+        "versions" => {
+            call.expect(3..=3, "package versions package")?;
+            let of = core.offered.iter().filter(|o| o[0] == *call.arg(2)).map(|o| o[1].clone());
+            Ok(Value::list(of))
+        }
         _ => {
             call.expect(4.., "package vsatisfies version ?requirement ...?")?;
             Ok(Value::from(satisfies(call.arg(2), call.from(3))?))
@@ -94,14 +121,14 @@ fn version_numbers(version: &Value) -> Result<Vec<i64>, Exception> {
         rest = &rest[separator.len_utf8()..];
         match separator {
             '.' => {}
+            // Before the release, which has a zero there.
             'a' => numbers.push(-2),
             'b' => numbers.push(-1),
             _ => return Err(bad()),
         }
     }
-    while numbers.len() > 1 && numbers.last() == Some(&0) {
-        numbers.pop();
-    }
+    // Of equal length they compare as if zeros followed.
+    numbers.resize(numbers.len().max(8), 0);
     Ok(numbers)
 }
 
@@ -114,7 +141,8 @@ fn satisfies(version: &Value, requirements: &[Value]) -> Result<bool, Exception>
         let (least, most) = match text.split_once('-') {
             None => {
                 let least = version_numbers(requirement)?;
-                let next_major = vec![least.first().copied().unwrap_or(0) + 1];
+                let mut next_major = vec![0; 8];
+                next_major[0] = least.first().copied().unwrap_or(0) + 1;
                 (least, Some(next_major))
             }
             Some((least, "")) => (version_numbers(&Value::from(least))?, None),
@@ -123,6 +151,34 @@ fn satisfies(version: &Value, requirements: &[Value]) -> Result<bool, Exception>
         fits |= have >= least && most.is_none_or(|m| have.cmp(&m) == Ordering::Less || have == least);
     }
     Ok(fits)
+}
+
+/// Run the script that provides a package, the newest version that will do, unless it is there already.
+fn offer<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<(), Exception> {
+    let exact = call.arg(2).as_str() == "-exact";
+    let at = if exact { 3 } else { 2 };
+    let name = call.arg(at);
+    if name.is_empty() || provided(&interp.core, &name.as_str()).is_some() {
+        return Ok(());
+    }
+    let mut best: Option<(Vec<i64>, Value)> = None;
+    for [package, version, script] in &interp.core.offered {
+        let fits = if exact {
+            version_numbers(version)? == version_numbers(call.arg(at + 1))?
+        } else {
+            satisfies(version, call.from(at + 1))?
+        };
+        if package == name && fits {
+            let numbers = version_numbers(version)?;
+            if best.as_ref().is_none_or(|(b, _)| *b < numbers) {
+                best = Some((numbers, script.clone()));
+            }
+        }
+    }
+    if let Some((_, script)) = best {
+        interp.eval_value(&script)?;
+    }
+    Ok(())
 }
 
 fn require(core: &mut Core, call: &Call<'_>, present: bool) -> Result<Value, Exception> {
@@ -144,7 +200,8 @@ fn require(core: &mut Core, call: &Call<'_>, present: bool) -> Result<Value, Exc
             true => format!("package {name}{shown} is not present"),
             false => format!("can't find package {name}{shown}"),
         };
-        return Err(Exception::coded(message, &["TCL", "PACKAGE", "UNFOUND"]).at(call.span(at), "no such package here"));
+        let code = if present { vec!["TCL", "LOOKUP", "PACKAGE", &name] } else { vec!["TCL", "PACKAGE", "UNFOUND"] };
+        return Err(Exception::coded(message, &code).at(call.span(at), "no such package here"));
     };
     let fits = match requirements.first().filter(|_| exact) {
         Some(wanted) => version_numbers(&version)? == version_numbers(wanted)?,

@@ -31,7 +31,7 @@ fn proc<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> 
         && interp.core.existing_place_for(&name).is_none()
     {
         let message = format!("can't create procedure \"{name}\": unknown namespace");
-        return Err(Exception::coded(message, &["TCL", "LOOKUP", "NAMESPACE", path]));
+        return Err(Exception::coded(message, &["TCL", "VALUE", "COMMAND"]));
     }
     let (ns, tail) = interp.core.place_for(&name);
     let proc = Proc::new(ns, call.arg(2), call.arg(3)).map_err(|e| e.at(call.span(2), ""))?;
@@ -44,7 +44,7 @@ fn apply<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception>
     let lambda = call.arg(1);
     let bad = || {
         let message = format!("can't interpret \"{lambda}\" as a lambda expression");
-        Exception::coded(message, &["TCL", "LOOKUP", "LAMBDA", &lambda.as_str()]).at(call.span(1), "")
+        Exception::coded(message, &["TCL", "VALUE", "LAMBDA"]).at(call.span(1), "")
     };
     let parts = lambda.to_list().map_err(|_| bad())?;
     let (params, body, ns) = match &*parts {

@@ -145,7 +145,7 @@ fn regexp(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         for (i, name) in names.iter().enumerate() {
             let name = VarName::of(name);
             let value = shown(groups.get(i).copied().flatten());
-            core.write(&name, name.element.as_ref(), value)?;
+            core.assign(&name, value)?;
         }
     }
     Ok(Value::from(if o.all { count } else { count.min(1) }))
@@ -215,7 +215,7 @@ fn regsub(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     match call.get(o.next + 3) {
         Some(name) => {
             let name = VarName::of(name);
-            core.write(&name, name.element.as_ref(), Value::from(out))?;
+            core.assign(&name, Value::from(out))?;
             Ok(Value::from(count))
         }
         None => Ok(if count == 0 { subject.clone() } else { Value::from(out) }),

@@ -60,8 +60,19 @@ fn digits(s: &str) -> IResult<&str, usize> {
     take_while1(|c: char| c.is_ascii_digit()).map(|d: &str| d.parse().unwrap_or(usize::MAX)).parse(s)
 }
 
+/// What follows a `%`.
+struct Modifiers {
+    skip: bool,
+    position: Option<usize>,
+    width: usize,
+    size: Size,
+    /// Whether a size was given.
+    sized: bool,
+    conversion: char,
+}
+
 /// What follows a `%`, up to the conversion character.
-fn modifiers(s: &str) -> IResult<&str, (bool, Option<usize>, usize, Size, bool, char)> {
+fn modifiers(s: &str) -> IResult<&str, Modifiers> {
     let (s, star) = opt(char('*')).parse(s)?;
     let (s, position) = opt(terminated(digits, char('$'))).parse(s)?;
     let (s, width) = opt(digits).parse(s)?;
@@ -76,7 +87,15 @@ fn modifiers(s: &str) -> IResult<&str, (bool, Option<usize>, usize, Size, bool, 
     let (s, size) = opt(size).parse(s)?;
     // Where the format ends Tcl sees the byte that ends its strings.
     let (s, conversion) = opt(anychar).map(|c| c.unwrap_or('\0')).parse(s)?;
-    Ok((s, (star.is_some(), position, width.unwrap_or(0), size.unwrap_or(Size::Wide), sized, conversion)))
+    let modifiers = Modifiers {
+        skip: star.is_some(),
+        position,
+        width: width.unwrap_or(0),
+        size: size.unwrap_or(Size::Wide),
+        sized,
+        conversion,
+    };
+    Ok((s, modifiers))
 }
 
 fn refuse(message: &str, code: &str) -> Exception {
@@ -127,7 +146,7 @@ fn parse(format: &str) -> Result<Vec<Item>, Exception> {
             rest = after;
             continue;
         }
-        let Ok((after, (skip, position, width, size, sized, conversion))) = modifiers(rest) else {
+        let Ok((after, Modifiers { skip, position, width, size, sized, conversion })) = modifiers(rest) else {
             return Err(refuse("bad scan conversion character \"\"", "BADTYPE"));
         };
         rest = after;
@@ -214,6 +233,7 @@ fn scan(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     // Whether the text ended before the first conversion, and how many conversions were done.
     let mut ended = false;
     let mut done = 0;
+    let mut any = false;
     for item in &items {
         match item {
             Item::Blanks => rest = rest.trim_start(),
@@ -228,7 +248,8 @@ fn scan(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
                 let place = if field.skip { None } else { places.next() };
                 if let Kind::Count = field.kind {
                     if let Some(place) = place {
-                        let used = text[..text.len() - rest.len()].chars().count();
+                        // Tcl counts bytes here.
+                        let used = text.len() - rest.len();
                         values[place] = Some(Value::from(used));
                         done += 1;
                     }
@@ -243,14 +264,16 @@ fn scan(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
                 }
                 let Some((length, value)) = field.take(rest)? else {
                     // A sign alone is where a number ended too early.
-                    ended = match field.kind {
+                    let lone = match field.kind {
                         Kind::Float => matches!(rest, "-" | "+" | "."),
                         Kind::Set { .. } => false,
                         _ => matches!(rest, "-" | "+"),
                     };
+                    ended = lone && field.width == 0;
                     break;
                 };
                 rest = &rest[length..];
+                any = true;
                 if let Some(place) = place {
                     values[place] = Some(value);
                     done += 1;
@@ -259,7 +282,7 @@ fn scan(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         }
     }
     if names.is_empty() {
-        if ended && done == 0 {
+        if ended && !any && done == 0 {
             return Ok(Value::EMPTY);
         }
         return Ok(Value::list(values.into_iter().map(Option::unwrap_or_default)));
@@ -267,10 +290,10 @@ fn scan(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     for (name, value) in names.iter().zip(values) {
         if let Some(value) = value {
             let name = VarName::of(name);
-            core.write(&name, name.element.as_ref(), value)?;
+            core.assign(&name, value)?;
         }
     }
-    Ok(Value::from(if ended && done == 0 { -1i64 } else { done }))
+    Ok(Value::from(if ended && !any && done == 0 { -1i64 } else { done }))
 }
 
 impl Field {

@@ -117,7 +117,7 @@ fn reverse(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
 
 fn repeat(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(4..=4, "string repeat string count")?;
-    let count = call.arg(3).to_i64()?;
+    let count = call.arg(3).to_int()?;
     let text = call.arg(2).as_str();
     let count = usize::try_from(count).unwrap_or(0);
     match text.len().checked_mul(count) {
@@ -285,7 +285,11 @@ fn parts(call: &Call<'_>, name: &str) -> Result<(String, String, String), Except
     let count = value.char_count();
     let chars = match (call.get(3), call.get(4)) {
         (None, _) => 0..count,
-        (Some(first), last) => range(first, last.unwrap_or(first), count)?,
+        (Some(first), Some(last)) => range(first, last, count)?,
+        (Some(first), None) => {
+            let at = index(first, count as i64 - 1)?.max(0) as usize;
+            if at < count { at..at + 1 } else { 0..0 }
+        }
     };
     if chars.is_empty() {
         return Ok((text.into_owned(), String::new(), String::new()));

@@ -63,7 +63,7 @@ pub(crate) fn is(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         failure(class, value, &text)
     };
     if let (Some(at), Some(name)) = (fails, fail_var) {
-        core.write(&name, name.element.as_ref(), Value::from(at))?;
+        core.assign(&name, Value::from(at))?;
     }
     Ok(Value::from(fails.is_none()))
 }
@@ -147,7 +147,8 @@ fn number_failure(text: &str, fit: impl Fn(&Number) -> Fit) -> Option<i64> {
         None => 0,
     };
     let after = rest[good..].bytes().take_while(|b| good > sign && is_space(*b)).count();
-    Some((blanks + good + after) as i64)
+    // Where nothing fits, not even the blanks count.
+    Some(if good == 0 { 0 } else { (blanks + good + after) as i64 })
 }
 
 fn list_failure(text: &str) -> Option<i64> {

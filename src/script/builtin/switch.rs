@@ -33,7 +33,7 @@ fn switch<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception
     let mut match_var = None;
     let mut index_var = None;
     let mut i = 1;
-    while i < call.len() && call.arg(i).as_str().starts_with('-') {
+    while i + 2 < call.len() && call.arg(i).as_str().starts_with('-') {
         let option = call.choose(i, "option", &OPTIONS, false)?;
         let named = match option {
             0 => Some(Mode::Exact),
@@ -55,7 +55,7 @@ fn switch<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception
         }
         match option {
             2 | 3 => {
-                let Some(name) = call.get(i + 1) else {
+                let Some(name) = call.get(i + 1).filter(|_| i + 3 < call.len()) else {
                     let message = format!("missing variable name argument to {} option", OPTIONS[option]);
                     return Err(refuse(message, "NOVAR"));
                 };
@@ -96,13 +96,14 @@ fn switch<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception
         if split && comment {
             message.push_str(", this may be due to a comment incorrectly placed outside of a switch body - see the \"switch\" documentation");
         }
-        return Err(refuse(message, "BADPAT"));
+        return Err(refuse(message, "BADARM"));
     }
     if let Some([pattern, body]) = arms.chunks_exact(2).next_back()
         && body.as_str() == "-"
     {
         let message = format!("no body specified for pattern \"{pattern}\"");
-        return Err(refuse(message, "BADPAT"));
+        let code = ["TCL", "OPERATION", "SWITCH", "BADARM", "FALLTHROUGH"];
+        return Err(Exception::coded(message, &code));
     }
     let count = arms.len() / 2;
     for (n, arm) in arms.chunks_exact(2).enumerate() {
@@ -110,10 +111,10 @@ fn switch<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception
         let is_default = n + 1 == count && pattern.as_str() == "default";
         let found = if is_default {
             if let Some(name) = &match_var {
-                interp.core.write(name, name.element.as_ref(), Value::EMPTY)?;
+                interp.core.assign(name, Value::EMPTY)?;
             }
             if let Some(name) = &index_var {
-                interp.core.write(name, name.element.as_ref(), Value::EMPTY)?;
+                interp.core.assign(name, Value::EMPTY)?;
             }
             true
         } else {
@@ -130,11 +131,11 @@ fn switch<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception
                         Some(groups) => {
                             if let Some(name) = &match_var {
                                 let texts = groups.iter().map(|g| Value::from(g.map_or("", |(s, e)| &text[s..e])));
-                                interp.core.write(name, name.element.as_ref(), Value::list(texts))?;
+                                interp.core.assign(name, Value::list(texts))?;
                             }
                             if let Some(name) = &index_var {
                                 let places = groups.iter().map(|g| super::regexp::indices(&text, *g));
-                                interp.core.write(name, name.element.as_ref(), Value::list(places))?;
+                                interp.core.assign(name, Value::list(places))?;
                             }
                             true
                         }

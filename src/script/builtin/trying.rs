@@ -129,11 +129,11 @@ fn catch<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception>
     let outcome = interp.core.outcome(result)?;
     if let Some(name) = call.get(2) {
         let name = VarName::of(name);
-        interp.core.write(&name, name.element.as_ref(), outcome.value)?;
+        interp.core.assign(&name, outcome.value)?;
     }
     if let Some(name) = call.get(3) {
         let name = VarName::of(name);
-        interp.core.write(&name, name.element.as_ref(), outcome.options.into())?;
+        interp.core.assign(&name, outcome.options.into())?;
     }
     Ok(Value::from(i64::from(outcome.code)))
 }
@@ -151,8 +151,8 @@ enum Wanted {
     Error(Value),
 }
 
-fn bad_handler(message: String) -> Exception {
-    Exception::coded(message, &["TCL", "OPERATION", "TRY", "HANDLER"])
+fn bad_handler(message: String, code: &[&str]) -> Exception {
+    Exception::coded(message, &[&["TCL", "OPERATION", "TRY"], code].concat())
 }
 
 /// The handlers and the word of the `finally` body.
@@ -163,23 +163,23 @@ fn handlers(call: &Call<'_>) -> Result<(Vec<Handler>, Option<usize>), Exception>
         match call.choose(i, "handler type", &["finally", "on", "trap"], false)? {
             0 => {
                 if i + 2 != call.len() {
-                    let message = if call.len() == i + 1 {
-                        "wrong # args to finally clause: must be \"... finally script\""
+                    let (message, code) = if call.len() == i + 1 {
+                        ("wrong # args to finally clause: must be \"... finally script\"", "ARGUMENT")
                     } else {
-                        "finally clause must be last"
+                        ("finally clause must be last", "NONTERMINAL")
                     };
-                    return Err(bad_handler(message.to_owned()));
+                    return Err(bad_handler(message.to_owned(), &["FINALLY", code]));
                 }
                 return Ok((all, Some(i + 1)));
             }
             kind => {
                 if call.len() < i + 4 {
-                    let message = if kind == 1 {
-                        "wrong # args to on clause: must be \"... on code variableList script\""
+                    let (message, clause) = if kind == 1 {
+                        ("wrong # args to on clause: must be \"... on code variableList script\"", "ON")
                     } else {
-                        "wrong # args to trap clause: must be \"... trap pattern variableList script\""
+                        ("wrong # args to trap clause: must be \"... trap pattern variableList script\"", "TRAP")
                     };
-                    return Err(bad_handler(message.to_owned()));
+                    return Err(bad_handler(message.to_owned(), &[clause, "ARGUMENT"]));
                 }
                 let wanted = if kind == 1 {
                     let names = ["ok", "error", "return", "break", "continue"];
@@ -196,7 +196,7 @@ fn handlers(call: &Call<'_>) -> Result<(Vec<Handler>, Option<usize>), Exception>
                 } else {
                     if call.arg(i + 1).to_list().is_err() {
                         let message = format!("bad prefix '{}': must be a list", call.arg(i + 1));
-                        return Err(bad_handler(message));
+                        return Err(bad_handler(message, &["TRAP", "EXNFORMAT"]));
                     }
                     Wanted::Error(call.arg(i + 1).clone())
                 };
@@ -208,7 +208,8 @@ fn handlers(call: &Call<'_>) -> Result<(Vec<Handler>, Option<usize>), Exception>
     if let Some(last) = all.last()
         && call.arg(last.body).as_str() == "-"
     {
-        return Err(bad_handler("last non-finally clause must not have a body of \"-\"".to_owned()));
+        let message = "last non-finally clause must not have a body of \"-\"".to_owned();
+        return Err(bad_handler(message, &["BADFALLTHROUGH"]));
     }
     Ok((all, None))
 }
@@ -261,7 +262,7 @@ fn handle<H>(
     let values = [outcome.value.clone(), outcome.options.clone().into()];
     for (name, value) in names.iter().zip(values) {
         let name = VarName::of(name);
-        interp.core.write(&name, name.element.as_ref(), value)?;
+        interp.core.assign(&name, value)?;
     }
     let body = handlers[chosen..].iter().find(|h| call.arg(h.body).as_str() != "-");
     let Some(body) = body else { return Ok(Value::EMPTY) };

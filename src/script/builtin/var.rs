@@ -28,9 +28,9 @@ fn set(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(2..=3, "set varName ?newValue?")?;
     let name = VarName::of(call.arg(1));
     match call.get(2) {
-        None => core.read(&name, name.element.as_deref()),
+        None => core.value_of(&name),
         Some(value) => {
-            core.write(&name, name.element.as_ref(), value.clone())?;
+            core.assign(&name, value.clone())?;
             Ok(value.clone())
         }
     }
@@ -61,7 +61,7 @@ fn unset(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
 }
 
 /// An integer of any size, with the error that `incr` has for others.
-fn incrementable(value: &Value) -> Result<Number, Exception> {
+pub(super) fn incrementable(value: &Value) -> Result<Number, Exception> {
     value.to_integer().map_err(|e| e.with_code(Value::list(["TCL", "VALUE", "INTEGER"].map(Value::from))))
 }
 
@@ -74,7 +74,7 @@ fn incr(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
             Ok(by) => by,
             Err(e) => {
                 // Tcl looks at the variable first.
-                core.peek(&name, name.element.as_deref()).ok().map_or(Ok(()), |v| incrementable(&v).map(|_| ()))?;
+                core.look(&name).ok().map_or(Ok(()), |v| incrementable(&v).map(|_| ()))?;
                 return Err(e.at(call.span(2), ""));
             }
         },
@@ -100,7 +100,7 @@ fn append(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(2.., "append varName ?value ...?")?;
     let name = VarName::of(call.arg(1));
     if call.len() == 2 {
-        return core.read(&name, name.element.as_deref());
+        return core.value_of(&name);
     }
     core.update(&name, true, "set", |value, _| {
         if value.is_empty() && call.len() == 3 {
@@ -113,14 +113,14 @@ fn append(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         }
         Ok(())
     })?;
-    core.read(&name, name.element.as_deref())
+    core.value_of(&name)
 }
 
 fn lappend(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(2.., "lappend varName ?value ...?")?;
     let name = VarName::of(call.arg(1));
-    if call.len() == 2 && core.peek(&name, name.element.as_deref()).is_ok() {
-        let value = core.read(&name, name.element.as_deref())?;
+    if call.len() == 2 && core.look(&name).is_ok() {
+        let value = core.value_of(&name)?;
         value.to_list()?;
         return Ok(value);
     }
@@ -130,7 +130,7 @@ fn lappend(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         }
         Ok(())
     })?;
-    core.read(&name, name.element.as_deref())
+    core.value_of(&name)
 }
 
 impl Core {
@@ -138,7 +138,7 @@ impl Core {
     pub(crate) fn link(&mut self, name: &str, target: Rc<std::cell::RefCell<Slot>>) -> Result<(), Exception> {
         if name.ends_with(')') && name.contains('(') {
             let message = format!(
-                "bad variable name \"{name}\": upvar won't create a scalar variable that looks like an array element"
+                "bad variable name \"{name}\": can't create a scalar variable that looks like an array element"
             );
             return Err(Exception::coded(message, &["TCL", "UPVAR", "LOCAL_ELEMENT"]));
         }
@@ -205,9 +205,10 @@ fn upvar(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     let usage = "upvar ?level? otherVar localVar ?otherVar localVar ...?";
     call.expect(3.., usage)?;
     let level = call.arg(1).as_str();
-    let (frame, from) = match core.find_level(&level) {
+    let leveled = call.len().is_multiple_of(2);
+    let (frame, from) = match core.find_level(&level).filter(|_| leveled) {
         Some(frame) => (frame?, 2),
-        None if call.len() % 2 == 0 => {
+        None if leveled => {
             let message = format!("bad level \"{level}\"");
             return Err(Exception::coded(message, &["TCL", "LOOKUP", "LEVEL", &level]).at(call.span(1), ""));
         }
@@ -217,9 +218,6 @@ fn upvar(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
             (up.ok_or_else(bad)?, 1)
         }
     };
-    if call.len() == from || (call.len() - from) % 2 == 1 {
-        return Err(call.wrong_args(usage));
-    }
     for pair in call.from(from).chunks_exact(2) {
         let [other, local] = pair else { continue };
         let target = core.variable_in(frame, &VarName::of(other))?;
@@ -242,7 +240,6 @@ fn global(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
 }
 
 fn variable(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
-    call.expect(2.., "variable ?name value...? name ?value?")?;
     for pair in call.args().chunks(2) {
         let Some(word) = pair.first() else { continue };
         let text = word.as_str();

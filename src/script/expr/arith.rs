@@ -11,8 +11,8 @@ use super::super::number::{Number, looks_like_bad_octal};
 use super::super::value::{Rep, Value};
 use super::{Binary, Unary};
 
-/// Shifting further than this would make integers of more than a hundred megabytes.
-const MAX_SHIFT: u64 = 1 << 30;
+/// Shifting further than this would make integers that take minutes to write.
+const MAX_SHIFT: u64 = 1 << 27;
 
 /// Which operand is at fault.
 #[derive(Clone, Copy)]
@@ -79,7 +79,7 @@ pub(crate) fn big(n: &Number) -> BigInt {
 
 pub(crate) fn unary(op: Unary, value: &Value) -> Result<Value, Exception> {
     match (op, &value.0) {
-        (Unary::Minus, Rep::Double(d)) => return Ok(Value::from(-d.get())),
+        (Unary::Minus, Rep::Double(d)) if !d.get().is_nan() => return Ok(Value::from(-d.get())),
         (Unary::Not, Rep::Int(i)) => return Ok(Value::from(*i == 0)),
         _ => {}
     }

@@ -16,14 +16,14 @@ impl<H> Interp<H> {
             return Ok(self.numeric(value.clone()));
         }
         let expr = compile(value).map_err(|e| e.at(None, ""))?;
-        let result = self.evaluate(&expr)?;
+        let result = self.evaluate(&expr, &[])?;
         self.finish(result)
     }
 
     /// Evaluate an expression whose text was put together just now.
     pub(crate) fn expr_text(&mut self, text: &str) -> Result<Value, Exception> {
         let expr = compile_text(text)?;
-        let result = self.evaluate(&expr)?;
+        let result = self.evaluate(&expr, &[])?;
         self.finish(result)
     }
 
@@ -33,15 +33,15 @@ impl<H> Interp<H> {
             return Ok(i != 0);
         }
         let expr = compile(value)?;
-        let result = self.evaluate(&expr)?;
+        let result = self.evaluate(&expr, &[])?;
         match result.0 {
             Rep::Int(i) => Ok(i != 0),
             _ => result.to_bool().map_err(|e| e.at(expr.unit.span(0, expr.unit.text.len() as u32), "")),
         }
     }
 
-    /// Results that are numbers are given in Tcl's own spelling.
-    fn finish(&mut self, value: Value) -> Result<Value, Exception> {
+    /// Results that are numbers are given in Tcl's own spelling; what is no number at the end is an error.
+    pub(super) fn finish(&self, value: Value) -> Result<Value, Exception> {
         let value = self.numeric(value);
         match &value.0 {
             Rep::Double(d) if d.get().is_nan() => Err(arith::domain_error()),
@@ -61,20 +61,21 @@ impl<H> Interp<H> {
         }
     }
 
-    fn evaluate(&mut self, expr: &Expr) -> Result<Value, Exception> {
+    pub(super) fn evaluate(&mut self, expr: &Expr, slots: &[Value]) -> Result<Value, Exception> {
         let mut stack = self.core.take_words();
-        let result = self.operate(expr, &mut stack);
+        let result = self.operate(expr, slots, &mut stack);
         self.core.give_words(stack);
         result
     }
 
-    fn operate(&mut self, expr: &Expr, stack: &mut Vec<Value>) -> Result<Value, Exception> {
+    fn operate(&mut self, expr: &Expr, slots: &[Value], stack: &mut Vec<Value>) -> Result<Value, Exception> {
         let mut at = 0;
         while let Some(op) = expr.ops.get(at) {
             let place = expr.places.get(at).copied().unwrap_or_default();
             at += 1;
             match op {
                 Op::Push(v) => stack.push(v.clone()),
+                Op::Slot(number) => stack.push(slots.get(*number).cloned().unwrap_or_default()),
                 Op::Var(var) => stack.push(self.variable(&expr.unit, var)?),
                 Op::Script(script) => stack.push(self.run(script)?),
                 Op::Parts(parts) => stack.push(Value::from(self.join(&expr.unit, parts)?)),
@@ -151,6 +152,11 @@ impl<H> Interp<H> {
         let own = match id.map(|id| (id, &self.core.commands[id.0 as usize].imp)) {
             Some((_, Imp::Core(f))) if std::ptr::fn_addr_eq(*f, func::command as super::super::command::CoreFn) => None,
             Some((id, _)) => Some(id),
+            None if self.core.find_command("::unknown").is_some() => {
+                let mut argv = vec![Value::from(local)];
+                argv.extend(args);
+                return self.invoke(argv, None);
+            }
             None => {
                 let near = crate::diagnostic::nearest(&function.name, func::names()).map(str::to_owned);
                 let e = Exception::coded(

@@ -6,7 +6,7 @@ use num_traits::{FromPrimitive as _, Signed as _, ToPrimitive as _};
 use super::super::command::Call;
 use super::super::core::Core;
 use super::super::error::Exception;
-use super::super::number::Number;
+use super::super::number::{Number, big_to_f64};
 use super::super::value::Value;
 use super::arith::{big, compare_numbers, domain_error};
 
@@ -79,7 +79,12 @@ pub(crate) fn call(core: &mut Core, name: &str, args: &[Value]) -> Result<Value,
     if let Some((_, f)) = REAL.iter().find(|f| f.0 == name) {
         count(1, 1)?;
         let [x] = args else { return Err(wrong_count("not enough", name)) };
-        return finite(f(real(x)?));
+        // Of these the square root alone may be no number, which is told when it is used, or at the end.
+        return Ok(Value::from(match (x.number(), name) {
+            (Some(Number::Big(b)), "floor" | "ceil") => round_big(&b, name == "ceil"),
+            (_, "sqrt") => f(real(x)?),
+            _ => return finite(f(real(x)?)),
+        }));
     }
     if let Some((_, f)) = REAL2.iter().find(|f| f.0 == name) {
         count(2, 2)?;
@@ -103,6 +108,16 @@ fn wrong_count(what: &str, name: &str) -> Exception {
         return Exception::error(format!("{what} arguments to math function \"{name}\""));
     }
     Exception::coded(format!("{what} arguments for math function \"{name}\""), &["TCL", "WRONGARGS"])
+}
+
+/// The nearest double not above an integer, or not below it.
+fn round_big(big: &BigInt, up: bool) -> f64 {
+    let near = big_to_f64(big);
+    match BigInt::from_f64(near) {
+        Some(whole) if up && whole < *big => near.next_up(),
+        Some(whole) if !up && whole > *big => near.next_down(),
+        _ => near,
+    }
 }
 
 fn finite(d: f64) -> Result<Value, Exception> {
@@ -182,8 +197,12 @@ fn from_double(d: f64) -> Result<BigInt, Exception> {
 fn extreme(args: &[Value], greatest: bool) -> Result<Value, Exception> {
     let mut best: Option<Number> = None;
     for arg in args {
-        let n =
-            number(arg).map_err(|_| Exception::error(format!("expected floating-point number but got \"{arg}\"")))?;
+        let n = number(arg).map_err(|_| {
+            Exception::error(match arg.number() {
+                Some(_) => "floating point value is Not a Number".to_owned(),
+                None => format!("expected floating-point number but got \"{arg}\""),
+            })
+        })?;
         let better = match &best {
             None => true,
             Some(b) => {

@@ -3,15 +3,19 @@
 pub(crate) mod arith;
 mod eval;
 pub(crate) mod func;
+mod lexeme;
 mod parse;
+mod template;
 
 use std::cell::Cell;
 use std::rc::Rc;
 
 use super::ast::{Found, ParseError, Part, Script, Unit, VarRef};
 use super::error::Exception;
-use super::value::{Cache, Value};
+use super::text::Cache;
+use super::value::Value;
 use crate::diagnostic::Span;
+pub(crate) use template::Template;
 
 /// A compiled expression.
 #[derive(Debug)]
@@ -35,6 +39,8 @@ struct Range {
 #[derive(Debug)]
 enum Op {
     Push(Value),
+    /// The operand with this number, handed in.
+    Slot(usize),
     Var(VarRef),
     Script(Rc<Script>),
     Parts(Box<[Part]>),

@@ -6,65 +6,15 @@ use std::cell::Cell;
 use std::rc::Rc;
 
 use super::super::ast::{Found, ParseError, Unit, WordKind};
-use super::super::lexer::{Lexer, MAX_NESTING, is_word_byte};
+use super::super::lexer::{Lexer, MAX_NESTING};
 use super::super::number::{self, Number};
 use super::super::value::Value;
+use super::lexeme::{self, Lexeme};
 use super::{Binary, Expr, ExprError, Function, Op, Range, Unary};
 
 /// Characters shown on either side of an error.
 const CONTEXT: usize = 25;
 const MARK: &str = "_@_";
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Lexeme {
-    Start,
-    End,
-    Number,
-    Bareword,
-    Quoted,
-    Braced,
-    Variable,
-    Script,
-    Function,
-    Open,
-    Close,
-    Comma,
-    Question,
-    Colon,
-    And,
-    Or,
-    Unary(Unary),
-    Binary(Binary),
-    Invalid,
-    Incomplete,
-}
-
-impl Lexeme {
-    fn precedence(self) -> u8 {
-        match self {
-            Lexeme::End => 1,
-            Lexeme::Start => 1,
-            Lexeme::Close => 2,
-            Lexeme::Open => 3,
-            Lexeme::Comma => 4,
-            Lexeme::Question | Lexeme::Colon => 5,
-            Lexeme::Or => 6,
-            Lexeme::And => 7,
-            Lexeme::Binary(b) => match b {
-                Binary::BitOr => 8,
-                Binary::BitXor => 9,
-                Binary::BitAnd => 10,
-                Binary::Eq | Binary::Ne | Binary::StrEq | Binary::StrNe | Binary::In | Binary::NotIn => 11,
-                Binary::Lt | Binary::Gt | Binary::Le | Binary::Ge => 12,
-                Binary::Shl | Binary::Shr => 13,
-                Binary::Add | Binary::Sub => 14,
-                Binary::Mul | Binary::Div | Binary::Mod => 15,
-                Binary::Pow => 16,
-            },
-            _ => 17,
-        }
-    }
-}
 
 /// An operator that still lacks its right operand.
 struct Pending {
@@ -97,6 +47,8 @@ pub(super) struct Parser<'a> {
     names: Vec<&'a str>,
     complete: Option<Operand>,
     open: usize,
+    /// How many operands are handed in, so far; none outside of templates.
+    slots: Option<usize>,
 }
 
 type Failed = Box<ExprError>;
@@ -114,16 +66,23 @@ impl<'a> Parser<'a> {
             names: vec![],
             complete: None,
             open: 0,
+            slots: None,
         }
+    }
+
+    /// For a text with marks where operands are handed in.
+    pub(super) fn template(unit: &'a Rc<Unit>) -> Self {
+        Parser { slots: Some(0), ..Self::new(unit) }
     }
 
     pub(super) fn parse(mut self) -> Result<Expr, Failed> {
         let mut at = 0;
         loop {
-            at = self.skip_blanks(at);
-            let (lexeme, length) = self.lexeme(at);
+            at = lexeme::skip_blanks(self.text, at);
+            let (lexeme, length) = lexeme::lexeme(self.text, at);
             let after_operator = self.complete.is_none();
             let lexeme = match lexeme {
+                Lexeme::Slot if self.slots.is_none() => Lexeme::Invalid,
                 Lexeme::Bareword => self.bareword(at, length)?,
                 Lexeme::Binary(Binary::Add) if after_operator => Lexeme::Unary(Unary::Plus),
                 Lexeme::Binary(Binary::Sub) if after_operator => Lexeme::Unary(Unary::Minus),
@@ -142,6 +101,7 @@ impl<'a> Parser<'a> {
                 | Lexeme::Quoted
                 | Lexeme::Braced
                 | Lexeme::Variable
+                | Lexeme::Slot
                 | Lexeme::Script => {
                     self.no_operand_before(at)?;
                     let end = self.leaf(lexeme, at, length)?;
@@ -164,108 +124,10 @@ impl<'a> Parser<'a> {
         }
     }
 
-    fn byte(&self, at: usize) -> Option<u8> {
-        self.text.as_bytes().get(at).copied()
-    }
-
-    fn skip_blanks(&self, mut at: usize) -> usize {
-        loop {
-            match self.byte(at) {
-                Some(b) if number::is_space(b) => at += 1,
-                Some(b'\\') if self.byte(at + 1) == Some(b'\n') => at += 2,
-                _ => return at,
-            }
-        }
-    }
-
-    /// Kind and length of what stands at a place.
-    fn lexeme(&self, at: usize) -> (Lexeme, usize) {
-        use Lexeme as L;
-        let Some(b) = self.byte(at) else { return (L::End, 0) };
-        let next = self.byte(at + 1);
-        let two = |follow: u8, long: Lexeme, short: Lexeme| if next == Some(follow) { (long, 2) } else { (short, 1) };
-        match b {
-            b'[' => (L::Script, 1),
-            b'{' => (L::Braced, 1),
-            b'(' => (L::Open, 1),
-            b')' => (L::Close, 1),
-            b'$' => (L::Variable, 1),
-            b'"' => (L::Quoted, 1),
-            b',' => (L::Comma, 1),
-            b'?' => (L::Question, 1),
-            b':' => (L::Colon, 1),
-            b'/' => (L::Binary(Binary::Div), 1),
-            b'%' => (L::Binary(Binary::Mod), 1),
-            b'+' => (L::Binary(Binary::Add), 1),
-            b'-' => (L::Binary(Binary::Sub), 1),
-            b'^' => (L::Binary(Binary::BitXor), 1),
-            b'~' => (L::Unary(Unary::BitNot), 1),
-            b'*' => two(b'*', L::Binary(Binary::Pow), L::Binary(Binary::Mul)),
-            b'&' => two(b'&', L::And, L::Binary(Binary::BitAnd)),
-            b'|' => two(b'|', L::Or, L::Binary(Binary::BitOr)),
-            b'=' => two(b'=', L::Binary(Binary::Eq), L::Incomplete),
-            b'!' => two(b'=', L::Binary(Binary::Ne), L::Unary(Unary::Not)),
-            b'<' if next == Some(b'<') => (L::Binary(Binary::Shl), 2),
-            b'<' => two(b'=', L::Binary(Binary::Le), L::Binary(Binary::Lt)),
-            b'>' if next == Some(b'>') => (L::Binary(Binary::Shr), 2),
-            b'>' => two(b'=', L::Binary(Binary::Ge), L::Binary(Binary::Gt)),
-            b'.' | b'0'..=b'9' | b'i' | b'I' | b'n' | b'N' => self.number_or_word(at),
-            b if is_word_byte(b) => self.word(at, at),
-            _ => (L::Invalid, self.text[at..].chars().next().map_or(1, char::len_utf8)),
-        }
-    }
-
-    /// Operators that are words.
-    fn word_operator(&self, at: usize) -> Option<Lexeme> {
-        if self.byte(at + 2).is_some_and(|b| b.is_ascii_alphabetic()) {
-            return None;
-        }
-        Some(Lexeme::Binary(match self.text.as_bytes().get(at..at + 2)? {
-            b"eq" => Binary::StrEq,
-            b"ne" => Binary::StrNe,
-            b"in" => Binary::In,
-            b"ni" => Binary::NotIn,
-            _ => return None,
-        }))
-    }
-
-    fn number_or_word(&self, at: usize) -> (Lexeme, usize) {
-        if let Some(operator) = self.word_operator(at) {
-            return (operator, 2);
-        }
-        let Some((length, _)) = number::prefix(&self.text[at..]) else {
-            return match self.byte(at) {
-                Some(b'.') => (Lexeme::Invalid, 1),
-                _ => self.word(at, at),
-            };
-        };
-        let end = at + length;
-        if !self.byte(end).is_some_and(is_word_byte) {
-            return (Lexeme::Number, length);
-        }
-        // Digits right before letters: a number, if it holds what no word does or an operator follows; else a word.
-        let pure_word = self.text.as_bytes()[at..end].iter().all(|b| is_word_byte(*b));
-        if !pure_word || self.word_operator(end).is_some() {
-            return (Lexeme::Number, length);
-        }
-        self.word(at, end)
-    }
-
-    fn word(&self, at: usize, from: usize) -> (Lexeme, usize) {
-        if from == at
-            && let Some(operator) = self.word_operator(at)
-        {
-            return (operator, 2);
-        }
-        let rest = &self.text.as_bytes()[from..];
-        let length = rest.iter().take_while(|b| is_word_byte(**b)).count();
-        (Lexeme::Bareword, from - at + length)
-    }
-
     /// A word is a function before a parenthesis, or a boolean; anything else is a mistake.
     fn bareword(&self, at: usize, length: usize) -> Result<Lexeme, Failed> {
         let word = &self.text[at..at + length];
-        if self.byte(self.skip_blanks(at + length)) == Some(b'(') {
+        if lexeme::byte(self.text, lexeme::skip_blanks(self.text, at + length)) == Some(b'(') {
             return Ok(Lexeme::Function);
         }
         if number::boolean_word(word).is_some() {
@@ -337,6 +199,11 @@ impl<'a> Parser<'a> {
         let op = match lexeme {
             Lexeme::Number => Op::Push(number_value(text)),
             Lexeme::Bareword => Op::Push(Value::from(text)),
+            Lexeme::Slot => {
+                let number = self.slots.unwrap_or(0);
+                self.slots = Some(number + 1);
+                Op::Slot(number)
+            }
             _ => {
                 self.lexer.pos = at;
                 let parsed = match lexeme {

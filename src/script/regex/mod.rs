@@ -10,6 +10,7 @@
 //! - Collating elements of more than one character, equivalence classes other than of a character with itself, and the
 //!   basic regular expressions of `(?b)` are refused.
 
+mod bracket;
 mod translate;
 
 use std::cell::RefCell;
@@ -21,7 +22,8 @@ use regex_automata::util::syntax;
 use regex_automata::{Anchored, HalfMatch, Input, MatchKind, meta};
 
 use super::error::Exception;
-use super::value::{Cache, Value};
+use super::text::Cache;
+use super::value::Value;
 
 /// The options of `regexp` that change what a pattern means.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -41,6 +43,8 @@ pub(crate) struct Flags {
 pub(crate) struct Regex {
     flags: Flags,
     engine: Engine,
+    /// Whether a search must not see what is before its start.
+    anchored: bool,
     /// Number of capturing parentheses.
     pub(crate) groups: usize,
 }
@@ -107,11 +111,20 @@ impl Regex {
                 longest: translated.longest,
             }))
         };
-        Ok(Regex { flags, engine, groups: translated.groups })
+        Ok(Regex { flags, engine, anchored: translated.anchored, groups: translated.groups })
     }
 
     /// The first match from a byte on.
     pub(crate) fn find(&self, text: &str, start: usize) -> Result<Option<Groups>, Exception> {
+        if self.anchored && start > 0 {
+            let found = self.search(text.get(start..).unwrap_or_default(), 0)?;
+            let moved = |g: Option<(usize, usize)>| g.map(|(s, e)| (s + start, e + start));
+            return Ok(found.map(|groups| groups.into_iter().map(moved).collect()));
+        }
+        self.search(text, start)
+    }
+
+    fn search(&self, text: &str, start: usize) -> Result<Option<Groups>, Exception> {
         match &self.engine {
             Engine::Plain(plain) => Ok(plain.find(text, start)),
             Engine::Fancy(regex) => {

@@ -16,9 +16,11 @@ pub(super) struct Translated {
     pub(super) longest: bool,
     /// Whether there is only one way to match from a given place.
     pub(super) simple: bool,
+    /// Whether it has `\A`, which matches where the search starts.
+    pub(super) anchored: bool,
 }
 
-fn refuse(why: &str, code: &str) -> Exception {
+pub(super) fn refuse(why: &str, code: &str) -> Exception {
     let message = format!("couldn't compile regular expression pattern: {why}");
     Exception::coded(message, &["REGEXP", &format!("REG_{code}"), why])
 }
@@ -27,7 +29,7 @@ fn not_balanced_paren() -> Exception {
     refuse("parentheses () not balanced", "EPAREN")
 }
 
-fn bad_escape() -> Exception {
+pub(super) fn bad_escape() -> Exception {
     refuse("invalid escape \\ sequence", "EESCAPE")
 }
 
@@ -42,13 +44,14 @@ pub(super) fn translate(pattern: &str, flags: Flags) -> Result<Translated, Excep
         highest_reference: 0,
         fancy: false,
         simple: true,
+        anchored: false,
     };
     if flags.line_anchor {
         t.out.push_str("(?m)");
     }
     if flags.literal {
         t.out.push_str(&escape(pattern));
-        return Ok(Translated { text: t.out, groups: 0, fancy: false, longest: true, simple: true });
+        return Ok(Translated { text: t.out, groups: 0, fancy: false, longest: true, simple: true, anchored: false });
     }
     let longest = t.alternatives()?;
     if t.chars.peek().is_some() {
@@ -57,7 +60,14 @@ pub(super) fn translate(pattern: &str, flags: Flags) -> Result<Translated, Excep
     if t.highest_reference > t.groups {
         return Err(refuse("invalid backreference number", "ESUBREG"));
     }
-    Ok(Translated { text: t.out, groups: t.groups, fancy: t.fancy, longest: longest.unwrap_or(true), simple: t.simple })
+    Ok(Translated {
+        text: t.out,
+        groups: t.groups,
+        fancy: t.fancy,
+        longest: longest.unwrap_or(true),
+        simple: t.simple,
+        anchored: t.anchored,
+    })
 }
 
 /// `***:`, `***=` and `(?letters)` at the start.
@@ -101,7 +111,7 @@ fn escape(text: &str) -> String {
     out
 }
 
-fn push_literal(out: &mut String, c: char) {
+pub(super) fn push_literal(out: &mut String, c: char) {
     if c.is_ascii_punctuation() {
         out.push('\\');
     }
@@ -115,19 +125,20 @@ fn push_literal(out: &mut String, c: char) {
     }
 }
 
-struct Translator<'a> {
-    chars: Peekable<Chars<'a>>,
-    flags: Flags,
-    out: String,
+pub(super) struct Translator<'a> {
+    pub(super) chars: Peekable<Chars<'a>>,
+    pub(super) flags: Flags,
+    pub(super) out: String,
     groups: usize,
     open: usize,
     highest_reference: usize,
     fancy: bool,
     simple: bool,
+    anchored: bool,
 }
 
 /// Whether something prefers to match long (or short); `None`: it has no choice.
-type Preference = Option<bool>;
+pub(super) type Preference = Option<bool>;
 
 impl Translator<'_> {
     fn skip_blanks(&mut self) {
@@ -336,7 +347,7 @@ impl Translator<'_> {
     }
 
     /// An escape that stands for one character.
-    fn escaped_char(&mut self, c: char) -> Result<Option<char>, Exception> {
+    pub(super) fn escaped_char(&mut self, c: char) -> Result<Option<char>, Exception> {
         Ok(Some(match c {
             'a' => '\u{7}',
             'b' => '\u{8}',
@@ -393,6 +404,7 @@ impl Translator<'_> {
             'M' => "\\b{end}",
             _ => "",
         };
+        self.anchored |= c == 'A';
         if !constraint.is_empty() {
             self.out.push_str(constraint);
             return Ok(Atom { repeatable: false, ..single });
@@ -418,120 +430,13 @@ impl Translator<'_> {
             None => Err(bad_escape()),
         }
     }
-
-    fn bracket(&mut self) -> Result<Atom, Exception> {
-        let unbalanced = || refuse("brackets [] not balanced", "EBRACK");
-        let rest: String = self.chars.clone().take(6).collect();
-        for (word, boundary) in [("[:<:]]", "\\b{start}"), ("[:>:]]", "\\b{end}")] {
-            if rest == word {
-                self.chars.nth(5);
-                self.out.push_str(boundary);
-                return Ok(Atom { preference: None, repeatable: false, wrap: false });
-            }
-        }
-        let negated = self.chars.next_if_eq(&'^').is_some();
-        let mut set = String::new();
-        let mut first = true;
-        loop {
-            let Some(c) = self.chars.next() else { return Err(unbalanced()) };
-            if c == ']' && !first {
-                break;
-            }
-            first = false;
-            let Some(low) = self.bracket_item(c, &mut set)? else { continue };
-            let mut ahead = self.chars.clone();
-            let is_range = ahead.next() == Some('-') && ahead.next().is_some_and(|c| c != ']');
-            push_literal(&mut set, low);
-            if !is_range {
-                continue;
-            }
-            self.chars.next();
-            let Some(c) = self.chars.next() else { return Err(unbalanced()) };
-            let mut class = String::new();
-            let Some(high) = self.bracket_item(c, &mut class)? else {
-                return Err(refuse("invalid character range", "ERANGE"));
-            };
-            if high < low {
-                return Err(refuse("invalid character range", "ERANGE"));
-            }
-            set.push('-');
-            push_literal(&mut set, high);
-        }
-        if negated && self.flags.line_stop {
-            set.push_str("\\n");
-        }
-        self.out.push_str(if negated { "[^" } else { "[" });
-        self.out.push_str(&set);
-        self.out.push(']');
-        Ok(Atom { preference: None, repeatable: true, wrap: false })
-    }
-
-    /// One character in brackets; none where a class was put in.
-    fn bracket_item(&mut self, c: char, set: &mut String) -> Result<Option<char>, Exception> {
-        match c {
-            '\\' => {
-                let Some(c) = self.chars.next() else { return Err(bad_escape()) };
-                match c {
-                    'd' | 's' | 'w' => {
-                        set.push('\\');
-                        set.push(c);
-                        Ok(None)
-                    }
-                    'D' | 'S' | 'W' => Err(bad_escape()),
-                    c => self.escaped_char(c)?.map(Some).ok_or_else(bad_escape),
-                }
-            }
-            '[' if matches!(self.chars.peek(), Some(':' | '.' | '=')) => {
-                let Some(kind) = self.chars.next() else { return Err(bad_escape()) };
-                let mut name = String::new();
-                loop {
-                    match self.chars.next() {
-                        Some(c) if c == kind && self.chars.peek() == Some(&']') => break,
-                        Some(c) => name.push(c),
-                        None => return Err(refuse("brackets [] not balanced", "EBRACK")),
-                    }
-                }
-                self.chars.next();
-                if kind == ':' {
-                    set.push_str(class(&name)?);
-                    return Ok(None);
-                }
-                let mut letters = name.chars();
-                match (letters.next(), letters.next()) {
-                    (Some(c), None) => Ok(Some(c)),
-                    _ => Err(refuse("invalid collating element", "ECOLLATE")),
-                }
-            }
-            c => Ok(Some(c)),
-        }
-    }
 }
 
-/// A named class of characters.
-fn class(name: &str) -> Result<&'static str, Exception> {
-    Ok(match name {
-        "alnum" => "\\p{Alphabetic}\\p{Nd}",
-        "alpha" => "\\p{Alphabetic}",
-        "ascii" => "\\x00-\\x7f",
-        "blank" => " \\t",
-        "cntrl" => "\\p{Cc}",
-        "digit" => "\\d",
-        "graph" => "[[:graph:]]",
-        "lower" => "\\p{Lowercase}",
-        "print" => "[[:print:]]",
-        "punct" => "[\\p{P}]",
-        "space" => "\\s",
-        "upper" => "\\p{Uppercase}",
-        "word" => "\\w",
-        "xdigit" => "0-9A-Fa-f",
-        _ => return Err(refuse("invalid character class", "ECTYPE")),
-    })
-}
-
+/// Something that a quantifier may follow.
 #[derive(Clone, Copy)]
-struct Atom {
-    preference: Preference,
-    repeatable: bool,
+pub(super) struct Atom {
+    pub(super) preference: Preference,
+    pub(super) repeatable: bool,
     /// Whether a quantifier needs parentheses around it.
-    wrap: bool,
+    pub(super) wrap: bool,
 }

@@ -132,8 +132,6 @@ set d {a x}; dict incr d a
 
 set d {a 1}; dict incr d a x
 
-set d {a 1}; dict incr d b 1.5
-
 dict incr d
 
 set d {a x}; dict append d a y z
@@ -223,8 +221,6 @@ set d {a 1 b 2}; dict with d {unset a}; set d
 set d {a 1 b 2}; dict with d {set c 3}; set d
 
 set d {a 1}; dict with d {}; set a
-
-dict info {a 1}
 
 dict info
 
@@ -393,8 +389,6 @@ info exists v
 info exists v(a
 
 array set v {a 100}; set v(a)
-
-array statistics nosuch
 
 parray nosuch
 

@@ -78,8 +78,6 @@ proc f {} {return -options foo msg}; f
 
 proc f {} {return -errorcode {X Y} -code error msg}; catch f; set errorCode
 
-proc f {} {return -foo bar msg}; catch f m o; list $m [dict get $o -foo]
-
 return
 
 return 5
@@ -372,8 +370,6 @@ unset -nocomplain x; set x $x
 proc p {a b} {return [expr {$a+$b}]}; p [p 1 2] [p 3 4]
 
 proc sum args {set s 0; foreach a $args {set s [expr {$s+$a}]}; return $s}; sum 1 2 3.5
-
-coroutine
 
 time {set x 1} 0
 

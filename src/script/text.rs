@@ -1,0 +1,108 @@
+//! Texts: shared, with what they were last understood as.
+
+use std::cell::{Cell, RefCell};
+use std::fmt;
+use std::ops::Deref;
+use std::rc::Rc;
+
+use super::dict::DictObj;
+use super::list::{self, List};
+use super::number::{self, Number};
+use super::origin::Origin;
+use super::value::{Rep, Value};
+use super::vars::VarName;
+
+/// A text together with what it was last understood as.
+pub(crate) struct StrObj {
+    pub(super) text: String,
+    /// Where the text stands in a script.
+    pub(super) origin: Option<Origin>,
+    pub(super) cache: RefCell<Cache>,
+    /// Number of characters; `u32::MAX` while it is not known.
+    pub(super) chars: Cell<u32>,
+}
+
+/// What a text was last understood as.
+#[derive(Clone, Default)]
+pub(crate) enum Cache {
+    #[default]
+    None,
+    NotNumber,
+    Number(Number),
+    List(List),
+    Dict(Rc<DictObj>),
+    Script(Rc<super::ast::Script>),
+    Expr(Rc<super::expr::Expr>),
+    Var(Rc<VarName>),
+    Regex(Rc<super::regex::Regex>),
+}
+
+impl StrObj {
+    pub(super) fn new(text: String, origin: Option<Origin>) -> Rc<Self> {
+        Rc::new(Self { text, origin, cache: RefCell::default(), chars: Cell::new(u32::MAX) })
+    }
+
+    pub(crate) fn origin(&self) -> Option<&Origin> {
+        self.origin.as_ref()
+    }
+
+    pub(crate) fn cached<T>(&self, pick: impl FnOnce(&Cache) -> Option<T>) -> Option<T> {
+        pick(&self.cache.borrow())
+    }
+
+    pub(crate) fn set_cache(&self, cache: Cache) {
+        *self.cache.borrow_mut() = cache;
+    }
+
+    pub(super) fn number(&self) -> Option<Number> {
+        match &*self.cache.borrow() {
+            Cache::Number(n) => return Some(n.clone()),
+            Cache::NotNumber => return None,
+            // Costly to work out again, and hardly ever a number.
+            Cache::Script(_) | Cache::Expr(_) | Cache::Regex(_) => return number::parse(&self.text),
+            _ => {}
+        }
+        let number = number::parse(&self.text);
+        self.set_cache(number.clone().map_or(Cache::NotNumber, Cache::Number));
+        number
+    }
+}
+
+impl Drop for StrObj {
+    fn drop(&mut self) {
+        if let Cache::List(List(l)) = self.cache.take()
+            && let Ok(mut l) = Rc::try_unwrap(l)
+        {
+            list::dismantle(l.take_items());
+        }
+    }
+}
+
+/// A shared text, the key of tables.
+#[derive(Clone)]
+pub(crate) struct Text(pub(super) Rc<StrObj>);
+
+impl Text {
+    pub(crate) fn to_value(&self) -> Value {
+        Value(Rep::Str(self.0.clone()))
+    }
+}
+
+impl Deref for Text {
+    type Target = str;
+    fn deref(&self) -> &str {
+        &self.0.text
+    }
+}
+
+impl From<&str> for Text {
+    fn from(text: &str) -> Self {
+        Text(StrObj::new(text.to_owned(), None))
+    }
+}
+
+impl fmt::Debug for Text {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Debug::fmt(&**self, f)
+    }
+}
