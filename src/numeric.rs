@@ -28,39 +28,50 @@ pub fn norm(a: &[f64]) -> f64 {
     dot(a, a).sqrt()
 }
 
-/// Root of a function that is negative on the left and positive on the right, by Newton's method kept inside a bracket
-/// once there is one. `f` gives value and derivative; `scale` is the size of a root that counts as one.
+/// Root of a function by Newton's method from `start`, kept inside a bracket at whose ends the function is not positive
+/// (left) and not negative (right); the ends may be infinite. `f` gives value and derivative; `scale` is the size of a
+/// root that counts as one.
 ///
-/// Goes on to round-off. `None` where no root is found within `limit` steps.
-pub fn newton_root(mut f: impl FnMut(f64) -> (f64, f64), start: f64, scale: f64, limit: u32) -> Option<f64> {
-    let (mut lo, mut hi) = (f64::NEG_INFINITY, f64::INFINITY);
-    let mut x = start;
+/// Goes on to round-off. `None` where no root is found within `limit` steps, or where the function falls to the right of
+/// an open left end: a root may be anywhere then.
+pub fn bracketed_root(
+    mut f: impl FnMut(f64) -> (f64, f64),
+    (mut lo, mut hi): (f64, f64),
+    start: f64,
+    scale: f64,
+    limit: u32,
+) -> Option<f64> {
+    let (mut x, mut reach) = (start, scale);
     for i in 0..limit {
         let (value, slope) = f(x);
         if value == 0.0 {
             return Some(x);
         }
         if value > 0.0 {
-            hi = hi.min(x)
+            hi = x
         } else {
-            lo = lo.max(x)
+            lo = x
         }
         let mut next = x - value / slope;
-        // Half-way where Newton leaves the bracket, or is slow because of a kink.
-        if lo.is_finite() && hi.is_finite() && (!(next > lo && next < hi) || i > limit / 2) {
-            next = 0.5 * (lo + hi);
+        if (next - x).abs() <= 1e-15 * scale.max(x.abs()) {
+            return Some(next);
         }
-        if !next.is_finite() {
-            return None;
+        let closed = lo.is_finite() && hi.is_finite();
+        if closed && i > limit / 2 || !(next > lo && next < hi) {
+            // Half-way where Newton leaves the bracket, or is slow because of a kink.
+            next = match value < 0.0 {
+                _ if closed => 0.5 * (lo + hi),
+                true => x + reach,
+                false => return None,
+            };
+            reach *= 2.0;
+            if (next - x).abs() <= 1e-15 * scale.max(x.abs()) {
+                return Some(next);
+            }
         }
-        let step = (next - x).abs();
         x = next;
-        if step <= 1e-15 * scale.max(x.abs()) {
-            return Some(x);
-        }
     }
-    let (value, slope) = f(x);
-    (value.abs() <= 1e-12 * scale * slope.abs().max(1.0)).then_some(x)
+    None
 }
 
 /// Sign, zero for zero.

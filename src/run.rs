@@ -103,7 +103,7 @@ impl Run {
             Err(Exception::Interrupted) if self.interp.budget == Some(0) => End::Enough(None),
             Err(Exception::Interrupted) => End::Interrupted,
             Err(Exception::Error(e)) if self.interp.host.rehearsed => End::Enough(Some(Box::new(e.diagnostic))),
-            Err(Exception::Error(e)) if e.error_code.is_some() && false => End::Raised(Box::new(e.diagnostic)),
+            Err(Exception::Error(e)) if e.raised => End::Raised(Box::new(e.diagnostic)),
             Err(Exception::Error(e)) => End::Rejected(Box::new(e.diagnostic)),
             Err(_) => End::Done,
         }

@@ -1,5 +1,7 @@
 //! The analysis loop allocates nothing after its first step, and the same input gives the same bits.
 
+#![allow(clippy::unwrap_used, unreachable_pub)]
+
 #[path = "support/script.rs"]
 mod script;
 

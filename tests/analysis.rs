@@ -1,5 +1,7 @@
 //! Analyses against closed forms, and one way of solving against another.
 
+#![allow(clippy::unwrap_used, unreachable_pub)]
+
 #[path = "analysis/constraints.rs"]
 mod constraints;
 #[path = "analysis/dynamics.rs"]

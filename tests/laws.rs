@@ -1,6 +1,8 @@
 //! Laws of materials and elements: tangents against finite differences, energy, equilibrium, objectivity, mirrored
 //! input, and that a law is a function of the committed state alone.
 
+#![allow(clippy::unwrap_used, unreachable_pub)]
+
 #[path = "laws/beams.rs"]
 mod beams;
 #[path = "laws/bearings.rs"]

@@ -1,5 +1,6 @@
 //! The Tcl interpreter: conformance with tclsh 8.6, places of errors, and properties.
-#![allow(clippy::unwrap_used)]
+
+#![allow(clippy::unwrap_used, unreachable_pub)]
 
 #[path = "script/api.rs"]
 mod api;

@@ -17,7 +17,7 @@ pub use convergence::{Measure, Norm, Test, Verdict};
 pub use engine::{Engine, Imbalance, Kind, Observer, Options, Quiet, Setup};
 pub use failure::{Cause, Failure};
 pub use ladder::{Ladder, Remedy};
-pub use modes::{Modes, ModesError, Problem};
+pub use modes::{Modes, ModesError, Problem, Wanted};
 pub use prepared::{PrepareOptions, Prepared, TangentMix};
 pub use reactions::ReactionKind;
 pub use state::State;

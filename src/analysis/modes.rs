@@ -4,7 +4,7 @@ use super::engine::Engine;
 use super::failure::{Cause, Failure};
 use super::prepared::{Prepared, TangentMix};
 use super::system::{Coefficients, System};
-use crate::solve::eigen::{self, Pencil};
+use crate::solve::eigen::{self, Pair, Pencil};
 use crate::solve::{SINGULAR, SolveError};
 
 /// Natural modes.
@@ -23,6 +23,28 @@ pub enum Problem {
     Generalized,
     /// K x = λ x.
     Standard,
+}
+
+/// Which modes are wanted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Wanted {
+    /// How many.
+    pub count: usize,
+    /// What the eigenvalues are of.
+    pub problem: Problem,
+    /// Those with the largest eigenvalues instead of the smallest.
+    pub largest: bool,
+    /// As OpenSees' solver `-fullGenLapack` gives them: always the smallest, with infinite values (the largest number)
+    /// where the mass moves no more modes, and shapes of unit length in a mass matrix whose rows are summed up on its
+    /// diagonal.
+    pub lapack: bool,
+}
+
+impl Wanted {
+    /// The `count` smallest.
+    pub fn smallest(count: usize) -> Self {
+        Self { count, problem: Problem::Generalized, largest: false, lapack: false }
+    }
 }
 
 /// Why there are no modes.
@@ -82,13 +104,29 @@ impl Pencil for Matrices<'_> {
     }
 }
 
+/// Scale the vectors to unit length in the mass matrix with its rows summed up on the diagonal, and fill up with
+/// infinite eigenvalues.
+fn as_lapack(matrices: &Matrices<'_>, pairs: &mut Vec<Pair>, count: usize) {
+    let n = matrices.len();
+    let mut sums = vec![0.0; n];
+    matrices.mass(&vec![1.0; n], &mut sums);
+    for p in pairs.iter_mut() {
+        let square: f64 = p.vector.iter().zip(&sums).map(|(x, m)| m * x * x).sum();
+        // Where the sums are no length, LAPACK's own: the largest entry is one.
+        let size = if square > 0.0 { square.sqrt() } else { p.vector.iter().fold(0.0f64, |m, x| m.max(x.abs())) };
+        p.vector.iter_mut().for_each(|x| *x /= size);
+    }
+    pairs.resize(pairs.len().max(count), Pair { lambda: f64::MAX, vector: vec![0.0; n] });
+}
+
 impl Engine {
-    /// The modes with the smallest eigenvalues (the largest where `largest`), under the constraints as the analysis
-    /// handles them; they stay with the engine.
+    /// Modes by rising eigenvalue, under the constraints as the analysis handles them; they stay with the engine.
     ///
     /// # Errors
     /// A model that cannot be analysed, or that has fewer modes.
-    pub fn find_modes(&mut self, count: usize, problem: Problem, largest: bool) -> Result<&Modes, ModesError> {
+    pub fn find_modes(&mut self, wanted: Wanted) -> Result<&Modes, ModesError> {
+        let Wanted { count, problem, largest, lapack } = wanted;
+        let largest = largest && !lapack;
         let handler = self.handler();
         self.prepare(handler)?;
         self.respond_as_committed()?;
@@ -137,13 +175,16 @@ impl Engine {
         }
         let available = work.plan.map.equations;
         let wanted = if largest { available } else { count };
-        let mut pairs = eigen::nearest(&mut Matrices { work: &mut *work, mass }, wanted);
+        let mut matrices = Matrices { work: &mut *work, mass };
+        let mut pairs = eigen::nearest(&mut matrices, wanted);
+        if largest {
+            pairs.drain(..pairs.len().saturating_sub(count));
+        }
+        if lapack {
+            as_lapack(&matrices, &mut pairs, count.min(available));
+        }
         // The factors are not those of a step.
         work.solver.forget();
-        if largest {
-            pairs.reverse();
-            pairs.truncate(count);
-        }
         if pairs.len() < count {
             return Err(ModesError::TooFew { available: pairs.len() });
         }

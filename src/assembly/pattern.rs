@@ -68,6 +68,12 @@ impl Pattern {
         self.row_idx[from..self.col_ptr[col + 1]].binary_search(&row).ok().map(|i| from + i)
     }
 
+    /// Rows and values of the entries stored of a column.
+    pub fn column<'a>(&'a self, values: &'a [f64], col: usize) -> impl Iterator<Item = (usize, f64)> + 'a {
+        let range = self.col_ptr[col]..self.col_ptr[col + 1];
+        self.row_idx[range.clone()].iter().copied().zip(values[range].iter().copied())
+    }
+
     /// y = A x.
     pub fn multiply(&self, values: &[f64], x: &[f64], y: &mut [f64]) {
         if self.storage == Storage::Dense {
@@ -78,11 +84,10 @@ impl Pattern {
         }
         y.fill(0.0);
         for col in 0..self.n {
-            for at in self.col_ptr[col]..self.col_ptr[col + 1] {
-                let row = self.row_idx[at];
-                y[row] += values[at] * x[col];
+            for (row, value) in self.column(values, col) {
+                y[row] += value * x[col];
                 if self.storage == Storage::Upper && row != col {
-                    y[col] += values[at] * x[row];
+                    y[col] += value * x[row];
                 }
             }
         }

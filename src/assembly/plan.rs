@@ -160,7 +160,8 @@ impl Plan {
                     self.add_outer(&link.terms, factor * if link.multi { multi } else { single }, values);
                 }
             }
-            Handler::Lagrange { single, multi } => {
+            // The constraint equations themselves, whatever the coefficients of the motion; a mass matrix has none.
+            Handler::Lagrange { single, multi } if factor != 0.0 => {
                 for (i, link) in self.map.links.iter().enumerate() {
                     let row = self.map.equations + i;
                     let alpha = if link.multi { multi } else { single };
@@ -175,7 +176,7 @@ impl Plan {
                     }
                 }
             }
-            Handler::Plain | Handler::Transformation => {}
+            Handler::Lagrange { .. } | Handler::Plain | Handler::Transformation => {}
         }
     }
 

@@ -45,6 +45,7 @@ fn script(run: &RunArguments, mode: Mode, ladder: bool, model: &str, args: &[Str
     // A second interrupt ends the program at once.
     let handled = ctrlc::set_handler(move || {
         if interrupt.swap(true, Ordering::Relaxed) {
+            #[expect(clippy::exit, reason = "the first interrupt was not enough")]
             std::process::exit(130);
         }
     });

@@ -6,7 +6,7 @@ use super::{Command, Outcome, Tcl, finish, ignore_option, warn};
 use crate::analysis::algorithm::{Algorithm, Newton, TangentChoice};
 use crate::analysis::integrator::Form;
 use crate::analysis::integrator::{Adaptive, Integrator, LoadControl, Newmark};
-use crate::analysis::{Cause, Failure, Kind, Ladder, Measure, ModesError, Problem, Setup, TangentMix, Test};
+use crate::analysis::{Cause, Failure, Kind, Ladder, Measure, ModesError, Problem, Setup, TangentMix, Test, Wanted};
 use crate::assembly::Handler;
 use crate::diagnostic::{Diagnostic, Severity, Span};
 use crate::script::{Call, Exception, Value};
@@ -48,10 +48,10 @@ fn analysis(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         Some(s) => (Some(s.algorithm), Some(s.integrator), Some(s.test), Some(s.handler)),
         None => (None, None, None, None),
     };
-    let fits = |i: &Box<dyn Integrator>| i.is_static() == (kind == Kind::Static);
+    let fits = |i: &dyn Integrator| i.is_static() == (kind == Kind::Static);
     let (integrator, kept) = match integrator {
-        Some(i) if fits(&i) => (Some(i), None),
-        other => (old_integrator.filter(fits), other),
+        Some(i) if fits(&*i) => (Some(i), None),
+        other => (old_integrator.filter(|i| fits(&**i)), other),
     };
     let integrator = integrator.unwrap_or_else(|| default_integrator(kind));
     let algorithm = algorithm.or(old_algorithm).unwrap_or_else(default_algorithm);
@@ -182,14 +182,13 @@ const SOLVERS: &[&str] = &[
 
 fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, EIGEN);
-    let (mut problem, mut largest) = (Problem::Generalized, false);
+    let (mut problem, mut largest, mut lapack) = (Problem::Generalized, false, false);
     while a.left() > 1 {
         let option = a.word("option")?;
         match option.trim_start_matches('-') {
+            "fullGenLapack" | "fullGenLapackEigen" => lapack = true,
             "genBandArpack"
             | "genBandArpackEigen"
-            | "fullGenLapack"
-            | "fullGenLapackEigen"
             | "symmBandLapack"
             | "symmBandLapackEigen"
             | "symmGenLapack"
@@ -207,8 +206,20 @@ fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if let Some(handler) = interp.host.parts.handler {
         engine.default_handler = handler;
     }
-    match engine.find_modes(count, problem, largest) {
-        Ok(modes) => Ok(Value::list(modes.lambda.iter().map(|l| Value::from(*l)))),
+    lapack &= engine.options.compat;
+    match engine.find_modes(Wanted { count, problem, largest, lapack }) {
+        Ok(modes) => {
+            let lambda = modes.lambda.clone();
+            if lapack && largest {
+                let d = Diagnostic::warning("eigen: -fullGenLapack takes no notice of -findLargest in OpenSees");
+                warn(interp, d.at(call.span(0), "the smallest eigenvalues are given"))?;
+            }
+            if let Some(n) = lambda.iter().position(|l| *l == f64::MAX) {
+                let d = Diagnostic::warning(format!("eigen: the model has only {n} modes: the others are infinite"));
+                warn(interp, d.at(span, "expected no more"))?;
+            }
+            Ok(Value::list(lambda.into_iter().map(Value::from)))
+        }
         Err(ModesError::Failure(f)) => Err(a.refuse_at(call.span(0), format!("eigen: {f}"), "")),
         Err(e @ ModesError::TooFew { .. }) => Err(a.refuse_at(span, format!("eigen: {e}"), "expected no more")),
     }

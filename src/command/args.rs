@@ -281,8 +281,8 @@ impl<'a> Args<'a> {
     pub(super) fn unknown_name(&self, what: &str, known: impl IntoIterator<Item = &'static str>) -> Exception {
         let word = self.call.arg(self.at - 1).as_str();
         let known: Vec<&str> = known.into_iter().collect();
-        let mut d = Diagnostic::error(format!("unknown {what} \"{word}\""))
-            .at(self.last_span(), format!("expected one of those below"));
+        let mut d =
+            Diagnostic::error(format!("unknown {what} \"{word}\"")).at(self.last_span(), "expected one of those below");
         if let Some(near) = diagnostic::nearest(&word, known.iter().copied()) {
             d = d.help(format!("did you mean \"{near}\"?"));
         }

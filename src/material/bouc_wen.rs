@@ -1,7 +1,7 @@
 //! Bouc-Wen hysteresis with degradation (Baber and Noori, 1985; Haukaas and Der Kiureghian, 2004).
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
-use crate::numeric::{newton_root, sign};
+use crate::numeric::{bracketed_root, sign};
 
 /// σ = α k₀ ε + (1-α) k₀ z with ż = [A - |z|ⁿ (γ + β sign(ε̇ z)) ν] ε̇ / η and A, ν, η linear in the dissipated energy
 /// e = ∫ (1-α) k₀ z dε. Backward Euler over a step, solved to round-off.
@@ -77,9 +77,23 @@ impl BoucWen {
         (z - c.z - phi / eta * d, 1.0 - (dphi * eta - phi * self.delta_eta * de) / (eta * eta) * d)
     }
 
-    /// z at the end of the step.
+    /// z at the end of the step: the root that grows out of the committed z as the step grows from zero.
+    ///
+    /// Seen along the step (y = z sign d) it is the last root. Others may lie behind y_c where the law unloads steeply
+    /// (γ > β), and Newton's method from z_c would end there after a large step.
     fn solve(&self, c: &History, d: f64) -> Result<f64, MaterialError> {
-        newton_root(|z| self.residual(c, d, z), c.z, c.z.abs().max(d.abs()), 120).ok_or_else(|| {
+        let s = d.signum();
+        let along = |y: f64| {
+            let (value, slope) = self.residual(c, d, s * y);
+            (s * value, slope)
+        };
+        let (mut start, mut bracket) = (s * c.z, (f64::NEG_INFINITY, f64::INFINITY));
+        if start < 0.0 {
+            // The residual rises from y_c to its root, if it does not begin above zero: then z comes down from zero.
+            if along(start).0 > 0.0 { start = 0.0 } else { bracket.0 = start }
+        }
+        let root = bracketed_root(along, bracket, start, c.z.abs().max(d.abs()), 120);
+        root.map(|y| s * y).ok_or_else(|| {
             MaterialError(format!("BoucWen found no hysteretic displacement for a strain increment of {d:.6e}"))
         })
     }

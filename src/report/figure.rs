@@ -193,7 +193,7 @@ impl Figure {
 fn tick(value: f64, range: (f64, f64)) -> String {
     let step = (range.1 - range.0) / 8.0;
     let largest = range.0.abs().max(range.1.abs());
-    if largest >= 1e6 || largest < 1e-3 {
+    if !(1e-3..1e6).contains(&largest) {
         return format!("{value:.1e}");
     }
     let digits = (-step.log10()).ceil().max(0.0) as usize + usize::from(step < 1.0);

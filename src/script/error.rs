@@ -48,6 +48,8 @@ pub struct ScriptError {
     pub error_info: String,
     /// What `$errorCode` will be; `NONE` unless it was set.
     pub error_code: Option<Value>,
+    /// Whether the script raised it itself (`error`, `throw`, `return -code error`): no command was rejected.
+    pub raised: bool,
     /// Options of the script's own, from `return -options`.
     pub(crate) options: Vec<(Value, Value)>,
     /// Line of the failing command in the innermost script that was told about.
@@ -72,6 +74,7 @@ impl ScriptError {
             result,
             error_info: String::new(),
             error_code: None,
+            raised: false,
             options: vec![],
             line: 1,
             place: None,
@@ -87,8 +90,11 @@ impl Exception {
         Exception::Error(ScriptError::new(Value::from(message.into())))
     }
 
+    /// An error of the script's own.
     pub(crate) fn error_value(result: Value) -> Self {
-        Exception::Error(ScriptError::new(result))
+        let mut error = ScriptError::new(result);
+        error.raised = true;
+        Exception::Error(error)
     }
 
     /// An error with Tcl's text and code for it.

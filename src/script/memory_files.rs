@@ -197,7 +197,10 @@ impl Seek for MemoryStream {
 
 impl Stream for MemoryStream {
     fn set_len(&mut self, length: u64) -> io::Result<()> {
-        self.content.borrow_mut().resize(length as usize, 0);
+        let mut content = self.content.borrow_mut();
+        let more = (length as usize).saturating_sub(content.len());
+        content.try_reserve(more).map_err(|_| io::Error::from(io::ErrorKind::OutOfMemory))?;
+        content.resize(length as usize, 0);
         Ok(())
     }
 }

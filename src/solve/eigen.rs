@@ -75,6 +75,9 @@ pub fn nearest(pencil: &mut impl Pencil, count: usize) -> Vec<Pair> {
     let mut av: Vec<Vec<f64>> = vec![];
     let mut last: Vec<f64> = vec![];
     start(pencil, &mut basis, &mut random, block);
+    if basis.v.is_empty() {
+        return vec![];
+    }
     loop {
         // Operator times the vectors that are new.
         let known = av.len();

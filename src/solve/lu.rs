@@ -123,8 +123,8 @@ impl Lu {
         // Row exchanges hide the pivots. A regular matrix gives back a vector of ones from its row sums.
         self.x.fill(0.0);
         for col in 0..pattern.n {
-            for at in pattern.col_ptr[col]..pattern.col_ptr[col + 1] {
-                self.x[pattern.row_idx[at]] += values[at];
+            for (row, value) in pattern.column(values, col) {
+                self.x[row] += value;
             }
         }
         fallback.solve(&mut self.x);

@@ -233,7 +233,7 @@ fn reactions_balance_the_loads() {
     let sum = |k: usize| r[k] + r[6 + k] + r[12 + k];
     // Beam 4 runs along x with local z up and local y along y; beam 5 runs along y, local y is against x.
     let applied = [10.0 + 0.5 * 4.0 + 7.0, -5.0 - 3.0 * 4.0 + 2.0, -20.0 + 2.0 * 4.0 + 1.0];
-    for k in 0..3 {
-        assert!((sum(k) + applied[k]).abs() < 1e-8, "direction {}: {} and {}", k + 1, sum(k), applied[k]);
+    for (k, applied) in applied.iter().enumerate() {
+        assert!((sum(k) + applied).abs() < 1e-8, "direction {}: {} and {applied}", k + 1, sum(k));
     }
 }

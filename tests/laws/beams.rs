@@ -3,7 +3,7 @@
 use super::driver::{Alone, difference};
 use hysteron::element::beam::{Bending, ElasticBeam, Release};
 use hysteron::element::load::ElementLoad;
-use hysteron::element::transform::{Ends, Transform, TransformKind, TransformSpec};
+use hysteron::element::transform::{Ends, TransformKind, TransformSpec};
 use hysteron::element::{Element, Mass};
 use nalgebra::{Matrix3, Vector3};
 

@@ -18,11 +18,13 @@ use std::sync::Arc;
 pub(super) const COMMANDS: &[Command] =
     &[Command { name: "element", usage: "element $kind $tag $iNode $jNode ...", run: element }];
 
+type Make = fn(&mut Tcl, &mut Args<'_>, &Ends) -> Result<Arc<dyn Element>, Exception>;
+
 /// A kind of element between two nodes, and how it is made from the words after its nodes.
 struct Kind {
     names: &'static [&'static str],
     usage: &'static str,
-    make: fn(&mut Tcl, &mut Args<'_>, &Ends) -> Result<Arc<dyn Element>, Exception>,
+    make: Make,
 }
 
 const KINDS: &[Kind] = &[beam::ELASTIC, bearing::BOUC_WEN, truss::TRUSS, zero_length::ZERO_LENGTH];

@@ -378,7 +378,7 @@ info body a::pp
 
 info default a::pp y d; set d
 
-proc inproc {} {info script}; inproc
+proc inproc {} {file tail [info script]}; inproc
 
 info nameofexecutable x
 
