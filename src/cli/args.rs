@@ -18,7 +18,7 @@ pub(super) enum Command {
     /// Run a script; recorders write to the current folder
     Run {
         #[command(flatten)]
-        run: Run,
+        switches: Switches,
         /// Try other algorithms and shorter steps where a step fails
         #[arg(long)]
         ladder: bool,
@@ -31,7 +31,7 @@ pub(super) enum Command {
     /// Report what is wrong with a script without running its analyses
     Check {
         #[command(flatten)]
-        run: Run,
+        switches: Switches,
         /// The script
         model: String,
         /// Words that the script finds in $argv
@@ -43,7 +43,7 @@ pub(super) enum Command {
 }
 
 #[derive(Args, Debug)]
-pub(super) struct Run {
+pub(super) struct Switches {
     /// Refuse what would otherwise be a warning
     #[arg(long)]
     pub(super) strict: bool,

@@ -1,6 +1,6 @@
 //! What the sub-commands do.
 
-use super::args::{Arguments, Command, Run as RunArguments};
+use super::args::{Arguments, Command, Switches};
 use super::console::Terminal;
 use super::files::{NoFiles, SystemFiles};
 use super::messages::Messages;
@@ -17,8 +17,8 @@ use std::sync::atomic::Ordering;
 /// Carry out the command line; the exit status.
 pub(crate) fn main() -> i32 {
     match Arguments::parse().command {
-        Command::Run { run, ladder, model, args } => script(&run, Mode::Run, ladder, &model, &args),
-        Command::Check { run, model, args } => script(&run, Mode::Check, false, &model, &args),
+        Command::Run { switches: run, ladder, model, args } => script(&run, Mode::Run, ladder, &model, &args),
+        Command::Check { switches: run, model, args } => script(&run, Mode::Check, false, &model, &args),
         Command::Commands => {
             command::commands().for_each(|c| println!("{}", c.usage));
             0
@@ -26,7 +26,7 @@ pub(crate) fn main() -> i32 {
     }
 }
 
-fn script(run: &RunArguments, mode: Mode, ladder: bool, model: &str, args: &[String]) -> i32 {
+fn script(run: &Switches, mode: Mode, ladder: bool, model: &str, args: &[String]) -> i32 {
     let bar = Bar::new();
     let options = Options { compat: run.compat.is_some(), ladder: ladder.then(Ladder::default), dense: None };
     let settings = Settings { mode, strict: run.strict, options };
