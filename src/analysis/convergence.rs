@@ -13,7 +13,7 @@ pub enum Measure {
     Energy,
     /// Correction over the first correction of the step.
     RelativeDispIncr,
-    /// Unbalance over the first unbalance tested in the step.
+    /// Unbalance over the unbalance before the first iteration of the step.
     RelativeUnbalance,
     /// Work over the first work of the step.
     RelativeEnergy,
@@ -134,12 +134,15 @@ impl Test {
         Self { norms: vec![], keep: false, iteration: 0, first: 0.0, total: 0.0, increases: 0, ..*self }
     }
 
-    /// Begin a step.
-    pub fn start(&mut self) {
+    /// Begin a step, from the unbalance before its first iteration.
+    pub fn start(&mut self, unbalance: &[f64]) {
         self.iteration = 0;
         self.norms.clear();
         self.norms.reserve(self.max_iterations.min(Self::KEPT));
         (self.first, self.total, self.increases) = (0.0, 0.0, 0);
+        if self.measure == Measure::RelativeUnbalance {
+            self.first = self.norm.of(unbalance);
+        }
     }
 
     /// Norm at the last iteration.
@@ -158,7 +161,7 @@ impl Test {
             Measure::DispAndUnbalance | Measure::DispOrUnbalance => self.norm.of(correction),
         };
         self.iteration += 1;
-        if self.iteration == 1 {
+        if self.iteration == 1 && self.measure != Measure::RelativeUnbalance {
             self.first = norm;
         }
         match self.measure {

@@ -278,7 +278,11 @@ fn system_size(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
 }
 
 fn iterations(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
-    Ok(Value::from(interp.host.engine.setup().map_or(0, |s| s.test.iteration) as i64))
+    let engine = &interp.host.engine;
+    let tests = engine.setup().map_or(0, |s| s.test.iteration);
+    // OpenSees counts one more test where the last has failed.
+    let more = usize::from(engine.options.compat && interp.host.last_failure.is_some());
+    Ok(Value::from((tests + more) as i64))
 }
 
 fn norms(interp: &mut Tcl, _: &Call<'_>) -> Outcome {

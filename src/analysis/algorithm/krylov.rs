@@ -21,12 +21,14 @@ pub struct KrylovNewton {
     av: Vec<Vec<f64>>,
     /// Orthonormal basis of `av`.
     q: Vec<Vec<f64>>,
+    /// The last correction before it was accelerated.
+    r: Vec<f64>,
 }
 
 impl KrylovNewton {
     /// With the tangents of a step's first iteration and of a new subspace, and the largest dimension of a subspace.
     pub fn new(increment: TangentMix, iterate: Option<TangentMix>, max_dimension: usize) -> Self {
-        Self { increment, iterate, max_dimension, v: vec![], av: vec![], q: vec![] }
+        Self { increment, iterate, max_dimension, v: vec![], av: vec![], q: vec![], r: vec![] }
     }
 
     /// Accelerate the correction `r` of dimension `k`: least squares of the residual in the subspace, the rest as it
@@ -81,6 +83,7 @@ impl Algorithm for KrylovNewton {
     fn prepare(&mut self, s: &System<'_>) {
         let n = s.work.b.len();
         self.max_dimension = self.max_dimension.min(n).min(MAX_SUBSPACE - 1);
+        self.r = vec![0.0; n];
         let room = vec![vec![0.0; n]; self.max_dimension + 1];
         (self.v, self.av, self.q) = (room.clone(), room.clone(), room);
     }
@@ -88,17 +91,19 @@ impl Algorithm for KrylovNewton {
     fn solve(&mut self, it: &mut Iteration<'_, '_>) -> Result<usize, Failure> {
         it.system.form_unbalance(self.increment.current != 0.0)?;
         it.system.form_tangent(self.increment, Use::Often)?;
-        it.test.start();
+        it.start_test();
         let mut k = 0;
         loop {
             it.system.solve()?;
-            let r = std::mem::take(&mut it.system.work.x);
-            self.accelerate(k, &r);
-            // The test sees the correction before it is accelerated.
-            it.system.moved = true;
-            let result = it.integrator.update(it.system, &mut self.v[k]);
-            it.system.work.x = r;
-            result?;
+            self.accelerate(k, &it.system.work.x);
+            // The subspace keeps the correction as it is, whatever a static integrator adds to it to hold its path.
+            self.r.copy_from_slice(&it.system.work.x);
+            it.system.work.x.copy_from_slice(&self.v[k]);
+            it.update()?;
+            // As in OpenSees, the test sees the accelerated correction in a static analysis, the other in a transient one.
+            if !it.integrator.is_static() {
+                it.system.work.x.copy_from_slice(&self.r);
+            }
             let full = k + 1 > self.max_dimension;
             it.system.form_unbalance(full && self.iterate.is_some_and(|m| m.current != 0.0))?;
             if let Some(n) = it.judge()? {

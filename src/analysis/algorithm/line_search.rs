@@ -168,8 +168,8 @@ impl Algorithm for NewtonLineSearch {
     }
 
     fn solve(&mut self, it: &mut Iteration<'_, '_>) -> Result<usize, Failure> {
-        it.test.start();
         it.system.form_unbalance(true)?;
+        it.start_test();
         for iteration in 0.. {
             it.system.form_tangent(self.tangent.at(iteration), Use::Once)?;
             it.system.solve()?;

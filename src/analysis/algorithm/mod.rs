@@ -37,6 +37,12 @@ impl Iteration<'_, '_> {
         result
     }
 
+    /// Begin the tests of a step, its first unbalance being formed.
+    pub fn start_test(&mut self) {
+        let work = &self.system.work;
+        self.test.start(&work.b[..work.plan.map.equations]);
+    }
+
     /// Let the test judge the last correction and the unbalance after it; the number of iterations when it is passed.
     pub fn judge(&mut self) -> Result<Option<usize>, Failure> {
         let work = &self.system.work;

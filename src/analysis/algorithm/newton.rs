@@ -16,7 +16,7 @@ impl Algorithm for Newton {
     fn solve(&mut self, it: &mut Iteration<'_, '_>) -> Result<usize, Failure> {
         let wants = self.0 != TangentChoice::Always(TangentMix::INITIAL);
         it.system.form_unbalance(wants)?;
-        it.test.start();
+        it.start_test();
         for iteration in 0.. {
             it.system.form_tangent(self.0.at(iteration), Use::Once)?;
             it.system.solve()?;
@@ -58,7 +58,7 @@ impl Algorithm for ModifiedNewton {
             it.system.form_tangent(self.mix, Use::Often)?;
         }
         self.factored = false;
-        it.test.start();
+        it.start_test();
         loop {
             it.system.solve()?;
             it.update()?;
