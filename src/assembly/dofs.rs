@@ -116,7 +116,8 @@ pub struct DofMap {
     pub dependents: Vec<Dependent>,
     /// Constraints that stay in the equations.
     pub links: Vec<Link>,
-    /// Degrees of freedom that single-point constraints hold, homogeneous or not.
+    /// Degrees of freedom that are out of the equations because a single-point constraint holds them, homogeneous or
+    /// not.
     pub held: Vec<bool>,
 }
 
@@ -149,6 +150,7 @@ impl DofMap {
         } else {
             let single = |dof: usize| Link { terms: vec![(dof, 1.0)], imposed: imposed[dof], multi: false };
             map.links = (0..n).filter(|&d| map.held[d]).map(single).collect();
+            map.held.fill(false);
             map.links.extend(rows.into_iter().map(|(dof, terms)| {
                 let all = std::iter::once((dof, 1.0)).chain(terms.into_iter().map(|(d, c)| (d, -c)));
                 Link { terms: all.collect(), imposed: None, multi: true }

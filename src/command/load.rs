@@ -105,7 +105,9 @@ fn uniform(interp: &mut Tcl, mut a: Args<'_>) -> Outcome {
     interp.host.engine.change_model(|m| m.patterns.insert(tag, pattern));
     if start != 0.0 {
         interp.host.engine.change_state(|state, model| {
-            for node in model.nodes.iter().filter(|n| direction < n.ndf) {
+            // Supports stay at rest.
+            let fixed = |i: usize| model.fixes.iter().any(|f| f.node.0 == i && f.dof == direction);
+            for (_, node) in model.nodes.iter().enumerate().filter(|(i, n)| direction < n.ndf && !fixed(*i)) {
                 state.vel[node.offset + direction] = start;
             }
         });
