@@ -30,6 +30,7 @@ struct Kind {
 
 const KINDS: &[Kind] = &[
     beam::ELASTIC,
+    beam::MODIFIED,
     bearing::BOUC_WEN,
     bearing::PLASTICITY,
     truss::TRUSS,
