@@ -4,8 +4,9 @@ use super::{Ends, Kind};
 use crate::command::args::Args;
 use crate::command::{Tcl, ignore_option};
 use crate::element::Element;
+use crate::element::axes::AxesError;
 use crate::element::beam::{Bending, ElasticBeam, ElasticSection, Release};
-use crate::element::transform::{self, TransformError};
+use crate::element::transform;
 use crate::script::Exception;
 use std::sync::Arc;
 
@@ -65,13 +66,10 @@ fn numbers_ahead(a: &Args<'_>) -> usize {
 
 type Place = Option<crate::diagnostic::Span>;
 
-fn no_transform(a: &Args<'_>, transf: Place, nodes: Place, e: TransformError) -> Exception {
+fn no_transform(a: &Args<'_>, transf: Place, nodes: Place, e: AxesError) -> Exception {
     match e {
-        TransformError::Axes(crate::element::axes::AxesError::NoLength) => {
-            a.refuse_at(nodes, "the beam has no length", "expected a node at another place")
-        }
-        TransformError::Axes(e) => a.refuse_at(transf, e.message(), "expected a vector that is not along the beam"),
-        TransformError::Unsupported(what) => a.refuse_at(transf, format!("{what} is not supported yet"), ""),
+        AxesError::NoLength => a.refuse_at(nodes, "the beam has no length", "expected a node at another place"),
+        e => a.refuse_at(transf, e.message(), "expected a vector that is not along the beam"),
     }
 }
 

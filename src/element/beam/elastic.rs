@@ -120,7 +120,7 @@ impl<const N: usize> Constant<N> {
         let rest = vec![0.0; N];
         let matrix = |kb: &[[f64; B]; B], q: &[f64; B]| {
             let mut k = vec![0.0; N * N];
-            transform.add_tangent(&rest, kb, q, &mut k);
+            transform.add_tangent(&rest, &[], kb, q, &mut k);
             std::array::from_fn(|i| std::array::from_fn(|j| k[i * N + j]))
         };
         let stiffness = matrix(kb, &[0.0; B]);
@@ -231,8 +231,8 @@ impl<const N: usize, const B: usize> ElasticBeam<N, B> {
 
     /// Basic forces: stiffness times deformations, and the fixed-end forces of member loads.
     #[inline]
-    fn basic_force(&self, disp: &[f64], load: &[f64]) -> [f64; B] {
-        let v = self.transform.deformation(disp);
+    fn basic_force(&self, disp: &[f64], state: &[f64], load: &[f64]) -> [f64; B] {
+        let v = self.transform.deformation(disp, state);
         let mut q = self.kb.each_ref().map(|row| row.iter().zip(&v).map(|(k, v)| k * v).sum());
         q.iter_mut().zip(load).for_each(|(q, l)| *q += l);
         q
@@ -294,22 +294,31 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
         N
     }
     fn state_len(&self) -> usize {
-        0
+        self.transform.state_len()
     }
-    fn init(&self, _: &mut [f64]) {}
+    fn init(&self, state: &mut [f64]) {
+        self.transform.init(state);
+    }
     fn nature(&self) -> Nature {
         Nature { linear: self.transform.is_linear(), symmetric: true, viscous: false, elapses: false, rayleigh: true }
     }
 
-    fn respond(&self, m: &Motion<'_>, _: &[f64], _: &mut [f64], answer: Answer<'_>) -> Result<(), ElementError> {
+    fn respond(
+        &self,
+        m: &Motion<'_>,
+        committed: &[f64],
+        trial: &mut [f64],
+        answer: Answer<'_>,
+    ) -> Result<(), ElementError> {
         if let Some(c) = &self.constant {
             self.respond_small(c, m, answer);
             return Ok(());
         }
-        let q = self.basic_force(m.disp, m.load);
-        self.transform.add_force(m.disp, &q, &Self::reactions(m.load), answer.force);
+        self.transform.advance(m.disp, committed, trial)?;
+        let q = self.basic_force(m.disp, trial, m.load);
+        self.transform.add_force(m.disp, trial, &q, &Self::reactions(m.load), answer.force);
         if let Some(tangent) = answer.tangent {
-            self.transform.add_tangent(m.disp, &self.kb, &q, tangent);
+            self.transform.add_tangent(m.disp, trial, &self.kb, &q, tangent);
         }
         Ok(())
     }
@@ -387,10 +396,10 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
         match path[0] {
             LOCAL_FORCE => {
-                self.frame().local_force(&self.basic_force(s.disp, s.load), &Self::reactions(s.load), out);
+                self.frame().local_force(&self.basic_force(s.disp, s.state, s.load), &Self::reactions(s.load), out);
             }
-            BASIC_FORCE => out.copy_from_slice(&self.basic_force(s.disp, s.load)),
-            DEFORMATION => out.copy_from_slice(&self.transform.deformation(s.disp)),
+            BASIC_FORCE => out.copy_from_slice(&self.basic_force(s.disp, s.state, s.load)),
+            DEFORMATION => out.copy_from_slice(&self.transform.deformation(s.disp, s.state)),
             _ => out.iter_mut().zip(self.kb.iter().flatten()).for_each(|(o, k)| *o = *k),
         }
     }
