@@ -17,6 +17,7 @@ mod model;
 mod query;
 mod recorder;
 mod remove;
+mod section;
 mod series;
 mod session;
 mod solution;
@@ -49,6 +50,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         model::COMMANDS,
         constraint::COMMANDS,
         material::COMMANDS,
+        section::COMMANDS,
         transform::COMMANDS,
         element::COMMANDS,
         series::COMMANDS,

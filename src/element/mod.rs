@@ -9,9 +9,11 @@
 pub mod axes;
 pub mod beam;
 pub mod bearing;
+mod corot_truss;
 pub mod load;
 pub mod transform;
 mod truss;
+mod two_node_link;
 mod zero_length;
 
 use crate::material::MaterialError;
@@ -19,8 +21,10 @@ pub(crate) use crate::numeric::dot;
 use crate::probe::Probe;
 use std::fmt;
 
+pub use corot_truss::CorotTruss;
 pub use load::ElementLoad;
 pub use truss::{Truss, TrussOptions};
+pub use two_node_link::{LinkOptions, TwoNodeLink};
 pub use zero_length::{RayleighDamping, ZeroLength};
 
 /// Largest number of degrees of freedom of an element that the buffers of the analysis are made for.

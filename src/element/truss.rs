@@ -8,17 +8,13 @@ use crate::probe::Probe;
 #[derive(Clone, Debug)]
 pub struct Truss {
     slot: Slot,
-    area: f64,
+    options: TrussOptions,
     length: f64,
     /// Strain from the displacements of all degrees of freedom, 1/length.
     row: Vec<f64>,
     /// Strain of the displacements that the nodes had when the bar was made: it measures from there.
     initial: f64,
     ndm: usize,
-    /// Mass per length.
-    rho: f64,
-    consistent: bool,
-    rayleigh: bool,
 }
 
 /// Constants of a [`Truss`].
@@ -32,6 +28,32 @@ pub struct TrussOptions {
     pub consistent: bool,
     /// Take part in the Rayleigh damping of the model.
     pub rayleigh: bool,
+}
+
+impl TrussOptions {
+    /// Mass of a bar of a length between nodes with `per_node` degrees of freedom, translations in `ndm` directions.
+    pub(super) fn mass(&self, length: f64, ndm: usize, per_node: usize) -> Mass {
+        let (n, total) = (2 * per_node, self.rho * length);
+        if total == 0.0 {
+            return Mass::None;
+        }
+        if !self.consistent {
+            let mut m = vec![0.0; n];
+            for i in (0..ndm).flat_map(|i| [i, per_node + i]) {
+                m[i] = 0.5 * total;
+            }
+            return Mass::Lumped(m);
+        }
+        let mut m = vec![0.0; n * n];
+        for i in 0..ndm {
+            let j = per_node + i;
+            m[i * n + i] = total / 3.0;
+            m[j * n + j] = total / 3.0;
+            m[i * n + j] = total / 6.0;
+            m[j * n + i] = total / 6.0;
+        }
+        Mass::Consistent(m)
+    }
 }
 
 impl Truss {
@@ -59,13 +81,12 @@ impl Truss {
             row[per_node + i] = x / (length * length);
         }
         let initial = dot(&row[per_node..per_node + line.len()], &initial[..line.len()]);
-        let TrussOptions { area, rho, consistent, rayleigh } = *options;
         let slot = Slot::new(material, tag, 0);
-        Ok(Self { slot, area, length, row, initial, ndm: line.len(), rho, consistent, rayleigh })
+        Ok(Self { slot, options: options.clone(), length, row, initial, ndm: line.len() })
     }
 
     fn force(&self, state: &[f64]) -> f64 {
-        self.area * self.slot.stress(state)
+        self.options.area * self.slot.stress(state)
     }
 }
 
@@ -94,7 +115,7 @@ impl Element for Truss {
             symmetric: true,
             viscous: self.slot.material.is_viscous(),
             elapses: self.slot.material.depends_on_time(),
-            rayleigh: self.rayleigh,
+            rayleigh: self.options.rayleigh,
         }
     }
 
@@ -111,7 +132,7 @@ impl Element for Truss {
             dt: motion.dt,
         };
         let s = self.slot.update(committed, strain, trial)?;
-        let volume = self.area * self.length;
+        let volume = self.options.area * self.length;
         for (f, r) in answer.force.iter_mut().zip(&self.row) {
             *f += volume * s.value * r;
         }
@@ -125,31 +146,11 @@ impl Element for Truss {
     }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {
-        add_outer(tangent, &self.row, self.area * self.length * self.slot.material.initial_tangent());
+        add_outer(tangent, &self.row, self.options.area * self.length * self.slot.material.initial_tangent());
     }
 
     fn mass(&self) -> Mass {
-        let (n, per_node) = (self.dofs(), self.dofs() / 2);
-        let total = self.rho * self.length;
-        if total == 0.0 {
-            return Mass::None;
-        }
-        if !self.consistent {
-            let mut m = vec![0.0; n];
-            for i in (0..self.ndm).flat_map(|i| [i, per_node + i]) {
-                m[i] = 0.5 * total;
-            }
-            return Mass::Lumped(m);
-        }
-        let mut m = vec![0.0; n * n];
-        for i in 0..self.ndm {
-            let j = per_node + i;
-            m[i * n + i] = total / 3.0;
-            m[j * n + j] = total / 3.0;
-            m[i * n + j] = total / 6.0;
-            m[j * n + i] = total / 6.0;
-        }
-        Mass::Consistent(m)
+        self.options.mass(self.length, self.ndm, self.dofs() / 2)
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
@@ -182,7 +183,7 @@ impl Element for Truss {
                 out[self.dofs() / 2] = self.force(s.state);
             }
             DEFORMATION => out[0] = self.length * self.slot.strain(s.state),
-            STIFFNESS => out[0] = self.area / self.length * self.slot.tangent(s.state),
+            STIFFNESS => out[0] = self.options.area / self.length * self.slot.tangent(s.state),
             _ => self.slot.read(&path[1..], s.state, out),
         }
     }

@@ -1,6 +1,7 @@
 //! Named things that elements and patterns are made from: materials, series, transformations.
 
 use super::Tag;
+use crate::element::beam::ElasticSection;
 use crate::element::transform::TransformSpec;
 use crate::material::Material;
 use crate::series::Series;
@@ -50,6 +51,8 @@ pub struct Definitions {
     pub materials: Registry<Material>,
     /// `timeSeries`.
     pub series: Registry<Series>,
+    /// `section Elastic`.
+    pub sections: Registry<ElasticSection>,
     /// `geomTransf`.
     pub transforms: Registry<TransformSpec>,
 }
@@ -59,6 +62,7 @@ impl Default for Definitions {
         Self {
             materials: Registry::new("uniaxial material"),
             series: Registry::new("time series"),
+            sections: Registry::new("section"),
             transforms: Registry::new("geometric transformation"),
         }
     }

@@ -67,11 +67,11 @@ fn tangent_of_p_delta_under_a_given_axial_force() {
     let (q, kb, u) = ([-700.0, 0.0, 0.0, 0.0, 0.0, 0.0], [[0.0; 6]; 6], some_motion(12, 0.2));
     let force = |u: &[f64]| {
         let mut f = vec![0.0; 12];
-        t.add_force(u, &q, &[0.0; 5], &mut f);
+        t.add_force(u, &[], &q, &[0.0; 5], &mut f);
         f
     };
     let mut k = vec![0.0; 144];
-    t.add_tangent(&u, &kb, &q, &mut k);
+    t.add_tangent(&u, &[], &kb, &q, &mut k);
     for j in 0..12 {
         let (mut up, mut down) = (u.clone(), u.clone());
         (up[j], down[j]) = (u[j] + 1e-4, u[j] - 1e-4);

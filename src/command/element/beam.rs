@@ -1,20 +1,27 @@
-//! `element elasticBeamColumn`.
+//! `element elasticBeamColumn` and `ModElasticBeam2d`.
 
 use super::{Ends, Kind};
 use crate::command::args::Args;
 use crate::command::{Tcl, ignore_option};
 use crate::element::Element;
-use crate::element::beam::{Bending, ElasticBeam, Release};
-use crate::element::transform::{self, TransformError};
+use crate::element::axes::AxesError;
+use crate::element::beam::{Bending, ElasticBeam, ElasticSection, Release};
+use crate::element::transform;
 use crate::script::Exception;
 use std::sync::Arc;
 
 pub(super) const ELASTIC: Kind = Kind {
     names: &["elasticBeamColumn", "ElasticBeamColumn", "elasticBeam"],
     usage: "element elasticBeamColumn $tag $i $j $A $E $Iz <$G $Avy> $transf (in the plane) or \
-            $A $E $G $J $Iy $Iz <$Avy $Avz> $transf (in space) <-mass $m> <-cMass> <-release $code> \
+            $A $E $G $J $Iy $Iz <$Avy $Avz> $transf (in space) or $section $transf <-mass $m> <-cMass> <-release $code> \
             <-releasez $code> <-releasey $code>",
     make,
+};
+
+pub(super) const MODIFIED: Kind = Kind {
+    names: &["ModElasticBeam2d", "modElasticBeam2d", "ModElasticBeam", "modElasticBeam"],
+    usage: "element ModElasticBeam2d $tag $i $j $A $E $Iz $K11 $K33 $K44 $transf <-rho $m> <-cMass>",
+    make: make_modified,
 };
 
 const OPTIONS: &[&str] = &["-mass", "-cMass", "-lMass", "-release", "-releasez", "-releasey"];
@@ -44,6 +51,8 @@ fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Options, Exception> {
             "-lMass" => o.consistent = false,
             "-release" | "-releasez" => o.release.0 = release(a)?,
             "-releasey" => o.release.1 = release(a)?,
+            // Of use to thermal loads alone.
+            "-alpha" | "-depth" => drop(a.float("value")?),
             _ => ignore_option(interp, a, OPTIONS)?,
         }
     }
@@ -55,62 +64,88 @@ fn numbers_ahead(a: &Args<'_>) -> usize {
     a.ahead().take_while(|v| v.to_f64().is_ok()).count()
 }
 
-fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
-    let span = a.last_span();
-    match (ends.ndm, ends.ndf) {
-        (2, 3) => plane(interp, a, ends, span),
-        (3, 6) => space(interp, a, ends, span),
-        _ => Err(ends.wrong(a, "3 degrees of freedom in 2 or 6 in 3 dimensions")),
-    }
-}
-
 type Place = Option<crate::diagnostic::Span>;
 
-fn no_transform(a: &Args<'_>, transf: Place, nodes: Place, e: TransformError) -> Exception {
+fn no_transform(a: &Args<'_>, transf: Place, nodes: Place, e: AxesError) -> Exception {
     match e {
-        TransformError::Axes(crate::element::axes::AxesError::NoLength) => {
-            a.refuse_at(nodes, "the beam has no length", "expected a node at another place")
-        }
-        TransformError::Axes(e) => a.refuse_at(transf, e.message(), "expected a vector that is not along the beam"),
-        TransformError::Unsupported(what) => a.refuse_at(transf, format!("{what} is not supported yet"), ""),
+        AxesError::NoLength => a.refuse_at(nodes, "the beam has no length", "expected a node at another place"),
+        e => a.refuse_at(transf, e.message(), "expected a vector that is not along the beam"),
     }
 }
 
-fn plane(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, span: Place) -> Result<Arc<dyn Element>, Exception> {
-    let shear = numbers_ahead(a) >= 6;
-    let area = a.positive("cross-sectional area A")?;
-    let e = a.positive("elastic modulus E")?;
-    let iz = a.positive("second moment of area Iz")?;
-    let gav = if shear { Some(a.positive("shear modulus G")? * a.positive("shear area Avy")?) } else { None };
-    let (spec, _) = a.of(&interp.host.definitions.transforms)?;
-    let place = a.last_span();
-    let o = options(interp, a)?;
-    let ends = transform::Ends { place: ends.place, disp: &ends.disp };
-    let transform = spec.plane(&ends).map_err(|e| no_transform(a, place, span, e))?;
-    let bending = Bending { ei: e * iz, gav, release: o.release.0 };
-    Ok(Arc::new(ElasticBeam::plane(transform, e * area, bending, o.rho, o.consistent)))
+/// The section of the beam: by its tag, or number after number.
+fn section(interp: &Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSection, Exception> {
+    match (ndm, numbers_ahead(a)) {
+        (_, 2) => Ok(a.of(&interp.host.definitions.sections)?.0),
+        (2, n) => {
+            let (area, e) = (a.positive("cross-sectional area A")?, a.positive("elastic modulus E")?);
+            let iz = a.positive("second moment of area Iz")?;
+            let (mut g, mut shear) = (0.0, None);
+            if n >= 6 {
+                g = a.positive("shear modulus G")?;
+                shear = Some(a.positive("shear area Avy")?);
+            }
+            Ok(ElasticSection { e, area, iz, iy: 0.0, g, j: 0.0, shear: (shear, None) })
+        }
+        (_, n) => {
+            let (area, e) = (a.positive("cross-sectional area A")?, a.positive("elastic modulus E")?);
+            let (g, j) = (a.positive("shear modulus G")?, a.positive("torsion constant J")?);
+            let (iy, iz) = (a.positive("second moment of area Iy")?, a.positive("second moment of area Iz")?);
+            let shear = if n >= 9 {
+                (Some(a.positive("shear area Avy")?), Some(a.positive("shear area Avz")?))
+            } else {
+                (None, None)
+            };
+            Ok(ElasticSection { e, area, iz, iy, g, j, shear })
+        }
+    }
 }
 
-fn space(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, span: Place) -> Result<Arc<dyn Element>, Exception> {
-    let shear = numbers_ahead(a) >= 9;
-    let area = a.positive("cross-sectional area A")?;
-    let e = a.positive("elastic modulus E")?;
-    let g = a.positive("shear modulus G")?;
-    let j = a.positive("torsion constant J")?;
-    let iy = a.positive("second moment of area Iy")?;
-    let iz = a.positive("second moment of area Iz")?;
-    let (gavy, gavz) = if shear {
-        (Some(g * a.positive("shear area Avy")?), Some(g * a.positive("shear area Avz")?))
-    } else {
-        (None, None)
-    };
+fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let nodes = a.last_span();
+    if !matches!((ends.ndm, ends.ndf), (2, 3) | (3, 6)) {
+        return Err(ends.wrong(a, "3 degrees of freedom in 2 or 6 in 3 dimensions"));
+    }
+    let s = section(interp, a, ends.ndm)?;
     let (spec, _) = a.of(&interp.host.definitions.transforms)?;
     let place = a.last_span();
     let o = options(interp, a)?;
-    let ends = transform::Ends { place: ends.place, disp: &ends.disp };
-    let transform = spec.space(&ends).map_err(|e| no_transform(a, place, span, e))?;
-    let z = Bending { ei: e * iz, gav: gavy, release: o.release.0 };
-    let y = Bending { ei: e * iy, gav: gavz, release: o.release.1 };
-    let consistent = o.consistent.then_some(j / area);
-    Ok(Arc::new(ElasticBeam::space(transform, (e * area, g * j), (z, y), o.rho, consistent)))
+    let stand = transform::Ends { place: ends.place, disp: &ends.disp };
+    let gav = |area: Option<f64>| area.map(|a| s.g * a);
+    let z = Bending { ei: s.e * s.iz, gav: gav(s.shear.0), release: o.release.0 };
+    let ea = s.e * s.area;
+    if ends.ndm == 2 {
+        let transform = spec.plane(&stand).map_err(|e| no_transform(a, place, nodes, e))?;
+        return Ok(Arc::new(ElasticBeam::plane(transform, ea, z, o.rho, o.consistent)));
+    }
+    let transform = spec.space(&stand).map_err(|e| no_transform(a, place, nodes, e))?;
+    let y = Bending { ei: s.e * s.iy, gav: gav(s.shear.1), release: o.release.1 };
+    let consistent = o.consistent.then_some(s.j / s.area);
+    Ok(Arc::new(ElasticBeam::space(transform, (ea, s.g * s.j), (z, y), o.rho, consistent)))
+}
+
+fn make_modified(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let nodes = a.last_span();
+    if (ends.ndm, ends.ndf) != (2, 3) {
+        return Err(ends.wrong(a, "3 degrees of freedom in 2 dimensions"));
+    }
+    let (area, e) = (a.positive("cross-sectional area A")?, a.positive("elastic modulus E")?);
+    let iz = a.positive("second moment of area Iz")?;
+    let factors = [a.positive("factor K11")?, a.positive("factor K33")?, a.float("factor K44")?];
+    let (spec, _) = a.of(&interp.host.definitions.transforms)?;
+    let place = a.last_span();
+    let (mut rho, mut consistent) = (0.0, false);
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-rho" | "-RHO" | "-mass" => rho = a.not_negative("mass per length")?,
+            "-cMass" => consistent = true,
+            "-lMass" => consistent = false,
+            // Of use to thermal loads alone.
+            "-alpha" | "-d" => drop(a.float("value")?),
+            _ => ignore_option(interp, a, &["-rho", "-cMass", "-lMass", "-alpha", "-d"])?,
+        }
+    }
+    let stand = transform::Ends { place: ends.place, disp: &ends.disp };
+    let transform = spec.plane(&stand).map_err(|e| no_transform(a, place, nodes, e))?;
+    Ok(Arc::new(ElasticBeam::modified(transform, (e * area, e * iz), factors, rho, consistent)))
 }

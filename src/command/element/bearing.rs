@@ -1,11 +1,11 @@
-//! `element elastomericBearingBoucWen`.
+//! `element elastomericBearingBoucWen` and `elastomericBearingPlasticity`.
 
 use super::{Ends, Kind, orientation};
 use crate::command::args::Args;
 use crate::command::{Tcl, ignore_option};
 use crate::element::Element;
 use crate::element::axes::Orientation;
-use crate::element::bearing::{BoucWen2d, BoucWen3d, Link, ShearParameters};
+use crate::element::bearing::{BoucWen2d, BoucWen3d, Link, PlasticShear, Plasticity2d, Plasticity3d, ShearParameters};
 use crate::material::Material;
 use crate::script::Exception;
 use std::sync::Arc;
@@ -16,6 +16,13 @@ pub(super) const BOUC_WEN: Kind = Kind {
             <-T $mat -My $mat> -Mz $mat <-orient <$x1 $x2 $x3> $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> \
             <-mass $m> <-iter $maxIter $tol>",
     make,
+};
+
+pub(super) const PLASTICITY: Kind = Kind {
+    names: &["elastomericBearingPlasticity", "ElastomericBearingPlasticity", "elastomericBearing"],
+    usage: "element elastomericBearingPlasticity $tag $i $j $kInit $qd $alpha1 $alpha2 $mu -P $mat <-T $mat -My $mat> \
+            -Mz $mat <-orient <$x1 $x2 $x3> $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> <-mass $m>",
+    make: make_plastic,
 };
 
 /// What the bearings of this family have in common besides their law.
@@ -131,6 +138,39 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
             let link = link(a, &c, ends, nodes)?;
             let Ok(materials) = c.materials.try_into() else { unreachable!("taken one by one") };
             Ok(Arc::new(BoucWen3d::new(shear, link, materials, c.mass, c.rayleigh)))
+        }
+        _ => Err(ends.wrong(a, "3 degrees of freedom in 2 or 6 in 3 dimensions")),
+    }
+}
+
+fn make_plastic(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let nodes = a.last_span();
+    let k_init = a.positive("initial stiffness kInit")?;
+    let qd = a.positive("characteristic strength qd")?;
+    let alpha1 = a.float("post-yield stiffness ratio alpha1")?;
+    if alpha1 >= 1.0 {
+        return Err(a.refuse(format!("alpha1 is {alpha1}"), "expected a ratio less than 1"));
+    }
+    let alpha2 = a.float("post-yield stiffness ratio alpha2 of the nonlinear hardening")?;
+    let mu = a.float("exponent mu of the nonlinear hardening")?;
+    if alpha2 != 0.0 && mu < 1.0 {
+        return Err(a.refuse(
+            format!("mu is {mu}"),
+            "expected an exponent of at least 1: the stiffness at rest would not be finite",
+        ));
+    }
+    let c = common(interp, a, ends)?;
+    let shear = PlasticShear { k0: (1.0 - alpha1) * k_init, qd, k2: alpha1 * k_init, k3: alpha2 * k_init, mu };
+    match (ends.ndm, ends.ndf) {
+        (2, 3) => {
+            let link = link(a, &c, ends, nodes)?;
+            let Ok(materials) = c.materials.try_into() else { unreachable!("taken one by one") };
+            Ok(Arc::new(Plasticity2d::new(shear, link, materials, c.mass, c.rayleigh)))
+        }
+        (3, 6) => {
+            let link = link(a, &c, ends, nodes)?;
+            let Ok(materials) = c.materials.try_into() else { unreachable!("taken one by one") };
+            Ok(Arc::new(Plasticity3d::new(shear, link, materials, c.mass, c.rayleigh)))
         }
         _ => Err(ends.wrong(a, "3 degrees of freedom in 2 or 6 in 3 dimensions")),
     }

@@ -3,6 +3,7 @@
 mod beam;
 mod bearing;
 mod truss;
+mod two_node_link;
 mod zero_length;
 
 use super::args::Args;
@@ -27,7 +28,16 @@ struct Kind {
     make: Make,
 }
 
-const KINDS: &[Kind] = &[beam::ELASTIC, bearing::BOUC_WEN, truss::TRUSS, zero_length::ZERO_LENGTH];
+const KINDS: &[Kind] = &[
+    beam::ELASTIC,
+    beam::MODIFIED,
+    bearing::BOUC_WEN,
+    bearing::PLASTICITY,
+    truss::TRUSS,
+    truss::COROT_TRUSS,
+    two_node_link::TWO_NODE_LINK,
+    zero_length::ZERO_LENGTH,
+];
 
 /// The two nodes of an element.
 struct Ends {

@@ -1,9 +1,10 @@
-//! `element truss`.
+//! `element truss` and `corotTruss`.
 
 use super::{Ends, Kind, refused};
 use crate::command::args::Args;
 use crate::command::{Tcl, ignore_option};
-use crate::element::{Element, Truss, TrussOptions};
+use crate::element::{CorotTruss, Element, Truss, TrussOptions};
+use crate::material::Material;
 use crate::script::Exception;
 use std::sync::Arc;
 
@@ -13,30 +14,57 @@ pub(super) const TRUSS: Kind = Kind {
     make,
 };
 
+pub(super) const COROT_TRUSS: Kind = Kind {
+    names: &["corotTruss", "CorotTruss"],
+    usage: "element corotTruss $tag $i $j $A $matTag <-rho $rho> <-cMass $flag> <-doRayleigh $flag>",
+    make: make_corot,
+};
+
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let span = a.last_span();
+    let mut initial = ends.initial();
+    let (material, tag, options) = words(interp, a, ends, Some(&mut initial))?;
+    let line = ends.place.1 - ends.place.0;
+    let line: Vec<f64> = (0..ends.ndm).map(|i| line[i] + initial[i]).collect();
+    let truss = Truss::new(material, tag, &line, ends.ndf, &initial, &options);
+    Ok(Arc::new(truss.map_err(|e| refused(a, span, e))?))
+}
+
+/// The corotational bar measures from the nodes' coordinates, whatever their displacements are.
+fn make_corot(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let span = a.last_span();
+    let (material, tag, options) = words(interp, a, ends, None)?;
+    let line = ends.place.1 - ends.place.0;
+    let truss = CorotTruss::new(material, tag, &line.as_slice()[..ends.ndm], ends.ndf, options);
+    Ok(Arc::new(truss.map_err(|e| refused(a, span, e))?))
+}
+
+/// Material and constants; the displacements to measure from, where the kind of bar has them, may be given up.
+fn words(
+    interp: &mut Tcl,
+    a: &mut Args<'_>,
+    ends: &Ends,
+    mut initial: Option<&mut Vec<f64>>,
+) -> Result<(Material, i32, TrussOptions), Exception> {
     let area = a.positive("cross-sectional area A")?;
     let (material, tag) = a.of(&interp.host.definitions.materials)?;
     let mut options = TrussOptions { area, rho: 0.0, consistent: false, rayleigh: false };
-    let mut initial = ends.initial();
+    let known = &["-rho", "-cMass", "-doRayleigh", "-useInitialDisp"][..if initial.is_some() { 4 } else { 3 }];
     while let Some(option) = a.option() {
-        match option.as_ref() {
-            "-rho" => options.rho = a.not_negative("mass per length rho")?,
-            "-cMass" => options.consistent = a.int("flag")? != 0,
-            "-doRayleigh" => options.rayleigh = a.int("flag")? != 0,
-            "-useInitialDisp" => {
+        match (option.as_ref(), &mut initial) {
+            ("-rho", _) => options.rho = a.not_negative("mass per length rho")?,
+            ("-cMass", _) => options.consistent = a.int("flag")? != 0,
+            ("-doRayleigh", _) => options.rayleigh = a.int("flag")? != 0,
+            ("-useInitialDisp", Some(initial)) => {
                 if a.int("flag")? == 0 {
                     initial.fill(0.0);
                 }
             }
-            _ => ignore_option(interp, a, &["-rho", "-cMass", "-doRayleigh", "-useInitialDisp"])?,
+            _ => ignore_option(interp, a, known)?,
         }
     }
     if !matches!((ends.ndm, ends.ndf), (1, 1) | (2, 2 | 3) | (3, 3 | 6)) {
         return Err(ends.wrong(a, "1 degree of freedom in 1, 2 or 3 in 2, 3 or 6 in 3 dimensions"));
     }
-    let line = ends.place.1 - ends.place.0;
-    let line: Vec<f64> = (0..ends.ndm).map(|i| line[i] + initial[i]).collect();
-    let truss = Truss::new(material, tag, &line, ends.ndf, &initial, &options);
-    Ok(Arc::new(truss.map_err(|e| refused(a, span, e))?))
+    Ok((material, tag, options))
 }

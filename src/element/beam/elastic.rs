@@ -20,6 +20,25 @@ pub enum Release {
     Both,
 }
 
+/// An elastic cross-section; what the plane has no use for is zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ElasticSection {
+    /// Elastic modulus.
+    pub e: f64,
+    /// Area.
+    pub area: f64,
+    /// Second moment of area about z.
+    pub iz: f64,
+    /// Second moment of area about y.
+    pub iy: f64,
+    /// Shear modulus.
+    pub g: f64,
+    /// Torsion constant.
+    pub j: f64,
+    /// Shear areas along y and z; `None` for a section rigid in shear.
+    pub shear: (Option<f64>, Option<f64>),
+}
+
 /// Bending about one axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bending {
@@ -79,6 +98,7 @@ pub struct ElasticBeam<const N: usize, const B: usize> {
     rho: f64,
     /// Polar radius of gyration squared J/A, for a consistent mass; `None` for a lumped one.
     consistent: Option<f64>,
+    class: &'static str,
     /// Global matrices, where they do not change with the displacements.
     constant: Option<Box<Constant<N>>>,
 }
@@ -100,7 +120,7 @@ impl<const N: usize> Constant<N> {
         let rest = vec![0.0; N];
         let matrix = |kb: &[[f64; B]; B], q: &[f64; B]| {
             let mut k = vec![0.0; N * N];
-            transform.add_tangent(&rest, kb, q, &mut k);
+            transform.add_tangent(&rest, &[], kb, q, &mut k);
             std::array::from_fn(|i| std::array::from_fn(|j| k[i * N + j]))
         };
         let stiffness = matrix(kb, &[0.0; B]);
@@ -117,7 +137,22 @@ impl ElasticBeam<6, 3> {
         let length = transform.length();
         let k = z.stiffness(length);
         let kb = [[ea / length, 0.0, 0.0], [0.0, k[0][0], k[0][1]], [0.0, k[1][0], k[1][1]]];
-        Self::new(transform, kb, [z, z], rho, consistent.then_some(0.0))
+        Self::new("ElasticBeam2d", transform, kb, [z, z], rho, consistent.then_some(0.0))
+    }
+
+    /// In the plane, with the factors K11, K33 and K44 of E I/L for the stiffness of the end rotations i, j and of one
+    /// with the other, in place of 4, 4 and 2 (Zareian and Medina, 2010). Member loads act as on an unmodified beam.
+    pub fn modified(
+        transform: Box<dyn Transform<6, 3>>,
+        (ea, ei): (f64, f64),
+        [k11, k33, k44]: [f64; 3],
+        rho: f64,
+        consistent: bool,
+    ) -> Self {
+        let k = ei / transform.length();
+        let kb = [[ea / transform.length(), 0.0, 0.0], [0.0, k11 * k, k44 * k], [0.0, k44 * k, k33 * k]];
+        let z = Bending { ei, gav: None, release: Release::None };
+        Self::new("ModElasticBeam2d", transform, kb, [z, z], rho, consistent.then_some(0.0))
     }
 }
 
@@ -141,12 +176,13 @@ impl ElasticBeam<12, 6> {
                 row[at..at + 2].copy_from_slice(&k);
             }
         }
-        Self::new(transform, kb, [z, y], rho, consistent)
+        Self::new("ElasticBeam3d", transform, kb, [z, y], rho, consistent)
     }
 }
 
 impl<const N: usize, const B: usize> ElasticBeam<N, B> {
     fn new(
+        class: &'static str,
         transform: Box<dyn Transform<N, B>>,
         kb: [[f64; B]; B],
         bending: [Bending; 2],
@@ -154,7 +190,7 @@ impl<const N: usize, const B: usize> ElasticBeam<N, B> {
         consistent: Option<f64>,
     ) -> Self {
         let constant = Constant::of(transform.as_ref(), &kb);
-        Self { transform, kb, bending, rho, consistent, constant }
+        Self { transform, kb, bending, rho, consistent, class, constant }
     }
 
     /// Force and tangent from the constant matrices.
@@ -195,8 +231,8 @@ impl<const N: usize, const B: usize> ElasticBeam<N, B> {
 
     /// Basic forces: stiffness times deformations, and the fixed-end forces of member loads.
     #[inline]
-    fn basic_force(&self, disp: &[f64], load: &[f64]) -> [f64; B] {
-        let v = self.transform.deformation(disp);
+    fn basic_force(&self, disp: &[f64], state: &[f64], load: &[f64]) -> [f64; B] {
+        let v = self.transform.deformation(disp, state);
         let mut q = self.kb.each_ref().map(|row| row.iter().zip(&v).map(|(k, v)| k * v).sum());
         q.iter_mut().zip(load).for_each(|(q, l)| *q += l);
         q
@@ -252,28 +288,37 @@ const STIFFNESS: u32 = 19;
 
 impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
     fn class(&self) -> &'static str {
-        if N == 6 { "ElasticBeam2d" } else { "ElasticBeam3d" }
+        self.class
     }
     fn dofs(&self) -> usize {
         N
     }
     fn state_len(&self) -> usize {
-        0
+        self.transform.state_len()
     }
-    fn init(&self, _: &mut [f64]) {}
+    fn init(&self, state: &mut [f64]) {
+        self.transform.init(state);
+    }
     fn nature(&self) -> Nature {
         Nature { linear: self.transform.is_linear(), symmetric: true, viscous: false, elapses: false, rayleigh: true }
     }
 
-    fn respond(&self, m: &Motion<'_>, _: &[f64], _: &mut [f64], answer: Answer<'_>) -> Result<(), ElementError> {
+    fn respond(
+        &self,
+        m: &Motion<'_>,
+        committed: &[f64],
+        trial: &mut [f64],
+        answer: Answer<'_>,
+    ) -> Result<(), ElementError> {
         if let Some(c) = &self.constant {
             self.respond_small(c, m, answer);
             return Ok(());
         }
-        let q = self.basic_force(m.disp, m.load);
-        self.transform.add_force(m.disp, &q, &Self::reactions(m.load), answer.force);
+        self.transform.advance(m.disp, committed, trial)?;
+        let q = self.basic_force(m.disp, trial, m.load);
+        self.transform.add_force(m.disp, trial, &q, &Self::reactions(m.load), answer.force);
         if let Some(tangent) = answer.tangent {
-            self.transform.add_tangent(m.disp, &self.kb, &q, tangent);
+            self.transform.add_tangent(m.disp, trial, &self.kb, &q, tangent);
         }
         Ok(())
     }
@@ -351,10 +396,10 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
         match path[0] {
             LOCAL_FORCE => {
-                self.frame().local_force(&self.basic_force(s.disp, s.load), &Self::reactions(s.load), out);
+                self.frame().local_force(&self.basic_force(s.disp, s.state, s.load), &Self::reactions(s.load), out);
             }
-            BASIC_FORCE => out.copy_from_slice(&self.basic_force(s.disp, s.load)),
-            DEFORMATION => out.copy_from_slice(&self.transform.deformation(s.disp)),
+            BASIC_FORCE => out.copy_from_slice(&self.basic_force(s.disp, s.state, s.load)),
+            DEFORMATION => out.copy_from_slice(&self.transform.deformation(s.disp, s.state)),
             _ => out.iter_mut().zip(self.kb.iter().flatten()).for_each(|(o, k)| *o = *k),
         }
     }

@@ -2,4 +2,4 @@
 
 mod elastic;
 
-pub use elastic::{Bending, ElasticBeam, Release};
+pub use elastic::{Bending, ElasticBeam, ElasticSection, Release};

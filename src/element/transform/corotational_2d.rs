@@ -1,7 +1,7 @@
 //! Large displacements in the plane (Crisfield, 1991, chapter 7; Filippou and Fenves, 2004).
 
 use super::{Frame, Reactions, Transform};
-use crate::element::{add_outer, dot};
+use crate::element::{ElementError, add_outer, dot};
 
 /// Corotational transformation in the plane: the basic system turns with the chord.
 #[derive(Clone, Debug)]
@@ -57,20 +57,24 @@ impl Transform<6, 3> for Corotational2d {
     fn is_small(&self) -> bool {
         false
     }
-    fn deformation(&self, disp: &[f64]) -> [f64; 3] {
+    fn advance(&self, disp: &[f64], _: &[f64], _: &mut [f64]) -> Result<(), ElementError> {
+        // The comparison also fails for what is not a number.
+        if self.chord(disp).length > 0.0 { Ok(()) } else { Err(ElementError("the ends of the beam have met".into())) }
+    }
+    fn deformation(&self, disp: &[f64], _: &[f64]) -> [f64; 3] {
         let c = self.chord(disp);
         let turned = c.sin.atan2(c.cos);
         [c.length - self.0.length, c.local[2] - turned, c.local[5] - turned]
     }
     /// Member loads keep the direction of the undeformed beam, as in OpenSees.
-    fn add_force(&self, disp: &[f64], q: &[f64; 3], p0: &Reactions, force: &mut [f64]) {
+    fn add_force(&self, disp: &[f64], _: &[f64], q: &[f64; 3], p0: &Reactions, force: &mut [f64]) {
         let c = self.chord(disp);
         for (row, q) in Self::basic_of_local(&c).iter().zip(q) {
             force.iter_mut().zip(self.global(row)).for_each(|(f, r)| *f += q * r);
         }
         self.0.add_reactions(p0, force);
     }
-    fn add_tangent(&self, disp: &[f64], kb: &[[f64; 3]; 3], q: &[f64; 3], tangent: &mut [f64]) {
+    fn add_tangent(&self, disp: &[f64], _: &[f64], kb: &[[f64; 3]; 3], q: &[f64; 3], tangent: &mut [f64]) {
         let c = self.chord(disp);
         let rows = Self::basic_of_local(&c).map(|row| self.global(&row));
         for (a, k) in rows.iter().zip(kb) {

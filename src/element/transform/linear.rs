@@ -14,14 +14,14 @@ impl<const N: usize, const B: usize> Transform<N, B> for Linear<N, B> {
     fn is_linear(&self) -> bool {
         true
     }
-    fn deformation(&self, disp: &[f64]) -> [f64; B] {
+    fn deformation(&self, disp: &[f64], _: &[f64]) -> [f64; B] {
         self.0.deformation(disp)
     }
-    fn add_force(&self, _: &[f64], q: &[f64; B], p0: &Reactions, force: &mut [f64]) {
+    fn add_force(&self, _: &[f64], _: &[f64], q: &[f64; B], p0: &Reactions, force: &mut [f64]) {
         self.0.add_basic_force(q, force);
         self.0.add_reactions(p0, force);
     }
-    fn add_tangent(&self, _: &[f64], kb: &[[f64; B]; B], _: &[f64; B], tangent: &mut [f64]) {
+    fn add_tangent(&self, _: &[f64], _: &[f64], kb: &[[f64; B]; B], _: &[f64; B], tangent: &mut [f64]) {
         self.0.add_basic_stiffness(kb, tangent);
     }
     fn frame(&self) -> &Frame<N, B> {
@@ -40,10 +40,10 @@ impl<const N: usize, const B: usize> Transform<N, B> for PDelta<N, B> {
     fn is_linear(&self) -> bool {
         false
     }
-    fn deformation(&self, disp: &[f64]) -> [f64; B] {
+    fn deformation(&self, disp: &[f64], _: &[f64]) -> [f64; B] {
         self.0.deformation(disp)
     }
-    fn add_force(&self, disp: &[f64], q: &[f64; B], p0: &Reactions, force: &mut [f64]) {
+    fn add_force(&self, disp: &[f64], _: &[f64], q: &[f64; B], p0: &Reactions, force: &mut [f64]) {
         self.0.add_basic_force(q, force);
         self.0.add_reactions(p0, force);
         let u = self.0.since_made(disp);
@@ -54,7 +54,7 @@ impl<const N: usize, const B: usize> Transform<N, B> for PDelta<N, B> {
     }
     /// The derivative of the axial force with the displacements is left out, as is usual: it would make the
     /// stiffness unsymmetric, and is small where P-Delta is meant to be used.
-    fn add_tangent(&self, _: &[f64], kb: &[[f64; B]; B], q: &[f64; B], tangent: &mut [f64]) {
+    fn add_tangent(&self, _: &[f64], _: &[f64], kb: &[[f64; B]; B], q: &[f64; B], tangent: &mut [f64]) {
         self.0.add_basic_stiffness(kb, tangent);
         for row in self.0.across() {
             add_outer(tangent, &row, q[0] / self.0.length);

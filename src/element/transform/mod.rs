@@ -5,14 +5,17 @@
 //! rotations about z (i, j), those about y (i, j), and the twist.
 
 mod corotational_2d;
+mod corotational_3d;
 mod frame;
 mod linear;
 
+use crate::element::ElementError;
 use crate::element::axes::AxesError;
 use nalgebra::Vector3;
 use std::fmt;
 
 pub use corotational_2d::Corotational2d;
+pub use corotational_3d::Corotational3d;
 pub use frame::Frame;
 pub use linear::{Linear, PDelta};
 
@@ -30,12 +33,25 @@ pub trait Transform<const N: usize, const B: usize>: fmt::Debug + Send + Sync {
     fn is_small(&self) -> bool {
         true
     }
+    /// Number of words of history: that of large rotations in space.
+    fn state_len(&self) -> usize {
+        0
+    }
+    /// Write the virgin state.
+    fn init(&self, _state: &mut [f64]) {}
+    /// Write the history at trial displacements, which the other methods are given; must come first.
+    ///
+    /// # Errors
+    /// The ends have met.
+    fn advance(&self, _disp: &[f64], _committed: &[f64], _trial: &mut [f64]) -> Result<(), ElementError> {
+        Ok(())
+    }
     /// Basic deformations of global displacements (those at the making of the element included).
-    fn deformation(&self, disp: &[f64]) -> [f64; B];
+    fn deformation(&self, disp: &[f64], state: &[f64]) -> [f64; B];
     /// Add the global forces of the basic forces `q` and the reactions `p0`.
-    fn add_force(&self, disp: &[f64], q: &[f64; B], p0: &Reactions, force: &mut [f64]);
+    fn add_force(&self, disp: &[f64], state: &[f64], q: &[f64; B], p0: &Reactions, force: &mut [f64]);
     /// Add the global stiffness of the basic stiffness `kb`, that of the geometry included.
-    fn add_tangent(&self, disp: &[f64], kb: &[[f64; B]; B], q: &[f64; B], tangent: &mut [f64]);
+    fn add_tangent(&self, disp: &[f64], state: &[f64], kb: &[[f64; B]; B], q: &[f64; B], tangent: &mut [f64]);
     /// Undeformed geometry, for masses and local forces.
     fn frame(&self) -> &Frame<N, B>;
 }
@@ -71,27 +87,12 @@ pub struct Ends<'a> {
     pub disp: &'a [f64],
 }
 
-/// Why a transformation could not be made.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum TransformError {
-    /// Bad axes.
-    Axes(AxesError),
-    /// Not there yet.
-    Unsupported(&'static str),
-}
-
-impl From<AxesError> for TransformError {
-    fn from(e: AxesError) -> Self {
-        Self::Axes(e)
-    }
-}
-
 impl TransformSpec {
     /// For a beam in the plane.
     ///
     /// # Errors
     /// No length between the ends.
-    pub fn plane(&self, ends: &Ends<'_>) -> Result<Box<dyn Transform<6, 3>>, TransformError> {
+    pub fn plane(&self, ends: &Ends<'_>) -> Result<Box<dyn Transform<6, 3>>, AxesError> {
         let frame = Frame::plane(ends, &self.offsets)?;
         Ok(match self.kind {
             TransformKind::Linear => Box::new(Linear(frame)),
@@ -104,14 +105,12 @@ impl TransformSpec {
     ///
     /// # Errors
     /// No length between the ends, or a vector `xz` along the beam.
-    pub fn space(&self, ends: &Ends<'_>) -> Result<Box<dyn Transform<12, 6>>, TransformError> {
+    pub fn space(&self, ends: &Ends<'_>) -> Result<Box<dyn Transform<12, 6>>, AxesError> {
         let frame = Frame::space(ends, &self.offsets, self.xz)?;
         Ok(match self.kind {
             TransformKind::Linear => Box::new(Linear(frame)),
             TransformKind::PDelta => Box::new(PDelta(frame)),
-            TransformKind::Corotational => {
-                return Err(TransformError::Unsupported("the Corotational transformation in space"));
-            }
+            TransformKind::Corotational => Box::new(Corotational3d::new(frame, self.offsets)),
         })
     }
 }

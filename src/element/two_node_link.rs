@@ -1,0 +1,357 @@
+//! Springs between two nodes at a distance: `twoNodeLink`.
+
+use super::{Answer, Element, ElementError, Mass, Motion, Nature, Snapshot, add_outer, dot};
+use crate::material::{Material, Slot, Strain};
+use crate::probe::Probe;
+use nalgebra::Matrix3;
+
+/// Uniaxial springs between two nodes, each in or about a local axis, with the shear acting at a given place along the
+/// line and, where wanted, P-Delta forces of the axial spring (Schellenberg, 2008).
+#[derive(Clone, Debug)]
+pub struct TwoNodeLink {
+    springs: Vec<Spring>,
+    axes: Matrix3<f64>,
+    ndm: usize,
+    per_node: usize,
+    /// Local displacements from global ones, n x n by rows.
+    local: Vec<f64>,
+    /// Global forces per unit of axial force and displacement, n x n by rows; empty without P-Delta.
+    p_delta: Vec<f64>,
+    mass: f64,
+    rayleigh: bool,
+    state_len: usize,
+}
+
+/// One material in one direction.
+#[derive(Clone, Debug)]
+struct Spring {
+    slot: Slot,
+    /// Local direction from 0, as the nodes' degrees of freedom are numbered.
+    direction: usize,
+    /// Deformation from the global displacements.
+    row: Vec<f64>,
+}
+
+/// What a [`TwoNodeLink`] is besides its springs.
+#[derive(Clone, Debug)]
+pub struct LinkOptions {
+    /// Shares of the P-Delta moments that go to the ends as moments: about y at i and j, about z at i and j. The rest
+    /// goes as a couple of shear forces. `None` for no P-Delta.
+    pub p_delta: Option<[f64; 4]>,
+    /// Place of the shear springs along y and z, as a fraction of the length from node i.
+    pub shear_dist: [f64; 2],
+    /// Mass of the link, half at each end.
+    pub mass: f64,
+    /// Take part in the Rayleigh damping of the model.
+    pub rayleigh: bool,
+}
+
+impl TwoNodeLink {
+    /// Springs (material, its tag, direction from 1) along a line of `length` between two nodes with `per_node`
+    /// degrees of freedom in `ndm` dimensions; `axes` has the local axes as rows. Directions are those of the nodes'
+    /// degrees of freedom: 3 is the rotation in the plane and along z in space.
+    ///
+    /// # Errors
+    /// A direction that the nodes have no degree of freedom for; P-Delta shears without a lever.
+    pub fn new(
+        springs: Vec<(Material, i32, usize)>,
+        (ndm, per_node): (usize, usize),
+        axes: Matrix3<f64>,
+        length: f64,
+        options: &LinkOptions,
+    ) -> Result<Self, ElementError> {
+        let local = local_axes(&axes, ndm, per_node);
+        let mut at = 0;
+        let mut made = Vec::with_capacity(springs.len());
+        for (material, tag, direction) in springs {
+            if direction == 0 || direction > per_node {
+                let message = format!("twoNodeLink: direction {direction} at nodes with {per_node} degrees of freedom");
+                return Err(ElementError(message));
+            }
+            let slot = Slot::new(material, tag, at);
+            at += slot.len();
+            let row = basic_row(direction - 1, per_node, ndm, length, options.shear_dist);
+            made.push(Spring { slot, direction: direction - 1, row: pull_back(&row, &local) });
+        }
+        let p_delta = match options.p_delta {
+            None => vec![],
+            Some(ratios) => {
+                let mut directions: Vec<usize> = made.iter().map(|s| s.direction).collect();
+                directions.sort_unstable();
+                directions.dedup();
+                global_matrix(&p_delta_forces(&directions, ratios, (ndm, per_node), length)?, &local)
+            }
+        };
+        let LinkOptions { mass, rayleigh, .. } = *options;
+        Ok(Self { springs: made, axes, ndm, per_node, local, p_delta, mass, rayleigh, state_len: at })
+    }
+
+    fn add_p_delta(&self, axial: f64, disp: &[f64], force: &mut [f64]) {
+        for (f, row) in force.iter_mut().zip(self.p_delta.chunks_exact(disp.len())) {
+            *f += axial * dot(row, disp);
+        }
+    }
+
+    fn to_local(&self, global: &[f64], out: &mut [f64]) {
+        for (o, row) in out.iter_mut().zip(self.local.chunks_exact(global.len())) {
+            *o = dot(row, global);
+        }
+    }
+}
+
+/// Local displacements of both nodes from global ones, by rows.
+fn local_axes(axes: &Matrix3<f64>, ndm: usize, per_node: usize) -> Vec<f64> {
+    let n = 2 * per_node;
+    let mut local = vec![0.0; n * n];
+    for node in [0, per_node] {
+        for a in 0..per_node {
+            for b in 0..per_node {
+                // Translations first; the one rotation of the plane is about z.
+                let part = match (a / ndm, b / ndm) {
+                    (0, 0) => axes[(a, b)],
+                    (1, 1) if ndm == 2 => axes[(2, 2)],
+                    (1, 1) => axes[(a - 3, b - 3)],
+                    _ => 0.0,
+                };
+                local[(node + a) * n + node + b] = part;
+            }
+        }
+    }
+    local
+}
+
+/// Deformation of a spring from local displacements; a shear spring turns with the end rotations through its lever.
+fn basic_row(direction: usize, per_node: usize, ndm: usize, length: f64, shear_dist: [f64; 2]) -> Vec<f64> {
+    let mut row = vec![0.0; 2 * per_node];
+    row[direction] = -1.0;
+    row[direction + per_node] = 1.0;
+    let (rotation, sign, dist) = match (ndm, per_node, direction) {
+        (2, 3, 1) => (2, -1.0, shear_dist[0]),
+        (3, 6, 1) => (5, -1.0, shear_dist[0]),
+        (3, 6, 2) => (4, 1.0, shear_dist[1]),
+        _ => return row,
+    };
+    row[rotation] = sign * dist * length;
+    row[rotation + per_node] = sign * (1.0 - dist) * length;
+    row
+}
+
+/// Local P-Delta forces per unit of axial force and local displacement, by rows. Only directions that have a spring
+/// pass forces.
+fn p_delta_forces(
+    directions: &[usize],
+    ratios: [f64; 4],
+    (ndm, per_node): (usize, usize),
+    length: f64,
+) -> Result<Vec<f64>, ElementError> {
+    let n = 2 * per_node;
+    let mut g = vec![0.0; n * n];
+    let has = |d: usize| directions.contains(&d);
+    // Shear direction, rotation that its moments turn (if the nodes have it), sign of the moment, shares at i and j.
+    let mut planes = vec![];
+    if ndm > 1 && has(1) {
+        let rotation = if ndm == 2 { 2 } else { 5 };
+        planes.push((1, rotation, 1.0, [ratios[2], ratios[3]]));
+    }
+    if ndm == 3 && has(2) {
+        planes.push((2, 4, -1.0, [ratios[0], ratios[1]]));
+    }
+    for (shear, rotation, sign, shares) in planes {
+        let (i, j) = (shear, shear + per_node);
+        let rest = 1.0 - shares[0] - shares[1];
+        if rest.abs() > 1e-12 {
+            if length == 0.0 {
+                let message = "twoNodeLink: P-Delta forces need a length, unless all of the moment goes to the ends";
+                return Err(ElementError(message.into()));
+            }
+            for (row, s) in [(i, -1.0), (j, 1.0)] {
+                g[row * n + j] += s * rest / length;
+                g[row * n + i] -= s * rest / length;
+            }
+        }
+        if rotation < per_node && has(rotation) {
+            for (row, share) in [(rotation, shares[0]), (rotation + per_node, shares[1])] {
+                g[row * n + j] += sign * share;
+                g[row * n + i] -= sign * share;
+            }
+        }
+    }
+    Ok(g)
+}
+
+/// aᵀ T for a local row `a`.
+fn pull_back(a: &[f64], t: &[f64]) -> Vec<f64> {
+    let n = a.len();
+    let mut out = vec![0.0; n];
+    for (a, row) in a.iter().zip(t.chunks_exact(n)) {
+        out.iter_mut().zip(row).for_each(|(o, r)| *o += a * r);
+    }
+    out
+}
+
+/// Tᵀ g T.
+fn global_matrix(g: &[f64], t: &[f64]) -> Vec<f64> {
+    let n = t.len().isqrt();
+    let mut out = vec![0.0; n * n];
+    for (g_row, t_row) in g.chunks_exact(n).zip(t.chunks_exact(n)) {
+        let gt = pull_back(g_row, t);
+        for (row, t) in out.chunks_exact_mut(n).zip(t_row) {
+            row.iter_mut().zip(&gt).for_each(|(o, x)| *o += t * x);
+        }
+    }
+    out
+}
+
+const LOCAL_FORCE: u32 = 2;
+const BASIC_FORCE: u32 = 3;
+const LOCAL_DISP: u32 = 4;
+const DEFORMATION: u32 = 5;
+const BOTH: u32 = 6;
+const X_AXIS: u32 = 20;
+const Z_AXIS: u32 = 22;
+const MATERIALS: u32 = 23;
+const DIRECTIONS: u32 = 24;
+const MATERIAL: u32 = 30;
+
+impl Element for TwoNodeLink {
+    fn class(&self) -> &'static str {
+        "TwoNodeLink"
+    }
+    fn dofs(&self) -> usize {
+        2 * self.per_node
+    }
+    fn state_len(&self) -> usize {
+        self.state_len
+    }
+    fn init(&self, state: &mut [f64]) {
+        self.springs.iter().for_each(|s| s.slot.init(state));
+    }
+    fn nature(&self) -> Nature {
+        let law = |s: &Spring| s.slot.material.clone();
+        Nature {
+            linear: self.p_delta.is_empty() && self.springs.iter().all(|s| law(s).is_linear()),
+            symmetric: self.p_delta.is_empty(),
+            viscous: self.springs.iter().any(|s| law(s).is_viscous()),
+            elapses: self.springs.iter().any(|s| law(s).depends_on_time()),
+            rayleigh: self.rayleigh,
+        }
+    }
+
+    fn respond(
+        &self,
+        motion: &Motion<'_>,
+        committed: &[f64],
+        trial: &mut [f64],
+        mut answer: Answer<'_>,
+    ) -> Result<(), ElementError> {
+        let mut axial = 0.0;
+        for s in &self.springs {
+            let strain = Strain { value: dot(&s.row, motion.disp), rate: dot(&s.row, motion.vel), dt: motion.dt };
+            let stress = s.slot.update(committed, strain, trial)?;
+            if s.direction == 0 {
+                axial += stress.value;
+            }
+            for (f, r) in answer.force.iter_mut().zip(&s.row) {
+                *f += stress.value * r;
+            }
+            if let Some(k) = answer.tangent.as_deref_mut() {
+                add_outer(k, &s.row, stress.tangent);
+            }
+            if let Some(c) = answer.damping.as_deref_mut() {
+                add_outer(c, &s.row, stress.damping);
+            }
+        }
+        if !self.p_delta.is_empty() {
+            self.add_p_delta(axial, motion.disp, answer.force);
+            // How the axial force changes is left out: Rayleigh damping on the tangent would take it for damping.
+            if let Some(k) = answer.tangent {
+                k.iter_mut().zip(&self.p_delta).for_each(|(k, g)| *k += axial * g);
+            }
+        }
+        Ok(())
+    }
+
+    fn initial_tangent(&self, tangent: &mut [f64]) {
+        for s in &self.springs {
+            add_outer(tangent, &s.row, s.slot.material.initial_tangent());
+        }
+    }
+
+    fn mass(&self) -> Mass {
+        if self.mass == 0.0 {
+            return Mass::None;
+        }
+        let mut m = vec![0.0; self.dofs()];
+        for node in [0, self.per_node] {
+            m[node..node + self.ndm].fill(0.5 * self.mass);
+        }
+        Mass::Lumped(m)
+    }
+
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        let (n, dofs) = (self.springs.len(), self.dofs());
+        let numbered = |stem: &'static str, n: usize| (1..=n).map(move |i| format!("{stem}{i}"));
+        Some(match *words.first()? {
+            "localForce" | "localForces" => Probe::new(LOCAL_FORCE, numbered("p", dofs)),
+            "basicForce" | "basicForces" => Probe::new(BASIC_FORCE, numbered("q", n)),
+            "localDisplacement" | "localDisplacements" => Probe::new(LOCAL_DISP, numbered("dl", dofs)),
+            "deformation" | "deformations" | "basicDeformation" | "basicDeformations" | "basicDisplacement"
+            | "basicDisplacements" => Probe::new(DEFORMATION, numbered("db", n)),
+            "defoANDforce" | "deformationANDforce" | "deformationsANDforces" => {
+                Probe::new(BOTH, numbered("db", n).chain(numbered("q", n)))
+            }
+            "xaxis" => Probe::new(X_AXIS, ["x", "y", "z"]),
+            "yaxis" => Probe::new(X_AXIS + 1, ["x", "y", "z"]),
+            "zaxis" => Probe::new(Z_AXIS, ["x", "y", "z"]),
+            "materials" => Probe::new(MATERIALS, numbered("material", n)),
+            "directions" => Probe::new(DIRECTIONS, numbered("direction", n)),
+            "material" => {
+                let i = words.get(1)?.parse::<usize>().ok()?.checked_sub(1)?;
+                return Some(self.springs.get(i)?.slot.probe(&words[2..])?.inside(&[MATERIAL, i as u32]));
+            }
+            _ => return None,
+        })
+    }
+
+    fn probe_names(&self) -> &'static [&'static str] {
+        &[
+            "localForce",
+            "basicForce",
+            "localDisplacement",
+            "deformation",
+            "basicDeformation",
+            "defoANDforce",
+            "material",
+        ]
+    }
+
+    fn force_labels(&self) -> Vec<String> {
+        (1..=self.dofs()).map(|i| format!("P{i}")).collect()
+    }
+
+    fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
+        let n = self.springs.len();
+        for (i, spring) in self.springs.iter().enumerate() {
+            match path[0] {
+                BASIC_FORCE => out[i] = spring.slot.stress(s.state),
+                DEFORMATION => out[i] = spring.slot.strain(s.state),
+                BOTH => {
+                    out[i] = spring.slot.strain(s.state);
+                    out[n + i] = spring.slot.stress(s.state);
+                }
+                MATERIALS => out[i] = f64::from(spring.slot.tag),
+                DIRECTIONS => out[i] = (spring.direction + 1) as f64,
+                _ => {}
+            }
+        }
+        match path[0] {
+            LOCAL_FORCE => self.to_local(s.force, out),
+            LOCAL_DISP => self.to_local(s.disp, out),
+            id @ X_AXIS..=Z_AXIS => {
+                out.iter_mut().zip(self.axes.row((id - X_AXIS) as usize).iter()).for_each(|(o, a)| *o = *a);
+            }
+            MATERIAL => self.springs[path[1] as usize].slot.read(&path[2..], s.state, out),
+            _ => {}
+        }
+    }
+}
