@@ -96,6 +96,30 @@ impl System<'_> {
         }
     }
 
+    /// Add `work.spread` to the trial motion as the unknown of an integrator, and clear it.
+    pub fn add_motion(&mut self, c: Coefficients) {
+        self.moved = true;
+        let new = &mut *self.new;
+        for (i, d) in self.work.spread.iter().enumerate() {
+            new.disp[i] += c.k * d;
+            new.vel[i] += c.c * d;
+            new.accel[i] += c.m * d;
+        }
+        self.work.spread.fill(0.0);
+    }
+
+    /// Load of the equations per unit of load factor, from `factor` on: what one more of it adds to the unbalance. Loads
+    /// on elements, imposed displacements and series with factors count as they are.
+    pub fn reference_load(&mut self, factor: f64, out: &mut [f64]) -> Result<(), Failure> {
+        self.apply_loads(factor + 1.0)?;
+        self.form_unbalance(false)?;
+        out.copy_from_slice(&self.work.b);
+        self.apply_loads(factor)?;
+        self.form_unbalance(false)?;
+        out.iter_mut().zip(&self.work.b).for_each(|(p, b)| *p -= b);
+        Ok(())
+    }
+
     /// Ask all elements for forces, and for tangents if they are wanted.
     pub fn respond(&mut self, want_tangent: bool) -> Result<(), Failure> {
         let dt = if self.elapses { self.new.time - self.old.time } else { 0.0 };

@@ -21,12 +21,20 @@ pub struct KrylovNewton {
     av: Vec<Vec<f64>>,
     /// Orthonormal basis of `av`.
     q: Vec<Vec<f64>>,
+    once: bool,
+    factored: bool,
 }
 
 impl KrylovNewton {
     /// With the tangents of a step's first iteration and of a new subspace, and the largest dimension of a subspace.
     pub fn new(increment: TangentMix, iterate: Option<TangentMix>, max_dimension: usize) -> Self {
-        Self { increment, iterate, max_dimension, v: vec![], av: vec![], q: vec![] }
+        Self { increment, iterate, max_dimension, v: vec![], av: vec![], q: vec![], once: false, factored: false }
+    }
+
+    /// Keep the first tangent for all steps.
+    pub fn factor_once(mut self) -> Self {
+        self.once = true;
+        self
     }
 
     /// Accelerate the correction `r` of dimension `k`: least squares of the residual in the subspace, the rest as it
@@ -83,11 +91,15 @@ impl Algorithm for KrylovNewton {
         self.max_dimension = self.max_dimension.min(n).min(MAX_SUBSPACE - 1);
         let room = vec![vec![0.0; n]; self.max_dimension + 1];
         (self.v, self.av, self.q) = (room.clone(), room.clone(), room);
+        self.factored = false;
     }
 
     fn solve(&mut self, it: &mut Iteration<'_, '_>) -> Result<usize, Failure> {
-        it.system.form_unbalance(self.increment.current != 0.0)?;
-        it.system.form_tangent(self.increment, Use::Often)?;
+        it.system.form_unbalance(self.increment.current != 0.0 && !self.factored)?;
+        if !self.factored {
+            it.system.form_tangent(self.increment, Use::Often)?;
+        }
+        self.factored = false;
         it.test.start();
         let mut k = 0;
         loop {
@@ -102,6 +114,7 @@ impl Algorithm for KrylovNewton {
             let full = k + 1 > self.max_dimension;
             it.system.form_unbalance(full && self.iterate.is_some_and(|m| m.current != 0.0))?;
             if let Some(n) = it.judge()? {
+                self.factored = self.once;
                 return Ok(n);
             }
             k += 1;
