@@ -177,7 +177,7 @@ fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         "HHTExplicit" => {
             a.usage("integrator HHTExplicit $alpha <$gamma> <-updateElemDisp>");
             let force = a.positive("alpha")?;
-            let gamma = a.optional_float("gamma")?.unwrap_or(1.5 - force);
+            let gamma = a.optional_float("gamma")?.unwrap_or(0.5);
             a.flag("-updateElemDisp");
             let p = AlphaParameters { inertia: 1.0, force, beta: 0.0, gamma };
             Box::new(ExplicitAlpha::new("HHTExplicit", p))
@@ -188,6 +188,9 @@ fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             let p = if a.at_number() {
                 AlphaParameters { inertia: first, force, beta: a.not_negative("beta")?, gamma: a.positive("gamma")? }
             } else {
+                if force == 1.0 || first == 2.0 {
+                    return Err(a.refuse(format!("alphaF is {force}"), "expected alphaF other than 1 and rhoB other than 2"));
+                }
                 explicit_by_bifurcation(first, force)
             };
             a.flag("-updateElemDisp");

@@ -12,6 +12,7 @@ mod damping;
 mod display;
 mod element;
 mod figure;
+mod ground_motion;
 mod integrator;
 mod load;
 mod material;
@@ -55,6 +56,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         element::COMMANDS,
         series::COMMANDS,
         load::COMMANDS,
+        ground_motion::COMMANDS,
         damping::COMMANDS,
         solution::COMMANDS,
         algorithm::COMMANDS,
