@@ -10,7 +10,7 @@ use super::state::State;
 use super::system::{Coefficients, System};
 use crate::assembly::{Handler, MpScope};
 use crate::element::{Element, Snapshot};
-use crate::model::{ElementId, Model, NodeId, Pattern, PatternKind, Tag};
+use crate::model::{ElementId, GroundMotion, Model, NodeId, Pattern, PatternKind, Tag};
 use crate::solve::Use;
 use std::sync::Arc;
 
@@ -325,6 +325,7 @@ impl Engine {
         let end = |p: &Pattern| match &p.kind {
             PatternKind::Plain { series, .. } => series.end(),
             PatternKind::Uniform(e) => e.accel.end(),
+            PatternKind::MultipleSupport(all) => all.values().filter_map(GroundMotion::end).max_by(f64::total_cmp),
         };
         going.filter_map(end).max_by(f64::total_cmp)
     }

@@ -2,7 +2,7 @@
 
 use crate::assembly::{DofMap, Imposed};
 use crate::element::{ElementLoad, Mass};
-use crate::model::{ElementId, Model, PatternKind, Tag};
+use crate::model::{ElementId, Ground, Model, PatternKind, Tag};
 
 /// An imposed displacement, found once.
 #[derive(Clone, Debug)]
@@ -13,6 +13,9 @@ pub(super) struct ImposedDof {
     value: f64,
     constant: bool,
     initial: f64,
+    ground: Option<Ground>,
+    /// Displacement, velocity and acceleration of the ground at the last time.
+    motion: [f64; 3],
 }
 
 #[derive(Clone, Debug)]
@@ -21,6 +24,16 @@ struct NodalEntry {
     pattern: usize,
     value: f64,
     constant: bool,
+}
+
+impl ImposedDof {
+    /// Take the motion of the ground at a time; where its pattern is held, at the time when it was.
+    fn follow_ground(&mut self, model: &Model, time: f64) {
+        if let Some(g) = &self.ground {
+            let held = model.patterns.values().nth(self.pattern).and_then(|p| p.held);
+            self.motion = g.motion.at(held.unwrap_or(time));
+        }
+    }
 }
 
 /// The loads of all patterns, laid out flat.
@@ -75,17 +88,37 @@ impl Loads {
     fn find(&self, model: &Model, i: &Imposed) -> Option<ImposedDof> {
         let m = &model.patterns.get(&i.pattern)?.motions[i.index];
         let pattern = self.tags.binary_search(&i.pattern).ok()?;
-        Some(ImposedDof { dof: i.dof, pattern, value: m.value, constant: m.constant, initial: m.initial })
+        let (ground, motion) = (m.ground.clone(), [0.0; 3]);
+        Some(ImposedDof {
+            dof: i.dof,
+            pattern,
+            value: m.value,
+            constant: m.constant,
+            initial: m.initial,
+            ground,
+            motion,
+        })
     }
 
     /// Displacement imposed at the last time.
     pub(super) fn imposed_value(&self, i: &ImposedDof) -> f64 {
+        if i.ground.is_some() {
+            return i.motion[0];
+        }
         i.initial + i.value * if i.constant { 1.0 } else { self.factors[i.pattern] }
     }
 
+    /// Velocity and acceleration imposed at the last time, where they are.
+    pub(super) fn imposed_rates(i: &ImposedDof) -> Option<(f64, f64)> {
+        i.ground.as_ref().filter(|g| g.rates).map(|_| (i.motion[1], i.motion[2]))
+    }
+
     /// Value of a constraint that the handler keeps in the equations.
-    pub(super) fn link_value(&self, model: &Model, i: &Imposed) -> f64 {
-        self.find(model, i).map_or(0.0, |i| self.imposed_value(&i))
+    pub(super) fn link_value(&self, model: &Model, i: &Imposed, time: f64) -> f64 {
+        self.find(model, i).map_or(0.0, |mut i| {
+            i.follow_ground(model, time);
+            self.imposed_value(&i)
+        })
     }
 
     /// Forget what has been worked out: the state it went into is gone.
@@ -99,6 +132,7 @@ impl Loads {
     /// Class and tag of an element that does not take its load, and what it says.
     pub(super) fn apply(&mut self, model: &Model, time: f64, words: &mut [f64]) -> Result<bool, (String, String)> {
         let mut changed = !self.valid;
+        self.imposed.iter_mut().for_each(|i| i.follow_ground(model, time));
         for (f, p) in self.factors.iter_mut().zip(model.patterns.values()) {
             let factor = p.factor(time);
             changed |= factor != *f;
@@ -126,16 +160,6 @@ impl Loads {
                 .map_err(|error| (format!("{} {}", e.element.class(), e.tag), error.0))?;
         }
         Ok(!self.elements.is_empty())
-    }
-
-    /// Forces on all degrees of freedom per unit of load factor of the patterns that still follow one, for
-    /// integrators that control the factor; into `out`.
-    pub(super) fn reference(&self, model: &Model, out: &mut [f64]) {
-        out.fill(0.0);
-        let follows: Vec<bool> = model.patterns.values().map(|p| p.held.is_none()).collect();
-        for e in self.entries.iter().filter(|e| follows[e.pattern] && !e.constant) {
-            out[e.dof] += e.value;
-        }
     }
 }
 

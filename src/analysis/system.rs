@@ -1,6 +1,7 @@
 //! The equations of a step: unbalance, tangent, correction, for a trial state.
 
 use super::failure::{Cause, Failure};
+use super::loads::Loads;
 use super::prepared::{Prepared, TangentMix};
 use super::state::State;
 use crate::element::{Answer, MAX_DOFS, Motion};
@@ -76,6 +77,31 @@ impl System<'_> {
             self.new.disp[d.dof] += step;
         }
         work.spread.fill(0.0);
+        self.impose_rates();
+    }
+
+    /// Give the degrees of freedom that follow the ground its velocity and acceleration, and those that follow them.
+    fn impose_rates(&mut self) {
+        let work = &mut *self.work;
+        if !work.loads.imposed.iter().any(|i| Loads::imposed_rates(i).is_some()) {
+            return;
+        }
+        for part in [0, 1] {
+            let field = if part == 0 { &mut self.new.vel } else { &mut self.new.accel };
+            for i in &work.loads.imposed {
+                if let Some((vel, accel)) = Loads::imposed_rates(i) {
+                    let value = if part == 0 { vel } else { accel };
+                    work.spread[i.dof] = value - field[i.dof];
+                    field[i.dof] = value;
+                }
+            }
+            for d in &work.plan.map.dependents {
+                let step: f64 = d.terms.iter().map(|&(from, c)| c * work.spread[from]).sum();
+                work.spread[d.dof] = step;
+                field[d.dof] += step;
+            }
+            work.spread.fill(0.0);
+        }
     }
 
     /// Spread a correction of the equations to all degrees of freedom, into `work.spread`.
@@ -94,6 +120,30 @@ impl System<'_> {
         for (u, d) in self.new.disp.iter_mut().zip(&self.work.spread) {
             *u += factor * d;
         }
+    }
+
+    /// Add `work.spread` to the trial motion as the unknown of an integrator, and clear it.
+    pub fn add_motion(&mut self, c: Coefficients) {
+        self.moved = true;
+        let new = &mut *self.new;
+        for (i, d) in self.work.spread.iter().enumerate() {
+            new.disp[i] += c.k * d;
+            new.vel[i] += c.c * d;
+            new.accel[i] += c.m * d;
+        }
+        self.work.spread.fill(0.0);
+    }
+
+    /// Load of the equations per unit of load factor, from `factor` on: what one more of it adds to the unbalance. Loads
+    /// on elements, imposed displacements and series with factors count as they are.
+    pub fn reference_load(&mut self, factor: f64, out: &mut [f64]) -> Result<(), Failure> {
+        self.apply_loads(factor + 1.0)?;
+        self.form_unbalance(false)?;
+        out.copy_from_slice(&self.work.b);
+        self.apply_loads(factor)?;
+        self.form_unbalance(false)?;
+        out.iter_mut().zip(&self.work.b).for_each(|(p, b)| *p -= b);
+        Ok(())
     }
 
     /// Ask all elements for forces, and for tangents if they are wanted.
@@ -168,7 +218,7 @@ impl System<'_> {
         work.b[n..].fill(0.0);
         let loads = &work.loads;
         work.plan.add_link_forces(
-            |link| link.imposed.map_or(0.0, |i| loads.link_value(self.model, &i)),
+            |link| link.imposed.map_or(0.0, |i| loads.link_value(self.model, &i, self.new.time)),
             &self.new.disp,
             &self.new.multipliers,
             &mut work.b,

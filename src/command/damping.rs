@@ -31,13 +31,19 @@ fn factors(a: &mut Args<'_>) -> Result<Rayleigh, Exception> {
 /// Nodes and elements that are there now: those that come later have no damping, as in OpenSees.
 fn rayleigh(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, RAYLEIGH);
-    let r = factors(&mut a)?;
+    set_rayleigh(interp, &mut a)?;
     finish(interp, &a)?;
+    Ok(Value::EMPTY)
+}
+
+/// Take the four factors and give them to the whole model.
+pub(super) fn set_rayleigh(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(), Exception> {
+    let r = factors(a)?;
     interp.host.engine.change_model(|m| {
         m.elements.iter_mut().for_each(|e| e.rayleigh = r);
         m.nodes.iter_mut().for_each(|n| n.alpha_m = r.alpha_m);
     });
-    Ok(Value::EMPTY)
+    Ok(())
 }
 
 fn element_factors(interp: &mut Tcl, call: &Call<'_>) -> Outcome {

@@ -3,7 +3,7 @@
 use super::args::Args;
 use super::model::{need_model, node_of};
 use super::series::series_of;
-use super::{Command, Outcome, Tcl, finish, ignore_option, warn};
+use super::{Command, Outcome, Tcl, finish, ground_motion, ignore_option, warn};
 use crate::diagnostic::Diagnostic;
 use crate::element::ElementLoad;
 use crate::model::{ElementId, Excitation, NodalLoad, Pattern, PatternKind, SupportMotion, Tag};
@@ -38,7 +38,12 @@ fn pattern(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             a.usage(UNIFORM);
             uniform(interp, a)
         }
-        _ => Err(a.unknown_name("load pattern", ["Plain", "UniformExcitation"])),
+        "MultipleSupport" | "MultiSupport" => {
+            a.usage(ground_motion::PATTERN);
+            let tag = new_tag(interp, &mut a)?;
+            ground_motion::multiple_support(interp, tag, a)
+        }
+        _ => Err(a.unknown_name("load pattern", ["Plain", "UniformExcitation", "MultipleSupport"])),
     }
 }
 
@@ -182,7 +187,7 @@ fn sp(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     }
     let tag = interp.host.sp_tag();
     change_pattern(interp, pattern, |p| {
-        p.motions.push(SupportMotion { node, dof, value, constant, initial, tag });
+        p.motions.push(SupportMotion { node, dof, value, constant, initial, tag, ground: None });
     });
     Ok(Value::EMPTY)
 }

@@ -4,6 +4,7 @@
 //! each that is not what it should be, and changes the [`Session`]. To add one: a function in the file of its family,
 //! and a line in the family's `COMMANDS`.
 
+mod algorithm;
 mod analysis;
 mod args;
 mod constraint;
@@ -11,6 +12,8 @@ mod damping;
 mod display;
 mod element;
 mod figure;
+mod ground_motion;
+mod integrator;
 mod load;
 mod material;
 mod model;
@@ -55,8 +58,11 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         element::COMMANDS,
         series::COMMANDS,
         load::COMMANDS,
+        ground_motion::COMMANDS,
         damping::COMMANDS,
         solution::COMMANDS,
+        algorithm::COMMANDS,
+        integrator::COMMANDS,
         analysis::COMMANDS,
         recorder::COMMANDS,
         query::COMMANDS,

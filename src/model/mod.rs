@@ -3,14 +3,16 @@
 mod constraint;
 mod damping;
 mod definitions;
+mod ground_motion;
 mod node;
 mod pattern;
 
 pub use constraint::{Fix, MultiPoint};
 pub use damping::Rayleigh;
 pub use definitions::{Definitions, Registry};
+pub use ground_motion::GroundMotion;
 pub use node::Node;
-pub use pattern::{Excitation, NodalLoad, Pattern, PatternKind, SupportMotion};
+pub use pattern::{Excitation, Ground, NodalLoad, Pattern, PatternKind, SupportMotion};
 
 use crate::element::Element;
 use std::collections::BTreeMap;

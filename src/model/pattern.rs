@@ -1,8 +1,9 @@
 //! Load patterns.
 
-use super::{ElementId, NodeId, Tag};
+use super::{ElementId, GroundMotion, NodeId, Tag};
 use crate::element::ElementLoad;
 use crate::series::Series;
+use std::collections::BTreeMap;
 
 /// A force on a node.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,8 +16,17 @@ pub struct NodalLoad {
     pub constant: bool,
 }
 
+/// A motion of the ground at a support.
+#[derive(Clone, Debug)]
+pub struct Ground {
+    /// The motion.
+    pub motion: GroundMotion,
+    /// Velocity and acceleration are imposed too, and not the displacement alone.
+    pub rates: bool,
+}
+
 /// A displacement imposed by a pattern.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct SupportMotion {
     /// Node.
     pub node: NodeId,
@@ -30,6 +40,8 @@ pub struct SupportMotion {
     pub initial: f64,
     /// Number by which OpenSees' `remove sp` knows it.
     pub tag: Tag,
+    /// Moves as the ground does, instead of as the series of the pattern.
+    pub ground: Option<Ground>,
 }
 
 /// A uniform motion of all supports.
@@ -57,6 +69,8 @@ pub enum PatternKind {
     },
     /// Inertia forces of a uniform motion of the ground.
     Uniform(Excitation),
+    /// Motions of the ground, by tag, that single supports follow.
+    MultipleSupport(BTreeMap<Tag, GroundMotion>),
 }
 
 /// A load pattern.
@@ -88,6 +102,7 @@ impl Pattern {
                 let time = self.held.unwrap_or(time);
                 if time < 0.0 { 0.0 } else { e.accel.factor(time) }
             }
+            PatternKind::MultipleSupport(_) => 0.0,
         }
     }
 
@@ -96,7 +111,7 @@ impl Pattern {
         if self.held.is_none() {
             self.held = Some(match &self.kind {
                 PatternKind::Plain { .. } => self.factor(time),
-                PatternKind::Uniform(_) => time,
+                PatternKind::Uniform(_) | PatternKind::MultipleSupport(_) => time,
             });
         }
     }

@@ -14,6 +14,11 @@ pub trait TimeSeries: fmt::Debug + Send + Sync {
     /// Value at a time.
     fn factor(&self, time: f64) -> f64;
 
+    /// Time of the first value that is given explicitly.
+    fn start(&self) -> f64 {
+        0.0
+    }
+
     /// Time of the last value that is given explicitly: how long an excitation by this series lasts.
     fn end(&self) -> Option<f64> {
         None

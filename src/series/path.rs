@@ -35,6 +35,9 @@ impl TimeSeries for Path {
             _ => 0.0,
         }
     }
+    fn start(&self) -> f64 {
+        self.start
+    }
     fn end(&self) -> Option<f64> {
         Some(self.start + self.dt * self.values.len() as f64)
     }
@@ -76,6 +79,9 @@ impl TimeSeries for PathTimes {
         let (t1, t2) = (self.times[i - 1], self.times[i]);
         let (a, b) = (self.values[i - 1], self.values[i]);
         self.factor * (a + (b - a) * (time - t1) / (t2 - t1))
+    }
+    fn start(&self) -> f64 {
+        self.times.first().copied().unwrap_or(0.0)
     }
     fn end(&self) -> Option<f64> {
         self.times.last().copied()

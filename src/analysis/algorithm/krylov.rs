@@ -23,12 +23,31 @@ pub struct KrylovNewton {
     q: Vec<Vec<f64>>,
     /// The last correction before it was accelerated.
     r: Vec<f64>,
+    /// Whether the first tangent serves all steps.
+    once: bool,
+    factored: bool,
 }
 
 impl KrylovNewton {
     /// With the tangents of a step's first iteration and of a new subspace, and the largest dimension of a subspace.
     pub fn new(increment: TangentMix, iterate: Option<TangentMix>, max_dimension: usize) -> Self {
-        Self { increment, iterate, max_dimension, v: vec![], av: vec![], q: vec![], r: vec![] }
+        Self {
+            increment,
+            iterate,
+            max_dimension,
+            v: vec![],
+            av: vec![],
+            q: vec![],
+            r: vec![],
+            once: false,
+            factored: false,
+        }
+    }
+
+    /// Keep the first tangent for all steps.
+    pub fn factor_once(mut self) -> Self {
+        self.once = true;
+        self
     }
 
     /// Accelerate the correction `r` of dimension `k`: least squares of the residual in the subspace, the rest as it
@@ -86,11 +105,15 @@ impl Algorithm for KrylovNewton {
         self.r = vec![0.0; n];
         let room = vec![vec![0.0; n]; self.max_dimension + 1];
         (self.v, self.av, self.q) = (room.clone(), room.clone(), room);
+        self.factored = false;
     }
 
     fn solve(&mut self, it: &mut Iteration<'_, '_>) -> Result<usize, Failure> {
-        it.system.form_unbalance(self.increment.current != 0.0)?;
-        it.system.form_tangent(self.increment, Use::Often)?;
+        it.system.form_unbalance(self.increment.current != 0.0 && !self.factored)?;
+        if !self.factored {
+            it.system.form_tangent(self.increment, Use::Often)?;
+        }
+        self.factored = false;
         it.start_test();
         let mut k = 0;
         loop {
@@ -107,6 +130,7 @@ impl Algorithm for KrylovNewton {
             let full = k + 1 > self.max_dimension;
             it.system.form_unbalance(full && self.iterate.is_some_and(|m| m.current != 0.0))?;
             if let Some(n) = it.judge()? {
+                self.factored = self.once;
                 return Ok(n);
             }
             k += 1;

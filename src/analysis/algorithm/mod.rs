@@ -1,9 +1,14 @@
 //! Solution algorithms: how the equations of a step are brought into balance.
 
+mod bfgs;
+mod broyden;
+mod express_newton;
 mod krylov;
 mod line_search;
 mod linear;
 mod newton;
+mod quasi_newton;
+mod secant_newton;
 
 use super::convergence::{Test, Verdict};
 use super::failure::{Cause, Failure};
@@ -12,10 +17,14 @@ use super::prepared::TangentMix;
 use super::system::System;
 use std::fmt;
 
+pub use bfgs::bfgs;
+pub use broyden::broyden;
+pub use express_newton::ExpressNewton;
 pub use krylov::KrylovNewton;
 pub use line_search::{LineSearch, NewtonLineSearch, SearchKind};
 pub use linear::Linear;
 pub use newton::{ModifiedNewton, Newton};
+pub use secant_newton::SecantNewton;
 
 /// What an algorithm works on during a step.
 pub struct Iteration<'a, 'b> {

@@ -95,17 +95,13 @@ impl Integrator for DisplacementControl {
                 format!("DisplacementControl: {} is held and cannot be controlled", s.model.dof_name(self.dof));
             return Err(Failure { code: -1, ..s.failure(Cause::Model(message)) });
         }
-        Ok(())
+        s.reference_load(s.old.time, &mut self.reference)
     }
 
     fn begin(&mut self, s: &mut System<'_>, _: f64) -> Result<(), Failure> {
         s.coefficients = Coefficients { k: 1.0, c: 0.0, m: 0.0 };
         self.step = self.adaptive.next(self.step, self.last_iterations);
         self.factor = s.old.time;
-        s.work.loads.reference(s.model, &mut s.work.spread);
-        let n = s.work.plan.map.equations;
-        s.work.plan.map.condense(&s.work.spread, &mut self.reference[..n]);
-        s.work.spread.fill(0.0);
         // The loads as they are: element loads count in the tangent of a beam with P-Delta.
         s.apply_loads(self.factor)?;
         s.form_tangent(self.mix, Use::Once).map_err(|f| Failure { code: -2, ..f })?;

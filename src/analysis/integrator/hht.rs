@@ -79,11 +79,9 @@ impl Integrator for Hht {
     }
 
     fn commit(&mut self, s: &mut System<'_>, _: usize) -> Result<(), Failure> {
-        let held = &s.work.plan.map.held;
-        for i in (0..held.len()).filter(|&i| !held[i]) {
-            s.new.disp[i] = self.disp[i];
-            s.new.vel[i] = self.vel[i];
-        }
+        // Imposed displacements are those of the begin of the step here; the loads move them to its end.
+        s.new.disp.copy_from_slice(&self.disp);
+        s.new.vel.copy_from_slice(&self.vel);
         s.moved = true;
         s.apply_loads(s.old.time + self.dt)?;
         s.respond(false)

@@ -1,18 +1,42 @@
 //! Integrators: how a step advances, in a load factor or in time.
 
+mod arc_length;
+mod backward_euler;
+mod central_difference;
+mod collocation;
 mod displacement_control;
+mod explicit_alpha;
+mod generalized_alpha;
 mod hht;
+mod houbolt;
 mod load_control;
+mod min_unbal_disp_norm;
+mod multistep;
 mod newmark;
+mod park_lms3;
+mod reference_load;
+mod trbdf2;
+mod trbdf3;
 
 use super::failure::Failure;
 use super::system::System;
 use std::fmt;
 
+pub use arc_length::ArcLength;
+pub use backward_euler::backward_euler;
+pub use central_difference::CentralDifference;
+pub use collocation::Collocation;
 pub use displacement_control::DisplacementControl;
+pub use explicit_alpha::ExplicitAlpha;
+pub use generalized_alpha::{AlphaParameters, GeneralizedAlpha};
 pub use hht::Hht;
+pub use houbolt::houbolt;
 pub use load_control::LoadControl;
+pub use min_unbal_disp_norm::{MinUnbalDispNorm, Sense};
 pub use newmark::{Form, Newmark};
+pub use park_lms3::park_lms3;
+pub use trbdf2::trbdf2;
+pub use trbdf3::trbdf3;
 
 /// How a step advances.
 ///

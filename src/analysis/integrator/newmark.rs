@@ -78,14 +78,7 @@ impl Integrator for Newmark {
 
     fn update(&mut self, s: &mut System<'_>, correction: &mut [f64]) -> Result<(), Failure> {
         s.spread(correction);
-        let c = self.c;
-        let new = &mut *s.new;
-        for (i, d) in s.work.spread.iter().enumerate() {
-            new.disp[i] += c.k * d;
-            new.vel[i] += c.c * d;
-            new.accel[i] += c.m * d;
-        }
-        s.work.spread.fill(0.0);
+        s.add_motion(self.c);
         Ok(())
     }
 }

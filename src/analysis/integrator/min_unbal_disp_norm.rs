@@ -1,0 +1,93 @@
+//! Steps of the load factor with least corrections.
+
+use super::reference_load::ReferenceLoad;
+use super::{Adaptive, Integrator};
+use crate::analysis::failure::Failure;
+use crate::analysis::system::System;
+use crate::numeric::{axpy, dot};
+
+/// In which sense a step begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sense {
+    /// As the last step went.
+    LastStep,
+    /// Up where the reference load does work on the displacement under it, down where it takes some: as the sign of the
+    /// tangent's determinant does, it changes at a limit point.
+    Stiffness,
+}
+
+/// `integrator MinUnbalDispNorm`: the load factor grows by a given increment at first, then so that each correction of
+/// the displacements is least (Chan, 1988).
+#[derive(Clone, Debug)]
+pub struct MinUnbalDispNorm {
+    increment: f64,
+    adaptive: Adaptive,
+    sense: Sense,
+    last_iterations: usize,
+    reference: ReferenceLoad,
+    step_factor: f64,
+    last_factor: f64,
+    /// Displacement of the first point of a step.
+    first: Vec<f64>,
+}
+
+impl MinUnbalDispNorm {
+    /// From the first increment and how it may change, and the sense of the steps.
+    pub fn new(increment: f64, adaptive: Adaptive, sense: Sense) -> Self {
+        Self {
+            increment,
+            adaptive,
+            sense,
+            last_iterations: adaptive.desired_iterations,
+            reference: ReferenceLoad::default(),
+            step_factor: 0.0,
+            last_factor: 0.0,
+            first: vec![],
+        }
+    }
+}
+
+impl Integrator for MinUnbalDispNorm {
+    fn name(&self) -> &'static str {
+        "MinUnbalDispNorm"
+    }
+    fn is_static(&self) -> bool {
+        true
+    }
+    fn elapses(&self) -> bool {
+        false
+    }
+
+    fn prepare(&mut self, s: &mut System<'_>) -> Result<(), Failure> {
+        self.first.resize(s.work.b.len(), 0.0);
+        self.reference.prepare(s)
+    }
+
+    fn begin(&mut self, s: &mut System<'_>, _: f64) -> Result<(), Failure> {
+        self.reference.begin(s)?;
+        self.increment = self.adaptive.next(self.increment, self.last_iterations);
+        let unit = &self.reference.unit;
+        let down = match self.sense {
+            Sense::LastStep => self.last_factor < 0.0,
+            Sense::Stiffness => dot(&self.reference.load, unit) < 0.0,
+        };
+        self.step_factor = if down { -self.increment } else { self.increment };
+        self.first.iter_mut().zip(unit).for_each(|(x, u)| *x = self.step_factor * u);
+        self.reference.advance(s, self.step_factor, &self.first)
+    }
+
+    fn update(&mut self, s: &mut System<'_>, correction: &mut [f64]) -> Result<(), Failure> {
+        self.reference.solve(s)?;
+        let unit = &self.reference.unit;
+        let factor = -dot(unit, correction) / dot(unit, unit);
+        axpy(factor, unit, correction);
+        self.step_factor += factor;
+        self.reference.advance(s, factor, correction)
+    }
+
+    fn commit(&mut self, _: &mut System<'_>, iterations: usize) -> Result<(), Failure> {
+        self.last_iterations = iterations;
+        self.last_factor = self.step_factor;
+        Ok(())
+    }
+}
