@@ -189,7 +189,9 @@ fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
                 AlphaParameters { inertia: first, force, beta: a.not_negative("beta")?, gamma: a.positive("gamma")? }
             } else {
                 if force == 1.0 || first == 2.0 {
-                    return Err(a.refuse(format!("alphaF is {force}"), "expected alphaF other than 1 and rhoB other than 2"));
+                    return Err(
+                        a.refuse(format!("alphaF is {force}"), "expected alphaF other than 1 and rhoB other than 2")
+                    );
                 }
                 explicit_by_bifurcation(first, force)
             };
