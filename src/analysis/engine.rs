@@ -3,7 +3,7 @@
 use super::algorithm::{Algorithm, Iteration};
 use super::convergence::Test;
 use super::failure::{Cause, Failure};
-use super::integrator::Integrator;
+use super::integrator::{Adaptive, Integrator};
 use super::ladder::Ladder;
 use super::prepared::{PrepareOptions, Prepared, TangentMix};
 use super::state::State;
@@ -386,6 +386,33 @@ impl Engine {
                 let cause = Cause::Model(message);
                 return Err(Failure { cause, time: self.committed.time, place: None, code: -4 });
             }
+        }
+        Ok(())
+    }
+
+    /// Steps of a length that follows the iterations of the last one, until the time that `steps` steps of `dt` take has
+    /// passed. A step that fails is made again with a shorter one, down to the smallest.
+    ///
+    /// # Errors
+    /// Why the smallest step failed.
+    pub fn analyze_variable(
+        &mut self,
+        steps: usize,
+        dt: f64,
+        lengths: Adaptive,
+        observer: &mut dyn Observer,
+    ) -> Result<(), Failure> {
+        let total = steps as f64 * dt;
+        let (mut gone, mut now) = (0.0, dt);
+        while gone < total {
+            let before = self.steps;
+            match self.analyze(1, now, observer) {
+                Ok(()) => gone += now,
+                Err(f) if self.steps > before || now <= lengths.min || f.cause == Cause::Interrupted => return Err(f),
+                Err(_) => self.failure = None,
+            }
+            let iterations = self.setup.as_ref().map_or(1, |s| s.test.iteration);
+            now = lengths.next(now, iterations);
         }
         Ok(())
     }

@@ -22,17 +22,23 @@ pub(super) const COMMANDS: &[Command] = &[
     Command { name: "ladder", usage: LADDER, run: ladder },
 ];
 
-const ANALYSIS: &str = "analysis Static | Transient";
-const ANALYZE: &str = "analyze $steps (static) or analyze $steps $dt (transient)";
+const ANALYSIS: &str = "analysis Static | Transient | VariableTransient";
+const ANALYZE: &str = "analyze $steps (static), analyze $steps $dt (transient) or \
+                       analyze $steps $dt $dtMin $dtMax $iterations (variable transient)";
 const EIGEN: &str = "eigen <$solver> <-generalized | -standard> <-findLargest> $count";
 const LADDER: &str = "ladder on | off: try other algorithms and shorter steps before a step fails";
 
 fn analysis(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, ANALYSIS);
+    let mut variable = false;
     let kind = match a.word("kind of analysis")?.as_ref() {
         "Static" => Kind::Static,
         "Transient" => Kind::Transient,
-        _ => return Err(a.unknown_name("analysis", ["Static", "Transient"])),
+        "VariableTransient" | "VariableTimeStepTransient" | "TransientWithVariableTimeStep" => {
+            variable = true;
+            Kind::Transient
+        }
+        _ => return Err(a.unknown_name("analysis", ["Static", "Transient", "VariableTransient"])),
     };
     while a.left() > 0 {
         // `-numSublevels` and the like: substepping is asked for with `ladder`.
@@ -60,6 +66,7 @@ fn analysis(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     session.recorders.print = print;
     session.parts =
         Parts { handler: Some(handler), test: Some(test.clone()), integrator: kept, print, algorithm: None };
+    session.variable_steps = variable;
     session.engine.set_up(Setup { kind, handler, algorithm, integrator, test });
     Ok(Value::EMPTY)
 }
@@ -89,6 +96,7 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         return Err(a.refuse(format!("the number of steps is {steps}"), "expected a number that is not negative"));
     }
     let dt = if kind == Kind::Transient { a.positive("step of time dt")? } else { 0.0 };
+    let lengths = if interp.host.variable_steps && a.left() > 0 { Some(step_lengths(&mut a)?) } else { None };
     if kind == Kind::Transient {
         finish(interp, &a)?;
     }
@@ -101,7 +109,11 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         Mode::Run => {
             session.recorders.print = session.parts.print;
             session.recorders.end = session.engine.excitation_end();
-            session.engine.analyze(steps as usize, dt, &mut session.recorders)
+            let (engine, steps) = (&mut session.engine, steps as usize);
+            match lengths {
+                Some(lengths) => engine.analyze_variable(steps, dt, lengths, &mut session.recorders),
+                None => engine.analyze(steps, dt, &mut session.recorders),
+            }
         }
     };
     let printed = std::mem::take(&mut interp.host.recorders.printed);
@@ -131,6 +143,16 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             Ok(Value::from(i64::from(code)))
         }
     }
+}
+
+/// Smallest and largest step of time, and the iterations that a step should take.
+fn step_lengths(a: &mut Args<'_>) -> Result<Adaptive, Exception> {
+    let min = a.positive("smallest step dtMin")?;
+    let max = a.positive("largest step dtMax")?;
+    if max < min {
+        return Err(a.refuse(format!("the largest step is {max}"), format!("expected at least the smallest, {min}")));
+    }
+    Ok(Adaptive { desired_iterations: a.count("number of iterations wanted")?, min, max })
 }
 
 /// A failure as a message.

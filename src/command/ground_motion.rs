@@ -129,7 +129,9 @@ fn imposed_motion(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let ndf = interp.host.engine.model().nodes[node.0].ndf;
     let dof = a.dof("degree of freedom", ndf)?;
     let motion = motion_of(interp, &mut a)?;
-    let rates = !a.flag("-other");
+    // In OpenSees the next correction sets the velocity of the support back to zero, so that stiffness-proportional
+    // damping resists the motion of the ground.
+    let rates = !a.flag("-other") && !interp.host.engine.options.compat;
     finish(interp, &a)?;
     let (pattern, _) = motions(interp, &a)?;
     let tag = interp.host.sp_tag();

@@ -17,6 +17,7 @@ mod integrator;
 mod load;
 mod material;
 mod model;
+mod print;
 mod query;
 mod recorder;
 mod remove;
@@ -66,6 +67,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         analysis::COMMANDS,
         recorder::COMMANDS,
         query::COMMANDS,
+        print::COMMANDS,
         remove::COMMANDS,
         display::COMMANDS,
         figure::COMMANDS,

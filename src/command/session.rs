@@ -185,6 +185,8 @@ pub struct Session {
     pub(super) on_warning: Option<OnWarning>,
     pub(super) style: Style,
     pub(super) reaction_kind: ReactionKind,
+    /// Steps of time may change their length: `analysis VariableTransient`.
+    pub(super) variable_steps: bool,
     pub(super) next_sp: Tag,
     pub(super) next_mp: Tag,
     pub(super) told: BTreeMap<&'static str, usize>,
@@ -212,6 +214,7 @@ impl Session {
             on_warning: None,
             style: Style::default(),
             reaction_kind: ReactionKind::Static,
+            variable_steps: false,
             next_sp: 0,
             next_mp: 0,
             told: BTreeMap::new(),

@@ -5,6 +5,10 @@ use super::script::{Script, run};
 
 /// A mass on a spring and a dashpot, let go from a displacement of 1: m = 1, k = ω², damping ratio ζ.
 fn free_vibration(integrator: &str, dt: f64, omega: f64, zeta: f64) -> f64 {
+    with_algorithm(integrator, "Newton", dt, omega, zeta)
+}
+
+fn with_algorithm(integrator: &str, algorithm: &str, dt: f64, omega: f64, zeta: f64) -> f64 {
     let text = format!(
         "model basic -ndm 1 -ndf 1
         node 1 0; node 2 0 -mass 1.0 -disp 1.0
@@ -13,7 +17,7 @@ fn free_vibration(integrator: &str, dt: f64, omega: f64, zeta: f64) -> f64 {
         uniaxialMaterial Viscous 2 {c} 1.0
         element zeroLength 1 1 2 -mat 1 2 -dir 1 1
         setNodeAccel 2 1 {a0}
-        constraints Plain; numberer Plain; system BandGeneral; test NormUnbalance 1e-12 20; algorithm Newton
+        constraints Plain; numberer Plain; system BandGeneral; test NormUnbalance 1e-12 20; algorithm {algorithm}
         integrator {integrator}
         analysis Transient
         analyze {n} {dt}
@@ -43,6 +47,16 @@ fn integrators_have_their_order() {
         ("Newmark 0.6 0.3025", 1.0),
         ("HHT 0.9", 2.0),
         ("HHT 1.0", 2.0),
+        ("GeneralizedAlpha 1.1 0.8", 2.0),
+        ("HHTGeneralized 0.6", 2.0),
+        ("Collocation 1.1", 2.0),
+        ("Collocation 1.2 0.2 0.5", 2.0),
+        ("WilsonTheta 1.4", 2.0),
+        ("TRBDF2", 2.0),
+        ("TRBDF3", 1.0),
+        ("Houbolt", 2.0),
+        ("ParkLMS3", 2.0),
+        ("BackwardEuler", 2.0),
     ] {
         for zeta in [0.0, 0.05] {
             let error = |dt: f64| (free_vibration(integrator, dt, 9.0, zeta) - exact(1.0, 9.0, zeta)).abs();
@@ -50,6 +64,37 @@ fn integrators_have_their_order() {
             assert!((found - order).abs() < 0.15, "{integrator}, damping {zeta}: order {found}");
         }
     }
+}
+
+#[test]
+fn explicit_integrators_have_their_order() {
+    for integrator in
+        ["CentralDifference", "NewmarkExplicit 0.5", "HHTExplicit 0.9 0.6", "HHTGeneralizedExplicit 0.8 0.6"]
+    {
+        let error = |dt: f64| {
+            let found = with_algorithm(integrator, "Linear", dt, 9.0, 0.0);
+            (found - exact(1.0, 9.0, 0.0)).abs()
+        };
+        let order = (error(0.005) / error(0.0025)).log2();
+        assert!((order - 2.0).abs() < 0.2, "{integrator}: order {order}");
+    }
+}
+
+/// An algorithm that iterates makes no sense with an explicit method, and says so.
+#[test]
+fn explicit_integrators_want_one_correction() {
+    let ran = Script::default().run(
+        "model basic -ndm 1 -ndf 1; node 1 0; node 2 0 -mass 1.0; fix 1 1
+        uniaxialMaterial ElasticPP 1 1000.0 0.01
+        element zeroLength 1 1 2 -mat 1 -dir 1
+        timeSeries Constant 1; pattern Plain 1 1 { load 2 30.0 }
+        constraints Plain; numberer Plain; system FullGeneral; test NormUnbalance 1e-12 20; algorithm Newton
+        integrator CentralDifference
+        analysis Transient
+        puts [analyze 1 0.001]",
+    );
+    assert_eq!(ran.numbers(), [-3.0]);
+    assert!(ran.warnings()[0].message.contains("algorithm Linear"), "{:?}", ran.warnings());
 }
 
 #[test]
