@@ -16,6 +16,7 @@ mod script;
 mod statics;
 
 /// Whether two numbers agree to a fraction of the larger.
+#[must_use]
 fn close(a: f64, b: f64, tolerance: f64) -> bool {
     (a - b).abs() <= tolerance * a.abs().max(b.abs())
 }

@@ -288,6 +288,16 @@ impl Engine {
         }
     }
 
+    /// The resisting force of an element in the committed state as recorders show it, added to `out`.
+    pub fn element_force(&self, id: ElementId, out: &mut Vec<f64>) {
+        let e = &self.model.elements[id.0];
+        let start = out.len();
+        out.extend_from_slice(&self.committed.force[e.force.clone()]);
+        if let Some((_, _, work)) = &self.prepared {
+            work.loads.report(id, &mut out[start..]);
+        }
+    }
+
     fn prepare_options(&self, handler: Handler) -> PrepareOptions {
         let compat = self.options.compat;
         let first_only = compat && handler == Handler::Transformation;
@@ -295,6 +305,7 @@ impl Engine {
             handler,
             scope: if first_only { MpScope::FirstOfNode } else { MpScope::All },
             homogeneous: compat && handler == Handler::Plain,
+            compat,
             dense: self.options.dense,
         }
     }

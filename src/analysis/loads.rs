@@ -1,7 +1,8 @@
 //! Loads and imposed displacements at a time.
 
+use super::ground_inertia::GroundInertia;
 use crate::assembly::{DofMap, Imposed};
-use crate::element::{ElementLoad, Mass};
+use crate::element::ElementLoad;
 use crate::model::{ElementId, Ground, Model, PatternKind, Tag};
 
 /// An imposed displacement, found once.
@@ -43,8 +44,7 @@ pub struct Loads {
     /// Load factor (or ground acceleration) of each pattern at the last time.
     factors: Vec<f64>,
     entries: Vec<NodalEntry>,
-    /// Inertia force of all degrees of freedom per unit ground acceleration, by pattern.
-    inertia: Vec<(usize, Vec<f64>)>,
+    inertia: Vec<GroundInertia>,
     elements: Vec<(ElementId, usize, ElementLoad)>,
     /// Imposed displacements that are out of the equations.
     pub(super) imposed: Vec<ImposedDof>,
@@ -54,7 +54,7 @@ pub struct Loads {
 }
 
 impl Loads {
-    pub(super) fn new(model: &Model, map: &DofMap) -> Self {
+    pub(super) fn new(model: &Model, map: &DofMap, compat: bool) -> Self {
         let tags: Vec<Tag> = model.patterns.keys().copied().collect();
         let mut loads = Self {
             factors: vec![0.0; tags.len()],
@@ -78,7 +78,7 @@ impl Loads {
             }
             loads.elements.extend(p.element_loads.iter().map(|(e, l)| (*e, i, *l)));
             if let PatternKind::Uniform(e) = &p.kind {
-                loads.inertia.push((i, inertia_forces(model, e.direction, e.influence)));
+                loads.inertia.push(GroundInertia::new(model, i, e, compat));
             }
         }
         loads.imposed = map.imposed.iter().filter_map(|i| loads.find(model, i)).collect();
@@ -126,6 +126,23 @@ impl Loads {
         self.valid = false;
     }
 
+    /// The loads on the nodes themselves at the last time, into `out`.
+    pub(super) fn of_nodes(&self, out: &mut [f64]) {
+        out.copy_from_slice(&self.nodal);
+        self.inertia.iter().for_each(|i| i.take_off(&self.factors, true, out));
+    }
+
+    /// The loads at the last time that balance the resisting forces, into `out`: all but what OpenSees counts again.
+    pub(super) fn of_model(&self, out: &mut [f64]) {
+        out.copy_from_slice(&self.nodal);
+        self.inertia.iter().for_each(|i| i.take_off(&self.factors, false, out));
+    }
+
+    /// Add to the force of an element what OpenSees reports beside it.
+    pub(super) fn report(&self, element: ElementId, force: &mut [f64]) {
+        self.inertia.iter().for_each(|i| i.report(&self.factors, element, force));
+    }
+
     /// Work out the loads at a time; `words` takes those on elements. Whether the latter may have changed.
     ///
     /// # Errors
@@ -146,10 +163,7 @@ impl Loads {
         for e in &self.entries {
             self.nodal[e.dof] += e.value * if e.constant { 1.0 } else { self.factors[e.pattern] };
         }
-        for (pattern, force) in &self.inertia {
-            let accel = self.factors[*pattern];
-            self.nodal.iter_mut().zip(force).for_each(|(p, f)| *p -= accel * f);
-        }
+        self.inertia.iter().for_each(|i| i.add(&self.factors, &mut self.nodal));
         if !self.elements.is_empty() {
             words.fill(0.0);
         }
@@ -161,36 +175,4 @@ impl Loads {
         }
         Ok(!self.elements.is_empty())
     }
-}
-
-/// M R for a uniform motion: the masses of nodes and elements times the influence of the motion.
-fn inertia_forces(model: &Model, direction: usize, influence: f64) -> Vec<f64> {
-    let mut r = vec![0.0; model.dofs()];
-    for node in &model.nodes {
-        r[node.dofs()].copy_from_slice(&node.influence(direction));
-    }
-    let mut force: Vec<f64> = vec![0.0; model.dofs()];
-    for node in &model.nodes {
-        for (dof, m) in node.dofs().zip(&node.mass) {
-            force[dof] += influence * m * r[dof];
-        }
-    }
-    for e in &model.elements {
-        let n = e.dofs.len();
-        match e.element.mass() {
-            Mass::None => {}
-            Mass::Lumped(m) => {
-                for (&d, m) in e.dofs.iter().zip(&m) {
-                    force[d as usize] += influence * m * r[d as usize];
-                }
-            }
-            Mass::Consistent(m) => {
-                for (&d, row) in e.dofs.iter().zip(m.chunks_exact(n)) {
-                    let sum: f64 = e.dofs.iter().zip(row).map(|(&c, m)| m * r[c as usize]).sum();
-                    force[d as usize] += influence * sum;
-                }
-            }
-        }
-    }
-    force
 }

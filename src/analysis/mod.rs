@@ -4,6 +4,7 @@ pub mod algorithm;
 mod convergence;
 mod engine;
 mod failure;
+mod ground_inertia;
 pub mod integrator;
 mod ladder;
 mod loads;

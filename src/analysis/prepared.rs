@@ -91,6 +91,8 @@ pub struct PrepareOptions {
     pub scope: MpScope,
     /// Whether imposed motions only hold their degrees of freedom.
     pub homogeneous: bool,
+    /// OpenSees' slips are followed.
+    pub compat: bool,
     /// Force a dense matrix, or a sparse one.
     pub dense: Option<bool>,
 }
@@ -139,7 +141,7 @@ impl Prepared {
         let (n, len) = (plan.equations(), plan.pattern.len());
         let mut prepared = Self {
             nodal: nodal.collect(),
-            loads: Loads::new(model, &plan.map),
+            loads: Loads::new(model, &plan.map, options.compat),
             b: vec![0.0; n],
             x: vec![0.0; n],
             spread: vec![0.0; model.dofs()],

@@ -41,7 +41,7 @@ impl Engine {
         self.reactions(ReactionKind::Static, out)?;
         let (_, state, work) = self.parts();
         let Some(work) = work else { return Ok(()) };
-        work.full.copy_from_slice(&work.loads.nodal);
+        work.loads.of_nodes(&mut work.full);
         if inertia {
             work.subtract_nodal_inertia(state);
         }
@@ -72,7 +72,7 @@ impl super::prepared::Prepared {
     fn sum_forces(&mut self, model: &crate::model::Model, state: &State, kind: ReactionKind) {
         match kind {
             ReactionKind::Static => {
-                self.full.copy_from_slice(&self.loads.nodal);
+                self.loads.of_model(&mut self.full);
                 self.subtract_elements(model, state, false);
                 self.subtract_nodal_damping(state);
             }

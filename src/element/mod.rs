@@ -141,6 +141,12 @@ pub trait Element: fmt::Debug + Send + Sync {
         Mass::None
     }
 
+    /// Where OpenSees takes the inertia of its mass under a uniform ground motion off the force that it reports: how
+    /// often it counts that inertia in the equations of motion. Followed on demand only.
+    fn ground_inertia_slip(&self) -> Option<f64> {
+        None
+    }
+
     /// Number of words that [`Element::add_load`] sums loads in.
     fn load_len(&self) -> usize {
         0

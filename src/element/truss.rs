@@ -149,6 +149,10 @@ impl Element for Truss {
         add_outer(tangent, &self.row, self.options.area * self.length * self.slot.material.initial_tangent());
     }
 
+    fn ground_inertia_slip(&self) -> Option<f64> {
+        (self.options.rho != 0.0).then_some(1.0)
+    }
+
     fn mass(&self) -> Mass {
         self.options.mass(self.length, self.ndm, self.dofs() / 2)
     }

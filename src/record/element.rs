@@ -70,11 +70,11 @@ impl ElementResponse {
     }
 
     fn read(&mut self, engine: &Engine, id: ElementId, answer: &Answer) {
-        let snapshot = engine.snapshot(id, &mut self.disp);
         self.values.clear();
         match answer {
-            Answer::Force(_) => self.values.extend_from_slice(snapshot.force),
+            Answer::Force(_) => engine.element_force(id, &mut self.values),
             Answer::Probe(p) => {
+                let snapshot = engine.snapshot(id, &mut self.disp);
                 self.values.resize(p.len(), 0.0);
                 engine.model().elements[id.0].element.read(&p.path, &snapshot, &mut self.values);
             }

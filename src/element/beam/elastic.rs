@@ -327,6 +327,10 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
         self.frame().add_basic_stiffness(&self.kb, tangent);
     }
 
+    fn ground_inertia_slip(&self) -> Option<f64> {
+        (self.rho != 0.0).then_some(if N == 6 { 2.0 } else { 1.0 })
+    }
+
     fn mass(&self) -> Mass {
         if self.rho == 0.0 {
             return Mass::None;

@@ -1,0 +1,89 @@
+//! Inertia forces of a uniform ground motion: M R times the acceleration of the ground.
+
+use crate::element::Mass;
+use crate::model::{ElementEntry, ElementId, Excitation, Model};
+use std::collections::BTreeMap;
+
+/// Forces on all degrees of freedom per unit of ground acceleration.
+#[derive(Clone, Debug)]
+pub(super) struct GroundInertia {
+    /// Index of the pattern that gives the acceleration.
+    pattern: usize,
+    /// From the masses of the nodes.
+    nodes: Vec<f64>,
+    /// From the masses of the elements.
+    elements: Vec<f64>,
+    /// What OpenSees counts once more: empty unless its slips are wanted.
+    again: Vec<f64>,
+    /// What OpenSees takes off the force that an element reports, by element: empty unless its slips are wanted.
+    reported: BTreeMap<usize, Vec<f64>>,
+}
+
+/// M R of an element.
+fn mass_times(e: &ElementEntry, r: &[f64]) -> Vec<f64> {
+    let of = |d: &u32| r[*d as usize];
+    match e.element.mass() {
+        Mass::None => vec![0.0; e.dofs.len()],
+        Mass::Lumped(m) => e.dofs.iter().zip(&m).map(|(d, m)| m * of(d)).collect(),
+        Mass::Consistent(m) => {
+            m.chunks_exact(e.dofs.len()).map(|row| e.dofs.iter().zip(row).map(|(d, m)| m * of(d)).sum()).collect()
+        }
+    }
+}
+
+impl GroundInertia {
+    /// For an excitation, with OpenSees' slips if they are wanted.
+    pub(super) fn new(model: &Model, pattern: usize, excitation: &Excitation, compat: bool) -> Self {
+        let mut r = vec![0.0; model.dofs()];
+        for node in &model.nodes {
+            let influence = node.influence(excitation.direction);
+            r[node.dofs()].iter_mut().zip(&influence).for_each(|(r, i)| *r = excitation.influence * i);
+        }
+        let mut nodes = vec![0.0; model.dofs()];
+        for node in &model.nodes {
+            for (dof, m) in node.dofs().zip(&node.mass) {
+                nodes[dof] = m * r[dof];
+            }
+        }
+        let mut inertia =
+            Self { pattern, nodes, elements: vec![0.0; model.dofs()], again: vec![], reported: BTreeMap::new() };
+        for (i, e) in model.elements.iter().enumerate() {
+            let force = mass_times(e, &r);
+            for (&d, f) in e.dofs.iter().zip(&force) {
+                inertia.elements[d as usize] += f;
+            }
+            if let Some(times) = e.element.ground_inertia_slip().filter(|_| compat) {
+                inertia.again.resize(model.dofs(), 0.0);
+                for (&d, f) in e.dofs.iter().zip(&force) {
+                    inertia.again[d as usize] += (times - 1.0) * f;
+                }
+                inertia.reported.insert(i, force);
+            }
+        }
+        inertia
+    }
+
+    /// Add the forces, all of them, to `out`.
+    pub(super) fn add(&self, factors: &[f64], out: &mut [f64]) {
+        let a = factors[self.pattern];
+        for part in [&self.nodes, &self.elements, &self.again] {
+            out.iter_mut().zip(part).for_each(|(p, f)| *p -= a * f);
+        }
+    }
+
+    /// Take those that OpenSees counts once more off `out`; with `elements` all those of the elements.
+    pub(super) fn take_off(&self, factors: &[f64], elements: bool, out: &mut [f64]) {
+        let a = factors[self.pattern];
+        let own: &[f64] = if elements { &self.elements } else { &[] };
+        for part in [own, &self.again] {
+            out.iter_mut().zip(part).for_each(|(p, f)| *p += a * f);
+        }
+    }
+
+    /// Add to the force of an element what OpenSees reports beside it.
+    pub(super) fn report(&self, factors: &[f64], element: ElementId, force: &mut [f64]) {
+        if let Some(f) = self.reported.get(&element.0) {
+            force.iter_mut().zip(f).for_each(|(p, f)| *p += factors[self.pattern] * f);
+        }
+    }
+}
