@@ -14,6 +14,7 @@ mod figure;
 mod load;
 mod material;
 mod model;
+mod print;
 mod query;
 mod recorder;
 mod remove;
@@ -60,6 +61,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         analysis::COMMANDS,
         recorder::COMMANDS,
         query::COMMANDS,
+        print::COMMANDS,
         remove::COMMANDS,
         display::COMMANDS,
         figure::COMMANDS,
