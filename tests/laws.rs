@@ -7,8 +7,12 @@
 mod beams;
 #[path = "laws/bearings.rs"]
 mod bearings;
+#[path = "laws/corotational.rs"]
+mod corotational;
 #[path = "laws/driver.rs"]
 mod driver;
+#[path = "laws/links.rs"]
+mod links;
 #[path = "laws/materials.rs"]
 mod materials;
 #[path = "laws/springs.rs"]

@@ -131,9 +131,9 @@ impl Element for CorotTruss {
         let s = self.slot.update(committed, strain, trial)?;
         let area = self.options.area;
         let axial = area * s.value;
-        for i in 0..self.ndm {
-            answer.force[i] -= axial * n[i];
-            answer.force[self.per_node + i] += axial * n[i];
+        for (i, n) in n.iter().enumerate().take(self.ndm) {
+            answer.force[i] -= axial * n;
+            answer.force[self.per_node + i] += axial * n;
         }
         if let Some(k) = answer.tangent {
             self.add_stiffness(n, area * s.tangent / self.length, axial / chord.length, k);

@@ -237,3 +237,64 @@ fn reactions_balance_the_loads() {
         assert!((sum(k) + applied).abs() < 1e-8, "direction {}: {} and {applied}", k + 1, sum(k));
     }
 }
+
+/// A section by its tag is the section by its numbers; factors 4, 4 and 2 are an unmodified beam; a column that is
+/// bent into a circle by a moment ends where the circle does.
+#[test]
+fn forms_of_elastic_beams() {
+    let cantilever = |element: &str, transform: &str, load: &str, parts: usize| {
+        let ran = run(&format!(
+            "model basic -ndm 3 -ndf 6
+            for {{set i 0}} {{$i <= {parts}}} {{incr i}} {{ node $i [expr {{4.0*$i/{parts}}}] 0 0 }}
+            fix 0 1 1 1 1 1 1
+            geomTransf {transform} 1 0 0 1
+            section Elastic 7 2e5 0.02 1e-3 6e-4 8e4 1e-3
+            section Elastic 8 2e5 0.02 1e-3 6e-4 8e4 1e-3 0.8 0.7
+            for {{set i 1}} {{$i <= {parts}}} {{incr i}} {{ element elasticBeamColumn $i [expr {{$i-1}}] $i {element} }}
+            timeSeries Linear 1
+            pattern Plain 1 1 {{ load {parts} {load} }}
+            constraints Plain; numberer Plain; system FullGeneral; test NormUnbalance 1e-9 50; algorithm Newton
+            integrator LoadControl 0.05; analysis Static
+            analyze 20
+            puts [nodeDisp {parts}]"
+        ));
+        ran.numbers()
+    };
+    let load = "1 2 3 0 0 0";
+    let numbers = cantilever("0.02 2e5 8e4 1e-3 6e-4 1e-3 1", "Linear", load, 1);
+    assert_eq!(numbers, cantilever("7 1", "Linear", load, 1));
+    let shear = cantilever("8 1", "Linear", load, 1);
+    let sheared = 2.0 * 64.0 / (3.0 * 200.0) + 2.0 * 4.0 / (8e4 * 0.02 * 0.8);
+    assert!(close(shear[1], sheared, 1e-9), "{} and {sheared}", shear[1]);
+
+    // A quarter of a circle about the global z axis.
+    let angle = 0.5 * std::f64::consts::PI;
+    let moment = angle * 200.0 / 4.0;
+    let v = cantilever("7 1", "Corotational", &format!("0 0 0 0 0 {moment}"), 16);
+    let radius = 4.0 / angle;
+    assert!(close(v[5], angle, 1e-6), "{v:?}");
+    assert!(close(v[0], radius - 4.0, 5e-3) && close(v[1], radius, 5e-3), "{v:?}");
+    assert!(v[2].abs() < 1e-9);
+}
+
+#[test]
+fn factors_of_a_modified_beam() {
+    let tip = |element: &str| {
+        let ran = run(&format!(
+            "model basic -ndm 2 -ndf 3
+            node 1 0 0; node 2 0 3; fix 1 1 1 1
+            geomTransf Linear 1
+            element {element}
+            timeSeries Linear 1
+            pattern Plain 1 1 {{ load 2 1 0 0; eleLoad -ele 1 -type -beamUniform 0.5 }}
+            constraints Plain; numberer Plain; system BandGeneral; test NormUnbalance 1e-9 5; algorithm Newton
+            integrator LoadControl 1.0; analysis Static
+            analyze 1
+            puts [nodeDisp 2]"
+        ));
+        ran.numbers()
+    };
+    let plain = tip("elasticBeamColumn 1 1 2 0.02 2e5 1e-3 1");
+    assert_eq!(plain, tip("ModElasticBeam2d 1 1 2 0.02 2e5 1e-3 4 4 2 1"));
+    assert!(tip("ModElasticBeam2d 1 1 2 0.02 2e5 1e-3 6 6 3 1")[0].abs() < plain[0].abs());
+}
