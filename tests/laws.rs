@@ -9,6 +9,8 @@ mod beams;
 mod bearings;
 #[path = "laws/driver.rs"]
 mod driver;
+#[path = "laws/frame_materials.rs"]
+mod frame_materials;
 #[path = "laws/materials.rs"]
 mod materials;
 #[path = "laws/springs.rs"]
