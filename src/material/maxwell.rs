@@ -14,9 +14,10 @@ pub struct Maxwell {
     pub alpha: f64,
     /// Length of the damper.
     pub length: f64,
-    /// Give stress over strain as the derivative of the stress by the rate (`-returnD`).
+    /// `-returnD`: see `compat`.
     pub secant_damping: bool,
-    /// As in OpenSees, give the stiffness of the spring as the tangent.
+    /// As in OpenSees, give the stiffness of the spring as the tangent and, with `-returnD`, stress over strain as the
+    /// derivative of the stress by the rate.
     pub compat: bool,
 }
 
@@ -39,7 +40,8 @@ impl UniaxialLaw for Maxwell {
         let rest = (-strain.dt / relaxation).exp();
         let slope = 0.5 * self.k * (1.0 + rest);
         let value = c.stress * rest + slope * (strain.value - c.strain);
-        let damping = if self.secant_damping && strain.value != 0.0 { value / strain.value } else { 0.0 };
+        let secant = UniaxialLaw::is_viscous(self) && strain.value != 0.0;
+        let damping = if secant { value / strain.value } else { 0.0 };
         let tangent = if self.compat { self.k } else { slope };
         Ok((Stress { value, tangent, damping }, History { strain: strain.value, stress: value }))
     }
@@ -49,7 +51,7 @@ impl UniaxialLaw for Maxwell {
     }
 
     fn is_viscous(&self) -> bool {
-        self.secant_damping
+        self.secant_damping && self.compat
     }
 
     fn depends_on_time(&self) -> bool {
