@@ -59,8 +59,8 @@ fn viscous_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
         law.relative = a.not_negative("relative tolerance relTol")?;
         law.absolute = a.not_negative("absolute tolerance absTol")?;
         law.halvings = a.int("largest number of halvings maxHalf")?;
-        if !(0..=30).contains(&law.halvings) {
-            return Err(a.refuse(format!("maxHalf is {}", law.halvings), "expected maxHalf, 0 to 30"));
+        if !(0..=20).contains(&law.halvings) {
+            return Err(a.refuse(format!("maxHalf is {}", law.halvings), "expected maxHalf, 0 to 20"));
         }
     }
     Ok(Arc::new(law))
