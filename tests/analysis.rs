@@ -6,6 +6,8 @@
 mod constraints;
 #[path = "analysis/dynamics.rs"]
 mod dynamics;
+#[path = "analysis/materials.rs"]
+mod materials;
 #[path = "analysis/model.rs"]
 mod model;
 #[path = "analysis/modes.rs"]

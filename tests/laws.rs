@@ -11,6 +11,8 @@ mod bearings;
 mod corotational;
 #[path = "laws/driver.rs"]
 mod driver;
+#[path = "laws/frame_materials.rs"]
+mod frame_materials;
 #[path = "laws/links.rs"]
 mod links;
 #[path = "laws/materials.rs"]

@@ -1,5 +1,6 @@
 //! What the OpenSees commands of a script work on.
 
+use super::material::Bench;
 use crate::analysis::algorithm::Algorithm;
 use crate::analysis::integrator::Integrator;
 use crate::analysis::{Engine, Failure, Kind, Observer, Options, ReactionKind, Test};
@@ -190,6 +191,7 @@ pub struct Session {
     pub(super) next_sp: Tag,
     pub(super) next_mp: Tag,
     pub(super) told: BTreeMap<&'static str, usize>,
+    pub(super) bench: Bench,
 }
 
 impl Session {
@@ -218,6 +220,7 @@ impl Session {
             next_sp: 0,
             next_mp: 0,
             told: BTreeMap::new(),
+            bench: Bench::default(),
         }
     }
 
@@ -249,6 +252,7 @@ impl Session {
         let finished = self.recorders.finish();
         self.engine.wipe();
         self.definitions = Definitions::default();
+        self.bench = Bench::default();
         (self.ndm, self.ndf, self.pattern) = (0, 0, None);
         self.parts = Parts::default();
         self.regions.clear();

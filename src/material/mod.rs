@@ -6,10 +6,23 @@
 
 mod bouc_wen;
 mod elastic;
+mod elastic_multi_linear;
 mod elastic_pp;
+mod elastic_pp_gap;
+mod hardening;
+mod hysteretic;
+mod maxwell;
+mod multi_linear;
+mod no_tension;
+mod parallel;
+mod self_centering;
+mod series;
 mod slot;
 mod steel01;
+mod steel02;
 mod viscous;
+mod viscous_damper;
+mod wrapped;
 
 use crate::probe::Probe;
 use crate::words::Words;
@@ -18,10 +31,23 @@ use std::sync::Arc;
 
 pub use bouc_wen::BoucWen;
 pub use elastic::Elastic;
+pub use elastic_multi_linear::{ElasticBilin, ElasticMultiLinear};
 pub use elastic_pp::ElasticPP;
+pub use elastic_pp_gap::ElasticPPGap;
+pub use hardening::Hardening;
+pub use hysteretic::{Envelope, Hysteretic};
+pub use maxwell::Maxwell;
+pub use multi_linear::MultiLinear;
+pub use no_tension::NoTension;
+pub use parallel::Parallel;
+pub use self_centering::SelfCentering;
+pub use series::{Iteration, Series};
 pub use slot::Slot;
 pub use steel01::Steel01;
+pub use steel02::Steel02;
 pub use viscous::Viscous;
+pub use viscous_damper::{Method, ViscousDamper};
+pub use wrapped::{InitialState, MinMax};
 
 /// A trial strain with what rate-dependent laws need to know.
 #[derive(Clone, Copy, Debug, Default)]
@@ -86,6 +112,11 @@ pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {
         false
     }
 
+    /// Strain that recorders show for a strain of the material: a law that begins with a stress counts its strain in.
+    fn shown_strain(&self, strain: f64) -> f64 {
+        strain
+    }
+
     /// A response of the law's own, beyond those that every material has.
     fn probe(&self, _words: &[&str]) -> Option<Probe> {
         None
@@ -113,6 +144,10 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
     fn depends_on_time(&self) -> bool;
     /// Whether the stress is proportional to the strain, whatever the history.
     fn is_linear(&self) -> bool;
+    /// Strain that recorders show for a strain of the material: a law that begins with a strain counts it in.
+    fn shown_strain(&self, strain: f64, _state: &[f64]) -> f64 {
+        strain
+    }
     /// A response of the material's own, by the words of a recorder command.
     fn probe(&self, words: &[&str]) -> Option<Probe>;
     /// Value of a probe from the state.
@@ -146,6 +181,9 @@ impl<L: UniaxialLaw> Uniaxial for L {
     }
     fn is_linear(&self) -> bool {
         UniaxialLaw::is_linear(self)
+    }
+    fn shown_strain(&self, strain: f64, _: &[f64]) -> f64 {
+        UniaxialLaw::shown_strain(self, strain)
     }
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         UniaxialLaw::probe(self, words)

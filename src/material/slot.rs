@@ -111,16 +111,22 @@ impl Slot {
     /// Value of a probe.
     pub fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
         let words = &state[self.at..self.at + self.len()];
+        let strain = self.material.shown_strain(words[STRAIN], &words[HEADER..]);
         match path[0] {
             1 => out[0] = words[STRESS],
             2 => out[0] = words[TANGENT],
-            3 => out[0] = words[STRAIN],
-            4 => out.copy_from_slice(&[words[STRESS], words[STRAIN]]),
-            5 => out.copy_from_slice(&[words[STRESS], words[STRAIN], words[TANGENT]]),
-            6 => out[0] = words[STRAIN] - words[STRESS] / self.material.initial_tangent(),
+            3 => out[0] = strain,
+            4 => out.copy_from_slice(&[words[STRESS], strain]),
+            5 => out.copy_from_slice(&[words[STRESS], strain, words[TANGENT]]),
+            6 => out[0] = strain - words[STRESS] / self.material.initial_tangent(),
             7 => out[0] = words[RATE],
             9 => out[0] = words[ENERGY],
             _ => self.material.read(&path[1..], &words[HEADER..], out),
         }
+    }
+
+    /// Value of a probe that the law itself answers, by the law's own path.
+    pub fn read_own(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
+        self.material.read(path, &state[self.at + HEADER..self.at + self.len()], out);
     }
 }

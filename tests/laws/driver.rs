@@ -22,6 +22,10 @@ impl Point {
         self.law.update(&self.state, Strain { value: strain, rate, dt }, &mut self.next).unwrap()
     }
 
+    pub fn state(&self) -> &[f64] {
+        &self.state
+    }
+
     /// Commit the last trial.
     pub fn commit(&mut self) {
         self.state.copy_from_slice(&self.next);

@@ -1,0 +1,99 @@
+//! Hysteretic materials.
+
+use super::Kind;
+use crate::command::args::Args;
+use crate::command::{Tcl, warn};
+use crate::diagnostic::Diagnostic;
+use crate::material::{BoucWen, Envelope, Hysteretic, Material, SelfCentering};
+use crate::script::Exception;
+use std::sync::Arc;
+
+pub(super) const KINDS: &[Kind] = &[
+    Kind {
+        names: &["BoucWen"],
+        usage: "uniaxialMaterial BoucWen $tag $alpha $ko $n $gamma $beta $Ao $deltaA $deltaNu $deltaEta",
+        make: bouc_wen,
+    },
+    Kind {
+        names: &["Hysteretic"],
+        usage: "uniaxialMaterial Hysteretic $tag $s1p $e1p $s2p $e2p <$s3p $e3p> $s1n $e1n $s2n $e2n <$s3n $e3n> \
+                $pinchX $pinchY $damage1 $damage2 <$beta>",
+        make: hysteretic,
+    },
+    Kind {
+        names: &["SelfCentering"],
+        usage: "uniaxialMaterial SelfCentering $tag $k1 $k2 $sigAct $beta <$epsSlip> <$epsBear> <$rBear>",
+        make: self_centering,
+    },
+];
+
+fn bouc_wen(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let law = BoucWen {
+        alpha: a.float("ratio of post-yield stiffness alpha")?,
+        ko: a.float("elastic stiffness ko")?,
+        n: a.positive("exponent n")?,
+        gamma: a.float("gamma")?,
+        beta: a.float("beta")?,
+        ao: a.float("Ao")?,
+        delta_a: a.float("deltaA")?,
+        delta_nu: a.float("deltaNu")?,
+        delta_eta: a.float("deltaEta")?,
+    };
+    // Tolerance and number of iterations: the root is always found to round-off.
+    a.optional_float("tolerance")?;
+    a.optional_int("largest number of iterations")?;
+    if law.beta + law.gamma <= 0.0 {
+        let message = "BoucWen: beta + gamma is not greater than 0, so the hysteretic force is not bounded";
+        warn(interp, Diagnostic::warning(message).at(None, ""))?;
+    }
+    Ok(Arc::new(law))
+}
+
+/// The envelope on one side; `s` is the sign of its strains.
+fn envelope(a: &mut Args<'_>, points: usize, s: f64) -> Result<Envelope, Exception> {
+    let (mut stress, mut strain) = ([0.0; 3], [0.0; 3]);
+    let side = if s > 0.0 { "in tension" } else { "in compression" };
+    for i in 0..points {
+        stress[i] = s * a.float(&format!("stress {} {side}", i + 1))?;
+        if i == 0 && stress[0] <= 0.0 {
+            let message = format!("stress 1 {side} is {}", s * stress[0]);
+            return Err(a.refuse(message, "expected a stress with the sign of the strains of its side"));
+        }
+        strain[i] = s * a.float(&format!("strain {} {side}", i + 1))?;
+        let before = if i == 0 { 0.0 } else { strain[i - 1] };
+        if strain[i] <= before {
+            let message = format!("strain {} {side} is {}, not beyond {}", i + 1, s * strain[i], s * before);
+            return Err(a.refuse(message, "expected strains that go away from zero"));
+        }
+    }
+    Ok(if points == 3 {
+        Envelope::new(stress, strain)
+    } else {
+        Envelope::bilinear([stress[0], stress[1]], [strain[0], strain[1]])
+    })
+}
+
+fn hysteretic(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    // Two points a side with pinching and damage are 12 numbers, three are 16; beta may follow.
+    let points = if a.left() <= 13 { 2 } else { 3 };
+    let (tension, compression) = (envelope(a, points, 1.0)?, envelope(a, points, -1.0)?);
+    let pinch = [a.float("pinching factor of strain pinchX")?, a.float("pinching factor of stress pinchY")?];
+    let damage = [a.float("damage by ductility damage1")?, a.float("damage by energy damage2")?];
+    let beta = a.optional_float("exponent of the unloading stiffness beta")?.unwrap_or(0.0);
+    Ok(Arc::new(Hysteretic::new(tension, compression, pinch, damage, beta)))
+}
+
+fn self_centering(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let k1 = a.positive("initial stiffness k1")?;
+    let k2 = a.float("stiffness after activation k2")?;
+    let activation = a.positive("stress at activation sigAct")?;
+    let beta = a.not_negative("height of the flag beta")?;
+    if beta > 1.0 {
+        return Err(a.refuse(format!("the height of the flag beta is {beta}"), "expected beta, 0 to 1"));
+    }
+    let slip = a.optional_float("strain at slip epsSlip")?.unwrap_or(0.0);
+    let bearing = a.optional_float("strain at bearing epsBear")?.unwrap_or(0.0);
+    let bearing_ratio = a.optional_float("ratio of bearing stiffness rBear")?.unwrap_or(0.0);
+    let compat = interp.host.engine.options.compat;
+    Ok(Arc::new(SelfCentering { k1, k2, activation, beta, slip, bearing, bearing_ratio, compat }))
+}

@@ -1,0 +1,211 @@
+//! Trilinear hysteresis with pinching, damage and degraded unloading (Scott and Filippou, 2000).
+
+use super::{MaterialError, Strain, Stress, UniaxialLaw};
+
+/// Strain that is never reached.
+const FAR: f64 = 1.0e16;
+/// Slope of a horizontal branch, as a part of the elastic one: keeps a structure that hangs on it from being singular.
+const FLAT: f64 = 1.0e-9;
+
+/// The envelope on one side: stresses and strains of its three points, all positive, whatever the side.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Envelope {
+    stress: [f64; 3],
+    strain: [f64; 3],
+    slope: [f64; 3],
+    /// Slope of unloading: the steepest of the envelope.
+    unloading: f64,
+}
+
+impl Envelope {
+    /// Through three points with rising strains.
+    pub fn new(stress: [f64; 3], strain: [f64; 3]) -> Self {
+        let slope = [
+            stress[0] / strain[0],
+            (stress[1] - stress[0]) / (strain[1] - strain[0]),
+            (stress[2] - stress[1]) / (strain[2] - strain[1]),
+        ];
+        Self { stress, strain, slope, unloading: slope[0].max(slope[1]).max(slope[2]) }
+    }
+
+    /// Through two points: the third is put half-way between them.
+    pub fn bilinear(stress: [f64; 2], strain: [f64; 2]) -> Self {
+        let mid = |x: [f64; 2]| [x[0], 0.5 * (x[0] + x[1]), x[1]];
+        Self::new(mid(stress), mid(strain))
+    }
+
+    /// Stress and slope at a strain.
+    fn at(&self, x: f64) -> (f64, f64) {
+        let (m, r, e) = (&self.stress, &self.strain, &self.slope);
+        if x < 0.0 {
+            (0.0, FLAT * e[0])
+        } else if x <= r[0] {
+            (e[0] * x, e[0])
+        } else if x <= r[1] {
+            (m[0] + e[1] * (x - r[0]), e[1])
+        } else if x <= r[2] || e[2] > 0.0 {
+            (m[1] + e[2] * (x - r[1]), e[2])
+        } else {
+            (m[2], FLAT * e[0])
+        }
+    }
+
+    /// Strain at which a falling branch, on which the largest strain lies, has lost all stress.
+    fn exhausted(&self, largest: f64) -> Option<f64> {
+        let (m, r, e) = (&self.stress, &self.strain, &self.slope);
+        let limit = if largest <= r[0] {
+            return None;
+        } else if largest <= r[1] {
+            (e[1] < 0.0).then(|| r[0] - m[0] / e[1])
+        } else {
+            (e[2] < 0.0).then(|| r[1] - m[1] / e[2])
+        };
+        limit.filter(|&x| self.at(x).0 <= 0.0)
+    }
+
+    /// Area under the envelope up to its last point.
+    fn energy(&self) -> f64 {
+        let (m, r) = (&self.stress, &self.strain);
+        0.5 * (r[0] * m[0] + (r[1] - r[0]) * (m[1] + m[0]) + (r[2] - r[1]) * (m[2] + m[1]))
+    }
+
+    /// Factor of the unloading slope after a largest strain.
+    fn degraded(&self, largest: f64, beta: f64) -> f64 {
+        let k = (largest / self.strain[0]).powf(beta);
+        if k < 1.0 { 1.0 } else { 1.0 / k }
+    }
+}
+
+/// Hysteresis between two envelopes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Hysteretic {
+    sides: [Envelope; 2],
+    pinch_x: f64,
+    pinch_y: f64,
+    /// Damage by ductility and by energy.
+    damage: [f64; 2],
+    /// Exponent of the degraded unloading stiffness.
+    beta: f64,
+    energy: f64,
+}
+
+impl Hysteretic {
+    /// From the envelopes in tension and compression, the pinching factors of strain and stress, the damage by
+    /// ductility and by energy, and the exponent of the unloading stiffness.
+    pub fn new(tension: Envelope, compression: Envelope, pinch: [f64; 2], damage: [f64; 2], beta: f64) -> Self {
+        let energy = tension.energy() + compression.energy();
+        Self { sides: [tension, compression], pinch_x: pinch[0], pinch_y: pinch[1], damage, beta, energy }
+    }
+}
+
+crate::words! {
+    /// History of [`Hysteretic`].
+    pub struct History {
+        /// Strain.
+        strain: f64,
+        /// Stress.
+        stress: f64,
+        /// Tangent, less the initial one.
+        softening: f64,
+        /// Largest strain in tension and in compression, both positive; damage makes them larger.
+        extreme: [f64; 2],
+        /// Strain at which the last unloading from tension and from compression came to zero stress.
+        unloaded: [f64; 2],
+        /// Energy.
+        energy: f64,
+        /// 1 loading, -1 unloading, 0 virgin.
+        loading: f64,
+    }
+}
+
+/// Stress and tangent on a reloading line, or on the unloading one where that is lower.
+fn lower(unloading: (f64, f64), reloading: (f64, f64)) -> (f64, f64) {
+    if unloading.0 < reloading.0 { unloading } else { reloading }
+}
+
+impl Hysteretic {
+    /// Go on between the extremes towards tension (`s` = 1) or, mirrored, towards compression (`s` = -1).
+    fn advance(&self, c: &History, d: f64, t: &mut History, s: f64) -> (f64, f64) {
+        let (ahead, behind) = if s > 0.0 { (0, 1) } else { (1, 0) };
+        let (front, rear) = (&self.sides[ahead], &self.sides[behind]);
+        let k_rear = rear.unloading * rear.degraded(c.extreme[behind], self.beta);
+        let k_front = front.unloading * front.degraded(c.extreme[ahead], self.beta);
+        let (x, x_c, sig_c, d) = (s * t.strain, s * c.strain, s * c.stress, s * d);
+        if t.loading == -s && sig_c <= 0.0 {
+            t.unloaded[behind] = s * (x_c - sig_c / k_rear);
+            let energy = c.energy - 0.5 * sig_c / k_rear * sig_c;
+            let (reached, first) = (c.extreme[behind], rear.strain[0]);
+            if reached > first {
+                let harm = self.damage[1] * energy / self.energy + self.damage[0] * (reached - first) / first;
+                t.extreme[ahead] = c.extreme[ahead] * (1.0 + harm);
+            }
+        }
+        t.loading = s;
+        t.extreme[ahead] = t.extreme[ahead].min(FAR).max(front.strain[0]);
+        let target = t.extreme[ahead];
+        let (peak, _) = front.at(target);
+        let zero = s * t.unloaded[behind];
+        let release = rear.exhausted(c.extreme[behind]).map_or(zero, |limit| zero.max(-limit));
+        let full = target - (1.0 - self.pinch_y) * peak / k_front;
+        let pinch = release + (full - release) * self.pinch_x;
+        let elastic = (sig_c + k_front * d, k_front);
+        if x < zero {
+            let sig = sig_c + k_rear * d;
+            if sig >= 0.0 { (0.0, FLAT * rear.unloading) } else { (sig, k_rear) }
+        } else if x < pinch {
+            if x <= release {
+                (0.0, FLAT * front.unloading)
+            } else {
+                let k = peak * self.pinch_y / (pinch - release);
+                lower(elastic, ((x - release) * k, k))
+            }
+        } else {
+            let k = (1.0 - self.pinch_y) * peak / (target - pinch);
+            lower(elastic, (self.pinch_y * peak + (x - pinch) * k, k))
+        }
+    }
+}
+
+impl UniaxialLaw for Hysteretic {
+    type State = History;
+    const NAME: &'static str = "Hysteretic";
+
+    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+        let initial = UniaxialLaw::initial_tangent(self);
+        let d = strain.value - c.strain;
+        if d.abs() < f64::EPSILON {
+            return Ok((Stress { value: c.stress, tangent: initial + c.softening, damping: 0.0 }, *c));
+        }
+        let mut t = *c;
+        t.strain = strain.value;
+        if t.loading == 0.0 {
+            t.loading = d.signum();
+        }
+        let beyond = [(1.0, t.strain >= c.extreme[0]), (-1.0, t.strain <= -c.extreme[1])];
+        let (value, tangent) = match beyond.into_iter().position(|b| b.1) {
+            Some(side) => {
+                let s = beyond[side].0;
+                t.extreme[side] = s * t.strain;
+                t.loading = s;
+                let (stress, slope) = self.sides[side].at(s * t.strain);
+                (s * stress, slope)
+            }
+            None => {
+                let s = d.signum();
+                let (stress, slope) = self.advance(c, d, &mut t, s);
+                (s * stress, slope)
+            }
+        };
+        if !(value.is_finite() && tangent.is_finite()) {
+            let message = format!("Hysteretic has no stress at a strain of {:.6e}: too much damage", strain.value);
+            return Err(MaterialError(message));
+        }
+        t.energy = c.energy + 0.5 * (c.stress + value) * d;
+        (t.stress, t.softening) = (value, tangent - initial);
+        Ok((Stress { value, tangent, damping: 0.0 }, t))
+    }
+
+    fn initial_tangent(&self) -> f64 {
+        self.sides[0].slope[0]
+    }
+}

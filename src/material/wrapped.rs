@@ -1,0 +1,169 @@
+//! Laws around one other material: limits of strain, and a state to begin from.
+
+use super::{Material, MaterialError, Slot, Strain, Stress, Uniaxial};
+use crate::probe::Probe;
+
+/// A material that fails for good when its strain comes to a limit.
+#[derive(Clone, Debug)]
+pub struct MinMax {
+    inner: Slot,
+    min: f64,
+    max: f64,
+    /// As in OpenSees, recorders show the strain before the failure ever after.
+    compat: bool,
+}
+
+/// Whether it has failed; the material is behind.
+const FAILED: usize = 0;
+/// Tangent of a failed material, as a part of the initial one: keeps a structure that hangs on it from being singular.
+const FLAT: f64 = 1.0e-8;
+
+impl MinMax {
+    /// From a material with its tag and the limits of its strain.
+    pub fn new((material, tag): (Material, i32), min: f64, max: f64, compat: bool) -> Self {
+        Self { inner: Slot::new(material, tag, 1), min, max, compat }
+    }
+}
+
+impl Uniaxial for MinMax {
+    fn name(&self) -> &'static str {
+        "MinMax"
+    }
+    fn state_len(&self) -> usize {
+        1 + self.inner.len()
+    }
+    fn init(&self, state: &mut [f64]) {
+        state[FAILED] = 0.0;
+        self.inner.init(state);
+    }
+    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+        if committed[FAILED] != 0.0 || strain.value >= self.max || strain.value <= self.min {
+            next.copy_from_slice(&committed[..next.len()]);
+            next[FAILED] = 1.0;
+            return Ok(Stress { value: 0.0, tangent: FLAT * self.initial_tangent(), damping: 0.0 });
+        }
+        next[FAILED] = 0.0;
+        self.inner.update(committed, strain, next)
+    }
+    fn initial_tangent(&self) -> f64 {
+        self.inner.material.initial_tangent()
+    }
+    fn is_viscous(&self) -> bool {
+        self.inner.material.is_viscous()
+    }
+    fn depends_on_time(&self) -> bool {
+        self.inner.material.depends_on_time()
+    }
+    fn is_linear(&self) -> bool {
+        false
+    }
+    fn shown_strain(&self, strain: f64, state: &[f64]) -> f64 {
+        if self.compat && state[FAILED] != 0.0 { self.inner.strain(state) } else { strain }
+    }
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        match *words.first()? {
+            "failed" => Some(Probe::new(0, ["failed"])),
+            "material" => Some(self.inner.probe(&words[1..])?.inside(&[1])),
+            _ => self.inner.material.probe(words).map(|p| p.inside(&[2])),
+        }
+    }
+    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
+        match path[0] {
+            0 => out[0] = state[FAILED],
+            1 => self.inner.read(&path[1..], state, out),
+            _ => self.inner.read_own(&path[1..], state, out),
+        }
+    }
+}
+
+/// A material that has a strain to begin with, at zero strain of the whole.
+#[derive(Clone, Debug)]
+pub struct InitialState {
+    name: &'static str,
+    inner: Slot,
+    strain: f64,
+}
+
+impl InitialState {
+    /// `InitStrainMaterial`: the initial strain is given.
+    ///
+    /// # Errors
+    /// The material has no stress there.
+    pub fn strain((material, tag): (Material, i32), strain: f64) -> Result<Self, MaterialError> {
+        let law = Self { name: "InitStrainMaterial", inner: Slot::new(material, tag, 0), strain };
+        law.begin(strain).map(|_| law)
+    }
+
+    /// `InitStressMaterial`: the initial stress is given, and the strain is found by Newton's method.
+    ///
+    /// # Errors
+    /// No strain has this stress.
+    pub fn stress((material, tag): (Material, i32), stress: f64) -> Result<Self, MaterialError> {
+        let tangent = material.initial_tangent();
+        let mut law = Self { name: "InitStressMaterial", inner: Slot::new(material, tag, 0), strain: 0.0 };
+        let tolerance = if stress == 0.0 { 1e-12 } else { 1e-12 * stress.abs() };
+        let (mut missing, mut slope) = (stress, tangent);
+        for _ in 0..100 {
+            law.strain += missing / slope;
+            if !law.strain.is_finite() {
+                break;
+            }
+            let s = law.begin(law.strain)?.1;
+            (missing, slope) = (stress - s.value, s.tangent);
+            if missing.abs() <= tolerance {
+                return Ok(law);
+            }
+        }
+        Err(MaterialError(format!("the material has no strain with a stress of {stress}")))
+    }
+
+    /// State of the material, and its stress, at a strain straight from rest.
+    fn begin(&self, value: f64) -> Result<(Vec<f64>, Stress), MaterialError> {
+        let mut rest = vec![0.0; self.inner.len()];
+        self.inner.init(&mut rest);
+        let mut state = rest.clone();
+        let stress = self.inner.update(&rest, Strain { value, ..Strain::default() }, &mut state)?;
+        Ok((state, stress))
+    }
+}
+
+impl Uniaxial for InitialState {
+    fn name(&self) -> &'static str {
+        self.name
+    }
+    fn state_len(&self) -> usize {
+        self.inner.len()
+    }
+    fn init(&self, state: &mut [f64]) {
+        self.inner.init(state);
+        // That this succeeds has been seen when the material was made.
+        if let Ok((begun, _)) = self.begin(self.strain) {
+            state[..begun.len()].copy_from_slice(&begun);
+        }
+    }
+    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+        self.inner.update(committed, Strain { value: strain.value + self.strain, ..strain }, next)
+    }
+    fn initial_tangent(&self) -> f64 {
+        self.inner.material.initial_tangent()
+    }
+    fn is_viscous(&self) -> bool {
+        self.inner.material.is_viscous()
+    }
+    fn depends_on_time(&self) -> bool {
+        self.inner.material.depends_on_time()
+    }
+    fn is_linear(&self) -> bool {
+        self.strain == 0.0 && self.inner.material.is_linear()
+    }
+    fn shown_strain(&self, strain: f64, _: &[f64]) -> f64 {
+        strain + self.strain
+    }
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        let words = if words.first() == Some(&"material") { &words[1..] } else { words };
+        self.inner.probe(words)
+    }
+    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
+        self.inner.read(path, state, out);
+    }
+}

@@ -1,0 +1,109 @@
+//! Materials through their commands: the bench, what recorders show, what is refused.
+
+use super::script::{Script, run};
+
+#[test]
+fn a_material_on_the_bench() {
+    let ran = run("uniaxialMaterial Hardening 1 200.0 2.0 0.0 20.0
+        uniaxialMaterial Elastic 2 50.0 3.0
+        testUniaxialMaterial 1
+        setStrain 0.005; puts \"[getStrain] [getStress] [getTangent]\"
+        setStrain 0.032
+        testUniaxialMaterial 2
+        setStrain 0.1 2.0; puts \"[getStress] [getTangent] [getDampTangent]\"
+        testUniaxialMaterial 1
+        puts [getStress]");
+    let expected = [0.005, 1.0, 200.0, 11.0, 50.0, 3.0, 2.4];
+    for (a, b) in ran.numbers().into_iter().zip(expected) {
+        assert!((a - b).abs() < 1e-9, "{a} for {b}");
+    }
+}
+
+#[test]
+fn parts_of_a_material_answer_recorders() {
+    let ran = run("model basic -ndm 1 -ndf 1; node 1 0; node 2 0; fix 1 1
+        uniaxialMaterial Elastic 1 100.0
+        uniaxialMaterial Elastic 2 300.0
+        uniaxialMaterial Series 3 1 2
+        uniaxialMaterial Parallel 4 3 1 -factors 2.0 0.5
+        uniaxialMaterial InitStrain 5 1 0.02
+        element zeroLength 1 1 2 -mat 4 5 -dir 1 1
+        timeSeries Linear 1
+        pattern Plain 1 1 { load 2 25.5 }
+        constraints Plain; numberer Plain; system BandGeneral; test NormUnbalance 1e-9 20; algorithm Newton
+        integrator LoadControl 1.0; analysis Static; analyze 1
+        puts [nodeDisp 2 1]
+        puts [eleResponse 1 material 1 stresses]
+        puts [eleResponse 1 material 1 material 1 strains]
+        puts [eleResponse 1 material 1 component 1 component 2 stressStrain]
+        puts [eleResponse 1 material 2 stressStrain]");
+    // Parallel: 2 x 75 + 0.5 x 100; with the other spring 300, which has a force of 2 already.
+    let u = 23.5 / 300.0;
+    let expected = [u, 75.0 * u, 100.0 * u, 0.75 * u, 0.25 * u, 75.0 * u, 0.25 * u, 100.0 * u + 2.0, u + 0.02];
+    let got = ran.numbers();
+    assert_eq!(got.len(), expected.len(), "{got:?}");
+    for (a, b) in got.into_iter().zip(expected) {
+        assert!((a - b).abs() < 1e-9, "{a} for {b}");
+    }
+}
+
+#[test]
+fn materials_that_make_no_sense_are_refused() {
+    for (command, words) in [
+        ("Steel02 2 400. 2e5 1.0", "the hardening ratio is 1"),
+        ("Steel02 2 400. 2e5 0.01 20. 0.9 0.15 0.1 0.0 0.1 1.0", "isotropic hardening starts at 0"),
+        ("Hysteretic 2 1. .1 2. .05 -1. -.1 -2. -.2 1 1 0 0", "strain 2 in tension is 0.05"),
+        ("Hysteretic 2 1. .1 2. .2 1. -.1 -2. -.2 1 1 0 0", "stress 1 in compression is 1"),
+        ("ElasticMultiLinear 2 -strain 0 1 0.5 -stress 0 1 2", "make no curve"),
+        ("MultiLinear 2 0.1 1.0 0.1 2.0", "do not rise"),
+        ("Parallel 2 1 1 -factors 1.0", "1 factors for 2 materials"),
+        ("Series 2 1 7", "there is no uniaxial material 7"),
+        ("MinMax 2 1 -min 0.1 -max 0.0", "no strain lies between"),
+        ("InitStressMaterial 2 1 50.0", "no strain with a stress of 50"),
+        ("SelfCentering 2 100. 10. 2. 1.5", "beta is 1.5"),
+        ("ViscousDamper 2 100. 10. 0.5 0. 4 1e-6 1e-10 15", "there is no method 4"),
+        ("Maxwell 2 100. 10. 0.5 0.0", "length L is 0"),
+        ("ElasticPPGap 2 0. 0. 0.1", "E and Fy are both 0"),
+        ("Hardening 2 100. 2. -100. 0.", "E + Hiso + Hkin is 0"),
+    ] {
+        let text = format!("uniaxialMaterial ElasticPP 1 100.0 0.1\nuniaxialMaterial {command}");
+        let ran = Script::default().run(&text);
+        assert!(ran.error().message.contains(words), "{command}: {}", ran.error().message);
+    }
+    assert!(Script::default().run("setStrain 0.1").error().message.contains("no material is being tested"));
+}
+
+/// A series given in place is the one that has a tag.
+#[test]
+fn series_in_place() {
+    let model = |series: &str| {
+        let text = format!(
+            "model basic -ndm 1 -ndf 1; node 1 0; node 2 0; fix 1 1; mass 2 1.0
+            uniaxialMaterial Elastic 1 100.0
+            element zeroLength 1 1 2 -mat 1 -dir 1
+            {series}
+            constraints Plain; numberer Plain; system BandGeneral; test NormUnbalance 1e-9 20; algorithm Newton
+            integrator Newmark 0.5 0.25; analysis Transient; analyze 30 0.02
+            puts [nodeDisp 2 1]"
+        );
+        run(&text).numbers()
+    };
+    for (kind, tagged, inline) in [
+        ("Linear", "Linear 1", "Linear"),
+        ("Linear", "Linear 1 -factor 3.0", "{Linear -factor 3.0}"),
+        ("Constant", "Constant 1 -factor 2.0", "\"Constant -factor 2.0\""),
+        ("Sine", "Trig 1 0.1 0.5 0.3 -factor 2.0 -shift 0.2", "{Sine 0.1 0.5 0.3 -factor 2.0 -shift 0.2}"),
+        ("Triangle", "Triangle 1 0.1 0.5 0.3 -zeroShift 0.2", "{Triangle 0.1 0.5 0.3 -zeroShift 0.2}"),
+        ("Rectangular", "Rectangular 1 0.1 0.3", "{Rectangular 0.1 0.3}"),
+        ("Pulse", "Pulse 1 0.1 0.5 0.2 -width 0.3", "{Pulse 0.1 0.5 0.2 -width 0.3}"),
+        ("Path", "Path 1 -dt 0.1 -values {1 2 1}", "{Series -dt 0.1 -values {1 2 1}}"),
+        ("Path, times", "Path 1 -time {0 .2 .7} -values {1 2 1}", "{Series -time {0 .2 .7} -values {1 2 1}}"),
+    ] {
+        let a = model(&format!("timeSeries {tagged}; pattern Plain 1 1 {{ load 2 1.0 }}"));
+        let b = model(&format!("pattern Plain 1 {inline} {{ load 2 1.0 }}"));
+        assert!(a == b && a[0] != 0.0, "{kind}: {a:?} and {b:?}");
+        let a = model(&format!("timeSeries {tagged}; pattern UniformExcitation 1 1 -accel 1"));
+        let b = model(&format!("pattern UniformExcitation 1 1 -accel {inline}"));
+        assert!(a == b && a[0] != 0.0, "{kind}, excitation: {a:?} and {b:?}");
+    }
+}

@@ -1,0 +1,245 @@
+//! Uniaxial laws of frames, and those that are made from others.
+
+use super::driver::{Point, path};
+use super::materials::{check_purity, check_tangent};
+use hysteron::material::{
+    Elastic, ElasticBilin, ElasticMultiLinear, ElasticPP, ElasticPPGap, Envelope, Hardening, Hysteretic, InitialState,
+    Iteration, Material, Maxwell, Method, MinMax, MultiLinear, NoTension, Parallel, SelfCentering, Series, Steel01,
+    Steel02, ViscousDamper,
+};
+use std::sync::Arc;
+
+fn steel02(a: [f64; 4], sig_init: f64) -> Material {
+    Arc::new(Steel02 { fy: 2.0, e0: 200.0, b: 0.02, r0: 18.0, c_r: [0.925, 0.15], a, sig_init })
+}
+
+fn steel01() -> Material {
+    Arc::new(Steel01 { fy: 2.0, e0: 200.0, b: 0.02, a: Steel01::NO_ISOTROPIC })
+}
+
+fn hysteretic(pinch: [f64; 2], damage: [f64; 2], beta: f64) -> Material {
+    let tension = Envelope::new([2.0, 3.0, 2.5], [0.01, 0.03, 0.08]);
+    let compression = Envelope::bilinear([1.5, 2.5], [0.008, 0.05]);
+    Arc::new(Hysteretic::new(tension, compression, pinch, damage, beta))
+}
+
+fn multi_linear() -> Material {
+    let points = vec![[0.005, 1.0], [0.02, 2.0], [0.06, 2.5]];
+    Arc::new(MultiLinear::new(points, false).unwrap())
+}
+
+fn self_centering(compat: bool) -> Material {
+    Arc::new(SelfCentering {
+        k1: 200.0,
+        k2: 10.0,
+        activation: 2.0,
+        beta: 0.7,
+        slip: 0.06,
+        bearing: 0.09,
+        bearing_ratio: 0.4,
+        compat,
+    })
+}
+
+fn gap(fy: f64, gap: f64, damage: bool) -> Material {
+    Arc::new(ElasticPPGap { e: 200.0, fy, gap, eta: 0.05, damage })
+}
+
+fn series(iteration: Iteration) -> Series {
+    Series::new(
+        vec![(steel01(), 1), (steel02(Steel02::NO_ISOTROPIC, 0.0), 2), (Arc::new(Elastic::new(150.0)), 3)],
+        iteration,
+    )
+}
+
+/// Every law with an amplitude of strain that takes it far into its range.
+fn all() -> Vec<(&'static str, Material, f64)> {
+    let isotropic = [0.05, 5.0, 0.03, 4.0];
+    let hardening = |h_iso, h_kin| Arc::new(Hardening { e: 200.0, sigma_y: 2.0, h_iso, h_kin });
+    let curve =
+        ElasticMultiLinear::new(vec![-0.08, -0.03, 0.0, 0.02, 0.05], vec![-3.0, -2.5, 0.0, 1.0, 4.0], 0.0).unwrap();
+    let both: Vec<(Material, i32)> = vec![(steel01(), 1), (gap(-2.0, -0.01, false), 2)];
+    vec![
+        ("curved steel", steel02(Steel02::NO_ISOTROPIC, 0.0), 0.1),
+        ("curved steel, isotropic, with initial stress", steel02(isotropic, 0.8), 0.1),
+        ("trilinear hysteresis", hysteretic([1.0, 1.0], [0.0, 0.0], 0.0), 0.1),
+        ("trilinear hysteresis, pinched, with damage", hysteretic([0.6, 0.3], [0.01, 0.005], 0.4), 0.1),
+        ("no tension", Arc::new(NoTension { e: 200.0, a: 0.0, b: 1.0 }), 0.1),
+        ("little tension", Arc::new(NoTension { e: 200.0, a: 0.01, b: 30.0 }), 0.1),
+        ("gap in tension", gap(2.0, 0.01, false), 0.1),
+        ("gap in compression", gap(-2.0, -0.01, false), 0.1),
+        ("gap with damage", gap(2.0, 0.01, true), 0.1),
+        ("isotropic hardening", hardening(10.0, 0.0), 0.1),
+        ("kinematic hardening", hardening(0.0, 10.0), 0.1),
+        (
+            "two slopes",
+            Arc::new(ElasticBilin { first: [200.0, 150.0], second: [50.0, 300.0], bend: [0.02, 0.03] }),
+            0.1,
+        ),
+        ("elastic curve", Arc::new(curve), 0.1),
+        ("multilinear", multi_linear(), 0.1),
+        ("flag", self_centering(false), 0.12),
+        ("flag of OpenSees", self_centering(true), 0.12),
+        ("side by side", Arc::new(Parallel::new(both, vec![2.0, 0.5])), 0.1),
+        ("one behind the other", Arc::new(series(Iteration::Converged)), 0.1),
+        ("strain limits", Arc::new(MinMax::new((steel01(), 1), -0.09, 0.095, false)), 0.1),
+        ("initial strain", Arc::new(InitialState::strain((steel01(), 1), 0.013).unwrap()), 0.1),
+        ("initial stress", Arc::new(InitialState::stress((steel01(), 1), -1.7).unwrap()), 0.1),
+    ]
+}
+
+#[test]
+fn tangent_is_the_derivative_of_the_stress() {
+    for (name, law, amplitude) in all().into_iter().filter(|m| m.0 != "flag of OpenSees") {
+        check_tangent(name, law, amplitude);
+    }
+}
+
+#[test]
+fn stress_depends_on_the_committed_state_alone() {
+    all().into_iter().for_each(|(name, law, amplitude)| check_purity(name, law, amplitude));
+    check_purity("rounds of OpenSees", Arc::new(series(Iteration::Rounds(3, 1e-12))), 0.1);
+}
+
+/// A point on a rest is the same point.
+#[test]
+fn nothing_happens_at_rest() {
+    for (name, law, amplitude) in all() {
+        let mut p = Point::new(law);
+        for strain in path(9, 300, amplitude) {
+            let s = p.go(strain);
+            for _ in 0..2 {
+                let again = p.go(strain).value;
+                assert!((again - s.value).abs() < 1e-12, "{name}: {again} after {} at {strain}", s.value);
+            }
+        }
+    }
+}
+
+/// The parts of a series have one stress, and their strains add up.
+#[test]
+fn parts_of_a_series_agree() {
+    let law = series(Iteration::Converged);
+    let (mut whole, mut parts) = (
+        Point::new(Arc::new(law)),
+        [
+            Point::new(steel01()),
+            Point::new(steel02(Steel02::NO_ISOTROPIC, 0.0)),
+            Point::new(Arc::new(Elastic::new(150.0))),
+        ],
+    );
+    let probe = whole.law.probe(&["strains"]).unwrap();
+    for strain in path(4, 500, 0.1) {
+        let s = whole.go(strain).value;
+        let mut strains = [0.0; 3];
+        whole.law.read(&probe.path, whole.state(), &mut strains);
+        assert!((strains.iter().sum::<f64>() - strain).abs() < 1e-12);
+        for (part, strain) in parts.iter_mut().zip(strains) {
+            let own = part.go(strain).value;
+            assert!((own - s).abs() < 1e-10, "{own} and {s}");
+        }
+    }
+}
+
+/// The elastic-plastic part takes all strain on its plateau, where its flexibility has no bound.
+#[test]
+fn series_with_a_plateau() {
+    let parts: Vec<(Material, i32)> =
+        vec![(Arc::new(ElasticPP::new(200.0, 0.01, -0.01, 0.0)), 1), (Arc::new(Elastic::new(100.0)), 2)];
+    let mut p = Point::new(Arc::new(Series::new(parts, Iteration::Converged)));
+    for (strain, stress) in [(0.015, 1.0), (0.05, 2.0), (0.2, 2.0), (0.185, 1.0), (-0.1, -2.0)] {
+        let s = p.go(strain).value;
+        assert!((s - stress).abs() < 1e-9, "{s} for {stress} at {strain}");
+    }
+}
+
+/// Masing's rule: the branch after a reversal is the envelope at twice its size.
+#[test]
+fn multilinear_branches_are_the_envelope_doubled() {
+    let (mut p, mut envelope) = (Point::new(multi_linear()), Point::new(multi_linear()));
+    let top = p.go(0.05).value;
+    for strain in [0.001, 0.004, 0.01, 0.03, 0.05] {
+        let first = envelope.trial(strain, 0.0, 0.0).value;
+        let branch = p.trial(0.05 - 2.0 * strain, 0.0, 0.0).value;
+        assert!((top - branch - 2.0 * first).abs() < 1e-12, "{branch} at {strain}");
+    }
+}
+
+#[test]
+fn failed_material_stays_failed() {
+    let mut p = Point::new(Arc::new(MinMax::new((steel01(), 1), -0.05, 0.04, false)));
+    assert!(p.trial(0.041, 0.0, 0.0).value == 0.0 && p.go(0.03).value > 2.0, "a trial does not break it");
+    assert_eq!((p.go(0.04).value, p.go(0.0).value, p.go(0.03).value), (0.0, 0.0, 0.0));
+}
+
+#[test]
+fn initial_stress_is_there_at_zero_strain() {
+    for stress in [-2.3, -0.4, 0.0, 1.1, 2.2] {
+        let law = InitialState::stress((steel02(Steel02::NO_ISOTROPIC, 0.0), 1), stress).unwrap();
+        let s = Point::new(Arc::new(law)).trial(0.0, 0.0, 0.0).value;
+        assert!((s - stress).abs() < 1e-9, "{s} for {stress}");
+    }
+    let plastic: Material = Arc::new(ElasticPP::new(200.0, 0.01, -0.01, 0.0));
+    assert!(InitialState::stress((plastic, 1), 2.5).is_err(), "no strain has more than the yield stress");
+    let s = Point::new(steel02(Steel02::NO_ISOTROPIC, 0.7)).trial(0.0, 0.0, 0.0).value;
+    assert!((s - 0.7).abs() < 1e-12);
+}
+
+fn damper(method: Method, alpha: f64) -> ViscousDamper {
+    let (relative, absolute, halvings) = (1e-9, 1e-12, 20);
+    ViscousDamper { k: 300.0, c: 14.0, alpha, gap: 0.0, method, relative, absolute, halvings, compat: false }
+}
+
+/// At a constant rate the spring comes to rest, and the dashpot gives C vᵅ.
+#[test]
+fn damper_comes_to_its_steady_force() {
+    for method in [Method::DormandPrince, Method::AdamsBashforthMoulton, Method::Rosenbrock] {
+        for alpha in [0.5, 1.0, 1.4] {
+            let mut p = Point::new(Arc::new(damper(method, alpha)));
+            let (rate, dt) = (-0.6f64, 0.02);
+            let mut force = 0.0;
+            for k in 1..400 {
+                force = p.trial(rate * dt * f64::from(k), rate, dt).value;
+                p.commit();
+            }
+            let steady = -14.0 * 0.6f64.powf(alpha);
+            assert!((force - steady).abs() < 1e-6 * steady.abs(), "{method:?} {alpha}: {force} and {steady}");
+        }
+    }
+}
+
+#[test]
+fn damping_tangent_is_the_derivative_by_the_rate() {
+    for method in [Method::DormandPrince, Method::AdamsBashforthMoulton, Method::Rosenbrock] {
+        for alpha in [0.5, 1.0, 1.4] {
+            let mut p = Point::new(Arc::new(damper(method, alpha)));
+            for (k, rate) in path(6, 200, 1.0).into_iter().enumerate() {
+                let h = 1e-6;
+                let (up, down) = (p.trial(0.0, rate + h, 0.01).value, p.trial(0.0, rate - h, 0.01).value);
+                let s = p.trial(0.0, rate, 0.01);
+                p.commit();
+                let slope = (up - down) / (2.0 * h);
+                let kink = (up - 2.0 * s.value + down).abs() > 1e-3 * h * slope.abs() || s.value.abs() < 1e-2;
+                let error = (s.damping - slope).abs();
+                assert!(kink || error < 1e-4 * slope.abs(), "{method:?} {alpha} step {k}: {} but {slope}", s.damping);
+            }
+        }
+    }
+}
+
+#[test]
+fn maxwell_relaxes() {
+    let law = Maxwell { k: 200.0, c: 50.0, alpha: 1.0, length: 2.0, secant_damping: false, compat: false };
+    let mut p = Point::new(Arc::new(law));
+    let start = p.go(0.1);
+    assert!(
+        (start.value - 20.0).abs() < 1e-12 && (start.tangent - 200.0).abs() < 1e-12,
+        "elastic where no time passes"
+    );
+    // Time constant C / (L K) = 1/8.
+    let later = p.trial(0.1, 0.0, 0.25);
+    assert!((later.value - 20.0 * (-2.0f64).exp()).abs() < 1e-12);
+    let h = 1e-6;
+    let slope = (p.trial(0.1 + h, 0.0, 0.25).value - p.trial(0.1 - h, 0.0, 0.25).value) / (2.0 * h);
+    assert!((later.tangent - slope).abs() < 1e-6);
+}
