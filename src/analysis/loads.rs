@@ -169,25 +169,32 @@ fn inertia_forces(model: &Model, direction: usize, influence: f64) -> Vec<f64> {
     for node in &model.nodes {
         r[node.dofs()].copy_from_slice(&node.influence(direction));
     }
+    let mut force = mass_times(model, &r, false);
+    force.iter_mut().for_each(|f| *f *= influence);
+    force
+}
+
+/// M r for a motion of all degrees of freedom: the masses of nodes and, unless `nodes_only`, of elements.
+pub(super) fn mass_times(model: &Model, r: &[f64], nodes_only: bool) -> Vec<f64> {
     let mut force: Vec<f64> = vec![0.0; model.dofs()];
     for node in &model.nodes {
         for (dof, m) in node.dofs().zip(&node.mass) {
-            force[dof] += influence * m * r[dof];
+            force[dof] += m * r[dof];
         }
     }
-    for e in &model.elements {
+    for e in model.elements.iter().filter(|_| !nodes_only) {
         let n = e.dofs.len();
         match e.element.mass() {
             Mass::None => {}
             Mass::Lumped(m) => {
                 for (&d, m) in e.dofs.iter().zip(&m) {
-                    force[d as usize] += influence * m * r[d as usize];
+                    force[d as usize] += m * r[d as usize];
                 }
             }
             Mass::Consistent(m) => {
                 for (&d, row) in e.dofs.iter().zip(m.chunks_exact(n)) {
                     let sum: f64 = e.dofs.iter().zip(row).map(|(&c, m)| m * r[c as usize]).sum();
-                    force[d as usize] += influence * sum;
+                    force[d as usize] += sum;
                 }
             }
         }

@@ -7,6 +7,7 @@ mod failure;
 pub mod integrator;
 mod ladder;
 mod loads;
+mod modal_damping;
 mod modes;
 mod prepared;
 mod reactions;

@@ -16,6 +16,7 @@ mod ground_motion;
 mod integrator;
 mod load;
 mod material;
+mod modal_damping;
 mod model;
 mod print;
 mod query;
@@ -59,6 +60,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         load::COMMANDS,
         ground_motion::COMMANDS,
         damping::COMMANDS,
+        modal_damping::COMMANDS,
         solution::COMMANDS,
         algorithm::COMMANDS,
         integrator::COMMANDS,

@@ -246,3 +246,54 @@ fn recorders_keep_their_step() {
         assert_eq!(row, &all[10 * i], "row {i}");
     }
 }
+
+/// Modal damping gives each mode its own ratio: a building let go in one of its modes decays as a single mass does.
+#[test]
+fn modal_damping_damps_each_mode_by_its_ratio() {
+    for (mode, sign) in [(1, 1.0), (2, -1.0)] {
+        for command in ["modalDamping", "modalDampingQ"] {
+            let ran = run(&format!(
+                "model basic -ndm 1 -ndf 1
+                foreach n {{1 2 3 4}} {{ node $n 0 }}
+                mass 2 2.0; mass 3 2.0; fix 1 1; fix 4 1
+                uniaxialMaterial Elastic 1 200.0
+                foreach n {{1 2 3}} {{ element zeroLength $n $n [expr {{$n+1}}] -mat 1 -dir 1 }}
+                constraints Plain; numberer Plain; system FullGeneral; test NormUnbalance 1e-12 20; algorithm Newton
+                integrator Newmark 0.5 0.25
+                set w2 [lindex [eigen -fullGenLapack 2] [expr {{{mode}-1}}]]
+                {command} 0.02 0.05
+                setNodeDisp 2 1 1.0; setNodeDisp 3 1 {sign}
+                setNodeAccel 2 1 [expr {{-$w2}}]; setNodeAccel 3 1 [expr {{-({sign})*$w2}}]
+                analysis Transient
+                analyze 1000 0.001
+                puts \"[nodeDisp 2 1] [expr {{sqrt($w2)}}]\""
+            ));
+            let [found, omega] = ran.numbers()[..] else { panic!("{}", ran.out) };
+            let zeta = [0.02, 0.05][mode - 1];
+            assert!((found - exact(1.0, omega, zeta)).abs() < 1e-3, "{command}, mode {mode}: {found}");
+        }
+    }
+}
+
+/// Steps of a variable analysis go on to the end of the time, within their limits.
+#[test]
+fn variable_steps_reach_the_end() {
+    let ran = run("model basic -ndm 1 -ndf 1
+        node 1 0; node 2 0 -mass 12.0; fix 1 1
+        uniaxialMaterial Steel01 1 35.0 1500.0 0.05
+        element zeroLength 1 1 2 -mat 1 -dir 1
+        timeSeries Trig 1 0.0 100.0 0.7 -factor 6.0
+        pattern UniformExcitation 1 1 -accel 1
+        recorder Node -file d.out -time -node 2 -dof 1 disp
+        constraints Plain; numberer Plain; system FullGeneral; test NormDispIncr 1e-12 10; algorithm Newton
+        integrator Newmark 0.5 0.25
+        analysis VariableTransient
+        puts [analyze 200 0.01 0.001 0.02 3]
+        puts [nodeDisp 2 1]");
+    assert_eq!(ran.numbers()[0], 0.0);
+    // OpenSees 3.7.1.
+    assert!(close(ran.numbers()[1], -0.030803212328472572, 1e-9), "{}", ran.out);
+    let times: Vec<f64> = ran.tables["d.out"].iter().map(|r| r[0]).collect();
+    assert!(times.windows(2).all(|t| (0.000999..0.020001).contains(&(t[1] - t[0]))));
+    assert!(times.last().is_some_and(|t| (2.0..2.02).contains(t)));
+}
