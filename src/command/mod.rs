@@ -18,6 +18,7 @@ mod load;
 mod material;
 mod modal_damping;
 mod model;
+mod motion_file;
 mod print;
 mod query;
 mod recorder;
@@ -57,6 +58,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         transform::COMMANDS,
         element::COMMANDS,
         series::COMMANDS,
+        motion_file::COMMANDS,
         load::COMMANDS,
         ground_motion::COMMANDS,
         damping::COMMANDS,

@@ -297,3 +297,29 @@ fn variable_steps_reach_the_end() {
     assert!(times.windows(2).all(|t| (0.000999..0.020001).contains(&(t[1] - t[0]))));
     assert!(times.last().is_some_and(|t| (2.0..2.02).contains(t)));
 }
+
+/// The forms of motion files give the same series, and say step and count.
+#[test]
+fn motion_files_are_read() {
+    let peer = "PEER STRONG MOTION DATABASE RECORD\nSOMEWHERE 01/01/00\nACCELERATION TIME HISTORY IN UNITS OF G\n\
+                NPTS=   4, DT= .0200 SEC\n 0.1E+00 0.2\n -0.3 0.4\n";
+    let old = "a\nb\nc\n    4    0.0200    NPTS, DT\n0.1 0.2 -0.3 0.4\n";
+    let v2 = "header\n    4 points of accel data equally spaced at  .020 sec, in cm/sec2\n\
+              \x20     .100      .200     -.300      .400\n    4 points of veloc data\n      .1\n";
+    for text in [peer, old, v2, "0.00 0.1\n0.02 0.2\n0.04 -0.3\n0.06 0.4\n", "0.1\n0.2\n-0.3\n0.4\n"] {
+        let ran = Script::default().with_file("m.txt", text).run(
+            "lassign [motionFile 1 m.txt -factor 2.0 -dt 0.02] dt n
+            puts \"$dt $n\"
+            model basic -ndm 1 -ndf 1
+            pattern Plain 1 1 {}
+            setTime 0.05
+            puts [getLoadFactor 1]",
+        );
+        let ran = ran.done();
+        let numbers = ran.numbers();
+        assert_eq!(numbers[..2], [0.02, 4.0], "{text}");
+        assert!(close(numbers[2], 0.1, 1e-9), "{text}: {numbers:?}");
+    }
+    let short = Script::default().with_file("m.txt", &peer.replace("4,", "9,")).run("motionFile 1 m.txt");
+    assert!(short.error().message.contains("9 values"), "{:?}", short.error());
+}
