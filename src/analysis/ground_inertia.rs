@@ -19,8 +19,8 @@ pub(super) struct GroundInertia {
     reported: BTreeMap<usize, Vec<f64>>,
 }
 
-/// M R of an element.
-fn mass_times(e: &ElementEntry, r: &[f64]) -> Vec<f64> {
+/// M r of an element for a motion of all degrees of freedom.
+fn element_mass_times(e: &ElementEntry, r: &[f64]) -> Vec<f64> {
     let of = |d: &u32| r[*d as usize];
     match e.element.mass() {
         Mass::None => vec![0.0; e.dofs.len()],
@@ -31,6 +31,22 @@ fn mass_times(e: &ElementEntry, r: &[f64]) -> Vec<f64> {
     }
 }
 
+/// M r for a motion of all degrees of freedom: the masses of nodes and, unless `nodes_only`, of elements.
+pub(super) fn mass_times(model: &Model, r: &[f64], nodes_only: bool) -> Vec<f64> {
+    let mut force = vec![0.0; model.dofs()];
+    for node in &model.nodes {
+        for (dof, m) in node.dofs().zip(&node.mass) {
+            force[dof] = m * r[dof];
+        }
+    }
+    for e in model.elements.iter().filter(|_| !nodes_only) {
+        for (&d, f) in e.dofs.iter().zip(element_mass_times(e, r)) {
+            force[d as usize] += f;
+        }
+    }
+    force
+}
+
 impl GroundInertia {
     /// For an excitation, with OpenSees' slips if they are wanted.
     pub(super) fn new(model: &Model, pattern: usize, excitation: &Excitation, compat: bool) -> Self {
@@ -39,16 +55,11 @@ impl GroundInertia {
             let influence = node.influence(excitation.direction);
             r[node.dofs()].iter_mut().zip(&influence).for_each(|(r, i)| *r = excitation.influence * i);
         }
-        let mut nodes = vec![0.0; model.dofs()];
-        for node in &model.nodes {
-            for (dof, m) in node.dofs().zip(&node.mass) {
-                nodes[dof] = m * r[dof];
-            }
-        }
+        let nodes = mass_times(model, &r, true);
         let mut inertia =
             Self { pattern, nodes, elements: vec![0.0; model.dofs()], again: vec![], reported: BTreeMap::new() };
         for (i, e) in model.elements.iter().enumerate() {
-            let force = mass_times(e, &r);
+            let force = element_mass_times(e, &r);
             for (&d, f) in e.dofs.iter().zip(&force) {
                 inertia.elements[d as usize] += f;
             }

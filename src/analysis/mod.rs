@@ -8,6 +8,7 @@ mod ground_inertia;
 pub mod integrator;
 mod ladder;
 mod loads;
+mod modal_damping;
 mod modes;
 mod prepared;
 mod reactions;

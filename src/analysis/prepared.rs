@@ -2,6 +2,7 @@
 
 use super::failure::Cause;
 use super::loads::Loads;
+use super::modal_damping::DampedModes;
 use super::state::State;
 use super::system::Coefficients;
 use crate::assembly::{DofError, Handler, MpScope, Plan};
@@ -69,6 +70,7 @@ pub struct Prepared {
     pub(super) values: Vec<f64>,
     pub(super) factored: Vec<f64>,
     pub(super) matrices: Vec<Matrices>,
+    pub(super) damped_modes: DampedModes,
     pub(super) tangent: Vec<f64>,
     pub(super) damping: Vec<f64>,
     pub(super) tangent_is_current: bool,
@@ -159,6 +161,7 @@ impl Prepared {
             base: vec![0.0; len],
             base_of: None,
             matrices,
+            damped_modes: DampedModes::new(model, |full, own| plan.map.condense(full, own), plan.map.equations),
             plan,
             solver,
         };

@@ -212,6 +212,7 @@ impl System<'_> {
         work.subtract_elements(self.model, self.new, self.dynamic);
         if self.dynamic {
             work.subtract_nodal_inertia(self.new);
+            work.subtract_modal_damping(self.new);
         }
         let n = work.plan.map.equations;
         work.plan.map.condense(&work.full, &mut work.b[..n]);
@@ -232,6 +233,7 @@ impl System<'_> {
         }
         let work = &mut *self.work;
         work.assemble(self.model, self.coefficients, mix);
+        work.add_modal_damping(self.coefficients.c);
         if work.solver.is_factored() && work.values == work.factored {
             return Ok(());
         }

@@ -16,7 +16,9 @@ mod ground_motion;
 mod integrator;
 mod load;
 mod material;
+mod modal_damping;
 mod model;
+mod motion_file;
 mod print;
 mod query;
 mod recorder;
@@ -58,9 +60,11 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         transform::COMMANDS,
         element::COMMANDS,
         series::COMMANDS,
+        motion_file::COMMANDS,
         load::COMMANDS,
         ground_motion::COMMANDS,
         damping::COMMANDS,
+        modal_damping::COMMANDS,
         solution::COMMANDS,
         algorithm::COMMANDS,
         integrator::COMMANDS,

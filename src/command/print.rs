@@ -4,6 +4,7 @@ use super::args::Args;
 use super::{Command, Outcome, Tcl, ignore_option, print_error};
 use crate::model::{ElementEntry, Model, Node, Tag};
 use crate::script::{Call, Exception, OpenMode, Value};
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::io::Write as _;
 
@@ -42,6 +43,19 @@ fn print(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     }
     if w.nodes.is_none() && w.elements.is_none() && !w.analysis {
         (w.nodes, w.elements) = (Some(vec![]), Some(vec![]));
+    }
+    let model = interp.host.engine.model();
+    for (what, wanted, known) in [
+        ("node", &w.nodes, model.node_tags().collect::<BTreeSet<_>>()),
+        ("element", &w.elements, model.element_tags().collect()),
+    ] {
+        if let Some(tag) = wanted.iter().flatten().find(|t| !known.contains(t)) {
+            return Err(a.refuse_at(
+                call.whole_span(),
+                format!("there is no {what} {tag}"),
+                format!("expected a tag of {what}s"),
+            ));
+        }
     }
     let text = if w.json { json(interp.host.engine.model()) } else { text(interp, &w) };
     let Some(name) = &w.file else {

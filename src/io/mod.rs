@@ -1,3 +1,4 @@
-//! Reading and writing numbers.
+//! Reading and writing numbers and files of ground motions.
 
+pub mod motion;
 pub mod number;

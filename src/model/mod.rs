@@ -4,6 +4,7 @@ mod constraint;
 mod damping;
 mod definitions;
 mod ground_motion;
+mod modal_damping;
 mod node;
 mod pattern;
 
@@ -11,6 +12,7 @@ pub use constraint::{Fix, MultiPoint};
 pub use damping::Rayleigh;
 pub use definitions::{Definitions, Registry};
 pub use ground_motion::GroundMotion;
+pub use modal_damping::ModalDamping;
 pub use node::Node;
 pub use pattern::{Excitation, Ground, NodalLoad, Pattern, PatternKind, SupportMotion};
 
@@ -64,6 +66,8 @@ pub struct Model {
     pub multi_points: Vec<MultiPoint>,
     /// Load patterns by tag.
     pub patterns: BTreeMap<Tag, Pattern>,
+    /// Damping by modes.
+    pub modal_damping: ModalDamping,
     node_of: BTreeMap<Tag, NodeId>,
     element_of: BTreeMap<Tag, ElementId>,
     /// Grows with every change that an analysis must take notice of.

@@ -310,3 +310,80 @@ fn an_initial_velocity_leaves_supports_at_rest() {
         puts [nodeVel 1 1]; puts [nodeVel 2 1]");
     assert_eq!(ran.numbers(), [0.0, 0.3]);
 }
+
+/// Modal damping gives each mode its own ratio: a building let go in one of its modes decays as a single mass does.
+#[test]
+fn modal_damping_damps_each_mode_by_its_ratio() {
+    for (mode, sign) in [(1, 1.0), (2, -1.0)] {
+        for command in ["modalDamping", "modalDampingQ"] {
+            let ran = run(&format!(
+                "model basic -ndm 1 -ndf 1
+                foreach n {{1 2 3 4}} {{ node $n 0 }}
+                mass 2 2.0; mass 3 2.0; fix 1 1; fix 4 1
+                uniaxialMaterial Elastic 1 200.0
+                foreach n {{1 2 3}} {{ element zeroLength $n $n [expr {{$n+1}}] -mat 1 -dir 1 }}
+                constraints Plain; numberer Plain; system FullGeneral; test NormUnbalance 1e-12 20; algorithm Newton
+                integrator Newmark 0.5 0.25
+                set w2 [lindex [eigen -fullGenLapack 2] [expr {{{mode}-1}}]]
+                {command} 0.02 0.05
+                setNodeDisp 2 1 1.0; setNodeDisp 3 1 {sign}
+                setNodeAccel 2 1 [expr {{-$w2}}]; setNodeAccel 3 1 [expr {{-({sign})*$w2}}]
+                analysis Transient
+                analyze 1000 0.001
+                puts \"[nodeDisp 2 1] [expr {{sqrt($w2)}}]\""
+            ));
+            let [found, omega] = ran.numbers()[..] else { panic!("{}", ran.out) };
+            let zeta = [0.02, 0.05][mode - 1];
+            assert!((found - exact(1.0, omega, zeta)).abs() < 1e-3, "{command}, mode {mode}: {found}");
+        }
+    }
+}
+
+/// Steps of a variable analysis go on to the end of the time, within their limits.
+#[test]
+fn variable_steps_reach_the_end() {
+    let ran = run("model basic -ndm 1 -ndf 1
+        node 1 0; node 2 0 -mass 12.0; fix 1 1
+        uniaxialMaterial Steel01 1 35.0 1500.0 0.05
+        element zeroLength 1 1 2 -mat 1 -dir 1
+        timeSeries Trig 1 0.0 100.0 0.7 -factor 6.0
+        pattern UniformExcitation 1 1 -accel 1
+        recorder Node -file d.out -time -node 2 -dof 1 disp
+        constraints Plain; numberer Plain; system FullGeneral; test NormDispIncr 1e-12 10; algorithm Newton
+        integrator Newmark 0.5 0.25
+        analysis VariableTransient
+        puts [analyze 200 0.01 0.001 0.02 3]
+        puts [nodeDisp 2 1]");
+    assert_eq!(ran.numbers()[0], 0.0);
+    // OpenSees 3.7.1.
+    assert!(close(ran.numbers()[1], -0.030803212328472572, 1e-9), "{}", ran.out);
+    let times: Vec<f64> = ran.tables["d.out"].iter().map(|r| r[0]).collect();
+    assert!(times.windows(2).all(|t| (0.000999..0.020001).contains(&(t[1] - t[0]))));
+    assert!(times.last().is_some_and(|t| (2.0..2.02).contains(t)));
+}
+
+/// The forms of motion files give the same series, and say step and count.
+#[test]
+fn motion_files_are_read() {
+    let peer = "PEER STRONG MOTION DATABASE RECORD\nSOMEWHERE 01/01/00\nACCELERATION TIME HISTORY IN UNITS OF G\n\
+                NPTS=   4, DT= .0200 SEC\n 0.1E+00 0.2\n -0.3 0.4\n";
+    let old = "a\nb\nc\n    4    0.0200    NPTS, DT\n0.1 0.2 -0.3 0.4\n";
+    let v2 = "header\n    4 points of accel data equally spaced at  .020 sec, in cm/sec2\n\
+              \x20     .100      .200     -.300      .400\n    4 points of veloc data\n      .1\n";
+    for text in [peer, old, v2, "0.00 0.1\n0.02 0.2\n0.04 -0.3\n0.06 0.4\n", "0.1\n0.2\n-0.3\n0.4\n"] {
+        let ran = Script::default().with_file("m.txt", text).run(
+            "lassign [motionFile 1 m.txt -factor 2.0 -dt 0.02] dt n
+            puts \"$dt $n\"
+            model basic -ndm 1 -ndf 1
+            pattern Plain 1 1 {}
+            setTime 0.05
+            puts [getLoadFactor 1]",
+        );
+        let ran = ran.done();
+        let numbers = ran.numbers();
+        assert_eq!(numbers[..2], [0.02, 4.0], "{text}");
+        assert!(close(numbers[2], 0.1, 1e-9), "{text}: {numbers:?}");
+    }
+    let short = Script::default().with_file("m.txt", &peer.replace("4,", "9,")).run("motionFile 1 m.txt");
+    assert!(short.error().message.contains("9 values"), "{:?}", short.error());
+}
