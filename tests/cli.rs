@@ -24,6 +24,7 @@ pub const MODEL: &str = "model BasicBuilder -ndm 2 -ndf 3\nnode 1 0 0\nnode 2 4 
 pub struct Place(pub PathBuf);
 
 impl Place {
+    /// A new one, empty.
     pub fn new() -> Self {
         static COUNT: AtomicUsize = AtomicUsize::new(0);
         let n = COUNT.fetch_add(1, Ordering::Relaxed);
@@ -32,6 +33,7 @@ impl Place {
         Self(dir)
     }
 
+    /// Put a file there.
     pub fn write(&self, name: &str, content: impl AsRef<[u8]>) {
         fs::write(self.0.join(name), content).unwrap();
     }
@@ -45,6 +47,7 @@ impl Place {
         (output.status.code(), out, err)
     }
 
+    /// Names of what is there.
     pub fn names(&self) -> Vec<String> {
         let mut all: Vec<String> =
             fs::read_dir(&self.0).unwrap().map(|e| e.unwrap().file_name().to_string_lossy().into_owned()).collect();
