@@ -10,7 +10,7 @@ use hysteron::analysis::{Ladder, Options};
 use hysteron::command::{self, Mode, Outputs, Tcl};
 use hysteron::diagnostic::{Diagnostic, Severity, Span};
 use hysteron::run::{End, Run, Settings};
-use hysteron::script::OsFiles;
+use hysteron::script::{Files, OsFiles, OverlayFiles};
 use std::collections::BTreeMap;
 use std::sync::atomic::Ordering;
 
@@ -32,7 +32,9 @@ fn script(run: &Switches, mode: Mode, ladder: bool, model: &str, args: &[String]
     let settings = Settings { mode, strict: run.strict, options };
     let console = Terminal::new(bar.clone());
     let outputs: Box<dyn Outputs> = if mode == Mode::Run { Box::new(SystemFiles) } else { Box::new(NoFiles) };
-    let mut run = Run::new(settings, Box::new(console), Box::new(OsFiles), outputs);
+    let files: Box<dyn Files> =
+        if mode == Mode::Run { Box::new(OsFiles) } else { Box::new(OverlayFiles::new(Box::new(OsFiles))) };
+    let mut run = Run::new(settings, Box::new(console), files, outputs);
     run.interp.host.tell(Box::new(bar.steps()));
     let aside = bar.clone();
     let mut shown = Shown::default();

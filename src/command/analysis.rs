@@ -100,6 +100,7 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if kind == Kind::Transient {
         finish(interp, &a)?;
     }
+    warn_of_plain(interp, call.span(0))?;
     let session = &mut interp.host;
     let done = match session.mode {
         Mode::Check => {
@@ -153,6 +154,26 @@ fn step_lengths(a: &mut Args<'_>) -> Result<Adaptive, Exception> {
         return Err(a.refuse(format!("the largest step is {max}"), format!("expected at least the smallest, {min}")));
     }
     Ok(Adaptive { desired_iterations: a.count("number of iterations wanted")?, min, max })
+}
+
+/// Warn, once, of constraints that OpenSees' `Plain` handler does not follow and ours does.
+fn warn_of_plain(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
+    let engine = &interp.host.engine;
+    if engine.options.compat || !engine.setup().is_some_and(|s| s.handler == Handler::Plain) {
+        return Ok(());
+    }
+    let model = engine.model();
+    let name = |n: crate::model::NodeId| model.nodes[n.0].tag;
+    let moved = model.patterns.values().flat_map(|p| &p.motions).find(|m| m.value != 0.0);
+    let moved = moved.map(|m| format!("the imposed motion of node {}", name(m.node)));
+    let tied = model.multi_points.iter().find(|m| !m.is_identity());
+    let tied = tied.map(|m| format!("the constraint of node {} to node {}", name(m.constrained), name(m.retained)));
+    let Some(what) = moved.or(tied) else { return Ok(()) };
+    if interp.host.told.insert("plain", 1).is_some() {
+        return Ok(());
+    }
+    let message = format!("OpenSees' handler Plain leaves out {what}; here it is followed");
+    warn(interp, Diagnostic::warning(message).at(span, "expected \"constraints Transformation\" before this"))
 }
 
 /// A failure as a message.

@@ -51,8 +51,10 @@ fn fix(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 fn fix_level(interp: &mut Tcl, call: &Call<'_>, direction: usize) -> Outcome {
     let mut a = Args::new(call, FIX_LEVEL);
     let level = a.float("coordinate")?;
-    let given = a.left() - if (1..a.left()).any(|k| call.arg(1 + k).as_str() == "-tol") { 2 } else { 0 };
-    let flags = flags(&mut a, given)?;
+    let words = a.ahead().map(|v| v.as_str().into_owned());
+    let given = words.take_while(|w| w != "-tol").count();
+    // Without a flag nothing would be held.
+    let flags = flags(&mut a, given.max(1))?;
     let tolerance = if a.flag("-tol") { a.not_negative("tolerance")? } else { 1e-10 };
     finish(interp, &a)?;
     let model = interp.host.engine.model();

@@ -86,6 +86,21 @@ pub fn install(interp: &mut Tcl) {
     for c in commands() {
         interp.register(c.name, if check { checked } else { c.run });
     }
+    if check {
+        interp.on_error = Some(go_on);
+    }
+}
+
+/// An error of Tcl at the top level of a script that is checked: it is told, and the next command looked at. An error
+/// that the script raises itself ends it, and so does one that comes of results that a check does not have.
+fn go_on(interp: &mut Tcl, error: Exception) -> Outcome {
+    match error {
+        Exception::Error(e) if !e.raised && !interp.host.rehearsed => {
+            tell(interp, e.diagnostic);
+            Ok(Value::EMPTY)
+        }
+        other => Err(other),
+    }
 }
 
 /// Run a command for a check: what is wrong with it is told, and the script goes on.

@@ -86,7 +86,7 @@ fn node(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-ndf" | "-NDF" => ndf = a.dof("number of degrees of freedom", 6)? + 1,
-            "-mass" => mass = Some(values(&mut a, ndf, "mass")?),
+            "-mass" => mass = Some(masses(&mut a, ndf)?),
             "-disp" | "-dispLoc" => disp = Some(values(&mut a, ndf, "displacement")?),
             "-vel" => vel = Some(values(&mut a, ndf, "velocity")?),
             _ => ignore_option(interp, &mut a, &["-ndf", "-mass", "-disp", "-vel"])?,
@@ -114,12 +114,15 @@ fn values(a: &mut Args<'_>, n: usize, what: &str) -> Result<Vec<f64>, Exception>
     (1..=n).map(|i| a.float(&format!("{what} of degree of freedom {i}"))).collect()
 }
 
+fn masses(a: &mut Args<'_>, n: usize) -> Result<Vec<f64>, Exception> {
+    (1..=n).map(|i| a.not_negative(&format!("mass of degree of freedom {i}"))).collect()
+}
+
 fn mass(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, MASS);
     let id = node_of(interp, &mut a, "tag of the node")?;
     let ndf = interp.host.engine.model().nodes[id.0].ndf;
-    let m = (1..=ndf).map(|i| a.not_negative(&format!("mass of degree of freedom {i}")));
-    let m = m.collect::<Result<Vec<f64>, _>>()?;
+    let m = masses(&mut a, ndf)?;
     finish(interp, &a)?;
     interp.host.engine.change_model(|model| model.nodes[id.0].mass = m);
     Ok(Value::EMPTY)

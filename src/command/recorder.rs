@@ -1,13 +1,13 @@
 //! `recorder` and `record`.
 
 use super::args::Args;
-use super::session::FileFormat;
+use super::session::{FileFormat, Mode};
 use super::{Command, Outcome, Tcl, ignore_option, warn};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::io::number::Style;
 use crate::model::Tag;
 use crate::record::{Cadence, Drift, ElementResponse, NodeQuantity, NodeResponse, Output, Recorder, Separator, Source};
-use crate::script::{Call, Exception, Value};
+use crate::script::{Call, Exception, FileKind, Value};
 use crate::series::Series;
 
 pub(super) const COMMANDS: &[Command] = &[
@@ -76,6 +76,13 @@ impl Common {
                     separator: if self.csv { Separator::Comma } else { Separator::Space },
                     close_on_write: self.close_on_write,
                 };
+                if interp.host.mode == Mode::Check {
+                    let folder = path.rsplit_once('/').map_or("/", |(f, _)| if f.is_empty() { "/" } else { f });
+                    if !interp.files.info(folder, true).is_ok_and(|i| i.kind == FileKind::Directory) {
+                        let d = Diagnostic::error(format!("cannot write {path}: there is no such folder"));
+                        return Err(Exception::diagnosed(d.at(*span, "cannot write here")));
+                    }
+                }
                 let made = interp.host.outputs.create(name, path.as_ref(), format);
                 made.map_err(|e| Exception::diagnosed(Diagnostic::error(e.to_string()).at(*span, "cannot write here")))?
             }

@@ -14,7 +14,7 @@ pub struct ElementResponse {
     words: Vec<String>,
     /// Columns of the response from 0; empty for all.
     columns: Vec<usize>,
-    found: Vec<(ElementId, Answer)>,
+    found: Vec<(ElementId, Tag, Answer)>,
     values: Vec<f64>,
     disp: Vec<f64>,
 }
@@ -98,7 +98,7 @@ impl Source for ElementResponse {
                 continue;
             };
             match self.answer(engine, id) {
-                Some(answer) => self.found.push((id, answer)),
+                Some(answer) => self.found.push((id, tag, answer)),
                 None => missing.push(format!(
                     "response \"{}\" of element {tag} ({})",
                     self.words.join(" "),
@@ -110,16 +110,16 @@ impl Source for ElementResponse {
     }
 
     fn labels(&self) -> Vec<String> {
-        let label = |id: &ElementId, l: &String| format!("element {} {l}", id.0);
+        let label = |tag: Tag, l: &String| format!("element {tag} {l}");
         self.found
             .iter()
-            .flat_map(|(id, a)| self.chosen(a.labels().len()).map(move |i| label(id, &a.labels()[i])))
+            .flat_map(|(_, tag, a)| self.chosen(a.labels().len()).map(move |i| label(*tag, &a.labels()[i])))
             .collect()
     }
 
     fn row(&mut self, engine: &mut Engine, row: &mut Vec<f64>) -> Result<(), RecordError> {
         let found = std::mem::take(&mut self.found);
-        for (id, answer) in &found {
+        for (id, _, answer) in &found {
             self.read(engine, *id, answer);
             row.extend(self.chosen(self.values.len()).map(|i| self.values[i]));
         }

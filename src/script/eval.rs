@@ -90,14 +90,22 @@ impl<H> Interp<H> {
             };
             // Results in between are let go at once: what holds a list beside its variable has the next change copy it.
             for command in before {
-                interp.command(script, command)?;
+                interp.command_or_on(script, command)?;
             }
-            let result = interp.command(script, last)?;
+            let result = interp.command_or_on(script, last)?;
             match &script.error {
                 None => Ok(result),
                 Some(error) => Err(interp.core.syntax_error(script, error)),
             }
         })
+    }
+
+    /// Run a command; where the host wants to go on after errors at top level, it hears of them.
+    fn command_or_on(&mut self, script: &Script, command: &Command) -> Result<Value, Exception> {
+        match (self.command(script, command), self.on_error) {
+            (Err(e @ Exception::Error(_)), Some(go_on)) if self.core.depth == 1 => go_on(self, e),
+            (result, _) => result,
+        }
     }
 
     fn command(&mut self, script: &Script, command: &Command) -> Result<Value, Exception> {

@@ -40,6 +40,9 @@ pub struct Interp<H> {
     pub host: H,
     pub(crate) core: Core,
     pub(crate) functions: Vec<CommandFn<H>>,
+    /// What to do with an error at the top level of the script: hand it back to end the script, or give a value to
+    /// go on with the next command. `None` ends the script.
+    pub on_error: Option<fn(&mut Interp<H>, Exception) -> Result<Value, Exception>>,
 }
 
 impl<H> Deref for Interp<H> {
@@ -58,7 +61,7 @@ impl<H> DerefMut for Interp<H> {
 impl<H> Interp<H> {
     /// An interpreter with the commands and variables of Tcl.
     pub fn new(host: H, console: Box<dyn Console>, files: Box<dyn Files>) -> Self {
-        let mut interp = Interp { host, core: Core::new(console, files), functions: vec![] };
+        let mut interp = Interp { host, core: Core::new(console, files), functions: vec![], on_error: None };
         builtin::install(&mut interp);
         interp
     }

@@ -28,7 +28,7 @@ impl Default for MemoryFiles {
     }
 }
 
-fn parent(path: &str) -> &str {
+pub(super) fn parent(path: &str) -> &str {
     match path.rfind('/') {
         Some(0) | None => "/",
         Some(at) => &path[..at],
@@ -38,13 +38,18 @@ fn parent(path: &str) -> &str {
 impl MemoryFiles {
     /// Put a file there, with the folders that it needs.
     pub fn insert(&self, path: &str, content: impl Into<Vec<u8>>) {
+        self.insert_dir(parent(path));
+        self.nodes.borrow_mut().insert(path.to_owned(), Node::File(Rc::new(RefCell::new(content.into()))));
+    }
+
+    /// Put a folder there, with those above it.
+    pub fn insert_dir(&self, path: &str) {
         let mut nodes = self.nodes.borrow_mut();
-        let mut above = parent(path);
-        while above != "/" {
-            nodes.insert(above.to_owned(), Node::Directory);
-            above = parent(above);
+        let mut folder = path;
+        while folder != "/" {
+            nodes.insert(folder.to_owned(), Node::Directory);
+            folder = parent(folder);
         }
-        nodes.insert(path.to_owned(), Node::File(Rc::new(RefCell::new(content.into()))));
     }
 
     /// The content of a file.

@@ -1,0 +1,70 @@
+//! What an engineer sees who makes a mistake: message, place, exit status, and what is left on the disk.
+
+#![cfg(unix)]
+#![allow(clippy::unwrap_used, unreachable_pub)]
+
+#[path = "cli/checks.rs"]
+mod checks;
+#[path = "cli/endings.rs"]
+mod endings;
+#[path = "cli/mistakes.rs"]
+mod mistakes;
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::Command;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// A cantilever with a load.
+pub const MODEL: &str = "model BasicBuilder -ndm 2 -ndf 3\nnode 1 0 0\nnode 2 4 0\nnode 3 4 0\nfix 1 1 1 1\n\
+    uniaxialMaterial Elastic 1 100.\ngeomTransf Linear 1\nelement elasticBeamColumn 1 1 2 0.1 2e8 1e-3 1\n\
+    timeSeries Linear 1\npattern Plain 1 1 { load 2 1 0 0 }\n";
+
+/// A folder of its own, removed at the end.
+pub struct Place(pub PathBuf);
+
+impl Place {
+    /// A new one, empty.
+    pub fn new() -> Self {
+        static COUNT: AtomicUsize = AtomicUsize::new(0);
+        let n = COUNT.fetch_add(1, Ordering::Relaxed);
+        let dir = std::env::temp_dir().join(format!("hysteron-cli-{}-{n}", std::process::id()));
+        fs::create_dir_all(&dir).unwrap();
+        Self(dir)
+    }
+
+    /// Put a file there.
+    pub fn write(&self, name: &str, content: impl AsRef<[u8]>) {
+        fs::write(self.0.join(name), content).unwrap();
+    }
+
+    /// Run with arguments: exit status, standard output, standard error.
+    pub fn run(&self, args: &[&str]) -> (Option<i32>, String, String) {
+        let output = Command::new(env!("CARGO_BIN_EXE_hysteron")).args(args).current_dir(&self.0).output().unwrap();
+        let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+        let (out, err) = (text(&output.stdout), text(&output.stderr));
+        assert!(!err.contains("panicked"), "{err}");
+        (output.status.code(), out, err)
+    }
+
+    /// Names of what is there.
+    pub fn names(&self) -> Vec<String> {
+        let mut all: Vec<String> =
+            fs::read_dir(&self.0).unwrap().map(|e| e.unwrap().file_name().to_string_lossy().into_owned()).collect();
+        all.sort();
+        all
+    }
+}
+
+impl Drop for Place {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+/// Run a script: exit status, standard output, standard error.
+pub fn run(script: &str) -> (Option<i32>, String, String) {
+    let place = Place::new();
+    place.write("m.tcl", script);
+    place.run(&["run", "m.tcl"])
+}

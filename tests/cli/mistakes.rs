@@ -1,0 +1,128 @@
+//! A mistake in a line after a good model, where the message points, and what it says.
+
+use super::{MODEL, Place, run};
+
+/// Line, column, words of the message.
+const REFUSED: &[(&str, usize, &[&str])] = &[
+    ("node", 1, &["the tag of the node is missing", "usage: node"]),
+    ("node x 0 0", 6, &["not a whole number: \"x\""]),
+    ("node 1 0 0", 6, &["there is a node 1 already", "expected a new tag"]),
+    ("node 9 0 nan", 10, &["y coordinate is not a number"]),
+    ("node 9 0 inf", 10, &["y coordinate is not finite"]),
+    ("node 9 0 0 -mass 1 1 -1", 22, &["mass of degree of freedom 3 is -1"]),
+    ("node 9 0 0 -ndf 7", 17, &["1 to 6"]),
+    ("mass 77 1 1 1", 6, &["there is no node 77", "the nearest tag is 3"]),
+    ("mass 1 -1 1 1", 8, &["not less than 0"]),
+    ("fix 2 1 1", 1, &["the flag of degree of freedom 3 is missing"]),
+    ("fixY 0", 1, &["the flag of degree of freedom 1 is missing"]),
+    ("fixY 0 1 1 1 -tol", 1, &["the tolerance is missing"]),
+    ("equalDOF 1 1 1", 12, &["cannot follow itself"]),
+    ("equalDOF 2 3 4", 14, &["1 to 3"]),
+    ("rigidLink beem 2 3", 11, &["did you mean \"beam\"?"]),
+    ("uniaxialMaterial Elstic 2 100", 18, &["did you mean \"Elastic\"?"]),
+    ("uniaxialMaterial Elastic 1 100", 26, &["there is a uniaxial material 1 already"]),
+    ("uniaxialMaterial Elastic 2 1e999", 28, &["not finite"]),
+    ("uniaxialMaterial Steel01 2 -5 1 1", 28, &["greater than 0"]),
+    ("geomTransf Liner 2", 12, &["did you mean \"Linear\"?"]),
+    ("geomTransf Linear 1", 19, &["already"]),
+    ("element elasticBeamColum 2 1 2 0.1 2e8 1e-3 1", 9, &["did you mean \"elasticBeamColumn\"?"]),
+    ("element elasticBeamColumn 2 2 3 0.1 2e8 1e-3 1", 31, &["no length"]),
+    ("element elasticBeamColumn 2 1 3 -0.1 2e8 1e-3 1", 33, &["cross-sectional area A is -0.1"]),
+    ("element elasticBeamColumn 2 1 3 0.1 0 1e-3 1", 37, &["elastic modulus E is 0"]),
+    ("element elasticBeamColumn 2 1 3 0.1 2e8 1e-3 9", 46, &["no geometric transformation 9", "defined: 1"]),
+    ("element truss 2 1 3 0 1", 21, &["greater than 0"]),
+    ("element truss 2 1 3 1 5", 23, &["there is no uniaxial material 5", "defined: 1"]),
+    ("element zeroLength 2 2 3 -mat 1 -dir 7", 38, &["1 to 6"]),
+    ("pattern Plain 2 9 {}", 17, &["there is no time series 9", "defined: 1"]),
+    ("pattern Plain 1 1 {}", 15, &["there is a load pattern 1 already"]),
+    ("pattern Plian 2 1 {}", 9, &["did you mean \"Plain\"?"]),
+    ("timeSeries Path 2 -dt 0 -values {1 2}", 23, &["greater than 0"]),
+    ("timeSeries Path 2 -dt 0.1 -filePath no.txt", 37, &["cannot read \"no.txt\""]),
+    ("timeSeries Path 2 -time {0 2 1} -values {1 2 3}", 25, &["the times go back"]),
+    ("integrator Newmrk 0.5 0.25", 12, &["did you mean \"Newmark\"?"]),
+    ("test NormDispIncr 1e-6 0", 24, &["at least 1"]),
+    ("analysis Statik", 10, &["did you mean \"Static\"?"]),
+    ("analyze 1", 1, &["there is no analysis"]),
+    ("analysis Static; analyze -1", 26, &["the number of steps is -1"]),
+    ("analysis Transient; analyze 1 0", 31, &["greater than 0"]),
+    ("recorder Nod -file a.txt -node 1 -dof 1 disp", 10, &["did you mean \"Node\"?"]),
+    ("recorder Node -file no/such/a.txt -node 1 -dof 1 disp", 21, &["cannot write"]),
+    ("nodeDisp 77", 10, &["there is no node 77"]),
+    ("nodeDisp 1 4", 12, &["1 to 3"]),
+    ("nodDisp 1", 1, &["did you mean \"nodeDisp\"?"]),
+    ("set x [expr {1 + }]", 0, &["expr"]),
+    ("puts $nothing", 0, &["nothing"]),
+    ("exec ls", 0, &["exec"]),
+    ("open \"|ls\"", 0, &[]),
+    ("socket localhost 80", 0, &["socket"]),
+    ("source missing.tcl", 0, &["missing.tcl"]),
+    ("proc f {} { f }; f", 0, &["too many nested evaluations"]),
+];
+
+#[test]
+fn refused() {
+    let line = MODEL.lines().count() + 1;
+    let wrong: Vec<String> = REFUSED
+        .iter()
+        .filter_map(|(mistake, column, words)| {
+            let (status, _, err) = run(&format!("{MODEL}{mistake}\n"));
+            let place = if *column > 0 { format!("m.tcl:{line}:{column}\n") } else { format!("m.tcl:{line}:") };
+            let good = status == Some(2) && err.contains(&place) && words.iter().all(|w| err.contains(w));
+            (!good).then(|| format!("{mistake}: {status:?}\n{err}"))
+        })
+        .collect();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// Warnings let the script go on, come again in a summary at the end, and are errors under `--strict`.
+#[test]
+fn warned() {
+    for (mistake, words) in [
+        ("node 9 0 0 -mas 1 1 1", "did you mean \"-mass\"?"),
+        ("mass 1 1 1 1 1", "nothing more was expected"),
+        ("element zeroLength 2 1 3 -mat 1 -dir 1", "4.000000 apart"),
+    ] {
+        let place = Place::new();
+        place.write("m.tcl", format!("{MODEL}{mistake}\nputs end\n"));
+        let (status, out, err) = place.run(&["run", "m.tcl"]);
+        assert!(status == Some(0) && out == "end\n" && err.contains(words), "{mistake}: {err}");
+        assert!(err.contains("1 warning:\n  warning: m.tcl:11:"), "{mistake}: {err}");
+        let (status, out, _) = place.run(&["run", "--strict", "m.tcl"]);
+        assert!(status == Some(2) && out.is_empty(), "{mistake}");
+    }
+}
+
+/// The handler `Plain` of OpenSees does less than ours: that is told, but not where OpenSees is followed.
+#[test]
+fn plain_handler() {
+    let script = "rigidLink beam 1 3\nconstraints Plain\nintegrator LoadControl 1\nanalysis Static\nanalyze 1\n";
+    let place = Place::new();
+    place.write("m.tcl", format!("{MODEL}{script}"));
+    let (_, _, err) = place.run(&["run", "m.tcl"]);
+    assert!(err.contains("Plain leaves out the constraint of node 3 to node 1"), "{err}");
+    let (_, _, err) = place.run(&["run", "--compat", "opensees", "m.tcl"]);
+    assert!(!err.contains("leaves out"), "{err}");
+}
+
+/// The chain of calls stands under the message.
+#[test]
+fn calls() {
+    let place = Place::new();
+    place.write("sub.tcl", "proc storey {n} {\n  node $n 0 x\n}\n");
+    place.write("m.tcl", "model basic -ndm 2\nsource sub.tcl\nstorey 5\n");
+    let (status, _, err) = place.run(&["run", "m.tcl"]);
+    assert_eq!(status, Some(2));
+    for words in ["sub.tcl:2:", "in proc \"storey\"", "m.tcl:3:1", "called here"] {
+        assert!(err.contains(words), "{words}: {err}");
+    }
+}
+
+/// A file of a record that begins with a header.
+#[test]
+fn header_of_a_record() {
+    let place = Place::new();
+    place.write("gm.txt", "PEER RECORD\n0.1 0.2\n");
+    place.write("m.tcl", "timeSeries Path 1 -dt 0.01 -filePath gm.txt\n");
+    let (status, _, err) = place.run(&["run", "m.tcl"]);
+    assert!(status == Some(2) && err.contains("gm.txt:1:1") && err.contains("remove the header"), "{err}");
+}
