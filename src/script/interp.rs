@@ -14,6 +14,9 @@ use super::proc::outside_of_loop;
 use super::text::Text;
 use super::value::Value;
 
+/// What an interpreter does with an error at the top level of a script.
+pub type OnError<H> = fn(&mut Interp<H>, Exception) -> Result<Value, Exception>;
+
 /// A Tcl interpreter. `host` is what the commands of the host work on.
 ///
 /// ```
@@ -42,7 +45,7 @@ pub struct Interp<H> {
     pub(crate) functions: Vec<CommandFn<H>>,
     /// What to do with an error at the top level of the script: hand it back to end the script, or give a value to
     /// go on with the next command. `None` ends the script.
-    pub on_error: Option<fn(&mut Interp<H>, Exception) -> Result<Value, Exception>>,
+    pub on_error: Option<OnError<H>>,
 }
 
 impl<H> Deref for Interp<H> {

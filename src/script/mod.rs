@@ -45,7 +45,7 @@ pub use self::console::{Console, Recorded};
 pub use self::core::Core;
 pub use self::error::{Exception, Returned, ScriptError};
 pub use self::files::{FileInfo, FileKind, Files, OpenMode, OsFiles, Stream};
-pub use self::interp::Interp;
+pub use self::interp::{Interp, OnError};
 pub use self::list::List;
 pub use self::memory_files::MemoryFiles;
 pub use self::overlay_files::OverlayFiles;
