@@ -40,6 +40,8 @@ pub(super) struct Matrices {
     pub damping: Option<usize>,
     mass: MassPlace,
     rayleigh: Rayleigh,
+    /// Those that reports of damping forces count: OpenSees asks no element whether it takes part.
+    reported: Rayleigh,
 }
 
 #[derive(Clone, Debug)]
@@ -133,6 +135,7 @@ impl Prepared {
                 damping: nature.viscous.then_some(damping),
                 mass: place,
                 rayleigh: if nature.rayleigh { e.rayleigh } else { Rayleigh::default() },
+                reported: if nature.rayleigh || options.compat { e.rayleigh } else { Rayleigh::default() },
             });
             at += n * n;
             damping += if nature.viscous { n * n } else { 0 };
@@ -176,8 +179,8 @@ impl Prepared {
                 e.element.initial_tangent(&mut self.tangent[m.at..m.at + e.dofs.len().pow(2)]);
             } else {
                 damped.beta_k += m.rayleigh.beta_k.abs();
-                damped.beta_k0 += m.rayleigh.beta_k0.abs();
-                damped.beta_kc += m.rayleigh.beta_kc.abs();
+                damped.beta_k0 += m.reported.beta_k0.abs();
+                damped.beta_kc += m.reported.beta_kc.abs();
             }
         }
         if damped.beta_k0 != 0.0 {
@@ -308,11 +311,13 @@ impl Prepared {
 
     /// Add damping and, if wanted, inertia forces of an element.
     fn add_dynamic_force(&self, dofs: &[u32], m: &Matrices, state: &State, inertia: bool, out: &mut [f64; MAX_DOFS]) {
+        // Inertia is no part of a report of damping.
+        let r = if inertia { &m.rayleigh } else { &m.reported };
         let n = dofs.len();
         let (mut v, mut a) = ([0.0; MAX_DOFS], [0.0; MAX_DOFS]);
         for ((&d, v), a) in dofs.iter().zip(&mut v).zip(&mut a) {
             *v = state.vel[d as usize];
-            *a = m.rayleigh.alpha_m * *v + if inertia { state.accel[d as usize] } else { 0.0 };
+            *a = r.alpha_m * *v + if inertia { state.accel[d as usize] } else { 0.0 };
         }
         let mut add = |matrix: &[f64], factor: f64, x: &[f64]| {
             if factor != 0.0 {
@@ -322,7 +327,6 @@ impl Prepared {
             }
         };
         let range = m.at..m.at + n * n;
-        let r = &m.rayleigh;
         if m.linear {
             add(&self.tangent[range], r.beta_k + r.beta_k0 + r.beta_kc, &v[..n]);
         } else {
@@ -345,7 +349,7 @@ impl Prepared {
 
     /// Subtract the Rayleigh damping forces of the elements from `full`.
     pub(super) fn subtract_damping(&mut self, model: &Model, state: &State) {
-        for (e, m) in model.elements.iter().zip(&self.matrices).filter(|(_, m)| !m.rayleigh.is_zero()) {
+        for (e, m) in model.elements.iter().zip(&self.matrices).filter(|(_, m)| !m.reported.is_zero()) {
             let mut f = [0.0; MAX_DOFS];
             self.add_dynamic_force(&e.dofs, m, state, false, &mut f);
             for (&d, f) in e.dofs.iter().zip(&f) {
