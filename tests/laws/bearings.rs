@@ -2,7 +2,7 @@
 
 use super::driver::{Alone, difference, path};
 use hysteron::element::axes::Orientation;
-use hysteron::element::bearing::{BoucWen2d, BoucWen3d, Link, ShearParameters};
+use hysteron::element::bearing::{Link, PlaneBearing, ShearParameters, SpaceBearing};
 use hysteron::material::{Elastic, ElasticPP, Material};
 use nalgebra::{Rotation3, Vector3};
 use std::sync::Arc;
@@ -19,13 +19,13 @@ fn elastic(e: f64) -> (Material, i32) {
 fn plane(p: ShearParameters, shear_dist: f64) -> Alone {
     let (axes, length) = Orientation::default().of_link(Vector3::zeros(), Vector3::new(0.05, 0.3, 0.0), true).unwrap();
     let moment = (Arc::new(ElasticPP::new(6000.0, 1.0, -1.0, 0.0)) as Material, 2);
-    Alone::new(BoucWen2d::new(p, Link::new(&axes, length, shear_dist), [elastic(1e5), moment], 0.0, false))
+    Alone::new(PlaneBearing::new(p, Link::new(&axes, length, shear_dist), [elastic(1e5), moment], 0.0, false))
 }
 
 fn space_along(p: ShearParameters, shear_dist: f64, orientation: Orientation, line: Vector3<f64>) -> Alone {
     let (axes, length) = orientation.of_link(Vector3::zeros(), line, false).unwrap();
     let materials = [elastic(1e5), elastic(900.0), elastic(6000.0), elastic(5000.0)];
-    Alone::new(BoucWen3d::new(p, Link::new(&axes, length, shear_dist), materials, 0.0, false))
+    Alone::new(SpaceBearing::new(p, Link::new(&axes, length, shear_dist), materials, 0.0, false))
 }
 
 fn space(p: ShearParameters) -> Alone {
@@ -190,7 +190,7 @@ fn space_and_plane_agree_in_one_direction() {
     for (name, p) in laws() {
         let (axes, length) =
             Orientation::default().of_link(Vector3::zeros(), Vector3::new(0.0, 0.3, 0.0), true).unwrap();
-        let mut flat = Alone::new(BoucWen2d::new(
+        let mut flat = Alone::new(PlaneBearing::new(
             p.clone(),
             Link::new(&axes, length, 0.5),
             [elastic(1e5), elastic(6000.0)],

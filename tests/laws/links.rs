@@ -2,7 +2,7 @@
 
 use super::driver::{Alone, difference, path};
 use hysteron::element::axes::Orientation;
-use hysteron::element::bearing::{Link, PlasticShear, Plasticity2d, Plasticity3d};
+use hysteron::element::bearing::{Link, PlaneBearing, PlasticShear, SpaceBearing};
 use hysteron::element::{LinkOptions, Mass, TwoNodeLink};
 use hysteron::material::{Elastic, ElasticPP, Material};
 use nalgebra::{Matrix3, Rotation3, Vector3};
@@ -133,13 +133,13 @@ fn in_space(k3: f64) -> Alone {
     let (axes, length) =
         Orientation::default().of_link(Vector3::zeros(), Vector3::new(0.02, -0.05, 0.3), false).unwrap();
     let materials = [1e5, 900.0, 6000.0, 5000.0].map(|e| (elastic(e), 1));
-    Alone::new(Plasticity3d::new(plastic(k3), Link::new(&axes, length, 0.3), materials, 0.0, false))
+    Alone::new(SpaceBearing::new(plastic(k3), Link::new(&axes, length, 0.3), materials, 0.0, false))
 }
 
 fn in_plane(k3: f64) -> Alone {
     let (axes, length) = Orientation::default().of_link(Vector3::zeros(), Vector3::new(0.0, 0.3, 0.0), true).unwrap();
     let materials = [1e5, 900.0].map(|e| (elastic(e), 1));
-    Alone::new(Plasticity2d::new(plastic(k3), Link::new(&axes, length, 0.3), materials, 0.0, false))
+    Alone::new(PlaneBearing::new(plastic(k3), Link::new(&axes, length, 0.3), materials, 0.0, false))
 }
 
 #[test]

@@ -3,9 +3,10 @@
 use super::{Ends, Kind, orientation};
 use crate::command::args::Args;
 use crate::command::{Tcl, ignore_option};
+use crate::diagnostic::Span;
 use crate::element::Element;
 use crate::element::axes::Orientation;
-use crate::element::bearing::{BoucWen2d, BoucWen3d, Link, PlasticShear, Plasticity2d, Plasticity3d, ShearParameters};
+use crate::element::bearing::{Link, PlaneBearing, PlasticShear, ShearLaw, ShearParameters, SpaceBearing};
 use crate::material::Material;
 use crate::script::Exception;
 use std::sync::Arc;
@@ -29,7 +30,7 @@ pub(super) const PLASTICITY: Kind = Kind {
 struct Common {
     materials: Vec<(Material, i32)>,
     orientation: Orientation,
-    orient_span: Option<crate::diagnostic::Span>,
+    orient_span: Option<Span>,
     shear_dist: f64,
     rayleigh: bool,
     mass: f64,
@@ -87,7 +88,7 @@ fn link<const N: usize, const B: usize>(
     a: &Args<'_>,
     c: &Common,
     ends: &Ends,
-    nodes: Option<crate::diagnostic::Span>,
+    nodes: Option<Span>,
 ) -> Result<Link<N, B>, Exception> {
     let made = c.orientation.of_link(ends.place.0, ends.place.1, ends.ndm == 2);
     let (axes, length) = made.map_err(|e| {
@@ -128,19 +129,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         beta,
         gamma,
     };
-    match (ends.ndm, ends.ndf) {
-        (2, 3) => {
-            let link = link(a, &c, ends, nodes)?;
-            let Ok(materials) = c.materials.try_into() else { unreachable!("taken one by one") };
-            Ok(Arc::new(BoucWen2d::new(shear, link, materials, c.mass, c.rayleigh)))
-        }
-        (3, 6) => {
-            let link = link(a, &c, ends, nodes)?;
-            let Ok(materials) = c.materials.try_into() else { unreachable!("taken one by one") };
-            Ok(Arc::new(BoucWen3d::new(shear, link, materials, c.mass, c.rayleigh)))
-        }
-        _ => Err(ends.wrong(a, "3 degrees of freedom in 2 or 6 in 3 dimensions")),
-    }
+    around(a, shear, c, ends, nodes)
 }
 
 fn make_plastic(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
@@ -161,16 +150,27 @@ fn make_plastic(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<d
     }
     let c = common(interp, a, ends)?;
     let shear = PlasticShear { k0: (1.0 - alpha1) * k_init, qd, k2: alpha1 * k_init, k3: alpha2 * k_init, mu };
+    around(a, shear, c, ends, nodes)
+}
+
+/// The bearing around a shear law, in the plane or in space.
+fn around<L: ShearLaw<1> + ShearLaw<2> + 'static>(
+    a: &Args<'_>,
+    law: L,
+    c: Common,
+    ends: &Ends,
+    nodes: Option<Span>,
+) -> Result<Arc<dyn Element>, Exception> {
     match (ends.ndm, ends.ndf) {
         (2, 3) => {
             let link = link(a, &c, ends, nodes)?;
             let Ok(materials) = c.materials.try_into() else { unreachable!("taken one by one") };
-            Ok(Arc::new(Plasticity2d::new(shear, link, materials, c.mass, c.rayleigh)))
+            Ok(Arc::new(PlaneBearing::new(law, link, materials, c.mass, c.rayleigh)))
         }
         (3, 6) => {
             let link = link(a, &c, ends, nodes)?;
             let Ok(materials) = c.materials.try_into() else { unreachable!("taken one by one") };
-            Ok(Arc::new(Plasticity3d::new(shear, link, materials, c.mass, c.rayleigh)))
+            Ok(Arc::new(SpaceBearing::new(law, link, materials, c.mass, c.rayleigh)))
         }
         _ => Err(ends.wrong(a, "3 degrees of freedom in 2 or 6 in 3 dimensions")),
     }

@@ -1,8 +1,8 @@
-//! What the Bouc-Wen bearings in the plane and in space share: parameters, the hysteretic law, responses.
+//! Shear law of `elastomericBearingBoucWen`.
 
-use crate::element::{ElementError, Mass};
+use super::shear::{Shear, ShearLaw, hardening};
+use crate::element::ElementError;
 use crate::numeric::sign;
-use crate::probe::Probe;
 
 /// Shear law of `elastomericBearingBoucWen`: q = q_d z + k₂ u + k₃ sign(u) |u|^μ, with
 /// ż = (k₀/q_d) [A u̇ - z |z|^(η-2) (z·u̇) (γ + β sign(z·u̇))], A = 1.
@@ -29,16 +29,6 @@ pub struct ShearParameters {
 }
 
 impl ShearParameters {
-    /// Force of the hardening springs and its derivative.
-    #[inline]
-    pub(super) fn hardening(&self, u: f64) -> (f64, f64) {
-        if self.k3 == 0.0 {
-            return (self.k2 * u, self.k2);
-        }
-        let p = u.abs().powf(self.mu - 1.0);
-        (self.k2 * u + self.k3 * p * u, self.k2 + self.k3 * self.mu * p)
-    }
-
     /// Hysteretic parameters at the end of a step (backward Euler) and dz/dd by rows, for an increment `d` of the
     /// displacement over the yield displacement q_d/k₀; `N` directions.
     ///
@@ -46,11 +36,7 @@ impl ShearParameters {
     /// it is one equation for a number, t + a t^η = 1 with a = |w|^(η-2) (w·d) (γ + β sign(w·d)). Its root next to
     /// t = 1 is the one that grows out of the committed state.
     #[inline]
-    pub(super) fn hysteresis<const N: usize>(
-        &self,
-        zc: [f64; N],
-        d: [f64; N],
-    ) -> Result<([f64; N], [[f64; N]; N]), ElementError> {
+    fn hysteresis<const N: usize>(&self, zc: [f64; N], d: [f64; N]) -> Result<([f64; N], [[f64; N]; N]), ElementError> {
         let w: [f64; N] = std::array::from_fn(|i| zc[i] + d[i]);
         let work: f64 = w.iter().zip(&d).map(|(w, d)| w * d).sum();
         let norm2: f64 = w.iter().map(|w| w * w).sum();
@@ -102,60 +88,33 @@ impl ShearParameters {
     }
 }
 
-/// Half of the mass at each end, translations only.
-pub(super) fn end_masses(mass: f64, per_node: usize, translations: usize) -> Mass {
-    if mass == 0.0 {
-        return Mass::None;
+impl<const S: usize> ShearLaw<S> for ShearParameters {
+    const CLASS: [&'static str; 2] = ["ElastomericBearingBoucWen2d", "ElastomericBearingBoucWen3d"];
+    const HYSTERETIC: bool = true;
+
+    fn virgin(&self) -> Shear<S> {
+        let mut virgin = Shear::default();
+        for i in 0..S {
+            virgin.k[i][i] = self.k0 + self.k2;
+        }
+        virgin
     }
-    let mut m = vec![0.0; 2 * per_node];
-    for node in 0..2 {
-        m[node * per_node..node * per_node + translations].fill(0.5 * mass);
+
+    #[inline]
+    fn step(&self, c: &Shear<S>, u: [f64; S]) -> Result<Shear<S>, ElementError> {
+        let hardening = u.map(|u| hardening(self.k2, self.k3, self.mu, u));
+        let scale = self.k0 / self.qd;
+        let d: [f64; S] = std::array::from_fn(|i| (u[i] - c.u[i]) * scale);
+        let q = |z: &[f64; S]| std::array::from_fn(|i| self.qd * z[i] + hardening[i].0);
+        if d == [0.0; S] {
+            // At rest the step may go on either way: the tangent of continued loading, as at the end of the last step.
+            return Ok(Shear { u, q: q(&c.internal), ..*c });
+        }
+        let (z, mut k) = self.hysteresis(c.internal, d)?;
+        for (i, row) in k.iter_mut().enumerate() {
+            row.iter_mut().for_each(|k| *k *= self.k0);
+            row[i] += hardening[i].1;
+        }
+        Ok(Shear { u, internal: z, q: q(&z), k })
     }
-    Mass::Lumped(m)
-}
-
-pub(super) const LOCAL_FORCE: u32 = 2;
-pub(super) const BASIC_FORCE: u32 = 3;
-pub(super) const LOCAL_DISP: u32 = 4;
-pub(super) const DEFORMATION: u32 = 5;
-pub(super) const HYSTERETIC: u32 = 6;
-pub(super) const BASIC_STIFFNESS: u32 = 8;
-pub(super) const MATERIAL: u32 = 9;
-
-pub(super) const PROBES: &[&str] = &[
-    "localForce",
-    "basicForce",
-    "localDisplacement",
-    "deformation",
-    "basicDeformation",
-    "hystereticParameter",
-    "basicStiffness",
-    "material",
-];
-
-/// The responses by name; `shears` is 1 in the plane and 2 in space.
-pub(super) fn probe(words: &[&str], shears: usize) -> Option<Probe> {
-    let plane = shears == 1;
-    let basic = if plane { 3 } else { 6 };
-    let numbered = |stem: &str, n: usize| (1..=n).map(|i| format!("{stem}{i}")).collect::<Vec<_>>();
-    let ends = |names: &[&str]| (1..=2).flat_map(|e| names.iter().map(move |n| format!("{n}_{e}"))).collect::<Vec<_>>();
-    Some(match *words.first()? {
-        "localForce" | "localForces" => {
-            Probe::new(LOCAL_FORCE, ends(if plane { &["N", "V", "M"] } else { &["N", "Vy", "Vz", "T", "My", "Mz"] }))
-        }
-        "basicForce" | "basicForces" => Probe::new(BASIC_FORCE, numbered("qb", basic)),
-        "localDisplacement" | "localDisplacements" => Probe::new(
-            LOCAL_DISP,
-            ends(if plane { &["ux", "uy", "rz"] } else { &["ux", "uy", "uz", "rx", "ry", "rz"] }),
-        ),
-        "deformation" | "deformations" | "basicDeformation" | "basicDeformations" | "basicDisplacement"
-        | "basicDisplacements" => Probe::new(DEFORMATION, numbered("ub", basic)),
-        "hystereticParameter" | "hystParameter" | "hystereticParam" | "hystParam" | "z" => {
-            Probe::new(HYSTERETIC, if plane { vec!["z".to_owned()] } else { numbered("z", 2) })
-        }
-        "kb" | "basicStiff" | "basicStiffness" => {
-            Probe::new(BASIC_STIFFNESS, if plane { vec!["kb22"] } else { vec!["kb22", "kb23", "kb32", "kb33"] })
-        }
-        _ => return None,
-    })
 }

@@ -1,13 +1,15 @@
 //! Bearings of seismic isolation: two-node elements that join a shear law to axial and rotational materials.
+//!
+//! To add one of this family: a [`ShearLaw`] in a file of its own. [`ShearBearing`] is the element around it.
 
 mod bouc_wen;
-mod bouc_wen_2d;
-mod bouc_wen_3d;
 mod link;
 mod plasticity;
+mod shear;
+mod shear_bearing;
 
 pub use bouc_wen::ShearParameters;
-pub use bouc_wen_2d::BoucWen2d;
-pub use bouc_wen_3d::BoucWen3d;
 pub use link::Link;
-pub use plasticity::{PlasticBearing, PlasticShear, Plasticity2d, Plasticity3d};
+pub use plasticity::PlasticShear;
+pub use shear::{Shear, ShearLaw};
+pub use shear_bearing::{PlaneBearing, ShearBearing, SpaceBearing};

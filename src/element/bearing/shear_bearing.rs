@@ -1,0 +1,209 @@
+//! A bearing between two nodes: a shear law beside uniaxial materials for the other directions.
+
+use super::link::Link;
+use super::shear::{Shear, ShearLaw};
+use crate::element::{Answer, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
+use crate::material::{Material, Slot, Strain};
+use crate::probe::Probe;
+use crate::words::Words;
+
+/// Bearing with a law for its `S` directions of shear and `M` uniaxial materials for the other basic directions: axial
+/// force and moment in the plane (`N` = 6 degrees of freedom, `B` = 3 basic directions, `M` = 2, `S` = 1); axial
+/// force, torsion and the moments about y and z in space (12, 6, 4, 2).
+#[derive(Clone, Debug)]
+pub struct ShearBearing<L, const N: usize, const B: usize, const M: usize, const S: usize> {
+    law: L,
+    link: Link<N, B>,
+    materials: [Slot; M],
+    mass: f64,
+    rayleigh: bool,
+    state_len: usize,
+}
+
+/// In the plane.
+pub type PlaneBearing<L> = ShearBearing<L, 6, 3, 2, 1>;
+/// In space.
+pub type SpaceBearing<L> = ShearBearing<L, 12, 6, 4, 2>;
+
+impl<L: ShearLaw<S>, const N: usize, const B: usize, const M: usize, const S: usize> ShearBearing<L, N, B, M, S> {
+    /// From the law, the kinematics, and the materials (with their tags) in the order of the basic directions.
+    pub fn new(law: L, link: Link<N, B>, materials: [(Material, i32); M], mass: f64, rayleigh: bool) -> Self {
+        let mut state_len = Shear::<S>::LEN;
+        let materials = materials.map(|(m, tag)| {
+            let slot = Slot::new(m, tag, state_len);
+            state_len += slot.len();
+            slot
+        });
+        Self { law, link, materials, mass, rayleigh, state_len }
+    }
+
+    /// Materials with their basic directions.
+    fn springs(&self) -> impl Iterator<Item = (usize, &Slot)> {
+        self.materials.iter().enumerate().map(|(i, m)| (if i == 0 { 0 } else { i + S }, m))
+    }
+
+    fn add_shear(s: &Shear<S>, q: &mut [f64; B], k: &mut [[f64; B]; B]) {
+        q[1..=S].copy_from_slice(&s.q);
+        for (row, k) in k[1..=S].iter_mut().zip(&s.k) {
+            row[1..=S].copy_from_slice(k);
+        }
+    }
+}
+
+impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, const S: usize> Element
+    for ShearBearing<L, N, B, M, S>
+{
+    fn class(&self) -> &'static str {
+        L::CLASS[S - 1]
+    }
+    fn dofs(&self) -> usize {
+        N
+    }
+    fn state_len(&self) -> usize {
+        self.state_len
+    }
+    fn init(&self, state: &mut [f64]) {
+        self.law.virgin().write(state);
+        self.materials.iter().for_each(|m| m.init(state));
+    }
+    fn nature(&self) -> Nature {
+        Nature {
+            linear: false,
+            symmetric: false,
+            viscous: self.materials.iter().any(|m| m.material.is_viscous()),
+            elapses: self.materials.iter().any(|m| m.material.depends_on_time()),
+            rayleigh: self.rayleigh,
+        }
+    }
+
+    fn respond(
+        &self,
+        motion: &Motion<'_>,
+        committed: &[f64],
+        trial: &mut [f64],
+        answer: Answer<'_>,
+    ) -> Result<(), ElementError> {
+        let u = self.link.deformation(motion.disp);
+        let rate = self.link.deformation(motion.vel);
+        let (mut q, mut k, mut c) = ([0.0; B], [[0.0; B]; B], [[0.0; B]; B]);
+        for (i, slot) in self.springs() {
+            let s = slot.update(committed, Strain { value: u[i], rate: rate[i], dt: motion.dt }, trial)?;
+            (q[i], k[i][i], c[i][i]) = (s.value, s.tangent, s.damping);
+        }
+        let shear = self.law.step(&Shear::read(committed), std::array::from_fn(|i| u[1 + i]))?;
+        shear.write(trial);
+        Self::add_shear(&shear, &mut q, &mut k);
+        self.link.add_force(&q, motion.disp, answer.force);
+        if let Some(tangent) = answer.tangent {
+            self.link.add_tangent(&k, &q, motion.disp, tangent);
+        }
+        if let Some(damping) = answer.damping {
+            self.link.add_basic(&c, damping);
+        }
+        Ok(())
+    }
+
+    fn initial_tangent(&self, tangent: &mut [f64]) {
+        let (mut q, mut k) = ([0.0; B], [[0.0; B]; B]);
+        for (i, slot) in self.springs() {
+            k[i][i] = slot.material.initial_tangent();
+        }
+        Self::add_shear(&self.law.virgin(), &mut q, &mut k);
+        self.link.add_basic(&k, tangent);
+    }
+
+    fn mass(&self) -> Mass {
+        end_masses(self.mass, N / 2, S + 1)
+    }
+
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        if let ["material", n, rest @ ..] = words {
+            let i = n.parse::<usize>().ok().filter(|i| (1..=M).contains(i))? - 1;
+            return Some(self.materials[i].probe(rest)?.inside(&[MATERIAL, i as u32]));
+        }
+        probe::<S>(words).filter(|p| L::HYSTERETIC || p.path != [HYSTERETIC])
+    }
+
+    fn probe_names(&self) -> &'static [&'static str] {
+        &PROBES[usize::from(!L::HYSTERETIC)..]
+    }
+
+    fn force_labels(&self) -> Vec<String> {
+        frame_force_labels(N)
+    }
+
+    fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
+        let shear = Shear::<S>::read(s.state);
+        match path[0] {
+            LOCAL_FORCE => self.link.local_force(s.force, out),
+            LOCAL_DISP => self.link.local_force(s.disp, out),
+            DEFORMATION => out.copy_from_slice(&self.link.deformation(s.disp)),
+            BASIC_FORCE => {
+                self.springs().for_each(|(i, slot)| out[i] = slot.stress(s.state));
+                out[1..=S].copy_from_slice(&shear.q);
+            }
+            HYSTERETIC => out.copy_from_slice(&shear.internal),
+            BASIC_STIFFNESS => out.copy_from_slice(shear.k.as_flattened()),
+            _ => self.materials[path[1] as usize].read(&path[2..], s.state, out),
+        }
+    }
+}
+
+/// Half of the mass at each end, translations only.
+fn end_masses(mass: f64, per_node: usize, translations: usize) -> Mass {
+    if mass == 0.0 {
+        return Mass::None;
+    }
+    let mut m = vec![0.0; 2 * per_node];
+    for node in 0..2 {
+        m[node * per_node..node * per_node + translations].fill(0.5 * mass);
+    }
+    Mass::Lumped(m)
+}
+
+const LOCAL_FORCE: u32 = 2;
+const BASIC_FORCE: u32 = 3;
+const LOCAL_DISP: u32 = 4;
+const DEFORMATION: u32 = 5;
+const HYSTERETIC: u32 = 6;
+const BASIC_STIFFNESS: u32 = 8;
+const MATERIAL: u32 = 9;
+
+/// Names of the responses; the first is that of laws with a hysteretic parameter only.
+const PROBES: &[&str] = &[
+    "hystereticParameter",
+    "localForce",
+    "basicForce",
+    "localDisplacement",
+    "deformation",
+    "basicDeformation",
+    "basicStiffness",
+    "material",
+];
+
+/// The responses by name.
+fn probe<const S: usize>(words: &[&str]) -> Option<Probe> {
+    let plane = S == 1;
+    let basic = if plane { 3 } else { 6 };
+    let numbered = |stem: &str, n: usize| (1..=n).map(|i| format!("{stem}{i}")).collect::<Vec<_>>();
+    let ends = |names: &[&str]| (1..=2).flat_map(|e| names.iter().map(move |n| format!("{n}_{e}"))).collect::<Vec<_>>();
+    Some(match *words.first()? {
+        "localForce" | "localForces" => {
+            Probe::new(LOCAL_FORCE, ends(if plane { &["N", "V", "M"] } else { &["N", "Vy", "Vz", "T", "My", "Mz"] }))
+        }
+        "basicForce" | "basicForces" => Probe::new(BASIC_FORCE, numbered("qb", basic)),
+        "localDisplacement" | "localDisplacements" => Probe::new(
+            LOCAL_DISP,
+            ends(if plane { &["ux", "uy", "rz"] } else { &["ux", "uy", "uz", "rx", "ry", "rz"] }),
+        ),
+        "deformation" | "deformations" | "basicDeformation" | "basicDeformations" | "basicDisplacement"
+        | "basicDisplacements" => Probe::new(DEFORMATION, numbered("ub", basic)),
+        "hystereticParameter" | "hystParameter" | "hystereticParam" | "hystParam" | "z" => {
+            Probe::new(HYSTERETIC, if plane { vec!["z".to_owned()] } else { numbered("z", 2) })
+        }
+        "kb" | "basicStiff" | "basicStiffness" => {
+            Probe::new(BASIC_STIFFNESS, if plane { vec!["kb22"] } else { vec!["kb22", "kb23", "kb32", "kb33"] })
+        }
+        _ => return None,
+    })
+}
