@@ -19,3 +19,5 @@ mod links;
 mod materials;
 #[path = "laws/springs.rs"]
 mod springs;
+#[path = "laws/timoshenko.rs"]
+mod timoshenko;

@@ -249,7 +249,7 @@ fn beam_uniform(a: &mut Args<'_>, ndm: usize) -> Result<ElementLoad, Exception> 
     let Some(from) = a.optional_float("start of the load as a fraction of the length")? else {
         return Ok(ElementLoad::Distributed { span: (0.0, 1.0), y: (y, y), z: (z, z), x: (x, x) });
     };
-    let to = a.float("end of the load as a fraction of the length")?;
+    let to = a.optional_float("end of the load as a fraction of the length")?.unwrap_or(1.0);
     if !(0.0..=1.0).contains(&from) || !(from..=1.0).contains(&to) {
         return Err(a.refuse(format!("the load goes from {from} to {to}"), "expected fractions, 0 to 1, that rise"));
     }

@@ -57,9 +57,10 @@ fn list(values: &[f64]) -> Value {
     Value::list(values.iter().map(|x| Value::from(*x)))
 }
 
-/// All values of a node, or the one of a degree of freedom.
+/// All values of a node, or the one of a degree of freedom. As in OpenSees, 0 stands for all.
 fn pick(interp: &mut Tcl, a: &mut Args<'_>, values: &[f64], what: &str) -> Outcome {
-    if a.left() == 0 {
+    if a.left() == 0 || a.flag("0") {
+        finish(interp, a)?;
         return Ok(list(values));
     }
     let i = a.dof(what, values.len())?;

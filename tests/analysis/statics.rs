@@ -298,3 +298,59 @@ fn factors_of_a_modified_beam() {
     assert_eq!(plain, tip("ModElasticBeam2d 1 1 2 0.02 2e5 1e-3 4 4 2 1"));
     assert!(tip("ModElasticBeam2d 1 1 2 0.02 2e5 1e-3 6 6 3 1")[0].abs() < plain[0].abs());
 }
+
+/// Degree of freedom 0 asks for all of them.
+#[test]
+fn no_degree_of_freedom_is_all_of_them() {
+    let ran = run("model basic -ndm 2 -ndf 2
+        node 1 0 0
+        setNodeDisp 1 2 3.5
+        puts [nodeDisp 1 0]");
+    assert_eq!(ran.numbers(), [0.0, 3.5]);
+}
+
+/// A released end carries no moment, whatever the load: it is as if a hinge joined the beam to a node of its own.
+#[test]
+fn a_release_is_a_hinge() {
+    let loads =
+        ["-beamUniform -5 3 0.2 0.7", "-beamUniform -5 3 0.2 0.7 -9 4", "-beamPoint -7 0.3 2", "-beamUniform -5 3 0.4"];
+    for load in loads {
+        for (release, hinged) in [(1, 1), (2, 2)] {
+            let frame = |hinge: bool| {
+                let (i, j) = match (hinge, hinged) {
+                    (true, 1) => (4, 2),
+                    (true, _) => (1, 4),
+                    _ => (1, 2),
+                };
+                let (extra, option) = if hinge {
+                    let x = if hinged == 1 { 0 } else { 4 };
+                    (format!("node 4 {x} 0; equalDOF {hinged} 4 1 2"), String::new())
+                } else {
+                    (String::new(), format!("-release {release}"))
+                };
+                let text = format!(
+                    "model basic -ndm 2 -ndf 3
+                    node 1 0 0; node 2 4 0; node 3 4 3
+                    fix 1 1 1 1; fix 3 1 1 1
+                    {extra}
+                    geomTransf Linear 1
+                    element elasticBeamColumn 1 {i} {j} 0.05 2e7 0.0004 1 {option}
+                    element elasticBeamColumn 2 2 3 0.05 2e7 0.0004 1
+                    timeSeries Linear 1
+                    pattern Plain 1 1 {{ eleLoad -ele 1 -type {load} }}
+                    system FullGeneral; numberer Plain; constraints Transformation
+                    test NormDispIncr 1e-12 5; algorithm Newton
+                    integrator LoadControl 1.0; analysis Static
+                    analyze 1
+                    puts [concat [nodeDisp 2] [eleForce 1] [eleForce 2]]"
+                );
+                run(&text).numbers()
+            };
+            let (with, without) = (frame(false), frame(true));
+            assert_eq!(with.len(), 15);
+            for (a, b) in with.iter().zip(&without) {
+                assert!((a - b).abs() < 1e-9 * (1.0 + b.abs()), "{load} release {release}: {with:?} {without:?}");
+            }
+        }
+    }
+}

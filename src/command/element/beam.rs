@@ -60,13 +60,13 @@ fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Options, Exception> {
 }
 
 /// Numbers before the options: OpenSees tells the forms of the command apart by how many there are.
-fn numbers_ahead(a: &Args<'_>) -> usize {
+pub(super) fn numbers_ahead(a: &Args<'_>) -> usize {
     a.ahead().take_while(|v| v.to_f64().is_ok()).count()
 }
 
-type Place = Option<crate::diagnostic::Span>;
+pub(super) type Place = Option<crate::diagnostic::Span>;
 
-fn no_transform(a: &Args<'_>, transf: Place, nodes: Place, e: AxesError) -> Exception {
+pub(super) fn no_transform(a: &Args<'_>, transf: Place, nodes: Place, e: AxesError) -> Exception {
     match e {
         AxesError::NoLength => a.refuse_at(nodes, "the beam has no length", "expected a node at another place"),
         e => a.refuse_at(transf, e.message(), "expected a vector that is not along the beam"),

@@ -2,6 +2,7 @@
 
 mod beam;
 mod bearing;
+mod timoshenko;
 mod truss;
 mod two_node_link;
 mod zero_length;
@@ -31,6 +32,7 @@ struct Kind {
 const KINDS: &[Kind] = &[
     beam::ELASTIC,
     beam::MODIFIED,
+    timoshenko::TIMOSHENKO,
     bearing::BOUC_WEN,
     bearing::PLASTICITY,
     truss::TRUSS,

@@ -52,12 +52,12 @@ pub struct Bending {
 
 impl Bending {
     /// Ratio of bending to shear stiffness φ = 12 EI / (G A_v L²) (Przemieniecki, 1968, section 5.6).
-    fn phi(&self, length: f64) -> f64 {
+    pub(super) fn phi(&self, length: f64) -> f64 {
         self.gav.map_or(0.0, |g| 12.0 * self.ei / (g * length * length))
     }
 
     /// Stiffness of the end rotations: [[k_ii, k_ij], [k_ij, k_jj]].
-    fn stiffness(&self, length: f64) -> [[f64; 2]; 2] {
+    pub(super) fn stiffness(&self, length: f64) -> [[f64; 2]; 2] {
         let phi = self.phi(length);
         let k = self.ei / length / (1.0 + phi);
         let hinged = 3.0 * self.ei / length / (1.0 + 0.25 * phi);
@@ -71,7 +71,7 @@ impl Bending {
 
     /// Moments at the clamped or hinged ends under a load across the beam, positive like the end rotations for a load
     /// along the positive axis and rotations that go with it (i, then j).
-    fn end_moments(&self, actions: &EndActions, length: f64) -> (f64, f64) {
+    pub(super) fn end_moments(&self, actions: &EndActions, length: f64) -> (f64, f64) {
         let phi = self.phi(length);
         let (mi, mj) = (-actions.moment.0, actions.moment.1);
         let i = (mi + 0.5 * phi * (mi - mj)) / (1.0 + phi);

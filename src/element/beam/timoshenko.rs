@@ -1,0 +1,297 @@
+//! The elastic beam of Timoshenko: `ElasticTimoshenkoBeam`.
+
+use super::{Bending, ElasticSection, Release};
+use crate::element::transform::{Frame, Reactions};
+use crate::element::{
+    Answer, Element, ElementError, ElementLoad, Mass, Motion, Nature, Snapshot, dot, frame_force_labels,
+};
+use crate::numeric::axpy;
+use crate::probe::Probe;
+
+/// An elastic beam with shear deformations under small displacements, with `N` degrees of freedom and `B` basic
+/// deformations. Stiffness, consistent mass and geometric stiffness come of the same interpolation, that of the beam
+/// of Timoshenko under end forces (Friedman and Kosmatka, 1993).
+#[derive(Debug)]
+pub struct TimoshenkoBeam<const N: usize, const B: usize> {
+    class: &'static str,
+    frame: Frame<N, B>,
+    bending: [Bending; 2],
+    /// Basic stiffness.
+    kb: [[f64; B]; B],
+    /// Global stiffness, by rows.
+    stiffness: Vec<f64>,
+    geometric: Option<Box<Geometric<N>>>,
+    mass: Mass,
+}
+
+/// Stiffness of the geometry per unit of axial force.
+#[derive(Debug)]
+struct Geometric<const N: usize> {
+    local: [[f64; N]; N],
+    global: Vec<f64>,
+}
+
+/// What a Timoshenko beam may have besides its stiffness.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TimoshenkoOptions {
+    /// Mass per length.
+    pub rho: f64,
+    /// Consistent mass matrix, the rotary inertia of the section included, in place of a lumped one.
+    pub consistent: bool,
+    /// Stiffness of the geometry under the axial force.
+    pub geometric: bool,
+}
+
+/// Entries of a symmetric local matrix in a plane of bending: deflection of an end with itself and with that of the
+/// other end, rotation likewise, and the deflection at i with the rotations at i and at j. At j the last two have the
+/// opposite sign.
+struct PlaneTerms {
+    vv: [f64; 2],
+    rr: [f64; 2],
+    vr: [f64; 2],
+}
+
+impl TimoshenkoBeam<6, 3> {
+    /// In the plane.
+    pub fn plane(frame: Frame<6, 3>, section: &ElasticSection, options: TimoshenkoOptions) -> Self {
+        let z = bending(section.e * section.iz, section.g, section.shear.0);
+        let l = frame.length;
+        let k = z.stiffness(l);
+        let kb = [[section.e * section.area / l, 0.0, 0.0], [0.0, k[0][0], k[0][1]], [0.0, k[1][0], k[1][1]]];
+        Self::new("ElasticTimoshenkoBeam2d", frame, [z, z], kb, section, options)
+    }
+}
+
+impl TimoshenkoBeam<12, 6> {
+    /// In space.
+    pub fn space(frame: Frame<12, 6>, section: &ElasticSection, options: TimoshenkoOptions) -> Self {
+        let z = bending(section.e * section.iz, section.g, section.shear.0);
+        let y = bending(section.e * section.iy, section.g, section.shear.1);
+        let l = frame.length;
+        let mut kb = [[0.0; 6]; 6];
+        kb[0][0] = section.e * section.area / l;
+        kb[5][5] = section.g * section.j / l;
+        for (at, bending) in [(1, z), (3, y)] {
+            for (row, k) in kb[at..at + 2].iter_mut().zip(bending.stiffness(l)) {
+                row[at..at + 2].copy_from_slice(&k);
+            }
+        }
+        Self::new("ElasticTimoshenkoBeam3d", frame, [z, y], kb, section, options)
+    }
+}
+
+fn bending(ei: f64, g: f64, shear_area: Option<f64>) -> Bending {
+    Bending { ei, gav: shear_area.map(|a| g * a), release: Release::None }
+}
+
+impl<const N: usize, const B: usize> TimoshenkoBeam<N, B> {
+    fn new(
+        class: &'static str,
+        frame: Frame<N, B>,
+        bending: [Bending; 2],
+        kb: [[f64; B]; B],
+        section: &ElasticSection,
+        options: TimoshenkoOptions,
+    ) -> Self {
+        let mut stiffness = vec![0.0; N * N];
+        frame.add_basic_stiffness(&kb, &mut stiffness);
+        let geometric = options.geometric.then(|| {
+            let local = geometric_stiffness(frame.length, &bending);
+            Box::new(Geometric { local, global: frame.global_of_local(&local) })
+        });
+        let mass = if options.rho == 0.0 {
+            Mass::None
+        } else if options.consistent {
+            Mass::Consistent(frame.global_of_local(&consistent_mass(frame.length, &bending, section, options.rho)))
+        } else {
+            let mut m = vec![0.0; N];
+            for node in m.chunks_exact_mut(N / 2) {
+                node[..if N == 6 { 2 } else { 3 }].fill(0.5 * options.rho * frame.length);
+            }
+            Mass::Lumped(m)
+        };
+        Self { class, frame, bending, kb, stiffness, geometric, mass }
+    }
+
+    fn basic_force(&self, disp: &[f64]) -> [f64; B] {
+        let v = self.frame.deformation(disp);
+        self.kb.each_ref().map(|row| dot(row, &v))
+    }
+}
+
+/// Deflection, rotation, the sign with which they go together, and the bending they belong to.
+fn planes<const N: usize>(bending: &[Bending; 2]) -> impl Iterator<Item = (usize, usize, f64, &Bending)> {
+    let in_plane = [(1, 2, 1.0, &bending[0])];
+    let in_space = [(1, 5, 1.0, &bending[0]), (2, 4, -1.0, &bending[1])];
+    let (n, all) = if N == 6 { (1, [in_plane[0], in_plane[0]]) } else { (2, in_space) };
+    all.into_iter().take(n)
+}
+
+fn add_plane<const N: usize>(out: &mut [[f64; N]; N], (v, r, sign): (usize, usize, f64), t: &PlaneTerms) {
+    let (v2, r2) = (v + N / 2, r + N / 2);
+    let mut pair = |i: usize, j: usize, x: f64| {
+        out[i][j] += x;
+        if i != j {
+            out[j][i] += x;
+        }
+    };
+    for (i, x) in [(v, t.vv[0]), (v2, t.vv[0]), (r, t.rr[0]), (r2, t.rr[0])] {
+        pair(i, i, x);
+    }
+    pair(v, v2, t.vv[1]);
+    pair(r, r2, t.rr[1]);
+    pair(v, r, sign * t.vr[0]);
+    pair(v2, r2, -sign * t.vr[0]);
+    pair(v, r2, sign * t.vr[1]);
+    pair(v2, r, -sign * t.vr[1]);
+}
+
+/// Local stiffness of the geometry for a unit of tension.
+fn geometric_stiffness<const N: usize>(l: f64, bending: &[Bending; 2]) -> [[f64; N]; N] {
+    let mut out = [[0.0; N]; N];
+    for (v, r, sign, b) in planes::<N>(bending) {
+        let p = b.phi(l);
+        let c = 1.0 / (30.0 * l * (1.0 + p).powi(2));
+        let vv = c * (30.0 * p * p + 60.0 * p + 36.0);
+        let rr = |x: f64| c * l * l * (2.5 * p * p + 5.0 * p + x);
+        let terms = PlaneTerms { vv: [vv, -vv], rr: [rr(4.0), -rr(1.0)], vr: [3.0 * c * l; 2] };
+        add_plane(&mut out, (v, r, sign), &terms);
+    }
+    out
+}
+
+/// Local consistent mass: of the section's translation and rotation.
+fn consistent_mass<const N: usize>(l: f64, bending: &[Bending; 2], s: &ElasticSection, rho: f64) -> [[f64; N]; N] {
+    let mut out = [[0.0; N]; N];
+    let half = N / 2;
+    let along = [(0, 1.0), (3, s.j / s.area)];
+    for &(at, factor) in &along[..if N == 6 { 1 } else { 2 }] {
+        let m = factor * rho * l / 6.0;
+        out[at][at] = 2.0 * m;
+        out[at + half][at + half] = 2.0 * m;
+        out[at][at + half] = m;
+        out[at + half][at] = m;
+    }
+    for ((v, r, sign, b), inertia) in planes::<N>(bending).zip([s.iz, s.iy]) {
+        let p = b.phi(l);
+        let poly = |a: f64, b: f64, c: f64| a * p * p + b * p + c;
+        let c = rho * l / 210.0 / (1.0 + p).powi(2);
+        let translation = PlaneTerms {
+            vv: [c * poly(70.0, 147.0, 78.0), c * poly(35.0, 63.0, 27.0)],
+            rr: [c * l * l / 4.0 * poly(7.0, 14.0, 8.0), -c * l * l / 4.0 * poly(7.0, 14.0, 6.0)],
+            vr: [c * l / 4.0 * poly(35.0, 77.0, 44.0), -c * l / 4.0 * poly(35.0, 63.0, 26.0)],
+        };
+        let c = rho * inertia / s.area / (30.0 * l * (1.0 + p).powi(2));
+        let rotation = PlaneTerms {
+            vv: [36.0 * c, -36.0 * c],
+            rr: [c * l * l * poly(10.0, 5.0, 4.0), c * l * l * poly(5.0, -5.0, -1.0)],
+            vr: [-c * l * (15.0 * p - 3.0); 2],
+        };
+        add_plane(&mut out, (v, r, sign), &translation);
+        add_plane(&mut out, (v, r, sign), &rotation);
+    }
+    out
+}
+
+const LOCAL_FORCE: u32 = 3;
+
+impl<const N: usize, const B: usize> Element for TimoshenkoBeam<N, B> {
+    fn class(&self) -> &'static str {
+        self.class
+    }
+    fn dofs(&self) -> usize {
+        N
+    }
+    fn state_len(&self) -> usize {
+        0
+    }
+    fn init(&self, _: &mut [f64]) {}
+    fn nature(&self) -> Nature {
+        Nature { linear: self.geometric.is_none(), symmetric: true, viscous: false, elapses: false, rayleigh: true }
+    }
+
+    /// The derivative of the axial force with the displacements is left out of the tangent, as with P-Delta.
+    fn respond(&self, m: &Motion<'_>, _: &[f64], _: &mut [f64], answer: Answer<'_>) -> Result<(), ElementError> {
+        let q = self.basic_force(m.disp);
+        self.frame.add_basic_force(&q, answer.force);
+        for (row, load) in self.frame.local.iter().zip(m.load) {
+            if *load != 0.0 {
+                axpy(*load, row, answer.force);
+            }
+        }
+        if let Some(g) = &self.geometric {
+            for (f, row) in answer.force.iter_mut().zip(g.global.chunks_exact(N)) {
+                *f += q[0] * dot(row, m.disp);
+            }
+        }
+        if let Some(tangent) = answer.tangent {
+            axpy(1.0, &self.stiffness, tangent);
+            if let Some(g) = &self.geometric {
+                axpy(q[0], &g.global, tangent);
+            }
+        }
+        Ok(())
+    }
+
+    fn initial_tangent(&self, tangent: &mut [f64]) {
+        axpy(1.0, &self.stiffness, tangent);
+    }
+
+    fn mass(&self) -> Mass {
+        self.mass.clone()
+    }
+
+    fn ground_inertia_slip(&self) -> Option<f64> {
+        (self.mass != Mass::None).then_some(2.0)
+    }
+
+    /// Local end forces of the clamped beam.
+    fn load_len(&self) -> usize {
+        N
+    }
+
+    fn add_load(&self, load: &ElementLoad, factor: f64, words: &mut [f64]) -> Result<(), ElementError> {
+        let length = self.frame.length;
+        let (y, z, (axial, axial_j)) = load.end_actions(length);
+        let mut q = [0.0; B];
+        let mut p0: Reactions = [-axial, 0.0, 0.0, 0.0, 0.0];
+        q[0] = -axial_j;
+        // A load along z bends about y, with the opposite sign.
+        let planes = [(&y, &self.bending[0], 1, 1.0), (&z, &self.bending[1], 3, -1.0)];
+        for (actions, bending, at, sign) in planes.into_iter().take(B / 3) {
+            let (i, j) = bending.end_moments(actions, length);
+            q[at] = sign * i;
+            q[at + 1] = sign * j;
+            p0[at] = -actions.shear.0;
+            p0[at + 1] = -actions.shear.1;
+        }
+        let mut local = [0.0; N];
+        self.frame.local_force(&q, &p0, &mut local);
+        axpy(factor, &local, words);
+        Ok(())
+    }
+
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        let names: &[&str] = if N == 6 { &["N", "V", "M"] } else { &["N", "Vy", "Vz", "T", "My", "Mz"] };
+        matches!(*words.first()?, "localForce" | "localForces")
+            .then(|| Probe::new(LOCAL_FORCE, (1..=2).flat_map(|e| names.iter().map(move |n| format!("{n}_{e}")))))
+    }
+
+    fn probe_names(&self) -> &'static [&'static str] {
+        &["localForce"]
+    }
+
+    fn force_labels(&self) -> Vec<String> {
+        frame_force_labels(N)
+    }
+
+    fn read(&self, _: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
+        let q = self.basic_force(s.disp);
+        self.frame.local_force(&q, &[0.0; 5], out);
+        axpy(1.0, s.load, out);
+        if let Some(g) = &self.geometric {
+            let local = self.frame.local.each_ref().map(|row| dot(row, s.disp));
+            out.iter_mut().zip(&g.local).for_each(|(o, row)| *o += q[0] * dot(row, &local));
+        }
+    }
+}
