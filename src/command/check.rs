@@ -27,7 +27,8 @@ impl Findings {
     }
 
     /// A command was rejected: what it would have defined will be missed.
-    fn note(&mut self, name: &str, call: &Call<'_>) {
+    fn note(&mut self, words: &[&str]) {
+        let name = words.first().copied().unwrap_or_default();
         let looks = [recorder::COMMANDS, query::COMMANDS, print::COMMANDS, display::COMMANDS, figure::COMMANDS];
         self.rejected |= !looks.into_iter().flatten().any(|c| c.name == name);
         let (kind, at) = match name {
@@ -39,6 +40,11 @@ impl Findings {
             "geomTransf" => ("geometric transformation", 2),
             "timeSeries" => ("time series", 2),
             "element" => ("element", 2),
+            "set" => {
+                let variable = words.get(1).copied().unwrap_or_default();
+                self.consequences.insert(format!("can't read \"{variable}\": no such variable"));
+                return;
+            }
             "pattern" => {
                 self.consequences.insert("there is no load pattern to put this in".into());
                 ("load pattern", 2)
@@ -53,7 +59,7 @@ impl Findings {
             }
             _ => return,
         };
-        if let Ok(tag) = call.arg(at).to_i64() {
+        if let Some(tag) = words.get(at).and_then(|w| w.parse::<i32>().ok()) {
             self.consequences.insert(format!("there is no {kind} {tag}"));
         }
     }
@@ -64,8 +70,16 @@ impl Findings {
 pub(super) fn go_on(interp: &mut Tcl, error: Exception) -> Outcome {
     match error {
         Exception::Error(e) if !e.raised && !interp.host.rehearsed => {
+            let follows = interp.host.findings.consequences.contains(&e.diagnostic.message);
+            // The command was not called: what it would have defined stands before the word that is wrong.
+            let place = e.diagnostic.span.map(|s| (interp.sources.text(s.source), s.start as usize));
+            let before = place.as_ref().and_then(|(text, at)| text.get(..*at)).unwrap_or_default();
+            let words: Vec<&str> = before.rsplit(['\n', ';']).next().unwrap_or_default().split_whitespace().collect();
             interp.host.findings.rejected = true;
-            tell(interp, e.diagnostic);
+            interp.host.findings.note(&words);
+            if !follows {
+                tell(interp, e.diagnostic);
+            }
             Ok(Value::EMPTY)
         }
         other => Err(other),
@@ -82,7 +96,9 @@ pub(super) fn checked(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     match (command.run)(interp, call) {
         Err(Exception::Error(e)) => {
             let follows = interp.host.findings.consequences.contains(&e.diagnostic.message);
-            interp.host.findings.note(name, call);
+            let words: Vec<_> = call.args().iter().take(2).map(Value::as_str).collect();
+            let words: Vec<&str> = [name].into_iter().chain(words.iter().map(AsRef::as_ref)).collect();
+            interp.host.findings.note(&words);
             if !follows {
                 tell_at(interp, e.diagnostic, call);
             }

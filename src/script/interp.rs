@@ -42,8 +42,11 @@ pub struct Interp<H> {
     pub(crate) functions: Vec<CommandFn<H>>,
     /// What to do with an error at the top level of the script: hand it back to end the script, or give a value to
     /// go on with the next command. `None` ends the script.
-    pub on_error: Option<fn(&mut Interp<H>, Exception) -> Result<Value, Exception>>,
+    pub on_error: Option<OnError<H>>,
 }
+
+/// What becomes of an error at the top level of the script.
+pub(crate) type OnError<H> = fn(&mut Interp<H>, Exception) -> Result<Value, Exception>;
 
 impl<H> Deref for Interp<H> {
     type Target = Core;

@@ -21,9 +21,12 @@ fn consequences() {
     let tail = "element truss 2 2 3 1. 2\nrecorder Element -file f.txt -ele 2 force\nnode 4 1 1 1\n\
         set w [eigen 1]\nnodeEigenvector 2 1 1\nmodalDamping 0.02\nanalysis Static\nanalyze 1\neleForce 2\n";
     let place = Place::new();
-    for (mistake, errors) in
-        [("uniaxialMaterial Elastik 2 1", 1), ("uniaxialMaterial Elastic 2 x", 1), ("set e $nil", 2)]
-    {
+    for (mistake, errors) in [
+        ("uniaxialMaterial Elastik 2 1", 1),
+        ("uniaxialMaterial Elastic 2 x", 1),
+        ("uniaxialMaterial Elastic 2 $nil", 1),
+        ("set e $nil\nputs $e\nuniaxialMaterial Elastic 2 $e", 1),
+    ] {
         place.write("m.tcl", format!("{MODEL}{mistake}\n{tail}"));
         let (status, _, err) = place.run(&["check", "m.tcl"]);
         assert_eq!(status, Some(2));
