@@ -40,11 +40,8 @@ fn analysis(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         }
         _ => return Err(a.unknown_name("analysis", ["Static", "Transient", "VariableTransient"])),
     };
-    while a.left() > 0 {
-        // `-numSublevels` and the like: substepping is asked for with `ladder`.
-        a.option();
-        ignore_option(interp, &mut a, &[])?;
-    }
+    // `-numSublevels` and the like: substepping is asked for with `ladder`.
+    finish(interp, &a)?;
     let session = &mut interp.host;
     let old = session.engine.take_setup();
     let parts = std::mem::take(&mut session.parts);

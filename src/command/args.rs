@@ -297,7 +297,9 @@ impl<'a> Args<'a> {
     pub(super) fn rest(&self) -> Option<Diagnostic> {
         let word = self.peek()?;
         let message = format!("{}: \"{word}\" and what follows it is ignored", self.call.name());
-        Some(Diagnostic::warning(message).at(self.next_span(), "nothing more was expected").help(self.usage_line()))
+        let d = Diagnostic::warning(message).at(self.next_span(), "nothing more was expected");
+        let comment = word.starts_with('#');
+        Some(d.help(if comment { "a comment after a command begins with \";#\"".into() } else { self.usage_line() }))
     }
 }
 

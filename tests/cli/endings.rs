@@ -12,6 +12,10 @@ fn statuses() {
         ("", 0),
         ("puts done", 0),
         ("exit", 0),
+        (
+            "model basic -ndm 2 -ndf 2; node 1 5 6; node 2 7 3; exit [expr {int([lindex [nodeBounds] 4]) + [llength [nodeBounds]]}]",
+            12,
+        ),
         ("exit 7", 7),
         ("error \"my own\"", 1),
         ("set x {", 2),

@@ -142,6 +142,8 @@ fn warned() {
         ("uniaxialMaterial ElasticPP 2 1 1 1", "taken for -1"),
         ("uniaxialMaterial Viscous 2 1 -1", "taken for 1"),
         ("timeSeries Path 2 -dt 1 -values {1}", "a single value"),
+        ("analysis Static # of the frame", "a comment after a command begins with"),
+        ("nodeDisp 1 0", "all values are given"),
         ("timeSeries Rectangular 2 5 1", "greater than 5"),
         ("rayleigh -0.1 0 0 0", "by mass is negative"),
         ("integrator Newmark 0.25 0.5", "the wrong way round"),
