@@ -1,7 +1,7 @@
 //! What an engineer sees who makes a mistake: message, place, exit status, and what is left on the disk.
 
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, unreachable_pub)]
+#![allow(clippy::unwrap_used, clippy::new_without_default, unreachable_pub)]
 
 #[path = "cli/checks.rs"]
 mod checks;

@@ -20,7 +20,7 @@ pub(crate) fn main() -> i32 {
         Command::Run { switches: run, ladder, model, args } => script(&run, Mode::Run, ladder, &model, &args),
         Command::Check { switches: run, model, args } => script(&run, Mode::Check, false, &model, &args),
         Command::Commands => {
-            command::commands().for_each(|c| println!("{}", c.usage));
+            command::commands().for_each(|c| println!("{}", c.usage_line()));
             0
         }
     }
@@ -57,6 +57,9 @@ fn script(run: &Switches, mode: Mode, ladder: bool, model: &str, args: &[String]
     let end = run.script(model, args);
     bar.clear();
     tell_end(&end, &run.interp);
+    if run.interp.host.findings.unrehearsed {
+        eprintln!("note: the analyses were not rehearsed, since a definition was rejected");
+    }
     summarise(&run.interp);
     let rejected = mode == Mode::Check && run.interp.warnings.iter().any(|w| w.severity == Severity::Error);
     if rejected { 2 } else { end.status() }

@@ -78,7 +78,11 @@ impl<'a> Args<'a> {
         message: impl Into<String>,
         label: impl Into<String>,
     ) -> Exception {
-        Exception::diagnosed(Diagnostic::error(message).at(span, label).help(format!("usage: {}", self.usage)))
+        Exception::diagnosed(Diagnostic::error(message).at(span, label).help(self.usage_line()))
+    }
+
+    fn usage_line(&self) -> String {
+        format!("usage: {}", super::usage_as(&self.call.name(), self.usage))
     }
 
     /// The error for a word that is not there.
@@ -293,11 +297,9 @@ impl<'a> Args<'a> {
     pub(super) fn rest(&self) -> Option<Diagnostic> {
         let word = self.peek()?;
         let message = format!("{}: \"{word}\" and what follows it is ignored", self.call.name());
-        Some(
-            Diagnostic::warning(message)
-                .at(self.next_span(), "nothing more was expected")
-                .help(format!("usage: {}", self.usage)),
-        )
+        let d = Diagnostic::warning(message).at(self.next_span(), "nothing more was expected");
+        let comment = word.starts_with('#');
+        Some(d.help(if comment { "a comment after a command begins with \";#\"".into() } else { self.usage_line() }))
     }
 }
 

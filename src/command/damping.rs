@@ -2,7 +2,8 @@
 
 use super::args::Args;
 use super::session::Region;
-use super::{Command, Outcome, Tcl, finish, ignore_option};
+use super::{Command, Outcome, Tcl, finish, ignore_option, warn};
+use crate::diagnostic::Diagnostic;
 use crate::model::{ElementId, NodeId, Rayleigh};
 use crate::script::{Call, Exception, Value};
 
@@ -19,13 +20,20 @@ const REGION: &str = "region $tag <-ele $tag ...> <-eleOnly $tag ...> <-eleRange
                       <-rayleigh $alphaM $betaK $betaK0 $betaKc>";
 const FACTORS: &str = "setElementRayleighDampingFactors $element $alphaM $betaK $betaK0 $betaKc";
 
-fn factors(a: &mut Args<'_>) -> Result<Rayleigh, Exception> {
-    Ok(Rayleigh {
+fn factors(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Rayleigh, Exception> {
+    let r = Rayleigh {
         alpha_m: a.float("factor of the mass alphaM")?,
         beta_k: a.float("factor of the current stiffness betaK")?,
         beta_k0: a.float("factor of the initial stiffness betaK0")?,
         beta_kc: a.float("factor of the committed stiffness betaKc")?,
-    })
+    };
+    let stiffness = r.beta_k + r.beta_k0 + r.beta_kc;
+    if r.alpha_m < 0.0 || stiffness < 0.0 {
+        let what = if r.alpha_m < 0.0 { "mass" } else { "stiffness" };
+        let d = Diagnostic::warning(format!("the Rayleigh damping by {what} is negative: it feeds the motion"));
+        warn(interp, d.at(a.last_span(), "expected factors not less than 0"))?;
+    }
+    Ok(r)
 }
 
 /// Nodes and elements that are there now: those that come later have no damping, as in OpenSees.
@@ -38,7 +46,7 @@ fn rayleigh(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 
 /// Take the four factors and give them to the whole model.
 pub(super) fn set_rayleigh(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(), Exception> {
-    let r = factors(a)?;
+    let r = factors(interp, a)?;
     interp.host.engine.change_model(|m| {
         m.elements.iter_mut().for_each(|e| e.rayleigh = r);
         m.nodes.iter_mut().for_each(|n| n.alpha_m = r.alpha_m);
@@ -52,7 +60,7 @@ fn element_factors(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let Some(id) = interp.host.engine.model().element(tag) else {
         return Err(a.refuse(format!("there is no element {tag}"), "expected the tag of an element"));
     };
-    let r = factors(&mut a)?;
+    let r = factors(interp, &mut a)?;
     finish(interp, &a)?;
     interp.host.engine.change_model(|m| m.elements[id.0].rayleigh = r);
     Ok(Value::EMPTY)
@@ -96,7 +104,7 @@ fn region(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
                 }
                 region.nodes.extend(ids);
             }
-            "-rayleigh" => damping = Some(factors(&mut a)?),
+            "-rayleigh" => damping = Some(factors(interp, &mut a)?),
             _ => {
                 let known = ["-ele", "-eleOnly", "-eleRange", "-node", "-nodeOnly", "-nodeRange", "-rayleigh"];
                 ignore_option(interp, &mut a, &known)?;

@@ -17,6 +17,7 @@ pub(super) const COMMANDS: &[Command] = &[
     Command { name: "display", usage: "display ...", run: nothing },
     Command { name: "plot", usage: "plot ...", run: nothing },
     Command { name: "logFile", usage: "logFile $file ...", run: nothing },
+    Command { name: "logCommands", usage: "logCommands ...", run: nothing },
     Command { name: "setMaxOpenFiles", usage: "setMaxOpenFiles $n", run: nothing },
     Command { name: "start", usage: "start", run: nothing },
     Command { name: "stop", usage: "stop", run: nothing },

@@ -2,13 +2,14 @@
 
 use super::args::Args;
 use super::model::node_of;
-use super::{Command, Outcome, Tcl, finish, ignore_option};
+use super::{Command, Outcome, Tcl, finish, ignore_option, warn};
 use crate::analysis::TangentMix;
 use crate::analysis::integrator::{
     Adaptive, AlphaParameters, ArcLength, CentralDifference, Collocation, DisplacementControl, ExplicitAlpha, Form,
     GeneralizedAlpha, Hht, Integrator, LoadControl, MinUnbalDispNorm, Newmark, Sense, backward_euler, houbolt,
     park_lms3, trbdf2, trbdf3,
 };
+use crate::diagnostic::Diagnostic;
 use crate::script::{Call, Exception, Value};
 
 pub(super) const COMMANDS: &[Command] = &[Command { name: "integrator", usage: INTEGRATOR, run: integrator }];
@@ -220,8 +221,16 @@ fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 fn newmark(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Box<dyn Integrator>, Exception> {
     a.usage("integrator Newmark $gamma $beta <-form D|V|A>");
     let gamma = a.positive("gamma")?;
+    let at = a.last_span();
     let beta = a.not_negative("beta")?;
     let span = a.last_span();
+    if gamma < 0.5 {
+        let mut d = Diagnostic::warning(format!("Newmark: gamma is {gamma}, so that the motion grows by itself"));
+        if beta >= 0.5 {
+            d = d.help("gamma comes first, then beta: are they the wrong way round?");
+        }
+        warn(interp, d.at(at, "expected gamma, at least 0.5"))?;
+    }
     let mut form = Form::Displacement;
     while let Some(option) = a.option() {
         match option.as_ref() {

@@ -7,6 +7,7 @@
 mod algorithm;
 mod analysis;
 mod args;
+mod check;
 mod constraint;
 mod damping;
 mod display;
@@ -33,6 +34,7 @@ use crate::diagnostic::Diagnostic;
 use crate::script::{Call, Exception, Interp, Value};
 use args::Args;
 
+pub use check::Findings;
 pub use session::{FileFormat, Mode, OnWarning, Outputs, Progress, Session};
 
 /// The interpreter that the commands run in.
@@ -48,6 +50,21 @@ pub struct Command {
     /// How it is used, in one line.
     pub usage: &'static str,
     run: fn(&mut Tcl, &Call<'_>) -> Outcome,
+}
+
+impl Command {
+    /// How it is used, under its own name: commands of a family may share their usage.
+    pub fn usage_line(&self) -> String {
+        usage_as(self.name, self.usage)
+    }
+}
+
+/// A usage under the name of a command that shares it with the one it begins with.
+fn usage_as(name: &str, usage: &str) -> String {
+    let name = name.rsplit("::").next().unwrap_or_default();
+    let head = usage.split(' ').next().unwrap_or_default();
+    let shared = head != name && [head, name].iter().all(|n| commands().any(|c| c.name == *n));
+    if shared { format!("{name}{}", &usage[head.len()..]) } else { usage.to_owned() }
 }
 
 /// The commands of all families.
@@ -82,44 +99,12 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
 
 /// Make the commands known to an interpreter.
 pub fn install(interp: &mut Tcl) {
-    let check = interp.host.mode == Mode::Check;
+    let checks = interp.host.mode == Mode::Check;
     for c in commands() {
-        interp.register(c.name, if check { checked } else { c.run });
+        interp.register(c.name, if checks { check::checked } else { c.run });
     }
-    if check {
-        interp.on_error = Some(go_on);
-    }
-}
-
-/// An error of Tcl at the top level of a script that is checked: it is told, and the next command looked at. An error
-/// that the script raises itself ends it, and so does one that comes of results that a check does not have.
-fn go_on(interp: &mut Tcl, error: Exception) -> Outcome {
-    match error {
-        Exception::Error(e) if !e.raised && !interp.host.rehearsed => {
-            tell(interp, e.diagnostic);
-            Ok(Value::EMPTY)
-        }
-        other => Err(other),
-    }
-}
-
-/// Run a command for a check: what is wrong with it is told, and the script goes on.
-fn checked(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
-    let name = call.name();
-    let name = name.rsplit("::").next().unwrap_or_default();
-    let Some(command) = commands().find(|c| c.name == name) else {
-        return Err(Exception::error(format!("the command \"{name}\" was renamed, which a check does not follow")));
-    };
-    match (command.run)(interp, call) {
-        Err(Exception::Error(e)) => {
-            let mut wrong = e.diagnostic;
-            if wrong.span.is_none() {
-                wrong.span = call.whole_span();
-            }
-            tell(interp, wrong);
-            Ok(Value::EMPTY)
-        }
-        other => other,
+    if checks {
+        interp.on_error = Some(check::go_on);
     }
 }
 

@@ -2,14 +2,16 @@
 
 use super::args::Args;
 use super::model::node_of;
-use super::{Command, Outcome, Tcl, finish, ignore_option};
+use super::{Command, Outcome, Tcl, finish, ignore_option, warn};
 use crate::analysis::{Failure, ReactionKind, State};
+use crate::diagnostic::Diagnostic;
 use crate::model::{ElementId, NodeId};
 use crate::record::ElementResponse;
 use crate::script::{Call, Exception, Value};
 
 const NODE: &str = "nodeDisp $node <$dof>";
 const SET: &str = "setNodeDisp $node $dof $value <-commit>";
+const DOF: &str = "degree of freedom";
 const RESPONSE: &str = "eleResponse $element $response ...";
 
 pub(super) const COMMANDS: &[Command] = &[
@@ -41,6 +43,7 @@ pub(super) const COMMANDS: &[Command] = &[
     Command { name: "getLoadFactor", usage: "getLoadFactor $pattern", run: load_factor },
     Command { name: "getNodeTags", usage: "getNodeTags", run: node_tags },
     Command { name: "getEleTags", usage: "getEleTags", run: ele_tags },
+    Command { name: "nodeBounds", usage: "nodeBounds", run: node_bounds },
     Command { name: "getNDM", usage: "getNDM", run: |i, _| Ok(Value::from(i.host.ndm as i64)) },
     Command { name: "getNDF", usage: "getNDF <$node>", run: ndf },
     Command { name: "nodeDOFs", usage: "nodeDOFs $node", run: node_dofs },
@@ -63,6 +66,14 @@ fn pick(interp: &mut Tcl, a: &mut Args<'_>, values: &[f64], what: &str) -> Outco
         finish(interp, a)?;
         return Ok(list(values));
     }
+    // OpenSees gives all values for 0, which scripts with one degree of freedom at a node rely on.
+    if what == DOF && a.peek().is_some_and(|w| w == "0") {
+        a.option();
+        let d = Diagnostic::warning("the degree of freedom is 0: all values are given");
+        warn(interp, d.at(a.last_span(), format!("expected the degree of freedom, 1 to {}", values.len())))?;
+        finish(interp, a)?;
+        return Ok(list(values));
+    }
     let i = a.dof(what, values.len())?;
     finish(interp, a)?;
     Ok(Value::from(values[i]))
@@ -76,7 +87,7 @@ fn node_field(interp: &mut Tcl, call: &Call<'_>, field: fn(&State) -> &Vec<f64>)
     let mut a = Args::new(call, NODE);
     let node = node_of(interp, &mut a, "tag of the node")?;
     let values = of_node(interp, node, field(interp.host.engine.state()));
-    pick(interp, &mut a, &values, "degree of freedom")
+    pick(interp, &mut a, &values, DOF)
 }
 
 fn failed(call: &Call<'_>, f: &Failure) -> Exception {
@@ -90,7 +101,7 @@ fn node_reaction(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut all = vec![];
     interp.host.engine.reactions(kind, &mut all).map_err(|f| failed(call, &f))?;
     let values = of_node(interp, node, &all);
-    pick(interp, &mut a, &values, "degree of freedom")
+    pick(interp, &mut a, &values, DOF)
 }
 
 fn node_unbalance(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
@@ -99,7 +110,7 @@ fn node_unbalance(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut all = vec![];
     interp.host.engine.unbalanced(false, &mut all).map_err(|f| failed(call, &f))?;
     let values = of_node(interp, node, &all);
-    pick(interp, &mut a, &values, "degree of freedom")
+    pick(interp, &mut a, &values, DOF)
 }
 
 /// Which reactions `nodeReaction` gives: they are always those of the present state.
@@ -133,7 +144,7 @@ fn node_mass(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, NODE);
     let node = node_of(interp, &mut a, "tag of the node")?;
     let mass = interp.host.engine.model().nodes[node.0].mass.clone();
-    pick(interp, &mut a, &mass, "degree of freedom")
+    pick(interp, &mut a, &mass, "degree of freedom of the mass")
 }
 
 fn node_eigenvector(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
@@ -148,7 +159,7 @@ fn node_eigenvector(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     };
     let dofs = interp.host.engine.model().nodes[node.0].dofs();
     let values = shape.get(dofs).map(<[f64]>::to_vec).unwrap_or_default();
-    pick(interp, &mut a, &values, "degree of freedom")
+    pick(interp, &mut a, &values, DOF)
 }
 
 fn set_node(interp: &mut Tcl, call: &Call<'_>, field: fn(&mut State) -> &mut Vec<f64>) -> Outcome {
@@ -251,6 +262,21 @@ fn node_tags(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
 
 fn ele_tags(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
     Ok(Value::list(interp.host.engine.model().element_tags().map(|t| Value::from(i64::from(t)))))
+}
+
+/// Least x, y and z of the nodes, then the greatest.
+fn node_bounds(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
+    let mut bounds: Option<([f64; 3], [f64; 3])> = None;
+    for node in &interp.host.engine.model().nodes {
+        let at = [0, 1, 2].map(|i| node.coords.get(i).copied().unwrap_or(0.0));
+        let (low, high) = bounds.get_or_insert((at, at));
+        for i in 0..3 {
+            low[i] = low[i].min(at[i]);
+            high[i] = high[i].max(at[i]);
+        }
+    }
+    let (low, high) = bounds.unwrap_or_default();
+    Ok(list(&[low, high].concat()))
 }
 
 fn ndf(interp: &mut Tcl, call: &Call<'_>) -> Outcome {

@@ -76,9 +76,15 @@ impl Common {
                     separator: if self.csv { Separator::Comma } else { Separator::Space },
                     close_on_write: self.close_on_write,
                 };
+                let is_folder =
+                    |interp: &Tcl, p: &str| interp.files.info(p, true).is_ok_and(|i| i.kind == FileKind::Directory);
+                if is_folder(interp, &path) {
+                    let d = Diagnostic::error(format!("cannot write {path}: it is a folder"));
+                    return Err(Exception::diagnosed(d.at(*span, "cannot write here")));
+                }
                 if interp.host.mode == Mode::Check {
                     let folder = path.rsplit_once('/').map_or("/", |(f, _)| if f.is_empty() { "/" } else { f });
-                    if !interp.files.info(folder, true).is_ok_and(|i| i.kind == FileKind::Directory) {
+                    if !is_folder(interp, folder) {
                         let d = Diagnostic::error(format!("cannot write {path}: there is no such folder"));
                         return Err(Exception::diagnosed(d.at(*span, "cannot write here")));
                     }

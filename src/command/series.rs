@@ -97,10 +97,20 @@ fn linear(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
     Ok(Arc::new(Linear { factor: factor_only(interp, a)? }))
 }
 
+/// Warn where a series ends before it begins: it is zero at all times.
+fn warn_of_end(interp: &mut Tcl, a: &Args<'_>, start: f64, end: f64) -> Result<(), Exception> {
+    if end > start {
+        return Ok(());
+    }
+    let d = Diagnostic::warning(format!("the time series ends at {end} but begins at {start}: it is zero"));
+    warn(interp, d.at(a.last_span(), format!("expected tEnd, greater than {start}")))
+}
+
 /// Times, period, and the options of the periodic series; also the width of a pulse.
 fn wave(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Wave, f64), Exception> {
     let start = a.float("start tStart")?;
     let end = a.float("end tEnd")?;
+    warn_of_end(interp, a, start, end)?;
     let period = a.positive("period")?;
     let mut w = Wave { start, end, period, shift: 0.0, factor: 1.0, zero_shift: 0.0 };
     let mut width = 0.5;
@@ -136,6 +146,7 @@ fn pulse(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
 fn rectangular(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
     let start = a.float("start tStart")?;
     let end = a.float("end tEnd")?;
+    warn_of_end(interp, a, start, end)?;
     Ok(Arc::new(Rectangular { start, end, factor: factor_only(interp, a)? }))
 }
 
@@ -180,6 +191,10 @@ fn path(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
     let Some(mut values) = values.filter(|v| !v.is_empty()) else {
         return Err(a.refuse_at(command, "the path has no values", "expected -values or -filePath"));
     };
+    if let [value] = values[..] {
+        let d = Diagnostic::warning(format!("the path has a single value, {value}"));
+        warn(interp, d.at(command, "expected two or more"))?;
+    }
     if prepend {
         values.insert(0, 0.0);
     }

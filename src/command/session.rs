@@ -1,5 +1,6 @@
 //! What the OpenSees commands of a script work on.
 
+use super::check::Findings;
 use super::material::Bench;
 use crate::analysis::algorithm::Algorithm;
 use crate::analysis::integrator::Integrator;
@@ -181,6 +182,8 @@ pub struct Session {
     pub strict: bool,
     /// A check has passed over an analysis: results that the script reads are not there.
     pub rehearsed: bool,
+    /// What a check has found.
+    pub findings: Findings,
     /// Why the last `analyze` failed; none if it succeeded.
     pub last_failure: Option<Failure>,
     pub(super) on_warning: Option<OnWarning>,
@@ -212,6 +215,7 @@ impl Session {
             mode,
             strict,
             rehearsed: false,
+            findings: Findings::default(),
             last_failure: None,
             on_warning: None,
             style: Style::default(),

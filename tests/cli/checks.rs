@@ -15,6 +15,42 @@ fn goes_on() {
     assert!(err.contains("4 errors:"), "{err}");
 }
 
+/// What only follows from a mistake is not told as another one.
+#[test]
+fn consequences() {
+    let tail = "element truss 2 2 3 1. 2\nrecorder Element -file f.txt -ele 2 force\nnode 4 1 1 1\n\
+        set w [eigen 1]\nnodeEigenvector 2 1 1\nmodalDamping 0.02\nanalysis Static\nanalyze 1\neleForce 2\n";
+    let place = Place::new();
+    for (mistake, errors) in [
+        ("uniaxialMaterial Elastik 2 1", 1),
+        ("uniaxialMaterial Elastic 2 x", 1),
+        ("uniaxialMaterial Elastic 2 $nil", 1),
+        ("set e $nil\nputs $e\nuniaxialMaterial Elastic 2 $e", 1),
+    ] {
+        place.write("m.tcl", format!("{MODEL}{mistake}\n{tail}"));
+        let (status, _, err) = place.run(&["check", "m.tcl"]);
+        assert_eq!(status, Some(2));
+        assert_eq!(err.matches("\n  error: ").count(), errors, "{mistake}: {err}");
+        assert!(err.contains("note: the analyses were not rehearsed"), "{err}");
+    }
+    // A wrong recorder leaves the model what it is: the mechanism is found.
+    place.write("m.tcl", format!("{MODEL}recorder Nod\nanalysis Static\nanalyze 1\n"));
+    let (_, _, err) = place.run(&["check", "m.tcl"]);
+    assert!(err.contains("node 3") && err.contains("2 errors"), "{err}");
+}
+
+/// Every command has a line of its own.
+#[test]
+fn usages() {
+    let (_, out, _) = Place::new().run(&["commands"]);
+    let mut lines: Vec<&str> = out.lines().collect();
+    lines.sort_unstable();
+    assert!(lines.windows(2).all(|w| w[0] != w[1]), "{out}");
+    for line in ["nodeVel $node <$dof>", "fixY $coordinate"] {
+        assert!(out.contains(line), "{line}: {out}");
+    }
+}
+
 /// The script sees what it has written; the disk does not.
 #[test]
 fn writes_nothing() {

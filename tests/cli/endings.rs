@@ -12,6 +12,10 @@ fn statuses() {
         ("", 0),
         ("puts done", 0),
         ("exit", 0),
+        (
+            "model basic -ndm 2 -ndf 2; node 1 5 6; node 2 7 3; exit [expr {int([lindex [nodeBounds] 4]) + [llength [nodeBounds]]}]",
+            12,
+        ),
         ("exit 7", 7),
         ("error \"my own\"", 1),
         ("set x {", 2),
@@ -54,6 +58,70 @@ fn results_are_kept() {
     assert_eq!((status, out.trim()), (Some(2), "10"));
     assert_eq!(fs::read_to_string(place.0.join("d.txt")).unwrap().lines().count(), 3);
     assert_eq!(place.names(), ["d.txt", "m.tcl"]);
+}
+
+/// A spring that yields at 10 under a load of 4 at each step.
+const YIELDING: &str = "model basic -ndm 1 -ndf 1\nnode 1 0\nnode 2 0\nfix 1 1\n\
+    uniaxialMaterial Steel01 1 10. 100. 0.1\nelement zeroLength 1 1 2 -mat 1 -dir 1\ntimeSeries Linear 1\n\
+    pattern Plain 1 1 { load 2 1. }\nalgorithm Newton\nintegrator LoadControl 4\nanalysis Static\n";
+
+/// A step that does not converge says so; the script's own remedy goes on from the last step that did.
+#[test]
+fn remedy() {
+    let script = "test NormDispIncr 1e-10 2\nset codes {}\nfor {set i 0} {$i < 4} {incr i} {\n  set ok [analyze 1]\n\
+        \x20 if {$ok != 0} {\n    puts \"[getTime] [nodeDisp 2 1]\"\n    test NormDispIncr 1e-10 20\n\
+        \x20   set ok [analyze 1]\n  }\n  lappend codes $ok\n}\nputs $codes\nputs [format %.6f [nodeDisp 2 1]]\n";
+    let (status, out, err) = run(&format!("{YIELDING}{script}"));
+    assert_eq!((status, out.as_str()), (Some(0), "8.0 0.08\n0 0 0 0\n0.700000\n"), "{err}");
+    for words in ["no convergence at time 12", "after 2 iterations", "node 2", "wanted 1.0e-10", "m.tcl:15:"] {
+        assert!(err.contains(words), "{words}: {err}");
+    }
+}
+
+/// An interrupt ends the analysis after a committed step, and the record is complete up to there.
+#[test]
+fn interrupted() {
+    use std::io::{BufRead as _, BufReader, Read as _};
+    use std::process::{Command, Stdio};
+    let place = Place::new();
+    let tail =
+        "recorder Node -file d.txt -time -node 2 -dof 1 disp\nputs go\nflush stdout\nanalyze 1000000000\nputs no\n";
+    place.write("m.tcl", format!("{}{tail}", YIELDING.replace("LoadControl 4", "LoadControl 1e-9")));
+    let mut child = Command::new(env!("CARGO_BIN_EXE_hysteron"))
+        .args(["run", "m.tcl"])
+        .current_dir(&place.0)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut out = BufReader::new(child.stdout.take().unwrap());
+    let mut line = String::new();
+    out.read_line(&mut line).unwrap();
+    assert_eq!(line, "go\n");
+    std::thread::sleep(std::time::Duration::from_millis(200));
+    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    let (mut rest, mut err) = (String::new(), String::new());
+    out.read_to_string(&mut rest).unwrap();
+    child.stderr.take().unwrap().read_to_string(&mut err).unwrap();
+    assert_eq!((child.wait().unwrap().code(), rest.as_str()), (Some(130), ""), "{err}");
+    assert!(err.contains("interrupted: what was recorded so far has been kept"), "{err}");
+    let record = fs::read_to_string(place.0.join("d.txt")).unwrap();
+    assert!(record.ends_with('\n') && record.lines().all(|l| l.split(' ').count() == 2));
+    assert!(record.lines().count() > 0 && place.names() == ["d.txt", "m.tcl"]);
+}
+
+/// What cannot be written is an error where it is asked for, or at the latest at the end.
+#[test]
+fn unwritable() {
+    for (script, status, words) in [
+        ("recorder Node -file m.tcl/d.txt -node 2 -dof 1 disp", 2, "m.tcl:11:21"),
+        ("file mkdir sub; recorder Node -file sub -node 2 -dof 1 disp", 2, "m.tcl:11:37"),
+        ("set f [open m.tcl/x w]", 2, "couldn't open"),
+        ("figure m.tcl/f.svg -title t -x x -y y -line l {0 1} {0 1}", 2, "cannot write"),
+    ] {
+        let (found, _, err) = run(&format!("{MODEL}{script}\n"));
+        assert!(found == Some(status) && err.contains(words), "{script}: {found:?} {err}");
+    }
 }
 
 /// Recorders of what is not there say so.

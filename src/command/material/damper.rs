@@ -1,8 +1,9 @@
 //! Dampers.
 
 use super::Kind;
-use crate::command::Tcl;
 use crate::command::args::Args;
+use crate::command::{Tcl, warn};
+use crate::diagnostic::Diagnostic;
 use crate::material::{Material, Maxwell, Method, Viscous, ViscousDamper};
 use crate::script::Exception;
 use std::sync::Arc;
@@ -21,9 +22,14 @@ pub(super) const KINDS: &[Kind] = &[
     },
 ];
 
-fn viscous(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let c = a.float("damping coefficient C")?;
+fn viscous(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let c = a.not_negative("damping coefficient C")?;
     let alpha = a.float("velocity exponent alpha")?;
+    if alpha <= 0.0 {
+        let is = if alpha < 0.0 { "is taken for 1" } else { "makes the force the same at every velocity" };
+        let d = Diagnostic::warning(format!("Viscous: the velocity exponent alpha is {alpha} and {is}"));
+        warn(interp, d.at(a.last_span(), "expected a number greater than 0"))?;
+    }
     let min_rate = a.optional_float("smallest velocity minVel")?.unwrap_or(1e-11).abs();
     // As in OpenSees a negative exponent stands for a linear dashpot, and a zero velocity for a very small one.
     let min_rate = if min_rate == 0.0 { 1e-21 } else { min_rate };

@@ -33,19 +33,50 @@ pub(super) const KINDS: &[Kind] = &[
     },
 ];
 
-fn elastic(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+/// A modulus that may be 0, as that of a spring which is there for its name only. A negative one stands for an effect
+/// that softens: seldom meant.
+fn modulus(interp: &mut Tcl, a: &mut Args<'_>) -> Result<f64, Exception> {
     let e = a.float("elastic modulus E")?;
+    if e < 0.0 {
+        let d = Diagnostic::warning(format!("the elastic modulus E is {e}: the material pushes instead of holding"));
+        warn(interp, d.at(a.last_span(), "expected a number not less than 0"))?;
+    }
+    Ok(e)
+}
+
+/// A yield strain whose sign is made to fit its side, as in OpenSees.
+fn yield_strain(interp: &mut Tcl, a: &mut Args<'_>, what: &str, x: f64, sign: f64) -> Result<(), Exception> {
+    if x == 0.0 {
+        return Err(a.refuse(format!("the {what} is 0"), "expected a strain other than 0"));
+    }
+    if x * sign < 0.0 {
+        let d = Diagnostic::warning(format!("ElasticPP: the {what} is {x} and is taken for {}", -x));
+        warn(
+            interp,
+            d.at(a.last_span(), format!("expected a number {} than 0", if sign > 0.0 { "greater" } else { "less" })),
+        )?;
+    }
+    Ok(())
+}
+
+fn elastic(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let e = modulus(interp, a)?;
     let eta = a.optional_float("damping modulus eta")?.unwrap_or(0.0);
     let e_neg = a.optional_float("modulus in compression Eneg")?.unwrap_or(e);
     Ok(Arc::new(Elastic { e_pos: e, eta, e_neg }))
 }
 
-fn elastic_pp(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+fn elastic_pp(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let e = a.positive("elastic modulus E")?;
-    let yield_strain = a.float("yield strain in tension epsyP")?;
-    let compression = a.optional_float("yield strain in compression epsyN")?.unwrap_or(-yield_strain);
+    let tension = a.float("yield strain in tension epsyP")?;
+    yield_strain(interp, a, "yield strain in tension epsyP", tension, 1.0)?;
+    let compression = a.optional_float("yield strain in compression epsyN")?;
+    if let Some(x) = compression {
+        yield_strain(interp, a, "yield strain in compression epsyN", x, -1.0)?;
+    }
+    let compression = compression.unwrap_or(-tension);
     let initial = a.optional_float("initial strain eps0")?.unwrap_or(0.0);
-    Ok(Arc::new(ElasticPP::new(e, yield_strain, compression, initial)))
+    Ok(Arc::new(ElasticPP::new(e, tension, compression, initial)))
 }
 
 fn elastic_pp_gap(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -76,7 +107,7 @@ fn elastic_pp_gap(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
 }
 
 fn no_tension(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let e = a.float("elastic modulus E")?;
+    let e = a.not_negative("elastic modulus E")?;
     let tension = a.optional_float("part of the modulus that acts in tension, a")?.unwrap_or(0.0);
     let b = a.optional_float("factor of the strain in tension, b")?.unwrap_or(1.0);
     Ok(Arc::new(NoTension { e, a: tension, b }))

@@ -30,7 +30,7 @@ pub(super) const KINDS: &[Kind] = &[
 fn bouc_wen(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let law = BoucWen {
         alpha: a.float("ratio of post-yield stiffness alpha")?,
-        ko: a.float("elastic stiffness ko")?,
+        ko: a.positive("elastic stiffness ko")?,
         n: a.positive("exponent n")?,
         gamma: a.float("gamma")?,
         beta: a.float("beta")?,
