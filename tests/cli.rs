@@ -9,6 +9,8 @@ mod checks;
 mod endings;
 #[path = "cli/mistakes.rs"]
 mod mistakes;
+#[path = "cli/recorders.rs"]
+mod recorders;
 
 use std::fs;
 use std::path::PathBuf;

@@ -8,7 +8,7 @@ use crate::assembly::Handler;
 use crate::diagnostic::{Diagnostic, SourceMap, Span};
 use crate::io::number::Style;
 use crate::model::{Definitions, ElementId, NodeId, Tag};
-use crate::record::{Output, RecordError, Recorder, Separator};
+use crate::record::{Layout, Output, RecordError, Recorder};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
@@ -28,8 +28,8 @@ pub enum Mode {
 pub struct FileFormat {
     /// Numbers.
     pub style: Style,
-    /// What stands between them.
-    pub separator: Separator,
+    /// How rows are laid out.
+    pub layout: Layout,
     /// Every row at once.
     pub close_on_write: bool,
 }
