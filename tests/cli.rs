@@ -9,6 +9,8 @@ mod checks;
 mod endings;
 #[path = "cli/mistakes.rs"]
 mod mistakes;
+#[path = "cli/modal.rs"]
+mod modal;
 #[path = "cli/recorders.rs"]
 mod recorders;
 

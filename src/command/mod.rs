@@ -17,6 +17,7 @@ mod integrator;
 mod load;
 mod material;
 mod modal_damping;
+mod modal_properties;
 mod model;
 mod motion_file;
 mod print;
@@ -65,6 +66,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         ground_motion::COMMANDS,
         damping::COMMANDS,
         modal_damping::COMMANDS,
+        modal_properties::COMMANDS,
         solution::COMMANDS,
         algorithm::COMMANDS,
         integrator::COMMANDS,
