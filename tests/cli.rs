@@ -11,6 +11,8 @@ mod endings;
 mod mistakes;
 #[path = "cli/modal.rs"]
 mod modal;
+#[path = "cli/parameters.rs"]
+mod parameters;
 #[path = "cli/recorders.rs"]
 mod recorders;
 

@@ -20,6 +20,7 @@ mod modal_damping;
 mod modal_properties;
 mod model;
 mod motion_file;
+mod parameter;
 mod print;
 mod query;
 mod recorder;
@@ -75,6 +76,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         query::COMMANDS,
         print::COMMANDS,
         remove::COMMANDS,
+        parameter::COMMANDS,
         display::COMMANDS,
         figure::COMMANDS,
     ]

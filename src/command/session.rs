@@ -1,6 +1,7 @@
 //! What the OpenSees commands of a script work on.
 
 use super::material::Bench;
+use super::parameter::Parameter;
 use crate::analysis::algorithm::Algorithm;
 use crate::analysis::integrator::Integrator;
 use crate::analysis::{Engine, Failure, Kind, Observer, Options, ReactionKind, Test};
@@ -192,6 +193,8 @@ pub struct Session {
     pub(super) next_mp: Tag,
     pub(super) told: BTreeMap<&'static str, usize>,
     pub(super) bench: Bench,
+    /// What `parameter` has named.
+    pub(super) numbers: BTreeMap<Tag, Parameter>,
 }
 
 impl Session {
@@ -221,6 +224,7 @@ impl Session {
             next_mp: 0,
             told: BTreeMap::new(),
             bench: Bench::default(),
+            numbers: BTreeMap::new(),
         }
     }
 
@@ -253,6 +257,7 @@ impl Session {
         self.engine.wipe();
         self.definitions = Definitions::default();
         self.bench = Bench::default();
+        self.numbers.clear();
         (self.ndm, self.ndf, self.pattern) = (0, 0, None);
         self.parts = Parts::default();
         self.regions.clear();
