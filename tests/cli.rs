@@ -9,6 +9,12 @@ mod checks;
 mod endings;
 #[path = "cli/mistakes.rs"]
 mod mistakes;
+#[path = "cli/modal.rs"]
+mod modal;
+#[path = "cli/parameters.rs"]
+mod parameters;
+#[path = "cli/recorders.rs"]
+mod recorders;
 
 use std::fs;
 use std::path::PathBuf;

@@ -18,8 +18,10 @@ mod integrator;
 mod load;
 mod material;
 mod modal_damping;
+mod modal_properties;
 mod model;
 mod motion_file;
+mod parameter;
 mod print;
 mod query;
 mod recorder;
@@ -82,6 +84,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         ground_motion::COMMANDS,
         damping::COMMANDS,
         modal_damping::COMMANDS,
+        modal_properties::COMMANDS,
         solution::COMMANDS,
         algorithm::COMMANDS,
         integrator::COMMANDS,
@@ -90,6 +93,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         query::COMMANDS,
         print::COMMANDS,
         remove::COMMANDS,
+        parameter::COMMANDS,
         display::COMMANDS,
         figure::COMMANDS,
     ]

@@ -6,7 +6,9 @@ use super::{Command, Outcome, Tcl, ignore_option, warn};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::io::number::Style;
 use crate::model::Tag;
-use crate::record::{Cadence, Drift, ElementResponse, NodeQuantity, NodeResponse, Output, Recorder, Separator, Source};
+use crate::record::{
+    Cadence, Drift, ElementResponse, Layout, NodeQuantity, NodeResponse, Output, Recorder, Separator, Source,
+};
 use crate::script::{Call, Exception, FileKind, Value};
 use crate::series::Series;
 
@@ -16,9 +18,9 @@ pub(super) const COMMANDS: &[Command] = &[
     Command { name: "setPrecision", usage: "setPrecision $digits", run: set_precision },
 ];
 
-const NODE: &str = "recorder Node -file $file <-time> <-precision $n> <-dT $dt> <-closeOnWrite> <-timeSeries $tag ...> \
+const NODE: &str = "recorder Node -file|-csv|-xml|-binary $file <-time> <-precision $n> <-dT $dt> <-closeOnWrite> <-timeSeries $tag ...> \
                     -node $tag ... | -nodeRange $first $last | -region $tag -dof $dof ... $response";
-const ELEMENT: &str = "recorder Element -file $file <-time> <-precision $n> <-dT $dt> <-closeOnWrite> \
+const ELEMENT: &str = "recorder Element -file|-csv|-xml|-binary $file <-time> <-precision $n> <-dT $dt> <-closeOnWrite> \
                        -ele $tag ... | -eleRange $first $last | -region $tag <-dof $column ...> $response ...";
 const DRIFT: &str = "recorder Drift -file $file <-time> -iNode $tag ... -jNode $tag ... -dof $dof -perpDirn $direction";
 
@@ -27,12 +29,13 @@ const DRIFT: &str = "recorder Drift -file $file <-time> -iNode $tag ... -jNode $
 struct Common {
     file: Option<(String, Option<Span>)>,
     style: Option<Style>,
-    csv: bool,
+    layout: Option<Layout>,
     close_on_write: bool,
     cadence: Cadence,
 }
 
-const COMMON: &[&str] = &["-file", "-csv", "-time", "-dT", "-rTolDt", "-closeOnWrite", "-precision", "-scientific"];
+const COMMON: &[&str] =
+    &["-file", "-csv", "-xml", "-binary", "-time", "-dT", "-rTolDt", "-closeOnWrite", "-precision", "-scientific"];
 
 impl Common {
     fn new(interp: &Tcl) -> Self {
@@ -47,8 +50,13 @@ impl Common {
     fn take(&mut self, option: &str, a: &mut Args<'_>) -> Result<bool, Exception> {
         let style = self.style.get_or_insert_default();
         match option {
-            "-file" | "-fileCSV" | "-csv" => {
-                self.csv = option != "-file";
+            "-file" | "-fileCSV" | "-csv" | "-xml" | "-binary" => {
+                self.layout = Some(match option {
+                    "-file" => Layout::Text(Separator::Space),
+                    "-xml" => Layout::Xml,
+                    "-binary" => Layout::Binary,
+                    _ => Layout::Text(Separator::Comma),
+                });
                 self.file = Some((a.word("name of the file")?.into_owned(), a.last_span()));
             }
             "-time" | "-load" => self.cadence.time = true,
@@ -57,9 +65,9 @@ impl Common {
             "-closeOnWrite" => self.close_on_write = true,
             "-precision" => style.precision = a.count("number of digits")?,
             "-scientific" => style.scientific = true,
-            "-xml" | "-binary" | "-tcp" | "-database" | "-fileAdd" => {
+            "-tcp" | "-database" | "-fileAdd" => {
                 let message = format!("recorder: the output {option} is not supported yet");
-                return Err(a.refuse(message, "expected -file or -csv"));
+                return Err(a.refuse(message, "expected -file, -csv, -xml or -binary"));
             }
             _ => return Ok(false),
         }
@@ -73,7 +81,7 @@ impl Common {
                 let path = interp.absolute(name);
                 let format = FileFormat {
                     style: self.style.unwrap_or_default(),
-                    separator: if self.csv { Separator::Comma } else { Separator::Space },
+                    layout: self.layout.unwrap_or(Layout::Text(Separator::Space)),
                     close_on_write: self.close_on_write,
                 };
                 let is_folder =

@@ -8,7 +8,7 @@ use crate::script::{Call, Value};
 pub(super) const COMMANDS: &[Command] = &[Command { name: "remove", usage: USAGE, run: remove }];
 
 const USAGE: &str = "remove loadPattern $tag | recorders | recorder $tag | element $tag | node $tag | \
-                     sp $tag | sp $node $dof <$pattern> | mp $tag | material $tag | timeSeries $tag";
+                     sp $tag | sp $node $dof <$pattern> | mp $tag | material $tag | timeSeries $tag | parameter $tag";
 
 fn remove(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, USAGE);
@@ -67,13 +67,29 @@ fn remove(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             let tag = a.int("tag of the material")?;
             interp.host.definitions.materials.remove(tag);
         }
+        "parameter" => {
+            let tag = a.int("tag of the parameter")?;
+            if interp.host.numbers.remove(&tag).is_none() {
+                return Err(a.refuse(format!("there is no parameter {tag}"), "expected the tag of a parameter"));
+            }
+        }
         "timeSeries" => {
             let tag = a.int("tag of the time series")?;
             interp.host.definitions.series.remove(tag);
         }
         _ => {
-            let known =
-                ["loadPattern", "recorders", "recorder", "element", "node", "sp", "mp", "material", "timeSeries"];
+            let known = [
+                "loadPattern",
+                "recorders",
+                "recorder",
+                "element",
+                "node",
+                "sp",
+                "mp",
+                "material",
+                "timeSeries",
+                "parameter",
+            ];
             return Err(a.unknown_name("thing to remove", known));
         }
     }

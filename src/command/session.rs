@@ -2,6 +2,7 @@
 
 use super::check::Findings;
 use super::material::Bench;
+use super::parameter::Parameter;
 use crate::analysis::algorithm::Algorithm;
 use crate::analysis::integrator::Integrator;
 use crate::analysis::{Engine, Failure, Kind, Observer, Options, ReactionKind, Test};
@@ -9,7 +10,7 @@ use crate::assembly::Handler;
 use crate::diagnostic::{Diagnostic, SourceMap, Span};
 use crate::io::number::Style;
 use crate::model::{Definitions, ElementId, NodeId, Tag};
-use crate::record::{Output, RecordError, Recorder, Separator};
+use crate::record::{Layout, Output, RecordError, Recorder};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
@@ -29,8 +30,8 @@ pub enum Mode {
 pub struct FileFormat {
     /// Numbers.
     pub style: Style,
-    /// What stands between them.
-    pub separator: Separator,
+    /// How rows are laid out.
+    pub layout: Layout,
     /// Every row at once.
     pub close_on_write: bool,
 }
@@ -195,6 +196,8 @@ pub struct Session {
     pub(super) next_mp: Tag,
     pub(super) told: BTreeMap<&'static str, usize>,
     pub(super) bench: Bench,
+    /// What `parameter` has named.
+    pub(super) numbers: BTreeMap<Tag, Parameter>,
 }
 
 impl Session {
@@ -225,6 +228,7 @@ impl Session {
             next_mp: 0,
             told: BTreeMap::new(),
             bench: Bench::default(),
+            numbers: BTreeMap::new(),
         }
     }
 
@@ -257,6 +261,7 @@ impl Session {
         self.engine.wipe();
         self.definitions = Definitions::default();
         self.bench = Bench::default();
+        self.numbers.clear();
         (self.ndm, self.ndf, self.pattern) = (0, 0, None);
         self.parts = Parts::default();
         self.regions.clear();

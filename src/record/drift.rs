@@ -1,6 +1,6 @@
 //! Drifts between nodes.
 
-use super::{RecordError, Source};
+use super::{Group, RecordError, Source};
 use crate::analysis::Engine;
 use crate::model::Tag;
 
@@ -15,12 +15,13 @@ pub struct Drift {
     /// Degrees of freedom at i and j, and one over the distance.
     found: Vec<(usize, usize, f64)>,
     labels: Vec<String>,
+    groups: Vec<Group>,
 }
 
 impl Drift {
     /// Of pairs of nodes, in a degree of freedom, over their distance in a direction (both from 0).
     pub fn new(pairs: Vec<(Tag, Tag)>, dof: usize, across: usize) -> Self {
-        Self { pairs, dof, across, found: vec![], labels: vec![] }
+        Self { pairs, dof, across, found: vec![], labels: vec![], groups: vec![] }
     }
 }
 
@@ -29,6 +30,7 @@ impl Source for Drift {
         let model = engine.model();
         self.found.clear();
         self.labels.clear();
+        self.groups.clear();
         for &(i, j) in &self.pairs {
             let node = |tag: Tag| model.node(tag).map(|id| &model.nodes[id.0]);
             let (Some(a), Some(b)) = (node(i), node(j)) else {
@@ -45,12 +47,24 @@ impl Source for Drift {
             }
             self.found.push((a.offset + self.dof, b.offset + self.dof, 1.0 / distance));
             self.labels.push(format!("drift {i} {j}"));
+            let attributes = vec![
+                ("node1", i.to_string()),
+                ("node2", j.to_string()),
+                ("perpDirn", self.across.to_string()),
+                ("lengthPerpDirn", distance.to_string()),
+            ];
+            let columns = vec!["drift".to_owned()];
+            self.groups.push(Group { name: "DriftOutput", attributes, place: None, columns });
         }
         Ok(())
     }
 
     fn labels(&self) -> Vec<String> {
         self.labels.clone()
+    }
+
+    fn groups(&self, _: &Engine) -> Vec<Group> {
+        self.groups.clone()
     }
 
     fn row(&mut self, engine: &mut Engine, row: &mut Vec<f64>) -> Result<(), RecordError> {

@@ -1,6 +1,6 @@
 //! Responses of elements.
 
-use super::{RecordError, Source};
+use super::{Group, RecordError, Source};
 use crate::analysis::Engine;
 use crate::model::{ElementId, Tag};
 use crate::probe::Probe;
@@ -115,6 +115,20 @@ impl Source for ElementResponse {
             .iter()
             .flat_map(|(_, tag, a)| self.chosen(a.labels().len()).map(move |i| label(*tag, &a.labels()[i])))
             .collect()
+    }
+
+    fn groups(&self, engine: &Engine) -> Vec<Group> {
+        const ENDS: [&str; 4] = ["node1", "node2", "node3", "node4"];
+        let model = engine.model();
+        let group = |(id, tag, answer): &(ElementId, Tag, Answer)| {
+            let entry = &model.elements[id.0];
+            let mut attributes = vec![("eleType", entry.element.class().to_owned()), ("eleTag", tag.to_string())];
+            attributes.extend(ENDS.into_iter().zip(entry.nodes.iter().map(|n| model.nodes[n.0].tag.to_string())));
+            let labels = answer.labels();
+            let columns = self.chosen(labels.len()).map(|i| labels[i].clone()).collect();
+            Group { name: "ElementOutput", attributes, place: None, columns }
+        };
+        self.found.iter().map(group).collect()
     }
 
     fn row(&mut self, engine: &mut Engine, row: &mut Vec<f64>) -> Result<(), RecordError> {

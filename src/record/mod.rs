@@ -2,20 +2,26 @@
 //!
 //! A recorder is a [`Source`] of rows and an [`Output`] that takes them, either as they come or as their envelope.
 
+mod binary;
 mod drift;
 mod element;
 mod envelope;
 mod node;
 mod output;
+mod place;
+mod xml;
 
 use crate::analysis::Engine;
+use output::{TIME, TIME_OUTPUT};
 use std::fmt;
 
+pub use binary::BinaryFile;
 pub use drift::Drift;
 pub use element::ElementResponse;
 pub use envelope::Envelope;
 pub use node::{NodeQuantity, NodeResponse};
-pub use output::{Memory, Output, Separator, TextFile};
+pub use output::{Group, Layout, Memory, Output, Separator, TextFile};
+pub use xml::XmlFile;
 
 /// Why a recorder cannot go on.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -46,6 +52,9 @@ pub trait Source: fmt::Debug + Send {
 
     /// Names of the columns.
     fn labels(&self) -> Vec<String>;
+
+    /// What the columns belong to, in their order.
+    fn groups(&self, engine: &Engine) -> Vec<Group>;
 
     /// Append the row of the committed state.
     ///
@@ -117,6 +126,7 @@ impl Recorder {
             self.source.find(engine, &mut self.missing)?;
             self.found = Some(engine.model().revision());
             self.output.begin(&self.all_labels())?;
+            self.output.describe(&self.all_groups(engine))?;
         }
         self.row.clear();
         match &mut self.keep {
@@ -139,12 +149,31 @@ impl Recorder {
 
     fn all_labels(&self) -> Vec<String> {
         let labels = self.source.labels();
-        let time = || "time".to_owned();
+        let time = || TIME.to_owned();
         match (&self.keep, self.cadence.time) {
             (_, false) => labels,
             (Keep::History, true) => std::iter::once(time()).chain(labels).collect(),
             (Keep::Envelope(_), true) => labels.into_iter().flat_map(|l| [time(), l]).collect(),
         }
+    }
+
+    fn all_groups(&self, engine: &Engine) -> Vec<Group> {
+        let groups = self.source.groups(engine);
+        match &self.keep {
+            Keep::History => {
+                let time = Group { name: TIME_OUTPUT, columns: vec![TIME.to_owned()], ..Group::default() };
+                self.cadence.time.then_some(time).into_iter().chain(groups).collect()
+            }
+            Keep::Envelope(_) => groups.into_iter().map(|g| self.enveloped(g)).collect(),
+        }
+    }
+
+    /// Columns of a group in an envelope: with the times, one before each.
+    fn enveloped(&self, group: Group) -> Group {
+        let time = self.cadence.time;
+        let columns = group.columns.into_iter();
+        let columns = columns.flat_map(|c| [time.then(|| TIME.to_owned()), Some(c)]).flatten().collect();
+        Group { columns, place: None, ..group }
     }
 
     /// Write what is left to write, and close the output.

@@ -1,6 +1,6 @@
 //! Responses of nodes.
 
-use super::{RecordError, Source};
+use super::{Group, RecordError, Source};
 use crate::analysis::{Engine, ReactionKind};
 use crate::model::Tag;
 use crate::series::Series;
@@ -52,6 +52,19 @@ impl NodeQuantity {
                 Self::Mode(mode)
             }
         })
+    }
+
+    /// What the columns of the degrees of freedom are called in OpenSees' XML files, before the number.
+    fn symbol(self) -> String {
+        match self {
+            Self::Disp | Self::DispNorm => "D".to_owned(),
+            Self::Vel => "V".to_owned(),
+            Self::Accel => "A".to_owned(),
+            Self::IncrDisp => "dD".to_owned(),
+            Self::Reaction(_) => "R".to_owned(),
+            Self::Unbalance { .. } => "U".to_owned(),
+            Self::Mode(m) => format!("E{m}"),
+        }
     }
 
     /// Names that [`NodeQuantity::parse`] knows, to suggest the nearest to a misspelled one.
@@ -162,6 +175,24 @@ impl Source for NodeResponse {
             return self.tags.iter().map(|t| format!("node {t}")).collect();
         }
         self.tags.iter().flat_map(|t| (0..self.width).map(move |i| format!("node {t} dof {}", dofs(i)))).collect()
+    }
+
+    fn groups(&self, engine: &Engine) -> Vec<Group> {
+        let model = engine.model();
+        let symbol = self.quantity.symbol();
+        let dof = |i: usize| self.dofs.get(i).copied().unwrap_or(i) + 1;
+        let columns: Vec<String> = if self.quantity == NodeQuantity::DispNorm {
+            vec![symbol]
+        } else {
+            (0..self.width).map(|i| format!("{symbol}{}", dof(i))).collect()
+        };
+        let group = |tag: &Tag| Group {
+            name: "NodeOutput",
+            attributes: vec![("nodeTag", tag.to_string())],
+            place: model.node(*tag).map(|id| model.nodes[id.0].place().into()),
+            columns: columns.clone(),
+        };
+        self.tags.iter().map(group).collect()
     }
 
     fn row(&mut self, engine: &mut Engine, row: &mut Vec<f64>) -> Result<(), RecordError> {

@@ -1,11 +1,10 @@
 //! Where rows go.
 
 use super::RecordError;
+use super::place::PlacedFile;
 use crate::io::number::Style;
 use std::fmt;
-use std::fs::File;
-use std::io::{BufWriter, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::{Arc, Mutex};
 
 /// Takes rows of numbers.
@@ -15,6 +14,13 @@ pub trait Output: fmt::Debug + Send {
     /// # Errors
     /// It cannot be written.
     fn begin(&mut self, _labels: &[String]) -> Result<(), RecordError> {
+        Ok(())
+    }
+    /// What the columns of the rows that follow belong to; called after [`Output::begin`].
+    ///
+    /// # Errors
+    /// It cannot be written.
+    fn describe(&mut self, _groups: &[Group]) -> Result<(), RecordError> {
         Ok(())
     }
     /// A row.
@@ -47,6 +53,35 @@ pub trait Output: fmt::Debug + Send {
     fn finish(&mut self) -> Result<(), RecordError>;
 }
 
+/// Name of the column of times.
+pub(super) const TIME: &str = "time";
+/// Name of the group of it.
+pub(super) const TIME_OUTPUT: &str = "TimeOutput";
+
+/// Columns that belong to one node, element or pair of nodes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Group {
+    /// What they belong to, as OpenSees' XML files name it: `NodeOutput`, `ElementOutput`, ...
+    pub name: &'static str,
+    /// Which: attributes and their values.
+    pub attributes: Vec<(&'static str, String)>,
+    /// Coordinates of a node; histories tell them, envelopes do not.
+    pub place: Option<[f64; 3]>,
+    /// Names of the columns.
+    pub columns: Vec<String>,
+}
+
+/// How a file of rows is laid out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Layout {
+    /// A line of text a row.
+    Text(Separator),
+    /// OpenSees' XML: what the columns are, and then a line of text a row.
+    Xml,
+    /// Eight bytes a number, the smallest first; a line feed after each row.
+    Binary,
+}
+
 /// What stands between the numbers of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Separator {
@@ -56,16 +91,12 @@ pub enum Separator {
     Comma,
 }
 
-/// A text file with a line a row. It is written beside its place and put there when it is finished, so that nobody
-/// sees half a file.
+/// A text file with a line a row.
 #[derive(Debug)]
 pub struct TextFile {
-    place: PathBuf,
-    part: PathBuf,
-    writer: Option<BufWriter<File>>,
+    file: PlacedFile,
     style: Style,
     separator: char,
-    close_on_write: bool,
     line: String,
 }
 
@@ -75,32 +106,8 @@ impl TextFile {
     /// # Errors
     /// It cannot be made.
     pub fn create(place: &Path, style: Style, separator: Separator, close_on_write: bool) -> Result<Self, RecordError> {
-        let mut name = place.file_name().unwrap_or_default().to_owned();
-        name.push(".part");
-        let part = if close_on_write { place.to_path_buf() } else { place.with_file_name(name) };
         let separator = if separator == Separator::Space { ' ' } else { ',' };
-        let mut file = Self {
-            place: place.to_path_buf(),
-            part,
-            writer: None,
-            style,
-            separator,
-            close_on_write,
-            line: String::new(),
-        };
-        file.open()?;
-        Ok(file)
-    }
-
-    fn open(&mut self) -> Result<(), RecordError> {
-        let file =
-            File::create(&self.part).map_err(|e| RecordError(format!("cannot write {}: {e}", self.part.display())))?;
-        self.writer = Some(BufWriter::new(file));
-        Ok(())
-    }
-
-    fn failed(&self, e: &std::io::Error) -> RecordError {
-        RecordError(format!("cannot write {}: {e}", self.place.display()))
+        Ok(Self { file: PlacedFile::create(place, close_on_write)?, style, separator, line: String::new() })
     }
 }
 
@@ -114,38 +121,23 @@ impl Output for TextFile {
             self.style.push(*x, &mut self.line);
         }
         self.line.push('\n');
-        let Some(w) = &mut self.writer else { return Ok(()) };
-        let written = w.write_all(self.line.as_bytes());
-        let written = if self.close_on_write { written.and_then(|()| w.flush()) } else { written };
-        written.map_err(|e| self.failed(&e))
+        self.file.write_row(self.line.as_bytes())
     }
 
     fn restart(&mut self) -> Result<(), RecordError> {
-        self.open()
+        self.file.restart()
     }
 
     fn wants_every_row(&self) -> bool {
-        self.close_on_write
+        self.file.at_once()
     }
 
     fn flush(&mut self) -> Result<(), RecordError> {
-        let flushed = self.writer.as_mut().map_or(Ok(()), Write::flush);
-        flushed.map_err(|e| self.failed(&e))
+        self.file.flush()
     }
 
     fn finish(&mut self) -> Result<(), RecordError> {
-        self.flush()?;
-        if self.writer.take().is_some() && self.part != self.place {
-            std::fs::rename(&self.part, &self.place).map_err(|e| self.failed(&e))?;
-        }
-        Ok(())
-    }
-}
-
-impl Drop for TextFile {
-    fn drop(&mut self) {
-        // A recorder that was dropped without an end leaves its rows all the same.
-        let _ = self.finish();
+        self.file.finish()
     }
 }
 

@@ -1,0 +1,251 @@
+//! Parameters: numbers of the model that a script may change by a tag (`parameter updateParameter ...`).
+
+use super::args::Args;
+use super::model::node_of;
+use super::{Command, Outcome, Tcl, finish};
+use crate::model::{NodeId, Tag};
+use crate::script::{Call, Exception, Value};
+
+pub(super) const COMMANDS: &[Command] = &[
+    Command { name: "parameter", usage: PARAMETER, run: parameter },
+    Command { name: "addToParameter", usage: ADD, run: add_to_parameter },
+    Command { name: "updateParameter", usage: UPDATE, run: update_parameter },
+    Command { name: "getParamValue", usage: "getParamValue $tag", run: value_of },
+    Command { name: "getParamTags", usage: "getParamTags", run: tags },
+    Command { name: "setParameter", usage: SET, run: set_parameter },
+];
+
+const PARAMETER: &str = "parameter $tag <$value> | <node $node mass x|y|z|xy|xyz> | <node $node disp $dof> \
+                         | <loadPattern $pattern loadAtNode $node $dof> | <loadPattern $pattern lambda>";
+const ADD: &str = "addToParameter $tag node $node mass x|y|z|xy|xyz | loadPattern $pattern loadAtNode $node $dof";
+const UPDATE: &str = "updateParameter $tag $value";
+const SET: &str = "setParameter -val $value -node $node ... mass x|y|z|xy|xyz";
+
+/// A number of the model.
+#[derive(Clone, Debug, PartialEq)]
+enum Place {
+    /// Mass of the first degrees of freedom of a node.
+    Mass { node: Tag, dofs: Vec<usize> },
+    /// Reference load of a pattern on a node.
+    Load { pattern: Tag, node: Tag, dof: usize },
+    /// Displacement of a node: it can be read only.
+    Disp { node: Tag, dof: usize },
+    /// Load factor of a pattern: it can be read only.
+    Factor { pattern: Tag },
+}
+
+/// A number, and where in the model it stands. Places are kept by tag: what is removed is no longer changed.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Parameter {
+    value: f64,
+    places: Vec<Place>,
+}
+
+/// A node by its tag; the tag.
+fn node_tag(interp: &Tcl, a: &mut Args<'_>) -> Result<(NodeId, Tag), Exception> {
+    let node = node_of(interp, a, "tag of the node")?;
+    Ok((node, interp.host.engine.model().nodes[node.0].tag))
+}
+
+/// `mass` and the directions, for a node with so many degrees of freedom.
+fn mass_dofs(a: &mut Args<'_>, ndf: usize) -> Result<Vec<usize>, Exception> {
+    let dofs = match a.word("direction of the mass")?.as_ref() {
+        "x" | "X" | "1" => vec![0],
+        "y" | "Y" | "2" => vec![1],
+        "z" | "Z" | "3" => vec![2],
+        "xy" | "XY" => vec![0, 1],
+        "xyz" | "XYZ" => vec![0, 1, 2],
+        _ => return Err(a.unknown_name("direction", ["x", "y", "z", "xy", "xyz"])),
+    };
+    if dofs.iter().any(|d| *d >= ndf) {
+        let message = format!("the node has only {ndf} degrees of freedom");
+        return Err(a.refuse(message, "expected a direction that it has"));
+    }
+    Ok(dofs)
+}
+
+/// Where a parameter stands, from the words that say so.
+fn place(interp: &Tcl, a: &mut Args<'_>) -> Result<Place, Exception> {
+    let model = interp.host.engine.model();
+    match a.word("kind of thing")?.as_ref() {
+        "node" => {
+            let (id, node) = node_tag(interp, a)?;
+            let ndf = model.nodes[id.0].ndf;
+            match a.word("property of the node")?.as_ref() {
+                "mass" | "-mass" => Ok(Place::Mass { node, dofs: mass_dofs(a, ndf)? }),
+                "disp" => Ok(Place::Disp { node, dof: a.dof("degree of freedom", ndf)? }),
+                _ => Err(a.unknown_name("property of a node", ["mass", "disp"])),
+            }
+        }
+        "loadPattern" | "pattern" => {
+            let pattern = a.int("tag of the pattern")?;
+            if !model.patterns.contains_key(&pattern) {
+                return Err(a.refuse(format!("there is no load pattern {pattern}"), "expected the tag of a pattern"));
+            }
+            match a.word("property of the pattern")?.as_ref() {
+                "lambda" => Ok(Place::Factor { pattern }),
+                "loadAtNode" => {
+                    let (id, node) = node_tag(interp, a)?;
+                    let span = a.last_span();
+                    let dof = a.dof("degree of freedom", model.nodes[id.0].ndf)?;
+                    let loaded = model.patterns[&pattern].nodal_loads.iter().any(|l| l.node == id);
+                    if !loaded {
+                        let message = format!("load pattern {pattern} has no load on node {node}");
+                        return Err(a.refuse_at(span, message, "expected a node that the pattern loads"));
+                    }
+                    Ok(Place::Load { pattern, node, dof })
+                }
+                _ => Err(a.unknown_name("property of a load pattern", ["loadAtNode", "lambda"])),
+            }
+        }
+        word @ ("element" | "region" | "randomVariable") => {
+            let message = format!("parameters of the kind {word} are not supported yet");
+            Err(a.refuse(message, "expected node or loadPattern"))
+        }
+        _ => Err(a.unknown_name("thing with parameters", ["node", "loadPattern"])),
+    }
+}
+
+/// What stands at a place now.
+fn read(interp: &Tcl, place: &Place) -> Option<f64> {
+    let engine = &interp.host.engine;
+    let model = engine.model();
+    match place {
+        Place::Mass { node, dofs } => model.nodes[model.node(*node)?.0].mass.get(*dofs.first()?).copied(),
+        Place::Disp { node, dof } => {
+            let node = &model.nodes[model.node(*node)?.0];
+            engine.state().disp.get(node.offset + dof).copied()
+        }
+        Place::Factor { pattern } => Some(model.patterns.get(pattern)?.factor(engine.state().time)),
+        Place::Load { pattern, node, dof } => {
+            let id = model.node(*node)?;
+            // OpenSees takes the last load on the node.
+            let load = model.patterns.get(pattern)?.nodal_loads.iter().rev().find(|l| l.node == id)?;
+            load.values.get(*dof).copied()
+        }
+    }
+}
+
+/// Put a value in its place.
+fn write(interp: &mut Tcl, place: &Place, value: f64) {
+    interp.host.engine.change_model(|model| match place {
+        Place::Mass { node, dofs } => {
+            if let Some(id) = model.node(*node) {
+                let mass = &mut model.nodes[id.0].mass;
+                mass.iter_mut().enumerate().filter(|(d, _)| dofs.contains(d)).for_each(|(_, m)| *m = value);
+            }
+        }
+        Place::Load { pattern, node, dof } => {
+            let id = model.node(*node);
+            let loads = model.patterns.get_mut(pattern).map(|p| &mut p.nodal_loads);
+            let load = loads.and_then(|loads| loads.iter_mut().rev().find(|l| Some(l.node) == id));
+            if let Some(x) = load.and_then(|l| l.values.get_mut(*dof)) {
+                *x = value;
+            }
+        }
+        Place::Disp { .. } | Place::Factor { .. } => {}
+    });
+}
+
+fn parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, PARAMETER);
+    let tag = a.int("tag of the parameter")?;
+    if interp.host.numbers.contains_key(&tag) {
+        return Err(a.refuse(format!("there is a parameter {tag} already"), "expected a new tag"));
+    }
+    let mut new = Parameter::default();
+    if let Some(value) = a.optional_float("value")? {
+        new.value = value;
+    } else if a.left() > 0 {
+        let place = place(interp, &mut a)?;
+        new.value = read(interp, &place).unwrap_or(0.0);
+        new.places.push(place);
+    }
+    finish(interp, &a)?;
+    interp.host.numbers.insert(tag, new);
+    Ok(Value::from(i64::from(tag)))
+}
+
+/// Tag of a parameter that is there.
+fn known(interp: &Tcl, a: &mut Args<'_>) -> Result<Tag, Exception> {
+    let tag = a.int("tag of the parameter")?;
+    if interp.host.numbers.contains_key(&tag) {
+        return Ok(tag);
+    }
+    let tags: Vec<String> = interp.host.numbers.keys().map(ToString::to_string).collect();
+    let there = if tags.is_empty() { "none has been defined".to_owned() } else { tags.join(" ") };
+    Err(a.refuse(format!("there is no parameter {tag}"), format!("defined: {there}")))
+}
+
+fn add_to_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, ADD);
+    let tag = known(interp, &mut a)?;
+    let place = place(interp, &mut a)?;
+    finish(interp, &a)?;
+    let value = read(interp, &place);
+    if let Some(p) = interp.host.numbers.get_mut(&tag) {
+        p.places.push(place);
+        p.value = value.unwrap_or(p.value);
+    }
+    Ok(Value::from(i64::from(tag)))
+}
+
+fn update_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, UPDATE);
+    let tag = known(interp, &mut a)?;
+    let value = a.float("value")?;
+    let span = a.last_span();
+    finish(interp, &a)?;
+    let places = interp.host.numbers.get(&tag).map(|p| p.places.clone()).unwrap_or_default();
+    if value < 0.0 && places.iter().any(|p| matches!(p, Place::Mass { .. })) {
+        return Err(a.refuse_at(span, format!("the mass is {value}"), "expected a mass not less than 0"));
+    }
+    places.iter().for_each(|p| write(interp, p, value));
+    if let Some(p) = interp.host.numbers.get_mut(&tag) {
+        p.value = value;
+    }
+    Ok(Value::EMPTY)
+}
+
+fn value_of(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "getParamValue $tag");
+    let tag = known(interp, &mut a)?;
+    finish(interp, &a)?;
+    let Some(p) = interp.host.numbers.get(&tag) else { return Ok(Value::EMPTY) };
+    // Results are read anew; what a script has set is as it was set.
+    let result = p.places.iter().find(|p| matches!(p, Place::Disp { .. } | Place::Factor { .. }));
+    Ok(Value::from(result.and_then(|place| read(interp, place)).unwrap_or(p.value)))
+}
+
+fn tags(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
+    Ok(Value::list(interp.host.numbers.keys().map(|t| Value::from(i64::from(*t)))))
+}
+
+fn set_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, SET);
+    if !a.flag("-val") {
+        a.word("option -val")?;
+        return Err(a.refuse("setParameter begins with the value", "expected -val"));
+    }
+    let value = a.not_negative("value")?;
+    let option = a.word("option -node")?;
+    if option != "-node" && option != "-nodes" {
+        let message = format!("setParameter: {option} is not supported yet");
+        return Err(a.refuse(message, "expected -node"));
+    }
+    let mut nodes = vec![];
+    while a.at_number() {
+        nodes.push(node_tag(interp, &mut a)?);
+    }
+    if !matches!(a.word("property of the nodes")?.as_ref(), "mass" | "-mass") {
+        return Err(a.unknown_name("property of a node", ["mass"]));
+    }
+    let model = interp.host.engine.model();
+    let ndf = nodes.iter().map(|(id, _)| model.nodes[id.0].ndf).min().unwrap_or(0);
+    let dofs = mass_dofs(&mut a, ndf)?;
+    finish(interp, &a)?;
+    for (_, node) in nodes {
+        write(interp, &Place::Mass { node, dofs: dofs.clone() }, value);
+    }
+    Ok(Value::EMPTY)
+}

@@ -1,0 +1,65 @@
+//! `modalProperties` against OpenSees' report.
+
+use super::Place;
+use std::fs;
+
+/// A frame with lumped, consistent and nodal masses, some of them held.
+const FRAME: &str = "model BasicBuilder -ndm 2 -ndf 3\nnode 1 0 0\nnode 2 0 3\nnode 3 4 3\nnode 4 4 0\nfix 1 1 1 1\n\
+    fix 4 1 1 1\nmass 2 1 1 0.1\nmass 3 2 2 0\ngeomTransf Linear 1\n\
+    element elasticBeamColumn 1 1 2 0.1 2e4 0.01 1 -mass 0.1\n\
+    element elasticBeamColumn 2 2 3 0.1 2e4 0.01 1 -mass 0.2 -cMass\n\
+    element elasticBeamColumn 3 4 3 0.1 2e4 0.01 1\neigen -fullGenLapack 3\n";
+
+/// Run the frame and a command: what it puts out, and the report if it writes one.
+fn run(command: &str) -> (Option<i32>, String, String, String) {
+    let place = Place::new();
+    place.write("m.tcl", format!("{FRAME}{command}\n"));
+    let (code, out, err) = place.run(&["run", "--compat", "opensees", "m.tcl"]);
+    (code, out, err, fs::read_to_string(place.0.join("report")).unwrap_or_default())
+}
+
+#[test]
+fn values() {
+    let shown = "set d [modalProperties -return]\nforeach {key values} $d { puts \"$key $values\" }";
+    let (code, out, err, _) = run(shown);
+    assert_eq!(code, Some(0), "{err}");
+    // openseespy 3.7.1, `modalProperties('-return')`; the sign of a shape is anyone's.
+    for (key, expected) in [
+        ("totalMass", &[4.1, 4.1, 17.46531866840632][..]),
+        ("totalFreeMass", &[3.95, 3.95, 15.22930681133213]),
+        ("centerOfMass", &[2.4303797468354427, 3.0]),
+        ("partiFactorMX", &[1.9842298035548802, 0.05738155071865995, 0.06605739685895948]),
+        ("partiFactorRMZ", &[0.16246652932099673, 1.4948773286812682, 3.33981115333721]),
+        ("partiMassMY", &[0.0005700150340545004, 3.206228462685369, 0.6504387502336766]),
+        ("partiMassesCumuRMZ", &[0.02636887368850893, 2.3648740484458255, 12.788171436041287]),
+        ("partiMassRatiosMX", &[99.57506884832783, 0.08723177111288638, 0.1032302840726796]),
+        ("partiMassRatiosCumuMY", &[0.014430760355810136, 81.1847715878335, 97.6515753912177]),
+    ] {
+        let line = out.lines().find_map(|l| l.strip_prefix(key)?.strip_prefix(' ')).unwrap_or_default();
+        let values: Vec<f64> = line.split(' ').map(|x| x.parse().unwrap()).collect();
+        assert_eq!(values.len(), expected.len(), "{key}: {line}");
+        for (x, e) in values.iter().zip(expected) {
+            assert!((x.abs() - e).abs() < 1e-9 * e.max(1.0), "{key}: {x} for {e}");
+        }
+    }
+}
+
+#[test]
+fn report() {
+    let (code, _, err, text) = run("modalProperties -file report -unorm");
+    assert_eq!(code, Some(0), "{err}");
+    assert!(text.starts_with("# MODAL ANALYSIS REPORT\n\n* 1. DOMAIN SIZE:\n"), "{text}");
+    for lines in [
+        "#          MODE        LAMBDA         OMEGA     FREQUENCY        PERIOD\n\
+         # ------------- ------------- ------------- ------------- -------------\n              \
+         1       28.0387       5.29516      0.842751       1.18659\n",
+        "\n              2     0.0365443       1.11476      0.952036\n",
+        "\n* 10. MODAL PARTICIPATION MASS RATIOS (%) (cumulative):\n",
+    ] {
+        assert!(text.contains(lines), "{lines}\nis not in\n{text}");
+    }
+    assert!(text.ends_with("              3       99.7655       97.6516       83.9708\n\n\n"), "{text}");
+    let (code, _, err, text) = run("wipeAnalysis\nmodalProperties -print");
+    assert_eq!(code, Some(0), "{err}");
+    assert!(err.contains("MODAL ANALYSIS REPORT") && text.is_empty(), "{err}");
+}

@@ -1,0 +1,63 @@
+//! Files of recorders in OpenSees' forms.
+
+use super::{MODEL, Place};
+use std::fs;
+
+const HEAD: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n <OpenSees\n  xmlns:xsi = \
+    \"http://www.w3.org/2001/XMLSchema-instance\"\n  xsi:noNamespaceSchemaLocation = \
+    \"http://OpenSees.berkeley.edu/xml-schema/xmlns/OpenSees.xsd\">\n";
+
+/// Run the cantilever with recorders for two steps; content of a file.
+fn recorded(recorders: &str, file: &str) -> Vec<u8> {
+    let place = Place::new();
+    let analysis = "integrator LoadControl 1\nalgorithm Linear\nanalysis Static\nanalyze 2\n";
+    // Node 3 hangs on nothing.
+    let model = MODEL.replace("node 3 4 0\n", "");
+    place.write("m.tcl", format!("{model}{recorders}\n{analysis}"));
+    let (code, _, err) = place.run(&["run", "m.tcl"]);
+    assert_eq!(code, Some(0), "{err}");
+    fs::read(place.0.join(file)).unwrap()
+}
+
+#[test]
+fn xml() {
+    for (command, groups, rows) in [
+        (
+            "recorder Node -xml a -time -node 2 -dof 1 2 disp",
+            "    <TimeOutput>\n        <ResponseType>time</ResponseType>\n    </TimeOutput>\n    \
+             <NodeOutput nodeTag=\"2\" coord1=\"4\" coord2=\"0\" coord3=\"0\">\n        \
+             <ResponseType>D1</ResponseType>\n        <ResponseType>D2</ResponseType>\n    </NodeOutput>\n",
+            &["1 2e-07 0 ", "2 4e-07 0 "][..],
+        ),
+        (
+            "recorder EnvelopeNode -xml a -time -node 2 -dof 1 disp",
+            "    <NodeOutput nodeTag=\"2\">\n        <TimeOutput>\n            \
+             <ResponseType>time</ResponseType>\n        </TimeOutput>\n        \
+             <ResponseType>D1</ResponseType>\n    </NodeOutput>\n",
+            &["1 2e-07 ", "2 4e-07 ", "2 4e-07 "],
+        ),
+        (
+            "recorder Element -xml a -ele 1 basicForce",
+            "    <ElementOutput eleType=\"ElasticBeam2d\" eleTag=\"1\" node1=\"1\" node2=\"2\">\n        \
+             <ResponseType>N</ResponseType>\n        <ResponseType>M_1</ResponseType>\n        \
+             <ResponseType>M_2</ResponseType>\n    </ElementOutput>\n",
+            &["1 0 0 ", "2 0 0 "],
+        ),
+    ] {
+        let rows: String = rows.iter().map(|r| format!("        {r}\n")).collect();
+        let expected = format!("{HEAD}{groups}    <Data>\n{rows}        </Data>\n</OpenSees>\n");
+        assert_eq!(String::from_utf8(recorded(command, "a")).unwrap(), expected, "{command}");
+    }
+}
+
+#[test]
+fn binary() {
+    let bytes = recorded("recorder Node -binary a -time -node 2 -dof 1 2 disp", "a");
+    assert_eq!(bytes.len(), 2 * (3 * 8 + 1));
+    for (step, row) in bytes.chunks(25).enumerate() {
+        let numbers: Vec<f64> = row[..24].chunks(8).map(|b| f64::from_le_bytes(b.try_into().unwrap())).collect();
+        let time = (step + 1) as f64;
+        assert!((numbers[0] - time).abs() < 1e-15 && (numbers[1] - 2e-7 * time).abs() < 1e-20, "{numbers:?}");
+        assert_eq!(row[24], b'\n');
+    }
+}
