@@ -300,10 +300,14 @@ impl Engine {
 
     fn prepare_options(&self, handler: Handler) -> PrepareOptions {
         let compat = self.options.compat;
-        let first_only = compat && handler == Handler::Transformation;
+        let scope = match handler {
+            Handler::Transformation if compat => MpScope::FirstOfNode,
+            Handler::Plain if compat => MpScope::Identities,
+            _ => MpScope::All,
+        };
         PrepareOptions {
             handler,
-            scope: if first_only { MpScope::FirstOfNode } else { MpScope::All },
+            scope,
             homogeneous: compat && handler == Handler::Plain,
             compat,
             dense: self.options.dense,

@@ -41,6 +41,8 @@ pub enum MpScope {
     All,
     /// Only the first on each constrained node, as OpenSees' `Transformation` has it.
     FirstOfNode,
+    /// Only those that make displacements equal, as OpenSees' `Plain` has it.
+    Identities,
 }
 
 /// A degree of freedom whose displacement a load pattern (or a ground motion) imposes.
@@ -298,7 +300,8 @@ fn multi_point_rows(model: &Model, scope: MpScope) -> Vec<(usize, Vec<(usize, f6
     let mut rows = vec![];
     let mut seen = std::collections::BTreeSet::new();
     for mp in &model.multi_points {
-        if !seen.insert(mp.constrained) && scope == MpScope::FirstOfNode {
+        let again = !seen.insert(mp.constrained);
+        if scope == MpScope::FirstOfNode && again || scope == MpScope::Identities && !mp.is_identity() {
             continue;
         }
         let (c, r) = (model.nodes[mp.constrained.0].offset, model.nodes[mp.retained.0].offset);

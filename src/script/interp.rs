@@ -48,9 +48,6 @@ pub struct Interp<H> {
     pub on_error: Option<OnError<H>>,
 }
 
-/// What becomes of an error at the top level of the script.
-pub(crate) type OnError<H> = fn(&mut Interp<H>, Exception) -> Result<Value, Exception>;
-
 impl<H> Deref for Interp<H> {
     type Target = Core;
     fn deref(&self) -> &Core {
