@@ -60,10 +60,9 @@ fn list(values: &[f64]) -> Value {
     Value::list(values.iter().map(|x| Value::from(*x)))
 }
 
-/// All values of a node, or the one of a degree of freedom. As in OpenSees, 0 stands for all.
+/// All values of a node, or the one of a degree of freedom.
 fn pick(interp: &mut Tcl, a: &mut Args<'_>, values: &[f64], what: &str) -> Outcome {
-    if a.left() == 0 || a.flag("0") {
-        finish(interp, a)?;
+    if a.left() == 0 {
         return Ok(list(values));
     }
     // OpenSees gives all values for 0, which scripts with one degree of freedom at a node rely on.
