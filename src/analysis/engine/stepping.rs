@@ -1,0 +1,190 @@
+//! Steps of an analysis.
+
+use super::{Engine, Imbalance, Kind, Observer, Setup};
+use crate::analysis::algorithm::Iteration;
+use crate::analysis::failure::Cause;
+use crate::analysis::failure::Failure;
+use crate::analysis::integrator::Adaptive;
+use crate::analysis::prepared::TangentMix;
+use crate::analysis::system::Coefficients;
+use crate::analysis::system::System;
+use crate::solve::Use;
+
+impl Engine {
+    /// Make `steps` steps of length `dt` (which a static analysis takes from its integrator). What is committed stays
+    /// committed when a step fails.
+    ///
+    /// # Errors
+    /// Why a step failed.
+    pub fn analyze(&mut self, steps: usize, dt: f64, observer: &mut dyn Observer) -> Result<(), Failure> {
+        for _ in 0..steps {
+            if observer.interrupted() {
+                let cause = Cause::Interrupted;
+                return Err(Failure { cause, time: self.committed.time, place: None, code: -3 });
+            }
+            let done = match self.step(dt) {
+                Err(failure) if self.options.ladder.is_some() => self.climb(dt, failure, observer),
+                done => done,
+            };
+            if let Err(failure) = done {
+                self.failure = Some(failure.clone());
+                return Err(failure);
+            }
+            self.steps += 1;
+            if let Err(message) = observer.committed(self) {
+                let cause = Cause::Model(message);
+                return Err(Failure { cause, time: self.committed.time, place: None, code: -4 });
+            }
+        }
+        Ok(())
+    }
+
+    /// Steps of a length that follows the iterations of the last one, until the time that `steps` steps of `dt` take has
+    /// passed. A step that fails is made again with a shorter one, down to the smallest.
+    ///
+    /// # Errors
+    /// Why the smallest step failed.
+    pub fn analyze_variable(
+        &mut self,
+        steps: usize,
+        dt: f64,
+        lengths: Adaptive,
+        observer: &mut dyn Observer,
+    ) -> Result<(), Failure> {
+        let total = steps as f64 * dt;
+        let (mut gone, mut now) = (0.0, dt);
+        while gone < total {
+            let before = self.steps;
+            match self.analyze(1, now, observer) {
+                Ok(()) => gone += now,
+                Err(f) if self.steps > before || now <= lengths.min || f.cause == Cause::Interrupted => return Err(f),
+                Err(_) => self.failure = None,
+            }
+            let iterations = self.setup.as_ref().map_or(1, |s| s.test.iteration);
+            now = lengths.next(now, iterations);
+        }
+        Ok(())
+    }
+
+    /// Begin a step and form its equations, to find what is wrong with them, and let the prediction stand for `steps`
+    /// steps: what [`Engine::analyze`] would do to the time and to controlled displacements.
+    ///
+    /// # Errors
+    /// Why no step can be made.
+    pub fn rehearse(&mut self, steps: usize, dt: f64) -> Result<(), Failure> {
+        let handler = self.handler();
+        self.prepare(handler)?;
+        let (Some(setup), Some((_, _, work))) = (&mut self.setup, &mut self.prepared) else { return Ok(()) };
+        let mut system = System {
+            model: &self.model,
+            old: &self.committed,
+            new: &mut self.trial,
+            coefficients: Coefficients::default(),
+            dynamic: setup.kind == Kind::Transient,
+            elapses: setup.integrator.elapses(),
+            moved: false,
+            work,
+        };
+        if self.fresh {
+            setup.integrator.prepare(&mut system)?;
+            setup.algorithm.prepare(&system);
+            self.fresh = false;
+        }
+        setup.integrator.begin(&mut system, dt)?;
+        system.form_unbalance(true)?;
+        system.form_tangent(TangentMix::CURRENT, Use::Often)?;
+        system.work.loads.invalidate();
+        let n = steps as f64;
+        let old = &mut self.committed;
+        old.time += n * if setup.kind == Kind::Static { self.trial.time - old.time } else { dt };
+        for (u, trial) in old.disp.iter_mut().zip(&self.trial.disp) {
+            *u += n * (trial - *u);
+        }
+        self.trial.copy_from(&self.committed);
+        Ok(())
+    }
+
+    /// One step; commits it or leaves the committed state as it was.
+    pub(in crate::analysis) fn step(&mut self, dt: f64) -> Result<(), Failure> {
+        let Some(handler) = self.setup.as_ref().map(|s| s.handler) else {
+            let cause = Cause::Model("there is no analysis: the command \"analysis\" is missing".into());
+            return Err(Failure { cause, time: self.committed.time, place: None, code: -1 });
+        };
+        self.prepare(handler)?;
+        let (Some(setup), Some((_, _, work))) = (&mut self.setup, &mut self.prepared) else {
+            unreachable!("prepared above")
+        };
+        let mut system = System {
+            model: &self.model,
+            old: &self.committed,
+            new: &mut self.trial,
+            coefficients: Coefficients::default(),
+            dynamic: setup.kind == Kind::Transient,
+            elapses: setup.integrator.elapses(),
+            moved: false,
+            work,
+        };
+        let result = advance(&mut system, setup, self.fresh, dt);
+        match result {
+            Ok(iterations) => {
+                self.fresh = false;
+                self.iterations += iterations as u64;
+                if setup.integrator.balances() {
+                    note_imbalance(&system, &mut self.imbalance);
+                }
+                self.committed.copy_from(&self.trial);
+                Ok(())
+            }
+            Err(failure) => {
+                system.work.loads.invalidate();
+                self.trial.copy_from(&self.committed);
+                Err(failure)
+            }
+        }
+    }
+}
+
+/// Begin, solve and end a step.
+fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, dt: f64) -> Result<usize, Failure> {
+    if fresh {
+        setup.integrator.prepare(system)?;
+        setup.algorithm.prepare(system);
+        system.work.tangent_is_current = false;
+        if system.work.wants_committed_tangent() {
+            system.respond(true)?;
+            system.work.commit_tangent();
+        }
+    }
+    setup.integrator.begin(system, dt)?;
+    let mut iteration = Iteration { system, integrator: setup.integrator.as_mut(), test: &mut setup.test };
+    let iterations = setup.algorithm.solve(&mut iteration)?;
+    setup.integrator.commit(system, iterations).map_err(|f| Failure { code: -4, ..f })?;
+    if system.work.wants_committed_tangent() {
+        if !system.work.tangent_is_current {
+            system.respond(true)?;
+        }
+        system.work.commit_tangent();
+    }
+    Ok(iterations)
+}
+
+/// Remember a step that counted as converged though forces were left over.
+fn note_imbalance(system: &System<'_>, worst: &mut Option<Imbalance>) {
+    let largest = |v: &[f64]| v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    let unbalanced = largest(&system.work.b);
+    if unbalanced == 0.0 {
+        return;
+    }
+    let force = largest(&system.new.force).max(largest(&system.work.loads.nodal));
+    let ratio = unbalanced / force;
+    if ratio > Imbalance::LIMIT {
+        let steps = worst.as_ref().map_or(0, |w| w.steps) + 1;
+        match worst {
+            Some(w) if w.ratio >= ratio => w.steps = steps,
+            _ => {
+                let place = system.worst(&system.work.b).unwrap_or_default();
+                *worst = Some(Imbalance { time: system.new.time, ratio, place, steps });
+            }
+        }
+    }
+}
