@@ -55,6 +55,7 @@ pub mod diagnostic;
 pub mod element;
 pub mod io;
 pub mod material;
+pub mod measure;
 pub mod model;
 pub mod numeric;
 pub mod probe;

@@ -13,6 +13,7 @@ const LAYERS: &[&str] = &[
     "probe",
     "diagnostic",
     "io",
+    "measure",
     "series",
     "material",
     "element",
