@@ -7,7 +7,7 @@ mod script;
 
 use hysteron::analysis::{Engine, Observer, Quiet};
 use hysteron::io::number::Style;
-use hysteron::record::{Cadence, ElementResponse, NodeQuantity, NodeResponse, Recorder, Separator, TextFile};
+use hysteron::record::{Cadence, ElementResponse, Layout, NodeQuantity, NodeResponse, Recorder, RowFile, Separator};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
@@ -114,8 +114,9 @@ fn recorders_allocate_nothing() {
     let mut ran = script::run(&storey("Newton", "Newmark 0.5 0.25", "Transformation"));
     let dir = std::env::temp_dir().join(format!("hysteron-allocation-{}", std::process::id()));
     std::fs::create_dir_all(&dir).unwrap();
-    let file =
-        |name: &str| Box::new(TextFile::create(&dir.join(name), Style::default(), Separator::Space, false).unwrap());
+    let file = |name: &str| {
+        Box::new(RowFile::create(&dir.join(name), Layout::Text(Separator::Space), Style::default(), false).unwrap())
+    };
     let all = Cadence { time: true, ..Cadence::default() };
     let node = |q: &str| Box::new(NodeResponse::new(NodeQuantity::parse(q).unwrap(), None, vec![0, 1], vec![]));
     let element = |w: &str| Box::new(ElementResponse::new(Some(vec![1, 2]), vec![w.to_owned()], vec![]));

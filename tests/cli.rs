@@ -7,6 +7,8 @@
 mod checks;
 #[path = "cli/endings.rs"]
 mod endings;
+#[path = "cli/loops.rs"]
+mod loops;
 #[path = "cli/mistakes.rs"]
 mod mistakes;
 #[path = "cli/modal.rs"]

@@ -1,5 +1,6 @@
 //! Arguments.
 
+use super::loops::Loops;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 /// Structural analysis of buildings and bridges on seismic isolation.
@@ -38,8 +39,13 @@ pub(super) enum Command {
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
         args: Vec<String>,
     },
+    /// Measure the cycles in a file: secant stiffness, dissipated energy, equivalent damping
+    Loops(Loops),
     /// List the commands of OpenSees that scripts may use
-    Commands,
+    Commands {
+        /// The kinds that this command makes: element, uniaxialMaterial, timeSeries
+        command: Option<String>,
+    },
 }
 
 #[derive(Args, Debug)]

@@ -1,7 +1,7 @@
 //! Recorders' files.
 
 use hysteron::command::{FileFormat, Outputs};
-use hysteron::record::{BinaryFile, Layout, Memory, Output, RecordError, TextFile, XmlFile};
+use hysteron::record::{Memory, Output, RecordError, RowFile};
 use std::path::Path;
 
 /// Files of the system.
@@ -9,11 +9,7 @@ pub(super) struct SystemFiles;
 
 impl Outputs for SystemFiles {
     fn create(&mut self, _: &str, path: &Path, f: FileFormat) -> Result<Box<dyn Output>, RecordError> {
-        Ok(match f.layout {
-            Layout::Text(separator) => Box::new(TextFile::create(path, f.style, separator, f.close_on_write)?),
-            Layout::Xml => Box::new(XmlFile::create(path, f.style, f.close_on_write)?),
-            Layout::Binary => Box::new(BinaryFile::create(path, f.close_on_write)?),
-        })
+        Ok(Box::new(RowFile::create(path, f.layout, f.style, f.close_on_write)?))
     }
 }
 

@@ -3,6 +3,7 @@
 mod args;
 mod console;
 mod files;
+mod loops;
 mod messages;
 mod progress;
 mod run;

@@ -3,15 +3,17 @@
 use super::args::{Arguments, Command, Switches};
 use super::console::Terminal;
 use super::files::{NoFiles, SystemFiles};
+use super::loops::loops;
 use super::messages::Messages;
 use super::progress::Bar;
 use clap::Parser;
 use hysteron::analysis::{Ladder, Options};
 use hysteron::command::{self, Mode, Outputs, Tcl};
-use hysteron::diagnostic::{Diagnostic, Severity, Span};
+use hysteron::diagnostic::{Diagnostic, Severity, Span, nearest};
 use hysteron::run::{End, Run, Settings};
 use hysteron::script::{Files, OsFiles, OverlayFiles};
 use std::collections::BTreeMap;
+use std::io::Write as _;
 use std::sync::atomic::Ordering;
 
 /// Carry out the command line; the exit status.
@@ -19,10 +21,41 @@ pub(crate) fn main() -> i32 {
     match Arguments::parse().command {
         Command::Run { switches: run, ladder, model, args } => script(&run, Mode::Run, ladder, &model, &args),
         Command::Check { switches: run, model, args } => script(&run, Mode::Check, false, &model, &args),
-        Command::Commands => {
-            command::commands().for_each(|c| println!("{}", c.usage_line()));
+        Command::Loops(a) => print(loops(&a)),
+        Command::Commands { command } => print(usages(command.as_deref())),
+    }
+}
+
+/// Print what a sub-command has found out, or why it could not.
+fn print(result: Result<String, String>) -> i32 {
+    match result {
+        Ok(text) => {
+            // A reader that has gone away is no reason to complain.
+            let _ = std::io::stdout().write_all(text.as_bytes());
             0
         }
+        Err(message) => {
+            eprintln!("error: {message}");
+            2
+        }
+    }
+}
+
+/// How commands are used: all of them, or the kinds of one.
+fn usages(command: Option<&str>) -> Result<String, String> {
+    let Some(name) = command else {
+        return Ok(command::commands().map(|c| c.usage_line() + "\n").collect());
+    };
+    let kinds: String = command::kinds(name).iter().map(|k| format!("{k}\n")).collect();
+    if !kinds.is_empty() {
+        return Ok(kinds);
+    }
+    match command::commands().find(|c| c.name == name) {
+        Some(c) => Ok(c.usage_line() + "\n"),
+        None => Err(match nearest(name, command::commands().map(|c| c.name)) {
+            Some(near) => format!("there is no command \"{name}\": did you mean \"{near}\"?"),
+            None => format!("there is no command \"{name}\""),
+        }),
     }
 }
 

@@ -285,12 +285,18 @@ impl<'a> Args<'a> {
     pub(super) fn unknown_name(&self, what: &str, known: impl IntoIterator<Item = &'static str>) -> Exception {
         let word = self.call.arg(self.at - 1).as_str();
         let known: Vec<&str> = known.into_iter().collect();
-        let mut d =
-            Diagnostic::error(format!("unknown {what} \"{word}\"")).at(self.last_span(), "expected one of those below");
+        let name = self.call.name();
+        let listed = !super::kinds(&name).is_empty();
+        let message = format!("unknown {what} \"{word}\"");
+        let mut d = Diagnostic::error(message).at(self.last_span(), "not known");
         if let Some(near) = diagnostic::nearest(&word, known.iter().copied()) {
             d = d.help(format!("did you mean \"{near}\"?"));
         }
-        Exception::diagnosed(d.help(format!("known: {}", known.join(" "))))
+        Exception::diagnosed(d.help(if listed {
+            format!("\"hysteron commands {name}\" lists all that are known")
+        } else {
+            format!("known: {}", known.join(" "))
+        }))
     }
 
     /// A warning about the words that are left over, if any.

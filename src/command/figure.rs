@@ -2,6 +2,7 @@
 
 use super::args::Args;
 use super::{Command, Outcome, Tcl, read_text, warn};
+use crate::io::table::Table;
 use crate::report::{Curve, Figure, Mark};
 use crate::script::{Call, Exception, Value};
 use std::io::Write as _;
@@ -20,26 +21,9 @@ fn columns(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let name = a.word("name of the file")?.into_owned();
     let text =
         read_text(interp, &name).map_err(|e| a.refuse(format!("cannot read \"{name}\": {e}"), "expected a file"))?;
-    let mut columns: Vec<Vec<Value>> = vec![];
-    for (i, line) in text.lines().enumerate() {
-        let words: Vec<&str> =
-            line.split(|c: char| c.is_ascii_whitespace() || c == ',').filter(|w| !w.is_empty()).collect();
-        if columns.is_empty() {
-            columns.resize(words.len(), vec![]);
-        }
-        if words.len() != columns.len() {
-            let message = format!("\"{name}\" has {} columns, but {} in line {}", columns.len(), words.len(), i + 1);
-            return Err(a.refuse(message, "expected a table"));
-        }
-        for (column, word) in columns.iter_mut().zip(words) {
-            let Ok(x) = word.parse::<f64>() else {
-                let message = format!("line {} of \"{name}\": \"{word}\" is not a number", i + 1);
-                return Err(a.refuse(message, "expected a table of numbers"));
-            };
-            column.push(Value::from(x));
-        }
-    }
-    Ok(Value::list(columns.into_iter().map(Value::list)))
+    let table = Table::parse(&text).map_err(|e| a.refuse(format!("\"{name}\": {e}"), "expected a table of numbers"))?;
+    let column = |c: Vec<f64>| Value::list(c.into_iter().map(Value::from));
+    Ok(Value::list(table.columns.into_iter().map(column)))
 }
 
 fn numbers(a: &mut Args<'_>, what: &str) -> Result<Vec<f64>, Exception> {

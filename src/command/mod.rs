@@ -101,6 +101,16 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
     .flatten()
 }
 
+/// The kinds of thing that a command makes, each with its words; none where there is but one kind, or few.
+pub fn kinds(command: &str) -> Vec<&'static str> {
+    match command {
+        "element" => element::usages().collect(),
+        "uniaxialMaterial" => material::usages().collect(),
+        "timeSeries" => series::usages().collect(),
+        _ => vec![],
+    }
+}
+
 /// Make the commands known to an interpreter.
 pub fn install(interp: &mut Tcl) {
     let checks = interp.host.mode == Mode::Check;

@@ -90,15 +90,23 @@ impl Common {
                     let d = Diagnostic::error(format!("cannot write {path}: it is a folder"));
                     return Err(Exception::diagnosed(d.at(*span, "cannot write here")));
                 }
-                if interp.host.mode == Mode::Check {
-                    let folder = path.rsplit_once('/').map_or("/", |(f, _)| if f.is_empty() { "/" } else { f });
-                    if !is_folder(interp, folder) {
-                        let d = Diagnostic::error(format!("cannot write {path}: there is no such folder"));
-                        return Err(Exception::diagnosed(d.at(*span, "cannot write here")));
-                    }
+                let folder = path.rsplit_once('/').map_or("/", |(f, _)| if f.is_empty() { "/" } else { f });
+                let no_folder = |interp: &Tcl| {
+                    let named = name.rsplit_once('/').map_or(folder, |(f, _)| f);
+                    let d = Diagnostic::error(format!("cannot write {name}: there is no folder {named}"));
+                    let help = format!("make it before, with \"file mkdir {named}\"");
+                    (!is_folder(interp, folder)).then(|| d.at(*span, "cannot write here").help(help))
+                };
+                if interp.host.mode == Mode::Check
+                    && let Some(d) = no_folder(interp)
+                {
+                    return Err(Exception::diagnosed(d));
                 }
                 let made = interp.host.outputs.create(name, path.as_ref(), format);
-                made.map_err(|e| Exception::diagnosed(Diagnostic::error(e.to_string()).at(*span, "cannot write here")))?
+                made.map_err(|e| {
+                    let other = || Diagnostic::error(e.to_string()).at(*span, "cannot write here");
+                    Exception::diagnosed(no_folder(interp).unwrap_or_else(other))
+                })?
             }
             None => {
                 let d = Diagnostic::warning("recorder: there is no file, so nothing is kept");

@@ -42,6 +42,11 @@ const KINDS: &[Kind] = &[
     },
 ];
 
+/// How the kinds are used.
+pub(super) fn usages() -> impl Iterator<Item = &'static str> {
+    KINDS.iter().map(|k| k.usage)
+}
+
 fn time_series(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "timeSeries $kind $tag ...");
     let kind = kind(&mut a)?;

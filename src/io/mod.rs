@@ -1,4 +1,5 @@
-//! Reading and writing numbers and files of ground motions.
+//! Reading and writing numbers, tables, and files of ground motions.
 
 pub mod motion;
 pub mod number;
+pub mod table;

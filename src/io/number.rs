@@ -33,16 +33,22 @@ impl Write for Digits {
 }
 
 impl Style {
-    /// Append a number: like `%.{precision}g`, or `%.{precision}e` for scientific notation. Does not allocate beyond
-    /// the text itself.
+    /// Append a number: like `%.{precision}g`, or `%.{precision}e` for scientific notation.
     pub fn push(self, value: f64, out: &mut String) {
+        let mut bytes = vec![];
+        self.push_bytes(value, &mut bytes);
+        out.extend(bytes.iter().copied().map(char::from));
+    }
+
+    /// The same to bytes; does not allocate beyond the text itself.
+    pub fn push_bytes(self, value: f64, out: &mut Vec<u8>) {
         if !value.is_finite() {
-            out.push_str(if value.is_nan() {
-                "nan"
+            out.extend_from_slice(if value.is_nan() {
+                b"nan"
             } else if value > 0.0 {
-                "inf"
+                b"inf"
             } else {
-                "-inf"
+                b"-inf"
             });
             return;
         }
@@ -56,7 +62,7 @@ impl Style {
         let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
         let exponent: i32 = exponent.parse().unwrap_or(0);
         if self.scientific {
-            out.push_str(mantissa);
+            out.extend_from_slice(mantissa.as_bytes());
             push_exponent(exponent, out);
             return;
         }
@@ -65,39 +71,40 @@ impl Style {
         // Trailing zeros are not written.
         let kept = digits + 1 - mantissa.bytes().rev().filter(|b| *b != b'.').take_while(|b| *b == b'0').count();
         let kept = kept.max(1);
-        out.push_str(sign);
+        out.extend_from_slice(sign.as_bytes());
         if exponent < -4 || exponent > digits as i32 {
             for (i, d) in all.take(kept).enumerate() {
                 if i == 1 {
-                    out.push('.');
+                    out.push(b'.');
                 }
-                out.push(char::from(d));
+                out.push(d);
             }
             push_exponent(exponent, out);
         } else if exponent < 0 {
-            out.push_str("0.");
-            (1..-exponent).for_each(|_| out.push('0'));
-            all.take(kept).for_each(|d| out.push(char::from(d)));
+            out.extend_from_slice(b"0.");
+            (1..-exponent).for_each(|_| out.push(b'0'));
+            all.take(kept).for_each(|d| out.push(d));
         } else {
             let whole = exponent as usize + 1;
             for (i, d) in all.take(kept.max(whole)).enumerate() {
                 if i == whole {
-                    out.push('.');
+                    out.push(b'.');
                 }
-                out.push(char::from(d));
+                out.push(d);
             }
         }
     }
 }
 
 /// At least two digits, as in C.
-fn push_exponent(exponent: i32, out: &mut String) {
+fn push_exponent(exponent: i32, out: &mut Vec<u8>) {
     let size = exponent.unsigned_abs();
-    out.push_str(if exponent < 0 { "e-" } else { "e+" });
-    if size < 10 {
-        out.push('0');
+    out.extend_from_slice(if exponent < 0 { b"e-" } else { b"e+" });
+    let digit = |place: u32| b'0' + (size / place % 10) as u8;
+    if size >= 100 {
+        out.push(digit(100));
     }
-    let _ = write!(out, "{size}");
+    out.extend([digit(10), digit(1)]);
 }
 
 #[cfg(test)]

@@ -6,22 +6,23 @@ mod binary;
 mod drift;
 mod element;
 mod envelope;
+mod file;
 mod node;
 mod output;
 mod place;
+mod text;
 mod xml;
 
 use crate::analysis::Engine;
 use output::{TIME, TIME_OUTPUT};
 use std::fmt;
 
-pub use binary::BinaryFile;
 pub use drift::Drift;
 pub use element::ElementResponse;
 pub use envelope::Envelope;
+pub use file::RowFile;
 pub use node::{NodeQuantity, NodeResponse};
-pub use output::{Group, Layout, Memory, Output, Separator, TextFile};
-pub use xml::XmlFile;
+pub use output::{Group, Layout, Memory, Output, Separator};
 
 /// Why a recorder cannot go on.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,10 +1,7 @@
 //! Where rows go.
 
 use super::RecordError;
-use super::place::PlacedFile;
-use crate::io::number::Style;
 use std::fmt;
-use std::path::Path;
 use std::sync::{Arc, Mutex};
 
 /// Takes rows of numbers.
@@ -89,56 +86,6 @@ pub enum Separator {
     Space,
     /// A comma, as OpenSees' `-csv`.
     Comma,
-}
-
-/// A text file with a line a row.
-#[derive(Debug)]
-pub struct TextFile {
-    file: PlacedFile,
-    style: Style,
-    separator: char,
-    line: String,
-}
-
-impl TextFile {
-    /// Begin a file. With `close_on_write` every row goes to its place at once.
-    ///
-    /// # Errors
-    /// It cannot be made.
-    pub fn create(place: &Path, style: Style, separator: Separator, close_on_write: bool) -> Result<Self, RecordError> {
-        let separator = if separator == Separator::Space { ' ' } else { ',' };
-        Ok(Self { file: PlacedFile::create(place, close_on_write)?, style, separator, line: String::new() })
-    }
-}
-
-impl Output for TextFile {
-    fn row(&mut self, row: &[f64]) -> Result<(), RecordError> {
-        self.line.clear();
-        for (i, x) in row.iter().enumerate() {
-            if i > 0 {
-                self.line.push(self.separator);
-            }
-            self.style.push(*x, &mut self.line);
-        }
-        self.line.push('\n');
-        self.file.write_row(self.line.as_bytes())
-    }
-
-    fn restart(&mut self) -> Result<(), RecordError> {
-        self.file.restart()
-    }
-
-    fn wants_every_row(&self) -> bool {
-        self.file.at_once()
-    }
-
-    fn flush(&mut self) -> Result<(), RecordError> {
-        self.file.flush()
-    }
-
-    fn finish(&mut self) -> Result<(), RecordError> {
-        self.file.finish()
-    }
 }
 
 /// Rows kept in memory, shared with whoever reads them.

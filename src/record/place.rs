@@ -27,12 +27,12 @@ impl PlacedFile {
 
     /// Begin anew.
     pub(super) fn restart(&mut self) -> Result<(), RecordError> {
-        let file =
-            File::create(&self.part).map_err(|e| RecordError(format!("cannot write {}: {e}", self.part.display())))?;
+        let file = File::create(&self.part).map_err(|e| self.failed(&e))?;
         self.writer = Some(BufWriter::new(file));
         Ok(())
     }
 
+    /// Why it could not be written, under the name that it was to have.
     fn failed(&self, e: &std::io::Error) -> RecordError {
         RecordError(format!("cannot write {}: {e}", self.place.display()))
     }
@@ -71,12 +71,5 @@ impl PlacedFile {
             std::fs::rename(&self.part, &self.place).map_err(|e| self.failed(&e))?;
         }
         Ok(())
-    }
-}
-
-impl Drop for PlacedFile {
-    fn drop(&mut self) {
-        // A recorder that was dropped without an end leaves its rows all the same.
-        let _ = self.finish();
     }
 }

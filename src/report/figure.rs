@@ -60,6 +60,9 @@ const SIZE: (u32, u32) = (720, 480);
 /// A chart with equal scales is square.
 const SQUARE: (u32, u32) = (560, 560);
 
+/// Size of a chart on a sheet: small enough that the letters are readable where a sheet of two is as wide as a page.
+const ON_SHEET: (u32, u32) = (440, 350);
+
 /// Colours that are told apart by people who confuse red and green (Wong, 2011), and in grey.
 const COLOURS: [RGBColor; 6] = [
     RGBColor(0, 114, 178),
@@ -76,14 +79,7 @@ impl Figure {
     /// # Errors
     /// There is nothing to draw.
     pub fn svg(&self) -> Result<String, FigureError> {
-        let size = if self.equal { SQUARE } else { SIZE };
-        let mut text = String::new();
-        {
-            let area = SVGBackend::with_string(&mut text, size).into_drawing_area();
-            let drawn = self.draw(&area);
-            drawn.and_then(|()| area.present().map_err(|e| FigureError(e.to_string())))?;
-        }
-        Ok(text)
+        svg(if self.equal { SQUARE } else { SIZE }, |area| self.draw(area))
     }
 
     /// Least and greatest of a coordinate, with some room around.
@@ -134,9 +130,12 @@ impl Figure {
         x = self.x_range.unwrap_or(x);
         y = self.y_range.unwrap_or(y);
         if self.equal {
-            let half = 0.5 * (x.1 - x.0).max(y.1 - y.0);
-            let about = |r: (f64, f64)| (0.5 * (r.0 + r.1) - half, 0.5 * (r.0 + r.1) + half);
-            (x, y) = (about(x), about(y));
+            // Room for letters at the sides and above is not part of the chart.
+            let (width, height) = area.dim_in_pixel();
+            let scale = (f64::from(width) - 100.0).max(1.0) / (f64::from(height) - 100.0).max(1.0);
+            let half = 0.5 * ((x.1 - x.0) / scale).max(y.1 - y.0);
+            let about = |r: (f64, f64), half: f64| (0.5 * (r.0 + r.1) - half, 0.5 * (r.0 + r.1) + half);
+            (x, y) = (about(x, half * scale), about(y, half));
         }
         let failed = |e: &dyn fmt::Display| FigureError(e.to_string());
         area.fill(&WHITE).map_err(|e| failed(&e))?;
@@ -187,6 +186,31 @@ impl Figure {
         }
         Ok(())
     }
+}
+
+/// Charts side by side, row after row, as the text of an SVG file.
+///
+/// # Errors
+/// There is nothing to draw in one of them.
+pub fn sheet(charts: &[Figure], columns: usize) -> Result<String, FigureError> {
+    let columns = columns.clamp(1, charts.len().max(1));
+    let rows = charts.len().div_ceil(columns);
+    svg((ON_SHEET.0 * columns as u32, ON_SHEET.1 * rows as u32), |area| {
+        area.split_evenly((rows, columns)).iter().zip(charts).try_for_each(|(area, chart)| chart.draw(area))
+    })
+}
+
+/// What is drawn on an area of a size, as text.
+fn svg(
+    size: (u32, u32),
+    draw: impl FnOnce(&DrawingArea<SVGBackend<'_>, Shift>) -> Result<(), FigureError>,
+) -> Result<String, FigureError> {
+    let mut text = String::new();
+    {
+        let area = SVGBackend::with_string(&mut text, size).into_drawing_area();
+        draw(&area).and_then(|()| area.present().map_err(|e| FigureError(e.to_string())))?;
+    }
+    Ok(text)
 }
 
 /// A number on an axis with the digits that the range needs.

@@ -1,5 +1,9 @@
-//! Pictures of results.
+//! Tables and pictures of results.
 
 mod figure;
+mod loops;
+mod table;
 
-pub use figure::{Curve, Figure, FigureError, Mark};
+pub use figure::{Curve, Figure, FigureError, Mark, sheet};
+pub use loops::{Record, Units, cycle_charts, cycle_table, orbit_charts, orbit_table};
+pub use table::{Cell, Column, Table};

@@ -51,6 +51,21 @@ fn usages() {
     }
 }
 
+/// What a command makes, and where to look for it.
+#[test]
+fn kinds() {
+    let place = Place::new();
+    let (status, out, _) = place.run(&["commands", "element"]);
+    assert!(status == Some(0) && out.lines().all(|l| l.starts_with("element ")) && out.contains("zeroLength"), "{out}");
+    let (_, out, _) = place.run(&["commands", "nodeVel"]);
+    assert_eq!(out, "nodeVel $node <$dof>\n");
+    let (status, _, err) = place.run(&["commands", "nodeVell"]);
+    assert!(status == Some(2) && err.contains("did you mean \"nodeVel\"?"), "{err}");
+    place.write("m.tcl", "model basic -ndm 2 -ndf 3\nelement zeroLenght 1 1 2\n");
+    let (_, _, err) = place.run(&["run", "m.tcl"]);
+    assert!(err.contains("did you mean \"zeroLength\"?") && err.contains("\"hysteron commands element\""), "{err}");
+}
+
 /// The script sees what it has written; the disk does not.
 #[test]
 fn writes_nothing() {

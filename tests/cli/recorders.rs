@@ -61,3 +61,16 @@ fn binary() {
         assert_eq!(row[24], b'\n');
     }
 }
+
+/// A file in a folder that is not there: the message names the folder, not what the file is called until it is whole.
+#[test]
+fn missing_folder() {
+    let place = Place::new();
+    place.write("m.tcl", format!("{MODEL}recorder Node -file out/deep/d.txt -node 2 -dof 1 disp\n"));
+    for how in ["run", "check"] {
+        let (status, _, err) = place.run(&[how, "m.tcl"]);
+        assert_eq!(status, Some(2), "{err}");
+        assert!(err.contains("there is no folder out/deep") && err.contains("file mkdir out/deep"), "{err}");
+        assert!(!err.contains(".part"), "{err}");
+    }
+}

@@ -41,6 +41,11 @@ const KINDS: &[Kind] = &[
     zero_length::ZERO_LENGTH,
 ];
 
+/// How the kinds are used.
+pub(super) fn usages() -> impl Iterator<Item = &'static str> {
+    KINDS.iter().map(|k| k.usage)
+}
+
 /// The two nodes of an element.
 struct Ends {
     nodes: [NodeId; 2],

@@ -36,6 +36,11 @@ fn kinds() -> impl Iterator<Item = &'static Kind> {
     [elastic::KINDS, plastic::KINDS, hysteretic::KINDS, damper::KINDS, wrapper::KINDS].into_iter().flatten()
 }
 
+/// How the kinds are used.
+pub(super) fn usages() -> impl Iterator<Item = &'static str> {
+    kinds().map(|k| k.usage)
+}
+
 fn uniaxial_material(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "uniaxialMaterial $kind $tag ...");
     let name = a.word("kind of material")?;

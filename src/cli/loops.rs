@@ -1,0 +1,134 @@
+//! `hysteron loops`: measures of the cycles in any two columns of a file.
+
+use clap::{Args, ValueEnum};
+use hysteron::io::table::Table as Columns;
+use hysteron::measure::{Specimen, Split};
+use hysteron::report::{Figure, Record, Table, Units, cycle_charts, cycle_table, orbit_charts, orbit_table, sheet};
+use std::fs;
+
+/// Where the loops are, and what is wanted of them.
+#[derive(Args, Debug)]
+pub(super) struct Loops {
+    /// File of a recorder, or CSV with or without names
+    file: String,
+    /// Column of the displacement (or strain), by name or number from 1; two for an orbit
+    #[arg(long, short = 'u', value_name = "COLUMN", required = true, num_args = 1..=2)]
+    displacement: Vec<String>,
+    /// Column of the force (or stress); two for an orbit
+    #[arg(long, short = 'f', value_name = "COLUMN", required = true, num_args = 1..=2)]
+    force: Vec<String>,
+    /// Column of the time
+    #[arg(long, short = 't', value_name = "COLUMN")]
+    time: Option<String>,
+    /// Multiply displacements by this
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, allow_negative_numbers = true)]
+    displacement_factor: f64,
+    /// Multiply forces by this (-1 turns a reaction into the force of the device)
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, allow_negative_numbers = true)]
+    force_factor: f64,
+    /// Displacement about which the cycles go
+    #[arg(long, value_name = "U", default_value_t = 0.0, allow_negative_numbers = true)]
+    centre: f64,
+    /// Cycles smaller than this part of the largest one are noise
+    #[arg(long, value_name = "PART", default_value_t = Split::default().threshold)]
+    threshold: f64,
+    #[command(flatten)]
+    report: Report,
+}
+
+/// What is wanted of loops.
+#[derive(Args, Debug)]
+pub(super) struct Report {
+    /// Names of the units, for headings (for instance: kN mm)
+    #[arg(long, num_args = 2, value_names = ["FORCE", "LENGTH"])]
+    units: Option<Vec<String>>,
+    /// Area of the rubber: with the thickness, shear strain, modulus and loss are told too
+    #[arg(long, requires = "thickness")]
+    area: Option<f64>,
+    /// Thickness of all rubber layers together
+    #[arg(long)]
+    thickness: Option<f64>,
+    /// Form of the table on standard output
+    #[arg(long, value_enum, default_value_t = Form::Text)]
+    table: Form,
+    /// Draw loops, energy, stiffness and damping into this file
+    #[arg(long, value_name = "FILE")]
+    svg: Option<String>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Form {
+    /// Aligned columns
+    Text,
+    /// Comma-separated values
+    Csv,
+    /// An array of objects
+    Json,
+}
+
+impl Report {
+    fn units(&self) -> Units {
+        match self.units.as_deref() {
+            Some([force, length]) => Units { force: force.clone(), length: length.clone() },
+            _ => Units::default(),
+        }
+    }
+
+    fn specimen(&self) -> Result<Option<Specimen>, String> {
+        let positive = |what: &str, x: f64| {
+            if x > 0.0 && x.is_finite() { Ok(x) } else { Err(format!("the {what} is {x}: expected more than 0")) }
+        };
+        match (self.area, self.thickness) {
+            (Some(area), Some(thickness)) => {
+                Ok(Some(Specimen { area: positive("area", area)?, thickness: positive("thickness", thickness)? }))
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// Table and picture of one direction of motion, or of two.
+    pub(super) fn tell(&self, records: &[Record<'_>], split: &Split) -> Result<String, String> {
+        let (units, specimen) = (self.units(), self.specimen()?);
+        let (table, charts): (Table, Vec<Figure>) = match records {
+            [x, y] => {
+                let both = [*x, *y];
+                (orbit_table(&both, [split; 2], &units), orbit_charts(&both, &units))
+            }
+            [one, ..] => (cycle_table(one, split, specimen.as_ref(), &units), cycle_charts(one, split, &units)),
+            [] => return Err("there is nothing to measure".into()),
+        };
+        if let Some(file) = &self.svg {
+            let svg = sheet(&charts, 2).map_err(|e| e.to_string())?;
+            fs::write(file, svg).map_err(|e| format!("cannot write \"{file}\": {e}"))?;
+        }
+        Ok(match self.table {
+            Form::Text => table.text(),
+            Form::Csv => table.csv(),
+            Form::Json => table.json(),
+        })
+    }
+}
+
+/// Carry it out; the table.
+pub(super) fn loops(a: &Loops) -> Result<String, String> {
+    if a.displacement.len() != a.force.len() {
+        let (u, f) = (a.displacement.len(), a.force.len());
+        return Err(format!("there are {u} columns of displacements, but {f} of forces"));
+    }
+    let text = fs::read_to_string(&a.file).map_err(|e| format!("cannot read \"{}\": {e}", a.file))?;
+    let of_file = |e: String| format!("\"{}\": {e}", a.file);
+    let columns = Columns::parse(&text).map_err(of_file)?;
+    let column = |which: &String, factor: f64| {
+        let values: Vec<f64> = columns.column(which).map_err(of_file)?.iter().map(|x| factor * x).collect();
+        match values.iter().position(|x| !x.is_finite()) {
+            Some(at) => Err(of_file(format!("row {} of column \"{which}\" is not finite", at + 1))),
+            None => Ok(values),
+        }
+    };
+    let all = |which: &[String], factor: f64| which.iter().map(|w| column(w, factor)).collect::<Result<Vec<_>, _>>();
+    let (u, f) = (all(&a.displacement, a.displacement_factor)?, all(&a.force, a.force_factor)?);
+    let time = a.time.as_ref().map(|t| column(t, 1.0)).transpose()?;
+    let record = |i: usize| Record { time: time.as_deref(), u: &u[i], f: &f[i] };
+    let records: Vec<Record<'_>> = (0..u.len()).map(record).collect();
+    a.report.tell(&records, &Split { centre: a.centre, threshold: a.threshold })
+}
