@@ -3,6 +3,8 @@
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, clippy::new_without_default, unreachable_pub)]
 
+#[path = "cli/amend.rs"]
+mod amend;
 #[path = "cli/checks.rs"]
 mod checks;
 #[path = "cli/endings.rs"]

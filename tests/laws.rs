@@ -3,6 +3,8 @@
 
 #![allow(clippy::unwrap_used, unreachable_pub)]
 
+#[path = "laws/amendments.rs"]
+mod amendments;
 #[path = "laws/beams.rs"]
 mod beams;
 #[path = "laws/bearings.rs"]

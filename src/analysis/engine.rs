@@ -222,6 +222,11 @@ impl Engine {
         self.rearrange(|m| m.remove_element(id));
     }
 
+    /// Put another element around or in the place of one, between the same nodes.
+    pub fn replace_element(&mut self, id: ElementId, element: Arc<dyn Element>) {
+        self.rearrange(|m| m.replace_element(id, element));
+    }
+
     /// Remove a node.
     ///
     /// # Errors

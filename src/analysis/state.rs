@@ -69,7 +69,10 @@ impl State {
         }
         for e in &after.elements {
             if let Some(old) = before.element(e.tag).map(|id| &before.elements[id.0]) {
-                next.history[e.state.clone()].copy_from_slice(&self.history[old.state.clone()]);
+                // An element that another has been put around keeps its history: its words come first.
+                let n = e.state.len().min(old.state.len());
+                let from = &self.history[old.state.clone()];
+                next.history[e.state.clone()][..n].copy_from_slice(&from[..n]);
                 next.force[e.force.clone()].copy_from_slice(&self.force[old.force.clone()]);
                 next.element_load[e.load.clone()].copy_from_slice(&self.element_load[old.load.clone()]);
             }

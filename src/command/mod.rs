@@ -5,6 +5,7 @@
 //! and a line in the family's `COMMANDS`.
 
 mod algorithm;
+mod amend;
 mod analysis;
 mod args;
 mod check;
@@ -78,6 +79,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         section::COMMANDS,
         transform::COMMANDS,
         element::COMMANDS,
+        amend::COMMANDS,
         series::COMMANDS,
         motion_file::COMMANDS,
         load::COMMANDS,

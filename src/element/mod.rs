@@ -6,7 +6,9 @@
 //!
 //! A model with many elements of a kind calls [`Element::respond`] millions of times: it must not allocate.
 
+pub mod amendment;
 pub mod axes;
+mod basic_row;
 pub mod beam;
 pub mod bearing;
 mod corot_truss;
@@ -21,6 +23,7 @@ pub(crate) use crate::numeric::dot;
 use crate::probe::Probe;
 use std::fmt;
 
+pub use basic_row::BasicRow;
 pub use corot_truss::CorotTruss;
 pub use load::ElementLoad;
 pub use truss::{Truss, TrussOptions};
@@ -155,6 +158,12 @@ pub trait Element: fmt::Debug + Send + Sync {
     /// Add a load, multiplied by a factor, to the load words.
     fn add_load(&self, _load: &ElementLoad, _factor: f64, _words: &mut [f64]) -> Result<(), ElementError> {
         Err(ElementError(format!("{} takes no element loads", self.class())))
+    }
+
+    /// Its basic deformations, one row for each direction, where it is two nodes with linear kinematics; empty where
+    /// it cannot be amended.
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        vec![]
     }
 
     /// A response by the words of a recorder command; `None` where the element has none of that name.

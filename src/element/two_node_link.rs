@@ -1,6 +1,6 @@
 //! Springs between two nodes at a distance: `twoNodeLink`.
 
-use super::{Answer, Element, ElementError, Mass, Motion, Nature, Snapshot, add_outer, dot};
+use super::{Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Snapshot, add_outer, dot};
 use crate::material::{Material, Slot, Strain};
 use crate::probe::Probe;
 use nalgebra::Matrix3;
@@ -286,6 +286,18 @@ impl Element for TwoNodeLink {
             m[node..node + self.ndm].fill(0.5 * self.mass);
         }
         Mass::Lumped(m)
+    }
+
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        let mut rows: Vec<BasicRow> = vec![];
+        for (column, s) in self.springs.iter().enumerate() {
+            // The one rotation of the plane is about z.
+            let direction = if self.ndm == 2 && s.direction == 2 { 6 } else { s.direction + 1 };
+            if rows.iter().all(|r| r.direction != direction) {
+                rows.push(BasicRow::new(direction, column, &s.row, (self.ndm, self.per_node)));
+            }
+        }
+        rows
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {

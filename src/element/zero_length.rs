@@ -1,6 +1,6 @@
 //! Springs between two nodes at one place: `zeroLength`.
 
-use super::{Answer, Element, ElementError, Motion, Nature, Snapshot, add_outer, dot};
+use super::{Answer, BasicRow, Element, ElementError, Motion, Nature, Snapshot, add_outer, dot};
 use crate::material::{Material, Slot, Strain};
 use crate::probe::Probe;
 use nalgebra::Matrix3;
@@ -20,6 +20,7 @@ pub enum RayleighDamping {
 #[derive(Clone, Debug)]
 pub struct ZeroLength {
     springs: Vec<Spring>,
+    ndm: usize,
     dofs: usize,
     axes: Matrix3<f64>,
     /// Relative displacement of the nodes when the element was made: it measures from there.
@@ -88,6 +89,7 @@ impl ZeroLength {
         let elapses = made.iter().any(|s| s.slots().any(|slot| slot.material.depends_on_time()));
         Ok(Self {
             springs: made,
+            ndm,
             dofs: 2 * per_node,
             axes,
             initial,
@@ -195,6 +197,18 @@ impl Element for ZeroLength {
         for s in &self.springs {
             add_outer(tangent, &s.row, s.slot.material.initial_tangent());
         }
+    }
+
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        let per_node = self.initial.len();
+        let mut rows: Vec<BasicRow> = vec![];
+        for (column, s) in self.springs.iter().enumerate() {
+            if rows.iter().all(|r| r.direction != s.direction) {
+                let row = BasicRow::new(s.direction, column, &s.row, (self.ndm, per_node));
+                rows.push(row.from_initial(dot(&s.row[per_node..], &self.initial)));
+            }
+        }
+        rows
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {

@@ -178,13 +178,34 @@ impl Model {
         self.element_of.values().copied()
     }
 
-    /// Remove an element. The words of the others move: see [`Model::elements`] for where to.
-    pub fn remove_element(&mut self, id: ElementId) {
-        self.elements.remove(id.0);
+    /// Put another element in the place of one, between the same nodes. The words of the others move.
+    pub fn replace_element(&mut self, id: ElementId, element: Arc<dyn Element>) {
+        debug_assert_eq!(self.elements[id.0].dofs.len(), element.dofs());
+        self.elements[id.0].element = element;
+        self.place_elements();
+        self.touch();
+    }
+
+    /// Give all elements their words anew.
+    fn place_elements(&mut self) {
         (self.state_len, self.force_len, self.load_len) = (0, 0, 0);
         let mut elements = std::mem::take(&mut self.elements);
         elements.iter_mut().for_each(|e| self.place(e));
         self.elements = elements;
+    }
+
+    /// Join an end of an element to another node at the same place, with as many degrees of freedom.
+    pub fn rejoin_element(&mut self, id: ElementId, end: usize, node: NodeId) {
+        let entry = &mut self.elements[id.0];
+        entry.nodes[end] = node;
+        entry.dofs = entry.nodes.iter().flat_map(|&n| self.nodes[n.0].dofs()).map(|d| d as u32).collect();
+        self.touch();
+    }
+
+    /// Remove an element. The words of the others move: see [`Model::elements`] for where to.
+    pub fn remove_element(&mut self, id: ElementId) {
+        self.elements.remove(id.0);
+        self.place_elements();
         self.element_of = self.elements.iter().enumerate().map(|(i, e)| (e.tag, ElementId(i))).collect();
         for p in self.patterns.values_mut() {
             p.element_loads.retain(|(e, _)| *e != id);

@@ -2,7 +2,7 @@
 
 use super::link::Link;
 use super::shear::{Shear, ShearLaw};
-use crate::element::{Answer, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
+use crate::element::{Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
 use crate::material::{Material, Slot, Strain};
 use crate::probe::Probe;
 use crate::words::Words;
@@ -114,6 +114,12 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
 
     fn mass(&self) -> Mass {
         end_masses(self.mass, N / 2, S + 1)
+    }
+
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        let directions: &[usize] = if N == 6 { &[1, 2, 6] } else { &[1, 2, 3, 4, 5, 6] };
+        let rows = directions.iter().zip(&self.link.basic).enumerate();
+        rows.map(|(column, (d, row))| BasicRow::new(*d, column, row, (S + 1, N / 2))).collect()
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {

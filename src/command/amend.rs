@@ -1,0 +1,319 @@
+//! `amend`: physics added to elements that a script has made.
+
+use super::args::Args;
+use super::model::{need_model, node_of};
+use super::{Command, Outcome, Tcl, finish};
+use crate::element::amendment::{
+    Amended, Amendment, Axial, Cavitation, Coupling, Degradation, Heating, Mullins, Overstress, Pinching, Share,
+    Stiffening, Temperature, Yielding,
+};
+use crate::element::bearing::ShearParameters;
+use crate::model::ElementId;
+use crate::script::{Call, Exception, Value};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+pub(super) const COMMANDS: &[Command] = &[Command { name: "amend", usage: USAGE, run: amend }];
+
+const USAGE: &str = "amend element $tag <$tag ...> $kind -option $value ... <-dir $dir1 <$dir2>> <-share $k $elastic> | \
+                     amend element $tag node $old $new";
+
+/// What a number of an option must be.
+#[derive(Clone, Copy)]
+enum Range {
+    Any,
+    Positive,
+    NotNegative,
+    /// From 0 to below 1.
+    Ratio,
+}
+
+/// An option with one number.
+struct Opt {
+    name: &'static str,
+    what: &'static str,
+    range: Range,
+    /// Value where the script says nothing; `None` where it must.
+    default: Option<f64>,
+}
+
+const fn needed(name: &'static str, what: &'static str, range: Range) -> Opt {
+    Opt { name, what, range, default: None }
+}
+
+const fn optional(name: &'static str, what: &'static str, range: Range, default: f64) -> Opt {
+    Opt { name, what, range, default: Some(default) }
+}
+
+/// The numbers that a kind has been given.
+struct Numbers(BTreeMap<&'static str, f64>);
+
+impl Numbers {
+    fn get(&self, name: &str) -> f64 {
+        self.0.get(name).copied().unwrap_or(f64::NAN)
+    }
+}
+
+/// A kind of amendment: its options, and how it is made from their values, what the factor acts on, and the stiffness
+/// of the element.
+struct Kind {
+    name: &'static str,
+    options: &'static [Opt],
+    make: fn(&Numbers, Share, f64) -> Arc<dyn Amendment>,
+}
+
+use Range::{Any, NotNegative, Positive, Ratio};
+
+const KINDS: &[Kind] = &[
+    Kind {
+        name: "temperature",
+        options: &[
+            needed("-softening", "softening b per degree", Any),
+            needed("-at", "temperature T", Any),
+            needed("-reference", "temperature T0 that the parameters belong to", Any),
+        ],
+        make: |n, share, _| {
+            let (softening, at, reference) = (n.get("-softening"), n.get("-at"), n.get("-reference"));
+            Arc::new(Temperature { softening, at, reference, share })
+        },
+    },
+    Kind {
+        name: "heating",
+        options: &[
+            needed("-softening", "softening b per degree", Any),
+            needed("-capacity", "heat capacity C, work per degree", Positive),
+            optional("-cooling", "cooling time", Positive, f64::INFINITY),
+        ],
+        make: |n, share, _| {
+            let (softening, capacity, cooling) = (n.get("-softening"), n.get("-capacity"), n.get("-cooling"));
+            Arc::new(Heating { softening, capacity, cooling, share })
+        },
+    },
+    Kind {
+        name: "degradation",
+        options: &[
+            needed("-loss", "part of the force lost in the end", Any),
+            needed("-energy", "energy that brings 63 % of the loss", Positive),
+        ],
+        make: |n, share, _| Arc::new(Degradation { loss: n.get("-loss"), energy: n.get("-energy"), share }),
+    },
+    Kind {
+        name: "mullins",
+        options: &[
+            needed("-virgin", "excess of the virgin force", Any),
+            optional("-power", "exponent of the way back to the virgin path", Positive, 2.0),
+            needed("-onset", "deformation by which softening has begun", Positive),
+            optional("-healing", "time constant of healing", Positive, f64::INFINITY),
+        ],
+        make: |n, share, _| {
+            let (virgin, power) = (n.get("-virgin"), n.get("-power"));
+            Arc::new(Mullins { virgin, power, onset: n.get("-onset"), healing: n.get("-healing"), share })
+        },
+    },
+    Kind {
+        name: "stiffening",
+        options: &[
+            needed("-factor", "force at one unit of deformation beyond the onset", Any),
+            optional("-from", "deformation where it begins", NotNegative, 0.0),
+            optional("-power", "exponent", Positive, 2.0),
+        ],
+        make: |n, _, _| Arc::new(Stiffening { factor: n.get("-factor"), from: n.get("-from"), power: n.get("-power") }),
+    },
+    Kind {
+        name: "overstress",
+        options: &[
+            needed("-force", "overstress at the reference speed", Positive),
+            optional("-speed", "reference speed", Positive, 1.0),
+            optional("-power", "exponent n of the speed, above 0 and at most 1", Positive, 1.0),
+            needed("-stiffness", "stiffness of its spring", Positive),
+        ],
+        make: |n, _, _| {
+            let (force, speed) = (n.get("-force"), n.get("-speed"));
+            Arc::new(Overstress { force, speed, power: n.get("-power"), stiffness: n.get("-stiffness") })
+        },
+    },
+    Kind {
+        name: "axial",
+        options: &[
+            needed("-critical", "critical load at rest", Positive),
+            optional("-power", "exponent of the load over the critical one", Positive, 2.0),
+            optional("-width", "width of the plates", Positive, f64::INFINITY),
+            optional("-load", "compression, where the model does not carry it", Any, f64::NAN),
+            optional("-reference", "compression that the parameters belong to", NotNegative, 0.0),
+        ],
+        make: |n, share, _| {
+            let load = Some(n.get("-load")).filter(|p| !p.is_nan());
+            let (critical, power, width) = (n.get("-critical"), n.get("-power"), n.get("-width"));
+            Arc::new(Axial { critical, power, width, load, reference: n.get("-reference"), share })
+        },
+    },
+    Kind {
+        name: "coupling",
+        options: &[
+            needed("-stiffness", "initial stiffness", Positive),
+            needed("-strength", "characteristic strength", Positive),
+            needed("-alpha", "post-yield over initial stiffness", Ratio),
+            optional("-eta", "yielding exponent", Positive, 2.0),
+        ],
+        make: |n, _, _| {
+            let (k, alpha) = (n.get("-stiffness"), n.get("-alpha"));
+            let (k0, qd, k2, eta) = ((1.0 - alpha) * k, n.get("-strength"), alpha * k, n.get("-eta"));
+            Arc::new(Coupling { law: ShearParameters { k0, qd, k2, k3: 0.0, mu: 1.0, eta, beta: 0.5, gamma: 0.5 } })
+        },
+    },
+    Kind {
+        name: "pinching",
+        options: &[
+            needed("-depth", "part of the force that is missing at zero deformation", Any),
+            needed("-width", "width of the slack over the largest deformation", Positive),
+            optional("-onset", "deformation from which there is slack", NotNegative, 0.0),
+        ],
+        make: |n, share, _| {
+            Arc::new(Pinching { depth: n.get("-depth"), width: n.get("-width"), onset: n.get("-onset"), share })
+        },
+    },
+    Kind {
+        name: "yielding",
+        options: &[
+            needed("-force", "yield force", Positive),
+            optional("-hardening", "post-yield over elastic stiffness", Ratio, 0.0),
+        ],
+        make: |n, _, stiffness| {
+            Arc::new(Yielding { force: n.get("-force"), stiffness, hardening: n.get("-hardening") })
+        },
+    },
+    Kind {
+        name: "cavitation",
+        options: &[
+            needed("-strength", "cavitation strength", Positive),
+            needed("-extension", "extension at which it is reached", Positive),
+            optional("-damage", "part of the strength lost in the end", Ratio, 0.0),
+            optional("-rate", "rate of the loss", Positive, 1.0),
+        ],
+        make: |n, _, _| {
+            let (strength, extension) = (n.get("-strength"), n.get("-extension"));
+            Arc::new(Cavitation { strength, extension, damage: n.get("-damage"), rate: n.get("-rate") })
+        },
+    },
+];
+
+fn amend(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    need_model(interp, call)?;
+    let mut a = Args::new(call, USAGE);
+    if a.word("kind of thing to amend")? != "element" {
+        return Err(a.unknown_name("thing to amend", ["element"]));
+    }
+    let mut elements = vec![element_of(interp, &mut a)?];
+    while a.at_number() {
+        elements.push(element_of(interp, &mut a)?);
+    }
+    let name = a.word("kind of amendment")?;
+    if name == "node" {
+        return rejoin(interp, &mut a, &elements);
+    }
+    let Some(kind) = KINDS.iter().find(|k| k.name == name) else {
+        return Err(a.unknown_name("amendment", KINDS.iter().map(|k| k.name).chain(["node"])));
+    };
+    let words = Words::take(&mut a, kind)?;
+    finish(interp, &a)?;
+    for id in elements {
+        let inner = interp.host.engine.model().elements[id.0].element.clone();
+        // The stiffness that a law may need is that of the directions it will act in.
+        let probe: Arc<dyn Amendment> = (kind.make)(&words.numbers, words.share, 1.0);
+        let around = |law| Amended::new(inner.clone(), law, &words.directions).map_err(|e| a.refuse(e.0, ""));
+        let stiffness = around(probe)?.initial_stiffness()[0];
+        let made = around((kind.make)(&words.numbers, words.share, stiffness))?;
+        interp.host.engine.replace_element(id, Arc::new(made));
+    }
+    Ok(Value::EMPTY)
+}
+
+/// What stands behind the kind of an amendment.
+struct Words {
+    numbers: Numbers,
+    share: Share,
+    directions: Vec<usize>,
+}
+
+impl Words {
+    fn take(a: &mut Args<'_>, kind: &Kind) -> Result<Self, Exception> {
+        let mut numbers: BTreeMap<_, _> = kind.options.iter().filter_map(|o| Some((o.name, o.default?))).collect();
+        let (mut share, mut directions) = (Share::default(), vec![]);
+        while let Some(word) = a.option() {
+            match word.as_ref() {
+                "-dir" => {
+                    while a.at_number() {
+                        directions.push(a.dof("direction", 6)? + 1);
+                    }
+                }
+                "-share" => {
+                    let stiffness = a.not_negative("stiffness of the elastic part")?;
+                    share = Share { stiffness, elastic: a.float("measure in which it acts on the elastic part")? };
+                }
+                word => {
+                    let Some(o) = kind.options.iter().find(|o| o.name == word) else {
+                        let known = kind.options.iter().map(|o| o.name).chain(["-dir", "-share"]);
+                        return Err(a.unknown_name("option", known));
+                    };
+                    numbers.insert(o.name, number(a, o)?);
+                }
+            }
+        }
+        if let Some(o) = kind.options.iter().find(|o| !numbers.contains_key(o.name)) {
+            let message = format!("amend {}: {} $value is missing", kind.name, o.name);
+            return Err(a.refuse(message, format!("expected the {} as well", o.what)));
+        }
+        Ok(Self { numbers: Numbers(numbers), share, directions })
+    }
+}
+
+fn number(a: &mut Args<'_>, o: &Opt) -> Result<f64, Exception> {
+    match o.range {
+        Any => a.float(o.what),
+        Positive => a.positive(o.what),
+        NotNegative => a.not_negative(o.what),
+        Ratio => {
+            let x = a.not_negative(o.what)?;
+            if x < 1.0 { Ok(x) } else { Err(a.refuse(format!("{} is {x}", o.what), "expected 0 to below 1")) }
+        }
+    }
+}
+
+/// An element at rest, by its tag.
+fn element_of(interp: &Tcl, a: &mut Args<'_>) -> Result<ElementId, Exception> {
+    let tag = a.int("tag of the element")?;
+    let engine = &interp.host.engine;
+    let Some(id) = engine.model().element(tag) else {
+        return Err(a.refuse(format!("there is no element {tag}"), "expected the tag of an element"));
+    };
+    if engine.model().elements[id.0].dofs.iter().any(|d| engine.state().disp[*d as usize] != 0.0) {
+        let message = format!("element {tag} has been moved already");
+        return Err(a.refuse(message, "amend it before the first analysis"));
+    }
+    Ok(id)
+}
+
+/// `amend element $tag node $old $new`: an end of elements joined to another node at the same place, so that a hinge
+/// or a spring can be put between.
+fn rejoin(interp: &mut Tcl, a: &mut Args<'_>, elements: &[ElementId]) -> Outcome {
+    let old = node_of(interp, a, "tag of the node that it is joined to")?;
+    let new = node_of(interp, a, "tag of the node that it shall be joined to")?;
+    let model = interp.host.engine.model();
+    let (from, to) = (&model.nodes[old.0], &model.nodes[new.0]);
+    if from.ndf != to.ndf || from.place() != to.place() {
+        let message =
+            format!("node {} is not at the place of node {}, or has other degrees of freedom", to.tag, from.tag);
+        return Err(a.refuse(message, "expected a node that can stand for it"));
+    }
+    for id in elements {
+        let entry = &interp.host.engine.model().elements[id.0];
+        let Some(end) = entry.nodes.iter().position(|n| *n == old) else {
+            let message =
+                format!("element {} is not joined to node {}", entry.tag, interp.host.engine.model().nodes[old.0].tag);
+            return Err(a.refuse(message, "expected a node of the element"));
+        };
+        interp.host.engine.change_model(|m| m.rejoin_element(*id, end, new));
+    }
+    finish(interp, a)?;
+    Ok(Value::EMPTY)
+}

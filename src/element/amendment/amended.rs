@@ -1,0 +1,215 @@
+//! The element around an element.
+
+use super::{Amendment, Demand, Pair, Verdict};
+use crate::element::{
+    Answer, BasicRow, Element, ElementError, ElementLoad, MAX_DOFS, Mass, Motion, Nature, Snapshot, dot,
+};
+use crate::probe::Probe;
+use std::sync::Arc;
+
+/// An element whose force in one direction, or in two together, is amended.
+///
+/// With the rows a of its basic deformations e = a·u, the element's force in direction i is q_i = t_i·f, where t_i is
+/// the part of a_i at node j. The amended force is f + Σ a_i (q'_i - q_i), so that moments of a shear force follow it.
+#[derive(Clone, Debug)]
+pub struct Amended {
+    inner: Arc<dyn Element>,
+    law: Arc<dyn Amendment>,
+    rows: Vec<BasicRow>,
+    axial: Option<BasicRow>,
+    /// Words of the element's own history.
+    inner_len: usize,
+    /// Where the element finds its basic forces: those are to be amended when they are read.
+    basic_force: Option<Vec<u32>>,
+}
+
+/// Words before those of the law: committed deformation, and what was added to the force.
+const HEADER: usize = 4;
+/// Behind two directions.
+const AXIAL: usize = 2;
+
+/// Why a direction cannot be amended.
+fn no_direction(inner: &dyn Element, direction: usize, has: &[BasicRow]) -> ElementError {
+    let known: Vec<String> = has.iter().map(|r| r.direction.to_string()).collect();
+    let known = if known.is_empty() { "none that can be amended".into() } else { known.join(" ") };
+    ElementError(format!("{} has no direction {direction}; it has {known}", inner.class()))
+}
+
+impl Amended {
+    /// Around an element, in one or two of its directions; without any, in all directions of shear that it has.
+    ///
+    /// # Errors
+    /// A direction that the element does not have; more than two.
+    pub fn new(inner: Arc<dyn Element>, law: Arc<dyn Amendment>, directions: &[usize]) -> Result<Self, ElementError> {
+        let has = inner.basic_rows();
+        let find = |direction: usize| has.iter().find(|r| r.direction == direction);
+        let shear: Vec<usize>;
+        let chosen = if directions.is_empty() {
+            // Of a spring along its axis alone there is nothing else to amend.
+            shear = [2, 3].into_iter().filter(|d| find(*d).is_some()).collect();
+            if shear.is_empty() { &[1][..] } else { &shear }
+        } else {
+            directions
+        };
+        let rows = chosen
+            .iter()
+            .map(|d| find(*d).cloned().ok_or_else(|| no_direction(inner.as_ref(), *d, &has)))
+            .collect::<Result<Vec<_>, _>>()?;
+        if rows.len() > 2 {
+            return Err(ElementError("at most two directions are amended together".into()));
+        }
+        let axial = find(1).filter(|_| !chosen.contains(&1)).cloned();
+        let basic_force = inner.probe(&["basicForce"]).map(|p| p.path);
+        Ok(Self { law, rows, axial, inner_len: inner.state_len(), basic_force, inner })
+    }
+
+    /// Stiffness of the virgin element in each of its amended directions.
+    pub fn initial_stiffness(&self) -> Pair {
+        let n = self.inner.dofs();
+        let mut k = vec![0.0; n * n];
+        self.inner.initial_tangent(&mut k);
+        let mut out = [0.0; 2];
+        for (out, row) in out.iter_mut().zip(&self.rows) {
+            // A unit deformation of this direction by node j alone.
+            let unit = row.at_j();
+            *out = k.chunks_exact(n).zip(unit).map(|(k, t)| t * dot(k, unit)).sum();
+        }
+        out
+    }
+
+    fn demand(&self, disp: &[f64], force: &[f64], dt: f64, before: Pair) -> Demand {
+        let mut d = Demand { before, dt, ..Demand::default() };
+        for (i, row) in self.rows.iter().enumerate() {
+            d.e[i] = row.deformation(disp);
+            d.q[i] = row.force(force);
+        }
+        d.axial = self.axial.as_ref().map_or(0.0, |r| -r.force(force));
+        d
+    }
+
+    /// Change the tangent of the element into that of the amended force.
+    fn add_tangent(&self, v: &Verdict, tangent: &mut [f64]) {
+        let n = self.inner.dofs();
+        // Rows of the element's tangent that belong to q_1, q_2 and the axial force.
+        let mut by_u = [[0.0; MAX_DOFS]; 3];
+        for (row, out) in self.rows.iter().zip(&mut by_u) {
+            row.force_by_disp(tangent, &mut out[..n]);
+        }
+        if let Some(row) = &self.axial {
+            row.force_by_disp(tangent, &mut by_u[AXIAL][..n]);
+        }
+        for (i, row) in self.rows.iter().enumerate() {
+            let mut change = [0.0; MAX_DOFS];
+            for (c, change) in change[..n].iter_mut().enumerate() {
+                for j in 0..self.rows.len() {
+                    let unit = f64::from(u8::from(i == j));
+                    *change += (v.by_force[i][j] - unit) * by_u[j][c] + v.by_deformation[i][j] * self.rows[j].row[c];
+                }
+                *change -= v.by_axial[i] * by_u[AXIAL][c];
+            }
+            for (t, a) in tangent.chunks_exact_mut(n).zip(&row.row) {
+                t.iter_mut().zip(&change[..n]).for_each(|(t, c)| *t += a * c);
+            }
+        }
+    }
+
+    fn law_at(&self) -> usize {
+        self.inner_len + HEADER
+    }
+}
+
+impl Element for Amended {
+    fn class(&self) -> &'static str {
+        self.inner.class()
+    }
+    fn dofs(&self) -> usize {
+        self.inner.dofs()
+    }
+    fn state_len(&self) -> usize {
+        self.law_at() + self.law.state_len()
+    }
+    fn init(&self, state: &mut [f64]) {
+        self.inner.init(&mut state[..self.inner_len]);
+        state[self.inner_len..self.law_at()].fill(0.0);
+        self.law.init(&mut state[self.law_at()..]);
+    }
+    fn nature(&self) -> Nature {
+        let inner = self.inner.nature();
+        Nature { linear: false, symmetric: false, elapses: inner.elapses || self.law.depends_on_time(), ..inner }
+    }
+
+    fn respond(
+        &self,
+        motion: &Motion<'_>,
+        committed: &[f64],
+        trial: &mut [f64],
+        mut answer: Answer<'_>,
+    ) -> Result<(), ElementError> {
+        let own = Answer {
+            force: &mut *answer.force,
+            tangent: answer.tangent.as_deref_mut(),
+            damping: answer.damping.as_deref_mut(),
+        };
+        let (old, kept) = committed.split_at(self.inner_len);
+        let (new, next) = trial.split_at_mut(self.inner_len);
+        self.inner.respond(motion, old, new, own)?;
+        let demand = self.demand(motion.disp, answer.force, motion.dt, [kept[0], kept[1]]);
+        let v = self.law.amend(&kept[HEADER..], &demand, &mut next[HEADER..])?;
+        next[..2].copy_from_slice(&demand.e);
+        for (i, row) in self.rows.iter().enumerate() {
+            let added = v.q[i] - demand.q[i];
+            next[2 + i] = added;
+            answer.force.iter_mut().zip(&row.row).for_each(|(f, a)| *f += added * a);
+        }
+        if let Some(tangent) = answer.tangent {
+            self.add_tangent(&v, tangent);
+        }
+        Ok(())
+    }
+
+    fn initial_tangent(&self, tangent: &mut [f64]) {
+        self.inner.initial_tangent(tangent);
+        let mut next = vec![0.0; self.law.state_len()];
+        let mut virgin = next.clone();
+        self.law.init(&mut virgin);
+        if let Ok(v) = self.law.amend(&virgin, &Demand::default(), &mut next) {
+            self.add_tangent(&v, tangent);
+        }
+    }
+
+    fn mass(&self) -> Mass {
+        self.inner.mass()
+    }
+    fn ground_inertia_slip(&self) -> Option<f64> {
+        self.inner.ground_inertia_slip()
+    }
+    fn load_len(&self) -> usize {
+        self.inner.load_len()
+    }
+    fn add_load(&self, load: &ElementLoad, factor: f64, words: &mut [f64]) -> Result<(), ElementError> {
+        self.inner.add_load(load, factor, words)
+    }
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        self.inner.basic_rows()
+    }
+
+    // The same paths as the element's own, so that recorders made before the amendment go on.
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        self.inner.probe(words)
+    }
+    fn probe_names(&self) -> &'static [&'static str] {
+        self.inner.probe_names()
+    }
+    fn force_labels(&self) -> Vec<String> {
+        self.inner.force_labels()
+    }
+    fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
+        let (state, own) = s.state.split_at(self.inner_len);
+        self.inner.read(path, &Snapshot { state, ..*s }, out);
+        if self.basic_force.as_deref() == Some(path) {
+            for (i, row) in self.rows.iter().enumerate() {
+                out[row.column] += own[2 + i];
+            }
+        }
+    }
+}

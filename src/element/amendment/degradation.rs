@@ -1,0 +1,38 @@
+//! Strength lost with accumulated damage.
+
+use super::{AmendmentLaw, Demand, Share, Verdict};
+use crate::element::ElementError;
+
+/// s = 1 - loss (1 - exp(-E / E₀)) with the energy E that the hysteretic part has taken in, counted without sign as
+/// in the damage index of Park and Ang, J. Struct. Eng. 111 (1985).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Degradation {
+    /// Part of the force lost in the end.
+    pub loss: f64,
+    /// Energy E₀ that brings 63 % of it.
+    pub energy: f64,
+    /// What it acts on.
+    pub share: Share,
+}
+
+crate::words! {
+    /// History.
+    pub struct Damage {
+        /// Accumulated energy E.
+        energy: f64,
+    }
+}
+
+impl AmendmentLaw for Degradation {
+    type State = Damage;
+    const NAME: &'static str = "degradation";
+
+    fn amend(&self, committed: &Damage, d: &Demand) -> Result<(Verdict, Damage), ElementError> {
+        let work = self.share.work(d);
+        let energy = committed.energy + work.abs();
+        let left = (-energy / self.energy).exp();
+        let s = 1.0 - self.loss * (1.0 - left);
+        let slope = -self.loss * left / self.energy * work.signum();
+        Ok((self.share.scale_by_work(d, s, slope), Damage { energy }))
+    }
+}

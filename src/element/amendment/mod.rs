@@ -1,0 +1,145 @@
+//! Laws that change what an element answers: physics that its own law leaves out.
+//!
+//! An [`Amended`] element asks the element that it stands around, and hands force and deformation of one direction,
+//! or of two that act together, to an amendment. So softening, heating or pinching can be added to any spring or
+//! bearing of an existing script, whatever its law. An amendment is a pure function of its committed history, one
+//! file each; [`Share`] says which part of the force it concerns.
+
+mod amended;
+mod axial;
+mod cavitation;
+mod coupling;
+mod degradation;
+mod heating;
+mod mullins;
+mod overstress;
+mod pinching;
+mod share;
+mod stiffening;
+mod temperature;
+mod yielding;
+
+use super::ElementError;
+use crate::words::Words;
+use std::fmt;
+
+pub use amended::Amended;
+pub use axial::Axial;
+pub use cavitation::Cavitation;
+pub use coupling::Coupling;
+pub use degradation::Degradation;
+pub use heating::Heating;
+pub use mullins::Mullins;
+pub use overstress::Overstress;
+pub use pinching::Pinching;
+pub use share::Share;
+pub use stiffening::Stiffening;
+pub use temperature::Temperature;
+pub use yielding::Yielding;
+
+/// Two directions; the second is zero where only one is amended.
+pub type Pair = [f64; 2];
+
+/// What an amendment is given.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Demand {
+    /// Trial deformation.
+    pub e: Pair,
+    /// Committed deformation.
+    pub before: Pair,
+    /// Force of the element as it stands.
+    pub q: Pair,
+    /// Its axial force, compression positive.
+    pub axial: f64,
+    /// Domain time since the committed state.
+    pub dt: f64,
+}
+
+impl Demand {
+    /// |e|.
+    pub fn amplitude(&self) -> f64 {
+        self.e[0].hypot(self.e[1])
+    }
+
+    /// Increment of deformation over the step.
+    pub fn increment(&self) -> Pair {
+        [self.e[0] - self.before[0], self.e[1] - self.before[1]]
+    }
+
+    /// d|e|/de; zero at rest.
+    pub fn radial(&self) -> Pair {
+        let r = self.amplitude();
+        if r > 0.0 { self.e.map(|e| e / r) } else { [0.0; 2] }
+    }
+}
+
+/// What an amendment answers: the force, and its derivatives.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Verdict {
+    /// Amended force.
+    pub q: Pair,
+    /// d(amended force)/d(force of the element), by rows.
+    pub by_force: [Pair; 2],
+    /// d(amended force)/d(deformation) at constant force of the element.
+    pub by_deformation: [Pair; 2],
+    /// d(amended force)/d(axial force).
+    pub by_axial: Pair,
+}
+
+impl Verdict {
+    /// The force as it is.
+    pub fn unchanged(q: Pair) -> Self {
+        Self { q, by_force: [[1.0, 0.0], [0.0, 1.0]], ..Self::default() }
+    }
+}
+
+/// A law of amendment with a fixed number of history variables.
+pub trait AmendmentLaw: fmt::Debug + Send + Sync + 'static {
+    /// History; `default()` must be the virgin state.
+    type State: Words;
+
+    /// Name in the `amend` command.
+    const NAME: &'static str;
+
+    /// Amended force and next history.
+    fn amend(&self, committed: &Self::State, demand: &Demand) -> Result<(Verdict, Self::State), ElementError>;
+
+    /// Whether the force depends on the time that passes.
+    fn depends_on_time(&self) -> bool {
+        false
+    }
+}
+
+/// A law of amendment of any kind.
+pub trait Amendment: fmt::Debug + Send + Sync {
+    /// Name in the `amend` command.
+    fn name(&self) -> &'static str;
+    /// Number of words of history.
+    fn state_len(&self) -> usize;
+    /// Write the virgin state.
+    fn init(&self, state: &mut [f64]);
+    /// Amended force; writes every word of `next`.
+    fn amend(&self, committed: &[f64], demand: &Demand, next: &mut [f64]) -> Result<Verdict, ElementError>;
+    /// Whether the force depends on the time that passes.
+    fn depends_on_time(&self) -> bool;
+}
+
+impl<L: AmendmentLaw> Amendment for L {
+    fn name(&self) -> &'static str {
+        L::NAME
+    }
+    fn state_len(&self) -> usize {
+        L::State::LEN
+    }
+    fn init(&self, state: &mut [f64]) {
+        L::State::default().write(state);
+    }
+    fn amend(&self, committed: &[f64], demand: &Demand, next: &mut [f64]) -> Result<Verdict, ElementError> {
+        let (verdict, state) = AmendmentLaw::amend(self, &L::State::read(committed), demand)?;
+        state.write(next);
+        Ok(verdict)
+    }
+    fn depends_on_time(&self) -> bool {
+        AmendmentLaw::depends_on_time(self)
+    }
+}

@@ -1,0 +1,87 @@
+//! Viscous overstress: the force depends on how fast the device is strained.
+
+use super::{AmendmentLaw, Demand, Pair, Verdict};
+use crate::element::ElementError;
+
+/// A Maxwell element in parallel, with a dashpot that follows a power law: f' = k e' - k v₀ (|f| / F₀)^(1/n) f/|f|. At
+/// a steady speed v the overstress is F₀ (v / v₀)ⁿ. With n = 1 it is the Maxwell element; small n is the overstress of
+/// high damping rubber (Bhuiyan et al., Int. J. Solids Struct. 46 (2009)).
+///
+/// The rate is that of the deformation over domain time, in static analyses too. Where no time passes the dashpot
+/// does not move.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Overstress {
+    /// Overstress F₀ at the speed v₀.
+    pub force: f64,
+    /// Speed v₀.
+    pub speed: f64,
+    /// Exponent n, above 0 and at most 1.
+    pub power: f64,
+    /// Stiffness k of the spring.
+    pub stiffness: f64,
+}
+
+crate::words! {
+    /// History.
+    pub struct Over {
+        /// Overstress f.
+        force: [f64; 2],
+    }
+}
+
+impl Overstress {
+    /// The overstress after a step from its value with a locked dashpot, and its derivative: backward Euler,
+    /// x + k dt v₀ (x / F₀)^(1/n) = x_tr.
+    fn relax(&self, trial: f64, dt: f64) -> Result<(f64, f64), ElementError> {
+        if dt <= 0.0 || trial == 0.0 {
+            return Ok((trial, 1.0));
+        }
+        let p = 1.0 / self.power;
+        let c = self.stiffness * dt * self.speed;
+        // The root lies below both the trial value and what the dashpot alone would allow; the function is convex, so
+        // that Newton's method from the upper end falls monotonically.
+        let mut x = trial.min(self.force * (trial / c).powf(self.power));
+        for _ in 0..100 {
+            let flow = c * (x / self.force).powf(p);
+            let slope = 1.0 + p * flow / x;
+            let step = (x + flow - trial) / slope;
+            x -= step;
+            if step.abs() <= 1e-14 * trial {
+                let slope = 1.0 + p * c * (x / self.force).powf(p) / x;
+                return Ok((x, 1.0 / slope));
+            }
+        }
+        Err(ElementError("overstress: the step has no solution".into()))
+    }
+}
+
+impl AmendmentLaw for Overstress {
+    type State = Over;
+    const NAME: &'static str = "overstress";
+
+    fn amend(&self, committed: &Over, d: &Demand) -> Result<(Verdict, Over), ElementError> {
+        let de = d.increment();
+        let trial: Pair = std::array::from_fn(|i| committed.force[i] + self.stiffness * de[i]);
+        let size = trial[0].hypot(trial[1]);
+        let (left, slope) = self.relax(size, d.dt)?;
+        let mut v = Verdict::unchanged(d.q);
+        if size == 0.0 {
+            v.by_deformation = [[self.stiffness, 0.0], [0.0, self.stiffness]];
+            return Ok((v, Over { force: trial }));
+        }
+        let n = trial.map(|t| t / size);
+        let force = n.map(|n| left * n);
+        for i in 0..2 {
+            v.q[i] += force[i];
+            for j in 0..2 {
+                let unit = f64::from(u8::from(i == j));
+                v.by_deformation[i][j] = self.stiffness * (slope * n[i] * n[j] + left / size * (unit - n[i] * n[j]));
+            }
+        }
+        Ok((v, Over { force }))
+    }
+
+    fn depends_on_time(&self) -> bool {
+        true
+    }
+}

@@ -1,0 +1,67 @@
+//! Which part of a force a factor concerns.
+
+use super::{Demand, Pair, Verdict};
+
+/// Parts of a force: an elastic part, `stiffness` times the deformation, and the rest, the hysteretic part. A factor
+/// s acts on the hysteretic part, and in the measure `elastic` (0 not at all, 1 fully) on the elastic part as well:
+/// q' = s (q - k e) + (1 - elastic (1 - s)) k e.
+///
+/// Lead and filler lose strength while the network of the rubber keeps its stiffness, so one factor for all is often
+/// too coarse.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Share {
+    /// Stiffness k of the elastic part, force per deformation.
+    pub stiffness: f64,
+    /// Measure in which the factor acts on the elastic part.
+    pub elastic: f64,
+}
+
+impl Default for Share {
+    fn default() -> Self {
+        Self { stiffness: 0.0, elastic: 1.0 }
+    }
+}
+
+impl Share {
+    /// The force under a factor `s` with the derivative `ds` by the deformation and `ds_axial` by the axial force.
+    pub fn scale(&self, d: &Demand, s: f64, ds: Pair, ds_axial: f64) -> Verdict {
+        let k = self.stiffness * (1.0 - self.elastic) * (1.0 - s);
+        let mut v = Verdict::default();
+        for i in 0..2 {
+            // d q'/d s: what the factor acts on.
+            let concerned = d.q[i] - (1.0 - self.elastic) * self.stiffness * d.e[i];
+            v.q[i] = s * d.q[i] + k * d.e[i];
+            v.by_force[i][i] = s;
+            v.by_deformation[i] = ds.map(|ds| concerned * ds);
+            v.by_deformation[i][i] += k;
+            v.by_axial[i] = concerned * ds_axial;
+        }
+        v
+    }
+
+    /// Work of the hysteretic part over the step, by the trial force: what heats and damages.
+    pub fn work(&self, d: &Demand) -> f64 {
+        let de = d.increment();
+        (0..2).map(|i| (d.q[i] - self.stiffness * d.e[i]) * de[i]).sum()
+    }
+
+    /// d(work)/de at constant force.
+    pub fn work_by_deformation(&self, d: &Demand) -> Pair {
+        let de = d.increment();
+        std::array::from_fn(|i| d.q[i] - self.stiffness * (d.e[i] + de[i]))
+    }
+
+    /// The force under a factor that depends on the work of the step: s = s(w), with s'(w) = `ds_work`.
+    pub fn scale_by_work(&self, d: &Demand, s: f64, ds_work: f64) -> Verdict {
+        let by_e = self.work_by_deformation(d).map(|w| ds_work * w);
+        let mut v = self.scale(d, s, by_e, 0.0);
+        let de = d.increment();
+        for i in 0..2 {
+            let concerned = d.q[i] - (1.0 - self.elastic) * self.stiffness * d.e[i];
+            for j in 0..2 {
+                v.by_force[i][j] += concerned * ds_work * de[j];
+            }
+        }
+        v
+    }
+}

@@ -1,0 +1,45 @@
+//! Hardening at large deformation.
+
+use super::{AmendmentLaw, Demand, Pair, Verdict};
+use crate::element::ElementError;
+
+/// An elastic force in parallel: factor (|e| - from)ᵖ beyond the deformation `from`, along e. Filled rubber stiffens
+/// so when its chains come to their limit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stiffening {
+    /// Force at one unit of deformation beyond `from`.
+    pub factor: f64,
+    /// Deformation where it begins.
+    pub from: f64,
+    /// Exponent p, at least 1.
+    pub power: f64,
+}
+
+impl AmendmentLaw for Stiffening {
+    type State = ();
+    const NAME: &'static str = "stiffening";
+
+    fn amend(&self, (): &(), d: &Demand) -> Result<(Verdict, ()), ElementError> {
+        let r = d.amplitude();
+        let beyond = r - self.from;
+        let mut v = Verdict::unchanged(d.q);
+        if beyond > 0.0 {
+            let force = self.factor * beyond.powf(self.power);
+            let slope = self.factor * self.power * beyond.powf(self.power - 1.0);
+            v = add_radial(v, d.radial(), force, slope, r);
+        }
+        Ok((v, ()))
+    }
+}
+
+/// Add a force along the deformation with the slope d(force)/d|e|.
+fn add_radial(mut v: Verdict, n: Pair, force: f64, slope: f64, r: f64) -> Verdict {
+    for i in 0..2 {
+        v.q[i] += force * n[i];
+        for j in 0..2 {
+            let unit = f64::from(u8::from(i == j));
+            v.by_deformation[i][j] += slope * n[i] * n[j] + force / r * (unit - n[i] * n[j]);
+        }
+    }
+    v
+}

@@ -1,0 +1,56 @@
+//! A member taken as elastic yields.
+
+use super::{AmendmentLaw, Demand, Pair, Verdict};
+use crate::element::ElementError;
+
+/// Plastic deformation e_p beside the elastic one, with kinematic hardening: q' = q - k e_p, |q' - H e_p| ≤ F_y, with
+/// H = b k / (1 - b) so that b is the post-yield stiffness over the elastic one. The return is radial and exact for
+/// the step (Simo and Hughes, Computational Inelasticity, 1998, section 1.4).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Yielding {
+    /// Yield force F_y.
+    pub force: f64,
+    /// Elastic stiffness k of the element in this direction.
+    pub stiffness: f64,
+    /// Hardening ratio b, 0 to below 1.
+    pub hardening: f64,
+}
+
+crate::words! {
+    /// History.
+    pub struct Plastic {
+        /// Plastic deformation e_p.
+        deformation: [f64; 2],
+    }
+}
+
+impl AmendmentLaw for Yielding {
+    type State = Plastic;
+    const NAME: &'static str = "yielding";
+
+    fn amend(&self, committed: &Plastic, d: &Demand) -> Result<(Verdict, Plastic), ElementError> {
+        let k = self.stiffness;
+        let h = self.hardening / (1.0 - self.hardening) * k;
+        let ep = committed.deformation;
+        let relative: Pair = std::array::from_fn(|i| d.q[i] - (k + h) * ep[i]);
+        let size = relative[0].hypot(relative[1]);
+        let beyond = size - self.force;
+        if beyond <= 0.0 {
+            let mut v = Verdict::unchanged(d.q);
+            v.q = std::array::from_fn(|i| d.q[i] - k * ep[i]);
+            return Ok((v, *committed));
+        }
+        let n = relative.map(|x| x / size);
+        let flow = beyond / (k + h);
+        let deformation: Pair = std::array::from_fn(|i| ep[i] + flow * n[i]);
+        let mut v = Verdict { q: std::array::from_fn(|i| d.q[i] - k * deformation[i]), ..Verdict::default() };
+        for i in 0..2 {
+            for j in 0..2 {
+                let unit = f64::from(u8::from(i == j));
+                let turned = flow / size * (unit - n[i] * n[j]);
+                v.by_force[i][j] = unit - k * (n[i] * n[j] / (k + h) + turned);
+            }
+        }
+        Ok((v, Plastic { deformation }))
+    }
+}

@@ -1,0 +1,62 @@
+//! `amend`: physics added to the elements of a script.
+
+use super::run;
+
+/// A spring that is pulled to 0.02 and back, with its force put out at both ends of the way.
+fn pulled(amendment: &str) -> (Option<i32>, String, String) {
+    run(&format!(
+        "model basic -ndm 1 -ndf 1\nnode 1 0\nnode 2 0\nfix 1 1\nuniaxialMaterial Elastic 1 1000.\n\
+         element zeroLength 1 1 2 -mat 1 -dir 1\ntimeSeries Path 1 -dt 1. -values {{0 0.01 0.02 0.01 0}} -useLast\n\
+         pattern Plain 1 1 {{ sp 2 1 1. }}\nrecorder Element -file f.out -ele 1 force\n{amendment}\n\
+         constraints Transformation\ntest NormDispIncr 1e-10 20\nalgorithm Newton\nintegrator LoadControl 1.\n\
+         analysis Static\nforeach i {{1 2 3}} {{ analyze 1; puts -nonewline \"[format %.6g [eleForce 1 2]] \" }}\n\
+         puts [format %.6g [lindex [eleResponse 1 basicForce] 0]]\n"
+    ))
+}
+
+#[test]
+fn the_force_is_amended_and_so_is_what_recorders_show() {
+    let (code, out, err) = pulled("amend element 1 yielding -force 15.");
+    assert_eq!((code, out.as_str()), (Some(0), "10 15 5 5\n"), "{err}");
+    let (code, out, err) = pulled("amend element 1 temperature -softening 0.01 -at 0 -reference 0 -share 500 0");
+    assert_eq!((code, out.as_str()), (Some(0), "10 20 10 10\n"), "{err}");
+    // One around the other: the second sees the force of the first.
+    let (code, out, err) = pulled("amend element 1 yielding -force 15.\namend element 1 stiffening -factor 1e4");
+    assert_eq!((code, out.as_str()), (Some(0), "11 19 6 6\n"), "{err}");
+}
+
+#[test]
+fn a_hinge_is_put_at_the_foot_of_a_column() {
+    let (code, out, err) = run("model basic -ndm 2 -ndf 3\nnode 1 0 0\nnode 2 0 3\nnode 101 0 0\nfix 1 1 1 1\n\
+         geomTransf Linear 1\nelement elasticBeamColumn 1 1 2 1. 1e4 0.1 1\n\
+         amend element 1 node 1 101\nequalDOF 1 101 1 2\nuniaxialMaterial Elastic 1 900.\n\
+         element zeroLength 2 1 101 -mat 1 -dir 6\ntimeSeries Linear 1\npattern Plain 1 1 { load 2 1. 0 0 }\n\
+         constraints Transformation\nalgorithm Linear\nintegrator LoadControl 1.\nanalysis Static\nanalyze 1\n\
+         puts [format %.10g [nodeDisp 2 1]]\n");
+    // h³/(3EI) + h²/k
+    assert_eq!((code, out.as_str()), (Some(0), "0.019\n"), "{err}");
+}
+
+#[test]
+fn mistakes_are_told() {
+    for (command, message) in [
+        ("amend element 2 yielding -force 1", "there is no element 2"),
+        ("amend element 1 yeilding -force 1", "did you mean \"yielding\"?"),
+        ("amend element 1 yielding -hardening 0.1", "-force $value is missing"),
+        ("amend element 1 yielding -force -1", "yield force is -1"),
+        ("amend element 1 yielding -force 1 -hardening 1", "expected 0 to below 1"),
+        ("amend element 1 yielding -forse 1", "did you mean \"-force\"?"),
+        ("amend element 1 yielding -force 1 -dir 2", "has no direction 2; it has 1"),
+        ("amend node 1 yielding", "unknown thing to amend"),
+        ("amend element 1 node 2 1", "not at the place"),
+    ] {
+        let command = command.replace("node 2 1", "node 2 77");
+        let (code, _, err) = pulled(&format!("node 77 1.\n{command}"));
+        assert!(code == Some(2) && err.contains(message), "{command}: {err}");
+    }
+    let (code, _, err) = pulled(
+        "constraints Transformation\nintegrator LoadControl 1.\nanalysis Static\nanalyze 1\n\
+         amend element 1 yielding -force 1.",
+    );
+    assert!(code == Some(2) && err.contains("amend it before the first analysis"), "{err}");
+}

@@ -1,0 +1,184 @@
+//! Amendments around a bearing: tangents, and what each of them is for.
+
+use super::driver::{Alone, difference, path};
+use hysteron::element::amendment::{
+    Amended, Amendment, Axial, Cavitation, Coupling, Degradation, Heating, Mullins, Overstress, Pinching, Share,
+    Stiffening, Temperature, Yielding,
+};
+use hysteron::element::axes::Orientation;
+use hysteron::element::bearing::{Link, PlaneBearing, ShearParameters, SpaceBearing};
+use hysteron::element::{Answer, Element, ElementError, Motion};
+use hysteron::material::{Elastic, Material};
+use nalgebra::Vector3;
+use std::sync::Arc;
+
+fn shear() -> ShearParameters {
+    let k = 8000.0;
+    ShearParameters { k0: 0.88 * k, qd: 40.0, k2: 0.12 * k, k3: 0.0, mu: 3.0, eta: 2.0, beta: 0.5, gamma: 0.5 }
+}
+
+fn elastic(e: f64) -> (Material, i32) {
+    (Arc::new(Elastic::new(e)), 1)
+}
+
+fn plane() -> impl Element + 'static {
+    let (axes, length) = Orientation::default().of_link(Vector3::zeros(), Vector3::new(0.05, 0.3, 0.0), true).unwrap();
+    PlaneBearing::new(shear(), Link::new(&axes, length, 0.3), [elastic(1e5), elastic(6000.0)], 0.0, false)
+}
+
+fn space() -> impl Element + 'static {
+    let line = Vector3::new(0.02, -0.05, 0.3);
+    let (axes, length) = Orientation::default().of_link(Vector3::zeros(), line, false).unwrap();
+    let materials = [elastic(1e5), elastic(900.0), elastic(6000.0), elastic(5000.0)];
+    SpaceBearing::new(shear(), Link::new(&axes, length, 0.3), materials, 0.0, false)
+}
+
+const PART: Share = Share { stiffness: 960.0, elastic: 0.3 };
+
+fn laws() -> Vec<Arc<dyn Amendment>> {
+    let share = PART;
+    vec![
+        Arc::new(Temperature { softening: 0.01, at: -10.0, reference: 20.0, share }),
+        Arc::new(Heating { softening: 0.01, capacity: 0.2, cooling: 3.0, share }),
+        Arc::new(Degradation { loss: 0.5, energy: 2.0, share }),
+        Arc::new(Mullins { virgin: 0.4, power: 2.0, onset: 0.01, healing: 50.0, share }),
+        Arc::new(Stiffening { factor: 2e4, from: 0.01, power: 2.0 }),
+        Arc::new(Overstress { force: 30.0, speed: 0.5, power: 0.3, stiffness: 5000.0 }),
+        Arc::new(Axial { critical: 400.0, power: 2.0, width: 0.2, load: None, reference: 0.0, share }),
+        Arc::new(Coupling { law: shear() }),
+        Arc::new(Pinching { depth: 0.6, width: 0.4, onset: 0.0, share }),
+        Arc::new(Yielding { force: 30.0, stiffness: 8000.0, hardening: 0.05 }),
+    ]
+}
+
+fn motion(n: usize, seed: u64, steps: usize) -> Vec<Vec<f64>> {
+    let per_node = n / 2;
+    let size = |i: usize| match (n, i % per_node) {
+        (6, 0) | (12, 0 | 1) => 0.06,
+        (_, k) if k + 1 == per_node || (n == 12 && k >= 3) => 0.01,
+        _ => 0.002,
+    };
+    let walks: Vec<Vec<f64>> = (0..n).map(|i| path(seed + i as u64, steps, size(i))).collect();
+    (0..steps).map(|k| walks.iter().map(|w| w[k]).collect()).collect()
+}
+
+#[test]
+fn tangent_is_the_derivative_of_the_force() {
+    for law in laws() {
+        let around = |inner: Arc<dyn Element>| Alone::new(Amended::new(inner, law.clone(), &[]).unwrap());
+        for mut e in [around(Arc::new(plane())), around(Arc::new(space()))] {
+            let n = e.element.dofs();
+            let (mut tested, steps) = (0, motion(n, 31, 120));
+            for (k, u) in steps.iter().enumerate() {
+                let (_, tangent) = e.trial(u, &vec![0.0; n]);
+                let (near, far) = (e.difference(u, 1e-8), e.difference(u, 4e-8));
+                if difference(&near, &far) < 1e-5 {
+                    tested += 1;
+                    let error = difference(&tangent, &near);
+                    assert!(error < 2e-5, "{}, {n} degrees of freedom, step {k}: {error:.1e}", law.name());
+                }
+                e.trial(u, &vec![0.0; n]);
+                e.commit();
+            }
+            assert!(tested > 80, "{}: only {tested} states away from kinks", law.name());
+        }
+    }
+}
+
+/// Shear force of a bearing in the plane along a history of its upper node.
+fn force(law: Arc<dyn Amendment>, history: impl Iterator<Item = f64>) -> Vec<f64> {
+    let (axes, length) = Orientation::default().of_link(Vector3::zeros(), Vector3::new(0.0, 0.3, 0.0), true).unwrap();
+    let inner = PlaneBearing::new(shear(), Link::new(&axes, length, 0.5), [elastic(1e5), elastic(6e3)], 0.0, false);
+    let mut e = Alone::new(Amended::new(Arc::new(inner), law, &[]).unwrap());
+    history
+        .map(|u| {
+            let f = e.force(&[0.0, 0.0, 0.0, u, 0.0, 0.0]);
+            e.commit();
+            f[3]
+        })
+        .collect()
+}
+
+fn cycles(amplitude: f64, n: usize) -> impl Iterator<Item = f64> {
+    (0..100 * n).map(move |i| amplitude * (std::f64::consts::TAU * i as f64 / 100.0).sin())
+}
+
+fn peak(f: &[f64], cycle: usize) -> f64 {
+    f[100 * cycle..100 * (cycle + 1)].iter().fold(0.0, |m: f64, x| m.max(*x))
+}
+
+#[test]
+fn each_does_what_it_is_for() {
+    let all = Share::default();
+    let plain = force(Arc::new(Temperature { softening: 0.01, at: 0.0, reference: 0.0, share: all }), cycles(0.05, 3));
+
+    let cold = force(Arc::new(Temperature { softening: 0.01, at: -30.0, reference: 0.0, share: all }), cycles(0.05, 3));
+    assert!(cold.iter().zip(&plain).all(|(c, p)| (c - 0.3f64.exp() * p).abs() < 1e-9));
+
+    let warm = force(
+        Arc::new(Heating { softening: 0.01, capacity: 0.5, cooling: f64::INFINITY, share: all }),
+        cycles(0.05, 3),
+    );
+    assert!(peak(&warm, 0) > peak(&warm, 1) && peak(&warm, 1) > peak(&warm, 2));
+
+    let virgin = force(
+        Arc::new(Mullins { virgin: 0.3, power: 2.0, onset: 1e-6, healing: f64::INFINITY, share: all }),
+        cycles(0.05, 2).map(|u| u.abs().max(0.0)),
+    );
+    // Halfway up: on the first way stiffer than on the second.
+    assert!((virgin[8] / plain[8] - 1.3).abs() < 1e-9);
+    assert!(virgin[108] < 1.15 * plain[108]);
+
+    let fast = force(
+        Arc::new(Overstress { force: 10.0, speed: 1.0, power: 0.25, stiffness: 1e5 }),
+        (0..200).map(|i| 0.01 * 0.1 * i as f64),
+    );
+    let slow = force(
+        Arc::new(Overstress { force: 10.0, speed: 1.0, power: 0.25, stiffness: 1e5 }),
+        (0..2000).map(|i| 0.01 * 0.01 * i as f64),
+    );
+    // A steady speed v gives the overstress F (v / v0)^n.
+    let steady = 10.0 * (0.1f64.powf(0.25) - 0.01f64.powf(0.25));
+    assert!((fast[199] - slow[1990] - steady).abs() < 1e-6, "{} {steady}", fast[199] - slow[1990]);
+
+    let yields = force(Arc::new(Yielding { force: 20.0, stiffness: 8000.0, hardening: 0.0 }), cycles(0.05, 1));
+    assert!((peak(&yields, 0) - 20.0).abs() < 1e-9);
+}
+
+#[test]
+fn cavitation_lowers_the_next_pull() {
+    let law = Cavitation { strength: 50.0, extension: 0.0005, damage: 0.7, rate: 1.0 };
+    let mut e = Alone::new(Amended::new(Arc::new(plane()), Arc::new(law), &[1]).unwrap());
+    let (axes, _) = Orientation::default().of_link(Vector3::zeros(), Vector3::new(0.05, 0.3, 0.0), true).unwrap();
+    let mut pull = |u: f64| {
+        let f = e.force(&[0.0, 0.0, 0.0, u * axes[(0, 0)], u * axes[(0, 1)], 0.0]);
+        e.commit();
+        f[3] * axes[(0, 0)] + f[4] * axes[(0, 1)]
+    };
+    let first = (1..=30).map(|i| pull(1e-4 * f64::from(i))).fold(0.0, f64::max);
+    assert!((first - 50.0).abs() < 1e-9);
+    assert!(pull(-1e-4) < 0.0);
+    let second = (1..=25).map(|i| pull(1e-4 * f64::from(i))).fold(0.0, f64::max);
+    assert!(second < 20.0, "{second}");
+}
+
+#[test]
+fn a_direction_that_is_not_there_is_refused() {
+    let law = Stiffening { factor: 1.0, from: 0.0, power: 2.0 };
+    let refused = Amended::new(Arc::new(plane()), Arc::new(law), &[3]).err();
+    let ElementError(message) = refused.expect("the plane has no third direction");
+    assert!(message.contains("no direction 3"), "{message}");
+}
+
+#[test]
+fn time_that_does_not_pass_does_not_relax() {
+    let law = Overstress { force: 10.0, speed: 1.0, power: 0.25, stiffness: 1e3 };
+    let element = Amended::new(Arc::new(plane()), Arc::new(law), &[]).unwrap();
+    let mut state = vec![0.0; element.state_len()];
+    element.init(&mut state);
+    let mut next = state.clone();
+    let (mut force, disp) = (vec![0.0; 6], [0.0, 0.0, 0.0, 0.02, 0.0, 0.0]);
+    let motion = Motion { disp: &disp, vel: &[0.0; 6], load: &[], dt: 0.0 };
+    element.respond(&motion, &state, &mut next, Answer { force: &mut force, tangent: None, damping: None }).unwrap();
+    assert!(force.iter().all(|f| f.is_finite()));
+}
