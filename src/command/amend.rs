@@ -4,8 +4,8 @@ use super::args::Args;
 use super::model::{need_model, node_of};
 use super::{Command, Outcome, Tcl, finish};
 use crate::element::amendment::{
-    Amended, Amendment, Axial, Cavitation, Coupling, Degradation, Heating, Mullins, Overstress, Pinching, Share,
-    Stiffening, Temperature, Yielding,
+    Amended, Amendment, Axial, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Mullins, Overstress,
+    Pinching, Share, Sides, Stiffening, Temperature, Yielding,
 };
 use crate::element::bearing::ShearParameters;
 use crate::model::ElementId;
@@ -171,6 +171,44 @@ const KINDS: &[Kind] = &[
         make: |n, share, _| {
             Arc::new(Pinching { depth: n.get("-depth"), width: n.get("-width"), onset: n.get("-onset"), share })
         },
+    },
+    Kind {
+        name: "friction",
+        options: &[
+            needed("-force", "friction force", NotNegative),
+            needed("-stiffness", "stiffness before it slips", Positive),
+        ],
+        make: |n, _, _| Arc::new(Friction { force: n.get("-force"), stiffness: n.get("-stiffness") }),
+    },
+    Kind {
+        name: "gap",
+        options: &[
+            needed("-at", "deformation at which contact begins", NotNegative),
+            needed("-stiffness", "contact stiffness", Positive),
+            optional("-power", "exponent of the penetration", Positive, 1.0),
+            optional("-damping", "damping, time per length", NotNegative, 0.0),
+            optional("-side", "side of the wall: 1, -1, or 0 for both", Any, 0.0),
+        ],
+        make: |n, _, _| {
+            let side = n.get("-side");
+            let sides = if side > 0.0 {
+                Sides::Positive
+            } else if side < 0.0 {
+                Sides::Negative
+            } else {
+                Sides::Both
+            };
+            let (at, stiffness, power) = (n.get("-at"), n.get("-stiffness"), n.get("-power"));
+            Arc::new(Gap { at, stiffness, power, damping: n.get("-damping"), sides })
+        },
+    },
+    Kind {
+        name: "damping",
+        options: &[
+            needed("-coefficient", "damping coefficient", NotNegative),
+            optional("-power", "exponent of the rate", Positive, 1.0),
+        ],
+        make: |n, _, _| Arc::new(Damping { coefficient: n.get("-coefficient"), power: n.get("-power") }),
     },
     Kind {
         name: "yielding",

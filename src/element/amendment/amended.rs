@@ -101,9 +101,9 @@ impl Amended {
         for (i, row) in self.rows.iter().enumerate() {
             let mut change = [0.0; MAX_DOFS];
             for (c, change) in change[..n].iter_mut().enumerate() {
-                for j in 0..self.rows.len() {
+                for (j, (other, by_u)) in self.rows.iter().zip(&by_u).enumerate() {
                     let unit = f64::from(u8::from(i == j));
-                    *change += (v.by_force[i][j] - unit) * by_u[j][c] + v.by_deformation[i][j] * self.rows[j].row[c];
+                    *change += (v.by_force[i][j] - unit) * by_u[c] + v.by_deformation[i][j] * other.row[c];
                 }
                 *change -= v.by_axial[i] * by_u[AXIAL][c];
             }

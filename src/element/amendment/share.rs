@@ -58,8 +58,8 @@ impl Share {
         let de = d.increment();
         for i in 0..2 {
             let concerned = d.q[i] - (1.0 - self.elastic) * self.stiffness * d.e[i];
-            for j in 0..2 {
-                v.by_force[i][j] += concerned * ds_work * de[j];
+            for (by, de) in v.by_force[i].iter_mut().zip(de) {
+                *by += concerned * ds_work * de;
             }
         }
         v

@@ -1,0 +1,48 @@
+//! Coulomb friction in parallel: a slider, a guide, a rig.
+
+use super::{AmendmentLaw, Demand, Pair, Verdict};
+use crate::element::ElementError;
+
+/// An elastic-plastic force of the size F along the motion, f = k (e - e_s) within |f| ≤ F: the regularised Coulomb law,
+/// isotropic in two directions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Friction {
+    /// Friction force F.
+    pub force: f64,
+    /// Stiffness k before it slips.
+    pub stiffness: f64,
+}
+
+crate::words! {
+    /// History.
+    pub struct Grip {
+        /// Friction force f.
+        force: [f64; 2],
+    }
+}
+
+impl AmendmentLaw for Friction {
+    type State = Grip;
+    const NAME: &'static str = "friction";
+
+    fn amend(&self, committed: &Grip, d: &Demand) -> Result<(Verdict, Grip), ElementError> {
+        let de = d.increment();
+        let trial: Pair = std::array::from_fn(|i| committed.force[i] + self.stiffness * de[i]);
+        let size = trial[0].hypot(trial[1]);
+        let slips = size > self.force;
+        let force = if slips { trial.map(|t| self.force * t / size) } else { trial };
+        let mut v = Verdict::unchanged(d.q);
+        for i in 0..2 {
+            v.q[i] += force[i];
+            for j in 0..2 {
+                let unit = f64::from(u8::from(i == j));
+                v.by_deformation[i][j] = if slips {
+                    self.stiffness * self.force / size * (unit - trial[i] * trial[j] / (size * size))
+                } else {
+                    self.stiffness * unit
+                };
+            }
+        }
+        Ok((v, Grip { force }))
+    }
+}

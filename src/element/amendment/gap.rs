@@ -1,0 +1,79 @@
+//! Closing of a gap: pounding, a moat wall, a stopper.
+
+use super::{AmendmentLaw, Demand, Verdict};
+use crate::element::ElementError;
+
+/// Contact beyond the deformation `at`, in each direction on its own: f = k d^p (1 + c ḋ) with the penetration d and
+/// its rate over domain time, never pulling: the law of Hunt and Crossley, J. Appl. Mech. 42 (1975), with p = 1.5 for
+/// Hertz' contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gap {
+    /// Deformation at which contact begins, on either side.
+    pub at: f64,
+    /// Contact stiffness k, force per penetration to the power p.
+    pub stiffness: f64,
+    /// Exponent p, at least 1.
+    pub power: f64,
+    /// Damping c, time per length.
+    pub damping: f64,
+    /// Sides that have a wall.
+    pub sides: Sides,
+}
+
+/// Where the walls are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sides {
+    /// On both.
+    Both,
+    /// Where the deformation is positive.
+    Positive,
+    /// Where it is negative.
+    Negative,
+}
+
+impl Gap {
+    /// Contact force against a wall on the positive side, and its derivative.
+    fn contact(&self, e: f64, before: f64, dt: f64) -> (f64, f64) {
+        let d = e - self.at;
+        if d <= 0.0 {
+            return (0.0, 0.0);
+        }
+        let elastic = self.stiffness * d.powf(self.power);
+        let slope = self.stiffness * self.power * d.powf(self.power - 1.0);
+        if dt <= 0.0 {
+            return (elastic, slope);
+        }
+        let damped = 1.0 + self.damping * (e - before.max(self.at)) / dt;
+        if damped <= 0.0 {
+            return (0.0, 0.0);
+        }
+        (elastic * damped, slope * damped + elastic * self.damping / dt)
+    }
+}
+
+impl AmendmentLaw for Gap {
+    type State = ();
+    const NAME: &'static str = "gap";
+
+    fn amend(&self, (): &(), d: &Demand) -> Result<(Verdict, ()), ElementError> {
+        let mut v = Verdict::unchanged(d.q);
+        for i in 0..2 {
+            let mut add = |sign: f64| {
+                let (force, slope) = self.contact(sign * d.e[i], sign * d.before[i], d.dt);
+                v.q[i] += sign * force;
+                v.by_deformation[i][i] += slope;
+            };
+            if self.sides != Sides::Negative {
+                add(1.0);
+            }
+            if self.sides != Sides::Positive {
+                add(-1.0);
+            }
+        }
+        Ok((v, ()))
+    }
+
+    fn depends_on_time(&self) -> bool {
+        self.damping > 0.0
+    }
+}
