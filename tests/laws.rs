@@ -19,6 +19,8 @@ mod frame_materials;
 mod links;
 #[path = "laws/materials.rs"]
 mod materials;
+#[path = "laws/sliders.rs"]
+mod sliders;
 #[path = "laws/springs.rs"]
 mod springs;
 #[path = "laws/timoshenko.rs"]

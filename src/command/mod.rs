@@ -14,6 +14,7 @@ mod damping;
 mod display;
 mod element;
 mod figure;
+mod friction;
 mod ground_motion;
 mod integrator;
 mod load;
@@ -76,6 +77,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         model::COMMANDS,
         constraint::COMMANDS,
         material::COMMANDS,
+        friction::COMMANDS,
         section::COMMANDS,
         transform::COMMANDS,
         element::COMMANDS,

@@ -12,6 +12,7 @@ mod basic_row;
 pub mod beam;
 pub mod bearing;
 mod corot_truss;
+pub mod friction;
 pub mod load;
 pub mod transform;
 mod truss;

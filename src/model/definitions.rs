@@ -2,6 +2,7 @@
 
 use super::Tag;
 use crate::element::beam::ElasticSection;
+use crate::element::friction::Friction;
 use crate::element::transform::TransformSpec;
 use crate::material::Material;
 use crate::series::Series;
@@ -49,6 +50,8 @@ impl<T> Registry<T> {
 pub struct Definitions {
     /// `uniaxialMaterial`.
     pub materials: Registry<Material>,
+    /// `frictionModel`.
+    pub frictions: Registry<Friction>,
     /// `timeSeries`.
     pub series: Registry<Series>,
     /// `section Elastic`.
@@ -61,6 +64,7 @@ impl Default for Definitions {
     fn default() -> Self {
         Self {
             materials: Registry::new("uniaxial material"),
+            frictions: Registry::new("friction model"),
             series: Registry::new("time series"),
             sections: Registry::new("section"),
             transforms: Registry::new("geometric transformation"),

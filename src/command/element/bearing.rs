@@ -26,22 +26,52 @@ pub(super) const PLASTICITY: Kind = Kind {
     make: make_plastic,
 };
 
+/// Where a bearing stands.
+pub(super) struct Placement {
+    pub(super) orientation: Orientation,
+    /// Place of `-orient`.
+    pub(super) orient_span: Option<Span>,
+    nodes: Option<Span>,
+}
+
+impl Placement {
+    /// Along the line between its nodes.
+    pub(super) fn at_nodes(nodes: Option<Span>) -> Self {
+        Self { orientation: Orientation::default(), orient_span: None, nodes }
+    }
+
+    /// Kinematics and length.
+    pub(super) fn link<const N: usize, const B: usize>(
+        &self,
+        a: &Args<'_>,
+        ends: &Ends,
+        shear_dist: f64,
+    ) -> Result<(Link<N, B>, f64), Exception> {
+        let made = self.orientation.of_link(ends.place.0, ends.place.1, ends.ndm == 2);
+        let (axes, length) = made.map_err(|e| {
+            let at = self.orient_span.or(self.nodes);
+            let label =
+                if self.orient_span.is_some() { "" } else { "nodes at one place need -orient with the local axes" };
+            a.refuse_at(at, format!("bearing: {}", e.message()), label)
+        })?;
+        Ok((Link::new(&axes, length, shear_dist), length))
+    }
+}
+
 /// What the bearings of this family have in common besides their law.
 struct Common {
     materials: Vec<(Material, i32)>,
-    orientation: Orientation,
-    orient_span: Option<Span>,
+    place: Placement,
     shear_dist: f64,
     rayleigh: bool,
     mass: f64,
 }
 
-const OPTIONS: &[&str] = &["-P", "-T", "-My", "-Mz", "-orient", "-shearDist", "-doRayleigh", "-mass", "-iter"];
+const OPTIONS: &[&str] = &["-orient", "-shearDist", "-doRayleigh", "-mass", "-iter"];
 
-/// Materials by their options, which OpenSees wants in this order, then the options that may come in any order.
-fn common(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Common, Exception> {
+/// Materials by their options, which OpenSees wants in this order.
+pub(super) fn materials(interp: &Tcl, a: &mut Args<'_>, wanted: &[&str]) -> Result<Vec<(Material, i32)>, Exception> {
     let mut materials = vec![];
-    let wanted: &[&str] = if ends.ndm == 2 { &["-P", "-Mz"] } else { &["-P", "-T", "-My", "-Mz"] };
     for option in wanted {
         let found = a.word(&format!("option {option} with a material"))?;
         if found != *option {
@@ -50,26 +80,31 @@ fn common(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Common, Exc
         }
         materials.push(a.of(&interp.host.definitions.materials)?);
     }
-    let mut c = Common {
-        materials,
-        orientation: Orientation::default(),
-        orient_span: None,
-        shear_dist: 0.5,
-        rayleigh: false,
-        mass: 0.0,
-    };
+    Ok(materials)
+}
+
+/// The word after `-shearDist`.
+pub(super) fn shear_dist(a: &mut Args<'_>) -> Result<f64, Exception> {
+    let x = a.float("place of the shear force as a fraction of the length")?;
+    if (0.0..=1.0).contains(&x) {
+        Ok(x)
+    } else {
+        Err(a.refuse(format!("-shearDist is {x}"), "expected a fraction, 0 to 1"))
+    }
+}
+
+/// Materials, then the options that may come in any order.
+fn common(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, nodes: Option<Span>) -> Result<Common, Exception> {
+    let wanted: &[&str] = if ends.ndm == 2 { &["-P", "-Mz"] } else { &["-P", "-T", "-My", "-Mz"] };
+    let materials = materials(interp, a, wanted)?;
+    let mut c = Common { materials, place: Placement::at_nodes(nodes), shear_dist: 0.5, rayleigh: false, mass: 0.0 };
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-orient" => {
-                c.orient_span = a.last_span();
-                c.orientation = orientation(a, ends.ndm)?;
+                c.place.orient_span = a.last_span();
+                c.place.orientation = orientation(a, ends.ndm)?;
             }
-            "-shearDist" => {
-                c.shear_dist = a.float("place of the shear force as a fraction of the length")?;
-                if !(0.0..=1.0).contains(&c.shear_dist) {
-                    return Err(a.refuse(format!("-shearDist is {}", c.shear_dist), "expected a fraction, 0 to 1"));
-                }
-            }
+            "-shearDist" => c.shear_dist = shear_dist(a)?,
             "-doRayleigh" => c.rayleigh = true,
             "-mass" => c.mass = a.not_negative("mass")?,
             "-iter" => {
@@ -81,22 +116,6 @@ fn common(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Common, Exc
         }
     }
     Ok(c)
-}
-
-/// Kinematics of the bearing.
-fn link<const N: usize, const B: usize>(
-    a: &Args<'_>,
-    c: &Common,
-    ends: &Ends,
-    nodes: Option<Span>,
-) -> Result<Link<N, B>, Exception> {
-    let made = c.orientation.of_link(ends.place.0, ends.place.1, ends.ndm == 2);
-    let (axes, length) = made.map_err(|e| {
-        let at = c.orient_span.or(nodes);
-        let label = if c.orient_span.is_some() { "" } else { "nodes at one place need -orient with the local axes" };
-        a.refuse_at(at, format!("bearing: {}", e.message()), label)
-    })?;
-    Ok(Link::new(&axes, length, c.shear_dist))
 }
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
@@ -118,7 +137,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
             "expected a sum greater than 0: the hysteretic force would not be bounded",
         ));
     }
-    let c = common(interp, a, ends)?;
+    let c = common(interp, a, ends, nodes)?;
     let shear = ShearParameters {
         k0: (1.0 - alpha1) * k_init,
         qd,
@@ -129,7 +148,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         beta,
         gamma,
     };
-    around(a, shear, c, ends, nodes)
+    around(a, shear, c, ends)
 }
 
 fn make_plastic(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
@@ -148,9 +167,9 @@ fn make_plastic(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<d
             "expected an exponent of at least 1: the stiffness at rest would not be finite",
         ));
     }
-    let c = common(interp, a, ends)?;
+    let c = common(interp, a, ends, nodes)?;
     let shear = PlasticShear { k0: (1.0 - alpha1) * k_init, qd, k2: alpha1 * k_init, k3: alpha2 * k_init, mu };
-    around(a, shear, c, ends, nodes)
+    around(a, shear, c, ends)
 }
 
 /// The bearing around a shear law, in the plane or in space.
@@ -159,16 +178,15 @@ fn around<L: ShearLaw<1> + ShearLaw<2> + 'static>(
     law: L,
     c: Common,
     ends: &Ends,
-    nodes: Option<Span>,
 ) -> Result<Arc<dyn Element>, Exception> {
     match (ends.ndm, ends.ndf) {
         (2, 3) => {
-            let link = link(a, &c, ends, nodes)?;
+            let (link, _) = c.place.link(a, ends, c.shear_dist)?;
             let Ok(materials) = c.materials.try_into() else { unreachable!("taken one by one") };
             Ok(Arc::new(PlaneBearing::new(law, link, materials, c.mass, c.rayleigh)))
         }
         (3, 6) => {
-            let link = link(a, &c, ends, nodes)?;
+            let (link, _) = c.place.link(a, ends, c.shear_dist)?;
             let Ok(materials) = c.materials.try_into() else { unreachable!("taken one by one") };
             Ok(Arc::new(SpaceBearing::new(law, link, materials, c.mass, c.rayleigh)))
         }

@@ -2,6 +2,7 @@
 
 mod beam;
 mod bearing;
+mod sliding;
 mod timoshenko;
 mod truss;
 mod two_node_link;
@@ -35,6 +36,9 @@ const KINDS: &[Kind] = &[
     timoshenko::TIMOSHENKO,
     bearing::BOUC_WEN,
     bearing::PLASTICITY,
+    sliding::FLAT,
+    sliding::PENDULUM,
+    sliding::RJ_WATSON,
     truss::TRUSS,
     truss::COROT_TRUSS,
     two_node_link::TWO_NODE_LINK,

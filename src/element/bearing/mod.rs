@@ -7,6 +7,7 @@ mod link;
 mod plasticity;
 mod shear;
 mod shear_bearing;
+pub mod sliding;
 
 pub use bouc_wen::ShearParameters;
 pub use link::Link;

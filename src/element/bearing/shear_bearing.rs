@@ -156,7 +156,7 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
 }
 
 /// Half of the mass at each end, translations only.
-fn end_masses(mass: f64, per_node: usize, translations: usize) -> Mass {
+pub(super) fn end_masses(mass: f64, per_node: usize, translations: usize) -> Mass {
     if mass == 0.0 {
         return Mass::None;
     }
@@ -167,13 +167,13 @@ fn end_masses(mass: f64, per_node: usize, translations: usize) -> Mass {
     Mass::Lumped(m)
 }
 
-const LOCAL_FORCE: u32 = 2;
-const BASIC_FORCE: u32 = 3;
-const LOCAL_DISP: u32 = 4;
-const DEFORMATION: u32 = 5;
+pub(super) const LOCAL_FORCE: u32 = 2;
+pub(super) const BASIC_FORCE: u32 = 3;
+pub(super) const LOCAL_DISP: u32 = 4;
+pub(super) const DEFORMATION: u32 = 5;
 const HYSTERETIC: u32 = 6;
 const BASIC_STIFFNESS: u32 = 8;
-const MATERIAL: u32 = 9;
+pub(super) const MATERIAL: u32 = 9;
 
 /// Names of the responses; the first is that of laws with a hysteretic parameter only.
 const PROBES: &[&str] = &[
@@ -188,7 +188,7 @@ const PROBES: &[&str] = &[
 ];
 
 /// The responses by name.
-fn probe<const S: usize>(words: &[&str]) -> Option<Probe> {
+pub(super) fn probe<const S: usize>(words: &[&str]) -> Option<Probe> {
     let plane = S == 1;
     let basic = if plane { 3 } else { 6 };
     let numbered = |stem: &str, n: usize| (1..=n).map(|i| format!("{stem}{i}")).collect::<Vec<_>>();
