@@ -67,6 +67,12 @@ impl SourceMap {
         SourceId(self.sources.len() as u32 - 1)
     }
 
+    /// A text that is there under a name.
+    pub fn find(&self, name: &str, text: &str) -> Option<SourceId> {
+        let same = |s: &Source| &*s.name == name && &*s.text == text;
+        self.sources.iter().position(same).map(|i| SourceId(i as u32))
+    }
+
     /// The name under which the text was added.
     pub fn name(&self, id: SourceId) -> Arc<str> {
         self.sources[id.0 as usize].name.clone()

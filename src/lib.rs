@@ -50,6 +50,7 @@
 
 pub mod analysis;
 pub mod assembly;
+pub mod calibrate;
 pub mod command;
 pub mod diagnostic;
 pub mod element;
@@ -65,4 +66,5 @@ pub mod run;
 pub mod script;
 pub mod series;
 pub mod solve;
+pub mod study;
 pub mod words;

@@ -94,11 +94,9 @@ impl Run {
 
     fn end_of(&mut self, result: Result<Value, Exception>) -> End {
         match result {
-            Ok(_) => match self.interp.host.last_failure.take() {
-                // OpenSees ends with status 0 whatever its last analysis did.
-                Some(f) if !self.interp.host.engine.options.compat => End::Failed(f),
-                _ => End::Done,
-            },
+            // OpenSees ends with status 0 whatever its last analysis did.
+            Ok(_) if self.interp.host.engine.options.compat => End::Done,
+            Ok(_) => self.interp.host.last_failure.take().map_or(End::Done, End::Failed),
             Err(Exception::Exit(status)) => End::Exit(status),
             Err(Exception::Interrupted) if self.interp.budget == Some(0) => End::Enough(None),
             Err(Exception::Interrupted) => End::Interrupted,

@@ -26,6 +26,8 @@ const LAYERS: &[&str] = &[
     "script",
     "command",
     "run",
+    "study",
+    "calibrate",
 ];
 
 /// Pairs that stand beside each other: the first never uses the second, though it comes later.
@@ -41,6 +43,9 @@ const APART: &[(&str, &str)] = &[
     ("script", "solve"),
     ("report", "analysis"),
     ("report", "model"),
+    ("calibrate", "script"),
+    ("calibrate", "command"),
+    ("calibrate", "run"),
 ];
 
 fn files(dir: &Path, out: &mut Vec<PathBuf>) {

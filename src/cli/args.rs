@@ -2,6 +2,7 @@
 
 use super::loops::Loops;
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
 
 /// Structural analysis of buildings and bridges on seismic isolation.
 ///
@@ -41,11 +42,38 @@ pub(super) enum Command {
     },
     /// Measure the cycles in a file: secant stiffness, dissipated energy, equivalent damping
     Loops(Loops),
+    /// Find the parameters of a study that follow its recordings best
+    Calibrate(CalibrateArgs),
     /// List the commands of OpenSees that scripts may use
     Commands {
         /// The kinds that this command makes: element, uniaxialMaterial, timeSeries
         command: Option<String>,
     },
+}
+
+#[derive(Args, Debug)]
+pub(super) struct CalibrateArgs {
+    /// Studies, or folders with files study.toml
+    #[arg(required = true)]
+    pub(super) studies: Vec<PathBuf>,
+    /// Where the results go; several studies get a folder each in it
+    #[arg(long, value_name = "DIR")]
+    pub(super) out: Option<PathBuf>,
+    /// Number of threads; all cores if it is not given. The result does not depend on it
+    #[arg(long, value_name = "N")]
+    pub(super) threads: Option<usize>,
+    /// Seed of the random numbers, in place of the study's
+    #[arg(long, value_name = "N")]
+    pub(super) seed: Option<u64>,
+    /// How often the search is made, in place of the study's number
+    #[arg(long, value_name = "N")]
+    pub(super) repeats: Option<usize>,
+    /// Go on where an interrupted calibration was stopped
+    #[arg(long)]
+    pub(super) resume: bool,
+    /// Follow another program where it is known to slip
+    #[arg(long, value_enum, value_name = "PROGRAM")]
+    pub(super) compat: Option<Compat>,
 }
 
 #[derive(Args, Debug)]

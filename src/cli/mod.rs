@@ -1,6 +1,8 @@
 //! The command line: arguments, messages, progress. Only here is anything printed.
 
 mod args;
+mod calibrate;
+mod compare;
 mod console;
 mod files;
 mod loops;

@@ -14,13 +14,15 @@ use hysteron::run::{End, Run, Settings};
 use hysteron::script::{Files, OsFiles, OverlayFiles};
 use std::collections::BTreeMap;
 use std::io::Write as _;
-use std::sync::atomic::Ordering;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Carry out the command line; the exit status.
 pub(crate) fn main() -> i32 {
     match Arguments::parse().command {
         Command::Run { switches: run, ladder, model, args } => script(&run, Mode::Run, ladder, &model, &args),
         Command::Check { switches: run, model, args } => script(&run, Mode::Check, false, &model, &args),
+        Command::Calibrate(args) => super::calibrate::calibrate(&args),
         Command::Loops(a) => print(loops(&a)),
         Command::Commands { command } => print(usages(command.as_deref())),
     }
@@ -76,17 +78,7 @@ fn script(run: &Switches, mode: Mode, ladder: bool, model: &str, args: &[String]
             aside.aside(|| eprintln!("{}\n", Messages::new().render(warning, sources)));
         }
     }));
-    let interrupt = run.interp.interrupt.clone();
-    // A second interrupt ends the program at once.
-    let handled = ctrlc::set_handler(move || {
-        if interrupt.swap(true, Ordering::Relaxed) {
-            #[expect(clippy::exit, reason = "the first interrupt was not enough")]
-            std::process::exit(130);
-        }
-    });
-    if let Err(e) = handled {
-        eprintln!("note: interrupts are not caught: {e}");
-    }
+    on_interrupt(&run.interp.interrupt);
     let end = run.script(model, args);
     bar.clear();
     tell_end(&end, &run.interp);
@@ -96,6 +88,20 @@ fn script(run: &Switches, mode: Mode, ladder: bool, model: &str, args: &[String]
     summarise(&run.interp);
     let rejected = mode == Mode::Check && run.interp.warnings.iter().any(|w| w.severity == Severity::Error);
     if rejected { 2 } else { end.status() }
+}
+
+/// Set a flag when the user interrupts; a second interrupt ends the program at once.
+pub(super) fn on_interrupt(flag: &Arc<AtomicBool>) {
+    let flag = flag.clone();
+    let handled = ctrlc::set_handler(move || {
+        if flag.swap(true, Ordering::Relaxed) {
+            #[expect(clippy::exit, reason = "the first interrupt was not enough")]
+            std::process::exit(130);
+        }
+    });
+    if let Err(e) = handled {
+        eprintln!("note: interrupts are not caught: {e}");
+    }
 }
 
 /// How often a warning from one place has been shown.

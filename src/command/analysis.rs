@@ -114,6 +114,7 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             session.recorders.print = session.parts.print;
             session.recorders.end = session.engine.excitation_end();
             let (engine, steps) = (&mut session.engine, steps as usize);
+            session.recorders.start(engine);
             match lengths {
                 Some(lengths) => engine.analyze_variable(steps, dt, lengths, &mut session.recorders),
                 None => engine.analyze(steps, dt, &mut session.recorders),

@@ -133,6 +133,9 @@ fn pset(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, PSET);
     let name = a.word("name of the parameter")?.into_owned();
     let value = a.value("value of the parameter")?;
+    if let Some(span) = a.last_span() {
+        interp.host.declared_at.insert(name.clone(), span);
+    }
     finish(interp, &a)?;
     let value = match interp.host.parameters.get(&name) {
         Some(x) => Value::from(*x),

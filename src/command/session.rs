@@ -105,6 +105,11 @@ impl Recorders {
         self.by_tag.values_mut().try_for_each(|r| r.recorder.record(engine))
     }
 
+    /// An analysis starts from the committed state.
+    pub(super) fn start(&mut self, engine: &mut Engine) {
+        self.by_tag.values_mut().for_each(|r| r.recorder.start(engine));
+    }
+
     /// Finish and forget all recorders.
     pub(super) fn finish(&mut self) -> Result<(), RecordError> {
         let all = std::mem::take(&mut self.by_tag);
@@ -177,6 +182,8 @@ pub struct Session {
     pub parameters: BTreeMap<String, f64>,
     /// Parameters that the script has declared, with their values.
     pub declared: BTreeMap<String, f64>,
+    /// Where the value of each stands in the script.
+    pub declared_at: BTreeMap<String, Span>,
     /// How the script is run.
     pub mode: Mode,
     /// Warnings are errors.
@@ -215,6 +222,7 @@ impl Session {
             outputs,
             parameters: BTreeMap::new(),
             declared: BTreeMap::new(),
+            declared_at: BTreeMap::new(),
             mode,
             strict,
             rehearsed: false,

@@ -122,23 +122,15 @@ impl Recorder {
             }
             self.next = time + c.dt;
         }
-        if self.found != Some(engine.model().revision()) {
-            self.missing.clear();
-            self.source.find(engine, &mut self.missing)?;
-            self.found = Some(engine.model().revision());
-            self.output.begin(&self.all_labels())?;
-            self.output.describe(&self.all_groups(engine))?;
-        }
-        self.row.clear();
+        self.find(engine)?;
         match &mut self.keep {
             Keep::History => {
-                if c.time {
-                    self.row.push(time);
-                }
-                self.source.row(engine, &mut self.row)?;
+                self.fill(engine)?;
+                self.output.at(time);
                 self.output.row(&self.row)?;
             }
             Keep::Envelope(envelope) => {
+                self.row.clear();
                 self.source.row(engine, &mut self.row)?;
                 if envelope.take(time, &self.row) && self.output.wants_every_row() {
                     envelope.write(c.time, self.output.as_mut())?;
@@ -146,6 +138,36 @@ impl Recorder {
             }
         }
         Ok(())
+    }
+
+    /// An analysis starts from the committed state: tell it to an output that wants to know.
+    pub fn start(&mut self, engine: &mut Engine) {
+        let time = engine.state().time;
+        // What is not known before the first step is left out.
+        if self.output.wants_start(time) && self.find(engine).and_then(|()| self.fill(engine)).is_ok() {
+            self.output.start(time, &self.row);
+        }
+    }
+
+    /// Find what is to be recorded, if the model has changed.
+    fn find(&mut self, engine: &Engine) -> Result<(), RecordError> {
+        if self.found == Some(engine.model().revision()) {
+            return Ok(());
+        }
+        self.missing.clear();
+        self.source.find(engine, &mut self.missing)?;
+        self.found = Some(engine.model().revision());
+        self.output.begin(&self.all_labels())?;
+        self.output.describe(&self.all_groups(engine))
+    }
+
+    /// The row of the committed state, with the time where it is asked for.
+    fn fill(&mut self, engine: &mut Engine) -> Result<(), RecordError> {
+        self.row.clear();
+        if self.cadence.time {
+            self.row.push(engine.state().time);
+        }
+        self.source.row(engine, &mut self.row)
     }
 
     fn all_labels(&self) -> Vec<String> {

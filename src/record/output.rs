@@ -25,6 +25,14 @@ pub trait Output: fmt::Debug + Send {
     /// # Errors
     /// It cannot be written.
     fn row(&mut self, row: &[f64]) -> Result<(), RecordError>;
+    /// Whether it wants to know the state that an analysis starts from, at this time, which is no row.
+    fn wants_start(&self, _time: f64) -> bool {
+        false
+    }
+    /// The state that an analysis starts from, as a row.
+    fn start(&mut self, _time: f64, _row: &[f64]) {}
+    /// The time of the row that follows, whether or not it is in the row.
+    fn at(&mut self, _time: f64) {}
     /// Forget the rows so far: an envelope is written anew.
     ///
     /// # Errors

@@ -1,0 +1,20 @@
+//! Calibration: the parameters of a model that follow recordings best, how sure they are, and how good that is.
+//!
+//! A [`Problem`] gives the score of points of the unit cube; that of a study is [`StudyProblem`]. [`search`] looks for
+//! the best point with the method that a [`Plan`] names; [`Uncertainty`] says what the data determine.
+
+mod method;
+mod plan;
+mod problem;
+mod result;
+mod search;
+mod uncertainty;
+
+pub use method::{
+    CmaEs, Crossover, Differential, Evolution, LevenbergMarquardt, Method, Search, Shade, Trial, Variant,
+};
+pub use plan::{Plan, Strategy};
+pub use problem::{Evaluated, Problem, StudyProblem};
+pub use result::{Calibrated, Spread};
+pub use search::{Checkpoint, Outcome, Repeat, Silent, Status, Watch, search};
+pub use uncertainty::{Interval, Uncertainty, autocorrelation_time, uncertainty};
