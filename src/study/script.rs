@@ -290,9 +290,7 @@ impl ScriptSimulator {
             } else {
                 take_values(&study, &ended.run.interp.host.declared, &mut opening.values);
             }
-            if let Some(Mishap::Rejected(_) | Mishap::Exit(_) | Mishap::Raised(_)) = &mishap
-                && let End::Rejected(d) | End::Raised(d) = ended.end
-            {
+            if let End::Rejected(d) = ended.end {
                 return Err(moved(&ended.run.interp.sources, sources, *d, &spec.name));
             }
             for (p, span) in study.space.parameters.iter().zip(&study.names) {

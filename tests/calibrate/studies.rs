@@ -1,0 +1,100 @@
+//! What is wrong with a study or a recording is told with its place.
+
+use super::Place;
+use hysteron::diagnostic::SourceMap;
+use hysteron::study::{Role, Setting, Study};
+
+/// The error of a study: place and message with help.
+fn refused(place: &Place) -> (String, String) {
+    let mut sources = SourceMap::default();
+    let d = Study::load(&place.study(), &mut sources).unwrap_err();
+    let at = d.span.map(|s| sources.location(s)).map(|l| {
+        let file = l.name.rsplit('/').next().unwrap_or_default().to_owned();
+        format!("{file}:{}:{}", l.line, l.column)
+    });
+    (at.unwrap_or_default(), format!("{}; {}; {}", d.message, d.label, d.help.join("; ")))
+}
+
+#[test]
+fn mistakes_are_told_with_their_place() {
+    for (old, new, at, said) in [
+        ("lower = 1.0", "lover = 1.0", "study.toml:7:1", "did you mean \"lower\""),
+        ("lower = 1.0", "lower = one", "study.toml:7:9", ""),
+        ("lower = 1.0", "lower = \"1\"", "study.toml:7:9", "invalid type"),
+        (
+            "upper = 5.0",
+            "upper = 0.5",
+            "study.toml:8:9",
+            "the upper bound of k0 is 0.5; expected more than the lower bound",
+        ),
+        ("upper = 5.0\n", "", "study.toml:6:9", "parameter k0 has no upper bound"),
+        ("lower = 5.0", "lower = -5.0", "study.toml:12:9", "the lower bound of Qd is -5"),
+        ("scale = \"log\"", "scale = \"lag\"", "study.toml:14:9", "did you mean \"log\""),
+        ("name  = \"Qd\"", "name  = \"k0\"", "study.toml:11:9", "two parameters \"k0\""),
+        (
+            "role      = \"fit\"",
+            "role = \"train\"",
+            "study.toml:23:8",
+            "unknown role \"train\"; expected fit or holdout",
+        ),
+        ("role      = \"fit\"", "role = \"holdout\"", "study.toml:3:9", "no run has the role \"fit\""),
+        ("growing.csv", "growin.csv", "study.toml:24:13", "cannot read growin.csv"),
+        ("pad.tcl", "bad.tcl", "study.toml:3:9", "there is no script bad.tcl"),
+        ("channel = \"force\"", "channel = \"forces\"", "study.toml:28:11", "did you mean \"force\""),
+        ("column  = 2", "column  = -2", "study.toml:30:11", "the column is -2"),
+        ("column  = 2", "column  = 2\nweight = -1.0", "study.toml:31:10", "the weight is -1"),
+        ("{ motion", "{ k0 = 1.0, motion", "study.toml:25:15", "k0 is set in run \"growing\" and is a parameter"),
+        ("name      = \"random\"", "name = \"growing\"", "study.toml:34:8", "two runs named \"growing\""),
+        ("lower = 1.0\nupper = 5.0", "expr = \"Qd/alfa\"", "study.toml:7:8", "there is no parameter alfa"),
+        ("lower = 1.0\nupper = 5.0", "expr = \"2*k0\"", "study.toml:6:9", "depends on itself"),
+        ("lower = 1.0\nupper = 5.0", "expr = \"2*(Qd\"", "study.toml:7:8", "is no formula"),
+        ("lower = 1.0\nupper = 5.0", "expr = \"Qd\"\nvalue = 2.0", "study.toml:6:9", "both a value and a formula"),
+    ] {
+        let (place, message) = refused(&Place::edited("study.toml", old, new));
+        assert_eq!(place, at, "{new}: {message}");
+        assert!(message.contains(said), "{new}: {message}");
+    }
+    let place = Place::new();
+    std::fs::write(place.study(), "model = \"pad.tcl\"\n[calibration]\nF = 3\n").unwrap();
+    assert!(refused(&place).1.contains("no parameter is to be found"));
+}
+
+#[test]
+fn mistakes_of_recordings() {
+    for (old, new, at, said) in [
+        ("time[s]", "t[s]", "growing.csv:1:1", "expected time[s]"),
+        ("time[s]", "time[ms]", "growing.csv:1:1", "expected time[s]"),
+        ("disp[mm]", "force[N]", "growing.csv:1:19", "has no name of its own"),
+        ("0.0260,", "O.0260,", "growing.csv:2:1", "the time is not a number"),
+        ("0.0460,", "0.0260,", "growing.csv:3:1", "the time goes from 0.026 to 0.026"),
+        ("0.0460,", "0.0460,1.2.3", "growing.csv:3:8", "force is not a number"),
+        ("0.0460,", "0.0460,7,", "growing.csv:3:1", "has 5 cells, its header 4"),
+    ] {
+        let (place, message) = refused(&Place::edited("growing.csv", old, new));
+        assert_eq!(place, at, "{new}: {message}");
+        assert!(message.contains(said), "{new}: {message}");
+    }
+}
+
+#[test]
+fn a_study_is_read() {
+    let place = Place::new();
+    place.edit("study.toml", "upper = 0.4", "upper = 0.4\n[[parameter]]\nname = \"uy\"\nexpr = \"Qd/((1-alpha)*k0)\"");
+    let study = Study::load(&place.study(), &mut SourceMap::default()).unwrap();
+    assert_eq!(study.space.dimension(), 3);
+    let values = study.space.values(&[0.25, 0.5, 1.0]).unwrap();
+    let qd = 250f64.sqrt();
+    for (v, expected) in values.iter().zip([2.0, qd, 0.4, qd / 0.6 / 2.0]) {
+        assert!((v - expected).abs() < 1e-12 * expected, "{values:?}");
+    }
+    let back = study.space.point(&values);
+    assert!(back.iter().zip([0.25, 0.5, 1.0]).all(|(a, b)| (a - b).abs() < 1e-12), "{back:?}");
+    let run = &study.runs[0];
+    assert_eq!((run.role, study.runs[1].role), (Role::Fit, Role::Holdout));
+    assert!(run.set.contains(&("npts".into(), Setting::Whole(501))));
+    assert!(run.set.contains(&("dt".into(), Setting::Number(0.02))));
+    let o = &run.observe[0];
+    assert_eq!((o.unit.as_str(), o.values.iter().filter(|v| v.is_nan()).count()), ("kN", 3));
+    assert_eq!(study.warnings.len(), 1);
+    assert_eq!(run.recording.column("temperature").unwrap().unit, "degC");
+}
