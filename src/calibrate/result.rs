@@ -1,7 +1,9 @@
 //! What a calibration has found: as `calibration.json`, and as the script with the values in place.
 
 use super::plan::Plan;
+use super::posterior::Posterior;
 use super::problem::StudyProblem;
+use super::profile::Profile;
 use super::search::{Outcome, Repeat};
 use super::uncertainty::Uncertainty;
 use crate::study::{Fit, Mishap, Opening, Role, Source, Study, objective};
@@ -30,6 +32,10 @@ pub struct Calibrated {
     pub wall: f64,
     /// What the data determine, where it was asked.
     pub uncertainty: Option<Uncertainty>,
+    /// Profile likelihoods, likewise.
+    pub profiles: Option<Vec<Profile>>,
+    /// The posterior, likewise.
+    pub posterior: Option<Posterior>,
 }
 
 impl Calibrated {
@@ -62,6 +68,8 @@ impl Calibrated {
             plan: plan.clone(),
             study,
             uncertainty: None,
+            profiles: None,
+            posterior: None,
         })
     }
 
@@ -121,6 +129,8 @@ impl Calibrated {
             repeats: self.outcome.repeats.iter().map(|r| self.repeat(r)).collect(),
             spread: self.spread(),
             uncertainty: self.uncertainty.as_ref(),
+            profiles: self.profiles.as_deref(),
+            posterior: self.posterior.as_ref(),
         };
         Ok(serde_json::to_string_pretty(&all)? + "\n")
     }
@@ -219,6 +229,10 @@ struct Json<'a> {
     spread: Spread,
     #[serde(skip_serializing_if = "Option::is_none")]
     uncertainty: Option<&'a Uncertainty>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    profiles: Option<&'a [Profile]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    posterior: Option<&'a Posterior>,
 }
 
 #[derive(Serialize)]

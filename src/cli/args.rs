@@ -68,6 +68,12 @@ pub(super) struct CalibrateArgs {
     /// How often the search is made, in place of the study's number
     #[arg(long, value_name = "N")]
     pub(super) repeats: Option<usize>,
+    /// Profile likelihoods of the parameters
+    #[arg(long)]
+    pub(super) profile: bool,
+    /// Sample the posterior of the parameters, with this many sweeps
+    #[arg(long, value_name = "SWEEPS", num_args = 0..=1, default_missing_value = "400")]
+    pub(super) posterior: Option<usize>,
     /// Go on where an interrupted calibration was stopped
     #[arg(long)]
     pub(super) resume: bool,

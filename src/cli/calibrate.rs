@@ -3,7 +3,9 @@
 use super::args::CalibrateArgs;
 use super::messages::Messages;
 use hysteron::analysis::Options;
-use hysteron::calibrate::{Calibrated, Checkpoint, Plan, Status, StudyProblem, Watch, search, uncertainty};
+use hysteron::calibrate::{
+    Calibrated, Checkpoint, Plan, Status, StudyProblem, Watch, page, posterior, profiles, search, uncertainty,
+};
 use hysteron::diagnostic::{Diagnostic, Severity, SourceMap};
 use hysteron::study::{Opening, Role, ScriptSimulator, Study};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -133,15 +135,33 @@ fn one(args: &CalibrateArgs, file: &Path, dir: &Path, stop: &Arc<AtomicBool>) ->
     if stopped {
         eprintln!("interrupted: the best so far is kept; --resume goes on");
     } else {
-        match uncertainty(&problem, &result.point) {
-            Ok(u) => result.uncertainty = Some(u),
-            Err(why) => eprintln!("note: how sure the parameters are is not known: {why}"),
-        }
+        how_sure(args, &problem, &mut result);
         let _ = fs::remove_file(&saved);
     }
     write(dir, &result, &opening, &simulator).map_err(&failed)?;
     tell(&result, dir);
     Ok(result)
+}
+
+/// Work out what the data determine, as far as it is wanted.
+fn how_sure(args: &CalibrateArgs, problem: &StudyProblem, result: &mut Calibrated) {
+    let sure = match uncertainty(problem, &result.point) {
+        Ok(u) => u,
+        Err(why) => {
+            eprintln!("note: how sure the parameters are is not known: {why}");
+            return;
+        }
+    };
+    if args.profile {
+        result.profiles = Some(profiles(problem, &result.point, result.objective, &sure));
+    }
+    if let Some(sweeps) = args.posterior {
+        match posterior(problem, &result.point, &sure, sweeps, result.plan.seed) {
+            Ok(p) => result.posterior = Some(p),
+            Err(why) => eprintln!("note: there is no posterior: {why}"),
+        }
+    }
+    result.uncertainty = Some(sure);
 }
 
 struct Prepared {
@@ -206,6 +226,9 @@ fn write(dir: &Path, result: &Calibrated, opening: &Opening, simulator: &ScriptS
             study.model
         );
     }
+    let runs = 0..study.runs.len();
+    let displacements = runs.map(|r| simulator.displacement(r, &result.values)).collect();
+    place(&dir.join("report.html"), &page(result, &displacements))?;
     place(&dir.join("calibration.json"), &result.json().map_err(|e| e.to_string())?)
 }
 
@@ -245,6 +268,16 @@ fn tell(result: &Calibrated, dir: &Path) {
     }
     for line in result.uncertainty.iter().flat_map(|u| &u.undetermined) {
         eprintln!("  note: {line}");
+    }
+    for p in result.profiles.iter().flatten() {
+        let end = |e: Option<f64>| e.map_or("open".into(), |x| format!("{x:.6}"));
+        eprintln!("  profile of {}: {} to {}", p.name, end(p.lower), end(p.upper));
+    }
+    if let Some(p) = &result.posterior {
+        for q in &p.quantiles {
+            eprintln!("  posterior of {}: {:.6} ({:.6} to {:.6})", q.name, q.median, q.lower, q.upper);
+        }
+        eprintln!("  acceptance {:.2}, {:.0} independent draws", p.acceptance, p.effective_draws);
     }
     let spread = result.spread();
     if spread.repeats > 1 {

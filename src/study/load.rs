@@ -337,7 +337,7 @@ fn tied(places: &Places, t: &ParameterTable, formula: &Spanned<String>, all: &[&
     }
     let lower = t.lower.as_ref().map_or(f64::NEG_INFINITY, |l| *l.get_ref());
     let upper = t.upper.as_ref().map_or(f64::INFINITY, |u| *u.get_ref());
-    Ok(Source::Tied { text: text.clone(), formula: parsed, of, within: (lower, upper) })
+    Ok(Source::Tied { text: text.clone(), formula: Box::new(parsed), of, within: (lower, upper) })
 }
 
 fn run(

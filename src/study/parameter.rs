@@ -62,7 +62,7 @@ pub enum Source {
         /// The formula as it was written.
         text: String,
         /// The formula.
-        formula: FlatEx<f64>,
+        formula: Box<FlatEx<f64>>,
         /// The parameters that it takes, in its order, by their number.
         of: Vec<usize>,
         /// Least and greatest value that it may come to.

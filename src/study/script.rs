@@ -12,8 +12,8 @@ use crate::run::{End, Run, Settings};
 use crate::script::{Console, OverlayFiles, Value};
 use std::collections::BTreeMap;
 use std::path::Path;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 /// What a run may use up before it is cut off. Commands and steps are counted, so that the cut is at the same place
@@ -93,18 +93,26 @@ impl Console for Silent {
     fn err(&mut self, _: &str) {}
 }
 
-/// Observed outputs in memory, the others nowhere.
-struct Observed(Vec<(String, TraceOutput)>);
+/// Outputs that no channel observes, by the name that the script gives them.
+type Others = Arc<Mutex<Vec<(String, TraceOutput)>>>;
+
+/// Observed outputs in memory, the others where they are wanted, or nowhere.
+struct Observed {
+    observed: Vec<(String, TraceOutput)>,
+    others: Option<Others>,
+}
 
 impl Outputs for Observed {
-    fn create(&mut self, _: &str, path: &Path, _: FileFormat) -> Result<Box<dyn Output>, RecordError> {
-        Ok(match self.0.iter().find(|(p, _)| Path::new(p) == path) {
-            Some((_, trace)) => {
-                trace.clear();
-                Box::new(trace.clone())
-            }
-            None => Box::new(Unobserved),
-        })
+    fn create(&mut self, name: &str, path: &Path, _: FileFormat) -> Result<Box<dyn Output>, RecordError> {
+        if let Some((_, trace)) = self.observed.iter().find(|(p, _)| Path::new(p) == path) {
+            trace.clear();
+            return Ok(Box::new(trace.clone()));
+        }
+        let Some(Ok(mut others)) = self.others.as_ref().map(|o| o.lock()) else { return Ok(Box::new(Unobserved)) };
+        let trace = TraceOutput::default();
+        others.retain(|(n, _)| n != name);
+        others.push((name.to_owned(), trace.clone()));
+        Ok(Box::new(trace))
     }
 }
 
@@ -172,11 +180,11 @@ impl ScriptSimulator {
     }
 
     /// Run the script with values of the study's parameters, or with its own.
-    fn run(&self, run: usize, values: Option<&[f64]>) -> Ended {
+    fn run(&self, run: usize, values: Option<&[f64]>, others: Option<Others>) -> Ended {
         let spec = &self.study.runs[run];
         let settings = Settings { mode: Mode::Run, strict: false, options: self.options.clone() };
         let files = OverlayFiles::new(Box::new(StudyFiles::new(&self.study.folder_text(), &self.contents)));
-        let outputs = Observed(self.outputs[run].clone());
+        let outputs = Observed { observed: self.outputs[run].clone(), others };
         self.outputs[run].iter().for_each(|(_, t)| t.clear());
         let mut script = Run::new(settings, Box::new(Silent), Box::new(files), Box::new(outputs));
         let begun = Instant::now();
@@ -256,6 +264,23 @@ impl ScriptSimulator {
         Some(self.outputs[run][at].1.with(Trace::clone))
     }
 
+    /// What a run moves through: displacements at the times of its recording, and what they are called. Those recorded, where
+    /// the recording has them; otherwise the first recorder of the script that is no channel and whose file is called so.
+    pub fn displacement(&self, run: usize, values: &[f64]) -> Option<(String, Vec<f64>)> {
+        let recording = &self.study.runs[run].recording;
+        let is_length = |unit: &str| ["m", "mm", "cm", "in", "ft"].contains(&unit);
+        let recorded = recording.columns.iter().find(|c| is_length(&c.unit) || c.name.starts_with("disp"));
+        if let Some(c) = recorded {
+            return Some((format!("{} [{}]", c.name, c.unit), c.values.clone()));
+        }
+        let others = Others::default();
+        self.run(run, Some(values), Some(others.clone()));
+        let others = others.lock().ok()?;
+        let (name, trace) = others.iter().find(|(name, _)| name.contains("disp"))?;
+        let column = |t: &Trace| (t.width > 1).then(|| t.sample(1, &recording.times));
+        Some((format!("{name}, column 1, simulated"), trace.with(column)?))
+    }
+
     /// Run the script with its own values, and set limits for what follows. Where it does not run at all with its own
     /// values, with those in the middle of the ranges.
     ///
@@ -276,14 +301,14 @@ impl ScriptSimulator {
             self.limits.iter_mut().for_each(|l| l.time = Duration::from_secs_f64(seconds));
         }
         for (number, spec) in study.runs.iter().enumerate() {
-            let mut ended = self.run(number, None);
+            let mut ended = self.run(number, None, None);
             let mut mishap = self.mishap(&ended, number);
             if let (Some(_), Some(values)) = (&mishap, &middle) {
                 let own = ended.run.interp.host.declared.clone();
                 take_values(&study, &own, &mut opening.values);
                 let why = mishap.take();
                 if !matches!(why, Some(Mishap::Interrupted)) {
-                    ended = self.run(number, Some(values));
+                    ended = self.run(number, Some(values), None);
                     mishap = self.mishap(&ended, number);
                 }
                 opening.failure = opening.failure.or(why);
@@ -377,7 +402,7 @@ impl Simulator for ScriptSimulator {
         if self.stop.load(Ordering::Relaxed) {
             return Err(Mishap::Interrupted);
         }
-        let ended = self.run(run, Some(values));
+        let ended = self.run(run, Some(values), None);
         match self.mishap(&ended, run) {
             Some(mishap) => Err(mishap),
             None => self.channels(run),

@@ -51,6 +51,43 @@ fn finds_the_parameters() {
     let again = json(&place, "again/calibration.json");
     assert_eq!((&again["parameters"], &again["objective"]), (&found["parameters"], &found["objective"]));
     assert!(!place.0.join("out/checkpoint.json").exists());
+    let report = fs::read_to_string(place.0.join("out/report.html")).unwrap();
+    for part in ["Loops, upper plate", "Error by amplitude", "Convergence", "correlation", "<svg"] {
+        assert!(report.contains(part), "{part}");
+    }
+    assert!(!report.contains("src=") && !report.contains("href="), "it stands by itself");
+}
+
+/// Intervals by curvature, profile and posterior agree where the problem is nearly linear, and hold the truth.
+#[test]
+fn three_ways_to_be_sure() {
+    let place = Place::new();
+    let (status, err) = calibrate(&place, &["study.toml", "--out", "out", "--profile", "--posterior", "120"]);
+    assert_eq!(status, Some(0), "{err}");
+    let found = json(&place, "out/calibration.json");
+    for (i, interval) in found["uncertainty"]["intervals"].as_array().unwrap().iter().enumerate() {
+        let width = |v: &serde_json::Value| v["upper"].as_f64().unwrap() - v["lower"].as_f64().unwrap();
+        for other in [&found["profiles"][i], &found["posterior"]["quantiles"][i]] {
+            let ratio = width(other) / width(interval);
+            assert!((0.5..2.0).contains(&ratio), "{interval} {other}");
+        }
+    }
+    let acceptance = found["posterior"]["acceptance"].as_f64().unwrap();
+    assert!((0.3..0.9).contains(&acceptance), "{acceptance}");
+}
+
+/// Parameters that the data do not determine are told in plain words.
+#[test]
+fn what_the_data_do_not_determine() {
+    let place = Place::new();
+    place.edit("pad.tcl", "set uy", "pset idle 1.0\npset factor 1.0\nset k0 [expr {$k0*$factor}]\nset uy");
+    let more = "[[parameter]]\nname = \"idle\"\nlower = 0.0\nupper = 2.0\n\n[[parameter]]\nname = \"factor\"\nlower = 0.5\n\
+                upper = 2.0\n\n[[run]]";
+    place.edit("study.toml", "[[run]]", more);
+    let (status, err) = calibrate(&place, &["study.toml"]);
+    assert_eq!(status, Some(0), "{err}");
+    assert!(err.contains("idle has no influence on what was recorded"), "{err}");
+    assert!(err.contains("only a combination of k0, factor has an influence"), "{err}");
 }
 
 #[test]

@@ -100,7 +100,7 @@ fn inside(mutant: f64, from: f64) -> f64 {
 }
 
 /// A normally distributed number, by the polar method (Marsaglia and Bray, 1964).
-fn normal(rng: &mut Pcg32) -> f64 {
+pub(super) fn normal(rng: &mut Pcg32) -> f64 {
     loop {
         let (u, v) = (2.0 * rng.random::<f64>() - 1.0, 2.0 * rng.random::<f64>() - 1.0);
         let s = u * u + v * v;
