@@ -8,7 +8,7 @@ mod script;
 use hysteron::analysis::{Engine, Observer, Quiet};
 use hysteron::io::number::Style;
 use hysteron::record::{Cadence, ElementResponse, Layout, NodeQuantity, NodeResponse, Recorder, RowFile, Separator};
-use std::alloc::{GlobalAlloc, Layout, System};
+use std::alloc::{self, GlobalAlloc, System};
 use std::cell::Cell;
 
 struct Counting;
@@ -19,14 +19,14 @@ thread_local! {
 
 // Safety: passes everything on to the system's allocator.
 unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+    unsafe fn alloc(&self, layout: alloc::Layout) -> *mut u8 {
         COUNT.with(|c| c.set(c.get() + 1));
         unsafe { System.alloc(layout) }
     }
-    unsafe fn dealloc(&self, p: *mut u8, layout: Layout) {
+    unsafe fn dealloc(&self, p: *mut u8, layout: alloc::Layout) {
         unsafe { System.dealloc(p, layout) }
     }
-    unsafe fn realloc(&self, p: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+    unsafe fn realloc(&self, p: *mut u8, layout: alloc::Layout, size: usize) -> *mut u8 {
         COUNT.with(|c| c.set(c.get() + 1));
         unsafe { System.realloc(p, layout, size) }
     }
