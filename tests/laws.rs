@@ -7,6 +7,8 @@
 mod amendments;
 #[path = "laws/beams.rs"]
 mod beams;
+#[path = "laws/bearing_materials.rs"]
+mod bearing_materials;
 #[path = "laws/bearings.rs"]
 mod bearings;
 #[path = "laws/corotational.rs"]

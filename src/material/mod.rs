@@ -4,13 +4,20 @@
 //! with [`words!`](crate::words!). Whoever uses a law (a spring, a fiber) keeps the history through a [`Slot`].
 //! Stress and strain may as well be force and displacement: a law knows no units.
 
+mod axial_spring;
 mod bouc_wen;
 mod elastic;
 mod elastic_multi_linear;
 mod elastic_pp;
 mod elastic_pp_gap;
 mod hardening;
+mod hertz_damp;
 mod hysteretic;
+mod impact;
+mod jankowski_impact;
+mod kikuchi_aiken;
+mod kikuchi_aiken_hdr;
+mod kikuchi_aiken_lrb;
 mod maxwell;
 mod multi_linear;
 mod no_tension;
@@ -29,13 +36,20 @@ use crate::words::Words;
 use std::fmt;
 use std::sync::Arc;
 
+pub use axial_spring::{AxialParameters, AxialSp, AxialSpHD, AxialSpring};
 pub use bouc_wen::BoucWen;
 pub use elastic::Elastic;
 pub use elastic_multi_linear::{ElasticBilin, ElasticMultiLinear};
 pub use elastic_pp::ElasticPP;
 pub use elastic_pp_gap::ElasticPPGap;
 pub use hardening::Hardening;
+pub use hertz_damp::HertzDamp;
 pub use hysteretic::{Envelope, Hysteretic};
+pub use impact::Impact;
+pub use jankowski_impact::JankowskiImpact;
+pub use kikuchi_aiken::{Device, KikuchiAiken, Shape};
+pub use kikuchi_aiken_hdr::{COMPOUNDS, Compound, HighDampingRubber};
+pub use kikuchi_aiken_lrb::{LeadRubber, LeadRubberParameters};
 pub use maxwell::Maxwell;
 pub use multi_linear::MultiLinear;
 pub use no_tension::NoTension;

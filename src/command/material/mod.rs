@@ -1,9 +1,11 @@
 //! `uniaxialMaterial`, and the commands that try one by itself.
 
+mod bearing;
 mod bench;
 mod damper;
 mod elastic;
 mod hysteretic;
+mod impact;
 mod plastic;
 mod wrapper;
 
@@ -33,7 +35,9 @@ struct Kind {
 
 /// The kinds of all families.
 fn kinds() -> impl Iterator<Item = &'static Kind> {
-    [elastic::KINDS, plastic::KINDS, hysteretic::KINDS, damper::KINDS, wrapper::KINDS].into_iter().flatten()
+    [elastic::KINDS, plastic::KINDS, hysteretic::KINDS, damper::KINDS, bearing::KINDS, impact::KINDS, wrapper::KINDS]
+        .into_iter()
+        .flatten()
 }
 
 /// How the kinds are used.

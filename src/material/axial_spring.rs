@@ -1,0 +1,309 @@
+//! Axial springs of laminated rubber bearings: cavitation in tension, yielding in compression.
+
+use super::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::words::Field;
+
+/// Parameters of an axial spring as the `AxialSp` and `AxialSpHD` commands have them. Stress over displacement: a
+/// spring of a bearing knows its share of the area, not its length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxialParameters {
+    /// Stiffness in compression, σ per displacement.
+    pub sce: f64,
+    /// Stress at cavitation, not negative.
+    pub fty: f64,
+    /// Stress at yield in compression, not positive.
+    pub fcy: f64,
+    /// Stiffness in tension over `sce`, 0 to 1.
+    pub bte: f64,
+    /// Stiffness after cavitation over `sce`, 0 to `bte`; equal to `bte` for a spring that does not cavitate.
+    pub bty: f64,
+    /// Stiffness after yield in compression over `sce`, 0 to 1.
+    pub bcy: f64,
+    /// Stress at which a cavitated spring is whole again, `fcy` to 0.
+    pub fcr: f64,
+    /// Hardening after cavitation (`AxialSpHD`): stiffness over `sce`, and the displacement at which it begins over
+    /// that at cavitation.
+    pub hardening: Option<(f64, f64)>,
+}
+
+/// Axial spring of a multiple-shear-spring or multiple-normal-spring bearing model (Tanimoto, 2012, in OpenSees; Ishii
+/// and Kikuchi, 2019, <https://doi.org/10.1002/eqe.3132>).
+///
+/// The skeleton is elastic in tension and compression with stiffnesses of their own, yields on both sides and, with `HD`,
+/// hardens in tension. After cavitation it unloads towards the point (u_cr, f_cr) of the elastic compression branch,
+/// where it is whole again: `AxialSp` on the straight line there, `AxialSpHD` elastically at first. After yield in
+/// compression the elastic lines are shifted along.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AxialSpring<const HD: bool> {
+    sce: f64,
+    ste: f64,
+    sty: f64,
+    scy: f64,
+    sth: f64,
+    fty: f64,
+    uty: f64,
+    fcy: f64,
+    ucy: f64,
+    fcr: f64,
+    ucr: f64,
+    fth: f64,
+    uth: f64,
+    compat: bool,
+}
+
+/// `uniaxialMaterial AxialSp`.
+pub type AxialSp = AxialSpring<false>;
+/// `uniaxialMaterial AxialSpHD`.
+pub type AxialSpHD = AxialSpring<true>;
+
+/// Where on its curves a spring is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Branch {
+    /// Elastic through the origin.
+    #[default]
+    Elastic,
+    /// On the skeleton in tension after cavitation.
+    Cavitated,
+    /// On the skeleton in compression after yield.
+    Yielded,
+    /// On the line `slope` through (u_cr, f_cr), on which it closes after cavitation.
+    Closing,
+    /// On the elastic line that leaves that line at `from`.
+    Reopening,
+    /// On the elastic line that leaves the skeleton in tension at `from`, above (u_cr, f_cr) all the way.
+    Relieved,
+    /// On the elastic lines through zero force at `from`, after yield in compression.
+    Shifted,
+    /// On the skeleton in tension before cavitation, after yield in compression.
+    Flowing,
+    /// On the hardening line where it does not belong: where OpenSees leaves a spring that comes down to u_cr in one step.
+    Overlooked,
+}
+
+impl Field for Branch {
+    const LEN: usize = 1;
+    #[inline]
+    fn get(words: &[f64], at: &mut usize) -> Self {
+        *at += 1;
+        match words[*at - 1] as u8 {
+            1 => Self::Cavitated,
+            2 => Self::Yielded,
+            3 => Self::Closing,
+            4 => Self::Reopening,
+            5 => Self::Relieved,
+            6 => Self::Shifted,
+            7 => Self::Flowing,
+            8 => Self::Overlooked,
+            _ => Self::Elastic,
+        }
+    }
+    #[inline]
+    fn put(&self, words: &mut [f64], at: &mut usize) {
+        words[*at] = f64::from(*self as u8);
+        *at += 1;
+    }
+}
+
+crate::words! {
+    /// History of an [`AxialSpring`].
+    pub struct History {
+        /// Displacement.
+        u: f64,
+        /// Branch.
+        branch: Branch,
+        /// Slope of the line on which it closes.
+        slope: f64,
+        /// Displacement that the elastic line of the branch passes through.
+        from: f64,
+    }
+}
+
+impl<const HD: bool> AxialSpring<HD> {
+    /// From the parameters. With `compat` a step that jumps from cavitation to compression ends where it does in OpenSees,
+    /// a spring that has just begun to harden closes beyond (u_cr, f_cr) or overlooks that it is there, and one without stiffness in tension does not
+    /// come off compression once it has yielded.
+    pub fn new(p: &AxialParameters, compat: bool) -> Self {
+        let (ste, sty) = (p.bte * p.sce, p.bty * p.sce);
+        // What does not yield has its yield point out of reach.
+        let (fty, uty, sty) = if ste > sty { (p.fty, p.fty / ste, sty) } else { (f64::MAX, f64::MAX, 0.0) };
+        let (sth, uth) = p.hardening.map_or((sty, f64::MAX), |(bth, ath)| (bth * p.sce, ath * uty));
+        let fth = if uth < f64::MAX { sty * (uth - uty) + fty } else { f64::MAX };
+        let (scy, ucy, ucr) = (p.bcy * p.sce, p.fcy / p.sce, p.fcr / p.sce);
+        Self { sce: p.sce, ste, sty, scy, sth, fty, uty, fcy: p.fcy, ucy, fcr: p.fcr, ucr, fth, uth, compat }
+    }
+
+    /// Force and stiffness of the skeleton in tension, extended to the left.
+    #[inline]
+    fn tension(&self, u: f64) -> (f64, f64) {
+        if u > self.uth {
+            (self.sth * (u - self.uth) + self.fth, self.sth)
+        } else {
+            (self.sty * (u - self.uty) + self.fty, self.sty)
+        }
+    }
+
+    /// Force of the skeleton in compression after yield.
+    #[inline]
+    fn compression(&self, u: f64) -> f64 {
+        self.scy * (u - self.ucy) + self.fcy
+    }
+
+    /// Force on the line on which the spring closes.
+    #[inline]
+    fn closing(&self, slope: f64, u: f64) -> f64 {
+        self.fcr + slope * (u - self.ucr)
+    }
+
+    /// Branch of the virgin spring.
+    #[inline]
+    fn virgin(&self, u: f64) -> Branch {
+        if u < self.ucy {
+            Branch::Yielded
+        } else if u <= self.uty {
+            Branch::Elastic
+        } else {
+            Branch::Cavitated
+        }
+    }
+
+    /// Down from the skeleton in tension.
+    #[inline]
+    fn unload(&self, c: &History, u: f64, t: &mut History) -> Branch {
+        let (f, _) = self.tension(c.u);
+        if HD {
+            if self.compat && c.u > self.uth && u == self.ucr {
+                return Branch::Overlooked;
+            }
+            // Elastically, to the line that joins the skeleton's slope through the origin with (u_cr, f_cr); or, where
+            // the elastic line ends in compression before, along itself.
+            let end = f + self.ste * (self.ucr - c.u);
+            if end >= self.fcr && !(self.compat && c.u > self.uth) {
+                t.from = c.u;
+                return self.relieved(t.from, u);
+            }
+            t.from = (self.ste * c.u - f) / (self.ste - self.sty);
+            t.slope = (self.fcr - self.sty * t.from) / (self.ucr - t.from);
+            return if u >= t.from { Branch::Reopening } else { self.close(t.slope, u) };
+        }
+        t.slope = (self.fcr - f) / (self.ucr - c.u);
+        if self.compat && u <= self.ucr {
+            return if u > self.ucy { Branch::Yielded } else { Branch::Cavitated };
+        }
+        self.close(t.slope, u)
+    }
+
+    /// Down the line through (u_cr, f_cr), and beyond.
+    #[inline]
+    fn close(&self, slope: f64, u: f64) -> Branch {
+        let mut end = self.ucr;
+        if self.compat && self.uth < f64::MAX {
+            // OpenSees looks first whether the elastic line from the hardening point has been passed.
+            let pass = (self.fth - self.fcr - self.ste * self.uth + slope * self.ucr) / (slope - self.ste);
+            end = end.min(pass);
+        }
+        if u > end { Branch::Closing } else { self.virgin(u) }
+    }
+
+    /// On the elastic line from the skeleton at `from`, above (u_cr, f_cr).
+    #[inline]
+    fn relieved(&self, from: f64, u: f64) -> Branch {
+        if u > from {
+            Branch::Cavitated
+        } else if u <= 0.0 && self.tension(from).0 + self.ste * (u - from) >= self.sce * u {
+            self.virgin(u)
+        } else {
+            Branch::Relieved
+        }
+    }
+
+    /// Up from the line through (u_cr, f_cr) at `from`, or down to it again.
+    #[inline]
+    fn reopen(&self, t: &History, u: f64) -> Branch {
+        if u <= t.from {
+            self.close(t.slope, u)
+        } else if self.closing(t.slope, t.from) + self.ste * (u - t.from) > self.tension(u).0 {
+            Branch::Cavitated
+        } else {
+            Branch::Reopening
+        }
+    }
+
+    /// On the elastic lines through zero force at `zero`, between the skeletons.
+    #[inline]
+    fn shifted(&self, c: &History, zero: f64, u: f64) -> Branch {
+        if u <= zero {
+            if self.sce * (u - zero) <= self.compression(u) { Branch::Yielded } else { Branch::Shifted }
+        } else if self.compat && self.ste == 0.0 {
+            c.branch
+        } else if self.ste * (u - zero) > self.tension(u).0 {
+            if u > self.uty { Branch::Cavitated } else { Branch::Flowing }
+        } else {
+            Branch::Shifted
+        }
+    }
+
+    /// Branch at `u`; sets where its lines begin.
+    #[inline]
+    fn follow(&self, c: &History, u: f64, t: &mut History) -> Branch {
+        match c.branch {
+            Branch::Overlooked if u >= c.u => Branch::Overlooked,
+            Branch::Elastic | Branch::Overlooked => self.virgin(u),
+            Branch::Cavitated if u >= c.u => Branch::Cavitated,
+            Branch::Cavitated => self.unload(c, u, t),
+            Branch::Closing if u <= c.u => self.close(c.slope, u),
+            Branch::Closing => {
+                t.from = c.u;
+                self.reopen(t, u)
+            }
+            Branch::Reopening => self.reopen(c, u),
+            Branch::Relieved => self.relieved(c.from, u),
+            Branch::Yielded if u <= c.u => Branch::Yielded,
+            Branch::Yielded => {
+                t.from = c.u - self.compression(c.u) / self.sce;
+                self.shifted(c, t.from, u)
+            }
+            Branch::Shifted => self.shifted(c, c.from, u),
+            Branch::Flowing if u >= c.u => {
+                if u <= self.uty {
+                    Branch::Flowing
+                } else {
+                    Branch::Cavitated
+                }
+            }
+            Branch::Flowing => {
+                t.from = c.u - self.tension(c.u).0 / self.ste;
+                self.shifted(c, t.from, u)
+            }
+        }
+    }
+}
+
+impl<const HD: bool> UniaxialLaw for AxialSpring<HD> {
+    type State = History;
+    const NAME: &'static str = if HD { "AxialSpHD" } else { "AxialSp" };
+
+    #[inline]
+    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+        let u = strain.value;
+        let mut t = History { u, ..*c };
+        t.branch = self.follow(c, u, &mut t);
+        let (value, tangent) = match t.branch {
+            Branch::Elastic if u <= 0.0 => (self.sce * u, self.sce),
+            Branch::Elastic => (self.ste * u, self.ste),
+            Branch::Cavitated | Branch::Flowing => self.tension(u),
+            Branch::Overlooked => (self.sth * (u - self.uth) + self.fth, self.sth),
+            Branch::Yielded => (self.compression(u), self.scy),
+            Branch::Closing => (self.closing(t.slope, u), t.slope),
+            Branch::Reopening => (self.closing(t.slope, t.from) + self.ste * (u - t.from), self.ste),
+            Branch::Relieved => (self.tension(t.from).0 + self.ste * (u - t.from), self.ste),
+            // Without stiffness in tension OpenSees' spring never gets to the tension side of the line.
+            Branch::Shifted if u <= t.from || (self.compat && self.ste == 0.0) => (self.sce * (u - t.from), self.sce),
+            Branch::Shifted => (self.ste * (u - t.from), self.ste),
+        };
+        Ok((Stress { value, tangent, damping: 0.0 }, t))
+    }
+
+    fn initial_tangent(&self) -> f64 {
+        self.sce
+    }
+}

@@ -1,0 +1,63 @@
+//! Pounding: a bilinear approximation of Hertz' contact.
+
+use super::{MaterialError, Strain, Stress, UniaxialLaw};
+
+/// Contact in compression behind a gap, with a loop that dissipates: stiff K₁ up to the yield displacement δ_y, K₂
+/// beyond; back down K₁ to the line K₂ through the contact, and along it (Muthukumar and DesRoches, 2006,
+/// <https://doi.org/10.1002/eqe.557>).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Impact {
+    /// Initial stiffness K₁.
+    pub k1: f64,
+    /// Secondary stiffness K₂, at most K₁.
+    pub k2: f64,
+    /// Yield displacement δ_y behind the contact, negative.
+    pub delta_y: f64,
+    /// Displacement at contact, negative or zero.
+    pub gap: f64,
+    /// As in OpenSees, the step that closes the gap counts its way through the gap too; the initial tangent is K₁ though
+    /// the gap is open.
+    pub compat: bool,
+}
+
+crate::words! {
+    /// History of [`Impact`].
+    pub struct History {
+        /// Displacement.
+        strain: f64,
+        /// Force.
+        stress: f64,
+        /// Tangent.
+        tangent: f64,
+    }
+}
+
+impl UniaxialLaw for Impact {
+    type State = History;
+    const NAME: &'static str = "ImpactMaterial";
+
+    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+        let u = strain.value;
+        let (stress, tangent) = if u >= self.gap {
+            (0.0, 0.0)
+        } else if u == c.strain {
+            (c.stress, c.tangent)
+        } else {
+            let loading = u < c.strain;
+            let from = if self.compat { c.strain } else { c.strain.min(self.gap) };
+            let stiff = c.stress + self.k1 * (u - from);
+            let soft = if loading {
+                self.k1 * self.delta_y + self.k2 * (u - self.gap - self.delta_y)
+            } else {
+                self.k2 * (u - self.gap)
+            };
+            let yields = if loading { stiff < soft } else { stiff > soft };
+            if yields { (soft, self.k2) } else { (stiff, self.k1) }
+        };
+        Ok((Stress { value: stress, tangent, damping: 0.0 }, History { strain: u, stress, tangent }))
+    }
+
+    fn initial_tangent(&self) -> f64 {
+        if self.gap < 0.0 && !self.compat { 0.0 } else { self.k1 }
+    }
+}

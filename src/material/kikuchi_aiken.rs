@@ -1,0 +1,340 @@
+//! Kikuchi and Aiken's law of the shear hysteresis of rubber bearings.
+
+use super::{MaterialError, Strain, Stress, Uniaxial};
+use crate::numeric::sign;
+use crate::probe::Probe;
+use crate::words::Words;
+use std::fmt;
+
+/// Shear strain up to which a bearing is elastic.
+pub(super) const ELASTIC_STRAIN: f64 = 0.05;
+
+/// Shape of the loops of a bearing that has been sheared to some amplitude.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Shape {
+    /// Part u of the force at the amplitude that is hysteretic.
+    pub u: f64,
+    /// Part p of the elastic force that stiffens.
+    pub p: f64,
+    /// Exponent n of what stiffens.
+    pub n: f64,
+    /// Decay a of the hysteretic curves after a reversal.
+    pub a: f64,
+}
+
+/// What a kind of bearing says of its loops, by the shear strain γ of their amplitude.
+pub trait Device: fmt::Debug + Clone + Send + Sync + 'static {
+    /// Name in the `uniaxialMaterial` command.
+    const NAME: &'static str;
+
+    /// Total thickness of the rubber H_r.
+    fn height(&self) -> f64;
+
+    /// Increment of the displacement that counts as rest.
+    fn rest(&self) -> f64;
+
+    /// Force F_m at an amplitude, and its derivative with respect to the displacement.
+    fn skeleton(&self, gamma: f64) -> (f64, f64);
+
+    /// Shape of the loops; a to a relative `tolerance` of the dissipated energy.
+    fn shape(&self, gamma: f64, tolerance: f64) -> Shape;
+
+    /// b of a curve that begins at a reversal at γ, in loops with the given a.
+    fn bump(&self, gamma: f64, a: f64) -> f64;
+
+    /// c of the curves that b stands before.
+    fn decay(&self) -> f64;
+}
+
+/// The law: within the largest displacement X so far, with x = d / X, the force is F₁ + F₂,
+/// F₁ = (1 - u) F_m [(1 - p) x + p xⁿ] and F₂ along a curve from the last reversal (x_r, F_2r),
+/// F₂ = F_2r ± α u F_m [2 - 2 exp(-a t) + b t exp(-c t)], t = |x - x_r|; α takes the curve to the reversal before, from
+/// where the interrupted one goes on. Beyond X the force is that of the skeleton.
+///
+/// Kikuchi and Aiken (1997), <https://doi.org/10.1002/(SICI)1096-9845(199702)26:2%3C215::AID-EQE640%3E3.0.CO;2-9>; the
+/// parameters and their functions of the amplitude as in OpenSees.
+#[derive(Clone, Debug)]
+pub struct KikuchiAiken<D> {
+    device: D,
+    /// Factors of a spring of several side by side: R_s of the displacement over R_f, and R_f of the force.
+    rs: f64,
+    rf: f64,
+    /// Stiffness in the elastic range.
+    elastic: f64,
+    /// As in OpenSees: its tangent on the skeleton, an elastic range that comes back a little softer, a to a coarse
+    /// tolerance, a loop that closes to the last bit left open, and an initial tangent without R_s.
+    compat: Option<Compat>,
+}
+
+/// What is only needed for OpenSees' numbers.
+#[derive(Clone, Copy, Debug)]
+struct Compat {
+    /// Force on the way back over that on the way out, in the elastic range.
+    back: f64,
+}
+
+/// Reversals inside each other that are remembered. Where there are more, the smallest loop is taken for closed.
+const LEVELS: usize = 48;
+
+crate::words! {
+    /// History but for the reversals.
+    struct Head {
+        /// Displacement, times R_s / R_f.
+        d: f64,
+        /// Force.
+        force: f64,
+        /// Stiffness.
+        stiffness: f64,
+        /// Hysteretic force F₂.
+        q2: f64,
+        /// Sign of the last increment.
+        sign: f64,
+        /// Largest displacement X.
+        max: f64,
+        /// Force F_m of the skeleton there.
+        fm: f64,
+        /// Number of reversals that are open.
+        depth: f64,
+        u: f64,
+        p: f64,
+        n: f64,
+        a: f64,
+    }
+}
+
+crate::words! {
+    /// A reversal, and the curve that begins there.
+    struct Reversal {
+        /// x_r.
+        x: f64,
+        /// F_2r.
+        q2: f64,
+        /// b.
+        b: f64,
+        /// α.
+        alpha: f64,
+    }
+}
+
+impl Head {
+    fn depth(&self) -> usize {
+        self.depth as usize
+    }
+}
+
+/// Place of a reversal, counted from 1.
+fn place(level: usize) -> usize {
+    Head::LEN + (level - 1) * Reversal::LEN
+}
+
+fn reversal(words: &[f64], level: usize) -> Reversal {
+    Reversal::read(&words[place(level)..])
+}
+
+/// Parameter a of a loop with equivalent damping h_eq: (1 - exp(-2a)) / a = 1 - π h_eq / (2u), at most `limit`, by
+/// bisection from `range`. A loop that no a is fat or thin enough for has that limit too.
+pub(super) fn decay_of_damping(heq: f64, u: f64, range: f64, limit: f64, tolerance: f64) -> f64 {
+    let target = 1.0 - std::f64::consts::PI * heq / (2.0 * u);
+    let (mut low, mut high) = (0.0, range);
+    if !(target > 0.0 && target < 2.0) {
+        return limit;
+    }
+    for _ in 0..100 {
+        let a = 0.5 * (low + high);
+        let value = (1.0 - (-2.0 * a).exp()) / a;
+        if ((value - target) / target).abs() < tolerance {
+            return a.min(limit);
+        }
+        if value < target {
+            high = a;
+        } else {
+            low = a;
+            if low > limit {
+                return limit;
+            }
+        }
+    }
+    low.min(limit)
+}
+
+/// b of a curve that dissipates as much as h_eq says: c² [π h_eq / u - (2 + 2 / a (exp(-2a) - 1))].
+pub(super) fn bump_of_damping(heq: f64, u: f64, a: f64, c: f64) -> f64 {
+    c * c * (std::f64::consts::PI * heq / u - (2.0 + 2.0 / a * ((-2.0 * a).exp() - 1.0)))
+}
+
+impl<D: Device> KikuchiAiken<D> {
+    /// A bearing, or one of several springs side by side with the factors R_s and R_f, both 1 for a whole bearing.
+    pub fn new(device: D, [rs, rf]: [f64; 2], compat: bool) -> Self {
+        let elastic = device.skeleton(ELASTIC_STRAIN).0 / (ELASTIC_STRAIN * device.height());
+        let compat = compat.then(|| {
+            let Shape { u, a, .. } = device.shape(ELASTIC_STRAIN, tolerance(true));
+            Compat { back: 1.0 - 2.0 * u * (-2.0 * a).exp() }
+        });
+        Self { device, rs, rf, elastic, compat }
+    }
+
+    /// Force and stiffness in the elastic range.
+    fn elastic(&self, t: &Head) -> (f64, f64) {
+        let back = self.compat.filter(|_| t.d * t.sign < 0.0).map_or(1.0, |c| c.back);
+        (self.elastic * t.d * back, self.elastic)
+    }
+
+    /// Force and stiffness on the skeleton.
+    fn skeleton(&self, t: &mut Head) -> Result<(f64, f64), MaterialError> {
+        let gamma = t.max / self.device.height();
+        let (fm, mut k) = self.device.skeleton(gamma);
+        if fm.is_nan() || fm <= 0.0 {
+            return Err(out_of_range::<D>(gamma));
+        }
+        if self.compat.is_some() {
+            let Shape { u, p, n, a } = self.device.shape(gamma, tolerance(true));
+            k = fm / t.max * ((1.0 - u) * (1.0 - p + p * n) + u * 2.0 * a * (-2.0 * a).exp());
+        }
+        t.fm = fm;
+        Ok((fm * sign(t.d), k))
+    }
+
+    /// The part in brackets of a hysteretic curve, and its derivative.
+    fn curve(&self, a: f64, b: f64, t: f64) -> (f64, f64) {
+        let e = (-a * t).exp();
+        let (value, slope) = (2.0 - 2.0 * e, 2.0 * a * e);
+        if b == 0.0 {
+            return (value, slope);
+        }
+        let c = self.device.decay();
+        let be = b * (-c * t).exp();
+        (value + t * be, slope + be * (1.0 - c * t))
+    }
+
+    /// Take down a reversal at the committed state; `next` holds the committed reversals.
+    fn reverse(&self, c: &Head, t: &mut Head, next: &mut [f64]) -> Result<(), MaterialError> {
+        let gamma = c.d.abs() / self.device.height();
+        if c.depth == 0.0 {
+            let shape = self.device.shape(gamma, tolerance(self.compat.is_some()));
+            if shape.u.is_nan() || shape.u <= 0.0 {
+                return Err(out_of_range::<D>(gamma));
+            }
+            (t.u, t.p, t.n, t.a) = (shape.u, shape.p, shape.n, shape.a);
+            if self.compat.is_none() {
+                t.n = t.n.max(1.0);
+            }
+            let first =
+                Reversal { x: sign(c.d), q2: sign(c.d) * t.u * t.fm, b: self.device.bump(gamma, t.a), alpha: 1.0 };
+            t.depth = 1.0;
+            first.write(&mut next[place(1)..]);
+            return Ok(());
+        }
+        let last = if c.depth() == LEVELS { LEVELS - 2 } else { c.depth() };
+        let before = reversal(next, last);
+        let x = c.d / c.max;
+        let same_side = before.x * x > 0.0;
+        let b = if before.b == 0.0 || same_side { 0.0 } else { self.device.bump(gamma, t.a) };
+        let length = (before.x - x) * t.sign;
+        let ratio =
+            if b == before.b { 1.0 } else { self.curve(t.a, before.b, length).0 / self.curve(t.a, b, length).0 };
+        t.depth = (last + 1) as f64;
+        Reversal { x, q2: c.q2, b, alpha: before.alpha * ratio }.write(&mut next[place(last + 1)..]);
+        Ok(())
+    }
+
+    /// Forget the loops that have been closed at x.
+    fn close(&self, t: &mut Head, x: f64, next: &[f64]) {
+        while t.depth >= 2.0 {
+            let (begin, end) = (reversal(next, t.depth()).x, reversal(next, t.depth() - 1).x);
+            let past = (x - begin) * (x - end);
+            if past < 0.0 || (past == 0.0 && self.compat.is_some()) {
+                break;
+            }
+            t.depth -= 1.0;
+        }
+    }
+
+    /// Force and stiffness inside the skeleton.
+    fn inside(&self, c: &Head, t: &mut Head, next: &mut [f64]) -> Result<(f64, f64), MaterialError> {
+        if t.sign * c.sign < 0.0 || c.depth == 0.0 {
+            self.reverse(c, t, next)?;
+        }
+        let x = t.d / t.max;
+        self.close(t, x, next);
+        let from = reversal(next, t.depth());
+        let (value, slope) = self.curve(t.a, from.b, t.sign * (x - from.x));
+        let hysteretic = from.alpha * t.u;
+        t.q2 = from.q2 + t.sign * hysteretic * t.fm * value;
+        let (mut stiffening, mut stiffer) = (x.abs(), 1.0);
+        if t.p != 0.0 && t.n != 1.0 {
+            let power = x.abs().powf(t.n - 1.0);
+            stiffening *= 1.0 - t.p + t.p * power;
+            stiffer += t.p * (t.n * power - 1.0);
+        }
+        let q1 = (1.0 - t.u) * t.fm * stiffening * sign(x);
+        Ok((q1 + t.q2, t.fm / t.max * ((1.0 - t.u) * stiffer + hysteretic * slope)))
+    }
+}
+
+/// Tolerance of a.
+fn tolerance(compat: bool) -> f64 {
+    if compat { 1e-6 } else { 1e-15 }
+}
+
+fn out_of_range<D: Device>(gamma: f64) -> MaterialError {
+    MaterialError(format!("{}: the shear strain {gamma:.3} is far beyond what the law was fitted to, 4.1", D::NAME))
+}
+
+impl<D: Device> Uniaxial for KikuchiAiken<D> {
+    fn name(&self) -> &'static str {
+        D::NAME
+    }
+    fn state_len(&self) -> usize {
+        place(LEVELS + 1)
+    }
+    fn init(&self, state: &mut [f64]) {
+        state.fill(0.0);
+        Head { stiffness: self.initial_tangent(), ..Head::default() }.write(state);
+    }
+
+    /// Reversals that are not open any more are left as they are: nothing reads them.
+    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+        let c = Head::read(committed);
+        let used = place(c.depth() + 1);
+        next[Head::LEN..used].copy_from_slice(&committed[Head::LEN..used]);
+        let d = strain.value * self.rs / self.rf;
+        let step = d - c.d;
+        if step.abs() < self.device.rest() {
+            c.write(next);
+            return Ok(Stress { value: c.force, tangent: c.stiffness, damping: 0.0 });
+        }
+        let mut t = Head { d, sign: sign(step), max: c.max.max(d.abs()), ..c };
+        let (force, stiffness) = if t.max <= ELASTIC_STRAIN * self.device.height() {
+            self.elastic(&t)
+        } else if d.abs() == t.max {
+            t.depth = 0.0;
+            self.skeleton(&mut t)?
+        } else {
+            self.inside(&c, &mut t, next)?
+        };
+        (t.force, t.stiffness) = (force * self.rf, stiffness * self.rs);
+        t.write(next);
+        Ok(Stress { value: t.force, tangent: t.stiffness, damping: 0.0 })
+    }
+
+    fn initial_tangent(&self) -> f64 {
+        if self.compat.is_some() { self.elastic } else { self.elastic * self.rs }
+    }
+    fn is_viscous(&self) -> bool {
+        false
+    }
+    fn depends_on_time(&self) -> bool {
+        false
+    }
+    fn is_linear(&self) -> bool {
+        false
+    }
+    /// OpenSees shows the displacement with the factor R_s / R_f.
+    fn shown_strain(&self, strain: f64, _: &[f64]) -> f64 {
+        if self.compat.is_some() { strain * self.rs / self.rf } else { strain }
+    }
+    fn probe(&self, _: &[&str]) -> Option<Probe> {
+        None
+    }
+    fn read(&self, _: &[u32], _: &[f64], _: &mut [f64]) {}
+}

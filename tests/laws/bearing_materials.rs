@@ -1,0 +1,237 @@
+//! Materials of bearings and of pounding.
+
+use super::driver::{Point, path};
+use super::materials::{check_purity, check_tangent};
+use hysteron::material::{
+    AxialParameters, AxialSp, AxialSpHD, COMPOUNDS, HertzDamp, HighDampingRubber, Impact, JankowskiImpact,
+    KikuchiAiken, LeadRubber, LeadRubberParameters, Material,
+};
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+const AXIAL: AxialParameters =
+    AxialParameters { sce: 1200.0, fty: 1.5, fcy: -30.0, bte: 0.5, bty: 0.05, bcy: 0.3, fcr: -5.0, hardening: None };
+const HEIGHT: f64 = 0.15;
+
+fn axial(p: AxialParameters) -> Material {
+    match p.hardening {
+        Some(_) => Arc::new(AxialSpHD::new(&p, false)),
+        None => Arc::new(AxialSp::new(&p, false)),
+    }
+}
+
+fn rubber(compound: usize) -> HighDampingRubber {
+    HighDampingRubber { compound: COMPOUNDS[compound].clone(), area: 0.5, height: HEIGHT, factors: [1.1, 0.95, 1.05] }
+}
+
+fn high_damping(compound: usize) -> Material {
+    Arc::new(KikuchiAiken::new(rubber(compound), [0.5, 0.25], false))
+}
+
+fn lead() -> LeadRubber {
+    LeadRubber::new(&LeadRubberParameters {
+        rubber_area: 0.385,
+        height: HEIGHT,
+        rubber_modulus: 0.392e6,
+        lead_area: 0.0177,
+        lead_strength: 8.33e6,
+        lead_modulus: 0.588e6,
+        stiffness_ratio: 13.0,
+        temperature: 0.0,
+        factors: [1.0, 0.9],
+    })
+}
+
+/// Every law with an amplitude that takes it far into its range.
+fn all() -> Vec<(String, Material, f64)> {
+    let hard = Some((0.2, 4.0));
+    let mut all = vec![
+        ("axial".to_owned(), axial(AXIAL), 0.06),
+        ("axial, no tension".to_owned(), axial(AxialParameters { bte: 0.0, bty: 0.0, ..AXIAL }), 0.06),
+        ("axial, hardening".to_owned(), axial(AxialParameters { hardening: hard, ..AXIAL }), 0.06),
+        ("axial, closing at 0".to_owned(), axial(AxialParameters { fcr: 0.0, hardening: hard, ..AXIAL }), 0.06),
+        ("lead rubber".to_owned(), Arc::new(KikuchiAiken::new(lead(), [1.0; 2], false)) as Material, 2.6 * HEIGHT),
+        (
+            "impact".to_owned(),
+            Arc::new(Impact { k1: 4e4, k2: 9e3, delta_y: -0.003, gap: -0.01, compat: false }),
+            0.04,
+        ),
+    ];
+    for (i, c) in COMPOUNDS.iter().enumerate() {
+        all.push((c.name.to_owned(), high_damping(i), 6.0 * HEIGHT));
+    }
+    all
+}
+
+fn symmetric() -> impl Iterator<Item = (String, Material, f64)> {
+    all().into_iter().filter(|(name, ..)| name.starts_with('X') || name == "lead rubber")
+}
+
+#[test]
+fn tangent_is_the_derivative_of_the_force() {
+    all().into_iter().for_each(|(name, law, amplitude)| check_tangent(&name, law, amplitude));
+}
+
+#[test]
+fn force_depends_on_the_committed_state_alone() {
+    all().into_iter().for_each(|(name, law, amplitude)| check_purity(&name, law, amplitude));
+}
+
+#[test]
+fn mirrored_displacement_gives_mirrored_force() {
+    for (name, law, amplitude) in symmetric() {
+        let (mut p, mut q) = (Point::new(law.clone()), Point::new(law));
+        for u in path(5, 800, amplitude) {
+            assert_eq!(p.go(u).value, -q.go(-u).value, "{name}");
+        }
+    }
+}
+
+#[test]
+fn initial_tangent_is_that_of_a_small_displacement() {
+    for (name, law, amplitude) in all().into_iter().filter(|m| m.0 != "impact") {
+        let k = law.initial_tangent();
+        let u = -1e-6 * amplitude;
+        let secant = Point::new(law).go(u).value / u;
+        assert!((secant - k).abs() < 1e-9 * k, "{name}: {secant} for {k}");
+    }
+}
+
+/// Work of one cycle from `mean` by `amplitude` up and down.
+fn cycle(p: &mut Point, mean: f64, amplitude: f64) -> f64 {
+    let n = 400;
+    let (mut last, mut at, mut work) = (p.go(mean).value, mean, 0.0);
+    for k in 1..=n {
+        let u = mean + amplitude * (2.0 * PI * f64::from(k) / f64::from(n)).sin();
+        let s = p.go(u).value;
+        work += 0.5 * (s + last) * (u - at);
+        (last, at) = (s, u);
+    }
+    work
+}
+
+/// Whatever came before, a cycle that is gone through again gives no energy.
+#[test]
+fn no_energy_comes_out_of_a_closed_cycle() {
+    for (name, law, amplitude) in all() {
+        let mut p = Point::new(law.clone());
+        let walk = path(17, 600, amplitude);
+        for (k, &u) in walk.iter().enumerate() {
+            p.go(u);
+            if k % 20 == 0 {
+                let around = 0.3 * walk[(k + 300) % 600];
+                cycle(&mut p, u, around);
+                let work = cycle(&mut p, u, around);
+                let scale = law.initial_tangent().max(1.0) * around * around;
+                assert!(work > -1e-4 * scale, "{name}, step {k}: {work} of {scale}");
+            }
+        }
+    }
+}
+
+/// The force at the end of a way does not depend on how many steps it takes.
+#[test]
+fn axial_springs_and_contacts_do_not_depend_on_the_step() {
+    for (name, law, amplitude) in all().into_iter().filter(|m| !m.0.starts_with('X') && m.0 != "lead rubber") {
+        let (mut coarse, mut fine) = (Point::new(law.clone()), Point::new(law));
+        let mut from = 0.0;
+        for to in path(23, 4000, amplitude).into_iter().step_by(40) {
+            (1..=50).for_each(|k| {
+                fine.go(from + (to - from) * f64::from(k) / 50.0);
+            });
+            let (a, b) = (coarse.go(to).value, fine.trial(to, 0.0, 0.0).value);
+            assert!((a - b).abs() < 1e-9 * 1200.0 * amplitude, "{name} from {from} to {to}: {a} and {b}");
+            from = to;
+        }
+    }
+}
+
+/// Loops of the amplitude X dissipate what the equivalent damping of the compound says.
+#[test]
+fn loops_have_the_damping_of_the_compound() {
+    // Published h_eq of X0.6 at 100 % and 200 %.
+    for (gamma, heq) in [(1.0, 0.2103), (2.0, 0.1825)] {
+        let device = HighDampingRubber { factors: [1.0; 3], ..rubber(0) };
+        let x = gamma * HEIGHT;
+        let mut p = Point::new(Arc::new(KikuchiAiken::new(device, [1.0; 2], false)));
+        cycle(&mut p, 0.0, x);
+        let work = cycle(&mut p, 0.0, x);
+        let force = p.go(x).value;
+        let damping = work / (2.0 * PI * force * x);
+        assert!((damping - heq).abs() < 0.01 * heq, "at {gamma}: {damping} for {heq}");
+    }
+}
+
+/// More loops inside each other than are remembered: the force stays bounded, and the skeleton is found again.
+#[test]
+fn loops_without_end_inside_each_other() {
+    let law = high_damping(0);
+    let mut p = Point::new(law.clone());
+    let mut x = 2.0 * HEIGHT;
+    let top = p.go(x).value;
+    for k in 0..300 {
+        x *= -0.99;
+        for part in 1..=4 {
+            let s = p.go(x * (0.5 * f64::from(part) - 1.0)).value;
+            assert!(s.abs() <= top, "reversal {k}: {s}");
+        }
+    }
+    let end = p.go(2.0 * HEIGHT).value;
+    assert!((end - top).abs() < 1e-12 * top, "{end} for {top}");
+}
+
+/// The way back to a reversal ends at the force that was left there.
+#[test]
+fn inner_loops_close() {
+    for (name, law, amplitude) in symmetric() {
+        let mut p = Point::new(law);
+        p.go(amplitude);
+        p.go(-0.2 * amplitude);
+        let left = p.go(-0.5 * amplitude).value;
+        p.go(0.1 * amplitude);
+        p.go(-0.3 * amplitude);
+        p.go(0.0);
+        let back = p.go(-0.5 * amplitude * (1.0 - 1e-12)).value;
+        assert!((back - left).abs() < 1e-9 * left.abs(), "{name}: {back} for {left}");
+    }
+}
+
+/// Too much shear is refused where the fitted functions lose their meaning, before there is a NaN.
+#[test]
+fn shear_beyond_the_fit_is_refused() {
+    for compound in 0..COMPOUNDS.len() {
+        let law = high_damping(compound);
+        let mut state = vec![0.0; law.state_len()];
+        law.init(&mut state);
+        let mut next = state.clone();
+        for k in 1..2000 {
+            let strain = hysteron::material::Strain { value: f64::from(k) * 0.02, rate: 0.0, dt: 0.0 };
+            match law.update(&state, strain, &mut next) {
+                Ok(s) => assert!(s.value.is_finite() && s.tangent.is_finite()),
+                Err(e) => assert!(e.to_string().contains("beyond"), "{e}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn contact_resists_the_rate() {
+    let hertz = HertzDamp { kh: 1e4, xi: 0.4, gap: -0.01, n: 1.5, compat: false };
+    let jankowski = JankowskiImpact { kh: 1e4, xi: 0.3, mass: 20.0, gap: -0.01, n: 1.5, compat: false };
+    for law in [Arc::new(hertz) as Material, Arc::new(jankowski)] {
+        let mut p = Point::new(law);
+        assert_eq!(p.trial(-0.01, -2.0, 0.01).value, 0.0, "open");
+        let begins = p.trial(-0.02, -2.0, 0.01);
+        let elastic = -1e4 * 0.01f64.powf(1.5);
+        assert!(begins.value < elastic);
+        p.commit();
+        for rate in [-1.5, -0.3, 0.4] {
+            let s = p.trial(-0.022, rate, 0.01);
+            let h = 1e-7;
+            let dr = (p.trial(-0.022, rate + h, 0.01).value - p.trial(-0.022, rate - h, 0.01).value) / (2.0 * h);
+            let du = (p.trial(-0.022 + h, rate, 0.01).value - p.trial(-0.022 - h, rate, 0.01).value) / (2.0 * h);
+            assert!((s.damping - dr).abs() < 1e-6 * dr.abs().max(1.0), "{} for {dr}", s.damping);
+            assert!((s.tangent - du).abs() < 1e-6 * du, "{} for {du}", s.tangent);
+        }
+    }
+}
