@@ -21,9 +21,13 @@ mod frame_materials;
 mod links;
 #[path = "laws/materials.rs"]
 mod materials;
+#[path = "laws/multiple_shear_spring.rs"]
+mod multiple_shear_spring;
 #[path = "laws/sliders.rs"]
 mod sliders;
 #[path = "laws/springs.rs"]
 mod springs;
 #[path = "laws/timoshenko.rs"]
 mod timoshenko;
+#[path = "laws/yamamoto.rs"]
+mod yamamoto;

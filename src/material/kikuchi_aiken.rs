@@ -73,7 +73,8 @@ struct Compat {
     back: f64,
 }
 
-/// Reversals inside each other that are remembered. Where there are more, the smallest loop is taken for closed.
+/// Reversals inside each other that are remembered. Where there are more, the loop that hardly differs from the one around
+/// it is taken for closed.
 const LEVELS: usize = 48;
 
 crate::words! {
@@ -131,6 +132,13 @@ fn reversal(words: &[f64], level: usize) -> Reversal {
     Reversal::read(&words[place(level)..])
 }
 
+/// Forget the two reversals that are missed least.
+fn forget(words: &mut [f64]) {
+    let difference = |level: usize| (reversal(words, level + 1).x - reversal(words, level - 1).x).abs();
+    let least = (2..LEVELS).min_by(|a, b| difference(*a).total_cmp(&difference(*b))).unwrap_or(2);
+    words.copy_within(place(least + 2)..place(LEVELS + 1), place(least));
+}
+
 /// Parameter a of a loop with equivalent damping h_eq: (1 - exp(-2a)) / a = 1 - π h_eq / (2u), at most `limit`, by
 /// bisection from `range`. A loop that no a is fat or thin enough for has that limit too.
 pub(super) fn decay_of_damping(heq: f64, u: f64, range: f64, limit: f64, tolerance: f64) -> f64 {
@@ -173,6 +181,15 @@ impl<D: Device> KikuchiAiken<D> {
         Self { device, rs, rf, elastic, compat }
     }
 
+    /// Refuse what the fitted functions give where they have lost their meaning; OpenSees goes on.
+    fn check(&self, x: f64, gamma: f64) -> Result<(), MaterialError> {
+        if x > 0.0 || (self.compat.is_some() && x.is_finite()) {
+            return Ok(());
+        }
+        let name = D::NAME;
+        Err(MaterialError(format!("{name}: the shear strain {gamma:.3} is far beyond what the law was fitted to, 4.1")))
+    }
+
     /// Force and stiffness in the elastic range.
     fn elastic(&self, t: &Head) -> (f64, f64) {
         let back = self.compat.filter(|_| t.d * t.sign < 0.0).map_or(1.0, |c| c.back);
@@ -183,9 +200,7 @@ impl<D: Device> KikuchiAiken<D> {
     fn skeleton(&self, t: &mut Head) -> Result<(f64, f64), MaterialError> {
         let gamma = t.max / self.device.height();
         let (fm, mut k) = self.device.skeleton(gamma);
-        if fm.is_nan() || fm <= 0.0 {
-            return Err(out_of_range::<D>(gamma));
-        }
+        self.check(fm, gamma)?;
         if self.compat.is_some() {
             let Shape { u, p, n, a } = self.device.shape(gamma, tolerance(true));
             k = fm / t.max * ((1.0 - u) * (1.0 - p + p * n) + u * 2.0 * a * (-2.0 * a).exp());
@@ -211,9 +226,7 @@ impl<D: Device> KikuchiAiken<D> {
         let gamma = c.d.abs() / self.device.height();
         if c.depth == 0.0 {
             let shape = self.device.shape(gamma, tolerance(self.compat.is_some()));
-            if shape.u.is_nan() || shape.u <= 0.0 {
-                return Err(out_of_range::<D>(gamma));
-            }
+            self.check(shape.u, gamma)?;
             (t.u, t.p, t.n, t.a) = (shape.u, shape.p, shape.n, shape.a);
             if self.compat.is_none() {
                 t.n = t.n.max(1.0);
@@ -224,16 +237,19 @@ impl<D: Device> KikuchiAiken<D> {
             first.write(&mut next[place(1)..]);
             return Ok(());
         }
-        let last = if c.depth() == LEVELS { LEVELS - 2 } else { c.depth() };
-        let before = reversal(next, last);
+        if c.depth() == LEVELS {
+            forget(next);
+            t.depth -= 2.0;
+        }
+        let before = reversal(next, t.depth());
         let x = c.d / c.max;
         let same_side = before.x * x > 0.0;
         let b = if before.b == 0.0 || same_side { 0.0 } else { self.device.bump(gamma, t.a) };
         let length = (before.x - x) * t.sign;
         let ratio =
             if b == before.b { 1.0 } else { self.curve(t.a, before.b, length).0 / self.curve(t.a, b, length).0 };
-        t.depth = (last + 1) as f64;
-        Reversal { x, q2: c.q2, b, alpha: before.alpha * ratio }.write(&mut next[place(last + 1)..]);
+        t.depth += 1.0;
+        Reversal { x, q2: c.q2, b, alpha: before.alpha * ratio }.write(&mut next[place(t.depth())..]);
         Ok(())
     }
 
@@ -274,10 +290,6 @@ impl<D: Device> KikuchiAiken<D> {
 /// Tolerance of a.
 fn tolerance(compat: bool) -> f64 {
     if compat { 1e-6 } else { 1e-15 }
-}
-
-fn out_of_range<D: Device>(gamma: f64) -> MaterialError {
-    MaterialError(format!("{}: the shear strain {gamma:.3} is far beyond what the law was fitted to, 4.1", D::NAME))
 }
 
 impl<D: Device> Uniaxial for KikuchiAiken<D> {

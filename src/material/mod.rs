@@ -85,6 +85,28 @@ pub struct Stress {
     pub damping: f64,
 }
 
+/// Trial strains of many points of one material.
+#[derive(Clone, Copy, Debug)]
+pub struct Strains<'a> {
+    /// Total strain of each.
+    pub value: &'a [f64],
+    /// Strain rate of each.
+    pub rate: &'a [f64],
+    /// Domain time since the committed state.
+    pub dt: f64,
+}
+
+/// What many points of one material answer, a number for each.
+#[derive(Debug)]
+pub struct Stresses<'a> {
+    /// Stresses.
+    pub value: &'a mut [f64],
+    /// Consistent tangents.
+    pub tangent: &'a mut [f64],
+    /// d stress / d rate.
+    pub damping: &'a mut [f64],
+}
+
 /// Why a law could not answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MaterialError(pub String);
@@ -150,6 +172,26 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
     fn init(&self, state: &mut [f64]);
     /// Stress for a trial strain from the committed history; writes every word of `next`.
     fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError>;
+
+    /// The same for many points whose histories lie one after the other: one dynamic call for a whole bundle of springs,
+    /// in which the law is called statically.
+    fn update_all(
+        &self,
+        committed: &[f64],
+        strains: &Strains<'_>,
+        next: &mut [f64],
+        stresses: &mut Stresses<'_>,
+    ) -> Result<(), MaterialError> {
+        let n = self.state_len();
+        for (i, (&value, &rate)) in strains.value.iter().zip(strains.rate).enumerate() {
+            let words = i * n..(i + 1) * n;
+            let strain = Strain { value, rate, dt: strains.dt };
+            let s = self.update(&committed[words.clone()], strain, &mut next[words])?;
+            (stresses.value[i], stresses.tangent[i], stresses.damping[i]) = (s.value, s.tangent, s.damping);
+        }
+        Ok(())
+    }
+
     /// Tangent of the virgin material.
     fn initial_tangent(&self) -> f64;
     /// Whether `Stress::damping` is ever used.

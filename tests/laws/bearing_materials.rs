@@ -51,14 +51,10 @@ fn all() -> Vec<(String, Material, f64)> {
         ("axial, hardening".to_owned(), axial(AxialParameters { hardening: hard, ..AXIAL }), 0.06),
         ("axial, closing at 0".to_owned(), axial(AxialParameters { fcr: 0.0, hardening: hard, ..AXIAL }), 0.06),
         ("lead rubber".to_owned(), Arc::new(KikuchiAiken::new(lead(), [1.0; 2], false)) as Material, 2.6 * HEIGHT),
-        (
-            "impact".to_owned(),
-            Arc::new(Impact { k1: 4e4, k2: 9e3, delta_y: -0.003, gap: -0.01, compat: false }),
-            0.04,
-        ),
+        ("impact".to_owned(), Arc::new(Impact { k1: 4e4, k2: 9e3, delta_y: -0.003, gap: -0.01, compat: false }), 0.04),
     ];
     for (i, c) in COMPOUNDS.iter().enumerate() {
-        all.push((c.name.to_owned(), high_damping(i), 6.0 * HEIGHT));
+        all.push((c.name.to_owned(), high_damping(i), 1.5 * HEIGHT));
     }
     all
 }

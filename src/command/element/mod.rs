@@ -2,10 +2,13 @@
 
 mod beam;
 mod bearing;
+mod multiple_shear_spring;
+mod multiple_springs;
 mod sliding;
 mod timoshenko;
 mod truss;
 mod two_node_link;
+mod yamamoto;
 mod zero_length;
 
 use super::args::Args;
@@ -39,9 +42,11 @@ const KINDS: &[Kind] = &[
     sliding::FLAT,
     sliding::PENDULUM,
     sliding::RJ_WATSON,
+    multiple_shear_spring::MULTIPLE_SHEAR_SPRING,
     truss::TRUSS,
     truss::COROT_TRUSS,
     two_node_link::TWO_NODE_LINK,
+    yamamoto::YAMAMOTO,
     zero_length::ZERO_LENGTH,
 ];
 

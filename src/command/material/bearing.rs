@@ -1,8 +1,8 @@
 //! Materials of laminated rubber bearings.
 
 use super::Kind;
-use crate::command::args::Args;
 use crate::command::Tcl;
+use crate::command::args::Args;
 use crate::material::{
     AxialParameters, AxialSp, AxialSpHD, COMPOUNDS, HighDampingRubber, KikuchiAiken, LeadRubber, LeadRubberParameters,
     Material,

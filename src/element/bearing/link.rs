@@ -100,13 +100,18 @@ impl<const N: usize, const B: usize> Link<N, B> {
         self.p_delta.each_ref().map(|row| dot(row, disp))
     }
 
-    /// Add the global forces of basic forces `q`, P-Delta moments included.
-    pub fn add_force(&self, q: &[f64; B], disp: &[f64], force: &mut [f64]) {
+    /// Add the global forces of basic forces `q` without P-Delta moments.
+    pub fn add_basic_force(&self, q: &[f64; B], force: &mut [f64]) {
         for (row, &qi) in self.basic.iter().zip(q) {
             for (f, r) in force.iter_mut().zip(row) {
                 *f += qi * r;
             }
         }
+    }
+
+    /// Add the global forces of basic forces `q`, P-Delta moments included.
+    pub fn add_force(&self, q: &[f64; B], disp: &[f64], force: &mut [f64]) {
+        self.add_basic_force(q, force);
         for (f, l) in force.iter_mut().zip(self.lever(disp)) {
             *f += q[0] * l;
         }

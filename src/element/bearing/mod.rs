@@ -4,13 +4,20 @@
 
 mod bouc_wen;
 mod link;
+mod multiple_shear_spring;
 mod plasticity;
+mod responses;
 mod shear;
 mod shear_bearing;
+mod shear_springs;
 pub mod sliding;
+mod yamamoto;
 
 pub use bouc_wen::ShearParameters;
 pub use link::Link;
+pub use multiple_shear_spring::MultipleShearSpring;
 pub use plasticity::PlasticShear;
 pub use shear::{Shear, ShearLaw};
 pub use shear_bearing::{PlaneBearing, ShearBearing, SpaceBearing};
+pub use shear_springs::{Bundle, Factors, ShearSprings};
+pub use yamamoto::YamamotoShear;

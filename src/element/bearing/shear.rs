@@ -1,6 +1,7 @@
 //! Shear laws of bearings: what a law must say, and the history that all of them keep.
 
-use crate::element::ElementError;
+use super::shear_bearing::end_masses;
+use crate::element::{ElementError, Mass};
 use crate::words::Words;
 use std::fmt;
 
@@ -47,6 +48,8 @@ pub trait ShearLaw<const S: usize>: Clone + fmt::Debug + Send + Sync {
     const CLASS: [&'static str; 2];
     /// Whether recorders show the internal variable as the hysteretic parameter.
     const HYSTERETIC: bool;
+    /// Whether OpenSees takes the inertia of the bearing's mass under a uniform ground motion off the force that it reports.
+    const REPORTS_INERTIA: bool = false;
 
     /// History at rest, with the initial stiffness.
     fn virgin(&self) -> Shear<S>;
@@ -56,6 +59,11 @@ pub trait ShearLaw<const S: usize>: Clone + fmt::Debug + Send + Sync {
     /// # Errors
     /// A step that the law has no answer for.
     fn step(&self, committed: &Shear<S>, u: [f64; S]) -> Result<Shear<S>, ElementError>;
+
+    /// Where the mass of the bearing is: half of it at each end.
+    fn masses(&self, mass: f64) -> Mass {
+        end_masses(mass, 3 * S, S + 1)
+    }
 }
 
 /// Force and stiffness of the hardening springs of one direction, k₂ u + k₃ sign(u) |u|^μ.

@@ -113,7 +113,11 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
     }
 
     fn mass(&self) -> Mass {
-        end_masses(self.mass, N / 2, S + 1)
+        self.law.masses(self.mass)
+    }
+
+    fn ground_inertia_slip(&self) -> Option<f64> {
+        (L::REPORTS_INERTIA && self.mass != 0.0).then_some(1.0)
     }
 
     fn basic_rows(&self) -> Vec<BasicRow> {
