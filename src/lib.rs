@@ -52,6 +52,7 @@ pub mod analysis;
 pub mod assembly;
 pub mod calibrate;
 pub mod command;
+pub mod diagnose;
 pub mod diagnostic;
 pub mod element;
 pub mod io;

@@ -28,6 +28,7 @@ const LAYERS: &[&str] = &[
     "run",
     "study",
     "calibrate",
+    "diagnose",
 ];
 
 /// Pairs that stand beside each other: the first never uses the second, though it comes later.

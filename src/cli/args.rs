@@ -44,6 +44,8 @@ pub(super) enum Command {
     Loops(Loops),
     /// Find the parameters of a study that follow its recordings best
     Calibrate(CalibrateArgs),
+    /// Find why a model and recordings differ, and repair the model
+    Diagnose(DiagnoseArgs),
     /// List the commands of OpenSees that scripts may use
     Commands {
         /// The kinds that this command makes: element, uniaxialMaterial, timeSeries
@@ -77,6 +79,27 @@ pub(super) struct CalibrateArgs {
     /// Go on where an interrupted calibration was stopped
     #[arg(long)]
     pub(super) resume: bool,
+    /// Follow another program where it is known to slip
+    #[arg(long, value_enum, value_name = "PROGRAM")]
+    pub(super) compat: Option<Compat>,
+}
+
+#[derive(Args, Debug)]
+pub(super) struct DiagnoseArgs {
+    /// The study
+    pub(super) study: PathBuf,
+    /// Where the results go
+    #[arg(long, value_name = "DIR")]
+    pub(super) out: Option<PathBuf>,
+    /// Leave causes out of the library
+    #[arg(long, value_name = "CAUSE", num_args = 1..)]
+    pub(super) without: Vec<String>,
+    /// Number of threads; all cores if it is not given. The result does not depend on it
+    #[arg(long, value_name = "N")]
+    pub(super) threads: Option<usize>,
+    /// Show all explanations that were weighed
+    #[arg(long)]
+    pub(super) verbose: bool,
     /// Follow another program where it is known to slip
     #[arg(long, value_enum, value_name = "PROGRAM")]
     pub(super) compat: Option<Compat>,

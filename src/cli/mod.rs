@@ -4,6 +4,7 @@ mod args;
 mod calibrate;
 mod compare;
 mod console;
+mod diagnose;
 mod files;
 mod loops;
 mod messages;

@@ -23,6 +23,7 @@ pub(crate) fn main() -> i32 {
         Command::Run { switches: run, ladder, model, args } => script(&run, Mode::Run, ladder, &model, &args),
         Command::Check { switches: run, model, args } => script(&run, Mode::Check, false, &model, &args),
         Command::Calibrate(args) => super::calibrate::calibrate(&args),
+        Command::Diagnose(args) => super::diagnose::run(&args),
         Command::Loops(a) => print(loops(&a)),
         Command::Commands { command } => print(usages(command.as_deref())),
     }

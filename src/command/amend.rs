@@ -5,7 +5,7 @@ use super::model::{need_model, node_of};
 use super::{Command, Outcome, Tcl, finish};
 use crate::element::amendment::{
     Amended, Amendment, Axial, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Mullins, Overstress,
-    Pinching, Share, Sides, Stiffening, Temperature, Yielding,
+    Pinching, Pressure, Share, Sides, Stiffening, Temperature, Yielding,
 };
 use crate::element::bearing::ShearParameters;
 use crate::model::ElementId;
@@ -171,6 +171,14 @@ const KINDS: &[Kind] = &[
         make: |n, share, _| {
             Arc::new(Pinching { depth: n.get("-depth"), width: n.get("-width"), onset: n.get("-onset"), share })
         },
+    },
+    Kind {
+        name: "pressure",
+        options: &[
+            needed("-reference", "compression that the parameters belong to", Positive),
+            optional("-power", "exponent", Positive, 1.0),
+        ],
+        make: |n, share, _| Arc::new(Pressure { reference: n.get("-reference"), power: n.get("-power"), share }),
     },
     Kind {
         name: "friction",

@@ -10,6 +10,15 @@ use std::time::Duration;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Contents(Arc<Mutex<HashMap<String, Arc<[u8]>>>>);
 
+impl Contents {
+    /// The same, with another text for one file.
+    pub(super) fn with(&self, path: &str, text: &str) -> Self {
+        let mut known = self.0.lock().map_or_else(|e| e.into_inner().clone(), |k| k.clone());
+        known.insert(path.to_owned(), text.as_bytes().into());
+        Self(Arc::new(Mutex::new(known)))
+    }
+}
+
 /// Files of the system, remembered once they are read. What a script writes goes to an overlay, never here.
 pub(super) struct StudyFiles {
     folder: String,

@@ -71,6 +71,24 @@ pub struct Run {
     pub observe: Vec<Observe>,
 }
 
+impl Run {
+    /// A variable that is set before the script, as a text.
+    pub fn text(&self, name: &str) -> Option<String> {
+        let (_, value) = self.set.iter().find(|(n, _)| n == name)?;
+        Some(match value {
+            Setting::Text(s) => s.clone(),
+            Setting::Whole(i) => i.to_string(),
+            Setting::Number(x) => format!("{x:?}"),
+            Setting::List(words) => words.join(" "),
+        })
+    }
+
+    /// The same, as a number.
+    pub fn number(&self, name: &str) -> Option<f64> {
+        self.text(name)?.parse().ok()
+    }
+}
+
 /// A recorded channel and where the model has it.
 #[derive(Clone, Debug)]
 pub struct Observe {
@@ -239,6 +257,14 @@ impl Study {
             names,
             warnings,
         })
+    }
+
+    /// Absolute path of the script.
+    pub fn model_path(&self) -> String {
+        if self.model.starts_with('/') {
+            return self.model.clone();
+        }
+        format!("{}/{}", self.folder_text().trim_end_matches('/'), self.model.trim_start_matches("./"))
     }
 
     /// The runs of a role, with their numbers.

@@ -4,7 +4,7 @@ use super::files::{Contents, StudyFiles};
 use super::load::{Rejected, Role, Setting, Study};
 use super::simulator::{Mishap, Simulator};
 use super::trace::{Trace, TraceOutput, Unobserved};
-use crate::analysis::{Cause, Failure, Options};
+use crate::analysis::{Cause, Engine, Failure, Options};
 use crate::command::{FileFormat, Mode, Outputs, Progress};
 use crate::diagnostic::{Diagnostic, SourceMap, nearest};
 use crate::record::{Output, RecordError};
@@ -78,6 +78,13 @@ pub struct Blueprint {
 }
 
 impl Blueprint {
+    /// A simulator of another study with the same runs, whose script is the given text.
+    pub fn simulator_of(&self, study: Arc<Study>, text: &str) -> ScriptSimulator {
+        let contents = self.contents.with(&study.model_path(), text);
+        let fresh = ScriptSimulator::new(study, self.options.clone(), self.stop.clone());
+        ScriptSimulator { limits: self.limits.clone(), contents, ..fresh }
+    }
+
     /// A simulator.
     pub fn simulator(&self) -> ScriptSimulator {
         let fresh = ScriptSimulator::new(self.study.clone(), self.options.clone(), self.stop.clone());
@@ -177,6 +184,11 @@ impl ScriptSimulator {
     /// The study.
     pub fn study(&self) -> &Arc<Study> {
         &self.study
+    }
+
+    /// Run the script, which may be the beginning of one, and look at the model that it has made.
+    pub fn look<R>(&self, run: usize, values: &[f64], look: impl FnOnce(&Engine) -> R) -> R {
+        look(&self.run(run, Some(values)).run.interp.host.engine)
     }
 
     /// Run the script with values of the study's parameters, or with its own.

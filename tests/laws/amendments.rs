@@ -3,7 +3,7 @@
 use super::driver::{Alone, difference, path};
 use hysteron::element::amendment::{
     Amended, Amendment, Axial, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Mullins, Overstress,
-    Pinching, Share, Sides, Stiffening, Temperature, Yielding,
+    Pinching, Pressure, Share, Sides, Stiffening, Temperature, Yielding,
 };
 use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::{Link, PlaneBearing, ShearParameters, SpaceBearing};
@@ -48,6 +48,7 @@ fn laws() -> Vec<Arc<dyn Amendment>> {
         Arc::new(Coupling { law: shear() }),
         Arc::new(Pinching { depth: 0.6, width: 0.4, onset: 0.0, share }),
         Arc::new(Yielding { force: 30.0, stiffness: 8000.0, hardening: 0.05 }),
+        Arc::new(Pressure { reference: 150.0, power: 0.8, share }),
         Arc::new(Friction { force: 15.0, stiffness: 4e4 }),
         Arc::new(Gap { at: 0.03, stiffness: 5e5, power: 1.5, damping: 0.1, sides: Sides::Both }),
         Arc::new(Damping { coefficient: 10.0, power: 0.5 }),

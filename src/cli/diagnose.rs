@@ -1,0 +1,140 @@
+//! `hysteron diagnose`.
+
+use super::args::DiagnoseArgs;
+use super::messages::Messages;
+use hysteron::analysis::Options;
+use hysteron::diagnose::{Diagnosis, Settings, Watch, diagnose, hypothesis};
+use hysteron::diagnostic::{Diagnostic, Severity, SourceMap, nearest};
+use hysteron::study::{Opening, ScriptSimulator, Study};
+use indicatif::{ProgressBar, ProgressStyle};
+use std::fs;
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Exit status where the diagnosis failed, and where the input is wrong.
+const FAILED: i32 = 1;
+const WRONG: i32 = 2;
+
+/// Diagnose a study.
+pub(super) fn run(args: &DiagnoseArgs) -> i32 {
+    let stop = Arc::new(AtomicBool::new(false));
+    super::run::on_interrupt(&stop);
+    for cause in &args.without {
+        if hypothesis::of(cause).is_none() {
+            let known = || hypothesis::ALL.iter().map(|h| h.cause);
+            eprintln!("error: unknown cause \"{cause}\"");
+            if let Some(near) = nearest(cause, known()) {
+                eprintln!("  did you mean \"{near}\"?");
+            }
+            eprintln!("  known: {}", known().collect::<Vec<_>>().join(" "));
+            return WRONG;
+        }
+    }
+    let mut sources = SourceMap::default();
+    let show = |d: &Diagnostic, sources: &SourceMap| eprintln!("{}\n", Messages::new().render(d, sources));
+    let (simulator, opening) = match prepare(args, &stop, &mut sources) {
+        Ok(prepared) => prepared,
+        Err(d) => {
+            show(&d, &sources);
+            return WRONG;
+        }
+    };
+    let study = simulator.study().clone();
+    for w in study.warnings.iter().chain(&opening.warnings).filter(|w| w.severity != Severity::Note) {
+        show(w, &sources);
+    }
+    let found = fs::read_to_string(study.folder.join(&study.model)).map_err(|e| e.to_string()).and_then(|text| {
+        let threads = args.threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
+        let settings = Settings { without: args.without.clone(), threads };
+        let mut bar = Bar::new(stop.clone());
+        let found = diagnose(&simulator, &opening, &text, &settings, &mut bar);
+        bar.0.finish_and_clear();
+        found
+    });
+    let dir = args.out.clone().unwrap_or_else(|| "results".into());
+    match found.and_then(|d| write(&dir, &d).map(|()| d)) {
+        Ok(d) => {
+            tell(&d, args.verbose);
+            eprintln!("written to {}", dir.display());
+            0
+        }
+        Err(message) => {
+            eprintln!("error: {}: {message}", args.study.display());
+            FAILED
+        }
+    }
+}
+
+fn prepare(
+    args: &DiagnoseArgs,
+    stop: &Arc<AtomicBool>,
+    sources: &mut SourceMap,
+) -> Result<(ScriptSimulator, Opening), Box<Diagnostic>> {
+    let study = Arc::new(Study::load(&args.study, sources)?);
+    let options = Options { compat: args.compat.is_some(), ladder: None, dense: None };
+    let mut simulator = ScriptSimulator::new(study, options, stop.clone());
+    let opening = simulator.open(sources)?;
+    Ok((simulator, opening))
+}
+
+/// Write a file beside its place and put it there.
+fn place(path: &Path, text: &str) -> Result<(), String> {
+    let beside = path.with_extension("part");
+    let done = fs::write(&beside, text).and_then(|()| fs::rename(&beside, path));
+    done.map_err(|e| format!("cannot write {}: {e}", path.display()))
+}
+
+fn write(dir: &Path, d: &Diagnosis) -> Result<(), String> {
+    fs::create_dir_all(dir).map_err(|e| format!("cannot make {}: {e}", dir.display()))?;
+    place(&dir.join("corrected.tcl"), &d.script)?;
+    let json = serde_json::to_string_pretty(&d.outcome).map_err(|e| e.to_string())?;
+    place(&dir.join("diagnosis.json"), &(json + "\n"))
+}
+
+/// The verdict in a few lines.
+fn tell(d: &Diagnosis, verbose: bool) {
+    let v = &d.outcome.verdict;
+    let also = if v.also.is_empty() { String::new() } else { format!(" and {}", v.also.join(", ")) };
+    println!("{}{also} ({:.0} %): {}", v.cause, 100.0 * v.confidence, v.explanation);
+    for other in &v.also_possible {
+        println!("  also possible: {} ({:.1} %)", other.cause, 100.0 * other.confidence);
+    }
+    let shown = |x: Option<f64>| x.map_or("-".into(), |x| format!("{x:.4e}"));
+    let (b, c) = (&d.outcome.baseline, &d.outcome.corrected);
+    println!(
+        "NMSE fitted {:.4e} -> {:.4e}, held out {} -> {}",
+        b.fit_nmse,
+        c.fit_nmse,
+        shown(b.holdout_nmse),
+        shown(c.holdout_nmse)
+    );
+    if verbose {
+        for w in &d.weighed {
+            println!("  {:26} {:.4e}  log evidence {:8.2}  {} ({})", w.cause, w.objective, w.evidence, w.at, w.form);
+        }
+    }
+}
+
+/// Progress on standard error.
+struct Bar(ProgressBar, Arc<AtomicBool>);
+
+impl Bar {
+    fn new(stop: Arc<AtomicBool>) -> Self {
+        let bar = ProgressBar::new(1);
+        let style = ProgressStyle::with_template("{msg} [{bar:30}] {pos}/{len} {per_sec}, {eta} left");
+        Self(bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())), stop)
+    }
+}
+
+impl Watch for Bar {
+    fn stage(&mut self, what: &str, done: usize, of: usize) {
+        self.0.set_message(what.to_owned());
+        self.0.set_length(of as u64);
+        self.0.set_position(done as u64);
+    }
+
+    fn stopped(&self) -> bool {
+        self.1.load(Ordering::Relaxed)
+    }
+}

@@ -1,0 +1,181 @@
+//! What there is in a model that could be other than it was taken for.
+
+use crate::analysis::Engine;
+use crate::element::{Answer, BasicRow, Element, Motion};
+use crate::model::PatternKind;
+
+/// A spring or bearing whose force can be amended.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Device {
+    /// Tag of the element.
+    pub tag: i32,
+    /// Its class.
+    pub class: &'static str,
+    /// Tags of its nodes.
+    pub nodes: [i32; 2],
+    /// Its directions with the column of each in its responses, and the stiffness of the virgin element.
+    pub directions: Vec<Direction>,
+    /// Its law is linear: it was taken as elastic.
+    pub linear: bool,
+    /// It has parts that depend on the rate.
+    pub viscous: bool,
+}
+
+/// A direction of a device.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Direction {
+    /// Number, 1 to 6.
+    pub number: usize,
+    /// Column in `deformation` and `basicForce`.
+    pub column: usize,
+    /// Initial stiffness.
+    pub stiffness: f64,
+}
+
+/// A fixed node.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Support {
+    /// Tag.
+    pub node: i32,
+    /// Degrees of freedom that are fixed, from 1.
+    pub fixed: Vec<usize>,
+    /// Degrees of freedom of the node.
+    pub ndf: usize,
+    /// Tags of the elements on it.
+    pub elements: Vec<i32>,
+}
+
+/// A node with mass.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mass {
+    /// Tag.
+    pub node: i32,
+    /// Diagonal of the mass.
+    pub mass: Vec<f64>,
+}
+
+/// A beam that is taken as elastic.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Beam {
+    /// Tag.
+    pub tag: i32,
+    /// Tags of its nodes.
+    pub nodes: [i32; 2],
+}
+
+/// What a model is made of.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Anatomy {
+    /// Dimensions of the model.
+    pub ndm: usize,
+    /// Springs and bearings.
+    pub devices: Vec<Device>,
+    /// Elastic beams.
+    pub beams: Vec<Beam>,
+    /// Fixed nodes.
+    pub supports: Vec<Support>,
+    /// Nodes with mass.
+    pub masses: Vec<Mass>,
+    /// From the lowest node to the highest, along the last axis.
+    pub height: f64,
+    /// The ground moves (an excitation, not an imposed motion of a node).
+    pub shaken: bool,
+    /// A number that neither a node nor an element nor a material has used; so are all above it.
+    pub free_tag: i32,
+}
+
+impl Anatomy {
+    /// Of the model that an engine holds.
+    pub fn of(engine: &Engine) -> Self {
+        let model = engine.model();
+        let tag = |id: crate::model::NodeId| model.nodes[id.0].tag;
+        let mut out = Self { ndm: model.nodes.first().map_or(0, |n| n.ndm()), ..Self::default() };
+        for e in &model.elements {
+            let [i, j] = e.nodes[..] else { continue };
+            let nodes = [tag(i), tag(j)];
+            let rows = e.element.basic_rows();
+            let nature = e.element.nature();
+            if rows.is_empty() {
+                if nature.linear && e.dofs.len() >= 6 {
+                    out.beams.push(Beam { tag: e.tag, nodes });
+                }
+                continue;
+            }
+            let n = e.element.dofs();
+            let mut tangent = vec![0.0; n * n];
+            e.element.initial_tangent(&mut tangent);
+            let directions = rows.iter().map(|r| direction(r, &tangent)).filter(|d| d.stiffness > 0.0).collect();
+            out.devices.push(Device {
+                tag: e.tag,
+                class: e.element.class(),
+                nodes,
+                directions,
+                linear: nature.linear || elastic(e.element.as_ref(), &rows),
+                viscous: nature.viscous,
+            });
+        }
+        for (k, node) in model.nodes.iter().enumerate() {
+            let fixed: Vec<usize> = model.fixes.iter().filter(|f| f.node.0 == k).map(|f| f.dof + 1).collect();
+            if !fixed.is_empty() {
+                let on = model.elements.iter().filter(|e| e.nodes.iter().any(|n| n.0 == k)).map(|e| e.tag);
+                out.supports.push(Support { node: node.tag, fixed, ndf: node.ndf, elements: on.collect() });
+            }
+            if node.mass.iter().any(|m| *m > 0.0) {
+                out.masses.push(Mass { node: node.tag, mass: node.mass.clone() });
+            }
+        }
+        let heights = model.nodes.iter().filter_map(|n| n.coords.last().copied());
+        let ends = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), z| (a.min(z), b.max(z)));
+        out.height = (ends.1 - ends.0).max(0.0);
+        out.shaken = model.patterns.values().any(|p| !matches!(p.kind, PatternKind::Plain { .. }));
+        let largest = model.node_tags().chain(model.element_tags()).max().unwrap_or(0);
+        out.free_tag = (largest + 1).max(900_000);
+        out
+    }
+
+    /// The devices whose law is not linear, as groups of the same class and directions: what was built as one kind.
+    pub fn groups(&self, linear: bool) -> Vec<Vec<&Device>> {
+        let mut groups: Vec<Vec<&Device>> = vec![];
+        for d in self.devices.iter().filter(|d| d.linear == linear && !d.directions.is_empty()) {
+            let same = |g: &&mut Vec<&Device>| g[0].class == d.class && g[0].directions.len() == d.directions.len();
+            match groups.iter_mut().find(same) {
+                Some(g) => g.push(d),
+                None => groups.push(vec![d]),
+            }
+        }
+        groups
+    }
+}
+
+fn direction(row: &BasicRow, tangent: &[f64]) -> Direction {
+    let unit = row.at_j();
+    let n = unit.len();
+    let product = |k: &[f64]| k.iter().zip(unit).map(|(a, b)| a * b).sum::<f64>();
+    let stiffness = tangent.chunks_exact(n).zip(unit).map(|(k, u)| u * product(k)).sum();
+    Direction { number: row.direction, column: row.column, stiffness }
+}
+
+/// Whether an element answers to a deformation in proportion, however large: springs that were taken as elastic, with or
+/// without dashpots beside them. Asked by pulling, since laws do not say it.
+fn elastic(element: &dyn Element, rows: &[BasicRow]) -> bool {
+    let n = element.dofs();
+    let mut state = vec![0.0; element.state_len()];
+    element.init(&mut state);
+    let (rest, load) = (vec![0.0; n], vec![0.0; element.load_len()]);
+    let mut next = state.clone();
+    rows.iter().all(|row| {
+        let mut stiffness = |size: f64| {
+            let disp: Vec<f64> = row.at_j().iter().map(|u| size * u).collect();
+            let motion = Motion { disp: &disp, vel: &rest, load: &load, dt: 0.0 };
+            let mut force = vec![0.0; n];
+            let answer = Answer { force: &mut force, tangent: None, damping: None };
+            element.respond(&motion, &state, &mut next, answer).ok()?;
+            Some(row.force(&force) / size)
+        };
+        let small = stiffness(1e-6);
+        [1e-3, 1.0, -1.0, 1e3].iter().all(|size| match (small, stiffness(*size)) {
+            (Some(a), Some(b)) => (a - b).abs() <= 1e-6 * a.abs(),
+            _ => false,
+        })
+    })
+}

@@ -1,0 +1,49 @@
+//! How much the recordings speak for one explanation against another.
+//!
+//! Residuals of a repaired model are not white noise: sensors have coloured noise, and no law of the library is the one
+//! of nature. Two things keep a long record from making a small difference look like a certainty. Residuals are
+//! whitened by the autoregressive noise of the best explanation before they are compared, so that slow noise does not
+//! speak for whatever follows it slowly; and the record counts as [`INDEPENDENT`] samples, however long it is. With the
+//! mean square E of the whitened residual of a channel, an explanation with k parameters has the log evidence
+//!
+//! -½ Σ N_c ln E_c - ½ k ln N
+//!
+//! (Schwarz, Ann. Stat. 6 (1978), for unknown noise levels), N_c the share of the channel in N.
+
+use super::noise::{burg, power, whiten};
+
+/// Independent samples that all channels together count for: chosen so that confidence is as often right as it says on
+/// simulated cases, not from the length of the records.
+pub const INDEPENDENT: f64 = 40.0;
+
+/// Order of the noise.
+const ORDER: usize = 6;
+
+/// Residuals of the fitted runs, channel after channel; missing samples left out.
+pub type Residuals = Vec<Vec<f64>>;
+
+/// The noise of each channel, from the residuals of the best explanation.
+pub struct Noise(Vec<Vec<f64>>);
+
+impl Noise {
+    /// Of the residuals of the best explanation.
+    pub fn of(best: &Residuals) -> Self {
+        Self(best.iter().map(|r| burg(r, ORDER)).collect())
+    }
+
+    /// Log evidence of an explanation with `k` parameters to be found.
+    pub fn evidence(&self, residuals: &Residuals, k: usize) -> f64 {
+        let share = INDEPENDENT / residuals.len().max(1) as f64;
+        let fit: f64 =
+            residuals.iter().zip(&self.0).map(|(r, a)| share * power(&whiten(r, a)).max(f64::MIN_POSITIVE).ln()).sum();
+        -0.5 * (fit + k as f64 * INDEPENDENT.ln())
+    }
+}
+
+/// Probabilities from log evidences.
+pub fn probabilities(evidence: &[f64]) -> Vec<f64> {
+    let most = evidence.iter().fold(f64::NEG_INFINITY, |m, e| m.max(*e));
+    let raw: Vec<f64> = evidence.iter().map(|e| (e - most).exp()).collect();
+    let sum: f64 = raw.iter().sum();
+    raw.iter().map(|p| p / sum).collect()
+}

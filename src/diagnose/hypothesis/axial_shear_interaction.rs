@@ -1,0 +1,73 @@
+//! The axial load changes the lateral response.
+
+use super::{Added, Hypothesis, Proposal, Sight};
+
+pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
+    cause: "axial_shear_interaction",
+    says: "the axial load takes lateral stiffness away (P-Delta, buckling)",
+    refuted_by: "the lateral stiffness is the same at another axial load",
+    like: &["strain_stiffening", "mullins_softening"],
+    propose,
+};
+
+pub(super) const VARYING: Hypothesis = Hypothesis {
+    cause: "varying_axial_load",
+    says: "the axial force changes during the run and changes the lateral response",
+    refuted_by: "the lateral strength does not follow the axial force",
+    like: &["axial_shear_interaction", "friction"],
+    propose: propose_varying,
+};
+
+/// Compression of a group at rest, from the runs' own `axial` or from the model.
+fn load(s: &Sight<'_>, m: &super::Moved<'_>) -> Option<(f64, String)> {
+    let named: Vec<f64> = s.study.runs.iter().filter_map(|r| r.number("axial")).map(f64::abs).collect();
+    let carried = s.scales.of(&m.group, 1).filter(|_| !m.directions.contains(&1)).map_or(0.0, |x| x.q);
+    if carried > 0.0 {
+        return Some((carried, String::new()));
+    }
+    let most = named.iter().fold(0.0f64, |a, b| a.max(*b));
+    (most > 0.0 && named.len() == s.study.runs.len()).then(|| (most, " -load [expr {abs($axial)}]".into()))
+}
+
+fn propose(s: &Sight<'_>) -> Vec<Proposal> {
+    let mut out = vec![];
+    for m in s.moved(false) {
+        let Some((p, option)) = load(s, &m) else { continue };
+        for (which, share, more) in Sight::shares(&m) {
+            let critical = || Added::log("critical", 0.5 * p, 20.0 * p, 2.0 * p);
+            let line = format!("{} -critical $hy_critical{option} {}{share}", m.amend("axial"), m.dir);
+            let mut added = vec![critical()];
+            added.extend(more.clone());
+            let form = format!("critical load, loss {which}");
+            out.push(Proposal::edit("axial_shear_interaction", &form, m.at(), vec![line], added));
+            let line = format!("{} -critical $hy_critical -width $hy_width{option} {}{share}", m.amend("axial"), m.dir);
+            let mut added = vec![critical(), Added::log("width", 1.1 * m.e, 20.0 * m.e, 3.0 * m.e)];
+            added.extend(more);
+            let form = format!("critical load falling with the overlap, loss {which}");
+            out.push(Proposal::edit("axial_shear_interaction", &form, m.at(), vec![line], added));
+        }
+    }
+    out
+}
+
+fn propose_varying(s: &Sight<'_>) -> Vec<Proposal> {
+    let mut out = vec![];
+    for m in s.moved(false) {
+        // It can only follow a force that the model has and that varies.
+        let Some(x) = s.scales.of(&m.group, 1).filter(|_| !m.directions.contains(&1)) else { continue };
+        let spread = x.range[1] - x.range[0];
+        if spread <= 0.05 * x.e || x.q <= 0.0 {
+            continue;
+        }
+        let k = m.stiffness();
+        let line =
+            format!("{} -reference $hy_reference -power $hy_power -share $hy_k 0 {}", m.amend("pressure"), m.dir);
+        let added = vec![
+            Added::log("reference", 0.05 * x.q, 2.0 * x.q, 0.6 * x.q),
+            Added::linear("power", 0.1, 2.0, 1.0),
+            Added::linear("k", 0.0, 1.2 * k, 0.5 * k),
+        ];
+        out.push(Proposal::edit("varying_axial_load", "strength follows the axial force", m.at(), vec![line], added));
+    }
+    out
+}

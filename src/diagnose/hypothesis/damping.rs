@@ -1,0 +1,37 @@
+//! Energy loss of the structure that the damping model misses.
+
+use super::{Added, Hypothesis, Proposal, Sight};
+
+pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
+    cause: "damping",
+    says: "the structure loses energy that its damping model misses",
+    refuted_by: "free vibration decays as the model says",
+    like: &["rate_dependence", "friction"],
+    propose,
+};
+
+fn propose(s: &Sight<'_>) -> Vec<Proposal> {
+    let mut out = vec![];
+    if !s.anatomy.shaken {
+        return out;
+    }
+    for m in s.moved(true) {
+        let line = format!("{} -coefficient $hy_c {}", m.amend("damping"), m.dir);
+        let c = m.q / m.v.max(f64::MIN_POSITIVE);
+        let added = vec![Added::log("c", 1e-4 * c, 3.0 * c, 0.05 * c)];
+        out.push(Proposal::edit("damping", "dashpots in the structure", m.at(), vec![line], added));
+    }
+    if !s.anatomy.masses.is_empty() {
+        // Dashpots between the masses and the ground: mass-proportional damping beside whatever the script has.
+        let mut block = vec![];
+        let mut tag = s.anatomy.free_tag;
+        for node in &s.anatomy.masses {
+            block.push(format!("# mass-proportional damping of node {}", node.node));
+            block.push(format!("region {tag} -node {} -rayleigh $hy_alphaM 0.0 0.0 0.0", node.node));
+            tag += 1;
+        }
+        let added = vec![Added::log("alphaM", 1e-3, 10.0, 0.1)];
+        out.push(Proposal::edit("damping", "mass-proportional damping", "all masses".into(), block, added));
+    }
+    out
+}

@@ -1,0 +1,285 @@
+//! What may have been left out: one cause a file.
+//!
+//! A hypothesis looks at the model and proposes edits of the script: a block of ordinary commands, with parameters of
+//! its own, that is put behind the model; or a fault of a channel. Several proposals of a cause are different forms of
+//! it; the best of them speaks for the cause. To add one: a file with a function, and a line in [`ALL`].
+
+mod ambient_temperature;
+mod axial_shear_interaction;
+mod bidirectional_coupling;
+mod cavitation;
+mod cyclic_degradation;
+mod damping;
+mod foundation_flexibility;
+mod friction;
+mod gap_impact;
+mod mullins_softening;
+mod pinching;
+mod rate_dependence;
+mod self_heating;
+mod sensor;
+mod strain_stiffening;
+mod superstructure_yielding;
+mod torsion;
+
+use super::anatomy::{Anatomy, Device};
+use super::correction::Correction;
+use super::scale::Scales;
+use crate::study::{Range, Scale, Study};
+use std::fmt;
+use std::sync::Arc;
+
+/// A cause and how it is proposed.
+pub struct Hypothesis {
+    /// Name of the cause.
+    pub cause: &'static str,
+    /// What was left out, in words.
+    pub says: &'static str,
+    /// What would prove the claim wrong.
+    pub refuted_by: &'static str,
+    /// Another cause looks the same unless the tests part them.
+    pub like: &'static [&'static str],
+    propose: fn(&Sight<'_>) -> Vec<Proposal>,
+}
+
+/// All hypotheses.
+pub const ALL: &[Hypothesis] = &[
+    rate_dependence::HYPOTHESIS,
+    self_heating::HYPOTHESIS,
+    ambient_temperature::HYPOTHESIS,
+    mullins_softening::HYPOTHESIS,
+    cyclic_degradation::HYPOTHESIS,
+    strain_stiffening::HYPOTHESIS,
+    axial_shear_interaction::HYPOTHESIS,
+    axial_shear_interaction::VARYING,
+    cavitation::HYPOTHESIS,
+    bidirectional_coupling::HYPOTHESIS,
+    friction::HYPOTHESIS,
+    gap_impact::HYPOTHESIS,
+    foundation_flexibility::HYPOTHESIS,
+    superstructure_yielding::HYPOTHESIS,
+    damping::HYPOTHESIS,
+    torsion::HYPOTHESIS,
+    pinching::HYPOTHESIS,
+    sensor::GAIN,
+    sensor::LAG,
+    sensor::DRIFT,
+    sensor::CLIPPING,
+];
+
+impl Hypothesis {
+    /// Its proposals for a study.
+    pub fn proposals(&self, sight: &Sight<'_>) -> Vec<Proposal> {
+        (self.propose)(sight)
+    }
+}
+
+/// The hypothesis of a cause.
+pub fn of(cause: &str) -> Option<&'static Hypothesis> {
+    ALL.iter().find(|h| h.cause == cause)
+}
+
+/// What hypotheses are made from.
+pub struct Sight<'a> {
+    /// The model.
+    pub anatomy: &'a Anatomy,
+    /// The study.
+    pub study: &'a Study,
+    /// How far things move in the fitted runs.
+    pub scales: &'a Scales,
+}
+
+/// A parameter that a proposal adds.
+#[derive(Clone, Debug)]
+pub struct Added {
+    /// Its name in the script.
+    pub name: String,
+    /// Where it is sought.
+    pub range: Range,
+    /// Where the search starts.
+    pub start: f64,
+}
+
+impl Added {
+    /// Sought evenly between two values.
+    pub fn linear(name: &str, lower: f64, upper: f64, start: f64) -> Self {
+        Self { name: format!("hy_{name}"), range: Range { lower, upper, scale: Scale::Linear }, start }
+    }
+
+    /// Sought evenly in its logarithm.
+    pub fn log(name: &str, lower: f64, upper: f64, start: f64) -> Self {
+        Self { name: format!("hy_{name}"), range: Range { lower, upper, scale: Scale::Log }, start }
+    }
+}
+
+/// Makes the faults of channels from the values of the added parameters.
+pub type Faults = Arc<dyn Fn(&[f64]) -> Vec<Correction> + Send + Sync>;
+
+/// An edit of the model, or a fault of a channel, with its parameters.
+#[derive(Clone)]
+pub struct Proposal {
+    /// The cause that it belongs to.
+    pub cause: &'static str,
+    /// The form of it.
+    pub form: String,
+    /// What it changes.
+    pub at: String,
+    /// The commands, without those that declare the parameters.
+    pub block: Vec<String>,
+    /// Its parameters.
+    pub added: Vec<Added>,
+    /// Faults of channels, if it is about a sensor.
+    pub faults: Option<Faults>,
+}
+
+impl fmt::Debug for Proposal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} ({}) at {}: {:?} {:?}", self.cause, self.form, self.at, self.block, self.added)
+    }
+}
+
+impl Proposal {
+    /// An edit of the script.
+    pub fn edit(cause: &'static str, form: &str, at: String, block: Vec<String>, added: Vec<Added>) -> Self {
+        Self { cause, form: form.into(), at, block, added, faults: None }
+    }
+
+    /// Two proposals together; parameters of the second get names of their own.
+    pub fn with(&self, other: &Self) -> Self {
+        let renamed = |text: &str| text.replace("hy_", "hy2_");
+        let mut both = self.clone();
+        both.form = format!("{}; {}", self.form, other.form);
+        both.block.extend(other.block.iter().map(|l| renamed(l)));
+        both.added.extend(other.added.iter().map(|a| Added { name: renamed(&a.name), ..a.clone() }));
+        let n = self.added.len();
+        both.faults = match (self.faults.clone(), other.faults.clone()) {
+            (None, None) => None,
+            (first, second) => Some(Arc::new(move |values: &[f64]| {
+                let (a, b) = values.split_at(n);
+                let of = |f: &Option<Faults>, v: &[f64]| f.as_ref().map_or_else(Vec::new, |f| f(v));
+                let mut all = of(&first, a);
+                all.extend(of(&second, b));
+                all
+            })),
+        };
+        both
+    }
+}
+
+/// Tags of a group in a row.
+fn tags(group: &[&Device]) -> String {
+    group.iter().map(|d| d.tag.to_string()).collect::<Vec<_>>().join(" ")
+}
+
+/// A group in words.
+fn named(group: &[&Device]) -> String {
+    match group {
+        [one] => format!("element {}", one.tag),
+        many => format!("elements {}", tags(many)),
+    }
+}
+
+/// A group that moves sideways, with how far: what a hypothesis about a device needs.
+struct Moved<'a> {
+    group: Vec<&'a Device>,
+    /// `-dir` with the directions that move.
+    dir: String,
+    directions: Vec<usize>,
+    /// Largest deformation, force, speed; work over the longest run.
+    e: f64,
+    q: f64,
+    v: f64,
+    work: f64,
+}
+
+impl Moved<'_> {
+    /// Secant stiffness at the largest deformation.
+    fn stiffness(&self) -> f64 {
+        self.q / self.e
+    }
+
+    /// Beginning of an amend command for the whole group.
+    fn amend(&self, kind: &str) -> String {
+        format!("amend element {} {kind}", tags(&self.group))
+    }
+
+    fn at(&self) -> String {
+        named(&self.group)
+    }
+}
+
+impl Sight<'_> {
+    /// Stiffness of the stiffest device: the scale of springs that are added.
+    fn stiffness(&self) -> f64 {
+        let all = self.anatomy.devices.iter().flat_map(|d| &d.directions).map(|d| d.stiffness);
+        all.fold(0.0, f64::max).max(f64::MIN_POSITIVE)
+    }
+
+    /// Height of the model; 1 where it has none.
+    fn height(&self) -> f64 {
+        if self.anatomy.height > 0.0 { self.anatomy.height } else { 1.0 }
+    }
+
+    /// Longest time between two samples of a recording.
+    fn sampling(&self) -> f64 {
+        let steps = self.study.runs.iter().filter(|r| r.recording.times.len() > 1).map(|r| {
+            let t = &r.recording.times;
+            (t[t.len() - 1] - t[0]) / (t.len() - 1) as f64
+        });
+        steps.fold(0.0, f64::max)
+    }
+
+    /// Length of the longest run, s.
+    fn longest(&self) -> f64 {
+        let lengths = self.study.runs.iter().filter_map(|r| Some(r.recording.times.last()? - r.recording.times[0]));
+        lengths.fold(0.0, f64::max)
+    }
+
+    /// Groups of devices that deform; `linear` for those that were taken as elastic. Where all of the model is elastic,
+    /// a bearing under test among it, those are the devices.
+    fn moved(&self, linear: bool) -> Vec<Moved<'_>> {
+        let groups = self.anatomy.groups(linear);
+        let groups =
+            if groups.is_empty() && !linear && !self.anatomy.shaken { self.anatomy.groups(true) } else { groups };
+        groups.into_iter().filter_map(|g| self.motion_of(g)).collect()
+    }
+
+    fn motion_of<'a>(&self, group: Vec<&'a Device>) -> Option<Moved<'a>> {
+        let first = group[0];
+        // A bearing has its axial direction first, and it is another matter.
+        let lateral = |n: usize| n <= 3 && (n > 1 || first.class == "ZeroLength" || first.directions.len() == 1);
+        let all: Vec<(usize, super::scale::Extent)> = first
+            .directions
+            .iter()
+            .filter(|d| lateral(d.number))
+            .filter_map(|d| Some((d.number, self.scales.of(&group, d.number)?)))
+            .collect();
+        let most = all.iter().map(|(_, x)| x.e).fold(0.0, f64::max);
+        let moving: Vec<_> = all.into_iter().filter(|(_, x)| x.e > 0.02 * most && x.q > 0.0).take(2).collect();
+        let directions: Vec<usize> = moving.iter().map(|(n, _)| *n).collect();
+        if directions.is_empty() {
+            return None;
+        }
+        let largest = |f: fn(&super::scale::Extent) -> f64| moving.iter().map(|(_, x)| f(x)).fold(0.0, f64::max);
+        let words: Vec<String> = directions.iter().map(usize::to_string).collect();
+        Some(Moved {
+            dir: format!("-dir {}", words.join(" ")),
+            directions,
+            e: largest(|x| x.e),
+            q: largest(|x| x.q),
+            v: largest(|x| x.v),
+            work: largest(|x| x.work),
+            group,
+        })
+    }
+
+    /// Forms of a factor on a force: on all of it, and on its hysteretic part alone. The last of the parameters is the
+    /// stiffness of the elastic part.
+    fn shares(m: &Moved<'_>) -> [(&'static str, &'static str, Vec<Added>); 2] {
+        let k = m.stiffness();
+        [
+            ("of the whole force", "", vec![]),
+            ("of the hysteretic part", " -share $hy_k 0", vec![Added::linear("k", 0.05 * k, 1.2 * k, 0.6 * k)]),
+        ]
+    }
+}

@@ -1,0 +1,38 @@
+//! The force depends on the rate of strain.
+
+use super::{Added, Hypothesis, Proposal, Sight};
+
+pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
+    cause: "rate_dependence",
+    says: "the force depends on how fast the device is strained: a viscous overstress",
+    refuted_by: "the same motion at a tenth of the speed gives the same force",
+    like: &["friction", "damping", "mullins_softening"],
+    propose,
+};
+
+fn propose(s: &Sight<'_>) -> Vec<Proposal> {
+    let mut out = vec![];
+    for m in s.moved(false) {
+        let (at, dir, k) = (m.at(), &m.dir, m.stiffness());
+        let over = |form: &str, power: &str, more: Vec<Added>| {
+            let line = format!(
+                "{} overstress -force $hy_force -speed {:.6e} -power {power} -stiffness $hy_spring {dir}",
+                m.amend(""),
+                m.v
+            );
+            let mut added = vec![
+                Added::log("force", 1e-3 * m.q, 3.0 * m.q, 0.1 * m.q),
+                Added::log("spring", 0.05 * k, 100.0 * k, 3.0 * k),
+            ];
+            added.extend(more);
+            Proposal::edit("rate_dependence", form, at.clone(), vec![line], added)
+        };
+        out.push(over("linear overstress (Maxwell)", "1.0", vec![]));
+        out.push(over("power-law overstress", "$hy_power", vec![Added::linear("power", 0.08, 1.0, 0.3)]));
+        let line = format!("{} damping -coefficient $hy_c -power $hy_power {dir}", m.amend(""));
+        let c = m.q / m.v.max(f64::MIN_POSITIVE);
+        let added = vec![Added::log("c", 1e-4 * c, 3.0 * c, 0.05 * c), Added::linear("power", 0.1, 1.2, 1.0)];
+        out.push(Proposal::edit("rate_dependence", "dashpot", at.clone(), vec![line], added));
+    }
+    out
+}

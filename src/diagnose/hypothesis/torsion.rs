@@ -1,0 +1,47 @@
+//! An eccentric plan turns.
+
+use super::{Added, Hypothesis, Proposal, Sight};
+
+pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
+    cause: "torsion",
+    says: "the mass or the stiffness is eccentric and turns the plan",
+    refuted_by: "opposite edges move alike",
+    like: &["bidirectional_coupling", "sensor_gain"],
+    propose,
+};
+
+fn propose(s: &Sight<'_>) -> Vec<Proposal> {
+    let mut out = vec![];
+    let ndm = s.anatomy.ndm;
+    for (n, node) in s.anatomy.masses.iter().enumerate() {
+        // In plan: two translations and the rotation about the vertical.
+        let plan = if ndm == 2 { node.mass.len() == 3 } else { node.mass.len() == 6 };
+        let turn = if ndm == 2 { 2 } else { 5 };
+        if !plan || node.mass[turn] <= 0.0 || node.mass[0] <= 0.0 {
+            continue;
+        }
+        let tag = s.anatomy.free_tag + n as i32;
+        let radius = (node.mass[turn] / node.mass[0]).sqrt();
+        let third = if ndm == 3 { format!(" [nodeCoord {} 3]", node.node) } else { String::new() };
+        let masses = |keep: &dyn Fn(usize) -> bool| {
+            let words =
+                node.mass.iter().enumerate().map(|(i, m)| if keep(i) { format!("{m:e}") } else { "0.0".into() });
+            words.collect::<Vec<_>>().join(" ")
+        };
+        let block = vec![
+            format!(
+                "node {tag} [expr {{[nodeCoord {0} 1]+$hy_ex}}] [expr {{[nodeCoord {0} 2]+$hy_ey}}]{third}",
+                node.node
+            ),
+            format!("mass {tag} {}", masses(&|i| i < 2)),
+            format!("mass {} {}", node.node, masses(&|i| i >= 2)),
+            format!("rigidLink beam {} {tag}", node.node),
+        ];
+        let added = vec![
+            Added::linear("ex", -radius, radius, 0.05 * radius),
+            Added::linear("ey", -radius, radius, 0.05 * radius),
+        ];
+        out.push(Proposal::edit("torsion", "eccentric mass", format!("node {}", node.node), block, added));
+    }
+    out
+}

@@ -1,0 +1,23 @@
+//! Diagnosis: why a model and a recording differ.
+//!
+//! [`diagnose`] fits the user's model, proposes what it may have left out ([`hypothesis`]), fits every proposal as an
+//! edit of the script ([`variant`], [`insertion`]) or as a fault of a channel ([`correction`]), weighs them by what they
+//! predict on blocks of time that they were not fitted to ([`evidence`]), and says which it is, or that nothing is
+//! missing, or that it does not know ([`outcome`]). Runs that are held out are looked at once, at the end.
+
+pub mod anatomy;
+pub mod correction;
+pub mod evidence;
+mod fitting;
+pub mod hypothesis;
+pub mod insertion;
+pub mod locate;
+pub mod noise;
+pub mod outcome;
+mod pipeline;
+mod repair;
+pub mod scale;
+pub mod variant;
+mod watching;
+
+pub use pipeline::{Diagnosis, Settings, Watch, diagnose};

@@ -1,0 +1,171 @@
+//! What a residual is made of: noise that remembers itself, lines of its spectrum, and what a model could still explain.
+
+use nalgebra::{DMatrix, DVector};
+use rustfft::FftPlanner;
+use rustfft::num_complex::Complex;
+
+/// Coefficients of an autoregressive noise, x_t = Σ a_k x_{t-k} + ε, by Burg's method (Burg, 1967): stable whatever the
+/// data.
+pub fn burg(x: &[f64], order: usize) -> Vec<f64> {
+    let n = x.len();
+    let mut a: Vec<f64> = vec![];
+    let (mut forward, mut backward) = (x.to_vec(), x.to_vec());
+    for m in 0..order.min(n.saturating_sub(2) / 3) {
+        let (mut product, mut power) = (0.0, 0.0);
+        for t in m + 1..n {
+            product += forward[t] * backward[t - 1];
+            power += forward[t] * forward[t] + backward[t - 1] * backward[t - 1];
+        }
+        if power <= 0.0 {
+            break;
+        }
+        let k = 2.0 * product / power;
+        let old = a.clone();
+        a.push(k);
+        for i in 0..m {
+            a[i] = old[i] - k * old[m - 1 - i];
+        }
+        for t in (m + 1..n).rev() {
+            let (f, b) = (forward[t], backward[t - 1]);
+            forward[t] = f - k * b;
+            backward[t] = b - k * f;
+        }
+    }
+    a
+}
+
+/// Innovations of a series under an autoregressive noise: what its past does not tell.
+pub fn whiten(x: &[f64], a: &[f64]) -> Vec<f64> {
+    let at = |t: usize| x[t] - a.iter().enumerate().map(|(k, a)| a * x[t - 1 - k]).sum::<f64>();
+    (a.len().min(x.len())..x.len()).map(at).collect()
+}
+
+/// Mean square.
+pub fn power(x: &[f64]) -> f64 {
+    if x.is_empty() { 0.0 } else { x.iter().map(|v| v * v).sum::<f64>() / x.len() as f64 }
+}
+
+/// Part of the power of a series that stands in a few lines of its spectrum, which no broad noise has: hum, a machine.
+/// The frequency of the strongest comes with it, in cycles per sample.
+pub fn lines(x: &[f64]) -> (f64, f64) {
+    let n = x.len().min(8192);
+    if n < 64 {
+        return (0.0, 0.0);
+    }
+    let mean = x[..n].iter().sum::<f64>() / n as f64;
+    // A Hann window keeps the skirts of a line narrow.
+    let windowed: Vec<f64> =
+        (0..n).map(|t| (x[t] - mean) * (std::f64::consts::PI * t as f64 / n as f64).sin().powi(2)).collect();
+    let spectrum = periodogram(&windowed);
+    let m = spectrum.len();
+    let total: f64 = spectrum.iter().sum();
+    if total <= 0.0 {
+        return (0.0, 0.0);
+    }
+    let (mut share, mut strongest) = (0.0, (0.0, 0.0));
+    let wide = (m / 16).max(12);
+    for (i, p) in spectrum.iter().enumerate() {
+        let around = &spectrum[i.saturating_sub(wide)..(i + wide).min(m)];
+        let mut sorted = around.to_vec();
+        sorted.sort_by(f64::total_cmp);
+        let level = sorted[sorted.len() / 2];
+        // Noise passes 25 times its median once in 3e7.
+        if *p > 25.0 * level {
+            share += p / total;
+            if *p > strongest.0 {
+                strongest = (*p, i as f64 / n as f64);
+            }
+        }
+    }
+    (share, strongest.1)
+}
+
+/// |DFT|² at the positive frequencies below a half.
+fn periodogram(x: &[f64]) -> Vec<f64> {
+    let mut buffer: Vec<Complex<f64>> = x.iter().map(|x| Complex { re: *x, im: 0.0 }).collect();
+    FftPlanner::new().plan_fft_forward(buffer.len()).process(&mut buffer);
+    buffer[..x.len() / 2].iter().map(Complex::norm_sqr).collect()
+}
+
+/// Part of the power of a target that regressors (columns as long as the target) explain on blocks of time that they
+/// were not fitted to; 0 where they explain nothing.
+pub fn explained(target: &[f64], columns: &[Vec<f64>], blocks: usize) -> f64 {
+    let n = target.len();
+    let k = columns.len();
+    if n < 8 * k.max(1) || k == 0 {
+        return 0.0;
+    }
+    let block = |t: usize| t * blocks / n;
+    let (mut error, mut total) = (0.0, 0.0);
+    for held in 0..blocks {
+        let (mut a, mut b) = (DMatrix::<f64>::zeros(k, k), DVector::<f64>::zeros(k));
+        for t in (0..n).filter(|t| block(*t) != held) {
+            for i in 0..k {
+                let x = columns[i][t];
+                b[i] += x * target[t];
+                for j in 0..=i {
+                    a[(i, j)] += x * columns[j][t];
+                }
+            }
+        }
+        let ridge = 1e-3 * a.diagonal().sum() / k as f64;
+        for i in 0..k {
+            a[(i, i)] += ridge + f64::MIN_POSITIVE;
+            for j in 0..i {
+                a[(j, i)] = a[(i, j)];
+            }
+        }
+        let Some(c) = a.cholesky().map(|f| f.solve(&b)) else { return 0.0 };
+        for t in (0..n).filter(|t| block(*t) == held) {
+            let guess: f64 = (0..k).map(|i| c[i] * columns[i][t]).sum();
+            error += (target[t] - guess).powi(2);
+            total += target[t].powi(2);
+        }
+    }
+    if total > 0.0 { (1.0 - error / total).max(0.0) } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{burg, explained, lines, power, whiten};
+
+    fn noise(n: usize) -> Vec<f64> {
+        let mut x = 88172645463325252u64;
+        let mut uniform = || {
+            x ^= x << 13;
+            x ^= x >> 7;
+            x ^= x << 17;
+            (x >> 11) as f64 / (1u64 << 53) as f64
+        };
+        (0..n).map(|_| (0..12).map(|_| uniform()).sum::<f64>() - 6.0).collect()
+    }
+
+    #[test]
+    fn coloured_noise_is_whitened() {
+        let mut x = noise(4000);
+        for t in 2..x.len() {
+            x[t] += 1.2 * x[t - 1] - 0.4 * x[t - 2];
+        }
+        let a = burg(&x, 2);
+        assert!((a[0] - 1.2).abs() < 0.05 && (a[1] + 0.4).abs() < 0.05, "{a:?}");
+        assert!((power(&whiten(&x, &a)) - 1.0).abs() < 0.1);
+    }
+
+    #[test]
+    fn lines_are_told_from_noise() {
+        let mut x = noise(4000);
+        assert!(lines(&x).0 < 0.02);
+        x.iter_mut().enumerate().for_each(|(t, x)| *x += 1.5 * (0.7 * t as f64).sin());
+        let (share, frequency) = lines(&x);
+        assert!(share > 0.4 && (frequency - 0.7 / std::f64::consts::TAU).abs() < 1e-3, "{share} {frequency}");
+    }
+
+    #[test]
+    fn only_what_generalises_is_explained() {
+        let x = noise(3000);
+        let column: Vec<f64> = (0..3000).map(|t| (0.01 * f64::from(t)).sin()).collect();
+        assert!(explained(&x, std::slice::from_ref(&column), 6) < 0.01);
+        let y: Vec<f64> = x.iter().zip(&column).map(|(x, c)| 0.1 * x + c).collect();
+        assert!(explained(&y, &[column], 6) > 0.95);
+    }
+}

@@ -1,0 +1,68 @@
+//! How far the devices of a model move, as the fitted baseline has it.
+
+use super::anatomy::Device;
+use std::collections::BTreeMap;
+
+/// Extent of the motion of a device in one direction, over all fitted runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Extent {
+    /// Largest deformation without sign.
+    pub e: f64,
+    /// Largest force.
+    pub q: f64,
+    /// Largest speed of deformation.
+    pub v: f64,
+    /// Work without sign over the run with most of it.
+    pub work: f64,
+    /// Largest deformation of the positive sign, and least.
+    pub range: [f64; 2],
+}
+
+/// A device in a direction in a run, sampled.
+#[derive(Clone, Debug, Default)]
+pub struct Watched {
+    /// Times.
+    pub times: Vec<f64>,
+    /// Deformation.
+    pub e: Vec<f64>,
+    /// Force.
+    pub q: Vec<f64>,
+}
+
+impl Watched {
+    fn extent(&self) -> Extent {
+        let finite = |v: &[f64]| v.iter().filter(|x| x.is_finite()).fold(0.0f64, |m, x| m.max(x.abs()));
+        let mut x = Extent { e: finite(&self.e), q: finite(&self.q), ..Extent::default() };
+        for i in 1..self.times.len() {
+            let (dt, de) = (self.times[i] - self.times[i - 1], self.e[i] - self.e[i - 1]);
+            if de.is_finite() && dt > 0.0 {
+                x.v = x.v.max((de / dt).abs());
+                x.work += (0.5 * (self.q[i] + self.q[i - 1]) * de).abs();
+            }
+            x.range = [x.range[0].min(self.e[i]), x.range[1].max(self.e[i])];
+        }
+        x
+    }
+}
+
+/// All that was watched.
+#[derive(Clone, Debug, Default)]
+pub struct Scales {
+    /// By run, tag and direction.
+    pub watched: BTreeMap<(usize, i32, usize), Watched>,
+}
+
+impl Scales {
+    /// Extent of the motion of a group in a direction: the largest of its members, in any run.
+    pub fn of(&self, group: &[&Device], direction: usize) -> Option<Extent> {
+        let members =
+            self.watched.iter().filter(|((_, tag, d), _)| *d == direction && group.iter().any(|g| g.tag == *tag));
+        members.map(|(_, w)| w.extent()).reduce(|a, b| Extent {
+            e: a.e.max(b.e),
+            q: a.q.max(b.q),
+            v: a.v.max(b.v),
+            work: a.work.max(b.work),
+            range: [a.range[0].min(b.range[0]), a.range[1].max(b.range[1])],
+        })
+    }
+}

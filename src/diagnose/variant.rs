@@ -1,0 +1,102 @@
+//! A study with a proposal in it: the script with the block, the parameters of both, the faults of its channels.
+
+use super::correction::Correction;
+use super::hypothesis::Proposal;
+use super::insertion::{Place, insert};
+use crate::study::{Blueprint, Mishap, Parameter, ScriptSimulator, Simulator, Source, Space, Study};
+use std::sync::Arc;
+
+/// A study that a proposal has changed, or the baseline.
+#[derive(Clone, Debug)]
+pub struct Variant {
+    /// The study, its parameters followed by those of the proposal.
+    pub study: Arc<Study>,
+    /// The script.
+    pub text: Arc<str>,
+    /// What was proposed; nothing for the baseline.
+    pub proposal: Option<Proposal>,
+    /// Number of parameters that are the user's own.
+    own: usize,
+}
+
+impl Variant {
+    /// The study as it is.
+    pub fn baseline(study: &Arc<Study>, text: &str) -> Self {
+        let own = study.space.parameters.len();
+        Self { study: study.clone(), text: text.into(), proposal: None, own }
+    }
+
+    /// With a proposal; the parameters that it adds are declared in the block. `None` where a parameter of the study
+    /// has the name of one of them.
+    pub fn with(&self, place: &Place, proposal: &Proposal) -> Option<Self> {
+        let mut parameters = self.study.space.parameters[..self.own].to_vec();
+        for a in &proposal.added {
+            parameters.push(Parameter { name: a.name.clone(), source: Source::Free(a.range) });
+        }
+        let values: Vec<f64> = proposal.added.iter().map(|a| a.start).collect();
+        let text: Arc<str> = if proposal.block.is_empty() {
+            self.text.clone()
+        } else {
+            insert(&self.text, place, &declared(proposal, &values)).into()
+        };
+        let mut study = (*self.study).clone();
+        study.space = Space::new(parameters).ok()?;
+        Some(Self { study: Arc::new(study), text, proposal: Some(proposal.clone()), own: self.own })
+    }
+
+    /// The user's own parameters and those of the proposal.
+    pub fn split<'a>(&self, values: &'a [f64]) -> (&'a [f64], &'a [f64]) {
+        values.split_at(self.own)
+    }
+
+    /// Faults of channels at values of all parameters.
+    pub fn corrections(&self, values: &[f64]) -> Vec<Correction> {
+        let faults = self.proposal.as_ref().and_then(|p| p.faults.as_ref());
+        faults.map_or_else(Vec::new, |f| f(self.split(values).1))
+    }
+
+    /// Number of parameters to be found.
+    pub fn dimension(&self) -> usize {
+        self.study.space.dimension()
+    }
+
+    /// Where the search starts, in the unit cube: the user's own parameters as given, the others where they are
+    /// proposed to start.
+    pub fn start(&self, own: &[f64]) -> Vec<f64> {
+        let added = self.proposal.iter().flat_map(|p| &p.added).map(|a| a.start);
+        let values: Vec<f64> = own[..self.own].iter().copied().chain(added).collect();
+        self.study.space.point(&values)
+    }
+
+    /// A simulator of it.
+    pub fn simulator(self: &Arc<Self>, blueprint: &Blueprint) -> VariantSimulator {
+        let script = blueprint.simulator_of(self.study.clone(), &self.text);
+        VariantSimulator { variant: self.clone(), script }
+    }
+}
+
+/// The block of a proposal with its parameters declared at some values.
+pub fn declared(proposal: &Proposal, values: &[f64]) -> Vec<String> {
+    let declare = proposal.added.iter().zip(values).map(|(a, v)| format!("pset {} {v:.6e}", a.name));
+    declare.chain(proposal.block.iter().cloned()).collect()
+}
+
+/// Simulates what the channels of a variant show.
+pub struct VariantSimulator {
+    variant: Arc<Variant>,
+    script: ScriptSimulator,
+}
+
+impl Simulator for VariantSimulator {
+    fn simulate(&mut self, run: usize, values: &[f64]) -> Result<Vec<Vec<f64>>, Mishap> {
+        let mut channels = self.script.simulate(run, values)?;
+        let corrections = self.variant.corrections(values);
+        let spec = &self.variant.study.runs[run];
+        for (o, y) in spec.observe.iter().zip(&mut channels) {
+            for c in corrections.iter().filter(|c| c.concerns(&spec.name, &o.channel)) {
+                c.apply(&spec.recording.times, y);
+            }
+        }
+        Ok(channels)
+    }
+}
