@@ -188,7 +188,7 @@ impl ScriptSimulator {
 
     /// Run the script, which may be the beginning of one, and look at the model that it has made.
     pub fn look<R>(&self, run: usize, values: &[f64], look: impl FnOnce(&Engine) -> R) -> R {
-        look(&self.run(run, Some(values)).run.interp.host.engine)
+        look(&self.run(run, Some(values), None).run.interp.host.engine)
     }
 
     /// Run the script with values of the study's parameters, or with its own.
