@@ -19,6 +19,8 @@ mod modal;
 mod parameters;
 #[path = "cli/recorders.rs"]
 mod recorders;
+#[path = "cli/rubber_bearings.rs"]
+mod rubber_bearings;
 
 use std::fs;
 use std::path::PathBuf;

@@ -23,6 +23,8 @@ mod links;
 mod materials;
 #[path = "laws/multiple_shear_spring.rs"]
 mod multiple_shear_spring;
+#[path = "laws/rubber_bearings.rs"]
+mod rubber_bearings;
 #[path = "laws/sliders.rs"]
 mod sliders;
 #[path = "laws/springs.rs"]

@@ -179,7 +179,13 @@ impl System<'_> {
                 c.fill(0.0);
                 c
             });
-            let motion = Motion { disp: &disp[..n], vel: &vel[..n], load: &self.new.element_load[e.load.clone()], dt };
+            let motion = Motion {
+                disp: &disp[..n],
+                vel: &vel[..n],
+                load: &self.new.element_load[e.load.clone()],
+                dt,
+                time: self.new.time,
+            };
             let answer = Answer { force, tangent, damping };
             let committed = &self.old.history[e.state.clone()];
             let trial = &mut self.new.history[e.state.clone()];

@@ -45,6 +45,8 @@ pub struct Motion<'a> {
     pub load: &'a [f64],
     /// Domain time since the committed state.
     pub dt: f64,
+    /// Domain time (the load factor of static analyses).
+    pub time: f64,
 }
 
 /// Where an element writes its answer; each part has been set to zero.

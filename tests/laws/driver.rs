@@ -58,7 +58,7 @@ impl Alone {
     pub fn trial(&mut self, disp: &[f64], vel: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let n = self.element.dofs();
         let (mut force, mut tangent) = (vec![0.0; n], vec![0.0; n * n]);
-        let motion = Motion { disp, vel, load: &self.load, dt: 0.01 };
+        let motion = Motion { disp, vel, load: &self.load, dt: 0.01, time: 1.0 };
         let answer = Answer { force: &mut force, tangent: Some(&mut tangent), damping: None };
         self.element.respond(&motion, &self.state, &mut self.next, answer).unwrap();
         (force, tangent)

@@ -4,6 +4,7 @@ mod beam;
 mod bearing;
 mod multiple_shear_spring;
 mod multiple_springs;
+mod rubber_bearing;
 mod sliding;
 mod timoshenko;
 mod truss;
@@ -39,6 +40,9 @@ const KINDS: &[Kind] = &[
     timoshenko::TIMOSHENKO,
     bearing::BOUC_WEN,
     bearing::PLASTICITY,
+    rubber_bearing::HDR,
+    rubber_bearing::ELASTOMERIC_X,
+    rubber_bearing::LEAD_RUBBER_X,
     sliding::FLAT,
     sliding::PENDULUM,
     sliding::RJ_WATSON,

@@ -1,6 +1,6 @@
 //! Kinematics of two-node bearings: basic deformations, and the P-Delta moments of the axial force.
 
-use crate::element::{add_outer, dot};
+use crate::element::{BasicRow, add_outer, dot};
 use nalgebra::Matrix3;
 
 /// Linear kinematics of a two-node bearing with `N` degrees of freedom and `B` basic deformations.
@@ -160,6 +160,13 @@ impl<const N: usize, const B: usize> Link<N, B> {
                 }
             }
         }
+    }
+
+    /// Basic deformations by direction, in the order of the basic forces.
+    pub fn basic_rows(&self) -> Vec<BasicRow> {
+        let (ndm, directions): (usize, &[usize]) = if N == 6 { (2, &[1, 2, 6]) } else { (3, &[1, 2, 3, 4, 5, 6]) };
+        let rows = directions.iter().zip(&self.basic).enumerate();
+        rows.map(|(column, (d, row))| BasicRow::new(*d, column, row, (ndm, N / 2))).collect()
     }
 
     /// Local forces of basic forces, P-Delta moments included.

@@ -1,22 +1,39 @@
 //! Bearings of seismic isolation: two-node elements that join a shear law to axial and rotational materials.
 //!
 //! To add one of this family: a [`ShearLaw`] in a file of its own. [`ShearBearing`] is the element around it.
+//! A [`RubberShear`] stands beside the axial law of layered rubber, in a [`RubberBearing`].
 
+mod axial;
 mod bouc_wen;
+mod grant;
+mod lead;
 mod link;
 mod multiple_shear_spring;
+mod overlap;
 mod plasticity;
 mod responses;
+mod rubber;
+mod rubber_bearing;
+mod rubber_bouc_wen;
+mod rubber_shear;
 mod shear;
 mod shear_bearing;
 mod shear_springs;
 pub mod sliding;
 mod yamamoto;
 
+pub use axial::{Axial, AxialLaw, AxialStep};
 pub use bouc_wen::ShearParameters;
+pub use grant::{Damage, GrantShear};
+pub use lead::LeadCore;
 pub use link::Link;
 pub use multiple_shear_spring::MultipleShearSpring;
+pub use overlap::overlap;
 pub use plasticity::PlasticShear;
+pub use rubber::{Layers, PI, Rubber};
+pub use rubber_bearing::RubberBearing;
+pub use rubber_bouc_wen::{RubberBoucWen, Warmth};
+pub use rubber_shear::{RubberShear, ShearStep, Shearing};
 pub use shear::{Shear, ShearLaw};
 pub use shear_bearing::{PlaneBearing, ShearBearing, SpaceBearing};
 pub use shear_springs::{Bundle, Factors, ShearSprings};

@@ -121,9 +121,7 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
     }
 
     fn basic_rows(&self) -> Vec<BasicRow> {
-        let directions: &[usize] = if N == 6 { &[1, 2, 6] } else { &[1, 2, 3, 4, 5, 6] };
-        let rows = directions.iter().zip(&self.link.basic).enumerate();
-        rows.map(|(column, (d, row))| BasicRow::new(*d, column, row, (S + 1, N / 2))).collect()
+        self.link.basic_rows()
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
@@ -175,8 +173,8 @@ pub(super) const LOCAL_FORCE: u32 = 2;
 pub(super) const BASIC_FORCE: u32 = 3;
 pub(super) const LOCAL_DISP: u32 = 4;
 pub(super) const DEFORMATION: u32 = 5;
-const HYSTERETIC: u32 = 6;
-const BASIC_STIFFNESS: u32 = 8;
+pub(super) const HYSTERETIC: u32 = 6;
+pub(super) const BASIC_STIFFNESS: u32 = 8;
 pub(super) const MATERIAL: u32 = 9;
 
 /// Names of the responses; the first is that of laws with a hysteretic parameter only.
