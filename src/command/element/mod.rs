@@ -6,6 +6,7 @@ mod multiple_shear_spring;
 mod multiple_springs;
 mod sliding;
 mod timoshenko;
+mod triple;
 mod truss;
 mod two_node_link;
 mod yamamoto;
@@ -43,6 +44,8 @@ const KINDS: &[Kind] = &[
     sliding::PENDULUM,
     sliding::RJ_WATSON,
     multiple_shear_spring::MULTIPLE_SHEAR_SPRING,
+    triple::TRIPLE,
+    bearing::UFRP,
     truss::TRUSS,
     truss::COROT_TRUSS,
     two_node_link::TWO_NODE_LINK,

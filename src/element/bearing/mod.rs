@@ -11,6 +11,8 @@ mod shear;
 mod shear_bearing;
 mod shear_springs;
 pub mod sliding;
+pub mod triple;
+mod ufrp;
 mod yamamoto;
 
 pub use bouc_wen::ShearParameters;
@@ -20,4 +22,5 @@ pub use plasticity::PlasticShear;
 pub use shear::{Shear, ShearLaw};
 pub use shear_bearing::{PlaneBearing, ShearBearing, SpaceBearing};
 pub use shear_springs::{Bundle, Factors, ShearSprings};
+pub use ufrp::UfrpShear;
 pub use yamamoto::YamamotoShear;
