@@ -31,5 +31,7 @@ mod sliders;
 mod springs;
 #[path = "laws/timoshenko.rs"]
 mod timoshenko;
+#[path = "laws/triple.rs"]
+mod triple;
 #[path = "laws/yamamoto.rs"]
 mod yamamoto;

@@ -43,6 +43,11 @@ const KINDS: &[Kind] = &[
     },
 ];
 
+/// How the kinds are used.
+pub(super) fn usages() -> impl Iterator<Item = &'static str> {
+    KINDS.iter().map(|k| k.usage)
+}
+
 fn friction_model(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     need_model(interp, call)?;
     let mut a = Args::new(call, USAGE);

@@ -110,6 +110,7 @@ pub fn kinds(command: &str) -> Vec<&'static str> {
     match command {
         "element" => element::usages().collect(),
         "uniaxialMaterial" => material::usages().collect(),
+        "frictionModel" => friction::usages().collect(),
         "timeSeries" => series::usages().collect(),
         _ => vec![],
     }

@@ -1,4 +1,4 @@
-//! `element elastomericBearingBoucWen` and `elastomericBearingPlasticity`.
+//! `element elastomericBearingBoucWen`, `elastomericBearingPlasticity` and `elastomericBearingUFRP`.
 
 use super::{Ends, Kind, orientation};
 use crate::command::args::Args;
@@ -6,7 +6,7 @@ use crate::command::{Tcl, ignore_option};
 use crate::diagnostic::Span;
 use crate::element::Element;
 use crate::element::axes::Orientation;
-use crate::element::bearing::{Link, PlaneBearing, PlasticShear, ShearLaw, ShearParameters, SpaceBearing};
+use crate::element::bearing::{Link, PlaneBearing, PlasticShear, ShearLaw, ShearParameters, SpaceBearing, UfrpShear};
 use crate::material::Material;
 use crate::script::Exception;
 use std::sync::Arc;
@@ -24,6 +24,13 @@ pub(super) const PLASTICITY: Kind = Kind {
     usage: "element elastomericBearingPlasticity $tag $i $j $kInit $qd $alpha1 $alpha2 $mu -P $mat <-T $mat -My $mat> \
             -Mz $mat <-orient <$x1 $x2 $x3> $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> <-mass $m>",
     make: make_plastic,
+};
+
+pub(super) const UFRP: Kind = Kind {
+    names: &["elastomericBearingUFRP"],
+    usage: "element elastomericBearingUFRP $tag $i $j $uy $a1 $a2 $a3 $a4 $a5 $b $c $eta $beta $gamma -P $mat -Mz $mat \
+            <-orient $x1 $x2 $x3 $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> <-mass $m> <-iter $maxIter $tol>",
+    make: make_ufrp,
 };
 
 /// Where a bearing stands.
@@ -170,6 +177,34 @@ fn make_plastic(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<d
     let c = common(interp, a, ends, nodes)?;
     let shear = PlasticShear { k0: (1.0 - alpha1) * k_init, qd, k2: alpha1 * k_init, k3: alpha2 * k_init, mu };
     around(a, shear, c, ends)
+}
+
+fn make_ufrp(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let nodes = a.last_span();
+    if (ends.ndm, ends.ndf) != (2, 3) {
+        return Err(ends.wrong(a, "3 degrees of freedom in 2 dimensions"));
+    }
+    let uy = a.positive("yield displacement uy")?;
+    let mut polynomial = [0.0; 5];
+    for (i, x) in polynomial.iter_mut().enumerate() {
+        *x = a.float(&format!("coefficient a{} of the polynomial", i + 1))?;
+    }
+    let b = a.positive("hysteretic scaling factor b")?;
+    let c = a.not_negative("viscous damping coefficient c")?;
+    let eta = a.positive("yielding exponent eta")?;
+    let beta = a.float("first loop parameter beta")?;
+    let gamma = a.float("second loop parameter gamma")?;
+    if beta + gamma <= 0.0 {
+        return Err(a.refuse(
+            format!("beta + gamma is {}", beta + gamma),
+            "expected a sum greater than 0: the hysteretic force would not be bounded",
+        ));
+    }
+    let o = common(interp, a, ends, nodes)?;
+    let law = UfrpShear { uy, a: polynomial, b, c, eta, beta, gamma };
+    let (link, _) = o.place.link(a, ends, o.shear_dist)?;
+    let Ok(materials) = o.materials.try_into() else { unreachable!("taken one by one") };
+    Ok(Arc::new(PlaneBearing::new(law, link, materials, o.mass, o.rayleigh)))
 }
 
 /// The bearing around a shear law, in the plane or in space.

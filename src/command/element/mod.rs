@@ -7,6 +7,7 @@ mod multiple_springs;
 mod rubber_bearing;
 mod sliding;
 mod timoshenko;
+mod triple;
 mod truss;
 mod two_node_link;
 mod yamamoto;
@@ -47,6 +48,8 @@ const KINDS: &[Kind] = &[
     sliding::PENDULUM,
     sliding::RJ_WATSON,
     multiple_shear_spring::MULTIPLE_SHEAR_SPRING,
+    triple::TRIPLE,
+    bearing::UFRP,
     truss::TRUSS,
     truss::COROT_TRUSS,
     two_node_link::TWO_NODE_LINK,

@@ -20,6 +20,8 @@ mod shear;
 mod shear_bearing;
 mod shear_springs;
 pub mod sliding;
+pub mod triple;
+mod ufrp;
 mod yamamoto;
 
 pub use axial::{Axial, AxialLaw, AxialStep};
@@ -37,4 +39,5 @@ pub use rubber_shear::{RubberShear, ShearStep, Shearing};
 pub use shear::{Shear, ShearLaw};
 pub use shear_bearing::{PlaneBearing, ShearBearing, SpaceBearing};
 pub use shear_springs::{Bundle, Factors, ShearSprings};
+pub use ufrp::UfrpShear;
 pub use yamamoto::YamamotoShear;

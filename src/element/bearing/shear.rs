@@ -51,6 +51,11 @@ pub trait ShearLaw<const S: usize>: Clone + fmt::Debug + Send + Sync {
     /// Whether OpenSees takes the inertia of the bearing's mass under a uniform ground motion off the force that it reports.
     const REPORTS_INERTIA: bool = false;
 
+    /// Damping coefficient of a dashpot beside the law, in each direction.
+    fn dashpot(&self) -> f64 {
+        0.0
+    }
+
     /// History at rest, with the initial stiffness.
     fn virgin(&self) -> Shear<S>;
 

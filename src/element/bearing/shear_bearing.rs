@@ -70,7 +70,7 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
         Nature {
             linear: false,
             symmetric: false,
-            viscous: self.materials.iter().any(|m| m.material.is_viscous()),
+            viscous: self.law.dashpot() != 0.0 || self.materials.iter().any(|m| m.material.is_viscous()),
             elapses: self.materials.iter().any(|m| m.material.depends_on_time()),
             rayleigh: self.rayleigh,
         }
@@ -90,7 +90,12 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
             let s = slot.update(committed, Strain { value: u[i], rate: rate[i], dt: motion.dt }, trial)?;
             (q[i], k[i][i], c[i][i]) = (s.value, s.tangent, s.damping);
         }
-        let shear = self.law.step(&Shear::read(committed), std::array::from_fn(|i| u[1 + i]))?;
+        let mut shear = self.law.step(&Shear::read(committed), std::array::from_fn(|i| u[1 + i]))?;
+        let dashpot = self.law.dashpot();
+        for i in 0..S {
+            shear.q[i] += dashpot * rate[1 + i];
+            c[1 + i][1 + i] = dashpot;
+        }
         shear.write(trial);
         Self::add_shear(&shear, &mut q, &mut k);
         self.link.add_force(&q, motion.disp, answer.force);
@@ -176,6 +181,8 @@ pub(super) const DEFORMATION: u32 = 5;
 pub(super) const HYSTERETIC: u32 = 6;
 pub(super) const BASIC_STIFFNESS: u32 = 8;
 pub(super) const MATERIAL: u32 = 9;
+/// Of friction models, in the bearings that slide.
+pub(super) const FRICTION: u32 = 10;
 
 /// Names of the responses; the first is that of laws with a hysteretic parameter only.
 const PROBES: &[&str] = &[

@@ -3,7 +3,7 @@
 use super::surface::{Pose, Surface};
 use crate::element::bearing::Link;
 use crate::element::bearing::shear_bearing::{
-    BASIC_FORCE, DEFORMATION, LOCAL_DISP, LOCAL_FORCE, MATERIAL, end_masses, probe,
+    BASIC_FORCE, DEFORMATION, FRICTION, LOCAL_DISP, LOCAL_FORCE, MATERIAL, end_masses, probe,
 };
 use crate::element::friction::Contact;
 use crate::element::{Answer, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
@@ -209,7 +209,8 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
             };
             self.press(&pose, &last, &mut out)?
         } else {
-            self.lift(&u, &rate, &last, &mut out)
+            let left = self.left(u[0] - rise, committed);
+            self.lift((&u, &rate, left), &last, &mut out)
         };
         next.q = out.q;
         next.write(trial);
@@ -251,13 +252,30 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
         Ok(History { plastic, shear: slide.q, contact: slide.contact, q: [0.0; B] })
     }
 
+    /// Share of the initial stiffness that stays where there is no pressure, so that there is something to solve with: all
+    /// of it where the surfaces touch; beyond, what leads back to the pressure of the committed state.
+    fn left(&self, gap: f64, committed: &[f64]) -> f64 {
+        let Some((_, axial)) = self.springs.first() else { unreachable!("there is an axial material") };
+        let closing = axial.material.initial_tangent() * (gap - axial.strain(committed));
+        if gap <= 0.0 { 1.0 } else { (-axial.stress(committed) / closing.abs()).max(self.setting.uplift).min(1.0) }
+    }
+
     /// Take away what needs pressure: everything but the springs of shear. A share of the initial stiffness stays.
-    fn lift(&self, u: &[f64; B], rate: &[f64; B], last: &History<B, S>, out: &mut Basic<N, B>) -> History<B, S> {
+    fn lift(
+        &self,
+        (u, rate, left): (&[f64; B], &[f64; B], f64),
+        last: &History<B, S>,
+        out: &mut Basic<N, B>,
+    ) -> History<B, S> {
         let compat = self.setting.compat.is_some();
         let springs = self.setting.kind == Kind::Springs;
         // OpenSees leaves the initial stiffness whole in space, and in the plane where the axial material does not pull.
         let whole = compat && (S == 2 || springs || out.q[0] == 0.0);
-        let left = if whole { 1.0 } else { self.setting.uplift };
+        let left = match compat {
+            true if whole => 1.0,
+            true => self.setting.uplift,
+            false => left,
+        };
         for (d, slot) in &self.springs {
             let shears = (1..=S).contains(d);
             if !shears {
@@ -422,8 +440,6 @@ impl<const N: usize, const B: usize, const S: usize> Element for SlidingBearing<
         }
     }
 }
-
-const FRICTION: u32 = 10;
 
 /// `matrix += a bᵀ`, where there is a matrix.
 fn add_product<const N: usize>(matrix: &mut Option<&mut [f64]>, a: &[f64; N], b: &[f64; N]) {

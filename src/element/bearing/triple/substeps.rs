@@ -1,0 +1,133 @@
+//! OpenSees' way to the force of a chain: increments from the committed force to a relative tolerance, halved where they
+//! do not converge. Followed on demand only.
+
+use super::chain::{Chain, ChainState, in_series, rows, square, two};
+use super::segment::Segment;
+use crate::element::friction::Coefficient;
+use nalgebra::{Matrix2, Vector2};
+
+/// Iterations for a segment, and for the chain.
+const ROUNDS: usize = 20;
+/// How often a step may be halved.
+const HALVINGS: i32 = 7;
+
+/// A state on the way.
+#[derive(Clone)]
+struct Way {
+    d: [Vector2<f64>; 3],
+    k: [Matrix2<f64>; 3],
+    whole: Matrix2<f64>,
+    f: Vector2<f64>,
+    /// Plastic displacement and back force at the begin of the increment.
+    memory: [(Vector2<f64>, Vector2<f64>); 3],
+    /// The same at its end.
+    found: [(Vector2<f64>, Vector2<f64>); 3],
+}
+
+impl Way {
+    fn from(c: &ChainState) -> Self {
+        let memory = std::array::from_fn(|i| (two(&c.plastic, i), two(&c.back, i)));
+        Self {
+            d: std::array::from_fn(|i| two(&c.d, i)),
+            k: std::array::from_fn(|i| square(&c.k, i)),
+            whole: square(&c.whole, 0),
+            f: Vector2::from(c.f),
+            memory,
+            found: memory,
+        }
+    }
+}
+
+impl Chain {
+    /// Force at displacement `u` under the coefficients `mu`; the tolerance is a part of the step. The last state stays
+    /// where nothing converges, and `last` speeds where nothing moves.
+    pub(super) fn stretch_by_increments(
+        &self,
+        c: &ChainState,
+        u: Vector2<f64>,
+        mu: [f64; 3],
+        tolerance: f64,
+        (last, dt): ([f64; 3], f64),
+    ) -> ChainState {
+        let begin = Way::from(c);
+        let mut way = begin.clone();
+        let (from, du) = (Vector2::from(c.u), u - Vector2::from(c.u));
+        let tolerance = du.norm() * tolerance;
+        let change: [f64; 3] = std::array::from_fn(|i| mu[i] - c.mu[i]);
+        let (mut part, mut gone, mut now, mut speed) = (1.0, Vector2::zeros(), c.mu, last);
+        let (mut halvings, mut steps) = (0, 0);
+        while halvings < 10 && (du - gone).norm() > tolerance {
+            for (now, change) in now.iter_mut().zip(&change) {
+                *now += part * change;
+            }
+            let converged = self.increment(&mut way, from + gone + part * du, part * du, now, tolerance);
+            if !converged && halvings < HALVINGS {
+                way = begin.clone();
+                (gone, now, steps) = (Vector2::zeros(), c.mu, 0);
+                part *= 0.5;
+                halvings += 1;
+            } else {
+                if f64::from(steps) >= 2f64.powi(halvings) {
+                    break;
+                }
+                way.memory = way.found;
+                gone += part * du;
+                steps += 1;
+            }
+            if dt > 0.0 {
+                speed = std::array::from_fn(|i| (way.d[i] - two(&c.d, i)).norm() / dt);
+            }
+        }
+        let mut s = ChainState {
+            whole: rows(&way.whole),
+            f: way.f.into(),
+            mu: now,
+            speed,
+            u: u.into(),
+            ..ChainState::default()
+        };
+        for i in 0..3 {
+            s.set_memory(i, way.d[i], way.found[i], &way.k[i]);
+        }
+        s
+    }
+
+    /// One increment `du` to displacement `u`; whether it converged.
+    fn increment(&self, way: &mut Way, u: Vector2<f64>, du: Vector2<f64>, mu: [f64; 3], tolerance: f64) -> bool {
+        let mut left = du;
+        let mut rounds = 1;
+        way.found = way.memory;
+        while rounds == 1 || (left.norm() > tolerance && rounds <= ROUNDS) {
+            rounds += 1;
+            let df = way.whole * left;
+            for (i, segment) in self.segments.iter().enumerate() {
+                if !pull_by(segment, way, i, df, mu[i], tolerance) {
+                    return false;
+                }
+            }
+            way.f += df;
+            left = u - (way.d[0] + way.d[1] + way.d[2]);
+            let Some(whole) = in_series(way.k) else { return false };
+            way.whole = whole;
+        }
+        rounds <= ROUNDS
+    }
+}
+
+/// Move segment `i` until its force has grown by `df`; whether it converged.
+fn pull_by(segment: &Segment, way: &mut Way, i: usize, df: Vector2<f64>, mu: f64, tolerance: f64) -> bool {
+    way.found[i] = way.memory[i];
+    let Some(inverse) = way.k[i].try_inverse() else { return false };
+    let friction = Coefficient { mu, ..Coefficient::default() };
+    let mut step = inverse * df;
+    let mut rounds = 1;
+    while rounds == 1 || (step.norm() > 0.01 * tolerance && rounds <= ROUNDS) {
+        rounds += 1;
+        way.d[i] += step;
+        let p = segment.pull(way.memory[i], way.d[i], 0.0, |_| friction);
+        (way.k[i], way.found[i]) = (p.k, (p.plastic, p.back));
+        let Some(inverse) = p.k.try_inverse() else { return false };
+        step = inverse * (way.f + df - p.f);
+    }
+    rounds <= ROUNDS
+}
