@@ -2,6 +2,8 @@
 
 mod beam;
 mod bearing;
+mod kikuchi;
+mod multiple_normal_spring;
 mod multiple_shear_spring;
 mod multiple_springs;
 mod sliding;
@@ -43,6 +45,8 @@ const KINDS: &[Kind] = &[
     sliding::PENDULUM,
     sliding::RJ_WATSON,
     multiple_shear_spring::MULTIPLE_SHEAR_SPRING,
+    kikuchi::KIKUCHI,
+    multiple_normal_spring::MULTIPLE_NORMAL_SPRING,
     truss::TRUSS,
     truss::COROT_TRUSS,
     two_node_link::TWO_NODE_LINK,
