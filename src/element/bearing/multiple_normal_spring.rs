@@ -2,9 +2,9 @@
 
 use super::link::Link;
 use super::normal_springs::{NormalSprings, Section};
-use super::responses::{NAMES, Response};
+use super::responses::{NAMES, Response, basic_rows};
 use super::shear_bearing::end_masses;
-use crate::element::{Answer, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
+use crate::element::{Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
 use crate::probe::Probe;
 use crate::words;
 use crate::words::Words;
@@ -116,6 +116,9 @@ impl Element for MultipleNormalSpring {
     }
     fn ground_inertia_slip(&self) -> Option<f64> {
         (self.mass != 0.0).then_some(1.0)
+    }
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        basic_rows(&self.link)
     }
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         Response::probe(words)

@@ -21,10 +21,11 @@ words! {
     }
 }
 
-/// Residual at the inner nodes over the forces of the bearing that counts as none.
-const TOLERANCE: f64 = 1e-11;
+/// Residual at the inner nodes over the forces of the bearing that counts as none: the inner nodes yield to it once more
+/// as the equations are condensed, so that the forces at the ends are those of a residual of its square.
+const TOLERANCE: f64 = 1e-8;
 /// The same over E A: a strain.
-const STRAIN: f64 = 1e-13;
+const STRAIN: f64 = 1e-12;
 /// Residuals so many times larger are taken where round-off lets them sink no further.
 const STAGNATION: f64 = 1e3;
 /// Largest number of iterations on the way to a displacement.

@@ -18,10 +18,10 @@ use self::kinematics::{Geometry, Kinematics, OUTER, Springs, Stiff};
 use self::opensees::Trace;
 use super::link::Link;
 use super::normal_springs::{Layout, NormalSprings, Shape};
-use super::responses::{NAMES, Response};
+use super::responses::{NAMES, Response, basic_rows};
 use super::shear_bearing::end_masses;
 use super::shear_springs::{Factors, ShearSprings};
-use crate::element::{Answer, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
+use crate::element::{Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
 use crate::material::{Material, MaterialError};
 use crate::probe::Probe;
 use crate::words::Words;
@@ -252,12 +252,12 @@ impl Element for KikuchiBearing {
     }
     fn nature(&self) -> Nature {
         // OpenSees gives the springs no rates, so that viscous materials rest.
-        let elapses = |m: &Material| m.depends_on_time();
+        let mut materials = self.shear.materials().chain([self.lower.material()]);
         Nature {
             linear: false,
             symmetric: false,
             viscous: false,
-            elapses: elapses(self.shear.material()) || elapses(self.lower.material()),
+            elapses: materials.any(|m| m.depends_on_time()),
             rayleigh: true,
         }
     }
@@ -300,6 +300,9 @@ impl Element for KikuchiBearing {
     }
     fn ground_inertia_slip(&self) -> Option<f64> {
         (self.mass != 0.0).then_some(1.0)
+    }
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        basic_rows(&self.link)
     }
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         Response::probe(words)
