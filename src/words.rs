@@ -45,7 +45,7 @@ macro_rules! words {
             const LEN: usize = 0 $(+ <$ty as $crate::words::Field>::LEN)*;
             #[inline]
             fn read(words: &[f64]) -> Self {
-                let words = &words[..Self::LEN];
+                let words = &words[..<Self as $crate::words::Words>::LEN];
                 let mut at = 0;
                 $(let $field = <$ty as $crate::words::Field>::get(words, &mut at);)*
                 let _ = at;
@@ -53,7 +53,7 @@ macro_rules! words {
             }
             #[inline]
             fn write(&self, words: &mut [f64]) {
-                let words = &mut words[..Self::LEN];
+                let words = &mut words[..<Self as $crate::words::Words>::LEN];
                 let mut at = 0;
                 $($crate::words::Field::put(&self.$field, words, &mut at);)*
                 let _ = at;

@@ -10,7 +10,7 @@ const NORMAL: &str = "-mat 2 -shape round -size 0.8 -orient 0 1 0";
 
 /// The words after the nodes of a bearing that differ from a good one, and what the message says.
 const BEARINGS: &[(&str, &str, &[&str])] = &[
-    ("-shape round", "-shape oval", &["unknown shape \"oval\"", "known: round square"]),
+    ("-shape round", "-shape oval", &["unknown shape \"oval\"", "expected round or square"]),
     ("-shape round", "", &["-shape is missing"]),
     ("-size 0.8 0.16", "-size -0.8 0.16", &["diameter or edge of the bearing is -0.8", "greater than 0"]),
     ("-size 0.8 0.16", "-size 0.8 0", &["total thickness of the rubber is 0"]),

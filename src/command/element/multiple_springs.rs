@@ -10,10 +10,11 @@ use nalgebra::Matrix3;
 
 /// `round` or `square`.
 pub(super) fn shape(a: &mut Args<'_>) -> Result<Shape, Exception> {
-    match a.word("shape of the section, round or square")?.as_ref() {
+    let word = a.word("shape of the section, round or square")?;
+    match word.as_ref() {
         "round" => Ok(Shape::Round),
         "square" => Ok(Shape::Square),
-        _ => Err(a.unknown_name("shape", ["round", "square"])),
+        _ => Err(a.refuse(format!("unknown shape \"{word}\""), "expected round or square")),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Inner equilibrium of a Kikuchi bearing, to round-off at every trial state.
 
-use super::condensation::{Condensed, Inner, condense, join};
+use super::condensation::{Condensed, condense, join};
 use super::kinematics::{INNER, OUTER, Springs};
 use super::{Factors, KikuchiBearing};
 use crate::element::ElementError;
@@ -65,18 +65,12 @@ impl KikuchiBearing {
         let rest = join(&[0.0; OUTER], &[0.0; INNER]);
         let row = self.kinematics.axial_row(&rest);
         let stiffness = self.kinematics.stiffness(&self.virgin_springs(factor), &row, &row);
-        condense(&rest, &stiffness, &self.hold())
+        condense(&rest, &stiffness, &self.hold)
     }
 
     /// Stiffness of the virgin bearing in local axes.
     pub(super) fn virgin_tangent(&self) -> [[f64; OUTER]; OUTER] {
         self.virgin_condensed(self.virgin_factors.force).map_or([[0.0; OUTER]; OUTER], |c| c.stiffness)
-    }
-
-    /// Virgin stiffness of a section at each inner node.
-    pub(super) fn hold(&self) -> Inner {
-        let k = self.lower.initial_stiffness();
-        Inner::from_fn(|i, _| k[i % 3][i % 3].abs())
     }
 
     /// Forces at the ends and their consistent tangent, in local axes, for displacements of the ends.
@@ -202,7 +196,7 @@ impl KikuchiBearing {
         if !residual.is_finite() {
             return Err(ElementError("a spring of the bearing answers with no number".into()));
         }
-        Ok(Trial { inner, springs, residual, allowed, condensed: condense(&f, &stiffness, &self.hold()) })
+        Ok(Trial { inner, springs, residual, allowed, condensed: condense(&f, &stiffness, &self.hold) })
     }
 
     /// What the factor of the shear forces adds to the stiffness as it changes with the displacement.

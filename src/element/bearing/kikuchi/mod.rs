@@ -13,6 +13,7 @@ mod kinematics;
 mod opensees;
 
 pub use self::common::Common;
+use self::condensation::Inner;
 use self::equilibrium::Memory;
 use self::kinematics::{Geometry, Kinematics, OUTER, Springs, Stiff};
 use self::opensees::Trace;
@@ -97,6 +98,8 @@ pub struct KikuchiBearing {
     mass: f64,
     /// Factors of the virgin shear springs at rest.
     virgin_factors: Factors,
+    /// Virgin stiffness of a section at each inner node.
+    hold: Inner,
     /// Number among the bearings that have variables in common.
     number: usize,
     scheme: Scheme,
@@ -130,6 +133,8 @@ impl KikuchiBearing {
         let virgin_factors = shear.factors(0.0, &mut vec![0.0; at])?;
         let lower = NormalSprings::new(p.normal, &p.layout, 0.5 * p.rubber, at);
         let upper = lower.clone().at(at + lower.state_len());
+        let section = lower.initial_stiffness();
+        let hold = Inner::from_fn(|i, _| section[i % 3][i % 3].abs());
         // The basic deformations are plain differences.
         let link = Link::new(axes, 0.0, 0.5);
         let mut start = [0.0; OUTER];
@@ -147,6 +152,7 @@ impl KikuchiBearing {
             start,
             mass: p.mass,
             virgin_factors,
+            hold,
             number,
             scheme,
         })
@@ -179,29 +185,26 @@ impl KikuchiBearing {
         let lower = self.lower.respond(committed, lower, REST, dt, trial)?;
         let upper = self.upper.respond(committed, upper, REST, dt, trial)?;
         let shear = self.shear.respond(committed, shear, [0.0; 2], dt, trial)?;
-        let mut s = Springs {
+        Ok(Springs {
             lower: lower.force,
+            lower_stiffness: flat(&lower.stiffness),
             upper: upper.force,
+            upper_stiffness: flat(&upper.stiffness),
             shear: shear.force.map(|f| f * factors.force),
+            shear_stiffness: flat(&shear.stiffness).map(|k| k * factors.stiffness),
             axial,
-            ..self.virgin_springs(factors.stiffness)
-        };
-        s.lower_stiffness.copy_from_slice(lower.stiffness.as_flattened());
-        s.upper_stiffness.copy_from_slice(upper.stiffness.as_flattened());
-        s.shear_stiffness.copy_from_slice(shear.stiffness.as_flattened());
-        s.shear_stiffness.iter_mut().for_each(|k| *k *= factors.stiffness);
-        Ok(s)
+        })
     }
 
     /// Virgin springs at rest; the stiffness of the shear springs times a factor.
     fn virgin_springs(&self, factor: f64) -> Springs {
-        let mut s = Springs::default();
-        let section = self.lower.initial_stiffness();
-        s.lower_stiffness.copy_from_slice(section.as_flattened());
-        s.upper_stiffness = s.lower_stiffness;
-        s.shear_stiffness.copy_from_slice(self.shear.initial_stiffness().as_flattened());
-        s.shear_stiffness.iter_mut().for_each(|k| *k *= factor);
-        s
+        let section = flat(&self.lower.initial_stiffness());
+        Springs {
+            lower_stiffness: section,
+            upper_stiffness: section,
+            shear_stiffness: flat(&self.shear.initial_stiffness()).map(|k| k * factor),
+            ..Springs::default()
+        }
     }
 
     /// Add a local stiffness by rows to a global one.
@@ -225,6 +228,11 @@ impl KikuchiBearing {
             global.iter_mut().zip(row).for_each(|(g, r)| *g += r * f);
         }
     }
+}
+
+/// A square matrix by rows.
+fn flat<const N: usize, const M: usize>(m: &[[f64; N]; N]) -> [f64; M] {
+    std::array::from_fn(|k| m[k / N][k % N])
 }
 
 impl Element for KikuchiBearing {

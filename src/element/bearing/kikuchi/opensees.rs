@@ -149,7 +149,7 @@ impl KikuchiBearing {
     fn condensed(&self, q: &Motion, springs: &Springs, row: &Motion) -> Result<Condensed, ElementError> {
         let forces = self.kinematics.forces(q, springs, row);
         let stiffness = self.kinematics.stiffness(springs, row, row);
-        condense(&forces, &stiffness, &self.hold())
+        condense(&forces, &stiffness, &self.hold)
             .ok_or_else(|| ElementError("the inner nodes of the bearing are held by nothing".into()))
     }
 
