@@ -116,7 +116,7 @@ fn recorders_allocate_nothing() {
     let dir = std::env::temp_dir().join(format!("hysteron-allocation-{}", std::process::id()));
     std::fs::create_dir_all(&dir).unwrap();
     let file = |name: &str| {
-        Box::new(RowFile::create(&dir.join(name), Rows::Text(Separator::Space), Style::default(), false).unwrap())
+        Box::new(RowFile::create(&dir.join(name), Layout::Text(Separator::Space), Style::default(), false).unwrap())
     };
     let all = Cadence { time: true, ..Cadence::default() };
     let node = |q: &str| Box::new(NodeResponse::new(NodeQuantity::parse(q).unwrap(), None, vec![0, 1], vec![]));

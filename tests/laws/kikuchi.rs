@@ -428,7 +428,7 @@ fn normal_springs_bend_as_their_section() {
     let link = || Link::new(&upright(), HEIGHT, 0.5);
     let make = |m: Material| {
         let springs = NormalSprings::new(m, &layout, HEIGHT, MultipleNormalSpring::HEADER);
-        Alone::new(MultipleNormalSpring::new(springs, link(), 0.0, None))
+        Alone::new(MultipleNormalSpring::new(springs, link(), 0.0, false))
     };
     let mut e = make(elastic(1e6));
     let mut u = [0.0; 12];

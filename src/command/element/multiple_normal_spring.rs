@@ -65,5 +65,5 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     }
     let springs = NormalSprings::new(material, &layout, length, MultipleNormalSpring::HEADER);
     let link = Link::new(&axes, length, 0.5);
-    Ok(Arc::new(MultipleNormalSpring::new(springs, link, mass, compat.then_some(n))))
+    Ok(Arc::new(MultipleNormalSpring::new(springs, link, mass, compat)))
 }

@@ -14,6 +14,8 @@ words! {
     struct Forces {
         /// Axial force and moments about y and z.
         force: [f64; 3],
+        /// Stiffness of the section.
+        stiffness: [[f64; 3]; 3],
     }
 }
 
@@ -23,8 +25,8 @@ pub struct MultipleNormalSpring {
     springs: NormalSprings,
     link: Link<12, 6>,
     mass: f64,
-    /// Only so many springs remember their history, if not all.
-    remembering: Option<usize>,
+    /// OpenSees is followed, whose springs may go on with every call.
+    counts_calls: bool,
 }
 
 /// Basic directions of the section: axial, about y, about z.
@@ -34,10 +36,13 @@ impl MultipleNormalSpring {
     /// Words of state before those of the springs.
     pub const HEADER: usize = Forces::LEN;
 
-    /// From springs whose histories begin at word [`Self::HEADER`], and the kinematics. `remembering` springs commit
-    /// their histories where OpenSees is followed: it commits n of its n x n springs.
-    pub fn new(springs: NormalSprings, link: Link<12, 6>, mass: f64, remembering: Option<usize>) -> Self {
-        Self { springs, link, mass, remembering }
+    /// From springs whose histories begin at word [`Self::HEADER`], and the kinematics. `compat` follows OpenSees, which
+    /// commits only n of its n x n springs.
+    pub fn new(springs: NormalSprings, link: Link<12, 6>, mass: f64, compat: bool) -> Self {
+        let n = springs.len().isqrt();
+        let springs = if compat { springs.remembering(n) } else { springs };
+        let counts_calls = compat && !springs.material().is_linear();
+        Self { springs, link, mass, counts_calls }
     }
 
     fn stiffness(section: [[f64; 3]; 3]) -> [[f64; 6]; 6] {
@@ -68,7 +73,7 @@ impl Element for MultipleNormalSpring {
         Self::HEADER + self.springs.state_len()
     }
     fn init(&self, state: &mut [f64]) {
-        Forces::default().write(state);
+        Forces { force: [0.0; 3], stiffness: self.springs.initial_stiffness() }.write(state);
         self.springs.init(state);
     }
     fn nature(&self) -> Nature {
@@ -94,10 +99,7 @@ impl Element for MultipleNormalSpring {
             DIRECTIONS.map(|i| basic[i])
         });
         let Section { force, stiffness, damping } = self.springs.respond(committed, u, rate, motion.dt, trial)?;
-        if let Some(n) = self.remembering {
-            self.springs.hold(n, committed, trial);
-        }
-        Forces { force }.write(trial);
+        Forces { force, stiffness }.write(trial);
         self.link.add_basic_force(&Self::spread(force), answer.force);
         if let Some(tangent) = answer.tangent {
             self.link.add_basic(&Self::stiffness(stiffness), tangent);
@@ -108,6 +110,12 @@ impl Element for MultipleNormalSpring {
         Ok(())
     }
 
+    fn counts_calls(&self) -> bool {
+        self.counts_calls
+    }
+    fn last_tangent(&self, history: &[f64], tangent: &mut [f64]) {
+        self.link.add_basic(&Self::stiffness(Forces::read(history).stiffness), tangent);
+    }
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.link.add_basic(&Self::stiffness(self.springs.initial_stiffness()), tangent);
     }

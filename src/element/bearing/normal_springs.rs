@@ -139,11 +139,23 @@ pub struct Section {
 /// Pairs of deformations, for the symmetric stiffness.
 const PAIRS: [(usize, usize); 6] = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)];
 
+/// From which histories springs go on.
+#[derive(Clone, Debug)]
+enum Memory {
+    /// From the committed ones.
+    Committed,
+    /// Also from those that the last call of the step left, as laws of OpenSees' do.
+    Calls,
+    /// The same, and those from this number on never commit: for them the virgin history is the committed one.
+    Forgetful(usize, Vec<f64>),
+}
+
 /// Springs of one material over a section; their histories lie one after the other in the state of their owner.
 #[derive(Clone, Debug)]
 pub struct NormalSprings {
     material: Material,
     at: usize,
+    memory: Memory,
     /// Length of a spring, by which its extension becomes a strain.
     length: f64,
     /// Extension per unit of axial deformation and of rotations about y and z, spring by spring: 1, z, -y.
@@ -164,12 +176,24 @@ impl NormalSprings {
         let times = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).collect::<Vec<_>>();
         let arm = lever.each_ref().map(|l| times(l, &layout.area));
         let second = PAIRS.map(|(i, j)| times(&arm[i], &lever[j]));
-        Self { material, at, length, lever, arm, second }
+        Self { material, at, memory: Memory::Committed, length, lever, arm, second }
     }
 
     /// The same springs with their histories from word `at` on.
     pub fn at(self, at: usize) -> Self {
         Self { at, ..self }
+    }
+
+    /// The same springs, asked by an element that counts its calls.
+    pub fn counting_calls(self) -> Self {
+        Self { memory: Memory::Calls, ..self }
+    }
+
+    /// The same, of which only the first `n` commit their histories.
+    pub fn remembering(self, n: usize) -> Self {
+        let mut virgin = vec![0.0; self.state_len()];
+        self.clone().at(0).init(&mut virgin);
+        Self { memory: Memory::Forgetful(n.min(self.len()), virgin), ..self }
     }
 
     /// Number of springs.
@@ -201,12 +225,6 @@ impl NormalSprings {
         }
     }
 
-    /// Put the histories of the springs from number `first` on back to the committed ones.
-    pub fn hold(&self, first: usize, committed: &[f64], trial: &mut [f64]) {
-        let words = self.at + first.min(self.len()) * self.material.state_len()..self.at + self.state_len();
-        trial[words.clone()].copy_from_slice(&committed[words]);
-    }
-
     /// Forces at deformations: extension, rotations about y and z; with the rates of these.
     pub fn respond(
         &self,
@@ -222,20 +240,31 @@ impl NormalSprings {
         let (mut force, mut stiffness, mut damping) = ([0.0; 3], [0.0; 6], [0.0; 6]);
         let (mut strains, mut rates) = ([0.0; CHUNK], [0.0; CHUNK]);
         let (mut value, mut tangent, mut viscosity) = ([0.0; CHUNK], [0.0; CHUNK], [0.0; CHUNK]);
-        for first in (0..self.len()).step_by(CHUNK) {
-            let springs = first..(first + CHUNK).min(self.len());
+        let cut = if let Memory::Forgetful(n, _) = &self.memory { *n } else { self.len() };
+        let chunks = [0..cut, cut..self.len()].into_iter().flat_map(|part| {
+            let end = part.end;
+            part.step_by(CHUNK).map(move |first| first..(first + CHUNK).min(end))
+        });
+        for springs in chunks {
             let n = springs.len();
             self.spread(strain, springs.start, &mut strains[..n]);
             if viscous {
                 self.spread(rate, springs.start, &mut rates[..n]);
             }
             let at = self.at + springs.start * words..self.at + springs.end * words;
-            self.material.update_all(
-                &committed[at.clone()],
-                &Strains { value: &strains[..n], rate: &rates[..n], dt },
-                &mut trial[at],
-                &mut Stresses { value: &mut value[..n], tangent: &mut tangent[..n], damping: &mut viscosity[..n] },
-            )?;
+            let old = match &self.memory {
+                Memory::Forgetful(n, virgin) if springs.start >= *n => {
+                    &virgin[springs.start * words..springs.end * words]
+                }
+                _ => &committed[at.clone()],
+            };
+            let strains = Strains { value: &strains[..n], rate: &rates[..n], dt };
+            let mut stresses =
+                Stresses { value: &mut value[..n], tangent: &mut tangent[..n], damping: &mut viscosity[..n] };
+            match self.memory {
+                Memory::Committed => self.material.update_all(old, &strains, &mut trial[at], &mut stresses)?,
+                _ => self.material.update_all_on(old, &strains, &mut trial[at], &mut stresses)?,
+            }
             force.iter_mut().zip(&self.arm).for_each(|(f, arm)| *f += dot(&arm[springs.clone()], &value[..n]));
             for (pair, second) in self.second.iter().enumerate() {
                 stiffness[pair] += dot(&second[springs.clone()], &tangent[..n]);

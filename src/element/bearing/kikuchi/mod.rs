@@ -131,7 +131,10 @@ impl KikuchiBearing {
         let shear = ShearSprings::new(p.shear, p.shear_springs, p.limit, header);
         let at = header + shear.state_len();
         let virgin_factors = shear.factors(0.0, &mut vec![0.0; at])?;
-        let lower = NormalSprings::new(p.normal, &p.layout, 0.5 * p.rubber, at);
+        let mut lower = NormalSprings::new(p.normal, &p.layout, 0.5 * p.rubber, at);
+        if matches!(scheme, Scheme::OpenSees(..)) {
+            lower = lower.counting_calls();
+        }
         let upper = lower.clone().at(at + lower.state_len());
         let section = lower.initial_stiffness();
         let hold = Inner::from_fn(|i, _| section[i % 3][i % 3].abs());
