@@ -74,6 +74,23 @@ pub fn bracketed_root(
     None
 }
 
+/// Modified Bessel function of the first kind of a whole order at x ≥ 0, by its power series
+/// Σ (x/2)^(2k+n) / (k! (k+n)!), whose terms are all positive. Overflows beyond x = 713.
+pub fn bessel_i(order: u32, x: f64) -> f64 {
+    let quarter = 0.25 * x * x;
+    let mut term = (1..=order).fold(1.0, |t, k| t * 0.5 * x / f64::from(k));
+    let mut sum = term;
+    for k in 1.. {
+        term *= quarter / (f64::from(k) * f64::from(k + order));
+        sum += term;
+        // The terms grow up to k = x/2.
+        if f64::from(k) > x && term <= 1e-17 * sum || !sum.is_finite() {
+            break;
+        }
+    }
+    sum
+}
+
 /// Sign, zero for zero.
 #[inline]
 pub fn sign(x: f64) -> f64 {

@@ -18,7 +18,7 @@ impl Words for () {
     fn write(&self, _: &mut [f64]) {}
 }
 
-/// Declare a struct of `f64` fields (scalars or `[f64; N]`) that implements [`Words`].
+/// Declare a struct of `f64` fields (scalars, arrays, structs of the same kind) that implements [`Words`].
 ///
 /// ```
 /// hysteron::words! {
@@ -45,7 +45,7 @@ macro_rules! words {
             const LEN: usize = 0 $(+ <$ty as $crate::words::Field>::LEN)*;
             #[inline]
             fn read(words: &[f64]) -> Self {
-                let words = &words[..Self::LEN];
+                let words = &words[..<Self as $crate::words::Words>::LEN];
                 let mut at = 0;
                 $(let $field = <$ty as $crate::words::Field>::get(words, &mut at);)*
                 let _ = at;
@@ -53,7 +53,7 @@ macro_rules! words {
             }
             #[inline]
             fn write(&self, words: &mut [f64]) {
-                let words = &mut words[..Self::LEN];
+                let words = &mut words[..<Self as $crate::words::Words>::LEN];
                 let mut at = 0;
                 $($crate::words::Field::put(&self.$field, words, &mut at);)*
                 let _ = at;
@@ -86,18 +86,29 @@ impl Field for f64 {
     }
 }
 
-impl<const N: usize> Field for [f64; N] {
-    const LEN: usize = N;
+impl<T: Field, const N: usize> Field for [T; N] {
+    const LEN: usize = N * T::LEN;
     #[inline]
     fn get(words: &[f64], at: &mut usize) -> Self {
-        let mut a = [0.0; N];
-        a.copy_from_slice(&words[*at..*at + N]);
-        *at += N;
-        a
+        std::array::from_fn(|_| T::get(words, at))
     }
     #[inline]
     fn put(&self, words: &mut [f64], at: &mut usize) {
-        words[*at..*at + N].copy_from_slice(self);
-        *at += N;
+        self.iter().for_each(|x| x.put(words, at));
+    }
+}
+
+/// A struct of words inside another.
+impl<W: Words> Field for W {
+    const LEN: usize = W::LEN;
+    #[inline]
+    fn get(words: &[f64], at: &mut usize) -> Self {
+        *at += W::LEN;
+        W::read(&words[*at - W::LEN..])
+    }
+    #[inline]
+    fn put(&self, words: &mut [f64], at: &mut usize) {
+        self.write(&mut words[*at..]);
+        *at += W::LEN;
     }
 }

@@ -9,6 +9,8 @@ mod amend;
 mod checks;
 #[path = "cli/endings.rs"]
 mod endings;
+#[path = "cli/kikuchi.rs"]
+mod kikuchi;
 #[path = "cli/loops.rs"]
 mod loops;
 #[path = "cli/mistakes.rs"]

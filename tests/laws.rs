@@ -17,6 +17,8 @@ mod corotational;
 mod driver;
 #[path = "laws/frame_materials.rs"]
 mod frame_materials;
+#[path = "laws/kikuchi.rs"]
+mod kikuchi;
 #[path = "laws/links.rs"]
 mod links;
 #[path = "laws/materials.rs"]

@@ -371,6 +371,7 @@ impl Engine {
     /// The equations at the committed state, outside of a step.
     pub(super) fn system(&mut self) -> Option<System<'_>> {
         let (_, _, work) = self.prepared.as_mut()?;
+        work.updates = 0;
         Some(System {
             model: &self.model,
             old: &self.committed,

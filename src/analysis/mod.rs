@@ -1,6 +1,7 @@
 //! Analyses: the state of the motion, the integrators and algorithms that advance it, and what may go wrong.
 
 pub mod algorithm;
+mod asking;
 mod convergence;
 mod engine;
 mod failure;

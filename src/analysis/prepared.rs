@@ -1,5 +1,6 @@
 //! What an analysis works with between two changes of the model: plan, factors, matrices of the elements, buffers.
 
+use super::asking::Asking;
 use super::failure::Cause;
 use super::loads::Loads;
 use super::modal_damping::DampedModes;
@@ -36,6 +37,8 @@ pub(super) struct Matrices {
     pub linear: bool,
     /// The force depends on velocities or on the time that passes.
     pub rates: bool,
+    /// The answer goes on with every call.
+    pub counts_calls: bool,
     /// Place of the damping matrix of viscous materials.
     pub damping: Option<usize>,
     mass: MassPlace,
@@ -77,6 +80,12 @@ pub struct Prepared {
     pub(super) damping: Vec<f64>,
     pub(super) tangent_is_current: bool,
     pub(super) residual_needs_tangent: bool,
+    /// Elements that count their calls.
+    pub(super) counting: Vec<usize>,
+    /// How often elements that count their calls are asked.
+    pub(super) asking: Asking,
+    /// How often they are to be asked now.
+    pub(super) updates: u32,
     initial: Vec<f64>,
     committed: Vec<f64>,
     mass: Vec<f64>,
@@ -132,6 +141,7 @@ impl Prepared {
                 at,
                 linear: nature.linear && !nature.viscous,
                 rates: nature.viscous || nature.elapses,
+                counts_calls: e.element.counts_calls(),
                 damping: nature.viscous.then_some(damping),
                 mass: place,
                 rayleigh: if nature.rayleigh { e.rayleigh } else { Rayleigh::default() },
@@ -158,6 +168,9 @@ impl Prepared {
             damping: vec![0.0; damping],
             tangent_is_current: false,
             residual_needs_tangent: false,
+            counting: (0..matrices.len()).filter(|&i| matrices[i].counts_calls).collect(),
+            asking: Asking::default(),
+            updates: 0,
             initial: vec![],
             committed: vec![],
             mass,

@@ -149,55 +149,75 @@ impl System<'_> {
     /// Ask all elements for forces, and for tangents if they are wanted.
     pub fn respond(&mut self, want_tangent: bool) -> Result<(), Failure> {
         let dt = if self.elapses { self.new.time - self.old.time } else { 0.0 };
-        let work = &mut *self.work;
-        let want_tangent = want_tangent || work.residual_needs_tangent;
+        let want_tangent = want_tangent || self.work.residual_needs_tangent;
         // Where nothing has moved the answers are those of the committed state, which are there still, but for what
         // depends on rates.
-        let all = self.moved || (want_tangent && !work.tangent_is_current);
-        let (mut disp, mut vel) = ([0.0; MAX_DOFS], [0.0; MAX_DOFS]);
-        for (i, e) in self.model.elements.iter().enumerate() {
-            let m = &work.matrices[i];
-            if !(all || m.rates) {
-                continue;
+        let all = self.moved || (want_tangent && !self.work.tangent_is_current);
+        for i in 0..self.model.elements.len() {
+            let m = &self.work.matrices[i];
+            if (all || m.rates) && !m.counts_calls {
+                self.respond_one(i, want_tangent, dt)?;
             }
-            let n = e.dofs.len();
-            for ((&d, u), v) in e.dofs.iter().zip(&mut disp).zip(&mut vel) {
-                *u = self.new.disp[d as usize];
-                *v = self.new.vel[d as usize];
-            }
-            let force = &mut self.new.force[e.force.clone()];
-            force.fill(0.0);
-            let tangent = if want_tangent && !m.linear {
-                let k = &mut work.tangent[m.at..m.at + n * n];
-                k.fill(0.0);
-                Some(k)
-            } else {
-                None
-            };
-            let damping = m.damping.map(|at| {
-                let c = &mut work.damping[at..at + n * n];
-                c.fill(0.0);
-                c
-            });
-            let motion = Motion {
-                disp: &disp[..n],
-                vel: &vel[..n],
-                load: &self.new.element_load[e.load.clone()],
-                dt,
-                time: self.new.time,
-            };
-            let answer = Answer { force, tangent, damping };
-            let committed = &self.old.history[e.state.clone()];
-            let trial = &mut self.new.history[e.state.clone()];
-            e.element.respond(&motion, committed, trial, answer).map_err(|error| Failure {
-                cause: Cause::Element { element: format!("{} {}", e.element.class(), e.tag), message: error.0 },
-                time: self.new.time,
-                place: None,
-                code: -3,
-            })?;
         }
+        if !self.work.counting.is_empty() {
+            self.respond_counting(dt)?;
+        }
+        let work = &mut *self.work;
         work.tangent_is_current = want_tangent || (work.tangent_is_current && !all);
         Ok(())
+    }
+
+    /// Ask the elements that count their calls as often as OpenSees does, then for the tangents that they have come to.
+    fn respond_counting(&mut self, dt: f64) -> Result<(), Failure> {
+        let all = std::mem::take(&mut self.work.counting);
+        let calls = (0..self.work.updates).flat_map(|_| &all);
+        let asked = calls.into_iter().try_for_each(|&i| self.respond_one(i, false, dt));
+        self.work.updates = 0;
+        for &i in &all {
+            let e = &self.model.elements[i];
+            let at = self.work.matrices[i].at;
+            let k = &mut self.work.tangent[at..at + e.dofs.len().pow(2)];
+            k.fill(0.0);
+            e.element.last_tangent(&self.new.history[e.state.clone()], k);
+        }
+        self.work.counting = all;
+        asked
+    }
+
+    fn respond_one(&mut self, i: usize, want_tangent: bool, dt: f64) -> Result<(), Failure> {
+        let (e, work) = (&self.model.elements[i], &mut *self.work);
+        let m = &work.matrices[i];
+        let n = e.dofs.len();
+        let (mut disp, mut vel) = ([0.0; MAX_DOFS], [0.0; MAX_DOFS]);
+        for ((&d, u), v) in e.dofs.iter().zip(&mut disp).zip(&mut vel) {
+            *u = self.new.disp[d as usize];
+            *v = self.new.vel[d as usize];
+        }
+        let force = &mut self.new.force[e.force.clone()];
+        force.fill(0.0);
+        let tangent = if want_tangent && !m.linear {
+            let k = &mut work.tangent[m.at..m.at + n * n];
+            k.fill(0.0);
+            Some(k)
+        } else {
+            None
+        };
+        let damping = m.damping.map(|at| {
+            let c = &mut work.damping[at..at + n * n];
+            c.fill(0.0);
+            c
+        });
+        let load = &self.new.element_load[e.load.clone()];
+        let motion = Motion { disp: &disp[..n], vel: &vel[..n], load, dt, time: self.new.time };
+        let answer = Answer { force, tangent, damping };
+        let committed = &self.old.history[e.state.clone()];
+        let trial = &mut self.new.history[e.state.clone()];
+        e.element.respond(&motion, committed, trial, answer).map_err(|error| Failure {
+            cause: Cause::Element { element: format!("{} {}", e.element.class(), e.tag), message: error.0 },
+            time: self.new.time,
+            place: None,
+            code: -3,
+        })
     }
 
     /// Work out the unbalance b = P - R - C v - M a at the trial state; with the element tangents, if they are going

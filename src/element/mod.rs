@@ -139,6 +139,16 @@ pub trait Element: fmt::Debug + Send + Sync {
         answer: Answer<'_>,
     ) -> Result<(), ElementError>;
 
+    /// Whether the answer goes on with every call in a step, from what the last call left in the trial history: true only
+    /// of schemes of OpenSees' that are followed on demand. Such an element is asked as often as OpenSees asks it.
+    fn counts_calls(&self) -> bool {
+        false
+    }
+
+    /// Tangent of the last call, from the history that it left, for an element that counts its calls; n x n by rows,
+    /// added to a zero matrix.
+    fn last_tangent(&self, _history: &[f64], _tangent: &mut [f64]) {}
+
     /// Tangent of the virgin element, n x n by rows, added to a zero matrix.
     fn initial_tangent(&self, tangent: &mut [f64]);
 

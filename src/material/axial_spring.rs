@@ -166,10 +166,9 @@ impl<const HD: bool> AxialSpring<HD> {
         }
     }
 
-    /// Down from the skeleton in tension.
+    /// Down from the skeleton in tension, where the force was `f` at `c.u`.
     #[inline]
-    fn unload(&self, c: &History, u: f64, t: &mut History) -> Branch {
-        let (f, _) = self.tension(c.u);
+    fn unload(&self, c: &History, f: f64, u: f64, t: &mut History) -> Branch {
         if HD {
             if self.compat && c.u > self.uth && u == self.ucr {
                 return Branch::Overlooked;
@@ -185,10 +184,10 @@ impl<const HD: bool> AxialSpring<HD> {
             t.slope = (self.fcr - self.sty * t.from) / (self.ucr - t.from);
             return if u >= t.from { Branch::Reopening } else { self.close(t.slope, u) };
         }
-        t.slope = (self.fcr - f) / (self.ucr - c.u);
         if self.compat && u <= self.ucr {
             return if u > self.ucy { Branch::Yielded } else { Branch::Cavitated };
         }
+        t.slope = (self.fcr - f) / (self.ucr - c.u);
         self.close(t.slope, u)
     }
 
@@ -242,14 +241,34 @@ impl<const HD: bool> AxialSpring<HD> {
         }
     }
 
-    /// Branch at `u`; sets where its lines begin.
+    /// Force and stiffness on a branch.
     #[inline]
-    fn follow(&self, c: &History, u: f64, t: &mut History) -> Branch {
+    fn answer(&self, t: &History) -> Stress {
+        let u = t.u;
+        let (value, tangent) = match t.branch {
+            Branch::Elastic if u <= 0.0 => (self.sce * u, self.sce),
+            Branch::Elastic => (self.ste * u, self.ste),
+            Branch::Cavitated | Branch::Flowing => self.tension(u),
+            Branch::Overlooked => (self.sth * (u - self.uth) + self.fth, self.sth),
+            Branch::Yielded => (self.compression(u), self.scy),
+            Branch::Closing => (self.closing(t.slope, u), t.slope),
+            Branch::Reopening => (self.closing(t.slope, t.from) + self.ste * (u - t.from), self.ste),
+            Branch::Relieved => (self.tension(t.from).0 + self.ste * (u - t.from), self.ste),
+            // Without stiffness in tension OpenSees' spring never gets to the tension side of the line.
+            Branch::Shifted if u <= t.from || (self.compat && self.ste == 0.0) => (self.sce * (u - t.from), self.sce),
+            Branch::Shifted => (self.ste * (u - t.from), self.ste),
+        };
+        Stress { value, tangent, damping: 0.0 }
+    }
+
+    /// Branch at `u` from that of `c`, where the committed force was `force`; sets where its lines begin.
+    #[inline]
+    fn follow(&self, c: &History, force: impl Fn() -> f64, u: f64, t: &mut History) -> Branch {
         match c.branch {
             Branch::Overlooked if u >= c.u => Branch::Overlooked,
             Branch::Elastic | Branch::Overlooked => self.virgin(u),
             Branch::Cavitated if u >= c.u => Branch::Cavitated,
-            Branch::Cavitated => self.unload(c, u, t),
+            Branch::Cavitated => self.unload(c, force(), u, t),
             Branch::Closing if u <= c.u => self.close(c.slope, u),
             Branch::Closing => {
                 t.from = c.u;
@@ -259,7 +278,7 @@ impl<const HD: bool> AxialSpring<HD> {
             Branch::Relieved => self.relieved(c.from, u),
             Branch::Yielded if u <= c.u => Branch::Yielded,
             Branch::Yielded => {
-                t.from = c.u - self.compression(c.u) / self.sce;
+                t.from = c.u - force() / self.sce;
                 self.shifted(c, t.from, u)
             }
             Branch::Shifted => self.shifted(c, c.from, u),
@@ -271,7 +290,7 @@ impl<const HD: bool> AxialSpring<HD> {
                 }
             }
             Branch::Flowing => {
-                t.from = c.u - self.tension(c.u).0 / self.ste;
+                t.from = c.u - force() / self.ste;
                 self.shifted(c, t.from, u)
             }
         }
@@ -286,21 +305,33 @@ impl<const HD: bool> UniaxialLaw for AxialSpring<HD> {
     fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
         let u = strain.value;
         let mut t = History { u, ..*c };
-        t.branch = self.follow(c, u, &mut t);
-        let (value, tangent) = match t.branch {
-            Branch::Elastic if u <= 0.0 => (self.sce * u, self.sce),
-            Branch::Elastic => (self.ste * u, self.ste),
-            Branch::Cavitated | Branch::Flowing => self.tension(u),
-            Branch::Overlooked => (self.sth * (u - self.uth) + self.fth, self.sth),
-            Branch::Yielded => (self.compression(u), self.scy),
-            Branch::Closing => (self.closing(t.slope, u), t.slope),
-            Branch::Reopening => (self.closing(t.slope, t.from) + self.ste * (u - t.from), self.ste),
-            Branch::Relieved => (self.tension(t.from).0 + self.ste * (u - t.from), self.ste),
-            // Without stiffness in tension OpenSees' spring never gets to the tension side of the line.
-            Branch::Shifted if u <= t.from || (self.compat && self.ste == 0.0) => (self.sce * (u - t.from), self.sce),
-            Branch::Shifted => (self.ste * (u - t.from), self.ste),
+        t.branch = self.follow(c, || self.answer(c).value, u, &mut t);
+        Ok((self.answer(&t), t))
+    }
+
+    /// OpenSees' spring goes on from the branch of the last call, whether or not it was committed, and takes only
+    /// displacement and force from the committed state. `slope` is then where a shifted spring yields again.
+    fn update_on(&self, c: &History, last: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+        if !self.compat {
+            return self.update(c, strain);
+        }
+        let u = strain.value;
+        let from = History { u: c.u, ..*last };
+        let mut t = History { u, ..from };
+        let next = self.follow(&from, || self.answer(c).value, u, &mut t);
+        t.branch = match (from.branch, next) {
+            (Branch::Shifted, _) if u <= from.slope => Branch::Yielded,
+            (Branch::Shifted, Branch::Yielded) => Branch::Shifted,
+            _ => next,
         };
-        Ok((Stress { value, tangent, damping: 0.0 }, t))
+        match from.branch {
+            Branch::Yielded if u > c.u => t.slope = c.u,
+            Branch::Flowing if u < c.u => {
+                t.slope = (self.sce * t.from - self.scy * self.ucy + self.fcy) / (self.sce - self.scy);
+            }
+            _ => {}
+        }
+        Ok((self.answer(&t), t))
     }
 
     fn initial_tangent(&self) -> f64 {

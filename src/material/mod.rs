@@ -130,6 +130,17 @@ pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {
     /// Stress and next state for a trial strain, from the committed state.
     fn update(&self, committed: &Self::State, strain: Strain) -> Result<(Stress, Self::State), MaterialError>;
 
+    /// The same where the law is asked by an element that counts its calls: also from what the last call of this step left.
+    /// Only laws that remember their calls in OpenSees, and follow it, take notice of that.
+    fn update_on(
+        &self,
+        committed: &Self::State,
+        _last: &Self::State,
+        strain: Strain,
+    ) -> Result<(Stress, Self::State), MaterialError> {
+        self.update(committed, strain)
+    }
+
     /// Tangent of the virgin material.
     fn initial_tangent(&self) -> f64;
 
@@ -192,6 +203,17 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
         Ok(())
     }
 
+    /// The same for points asked by an element that counts its calls: `next` holds what the last call of this step left.
+    fn update_all_on(
+        &self,
+        committed: &[f64],
+        strains: &Strains<'_>,
+        next: &mut [f64],
+        stresses: &mut Stresses<'_>,
+    ) -> Result<(), MaterialError> {
+        self.update_all(committed, strains, next, stresses)
+    }
+
     /// Tangent of the virgin material.
     fn initial_tangent(&self) -> f64;
     /// Whether `Stress::damping` is ever used.
@@ -225,6 +247,24 @@ impl<L: UniaxialLaw> Uniaxial for L {
         let (stress, state) = UniaxialLaw::update(self, &L::State::read(committed), strain)?;
         state.write(next);
         Ok(stress)
+    }
+    fn update_all_on(
+        &self,
+        committed: &[f64],
+        strains: &Strains<'_>,
+        next: &mut [f64],
+        stresses: &mut Stresses<'_>,
+    ) -> Result<(), MaterialError> {
+        let n = L::State::LEN;
+        for (i, (&value, &rate)) in strains.value.iter().zip(strains.rate).enumerate() {
+            let words = i * n..(i + 1) * n;
+            let strain = Strain { value, rate, dt: strains.dt };
+            let (old, last) = (L::State::read(&committed[words.clone()]), L::State::read(&next[words.clone()]));
+            let (s, state) = self.update_on(&old, &last, strain)?;
+            state.write(&mut next[words]);
+            (stresses.value[i], stresses.tangent[i], stresses.damping[i]) = (s.value, s.tangent, s.damping);
+        }
+        Ok(())
     }
     fn initial_tangent(&self) -> f64 {
         UniaxialLaw::initial_tangent(self)

@@ -2,6 +2,7 @@
 
 use super::Tag;
 use crate::element::beam::ElasticSection;
+use crate::element::bearing::Common;
 use crate::element::friction::Friction;
 use crate::element::transform::TransformSpec;
 use crate::material::Material;
@@ -58,6 +59,8 @@ pub struct Definitions {
     pub sections: Registry<ElasticSection>,
     /// `geomTransf`.
     pub transforms: Registry<TransformSpec>,
+    /// What Kikuchi bearings have in common where OpenSees is followed.
+    pub kikuchi: Common,
 }
 
 impl Default for Definitions {
@@ -68,6 +71,7 @@ impl Default for Definitions {
             series: Registry::new("time series"),
             sections: Registry::new("section"),
             transforms: Registry::new("geometric transformation"),
+            kikuchi: Common::default(),
         }
     }
 }

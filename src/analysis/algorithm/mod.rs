@@ -40,6 +40,7 @@ impl Iteration<'_, '_> {
     /// Give the integrator the correction in `system.work.x`.
     pub fn update(&mut self) -> Result<(), Failure> {
         self.system.moved = true;
+        self.system.work.updates = self.system.work.asking.update;
         let mut x = std::mem::take(&mut self.system.work.x);
         let result = self.integrator.update(self.system, &mut x);
         self.system.work.x = x;

@@ -2,6 +2,7 @@
 
 use super::{Engine, Imbalance, Kind, Observer, Setup};
 use crate::analysis::algorithm::Iteration;
+use crate::analysis::asking::Asking;
 use crate::analysis::failure::Cause;
 use crate::analysis::failure::Failure;
 use crate::analysis::integrator::Adaptive;
@@ -146,6 +147,7 @@ impl Engine {
 
 /// Begin, solve and end a step.
 fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, dt: f64) -> Result<usize, Failure> {
+    system.work.updates = 0;
     if fresh {
         setup.integrator.prepare(system)?;
         setup.algorithm.prepare(system);
@@ -156,9 +158,14 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, dt: f64) -> 
         }
     }
     setup.integrator.begin(system, dt)?;
+    system.work.asking = Asking::new(setup.kind, setup.integrator.name(), setup.handler);
+    system.work.updates = system.work.asking.begin;
     let mut iteration = Iteration { system, integrator: setup.integrator.as_mut(), test: &mut setup.test };
     let iterations = setup.algorithm.solve(&mut iteration)?;
+    // Integrators that answer at another time than the end of the step ask once more.
+    system.work.updates = 1;
     setup.integrator.commit(system, iterations).map_err(|f| Failure { code: -4, ..f })?;
+    system.work.updates = 0;
     if system.work.wants_committed_tangent() {
         if !system.work.tangent_is_current {
             system.respond(true)?;

@@ -2,6 +2,8 @@
 
 mod beam;
 mod bearing;
+mod kikuchi;
+mod multiple_normal_spring;
 mod multiple_shear_spring;
 mod multiple_springs;
 mod rubber_bearing;
@@ -50,6 +52,8 @@ const KINDS: &[Kind] = &[
     multiple_shear_spring::MULTIPLE_SHEAR_SPRING,
     triple::TRIPLE,
     bearing::UFRP,
+    kikuchi::KIKUCHI,
+    multiple_normal_spring::MULTIPLE_NORMAL_SPRING,
     truss::TRUSS,
     truss::COROT_TRUSS,
     two_node_link::TWO_NODE_LINK,

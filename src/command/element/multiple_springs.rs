@@ -1,11 +1,32 @@
-//! What the bearings made of many springs have in common: numbers of springs, local axes, options.
+//! What the bearings made of many springs have in common: shape, distribution, numbers of springs, local axes, options.
 
 use super::{Ends, orientation};
 use crate::command::args::Args;
 use crate::diagnostic::Span;
 use crate::element::axes::Orientation;
+use crate::element::bearing::{Distribution, MAX_LAMBDA, Shape};
 use crate::script::Exception;
 use nalgebra::Matrix3;
+
+/// `round` or `square`.
+pub(super) fn shape(a: &mut Args<'_>) -> Result<Shape, Exception> {
+    let word = a.word("shape of the section, round or square")?;
+    match word.as_ref() {
+        "round" => Ok(Shape::Round),
+        "square" => Ok(Shape::Square),
+        _ => Err(a.refuse(format!("unknown shape \"{word}\""), "expected round or square")),
+    }
+}
+
+/// λ of the distribution of the vertical stiffness.
+pub(super) fn distribution(a: &mut Args<'_>) -> Result<Distribution, Exception> {
+    let lambda = a.not_negative("distribution parameter lambda")?;
+    if lambda > MAX_LAMBDA {
+        let label = format!("expected (D/t) sqrt(3 G/K) of a rubber layer, 0 to {MAX_LAMBDA}");
+        return Err(a.refuse(format!("-lambda is {lambda}"), label));
+    }
+    Ok(Distribution::Pressure(lambda))
+}
 
 /// Largest number of springs along an edge: a million springs in a section.
 const MAX_DIVISIONS: usize = 1000;

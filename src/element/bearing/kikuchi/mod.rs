@@ -1,0 +1,336 @@
+//! Kikuchi's bearing: shear springs at mid-height between two sections of normal springs, with P-Delta and tilt.
+//!
+//! Kikuchi, Nakamura and Aiken (2010), "Three-dimensional analysis for square seismic isolation bearings under large
+//! shear deformations and high axial loads", Earthquake Engineering and Structural Dynamics 39, 1513-1531; as
+//! OpenSees' `KikuchiBearing` by K. Ishii. Two rigid links of half the height each carry the shear springs in their
+//! midst; at their outer ends stand the sections, each as long as half of the rubber. The axial force runs along the
+//! tilted links: so the bearing softens with the shear displacement, and buckles.
+
+mod common;
+mod condensation;
+mod equilibrium;
+mod kinematics;
+mod opensees;
+
+pub use self::common::Common;
+use self::condensation::Inner;
+use self::equilibrium::Memory;
+use self::kinematics::{Geometry, Kinematics, OUTER, Springs, Stiff};
+use self::opensees::Trace;
+use super::link::Link;
+use super::normal_springs::{Layout, NormalSprings, Shape};
+use super::responses::{NAMES, Response, basic_rows};
+use super::shear_bearing::end_masses;
+use super::shear_springs::{Factors, ShearSprings};
+use crate::element::{Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
+use crate::material::{Material, MaterialError};
+use crate::probe::Probe;
+use crate::words::Words;
+use nalgebra::Matrix3;
+use std::f64::consts::PI;
+
+/// What a [`KikuchiBearing`] is made of.
+#[derive(Clone, Debug)]
+pub struct KikuchiParameters {
+    /// Outline of the section.
+    pub shape: Shape,
+    /// Its diameter or edge.
+    pub size: f64,
+    /// Total thickness of the rubber.
+    pub rubber: f64,
+    /// Height of the bearing, end plates included.
+    pub height: f64,
+    /// Material of the shear springs: force over displacement.
+    pub shear: Material,
+    /// Number of shear springs.
+    pub shear_springs: usize,
+    /// Displacement from which on the forces of the shear springs are scaled to those of a single one; `None` for no
+    /// scaling.
+    pub limit: Option<f64>,
+    /// Material of the normal springs: stress over strain.
+    pub normal: Material,
+    /// Normal springs of each section.
+    pub layout: Layout,
+    /// The links tilt with the inner nodes.
+    pub tilt: bool,
+    /// The axial force has moments about the displaced mid-height.
+    pub p_delta: bool,
+    /// Shares of the P-Delta moment that are taken off the moments at i and at j.
+    pub shares: [f64; 2],
+    /// Mass, half at each end.
+    pub mass: f64,
+}
+
+/// How the inner nodes are brought into balance.
+#[derive(Clone, Debug)]
+pub enum Scheme {
+    /// To round-off at every trial state.
+    Converged,
+    /// As OpenSees does: one step from the springs of the last trial state, with what its bearings have in common.
+    OpenSees(Balance, Common),
+}
+
+/// OpenSees' `-doBalance`: correction of the inner nodes when a step is committed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Balance {
+    /// Largest force that may be left at the inner nodes.
+    pub tolerance: f64,
+    /// Largest number of corrections; 0 for none.
+    pub rounds: u32,
+}
+
+/// Kikuchi's bearing between two nodes in space.
+#[derive(Clone, Debug)]
+pub struct KikuchiBearing {
+    shear: ShearSprings,
+    lower: NormalSprings,
+    upper: NormalSprings,
+    kinematics: Kinematics,
+    /// Moments over this length count as forces, where forces and moments are compared.
+    arm: f64,
+    /// E A, where forces are compared with none.
+    axial_rigidity: f64,
+    shares: Option<[f64; 2]>,
+    link: Link<12, 6>,
+    axes: Matrix3<f64>,
+    /// Displacements of the ends in local axes at which the springs are at rest.
+    start: [f64; OUTER],
+    mass: f64,
+    /// Factors of the virgin shear springs at rest.
+    virgin_factors: Factors,
+    /// Virgin stiffness of a section at each inner node.
+    hold: Inner,
+    /// Number among the bearings that have variables in common.
+    number: usize,
+    scheme: Scheme,
+}
+
+/// Stiffness of the springs that stand for rigid joints at mid-height, over that of the section.
+const RIGID: f64 = 1e4;
+
+impl KikuchiBearing {
+    /// With local axes as rows, from the displacements that the nodes (global, i then j) have already.
+    ///
+    /// # Errors
+    /// Shear springs that cannot be scaled.
+    pub fn new(p: KikuchiParameters, axes: &Matrix3<f64>, disp: &[f64], scheme: Scheme) -> Result<Self, ElementError> {
+        let (area, inertia) = match p.shape {
+            Shape::Round => (PI * p.size.powi(2) / 4.0, PI * p.size.powi(4) / 64.0),
+            Shape::Square => (p.size.powi(2), p.size.powi(4) / 12.0),
+        };
+        let (e, k) = (p.normal.initial_tangent(), p.shear.initial_tangent());
+        let stiff = Stiff {
+            axial: RIGID * e * area / p.rubber,
+            bending: RIGID * e * inertia / p.rubber,
+            torsion: RIGID * k * 2.0 * inertia / p.rubber,
+        };
+        let (header, geometry, number) = match &scheme {
+            Scheme::Converged => (Memory::LEN, Geometry::MeanTilt, 0),
+            Scheme::OpenSees(_, common) => (Trace::LEN, Geometry::EachLink, common.join()),
+        };
+        let shear = ShearSprings::new(p.shear, p.shear_springs, p.limit, header);
+        let at = header + shear.state_len();
+        let virgin_factors = shear.factors(0.0, &mut vec![0.0; at])?;
+        let mut lower = NormalSprings::new(p.normal, &p.layout, 0.5 * p.rubber, at);
+        if matches!(scheme, Scheme::OpenSees(..)) {
+            lower = lower.counting_calls();
+        }
+        let upper = lower.clone().at(at + lower.state_len());
+        let section = lower.initial_stiffness();
+        let hold = Inner::from_fn(|i, _| section[i % 3][i % 3].abs());
+        // The basic deformations are plain differences.
+        let link = Link::new(axes, 0.0, 0.5);
+        let mut start = [0.0; OUTER];
+        link.local_force(disp, &mut start);
+        Ok(Self {
+            shear,
+            lower,
+            upper,
+            kinematics: Kinematics::new(0.5 * p.height, stiff, p.tilt, p.p_delta, geometry),
+            arm: 0.25 * p.size,
+            axial_rigidity: e.abs() * area,
+            shares: p.p_delta.then_some(p.shares),
+            link,
+            axes: *axes,
+            start,
+            mass: p.mass,
+            virgin_factors,
+            hold,
+            number,
+            scheme,
+        })
+    }
+
+    /// Displacements of the ends in local axes, from where the springs are at rest.
+    fn outer(&self, disp: &[f64]) -> [f64; OUTER] {
+        let mut local = [0.0; OUTER];
+        self.link.local_force(disp, &mut local);
+        std::array::from_fn(|i| local[i] - self.start[i])
+    }
+
+    /// Displacement of j over i, in shear.
+    fn offset(&self, outer: &[f64; OUTER]) -> [f64; 2] {
+        [1, 2].map(|k| outer[k + 6] - outer[k] + self.start[k + 6] - self.start[k])
+    }
+
+    /// Forces of all springs at displacements, for the axial deformation at mid-height.
+    fn springs(
+        &self,
+        committed: &[f64],
+        q: &kinematics::Motion,
+        factors: Factors,
+        axial: f64,
+        dt: f64,
+        trial: &mut [f64],
+    ) -> Result<Springs, MaterialError> {
+        const REST: [f64; 3] = [0.0; 3];
+        let (lower, upper, shear) = self.kinematics.deformations(q);
+        let lower = self.lower.respond(committed, lower, REST, dt, trial)?;
+        let upper = self.upper.respond(committed, upper, REST, dt, trial)?;
+        let shear = self.shear.respond(committed, shear, [0.0; 2], dt, trial)?;
+        Ok(Springs {
+            lower: lower.force,
+            lower_stiffness: flat(&lower.stiffness),
+            upper: upper.force,
+            upper_stiffness: flat(&upper.stiffness),
+            shear: shear.force.map(|f| f * factors.force),
+            shear_stiffness: flat(&shear.stiffness).map(|k| k * factors.stiffness),
+            axial,
+        })
+    }
+
+    /// Virgin springs at rest; the stiffness of the shear springs times a factor.
+    fn virgin_springs(&self, factor: f64) -> Springs {
+        let section = flat(&self.lower.initial_stiffness());
+        Springs {
+            lower_stiffness: section,
+            upper_stiffness: section,
+            shear_stiffness: flat(&self.shear.initial_stiffness()).map(|k| k * factor),
+            ..Springs::default()
+        }
+    }
+
+    /// Add a local stiffness by rows to a global one.
+    fn add_global(&self, local: &[[f64; OUTER]; OUTER], global: &mut [f64]) {
+        let block = |i: usize, j: usize| Matrix3::from_fn(|a, b| local[3 * i + a][3 * j + b]);
+        for i in 0..4 {
+            for j in 0..4 {
+                let k = self.axes.transpose() * block(i, j) * self.axes;
+                for a in 0..3 {
+                    for b in 0..3 {
+                        global[(3 * i + a) * OUTER + 3 * j + b] += k[(a, b)];
+                    }
+                }
+            }
+        }
+    }
+
+    /// Global forces of local ones.
+    fn add_force(&self, local: &[f64; OUTER], global: &mut [f64]) {
+        for (row, f) in self.link.local.iter().zip(local) {
+            global.iter_mut().zip(row).for_each(|(g, r)| *g += r * f);
+        }
+    }
+}
+
+/// A square matrix by rows.
+fn flat<const N: usize, const M: usize>(m: &[[f64; N]; N]) -> [f64; M] {
+    std::array::from_fn(|k| m[k / N][k % N])
+}
+
+impl Element for KikuchiBearing {
+    fn class(&self) -> &'static str {
+        "KikuchiBearing"
+    }
+    fn dofs(&self) -> usize {
+        OUTER
+    }
+    fn state_len(&self) -> usize {
+        let header = match self.scheme {
+            Scheme::Converged => Memory::LEN,
+            Scheme::OpenSees(..) => Trace::LEN,
+        };
+        header + self.shear.state_len() + 2 * self.lower.state_len()
+    }
+    fn init(&self, state: &mut [f64]) {
+        match self.scheme {
+            Scheme::Converged => self.virgin_memory().write(state),
+            Scheme::OpenSees(..) => self.virgin_trace().write(state),
+        }
+        self.shear.init(state);
+        self.lower.init(state);
+        self.upper.init(state);
+    }
+    fn nature(&self) -> Nature {
+        // OpenSees gives the springs no rates, so that viscous materials rest.
+        let mut materials = self.shear.materials().chain([self.lower.material()]);
+        Nature {
+            linear: false,
+            symmetric: false,
+            viscous: false,
+            elapses: materials.any(|m| m.depends_on_time()),
+            rayleigh: true,
+        }
+    }
+
+    fn respond(
+        &self,
+        motion: &Motion<'_>,
+        committed: &[f64],
+        trial: &mut [f64],
+        answer: Answer<'_>,
+    ) -> Result<(), ElementError> {
+        let outer = self.outer(motion.disp);
+        let (force, tangent) = match &self.scheme {
+            Scheme::Converged => self.converge(outer, committed, motion.dt, trial)?,
+            Scheme::OpenSees(balance, common) => {
+                self.follow_opensees(outer, committed, motion.dt, (*balance, common), trial)?
+            }
+        };
+        self.add_force(&force, answer.force);
+        if let Some(k) = answer.tangent {
+            self.add_global(&tangent, k);
+        }
+        Ok(())
+    }
+
+    fn counts_calls(&self) -> bool {
+        matches!(self.scheme, Scheme::OpenSees(..))
+    }
+    fn last_tangent(&self, history: &[f64], tangent: &mut [f64]) {
+        if let Scheme::OpenSees(_, common) = &self.scheme {
+            self.add_global(&common.stiffness().unwrap_or_else(|| self.last_stiffness(history)), tangent);
+        }
+    }
+
+    fn initial_tangent(&self, tangent: &mut [f64]) {
+        self.add_global(&self.virgin_tangent(), tangent);
+    }
+    fn mass(&self) -> Mass {
+        end_masses(self.mass, 6, 3)
+    }
+    fn ground_inertia_slip(&self) -> Option<f64> {
+        (self.mass != 0.0).then_some(1.0)
+    }
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        basic_rows(&self.link)
+    }
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        Response::probe(words)
+    }
+    fn probe_names(&self) -> &'static [&'static str] {
+        NAMES
+    }
+    fn force_labels(&self) -> Vec<String> {
+        frame_force_labels(OUTER)
+    }
+    fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
+        // Half of the difference of the end forces.
+        let basic = |out: &mut [f64]| {
+            let mut local = [0.0; OUTER];
+            self.link.local_force(s.force, &mut local);
+            out.iter_mut().enumerate().for_each(|(k, q)| *q = 0.5 * (local[k + 6] - local[k]));
+        };
+        Response::of(path).read(&self.link, s, out, basic);
+    }
+}

@@ -1,0 +1,169 @@
+//! OpenSees' scheme for the inner nodes of a Kikuchi bearing, followed on demand only.
+//!
+//! Each time the element is asked, its inner nodes make one Newton step from the committed position, with stiffnesses and
+//! forces of the springs as the last call left them and with the geometry of the committed state. So the answer depends
+//! on how often it is asked, and on the size of the steps; with several bearings, on the one that is asked last.
+
+use super::condensation::{Condensed, condense, join};
+use super::kinematics::{INNER, Motion, OUTER, Springs};
+use super::{Balance, Common, Factors, KikuchiBearing};
+use crate::element::ElementError;
+use crate::words;
+use crate::words::Words;
+
+words! {
+    /// Springs and inner nodes as a call left them.
+    pub(super) struct Call {
+        /// Forces of the springs; those of the shear springs not yet multiplied by their factors.
+        springs: Springs,
+        /// Displacements of the inner nodes.
+        inner: [f64; INNER],
+    }
+}
+
+words! {
+    /// What a bearing keeps besides the histories of its springs.
+    pub(super) struct Trace {
+        /// Displacements of the ends in local axes.
+        outer: [f64; 12],
+        /// What the next step begins with.
+        settled: Call,
+        /// What the next call of this step begins with.
+        last: Call,
+        /// Number of steps made: those of the trial state are one more if it has been asked in this step.
+        steps: f64,
+        /// Factors of the shear springs: of forces and of stiffnesses. They change when a step is committed.
+        factors: [f64; 2],
+        /// Stiffness of the last call, by rows.
+        stiffness: [[f64; 12]; 12],
+    }
+}
+
+impl KikuchiBearing {
+    /// The state at rest.
+    pub(super) fn virgin_trace(&self) -> Trace {
+        let factors = self.virgin_factors;
+        let call = Call { springs: self.virgin_springs(1.0), inner: [0.0; INNER] };
+        let mut trace =
+            Trace { settled: call, last: call, factors: [factors.force, factors.stiffness], ..Trace::default() };
+        // OpenSees works out its first stiffness before it knows the height.
+        let mut flat = self.clone();
+        flat.kinematics.half = 0.0;
+        if let Some(c) = flat.virgin_condensed(factors.stiffness) {
+            trace.stiffness = c.stiffness;
+        }
+        trace
+    }
+
+    /// Forces at the ends and the tangent that OpenSees uses, in local axes, for displacements of the ends.
+    ///
+    /// # Errors
+    /// The springs hold the inner nodes no longer, or a spring has no answer.
+    pub(super) fn follow_opensees(
+        &self,
+        outer: [f64; OUTER],
+        committed: &[f64],
+        dt: f64,
+        (balance, common): (Balance, &Common),
+        trial: &mut [f64],
+    ) -> Result<([f64; OUTER], [[f64; OUTER]; OUTER]), ElementError> {
+        let old = Trace::read(committed);
+        let now = Trace::read(trial);
+        let begin = old.settled;
+        let last = if now.steps == old.steps { begin } else { now.last };
+        let factors = Factors { force: old.factors[0], stiffness: old.factors[1], slope: 0.0 };
+        let from = join(&old.outer, &begin.inner);
+        let geometry = common.motion(old.steps).unwrap_or(from);
+        let row = self.kinematics.axial_row(&geometry);
+
+        // The inner nodes follow the ends, and yield to what the last call left over.
+        let before = join(&old.outer, &last.inner);
+        let c = self.condensed(&before, &self.scaled(&last, factors), &row)?;
+        let step = Motion::from_fn(|i, _| if i < OUTER { outer[i] - old.outer[i] } else { 0.0 });
+        let followed = c.follow * step.fixed_rows::<OUTER>(0) + c.correction;
+        let inner: [f64; INNER] = std::array::from_fn(|i| begin.inner[i] + followed[i]);
+
+        let q = join(&outer, &inner);
+        let axial = begin.springs.axial + row.dot(&(q - from));
+        let springs = self.springs(committed, &q, Factors::ONE, axial, dt, trial)?;
+        let call = Call { springs, inner };
+        let c = self.condensed(&q, &self.scaled(&call, factors), &row)?;
+        let mut force = c.force;
+        if let Some(shares) = self.shares {
+            take_off_p_delta(&(geometry + step), shares, &mut force);
+        }
+
+        let settled = self.settle(&outer, call, factors, balance, committed, dt, trial)?;
+        let [v, w] = self.offset(&outer);
+        let next = self.shear.factors(v.hypot(w), trial)?;
+        common.leave(self.number, old.steps + 1.0, join(&outer, &settled.inner), c.stiffness);
+        Trace {
+            outer,
+            settled,
+            last: call,
+            steps: old.steps + 1.0,
+            factors: [next.force, next.stiffness],
+            stiffness: c.stiffness,
+        }
+        .write(trial);
+        Ok((force, c.stiffness))
+    }
+
+    /// What `-doBalance` makes of a call when its step is committed.
+    #[allow(clippy::too_many_arguments)]
+    fn settle(
+        &self,
+        outer: &[f64; OUTER],
+        mut call: Call,
+        factors: Factors,
+        balance: Balance,
+        committed: &[f64],
+        dt: f64,
+        trial: &mut [f64],
+    ) -> Result<Call, ElementError> {
+        for _ in 0..balance.rounds {
+            let q = join(outer, &call.inner);
+            let row = self.kinematics.axial_row(&q);
+            let c = self.condensed(&q, &self.scaled(&call, factors), &row)?;
+            let inner: [f64; INNER] = std::array::from_fn(|i| call.inner[i] + c.correction[i]);
+            let to = join(outer, &inner);
+            let axial = call.springs.axial + row.dot(&(to - q));
+            let springs = self.springs(committed, &to, Factors::ONE, axial, dt, trial)?;
+            call = Call { springs, inner };
+            let left = self.kinematics.forces(&to, &self.scaled(&call, factors), &row);
+            if left.fixed_rows::<INNER>(OUTER).iter().all(|f| f.abs() <= balance.tolerance) {
+                break;
+            }
+        }
+        Ok(call)
+    }
+
+    /// The springs of a call, those in shear multiplied by their factors.
+    fn scaled(&self, call: &Call, factors: Factors) -> Springs {
+        let mut s = call.springs;
+        s.shear = s.shear.map(|f| f * factors.force);
+        s.shear_stiffness = s.shear_stiffness.map(|k| k * factors.stiffness);
+        s
+    }
+
+    fn condensed(&self, q: &Motion, springs: &Springs, row: &Motion) -> Result<Condensed, ElementError> {
+        let forces = self.kinematics.forces(q, springs, row);
+        let stiffness = self.kinematics.stiffness(springs, row, row);
+        condense(&forces, &stiffness, &self.hold)
+            .ok_or_else(|| ElementError("the inner nodes of the bearing are held by nothing".into()))
+    }
+
+    /// The tangent that OpenSees has after the last call, from the state that it left.
+    pub(super) fn last_stiffness(&self, state: &[f64]) -> [[f64; OUTER]; OUTER] {
+        Trace::read(state).stiffness
+    }
+}
+
+/// Take the P-Delta moments off the end moments as OpenSees does: each at the axis of the other displacement.
+fn take_off_p_delta(q: &Motion, shares: [f64; 2], force: &mut [f64; OUTER]) {
+    let pressure = -force[6];
+    for (end, share) in shares.into_iter().enumerate() {
+        force[6 * end + 4] -= share * pressure * (q[7] - q[1]);
+        force[6 * end + 5] += share * pressure * (q[8] - q[2]);
+    }
+}
