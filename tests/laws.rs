@@ -23,6 +23,10 @@ mod links;
 mod materials;
 #[path = "laws/multiple_shear_spring.rs"]
 mod multiple_shear_spring;
+#[path = "laws/rubber.rs"]
+mod rubber;
+#[path = "laws/rubber_plane.rs"]
+mod rubber_plane;
 #[path = "laws/sliders.rs"]
 mod sliders;
 #[path = "laws/springs.rs"]
