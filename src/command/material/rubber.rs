@@ -13,7 +13,7 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["HDRRheology"],
         usage: USAGE,
-        make: |interp, a| Ok(Arc::new(rheology(interp, a, OPTIONS, |_, _| Ok(false))?.law)),
+        make: |interp, a| Ok(Arc::new(rheology(interp, a, OPTIONS, |_, _| Ok(false))?)),
     },
     Kind {
         names: &["Mullins"],
@@ -60,14 +60,6 @@ struct Options {
     softening: Option<Softening>,
 }
 
-/// A law of high damping rubber with what an element needs to know besides.
-pub(in crate::command) struct Rheology {
-    /// The law.
-    pub(in crate::command) law: HdrRheology,
-    /// Heat capacity and time constant of cooling of rubber that heats itself as a lump.
-    pub(in crate::command) lump: Option<(f64, f64)>,
-}
-
 /// A law of high damping rubber from parameters and options. `known` are the options that may be given, and `other` takes
 /// those that are not the law's: the last word taken is one.
 pub(in crate::command) fn rheology(
@@ -75,7 +67,7 @@ pub(in crate::command) fn rheology(
     a: &mut Args<'_>,
     known: &[&str],
     mut other: impl FnMut(&mut Args<'_>, &str) -> Result<bool, Exception>,
-) -> Result<Rheology, Exception> {
+) -> Result<HdrRheology, Exception> {
     let mut o = Options::default();
     if a.at_number() {
         o.compound = Some((Compound::constant(explicit(a)?), None));
@@ -123,7 +115,7 @@ pub(in crate::command) fn rheology(
 }
 
 /// The law from its options.
-fn assemble(interp: &mut Tcl, a: &Args<'_>, o: Options, explicit: bool) -> Result<Rheology, Exception> {
+fn assemble(interp: &mut Tcl, a: &Args<'_>, o: Options, explicit: bool) -> Result<HdrRheology, Exception> {
     let Some((compound, span)) = o.compound else {
         return Err(a.refuse("HDRRheology has no parameters", "expected -compound with a name, or ten numbers"));
     };
@@ -168,8 +160,7 @@ fn assemble(interp: &mut Tcl, a: &Args<'_>, o: Options, explicit: bool) -> Resul
         let d = d.at(span, "the temperature goes on to rise, the parameters do not change");
         warn(interp, d.help("\"-beyond hold\" says that this is meant, \"-beyond error\" stops there"))?;
     }
-    let lump = o.capacity.map(|c| (c, o.cooling.map_or(f64::INFINITY, |c| c.0)));
-    let law = HdrRheology {
+    Ok(HdrRheology {
         ambient,
         thermal,
         hold_ends: o.hold_ends.unwrap_or(true),
@@ -177,8 +168,7 @@ fn assemble(interp: &mut Tcl, a: &Args<'_>, o: Options, explicit: bool) -> Resul
         area: o.area.unwrap_or(1.0),
         height: o.height.unwrap_or(1.0),
         compound,
-    };
-    Ok(Rheology { law, lump })
+    })
 }
 
 /// Ten parameters by number.

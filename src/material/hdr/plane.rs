@@ -6,7 +6,7 @@
 //! a fan of sliders and power laws is another law, which would have to be identified anew, and it knows the directions of
 //! its springs.)
 
-use super::{HdrRheology, MOST_ROUNDS};
+use super::{HdrRheology, MOST_ROUNDS, Thermal};
 use crate::numeric::Dual;
 use nalgebra::{Matrix2, Vector2};
 
@@ -294,9 +294,10 @@ impl HdrRheology {
         super::Uniaxial::initial_tangent(self) * self.height / self.area
     }
 
-    /// Stress for a strain in the plane after a time, from the committed history. Self-heating is that of a lump of rubber:
-    /// heat capacity per volume and time constant of cooling. Beyond the table of the compound its end is held.
-    pub fn plane_step(&self, c: &PlaneHistory, strain: [f64; 2], time: f64, lump: Option<(f64, f64)>) -> PlaneStep {
+    /// Stress for a strain in the plane after a time, from the committed history. Rubber heats itself as a lump or not at
+    /// all, and beyond the table of the compound its end is held.
+    pub fn plane_step(&self, c: &PlaneHistory, strain: [f64; 2], time: f64) -> PlaneStep {
+        let lump = self.thermal.as_ref().and_then(Thermal::lump);
         let (g, time) = (V::from(strain), time.abs());
         let before = super::Peak { now: Dual::constant(c.peak), ever: c.ever };
         let size = g.norm();
@@ -310,8 +311,8 @@ impl HdrRheology {
             let (next, equilibrium, overstress, work) = law.step(c, g, time);
             let softened = (old_factor - factor.value).max(0.0) * 0.5 * (c.stored + next.stored);
             let heat = 0.5 * (old_factor + factor.value) * work + softened;
-            let found = lump.map_or(c.rise, |(capacity, cooling)| {
-                let z = time / cooling;
+            let found = lump.map_or(c.rise, |(capacity, rate)| {
+                let z = time * rate;
                 let kept = if z > 0.0 { -(-z).exp_m1() / z } else { 1.0 };
                 c.rise * (-z).exp() + heat / capacity * kept
             });
