@@ -94,7 +94,7 @@ impl Branch {
             slope = 1.0 + beta0 * exponent * f / z;
             let correction = (z + beta0 * f - x0) / slope;
             z -= correction;
-            if correction.abs() <= 1e-14 * z || !(z > 0.0) {
+            if correction.abs() <= 1e-14 * z || z <= 0.0 {
                 break;
             }
         }
