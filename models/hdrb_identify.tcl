@@ -10,6 +10,8 @@
 
 namespace eval hdrb {
     variable names {C1eq C2eq C3eq tauCrEq m C1oe C2oe tauCrOe a n}
+    # Least squares end where a round gains less than this part of what is left.
+    variable enough 1e-6
 
     # Inverse of a symmetric positive matrix (a list of rows) by Gauss and Jordan.
     proc inverse {matrix} {
@@ -69,6 +71,7 @@ namespace eval hdrb {
     # Least squares by Levenberg and Marquardt in the logarithms of the parameters, which are all positive. Gives parameters,
     # R2 (Eq 3.14), the relative half widths of the 95 % intervals of confidence, and the standard deviation of what is left.
     proc leastSquares {model p data {limits {}}} {
+        variable enough
         set lambda 1e-3
         set n [llength $p]
         set got [{*}$model $p]
@@ -102,7 +105,7 @@ namespace eval hdrb {
             set gained [expr {1.0 - $total/$sum}]
             lassign [list $next $then $left $total] p got miss sum
             set lambda [expr {max(1e-9, $lambda*0.2)}]
-            if {$gained < 1e-7 || $sum < 1e-20} { break }
+            if {$gained < $enough || $sum < 1e-20} { break }
         }
         set deviation [expr {sqrt($sum/max(1, [llength $data] - $n))}]
         return [list $p [r2 $data $got] [intervals [sensitivities $model $p $got] $deviation] $deviation]
