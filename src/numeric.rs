@@ -1,5 +1,9 @@
 //! Small numerical tools that several laws share.
 
+mod dual;
+
+pub use dual::Dual;
+
 /// Scalar product. Four sums side by side, so that it takes the width of the processor; always in the same order.
 #[inline]
 pub fn dot(a: &[f64], b: &[f64]) -> f64 {

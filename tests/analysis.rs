@@ -12,6 +12,8 @@ mod materials;
 mod model;
 #[path = "analysis/modes.rs"]
 mod modes;
+#[path = "analysis/rubber.rs"]
+mod rubber;
 #[path = "support/script.rs"]
 mod script;
 #[path = "analysis/statics.rs"]

@@ -27,6 +27,10 @@ mod materials;
 mod multiple_shear_spring;
 #[path = "laws/rubber_bearings.rs"]
 mod rubber_bearings;
+#[path = "laws/rubber.rs"]
+mod rubber;
+#[path = "laws/rubber_plane.rs"]
+mod rubber_plane;
 #[path = "laws/sliders.rs"]
 mod sliders;
 #[path = "laws/springs.rs"]

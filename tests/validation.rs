@@ -178,6 +178,24 @@ fn annotated_inputs() {
     }
 }
 
+/// What is checked against the thesis on high damping rubber: a script there ends with an error where a check fails.
+#[test]
+fn thesis() {
+    for script in scripts("validation/thesis") {
+        let name = script.file_stem().unwrap().to_str().unwrap().to_owned();
+        let work = workplace(&format!("thesis-{name}"));
+        let output = Command::new(env!("CARGO_BIN_EXE_hysteron"))
+            .args(["run", "--strict"])
+            .arg(&script)
+            .current_dir(&work)
+            .output()
+            .unwrap();
+        let err = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success() && !output.stdout.is_empty(), "{name}: {err}");
+        fs::remove_dir_all(&work).unwrap();
+    }
+}
+
 /// What the first command of the README promises.
 #[test]
 fn isolated_building_prints_its_peaks_and_draws_them() {

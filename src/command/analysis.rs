@@ -98,6 +98,7 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         finish(interp, &a)?;
     }
     warn_of_plain(interp, call.span(0))?;
+    warn_of_pseudo_time(interp, call.span(0))?;
     let session = &mut interp.host;
     let done = match session.mode {
         // Whatever an analysis of another model than was meant would say is no news.
@@ -178,6 +179,21 @@ fn warn_of_plain(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> 
     }
     let message = format!("OpenSees' handler Plain leaves out {what}; here it is followed");
     warn(interp, Diagnostic::warning(message).at(span, "expected \"constraints Transformation\" before this"))
+}
+
+/// Warn, once, of laws that depend on time in an analysis whose steps are ruled by something else.
+fn warn_of_pseudo_time(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
+    let engine = &interp.host.engine;
+    let Some(integrator) = engine.setup().map(|s| &s.integrator).filter(|i| !i.elapses()) else { return Ok(()) };
+    let Some(e) = engine.model().elements.iter().find(|e| e.element.nature().elapses) else { return Ok(()) };
+    let what = format!("{} {}", e.element.class(), e.tag);
+    let name = integrator.name();
+    if interp.host.told.insert("pseudo-time", 1).is_some() {
+        return Ok(());
+    }
+    let message = format!("no time passes under {name}: the dashpots of {what} stay where they are");
+    let d = Diagnostic::warning(message).at(span, "expected LoadControl, whose load factor is the time");
+    warn(interp, d.help("an imposed displacement (sp) over a Path series goes at the rate of that path"))
 }
 
 /// A failure as a message.

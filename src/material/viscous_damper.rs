@@ -1,7 +1,7 @@
 //! Nonlinear viscous damper with the stiffness of its brace.
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
-use std::ops::{Add, Mul, Sub};
+use crate::numeric::Dual;
 
 /// Spring and nonlinear dashpot in series: dF/dt = K (v - |F/C|^(1/α) sign F), integrated over each step with steps
 /// that are halved until the error estimate is small (Akcelyan, Lignos and Hikino, 2018).
@@ -49,34 +49,6 @@ crate::words! {
         rate: f64,
         /// Strain at which the gap in tension and in compression began; zero for none.
         gap: [f64; 2],
-    }
-}
-
-/// A number with its derivative by the rate at the end of the step.
-#[derive(Clone, Copy, Debug, Default)]
-struct Dual {
-    value: f64,
-    slope: f64,
-}
-
-impl Add for Dual {
-    type Output = Self;
-    fn add(self, o: Self) -> Self {
-        Self { value: self.value + o.value, slope: self.slope + o.slope }
-    }
-}
-
-impl Sub for Dual {
-    type Output = Self;
-    fn sub(self, o: Self) -> Self {
-        Self { value: self.value - o.value, slope: self.slope - o.slope }
-    }
-}
-
-impl Mul<Dual> for f64 {
-    type Output = Dual;
-    fn mul(self, o: Dual) -> Dual {
-        Dual { value: self * o.value, slope: self * o.slope }
     }
 }
 
@@ -177,7 +149,7 @@ impl ViscousDamper {
         }
     }
 
-    /// Force at the end of the step, and its derivative by the rate there.
+    /// Force at the end of the step, with its derivative by the rate there.
     fn integrate(&self, c: &History, end: f64, dt: f64) -> Result<Dual, MaterialError> {
         let start = Dual { value: c.rate, slope: 0.0 };
         let mut force = Dual { value: c.stress, slope: 0.0 };

@@ -7,6 +7,7 @@ mod elastic;
 mod hysteretic;
 mod impact;
 mod plastic;
+mod rubber;
 mod wrapper;
 
 use super::args::Args;
@@ -35,9 +36,18 @@ struct Kind {
 
 /// The kinds of all families.
 fn kinds() -> impl Iterator<Item = &'static Kind> {
-    [elastic::KINDS, plastic::KINDS, hysteretic::KINDS, damper::KINDS, bearing::KINDS, impact::KINDS, wrapper::KINDS]
-        .into_iter()
-        .flatten()
+    [
+        elastic::KINDS,
+        plastic::KINDS,
+        hysteretic::KINDS,
+        damper::KINDS,
+        bearing::KINDS,
+        impact::KINDS,
+        rubber::KINDS,
+        wrapper::KINDS,
+    ]
+    .into_iter()
+    .flatten()
 }
 
 /// How the kinds are used.

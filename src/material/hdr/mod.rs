@@ -1,0 +1,366 @@
+//! High damping rubber: rheology with rate, temperature, self-heating and softening.
+
+mod overstress;
+mod parameters;
+mod plane;
+mod thermal;
+
+use super::softening::{Peak, Softening};
+use super::{MaterialError, Strain, Stress, Uniaxial};
+use crate::numeric::{Dual, sign};
+use crate::probe::Probe;
+use crate::words::Words;
+use overstress::Branch;
+
+pub use parameters::{Compound, NAMES, OutOfRange, Parameters};
+pub use plane::{PlaneHistory, PlaneStep};
+pub use thermal::{Stack, Thermal};
+
+/// Rheology model of high damping rubber bearings: an elasto-plastic and a nonlinear elastic branch, which make the
+/// equilibrium stress, and an elasto-plastic part in series with a nonlinear dashpot, which makes the overstress (D. A.
+/// Nguyen, A rheology model of high damping rubber bearings for seismic analysis at room and low temperatures,
+/// dissertation, Eqs 3.1 to 3.13; symbols as there).
+///
+/// The strain goes at a constant rate through the time of a step. Where no time passes the dashpot does not move, the
+/// limit of a very fast step.
+///
+/// With [`Thermal`] the work that is not stored in the springs heats the rubber, and the parameters are those at the
+/// temperature in the middle of the step, found together with the stress. The first law holds by construction: work done
+/// is elastic energy, heat in the bearing, and heat lost.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HdrRheology {
+    /// Parameters over temperature.
+    pub compound: Compound,
+    /// Temperature of the surroundings, and of the rubber to begin with.
+    pub ambient: f64,
+    /// Self-heating.
+    pub thermal: Option<Thermal>,
+    /// Whether rubber that is hotter or colder than the table of the compound keeps the parameters of its end.
+    pub hold_ends: bool,
+    /// Softening of virgin rubber.
+    pub softening: Option<Softening>,
+    /// Area A of the bearing: force is A τ. One for a law of stress.
+    pub area: f64,
+    /// Height h of the rubber: displacement is h γ. One for a law of strain.
+    pub height: f64,
+}
+
+crate::words! {
+    /// History of [`HdrRheology`]; the amplitudes of heat flow are behind it.
+    pub struct History {
+        /// Shear strain γ.
+        strain: f64,
+        /// Strain of the equilibrium slider, γ_s1.
+        slip_eq: f64,
+        /// Strain of the elasto-plastic part of the overstress branch, γ_b.
+        gamma_b: f64,
+        /// Strain of its slider, γ_s2.
+        slip_oe: f64,
+        /// Mean temperature of the rubber.
+        temperature: f64,
+        /// Elastic energy per volume.
+        stored: f64,
+        /// Heat that has arisen per volume.
+        heat: f64,
+        /// Strain that softening goes by.
+        peak: f64,
+        /// Largest strain ever.
+        ever: f64,
+        /// Equilibrium stress τ_e.
+        equilibrium: f64,
+        /// Overstress τ_oe.
+        overstress: f64,
+    }
+}
+
+/// A state with its derivatives by the strain at the end of the step.
+#[derive(Clone, Copy, Debug)]
+struct Point {
+    strain: Dual,
+    slip_eq: Dual,
+    gamma_b: Dual,
+    slip_oe: Dual,
+    temperature: Dual,
+    stored: Dual,
+    heat: Dual,
+    peak: Peak,
+}
+
+impl Point {
+    fn new(h: &History) -> Self {
+        Self {
+            strain: Dual::constant(h.strain),
+            slip_eq: Dual::constant(h.slip_eq),
+            gamma_b: Dual::constant(h.gamma_b),
+            slip_oe: Dual::constant(h.slip_oe),
+            temperature: Dual::constant(h.temperature),
+            stored: Dual::constant(h.stored),
+            heat: Dual::constant(h.heat),
+            peak: Peak { now: Dual::constant(h.peak), ever: h.ever },
+        }
+    }
+}
+
+/// The branches at one temperature.
+struct Branches {
+    c1: Dual,
+    c2: Dual,
+    c3: Dual,
+    tau_cr: Dual,
+    m: Dual,
+    overstress: Branch,
+}
+
+impl Branches {
+    fn new([c1, c2, c3, tau_cr, m, c1_oe, c2_oe, tau_cr_oe, a, n]: [Dual; 10]) -> Self {
+        let overstress = Branch { c1: c1_oe, c2: c2_oe, tau_cr: tau_cr_oe, a, n };
+        Self { c1, c2, c3, tau_cr, m, overstress }
+    }
+
+    /// Equilibrium stress (Eqs 3.4, 3.5, 3.7) and overstress (Eq 3.9).
+    fn stress(&self, p: &Point) -> (Dual, Dual) {
+        let power = self.c3 * p.strain.abs().powf(self.m);
+        let spring = self.c2 * p.strain + if p.strain.value < 0.0 { -power } else { power };
+        (self.c1 * (p.strain - p.slip_eq) + spring, self.overstress.stress(p.gamma_b, p.slip_oe))
+    }
+
+    /// Elastic energy per volume.
+    fn stored(&self, p: &Point) -> Dual {
+        let one = Dual::constant(1.0);
+        let elastic = p.strain - p.slip_eq;
+        let power = self.c3 / (self.m + one) * p.strain.abs().powf(self.m + one);
+        0.5 * (self.c2 * p.strain * p.strain + self.c1 * elastic * elastic)
+            + power
+            + self.overstress.stored(p.gamma_b, p.slip_oe)
+    }
+}
+
+/// A rise of the temperature in one go that is followed with one set of parameters, in degrees.
+const STEP_OF_TEMPERATURE: f64 = 1.0;
+/// Parts that a step is cut in at most to follow the temperature.
+const MOST_PARTS: f64 = 64.0;
+/// Rounds in which temperature and stress are found together.
+const MOST_ROUNDS: usize = 30;
+
+impl HdrRheology {
+    /// A law of stress and strain for a compound at a temperature, without self-heating or softening.
+    pub fn new(compound: Compound, ambient: f64) -> Self {
+        let (thermal, softening) = (None, None);
+        Self { compound, ambient, thermal, hold_ends: false, softening, area: 1.0, height: 1.0 }
+    }
+
+    /// The strains after a time at constant parameters; and when the heat arises, as the time about which it does.
+    fn mechanics(&self, old: &Point, law: &Branches, strain: Dual, time: f64) -> Result<(Point, f64), MaterialError> {
+        let mut slip_eq = old.slip_eq;
+        let trial = law.c1 * (strain - slip_eq);
+        if trial.value.abs() > law.tau_cr.value && law.c1.value > 0.0 {
+            slip_eq = strain - sign(trial.value) * (law.tau_cr / law.c1);
+        }
+        let sliding = law.tau_cr * (slip_eq - old.slip_eq).abs();
+        let flow = law.overstress.flow((old.gamma_b, old.slip_oe), strain - old.strain, time)?;
+        // Springs that have become softer with the temperature give energy away.
+        let before = law.stored(old);
+        let mut new = Point { strain, slip_eq, gamma_b: flow.b, slip_oe: flow.slip, ..*old };
+        new.stored = law.stored(&new);
+        new.heat = old.stored - before + sliding + flow.heat;
+        let whole = sliding.value + flow.heat.value;
+        let centre = if whole > 0.0 { (0.5 * time * sliding.value + flow.moment) / whole } else { 0.5 * time };
+        Ok((new, centre))
+    }
+
+    /// Parameters at a temperature.
+    fn parameters(&self, temperature: Dual) -> Result<[Dual; 10], MaterialError> {
+        if self.thermal.is_some() && !self.hold_ends {
+            self.compound.at(temperature.value).map_err(|e| MaterialError(format!("HDRRheology: {e}")))?;
+        }
+        Ok(self.compound.held(temperature))
+    }
+
+    /// A part of a step.
+    fn part(&self, old: &Point, strain: Dual, time: f64, modes: &mut [f64]) -> Result<Point, MaterialError> {
+        let peak = self.softening.map_or(old.peak, |s| s.advance(old.peak, strain, time));
+        let (before, after) = (self.factor(old.peak), self.factor(peak));
+        let mut end = old.temperature;
+        let mut rounds = 0;
+        loop {
+            let law = Branches::new(self.parameters(0.5 * (old.temperature + end))?);
+            let (mut new, centre) = self.mechanics(old, &law, strain, time)?;
+            if self.thermal.is_some() {
+                let stored = Branches::new(self.parameters(end)?).stored(&new);
+                new.heat = new.heat + new.stored - stored;
+                new.stored = stored;
+            }
+            if self.softening.is_some() {
+                // Heat counts as much as stress does; and what softening takes from the springs is heat.
+                let (lost, energy) = (before - after, 0.5 * (old.stored + new.stored));
+                new.heat = 0.5 * (before + after) * new.heat;
+                if lost.value > 0.0 {
+                    new.heat = new.heat + energy * lost;
+                }
+            }
+            let found = match &self.thermal {
+                Some(thermal) => {
+                    let (rise, slope, left) = thermal.after(modes, new.heat.value, centre, time);
+                    Dual { value: self.ambient + rise, slope: left * old.temperature.slope + slope * new.heat.slope }
+                }
+                None => end,
+            };
+            let change = (found.value - end.value).abs() + (found.slope - end.slope).abs();
+            rounds += 1;
+            if change <= 1e-11 * (1.0 + end.value.abs()) || rounds == MOST_ROUNDS {
+                if let Some(thermal) = &self.thermal {
+                    thermal.advance(modes, new.heat.value, centre, time);
+                }
+                let heat = old.heat + new.heat;
+                return Ok(Point { temperature: found, heat, peak, ..new });
+            }
+            end = found;
+        }
+    }
+
+    /// A step in so many parts; the point, and the largest change of the temperature in a part.
+    fn parts(
+        &self,
+        old: &Point,
+        strain: Dual,
+        time: f64,
+        parts: f64,
+        modes: &mut [f64],
+    ) -> Result<(Point, f64), MaterialError> {
+        let (mut point, mut most) = (*old, 0.0f64);
+        for i in 1..=parts as usize {
+            let share = i as f64 / parts;
+            let to = (1.0 - share) * old.strain + share * strain;
+            let next = self.part(&point, to, time / parts, modes)?;
+            most = most.max((next.temperature.value - point.temperature.value).abs());
+            point = next;
+        }
+        Ok((point, most))
+    }
+
+    /// Factor of softening on all stresses.
+    fn factor(&self, peak: Peak) -> Dual {
+        self.softening.map_or(Dual::constant(1.0), |s| s.factor(peak.now))
+    }
+
+    /// Work per volume as the work of force and displacement.
+    fn volume(&self) -> f64 {
+        self.area * self.height
+    }
+}
+
+/// Number of a response, with the name of its column.
+const RESPONSES: [(&str, u32); 8] = [
+    ("temperature", 0),
+    ("equilibrium", 1),
+    ("overstress", 2),
+    ("heat", 3),
+    ("stored", 4),
+    ("heatStored", 5),
+    ("heatLost", 6),
+    ("factor", 7),
+];
+const PROFILE: u32 = 8;
+const DASHPOT: u32 = 9;
+
+impl Uniaxial for HdrRheology {
+    fn name(&self) -> &'static str {
+        "HDRRheology"
+    }
+    fn state_len(&self) -> usize {
+        History::LEN + self.thermal.as_ref().map_or(0, Thermal::len)
+    }
+    fn init(&self, state: &mut [f64]) {
+        state.fill(0.0);
+        let peak = self.softening.map_or(0.0, |s| s.virgin().ever);
+        History { temperature: self.ambient, peak, ever: peak, ..History::default() }.write(state);
+    }
+    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+        let old = Point::new(&History::read(committed));
+        let gamma = Dual { value: strain.value / self.height, slope: 1.0 };
+        // A load that is taken off by negative steps of LoadControl takes its time too.
+        let time = strain.dt.abs();
+        let mut parts = 1.0;
+        let (words, modes) = next.split_at_mut(History::LEN);
+        let point = loop {
+            modes.copy_from_slice(&committed[History::LEN..History::LEN + modes.len()]);
+            let (point, rise) = self.parts(&old, gamma, time, parts, modes)?;
+            if rise <= STEP_OF_TEMPERATURE || parts >= MOST_PARTS {
+                break point;
+            }
+            parts = (parts * rise / STEP_OF_TEMPERATURE).ceil().clamp(2.0 * parts, MOST_PARTS);
+        };
+        let (equilibrium, overstress) = Branches::new(self.parameters(point.temperature)?).stress(&point);
+        let factor = self.factor(point.peak);
+        let (equilibrium, overstress) = (factor * equilibrium, factor * overstress);
+        History {
+            strain: point.strain.value,
+            slip_eq: point.slip_eq.value,
+            gamma_b: point.gamma_b.value,
+            slip_oe: point.slip_oe.value,
+            temperature: point.temperature.value,
+            stored: point.stored.value,
+            heat: point.heat.value,
+            peak: point.peak.now.value,
+            ever: point.peak.ever,
+            equilibrium: equilibrium.value,
+            overstress: overstress.value,
+        }
+        .write(words);
+        let stress = equilibrium + overstress;
+        if !stress.value.is_finite() || !stress.slope.is_finite() {
+            return Err(MaterialError(format!("HDRRheology has no stress at a strain of {:.6e}", gamma.value)));
+        }
+        let tangent = self.area / self.height * stress.slope;
+        Ok(Stress { value: self.area * stress.value, tangent, damping: 0.0 })
+    }
+    fn initial_tangent(&self) -> f64 {
+        let factor = self.softening.map_or(1.0, |s| s.factor(s.virgin().now).value);
+        let p = self.compound.held(Dual::constant(self.ambient)).map(|x| x.value);
+        let tangent = Parameters::new(p).map_or(0.0, |p| p.initial_tangent());
+        self.area / self.height * factor * tangent
+    }
+    fn is_viscous(&self) -> bool {
+        false
+    }
+    fn depends_on_time(&self) -> bool {
+        true
+    }
+    fn is_linear(&self) -> bool {
+        false
+    }
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        let word = *words.first()?;
+        match word {
+            "temperatures" => {
+                let cells = self.thermal.as_ref().map_or(1, Thermal::cells);
+                Some(Probe::new(PROFILE, (1..=cells).map(|i| format!("temperature{i}"))))
+            }
+            "dashpotStrain" => Some(Probe::new(DASHPOT, [word])),
+            _ => RESPONSES.iter().find(|(name, _)| *name == word).map(|(name, id)| Probe::new(*id, [*name])),
+        }
+    }
+    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
+        let h = History::read(state);
+        let modes = &state[History::LEN..self.state_len()];
+        let content = self.thermal.as_ref().map_or(0.0, |t| t.content(modes));
+        let factor = self.softening.map_or(1.0, |s| s.factor(Dual::constant(h.peak)).value);
+        out[0] = match path[0] {
+            0 => h.temperature,
+            1 => self.area * h.equilibrium,
+            2 => self.area * h.overstress,
+            3 => self.volume() * h.heat,
+            4 => self.volume() * factor * h.stored,
+            5 => self.volume() * content,
+            6 => self.volume() * (h.heat - content),
+            7 => factor,
+            DASHPOT => h.strain - h.gamma_b,
+            _ => {
+                for (i, o) in out.iter_mut().enumerate() {
+                    *o = self.thermal.as_ref().map_or(h.temperature, |t| self.ambient + t.layer(modes, i));
+                }
+                return;
+            }
+        };
+    }
+}

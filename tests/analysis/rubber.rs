@@ -1,0 +1,156 @@
+//! High damping rubber through its commands: where its rate comes from, units, temperature, what is refused.
+
+use super::script::{Script, run};
+
+/// A bearing under an imposed strain: HDR3 with options, a path of strain over time, steps of time.
+fn test_rig(material: &str, times: &str, strains: &str, analysis: &str, wanted: &str) -> Vec<f64> {
+    let text = format!(
+        "model basic -ndm 1 -ndf 1; node 1 0; node 2 0; fix 1 1
+        uniaxialMaterial HDRRheology 1 {material}
+        element zeroLength 1 1 2 -mat 1 -dir 1
+        timeSeries Path 1 -time {{{times}}} -values {{{strains}}} -useLast
+        pattern Plain 1 1 {{ sp 2 1 1.0 }}
+        constraints Transformation; numberer Plain; system BandGeneral; test NormDispIncr 1e-10 20; algorithm Newton
+        {analysis}
+        foreach w {{{wanted}}} {{ puts [eleResponse 1 material 1 $w] }}"
+    );
+    run(&text).numbers()
+}
+
+const RAMP: (&str, &str) = ("0 0.3181818181818182 1000", "0 1.75 1.75");
+const COLD: &str = "-compound HDR3 -temperature -30";
+
+fn close(a: f64, b: f64, tolerance: f64) {
+    assert!((a - b).abs() <= tolerance * b.abs().max(1e-9), "{a}, expected {b}");
+}
+
+#[test]
+fn the_rate_is_that_of_the_clock_of_the_analysis() {
+    let wanted = "stress equilibrium overstress strain";
+    let load_control = "integrator LoadControl 0.003181818181818182; analysis Static; analyze 100";
+    let a = test_rig(COLD, RAMP.0, RAMP.1, load_control, wanted);
+    close(a[2], 3.4769, 1e-4);
+    close(a[0], a[1] + a[2], 1e-12);
+    close(a[3], 1.75, 1e-12);
+    // A transient analysis, and one whose time has been set, are no different.
+    let transient = "integrator Newmark 0.5 0.25; analysis Transient; analyze 100 0.003181818181818182";
+    let b = test_rig(COLD, RAMP.0, RAMP.1, transient, wanted);
+    close(b[0], a[0], 1e-9);
+    let late = format!("setTime 100.0; {load_control}; loadConst -time 0.0");
+    let c = test_rig(COLD, "0 100 100.31818181818182 1000", "0 0 1.75 1.75", &late, wanted);
+    close(c[0], a[0], 1e-6);
+    // A hold of half an hour in one step.
+    let hold = format!("{load_control}; integrator LoadControl 1800; analyze 1");
+    close(test_rig(COLD, RAMP.0, RAMP.1, &hold, "overstress")[0], 0.31683, 1e-4);
+}
+
+#[test]
+fn force_and_displacement() {
+    let load_control = "integrator LoadControl 0.003181818181818182; analysis Static; analyze 100";
+    let stress = test_rig(COLD, RAMP.0, RAMP.1, load_control, "stress overstress tangent energy");
+    let bearing = format!("{COLD} -area 25600 -height 20");
+    let force = test_rig(&bearing, RAMP.0, "0 35.0 35.0", load_control, "stress overstress tangent energy");
+    for (f, s, factor) in [(0, 0, 25600.0), (1, 1, 25600.0), (2, 2, 1280.0), (3, 3, 512_000.0)] {
+        close(force[f], factor * stress[s], 1e-9);
+    }
+}
+
+#[test]
+fn no_time_passes_where_displacement_is_controlled() {
+    let ran = run("model basic -ndm 1 -ndf 1; node 1 0; node 2 0; fix 1 1
+        uniaxialMaterial HDRRheology 1 -compound HDR3 -temperature 23
+        element zeroLength 1 1 2 -mat 1 -dir 1
+        timeSeries Linear 1; pattern Plain 1 1 { load 2 1.0 }
+        constraints Plain; numberer Plain; system BandGeneral; test NormUnbalance 1e-10 20; algorithm Newton
+        integrator DisplacementControl 2 1 0.05; analysis Static; analyze 20; analyze 1
+        puts [eleResponse 1 material 1 overstress]");
+    // The dashpot stays where it is: 0.652 x 1.05 + 0.711.
+    close(ran.numbers()[0], 0.652 * 1.05 + 0.711, 1e-9);
+    let told: Vec<_> = ran.warnings().iter().filter(|w| w.message.contains("no time passes")).collect();
+    assert_eq!(told.len(), 1, "{:?}", ran.warnings());
+}
+
+/// Eleven cycles at 1.75 and 0.5 Hz: temperature of rubber by itself and of rubber and steel together (Eqs 5.2, 5.3).
+#[test]
+fn sinusoidal_loading_heats_the_rubber() {
+    let cycles = |material: &str, wanted: &str| {
+        let text = format!(
+            "model basic -ndm 1 -ndf 1; node 1 0; node 2 0; fix 1 1
+            uniaxialMaterial HDRRheology 1 {material}
+            element zeroLength 1 1 2 -mat 1 -dir 1
+            timeSeries Trig 1 0 22 2; pattern Plain 1 1 {{ sp 2 1 1.75 }}
+            constraints Transformation; numberer Plain; system BandGeneral
+            test NormDispIncr 1e-10 20; algorithm Newton
+            integrator LoadControl 0.01; analysis Static; analyze 2200
+            foreach w {{{wanted}}} {{ puts [eleResponse 1 material 1 $w] }}"
+        );
+        run(&text).numbers()
+    };
+    // Heat capacities per volume of rubber: 1150 kg/m3 of 1.732 J/gK, in MJ/m3K; and with five plates of 2.3 mm between six layers
+    // of 5 mm, 7850 kg/m3 of 0.432 J/gK.
+    let rubber = 1.150 * 1.732;
+    let composite = rubber + 7.850 * 0.432 * 11.5 / 30.0;
+    for (t, alone, together) in [(-30.0, 53.0, 34.0), (23.0, 46.0, 28.0)] {
+        for (capacity, expected) in [(rubber, alone), (composite, together)] {
+            let options = format!("-compound HDR3 -ambient {t} -heatCapacity {capacity} -beyond hold");
+            let rise = cycles(&options, "temperature")[0] - t;
+            assert!((rise - expected).abs() < 0.5, "{t} degC: {rise} K for {expected}");
+        }
+    }
+    let hot = cycles(
+        &format!("-compound HDR3 -ambient -30 -heatCapacity {rubber} -beyond hold"),
+        "temperature heat heatStored heatLost factor",
+    );
+    close(hot[0], -30.0 + hot[1] / rubber, 1e-9);
+    close(hot[2], hot[1], 1e-9);
+    assert!(hot[3].abs() < 1e-9 && hot[4] == 1.0);
+    let cooled = cycles(
+        &format!("-compound HDR3 -ambient -30 -heatCapacity {rubber} -coolingTime 30 -beyond hold"),
+        "temperature",
+    );
+    assert!(cooled[0] > -30.0 && cooled[0] < hot[0] - 5.0);
+}
+
+#[test]
+fn rubber_that_makes_no_sense_is_refused() {
+    for (words, message) in [
+        ("HDRRheology 2", "has no parameters"),
+        ("HDRRheology 2 -compound HDR4 -temperature 0", "unknown compound \"HDR4\""),
+        ("HDRRheology 2 -compound HDR3", "a compound without a temperature"),
+        ("HDRRheology 2 -compound HDR3 -temperature 30", "known from -30 to 23 only"),
+        ("HDRRheology 2 -compound HDR3 -temperature -30.1", "known from -30 to 23 only"),
+        ("HDRRheology 2 7 0.5 0.01 0.4 5 10 0.6 0.7 1.5", "parameter n is missing"),
+        ("HDRRheology 2 7 0.5 0.01 0.4 5 10 0.6 0.7 1.5 1.2", "n is 1.2"),
+        ("HDRRheology 2 7 0.5 0.01 0.4 0.5 10 0.6 0.7 1.5 0.2", "m is 0.5"),
+        ("HDRRheology 2 7 0.5 0.01 0.4 5 10 0.6 0.7 0 0.2", "a is 0"),
+        ("HDRRheology 2 -7 0.5 0.01 0.4 5 10 0.6 0.7 1 0.2", "C1eq is -7"),
+        ("HDRRheology 2 7 0.5 0.01 0.4 5 10 0.6 0.7 1 0.2 -compound HDR3", "given already"),
+        ("HDRRheology 2 -compound HDR3 -temperature 0 -area -1", "area of the bearing is -1"),
+        ("HDRRheology 2 -compound HDR3 -temperature 0 -coolingTime 9", "without self-heating"),
+        ("HDRRheology 2 -compound HDR3 -temperature 0 -preload 2", "without softening"),
+        ("HDRRheology 2 -compound HDR3 -temperature 0 -mullins 0.3 0.4 -heal 1.5 9", "fraction that heals is 1.5"),
+        ("HDRRheology 2 -compound HDR3 -temperature 0 -beyond guess", "unknown way beyond the table \"guess\""),
+        ("HDRRheology 2 -compound none.txt -temperature 0", "cannot read the compound none.txt"),
+        ("Mullins 2 1 0.3 0", "strain over which the excess goes is 0"),
+        ("Mullins 2 9 0.3 0.5", "there is no uniaxial material 9"),
+    ] {
+        let text = format!("uniaxialMaterial Elastic 1 1.0\nuniaxialMaterial {words}");
+        let ran = Script::default().run(&text);
+        assert!(ran.error().message.contains(message), "{words}: {}", ran.error().message);
+    }
+    // A table of the user's own; options that are no options; heat that leaves the table.
+    let table = "# mine\n0 7 0.5 0.01 0.4 5 10 0.6 0.7 1.5 0.2\n40 6 0.5 0.01 0.3 5 9 0.6 0.7 1.2 0.2\n";
+    let text = "uniaxialMaterial HDRRheology 1 -compound mine.txt -temperature 40
+        testUniaxialMaterial 1; setStrain 1e-4; puts [expr {[getStress]/1e-4}]";
+    let ran = Script::default().with_file("mine.txt", table).run(text).done();
+    close(ran.numbers()[0], 6.0 + 0.5 + 9.0 + 0.6, 1e-9);
+    for (words, message) in [
+        ("-temprature 3 -temperature 0", "did you mean \"-temperature\""),
+        ("-temperature 0 -heatCapacity 1.7", "keeps the parameters of 23"),
+        ("-temperature 0 -ambient 10", "begins at the -ambient 10"),
+    ] {
+        let ran = run(&format!("uniaxialMaterial HDRRheology 1 -compound HDR3 {words}"));
+        let told = format!("{:?}", ran.warnings());
+        assert!(ran.warnings().len() == 1 && told.replace('\\', "").contains(message), "{told}");
+    }
+}
