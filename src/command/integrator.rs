@@ -3,10 +3,10 @@
 use super::args::Args;
 use super::model::node_of;
 use super::{Command, Outcome, Tcl, finish, ignore_option, warn};
-use crate::analysis::TangentMix;
+use crate::analysis::{Coefficients, TangentMix};
 use crate::analysis::integrator::{
     Adaptive, AlphaParameters, ArcLength, CentralDifference, Collocation, DisplacementControl, ExplicitAlpha, Form,
-    GeneralizedAlpha, Hht, Integrator, LoadControl, MinUnbalDispNorm, Newmark, Sense, backward_euler, houbolt,
+    GeneralizedAlpha, GimmeMck, Hht, Integrator, LoadControl, MinUnbalDispNorm, Newmark, Sense, backward_euler, houbolt,
     park_lms3, trbdf2, trbdf3,
 };
 use crate::diagnostic::Diagnostic;
@@ -27,7 +27,7 @@ fn adaptive(a: &mut Args<'_>, step: f64) -> Result<Adaptive, Exception> {
     Ok(Adaptive { desired_iterations: desired as usize, min, max })
 }
 
-const INTEGRATORS: [&str; 22] = [
+const INTEGRATORS: [&str; 23] = [
     "LoadControl",
     "DisplacementControl",
     "ArcLength",
@@ -50,6 +50,7 @@ const INTEGRATORS: [&str; 22] = [
     "NewmarkExplicit",
     "HHTExplicit",
     "HHTGeneralizedExplicit",
+    "GimmeMCK",
 ];
 
 /// Explicit generalised α by the spectral radius at the bifurcation (Hulbert and Chung, 1996).
@@ -198,6 +199,11 @@ fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             };
             a.flag("-updateElemDisp");
             Box::new(ExplicitAlpha::new("HHTGeneralizedExplicit", p))
+        }
+        "GimmeMCK" | "ZZTop" => {
+            a.usage("integrator GimmeMCK $m $c $k");
+            let (m, c) = (a.float("share of the mass")?, a.float("share of the damping")?);
+            Box::new(GimmeMck(Coefficients { k: a.float("share of the stiffness")?, c, m }))
         }
         "Newmark1" => {
             a.usage("integrator Newmark1 $gamma $beta <$alphaM $betaK $betaK0 $betaKc>");

@@ -19,6 +19,7 @@ mod ground_motion;
 mod integrator;
 mod load;
 mod material;
+mod matrix;
 mod modal_damping;
 mod modal_properties;
 mod model;
@@ -96,6 +97,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         recorder::COMMANDS,
         query::COMMANDS,
         print::COMMANDS,
+        matrix::COMMANDS,
         remove::COMMANDS,
         parameter::COMMANDS,
         display::COMMANDS,

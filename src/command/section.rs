@@ -3,7 +3,7 @@
 use super::args::Args;
 use super::model::need_model;
 use super::{Command, Outcome, Tcl, finish};
-use crate::element::beam::ElasticSection;
+use crate::section::ElasticSection;
 use crate::script::{Call, Value};
 
 pub(super) const COMMANDS: &[Command] = &[Command { name: "section", usage: ELASTIC, run: section }];

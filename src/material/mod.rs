@@ -153,6 +153,12 @@ pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {
         strain
     }
 
+    /// Give a parameter, by the name that scripts have for it, another value; the one it had. `None` where the law has
+    /// none of that name.
+    fn set_parameter(&mut self, _name: &str, _value: f64) -> Option<f64> {
+        None
+    }
+
     /// A response of the law's own, beyond those that every material has.
     fn probe(&self, _words: &[&str]) -> Option<Probe> {
         None
@@ -204,6 +210,11 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
     fn shown_strain(&self, strain: f64, _state: &[f64]) -> f64 {
         strain
     }
+    /// The material with another value of a parameter, by the words of a `parameter` command, and the value it had;
+    /// `None` where it has none of that name. The history has the same words.
+    fn with_parameter(&self, _words: &[&str], _value: f64) -> Option<(Material, f64)> {
+        None
+    }
     /// A response of the material's own, by the words of a recorder command.
     fn probe(&self, words: &[&str]) -> Option<Probe>;
     /// Value of a probe from the state.
@@ -240,6 +251,11 @@ impl<L: UniaxialLaw> Uniaxial for L {
     }
     fn shown_strain(&self, strain: f64, _: &[f64]) -> f64 {
         UniaxialLaw::shown_strain(self, strain)
+    }
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
+        let mut new = self.clone();
+        let old = new.set_parameter(words.first()?, value)?;
+        Some((Arc::new(new), old))
     }
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         UniaxialLaw::probe(self, words)

@@ -1,8 +1,8 @@
 //! Named things that elements and patterns are made from: materials, series, transformations.
 
 use super::Tag;
-use crate::element::beam::ElasticSection;
 use crate::element::friction::Friction;
+use crate::section::ElasticSection;
 use crate::element::transform::TransformSpec;
 use crate::material::Material;
 use crate::series::Series;

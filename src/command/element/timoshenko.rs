@@ -5,9 +5,10 @@ use super::{Ends, Kind};
 use crate::command::args::Args;
 use crate::command::{Tcl, ignore_option};
 use crate::element::Element;
-use crate::element::beam::{ElasticSection, TimoshenkoBeam, TimoshenkoOptions};
+use crate::element::beam::{TimoshenkoBeam, TimoshenkoOptions};
 use crate::element::transform;
 use crate::script::Exception;
+use crate::section::ElasticSection;
 use nalgebra::Vector3;
 use std::sync::Arc;
 
@@ -74,8 +75,8 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let stand = transform::Ends { place: ends.place, disp: &still };
     let wrong = |e| no_transform(a, place, nodes, e);
     Ok(if ends.ndm == 2 {
-        Arc::new(TimoshenkoBeam::plane(spec.plane(&stand).map_err(wrong)?.frame().clone(), &s, o))
+        Arc::new(TimoshenkoBeam::new(spec.plane(&stand).map_err(wrong)?.frame().clone(), s, o))
     } else {
-        Arc::new(TimoshenkoBeam::space(spec.space(&stand).map_err(wrong)?.frame().clone(), &s, o))
+        Arc::new(TimoshenkoBeam::new(spec.space(&stand).map_err(wrong)?.frame().clone(), s, o))
     })
 }

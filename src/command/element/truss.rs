@@ -3,7 +3,7 @@
 use super::{Ends, Kind, refused};
 use crate::command::args::Args;
 use crate::command::{Tcl, ignore_option};
-use crate::element::{CorotTruss, Element, Truss, TrussOptions};
+use crate::element::{CorotTruss, Element, Truss, BarOptions};
 use crate::material::Material;
 use crate::script::Exception;
 use std::sync::Arc;
@@ -26,7 +26,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let (material, tag, options) = words(interp, a, ends, Some(&mut initial))?;
     let line = ends.place.1 - ends.place.0;
     let line: Vec<f64> = (0..ends.ndm).map(|i| line[i] + initial[i]).collect();
-    let truss = Truss::new(material, tag, &line, ends.ndf, &initial, &options);
+    let truss = Truss::new(material, tag, &line, ends.ndf, &initial, options);
     Ok(Arc::new(truss.map_err(|e| refused(a, span, e))?))
 }
 
@@ -45,10 +45,10 @@ fn words(
     a: &mut Args<'_>,
     ends: &Ends,
     mut initial: Option<&mut Vec<f64>>,
-) -> Result<(Material, i32, TrussOptions), Exception> {
+) -> Result<(Material, i32, BarOptions), Exception> {
     let area = a.positive("cross-sectional area A")?;
     let (material, tag) = a.of(&interp.host.definitions.materials)?;
-    let mut options = TrussOptions { area, rho: 0.0, consistent: false, rayleigh: false };
+    let mut options = BarOptions { area, rho: 0.0, consistent: false, rayleigh: false };
     let known = &["-rho", "-cMass", "-doRayleigh", "-useInitialDisp"][..if initial.is_some() { 4 } else { 3 }];
     while let Some(option) = a.option() {
         match (option.as_ref(), &mut initial) {

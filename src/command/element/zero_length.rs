@@ -73,6 +73,6 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     }
     let last = dirs.last().and_then(|d| d.1);
     let springs = mats.into_iter().zip(&dirs).map(|((m, tag), (d, _))| (m, tag, *d)).collect();
-    let element = ZeroLength::new(springs, ends.ndm, ends.ndf, axes, ends.initial(), damping);
+    let element = ZeroLength::new(springs, ends.ndm, ends.ndf, axes, &ends.initial(), damping);
     Ok(Arc::new(element.map_err(|e| refused(a, last, e))?))
 }

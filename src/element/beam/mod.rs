@@ -3,5 +3,5 @@
 mod elastic;
 mod timoshenko;
 
-pub use elastic::{Bending, ElasticBeam, ElasticSection, Release};
+pub use elastic::{Bending, ElasticBeam, ElasticOptions, Release};
 pub use timoshenko::{TimoshenkoBeam, TimoshenkoOptions};

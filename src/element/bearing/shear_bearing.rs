@@ -67,13 +67,7 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
         self.materials.iter().for_each(|m| m.init(state));
     }
     fn nature(&self) -> Nature {
-        Nature {
-            linear: false,
-            symmetric: false,
-            viscous: self.materials.iter().any(|m| m.material.is_viscous()),
-            elapses: self.materials.iter().any(|m| m.material.depends_on_time()),
-            rayleigh: self.rayleigh,
-        }
+        Nature { linear: false, symmetric: false, rayleigh: self.rayleigh, ..Nature::of(self.materials.iter()) }
     }
 
     fn respond(

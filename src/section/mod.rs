@@ -1,0 +1,5 @@
+//! Cross-sections of beams.
+
+mod elastic;
+
+pub use elastic::ElasticSection;
