@@ -34,7 +34,11 @@ impl Engine {
         let Some(work) = self.prepared() else { return Ok(Equations::default()) };
         let n = order.len();
         Ok(Equations {
-            matrix: order.iter().flat_map(|i| order.iter().map(move |j| (i, j))).map(|(i, j)| values[i * n + j]).collect(),
+            matrix: order
+                .iter()
+                .flat_map(|i| order.iter().map(move |j| (i, j)))
+                .map(|(i, j)| values[i * n + j])
+                .collect(),
             unbalance: order.iter().map(|i| work.b[*i]).collect(),
         })
     }

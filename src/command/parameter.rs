@@ -71,9 +71,8 @@ fn mass_dofs(a: &mut Args<'_>, ndf: usize) -> Result<Vec<usize>, Exception> {
 }
 
 /// Parameters that mean nothing unless they are greater than 0: moduli, areas, strengths, mass.
-const POSITIVE: [&str; 17] = [
-    "E", "Epos", "A", "I", "Iz", "Iy", "G", "J", "Av", "Avy", "Avz", "sigmaY", "fy", "Fy", "ko", "n", "R0",
-];
+const POSITIVE: [&str; 17] =
+    ["E", "Epos", "A", "I", "Iz", "Iy", "G", "J", "Av", "Avy", "Avz", "sigmaY", "fy", "Fy", "ko", "n", "R0"];
 
 /// The name of a parameter of elements, and a warning where none of them has it: OpenSees says nothing.
 fn of_elements(interp: &mut Tcl, a: &mut Args<'_>, elements: &[Tag]) -> Result<Vec<Place>, Exception> {

@@ -3,8 +3,8 @@
 use super::args::Args;
 use super::model::need_model;
 use super::{Command, Outcome, Tcl, finish};
-use crate::section::ElasticSection;
 use crate::script::{Call, Value};
+use crate::section::ElasticSection;
 
 pub(super) const COMMANDS: &[Command] = &[Command { name: "section", usage: ELASTIC, run: section }];
 

@@ -2,9 +2,9 @@
 
 use super::Tag;
 use crate::element::friction::Friction;
-use crate::section::ElasticSection;
 use crate::element::transform::TransformSpec;
 use crate::material::Material;
+use crate::section::ElasticSection;
 use crate::series::Series;
 use std::collections::BTreeMap;
 

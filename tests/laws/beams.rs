@@ -142,7 +142,11 @@ fn two_halves_are_one_whole() {
     let ends = Ends { place: (Vector3::zeros(), Vector3::new(4.0, 0.0, 0.0)), disp: &[0.0; 6] };
     for gav in [None, Some(50.0)] {
         let straight = TransformSpec { kind: TransformKind::Linear, xz: Vector3::zeros(), offsets: Default::default() };
-        let whole = ElasticBeam::new(straight.plane(&ends).unwrap(), flat_section(1000.0, 100.0, gav), ElasticOptions::default());
+        let whole = ElasticBeam::new(
+            straight.plane(&ends).unwrap(),
+            flat_section(1000.0, 100.0, gav),
+            ElasticOptions::default(),
+        );
         let mut k = vec![0.0; 36];
         whole.initial_tangent(&mut k);
         // Tip deflection of the cantilever under a unit load: L³/3EI + L/GA.

@@ -3,7 +3,7 @@
 use super::driver::{Alone, difference};
 use hysteron::element::beam::{ElasticBeam, ElasticOptions};
 use hysteron::element::transform::{Ends, TransformKind, TransformSpec};
-use hysteron::element::{CorotTruss, Mass, BarOptions};
+use hysteron::element::{BarOptions, CorotTruss, Mass};
 use hysteron::material::Elastic;
 use hysteron::section::ElasticSection;
 use nalgebra::{Rotation3, Unit, Vector3};

@@ -1,7 +1,7 @@
 //! `zeroLength` and `truss`.
 
 use super::driver::{Alone, difference, path};
-use hysteron::element::{Mass, RayleighDamping, Truss, BarOptions, ZeroLength};
+use hysteron::element::{BarOptions, Mass, RayleighDamping, Truss, ZeroLength};
 use hysteron::material::{BoucWen, Elastic, Material, Steel01};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use std::sync::Arc;

@@ -3,7 +3,7 @@
 use super::{Ends, Kind, refused};
 use crate::command::args::Args;
 use crate::command::{Tcl, ignore_option};
-use crate::element::{CorotTruss, Element, Truss, BarOptions};
+use crate::element::{BarOptions, CorotTruss, Element, Truss};
 use crate::material::Material;
 use crate::script::Exception;
 use std::sync::Arc;

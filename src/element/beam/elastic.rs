@@ -339,7 +339,8 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
         let mut m = vec![0.0; N];
         let half = N / 2;
         for node in 0..2 {
-            m[node * half..node * half + if N == 6 { 2 } else { 3 }].fill(0.5 * self.options.rho * self.transform.length());
+            m[node * half..node * half + if N == 6 { 2 } else { 3 }]
+                .fill(0.5 * self.options.rho * self.transform.length());
         }
         Mass::Lumped(m)
     }
