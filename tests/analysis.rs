@@ -14,6 +14,8 @@ mod model;
 mod modes;
 #[path = "support/script.rs"]
 mod script;
+#[path = "analysis/sections.rs"]
+mod sections;
 #[path = "analysis/statics.rs"]
 mod statics;
 

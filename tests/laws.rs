@@ -25,6 +25,8 @@ mod materials;
 mod multiple_shear_spring;
 #[path = "laws/sliders.rs"]
 mod sliders;
+#[path = "laws/sections.rs"]
+mod sections;
 #[path = "laws/springs.rs"]
 mod springs;
 #[path = "laws/timoshenko.rs"]

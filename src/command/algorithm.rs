@@ -45,12 +45,13 @@ fn mix(choice: TangentChoice) -> TangentMix {
     }
 }
 
-const ALGORITHMS: [&str; 10] = [
+const ALGORITHMS: [&str; 11] = [
     "Linear",
     "Newton",
     "ModifiedNewton",
     "NewtonLineSearch",
     "KrylovNewton",
+    "MillerNewton",
     "SecantNewton",
     "PeriodicNewton",
     "BFGS",
@@ -71,7 +72,8 @@ fn algorithm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             Box::new(ModifiedNewton::new(mix(choice), once))
         }
         "NewtonLineSearch" => line_search(interp, &mut a)?,
-        "KrylovNewton" => krylov(interp, &mut a)?,
+        // Miller's acceleration is that of the Krylov subspace (Carlson and Miller, 1998).
+        "KrylovNewton" | "MillerNewton" => krylov(interp, &mut a)?,
         "SecantNewton" => secant(interp, &mut a, false)?,
         "PeriodicNewton" => secant(interp, &mut a, true)?,
         // Newton's method, in OpenSees as an accelerated method that does not accelerate.

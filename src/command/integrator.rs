@@ -1,6 +1,7 @@
 //! `integrator`.
 
 use super::args::Args;
+use super::hybrid_integrator;
 use super::model::node_of;
 use super::{Command, Outcome, Tcl, finish, ignore_option, warn};
 use crate::analysis::integrator::{
@@ -218,7 +219,13 @@ fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             integrator_rayleigh(interp, &mut a)?;
             Box::new(Newmark::new(gamma, beta, Form::Displacement))
         }
-        _ => return Err(a.unknown_name("integrator", INTEGRATORS)),
+        other => match hybrid_integrator::take(interp, &mut a, other)? {
+            Some(made) => made,
+            None => {
+                let hybrid = hybrid_integrator::NAMES.iter().map(|(_, name)| *name);
+                return Err(a.unknown_name("integrator", INTEGRATORS.into_iter().chain(hybrid)));
+            }
+        },
     };
     finish(interp, &a)?;
     let is_static = made.is_static();

@@ -8,14 +8,17 @@ mod algorithm;
 mod amend;
 mod analysis;
 mod args;
+mod beam_integration;
 mod check;
 mod constraint;
 mod damping;
 mod display;
 mod element;
+mod fiber;
 mod figure;
 mod friction;
 mod ground_motion;
+mod hybrid_integrator;
 mod integrator;
 mod load;
 mod material;
@@ -80,6 +83,8 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         material::COMMANDS,
         friction::COMMANDS,
         section::COMMANDS,
+        fiber::COMMANDS,
+        beam_integration::COMMANDS,
         transform::COMMANDS,
         element::COMMANDS,
         amend::COMMANDS,

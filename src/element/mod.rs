@@ -14,12 +14,14 @@ pub mod beam;
 pub mod bearing;
 mod corot_truss;
 pub mod friction;
+mod coupled_zero_length;
 pub mod load;
 mod springs;
 pub mod transform;
 mod truss;
 mod two_node_link;
 mod zero_length;
+mod zero_length_section;
 
 use crate::material::{MaterialError, Slot};
 pub(crate) use crate::numeric::dot;
@@ -30,10 +32,12 @@ use std::sync::Arc;
 pub use basic_row::BasicRow;
 pub use bar::BarOptions;
 pub use corot_truss::CorotTruss;
+pub use coupled_zero_length::CoupledZeroLength;
 pub use load::ElementLoad;
 pub use truss::Truss;
 pub use two_node_link::{LinkOptions, TwoNodeLink};
 pub use zero_length::{RayleighDamping, ZeroLength};
+pub use zero_length_section::ZeroLengthSection;
 
 /// Largest number of degrees of freedom of an element that the buffers of the analysis are made for.
 pub const MAX_DOFS: usize = 24;

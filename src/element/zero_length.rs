@@ -63,7 +63,7 @@ fn no_direction(direction: usize, ndm: usize, per_node: usize) -> String {
 }
 
 /// Share of each degree of freedom of a node in a direction.
-fn direction_row(direction: usize, ndm: usize, per_node: usize, axes: &Matrix3<f64>) -> Option<Vec<f64>> {
+pub(super) fn direction_row(direction: usize, ndm: usize, per_node: usize, axes: &Matrix3<f64>) -> Option<Vec<f64>> {
     let mut row = vec![0.0; per_node];
     let axis = axes.row((direction - 1) % 3);
     let rotation = direction > 3;

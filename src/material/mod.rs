@@ -6,6 +6,8 @@
 
 mod axial_spring;
 mod bouc_wen;
+mod concrete01;
+mod concrete02;
 mod elastic;
 mod elastic_multi_linear;
 mod elastic_pp;
@@ -38,6 +40,8 @@ use std::sync::Arc;
 
 pub use axial_spring::{AxialParameters, AxialSp, AxialSpHD, AxialSpring};
 pub use bouc_wen::BoucWen;
+pub use concrete01::Concrete01;
+pub use concrete02::Concrete02;
 pub use elastic::Elastic;
 pub use elastic_multi_linear::{ElasticBilin, ElasticMultiLinear};
 pub use elastic_pp::ElasticPP;

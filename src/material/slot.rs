@@ -94,6 +94,11 @@ impl Slot {
         state[self.at + STRESS]
     }
 
+    /// Energy that has gone in per volume.
+    pub fn energy(&self, state: &[f64]) -> f64 {
+        state[self.at + ENERGY]
+    }
+
     /// Tangent in a state.
     pub fn tangent(&self, state: &[f64]) -> f64 {
         state[self.at + TANGENT]

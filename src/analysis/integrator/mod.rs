@@ -16,6 +16,7 @@ mod multistep;
 mod newmark;
 mod park_lms3;
 mod reference_load;
+mod restrained;
 mod trbdf2;
 mod trbdf3;
 
@@ -37,6 +38,7 @@ pub use load_control::LoadControl;
 pub use min_unbal_disp_norm::{MinUnbalDispNorm, Sense};
 pub use newmark::{Form, Newmark};
 pub use park_lms3::park_lms3;
+pub use restrained::{Restrained, Restraint};
 pub use trbdf2::trbdf2;
 pub use trbdf3::trbdf3;
 

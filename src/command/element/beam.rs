@@ -8,7 +8,7 @@ use crate::element::axes::AxesError;
 use crate::element::beam::{ElasticBeam, ElasticOptions, Release};
 use crate::element::transform;
 use crate::script::Exception;
-use crate::section::ElasticSection;
+use crate::section::{ElasticSection, Resultant, SharedSection};
 use std::sync::Arc;
 
 pub(super) const ELASTIC: Kind = Kind {
@@ -68,10 +68,31 @@ pub(super) fn no_transform(a: &Args<'_>, transf: Place, nodes: Place, e: AxesErr
     }
 }
 
+/// An elastic section, or what a section is before anything has happened to it.
+pub(super) fn elastic_part(section: &SharedSection) -> ElasticSection {
+    section.elastic().unwrap_or_else(|| {
+        let resultants = section.resultants();
+        let n = resultants.len();
+        let mut k = vec![0.0; n * n];
+        section.initial_stiffness(&mut k);
+        let of = |wanted: Resultant| resultants.iter().position(|r| *r == wanted).map(|i| k[i * (n + 1)]);
+        let rigidity = |r| of(r).unwrap_or(0.0);
+        ElasticSection {
+            e: 1.0,
+            area: rigidity(Resultant::P),
+            iz: rigidity(Resultant::Mz),
+            iy: rigidity(Resultant::My),
+            g: 1.0,
+            j: rigidity(Resultant::T),
+            shear: (of(Resultant::Vy), of(Resultant::Vz)),
+        }
+    })
+}
+
 /// The section of the beam: by its tag, or number after number.
 fn section(interp: &Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSection, Exception> {
     match (ndm, numbers_ahead(a)) {
-        (_, 2) => Ok(a.of(&interp.host.definitions.sections)?.0),
+        (_, 2) => Ok(elastic_part(&a.of(&interp.host.definitions.sections)?.0)),
         (2, n) => {
             let (area, e) = (a.positive("cross-sectional area A")?, a.positive("elastic modulus E")?);
             let iz = a.positive("second moment of area Iz")?;

@@ -1,6 +1,6 @@
 //! `element ElasticTimoshenkoBeam`.
 
-use super::beam::{no_transform, numbers_ahead};
+use super::beam::{elastic_part, no_transform, numbers_ahead};
 use super::{Ends, Kind};
 use crate::command::args::Args;
 use crate::command::{Tcl, ignore_option};
@@ -22,7 +22,8 @@ pub(super) const TIMOSHENKO: Kind = Kind {
 /// The section of the beam: by its tag, or number after number.
 fn section(interp: &Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSection, Exception> {
     if numbers_ahead(a) == 2 {
-        let (mut s, tag) = a.of(&interp.host.definitions.sections)?;
+        let (section, tag) = a.of(&interp.host.definitions.sections)?;
+        let mut s = elastic_part(&section);
         if s.g == 0.0 {
             return Err(a.refuse(
                 format!("section {tag} has no shear modulus, which the beam needs"),

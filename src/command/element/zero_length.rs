@@ -5,7 +5,7 @@ use crate::command::args::Args;
 use crate::command::{Tcl, ignore_option, warn};
 use crate::diagnostic::Diagnostic;
 use crate::element::axes::{self, Orientation};
-use crate::element::{Element, RayleighDamping, ZeroLength};
+use crate::element::{CoupledZeroLength, Element, RayleighDamping, ZeroLength};
 use crate::material::Material;
 use crate::script::Exception;
 use nalgebra::{Matrix3, Vector3};
@@ -16,6 +16,12 @@ pub(super) const ZERO_LENGTH: Kind = Kind {
     usage: "element zeroLength $tag $i $j -mat $mat1 ... -dir $dir1 ... <-doRayleigh <$flag>> \
             <-dampMats $mat1 ...> <-orient $x1 $x2 $x3 $yp1 $yp2 $yp3>",
     make,
+};
+
+pub(super) const COUPLED: Kind = Kind {
+    names: &["CoupledZeroLength", "coupledZeroLength", "ZeroLengthCoupled"],
+    usage: "element CoupledZeroLength $tag $i $j $dir1 $dir2 $mat <$doRayleigh>",
+    make: make_coupled,
 };
 
 const OPTIONS: &[&str] = &["-mat", "-dir", "-doRayleigh", "-dampMats", "-orient"];
@@ -75,4 +81,14 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let springs = mats.into_iter().zip(&dirs).map(|((m, tag), (d, _))| (m, tag, *d)).collect();
     let element = ZeroLength::new(springs, ends.ndm, ends.ndf, axes, &ends.initial(), damping);
     Ok(Arc::new(element.map_err(|e| refused(a, last, e))?))
+}
+
+fn make_coupled(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let directions = [a.dof("first direction", ends.ndf)?, a.dof("second direction", ends.ndf)?];
+    if directions[0] == directions[1] {
+        return Err(a.refuse("both directions are the same", "expected another direction"));
+    }
+    let material = a.of(&interp.host.definitions.materials)?;
+    let rayleigh = a.optional_int("flag")?.is_some_and(|flag| flag == 1);
+    Ok(Arc::new(CoupledZeroLength::new(material, directions, ends.ndf, &ends.initial(), rayleigh)))
 }

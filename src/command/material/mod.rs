@@ -2,6 +2,7 @@
 
 mod bearing;
 mod bench;
+mod concrete;
 mod damper;
 mod elastic;
 mod hysteretic;
@@ -35,7 +36,7 @@ struct Kind {
 
 /// The kinds of all families.
 fn kinds() -> impl Iterator<Item = &'static Kind> {
-    [elastic::KINDS, plastic::KINDS, hysteretic::KINDS, damper::KINDS, bearing::KINDS, impact::KINDS, wrapper::KINDS]
+    [elastic::KINDS, plastic::KINDS, concrete::KINDS, hysteretic::KINDS, damper::KINDS, bearing::KINDS, impact::KINDS, wrapper::KINDS]
         .into_iter()
         .flatten()
 }

@@ -236,42 +236,74 @@ impl<const N: usize, const B: usize> ElasticBeam<N, B> {
         p0.copy_from_slice(&load[B..]);
         p0
     }
+}
 
-    /// Local consistent mass matrix (Przemieniecki, 1968, section 11.4, rigid in shear).
-    fn consistent_mass(&self) -> [[f64; N]; N] {
-        let l = self.transform.length();
-        let m = self.options.rho * l / 420.0;
-        let gyration = self.section.j / self.section.area;
-        let mut out = [[0.0; N]; N];
-        let mut pair = |i: usize, j: usize, x: f64| {
-            out[i][j] = m * x;
-            out[j][i] = m * x;
-        };
-        let half = N / 2;
-        for (at, factor) in [(0, 1.0), (3, gyration)] {
-            // Axial, and in space torsion.
-            if at == 0 || N == 12 {
-                pair(at, at, 140.0 * factor);
-                pair(at + half, at + half, 140.0 * factor);
-                pair(at, at + half, 70.0 * factor);
-            }
+/// Local consistent mass matrix (Przemieniecki, 1968, section 11.4, rigid in shear) of a beam with a mass per
+/// length and a polar radius of gyration squared.
+pub(super) fn consistent_mass<const N: usize>(l: f64, rho: f64, gyration: f64) -> [[f64; N]; N] {
+    let m = rho * l / 420.0;
+    let mut out = [[0.0; N]; N];
+    let mut pair = |i: usize, j: usize, x: f64| {
+        out[i][j] = m * x;
+        out[j][i] = m * x;
+    };
+    let half = N / 2;
+    for (at, factor) in [(0, 1.0), (3, gyration)] {
+        // Axial, and in space torsion.
+        if at == 0 || N == 12 {
+            pair(at, at, 140.0 * factor);
+            pair(at + half, at + half, 140.0 * factor);
+            pair(at, at + half, 70.0 * factor);
         }
-        // Deflection, rotation, and the sign with which they go together.
-        let planes: &[(usize, usize, f64)] = if N == 6 { &[(1, 2, 1.0)] } else { &[(1, 5, 1.0), (2, 4, -1.0)] };
-        for &(v, r, s) in planes {
-            let (v2, r2) = (v + half, r + half);
-            pair(v, v, 156.0);
-            pair(v2, v2, 156.0);
-            pair(v, v2, 54.0);
-            pair(r, r, 4.0 * l * l);
-            pair(r2, r2, 4.0 * l * l);
-            pair(r, r2, -3.0 * l * l);
-            pair(v, r, s * 22.0 * l);
-            pair(v2, r2, -s * 22.0 * l);
-            pair(v, r2, -s * 13.0 * l);
-            pair(v2, r, s * 13.0 * l);
-        }
-        out
+    }
+    // Deflection, rotation, and the sign with which they go together.
+    let planes: &[(usize, usize, f64)] = if N == 6 { &[(1, 2, 1.0)] } else { &[(1, 5, 1.0), (2, 4, -1.0)] };
+    for &(v, r, s) in planes {
+        let (v2, r2) = (v + half, r + half);
+        pair(v, v, 156.0);
+        pair(v2, v2, 156.0);
+        pair(v, v2, 54.0);
+        pair(r, r, 4.0 * l * l);
+        pair(r2, r2, 4.0 * l * l);
+        pair(r, r2, -3.0 * l * l);
+        pair(v, r, s * 22.0 * l);
+        pair(v2, r2, -s * 22.0 * l);
+        pair(v, r2, -s * 13.0 * l);
+        pair(v2, r, s * 13.0 * l);
+    }
+    out
+}
+
+/// Diagonal of the lumped mass of a beam: half at each end, translations only.
+pub(super) fn lumped_mass<const N: usize>(total: f64) -> Vec<f64> {
+    let mut m = vec![0.0; N];
+    for node in m.chunks_exact_mut(N / 2) {
+        node[..if N == 6 { 2 } else { 3 }].fill(0.5 * total);
+    }
+    m
+}
+
+/// Add a load, multiplied by a factor, to the load words of a clamped beam: its basic forces, and the reactions of the
+/// simple beam.
+pub(super) fn add_clamped_load<const B: usize>(
+    load: &ElementLoad,
+    factor: f64,
+    bending: &[Bending; 2],
+    length: f64,
+    words: &mut [f64],
+) {
+    let (y, z, (axial, axial_j)) = load.end_actions(length);
+    let (q0, p0) = words.split_at_mut(B);
+    q0[0] -= factor * axial_j;
+    p0[0] -= factor * axial;
+    // A load along z bends about y, with the opposite sign.
+    let planes = [(&y, &bending[0], 1, 1.0), (&z, &bending[1], 3, -1.0)];
+    for (actions, bending, at, sign) in planes.into_iter().take(B / 3) {
+        let (i, j) = bending.end_moments(actions, length);
+        q0[at] += sign * factor * i;
+        q0[at + 1] += sign * factor * j;
+        p0[at] -= factor * actions.shear.0;
+        p0[at + 1] -= factor * actions.shear.1;
     }
 }
 
@@ -333,16 +365,13 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
         if self.options.rho == 0.0 {
             return Mass::None;
         }
+        let length = self.transform.length();
         if self.options.consistent {
-            return Mass::Consistent(self.frame().global_of_local(&self.consistent_mass()));
+            let gyration = self.section.j / self.section.area;
+            let local = consistent_mass::<N>(length, self.options.rho, gyration);
+            return Mass::Consistent(self.frame().global_of_local(&local));
         }
-        let mut m = vec![0.0; N];
-        let half = N / 2;
-        for node in 0..2 {
-            m[node * half..node * half + if N == 6 { 2 } else { 3 }]
-                .fill(0.5 * self.options.rho * self.transform.length());
-        }
-        Mass::Lumped(m)
+        Mass::Lumped(lumped_mass::<N>(self.options.rho * length))
     }
 
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
@@ -363,20 +392,7 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
     }
 
     fn add_load(&self, load: &ElementLoad, factor: f64, words: &mut [f64]) -> Result<(), ElementError> {
-        let length = self.transform.length();
-        let (y, z, (axial, axial_j)) = load.end_actions(length);
-        let (q0, p0) = words.split_at_mut(B);
-        q0[0] -= factor * axial_j;
-        p0[0] -= factor * axial;
-        // A load along z bends about y, with the opposite sign.
-        let planes = [(&y, &self.bending[0], 1, 1.0), (&z, &self.bending[1], 3, -1.0)];
-        for (actions, bending, at, sign) in planes.into_iter().take(if N == 6 { 1 } else { 2 }) {
-            let (i, j) = bending.end_moments(actions, length);
-            q0[at] += sign * factor * i;
-            q0[at + 1] += sign * factor * j;
-            p0[at] -= factor * actions.shear.0;
-            p0[at + 1] -= factor * actions.shear.1;
-        }
+        add_clamped_load::<B>(load, factor, &self.bending, self.transform.length(), words);
         Ok(())
     }
 
@@ -421,5 +437,5 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
     }
 }
 
-const BASIC_FORCES: [&str; 6] = ["N", "Mz_1", "Mz_2", "My_1", "My_2", "T"];
-const BASIC_DEFORMATIONS: [&str; 6] = ["eps", "thetaZ_1", "thetaZ_2", "thetaY_1", "thetaY_2", "thetaX"];
+pub(super) const BASIC_FORCES: [&str; 6] = ["N", "Mz_1", "Mz_2", "My_1", "My_2", "T"];
+pub(super) const BASIC_DEFORMATIONS: [&str; 6] = ["eps", "thetaZ_1", "thetaZ_2", "thetaY_1", "thetaY_2", "thetaX"];

@@ -1,6 +1,6 @@
 //! The elastic beam of Timoshenko: `ElasticTimoshenkoBeam`.
 
-use super::elastic::basic_stiffness;
+use super::elastic::{basic_stiffness, lumped_mass};
 use super::{Bending, Release};
 use crate::element::transform::{Frame, Reactions};
 use crate::element::{
@@ -71,11 +71,7 @@ impl<const N: usize, const B: usize> TimoshenkoBeam<N, B> {
         } else if options.consistent {
             Mass::Consistent(frame.global_of_local(&consistent_mass(frame.length, &bending, &section, options.rho)))
         } else {
-            let mut m = vec![0.0; N];
-            for node in m.chunks_exact_mut(N / 2) {
-                node[..if N == 6 { 2 } else { 3 }].fill(0.5 * options.rho * frame.length);
-            }
-            Mass::Lumped(m)
+            Mass::Lumped(lumped_mass::<N>(options.rho * frame.length))
         };
         Self { frame, section, options, bending, kb, stiffness, geometric, mass }
     }
