@@ -3,7 +3,7 @@
 use super::args::Args;
 use super::{Tcl, ignore_option};
 use crate::analysis::integrator::{
-    AlphaParameters, Collocation, Form, GeneralizedAlpha, Integrator, Newmark, Restrained, Restraint,
+    AlphaOs, AlphaParameters, Collocation, Form, GeneralizedAlpha, Integrator, Newmark, Restrained, Restraint,
 };
 use crate::script::Exception;
 
@@ -20,6 +20,40 @@ pub(super) const NAMES: [(&str, &str); 6] = [
 const USAGE: &str = "integrator NewmarkHSIncrReduct $gamma $beta $factor | HHTHSIncrReduct $rhoInf|{$alphaI $alphaF $beta \
                      $gamma} $factor | CollocationHSIncrReduct $theta <$beta $gamma> $factor, and ...HSIncrLimit with \
                      $limit <-normType $p> in place of $factor";
+
+const OPERATOR_SPLITTING: &str = "integrator AlphaOS $alpha <$beta $gamma> <-updateElemDisp> | \
+                                  AlphaOSGeneralized $rhoInf|{$alphaI $alphaF $beta $gamma} <-updateElemDisp>";
+
+/// `AlphaOS` and `AlphaOSGeneralized`.
+pub(super) fn operator_splitting(
+    interp: &mut Tcl,
+    a: &mut Args<'_>,
+    generalized: bool,
+) -> Result<Box<dyn Integrator>, Exception> {
+    a.usage(OPERATOR_SPLITTING);
+    let numbers = a.floats("parameter")?;
+    let mut update_elements = false;
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-updateElemDisp" => update_elements = true,
+            _ => ignore_option(interp, a, &["-updateElemDisp"])?,
+        }
+    }
+    let p = match (generalized, numbers.as_slice()) {
+        (false, [alpha]) => AlphaParameters::second_order(1.0, *alpha),
+        (false, [force, beta, gamma]) => AlphaParameters { inertia: 1.0, force: *force, beta: *beta, gamma: *gamma },
+        (true, [rho]) => AlphaParameters::spectral(*rho),
+        (true, [inertia, force, beta, gamma]) => {
+            AlphaParameters { inertia: *inertia, force: *force, beta: *beta, gamma: *gamma }
+        }
+        _ => return Err(a.refuse(format!("{} parameters do not fit", numbers.len()), "expected as below")),
+    };
+    let positive = [p.inertia, p.force, p.beta, p.gamma].iter().all(|x| *x > 0.0);
+    if !positive {
+        return Err(a.refuse("a parameter is not greater than 0", "expected positive numbers"));
+    }
+    Ok(Box::new(AlphaOs::new(if generalized { "AlphaOSGeneralized" } else { "AlphaOS" }, p, update_elements)))
+}
 
 /// One of these integrators, by its name; `None` if it is none of them.
 pub(super) fn take(interp: &mut Tcl, a: &mut Args<'_>, word: &str) -> Result<Option<Box<dyn Integrator>>, Exception> {

@@ -28,7 +28,7 @@ fn adaptive(a: &mut Args<'_>, step: f64) -> Result<Adaptive, Exception> {
     Ok(Adaptive { desired_iterations: desired as usize, min, max })
 }
 
-const INTEGRATORS: [&str; 23] = [
+const INTEGRATORS: [&str; 25] = [
     "LoadControl",
     "DisplacementControl",
     "ArcLength",
@@ -52,6 +52,8 @@ const INTEGRATORS: [&str; 23] = [
     "HHTExplicit",
     "HHTGeneralizedExplicit",
     "GimmeMCK",
+    "AlphaOS",
+    "AlphaOSGeneralized",
 ];
 
 /// Explicit generalised α by the spectral radius at the bifurcation (Hulbert and Chung, 1996).
@@ -212,6 +214,9 @@ fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             a.usage("integrator GimmeMCK $m $c $k");
             let (m, c) = (a.float("share of the mass")?, a.float("share of the damping")?);
             Box::new(GimmeMck(Coefficients { k: a.float("share of the stiffness")?, c, m }))
+        }
+        name @ ("AlphaOS" | "AlphaOSGeneralized") => {
+            hybrid_integrator::operator_splitting(interp, &mut a, name == "AlphaOSGeneralized")?
         }
         "Newmark1" => {
             a.usage("integrator Newmark1 $gamma $beta <$alphaM $betaK $betaK0 $betaKc>");

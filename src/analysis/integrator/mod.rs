@@ -1,5 +1,6 @@
 //! Integrators: how a step advances, in a load factor or in time.
 
+mod alpha_os;
 mod arc_length;
 mod backward_euler;
 mod central_difference;
@@ -24,6 +25,7 @@ use super::failure::Failure;
 use super::system::System;
 use std::fmt;
 
+pub use alpha_os::AlphaOs;
 pub use arc_length::ArcLength;
 pub use backward_euler::backward_euler;
 pub use central_difference::CentralDifference;

@@ -2,6 +2,7 @@
 
 use super::{Ends, Kind, refused};
 use crate::command::args::Args;
+use crate::command::transform::vector;
 use crate::command::{Tcl, ignore_option, warn};
 use crate::diagnostic::Diagnostic;
 use crate::element::axes::{self, Orientation};
@@ -54,8 +55,17 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
             "-dampMats" => damping = RayleighDamping::Materials(materials(interp, a)?),
             "-orient" => {
                 let place = a.last_span();
-                let Orientation { x, y } = super::orientation(a, 1)?;
-                let (x, y) = (x.unwrap_or(Vector3::x()), y.unwrap_or(Vector3::y()));
+                let (x, y) = if ends.ndm == 2 {
+                    // In the plane y is square to x, whatever else is given.
+                    let x = vector(a, 3, "local x axis")?;
+                    if a.at_number() {
+                        vector(a, 3, "vector in the local x-y plane")?;
+                    }
+                    (x, Vector3::new(-x.y, x.x, 0.0))
+                } else {
+                    let Orientation { x, y } = super::orientation(a, 1)?;
+                    (x.unwrap_or(Vector3::x()), y.unwrap_or(Vector3::y()))
+                };
                 axes = axes::from_x_and_y(x, y).map_err(|e| a.refuse_at(place, e.message(), ""))?;
             }
             _ => ignore_option(interp, a, OPTIONS)?,
