@@ -65,6 +65,7 @@ pub mod record;
 pub mod report;
 pub mod run;
 pub mod script;
+pub mod section;
 pub mod series;
 pub mod solve;
 pub mod study;

@@ -106,3 +106,30 @@ pub fn sign(x: f64) -> f64 {
         0.0
     }
 }
+
+/// Invert an n x n matrix by rows in place, with row exchanges (Gauss and Jordan); `false` where it is singular, and the
+/// matrix is spoilt then.
+pub fn invert(a: &mut [f64], n: usize) -> bool {
+    // Row exchanges come out as column exchanges of the inverse.
+    let mut from = [0usize; 16];
+    for column in 0..n {
+        let size = |row: usize, a: &[f64]| a[row * n + column].abs();
+        let pivot = (column..n).fold(column, |best, row| if size(row, a) > size(best, a) { row } else { best });
+        let p = a[pivot * n + column];
+        if p == 0.0 || !p.is_finite() {
+            return false;
+        }
+        from[column] = pivot;
+        (0..n).for_each(|j| a.swap(column * n + j, pivot * n + j));
+        a[column * n + column] = 1.0;
+        a[column * n..(column + 1) * n].iter_mut().for_each(|x| *x /= p);
+        for row in (0..n).filter(|row| *row != column) {
+            let factor = std::mem::replace(&mut a[row * n + column], 0.0);
+            (0..n).for_each(|j| a[row * n + j] -= factor * a[column * n + j]);
+        }
+    }
+    for column in (0..n).rev() {
+        (0..n).for_each(|row| a.swap(row * n + column, row * n + from[column]));
+    }
+    true
+}

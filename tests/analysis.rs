@@ -16,6 +16,8 @@ mod modes;
 mod rubber;
 #[path = "support/script.rs"]
 mod script;
+#[path = "analysis/sections.rs"]
+mod sections;
 #[path = "analysis/statics.rs"]
 mod statics;
 

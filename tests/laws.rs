@@ -33,6 +33,8 @@ mod rubber;
 mod rubber_plane;
 #[path = "laws/sliders.rs"]
 mod sliders;
+#[path = "laws/sections.rs"]
+mod sections;
 #[path = "laws/springs.rs"]
 mod springs;
 #[path = "laws/timoshenko.rs"]

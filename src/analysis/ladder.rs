@@ -1,7 +1,9 @@
 //! Remedies for steps that fail, for those who ask for them: a script's own fallback must see the failure first.
 
 use super::algorithm::TangentChoice;
-use super::algorithm::{Algorithm, KrylovNewton, LineSearch, ModifiedNewton, Newton, NewtonLineSearch, SearchKind};
+use super::algorithm::{
+    Algorithm, LineSearch, ModifiedNewton, Newton, NewtonLineSearch, SearchKind, Tangents, krylov_newton,
+};
 use super::engine::{Engine, Kind, Observer};
 use super::failure::Failure;
 use super::prepared::TangentMix;
@@ -27,7 +29,12 @@ impl Remedy {
         Some(match self {
             Self::Newton => Box::new(Newton(current)),
             Self::LineSearch => Box::new(NewtonLineSearch::new(LineSearch::new(SearchKind::RegulaFalsi), current)),
-            Self::Krylov => Box::new(KrylovNewton::new(TangentMix::CURRENT, Some(TangentMix::CURRENT), 10)),
+            Self::Krylov => krylov_newton(Tangents {
+                increment: TangentMix::CURRENT,
+                iterate: Some(TangentMix::CURRENT),
+                period: 10,
+                once: false,
+            }),
             Self::Initial => Box::new(ModifiedNewton::new(TangentMix::INITIAL, false)),
             Self::Halve(_) => return None,
         })

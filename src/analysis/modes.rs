@@ -213,7 +213,10 @@ impl Engine {
     }
 
     /// Do something with the equations at the committed state; nothing is committed.
-    fn with_system<T>(&mut self, act: impl FnOnce(&mut System<'_>) -> Result<T, Failure>) -> Result<T, Failure> {
+    pub(super) fn with_system<T>(
+        &mut self,
+        act: impl FnOnce(&mut System<'_>) -> Result<T, Failure>,
+    ) -> Result<T, Failure> {
         let Some(mut system) = self.system() else { unreachable!("called after prepare") };
         let result = act(&mut system);
         system.work.loads.invalidate();

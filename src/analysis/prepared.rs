@@ -69,6 +69,8 @@ pub struct Prepared {
     pub x: Vec<f64>,
     /// A vector over all degrees of freedom, zero between uses.
     pub spread: Vec<f64>,
+    /// Shares of the last tangent that was formed.
+    pub(super) last: Option<Coefficients>,
     /// Smallest pivot seen, where it was nearly zero.
     pub weak_pivot: Option<Pivots>,
     pub(super) full: Vec<f64>,
@@ -160,6 +162,7 @@ impl Prepared {
             b: vec![0.0; n],
             x: vec![0.0; n],
             spread: vec![0.0; model.dofs()],
+            last: None,
             weak_pivot: None,
             full: vec![0.0; model.dofs()],
             values: vec![0.0; len],

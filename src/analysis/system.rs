@@ -258,6 +258,7 @@ impl System<'_> {
             self.respond(true)?;
         }
         let work = &mut *self.work;
+        work.last = Some(self.coefficients);
         work.assemble(self.model, self.coefficients, mix);
         work.add_modal_damping(self.coefficients.c);
         if work.solver.is_factored() && work.values == work.factored {

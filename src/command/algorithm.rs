@@ -4,8 +4,8 @@ use super::args::Args;
 use super::{Command, Outcome, Tcl, ignore_option, warn};
 use crate::analysis::TangentMix;
 use crate::analysis::algorithm::{
-    Algorithm, ExpressNewton, KrylovNewton, LineSearch, Linear, ModifiedNewton, Newton, NewtonLineSearch, SearchKind,
-    SecantNewton, TangentChoice, bfgs, broyden,
+    Algorithm, ExpressNewton, LineSearch, Linear, ModifiedNewton, Newton, NewtonLineSearch, SearchKind, TangentChoice,
+    Tangents, bfgs, broyden, krylov_newton, secant_newton,
 };
 use crate::diagnostic::Diagnostic;
 use crate::script::{Call, Exception, Value};
@@ -45,12 +45,13 @@ fn mix(choice: TangentChoice) -> TangentMix {
     }
 }
 
-const ALGORITHMS: [&str; 10] = [
+const ALGORITHMS: [&str; 11] = [
     "Linear",
     "Newton",
     "ModifiedNewton",
     "NewtonLineSearch",
     "KrylovNewton",
+    "MillerNewton",
     "SecantNewton",
     "PeriodicNewton",
     "BFGS",
@@ -71,14 +72,15 @@ fn algorithm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             Box::new(ModifiedNewton::new(mix(choice), once))
         }
         "NewtonLineSearch" => line_search(interp, &mut a)?,
-        "KrylovNewton" => krylov(interp, &mut a)?,
+        // Miller's acceleration is that of the Krylov subspace (Carlson and Miller, 1998).
+        "KrylovNewton" | "MillerNewton" => krylov(interp, &mut a)?,
         "SecantNewton" => secant(interp, &mut a, false)?,
         "PeriodicNewton" => secant(interp, &mut a, true)?,
         // Newton's method, in OpenSees as an accelerated method that does not accelerate.
         "RaphsonNewton" => {
-            let o = accelerated(interp, &mut a, false)?;
-            let iterate = o.iterate.unwrap_or(o.increment);
-            let same = iterate == o.increment;
+            let Tangents { increment, iterate, .. } = accelerated(interp, &mut a, false)?.tangents;
+            let iterate = iterate.unwrap_or(increment);
+            let same = iterate == increment;
             Box::new(Newton(if same { TangentChoice::Always(iterate) } else { TangentChoice::InitialThenCurrent }))
         }
         "BFGS" => {
@@ -134,18 +136,16 @@ fn line_search(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Box<dyn Algorithm>,
 
 /// Options of the accelerated methods.
 struct Accelerated {
-    increment: TangentMix,
-    iterate: Option<TangentMix>,
-    dimension: usize,
-    once: bool,
+    tangents: Tangents,
     terms: usize,
     cut_out: Option<(f64, f64)>,
 }
 
 fn accelerated(interp: &mut Tcl, a: &mut Args<'_>, secant: bool) -> Result<Accelerated, Exception> {
     let current = TangentMix::CURRENT;
-    let mut o =
-        Accelerated { increment: current, iterate: Some(current), dimension: 3, once: false, terms: 2, cut_out: None };
+    let tangents = Tangents { increment: current, iterate: Some(current), period: 3, once: false };
+    let mut o = Accelerated { tangents, terms: 2, cut_out: None };
+    let t = &mut o.tangents;
     let mut given = false;
     while let Some(option) = a.option() {
         match option.as_ref() {
@@ -157,16 +157,16 @@ fn accelerated(interp: &mut Tcl, a: &mut Args<'_>, secant: bool) -> Result<Accel
                     _ => return Err(a.unknown_name("tangent", ["current", "initial", "noTangent"])),
                 };
                 if option == "-iterate" {
-                    (o.iterate, given) = (mix, true);
+                    (t.iterate, given) = (mix, true);
                 } else {
                     // There is nothing to keep in the first step, and a tangent that is kept is factored once.
-                    o.once |= mix.is_none();
-                    o.increment = mix.unwrap_or(TangentMix::CURRENT);
+                    t.once |= mix.is_none();
+                    t.increment = mix.unwrap_or(TangentMix::CURRENT);
                 }
             }
-            "-maxDim" => o.dimension = a.count("largest dimension of the subspace")?,
+            "-maxDim" => t.period = a.count("largest dimension of the subspace")?,
             "-factorOnce" | "-FactorOnce" | "-factoronce" | "-factorIncrementOnce" | "-FactorIncrementOnce" => {
-                o.once = true;
+                t.once = true;
             }
             "-numTerms" if secant => o.terms = a.count("number of terms")?,
             "-cutOut" | "-cutout" if secant => {
@@ -177,19 +177,18 @@ fn accelerated(interp: &mut Tcl, a: &mut Args<'_>, secant: bool) -> Result<Accel
             }
         }
     }
-    if o.once && !given {
-        o.iterate = None;
+    if t.once && !given {
+        t.iterate = None;
     }
     // A new tangent in the middle of a step is another one than that of its begin.
-    o.once &= o.iterate.is_none();
+    t.once &= t.iterate.is_none();
     Ok(o)
 }
 
 fn krylov(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Box<dyn Algorithm>, Exception> {
     a.usage("algorithm KrylovNewton <-increment $tangent> <-iterate $tangent> <-maxDim $n> <-factorOnce>");
     let o = accelerated(interp, a, false)?;
-    let k = KrylovNewton::new(o.increment, o.iterate, o.dimension);
-    Ok(Box::new(if o.once { k.factor_once() } else { k }))
+    Ok(krylov_newton(o.tangents))
 }
 
 /// `SecantNewton`, and with `periodic` the same without its terms.
@@ -197,8 +196,7 @@ fn secant(interp: &mut Tcl, a: &mut Args<'_>, periodic: bool) -> Result<Box<dyn 
     a.usage("algorithm SecantNewton <-increment $tangent> <-iterate $tangent> <-maxDim $n> <-numTerms $n> <-cutOut $R1 $R2>");
     let o = accelerated(interp, a, !periodic)?;
     let terms = if periodic { 0 } else { o.terms };
-    let s = SecantNewton::new(o.increment, o.iterate, o.dimension, terms, o.cut_out);
-    Ok(Box::new(if o.once { s.factor_once() } else { s }))
+    Ok(secant_newton(o.tangents, terms, o.cut_out))
 }
 
 /// Tangent and count of `BFGS` and `Broyden`.

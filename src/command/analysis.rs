@@ -92,7 +92,12 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if steps < 0 {
         return Err(a.refuse(format!("the number of steps is {steps}"), "expected a number that is not negative"));
     }
-    let dt = if kind == Kind::Transient { a.positive("step of time dt")? } else { 0.0 };
+    let elapses = interp.host.engine.setup().is_none_or(|s| s.integrator.elapses());
+    let dt = match kind {
+        Kind::Transient if elapses => a.positive("step of time dt")?,
+        Kind::Transient => a.not_negative("step of time dt")?,
+        Kind::Static => 0.0,
+    };
     let lengths = if interp.host.variable_steps && a.left() > 0 { Some(step_lengths(&mut a)?) } else { None };
     if kind == Kind::Transient {
         finish(interp, &a)?;

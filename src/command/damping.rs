@@ -111,8 +111,9 @@ fn region(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             }
         }
     }
-    region.nodes.sort_unstable();
-    region.nodes.dedup();
+    // In the order in which they are met, as recorders show them.
+    let mut seen = std::collections::BTreeSet::new();
+    region.nodes.retain(|n| seen.insert(*n));
     if let Some(r) = damping {
         interp.host.engine.change_model(|m| {
             region.elements.iter().for_each(|e| m.elements[e.0].rayleigh = r);

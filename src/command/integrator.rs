@@ -1,14 +1,15 @@
 //! `integrator`.
 
 use super::args::Args;
+use super::hybrid_integrator;
 use super::model::node_of;
 use super::{Command, Outcome, Tcl, finish, ignore_option, warn};
-use crate::analysis::TangentMix;
 use crate::analysis::integrator::{
     Adaptive, AlphaParameters, ArcLength, CentralDifference, Collocation, DisplacementControl, ExplicitAlpha, Form,
-    GeneralizedAlpha, Hht, Integrator, LoadControl, MinUnbalDispNorm, Newmark, Sense, backward_euler, houbolt,
-    park_lms3, trbdf2, trbdf3,
+    GeneralizedAlpha, GimmeMck, Hht, Integrator, LoadControl, MinUnbalDispNorm, Newmark, Sense, backward_euler,
+    houbolt, park_lms3, trbdf2, trbdf3,
 };
+use crate::analysis::{Coefficients, TangentMix};
 use crate::diagnostic::Diagnostic;
 use crate::script::{Call, Exception, Value};
 
@@ -27,7 +28,7 @@ fn adaptive(a: &mut Args<'_>, step: f64) -> Result<Adaptive, Exception> {
     Ok(Adaptive { desired_iterations: desired as usize, min, max })
 }
 
-const INTEGRATORS: [&str; 22] = [
+const INTEGRATORS: [&str; 25] = [
     "LoadControl",
     "DisplacementControl",
     "ArcLength",
@@ -50,6 +51,9 @@ const INTEGRATORS: [&str; 22] = [
     "NewmarkExplicit",
     "HHTExplicit",
     "HHTGeneralizedExplicit",
+    "GimmeMCK",
+    "AlphaOS",
+    "AlphaOSGeneralized",
 ];
 
 /// Explicit generalised α by the spectral radius at the bifurcation (Hulbert and Chung, 1996).
@@ -94,6 +98,13 @@ fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         "HHT" => {
             a.usage("integrator HHT $alpha <$gamma $beta>");
             let alpha = a.positive("alpha")?;
+            let good = (2.0 / 3.0 - 1e-3..=1.0).contains(&alpha);
+            if !good {
+                let message = format!("HHT: alpha is {alpha}, so that the method is not stable whatever the step");
+                let help = "here alpha is 1 less what the paper calls minus alpha: 1 is Newmark's method";
+                let d = Diagnostic::warning(message).at(a.last_span(), "expected 2/3 to 1").help(help);
+                warn(interp, d)?;
+            }
             match a.optional_float("gamma")? {
                 Some(gamma) => Box::new(Hht::new(alpha, gamma, a.positive("beta")?)),
                 None => Box::new(Hht::second_order(alpha)),
@@ -140,7 +151,7 @@ fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         }
         "Collocation" => {
             a.usage("integrator Collocation $theta <$beta $gamma>");
-            let theta = a.positive("theta")?;
+            let theta = collocation_place(interp, &mut a, 1.0)?;
             Box::new(match a.optional_float("beta")? {
                 Some(beta) if beta > 0.0 => Collocation::new(theta, beta, a.positive("gamma")?),
                 Some(beta) => return Err(a.refuse(format!("beta is {beta}"), "expected a number greater than 0")),
@@ -149,7 +160,7 @@ fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         }
         "WilsonTheta" => {
             a.usage("integrator WilsonTheta $theta");
-            Box::new(Collocation::wilson(a.positive("theta")?))
+            Box::new(Collocation::wilson(collocation_place(interp, &mut a, 1.37)?))
         }
         "TRBDF2" | "Bathe" => trbdf2(),
         "TRBDF3" | "Bathe3" => trbdf3(),
@@ -199,13 +210,27 @@ fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             a.flag("-updateElemDisp");
             Box::new(ExplicitAlpha::new("HHTGeneralizedExplicit", p))
         }
+        "GimmeMCK" | "ZZTop" => {
+            a.usage("integrator GimmeMCK $m $c $k");
+            let (m, c) = (a.float("share of the mass")?, a.float("share of the damping")?);
+            Box::new(GimmeMck(Coefficients { k: a.float("share of the stiffness")?, c, m }))
+        }
+        name @ ("AlphaOS" | "AlphaOSGeneralized") => {
+            hybrid_integrator::operator_splitting(interp, &mut a, name == "AlphaOSGeneralized")?
+        }
         "Newmark1" => {
             a.usage("integrator Newmark1 $gamma $beta <$alphaM $betaK $betaK0 $betaKc>");
             let (gamma, beta) = (a.positive("gamma")?, a.positive("beta")?);
             integrator_rayleigh(interp, &mut a)?;
             Box::new(Newmark::new(gamma, beta, Form::Displacement))
         }
-        _ => return Err(a.unknown_name("integrator", INTEGRATORS)),
+        other => match hybrid_integrator::take(interp, &mut a, other)? {
+            Some(made) => made,
+            None => {
+                let hybrid = hybrid_integrator::NAMES.iter().map(|(_, name)| *name);
+                return Err(a.unknown_name("integrator", INTEGRATORS.into_iter().chain(hybrid)));
+            }
+        },
     };
     finish(interp, &a)?;
     let is_static = made.is_static();
@@ -216,6 +241,16 @@ fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         interp.host.parts.integrator = Some(made);
     }
     Ok(Value::EMPTY)
+}
+
+/// The place θ of collocation, in steps, and a warning where the method is not stable whatever the step.
+fn collocation_place(interp: &mut Tcl, a: &mut Args<'_>, least: f64) -> Result<f64, Exception> {
+    let theta = a.positive("theta")?;
+    if theta < least {
+        let message = format!("theta is {theta}, so that the method is not stable whatever the step");
+        warn(interp, Diagnostic::warning(message).at(a.last_span(), format!("expected at least {least}")))?;
+    }
+    Ok(theta)
 }
 
 fn newmark(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Box<dyn Integrator>, Exception> {

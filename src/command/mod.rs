@@ -8,17 +8,21 @@ mod algorithm;
 mod amend;
 mod analysis;
 mod args;
+mod beam_integration;
 mod check;
 mod constraint;
 mod damping;
 mod display;
 mod element;
+mod fiber;
 mod figure;
 mod friction;
 mod ground_motion;
+mod hybrid_integrator;
 mod integrator;
 mod load;
 mod material;
+mod matrix;
 mod modal_damping;
 mod modal_properties;
 mod model;
@@ -79,6 +83,8 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         material::COMMANDS,
         friction::COMMANDS,
         section::COMMANDS,
+        fiber::COMMANDS,
+        beam_integration::COMMANDS,
         transform::COMMANDS,
         element::COMMANDS,
         amend::COMMANDS,
@@ -96,6 +102,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         recorder::COMMANDS,
         query::COMMANDS,
         print::COMMANDS,
+        matrix::COMMANDS,
         remove::COMMANDS,
         parameter::COMMANDS,
         display::COMMANDS,

@@ -2,7 +2,8 @@
 
 use super::args::Args;
 use super::model::node_of;
-use super::{Command, Outcome, Tcl, finish};
+use super::{Command, Outcome, Tcl, finish, warn};
+use crate::diagnostic::{Diagnostic, Span};
 use crate::model::{NodeId, Tag};
 use crate::script::{Call, Exception, Value};
 
@@ -16,10 +17,13 @@ pub(super) const COMMANDS: &[Command] = &[
 ];
 
 const PARAMETER: &str = "parameter $tag <$value> | <node $node mass x|y|z|xy|xyz> | <node $node disp $dof> \
-                         | <loadPattern $pattern loadAtNode $node $dof> | <loadPattern $pattern lambda>";
-const ADD: &str = "addToParameter $tag node $node mass x|y|z|xy|xyz | loadPattern $pattern loadAtNode $node $dof";
+                         | <loadPattern $pattern loadAtNode $node $dof> | <loadPattern $pattern lambda> \
+                         | <element|region $tag $name ...>";
+const ADD: &str = "addToParameter $tag node $node mass x|y|z|xy|xyz | loadPattern $pattern loadAtNode $node $dof \
+                   | element|region $tag $name ...";
 const UPDATE: &str = "updateParameter $tag $value";
-const SET: &str = "setParameter -val $value -node $node ... mass x|y|z|xy|xyz";
+const SET: &str = "setParameter -val $value <-ele $element ... | -eleRange $first $last> $name ... | \
+                   -node $node ... mass x|y|z|xy|xyz";
 
 /// A number of the model.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,6 +36,8 @@ enum Place {
     Disp { node: Tag, dof: usize },
     /// Load factor of a pattern: it can be read only.
     Factor { pattern: Tag },
+    /// A number of an element, by the words that name it.
+    Element { element: Tag, words: Vec<String> },
 }
 
 /// A number, and where in the model it stands. Places are kept by tag: what is removed is no longer changed.
@@ -64,7 +70,55 @@ fn mass_dofs(a: &mut Args<'_>, ndf: usize) -> Result<Vec<usize>, Exception> {
     Ok(dofs)
 }
 
+/// Parameters that mean nothing unless they are greater than 0: moduli, areas, strengths, mass.
+const POSITIVE: [&str; 17] =
+    ["E", "Epos", "A", "I", "Iz", "Iy", "G", "J", "Av", "Avy", "Avz", "sigmaY", "fy", "Fy", "ko", "n", "R0"];
+
+/// The name of a parameter of elements, and a warning where none of them has it: OpenSees says nothing.
+fn of_elements(interp: &mut Tcl, a: &mut Args<'_>, elements: &[Tag]) -> Result<Vec<Place>, Exception> {
+    let mut words = vec![a.word("name of the parameter")?.into_owned()];
+    let span = a.last_span();
+    while a.left() > 0 {
+        words.push(a.word("name of the parameter")?.into_owned());
+    }
+    let place = |element: Tag| Place::Element { element, words: words.clone() };
+    let places: Vec<Place> = elements.iter().map(|e| place(*e)).filter(|p| read(interp, p).is_some()).collect();
+    if places.is_empty() {
+        let of = match elements {
+            [one] => format!("element {one} has"),
+            _ => format!("none of {} elements has", elements.len()),
+        };
+        let message = format!("{of} no parameter \"{}\": it changes nothing", words.join(" "));
+        warn(interp, Diagnostic::warning(message).at(span, "expected the name of a parameter"))?;
+    }
+    Ok(places)
+}
+
 /// Where a parameter stands, from the words that say so.
+fn places(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Vec<Place>, Exception> {
+    match a.peek().as_deref() {
+        Some("element") => {
+            a.word("element")?;
+            let tag = a.int("tag of the element")?;
+            if interp.host.engine.model().element(tag).is_none() {
+                return Err(a.refuse(format!("there is no element {tag}"), "expected the tag of an element"));
+            }
+            of_elements(interp, a, &[tag])
+        }
+        Some("region") => {
+            a.word("region")?;
+            let tag = a.int("tag of the region")?;
+            let Some(region) = interp.host.regions.get(&tag) else {
+                return Err(a.refuse(format!("there is no region {tag}"), "expected the tag of a region"));
+            };
+            let model = interp.host.engine.model();
+            let elements: Vec<Tag> = region.elements.iter().map(|e| model.elements[e.0].tag).collect();
+            of_elements(interp, a, &elements)
+        }
+        _ => place(interp, a).map(|p| vec![p]),
+    }
+}
+
 fn place(interp: &Tcl, a: &mut Args<'_>) -> Result<Place, Exception> {
     let model = interp.host.engine.model();
     match a.word("kind of thing")?.as_ref() {
@@ -98,11 +152,7 @@ fn place(interp: &Tcl, a: &mut Args<'_>) -> Result<Place, Exception> {
                 _ => Err(a.unknown_name("property of a load pattern", ["loadAtNode", "lambda"])),
             }
         }
-        word @ ("element" | "region" | "randomVariable") => {
-            let message = format!("parameters of the kind {word} are not supported yet");
-            Err(a.refuse(message, "expected node or loadPattern"))
-        }
-        _ => Err(a.unknown_name("thing with parameters", ["node", "loadPattern"])),
+        _ => Err(a.unknown_name("thing with parameters", ["node", "loadPattern", "element", "region"])),
     }
 }
 
@@ -115,6 +165,12 @@ fn read(interp: &Tcl, place: &Place) -> Option<f64> {
         Place::Disp { node, dof } => {
             let node = &model.nodes[model.node(*node)?.0];
             engine.state().disp.get(node.offset + dof).copied()
+        }
+        Place::Element { element, words } => {
+            let words: Vec<&str> = words.iter().map(String::as_str).collect();
+            let element = &model.elements[model.element(*element)?.0].element;
+            // What it had, told by the change; the changed element is let go.
+            element.with_parameter(&words, 1.0).map(|(_, value)| value)
         }
         Place::Factor { pattern } => Some(model.patterns.get(pattern)?.factor(engine.state().time)),
         Place::Load { pattern, node, dof } => {
@@ -143,6 +199,14 @@ fn write(interp: &mut Tcl, place: &Place, value: f64) {
                 *x = value;
             }
         }
+        Place::Element { element, words } => {
+            let words: Vec<&str> = words.iter().map(String::as_str).collect();
+            if let Some(id) = model.element(*element)
+                && let Some((new, _)) = model.elements[id.0].element.with_parameter(&words, value)
+            {
+                model.replace_element(id, new);
+            }
+        }
         Place::Disp { .. } | Place::Factor { .. } => {}
     });
 }
@@ -157,9 +221,8 @@ fn parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if let Some(value) = a.optional_float("value")? {
         new.value = value;
     } else if a.left() > 0 {
-        let place = place(interp, &mut a)?;
-        new.value = read(interp, &place).unwrap_or(0.0);
-        new.places.push(place);
+        new.places = places(interp, &mut a)?;
+        new.value = new.places.first().and_then(|p| read(interp, p)).unwrap_or(0.0);
     }
     finish(interp, &a)?;
     interp.host.numbers.insert(tag, new);
@@ -180,14 +243,32 @@ fn known(interp: &Tcl, a: &mut Args<'_>) -> Result<Tag, Exception> {
 fn add_to_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, ADD);
     let tag = known(interp, &mut a)?;
-    let place = place(interp, &mut a)?;
+    let places = places(interp, &mut a)?;
     finish(interp, &a)?;
-    let value = read(interp, &place);
+    let value = places.first().and_then(|p| read(interp, p));
     if let Some(p) = interp.host.numbers.get_mut(&tag) {
-        p.places.push(place);
+        p.places.extend(places);
         p.value = value.unwrap_or(p.value);
     }
     Ok(Value::from(i64::from(tag)))
+}
+
+/// Refuse a value that a number of the model cannot have.
+fn refuse_meaningless(a: &Args<'_>, span: Option<Span>, value: f64, places: &[Place]) -> Result<(), Exception> {
+    for place in places {
+        match place {
+            Place::Mass { .. } if value < 0.0 => {
+                return Err(a.refuse_at(span, format!("the mass is {value}"), "expected a mass not less than 0"));
+            }
+            Place::Element { words, .. } if value <= 0.0 => {
+                if let Some(name) = words.last().filter(|w| POSITIVE.contains(&w.as_str())) {
+                    return Err(a.refuse_at(span, format!("{name} is {value}"), "expected a number greater than 0"));
+                }
+            }
+            _ => {}
+        }
+    }
+    Ok(())
 }
 
 fn update_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
@@ -197,9 +278,7 @@ fn update_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let span = a.last_span();
     finish(interp, &a)?;
     let places = interp.host.numbers.get(&tag).map(|p| p.places.clone()).unwrap_or_default();
-    if value < 0.0 && places.iter().any(|p| matches!(p, Place::Mass { .. })) {
-        return Err(a.refuse_at(span, format!("the mass is {value}"), "expected a mass not less than 0"));
-    }
+    refuse_meaningless(&a, span, value, &places)?;
     places.iter().for_each(|p| write(interp, p, value));
     if let Some(p) = interp.host.numbers.get_mut(&tag) {
         p.value = value;
@@ -227,12 +306,38 @@ fn set_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         a.word("option -val")?;
         return Err(a.refuse("setParameter begins with the value", "expected -val"));
     }
-    let value = a.not_negative("value")?;
-    let option = a.word("option -node")?;
-    if option != "-node" && option != "-nodes" {
-        let message = format!("setParameter: {option} is not supported yet");
-        return Err(a.refuse(message, "expected -node"));
+    let value = a.float("value")?;
+    let span = a.last_span();
+    let model = interp.host.engine.model();
+    let elements: Option<Vec<Tag>> = match a.peek().as_deref() {
+        Some("-ele" | "-eles" | "-element") => {
+            a.word("option")?;
+            let tags = a.ints();
+            if let Some(missing) = tags.iter().find(|t| model.element(**t).is_none()) {
+                return Err(a.refuse(format!("there is no element {missing}"), "expected tags of elements"));
+            }
+            Some(tags)
+        }
+        Some("-eleRange") => {
+            a.word("option")?;
+            let (first, last) = (a.int("first tag of the range")?, a.int("last tag of the range")?);
+            let range = first.min(last)..=first.max(last);
+            Some(model.element_tags().filter(|t| range.contains(t)).collect())
+        }
+        Some("-node" | "-nodes") => None,
+        // OpenSees takes the name for an option, and does nothing.
+        _ => {
+            a.word("option -ele, -eleRange or -node")?;
+            return Err(a.unknown_name("option of setParameter", ["-ele", "-eleRange", "-node"]));
+        }
+    };
+    if let Some(elements) = elements {
+        let places = of_elements(interp, &mut a, &elements)?;
+        refuse_meaningless(&a, span, value, &places)?;
+        places.iter().for_each(|p| write(interp, p, value));
+        return Ok(Value::EMPTY);
     }
+    a.word("option -node")?;
     let mut nodes = vec![];
     while a.at_number() {
         nodes.push(node_tag(interp, &mut a)?);
@@ -244,8 +349,8 @@ fn set_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let ndf = nodes.iter().map(|(id, _)| model.nodes[id.0].ndf).min().unwrap_or(0);
     let dofs = mass_dofs(&mut a, ndf)?;
     finish(interp, &a)?;
-    for (_, node) in nodes {
-        write(interp, &Place::Mass { node, dofs: dofs.clone() }, value);
-    }
+    let places: Vec<Place> = nodes.iter().map(|(_, n)| Place::Mass { node: *n, dofs: dofs.clone() }).collect();
+    refuse_meaningless(&a, span, value, &places)?;
+    places.iter().for_each(|p| write(interp, p, value));
     Ok(Value::EMPTY)
 }

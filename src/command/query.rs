@@ -31,6 +31,13 @@ pub(super) const COMMANDS: &[Command] = &[
     Command { name: "eleResponse", usage: RESPONSE, run: ele_response },
     Command { name: "eleForce", usage: "eleForce $element <$dof>", run: |i, c| named(i, c, "force") },
     Command { name: "localForce", usage: "localForce $element <$dof>", run: |i, c| named(i, c, "localForce") },
+    Command { name: "sectionForce", usage: OF_SECTION, run: |i, c| of_section(i, c, "force") },
+    Command { name: "sectionDeformation", usage: OF_SECTION, run: |i, c| of_section(i, c, "deformation") },
+    Command { name: "sectionStiffness", usage: OF_SECTION, run: |i, c| of_section(i, c, "stiffness") },
+    Command { name: "sectionFlexibility", usage: OF_SECTION, run: |i, c| of_section(i, c, "flexibility") },
+    Command { name: "sectionLocation", usage: ALONG, run: |i, c| along(i, c, "integrationPoints") },
+    Command { name: "sectionWeight", usage: ALONG, run: |i, c| along(i, c, "integrationWeights") },
+    Command { name: "sectionTag", usage: ALONG, run: |i, c| along(i, c, "sectionTags") },
     Command { name: "basicForce", usage: "basicForce $element <$dof>", run: |i, c| named(i, c, "basicForce") },
     Command {
         name: "basicDeformation",
@@ -220,6 +227,31 @@ fn no_response(
         format!("{class} has no response \"{}\"", words.join(" ")),
         format!("known: {}", known.join(", ")),
     )
+}
+
+const OF_SECTION: &str = "sectionForce $element $section <$dof>";
+const ALONG: &str = "sectionLocation $element <$section>";
+
+/// A response of a section of a beam, or one of its values.
+fn of_section(interp: &mut Tcl, call: &Call<'_>, what: &str) -> Outcome {
+    let mut a = Args::new(call, OF_SECTION);
+    let id = element_of(interp, &mut a)?;
+    let number = a.count("number of the section")?.to_string();
+    let words = ["section", number.as_str(), what];
+    let Some(values) = ElementResponse::evaluate(&interp.host.engine, id, &words) else {
+        return Err(a.refuse(format!("the element has no section {number}"), "expected a number from 1 on"));
+    };
+    pick(interp, &mut a, &values, "number of the value")
+}
+
+/// What a beam says of its sections, or of one of them.
+fn along(interp: &mut Tcl, call: &Call<'_>, what: &str) -> Outcome {
+    let mut a = Args::new(call, ALONG);
+    let id = element_of(interp, &mut a)?;
+    let Some(values) = ElementResponse::evaluate(&interp.host.engine, id, &[what]) else {
+        return Err(a.refuse("the element has no sections along its length", "expected a beam with sections"));
+    };
+    pick(interp, &mut a, &values, "number of the section")
 }
 
 /// A response with a command of its own: all of it, or one column.

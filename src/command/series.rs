@@ -124,7 +124,15 @@ fn wave(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Wave, f64), Exception> {
             "-factor" => w.factor = a.float("factor")?,
             "-shift" | "-phaseShift" => w.shift = a.float("phase shift")?,
             "-zeroShift" => w.zero_shift = a.float("zero shift")?,
-            "-width" | "-pulseWidth" => width = a.float("width of the pulse as a fraction of the period")?,
+            "-width" | "-pulseWidth" => {
+                width = a.float("width of the pulse as a fraction of the period")?;
+                if !(0.0..=1.0).contains(&width) {
+                    let d = Diagnostic::warning(format!(
+                        "the width of the pulse is {width}: it never begins or never ends"
+                    ));
+                    warn(interp, d.at(a.last_span(), "expected a fraction, 0 to 1"))?;
+                }
+            }
             _ => ignore_option(interp, a, &["-factor", "-shift", "-zeroShift", "-width"])?,
         }
     }

@@ -11,6 +11,7 @@ use crate::diagnostic::{Diagnostic, SourceMap, Span};
 use crate::io::number::Style;
 use crate::model::{Definitions, ElementId, NodeId, Tag};
 use crate::record::{Layout, Output, RecordError, Recorder};
+use crate::section::Fiber;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
@@ -203,6 +204,8 @@ pub struct Session {
     pub(super) next_mp: Tag,
     pub(super) told: BTreeMap<&'static str, usize>,
     pub(super) bench: Bench,
+    /// Fibers of the section whose body is being run.
+    pub(super) fibers: Option<Vec<Fiber>>,
     /// What `parameter` has named.
     pub(super) numbers: BTreeMap<Tag, Parameter>,
 }
@@ -236,6 +239,7 @@ impl Session {
             next_mp: 0,
             told: BTreeMap::new(),
             bench: Bench::default(),
+            fibers: None,
             numbers: BTreeMap::new(),
         }
     }

@@ -1,20 +1,18 @@
 //! Axial bar with large displacements: `corotTruss`.
 
-use super::{Answer, Element, ElementError, Mass, Motion, Nature, Snapshot, TrussOptions};
+use super::bar::{Bar, BarOptions};
+use super::{Answer, Element, ElementError, Mass, Motion, Nature, Snapshot};
 use crate::material::{Material, Slot, Strain};
 use crate::probe::Probe;
+use std::sync::Arc;
 
 /// An axial bar that turns with its nodes; engineering strain (Lₙ - L)/L of the bar as it stands (Crisfield, 1991,
 /// section 3.3).
 #[derive(Clone, Debug)]
 pub struct CorotTruss {
-    slot: Slot,
-    options: TrussOptions,
+    bar: Bar,
     /// From node i to node j, undeformed.
     line: [f64; 3],
-    length: f64,
-    ndm: usize,
-    per_node: usize,
 }
 
 /// The bar as it stands.
@@ -35,7 +33,7 @@ impl CorotTruss {
         tag: i32,
         line: &[f64],
         per_node: usize,
-        options: TrussOptions,
+        options: BarOptions,
     ) -> Result<Self, ElementError> {
         let mut full = [0.0; 3];
         full[..line.len()].copy_from_slice(line);
@@ -43,12 +41,13 @@ impl CorotTruss {
         if length == 0.0 {
             return Err(ElementError("the truss has no length".into()));
         }
-        Ok(Self { slot: Slot::new(material, tag, 0), options, line: full, length, ndm: line.len(), per_node })
+        let bar = Bar { slot: Slot::new(material, tag, 0), options, length, ndm: line.len(), per_node };
+        Ok(Self { bar, line: full })
     }
 
     /// Difference of a nodal field between j and i.
     fn relative(&self, field: &[f64]) -> [f64; 3] {
-        std::array::from_fn(|i| if i < self.ndm { field[self.per_node + i] - field[i] } else { 0.0 })
+        std::array::from_fn(|i| if i < self.bar.ndm { field[self.bar.per_node + i] - field[i] } else { 0.0 })
     }
 
     fn chord(&self, disp: &[f64]) -> Result<Chord, ElementError> {
@@ -64,11 +63,11 @@ impl CorotTruss {
     /// Add `axial` n nᵀ + `across` (1 - n nᵀ), with opposite signs between the nodes.
     fn add_stiffness(&self, n: &[f64; 3], axial: f64, across: f64, k: &mut [f64]) {
         let size = self.dofs();
-        for a in 0..self.ndm {
-            for b in 0..self.ndm {
+        for a in 0..self.bar.ndm {
+            for b in 0..self.bar.ndm {
                 let nn = n[a] * n[b];
                 let x = axial * nn + across * (f64::from(u8::from(a == b)) - nn);
-                let (i, j) = (self.per_node + a, self.per_node + b);
+                let (i, j) = (self.bar.per_node + a, self.bar.per_node + b);
                 k[a * size + b] += x;
                 k[i * size + j] += x;
                 k[a * size + j] -= x;
@@ -76,41 +75,27 @@ impl CorotTruss {
             }
         }
     }
-
-    fn force(&self, state: &[f64]) -> f64 {
-        self.options.area * self.slot.stress(state)
-    }
 }
 
 fn norm(v: &[f64; 3]) -> f64 {
     v.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-const AXIAL_FORCE: u32 = 2;
-const DEFORMATION: u32 = 3;
-const MATERIAL: u32 = 5;
-
 impl Element for CorotTruss {
     fn class(&self) -> &'static str {
         "CorotTruss"
     }
     fn dofs(&self) -> usize {
-        2 * self.per_node
+        self.bar.dofs()
     }
     fn state_len(&self) -> usize {
-        self.slot.len()
+        self.bar.slot.len()
     }
     fn init(&self, state: &mut [f64]) {
-        self.slot.init(state);
+        self.bar.slot.init(state);
     }
     fn nature(&self) -> Nature {
-        Nature {
-            linear: false,
-            symmetric: true,
-            viscous: self.slot.material.is_viscous(),
-            elapses: self.slot.material.depends_on_time(),
-            rayleigh: self.options.rayleigh,
-        }
+        Nature { linear: false, ..self.bar.nature() }
     }
 
     fn respond(
@@ -124,63 +109,55 @@ impl Element for CorotTruss {
         let n = &chord.direction;
         let v = self.relative(motion.vel);
         let strain = Strain {
-            value: (chord.length - self.length) / self.length,
-            rate: n.iter().zip(&v).map(|(n, v)| n * v).sum::<f64>() / self.length,
+            value: (chord.length - self.bar.length) / self.bar.length,
+            rate: n.iter().zip(&v).map(|(n, v)| n * v).sum::<f64>() / self.bar.length,
             dt: motion.dt,
         };
-        let s = self.slot.update(committed, strain, trial)?;
-        let area = self.options.area;
+        let s = self.bar.slot.update(committed, strain, trial)?;
+        let area = self.bar.options.area;
         let axial = area * s.value;
-        for (i, n) in n.iter().enumerate().take(self.ndm) {
+        for (i, n) in n.iter().enumerate().take(self.bar.ndm) {
             answer.force[i] -= axial * n;
-            answer.force[self.per_node + i] += axial * n;
+            answer.force[self.bar.per_node + i] += axial * n;
         }
         if let Some(k) = answer.tangent {
-            self.add_stiffness(n, area * s.tangent / self.length, axial / chord.length, k);
+            self.add_stiffness(n, area * s.tangent / self.bar.length, axial / chord.length, k);
         }
         if let Some(c) = answer.damping {
-            self.add_stiffness(n, area * s.damping / self.length, 0.0, c);
+            self.add_stiffness(n, area * s.damping / self.bar.length, 0.0, c);
         }
         Ok(())
     }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {
-        let n = self.line.map(|x| x / self.length);
-        let stiffness = self.options.area * self.slot.material.initial_tangent() / self.length;
+        let n = self.line.map(|x| x / self.bar.length);
+        let stiffness = self.bar.options.area * self.bar.slot.material.initial_tangent() / self.bar.length;
         self.add_stiffness(&n, stiffness, 0.0, tangent);
     }
 
     fn mass(&self) -> Mass {
-        self.options.mass(self.length, self.ndm, self.per_node)
+        self.bar.mass()
+    }
+
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
+        let mut new = self.clone();
+        let old = new.bar.set_parameter(words, value)?;
+        Some((Arc::new(new), old))
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
-        Some(match *words.first()? {
-            "axialForce" | "basicForce" | "basicForces" | "localForce" | "localForces" => {
-                Probe::new(AXIAL_FORCE, ["N"])
-            }
-            "defo" | "deformation" | "deformations" | "basicDefo" | "basicDeformation" | "basicDeformations" => {
-                Probe::new(DEFORMATION, ["U"])
-            }
-            "material" | "-material" => {
-                // `material stress` as well as `material 1 stress`.
-                let rest = &words[1..];
-                let rest = if rest.first().is_some_and(|w| w.parse::<i32>().is_ok()) { &rest[1..] } else { rest };
-                return Some(self.slot.probe(rest)?.inside(&[MATERIAL]));
-            }
-            _ => return self.slot.probe(words).map(|p| p.inside(&[MATERIAL])),
-        })
+        match *words.first()? {
+            // As in OpenSees: the axial force alone.
+            "localForce" | "localForces" => self.bar.probe(&["axialForce"]),
+            _ => self.bar.probe(words),
+        }
     }
 
     fn probe_names(&self) -> &'static [&'static str] {
-        &["axialForce", "basicForce", "deformation", "basicDeformation", "material"]
+        self.bar.probe_names()
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
-        match path[0] {
-            AXIAL_FORCE => out[0] = self.force(s.state),
-            DEFORMATION => out[0] = self.length * self.slot.strain(s.state),
-            _ => self.slot.read(&path[1..], s.state, out),
-        }
+        self.bar.read(path, s, out);
     }
 }

@@ -68,6 +68,38 @@ impl EndActions {
     }
 }
 
+/// Internal forces of a simple beam at `x` under point forces along y, z and x at `at` (fractions of the length): axial
+/// force, moment about z, shear along y, moment about y, shear along z.
+fn internal_of_point((y, z, axial): (f64, f64, f64), at: f64, x: f64, length: f64) -> [f64; 5] {
+    // The share of the force that goes to the end beyond, and the lever from the near end.
+    let (share, lever, n) = if x <= at { (at - 1.0, x, axial) } else { (at, x - 1.0, 0.0) };
+    [n, share * lever * y * length, share * y, -share * lever * z * length, -share * z]
+}
+
+impl ElementLoad {
+    /// Internal forces of a simple beam at `x` (fraction of the length) under the load: axial force, moment about z, shear
+    /// along y, moment about y, shear along z, in the signs of a section.
+    pub fn internal_forces(&self, x: f64, length: f64) -> [f64; 5] {
+        match *self {
+            Self::Point { at, y, z, x: axial } => internal_of_point((y, z, axial), at, x, length),
+            Self::Distributed { span, y, z, x: axial } => {
+                let mut sum = [0.0; 5];
+                let cut = x.clamp(span.0, span.1);
+                for (from, to) in [(span.0, cut), (cut, span.1)].into_iter().filter(|(from, to)| to > from) {
+                    for (g, weight) in GAUSS {
+                        let at = from + g * (to - from);
+                        let along = (at - span.0) / (span.1 - span.0);
+                        let force = |w: (f64, f64)| (w.0 + (w.1 - w.0) * along) * weight * (to - from) * length;
+                        let part = internal_of_point((force(y), force(z), force(axial)), at, x, length);
+                        sum.iter_mut().zip(part).for_each(|(s, p)| *s += p);
+                    }
+                }
+                sum
+            }
+        }
+    }
+}
+
 impl ElementLoad {
     /// End actions of the components along local y and z, and the axial force with its share at j.
     pub fn end_actions(&self, length: f64) -> (EndActions, EndActions, (f64, f64)) {

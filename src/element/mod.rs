@@ -9,27 +9,35 @@
 pub mod amendment;
 pub mod axes;
 mod basic_row;
+mod bar;
 pub mod beam;
 pub mod bearing;
 mod corot_truss;
 pub mod friction;
+mod coupled_zero_length;
 pub mod load;
+mod springs;
 pub mod transform;
 mod truss;
 mod two_node_link;
 mod zero_length;
+mod zero_length_section;
 
-use crate::material::MaterialError;
+use crate::material::{MaterialError, Slot};
 pub(crate) use crate::numeric::dot;
 use crate::probe::Probe;
 use std::fmt;
+use std::sync::Arc;
 
 pub use basic_row::BasicRow;
+pub use bar::BarOptions;
 pub use corot_truss::CorotTruss;
+pub use coupled_zero_length::CoupledZeroLength;
 pub use load::ElementLoad;
-pub use truss::{Truss, TrussOptions};
+pub use truss::Truss;
 pub use two_node_link::{LinkOptions, TwoNodeLink};
 pub use zero_length::{RayleighDamping, ZeroLength};
+pub use zero_length_section::ZeroLengthSection;
 
 /// Largest number of degrees of freedom of an element that the buffers of the analysis are made for.
 pub const MAX_DOFS: usize = 24;
@@ -99,6 +107,20 @@ pub struct Nature {
     pub rayleigh: bool,
 }
 
+impl Nature {
+    /// Of an element that is as its materials are: symmetric, and without Rayleigh damping.
+    pub(crate) fn of<'a>(materials: impl Iterator<Item = &'a Slot> + Clone) -> Self {
+        let laws = || materials.clone().map(|s| &s.material);
+        Self {
+            linear: laws().all(|m| m.is_linear()),
+            symmetric: true,
+            viscous: laws().any(|m| m.is_viscous()),
+            elapses: laws().any(|m| m.depends_on_time()),
+            rayleigh: false,
+        }
+    }
+}
+
 /// Why an element could not answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ElementError(pub String);
@@ -160,6 +182,12 @@ pub trait Element: fmt::Debug + Send + Sync {
     /// Where OpenSees takes the inertia of its mass under a uniform ground motion off the force that it reports: how
     /// often it counts that inertia in the equations of motion. Followed on demand only.
     fn ground_inertia_slip(&self) -> Option<f64> {
+        None
+    }
+
+    /// The element with another value of a parameter, by the words of a `parameter` command, and the value it had;
+    /// `None` where it has none of that name. The history has the same words.
+    fn with_parameter(&self, _words: &[&str], _value: f64) -> Option<(Arc<dyn Element>, f64)> {
         None
     }
 

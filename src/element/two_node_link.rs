@@ -1,16 +1,17 @@
 //! Springs between two nodes at a distance: `twoNodeLink`.
 
-use super::{Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Snapshot, add_outer, dot};
-use crate::material::{Material, Slot, Strain};
+use super::springs::Springs;
+use super::{Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Snapshot, dot};
+use crate::material::Material;
 use crate::probe::Probe;
 use nalgebra::Matrix3;
+use std::sync::Arc;
 
 /// Uniaxial springs between two nodes, each in or about a local axis, with the shear acting at a given place along the
 /// line and, where wanted, P-Delta forces of the axial spring (Schellenberg, 2008).
 #[derive(Clone, Debug)]
 pub struct TwoNodeLink {
-    springs: Vec<Spring>,
-    axes: Matrix3<f64>,
+    springs: Springs,
     ndm: usize,
     per_node: usize,
     /// Local displacements from global ones, n x n by rows.
@@ -19,17 +20,6 @@ pub struct TwoNodeLink {
     p_delta: Vec<f64>,
     mass: f64,
     rayleigh: bool,
-    state_len: usize,
-}
-
-/// One material in one direction.
-#[derive(Clone, Debug)]
-struct Spring {
-    slot: Slot,
-    /// Local direction from 0, as the nodes' degrees of freedom are numbered.
-    direction: usize,
-    /// Deformation from the global displacements.
-    row: Vec<f64>,
 }
 
 /// What a [`TwoNodeLink`] is besides its springs.
@@ -61,29 +51,23 @@ impl TwoNodeLink {
         options: &LinkOptions,
     ) -> Result<Self, ElementError> {
         let local = local_axes(&axes, ndm, per_node);
-        let mut at = 0;
-        let mut made = Vec::with_capacity(springs.len());
+        let mut made = Springs::new(axes);
         for (material, tag, direction) in springs {
             if direction == 0 || direction > per_node {
                 let message = format!("twoNodeLink: direction {direction} at nodes with {per_node} degrees of freedom");
                 return Err(ElementError(message));
             }
-            let slot = Slot::new(material, tag, at);
-            at += slot.len();
             let row = basic_row(direction - 1, per_node, ndm, length, options.shear_dist);
-            made.push(Spring { slot, direction: direction - 1, row: pull_back(&row, &local) });
+            made.add((material, tag), direction, (pull_back(&row, &local), 0.0), None);
         }
         let p_delta = match options.p_delta {
             None => vec![],
             Some(ratios) => {
-                let mut directions: Vec<usize> = made.iter().map(|s| s.direction).collect();
-                directions.sort_unstable();
-                directions.dedup();
-                global_matrix(&p_delta_forces(&directions, ratios, (ndm, per_node), length)?, &local)
+                global_matrix(&p_delta_forces(&made.directions(), ratios, (ndm, per_node), length)?, &local)
             }
         };
         let LinkOptions { mass, rayleigh, .. } = *options;
-        Ok(Self { springs: made, axes, ndm, per_node, local, p_delta, mass, rayleigh, state_len: at })
+        Ok(Self { springs: made, ndm, per_node, local, p_delta, mass, rayleigh })
     }
 
     fn add_p_delta(&self, axial: f64, disp: &[f64], force: &mut [f64]) {
@@ -146,7 +130,7 @@ fn p_delta_forces(
 ) -> Result<Vec<f64>, ElementError> {
     let n = 2 * per_node;
     let mut g = vec![0.0; n * n];
-    let has = |d: usize| directions.contains(&d);
+    let has = |d: usize| directions.contains(&(d + 1));
     // Shear direction, rotation that its moments turn (if the nodes have it), sign of the moment, shares at i and j.
     let mut planes = vec![];
     if ndm > 1 && has(1) {
@@ -202,16 +186,8 @@ fn global_matrix(g: &[f64], t: &[f64]) -> Vec<f64> {
     out
 }
 
-const LOCAL_FORCE: u32 = 2;
-const BASIC_FORCE: u32 = 3;
-const LOCAL_DISP: u32 = 4;
-const DEFORMATION: u32 = 5;
-const BOTH: u32 = 6;
-const X_AXIS: u32 = 20;
-const Z_AXIS: u32 = 22;
-const MATERIALS: u32 = 23;
-const DIRECTIONS: u32 = 24;
-const MATERIAL: u32 = 30;
+const LOCAL_FORCE: u32 = 100;
+const LOCAL_DISP: u32 = 101;
 
 impl Element for TwoNodeLink {
     fn class(&self) -> &'static str {
@@ -221,20 +197,15 @@ impl Element for TwoNodeLink {
         2 * self.per_node
     }
     fn state_len(&self) -> usize {
-        self.state_len
+        self.springs.state_len()
     }
     fn init(&self, state: &mut [f64]) {
-        self.springs.iter().for_each(|s| s.slot.init(state));
+        self.springs.init(state);
     }
     fn nature(&self) -> Nature {
-        let law = |s: &Spring| s.slot.material.clone();
-        Nature {
-            linear: self.p_delta.is_empty() && self.springs.iter().all(|s| law(s).is_linear()),
-            symmetric: self.p_delta.is_empty(),
-            viscous: self.springs.iter().any(|s| law(s).is_viscous()),
-            elapses: self.springs.iter().any(|s| law(s).depends_on_time()),
-            rayleigh: self.rayleigh,
-        }
+        let nature = Nature { rayleigh: self.rayleigh, ..self.springs.nature() };
+        let p_delta = !self.p_delta.is_empty();
+        Nature { linear: nature.linear && !p_delta, symmetric: !p_delta, ..nature }
     }
 
     fn respond(
@@ -244,24 +215,9 @@ impl Element for TwoNodeLink {
         trial: &mut [f64],
         mut answer: Answer<'_>,
     ) -> Result<(), ElementError> {
-        let mut axial = 0.0;
-        for s in &self.springs {
-            let strain = Strain { value: dot(&s.row, motion.disp), rate: dot(&s.row, motion.vel), dt: motion.dt };
-            let stress = s.slot.update(committed, strain, trial)?;
-            if s.direction == 0 {
-                axial += stress.value;
-            }
-            for (f, r) in answer.force.iter_mut().zip(&s.row) {
-                *f += stress.value * r;
-            }
-            if let Some(k) = answer.tangent.as_deref_mut() {
-                add_outer(k, &s.row, stress.tangent);
-            }
-            if let Some(c) = answer.damping.as_deref_mut() {
-                add_outer(c, &s.row, stress.damping);
-            }
-        }
+        self.springs.respond(motion, committed, trial, &mut answer)?;
         if !self.p_delta.is_empty() {
+            let axial = self.springs.force_in(1, trial);
             self.add_p_delta(axial, motion.disp, answer.force);
             // How the axial force changes is left out: Rayleigh damping on the tangent would take it for damping.
             if let Some(k) = answer.tangent {
@@ -272,9 +228,7 @@ impl Element for TwoNodeLink {
     }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {
-        for s in &self.springs {
-            add_outer(tangent, &s.row, s.slot.material.initial_tangent());
-        }
+        self.springs.initial_tangent(tangent);
     }
 
     fn mass(&self) -> Mass {
@@ -289,40 +243,24 @@ impl Element for TwoNodeLink {
     }
 
     fn basic_rows(&self) -> Vec<BasicRow> {
-        let mut rows: Vec<BasicRow> = vec![];
-        for (column, s) in self.springs.iter().enumerate() {
-            // The one rotation of the plane is about z.
-            let direction = if self.ndm == 2 && s.direction == 2 { 6 } else { s.direction + 1 };
-            if rows.iter().all(|r| r.direction != direction) {
-                rows.push(BasicRow::new(direction, column, &s.row, (self.ndm, self.per_node)));
-            }
-        }
-        rows
+        // The one rotation of the plane is about z.
+        let direction = |d| if self.ndm == 2 && d == 3 { 6 } else { d };
+        self.springs.basic_rows(direction, (self.ndm, self.per_node))
+    }
+
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
+        let mut new = self.clone();
+        let old = new.springs.set_parameter(words, value)?;
+        Some((Arc::new(new), old))
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
-        let (n, dofs) = (self.springs.len(), self.dofs());
-        let numbered = |stem: &'static str, n: usize| (1..=n).map(move |i| format!("{stem}{i}"));
-        Some(match *words.first()? {
-            "localForce" | "localForces" => Probe::new(LOCAL_FORCE, numbered("p", dofs)),
-            "basicForce" | "basicForces" => Probe::new(BASIC_FORCE, numbered("q", n)),
-            "localDisplacement" | "localDisplacements" => Probe::new(LOCAL_DISP, numbered("dl", dofs)),
-            "deformation" | "deformations" | "basicDeformation" | "basicDeformations" | "basicDisplacement"
-            | "basicDisplacements" => Probe::new(DEFORMATION, numbered("db", n)),
-            "defoANDforce" | "deformationANDforce" | "deformationsANDforces" => {
-                Probe::new(BOTH, numbered("db", n).chain(numbered("q", n)))
-            }
-            "xaxis" => Probe::new(X_AXIS, ["x", "y", "z"]),
-            "yaxis" => Probe::new(X_AXIS + 1, ["x", "y", "z"]),
-            "zaxis" => Probe::new(Z_AXIS, ["x", "y", "z"]),
-            "materials" => Probe::new(MATERIALS, numbered("material", n)),
-            "directions" => Probe::new(DIRECTIONS, numbered("direction", n)),
-            "material" => {
-                let i = words.get(1)?.parse::<usize>().ok()?.checked_sub(1)?;
-                return Some(self.springs.get(i)?.slot.probe(&words[2..])?.inside(&[MATERIAL, i as u32]));
-            }
-            _ => return None,
-        })
+        let numbered = |stem: &'static str| (1..=self.dofs()).map(move |i| format!("{stem}{i}"));
+        match *words.first()? {
+            "localForce" | "localForces" => Some(Probe::new(LOCAL_FORCE, numbered("p"))),
+            "localDisplacement" | "localDisplacements" => Some(Probe::new(LOCAL_DISP, numbered("dl"))),
+            _ => self.springs.probe(words, "q", "db"),
+        }
     }
 
     fn probe_names(&self) -> &'static [&'static str] {
@@ -342,28 +280,10 @@ impl Element for TwoNodeLink {
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
-        let n = self.springs.len();
-        for (i, spring) in self.springs.iter().enumerate() {
-            match path[0] {
-                BASIC_FORCE => out[i] = spring.slot.stress(s.state),
-                DEFORMATION => out[i] = spring.slot.strain(s.state),
-                BOTH => {
-                    out[i] = spring.slot.strain(s.state);
-                    out[n + i] = spring.slot.stress(s.state);
-                }
-                MATERIALS => out[i] = f64::from(spring.slot.tag),
-                DIRECTIONS => out[i] = (spring.direction + 1) as f64,
-                _ => {}
-            }
-        }
         match path[0] {
             LOCAL_FORCE => self.to_local(s.force, out),
             LOCAL_DISP => self.to_local(s.disp, out),
-            id @ X_AXIS..=Z_AXIS => {
-                out.iter_mut().zip(self.axes.row((id - X_AXIS) as usize).iter()).for_each(|(o, a)| *o = *a);
-            }
-            MATERIAL => self.springs[path[1] as usize].slot.read(&path[2..], s.state, out),
-            _ => {}
+            _ => self.springs.read(path, s, out),
         }
     }
 }

@@ -47,6 +47,21 @@ impl UniaxialLaw for ElasticPP {
         Ok((Stress { value: limit, tangent: 0.0, damping: 0.0 }, next))
     }
 
+    fn set_parameter(&mut self, name: &str, value: f64) -> Option<f64> {
+        let place = match name {
+            "sigmaY" | "fy" | "Fy" => {
+                self.fyn = -value;
+                &mut self.fyp
+            }
+            "sigmaYp" | "fyp" | "Fyp" => &mut self.fyp,
+            "sigmaYn" | "fyn" | "Fyn" => &mut self.fyn,
+            "E" => &mut self.e,
+            "epsZero" | "ezero" => &mut self.ezero,
+            _ => return None,
+        };
+        Some(std::mem::replace(place, value))
+    }
+
     fn initial_tangent(&self) -> f64 {
         self.e
     }

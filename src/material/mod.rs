@@ -6,6 +6,8 @@
 
 mod axial_spring;
 mod bouc_wen;
+mod concrete01;
+mod concrete02;
 mod elastic;
 mod elastic_multi_linear;
 mod elastic_pp;
@@ -40,6 +42,8 @@ use std::sync::Arc;
 
 pub use axial_spring::{AxialParameters, AxialSp, AxialSpHD, AxialSpring};
 pub use bouc_wen::BoucWen;
+pub use concrete01::Concrete01;
+pub use concrete02::Concrete02;
 pub use elastic::Elastic;
 pub use elastic_multi_linear::{ElasticBilin, ElasticMultiLinear};
 pub use elastic_pp::ElasticPP;
@@ -168,6 +172,12 @@ pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {
         strain
     }
 
+    /// Give a parameter, by the name that scripts have for it, another value; the one it had. `None` where the law has
+    /// none of that name.
+    fn set_parameter(&mut self, _name: &str, _value: f64) -> Option<f64> {
+        None
+    }
+
     /// A response of the law's own, beyond those that every material has.
     fn probe(&self, _words: &[&str]) -> Option<Probe> {
         None
@@ -230,6 +240,11 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
     fn shown_strain(&self, strain: f64, _state: &[f64]) -> f64 {
         strain
     }
+    /// The material with another value of a parameter, by the words of a `parameter` command, and the value it had;
+    /// `None` where it has none of that name. The history has the same words.
+    fn with_parameter(&self, _words: &[&str], _value: f64) -> Option<(Material, f64)> {
+        None
+    }
     /// A response of the material's own, by the words of a recorder command.
     fn probe(&self, words: &[&str]) -> Option<Probe>;
     /// Value of a probe from the state.
@@ -284,6 +299,11 @@ impl<L: UniaxialLaw> Uniaxial for L {
     }
     fn shown_strain(&self, strain: f64, _: &[f64]) -> f64 {
         UniaxialLaw::shown_strain(self, strain)
+    }
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
+        let mut new = self.clone();
+        let old = new.set_parameter(words.first()?, value)?;
+        Some((Arc::new(new), old))
     }
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         UniaxialLaw::probe(self, words)

@@ -2,6 +2,7 @@
 
 use super::{Material, MaterialError, Slot, Strain, Stress, Uniaxial};
 use crate::probe::Probe;
+use std::sync::Arc;
 
 /// Materials with the same strain; their stresses add up, each multiplied by its factor.
 #[derive(Clone, Debug)]
@@ -56,6 +57,18 @@ impl Uniaxial for Parallel {
     }
     fn is_linear(&self) -> bool {
         self.laws().all(|m| m.is_linear())
+    }
+    /// Of one part, or of all that have it.
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
+        let mut new = self.clone();
+        let old = match words {
+            ["material" | "component", i, rest @ ..] => {
+                let i = i.parse::<usize>().ok()?.checked_sub(1)?;
+                new.parts.get_mut(i)?.0.set_parameter(rest, value)?
+            }
+            _ => new.parts.iter_mut().filter_map(|(slot, _)| slot.set_parameter(words, value)).last()?,
+        };
+        Some((Arc::new(new), old))
     }
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         match *words.first()? {

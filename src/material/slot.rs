@@ -77,6 +77,13 @@ impl Slot {
         Ok(s)
     }
 
+    /// Give a parameter of the material, by the words of a `parameter` command, another value; the one it had.
+    pub fn set_parameter(&mut self, words: &[&str], value: f64) -> Option<f64> {
+        let (material, old) = self.material.with_parameter(words, value)?;
+        self.material = material;
+        Some(old)
+    }
+
     /// Strain in a state.
     pub fn strain(&self, state: &[f64]) -> f64 {
         state[self.at + STRAIN]
@@ -85,6 +92,11 @@ impl Slot {
     /// Stress in a state.
     pub fn stress(&self, state: &[f64]) -> f64 {
         state[self.at + STRESS]
+    }
+
+    /// Energy that has gone in per volume.
+    pub fn energy(&self, state: &[f64]) -> f64 {
+        state[self.at + ENERGY]
     }
 
     /// Tangent in a state.

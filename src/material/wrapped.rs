@@ -2,6 +2,7 @@
 
 use super::{Material, MaterialError, Slot, Strain, Stress, Uniaxial};
 use crate::probe::Probe;
+use std::sync::Arc;
 
 /// A material that fails for good when its strain comes to a limit.
 #[derive(Clone, Debug)]
@@ -59,6 +60,11 @@ impl Uniaxial for MinMax {
     }
     fn shown_strain(&self, strain: f64, state: &[f64]) -> f64 {
         if self.compat && state[FAILED] != 0.0 { self.inner.strain(state) } else { strain }
+    }
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
+        let mut new = self.clone();
+        let old = new.inner.set_parameter(words, value)?;
+        Some((Arc::new(new), old))
     }
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         match *words.first()? {
@@ -158,6 +164,14 @@ impl Uniaxial for InitialState {
     }
     fn shown_strain(&self, strain: f64, _: &[f64]) -> f64 {
         strain + self.strain
+    }
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
+        let mut new = self.clone();
+        let old = match words {
+            ["epsInit"] => std::mem::replace(&mut new.strain, value),
+            _ => new.inner.set_parameter(words, value)?,
+        };
+        Some((Arc::new(new), old))
     }
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         let words = if words.first() == Some(&"material") { &words[1..] } else { words };

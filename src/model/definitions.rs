@@ -1,11 +1,12 @@
 //! Named things that elements and patterns are made from: materials, series, transformations.
 
 use super::Tag;
-use crate::element::beam::ElasticSection;
 use crate::element::bearing::Common;
 use crate::element::friction::Friction;
+use crate::element::beam::Rule;
 use crate::element::transform::TransformSpec;
 use crate::material::Material;
+use crate::section::SharedSection;
 use crate::series::Series;
 use std::collections::BTreeMap;
 
@@ -46,6 +47,15 @@ impl<T> Registry<T> {
     }
 }
 
+/// A rule of quadrature and the sections of its points, with their tags.
+#[derive(Clone, Debug)]
+pub struct Integration {
+    /// The rule.
+    pub rule: Rule,
+    /// Sections along the beam.
+    pub sections: Vec<(SharedSection, Tag)>,
+}
+
 /// Everything that has been defined by tag.
 #[derive(Clone, Debug)]
 pub struct Definitions {
@@ -55,8 +65,10 @@ pub struct Definitions {
     pub frictions: Registry<Friction>,
     /// `timeSeries`.
     pub series: Registry<Series>,
-    /// `section Elastic`.
-    pub sections: Registry<ElasticSection>,
+    /// `section`.
+    pub sections: Registry<SharedSection>,
+    /// `beamIntegration`.
+    pub integrations: Registry<Integration>,
     /// `geomTransf`.
     pub transforms: Registry<TransformSpec>,
     /// What Kikuchi bearings have in common where OpenSees is followed.
@@ -70,6 +82,7 @@ impl Default for Definitions {
             frictions: Registry::new("friction model"),
             series: Registry::new("time series"),
             sections: Registry::new("section"),
+            integrations: Registry::new("beam integration"),
             transforms: Registry::new("geometric transformation"),
             kikuchi: Common::default(),
         }

@@ -29,10 +29,28 @@ fn mistakes_are_told() {
         ("parameter 1 loadPattern 1 loadAtNode 1 1", "has no load on node 1"),
         ("parameter 1 node 2 mass x\nupdateParameter 1 -2", "the mass is -2"),
         ("parameter 1\nparameter 1", "there is a parameter 1 already"),
-        ("parameter 1 element 1 E", "not supported yet"),
+        ("parameter 1 element 7 E", "there is no element 7"),
+        ("parameter 1 element 1 E\nupdateParameter 1 -2", "E is -2"),
+        ("parameter 1 region 7 E", "there is no region 7"),
         ("remove parameter 4", "there is no parameter 4"),
     ] {
         let (code, _, err) = run(&format!("{SPRING}{command}\n"));
         assert!(code != Some(0) && err.contains(message), "{command}: {err}");
     }
+}
+
+#[test]
+fn numbers_of_elements_and_materials_are_changed() {
+    let (code, out, err) = run(&format!(
+        "{SPRING}parameter 1 element 1 E\nparameter 2 element 1 A\nregion 3 -ele 1\nparameter 3 region 3 E\n\
+         puts \"[getParamValue 1] [getParamValue 2] [getParamValue 3]\"\n\
+         analyze 1\nputs [format %.10g [nodeDisp 2 1]]\nupdateParameter 1 400\nanalyze 1\n\
+         puts [format %.10g [nodeDisp 2 1]]\nupdateParameter 2 4\nanalyze 1\nputs [format %.10g [nodeDisp 2 1]]\n\
+         setParameter -val 30 -ele 1 E\nputs [format %.10g [lindex [eleResponse 1 material tangent] 0]]\nanalyze 1\n\
+         puts [format %.10g [nodeDisp 2 1]]\nparameter 9 element 1 nothing\n"
+    ));
+    assert_eq!(code, Some(0), "{err}");
+    assert!(err.contains("has no parameter \"nothing\""), "{err}");
+    // Loads 1 to 4 on stiffnesses 100, 400, 1600 and 120.
+    assert_eq!(out, "100.0 1.0 100.0\n0.01\n0.005\n0.001875\n400\n0.03333333333\n");
 }

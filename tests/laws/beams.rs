@@ -1,10 +1,11 @@
 //! Beams and their transformations.
 
 use super::driver::{Alone, difference};
-use hysteron::element::beam::{Bending, ElasticBeam, Release};
+use hysteron::element::beam::{ElasticBeam, ElasticOptions, Release};
 use hysteron::element::load::ElementLoad;
 use hysteron::element::transform::{Ends, TransformKind, TransformSpec};
 use hysteron::element::{Element, Mass};
+use hysteron::section::ElasticSection;
 use nalgebra::{Matrix3, Vector3};
 
 const LINE: (Vector3<f64>, Vector3<f64>) = (Vector3::new(1.0, 2.0, 0.5), Vector3::new(4.0, 3.5, 2.5));
@@ -14,12 +15,18 @@ fn spec(kind: TransformKind, offsets: bool) -> TransformSpec {
     TransformSpec { kind, xz: Vector3::new(0.0, 0.3, 1.0), offsets: o }
 }
 
+/// Of E A, E I and G A.
+fn flat_section(ea: f64, ei: f64, gav: Option<f64>) -> ElasticSection {
+    ElasticSection { e: 1.0, area: ea, iz: ei, iy: 0.0, g: 1.0, j: 0.0, shear: (gav, None) }
+}
+
 fn space(kind: TransformKind, offsets: bool, shear: bool, release: Release) -> ElasticBeam<12, 6> {
     let ends = Ends { place: LINE, disp: &[0.0; 12] };
     let transform = spec(kind, offsets).space(&ends).unwrap();
-    let z = Bending { ei: 900.0, gav: shear.then_some(1500.0), release };
-    let y = Bending { ei: 400.0, gav: shear.then_some(1200.0), release: Release::None };
-    ElasticBeam::space(transform, (5000.0, 300.0), (z, y), 2.0, None)
+    let shear = if shear { (Some(15.0), Some(12.0)) } else { (None, None) };
+    let section = ElasticSection { e: 1000.0, area: 5.0, iz: 0.9, iy: 0.4, g: 100.0, j: 3.0, shear };
+    let options = ElasticOptions { release: (release, Release::None), rho: 2.0, consistent: false };
+    ElasticBeam::new(transform, section, options)
 }
 
 fn plane(kind: TransformKind, offsets: bool) -> ElasticBeam<6, 3> {
@@ -27,8 +34,8 @@ fn plane(kind: TransformKind, offsets: bool) -> ElasticBeam<6, 3> {
     let ends = Ends { place: (flat(LINE.0), flat(LINE.1)), disp: &[0.0; 6] };
     let mut s = spec(kind, offsets);
     s.offsets = (flat(s.offsets.0), flat(s.offsets.1));
-    let z = Bending { ei: 900.0, gav: None, release: Release::None };
-    ElasticBeam::plane(s.plane(&ends).unwrap(), 5000.0, z, 2.0, false)
+    let options = ElasticOptions { rho: 2.0, ..ElasticOptions::default() };
+    ElasticBeam::new(s.plane(&ends).unwrap(), flat_section(5000.0, 900.0, None), options)
 }
 
 fn some_motion(n: usize, size: f64) -> Vec<f64> {
@@ -134,9 +141,12 @@ fn ends_are_in_equilibrium() {
 fn two_halves_are_one_whole() {
     let ends = Ends { place: (Vector3::zeros(), Vector3::new(4.0, 0.0, 0.0)), disp: &[0.0; 6] };
     for gav in [None, Some(50.0)] {
-        let z = Bending { ei: 100.0, gav, release: Release::None };
         let straight = TransformSpec { kind: TransformKind::Linear, xz: Vector3::zeros(), offsets: Default::default() };
-        let whole = ElasticBeam::plane(straight.plane(&ends).unwrap(), 1000.0, z, 0.0, false);
+        let whole = ElasticBeam::new(
+            straight.plane(&ends).unwrap(),
+            flat_section(1000.0, 100.0, gav),
+            ElasticOptions::default(),
+        );
         let mut k = vec![0.0; 36];
         whole.initial_tangent(&mut k);
         // Tip deflection of the cantilever under a unit load: L³/3EI + L/GA.
@@ -181,8 +191,8 @@ fn member_loads_pass_all_of_their_force_to_the_ends() {
 fn clamped_moments_are_those_of_the_handbook() {
     let ends = Ends { place: (Vector3::zeros(), Vector3::new(6.0, 0.0, 0.0)), disp: &[0.0; 6] };
     let straight = TransformSpec { kind: TransformKind::Linear, xz: Vector3::zeros(), offsets: Default::default() };
-    let z = Bending { ei: 100.0, gav: None, release: Release::None };
-    let beam = || Alone::new(ElasticBeam::plane(straight.plane(&ends).unwrap(), 1000.0, z, 0.0, false));
+    let section = flat_section(1000.0, 100.0, None);
+    let beam = || Alone::new(ElasticBeam::new(straight.plane(&ends).unwrap(), section, ElasticOptions::default()));
     for (load, mi, mj) in [
         (ElementLoad::Distributed { span: (0.0, 1.0), y: (-10.0, -10.0), z: (0.0, 0.0), x: (0.0, 0.0) }, 30.0, -30.0),
         (
@@ -202,11 +212,12 @@ fn clamped_moments_are_those_of_the_handbook() {
 
 #[test]
 fn masses_add_up() {
-    for consistent in [None, Some(0.3)] {
+    for consistent in [false, true] {
         let ends = Ends { place: LINE, disp: &[0.0; 12] };
         let transform = spec(TransformKind::Linear, false).space(&ends).unwrap();
-        let b = Bending { ei: 1.0, gav: None, release: Release::None };
-        let e = ElasticBeam::space(transform, (1.0, 1.0), (b, b), 2.0, consistent);
+        let section = ElasticSection { e: 1.0, area: 1.0, iz: 1.0, iy: 1.0, g: 1.0, j: 0.3, shear: (None, None) };
+        let options = ElasticOptions { rho: 2.0, consistent, ..ElasticOptions::default() };
+        let e = ElasticBeam::new(transform, section, options);
         let total = 2.0 * (LINE.1 - LINE.0).norm();
         for direction in 0..3 {
             let mut r = [0.0; 12];

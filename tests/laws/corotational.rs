@@ -1,10 +1,11 @@
 //! Elements that turn with their nodes: beams in space and bars.
 
 use super::driver::{Alone, difference};
-use hysteron::element::beam::{Bending, ElasticBeam, Release};
+use hysteron::element::beam::{ElasticBeam, ElasticOptions};
 use hysteron::element::transform::{Ends, TransformKind, TransformSpec};
-use hysteron::element::{CorotTruss, Mass, TrussOptions};
+use hysteron::element::{BarOptions, CorotTruss, Mass};
 use hysteron::material::Elastic;
+use hysteron::section::ElasticSection;
 use nalgebra::{Rotation3, Unit, Vector3};
 use std::sync::Arc;
 
@@ -14,12 +15,12 @@ fn beam(offsets: bool) -> Alone {
     let o = if offsets { (Vector3::new(0.2, 0.1, 0.3), Vector3::new(-0.1, 0.2, -0.2)) } else { Default::default() };
     let spec = TransformSpec { kind: TransformKind::Corotational, xz: Vector3::new(0.0, 0.3, 1.0), offsets: o };
     let transform = spec.space(&Ends { place: LINE, disp: &[0.0; 12] }).unwrap();
-    let bending = |ei| Bending { ei, gav: None, release: Release::None };
-    Alone::new(ElasticBeam::space(transform, (5000.0, 300.0), (bending(900.0), bending(400.0)), 0.0, None))
+    let section = ElasticSection { e: 1000.0, area: 5.0, iz: 0.9, iy: 0.4, g: 100.0, j: 3.0, shear: (None, None) };
+    Alone::new(ElasticBeam::new(transform, section, ElasticOptions::default()))
 }
 
 fn bar() -> Alone {
-    let options = TrussOptions { area: 2.0, rho: 0.3, consistent: true, rayleigh: false };
+    let options = BarOptions { area: 2.0, rho: 0.3, consistent: true, rayleigh: false };
     let line = LINE.1 - LINE.0;
     Alone::new(CorotTruss::new(Arc::new(Elastic::new(700.0)), 1, line.as_slice(), 3, options).unwrap())
 }

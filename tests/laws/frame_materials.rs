@@ -3,9 +3,9 @@
 use super::driver::{Point, path};
 use super::materials::{check_purity, check_tangent};
 use hysteron::material::{
-    Elastic, ElasticBilin, ElasticMultiLinear, ElasticPP, ElasticPPGap, Envelope, Hardening, Hysteretic, InitialState,
-    Iteration, Material, Maxwell, Method, MinMax, MultiLinear, NoTension, Parallel, SelfCentering, Series, Steel01,
-    Steel02, ViscousDamper,
+    Concrete01, Concrete02, Elastic, ElasticBilin, ElasticMultiLinear, ElasticPP, ElasticPPGap, Envelope, Hardening,
+    Hysteretic, InitialState, Iteration, Material, Maxwell, Method, MinMax, MultiLinear, NoTension, Parallel,
+    SelfCentering, Series, Steel01, Steel02, ViscousDamper,
 };
 use std::sync::Arc;
 
@@ -58,6 +58,9 @@ fn all() -> Vec<(&'static str, Material, f64)> {
     let hardening = |h_iso, h_kin| Arc::new(Hardening { e: 200.0, sigma_y: 2.0, h_iso, h_kin });
     let curve =
         ElasticMultiLinear::new(vec![-0.08, -0.03, 0.0, 0.02, 0.05], vec![-3.0, -2.5, 0.0, 1.0, 4.0], 0.0).unwrap();
+    let concrete01 = Concrete01 { fpc: -30.0, epsc0: -0.002, fpcu: -6.0, epscu: -0.005 };
+    let concrete02 =
+        Concrete02 { fc: -30.0, epsc0: -0.002, fcu: -6.0, epscu: -0.005, ratio: 0.1, ft: 3.0, ets: 2000.0 };
     let both: Vec<(Material, i32)> = vec![(steel01(), 1), (gap(-2.0, -0.01, false), 2)];
     vec![
         ("curved steel", steel02(Steel02::NO_ISOTROPIC, 0.0), 0.1),
@@ -84,6 +87,8 @@ fn all() -> Vec<(&'static str, Material, f64)> {
         ("one behind the other", Arc::new(series(Iteration::Converged)), 0.1),
         ("strain limits", Arc::new(MinMax::new((steel01(), 1), -0.09, 0.095, false)), 0.1),
         ("initial strain", Arc::new(InitialState::strain((steel01(), 1), 0.013).unwrap()), 0.1),
+        ("concrete without tension", Arc::new(concrete01), 0.006),
+        ("concrete with tension", Arc::new(concrete02), 0.006),
         ("initial stress", Arc::new(InitialState::stress((steel01(), 1), -1.7).unwrap()), 0.1),
     ]
 }

@@ -1,7 +1,7 @@
 //! `zeroLength` and `truss`.
 
 use super::driver::{Alone, difference, path};
-use hysteron::element::{Mass, RayleighDamping, Truss, TrussOptions, ZeroLength};
+use hysteron::element::{BarOptions, Mass, RayleighDamping, Truss, ZeroLength};
 use hysteron::material::{BoucWen, Elastic, Material, Steel01};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use std::sync::Arc;
@@ -36,7 +36,7 @@ fn turned() -> Matrix3<f64> {
 fn spring_set(axes: Matrix3<f64>) -> Alone {
     let springs =
         vec![(smooth(), 1, 1), (elastic(80.0), 2, 2), (smooth(), 3, 3), (elastic(5.0), 4, 4), (smooth(), 5, 6)];
-    Alone::new(ZeroLength::new(springs, 3, 6, axes, vec![0.0; 6], RayleighDamping::None).unwrap())
+    Alone::new(ZeroLength::new(springs, 3, 6, axes, &[0.0; 6], RayleighDamping::None).unwrap())
 }
 
 #[test]
@@ -85,7 +85,7 @@ fn zero_length_is_objective() {
 fn zero_length_measures_from_where_it_was_made() {
     let made_at = vec![0.1, 0.0];
     let mut e = Alone::new(
-        ZeroLength::new(vec![(elastic(10.0), 1, 1)], 2, 2, Matrix3::identity(), made_at, RayleighDamping::None)
+        ZeroLength::new(vec![(elastic(10.0), 1, 1)], 2, 2, Matrix3::identity(), &made_at, RayleighDamping::None)
             .unwrap(),
     );
     assert!(e.force(&[0.0, 0.0, 0.1, 0.0]).iter().all(|f| f.abs() < 1e-12));
@@ -108,7 +108,7 @@ fn zero_length_needs_a_degree_of_freedom_in_each_direction() {
             ndm,
             ndf,
             Matrix3::identity(),
-            vec![0.0; ndf],
+            &vec![0.0; ndf],
             RayleighDamping::None,
         );
         assert_eq!(made.is_ok(), good, "direction {direction} with {ndf} in {ndm} dimensions");
@@ -116,8 +116,8 @@ fn zero_length_needs_a_degree_of_freedom_in_each_direction() {
 }
 
 fn bar(material: Material) -> Alone {
-    let options = TrussOptions { area: 0.5, rho: 2.0, consistent: false, rayleigh: false };
-    Alone::new(Truss::new(material, 1, &[3.0, 4.0, 0.0], 6, &[0.0; 6], &options).unwrap())
+    let options = BarOptions { area: 0.5, rho: 2.0, consistent: false, rayleigh: false };
+    Alone::new(Truss::new(material, 1, &[3.0, 4.0, 0.0], 6, &[0.0; 6], options).unwrap())
 }
 
 #[test]
@@ -161,7 +161,7 @@ fn truss_tangent_and_mass() {
             &[0.0, 0.0],
             2,
             &[0.0; 2],
-            &TrussOptions { area: 1.0, rho: 0.0, consistent: true, rayleigh: false }
+            BarOptions { area: 1.0, rho: 0.0, consistent: true, rayleigh: false }
         )
         .is_err()
     );

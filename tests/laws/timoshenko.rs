@@ -1,33 +1,33 @@
 //! The beam of Timoshenko. Its agreement with OpenSees is in `validation/opensees/timoshenko_*`.
 
 use super::driver::{Alone, difference};
-use hysteron::element::beam::{Bending, ElasticBeam, ElasticSection, Release, TimoshenkoBeam, TimoshenkoOptions};
+use hysteron::element::beam::{ElasticBeam, ElasticOptions, TimoshenkoBeam, TimoshenkoOptions};
 use hysteron::element::load::ElementLoad;
 use hysteron::element::transform::{Ends, Transform, TransformKind, TransformSpec};
 use hysteron::element::{Element, Mass};
+use hysteron::section::ElasticSection;
 use nalgebra::Vector3;
+use std::sync::Arc;
 
 const LINE: (Vector3<f64>, Vector3<f64>) = (Vector3::new(1.0, 2.0, 0.5), Vector3::new(4.0, 3.5, 2.5));
 const SECTION: ElasticSection =
     ElasticSection { e: 1000.0, area: 5.0, iz: 0.9, iy: 0.4, g: 300.0, j: 1.2, shear: (Some(4.0), Some(3.0)) };
 
-fn transform() -> Box<dyn Transform<12, 6>> {
+fn transform() -> Arc<dyn Transform<12, 6>> {
     let offsets = (Vector3::zeros(), Vector3::zeros());
     let spec = TransformSpec { kind: TransformKind::Linear, xz: Vector3::new(0.0, 0.3, 1.0), offsets };
     spec.space(&Ends { place: LINE, disp: &[0.0; 12] }).unwrap()
 }
 
 fn beam(options: TimoshenkoOptions) -> TimoshenkoBeam<12, 6> {
-    TimoshenkoBeam::space(transform().frame().clone(), &SECTION, options)
+    TimoshenkoBeam::new(transform().frame().clone(), SECTION, options)
 }
 
 /// Without axial effects it is the elastic beam-column with shear areas, under any load.
 #[test]
 fn linear_is_the_elastic_beam_with_shear() {
-    let bending = |i: f64, a: f64| Bending { ei: 1000.0 * i, gav: Some(300.0 * a), release: Release::None };
-    let (z, y) = (bending(0.9, 4.0), bending(0.4, 3.0));
     let mut a = Alone::new(beam(TimoshenkoOptions::default()));
-    let mut b = Alone::new(ElasticBeam::space(transform(), (5000.0, 360.0), (z, y), 0.0, None));
+    let mut b = Alone::new(ElasticBeam::new(transform(), SECTION, ElasticOptions::default()));
     let load = ElementLoad::Distributed { span: (0.2, 0.7), y: (3.0, 5.0), z: (-2.0, 1.0), x: (1.0, 4.0) };
     a.load = vec![0.0; a.element.load_len()];
     a.element.add_load(&load, 2.0, &mut a.load).unwrap();

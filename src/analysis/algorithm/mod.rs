@@ -1,5 +1,6 @@
 //! Solution algorithms: how the equations of a step are brought into balance.
 
+mod accelerated;
 mod bfgs;
 mod broyden;
 mod express_newton;
@@ -17,14 +18,15 @@ use super::prepared::TangentMix;
 use super::system::System;
 use std::fmt;
 
+pub use accelerated::Tangents;
 pub use bfgs::bfgs;
 pub use broyden::broyden;
 pub use express_newton::ExpressNewton;
-pub use krylov::KrylovNewton;
+pub use krylov::krylov_newton;
 pub use line_search::{LineSearch, NewtonLineSearch, SearchKind};
 pub use linear::Linear;
 pub use newton::{ModifiedNewton, Newton};
-pub use secant_newton::SecantNewton;
+pub use secant_newton::secant_newton;
 
 /// What an algorithm works on during a step.
 pub struct Iteration<'a, 'b> {

@@ -1,5 +1,6 @@
 //! Integrators: how a step advances, in a load factor or in time.
 
+mod alpha_os;
 mod arc_length;
 mod backward_euler;
 mod central_difference;
@@ -7,6 +8,7 @@ mod collocation;
 mod displacement_control;
 mod explicit_alpha;
 mod generalized_alpha;
+mod gimme_mck;
 mod hht;
 mod houbolt;
 mod load_control;
@@ -15,6 +17,7 @@ mod multistep;
 mod newmark;
 mod park_lms3;
 mod reference_load;
+mod restrained;
 mod trbdf2;
 mod trbdf3;
 
@@ -22,6 +25,7 @@ use super::failure::Failure;
 use super::system::System;
 use std::fmt;
 
+pub use alpha_os::AlphaOs;
 pub use arc_length::ArcLength;
 pub use backward_euler::backward_euler;
 pub use central_difference::CentralDifference;
@@ -29,12 +33,14 @@ pub use collocation::Collocation;
 pub use displacement_control::DisplacementControl;
 pub use explicit_alpha::ExplicitAlpha;
 pub use generalized_alpha::{AlphaParameters, GeneralizedAlpha};
+pub use gimme_mck::GimmeMck;
 pub use hht::Hht;
 pub use houbolt::houbolt;
 pub use load_control::LoadControl;
 pub use min_unbal_disp_norm::{MinUnbalDispNorm, Sense};
 pub use newmark::{Form, Newmark};
 pub use park_lms3::park_lms3;
+pub use restrained::{Restrained, Restraint};
 pub use trbdf2::trbdf2;
 pub use trbdf3::trbdf3;
 

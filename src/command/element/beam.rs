@@ -5,9 +5,10 @@ use crate::command::args::Args;
 use crate::command::{Tcl, ignore_option};
 use crate::element::Element;
 use crate::element::axes::AxesError;
-use crate::element::beam::{Bending, ElasticBeam, ElasticSection, Release};
+use crate::element::beam::{ElasticBeam, ElasticOptions, Release};
 use crate::element::transform;
 use crate::script::Exception;
+use crate::section::{ElasticSection, Resultant, SharedSection};
 use std::sync::Arc;
 
 pub(super) const ELASTIC: Kind = Kind {
@@ -26,12 +27,6 @@ pub(super) const MODIFIED: Kind = Kind {
 
 const OPTIONS: &[&str] = &["-mass", "-cMass", "-lMass", "-release", "-releasez", "-releasey"];
 
-struct Options {
-    rho: f64,
-    consistent: bool,
-    release: (Release, Release),
-}
-
 fn release(a: &mut Args<'_>) -> Result<Release, Exception> {
     Ok(match a.int("code of the release")? {
         0 => Release::None,
@@ -42,8 +37,8 @@ fn release(a: &mut Args<'_>) -> Result<Release, Exception> {
     })
 }
 
-fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Options, Exception> {
-    let mut o = Options { rho: 0.0, consistent: false, release: (Release::None, Release::None) };
+fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElasticOptions, Exception> {
+    let mut o = ElasticOptions::default();
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-mass" => o.rho = a.not_negative("mass per length")?,
@@ -73,10 +68,31 @@ pub(super) fn no_transform(a: &Args<'_>, transf: Place, nodes: Place, e: AxesErr
     }
 }
 
+/// An elastic section, or what a section is before anything has happened to it.
+pub(super) fn elastic_part(section: &SharedSection) -> ElasticSection {
+    section.elastic().unwrap_or_else(|| {
+        let resultants = section.resultants();
+        let n = resultants.len();
+        let mut k = vec![0.0; n * n];
+        section.initial_stiffness(&mut k);
+        let of = |wanted: Resultant| resultants.iter().position(|r| *r == wanted).map(|i| k[i * (n + 1)]);
+        let rigidity = |r| of(r).unwrap_or(0.0);
+        ElasticSection {
+            e: 1.0,
+            area: rigidity(Resultant::P),
+            iz: rigidity(Resultant::Mz),
+            iy: rigidity(Resultant::My),
+            g: 1.0,
+            j: rigidity(Resultant::T),
+            shear: (of(Resultant::Vy), of(Resultant::Vz)),
+        }
+    })
+}
+
 /// The section of the beam: by its tag, or number after number.
 fn section(interp: &Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSection, Exception> {
     match (ndm, numbers_ahead(a)) {
-        (_, 2) => Ok(a.of(&interp.host.definitions.sections)?.0),
+        (_, 2) => Ok(elastic_part(&a.of(&interp.host.definitions.sections)?.0)),
         (2, n) => {
             let (area, e) = (a.positive("cross-sectional area A")?, a.positive("elastic modulus E")?);
             let iz = a.positive("second moment of area Iz")?;
@@ -111,17 +127,11 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let place = a.last_span();
     let o = options(interp, a)?;
     let stand = transform::Ends { place: ends.place, disp: &ends.disp };
-    let gav = |area: Option<f64>| area.map(|a| s.g * a);
-    let z = Bending { ei: s.e * s.iz, gav: gav(s.shear.0), release: o.release.0 };
-    let ea = s.e * s.area;
+    let wrong = |e| no_transform(a, place, nodes, e);
     if ends.ndm == 2 {
-        let transform = spec.plane(&stand).map_err(|e| no_transform(a, place, nodes, e))?;
-        return Ok(Arc::new(ElasticBeam::plane(transform, ea, z, o.rho, o.consistent)));
+        return Ok(Arc::new(ElasticBeam::new(spec.plane(&stand).map_err(wrong)?, s, o)));
     }
-    let transform = spec.space(&stand).map_err(|e| no_transform(a, place, nodes, e))?;
-    let y = Bending { ei: s.e * s.iy, gav: gav(s.shear.1), release: o.release.1 };
-    let consistent = o.consistent.then_some(s.j / s.area);
-    Ok(Arc::new(ElasticBeam::space(transform, (ea, s.g * s.j), (z, y), o.rho, consistent)))
+    Ok(Arc::new(ElasticBeam::new(spec.space(&stand).map_err(wrong)?, s, o)))
 }
 
 fn make_modified(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
@@ -134,12 +144,12 @@ fn make_modified(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<
     let factors = [a.positive("factor K11")?, a.positive("factor K33")?, a.float("factor K44")?];
     let (spec, _) = a.of(&interp.host.definitions.transforms)?;
     let place = a.last_span();
-    let (mut rho, mut consistent) = (0.0, false);
+    let mut o = ElasticOptions::default();
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-rho" | "-RHO" | "-mass" => rho = a.not_negative("mass per length")?,
-            "-cMass" => consistent = true,
-            "-lMass" => consistent = false,
+            "-rho" | "-RHO" | "-mass" => o.rho = a.not_negative("mass per length")?,
+            "-cMass" => o.consistent = true,
+            "-lMass" => o.consistent = false,
             // Of use to thermal loads alone.
             "-alpha" | "-d" => drop(a.float("value")?),
             _ => ignore_option(interp, a, &["-rho", "-cMass", "-lMass", "-alpha", "-d"])?,
@@ -147,5 +157,6 @@ fn make_modified(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<
     }
     let stand = transform::Ends { place: ends.place, disp: &ends.disp };
     let transform = spec.plane(&stand).map_err(|e| no_transform(a, place, nodes, e))?;
-    Ok(Arc::new(ElasticBeam::modified(transform, (e * area, e * iz), factors, rho, consistent)))
+    let section = ElasticSection { e, area, iz, iy: 0.0, g: 0.0, j: 0.0, shear: (None, None) };
+    Ok(Arc::new(ElasticBeam::modified(transform, section, factors, o)))
 }

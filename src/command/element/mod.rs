@@ -8,12 +8,14 @@ mod multiple_shear_spring;
 mod multiple_springs;
 mod rubber_bearing;
 mod sliding;
+mod fiber_beam;
 mod timoshenko;
 mod triple;
 mod truss;
 mod two_node_link;
 mod yamamoto;
 mod zero_length;
+mod zero_length_section;
 
 use super::args::Args;
 use super::model::{need_model, node_of};
@@ -56,9 +58,16 @@ const KINDS: &[Kind] = &[
     multiple_normal_spring::MULTIPLE_NORMAL_SPRING,
     truss::TRUSS,
     truss::COROT_TRUSS,
+    truss::TRUSS_SECTION,
+    truss::COROT_TRUSS_SECTION,
     two_node_link::TWO_NODE_LINK,
     yamamoto::YAMAMOTO,
     zero_length::ZERO_LENGTH,
+    zero_length::COUPLED,
+    zero_length_section::ZERO_LENGTH_SECTION,
+    fiber_beam::DISPLACEMENT,
+    fiber_beam::FORCE,
+    fiber_beam::WITH_HINGES,
 ];
 
 /// How the kinds are used.

@@ -1,13 +1,14 @@
 //! `element ElasticTimoshenkoBeam`.
 
-use super::beam::{no_transform, numbers_ahead};
+use super::beam::{elastic_part, no_transform, numbers_ahead};
 use super::{Ends, Kind};
 use crate::command::args::Args;
 use crate::command::{Tcl, ignore_option};
 use crate::element::Element;
-use crate::element::beam::{ElasticSection, TimoshenkoBeam, TimoshenkoOptions};
+use crate::element::beam::{TimoshenkoBeam, TimoshenkoOptions};
 use crate::element::transform;
 use crate::script::Exception;
+use crate::section::ElasticSection;
 use nalgebra::Vector3;
 use std::sync::Arc;
 
@@ -21,7 +22,8 @@ pub(super) const TIMOSHENKO: Kind = Kind {
 /// The section of the beam: by its tag, or number after number.
 fn section(interp: &Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSection, Exception> {
     if numbers_ahead(a) == 2 {
-        let (mut s, tag) = a.of(&interp.host.definitions.sections)?;
+        let (section, tag) = a.of(&interp.host.definitions.sections)?;
+        let mut s = elastic_part(&section);
         if s.g == 0.0 {
             return Err(a.refuse(
                 format!("section {tag} has no shear modulus, which the beam needs"),
@@ -74,8 +76,8 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let stand = transform::Ends { place: ends.place, disp: &still };
     let wrong = |e| no_transform(a, place, nodes, e);
     Ok(if ends.ndm == 2 {
-        Arc::new(TimoshenkoBeam::plane(spec.plane(&stand).map_err(wrong)?.frame().clone(), &s, o))
+        Arc::new(TimoshenkoBeam::new(spec.plane(&stand).map_err(wrong)?.frame().clone(), s, o))
     } else {
-        Arc::new(TimoshenkoBeam::space(spec.space(&stand).map_err(wrong)?.frame().clone(), &s, o))
+        Arc::new(TimoshenkoBeam::new(spec.space(&stand).map_err(wrong)?.frame().clone(), s, o))
     })
 }

@@ -2,10 +2,11 @@
 
 use super::{Ends, Kind, refused};
 use crate::command::args::Args;
+use crate::command::transform::vector;
 use crate::command::{Tcl, ignore_option, warn};
 use crate::diagnostic::Diagnostic;
 use crate::element::axes::{self, Orientation};
-use crate::element::{Element, RayleighDamping, ZeroLength};
+use crate::element::{CoupledZeroLength, Element, RayleighDamping, ZeroLength};
 use crate::material::Material;
 use crate::script::Exception;
 use nalgebra::{Matrix3, Vector3};
@@ -16,6 +17,12 @@ pub(super) const ZERO_LENGTH: Kind = Kind {
     usage: "element zeroLength $tag $i $j -mat $mat1 ... -dir $dir1 ... <-doRayleigh <$flag>> \
             <-dampMats $mat1 ...> <-orient $x1 $x2 $x3 $yp1 $yp2 $yp3>",
     make,
+};
+
+pub(super) const COUPLED: Kind = Kind {
+    names: &["CoupledZeroLength", "coupledZeroLength", "ZeroLengthCoupled"],
+    usage: "element CoupledZeroLength $tag $i $j $dir1 $dir2 $mat <$doRayleigh>",
+    make: make_coupled,
 };
 
 const OPTIONS: &[&str] = &["-mat", "-dir", "-doRayleigh", "-dampMats", "-orient"];
@@ -48,8 +55,17 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
             "-dampMats" => damping = RayleighDamping::Materials(materials(interp, a)?),
             "-orient" => {
                 let place = a.last_span();
-                let Orientation { x, y } = super::orientation(a, 1)?;
-                let (x, y) = (x.unwrap_or(Vector3::x()), y.unwrap_or(Vector3::y()));
+                let (x, y) = if ends.ndm == 2 {
+                    // In the plane y is square to x, whatever else is given.
+                    let x = vector(a, 3, "local x axis")?;
+                    if a.at_number() {
+                        vector(a, 3, "vector in the local x-y plane")?;
+                    }
+                    (x, Vector3::new(-x.y, x.x, 0.0))
+                } else {
+                    let Orientation { x, y } = super::orientation(a, 1)?;
+                    (x.unwrap_or(Vector3::x()), y.unwrap_or(Vector3::y()))
+                };
                 axes = axes::from_x_and_y(x, y).map_err(|e| a.refuse_at(place, e.message(), ""))?;
             }
             _ => ignore_option(interp, a, OPTIONS)?,
@@ -73,6 +89,16 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     }
     let last = dirs.last().and_then(|d| d.1);
     let springs = mats.into_iter().zip(&dirs).map(|((m, tag), (d, _))| (m, tag, *d)).collect();
-    let element = ZeroLength::new(springs, ends.ndm, ends.ndf, axes, ends.initial(), damping);
+    let element = ZeroLength::new(springs, ends.ndm, ends.ndf, axes, &ends.initial(), damping);
     Ok(Arc::new(element.map_err(|e| refused(a, last, e))?))
+}
+
+fn make_coupled(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let directions = [a.dof("first direction", ends.ndf)?, a.dof("second direction", ends.ndf)?];
+    if directions[0] == directions[1] {
+        return Err(a.refuse("both directions are the same", "expected another direction"));
+    }
+    let material = a.of(&interp.host.definitions.materials)?;
+    let rayleigh = a.optional_int("flag")?.is_some_and(|flag| flag == 1);
+    Ok(Arc::new(CoupledZeroLength::new(material, directions, ends.ndf, &ends.initial(), rayleigh)))
 }

@@ -2,6 +2,7 @@
 
 mod bearing;
 mod bench;
+mod concrete;
 mod damper;
 mod elastic;
 mod hysteretic;
@@ -39,6 +40,7 @@ fn kinds() -> impl Iterator<Item = &'static Kind> {
     [
         elastic::KINDS,
         plastic::KINDS,
+        concrete::KINDS,
         hysteretic::KINDS,
         damper::KINDS,
         bearing::KINDS,

@@ -5,6 +5,8 @@ use crate::element::transform::{Frame, Reactions, Transform};
 use crate::element::{Answer, Element, ElementError, Mass, Motion, Nature, Snapshot, dot, frame_force_labels};
 use crate::numeric::axpy;
 use crate::probe::Probe;
+use crate::section::ElasticSection;
+use std::sync::Arc;
 
 /// Moment hinges at the ends of a beam.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -20,25 +22,6 @@ pub enum Release {
     Both,
 }
 
-/// An elastic cross-section; what the plane has no use for is zero.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ElasticSection {
-    /// Elastic modulus.
-    pub e: f64,
-    /// Area.
-    pub area: f64,
-    /// Second moment of area about z.
-    pub iz: f64,
-    /// Second moment of area about y.
-    pub iy: f64,
-    /// Shear modulus.
-    pub g: f64,
-    /// Torsion constant.
-    pub j: f64,
-    /// Shear areas along y and z; `None` for a section rigid in shear.
-    pub shear: (Option<f64>, Option<f64>),
-}
-
 /// Bending about one axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bending {
@@ -51,6 +34,15 @@ pub struct Bending {
 }
 
 impl Bending {
+    /// About z and about y.
+    pub(super) fn of(section: &ElasticSection, release: (Release, Release)) -> [Self; 2] {
+        let (y, z) = section.shear_rigidity();
+        [
+            Self { ei: section.e * section.iz, gav: y, release: release.0 },
+            Self { ei: section.e * section.iy, gav: z, release: release.1 },
+        ]
+    }
+
     /// Ratio of bending to shear stiffness φ = 12 EI / (G A_v L²) (Przemieniecki, 1968, section 5.6).
     pub(super) fn phi(&self, length: f64) -> f64 {
         self.gav.map_or(0.0, |g| 12.0 * self.ei / (g * length * length))
@@ -86,26 +78,55 @@ impl Bending {
     }
 }
 
+/// Stiffness of the basic system with `B` deformations of a beam of a length.
+pub(super) fn basic_stiffness<const B: usize>(
+    section: &ElasticSection,
+    bending: &[Bending; 2],
+    length: f64,
+) -> [[f64; B]; B] {
+    let mut kb = [[0.0; B]; B];
+    kb[0][0] = section.e * section.area / length;
+    for (at, bending) in [1, 3].into_iter().zip(bending).take(B / 3) {
+        for (row, k) in kb[at..at + 2].iter_mut().zip(bending.stiffness(length)) {
+            row[at..at + 2].copy_from_slice(&k);
+        }
+    }
+    if let Some(twist) = kb.get_mut(5) {
+        twist[5] = section.g * section.j / length;
+    }
+    kb
+}
+
+/// What an elastic beam has besides section and geometry.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ElasticOptions {
+    /// Hinges about z and about y.
+    pub release: (Release, Release),
+    /// Mass per length.
+    pub rho: f64,
+    /// Consistent instead of lumped mass.
+    pub consistent: bool,
+}
+
 /// An elastic beam-column with `N` degrees of freedom and `B` basic deformations.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct ElasticBeam<const N: usize, const B: usize> {
-    transform: Box<dyn Transform<N, B>>,
+    transform: Arc<dyn Transform<N, B>>,
+    section: ElasticSection,
+    options: ElasticOptions,
+    /// Factors of E I/L of a modified beam in the plane.
+    modified: Option<[f64; 3]>,
     /// Basic stiffness.
     kb: [[f64; B]; B],
     /// Bending about z and, in space, about y.
     bending: [Bending; 2],
-    /// Mass per length.
-    rho: f64,
-    /// Polar radius of gyration squared J/A, for a consistent mass; `None` for a lumped one.
-    consistent: Option<f64>,
-    class: &'static str,
     /// Global matrices, where they do not change with the displacements.
     constant: Option<Box<Constant<N>>>,
 }
 
 /// What is constant about an elastic beam under small displacements: worth keeping, since most elements of a building
 /// are such beams.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Constant<const N: usize> {
     stiffness: [[f64; N]; N],
     /// Geometric stiffness per unit of axial force; none without P-Delta.
@@ -132,65 +153,37 @@ impl<const N: usize> Constant<N> {
 }
 
 impl ElasticBeam<6, 3> {
-    /// In the plane: axial rigidity E A, bending, mass per length, lumped or consistent.
-    pub fn plane(transform: Box<dyn Transform<6, 3>>, ea: f64, z: Bending, rho: f64, consistent: bool) -> Self {
-        let length = transform.length();
-        let k = z.stiffness(length);
-        let kb = [[ea / length, 0.0, 0.0], [0.0, k[0][0], k[0][1]], [0.0, k[1][0], k[1][1]]];
-        Self::new("ElasticBeam2d", transform, kb, [z, z], rho, consistent.then_some(0.0))
-    }
-
-    /// In the plane, with the factors K11, K33 and K44 of E I/L for the stiffness of the end rotations i, j and of one
-    /// with the other, in place of 4, 4 and 2 (Zareian and Medina, 2010). Member loads act as on an unmodified beam.
+    /// With the factors K11, K33 and K44 of E I/L for the stiffness of the end rotations i, j and of one with the other,
+    /// in place of 4, 4 and 2 (Zareian and Medina, 2010). Member loads act as on an unmodified beam.
     pub fn modified(
-        transform: Box<dyn Transform<6, 3>>,
-        (ea, ei): (f64, f64),
-        [k11, k33, k44]: [f64; 3],
-        rho: f64,
-        consistent: bool,
+        transform: Arc<dyn Transform<6, 3>>,
+        section: ElasticSection,
+        factors: [f64; 3],
+        options: ElasticOptions,
     ) -> Self {
-        let k = ei / transform.length();
-        let kb = [[ea / transform.length(), 0.0, 0.0], [0.0, k11 * k, k44 * k], [0.0, k44 * k, k33 * k]];
-        let z = Bending { ei, gav: None, release: Release::None };
-        Self::new("ModElasticBeam2d", transform, kb, [z, z], rho, consistent.then_some(0.0))
-    }
-}
-
-impl ElasticBeam<12, 6> {
-    /// In space: axial rigidity E A, torsional rigidity G J, bending about z and y, mass per length; `consistent` has
-    /// J/A for a consistent mass.
-    pub fn space(
-        transform: Box<dyn Transform<12, 6>>,
-        (ea, gj): (f64, f64),
-        (z, y): (Bending, Bending),
-        rho: f64,
-        consistent: Option<f64>,
-    ) -> Self {
-        let length = transform.length();
-        let mut kb = [[0.0; 6]; 6];
-        kb[0][0] = ea / length;
-        kb[5][5] = gj / length;
-        for (at, bending) in [(1, z), (3, y)] {
-            let k = bending.stiffness(length);
-            for (row, k) in kb[at..at + 2].iter_mut().zip(k) {
-                row[at..at + 2].copy_from_slice(&k);
-            }
-        }
-        Self::new("ElasticBeam3d", transform, kb, [z, y], rho, consistent)
+        Self { modified: Some(factors), ..Self::new(transform, section, options) }.rebuilt()
     }
 }
 
 impl<const N: usize, const B: usize> ElasticBeam<N, B> {
-    fn new(
-        class: &'static str,
-        transform: Box<dyn Transform<N, B>>,
-        kb: [[f64; B]; B],
-        bending: [Bending; 2],
-        rho: f64,
-        consistent: Option<f64>,
-    ) -> Self {
-        let constant = Constant::of(transform.as_ref(), &kb);
-        Self { transform, kb, bending, rho, consistent, class, constant }
+    /// From its geometry and its section.
+    pub fn new(transform: Arc<dyn Transform<N, B>>, section: ElasticSection, options: ElasticOptions) -> Self {
+        let bending = Bending::of(&section, options.release);
+        Self { transform, section, options, modified: None, kb: [[0.0; B]; B], bending, constant: None }.rebuilt()
+    }
+
+    /// With the matrices that go with its numbers.
+    fn rebuilt(mut self) -> Self {
+        let length = self.transform.length();
+        self.bending = Bending::of(&self.section, self.options.release);
+        self.kb = basic_stiffness(&self.section, &self.bending, length);
+        if let Some([k11, k33, k44]) = self.modified {
+            let k = self.bending[0].ei / length;
+            self.kb[1][1..3].copy_from_slice(&[k11 * k, k44 * k]);
+            self.kb[2][1..3].copy_from_slice(&[k44 * k, k33 * k]);
+        }
+        self.constant = Constant::of(self.transform.as_ref(), &self.kb);
+        self
     }
 
     /// Force and tangent from the constant matrices.
@@ -243,41 +236,74 @@ impl<const N: usize, const B: usize> ElasticBeam<N, B> {
         p0.copy_from_slice(&load[B..]);
         p0
     }
+}
 
-    /// Local consistent mass matrix (Przemieniecki, 1968, section 11.4, rigid in shear).
-    fn consistent_mass(&self, gyration: f64) -> [[f64; N]; N] {
-        let l = self.transform.length();
-        let m = self.rho * l / 420.0;
-        let mut out = [[0.0; N]; N];
-        let mut pair = |i: usize, j: usize, x: f64| {
-            out[i][j] = m * x;
-            out[j][i] = m * x;
-        };
-        let half = N / 2;
-        for (at, factor) in [(0, 1.0), (3, gyration)] {
-            // Axial, and in space torsion.
-            if at == 0 || N == 12 {
-                pair(at, at, 140.0 * factor);
-                pair(at + half, at + half, 140.0 * factor);
-                pair(at, at + half, 70.0 * factor);
-            }
+/// Local consistent mass matrix (Przemieniecki, 1968, section 11.4, rigid in shear) of a beam with a mass per
+/// length and a polar radius of gyration squared.
+pub(super) fn consistent_mass<const N: usize>(l: f64, rho: f64, gyration: f64) -> [[f64; N]; N] {
+    let m = rho * l / 420.0;
+    let mut out = [[0.0; N]; N];
+    let mut pair = |i: usize, j: usize, x: f64| {
+        out[i][j] = m * x;
+        out[j][i] = m * x;
+    };
+    let half = N / 2;
+    for (at, factor) in [(0, 1.0), (3, gyration)] {
+        // Axial, and in space torsion.
+        if at == 0 || N == 12 {
+            pair(at, at, 140.0 * factor);
+            pair(at + half, at + half, 140.0 * factor);
+            pair(at, at + half, 70.0 * factor);
         }
-        // Deflection, rotation, and the sign with which they go together.
-        let planes: &[(usize, usize, f64)] = if N == 6 { &[(1, 2, 1.0)] } else { &[(1, 5, 1.0), (2, 4, -1.0)] };
-        for &(v, r, s) in planes {
-            let (v2, r2) = (v + half, r + half);
-            pair(v, v, 156.0);
-            pair(v2, v2, 156.0);
-            pair(v, v2, 54.0);
-            pair(r, r, 4.0 * l * l);
-            pair(r2, r2, 4.0 * l * l);
-            pair(r, r2, -3.0 * l * l);
-            pair(v, r, s * 22.0 * l);
-            pair(v2, r2, -s * 22.0 * l);
-            pair(v, r2, -s * 13.0 * l);
-            pair(v2, r, s * 13.0 * l);
-        }
-        out
+    }
+    // Deflection, rotation, and the sign with which they go together.
+    let planes: &[(usize, usize, f64)] = if N == 6 { &[(1, 2, 1.0)] } else { &[(1, 5, 1.0), (2, 4, -1.0)] };
+    for &(v, r, s) in planes {
+        let (v2, r2) = (v + half, r + half);
+        pair(v, v, 156.0);
+        pair(v2, v2, 156.0);
+        pair(v, v2, 54.0);
+        pair(r, r, 4.0 * l * l);
+        pair(r2, r2, 4.0 * l * l);
+        pair(r, r2, -3.0 * l * l);
+        pair(v, r, s * 22.0 * l);
+        pair(v2, r2, -s * 22.0 * l);
+        pair(v, r2, -s * 13.0 * l);
+        pair(v2, r, s * 13.0 * l);
+    }
+    out
+}
+
+/// Diagonal of the lumped mass of a beam: half at each end, translations only.
+pub(super) fn lumped_mass<const N: usize>(total: f64) -> Vec<f64> {
+    let mut m = vec![0.0; N];
+    for node in m.chunks_exact_mut(N / 2) {
+        node[..if N == 6 { 2 } else { 3 }].fill(0.5 * total);
+    }
+    m
+}
+
+/// Add a load, multiplied by a factor, to the load words of a clamped beam: its basic forces, and the reactions of the
+/// simple beam.
+pub(super) fn add_clamped_load<const B: usize>(
+    load: &ElementLoad,
+    factor: f64,
+    bending: &[Bending; 2],
+    length: f64,
+    words: &mut [f64],
+) {
+    let (y, z, (axial, axial_j)) = load.end_actions(length);
+    let (q0, p0) = words.split_at_mut(B);
+    q0[0] -= factor * axial_j;
+    p0[0] -= factor * axial;
+    // A load along z bends about y, with the opposite sign.
+    let planes = [(&y, &bending[0], 1, 1.0), (&z, &bending[1], 3, -1.0)];
+    for (actions, bending, at, sign) in planes.into_iter().take(B / 3) {
+        let (i, j) = bending.end_moments(actions, length);
+        q0[at] += sign * factor * i;
+        q0[at + 1] += sign * factor * j;
+        p0[at] -= factor * actions.shear.0;
+        p0[at + 1] -= factor * actions.shear.1;
     }
 }
 
@@ -288,7 +314,11 @@ const STIFFNESS: u32 = 19;
 
 impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
     fn class(&self) -> &'static str {
-        self.class
+        match (N, self.modified) {
+            (6, None) => "ElasticBeam2d",
+            (6, _) => "ModElasticBeam2d",
+            _ => "ElasticBeam3d",
+        }
     }
     fn dofs(&self) -> usize {
         N
@@ -328,22 +358,33 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
     }
 
     fn ground_inertia_slip(&self) -> Option<f64> {
-        (self.rho != 0.0).then_some(if N == 6 { 2.0 } else { 1.0 })
+        (self.options.rho != 0.0).then_some(if N == 6 { 2.0 } else { 1.0 })
     }
 
     fn mass(&self) -> Mass {
-        if self.rho == 0.0 {
+        if self.options.rho == 0.0 {
             return Mass::None;
         }
-        if let Some(gyration) = self.consistent {
-            return Mass::Consistent(self.frame().global_of_local(&self.consistent_mass(gyration)));
+        let length = self.transform.length();
+        if self.options.consistent {
+            let gyration = self.section.j / self.section.area;
+            let local = consistent_mass::<N>(length, self.options.rho, gyration);
+            return Mass::Consistent(self.frame().global_of_local(&local));
         }
-        let mut m = vec![0.0; N];
-        let half = N / 2;
-        for node in 0..2 {
-            m[node * half..node * half + if N == 6 { 2 } else { 3 }].fill(0.5 * self.rho * self.transform.length());
-        }
-        Mass::Lumped(m)
+        Mass::Lumped(lumped_mass::<N>(self.options.rho * length))
+    }
+
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
+        let mut new = self.clone();
+        let place = match (*words.first()?, &mut new.modified) {
+            ("rho", _) => &mut new.options.rho,
+            ("K11", Some(k)) => &mut k[0],
+            ("K33", Some(k)) => &mut k[1],
+            ("K44", Some(k)) => &mut k[2],
+            (name, _) => new.section.parameter(name)?,
+        };
+        let old = std::mem::replace(place, value);
+        Some((Arc::new(new.rebuilt()), old))
     }
 
     fn load_len(&self) -> usize {
@@ -351,20 +392,7 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
     }
 
     fn add_load(&self, load: &ElementLoad, factor: f64, words: &mut [f64]) -> Result<(), ElementError> {
-        let length = self.transform.length();
-        let (y, z, (axial, axial_j)) = load.end_actions(length);
-        let (q0, p0) = words.split_at_mut(B);
-        q0[0] -= factor * axial_j;
-        p0[0] -= factor * axial;
-        // A load along z bends about y, with the opposite sign.
-        let planes = [(&y, &self.bending[0], 1, 1.0), (&z, &self.bending[1], 3, -1.0)];
-        for (actions, bending, at, sign) in planes.into_iter().take(if N == 6 { 1 } else { 2 }) {
-            let (i, j) = bending.end_moments(actions, length);
-            q0[at] += sign * factor * i;
-            q0[at + 1] += sign * factor * j;
-            p0[at] -= factor * actions.shear.0;
-            p0[at + 1] -= factor * actions.shear.1;
-        }
+        add_clamped_load::<B>(load, factor, &self.bending, self.transform.length(), words);
         Ok(())
     }
 
@@ -409,5 +437,5 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
     }
 }
 
-const BASIC_FORCES: [&str; 6] = ["N", "Mz_1", "Mz_2", "My_1", "My_2", "T"];
-const BASIC_DEFORMATIONS: [&str; 6] = ["eps", "thetaZ_1", "thetaZ_2", "thetaY_1", "thetaY_2", "thetaX"];
+pub(super) const BASIC_FORCES: [&str; 6] = ["N", "Mz_1", "Mz_2", "My_1", "My_2", "T"];
+pub(super) const BASIC_DEFORMATIONS: [&str; 6] = ["eps", "thetaZ_1", "thetaZ_2", "thetaY_1", "thetaY_2", "thetaX"];

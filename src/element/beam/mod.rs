@@ -1,7 +1,15 @@
 //! Beam-columns.
 
+mod displacement_based;
 mod elastic;
+mod force_based;
+mod integration;
+mod member;
 mod timoshenko;
 
-pub use elastic::{Bending, ElasticBeam, ElasticSection, Release};
+pub use displacement_based::DisplacementBased;
+pub use elastic::{Bending, ElasticBeam, ElasticOptions, Release};
+pub use force_based::ForceBased;
+pub use integration::{Hinge, Points, Rule};
+pub use member::{Basic, FiberBeam, Formulation, Member};
 pub use timoshenko::{TimoshenkoBeam, TimoshenkoOptions};

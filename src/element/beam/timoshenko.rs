@@ -1,20 +1,24 @@
 //! The elastic beam of Timoshenko: `ElasticTimoshenkoBeam`.
 
-use super::{Bending, ElasticSection, Release};
+use super::elastic::{basic_stiffness, lumped_mass};
+use super::{Bending, Release};
 use crate::element::transform::{Frame, Reactions};
 use crate::element::{
     Answer, Element, ElementError, ElementLoad, Mass, Motion, Nature, Snapshot, dot, frame_force_labels,
 };
 use crate::numeric::axpy;
 use crate::probe::Probe;
+use crate::section::ElasticSection;
+use std::sync::Arc;
 
 /// An elastic beam with shear deformations under small displacements, with `N` degrees of freedom and `B` basic
 /// deformations. Stiffness, consistent mass and geometric stiffness come of the same interpolation, that of the beam
 /// of Timoshenko under end forces (Friedman and Kosmatka, 1993).
 #[derive(Debug)]
 pub struct TimoshenkoBeam<const N: usize, const B: usize> {
-    class: &'static str,
     frame: Frame<N, B>,
+    section: ElasticSection,
+    options: TimoshenkoOptions,
     bending: [Bending; 2],
     /// Basic stiffness.
     kb: [[f64; B]; B],
@@ -51,48 +55,11 @@ struct PlaneTerms {
     vr: [f64; 2],
 }
 
-impl TimoshenkoBeam<6, 3> {
-    /// In the plane.
-    pub fn plane(frame: Frame<6, 3>, section: &ElasticSection, options: TimoshenkoOptions) -> Self {
-        let z = bending(section.e * section.iz, section.g, section.shear.0);
-        let l = frame.length;
-        let k = z.stiffness(l);
-        let kb = [[section.e * section.area / l, 0.0, 0.0], [0.0, k[0][0], k[0][1]], [0.0, k[1][0], k[1][1]]];
-        Self::new("ElasticTimoshenkoBeam2d", frame, [z, z], kb, section, options)
-    }
-}
-
-impl TimoshenkoBeam<12, 6> {
-    /// In space.
-    pub fn space(frame: Frame<12, 6>, section: &ElasticSection, options: TimoshenkoOptions) -> Self {
-        let z = bending(section.e * section.iz, section.g, section.shear.0);
-        let y = bending(section.e * section.iy, section.g, section.shear.1);
-        let l = frame.length;
-        let mut kb = [[0.0; 6]; 6];
-        kb[0][0] = section.e * section.area / l;
-        kb[5][5] = section.g * section.j / l;
-        for (at, bending) in [(1, z), (3, y)] {
-            for (row, k) in kb[at..at + 2].iter_mut().zip(bending.stiffness(l)) {
-                row[at..at + 2].copy_from_slice(&k);
-            }
-        }
-        Self::new("ElasticTimoshenkoBeam3d", frame, [z, y], kb, section, options)
-    }
-}
-
-fn bending(ei: f64, g: f64, shear_area: Option<f64>) -> Bending {
-    Bending { ei, gav: shear_area.map(|a| g * a), release: Release::None }
-}
-
 impl<const N: usize, const B: usize> TimoshenkoBeam<N, B> {
-    fn new(
-        class: &'static str,
-        frame: Frame<N, B>,
-        bending: [Bending; 2],
-        kb: [[f64; B]; B],
-        section: &ElasticSection,
-        options: TimoshenkoOptions,
-    ) -> Self {
+    /// From its geometry and its section.
+    pub fn new(frame: Frame<N, B>, section: ElasticSection, options: TimoshenkoOptions) -> Self {
+        let bending = Bending::of(&section, (Release::None, Release::None));
+        let kb = basic_stiffness(&section, &bending, frame.length);
         let mut stiffness = vec![0.0; N * N];
         frame.add_basic_stiffness(&kb, &mut stiffness);
         let geometric = options.geometric.then(|| {
@@ -102,15 +69,11 @@ impl<const N: usize, const B: usize> TimoshenkoBeam<N, B> {
         let mass = if options.rho == 0.0 {
             Mass::None
         } else if options.consistent {
-            Mass::Consistent(frame.global_of_local(&consistent_mass(frame.length, &bending, section, options.rho)))
+            Mass::Consistent(frame.global_of_local(&consistent_mass(frame.length, &bending, &section, options.rho)))
         } else {
-            let mut m = vec![0.0; N];
-            for node in m.chunks_exact_mut(N / 2) {
-                node[..if N == 6 { 2 } else { 3 }].fill(0.5 * options.rho * frame.length);
-            }
-            Mass::Lumped(m)
+            Mass::Lumped(lumped_mass::<N>(options.rho * frame.length))
         };
-        Self { class, frame, bending, kb, stiffness, geometric, mass }
+        Self { frame, section, options, bending, kb, stiffness, geometric, mass }
     }
 
     fn basic_force(&self, disp: &[f64]) -> [f64; B] {
@@ -197,7 +160,7 @@ const LOCAL_FORCE: u32 = 3;
 
 impl<const N: usize, const B: usize> Element for TimoshenkoBeam<N, B> {
     fn class(&self) -> &'static str {
-        self.class
+        if N == 6 { "ElasticTimoshenkoBeam2d" } else { "ElasticTimoshenkoBeam3d" }
     }
     fn dofs(&self) -> usize {
         N
@@ -243,6 +206,12 @@ impl<const N: usize, const B: usize> Element for TimoshenkoBeam<N, B> {
 
     fn ground_inertia_slip(&self) -> Option<f64> {
         (self.mass != Mass::None).then_some(2.0)
+    }
+
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
+        let mut section = self.section;
+        let old = std::mem::replace(section.parameter(words.first()?)?, value);
+        Some((Arc::new(Self::new(self.frame.clone(), section, self.options)), old))
     }
 
     /// Local end forces of the clamped beam.

@@ -67,13 +67,9 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
         self.materials.iter().for_each(|m| m.init(state));
     }
     fn nature(&self) -> Nature {
-        Nature {
-            linear: false,
-            symmetric: false,
-            viscous: self.law.dashpot() != 0.0 || self.materials.iter().any(|m| m.material.is_viscous()),
-            elapses: self.materials.iter().any(|m| m.material.depends_on_time()),
-            rayleigh: self.rayleigh,
-        }
+        let materials = Nature::of(self.materials.iter());
+        let viscous = materials.viscous || self.law.dashpot() != 0.0;
+        Nature { linear: false, symmetric: false, viscous, rayleigh: self.rayleigh, ..materials }
     }
 
     fn respond(

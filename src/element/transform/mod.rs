@@ -13,6 +13,7 @@ use crate::element::ElementError;
 use crate::element::axes::AxesError;
 use nalgebra::Vector3;
 use std::fmt;
+use std::sync::Arc;
 
 pub use corotational_2d::Corotational2d;
 pub use corotational_3d::Corotational3d;
@@ -92,12 +93,12 @@ impl TransformSpec {
     ///
     /// # Errors
     /// No length between the ends.
-    pub fn plane(&self, ends: &Ends<'_>) -> Result<Box<dyn Transform<6, 3>>, AxesError> {
+    pub fn plane(&self, ends: &Ends<'_>) -> Result<Arc<dyn Transform<6, 3>>, AxesError> {
         let frame = Frame::plane(ends, &self.offsets)?;
         Ok(match self.kind {
-            TransformKind::Linear => Box::new(Linear(frame)),
-            TransformKind::PDelta => Box::new(PDelta(frame)),
-            TransformKind::Corotational => Box::new(Corotational2d(frame)),
+            TransformKind::Linear => Arc::new(Linear(frame)),
+            TransformKind::PDelta => Arc::new(PDelta(frame)),
+            TransformKind::Corotational => Arc::new(Corotational2d(frame)),
         })
     }
 
@@ -105,12 +106,12 @@ impl TransformSpec {
     ///
     /// # Errors
     /// No length between the ends, or a vector `xz` along the beam.
-    pub fn space(&self, ends: &Ends<'_>) -> Result<Box<dyn Transform<12, 6>>, AxesError> {
+    pub fn space(&self, ends: &Ends<'_>) -> Result<Arc<dyn Transform<12, 6>>, AxesError> {
         let frame = Frame::space(ends, &self.offsets, self.xz)?;
         Ok(match self.kind {
-            TransformKind::Linear => Box::new(Linear(frame)),
-            TransformKind::PDelta => Box::new(PDelta(frame)),
-            TransformKind::Corotational => Box::new(Corotational3d::new(frame, self.offsets)),
+            TransformKind::Linear => Arc::new(Linear(frame)),
+            TransformKind::PDelta => Arc::new(PDelta(frame)),
+            TransformKind::Corotational => Arc::new(Corotational3d::new(frame, self.offsets)),
         })
     }
 }

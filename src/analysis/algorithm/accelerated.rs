@@ -1,0 +1,102 @@
+//! What the accelerated methods share: modified Newton whose corrections are bettered by what the last ones have told, with
+//! a new tangent now and then.
+
+use super::{Algorithm, Iteration};
+use crate::analysis::failure::Failure;
+use crate::analysis::prepared::TangentMix;
+use crate::analysis::system::System;
+use crate::solve::Use;
+use std::fmt;
+
+/// How corrections are accelerated.
+pub(super) trait Accelerator: fmt::Debug + Send {
+    /// Name in the `algorithm` command.
+    fn name(&self) -> &'static str;
+    /// Make room for `n` equations and as many corrections with one tangent as are wanted; how many there is room for.
+    fn prepare(&mut self, n: usize, wanted: usize) -> usize;
+    /// Better the k-th correction since the tangent, `x`, which the residual called for.
+    fn accelerate(&mut self, k: usize, x: &mut [f64], residual: &[f64]);
+    /// Whether the test of a transient analysis sees the correction as it was before it was accelerated.
+    fn hides_from_test(&self) -> bool {
+        false
+    }
+}
+
+/// An accelerated Newton method.
+#[derive(Debug)]
+pub(super) struct Accelerated<A> {
+    accelerator: A,
+    tangents: Tangents,
+    /// Corrections with one tangent, besides the first, that there is room for.
+    period: usize,
+    /// A correction before it is accelerated.
+    plain: Vec<f64>,
+    factored: bool,
+}
+
+/// The tangents of an accelerated method.
+#[derive(Clone, Copy, Debug)]
+pub struct Tangents {
+    /// Of the first iteration of a step.
+    pub increment: TangentMix,
+    /// After `period` more corrections; `None` keeps the one there is.
+    pub iterate: Option<TangentMix>,
+    /// Corrections with one tangent, besides the first.
+    pub period: usize,
+    /// The first tangent serves all steps.
+    pub once: bool,
+}
+
+impl<A: Accelerator> Accelerated<A> {
+    pub(super) fn new(accelerator: A, tangents: Tangents) -> Self {
+        Self { accelerator, tangents, period: tangents.period, plain: vec![], factored: false }
+    }
+}
+
+impl<A: Accelerator> Algorithm for Accelerated<A> {
+    fn name(&self) -> &'static str {
+        self.accelerator.name()
+    }
+
+    fn prepare(&mut self, s: &System<'_>) {
+        let n = s.work.b.len();
+        self.plain.resize(n, 0.0);
+        self.period = self.accelerator.prepare(n, self.tangents.period);
+        self.factored = false;
+    }
+
+    fn solve(&mut self, it: &mut Iteration<'_, '_>) -> Result<usize, Failure> {
+        let Tangents { increment, iterate, once, .. } = self.tangents;
+        it.system.form_unbalance(increment.current != 0.0 && !self.factored)?;
+        if !self.factored {
+            it.system.form_tangent(increment, Use::Often)?;
+        }
+        self.factored = false;
+        it.start_test();
+        let hides = self.accelerator.hides_from_test() && !it.integrator.is_static();
+        let mut k = 0;
+        loop {
+            it.system.solve()?;
+            let work = &mut *it.system.work;
+            self.plain.copy_from_slice(&work.x);
+            self.accelerator.accelerate(k, &mut work.x, &work.b);
+            it.update()?;
+            if hides {
+                it.system.work.x.copy_from_slice(&self.plain);
+            }
+            let full = k + 1 > self.period;
+            it.system.form_unbalance(full && iterate.is_some_and(|m| m.current != 0.0))?;
+            if let Some(n) = it.judge()? {
+                self.factored = once;
+                return Ok(n);
+            }
+            k += 1;
+            if full {
+                k = 0;
+                if let Some(mix) = iterate {
+                    it.system.form_tangent(mix, Use::Often)?;
+                }
+            }
+        }
+    }
+}

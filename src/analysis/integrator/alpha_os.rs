@@ -1,0 +1,91 @@
+//! The operator-splitting methods.
+
+use super::central_difference::only_once;
+use super::{AlphaParameters, Integrator};
+use crate::analysis::failure::Failure;
+use crate::analysis::system::{Coefficients, System};
+
+/// `integrator AlphaOS` and `AlphaOSGeneralized` (Combescure and Pegon, 1997): the elements are asked at a predicted
+/// displacement, and a linear stiffness corrects it once; inertia, stiffness and damping count at fractions of the step.
+///
+/// As in OpenSees the elements stay at the predicted displacement unless they are told of the corrected one.
+#[derive(Clone, Debug)]
+pub struct AlphaOs {
+    name: &'static str,
+    p: AlphaParameters,
+    /// Elements see the corrected displacements.
+    update_elements: bool,
+    c: Coefficients,
+    dt: f64,
+    corrections: u32,
+    /// Displacements predicted for the end of the step, and of the last step.
+    disp: Vec<f64>,
+    last: Vec<f64>,
+    /// Velocities predicted for the end of the step.
+    vel: Vec<f64>,
+}
+
+impl AlphaOs {
+    /// From its parameters.
+    pub fn new(name: &'static str, p: AlphaParameters, update_elements: bool) -> Self {
+        let c = Coefficients::default();
+        Self { name, p, update_elements, c, dt: 0.0, corrections: 0, disp: vec![], last: vec![], vel: vec![] }
+    }
+}
+
+impl Integrator for AlphaOs {
+    fn name(&self) -> &'static str {
+        self.name
+    }
+    fn is_static(&self) -> bool {
+        false
+    }
+    fn balances(&self) -> bool {
+        false
+    }
+
+    fn prepare(&mut self, s: &mut System<'_>) -> Result<(), Failure> {
+        let n = s.old.disp.len();
+        self.disp.resize(n, 0.0);
+        self.vel.resize(n, 0.0);
+        self.last.clone_from(&s.old.disp);
+        Ok(())
+    }
+
+    fn begin(&mut self, s: &mut System<'_>, dt: f64) -> Result<(), Failure> {
+        let AlphaParameters { inertia, force, beta, gamma } = self.p;
+        (self.dt, self.corrections) = (dt, 0);
+        self.c = Coefficients { k: 1.0, c: gamma / (beta * dt), m: 1.0 / (beta * dt * dt) };
+        s.coefficients = Coefficients { k: force * self.c.k, c: force * self.c.c, m: inertia * self.c.m };
+        s.moved = true;
+        let (old, new, held) = (s.old, &mut *s.new, &s.work.plan.map.held);
+        self.disp.copy_from_slice(&old.disp);
+        self.vel.copy_from_slice(&old.vel);
+        for i in (0..held.len()).filter(|&i| !held[i]) {
+            let (u, v, a) = (old.disp[i], old.vel[i], old.accel[i]);
+            self.disp[i] = u + dt * v + dt * dt * (0.5 - beta) * a;
+            self.vel[i] = v + dt * (1.0 - gamma) * a;
+            new.disp[i] = (1.0 - force) * self.last[i] + force * self.disp[i];
+            new.vel[i] = (1.0 - force) * v + force * self.vel[i];
+            new.accel[i] = (1.0 - inertia) * a;
+        }
+        s.apply_loads(s.old.time + force * dt)
+    }
+
+    fn update(&mut self, s: &mut System<'_>, correction: &mut [f64]) -> Result<(), Failure> {
+        only_once(self.name, &mut self.corrections, s)?;
+        let (new, held) = (&mut *s.new, &s.work.plan.map.held);
+        new.disp.copy_from_slice(&self.disp);
+        new.vel.copy_from_slice(&self.vel);
+        (0..held.len()).filter(|&i| !held[i]).for_each(|i| new.accel[i] = 0.0);
+        s.spread(correction);
+        s.add_motion(self.c);
+        s.moved = self.update_elements;
+        s.apply_loads(s.old.time + self.dt)
+    }
+
+    fn commit(&mut self, _: &mut System<'_>, _: usize) -> Result<(), Failure> {
+        self.last.copy_from_slice(&self.disp);
+        Ok(())
+    }
+}

@@ -1,0 +1,120 @@
+//! What axial bars have in common: material, mass and responses.
+
+use super::{Mass, Nature, Snapshot};
+use crate::material::Slot;
+use crate::probe::Probe;
+
+/// An axial bar, whatever its kinematics.
+#[derive(Clone, Debug)]
+pub(super) struct Bar {
+    pub(super) slot: Slot,
+    pub(super) options: BarOptions,
+    /// Undeformed length.
+    pub(super) length: f64,
+    /// Translations of a node.
+    pub(super) ndm: usize,
+    /// Degrees of freedom of a node.
+    pub(super) per_node: usize,
+}
+
+/// Constants of a bar.
+#[derive(Clone, Debug)]
+pub struct BarOptions {
+    /// Cross-sectional area.
+    pub area: f64,
+    /// Mass per length.
+    pub rho: f64,
+    /// Consistent instead of lumped mass.
+    pub consistent: bool,
+    /// Take part in the Rayleigh damping of the model.
+    pub rayleigh: bool,
+}
+
+const AXIAL_FORCE: u32 = 2;
+const DEFORMATION: u32 = 3;
+const STIFFNESS: u32 = 4;
+const MATERIAL: u32 = 5;
+const LOCAL_FORCE: u32 = 6;
+
+impl Bar {
+    pub(super) fn dofs(&self) -> usize {
+        2 * self.per_node
+    }
+
+    pub(super) fn nature(&self) -> Nature {
+        Nature { rayleigh: self.options.rayleigh, ..Nature::of(std::iter::once(&self.slot)) }
+    }
+
+    pub(super) fn mass(&self) -> Mass {
+        let (n, total) = (self.dofs(), self.options.rho * self.length);
+        if total == 0.0 {
+            return Mass::None;
+        }
+        let ends = (0..self.ndm).map(|i| (i, self.per_node + i));
+        if !self.options.consistent {
+            let mut m = vec![0.0; n];
+            for i in ends.flat_map(|(i, j)| [i, j]) {
+                m[i] = 0.5 * total;
+            }
+            return Mass::Lumped(m);
+        }
+        let mut m = vec![0.0; n * n];
+        for (i, j) in ends {
+            m[i * n + i] = total / 3.0;
+            m[j * n + j] = total / 3.0;
+            m[i * n + j] = total / 6.0;
+            m[j * n + i] = total / 6.0;
+        }
+        Mass::Consistent(m)
+    }
+
+    fn force(&self, state: &[f64]) -> f64 {
+        self.options.area * self.slot.stress(state)
+    }
+
+    /// Give a parameter of the bar or of its material another value; the one it had.
+    pub(super) fn set_parameter(&mut self, words: &[&str], value: f64) -> Option<f64> {
+        let place = match *words.first()? {
+            "A" => &mut self.options.area,
+            "rho" => &mut self.options.rho,
+            "material" => return self.slot.set_parameter(&words[1..], value),
+            _ => return self.slot.set_parameter(words, value),
+        };
+        Some(std::mem::replace(place, value))
+    }
+
+    pub(super) fn probe(&self, words: &[&str]) -> Option<Probe> {
+        Some(match *words.first()? {
+            "axialForce" | "basicForce" | "basicForces" => Probe::new(AXIAL_FORCE, ["N"]),
+            "localForce" | "localForces" => Probe::new(LOCAL_FORCE, (1..=self.dofs()).map(|i| format!("P{i}"))),
+            "defo" | "deformation" | "deformations" | "basicDefo" | "basicDeformation" | "basicDeformations" => {
+                Probe::new(DEFORMATION, ["U"])
+            }
+            "basicStiffness" => Probe::new(STIFFNESS, ["K"]),
+            "material" | "-material" => {
+                // `material stress` as well as `material 1 stress`.
+                let rest = &words[1..];
+                let rest = if rest.first().is_some_and(|w| w.parse::<i32>().is_ok()) { &rest[1..] } else { rest };
+                return Some(self.slot.probe(rest)?.inside(&[MATERIAL]));
+            }
+            _ => return self.slot.probe(words).map(|p| p.inside(&[MATERIAL])),
+        })
+    }
+
+    pub(super) fn probe_names(&self) -> &'static [&'static str] {
+        &["axialForce", "basicForce", "localForce", "deformation", "basicDeformation", "material"]
+    }
+
+    pub(super) fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
+        match path[0] {
+            AXIAL_FORCE => out[0] = self.force(s.state),
+            LOCAL_FORCE => {
+                out[0] = -self.force(s.state);
+                out[self.per_node] = self.force(s.state);
+            }
+            DEFORMATION => out[0] = self.length * self.slot.strain(s.state),
+            STIFFNESS => out[0] = self.options.area / self.length * self.slot.tangent(s.state),
+            _ => self.slot.read(&path[1..], s.state, out),
+        }
+    }
+}

@@ -1,0 +1,284 @@
+//! The force-based beam: `forceBeamColumn`.
+
+use super::member::{Basic, Formulation, Member, bending_at, set};
+use crate::element::load::ElementLoad;
+use crate::element::transform::Reactions;
+use crate::element::{ElementError, Motion};
+use crate::material::MaterialError;
+use crate::numeric::{axpy, dot, invert};
+use crate::section::{MAX_ORDER, Resultant, SectionSlot};
+
+/// Internal forces are in equilibrium with the basic forces and the loads on the beam; the deformations of the sections add
+/// up to the basic ones (Spacone, Filippou and Taucer, 1996; Neuenhofer and Filippou, 1997).
+#[derive(Clone, Copy, Debug)]
+pub struct ForceBased {
+    /// Largest number of iterations inside the element.
+    pub max_iterations: usize,
+    /// Energy of the deformations that may be left over.
+    pub tolerance: f64,
+}
+
+impl Default for ForceBased {
+    fn default() -> Self {
+        Self { max_iterations: 10, tolerance: 1e-12 }
+    }
+}
+
+/// Energy left over, as a part of that of the basic system, which is round-off.
+const ROUND_OFF: f64 = 1e-22;
+/// Iterations that are spent on round-off at most.
+const POLISH: usize = 3;
+
+/// Words of the loads: reactions, and the internal forces of the simple beam at each section.
+const REACTIONS: usize = 5;
+const INTERNAL: usize = 5;
+
+/// Which flexibility turns missing forces of a section into deformations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Correction {
+    /// The current one.
+    Current,
+    /// The initial one in the first iteration, the current one after it.
+    InitialFirst,
+    /// The initial one: it never runs away, but takes its time.
+    Initial,
+}
+
+/// What is tried one after the other: parts that the step is cut into, and how sections are corrected.
+const ATTEMPTS: [(usize, Correction); 9] = [
+    (1, Correction::Current),
+    (1, Correction::Initial),
+    (1, Correction::InitialFirst),
+    (10, Correction::Current),
+    (10, Correction::Initial),
+    (10, Correction::InitialFirst),
+    (100, Correction::Current),
+    (100, Correction::Initial),
+    (100, Correction::InitialFirst),
+];
+
+/// A resultant at `x` (fraction of the length) from the basic forces.
+fn row<const B: usize>(resultant: Resultant, x: f64, length: f64) -> [f64; B] {
+    let mut row = [0.0; B];
+    match (resultant, bending_at(resultant)) {
+        (Resultant::P, _) => row[0] = 1.0,
+        (Resultant::Mz | Resultant::My, Some(at)) => {
+            set(&mut row, at, x - 1.0);
+            set(&mut row, at + 1, x);
+        }
+        (_, Some(at)) => {
+            set(&mut row, at, 1.0 / length);
+            set(&mut row, at + 1, 1.0 / length);
+        }
+        _ => set(&mut row, 5, 1.0),
+    }
+    row
+}
+
+/// A section in an iteration: its interpolation, its flexibility, and the deformations that go with the basic forces.
+struct Point<const B: usize> {
+    rows: [[f64; B]; MAX_ORDER],
+    flexibility: [f64; MAX_ORDER * MAX_ORDER],
+    e: [f64; MAX_ORDER],
+}
+
+impl<const B: usize> Point<B> {
+    /// `internal` are the internal forces of the simple beam there.
+    fn new(
+        section: &SectionSlot,
+        (x, length): (f64, f64),
+        q: &[f64; B],
+        internal: &[f64],
+        trial: &[f64],
+        initial: bool,
+    ) -> Result<Self, MaterialError> {
+        let n = section.resultants().len();
+        let mut p =
+            Self { rows: [[0.0; B]; MAX_ORDER], flexibility: [0.0; MAX_ORDER * MAX_ORDER], e: [0.0; MAX_ORDER] };
+        if initial {
+            let mut k = [0.0; MAX_ORDER * MAX_ORDER];
+            section.section.initial_stiffness(&mut k[..n * n]);
+            section.flexibility(&k, &mut p.flexibility)?;
+        } else {
+            section.flexibility(section.stiffness(trial), &mut p.flexibility)?;
+        }
+        let mut missing = [0.0; MAX_ORDER];
+        for (i, (r, s)) in section.resultants().iter().zip(section.resultant(trial)).enumerate() {
+            p.rows[i] = row(*r, x, length);
+            missing[i] = dot(&p.rows[i], q) + of_load(*r, internal) - s;
+        }
+        for (i, e) in section.deformation(trial).iter().enumerate() {
+            p.e[i] = e + dot(&p.flexibility[i * n..(i + 1) * n], &missing[..n]);
+        }
+        Ok(p)
+    }
+
+    /// Add aᵀ f a and aᵀ e, times the weight.
+    fn add(&self, n: usize, weight: f64, f: &mut [[f64; B]; B], v: &mut [f64; B]) {
+        for (i, a) in self.rows[..n].iter().enumerate() {
+            axpy(weight * self.e[i], a, v);
+            for (j, b) in self.rows[..n].iter().enumerate() {
+                let fij = weight * self.flexibility[i * n + j];
+                f.iter_mut().zip(a).for_each(|(row, a)| axpy(fij * a, b, row));
+            }
+        }
+    }
+}
+
+/// The internal force of the simple beam that belongs to a resultant.
+fn of_load(resultant: Resultant, internal: &[f64]) -> f64 {
+    match resultant {
+        Resultant::P => internal[0],
+        Resultant::Mz => internal[1],
+        Resultant::Vy => internal[2],
+        Resultant::My => internal[3],
+        Resultant::Vz => internal[4],
+        Resultant::T => 0.0,
+    }
+}
+
+impl ForceBased {
+    /// Find the basic forces for deformations that come in so many parts, from the committed state on. `None` if they are
+    /// not found.
+    fn attempt<const N: usize, const B: usize>(
+        &self,
+        member: &Member<N, B>,
+        v: &[f64; B],
+        motion: &Motion<'_>,
+        (committed, trial): (&[f64], &mut [f64]),
+        (parts, correction): (usize, Correction),
+    ) -> Result<Option<Basic<B>>, MaterialError> {
+        let body = member.body();
+        trial[body..].copy_from_slice(&committed[body..]);
+        let mut basic = Basic::read(&committed[member.head()..]);
+        let internal = |i: usize| &motion.load[REACTIONS + i * INTERNAL..REACTIONS + (i + 1) * INTERNAL];
+        let length = member.length();
+        let mut start = [0.0; B];
+        for (section, x, weight) in member.along() {
+            for (e, r) in section.deformation(committed).iter().zip(section.resultants()) {
+                axpy(weight * e, &row::<B>(*r, x, length), &mut start);
+            }
+        }
+        let limit = self.max_iterations * if correction == Correction::Initial { 10 } else { 1 };
+        for part in 1..=parts {
+            let share = part as f64 / parts as f64;
+            let (mut iteration, mut polished) = (0, 0);
+            loop {
+                let (mut f, mut gathered) = ([[0.0; B]; B], [0.0; B]);
+                for (i, (section, x, weight)) in member.along().enumerate() {
+                    let p = Point::new(section, (x, length), &basic.q, internal(i), trial, false)?;
+                    p.add(section.resultants().len(), weight, &mut f, &mut gathered);
+                }
+                if !invert(f.as_flattened_mut(), B) {
+                    return Ok(None);
+                }
+                let missing: [f64; B] = std::array::from_fn(|i| start[i] + share * (v[i] - start[i]) - gathered[i]);
+                let step = f.map(|row| dot(&row, &missing));
+                axpy(1.0, &step, &mut basic.q);
+                basic.k = f;
+                let energy = dot(&step, &missing).abs();
+                // To round-off where that is near: what is left over shows in the forces of the sections.
+                let enough = energy <= self.tolerance;
+                polished += usize::from(enough);
+                if enough && (energy <= ROUND_OFF * dot(&basic.q, v).abs() || polished > POLISH || iteration == limit) {
+                    break;
+                }
+                if iteration == limit || !energy.is_finite() {
+                    return Ok(None);
+                }
+                iteration += 1;
+                let initial = match correction {
+                    Correction::Current => false,
+                    Correction::InitialFirst => iteration == 1,
+                    Correction::Initial => true,
+                };
+                for (i, (section, x, _)) in member.along().enumerate() {
+                    let p = Point::new(section, (x, length), &basic.q, internal(i), trial, initial)?;
+                    section.update(committed, &p.e, motion.dt, trial)?;
+                }
+            }
+        }
+        Ok(Some(basic))
+    }
+
+    /// Flexibility of the virgin beam, and the deformations that loads on it cause with no basic forces.
+    fn initial_flexibility<const N: usize, const B: usize>(
+        member: &Member<N, B>,
+        load: &[f64],
+    ) -> ([[f64; B]; B], [f64; B]) {
+        let (mut f, mut v) = ([[0.0; B]; B], [0.0; B]);
+        for (i, (section, x, weight)) in member.along().enumerate() {
+            let n = section.resultants().len();
+            let mut k = [0.0; MAX_ORDER * MAX_ORDER];
+            section.section.initial_stiffness(&mut k[..n * n]);
+            let mut p =
+                Point { rows: [[0.0; B]; MAX_ORDER], flexibility: [0.0; MAX_ORDER * MAX_ORDER], e: [0.0; MAX_ORDER] };
+            if section.flexibility(&k, &mut p.flexibility).is_err() {
+                continue;
+            }
+            let mut s = [0.0; MAX_ORDER];
+            for (j, r) in section.resultants().iter().enumerate() {
+                p.rows[j] = row(*r, x, member.length());
+                s[j] = load.get(REACTIONS + i * INTERNAL..).map_or(0.0, |internal| of_load(*r, internal));
+            }
+            for j in 0..n {
+                p.e[j] = dot(&p.flexibility[j * n..(j + 1) * n], &s[..n]);
+            }
+            p.add(n, weight, &mut f, &mut v);
+        }
+        (f, v)
+    }
+}
+
+impl<const N: usize, const B: usize> Formulation<N, B> for ForceBased {
+    const CLASS: [&'static str; 2] = ["ForceBeamColumn2d", "ForceBeamColumn3d"];
+
+    fn load_len(points: usize) -> usize {
+        REACTIONS + INTERNAL * points
+    }
+
+    fn add_load(member: &Member<N, B>, load: &ElementLoad, factor: f64, words: &mut [f64]) {
+        let length = member.length();
+        let (reactions, internal) = words.split_at_mut(REACTIONS);
+        let (y, z, (axial, _)) = load.end_actions(length);
+        axpy(-factor, &[axial, y.shear.0, y.shear.1, z.shear.0, z.shear.1], reactions);
+        for (x, words) in member.points.0.iter().zip(internal.chunks_exact_mut(INTERNAL)) {
+            axpy(factor, &load.internal_forces(*x, length), words);
+        }
+    }
+
+    fn reactions(load: &[f64]) -> Reactions {
+        std::array::from_fn(|i| load[i])
+    }
+
+    fn respond(
+        &self,
+        member: &Member<N, B>,
+        v: &[f64; B],
+        motion: &Motion<'_>,
+        committed: &[f64],
+        trial: &mut [f64],
+    ) -> Result<Basic<B>, ElementError> {
+        let mut failure = None;
+        for attempt in ATTEMPTS {
+            match self.attempt(member, v, motion, (committed, trial), attempt) {
+                Ok(Some(basic)) => return Ok(basic),
+                Ok(None) => {}
+                Err(e) => failure = Some(e),
+            }
+        }
+        let message = "the deformations of the sections do not come to add up to those of the beam";
+        Err(failure.map_or(ElementError(message.into()), ElementError::from))
+    }
+
+    fn initial_stiffness(member: &Member<N, B>) -> [[f64; B]; B] {
+        let (mut f, _) = Self::initial_flexibility(member, &[]);
+        // What cannot deform has been refused when the element was made.
+        if invert(f.as_flattened_mut(), B) { f } else { [[0.0; B]; B] }
+    }
+
+    fn elastic_deformation(member: &Member<N, B>, q: &[f64; B], load: &[f64]) -> [f64; B] {
+        let (f, v) = Self::initial_flexibility(member, load);
+        std::array::from_fn(|i| dot(&f[i], q) + v[i])
+    }
+}

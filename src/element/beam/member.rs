@@ -1,0 +1,352 @@
+//! Beams with sections along their length: what the two formulations have in common.
+
+use crate::element::load::ElementLoad;
+use crate::element::transform::{Reactions, Transform};
+use crate::element::{Answer, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
+use crate::probe::Probe;
+use crate::section::{Resultant, SectionSlot, SharedSection};
+use std::fmt;
+use std::sync::Arc;
+
+use super::elastic::{BASIC_DEFORMATIONS, BASIC_FORCES, consistent_mass, lumped_mass};
+
+/// How the sections of a beam hang together with its basic system of `B` deformations.
+pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send + Sync + 'static {
+    /// OpenSees' names of the class in the plane and in space.
+    const CLASS: [&'static str; 2];
+
+    /// Number of words that loads are summed in, for so many sections.
+    fn load_len(points: usize) -> usize;
+    /// Add a load, multiplied by a factor, to the load words.
+    fn add_load(member: &Member<N, B>, load: &ElementLoad, factor: f64, words: &mut [f64]);
+    /// End reactions of the simple beam under the loads.
+    fn reactions(load: &[f64]) -> Reactions;
+
+    /// Forces and stiffness of the basic system for its deformations `v`; writes the words of the sections.
+    fn respond(
+        &self,
+        member: &Member<N, B>,
+        v: &[f64; B],
+        motion: &Motion<'_>,
+        committed: &[f64],
+        trial: &mut [f64],
+    ) -> Result<Basic<B>, ElementError>;
+
+    /// Stiffness of the basic system of the virgin beam.
+    fn initial_stiffness(member: &Member<N, B>) -> [[f64; B]; B];
+    /// Deformations that the virgin beam would have under basic forces and loads.
+    fn elastic_deformation(member: &Member<N, B>, q: &[f64; B], load: &[f64]) -> [f64; B];
+}
+
+/// Forces and stiffness of the basic system.
+#[derive(Clone, Copy, Debug)]
+pub struct Basic<const B: usize> {
+    /// Forces.
+    pub q: [f64; B],
+    /// Stiffness.
+    pub k: [[f64; B]; B],
+}
+
+impl<const B: usize> Basic<B> {
+    const LEN: usize = B + B * B;
+
+    pub(super) fn read(words: &[f64]) -> Self {
+        let mut basic = Self { q: [0.0; B], k: [[0.0; B]; B] };
+        basic.q.copy_from_slice(&words[..B]);
+        basic.k.as_flattened_mut().copy_from_slice(&words[B..Self::LEN]);
+        basic
+    }
+
+    fn write(&self, words: &mut [f64]) {
+        words[..B].copy_from_slice(&self.q);
+        words[B..Self::LEN].copy_from_slice(self.k.as_flattened());
+    }
+}
+
+/// Geometry, sections and mass of a beam. Its words are those of the transformation, basic forces and stiffness, and those
+/// of the sections.
+#[derive(Clone, Debug)]
+pub struct Member<const N: usize, const B: usize> {
+    transform: Arc<dyn Transform<N, B>>,
+    /// Sections along the beam.
+    pub(super) sections: Vec<SectionSlot>,
+    /// Places of the sections, and what they count, as fractions of the length.
+    pub(super) points: (Vec<f64>, Vec<f64>),
+    rho: f64,
+    consistent: bool,
+    state_len: usize,
+}
+
+impl<const N: usize, const B: usize> Member<N, B> {
+    pub(super) fn length(&self) -> f64 {
+        self.transform.length()
+    }
+
+    /// First word of basic forces and stiffness, which those of the transformation come before.
+    pub(super) fn head(&self) -> usize {
+        self.transform.state_len()
+    }
+
+    /// First word of the sections.
+    pub(super) fn body(&self) -> usize {
+        self.head() + Basic::<B>::LEN
+    }
+
+    /// Sections with their places and what they count, as lengths.
+    pub(super) fn along(&self) -> impl Iterator<Item = (&SectionSlot, f64, f64)> {
+        let length = self.length();
+        let places = self.points.0.iter().zip(&self.points.1);
+        self.sections.iter().zip(places).map(move |(s, (x, w))| (s, *x, w * length))
+    }
+}
+
+/// A beam with `N` degrees of freedom and `B` basic deformations whose response comes of its sections.
+#[derive(Clone, Debug)]
+pub struct FiberBeam<F, const N: usize, const B: usize> {
+    member: Member<N, B>,
+    formulation: F,
+}
+
+impl<F: Formulation<N, B>, const N: usize, const B: usize> FiberBeam<F, N, B> {
+    /// From its geometry; sections (with their tags), their places and weights as fractions of the length; mass per length,
+    /// lumped or consistent.
+    pub fn new(
+        formulation: F,
+        transform: Arc<dyn Transform<N, B>>,
+        sections: Vec<(SharedSection, i32)>,
+        points: (Vec<f64>, Vec<f64>),
+        (rho, consistent): (f64, bool),
+    ) -> Self {
+        let mut at = transform.state_len() + Basic::<B>::LEN;
+        let place = |(section, tag)| {
+            let slot = SectionSlot::new(section, tag, at);
+            at += slot.len();
+            slot
+        };
+        let sections = sections.into_iter().map(place).collect();
+        Self { member: Member { transform, sections, points, rho, consistent, state_len: at }, formulation }
+    }
+}
+
+const LOCAL_FORCE: u32 = 3;
+const BASIC_FORCE: u32 = 4;
+const DEFORMATION: u32 = 5;
+const PLASTIC: u32 = 6;
+const PLACES: u32 = 10;
+const WEIGHTS: u32 = 11;
+const TAGS: u32 = 12;
+const STIFFNESS: u32 = 19;
+const SECTION: u32 = 30;
+const ALL_SECTIONS: u32 = 31;
+
+impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam<F, N, B> {
+    fn class(&self) -> &'static str {
+        F::CLASS[usize::from(N == 12)]
+    }
+    fn dofs(&self) -> usize {
+        N
+    }
+    fn state_len(&self) -> usize {
+        self.member.state_len
+    }
+    fn init(&self, state: &mut [f64]) {
+        let m = &self.member;
+        m.transform.init(&mut state[..m.head()]);
+        m.sections.iter().for_each(|s| s.init(state));
+        Basic { q: [0.0; B], k: F::initial_stiffness(m) }.write(&mut state[m.head()..]);
+    }
+    fn nature(&self) -> Nature {
+        let sections = || self.member.sections.iter().map(|s| &s.section);
+        Nature {
+            linear: self.member.transform.is_linear() && sections().all(|s| s.is_linear()),
+            symmetric: true,
+            viscous: false,
+            elapses: sections().any(|s| s.depends_on_time()),
+            rayleigh: true,
+        }
+    }
+
+    fn respond(
+        &self,
+        motion: &Motion<'_>,
+        committed: &[f64],
+        trial: &mut [f64],
+        answer: Answer<'_>,
+    ) -> Result<(), ElementError> {
+        let m = &self.member;
+        let head = m.head();
+        m.transform.advance(motion.disp, &committed[..head], &mut trial[..head])?;
+        let v = m.transform.deformation(motion.disp, &trial[..head]);
+        let basic = self.formulation.respond(m, &v, motion, committed, trial)?;
+        basic.write(&mut trial[head..]);
+        let p0 = F::reactions(motion.load);
+        m.transform.add_force(motion.disp, &trial[..head], &basic.q, &p0, answer.force);
+        if let Some(tangent) = answer.tangent {
+            m.transform.add_tangent(motion.disp, &trial[..head], &basic.k, &basic.q, tangent);
+        }
+        Ok(())
+    }
+
+    fn initial_tangent(&self, tangent: &mut [f64]) {
+        self.member.transform.frame().add_basic_stiffness(&F::initial_stiffness(&self.member), tangent);
+    }
+
+    fn ground_inertia_slip(&self) -> Option<f64> {
+        (self.member.rho != 0.0).then_some(1.0)
+    }
+
+    fn mass(&self) -> Mass {
+        let Member { transform, rho, consistent, .. } = &self.member;
+        match (*rho, consistent) {
+            (0.0, _) => Mass::None,
+            (rho, false) => Mass::Lumped(lumped_mass::<N>(rho * transform.length())),
+            // As in OpenSees, without rotary inertia about the axis.
+            (rho, true) => {
+                let length = transform.length();
+                Mass::Consistent(transform.frame().global_of_local(&consistent_mass::<N>(length, rho, 0.0)))
+            }
+        }
+    }
+
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
+        let mut new = self.clone();
+        let old = match words {
+            ["rho"] => std::mem::replace(&mut new.member.rho, value),
+            ["section", n, rest @ ..] => {
+                let i = n.parse::<usize>().ok()?.checked_sub(1)?;
+                new.member.sections.get_mut(i)?.set_parameter(rest, value)?
+            }
+            _ => new.member.sections.iter_mut().filter_map(|s| s.set_parameter(words, value)).last()?,
+        };
+        Some((Arc::new(new), old))
+    }
+
+    fn load_len(&self) -> usize {
+        F::load_len(self.member.sections.len())
+    }
+
+    fn add_load(&self, load: &ElementLoad, factor: f64, words: &mut [f64]) -> Result<(), ElementError> {
+        F::add_load(&self.member, load, factor, words);
+        Ok(())
+    }
+
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        let plane = N == 6;
+        let n = self.member.sections.len();
+        let numbered = |stem: &'static str| (1..=n).map(move |i| format!("{stem}{i}"));
+        Some(match *words.first()? {
+            "localForce" | "localForces" => {
+                let names: &[&str] = if plane { &["N", "V", "M"] } else { &["N", "Vy", "Vz", "T", "My", "Mz"] };
+                Probe::new(LOCAL_FORCE, (1..=2).flat_map(|e| names.iter().map(move |n| format!("{n}_{e}"))))
+            }
+            "basicForce" | "basicForces" => Probe::new(
+                BASIC_FORCE,
+                if plane { &["N", "M_1", "M_2"][..] } else { &BASIC_FORCES[..] }.iter().copied(),
+            ),
+            "chordRotation" | "chordDeformation" | "basicDeformation" | "basicDeformations" | "deformations" => {
+                let names = if plane { &["eps", "theta_1", "theta_2"][..] } else { &BASIC_DEFORMATIONS[..] };
+                Probe::new(DEFORMATION, names.iter().copied())
+            }
+            "plasticRotation" | "plasticDeformation" => {
+                let plane_names = ["epsP", "thetaP_1", "thetaP_2"];
+                let space_names = ["epsP", "thetaZP_1", "thetaZP_2", "thetaYP_1", "thetaYP_2", "thetaXP"];
+                Probe::new(PLASTIC, if plane { &plane_names[..] } else { &space_names[..] }.iter().copied())
+            }
+            "basicStiffness" => Probe::new(STIFFNESS, (1..=B * B).map(|i| format!("k{i}"))),
+            "integrationPoints" => Probe::new(PLACES, numbered("x")),
+            "integrationWeights" => Probe::new(WEIGHTS, numbered("w")),
+            "sectionTags" => Probe::new(TAGS, numbered("tag")),
+            "section" | "-section" => return self.section_probe(&words[1..]),
+            "sectionX" => {
+                let x = words.get(1)?.parse::<f64>().ok()? / self.member.length();
+                let distance = |i: &usize| (self.member.points.0[*i] - x).abs();
+                let i = (0..n).min_by(|i, j| distance(i).total_cmp(&distance(j)))?;
+                let probe = self.member.sections[i].probe(&words[2..])?;
+                return Some(probe.inside(&[SECTION, i as u32]));
+            }
+            _ => return None,
+        })
+    }
+
+    fn probe_names(&self) -> &'static [&'static str] {
+        &[
+            "localForce",
+            "basicForce",
+            "basicDeformation",
+            "chordRotation",
+            "plasticRotation",
+            "section",
+            "basicStiffness",
+        ]
+    }
+
+    fn force_labels(&self) -> Vec<String> {
+        frame_force_labels(N)
+    }
+
+    fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
+        let m = &self.member;
+        let basic = Basic::<B>::read(&s.state[m.head()..]);
+        let deformation = || m.transform.deformation(s.disp, &s.state[..m.head()]);
+        let length = m.length();
+        match path[0] {
+            LOCAL_FORCE => m.transform.frame().local_force(&basic.q, &F::reactions(s.load), out),
+            BASIC_FORCE => out.copy_from_slice(&basic.q),
+            DEFORMATION => out.copy_from_slice(&deformation()),
+            PLASTIC => {
+                let elastic = F::elastic_deformation(m, &basic.q, s.load);
+                out.iter_mut().zip(deformation()).zip(elastic).for_each(|((o, v), e)| *o = v - e);
+            }
+            STIFFNESS => out.copy_from_slice(basic.k.as_flattened()),
+            PLACES => out.iter_mut().zip(&m.points.0).for_each(|(o, x)| *o = x * length),
+            WEIGHTS => out.iter_mut().zip(&m.points.1).for_each(|(o, w)| *o = w * length),
+            TAGS => out.iter_mut().zip(&m.sections).for_each(|(o, s)| *o = f64::from(s.tag)),
+            SECTION => m.sections[path[1] as usize].read(&path[2..], s.state, out),
+            _ => {
+                // For each section the number of its columns, the length of its path, and its path.
+                let (mut path, mut out) = (&path[1..], out);
+                for section in &m.sections {
+                    let (columns, end) = (path[0] as usize, 2 + path[1] as usize);
+                    let (own, rest) = out.split_at_mut(columns);
+                    section.read(&path[2..end], s.state, own);
+                    (path, out) = (&path[end..], rest);
+                }
+            }
+        }
+    }
+}
+
+impl<F: Formulation<N, B>, const N: usize, const B: usize> FiberBeam<F, N, B> {
+    /// A response of one section, by its number, or of all of them.
+    fn section_probe(&self, words: &[&str]) -> Option<Probe> {
+        let sections = &self.member.sections;
+        if let Ok(number) = words.first()?.parse::<usize>() {
+            let i = number.checked_sub(1)?;
+            return Some(sections.get(i)?.probe(&words[1..])?.inside(&[SECTION, i as u32]));
+        }
+        let mut all = Probe { labels: vec![], path: vec![ALL_SECTIONS] };
+        for section in sections {
+            let probe = section.probe(words)?;
+            all.path.extend([probe.len() as u32, probe.path.len() as u32]);
+            all.path.extend(&probe.path);
+            all.labels.extend(probe.labels);
+        }
+        Some(all)
+    }
+}
+
+/// Set the coefficient of a basic quantity that the plane may not have.
+pub(super) fn set<const B: usize>(row: &mut [f64; B], at: usize, value: f64) {
+    if let Some(x) = row.get_mut(at) {
+        *x = value;
+    }
+}
+
+/// Basic deformations or forces that go with bending: about z, shear along y, about y, shear along z.
+pub(super) fn bending_at(resultant: Resultant) -> Option<usize> {
+    match resultant {
+        Resultant::Mz | Resultant::Vy => Some(1),
+        Resultant::My | Resultant::Vz => Some(3),
+        _ => None,
+    }
+}

@@ -1,0 +1,126 @@
+//! One spring for two directions: `CoupledZeroLength`.
+
+use super::{Answer, Element, ElementError, Motion, Nature, Snapshot};
+use crate::material::{Material, Slot, Strain};
+use crate::probe::Probe;
+use std::sync::Arc;
+
+/// A uniaxial material between two nodes at one place that is driven by the distance in a plane of two directions; the force
+/// points along the offset. The distance counts as negative where the offsets add up to less than zero.
+#[derive(Clone, Debug)]
+pub struct CoupledZeroLength {
+    slot: Slot,
+    /// Degrees of freedom of a node that make the plane.
+    directions: [usize; 2],
+    per_node: usize,
+    /// Offset of the nodes when the element was made: it measures from there.
+    initial: [f64; 2],
+    rayleigh: bool,
+}
+
+impl CoupledZeroLength {
+    /// Of a material (with its tag) for two degrees of freedom, from 0, of nodes with `per_node` of them; `initial` is the
+    /// displacement of j less that of i.
+    pub fn new(
+        (material, tag): (Material, i32),
+        directions: [usize; 2],
+        per_node: usize,
+        initial: &[f64],
+        rayleigh: bool,
+    ) -> Self {
+        // The direction of the last force comes first.
+        let slot = Slot::new(material, tag, 2);
+        Self { slot, directions, per_node, initial: directions.map(|d| initial[d]), rayleigh }
+    }
+
+    fn offset(&self, field: &[f64]) -> [f64; 2] {
+        self.directions.map(|d| field[self.per_node + d] - field[d])
+    }
+
+    /// Add a stiffness in both directions.
+    fn add_stiffness(&self, stiffness: f64, out: &mut [f64]) {
+        let n = 2 * self.per_node;
+        for d in self.directions {
+            let e = self.per_node + d;
+            for (i, j, sign) in [(d, d, 1.0), (e, e, 1.0), (d, e, -1.0), (e, d, -1.0)] {
+                out[i * n + j] += sign * stiffness;
+            }
+        }
+    }
+}
+
+impl Element for CoupledZeroLength {
+    fn class(&self) -> &'static str {
+        "CoupledZeroLength"
+    }
+    fn dofs(&self) -> usize {
+        2 * self.per_node
+    }
+    fn state_len(&self) -> usize {
+        2 + self.slot.len()
+    }
+    fn init(&self, state: &mut [f64]) {
+        state[..2].fill(0.0);
+        self.slot.init(state);
+    }
+    fn nature(&self) -> Nature {
+        Nature { linear: false, rayleigh: self.rayleigh, ..Nature::of(std::iter::once(&self.slot)) }
+    }
+
+    fn respond(
+        &self,
+        motion: &Motion<'_>,
+        committed: &[f64],
+        trial: &mut [f64],
+        answer: Answer<'_>,
+    ) -> Result<(), ElementError> {
+        let rate = self.offset(motion.vel);
+        let mut d = self.offset(motion.disp);
+        d.iter_mut().zip(&self.initial).for_each(|(d, initial)| *d -= initial);
+        let size = d[0].hypot(d[1]);
+        let value = if d[0] + d[1] < 0.0 { -size } else { size };
+        let strain = Strain { value, rate: rate[0].hypot(rate[1]), dt: motion.dt };
+        let s = self.slot.update(committed, strain, trial)?;
+        let last = [committed[0], committed[1]];
+        // In the middle the force keeps the direction it had last.
+        let direction = if value != 0.0 { d.map(|d| d / value) } else { last };
+        let turns = value != 0.0 && s.value != 0.0;
+        let unit = direction.map(|x| x * s.value.signum());
+        trial[..2].copy_from_slice(&if turns { unit } else { last });
+        for (at, share) in self.directions.iter().zip(direction) {
+            answer.force[*at] -= share * s.value;
+            answer.force[self.per_node + at] += share * s.value;
+        }
+        // As in OpenSees the tangent is that of the spring in both directions.
+        if let Some(k) = answer.tangent {
+            self.add_stiffness(s.tangent, k);
+        }
+        if let Some(c) = answer.damping {
+            self.add_stiffness(s.damping, c);
+        }
+        Ok(())
+    }
+
+    fn initial_tangent(&self, tangent: &mut [f64]) {
+        self.add_stiffness(self.slot.material.initial_tangent(), tangent);
+    }
+
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
+        let mut new = self.clone();
+        let words = words.strip_prefix(&["material"]).unwrap_or(words);
+        let old = new.slot.set_parameter(words, value)?;
+        Some((Arc::new(new), old))
+    }
+
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        self.slot.probe(words.strip_prefix(&["material"])?)
+    }
+
+    fn probe_names(&self) -> &'static [&'static str] {
+        &["material"]
+    }
+
+    fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
+        self.slot.read(path, s.state, out);
+    }
+}

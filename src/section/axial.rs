@@ -1,0 +1,62 @@
+//! A section that is only stretched: what a bar makes of it.
+
+use super::{MAX_ORDER, Resultant, SectionSlot, SharedSection};
+use crate::material::{MaterialError, Strain, Stress, Uniaxial};
+use crate::probe::Probe;
+
+/// The axial force of a section against its elongation, the other deformations being zero.
+#[derive(Clone, Debug)]
+pub struct Axial {
+    slot: SectionSlot,
+    /// Place of the axial force among the resultants.
+    at: usize,
+}
+
+impl Axial {
+    /// Of a section with its tag; `None` if it has no axial force.
+    pub fn new(section: SharedSection, tag: i32) -> Option<Self> {
+        let at = section.resultants().iter().position(|r| *r == Resultant::P)?;
+        Some(Self { slot: SectionSlot::new(section, tag, 0), at })
+    }
+}
+
+impl Uniaxial for Axial {
+    fn name(&self) -> &'static str {
+        "Section"
+    }
+    fn state_len(&self) -> usize {
+        self.slot.len()
+    }
+    fn init(&self, state: &mut [f64]) {
+        self.slot.init(state);
+    }
+    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+        let mut e = [0.0; MAX_ORDER];
+        e[self.at] = strain.value;
+        self.slot.update(committed, &e, strain.dt, next)?;
+        let n = self.slot.resultants().len();
+        let (value, tangent) = (self.slot.resultant(next)[self.at], self.slot.stiffness(next)[self.at * (n + 1)]);
+        Ok(Stress { value, tangent, damping: 0.0 })
+    }
+    fn initial_tangent(&self) -> f64 {
+        let n = self.slot.resultants().len();
+        let mut k = [0.0; MAX_ORDER * MAX_ORDER];
+        self.slot.section.initial_stiffness(&mut k[..n * n]);
+        k[self.at * (n + 1)]
+    }
+    fn is_viscous(&self) -> bool {
+        false
+    }
+    fn depends_on_time(&self) -> bool {
+        self.slot.section.depends_on_time()
+    }
+    fn is_linear(&self) -> bool {
+        self.slot.section.is_linear()
+    }
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        self.slot.probe(words.strip_prefix(&["section"]).unwrap_or(words))
+    }
+    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
+        self.slot.read(path, state, out);
+    }
+}

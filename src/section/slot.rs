@@ -1,0 +1,145 @@
+//! Where an element keeps a section's state, with what recorders ask of every section.
+
+use super::{MAX_ORDER, Resultant, SharedSection};
+use crate::material::MaterialError;
+use crate::numeric::invert;
+use crate::probe::Probe;
+
+/// A section at a place in its owner's state. The first words hold deformations, resultants and tangent, so that whoever
+/// needs them reads them whatever the section.
+#[derive(Clone, Debug)]
+pub struct SectionSlot {
+    /// The section.
+    pub section: SharedSection,
+    /// Tag in the script.
+    pub tag: i32,
+    at: usize,
+    order: usize,
+}
+
+const DEFORMATION: u32 = 1;
+const FORCE: u32 = 2;
+const BOTH: u32 = 4;
+const STIFFNESS: u32 = 12;
+const FLEXIBILITY: u32 = 13;
+const CODE: u32 = 14;
+/// First number of the path of a response that the section itself answers.
+const OWN: u32 = 100;
+
+impl SectionSlot {
+    /// Place a section at word `at` of the owner's state.
+    pub fn new(section: SharedSection, tag: i32, at: usize) -> Self {
+        let order = section.resultants().len();
+        Self { section, tag, at, order }
+    }
+
+    /// Number of words it takes.
+    pub fn len(&self) -> usize {
+        self.header() + self.section.state_len()
+    }
+
+    /// Never: there are always deformations.
+    pub fn is_empty(&self) -> bool {
+        false
+    }
+
+    fn header(&self) -> usize {
+        self.order * (2 + self.order)
+    }
+
+    /// Its resultants.
+    pub fn resultants(&self) -> &[Resultant] {
+        self.section.resultants()
+    }
+
+    /// Write the virgin state.
+    pub fn init(&self, state: &mut [f64]) {
+        let (head, own) = state[self.at..self.at + self.len()].split_at_mut(self.header());
+        head.fill(0.0);
+        self.section.initial_stiffness(&mut head[2 * self.order..]);
+        self.section.init(own);
+    }
+
+    /// Set the trial deformations.
+    pub fn update(&self, committed: &[f64], e: &[f64], dt: f64, trial: &mut [f64]) -> Result<(), MaterialError> {
+        let end = self.at + self.len();
+        let (head, next) = trial[self.at..end].split_at_mut(self.header());
+        let (deformation, rest) = head.split_at_mut(self.order);
+        deformation.copy_from_slice(&e[..self.order]);
+        rest.fill(0.0);
+        let (s, k) = rest.split_at_mut(self.order);
+        self.section.update(&committed[self.at + self.header()..end], deformation, dt, next, s, k)
+    }
+
+    /// Deformations in a state.
+    pub fn deformation<'a>(&self, state: &'a [f64]) -> &'a [f64] {
+        &state[self.at..self.at + self.order]
+    }
+
+    /// Resultants in a state.
+    pub fn resultant<'a>(&self, state: &'a [f64]) -> &'a [f64] {
+        &state[self.at + self.order..self.at + 2 * self.order]
+    }
+
+    /// Tangent in a state, by rows.
+    pub fn stiffness<'a>(&self, state: &'a [f64]) -> &'a [f64] {
+        &state[self.at + 2 * self.order..self.at + self.header()]
+    }
+
+    /// Inverse of a stiffness of the section, by rows.
+    ///
+    /// # Errors
+    /// The stiffness is singular.
+    pub fn flexibility(&self, stiffness: &[f64], out: &mut [f64; MAX_ORDER * MAX_ORDER]) -> Result<(), MaterialError> {
+        let n = self.order;
+        out[..n * n].copy_from_slice(&stiffness[..n * n]);
+        if invert(&mut out[..n * n], n) {
+            return Ok(());
+        }
+        Err(MaterialError(format!("section {} has no stiffness left", self.tag)))
+    }
+
+    /// Give a parameter of the section, by the words of a `parameter` command, another value; the one it had.
+    pub fn set_parameter(&mut self, words: &[&str], value: f64) -> Option<f64> {
+        let (section, old) = self.section.with_parameter(words, value)?;
+        self.section = section;
+        Some(old)
+    }
+
+    /// A response by the words of a recorder command: those of every section, then the section's own.
+    pub fn probe(&self, words: &[&str]) -> Option<Probe> {
+        let forces = || self.resultants().iter().map(|r| r.name());
+        let deformations = || self.resultants().iter().map(|r| r.deformation());
+        let square = |stem: &'static str| (1..=self.order * self.order).map(move |i| format!("{stem}{i}"));
+        Some(match *words.first()? {
+            "force" | "forces" => Probe::new(FORCE, forces()),
+            "deformation" | "deformations" => Probe::new(DEFORMATION, deformations()),
+            "forceAndDeformation" => Probe::new(BOTH, deformations().chain(forces())),
+            "stiffness" => Probe::new(STIFFNESS, square("k")),
+            "flexibility" => Probe::new(FLEXIBILITY, square("f")),
+            "code" => Probe::new(CODE, forces()),
+            _ => return self.section.probe(words).map(|p| p.inside(&[OWN])),
+        })
+    }
+
+    /// Value of a probe.
+    pub fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
+        match path[0] {
+            DEFORMATION => out.copy_from_slice(self.deformation(state)),
+            FORCE => out.copy_from_slice(self.resultant(state)),
+            BOTH => {
+                out[..self.order].copy_from_slice(self.deformation(state));
+                out[self.order..].copy_from_slice(self.resultant(state));
+            }
+            STIFFNESS => out.copy_from_slice(self.stiffness(state)),
+            FLEXIBILITY => {
+                let mut f = [0.0; MAX_ORDER * MAX_ORDER];
+                if self.flexibility(self.stiffness(state), &mut f).is_ok() {
+                    out.copy_from_slice(&f[..out.len()]);
+                }
+            }
+            CODE => out.iter_mut().zip(self.resultants()).for_each(|(o, r)| *o = r.code()),
+            _ => self.section.read(&path[1..], &state[self.at + self.header()..self.at + self.len()], out),
+        }
+    }
+}

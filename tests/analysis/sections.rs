@@ -1,0 +1,105 @@
+//! Beams and hinges of fiber sections, from the script on.
+
+use super::close;
+use super::script::{Script, run};
+
+/// A rectangular cantilever of b = 0.2 and h = 0.4 that does not harden, of 40 fibers.
+const CANTILEVER: &str = "model basic -ndm 2 -ndf 3
+    node 1 0 0; node 2 3 0; fix 1 1 1 1
+    uniaxialMaterial ElasticPP 1 2e8 0.00125
+    section Fiber 1 { patch rect 1 40 1 -0.2 -0.1 0.2 0.1 }
+    geomTransf Linear 1
+    timeSeries Linear 1
+    pattern Plain 1 1 { load 2 0 1 0 }
+    constraints Plain; numberer RCM; system BandGeneral; test NormDispIncr 1e-10 50; algorithm Newton\n";
+
+/// The moment of a plastic hinge is f b h²/4 less what the last elastic fibers miss, whatever the formulation.
+#[test]
+fn cantilevers_come_to_their_plastic_moment() {
+    for element in [
+        "element forceBeamColumn 1 1 2 5 1 1",
+        "beamIntegration Lobatto 1 1 5\nelement forceBeamColumn 1 1 2 1 1",
+        "element forceBeamColumn 1 1 2 1 {HingeRadau 1 0.4 1 0.4 1}",
+        "element beamWithHinges 1 1 2 1 0.4 1 0.4 2e8 0.08 1.0667e-3 1",
+        "element dispBeamColumn 1 1 2 5 1 1 -integration Lobatto",
+    ] {
+        let ran = run(&format!(
+            "{CANTILEVER}{element}
+            integrator DisplacementControl 2 2 0.002; analysis Static
+            puts [analyze 60]
+            puts [eleResponse 1 section 1 force]"
+        ));
+        let n = ran.numbers();
+        let plastic = 2.5e5 * 0.2 * 0.16 / 4.0;
+        assert!(n[0] == 0.0 && n[2].abs() < plastic && n[2].abs() > 0.97 * plastic, "{element}: {n:?}");
+    }
+}
+
+/// A hinge between two nodes has the moment-curvature relation of its section, and a bar the axial one.
+#[test]
+fn hinges_and_bars_of_sections() {
+    let ran = run("model basic -ndm 2 -ndf 3
+        node 1 0 0; node 2 0 0; node 3 4 0; fix 1 1 1 1; fix 2 0 1 0; fix 3 0 1 1
+        uniaxialMaterial Elastic 1 2e8; uniaxialMaterial Elastic 2 1e4
+        section fiberSec 1 { patch quad 1 20 2 -0.2 -0.1 0.2 -0.1 0.2 0.1 -0.2 0.1; layer straight 1 2 1e-3 -0.1 0 0.1 0; fiber 0 0 1e-3 1 }
+        section Aggregator 2 2 Vy -section 1
+        element zeroLengthSection 1 1 2 2
+        element trussSection 2 1 3 1
+        timeSeries Linear 1; pattern Plain 1 1 { load 2 3e4 0 1e4; load 3 1e5 0 0 }
+        constraints Plain; numberer RCM; system BandGeneral; test NormDispIncr 1e-12 50; algorithm Newton
+        integrator LoadControl 1; analysis Static
+        puts \"[analyze 1] [eleResponse 1 section deformation] [nodeDisp 3 1]\"");
+    let n = ran.numbers();
+    let (ea, ei) = (2e8 * (0.08 + 3e-3), 2e8 * (0.2 * 0.064 / 12.0 * (1.0 - 1.0 / 400.0) + 2e-5));
+    for (got, expected) in n.iter().zip([0.0, 3e4 / ea, 1e4 / ei, 0.0, 4.0 * 1e5 / ea]) {
+        assert!(close(*got, expected, 1e-10), "{n:?}");
+    }
+}
+
+#[test]
+fn sections_are_refused_with_a_reason() {
+    let start = "model basic -ndm 3 -ndf 6\nnode 1 0 0 0\nnode 2 0 0 3\nuniaxialMaterial Elastic 1 2e8\n\
+                 geomTransf Linear 1 1 0 0\nsection Elastic 9 2e8 0.1 1e-3 1e-3 8e7 1e-3\n";
+    for (line, message) in [
+        ("section Fiber 1 { patch rect 1 2 2 -1 -1 1 1 }", "torsional stiffness"),
+        ("section Fiber 1 -GJ 1e3 { }", "no area"),
+        ("section Fiber 1 -GJ 1e3 { patch quad 1 2 2 -1 -1 -1 1 1 1 1 -1 }", "has an area of"),
+        ("section Fiber 1 -GJ 1e3 { patch circle 1 2 2 0 0 0 1 }", "unknown patch"),
+        ("section Fiber 1 -GJ 1e3 { fiber 0 0 -1 1 }", "area of the fiber is -1"),
+        ("patch rect 1 2 2 -1 -1 1 1", "no fiber section"),
+        ("section Aggregator 1 1 Mx", "unknown resultant"),
+        ("section Aggregator 1 1 Mz -section 7", "there is no section 7"),
+        ("beamIntegration Lobato 1 9 5", "did you mean"),
+        ("beamIntegration Lobatto 1 9 1", "no rule with 1 points"),
+        ("beamIntegration Legendre 1 8 3", "there is no section 8"),
+        ("beamIntegration HingeRadau 1 9 -0.1 9 0.1 9", "lengths of the hinges"),
+        ("beamIntegration UserDefined 1 2 9 9 0.1 1.9 0.5 0.5", "no fraction of the length"),
+        ("section Uniaxial 1 1 P\nelement forceBeamColumn 1 1 2 5 1 1", "has no Mz"),
+        ("element forceBeamColumn 1 1 2 1 7", "there is no beam integration 7"),
+        ("element dispBeamColumn 1 1 2 5 9 1 -integration Simson", "unknown rule of integration"),
+        ("uniaxialMaterial Concrete01 2 -30 0 -5 -0.01", "strain at the strength epsc0 is 0"),
+        ("uniaxialMaterial Concrete02 2 -30 -0.002 -5 -0.01 1 3 100", "lambda is 1"),
+        ("element CoupledZeroLength 1 1 2 3 3 1", "both directions are the same"),
+        ("integrator NewmarkHSIncrReduct 0.5 0.25", "parameters before the last"),
+    ] {
+        let ran = Script::default().run(&format!("{start}{line}\n"));
+        let told = format!("{:?}", ran.error());
+        assert!(told.contains(message), "{line}: {told}");
+    }
+}
+
+/// `printA`: stiffness of a cantilever by rising tag of the node, whatever the order of making.
+#[test]
+fn the_equations_are_shown() {
+    let ran = run("model basic -ndm 2 -ndf 3\nnode 7 4 0\nnode 2 2 0\nnode 1 0 0\nfix 1 1 1 1\nfix 7 1 1 1\n\
+        geomTransf Linear 1\nelement elasticBeamColumn 1 1 2 0.02 2e8 1e-4 1\nmass 2 3 3 0.5\n\
+        timeSeries Linear 1\npattern Plain 1 1 { load 2 5 0 0 }\n\
+        integrator LoadControl 1; algorithm Linear; analysis Static; analyze 1\n\
+        puts [printA -ret]\nputs [llength [printB -ret]]\nwipeAnalysis\n\
+        integrator GimmeMCK 1 0 0; algorithm Linear; analysis Transient; analyze 1 0.0\nputs [printA -ret]");
+    let n = ran.numbers();
+    let ei = 2e4;
+    let expected = [2e6, 0.0, 0.0, 0.0, 12.0 * ei / 8.0, -6.0 * ei / 4.0, 0.0, -6.0 * ei / 4.0, 4.0 * ei / 2.0];
+    assert!(n[..9].iter().zip(&expected).all(|(a, b)| close(*a, *b, 1e-12)), "{n:?}");
+    assert_eq!(n[9..], [3.0, 3.0, 0.0, 0.0, 0.0, 3.0, 0.0, 0.0, 0.0, 0.5]);
+}

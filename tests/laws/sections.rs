@@ -1,0 +1,224 @@
+//! Sections, quadrature along beams, and the beams made of them.
+
+use super::driver::{Alone, difference, path};
+use hysteron::element::beam::{
+    DisplacementBased, ElasticBeam, ElasticOptions, FiberBeam, ForceBased, Formulation, Hinge, Rule,
+};
+use hysteron::element::load::ElementLoad;
+use hysteron::element::transform::{Ends, TransformKind, TransformSpec};
+use hysteron::element::{Element, ZeroLengthSection};
+use hysteron::material::{Concrete02, Elastic as ElasticMaterial, Material, Steel02};
+use hysteron::section::{Aggregator, Elastic, ElasticSection, Fiber, FiberSection, Resultant, SharedSection};
+use nalgebra::{Matrix3, Vector3};
+use std::sync::Arc;
+
+const LINE: (Vector3<f64>, Vector3<f64>) = (Vector3::new(1.0, 2.0, 0.5), Vector3::new(4.0, 3.5, 2.5));
+
+fn moments(rule: &Rule, n: usize, degree: i32) -> f64 {
+    let (x, w) = rule.points(n, 2.0).unwrap();
+    x.iter().zip(&w).map(|(x, w)| w * x.powi(degree)).sum()
+}
+
+/// A rule integrates polynomials up to its degree.
+#[test]
+fn quadrature_is_exact_to_its_degree() {
+    for n in 2..=12 {
+        for (rule, degree) in [
+            (Rule::Legendre, 2 * n - 1),
+            (Rule::Radau, 2 * n - 2),
+            (Rule::Lobatto, 2 * n - 3),
+            (Rule::NewtonCotes, n - 1),
+            (Rule::Trapezoidal, 1),
+        ] {
+            for d in 0..=degree as i32 {
+                let error = (moments(&rule, n, d) - 1.0 / f64::from(d + 1)).abs();
+                assert!(error < 1e-10, "{rule:?} with {n} points, degree {d}: {error:e}");
+            }
+        }
+    }
+    let (x, w) = Rule::Lobatto.points(5, 1.0).unwrap();
+    assert!((x[1] - 0.5 * (1.0 - (3.0f64 / 7.0).sqrt())).abs() < 1e-14 && (w[0] - 0.05).abs() < 1e-14);
+    for (hinge, degree) in [(Hinge::Radau, 2), (Hinge::RadauTwo, 2), (Hinge::Midpoint, 1), (Hinge::Endpoint, 0)] {
+        for d in 0..=degree {
+            let error =
+                (moments(&Rule::Hinges(hinge, 0.2, 0.15), hinge.sections().len(), d) - 1.0 / f64::from(d + 1)).abs();
+            assert!(error < 1e-13, "{hinge:?}, degree {d}: {error:e}");
+        }
+    }
+    assert_eq!(Rule::Lobatto.points(1, 1.0), None);
+    assert_eq!(Rule::Simpson.points(4, 1.0), None);
+}
+
+fn steel() -> Material {
+    Arc::new(Steel02 {
+        fy: 4.0,
+        e0: 2000.0,
+        b: 0.02,
+        r0: Steel02::TRANSITION[0],
+        c_r: [Steel02::TRANSITION[1], Steel02::TRANSITION[2]],
+        a: Steel02::NO_ISOTROPIC,
+        sig_init: 0.0,
+    })
+}
+
+/// A rectangle of 0.4 (y) by 0.2 (z), of steel or elastic, not about its centre.
+fn rectangle(material: &Material, space: bool) -> SharedSection {
+    let cell = |i: usize, j: usize| Fiber {
+        y: 1.0 + 0.4 * ((i as f64 + 0.5) / 8.0 - 0.5),
+        z: 0.2 * ((j as f64 + 0.5) / 4.0 - 0.5),
+        area: 0.08 / 32.0,
+        material: (material.clone(), 1),
+    };
+    let fibers = (0..32).map(|k| cell(k / 4, k % 4)).collect();
+    let torsion: Option<(Material, i32)> = space.then(|| (Arc::new(ElasticMaterial::new(5.0)) as Material, 2));
+    Arc::new(FiberSection::new(fibers, torsion, false))
+}
+
+fn stiffness(section: &SharedSection) -> Vec<f64> {
+    let n = section.resultants().len();
+    let mut k = vec![0.0; n * n];
+    section.initial_stiffness(&mut k);
+    k
+}
+
+#[test]
+fn a_fiber_section_has_the_rigidities_of_its_areas() {
+    let k = stiffness(&rectangle(&(Arc::new(ElasticMaterial::new(100.0)) as Material), true));
+    // Cells count for their centres: h² - (h/n)² in place of h².
+    let (iz, iy) = (0.08 / 12.0 * 0.16 * (1.0 - 1.0 / 64.0), 0.08 / 12.0 * 0.04 * (1.0 - 1.0 / 16.0));
+    let expected = [8.0, 0.0, 0.0, 0.0, 0.0, 100.0 * iz, 0.0, 0.0, 0.0, 0.0, 100.0 * iy, 0.0, 0.0, 0.0, 0.0, 5.0];
+    assert!(difference(&k, &expected) < 1e-12, "{k:?}");
+}
+
+#[test]
+fn the_tangent_of_a_section_is_the_derivative_of_its_resultants() {
+    let concrete = Concrete02 { fc: -3.0, epsc0: -0.002, fcu: -0.6, epscu: -0.006, ratio: 0.1, ft: 0.3, ets: 200.0 };
+    for material in [steel(), Arc::new(concrete) as Material] {
+        let shear = (Arc::new(ElasticMaterial::new(30.0)) as Material, 9, Resultant::Vy);
+        let section: SharedSection = Arc::new(Aggregator::new(Some(rectangle(&material, true)), vec![shear]).unwrap());
+        let mut e = Alone::new(ZeroLengthSection::new((section, 1), (3, 6), Matrix3::identity(), true));
+        let mut tested = 0;
+        for x in path(5, 200, 0.02) {
+            let mut u = [0.0; 12];
+            (u[6], u[7], u[10], u[11]) = (0.1 * x - 5e-4, 0.3 * x, 0.7 * x, x);
+            let (_, k) = e.trial(&u, &[0.0; 12]);
+            let (near, far) = (e.difference(&u, 1e-8), e.difference(&u, 4e-8));
+            // Kinks of the fibers have no derivative.
+            if difference(&near, &far) < 1e-6 {
+                tested += 1;
+                assert!(difference(&k, &near) < 1e-5);
+            }
+            e.trial(&u, &[0.0; 12]);
+            e.commit();
+        }
+        assert!(tested > 20, "{tested}");
+    }
+}
+
+fn spec(kind: TransformKind) -> TransformSpec {
+    TransformSpec { kind, xz: Vector3::new(0.0, 0.3, 1.0), offsets: Default::default() }
+}
+
+fn beam<F: Formulation<12, 6>>(formulation: F, section: &SharedSection, rule: &Rule, n: usize) -> Alone {
+    let transform = spec(TransformKind::Linear).space(&Ends { place: LINE, disp: &[0.0; 12] }).unwrap();
+    let points = rule.points(n, transform.length()).unwrap();
+    let sections = vec![(section.clone(), 1); n];
+    Alone::new(FiberBeam::<F, 12, 6>::new(formulation, transform, sections, points, (0.0, false)))
+}
+
+/// With elastic sections both formulations are the elastic beam; under loads on the beam the force-based one is, and the
+/// other has its end forces.
+#[test]
+fn elastic_sections_make_the_elastic_beam() {
+    let section = ElasticSection { e: 1000.0, area: 5.0, iz: 0.9, iy: 0.4, g: 100.0, j: 3.0, shear: (None, None) };
+    let shared: SharedSection = Arc::new(Elastic::new(section, false));
+    let transform = spec(TransformKind::Linear).space(&Ends { place: LINE, disp: &[0.0; 12] }).unwrap();
+    let mut whole = Alone::new(ElasticBeam::new(transform, section, ElasticOptions::default()));
+    let u: Vec<f64> = (0..12).map(|i| 0.01 * f64::from(i * i + 1).sin()).collect();
+    for load in [
+        None,
+        Some(ElementLoad::Distributed { span: (0.0, 1.0), y: (3.0, 3.0), z: (-2.0, -2.0), x: (1.0, 1.0) }),
+        Some(ElementLoad::Distributed { span: (0.2, 0.7), y: (3.0, 5.0), z: (-2.0, 1.0), x: (1.0, 4.0) }),
+        Some(ElementLoad::Point { at: 0.3, y: 5.0, z: -4.0, x: 2.0 }),
+    ] {
+        // A load that begins on the way has no polynomial of the moment: many points take it nearly as it is.
+        let smooth = !matches!(load, Some(ElementLoad::Point { .. } | ElementLoad::Distributed { span: (0.2, _), .. }));
+        let n = if smooth { 5 } else { 100 };
+        let rule = if smooth { Rule::Lobatto } else { Rule::Trapezoidal };
+        for mut e in
+            [beam(ForceBased::default(), &shared, &rule, n), beam(DisplacementBased, &shared, &Rule::Legendre, 3)]
+        {
+            for alone in [&mut e, &mut whole] {
+                alone.load.fill(0.0);
+                if let Some(load) = &load {
+                    alone.element.add_load(load, 2.0, &mut alone.load).unwrap();
+                }
+            }
+            let (f, k) = e.trial(&u, &[0.0; 12]);
+            let (g, m) = whole.trial(&u, &[0.0; 12]);
+            let tolerance = if smooth { 1e-10 } else { 1e-3 };
+            assert!(difference(&f, &g) < tolerance && difference(&k, &m) < tolerance, "{} {load:?}", e.element.class());
+        }
+    }
+}
+
+/// The tangent follows the sections into their plastic range, and rigid motions are free.
+#[test]
+fn beams_yield_with_a_consistent_tangent() {
+    let section = rectangle(&steel(), true);
+    for mut e in [
+        beam(ForceBased::default(), &section, &Rule::Lobatto, 5),
+        beam(DisplacementBased, &section, &Rule::Legendre, 4),
+        beam(ForceBased::default(), &section, &Rule::Hinges(Hinge::RadauTwo, 0.3, 0.2), 6),
+    ] {
+        let (mut tested, mut plastic) = (0, 0.0f64);
+        let elastic = e.difference(&[0.0; 12], 1e-9);
+        for x in path(11, 60, 0.08) {
+            let mut u = [0.0; 12];
+            (u[6], u[7], u[9], u[11], u[4]) = (0.1 * x, 0.5 * x, 0.3 * x, 0.4 * x, -0.2 * x);
+            let (_, k) = e.trial(&u, &[0.0; 12]);
+            let (near, far) = (e.difference(&u, 1e-7), e.difference(&u, 4e-7));
+            if difference(&near, &far) < 1e-5 {
+                tested += 1;
+                assert!(difference(&k, &near) < 1e-4, "{}: {}", e.element.class(), difference(&k, &near));
+            }
+            plastic = plastic.max(difference(&k, &elastic));
+            e.trial(&u, &[0.0; 12]);
+            e.commit();
+        }
+        assert!(tested > 20 && plastic > 0.05, "{tested} {plastic}");
+        e.element.init(&mut e.state);
+        let shift: Vec<f64> = (0..12).map(|i| if i % 6 < 3 { 0.1 * f64::from(i as u8 % 6) } else { 0.0 }).collect();
+        assert!(e.force(&shift).iter().all(|f| f.abs() < 1e-12));
+    }
+}
+
+/// Curvatures of a cantilever beyond yield: the force-based beam has the moment of the end force everywhere.
+#[test]
+fn internal_forces_of_the_force_based_beam_are_in_equilibrium() {
+    let section = rectangle(&steel(), true);
+    let mut e = beam(ForceBased::default(), &section, &Rule::Lobatto, 5);
+    let mut u = [0.0; 12];
+    (u[7], u[8]) = (0.3, 0.2);
+    e.trial(&u, &[0.0; 12]);
+    e.commit();
+    let read = |words: &[&str]| {
+        let probe = e.element.probe(words).unwrap();
+        let mut out = vec![0.0; probe.len()];
+        let force = [0.0; 12];
+        let s = hysteron::element::Snapshot { disp: &u, state: &e.state, force: &force, load: &e.load };
+        e.element.read(&probe.path, &s, &mut out);
+        out
+    };
+    let (q, x) = (read(&["basicForce"]), read(&["integrationPoints"]));
+    let length = (LINE.1 - LINE.0).norm();
+    for (i, x) in x.iter().enumerate() {
+        let s = read(&["section", &(i + 1).to_string(), "force"]);
+        let along = x / length;
+        let expected = [q[0], (along - 1.0) * q[1] + along * q[2], (along - 1.0) * q[3] + along * q[4], q[5]];
+        assert!(difference(&s, &expected) < 1e-7, "{s:?} {expected:?}");
+    }
+    assert_eq!(read(&["section", "force"]).len(), 20);
+    let (v, vp) = (read(&["basicDeformation"]), read(&["plasticDeformation"]));
+    assert!(vp[1].abs() > 0.1 * v[1].abs() && vp[1].abs() < v[1].abs());
+}
