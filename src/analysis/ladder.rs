@@ -25,7 +25,7 @@ impl Remedy {
     fn algorithm(self) -> Option<Box<dyn Algorithm>> {
         let current = TangentChoice::Always(TangentMix::CURRENT);
         Some(match self {
-            Self::Newton => Box::new(Newton(current)),
+            Self::Newton => Box::new(Newton::new(current)),
             Self::LineSearch => Box::new(NewtonLineSearch::new(LineSearch::new(SearchKind::RegulaFalsi), current)),
             Self::Krylov => Box::new(KrylovNewton::new(TangentMix::CURRENT, Some(TangentMix::CURRENT), 10)),
             Self::Initial => Box::new(ModifiedNewton::new(TangentMix::INITIAL, false)),
