@@ -61,6 +61,7 @@ pub mod measure;
 pub mod model;
 pub mod numeric;
 pub mod probe;
+pub mod protocol;
 pub mod record;
 pub mod report;
 pub mod run;

@@ -32,6 +32,46 @@ pub fn norm(a: &[f64]) -> f64 {
     dot(a, a).sqrt()
 }
 
+/// A row of `N` numbers of which few are not zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SparseRow<const N: usize> {
+    len: usize,
+    at: [usize; N],
+    value: [f64; N],
+}
+
+impl<const N: usize> SparseRow<N> {
+    /// From all numbers.
+    pub fn new(row: [f64; N]) -> Self {
+        let mut sparse = Self { len: 0, at: [0; N], value: [0.0; N] };
+        for (at, value) in row.into_iter().enumerate().filter(|(_, v)| *v != 0.0) {
+            (sparse.at[sparse.len], sparse.value[sparse.len]) = (at, value);
+            sparse.len += 1;
+        }
+        sparse
+    }
+
+    /// Places and values of those that are not zero.
+    #[inline]
+    pub fn entries(&self) -> impl Iterator<Item = (usize, f64)> {
+        self.at.iter().zip(&self.value).take(self.len).map(|(&at, &value)| (at, value))
+    }
+
+    /// Scalar product with a vector of at least `N` numbers.
+    #[inline]
+    pub fn dot(&self, x: &[f64]) -> f64 {
+        let x = &x[..N];
+        self.entries().map(|(at, value)| value * x[at]).sum()
+    }
+
+    /// y += c times the row, for a vector of at least `N` numbers.
+    #[inline]
+    pub fn add_to(&self, c: f64, y: &mut [f64]) {
+        let y = &mut y[..N];
+        self.entries().for_each(|(at, value)| y[at] += c * value);
+    }
+}
+
 /// Root of a function by Newton's method from `start`, kept inside a bracket at whose ends the function is not positive
 /// (left) and not negative (right); the ends may be infinite. `f` gives value and derivative; `scale` is the size of a
 /// root that counts as one.

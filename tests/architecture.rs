@@ -14,6 +14,7 @@ const LAYERS: &[&str] = &[
     "diagnostic",
     "io",
     "measure",
+    "protocol",
     "series",
     "material",
     "section",

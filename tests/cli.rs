@@ -5,6 +5,8 @@
 
 #[path = "cli/amend.rs"]
 mod amend;
+#[path = "cli/bearing.rs"]
+mod bearing;
 #[path = "cli/checks.rs"]
 mod checks;
 #[path = "cli/endings.rs"]

@@ -25,16 +25,16 @@ mod links;
 mod materials;
 #[path = "laws/multiple_shear_spring.rs"]
 mod multiple_shear_spring;
-#[path = "laws/rubber_bearings.rs"]
-mod rubber_bearings;
 #[path = "laws/rubber.rs"]
 mod rubber;
+#[path = "laws/rubber_bearings.rs"]
+mod rubber_bearings;
 #[path = "laws/rubber_plane.rs"]
 mod rubber_plane;
-#[path = "laws/sliders.rs"]
-mod sliders;
 #[path = "laws/sections.rs"]
 mod sections;
+#[path = "laws/sliders.rs"]
+mod sliders;
 #[path = "laws/springs.rs"]
 mod springs;
 #[path = "laws/timoshenko.rs"]

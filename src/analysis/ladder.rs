@@ -27,7 +27,7 @@ impl Remedy {
     fn algorithm(self) -> Option<Box<dyn Algorithm>> {
         let current = TangentChoice::Always(TangentMix::CURRENT);
         Some(match self {
-            Self::Newton => Box::new(Newton(current)),
+            Self::Newton => Box::new(Newton::new(current)),
             Self::LineSearch => Box::new(NewtonLineSearch::new(LineSearch::new(SearchKind::RegulaFalsi), current)),
             Self::Krylov => krylov_newton(Tangents {
                 increment: TangentMix::CURRENT,

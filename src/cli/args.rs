@@ -1,5 +1,6 @@
 //! Arguments.
 
+use super::bearing::Test;
 use super::loops::Loops;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -40,6 +41,8 @@ pub(super) enum Command {
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
         args: Vec<String>,
     },
+    /// Drive a single bearing as in a testing machine, and measure its loops
+    Bearing(Test),
     /// Measure the cycles in a file: secant stiffness, dissipated energy, equivalent damping
     Loops(Loops),
     /// Find the parameters of a study that follow its recordings best

@@ -32,6 +32,9 @@ pub(super) struct Loops {
     /// Cycles smaller than this part of the largest one are noise
     #[arg(long, value_name = "PART", default_value_t = Split::default().threshold)]
     threshold: f64,
+    /// Draw loops, energy, stiffness and damping into this file
+    #[arg(long, value_name = "FILE")]
+    svg: Option<String>,
     #[command(flatten)]
     report: Report,
 }
@@ -51,9 +54,6 @@ pub(super) struct Report {
     /// Form of the table on standard output
     #[arg(long, value_enum, default_value_t = Form::Text)]
     table: Form,
-    /// Draw loops, energy, stiffness and damping into this file
-    #[arg(long, value_name = "FILE")]
-    svg: Option<String>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -67,6 +67,10 @@ enum Form {
 }
 
 impl Report {
+    /// Thickness of the rubber, where it is given.
+    pub(super) fn thickness(&self) -> Option<f64> {
+        self.thickness
+    }
     fn units(&self) -> Units {
         match self.units.as_deref() {
             Some([force, length]) => Units { force: force.clone(), length: length.clone() },
@@ -86,8 +90,8 @@ impl Report {
         }
     }
 
-    /// Table and picture of one direction of motion, or of two.
-    pub(super) fn tell(&self, records: &[Record<'_>], split: &Split) -> Result<String, String> {
+    /// Measures of one direction of motion, or of two, and a picture of them into a file.
+    pub(super) fn measure(&self, records: &[Record<'_>], split: &Split, svg: Option<&str>) -> Result<Table, String> {
         let (units, specimen) = (self.units(), self.specimen()?);
         let (table, charts): (Table, Vec<Figure>) = match records {
             [x, y] => {
@@ -97,15 +101,20 @@ impl Report {
             [one, ..] => (cycle_table(one, split, specimen.as_ref(), &units), cycle_charts(one, split, &units)),
             [] => return Err("there is nothing to measure".into()),
         };
-        if let Some(file) = &self.svg {
+        if let Some(file) = svg {
             let svg = sheet(&charts, 2).map_err(|e| e.to_string())?;
             fs::write(file, svg).map_err(|e| format!("cannot write \"{file}\": {e}"))?;
         }
-        Ok(match self.table {
+        Ok(table)
+    }
+
+    /// A table in the form that is wanted.
+    pub(super) fn form(&self, table: &Table) -> String {
+        match self.table {
             Form::Text => table.text(),
             Form::Csv => table.csv(),
             Form::Json => table.json(),
-        })
+        }
     }
 }
 
@@ -130,5 +139,6 @@ pub(super) fn loops(a: &Loops) -> Result<String, String> {
     let time = a.time.as_ref().map(|t| column(t, 1.0)).transpose()?;
     let record = |i: usize| Record { time: time.as_deref(), u: &u[i], f: &f[i] };
     let records: Vec<Record<'_>> = (0..u.len()).map(record).collect();
-    a.report.tell(&records, &Split { centre: a.centre, threshold: a.threshold })
+    let split = Split { centre: a.centre, threshold: a.threshold };
+    Ok(a.report.form(&a.report.measure(&records, &split, a.svg.as_deref())?))
 }

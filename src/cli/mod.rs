@@ -1,6 +1,7 @@
 //! The command line: arguments, messages, progress. Only here is anything printed.
 
 mod args;
+mod bearing;
 mod calibrate;
 mod compare;
 mod console;

@@ -1,6 +1,7 @@
 //! What the sub-commands do.
 
 use super::args::{Arguments, Command, Switches};
+use super::bearing::bearing;
 use super::console::Terminal;
 use super::files::{NoFiles, SystemFiles};
 use super::loops::loops;
@@ -22,6 +23,7 @@ pub(crate) fn main() -> i32 {
     match Arguments::parse().command {
         Command::Run { switches: run, ladder, model, args } => script(&run, Mode::Run, ladder, &model, &args),
         Command::Check { switches: run, model, args } => script(&run, Mode::Check, false, &model, &args),
+        Command::Bearing(test) => bearing(&test),
         Command::Calibrate(args) => super::calibrate::calibrate(&args),
         Command::Diagnose(args) => super::diagnose::run(&args),
         Command::Loops(a) => print(loops(&a)),
@@ -30,7 +32,7 @@ pub(crate) fn main() -> i32 {
 }
 
 /// Print what a sub-command has found out, or why it could not.
-fn print(result: Result<String, String>) -> i32 {
+pub(super) fn print(result: Result<String, String>) -> i32 {
     match result {
         Ok(text) => {
             // A reader that has gone away is no reason to complain.
@@ -62,7 +64,8 @@ fn usages(command: Option<&str>) -> Result<String, String> {
     }
 }
 
-fn script(run: &Switches, mode: Mode, ladder: bool, model: &str, args: &[String]) -> i32 {
+/// Run or check a script; the exit status.
+pub(super) fn script(run: &Switches, mode: Mode, ladder: bool, model: &str, args: &[String]) -> i32 {
     let bar = Bar::new();
     let options = Options { compat: run.compat.is_some(), ladder: ladder.then(Ladder::default), dense: None };
     let settings = Settings { mode, strict: run.strict, options };
@@ -119,7 +122,8 @@ impl Shown {
     }
 }
 
-fn tell_end(end: &End, interp: &Tcl) {
+/// Tell how a script ended, where that is worth it.
+pub(super) fn tell_end(end: &End, interp: &Tcl) {
     let messages = Messages::new();
     match end {
         End::Rejected(d) | End::Raised(d) => eprintln!("{}", messages.render(d, &interp.sources)),

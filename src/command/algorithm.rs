@@ -66,7 +66,7 @@ fn algorithm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             let (choice, once) = tangent(interp, &mut a)?;
             Box::new(Linear::new(mix(choice), once))
         }
-        "Newton" => Box::new(Newton(tangent(interp, &mut a)?.0)),
+        "Newton" => Box::new(Newton::new(tangent(interp, &mut a)?.0)),
         "ModifiedNewton" => {
             let (choice, once) = tangent(interp, &mut a)?;
             Box::new(ModifiedNewton::new(mix(choice), once))
@@ -81,7 +81,7 @@ fn algorithm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             let Tangents { increment, iterate, .. } = accelerated(interp, &mut a, false)?.tangents;
             let iterate = iterate.unwrap_or(increment);
             let same = iterate == increment;
-            Box::new(Newton(if same { TangentChoice::Always(iterate) } else { TangentChoice::InitialThenCurrent }))
+            Box::new(Newton::new(if same { TangentChoice::Always(iterate) } else { TangentChoice::InitialThenCurrent }))
         }
         "BFGS" => {
             let (mix, count) = quasi_newton(interp, &mut a)?;

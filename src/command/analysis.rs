@@ -76,7 +76,7 @@ fn default_integrator(kind: Kind) -> Box<dyn Integrator> {
 }
 
 fn default_algorithm() -> Box<dyn Algorithm> {
-    Box::new(Newton(TangentChoice::Always(TangentMix::CURRENT)))
+    Box::new(Newton::new(TangentChoice::Always(TangentMix::CURRENT)))
 }
 
 fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {

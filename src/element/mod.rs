@@ -8,13 +8,13 @@
 
 pub mod amendment;
 pub mod axes;
-mod basic_row;
 mod bar;
+mod basic_row;
 pub mod beam;
 pub mod bearing;
 mod corot_truss;
-pub mod friction;
 mod coupled_zero_length;
+pub mod friction;
 pub mod load;
 mod springs;
 pub mod transform;
@@ -29,8 +29,8 @@ use crate::probe::Probe;
 use std::fmt;
 use std::sync::Arc;
 
-pub use basic_row::BasicRow;
 pub use bar::BarOptions;
+pub use basic_row::BasicRow;
 pub use corot_truss::CorotTruss;
 pub use coupled_zero_length::CoupledZeroLength;
 pub use load::ElementLoad;

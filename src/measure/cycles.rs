@@ -87,14 +87,16 @@ impl Split {
 
     fn excursions(&self, u: &[f64]) -> Vec<Excursion> {
         let reach = self.reach(u);
+        // Round-off is on no side.
+        let touch = 1e-6 * reach;
         let mut all: Vec<Excursion> = vec![];
         // Last samples that are not above the centre, not below it, and close to it.
         let (mut not_above, mut not_below, mut close) = (None, None, None);
         for (i, x) in u.iter().map(|u| u - self.centre).enumerate() {
-            if x <= 0.0 {
+            if x <= touch {
                 not_above = Some(i);
             }
-            if x >= 0.0 {
+            if x >= -touch {
                 not_below = Some(i);
             }
             // Half of the threshold, so that noise about the threshold makes no excursions.

@@ -1,9 +1,9 @@
 //! Named things that elements and patterns are made from: materials, series, transformations.
 
 use super::Tag;
+use crate::element::beam::Rule;
 use crate::element::bearing::Common;
 use crate::element::friction::Friction;
-use crate::element::beam::Rule;
 use crate::element::transform::TransformSpec;
 use crate::material::Material;
 use crate::section::SharedSection;

@@ -50,8 +50,7 @@ impl Table {
             self.columns.iter().map(|c| c.name.to_owned()).collect::<Vec<_>>(),
             self.columns.iter().map(|c| c.unit.clone()).collect(),
         ];
-        let rows =
-            self.rows.iter().map(|r| r.iter().map(|c| cell(c, Style { precision: 5, scientific: false })).collect());
+        let rows = self.rows.iter().map(|r| r.iter().map(short).collect());
         let lines: Vec<Vec<String>> =
             heads.into_iter().filter(|h| h.iter().any(|w| !w.is_empty())).chain(rows).collect();
         let widths: Vec<usize> = (0..self.columns.len())
@@ -75,8 +74,7 @@ impl Table {
             "" => c.name.to_owned(),
             unit => format!("{} [{unit}]", c.name),
         });
-        let full = Style { precision: 17, scientific: false };
-        let rows = self.rows.iter().map(|r| r.iter().map(|c| cell(c, full)).collect::<Vec<_>>());
+        let rows = self.rows.iter().map(|r| r.iter().map(whole).collect::<Vec<_>>());
         std::iter::once(head.collect::<Vec<_>>()).chain(rows).map(|r| r.join(",") + "\n").collect()
     }
 
@@ -95,13 +93,23 @@ impl Table {
     }
 }
 
-fn cell(c: &Cell, style: Style) -> String {
+/// With five digits.
+fn short(c: &Cell) -> String {
     match c {
         Cell::Number(x) => {
             let mut text = String::new();
-            style.push(*x, &mut text);
+            Style { precision: 5, scientific: false }.push(*x, &mut text);
             text
         }
+        Cell::Word(w) => (*w).to_owned(),
+    }
+}
+
+/// With as many digits as it takes to read the same number again.
+fn whole(c: &Cell) -> String {
+    match c {
+        Cell::Number(x) if *x == 0.0 || (1e-5..1e15).contains(&x.abs()) => x.to_string(),
+        Cell::Number(x) => format!("{x:e}"),
         Cell::Word(w) => (*w).to_owned(),
     }
 }
@@ -115,10 +123,10 @@ mod tests {
         let mut t = Table::new([("cycle", ""), ("K", "kN/m"), ("part", "")]);
         t.rows = vec![
             vec![1.0.into(), (1.0 / 3.0).into(), Cell::Word("")],
-            vec![10.0.into(), 2e6.into(), Cell::Word("above")],
+            vec![10.0.into(), 2e16.into(), Cell::Word("above")],
         ];
-        assert_eq!(t.text(), "cycle        K   part\n          kN/m\n    1  0.33333\n   10    2e+06  above\n");
-        assert_eq!(t.csv(), "cycle,K [kN/m],part\n1,0.33333333333333331,\n10,2000000,above\n");
+        assert_eq!(t.text(), "cycle        K   part\n          kN/m\n    1  0.33333\n   10    2e+16  above\n");
+        assert_eq!(t.csv(), "cycle,K [kN/m],part\n1,0.3333333333333333,\n10,2e16,above\n");
         let back: serde_json::Value = serde_json::from_str(&t.json()).unwrap_or_default();
         assert_eq!(back[1]["part"], "above");
         assert_eq!(back[0]["K"], 1.0 / 3.0);

@@ -6,7 +6,7 @@ use hysteron::element::beam::{
 };
 use hysteron::element::load::ElementLoad;
 use hysteron::element::transform::{Ends, TransformKind, TransformSpec};
-use hysteron::element::{Element, ZeroLengthSection};
+use hysteron::element::ZeroLengthSection;
 use hysteron::material::{Concrete02, Elastic as ElasticMaterial, Material, Steel02};
 use hysteron::section::{Aggregator, Elastic, ElasticSection, Fiber, FiberSection, Resultant, SharedSection};
 use nalgebra::{Matrix3, Vector3};

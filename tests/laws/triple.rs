@@ -195,7 +195,9 @@ fn rolling_bearing_has_consistent_tangents() {
     let vel = [0.0, 0.0, 0.0, 0.7, 0.2, 0.1];
     let at_rest = e.force(&[0.01; 6]);
     let answer = Answer { force: &mut f, tangent: None, damping: Some(&mut c) };
-    e.element.respond(&Motion { disp: &[0.01; 6], vel: &vel, load: &[], dt: DT, time: 1.0 }, &e.state, &mut next, answer).unwrap();
+    e.element
+        .respond(&Motion { disp: &[0.01; 6], vel: &vel, load: &[], dt: DT, time: 1.0 }, &e.state, &mut next, answer)
+        .unwrap();
     for i in 0..6 {
         let damped: f64 = (0..6).map(|j| c[6 * i + j] * vel[j]).sum();
         assert!((f[i] - at_rest[i] - damped).abs() < 1e-9);

@@ -7,22 +7,35 @@ use crate::solve::Use;
 
 /// `algorithm Newton`.
 #[derive(Clone, Debug)]
-pub struct Newton(pub TangentChoice);
+pub struct Newton {
+    choice: TangentChoice,
+    /// Iterations of the last step. The next one is expected to take as many, and no tangents are made at its end; they
+    /// are made up for where it takes more.
+    expected: usize,
+}
+
+impl Newton {
+    /// With which tangents.
+    pub fn new(choice: TangentChoice) -> Self {
+        Self { choice, expected: usize::MAX }
+    }
+}
 
 impl Algorithm for Newton {
     fn name(&self) -> &'static str {
         "Newton"
     }
     fn solve(&mut self, it: &mut Iteration<'_, '_>) -> Result<usize, Failure> {
-        let wants = self.0 != TangentChoice::Always(TangentMix::INITIAL);
+        let wants = self.choice != TangentChoice::Always(TangentMix::INITIAL);
         it.system.form_unbalance(wants)?;
         it.start_test();
         for iteration in 0.. {
-            it.system.form_tangent(self.0.at(iteration), Use::Once)?;
+            it.system.form_tangent(self.choice.at(iteration), Use::Once)?;
             it.system.solve()?;
             it.update()?;
-            it.system.form_unbalance(wants)?;
+            it.system.form_unbalance(wants && iteration + 1 != self.expected)?;
             if let Some(n) = it.judge()? {
+                self.expected = n;
                 return Ok(n);
             }
         }

@@ -2,13 +2,13 @@
 
 mod beam;
 mod bearing;
+mod fiber_beam;
 mod kikuchi;
 mod multiple_normal_spring;
 mod multiple_shear_spring;
 mod multiple_springs;
 mod rubber_bearing;
 mod sliding;
-mod fiber_beam;
 mod timoshenko;
 mod triple;
 mod truss;

@@ -42,10 +42,19 @@ impl ShearParameters {
         let norm2: f64 = w.iter().map(|w| w * w).sum();
         let shape = self.gamma + self.beta * sign(work);
         // |w|^(η-2), kept finite where w vanishes: there z does too.
-        let power = if self.eta == 2.0 { 1.0 } else { norm2.max(f64::MIN_POSITIVE).powf(0.5 * self.eta - 1.0) };
+        let finite = norm2.max(f64::MIN_POSITIVE);
+        let power = match self.eta {
+            1.0 => 1.0 / finite.sqrt(),
+            2.0 => 1.0,
+            eta => finite.powf(0.5 * eta - 1.0),
+        };
         let a = power * work * shape;
         let t = self.relax(a).ok_or_else(|| self.no_root())?;
-        let slope = if self.eta == 2.0 { t } else { t.powf(self.eta - 1.0) };
+        let slope = match self.eta {
+            1.0 => 1.0,
+            2.0 => t,
+            eta => t.powf(eta - 1.0),
+        };
         // ∂t/∂d = -t^η / (1 + η a t^(η-1)) ∂a/∂d
         let factor = -t * slope / (1.0 + self.eta * a * slope) * power * shape;
         let radial = if norm2 > 0.0 { (self.eta - 2.0) * work / norm2 } else { 0.0 };

@@ -1,6 +1,7 @@
 //! Kinematics of two-node bearings: basic deformations, and the P-Delta moments of the axial force.
 
-use crate::element::{BasicRow, add_outer, dot};
+use crate::element::{BasicRow, dot};
+use crate::numeric::SparseRow;
 use nalgebra::Matrix3;
 
 /// Linear kinematics of a two-node bearing with `N` degrees of freedom and `B` basic deformations.
@@ -15,8 +16,10 @@ pub struct Link<const N: usize, const B: usize> {
     pub basic: [[f64; N]; B],
     /// Local displacements from global ones.
     pub local: [[f64; N]; N],
+    /// Rows of `basic`. Axes are mostly those of the building, and few entries are not zero.
+    rows: [SparseRow<N>; B],
     /// Forces in global axes per unit of axial force and displacement.
-    p_delta: [[f64; N]; N],
+    p_delta: [SparseRow<N>; N],
 }
 
 impl<const N: usize, const B: usize> Link<N, B> {
@@ -85,78 +88,55 @@ impl<const N: usize, const B: usize> Link<N, B> {
                 }
             }
         }
-        Self { basic, local, p_delta }
+        Self { basic, local, rows: basic.map(SparseRow::new), p_delta: p_delta.map(SparseRow::new) }
     }
 
     /// Basic deformations of global displacements (or their rates).
     #[inline]
     pub fn deformation(&self, disp: &[f64]) -> [f64; B] {
-        self.basic.each_ref().map(|row| dot(row, disp))
+        self.rows.each_ref().map(|row| row.dot(disp))
     }
 
     /// Moments in global axes per unit of axial force.
     #[inline]
     fn lever(&self, disp: &[f64]) -> [f64; N] {
-        self.p_delta.each_ref().map(|row| dot(row, disp))
+        self.p_delta.each_ref().map(|row| row.dot(disp))
     }
 
     /// Add the global forces of basic forces `q` without P-Delta moments.
+    #[inline]
     pub fn add_basic_force(&self, q: &[f64; B], force: &mut [f64]) {
-        for (row, &qi) in self.basic.iter().zip(q) {
-            for (f, r) in force.iter_mut().zip(row) {
-                *f += qi * r;
-            }
-        }
+        self.rows.iter().zip(q).for_each(|(row, &qi)| row.add_to(qi, force));
     }
 
     /// Add the global forces of basic forces `q`, P-Delta moments included.
     pub fn add_force(&self, q: &[f64; B], disp: &[f64], force: &mut [f64]) {
         self.add_basic_force(q, force);
-        for (f, l) in force.iter_mut().zip(self.lever(disp)) {
-            *f += q[0] * l;
+        for (f, row) in force.iter_mut().zip(&self.p_delta) {
+            *f += q[0] * row.dot(disp);
         }
     }
 
     /// Add the consistent tangent of [`Link::add_force`] for the basic stiffness `k`.
     pub fn add_tangent(&self, k: &[[f64; B]; B], q: &[f64; B], disp: &[f64], tangent: &mut [f64]) {
         self.add_basic(k, tangent);
-        for (row, g) in tangent.chunks_exact_mut(N).zip(&self.p_delta) {
-            for (t, g) in row.iter_mut().zip(g) {
-                *t += q[0] * g;
-            }
-        }
         // The moments grow with the axial force too.
         let mut axial = [0.0; N];
-        for (row, &kb) in self.basic.iter().zip(&k[0]) {
-            for (a, r) in axial.iter_mut().zip(row) {
-                *a += kb * r;
-            }
-        }
-        for (row, l) in tangent.chunks_exact_mut(N).zip(self.lever(disp)) {
+        self.add_basic_force(&k[0], &mut axial);
+        for ((to, row), l) in tangent.chunks_exact_mut(N).zip(&self.p_delta).zip(self.lever(disp)) {
+            row.add_to(q[0], to);
             if l != 0.0 {
-                for (t, a) in row.iter_mut().zip(&axial) {
-                    *t += l * a;
-                }
+                to.iter_mut().zip(&axial).for_each(|(t, a)| *t += l * a);
             }
         }
     }
 
     /// Add Aᵀ k A for a basic matrix `k`.
     pub fn add_basic(&self, k: &[[f64; B]; B], tangent: &mut [f64]) {
-        for (a, row) in self.basic.iter().enumerate() {
-            if k[a][a] != 0.0 {
-                add_outer(tangent, row, k[a][a]);
-            }
-            for (b, other) in self.basic.iter().enumerate() {
-                let kab = k[a][b];
-                if a != b && kab != 0.0 {
-                    for (i, &ri) in row.iter().enumerate() {
-                        if ri != 0.0 {
-                            for (t, o) in tangent[i * N..(i + 1) * N].iter_mut().zip(other) {
-                                *t += kab * ri * o;
-                            }
-                        }
-                    }
+        for (row, k) in self.rows.iter().zip(k) {
+            for (other, &kab) in self.rows.iter().zip(k).filter(|(_, kab)| **kab != 0.0) {
+                for (i, ri) in row.entries() {
+                    other.add_to(kab * ri, &mut tangent[i * N..(i + 1) * N]);
                 }
             }
         }

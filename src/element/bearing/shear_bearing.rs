@@ -80,7 +80,9 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
         answer: Answer<'_>,
     ) -> Result<(), ElementError> {
         let u = self.link.deformation(motion.disp);
-        let rate = self.link.deformation(motion.vel);
+        // Nothing has a velocity in a static analysis.
+        let still = motion.vel.iter().all(|v| *v == 0.0);
+        let rate = if still { [0.0; B] } else { self.link.deformation(motion.vel) };
         let (mut q, mut k, mut c) = ([0.0; B], [[0.0; B]; B], [[0.0; B]; B]);
         for (i, slot) in self.springs() {
             let s = slot.update(committed, Strain { value: u[i], rate: rate[i], dt: motion.dt }, trial)?;

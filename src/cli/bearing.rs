@@ -1,0 +1,267 @@
+//! `hysteron bearing`: a bearing by itself, driven as in a testing machine.
+
+use super::args::Switches;
+use super::console::Terminal;
+use super::files::NoFiles;
+use super::loops::Report;
+use super::progress::Bar;
+use super::run;
+use clap::{Args, ValueEnum};
+use hysteron::analysis::Options;
+use hysteron::command::{Mode, Tcl};
+use hysteron::io::table::Table as Columns;
+use hysteron::measure::Split;
+use hysteron::protocol::{Bearing, Motion, Protocol};
+use hysteron::report::{Column, Record, Table};
+use hysteron::run::{End, Run, Settings};
+use hysteron::script::{OsFiles, OverlayFiles, Value};
+use std::fs;
+use std::path::Path;
+
+/// The bearing and its test.
+#[derive(Args, Debug)]
+pub(super) struct Test {
+    #[command(flatten)]
+    switches: Switches,
+    /// A script that defines the bearing as element 1 (nodes and materials too, no supports, loads or analyses); or a file of
+    /// models/, whose procedure of the same name makes it
+    file: String,
+    /// The procedure that makes the bearing, and its words after tag and nodes (else the one named like the file)
+    #[arg(long, value_name = "\"NAME ARG ...\"")]
+    device: Option<String>,
+    /// How the upper end moves
+    #[arg(long, short = 'm', value_enum, default_value_t = Kind::Cycles)]
+    motion: Kind,
+    /// Amplitudes of the displacement, one after the other
+    #[arg(
+        long,
+        short = 'a',
+        value_delimiter = ',',
+        allow_negative_numbers = true,
+        required_unless_present = "strains"
+    )]
+    amplitudes: Vec<f64>,
+    /// Amplitudes as shear strains, displacements over --thickness
+    #[arg(
+        long,
+        value_delimiter = ',',
+        allow_negative_numbers = true,
+        conflicts_with = "amplitudes",
+        requires = "thickness"
+    )]
+    strains: Vec<f64>,
+    /// Cycles of each amplitude
+    #[arg(long, short = 'n', default_value_t = 3)]
+    cycles: usize,
+    /// Cycles in a unit of time
+    #[arg(long, default_value_t = 1.0)]
+    frequency: f64,
+    /// Steps of a cycle (of a ramp as long as the largest amplitude)
+    #[arg(long, default_value_t = 200)]
+    steps: usize,
+    /// Axial load, compression positive
+    #[arg(long, short = 'P', value_name = "LOAD", default_value_t = 0.0, allow_negative_numbers = true)]
+    axial: f64,
+    /// Amplitude of a sine about the axial load
+    #[arg(long, value_name = "LOAD", default_value_t = 0.0, allow_negative_numbers = true)]
+    axial_amplitude: f64,
+    /// Cycles of the axial load in a cycle of the motion
+    #[arg(long, value_name = "RATIO", default_value_t = 1.0)]
+    axial_ratio: f64,
+    /// Direction of cycles in degrees from x
+    #[arg(long, default_value_t = 0.0, allow_negative_numbers = true)]
+    angle: f64,
+    /// Lateral displacement during axial cycles
+    #[arg(long, default_value_t = 0.0, allow_negative_numbers = true)]
+    offset: f64,
+    /// Speed of ramps
+    #[arg(long, default_value_t = 1.0)]
+    speed: f64,
+    /// Time for which ramps are held
+    #[arg(long, default_value_t = 0.0)]
+    hold: f64,
+    /// Impose velocities too: for devices that feel the rate of deformation
+    #[arg(long)]
+    rates: bool,
+    /// Folder of the results (else the name of the file with _test)
+    #[arg(long, short = 'o', value_name = "FOLDER")]
+    out: Option<String>,
+    /// Write the script of the test, and do not run it
+    #[arg(long)]
+    script: bool,
+    #[command(flatten)]
+    report: Report,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Kind {
+    /// Sines of shear
+    Cycles,
+    /// Circles in plan
+    Circles,
+    /// Figures of eight in plan
+    Eights,
+    /// Axial sines
+    Axial,
+    /// Ramps and holds
+    Ramps,
+}
+
+impl Test {
+    fn protocol(&self) -> Protocol {
+        let thickness = self.report.thickness().unwrap_or(1.0);
+        let strains = self.strains.iter().map(|s| s * thickness);
+        Protocol {
+            motion: match self.motion {
+                Kind::Cycles => Motion::Cycles { angle: self.angle },
+                Kind::Circles => Motion::Circles,
+                Kind::Eights => Motion::Eights,
+                Kind::Axial => Motion::Axial { offset: self.offset },
+                Kind::Ramps => Motion::Ramps { speed: self.speed, hold: self.hold },
+            },
+            amplitudes: self.amplitudes.iter().copied().chain(strains).collect(),
+            cycles: self.cycles,
+            frequency: self.frequency,
+            steps: self.steps,
+            axial: self.axial,
+            axial_amplitude: self.axial_amplitude,
+            axial_ratio: self.axial_ratio,
+            rates: self.rates,
+        }
+    }
+
+    /// Find the bearing: run its file by itself, and look at what it has made.
+    fn bearing(&self) -> Result<Bearing, Failed> {
+        let settings = Settings { mode: Mode::Run, strict: self.switches.strict, options: Options::default() };
+        let files = OverlayFiles::new(Box::new(OsFiles));
+        let mut run = Run::new(settings, Box::new(Terminal::new(Bar::new())), Box::new(files), Box::new(NoFiles));
+        let end = run.script(&self.file, &[]);
+        if !matches!(end, End::Done) {
+            run::tell_end(&end, &run.interp);
+            return Err(Failed::Told(end.status()));
+        }
+        let mut asked = |text: &str| ask(&mut run.interp, text);
+        let file = self.file.clone();
+        if asked("expr {1 in [getEleTags]}").as_deref() == Some("1") && self.device.is_none() {
+            let nodes: Option<Vec<i32>> =
+                asked("eleNodes 1").map(|n| n.split_whitespace().filter_map(|n| n.parse().ok()).collect());
+            let ndm = asked("getNDM").and_then(|n| n.parse().ok());
+            return match (nodes.as_deref(), ndm) {
+                (Some(&[lower, upper]), Some(ndm @ 2..=3)) => {
+                    Ok(Bearing { file, call: None, nodes: [lower, upper], ndm })
+                }
+                _ => Err(Failed::Because(format!("element 1 of \"{file}\" does not join two nodes in plane or space"))),
+            };
+        }
+        let stem = Path::new(&self.file).file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
+        let device = self.device.clone().unwrap_or(stem);
+        let (name, words) = device.split_once(' ').unwrap_or((&device, ""));
+        if asked(&format!("llength [info procs {{{name}}}]")).as_deref() != Some("1") {
+            let makes = format!("\"{file}\" makes no element 1 and has no procedure \"{name}\"");
+            let there = asked("lsort [info procs]").filter(|p| !p.is_empty());
+            let there = there.map_or_else(|| "it has no procedures".into(), |p| format!("its procedures are {p}"));
+            return Err(Failed::Because(format!("{makes}: {there} (see --device)")));
+        }
+        let call = format!("{name} 1 1 2 {words}").trim_end().to_owned();
+        Ok(Bearing { file, call: Some(call), nodes: [1, 2], ndm: 3 })
+    }
+
+    /// Names of the files with the results.
+    fn folder(&self) -> String {
+        let stem = Path::new(&self.file).file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
+        self.out.clone().unwrap_or_else(|| format!("{stem}_test"))
+    }
+}
+
+/// Result of a script, as text.
+fn ask(interp: &mut Tcl, text: &str) -> Option<String> {
+    interp.eval_str("bearing", text).ok().map(|v: Value| v.as_str().into_owned())
+}
+
+/// Why there is no test.
+enum Failed {
+    /// It has been told.
+    Told(i32),
+    Because(String),
+}
+
+impl From<String> for Failed {
+    fn from(message: String) -> Self {
+        Self::Because(message)
+    }
+}
+
+/// Carry it out; the exit status.
+pub(super) fn bearing(test: &Test) -> i32 {
+    match carry_out(test) {
+        Ok(status) | Err(Failed::Told(status)) => status,
+        Err(Failed::Because(message)) => run::print(Err(message)),
+    }
+}
+
+fn carry_out(test: &Test) -> Result<i32, Failed> {
+    let (bearing, protocol) = (test.bearing()?, test.protocol());
+    protocol.check(bearing.ndm)?;
+    let folder = test.folder();
+    let in_folder = |name: &str| format!("{folder}/{name}");
+    let cannot = |e: std::io::Error| format!("cannot write into \"{folder}\": {e}");
+    fs::create_dir_all(&folder).map_err(cannot)?;
+    let script = in_folder("test.tcl");
+    fs::write(&script, protocol.script(&bearing, &folder)).map_err(cannot)?;
+    if test.script {
+        return Ok(run::print(Ok(format!("{script}\n"))));
+    }
+    let status = run::script(&test.switches, Mode::Run, false, &script, &[]);
+    let read = |name: &str| -> Result<Columns, String> {
+        let text = fs::read_to_string(in_folder(name)).map_err(|e| format!("there are no results: {e}"))?;
+        Columns::parse(&text)
+    };
+    let (displacement, force) = (read("displacement.out")?, read("force.out")?);
+    let all: Vec<&Vec<f64>> = displacement.columns.iter().chain(force.columns.iter().skip(1)).collect();
+    let names: &[&'static str] = if bearing.ndm == 2 {
+        &["time", "u_x", "u_y", "F_x", "F_y"]
+    } else {
+        &["time", "u_x", "u_y", "u_z", "F_x", "F_y", "F_z"]
+    };
+    if all.len() != names.len() {
+        return Err(Failed::Because("there are no results: the test ended at once".into()));
+    }
+    fs::write(in_folder("loops.csv"), csv(names, &all)).map_err(cannot)?;
+    let (u, f) = (&all[1..=bearing.ndm], &all[bearing.ndm + 1..]);
+    let table = measured(test, all[0], u, f)?;
+    fs::write(in_folder("cycles.csv"), table.csv()).map_err(cannot)?;
+    run::print(Ok(test.report.form(&table)));
+    Ok(status)
+}
+
+/// Measures and pictures of what was driven.
+fn measured(test: &Test, time: &[f64], u: &[&Vec<f64>], f: &[&Vec<f64>]) -> Result<Table, String> {
+    let record = |u, f| Record { time: Some(time), u, f };
+    let svg = format!("{}/loops.svg", test.folder());
+    let split = Split::default();
+    match test.motion {
+        Kind::Circles | Kind::Eights => {
+            test.report.measure(&[record(u[0], f[0]), record(u[1], f[1])], &split, Some(&svg))
+        }
+        Kind::Axial => {
+            let vertical = u.len() - 1;
+            test.report.measure(&[record(u[vertical], f[vertical])], &split, Some(&svg))
+        }
+        Kind::Cycles if test.angle != 0.0 => {
+            let (sin, cos) = test.angle.to_radians().sin_cos();
+            let along = |v: &[&Vec<f64>]| v[0].iter().zip(v[1]).map(|(x, y)| cos * x + sin * y).collect::<Vec<f64>>();
+            test.report.measure(&[record(&along(u), &along(f))], &split, Some(&svg))
+        }
+        Kind::Cycles | Kind::Ramps => test.report.measure(&[record(u[0], f[0])], &split, Some(&svg)),
+    }
+}
+
+/// Columns of numbers under their names.
+fn csv(names: &[&'static str], columns: &[&Vec<f64>]) -> String {
+    let rows = columns.iter().map(|c| c.len()).min().unwrap_or(0);
+    let table = Table {
+        columns: names.iter().map(|&name| Column { name, unit: String::new() }).collect(),
+        rows: (0..rows).map(|i| columns.iter().map(|c| c[i].into()).collect()).collect(),
+    };
+    table.csv()
+}

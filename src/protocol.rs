@@ -1,0 +1,309 @@
+//! Tests of a single bearing: what is imposed on it, as a script that runs by itself.
+//!
+//! The bearing is element 1. Its lower node is held; the upper one is moved, with rotations held as between the plates of a
+//! testing machine. The last direction of space is the vertical one.
+
+use std::fmt::Write as _;
+
+/// How the upper node moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Motion {
+    /// Sines along a direction, at this angle from x in degrees.
+    Cycles {
+        /// Angle in degrees.
+        angle: f64,
+    },
+    /// Circles about the lower node, reached along x.
+    Circles,
+    /// Figures of eight: a sine along x, and one of half the amplitude and twice the frequency along y.
+    Eights,
+    /// Axial sines, with the upper node held at this distance along x.
+    Axial {
+        /// Lateral displacement.
+        offset: f64,
+    },
+    /// Ramps along x to one amplitude after the other, at constant speed, each held for a time.
+    Ramps {
+        /// Speed, length over time.
+        speed: f64,
+        /// Time of a hold.
+        hold: f64,
+    },
+}
+
+impl Motion {
+    /// What it is, in words.
+    fn title(self) -> &'static str {
+        match self {
+            Self::Cycles { .. } => "cycles of shear",
+            Self::Circles => "circles",
+            Self::Eights => "figures of eight",
+            Self::Axial { .. } => "axial cycles",
+            Self::Ramps { .. } => "ramps and holds",
+        }
+    }
+}
+
+/// A test.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Protocol {
+    /// How the upper node moves.
+    pub motion: Motion,
+    /// Amplitudes, one after the other: lengths.
+    pub amplitudes: Vec<f64>,
+    /// Cycles of each amplitude.
+    pub cycles: usize,
+    /// Cycles in a unit of time.
+    pub frequency: f64,
+    /// Steps of a cycle, or of a ramp as long as the largest amplitude.
+    pub steps: usize,
+    /// Axial load, compression positive.
+    pub axial: f64,
+    /// Amplitude of a sine about the axial load.
+    pub axial_amplitude: f64,
+    /// Cycles of the axial load in a cycle of the motion.
+    pub axial_ratio: f64,
+    /// Velocities are imposed too, in a transient analysis: for devices that feel the rate of deformation.
+    pub rates: bool,
+}
+
+/// The bearing.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Bearing {
+    /// The script that defines it.
+    pub file: String,
+    /// The call that makes element 1 between nodes 1 and 2, where the script does not make it itself.
+    pub call: Option<String>,
+    /// Its nodes, the lower one first.
+    pub nodes: [i32; 2],
+    /// Dimensions of space, 2 or 3.
+    pub ndm: usize,
+}
+
+/// A straight way along x in a number of steps.
+const RAMP: &str = "proc ramp {to n} {\n    global xs\n    set from [lindex $xs end]\n    \
+    for {set i 1} {$i <= $n} {incr i} { place [expr {$from + ($to - $from)*$i/double($n)}] 0.0 0.0 }\n}\n";
+
+/// What a protocol cannot be.
+fn check(what: &str, value: f64, good: bool, expected: &str) -> Result<(), String> {
+    if good && value.is_finite() { Ok(()) } else { Err(format!("the {what} is {value}: expected {expected}")) }
+}
+
+impl Protocol {
+    /// Whether the protocol makes sense for a bearing.
+    ///
+    /// # Errors
+    /// What does not, its value and what was expected.
+    pub fn check(&self, ndm: usize) -> Result<(), String> {
+        let positive = "more than 0";
+        check("number of amplitudes", self.amplitudes.len() as f64, !self.amplitudes.is_empty(), "at least 1")?;
+        let ramps = matches!(self.motion, Motion::Ramps { .. });
+        for &a in &self.amplitudes {
+            check("amplitude", a, a > 0.0 || ramps, positive)?;
+        }
+        check("largest amplitude", self.largest(), self.largest() > 0.0, positive)?;
+        check("number of cycles", self.cycles as f64, self.cycles > 0, "at least 1")?;
+        check("number of steps of a cycle", self.steps as f64, self.steps >= 8, "at least 8")?;
+        check("frequency", self.frequency, self.frequency > 0.0, positive)?;
+        check("axial load", self.axial, true, "a number")?;
+        check("amplitude of the axial load", self.axial_amplitude, true, "a number")?;
+        check("ratio of the axial cycles", self.axial_ratio, self.axial_ratio > 0.0, positive)?;
+        let plane = ndm == 2;
+        match self.motion {
+            Motion::Ramps { speed, hold } => {
+                check("speed of the ramps", speed, speed > 0.0, positive)?;
+                check("time of a hold", hold, hold >= 0.0, "not less than 0")
+            }
+            Motion::Axial { offset } => {
+                check("offset", offset, true, "a number")?;
+                let load = self.axial.abs() + self.axial_amplitude.abs();
+                check("axial load", load, load == 0.0, "none, since axial displacements are imposed")
+            }
+            Motion::Cycles { angle } => check("angle", angle, angle == 0.0 || !plane, "0 in the plane"),
+            Motion::Circles | Motion::Eights if plane => {
+                Err(format!("{} need a bearing in space, not in the plane", self.motion.title()))
+            }
+            Motion::Circles | Motion::Eights => Ok(()),
+        }
+    }
+
+    /// Largest amplitude.
+    fn largest(&self) -> f64 {
+        self.amplitudes.iter().fold(0.0, |m, a| m.max(a.abs()))
+    }
+
+    /// Step of time.
+    fn step(&self) -> f64 {
+        match self.motion {
+            Motion::Ramps { speed, .. } => self.largest() / (speed * self.steps as f64),
+            _ => 1.0 / (self.frequency * self.steps as f64),
+        }
+    }
+
+    /// The test as a script, which writes displacements of the upper node and the forces that move it to files in a folder.
+    pub fn script(&self, bearing: &Bearing, folder: &str) -> String {
+        let mut t = String::new();
+        let [lower, upper] = bearing.nodes;
+        let _ =
+            writeln!(t, "# {} of the bearing of {}, made by hysteron.", sentence(self.motion.title()), bearing.file);
+        let _ = writeln!(t, "# Units are those of the bearing; times in the unit of 1/frequency.\n");
+        if let Some(call) = &bearing.call {
+            t += "model BasicBuilder -ndm 3 -ndf 6\nnode 1 0.0 0.0 0.0\nnode 2 0.0 0.0 0.0\n";
+            let _ = writeln!(t, "source {}\n{call}\n", word(&bearing.file));
+        } else {
+            let _ = writeln!(t, "source {}\n", word(&bearing.file));
+        }
+        let plane = bearing.ndm == 2;
+        let driven = self.driven(plane);
+        let held = |d: usize| if driven.contains(&d) || d == bearing.ndm { "0" } else { "1" };
+        let ndf = if plane { 3 } else { 6 };
+        let flags: Vec<&str> = (1..=ndf).map(held).collect();
+        let _ = writeln!(t, "# The testing machine: the lower plate is held, the upper one moves without turning.");
+        let _ = writeln!(t, "fix {lower} {}", vec!["1"; ndf].join(" "));
+        let _ = writeln!(t, "fix {upper} {}\n", flags.join(" "));
+        let _ = writeln!(t, "constraints Transformation\nnumberer Plain\nsystem FullGeneral");
+        let _ = writeln!(t, "test NormDispIncr {:.1e} 50\nalgorithm Newton\n", 1e-9 * self.largest());
+        if self.axial != 0.0 {
+            self.write_axial_load(&mut t, bearing, ndf);
+        }
+        self.write_path(&mut t);
+        self.write_motion(&mut t, bearing, &driven, ndf);
+        let dofs: Vec<String> = (1..=bearing.ndm).map(|d| d.to_string()).collect();
+        let dofs = dofs.join(" ");
+        let forces: Vec<String> = (1..=bearing.ndm).map(|d| (ndf + d).to_string()).collect();
+        let out = |name: &str| word(&format!("{folder}/{name}"));
+        let _ = writeln!(t, "# Rows from the state at rest on.");
+        let file = out("displacement.out");
+        let _ = writeln!(t, "recorder Node -file {file} -precision 12 -time -node {upper} -dof {dofs} disp");
+        let (file, forces) = (out("force.out"), forces.join(" "));
+        let _ = writeln!(t, "recorder Element -file {file} -precision 12 -time -ele 1 -dof {forces} force");
+        let _ = writeln!(t, "record\n");
+        if self.rates {
+            t += "integrator Newmark 0.5 0.25\nanalysis Transient\nset ok [analyze [expr {[llength $xs] - 1}] $dt]\n";
+        } else {
+            t += "integrator LoadControl $dt\nanalysis Static\nset ok [analyze [expr {[llength $xs] - 1}]]\n";
+        }
+        t += "if {$ok != 0} { puts stderr \"the test ended at time [getTime]: try more steps\" }\n";
+        t
+    }
+
+    /// Directions that are moved, from 1.
+    fn driven(&self, plane: bool) -> Vec<usize> {
+        let vertical = if plane { 2 } else { 3 };
+        match self.motion {
+            Motion::Cycles { angle } if angle != 0.0 => vec![1, 2],
+            Motion::Cycles { .. } | Motion::Ramps { .. } => vec![1],
+            Motion::Circles | Motion::Eights => vec![1, 2],
+            Motion::Axial { .. } => vec![1, vertical],
+        }
+    }
+
+    fn write_axial_load(&self, t: &mut String, bearing: &Bearing, ndf: usize) {
+        let _ = writeln!(t, "# Axial load, which stays.");
+        let _ = writeln!(t, "timeSeries Linear 901\npattern Plain 901 901 {{");
+        let _ = writeln!(t, "    load {} {}\n}}", bearing.nodes[1], vertical_load(-self.axial, bearing.ndm, ndf));
+        t.push_str("integrator LoadControl 0.1\nanalysis Static\n");
+        t.push_str("if {[analyze 10] != 0} { error \"the bearing does not carry the axial load\" }\n");
+        t.push_str("loadConst -time 0.0\n\n");
+    }
+
+    /// The path of the upper node as lists of coordinates, one a step from the state at rest on.
+    fn write_path(&self, t: &mut String) {
+        let amplitudes: Vec<String> = self.amplitudes.iter().map(f64::to_string).collect();
+        let _ = writeln!(t, "# The path of the upper node: a value a step, from the state at rest on.");
+        let _ = writeln!(t, "set amplitudes {{{}}}\nset cycles {}", amplitudes.join(" "), self.cycles);
+        let _ = writeln!(t, "set steps {}\nset dt {}\nset turn [expr {{2.0*acos(-1.0)}}]", self.steps, self.step());
+        t.push_str("set xs {0.0}; set ys {0.0}; set zs {0.0}\n");
+        t.push_str("proc place {x y z} {\n    global xs ys zs\n    lappend xs $x; lappend ys $y; lappend zs $z\n}\n");
+        if matches!(self.motion, Motion::Circles | Motion::Axial { .. } | Motion::Ramps { .. }) {
+            t.push_str(RAMP);
+        }
+        let each = "foreach a $amplitudes {\n    for {set i 1} {$i <= $cycles*$steps} {incr i} {\n        \
+                    set p [expr {$turn*$i/$steps}]\n";
+        match self.motion {
+            Motion::Cycles { angle } => {
+                let _ = writeln!(t, "set angle [expr {{{angle}*$turn/360.0}}]");
+                t.push_str(each);
+                t.push_str(
+                    "        place [expr {$a*sin($p)*cos($angle)}] [expr {$a*sin($p)*sin($angle)}] 0.0\n    }\n}\n\n",
+                );
+            }
+            Motion::Circles => {
+                let head = "foreach a $amplitudes {\n    ramp $a [expr {$steps/4}]\n";
+                t.push_str(&each.replacen("foreach a $amplitudes {\n", head, 1));
+                t.push_str("        place [expr {$a*cos($p)}] [expr {$a*sin($p)}] 0.0\n    }\n}\n\n");
+            }
+            Motion::Eights => {
+                t.push_str(each);
+                t.push_str("        place [expr {$a*sin($p)}] [expr {0.5*$a*sin(2.0*$p)}] 0.0\n    }\n}\n\n");
+            }
+            Motion::Axial { offset } => {
+                let _ =
+                    writeln!(t, "set offset {offset}\nif {{$offset != 0.0}} {{ ramp $offset [expr {{$steps/4}}] }}");
+                t.push_str(each);
+                t.push_str("        place $offset 0.0 [expr {$a*sin($p)}]\n    }\n}\n\n");
+            }
+            Motion::Ramps { speed, hold } => {
+                let _ = writeln!(t, "set speed {speed}\nset hold {hold}");
+                t.push_str("foreach a $amplitudes {\n    set way [expr {abs($a - [lindex $xs end])}]\n");
+                t.push_str("    ramp $a [expr {max(1, round($way/($speed*$dt)))}]\n");
+                t.push_str("    ramp $a [expr {round($hold/$dt)}]\n}\n\n");
+            }
+        }
+    }
+
+    /// Patterns that move the upper node, and let the axial load go up and down.
+    fn write_motion(&self, t: &mut String, bearing: &Bearing, driven: &[usize], ndf: usize) {
+        let upper = bearing.nodes[1];
+        let vertical = bearing.ndm;
+        let list = |d: usize| if d == vertical { "zs" } else { ["xs", "ys"][d - 1] };
+        if self.rates {
+            t.push_str("# Velocities of a path, by central differences.\nproc velocities {path} {\n    global dt\n");
+            t.push_str("    set v {}; set last [lindex $path 0]\n    foreach u $path next [lrange $path 1 end] {\n");
+            t.push_str(
+                "        if {$next eq {}} { set next $u }\n        lappend v [expr {($next - $last)/(2.0*$dt)}]\n",
+            );
+            t.push_str("        set last $u\n    }\n    return $v\n}\n");
+        }
+        for &d in driven {
+            let (path, series) = (list(d), 910 + d);
+            let _ = writeln!(t, "timeSeries Path {series} -dt $dt -values ${path} -useLast");
+            if self.rates {
+                let _ = writeln!(t, "timeSeries Path {} -dt $dt -values [velocities ${path}] -useLast", 920 + d);
+                let _ = writeln!(t, "pattern MultipleSupport {series} {{");
+                let _ = writeln!(t, "    groundMotion {series} Plain -disp {series} -vel {}", 920 + d);
+                let _ = writeln!(t, "    imposedMotion {upper} {d} {series}\n}}");
+            } else {
+                let _ = writeln!(t, "pattern Plain {series} {series} {{ sp {upper} {d} 1.0 }}");
+            }
+        }
+        if self.axial_amplitude != 0.0 {
+            t.push_str("set ps {}\nfor {set i 0} {$i < [llength $xs]} {incr i} {\n");
+            let _ = writeln!(t, "    lappend ps [expr {{sin({}*$turn*$i/$steps)}}]\n}}", self.axial_ratio);
+            t.push_str("timeSeries Path 902 -dt $dt -values $ps -useLast\npattern Plain 902 902 {\n");
+            let _ = writeln!(t, "    load {upper} {}\n}}", vertical_load(-self.axial_amplitude, bearing.ndm, ndf));
+        }
+        t.push('\n');
+    }
+}
+
+/// Words of a nodal load with one value in the vertical direction.
+fn vertical_load(value: f64, ndm: usize, ndf: usize) -> String {
+    let words: Vec<String> = (1..=ndf).map(|d| if d == ndm { value.to_string() } else { "0.0".into() }).collect();
+    words.join(" ")
+}
+
+/// A name as one word of Tcl.
+fn word(name: &str) -> String {
+    if name.contains(|c: char| c.is_whitespace() || "$[]{};\"\\".contains(c)) {
+        let escaped: String = name.chars().flat_map(|c| ['\\', c]).collect();
+        return escaped;
+    }
+    name.to_owned()
+}
+
+/// With a capital at its beginning.
+fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
