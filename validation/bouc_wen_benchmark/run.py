@@ -3,7 +3,7 @@
 
     validation/bouc_wen_benchmark/run.py [--out DIR]
 
-Training: a random-phase multisine, 5 to 150 Hz, 50 N rms, 2048 samples at 750 Hz from rest, with white noise 40 dB below the
+Training: a random-phase multisine, 5 to 150 Hz, 50 N rms, 1024 samples at 750 Hz from rest, with white noise 40 dB below the
 output. Tests as published: a multisine of 8192 samples in steady state (the second of two periods), and a sine sweep of
 40 N from 20 to 50 Hz at 10 Hz/min. The error is the RMS of simulated less true displacement.
 
@@ -61,7 +61,7 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
     shutil.copy(HERE / "model.tcl", folder)
     inputs = {
-        "train": (multisine(2048, 1), 2048),
+        "train": (multisine(1024, 1), 1024),
         "multisine": (np.tile(multisine(8192, 2), 2), 16384),
         "sinesweep": (sweep(), 180 * RATE),
     }
@@ -76,8 +76,9 @@ def main():
     bounds = "".join(f'[[parameter]]\nname = "{n}"\nlower = {a}\nupper = {b}\n' for n, (a, b) in BOUNDS.items())
     (folder / "study.toml").write_text(
         f'title = "Bouc-Wen benchmark"\nmodel = "model.tcl"\n{bounds}[[run]]\nname = "train"\nrecording = "train.csv"\n'
-        'set = { force = "train.dat", npts = 2048 }\n'
-        '[[run.observe]]\nchannel = "y"\noutput = "y.out"\ncolumn = 1\n')
+        'set = { force = "train.dat", npts = 1024 }\n'
+        '[[run.observe]]\nchannel = "y"\noutput = "y.out"\ncolumn = 1\n'
+        "[calibration]\nevaluations = 600\n")
     subprocess.run([BINARY, "calibrate", "study.toml", "--out", "fit"], cwd=folder, check=True)
     shutil.copy(folder / "fit/fitted.tcl", folder)
     result = json.loads((folder / "fit/calibration.json").read_text())

@@ -1,4 +1,5 @@
 # A band brake: friction of different size in the two directions, the band's spring, and backlash, in series.
+# The two springs are in series whenever they act, so that only one stiffness can be found: the study ties them.
 # Units: kN, mm, s.
 wipe
 model basic -ndm 1 -ndf 1
