@@ -6,6 +6,7 @@
 //! missing, or that it does not know ([`outcome`]). Runs that are held out are looked at once, at the end.
 
 pub mod anatomy;
+mod conclude;
 pub mod correction;
 pub mod evidence;
 mod fitting;
@@ -17,6 +18,7 @@ pub mod outcome;
 mod pipeline;
 mod repair;
 pub mod scale;
+mod structure;
 pub mod variant;
 mod watching;
 

@@ -1,16 +1,14 @@
 //! The way from a study to a verdict.
 
-use super::evidence::{INDEPENDENT, Noise, Residuals, probabilities};
+use super::conclude::{Context, conclude};
+use super::evidence::{INDEPENDENT, Noise, Residuals};
 use super::fitting::{Bench, FOLDS, Fitted, Job, Samples};
 use super::hypothesis::{self, Proposal, Sight};
 use super::insertion::Place;
-use super::locate::{regime, windows};
-use super::noise::{explained, lines, power, whiten};
-use super::outcome::{Baseline, Candidate, Corrected, Mismatch, Outcome, Verdict};
-use super::scale::Scales;
+use super::outcome::Outcome;
 use super::variant::Variant;
-use super::{repair, watching};
-use crate::study::{Fit, Opening, Role, ScriptSimulator, Study, fit};
+use super::watching;
+use crate::study::{Fit, Opening, Role, ScriptSimulator, Study};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -62,14 +60,14 @@ pub struct Weighed {
 
 /// An explanation that has been fitted.
 #[derive(Clone)]
-struct Explained {
-    variant: Arc<Variant>,
-    fitted: Fitted,
-    evidence: f64,
+pub(super) struct Explained {
+    pub(super) variant: Arc<Variant>,
+    pub(super) fitted: Fitted,
+    pub(super) evidence: f64,
 }
 
 impl Explained {
-    fn cause(&self) -> &'static str {
+    pub(super) fn cause(&self) -> &'static str {
         self.variant.proposal.as_ref().map_or("none", |p| p.cause)
     }
 }
@@ -79,29 +77,20 @@ const FINALISTS: usize = 8;
 /// Evaluations of a search, by its parameters: of the first round, of a fold, of the last.
 const FIRST: usize = 8;
 const FOLD: usize = 3;
-const LAST: usize = 30;
+pub(super) const LAST: usize = 30;
 /// A second effect must gain so much log evidence.
 const SECOND: f64 = 6.0;
 /// Log odds, before anything is seen, of nothing missing against any one cause.
 const NOTHING: f64 = 3.0;
-/// What `unknown` costs in log evidence: an explanation with a name is preferred to one without.
-const NAMELESS: f64 = 9.0;
 
-struct Work<'a> {
-    study: Arc<Study>,
+pub(super) struct Work<'a> {
+    pub(super) study: Arc<Study>,
     bench: Bench,
     watch: &'a mut dyn Watch,
 }
 
-/// Residuals of the fitted runs.
-fn residuals(study: &Study, fits: &[Fit]) -> Residuals {
-    let runs = study.runs.iter().filter(|r| r.role == Role::Fit);
-    let channels = runs.zip(fits).flat_map(|(r, f)| r.observe.iter().zip(&f.channels));
-    channels.map(|(o, y)| y.iter().zip(&o.values).map(|(y, v)| y - v).filter(|d| d.is_finite()).collect()).collect()
-}
-
 impl Work<'_> {
-    fn fit(&mut self, stage: &str, jobs: Vec<Job>) -> Result<Vec<Option<Fitted>>, String> {
+    pub(super) fn fit(&mut self, stage: &str, jobs: Vec<Job>) -> Result<Vec<Option<Fitted>>, String> {
         let of = jobs.len();
         let mut out = Vec::with_capacity(of);
         // In portions, so that progress is seen and an interruption heard.
@@ -118,7 +107,7 @@ impl Work<'_> {
         Ok(out)
     }
 
-    fn job(variant: &Arc<Variant>, start: Vec<f64>, effort: usize, samples: Samples) -> Job {
+    pub(super) fn job(variant: &Arc<Variant>, start: Vec<f64>, effort: usize, samples: Samples) -> Job {
         let budget = effort * (variant.dimension() + 5);
         Job { variant: variant.clone(), start, budget, samples }
     }
@@ -192,7 +181,7 @@ pub fn diagnose(
         best = pair.0;
     }
     let context = Context { study: &study, simulator, opening, text, place: &place, scales: &scales };
-    conclude(&mut work, &context, &baseline, best, also, weighed, &noise)
+    conclude(&mut work, &context, &baseline, best, also, weighed)
 }
 
 /// The user's model by least squares, from its own values and from others.
@@ -327,263 +316,4 @@ fn second_effect(
         }
     }
     Ok(found)
-}
-
-struct Context<'a> {
-    study: &'a Arc<Study>,
-    simulator: &'a ScriptSimulator,
-    opening: &'a Opening,
-    text: &'a str,
-    place: &'a Place,
-    scales: &'a Scales,
-}
-
-/// Part of a residual that has structure which no noise has: told by the motion of the devices, or standing in lines.
-fn structure(study: &Study, scales: &Scales, fits: &[Fit]) -> (f64, String) {
-    let (mut most, mut says) = (0.0, String::new());
-    let runs = study.runs.iter().enumerate().filter(|(_, r)| r.role == Role::Fit);
-    for ((number, run), fit) in runs.zip(fits) {
-        let columns = regressors(scales, number);
-        for (o, y) in run.observe.iter().zip(&fit.channels) {
-            let r: Vec<f64> =
-                y.iter().zip(&o.values).map(|(y, v)| if (y - v).is_finite() { y - v } else { 0.0 }).collect();
-            let told = explained(&r, &columns, 6);
-            let (line, frequency) = lines(&r);
-            let times = &run.recording.times;
-            let rate = (times.len() - 1) as f64 / (times[times.len() - 1] - times[0]);
-            // Only what matters for this channel against the others.
-            let weight = (power(&r) / o.variance / 1e-4).min(1.0);
-            if weight * told > most {
-                most = weight * told;
-                says = format!("part of the residual of {} follows the motion of the device", o.channel);
-            }
-            if weight * line > most {
-                most = weight * line;
-                says = format!("the residual of {} has a line at {:.3} Hz", o.channel, frequency * rate);
-            }
-        }
-    }
-    (most, says)
-}
-
-/// Smooth functions of the motion of the devices in a run, scaled to one.
-fn regressors(scales: &Scales, run: usize) -> Vec<Vec<f64>> {
-    let mut out: Vec<Vec<f64>> = vec![];
-    for ((_, _, _), w) in scales.watched.iter().filter(|((r, _, _), _)| *r == run).take(3) {
-        let n = w.times.len();
-        let scaled = |v: Vec<f64>| {
-            let top = v.iter().filter(|x| x.is_finite()).fold(0.0f64, |m, x| m.max(x.abs())).max(f64::MIN_POSITIVE);
-            v.into_iter().map(|x| if x.is_finite() { x / top } else { 0.0 }).collect::<Vec<f64>>()
-        };
-        let e = scaled(w.e.clone());
-        let q = scaled(w.q.clone());
-        let v = scaled(
-            (0..n).map(|i| if i == 0 { 0.0 } else { (w.e[i] - w.e[i - 1]) / (w.times[i] - w.times[i - 1]) }).collect(),
-        );
-        let t: Vec<f64> = (0..n).map(|i| i as f64 / n as f64).collect();
-        let mut largest = 0.0f64;
-        let m: Vec<f64> = e
-            .iter()
-            .map(|x| {
-                largest = largest.max(x.abs());
-                largest
-            })
-            .collect();
-        let each = |f: &dyn Fn(usize) -> f64| (0..n).map(f).collect::<Vec<f64>>();
-        out.extend([
-            each(&|i| 1.0 + 0.0 * t[i]),
-            e.clone(),
-            q.clone(),
-            v.clone(),
-            each(&|i| e[i].powi(3)),
-            each(&|i| q[i] * q[i].abs()),
-            each(&|i| v[i].signum() * v[i].abs().sqrt()),
-            each(&|i| e[i] * t[i]),
-            each(&|i| q[i] * t[i]),
-            each(&|i| e[i] * m[i]),
-            each(&|i| q[i] * m[i]),
-            each(&|i| e[i] * v[i].abs()),
-            each(&|i| t[i]),
-            each(&|i| e[i] * e[i]),
-        ]);
-    }
-    out
-}
-
-/// Put the verdict together.
-fn conclude(
-    work: &mut Work<'_>,
-    c: &Context<'_>,
-    baseline: &Explained,
-    best: Explained,
-    mut also: Vec<&'static str>,
-    weighed: Vec<Explained>,
-    noise: &Noise,
-) -> Result<Diagnosis, String> {
-    let study = c.study;
-    let evidence_of_none = weighed.iter().find(|e| e.cause() == "none").map_or(f64::NEG_INFINITY, |e| e.evidence);
-    let mut causes: Vec<(&'static str, f64)> = weighed.iter().map(|e| (e.cause(), e.evidence)).collect();
-    let cause = best.cause();
-    if let Some(own) = causes.iter_mut().find(|(n, _)| *n == cause) {
-        own.1 = own.1.max(best.evidence);
-    }
-    // What the best explanation has explained of what there was to explain, and what structure it leaves.
-    let (left, signature) = structure(study, c.scales, &best.fitted.fits);
-    let whitened = |fits: &[Fit]| -> f64 {
-        let r = residuals(study, fits);
-        r.iter().map(|r| power(&whiten(r, &[]))).zip(variances(study)).map(|(p, v)| p / v).sum()
-    };
-    let (before, after) = (whitened(&baseline.fitted.fits), whitened(&best.fitted.fits));
-    let floor = after * (1.0 - left);
-    let done = if before > floor { ((before - after) / (before - floor)).clamp(0.0, 1.0) } else { 1.0 };
-    let _ = noise;
-    let unknown = best.evidence.max(evidence_of_none)
-        - 0.5 * INDEPENDENT * (1.0 - left).max(1e-6).ln()
-        - NAMELESS
-        - 60.0 * (done - 0.6).max(0.0) * f64::from(u8::from(cause != "none"));
-    causes.push(("unknown", unknown));
-    causes.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let p = probabilities(&causes.iter().map(|c| c.1).collect::<Vec<_>>());
-    let (verdict, confidence) = (causes[0].0, p[0]);
-    let chosen = if verdict == "none" || verdict == "unknown" {
-        also.clear();
-        baseline.clone()
-    } else {
-        best
-    };
-    // The last search, from where the chosen one stands.
-    let job = Work::job(&chosen.variant, chosen.fitted.point.clone(), LAST, Samples::All);
-    let refined = work.fit("the repaired model", vec![job])?.into_iter().flatten().find(|f| !f.fits.is_empty());
-    let fitted = refined.filter(|f| f.objective <= chosen.fitted.objective).unwrap_or_else(|| chosen.fitted.clone());
-
-    let all_runs = |e: &Explained, values: &[f64]| -> Vec<Option<Fit>> {
-        let blueprint = c.simulator.blueprint();
-        let mut simulator = e.variant.simulator(&blueprint);
-        (0..study.runs.len()).map(|r| fit(&mut simulator, study, r, values).ok()).collect()
-    };
-    let before = all_runs(baseline, &baseline.fitted.values);
-    let after = all_runs(&chosen, &fitted.values);
-    let holdout = |fits: &[Option<Fit>]| -> Option<f64> {
-        let held: Vec<f64> = study
-            .runs_of(Role::Holdout)
-            .map(|(i, r)| Some(fits[i].as_ref()?.nmse(&r.observe)))
-            .collect::<Option<_>>()?;
-        (!held.is_empty()).then(|| held.iter().sum::<f64>() / held.len() as f64)
-    };
-    let named = |space: &crate::study::Space, values: &[f64]| -> BTreeMap<String, f64> {
-        space.parameters.iter().map(|p| p.name.clone()).zip(values.iter().copied()).collect()
-    };
-    let corrections = chosen.variant.corrections(&fitted.values);
-    let share = if baseline.fitted.objective > 0.0 { fitted.objective / baseline.fitted.objective } else { 1.0 };
-    let outcome = Outcome {
-        baseline: Baseline {
-            fit_nmse: baseline.fitted.objective,
-            holdout_nmse: holdout(&before),
-            parameters: named(&study.space, &baseline.fitted.values),
-        },
-        mismatch: mismatches(c, &before),
-        verdict: Verdict {
-            cause: verdict.into(),
-            confidence,
-            also: also.iter().map(|a| (*a).to_owned()).collect(),
-            also_possible: causes
-                .iter()
-                .zip(&p)
-                .skip(1)
-                .filter(|(_, p)| **p > 0.005)
-                .map(|((cause, _), p)| Candidate { cause: (*cause).into(), confidence: *p })
-                .collect(),
-            explanation: explanation(verdict, &chosen, &also, &signature, share),
-        },
-        corrected: Corrected {
-            script: "corrected.tcl".into(),
-            parameters: named(&chosen.variant.study.space, &fitted.values),
-            fit_nmse: fitted.objective,
-            holdout_nmse: holdout(&after),
-            channels: corrections,
-        },
-        unexplained_share: share.min(1.0),
-        next_test: next_test(verdict, &causes),
-    };
-    let script = repair::script(c.text, &c.opening.places, c.place, &chosen.variant, &fitted.values);
-    let weighed = weighed
-        .iter()
-        .map(|e| Weighed {
-            cause: e.cause(),
-            form: e.variant.proposal.as_ref().map_or_else(String::new, |p| p.form.clone()),
-            at: e.variant.proposal.as_ref().map_or_else(String::new, |p| p.at.clone()),
-            objective: e.fitted.objective,
-            evidence: e.evidence,
-        })
-        .collect();
-    Ok(Diagnosis { outcome, script, weighed, before, after })
-}
-
-fn variances(study: &Study) -> Vec<f64> {
-    study.runs.iter().filter(|r| r.role == Role::Fit).flat_map(|r| &r.observe).map(|o| o.variance).collect()
-}
-
-/// Where the baseline differs, the channel with the largest error first.
-fn mismatches(c: &Context<'_>, fits: &[Option<Fit>]) -> Vec<Mismatch> {
-    let mut all: Vec<(f64, Mismatch)> = vec![];
-    for (number, run) in c.study.runs_of(Role::Fit) {
-        let Some(f) = &fits[number] else { continue };
-        let motion = c.scales.watched.iter().find(|((r, _, _), _)| *r == number).map(|(_, w)| w.e.clone());
-        for ((o, y), s) in run.observe.iter().zip(&f.channels).zip(&f.scores) {
-            let times = &run.recording.times;
-            let r: Vec<f64> = y.iter().zip(&o.values).map(|(y, v)| y - v).collect();
-            let found = windows(times, &r);
-            let regime = regime(times, &found, motion.as_ref().unwrap_or(&o.values));
-            all.push((
-                s.nmse,
-                Mismatch {
-                    run: run.name.clone(),
-                    channel: o.channel.clone(),
-                    at: o.at.clone(),
-                    windows: found.windows,
-                    share: found.share,
-                    regime,
-                },
-            ));
-        }
-    }
-    all.sort_by(|a, b| b.0.total_cmp(&a.0));
-    all.into_iter().map(|(_, m)| m).collect()
-}
-
-fn explanation(verdict: &str, chosen: &Explained, also: &[&str], signature: &str, share: f64) -> String {
-    match verdict {
-        "none" => {
-            "what the model leaves of the recordings is noise: no effect of the library gains anything on samples \
-                   that it was not fitted to"
-                .into()
-        }
-        "unknown" => format!("there is structure that no effect of the library explains: {signature}"),
-        cause => {
-            let h = hypothesis::of(cause);
-            let place =
-                chosen.variant.proposal.as_ref().map_or_else(String::new, |p| format!(" ({}, {})", p.at, p.form));
-            let mut text = format!("{}{place}", h.map_or(cause, |h| h.says));
-            for second in also {
-                text += &format!("; and {}", hypothesis::of(second).map_or(*second, |h| h.says));
-            }
-            text += &format!(
-                "; the repaired model leaves {:.1} % of the squared error. It would be wrong if {}.",
-                100.0 * share,
-                h.map_or("", |h| h.refuted_by)
-            );
-            text
-        }
-    }
-}
-
-fn next_test(verdict: &str, causes: &[(&'static str, f64)]) -> String {
-    let rival = causes.iter().map(|c| c.0).find(|c| *c != verdict && *c != "none" && *c != "unknown");
-    match (hypothesis::of(verdict), rival.and_then(hypothesis::of)) {
-        (Some(h), Some(r)) => {
-            format!("to tell {} from {}: see whether {}, and whether {}", h.cause, r.cause, h.refuted_by, r.refuted_by)
-        }
-        (Some(h), None) => format!("see whether {}", h.refuted_by),
-        _ => "repeat a run unchanged: what repeats is the model, what does not is noise".into(),
-    }
 }

@@ -24,11 +24,9 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     if !s.anatomy.masses.is_empty() {
         // Dashpots between the masses and the ground: mass-proportional damping beside whatever the script has.
         let mut block = vec![];
-        let mut tag = s.anatomy.free_tag;
-        for node in &s.anatomy.masses {
+        for (tag, node) in (s.anatomy.free_tag..).zip(&s.anatomy.masses) {
             block.push(format!("# mass-proportional damping of node {}", node.node));
             block.push(format!("region {tag} -node {} -rayleigh $hy_alphaM 0.0 0.0 0.0", node.node));
-            tag += 1;
         }
         let added = vec![Added::log("alphaM", 1e-3, 10.0, 0.1)];
         out.push(Proposal::edit("damping", "mass-proportional damping", "all masses".into(), block, added));

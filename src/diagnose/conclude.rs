@@ -1,0 +1,208 @@
+//! From the explanations that were weighed to the verdict, the repaired model and the words.
+
+use super::evidence::{INDEPENDENT, probabilities};
+use super::fitting::Samples;
+use super::hypothesis;
+use super::insertion::Place;
+use super::locate::{regime, windows};
+use super::noise::power;
+use super::outcome::{Baseline, Candidate, Corrected, Mismatch, Outcome, Verdict};
+use super::pipeline::{Diagnosis, Explained, LAST, Weighed, Work};
+use super::repair;
+use super::scale::Scales;
+use super::structure::structure;
+use crate::study::{Fit, Opening, Role, ScriptSimulator, Study, fit};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// What `unknown` costs in log evidence: an explanation with a name is preferred to one without.
+const NAMELESS: f64 = 9.0;
+
+pub(super) struct Context<'a> {
+    pub(super) study: &'a Arc<Study>,
+    pub(super) simulator: &'a ScriptSimulator,
+    pub(super) opening: &'a Opening,
+    pub(super) text: &'a str,
+    pub(super) place: &'a Place,
+    pub(super) scales: &'a Scales,
+}
+
+/// Put the verdict together.
+pub(super) fn conclude(
+    work: &mut Work<'_>,
+    c: &Context<'_>,
+    baseline: &Explained,
+    best: Explained,
+    mut also: Vec<&'static str>,
+    weighed: Vec<Explained>,
+) -> Result<Diagnosis, String> {
+    let study = c.study;
+    let evidence_of_none = weighed.iter().find(|e| e.cause() == "none").map_or(f64::NEG_INFINITY, |e| e.evidence);
+    let mut causes: Vec<(&'static str, f64)> = weighed.iter().map(|e| (e.cause(), e.evidence)).collect();
+    let cause = best.cause();
+    if let Some(own) = causes.iter_mut().find(|(n, _)| *n == cause) {
+        own.1 = own.1.max(best.evidence);
+    }
+    // What the best explanation has explained of what there was to explain, and what structure it leaves.
+    let (left, signature) = structure(study, c.scales, &best.fitted.fits);
+    let (before, after) = (misfit(study, &baseline.fitted.fits), misfit(study, &best.fitted.fits));
+    let floor = after * (1.0 - left);
+    let done = if before > floor { ((before - after) / (before - floor)).clamp(0.0, 1.0) } else { 1.0 };
+    let unknown = best.evidence.max(evidence_of_none)
+        - 0.5 * INDEPENDENT * (1.0 - left).max(1e-6).ln()
+        - NAMELESS
+        - 60.0 * (done - 0.6).max(0.0) * f64::from(u8::from(cause != "none"));
+    causes.push(("unknown", unknown));
+    causes.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let p = probabilities(&causes.iter().map(|c| c.1).collect::<Vec<_>>());
+    let (verdict, confidence) = (causes[0].0, p[0]);
+    let chosen = if verdict == "none" || verdict == "unknown" {
+        also.clear();
+        baseline.clone()
+    } else {
+        best
+    };
+    // The last search, from where the chosen one stands.
+    let job = Work::job(&chosen.variant, chosen.fitted.point.clone(), LAST, Samples::All);
+    let refined = work.fit("the repaired model", vec![job])?.into_iter().flatten().find(|f| !f.fits.is_empty());
+    let fitted = refined.filter(|f| f.objective <= chosen.fitted.objective).unwrap_or_else(|| chosen.fitted.clone());
+
+    let all_runs = |e: &Explained, values: &[f64]| -> Vec<Option<Fit>> {
+        let blueprint = c.simulator.blueprint();
+        let mut simulator = e.variant.simulator(&blueprint);
+        (0..study.runs.len()).map(|r| fit(&mut simulator, study, r, values).ok()).collect()
+    };
+    let before = all_runs(baseline, &baseline.fitted.values);
+    let after = all_runs(&chosen, &fitted.values);
+    let holdout = |fits: &[Option<Fit>]| -> Option<f64> {
+        let held: Vec<f64> = study
+            .runs_of(Role::Holdout)
+            .map(|(i, r)| Some(fits[i].as_ref()?.nmse(&r.observe)))
+            .collect::<Option<_>>()?;
+        (!held.is_empty()).then(|| held.iter().sum::<f64>() / held.len() as f64)
+    };
+    let named = |space: &crate::study::Space, values: &[f64]| -> BTreeMap<String, f64> {
+        space.parameters.iter().map(|p| p.name.clone()).zip(values.iter().copied()).collect()
+    };
+    let corrections = chosen.variant.corrections(&fitted.values);
+    let share = if baseline.fitted.objective > 0.0 { fitted.objective / baseline.fitted.objective } else { 1.0 };
+    let outcome = Outcome {
+        baseline: Baseline {
+            fit_nmse: baseline.fitted.objective,
+            holdout_nmse: holdout(&before),
+            parameters: named(&study.space, &baseline.fitted.values),
+        },
+        mismatch: mismatches(c, &before),
+        verdict: Verdict {
+            cause: verdict.into(),
+            confidence,
+            also: also.iter().map(|a| (*a).to_owned()).collect(),
+            also_possible: causes
+                .iter()
+                .zip(&p)
+                .skip(1)
+                .filter(|(_, p)| **p > 0.005)
+                .map(|((cause, _), p)| Candidate { cause: (*cause).into(), confidence: *p })
+                .collect(),
+            explanation: explanation(verdict, &chosen, &also, &signature, share),
+        },
+        corrected: Corrected {
+            script: "corrected.tcl".into(),
+            parameters: named(&chosen.variant.study.space, &fitted.values),
+            fit_nmse: fitted.objective,
+            holdout_nmse: holdout(&after),
+            channels: corrections,
+        },
+        unexplained_share: share.min(1.0),
+        next_test: next_test(verdict, &causes),
+    };
+    let script = repair::script(c.text, &c.opening.places, c.place, &chosen.variant, &fitted.values);
+    let weighed = weighed
+        .iter()
+        .map(|e| Weighed {
+            cause: e.cause(),
+            form: e.variant.proposal.as_ref().map_or_else(String::new, |p| p.form.clone()),
+            at: e.variant.proposal.as_ref().map_or_else(String::new, |p| p.at.clone()),
+            objective: e.fitted.objective,
+            evidence: e.evidence,
+        })
+        .collect();
+    Ok(Diagnosis { outcome, script, weighed, before, after })
+}
+
+/// Sum of the NMSE of all fitted channels.
+fn misfit(study: &Study, fits: &[Fit]) -> f64 {
+    let runs = study.runs.iter().filter(|r| r.role == Role::Fit);
+    let channels = runs.zip(fits).flat_map(|(r, f)| r.observe.iter().zip(&f.channels));
+    channels
+        .map(|(o, y)| {
+            let r: Vec<f64> = y.iter().zip(&o.values).map(|(y, v)| y - v).filter(|d| d.is_finite()).collect();
+            power(&r) / o.variance
+        })
+        .sum()
+}
+
+/// Where the baseline differs, the channel with the largest error first.
+fn mismatches(c: &Context<'_>, fits: &[Option<Fit>]) -> Vec<Mismatch> {
+    let mut all: Vec<(f64, Mismatch)> = vec![];
+    for (number, run) in c.study.runs_of(Role::Fit) {
+        let Some(f) = &fits[number] else { continue };
+        let motion = c.scales.watched.iter().find(|((r, _, _), _)| *r == number).map(|(_, w)| w.e.clone());
+        for ((o, y), s) in run.observe.iter().zip(&f.channels).zip(&f.scores) {
+            let times = &run.recording.times;
+            let r: Vec<f64> = y.iter().zip(&o.values).map(|(y, v)| y - v).collect();
+            let found = windows(times, &r);
+            let regime = regime(times, &found, motion.as_ref().unwrap_or(&o.values));
+            all.push((
+                s.nmse,
+                Mismatch {
+                    run: run.name.clone(),
+                    channel: o.channel.clone(),
+                    at: o.at.clone(),
+                    windows: found.windows,
+                    share: found.share,
+                    regime,
+                },
+            ));
+        }
+    }
+    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    all.into_iter().map(|(_, m)| m).collect()
+}
+
+fn explanation(verdict: &str, chosen: &Explained, also: &[&str], signature: &str, share: f64) -> String {
+    match verdict {
+        "none" => {
+            "what the model leaves of the recordings is noise: no effect of the library gains anything on samples \
+                   that it was not fitted to"
+                .into()
+        }
+        "unknown" => format!("there is structure that no effect of the library explains: {signature}"),
+        cause => {
+            let h = hypothesis::of(cause);
+            let place =
+                chosen.variant.proposal.as_ref().map_or_else(String::new, |p| format!(" ({}, {})", p.at, p.form));
+            let mut text = format!("{}{place}", h.map_or(cause, |h| h.says));
+            for second in also {
+                text += &format!("; and {}", hypothesis::of(second).map_or(*second, |h| h.says));
+            }
+            text += &format!(
+                "; the repaired model leaves {:.1} % of the squared error. It would be wrong if {}.",
+                100.0 * share,
+                h.map_or("", |h| h.refuted_by)
+            );
+            text
+        }
+    }
+}
+
+fn next_test(verdict: &str, causes: &[(&'static str, f64)]) -> String {
+    let rival = causes.iter().map(|c| c.0).find(|c| *c != verdict && *c != "none" && *c != "unknown");
+    match (hypothesis::of(verdict), rival.and_then(hypothesis::of)) {
+        (Some(h), Some(r)) => {
+            format!("to tell {} from {}: see whether {}, and whether {}", h.cause, r.cause, h.refuted_by, r.refuted_by)
+        }
+        (Some(h), None) => format!("see whether {}", h.refuted_by),
+        _ => "repeat a run unchanged: what repeats is the model, what does not is noise".into(),
+    }
+}
