@@ -15,6 +15,9 @@ use crate::study::{Fit, Opening, Role, ScriptSimulator, Study, fit};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+/// More structure than this part of a residual says no more than this.
+const TELLING: f64 = 0.6;
+
 /// What `unknown` costs in log evidence: an explanation with a name is preferred to one without.
 const NAMELESS: f64 = 9.0;
 
@@ -49,7 +52,7 @@ pub(super) fn conclude(
     let floor = after * (1.0 - left);
     let done = if before > floor { ((before - after) / (before - floor)).clamp(0.0, 1.0) } else { 1.0 };
     let unknown = best.evidence.max(evidence_of_none)
-        - 0.5 * INDEPENDENT * (1.0 - left).max(1e-6).ln()
+        - 0.5 * INDEPENDENT * (1.0 - left.min(TELLING)).ln()
         - NAMELESS
         - 60.0 * (done - 0.6).max(0.0) * f64::from(u8::from(cause != "none"));
     causes.push(("unknown", unknown));

@@ -1,10 +1,11 @@
 //! How much the recordings speak for one explanation against another.
 //!
 //! Residuals of a repaired model are not white noise: sensors have coloured noise, and no law of the library is the one
-//! of nature. Two things keep a long record from making a small difference look like a certainty. Residuals are
-//! whitened by the autoregressive noise of the best explanation before they are compared, so that slow noise does not
-//! speak for whatever follows it slowly; and the record counts as [`INDEPENDENT`] samples, however long it is. With the
-//! mean square E of the whitened residual of a channel, an explanation with k parameters has the log evidence
+//! of nature. Three things keep a long record from making a small difference look like a certainty. Residuals are
+//! averaged to at most [`POINTS`] points a channel, since mechanisms live in the motion and not between two samples.
+//! They are whitened by the autoregressive noise of the best explanation before they are compared, so that slow noise
+//! does not speak for whatever follows it slowly. And the record counts as [`INDEPENDENT`] samples, however long it is.
+//! With the mean square E of the whitened residual of a channel, an explanation with k parameters has the log evidence
 //!
 //! -½ Σ N_c ln E_c - ½ k ln N
 //!
@@ -16,8 +17,17 @@ use super::noise::{burg, power, whiten};
 /// simulated cases, not from the length of the records.
 pub const INDEPENDENT: f64 = 40.0;
 
+/// Points that the residual of a channel is averaged to.
+const POINTS: usize = 400;
+
 /// Order of the noise.
-const ORDER: usize = 6;
+const ORDER: usize = 2;
+
+/// A residual averaged to at most [`POINTS`] points.
+fn averaged(r: &[f64]) -> Vec<f64> {
+    let block = r.len().div_ceil(POINTS).max(1);
+    r.chunks(block).map(|c| c.iter().sum::<f64>() / c.len() as f64).collect()
+}
 
 /// Residuals of the fitted runs, channel after channel; missing samples left out.
 pub type Residuals = Vec<Vec<f64>>;
@@ -28,14 +38,17 @@ pub struct Noise(Vec<Vec<f64>>);
 impl Noise {
     /// Of the residuals of the best explanation.
     pub fn of(best: &Residuals) -> Self {
-        Self(best.iter().map(|r| burg(r, ORDER)).collect())
+        Self(best.iter().map(|r| burg(&averaged(r), ORDER)).collect())
     }
 
     /// Log evidence of an explanation with `k` parameters to be found.
     pub fn evidence(&self, residuals: &Residuals, k: usize) -> f64 {
         let share = INDEPENDENT / residuals.len().max(1) as f64;
-        let fit: f64 =
-            residuals.iter().zip(&self.0).map(|(r, a)| share * power(&whiten(r, a)).max(f64::MIN_POSITIVE).ln()).sum();
+        let fit: f64 = residuals
+            .iter()
+            .zip(&self.0)
+            .map(|(r, a)| share * power(&whiten(&averaged(r), a)).max(f64::MIN_POSITIVE).ln())
+            .sum();
         -0.5 * (fit + k as f64 * INDEPENDENT.ln())
     }
 }

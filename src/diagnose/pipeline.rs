@@ -74,8 +74,9 @@ impl Explained {
 
 /// Causes that go into the last round.
 const FINALISTS: usize = 8;
-/// Evaluations of a search, by its parameters: of the first round, of a fold, of the last.
+/// Evaluations of a search, by its parameters: of the first round, of the second, of a fold, of the last.
 const FIRST: usize = 8;
+const SECOND_ROUND: usize = 16;
 const FOLD: usize = 3;
 pub(super) const LAST: usize = 30;
 /// A second effect must gain so much log evidence.
@@ -162,13 +163,14 @@ pub fn diagnose(
         return Err("the script makes no analysis".into());
     };
     let scales = watching::watch(&blueprint, &study, text, &values, &place, &anatomy);
-    let sight = Sight { anatomy: &anatomy, study: &study, scales: &scales };
+    let sight = Sight { anatomy: &anatomy, study: &study, scales: &scales, fits: &baseline.fitted.fits };
     let library = hypothesis::ALL.iter().filter(|h| !settings.without.iter().any(|w| w == h.cause));
     let proposals: Vec<Proposal> = library.flat_map(|h| h.proposals(&sight)).collect();
 
     let first = first_round(&mut work, &baseline, &place, &proposals)?;
     let mut finalists = best_of_causes(&first);
     finalists.truncate(FINALISTS);
+    let finalists = refine(&mut work, finalists)?;
     let (mut weighed, noise) = last_round(&mut work, baseline.clone(), finalists)?;
     weighed.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
 
@@ -241,6 +243,17 @@ fn best_of_causes(sorted: &[Explained]) -> Vec<Explained> {
         }
     }
     out
+}
+
+/// The finalists fitted more closely.
+fn refine(work: &mut Work<'_>, finalists: Vec<Explained>) -> Result<Vec<Explained>, String> {
+    let jobs = finalists.iter().map(|e| Work::job(&e.variant, e.fitted.point.clone(), SECOND_ROUND, Samples::All));
+    let fitted = work.fit("the likeliest of them", jobs.collect())?;
+    let better = |(e, f): (Explained, Option<Fitted>)| match f {
+        Some(f) if !f.fits.is_empty() && f.objective < e.fitted.objective => Explained { fitted: f, ..e },
+        _ => e,
+    };
+    Ok(finalists.into_iter().zip(fitted).map(better).collect())
 }
 
 /// Evidence of the user's model and of the finalists, on samples that they did not see; and the noise that it was

@@ -22,12 +22,14 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
                 m.amend("gap"),
                 m.dir
             );
-            let added = vec![
-                Added::linear("gap", 0.2 * m.e, 1.1 * m.e, 0.75 * m.e),
-                Added::log("wall", 0.5 * k, 1e4 * k, 30.0 * k),
-                Added::log("damping", 1e-3 / m.v.max(1e-12), 3.0 / m.v.max(1e-12), 0.1 / m.v.max(1e-12)),
-            ];
-            out.push(Proposal::edit("gap_impact", form, m.at(), vec![line], added));
+            for start in [0.5, 0.75, 0.92] {
+                let added = vec![
+                    Added::linear("gap", 0.2 * m.e, 1.1 * m.e, start * m.e),
+                    Added::log("wall", 0.5 * k, 1e4 * k, 30.0 * k),
+                    Added::log("damping", 1e-3 / m.v.max(1e-12), 3.0 / m.v.max(1e-12), 0.1 / m.v.max(1e-12)),
+                ];
+                out.push(Proposal::edit("gap_impact", form, m.at(), vec![line.clone()], added));
+            }
         }
     }
     out

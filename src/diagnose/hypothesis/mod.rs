@@ -25,7 +25,7 @@ mod torsion;
 use super::anatomy::{Anatomy, Device};
 use super::correction::Correction;
 use super::scale::Scales;
-use crate::study::{Range, Scale, Study};
+use crate::study::{Fit, Range, Scale, Study};
 use std::fmt;
 use std::sync::Arc;
 
@@ -87,6 +87,8 @@ pub struct Sight<'a> {
     pub study: &'a Study,
     /// How far things move in the fitted runs.
     pub scales: &'a Scales,
+    /// The fitted runs as the user's model has them, in their order.
+    pub fits: &'a [Fit],
 }
 
 /// A parameter that a proposal adds.

@@ -88,53 +88,84 @@ fn lag(s: &Sight<'_>) -> Vec<Proposal> {
 }
 
 /// Points of the line that a zero may follow in each run.
-const KNOTS: usize = 5;
+const KNOTS: usize = 6;
+
+/// Where the mean of a residual jumps, as a part of its length: the split that leaves the least square on both sides.
+fn jump_of(residual: &[f64]) -> f64 {
+    let r: Vec<f64> = residual.iter().map(|x| if x.is_finite() { *x } else { 0.0 }).collect();
+    let n = r.len();
+    let total: f64 = r.iter().sum();
+    let (mut sum, mut best) = (0.0, (0.0, 0.5));
+    for (i, x) in r.iter().enumerate().take(n - n / 50).skip(1) {
+        sum += x;
+        let (left, right) = ((i + 1) as f64, (n - i - 1) as f64);
+        let gain = sum * sum / left + (total - sum) * (total - sum) / right;
+        if i > n / 50 && gain > best.0 {
+            best = (gain, left / n as f64);
+        }
+    }
+    best.1
+}
 
 fn drift(s: &Sight<'_>) -> Vec<Proposal> {
     let mut out = vec![];
     for o in channels(s) {
         let [low, high] = extremes(s, &o.channel);
         let size = high - low;
-        let name = o.channel.clone();
-        // Warming up: the same slope in all runs.
-        let slow: Faults = Arc::new(move |v| {
-            let drift = vec![[0.0, v[1]], [1e4, v[1] + 1e4 * v[0]]];
-            vec![Correction { drift, ..Correction::none(&name, None) }]
-        });
         let longest = s.longest();
-        let added = vec![
-            Added::linear("slope", -size / longest, size / longest, 0.0),
-            Added::linear("zero", -0.3 * size, 0.3 * size, 0.0),
-        ];
-        out.push(proposal("sensor_drift", "a steady slope", &o.channel, added, slow));
-        for r in s.study.runs.iter().filter(|r| r.role == Role::Fit) {
-            if r.observe.iter().all(|x| x.channel != o.channel) {
-                continue;
-            }
-            let (name, run) = (o.channel.clone(), r.name.clone());
+        let slope = || {
+            [
+                Added::linear("slope", -size / longest, size / longest, 0.0),
+                Added::linear("zero", -0.3 * size, 0.3 * size, 0.0),
+            ]
+        };
+        // Warming up: the same slope in all runs.
+        let name = o.channel.clone();
+        let warming = move |v: &[f64], run: Option<&str>| Correction {
+            drift: vec![[0.0, v[1]], [1e4, v[1] + 1e4 * v[0]]],
+            ..Correction::none(&name, run)
+        };
+        let slow = warming.clone();
+        let faults: Faults = Arc::new(move |v| vec![slow(v, None)]);
+        out.push(proposal("sensor_drift", "a steady slope", &o.channel, slope().into(), faults));
+        let fitted = s.study.runs.iter().filter(|r| r.role == Role::Fit);
+        let mut all: Vec<(String, f64, f64)> = vec![];
+        for (r, fit) in fitted.zip(s.fits) {
+            let Some(c) = r.observe.iter().position(|x| x.channel == o.channel) else { continue };
             let (begin, end) = (r.recording.times[0], r.recording.times[r.recording.times.len() - 1]);
-            let jump: Faults = Arc::new(move |v| {
-                let at = begin + v[0] * (end - begin);
-                let drift = vec![[at, 0.0], [at + 1e-3 * (end - begin), v[1]]];
-                vec![Correction { drift, ..Correction::none(&name, Some(&run)) }]
-            });
-            for start in [0.25, 0.5, 0.75] {
-                let added = vec![
-                    Added::linear("when", 0.0, 1.0, start),
-                    Added::linear("jump", -0.5 * size, 0.5 * size, 0.01 * size),
-                ];
-                let form = format!("a jump in {}, sought from {start} of its length", r.name);
-                out.push(proposal("sensor_drift", &form, &o.channel, added, jump.clone()));
-            }
+            all.push((r.name.clone(), begin, end));
+            let residual: Vec<f64> = r.observe[c].values.iter().zip(&fit.channels[c]).map(|(v, y)| v - y).collect();
+            let when = || Added::linear("when", 0.0, 1.0, jump_of(&residual));
+            let jump = || Added::linear("jump", -0.5 * size, 0.5 * size, 0.01 * size);
             let (name, run) = (o.channel.clone(), r.name.clone());
-            let wander: Faults = Arc::new(move |v| {
-                let at = |i: usize| begin + (end - begin) * i as f64 / (KNOTS - 1) as f64;
-                let drift = v.iter().enumerate().map(|(i, y)| [at(i), *y]).collect();
-                vec![Correction { drift, ..Correction::none(&name, Some(&run)) }]
-            });
-            let added = (0..KNOTS).map(|i| Added::linear(&format!("zero{i}"), -0.5 * size, 0.5 * size, 0.0)).collect();
-            out.push(proposal("sensor_drift", &format!("a wandering zero in {}", r.name), &o.channel, added, wander));
+            let at = move |v: &[f64]| {
+                let t = begin + v[0] * (end - begin);
+                let drift = vec![[t, 0.0], [t + 1e-3 * (end - begin), v[1]]];
+                Correction { drift, ..Correction::none(&name, Some(&run)) }
+            };
+            let (alone, beside, slow) = (at.clone(), at, warming.clone());
+            let faults: Faults = Arc::new(move |v| vec![alone(v)]);
+            let form = format!("a jump in {}", r.name);
+            out.push(proposal("sensor_drift", &form, &o.channel, vec![when(), jump()], faults));
+            let faults: Faults = Arc::new(move |v| vec![slow(&v[..2], None), beside(&v[2..])]);
+            let mut added: Vec<Added> = slope().into();
+            added.extend([when(), jump()]);
+            let form = format!("a steady slope, and a jump in {}", r.name);
+            out.push(proposal("sensor_drift", &form, &o.channel, added, faults));
         }
+        let name = o.channel.clone();
+        let runs = all.clone();
+        let wander: Faults = Arc::new(move |v| {
+            let of = |((run, begin, end), zeros): (&(String, f64, f64), &[f64])| {
+                let at = |i: usize| begin + (end - begin) * i as f64 / (KNOTS - 1) as f64;
+                let drift = zeros.iter().enumerate().map(|(i, y)| [at(i), *y]).collect();
+                Correction { drift, ..Correction::none(&name, Some(run)) }
+            };
+            runs.iter().zip(v.chunks(KNOTS)).map(of).collect()
+        });
+        let added =
+            (0..KNOTS * all.len()).map(|i| Added::linear(&format!("zero{i}"), -0.5 * size, 0.5 * size, 0.0)).collect();
+        out.push(proposal("sensor_drift", "a wandering zero", &o.channel, added, wander));
     }
     out
 }
