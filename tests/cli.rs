@@ -23,6 +23,8 @@ mod modal;
 mod parameters;
 #[path = "cli/recorders.rs"]
 mod recorders;
+#[path = "cli/rubber.rs"]
+mod rubber;
 #[path = "cli/rubber_bearings.rs"]
 mod rubber_bearings;
 
