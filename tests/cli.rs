@@ -19,8 +19,12 @@ mod loops;
 mod mistakes;
 #[path = "cli/modal.rs"]
 mod modal;
+#[path = "cli/models.rs"]
+mod models;
 #[path = "cli/parameters.rs"]
 mod parameters;
+#[path = "cli/phenomena.rs"]
+mod phenomena;
 #[path = "cli/recorders.rs"]
 mod recorders;
 #[path = "cli/rubber.rs"]
