@@ -1,12 +1,12 @@
 //! Sections, quadrature along beams, and the beams made of them.
 
 use super::driver::{Alone, difference, path};
+use hysteron::element::ZeroLengthSection;
 use hysteron::element::beam::{
     DisplacementBased, ElasticBeam, ElasticOptions, FiberBeam, ForceBased, Formulation, Hinge, Rule,
 };
 use hysteron::element::load::ElementLoad;
 use hysteron::element::transform::{Ends, TransformKind, TransformSpec};
-use hysteron::element::ZeroLengthSection;
 use hysteron::material::{Concrete02, Elastic as ElasticMaterial, Material, Steel02};
 use hysteron::section::{Aggregator, Elastic, ElasticSection, Fiber, FiberSection, Resultant, SharedSection};
 use nalgebra::{Matrix3, Vector3};
