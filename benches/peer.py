@@ -2,20 +2,22 @@
 """hysteron beside OpenSees, on the same scripts, in the same run.
 
     benches/peer.py time [--repeats N] [SCRIPT ...]   time both, print the ratios (default: the scripts in SCRIPTS)
-    benches/peer.py run SCRIPT                        run one script in OpenSees alone
+    benches/peer.py bearings [--repeats N]            time a step of one bearing in both, and compare what they find
+    benches/peer.py run SCRIPT [WORD ...]             run one script in OpenSees alone
 
 The first use installs openseespy into a virtual environment in the user's cache folder (HYSTERON_PEER names another place);
 on Debian it needs libblas3 liblapack3 libgfortran5 libgomp1. hysteron is built with `cargo build --release`.
-Start-up (an empty script) is taken out of both times.
+Start-up is taken out of both times: that of an empty script, and for steps of bearings by running two lengths. Times are of the
+processor, so that other work on the machine does not count.
 """
 import argparse
 import os
+import resource
 import shutil
 import statistics
 import subprocess
 import sys
 import tempfile
-import time
 import venv
 from pathlib import Path
 
@@ -23,8 +25,10 @@ ROOT = Path(__file__).resolve().parent.parent
 SCRIPTS = [
     "validation/opensees/building_boucwen/model.tcl",
     "validation/opensees/timing_frame_5k_dof/model.tcl",
-    "benches/bearing.tcl",
 ]
+# Bearings of benches/bearings.tcl: cycles of the two runs, and how far their forces may be apart.
+BEARINGS = {"boucwen": (20, 620, 1e-6), "hdr": (20, 320, 1e-4), "kikuchi": (2, 22, 1e-4)}
+STEPS = 314
 
 
 def peer_python():
@@ -40,26 +44,60 @@ def peer_python():
     return python
 
 
-def seconds(command, script):
-    """Wall time of a script in a copy of its folder, so that neither finds the files of the other."""
+def seconds(command, script, words=()):
+    """Processor time of a script in a copy of its folder, so that neither finds the files of the other, and its output."""
     with tempfile.TemporaryDirectory() as work:
         shutil.copytree(script.parent, work, dirs_exist_ok=True)
-        start = time.perf_counter()
-        done = subprocess.run([*map(str, command), script.name], cwd=work, capture_output=True, text=True)
-        taken = time.perf_counter() - start
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        line = [*map(str, command), script.name, *map(str, words)]
+        done = subprocess.run(line, cwd=work, capture_output=True, text=True)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
     if done.returncode != 0:
         sys.exit(f"{command[0]} {script}: status {done.returncode}\n{done.stderr[-2000:]}")
-    return taken
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, done.stdout
+
+
+def programs():
+    """Commands that run a script: hysteron, built first, and OpenSees."""
+    subprocess.run(["cargo", "build", "--release", "--quiet"], cwd=ROOT, check=True)
+    ours = [ROOT / "target/release/hysteron", "run", "--compat", "opensees"]
+    return ours, [peer_python(), ROOT / "benches/peer_tcl.py"]
+
+
+def apart(a, b):
+    """Largest difference of two rows of numbers over the largest of them."""
+    a, b = ([float(x) for x in line.split()] for line in (a, b))
+    return max(abs(x - y) for x, y in zip(a, b, strict=True)) / max(map(abs, b))
+
+
+def time_bearings(repeats):
+    """Time of a step from two lengths of the same run."""
+    both = programs()
+    script = ROOT / "benches/bearings.tcl"
+    print(f"{'bearing':10} {'hysteron':>12} {'OpenSees':>12} {'ratio':>8} {'forces apart':>14}")
+    for kind, (few, many, tolerance) in BEARINGS.items():
+        steps = ([], [])
+        # In turns, so that whatever else the machine does strikes both.
+        for _ in range(repeats):
+            found = []
+            for program, times in zip(both, steps):
+                start, _ = seconds(program, script, (kind, few))
+                end, out = seconds(program, script, (kind, many))
+                times.append((end - start) / (STEPS * (many - few)) * 1e6)
+                found.append(out.strip().splitlines()[-1])
+            difference = apart(*found)
+            if difference > tolerance:
+                sys.exit(f"{kind}: the forces are {difference:.1e} apart:\n" + "\n".join(found))
+        a, b = map(statistics.median, steps)
+        print(f"{kind:10} {a:9.2f} us {b:9.2f} us {b / a:8.1f} {difference:14.1e}")
 
 
 def time_both(scripts, repeats):
-    subprocess.run(["cargo", "build", "--release", "--quiet"], cwd=ROOT, check=True)
-    ours = [ROOT / "target/release/hysteron", "run", "--compat", "opensees"]
-    theirs = [peer_python(), ROOT / "benches/peer_tcl.py"]
+    ours, theirs = programs()
     with tempfile.TemporaryDirectory() as folder:
         empty = Path(folder) / "empty.tcl"
         empty.write_text("")
-        start = [statistics.median(seconds(c, empty) for _ in range(5)) for c in (ours, theirs)]
+        start = [statistics.median(seconds(c, empty)[0] for _ in range(5)) for c in (ours, theirs)]
     print(f"start-up taken out: hysteron {start[0]:.3f} s, OpenSees {start[1]:.3f} s\n")
     print(f"{'script':52} {'hysteron':>10} {'OpenSees':>10} {'ratio':>8}")
     for script in scripts:
@@ -67,8 +105,8 @@ def time_both(scripts, repeats):
         a, b = ([], [])
         # In turns, so that whatever else the machine does strikes both.
         for _ in range(repeats):
-            a.append(seconds(ours, path) - start[0])
-            b.append(seconds(theirs, path) - start[1])
+            a.append(seconds(ours, path)[0] - start[0])
+            b.append(seconds(theirs, path)[0] - start[1])
         a, b = (max(statistics.median(x), 1e-4) for x in (a, b))
         print(f"{os.path.relpath(path, ROOT):52} {a:8.3f} s {b:8.3f} s {b / a:8.1f}")
 
@@ -79,11 +117,16 @@ def main():
     timing = commands.add_parser("time")
     timing.add_argument("--repeats", type=int, default=3)
     timing.add_argument("scripts", nargs="*", metavar="SCRIPT")
+    steps = commands.add_parser("bearings")
+    steps.add_argument("--repeats", type=int, default=3)
     run = commands.add_parser("run")
     run.add_argument("script")
+    run.add_argument("words", nargs="*")
     a = parser.parse_args()
     if a.command == "run":
-        sys.exit(subprocess.run([peer_python(), ROOT / "benches/peer_tcl.py", a.script]).returncode)
+        sys.exit(subprocess.run([peer_python(), ROOT / "benches/peer_tcl.py", a.script, *a.words]).returncode)
+    if a.command == "bearings":
+        return time_bearings(a.repeats)
     time_both(a.scripts or [ROOT / s for s in SCRIPTS], a.repeats)
 
 

@@ -41,7 +41,7 @@ proc bearingUnder {pressure} {
 
     #                              compound area  thickness
     uniaxialMaterial KikuchiAikenHDR 1 X0.6 $area $tr
-    #                       E      tension  compression  ratios: tension, compression, unloading, ...
+    # Stiffness in compression, cavitation, yield in compression; in tension, after cavitation, after yield; closing.
     uniaxialMaterial AxialSp 2 1.0e9 1.0e6 -100.0e6 0.10 0.10 0.5 0.0
     element KikuchiBearing 1 1 2 -shape round -size $D $tr -totalHeight $height \
         -nMSS 8 -matMSS 1 -limDisp [expr {0.5*$tr}] -nMNS 20 -matMNS 2 -lambda $lambda -orient 0 0 1 1 0 0

@@ -44,6 +44,7 @@ fn storey(algorithm: &str, integrator: &str, handler: &str) -> String {
         uniaxialMaterial Elastic 2 2.0e4
         uniaxialMaterial Viscous 3 20.0 0.7
         uniaxialMaterial Steel01 4 50.0 1e4 0.05
+        uniaxialMaterial HDRRheology 5 -compound HDR3 -ambient 0 -area 100 -height 0.1 -heatCapacity 3 -mullins 0.3 0.5
         geomTransf PDelta 1 1 0 0; geomTransf Linear 2 0 0 1
         foreach {{x y}} {{0 0 6 0 6 4 0 4}} {{
             incr n
@@ -51,7 +52,7 @@ fn storey(algorithm: &str, integrator: &str, handler: &str) -> String {
             fix $n 1 1 1 1 1 1
             element elastomericBearingBoucWen $n $n 1$n 7000. 45.0 0.10 0.0 2.0 1.0 0.5 0.5 -P 1 -T 2 -My 2 -Mz 2 -orient 0 0 1 1 0 0
             element KikuchiBearing 4$n $n 1$n -shape round -size 0.5 0.1 -totalHeight 0.2 -nMSS 4 -matMSS 4 -limDisp 0.01 -nMNS 3 -matMNS 1 -orient 0 0 1 1 0 0
-            element zeroLength 3$n $n 1$n -mat 3 4 -dir 1 2
+            element zeroLength 3$n $n 1$n -mat 3 4 5 -dir 1 2 2
             element elasticBeamColumn 1$n 1$n 2$n 0.1 3e7 1.2e7 0.002 0.001 0.0015 1
             mass 2$n 0 0 10 0 0 0; mass 1$n 5 5 5 0 0 0
         }}

@@ -19,10 +19,16 @@ mod loops;
 mod mistakes;
 #[path = "cli/modal.rs"]
 mod modal;
+#[path = "cli/models.rs"]
+mod models;
 #[path = "cli/parameters.rs"]
 mod parameters;
+#[path = "cli/phenomena.rs"]
+mod phenomena;
 #[path = "cli/recorders.rs"]
 mod recorders;
+#[path = "cli/rubber.rs"]
+mod rubber;
 #[path = "cli/rubber_bearings.rs"]
 mod rubber_bearings;
 

@@ -69,7 +69,7 @@ pub(super) fn integration(interp: &Tcl, a: &Args<'_>, name: &str, numbers: &[f64
     };
     let few = || wrong(format!("{name}: {} numbers are too few", numbers.len()));
     let count = |x: f64| {
-        if x >= 1.0 && x <= 100.0 && x.fract() == 0.0 {
+        if (1.0..=100.0).contains(&x) && x.fract() == 0.0 {
             Ok(x as usize)
         } else {
             Err(wrong(format!("{name}: {x} is no number of sections, 1 to 100")))

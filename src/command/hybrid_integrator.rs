@@ -52,6 +52,10 @@ pub(super) fn operator_splitting(
     if !positive {
         return Err(a.refuse("a parameter is not greater than 0", "expected positive numbers"));
     }
+    if p.force != 1.0 {
+        let message = format!("alphaF is {}: of these methods only those with alphaF = 1 are there yet", p.force);
+        return Err(a.refuse(message, "expected 1"));
+    }
     Ok(Box::new(AlphaOs::new(if generalized { "AlphaOSGeneralized" } else { "AlphaOS" }, p, update_elements)))
 }
 

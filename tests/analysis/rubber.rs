@@ -154,3 +154,58 @@ fn rubber_that_makes_no_sense_is_refused() {
         assert!(ran.warnings().len() == 1 && told.replace('\\', "").contains(message), "{told}");
     }
 }
+
+/// A bearing in space: the words after its geometry, a path of displacement in x and y over time, steps, what is wanted.
+fn bearing(options: &str, x: &str, y: &str, steps: usize, dt: f64, wanted: &str) -> Vec<f64> {
+    let text = format!(
+        "model basic -ndm 3 -ndf 6; node 1 0 0 0; node 2 0 0 0; fix 1 1 1 1 1 1 1; fix 2 0 0 0 1 1 1
+        element HDRRheologyBearing 1 1 2 1.2 2000. 0. 300. 2.3 5. 6 {options} -orient 0 0 1 1 0 0
+        timeSeries Path 1 -time {{0 0.5 1 10000}} -values {{{x}}}
+        timeSeries Path 2 -time {{0 0.5 1 10000}} -values {{{y}}}
+        timeSeries Constant 3
+        pattern Plain 3 3 {{ load 2 0 0 -4.0e5 0 0 0 }}
+        pattern Plain 1 1 {{ sp 2 1 1.0 }}
+        pattern Plain 2 2 {{ sp 2 2 1.0 }}
+        constraints Transformation; numberer Plain; system BandGeneral; test NormDispIncr 1e-9 20; algorithm Newton
+        integrator LoadControl {dt}; analysis Static
+        if {{[analyze {steps}] != 0}} {{ error \"no convergence\" }}
+        foreach w {{{wanted}}} {{ foreach x [eleResponse 1 $w] {{ puts $x }} }}"
+    );
+    run(&text).numbers()
+}
+
+#[test]
+fn a_bearing_in_space_is_the_material_on_a_line() {
+    let area = std::f64::consts::PI / 4.0 * 300.0 * 300.0;
+    let cold = "-compound HDR3 -temperature -10";
+    // To 36 and 48 in x and y, 60 in all: a strain of 2 in half a second, and back to half of it.
+    let got = bearing(cold, "0 36 18 18", "0 48 24 24", 200, 0.005, "basicForce overstress temperature");
+    let material = format!("-compound HDR3 -temperature -10 -area {area} -height 30");
+    let analysis = "integrator LoadControl 0.005; analysis Static; analyze 200";
+    let one = test_rig(&material, "0 0.5 1 10000", "0 60 30 30", analysis, "stress overstress");
+    close(got[1].hypot(got[2]), one[0].abs(), 2e-3);
+    close(got[2] / got[1], 4.0 / 3.0, 1e-6);
+    close(got[6].hypot(got[7]), one[1].abs(), 2e-3);
+    close(got[8], -10.0, 1e-12);
+    // The axial law of layered rubber is softer in shear; a linear one is not.
+    let short = |options: &str| bearing(options, "0 36 18 18", "0 48 24 24", 100, 0.005, "basicDeformation")[0];
+    assert!(short(cold) < 1.01 * short(&format!("{cold} -axial linear")));
+}
+
+#[test]
+fn a_mass_on_bearings_of_high_damping_rubber() {
+    let ran = run("model basic -ndm 3 -ndf 6
+        node 1 0 0 0; node 2 0 0 0; fix 1 1 1 1 1 1 1; fix 2 0 0 0 1 1 1; mass 2 40. 40. 40. 0 0 0
+        element HDRRheologyBearing 1 1 2 1.2 2000. 0. 300. 2.3 5. 6 -compound HDR2 -ambient -20 -heatCapacity 3.0 \\
+            -coolingTime 2000 -beyond hold -mullins 0.3 0.5 -heal 0.5 86400 -orient 0 0 1 1 0 0
+        timeSeries Constant 3; pattern Plain 3 3 { load 2 0 0 -4.0e5 0 0 0 }
+        constraints Transformation; numberer Plain; system BandGeneral; test NormUnbalance 1e-2 30; algorithm Newton
+        integrator LoadControl 0.1; analysis Static; analyze 10; loadConst -time 0
+        timeSeries Trig 1 0 6 0.8 -factor 5000.; timeSeries Trig 2 0 6 0.7 -factor 5000.
+        pattern UniformExcitation 1 1 -accel 1; pattern UniformExcitation 2 2 -accel 2
+        integrator Newmark 0.5 0.25; analysis Transient
+        if {[analyze 200 0.01] != 0} { error {no convergence} }
+        puts [eleResponse 1 temperature]; puts [eleResponse 1 heat]; puts [eleResponse 1 stored]; puts [numIter]");
+    let got = ran.numbers();
+    assert!(got[0] > -15.0 && got[0] < 60.0 && got[1] > 10.0 * got[2], "{got:?}");
+}

@@ -7,6 +7,7 @@ mod kikuchi;
 mod multiple_normal_spring;
 mod multiple_shear_spring;
 mod multiple_springs;
+mod rheology_bearing;
 mod rubber_bearing;
 mod sliding;
 mod timoshenko;
@@ -46,6 +47,7 @@ const KINDS: &[Kind] = &[
     bearing::BOUC_WEN,
     bearing::PLASTICITY,
     rubber_bearing::HDR,
+    rheology_bearing::RHEOLOGY,
     rubber_bearing::ELASTOMERIC_X,
     rubber_bearing::LEAD_RUBBER_X,
     sliding::FLAT,

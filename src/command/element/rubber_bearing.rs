@@ -34,20 +34,20 @@ pub(super) const LEAD_RUBBER_X: Kind = Kind {
 };
 
 /// What the bearings of this family have in common, with OpenSees' defaults.
-struct Common {
+pub(super) struct Common {
     orientation: Orientation,
     orient_at: Option<Span>,
     kc: f64,
     phi: f64,
     ac: f64,
     shear_dist: f64,
-    mass: f64,
+    pub(super) mass: f64,
     cd: f64,
-    cover: f64,
+    pub(super) cover: f64,
 }
 
 impl Common {
-    fn new(nodes: Option<Span>) -> Self {
+    pub(super) fn new(nodes: Option<Span>) -> Self {
         Self {
             // The local y axis of a bearing that is not told is opposite to the global X.
             orientation: Orientation { x: None, y: Some(-Vector3::x()) },
@@ -62,7 +62,7 @@ impl Common {
         }
     }
 
-    fn axes(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
+    pub(super) fn axes(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
         let x = vector(a, 3, "local x axis")?;
         self.orient_at = a.last_span();
         let y = vector(a, 3, "vector in the local x-y plane")?;
@@ -70,29 +70,29 @@ impl Common {
         Ok(())
     }
 
-    fn cavitation(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
+    pub(super) fn cavitation(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
         // Zero stands for a bearing that hardens; OpenSees puts a small number there.
         let kc = a.not_negative("cavitation parameter kc")?;
         self.kc = if kc < f64::EPSILON { 1e-4 } else { kc };
         Ok(())
     }
 
-    fn damage(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
+    pub(super) fn damage(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
         self.phi = fraction(a, "largest damage of the cavitation strength PhiM")?;
         Ok(())
     }
 
-    fn degradation(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
+    pub(super) fn degradation(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
         self.ac = a.not_negative("strength degradation parameter ac")?;
         Ok(())
     }
 
-    fn shear_dist(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
+    pub(super) fn shear_dist(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
         self.shear_dist = fraction(a, "place of the shear force sDratio")?;
         Ok(())
     }
 
-    fn mass(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
+    pub(super) fn mass(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
         self.mass = a.not_negative("mass m")?;
         Ok(())
     }
@@ -102,13 +102,13 @@ impl Common {
         Ok(())
     }
 
-    fn cover(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
+    pub(super) fn cover(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
         self.cover = a.not_negative("cover thickness tc")?;
         Ok(())
     }
 
     /// Kinematics between the nodes.
-    fn link(&self, a: &Args<'_>, ends: &Ends) -> Result<Link<12, 6>, Exception> {
+    pub(super) fn link(&self, a: &Args<'_>, ends: &Ends) -> Result<Link<12, 6>, Exception> {
         let made = self.orientation.of_link(ends.place.0, ends.place.1, false);
         let (axes, length) = made.map_err(|e| {
             let label = "expected nodes apart or a local x axis, and a vector that is not parallel to it";
@@ -118,7 +118,7 @@ impl Common {
     }
 
     /// The axial law, where `switches` say whether the bearing cavitates, buckles and softens.
-    fn axial(&self, rubber: Rubber, [cavitates, buckles, softens]: [bool; 3], compat: bool) -> AxialLaw {
+    pub(super) fn axial(&self, rubber: Rubber, [cavitates, buckles, softens]: [bool; 3], compat: bool) -> AxialLaw {
         AxialLaw { rubber, kc: self.kc, phi: self.phi, ac: self.ac, cavitates, buckles, softens, compat }
     }
 }
@@ -129,12 +129,12 @@ fn fraction(a: &mut Args<'_>, what: &str) -> Result<f64, Exception> {
     if (0.0..=1.0).contains(&x) { Ok(x) } else { Err(a.refuse(format!("{what} is {x}"), "expected a number 0 to 1")) }
 }
 
-fn in_space(a: &Args<'_>, ends: &Ends) -> Result<(), Exception> {
+pub(super) fn in_space(a: &Args<'_>, ends: &Ends) -> Result<(), Exception> {
     if (ends.ndm, ends.ndf) == (3, 6) { Ok(()) } else { Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions")) }
 }
 
 /// Material and geometry: G, K, D1, D2, ts, tr, n.
-fn layers(interp: &mut Tcl, a: &mut Args<'_>, plugged: bool) -> Result<Layers, Exception> {
+pub(super) fn layers(interp: &mut Tcl, a: &mut Args<'_>, plugged: bool) -> Result<Layers, Exception> {
     let g = a.positive("shear modulus Gr")?;
     let bulk = a.positive("bulk modulus Kbulk")?;
     let inner = a.not_negative("inner diameter D1")?;

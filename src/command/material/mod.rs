@@ -17,6 +17,7 @@ use crate::material::Material;
 use crate::script::{Call, Exception, Value};
 
 pub(super) use bench::Bench;
+pub(super) use rubber::rheology;
 
 pub(super) const COMMANDS: &[Command] = &[
     Command { name: "uniaxialMaterial", usage: "uniaxialMaterial $kind $tag ...", run: uniaxial_material },

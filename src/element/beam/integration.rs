@@ -174,7 +174,7 @@ fn polynomial_weights(x: &[f64], given: &[f64]) -> Option<Vec<f64>> {
     let free = x.len().checked_sub(given.len()).filter(|n| *n <= 16)?;
     // About the middle, where powers differ most.
     let power = |x: f64, i: usize| (2.0 * x - 1.0).powi(i as i32);
-    let integral = |i: usize| if i % 2 == 0 { 1.0 / (i + 1) as f64 } else { 0.0 };
+    let integral = |i: usize| if i.is_multiple_of(2) { 1.0 / (i + 1) as f64 } else { 0.0 };
     let mut w = given.to_vec();
     let mut matrix: Vec<f64> = (0..free).flat_map(|i| x[given.len()..].iter().map(move |x| power(*x, i))).collect();
     if !invert(&mut matrix, free) {

@@ -1,0 +1,34 @@
+# The recycled rubber bearing with fibre reinforcement (RR-FRB), 210 x 210 x 210 mm, of the tests of Calabrese et al. as identified in
+# [1]: Tables 5 to 8. Units: N, m, s.
+#
+# [1] Identification and Calibration of Advanced Hysteresis Models for Recycled Rubber-Fiber-Reinforced Bearings.
+#
+# The tables taken literally do not reproduce the errors that [1] gives in its Table 10: they are a start, not a fit.
+
+source [file join [file dirname [info script]] rubber.tcl]
+
+namespace eval rr_frb {
+    # Table 5.
+    variable shear 1.1e6        ;# G_r
+    variable bulk 2000.0e6      ;# K_bulk
+    variable size 0.210         ;# D, a side of the square
+    variable height 0.210       ;# H
+    variable fibre 0.1e-3       ;# t_s
+    variable layer 5.0e-3       ;# t_r
+    variable layers 40          ;# n
+    variable thickness 0.200    ;# T_r = n t_r
+    variable area [expr {$size**2}]
+
+    # Modulus in compression (Eqs 2 and 3), cavitation at 2 G_r, yielding at 100 MPa.
+    variable modulus [rubber::modulus $size $layer $shear $bulk]
+    variable cavitation [expr {2.0*$shear}]
+    variable crushing 100.0e6
+
+    # Axial material of one unit of force: AxialSp with post-elastic stiffness of 1/100 in tension and 1/2 in compression.
+    # Stress and strain for factors of 1, force and displacement for the area and for the area over the thickness.
+    proc axial {tag {strength 1.0} {stiffness 1.0}} {
+        variable modulus; variable cavitation; variable crushing
+        uniaxialMaterial AxialSp $tag [expr {$modulus*$stiffness}] [expr {$cavitation*$strength}] \
+            [expr {-$crushing*$strength}] 1.0 0.01 0.5 0.0
+    }
+}

@@ -1,0 +1,79 @@
+//! `element HDRRheologyBearing`.
+
+use super::rubber_bearing::{Common, in_space, layers};
+use super::{Ends, Kind};
+use crate::command::Tcl;
+use crate::command::args::Args;
+use crate::command::material::rheology;
+use crate::element::Element;
+use crate::element::bearing::{RheologyShear, RubberBearing};
+use crate::material::HdrRheology;
+use crate::script::Exception;
+use std::sync::Arc;
+
+pub(super) const RHEOLOGY: Kind = Kind {
+    names: &["HDRRheologyBearing"],
+    usage: "element HDRRheologyBearing $tag $i $j $Gr $Kbulk $D1 $D2 $ts $tr $n -compound $name -temperature $T | $C1eq \
+            $C2eq $C3eq $tauCrEq $m $C1oe $C2oe $tauCrOe $a $n <-linear $C> <-heatCapacity $c <-coolingTime $s>> \
+            <-ambient $T> <-mullins $excess $strain <-heal $fraction $time> <-preload $strain>> <-axial kumar|linear> \
+            <-orient $x1 $x2 $x3 $y1 $y2 $y3> <-kc $kc> <-PhiM $PhiM> <-ac $ac> <-shearDist $sDratio> <-mass $m> \
+            <-cover $tc>",
+    make,
+};
+
+const OPTIONS: &[&str] = &[
+    "-compound",
+    "-temperature",
+    "-linear",
+    "-heatCapacity",
+    "-coolingTime",
+    "-ambient",
+    "-beyond",
+    "-mullins",
+    "-heal",
+    "-preload",
+    "-axial",
+    "-orient",
+    "-kc",
+    "-PhiM",
+    "-ac",
+    "-shearDist",
+    "-mass",
+    "-cover",
+];
+
+fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    in_space(a, ends)?;
+    let mut c = Common::new(a.last_span());
+    let mut layers = layers(interp, a, false)?;
+    let mut varies = true;
+    let law = rheology(interp, a, OPTIONS, |a, option| {
+        match option {
+            "-axial" => {
+                varies = match a.word("axial law: kumar or linear")?.as_ref() {
+                    "kumar" => true,
+                    "linear" => false,
+                    _ => return Err(a.unknown_name("axial law", ["kumar", "linear"])),
+                }
+            }
+            "-orient" => c.axes(a)?,
+            "-kc" => c.cavitation(a)?,
+            "-PhiM" => c.damage(a)?,
+            "-ac" => c.degradation(a)?,
+            "-shearDist" => c.shear_dist(a)?,
+            "-mass" => c.mass(a)?,
+            "-cover" => c.cover(a)?,
+            _ => return Ok(false),
+        }
+        Ok(true)
+    })?;
+    if !law.hold_ends {
+        return Err(a.refuse("a bearing cannot end at the table of its compound", "expected -beyond hold, or none"));
+    }
+    layers.cover = c.cover;
+    let rubber = layers.bearing();
+    let law = HdrRheology { area: rubber.area, height: rubber.thickness, ..law };
+    let axial = c.axial(rubber, [varies; 3], interp.host.engine.options.compat);
+    let shear = RheologyShear { law };
+    Ok(Arc::new(RubberBearing::new(axial, shear, c.link(a, ends)?, c.mass)))
+}

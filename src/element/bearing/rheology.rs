@@ -1,0 +1,87 @@
+//! Shear law of `HDRRheologyBearing`: the rheology of high damping rubber in two directions.
+
+use super::axial::Axial;
+use super::rubber_shear::{OWN, RubberShear, ShearStep, Shearing};
+use super::shear::Shear;
+use crate::material::HdrRheology;
+use crate::material::hdr::PlaneHistory;
+use crate::probe::Probe;
+
+/// The rheology beside the axial law of layered rubber.
+#[derive(Clone, Debug)]
+pub struct RheologyShear {
+    /// The law of the rubber, with area and thickness of the bearing.
+    pub law: HdrRheology,
+}
+
+/// Responses of its own: name, columns, number.
+const RESPONSES: [(&str, &[&str], u32); 5] = [
+    ("temperature", &["temperature"], OWN),
+    ("equilibrium", &["equilibrium2", "equilibrium3"], OWN + 1),
+    ("overstress", &["overstress2", "overstress3"], OWN + 2),
+    ("heat", &["heat"], OWN + 3),
+    ("stored", &["stored"], OWN + 4),
+];
+
+impl RheologyShear {
+    fn scaled(&self, stress: [f64; 2]) -> [f64; 2] {
+        stress.map(|s| self.law.area * s)
+    }
+}
+
+impl RubberShear for RheologyShear {
+    type Memory = PlaneHistory;
+
+    fn class(&self) -> &'static str {
+        "HDRRheologyBearing"
+    }
+
+    fn ages(&self) -> bool {
+        true
+    }
+
+    fn virgin(&self) -> (Shear<2>, PlaneHistory) {
+        let k = self.law.area / self.law.height * self.law.plane_stiffness();
+        (Shear { k: [[k, 0.0], [0.0, k]], ..Shear::default() }, self.law.plane_virgin())
+    }
+
+    fn step(&self, _: &Shear<2>, m: &PlaneHistory, _: &PlaneHistory, at: &Shearing<'_>) -> ShearStep<PlaneHistory> {
+        let step = self.law.plane_step(m, at.u.map(|u| u / self.law.height), at.dt);
+        let k = step.tangent.map(|row| row.map(|k| self.law.area / self.law.height * k));
+        let shear = Shear { u: at.u, internal: step.next.slip_eq, q: self.scaled(step.stress), k };
+        ShearStep { shear, memory: step.next, k_axial: [0.0; 2], damping: 0.0 }
+    }
+
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        let word = *words.first()?;
+        let (_, columns, id) = RESPONSES.iter().find(|(name, ..)| *name == word)?;
+        Some(Probe::new(*id, columns.iter().copied()))
+    }
+
+    fn probe_names(&self) -> &'static [&'static str] {
+        &[
+            "localForce",
+            "basicForce",
+            "localDisplacement",
+            "deformation",
+            "basicDeformation",
+            "basicStiffness",
+            "temperature",
+            "equilibrium",
+            "overstress",
+            "heat",
+            "stored",
+        ]
+    }
+
+    fn read(&self, id: u32, _: &Shear<2>, m: &PlaneHistory, _: &Axial, out: &mut [f64]) {
+        let volume = self.law.area * self.law.height;
+        match id - OWN {
+            0 => out[0] = self.law.ambient + m.rise,
+            1 => out.copy_from_slice(&self.scaled(m.equilibrium)),
+            2 => out.copy_from_slice(&self.scaled(m.overstress)),
+            3 => out[0] = volume * m.heat,
+            _ => out[0] = volume * m.stored,
+        }
+    }
+}
