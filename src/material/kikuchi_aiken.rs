@@ -71,6 +71,8 @@ pub struct KikuchiAiken<D> {
 struct Compat {
     /// Force on the way back over that on the way out, in the elastic range.
     back: f64,
+    /// Stiffness that is reported in the elastic range by a bearing that has been tried beyond it.
+    tried: f64,
 }
 
 /// Reversals inside each other that are remembered. Where there are more, the loop that hardly differs from the one around
@@ -100,6 +102,8 @@ crate::words! {
         p: f64,
         n: f64,
         a: f64,
+        /// 1 once it has been beyond the elastic range.
+        sheared: f64,
     }
 }
 
@@ -176,7 +180,8 @@ impl<D: Device> KikuchiAiken<D> {
         let elastic = device.skeleton(ELASTIC_STRAIN).0 / (ELASTIC_STRAIN * device.height());
         let compat = compat.then(|| {
             let Shape { u, a, .. } = device.shape(ELASTIC_STRAIN, tolerance(true));
-            Compat { back: 1.0 - 2.0 * u * (-2.0 * a).exp() }
+            let end = (-2.0 * a).exp();
+            Compat { back: 1.0 - 2.0 * u * end, tried: elastic * (1.0 - u + u * 2.0 * a * end) }
         });
         Self { device, rs, rf, elastic, compat }
     }
@@ -192,8 +197,9 @@ impl<D: Device> KikuchiAiken<D> {
 
     /// Force and stiffness in the elastic range.
     fn elastic(&self, t: &Head) -> (f64, f64) {
-        let back = self.compat.filter(|_| t.d * t.sign < 0.0).map_or(1.0, |c| c.back);
-        (self.elastic * t.d * back, self.elastic)
+        let Some(compat) = self.compat else { return (self.elastic * t.d, self.elastic) };
+        let back = if t.d * t.sign < 0.0 { compat.back } else { 1.0 };
+        (self.elastic * t.d * back, if t.sheared == 0.0 { self.elastic } else { compat.tried })
     }
 
     /// Force and stiffness on the skeleton.
@@ -319,7 +325,7 @@ impl<D: Device> Uniaxial for KikuchiAiken<D> {
         let (force, stiffness) = if t.max <= ELASTIC_STRAIN * self.device.height() {
             self.elastic(&t)
         } else if d.abs() == t.max {
-            t.depth = 0.0;
+            (t.depth, t.sheared) = (0.0, 1.0);
             self.skeleton(&mut t)?
         } else {
             self.inside(&c, &mut t, next)?
@@ -327,6 +333,12 @@ impl<D: Device> Uniaxial for KikuchiAiken<D> {
         (t.force, t.stiffness) = (force * self.rf, stiffness * self.rs);
         t.write(next);
         Ok(Stress { value: t.force, tangent: t.stiffness, damping: 0.0 })
+    }
+
+    fn leave_trace(&self, tried: &[f64], committed: &mut [f64]) {
+        if self.compat.is_some() {
+            Head { sheared: Head::read(tried).sheared, ..Head::read(committed) }.write(committed);
+        }
     }
 
     fn initial_tangent(&self) -> f64 {

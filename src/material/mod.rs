@@ -228,6 +228,10 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
         self.update_all(committed, strains, next, stresses)
     }
 
+    /// Where OpenSees is followed: take over from a trial state into the committed one what a trial leaves behind there
+    /// although it is not committed. For springs that are only ever tried.
+    fn leave_trace(&self, _tried: &[f64], _committed: &mut [f64]) {}
+
     /// Tangent of the virgin material.
     fn initial_tangent(&self) -> f64;
     /// Whether `Stress::damping` is ever used.

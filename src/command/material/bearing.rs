@@ -40,7 +40,11 @@ fn within(a: &mut Args<'_>, what: &str, otherwise: f64, limits: [f64; 2], range:
     if (limits[0]..=limits[1]).contains(&x) {
         return Ok(x);
     }
-    Err(a.refuse(format!("{what} is {x}"), format!("expected a number from {} to {}: {range}", limits[0], limits[1])))
+    let expected = match limits {
+        [low, f64::INFINITY] => format!("expected at least {low}: {range}"),
+        [low, high] => format!("expected a number from {low} to {high}: {range}"),
+    };
+    Err(a.refuse(format!("{what} is {x}"), expected))
 }
 
 const RATIO: &str = "a ratio to the stiffness sce in compression";
@@ -92,7 +96,7 @@ fn axial_sp_hd(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception
     p.bcy = within(a, YIELDED, 1.0, [0.0, 1.0], RATIO)?;
     p.fcr = closing_stress(a, p.fcy)?;
     let at = "displacement ath at which hardening begins, over that at cavitation";
-    let ath = within(a, at, 1.0, [1.0, f64::INFINITY], "a ratio of at least 1")?;
+    let ath = within(a, at, 1.0, [1.0, f64::INFINITY], "a ratio")?;
     p.hardening = (p.bty < p.bte).then_some((bth, ath));
     Ok(Arc::new(AxialSpHD::new(&p, interp.host.engine.options.compat)))
 }

@@ -4,7 +4,7 @@ use crate::material::{Material, MaterialError, Strain, Strains, Stresses};
 use std::f64::consts::PI;
 
 /// Springs in the directions θ = π i/n of the plane of shear (Wada and Hirose, 1989), of one material or of several; their
-/// histories lie one after the other in the state of their owner, behind them room for one more.
+/// histories lie one after the other in the state of their owner, behind them room for two more.
 ///
 /// With a limit u₀ the forces are multiplied so that the bundle, sheared in one direction from the virgin state to
 /// max(|u|, u₀), carries the force of one spring alone, all of the first material; |u| is the size of the displacement. Without one they are
@@ -16,7 +16,7 @@ pub struct ShearSprings {
     limit: Option<f64>,
     /// Virgin state of the first material.
     virgin: Vec<f64>,
-    /// Where there is room for a spring, after all others.
+    /// Where there is room for two springs, after all others: one that is tried for the factors, and what it answers.
     room: usize,
 }
 
@@ -85,7 +85,7 @@ impl ShearSprings {
     /// Number of words that they take.
     pub fn state_len(&self) -> usize {
         let first = self.runs.first().map_or(self.room, |run| run.at);
-        self.room - first + self.virgin.len()
+        self.room - first + 2 * self.virgin.len()
     }
 
     /// Their materials.
@@ -104,7 +104,10 @@ impl ShearSprings {
             let words = material.state_len();
             (0..springs.len()).for_each(|i| material.init(&mut state[at + i * words..at + (i + 1) * words]));
         }
-        state[self.room..self.room + self.virgin.len()].copy_from_slice(&self.virgin);
+        let words = self.virgin.len();
+        for room in [self.room, self.room + words] {
+            state[room..room + words].copy_from_slice(&self.virgin);
+        }
     }
 
     /// Forces at displacements along y and z, with their rates.
@@ -116,6 +119,8 @@ impl ShearSprings {
         dt: f64,
         trial: &mut [f64],
     ) -> Result<Bundle, MaterialError> {
+        let tried = self.room..self.room + self.virgin.len();
+        trial[tried.clone()].copy_from_slice(&committed[tried]);
         let mut sum = Bundle::default();
         let (mut strains, mut rates) = ([0.0; CHUNK], [0.0; CHUNK]);
         let (mut value, mut tangent, mut damping) = ([0.0; CHUNK], [0.0; CHUNK], [0.0; CHUNK]);
@@ -173,9 +178,14 @@ impl ShearSprings {
         let (Some(limit), Some(Run { material, .. })) = (self.limit, self.runs.first()) else {
             return Ok(Factors::ONE);
         };
-        let room = &mut trial[self.room..self.room + self.virgin.len()];
+        let words = self.virgin.len();
+        let (tried, answer) = trial[self.room..self.room + 2 * words].split_at_mut(words);
         let u = size.max(limit);
-        let mut at = |value: f64| material.update(&self.virgin, Strain { value, rate: 0.0, dt: 0.0 }, room);
+        let mut at = |value: f64| {
+            let stress = material.update(tried, Strain { value, rate: 0.0, dt: 0.0 }, answer)?;
+            material.leave_trace(answer, tried);
+            Ok::<_, MaterialError>(stress)
+        };
         let one = at(u)?;
         let (mut force, mut stiffness) = (0.0, 0.0);
         for [c, _] in &self.directions {
@@ -186,7 +196,6 @@ impl ShearSprings {
         if force == 0.0 || stiffness == 0.0 {
             return Err(MaterialError(format!("the virgin shear springs do not resist a displacement of {u}")));
         }
-        room.copy_from_slice(&self.virgin);
         let factor = one.value / force;
         let slope = if size > limit { (one.tangent - factor * stiffness) / force } else { 0.0 };
         Ok(Factors { force: factor, stiffness: one.tangent / stiffness, slope })
