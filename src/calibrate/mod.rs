@@ -18,11 +18,11 @@ pub use amplitude::{Amplitude, amplitudes};
 pub use method::{
     CmaEs, Crossover, Differential, Evolution, LevenbergMarquardt, Method, Search, Shade, Trial, Variant,
 };
-pub use page::{Displacements, page};
+pub use page::page;
 pub use plan::{Plan, Strategy};
 pub use posterior::{Posterior, Quantiles, posterior};
 pub use problem::{Evaluated, Problem, StudyProblem};
 pub use profile::{Profile, profiles};
-pub use result::{Calibrated, Spread};
+pub use result::{Calibrated, Displacements, Spread};
 pub use search::{Checkpoint, Outcome, Repeat, Silent, Status, Watch, search};
 pub use uncertainty::{Interval, Uncertainty, autocorrelation_time, uncertainty};

@@ -1,13 +1,10 @@
 //! The report of a calibration: one file of HTML with its pictures in it.
 
-use super::amplitude::{Amplitude, amplitudes};
-use super::result::{Calibrated, role_name};
+use super::amplitude::Amplitude;
+use super::result::{Calibrated, Displacements, is_force, role_name};
 use crate::report::{Curve, Figure, Mark};
 use crate::study::{Fit, Observe, Role, Run, Source};
 use std::fmt::Write as _;
-
-/// What a force is plotted over, for each run: displacements at the times of its recording and what they are called.
-pub type Displacements = Vec<Option<(String, Vec<f64>)>>;
 
 const STYLE: &str = "body{font:15px/1.5 system-ui,sans-serif;max-width:1000px;margin:2em auto;padding:0 1em;color:#222}\
     table{border-collapse:collapse;margin:1em 0}td,th{padding:.25em .8em;border-bottom:1px solid #ddd;text-align:right}\
@@ -75,9 +72,9 @@ pub fn page(result: &Calibrated, displacements: &Displacements) -> String {
     );
     parameters(&mut out, result);
     runs(&mut out, result);
-    for ((run, fit), u) in study.runs.iter().zip(&result.fits).zip(displacements) {
+    for (i, ((run, fit), u)) in study.runs.iter().zip(&result.fits).zip(displacements).enumerate() {
         if let Ok(fit) = fit {
-            pictures(&mut out, run, fit, u.as_ref());
+            pictures(&mut out, run, fit, u.as_ref(), result.amplitudes.get(i).map_or(&[], Vec::as_slice));
         }
     }
     search(&mut out, result);
@@ -130,16 +127,16 @@ fn runs(out: &mut String, result: &Calibrated) {
     }
 }
 
-/// Whether a channel is a force, to be plotted over a displacement.
-fn is_force(o: &Observe) -> bool {
-    let unit = o.unit.as_str();
-    ["N", "kN", "MN", "lbf", "kip", "Pa", "kPa", "MPa", "ksi"].contains(&unit) || o.channel.contains("force")
-}
-
-fn pictures(out: &mut String, run: &Run, fit: &Fit, displacement: Option<&(String, Vec<f64>)>) {
+fn pictures(
+    out: &mut String,
+    run: &Run,
+    fit: &Fit,
+    displacement: Option<&(String, Vec<f64>)>,
+    amplitudes: &[Vec<Amplitude>],
+) {
     let _ = writeln!(out, "<h2>{} ({})</h2>", escaped(&run.name), role_name(run.role));
     let t = &run.recording.times;
-    for (o, simulated) in run.observe.iter().zip(&fit.channels) {
+    for (k, (o, simulated)) in run.observe.iter().zip(&fit.channels).enumerate() {
         let over = |x: &[f64], y: &[f64]| -> Vec<(f64, f64)> {
             x.iter().copied().zip(y.iter().copied()).filter(|p| !p.0.is_nan() && !p.1.is_nan()).collect()
         };
@@ -179,8 +176,8 @@ fn pictures(out: &mut String, run: &Run, fit: &Fit, displacement: Option<&(Strin
                 ..Figure::default()
             },
         );
-        if let Some((name, u)) = loops {
-            by_amplitude(out, name, &amplitudes(u, &o.values, simulated));
+        if let Some((name, _)) = loops {
+            by_amplitude(out, name, amplitudes.get(k).map_or(&[], Vec::as_slice));
         }
     }
 }

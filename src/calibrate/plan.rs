@@ -1,7 +1,7 @@
 //! What is to be done: the method with its constants, how often, from which seed.
 
 use super::method::{CmaEs, Crossover, Differential, Evolution, LevenbergMarquardt, Search, Shade, Variant};
-use crate::diagnostic::{Diagnostic, nearest};
+use crate::diagnostic::{Diagnostic, Span, nearest};
 use crate::study::{Rejected, Study};
 use serde::{Deserialize, Serialize};
 
@@ -41,9 +41,23 @@ impl Strategy {
         Self::ALL.iter().find(|(_, s)| *s == self).map_or("", |(n, _)| n)
     }
 
-    /// By its name.
-    pub fn parse(name: &str) -> Option<Self> {
-        Self::ALL.iter().find(|(n, _)| *n == name).map(|(_, s)| *s)
+    /// By its name, which stands somewhere.
+    fn named(name: &str, span: Option<Span>) -> Result<Self, Rejected> {
+        if let Some((_, s)) = Self::ALL.iter().find(|(n, _)| *n == name) {
+            return Ok(*s);
+        }
+        let known = Self::ALL.map(|(n, _)| n);
+        let d = Diagnostic::error(format!("unknown method \"{name}\""));
+        let d = d.at(span, format!("expected one of {}", known.join(", ")));
+        Err(Box::new(match nearest(name, known) {
+            Some(near) => d.help(format!("did you mean \"{near}\"?")),
+            None => d,
+        }))
+    }
+
+    /// Whether the best is improved by least squares unless the study says otherwise: the paper's evolution is left as it is.
+    fn is_polished(self) -> bool {
+        !matches!(self, Self::De | Self::DePrinted)
     }
 }
 
@@ -96,18 +110,8 @@ impl Plan {
         let usual = Self::default();
         let strategy = match &c.method {
             None => usual.strategy,
-            Some((name, span)) => Strategy::parse(name).ok_or_else(|| {
-                let known = Strategy::ALL.map(|(n, _)| n);
-                let d = Diagnostic::error(format!("unknown method \"{name}\""));
-                let d = d.at(Some(*span), format!("expected one of {}", known.join(", ")));
-                Box::new(match nearest(name, known) {
-                    Some(near) => d.help(format!("did you mean \"{near}\"?")),
-                    None => d,
-                })
-            })?,
+            Some((name, span)) => Strategy::named(name, Some(*span))?,
         };
-        // The paper's evolution is left as it is unless the study wants more.
-        let pure = matches!(strategy, Strategy::De | Strategy::DePrinted);
         Ok(Self {
             strategy,
             population: c.population,
@@ -117,8 +121,18 @@ impl Plan {
             seed: c.seed.unwrap_or(usual.seed),
             repeats: c.repeats.unwrap_or(usual.repeats),
             evaluations: c.evaluations,
-            polish: c.polish.unwrap_or(!pure),
+            polish: c.polish.unwrap_or(strategy.is_polished()),
         })
+    }
+
+    /// Take another method.
+    ///
+    /// # Errors
+    /// There is none of that name.
+    pub fn choose(&mut self, name: &str) -> Result<(), Rejected> {
+        self.strategy = Strategy::named(name, None)?;
+        self.polish = self.strategy.is_polished();
+        Ok(())
     }
 
     /// Evaluations of a search in some dimensions, without the polish at its end.

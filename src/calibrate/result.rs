@@ -1,12 +1,13 @@
 //! What a calibration has found: as `calibration.json`, and as the script with the values in place.
 
+use super::amplitude::{Amplitude, amplitudes};
 use super::plan::Plan;
 use super::posterior::Posterior;
 use super::problem::StudyProblem;
 use super::profile::Profile;
 use super::search::{Outcome, Repeat};
 use super::uncertainty::Uncertainty;
-use crate::study::{Fit, Mishap, Opening, Role, Source, Study, objective};
+use crate::study::{Fit, Mishap, Observe, Opening, Role, Run, Source, Study, objective};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -36,7 +37,12 @@ pub struct Calibrated {
     pub profiles: Option<Vec<Profile>>,
     /// The posterior, likewise.
     pub posterior: Option<Posterior>,
+    /// Errors by amplitude of each channel of each run; empty where there are no loops.
+    pub amplitudes: Vec<Vec<Vec<Amplitude>>>,
 }
+
+/// What a force is plotted over, for each run: displacements at the times of its recording and what they are called.
+pub type Displacements = Vec<Option<(String, Vec<f64>)>>;
 
 impl Calibrated {
     /// The best of a search, with all runs simulated once more.
@@ -70,7 +76,22 @@ impl Calibrated {
             uncertainty: None,
             profiles: None,
             posterior: None,
+            amplitudes: vec![],
         })
+    }
+
+    /// Work out the errors by amplitude of all channels that are forces.
+    pub fn measure(&mut self, displacements: &Displacements) {
+        let of_run = |i: usize, run: &Run| {
+            let simulated = self.fits[i].iter().flat_map(|f| &f.channels);
+            let u = displacements.get(i).and_then(Option::as_ref);
+            let of_channel = |(o, simulated): (&Observe, &Vec<f64>)| match u {
+                Some((_, u)) if is_force(o) => amplitudes(u, &o.values, simulated),
+                _ => vec![],
+            };
+            run.observe.iter().zip(simulated).map(of_channel).collect()
+        };
+        self.amplitudes = self.study.runs.iter().enumerate().map(|(i, run)| of_run(i, run)).collect();
     }
 
     /// Mean NMSE over the channels of the runs of a role, weighted as in the objective; none where there is no such run, or
@@ -96,7 +117,7 @@ impl Calibrated {
     /// It cannot be written as JSON.
     pub fn json(&self) -> Result<String, serde_json::Error> {
         let named = self.study.space.parameters.iter().zip(&self.values);
-        let runs = self.study.runs.iter().zip(&self.fits).map(|(run, fit)| RunJson {
+        let runs = self.study.runs.iter().zip(&self.fits).enumerate().map(|(i, (run, fit))| RunJson {
             name: &run.name,
             role: role_name(run.role),
             nmse: fit.as_ref().ok().map(|f| f.nmse(&run.observe)),
@@ -104,12 +125,14 @@ impl Calibrated {
             channels: fit
                 .iter()
                 .flat_map(|f| f.scores.iter().zip(&run.observe))
-                .map(|(s, o)| ChannelJson {
+                .enumerate()
+                .map(|(k, (s, o))| ChannelJson {
                     channel: &o.channel,
                     nmse: s.nmse,
                     samples: s.samples,
                     dropped: s.dropped,
                     missing: o.values.iter().filter(|v| v.is_nan()).count(),
+                    amplitudes: self.amplitudes.get(i).and_then(|r| r.get(k)).map_or(&[], Vec::as_slice),
                 })
                 .collect(),
         });
@@ -149,6 +172,7 @@ impl Calibrated {
             objective: r.score,
             evaluations: r.evaluations,
             parameters: names.zip(values).collect(),
+            history: &r.history,
         }
     }
 
@@ -199,6 +223,12 @@ impl Calibrated {
     pub fn free_parameters(&self) -> usize {
         self.study.space.parameters.iter().filter(|p| matches!(p.source, Source::Free(_))).count()
     }
+}
+
+/// Whether a channel is a force, to be plotted over a displacement.
+pub(super) fn is_force(o: &Observe) -> bool {
+    let unit = o.unit.as_str();
+    ["N", "kN", "MN", "lbf", "kip", "Pa", "kPa", "MPa", "ksi"].contains(&unit) || o.channel.contains("force")
 }
 
 /// Name of a role in a study.
@@ -253,6 +283,9 @@ struct ChannelJson<'a> {
     samples: usize,
     dropped: usize,
     missing: usize,
+    /// Errors by amplitude.
+    #[serde(skip_serializing_if = "<[Amplitude]>::is_empty")]
+    amplitudes: &'a [Amplitude],
 }
 
 #[derive(Serialize)]
@@ -261,6 +294,8 @@ struct RepeatJson<'a> {
     objective: f64,
     evaluations: usize,
     parameters: BTreeMap<&'a str, f64>,
+    /// Evaluations and best objective, whenever that has changed.
+    history: &'a [(usize, f64)],
 }
 
 /// The objective over the repeats.

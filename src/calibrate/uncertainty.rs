@@ -11,7 +11,7 @@
 
 use super::problem::{Problem, StudyProblem};
 use crate::study::{Fit, Range, Role, Scale};
-use nalgebra::{DMatrix, SymmetricEigen};
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use serde::Serialize;
 
 /// Interval of a parameter.
@@ -50,6 +50,8 @@ const Z95: f64 = 1.959_963_985;
 const STEP: f64 = 1e-4;
 /// Correlation from which two parameters stand for each other.
 const TIED: f64 = 0.95;
+/// Curvature of a direction without influence, over the largest of a coordinate.
+const WEAK: f64 = 1e-9;
 /// Standard error, in sides of the cube, from which a parameter is not determined: its interval is its range.
 const WIDE: f64 = 0.25;
 
@@ -134,25 +136,28 @@ pub fn uncertainty(problem: &StudyProblem, point: &[f64]) -> Result<Uncertainty,
     if largest <= 0.0 {
         return Err("no parameter has an influence on what was recorded".into());
     }
-    // A direction without influence gets a variance that shows it, and does not spoil the others.
+    // A direction without influence is left out of the covariance; what it moves has the whole range for its interval.
     let eigen = SymmetricEigen::new(hessian);
-    let floor = 1e-14 * largest;
+    let is_weak = |k: usize| eigen.eigenvalues[k] <= WEAK * largest;
+    let moves = |k: usize, i: usize| eigen.eigenvectors[(i, k)].abs() > 0.1;
+    let is_open = |i: usize| (0..n).any(|k| is_weak(k) && moves(k, i));
     let inverse = {
-        let d = DMatrix::from_diagonal(&eigen.eigenvalues.map(|l| 1.0 / l.max(floor)));
-        &eigen.eigenvectors * d * eigen.eigenvectors.transpose()
+        let kept = DVector::from_fn(n, |k, _| if is_weak(k) { 0.0 } else { 1.0 / eigen.eigenvalues[k] });
+        &eigen.eigenvectors * DMatrix::from_diagonal(&kept) * eigen.eigenvectors.transpose()
     };
     let covariance = &inverse * middle * &inverse;
-    let error = |i: usize| covariance[(i, i)].max(0.0).sqrt();
-    let correlation: Vec<Vec<f64>> = (0..n)
-        .map(|i| (0..n).map(|k| if i == k { 1.0 } else { covariance[(i, k)] / (error(i) * error(k)) }).collect())
-        .collect();
+    let error = |i: usize| if is_open(i) { 1.0 } else { covariance[(i, i)].max(0.0).sqrt() };
+    let rho = |i: usize, k: usize| match error(i) * error(k) {
+        _ if i == k => 1.0,
+        product if product > 0.0 && !is_open(i) && !is_open(k) => (covariance[(i, k)] / product).clamp(-1.0, 1.0),
+        _ => 0.0,
+    };
+    let correlation: Vec<Vec<f64>> = (0..n).map(|i| (0..n).map(|k| rho(i, k)).collect()).collect();
     let free: Vec<(&str, &Range)> =
         study.space.free().map(|(i, range)| (study.space.parameters[i].name.as_str(), range)).collect();
-    let weak =
-        (0..n).filter(|i| eigen.eigenvalues[*i] <= 1e-10 * largest).map(|i| eigen.eigenvectors.column(i).into_owned());
     let mut undetermined: Vec<String> = vec![];
-    for direction in weak {
-        let names: Vec<&str> = (0..n).filter(|i| direction[*i].abs() > 0.1).map(|i| free[i].0).collect();
+    for k in (0..n).filter(|k| is_weak(*k)) {
+        let names: Vec<&str> = (0..n).filter(|i| moves(k, *i)).map(|i| free[i].0).collect();
         undetermined.push(match &names[..] {
             [one] => format!("{one} has no influence on what was recorded"),
             several => format!("only a combination of {} has an influence on what was recorded", several.join(", ")),
@@ -161,7 +166,7 @@ pub fn uncertainty(problem: &StudyProblem, point: &[f64]) -> Result<Uncertainty,
     let intervals: Vec<Interval> = free.iter().enumerate().map(|(i, f)| interval(f, point[i], error(i))).collect();
     for (i, interval) in intervals.iter().enumerate() {
         let name = &interval.name;
-        if interval.relative > WIDE && !undetermined.iter().any(|u| u.contains(name.as_str())) {
+        if interval.relative > WIDE && !is_open(i) {
             undetermined
                 .push(format!("{name} is not determined: its interval is as wide as half of its range or more"));
         }

@@ -67,6 +67,9 @@ pub(super) struct CalibrateArgs {
     /// Number of threads; all cores if it is not given. The result does not depend on it
     #[arg(long, value_name = "N")]
     pub(super) threads: Option<usize>,
+    /// Method, in place of the study's
+    #[arg(long, value_name = "NAME")]
+    pub(super) method: Option<String>,
     /// Seed of the random numbers, in place of the study's
     #[arg(long, value_name = "N")]
     pub(super) seed: Option<u64>,

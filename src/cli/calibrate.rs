@@ -4,7 +4,8 @@ use super::args::CalibrateArgs;
 use super::messages::Messages;
 use hysteron::analysis::Options;
 use hysteron::calibrate::{
-    Calibrated, Checkpoint, Plan, Status, StudyProblem, Watch, page, posterior, profiles, search, uncertainty,
+    Calibrated, Checkpoint, Displacements, Plan, Status, StudyProblem, Watch, page, posterior, profiles, search,
+    uncertainty,
 };
 use hysteron::diagnostic::{Diagnostic, Severity, SourceMap};
 use hysteron::study::{Opening, Role, ScriptSimulator, Study};
@@ -19,6 +20,8 @@ use std::time::{Duration, Instant};
 /// Exit status where the fit failed, and where the input is wrong.
 const FAILED: i32 = 1;
 const WRONG: i32 = 2;
+/// Where results go if nothing else is said.
+const RESULTS: &str = "results";
 
 /// Calibrate studies one after the other; the exit status is the worst of them.
 pub(super) fn calibrate(args: &CalibrateArgs) -> i32 {
@@ -44,8 +47,14 @@ pub(super) fn calibrate(args: &CalibrateArgs) -> i32 {
             Err(status) => worst = worst.max(status),
         }
     }
-    if several {
-        super::compare::table(&done);
+    if several && !done.is_empty() {
+        let table = super::compare::table(&done);
+        eprint!("\n{table}");
+        let out = args.out.clone().unwrap_or_else(|| PathBuf::from(RESULTS));
+        if let Err(message) = place(&out.join("comparison.txt"), &table) {
+            eprintln!("error: {message}");
+            worst = worst.max(FAILED);
+        }
     }
     worst
 }
@@ -80,7 +89,7 @@ fn studies(given: &[PathBuf]) -> Result<Vec<PathBuf>, String> {
 
 /// Where the results of a study go: one folder, or one below it for each of several studies.
 fn folder(args: &CalibrateArgs, file: &Path, several: bool) -> PathBuf {
-    let out = args.out.clone().unwrap_or_else(|| PathBuf::from("results"));
+    let out = args.out.clone().unwrap_or_else(|| PathBuf::from(RESULTS));
     if !several {
         return out;
     }
@@ -138,7 +147,10 @@ fn one(args: &CalibrateArgs, file: &Path, dir: &Path, stop: &Arc<AtomicBool>) ->
         how_sure(args, &problem, &mut result);
         let _ = fs::remove_file(&saved);
     }
-    write(dir, &result, &opening, &simulator).map_err(&failed)?;
+    let runs = 0..study.runs.len();
+    let displacements = runs.map(|r| simulator.displacement(r, &result.values)).collect();
+    result.measure(&displacements);
+    write(dir, &result, &opening, &displacements).map_err(&failed)?;
     tell(&result, dir);
     Ok(result)
 }
@@ -179,6 +191,9 @@ fn prepare(
     let study = Arc::new(Study::load(file, sources)?);
     let mut plan = Plan::of(&study)?;
     plan.seed = args.seed.unwrap_or(plan.seed);
+    if let Some(name) = &args.method {
+        plan.choose(name)?;
+    }
     plan.repeats = args.repeats.unwrap_or(plan.repeats);
     let options = Options { compat: args.compat.is_some(), ladder: None, dense: None };
     let mut simulator = ScriptSimulator::new(study, options, stop.clone());
@@ -214,8 +229,8 @@ fn place(path: &Path, text: &str) -> Result<(), String> {
     done.map_err(|e| format!("cannot write {}: {e}", path.display()))
 }
 
-fn write(dir: &Path, result: &Calibrated, opening: &Opening, simulator: &ScriptSimulator) -> Result<(), String> {
-    let study = simulator.study();
+fn write(dir: &Path, result: &Calibrated, opening: &Opening, displacements: &Displacements) -> Result<(), String> {
+    let study = &result.study;
     let text = fs::read_to_string(study.folder.join(&study.model)).map_err(|e| e.to_string())?;
     let (script, elsewhere) = result.script(&text, opening);
     place(&dir.join("fitted.tcl"), &script)?;
@@ -226,9 +241,7 @@ fn write(dir: &Path, result: &Calibrated, opening: &Opening, simulator: &ScriptS
             study.model
         );
     }
-    let runs = 0..study.runs.len();
-    let displacements = runs.map(|r| simulator.displacement(r, &result.values)).collect();
-    place(&dir.join("report.html"), &page(result, &displacements))?;
+    place(&dir.join("report.html"), &page(result, displacements))?;
     place(&dir.join("calibration.json"), &result.json().map_err(|e| e.to_string())?)
 }
 

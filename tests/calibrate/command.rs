@@ -123,5 +123,7 @@ fn several_studies_in_one_table() {
     let (status, err) = calibrate(&place, &["study.toml", "linear.toml", "--out", "both"]);
     assert_eq!(status, Some(0), "{err}");
     assert!(err.contains("objective") && err.contains("BIC"), "{err}");
-    assert_eq!(fs::read_dir(place.0.join("both")).unwrap().count(), 2);
+    assert_eq!(fs::read_dir(place.0.join("both")).unwrap().count(), 3);
+    let table = fs::read_to_string(place.0.join("both/comparison.txt")).unwrap();
+    assert!(table.contains("by amplitude") && table.matches("growing").count() >= 8, "{table}");
 }
