@@ -1,7 +1,7 @@
 //! Studies and their calibration: what is refused, what is simulated, what is found.
 
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, missing_docs, unreachable_pub)]
+#![allow(clippy::new_without_default, clippy::unwrap_used, missing_docs, unreachable_pub)]
 
 #[path = "calibrate/command.rs"]
 mod command;

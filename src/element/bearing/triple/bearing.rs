@@ -243,10 +243,10 @@ impl Element for TriplePendulum {
         // OpenSees turns both nodes the same way with the rotational materials, and leaves the moments out of the tangent.
         let compat = self.setting.compat.is_some();
         let turn = if compat { 1.0 } else { -1.0 };
-        for i in 0..3 {
+        for (i, m) in m.iter().enumerate() {
             (answer.force[i], answer.force[6 + i]) = (-top.force[i], top.force[i]);
-            answer.force[3 + i] = turn * top.force[3 + i] + 0.5 * m[i];
-            answer.force[9 + i] = top.force[3 + i] + 0.5 * m[i];
+            answer.force[3 + i] = turn * top.force[3 + i] + 0.5 * m;
+            answer.force[9 + i] = top.force[3 + i] + 0.5 * m;
         }
         if let Some(k) = answer.tangent {
             for i in 0..6 {
