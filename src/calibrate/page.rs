@@ -2,64 +2,16 @@
 
 use super::amplitude::Amplitude;
 use super::result::{Calibrated, Displacements, is_force, role_name};
+use crate::report::html::{self, escaped, labelled, line, number, picture, table};
 use crate::report::{Curve, Figure, Mark};
 use crate::study::{Fit, Observe, Role, Run, Source};
 use std::fmt::Write as _;
-
-const STYLE: &str = "body{font:15px/1.5 system-ui,sans-serif;max-width:1000px;margin:2em auto;padding:0 1em;color:#222}\
-    table{border-collapse:collapse;margin:1em 0}td,th{padding:.25em .8em;border-bottom:1px solid #ddd;text-align:right}\
-    td:first-child,th:first-child{text-align:left}svg{max-width:100%;height:auto}h2{margin-top:2em}\
-    .note{background:#fff6e0;padding:.5em 1em;border-left:4px solid #e69f00}";
-
-/// A text with the characters that mean something in HTML replaced.
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
-}
-
-/// A number with the digits that are read.
-fn number(x: f64) -> String {
-    let mut out = String::new();
-    crate::io::number::Style { precision: 5, scientific: false }.push(x, &mut out);
-    out
-}
-
-fn table(out: &mut String, head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) {
-    let line = |tag: &str, cells: &mut dyn Iterator<Item = String>| {
-        let cells: String = cells.map(|c| format!("<{tag}>{c}</{tag}>")).collect();
-        format!("<tr>{cells}</tr>\n")
-    };
-    out.push_str("<table>\n");
-    out.push_str(&line("th", &mut head.iter().map(|h| escaped(h))));
-    for row in rows {
-        out.push_str(&line("td", &mut row.iter().map(|c| escaped(c))));
-    }
-    out.push_str("</table>\n");
-}
-
-/// A picture, if there is something to draw.
-fn picture(out: &mut String, figure: &Figure) {
-    if let Ok(svg) = figure.svg() {
-        let _ = writeln!(out, "<figure>{svg}</figure>");
-    }
-}
-
-fn line(name: &str, points: Vec<(f64, f64)>) -> Curve {
-    Curve { name: name.to_owned(), points, mark: Mark::Line }
-}
-
-fn labelled(name: &str, unit: &str) -> String {
-    if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") }
-}
 
 /// The report.
 pub fn page(result: &Calibrated, displacements: &Displacements) -> String {
     let study = &result.study;
     let title = if study.title.is_empty() { &study.model } else { &study.title };
-    let mut out = format!(
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title><style>{STYLE}</style></head>\n\
-         <body>\n<h1>Calibration: {0}</h1>\n",
-        escaped(title)
-    );
+    let mut out = html::head(&format!("Calibration: {title}"));
     let _ = writeln!(
         out,
         "<p>Objective (mean NMSE of the fitted channels) <b>{}</b>, {} evaluations in {:.1} s with {}{}, seed {}.</p>",
@@ -79,8 +31,7 @@ pub fn page(result: &Calibrated, displacements: &Displacements) -> String {
     }
     search(&mut out, result);
     sureness(&mut out, result);
-    out.push_str("</body></html>\n");
-    out
+    html::end(out)
 }
 
 fn parameters(out: &mut String, result: &Calibrated) {

@@ -3,7 +3,7 @@
 use super::args::DiagnoseArgs;
 use super::messages::Messages;
 use hysteron::analysis::Options;
-use hysteron::diagnose::{Diagnosis, Settings, Watch, diagnose, hypothesis};
+use hysteron::diagnose::{Diagnosis, Settings, Watch, diagnose, hypothesis, page};
 use hysteron::diagnostic::{Diagnostic, Severity, SourceMap, nearest};
 use hysteron::study::{Opening, ScriptSimulator, Study};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -50,10 +50,10 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
         let mut bar = Bar::new(stop.clone());
         let found = diagnose(&simulator, &opening, &text, &settings, &mut bar);
         bar.0.finish_and_clear();
-        found
+        found.map(|d| (page(&d, &study, &text), d))
     });
     let dir = args.out.clone().unwrap_or_else(|| "results".into());
-    match found.and_then(|d| write(&dir, &d).map(|()| d)) {
+    match found.and_then(|(page, d)| write(&dir, &d, &page).map(|()| d)) {
         Ok(d) => {
             tell(&d, args.verbose);
             eprintln!("written to {}", dir.display());
@@ -85,9 +85,10 @@ fn place(path: &Path, text: &str) -> Result<(), String> {
     done.map_err(|e| format!("cannot write {}: {e}", path.display()))
 }
 
-fn write(dir: &Path, d: &Diagnosis) -> Result<(), String> {
+fn write(dir: &Path, d: &Diagnosis, page: &str) -> Result<(), String> {
     fs::create_dir_all(dir).map_err(|e| format!("cannot make {}: {e}", dir.display()))?;
     place(&dir.join("corrected.tcl"), &d.script)?;
+    place(&dir.join("report.html"), page)?;
     let json = serde_json::to_string_pretty(&d.outcome).map_err(|e| e.to_string())?;
     place(&dir.join("diagnosis.json"), &(json + "\n"))
 }

@@ -15,6 +15,7 @@ pub mod insertion;
 pub mod locate;
 pub mod noise;
 pub mod outcome;
+mod page;
 mod pipeline;
 mod repair;
 pub mod scale;
@@ -22,4 +23,5 @@ mod structure;
 pub mod variant;
 mod watching;
 
+pub use page::page;
 pub use pipeline::{Diagnosis, Settings, Watch, diagnose};

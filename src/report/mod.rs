@@ -1,6 +1,7 @@
 //! Tables and pictures of results.
 
 mod figure;
+pub mod html;
 mod loops;
 mod table;
 

@@ -1,0 +1,159 @@
+//! Diagnosis: an effect that was concealed is found, none is found where there is none, and a library without the cause
+//! does not name another with certainty.
+
+#![cfg(unix)]
+#![allow(clippy::unwrap_used)]
+
+use hysteron::analysis::Options;
+use hysteron::diagnose::{Diagnosis, Settings, Watch, diagnose};
+use hysteron::diagnostic::SourceMap;
+use hysteron::study::{ScriptSimulator, Study};
+use std::fmt::Write as _;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+/// A pad under imposed displacement: a spring that yields and one that does not.
+const MODEL: &str = "wipe\nmodel basic -ndm 1 -ndf 1\npset Fy 9.0\npset k 300.0\nnode 1 0.\nnode 2 0.\nfix 1 1\n\
+    uniaxialMaterial Steel01 1 $Fy 2000.0 0.0\nuniaxialMaterial Elastic 2 $k\nuniaxialMaterial Parallel 3 1 2\n\
+    element zeroLength 1 1 2 -mat 3 -dir 1\ntimeSeries Path 1 -dt $dt -filePath $motion\n\
+    pattern Plain 1 1 { sp 2 1 1.0 }\nrecorder Element -file force.out -time -ele 1 force\n\
+    constraints Transformation\ntest NormDispIncr 1e-10 30\nalgorithm Newton\nintegrator LoadControl $dt\n\
+    analysis Static\nfor {set i 1} {$i < $npts} {incr i} { if {[analyze 1] != 0} { error \"no convergence\" } }\n";
+const DT: f64 = 0.02;
+
+/// Noise of a load cell.
+struct Noise(u64);
+
+impl Noise {
+    fn next(&mut self) -> f64 {
+        let mut uniform = || {
+            self.0 ^= self.0 << 13;
+            self.0 ^= self.0 >> 7;
+            self.0 ^= self.0 << 17;
+            (self.0 >> 11) as f64 / (1u64 << 53) as f64
+        };
+        (0..12).map(|_| uniform()).sum::<f64>() - 6.0
+    }
+}
+
+/// Force of an elastic-plastic spring beside an elastic one along a path, by its own formula.
+fn pad(path: &[f64]) -> Vec<f64> {
+    let (fy, k0, k, mut plastic) = (11.0, 2000.0, 260.0, 0.0f64);
+    let force = |u: &f64| {
+        let trial = k0 * (u - plastic);
+        let f = trial.clamp(-fy, fy);
+        plastic = u - f / k0;
+        f + k * u
+    };
+    path.iter().map(force).collect()
+}
+
+/// A study of two runs, with what the channel shows of the path and the pad's force.
+fn concealed(name: &str, shows: impl Fn(&[f64], &[f64]) -> Vec<f64>) -> PathBuf {
+    let dir = std::env::temp_dir().join(format!("hysteron-diagnose-{name}-{}", std::process::id()));
+    fs::create_dir_all(&dir).unwrap();
+    fs::write(dir.join("model.tcl"), MODEL).unwrap();
+    let mut study = "model = \"model.tcl\"\n[[parameter]]\nname = \"Fy\"\nlower = 4.0\nupper = 25.0\n\
+                     [[parameter]]\nname = \"k\"\nlower = 100.0\nupper = 600.0\n"
+        .to_owned();
+    let growing = |t: f64| 0.006 * t * (4.0 * t).sin();
+    let mixed = |t: f64| 0.03 * (2.5 * t).sin() + 0.02 * (7.0 * t).sin();
+    let mut noise = Noise(88172645463325252);
+    for (run, role, motion) in [("growing", "fit", &growing as &dyn Fn(f64) -> f64), ("mixed", "holdout", &mixed)] {
+        let path: Vec<f64> = (0..400).map(|i| motion(DT * f64::from(i))).collect();
+        let force = shows(&path, &pad(&path));
+        let mut table = "time[s],force[kN]\n".to_owned();
+        for (i, f) in force.iter().enumerate() {
+            writeln!(table, "{},{}", DT * i as f64, f + 0.3 * noise.next()).unwrap();
+        }
+        fs::write(dir.join(format!("{run}.csv")), table).unwrap();
+        let text: String = path.iter().map(|u| format!("{u}\n")).collect();
+        fs::write(dir.join(format!("{run}.dat")), text).unwrap();
+        write!(
+            study,
+            "[[run]]\nname = \"{run}\"\nrole = \"{role}\"\nrecording = \"{run}.csv\"\n\
+             set = {{ motion = \"{run}.dat\", dt = {DT}, npts = 400 }}\n\
+             [[run.observe]]\nchannel = \"force\"\noutput = \"force.out\"\ncolumn = 2\nat = \"pad\"\n"
+        )
+        .unwrap();
+    }
+    fs::write(dir.join("study.toml"), study).unwrap();
+    dir
+}
+
+struct Silent;
+
+impl Watch for Silent {
+    fn stage(&mut self, _: &str, _: usize, _: usize) {}
+    fn stopped(&self) -> bool {
+        false
+    }
+}
+
+fn diagnosed(dir: &Path, without: &[&str]) -> Diagnosis {
+    let mut sources = SourceMap::default();
+    let study = Arc::new(Study::load(&dir.join("study.toml"), &mut sources).unwrap());
+    let mut simulator = ScriptSimulator::new(study, Options::default(), Arc::new(AtomicBool::new(false)));
+    let opening = simulator.open(&mut sources).unwrap();
+    let settings = Settings { without: without.iter().map(|w| (*w).to_owned()).collect(), threads: 2 };
+    diagnose(&simulator, &opening, MODEL, &settings, &mut Silent).unwrap()
+}
+
+/// Run the repaired script by itself, as another script that sets the variables of a run and sources it.
+fn runs_by_itself(dir: &Path, d: &Diagnosis) {
+    fs::write(dir.join("corrected.tcl"), &d.script).unwrap();
+    let around = format!("set motion growing.dat\nset dt {DT}\nset npts 400\nsource corrected.tcl\n");
+    fs::write(dir.join("around.tcl"), around).unwrap();
+    let done = std::process::Command::new(env!("CARGO_BIN_EXE_hysteron"))
+        .args(["run", "around.tcl"])
+        .current_dir(dir)
+        .output()
+        .unwrap();
+    assert!(done.status.success(), "{}\n{}", String::from_utf8_lossy(&done.stderr), d.script);
+    let force = fs::read_to_string(dir.join("force.out")).unwrap();
+    assert_eq!(force.lines().count(), 399);
+}
+
+#[test]
+fn nothing_is_found_where_nothing_is_missing() {
+    let dir = concealed("none", |_, f| f.to_vec());
+    let d = diagnosed(&dir, &[]);
+    assert_eq!(d.outcome.verdict.cause, "none", "{:?}", d.outcome.verdict);
+    assert!(d.outcome.verdict.confidence > 0.5);
+    runs_by_itself(&dir, &d);
+    let _ = fs::remove_dir_all(dir);
+}
+
+#[test]
+fn a_stop_is_found_and_what_it_explains_is_not_explained_without_it() {
+    let stop = |u: &[f64], f: &[f64]| -> Vec<f64> {
+        u.iter().zip(f).map(|(u, f)| f + 4000.0 * u.signum() * (u.abs() - 0.03).max(0.0)).collect()
+    };
+    let dir = concealed("gap", stop);
+    let d = diagnosed(&dir, &[]);
+    let o = &d.outcome;
+    assert!(["gap_impact", "strain_stiffening"].contains(&o.verdict.cause.as_str()), "{:?}", o.verdict);
+    let sum: f64 = o.verdict.also_possible.iter().map(|c| c.confidence).sum::<f64>() + o.verdict.confidence;
+    assert!((0.95..=1.0 + 1e-9).contains(&sum));
+    let (before, after) = (o.baseline.holdout_nmse.unwrap(), o.corrected.holdout_nmse.unwrap());
+    assert!(after < 0.1 * before, "{before} {after}");
+    assert!(o.mismatch[0].regime.contains("large deformation") || o.mismatch[0].regime.contains("first time"));
+    assert!(d.script.contains("amend element 1 "), "{}", d.script);
+    runs_by_itself(&dir, &d);
+    let _ = fs::remove_dir_all(dir);
+}
+
+#[test]
+fn a_late_channel_is_told_from_physics() {
+    let late = |_: &[f64], f: &[f64]| (0..f.len()).map(|i| f[i.saturating_sub(3)]).collect();
+    let dir = concealed("lag", late);
+    let d = diagnosed(&dir, &[]);
+    assert_eq!(d.outcome.verdict.cause, "sensor_lag", "{:?}", d.outcome.verdict);
+    let lag = d.outcome.corrected.channels[0].lag_s;
+    assert!((lag - 3.0 * DT).abs() < 0.2 * DT, "{lag}");
+    // The script needs no repair, and so keeps its text but for the parameters.
+    assert!(!d.script.contains("amend"));
+    let _ = fs::remove_dir_all(dir);
+}
