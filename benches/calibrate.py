@@ -3,8 +3,8 @@
 
     benches/calibrate.py [--evaluations N] [BEARING ...]
 
-Bearings: plane (elastomericBearingBoucWen in the plane), boucwen (the same element in space) and hdr (HDR in space), under constant
-axial load and an imposed path of growing amplitude. Three parameters of each are sought with 1800 steps an evaluation, N = 50,
+Bearings: plane (elastomericBearingBoucWen in the plane), boucwen (the same element in space) and hdr (HDR in space), on a path of
+growing amplitude, in space under constant axial load. Three parameters of each are sought with 1800 steps an evaluation, N = 50,
 P = 150, F = 0.8, CR = 0.5. hysteron makes all 7550 evaluations, on one core and on all that it may use. openseespy makes N of them
 (150) in process, the same evolution in Python, and its time for all is worked out from these. Times are of the processor.
 It needs openseespy and numpy in the interpreter that runs it.
