@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """One identification by differential evolution, in hysteron and in openseespy, in one run on the same machine.
 
-    benches/calibrate.py [--evaluations N]
+    benches/calibrate.py [--evaluations N] [BEARING ...]
 
-The study is tcl-like-inputs/pad_study with 1800 steps an evaluation, a Bouc-Wen bearing element (elastomericBearingBoucWen),
-N = 50, P = 150, F = 0.8, CR = 0.5. hysteron makes all 7550 evaluations, on one core and on all. openseespy makes N of them
-(200) in process, the same evolution in Python, and its time for all is worked out from these. It needs openseespy and
-numpy in the interpreter that runs it.
+Bearings: plane (elastomericBearingBoucWen in the plane), boucwen (the same element in space) and hdr (HDR in space), on a path of
+growing amplitude, in space under constant axial load. Three parameters of each are sought with 1800 steps an evaluation, N = 50,
+P = 150, F = 0.8, CR = 0.5. hysteron makes all 7550 evaluations, on one core and on all that it may use. openseespy makes N of them
+(150) in process, the same evolution in Python, and its time for all is worked out from these. Times are of the processor.
+It needs openseespy and numpy in the interpreter that runs it.
 """
 import argparse
 import json
@@ -22,104 +23,134 @@ import numpy as np
 
 ROOT = Path(__file__).resolve().parent.parent
 STEPS, DT = 1800, 0.01
-BOUNDS = np.array([[900.0, 2600.0], [8.0, 16.0], [0.15, 0.4]])
-TRUTH = [1820.0, 13.1, 0.282]
-NAMES = ["kInit", "qd", "alpha"]
+MEMBERS, GENERATIONS = 50, 150
 
-MODEL = """wipe
-model basic -ndm 2 -ndf 3
-pset kInit 1500.0
-pset qd 11.0
-pset alpha 0.25
-node 1 0.0 0.0
-node 2 0.0 0.2
-fix 1 1 1 1
-fix 2 0 0 1
-mass 2 0.05 0.05 0.001
-uniaxialMaterial Elastic 1 4.0e5
-uniaxialMaterial Elastic 2 1.0e5
-element elastomericBearingBoucWen 1 1 2 $kInit $qd $alpha 0.0 2.0 1.0 0.5 0.5 -P 1 -Mz 2 -orient 0 1 0 -1 0 0
-timeSeries Path 1 -dt $dt -filePath motion.dat -useLast
-pattern Plain 1 1 { sp 2 1 1.0 }
-recorder Element -file force.out -time -ele 1 force
-constraints Transformation
-numberer Plain
-system BandGeneral
-test NormDispIncr 1.0e-9 50
-algorithm Newton
-integrator LoadControl $dt
-analysis Static
-for {set i 1} {$i < $npts} {incr i} {
-    if {[analyze 1] != 0} {error "no convergence at [getTime]"}
+# Of each bearing: name, lower bound, upper bound and truth of its parameters, the smallest amplitude of the path, and where its
+# force along x is in the response "force". Units: kN, m, s in the plane, N, m, s in space.
+BEARINGS = {
+    "plane": ([("kInit", 900.0, 2600.0, 1820.0), ("qd", 8.0, 16.0, 13.1), ("alpha", 0.15, 0.4, 0.282)], 0.004, 3),
+    "boucwen": ([("kInit", 2e6, 8e6, 5e6), ("qd", 4e4, 1.2e5, 8e4), ("alpha", 0.05, 0.3, 0.1)], 0.02, 6),
+    "hdr": ([("a1", 5e5, 2e6, 1.1e6), ("b1", 5e3, 4e4, 1.8e4), ("b2", 1e5, 8e5, 4e5)], 0.02, 6),
 }
-"""
 
 
-def motion():
+def analysis(tolerance, step):
+    return [
+        ["constraints", "Transformation"], ["numberer", "Plain"], ["system", "BandGeneral"],
+        ["test", "NormDispIncr", tolerance, 50], ["algorithm", "Newton"], ["integrator", "LoadControl", step], ["analysis", "Static"],
+    ]
+
+
+def commands(bearing, p, path):
+    """The script up to its last `analyze`, once for both programs: `p` are values or Tcl's variables, `path` is the path's option."""
+    if bearing == "plane":
+        script = [
+            ["model", "basic", "-ndm", 2, "-ndf", 3],
+            ["node", 1, 0.0, 0.0], ["node", 2, 0.0, 0.2], ["fix", 1, 1, 1, 1], ["fix", 2, 0, 0, 1],
+            ["uniaxialMaterial", "Elastic", 1, 4.0e5], ["uniaxialMaterial", "Elastic", 2, 1.0e5],
+            ["element", "elastomericBearingBoucWen", 1, 1, 2, *p, 0.0, 2.0, 1.0, 0.5, 0.5,
+             "-P", 1, "-Mz", 2, "-orient", 0, 1, 0, -1, 0, 0],
+        ]
+    else:
+        script = [
+            ["model", "basic", "-ndm", 3, "-ndf", 6],
+            ["node", 1, 0.0, 0.0, 0.0], ["node", 2, 0.0, 0.0, 0.3], ["fix", 1, 1, 1, 1, 1, 1, 1], ["fix", 2, 0, 1, 0, 1, 1, 1],
+            ["uniaxialMaterial", "Elastic", 1, 1.0e9],
+        ]
+        if bearing == "boucwen":
+            law = ["elastomericBearingBoucWen", 1, 1, 2, *p, 0.0, 3.0, 1.0, 0.5, 0.5]
+            law += ["-P", 1, "-T", 1, "-My", 1, "-Mz", 1, "-orient", 0, 0, 1, 1, 0, 0]
+        else:
+            a1, b1, b2 = p
+            law = ["HDR", 1, 1, 2, 0.45e6, 2.0e9, 0.15, 0.60, 0.003, 0.006, 28, a1, -6.0e6, 9.0e7, b1, b2, 60.0]
+            law += [4.0, 1.5, 0.75, 3.0, 0, 0, 1, 1, 0, 0, 10.0, 0.5, 1.0, 0.5, 0.0, 0.0]
+        script += [
+            ["element", *law],
+            ["timeSeries", "Linear", 1],
+            ["pattern", "Plain", 1, 1, [["load", 2, 0.0, 0.0, -1.0e6, 0.0, 0.0, 0.0]]],
+            *analysis(1.0e-7, 0.1), ["analyze", 10], ["loadConst", "-time", 0.0], ["wipeAnalysis"],
+        ]
+    return script + [
+        ["timeSeries", "Path", 2, "-dt", DT, *path, "-useLast"],
+        ["pattern", "Plain", 2, 2, [["sp", 2, 1, 1.0]]],
+        *analysis(1.0e-9, DT),
+    ]
+
+
+def tcl(script):
+    words = lambda c: " ".join("{\n" + tcl(w) + "}" if isinstance(w, list) else str(w) for w in c)
+    return "".join(words(c) + "\n" for c in script)
+
+
+def call(ops, script):
+    for name, *args in script:
+        loads = args.pop() if args and isinstance(args[-1], list) else []
+        getattr(ops, name)(*args)
+        call(ops, loads)
+
+
+def motion(amplitude):
     t = np.arange(STEPS + 1) * DT
-    return 0.004 * (1 + np.floor(t / 3)) * np.sin(2 * math.pi * t / 1.5)
+    return amplitude * (1 + np.floor(t / 3)) * np.sin(2 * math.pi * t / 1.5)
 
 
-def peer_force(ops, values, path):
-    """The model in openseespy, its force read after each step."""
-    k, qd, alpha = values
+def peer_force(ops, bearing, values, path):
+    """The force in openseespy, read after each step: quicker than its recorder and the file of that."""
     ops.wipe()
-    ops.model("basic", "-ndm", 2, "-ndf", 3)
-    ops.node(1, 0.0, 0.0)
-    ops.node(2, 0.0, 0.2)
-    ops.fix(1, 1, 1, 1)
-    ops.fix(2, 0, 0, 1)
-    ops.mass(2, 0.05, 0.05, 0.001)
-    ops.uniaxialMaterial("Elastic", 1, 4.0e5)
-    ops.uniaxialMaterial("Elastic", 2, 1.0e5)
-    ops.element("elastomericBearingBoucWen", 1, 1, 2, k, qd, alpha, 0.0, 2.0, 1.0, 0.5, 0.5,
-                "-P", 1, "-Mz", 2, "-orient", 0, 1, 0, -1, 0, 0)
-    ops.timeSeries("Path", 1, "-dt", DT, "-values", *path, "-useLast")
-    ops.pattern("Plain", 1, 1)
-    ops.sp(2, 1, 1.0)
-    ops.constraints("Transformation")
-    ops.numberer("Plain")
-    ops.system("BandGeneral")
-    ops.test("NormDispIncr", 1.0e-9, 50)
-    ops.algorithm("Newton")
-    ops.integrator("LoadControl", DT)
-    ops.analysis("Static")
+    call(ops, commands(bearing, [float(v) for v in values], ["-values", *path]))
+    at = BEARINGS[bearing][2]
     force = np.empty(STEPS)
     for i in range(STEPS):
         if ops.analyze(1) != 0:
             return None
-        force[i] = ops.eleResponse(1, "force")[3]
+        force[i] = ops.eleResponse(1, "force")[at]
     return force
 
 
-def peer(evaluations, path, recorded):
-    """Differential evolution in Python; CPU seconds an evaluation."""
-    import openseespy.opensees as ops
-
+def peer(ops, evaluations, bearing, path, recorded):
+    """Differential evolution in Python: CPU seconds an evaluation, and how many had no answer."""
     rng = np.random.default_rng(1)
+    bounds = np.array([row[1:3] for row in BEARINGS[bearing][0]])
     variance = recorded.var()
 
     def score(x):
-        force = peer_force(ops, BOUNDS[:, 0] + x * (BOUNDS[:, 1] - BOUNDS[:, 0]), path)
+        force = peer_force(ops, bearing, bounds[:, 0] + x * (bounds[:, 1] - bounds[:, 0]), path)
         return math.inf if force is None else ((force - recorded) ** 2).mean() / variance
 
-    n = 50
     begun = time.process_time()
-    members = rng.random((n, 3))
+    members = rng.random((MEMBERS, 3))
     scores = np.array([score(m) for m in members])
-    done = n
+    done, failed = MEMBERS, int(np.isinf(scores).sum())
     while done < evaluations:
-        for i in range(n):
-            a, b, c = rng.choice([j for j in range(n) if j != i], 3, replace=False)
+        for i in range(MEMBERS):
+            a, b, c = rng.choice([j for j in range(MEMBERS) if j != i], 3, replace=False)
             v = np.clip(members[a] + 0.8 * (members[b] - members[c]), 0, 1)
             cross = rng.random(3) < 0.5
             cross[rng.integers(3)] = True
             u = np.where(cross, v, members[i])
             s = score(u)
+            failed += math.isinf(s)
             if s < scores[i]:
                 members[i], scores[i] = u, s
             done += 1
-    return (time.process_time() - begun) / done
+    return (time.process_time() - begun) / done, failed
+
+
+def write_study(folder, bearing, path, recorded):
+    parameters, _, at = BEARINGS[bearing]
+    psets = "".join(f"pset {name} {truth}\n" for name, _, _, truth in parameters)
+    script = commands(bearing, [f"${name}" for name, *_ in parameters], ["-filePath", "motion.dat"])
+    (folder / "model.tcl").write_text(
+        f"wipe\n{psets}{tcl(script)}recorder Element -file force.out -time -ele 1 force\n"
+        f'if {{[analyze {STEPS}] != 0}} {{error "no convergence at [getTime]"}}\n')
+    (folder / "motion.dat").write_text("\n".join(map(repr, path)))
+    rows = "".join(f"{(i + 1) * DT:.4f},{f!r}\n" for i, f in enumerate(recorded.tolist()))
+    (folder / "test.csv").write_text("time[s],force[-]\n" + rows)
+    bounds = "".join(f'[[parameter]]\nname = "{n}"\nlower = {a}\nupper = {b}\n' for n, a, b, _ in parameters)
+    (folder / "study.toml").write_text(
+        f'model = "model.tcl"\n{bounds}[[run]]\nname = "test"\nrecording = "test.csv"\n'
+        f'[[run.observe]]\nchannel = "force"\noutput = "force.out"\ncolumn = {at + 1}\n'
+        f'[calibration]\nmethod = "de/rand/1/bin"\npopulation = {MEMBERS}\ngenerations = {GENERATIONS}\n')
 
 
 def ours(folder, threads):
@@ -130,36 +161,31 @@ def ours(folder, threads):
     subprocess.run(command, check=True, stderr=subprocess.DEVNULL)
     after = os.times()
     result = json.loads((out / "calibration.json").read_text())
-    return result, after.children_user - before.children_user
+    cpu = after.children_user - before.children_user + after.children_system - before.children_system
+    return result, cpu / result["evaluations"]
 
 
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("--evaluations", type=int, default=200)
+    parser.add_argument("--evaluations", type=int, default=150)
+    parser.add_argument("bearings", nargs="*", default=list(BEARINGS), metavar="BEARING")
     args = parser.parse_args()
-    path = motion()
     import openseespy.opensees as ops
-    recorded = peer_force(ops, TRUTH, path.tolist())
-    with tempfile.TemporaryDirectory() as place:
-        folder = Path(place)
-        (folder / "model.tcl").write_text(MODEL)
-        (folder / "motion.dat").write_text("\n".join(map(repr, path.tolist())))
-        rows = [f"{(i + 1) * DT:.4f},{f!r}" for i, f in enumerate(recorded.tolist())]
-        (folder / "test.csv").write_text("time[s],force[kN]\n" + "\n".join(rows) + "\n")
-        bounds = "".join(f'[[parameter]]\nname = "{n}"\nlower = {a}\nupper = {b}\n' for n, (a, b) in zip(NAMES, BOUNDS))
-        (folder / "study.toml").write_text(
-            f'model = "model.tcl"\n{bounds}[[run]]\nname = "test"\nrecording = "test.csv"\n'
-            f'set = {{ dt = {DT}, npts = {STEPS + 1} }}\n[[run.observe]]\nchannel = "force"\noutput = "force.out"\ncolumn = 4\n'
-            '[calibration]\nmethod = "de/rand/1/bin"\npopulation = 50\ngenerations = 150\n')
-        there = peer(args.evaluations, path.tolist(), recorded)
-        cores = os.cpu_count()
-        rows = [(n, *ours(folder, n)) for n in sorted({1, cores})]
-    print(f"openseespy: {1000 * there:.1f} ms of CPU an evaluation, {7550 * there / 60:.1f} min for 7550")
-    for threads, result, cpu in rows:
-        each = cpu / result["evaluations"]
-        found = ", ".join(f"{n} {v:.6g}" for n, v in result["parameters"].items())
-        print(f"hysteron, {threads} threads: {1000 * each:.2f} ms of CPU an evaluation ({there / each:.0f} times less), "
-              f"{result['wall_s']:.1f} s for {result['evaluations']}; objective {result['objective']:.2e}, {found}")
+    for bearing in args.bearings:
+        path = motion(BEARINGS[bearing][1]).tolist()
+        recorded = peer_force(ops, bearing, [row[3] for row in BEARINGS[bearing][0]], path)
+        there, failed = peer(ops, args.evaluations, bearing, path, recorded)
+        whole = MEMBERS * (GENERATIONS + 1)
+        print(f"{bearing}: openseespy {1000 * there:.1f} ms of CPU an evaluation ({failed} without an answer), "
+              f"{whole * there / 60:.1f} min for {whole}")
+        with tempfile.TemporaryDirectory() as place:
+            write_study(Path(place), bearing, path, recorded)
+            for threads in sorted({1, len(os.sched_getaffinity(0))}):
+                result, here = ours(Path(place), threads)
+                found = ", ".join(f"{n} {v:.6g}" for n, v in result["parameters"].items())
+                print(f"{bearing}: hysteron on {threads} threads {1000 * here:.2f} ms of CPU an evaluation ({there / here:.1f} times "
+                      f"less), {result['wall_s']:.1f} s for {result['evaluations']}; objective {result['objective']:.2e}, "
+                      f"{found}, failures {sum(result['failures'].values())}", flush=True)
 
 
 if __name__ == "__main__":

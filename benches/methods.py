@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The methods of `hysteron calibrate` on the project's own problems, over many seeds.
 
-    benches/methods.py [--seeds 30] [--study study.toml ...]
+    benches/methods.py [--seeds 30] [--study study.toml ...] [--methods NAME ...]
 
 For each method and study: how often the search ended within 1e-6 (relative) of the best objective that any found, the median
 of the evaluations that it took to come within 1 % of it, and the median of all its evaluations. HYSTERON names the binary.
@@ -30,10 +30,11 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--seeds", type=int, default=30)
     parser.add_argument("--study", type=Path, nargs="*", default=[ROOT / "tcl-like-inputs/pad_study/study.toml"])
+    parser.add_argument("--methods", nargs="*", default=METHODS)
     args = parser.parse_args()
     print("| study | method | found | evaluations to 1 % | all evaluations | worst |\n| --- | --- | --- | --- | --- | --- |")
     for study in args.study:
-        all_repeats = {m: repeats(study, m, args.seeds) for m in METHODS}
+        all_repeats = {m: repeats(study, m, args.seeds) for m in args.methods}
         best = min(r["objective"] for rs in all_repeats.values() for r in rs)
         for method, rs in all_repeats.items():
             found = sum(r["objective"] <= best * (1 + 1e-6) for r in rs)
@@ -44,7 +45,7 @@ def main():
                 to += f" ({len(reached)} of {len(rs)})"
             total = statistics.median(r["evaluations"] for r in rs)
             worst = max(r["objective"] for r in rs) / best
-            print(f"| {study.parent.name} | `{method}` | {found} of {len(rs)} | {to} | {total:.0f} | {worst:.4g} |")
+            print(f"| {study.resolve().parent.name} | `{method}` | {found} of {len(rs)} | {to} | {total:.0f} | {worst:.4g} |")
 
 
 if __name__ == "__main__":
