@@ -34,7 +34,7 @@ impl Strategy {
     ];
 
     /// The best measured on the project's own problems (`docs/calibration.md`).
-    pub const DEFAULT: Self = Self::LShade;
+    pub const DEFAULT: Self = Self::CmaEs;
 
     /// Its name.
     pub fn name(self) -> &'static str {
