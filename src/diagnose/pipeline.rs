@@ -9,7 +9,7 @@ use super::outcome::Outcome;
 use super::variant::Variant;
 use super::watching;
 use crate::study::{Fit, Opening, Role, ScriptSimulator, Study};
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// What is asked for.
@@ -231,18 +231,10 @@ fn score(e: &Explained) -> f64 {
     e.fitted.objective.ln() + e.variant.dimension() as f64 * INDEPENDENT.ln() / INDEPENDENT
 }
 
-/// The two best forms of each cause, in the order of the causes.
+/// The best form of each cause, in the order of the causes.
 fn best_of_causes(sorted: &[Explained]) -> Vec<Explained> {
-    let mut seen: BTreeMap<&str, usize> = BTreeMap::new();
-    let mut out = vec![];
-    for e in sorted {
-        let n = seen.entry(e.cause()).or_default();
-        *n += 1;
-        if *n <= 1 {
-            out.push(e.clone());
-        }
-    }
-    out
+    let mut seen = BTreeSet::new();
+    sorted.iter().filter(|e| seen.insert(e.cause())).cloned().collect()
 }
 
 /// The finalists fitted more closely.

@@ -22,21 +22,19 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
         }
         let mut form = |form: &str, dof: usize, scale: f64| {
             let tag = s.anatomy.free_tag + 10 * n as i32;
-            let others: Vec<String> = support.fixed.iter().filter(|d| **d != dof).map(usize::to_string).collect();
             let direction = if s.anatomy.ndm == 2 && dof == 3 { 6 } else { dof };
-            let mut block = vec![
+            let block = vec![
                 format!("node {tag} {}", coordinates(support.node, s.anatomy.ndm)),
                 format!("fix {tag} {}", vec!["1"; support.ndf].join(" ")),
                 format!("remove sp {} {dof}", support.node),
                 format!("uniaxialMaterial Elastic {tag} $hy_spring"),
                 format!("uniaxialMaterial Viscous {} $hy_dashpot 1.0", tag + 1),
+                format!(
+                    "element zeroLength {tag} {tag} {} -mat {tag} {} -dir {direction} {direction}",
+                    support.node,
+                    tag + 1
+                ),
             ];
-            block.push(format!(
-                "element zeroLength {tag} {tag} {} -mat {tag} {} -dir {direction} {direction}",
-                support.node,
-                tag + 1
-            ));
-            let _ = others;
             let added = vec![
                 Added::log("spring", 0.05 * scale, 1e3 * scale, 5.0 * scale),
                 Added::log("dashpot", 1e-5 * scale, 0.3 * scale, 1e-3 * scale),
