@@ -1,6 +1,7 @@
 //! `hysteron calibrate`.
 
 use super::args::CalibrateArgs;
+use super::files::place;
 use super::messages::Messages;
 use hysteron::analysis::Options;
 use hysteron::calibrate::{
@@ -220,13 +221,6 @@ fn resumed(
         return Err(format!("{shown} is of another study, or of another method or seed"));
     }
     Ok(old)
-}
-
-/// Write a file beside its place and put it there.
-fn place(path: &Path, text: &str) -> Result<(), String> {
-    let beside = path.with_extension("part");
-    let done = fs::write(&beside, text).and_then(|()| fs::rename(&beside, path));
-    done.map_err(|e| format!("cannot write {}: {e}", path.display()))
 }
 
 fn write(dir: &Path, result: &Calibrated, opening: &Opening, displacements: &Displacements) -> Result<(), String> {

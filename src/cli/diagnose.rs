@@ -1,6 +1,7 @@
 //! `hysteron diagnose`.
 
 use super::args::DiagnoseArgs;
+use super::files::place;
 use super::messages::Messages;
 use hysteron::analysis::Options;
 use hysteron::diagnose::{Diagnosis, Settings, Watch, diagnose, hypothesis, page};
@@ -76,13 +77,6 @@ fn prepare(
     let mut simulator = ScriptSimulator::new(study, options, stop.clone());
     let opening = simulator.open(sources)?;
     Ok((simulator, opening))
-}
-
-/// Write a file beside its place and put it there.
-fn place(path: &Path, text: &str) -> Result<(), String> {
-    let beside = path.with_extension("part");
-    let done = fs::write(&beside, text).and_then(|()| fs::rename(&beside, path));
-    done.map_err(|e| format!("cannot write {}: {e}", path.display()))
 }
 
 fn write(dir: &Path, d: &Diagnosis, page: &str) -> Result<(), String> {

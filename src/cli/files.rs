@@ -1,7 +1,8 @@
-//! Recorders' files.
+//! Files that are written: those of recorders, and results.
 
 use hysteron::command::{FileFormat, Outputs};
 use hysteron::record::{Memory, Output, RecordError, RowFile};
+use std::fs;
 use std::path::Path;
 
 /// Files of the system.
@@ -20,4 +21,11 @@ impl Outputs for NoFiles {
     fn create(&mut self, _: &str, _: &Path, _: FileFormat) -> Result<Box<dyn Output>, RecordError> {
         Ok(Box::new(Memory::default()))
     }
+}
+
+/// Write a file beside its place and put it there.
+pub(super) fn place(path: &Path, text: &str) -> Result<(), String> {
+    let beside = path.with_extension("part");
+    let done = fs::write(&beside, text).and_then(|()| fs::rename(&beside, path));
+    done.map_err(|e| format!("cannot write {}: {e}", path.display()))
 }

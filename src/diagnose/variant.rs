@@ -77,7 +77,7 @@ impl Variant {
 
 /// The block of a proposal with its parameters declared at some values.
 pub fn declared(proposal: &Proposal, values: &[f64]) -> Vec<String> {
-    let declare = proposal.added.iter().zip(values).map(|(a, v)| format!("pset {} {v:.6e}", a.name));
+    let declare = proposal.added.iter().zip(values).map(|(a, v)| format!("pset {} {v:?}", a.name));
     declare.chain(proposal.block.iter().cloned()).collect()
 }
 

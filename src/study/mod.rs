@@ -10,15 +10,17 @@ mod files;
 mod load;
 mod parameter;
 mod recording;
+mod run;
 mod score;
 mod script;
 mod simulator;
 mod trace;
 
 pub use crew::Crew;
-pub use load::{Calibration, Observe, Rejected, Rig, Role, Run, Setting, Study};
+pub use load::{Calibration, Rejected, Rig, Study};
 pub use parameter::{Outside, Parameter, Range, Scale, Source, Space};
 pub use recording::{Column, Recording};
+pub use run::{Observe, Role, Run, Setting};
 pub use score::{Fit, Score, fit, objective, score};
 pub use script::{Blueprint, Limits, Opening, ScriptSimulator};
 pub use simulator::{Mishap, Simulator};

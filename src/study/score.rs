@@ -1,6 +1,7 @@
 //! How well a model follows a recording.
 
-use super::load::{Observe, Role, Study};
+use super::load::Study;
+use super::run::{Observe, Role};
 use super::simulator::{Mishap, Simulator};
 
 /// How well a channel is followed.

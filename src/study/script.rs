@@ -1,7 +1,8 @@
 //! The simulator that runs the script of a study: in this process, its files read once, its recorders in memory.
 
 use super::files::{Contents, StudyFiles};
-use super::load::{Rejected, Role, Setting, Study};
+use super::load::{Rejected, Study};
+use super::run::{Role, Setting};
 use super::simulator::{Mishap, Simulator};
 use super::trace::{Trace, TraceOutput, Unobserved};
 use crate::analysis::{Cause, Engine, Failure, Options};
@@ -80,7 +81,7 @@ pub struct Blueprint {
 impl Blueprint {
     /// A simulator of another study with the same runs, whose script is the given text.
     pub fn simulator_of(&self, study: Arc<Study>, text: &str) -> ScriptSimulator {
-        let contents = self.contents.with(&study.model_path(), text);
+        let contents = self.contents.with(&study.absolute(&study.model), text);
         let fresh = ScriptSimulator::new(study, self.options.clone(), self.stop.clone());
         ScriptSimulator { limits: self.limits.clone(), contents, ..fresh }
     }
@@ -154,10 +155,7 @@ struct Ended {
 impl ScriptSimulator {
     /// A simulator of a study. All stop when the flag is set.
     pub fn new(study: Arc<Study>, options: Options, stop: Arc<AtomicBool>) -> Self {
-        let path = |output: &str| match output.starts_with('/') {
-            true => output.to_owned(),
-            false => format!("{}/{}", study.folder_text().trim_end_matches('/'), output.trim_start_matches("./")),
-        };
+        let path = |output: &str| study.absolute(output);
         let outputs = study.runs.iter().map(|r| {
             let mut all: BTreeMap<String, TraceOutput> = BTreeMap::new();
             for o in &r.observe {
