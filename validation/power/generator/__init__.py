@@ -1,0 +1,1 @@
+"""A study with something concealed, from a seed."""
