@@ -13,6 +13,7 @@ sys.path.insert(0, HERE)
 
 import checks  # noqa: E402
 import score  # noqa: E402
+import table  # noqa: E402
 from generator.plan import draw  # noqa: E402
 
 
@@ -83,6 +84,10 @@ def main():
     r.add_argument("--keep", help="a folder in which studies and what was said stay")
     r.add_argument("--limit", type=float, default=1800.0, help="seconds a case may take")
     r.set_defaults(call=run)
+    t = commands.add_parser("table", help="table and pictures of a batch")
+    t.add_argument("--csv", default=os.path.join(HERE, "trials.csv"))
+    t.add_argument("--out", default=HERE)
+    t.set_defaults(call=lambda args: table.write(args.csv, args.out))
     for sub in (p, q, r):
         sub.add_argument("--cause", help="instead of the cause of the seed's plan")
         sub.add_argument("--ratio", type=float, help="effect over noise, instead of the plan's")

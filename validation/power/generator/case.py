@@ -9,8 +9,9 @@ from . import signals
 from .faults import FAULT
 from .model import number
 
-MINUTE_NOISE = 0.015
+LEAST_NOISE, MOST_NOISE = 0.015, 0.1
 STRONGEST = 1.0
+WHOLE = ("bidirectional_coupling",)  # effects that are there or not: the noise makes them large or small
 
 
 def decimated(x, n=250):
@@ -36,8 +37,8 @@ class Case:
             self.choose_strength(i)
         if effects and ratio:
             most = max(self.achieved)
-            if most < ratio * self.level:
-                self.level = max(MINUTE_NOISE, most / ratio)
+            if most < ratio * self.level or effects[0] in WHOLE:
+                self.level = min(MOST_NOISE, max(LEAST_NOISE, most / ratio))
 
     # -------------------------------------------------------------- strength
 
@@ -99,6 +100,9 @@ class Case:
 
     def choose_strength(self, i):
         """By false position on the logarithms, as the effect grows with its strength to a power of about one."""
+        if self.effects[i] in WHOLE:
+            self.strengths[i], self.achieved[i] = STRONGEST, self.size(i, STRONGEST)
+            return
         target = self.ratio * self.level * (1.0 if i == 0 else self.rng.uniform(0.6, 1.0))
         low, high = 0.02, STRONGEST
         top = self.size(i, high)

@@ -88,9 +88,9 @@ class Chain(Model):
         self.slow = 0.5 if family == "building" else 0.4
         self.law_kind = rng.choice(("wen", "wen", "bilinear"))
         self.parameters = {}
-        seconds = rng.choice((12.0, 14.0))
+        seconds = rng.choice((8.0, 10.0))
         self.mass_damping = 0.0
-        self.substeps = 6 if family == "building" else 8
+        self.substeps = 5 if family == "building" else 6
         if family == "pier":
             self.draw_pier(rng)
         else:

@@ -16,7 +16,7 @@ def tidy(dt):
 
 STATIC = """constraints Transformation
 numberer Plain
-system BandGeneral
+system UmfPack
 test NormDispIncr {tol} 60
 algorithm Newton
 integrator LoadControl $dt

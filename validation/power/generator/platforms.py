@@ -41,7 +41,7 @@ class Platform(Model):
         pga = rng.uniform(2.5, 4.5) * un.L
         self.runs = []
         for name, role, size in (("gm-1", "fit", 1.0), ("gm-2", "fit", rng.uniform(0.6, 0.9)), ("gm-3", "holdout", rng.uniform(0.7, 1.0))):
-            motions = [signals.quake(rng, pga * size, 14.0, 0.02) for _ in range(2 if self.both else 1)]
+            motions = [signals.quake(rng, pga * size, 9.0, 0.02) for _ in range(2 if self.both else 1)]
             self.runs.append(Run(name, role, 0.02, motions, every=OUT))
         acc = un.len + "/s2"
         self.channels = [Channel("south_disp", un.len, "edge.out", 1, "south edge"), Channel("north_disp", un.len, "edge.out", 2, "north edge"),
@@ -127,7 +127,7 @@ class Platform(Model):
         if self.both:
             files[run.name + "-y.dat"] = run.motions[1]
             values["motiony"] = run.name + "-y.dat"
-        return dict(values, dt=run.dt, npts=run.npts, nsub=4), files
+        return dict(values, dt=run.dt, npts=run.npts, nsub=3), files
 
     def write_script(self):
         un, r = self.units, number(self.ratio)
