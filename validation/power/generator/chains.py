@@ -41,7 +41,7 @@ class Soil:
         rng = random.Random(seed)
         self.rocks = rng.random() < 0.5
         self.k = k0 * (0.6 + 3.0 * (1.0 - s) / s) * rng.uniform(0.8, 1.2)
-        self.m = max((0.05 if self.rocks else 0.5) * m0, self.k * (2.0 * STEP) ** 2)
+        self.m = max((0.02 if self.rocks else 0.12) * m0, self.k * (2.0 * STEP) ** 2)
         self.c = 2.0 * rng.uniform(0.03, 0.15) * math.sqrt(self.k * m0)
 
 
