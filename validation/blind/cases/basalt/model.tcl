@@ -1,0 +1,34 @@
+# pad 14, series basalt
+# units: N, m, s
+wipe
+model basic -ndm 1 -ndf 1
+node 1 0.0
+node 2 0.0
+fix 1 1
+pset ko 2477671
+pset Qd 25968.66
+pset alpha 0.2128423
+set uy [expr $Qd/((1.0-$alpha)*$ko)]
+uniaxialMaterial BoucWen 1 $alpha $ko 2 [expr 0.5/pow($uy,2)] [expr 0.5/pow($uy,2)] 1.0 0.0 0.0 0.0
+element zeroLength 1 1 2 -mat 1 -dir 1
+timeSeries Path 1 -dt $dt -filePath $motion
+pattern Plain 1 1 {
+    sp 2 1 1.0
+}
+recorder Element -file force.out -time -ele 1 force
+constraints Transformation
+numberer Plain
+system UmfPack
+test NormDispIncr 1e-09 60
+algorithm Newton
+integrator LoadControl $dt
+analysis Static
+for {set i 1} {$i < $npts} {incr i} {
+    set ok [analyze 1]
+    if {$ok != 0} {
+        algorithm KrylovNewton
+        set ok [analyze 1]
+        algorithm Newton
+    }
+    if {$ok != 0} {error "no convergence at [getTime]"}
+}
