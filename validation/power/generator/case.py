@@ -29,6 +29,7 @@ class Case:
         self.places = [model.place(e, rng) for e in effects]
         self.fit = [r for r in model.runs if r.role == "fit"]
         self.clean = {r.name: model.respond(r, model.parameters, []) for r in model.runs}
+        self.tops = {c.name: max(signals.peak(self.clean[r.name][c.name]) for r in self.fit) for c in model.channels}
         self.basis = self.sensitivities()
         self.level = 10 ** rng.uniform(-1.75, -1.2)
         self.strengths = [0.0] * len(effects)
@@ -53,7 +54,7 @@ class Case:
                 fault = FAULT[e](seed, s, *place, run.seconds, m.slow)
                 for channel in out:
                     if fault.hits(run.name, channel):
-                        out[channel] = fault.apply(out[channel], run.every, signals.peak(out[channel]))
+                        out[channel] = fault.apply(out[channel], run.every, self.tops[channel])
         return out
 
     def stacked(self, responses):
