@@ -2,6 +2,7 @@
 """How often the diagnosis is right, by cause and by effect over noise: see README.md."""
 
 import argparse
+import contextlib
 import csv
 import multiprocessing
 import os
@@ -45,6 +46,16 @@ def one(job):
         return dict.fromkeys(score.FIELDS, "") | {"seed": seed, "status": f"case: {e!r}"[:120]}
 
 
+@contextlib.contextmanager
+def workers(jobs):
+    """A map over that many processes, in whatever order they end; in this one if it is alone, so that nothing outlives it."""
+    if jobs == 1:
+        yield map
+        return
+    with multiprocessing.Pool(jobs, maxtasksperchild=20) as pool:
+        yield pool.imap_unordered
+
+
 def run(args):
     done = set()
     if os.path.exists(args.csv):
@@ -54,8 +65,8 @@ def run(args):
         with open(args.csv, "w") as f:
             csv.writer(f).writerow(score.FIELDS)
     jobs = [(seed, args) for seed in range(args.seed, args.seed + args.trials) if seed not in done]
-    with multiprocessing.Pool(args.jobs, maxtasksperchild=20) as pool:
-        for n, row in enumerate(pool.imap_unordered(one, jobs), 1):
+    with workers(args.jobs) as spread:
+        for n, row in enumerate(spread(one, jobs), 1):
             with open(args.csv, "a") as f:
                 csv.DictWriter(f, score.FIELDS).writerow(row)
             print(f"{n}/{len(jobs)} {row['seed']}: {row['kinds'] or row['cause']} ({row['effect_over_noise']}) -> "
