@@ -8,6 +8,7 @@ use crate::element::amendment::{
     Pinching, Pressure, Share, Sides, Stiffening, Temperature, Yielding,
 };
 use crate::element::bearing::ShearParameters;
+use crate::material::Softening;
 use crate::model::ElementId;
 use crate::script::{Call, Exception, Value};
 use std::collections::BTreeMap;
@@ -106,8 +107,16 @@ const KINDS: &[Kind] = &[
             optional("-healing", "time constant of healing", Positive, f64::INFINITY),
         ],
         make: |n, share, _| {
-            let (virgin, power) = (n.get("-virgin"), n.get("-power"));
-            Arc::new(Mullins { virgin, power, onset: n.get("-onset"), healing: n.get("-healing"), share })
+            let time = n.get("-healing");
+            let softening = Softening {
+                excess: n.get("-virgin"),
+                strain: n.get("-onset"),
+                power: Some(n.get("-power")),
+                healed: if time.is_finite() { 1.0 } else { 0.0 },
+                time,
+                preload: 0.0,
+            };
+            Arc::new(Mullins { softening, share })
         },
     },
     Kind {

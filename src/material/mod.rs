@@ -64,7 +64,7 @@ pub use parallel::Parallel;
 pub use self_centering::SelfCentering;
 pub use series::{Iteration, Series};
 pub use slot::Slot;
-pub use softening::{Mullins, Softening};
+pub use softening::{Mullins, Peak, Softening};
 pub use steel01::Steel01;
 pub use steel02::Steel02;
 pub use viscous::Viscous;

@@ -192,6 +192,33 @@ fn a_bearing_in_space_is_the_material_on_a_line() {
     assert!(short(cold) < 1.01 * short(&format!("{cold} -axial linear")));
 }
 
+/// Heat flow through the layers of a bearing in space is that of the material, and no heat gets lost on the way.
+#[test]
+fn heat_flows_through_a_bearing_in_space() {
+    let area = std::f64::consts::PI / 4.0 * 300.0 * 300.0;
+    let flow = "-compound HDR3 -ambient -20 -beyond hold -conduction 6 5.0 2.3 20.0 0.25 1.99 50.0 3.39 0.00001";
+    let wanted = "temperature heat heatStored heatLost temperatures";
+    let got = bearing(flow, "0 36 -36 -36", "0 0 0 0", 2000, 0.005, wanted);
+    assert_eq!(got.len(), 4 + 6 * 4 + 5 + 2 * 2);
+    assert!(got[3] > 0.0 && (got[1] - got[2] - got[3]).abs() < 1e-9 * got[1], "{got:?}");
+    let analysis = "integrator LoadControl 0.005; analysis Static; analyze 2000";
+    let material = format!("{flow} -area {area} -height 30");
+    let one = test_rig(&material, "0 0.5 1 10000", "0 36 -36 -36", analysis, wanted);
+    for (a, b) in got[4..].iter().zip(&one[4..]) {
+        assert!((a - b).abs() < 0.01, "{a} for {b}");
+    }
+}
+
+#[test]
+fn p_delta_moments_can_be_left_out() {
+    let moments = |options: &str| bearing(options, "0 36 18 18", "0 0 0 0", 100, 0.005, "force");
+    let cold = "-compound HDR3 -temperature -10";
+    let (with, without) = (moments(cold), moments(&format!("{cold} -pDelta off")));
+    close(with[10].abs(), 0.5 * 4.0e5 * 36.0, 1e-6);
+    assert!(without[10].abs() < 1e-6, "{without:?}");
+    close(with[6], without[6], 1e-9);
+}
+
 #[test]
 fn a_mass_on_bearings_of_high_damping_rubber() {
     let ran = run("model basic -ndm 3 -ndf 6

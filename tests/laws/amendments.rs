@@ -8,7 +8,7 @@ use hysteron::element::amendment::{
 use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::{Link, PlaneBearing, ShearParameters, SpaceBearing};
 use hysteron::element::{Answer, Element, ElementError, Motion};
-use hysteron::material::{Elastic, Material};
+use hysteron::material::{Elastic, Material, Softening};
 use nalgebra::Vector3;
 use std::sync::Arc;
 
@@ -35,13 +35,18 @@ fn space() -> impl Element + 'static {
 
 const PART: Share = Share { stiffness: 960.0, elastic: 0.3 };
 
+/// Softening that does not heal.
+fn softening(excess: f64, strain: f64) -> Softening {
+    Softening { excess, strain, power: Some(2.0), healed: 0.0, time: f64::INFINITY, preload: 0.0 }
+}
+
 fn laws() -> Vec<Arc<dyn Amendment>> {
     let share = PART;
     vec![
         Arc::new(Temperature { softening: 0.01, at: -10.0, reference: 20.0, share }),
         Arc::new(Heating { softening: 0.01, capacity: 0.2, cooling: 3.0, share }),
         Arc::new(Degradation { loss: 0.5, energy: 2.0, share }),
-        Arc::new(Mullins { virgin: 0.4, power: 2.0, onset: 0.01, healing: 50.0, share }),
+        Arc::new(Mullins { softening: Softening { healed: 1.0, time: 50.0, ..softening(0.4, 0.01) }, share }),
         Arc::new(Stiffening { factor: 2e4, from: 0.01, power: 2.0 }),
         Arc::new(Overstress { force: 30.0, speed: 0.5, power: 0.3, stiffness: 5000.0 }),
         Arc::new(Axial { critical: 400.0, power: 2.0, width: 0.2, load: None, reference: 0.0, share }),
@@ -126,7 +131,7 @@ fn each_does_what_it_is_for() {
     assert!(peak(&warm, 0) > peak(&warm, 1) && peak(&warm, 1) > peak(&warm, 2));
 
     let virgin = force(
-        Arc::new(Mullins { virgin: 0.3, power: 2.0, onset: 1e-6, healing: f64::INFINITY, share: all }),
+        Arc::new(Mullins { softening: softening(0.3, 1e-6), share: all }),
         cycles(0.05, 2).map(|u| u.abs().max(0.0)),
     );
     // Halfway up: on the first way stiffer than on the second.

@@ -141,7 +141,8 @@ fn overstress_after_a_fast_ramp_and_what_relaxes() {
 
 /// Laws with everything that they have, and a pace in strain per second.
 fn all() -> Vec<(&'static str, Material)> {
-    let softening = Softening { excess: 0.4, strain: 0.5, healed: 0.0, time: 1.0, preload: 0.0 };
+    let softening = Softening { excess: 0.4, strain: 0.5, power: None, healed: 0.0, time: 1.0, preload: 0.0 };
+    let gradual = Softening { power: Some(2.5), ..softening };
     let hot = |name: &str, t: f64| HdrRheology {
         thermal: Some(Thermal::lumped(3.3, 900.0)),
         hold_ends: true,
@@ -164,6 +165,7 @@ fn all() -> Vec<(&'static str, Material)> {
         ("weakly nonlinear dashpot", Arc::new(HdrRheology::new(thick, 0.0))),
         ("force", Arc::new(HdrRheology { area: 57600.0, height: 1.3, ..law("HDR2", 23.0) })),
         ("softened steel", Arc::new(Mullins::new((Arc::new(steel()), 1), softening))),
+        ("gradually softened steel", Arc::new(Mullins::new((Arc::new(steel()), 1), gradual))),
     ]
 }
 
@@ -172,7 +174,7 @@ fn steel() -> Steel01 {
 }
 
 /// A bearing of six layers of 5 mm; N, mm, s, K.
-fn bearing() -> Stack {
+pub fn bearing() -> Stack {
     Stack {
         layers: 6,
         rubber: 5.0,
@@ -332,7 +334,7 @@ fn heat_flows_through_the_layers() {
 
 #[test]
 fn virgin_rubber_is_stiffer_once() {
-    let softening = Softening { excess: 0.5, strain: 0.4, healed: 0.6, time: 3600.0, preload: 0.0 };
+    let softening = Softening { excess: 0.5, strain: 0.4, power: None, healed: 0.6, time: 3600.0, preload: 0.0 };
     let law = HdrRheology { softening: Some(softening), ..law("HDR3", 23.0) };
     let wrapped = Mullins::new((Arc::new(self::law("HDR3", 23.0)), 1), softening);
     let mut p = Point::new(Arc::new(law.clone()));

@@ -15,7 +15,7 @@ pub(super) const RHEOLOGY: Kind = Kind {
     names: &["HDRRheologyBearing"],
     usage: "element HDRRheologyBearing $tag $i $j $Gr $Kbulk $D1 $D2 $ts $tr $n -compound $name -temperature $T | $C1eq \
             $C2eq $C3eq $tauCrEq $m $C1oe $C2oe $tauCrOe $a $n <-linear $C> <-heatCapacity $c <-coolingTime $s>> \
-            <-ambient $T> <-mullins $excess $strain <-heal $fraction $time> <-preload $strain>> <-axial kumar|linear> \
+            <-conduction $layers $tRubber $tSteel $tPlate $kRubber $cRubber $kSteel $cSteel $film> <-ambient $T> <-mullins $excess $strain <-heal $fraction $time> <-preload $strain>> <-axial kumar|linear> <-pDelta on|off> \
             <-orient $x1 $x2 $x3 $y1 $y2 $y3> <-kc $kc> <-PhiM $PhiM> <-ac $ac> <-shearDist $sDratio> <-mass $m> \
             <-cover $tc>",
     make,
@@ -27,12 +27,14 @@ const OPTIONS: &[&str] = &[
     "-linear",
     "-heatCapacity",
     "-coolingTime",
+    "-conduction",
     "-ambient",
     "-beyond",
     "-mullins",
     "-heal",
     "-preload",
     "-axial",
+    "-pDelta",
     "-orient",
     "-kc",
     "-PhiM",
@@ -46,7 +48,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     in_space(a, ends)?;
     let mut c = Common::new(a.last_span());
     let mut layers = layers(interp, a, false)?;
-    let mut varies = true;
+    let (mut varies, mut p_delta) = (true, true);
     let law = rheology(interp, a, OPTIONS, |a, option| {
         match option {
             "-axial" => {
@@ -54,6 +56,13 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
                     "kumar" => true,
                     "linear" => false,
                     _ => return Err(a.unknown_name("axial law", ["kumar", "linear"])),
+                }
+            }
+            "-pDelta" => {
+                p_delta = match a.word("P-Delta moments: on or off")?.as_ref() {
+                    "on" => true,
+                    "off" => false,
+                    _ => return Err(a.unknown_name("choice of P-Delta moments", ["on", "off"])),
                 }
             }
             "-orient" => c.axes(a)?,
@@ -75,5 +84,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let law = HdrRheology { area: rubber.area, height: rubber.thickness, ..law };
     let axial = c.axial(rubber, [varies; 3], interp.host.engine.options.compat);
     let shear = RheologyShear { law };
-    Ok(Arc::new(RubberBearing::new(axial, shear, c.link(a, ends)?, c.mass)))
+    let link = c.link(a, ends)?;
+    let link = if p_delta { link } else { link.first_order() };
+    Ok(Arc::new(RubberBearing::new(axial, shear, link, c.mass)))
 }

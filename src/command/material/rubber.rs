@@ -17,7 +17,8 @@ pub(super) const KINDS: &[Kind] = &[
     },
     Kind {
         names: &["Mullins"],
-        usage: "uniaxialMaterial Mullins $tag $material $excess $strain <-heal $fraction $time> <-preload $strain>",
+        usage: "uniaxialMaterial Mullins $tag $material $excess $strain <-power $p> <-heal $fraction $time> \
+                <-preload $strain>",
         make: mullins,
     },
 ];
@@ -215,7 +216,7 @@ fn stack(a: &mut Args<'_>) -> Result<Stack, Exception> {
 fn softening(a: &mut Args<'_>) -> Result<Softening, Exception> {
     let excess = a.not_negative("excess of stiffness of virgin rubber")?;
     let strain = a.positive("strain over which the excess goes")?;
-    Ok(Softening { excess, strain, healed: 0.0, time: 1.0, preload: 0.0 })
+    Ok(Softening { excess, strain, power: None, healed: 0.0, time: 1.0, preload: 0.0 })
 }
 
 fn heal(a: &mut Args<'_>, softening: Option<&mut Softening>) -> Result<(), Exception> {
@@ -245,7 +246,8 @@ fn mullins(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         match option.as_ref() {
             "-heal" => heal(a, Some(&mut law))?,
             "-preload" => preload(a, Some(&mut law))?,
-            _ => ignore_option(interp, a, &["-heal", "-preload"])?,
+            "-power" => law.power = Some(a.positive("exponent of the way back to the virgin path")?),
+            _ => ignore_option(interp, a, &["-heal", "-preload", "-power"])?,
         }
     }
     Ok(Arc::new(Mullins::new(inner, law)))

@@ -2,25 +2,15 @@
 
 use super::{AmendmentLaw, Demand, Share, Verdict};
 use crate::element::ElementError;
+use crate::material::{Peak, Softening};
+use crate::numeric::Dual;
 
-/// Pseudo-elastic softening below the largest deformation so far, after Ogden and Roxburgh, Proc. R. Soc. A 455
-/// (1999), in terms of the amplitude: with x = |e| / e_max,
-///
-/// s = 1 + virgin (1 - (1 - exp(-e_max / e₀)) (1 - xᵖ)) below e_max, 1 + virgin on the virgin path.
-///
-/// The parameters of a model are usually those of the scragged state; the virgin path is then stiffer by the factor
-/// 1 + `virgin`, and a path below the largest deformation so far loses this excess as xᵖ. The largest deformation
-/// heals with the time constant `healing`.
+/// The softening of the material `Mullins` by the size of the deformation, around an element. The parameters of a model
+/// are usually those of the scragged state; the virgin path is stiffer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mullins {
-    /// Excess of the virgin force over the scragged one, as a part of it.
-    pub virgin: f64,
-    /// Exponent p of the way back to the virgin path.
-    pub power: f64,
-    /// Deformation e₀ by which softening has begun: below it rubber does not soften.
-    pub onset: f64,
-    /// Time constant of healing; infinite where it does not heal.
-    pub healing: f64,
+    /// The law, with deformations for strains.
+    pub softening: Softening,
     /// What it acts on.
     pub share: Share,
 }
@@ -30,6 +20,8 @@ crate::words! {
     pub struct Memory {
         /// Largest deformation so far, less what has healed.
         largest: f64,
+        /// Largest deformation ever.
+        ever: f64,
     }
 }
 
@@ -38,21 +30,16 @@ impl AmendmentLaw for Mullins {
     const NAME: &'static str = "mullins";
 
     fn amend(&self, committed: &Memory, d: &Demand) -> Result<(Verdict, Memory), ElementError> {
-        let r = d.amplitude();
-        let remembered = committed.largest / (1.0 + d.dt / self.healing);
-        if r >= remembered {
-            return Ok((self.share.scale(d, 1.0 + self.virgin, [0.0; 2], 0.0), Memory { largest: r }));
-        }
-        // How far softening has come at this largest deformation: none of it in rubber that has hardly moved.
-        let begun = 1.0 - (-remembered / self.onset).exp();
-        let x = r / remembered;
-        let back = x.powf(self.power);
-        let s = 1.0 + self.virgin * (1.0 - begun * (1.0 - back));
-        let slope = if r > 0.0 { self.virgin * begun * self.power * back / r } else { 0.0 };
-        Ok((self.share.scale(d, s, d.radial().map(|n| slope * n), 0.0), Memory { largest: remembered }))
+        let size = Dual { value: d.amplitude(), slope: 1.0 };
+        let old = Peak { now: Dual::constant(committed.largest), ever: committed.ever };
+        let peak = self.softening.advance(old, size, d.dt.abs());
+        let factor = self.softening.factor_at(peak.now, size);
+        let slopes = d.radial().map(|n| factor.slope * n);
+        let memory = Memory { largest: peak.now.value, ever: peak.ever };
+        Ok((self.share.scale(d, factor.value, slopes, 0.0), memory))
     }
 
     fn depends_on_time(&self) -> bool {
-        self.healing.is_finite()
+        self.softening.healed > 0.0
     }
 }

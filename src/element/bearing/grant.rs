@@ -187,7 +187,7 @@ impl RubberShear for GrantShear {
         ]
     }
 
-    fn read(&self, id: u32, _: &Shear<2>, d: &Damage, axial: &Axial, out: &mut [f64]) {
+    fn read(&self, id: u32, _: &Shear<2>, d: &Damage, _: &[f64], axial: &Axial, out: &mut [f64]) {
         if id == OWN {
             out.copy_from_slice(&[d.outer, d.inner, d.scragging, d.mullins, d.distance]);
         } else {

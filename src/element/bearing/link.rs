@@ -91,6 +91,12 @@ impl<const N: usize, const B: usize> Link<N, B> {
         Self { basic, local, rows: basic.map(SparseRow::new), p_delta: p_delta.map(SparseRow::new) }
     }
 
+    /// Without P-Delta moments.
+    pub fn first_order(mut self) -> Self {
+        self.p_delta = [[0.0; N]; N].map(SparseRow::new);
+        self
+    }
+
     /// Basic deformations of global displacements (or their rates).
     #[inline]
     pub fn deformation(&self, disp: &[f64]) -> [f64; B] {

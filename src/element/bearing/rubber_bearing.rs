@@ -24,6 +24,9 @@ const SHEAR_AT: usize = Axial::LEN;
 const MEMORY_AT: usize = SHEAR_AT + Shear::<2>::LEN;
 
 impl<L: RubberShear> RubberBearing<L> {
+    /// Where the words behind the memory of the shear law begin.
+    const TAIL_AT: usize = MEMORY_AT + L::Memory::LEN;
+
     /// From its laws, its kinematics and its mass.
     pub fn new(axial: AxialLaw, shear: L, link: Link<12, 6>, mass: f64) -> Self {
         Self { axial, shear, link, mass }
@@ -43,13 +46,14 @@ impl<L: RubberShear + 'static> Element for RubberBearing<L> {
         12
     }
     fn state_len(&self) -> usize {
-        MEMORY_AT + L::Memory::LEN
+        Self::TAIL_AT + self.shear.tail_len()
     }
     fn init(&self, state: &mut [f64]) {
         let (shear, memory) = self.shear.virgin();
         self.axial.virgin().write(state);
         shear.write(&mut state[SHEAR_AT..]);
         memory.write(&mut state[MEMORY_AT..]);
+        state[Self::TAIL_AT..].fill(0.0);
     }
     fn nature(&self) -> Nature {
         Nature {
@@ -78,12 +82,15 @@ impl<L: RubberShear + 'static> Element for RubberBearing<L> {
         };
         let size = (u[1] * u[1] + u[2] * u[2]).sqrt();
         let axial = self.axial.step(&Axial::read(committed), u[0], size);
-        let at = Shearing { u: lateral, size, rate, dt: motion.dt, time: motion.time, axial: &axial };
+        let tail = &committed[Self::TAIL_AT..];
+        let at = Shearing { u: lateral, size, rate, dt: motion.dt, time: motion.time, axial: &axial, tail };
         let (c, m) = (Shear::read(&committed[SHEAR_AT..]), L::Memory::read(&committed[MEMORY_AT..]));
         let s = self.shear.step(&c, &m, &L::Memory::read(&trial[MEMORY_AT..]), &at);
         axial.next.write(trial);
         s.shear.write(&mut trial[SHEAR_AT..]);
         s.memory.write(&mut trial[MEMORY_AT..]);
+        trial[Self::TAIL_AT..].copy_from_slice(tail);
+        self.shear.advance(&m, &s.memory, motion.dt, &mut trial[Self::TAIL_AT..]);
 
         let mut q = [axial.next.force, s.shear.q[0], s.shear.q[1], 0.0, 0.0, 0.0];
         let rotations = self.rotations();
@@ -165,7 +172,7 @@ impl<L: RubberShear + 'static> Element for RubberBearing<L> {
             BASIC_STIFFNESS => out.copy_from_slice(shear.k.as_flattened()),
             id => {
                 let memory = L::Memory::read(&s.state[MEMORY_AT..]);
-                self.shear.read(id, &shear, &memory, &axial, out);
+                self.shear.read(id, &shear, &memory, &s.state[Self::TAIL_AT..], &axial, out);
             }
         }
     }

@@ -207,7 +207,7 @@ impl RubberShear for RubberBoucWen {
         ]
     }
 
-    fn read(&self, id: u32, shear: &Shear<2>, m: &Warmth, axial: &Axial, out: &mut [f64]) {
+    fn read(&self, id: u32, shear: &Shear<2>, m: &Warmth, _: &[f64], axial: &Axial, out: &mut [f64]) {
         let all = [axial.fcn, axial.fcrn, axial.kv, m.ke, m.rise, m.qy];
         let from: &[f64] = match id {
             OWN => &shear.internal,

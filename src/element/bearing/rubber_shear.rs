@@ -21,6 +21,8 @@ pub struct Shearing<'a> {
     pub time: f64,
     /// What the axial law answers.
     pub axial: &'a AxialStep,
+    /// The committed words of history behind the memory.
+    pub tail: &'a [f64],
 }
 
 /// What a shear law answers: stiffness and force of the step are in `shear`.
@@ -51,6 +53,12 @@ pub trait RubberShear: Clone + fmt::Debug + Send + Sync {
     fn ages(&self) -> bool {
         false
     }
+    /// Number of words of history behind the memory, where their number depends on the bearing. They begin at zero.
+    fn tail_len(&self) -> usize {
+        0
+    }
+    /// Carry these words over a time, from a memory to the next.
+    fn advance(&self, _from: &Self::Memory, _to: &Self::Memory, _dt: f64, _tail: &mut [f64]) {}
     /// History at rest, with the initial stiffness.
     fn virgin(&self) -> (Shear<2>, Self::Memory);
     /// Answer to a trial state from the committed history `c`, `m`. `last` is the memory of the trial before, which
@@ -60,8 +68,8 @@ pub trait RubberShear: Clone + fmt::Debug + Send + Sync {
     fn probe(&self, words: &[&str]) -> Option<Probe>;
     /// Names of the responses, those of the bearing included.
     fn probe_names(&self) -> &'static [&'static str];
-    /// Value of a response of its own.
-    fn read(&self, id: u32, shear: &Shear<2>, memory: &Self::Memory, axial: &Axial, out: &mut [f64]);
+    /// Value of a response of its own; `tail` are the words behind the memory.
+    fn read(&self, id: u32, shear: &Shear<2>, memory: &Self::Memory, tail: &[f64], axial: &Axial, out: &mut [f64]);
 }
 
 /// First number that is free for the responses of a law; those of the bearing are below.

@@ -243,6 +243,23 @@ impl HdrRheology {
         self.softening.map_or(Dual::constant(1.0), |s| s.factor(peak.now))
     }
 
+    /// Number of layers in which the temperature is known.
+    pub fn heat_cells(&self) -> usize {
+        self.thermal.as_ref().map_or(1, Thermal::cells)
+    }
+
+    /// Heat in the bearing per volume of rubber, from the amplitudes of heat flow.
+    pub fn heat_content(&self, amplitudes: &[f64]) -> f64 {
+        self.thermal.as_ref().map_or(0.0, |t| t.content(amplitudes))
+    }
+
+    /// Temperatures through the height, from the mean rise of that of the rubber and the amplitudes of heat flow.
+    pub fn temperatures(&self, rise: f64, amplitudes: &[f64], out: &mut [f64]) {
+        for (i, o) in out.iter_mut().enumerate() {
+            *o = self.ambient + self.thermal.as_ref().map_or(rise, |t| t.layer(amplitudes, i));
+        }
+    }
+
     /// Work per volume as the work of force and displacement.
     fn volume(&self) -> f64 {
         self.area * self.height
@@ -332,10 +349,7 @@ impl Uniaxial for HdrRheology {
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         let word = *words.first()?;
         match word {
-            "temperatures" => {
-                let cells = self.thermal.as_ref().map_or(1, Thermal::cells);
-                Some(Probe::new(PROFILE, (1..=cells).map(|i| format!("temperature{i}"))))
-            }
+            "temperatures" => Some(Probe::new(PROFILE, (1..=self.heat_cells()).map(|i| format!("temperature{i}")))),
             "dashpotStrain" => Some(Probe::new(DASHPOT, [word])),
             _ => RESPONSES.iter().find(|(name, _)| *name == word).map(|(name, id)| Probe::new(*id, [*name])),
         }
@@ -343,7 +357,7 @@ impl Uniaxial for HdrRheology {
     fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
         let h = History::read(state);
         let modes = &state[History::LEN..self.state_len()];
-        let content = self.thermal.as_ref().map_or(0.0, |t| t.content(modes));
+        let content = self.heat_content(modes);
         let factor = self.softening.map_or(1.0, |s| s.factor(Dual::constant(h.peak)).value);
         out[0] = match path[0] {
             0 => h.temperature,
@@ -355,12 +369,7 @@ impl Uniaxial for HdrRheology {
             6 => self.volume() * (h.heat - content),
             7 => factor,
             DASHPOT => h.strain - h.gamma_b,
-            _ => {
-                for (i, o) in out.iter_mut().enumerate() {
-                    *o = self.thermal.as_ref().map_or(h.temperature, |t| self.ambient + t.layer(modes, i));
-                }
-                return;
-            }
+            _ => return self.temperatures(h.temperature - self.ambient, modes, out),
         };
     }
 }

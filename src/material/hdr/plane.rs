@@ -21,7 +21,7 @@ crate::words! {
         gamma_b: [f64; 2],
         /// Strain of its slider.
         slip_oe: [f64; 2],
-        /// Temperature of the rubber above the surroundings.
+        /// Mean temperature of the rubber above the surroundings.
         rise: f64,
         /// Elastic energy per volume.
         stored: f64,
@@ -294,10 +294,21 @@ impl HdrRheology {
         super::Uniaxial::initial_tangent(self) * self.height / self.area
     }
 
-    /// Stress for a strain in the plane after a time, from the committed history. Rubber heats itself as a lump or not at
-    /// all, and beyond the table of the compound its end is held.
-    pub fn plane_step(&self, c: &PlaneHistory, strain: [f64; 2], time: f64) -> PlaneStep {
-        let lump = self.thermal.as_ref().and_then(Thermal::lump);
+    /// Number of amplitudes of heat flow.
+    pub fn heat_len(&self) -> usize {
+        self.thermal.as_ref().map_or(0, Thermal::len)
+    }
+
+    /// Let the heat of a step flow: the amplitudes of heat flow after a time from `c` to `next`.
+    pub fn plane_flow(&self, c: &PlaneHistory, next: &PlaneHistory, time: f64, amplitudes: &mut [f64]) {
+        if let Some(thermal) = &self.thermal {
+            thermal.advance(amplitudes, next.heat - c.heat, 0.5 * time.abs(), time.abs());
+        }
+    }
+
+    /// Stress for a strain in the plane after a time, from the committed history and amplitudes of heat flow. Heat arises
+    /// evenly over the step, and beyond the table of the compound its end is held.
+    pub fn plane_step(&self, c: &PlaneHistory, amplitudes: &[f64], strain: [f64; 2], time: f64) -> PlaneStep {
         let (g, time) = (V::from(strain), time.abs());
         let before = super::Peak { now: Dual::constant(c.peak), ever: c.ever };
         let size = g.norm();
@@ -311,11 +322,7 @@ impl HdrRheology {
             let (next, equilibrium, overstress, work) = law.step(c, g, time);
             let softened = (old_factor - factor.value).max(0.0) * 0.5 * (c.stored + next.stored);
             let heat = 0.5 * (old_factor + factor.value) * work + softened;
-            let found = lump.map_or(c.rise, |(capacity, rate)| {
-                let z = time * rate;
-                let kept = if z > 0.0 { -(-z).exp_m1() / z } else { 1.0 };
-                c.rise * (-z).exp() + heat / capacity * kept
-            });
+            let found = self.thermal.as_ref().map_or(c.rise, |t| t.after(amplitudes, heat, 0.5 * time, time).0);
             rounds += 1;
             if (found - rise).abs() <= 1e-9 || rounds == MOST_ROUNDS {
                 break (PlaneHistory { rise: found, heat: c.heat + heat, ..next }, equilibrium, overstress);

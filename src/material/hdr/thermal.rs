@@ -118,14 +118,6 @@ impl Thermal {
         Self { modes, cells: n }
     }
 
-    /// Heat capacity per volume and rate of cooling, where the rubber is a lump.
-    pub(super) fn lump(&self) -> Option<(f64, f64)> {
-        match self.modes.as_slice() {
-            [one] => Some((one.content, one.rate)),
-            _ => None,
-        }
-    }
-
     /// Number of words of history: an amplitude for each mode.
     pub(super) fn len(&self) -> usize {
         self.modes.len()
