@@ -5,6 +5,8 @@
 
 #[path = "calibrate/command.rs"]
 mod command;
+#[path = "calibrate/interrupt.rs"]
+mod interrupt;
 #[path = "calibrate/methods.rs"]
 mod methods;
 #[path = "calibrate/simulation.rs"]

@@ -25,4 +25,4 @@ pub use problem::{Evaluated, Problem, StudyProblem};
 pub use profile::{Profile, profiles};
 pub use result::{Calibrated, Displacements, Spread};
 pub use search::{Checkpoint, Outcome, Repeat, Silent, Status, Watch, search};
-pub use uncertainty::{Interval, Uncertainty, autocorrelation_time, uncertainty};
+pub use uncertainty::{Alone, Interval, Uncertainty, autocorrelation_time, uncertainty};

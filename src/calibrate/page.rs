@@ -2,6 +2,7 @@
 
 use super::amplitude::Amplitude;
 use super::result::{Calibrated, Displacements, is_force, role_name};
+use super::uncertainty::Uncertainty;
 use crate::report::html::{self, escaped, labelled, line, number, picture, table};
 use crate::report::{Curve, Figure, Mark};
 use crate::study::{Fit, Observe, Role, Run, Source};
@@ -49,7 +50,7 @@ fn parameters(out: &mut String, result: &Calibrated) {
         vec![p.name.clone(), number(*v), sure, from]
     });
     table(out, &["parameter", "value", "95 % interval", "range"], rows);
-    let notes = result.uncertainty.iter().flat_map(|u| u.undetermined.iter().cloned());
+    let notes = result.uncertainty.iter().flat_map(Uncertainty::notes);
     let bounds = result.at_bounds().into_iter().map(|n| format!("{n} is at a bound of its range"));
     for note in notes.chain(bounds) {
         let _ = writeln!(out, "<p class=\"note\">{}</p>", escaped(&note));

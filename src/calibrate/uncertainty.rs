@@ -42,6 +42,28 @@ pub struct Uncertainty {
     pub effective_samples: f64,
     /// What the data do not determine, in sentences; empty if they determine everything.
     pub undetermined: Vec<String>,
+    /// What each run to be fitted determines by itself, where there are several.
+    pub alone: Vec<Alone>,
+}
+
+impl Uncertainty {
+    /// What the data, and each run by itself, do not determine, in sentences.
+    pub fn notes(&self) -> Vec<String> {
+        let blind = self.alone.iter().filter(|a| !a.undetermined.is_empty());
+        let blind = blind.map(|a| format!("{} alone does not determine {}", a.run, a.undetermined.join(", ")));
+        self.undetermined.iter().cloned().chain(blind).collect()
+    }
+}
+
+/// What a run would determine if it were the only one.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Alone {
+    /// Its name.
+    pub run: String,
+    /// Standard errors of the free parameters, in sides of the unit cube.
+    pub relative: Vec<f64>,
+    /// The parameters that it does not determine.
+    pub undetermined: Vec<String>,
 }
 
 /// Two-sided 95 % point of the normal distribution.
@@ -77,10 +99,85 @@ pub fn autocorrelation_time(r: &[f64]) -> f64 {
     (2.0 * sum - 1.0).clamp(1.0, n as f64 / 2.0)
 }
 
-/// Lengths of the channels in the residuals of a study, in their order.
-fn lengths(problem: &StudyProblem, fits: &[&Fit]) -> Vec<usize> {
-    let runs = problem.study().runs_of(Role::Fit);
-    runs.zip(fits).flat_map(|(_, f)| f.scores.iter().map(|s| s.samples)).collect()
+/// Curvature of the objective, and the noise in its slope: H, and the middle of the sandwich.
+struct Curvature {
+    hessian: DMatrix<f64>,
+    middle: DMatrix<f64>,
+    /// Independent samples.
+    effective: f64,
+}
+
+/// What a curvature determines.
+struct Known {
+    /// Standard errors in sides of the cube.
+    error: Vec<f64>,
+    correlation: Vec<Vec<f64>>,
+    /// Parameters that each direction without influence moves.
+    idle: Vec<Vec<usize>>,
+}
+
+impl Known {
+    /// Whether a parameter has the whole range for its interval.
+    fn is_open(&self, i: usize) -> bool {
+        self.idle.iter().any(|d| d.contains(&i))
+    }
+}
+
+impl Curvature {
+    fn new(n: usize) -> Self {
+        Self { hessian: DMatrix::zeros(n, n), middle: DMatrix::zeros(n, n), effective: 0.0 }
+    }
+
+    /// Add a channel: its differences, which carry the weights already, and their derivatives.
+    fn add(&mut self, r: &[f64], j: &DMatrix<f64>) {
+        let n = r.len() as f64;
+        let tau = autocorrelation_time(r);
+        let noise = r.iter().map(|x| x * x).sum::<f64>() / n;
+        let jj = j.transpose() * j;
+        self.middle += &jj * (noise * tau);
+        self.hessian += jj;
+        self.effective += n / tau;
+    }
+
+    fn join(&mut self, other: &Self) {
+        self.hessian += &other.hessian;
+        self.middle += &other.middle;
+        self.effective += other.effective;
+    }
+
+    /// What it determines; `None` where nothing has an influence. A direction without influence is left out of the
+    /// covariance.
+    fn known(self) -> Option<Known> {
+        let n = self.hessian.nrows();
+        let largest = self.hessian.diagonal().max();
+        if largest <= 0.0 {
+            return None;
+        }
+        let eigen = SymmetricEigen::new(self.hessian);
+        let is_weak = |k: usize| eigen.eigenvalues[k] <= WEAK * largest;
+        let moved = |k: usize| (0..n).filter(|i| eigen.eigenvectors[(*i, k)].abs() > 0.1).collect();
+        let idle = (0..n).filter(|k| is_weak(*k)).map(moved).collect();
+        let mut known = Known { error: vec![1.0; n], correlation: vec![vec![0.0; n]; n], idle };
+        let kept = DVector::from_fn(n, |k, _| if is_weak(k) { 0.0 } else { 1.0 / eigen.eigenvalues[k] });
+        let inverse = &eigen.eigenvectors * DMatrix::from_diagonal(&kept) * eigen.eigenvectors.transpose();
+        let covariance = &inverse * self.middle * &inverse;
+        let deviation = |i: usize| covariance[(i, i)].max(0.0).sqrt();
+        for i in 0..n {
+            known.correlation[i][i] = 1.0;
+            if known.is_open(i) {
+                continue;
+            }
+            known.error[i] = deviation(i);
+            for k in (0..i).filter(|k| !known.is_open(*k)).collect::<Vec<_>>() {
+                let product = deviation(i) * deviation(k);
+                if product > 0.0 {
+                    let rho = (covariance[(i, k)] / product).clamp(-1.0, 1.0);
+                    (known.correlation[i][k], known.correlation[k][i]) = (rho, rho);
+                }
+            }
+        }
+        Some(known)
+    }
 }
 
 /// Work out what the data determine at the best point.
@@ -117,69 +214,59 @@ pub fn uncertainty(problem: &StudyProblem, point: &[f64]) -> Result<Uncertainty,
     let runs: Vec<usize> = study.runs_of(Role::Fit).map(|(i, _)| i).collect();
     let fits = problem.fits(&runs, &values);
     let fits: Vec<&Fit> = fits.iter().flatten().collect();
-    let (mut hessian, mut middle) = (DMatrix::<f64>::zeros(n, n), DMatrix::<f64>::zeros(n, n));
-    let (mut start, mut effective) = (0, 0.0);
-    for length in lengths(problem, &fits) {
-        let end = start + length;
-        let part = &r[start..end];
-        let tau = autocorrelation_time(part);
-        // The residuals carry the weights already.
-        let noise = part.iter().map(|x| x * x).sum::<f64>() / length as f64;
-        let j = DMatrix::from_fn(length, n, |row, col| columns[col][start + row]);
-        let jj = j.transpose() * &j;
-        middle += &jj * (noise * tau);
-        hessian += jj;
-        effective += length as f64 / tau;
-        start = end;
+    let mut all = Curvature::new(n);
+    let mut by_run = vec![];
+    let mut start = 0;
+    for ((_, run), fit) in study.runs_of(Role::Fit).zip(&fits) {
+        let mut alone = Curvature::new(n);
+        for score in &fit.scores {
+            let end = start + score.samples;
+            let j = DMatrix::from_fn(score.samples, n, |row, col| columns[col][start + row]);
+            alone.add(&r[start..end], &j);
+            start = end;
+        }
+        all.join(&alone);
+        by_run.push((run.name.clone(), alone));
     }
-    let largest = hessian.diagonal().max();
-    if largest <= 0.0 {
+    let effective = all.effective;
+    let Some(known) = all.known() else {
         return Err("no parameter has an influence on what was recorded".into());
-    }
-    // A direction without influence is left out of the covariance; what it moves has the whole range for its interval.
-    let eigen = SymmetricEigen::new(hessian);
-    let is_weak = |k: usize| eigen.eigenvalues[k] <= WEAK * largest;
-    let moves = |k: usize, i: usize| eigen.eigenvectors[(i, k)].abs() > 0.1;
-    let is_open = |i: usize| (0..n).any(|k| is_weak(k) && moves(k, i));
-    let inverse = {
-        let kept = DVector::from_fn(n, |k, _| if is_weak(k) { 0.0 } else { 1.0 / eigen.eigenvalues[k] });
-        &eigen.eigenvectors * DMatrix::from_diagonal(&kept) * eigen.eigenvectors.transpose()
     };
-    let covariance = &inverse * middle * &inverse;
-    let error = |i: usize| if is_open(i) { 1.0 } else { covariance[(i, i)].max(0.0).sqrt() };
-    let rho = |i: usize, k: usize| match error(i) * error(k) {
-        _ if i == k => 1.0,
-        product if product > 0.0 && !is_open(i) && !is_open(k) => (covariance[(i, k)] / product).clamp(-1.0, 1.0),
-        _ => 0.0,
-    };
-    let correlation: Vec<Vec<f64>> = (0..n).map(|i| (0..n).map(|k| rho(i, k)).collect()).collect();
     let free: Vec<(&str, &Range)> =
         study.space.free().map(|(i, range)| (study.space.parameters[i].name.as_str(), range)).collect();
     let mut undetermined: Vec<String> = vec![];
-    for k in (0..n).filter(|k| is_weak(*k)) {
-        let names: Vec<&str> = (0..n).filter(|i| moves(k, *i)).map(|i| free[i].0).collect();
+    for direction in &known.idle {
+        let names: Vec<&str> = direction.iter().map(|i| free[*i].0).collect();
         undetermined.push(match &names[..] {
             [one] => format!("{one} has no influence on what was recorded"),
             several => format!("only a combination of {} has an influence on what was recorded", several.join(", ")),
         });
     }
-    let intervals: Vec<Interval> = free.iter().enumerate().map(|(i, f)| interval(f, point[i], error(i))).collect();
+    let intervals: Vec<Interval> =
+        free.iter().enumerate().map(|(i, f)| interval(f, point[i], known.error[i])).collect();
     for (i, interval) in intervals.iter().enumerate() {
         let name = &interval.name;
-        if interval.relative > WIDE && !is_open(i) {
+        if interval.relative > WIDE && !known.is_open(i) {
             undetermined
                 .push(format!("{name} is not determined: its interval is as wide as half of its range or more"));
         }
-        for k in 0..i {
-            let rho = correlation[i][k];
+        for ((other, _), rho) in free.iter().zip(&known.correlation[i]).take(i) {
             if rho.abs() > TIED {
-                let other = free[k].0;
                 undetermined
                     .push(format!("{other} and {name} are determined together only: their correlation is {rho:.3}"));
             }
         }
     }
-    Ok(Uncertainty { intervals, correlation, samples: r.len() as f64, effective_samples: effective, undetermined })
+    // A study of one run has said it already.
+    let by_run = if by_run.len() > 1 { by_run } else { vec![] };
+    let alone = by_run.into_iter().map(|(run, curvature)| {
+        let error = curvature.known().map_or_else(|| vec![1.0; n], |k| k.error);
+        let undetermined = free.iter().zip(&error).filter(|(_, e)| **e > WIDE).map(|(f, _)| f.0.to_owned()).collect();
+        Alone { run, relative: error, undetermined }
+    });
+    let alone = alone.collect();
+    let (correlation, samples) = (known.correlation, r.len() as f64);
+    Ok(Uncertainty { intervals, correlation, samples, effective_samples: effective, undetermined, alone })
 }
 
 /// The interval of a parameter from its standard error in sides of the cube; for a logarithmic scale that of its logarithm.

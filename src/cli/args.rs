@@ -31,11 +31,11 @@ pub(super) enum Command {
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
         args: Vec<String>,
     },
-    /// Report what is wrong with a script without running its analyses
+    /// Report what is wrong with a script without running its analyses, or with a study before its calibration
     Check {
         #[command(flatten)]
         switches: Switches,
-        /// The script
+        /// The script, or a study (.toml), whose script is run once
         model: String,
         /// Words that the script finds in $argv
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]

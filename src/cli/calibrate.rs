@@ -1,12 +1,12 @@
 //! `hysteron calibrate`.
 
-use super::args::CalibrateArgs;
+use super::args::{CalibrateArgs, Compat};
 use super::files::place;
 use super::messages::Messages;
 use hysteron::analysis::Options;
 use hysteron::calibrate::{
-    Calibrated, Checkpoint, Displacements, Plan, Status, StudyProblem, Watch, page, posterior, profiles, search,
-    uncertainty,
+    Calibrated, Checkpoint, Displacements, Plan, Status, StudyProblem, Uncertainty, Watch, page, posterior, profiles,
+    search, uncertainty,
 };
 use hysteron::diagnostic::{Diagnostic, Severity, SourceMap};
 use hysteron::study::{Opening, Role, ScriptSimulator, Study};
@@ -20,7 +20,7 @@ use std::time::{Duration, Instant};
 
 /// Exit status where the fit failed, and where the input is wrong.
 const FAILED: i32 = 1;
-const WRONG: i32 = 2;
+pub(super) const WRONG: i32 = 2;
 /// Where results go if nothing else is said.
 const RESULTS: &str = "results";
 
@@ -105,18 +105,24 @@ fn folder(args: &CalibrateArgs, file: &Path, several: bool) -> PathBuf {
     out.join(name)
 }
 
-fn show(d: &Diagnostic, sources: &SourceMap) {
+pub(super) fn show(d: &Diagnostic, sources: &SourceMap) {
     eprintln!("{}\n", Messages::new().render(d, sources));
 }
 
 /// Calibrate a study; the exit status where there is no result.
 fn one(args: &CalibrateArgs, file: &Path, dir: &Path, stop: &Arc<AtomicBool>) -> Result<Calibrated, i32> {
     let mut sources = SourceMap::default();
-    let prepared = prepare(args, file, stop, &mut sources).map_err(|d| {
-        show(&d, &sources);
+    let refused = |d: Box<Diagnostic>, sources: &SourceMap| {
+        show(&d, sources);
         WRONG
-    })?;
-    let Prepared { simulator, opening, plan } = prepared;
+    };
+    let Prepared { simulator, opening, mut plan } =
+        prepare(file, args.compat, stop, &mut sources).map_err(|d| refused(d, &sources))?;
+    plan.seed = args.seed.unwrap_or(plan.seed);
+    plan.repeats = args.repeats.unwrap_or(plan.repeats);
+    if let Some(name) = &args.method {
+        plan.choose(name).map_err(|d| refused(d, &sources))?;
+    }
     let study = simulator.study().clone();
     for w in study.warnings.iter().chain(&opening.warnings).filter(|w| w.severity != Severity::Note) {
         show(w, &sources);
@@ -177,26 +183,23 @@ fn how_sure(args: &CalibrateArgs, problem: &StudyProblem, result: &mut Calibrate
     result.uncertainty = Some(sure);
 }
 
-struct Prepared {
-    simulator: ScriptSimulator,
-    opening: Opening,
+/// A study that nothing is wrong with.
+pub(super) struct Prepared {
+    pub(super) simulator: ScriptSimulator,
+    pub(super) opening: Opening,
     plan: Plan,
 }
 
-fn prepare(
-    args: &CalibrateArgs,
+/// Read a study, and run its script with its own values.
+pub(super) fn prepare(
     file: &Path,
+    compat: Option<Compat>,
     stop: &Arc<AtomicBool>,
     sources: &mut SourceMap,
 ) -> Result<Prepared, Box<Diagnostic>> {
     let study = Arc::new(Study::load(file, sources)?);
-    let mut plan = Plan::of(&study)?;
-    plan.seed = args.seed.unwrap_or(plan.seed);
-    if let Some(name) = &args.method {
-        plan.choose(name)?;
-    }
-    plan.repeats = args.repeats.unwrap_or(plan.repeats);
-    let options = Options { compat: args.compat.is_some(), ladder: None, dense: None };
+    let plan = Plan::of(&study)?;
+    let options = Options { compat: compat.is_some(), ladder: None, dense: None };
     let mut simulator = ScriptSimulator::new(study, options, stop.clone());
     let opening = simulator.open(sources)?;
     Ok(Prepared { simulator, opening, plan })
@@ -273,7 +276,7 @@ fn tell(result: &Calibrated, dir: &Path) {
     for name in result.at_bounds() {
         eprintln!("  note: {name} is at a bound of its range");
     }
-    for line in result.uncertainty.iter().flat_map(|u| &u.undetermined) {
+    for line in result.uncertainty.iter().flat_map(Uncertainty::notes) {
         eprintln!("  note: {line}");
     }
     for p in result.profiles.iter().flatten() {

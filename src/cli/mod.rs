@@ -11,5 +11,6 @@ mod loops;
 mod messages;
 mod progress;
 mod run;
+mod study;
 
 pub(crate) use run::main;

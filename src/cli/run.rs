@@ -15,6 +15,7 @@ use hysteron::run::{End, Run, Settings};
 use hysteron::script::{Files, OsFiles, OverlayFiles};
 use std::collections::BTreeMap;
 use std::io::Write as _;
+use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -22,6 +23,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub(crate) fn main() -> i32 {
     match Arguments::parse().command {
         Command::Run { switches: run, ladder, model, args } => script(&run, Mode::Run, ladder, &model, &args),
+        Command::Check { switches: s, model, .. } if model.ends_with(".toml") => {
+            super::study::check(Path::new(&model), s.compat, s.strict)
+        }
         Command::Check { switches: run, model, args } => script(&run, Mode::Check, false, &model, &args),
         Command::Bearing(test) => bearing(&test),
         Command::Calibrate(args) => super::calibrate::calibrate(&args),

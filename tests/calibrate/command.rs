@@ -127,3 +127,40 @@ fn several_studies_in_one_table() {
     let table = fs::read_to_string(place.0.join("both/comparison.txt")).unwrap();
     assert!(table.contains("by amplitude") && table.matches("growing").count() >= 8, "{table}");
 }
+
+/// Each run to be fitted says by itself what it determines.
+#[test]
+fn what_a_run_tells_by_itself() {
+    let place = Place::new();
+    place.edit("study.toml", "\"holdout\"", "\"fit\"");
+    let (status, err) = calibrate(&place, &["study.toml", "--out", "out"]);
+    assert_eq!(status, Some(0), "{err}");
+    let sure = &json(&place, "out/calibration.json")["uncertainty"];
+    let alone = sure["alone"].as_array().unwrap();
+    assert_eq!(alone.len(), 2);
+    for (i, all) in sure["intervals"].as_array().unwrap().iter().enumerate() {
+        let all = all["relative"].as_f64().unwrap();
+        assert!(alone.iter().all(|a| a["relative"][i].as_f64().unwrap() > 0.9 * all), "{sure}");
+    }
+}
+
+/// `hysteron check` of a study looks at all that a calibration would, and writes nothing.
+#[test]
+fn a_study_is_checked() {
+    let place = Place::new();
+    let check = || {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_hysteron"));
+        let output = command.args(["check", "study.toml"]).current_dir(&place.0).output().unwrap();
+        (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    let files = || fs::read_dir(&place.0).unwrap().count();
+    let before = files();
+    let (status, err) = check();
+    assert_eq!(status, Some(0), "{err}");
+    assert!(err.contains("3 of 3 parameters to be found") && err.contains("3 missing"), "{err}");
+    assert!(err.contains("with the script's own values"), "{err}");
+    assert_eq!(files(), before);
+    place.edit("study.toml", "force.out", "forse.out");
+    let (status, err) = check();
+    assert!(status == Some(2) && err.contains("forse.out has no rows"), "{err}");
+}
