@@ -194,16 +194,21 @@ namespace eval hdrb {
 
     # The search of Fig 3.7: one parameter after the other is raised or lowered by its step, which grows (S_l) where that
     # helps and shrinks (S_r) where it does not, until all steps are smaller than a limit. Equilibrium parameters stay.
-    proc stepSearch {p segments stresses {grow 1.2} {shrink 0.5} {least 0.002}} {
+    # Stresses are those of the whole history, or of the segments whose name `-cycle` gives, with the row before them.
+    proc stepSearch {p segments stresses args} {
+        set options [dict merge {-cycle * -grow 1.2 -shrink 0.5 -least 0.002} $args]
+        lassign [lmap key {-cycle -grow -shrink -least} { dict get $options $key }] cycle grow shrink least
         # Eq 3.15: overstress is what is above the equilibrium stress of the strain.
-        set strains [lindex [sample $segments] 1]
+        lassign [sample $segments] times strains names
         set equilibrium [equilibriumStress $strains [lrange $p 0 4]]
+        set equilibrium [dict get [select [dict create stress $equilibrium name $names] $cycle] stress]
         set overstress [lmap s $stresses e $equilibrium { expr {$s - $e} }]
-        set quality [list apply {{segments equilibrium overstress p} {
+        set quality [list apply {{segments cycle equilibrium overstress p} {
             if {[lindex $p 9] > 1.0} { return -1e9 }
-            set modelled [lmap s [hdrb::stressOf $segments $p] e $equilibrium { expr {$s - $e} }]
+            set run [hdrb::run $segments [list HDRRheology {*}$p]]
+            set modelled [lmap s [dict get [hdrb::select $run $cycle] stress] e $equilibrium { expr {$s - $e} }]
             hdrb::r2 $overstress $modelled
-        }} $segments $equilibrium $overstress]
+        }} $segments $cycle $equilibrium $overstress]
         set best [{*}$quality $p]
         set evaluations 1
         for {set i 5} {$i < 10} {incr i} { set step($i) 0.1 }
