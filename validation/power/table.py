@@ -172,7 +172,7 @@ def curves(t, path):
     rows = math.ceil(len(panels) / columns)
     p = Picture(columns * (w + 60) + 20, rows * (h + 62) + 20)
     n = len(EDGES) - 1
-    ticks = [((i + 0.5) / n, f"{a:g}-{b:g}" if b < 99 else f">{a:g}") for i, (a, b) in enumerate(zip(EDGES, EDGES[1:]))]
+    ticks = [(i / n, f"{a:g}") for i, a in enumerate(EDGES) if 0.0 < a < 99.0]
     for i, (name, mine) in enumerate(panels):
         x, y = 50 + (i % columns) * (w + 60), 26 + (i // columns) * (h + 62)
         axes(p, x, y, w, h, name.replace("_", " "), ticks, "effect over noise", "identified, %")
@@ -204,7 +204,7 @@ def confusion(t, path):
     truths = sorted({r["cause"] for r in rows}, key=lambda c: (c in ("none", "unknown"), c))
     said = truths + sorted({r["verdict"] for r in rows} - set(truths))
     cell, left, top = 22, 170, 170
-    p = Picture(left + cell * len(said) + 20, top + cell * len(truths) + 40)
+    p = Picture(left + cell * len(said) + 100, top + cell * len(truths) + 40)
     for j, name in enumerate(said):
         p.text(left + cell * (j + 0.5) + 4, top - 6, name.replace("_", " "), "start", turn=-60, size=10)
     for i, name in enumerate(truths):
@@ -217,7 +217,7 @@ def confusion(t, path):
             p.box(left + cell * j, top + cell * i, cell, cell, "rgb(%d,%d,%d)" % shade, PALE)
             if n:
                 p.text(left + cell * (j + 0.5), top + cell * (i + 0.5) + 4, str(n), size=10, colour="#ffffff" if share > 0.55 else INK)
-    p.text(left, top + cell * len(truths) + 22, f"concealed (rows) and told (columns); effect at least {CLEAR:g} times the noise", "start", size=10)
+    p.text(10, top + cell * len(truths) + 22, f"concealed (rows) and told (columns); effect at least {CLEAR:g} times the noise", "start", size=10)
     p.save(path)
 
 
