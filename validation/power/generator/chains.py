@@ -90,7 +90,7 @@ class Chain(Model):
         self.parameters = {}
         seconds = rng.choice((8.0, 10.0))
         self.mass_damping = 0.0
-        self.substeps = 5 if family == "building" else 6
+        self.substeps = {"building": 5, "frame": 7, "pier": 10}[family]
         if family == "pier":
             self.draw_pier(rng)
         else:
