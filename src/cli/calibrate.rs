@@ -147,6 +147,8 @@ fn one(args: &CalibrateArgs, file: &Path, dir: &Path, stop: &Arc<AtomicBool>) ->
     let outcome = search(&problem, at, &mut bar);
     bar.finish();
     let stopped = outcome.stopped;
+    // What the best so far is worth is still worked out; another interrupt cuts that short too.
+    stop.store(false, Ordering::Relaxed);
     let mut result = Calibrated::new(&problem, &plan, outcome, begun.elapsed().as_secs_f64()).map_err(&failed)?;
     if stopped {
         eprintln!("interrupted: the best so far is kept; --resume goes on");
@@ -159,6 +161,9 @@ fn one(args: &CalibrateArgs, file: &Path, dir: &Path, stop: &Arc<AtomicBool>) ->
     result.measure(&displacements);
     write(dir, &result, &opening, &displacements).map_err(&failed)?;
     tell(&result, dir);
+    if stopped {
+        stop.store(true, Ordering::Relaxed);
+    }
     Ok(result)
 }
 
