@@ -36,7 +36,9 @@ def middle(rows, key, form="{:.2f}"):
 
 
 def size(r):
-    return float(r["effect_over_noise"])
+    """Effect over noise: as drawn, but no more than what the fitted baseline left (a nonlinear fit takes up more than sensitivities say)."""
+    left = float(r["baseline_fit"]) / float(r["floor_fit"]) - 1.0
+    return min(float(r["effect_over_noise"]), math.sqrt(max(left, 0.0)))
 
 
 class Trials:
@@ -101,7 +103,7 @@ def markdown(t):
             "| seed | family | concealed | over noise | answer | confidence |", "| --- | --- | --- | --- | --- | --- |"]
     for r in t.rows:
         if r["right"] == "0" and (not r["effect_over_noise"] or size(r) >= CLEAR):
-            out.append(f"| {r['seed']} | {r['family']} | {r['kinds'] or 'nothing'} | {r['effect_over_noise'] or '-'} | {r['verdict']} {r['verdict_also']} | {r['confidence']} |")
+            out.append(f"| {r['seed']} | {r['family']} | {r['kinds'] or 'nothing'} | {f"{size(r):.1f}" if r['effect_over_noise'] else '-'} | {r['verdict']} {r['verdict_also']} | {r['confidence']} |")
     for r in t.failed:
         out.append(f"| {r['seed']} | {r['family']} | {r['kinds']} | {r['effect_over_noise']} | {r['status'].replace('|', ' ')} | |")
     return "\n".join(out) + "\n"
