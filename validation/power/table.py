@@ -103,7 +103,8 @@ def markdown(t):
             "| seed | family | concealed | over noise | answer | confidence |", "| --- | --- | --- | --- | --- | --- |"]
     for r in t.rows:
         if r["right"] == "0" and (not r["effect_over_noise"] or size(r) >= CLEAR):
-            out.append(f"| {r['seed']} | {r['family']} | {r['kinds'] or 'nothing'} | {f"{size(r):.1f}" if r['effect_over_noise'] else '-'} | {r['verdict']} {r['verdict_also']} | {r['confidence']} |")
+            over = f"{size(r):.1f}" if r["effect_over_noise"] else "-"
+            out.append(f"| {r['seed']} | {r['family']} | {r['kinds'] or 'nothing'} | {over} | {r['verdict']} {r['verdict_also']} | {r['confidence']} |")
     for r in t.failed:
         out.append(f"| {r['seed']} | {r['family']} | {r['kinds']} | {r['effect_over_noise']} | {r['status'].replace('|', ' ')} | |")
     return "\n".join(out) + "\n"
