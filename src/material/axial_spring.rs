@@ -1,6 +1,8 @@
 //! Axial springs of laminated rubber bearings: cavitation in tension, yielding in compression.
 
-use super::{MaterialError, Strain, Stress, UniaxialLaw};
+mod bundle;
+
+use super::Stress;
 use crate::words::Field;
 
 /// Parameters of an axial spring as the `AxialSp` and `AxialSpHD` commands have them. Stress over displacement: a
@@ -58,7 +60,7 @@ pub type AxialSpHD = AxialSpring<true>;
 
 /// Where on its curves a spring is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Branch {
+enum Branch {
     /// Elastic through the origin.
     #[default]
     Elastic,
@@ -106,7 +108,7 @@ impl Field for Branch {
 
 crate::words! {
     /// History of an [`AxialSpring`].
-    pub struct History {
+    struct History {
         /// Displacement.
         u: f64,
         /// Branch.
@@ -295,27 +297,20 @@ impl<const HD: bool> AxialSpring<HD> {
             }
         }
     }
-}
 
-impl<const HD: bool> UniaxialLaw for AxialSpring<HD> {
-    type State = History;
-    const NAME: &'static str = if HD { "AxialSpHD" } else { "AxialSp" };
-
+    /// Answer and next history at `u`, from the committed history.
     #[inline]
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
-        let u = strain.value;
+    fn step(&self, c: &History, u: f64) -> (Stress, History) {
         let mut t = History { u, ..*c };
         t.branch = self.follow(c, || self.answer(c).value, u, &mut t);
-        Ok((self.answer(&t), t))
+        (self.answer(&t), t)
     }
 
-    /// OpenSees' spring goes on from the branch of the last call, whether or not it was committed, and takes only
-    /// displacement and force from the committed state. `slope` is then where a shifted spring yields again.
-    fn update_on(&self, c: &History, last: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
-        if !self.compat {
-            return self.update(c, strain);
-        }
-        let u = strain.value;
+    /// The same, where OpenSees is followed: its spring goes on from the branch of the last call, whether or not it was
+    /// committed, and takes only displacement and force from the committed state. `slope` is then where a shifted spring
+    /// yields again.
+    #[inline]
+    fn step_on(&self, c: &History, last: &History, u: f64) -> (Stress, History) {
         let from = History { u: c.u, ..*last };
         let mut t = History { u, ..from };
         let next = self.follow(&from, || self.answer(c).value, u, &mut t);
@@ -331,10 +326,6 @@ impl<const HD: bool> UniaxialLaw for AxialSpring<HD> {
             }
             _ => {}
         }
-        Ok((self.answer(&t), t))
-    }
-
-    fn initial_tangent(&self) -> f64 {
-        self.sce
+        (self.answer(&t), t)
     }
 }

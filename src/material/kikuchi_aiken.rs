@@ -1,7 +1,7 @@
 //! Kikuchi and Aiken's law of the shear hysteresis of rubber bearings.
 
 use super::{MaterialError, Strain, Stress, Uniaxial};
-use crate::numeric::sign;
+use crate::numeric::{bracketed_root, sign};
 use crate::probe::Probe;
 use crate::words::Words;
 use std::fmt;
@@ -147,17 +147,29 @@ fn forget(words: &mut [f64]) {
 /// bisection from `range`. A loop that no a is fat or thin enough for has that limit too.
 pub(super) fn decay_of_damping(heq: f64, u: f64, range: f64, limit: f64, tolerance: f64) -> f64 {
     let target = 1.0 - std::f64::consts::PI * heq / (2.0 * u);
-    let (mut low, mut high) = (0.0, range);
     if !(target > 0.0 && target < 2.0) {
         return limit;
     }
+    // Left side and its derivative.
+    let side = |a: f64| {
+        let e = (-2.0 * a).exp();
+        ((1.0 - e) / a, ((2.0 * a + 1.0) * e - 1.0) / (a * a))
+    };
+    let falls = |a: f64| {
+        let (value, slope) = side(a);
+        (target - value, -slope)
+    };
+    let Some(root) = bracketed_root(falls, (0.0, f64::INFINITY), 1.0 / target, 1.0, 100) else { return limit };
+    let slope = side(root).1;
+    // Where the bisection goes, and where its tolerance ends it, is known from the root.
+    let (mut low, mut high) = (0.0, range);
     for _ in 0..100 {
         let a = 0.5 * (low + high);
-        let value = (1.0 - (-2.0 * a).exp()) / a;
-        if ((value - target) / target).abs() < tolerance {
+        let near = (slope * (a - root)).abs() < 2.0 * tolerance * target;
+        if near && ((side(a).0 - target) / target).abs() < tolerance {
             return a.min(limit);
         }
-        if value < target {
+        if a > root {
             high = a;
         } else {
             low = a;

@@ -195,11 +195,16 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
     fn state_len(&self) -> usize;
     /// Write the virgin state.
     fn init(&self, state: &mut [f64]);
+    /// Write the virgin state of `n` points that are always updated together. They take `n` times as many words as one,
+    /// and need not lie one after the other.
+    fn init_all(&self, _n: usize, state: &mut [f64]) {
+        state.chunks_exact_mut(self.state_len().max(1)).for_each(|point| self.init(point));
+    }
     /// Stress for a trial strain from the committed history; writes every word of `next`.
     fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError>;
 
-    /// The same for many points whose histories lie one after the other: one dynamic call for a whole bundle of springs,
-    /// in which the law is called statically.
+    /// The same for many points whose histories [`Uniaxial::init_all`] has laid out: one dynamic call for a whole bundle of
+    /// springs, in which the law is called statically.
     fn update_all(
         &self,
         committed: &[f64],
@@ -226,6 +231,13 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
         stresses: &mut Stresses<'_>,
     ) -> Result<(), MaterialError> {
         self.update_all(committed, strains, next, stresses)
+    }
+
+    /// What [`Uniaxial::update_all`] (or [`Uniaxial::update_all_on`], where `calls` are counted) would do, where all points
+    /// answer with one tangent and with stresses in proportion to their strains: that tangent. `None`, and nothing done,
+    /// where they do not, or where the law does not know.
+    fn proportional(&self, _committed: &[f64], _strains: &[f64], _next: &mut [f64], _calls: bool) -> Option<f64> {
+        None
     }
 
     /// Where OpenSees is followed: take over from a trial state into the committed one what a trial leaves behind there

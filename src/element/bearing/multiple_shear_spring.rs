@@ -40,7 +40,7 @@ impl MultipleShearSpring {
     pub fn new(springs: ShearSprings, link: Link<12, 6>, mass: f64, compat: bool) -> Result<Self, ElementError> {
         let mut state = vec![0.0; Self::HEADER + springs.state_len()];
         springs.init(&mut state);
-        let factors = springs.factors(0.0, &mut state)?;
+        let factors = springs.factors(0.0, &state.clone(), &mut state)?;
         let scale = if compat { factors.stiffness } else { factors.force };
         let initial = springs.initial_stiffness().map(|row| row.map(|k| scale * k));
         Ok(Self { springs, link, mass, initial, compat })
@@ -113,7 +113,7 @@ impl Element for MultipleShearSpring {
         });
         let size = u[0].hypot(u[1]);
         let bundle = self.springs.respond(committed, u, rate, motion.dt, trial)?;
-        let factors = self.springs.factors(size, trial)?;
+        let factors = self.springs.factors(size, committed, trial)?;
         let force = bundle.force.map(|f| factors.force * f);
         Forces { force }.write(trial);
         self.link.add_basic_force(&basic(force), answer.force);

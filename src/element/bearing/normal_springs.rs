@@ -1,8 +1,9 @@
 //! A section of normal springs: axial force and bending of a laminated bearing.
 
 use crate::material::{Material, MaterialError, Strains, Stresses};
-use crate::numeric::{bessel_i, dot};
+use crate::numeric::bessel_i;
 use std::f64::consts::PI;
+use std::ops::Range;
 
 /// Outline of a section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -136,9 +137,6 @@ pub struct Section {
     pub damping: [[f64; 3]; 3],
 }
 
-/// Pairs of deformations, for the symmetric stiffness.
-const PAIRS: [(usize, usize); 6] = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)];
-
 /// From which histories springs go on.
 #[derive(Clone, Debug)]
 enum Memory {
@@ -150,7 +148,7 @@ enum Memory {
     Forgetful(usize, Vec<f64>),
 }
 
-/// Springs of one material over a section; their histories lie one after the other in the state of their owner.
+/// Springs of one material over a section; their histories lie in the state of their owner, block after block.
 #[derive(Clone, Debug)]
 pub struct NormalSprings {
     material: Material,
@@ -158,25 +156,104 @@ pub struct NormalSprings {
     memory: Memory,
     /// Length of a spring, by which its extension becomes a strain.
     length: f64,
-    /// Extension per unit of axial deformation and of rotations about y and z, spring by spring: 1, z, -y.
-    lever: [Vec<f64>; 3],
-    /// Area times lever.
-    arm: [Vec<f64>; 3],
-    /// Area times two levers, for each of [`PAIRS`].
-    second: [Vec<f64>; 6],
+    /// Area of each, times its part in the distribution.
+    area: Vec<f64>,
+    /// Extension of each per unit of rotation about y and about z: its z, and its y with the other sign.
+    lever: [Vec<f64>; 2],
+    blocks: Vec<Block>,
 }
 
-/// Springs updated at a time, so that their stresses stay on the stack.
-const CHUNK: usize = 64;
+/// Neighbouring springs that are updated together, and the moments of their areas.
+#[derive(Clone, Debug)]
+struct Block {
+    springs: Range<usize>,
+    moments: Moments,
+}
+
+/// Largest number of springs of a block, so that their stresses stay on the stack.
+const BLOCK: usize = 64;
+/// Sums that are taken side by side.
+const LANES: usize = 4;
+
+/// Products of a weight with 1, the levers a and b, a², a b and b², summed over springs.
+type Moments = [f64; 6];
+
+/// Rows and columns of a symmetric matrix of moments.
+const PLACES: [[usize; 3]; 3] = [[0, 1, 2], [1, 3, 4], [2, 4, 5]];
+
+/// What springs with neighbouring numbers weigh, and their levers.
+struct Weights<'a> {
+    area: &'a [f64],
+    lever: [&'a [f64]; 2],
+}
+
+impl Weights<'_> {
+    /// Sums over the springs of area times `factor` times what `of` says of the levers, in several lanes: sums that wait
+    /// for each other took longer than all the springs.
+    #[inline(always)]
+    fn sum<const N: usize>(&self, factor: &[f64], of: impl Fn(f64, f64, f64) -> [f64; N]) -> [f64; N] {
+        let mut lanes = [[0.0; LANES]; N];
+        let (area, area_left) = self.area.as_chunks::<LANES>();
+        let (factor, factor_left) = factor.as_chunks::<LANES>();
+        let [(a, a_left), (b, b_left)] = self.lever.map(|l| l.as_chunks::<LANES>());
+        for (((area, factor), a), b) in area.iter().zip(factor).zip(a).zip(b) {
+            for lane in 0..LANES {
+                let terms = of(area[lane] * factor[lane], a[lane], b[lane]);
+                (0..N).for_each(|k| lanes[k][lane] += terms[k]);
+            }
+        }
+        let mut sums = lanes.map(|sum| sum.iter().sum());
+        for (((area, factor), a), b) in area_left.iter().zip(factor_left).zip(a_left).zip(b_left) {
+            add_to(&mut sums, &of(area * factor, *a, *b));
+        }
+        sums
+    }
+
+    /// Moments of the springs, each with a factor.
+    fn moments(&self, factor: &[f64]) -> Moments {
+        self.sum(factor, |w, a, b| [w, w * a, w * b, w * a * a, w * a * b, w * b * b])
+    }
+
+    /// Force and moments of the springs under stresses.
+    fn forces(&self, stress: &[f64]) -> [f64; 3] {
+        self.sum(stress, |w, a, b| [w, w * a, w * b])
+    }
+}
 
 impl NormalSprings {
     /// Springs of a layout, of this length, with their histories from word `at` on.
     pub fn new(material: Material, layout: &Layout, length: f64, at: usize) -> Self {
-        let lever = [vec![1.0; layout.y.len()], layout.z.clone(), layout.y.iter().map(|y| -y).collect()];
-        let times = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).collect::<Vec<_>>();
-        let arm = lever.each_ref().map(|l| times(l, &layout.area));
-        let second = PAIRS.map(|(i, j)| times(&arm[i], &lever[j]));
-        Self { material, at, memory: Memory::Committed, length, lever, arm, second }
+        let lever = [layout.z.clone(), layout.y.iter().map(|y| -y).collect()];
+        let springs = Self {
+            material,
+            at,
+            memory: Memory::Committed,
+            length,
+            area: layout.area.clone(),
+            lever,
+            blocks: vec![],
+        };
+        springs.divided(layout.area.len())
+    }
+
+    /// The same springs in blocks, of which none goes beyond spring `cut`.
+    fn divided(mut self, cut: usize) -> Self {
+        let block = |springs: Range<usize>| {
+            let moments = self.weights(&springs).moments(&[1.0; BLOCK][..springs.len()]);
+            Block { springs, moments }
+        };
+        let parts = [0..cut, cut..self.len()];
+        let ranges = parts.into_iter().flat_map(|part| {
+            let end = part.end;
+            part.step_by(BLOCK).map(move |first| first..(first + BLOCK).min(end))
+        });
+        let blocks = ranges.map(block).collect();
+        self.blocks = blocks;
+        self
+    }
+
+    fn weights(&self, springs: &Range<usize>) -> Weights<'_> {
+        Weights { area: &self.area[springs.clone()], lever: self.lever.each_ref().map(|l| &l[springs.clone()]) }
     }
 
     /// The same springs with their histories from word `at` on.
@@ -191,14 +268,16 @@ impl NormalSprings {
 
     /// The same, of which only the first `n` commit their histories.
     pub fn remembering(self, n: usize) -> Self {
-        let mut virgin = vec![0.0; self.state_len()];
-        self.clone().at(0).init(&mut virgin);
-        Self { memory: Memory::Forgetful(n.min(self.len()), virgin), ..self }
+        let n = n.min(self.len());
+        let springs = self.divided(n);
+        let mut virgin = vec![0.0; springs.state_len()];
+        springs.init_words(&mut virgin);
+        Self { memory: Memory::Forgetful(n, virgin), ..springs }
     }
 
     /// Number of springs.
     pub fn len(&self) -> usize {
-        self.lever[0].len()
+        self.area.len()
     }
 
     /// Whether there are none.
@@ -218,10 +297,13 @@ impl NormalSprings {
 
     /// Write the virgin state.
     pub fn init(&self, state: &mut [f64]) {
+        self.init_words(&mut state[self.at..self.at + self.state_len()]);
+    }
+
+    fn init_words(&self, own: &mut [f64]) {
         let words = self.material.state_len();
-        for spring in 0..self.len() {
-            let at = self.at + spring * words;
-            self.material.init(&mut state[at..at + words]);
+        for Block { springs, .. } in &self.blocks {
+            self.material.init_all(springs.len(), &mut own[springs.start * words..springs.end * words]);
         }
     }
 
@@ -235,67 +317,75 @@ impl NormalSprings {
         trial: &mut [f64],
     ) -> Result<Section, MaterialError> {
         let viscous = self.material.is_viscous();
+        let calls = !matches!(self.memory, Memory::Committed);
         let [strain, rate] = [deformation, rate].map(|e| e.map(|e| e / self.length));
         let words = self.material.state_len();
-        let (mut force, mut stiffness, mut damping) = ([0.0; 3], [0.0; 6], [0.0; 6]);
-        let (mut strains, mut rates) = ([0.0; CHUNK], [0.0; CHUNK]);
-        let (mut value, mut tangent, mut viscosity) = ([0.0; CHUNK], [0.0; CHUNK], [0.0; CHUNK]);
-        let cut = if let Memory::Forgetful(n, _) = &self.memory { *n } else { self.len() };
-        let chunks = [0..cut, cut..self.len()].into_iter().flat_map(|part| {
-            let end = part.end;
-            part.step_by(CHUNK).map(move |first| first..(first + CHUNK).min(end))
-        });
-        for springs in chunks {
+        // What is in proportion to the strains, and the rest.
+        let (mut straight, mut force, mut stiffness, mut damping) = ([0.0; 6], [0.0; 3], [0.0; 6], [0.0; 6]);
+        let (mut strains, mut rates) = ([0.0; BLOCK], [0.0; BLOCK]);
+        let (mut value, mut tangent, mut viscosity) = ([0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK]);
+        for Block { springs, moments } in &self.blocks {
             let n = springs.len();
-            self.spread(strain, springs.start, &mut strains[..n]);
-            if viscous {
-                self.spread(rate, springs.start, &mut rates[..n]);
-            }
+            let weights = self.weights(springs);
+            spread(strain, &weights, &mut strains[..n]);
             let at = self.at + springs.start * words..self.at + springs.end * words;
             let old = match &self.memory {
-                Memory::Forgetful(n, virgin) if springs.start >= *n => {
+                Memory::Forgetful(cut, virgin) if springs.start >= *cut => {
                     &virgin[springs.start * words..springs.end * words]
                 }
                 _ => &committed[at.clone()],
             };
+            let next = &mut trial[at];
+            if let Some(modulus) = self.material.proportional(old, &strains[..n], next, calls) {
+                add_to(&mut straight, &moments.map(|m| modulus * m));
+                continue;
+            }
+            if viscous {
+                spread(rate, &weights, &mut rates[..n]);
+            }
             let strains = Strains { value: &strains[..n], rate: &rates[..n], dt };
             let mut stresses =
                 Stresses { value: &mut value[..n], tangent: &mut tangent[..n], damping: &mut viscosity[..n] };
-            match self.memory {
-                Memory::Committed => self.material.update_all(old, &strains, &mut trial[at], &mut stresses)?,
-                _ => self.material.update_all_on(old, &strains, &mut trial[at], &mut stresses)?,
+            if calls {
+                self.material.update_all_on(old, &strains, next, &mut stresses)?;
+            } else {
+                self.material.update_all(old, &strains, next, &mut stresses)?;
             }
-            force.iter_mut().zip(&self.arm).for_each(|(f, arm)| *f += dot(&arm[springs.clone()], &value[..n]));
-            for (pair, second) in self.second.iter().enumerate() {
-                stiffness[pair] += dot(&second[springs.clone()], &tangent[..n]);
-                if viscous {
-                    damping[pair] += dot(&second[springs.clone()], &viscosity[..n]);
-                }
+            add_to(&mut force, &weights.forces(&value[..n]));
+            add_to(&mut stiffness, &weights.moments(&tangent[..n]));
+            if viscous {
+                add_to(&mut damping, &weights.moments(&viscosity[..n]));
             }
         }
+        for (f, row) in force.iter_mut().zip(PLACES) {
+            *f += row.iter().zip(strain).map(|(&place, e)| straight[place] * e).sum::<f64>();
+        }
+        add_to(&mut stiffness, &straight);
         Ok(Section { force, stiffness: self.matrix(stiffness), damping: self.matrix(damping) })
-    }
-
-    /// Strains of the springs from number `first` on.
-    #[inline]
-    fn spread(&self, e: [f64; 3], first: usize, out: &mut [f64]) {
-        for ((out, z), y) in out.iter_mut().zip(&self.lever[1][first..]).zip(&self.lever[2][first..]) {
-            *out = e[0] + z * e[1] + y * e[2];
-        }
     }
 
     /// Stiffness of the virgin section.
     pub fn initial_stiffness(&self) -> [[f64; 3]; 3] {
         let e = self.material.initial_tangent();
-        self.matrix(self.second.each_ref().map(|s| e * s.iter().sum::<f64>()))
+        let mut moments = [0.0; 6];
+        self.blocks.iter().for_each(|block| add_to(&mut moments, &block.moments));
+        self.matrix(moments.map(|m| e * m))
     }
 
-    /// Matrix of sums over the springs, by their length.
-    fn matrix(&self, sums: [f64; 6]) -> [[f64; 3]; 3] {
-        let mut m = [[0.0; 3]; 3];
-        for ((i, j), sum) in PAIRS.into_iter().zip(sums) {
-            (m[i][j], m[j][i]) = (sum / self.length, sum / self.length);
-        }
-        m
+    /// Matrix of moments, by the length of the springs.
+    fn matrix(&self, moments: Moments) -> [[f64; 3]; 3] {
+        PLACES.map(|row| row.map(|place| moments[place] / self.length))
     }
+}
+
+/// Strains of springs: those of the axis and of the rotations times levers.
+#[inline]
+fn spread(e: [f64; 3], weights: &Weights<'_>, out: &mut [f64]) {
+    for ((out, a), b) in out.iter_mut().zip(weights.lever[0]).zip(weights.lever[1]) {
+        *out = e[0] + a * e[1] + b * e[2];
+    }
+}
+
+fn add_to<const N: usize>(sums: &mut [f64; N], terms: &[f64; N]) {
+    sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
 }

@@ -102,7 +102,10 @@ impl ShearSprings {
     pub fn init(&self, state: &mut [f64]) {
         for Run { material, at, springs } in &self.runs {
             let words = material.state_len();
-            (0..springs.len()).for_each(|i| material.init(&mut state[at + i * words..at + (i + 1) * words]));
+            for first in (0..springs.len()).step_by(CHUNK) {
+                let n = CHUNK.min(springs.len() - first);
+                material.init_all(n, &mut state[at + first * words..at + (first + n) * words]);
+            }
         }
         let words = self.virgin.len();
         for room in [self.room, self.room + words] {
@@ -119,8 +122,6 @@ impl ShearSprings {
         dt: f64,
         trial: &mut [f64],
     ) -> Result<Bundle, MaterialError> {
-        let tried = self.room..self.room + self.virgin.len();
-        trial[tried.clone()].copy_from_slice(&committed[tried]);
         let mut sum = Bundle::default();
         let (mut strains, mut rates) = ([0.0; CHUNK], [0.0; CHUNK]);
         let (mut value, mut tangent, mut damping) = ([0.0; CHUNK], [0.0; CHUNK], [0.0; CHUNK]);
@@ -170,11 +171,14 @@ impl ShearSprings {
         sum
     }
 
-    /// Factors at a displacement of this size; `trial` is the state of the owner, in which they have room to work.
+    /// Factors at a displacement of this size, from the committed state of the owner; `trial` has room to work, and keeps
+    /// what OpenSees' springs remember of having been tried.
     ///
     /// # Errors
     /// A virgin bundle that resists no displacement.
-    pub fn factors(&self, size: f64, trial: &mut [f64]) -> Result<Factors, MaterialError> {
+    pub fn factors(&self, size: f64, committed: &[f64], trial: &mut [f64]) -> Result<Factors, MaterialError> {
+        let tried = self.room..self.room + self.virgin.len();
+        trial[tried.clone()].copy_from_slice(&committed[tried]);
         let (Some(limit), Some(Run { material, .. })) = (self.limit, self.runs.first()) else {
             return Ok(Factors::ONE);
         };

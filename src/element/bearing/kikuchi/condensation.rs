@@ -1,12 +1,16 @@
 //! Taking the inner nodes out of the equations of a Kikuchi bearing.
 
 use super::kinematics::{DOFS, INNER, Matrix, Motion, OUTER};
-use nalgebra::{SMatrix, SVector};
 
 /// Displacements or forces of the inner nodes.
-pub(super) type Inner = SVector<f64, INNER>;
-/// What the inner nodes do for the outer ones.
-pub(super) type Follow = SMatrix<f64, INNER, OUTER>;
+pub(super) type Inner = [f64; INNER];
+/// What the inner nodes do for each displacement of the outer ones.
+pub(super) type Follow = [[f64; INNER]; OUTER];
+
+/// Inner displacements from those of the outer nodes: where the inner nodes follow to.
+pub(super) fn followed(follow: &Follow, inner: &Inner, way: &[f64; OUTER]) -> Inner {
+    follow.iter().zip(way).fold(*inner, |at, (column, d)| std::array::from_fn(|i| at[i] + column[i] * d))
+}
 
 /// Share of the virgin stiffness that holds inner nodes which no spring holds any more.
 const HOLD: f64 = 1e-10;
@@ -23,28 +27,51 @@ pub(super) struct Condensed {
     pub stiffness: [[f64; OUTER]; OUTER],
 }
 
+/// Columns of the equations of the inner nodes: their own displacements, those of the outer nodes, the forces.
+const COLUMNS: usize = DOFS + 1;
+
 /// Condense forces `f` and stiffness `k`; `hold` is the virgin stiffness at the inner nodes.
 pub(super) fn condense(f: &Motion, k: &Matrix, hold: &Inner) -> Option<Condensed> {
-    let mut k22: SMatrix<f64, INNER, INNER> = k.fixed_view::<INNER, INNER>(OUTER, OUTER).into();
-    (0..INNER).for_each(|i| k22[(i, i)] += HOLD * hold[i]);
-    let k21: Follow = k.fixed_view::<INNER, OUTER>(OUTER, 0).into();
-    let k12: SMatrix<f64, OUTER, INNER> = k.fixed_view::<OUTER, INNER>(0, OUTER).into();
-    let mut right = SMatrix::<f64, INNER, { OUTER + 1 }>::zeros();
-    right.fixed_view_mut::<INNER, OUTER>(0, 0).copy_from(&k21);
-    right.fixed_view_mut::<INNER, 1>(0, OUTER).copy_from(&f.fixed_rows::<INNER>(OUTER));
-    let solved = -k22.lu().solve(&right)?;
-    if solved.iter().any(|x| !x.is_finite()) {
-        return None;
+    let mut inner: [[f64; COLUMNS]; INNER] = std::array::from_fn(|i| {
+        std::array::from_fn(|j| match j {
+            _ if j < INNER => k[(OUTER + i, OUTER + j)],
+            _ if j < DOFS => -k[(OUTER + i, j - INNER)],
+            _ => -f[OUTER + i],
+        })
+    });
+    (0..INNER).for_each(|i| inner[i][i] += HOLD * hold[i]);
+    solve(&mut inner)?;
+    let mut outer: [[f64; OUTER + 1]; OUTER] =
+        std::array::from_fn(|i| std::array::from_fn(|j| if j < OUTER { k[(i, j)] } else { f[i] }));
+    for (i, row) in outer.iter_mut().enumerate() {
+        for (m, solved) in inner.iter().enumerate() {
+            let share = k[(i, OUTER + m)];
+            row.iter_mut().zip(&solved[INNER..]).for_each(|(to, x)| *to += share * x);
+        }
     }
-    let follow: Follow = solved.fixed_view::<INNER, OUTER>(0, 0).into();
-    let correction: Inner = solved.fixed_view::<INNER, 1>(0, OUTER).into();
-    let (yielded, turned) = (k12 * correction, k12 * follow);
     Some(Condensed {
-        force: std::array::from_fn(|i| f[i] + yielded[i]),
-        stiffness: std::array::from_fn(|i| std::array::from_fn(|j| k[(i, j)] + turned[(i, j)])),
-        follow,
-        correction,
+        follow: std::array::from_fn(|j| std::array::from_fn(|i| inner[i][INNER + j])),
+        correction: std::array::from_fn(|i| inner[i][DOFS]),
+        force: outer.map(|row| row[OUTER]),
+        stiffness: outer.map(|row| std::array::from_fn(|j| row[j])),
     })
+}
+
+/// Solve equations with several right-hand sides behind their matrix, in place, by elimination with row exchange; `None`
+/// where they have no finite answer.
+fn solve(rows: &mut [[f64; COLUMNS]; INNER]) -> Option<()> {
+    for p in 0..INNER {
+        let largest = (p..INNER).max_by(|&i, &j| rows[i][p].abs().total_cmp(&rows[j][p].abs()))?;
+        rows.swap(p, largest);
+        let by = 1.0 / rows[p][p];
+        rows[p].iter_mut().for_each(|x| *x *= by);
+        let pivot = rows[p];
+        for row in rows.iter_mut().enumerate().filter(|(i, _)| *i != p).map(|(_, row)| row) {
+            let share = row[p];
+            row.iter_mut().zip(&pivot).for_each(|(x, y)| *x -= share * y);
+        }
+    }
+    rows.iter().flatten().all(|x| x.is_finite()).then_some(())
 }
 
 /// All displacements from those of the ends and of the inner nodes.

@@ -1,6 +1,6 @@
 //! Inner equilibrium of a Kikuchi bearing, to round-off at every trial state.
 
-use super::condensation::{Condensed, condense, join};
+use super::condensation::{Condensed, condense, followed, join};
 use super::kinematics::{INNER, OUTER, Springs};
 use super::{Factors, KikuchiBearing};
 use crate::element::ElementError;
@@ -55,7 +55,7 @@ impl KikuchiBearing {
         let follow = self.virgin_condensed(self.virgin_factors.force).map(|c| c.follow);
         let mut memory = Memory::default();
         if let Some(follow) = follow {
-            memory.follow = follow.into();
+            memory.follow = follow;
         }
         memory
     }
@@ -87,7 +87,7 @@ impl KikuchiBearing {
         let [v, w] = self.offset(&outer);
         let size = v.hypot(w);
         // The derivative of the forces, not OpenSees' factor of the stiffness.
-        let factors = self.shear.factors(size, trial)?;
+        let factors = self.shear.factors(size, committed, trial)?;
         let step = Step {
             committed,
             from: Memory::read(committed),
@@ -98,7 +98,7 @@ impl KikuchiBearing {
         let Trial { inner, springs, condensed: Some(c), .. } = found else {
             return Err(ElementError("the inner nodes of the bearing are held by nothing".into()));
         };
-        let memory = Memory { outer, inner, axial: springs.axial, follow: c.follow.into() };
+        let memory = Memory { outer, inner, axial: springs.axial, follow: c.follow };
         memory.write(trial);
         let (mut force, mut stiffness) = (c.force, c.stiffness);
         if let Some(shares) = self.shares {
@@ -110,12 +110,8 @@ impl KikuchiBearing {
     /// Look for the inner nodes: from where they would follow the ends to, or else along the way of the ends.
     fn find(&self, step: &Step<'_>, outer: &[f64; OUTER], trial: &mut [f64]) -> Result<Trial, ElementError> {
         let from = &step.from;
-        let ahead = |inner: &[f64; INNER], way: &[f64; OUTER]| -> [f64; INNER] {
-            let follow = from.follow.iter().zip(way);
-            follow.fold(*inner, |at, (column, d)| std::array::from_fn(|i| at[i] + column[i] * d))
-        };
         let way: [f64; OUTER] = std::array::from_fn(|i| outer[i] - from.outer[i]);
-        let first = self.newton(step, outer, ahead(&from.inner, &way), trial);
+        let first = self.newton(step, outer, followed(&from.follow, &from.inner, &way), trial);
         if let Ok(Some(found)) = first {
             return Ok(found);
         }

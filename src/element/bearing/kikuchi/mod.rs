@@ -16,7 +16,7 @@ pub use self::common::Common;
 use self::condensation::Inner;
 use self::equilibrium::Memory;
 use self::kinematics::{Geometry, Kinematics, OUTER, Springs, Stiff};
-use self::opensees::Trace;
+use self::opensees::HEADER as OPENSEES_HEADER;
 use super::link::Link;
 use super::normal_springs::{Layout, NormalSprings, Shape};
 use super::responses::{NAMES, Response, basic_rows};
@@ -24,6 +24,7 @@ use super::shear_bearing::end_masses;
 use super::shear_springs::{Factors, ShearSprings};
 use crate::element::{Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
 use crate::material::{Material, MaterialError};
+use crate::numeric::SparseRow;
 use crate::probe::Probe;
 use crate::words::Words;
 use nalgebra::Matrix3;
@@ -92,7 +93,8 @@ pub struct KikuchiBearing {
     axial_rigidity: f64,
     shares: Option<[f64; 2]>,
     link: Link<12, 6>,
-    axes: Matrix3<f64>,
+    /// Local displacements of the ends from global ones, row by row.
+    turn: [SparseRow<OUTER>; OUTER],
     /// Displacements of the ends in local axes at which the springs are at rest.
     start: [f64; OUTER],
     mass: f64,
@@ -126,18 +128,20 @@ impl KikuchiBearing {
         };
         let (header, geometry, number) = match &scheme {
             Scheme::Converged => (Memory::LEN, Geometry::MeanTilt, 0),
-            Scheme::OpenSees(_, common) => (Trace::LEN, Geometry::EachLink, common.join()),
+            Scheme::OpenSees(_, common) => (OPENSEES_HEADER, Geometry::EachLink, common.join()),
         };
         let shear = ShearSprings::new(p.shear, p.shear_springs, p.limit, header);
         let at = header + shear.state_len();
-        let virgin_factors = shear.factors(0.0, &mut vec![0.0; at])?;
+        let mut virgin = vec![0.0; at];
+        shear.init(&mut virgin);
+        let virgin_factors = shear.factors(0.0, &virgin.clone(), &mut virgin)?;
         let mut lower = NormalSprings::new(p.normal, &p.layout, 0.5 * p.rubber, at);
         if matches!(scheme, Scheme::OpenSees(..)) {
             lower = lower.counting_calls();
         }
         let upper = lower.clone().at(at + lower.state_len());
         let section = lower.initial_stiffness();
-        let hold = Inner::from_fn(|i, _| section[i % 3][i % 3].abs());
+        let hold = std::array::from_fn(|i| section[i % 3][i % 3].abs());
         // The basic deformations are plain differences.
         let link = Link::new(axes, 0.0, 0.5);
         let mut start = [0.0; OUTER];
@@ -150,8 +154,8 @@ impl KikuchiBearing {
             arm: 0.25 * p.size,
             axial_rigidity: e.abs() * area,
             shares: p.p_delta.then_some(p.shares),
+            turn: link.local.map(SparseRow::new),
             link,
-            axes: *axes,
             start,
             mass: p.mass,
             virgin_factors,
@@ -163,9 +167,7 @@ impl KikuchiBearing {
 
     /// Displacements of the ends in local axes, from where the springs are at rest.
     fn outer(&self, disp: &[f64]) -> [f64; OUTER] {
-        let mut local = [0.0; OUTER];
-        self.link.local_force(disp, &mut local);
-        std::array::from_fn(|i| local[i] - self.start[i])
+        std::array::from_fn(|i| self.turn[i].dot(disp) - self.start[i])
     }
 
     /// Displacement of j over i, in shear.
@@ -212,24 +214,19 @@ impl KikuchiBearing {
 
     /// Add a local stiffness by rows to a global one.
     fn add_global(&self, local: &[[f64; OUTER]; OUTER], global: &mut [f64]) {
-        let block = |i: usize, j: usize| Matrix3::from_fn(|a, b| local[3 * i + a][3 * j + b]);
-        for i in 0..4 {
-            for j in 0..4 {
-                let k = self.axes.transpose() * block(i, j) * self.axes;
-                for a in 0..3 {
-                    for b in 0..3 {
-                        global[(3 * i + a) * OUTER + 3 * j + b] += k[(a, b)];
-                    }
-                }
+        for (row, k) in self.turn.iter().zip(local) {
+            let mut turned = [0.0; OUTER];
+            self.turn.iter().zip(k).for_each(|(column, &k)| column.add_to(k, &mut turned));
+            for (i, share) in row.entries() {
+                let to = &mut global[i * OUTER..(i + 1) * OUTER];
+                to.iter_mut().zip(&turned).for_each(|(k, turned)| *k += share * turned);
             }
         }
     }
 
     /// Global forces of local ones.
     fn add_force(&self, local: &[f64; OUTER], global: &mut [f64]) {
-        for (row, f) in self.link.local.iter().zip(local) {
-            global.iter_mut().zip(row).for_each(|(g, r)| *g += r * f);
-        }
+        self.turn.iter().zip(local).for_each(|(row, &f)| row.add_to(f, global));
     }
 }
 
@@ -248,14 +245,14 @@ impl Element for KikuchiBearing {
     fn state_len(&self) -> usize {
         let header = match self.scheme {
             Scheme::Converged => Memory::LEN,
-            Scheme::OpenSees(..) => Trace::LEN,
+            Scheme::OpenSees(..) => OPENSEES_HEADER,
         };
         header + self.shear.state_len() + 2 * self.lower.state_len()
     }
     fn init(&self, state: &mut [f64]) {
         match self.scheme {
             Scheme::Converged => self.virgin_memory().write(state),
-            Scheme::OpenSees(..) => self.virgin_trace().write(state),
+            Scheme::OpenSees(..) => self.write_virgin_trace(state),
         }
         self.shear.init(state);
         self.lower.init(state);

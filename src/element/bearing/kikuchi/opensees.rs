@@ -4,10 +4,11 @@
 //! forces of the springs as the last call left them and with the geometry of the committed state. So the answer depends
 //! on how often it is asked, and on the size of the steps; with several bearings, on the one that is asked last.
 
-use super::condensation::{Condensed, condense, join};
+use super::condensation::{Condensed, condense, followed, join};
 use super::kinematics::{INNER, Motion, OUTER, Springs};
 use super::{Balance, Common, Factors, KikuchiBearing};
 use crate::element::ElementError;
+use crate::material::MaterialError;
 use crate::words;
 use crate::words::Words;
 
@@ -22,8 +23,8 @@ words! {
 }
 
 words! {
-    /// What a bearing keeps besides the histories of its springs.
-    pub(super) struct Trace {
+    /// What a bearing keeps besides the histories of its springs and what it has solved for.
+    struct Trace {
         /// Displacements of the ends in local axes.
         outer: [f64; 12],
         /// What the next step begins with.
@@ -32,27 +33,43 @@ words! {
         last: Call,
         /// Number of steps made: those of the trial state are one more if it has been asked in this step.
         steps: f64,
-        /// Factors of the shear springs: of forces and of stiffnesses. They change when a step is committed.
+        /// Factors of the shear springs in this step: of forces and of stiffnesses.
         factors: [f64; 2],
-        /// Stiffness of the last call, by rows.
+    }
+}
+
+words! {
+    /// Equations that a call has solved.
+    struct Solved {
+        /// How the inner nodes follow the ends, by columns.
+        follow: [[f64; 6]; 12],
+        /// How they yield to what is left over.
+        correction: [f64; 6],
+        /// Stiffness of the bearing, by rows.
         stiffness: [[f64; 12]; 12],
     }
 }
 
+/// Number of words that a bearing keeps besides the histories of its springs.
+pub(super) const HEADER: usize = <Trace as Words>::LEN + <Solved as Words>::LEN;
+
+/// What has been solved, in the state of a bearing.
+fn solved(state: &[f64]) -> Solved {
+    Solved::read(&state[<Trace as Words>::LEN..])
+}
+
 impl KikuchiBearing {
-    /// The state at rest.
-    pub(super) fn virgin_trace(&self) -> Trace {
+    /// Write the state at rest.
+    pub(super) fn write_virgin_trace(&self, state: &mut [f64]) {
         let factors = self.virgin_factors;
         let call = Call { springs: self.virgin_springs(1.0), inner: [0.0; INNER] };
-        let mut trace =
-            Trace { settled: call, last: call, factors: [factors.force, factors.stiffness], ..Trace::default() };
+        Trace { settled: call, last: call, factors: [factors.force, factors.stiffness], ..Trace::default() }
+            .write(state);
         // OpenSees works out its first stiffness before it knows the height.
         let mut flat = self.clone();
         flat.kinematics.half = 0.0;
-        if let Some(c) = flat.virgin_condensed(factors.stiffness) {
-            trace.stiffness = c.stiffness;
-        }
-        trace
+        let stiffness = flat.virgin_condensed(factors.stiffness).map_or_else(Default::default, |c| c.stiffness);
+        Solved { stiffness, ..Solved::default() }.write(&mut state[<Trace as Words>::LEN..]);
     }
 
     /// Forces at the ends and the tangent that OpenSees uses, in local axes, for displacements of the ends.
@@ -70,18 +87,22 @@ impl KikuchiBearing {
         let old = Trace::read(committed);
         let now = Trace::read(trial);
         let begin = old.settled;
-        let last = if now.steps == old.steps { begin } else { now.last };
-        let factors = Factors { force: old.factors[0], stiffness: old.factors[1], slope: 0.0 };
         let from = join(&old.outer, &begin.inner);
-        let geometry = common.motion(old.steps).unwrap_or(from);
-        let row = self.kinematics.axial_row(&geometry);
+        let row = self.kinematics.axial_row(&common.motion(old.steps).unwrap_or(from));
 
-        // The inner nodes follow the ends, and yield to what the last call left over.
-        let before = join(&old.outer, &last.inner);
-        let c = self.condensed(&before, &self.scaled(&last, factors), &row)?;
-        let step = Motion::from_fn(|i, _| if i < OUTER { outer[i] - old.outer[i] } else { 0.0 });
-        let followed = c.follow * step.fixed_rows::<OUTER>(0) + c.correction;
-        let inner: [f64; INNER] = std::array::from_fn(|i| begin.inner[i] + followed[i]);
+        // The inner nodes follow the ends, and yield to what the last call left over. What a call of this step has solved
+        // is what the next one begins with.
+        let first = now.steps == old.steps;
+        let (factors, follow, correction) = if first {
+            let factors = self.factors_of_step(&old, committed, trial)?;
+            let c = self.condensed(&from, &self.scaled(&begin, factors), &row)?;
+            (factors, c.follow, c.correction)
+        } else {
+            let Solved { follow, correction, .. } = solved(trial);
+            (Factors { force: now.factors[0], stiffness: now.factors[1], slope: 0.0 }, follow, correction)
+        };
+        let step: [f64; OUTER] = std::array::from_fn(|i| outer[i] - old.outer[i]);
+        let inner = followed(&follow, &std::array::from_fn(|i| begin.inner[i] + correction[i]), &step);
 
         let q = join(&outer, &inner);
         let axial = begin.springs.axial + row.dot(&(q - from));
@@ -90,23 +111,26 @@ impl KikuchiBearing {
         let c = self.condensed(&q, &self.scaled(&call, factors), &row)?;
         let mut force = c.force;
         if let Some(shares) = self.shares {
-            take_off_p_delta(&(geometry + step), shares, &mut force);
+            let geometry = common.motion(old.steps).unwrap_or(from);
+            take_off_p_delta(&(geometry + join(&step, &[0.0; INNER])), shares, &mut force);
         }
 
         let settled = self.settle(&outer, call, factors, balance, committed, dt, trial)?;
-        let [v, w] = self.offset(&outer);
-        let next = self.shear.factors(v.hypot(w), trial)?;
         common.leave(self.number, old.steps + 1.0, join(&outer, &settled.inner), c.stiffness);
-        Trace {
-            outer,
-            settled,
-            last: call,
-            steps: old.steps + 1.0,
-            factors: [next.force, next.stiffness],
-            stiffness: c.stiffness,
-        }
-        .write(trial);
+        let factors = [factors.force, factors.stiffness];
+        Trace { outer, settled, last: call, steps: old.steps + 1.0, factors }.write(trial);
+        let now = Solved { follow: c.follow, correction: c.correction, stiffness: c.stiffness };
+        now.write(&mut trial[<Trace as Words>::LEN..]);
         Ok((force, c.stiffness))
+    }
+
+    /// Factors of the shear springs in the step from a committed state.
+    fn factors_of_step(&self, old: &Trace, committed: &[f64], trial: &mut [f64]) -> Result<Factors, MaterialError> {
+        if old.steps == 0.0 {
+            return Ok(self.virgin_factors);
+        }
+        let [v, w] = self.offset(&old.outer);
+        self.shear.factors(v.hypot(w), committed, trial)
     }
 
     /// What `-doBalance` makes of a call when its step is committed.
@@ -155,7 +179,7 @@ impl KikuchiBearing {
 
     /// The tangent that OpenSees has after the last call, from the state that it left.
     pub(super) fn last_stiffness(&self, state: &[f64]) -> [[f64; OUTER]; OUTER] {
-        Trace::read(state).stiffness
+        solved(state).stiffness
     }
 }
 

@@ -1,0 +1,120 @@
+//! Axial springs side by side.
+
+use super::{AxialSpring, Branch, History};
+use crate::material::{MaterialError, Strain, Strains, Stress, Stresses, Uniaxial};
+use crate::probe::Probe;
+use crate::words::{Field, Words};
+
+/// History of spring `i` of `n`. Those of a bundle lie quantity by quantity: so a sweep over the springs that are still
+/// elastic, which are most of them, is one over neighbouring numbers.
+#[inline]
+fn read(words: &[f64], i: usize, n: usize) -> History {
+    let (u, slope, from) = (words[i], words[i + 2 * n], words[i + 3 * n]);
+    History { u, branch: Branch::get(words, &mut (i + n)), slope, from }
+}
+
+#[inline]
+fn write(t: &History, words: &mut [f64], i: usize, n: usize) {
+    t.branch.put(words, &mut (i + n));
+    (words[i], words[i + 2 * n], words[i + 3 * n]) = (t.u, t.slope, t.from);
+}
+
+impl<const HD: bool> AxialSpring<HD> {
+    /// Displacements between which a virgin spring is on the same straight line as at `u`.
+    #[inline]
+    fn straight(&self, u: f64) -> [f64; 2] {
+        match u {
+            _ if self.sce == self.ste => [self.ucy, self.uty],
+            ..=0.0 => [self.ucy, 0.0],
+            _ => [f64::MIN_POSITIVE, self.uty],
+        }
+    }
+}
+
+impl<const HD: bool> Uniaxial for AxialSpring<HD> {
+    fn name(&self) -> &'static str {
+        if HD { "AxialSpHD" } else { "AxialSp" }
+    }
+    fn state_len(&self) -> usize {
+        <History as Words>::LEN
+    }
+    fn init(&self, state: &mut [f64]) {
+        self.init_all(1, state);
+    }
+    fn init_all(&self, n: usize, state: &mut [f64]) {
+        (0..n).for_each(|i| write(&History::default(), state, i, n));
+    }
+    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+        let (stress, t) = self.step(&read(committed, 0, 1), strain.value);
+        write(&t, next, 0, 1);
+        Ok(stress)
+    }
+
+    fn update_all(
+        &self,
+        committed: &[f64],
+        strains: &Strains<'_>,
+        next: &mut [f64],
+        stresses: &mut Stresses<'_>,
+    ) -> Result<(), MaterialError> {
+        let n = strains.value.len();
+        for (i, &u) in strains.value.iter().enumerate() {
+            let (stress, t) = self.step(&read(committed, i, n), u);
+            write(&t, next, i, n);
+            (stresses.value[i], stresses.tangent[i], stresses.damping[i]) = (stress.value, stress.tangent, 0.0);
+        }
+        Ok(())
+    }
+
+    fn update_all_on(
+        &self,
+        committed: &[f64],
+        strains: &Strains<'_>,
+        next: &mut [f64],
+        stresses: &mut Stresses<'_>,
+    ) -> Result<(), MaterialError> {
+        if !self.compat {
+            return self.update_all(committed, strains, next, stresses);
+        }
+        let n = strains.value.len();
+        for (i, &u) in strains.value.iter().enumerate() {
+            let (stress, t) = self.step_on(&read(committed, i, n), &read(next, i, n), u);
+            write(&t, next, i, n);
+            (stresses.value[i], stresses.tangent[i], stresses.damping[i]) = (stress.value, stress.tangent, 0.0);
+        }
+        Ok(())
+    }
+
+    fn proportional(&self, committed: &[f64], strains: &[f64], next: &mut [f64], calls: bool) -> Option<f64> {
+        let n = strains.len();
+        // Bits of all together, which the compiler makes of neighbouring numbers at once: elastic is zero.
+        let yielded = |words: &[f64]| words[n..2 * n].iter().fold(0, |any, b| any | b.to_bits()) != 0;
+        // What the last call left has to be elastic either way, for then its slopes and lines are not to be written.
+        if yielded(next) || !(calls && self.compat) && yielded(committed) {
+            return None;
+        }
+        let [low, high] = self.straight(*strains.first()?);
+        if strains.iter().fold(false, |outside, u| outside | !(low <= *u && *u <= high)) {
+            return None;
+        }
+        next[..n].copy_from_slice(strains);
+        Some(if high > 0.0 { self.ste } else { self.sce })
+    }
+
+    fn initial_tangent(&self) -> f64 {
+        self.sce
+    }
+    fn is_viscous(&self) -> bool {
+        false
+    }
+    fn depends_on_time(&self) -> bool {
+        false
+    }
+    fn is_linear(&self) -> bool {
+        false
+    }
+    fn probe(&self, _: &[&str]) -> Option<Probe> {
+        None
+    }
+    fn read(&self, _: &[u32], _: &[f64], _: &mut [f64]) {}
+}
