@@ -51,6 +51,12 @@ impl<const N: usize> SparseRow<N> {
         sparse
     }
 
+    /// Whether all are zero.
+    #[inline]
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
     /// Places and values of those that are not zero.
     #[inline]
     pub fn entries(&self) -> impl Iterator<Item = (usize, f64)> {

@@ -381,6 +381,7 @@ impl Engine {
             dynamic: false,
             elapses: false,
             moved: true,
+            asked: None,
         })
     }
 }

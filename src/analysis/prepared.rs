@@ -7,7 +7,7 @@ use super::modal_damping::DampedModes;
 use super::state::State;
 use super::system::Coefficients;
 use crate::assembly::{DofError, Handler, MpScope, Plan};
-use crate::element::{MAX_DOFS, Mass};
+use crate::element::{MAX_DOFS, Mass, Rows};
 use crate::model::{Model, Rayleigh};
 use crate::numeric::dot;
 use crate::solve::{NEARLY_SINGULAR, Pivots, SolveError, Solver};
@@ -41,6 +41,9 @@ pub(super) struct Matrices {
     pub counts_calls: bool,
     /// Place of the damping matrix of viscous materials.
     pub damping: Option<usize>,
+    /// Rows of the matrices that are read: those of degrees of freedom that are in the equations, and where Rayleigh
+    /// damping makes forces of the matrices all of them.
+    pub rows: Rows,
     mass: MassPlace,
     rayleigh: Rayleigh,
     /// Those that reports of damping forces count: OpenSees asks no element whether it takes part.
@@ -88,6 +91,8 @@ pub struct Prepared {
     pub(super) asking: Asking,
     /// How often they are to be asked now.
     pub(super) updates: u32,
+    /// Displacements and velocities that the elements were asked at last.
+    pub(super) asked: [Vec<f64>; 2],
     initial: Vec<f64>,
     committed: Vec<f64>,
     mass: Vec<f64>,
@@ -139,15 +144,19 @@ impl Prepared {
                     MassPlace::Consistent(mass.len() - n * n)
                 }
             };
+            let rayleigh = if nature.rayleigh { e.rayleigh } else { Rayleigh::default() };
+            let reported = if nature.rayleigh || options.compat { e.rayleigh } else { Rayleigh::default() };
+            let all = !rayleigh.is_zero() || !reported.is_zero();
             matrices.push(Matrices {
                 at,
+                rows: Rows::of(e.dofs.iter().map(|&d| all || !plan.map.terms(d as usize).is_empty())),
                 linear: nature.linear && !nature.viscous,
                 rates: nature.viscous || nature.elapses,
                 counts_calls: e.element.counts_calls(),
                 damping: nature.viscous.then_some(damping),
                 mass: place,
-                rayleigh: if nature.rayleigh { e.rayleigh } else { Rayleigh::default() },
-                reported: if nature.rayleigh || options.compat { e.rayleigh } else { Rayleigh::default() },
+                rayleigh,
+                reported,
             });
             at += n * n;
             damping += if nature.viscous { n * n } else { 0 };
@@ -174,6 +183,7 @@ impl Prepared {
             counting: (0..matrices.len()).filter(|&i| matrices[i].counts_calls).collect(),
             asking: Asking::default(),
             updates: 0,
+            asked: [vec![0.0; model.dofs()], vec![0.0; model.dofs()]],
             initial: vec![],
             committed: vec![],
             mass,

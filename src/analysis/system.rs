@@ -37,6 +37,9 @@ pub struct System<'a> {
     pub elapses: bool,
     /// Displacements or element loads differ from the committed ones, or may.
     pub moved: bool,
+    /// The time that all elements have been asked at in this step, if they have: those that have not moved since are not
+    /// asked again, for the same question has the same answer.
+    pub asked: Option<f64>,
 }
 
 impl System<'_> {
@@ -152,19 +155,39 @@ impl System<'_> {
         let want_tangent = want_tangent || self.work.residual_needs_tangent;
         // Where nothing has moved the answers are those of the committed state, which are there still, but for what
         // depends on rates.
-        let all = self.moved || (want_tangent && !self.work.tangent_is_current);
+        let tangents = want_tangent && !self.work.tangent_is_current;
+        let all = self.moved || tangents;
+        let asked_before = self.asked.take() == Some(self.new.time) && !tangents;
+        let mut asked = false;
         for i in 0..self.model.elements.len() {
             let m = &self.work.matrices[i];
-            if (all || m.rates) && !m.counts_calls {
+            if (all || m.rates) && !m.counts_calls && !(asked_before && self.has_not_moved(i)) {
                 self.respond_one(i, want_tangent, dt)?;
+                asked = true;
             }
         }
         if !self.work.counting.is_empty() {
             self.respond_counting(dt)?;
         }
         let work = &mut *self.work;
-        work.tangent_is_current = want_tangent || (work.tangent_is_current && !all);
+        work.tangent_is_current = want_tangent || (work.tangent_is_current && !(all && asked));
+        if all {
+            work.asked[0].copy_from_slice(&self.new.disp);
+            work.asked[1].copy_from_slice(&self.new.vel);
+            self.asked = Some(self.new.time);
+        }
         Ok(())
+    }
+
+    /// Whether an element without loads of its own has moved since all were asked in this step.
+    fn has_not_moved(&self, i: usize) -> bool {
+        let e = &self.model.elements[i];
+        let [disp, vel] = &self.work.asked;
+        let same = |d: &u32| {
+            let d = *d as usize;
+            self.new.disp[d] == disp[d] && self.new.vel[d] == vel[d]
+        };
+        e.load.is_empty() && e.dofs.iter().all(same)
     }
 
     /// Ask the elements that count their calls as often as OpenSees does, then for the tangents that they have come to.
@@ -209,7 +232,7 @@ impl System<'_> {
         });
         let load = &self.new.element_load[e.load.clone()];
         let motion = Motion { disp: &disp[..n], vel: &vel[..n], load, dt, time: self.new.time };
-        let answer = Answer { force, tangent, damping };
+        let answer = Answer { force, tangent, damping, rows: m.rows };
         let committed = &self.old.history[e.state.clone()];
         let trial = &mut self.new.history[e.state.clone()];
         e.element.respond(&motion, committed, trial, answer).map_err(|error| Failure {

@@ -66,6 +66,28 @@ pub struct Answer<'a> {
     pub tangent: Option<&'a mut [f64]>,
     /// Damping matrix of viscous materials n x n by rows, where it is wanted.
     pub damping: Option<&'a mut [f64]>,
+    /// Rows of the matrices that are wanted; what the others hold does not matter.
+    pub rows: Rows,
+}
+
+/// A choice of the degrees of freedom of an element: with bit i, the i-th.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Rows(u32);
+
+impl Rows {
+    /// All of them.
+    pub const ALL: Self = Self(u32::MAX);
+
+    /// Those that are free.
+    pub fn of(free: impl IntoIterator<Item = bool>) -> Self {
+        Self(free.into_iter().take(MAX_DOFS).enumerate().fold(0, |bits, (i, free)| bits | u32::from(free) << i))
+    }
+
+    /// Whether row `i` is among them.
+    #[inline]
+    pub fn has(self, i: usize) -> bool {
+        self.0 >> i & 1 != 0
+    }
 }
 
 /// What a recorder reads an element's response from: the committed state.

@@ -12,6 +12,7 @@ pub struct Slot {
     /// Tag in the script.
     pub tag: i32,
     at: usize,
+    len: usize,
 }
 
 const STRAIN: usize = 0;
@@ -27,7 +28,8 @@ const OWN: u32 = 100;
 impl Slot {
     /// Place a material at word `at` of the owner's state.
     pub fn new(material: Material, tag: i32, at: usize) -> Self {
-        Self { material, tag, at }
+        let len = HEADER + material.state_len();
+        Self { material, tag, at, len }
     }
 
     /// Place materials one after the other from word `at`; also the first word after them.
@@ -45,7 +47,7 @@ impl Slot {
 
     /// Number of words it takes.
     pub fn len(&self) -> usize {
-        HEADER + self.material.state_len()
+        self.len
     }
 
     /// Never: there is always the header.

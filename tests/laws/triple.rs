@@ -196,7 +196,7 @@ fn rolling_bearing_has_consistent_tangents() {
     let (mut f, mut c, mut next) = ([0.0; 6], [0.0; 36], e.state.clone());
     let vel = [0.0, 0.0, 0.0, 0.7, 0.2, 0.1];
     let at_rest = e.force(&[0.01; 6]);
-    let answer = Answer { force: &mut f, tangent: None, damping: Some(&mut c) };
+    let answer = Answer { force: &mut f, tangent: None, damping: Some(&mut c), rows: hysteron::element::Rows::ALL };
     e.element
         .respond(&Motion { disp: &[0.01; 6], vel: &vel, load: &[], dt: DT, time: 1.0 }, &e.state, &mut next, answer)
         .unwrap();

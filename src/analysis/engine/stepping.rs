@@ -84,6 +84,7 @@ impl Engine {
             dynamic: setup.kind == Kind::Transient,
             elapses: setup.integrator.elapses(),
             moved: false,
+            asked: None,
             work,
         };
         if self.fresh {
@@ -123,6 +124,7 @@ impl Engine {
             dynamic: setup.kind == Kind::Transient,
             elapses: setup.integrator.elapses(),
             moved: false,
+            asked: None,
             work,
         };
         let result = advance(&mut system, setup, self.fresh, dt);
@@ -177,7 +179,7 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, dt: f64) -> 
 
 /// Remember a step that counted as converged though forces were left over.
 fn note_imbalance(system: &System<'_>, worst: &mut Option<Imbalance>) {
-    let largest = |v: &[f64]| v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    let largest = |v: &[f64]| v.iter().fold(0.0f64, |m, x| if x.abs() > m { x.abs() } else { m });
     let unbalanced = largest(&system.work.b);
     if unbalanced == 0.0 {
         return;

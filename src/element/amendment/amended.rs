@@ -2,7 +2,7 @@
 
 use super::{Amendment, Demand, Pair, Verdict};
 use crate::element::{
-    Answer, BasicRow, Element, ElementError, ElementLoad, MAX_DOFS, Mass, Motion, Nature, Snapshot, dot,
+    Answer, BasicRow, Element, ElementError, ElementLoad, MAX_DOFS, Mass, Motion, Nature, Rows, Snapshot, dot,
 };
 use crate::probe::Probe;
 use std::sync::Arc;
@@ -149,6 +149,7 @@ impl Element for Amended {
             force: &mut *answer.force,
             tangent: answer.tangent.as_deref_mut(),
             damping: answer.damping.as_deref_mut(),
+            rows: Rows::ALL,
         };
         let (old, kept) = committed.split_at(self.inner_len);
         let (new, next) = trial.split_at_mut(self.inner_len);

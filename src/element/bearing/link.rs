@@ -1,6 +1,6 @@
 //! Kinematics of two-node bearings: basic deformations, and the P-Delta moments of the axial force.
 
-use crate::element::{BasicRow, dot};
+use crate::element::{BasicRow, Rows, dot};
 use crate::numeric::SparseRow;
 use nalgebra::Matrix3;
 
@@ -100,13 +100,9 @@ impl<const N: usize, const B: usize> Link<N, B> {
     /// Basic deformations of global displacements (or their rates).
     #[inline]
     pub fn deformation(&self, disp: &[f64]) -> [f64; B] {
-        self.rows.each_ref().map(|row| row.dot(disp))
-    }
-
-    /// Moments in global axes per unit of axial force.
-    #[inline]
-    fn lever(&self, disp: &[f64]) -> [f64; N] {
-        self.p_delta.each_ref().map(|row| row.dot(disp))
+        let mut u = [0.0; B];
+        u.iter_mut().zip(&self.rows).for_each(|(u, row)| *u = row.dot(disp));
+        u
     }
 
     /// Add the global forces of basic forces `q` without P-Delta moments.
@@ -123,27 +119,38 @@ impl<const N: usize, const B: usize> Link<N, B> {
         }
     }
 
-    /// Add the consistent tangent of [`Link::add_force`] for the basic stiffness `k`.
-    pub fn add_tangent(&self, k: &[[f64; B]; B], q: &[f64; B], disp: &[f64], tangent: &mut [f64]) {
-        self.add_basic(k, tangent);
+    /// Add rows of the consistent tangent of [`Link::add_force`] for the basic stiffness `k`.
+    pub fn add_tangent(&self, k: &[[f64; B]; B], q: &[f64; B], disp: &[f64], tangent: &mut [f64], rows: Rows) {
+        self.add_basic_rows(k, tangent, rows);
         // The moments grow with the axial force too.
         let mut axial = [0.0; N];
         self.add_basic_force(&k[0], &mut axial);
-        for ((to, row), l) in tangent.chunks_exact_mut(N).zip(&self.p_delta).zip(self.lever(disp)) {
+        let wanted = tangent.chunks_exact_mut(N).zip(&self.p_delta).enumerate().filter(|(i, _)| rows.has(*i));
+        for (_, (to, row)) in wanted.filter(|(_, (_, row))| !row.is_empty()) {
             row.add_to(q[0], to);
-            if l != 0.0 {
-                to.iter_mut().zip(&axial).for_each(|(t, a)| *t += l * a);
-            }
+            let lever = row.dot(disp);
+            to.iter_mut().zip(&axial).for_each(|(t, a)| *t += lever * a);
         }
     }
 
     /// Add Aᵀ k A for a basic matrix `k`.
     pub fn add_basic(&self, k: &[[f64; B]; B], tangent: &mut [f64]) {
+        self.add_basic_rows(k, tangent, Rows::ALL);
+    }
+
+    /// Add rows of Aᵀ k A for a basic matrix `k`.
+    pub fn add_basic_rows(&self, k: &[[f64; B]; B], tangent: &mut [f64], rows: Rows) {
         for (row, k) in self.rows.iter().zip(k) {
-            for (other, &kab) in self.rows.iter().zip(k).filter(|(_, kab)| **kab != 0.0) {
-                for (i, ri) in row.entries() {
-                    other.add_to(kab * ri, &mut tangent[i * N..(i + 1) * N]);
-                }
+            if !row.entries().any(|(i, _)| rows.has(i)) {
+                continue;
+            }
+            let mut by_disp = [0.0; N];
+            for (other, &k) in self.rows.iter().zip(k).filter(|(_, k)| **k != 0.0) {
+                other.add_to(k, &mut by_disp);
+            }
+            for (i, share) in row.entries().filter(|(i, _)| rows.has(*i)) {
+                let to = &mut tangent[i * N..(i + 1) * N];
+                to.iter_mut().zip(&by_disp).for_each(|(t, k)| *t += share * k);
             }
         }
     }

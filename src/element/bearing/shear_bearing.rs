@@ -98,10 +98,10 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
         Self::add_shear(&shear, &mut q, &mut k);
         self.link.add_force(&q, motion.disp, answer.force);
         if let Some(tangent) = answer.tangent {
-            self.link.add_tangent(&k, &q, motion.disp, tangent);
+            self.link.add_tangent(&k, &q, motion.disp, tangent, answer.rows);
         }
         if let Some(damping) = answer.damping {
-            self.link.add_basic(&c, damping);
+            self.link.add_basic_rows(&c, damping, answer.rows);
         }
         Ok(())
     }
