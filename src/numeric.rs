@@ -26,6 +26,17 @@ pub fn axpy(c: f64, x: &[f64], y: &mut [f64]) {
     y.iter_mut().zip(x).for_each(|(y, x)| *y += c * x);
 }
 
+/// Largest of the absolute values, passing over what is no number; four side by side.
+pub fn largest(v: &[f64]) -> f64 {
+    let greater = |m: f64, x: f64| if x.abs() > m { x.abs() } else { m };
+    let (head, tail) = v.as_chunks::<4>();
+    let mut most = [0.0; 4];
+    for x in head {
+        most.iter_mut().zip(x).for_each(|(m, x)| *m = greater(*m, *x));
+    }
+    most.into_iter().chain(tail.iter().copied()).fold(0.0, greater)
+}
+
 /// Euclidean length.
 #[inline]
 pub fn norm(a: &[f64]) -> f64 {

@@ -183,6 +183,11 @@ pub trait Element: fmt::Debug + Send + Sync {
         answer: Answer<'_>,
     ) -> Result<(), ElementError>;
 
+    /// Take over the history of a trial state. One with many words may leave out those that nobody reads.
+    fn commit(&self, trial: &[f64], committed: &mut [f64]) {
+        committed.copy_from_slice(trial);
+    }
+
     /// Whether the answer goes on with every call in a step, from what the last call left in the trial history: true only
     /// of schemes of OpenSees' that are followed on demand. Such an element is asked as often as OpenSees asks it.
     fn counts_calls(&self) -> bool {

@@ -347,6 +347,14 @@ impl<D: Device> Uniaxial for KikuchiAiken<D> {
         Ok(Stress { value: t.force, tangent: t.stiffness, damping: 0.0 })
     }
 
+    fn commit_all(&self, trial: &[f64], committed: &mut [f64]) {
+        let points = trial.chunks_exact(self.state_len()).zip(committed.chunks_exact_mut(self.state_len()));
+        for (trial, committed) in points {
+            let used = place(Head::read(trial).depth() + 1);
+            committed[..used].copy_from_slice(&trial[..used]);
+        }
+    }
+
     fn leave_trace(&self, tried: &[f64], committed: &mut [f64]) {
         if self.compat.is_some() {
             Head { sheared: Head::read(tried).sheared, ..Head::read(committed) }.write(committed);

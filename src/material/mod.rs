@@ -138,17 +138,6 @@ pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {
     /// Stress and next state for a trial strain, from the committed state.
     fn update(&self, committed: &Self::State, strain: Strain) -> Result<(Stress, Self::State), MaterialError>;
 
-    /// The same where the law is asked by an element that counts its calls: also from what the last call of this step left.
-    /// Only laws that remember their calls in OpenSees, and follow it, take notice of that.
-    fn update_on(
-        &self,
-        committed: &Self::State,
-        _last: &Self::State,
-        strain: Strain,
-    ) -> Result<(Stress, Self::State), MaterialError> {
-        self.update(committed, strain)
-    }
-
     /// Tangent of the virgin material.
     fn initial_tangent(&self) -> f64;
 
@@ -222,10 +211,12 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
         Ok(())
     }
 
-    /// The same for points asked by an element that counts its calls: `next` holds what the last call of this step left.
+    /// The same for points asked by an element that counts its calls: `next` holds what the last call of this step left,
+    /// `before` the committed strains.
     fn update_all_on(
         &self,
         committed: &[f64],
+        _before: &[f64],
         strains: &Strains<'_>,
         next: &mut [f64],
         stresses: &mut Stresses<'_>,
@@ -233,11 +224,21 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
         self.update_all(committed, strains, next, stresses)
     }
 
-    /// What [`Uniaxial::update_all`] (or [`Uniaxial::update_all_on`], where `calls` are counted) would do, where all points
-    /// answer with one tangent and with stresses in proportion to their strains: that tangent. `None`, and nothing done,
-    /// where they do not, or where the law does not know.
-    fn proportional(&self, _committed: &[f64], _strains: &[f64], _next: &mut [f64], _calls: bool) -> Option<f64> {
+    /// Take over the trial histories of points. A law with many words may leave out those that nobody reads.
+    fn commit_all(&self, trial: &[f64], committed: &mut [f64]) {
+        committed.copy_from_slice(trial);
+    }
+
+    /// Tangent of virgin points whose strains are in a range, where all of them answer with stresses in proportion to their
+    /// strains and stay virgin; `None` where they do not, or where the law does not know.
+    fn virgin_tangent(&self, _range: [f64; 2]) -> Option<f64> {
         None
+    }
+
+    /// Whether these histories of points, as [`Uniaxial::update_all`] has written them, are as good as virgin: a law that
+    /// always says no is asked for each point.
+    fn are_virgin(&self, _state: &[f64]) -> bool {
+        false
     }
 
     /// Where OpenSees is followed: take over from a trial state into the committed one what a trial leaves behind there
@@ -282,24 +283,6 @@ impl<L: UniaxialLaw> Uniaxial for L {
         let (stress, state) = UniaxialLaw::update(self, &L::State::read(committed), strain)?;
         state.write(next);
         Ok(stress)
-    }
-    fn update_all_on(
-        &self,
-        committed: &[f64],
-        strains: &Strains<'_>,
-        next: &mut [f64],
-        stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError> {
-        let n = L::State::LEN;
-        for (i, (&value, &rate)) in strains.value.iter().zip(strains.rate).enumerate() {
-            let words = i * n..(i + 1) * n;
-            let strain = Strain { value, rate, dt: strains.dt };
-            let (old, last) = (L::State::read(&committed[words.clone()]), L::State::read(&next[words.clone()]));
-            let (s, state) = self.update_on(&old, &last, strain)?;
-            state.write(&mut next[words]);
-            (stresses.value[i], stresses.tangent[i], stresses.damping[i]) = (s.value, s.tangent, s.damping);
-        }
-        Ok(())
     }
     fn initial_tangent(&self) -> f64 {
         UniaxialLaw::initial_tangent(self)

@@ -59,7 +59,12 @@ impl Alone {
         let n = self.element.dofs();
         let (mut force, mut tangent) = (vec![0.0; n], vec![0.0; n * n]);
         let motion = Motion { disp, vel, load: &self.load, dt: 0.01, time: 1.0 };
-        let answer = Answer { force: &mut force, tangent: Some(&mut tangent), damping: None, rows: hysteron::element::Rows::ALL };
+        let answer = Answer {
+            force: &mut force,
+            tangent: Some(&mut tangent),
+            damping: None,
+            rows: hysteron::element::Rows::ALL,
+        };
         self.element.respond(&motion, &self.state, &mut self.next, answer).unwrap();
         (force, tangent)
     }

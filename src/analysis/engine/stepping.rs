@@ -9,6 +9,7 @@ use crate::analysis::integrator::Adaptive;
 use crate::analysis::prepared::TangentMix;
 use crate::analysis::system::Coefficients;
 use crate::analysis::system::System;
+use crate::numeric::largest;
 use crate::solve::Use;
 
 impl Engine {
@@ -135,7 +136,7 @@ impl Engine {
                 if setup.integrator.balances() {
                     note_imbalance(&system, &mut self.imbalance);
                 }
-                self.committed.copy_from(&self.trial);
+                self.committed.commit(&self.trial, &self.model);
                 Ok(())
             }
             Err(failure) => {
@@ -179,7 +180,6 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, dt: f64) -> 
 
 /// Remember a step that counted as converged though forces were left over.
 fn note_imbalance(system: &System<'_>, worst: &mut Option<Imbalance>) {
-    let largest = |v: &[f64]| v.iter().fold(0.0f64, |m, x| if x.abs() > m { x.abs() } else { m });
     let unbalanced = largest(&system.work.b);
     if unbalanced == 0.0 {
         return;

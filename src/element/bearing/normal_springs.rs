@@ -138,17 +138,22 @@ pub struct Section {
 }
 
 /// From which histories springs go on.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Memory {
     /// From the committed ones.
     Committed,
     /// Also from those that the last call of the step left, as laws of OpenSees' do.
     Calls,
     /// The same, and those from this number on never commit: for them the virgin history is the committed one.
-    Forgetful(usize, Vec<f64>),
+    Forgetful(usize),
 }
 
-/// Springs of one material over a section; their histories lie in the state of their owner, block after block.
+/// Springs of one material over a section.
+///
+/// In the state of their owner lie first the strains of the section, then a word for each block of springs, then their
+/// histories, block after block. The word is 1 while all springs of the block are virgin: most of them are, for most of the
+/// time, and what is in proportion to the strain takes one product a block. The histories are then those of virgin springs,
+/// whatever their words hold.
 #[derive(Clone, Debug)]
 pub struct NormalSprings {
     material: Material,
@@ -161,6 +166,8 @@ pub struct NormalSprings {
     /// Extension of each per unit of rotation about y and about z: its z, and its y with the other sign.
     lever: [Vec<f64>; 2],
     blocks: Vec<Block>,
+    /// Virgin histories.
+    virgin: Vec<f64>,
 }
 
 /// Neighbouring springs that are updated together, and the moments of their areas.
@@ -168,12 +175,27 @@ pub struct NormalSprings {
 struct Block {
     springs: Range<usize>,
     moments: Moments,
+    /// Smallest and largest of each lever.
+    levers: [[f64; 2]; 2],
 }
+
+impl Block {
+    /// Strains between which those of the springs are.
+    fn range(&self, [axial, a, b]: [f64; 3]) -> [f64; 2] {
+        let [a, b] = [self.levers[0].map(|l| l * a), self.levers[1].map(|l| l * b)];
+        [axial + a[0].min(a[1]) + b[0].min(b[1]), axial + a[0].max(a[1]) + b[0].max(b[1])]
+    }
+}
+
+/// The word of a block of virgin springs.
+const VIRGIN: f64 = 1.0;
 
 /// Largest number of springs of a block, so that their stresses stay on the stack.
 const BLOCK: usize = 64;
 /// Sums that are taken side by side.
 const LANES: usize = 4;
+/// Strains of a section.
+const STRAINS: usize = 3;
 
 /// Products of a weight with 1, the levers a and b, a², a b and b², summed over springs.
 type Moments = [f64; 6];
@@ -209,6 +231,14 @@ impl Weights<'_> {
         sums
     }
 
+    /// Strains of the springs: that of the axis, and those of the rotations times levers.
+    #[inline]
+    fn spread(&self, e: [f64; 3], out: &mut [f64]) {
+        for ((out, a), b) in out.iter_mut().zip(self.lever[0]).zip(self.lever[1]) {
+            *out = e[0] + a * e[1] + b * e[2];
+        }
+    }
+
     /// Moments of the springs, each with a factor.
     fn moments(&self, factor: &[f64]) -> Moments {
         self.sum(factor, |w, a, b| [w, w * a, w * b, w * a * a, w * a * b, w * b * b])
@@ -232,6 +262,7 @@ impl NormalSprings {
             area: layout.area.clone(),
             lever,
             blocks: vec![],
+            virgin: vec![],
         };
         springs.divided(layout.area.len())
     }
@@ -239,8 +270,10 @@ impl NormalSprings {
     /// The same springs in blocks, of which none goes beyond spring `cut`.
     fn divided(mut self, cut: usize) -> Self {
         let block = |springs: Range<usize>| {
-            let moments = self.weights(&springs).moments(&[1.0; BLOCK][..springs.len()]);
-            Block { springs, moments }
+            let weights = self.weights(&springs);
+            let moments = weights.moments(&[1.0; BLOCK][..springs.len()]);
+            let ends = |l: &[f64]| l.iter().fold([f64::MAX, f64::MIN], |[low, high], l| [low.min(*l), high.max(*l)]);
+            Block { moments, levers: weights.lever.map(ends), springs }
         };
         let parts = [0..cut, cut..self.len()];
         let ranges = parts.into_iter().flat_map(|part| {
@@ -249,6 +282,9 @@ impl NormalSprings {
         });
         let blocks = ranges.map(block).collect();
         self.blocks = blocks;
+        let mut virgin = vec![0.0; self.len() * self.material.state_len()];
+        self.blocks.iter().for_each(|b| self.material.init_all(b.springs.len(), &mut virgin[self.places(&b.springs)]));
+        self.virgin = virgin;
         self
     }
 
@@ -269,10 +305,7 @@ impl NormalSprings {
     /// The same, of which only the first `n` commit their histories.
     pub fn remembering(self, n: usize) -> Self {
         let n = n.min(self.len());
-        let springs = self.divided(n);
-        let mut virgin = vec![0.0; springs.state_len()];
-        springs.init_words(&mut virgin);
-        Self { memory: Memory::Forgetful(n, virgin), ..springs }
+        Self { memory: Memory::Forgetful(n), ..self.divided(n) }
     }
 
     /// Number of springs.
@@ -287,7 +320,7 @@ impl NormalSprings {
 
     /// Number of words that they take.
     pub fn state_len(&self) -> usize {
-        self.len() * self.material.state_len()
+        STRAINS + self.blocks.len() + self.len() * self.material.state_len()
     }
 
     /// Their material.
@@ -295,16 +328,43 @@ impl NormalSprings {
         &self.material
     }
 
-    /// Write the virgin state.
-    pub fn init(&self, state: &mut [f64]) {
-        self.init_words(&mut state[self.at..self.at + self.state_len()]);
+    /// Words of the state: strains of the section, whether each block is virgin, histories.
+    fn words<'a>(&self, state: &'a [f64]) -> (&'a [f64], &'a [f64], &'a [f64]) {
+        let (strain, rest) = state[self.at..self.at + self.state_len()].split_at(STRAINS);
+        let (virgin, histories) = rest.split_at(self.blocks.len());
+        (strain, virgin, histories)
     }
 
-    fn init_words(&self, own: &mut [f64]) {
-        let words = self.material.state_len();
-        for Block { springs, .. } in &self.blocks {
-            self.material.init_all(springs.len(), &mut own[springs.start * words..springs.end * words]);
+    fn words_mut<'a>(&self, state: &'a mut [f64]) -> (&'a mut [f64], &'a mut [f64], &'a mut [f64]) {
+        let (strain, rest) = state[self.at..self.at + self.state_len()].split_at_mut(STRAINS);
+        let (virgin, histories) = rest.split_at_mut(self.blocks.len());
+        (strain, virgin, histories)
+    }
+
+    /// Write the virgin state.
+    pub fn init(&self, state: &mut [f64]) {
+        let (strain, virgin, histories) = self.words_mut(state);
+        strain.fill(0.0);
+        virgin.fill(VIRGIN);
+        histories.copy_from_slice(&self.virgin);
+    }
+
+    /// Take over their histories of a trial state.
+    pub fn commit(&self, trial: &[f64], committed: &mut [f64]) {
+        let (strain, virgin, histories) = self.words(trial);
+        let (to_strain, to_virgin, to) = self.words_mut(committed);
+        to_strain.copy_from_slice(strain);
+        to_virgin.copy_from_slice(virgin);
+        for (Block { springs, .. }, _) in self.blocks.iter().zip(virgin).filter(|(_, v)| **v != VIRGIN) {
+            let places = self.places(springs);
+            to[places.clone()].copy_from_slice(&histories[places]);
         }
+    }
+
+    /// Where the histories of a block lie among all.
+    fn places(&self, springs: &Range<usize>) -> Range<usize> {
+        let words = self.material.state_len();
+        springs.start * words..springs.end * words
     }
 
     /// Forces at deformations: extension, rotations about y and z; with the rates of these.
@@ -316,52 +376,72 @@ impl NormalSprings {
         dt: f64,
         trial: &mut [f64],
     ) -> Result<Section, MaterialError> {
-        let viscous = self.material.is_viscous();
-        let calls = !matches!(self.memory, Memory::Committed);
         let [strain, rate] = [deformation, rate].map(|e| e.map(|e| e / self.length));
-        let words = self.material.state_len();
+        let (before, virgin_before, old) = self.words(committed);
+        let (now, virgin, next) = self.words_mut(trial);
+        now.copy_from_slice(&strain);
+        let section = At { before: [before[0], before[1], before[2]], strain, rate, dt };
         // What is in proportion to the strains, and the rest.
-        let (mut straight, mut force, mut stiffness, mut damping) = ([0.0; 6], [0.0; 3], [0.0; 6], [0.0; 6]);
-        let (mut strains, mut rates) = ([0.0; BLOCK], [0.0; BLOCK]);
-        let (mut value, mut tangent, mut viscosity) = ([0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK]);
-        for Block { springs, moments } in &self.blocks {
-            let n = springs.len();
-            let weights = self.weights(springs);
-            spread(strain, &weights, &mut strains[..n]);
-            let at = self.at + springs.start * words..self.at + springs.end * words;
-            let old = match &self.memory {
-                Memory::Forgetful(cut, virgin) if springs.start >= *cut => {
-                    &virgin[springs.start * words..springs.end * words]
-                }
-                _ => &committed[at.clone()],
-            };
-            let next = &mut trial[at];
-            if let Some(modulus) = self.material.proportional(old, &strains[..n], next, calls) {
-                add_to(&mut straight, &moments.map(|m| modulus * m));
+        let (mut straight, mut sum) = ([0.0; 6], Sum::default());
+        for ((block, virgin), virgin_before) in self.blocks.iter().zip(virgin).zip(virgin_before) {
+            let from = if self.memory == Memory::Committed { *virgin_before } else { *virgin };
+            let tangent = if from == VIRGIN { self.material.virgin_tangent(block.range(strain)) } else { None };
+            if let Some(tangent) = tangent {
+                add_to(&mut straight, &block.moments.map(|m| tangent * m));
+                *virgin = VIRGIN;
                 continue;
             }
-            if viscous {
-                spread(rate, &weights, &mut rates[..n]);
+            let places = self.places(&block.springs);
+            let (next, fresh) = (&mut next[places.clone()], &self.virgin[places.clone()]);
+            if *virgin == VIRGIN {
+                next.copy_from_slice(fresh);
             }
-            let strains = Strains { value: &strains[..n], rate: &rates[..n], dt };
-            let mut stresses =
-                Stresses { value: &mut value[..n], tangent: &mut tangent[..n], damping: &mut viscosity[..n] };
-            if calls {
-                self.material.update_all_on(old, &strains, next, &mut stresses)?;
-            } else {
-                self.material.update_all(old, &strains, next, &mut stresses)?;
-            }
-            add_to(&mut force, &weights.forces(&value[..n]));
-            add_to(&mut stiffness, &weights.moments(&tangent[..n]));
-            if viscous {
-                add_to(&mut damping, &weights.moments(&viscosity[..n]));
-            }
+            let forgets = matches!(self.memory, Memory::Forgetful(cut) if block.springs.start >= cut);
+            let old = if forgets || *virgin_before == VIRGIN { fresh } else { &old[places] };
+            let at = if forgets { At { before: [0.0; 3], ..section } } else { section };
+            self.respond_block(block, &at, old, next, &mut sum)?;
+            *virgin = if self.material.are_virgin(next) { VIRGIN } else { 0.0 };
         }
+        let mut force = sum.force;
         for (f, row) in force.iter_mut().zip(PLACES) {
             *f += row.iter().zip(strain).map(|(&place, e)| straight[place] * e).sum::<f64>();
         }
-        add_to(&mut stiffness, &straight);
-        Ok(Section { force, stiffness: self.matrix(stiffness), damping: self.matrix(damping) })
+        add_to(&mut sum.stiffness, &straight);
+        Ok(Section { force, stiffness: self.matrix(sum.stiffness), damping: self.matrix(sum.damping) })
+    }
+
+    /// Add the forces of a block, spring by spring.
+    fn respond_block(
+        &self,
+        block: &Block,
+        at: &At,
+        old: &[f64],
+        next: &mut [f64],
+        sum: &mut Sum,
+    ) -> Result<(), MaterialError> {
+        let n = block.springs.len();
+        let weights = self.weights(&block.springs);
+        let viscous = self.material.is_viscous();
+        let (mut strains, mut rates, mut before) = ([0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK]);
+        let (mut value, mut tangent, mut damping) = ([0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK]);
+        weights.spread(at.strain, &mut strains[..n]);
+        if viscous {
+            weights.spread(at.rate, &mut rates[..n]);
+        }
+        let strains = Strains { value: &strains[..n], rate: &rates[..n], dt: at.dt };
+        let mut stresses = Stresses { value: &mut value[..n], tangent: &mut tangent[..n], damping: &mut damping[..n] };
+        if self.memory == Memory::Committed {
+            self.material.update_all(old, &strains, next, &mut stresses)?;
+        } else {
+            weights.spread(at.before, &mut before[..n]);
+            self.material.update_all_on(old, &before[..n], &strains, next, &mut stresses)?;
+        }
+        add_to(&mut sum.force, &weights.forces(&value[..n]));
+        add_to(&mut sum.stiffness, &weights.moments(&tangent[..n]));
+        if viscous {
+            add_to(&mut sum.damping, &weights.moments(&damping[..n]));
+        }
+        Ok(())
     }
 
     /// Stiffness of the virgin section.
@@ -378,12 +458,21 @@ impl NormalSprings {
     }
 }
 
-/// Strains of springs: those of the axis and of the rotations times levers.
-#[inline]
-fn spread(e: [f64; 3], weights: &Weights<'_>, out: &mut [f64]) {
-    for ((out, a), b) in out.iter_mut().zip(weights.lever[0]).zip(weights.lever[1]) {
-        *out = e[0] + a * e[1] + b * e[2];
-    }
+/// Strains of a section, those of its committed state, and their rates.
+#[derive(Clone, Copy)]
+struct At {
+    before: [f64; 3],
+    strain: [f64; 3],
+    rate: [f64; 3],
+    dt: f64,
+}
+
+/// Forces and moments of springs.
+#[derive(Default)]
+struct Sum {
+    force: [f64; 3],
+    stiffness: Moments,
+    damping: Moments,
 }
 
 fn add_to<const N: usize>(sums: &mut [f64; N], terms: &[f64; N]) {

@@ -113,6 +113,17 @@ impl ShearSprings {
         }
     }
 
+    /// Take over their histories of a trial state.
+    pub fn commit(&self, trial: &[f64], committed: &mut [f64]) {
+        for Run { material, at, springs } in &self.runs {
+            let words = *at..at + springs.len() * material.state_len();
+            material.commit_all(&trial[words.clone()], &mut committed[words]);
+        }
+        // Of the two that are tried, one is worked with.
+        let tried = self.room..self.room + self.virgin.len();
+        committed[tried.clone()].copy_from_slice(&trial[tried]);
+    }
+
     /// Forces at displacements along y and z, with their rates.
     pub fn respond(
         &self,

@@ -5,8 +5,8 @@ use crate::material::{MaterialError, Strain, Strains, Stress, Stresses, Uniaxial
 use crate::probe::Probe;
 use crate::words::{Field, Words};
 
-/// History of spring `i` of `n`. Those of a bundle lie quantity by quantity: so a sweep over the springs that are still
-/// elastic, which are most of them, is one over neighbouring numbers.
+/// History of spring `i` of `n`. Those of a bundle lie quantity by quantity: so it is
+/// quick to see whether all of them are still elastic.
 #[inline]
 fn read(words: &[f64], i: usize, n: usize) -> History {
     let (u, slope, from) = (words[i], words[i + 2 * n], words[i + 3 * n]);
@@ -17,18 +17,6 @@ fn read(words: &[f64], i: usize, n: usize) -> History {
 fn write(t: &History, words: &mut [f64], i: usize, n: usize) {
     t.branch.put(words, &mut (i + n));
     (words[i], words[i + 2 * n], words[i + 3 * n]) = (t.u, t.slope, t.from);
-}
-
-impl<const HD: bool> AxialSpring<HD> {
-    /// Displacements between which a virgin spring is on the same straight line as at `u`.
-    #[inline]
-    fn straight(&self, u: f64) -> [f64; 2] {
-        match u {
-            _ if self.sce == self.ste => [self.ucy, self.uty],
-            ..=0.0 => [self.ucy, 0.0],
-            _ => [f64::MIN_POSITIVE, self.uty],
-        }
-    }
 }
 
 impl<const HD: bool> Uniaxial for AxialSpring<HD> {
@@ -69,6 +57,7 @@ impl<const HD: bool> Uniaxial for AxialSpring<HD> {
     fn update_all_on(
         &self,
         committed: &[f64],
+        before: &[f64],
         strains: &Strains<'_>,
         next: &mut [f64],
         stresses: &mut Stresses<'_>,
@@ -77,28 +66,30 @@ impl<const HD: bool> Uniaxial for AxialSpring<HD> {
             return self.update_all(committed, strains, next, stresses);
         }
         let n = strains.value.len();
-        for (i, &u) in strains.value.iter().enumerate() {
-            let (stress, t) = self.step_on(&read(committed, i, n), &read(next, i, n), u);
+        for (i, (&u, &before)) in strains.value.iter().zip(before).enumerate() {
+            let c = History { u: before, ..read(committed, i, n) };
+            let (stress, t) = self.step_on(&c, &read(next, i, n), u);
             write(&t, next, i, n);
             (stresses.value[i], stresses.tangent[i], stresses.damping[i]) = (stress.value, stress.tangent, 0.0);
         }
         Ok(())
     }
 
-    fn proportional(&self, committed: &[f64], strains: &[f64], next: &mut [f64], calls: bool) -> Option<f64> {
-        let n = strains.len();
+    fn virgin_tangent(&self, [low, high]: [f64; 2]) -> Option<f64> {
+        let elastic = self.ucy <= low && high <= self.uty;
+        match () {
+            () if !elastic => None,
+            () if high <= 0.0 => Some(self.sce),
+            () if low > 0.0 || self.sce == self.ste => Some(self.ste),
+            () => None,
+        }
+    }
+
+    /// An elastic spring remembers nothing.
+    fn are_virgin(&self, state: &[f64]) -> bool {
+        let n = state.len() / <History as Words>::LEN;
         // Bits of all together, which the compiler makes of neighbouring numbers at once: elastic is zero.
-        let yielded = |words: &[f64]| words[n..2 * n].iter().fold(0, |any, b| any | b.to_bits()) != 0;
-        // What the last call left has to be elastic either way, for then its slopes and lines are not to be written.
-        if yielded(next) || !(calls && self.compat) && yielded(committed) {
-            return None;
-        }
-        let [low, high] = self.straight(*strains.first()?);
-        if strains.iter().fold(false, |outside, u| outside | !(low <= *u && *u <= high)) {
-            return None;
-        }
-        next[..n].copy_from_slice(strains);
-        Some(if high > 0.0 { self.ste } else { self.sce })
+        state[n..2 * n].iter().fold(0, |any, b| any | b.to_bits()) == 0
     }
 
     fn initial_tangent(&self) -> f64 {

@@ -165,6 +165,14 @@ impl KikuchiBearing {
         })
     }
 
+    /// Words of state before those of the springs.
+    fn header(&self) -> usize {
+        match self.scheme {
+            Scheme::Converged => Memory::LEN,
+            Scheme::OpenSees(..) => OPENSEES_HEADER,
+        }
+    }
+
     /// Displacements of the ends in local axes, from where the springs are at rest.
     fn outer(&self, disp: &[f64]) -> [f64; OUTER] {
         std::array::from_fn(|i| self.turn[i].dot(disp) - self.start[i])
@@ -243,11 +251,7 @@ impl Element for KikuchiBearing {
         OUTER
     }
     fn state_len(&self) -> usize {
-        let header = match self.scheme {
-            Scheme::Converged => Memory::LEN,
-            Scheme::OpenSees(..) => OPENSEES_HEADER,
-        };
-        header + self.shear.state_len() + 2 * self.lower.state_len()
+        self.header() + self.shear.state_len() + 2 * self.lower.state_len()
     }
     fn init(&self, state: &mut [f64]) {
         match self.scheme {
@@ -291,6 +295,13 @@ impl Element for KikuchiBearing {
         Ok(())
     }
 
+    fn commit(&self, trial: &[f64], committed: &mut [f64]) {
+        let header = self.header();
+        committed[..header].copy_from_slice(&trial[..header]);
+        self.shear.commit(trial, committed);
+        self.lower.commit(trial, committed);
+        self.upper.commit(trial, committed);
+    }
     fn counts_calls(&self) -> bool {
         matches!(self.scheme, Scheme::OpenSees(..))
     }
