@@ -169,7 +169,8 @@ fn step_lengths(a: &mut Args<'_>) -> Result<Adaptive, Exception> {
 /// Warn, once, of constraints that OpenSees' `Plain` handler does not follow and ours does.
 fn warn_of_plain(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
     let engine = &interp.host.engine;
-    if engine.options.compat || !engine.setup().is_some_and(|s| s.handler == Handler::Plain) {
+    let told = interp.host.told.contains_key("plain");
+    if told || engine.options.compat || !engine.setup().is_some_and(|s| s.handler == Handler::Plain) {
         return Ok(());
     }
     let model = engine.model();
@@ -179,23 +180,22 @@ fn warn_of_plain(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> 
     let tied = model.multi_points.iter().find(|m| !m.is_identity());
     let tied = tied.map(|m| format!("the constraint of node {} to node {}", name(m.constrained), name(m.retained)));
     let Some(what) = moved.or(tied) else { return Ok(()) };
-    if interp.host.told.insert("plain", 1).is_some() {
-        return Ok(());
-    }
+    interp.host.told.insert("plain", 1);
     let message = format!("OpenSees' handler Plain leaves out {what}; here it is followed");
     warn(interp, Diagnostic::warning(message).at(span, "expected \"constraints Transformation\" before this"))
 }
 
 /// Warn, once, of laws that depend on time in an analysis whose steps are ruled by something else.
 fn warn_of_pseudo_time(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
+    if interp.host.told.contains_key("pseudo-time") {
+        return Ok(());
+    }
     let engine = &interp.host.engine;
     let Some(integrator) = engine.setup().map(|s| &s.integrator).filter(|i| !i.elapses()) else { return Ok(()) };
     let Some(e) = engine.model().elements.iter().find(|e| e.element.nature().elapses) else { return Ok(()) };
     let what = format!("{} {}", e.element.class(), e.tag);
     let name = integrator.name();
-    if interp.host.told.insert("pseudo-time", 1).is_some() {
-        return Ok(());
-    }
+    interp.host.told.insert("pseudo-time", 1);
     let message = format!("no time passes under {name}: the dashpots of {what} stay where they are");
     let d = Diagnostic::warning(message).at(span, "expected LoadControl, whose load factor is the time");
     warn(interp, d.help("an imposed displacement (sp) over a Path series goes at the rate of that path"))
@@ -217,14 +217,16 @@ fn told(failure: &Failure, span: Option<Span>) -> Diagnostic {
 /// nearly singular.
 fn tell_doubts(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
     let session = &mut interp.host;
-    let weak = session.engine.weak_pivot();
-    if let Some((place, ratio)) = weak.filter(|_| session.told.insert("pivot", 1).is_none()) {
+    let weak = if session.told.contains_key("pivot") { None } else { session.engine.weak_pivot() };
+    if let Some((place, ratio)) = weak {
+        session.told.insert("pivot", 1);
         let message =
             format!("the equations are nearly singular at {place}: {ratio:.1e} of the stiffness is left there");
         warn(interp, Diagnostic::warning(message).at(span, "few digits of the results are right"))?;
     }
     let session = &mut interp.host;
-    if let Some(i) = session.engine.imbalance.clone().filter(|_| session.told.insert("balance", 1).is_none()) {
+    let told = session.told.contains_key("balance");
+    if let Some(i) = session.engine.imbalance.as_ref().filter(|_| !told) {
         let message = format!(
             "a step counted as converged though the forces are out of balance: {:.1} % of the largest force \
              at time {} ({})",
@@ -232,6 +234,7 @@ fn tell_doubts(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
             i.time,
             i.place
         );
+        session.told.insert("balance", 1);
         warn(interp, Diagnostic::warning(message).at(span, "a tighter test, or one of the unbalance, shows it"))?;
     }
     Ok(())

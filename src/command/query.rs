@@ -199,6 +199,11 @@ fn element_of(interp: &Tcl, a: &mut Args<'_>) -> Result<ElementId, Exception> {
     id.ok_or_else(|| a.refuse(format!("there is no element {tag}"), "expected the tag of an element"))
 }
 
+fn evaluate(interp: &mut Tcl, id: ElementId, words: &[&str]) -> Option<Vec<f64>> {
+    let session = &mut interp.host;
+    ElementResponse::evaluate(&session.engine, id, words, &mut session.known)
+}
+
 fn ele_response(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, RESPONSE);
     let id = element_of(interp, &mut a)?;
@@ -206,7 +211,7 @@ fn ele_response(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let span = a.last_span();
     let words: Vec<_> = call.args()[1..].iter().map(Value::as_str).collect();
     let words: Vec<&str> = words.iter().map(AsRef::as_ref).collect();
-    match ElementResponse::evaluate(&interp.host.engine, id, &words) {
+    match evaluate(interp, id, &words) {
         Some(values) => Ok(list(&values)),
         None => Err(no_response(interp, &a, id, &words, span)),
     }
@@ -238,7 +243,7 @@ fn of_section(interp: &mut Tcl, call: &Call<'_>, what: &str) -> Outcome {
     let id = element_of(interp, &mut a)?;
     let number = a.count("number of the section")?.to_string();
     let words = ["section", number.as_str(), what];
-    let Some(values) = ElementResponse::evaluate(&interp.host.engine, id, &words) else {
+    let Some(values) = evaluate(interp, id, &words) else {
         return Err(a.refuse(format!("the element has no section {number}"), "expected a number from 1 on"));
     };
     pick(interp, &mut a, &values, "number of the value")
@@ -248,7 +253,7 @@ fn of_section(interp: &mut Tcl, call: &Call<'_>, what: &str) -> Outcome {
 fn along(interp: &mut Tcl, call: &Call<'_>, what: &str) -> Outcome {
     let mut a = Args::new(call, ALONG);
     let id = element_of(interp, &mut a)?;
-    let Some(values) = ElementResponse::evaluate(&interp.host.engine, id, &[what]) else {
+    let Some(values) = evaluate(interp, id, &[what]) else {
         return Err(a.refuse("the element has no sections along its length", "expected a beam with sections"));
     };
     pick(interp, &mut a, &values, "number of the section")
@@ -258,7 +263,7 @@ fn along(interp: &mut Tcl, call: &Call<'_>, what: &str) -> Outcome {
 fn named(interp: &mut Tcl, call: &Call<'_>, response: &str) -> Outcome {
     let mut a = Args::new(call, "eleForce $element <$dof>");
     let id = element_of(interp, &mut a)?;
-    match ElementResponse::evaluate(&interp.host.engine, id, &[response]) {
+    match evaluate(interp, id, &[response]) {
         Some(values) => pick(interp, &mut a, &values, "number of the column"),
         None => Err(no_response(interp, &a, id, &[response], call.span(0))),
     }

@@ -304,7 +304,7 @@ fn check_response(
     let ids: Vec<_> = tags.iter().filter_map(|t| model.element(*t)).collect();
     let list: Vec<&str> = words.iter().map(String::as_str).collect();
     let Some(first) = ids.first() else { return Ok(()) };
-    if ids.iter().any(|id| ElementResponse::evaluate(engine, *id, &list).is_some()) {
+    if ids.iter().any(|id| ElementResponse::is_known(engine, *id, &list)) {
         return Ok(());
     }
     let class = model.elements[first.0].element.class();

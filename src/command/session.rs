@@ -10,7 +10,7 @@ use crate::assembly::Handler;
 use crate::diagnostic::{Diagnostic, SourceMap, Span};
 use crate::io::number::Style;
 use crate::model::{Definitions, ElementId, NodeId, Tag};
-use crate::record::{Layout, Output, RecordError, Recorder};
+use crate::record::{Known, Layout, Output, RecordError, Recorder};
 use crate::section::Fiber;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -206,6 +206,8 @@ pub struct Session {
     pub(super) bench: Bench,
     /// Fibers of the section whose body is being run.
     pub(super) fibers: Option<Vec<Fiber>>,
+    /// Responses of elements that the script has asked for.
+    pub(super) known: Known,
     /// What `parameter` has named.
     pub(super) numbers: BTreeMap<Tag, Parameter>,
 }
@@ -240,6 +242,7 @@ impl Session {
             told: BTreeMap::new(),
             bench: Bench::default(),
             fibers: None,
+            known: Known::default(),
             numbers: BTreeMap::new(),
         }
     }
@@ -274,6 +277,7 @@ impl Session {
         self.definitions = Definitions::default();
         self.bench = Bench::default();
         self.numbers.clear();
+        self.known = Known::default();
         (self.ndm, self.ndf, self.pattern) = (0, 0, None);
         self.parts = Parts::default();
         self.regions.clear();

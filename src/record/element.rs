@@ -19,6 +19,44 @@ pub struct ElementResponse {
     disp: Vec<f64>,
 }
 
+/// Responses that have been asked for by name, since loops ask for the same ones again and again.
+#[derive(Debug, Default)]
+pub struct Known {
+    /// Of the model that they belong to.
+    revision: u64,
+    found: Vec<KnownResponse>,
+}
+
+#[derive(Debug)]
+struct KnownResponse {
+    element: ElementId,
+    words: Vec<String>,
+    path: Vec<u32>,
+    columns: usize,
+}
+
+impl Known {
+    /// Largest number of responses that are remembered.
+    const MOST: usize = 64;
+
+    fn find(&mut self, engine: &Engine, id: ElementId, words: &[&str]) -> Option<&KnownResponse> {
+        if self.revision != engine.model().revision() || self.found.len() > Self::MOST {
+            self.found.clear();
+            self.revision = engine.model().revision();
+        }
+        let at = match self.found.iter().position(|known| known.element == id && known.words == words) {
+            Some(at) => at,
+            None => {
+                let probe = engine.model().elements[id.0].element.probe(words)?;
+                let (columns, words) = (probe.len(), words.iter().map(|w| (*w).to_owned()).collect());
+                self.found.push(KnownResponse { element: id, words, path: probe.path, columns });
+                self.found.len() - 1
+            }
+        };
+        self.found.get(at)
+    }
+}
+
 #[derive(Debug)]
 enum Answer {
     /// The global force.
@@ -60,13 +98,24 @@ impl ElementResponse {
         FORCE[..4].iter().copied().chain(own.iter().copied())
     }
 
+    /// Whether an element has a response of that name.
+    pub fn is_known(engine: &Engine, id: ElementId, words: &[&str]) -> bool {
+        words.first().is_some_and(|w| FORCE.contains(w)) || engine.model().elements[id.0].element.probe(words).is_some()
+    }
+
     /// Value of the response of one element in the committed state; `None` where it has none of that name.
-    pub fn evaluate(engine: &Engine, id: ElementId, words: &[&str]) -> Option<Vec<f64>> {
-        let words = words.iter().map(|w| (*w).to_owned()).collect();
-        let mut response = Self::new(None, words, vec![]);
-        let answer = response.answer(engine, id)?;
-        response.read(engine, id, &answer);
-        Some(response.values)
+    pub fn evaluate(engine: &Engine, id: ElementId, words: &[&str], known: &mut Known) -> Option<Vec<f64>> {
+        let mut values = vec![];
+        if words.first().is_some_and(|w| FORCE.contains(w)) {
+            engine.element_force(id, &mut values);
+            return Some(values);
+        }
+        let KnownResponse { path, columns, .. } = known.find(engine, id, words)?;
+        let mut disp = vec![];
+        let snapshot = engine.snapshot(id, &mut disp);
+        values.resize(*columns, 0.0);
+        engine.model().elements[id.0].element.read(path, &snapshot, &mut values);
+        Some(values)
     }
 
     fn read(&mut self, engine: &Engine, id: ElementId, answer: &Answer) {

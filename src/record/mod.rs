@@ -18,7 +18,7 @@ use output::{TIME, TIME_OUTPUT};
 use std::fmt;
 
 pub use drift::Drift;
-pub use element::ElementResponse;
+pub use element::{ElementResponse, Known};
 pub use envelope::Envelope;
 pub use file::RowFile;
 pub use node::{NodeQuantity, NodeResponse};

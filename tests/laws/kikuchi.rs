@@ -321,13 +321,17 @@ fn tangent_turns_negative_where_koh_and_kelly_predict() {
     let load = 0.25 * critical_load();
     let layout = parameters(elastic(1.0), elastic(1.0)).layout;
     let section = NormalSprings::new(normal.clone(), &layout, 0.5 * RUBBER, 0);
+    let mut virgin = vec![0.0; section.state_len()];
+    section.init(&mut virgin);
+    let respond =
+        |x: f64, tilt: f64| section.respond(&virgin, [x, tilt, 0.0], [0.0; 3], 0.0, &mut virgin.clone()).unwrap();
     let moment = |tilt: f64| {
         let mut x = -load * 0.5 * RUBBER / (MODULUS * SIZE * SIZE);
         for _ in 0..60 {
-            let s = section.respond(&[], [x, tilt, 0.0], [0.0; 3], 0.0, &mut []).unwrap();
+            let s = respond(x, tilt);
             x -= (s.force[0] + load) / s.stiffness[0][0];
         }
-        section.respond(&[], [x, tilt, 0.0], [0.0; 3], 0.0, &mut []).unwrap().force[1]
+        respond(x, tilt).force[1]
     };
     // The mechanism of links and springs, from tilt to tilt.
     let at = |tilt: f64| {
