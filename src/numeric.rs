@@ -43,49 +43,64 @@ pub fn norm(a: &[f64]) -> f64 {
     dot(a, a).sqrt()
 }
 
-/// A row of `N` numbers of which few are not zero.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SparseRow<const N: usize> {
-    len: usize,
-    at: [usize; N],
-    value: [f64; N],
+/// A matrix of `R` rows and `C` columns of which few entries are not zero, row by row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SparseMatrix<const R: usize, const C: usize> {
+    entries: Vec<Entry>,
+    /// Where each row ends.
+    ends: [usize; R],
 }
 
-impl<const N: usize> SparseRow<N> {
-    /// From all numbers.
-    pub fn new(row: [f64; N]) -> Self {
-        let mut sparse = Self { len: 0, at: [0; N], value: [0.0; N] };
-        for (at, value) in row.into_iter().enumerate().filter(|(_, v)| *v != 0.0) {
-            (sparse.at[sparse.len], sparse.value[sparse.len]) = (at, value);
-            sparse.len += 1;
+/// An entry of a [`SparseMatrix`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Entry {
+    /// Row.
+    pub row: usize,
+    /// Column.
+    pub column: usize,
+    /// Value.
+    pub value: f64,
+}
+
+impl<const R: usize, const C: usize> SparseMatrix<R, C> {
+    /// From all entries.
+    pub fn new(rows: &[[f64; C]; R]) -> Self {
+        let (mut entries, mut ends) = (vec![], [0; R]);
+        for ((row, numbers), end) in rows.iter().enumerate().zip(&mut ends) {
+            let some = numbers.iter().enumerate().filter(|(_, v)| **v != 0.0);
+            entries.extend(some.map(|(column, &value)| Entry { row, column, value }));
+            *end = entries.len();
         }
-        sparse
+        Self { entries, ends }
     }
 
-    /// Whether all are zero.
-    #[inline]
-    pub fn is_empty(&self) -> bool {
-        self.len == 0
+    /// Transposed.
+    pub fn transposed(&self) -> SparseMatrix<C, R> {
+        let mut columns = [[0.0; R]; C];
+        self.entries.iter().for_each(|e| columns[e.column][e.row] = e.value);
+        SparseMatrix::new(&columns)
     }
 
-    /// Places and values of those that are not zero.
+    /// The entries of a row that are not zero.
     #[inline]
-    pub fn entries(&self) -> impl Iterator<Item = (usize, f64)> {
-        self.at.iter().zip(&self.value).take(self.len).map(|(&at, &value)| (at, value))
+    pub fn row(&self, row: usize) -> &[Entry] {
+        let start = if row == 0 { 0 } else { self.ends[row - 1] };
+        &self.entries[start..self.ends[row]]
     }
 
-    /// Scalar product with a vector of at least `N` numbers.
+    /// Product with a vector of at least `C` numbers.
     #[inline]
-    pub fn dot(&self, x: &[f64]) -> f64 {
-        let x = &x[..N];
-        self.entries().map(|(at, value)| value * x[at]).sum()
+    pub fn times(&self, x: &[f64]) -> [f64; R] {
+        let (x, mut y) = (&x[..C], [0.0; R]);
+        self.entries.iter().for_each(|e| y[e.row] += e.value * x[e.column]);
+        y
     }
 
-    /// y += c times the row, for a vector of at least `N` numbers.
+    /// Add the product of the transposed matrix with a vector to `y`, of at least `C` numbers.
     #[inline]
-    pub fn add_to(&self, c: f64, y: &mut [f64]) {
-        let y = &mut y[..N];
-        self.entries().for_each(|(at, value)| y[at] += c * value);
+    pub fn add_transposed(&self, x: &[f64; R], y: &mut [f64]) {
+        let y = &mut y[..C];
+        self.entries.iter().for_each(|e| y[e.column] += e.value * x[e.row]);
     }
 }
 

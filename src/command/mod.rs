@@ -27,6 +27,7 @@ mod modal_damping;
 mod modal_properties;
 mod model;
 mod motion_file;
+mod number_files;
 mod parameter;
 mod print;
 mod query;
@@ -43,6 +44,7 @@ use crate::script::{Call, Exception, Interp, Value};
 use args::Args;
 
 pub use check::Findings;
+pub use number_files::NumberFiles;
 pub use session::{FileFormat, Mode, OnWarning, Outputs, Progress, Session};
 
 /// The interpreter that the commands run in.

@@ -234,16 +234,20 @@ fn file(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Vec<f64>, Exception> {
     let span = a.last_span();
     let text = super::read_text(interp, &name)
         .map_err(|e| a.refuse(format!("cannot read \"{name}\": {e}"), "expected a file"))?;
+    if let Some(values) = interp.host.number_files.find(&name, &text) {
+        return Ok(values);
+    }
     let mut out = vec![];
     for word in text.split_ascii_whitespace() {
         match word.parse::<f64>() {
             Ok(x) if x.is_finite() => out.push(x),
             _ => {
                 not_a_number(interp, &name, &text, word, out.len(), span)?;
-                break;
+                return Ok(out);
             }
         }
     }
+    interp.host.number_files.remember(&name, &text, &out);
     Ok(out)
 }
 

@@ -2,6 +2,7 @@
 
 use super::check::Findings;
 use super::material::Bench;
+use super::number_files::NumberFiles;
 use super::parameter::Parameter;
 use crate::analysis::algorithm::Algorithm;
 use crate::analysis::integrator::Integrator;
@@ -206,6 +207,8 @@ pub struct Session {
     pub(super) bench: Bench,
     /// Fibers of the section whose body is being run.
     pub(super) fibers: Option<Vec<Fiber>>,
+    /// Files of numbers that runs of the script have read.
+    pub number_files: NumberFiles,
     /// Responses of elements that the script has asked for.
     pub(super) known: Known,
     /// What `parameter` has named.
@@ -242,6 +245,7 @@ impl Session {
             told: BTreeMap::new(),
             bench: Bench::default(),
             fibers: None,
+            number_files: NumberFiles::default(),
             known: Known::default(),
             numbers: BTreeMap::new(),
         }

@@ -6,7 +6,7 @@ use super::run::{Role, Setting};
 use super::simulator::{Mishap, Simulator};
 use super::trace::{Trace, TraceOutput, Unobserved};
 use crate::analysis::{Cause, Engine, Failure, Options};
-use crate::command::{FileFormat, Mode, Outputs, Progress};
+use crate::command::{FileFormat, Mode, NumberFiles, Outputs, Progress};
 use crate::diagnostic::{Diagnostic, SourceMap, nearest};
 use crate::record::{Output, RecordError};
 use crate::run::{End, Run, Settings};
@@ -63,6 +63,7 @@ pub struct ScriptSimulator {
     options: Options,
     limits: Vec<Limits>,
     contents: Contents,
+    numbers: NumberFiles,
     stop: Arc<AtomicBool>,
     /// For each run, the outputs that it observes.
     outputs: Vec<Vec<(String, TraceOutput)>>,
@@ -75,6 +76,7 @@ pub struct Blueprint {
     options: Options,
     limits: Vec<Limits>,
     contents: Contents,
+    numbers: NumberFiles,
     stop: Arc<AtomicBool>,
 }
 
@@ -83,13 +85,14 @@ impl Blueprint {
     pub fn simulator_of(&self, study: Arc<Study>, text: &str) -> ScriptSimulator {
         let contents = self.contents.with(&study.absolute(&study.model), text);
         let fresh = ScriptSimulator::new(study, self.options.clone(), self.stop.clone());
-        ScriptSimulator { limits: self.limits.clone(), contents, ..fresh }
+        ScriptSimulator { limits: self.limits.clone(), contents, numbers: self.numbers.clone(), ..fresh }
     }
 
     /// A simulator.
     pub fn simulator(&self) -> ScriptSimulator {
         let fresh = ScriptSimulator::new(self.study.clone(), self.options.clone(), self.stop.clone());
-        ScriptSimulator { limits: self.limits.clone(), contents: self.contents.clone(), ..fresh }
+        let (contents, numbers) = (self.contents.clone(), self.numbers.clone());
+        ScriptSimulator { limits: self.limits.clone(), contents, numbers, ..fresh }
     }
 }
 
@@ -165,7 +168,8 @@ impl ScriptSimulator {
             r.observe.iter().map(|o| (path(&o.output), all.entry(path(&o.output)).or_default().clone())).collect()
         });
         let limits = vec![Limits::UNKNOWN; study.runs.len()];
-        Self { outputs: outputs.collect(), study, options, limits, contents: Contents::default(), stop }
+        let (contents, numbers) = (Contents::default(), NumberFiles::default());
+        Self { outputs: outputs.collect(), study, options, limits, contents, numbers, stop }
     }
 
     /// What others of the same study are made from, in other threads; they share the files that were read.
@@ -175,6 +179,7 @@ impl ScriptSimulator {
             options: self.options.clone(),
             limits: self.limits.clone(),
             contents: self.contents.clone(),
+            numbers: self.numbers.clone(),
             stop: self.stop.clone(),
         }
     }
@@ -201,6 +206,7 @@ impl ScriptSimulator {
         let limits = self.limits[run];
         let cut = script.interp.interrupt.clone();
         script.interp.host.tell(Box::new(Watch { cut, stop: self.stop.clone(), steps: 0, limits, begun }));
+        script.interp.host.number_files = self.numbers.clone();
         script.interp.budget = Some(limits.commands);
         if let Some(values) = values {
             let named = self.study.space.parameters.iter().zip(values);

@@ -1,7 +1,7 @@
 //! Kinematics of two-node bearings: basic deformations, and the P-Delta moments of the axial force.
 
 use crate::element::{BasicRow, Rows, dot};
-use crate::numeric::SparseRow;
+use crate::numeric::SparseMatrix;
 use nalgebra::Matrix3;
 
 /// Linear kinematics of a two-node bearing with `N` degrees of freedom and `B` basic deformations.
@@ -16,10 +16,11 @@ pub struct Link<const N: usize, const B: usize> {
     pub basic: [[f64; N]; B],
     /// Local displacements from global ones.
     pub local: [[f64; N]; N],
-    /// Rows of `basic`. Axes are mostly those of the building, and few entries are not zero.
-    rows: [SparseRow<N>; B],
+    /// `basic`, and transposed. Axes are mostly those of the building, and few entries are not zero.
+    rows: SparseMatrix<B, N>,
+    columns: SparseMatrix<N, B>,
     /// Forces in global axes per unit of axial force and displacement.
-    p_delta: [SparseRow<N>; N],
+    p_delta: SparseMatrix<N, N>,
 }
 
 impl<const N: usize, const B: usize> Link<N, B> {
@@ -88,7 +89,8 @@ impl<const N: usize, const B: usize> Link<N, B> {
                 }
             }
         }
-        Self { basic, local, rows: basic.map(SparseRow::new), p_delta: p_delta.map(SparseRow::new) }
+        let rows = SparseMatrix::new(&basic);
+        Self { basic, local, columns: rows.transposed(), rows, p_delta: SparseMatrix::new(&p_delta) }
     }
 
     /// Without P-Delta moments.
@@ -100,23 +102,19 @@ impl<const N: usize, const B: usize> Link<N, B> {
     /// Basic deformations of global displacements (or their rates).
     #[inline]
     pub fn deformation(&self, disp: &[f64]) -> [f64; B] {
-        let mut u = [0.0; B];
-        u.iter_mut().zip(&self.rows).for_each(|(u, row)| *u = row.dot(disp));
-        u
+        self.rows.times(disp)
     }
 
     /// Add the global forces of basic forces `q` without P-Delta moments.
     #[inline]
     pub fn add_basic_force(&self, q: &[f64; B], force: &mut [f64]) {
-        self.rows.iter().zip(q).for_each(|(row, &qi)| row.add_to(qi, force));
+        self.rows.add_transposed(q, force);
     }
 
     /// Add the global forces of basic forces `q`, P-Delta moments included.
     pub fn add_force(&self, q: &[f64; B], disp: &[f64], force: &mut [f64]) {
         self.add_basic_force(q, force);
-        for (f, row) in force.iter_mut().zip(&self.p_delta) {
-            *f += q[0] * row.dot(disp);
-        }
+        force.iter_mut().zip(self.p_delta.times(disp)).for_each(|(f, lever)| *f += q[0] * lever);
     }
 
     /// Add rows of the consistent tangent of [`Link::add_force`] for the basic stiffness `k`.
@@ -125,10 +123,13 @@ impl<const N: usize, const B: usize> Link<N, B> {
         // The moments grow with the axial force too.
         let mut axial = [0.0; N];
         self.add_basic_force(&k[0], &mut axial);
-        let wanted = tangent.chunks_exact_mut(N).zip(&self.p_delta).enumerate().filter(|(i, _)| rows.has(*i));
-        for (_, (to, row)) in wanted.filter(|(_, (_, row))| !row.is_empty()) {
-            row.add_to(q[0], to);
-            let lever = row.dot(disp);
+        for (i, to) in tangent.chunks_exact_mut(N).enumerate().filter(|(i, _)| rows.has(*i)) {
+            let row = self.p_delta.row(i);
+            if row.is_empty() {
+                continue;
+            }
+            row.iter().for_each(|e| to[e.column] += q[0] * e.value);
+            let lever: f64 = row.iter().map(|e| e.value * disp[e.column]).sum();
             to.iter_mut().zip(&axial).for_each(|(t, a)| *t += lever * a);
         }
     }
@@ -140,18 +141,13 @@ impl<const N: usize, const B: usize> Link<N, B> {
 
     /// Add rows of Aᵀ k A for a basic matrix `k`.
     pub fn add_basic_rows(&self, k: &[[f64; B]; B], tangent: &mut [f64], rows: Rows) {
-        for (row, k) in self.rows.iter().zip(k) {
-            if !row.entries().any(|(i, _)| rows.has(i)) {
-                continue;
+        for (i, to) in tangent.chunks_exact_mut(N).enumerate().filter(|(i, _)| rows.has(*i)) {
+            // Derivative of the force at i by the basic deformations.
+            let mut by_basic = [0.0; B];
+            for e in self.columns.row(i) {
+                by_basic.iter_mut().zip(&k[e.column]).for_each(|(by, k)| *by += e.value * k);
             }
-            let mut by_disp = [0.0; N];
-            for (other, &k) in self.rows.iter().zip(k).filter(|(_, k)| **k != 0.0) {
-                other.add_to(k, &mut by_disp);
-            }
-            for (i, share) in row.entries().filter(|(i, _)| rows.has(*i)) {
-                let to = &mut tangent[i * N..(i + 1) * N];
-                to.iter_mut().zip(&by_disp).for_each(|(t, k)| *t += share * k);
-            }
+            self.rows.add_transposed(&by_basic, to);
         }
     }
 

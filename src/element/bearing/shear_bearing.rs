@@ -42,11 +42,13 @@ impl<L: ShearLaw<S>, const N: usize, const B: usize, const M: usize, const S: us
         self.materials.iter().enumerate().map(|(i, m)| (if i == 0 { 0 } else { i + S }, m))
     }
 
-    fn add_shear(s: &Shear<S>, q: &mut [f64; B], k: &mut [[f64; B]; B]) {
-        q[1..=S].copy_from_slice(&s.q);
-        for (row, k) in k[1..=S].iter_mut().zip(&s.k) {
+    /// Stiffnesses of the materials, and of the shear law between them.
+    fn basic_stiffness(materials: [f64; B], shear: &Shear<S>) -> [[f64; B]; B] {
+        let mut k = diagonal(materials);
+        for (row, k) in k[1..=S].iter_mut().zip(&shear.k) {
             row[1..=S].copy_from_slice(k);
         }
+        k
     }
 }
 
@@ -83,36 +85,38 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
         // Nothing has a velocity in a static analysis.
         let still = motion.vel.iter().all(|v| *v == 0.0);
         let rate = if still { [0.0; B] } else { self.link.deformation(motion.vel) };
-        let (mut q, mut k, mut c) = ([0.0; B], [[0.0; B]; B], [[0.0; B]; B]);
+        // Of the materials; shear in between.
+        let (mut q, mut stiffness, mut viscosity) = ([0.0; B], [0.0; B], [0.0; B]);
         for (i, slot) in self.springs() {
             let s = slot.update(committed, Strain { value: u[i], rate: rate[i], dt: motion.dt }, trial)?;
-            (q[i], k[i][i], c[i][i]) = (s.value, s.tangent, s.damping);
+            (q[i], stiffness[i], viscosity[i]) = (s.value, s.tangent, s.damping);
         }
         let mut shear = self.law.step(&Shear::read(committed), std::array::from_fn(|i| u[1 + i]))?;
         let dashpot = self.law.dashpot();
         for i in 0..S {
             shear.q[i] += dashpot * rate[1 + i];
-            c[1 + i][1 + i] = dashpot;
+            viscosity[1 + i] = dashpot;
         }
         shear.write(trial);
-        Self::add_shear(&shear, &mut q, &mut k);
+        q[1..=S].copy_from_slice(&shear.q);
         self.link.add_force(&q, motion.disp, answer.force);
         if let Some(tangent) = answer.tangent {
+            let k = Self::basic_stiffness(stiffness, &shear);
             self.link.add_tangent(&k, &q, motion.disp, tangent, answer.rows);
         }
         if let Some(damping) = answer.damping {
+            let c = diagonal(viscosity);
             self.link.add_basic_rows(&c, damping, answer.rows);
         }
         Ok(())
     }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {
-        let (mut q, mut k) = ([0.0; B], [[0.0; B]; B]);
+        let mut stiffness = [0.0; B];
         for (i, slot) in self.springs() {
-            k[i][i] = slot.material.initial_tangent();
+            stiffness[i] = slot.material.initial_tangent();
         }
-        Self::add_shear(&self.law.virgin(), &mut q, &mut k);
-        self.link.add_basic(&k, tangent);
+        self.link.add_basic(&Self::basic_stiffness(stiffness, &self.law.virgin()), tangent);
     }
 
     fn mass(&self) -> Mass {
@@ -158,6 +162,12 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
             _ => self.materials[path[1] as usize].read(&path[2..], s.state, out),
         }
     }
+}
+
+fn diagonal<const B: usize>(values: [f64; B]) -> [[f64; B]; B] {
+    let mut matrix = [[0.0; B]; B];
+    (0..B).for_each(|i| matrix[i][i] = values[i]);
+    matrix
 }
 
 /// Half of the mass at each end, translations only.

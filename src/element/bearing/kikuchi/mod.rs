@@ -24,7 +24,7 @@ use super::shear_bearing::end_masses;
 use super::shear_springs::{Factors, ShearSprings};
 use crate::element::{Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
 use crate::material::{Material, MaterialError};
-use crate::numeric::SparseRow;
+use crate::numeric::SparseMatrix;
 use crate::probe::Probe;
 use crate::words::Words;
 use nalgebra::Matrix3;
@@ -94,7 +94,7 @@ pub struct KikuchiBearing {
     shares: Option<[f64; 2]>,
     link: Link<12, 6>,
     /// Local displacements of the ends from global ones, row by row.
-    turn: [SparseRow<OUTER>; OUTER],
+    turn: SparseMatrix<OUTER, OUTER>,
     /// Displacements of the ends in local axes at which the springs are at rest.
     start: [f64; OUTER],
     mass: f64,
@@ -154,7 +154,7 @@ impl KikuchiBearing {
             arm: 0.25 * p.size,
             axial_rigidity: e.abs() * area,
             shares: p.p_delta.then_some(p.shares),
-            turn: link.local.map(SparseRow::new),
+            turn: SparseMatrix::new(&link.local),
             link,
             start,
             mass: p.mass,
@@ -175,7 +175,8 @@ impl KikuchiBearing {
 
     /// Displacements of the ends in local axes, from where the springs are at rest.
     fn outer(&self, disp: &[f64]) -> [f64; OUTER] {
-        std::array::from_fn(|i| self.turn[i].dot(disp) - self.start[i])
+        let local = self.turn.times(disp);
+        std::array::from_fn(|i| local[i] - self.start[i])
     }
 
     /// Displacement of j over i, in shear.
@@ -222,19 +223,19 @@ impl KikuchiBearing {
 
     /// Add a local stiffness by rows to a global one.
     fn add_global(&self, local: &[[f64; OUTER]; OUTER], global: &mut [f64]) {
-        for (row, k) in self.turn.iter().zip(local) {
+        for (i, k) in local.iter().enumerate() {
             let mut turned = [0.0; OUTER];
-            self.turn.iter().zip(k).for_each(|(column, &k)| column.add_to(k, &mut turned));
-            for (i, share) in row.entries() {
-                let to = &mut global[i * OUTER..(i + 1) * OUTER];
-                to.iter_mut().zip(&turned).for_each(|(k, turned)| *k += share * turned);
+            self.turn.add_transposed(k, &mut turned);
+            for e in self.turn.row(i) {
+                let to = &mut global[e.column * OUTER..(e.column + 1) * OUTER];
+                to.iter_mut().zip(&turned).for_each(|(k, turned)| *k += e.value * turned);
             }
         }
     }
 
     /// Global forces of local ones.
     fn add_force(&self, local: &[f64; OUTER], global: &mut [f64]) {
-        self.turn.iter().zip(local).for_each(|(row, &f)| row.add_to(f, global));
+        self.turn.add_transposed(local, global);
     }
 }
 
