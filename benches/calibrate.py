@@ -3,8 +3,8 @@
 
     benches/calibrate.py [--evaluations N] [BEARING ...]
 
-Bearings: plane (elastomericBearingBoucWen in the plane), boucwen (the same element in space) and hdr (HDR in space), on a path of
-growing amplitude, in space under constant axial load. Three parameters of each are sought with 1800 steps an evaluation, N = 50,
+Bearings: plane (elastomericBearingBoucWen in the plane), boucwen (the same element in space), hdr (HDR in space) and kikuchi
+(KikuchiBearing with 8 shear and twice 30x30 normal springs), on a path of growing amplitude, in space under constant axial load. Three parameters of each are sought with 1800 steps an evaluation, N = 50,
 P = 150, F = 0.8, CR = 0.5. hysteron makes all 7550 evaluations, on one core and on all that it may use. openseespy makes N of them
 (150) in process, the same evolution in Python, and its time for all is worked out from these. Times are of the processor.
 It needs openseespy and numpy in the interpreter that runs it.
@@ -31,6 +31,7 @@ BEARINGS = {
     "plane": ([("kInit", 900.0, 2600.0, 1820.0), ("qd", 8.0, 16.0, 13.1), ("alpha", 0.15, 0.4, 0.282)], 0.004, 3),
     "boucwen": ([("kInit", 2e6, 8e6, 5e6), ("qd", 4e4, 1.2e5, 8e4), ("alpha", 0.05, 0.3, 0.1)], 0.02, 6),
     "hdr": ([("a1", 5e5, 2e6, 1.1e6), ("b1", 5e3, 4e4, 1.8e4), ("b2", 1e5, 8e5, 4e5)], 0.02, 6),
+    "kikuchi": ([("cg", 0.7, 1.4, 1.0), ("ch", 0.7, 1.4, 1.0), ("cu", 0.7, 1.4, 1.0)], 0.02, 6),
 }
 
 
@@ -60,6 +61,13 @@ def commands(bearing, p, path):
         if bearing == "boucwen":
             law = ["elastomericBearingBoucWen", 1, 1, 2, *p, 0.0, 3.0, 1.0, 0.5, 0.5]
             law += ["-P", 1, "-T", 1, "-My", 1, "-Mz", 1, "-orient", 0, 0, 1, 1, 0, 0]
+        elif bearing == "kikuchi":
+            script += [
+                ["uniaxialMaterial", "KikuchiAikenHDR", 2, "X0.6", 0.36, 0.15, "-coGHU", *p],
+                ["uniaxialMaterial", "AxialSp", 3, 1.2e9, 1.0e6, -100.0e6, 1.0, 0.01, 0.5, 0.0],
+            ]
+            law = ["KikuchiBearing", 1, 1, 2, "-shape", "square", "-size", 0.60, 0.15, "-totalHeight", 0.3, "-nMSS", 8, "-matMSS", 2]
+            law += ["-limDisp", 0.0015, "-nMNS", 30, "-matMNS", 3, "-lambda", 1.7]
         else:
             a1, b1, b2 = p
             law = ["HDR", 1, 1, 2, 0.45e6, 2.0e9, 0.15, 0.60, 0.003, 0.006, 28, a1, -6.0e6, 9.0e7, b1, b2, 60.0]

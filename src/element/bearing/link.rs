@@ -120,14 +120,15 @@ impl<const N: usize, const B: usize> Link<N, B> {
     /// Add rows of the consistent tangent of [`Link::add_force`] for the basic stiffness `k`.
     pub fn add_tangent(&self, k: &[[f64; B]; B], q: &[f64; B], disp: &[f64], tangent: &mut [f64], rows: Rows) {
         self.add_basic_rows(k, tangent, rows);
+        let moments = |i: &usize| rows.has(*i) && !self.p_delta.row(*i).is_empty();
+        if !(0..N).any(|i| moments(&i)) {
+            return;
+        }
         // The moments grow with the axial force too.
         let mut axial = [0.0; N];
         self.add_basic_force(&k[0], &mut axial);
-        for (i, to) in tangent.chunks_exact_mut(N).enumerate().filter(|(i, _)| rows.has(*i)) {
+        for (i, to) in tangent.chunks_exact_mut(N).enumerate().filter(|(i, _)| moments(i)) {
             let row = self.p_delta.row(i);
-            if row.is_empty() {
-                continue;
-            }
             row.iter().for_each(|e| to[e.column] += q[0] * e.value);
             let lever: f64 = row.iter().map(|e| e.value * disp[e.column]).sum();
             to.iter_mut().zip(&axial).for_each(|(t, a)| *t += lever * a);
