@@ -95,7 +95,7 @@ impl<const N: usize, const B: usize> Link<N, B> {
 
     /// Without P-Delta moments.
     pub fn first_order(mut self) -> Self {
-        self.p_delta = [[0.0; N]; N].map(SparseRow::new);
+        self.p_delta = SparseMatrix::new(&[[0.0; N]; N]);
         self
     }
 
