@@ -63,12 +63,12 @@ def run(args):
             done = {int(row["seed"]) for row in csv.DictReader(f)}
     else:
         with open(args.csv, "w") as f:
-            csv.writer(f).writerow(score.FIELDS)
+            csv.writer(f, lineterminator="\n").writerow(score.FIELDS)
     jobs = [(seed, args) for seed in range(args.seed, args.seed + args.trials) if seed not in done]
     with workers(args.jobs) as spread:
         for n, row in enumerate(spread(one, jobs), 1):
             with open(args.csv, "a") as f:
-                csv.DictWriter(f, score.FIELDS).writerow(row)
+                csv.DictWriter(f, score.FIELDS, lineterminator="\n").writerow(row)
             print(f"{n}/{len(jobs)} {row['seed']}: {row['kinds'] or row['cause']} ({row['effect_over_noise']}) -> "
                   f"{row['verdict']} {row['verdict_also']} {row['confidence']} {row['status']} {row['cpu_s']} s", flush=True)
 

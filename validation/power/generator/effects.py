@@ -221,8 +221,8 @@ class Buckling(Effect):
 
     def draw(self, rng):
         self.kind = rng.choice(("haringx", "overlap"))
-        self.Pcr = self.scale.Pmax / (0.85 * math.sqrt(max(self.s, 1e-9)))
-        self.width = rng.uniform(3.0, 5.0) * self.scale.U
+        self.Pcr = self.scale.Pmax / (0.6 * math.sqrt(max(self.s, 1e-9)))
+        self.width = rng.uniform(4.0, 6.0) * self.scale.U
         self.part = rng.uniform(0.3, 0.6)
 
     def factor(self, P, u):
