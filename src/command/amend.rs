@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 pub(super) const COMMANDS: &[Command] = &[Command { name: "amend", usage: USAGE, run: amend }];
 
-const USAGE: &str = "amend element $tag <$tag ...> $kind -option $value ... <-dir $dir1 <$dir2>> <-share $k $elastic> | \
+const USAGE: &str = "amend element $tag <$tag ...> $kind -option $value ... <-dir $dir1 <$dir2>> <-share $k $elastic <$rest>> | \
                      amend element $tag node $old $new";
 
 /// What a number of an option must be.
@@ -302,8 +302,11 @@ impl Words {
                     }
                 }
                 "-share" => {
-                    let stiffness = a.not_negative("stiffness of the elastic part")?;
-                    share = Share { stiffness, elastic: a.float("measure in which it acts on the elastic part")? };
+                    share.stiffness = a.not_negative("stiffness of the elastic part")?;
+                    share.elastic = a.float("measure in which it acts on the elastic part")?;
+                    if a.at_number() {
+                        share.hysteretic = a.float("measure in which it acts on the rest")?;
+                    }
                 }
                 word => {
                     let Some(o) = kind.options.iter().find(|o| o.name == word) else {

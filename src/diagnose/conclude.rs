@@ -1,16 +1,16 @@
 //! From the explanations that were weighed to the verdict, the repaired model and the words.
 
 use super::evidence::{INDEPENDENT, probabilities};
-use super::fitting::Samples;
 use super::hypothesis;
 use super::insertion::Place;
 use super::locate::{regime, windows};
 use super::noise::power;
 use super::outcome::{Baseline, Candidate, Corrected, Mismatch, Outcome, Verdict};
-use super::pipeline::{Diagnosis, Explained, LAST, Weighed, Work};
+use super::pipeline::{Diagnosis, Weighed};
 use super::repair;
 use super::scale::Scales;
 use super::structure::structure;
+use super::work::{Explained, LAST, Work};
 use crate::study::{Fit, Opening, Role, ScriptSimulator, Study, fit};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -35,17 +35,19 @@ pub(super) fn conclude(
     work: &mut Work<'_>,
     c: &Context<'_>,
     baseline: &Explained,
-    best: Explained,
-    mut also: Vec<&'static str>,
     weighed: Vec<Explained>,
 ) -> Result<Diagnosis, String> {
     let study = c.study;
+    let best = weighed[0].clone();
     let evidence_of_none = weighed.iter().find(|e| e.cause() == "none").map_or(f64::NEG_INFINITY, |e| e.evidence);
-    let mut causes: Vec<(&'static str, f64)> = weighed.iter().map(|e| (e.cause(), e.evidence)).collect();
-    let cause = best.cause();
-    if let Some(own) = causes.iter_mut().find(|(n, _)| *n == cause) {
-        own.1 = own.1.max(best.evidence);
+    // The best of each cause, alone or beside a second one, speaks for it.
+    let mut causes: Vec<(&'static str, f64)> = vec![];
+    for e in &weighed {
+        if causes.iter().all(|(cause, _)| *cause != e.cause()) {
+            causes.push((e.cause(), e.evidence));
+        }
     }
+    let cause = best.cause();
     // What the best explanation has explained of what there was to explain, and what structure it leaves.
     let (left, signature) = structure(study, c.scales, &best.fitted.fits);
     let (before, after) = (misfit(study, &baseline.fitted.fits), misfit(study, &best.fitted.fits));
@@ -59,15 +61,11 @@ pub(super) fn conclude(
     causes.sort_by(|a, b| b.1.total_cmp(&a.1));
     let p = probabilities(&causes.iter().map(|c| c.1).collect::<Vec<_>>());
     let (verdict, confidence) = (causes[0].0, p[0]);
-    let chosen = if verdict == "none" || verdict == "unknown" {
-        also.clear();
-        baseline.clone()
-    } else {
-        best
-    };
+    let chosen = if verdict == "none" || verdict == "unknown" { baseline.clone() } else { best };
+    let also: Vec<&str> = chosen.second().into_iter().collect();
     // The last search, from where the chosen one stands.
-    let job = Work::job(&chosen.variant, chosen.fitted.point.clone(), LAST, Samples::All);
-    let refined = work.fit("the repaired model", vec![job])?.into_iter().flatten().find(|f| !f.fits.is_empty());
+    let job = Work::search(&chosen.variant, chosen.fitted.point.clone(), LAST);
+    let refined = work.fit("the repaired model", vec![job])?.pop().flatten();
     let fitted = refined.filter(|f| f.objective <= chosen.fitted.objective).unwrap_or_else(|| chosen.fitted.clone());
 
     let all_runs = |e: &Explained, values: &[f64]| -> Vec<Option<Fit>> {

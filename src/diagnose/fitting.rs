@@ -1,49 +1,58 @@
-//! Least squares of a variant, several variants side by side.
+//! What workers do with a variant: fit it, try points of it, see how far it predicts what it was not fitted to.
 
-use super::variant::Variant;
+use super::evidence::Residuals;
+use super::projection::Projection;
+use super::variant::{Variant, VariantSimulator};
 use crate::calibrate::{LevenbergMarquardt, Method, Trial};
-use crate::study::{Blueprint, Crew, Fit, Mishap, Role, Simulator, Study, fit};
+use crate::study::{Blueprint, Crew, Fit, Mishap, Role, Study, fit};
+use nalgebra::{DMatrix, DVector};
 use std::sync::Arc;
 
-/// Which samples are used: blocks of time, every other of which can be held back.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Samples {
-    /// All.
-    All,
-    /// All blocks but those of a number modulo the folds.
-    Without(usize),
-}
-
-/// Blocks of a run.
+/// Blocks of a run, each held back in one of the folds.
 const BLOCKS: usize = 8;
 /// Every block belongs to one of so many folds.
-pub(super) const FOLDS: usize = 2;
+const FOLDS: usize = 4;
+/// A search ends where an iteration gains less than this part of the objective.
+const ENOUGH: f64 = 1e-3;
+/// The same for the last search.
+const CLOSELY: f64 = 1e-6;
 
-impl Samples {
-    fn uses(self, t: usize, n: usize) -> bool {
-        match self {
-            Self::All => true,
-            Self::Without(fold) => (t * BLOCKS / n.max(1)) % FOLDS != fold,
-        }
-    }
-
-    /// The samples that it leaves out.
-    pub(super) fn holds_back(self, t: usize, n: usize) -> bool {
-        !self.uses(t, n)
-    }
+fn fold(t: usize, n: usize) -> usize {
+    (t * BLOCKS / n.max(1)) % FOLDS
 }
 
-/// A search to be made.
+/// A thing to be done with a variant.
 #[derive(Clone)]
 pub(super) struct Job {
-    /// What is fitted.
-    pub(super) variant: Arc<Variant>,
-    /// Where it starts, in the unit cube.
-    pub(super) start: Vec<f64>,
-    /// Most evaluations.
-    pub(super) budget: usize,
     /// What is looked at.
-    pub(super) samples: Samples,
+    pub(super) variant: Arc<Variant>,
+    /// What is done.
+    pub(super) task: Task,
+}
+
+/// What is done.
+#[derive(Clone)]
+pub(super) enum Task {
+    /// Least squares from a point of the unit cube, with at most so many evaluations.
+    Fit { start: Vec<f64>, budget: usize, closely: bool },
+    /// Which of some points comes nearest when the model's known parameters are allowed to follow.
+    Screen { points: Vec<Vec<f64>>, known: Arc<Projection> },
+    /// Derivatives at a point, for [`Task::Screen`].
+    Derive { point: Vec<f64> },
+    /// Residuals on samples that it was not fitted to.
+    HoldBack { point: Vec<f64> },
+}
+
+/// What came of it.
+pub(super) enum Answer {
+    /// Of [`Task::Fit`].
+    Fitted(Fitted),
+    /// Of [`Task::Screen`]: the objective to be expected, and where a search had best start.
+    Screened(Option<(f64, Vec<f64>)>),
+    /// Of [`Task::Derive`].
+    Derived(Option<Projection>),
+    /// Of [`Task::HoldBack`].
+    HeldBack(Option<Residuals>),
 }
 
 /// Where a search has come to.
@@ -53,68 +62,165 @@ pub(super) struct Fitted {
     pub(super) point: Vec<f64>,
     /// Values of all parameters there.
     pub(super) values: Vec<f64>,
-    /// Objective of the study over the samples looked at.
+    /// Objective of the study.
     pub(super) objective: f64,
     /// The fitted runs there, in their order; empty where the model has no answer.
     pub(super) fits: Vec<Fit>,
 }
 
-/// Work a job off.
-pub(super) fn work(blueprint: &Blueprint, job: &Job) -> Fitted {
-    let study = &job.variant.study;
-    let mut simulator = job.variant.simulator(blueprint);
-    let mut search = LevenbergMarquardt::new(&job.start, job.budget);
-    let mut best = (Trial::FAILED, job.start.clone());
-    loop {
-        let points = search.ask();
-        if points.is_empty() {
-            break;
+/// A variant with its simulator.
+struct Bed<'a> {
+    study: &'a Study,
+    simulator: VariantSimulator,
+}
+
+impl Bed<'_> {
+    fn runs(&self) -> impl Iterator<Item = usize> + use<'_> {
+        self.study.runs_of(Role::Fit).map(|(i, _)| i)
+    }
+
+    fn fits(&mut self, values: &[f64]) -> Result<Vec<Fit>, Mishap> {
+        let runs: Vec<usize> = self.runs().collect();
+        runs.into_iter().map(|r| fit(&mut self.simulator, self.study, r, values)).collect()
+    }
+
+    /// Weighted residuals, whose squares add up to the objective.
+    fn trial(&mut self, point: &[f64]) -> Trial {
+        let failed = Trial { score: Trial::FAILED, residuals: vec![] };
+        let Ok(values) = self.study.space.values(point) else { return failed };
+        let Ok(fits) = self.fits(&values) else { return failed };
+        let channels: usize = self.runs().map(|r| self.study.runs[r].observe.len()).sum();
+        let mut residuals = vec![];
+        for (r, f) in self.runs().zip(&fits) {
+            for (o, simulated) in self.study.runs[r].observe.iter().zip(&f.channels) {
+                let own: Vec<f64> =
+                    simulated.iter().zip(&o.values).map(|(y, v)| y - v).filter(|d| d.is_finite()).collect();
+                let scale = (o.weight / (own.len().max(1) as f64 * o.variance * channels as f64)).sqrt();
+                residuals.extend(own.iter().map(|d| scale * d));
+            }
         }
-        let trials: Vec<Trial> = points
-            .iter()
-            .map(|p| {
-                let trial = trial(&mut simulator, study, p, job.samples);
+        Trial { score: residuals.iter().map(|r| r * r).sum(), residuals }
+    }
+
+    fn search(&mut self, start: &[f64], budget: usize, closely: bool) -> Fitted {
+        let enough = if closely { CLOSELY } else { ENOUGH };
+        let mut search = LevenbergMarquardt::new(start, budget).one_by_one(enough);
+        let mut best = (Trial::FAILED, start.to_vec());
+        loop {
+            let points = search.ask();
+            if points.is_empty() {
+                break;
+            }
+            let trials: Vec<Trial> = points.iter().map(|p| self.trial(p)).collect();
+            for (p, trial) in points.iter().zip(&trials).filter(|(_, t)| t.score < Trial::FAILED) {
                 if trial.score < best.0 {
                     best = (trial.score, p.clone());
                 }
-                trial
-            })
-            .collect();
-        search.tell(&points, &trials);
-    }
-    let (objective, point) = best;
-    let values = study.space.values(&point).unwrap_or_default();
-    let runs = study.runs_of(Role::Fit).map(|(i, _)| i).collect::<Vec<_>>();
-    let fits: Result<Vec<Fit>, Mishap> = runs.iter().map(|r| fit(&mut simulator, study, *r, &values)).collect();
-    Fitted { point, values, objective, fits: fits.unwrap_or_default() }
-}
-
-/// What a point comes to.
-fn trial(simulator: &mut dyn Simulator, study: &Study, point: &[f64], samples: Samples) -> Trial {
-    let failed = Trial { score: Trial::FAILED, residuals: vec![] };
-    let Ok(values) = study.space.values(point) else { return failed };
-    let runs: Vec<usize> = study.runs_of(Role::Fit).map(|(i, _)| i).collect();
-    let channels: usize = runs.iter().map(|r| study.runs[*r].observe.len()).sum();
-    let mut residuals = vec![];
-    for r in runs {
-        let Ok(f) = fit(simulator, study, r, &values) else { return failed };
-        for (o, simulated) in study.runs[r].observe.iter().zip(&f.channels) {
-            let n = simulated.len();
-            let used: Vec<f64> = (0..n)
-                .filter(|t| samples.uses(*t, n))
-                .map(|t| simulated[t] - o.values[t])
-                .filter(|d| d.is_finite())
-                .collect();
-            let scale = (o.weight / (used.len().max(1) as f64 * o.variance * channels as f64)).sqrt();
-            residuals.extend(used.iter().map(|d| scale * d));
+            }
+            search.tell(&points, &trials);
         }
+        let (objective, point) = best;
+        let values = self.study.space.values(&point).unwrap_or_default();
+        let fits = self.fits(&values).unwrap_or_default();
+        Fitted { point, values, objective, fits }
     }
-    Trial { score: residuals.iter().map(|r| r * r).sum(), residuals }
+
+    /// Residual at a point and its derivatives by all coordinates; those of a coordinate without an answer are zero.
+    fn derivatives(&mut self, point: &[f64]) -> Option<(Vec<f64>, DMatrix<f64>)> {
+        let here = self.trial(point).residuals;
+        if here.is_empty() {
+            return None;
+        }
+        let mut j = DMatrix::zeros(here.len(), point.len());
+        for i in 0..point.len() {
+            let h = if point[i] > 0.5 { -LevenbergMarquardt::STEP } else { LevenbergMarquardt::STEP };
+            let mut p = point.to_vec();
+            p[i] += h;
+            let there = self.trial(&p).residuals;
+            if there.len() == here.len() {
+                j.column_mut(i).iter_mut().zip(there.iter().zip(&here)).for_each(|(d, (a, b))| *d = (a - b) / h);
+            }
+        }
+        Some((here, j))
+    }
+
+    fn screen(&mut self, points: &[Vec<f64>], known: &Projection) -> Option<(f64, Vec<f64>)> {
+        let mut best: Option<(f64, Vec<f64>)> = None;
+        for p in points {
+            let Some((score, start)) = known.follow(&self.trial(p).residuals, p) else { continue };
+            if best.as_ref().is_none_or(|b| score < b.0) {
+                best = Some((score, start));
+            }
+        }
+        best
+    }
+
+    /// For each fold, a step from the fit to all samples towards that without the fold, by the derivatives; what the
+    /// model says there of the fold.
+    fn held_back(&mut self, point: &[f64]) -> Option<Residuals> {
+        let (r, j) = self.derivatives(point)?;
+        let study = self.study;
+        let shape: Vec<(usize, Vec<bool>)> = self
+            .runs()
+            .flat_map(|run| study.runs[run].observe.iter())
+            .map(|o| (o.values.len(), o.values.iter().map(|v| v.is_finite()).collect()))
+            .collect();
+        // Rows of the residual with the fold of each; samples where the analysis had ended are not supposed.
+        let folds: Vec<usize> =
+            shape.iter().flat_map(|(n, there)| (0..*n).filter(|t| there[*t]).map(|t| fold(t, *n))).collect();
+        if folds.len() != r.len() {
+            return None;
+        }
+        let mut out = r.clone();
+        for f in 0..FOLDS {
+            let kept: Vec<usize> = (0..r.len()).filter(|i| folds[*i] != f).collect();
+            let (a, b) = (j.select_rows(&kept), DVector::from_iterator(kept.len(), kept.iter().map(|i| r[*i])));
+            let mut normal = a.transpose() * &a;
+            // What the samples do not tell stays where it is.
+            let noise = b.norm_squared().max(f64::MIN_POSITIVE) / 100.0;
+            for i in 0..point.len() {
+                normal[(i, i)] += noise;
+            }
+            let step = normal.cholesky()?.solve(&-(a.transpose() * b));
+            let own = |r: &[f64], inside: bool| -> f64 {
+                (0..r.len()).filter(|i| (folds[*i] == f) == inside).map(|i| r[i] * r[i]).sum()
+            };
+            // The derivatives may promise too much: the longest step that is one towards what is kept.
+            for part in [1.0, 0.3, 0.1] {
+                let moved = |(p, s): (&f64, &f64)| (p + part * s).clamp(0.0, 1.0);
+                let next: Vec<f64> = point.iter().zip(step.iter()).map(moved).collect();
+                let there = self.trial(&next).residuals;
+                if there.len() == r.len() && own(&there, false) <= own(&r, false) {
+                    (0..r.len()).filter(|i| folds[*i] == f).for_each(|i| out[i] = there[i]);
+                    break;
+                }
+            }
+        }
+        let mut rest = &out[..];
+        let mut channels = vec![];
+        for (_, there) in &shape {
+            let (own, after) = rest.split_at(there.iter().filter(|x| **x).count());
+            channels.push(own.to_vec());
+            rest = after;
+        }
+        Some(channels)
+    }
 }
 
-/// Workers that fit variants.
+/// Work a job off.
+fn work(blueprint: &Blueprint, job: &Job) -> Answer {
+    let mut bed = Bed { study: &job.variant.study, simulator: job.variant.simulator(blueprint) };
+    match &job.task {
+        Task::Fit { start, budget, closely } => Answer::Fitted(bed.search(start, *budget, *closely)),
+        Task::Screen { points, known } => Answer::Screened(bed.screen(points, known)),
+        Task::Derive { point } => Answer::Derived(bed.derivatives(point).and_then(|(r, j)| Projection::new(&r, j))),
+        Task::HoldBack { point } => Answer::HeldBack(bed.held_back(point)),
+    }
+}
+
+/// Workers that look at variants.
 pub(super) struct Bench {
-    crew: Crew<Job, Fitted>,
+    crew: Crew<Job, Answer>,
 }
 
 impl Bench {
@@ -127,8 +233,8 @@ impl Bench {
         Ok(Self { crew: Crew::new(threads, make, |b: &mut Blueprint, job: Job| work(b, &job))? })
     }
 
-    /// Fit all; `None` where a worker broke down.
-    pub(super) fn fit(&self, jobs: impl IntoIterator<Item = Job>) -> Vec<Option<Fitted>> {
+    /// Do all; `None` where a worker broke down.
+    pub(super) fn run(&self, jobs: impl IntoIterator<Item = Job>) -> Vec<Option<Answer>> {
         self.crew.run(jobs)
     }
 }

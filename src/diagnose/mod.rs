@@ -16,12 +16,16 @@ pub mod locate;
 pub mod noise;
 pub mod outcome;
 mod page;
+mod pairs;
 mod pipeline;
+mod projection;
 mod repair;
+mod rounds;
 pub mod scale;
 mod structure;
 pub mod variant;
 mod watching;
+mod work;
 
 pub use page::page;
 pub use pipeline::{Diagnosis, Settings, Watch, diagnose};

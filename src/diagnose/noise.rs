@@ -63,9 +63,10 @@ pub fn lines(x: &[f64]) -> (f64, f64) {
         return (0.0, 0.0);
     }
     let (mut share, mut strongest) = (0.0, (0.0, 0.0));
-    let wide = (m / 16).max(12);
-    for (i, p) in spectrum.iter().enumerate() {
-        let around = &spectrum[i.saturating_sub(wide)..(i + wide).min(m)];
+    for (i, p) in spectrum.iter().enumerate().skip(SLOWEST) {
+        // Over an octave on both sides: noise that falls with the frequency has no line where it begins.
+        let wide = (i / 2).max(6);
+        let around = &spectrum[i - wide.min(i)..(i + wide).min(m)];
         let mut sorted = around.to_vec();
         sorted.sort_by(f64::total_cmp);
         let level = sorted[sorted.len() / 2];
@@ -79,6 +80,9 @@ pub fn lines(x: &[f64]) -> (f64, f64) {
     }
     (share, strongest.1)
 }
+
+/// Cycles in the record below which nothing is called a line.
+const SLOWEST: usize = 8;
 
 /// |DFT|² at the positive frequencies below a half.
 fn periodogram(x: &[f64]) -> Vec<f64> {

@@ -60,36 +60,63 @@ impl Variant {
         self.study.space.dimension()
     }
 
-    /// Where the search starts, in the unit cube: the user's own parameters as given, the others where they are
-    /// proposed to start.
-    pub fn start(&self, own: &[f64]) -> Vec<f64> {
+    /// Where the search starts, in the unit cube: the first parameters as given, the others where they are proposed to
+    /// start.
+    pub fn start(&self, given: &[f64]) -> Vec<f64> {
         let added = self.proposal.iter().flat_map(|p| &p.added).map(|a| a.start);
-        let values: Vec<f64> = own[..self.own].iter().copied().chain(added).collect();
+        let all = std::iter::repeat_n(f64::NAN, self.own).chain(added);
+        let values: Vec<f64> = all.enumerate().map(|(i, start)| given.get(i).copied().unwrap_or(start)).collect();
         self.study.space.point(&values)
+    }
+
+    /// The cause of what was proposed; `none` of the baseline.
+    pub fn cause(&self) -> &'static str {
+        self.proposal.as_ref().map_or("none", |p| p.cause)
     }
 
     /// A simulator of it.
     pub fn simulator(self: &Arc<Self>, blueprint: &Blueprint) -> VariantSimulator {
         let script = blueprint.simulator_of(self.study.clone(), &self.text);
-        VariantSimulator { variant: self.clone(), script }
+        VariantSimulator { variant: self.clone(), script, last: vec![None; self.study.runs.len()] }
+    }
+
+    /// Values that the model knows: all but those of faults of channels.
+    fn of_the_model(&self, values: &[f64]) -> Vec<f64> {
+        let added = self.proposal.iter().flat_map(|p| &p.added).map(|a| a.rig);
+        let rig = std::iter::repeat_n(false, self.own).chain(added);
+        values.iter().zip(rig).filter(|(_, rig)| !rig).map(|(v, _)| *v).collect()
     }
 }
 
 /// The block of a proposal with its parameters declared at some values.
 pub fn declared(proposal: &Proposal, values: &[f64]) -> Vec<String> {
-    let declare = proposal.added.iter().zip(values).map(|(a, v)| format!("pset {} {v:?}", a.name));
+    let of_the_model = proposal.added.iter().zip(values).filter(|(a, _)| !a.rig);
+    let declare = of_the_model.map(|(a, v)| format!("pset {} {v:?}", a.name));
     declare.chain(proposal.block.iter().cloned()).collect()
 }
+
+/// What a run showed last, and at which values of the model.
+type Last = Option<(Vec<f64>, Vec<Vec<f64>>)>;
 
 /// Simulates what the channels of a variant show.
 pub struct VariantSimulator {
     variant: Arc<Variant>,
     script: ScriptSimulator,
+    /// By run: a fault of a channel needs no new analysis.
+    last: Vec<Last>,
 }
 
 impl Simulator for VariantSimulator {
     fn simulate(&mut self, run: usize, values: &[f64]) -> Result<Vec<Vec<f64>>, Mishap> {
-        let mut channels = self.script.simulate(run, values)?;
+        let known = self.variant.of_the_model(values);
+        let mut channels = match &self.last[run] {
+            Some((at, channels)) if *at == known => channels.clone(),
+            _ => {
+                let channels = self.script.simulate(run, values)?;
+                self.last[run] = Some((known, channels.clone()));
+                channels
+            }
+        };
         let corrections = self.variant.corrections(values);
         let spec = &self.variant.study.runs[run];
         for (o, y) in spec.observe.iter().zip(&mut channels) {

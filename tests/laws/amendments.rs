@@ -33,7 +33,7 @@ fn space() -> impl Element + 'static {
     SpaceBearing::new(shear(), Link::new(&axes, length, 0.3), materials, 0.0, false)
 }
 
-const PART: Share = Share { stiffness: 960.0, elastic: 0.3 };
+const PART: Share = Share { stiffness: 960.0, elastic: 0.3, hysteretic: 0.8 };
 
 /// Softening that does not heal.
 fn softening(excess: f64, strain: f64) -> Softening {

@@ -34,6 +34,10 @@ pub struct LevenbergMarquardt {
     normal: Vec<f64>,
     gradient: Vec<f64>,
     damping: f64,
+    /// Factors on the damping that are tried at once.
+    factors: Vec<f64>,
+    /// An improvement by less than this fraction is the last one.
+    enough: f64,
     budget: usize,
     used: usize,
     last: Vec<f64>,
@@ -41,6 +45,9 @@ pub struct LevenbergMarquardt {
 
 /// Factors on the damping that are tried at once.
 const FACTORS: [f64; 4] = [1e-2, 1.0, 1e2, 1e4];
+/// Where steps are tried one by one, the damping is divided by this after each that led down, and multiplied after each
+/// that did not.
+const EASE: f64 = 8.0;
 /// Damping at which there is no way down any more.
 const HOPELESS: f64 = 1e10;
 /// An improvement by less than this fraction is the last one.
@@ -62,10 +69,21 @@ impl LevenbergMarquardt {
             normal: vec![],
             gradient: vec![],
             damping: 1e-2,
+            factors: FACTORS.to_vec(),
+            enough: ENOUGH,
             budget,
             used: 0,
             last: vec![],
         }
+    }
+
+    /// One step at a time: fewer evaluations where there is but one thread to make them. An improvement by less than a
+    /// fraction `enough` is the last one.
+    #[must_use]
+    pub fn one_by_one(mut self, enough: f64) -> Self {
+        self.factors = vec![1.0];
+        self.enough = enough;
+        self
     }
 
     /// The step to take with a factor of damping; coordinates that would leave the cube stop at its side.
@@ -128,7 +146,7 @@ impl Method for LevenbergMarquardt {
                 (0..self.point.len()).map(moved).collect()
             }
             Phase::Steps => {
-                let next: Vec<Vec<f64>> = FACTORS.iter().filter_map(|f| self.step(self.damping * f)).collect();
+                let next: Vec<Vec<f64>> = self.factors.iter().filter_map(|f| self.step(self.damping * f)).collect();
                 if next.is_empty() {
                     self.phase = Phase::Ended;
                 }
@@ -155,15 +173,18 @@ impl Method for LevenbergMarquardt {
                 let best = (0..trials.len()).min_by(|a, b| trials[*a].score.total_cmp(&trials[*b].score)).unwrap_or(0);
                 let gain = self.score - trials[best].score;
                 if gain > 0.0 {
-                    let enough = gain <= ENOUGH * self.score;
+                    let enough = gain <= self.enough * self.score;
                     self.point.clone_from(&points[best]);
                     self.score = trials[best].score;
                     self.residuals.clone_from(&trials[best].residuals);
                     // The factors cannot be told from fewer points than there are of them; it does no harm.
-                    self.damping = (self.damping * FACTORS[best.min(FACTORS.len() - 1)]).max(1e-12);
+                    let factor = self.factors[best.min(self.factors.len() - 1)];
+                    let factor = if self.factors.len() == 1 { 1.0 / EASE } else { factor };
+                    self.damping = (self.damping * factor).max(1e-12);
                     self.phase = if enough { Phase::Ended } else { Phase::Derivatives };
                 } else {
-                    self.damping *= FACTORS[FACTORS.len() - 1] * 10.0;
+                    let most = self.factors.iter().fold(0.0f64, |a, b| a.max(*b));
+                    self.damping *= if self.factors.len() == 1 { EASE * EASE } else { 10.0 * most };
                     if self.damping > HOPELESS {
                         self.phase = Phase::Ended;
                     }

@@ -100,17 +100,19 @@ pub struct Added {
     pub range: Range,
     /// Where the search starts.
     pub start: f64,
+    /// It belongs to the fault of a channel: the model does not know it.
+    pub rig: bool,
 }
 
 impl Added {
     /// Sought evenly between two values.
     pub fn linear(name: &str, lower: f64, upper: f64, start: f64) -> Self {
-        Self { name: format!("hy_{name}"), range: Range { lower, upper, scale: Scale::Linear }, start }
+        Self { name: format!("hy_{name}"), range: Range { lower, upper, scale: Scale::Linear }, start, rig: false }
     }
 
     /// Sought evenly in its logarithm.
     pub fn log(name: &str, lower: f64, upper: f64, start: f64) -> Self {
-        Self { name: format!("hy_{name}"), range: Range { lower, upper, scale: Scale::Log }, start }
+        Self { name: format!("hy_{name}"), range: Range { lower, upper, scale: Scale::Log }, start, rig: false }
     }
 }
 
@@ -122,6 +124,8 @@ pub type Faults = Arc<dyn Fn(&[f64]) -> Vec<Correction> + Send + Sync>;
 pub struct Proposal {
     /// The cause that it belongs to.
     pub cause: &'static str,
+    /// The cause of a second effect beside it.
+    pub second: Option<&'static str>,
     /// The form of it.
     pub form: String,
     /// What it changes.
@@ -143,13 +147,14 @@ impl fmt::Debug for Proposal {
 impl Proposal {
     /// An edit of the script.
     pub fn edit(cause: &'static str, form: &str, at: String, block: Vec<String>, added: Vec<Added>) -> Self {
-        Self { cause, form: form.into(), at, block, added, faults: None }
+        Self { cause, second: None, form: form.into(), at, block, added, faults: None }
     }
 
     /// Two proposals together; parameters of the second get names of their own.
     pub fn with(&self, other: &Self) -> Self {
         let renamed = |text: &str| text.replace("hy_", "hy2_");
         let mut both = self.clone();
+        both.second = Some(other.cause);
         both.form = format!("{}; {}", self.form, other.form);
         both.block.extend(other.block.iter().map(|l| renamed(l)));
         both.added.extend(other.added.iter().map(|a| Added { name: renamed(&a.name), ..a.clone() }));
@@ -275,13 +280,20 @@ impl Sight<'_> {
         })
     }
 
-    /// Forms of a factor on a force: on all of it, and on its hysteretic part alone. The last of the parameters is the
-    /// stiffness of the elastic part.
-    fn shares(m: &Moved<'_>) -> [(&'static str, &'static str, Vec<Added>); 2] {
+    /// Forms of a factor on a force: on all of it, on its hysteretic or its elastic part alone, or on both in a measure of
+    /// their own.
+    fn shares(m: &Moved<'_>) -> [(&'static str, &'static str, Vec<Added>); 4] {
         let k = m.stiffness();
+        let part = || Added::linear("k", 0.05 * k, 1.2 * k, 0.6 * k);
         [
             ("of the whole force", "", vec![]),
-            ("of the hysteretic part", " -share $hy_k 0", vec![Added::linear("k", 0.05 * k, 1.2 * k, 0.6 * k)]),
+            ("of the hysteretic part", " -share $hy_k 0", vec![part()]),
+            ("of the elastic part", " -share $hy_k 1 0", vec![part()]),
+            (
+                "of both parts in their own measure",
+                " -share $hy_k $hy_elastic",
+                vec![part(), Added::linear("elastic", 0.0, 5.0, 0.5)],
+            ),
         ]
     }
 }

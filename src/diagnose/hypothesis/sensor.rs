@@ -56,6 +56,7 @@ fn channels<'a>(s: &'a Sight<'_>) -> Vec<&'a Observe> {
 }
 
 fn proposal(cause: &'static str, form: &str, channel: &str, added: Vec<Added>, faults: Faults) -> Proposal {
+    let added = added.into_iter().map(|a| Added { rig: true, ..a }).collect();
     Proposal { faults: Some(faults), ..Proposal::edit(cause, form, format!("channel {channel}"), vec![], added) }
 }
 

@@ -12,6 +12,9 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
 
 fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     let mut out = vec![];
+    if !s.anatomy.shaken {
+        return out;
+    }
     let ndm = s.anatomy.ndm;
     for (n, node) in s.anatomy.masses.iter().enumerate() {
         // In plan: two translations and the rotation about the vertical.

@@ -3,8 +3,8 @@
 use super::{Demand, Pair, Verdict};
 
 /// Parts of a force: an elastic part, `stiffness` times the deformation, and the rest, the hysteretic part. A factor
-/// s acts on the hysteretic part, and in the measure `elastic` (0 not at all, 1 fully) on the elastic part as well:
-/// q' = s (q - k e) + (1 - elastic (1 - s)) k e.
+/// s acts on each in its measure (0 not at all, 1 fully):
+/// q' = (1 - hysteretic (1 - s)) (q - k e) + (1 - elastic (1 - s)) k e.
 ///
 /// Lead and filler lose strength while the network of the rubber keeps its stiffness, so one factor for all is often
 /// too coarse.
@@ -14,29 +14,37 @@ pub struct Share {
     pub stiffness: f64,
     /// Measure in which the factor acts on the elastic part.
     pub elastic: f64,
+    /// Measure in which it acts on the hysteretic part.
+    pub hysteretic: f64,
 }
 
 impl Default for Share {
     fn default() -> Self {
-        Self { stiffness: 0.0, elastic: 1.0 }
+        Self { stiffness: 0.0, elastic: 1.0, hysteretic: 1.0 }
     }
 }
 
 impl Share {
     /// The force under a factor `s` with the derivative `ds` by the deformation and `ds_axial` by the axial force.
     pub fn scale(&self, d: &Demand, s: f64, ds: Pair, ds_axial: f64) -> Verdict {
-        let k = self.stiffness * (1.0 - self.elastic) * (1.0 - s);
+        let k = self.stiffness * (self.hysteretic - self.elastic) * (1.0 - s);
+        let scale = 1.0 - self.hysteretic * (1.0 - s);
+        let concerned = self.concerned(d);
         let mut v = Verdict::default();
         for i in 0..2 {
-            // d q'/d s: what the factor acts on.
-            let concerned = d.q[i] - (1.0 - self.elastic) * self.stiffness * d.e[i];
-            v.q[i] = s * d.q[i] + k * d.e[i];
-            v.by_force[i][i] = s;
-            v.by_deformation[i] = ds.map(|ds| concerned * ds);
+            v.q[i] = scale * d.q[i] + k * d.e[i];
+            v.by_force[i][i] = scale;
+            v.by_deformation[i] = ds.map(|ds| concerned[i] * ds);
             v.by_deformation[i][i] += k;
-            v.by_axial[i] = concerned * ds_axial;
+            v.by_axial[i] = concerned[i] * ds_axial;
         }
         v
+    }
+
+    /// d q'/d s: what the factor acts on.
+    fn concerned(&self, d: &Demand) -> Pair {
+        let k = (self.hysteretic - self.elastic) * self.stiffness;
+        std::array::from_fn(|i| self.hysteretic * d.q[i] - k * d.e[i])
     }
 
     /// Work of the hysteretic part over the step, by the trial force: what heats and damages.
@@ -55,11 +63,10 @@ impl Share {
     pub fn scale_by_work(&self, d: &Demand, s: f64, ds_work: f64) -> Verdict {
         let by_e = self.work_by_deformation(d).map(|w| ds_work * w);
         let mut v = self.scale(d, s, by_e, 0.0);
-        let de = d.increment();
+        let (de, concerned) = (d.increment(), self.concerned(d));
         for i in 0..2 {
-            let concerned = d.q[i] - (1.0 - self.elastic) * self.stiffness * d.e[i];
             for (by, de) in v.by_force[i].iter_mut().zip(de) {
-                *by += concerned * ds_work * de;
+                *by += concerned[i] * ds_work * de;
             }
         }
         v

@@ -1,0 +1,140 @@
+//! The rounds in which explanations are fitted, fewer and closer in each.
+
+use super::evidence::Noise;
+use super::hypothesis::Proposal;
+use super::insertion::Place;
+use super::variant::Variant;
+use super::work::{Explained, LAST, Screened, Work};
+use crate::study::Opening;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+/// Proposals that are fitted after the screening, and of one cause.
+const FIRST_ROUND: usize = 20;
+const OF_A_CAUSE: usize = 3;
+/// Points at which a proposal is tried, for each of its parameters and beside them.
+const TRIED: usize = 4;
+/// Values that the user gave are tried as well where they are so far from the fitted ones, in sides of the cube.
+const APART: f64 = 0.03;
+/// Iterations of a search: of the baseline, of the first round, of the second.
+const BASELINE: usize = 12;
+const FIRST: usize = 4;
+pub(super) const SECOND_ROUND: usize = 12;
+/// Log odds, before anything is seen, of nothing missing against any one cause, and of one effect against two.
+const NOTHING: f64 = 3.0;
+const SECOND: f64 = 6.0;
+
+/// Points of the coordinates from a number on: the first where the proposal starts, the others spread evenly.
+pub(super) fn tried(start: &[f64], from: usize, of_a_parameter: usize) -> Vec<Vec<f64>> {
+    const BASES: [usize; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
+    let n = start.len() - from;
+    // Halton (1960).
+    let radical_inverse = |mut i: usize, base: usize| {
+        let (mut out, mut digit) = (0.0, 1.0 / base as f64);
+        while i > 0 {
+            out += (i % base) as f64 * digit;
+            i /= base;
+            digit /= base as f64;
+        }
+        out
+    };
+    let spread = |i: usize| -> Vec<f64> {
+        let at = |k: usize| if k < BASES.len() { radical_inverse(i, BASES[k]) } else { start[from + k] };
+        start[..from].iter().copied().chain((0..n).map(at)).collect()
+    };
+    // A zero that wanders starts from nothing: with many coordinates a point at random is of no use.
+    let more = if n > BASES.len() { 0 } else { of_a_parameter * (n + 1) };
+    std::iter::once(start.to_vec()).chain((1..=more).map(spread)).collect()
+}
+
+/// The user's model by least squares, from its own values and from others.
+pub(super) fn fit_baseline(work: &mut Work<'_>, opening: &Opening, text: &str) -> Result<Explained, String> {
+    let variant = Arc::new(Variant::baseline(&work.study, text));
+    let n = variant.dimension();
+    let mut starts = vec![work.study.space.point(&opening.values)];
+    // Opposite corners of a smaller cube, and its middle.
+    starts.push(vec![0.5; n]);
+    for k in 0..4usize {
+        starts.push((0..n).map(|i| if (i + k) % 2 == k / 2 { 0.2 } else { 0.8 }).collect());
+    }
+    let jobs = starts.into_iter().map(|s| Work::search(&variant, s, BASELINE)).collect();
+    let fitted = work.fit("the model as it is", jobs)?.into_iter().flatten();
+    let best = fitted.min_by(|a, b| a.objective.total_cmp(&b.objective));
+    let closely = best.map(|f| Work::search(&variant, f.point, LAST));
+    let fitted = work.fit("the model as it is", closely.into_iter().collect())?.pop().flatten();
+    let fitted = fitted.ok_or("the model has no answer for any values of its parameters")?;
+    Ok(Explained::new(variant, fitted))
+}
+
+/// Every proposal screened, and the likeliest fitted once: best objective first.
+pub(super) fn first_round(
+    work: &mut Work<'_>,
+    baseline: &Explained,
+    opening: &Opening,
+    place: &Place,
+    proposals: &[Proposal],
+) -> Result<Vec<Explained>, String> {
+    let own = baseline.variant.dimension();
+    let stage = "what may have been left out";
+    let variants: Vec<_> = proposals.iter().filter_map(|p| baseline.variant.with(place, p)).map(Arc::new).collect();
+    let tried: Vec<_> =
+        variants.into_iter().map(|v| (v.clone(), tried(&v.start(&baseline.fitted.values), own, TRIED))).collect();
+    let mut screened = work.screen(stage, &baseline.variant, &baseline.fitted.point, tried.clone())?;
+    // The fit may have swallowed what is missing: the values that the user gave have not.
+    let given = work.study.space.point(&opening.values);
+    let apart = given.iter().zip(&baseline.fitted.point).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    if apart > APART {
+        screened.extend(work.screen(stage, &baseline.variant, &given, tried)?);
+        screened.sort_by(|a, b| a.score().total_cmp(&b.score()));
+        let mut seen = BTreeSet::new();
+        screened.retain(|s| seen.insert(Arc::as_ptr(&s.variant)));
+    }
+    // The best of each cause, then the best of the others.
+    let mut of_a_cause: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut ranked: Vec<(bool, Screened)> = vec![];
+    for s in screened {
+        let place = of_a_cause.entry(s.variant.cause()).or_default();
+        *place += 1;
+        if *place <= OF_A_CAUSE {
+            ranked.push((*place > 1, s));
+        }
+    }
+    ranked.sort_by_key(|(further, _)| *further);
+    let picked = ranked.into_iter().map(|(_, s)| s).take(FIRST_ROUND).collect();
+    work.search_all(stage, picked, FIRST)
+}
+
+/// The best form of each cause, in the order of the causes.
+pub(super) fn best_of_causes(sorted: &[Explained]) -> Vec<Explained> {
+    let mut seen = BTreeSet::new();
+    sorted.iter().filter(|e| seen.insert(e.cause())).cloned().collect()
+}
+
+/// Explanations fitted more closely.
+pub(super) fn refine(work: &mut Work<'_>, stage: &str, all: Vec<Explained>) -> Result<Vec<Explained>, String> {
+    let jobs = all.iter().map(|e| Work::search(&e.variant, e.fitted.point.clone(), SECOND_ROUND));
+    let fitted = work.fit(stage, jobs.collect())?;
+    let better = |(e, f)| match f {
+        Some(f) => Explained { fitted: f, ..e },
+        None => e,
+    };
+    Ok(all.into_iter().zip(fitted).map(better).collect())
+}
+
+/// Evidence of explanations on samples that they did not see, by the noise that the best of them leaves: best first.
+pub(super) fn weigh(all: &mut [Explained]) -> Result<(), String> {
+    let seen = all.iter().filter(|e| e.held.is_some());
+    let best = seen.min_by(|a, b| a.score().total_cmp(&b.score())).and_then(|e| e.held.as_ref());
+    let noise = Noise::of(best.ok_or("no explanation could be tested on samples that it was not fitted to")?);
+    for e in all.iter_mut() {
+        // That nothing is missing is what is to be believed first, and two effects last.
+        let before = match (e.cause(), e.second()) {
+            ("none", _) => NOTHING,
+            (_, Some(_)) => -SECOND,
+            _ => 0.0,
+        };
+        e.evidence = e.held.as_ref().map_or(f64::NEG_INFINITY, |r| before + noise.evidence(r, e.variant.dimension()));
+    }
+    all.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
+    Ok(())
+}

@@ -1,0 +1,161 @@
+//! The work on variants, with its progress, and what an explanation is.
+
+use super::evidence::{INDEPENDENT, Residuals};
+use super::fitting::{Answer, Bench, Fitted, Job, Task};
+use super::pipeline::Watch;
+use super::variant::Variant;
+use crate::study::Study;
+use std::sync::Arc;
+
+/// Iterations of the last search.
+pub(super) const LAST: usize = 20;
+
+/// An explanation that has been fitted.
+#[derive(Clone)]
+pub(super) struct Explained {
+    pub(super) variant: Arc<Variant>,
+    pub(super) fitted: Fitted,
+    /// What it leaves of samples that it was not fitted to.
+    pub(super) held: Option<Residuals>,
+    /// Log evidence.
+    pub(super) evidence: f64,
+}
+
+impl Explained {
+    pub(super) fn new(variant: Arc<Variant>, fitted: Fitted) -> Self {
+        Self { variant, fitted, held: None, evidence: f64::NEG_INFINITY }
+    }
+
+    pub(super) fn cause(&self) -> &'static str {
+        self.variant.cause()
+    }
+
+    /// The second of two effects.
+    pub(super) fn second(&self) -> Option<&'static str> {
+        self.variant.proposal.as_ref()?.second
+    }
+
+    pub(super) fn score(&self) -> f64 {
+        priced(self.fitted.objective, &self.variant)
+    }
+}
+
+/// Objective with a price for parameters, for a first sorting.
+pub(super) fn priced(objective: f64, variant: &Variant) -> f64 {
+    objective.ln() + variant.dimension() as f64 * INDEPENDENT.ln() / INDEPENDENT
+}
+
+/// A variant that has been screened: where a search had best start, and the objective to be expected.
+#[derive(Clone)]
+pub(super) struct Screened {
+    pub(super) variant: Arc<Variant>,
+    pub(super) start: Vec<f64>,
+    pub(super) expected: f64,
+}
+
+impl Screened {
+    pub(super) fn score(&self) -> f64 {
+        priced(self.expected, &self.variant)
+    }
+}
+
+pub(super) struct Work<'a> {
+    pub(super) study: Arc<Study>,
+    pub(super) bench: Bench,
+    pub(super) watch: &'a mut dyn Watch,
+}
+
+impl Work<'_> {
+    fn run(&mut self, stage: &str, jobs: Vec<Job>) -> Result<Vec<Option<Answer>>, String> {
+        let of = jobs.len();
+        let mut out = Vec::with_capacity(of);
+        // In portions, so that progress is seen and an interruption heard.
+        let mut jobs = jobs.into_iter().peekable();
+        while jobs.peek().is_some() {
+            if self.watch.stopped() {
+                return Err("interrupted".into());
+            }
+            self.watch.stage(stage, out.len(), of);
+            let portion: Vec<Job> = jobs.by_ref().take(8).collect();
+            out.extend(self.bench.run(portion));
+        }
+        self.watch.stage(stage, of, of);
+        Ok(out)
+    }
+
+    pub(super) fn fit(&mut self, stage: &str, jobs: Vec<Job>) -> Result<Vec<Option<Fitted>>, String> {
+        let fitted = |a| match a {
+            Some(Answer::Fitted(f)) if !f.fits.is_empty() => Some(f),
+            _ => None,
+        };
+        Ok(self.run(stage, jobs)?.into_iter().map(fitted).collect())
+    }
+
+    /// A search from a point with so many iterations.
+    pub(super) fn search(variant: &Arc<Variant>, start: Vec<f64>, iterations: usize) -> Job {
+        let budget = iterations * (variant.dimension() + 2);
+        let task = Task::Fit { start, budget, closely: iterations >= LAST };
+        Job { variant: variant.clone(), task }
+    }
+
+    /// Screen variants, each at points of which the first coordinates are known: best first. The known ones stand `at` a
+    /// point of the variant `from`, and follow by its derivatives.
+    pub(super) fn screen(
+        &mut self,
+        stage: &str,
+        from: &Arc<Variant>,
+        at: &[f64],
+        tried: Vec<(Arc<Variant>, Vec<Vec<f64>>)>,
+    ) -> Result<Vec<Screened>, String> {
+        let derive = Task::Derive { point: at.to_vec() };
+        let known = match self.run(stage, vec![Job { variant: from.clone(), task: derive }])?.pop() {
+            Some(Some(Answer::Derived(Some(known)))) => Arc::new(known),
+            _ => return Ok(vec![]),
+        };
+        let (variants, jobs): (Vec<_>, Vec<_>) = tried
+            .into_iter()
+            .map(|(variant, points)| {
+                let points = points.iter().map(|p| at.iter().chain(&p[at.len()..]).copied().collect());
+                let task = Task::Screen { points: points.collect(), known: known.clone() };
+                (variant.clone(), Job { variant, task })
+            })
+            .unzip();
+        let answers = self.run(stage, jobs)?;
+        let screened = |(variant, answer)| match answer {
+            Some(Answer::Screened(Some((expected, start)))) => Some(Screened { variant, start, expected }),
+            _ => None,
+        };
+        let mut out: Vec<Screened> = variants.into_iter().zip(answers).filter_map(screened).collect();
+        out.sort_by(|a, b| a.score().total_cmp(&b.score()));
+        Ok(out)
+    }
+
+    /// Search from where the screening says.
+    pub(super) fn search_all(
+        &mut self,
+        stage: &str,
+        from: Vec<Screened>,
+        iterations: usize,
+    ) -> Result<Vec<Explained>, String> {
+        let jobs = from.iter().map(|s| Self::search(&s.variant, s.start.clone(), iterations)).collect();
+        let fitted = self.fit(stage, jobs)?;
+        let mut all: Vec<Explained> =
+            from.into_iter().zip(fitted).filter_map(|(s, f)| Some(Explained::new(s.variant, f?))).collect();
+        all.sort_by(|a, b| a.score().total_cmp(&b.score()));
+        Ok(all)
+    }
+
+    /// What each says of samples that it was not fitted to.
+    pub(super) fn hold_back(&mut self, stage: &str, all: &mut [Explained]) -> Result<(), String> {
+        let job =
+            |e: &Explained| Job { variant: e.variant.clone(), task: Task::HoldBack { point: e.fitted.point.clone() } };
+        let answers = self.run(stage, all.iter().map(job).collect())?;
+        for (e, a) in all.iter_mut().zip(answers) {
+            e.held = match a {
+                Some(Answer::HeldBack(r)) => r,
+                _ => None,
+            };
+        }
+        Ok(())
+    }
+}
