@@ -105,6 +105,7 @@ fn tell(d: &Diagnosis, verbose: bool) {
         shown(c.holdout_nmse)
     );
     if verbose {
+        println!("the fitted runs were looked at for {} sets of values", d.looks);
         for w in &d.weighed {
             println!("  {:26} {:.4e}  log evidence {:8.2}  {} ({})", w.cause, w.objective, w.evidence, w.at, w.form);
         }

@@ -128,7 +128,7 @@ pub(super) fn conclude(
             evidence: e.evidence,
         })
         .collect();
-    Ok(Diagnosis { outcome, script, weighed, before, after })
+    Ok(Diagnosis { outcome, script, weighed, before, after, looks: work.bench.looks() })
 }
 
 /// Sum of the NMSE of all fitted channels.

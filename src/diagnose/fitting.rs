@@ -7,6 +7,7 @@ use crate::calibrate::{LevenbergMarquardt, Method, Trial};
 use crate::study::{Blueprint, Crew, Fit, Mishap, Role, Study, fit};
 use nalgebra::{DMatrix, DVector};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Blocks of a run, each held back in one of the folds.
 const BLOCKS: usize = 8;
@@ -72,6 +73,8 @@ pub(super) struct Fitted {
 struct Bed<'a> {
     study: &'a Study,
     simulator: VariantSimulator,
+    /// Sets of runs that were looked at, by all workers.
+    looks: &'a AtomicUsize,
 }
 
 impl Bed<'_> {
@@ -81,6 +84,7 @@ impl Bed<'_> {
 
     fn fits(&mut self, values: &[f64]) -> Result<Vec<Fit>, Mishap> {
         let runs: Vec<usize> = self.runs().collect();
+        self.looks.fetch_add(1, Ordering::Relaxed);
         runs.into_iter().map(|r| fit(&mut self.simulator, self.study, r, values)).collect()
     }
 
@@ -208,8 +212,8 @@ impl Bed<'_> {
 }
 
 /// Work a job off.
-fn work(blueprint: &Blueprint, job: &Job) -> Answer {
-    let mut bed = Bed { study: &job.variant.study, simulator: job.variant.simulator(blueprint) };
+fn work(blueprint: &Blueprint, job: &Job, looks: &AtomicUsize) -> Answer {
+    let mut bed = Bed { study: &job.variant.study, simulator: job.variant.simulator(blueprint), looks };
     match &job.task {
         Task::Fit { start, budget, closely } => Answer::Fitted(bed.search(start, *budget, *closely)),
         Task::Screen { points, known } => Answer::Screened(bed.screen(points, known)),
@@ -221,6 +225,7 @@ fn work(blueprint: &Blueprint, job: &Job) -> Answer {
 /// Workers that look at variants.
 pub(super) struct Bench {
     crew: Crew<Job, Answer>,
+    looks: Arc<AtomicUsize>,
 }
 
 impl Bench {
@@ -230,7 +235,15 @@ impl Bench {
     /// A thread could not be started.
     pub(super) fn new(blueprint: Blueprint, threads: usize) -> std::io::Result<Self> {
         let make = move || blueprint.clone();
-        Ok(Self { crew: Crew::new(threads, make, |b: &mut Blueprint, job: Job| work(b, &job))? })
+        let looks = Arc::new(AtomicUsize::new(0));
+        let counted = looks.clone();
+        let crew = Crew::new(threads, make, move |b: &mut Blueprint, job: Job| work(b, &job, &counted))?;
+        Ok(Self { crew, looks })
+    }
+
+    /// How often the fitted runs have been looked at, for one set of values each.
+    pub(super) fn looks(&self) -> usize {
+        self.looks.load(Ordering::Relaxed)
     }
 
     /// Do all; `None` where a worker broke down.

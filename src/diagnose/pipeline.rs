@@ -42,6 +42,8 @@ pub struct Diagnosis {
     pub before: Vec<Option<Fit>>,
     /// The same of the repaired model.
     pub after: Vec<Option<Fit>>,
+    /// How many sets of values the fitted runs were looked at for.
+    pub looks: usize,
 }
 
 /// An explanation that was weighed.

@@ -1,6 +1,6 @@
 //! The rounds in which explanations are fitted, fewer and closer in each.
 
-use super::evidence::Noise;
+use super::evidence::{INDEPENDENT, Noise};
 use super::hypothesis::Proposal;
 use super::insertion::Place;
 use super::variant::Variant;
@@ -12,8 +12,13 @@ use std::sync::Arc;
 /// Proposals that are fitted after the screening, and of one cause.
 const FIRST_ROUND: usize = 20;
 const OF_A_CAUSE: usize = 3;
-/// Points at which a proposal is tried, for each of its parameters and beside them.
-const TRIED: usize = 4;
+/// Of those of which nothing is to be expected, so many are fitted all the same; and what is nothing, in log evidence.
+const FITTED: usize = 8;
+const EXPECTED: f64 = -3.0;
+/// Points at which a proposal is tried, for each of its parameters and beside them: from the fitted model, and from the
+/// user's values.
+const TRIED: usize = 2;
+const TRIED_AS_GIVEN: usize = 1;
 /// Values that the user gave are tried as well where they are so far from the fitted ones, in sides of the cube.
 const APART: f64 = 0.03;
 /// Iterations of a search: of the baseline, of the first round, of the second.
@@ -77,14 +82,15 @@ pub(super) fn first_round(
     let own = baseline.variant.dimension();
     let stage = "what may have been left out";
     let variants: Vec<_> = proposals.iter().filter_map(|p| baseline.variant.with(place, p)).map(Arc::new).collect();
-    let tried: Vec<_> =
-        variants.into_iter().map(|v| (v.clone(), tried(&v.start(&baseline.fitted.values), own, TRIED))).collect();
-    let mut screened = work.screen(stage, &baseline.variant, &baseline.fitted.point, tried.clone())?;
+    let points = |n: usize| -> Vec<_> {
+        variants.iter().map(|v| (v.clone(), tried(&v.start(&baseline.fitted.values), own, n))).collect()
+    };
+    let mut screened = work.screen(stage, &baseline.variant, &baseline.fitted.point, points(TRIED))?;
     // The fit may have swallowed what is missing: the values that the user gave have not.
     let given = work.study.space.point(&opening.values);
     let apart = given.iter().zip(&baseline.fitted.point).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     if apart > APART {
-        screened.extend(work.screen(stage, &baseline.variant, &given, tried)?);
+        screened.extend(work.screen(stage, &baseline.variant, &given, points(TRIED_AS_GIVEN))?);
         screened.sort_by(|a, b| a.score().total_cmp(&b.score()));
         let mut seen = BTreeSet::new();
         screened.retain(|s| seen.insert(Arc::as_ptr(&s.variant)));
@@ -100,6 +106,11 @@ pub(super) fn first_round(
         }
     }
     ranked.sort_by_key(|(further, _)| *further);
+    let mut place = 0;
+    ranked.retain(|(_, s)| {
+        place += 1;
+        place <= FITTED || 0.5 * INDEPENDENT * (baseline.score() - s.score()) > EXPECTED
+    });
     let picked = ranked.into_iter().map(|(_, s)| s).take(FIRST_ROUND).collect();
     work.search_all(stage, picked, FIRST)
 }
