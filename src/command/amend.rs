@@ -244,10 +244,15 @@ const KINDS: &[Kind] = &[
             needed("-extension", "extension at which it is reached", Positive),
             optional("-damage", "part of the strength lost in the end", Ratio, 0.0),
             optional("-rate", "rate of the loss", Positive, 1.0),
+            optional("-rise", "gain far beyond the strength, as a part of it", NotNegative, 0.0),
+            optional("-reach", "extension of the gain", Positive, f64::INFINITY),
+            optional("-sign", "sign of the deformation that is tension, 1 or -1", Any, 1.0),
         ],
         make: |n, _, _| {
             let (strength, extension) = (n.get("-strength"), n.get("-extension"));
-            Arc::new(Cavitation { strength, extension, damage: n.get("-damage"), rate: n.get("-rate") })
+            let (damage, rate) = (n.get("-damage"), n.get("-rate"));
+            let (rise, reach, sign) = (n.get("-rise"), n.get("-reach"), n.get("-sign").signum());
+            Arc::new(Cavitation { strength, extension, damage, rate, rise, reach, sign })
         },
     },
 ];

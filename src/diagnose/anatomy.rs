@@ -2,7 +2,7 @@
 
 use crate::analysis::Engine;
 use crate::element::{Answer, BasicRow, Element, Motion};
-use crate::model::PatternKind;
+use crate::model::{Model, PatternKind};
 
 /// A spring or bearing whose force can be amended.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,6 +43,8 @@ pub struct Support {
     pub ndf: usize,
     /// Tags of the elements on it.
     pub elements: Vec<i32>,
+    /// Stiffness of these elements in each degree of freedom, at rest.
+    pub stiffness: Vec<f64>,
 }
 
 /// A node with mass.
@@ -118,7 +120,8 @@ impl Anatomy {
             let fixed: Vec<usize> = model.fixes.iter().filter(|f| f.node.0 == k).map(|f| f.dof + 1).collect();
             if !fixed.is_empty() {
                 let on = model.elements.iter().filter(|e| e.nodes.iter().any(|n| n.0 == k)).map(|e| e.tag);
-                out.supports.push(Support { node: node.tag, fixed, ndf: node.ndf, elements: on.collect() });
+                let (elements, stiffness) = (on.collect(), stiffness_at(model, k, node.ndf));
+                out.supports.push(Support { node: node.tag, fixed, ndf: node.ndf, elements, stiffness });
             }
             if node.mass.iter().any(|m| *m > 0.0) {
                 out.masses.push(Mass { node: node.tag, mass: node.mass.clone() });
@@ -145,6 +148,22 @@ impl Anatomy {
         }
         groups
     }
+}
+
+/// Diagonal of the initial stiffness that elements have at a node.
+fn stiffness_at(model: &Model, node: usize, ndf: usize) -> Vec<f64> {
+    let mut sum = vec![0.0; ndf];
+    for e in &model.elements {
+        let Some(end) = e.nodes.iter().position(|n| n.0 == node) else { continue };
+        let (n, own) = (e.element.dofs(), e.element.dofs() / e.nodes.len());
+        let mut tangent = vec![0.0; n * n];
+        e.element.initial_tangent(&mut tangent);
+        for (dof, sum) in sum.iter_mut().enumerate().take(own) {
+            let i = end * own + dof;
+            *sum += tangent[i * n + i];
+        }
+    }
+    sum
 }
 
 fn direction(row: &BasicRow, tangent: &[f64]) -> Direction {

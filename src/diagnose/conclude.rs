@@ -21,6 +21,10 @@ const TELLING: f64 = 0.6;
 /// What `unknown` costs in log evidence: an explanation with a name is preferred to one without.
 const NAMELESS: f64 = 9.0;
 
+/// An explanation that takes more than this part of what can be taken is the harder to doubt the more it takes.
+const MUCH: f64 = 0.8;
+const NAMED: f64 = 90.0;
+
 pub(super) struct Context<'a> {
     pub(super) study: &'a Arc<Study>,
     pub(super) simulator: &'a ScriptSimulator,
@@ -56,7 +60,7 @@ pub(super) fn conclude(
     let unknown = best.evidence.max(evidence_of_none)
         - 0.5 * INDEPENDENT * (1.0 - left.min(TELLING)).ln()
         - NAMELESS
-        - 60.0 * (done - 0.6).max(0.0) * f64::from(u8::from(cause != "none"));
+        - NAMED * (done - MUCH).max(0.0) * f64::from(u8::from(cause != "none"));
     causes.push(("unknown", unknown));
     causes.sort_by(|a, b| b.1.total_cmp(&a.1));
     let p = probabilities(&causes.iter().map(|c| c.1).collect::<Vec<_>>());

@@ -11,7 +11,7 @@
 //!
 //! (Schwarz, Ann. Stat. 6 (1978), for unknown noise levels), N_c the share of the channel in N.
 
-use super::noise::{burg, power, whiten};
+use super::noise::{averaged, burg, power, whiten};
 
 /// Independent samples that all channels together count for: chosen so that confidence is as often right as it says on
 /// simulated cases, not from the length of the records.
@@ -23,12 +23,6 @@ const POINTS: usize = 400;
 /// Order of the noise.
 const ORDER: usize = 2;
 
-/// A residual averaged to at most [`POINTS`] points.
-fn averaged(r: &[f64]) -> Vec<f64> {
-    let block = r.len().div_ceil(POINTS).max(1);
-    r.chunks(block).map(|c| c.iter().sum::<f64>() / c.len() as f64).collect()
-}
-
 /// Residuals of the fitted runs, channel after channel; missing samples left out.
 pub type Residuals = Vec<Vec<f64>>;
 
@@ -38,7 +32,7 @@ pub struct Noise(Vec<Vec<f64>>);
 impl Noise {
     /// Of the residuals of the best explanation.
     pub fn of(best: &Residuals) -> Self {
-        Self(best.iter().map(|r| burg(&averaged(r), ORDER)).collect())
+        Self(best.iter().map(|r| burg(&averaged(r, POINTS), ORDER)).collect())
     }
 
     /// Log evidence of an explanation with `k` parameters to be found.
@@ -47,7 +41,7 @@ impl Noise {
         let fit: f64 = residuals
             .iter()
             .zip(&self.0)
-            .map(|(r, a)| share * power(&whiten(&averaged(r), a)).max(f64::MIN_POSITIVE).ln())
+            .map(|(r, a)| share * power(&whiten(&averaged(r, POINTS), a)).max(f64::MIN_POSITIVE).ln())
             .sum();
         -0.5 * (fit + k as f64 * INDEPENDENT.ln())
     }

@@ -40,6 +40,30 @@ pub fn whiten(x: &[f64], a: &[f64]) -> Vec<f64> {
     (a.len().min(x.len())..x.len()).map(at).collect()
 }
 
+/// A series averaged to at most so many points.
+pub fn averaged(x: &[f64], points: usize) -> Vec<f64> {
+    let block = x.len().div_ceil(points).max(1);
+    x.chunks(block).map(|c| c.iter().sum::<f64>() / c.len() as f64).collect()
+}
+
+/// Part of the power of innovations that comes in stretches much louder than the rest.
+pub fn bursts(x: &[f64]) -> f64 {
+    /// Stretches of a record; noise of one level passes four times its median power in none of them.
+    const STRETCHES: usize = 40;
+    const LOUD: f64 = 4.0;
+    let length = x.len() / STRETCHES;
+    if length < 8 {
+        return 0.0;
+    }
+    let powers: Vec<f64> = x.chunks_exact(length).map(power).collect();
+    let mut sorted = powers.clone();
+    sorted.sort_by(f64::total_cmp);
+    let level = sorted[sorted.len() / 2];
+    let total: f64 = powers.iter().sum();
+    let loud: f64 = powers.iter().filter(|p| **p > LOUD * level).map(|p| p - level).sum();
+    if total > 0.0 { loud / total } else { 0.0 }
+}
+
 /// Mean square.
 pub fn power(x: &[f64]) -> f64 {
     if x.is_empty() { 0.0 } else { x.iter().map(|v| v * v).sum::<f64>() / x.len() as f64 }

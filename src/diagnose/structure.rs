@@ -1,41 +1,69 @@
 //! What is left in a residual that no noise has.
 
-use super::noise::{explained, lines, power};
+use super::noise::{averaged, burg, bursts, explained, lines, power, whiten};
 use super::scale::Scales;
 use crate::study::{Fit, Role, Study};
 
-/// Part of a residual that has structure which no noise has: told by the motion of the devices, or standing in lines.
+/// Points that a residual is averaged to: mechanisms live in the motion, not between two samples.
+const POINTS: usize = 1500;
+/// Order of the noise, for what follows the motion and for what comes in bursts.
+const ORDER: usize = 2;
+const LONG_ORDER: usize = 8;
+
+/// Part of a residual that has structure which no noise has: told by the motion of the devices or by the channel itself,
+/// standing in lines, or coming in bursts.
 pub(super) fn structure(study: &Study, scales: &Scales, fits: &[Fit]) -> (f64, String) {
     let (mut most, mut says) = (0.0, String::new());
     let runs = study.runs.iter().enumerate().filter(|(_, r)| r.role == Role::Fit);
     for ((number, run), fit) in runs.zip(fits) {
-        let columns = regressors(scales, number);
+        let motion = regressors(scales, number);
         for (o, y) in run.observe.iter().zip(&fit.channels) {
-            let r: Vec<f64> =
-                y.iter().zip(&o.values).map(|(y, v)| if (y - v).is_finite() { y - v } else { 0.0 }).collect();
-            let told = explained(&r, &columns, 6);
+            let finite = |x: f64| if x.is_finite() { x } else { 0.0 };
+            let r: Vec<f64> = y.iter().zip(&o.values).map(|(y, v)| finite(y - v)).collect();
+            let channel: Vec<f64> = y.iter().map(|y| finite(*y)).collect();
+            // Slow noise follows whatever is slow: what it remembers of itself is taken out of both sides first.
+            let few = averaged(&r, POINTS);
+            let noise = burg(&few, ORDER);
+            let columns: Vec<Vec<f64>> = motion
+                .iter()
+                .cloned()
+                .chain(SHIFTS.iter().map(|s| shifted(&channel, *s)))
+                .map(|c| whiten(&averaged(&c, POINTS), &noise))
+                .collect();
+            let told = explained(&whiten(&few, &noise), &columns, 6);
             let (line, frequency) = lines(&r);
+            let burst = bursts(&whiten(&r, &burg(&r, LONG_ORDER)));
             let times = &run.recording.times;
             let rate = (times.len() - 1) as f64 / (times[times.len() - 1] - times[0]);
             // Only what matters for this channel against the others.
             let weight = (power(&r) / o.variance / 1e-4).min(1.0);
-            if weight * told > most {
-                most = weight * told;
-                says = format!("part of the residual of {} follows the motion of the device", o.channel);
-            }
-            if weight * line > most {
-                most = weight * line;
-                says = format!("the residual of {} has a line at {:.3} Hz", o.channel, frequency * rate);
-            }
+            let mut consider = |part: f64, what: String| {
+                if weight * part > most {
+                    most = weight * part;
+                    says = what;
+                }
+            };
+            consider(told, format!("part of the residual of {} follows the motion", o.channel));
+            consider(line, format!("the residual of {} has a line at {:.3} Hz", o.channel, frequency * rate));
+            consider(burst, format!("the residual of {} comes in bursts", o.channel));
         }
     }
     (most, says)
 }
 
+/// Samples by which the channel itself is shifted: a fault of its transfer is told by its neighbours.
+const SHIFTS: [isize; 9] = [-16, -8, -4, -2, 0, 2, 4, 8, 16];
+
+fn shifted(x: &[f64], by: isize) -> Vec<f64> {
+    let top = x.iter().fold(0.0f64, |m, x| m.max(x.abs())).max(f64::MIN_POSITIVE);
+    let n = x.len() as isize;
+    (0..n).map(|t| x[(t + by).clamp(0, n - 1) as usize] / top).collect()
+}
+
 /// Smooth functions of the motion of the devices in a run, scaled to one.
 fn regressors(scales: &Scales, run: usize) -> Vec<Vec<f64>> {
     let mut out: Vec<Vec<f64>> = vec![];
-    for ((_, _, _), w) in scales.watched.iter().filter(|((r, _, _), _)| *r == run).take(3) {
+    for ((_, _, _), w) in scales.watched.iter().filter(|((r, _, _), _)| *r == run).take(2) {
         let n = w.times.len();
         let scaled = |v: Vec<f64>| {
             let top = v.iter().filter(|x| x.is_finite()).fold(0.0f64, |m, x| m.max(x.abs())).max(f64::MIN_POSITIVE);
@@ -57,7 +85,6 @@ fn regressors(scales: &Scales, run: usize) -> Vec<Vec<f64>> {
             .collect();
         let each = |f: &dyn Fn(usize) -> f64| (0..n).map(f).collect::<Vec<f64>>();
         out.extend([
-            vec![1.0; n],
             e.clone(),
             q.clone(),
             v.clone(),
@@ -69,7 +96,6 @@ fn regressors(scales: &Scales, run: usize) -> Vec<Vec<f64>> {
             each(&|i| e[i] * m[i]),
             each(&|i| q[i] * m[i]),
             each(&|i| e[i] * v[i].abs()),
-            each(&|i| t[i]),
             each(&|i| e[i] * e[i]),
         ]);
     }

@@ -156,7 +156,7 @@ fn each_does_what_it_is_for() {
 
 #[test]
 fn cavitation_lowers_the_next_pull() {
-    let law = Cavitation { strength: 50.0, extension: 0.0005, damage: 0.7, rate: 1.0 };
+    let law = Cavitation { strength: 50.0, extension: 0.0005, damage: 0.7, rate: 1.0, rise: 0.3, reach: 0.001, sign: 1.0 };
     let mut e = Alone::new(Amended::new(Arc::new(plane()), Arc::new(law), &[1]).unwrap());
     let (axes, _) = Orientation::default().of_link(Vector3::zeros(), Vector3::new(0.05, 0.3, 0.0), true).unwrap();
     let mut pull = |u: f64| {

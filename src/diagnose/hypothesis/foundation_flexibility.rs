@@ -15,37 +15,59 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     if !s.anatomy.shaken {
         return out;
     }
-    let scale = s.stiffness();
+    let (ndm, total) = (s.anatomy.ndm, s.anatomy.masses.iter().map(|m| m.mass[0]).sum::<f64>());
     for (n, support) in s.anatomy.supports.iter().enumerate() {
-        if support.elements.is_empty() || support.fixed.len() < s.anatomy.ndm {
+        if support.elements.is_empty() || support.fixed.len() < ndm {
             continue;
         }
-        let mut form = |form: &str, dof: usize, scale: f64| {
+        let rotation = if ndm == 2 { 3 } else { 5 };
+        let rocks =
+            support.fixed.contains(&rotation) && support.ndf >= rotation && support.stiffness[rotation - 1] > 0.0;
+        let mut form = |form: &str, dofs: &[(&str, usize)], footing: bool| {
             let tag = s.anatomy.free_tag + 10 * n as i32;
-            let direction = if s.anatomy.ndm == 2 && dof == 3 { 6 } else { dof };
-            let block = vec![
-                format!("node {tag} {}", coordinates(support.node, s.anatomy.ndm)),
+            let mut block = vec![
+                format!("node {tag} {}", coordinates(support.node, ndm)),
                 format!("fix {tag} {}", vec!["1"; support.ndf].join(" ")),
-                format!("remove sp {} {dof}", support.node),
-                format!("uniaxialMaterial Elastic {tag} $hy_spring"),
-                format!("uniaxialMaterial Viscous {} $hy_dashpot 1.0", tag + 1),
-                format!(
-                    "element zeroLength {tag} {tag} {} -mat {tag} {} -dir {direction} {direction}",
-                    support.node,
-                    tag + 1
-                ),
             ];
-            let added = vec![
-                Added::log("spring", 0.05 * scale, 1e3 * scale, 5.0 * scale),
-                Added::log("dashpot", 1e-5 * scale, 0.3 * scale, 1e-3 * scale),
-            ];
+            let mut added = vec![];
+            for (k, (name, dof)) in dofs.iter().enumerate() {
+                let direction = if ndm == 2 && *dof == 3 { 6 } else { *dof };
+                let (spring, dashpot) = (tag + 2 * k as i32, tag + 2 * k as i32 + 1);
+                block.extend([
+                    format!("remove sp {} {dof}", support.node),
+                    format!("uniaxialMaterial Elastic {spring} $hy_{name}"),
+                    format!("uniaxialMaterial Viscous {dashpot} $hy_{name}_dashpot 1.0"),
+                    format!(
+                        "element zeroLength {spring} {tag} {} -mat {spring} {dashpot} -dir {direction} {direction}",
+                        support.node
+                    ),
+                ]);
+                // Against the stiffness of what stands on it: what is much stiffer is a fixed base.
+                let scale = support.stiffness[dof - 1];
+                added.push(Added::log(name, 3e-3 * scale, 100.0 * scale, scale));
+                added.push(Added::log(&format!("{name}_dashpot"), 1e-5 * scale, 0.3 * scale, 3e-3 * scale));
+            }
+            if footing {
+                let own = s.anatomy.masses.iter().find(|m| m.node == support.node).map_or(&[][..], |m| &m.mass);
+                let mass = |i: usize| own.get(i).copied().unwrap_or(0.0);
+                let words = (0..support.ndf).map(|i| match i {
+                    0 => format!("[expr {{{:e}+$hy_footing}}]", mass(0)),
+                    _ => format!("{:e}", mass(i)),
+                });
+                block.push(format!("mass {} {}", support.node, words.collect::<Vec<_>>().join(" ")));
+                added.push(Added::log("footing", 1e-3 * total, total, 0.05 * total));
+            }
             out.push(Proposal::edit("foundation_flexibility", form, format!("node {}", support.node), block, added));
         };
-        form("horizontal spring", 1, scale);
-        let rotation = if s.anatomy.ndm == 2 { 3 } else { 5 };
-        if support.fixed.contains(&rotation) && support.ndf >= rotation {
-            let height = s.height();
-            form("rocking spring", rotation, scale * height * height);
+        if support.stiffness[0] > 0.0 {
+            form("horizontal spring", &[("sway", 1)], false);
+            if total > 0.0 {
+                form("horizontal spring and a footing with mass", &[("sway", 1)], true);
+            }
+        }
+        if rocks {
+            form("rocking spring", &[("rocking", rotation)], false);
+            form("horizontal and rocking spring", &[("sway", 1), ("rocking", rotation)], false);
         }
     }
     out

@@ -68,13 +68,25 @@ fn extremes(s: &Sight<'_>, channel: &str) -> [f64; 2] {
 }
 
 fn gain(s: &Sight<'_>) -> Vec<Proposal> {
-    // With one channel alone a gain is the stiffness of the model.
-    let each = channels(s).into_iter().map(|o| {
-        let name = o.channel.clone();
-        let faults: Faults = Arc::new(move |v| vec![Correction { gain: v[0], ..Correction::none(&name, None) }]);
-        proposal("sensor_gain", "one factor", &o.channel, vec![Added::log("gain", 0.2, 5.0, 0.98)], faults)
-    });
-    each.collect()
+    let mut out = vec![];
+    let mut one = |channel: &str, run: Option<&str>| {
+        let (name, of) = (channel.to_owned(), run.map(str::to_owned));
+        let faults: Faults =
+            Arc::new(move |v| vec![Correction { gain: v[0], ..Correction::none(&name, of.as_deref()) }]);
+        let form = run.map_or("one factor".into(), |r| format!("one factor in {r}"));
+        out.push(proposal("sensor_gain", &form, channel, vec![Added::log("gain", 0.2, 5.0, 0.98)], faults));
+    };
+    let fitted: Vec<_> = s.study.runs.iter().filter(|r| r.role == Role::Fit).collect();
+    for o in channels(s) {
+        // With one channel alone this is the stiffness of the model.
+        one(&o.channel, None);
+        // An amplifier that was set otherwise in one of the runs.
+        if fitted.len() > 1 {
+            let has = fitted.iter().filter(|r| r.observe.iter().any(|x| x.channel == o.channel));
+            has.for_each(|r| one(&o.channel, Some(&r.name)));
+        }
+    }
+    out
 }
 
 fn lag(s: &Sight<'_>) -> Vec<Proposal> {
