@@ -156,7 +156,8 @@ fn each_does_what_it_is_for() {
 
 #[test]
 fn cavitation_lowers_the_next_pull() {
-    let law = Cavitation { strength: 50.0, extension: 0.0005, damage: 0.7, rate: 1.0, rise: 0.3, reach: 0.001, sign: 1.0 };
+    let (strength, extension, damage) = (50.0, 0.0005, 0.7);
+    let law = Cavitation { strength, extension, damage, rate: 1.0, rise: 0.4, reach: 0.001, sign: 1.0 };
     let mut e = Alone::new(Amended::new(Arc::new(plane()), Arc::new(law), &[1]).unwrap());
     let (axes, _) = Orientation::default().of_link(Vector3::zeros(), Vector3::new(0.05, 0.3, 0.0), true).unwrap();
     let mut pull = |u: f64| {
@@ -164,11 +165,18 @@ fn cavitation_lowers_the_next_pull() {
         e.commit();
         f[3] * axes[(0, 0)] + f[4] * axes[(0, 1)]
     };
-    let first = (1..=30).map(|i| pull(1e-4 * f64::from(i))).fold(0.0, f64::max);
-    assert!((first - 50.0).abs() < 1e-9);
+    let way = |i: i32| 1e-4 * f64::from(i);
+    let first: Vec<f64> = (1..=30).map(|i| pull(way(i))).collect();
+    let envelope = |u: f64| strength * (1.0 + 0.4 * (1.0 - (-(u - extension) / 0.001).exp()));
+    assert!((first[29] - envelope(0.003)).abs() < 1e-9, "{}", first[29]);
     assert!(pull(-1e-4) < 0.0);
-    let second = (1..=25).map(|i| pull(1e-4 * f64::from(i))).fold(0.0, f64::max);
-    assert!(second < 20.0, "{second}");
+    // From the strength that is left straight to where the last pull ended.
+    let second: Vec<f64> = (1..=32).map(|i| pull(way(i))).collect();
+    let kept = 1.0 - damage * (1.0 - (-5.0f64).exp());
+    let line =
+        kept * strength + (first[29] - kept * strength) * (0.001 - kept * extension) / (0.003 - kept * extension);
+    assert!((second[9] - line).abs() < 1e-9 && line < 0.6 * first[9], "{} {line}", second[9]);
+    assert!((second[31] - envelope(0.0032)).abs() < 1e-9);
 }
 
 #[test]
