@@ -83,6 +83,12 @@ fn write(dir: &Path, d: &Diagnosis, page: &str) -> Result<(), String> {
     fs::create_dir_all(dir).map_err(|e| format!("cannot make {}: {e}", dir.display()))?;
     place(&dir.join("corrected.tcl"), &d.script)?;
     place(&dir.join("report.html"), page)?;
+    for (name, motion) in d.next_test.iter().flat_map(|t| &t.motions) {
+        place(&dir.join(name), motion)?;
+    }
+    if let Some(test) = &d.next_test {
+        place(&dir.join("next_test.tcl"), &test.script)?;
+    }
     let json = serde_json::to_string_pretty(&d.outcome).map_err(|e| e.to_string())?;
     place(&dir.join("diagnosis.json"), &(json + "\n"))
 }

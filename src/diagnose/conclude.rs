@@ -4,6 +4,7 @@ use super::evidence::{INDEPENDENT, probabilities};
 use super::hypothesis;
 use super::insertion::Place;
 use super::locate::{regime, windows};
+use super::next_test::next_test;
 use super::noise::power;
 use super::outcome::{Baseline, Candidate, Corrected, Mismatch, Outcome, Verdict};
 use super::pipeline::{Diagnosis, Weighed};
@@ -32,6 +33,8 @@ pub(super) struct Context<'a> {
     pub(super) text: &'a str,
     pub(super) place: &'a Place,
     pub(super) scales: &'a Scales,
+    /// The motion is that of the device, not of the ground.
+    pub(super) imposed: bool,
 }
 
 /// Put the verdict together.
@@ -91,6 +94,12 @@ pub(super) fn conclude(
     };
     let corrections = chosen.variant.corrections(&fitted.values);
     let share = if baseline.fitted.objective > 0.0 { fitted.objective / baseline.fitted.objective } else { 1.0 };
+    // The verdict and its strongest rival, each as it was fitted.
+    let rival = weighed.iter().find(|e| e.cause() != chosen.cause() && e.cause() != "none");
+    let observe = observation(verdict, rival.map(Explained::cause));
+    let next_test = rival
+        .filter(|_| chosen.cause() != "none")
+        .and_then(|r| next_test(&c.simulator.blueprint(), study, c.imposed, [&chosen, r]));
     let outcome = Outcome {
         baseline: Baseline {
             fit_nmse: baseline.fitted.objective,
@@ -119,7 +128,10 @@ pub(super) fn conclude(
             channels: corrections,
         },
         unexplained_share: share.min(1.0),
-        next_test: next_test(verdict, &causes),
+        next_test: match &next_test {
+            Some(t) => format!("{}; {observe}", t.says),
+            None => observe,
+        },
     };
     let script = repair::script(c.text, &c.opening.places, c.place, &chosen.variant, &fitted.values);
     let weighed = weighed
@@ -132,7 +144,7 @@ pub(super) fn conclude(
             evidence: e.evidence,
         })
         .collect();
-    Ok(Diagnosis { outcome, script, weighed, before, after, looks: work.bench.looks() })
+    Ok(Diagnosis { outcome, script, weighed, before, after, next_test, looks: work.bench.looks() })
 }
 
 /// Sum of the NMSE of all fitted channels.
@@ -201,8 +213,8 @@ fn explanation(verdict: &str, chosen: &Explained, also: &[&str], signature: &str
     }
 }
 
-fn next_test(verdict: &str, causes: &[(&'static str, f64)]) -> String {
-    let rival = causes.iter().map(|c| c.0).find(|c| *c != verdict && *c != "none" && *c != "unknown");
+/// What to look at next, in words, where no test of the rig can be proposed.
+fn observation(verdict: &str, rival: Option<&str>) -> String {
     match (hypothesis::of(verdict), rival.and_then(hypothesis::of)) {
         (Some(h), Some(r)) => {
             format!("to tell {} from {}: see whether {}, and whether {}", h.cause, r.cause, h.refuted_by, r.refuted_by)

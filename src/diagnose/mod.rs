@@ -13,6 +13,7 @@ mod fitting;
 pub mod hypothesis;
 pub mod insertion;
 pub mod locate;
+pub mod next_test;
 pub mod noise;
 pub mod outcome;
 mod page;

@@ -3,6 +3,7 @@
 use super::conclude::{Context, conclude};
 use super::fitting::Bench;
 use super::hypothesis::{self, Proposal, Sight};
+use super::next_test::NextTest;
 use super::outcome::Outcome;
 use super::pairs::pairs;
 use super::rounds::{best_of_causes, first_round, fit_baseline, refine, weigh};
@@ -42,6 +43,8 @@ pub struct Diagnosis {
     pub before: Vec<Option<Fit>>,
     /// The same of the repaired model.
     pub after: Vec<Option<Fit>>,
+    /// The test that would tell more, where one can be made from the motions of the study.
+    pub next_test: Option<NextTest>,
     /// How many sets of values the fitted runs were looked at for.
     pub looks: usize,
 }
@@ -99,6 +102,7 @@ pub fn diagnose(
         weighed.extend(two);
         weigh(&mut weighed)?;
     }
-    let context = Context { study: &study, simulator, opening, text, place: &place, scales: &scales };
+    let context =
+        Context { study: &study, simulator, opening, text, place: &place, scales: &scales, imposed: !anatomy.shaken };
     conclude(&mut work, &context, &baseline, weighed)
 }

@@ -44,6 +44,11 @@ impl Variant {
         Some(Self { study: Arc::new(study), text, proposal: Some(proposal.clone()), own: self.own })
     }
 
+    /// The same with other runs.
+    pub fn of_study(&self, study: Study) -> Self {
+        Self { study: Arc::new(study), ..self.clone() }
+    }
+
     /// The user's own parameters and those of the proposal.
     pub fn split<'a>(&self, values: &'a [f64]) -> (&'a [f64], &'a [f64]) {
         values.split_at(self.own)

@@ -88,6 +88,12 @@ impl Blueprint {
         ScriptSimulator { limits: self.limits.clone(), contents, numbers: self.numbers.clone(), ..fresh }
     }
 
+    /// The same, with another text for one file of the study.
+    #[must_use]
+    pub fn with_file(&self, file: &str, text: &str) -> Self {
+        Self { contents: self.contents.with(&self.study.absolute(file), text), ..self.clone() }
+    }
+
     /// A simulator.
     pub fn simulator(&self) -> ScriptSimulator {
         let fresh = ScriptSimulator::new(self.study.clone(), self.options.clone(), self.stop.clone());
