@@ -5,7 +5,7 @@ use super::model::{need_model, node_of};
 use super::{Command, Outcome, Tcl, finish};
 use crate::element::amendment::{
     Amended, Amendment, Axial, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Mullins, Overstress,
-    Pinching, Pressure, Share, Sides, Stiffening, Temperature, Yielding,
+    Pinching, Pressure, Share, Sides, Slip, Stiffening, Temperature, Yielding,
 };
 use crate::element::bearing::ShearParameters;
 use crate::material::Softening;
@@ -182,6 +182,14 @@ const KINDS: &[Kind] = &[
         },
     },
     Kind {
+        name: "slip",
+        options: &[
+            needed("-depth", "part of the hysteretic force that is missing where it passes zero", Any),
+            needed("-width", "width of that, as a part of its largest value", Positive),
+        ],
+        make: |n, share, _| Arc::new(Slip { depth: n.get("-depth"), width: n.get("-width"), share }),
+    },
+    Kind {
         name: "pressure",
         options: &[
             needed("-reference", "compression that the parameters belong to", Positive),
@@ -248,11 +256,11 @@ const KINDS: &[Kind] = &[
             optional("-reach", "extension of the gain", Positive, f64::INFINITY),
             optional("-sign", "sign of the deformation that is tension, 1 or -1", Any, 1.0),
         ],
-        make: |n, _, _| {
+        make: |n, share, _| {
             let (strength, extension) = (n.get("-strength"), n.get("-extension"));
             let (damage, rate) = (n.get("-damage"), n.get("-rate"));
             let (rise, reach, sign) = (n.get("-rise"), n.get("-reach"), n.get("-sign").signum());
-            Arc::new(Cavitation { strength, extension, damage, rate, rise, reach, sign })
+            Arc::new(Cavitation { strength, extension, damage, rate, rise, reach, sign, share })
         },
     },
 ];

@@ -4,7 +4,9 @@
 //! of nature. Three things keep a long record from making a small difference look like a certainty. Residuals are
 //! averaged to at most [`POINTS`] points a channel, since mechanisms live in the motion and not between two samples.
 //! They are whitened by the autoregressive noise of the best explanation before they are compared, so that slow noise
-//! does not speak for whatever follows it slowly. And the record counts as [`INDEPENDENT`] samples, however long it is.
+//! does not speak for whatever follows it slowly; the memory of the noise is bounded by [`MEMORY`], since an effect may be
+//! slow as well. And a channel counts as [`INDEPENDENT`] samples however long it is, C channels, which see the same
+//! motion, as √C times as many.
 //! With the mean square E of the whitened residual of a channel, an explanation with k parameters has the log evidence
 //!
 //! -½ Σ N_c ln E_c - ½ k ln N
@@ -13,7 +15,7 @@
 
 use super::noise::{averaged, burg, power, whiten};
 
-/// Independent samples that all channels together count for: chosen so that confidence is as often right as it says on
+/// Independent samples that one channel counts for: chosen so that confidence is as often right as it says on
 /// simulated cases, not from the length of the records.
 pub const INDEPENDENT: f64 = 40.0;
 
@@ -22,6 +24,9 @@ const POINTS: usize = 400;
 
 /// Order of the noise.
 const ORDER: usize = 2;
+
+/// Largest root of the noise: what it remembers after a fortieth of the record is a third.
+const MEMORY: f64 = 0.9;
 
 /// Residuals of the fitted runs, channel after channel; missing samples left out.
 pub type Residuals = Vec<Vec<f64>>;
@@ -32,18 +37,23 @@ pub struct Noise(Vec<Vec<f64>>);
 impl Noise {
     /// Of the residuals of the best explanation.
     pub fn of(best: &Residuals) -> Self {
-        Self(best.iter().map(|r| burg(&averaged(r, POINTS), ORDER)).collect())
+        let of = |r: &Vec<f64>| -> Vec<f64> {
+            let a = burg(&averaged(r, POINTS), ORDER);
+            a.iter().zip(1..).map(|(a, k)| a * MEMORY.powi(k)).collect()
+        };
+        Self(best.iter().map(of).collect())
     }
 
     /// Log evidence of an explanation with `k` parameters to be found.
     pub fn evidence(&self, residuals: &Residuals, k: usize) -> f64 {
-        let share = INDEPENDENT / residuals.len().max(1) as f64;
+        let channels = residuals.len().max(1) as f64;
+        let share = INDEPENDENT / channels.sqrt();
         let fit: f64 = residuals
             .iter()
             .zip(&self.0)
             .map(|(r, a)| share * power(&whiten(&averaged(r, POINTS), a)).max(f64::MIN_POSITIVE).ln())
             .sum();
-        -0.5 * (fit + k as f64 * INDEPENDENT.ln())
+        -0.5 * (fit + k as f64 * (share * channels).ln())
     }
 }
 

@@ -24,10 +24,12 @@ pub(super) fn structure(study: &Study, scales: &Scales, fits: &[Fit]) -> (f64, S
             // Slow noise follows whatever is slow: what it remembers of itself is taken out of both sides first.
             let few = averaged(&r, POINTS);
             let noise = burg(&few, ORDER);
-            let columns: Vec<Vec<f64>> = motion
+            // As many as the samples can bear, the simplest first.
+            let columns: Vec<Vec<f64>> = SHIFTS
                 .iter()
-                .cloned()
-                .chain(SHIFTS.iter().map(|s| shifted(&channel, *s)))
+                .map(|s| shifted(&channel, *s))
+                .chain(motion.iter().cloned())
+                .take(few.len() / 8)
                 .map(|c| whiten(&averaged(&c, POINTS), &noise))
                 .collect();
             let told = explained(&whiten(&few, &noise), &columns, 6);
@@ -60,9 +62,12 @@ fn shifted(x: &[f64], by: isize) -> Vec<f64> {
     (0..n).map(|t| x[(t + by).clamp(0, n - 1) as usize] / top).collect()
 }
 
+/// Bumps along the deformation of a device.
+const BUMPS: usize = 24;
+
 /// Smooth functions of the motion of the devices in a run, scaled to one.
 fn regressors(scales: &Scales, run: usize) -> Vec<Vec<f64>> {
-    let mut out: Vec<Vec<f64>> = vec![];
+    let (mut out, mut bumps): (Vec<Vec<f64>>, Vec<Vec<f64>>) = (vec![], vec![]);
     for ((_, _, _), w) in scales.watched.iter().filter(|((r, _, _), _)| *r == run).take(2) {
         let n = w.times.len();
         let scaled = |v: Vec<f64>| {
@@ -98,6 +103,14 @@ fn regressors(scales: &Scales, run: usize) -> Vec<Vec<f64>> {
             each(&|i| e[i] * v[i].abs()),
             each(&|i| e[i] * e[i]),
         ]);
+        // Whatever function of the deformation: bumps along it.
+        let [low, high] = e.iter().fold([0.0f64; 2], |[a, b], x| [a.min(*x), b.max(*x)]);
+        let width = (high - low) / BUMPS as f64;
+        bumps.extend((0..BUMPS).map(|b| {
+            let at = low + (b as f64 + 0.5) * width;
+            each(&|i| (-((e[i] - at) / width).powi(2)).exp())
+        }));
     }
+    out.extend(bumps);
     out
 }

@@ -157,7 +157,16 @@ fn each_does_what_it_is_for() {
 #[test]
 fn cavitation_lowers_the_next_pull() {
     let (strength, extension, damage) = (50.0, 0.0005, 0.7);
-    let law = Cavitation { strength, extension, damage, rate: 1.0, rise: 0.4, reach: 0.001, sign: 1.0 };
+    let law = Cavitation {
+        strength,
+        extension,
+        damage,
+        rate: 1.0,
+        rise: 0.4,
+        reach: 0.001,
+        sign: 1.0,
+        share: Share::default(),
+    };
     let mut e = Alone::new(Amended::new(Arc::new(plane()), Arc::new(law), &[1]).unwrap());
     let (axes, _) = Orientation::default().of_link(Vector3::zeros(), Vector3::new(0.05, 0.3, 0.0), true).unwrap();
     let mut pull = |u: f64| {

@@ -23,24 +23,30 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
                 continue;
             }
             let pull = axis.stiffness * extension;
-            let mut form = |form: &str, rise: &str, more: Vec<Added>| {
+            let k = axis.stiffness;
+            let mut form = |form: &str, k_of: &str, rise: &str, more: &[Added]| {
                 let line = format!(
-                    "amend element {} cavitation -strength $hy_strength -extension [expr {{$hy_strength/{:.6e}}}] \
+                    "amend element {} cavitation -strength $hy_strength -extension [expr {{$hy_strength/{k_of}}}] \
                      -damage $hy_damage{rise} -sign {sign} -dir {}",
-                    group[0].tag, axis.stiffness, axis.number
+                    group[0].tag, axis.number
                 );
                 let mut added = vec![
                     Added::log("strength", 0.02 * pull, pull, 0.4 * pull),
                     Added::linear("damage", 0.0, 0.99, 0.5),
                 ];
-                added.extend(more);
+                added.extend_from_slice(more);
                 let at = super::named(&group);
                 out.push(Proposal::edit("cavitation", form, at, vec![line], added));
             };
-            form("limit of tension", "", vec![]);
-            let reach = Added::log("reach", 0.02 * extension, 5.0 * extension, 0.5 * extension);
-            let more = vec![Added::linear("rise", 0.0, 3.0, 0.3), reach];
-            form("limit of tension that rises", " -rise $hy_rise -reach $hy_reach", more);
+            let own = format!("{k:.6e}");
+            form("limit of tension", &own, "", &[]);
+            let rise = || Added::linear("rise", 0.0, 3.0, 0.3);
+            let reach = || Added::log("reach", 0.02 * extension, 5.0 * extension, 0.5 * extension);
+            form("limit of tension that rises", &own, " -rise $hy_rise -reach $hy_reach", &[rise(), reach()]);
+            // A dashpot beside the rubber goes on in tension.
+            let part = Added::linear("k", 0.5 * k, 1.5 * k, k);
+            let line = " -rise $hy_rise -reach $hy_reach -share $hy_k 0";
+            form("limit of the elastic tension", "$hy_k", line, &[rise(), reach(), part]);
         }
     }
     out

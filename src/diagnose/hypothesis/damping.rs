@@ -20,6 +20,26 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
         let c = m.q / m.v.max(f64::MIN_POSITIVE);
         let added = vec![Added::log("c", 1e-4 * c, 3.0 * c, 0.05 * c)];
         out.push(Proposal::edit("damping", "dashpots in the structure", m.at(), vec![line], added));
+        let line = format!("{} -coefficient $hy_c -power $hy_power {}", m.amend("damping"), m.dir);
+        let added = vec![Added::log("c", 1e-4 * c, 3.0 * c, 0.05 * c), Added::linear("power", 0.3, 1.0, 0.6)];
+        out.push(Proposal::edit("damping", "dashpots of a power of speed", m.at(), vec![line], added));
+        // Each with a dashpot in proportion to its stiffness, and each alone.
+        if m.group.len() > 1 {
+            let alike = |d: &super::Device| {
+                let k = d.directions.iter().find(|x| m.directions.contains(&x.number)).map_or(0.0, |x| x.stiffness);
+                format!("amend element {} damping -coefficient [expr {{$hy_beta*{k:.6e}}}] {}", d.tag, m.dir)
+            };
+            let block = m.group.iter().map(|d| alike(d)).collect();
+            let beta = m.e / m.v.max(f64::MIN_POSITIVE);
+            let added = vec![Added::log("beta", 1e-4 * beta, 3.0 * beta, 0.05 * beta)];
+            out.push(Proposal::edit("damping", "dashpots in proportion to stiffness", m.at(), block, added));
+            for d in &m.group {
+                let line = format!("amend element {} damping -coefficient $hy_c {}", d.tag, m.dir);
+                let added = vec![Added::log("c", 1e-4 * c, 3.0 * c, 0.05 * c)];
+                let at = super::named(&[d]);
+                out.push(Proposal::edit("damping", "dashpot", at, vec![line], added));
+            }
+        }
     }
     if !s.anatomy.masses.is_empty() {
         // Dashpots between the masses and the ground: mass-proportional damping beside whatever the script has.

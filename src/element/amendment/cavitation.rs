@@ -1,6 +1,6 @@
 //! Tensile cavitation of rubber and its damage.
 
-use super::{AmendmentLaw, Demand, Verdict};
+use super::{AmendmentLaw, Demand, Share, Verdict};
 use crate::element::ElementError;
 
 /// Tension of a direction follows an envelope beyond the cavitation strength F_c, reached at the extension u_c,
@@ -26,6 +26,8 @@ pub struct Cavitation {
     pub reach: f64,
     /// Sign of the deformation that is tension.
     pub sign: f64,
+    /// The limit concerns the elastic part, where there is one; otherwise the whole force.
+    pub share: Share,
 }
 
 impl Cavitation {
@@ -65,7 +67,13 @@ impl AmendmentLaw for Cavitation {
         let u = self.sign * d.e[0];
         let (limit, slope) = self.limit(u, committed.largest);
         let mut v = Verdict::unchanged(d.q);
-        if self.sign * d.q[0] > limit {
+        let k = self.share.stiffness;
+        if k > 0.0 {
+            if k * u > limit {
+                v.q[0] += self.sign * (limit - k * u);
+                v.by_deformation[0][0] = slope - k;
+            }
+        } else if self.sign * d.q[0] > limit {
             v.q[0] = self.sign * limit;
             v.by_force[0][0] = 0.0;
             v.by_deformation[0][0] = slope;
