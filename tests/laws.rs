@@ -11,6 +11,8 @@ mod beams;
 mod bearing_materials;
 #[path = "laws/bearings.rs"]
 mod bearings;
+#[path = "laws/component.rs"]
+mod component;
 #[path = "laws/corotational.rs"]
 mod corotational;
 #[path = "laws/driver.rs"]
@@ -25,6 +27,8 @@ mod links;
 mod materials;
 #[path = "laws/multiple_shear_spring.rs"]
 mod multiple_shear_spring;
+#[path = "laws/quad.rs"]
+mod quad;
 #[path = "laws/rubber.rs"]
 mod rubber;
 #[path = "laws/rubber_bearings.rs"]

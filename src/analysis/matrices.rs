@@ -28,7 +28,7 @@ impl Engine {
             s.coefficients = s.work.last.unwrap_or(Coefficients { k: 1.0, c: 0.0, m: 0.0 });
             s.apply_loads(s.old.time)?;
             s.form_unbalance(true)?;
-            Ok(dense_tangent(s))
+            Ok(dense_tangent(s, TangentMix::CURRENT))
         })?;
         let order = self.equations_by_tag();
         let Some(work) = self.prepared() else { return Ok(Equations::default()) };
@@ -56,10 +56,10 @@ impl Engine {
 }
 
 /// The tangent with all its zeros, by rows; the solver's own is left as it was.
-fn dense_tangent(s: &mut System<'_>) -> Vec<f64> {
+pub(super) fn dense_tangent(s: &mut System<'_>, mix: TangentMix) -> Vec<f64> {
     let work = &mut *s.work;
     let solved_with = work.values.clone();
-    work.assemble(s.model, s.coefficients, TangentMix::CURRENT);
+    work.assemble(s.model, s.coefficients, mix);
     work.add_modal_damping(s.coefficients.c);
     let n = work.plan.equations();
     let (mut unit, mut column) = (vec![0.0; n], vec![0.0; n]);

@@ -74,6 +74,10 @@ pub struct Prepared {
     pub spread: Vec<f64>,
     /// Shares of the last tangent that was formed.
     pub(super) last: Option<Coefficients>,
+    /// Which stiffness was in it.
+    pub(super) last_mix: TangentMix,
+    /// How far the iterations of the step have come: 1 with the last that the test allows.
+    pub(super) progress: f64,
     /// Smallest pivot seen, where it was nearly zero.
     pub weak_pivot: Option<Pivots>,
     pub(super) full: Vec<f64>,
@@ -172,6 +176,8 @@ impl Prepared {
             x: vec![0.0; n],
             spread: vec![0.0; model.dofs()],
             last: None,
+            last_mix: TangentMix::CURRENT,
+            progress: 0.0,
             weak_pivot: None,
             full: vec![0.0; model.dofs()],
             values: vec![0.0; len],
@@ -333,6 +339,25 @@ impl Prepared {
                 }
             }
         }
+    }
+
+    /// Stiffness of the elements, of the mix of the last tangent, times displacements of all degrees of freedom.
+    pub(super) fn stiffness_times(&mut self, model: &Model, disp: &[f64], out: &mut [f64]) {
+        self.full.fill(0.0);
+        for (e, m) in model.elements.iter().zip(&self.matrices) {
+            let n = e.dofs.len();
+            let range = m.at..m.at + n * n;
+            let initial = self.last_mix.initial != 0.0 && !m.linear;
+            let k = if initial { &self.initial[range] } else { &self.tangent[range] };
+            let mut u = [0.0; MAX_DOFS];
+            e.dofs.iter().zip(&mut u).for_each(|(&d, u)| *u = disp[d as usize]);
+            for (&d, row) in e.dofs.iter().zip(k.chunks_exact(n)) {
+                self.full[d as usize] += dot(row, &u[..n]);
+            }
+        }
+        let n = self.plan.map.equations;
+        self.plan.map.condense(&self.full, &mut out[..n]);
+        out[n..].fill(0.0);
     }
 
     /// Add damping and, if wanted, inertia forces of an element.

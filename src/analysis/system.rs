@@ -53,6 +53,11 @@ impl System<'_> {
         Failure { place: Some(self.work.plan.equation_name(self.model, equation)), ..self.failure(cause) }
     }
 
+    /// A failure for an equation without a pivot.
+    pub(super) fn singular(&self, equation: usize) -> Failure {
+        self.failure_at(Cause::Singular, equation)
+    }
+
     /// Set the time, and with it loads and imposed displacements.
     pub fn apply_loads(&mut self, time: f64) -> Result<(), Failure> {
         self.new.time = time;
@@ -135,6 +140,16 @@ impl System<'_> {
             new.accel[i] += c.m * d;
         }
         self.work.spread.fill(0.0);
+    }
+
+    /// Stiffness of the elements, initial or as last answered by the choice of the last tangent, times displacements of
+    /// all degrees of freedom, as forces of the equations.
+    pub fn stiffness_times(&mut self, disp: &[f64], out: &mut [f64]) -> Result<(), Failure> {
+        if !self.work.tangent_is_current {
+            self.respond(true)?;
+        }
+        self.work.stiffness_times(self.model, disp, out);
+        Ok(())
     }
 
     /// Load of the equations per unit of load factor, from `factor` on: what one more of it adds to the unbalance. Loads
@@ -282,6 +297,7 @@ impl System<'_> {
         }
         let work = &mut *self.work;
         work.last = Some(self.coefficients);
+        work.last_mix = mix;
         work.assemble(self.model, self.coefficients, mix);
         work.add_modal_damping(self.coefficients.c);
         if work.solver.is_factored() && work.values == work.factored {

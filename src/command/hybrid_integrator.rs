@@ -3,23 +3,27 @@
 use super::args::Args;
 use super::{Tcl, ignore_option};
 use crate::analysis::integrator::{
-    AlphaOs, AlphaParameters, Collocation, Form, GeneralizedAlpha, Integrator, Newmark, Restrained, Restraint,
+    AlphaOs, AlphaParameters, Collocation, FixedIterations, Form, GeneralizedAlpha, Integrator, KrAlpha, Newmark,
+    Restrained, Restraint,
 };
 use crate::script::Exception;
 
 /// Names, that of the integrator inside first.
-pub(super) const NAMES: [(&str, &str); 6] = [
+pub(super) const NAMES: [(&str, &str); 9] = [
     ("Newmark", "NewmarkHSIncrReduct"),
     ("Newmark", "NewmarkHSIncrLimit"),
     ("HHT", "HHTHSIncrReduct"),
     ("HHT", "HHTHSIncrLimit"),
     ("Collocation", "CollocationHSIncrReduct"),
     ("Collocation", "CollocationHSIncrLimit"),
+    ("Newmark", "NewmarkHSFixedNumIter"),
+    ("HHT", "HHTHSFixedNumIter"),
+    ("Collocation", "CollocationHSFixedNumIter"),
 ];
 
 const USAGE: &str = "integrator NewmarkHSIncrReduct $gamma $beta $factor | HHTHSIncrReduct $rhoInf|{$alphaI $alphaF $beta \
                      $gamma} $factor | CollocationHSIncrReduct $theta <$beta $gamma> $factor, and ...HSIncrLimit with \
-                     $limit <-normType $p> in place of $factor";
+                     $limit <-normType $p> or ...HSFixedNumIter with <-polyOrder 1|2|3> in place of $factor";
 
 const OPERATOR_SPLITTING: &str = "integrator AlphaOS $alpha <$beta $gamma> <-updateElemDisp> | \
                                   AlphaOSGeneralized $rhoInf|{$alphaI $alphaF $beta $gamma} <-updateElemDisp>";
@@ -52,11 +56,18 @@ pub(super) fn operator_splitting(
     if !positive {
         return Err(a.refuse("a parameter is not greater than 0", "expected positive numbers"));
     }
-    if p.force != 1.0 {
-        let message = format!("alphaF is {}: of these methods only those with alphaF = 1 are there yet", p.force);
-        return Err(a.refuse(message, "expected 1"));
-    }
     Ok(Box::new(AlphaOs::new(if generalized { "AlphaOSGeneralized" } else { "AlphaOS" }, p, update_elements)))
+}
+
+/// `KRAlphaExplicit`.
+pub(super) fn kolay_ricles(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Box<dyn Integrator>, Exception> {
+    a.usage("integrator KRAlphaExplicit $rhoInf <-updateElemDisp>");
+    let rho = a.not_negative("spectral radius rhoInf")?;
+    if rho > 1.0 {
+        return Err(a.refuse(format!("the spectral radius is {rho}"), "expected 0 to 1"));
+    }
+    let update = a.flag("-updateElemDisp") || !interp.host.engine.options.compat;
+    Ok(Box::new(KrAlpha::new(rho, update)))
 }
 
 /// One of these integrators, by its name; `None` if it is none of them.
@@ -64,21 +75,29 @@ pub(super) fn take(interp: &mut Tcl, a: &mut Args<'_>, word: &str) -> Result<Opt
     let Some((base, name)) = NAMES.into_iter().find(|(_, name)| *name == word) else { return Ok(None) };
     a.usage(USAGE);
     let numbers = a.floats("parameter")?;
-    let mut norm = 2;
+    let (mut norm, mut order) = (2, 2);
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-normType" => norm = a.int("p of the norm")?,
-            _ => ignore_option(interp, a, &["-normType"])?,
+            "-polyOrder" => {
+                order = a.count("order of the polynomial")?;
+                if order > 3 {
+                    return Err(a.refuse(format!("the order of the polynomial is {order}"), "expected 1, 2 or 3"));
+                }
+            }
+            _ => ignore_option(interp, a, &["-normType", "-polyOrder"])?,
         }
     }
-    let Some((last, own)) = numbers.split_last() else {
-        return Err(a.refuse(format!("{name}: the parameters are missing"), "expected as below"));
+    let fixed = name.ends_with("FixedNumIter");
+    let (restraint, own) = match numbers.split_last() {
+        _ if fixed => (None, numbers.as_slice()),
+        Some((factor, own)) if name.ends_with("Reduct") => (Some((*factor, Restraint::Factor(*factor))), own),
+        Some((size, own)) => (Some((*size, Restraint::Limit { size: *size, norm })), own),
+        None => return Err(a.refuse(format!("{name}: the parameters are missing"), "expected as below")),
     };
-    if numbers.iter().any(|x| *x < 0.0) || *last == 0.0 {
+    if numbers.iter().any(|x| *x < 0.0) || restraint.is_some_and(|(last, _)| last == 0.0) {
         return Err(a.refuse(format!("{name}: a parameter is not greater than 0"), "expected positive numbers"));
     }
-    let restraint =
-        if name.ends_with("Reduct") { Restraint::Factor(*last) } else { Restraint::Limit { size: *last, norm } };
     let inner: Box<dyn Integrator> = match (base, own) {
         ("Newmark", [gamma, beta]) if *beta > 0.0 => Box::new(Newmark::new(*gamma, *beta, Form::Displacement)),
         ("HHT", [rho]) => Box::new(GeneralizedAlpha::new(name, AlphaParameters::spectral(*rho), false)),
@@ -89,9 +108,13 @@ pub(super) fn take(interp: &mut Tcl, a: &mut Args<'_>, word: &str) -> Result<Opt
         ("Collocation", [theta]) => Box::new(Collocation::stable(*theta)),
         ("Collocation", [theta, beta, gamma]) if *beta > 0.0 => Box::new(Collocation::new(*theta, *beta, *gamma)),
         _ => {
-            let message = format!("{name}: {} parameters before the last, or beta is 0", own.len());
+            let before = if fixed { "" } else { " before the last" };
+            let message = format!("{name}: {} parameters{before}, or beta is 0", own.len());
             return Err(a.refuse(message, "expected as below"));
         }
     };
-    Ok(Some(Box::new(Restrained::new(name, inner, restraint))))
+    Ok(Some(match restraint {
+        Some((_, restraint)) => Box::new(Restrained::new(name, inner, restraint)),
+        None => Box::new(FixedIterations::new(name, inner, order)),
+    }))
 }

@@ -28,7 +28,7 @@ fn adaptive(a: &mut Args<'_>, step: f64) -> Result<Adaptive, Exception> {
     Ok(Adaptive { desired_iterations: desired as usize, min, max })
 }
 
-const INTEGRATORS: [&str; 25] = [
+const INTEGRATORS: [&str; 26] = [
     "LoadControl",
     "DisplacementControl",
     "ArcLength",
@@ -54,6 +54,7 @@ const INTEGRATORS: [&str; 25] = [
     "GimmeMCK",
     "AlphaOS",
     "AlphaOSGeneralized",
+    "KRAlphaExplicit",
 ];
 
 /// Explicit generalised α by the spectral radius at the bifurcation (Hulbert and Chung, 1996).
@@ -184,15 +185,15 @@ fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             a.usage("integrator NewmarkExplicit $gamma");
             let gamma = a.positive("gamma")?;
             let p = AlphaParameters { inertia: 1.0, force: 1.0, beta: 0.0, gamma };
-            Box::new(ExplicitAlpha::new("NewmarkExplicit", p))
+            Box::new(ExplicitAlpha::new("NewmarkExplicit", p, true))
         }
         "HHTExplicit" => {
             a.usage("integrator HHTExplicit $alpha <$gamma> <-updateElemDisp>");
             let force = a.positive("alpha")?;
             let gamma = a.optional_float("gamma")?.unwrap_or(0.5);
-            a.flag("-updateElemDisp");
+            let update = a.flag("-updateElemDisp") || !interp.host.engine.options.compat;
             let p = AlphaParameters { inertia: 1.0, force, beta: 0.0, gamma };
-            Box::new(ExplicitAlpha::new("HHTExplicit", p))
+            Box::new(ExplicitAlpha::new("HHTExplicit", p, update))
         }
         "HHTGeneralizedExplicit" => {
             a.usage("integrator HHTGeneralizedExplicit $rhoB $alphaF | $alphaI $alphaF $beta $gamma <-updateElemDisp>");
@@ -207,8 +208,8 @@ fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
                 }
                 explicit_by_bifurcation(first, force)
             };
-            a.flag("-updateElemDisp");
-            Box::new(ExplicitAlpha::new("HHTGeneralizedExplicit", p))
+            let update = a.flag("-updateElemDisp") || !interp.host.engine.options.compat;
+            Box::new(ExplicitAlpha::new("HHTGeneralizedExplicit", p, update))
         }
         "GimmeMCK" | "ZZTop" => {
             a.usage("integrator GimmeMCK $m $c $k");
@@ -218,6 +219,7 @@ fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         name @ ("AlphaOS" | "AlphaOSGeneralized") => {
             hybrid_integrator::operator_splitting(interp, &mut a, name == "AlphaOSGeneralized")?
         }
+        "KRAlphaExplicit" => hybrid_integrator::kolay_ricles(interp, &mut a)?,
         "Newmark1" => {
             a.usage("integrator Newmark1 $gamma $beta <$alphaM $betaK $betaK0 $betaKc>");
             let (gamma, beta) = (a.positive("gamma")?, a.positive("beta")?);

@@ -24,7 +24,8 @@ const PLAIN: &str = "pattern Plain $tag $series <-fact $factor> { load ... sp ..
 const UNIFORM: &str = "pattern UniformExcitation $tag $direction -accel $series <-vel0 $v> <-fact $factor>";
 const LOAD: &str = "load $node $f1 <$f2 ...> <-const> <-pattern $tag>";
 const SP: &str = "sp $node $dof $value <-const> <-subtractInit> <-pattern $tag>";
-const ELE_LOAD: &str = "eleLoad -ele $tag ... | -range $first $last -type -beamUniform ... | -beamPoint ...";
+const ELE_LOAD: &str = "eleLoad -ele $tag ... | -range $first $last -type -beamUniform ... | -beamUniformMoment $mz | \
+                        -beamPoint ...";
 const LOAD_CONST: &str = "loadConst <-time $time>";
 const SET_TIME: &str = "setTime $time";
 
@@ -214,10 +215,14 @@ fn ele_load(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             }
             "-type" => {}
             "-beamUniform" | "beamUniform" => given = Some(beam_uniform(&mut a, interp.host.ndm)?),
+            "-beamUniformMoment" | "beamUniformMoment" => given = Some(beam_moment(&mut a, interp.host.ndm)?),
             "-beamPoint" | "beamPoint" => given = Some(beam_point(&mut a, interp.host.ndm)?),
             "-pattern" => drop(a.int("tag of the pattern")?),
             _ if given.is_none() => {
-                return Err(a.unknown_name("element load", ["-ele", "-range", "-type", "-beamUniform", "-beamPoint"]));
+                return Err(a.unknown_name(
+                    "element load",
+                    ["-ele", "-range", "-type", "-beamUniform", "-beamUniformMoment", "-beamPoint"],
+                ));
             }
             _ => ignore_option(interp, &mut a, &["-ele", "-range", "-type"])?,
         }
@@ -257,6 +262,15 @@ fn beam_uniform(a: &mut Args<'_>, ndm: usize) -> Result<ElementLoad, Exception> 
     let z2 = if ndm == 3 { a.optional_float("load Wz at the end")?.unwrap_or(z) } else { 0.0 };
     let x2 = a.optional_float("load Wx at the end")?.unwrap_or(x);
     Ok(ElementLoad::Distributed { span: (from, to), y: (y, y2), z: (z, z2), x: (x, x2) })
+}
+
+/// A moment about z all along a beam; in space one about each axis, which no element takes.
+fn beam_moment(a: &mut Args<'_>, ndm: usize) -> Result<ElementLoad, Exception> {
+    if ndm == 3 {
+        a.float("moment per length mx")?;
+        a.float("moment per length my")?;
+    }
+    Ok(ElementLoad::Moment { z: a.float("moment per length mz")? })
 }
 
 fn beam_point(a: &mut Args<'_>, ndm: usize) -> Result<ElementLoad, Exception> {

@@ -9,6 +9,7 @@ mod amend;
 mod analysis;
 mod args;
 mod beam_integration;
+mod block;
 mod check;
 mod constraint;
 mod damping;
@@ -27,6 +28,7 @@ mod modal_damping;
 mod modal_properties;
 mod model;
 mod motion_file;
+mod nd_material;
 mod number_files;
 mod parameter;
 mod print;
@@ -89,6 +91,8 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         beam_integration::COMMANDS,
         transform::COMMANDS,
         element::COMMANDS,
+        nd_material::COMMANDS,
+        block::COMMANDS,
         amend::COMMANDS,
         series::COMMANDS,
         motion_file::COMMANDS,

@@ -51,6 +51,9 @@ pub(super) const COMMANDS: &[Command] = &[
     Command { name: "getNodeTags", usage: "getNodeTags", run: node_tags },
     Command { name: "getEleTags", usage: "getEleTags", run: ele_tags },
     Command { name: "nodeBounds", usage: "nodeBounds", run: node_bounds },
+    // Scripts that may be run in parallel ask how many they are: this one is alone.
+    Command { name: "getPID", usage: "getPID", run: |_, _| Ok(Value::from(0i64)) },
+    Command { name: "getNP", usage: "getNP", run: |_, _| Ok(Value::from(1i64)) },
     Command { name: "getNDM", usage: "getNDM", run: |i, _| Ok(Value::from(i.host.ndm as i64)) },
     Command { name: "getNDF", usage: "getNDF <$node>", run: ndf },
     Command { name: "nodeDOFs", usage: "nodeDOFs $node", run: node_dofs },

@@ -1,5 +1,7 @@
 //! Loads on elements, as `eleLoad` gives them.
 
+use super::ElementError;
+
 /// A load on an element, in its local axes and independent of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ElementLoad {
@@ -25,6 +27,11 @@ pub enum ElementLoad {
         z: f64,
         /// Along local x.
         x: f64,
+    },
+    /// A moment per length about local z, the same all along a beam in the plane.
+    Moment {
+        /// Moment per length.
+        z: f64,
     },
 }
 
@@ -77,11 +84,21 @@ fn internal_of_point((y, z, axial): (f64, f64, f64), at: f64, x: f64, length: f6
 }
 
 impl ElementLoad {
+    /// # Errors
+    /// It is a moment along the beam, which elements of this class do not take.
+    pub(crate) fn refuse_moment(&self, class: &str) -> Result<(), ElementError> {
+        match self {
+            Self::Moment { .. } => Err(ElementError(format!("{class} takes no moments along its length"))),
+            _ => Ok(()),
+        }
+    }
+
     /// Internal forces of a simple beam at `x` (fraction of the length) under the load: axial force, moment about z, shear
     /// along y, moment about y, shear along z, in the signs of a section.
     pub fn internal_forces(&self, x: f64, length: f64) -> [f64; 5] {
         match *self {
             Self::Point { at, y, z, x: axial } => internal_of_point((y, z, axial), at, x, length),
+            Self::Moment { z } => [0.0, 0.0, z, 0.0, 0.0],
             Self::Distributed { span, y, z, x: axial } => {
                 let mut sum = [0.0; 5];
                 let cut = x.clamp(span.0, span.1);
@@ -106,6 +123,10 @@ impl ElementLoad {
         match *self {
             Self::Point { at, y, z, x } => {
                 (EndActions::point(y, at, length), EndActions::point(z, at, length), (x, x * at))
+            }
+            // Shear alone holds it: the clamped beam does not bend.
+            Self::Moment { z } => {
+                (EndActions { shear: (-z, z), ..EndActions::default() }, EndActions::default(), (0.0, 0.0))
             }
             Self::Distributed { span, y, z, x } => {
                 let axial = EndActions::distributed(x, span, length);

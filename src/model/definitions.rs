@@ -1,6 +1,7 @@
 //! Named things that elements and patterns are made from: materials, series, transformations.
 
 use super::Tag;
+use crate::element::Isotropic;
 use crate::element::beam::Rule;
 use crate::element::bearing::Common;
 use crate::element::friction::Friction;
@@ -61,6 +62,8 @@ pub struct Integration {
 pub struct Definitions {
     /// `uniaxialMaterial`.
     pub materials: Registry<Material>,
+    /// `nDMaterial`.
+    pub nd_materials: Registry<Isotropic>,
     /// `frictionModel`.
     pub frictions: Registry<Friction>,
     /// `timeSeries`.
@@ -79,6 +82,7 @@ impl Default for Definitions {
     fn default() -> Self {
         Self {
             materials: Registry::new("uniaxial material"),
+            nd_materials: Registry::new("material of continua"),
             frictions: Registry::new("friction model"),
             series: Registry::new("time series"),
             sections: Registry::new("section"),

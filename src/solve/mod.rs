@@ -200,3 +200,20 @@ fn back_substitute(kind: &mut Kind, x: &mut [f64]) {
         Kind::Pivoted(s) => s.solve(x),
     }
 }
+
+/// X of A X = B for small dense matrices, all of them square of the same size and by rows.
+///
+/// # Errors
+/// A has no inverse.
+pub fn solve_dense(a: &[f64], b: &[f64]) -> Result<Vec<f64>, SolveError> {
+    let n = a.len().isqrt();
+    let mut factors = DenseLu::new(n);
+    factors.factor(a)?;
+    let (mut x, mut column) = (vec![0.0; n * n], vec![0.0; n]);
+    for j in 0..n {
+        column.iter_mut().enumerate().for_each(|(i, c)| *c = b[i * n + j]);
+        factors.solve(&mut column);
+        column.iter().enumerate().for_each(|(i, c)| x[i * n + j] = *c);
+    }
+    Ok(x)
+}

@@ -9,6 +9,10 @@ fn free_vibration(integrator: &str, dt: f64, omega: f64, zeta: f64) -> f64 {
 }
 
 fn with_algorithm(integrator: &str, algorithm: &str, dt: f64, omega: f64, zeta: f64) -> f64 {
+    with_test(integrator, algorithm, "NormUnbalance 1e-12 20", dt, omega, zeta)
+}
+
+fn with_test(integrator: &str, algorithm: &str, test: &str, dt: f64, omega: f64, zeta: f64) -> f64 {
     let text = format!(
         "model basic -ndm 1 -ndf 1
         node 1 0; node 2 0 -mass 1.0 -disp 1.0
@@ -17,7 +21,7 @@ fn with_algorithm(integrator: &str, algorithm: &str, dt: f64, omega: f64, zeta: 
         uniaxialMaterial Viscous 2 {c} 1.0
         element zeroLength 1 1 2 -mat 1 2 -dir 1 1
         setNodeAccel 2 1 {a0}
-        constraints Plain; numberer Plain; system BandGeneral; test NormUnbalance 1e-12 20; algorithm {algorithm}
+        constraints Plain; numberer Plain; system BandGeneral; test {test}; algorithm {algorithm}
         integrator {integrator}
         analysis Transient
         analyze {n} {dt}
@@ -68,12 +72,67 @@ fn integrators_have_their_order() {
 
 #[test]
 fn explicit_integrators_have_their_order() {
-    for integrator in
-        ["CentralDifference", "NewmarkExplicit 0.5", "HHTExplicit 0.9 0.6", "HHTGeneralizedExplicit 0.8 0.6"]
-    {
+    for integrator in [
+        "CentralDifference",
+        "NewmarkExplicit 0.5",
+        "HHTExplicit 0.9 0.6",
+        "HHTGeneralizedExplicit 0.8 0.6",
+        "AlphaOS 1.0",
+        "AlphaOS 0.8",
+        "AlphaOSGeneralized 0.5",
+    ] {
         let error = |dt: f64| {
             let found = with_algorithm(integrator, "Linear", dt, 9.0, 0.0);
             (found - exact(1.0, 9.0, 0.0)).abs()
+        };
+        let order = (error(0.005) / error(0.0025)).log2();
+        assert!((order - 2.0).abs() < 0.2, "{integrator}: order {order}");
+    }
+}
+
+/// The velocity of this method is that of half a step before, so a motion that starts with an acceleration starts late by
+/// that: it is of first order for it, of second order from rest.
+#[test]
+fn explicit_method_of_kolay_and_ricles_has_its_order() {
+    let from_displacement = |dt: f64| {
+        let found = with_algorithm("KRAlphaExplicit 1.0", "Linear", dt, 9.0, 0.0);
+        (found - exact(1.0, 9.0, 0.0)).abs()
+    };
+    // u'' + ω² u = t², from rest: u = (t² - 2 (1 - cos ωt)/ω²)/ω².
+    let from_rest = |dt: f64| {
+        let text = format!(
+            "model basic -ndm 1 -ndf 1; node 1 0; node 2 0 -mass 1.0; fix 1 1
+            uniaxialMaterial Elastic 1 81.0
+            element zeroLength 1 1 2 -mat 1 -dir 1
+            timeSeries Path 1 -dt 1e-3 -values {{{values}}}
+            pattern Plain 1 1 {{ load 2 1.0 }}
+            constraints Plain; numberer Plain; system FullGeneral; algorithm Linear
+            integrator KRAlphaExplicit 1.0; analysis Transient
+            analyze {n} {dt}
+            puts [nodeDisp 2 1]",
+            values = (0..1100).map(|i| (1e-3 * f64::from(i)).powi(2).to_string()).collect::<Vec<_>>().join(" "),
+            n = (1.0 / dt).round(),
+        );
+        let exact = (1.0 - 2.0 * (1.0 - 9.0f64.cos()) / 81.0) / 81.0;
+        (run(&text).numbers()[0] - exact).abs()
+    };
+    let (first, second) = (from_displacement(0.005) / from_displacement(0.0025), from_rest(0.02) / from_rest(0.01));
+    assert!((first.log2() - 1.0).abs() < 0.2, "order {}", first.log2());
+    assert!((second.log2() - 2.0).abs() < 0.25, "order {}", second.log2());
+}
+
+/// A fixed number of iterations, each a part of the way, ends at the same order; the place on the way is a polynomial's.
+#[test]
+fn fixed_iterations_have_their_order() {
+    for integrator in [
+        "NewmarkHSFixedNumIter 0.5 0.25",
+        "NewmarkHSFixedNumIter 0.5 0.25 -polyOrder 1",
+        "HHTHSFixedNumIter 0.6 -polyOrder 3",
+        "CollocationHSFixedNumIter 1.1",
+    ] {
+        let error = |dt: f64| {
+            let found = with_test(integrator, "Newton", "FixedNumIter 4", dt, 9.0, 0.05);
+            (found - exact(1.0, 9.0, 0.05)).abs()
         };
         let order = (error(0.005) / error(0.0025)).log2();
         assert!((order - 2.0).abs() < 0.2, "{integrator}: order {order}");

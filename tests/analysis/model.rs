@@ -117,3 +117,23 @@ fn wipe_leaves_nothing_behind() {
     let v = run(&format!("{text}{text}")).numbers();
     assert_eq!(v[0], v[1]);
 }
+
+/// A strip of quadrilaterals under uniform tension, with a side that is curved: σ L/E whatever the mesh.
+#[test]
+fn a_block_of_quadrilaterals_stretches_evenly() {
+    let found = run("model basic -ndm 2 -ndf 2
+        nDMaterial ElasticIsotropic 1 1000.0 0.25
+        block2D 4 3 1 1 quad {0.5 PlaneStress 1} {1 0 0  2 4 0  3 4 2  4 0 2  9 2.2 1.1}
+        foreach n {1 6 11 16} { fix $n 1 0 }
+        fix 1 0 1
+        timeSeries Linear 1
+        pattern Plain 1 1 { load 5 1 0; load 10 2 0; load 15 2 0; load 20 1 0 }
+        constraints Plain; numberer RCM; system ProfileSPD; algorithm Linear; integrator LoadControl 1; analysis Static
+        analyze 1
+        puts [nodeDisp 10 1]; puts [nodeDisp 20 2]; puts [llength [getEleTags]]")
+    .numbers();
+    // 6 over 2 x 0.5.
+    assert!(close(found[0], 6.0 * 4.0 / 1000.0, 1e-9));
+    assert!(close(found[1], -0.25 * 6.0 * 2.0 / 1000.0, 1e-9));
+    assert_eq!(found[2], 12.0);
+}

@@ -170,6 +170,7 @@ fn member_loads_pass_all_of_their_force_to_the_ends() {
             let length = (LINE.1 - LINE.0).norm();
             let total = match *load {
                 ElementLoad::Point { y, z, x, .. } => Vector3::new(x, y, z),
+                ElementLoad::Moment { .. } => Vector3::zeros(),
                 ElementLoad::Distributed { span, y, z, x } => {
                     let mean = |w: (f64, f64)| 0.5 * (w.0 + w.1) * (span.1 - span.0) * length;
                     Vector3::new(mean(x), mean(y), mean(z))

@@ -3,9 +3,9 @@
 use super::driver::{Point, path};
 use super::materials::{check_purity, check_tangent};
 use hysteron::material::{
-    Concrete01, Concrete02, Elastic, ElasticBilin, ElasticMultiLinear, ElasticPP, ElasticPPGap, Envelope, Hardening,
-    Hysteretic, InitialState, Iteration, Material, Maxwell, Method, MinMax, MultiLinear, NoTension, Parallel,
-    SelfCentering, Series, Steel01, Steel02, ViscousDamper,
+    BrbBranch, Concrete01, Concrete02, Elastic, ElasticBilin, ElasticMultiLinear, ElasticPP, ElasticPPGap, Envelope,
+    Fatigue, FatigueParameters, Hardening, Hysteretic, InitialState, Iteration, Material, Maxwell, Method, MinMax,
+    MultiLinear, NoTension, Parallel, SelfCentering, Series, Steel01, Steel02, SteelBrb, ViscousDamper,
 };
 use std::sync::Arc;
 
@@ -15,6 +15,17 @@ fn steel02(a: [f64; 4], sig_init: f64) -> Material {
 
 fn steel01() -> Material {
     Arc::new(Steel01 { fy: 2.0, e0: 200.0, b: 0.02, a: Steel01::NO_ISOTROPIC })
+}
+
+fn steel_brb() -> Material {
+    let branch = |yield_stress, alpha, beta| BrbBranch { yield_stress, alpha, beta, delta: 0.05 };
+    let (tension, compression) = (branch(3.0, 1.2, 0.02), branch(3.5, 2.5, 0.03));
+    Arc::new(SteelBrb { e: 200.0, yield_stress: 2.0, tension, compression, compat: false })
+}
+
+fn fatigue() -> Material {
+    let p = FatigueParameters { d_max: 1.0, e0: 0.5, m: -0.458, limits: (-1.0, 1.0) };
+    Arc::new(Fatigue::new((steel01(), 1), p))
 }
 
 fn hysteretic(pinch: [f64; 2], damage: [f64; 2], beta: f64) -> Material {
@@ -85,6 +96,8 @@ fn all() -> Vec<(&'static str, Material, f64)> {
         ("flag of OpenSees", self_centering(true), 0.12),
         ("side by side", Arc::new(Parallel::new(both, vec![2.0, 0.5])), 0.1),
         ("one behind the other", Arc::new(series(Iteration::Converged)), 0.1),
+        ("braces of steel", steel_brb(), 0.1),
+        ("fatigue", fatigue(), 0.1),
         ("strain limits", Arc::new(MinMax::new((steel01(), 1), -0.09, 0.095, false)), 0.1),
         ("initial strain", Arc::new(InitialState::strain((steel01(), 1), 0.013).unwrap()), 0.1),
         ("concrete without tension", Arc::new(concrete01), 0.006),
@@ -247,4 +260,21 @@ fn maxwell_relaxes() {
     let h = 1e-6;
     let slope = (p.trial(0.1 + h, 0.0, 0.25).value - p.trial(0.1 - h, 0.0, 0.25).value) / (2.0 * h);
     assert!((later.tangent - slope).abs() < 1e-6);
+}
+
+/// Cycles of one range fail when their damage comes to 1: half a cycle each, 1/(Δε/E0)^(1/m) cycles.
+#[test]
+fn fatigue_counts_half_cycles() {
+    let p = FatigueParameters { d_max: 1.0, e0: 0.1, m: -0.5, limits: (-1.0, 1.0) };
+    let mut point = Point::new(Arc::new(Fatigue::new((steel01(), 1), p)));
+    // A range of 0.02 lasts (0.02 / 0.1)^-2 = 25 cycles; the first quarter is a range of 0.01 to no harm worth the name.
+    let mut half_cycles = 0;
+    let mut strain = 0.01;
+    point.go(strain);
+    while half_cycles < 100 && point.go(strain).value.abs() > 1e-6 {
+        strain = -strain;
+        point.go(strain);
+        half_cycles += 1;
+    }
+    assert!((48..=52).contains(&half_cycles), "{half_cycles}");
 }

@@ -23,13 +23,29 @@ pub struct AlphaOs {
     last: Vec<f64>,
     /// Velocities predicted for the end of the step.
     vel: Vec<f64>,
+    /// Correction of the last step, at all degrees of freedom, and what follows from it in the equations.
+    lag: Vec<f64>,
+    extra: Vec<f64>,
 }
 
 impl AlphaOs {
     /// From its parameters.
     pub fn new(name: &'static str, p: AlphaParameters, update_elements: bool) -> Self {
         let c = Coefficients::default();
-        Self { name, p, update_elements, c, dt: 0.0, corrections: 0, disp: vec![], last: vec![], vel: vec![] }
+        let [disp, last, vel, lag, extra] = [const { vec![] }; 5];
+        Self { name, p, update_elements, c, dt: 0.0, corrections: 0, disp, last, vel, lag, extra }
+    }
+
+    /// The elements were at the predicted displacement of the last step, not at the corrected one: the linear stiffness makes
+    /// up for that share of their forces.
+    fn add_lag(&mut self, s: &mut System<'_>, correction: &mut [f64]) -> Result<(), Failure> {
+        for ((lag, end), predicted) in self.lag.iter_mut().zip(&s.old.disp).zip(&self.last) {
+            *lag = (self.p.force - 1.0) * (end - predicted);
+        }
+        s.stiffness_times(&self.lag, &mut self.extra)?;
+        s.solve_for(&mut self.extra)?;
+        correction.iter_mut().zip(&self.extra).for_each(|(x, e)| *x += e);
+        Ok(())
     }
 }
 
@@ -48,6 +64,8 @@ impl Integrator for AlphaOs {
         let n = s.old.disp.len();
         self.disp.resize(n, 0.0);
         self.vel.resize(n, 0.0);
+        self.lag.resize(n, 0.0);
+        self.extra.resize(s.work.b.len(), 0.0);
         self.last.clone_from(&s.old.disp);
         Ok(())
     }
@@ -74,6 +92,9 @@ impl Integrator for AlphaOs {
 
     fn update(&mut self, s: &mut System<'_>, correction: &mut [f64]) -> Result<(), Failure> {
         only_once(self.name, &mut self.corrections, s)?;
+        if self.p.force != 1.0 {
+            self.add_lag(s, correction)?;
+        }
         let (new, held) = (&mut *s.new, &s.work.plan.map.held);
         new.disp.copy_from_slice(&self.disp);
         new.vel.copy_from_slice(&self.vel);

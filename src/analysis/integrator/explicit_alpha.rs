@@ -8,11 +8,14 @@ use crate::analysis::system::{Coefficients, System};
 /// `integrator NewmarkExplicit`, `HHTExplicit` and `HHTGeneralizedExplicit`: the displacement at the end of a step is
 /// predicted without its acceleration, for which the equations are solved; the tangent has mass and damping only.
 ///
-/// Elements see the end of every step, which OpenSees leaves to `-updateElemDisp`.
+/// Elements need not see the end of the step: then they stay where the equations were formed, as in OpenSees without
+/// `-updateElemDisp`.
 #[derive(Clone, Debug)]
 pub struct ExplicitAlpha {
     name: &'static str,
     p: AlphaParameters,
+    /// Elements see the end of the step.
+    update_elements: bool,
     dt: f64,
     corrections: u32,
     /// Displacements predicted for the end of the step.
@@ -23,8 +26,8 @@ pub struct ExplicitAlpha {
 
 impl ExplicitAlpha {
     /// From its parameters.
-    pub fn new(name: &'static str, p: AlphaParameters) -> Self {
-        Self { name, p, dt: 0.0, corrections: 0, disp: vec![], vel: vec![] }
+    pub fn new(name: &'static str, p: AlphaParameters, update_elements: bool) -> Self {
+        Self { name, p, update_elements, dt: 0.0, corrections: 0, disp: vec![], vel: vec![] }
     }
 }
 
@@ -74,6 +77,7 @@ impl Integrator for ExplicitAlpha {
         (0..held.len()).filter(|&i| !held[i]).for_each(|i| new.accel[i] = 0.0);
         s.spread(correction);
         s.add_motion(Coefficients { k: beta * dt * dt, c: gamma * dt, m: 1.0 });
+        s.moved = self.update_elements;
         s.apply_loads(s.old.time + dt)
     }
 }

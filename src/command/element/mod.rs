@@ -2,11 +2,13 @@
 
 mod beam;
 mod bearing;
+mod component;
 mod fiber_beam;
 mod kikuchi;
 mod multiple_normal_spring;
 mod multiple_shear_spring;
 mod multiple_springs;
+mod quad;
 mod rheology_bearing;
 mod rubber_bearing;
 mod sliding;
@@ -43,6 +45,7 @@ struct Kind {
 const KINDS: &[Kind] = &[
     beam::ELASTIC,
     beam::MODIFIED,
+    component::COMPONENT,
     timoshenko::TIMOSHENKO,
     bearing::BOUC_WEN,
     bearing::PLASTICITY,
@@ -74,7 +77,7 @@ const KINDS: &[Kind] = &[
 
 /// How the kinds are used.
 pub(super) fn usages() -> impl Iterator<Item = &'static str> {
-    KINDS.iter().map(|k| k.usage)
+    KINDS.iter().map(|k| k.usage).chain([quad::USAGE])
 }
 
 /// The two nodes of an element.
@@ -125,18 +128,26 @@ fn element(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     need_model(interp, call)?;
     let mut a = Args::new(call, "element $kind $tag $iNode $jNode ...");
     let name = a.word("kind of element")?;
-    let Some(kind) = KINDS.iter().find(|k| k.names.contains(&name.as_ref())) else {
-        return Err(a.unknown_name("element", KINDS.iter().flat_map(|k| k.names.iter().copied())));
+    let kind = KINDS.iter().find(|k| k.names.contains(&name.as_ref()));
+    let usage = kind.map(|k| k.usage).or_else(|| quad::NAMES.contains(&name.as_ref()).then_some(quad::USAGE));
+    let Some(usage) = usage else {
+        let names = KINDS.iter().flat_map(|k| k.names.iter().copied());
+        return Err(a.unknown_name("element", names.chain(quad::NAMES)));
     };
-    a.usage(kind.usage);
+    a.usage(usage);
     let tag = a.int("tag of the element")?;
     if interp.host.engine.model().element(tag).is_some() {
         return Err(a.refuse(format!("there is an element {tag} already"), "expected a new tag"));
     }
-    let ends = Ends::take(interp, &mut a)?;
-    let made = (kind.make)(interp, &mut a, &ends)?;
+    let (nodes, made) = match kind {
+        Some(kind) => {
+            let ends = Ends::take(interp, &mut a)?;
+            (ends.nodes.to_vec(), (kind.make)(interp, &mut a, &ends)?)
+        }
+        None => quad::make(interp, &mut a)?,
+    };
     finish(interp, &a)?;
-    interp.host.engine.add_element(tag, ends.nodes.to_vec(), made);
+    interp.host.engine.add_element(tag, nodes, made);
     Ok(Value::EMPTY)
 }
 

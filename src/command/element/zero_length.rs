@@ -45,7 +45,10 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
             "-mat" => mats = materials(interp, a)?,
             "-dir" | "-dof" => {
                 while dirs.is_empty() || a.at_number() {
-                    dirs.push((a.dof("direction", 6)? + 1, a.last_span()));
+                    let direction = a.dof("direction", 6)? + 1;
+                    // In the plane the third degree of freedom of a node is its rotation.
+                    let turns = direction == 3 && (ends.ndm, ends.ndf) == (2, 3);
+                    dirs.push((if turns { 6 } else { direction }, a.last_span()));
                 }
             }
             "-doRayleigh" => match a.optional_int("flag")? {

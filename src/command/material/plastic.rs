@@ -4,7 +4,7 @@ use super::Kind;
 use crate::command::args::Args;
 use crate::command::{Tcl, warn};
 use crate::diagnostic::Diagnostic;
-use crate::material::{Hardening, Material, MultiLinear, Steel01, Steel02};
+use crate::material::{BrbBranch, Hardening, Material, MultiLinear, Steel01, Steel02, SteelBrb};
 use crate::script::Exception;
 use std::sync::Arc;
 
@@ -14,6 +14,12 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["Steel02"],
         usage: "uniaxialMaterial Steel02 $tag $Fy $E0 $b <$R0 $cR1 $cR2 <$a1 $a2 $a3 $a4 <$sigInit>>>",
         make: steel02,
+    },
+    Kind {
+        names: &["SteelBRB"],
+        usage: "uniaxialMaterial SteelBRB $tag $E $sigmaY0 $sigmaYT $alphaT $betaT $deltaT $sigmaYC $alphaC $betaC $deltaC \
+                <$tol>",
+        make: steel_brb,
     },
     Kind {
         names: &["Hardening"],
@@ -71,6 +77,24 @@ fn steel02(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     }
     let sig_init = a.optional_float("initial stress sigInit")?.unwrap_or(0.0);
     Ok(Arc::new(Steel02 { fy, e0, b, r0, c_r: [c_r1, c_r2], a: isotropic, sig_init }))
+}
+
+fn steel_brb(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let e = a.positive("elastic modulus E")?;
+    let yield_stress = a.positive("initial yield stress sigmaY0")?;
+    let mut branch = |side: &str| {
+        Ok::<_, Exception>(BrbBranch {
+            yield_stress: a.positive(&format!("hardened yield stress sigmaY{side}"))?,
+            alpha: a.positive(&format!("exponent alpha{side} of the transition"))?,
+            beta: a.not_negative(&format!("kinematic hardening beta{side}"))?,
+            delta: a.positive(&format!("plastic strain delta{side} of isotropic hardening"))?,
+        })
+    };
+    let (tension, compression) = (branch("T")?, branch("C")?);
+    // Found to round-off here.
+    a.optional_float("tolerance")?;
+    let compat = interp.host.engine.options.compat;
+    Ok(Arc::new(SteelBrb { e, yield_stress, tension, compression, compat }))
 }
 
 fn hardening(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {

@@ -2,8 +2,11 @@
 
 use super::Kind;
 use crate::command::args::Args;
-use crate::command::{Tcl, ignore_option};
-use crate::material::{InitialState, Iteration, Material, MaterialError, MinMax, Parallel, Series};
+use crate::command::{Tcl, ignore_option, warn};
+use crate::diagnostic::Diagnostic;
+use crate::material::{
+    Fatigue, FatigueParameters, InitialState, Iteration, Material, MaterialError, MinMax, Parallel, Series,
+};
 use crate::script::Exception;
 use std::sync::Arc;
 
@@ -22,6 +25,12 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["MinMax", "MinMaxMaterial"],
         usage: "uniaxialMaterial MinMax $tag $material <-min $minStrain> <-max $maxStrain>",
         make: min_max,
+    },
+    Kind {
+        names: &["Fatigue", "FatigueMaterial"],
+        usage: "uniaxialMaterial Fatigue $tag $material <-E0 $strain> <-m $slope> <-min $minStrain> <-max $maxStrain> \
+                <-Dmax $damage>",
+        make: fatigue,
     },
     Kind {
         names: &["InitStrainMaterial", "InitStrain"],
@@ -94,6 +103,39 @@ fn min_max(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     }
     let compat = interp.host.engine.options.compat;
     Ok(Arc::new(MinMax::new(inner, min, max, compat)))
+}
+
+fn fatigue(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let inner = a.of(&interp.host.definitions.materials)?;
+    // Wide-flange braces of steel (Uriz and Mahin, 2008).
+    let mut p = FatigueParameters { d_max: 1.0, e0: 0.191, m: -0.458, limits: (-1e16, 1e16) };
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-E0" => p.e0 = a.positive("strain range E0 of one cycle to failure")?,
+            "-m" => {
+                p.m = a.float("slope m of strain range over cycles, in logarithms")?;
+                if p.m >= 0.0 {
+                    return Err(a.refuse(format!("the slope m is {}", p.m), "expected a negative number"));
+                }
+            }
+            "-min" => p.limits.0 = a.float("smallest strain")?,
+            "-max" => p.limits.1 = a.float("largest strain")?,
+            "-Dmax" => {
+                p.d_max = a.float("damage at failure Dmax")?;
+                if !(0.0..=1.0).contains(&p.d_max) {
+                    let message = format!("Fatigue: the damage at failure is {}, and is taken as 1", p.d_max);
+                    warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected 0 to 1"))?;
+                    p.d_max = 1.0;
+                }
+            }
+            _ => ignore_option(interp, a, &["-E0", "-m", "-min", "-max", "-Dmax"])?,
+        }
+    }
+    if p.limits.0 >= p.limits.1 {
+        let message = format!("no strain lies between {} and {}", p.limits.0, p.limits.1);
+        return Err(a.refuse(message, "expected -min less than -max"));
+    }
+    Ok(Arc::new(Fatigue::new(inner, p)))
 }
 
 fn init_strain(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {

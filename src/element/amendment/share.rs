@@ -31,12 +31,12 @@ impl Share {
         let scale = 1.0 - self.hysteretic * (1.0 - s);
         let concerned = self.concerned(d);
         let mut v = Verdict::default();
-        for i in 0..2 {
+        for (i, concerned) in concerned.into_iter().enumerate() {
             v.q[i] = scale * d.q[i] + k * d.e[i];
             v.by_force[i][i] = scale;
-            v.by_deformation[i] = ds.map(|ds| concerned[i] * ds);
+            v.by_deformation[i] = ds.map(|ds| concerned * ds);
             v.by_deformation[i][i] += k;
-            v.by_axial[i] = concerned[i] * ds_axial;
+            v.by_axial[i] = concerned * ds_axial;
         }
         v
     }
@@ -64,9 +64,9 @@ impl Share {
         let by_e = self.work_by_deformation(d).map(|w| ds_work * w);
         let mut v = self.scale(d, s, by_e, 0.0);
         let (de, concerned) = (d.increment(), self.concerned(d));
-        for i in 0..2 {
-            for (by, de) in v.by_force[i].iter_mut().zip(de) {
-                *by += concerned[i] * ds_work * de;
+        for (row, concerned) in v.by_force.iter_mut().zip(concerned) {
+            for (by, de) in row.iter_mut().zip(de) {
+                *by += concerned * ds_work * de;
             }
         }
         v

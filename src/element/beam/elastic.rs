@@ -392,6 +392,9 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
     }
 
     fn add_load(&self, load: &ElementLoad, factor: f64, words: &mut [f64]) -> Result<(), ElementError> {
+        if N == 12 {
+            load.refuse_moment(self.class())?;
+        }
         add_clamped_load::<B>(load, factor, &self.bending, self.transform.length(), words);
         Ok(())
     }

@@ -226,6 +226,9 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
     }
 
     fn add_load(&self, load: &ElementLoad, factor: f64, words: &mut [f64]) -> Result<(), ElementError> {
+        if N == 12 {
+            load.refuse_moment(self.class())?;
+        }
         F::add_load(&self.member, load, factor, words);
         Ok(())
     }

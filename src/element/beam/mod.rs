@@ -1,5 +1,6 @@
 //! Beam-columns.
 
+mod component;
 mod displacement_based;
 mod elastic;
 mod force_based;
@@ -7,6 +8,7 @@ mod integration;
 mod member;
 mod timoshenko;
 
+pub use component::{ComponentBeam, ComponentOptions};
 pub use displacement_based::DisplacementBased;
 pub use elastic::{Bending, ElasticBeam, ElasticOptions, Release};
 pub use force_based::ForceBased;

@@ -220,6 +220,7 @@ impl<const N: usize, const B: usize> Element for TimoshenkoBeam<N, B> {
     }
 
     fn add_load(&self, load: &ElementLoad, factor: f64, words: &mut [f64]) -> Result<(), ElementError> {
+        load.refuse_moment(self.class())?;
         let length = self.frame.length;
         let (y, z, (axial, axial_j)) = load.end_actions(length);
         let mut q = [0.0; B];

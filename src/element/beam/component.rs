@@ -1,0 +1,307 @@
+//! An elastic beam between two rotational springs: `componentElement2d`.
+
+use super::elastic::{Bending, Release, add_clamped_load, consistent_mass, lumped_mass};
+use crate::element::transform::{Reactions, Transform};
+use crate::element::{Answer, Element, ElementError, ElementLoad, Mass, Motion, Nature, Snapshot, frame_force_labels};
+use crate::material::{Slot, Strain};
+use crate::probe::Probe;
+use std::sync::Arc;
+
+/// Numbers of a component beam.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ComponentOptions {
+    /// Axial rigidity E A.
+    pub ea: f64,
+    /// Flexural rigidity E I.
+    pub ei: f64,
+    /// Mass per length.
+    pub rho: f64,
+    /// Consistent instead of lumped mass.
+    pub consistent: bool,
+}
+
+/// An elastic beam in the plane with a rotational spring at either end, between the node and the beam. The rotations of the
+/// beam's own ends are unknowns inside the element, found so that the moments of springs and beam agree. An end without a
+/// spring is a hinge.
+#[derive(Clone, Debug)]
+pub struct ComponentBeam {
+    transform: Arc<dyn Transform<6, 3>>,
+    options: ComponentOptions,
+    springs: [Option<Slot>; 2],
+    len: usize,
+}
+
+/// Words of the rotations of the beam's ends.
+const INSIDE: usize = 2;
+/// Iterations for the rotations inside.
+const ITERATIONS: usize = 50;
+
+/// Springs turn from left to right along the beam: the one at i counts the beam's end less the node, that at j the other way.
+const SENSE: [f64; 2] = [1.0, -1.0];
+
+/// What the springs and the beam between them come to.
+#[derive(Clone, Copy, Debug, Default)]
+struct Ends {
+    /// Moments at the nodes.
+    moment: [f64; 2],
+    stiffness: [[f64; 2]; 2],
+}
+
+impl ComponentBeam {
+    /// From its geometry, its numbers and the springs at i and j.
+    pub fn new(
+        transform: Arc<dyn Transform<6, 3>>,
+        options: ComponentOptions,
+        springs: [Option<(crate::material::Material, i32)>; 2],
+    ) -> Self {
+        let mut at = INSIDE;
+        let springs = springs.map(|s| {
+            s.map(|(material, tag)| {
+                let slot = Slot::new(material, tag, at);
+                at += slot.len();
+                slot
+            })
+        });
+        Self { transform, options, springs, len: at }
+    }
+
+    fn bending(&self) -> [Bending; 2] {
+        [Bending { ei: self.options.ei, gav: None, release: Release::None }; 2]
+    }
+
+    /// 2 E I/L, in which the beam's end moments are 2 θi + θj and θi + 2 θj.
+    fn beam(&self) -> f64 {
+        2.0 * self.options.ei / self.transform.length()
+    }
+
+    /// Rotations inside that take up moments `left` there, with spring stiffnesses `k`.
+    fn take_up(&self, k: [f64; 2], left: [f64; 2]) -> [f64; 2] {
+        let beam = self.beam();
+        let (a, b) = (k[0] + 2.0 * beam, k[1] + 2.0 * beam);
+        let determinant = a * b - beam * beam;
+        [(b * left[0] - beam * left[1]) / determinant, (a * left[1] - beam * left[0]) / determinant]
+    }
+
+    /// Moments left out of balance inside, of the springs, the beam and the clamped moments of loads.
+    fn left(&self, spring: [f64; 2], inside: [f64; 2], clamped: [f64; 2]) -> [f64; 2] {
+        let beam = self.beam();
+        [
+            spring[0] + beam * (2.0 * inside[0] + inside[1]) + clamped[0],
+            spring[1] + beam * (inside[0] + 2.0 * inside[1]) + clamped[1],
+        ]
+    }
+
+    /// Condense the rotations inside out of the stiffnesses and moments of the springs; what is left out of balance inside goes
+    /// to the nodes.
+    fn condense(&self, k: [f64; 2], spring: [f64; 2], left: [f64; 2]) -> Ends {
+        let inside = self.take_up(k, left);
+        let [of_i, of_j] = [self.take_up(k, [k[0], 0.0]), self.take_up(k, [0.0, k[1]])];
+        Ends {
+            moment: [0, 1].map(|i| k[i] * inside[i] - spring[i]),
+            stiffness: [[k[0] * (1.0 - of_i[0]), -k[0] * of_j[0]], [-k[1] * of_i[1], k[1] * (1.0 - of_j[1])]],
+        }
+    }
+
+    /// A number of each spring in a state.
+    fn springs(&self, get: fn(&Slot, &[f64]) -> f64, state: &[f64]) -> [f64; 2] {
+        self.springs.each_ref().map(|s| s.as_ref().map_or(0.0, |s| get(s, state)))
+    }
+
+    /// Moments of the springs in a state, in the sense of rotations of the beam's ends.
+    fn moments(&self, state: &[f64]) -> [f64; 2] {
+        let stress = self.springs(Slot::stress, state);
+        [0, 1].map(|i| SENSE[i] * stress[i])
+    }
+
+    /// Moments and stiffness at the nodes, for their rotations and the clamped moments of loads: Newton's method for the
+    /// rotations inside, from what the committed stiffnesses predict, with half steps where a spring bends sharply.
+    fn solve(
+        &self,
+        rotation: [f64; 2],
+        clamped: [f64; 2],
+        dt: f64,
+        (committed, trial): (&[f64], &mut [f64]),
+    ) -> Result<Ends, ElementError> {
+        let start = [committed[0], committed[1]];
+        let (k, strain) = (self.springs(Slot::tangent, committed), self.springs(Slot::strain, committed));
+        let mut left = self.left(self.moments(committed), start, clamped);
+        for i in [0, 1] {
+            left[i] -= k[i] * (rotation[i] - start[i] + SENSE[i] * strain[i]);
+        }
+        let step = self.take_up(k, left);
+        let (mut inside, mut step) = ([start[0] - step[0], start[1] - step[1]], step);
+        let (mut ends, mut least) = (Ends::default(), f64::INFINITY);
+        let size = rotation[0].abs().max(rotation[1].abs()).max(start[0].abs()).max(start[1].abs());
+        for _ in 0..ITERATIONS {
+            for (i, spring) in self.springs.iter().enumerate() {
+                if let Some(slot) = spring {
+                    let value = SENSE[i] * (inside[i] - rotation[i]);
+                    slot.update(committed, Strain { value, rate: 0.0, dt }, trial)?;
+                }
+            }
+            trial[..INSIDE].copy_from_slice(&inside);
+            let k = self.springs(Slot::tangent, trial);
+            let spring = self.moments(trial);
+            let left = self.left(spring, inside, clamped);
+            ends = self.condense(k, spring, left);
+            let norm = left[0].hypot(left[1]);
+            if norm > least {
+                step = step.map(|x| 0.5 * x);
+                inside = [inside[0] + step[0], inside[1] + step[1]];
+            } else {
+                least = norm;
+                step = self.take_up(k, left);
+                inside = [inside[0] - step[0], inside[1] - step[1]];
+            }
+            if step[0].abs().max(step[1].abs()) <= 1e-15 * size {
+                break;
+            }
+        }
+        Ok(ends)
+    }
+
+    fn basic_stiffness(&self, ends: &Ends) -> [[f64; 3]; 3] {
+        let [[ii, ij], [ji, jj]] = ends.stiffness;
+        [[self.options.ea / self.transform.length(), 0.0, 0.0], [0.0, ii, ij], [0.0, ji, jj]]
+    }
+
+    /// Moments at the nodes and stiffness in a state that has been found.
+    fn ends(&self, state: &[f64], load: &[f64]) -> Ends {
+        let spring = self.moments(state);
+        let left = self.left(spring, [state[0], state[1]], [load[1], load[2]]);
+        self.condense(self.springs(Slot::tangent, state), spring, left)
+    }
+
+    fn basic_force(&self, s: &Snapshot<'_>) -> [f64; 3] {
+        let v = self.transform.deformation(s.disp, s.state);
+        let m = self.ends(s.state, s.load).moment;
+        [self.options.ea / self.transform.length() * v[0] + s.load[0], m[0], m[1]]
+    }
+
+    fn reactions(load: &[f64]) -> Reactions {
+        std::array::from_fn(|i| load[3 + i])
+    }
+}
+
+const LOCAL_FORCE: u32 = 3;
+const BASIC_FORCE: u32 = 4;
+const HINGES: u32 = 5;
+const HINGE_TANGENTS: u32 = 6;
+const DEFORMATION: u32 = 8;
+const STIFFNESS: u32 = 19;
+
+impl Element for ComponentBeam {
+    fn class(&self) -> &'static str {
+        "ComponentElement2d"
+    }
+    fn dofs(&self) -> usize {
+        6
+    }
+    fn state_len(&self) -> usize {
+        self.len
+    }
+    fn init(&self, state: &mut [f64]) {
+        state[..INSIDE].fill(0.0);
+        self.springs.iter().flatten().for_each(|s| s.init(state));
+    }
+    fn nature(&self) -> Nature {
+        Nature {
+            linear: self.transform.is_linear() && self.springs.iter().flatten().all(|s| s.material.is_linear()),
+            symmetric: true,
+            viscous: false,
+            elapses: self.springs.iter().flatten().any(|s| s.material.depends_on_time()),
+            rayleigh: true,
+        }
+    }
+
+    fn respond(
+        &self,
+        m: &Motion<'_>,
+        committed: &[f64],
+        trial: &mut [f64],
+        answer: Answer<'_>,
+    ) -> Result<(), ElementError> {
+        self.transform.advance(m.disp, committed, trial)?;
+        let v = self.transform.deformation(m.disp, trial);
+        let ends = self.solve([v[1], v[2]], [m.load[1], m.load[2]], m.dt, (committed, trial))?;
+        let axial = self.options.ea / self.transform.length() * v[0] + m.load[0];
+        let q = [axial, ends.moment[0], ends.moment[1]];
+        self.transform.add_force(m.disp, trial, &q, &Self::reactions(m.load), answer.force);
+        if let Some(k) = answer.tangent {
+            self.transform.add_tangent(m.disp, trial, &self.basic_stiffness(&ends), &q, k);
+        }
+        Ok(())
+    }
+
+    fn initial_tangent(&self, tangent: &mut [f64]) {
+        let k = self.springs.each_ref().map(|s| s.as_ref().map_or(0.0, |s| s.material.initial_tangent()));
+        let kb = self.basic_stiffness(&self.condense(k, [0.0; 2], [0.0; 2]));
+        self.transform.frame().add_basic_stiffness(&kb, tangent);
+    }
+
+    fn mass(&self) -> Mass {
+        let (rho, length) = (self.options.rho, self.transform.length());
+        if rho == 0.0 {
+            Mass::None
+        } else if self.options.consistent {
+            Mass::Consistent(self.transform.frame().global_of_local(&consistent_mass::<6>(length, rho, 0.0)))
+        } else {
+            Mass::Lumped(lumped_mass::<6>(rho * length))
+        }
+    }
+
+    fn load_len(&self) -> usize {
+        3 + 5
+    }
+
+    fn add_load(&self, load: &ElementLoad, factor: f64, words: &mut [f64]) -> Result<(), ElementError> {
+        load.refuse_moment(self.class())?;
+        add_clamped_load::<3>(load, factor, &self.bending(), self.transform.length(), words);
+        Ok(())
+    }
+
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        Some(match *words.first()? {
+            "localForce" | "localForces" => Probe::new(LOCAL_FORCE, ["N_1", "V_1", "M_1", "N_2", "V_2", "M_2"]),
+            "basicForce" | "basicForces" => Probe::new(BASIC_FORCE, ["N", "M_1", "M_2"]),
+            "basicDeformation" => Probe::new(DEFORMATION, ["N", "M_1", "M_2"]),
+            "basicStiffness" => Probe::new(STIFFNESS, (1..=9).map(|i| format!("k{i}"))),
+            "hingeDefoAndForce" => Probe::new(HINGES, ["end1_Defo", "end1_Force", "end2_Defo", "end2_Force"]),
+            "hingeTangent" => Probe::new(HINGE_TANGENTS, ["end1_Tangent", "end1_Tangent"]),
+            _ => return None,
+        })
+    }
+
+    fn probe_names(&self) -> &'static [&'static str] {
+        &["localForce", "basicForce", "basicDeformation", "basicStiffness", "hingeDefoAndForce", "hingeTangent"]
+    }
+
+    fn force_labels(&self) -> Vec<String> {
+        frame_force_labels(6)
+    }
+
+    fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
+        match path[0] {
+            LOCAL_FORCE => {
+                self.transform.frame().local_force(&self.basic_force(s), &Self::reactions(s.load), out);
+            }
+            BASIC_FORCE => out.copy_from_slice(&self.basic_force(s)),
+            DEFORMATION => out.copy_from_slice(&self.transform.deformation(s.disp, s.state)),
+            STIFFNESS => {
+                let kb = self.basic_stiffness(&self.ends(s.state, s.load));
+                out.copy_from_slice(kb.as_flattened());
+            }
+            HINGES => {
+                for (o, spring) in out.chunks_exact_mut(2).zip(&self.springs) {
+                    let pair = spring.as_ref().map_or([0.0; 2], |h| [h.strain(s.state), h.stress(s.state)]);
+                    o.copy_from_slice(&pair);
+                }
+            }
+            _ => {
+                for (o, spring) in out.iter_mut().zip(&self.springs) {
+                    *o = spring.as_ref().map_or(0.0, |h| h.tangent(s.state));
+                }
+            }
+        }
+    }
+}

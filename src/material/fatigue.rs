@@ -1,0 +1,237 @@
+//! Low-cycle fatigue around another material.
+
+use super::{Material, MaterialError, Slot, Strain, Stress, Uniaxial};
+use crate::probe::Probe;
+use crate::words::Words;
+use std::sync::Arc;
+
+/// Numbers of [`Fatigue`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FatigueParameters {
+    /// Damage at which the material fails, 0 to 1.
+    pub d_max: f64,
+    /// Strain range at which one cycle is enough to fail.
+    pub e0: f64,
+    /// Slope of the curve of Coffin and Manson in logarithms, negative.
+    pub m: f64,
+    /// Strains at which the material fails at once.
+    pub limits: (f64, f64),
+}
+
+/// A material that fails by low-cycle fatigue: ranges of strain are found by a rainflow count that looks at four turning
+/// points at a time, and their damage is summed as Miner does, with a life by Coffin and Manson (Uriz and Mahin, 2008). The
+/// count is brought up to date when a step ends, so that it is the next step that feels the failure. What has failed keeps
+/// 1e-8 of its stress.
+#[derive(Clone, Debug)]
+pub struct Fatigue {
+    inner: Slot,
+    p: FatigueParameters,
+}
+
+crate::words! {
+    /// What is known of the cycles so far.
+    struct Cycles {
+        /// 1 once the material has failed.
+        failed: f64,
+        /// Damage of the ranges that are closed.
+        damage: f64,
+        /// Turning points that are not yet part of a range: first, second, third, fourth. Zero stands for none.
+        turn: [f64; 4],
+        /// Range before the one in hand.
+        range: f64,
+        /// Third and fourth turning points are waiting to be counted.
+        waiting: f64,
+        /// The second turning point has been found.
+        begun: f64,
+        /// 0 before the first strain.
+        started: f64,
+        /// Last increment of strain that was not zero.
+        slope: f64,
+        /// Last strain.
+        last: f64,
+        /// Cycles and range: counted in this step, and two that would be if the strain turned now.
+        counted: [[f64; 2]; 3],
+    }
+}
+
+/// Part of stress and stiffness that is left after failure.
+const LEFT: f64 = 1.0e-8;
+/// Smaller ranges do no damage.
+const NO_RANGE: f64 = 1.0e-10;
+
+impl Fatigue {
+    /// Around a material with its tag.
+    pub fn new((material, tag): (Material, i32), p: FatigueParameters) -> Self {
+        Self { inner: Slot::new(material, tag, Cycles::LEN), p }
+    }
+
+    /// Damage of a number of cycles of a range.
+    fn damage(&self, cycles: f64, range: f64) -> f64 {
+        cycles / (range / self.p.e0).powf(1.0 / self.p.m).abs()
+    }
+
+    /// A turning point: the last strain.
+    fn turn(&self, c: &mut Cycles) {
+        let [a, b, third, _] = c.turn;
+        let peak = c.last;
+        if c.begun == 0.0 {
+            c.turn[1] = peak;
+            c.range = (peak - a).abs();
+            c.begun = 1.0;
+            return;
+        }
+        let waits = c.waiting != 0.0;
+        let range = (peak - if waits { third } else { b }).abs();
+        c.turn[if waits { 3 } else { 2 }] = peak;
+        let count = |c: &mut Cycles, cycles: f64, range: f64| {
+            c.damage += self.damage(cycles, range);
+            c.counted[0] = [cycles, range];
+        };
+        match (range < c.range, waits) {
+            (true, false) => {
+                c.waiting = 1.0;
+                c.range = range;
+            }
+            (true, true) => {
+                count(c, 1.0, range);
+                c.turn = [a, b, 0.0, 0.0];
+                c.range = (b - a).abs();
+                c.waiting = 0.0;
+            }
+            (false, true) => {
+                let inner = c.range;
+                count(c, 1.0, inner);
+                c.turn = [a, peak, 0.0, 0.0];
+                c.range = (peak - a).abs();
+                c.waiting = 0.0;
+            }
+            (false, false) => {
+                let before = c.range;
+                count(c, 0.5, before);
+                c.turn = [b, peak, 0.0, 0.0];
+                c.range = range;
+            }
+        }
+    }
+
+    /// Damage if the strain turned now.
+    fn would_be(&self, c: &mut Cycles, strain: f64) -> f64 {
+        let [a, b, third, fourth] = c.turn;
+        let open = match (b != 0.0, third != 0.0, fourth != 0.0) {
+            (false, false, false) => [(0.5, (strain - a).abs()), (0.0, 0.0)],
+            (true, false, false) => [(0.5, (strain - b).abs()), (0.5, c.range)],
+            (true, true, false) if (a - strain).abs() > (a - b).abs() => [(0.5, (strain - a).abs()), (1.0, c.range)],
+            (true, true, false) => [(0.5, (a - b).abs()), (1.0, (third - strain).abs())],
+            // A turning point at zero strain cannot be told from none.
+            _ => return c.damage,
+        };
+        let mut damage = c.damage;
+        for ((cycles, range), counted) in open.into_iter().zip(&mut c.counted[1..]) {
+            *counted = if range < NO_RANGE { [0.0; 2] } else { [cycles, range] };
+            if range >= NO_RANGE {
+                damage += self.damage(cycles, range);
+            }
+        }
+        damage
+    }
+
+    /// The cycles at the end of a step.
+    fn advance(&self, old: &Cycles, strain: f64, stress: f64) -> Cycles {
+        let mut c = *old;
+        c.counted[0] = [0.0; 2];
+        if strain <= self.p.limits.0 || strain >= self.p.limits.1 {
+            c.failed = 1.0;
+            c.damage = self.p.d_max;
+            return c;
+        }
+        if c.started == 0.0 {
+            (c.started, c.turn, c.last, c.waiting) = (1.0, [strain, 0.0, 0.0, 0.0], strain, 0.0);
+        }
+        let slope = if strain == c.last { c.slope } else { strain - c.last };
+        let sign = |x: f64| if x == 0.0 { 0.0 } else { x.signum() };
+        if c.slope != 0.0 && sign(c.slope) != sign(slope) {
+            self.turn(&mut c);
+            if c.damage >= self.p.d_max {
+                c.failed = 1.0;
+            }
+        }
+        if c.failed == 0.0 {
+            let damage = self.would_be(&mut c, strain);
+            // What is compressed holds on, cracked or not.
+            if damage > self.p.d_max && stress > 0.0 {
+                (c.damage, c.failed) = (damage, 1.0);
+            }
+        }
+        (c.slope, c.last) = (slope, strain);
+        c
+    }
+}
+
+impl Uniaxial for Fatigue {
+    fn name(&self) -> &'static str {
+        "Fatigue"
+    }
+    fn state_len(&self) -> usize {
+        Cycles::LEN + self.inner.len()
+    }
+    fn init(&self, state: &mut [f64]) {
+        Cycles::default().write(state);
+        self.inner.init(state);
+    }
+    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+        let old = Cycles::read(committed);
+        let s = self.inner.update(committed, strain, next)?;
+        let failed = old.failed != 0.0;
+        let new = if failed {
+            Cycles { counted: [[0.0; 2], old.counted[1], old.counted[2]], ..old }
+        } else {
+            self.advance(&old, strain.value, s.value)
+        };
+        if new.failed != 0.0 {
+            // What has failed remembers nothing more.
+            next[Cycles::LEN..].copy_from_slice(&committed[Cycles::LEN..Cycles::LEN + self.inner.len()]);
+        }
+        new.write(next);
+        Ok(if failed {
+            Stress { value: LEFT * s.value, tangent: LEFT * self.initial_tangent(), damping: 0.0 }
+        } else {
+            s
+        })
+    }
+    fn initial_tangent(&self) -> f64 {
+        self.inner.material.initial_tangent()
+    }
+    fn is_viscous(&self) -> bool {
+        self.inner.material.is_viscous()
+    }
+    fn depends_on_time(&self) -> bool {
+        self.inner.material.depends_on_time()
+    }
+    fn is_linear(&self) -> bool {
+        false
+    }
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
+        let mut new = self.clone();
+        let old = new.inner.set_parameter(words, value)?;
+        Some((Arc::new(new), old))
+    }
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        match *words.first()? {
+            "damage" => Some(Probe::new(0, ["DI"])),
+            "cyclesAndRange" => Some(Probe::new(1, (1..=6).map(|i| format!("cyclesAndRange{i}")))),
+            "failure" => Some(Probe::new(2, ["failure"])),
+            "material" => Some(self.inner.probe(&words[1..])?.inside(&[3])),
+            _ => self.inner.material.probe(words).map(|p| p.inside(&[4])),
+        }
+    }
+    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
+        let c = Cycles::read(state);
+        match path[0] {
+            0 => out[0] = c.damage,
+            1 => out.copy_from_slice(c.counted.as_flattened()),
+            2 => out[0] = c.failed,
+            3 => self.inner.read(&path[1..], state, out),
+            _ => self.inner.read_own(&path[1..], state, out),
+        }
+    }
+}
