@@ -15,6 +15,8 @@ mod bearings;
 mod corotational;
 #[path = "laws/driver.rs"]
 mod driver;
+#[path = "laws/every_bearing.rs"]
+mod every_bearing;
 #[path = "laws/frame_materials.rs"]
 mod frame_materials;
 #[path = "laws/kikuchi.rs"]
@@ -31,6 +33,8 @@ mod rubber;
 mod rubber_bearings;
 #[path = "laws/rubber_plane.rs"]
 mod rubber_plane;
+#[path = "support/script.rs"]
+mod script;
 #[path = "laws/sections.rs"]
 mod sections;
 #[path = "laws/sliders.rs"]
