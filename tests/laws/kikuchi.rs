@@ -293,6 +293,14 @@ fn critical_load_is_that_of_its_springs() {
         if stiffness(middle) > 0.0 { below = middle } else { above = middle }
     }
     assert!((below / critical_load() - 1.0).abs() < 0.01, "{below} {}", critical_load());
+    let told = |load: f64| {
+        let mut e = bearing(parameters(elastic(SHEAR), elastic(MODULUS)));
+        compress(&mut e, &mut [0.0; 12], -load);
+        e.commit();
+        e.element.overload(&e.state).map(|o| o.critical)
+    };
+    assert_eq!(told(0.98 * below), None);
+    assert!((told(1.02 * below).unwrap() / below - 1.0).abs() < 0.01);
     // Beside it Haringx' column of the same rigidities, P_e = π² (E I H/t)/H²: where the rubber is thin that load is about
     // π/2 as large, as two springs are softer than a continuous column.
     let (k, bending) = springs_alone();
