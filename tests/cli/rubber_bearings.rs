@@ -82,7 +82,7 @@ fn a_switch_that_is_neither_on_nor_off_is_told_of() {
 fn a_load_above_the_critical_one_is_told_of() {
     let pressed = |load: &str| {
         run(&format!(
-            "{MODEL}element HDR 1 1 2 {LAYERS} {GRANT}\nfix 1 1 1 1 1 1 1\nfix 2 1 1 0 1 1 1\ntimeSeries Linear 1\n\
+            "{MODEL}element HDR 1 1 2 {LAYERS} {GRANT}\nfix 1 1 1 1 1 1 1\nfix 2 1 1 0 1 1 1\nforeach n {{3 4}} {{ fix $n 1 1 1 1 1 1 }}\ntimeSeries Linear 1\n\
              pattern Plain 1 1 {{ load 2 0 0 {load} 0 0 0 }}\nconstraints Transformation\nalgorithm Newton\n\
              integrator LoadControl 0.5\nanalysis Static\nanalyze 1\nanalyze 1\nputs [expr {{[nodeDisp 2 3] < 0}}]\n"
         ))

@@ -338,7 +338,7 @@ impl Element for KikuchiBearing {
     fn overload(&self, history: &[f64]) -> Option<Overload> {
         let axial = match self.scheme {
             Scheme::Converged => Memory::read(history).axial,
-            Scheme::OpenSees(..) => Trace::read(history).settled.springs.axial,
+            Scheme::OpenSees(..) => opensees::axial_deformation(history),
         };
         let (load, critical) = (-self.kinematics.stiff.axial * axial, self.critical_load()?);
         (load > critical).then_some(Overload { load, critical })
