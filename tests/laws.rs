@@ -17,6 +17,8 @@ mod component;
 mod corotational;
 #[path = "laws/driver.rs"]
 mod driver;
+#[path = "laws/every_bearing.rs"]
+mod every_bearing;
 #[path = "laws/frame_materials.rs"]
 mod frame_materials;
 #[path = "laws/kikuchi.rs"]
@@ -35,6 +37,8 @@ mod rubber;
 mod rubber_bearings;
 #[path = "laws/rubber_plane.rs"]
 mod rubber_plane;
+#[path = "support/script.rs"]
+mod script;
 #[path = "laws/sections.rs"]
 mod sections;
 #[path = "laws/sliders.rs"]

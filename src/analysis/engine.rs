@@ -11,8 +11,8 @@ use super::prepared::{PrepareOptions, Prepared};
 use super::state::State;
 use super::system::{Coefficients, System};
 use crate::assembly::{Handler, MpScope};
-use crate::element::{Element, Snapshot};
-use crate::model::{ElementId, GroundMotion, Model, NodeId, Pattern, PatternKind, Tag};
+use crate::element::{Element, Overload, Snapshot};
+use crate::model::{ElementEntry, ElementId, GroundMotion, Model, NodeId, Pattern, PatternKind, Tag};
 use std::sync::Arc;
 
 /// Kind of analysis.
@@ -292,6 +292,12 @@ impl Engine {
             force: &self.committed.force[e.force.clone()],
             load: &self.committed.element_load[e.load.clone()],
         }
+    }
+
+    /// The first element that does not carry its axial load in the committed state, and that load.
+    pub fn overload(&self) -> Option<(&ElementEntry, Overload)> {
+        let of = |e: &ElementEntry| e.element.overload(&self.committed.history[e.state.clone()]);
+        self.model.elements.iter().find_map(|e| of(e).map(|load| (e, load)))
     }
 
     /// The resisting force of an element in the committed state as recorders show it, added to `out`.

@@ -9,6 +9,7 @@ use crate::analysis::integrator::{Adaptive, Integrator, LoadControl, Newmark};
 use crate::analysis::{Cause, Failure, Kind, Ladder, Measure, ModesError, Problem, Setup, TangentMix, Test, Wanted};
 use crate::assembly::Handler;
 use crate::diagnostic::{Diagnostic, Severity, Span};
+use crate::element::Overload;
 use crate::script::{Call, Exception, Value};
 
 pub(super) const COMMANDS: &[Command] = &[
@@ -237,7 +238,25 @@ fn tell_doubts(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
         session.told.insert("balance", 1);
         warn(interp, Diagnostic::warning(message).at(span, "a tighter test, or one of the unbalance, shows it"))?;
     }
+    tell_overload(interp, span);
     Ok(())
+}
+
+/// Tell once of a bearing under more than its critical load. It may be what the script is about: no error, even where
+/// warnings are.
+fn tell_overload(interp: &mut Tcl, span: Option<Span>) {
+    let session = &mut interp.host;
+    if session.mode == Mode::Check || session.told.contains_key("overload") {
+        return;
+    }
+    let Some((e, Overload { load, critical })) = session.engine.overload() else { return };
+    let message = format!(
+        "the axial load of {} {} is {load:.4e}, above its critical load of {critical:.4e}",
+        e.element.class(),
+        e.tag
+    );
+    session.told.insert("overload", 1);
+    super::tell(interp, Diagnostic::warning(message).at(span, "it has buckled"));
 }
 
 const SOLVERS: &[&str] = &[

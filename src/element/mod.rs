@@ -163,6 +163,15 @@ impl From<MaterialError> for ElementError {
     }
 }
 
+/// An axial load that a bearing does not carry.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Overload {
+    /// Compression in it.
+    pub load: f64,
+    /// Its critical load.
+    pub critical: f64,
+}
+
 /// A finite element.
 pub trait Element: fmt::Debug + Send + Sync {
     /// OpenSees' name of the class, as recorders and `print` show it.
@@ -234,6 +243,11 @@ pub trait Element: fmt::Debug + Send + Sync {
     /// it cannot be amended.
     fn basic_rows(&self) -> Vec<BasicRow> {
         vec![]
+    }
+
+    /// The load that it carries no longer in a committed state, where it has a critical load.
+    fn overload(&self, _history: &[f64]) -> Option<Overload> {
+        None
     }
 
     /// A response by the words of a recorder command; `None` where the element has none of that name.

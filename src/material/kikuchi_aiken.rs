@@ -22,10 +22,39 @@ pub struct Shape {
     pub a: f64,
 }
 
+/// How the loops end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Loops {
+    /// In the opposite point of the skeleton: the first curve has the factor α that takes it there.
+    Closed,
+    /// As in OpenSees: the first curve has α = 1 and ends short of the skeleton by 2 u F_m exp(-2 a), which the force
+    /// steps by.
+    Short,
+}
+
+/// Strain from which `above` holds instead of `below`: where they meet, no more than 2 % from `limit`.
+pub(super) fn meeting(limit: f64, below: impl Fn(f64) -> f64, above: impl Fn(f64) -> f64) -> f64 {
+    let difference = |x: f64| above(x) - below(x);
+    let (mut low, mut high) = (0.98 * limit, 1.02 * limit);
+    let first = difference(low);
+    if first * difference(high) >= 0.0 {
+        return limit;
+    }
+    while high - low > 2.0 * f64::EPSILON * limit {
+        let middle = 0.5 * (low + high);
+        if first * difference(middle) > 0.0 { low = middle } else { high = middle }
+    }
+    high
+}
+
 /// What a kind of bearing says of its loops, by the shear strain γ of their amplitude.
 pub trait Device: fmt::Debug + Clone + Send + Sync + 'static {
     /// Name in the `uniaxialMaterial` command.
     const NAME: &'static str;
+
+    /// The same with each formula of the skeleton from where it meets the one before. OpenSees changes over at a round
+    /// number next to it, where the force steps by up to 3e-4 of it.
+    fn joined(self) -> Self;
 
     /// Total thickness of the rubber H_r.
     fn height(&self) -> f64;
@@ -36,8 +65,8 @@ pub trait Device: fmt::Debug + Clone + Send + Sync + 'static {
     /// Force F_m at an amplitude, and its derivative with respect to the displacement.
     fn skeleton(&self, gamma: f64) -> (f64, f64);
 
-    /// Shape of the loops; a to a relative `tolerance` of the dissipated energy.
-    fn shape(&self, gamma: f64, tolerance: f64) -> Shape;
+    /// Shape of the loops.
+    fn shape(&self, gamma: f64, loops: Loops) -> Shape;
 
     /// b of a curve that begins at a reversal at γ, in loops with the given a.
     fn bump(&self, gamma: f64, a: f64) -> f64;
@@ -49,7 +78,7 @@ pub trait Device: fmt::Debug + Clone + Send + Sync + 'static {
 /// The law: within the largest displacement X so far, with x = d / X, the force is F₁ + F₂,
 /// F₁ = (1 - u) F_m [(1 - p) x + p xⁿ] and F₂ along a curve from the last reversal (x_r, F_2r),
 /// F₂ = F_2r ± α u F_m [2 - 2 exp(-a t) + b t exp(-c t)], t = |x - x_r|; α takes the curve to the reversal before, from
-/// where the interrupted one goes on. Beyond X the force is that of the skeleton.
+/// where the interrupted one goes on, the first one to the opposite point of the skeleton. Beyond X the force is that of the skeleton.
 ///
 /// Kikuchi and Aiken (1997), <https://doi.org/10.1002/(SICI)1096-9845(199702)26:2%3C215::AID-EQE640%3E3.0.CO;2-9>; the
 /// parameters and their functions of the amplitude as in OpenSees.
@@ -61,8 +90,8 @@ pub struct KikuchiAiken<D> {
     rf: f64,
     /// Stiffness in the elastic range.
     elastic: f64,
-    /// As in OpenSees: its tangent on the skeleton, an elastic range that comes back a little softer, a to a coarse
-    /// tolerance, a loop that closes to the last bit left open, and an initial tangent without R_s.
+    /// As in OpenSees: its tangent on the skeleton, an elastic range that comes back a little softer, steps of the force
+    /// where a loop meets the skeleton and where its formulas meet, a to a coarse tolerance, a loop that closes to the last bit left open, and an initial tangent without R_s.
     compat: Option<Compat>,
 }
 
@@ -143,10 +172,29 @@ fn forget(words: &mut [f64]) {
     words.copy_within(place(least + 2)..place(LEVELS + 1), place(least));
 }
 
-/// Parameter a of a loop with equivalent damping h_eq: (1 - exp(-2a)) / a = 1 - π h_eq / (2u), at most `limit`, by
-/// bisection from `range`. A loop that no a is fat or thin enough for has that limit too.
-pub(super) fn decay_of_damping(heq: f64, u: f64, range: f64, limit: f64, tolerance: f64) -> f64 {
-    let target = 1.0 - std::f64::consts::PI * heq / (2.0 * u);
+/// Parameter a of a loop with equivalent damping h_eq, at most `limit`; a loop that no a is fat or thin enough for has
+/// that limit too. `range` is where OpenSees begins to look for it.
+pub(super) fn decay_of_damping(heq: f64, u: f64, range: f64, limit: f64, loops: Loops) -> f64 {
+    let share = std::f64::consts::PI * heq / (2.0 * u);
+    match loops {
+        Loops::Closed => closed_decay(share, limit),
+        Loops::Short => short_decay(1.0 - share, range, limit),
+    }
+}
+
+/// Of a closed loop: coth a - 1 / a = π h_eq / (2u).
+fn closed_decay(share: f64, limit: f64) -> f64 {
+    if !(share > 0.0 && share < 1.0) {
+        return limit;
+    }
+    let rises = |a: f64| (1.0 / a.tanh() - 1.0 / a - share, 1.0 / (a * a) - a.sinh().powi(-2));
+    bracketed_root(rises, (0.0, f64::INFINITY), 1.0 / (1.0 - share), 1.0, 100).map_or(limit, |a| a.min(limit))
+}
+
+/// Of a loop that ends short of the skeleton: (1 - exp(-2a)) / a = 1 - π h_eq / (2u), where OpenSees' bisection from
+/// `range` ends.
+fn short_decay(target: f64, range: f64, limit: f64) -> f64 {
+    const TOLERANCE: f64 = 1e-6;
     if !(target > 0.0 && target < 2.0) {
         return limit;
     }
@@ -165,8 +213,8 @@ pub(super) fn decay_of_damping(heq: f64, u: f64, range: f64, limit: f64, toleran
     let (mut low, mut high) = (0.0, range);
     for _ in 0..100 {
         let a = 0.5 * (low + high);
-        let near = (slope * (a - root)).abs() < 2.0 * tolerance * target;
-        if near && ((side(a).0 - target) / target).abs() < tolerance {
+        let near = (slope * (a - root)).abs() < 2.0 * TOLERANCE * target;
+        if near && ((side(a).0 - target) / target).abs() < TOLERANCE {
             return a.min(limit);
         }
         if a > root {
@@ -189,9 +237,10 @@ pub(super) fn bump_of_damping(heq: f64, u: f64, a: f64, c: f64) -> f64 {
 impl<D: Device> KikuchiAiken<D> {
     /// A bearing, or one of several springs side by side with the factors R_s and R_f, both 1 for a whole bearing.
     pub fn new(device: D, [rs, rf]: [f64; 2], compat: bool) -> Self {
+        let device = if compat { device } else { device.joined() };
         let elastic = device.skeleton(ELASTIC_STRAIN).0 / (ELASTIC_STRAIN * device.height());
         let compat = compat.then(|| {
-            let Shape { u, a, .. } = device.shape(ELASTIC_STRAIN, tolerance(true));
+            let Shape { u, a, .. } = device.shape(ELASTIC_STRAIN, Loops::Short);
             let end = (-2.0 * a).exp();
             Compat { back: 1.0 - 2.0 * u * end, tried: elastic * (1.0 - u + u * 2.0 * a * end) }
         });
@@ -220,7 +269,7 @@ impl<D: Device> KikuchiAiken<D> {
         let (fm, mut k) = self.device.skeleton(gamma);
         self.check(fm, gamma)?;
         if self.compat.is_some() {
-            let Shape { u, p, n, a } = self.device.shape(gamma, tolerance(true));
+            let Shape { u, p, n, a } = self.device.shape(gamma, Loops::Short);
             k = fm / t.max * ((1.0 - u) * (1.0 - p + p * n) + u * 2.0 * a * (-2.0 * a).exp());
         }
         t.fm = fm;
@@ -243,16 +292,17 @@ impl<D: Device> KikuchiAiken<D> {
     fn reverse(&self, c: &Head, t: &mut Head, next: &mut [f64]) -> Result<(), MaterialError> {
         let gamma = c.d.abs() / self.device.height();
         if c.depth == 0.0 {
-            let shape = self.device.shape(gamma, tolerance(self.compat.is_some()));
+            let loops = if self.compat.is_some() { Loops::Short } else { Loops::Closed };
+            let shape = self.device.shape(gamma, loops);
             self.check(shape.u, gamma)?;
             (t.u, t.p, t.n, t.a) = (shape.u, shape.p, shape.n, shape.a);
             if self.compat.is_none() {
                 t.n = t.n.max(1.0);
             }
-            let first =
-                Reversal { x: sign(c.d), q2: sign(c.d) * t.u * t.fm, b: self.device.bump(gamma, t.a), alpha: 1.0 };
+            let b = self.device.bump(gamma, t.a);
+            let alpha = if loops == Loops::Closed { 2.0 / self.curve(t.a, b, 2.0).0 } else { 1.0 };
             t.depth = 1.0;
-            first.write(&mut next[place(1)..]);
+            Reversal { x: sign(c.d), q2: sign(c.d) * t.u * t.fm, b, alpha }.write(&mut next[place(1)..]);
             return Ok(());
         }
         if c.depth() == LEVELS {
@@ -303,11 +353,6 @@ impl<D: Device> KikuchiAiken<D> {
         let q1 = (1.0 - t.u) * t.fm * stiffening * sign(x);
         Ok((q1 + t.q2, t.fm / t.max * ((1.0 - t.u) * stiffer + hysteretic * slope)))
     }
-}
-
-/// Tolerance of a.
-fn tolerance(compat: bool) -> f64 {
-    if compat { 1e-6 } else { 1e-15 }
 }
 
 impl<D: Device> Uniaxial for KikuchiAiken<D> {

@@ -1,6 +1,6 @@
 //! High damping rubber in Kikuchi and Aiken's law.
 
-use super::kikuchi_aiken::{Device, Shape, bump_of_damping, decay_of_damping};
+use super::kikuchi_aiken::{Device, Loops, Shape, bump_of_damping, decay_of_damping, meeting};
 
 /// A rubber compound by shear strain γ: fitted to tests up to γ = 4.1, in MPa.
 ///
@@ -121,6 +121,12 @@ impl HighDampingRubber {
 impl Device for HighDampingRubber {
     const NAME: &'static str = "KikuchiAikenHDR";
 
+    fn joined(mut self) -> Self {
+        let [limit, k, m] = self.compound.geq_power;
+        self.compound.geq_power[0] = meeting(limit, |g| k * g.powf(m), |g| cubic(&self.compound.geq, g));
+        self
+    }
+
     fn height(&self) -> f64 {
         self.height
     }
@@ -144,10 +150,10 @@ impl Device for HighDampingRubber {
         (stress * scale, modulus * scale / self.height)
     }
 
-    fn shape(&self, gamma: f64, tolerance: f64) -> Shape {
+    fn shape(&self, gamma: f64, loops: Loops) -> Shape {
         let u = self.u(gamma);
         let [from, limit] = self.compound.a;
-        let a = if gamma < from { decay_of_damping(self.heq(gamma), u, 20.0, limit, tolerance) } else { limit };
+        let a = if gamma < from { decay_of_damping(self.heq(gamma), u, 20.0, limit, loops) } else { limit };
         let n = if gamma < self.compound.n.0 { 1.0 } else { cubic(&self.compound.n.1, gamma) };
         Shape { u, p: 0.5, n, a }
     }

@@ -1,6 +1,6 @@
 //! Lead rubber bearings in Kikuchi and Aiken's law.
 
-use super::kikuchi_aiken::{Device, Shape, bump_of_damping, decay_of_damping};
+use super::kikuchi_aiken::{Device, Loops, Shape, bump_of_damping, decay_of_damping, meeting};
 use std::f64::consts::PI;
 
 /// Decay a from γ = 2 on, and at most.
@@ -20,7 +20,15 @@ pub struct LeadRubber {
     qd: f64,
     kd: f64,
     ku: f64,
+    /// Strains at which the formulas of the factors of Q_d and of K_d change over.
+    strength_limits: [f64; 2],
+    stiffness_limits: [f64; 3],
 }
+
+/// Formulas of the factor of Q_d, from one limit to the next: k and m of k γ^m.
+const STRENGTH: [[f64; 2]; 3] = [[2.036, 0.410], [1.106, 0.145], [1.0, 0.0]];
+/// The same of the factor of K_d; beyond the last limit the bearing stiffens.
+const STIFFNESS: [[f64; 2]; 3] = [[0.779, -0.43], [1.0, -0.25], [1.0, -0.12]];
 
 /// Parameters of a [`LeadRubber`] bearing.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,34 +60,25 @@ impl LeadRubber {
         let qd = p.lead_strength * p.lead_area * (-0.00879 * warmer).exp() * p.factors[1];
         let elastic = p.rubber_modulus * p.rubber_area + p.lead_modulus * p.lead_area;
         let kd = elastic / p.height * (-0.00271 * warmer).exp() * p.factors[0];
-        Self { height: p.height, qd, kd, ku: p.stiffness_ratio * kd }
+        let (strength_limits, stiffness_limits) = ([0.1, 0.5], [0.25, 1.0, STIFFENING]);
+        Self { height: p.height, qd, kd, ku: p.stiffness_ratio * kd, strength_limits, stiffness_limits }
     }
 
     /// Factor of Q_d and its derivative with respect to γ.
-    fn strength(gamma: f64) -> (f64, f64) {
-        match gamma {
-            g if g < 0.1 => power(2.036, 0.410, g),
-            g if g < 0.5 => power(1.106, 0.145, g),
-            _ => (1.0, 0.0),
-        }
+    fn strength(&self, gamma: f64) -> (f64, f64) {
+        let formula = self.strength_limits.iter().take_while(|limit| gamma >= **limit).count();
+        power(STRENGTH[formula], gamma)
     }
 
     /// Factor of K_d and its derivative with respect to γ.
-    fn stiffness(gamma: f64) -> (f64, f64) {
-        match gamma {
-            g if g < 0.25 => power(0.779, -0.43, g),
-            g if g < 1.0 => power(1.0, -0.25, g),
-            g if g < STIFFENING => power(1.0, -0.12, g),
-            g => {
-                let over = g - STIFFENING;
-                (0.0482025 * over * over + 0.92019, 2.0 * 0.0482025 * over)
-            }
-        }
+    fn stiffness(&self, gamma: f64) -> (f64, f64) {
+        let formula = self.stiffness_limits.iter().take_while(|limit| gamma >= **limit).count();
+        STIFFNESS.get(formula).map_or_else(|| stiffened(gamma), |f| power(*f, gamma))
     }
 
     /// Q_d, K_d over its factor's, and the force at γ.
     fn at(&self, gamma: f64) -> (f64, f64, f64) {
-        let (qd, factor) = (Self::strength(gamma).0 * self.qd, Self::stiffness(gamma).0);
+        let (qd, factor) = (self.strength(gamma).0 * self.qd, self.stiffness(gamma).0);
         (qd, factor, qd + factor * self.kd * gamma * self.height)
     }
 
@@ -94,13 +93,33 @@ impl LeadRubber {
 }
 
 /// k x^m and its derivative.
-fn power(k: f64, m: f64, x: f64) -> (f64, f64) {
+fn power([k, m]: [f64; 2], x: f64) -> (f64, f64) {
+    if m == 0.0 {
+        return (k, 0.0);
+    }
     let value = k * x.powf(m);
     (value, m * value / x)
 }
 
+/// Factor of K_d of a bearing that stiffens, and its derivative.
+fn stiffened(gamma: f64) -> (f64, f64) {
+    let over = gamma - STIFFENING;
+    (0.0482025 * over * over + 0.92019, 2.0 * 0.0482025 * over)
+}
+
 impl Device for LeadRubber {
     const NAME: &'static str = "KikuchiAikenLRB";
+
+    fn joined(mut self) -> Self {
+        for (i, limit) in self.strength_limits.iter_mut().enumerate() {
+            *limit = meeting(*limit, |g| power(STRENGTH[i], g).0, |g| power(STRENGTH[i + 1], g).0);
+        }
+        for (i, limit) in self.stiffness_limits.iter_mut().enumerate() {
+            let above = |g: f64| STIFFNESS.get(i + 1).map_or_else(|| stiffened(g), |f| power(*f, g)).0;
+            *limit = meeting(*limit, |g| power(STIFFNESS[i], g).0, above);
+        }
+        self
+    }
 
     fn height(&self) -> f64 {
         self.height
@@ -111,16 +130,15 @@ impl Device for LeadRubber {
     }
 
     fn skeleton(&self, gamma: f64) -> (f64, f64) {
-        let ((strength, strength_slope), (stiffness, stiffness_slope)) =
-            (Self::strength(gamma), Self::stiffness(gamma));
+        let ((strength, strength_slope), (stiffness, stiffness_slope)) = (self.strength(gamma), self.stiffness(gamma));
         let force = strength * self.qd + stiffness * self.kd * gamma * self.height;
         let slope = strength_slope * self.qd / self.height + self.kd * (stiffness + stiffness_slope * gamma);
         (force, slope)
     }
 
-    fn shape(&self, gamma: f64, tolerance: f64) -> Shape {
+    fn shape(&self, gamma: f64, loops: Loops) -> Shape {
         let (u, heq) = self.damping(gamma);
-        let a = if gamma < STIFFENING { decay_of_damping(heq, u, 50.0, A, tolerance) } else { A };
+        let a = if gamma < STIFFENING { decay_of_damping(heq, u, 50.0, A, loops) } else { A };
         let p = if gamma < STIFFENING { 0.0 } else { -0.30226 + 0.15113 * gamma };
         Shape { u, p, n: 8.0, a }
     }

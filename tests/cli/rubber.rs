@@ -40,6 +40,7 @@ const REFUSED: &[(&str, usize, &[&str])] = &[
     ("element MSS 1 1 2 8 -mat 1 -orient 0 0 1", 28, &["parallel"]),
     ("element MSS 1 1 2 8 -mat 1 -mass 0", 34, &["mass is 0", "greater than 0"]),
     ("element YamamotoBiaxialHDR 1 1 2 2 0.7 0.02 0.16", 34, &["no compound 2", "expected 1"]),
+    ("element elastomericBearingBoucWen 1 1 2 100 1 0.1 0.1 0.5", 55, &["mu is 0.5", "at least 1"]),
     ("element YamamotoBiaxialHDR 1 1 2 1 0.7 0.8 0.16", 40, &["inner diameter is 0.8", "less than dDo, 0.7"]),
     ("element YamamotoBiaxialHDR 1 1 2 1 0.7 0.02 0", 45, &["thickness hr of the rubber is 0"]),
     ("element YamamotoBiaxialHDR 1 1 2 1 0.7 0.02 0.16 -coRS 1 0", 58, &["factor cs of tau_s is 0"]),

@@ -76,3 +76,21 @@ fn a_switch_that_is_neither_on_nor_off_is_told_of() {
     assert_eq!(status, Some(0));
     assert!(err.contains("tag1 (cavitation) is 2 and counts as 0"), "{err}");
 }
+
+/// Under more than its critical load a bearing goes on with next to no stiffness: once it is told of.
+#[test]
+fn a_load_above_the_critical_one_is_told_of() {
+    let pressed = |load: &str| {
+        run(&format!(
+            "{MODEL}element HDR 1 1 2 {LAYERS} {GRANT}\nfix 1 1 1 1 1 1 1\nfix 2 1 1 0 1 1 1\nforeach n {{3 4}} {{ fix $n 1 1 1 1 1 1 }}\ntimeSeries Linear 1\n\
+             pattern Plain 1 1 {{ load 2 0 0 {load} 0 0 0 }}\nconstraints Transformation\nalgorithm Newton\n\
+             integrator LoadControl 0.5\nanalysis Static\nanalyze 1\nanalyze 1\nputs [expr {{[nodeDisp 2 3] < 0}}]\n"
+        ))
+    };
+    let (status, out, err) = pressed("-1e5");
+    assert!((status, out.as_str()) == (Some(0), "1\n") && !err.contains("critical"), "{err}");
+    let (status, out, err) = pressed("-1e9");
+    assert_eq!((status, out.as_str()), (Some(0), "1\n"), "{err}");
+    let told = "the axial load of HDR 1 is 5.0000e8, above its critical load of";
+    assert!(err.contains(told) && !err.contains("1.0000e9"), "{err}");
+}

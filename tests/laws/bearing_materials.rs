@@ -28,6 +28,11 @@ fn high_damping(compound: usize) -> Material {
     Arc::new(KikuchiAiken::new(rubber(compound), [0.5, 0.25], false))
 }
 
+/// With loops that decay slowly: as OpenSees has them they would end short of the skeleton by a hundredth of the force.
+fn thin() -> Material {
+    Arc::new(KikuchiAiken::new(HighDampingRubber { factors: [2.0, 0.8, 1.12], ..rubber(0) }, [1.0; 2], false))
+}
+
 fn lead() -> LeadRubber {
     LeadRubber::new(&LeadRubberParameters {
         rubber_area: 0.385,
@@ -50,6 +55,7 @@ fn all() -> Vec<(String, Material, f64)> {
         ("axial, no tension".to_owned(), axial(AxialParameters { bte: 0.0, bty: 0.0, ..AXIAL }), 0.06),
         ("axial, hardening".to_owned(), axial(AxialParameters { hardening: hard, ..AXIAL }), 0.06),
         ("axial, closing at 0".to_owned(), axial(AxialParameters { fcr: 0.0, hardening: hard, ..AXIAL }), 0.06),
+        ("little damping".to_owned(), thin(), 2.0 * HEIGHT),
         ("lead rubber".to_owned(), Arc::new(KikuchiAiken::new(lead(), [1.0; 2], false)) as Material, 2.6 * HEIGHT),
         ("impact".to_owned(), Arc::new(Impact { k1: 4e4, k2: 9e3, delta_y: -0.003, gap: -0.01, compat: false }), 0.04),
     ];
@@ -60,7 +66,7 @@ fn all() -> Vec<(String, Material, f64)> {
 }
 
 fn symmetric() -> impl Iterator<Item = (String, Material, f64)> {
-    all().into_iter().filter(|(name, ..)| name.starts_with('X') || name == "lead rubber")
+    all().into_iter().filter(|(name, ..)| name.starts_with('X') || name == "lead rubber" || name == "little damping")
 }
 
 #[test]
@@ -90,6 +96,30 @@ fn initial_tangent_is_that_of_a_small_displacement() {
         let u = -1e-6 * amplitude;
         let secant = Point::new(law).go(u).value / u;
         assert!((secant - k).abs() < 1e-9 * k, "{name}: {secant} for {k}");
+    }
+}
+
+/// From any state the force is a continuous function of the displacement: else a model has states without equilibrium.
+#[test]
+fn force_does_not_jump() {
+    const PARTS: usize = 64;
+    for (name, law, amplitude) in all() {
+        let mut p = Point::new(law);
+        let mut largest = 0.0f64;
+        for u in path(29, 400, amplitude) {
+            // The steepest part of the whole range, of that part and so on: a jump stays, a slope vanishes.
+            let (mut from, mut to, mut step) = (-amplitude, amplitude, f64::INFINITY);
+            for _ in 0..7 {
+                let at = |k: usize| from + (to - from) * k as f64 / PARTS as f64;
+                let forces: Vec<f64> = (0..=PARTS).map(|k| p.trial(at(k), 0.0, 0.0).value).collect();
+                let steps = forces.windows(2).map(|f| (f[1] - f[0]).abs()).enumerate();
+                let (steepest, most) = steps.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
+                (from, to, step) = (at(steepest), at(steepest + 1), most);
+                largest = forces.iter().fold(largest, |m, f| m.max(f.abs()));
+            }
+            assert!(step < 1e-7 * largest, "{name}: {step} of {largest} at {from}, from {u}");
+            p.go(u);
+        }
     }
 }
 
@@ -128,7 +158,9 @@ fn no_energy_comes_out_of_a_closed_cycle() {
 /// The force at the end of a way does not depend on how many steps it takes.
 #[test]
 fn axial_springs_and_contacts_do_not_depend_on_the_step() {
-    for (name, law, amplitude) in all().into_iter().filter(|m| !m.0.starts_with('X') && m.0 != "lead rubber") {
+    for (name, law, amplitude) in
+        all().into_iter().filter(|m| !m.0.starts_with('X') && m.0 != "lead rubber" && m.0 != "little damping")
+    {
         let (mut coarse, mut fine) = (Point::new(law.clone()), Point::new(law));
         let mut from = 0.0;
         for to in path(23, 4000, amplitude).into_iter().step_by(40) {

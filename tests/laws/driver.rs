@@ -2,6 +2,7 @@
 
 use hysteron::element::{Answer, Element, Motion};
 use hysteron::material::{Material, Strain, Stress};
+use std::sync::Arc;
 
 /// A material at a point.
 pub struct Point {
@@ -40,7 +41,7 @@ impl Point {
 
 /// An element by itself.
 pub struct Alone {
-    pub element: Box<dyn Element>,
+    pub element: Arc<dyn Element>,
     pub state: Vec<f64>,
     next: Vec<f64>,
     pub load: Vec<f64>,
@@ -48,10 +49,15 @@ pub struct Alone {
 
 impl Alone {
     pub fn new(element: impl Element + 'static) -> Self {
+        Self::of(Arc::new(element))
+    }
+
+    /// One that a script has made.
+    pub fn of(element: Arc<dyn Element>) -> Self {
         let mut state = vec![0.0; element.state_len()];
         element.init(&mut state);
         let load = vec![0.0; element.load_len()];
-        Self { next: state.clone(), state, load, element: Box::new(element) }
+        Self { next: state.clone(), state, load, element }
     }
 
     /// Force and tangent (by rows) at trial displacements; the committed state stays.

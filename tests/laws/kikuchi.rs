@@ -6,7 +6,10 @@ use hysteron::element::bearing::{
     Balance, Common, Distribution, KikuchiBearing, KikuchiParameters, Layout, Link, Mean, MultipleNormalSpring,
     NormalSprings, Scheme, Shape,
 };
-use hysteron::material::{Elastic, ElasticPP, Material, NoTension, Steel01, Steel02};
+use hysteron::material::{
+    AxialParameters, AxialSp, COMPOUNDS, Elastic, ElasticPP, HighDampingRubber, KikuchiAiken, Material, NoTension,
+    Steel01, Steel02,
+};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use std::sync::Arc;
 
@@ -290,6 +293,14 @@ fn critical_load_is_that_of_its_springs() {
         if stiffness(middle) > 0.0 { below = middle } else { above = middle }
     }
     assert!((below / critical_load() - 1.0).abs() < 0.01, "{below} {}", critical_load());
+    let told = |load: f64| {
+        let mut e = bearing(parameters(elastic(SHEAR), elastic(MODULUS)));
+        compress(&mut e, &mut [0.0; 12], -load);
+        e.commit();
+        e.element.overload(&e.state).map(|o| o.critical)
+    };
+    assert_eq!(told(0.98 * below), None);
+    assert!((told(1.02 * below).unwrap() / below - 1.0).abs() < 0.01);
     // Beside it Haringx' column of the same rigidities, P_e = π² (E I H/t)/H²: where the rubber is thin that load is about
     // π/2 as large, as two springs are softer than a continuous column.
     let (k, bending) = springs_alone();
@@ -352,6 +363,40 @@ fn tangent_turns_negative_where_koh_and_kelly_predict() {
     }
     let found = found.unwrap();
     assert!((found / predicted - 1.0).abs() < 0.03, "{found} {predicted}");
+}
+
+/// A small square bearing of rubber whose loops decay slowly, in cycles under a constant load: each state has its inner
+/// equilibrium, also where a spring turns back or comes back to its skeleton, in few steps as in many.
+#[test]
+fn cycles_of_a_lightly_damped_bearing_do_not_depend_on_the_step() {
+    let device =
+        HighDampingRubber { compound: COMPOUNDS[0].clone(), area: 0.21 * 0.21, height: 0.2, factors: [2.0, 0.8, 1.12] };
+    let axial =
+        AxialParameters { sce: 4e8, fty: 2.2e6, fcy: -1e8, bte: 0.01, bty: 0.001, bcy: 0.5, fcr: 0.0, hardening: None };
+    let parameters = KikuchiParameters {
+        shape: Shape::Square,
+        size: 0.21,
+        rubber: 0.2,
+        height: 0.21,
+        layout: Layout::new(Shape::Square, 0.21, 8, Distribution::Uniform, Mean::Springs),
+        ..parameters(Arc::new(KikuchiAiken::new(device, [1.0; 2], false)), Arc::new(AxialSp::new(&axial, false)))
+    };
+    let run = |steps: u32| {
+        let (mut e, mut u, mut from, mut forces) = (bearing(parameters.clone()), [0.0; 12], 0.0, vec![]);
+        for to in [0.03, -0.03, 0.03, -0.03, 0.04, -0.04, 0.04, -0.04, 0.04, 0.1, -0.1, 0.1] {
+            for k in 1..=steps {
+                u[6] = from + (to - from) * f64::from(k) / f64::from(steps);
+                let residuals = compress(&mut e, &mut u, -170e3);
+                assert!(residuals.len() < 12, "at {}: {residuals:?}", u[6]);
+                forces.extend((k == steps).then(|| e.force(&u)[6]));
+                e.commit();
+            }
+            from = to;
+        }
+        forces
+    };
+    let d = difference(&run(7), &run(50));
+    assert!(d < 1e-7, "{d:.1e}");
 }
 
 #[test]

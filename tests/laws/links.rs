@@ -126,7 +126,7 @@ fn link_mass_and_errors() {
 }
 
 fn plastic(k3: f64) -> PlasticShear {
-    PlasticShear { k0: 7200.0, qd: 40.0, k2: 800.0, k3, mu: 2.5 }
+    PlasticShear { k0: 7200.0, qd: 40.0, k2: 800.0, k3, mu: 2.5, compat: false }
 }
 
 fn in_space(k3: f64) -> Alone {

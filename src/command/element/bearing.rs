@@ -134,7 +134,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         return Err(a.refuse(format!("alpha1 is {alpha1}"), "expected a ratio less than 1"));
     }
     let alpha2 = a.float("post-yield stiffness ratio alpha2 of the nonlinear hardening")?;
-    let mu = a.float("exponent mu of the nonlinear hardening")?;
+    let mu = hardening_exponent(a, alpha2)?;
     let eta = a.positive("yielding exponent eta")?;
     let beta = a.float("first loop parameter beta")?;
     let gamma = a.float("second loop parameter gamma")?;
@@ -158,6 +158,18 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     around(a, shear, c, ends)
 }
 
+/// Exponent μ of the nonlinear hardening.
+fn hardening_exponent(a: &mut Args<'_>, alpha2: f64) -> Result<f64, Exception> {
+    let mu = a.float("exponent mu of the nonlinear hardening")?;
+    if alpha2 != 0.0 && mu < 1.0 {
+        return Err(a.refuse(
+            format!("mu is {mu}"),
+            "expected an exponent of at least 1: the stiffness at rest would not be finite",
+        ));
+    }
+    Ok(mu)
+}
+
 fn make_plastic(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
     let k_init = a.positive("initial stiffness kInit")?;
@@ -167,15 +179,10 @@ fn make_plastic(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<d
         return Err(a.refuse(format!("alpha1 is {alpha1}"), "expected a ratio less than 1"));
     }
     let alpha2 = a.float("post-yield stiffness ratio alpha2 of the nonlinear hardening")?;
-    let mu = a.float("exponent mu of the nonlinear hardening")?;
-    if alpha2 != 0.0 && mu < 1.0 {
-        return Err(a.refuse(
-            format!("mu is {mu}"),
-            "expected an exponent of at least 1: the stiffness at rest would not be finite",
-        ));
-    }
+    let mu = hardening_exponent(a, alpha2)?;
     let c = common(interp, a, ends, nodes)?;
-    let shear = PlasticShear { k0: (1.0 - alpha1) * k_init, qd, k2: alpha1 * k_init, k3: alpha2 * k_init, mu };
+    let compat = interp.host.engine.options.compat;
+    let shear = PlasticShear { k0: (1.0 - alpha1) * k_init, qd, k2: alpha1 * k_init, k3: alpha2 * k_init, mu, compat };
     around(a, shear, c, ends)
 }
 

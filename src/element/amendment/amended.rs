@@ -2,7 +2,7 @@
 
 use super::{Amendment, Demand, Pair, Verdict};
 use crate::element::{
-    Answer, BasicRow, Element, ElementError, ElementLoad, MAX_DOFS, Mass, Motion, Nature, Rows, Snapshot, dot,
+    Answer, BasicRow, Element, ElementError, ElementLoad, MAX_DOFS, Mass, Motion, Nature, Overload, Rows, Snapshot, dot,
 };
 use crate::probe::Probe;
 use std::sync::Arc;
@@ -180,6 +180,9 @@ impl Element for Amended {
 
     fn mass(&self) -> Mass {
         self.inner.mass()
+    }
+    fn overload(&self, history: &[f64]) -> Option<Overload> {
+        self.inner.overload(&history[..self.inner_len])
     }
     fn ground_inertia_slip(&self) -> Option<f64> {
         self.inner.ground_inertia_slip()

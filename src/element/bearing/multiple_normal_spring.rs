@@ -2,7 +2,7 @@
 
 use super::link::Link;
 use super::normal_springs::{NormalSprings, Section};
-use super::responses::{NAMES, Response, basic_rows};
+use super::responses::{NAMES, Response};
 use super::shear_bearing::end_masses;
 use crate::element::{Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
 use crate::probe::Probe;
@@ -126,7 +126,7 @@ impl Element for MultipleNormalSpring {
         (self.mass != 0.0).then_some(1.0)
     }
     fn basic_rows(&self) -> Vec<BasicRow> {
-        basic_rows(&self.link)
+        self.link.basic_rows()
     }
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         Response::probe(words)

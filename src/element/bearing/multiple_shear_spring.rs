@@ -4,7 +4,7 @@ use super::link::Link;
 use super::responses::{NAMES, Response};
 use super::shear_bearing::end_masses;
 use super::shear_springs::{Bundle, Factors, ShearSprings};
-use crate::element::{Answer, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
+use crate::element::{Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
 use crate::probe::Probe;
 use crate::words;
 use crate::words::Words;
@@ -134,6 +134,9 @@ impl Element for MultipleShearSpring {
     }
     fn ground_inertia_slip(&self) -> Option<f64> {
         (self.mass != 0.0).then_some(1.0)
+    }
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        self.link.basic_rows()
     }
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         Response::probe(words)

@@ -18,6 +18,8 @@ pub struct PlasticShear {
     pub k3: f64,
     /// Exponent of the nonlinear hardening μ.
     pub mu: f64,
+    /// As in OpenSees, a trial that yields leaves its plastic displacement behind where the step ends elastic.
+    pub compat: bool,
 }
 
 impl<const S: usize> ShearLaw<S> for PlasticShear {
@@ -31,6 +33,12 @@ impl<const S: usize> ShearLaw<S> for PlasticShear {
     #[inline]
     fn step(&self, c: &Shear<S>, u: [f64; S]) -> Result<Shear<S>, ElementError> {
         Ok(self.at(c, u))
+    }
+
+    fn leave_trace(&self, committed: &Shear<S>, last: &Shear<S>, next: &mut Shear<S>) {
+        if self.compat && next.internal == committed.internal {
+            next.internal = last.internal;
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Responses that OpenSees' multiple spring bearings in space have in common.
 
 use super::link::Link;
-use crate::element::{BasicRow, Snapshot};
+use crate::element::Snapshot;
 use crate::probe::Probe;
 
 /// Responses by name, with the columns that OpenSees calls so.
@@ -65,9 +65,4 @@ impl Response {
             Self::Deformation => out.copy_from_slice(&link.deformation(s.disp)),
         }
     }
-}
-
-/// Its basic deformations, one for each direction.
-pub(super) fn basic_rows(link: &Link<12, 6>) -> Vec<BasicRow> {
-    link.basic.iter().enumerate().map(|(k, row)| BasicRow::new(k + 1, k, row, (3, 6))).collect()
 }

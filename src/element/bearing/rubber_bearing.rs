@@ -7,7 +7,9 @@ use super::shear::Shear;
 use super::shear_bearing::{
     BASIC_FORCE, BASIC_STIFFNESS, DEFORMATION, HYSTERETIC, LOCAL_DISP, LOCAL_FORCE, end_masses, probe,
 };
-use crate::element::{Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
+use crate::element::{
+    Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Overload, Snapshot, frame_force_labels,
+};
 use crate::probe::Probe;
 use crate::words::Words;
 
@@ -137,6 +139,11 @@ impl<L: RubberShear + 'static> Element for RubberBearing<L> {
 
     fn mass(&self) -> Mass {
         end_masses(self.mass, 6, 3)
+    }
+
+    fn overload(&self, history: &[f64]) -> Option<Overload> {
+        let Axial { force, fcrn, .. } = Axial::read(history);
+        (self.axial.buckles && force < fcrn).then_some(Overload { load: -force, critical: -fcrn })
     }
 
     fn basic_rows(&self) -> Vec<BasicRow> {

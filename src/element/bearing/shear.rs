@@ -65,6 +65,9 @@ pub trait ShearLaw<const S: usize>: Clone + fmt::Debug + Send + Sync {
     /// A step that the law has no answer for.
     fn step(&self, committed: &Shear<S>, u: [f64; S]) -> Result<Shear<S>, ElementError>;
 
+    /// Put into the history of a step what OpenSees forgets to reset of the trial before; followed on demand only.
+    fn leave_trace(&self, _committed: &Shear<S>, _last: &Shear<S>, _next: &mut Shear<S>) {}
+
     /// Where the mass of the bearing is: half of it at each end.
     fn masses(&self, mass: f64) -> Mass {
         end_masses(mass, 3 * S, S + 1)

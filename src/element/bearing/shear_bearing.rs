@@ -91,7 +91,9 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
             let s = slot.update(committed, Strain { value: u[i], rate: rate[i], dt: motion.dt }, trial)?;
             (q[i], stiffness[i], viscosity[i]) = (s.value, s.tangent, s.damping);
         }
-        let mut shear = self.law.step(&Shear::read(committed), std::array::from_fn(|i| u[1 + i]))?;
+        let old = Shear::read(committed);
+        let mut shear = self.law.step(&old, std::array::from_fn(|i| u[1 + i]))?;
+        self.law.leave_trace(&old, &Shear::read(trial), &mut shear);
         let dashpot = self.law.dashpot();
         for i in 0..S {
             shear.q[i] += dashpot * rate[1 + i];

@@ -19,10 +19,12 @@ use self::kinematics::{Geometry, Kinematics, OUTER, Springs, Stiff};
 use self::opensees::HEADER as OPENSEES_HEADER;
 use super::link::Link;
 use super::normal_springs::{Layout, NormalSprings, Shape};
-use super::responses::{NAMES, Response, basic_rows};
+use super::responses::{NAMES, Response};
 use super::shear_bearing::end_masses;
 use super::shear_springs::{Factors, ShearSprings};
-use crate::element::{Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
+use crate::element::{
+    Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Overload, Snapshot, frame_force_labels,
+};
 use crate::material::{Material, MaterialError};
 use crate::numeric::SparseMatrix;
 use crate::probe::Probe;
@@ -91,6 +93,7 @@ pub struct KikuchiBearing {
     arm: f64,
     /// E A, where forces are compared with none.
     axial_rigidity: f64,
+    p_delta: bool,
     shares: Option<[f64; 2]>,
     link: Link<12, 6>,
     /// Local displacements of the ends from global ones, row by row.
@@ -153,6 +156,7 @@ impl KikuchiBearing {
             kinematics: Kinematics::new(0.5 * p.height, stiff, p.tilt, p.p_delta, geometry),
             arm: 0.25 * p.size,
             axial_rigidity: e.abs() * area,
+            p_delta: p.p_delta,
             shares: p.p_delta.then_some(p.shares),
             turn: SparseMatrix::new(&link.local),
             link,
@@ -219,6 +223,16 @@ impl KikuchiBearing {
             shear_stiffness: flat(&self.shear.initial_stiffness()).map(|k| k * factor),
             ..Springs::default()
         }
+    }
+
+    /// Critical load of the virgin bearing without shear, P² + P P_s - P_s P_e = 0 with P_s = K H and P_e = 2 K_θ / H
+    /// (Koh and Kelly, 1988): that of its own springs. None without P-Delta.
+    fn critical_load(&self) -> Option<f64> {
+        let height = 2.0 * self.kinematics.half;
+        let bending = self.hold[1].min(self.hold[2]);
+        let shear = self.virgin_factors.force * self.shear.initial_stiffness()[0][0] * height;
+        let euler = 2.0 * bending / height;
+        self.p_delta.then(|| 0.5 * (-shear + (shear * shear + 4.0 * shear * euler).sqrt()))
     }
 
     /// Add a local stiffness by rows to a global one.
@@ -321,8 +335,16 @@ impl Element for KikuchiBearing {
     fn ground_inertia_slip(&self) -> Option<f64> {
         (self.mass != 0.0).then_some(1.0)
     }
+    fn overload(&self, history: &[f64]) -> Option<Overload> {
+        let axial = match self.scheme {
+            Scheme::Converged => Memory::read(history).axial,
+            Scheme::OpenSees(..) => opensees::axial_deformation(history),
+        };
+        let (load, critical) = (-self.kinematics.stiff.axial * axial, self.critical_load()?);
+        (load > critical).then_some(Overload { load, critical })
+    }
     fn basic_rows(&self) -> Vec<BasicRow> {
-        basic_rows(&self.link)
+        self.link.basic_rows()
     }
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         Response::probe(words)

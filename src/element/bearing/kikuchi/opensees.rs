@@ -50,6 +50,11 @@ words! {
     }
 }
 
+/// Axial deformation at mid-height in a committed state.
+pub(super) fn axial_deformation(state: &[f64]) -> f64 {
+    Trace::read(state).settled.springs.axial
+}
+
 /// Number of words that a bearing keeps besides the histories of its springs.
 pub(super) const HEADER: usize = <Trace as Words>::LEN + <Solved as Words>::LEN;
 

@@ -6,7 +6,7 @@ use crate::element::bearing::shear_bearing::{
     BASIC_FORCE, DEFORMATION, FRICTION, LOCAL_DISP, LOCAL_FORCE, MATERIAL, end_masses, probe,
 };
 use crate::element::friction::Contact;
-use crate::element::{Answer, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
+use crate::element::{Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
 use crate::material::{Material, Slot, Strain};
 use crate::numeric::{axpy, dot, norm};
 use crate::probe::Probe;
@@ -397,6 +397,10 @@ impl<const N: usize, const B: usize, const S: usize> Element for SlidingBearing<
 
     fn mass(&self) -> Mass {
         end_masses(self.setting.mass, N / 2, S + 1)
+    }
+
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        self.link.basic_rows()
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {

@@ -5,7 +5,7 @@ use crate::element::bearing::shear_bearing::{
     BASIC_FORCE, DEFORMATION, FRICTION, LOCAL_DISP, LOCAL_FORCE, MATERIAL, probe,
 };
 use crate::element::friction::{Coefficient, Contact, Friction};
-use crate::element::{Answer, Element, ElementError, Motion, Nature, Snapshot, frame_force_labels};
+use crate::element::{Answer, BasicRow, Element, ElementError, Motion, Nature, Snapshot, frame_force_labels};
 use crate::material::{Material, Slot, Strain, Stress};
 use crate::probe::Probe;
 use crate::words;
@@ -274,6 +274,15 @@ impl Element for TriplePendulum {
         for (slot, d) in self.materials.iter().zip(DIRECTIONS) {
             add_apart(tangent, d, d, slot.material.initial_tangent(), -1.0);
         }
+    }
+
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        let apart = |dof: usize| {
+            let mut row = [0.0; 12];
+            (row[dof], row[6 + dof]) = (-1.0, 1.0);
+            row
+        };
+        LOCAL.into_iter().enumerate().map(|(k, dof)| BasicRow::new(k + 1, k, &apart(dof), (3, 6))).collect()
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
