@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Calibrate models to real recordings, as README.md here says.
 
-    validation/recordings/run.py --data DIR [--out DIR] [STUDY ...]
+    validation/recordings/run.py --data DIR [--out DIR] [STUDY ...] [WORD of hysteron calibrate ...]
 
 HYSTERON names the binary (default target/release/hysteron).
 """
@@ -57,7 +57,7 @@ def mr(data, folder):
 
 def bncs(data, folder):
     """The strong part of each motion: half a minute before the peak of the table to two minutes."""
-    study = (folder / "study.toml").read_text()
+    length = {}
     for name in ("LAC100", "ICA100", "CNP100", "ICA50"):
         c = columns(data / f"bncs-hdr-isolated-building/{name}.csv")
         ground = c["table_acc_m_s2"]
@@ -67,8 +67,12 @@ def bncs(data, folder):
         rows = list(zip([0.01 * (i - start) for i in range(start, end)], *(c[n][start:end] for n in names)))[1:]
         head = ["time[s]", "base_disp[m]", "base_acc[m/s2]", "roof_acc[m/s2]"]
         write(folder, name, ground[start:end], head, rows)
-        study = study.replace(f"{{{name}}}", str(end - start))
-    (folder / "study.toml").write_text(study)
+        length[name] = end - start
+    for file in folder.glob("*.toml"):
+        study = file.read_text()
+        for name, n in length.items():
+            study = study.replace(f"{{{name}}}", str(n))
+        file.write_text(study)
 
 
 STUDIES = {"steel_coupon": steel, "friction_damper": friction, "mr_damper": mr, "bncs_building": bncs}
@@ -79,7 +83,7 @@ def main():
     parser.add_argument("--data", type=Path, required=True)
     parser.add_argument("--out", type=Path, default=Path("results/recordings"))
     parser.add_argument("studies", nargs="*", default=list(STUDIES))
-    args = parser.parse_args()
+    args, words = parser.parse_known_args()
     rows = []
     for name in args.studies:
         folder = (args.out / name).resolve()
@@ -87,10 +91,12 @@ def main():
         for file in (HERE / name).iterdir():
             shutil.copy(file, folder)
         STUDIES[name](args.data, folder)
-        subprocess.run([BINARY, "calibrate", "study.toml", "--out", "fit"], cwd=folder, check=True)
-        result = json.loads((folder / "fit/calibration.json").read_text())
-        for run in result["runs"]:
-            rows.append(f"| {name} | {run['role']} | {run['name']} | {run['nmse']:.4f} |")
+        for study in sorted(folder.glob("*.toml")):
+            fit = folder / "fit" / study.stem
+            subprocess.run([BINARY, "calibrate", study.name, "--out", fit, *words], cwd=folder, check=True)
+            result = json.loads((fit / "calibration.json").read_text())
+            for run in result["runs"]:
+                rows.append(f"| {name}, {study.stem} | {run['role']} | {run['name']} | {run['nmse']:.4f} |")
     print("\n| study | role | run | NMSE |\n| --- | --- | --- | --- |\n" + "\n".join(rows))
 
 
