@@ -1,0 +1,53 @@
+# two-storey archive on isolators
+# units: N, m, s
+wipe
+model basic -ndm 1 -ndf 1
+set Kd 7395318
+set Qd 279616.3
+set rk 1.115722
+node 1 0.0
+fix 1 1
+node 2 0.0 -mass 279100
+node 3 0.0 -mass 245900
+node 4 0.0 -mass 168900
+
+# isolation layer
+set ki [expr $Kd/0.08]
+set uy [expr $Qd/((1.0-0.08)*$ki)]
+uniaxialMaterial BoucWen 1 0.08 $ki 1.0 [expr 0.5/$uy] [expr 0.5/$uy] 1.0 0.0 0.0 0.0
+element zeroLength 1 1 2 -mat 1 -dir 1
+uniaxialMaterial ElasticPPGap 41 6.167105e+07 9.968258e+08 0.06788709 0.0
+uniaxialMaterial ElasticPPGap 42 6.167105e+07 -9.968258e+08 -0.06788709 0.0
+element zeroLength 40 1 2 -mat 41 42 -dir 1 1
+
+# storeys
+uniaxialMaterial Elastic 11 [expr $rk*1.81e+08]
+uniaxialMaterial Viscous 21 526000 1.0
+element zeroLength 11 2 3 -mat 11 21 -dir 1 1
+uniaxialMaterial Elastic 12 [expr $rk*1.45e+08]
+uniaxialMaterial Viscous 22 421000 1.0
+element zeroLength 12 3 4 -mat 12 22 -dir 1 1
+
+timeSeries Path 1 -dt $dt -filePath $motion
+pattern UniformExcitation 1 1 -accel 1
+recorder Node -file basedisp.out -time -node 2 -dof 1 disp
+recorder Node -file acc.out -timeSeries 1 -time -node 2 3 4 -dof 1 accel
+recorder Node -file floordisp.out -time -node 2 3 4 -dof 1 disp
+constraints Transformation
+numberer RCM
+system BandGeneral
+test NormDispIncr 1e-09 40
+algorithm Newton
+integrator Newmark 0.5 0.25
+analysis Transient
+set sub 1
+if {[info exists nsub]} {set sub $nsub}
+for {set i 1} {$i < $npts} {incr i} {
+    set ok [analyze $sub [expr $dt/double($sub)]]
+    if {$ok != 0} {
+        algorithm KrylovNewton
+        set ok [analyze $sub [expr $dt/double($sub)]]
+        algorithm Newton
+    }
+    if {$ok != 0} {error "no convergence at [getTime]"}
+}
