@@ -43,6 +43,16 @@ proc bearing_test {motion dt npts} {
     integrator LoadControl $dt
     analysis Static
     for {set i 1} {$i < $npts} {incr i} {
-        if {[analyze 1] != 0} {error "no convergence at [getTime]"}
+        # Where the bearing buckles under its load, Newton's method may go to and fro.
+        if {[analyze 1] != 0} {
+            test NormDispIncr 1.0e-8 500
+            algorithm KrylovNewton
+            if {[analyze 1] != 0} {
+                algorithm NewtonLineSearch -type Bisection
+                if {[analyze 1] != 0} {error "no convergence at [getTime]"}
+            }
+            test NormDispIncr 1.0e-8 50
+            algorithm Newton
+        }
     }
 }

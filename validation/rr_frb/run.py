@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The twin of the paper's identification, as README.md here says.
 
-    validation/rr_frb/run.py [--out DIR] [WORD of hysteron calibrate ...]
+    validation/rr_frb/run.py [--out DIR] [--target reconstructed|twin] [--models NAME ...] [WORD of hysteron calibrate ...]
 
 HYSTERON names the binary (default target/release/hysteron).
 """
@@ -9,6 +9,8 @@ import argparse
 import json
 import math
 import os
+import random
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -23,32 +25,75 @@ TARGETS = [(0.15, 1.61, 0.31), (0.20, 1.43, 0.54), (0.30, 1.0, 1.0), (0.40, 0.70
 DT, CYCLES = 0.02, 3
 
 
-def write_target(folder):
-    """At 0.5 Hz, three ellipses of the wanted stiffness and energy at each amplitude."""
-    e30 = 2 * math.pi * XI30 * K30 * (0.3 * HEIGHT) ** 2
-    path, rows, t = [0.0], ["time[s],force[N],disp[m]"], 0
-    for strain, k, e in TARGETS:
-        u0 = strain * HEIGHT
+def path():
+    """At 0.5 Hz, three cycles at each amplitude: rows of target, time and phase."""
+    rows, t = [], 0
+    for target in TARGETS:
         for i in range(1, round(CYCLES * 2 / DT) + 1):
             t += 1
-            phase = math.pi * i * DT
-            u = u0 * math.sin(phase)
-            force = k * K30 * u + e * e30 / (math.pi * u0) * math.cos(phase)
-            path.append(u)
-            rows.append(f"{t * DT:.2f},{force:.9g},{u:.9g}")
-    (folder / "motion.dat").write_text("\n".join(f"{u:.9g}" for u in path) + "\n")
+            rows.append((target, t * DT, math.pi * i * DT))
+    return rows
+
+
+def write_motion(folder):
+    u = [0.0] + [strain * HEIGHT * math.sin(phase) for (strain, _, _), _, phase in path()]
+    (folder / "motion.dat").write_text("\n".join(f"{x:.9g}" for x in u) + "\n")
+
+
+def write_recording(folder, forces):
+    rows = ["time[s],force[N],disp[m]"]
+    rows += [
+        f"{t:.2f},{force:.9g},{strain * HEIGHT * math.sin(phase):.9g}"
+        for force, ((strain, _, _), t, phase) in zip(forces, path())
+    ]
     (folder / "target.csv").write_text("\n".join(rows) + "\n")
+
+
+def reconstructed(_):
+    """Ellipses of the wanted stiffness and energy."""
+    e30 = 2 * math.pi * XI30 * K30 * (0.3 * HEIGHT) ** 2
+    forces = []
+    for (strain, k, e), _, phase in path():
+        u0 = strain * HEIGHT
+        forces.append(k * K30 * u0 * math.sin(phase) + e * e30 / (math.pi * u0) * math.cos(phase))
+    return forces
+
+
+def twin(folder):
+    """The forces of twin.tcl, with noise of 1 % of the largest."""
+    words = f"set motion motion.dat; set dt {DT}; set npts {len(path()) + 1}; source twin.tcl\n"
+    (folder / "drive.tcl").write_text(words)
+    subprocess.run([Path(BINARY).resolve(), "run", "drive.tcl"], cwd=folder, check=True)
+    forces = [float(line.split()[7]) for line in (folder / "force.out").read_text().splitlines()]
+    noise, size = random.Random(1), 0.01 * max(map(abs, forces))
+    return [f + noise.gauss(0.0, size) for f in forces]
 
 
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--out", type=Path, default=Path("results/rr_frb"))
+    parser.add_argument("--target", choices=["reconstructed", "twin"], default="reconstructed")
+    parser.add_argument("--models", nargs="+", default=["bouc_wen", "hdr", "kikuchi"])
+    parser.add_argument("--population", type=int, help="members, in place of the paper's 50")
+    parser.add_argument("--generations", type=int, help="generations, in place of the paper's 150")
     args, words = parser.parse_known_args()
-    shutil.copytree(HERE, args.out, dirs_exist_ok=True)
-    folder = args.out / "bouc_wen"
-    write_target(folder)
-    subprocess.run([Path(BINARY).resolve(), "calibrate", "study.toml", "--out", "fit", *words], cwd=folder, check=True)
-    report(json.loads((folder / "fit/calibration.json").read_text()))
+    out = args.out / args.target
+    shutil.copytree(HERE, out, dirs_exist_ok=True)
+    shutil.copytree(HERE.parent.parent / "models", out / "models", dirs_exist_ok=True)
+    write_motion(out)
+    forces = {"reconstructed": reconstructed, "twin": twin}[args.target](out)
+    for model in args.models:
+        folder = out / model
+        write_motion(folder)
+        write_recording(folder, forces)
+        study = (folder / "study.toml").read_text()
+        for key, value in (("population", args.population), ("generations", args.generations)):
+            if value:
+                study = re.sub(rf"^{key}( *)=.*$", rf"{key}\1= {value}", study, flags=re.M)
+        (folder / "study.toml").write_text(study)
+        subprocess.run([Path(BINARY).resolve(), "calibrate", "study.toml", "--out", "fit", *words], cwd=folder, check=True)
+        print(f"## {model}, {args.target} target")
+        report(json.loads((folder / "fit/calibration.json").read_text()))
 
 
 def report(result):
