@@ -78,8 +78,6 @@ pub struct Anatomy {
     pub supports: Vec<Support>,
     /// Nodes with mass.
     pub masses: Vec<Mass>,
-    /// From the lowest node to the highest, along the last axis.
-    pub height: f64,
     /// The ground moves (an excitation, not an imposed motion of a node).
     pub shaken: bool,
     /// A number that neither a node nor an element nor a material has used; so are all above it.
@@ -127,13 +125,18 @@ impl Anatomy {
                 out.masses.push(Mass { node: node.tag, mass: node.mass.clone() });
             }
         }
-        let heights = model.nodes.iter().filter_map(|n| n.coords.last().copied());
-        let ends = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), z| (a.min(z), b.max(z)));
-        out.height = (ends.1 - ends.0).max(0.0);
         out.shaken = model.patterns.values().any(|p| !matches!(p.kind, PatternKind::Plain { .. }));
         let largest = model.node_tags().chain(model.element_tags()).max().unwrap_or(0);
         out.free_tag = (largest + 1).max(900_000);
         out
+    }
+
+    /// Columns that stand alone on a fixed node, with it.
+    pub fn feet(&self) -> impl Iterator<Item = (&Support, &Beam)> {
+        self.supports.iter().filter_map(|s| {
+            let mut on = self.beams.iter().filter(|b| b.nodes.contains(&s.node));
+            on.next().filter(|_| on.next().is_none()).map(|b| (s, b))
+        })
     }
 
     /// The devices whose law is not linear, as groups of the same class and directions: what was built as one kind.

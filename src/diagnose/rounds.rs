@@ -3,6 +3,8 @@
 use super::evidence::{INDEPENDENT, Noise};
 use super::hypothesis::Proposal;
 use super::insertion::Place;
+use super::scale::Scales;
+use super::structure::structure;
 use super::variant::Variant;
 use super::work::{Explained, LAST, Screened, Work};
 use crate::study::Opening;
@@ -15,6 +17,9 @@ const OF_A_CAUSE: usize = 3;
 /// Of those of which nothing is to be expected, so many are fitted all the same; and what is nothing, in log evidence.
 const FITTED: usize = 8;
 const EXPECTED: f64 = -3.0;
+/// Where these leave more than this part of the residual as structure, the others are fitted as well: the screening sees
+/// no further than derivatives do.
+const LEFT: f64 = 0.3;
 /// Points at which a proposal is tried, for each of its parameters and beside them: from the fitted model, and from the
 /// user's values.
 const TRIED: usize = 2;
@@ -77,6 +82,7 @@ pub(super) fn first_round(
     baseline: &Explained,
     opening: &Opening,
     place: &Place,
+    scales: &Scales,
     proposals: &[Proposal],
 ) -> Result<Vec<Explained>, String> {
     let own = baseline.variant.dimension();
@@ -106,13 +112,29 @@ pub(super) fn first_round(
         }
     }
     ranked.sort_by_key(|(further, _)| *further);
-    let mut place = 0;
-    ranked.retain(|(_, s)| {
-        place += 1;
-        place <= FITTED || 0.5 * INDEPENDENT * (baseline.score() - s.score()) > EXPECTED
-    });
-    let picked = ranked.into_iter().map(|(_, s)| s).take(FIRST_ROUND).collect();
-    work.search_all(stage, picked, FIRST)
+    let promising = |s: &Screened| 0.5 * INDEPENDENT * (baseline.score() - s.score()) > EXPECTED;
+    let (mut picked, mut others) = (vec![], vec![]);
+    for (place, (further, s)) in ranked.into_iter().enumerate() {
+        if place < FITTED || promising(&s) {
+            picked.push(s);
+        } else if !further {
+            others.push(s);
+        }
+    }
+    picked.truncate(FIRST_ROUND);
+    let mut fitted = work.search_all(stage, picked, FIRST)?;
+    let best = fitted.first().unwrap_or(baseline);
+    if structure(&work.study, scales, &best.fitted.fits).0 > LEFT {
+        // From the values that the user gave as well.
+        let afresh = others.iter().map(|s| {
+            let start = [&given[..], &s.variant.start(&baseline.fitted.values)[own..]].concat();
+            Screened { start, ..s.clone() }
+        });
+        let all = afresh.collect::<Vec<_>>().into_iter().chain(others.iter().cloned()).collect();
+        fitted.extend(work.search_all(stage, all, FIRST)?);
+        fitted.sort_by(|a, b| a.score().total_cmp(&b.score()));
+    }
+    Ok(fitted)
 }
 
 /// The best form of each cause, in the order of the causes.

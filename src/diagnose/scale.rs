@@ -50,6 +50,8 @@ impl Watched {
 pub struct Scales {
     /// By run, tag and direction.
     pub watched: BTreeMap<(usize, i32, usize), Watched>,
+    /// Largest bending moment at the ends of beams, by tag.
+    pub moments: BTreeMap<i32, f64>,
 }
 
 impl Scales {

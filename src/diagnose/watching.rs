@@ -47,23 +47,31 @@ pub(super) fn watch(
     anatomy: &Anatomy,
 ) -> Scales {
     let devices = &anatomy.devices[..anatomy.devices.len().min(MOST)];
-    let file = |tag: i32, what: &str| format!("hysteron-watch-{tag}-{what}.out");
+    let feet: Vec<_> = anatomy.feet().take(MOST).collect();
+    let moments = if anatomy.ndm == 2 { &[3, 6][..] } else { &[5, 6, 11, 12] };
     let mut block = vec![];
     let mut observe = vec![];
+    let mut record = |tag: i32, what: &str, columns: &mut dyn Iterator<Item = usize>| {
+        let file = format!("hysteron-watch-{tag}-{what}.out");
+        block.push(format!("recorder Element -file {file} -time -ele {tag} {what}"));
+        observe.extend(columns.map(|column| Observe {
+            channel: String::new(),
+            unit: String::new(),
+            output: file.clone(),
+            column,
+            at: String::new(),
+            weight: 1.0,
+            values: vec![],
+            variance: 1.0,
+        }));
+    };
     for d in devices {
         for what in ["deformation", "basicForce"] {
-            block.push(format!("recorder Element -file {} -time -ele {} {what}", file(d.tag, what), d.tag));
-            observe.extend(d.directions.iter().map(|direction| Observe {
-                channel: String::new(),
-                unit: String::new(),
-                output: file(d.tag, what),
-                column: direction.column + 1,
-                at: String::new(),
-                weight: 1.0,
-                values: vec![],
-                variance: 1.0,
-            }));
+            record(d.tag, what, &mut d.directions.iter().map(|direction| direction.column + 1));
         }
+    }
+    for (_, beam) in &feet {
+        record(beam.tag, "localForce", &mut moments.iter().copied());
     }
     let text = insert(text, at, &block);
     let mut watching = (**study).clone();
@@ -81,6 +89,11 @@ pub(super) fn watch(
                 let times = spec.recording.times.clone();
                 scales.watched.insert((run, d.tag, direction.number), Watched { times, e, q });
             }
+        }
+        for (_, beam) in &feet {
+            let of_ends = channels.by_ref().take(moments.len()).flatten().filter(|m| m.is_finite());
+            let largest = scales.moments.entry(beam.tag).or_default();
+            *largest = of_ends.fold(*largest, |most, m| most.max(m.abs()));
         }
     }
     scales

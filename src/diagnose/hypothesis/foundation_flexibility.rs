@@ -26,7 +26,7 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
         let mut form = |form: &str, dofs: &[(&str, usize)], footing: bool| {
             let tag = s.anatomy.free_tag + 10 * n as i32;
             let mut block = vec![
-                format!("node {tag} {}", coordinates(support.node, ndm)),
+                format!("node {tag} {}", super::coordinates(support.node, ndm)),
                 format!("fix {tag} {}", vec!["1"; support.ndf].join(" ")),
             ];
             let mut added = vec![];
@@ -71,9 +71,4 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
         }
     }
     out
-}
-
-/// Tcl that gives the coordinates of a node.
-fn coordinates(node: i32, ndm: usize) -> String {
-    (1..=ndm).map(|i| format!("[nodeCoord {node} {i}]")).collect::<Vec<_>>().join(" ")
 }

@@ -216,17 +216,6 @@ impl Moved<'_> {
 }
 
 impl Sight<'_> {
-    /// Stiffness of the stiffest device: the scale of springs that are added.
-    fn stiffness(&self) -> f64 {
-        let all = self.anatomy.devices.iter().flat_map(|d| &d.directions).map(|d| d.stiffness);
-        all.fold(0.0, f64::max).max(f64::MIN_POSITIVE)
-    }
-
-    /// Height of the model; 1 where it has none.
-    fn height(&self) -> f64 {
-        if self.anatomy.height > 0.0 { self.anatomy.height } else { 1.0 }
-    }
-
     /// Longest time between two samples of a recording.
     fn sampling(&self) -> f64 {
         let steps = self.study.runs.iter().filter(|r| r.recording.times.len() > 1).map(|r| {
@@ -296,4 +285,9 @@ impl Sight<'_> {
             ),
         ]
     }
+}
+
+/// Tcl that gives the coordinates of a node.
+fn coordinates(node: i32, ndm: usize) -> String {
+    (1..=ndm).map(|i| format!("[nodeCoord {node} {i}]")).collect::<Vec<_>>().join(" ")
 }

@@ -1,6 +1,10 @@
 //! The structure above yields.
 
 use super::{Added, Hypothesis, Proposal, Sight};
+use crate::diagnose::anatomy::{Beam, Support};
+
+/// Columns that are looked at, at most.
+const MOST: usize = 6;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "superstructure_yielding",
@@ -31,29 +35,54 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
             out.push(Proposal::edit("superstructure_yielding", "bilinear spring", at, vec![line], added));
         }
     }
-    // A hinge at the foot of each column that stands on a fixed node.
-    for support in &s.anatomy.supports {
-        let feet: Vec<_> = s.anatomy.beams.iter().filter(|b| b.nodes.contains(&support.node)).collect();
-        let [foot] = feet[..] else { continue };
-        let (tag, ndm) = (s.anatomy.free_tag + 5, s.anatomy.ndm);
-        if ndm != 2 {
-            continue;
-        }
-        let block = vec![
-            format!("node {tag} [nodeCoord {0} 1] [nodeCoord {0} 2]", support.node),
-            format!("amend element {} node {} {tag}", foot.tag, support.node),
-            format!("equalDOF {} {tag} 1 2", support.node),
-            format!("uniaxialMaterial Steel02 {tag} $hy_moment $hy_rotational $hy_hardening 18.0 0.925 0.15"),
-            format!("element zeroLength {tag} {} {tag} -mat {tag} -dir 6", support.node),
-        ];
-        let moment = s.stiffness() * s.height() * 0.01;
-        let added = vec![
-            Added::log("moment", 1e-2 * moment, 1e2 * moment, moment),
-            Added::log("rotational", 10.0 * moment, 1e5 * moment, 1e3 * moment),
-            Added::linear("hardening", 0.0, 0.4, 0.03),
-        ];
-        let at = format!("foot of element {}", foot.tag);
-        out.push(Proposal::edit("superstructure_yielding", "plastic hinge", at, block, added));
+    let feet: Vec<(&Support, &Beam)> = s.anatomy.feet().take(MOST).collect();
+    out.extend(feet.iter().filter_map(|foot| hinges(s, &[*foot])));
+    if feet.len() > 1 {
+        out.extend(hinges(s, &feet));
     }
     out
+}
+
+/// Hinges at the feet of columns, about every axis across them, all alike.
+fn hinges(s: &Sight<'_>, feet: &[(&Support, &Beam)]) -> Option<Proposal> {
+    let (translations, rotations, directions) = match s.anatomy.ndm {
+        2 => ("1 2", &[3][..], "6"),
+        _ => ("1 2 3 6", &[4, 5][..], "4 5"),
+    };
+    let stiffness = feet
+        .iter()
+        .flat_map(|(s, _)| rotations.iter().filter_map(|r| s.stiffness.get(r - 1)))
+        .fold(0.0, |a: f64, k| a.max(*k));
+    let moment = feet.iter().filter_map(|(_, b)| s.scales.moments.get(&b.tag)).fold(0.0, |a: f64, m| a.max(*m));
+    if stiffness <= 0.0 || moment <= 0.0 {
+        return None;
+    }
+    let material = s.anatomy.free_tag + 500;
+    let mut block = vec![format!(
+        "uniaxialMaterial Steel02 {material} $hy_moment $hy_rotational [expr {{$hy_plastic/$hy_rotational}}] 18.0 0.925 0.15"
+    )];
+    let materials = vec![material.to_string(); rotations.len()].join(" ");
+    for ((support, foot), tag) in feet.iter().zip(material..) {
+        let node = support.node;
+        block.extend([
+            format!("node {tag} {}", super::coordinates(node, s.anatomy.ndm)),
+            format!("amend element {} node {node} {tag}", foot.tag),
+            format!("equalDOF {node} {tag} {translations}"),
+            format!("element zeroLength {tag} {node} {tag} -mat {materials} -dir {directions}"),
+        ]);
+    }
+    // Against the moment that the elastic columns have, and their stiffness, of which the fitted model has given up some.
+    let added = vec![
+        Added::log("moment", 0.1 * moment, 3.0 * moment, 0.8 * moment),
+        Added::log("plastic", 1e-3 * stiffness, stiffness, 0.03 * stiffness),
+        Added::log("rotational", 0.05 * stiffness, 20.0 * stiffness, stiffness),
+    ];
+    let tags: Vec<String> = feet.iter().map(|(_, b)| b.tag.to_string()).collect();
+    Some(Proposal::edit(
+        "superstructure_yielding",
+        "plastic hinge",
+        format!("foot of element {}", tags.join(" ")),
+        block,
+        added,
+    ))
 }
