@@ -90,7 +90,7 @@ pub fn diagnose(
     let library = hypothesis::ALL.iter().filter(|h| !settings.without.iter().any(|w| w == h.cause));
     let proposals: Vec<Proposal> = library.flat_map(|h| h.proposals(&sight)).collect();
 
-    let first = first_round(&mut work, &baseline, opening, &place, &scales, &proposals)?;
+    let first = first_round(&mut work, &baseline, opening, &place, &proposals)?;
     let mut finalists = best_of_causes(&first);
     finalists.truncate(FINALISTS);
     let mut weighed = refine(&mut work, "the likeliest of them", finalists)?;

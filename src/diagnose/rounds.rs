@@ -3,8 +3,6 @@
 use super::evidence::{INDEPENDENT, Noise};
 use super::hypothesis::Proposal;
 use super::insertion::Place;
-use super::scale::Scales;
-use super::structure::structure;
 use super::variant::Variant;
 use super::work::{Explained, LAST, Screened, Work};
 use crate::study::Opening;
@@ -14,12 +12,10 @@ use std::sync::Arc;
 /// Proposals that are fitted after the screening, and of one cause.
 const FIRST_ROUND: usize = 20;
 const OF_A_CAUSE: usize = 3;
-/// Of those of which nothing is to be expected, so many are fitted all the same; and what is nothing, in log evidence.
+/// Of those of which nothing is to be expected, so many are fitted all the same, and the best of each cause; and what is
+/// nothing, in log evidence.
 const FITTED: usize = 8;
 const EXPECTED: f64 = -3.0;
-/// Where these leave more than this part of the residual as structure, the others are fitted as well: the screening sees
-/// no further than derivatives do.
-const LEFT: f64 = 0.3;
 /// Points at which a proposal is tried, for each of its parameters and beside them: from the fitted model, and from the
 /// user's values.
 const TRIED: usize = 2;
@@ -82,7 +78,6 @@ pub(super) fn first_round(
     baseline: &Explained,
     opening: &Opening,
     place: &Place,
-    scales: &Scales,
     proposals: &[Proposal],
 ) -> Result<Vec<Explained>, String> {
     let own = baseline.variant.dimension();
@@ -123,17 +118,15 @@ pub(super) fn first_round(
     }
     picked.truncate(FIRST_ROUND);
     let mut fitted = work.search_all(stage, picked, FIRST)?;
-    let best = fitted.first().unwrap_or(baseline);
-    if structure(&work.study, scales, &best.fitted.fits).0 > LEFT {
-        // From the values that the user gave as well.
-        let afresh = others.iter().map(|s| {
-            let start = [&given[..], &s.variant.start(&baseline.fitted.values)[own..]].concat();
-            Screened { start, ..s.clone() }
-        });
-        let all = afresh.collect::<Vec<_>>().into_iter().chain(others.iter().cloned()).collect();
-        fitted.extend(work.search_all(stage, all, FIRST)?);
-        fitted.sort_by(|a, b| a.score().total_cmp(&b.score()));
-    }
+    // The screening sees no further than derivatives do: from the values that the user gave as well.
+    let afresh = others.iter().map(|s| {
+        let start = [&given[..], &s.variant.start(&baseline.fitted.values)[own..]].concat();
+        Screened { start, ..s.clone() }
+    });
+    let mut all = if apart > APART { afresh.collect() } else { vec![] };
+    all.append(&mut others);
+    fitted.extend(work.search_all(stage, all, FIRST)?);
+    fitted.sort_by(|a, b| a.score().total_cmp(&b.score()));
     Ok(fitted)
 }
 
