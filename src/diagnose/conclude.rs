@@ -9,6 +9,7 @@ use super::noise::power;
 use super::outcome::{Baseline, Candidate, Corrected, Mismatch, Outcome, Verdict};
 use super::pipeline::{Diagnosis, Weighed};
 use super::repair;
+use super::rounds::tried;
 use super::scale::Scales;
 use super::structure::structure;
 use super::work::{Explained, LAST, Work};
@@ -23,8 +24,17 @@ const TELLING: f64 = 0.6;
 const NAMELESS: f64 = 9.0;
 
 /// An explanation that takes more than this part of what can be taken is the harder to doubt the more it takes.
-const MUCH: f64 = 0.8;
-const NAMED: f64 = 90.0;
+const MUCH: f64 = 0.5;
+const NAMED: f64 = 45.0;
+
+/// Log evidence over the model as it is from which a repair is written although structure is left that it does not
+/// explain.
+const WORTH: f64 = 5.0;
+/// Further starts of the last search, and the sides of the cube in which they lie, against that of the whole.
+const AROUND: usize = 3;
+const NEAR: f64 = 0.1;
+/// What is left of the confidence in a repair when runs that were held out get no better by it.
+const CONTRADICTED: f64 = 0.5;
 
 pub(super) struct Context<'a> {
     pub(super) study: &'a Arc<Study>,
@@ -66,14 +76,20 @@ pub(super) fn conclude(
         - NAMED * (done - MUCH).max(0.0) * f64::from(u8::from(cause != "none"));
     causes.push(("unknown", unknown));
     causes.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let p = probabilities(&causes.iter().map(|c| c.1).collect::<Vec<_>>());
-    let (verdict, confidence) = (causes[0].0, p[0]);
-    let chosen = if verdict == "none" || verdict == "unknown" { baseline.clone() } else { best };
-    let also: Vec<&str> = chosen.second().into_iter().collect();
-    // The last search, from where the chosen one stands.
-    let job = Work::search(&chosen.variant, chosen.fitted.point.clone(), LAST);
-    let refined = work.fit("the repaired model", vec![job])?.pop().flatten();
-    let fitted = refined.filter(|f| f.objective <= chosen.fitted.objective).unwrap_or_else(|| chosen.fitted.clone());
+    let mut p = probabilities(&causes.iter().map(|c| c.1).collect::<Vec<_>>());
+    let verdict = causes[0].0;
+    // Where structure is left the nearest repair is written all the same.
+    let chosen = match verdict {
+        "none" => baseline.clone(),
+        "unknown" if best.evidence < evidence_of_none + WORTH => baseline.clone(),
+        _ => best,
+    };
+    let also: Vec<&str> = chosen.second().into_iter().filter(|_| verdict != "unknown").collect();
+    // The last search, from where the chosen one stands and from around it: contact and yielding make ridges.
+    let starts = around(&chosen.fitted.point);
+    let jobs = starts.into_iter().map(|start| Work::search(&chosen.variant, start, LAST)).collect();
+    let refined = work.fit("the repaired model", jobs)?.into_iter().flatten();
+    let fitted = refined.fold(chosen.fitted.clone(), |a, b| if b.objective <= a.objective { b } else { a });
 
     let all_runs = |e: &Explained, values: &[f64]| -> Vec<Option<Fit>> {
         let blueprint = c.simulator.blueprint();
@@ -94,6 +110,19 @@ pub(super) fn conclude(
     };
     let corrections = chosen.variant.corrections(&fitted.values);
     let share = if baseline.fitted.objective > 0.0 { fitted.objective / baseline.fitted.objective } else { 1.0 };
+    let mut explanation = explanation(verdict, &chosen, &also, &signature, share);
+    // Runs that were held out are looked at here for the first time: they can only take confidence away.
+    if let (Some(before), Some(after)) = (holdout(&before), holdout(&after))
+        && !matches!(verdict, "none" | "unknown")
+        && after >= before
+    {
+        let doubted = (1.0 - CONTRADICTED) * p[0];
+        p[0] -= doubted;
+        if let Some(n) = causes.iter().position(|(cause, _)| *cause == "unknown") {
+            p[n] += doubted;
+        }
+        explanation += " The runs held out contradict it: they get no better.";
+    }
     // The verdict and its strongest rival, each as it was fitted.
     let rival = weighed.iter().find(|e| e.cause() != chosen.cause() && e.cause() != "none");
     let observe = observation(verdict, rival.map(Explained::cause));
@@ -109,7 +138,7 @@ pub(super) fn conclude(
         mismatch: mismatches(c, &before),
         verdict: Verdict {
             cause: verdict.into(),
-            confidence,
+            confidence: p[0],
             also: also.iter().map(|a| (*a).to_owned()).collect(),
             also_possible: causes
                 .iter()
@@ -118,7 +147,7 @@ pub(super) fn conclude(
                 .filter(|(_, p)| **p > 0.005)
                 .map(|((cause, _), p)| Candidate { cause: (*cause).into(), confidence: *p })
                 .collect(),
-            explanation: explanation(verdict, &chosen, &also, &signature, share),
+            explanation,
         },
         corrected: Corrected {
             script: "corrected.tcl".into(),
@@ -145,6 +174,15 @@ pub(super) fn conclude(
         })
         .collect();
     Ok(Diagnosis { outcome, script, weighed, before, after, next_test, looks: work.bench.looks() })
+}
+
+/// A point, and others around it.
+fn around(point: &[f64]) -> Vec<Vec<f64>> {
+    let middle: Vec<f64> = point.iter().map(|_| 0.5).collect();
+    let of_a_parameter = AROUND.div_ceil(point.len() + 1);
+    let spread = tried(&middle, 0, of_a_parameter).into_iter().skip(1).take(AROUND);
+    let near = |other: Vec<f64>| point.iter().zip(other).map(|(p, o)| (p + NEAR * (o - 0.5)).clamp(0.0, 1.0)).collect();
+    std::iter::once(point.to_vec()).chain(spread.map(near)).collect()
 }
 
 /// Sum of the NMSE of all fitted channels.
@@ -194,7 +232,17 @@ fn explanation(verdict: &str, chosen: &Explained, also: &[&str], signature: &str
                    that it was not fitted to"
                 .into()
         }
-        "unknown" => format!("there is structure that no effect of the library explains: {signature}"),
+        "unknown" => {
+            let mut text = format!("there is structure that no effect of the library explains: {signature}");
+            if let Some(h) = hypothesis::of(chosen.cause()) {
+                text += &format!(
+                    "; the repaired model has the nearest, {}, and leaves {:.1} % of the squared error",
+                    h.cause,
+                    100.0 * share
+                );
+            }
+            text
+        }
         cause => {
             let h = hypothesis::of(cause);
             let place =

@@ -46,8 +46,9 @@ pub fn averaged(x: &[f64], points: usize) -> Vec<f64> {
     x.chunks(block).map(|c| c.iter().sum::<f64>() / c.len() as f64).collect()
 }
 
-/// Part of the power of innovations that comes in stretches much louder than the rest.
-pub fn bursts(x: &[f64]) -> f64 {
+/// Part of the power of innovations that comes in stretches much louder than the rest, and louder than the innovations of
+/// the model are there: errors grow with the motion, another machine does not ask for it.
+pub fn bursts(x: &[f64], model: &[f64]) -> f64 {
     /// Stretches of a record; noise of one level passes four times its median power in none of them.
     const STRETCHES: usize = 40;
     const LOUD: f64 = 4.0;
@@ -55,12 +56,18 @@ pub fn bursts(x: &[f64]) -> f64 {
     if length < 8 {
         return 0.0;
     }
-    let powers: Vec<f64> = x.chunks_exact(length).map(power).collect();
-    let mut sorted = powers.clone();
-    sorted.sort_by(f64::total_cmp);
-    let level = sorted[sorted.len() / 2];
+    let powers = |x: &[f64]| -> (Vec<f64>, f64) {
+        let powers: Vec<f64> = x.chunks_exact(length).map(power).collect();
+        let mut sorted = powers.clone();
+        sorted.sort_by(f64::total_cmp);
+        let level = sorted[sorted.len() / 2];
+        (powers, level)
+    };
+    let ((powers, level), (moving, usual)) = (powers(x), powers(model));
+    let expected = |m: &f64| level * if usual > 0.0 { (m / usual).max(1.0) } else { 1.0 };
     let total: f64 = powers.iter().sum();
-    let loud: f64 = powers.iter().filter(|p| **p > LOUD * level).map(|p| p - level).sum();
+    let pairs = powers.iter().zip(moving.iter().map(expected));
+    let loud: f64 = pairs.filter(|(p, e)| **p > LOUD * e).map(|(p, e)| p - e).sum();
     if total > 0.0 { loud / total } else { 0.0 }
 }
 
@@ -69,18 +76,22 @@ pub fn power(x: &[f64]) -> f64 {
     if x.is_empty() { 0.0 } else { x.iter().map(|v| v * v).sum::<f64>() / x.len() as f64 }
 }
 
-/// Part of the power of a series that stands in a few lines of its spectrum, which no broad noise has: hum, a machine.
+/// Part of the power of a series that stands in a few lines of its spectrum, which no broad noise has: hum, a machine. Lines
+/// that are weaker than what the model has there do not count: they are errors of its motion.
 /// The frequency of the strongest comes with it, in cycles per sample.
-pub fn lines(x: &[f64]) -> (f64, f64) {
+pub fn lines(x: &[f64], model: &[f64]) -> (f64, f64) {
     let n = x.len().min(8192);
     if n < 64 {
         return (0.0, 0.0);
     }
-    let mean = x[..n].iter().sum::<f64>() / n as f64;
-    // A Hann window keeps the skirts of a line narrow.
-    let windowed: Vec<f64> =
-        (0..n).map(|t| (x[t] - mean) * (std::f64::consts::PI * t as f64 / n as f64).sin().powi(2)).collect();
-    let spectrum = periodogram(&windowed);
+    let spectrum_of = |x: &[f64]| {
+        let mean = x[..n].iter().sum::<f64>() / n as f64;
+        // A Hann window keeps the skirts of a line narrow.
+        let windowed: Vec<f64> =
+            (0..n).map(|t| (x[t] - mean) * (std::f64::consts::PI * t as f64 / n as f64).sin().powi(2)).collect();
+        periodogram(&windowed)
+    };
+    let (spectrum, motion) = (spectrum_of(x), spectrum_of(model));
     let m = spectrum.len();
     let total: f64 = spectrum.iter().sum();
     if total <= 0.0 {
@@ -94,8 +105,9 @@ pub fn lines(x: &[f64]) -> (f64, f64) {
         let mut sorted = around.to_vec();
         sorted.sort_by(f64::total_cmp);
         let level = sorted[sorted.len() / 2];
+        let own = motion[i - SKIRT.min(i)..(i + SKIRT + 1).min(m)].iter().fold(0.0, |a: f64, p| a.max(*p));
         // Noise passes 25 times its median once in 3e7.
-        if *p > 25.0 * level {
+        if *p > 25.0 * level && *p > own {
             share += p / total;
             if *p > strongest.0 {
                 strongest = (*p, i as f64 / n as f64);
@@ -104,6 +116,9 @@ pub fn lines(x: &[f64]) -> (f64, f64) {
     }
     (share, strongest.1)
 }
+
+/// Frequencies on both sides to which a line reaches.
+const SKIRT: usize = 2;
 
 /// Cycles in the record below which nothing is called a line.
 const SLOWEST: usize = 8;
@@ -182,9 +197,12 @@ mod tests {
     #[test]
     fn lines_are_told_from_noise() {
         let mut x = noise(4000);
-        assert!(lines(&x).0 < 0.02);
+        let still = vec![0.0; x.len()];
+        assert!(lines(&x, &still).0 < 0.02);
         x.iter_mut().enumerate().for_each(|(t, x)| *x += 1.5 * (0.7 * t as f64).sin());
-        let (share, frequency) = lines(&x);
+        let (share, frequency) = lines(&x, &still);
+        let moving: Vec<f64> = (0..x.len()).map(|t| 3.0 * (0.7 * t as f64).cos()).collect();
+        assert!(lines(&x, &moving).0 < 0.02);
         assert!(share > 0.4 && (frequency - 0.7 / std::f64::consts::TAU).abs() < 1e-3, "{share} {frequency}");
     }
 

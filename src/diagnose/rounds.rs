@@ -112,13 +112,14 @@ pub(super) fn first_round(
     for (place, (further, s)) in ranked.into_iter().enumerate() {
         if place < FITTED || promising(&s) {
             picked.push(s);
-        } else if !further {
+        } else if !further && !s.variant.of_a_channel() {
             others.push(s);
         }
     }
     picked.truncate(FIRST_ROUND);
     let mut fitted = work.search_all(stage, picked, FIRST)?;
-    // The screening sees no further than derivatives do: from the values that the user gave as well.
+    // The screening sees no further than derivatives do, which is all there is to a fault of a channel, but not to
+    // physics: from the values that the user gave as well.
     let afresh = others.iter().map(|s| {
         let start = [&given[..], &s.variant.start(&baseline.fitted.values)[own..]].concat();
         Screened { start, ..s.clone() }

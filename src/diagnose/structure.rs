@@ -33,8 +33,8 @@ pub(super) fn structure(study: &Study, scales: &Scales, fits: &[Fit]) -> (f64, S
                 .map(|c| whiten(&averaged(&c, POINTS), &noise))
                 .collect();
             let told = explained(&whiten(&few, &noise), &columns, 6);
-            let (line, frequency) = lines(&r);
-            let burst = bursts(&whiten(&r, &burg(&r, LONG_ORDER)));
+            let (line, frequency) = lines(&r, &channel);
+            let burst = bursts(&whiten(&r, &burg(&r, LONG_ORDER)), &whiten(&channel, &burg(&channel, LONG_ORDER)));
             let times = &run.recording.times;
             let rate = (times.len() - 1) as f64 / (times[times.len() - 1] - times[0]);
             // Only what matters for this channel against the others.

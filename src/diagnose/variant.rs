@@ -79,6 +79,11 @@ impl Variant {
         self.proposal.as_ref().map_or("none", |p| p.cause)
     }
 
+    /// A channel is at fault, not the model.
+    pub fn of_a_channel(&self) -> bool {
+        self.proposal.as_ref().is_some_and(|p| p.faults.is_some() && p.block.is_empty())
+    }
+
     /// A simulator of it.
     pub fn simulator(self: &Arc<Self>, blueprint: &Blueprint) -> VariantSimulator {
         let script = blueprint.simulator_of(self.study.clone(), &self.text);

@@ -1,6 +1,7 @@
 //! The support gives way.
 
 use super::{Added, Hypothesis, Proposal, Sight};
+use crate::diagnose::anatomy::Support;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "foundation_flexibility",
@@ -10,43 +11,76 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     propose,
 };
 
+/// Supports that are freed alone, at most, and together.
+const ALONE: usize = 6;
+const TOGETHER: usize = 20;
+
 fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     let mut out = vec![];
     if !s.anatomy.shaken {
         return out;
     }
-    let (ndm, total) = (s.anatomy.ndm, s.anatomy.masses.iter().map(|m| m.mass[0]).sum::<f64>());
-    for (n, support) in s.anatomy.supports.iter().enumerate() {
-        if support.elements.is_empty() || support.fixed.len() < ndm {
-            continue;
+    let stands = |p: &&Support| !p.elements.is_empty() && p.fixed.len() >= s.anatomy.ndm;
+    let supports: Vec<&Support> = s.anatomy.supports.iter().filter(stands).collect();
+    for support in supports.iter().take(ALONE) {
+        forms(s, &[support], &mut out);
+    }
+    // Those that are held alike, together: the ends of a bridge, the columns of a frame.
+    let mut alike: Vec<Vec<&Support>> = vec![];
+    for support in supports {
+        match alike.iter_mut().find(|g| g[0].fixed == support.fixed) {
+            Some(g) => g.push(support),
+            None => alike.push(vec![support]),
         }
-        let rotation = if ndm == 2 { 3 } else { 5 };
-        let rocks =
-            support.fixed.contains(&rotation) && support.ndf >= rotation && support.stiffness[rotation - 1] > 0.0;
-        let mut form = |form: &str, dofs: &[(&str, usize)], footing: bool| {
-            let tag = s.anatomy.free_tag + 10 * n as i32;
-            let mut block = vec![
-                format!("node {tag} {}", super::coordinates(support.node, ndm)),
-                format!("fix {tag} {}", vec!["1"; support.ndf].join(" ")),
-            ];
-            let mut added = vec![];
-            for (k, (name, dof)) in dofs.iter().enumerate() {
-                let direction = if ndm == 2 && *dof == 3 { 6 } else { *dof };
-                let (spring, dashpot) = (tag + 2 * k as i32, tag + 2 * k as i32 + 1);
-                block.extend([
-                    format!("remove sp {} {dof}", support.node),
-                    format!("uniaxialMaterial Elastic {spring} $hy_{name}"),
-                    format!("uniaxialMaterial Viscous {dashpot} $hy_{name}_dashpot 1.0"),
-                    format!(
-                        "element zeroLength {spring} {tag} {} -mat {spring} {dashpot} -dir {direction} {direction}",
-                        support.node
-                    ),
-                ]);
-                // Against the stiffness of what stands on it: what is much stiffer is a fixed base.
-                let scale = support.stiffness[dof - 1];
-                added.push(Added::log(name, 3e-3 * scale, 100.0 * scale, scale));
-                added.push(Added::log(&format!("{name}_dashpot"), 1e-5 * scale, 0.3 * scale, 3e-3 * scale));
+    }
+    for group in alike.iter().filter(|g| (2..=TOGETHER).contains(&g.len())) {
+        forms(s, group, &mut out);
+    }
+    out
+}
+
+/// Springs and dashpots of the same size under some supports.
+fn forms(s: &Sight<'_>, supports: &[&Support], out: &mut Vec<Proposal>) {
+    let ndm = s.anatomy.ndm;
+    let total = s.anatomy.masses.iter().map(|m| m.mass[0]).sum::<f64>();
+    let (first, stiffest) =
+        (supports[0], |dof: usize| supports.iter().fold(0.0, |a: f64, p| a.max(p.stiffness[dof - 1])));
+    // Across the last axis, which is the vertical one.
+    let across: Vec<usize> = (1..ndm).filter(|d| first.fixed.contains(d) && stiffest(*d) > 0.0).collect();
+    let about: &[usize] = if ndm == 2 { &[3] } else { &[4, 5] };
+    let rocks: Vec<usize> =
+        about.iter().copied().filter(|d| first.fixed.contains(d) && first.ndf >= *d && stiffest(*d) > 0.0).collect();
+    let named: Vec<String> = supports.iter().map(|p| p.node.to_string()).collect();
+    let at = format!("node {}", named.join(" "));
+    let mut form = |form: &str, springs: &[(&str, &[usize])], footing: bool| {
+        let (mut block, mut added) = (vec![], vec![]);
+        let scale = |dofs: &[usize]| dofs.iter().map(|d| stiffest(*d)).fold(0.0, f64::max);
+        for (material, (name, dofs)) in (s.anatomy.free_tag..).step_by(2).zip(springs) {
+            block.push(format!("uniaxialMaterial Elastic {material} $hy_{name}"));
+            block.push(format!("uniaxialMaterial Viscous {} $hy_{name}_dashpot 1.0", material + 1));
+            // Against the stiffness of what stands on it: what is much stiffer is a fixed base.
+            let scale = scale(dofs);
+            added.push(Added::log(name, 3e-3 * scale, 100.0 * scale, scale));
+            added.push(Added::log(&format!("{name}_dashpot"), 1e-5 * scale, 0.3 * scale, 3e-3 * scale));
+        }
+        for (support, tag) in supports.iter().zip(s.anatomy.free_tag..) {
+            let (mut materials, mut directions) = (vec![], vec![]);
+            block.push(format!("node {tag} {}", super::coordinates(support.node, ndm)));
+            block.push(format!("fix {tag} {}", vec!["1"; support.ndf].join(" ")));
+            for (material, (_, dofs)) in (s.anatomy.free_tag..).step_by(2).zip(springs) {
+                for dof in *dofs {
+                    let direction = if ndm == 2 && *dof == 3 { 6 } else { *dof };
+                    block.push(format!("remove sp {} {dof}", support.node));
+                    materials.extend([material.to_string(), (material + 1).to_string()]);
+                    directions.extend([direction.to_string(), direction.to_string()]);
+                }
             }
+            block.push(format!(
+                "element zeroLength {tag} {tag} {} -mat {} -dir {}",
+                support.node,
+                materials.join(" "),
+                directions.join(" ")
+            ));
             if footing {
                 let own = s.anatomy.masses.iter().find(|m| m.node == support.node).map_or(&[][..], |m| &m.mass);
                 let mass = |i: usize| own.get(i).copied().unwrap_or(0.0);
@@ -55,20 +89,23 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
                     _ => format!("{:e}", mass(i)),
                 });
                 block.push(format!("mass {} {}", support.node, words.collect::<Vec<_>>().join(" ")));
-                added.push(Added::log("footing", 1e-3 * total, total, 0.05 * total));
-            }
-            out.push(Proposal::edit("foundation_flexibility", form, format!("node {}", support.node), block, added));
-        };
-        if support.stiffness[0] > 0.0 {
-            form("horizontal spring", &[("sway", 1)], false);
-            if total > 0.0 {
-                form("horizontal spring and a footing with mass", &[("sway", 1)], true);
             }
         }
-        if rocks {
-            form("rocking spring", &[("rocking", rotation)], false);
-            form("horizontal and rocking spring", &[("sway", 1), ("rocking", rotation)], false);
+        if footing {
+            added.push(Added::log("footing", 1e-3 * total, total, 0.05 * total));
+        }
+        out.push(Proposal::edit("foundation_flexibility", form, at.clone(), block, added));
+    };
+    if !across.is_empty() {
+        form("horizontal spring", &[("sway", &across)], false);
+        if total > 0.0 {
+            form("horizontal spring and a footing with mass", &[("sway", &across)], true);
         }
     }
-    out
+    if !rocks.is_empty() {
+        form("rocking spring", &[("rocking", &rocks)], false);
+    }
+    if !across.is_empty() && !rocks.is_empty() {
+        form("horizontal and rocking spring", &[("sway", &across), ("rocking", &rocks)], false);
+    }
 }

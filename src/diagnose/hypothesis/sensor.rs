@@ -76,28 +76,37 @@ fn gain(s: &Sight<'_>) -> Vec<Proposal> {
         let form = run.map_or("one factor".into(), |r| format!("one factor in {r}"));
         out.push(proposal("sensor_gain", &form, channel, vec![Added::log("gain", 0.2, 5.0, 0.98)], faults));
     };
-    let fitted: Vec<_> = s.study.runs.iter().filter(|r| r.role == Role::Fit).collect();
     for o in channels(s) {
         // With one channel alone this is the stiffness of the model.
         one(&o.channel, None);
         // An amplifier that was set otherwise in one of the runs.
-        if fitted.len() > 1 {
-            let has = fitted.iter().filter(|r| r.observe.iter().any(|x| x.channel == o.channel));
-            has.for_each(|r| one(&o.channel, Some(&r.name)));
-        }
+        fitted_with(s, &o.channel).for_each(|r| one(&o.channel, Some(r)));
     }
     out
 }
 
+/// Names of the fitted runs that have a channel, where there are several fitted runs.
+fn fitted_with<'a>(s: &'a Sight<'_>, channel: &'a str) -> impl Iterator<Item = &'a str> {
+    let fitted = || s.study.runs.iter().filter(|r| r.role == Role::Fit);
+    let several = fitted().count() > 1;
+    fitted().filter(move |r| several && r.observe.iter().any(|x| x.channel == channel)).map(|r| r.name.as_str())
+}
+
 fn lag(s: &Sight<'_>) -> Vec<Proposal> {
     let step = s.sampling();
-    let each = channels(s).into_iter().map(|o| {
-        let name = o.channel.clone();
-        let faults: Faults = Arc::new(move |v| vec![Correction { lag_s: v[0], ..Correction::none(&name, None) }]);
-        let added = vec![Added::linear("lag", -2.0 * step, 30.0 * step, 0.5 * step)];
-        proposal("sensor_lag", "a constant delay", &o.channel, added, faults)
-    });
-    each.collect()
+    let in_all_and_each = |o: &&Observe| {
+        let one = |run: Option<&str>| {
+            let (name, of) = (o.channel.clone(), run.map(str::to_owned));
+            let faults: Faults =
+                Arc::new(move |v| vec![Correction { lag_s: v[0], ..Correction::none(&name, of.as_deref()) }]);
+            let form = run.map_or("a constant delay".into(), |r| format!("a constant delay in {r}"));
+            let added = vec![Added::linear("lag", -2.0 * step, 30.0 * step, 0.5 * step)];
+            proposal("sensor_lag", &form, &o.channel, added, faults)
+        };
+        let of_runs = fitted_with(s, &o.channel).map(|r| one(Some(r)));
+        std::iter::once(one(None)).chain(of_runs).collect::<Vec<_>>()
+    };
+    channels(s).iter().flat_map(in_all_and_each).collect()
 }
 
 /// Points of the line that a zero may follow in each run.
