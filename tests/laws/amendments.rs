@@ -3,7 +3,7 @@
 use super::driver::{Alone, difference, path};
 use hysteron::element::amendment::{
     Amended, Amendment, Axial, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Mullins, Overstress,
-    Pinching, Pressure, Share, Sides, Stiffening, Temperature, Yielding,
+    Pinching, Pressure, Share, Sides, Slip, Stiffening, Temperature, Yielding,
 };
 use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::{Link, PlaneBearing, ShearParameters, SpaceBearing};
@@ -52,6 +52,7 @@ fn laws() -> Vec<Arc<dyn Amendment>> {
         Arc::new(Axial { critical: 400.0, power: 2.0, width: 0.2, load: None, reference: 0.0, share }),
         Arc::new(Coupling { law: shear() }),
         Arc::new(Pinching { depth: 0.6, width: 0.4, onset: 0.0, share }),
+        Arc::new(Slip { depth: 0.7, width: 0.4, share }),
         Arc::new(Yielding { force: 30.0, stiffness: 8000.0, hardening: 0.05 }),
         Arc::new(Pressure { reference: 150.0, power: 0.8, share }),
         Arc::new(Friction { force: 15.0, stiffness: 4e4 }),
@@ -129,6 +130,15 @@ fn each_does_what_it_is_for() {
         cycles(0.05, 3),
     );
     assert!(peak(&warm, 0) > peak(&warm, 1) && peak(&warm, 1) > peak(&warm, 2));
+
+    // At the largest deformation next to nothing is missing of the hysteretic part, near its zero most of it.
+    let elastic = Share { stiffness: 960.0, ..all };
+    let slips = force(Arc::new(Slip { depth: 0.7, width: 0.3, share: elastic }), cycles(0.05, 3));
+    assert!((slips[225] / plain[225] - 1.0).abs() < 1e-3);
+    let z = |f: &[f64], i: usize| f[i] - 960.0 * 0.05 * (std::f64::consts::TAU * i as f64 / 100.0).sin();
+    let least = (225..275).min_by(|a, b| z(&plain, *a).abs().total_cmp(&z(&plain, *b).abs())).unwrap();
+    let [slope, slipping] = [&plain, &slips].map(|f| z(f, least + 1) - z(f, least - 1));
+    assert!(slipping / slope < 0.75, "{slipping} of {slope}");
 
     let virgin = force(
         Arc::new(Mullins { softening: softening(0.3, 1e-6), share: all }),
