@@ -12,10 +12,12 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 import tomllib
 from pathlib import Path
 
-import bench
+sys.dont_write_bytecode = True
+import bench  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
 
@@ -65,18 +67,26 @@ def errors(args, folder, study, said, out):
     return result
 
 
+def leading(out):
+    """What had the most evidence of all that was weighed, and by how much more than none: (cause, form, difference, NMSE)."""
+    found = re.findall(r"^ +(\w+) +(\S+) +log evidence +(\S+) +(.*)$", (out / "said.txt").read_text(), re.M)
+    none = next(float(e) for c, _, e, _ in found if c == "none")
+    cause, nmse, evidence, form = found[0]
+    return cause, form, float(evidence) - none, float(nmse)
+
+
 def number(x):
     return "no answer" if x is None else f"{x:.3g}"
 
 
 def compact(proof, name, judged):
     """A row a case, with what is known of it, and what the proof counts over them."""
-    rows = [f"### {name}", "", "| case | known | answer | confidence | right | fitted NMSE | held out NMSE |", "| --- | --- | --- | --- | --- | --- | --- |"]
-    for variant, said in judged:
+    rows = [f"### {name}", "", "| case | known | answer | confidence | right | most evidence, over none | fitted NMSE | held out NMSE |", "| --- | --- | --- | --- | --- | --- | --- | --- |"]
+    for variant, said, (cause, _, difference, _) in judged:
         verdict, base, after = said["verdict"], said["baseline"], said["corrected"] or said["baseline"]
         held = "" if base["holdout_nmse"] is None else f"{number(base['holdout_nmse'])} → {number(after['holdout_nmse'])}"
         rows.append(f"| {variant} | {proof.known(variant)} | {' + '.join([verdict['cause'], *verdict['also']])} | {100 * verdict['confidence']:.0f} % | "
-                    f"{proof.right(variant, verdict)} | {number(base['fit_nmse'])} → {number(after['fit_nmse'])} | {held} |")
+                    f"{proof.right(variant, verdict)} | {cause}, {difference:.1f} | {number(base['fit_nmse'])} → {number(after['fit_nmse'])} | {held} |")
     return rows + ["", *proof.count(judged), ""]
 
 
@@ -118,11 +128,13 @@ def prove(args, name):
                 f"{number(base['fit_nmse'])} → {number(after['fit_nmse'])}{held}")
         print(f"{name}, {variant}: {head}", flush=True)
         if hasattr(proof, "known"):
-            judged.append((variant, said))
+            judged.append((variant, said, leading(out)))
             continue
         where = "; ".join(f"{m['at']} in {m['run']} ({m['channel']}): {100 * m['share']:.0f} % of the squared error in {sum(b - a for a, b in m['windows']):.3g} s, {m['regime']}"
                           for m in said["mismatch"])
-        lines += [f"### {name}: {variant}", "", head, "", f"It says: {verdict['explanation']}", "", f"Where the baseline differs: {where or 'nowhere'}.", "", "| run | role | channel | NMSE before | after | NRMSE before | after |", "| --- | --- | --- | --- | --- | --- | --- |"]
+        cause, form, difference, nmse = leading(out)
+        weighed = f"Most evidence: {cause} ({form}), {difference:.1f} in log evidence over none, NMSE {number(nmse)}." if cause != "none" else "Nothing had more evidence than none."
+        lines += [f"### {name}: {variant}", "", head, "", f"It says: {verdict['explanation']}", "", weighed, "", f"Where the baseline differs: {where or 'nowhere'}.", "", "| run | role | channel | NMSE before | after | NRMSE before | after |", "| --- | --- | --- | --- | --- | --- | --- |"]
         panels = []
         for run, channels in errors(args, folder, study, said, out):
             for channel, (t, recorded, before, after) in channels.items():

@@ -52,7 +52,7 @@ def count(judged):
         rows += [f"{title}:", "", "| failure | specimens | loss of strength or stiffness | pinching | either | unknown | none | a channel's fault | something else | median unexplained |",
                  "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |"]
         for kind in ("Flexure", "Flexure-Shear", "Shear"):
-            these = [said for v, said in chosen if TYPES[v] == kind]
+            these = [said for v, said, _ in chosen if TYPES[v] == kind]
             c, shares = Counter(), []
             for said in these:
                 verdict = said["verdict"]
