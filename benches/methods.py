@@ -29,7 +29,8 @@ def repeats(study, method, seeds):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--seeds", type=int, default=30)
-    parser.add_argument("--study", type=Path, nargs="*", default=[ROOT / "tcl-like-inputs/pad_study/study.toml"])
+    studies = [ROOT / "tcl-like-inputs/pad_study/study.toml", ROOT / "benches/multimodal/study.toml"]
+    parser.add_argument("--study", type=Path, nargs="*", default=studies)
     parser.add_argument("--methods", nargs="*", default=METHODS)
     args = parser.parse_args()
     print("| study | method | found | evaluations to 1 % | all evaluations | worst |\n| --- | --- | --- | --- | --- | --- |")

@@ -99,7 +99,9 @@ fn plain(interp: &mut Tcl, a: &mut Args<'_>) -> Result<GroundMotion, Exception> 
             _ => ignore_option(interp, a, &["-accel", "-vel", "-disp", "-int", "-dtInt", "-fact"])?,
         }
     }
-    no_series(GroundMotion::from_series(series, dt, factor), a, kind)
+    // OpenSees integrates what is missing, but differentiates nothing: supports that move by displacements have no velocity.
+    let derive = !interp.host.engine.options.compat;
+    no_series(GroundMotion::from_series(series, dt, factor, derive), a, kind)
 }
 
 fn no_series(motion: Option<GroundMotion>, a: &Args<'_>, span: Option<Span>) -> Result<GroundMotion, Exception> {
@@ -129,9 +131,7 @@ fn imposed_motion(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let ndf = interp.host.engine.model().nodes[node.0].ndf;
     let dof = a.dof("degree of freedom", ndf)?;
     let motion = motion_of(interp, &mut a)?;
-    // In OpenSees the next correction sets the velocity of the support back to zero, so that stiffness-proportional
-    // damping resists the motion of the ground.
-    let rates = !a.flag("-other") && !interp.host.engine.options.compat;
+    let rates = !a.flag("-other");
     finish(interp, &a)?;
     let (pattern, _) = motions(interp, &a)?;
     let tag = interp.host.sp_tag();

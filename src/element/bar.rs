@@ -112,7 +112,7 @@ impl Bar {
                 out[0] = -self.force(s.state);
                 out[self.per_node] = self.force(s.state);
             }
-            DEFORMATION => out[0] = self.length * self.slot.strain(s.state),
+            DEFORMATION => out[0] = self.length * self.slot.shown_strain(s.state),
             STIFFNESS => out[0] = self.options.area / self.length * self.slot.tangent(s.state),
             _ => self.slot.read(&path[1..], s.state, out),
         }

@@ -178,7 +178,8 @@ impl Springs {
         })
     }
 
-    pub(super) fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
+    /// Value of a probe; `strain` says what of a material is the deformation of a spring.
+    pub(super) fn read(&self, path: &[u32], s: &Snapshot<'_>, strain: impl Fn(&Slot, &[f64]) -> f64, out: &mut [f64]) {
         let n = self.springs.len();
         match path[0] {
             id @ X_AXIS..=Z_AXIS => {
@@ -194,9 +195,9 @@ impl Springs {
                 for (i, spring) in self.springs.iter().enumerate() {
                     match id {
                         BASIC_FORCE => out[i] = spring.slot.stress(s.state),
-                        DEFORMATION => out[i] = spring.slot.strain(s.state),
+                        DEFORMATION => out[i] = strain(&spring.slot, s.state),
                         BOTH => {
-                            out[i] = spring.slot.strain(s.state);
+                            out[i] = strain(&spring.slot, s.state);
                             out[n + i] = spring.slot.stress(s.state);
                         }
                         STIFFNESS => out[i * n + i] = spring.slot.tangent(s.state),

@@ -2,7 +2,7 @@
 
 use super::springs::Springs;
 use super::{Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Snapshot, dot};
-use crate::material::Material;
+use crate::material::{Material, Slot};
 use crate::probe::Probe;
 use nalgebra::Matrix3;
 use std::sync::Arc;
@@ -283,7 +283,7 @@ impl Element for TwoNodeLink {
         match path[0] {
             LOCAL_FORCE => self.to_local(s.force, out),
             LOCAL_DISP => self.to_local(s.disp, out),
-            _ => self.springs.read(path, s, out),
+            _ => self.springs.read(path, s, Slot::strain, out),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::springs::Springs;
 use super::{Answer, BasicRow, Element, ElementError, Motion, Nature, Snapshot, dot};
-use crate::material::Material;
+use crate::material::{Material, Slot};
 use crate::probe::Probe;
 use nalgebra::Matrix3;
 use std::sync::Arc;
@@ -131,6 +131,7 @@ impl Element for ZeroLength {
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
-        self.springs.read(path, s, out);
+        // As in OpenSees, what the materials say of their strain: an initial one counts.
+        self.springs.read(path, s, Slot::shown_strain, out);
     }
 }

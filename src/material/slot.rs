@@ -91,6 +91,12 @@ impl Slot {
         state[self.at + STRAIN]
     }
 
+    /// Strain in a state as recorders show it: with the initial strain of materials that have one.
+    pub fn shown_strain(&self, state: &[f64]) -> f64 {
+        let words = &state[self.at..self.at + self.len()];
+        self.material.shown_strain(words[STRAIN], &words[HEADER..])
+    }
+
     /// Stress in a state.
     pub fn stress(&self, state: &[f64]) -> f64 {
         state[self.at + STRESS]
@@ -125,7 +131,7 @@ impl Slot {
     /// Value of a probe.
     pub fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
         let words = &state[self.at..self.at + self.len()];
-        let strain = self.material.shown_strain(words[STRAIN], &words[HEADER..]);
+        let strain = self.shown_strain(state);
         match path[0] {
             1 => out[0] = words[STRESS],
             2 => out[0] = words[TANGENT],

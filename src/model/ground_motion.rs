@@ -18,17 +18,20 @@ pub enum GroundMotion {
 }
 
 impl GroundMotion {
-    /// From series of displacement, velocity and acceleration: what is missing follows by the trapezoidal rule with
-    /// steps of `dt`, as in OpenSees. `None` where no series is given.
-    pub fn from_series(series: [Option<Series>; 3], dt: f64, factor: f64) -> Option<Self> {
+    /// From series of displacement, velocity and acceleration. What is missing follows with steps of `dt`: integrals
+    /// by the trapezoidal rule, derivatives (where `derive` asks for them) by differences. `None` where no series is
+    /// given.
+    pub fn from_series(series: [Option<Series>; 3], dt: f64, factor: f64, derive: bool) -> Option<Self> {
         let [mut disp, mut vel, mut accel] = series;
         if disp.is_none() && vel.is_none() && accel.is_none() {
             return None;
         }
         vel = vel.or_else(|| accel.as_ref().map(|a| integral(a, dt)));
         disp = disp.or_else(|| vel.as_ref().map(|v| integral(v, dt)));
-        vel = vel.or_else(|| disp.as_ref().map(|d| derivative(d, dt)));
-        accel = accel.or_else(|| vel.as_ref().map(|v| derivative(v, dt)));
+        if derive {
+            vel = vel.or_else(|| disp.as_ref().map(|d| derivative(d, dt)));
+            accel = accel.or_else(|| vel.as_ref().map(|v| derivative(v, dt)));
+        }
         Some(Self::Plain { series: [disp, vel, accel], factor })
     }
 
@@ -55,32 +58,39 @@ impl GroundMotion {
     }
 }
 
-/// A series whose values follow those of another, one after the other.
-fn follow(series: &Series, dt: f64, mut next: impl FnMut(f64) -> f64) -> Series {
+/// Values of a series at steps of `dt`.
+fn samples(series: &Series, dt: f64) -> Vec<f64> {
     /// Points of a series without an end, of which there must be some number.
     const MOST: f64 = 1e7;
     let (start, end) = (series.start(), series.end().unwrap_or(0.0));
     let n = ((end - start) / dt + 1.0).clamp(1.0, MOST) as usize;
-    let values = (0..n).map(|i| next(series.factor(start + dt * i as f64))).collect();
-    Arc::new(Path { values, dt, factor: 1.0, use_last: true, start })
+    (0..n).map(|i| series.factor(start + dt * i as f64)).collect()
+}
+
+fn path(values: Vec<f64>, like: &Series, dt: f64) -> Series {
+    Arc::new(Path { values, dt, factor: 1.0, use_last: true, start: like.start() })
 }
 
 /// Integral by the trapezoidal rule, from zero on.
 fn integral(series: &Series, dt: f64) -> Series {
     let (mut sum, mut last) = (0.0, 0.0);
-    follow(series, dt, |x| {
-        sum += 0.5 * dt * (last + x);
-        last = x;
-        sum
-    })
+    let mut values = samples(series, dt);
+    for x in &mut values {
+        sum += 0.5 * dt * (last + *x);
+        last = *x;
+        *x = sum;
+    }
+    path(values, series, dt)
 }
 
-/// The derivative whose trapezoidal integral gives the series back.
+/// Derivative by central differences. The one whose trapezoidal integral gives the series back would alternate for ever
+/// about a motion that starts with a velocity.
 fn derivative(series: &Series, dt: f64) -> Series {
-    let (mut rate, mut last) = (0.0, 0.0);
-    follow(series, dt, |x| {
-        rate = 2.0 * (x - last) / dt - rate;
-        last = x;
-        rate
-    })
+    let x = samples(series, dt);
+    let last = x.len() - 1;
+    let slope = |i: usize| {
+        let (a, b) = (i.saturating_sub(1), (i + 1).min(last));
+        (x[b] - x[a]) / (dt * (b - a).max(1) as f64)
+    };
+    path((0..=last).map(slope).collect(), series, dt)
 }

@@ -69,6 +69,31 @@ def twin(folder):
     return [f + noise.gauss(0.0, size) for f in forces]
 
 
+# Loops of the fitted models over those of the target.
+LOOPS = """
+lassign [columns [lindex {%s} 0]/target.csv] time target u
+foreach name {%s} {
+    lassign [columns $name/force.out] t p1 p2 p3 p4 p5 p6 force
+    figure $name.svg -title "$name over the %s target" -x "displacement, m" -y "force, N" \\
+        -line target $u $target -line $name $u $force
+}
+"""
+
+
+def run(script, folder):
+    subprocess.run([Path(BINARY).resolve(), "run", script], cwd=folder, check=True, capture_output=True)
+
+
+def draw(out, models, target):
+    """Pictures MODEL.svg in `out`, from the fitted scripts."""
+    for folder in (out / model for model in models):
+        shutil.copy(folder / "fit/fitted.tcl", folder)
+        (folder / "drive.tcl").write_text(f"set motion motion.dat; set dt {DT}; set npts {len(path()) + 1}; source fitted.tcl\n")
+        run("drive.tcl", folder)
+    (out / "loops.tcl").write_text(LOOPS % (" ".join(models), " ".join(models), target))
+    run("loops.tcl", out)
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--out", type=Path, default=Path("results/rr_frb"))
@@ -94,6 +119,7 @@ def main():
         subprocess.run([Path(BINARY).resolve(), "calibrate", "study.toml", "--out", "fit", *words], cwd=folder, check=True)
         print(f"## {model}, {args.target} target")
         report(json.loads((folder / "fit/calibration.json").read_text()))
+    draw(out, args.models, args.target)
 
 
 def report(result):

@@ -1,0 +1,21 @@
+"""Every 2th sample; fitted are the smaller cycles, held out the larger ones that follow (the whole path is imposed)."""
+import math
+
+from bench import columns, write
+
+VARIANTS = {"bilinear": ("study.toml", None), "no_clock": ("study.toml", None, "rate_dependence", "self_heating")}
+FIRST, SPLIT, END, EVERY = 0, 1791, 2651, 2
+
+
+def prepare(data, folder):
+    c = columns(data / "rubble-stone-masonry-wall-rs3/RS3.csv")
+    for name, last in (("first", SPLIT), ("later", END)):
+        u = [1.0 * x for x in c["disp_mm"][FIRST:last:EVERY]]
+        force = c["force_kN"][FIRST:last:EVERY]
+        u, force = [x - u[0] for x in u], [x if name == "first" or FIRST + EVERY * i >= SPLIT else math.nan for i, x in enumerate(force)]
+        write(folder, name, u, 1.0, {"force[kN]": force, "disp[mm]": u})
+
+
+def panel(folder, run, channel, time, curves):
+    u = columns(folder / run["recording"])["disp[mm]"]
+    return ("mm", "kN"), {k: (u, y) for k, y in curves.items()}

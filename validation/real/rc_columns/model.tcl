@@ -1,0 +1,26 @@
+# A reinforced-concrete column under lateral cycles as a bilinear hysteretic spring (Steel01), in units of its own peaks.
+wipe
+model basic -ndm 1 -ndf 1
+node 1 0.0
+node 2 0.0
+fix 1 1
+
+pset k  5.0    ;# initial stiffness, peak force over peak displacement
+pset Fy 0.8    ;# yield force, over the peak force
+pset b  0.02
+
+uniaxialMaterial Steel01 1 $Fy $k $b
+element zeroLength 1 1 2 -mat 1 -dir 1
+
+timeSeries Path 1 -dt $dt -filePath $motion -useLast
+pattern Plain 1 1 { sp 2 1 1.0 }
+recorder Element -file force.out -time -ele 1 force
+
+constraints Transformation
+numberer Plain
+system ProfileSPD
+test NormDispIncr 1.0e-9 50
+algorithm Newton
+integrator LoadControl $dt
+analysis Static
+if {[analyze [expr {$npts-1}]] != 0} {error "no convergence at [getTime]"}

@@ -1,0 +1,69 @@
+"""The first eight specimens of each type of failure with 200 to 1000 points, force and displacement over their peaks, a sample a second.
+
+Twice: with the whole library, and without the causes that need a clock, which the source does not have.
+"""
+import csv
+from collections import Counter
+from pathlib import Path
+
+from bench import write
+
+EACH = 8
+CLOCK = ("rate_dependence", "self_heating", "ambient_temperature")
+LOSS = {"cyclic_degradation", "pinching", "mullins_softening", "axial_shear_interaction"}
+VARIANTS, TYPES = {}, {}
+
+
+def prepare(data, folder):
+    source = data / "peer-spd-rc-columns"
+    with (source / "specimens.csv").open() as f:
+        specimens = [s for s in csv.DictReader(f) if 200 <= int(s["n_points"]) <= 1000]
+    chosen = [s for t in ("Flexure", "Flexure-Shear", "Shear") for s in [s for s in specimens if s["FailureType"] == t][:EACH]]
+    curves = {s["specimen_id"]: ([], []) for s in chosen}
+    with (source / "curves.csv").open() as f:
+        for row in csv.DictReader(f):
+            if row["specimen_id"] in curves:
+                curves[row["specimen_id"]][0].append(float(row["lateral_disp_mm"]))
+                curves[row["specimen_id"]][1].append(float(row["lateral_force_kN"]))
+    template = (Path(__file__).parent / "template.toml").read_text()
+    for s in chosen:
+        name = f"{int(s['specimen_id']):03}"
+        u, f = ([x / max(map(abs, v)) for x in v] for v in curves[s["specimen_id"]])
+        write(folder, name, u, 1.0, {"force[-]": f, "disp[-]": u})
+        (folder / f"{name}.toml").write_text(template.replace("{id}", name).replace("{npts}", str(len(u))))
+        for suffix, without in (("", ()), ("_no_clock", CLOCK)):
+            VARIANTS[name + suffix] = (f"{name}.toml", None, *without)
+            TYPES[name + suffix] = s["FailureType"]
+
+
+def known(variant):
+    return TYPES[variant]
+
+
+def right(variant, verdict):
+    """Whether a loss or pinching is among what was found; flexural failures may have little of it."""
+    found = LOSS & {verdict["cause"], *verdict["also"]}
+    return " + ".join(sorted(found)) if found else "-"
+
+
+def count(judged):
+    rows = []
+    for title, chosen in (("Whole library", [j for j in judged if not j[0].endswith("no_clock")]), ("Without the causes that need a clock", [j for j in judged if j[0].endswith("no_clock")])):
+        rows += [f"{title}:", "", "| failure | specimens | loss of strength or stiffness | pinching | either | unknown | none | a channel's fault | something else | median unexplained |",
+                 "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |"]
+        for kind in ("Flexure", "Flexure-Shear", "Shear"):
+            these = [said for v, said, _ in chosen if TYPES[v] == kind]
+            c, shares = Counter(), []
+            for said in these:
+                verdict = said["verdict"]
+                causes = {verdict["cause"], *verdict["also"]}
+                c["loss"] += bool(causes & (LOSS - {"pinching"}))
+                c["pinching"] += "pinching" in causes
+                c["either"] += bool(causes & LOSS)
+                first = verdict["cause"]
+                c[first if first in ("unknown", "none") else "sensor" if first.startswith("sensor") else "either_first" if causes & LOSS else "else"] += 1
+                shares.append(said["unexplained_share"])
+            if these:
+                rows.append(f"| {kind} | {len(these)} | {c['loss']} | {c['pinching']} | {c['either']} | {c['unknown']} | {c['none']} | {c['sensor']} | {c['else']} | {sorted(shares)[len(shares) // 2]:.2f} |")
+        rows.append("")
+    return rows
