@@ -30,6 +30,9 @@ const NAMED: f64 = 45.0;
 /// Log evidence over the model as it is from which a repair is written although structure is left that it does not
 /// explain.
 const WORTH: f64 = 5.0;
+/// How often a verdict without doubt is wrong all the same, on cases made by other formulas (validation/power).
+const DOUBT_OF_A_NAME: f64 = 0.05;
+const DOUBT_OF_NO_NAME: f64 = 0.15;
 /// Further starts of the last search, and the sides of the cube in which they lie, against that of the whole.
 const AROUND: usize = 3;
 const NEAR: f64 = 0.1;
@@ -78,6 +81,7 @@ pub(super) fn conclude(
     causes.sort_by(|a, b| b.1.total_cmp(&a.1));
     let mut p = probabilities(&causes.iter().map(|c| c.1).collect::<Vec<_>>());
     let verdict = causes[0].0;
+    doubt(&causes, &mut p);
     // Where structure is left the nearest repair is written all the same.
     let chosen = match verdict {
         "none" => baseline.clone(),
@@ -174,6 +178,23 @@ pub(super) fn conclude(
         })
         .collect();
     Ok(Diagnosis { outcome, script, weighed, before, after, next_test, looks: work.bench.looks() })
+}
+
+/// What the evidence cannot know, that an effect may be too weak to be seen and that no law of the library is the one of
+/// nature, is taken from the first and given to the others: half to `unknown` (to the next where it is the first), the
+/// rest in equal parts to the causes that look like it.
+fn doubt(causes: &[(&'static str, f64)], p: &mut [f64]) {
+    let first = causes[0].0;
+    let amount = p[0] * if matches!(first, "none" | "unknown") { DOUBT_OF_NO_NAME } else { DOUBT_OF_A_NAME };
+    let like = hypothesis::of(first).map_or(&[][..], |h| h.like);
+    let others: Vec<usize> = (1..p.len()).filter(|i| like.contains(&causes[*i].0)).collect();
+    let unknown = causes.iter().skip(1).position(|c| c.0 == "unknown").map_or(1, |i| i + 1);
+    if p.len() < 2 {
+        return;
+    }
+    p[0] -= amount;
+    p[unknown] += if others.is_empty() { amount } else { 0.5 * amount };
+    others.iter().for_each(|i| p[*i] += 0.5 * amount / others.len() as f64);
 }
 
 /// A point, and others around it.

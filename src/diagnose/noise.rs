@@ -46,8 +46,8 @@ pub fn averaged(x: &[f64], points: usize) -> Vec<f64> {
     x.chunks(block).map(|c| c.iter().sum::<f64>() / c.len() as f64).collect()
 }
 
-/// Part of the power of innovations that comes in stretches much louder than the rest, and louder than the innovations of
-/// the model are there: errors grow with the motion, another machine does not ask for it.
+/// Part of the power of innovations that comes in stretches much louder than the rest, and louder than what the motion of
+/// the model accounts for there: errors grow with the motion, another machine does not ask for it.
 pub fn bursts(x: &[f64], model: &[f64]) -> f64 {
     /// Stretches of a record; noise of one level passes four times its median power in none of them.
     const STRETCHES: usize = 40;
@@ -56,19 +56,23 @@ pub fn bursts(x: &[f64], model: &[f64]) -> f64 {
     if length < 8 {
         return 0.0;
     }
-    let powers = |x: &[f64]| -> (Vec<f64>, f64) {
-        let powers: Vec<f64> = x.chunks_exact(length).map(power).collect();
-        let mut sorted = powers.clone();
-        sorted.sort_by(f64::total_cmp);
-        let level = sorted[sorted.len() / 2];
-        (powers, level)
-    };
-    let ((powers, level), (moving, usual)) = (powers(x), powers(model));
-    let expected = |m: &f64| level * if usual > 0.0 { (m / usual).max(1.0) } else { 1.0 };
+    let powers = |x: &[f64]| x.chunks_exact(length).map(power).collect::<Vec<f64>>();
+    let (powers, motion) = (powers(x), powers(model));
+    let (level, usual) = (median(powers.clone()), median(motion.clone()));
+    // What stretches with more motion than usual have more, of the usual one of them: a burst is in few.
+    let pairs = || powers.iter().zip(&motion);
+    let excess = pairs().filter(|(_, m)| **m > usual).map(|(p, m)| (p - level).max(0.0) / m);
+    let by_motion = median(excess.collect());
     let total: f64 = powers.iter().sum();
-    let pairs = powers.iter().zip(moving.iter().map(expected));
-    let loud: f64 = pairs.filter(|(p, e)| **p > LOUD * e).map(|(p, e)| p - e).sum();
+    let over = pairs().map(|(p, m)| (p, level + by_motion * m)).filter(|(p, expected)| **p > LOUD * expected);
+    let loud: f64 = over.map(|(p, expected)| p - expected).sum();
     if total > 0.0 { loud / total } else { 0.0 }
+}
+
+/// Median; 0 of nothing.
+fn median(mut x: Vec<f64>) -> f64 {
+    x.sort_by(f64::total_cmp);
+    x.get(x.len() / 2).copied().unwrap_or(0.0)
 }
 
 /// Mean square.
@@ -170,7 +174,7 @@ pub fn explained(target: &[f64], columns: &[Vec<f64>], blocks: usize) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{burg, explained, lines, power, whiten};
+    use super::{burg, bursts, explained, lines, power, whiten};
 
     fn noise(n: usize) -> Vec<f64> {
         let mut x = 88172645463325252u64;
@@ -204,6 +208,17 @@ mod tests {
         let moving: Vec<f64> = (0..x.len()).map(|t| 3.0 * (0.7 * t as f64).cos()).collect();
         assert!(lines(&x, &moving).0 < 0.02);
         assert!(share > 0.4 && (frequency - 0.7 / std::f64::consts::TAU).abs() < 1e-3, "{share} {frequency}");
+    }
+
+    #[test]
+    fn bursts_are_those_that_the_motion_does_not_account_for() {
+        let (quiet, loud) = (noise(8000), |t: usize| if (3000..5000).contains(&t) { 5.0 } else { 1.0 });
+        let motion: Vec<f64> = noise(9000)[1000..].iter().enumerate().map(|(t, m)| m * loud(t)).collect();
+        let follows: Vec<f64> = quiet.iter().enumerate().map(|(t, x)| x * loud(t)).collect();
+        assert!(bursts(&quiet, &motion) < 0.02 && bursts(&follows, &motion) < 0.02);
+        let blow = |t: usize| if (3600..3700).contains(&t) { 12.0 } else { 1.0 };
+        let blown: Vec<f64> = quiet.iter().enumerate().map(|(t, x)| x * blow(t)).collect();
+        assert!(bursts(&blown, &motion) > 0.5);
     }
 
     #[test]
