@@ -19,6 +19,8 @@ mod corotational;
 mod driver;
 #[path = "laws/every_bearing.rs"]
 mod every_bearing;
+#[path = "laws/every_kind.rs"]
+mod every_kind;
 #[path = "laws/frame_materials.rs"]
 mod frame_materials;
 #[path = "laws/kikuchi.rs"]

@@ -150,6 +150,12 @@ impl Test {
         self.norms.last().copied().unwrap_or(f64::NAN)
     }
 
+    /// Whether a correction passes whatever the unbalance after it.
+    pub fn accepts(&self, correction: &[f64]) -> bool {
+        let alone = matches!(self.measure, Measure::DispIncr | Measure::DispOrUnbalance);
+        alone && self.norm.of(correction) <= self.tolerance
+    }
+
     /// Judge an iteration by its correction and the unbalance after it.
     pub fn judge(&mut self, correction: &[f64], unbalance: &[f64]) -> Verdict {
         let mut norm = match self.measure {

@@ -388,6 +388,8 @@ impl Engine {
             elapses: false,
             moved: true,
             asked: None,
+            still: false,
+            settled: false,
         })
     }
 }

@@ -48,6 +48,8 @@ pub struct Loads {
     elements: Vec<(ElementId, usize, ElementLoad)>,
     /// Imposed displacements that are out of the equations.
     pub(super) imposed: Vec<ImposedDof>,
+    /// Some of them come with velocities.
+    pub(super) moves: bool,
     /// Forces on all degrees of freedom at the last time.
     pub(super) nodal: Vec<f64>,
     valid: bool,
@@ -62,6 +64,7 @@ impl Loads {
             inertia: vec![],
             elements: vec![],
             imposed: vec![],
+            moves: false,
             nodal: vec![0.0; model.dofs()],
             valid: false,
             tags,
@@ -82,6 +85,7 @@ impl Loads {
             }
         }
         loads.imposed = map.imposed.iter().filter_map(|i| loads.find(model, i)).collect();
+        loads.moves = loads.imposed.iter().any(|i| i.ground.as_ref().is_some_and(|g| g.rates));
         loads
     }
 

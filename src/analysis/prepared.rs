@@ -33,6 +33,8 @@ impl TangentMix {
 pub(super) struct Matrices {
     /// Place of the tangent.
     pub at: usize,
+    /// Place of the motion that it was asked at last.
+    pub motion: usize,
     /// The tangent never changes, and there is no damping matrix.
     pub linear: bool,
     /// The force depends on velocities or on the time that passes.
@@ -48,6 +50,13 @@ pub(super) struct Matrices {
     rayleigh: Rayleigh,
     /// Those that reports of damping forces count: OpenSees asks no element whether it takes part.
     reported: Rayleigh,
+}
+
+impl Matrices {
+    /// Whether inertia or damping forces come with its motion.
+    fn is_dynamic(&self) -> bool {
+        !matches!(self.mass, MassPlace::None) || !self.rayleigh.is_zero()
+    }
 }
 
 #[derive(Clone, Debug)]
@@ -95,8 +104,8 @@ pub struct Prepared {
     pub(super) asking: Asking,
     /// How often they are to be asked now.
     pub(super) updates: u32,
-    /// Displacements and velocities that the elements were asked at last.
-    pub(super) asked: [Vec<f64>; 2],
+    /// Displacements that the elements were asked at last, and then their velocities, element after element.
+    pub(super) motions: Vec<f64>,
     initial: Vec<f64>,
     committed: Vec<f64>,
     mass: Vec<f64>,
@@ -133,7 +142,7 @@ impl Prepared {
             SolveError::OutOfMemory => Cause::OutOfMemory,
             SolveError::Singular { .. } => Cause::Singular,
         })?;
-        let (mut at, mut damping, mut mass, mut matrices) = (0, 0, vec![], vec![]);
+        let (mut at, mut motion, mut damping, mut mass, mut matrices) = (0, 0, 0, vec![], vec![]);
         for e in &model.elements {
             let n = e.dofs.len();
             let nature = e.element.nature();
@@ -153,6 +162,7 @@ impl Prepared {
             let all = !rayleigh.is_zero() || !reported.is_zero();
             matrices.push(Matrices {
                 at,
+                motion,
                 rows: Rows::of(e.dofs.iter().map(|&d| all || !plan.map.terms(d as usize).is_empty())),
                 linear: nature.linear && !nature.viscous,
                 rates: nature.viscous || nature.elapses,
@@ -163,6 +173,7 @@ impl Prepared {
                 reported,
             });
             at += n * n;
+            motion += 2 * n;
             damping += if nature.viscous { n * n } else { 0 };
         }
         let nodal = model.nodes.iter().flat_map(|node| {
@@ -189,7 +200,7 @@ impl Prepared {
             counting: (0..matrices.len()).filter(|&i| matrices[i].counts_calls).collect(),
             asking: Asking::default(),
             updates: 0,
-            asked: [vec![0.0; model.dofs()], vec![0.0; model.dofs()]],
+            motions: vec![0.0; motion],
             initial: vec![],
             committed: vec![],
             mass,
@@ -330,13 +341,24 @@ impl Prepared {
             for (&d, f) in e.dofs.iter().zip(force) {
                 self.full[d as usize] -= f;
             }
-            let has_mass = !matches!(m.mass, MassPlace::None);
-            if dynamic && (has_mass || !m.rayleigh.is_zero()) {
+            if dynamic && m.is_dynamic() {
                 let mut f = [0.0; MAX_DOFS];
                 self.add_dynamic_force(&e.dofs, m, state, true, &mut f);
                 for (&d, f) in e.dofs.iter().zip(&f) {
                     self.full[d as usize] -= f;
                 }
+            }
+        }
+    }
+
+    /// Subtract the same from the unbalance of the equations: what goes to the supports is left out.
+    pub(super) fn condense_elements(&mut self, model: &Model, state: &State, dynamic: bool) {
+        for (i, (e, m)) in model.elements.iter().zip(&self.matrices).enumerate() {
+            self.plan.subtract_force(i, &state.force[e.force.clone()], &mut self.b);
+            if dynamic && m.is_dynamic() {
+                let mut f = [0.0; MAX_DOFS];
+                self.add_dynamic_force(&e.dofs, m, state, true, &mut f);
+                self.plan.subtract_force(i, &f, &mut self.b);
             }
         }
     }

@@ -36,12 +36,15 @@ impl State {
         self.multipliers.copy_from_slice(&other.multipliers);
     }
 
-    /// Take over a trial state: as [`State::copy_from`], but for words of history that nobody reads.
-    pub fn commit(&mut self, trial: &Self, model: &Model) {
+    /// Take over a trial state: as [`State::copy_from`], but for words of history that nobody reads, and for the rates of
+    /// a model that stands still.
+    pub fn commit(&mut self, trial: &Self, model: &Model, still: bool) {
         self.time = trial.time;
         self.disp.copy_from_slice(&trial.disp);
-        self.vel.copy_from_slice(&trial.vel);
-        self.accel.copy_from_slice(&trial.accel);
+        if !still {
+            self.vel.copy_from_slice(&trial.vel);
+            self.accel.copy_from_slice(&trial.accel);
+        }
         for e in &model.elements {
             e.element.commit(&trial.history[e.state.clone()], &mut self.history[e.state.clone()]);
         }

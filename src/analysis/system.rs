@@ -40,7 +40,15 @@ pub struct System<'a> {
     /// The time that all elements have been asked at in this step, if they have: those that have not moved since are not
     /// asked again, for the same question has the same answer.
     pub asked: Option<f64>,
+    /// Nothing has a velocity in this step.
+    pub still: bool,
+    /// The test is passed whatever the last correction has done to the forces: an element that it has moved by no more than
+    /// round-off has not moved.
+    pub settled: bool,
 }
+
+/// Displacements that differ by no more than this fraction differ by the round-off of a correction.
+const ROUND_OFF: f64 = 2.0 * f64::EPSILON;
 
 impl System<'_> {
     /// A failure of this step.
@@ -187,22 +195,21 @@ impl System<'_> {
         let work = &mut *self.work;
         work.tangent_is_current = want_tangent || (work.tangent_is_current && !(all && asked));
         if all {
-            work.asked[0].copy_from_slice(&self.new.disp);
-            work.asked[1].copy_from_slice(&self.new.vel);
             self.asked = Some(self.new.time);
         }
         Ok(())
     }
 
-    /// Whether an element without loads of its own has moved since all were asked in this step.
+    /// Whether an element without loads of its own is where it was asked last.
     fn has_not_moved(&self, i: usize) -> bool {
-        let e = &self.model.elements[i];
-        let [disp, vel] = &self.work.asked;
-        let same = |d: &u32| {
-            let d = *d as usize;
-            self.new.disp[d] == disp[d] && self.new.vel[d] == vel[d]
+        let (e, at) = (&self.model.elements[i], self.work.matrices[i].motion);
+        let (disp, vel) = self.work.motions[at..at + 2 * e.dofs.len()].split_at(e.dofs.len());
+        let slack = if self.settled { ROUND_OFF } else { 0.0 };
+        let same = |new: &[f64], old: &[f64]| {
+            let near = |(d, old): (&u32, &f64)| (new[*d as usize] - old).abs() <= slack * old.abs();
+            e.dofs.iter().zip(old).all(near)
         };
-        e.load.is_empty() && e.dofs.iter().all(same)
+        e.load.is_empty() && same(&self.new.disp, disp) && (self.still || same(&self.new.vel, vel))
     }
 
     /// Ask the elements that count their calls as often as OpenSees does, then for the tangents that they have come to.
@@ -226,10 +233,10 @@ impl System<'_> {
         let (e, work) = (&self.model.elements[i], &mut *self.work);
         let m = &work.matrices[i];
         let n = e.dofs.len();
-        let (mut disp, mut vel) = ([0.0; MAX_DOFS], [0.0; MAX_DOFS]);
-        for ((&d, u), v) in e.dofs.iter().zip(&mut disp).zip(&mut vel) {
-            *u = self.new.disp[d as usize];
-            *v = self.new.vel[d as usize];
+        let (disp, vel) = work.motions[m.motion..m.motion + 2 * n].split_at_mut(n);
+        e.dofs.iter().zip(&mut *disp).for_each(|(&d, u)| *u = self.new.disp[d as usize]);
+        if !self.still {
+            e.dofs.iter().zip(&mut *vel).for_each(|(&d, v)| *v = self.new.vel[d as usize]);
         }
         let force = &mut self.new.force[e.force.clone()];
         force.fill(0.0);
@@ -246,7 +253,8 @@ impl System<'_> {
             c
         });
         let load = &self.new.element_load[e.load.clone()];
-        let motion = Motion { disp: &disp[..n], vel: &vel[..n], load, dt, time: self.new.time };
+        let vel = if self.still { &[0.0; MAX_DOFS][..n] } else { &*vel };
+        let motion = Motion { disp, vel, load, dt, time: self.new.time };
         let answer = Answer { force, tangent, damping, rows: m.rows };
         let committed = &self.old.history[e.state.clone()];
         let trial = &mut self.new.history[e.state.clone()];
@@ -273,7 +281,6 @@ impl System<'_> {
     fn sum_unbalance(&mut self) {
         let work = &mut *self.work;
         work.full.copy_from_slice(&work.loads.nodal);
-        work.subtract_elements(self.model, self.new, self.dynamic);
         if self.dynamic {
             work.subtract_nodal_inertia(self.new);
             work.subtract_modal_damping(self.new);
@@ -281,6 +288,7 @@ impl System<'_> {
         let n = work.plan.map.equations;
         work.plan.map.condense(&work.full, &mut work.b[..n]);
         work.b[n..].fill(0.0);
+        work.condense_elements(self.model, self.new, self.dynamic);
         let loads = &work.loads;
         work.plan.add_link_forces(
             |link| link.imposed.map_or(0.0, |i| loads.link_value(self.model, &i, self.new.time)),

@@ -15,6 +15,17 @@ struct Scatter {
     entries: Range<usize>,
     /// Start of its part of `coefs`, where they are not all one.
     coefs: Option<usize>,
+    /// Its part of `forces`.
+    forces: Range<usize>,
+}
+
+/// Where a force of an element goes: none of these for a degree of freedom that is held.
+#[derive(Clone, Copy, Debug)]
+struct ForceTerm {
+    /// Place among the forces of the element.
+    from: u32,
+    equation: u32,
+    coef: f64,
 }
 
 /// Numbering, pattern and scatter maps of a model under a constraint handler.
@@ -30,6 +41,7 @@ pub struct Plan {
     from: Vec<u16>,
     to: Vec<u32>,
     coefs: Vec<f64>,
+    forces: Vec<ForceTerm>,
     /// Equations of the multipliers that [`Handler::Lagrange`] adds.
     pub multipliers: usize,
 }
@@ -71,8 +83,17 @@ impl Plan {
             );
         }
         let pattern = Pattern::new(n, storage, groups.iter().map(Vec::as_slice));
-        let mut plan =
-            Self { map, pattern, handler, scatters: vec![], from: vec![], to: vec![], coefs: vec![], multipliers };
+        let mut plan = Self {
+            map,
+            pattern,
+            handler,
+            scatters: vec![],
+            from: vec![],
+            to: vec![],
+            coefs: vec![],
+            forces: vec![],
+            multipliers,
+        };
         plan.scatters = model.elements.iter().map(|e| plan.scatter_of(&e.dofs)).collect();
         Ok(plan)
     }
@@ -101,12 +122,26 @@ impl Plan {
             }
         }
         let entries = start..self.to.len();
+        let first = self.forces.len();
+        for (i, &d) in dofs.iter().enumerate() {
+            let terms = self.map.terms(d as usize).iter();
+            self.forces.extend(terms.map(|&(equation, coef)| ForceTerm { from: i as u32, equation, coef }));
+        }
+        let forces = first..self.forces.len();
         if coefs.iter().all(|&c| c == 1.0) {
-            return Scatter { entries, coefs: None };
+            return Scatter { entries, coefs: None, forces };
         }
         let at = self.coefs.len();
         self.coefs.append(&mut coefs);
-        Scatter { entries, coefs: Some(at) }
+        Scatter { entries, coefs: Some(at), forces }
+    }
+
+    /// Subtract the forces of an element from the forces of the equations.
+    #[inline]
+    pub fn subtract_force(&self, element: usize, force: &[f64], equations: &mut [f64]) {
+        for t in &self.forces[self.scatters[element].forces.clone()] {
+            equations[t.equation as usize] -= t.coef * force[t.from as usize];
+        }
     }
 
     /// Add `factor` times an element's matrix (n x n by rows) to the values of the system matrix.

@@ -16,21 +16,24 @@ pub struct CoupledZeroLength {
     /// Offset of the nodes when the element was made: it measures from there.
     initial: [f64; 2],
     rayleigh: bool,
+    /// The tangent of OpenSees: the spring's in both directions.
+    compat: bool,
 }
 
 impl CoupledZeroLength {
     /// Of a material (with its tag) for two degrees of freedom, from 0, of nodes with `per_node` of them; `initial` is the
-    /// displacement of j less that of i.
+    /// displacement of j less that of i. `compat` takes the tangent of OpenSees, which is that of the spring in both directions.
     pub fn new(
         (material, tag): (Material, i32),
         directions: [usize; 2],
         per_node: usize,
         initial: &[f64],
         rayleigh: bool,
+        compat: bool,
     ) -> Self {
         // The direction of the last force comes first.
         let slot = Slot::new(material, tag, 2);
-        Self { slot, directions, per_node, initial: directions.map(|d| initial[d]), rayleigh }
+        Self { slot, directions, per_node, initial: directions.map(|d| initial[d]), rayleigh, compat }
     }
 
     fn offset(&self, field: &[f64]) -> [f64; 2] {
@@ -39,11 +42,17 @@ impl CoupledZeroLength {
 
     /// Add a stiffness in both directions.
     fn add_stiffness(&self, stiffness: f64, out: &mut [f64]) {
+        self.add_block([[stiffness, 0.0], [0.0, stiffness]], out);
+    }
+
+    /// Add a stiffness of the plane, by rows.
+    fn add_block(&self, block: [[f64; 2]; 2], out: &mut [f64]) {
         let n = 2 * self.per_node;
-        for d in self.directions {
-            let e = self.per_node + d;
-            for (i, j, sign) in [(d, d, 1.0), (e, e, 1.0), (d, e, -1.0), (e, d, -1.0)] {
-                out[i * n + j] += sign * stiffness;
+        for (&d, row) in self.directions.iter().zip(block) {
+            for (&e, k) in self.directions.iter().zip(row) {
+                for (i, j, sign) in [(0, 0, 1.0), (1, 1, 1.0), (0, 1, -1.0), (1, 0, -1.0)] {
+                    out[(i * self.per_node + d) * n + j * self.per_node + e] += sign * k;
+                }
             }
         }
     }
@@ -91,9 +100,16 @@ impl Element for CoupledZeroLength {
             answer.force[*at] -= share * s.value;
             answer.force[self.per_node + at] += share * s.value;
         }
-        // As in OpenSees the tangent is that of the spring in both directions.
         if let Some(k) = answer.tangent {
-            self.add_stiffness(s.tangent, k);
+            if self.compat || value == 0.0 {
+                self.add_stiffness(s.tangent, k);
+            } else {
+                // The force turns with the offset.
+                let (along, across) = (s.tangent, s.value / value);
+                let [x, y] = direction;
+                let mixed = (along - across) * x * y;
+                self.add_block([[along * x * x + across * y * y, mixed], [mixed, along * y * y + across * x * x]], k);
+            }
         }
         if let Some(c) = answer.damping {
             self.add_stiffness(s.damping, c);

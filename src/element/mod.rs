@@ -90,6 +90,17 @@ impl Rows {
     pub fn has(self, i: usize) -> bool {
         self.0 >> i & 1 != 0
     }
+
+    /// Those among the first `n`, in order.
+    #[inline]
+    pub fn among(self, n: usize) -> impl Iterator<Item = usize> {
+        let mut left = self.0 & ((1 << n) - 1);
+        std::iter::from_fn(move || {
+            let i = left.trailing_zeros();
+            left &= left.wrapping_sub(1);
+            (i < u32::BITS).then_some(i as usize)
+        })
+    }
 }
 
 /// What a recorder reads an element's response from: the committed state.

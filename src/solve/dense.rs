@@ -21,10 +21,16 @@ impl DenseLu {
     pub(super) fn factor(&mut self, values: &[f64]) -> Result<Pivots, SolveError> {
         let n = self.n;
         self.lu.copy_from_slice(values);
+        let mut pivots = Pivots::GOOD;
+        if let [pivot] = *values {
+            // A single bearing under its load is one equation.
+            pivots.see(0, pivot, pivot);
+            let usable = pivot != 0.0 && pivot.is_finite();
+            return if usable { Ok(pivots) } else { Err(SolveError::Singular { equation: 0 }) };
+        }
         for (j, s) in self.scale.iter_mut().enumerate() {
             *s = (0..n).map(|i| values[i * n + j].abs()).fold(0.0, f64::max);
         }
-        let mut pivots = Pivots::GOOD;
         for k in 0..n {
             let mut p = k;
             for i in k + 1..n {
@@ -60,6 +66,10 @@ impl DenseLu {
 
     pub(super) fn solve(&self, x: &mut [f64]) {
         let n = self.n;
+        if let [x] = x {
+            *x /= self.lu[0];
+            return;
+        }
         for (k, &p) in self.exchange.iter().enumerate() {
             x.swap(k, p);
         }

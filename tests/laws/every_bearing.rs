@@ -93,6 +93,11 @@ static KINDS: [Kind; 23] = [
     plane("fibre-reinforced", "elastomericBearingUFRP 1 1 2 0.02 900. -100. 0. 0. 0. 20. 0. 2. 0.5 0.5 -P 1 -Mz 4"),
 ];
 
+/// The commands of all rows.
+pub fn commands() -> impl Iterator<Item = &'static str> {
+    KINDS.iter().map(|k| k.command)
+}
+
 impl Kind {
     fn dofs(&self) -> usize {
         if self.plane { 6 } else { 12 }

@@ -50,6 +50,14 @@ impl Iteration<'_, '_> {
         result
     }
 
+    /// Work out the unbalance after the last correction, for the test to judge; with the element tangents if another is
+    /// going to follow.
+    pub fn form_unbalance(&mut self, want_tangent: bool) -> Result<(), Failure> {
+        let n = self.system.work.plan.map.equations;
+        self.system.settled = self.test.accepts(&self.system.work.x[..n]);
+        self.system.form_unbalance(want_tangent)
+    }
+
     /// Begin the tests of a step, its first unbalance being formed.
     pub fn start_test(&mut self) {
         let work = &self.system.work;

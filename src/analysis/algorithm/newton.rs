@@ -33,7 +33,7 @@ impl Algorithm for Newton {
             it.system.form_tangent(self.choice.at(iteration), Use::Once)?;
             it.system.solve()?;
             it.update()?;
-            it.system.form_unbalance(wants && iteration + 1 != self.expected)?;
+            it.form_unbalance(wants && iteration + 1 != self.expected)?;
             if let Some(n) = it.judge()? {
                 self.expected = n;
                 return Ok(n);
@@ -75,7 +75,7 @@ impl Algorithm for ModifiedNewton {
         loop {
             it.system.solve()?;
             it.update()?;
-            it.system.form_unbalance(false)?;
+            it.form_unbalance(false)?;
             if let Some(n) = it.judge()? {
                 self.factored = self.factor_once;
                 return Ok(n);

@@ -86,6 +86,8 @@ impl Engine {
             elapses: setup.integrator.elapses(),
             moved: false,
             asked: None,
+            still: false,
+            settled: false,
             work,
         };
         if self.fresh {
@@ -126,6 +128,8 @@ impl Engine {
             elapses: setup.integrator.elapses(),
             moved: false,
             asked: None,
+            still: setup.kind == Kind::Static && !work.loads.moves && self.committed.vel.iter().all(|v| *v == 0.0),
+            settled: false,
             work,
         };
         let result = advance(&mut system, setup, self.fresh, dt);
@@ -136,7 +140,8 @@ impl Engine {
                 if setup.integrator.balances() {
                     note_imbalance(&system, &mut self.imbalance);
                 }
-                self.committed.commit(&self.trial, &self.model);
+                let still = system.still;
+                self.committed.commit(&self.trial, &self.model, still);
                 Ok(())
             }
             Err(failure) => {
@@ -182,6 +187,11 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, dt: f64) -> 
 fn note_imbalance(system: &System<'_>, worst: &mut Option<Imbalance>) {
     let unbalanced = largest(&system.work.b);
     if unbalanced == 0.0 {
+        return;
+    }
+    // Mostly one of the first forces is large enough to see that there is nothing to tell.
+    let all = || system.new.force.iter().chain(&system.work.loads.nodal);
+    if all().any(|f| Imbalance::LIMIT * f.abs() >= unbalanced) {
         return;
     }
     let force = largest(&system.new.force).max(largest(&system.work.loads.nodal));

@@ -103,5 +103,6 @@ fn make_coupled(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<d
     }
     let material = a.of(&interp.host.definitions.materials)?;
     let rayleigh = a.optional_int("flag")?.is_some_and(|flag| flag == 1);
-    Ok(Arc::new(CoupledZeroLength::new(material, directions, ends.ndf, &ends.initial(), rayleigh)))
+    let compat = interp.host.engine.options.compat;
+    Ok(Arc::new(CoupledZeroLength::new(material, directions, ends.ndf, &ends.initial(), rayleigh, compat)))
 }

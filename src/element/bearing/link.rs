@@ -16,119 +16,182 @@ pub struct Link<const N: usize, const B: usize> {
     pub basic: [[f64; N]; B],
     /// Local displacements from global ones.
     pub local: [[f64; N]; N],
-    /// `basic`, and transposed. Axes are mostly those of the building, and few entries are not zero.
-    rows: SparseMatrix<B, N>,
+    /// Local axes by rows.
+    axes: [[f64; 3]; 3],
+    /// From node i to the shear force, and from there to node j.
+    arms: [f64; 2],
+    /// `basic` transposed. Few entries are not zero.
     columns: SparseMatrix<N, B>,
-    /// Forces in global axes per unit of axial force and displacement.
-    p_delta: SparseMatrix<N, N>,
+    /// Forces in global axes per unit of axial force and displacement, for the tangent; none without P-Delta moments.
+    p_delta: Option<SparseMatrix<N, N>>,
+}
+
+/// Motion of a link in local axes. In the plane what points out of it is zero.
+struct LocalMotion {
+    /// Displacement of node j relative to node i.
+    offset: [f64; 3],
+    /// Rotations of node i and of node j.
+    ends: [[f64; 3]; 2],
+}
+
+/// Forces on the ends of a link in local axes.
+struct EndForces {
+    /// Force on node j, and its opposite on node i.
+    force: [f64; 3],
+    /// Moments on node i and on node j.
+    moments: [[f64; 3]; 2],
 }
 
 impl<const N: usize, const B: usize> Link<N, B> {
+    const PLANE: bool = N == 6;
+    /// Basic deformations among the six in space.
+    const DIRECTIONS: [usize; B] = {
+        let mut all = [0; B];
+        let mut i = 0;
+        while i < B {
+            all[i] = if B == 3 && i == 2 { 5 } else { i };
+            i += 1;
+        }
+        all
+    };
+
     /// From the rotation to local axes, the length and the place of the shear force (0 node i, 1 node j).
     pub fn new(axes: &Matrix3<f64>, length: f64, shear_dist: f64) -> Self {
-        let plane = N == 6;
-        let per_node = N / 2;
-        let mut local = [[0.0; N]; N];
-        for node in 0..2 {
-            let at = node * per_node;
-            if plane {
-                for a in 0..2 {
-                    for b in 0..2 {
-                        local[at + a][at + b] = axes[(a, b)];
-                    }
-                }
-                local[at + 2][at + 2] = axes[(2, 2)];
-            } else {
-                for a in 0..3 {
-                    for b in 0..3 {
-                        local[at + a][at + b] = axes[(a, b)];
-                        local[at + 3 + a][at + 3 + b] = axes[(a, b)];
-                    }
-                }
-            }
-        }
-        let (i, j) = (shear_dist * length, (1.0 - shear_dist) * length);
-        let mut from_local = [[0.0; N]; B];
-        for (k, row) in from_local.iter_mut().enumerate() {
-            row[k] = -1.0;
-            row[k + per_node] = 1.0;
-        }
-        // One bending plane: shear displacement v, rotation θ, with the sign of θ's share in v.
-        let planes: &[(usize, usize, f64)] = if plane { &[(1, 2, -1.0)] } else { &[(1, 5, -1.0), (2, 4, 1.0)] };
-        let mut geometry = [[0.0; N]; N];
-        for &(v, r, sign) in planes {
-            from_local[v][r] = sign * i;
-            from_local[v][r + per_node] = sign * j;
-            let (v2, r2) = (v + per_node, r + per_node);
-            for end in [r, r2] {
-                geometry[end][v] = 0.5 * sign;
-                geometry[end][v2] = -0.5 * sign;
-            }
-            geometry[r][r] += 0.5 * i;
-            geometry[r2][r] -= 0.5 * i;
-            geometry[r][r2] -= 0.5 * j;
-            geometry[r2][r2] += 0.5 * j;
-        }
-        let mut basic = [[0.0; N]; B];
-        for (row, out) in from_local.iter().zip(&mut basic) {
-            for (c, to) in row.iter().zip(&local) {
-                for (o, t) in out.iter_mut().zip(to) {
-                    *o += c * t;
-                }
-            }
-        }
+        let arms = [shear_dist * length, (1.0 - shear_dist) * length];
+        let axes: [[f64; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| axes[(i, j)]));
+        let (basic, local) = ([[0.0; N]; B], [[0.0; N]; N]);
+        let none = SparseMatrix::new(&[[0.0; B]; N]);
+        let mut link = Self { basic, local, axes, arms, columns: none, p_delta: None };
         let mut p_delta = [[0.0; N]; N];
-        for a in 0..N {
-            for b in 0..N {
-                if geometry[a][b] != 0.0 {
-                    for c in 0..N {
-                        for d in 0..N {
-                            p_delta[c][d] += local[a][c] * geometry[a][b] * local[b][d];
-                        }
-                    }
+        for column in 0..N {
+            let unit: [f64; N] = std::array::from_fn(|i| if i == column { 1.0 } else { 0.0 });
+            let moments = EndForces { force: [0.0; 3], moments: link.sway(&link.local_motion(&unit)) };
+            let mut force = [0.0; N];
+            link.add_end_forces(&moments, &mut force);
+            force.iter().zip(&mut p_delta).for_each(|(f, row)| row[column] = *f);
+            link.deformation(&unit).iter().zip(&mut link.basic).for_each(|(u, row)| row[column] = *u);
+        }
+        let per_node = N / 2;
+        // Translations and, in space, rotations turn with the axes; in the plane a rotation keeps its direction or not.
+        let blocks: &[(usize, usize, usize)] =
+            if Self::PLANE { &[(0, 0, 2), (2, 2, 1)] } else { &[(0, 0, 3), (3, 0, 3)] };
+        for (node, &(at, axis, size)) in
+            [0, per_node].into_iter().flat_map(|node| blocks.iter().map(move |b| (node, b)))
+        {
+            for a in 0..size {
+                for b in 0..size {
+                    link.local[node + at + a][node + at + b] = axes[axis + a][axis + b];
                 }
             }
         }
-        let rows = SparseMatrix::new(&basic);
-        Self { basic, local, columns: rows.transposed(), rows, p_delta: SparseMatrix::new(&p_delta) }
+        link.columns = SparseMatrix::new(&link.basic).transposed();
+        link.p_delta = Some(SparseMatrix::new(&p_delta));
+        link
     }
 
     /// Without P-Delta moments.
     pub fn first_order(mut self) -> Self {
-        self.p_delta = SparseMatrix::new(&[[0.0; N]; N]);
+        self.p_delta = None;
         self
+    }
+
+    #[inline]
+    fn local_motion(&self, disp: &[f64]) -> LocalMotion {
+        let (u, a) = (&disp[..N], &self.axes);
+        if Self::PLANE {
+            let offset = [u[3] - u[0], u[4] - u[1], 0.0];
+            LocalMotion { offset: turn(a, offset), ends: [[0.0, 0.0, a[2][2] * u[2]], [0.0, 0.0, a[2][2] * u[5]]] }
+        } else {
+            let offset = [u[6] - u[0], u[7] - u[1], u[8] - u[2]];
+            LocalMotion { offset: turn(a, offset), ends: [turn(a, [u[3], u[4], u[5]]), turn(a, [u[9], u[10], u[11]])] }
+        }
+    }
+
+    /// Add forces on the ends to global forces.
+    #[inline]
+    fn add_end_forces(&self, local: &EndForces, force: &mut [f64]) {
+        let (f, a) = (&mut force[..N], &self.axes);
+        let pull = turn_back(a, local.force);
+        let add = |f: &mut [f64], sign: f64, v: &[f64]| f.iter_mut().zip(v).for_each(|(f, v)| *f += sign * v);
+        if Self::PLANE {
+            add(&mut f[..2], -1.0, &pull);
+            add(&mut f[3..5], 1.0, &pull);
+            f[2] += a[2][2] * local.moments[0][2];
+            f[5] += a[2][2] * local.moments[1][2];
+        } else {
+            add(&mut f[..3], -1.0, &pull);
+            add(&mut f[3..6], 1.0, &turn_back(a, local.moments[0]));
+            add(&mut f[6..9], 1.0, &pull);
+            add(&mut f[9..12], 1.0, &turn_back(a, local.moments[1]));
+        }
+    }
+
+    /// End forces of basic forces `q`, without P-Delta moments.
+    #[inline]
+    fn end_forces(&self, q: &[f64; B]) -> EndForces {
+        let [i, j] = self.arms;
+        let mut all = [0.0; 6];
+        Self::DIRECTIONS.iter().zip(q).for_each(|(d, q)| all[*d] = *q);
+        let [n, vy, vz, t, my, mz] = all;
+        EndForces { force: [n, vy, vz], moments: [[-t, i * vz - my, -i * vy - mz], [t, j * vz + my, mz - j * vy]] }
+    }
+
+    /// P-Delta moments on the ends per unit of axial force.
+    #[inline]
+    fn sway(&self, u: &LocalMotion) -> [[f64; 3]; 2] {
+        let ([i, j], [start, end]) = (self.arms, &u.ends);
+        // Half of the offset at each end, and what the rotations of the ends take from one to the other.
+        let half = [-0.5 * u.offset[2], 0.5 * u.offset[1]];
+        let over = [0.5 * (i * start[1] - j * end[1]), 0.5 * (i * start[2] - j * end[2])];
+        [[0.0, half[0] + over[0], half[1] + over[1]], [0.0, half[0] - over[0], half[1] - over[1]]]
     }
 
     /// Basic deformations of global displacements (or their rates).
     #[inline]
     pub fn deformation(&self, disp: &[f64]) -> [f64; B] {
-        self.rows.times(disp)
+        let ([i, j], LocalMotion { offset, ends: [start, end] }) = (self.arms, self.local_motion(disp));
+        let all = [
+            offset[0],
+            offset[1] - i * start[2] - j * end[2],
+            offset[2] + i * start[1] + j * end[1],
+            end[0] - start[0],
+            end[1] - start[1],
+            end[2] - start[2],
+        ];
+        Self::DIRECTIONS.map(|d| all[d])
     }
 
     /// Add the global forces of basic forces `q` without P-Delta moments.
     #[inline]
     pub fn add_basic_force(&self, q: &[f64; B], force: &mut [f64]) {
-        self.rows.add_transposed(q, force);
+        self.add_end_forces(&self.end_forces(q), force);
     }
 
     /// Add the global forces of basic forces `q`, P-Delta moments included.
     pub fn add_force(&self, q: &[f64; B], disp: &[f64], force: &mut [f64]) {
-        self.add_basic_force(q, force);
-        force.iter_mut().zip(self.p_delta.times(disp)).for_each(|(f, lever)| *f += q[0] * lever);
+        let mut local = self.end_forces(q);
+        if self.p_delta.is_some() {
+            let sway = self.sway(&self.local_motion(disp));
+            for (moment, lever) in local.moments.as_flattened_mut().iter_mut().zip(sway.as_flattened()) {
+                *moment += q[0] * lever;
+            }
+        }
+        self.add_end_forces(&local, force);
     }
 
     /// Add rows of the consistent tangent of [`Link::add_force`] for the basic stiffness `k`.
     pub fn add_tangent(&self, k: &[[f64; B]; B], q: &[f64; B], disp: &[f64], tangent: &mut [f64], rows: Rows) {
         self.add_basic_rows(k, tangent, rows);
-        let moments = |i: &usize| rows.has(*i) && !self.p_delta.row(*i).is_empty();
-        if !(0..N).any(|i| moments(&i)) {
+        let Some(p_delta) = &self.p_delta else { return };
+        let moments = || rows.among(N).map(|i| (i, p_delta.row(i))).filter(|(_, row)| !row.is_empty());
+        if moments().next().is_none() {
             return;
         }
         // The moments grow with the axial force too.
         let mut axial = [0.0; N];
         self.add_basic_force(&k[0], &mut axial);
-        for (i, to) in tangent.chunks_exact_mut(N).enumerate().filter(|(i, _)| moments(i)) {
-            let row = self.p_delta.row(i);
+        for (i, row) in moments() {
+            let to = &mut tangent[i * N..(i + 1) * N];
             row.iter().for_each(|e| to[e.column] += q[0] * e.value);
             let lever: f64 = row.iter().map(|e| e.value * disp[e.column]).sum();
             to.iter_mut().zip(&axial).for_each(|(t, a)| *t += lever * a);
@@ -142,13 +205,13 @@ impl<const N: usize, const B: usize> Link<N, B> {
 
     /// Add rows of Aᵀ k A for a basic matrix `k`.
     pub fn add_basic_rows(&self, k: &[[f64; B]; B], tangent: &mut [f64], rows: Rows) {
-        for (i, to) in tangent.chunks_exact_mut(N).enumerate().filter(|(i, _)| rows.has(*i)) {
+        for i in rows.among(N) {
             // Derivative of the force at i by the basic deformations.
             let mut by_basic = [0.0; B];
             for e in self.columns.row(i) {
                 by_basic.iter_mut().zip(&k[e.column]).for_each(|(by, k)| *by += e.value * k);
             }
-            self.rows.add_transposed(&by_basic, to);
+            self.add_basic_force(&by_basic, &mut tangent[i * N..(i + 1) * N]);
         }
     }
 
@@ -165,4 +228,16 @@ impl<const N: usize, const B: usize> Link<N, B> {
             *o = dot(row, global);
         }
     }
+}
+
+/// Components of a global vector along local axes.
+#[inline]
+fn turn(axes: &[[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
+    axes.map(|a| a[0] * v[0] + a[1] * v[1] + a[2] * v[2])
+}
+
+/// Components of a local vector along global axes.
+#[inline]
+fn turn_back(axes: &[[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|i| axes[0][i] * v[0] + axes[1][i] * v[1] + axes[2][i] * v[2])
 }

@@ -1,0 +1,307 @@
+//! What holds for every kind of uniaxial material and of element that scripts can make: one table of each. A kind that
+//! is in neither table, nor among the bearings, fails the test.
+
+use super::driver::{Alone, difference, path};
+use super::every_bearing;
+use super::script::run;
+use hysteron::command::kinds;
+use hysteron::element::{Answer, Motion, Rows};
+use nalgebra::Vector3;
+
+/// Words of a material after `uniaxialMaterial`, with @ for the tag, and the strain that takes it far into its range.
+/// Materials 11 to 13 are there for those that are made of others.
+const MATERIALS: &[(&str, f64)] = &[
+    ("Elastic @ 200. 3. 50.", 0.1),
+    ("ElasticPP @ 200. 0.01 -0.02 0.003", 0.1),
+    ("ElasticPPGap @ 200. 2. 0.01 0.05 damage", 0.1),
+    ("ENT @ 200.", 0.1),
+    ("ElasticBilin @ 200. 50. 0.02 150. 300. -0.03", 0.1),
+    ("ElasticMultiLinear @ 0.5 -strain -0.08 -0.03 0. 0.02 0.05 -stress -3. -2.5 0. 1. 4.", 0.1),
+    ("Steel01 @ 2. 200. 0.02 0.05 5. 0.05 5.", 0.1),
+    ("Steel02 @ 2. 200. 0.02 18. 0.925 0.15 0.05 5. 0.03 4. 0.8", 0.1),
+    ("SteelBRB @ 200. 2. 3. 1.2 0.02 0.05 3.5 2.5 0.03 0.05", 0.1),
+    ("Hardening @ 200. 2. 10. 20.", 0.1),
+    ("MultiLinear @ 0.005 1. 0.02 2. 0.06 2.5", 0.1),
+    ("Concrete01 @ -30. -0.002 -6. -0.005", 0.006),
+    ("Concrete02 @ -30. -0.002 -6. -0.005 0.1 3. 2000.", 0.006),
+    ("BoucWen @ 0.1 1000. 1.7 15. 25. 1. 0.01 0.02 0.015", 0.2),
+    ("Hysteretic @ 2. 0.01 3. 0.03 2.5 0.08 -1.5 -0.008 -2.5 -0.05 -2.6 -0.09 0.6 0.3 0.01 0.005 0.4", 0.1),
+    ("SelfCentering @ 200. 10. 2. 0.7 0.06 0.09 0.4", 0.12),
+    ("Viscous @ 5. 0.7", 0.1),
+    ("ViscousDamper @ 200. 5. 0.7", 0.1),
+    ("Maxwell @ 200. 5. 0.7 1.", 0.1),
+    ("AxialSp @ 6e5 1e3 -1e5 0.1 0.01 0.5", 0.01),
+    ("AxialSpHD @ 6e5 1e3 -1e5 0.1 0.01 0.05 0.5 0. 1.5", 0.01),
+    ("KikuchiAikenHDR @ X0.6 4e-4 0.15 -coGHU 2. 0.8 1.12", 0.3),
+    ("KikuchiAikenLRB @ 1 3e-4 0.15 0.392e6 1e-5 8.33e6 0.588e6 13.", 0.3),
+    ("ImpactMaterial @ 200. 50. -0.01 -0.02", 0.1),
+    ("HertzDamp @ 200. 0.3 -0.02", 0.1),
+    ("JankowskiImpact @ 200. 0.3 1. -0.02", 0.1),
+    ("HDRRheology @ 0.4 0.05 0.01 0.2 3. 0.9 0.1 0.4 0.3 0.2 -mullins 0.6 0.2", 1.0),
+    ("Mullins @ 11 0.5 0.03", 0.1),
+    ("Parallel @ 11 12 -factors 2. 0.5", 0.1),
+    ("Series @ 11 13", 0.1),
+    ("MinMax @ 11 -min -0.09 -max 0.095", 0.1),
+    ("Fatigue @ 11 -E0 0.5", 0.1),
+    ("InitStrainMaterial @ 11 0.013", 0.1),
+    ("InitStressMaterial @ 11 -1.7", 0.1),
+];
+
+const PARTS: &str = "uniaxialMaterial Steel01 11 2. 200. 0.02\nuniaxialMaterial ElasticPPGap 12 200. -2. -0.01 0.05
+uniaxialMaterial Elastic 13 150.\n";
+
+/// Seconds of a step.
+const DT: f64 = 0.01;
+
+/// A spring of a material.
+fn spring(words: &str) -> Alone {
+    let words = words.replacen('@', "1", 1);
+    let script = format!(
+        "model basic -ndm 1 -ndf 1\nnode 1 0\nnode 2 0\n{PARTS}uniaxialMaterial {words}\nelement zeroLength 1 1 2 -mat 1 -dir 1\n"
+    );
+    Alone::of(run(&script).done().interp.host.engine.model().elements[0].element.clone())
+}
+
+/// Force at the end of a step to `u`, and how it changes with `u` where the rate is that of the step.
+fn step(e: &mut Alone, next: &mut [f64], u: f64, from: f64) -> (f64, f64) {
+    let (mut force, mut tangent, mut damping) = ([0.0; 2], [0.0; 4], [0.0; 4]);
+    let (disp, vel) = ([0.0, u], [0.0, (u - from) / DT]);
+    let motion = Motion { disp: &disp, vel: &vel, load: &[], dt: DT, time: 1.0 };
+    let answer =
+        Answer { force: &mut force, tangent: Some(&mut tangent), damping: Some(&mut damping), rows: Rows::ALL };
+    e.element.respond(&motion, &e.state, next, answer).unwrap();
+    (force[1], tangent[3] + damping[3] / DT)
+}
+
+/// Along a wandering path with the rates of its steps; what a trial leaves behind would show in the difference.
+#[test]
+fn every_material_has_a_consistent_tangent() {
+    let mut wrong = vec![];
+    for (words, amplitude) in MATERIALS {
+        let mut e = spring(words);
+        let mut next = e.state.clone();
+        let mut initial = [0.0; 4];
+        e.element.initial_tangent(&mut initial);
+        let stiff = initial[3].abs();
+        let (mut from, mut tested) = (0.0, 0);
+        for (k, u) in path(7, 1200, *amplitude).into_iter().enumerate() {
+            let h = 1e-6 * amplitude;
+            let mut at = |x: f64| step(&mut e, &mut next, x, from).0;
+            let [far_down, down, up, far_up] = [-2.0, -1.0, 1.0, 2.0].map(|n| at(u + n * h));
+            let (near, far) = ((up - down) / (2.0 * h), (far_up - far_down) / (4.0 * h));
+            let (force, tangent) = step(&mut e, &mut next, u, from);
+            // Kinks have no derivative; they show by differences that depend on their step.
+            let scale = near.abs().max(1e-3 * force.abs() / amplitude).max(1e-5 * stiff).max(1e-9);
+            if (near - far).abs() < 1e-4 * scale && (up - 2.0 * force + down).abs() < 1e-4 * h * scale {
+                tested += 1;
+                if (tangent - near).abs() > 2e-3 * scale {
+                    wrong.push(format!("{words}, step {k}: tangent {tangent} but {near}"));
+                    break;
+                }
+            }
+            e.state.copy_from_slice(&next);
+            from = u;
+        }
+        if tested < 200 {
+            wrong.push(format!("{words}: only {tested} points away from kinks"));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// Nodes of an element: in a line of some length, at one place, or the corners of a quadrilateral.
+#[derive(Clone, Copy, PartialEq)]
+enum Shape {
+    /// What it does is uniform along it: two pieces in a row are one whole in pure extension and bending.
+    Line,
+    /// Its springs are no share of its length.
+    Link,
+    Point,
+    Corners,
+}
+
+/// Dimensions, degrees of freedom of a node, shape, and words of an element, with @ for tag and nodes.
+const ELEMENTS: &[(usize, usize, Shape, &str)] = &[
+    (2, 3, Shape::Line, "elasticBeamColumn @ 0.02 200. 0.5 1"),
+    (3, 6, Shape::Line, "elasticBeamColumn @ 0.02 200. 80. 0.3 0.4 0.5 2"),
+    (2, 3, Shape::Line, "elasticBeamColumn @ 0.02 200. 0.5 3"),
+    (3, 6, Shape::Line, "elasticBeamColumn @ 0.02 200. 80. 0.3 0.4 0.5 4"),
+    (2, 3, Shape::Line, "ModElasticBeam2d @ 0.02 200. 0.5 4. 4. 2. 1"),
+    (2, 3, Shape::Link, "componentElement2d @ 0.02 200. 0.5 1 11 11"),
+    (2, 3, Shape::Line, "ElasticTimoshenkoBeam @ 200. 80. 0.02 0.5 0.015 1"),
+    (3, 6, Shape::Line, "ElasticTimoshenkoBeam @ 200. 80. 0.02 0.3 0.4 0.5 0.015 0.01 2"),
+    (2, 2, Shape::Line, "truss @ 0.02 11"),
+    (3, 3, Shape::Line, "truss @ 0.02 11"),
+    (2, 3, Shape::Line, "corotTruss @ 0.02 11"),
+    (3, 3, Shape::Line, "corotTruss @ 0.02 11"),
+    (2, 2, Shape::Line, "trussSection @ 21"),
+    (3, 3, Shape::Line, "corotTrussSection @ 21"),
+    (2, 3, Shape::Link, "twoNodeLink @ -mat 11 13 11 -dir 1 2 3 -shearDist 0.3"),
+    (3, 6, Shape::Link, "twoNodeLink @ -mat 11 13 11 13 11 13 -dir 1 2 3 4 5 6 -orient 0. 1. 0.5 -shearDist 0.3 0.6"),
+    (2, 3, Shape::Point, "zeroLength @ -mat 11 13 11 -dir 1 2 6 -orient 1. 2. 0. -2. 1. 0."),
+    (3, 6, Shape::Point, "zeroLength @ -mat 11 13 11 13 11 13 -dir 1 2 3 4 5 6 -orient 1. 2. 0.5 -2. 1. 0."),
+    (3, 6, Shape::Point, "CoupledZeroLength @ 1 3 11"),
+    (2, 3, Shape::Point, "zeroLengthSection @ 22"),
+    (3, 6, Shape::Point, "zeroLengthSection @ 24"),
+    (2, 3, Shape::Line, "dispBeamColumn @ 4 22 1"),
+    (3, 6, Shape::Line, "dispBeamColumn @ 4 24 2"),
+    (2, 3, Shape::Line, "forceBeamColumn @ 5 22 3"),
+    (3, 6, Shape::Line, "forceBeamColumn @ 5 24 4"),
+    (2, 3, Shape::Line, "beamWithHinges @ 22 0.1 22 0.1 200. 0.06 0.00045 1"),
+    (2, 2, Shape::Corners, "quad @ 0.3 PlaneStrain 31"),
+];
+
+fn parts(ndm: usize) -> String {
+    let more = if ndm == 2 {
+        "geomTransf Linear 1\ngeomTransf Corotational 3\nnDMaterial ElasticIsotropic 31 200. 0.3
+        section Fiber 22 { patch rect 11 10 1 -0.15 -0.1 0.15 0.1 }"
+    } else {
+        "geomTransf Linear 2 0 0 1\ngeomTransf Corotational 4 0 0 1
+        section Fiber 24 -GJ 50. { patch rect 11 6 4 -0.15 -0.1 0.15 0.1 }"
+    };
+    format!("{PARTS}section Uniaxial 21 13 P\n{more}\n")
+}
+
+/// Place of the nodes.
+fn nodes(ndm: usize, shape: Shape) -> Vec<Vector3<f64>> {
+    let start = Vector3::new(0.4, -0.3, if ndm == 3 { 0.7 } else { 0.0 });
+    let along = if ndm == 3 { Vector3::new(1.0, 0.5, 1.0) } else { Vector3::new(0.9, 1.2, 0.0) };
+    match shape {
+        Shape::Line | Shape::Link => vec![start, start + along],
+        Shape::Point => vec![start, start],
+        Shape::Corners => {
+            [[0.0, 0.0], [1.1, 0.1], [1.3, 0.9], [-0.1, 0.8]].map(|[x, y]| Vector3::new(x, y, 0.0)).to_vec()
+        }
+    }
+}
+
+fn script(ndm: usize, ndf: usize, places: &[Vector3<f64>]) -> String {
+    let mut out = format!("model basic -ndm {ndm} -ndf {ndf}\n");
+    for (i, x) in places.iter().enumerate() {
+        let words: Vec<String> = x.iter().take(ndm).map(ToString::to_string).collect();
+        out += &format!("node {} {}\n", i + 1, words.join(" "));
+    }
+    out + &parts(ndm)
+}
+
+fn element(&(ndm, ndf, shape, words): &(usize, usize, Shape, &str)) -> (Alone, Vec<Vector3<f64>>) {
+    let places = nodes(ndm, shape);
+    let tags: Vec<String> = (1..=places.len()).map(|i| i.to_string()).collect();
+    let made = words.replacen('@', &format!("1 {}", tags.join(" ")), 1);
+    let ran = run(&format!("{}element {made}\n", script(ndm, ndf, &places))).done();
+    (Alone::of(ran.interp.host.engine.model().elements[0].element.clone()), places)
+}
+
+/// Displacements of a small turn of everything by `spin` about the origin, and a shift.
+fn rigid(places: &[Vector3<f64>], (ndm, ndf): (usize, usize), shift: Vector3<f64>, spin: Vector3<f64>) -> Vec<f64> {
+    let spin = if ndm == 2 { Vector3::new(0.0, 0.0, spin.z) } else { spin };
+    let mut u = vec![];
+    for x in places {
+        u.extend((shift + spin.cross(x)).iter().take(ndm));
+        match (ndm, ndf) {
+            (2, 3) => u.push(spin.z),
+            (3, 6) => u.extend(spin.iter()),
+            _ => {}
+        }
+    }
+    u
+}
+
+#[test]
+fn every_element_moves_rigidly_for_nothing() {
+    for row in ELEMENTS {
+        let (mut e, places) = element(row);
+        // So small that the difference between a turn and its tangent is round-off.
+        let u = rigid(&places, (row.0, row.1), Vector3::new(0.3, -0.2, 0.1), Vector3::new(2e-9, -3e-9, 4e-9));
+        let (force, k) = e.trial(&u, &vec![0.0; u.len()]);
+        let stiff = k.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        assert!(force.iter().all(|f| f.abs() < 1e-12 * stiff), "{}: {force:?}", row.3);
+    }
+}
+
+/// Far into yielding, from the committed state and on.
+#[test]
+fn every_element_has_a_consistent_tangent() {
+    for row in ELEMENTS {
+        let (mut e, places) = element(row);
+        let n = row.1 * places.len();
+        let walks: Vec<Vec<f64>> = (0..n).map(|i| path(3 + i as u64, 40, 0.03)).collect();
+        let mut smooth = 0;
+        for k in 0..40 {
+            let u: Vec<f64> = walks.iter().map(|w| w[k]).collect();
+            let (_, tangent) = e.trial(&u, &vec![0.0; n]);
+            let (near, far) = (e.difference(&u, 1e-7), e.difference(&u, 2e-7));
+            // Fibers that yield or turn back have no derivative; they show by differences that depend on their step.
+            if difference(&near, &far) < 1e-5 {
+                smooth += 1;
+                // The corotational beam in space takes the mean of the nodes' axes: see `corotational`.
+                let tolerance = if row.3.ends_with(" 4") { 5e-3 } else { 1e-5 };
+                let error = difference(&tangent, &near);
+                assert!(error < tolerance, "{}, step {k}: {error:.1e}", row.3);
+            }
+            e.trial(&u, &vec![0.0; n]);
+            e.commit();
+        }
+        assert!(smooth > 10, "{}: only {smooth} steps away from kinks", row.3);
+    }
+}
+
+/// Two unequal pieces in a row, pulled and bent alike all along, do what one does.
+#[test]
+fn every_line_element_passes_the_patch_test() {
+    // Force-based beams end their own iterations at a tolerance: `sections` has them equal the elastic beam.
+    let direct = |words: &str| !words.starts_with("forceBeam") && !words.starts_with("beamWith");
+    for &(ndm, ndf, shape, words) in ELEMENTS.iter().filter(|row| row.2 == Shape::Line && direct(row.3)) {
+        let ends = nodes(ndm, shape);
+        let along = (ends[1] - ends[0]).normalize();
+        let tip = |places: &[Vector3<f64>]| -> Vec<f64> {
+            let last = places.len();
+            let elements: String = (1..last)
+                .map(|i| format!("element {}\n", words.replacen('@', &format!("{i} {i} {}", i + 1), 1)))
+                .collect();
+            // What bars leave free.
+            let across = match (ndm, ndf) {
+                (_, n) if words.to_lowercase().contains("truss") => {
+                    let held: Vec<&str> = (0..n).map(|d| if d == 0 { "0" } else { "1" }).collect();
+                    (2..=last).map(|i| format!("fix {i} {}\n", held.join(" "))).collect()
+                }
+                _ => String::new(),
+            };
+            let mut load: Vec<f64> = along.iter().take(ndm).map(|x| 1e-6 * x).collect();
+            let moment = 2e-8 * if ndm == 3 { along.cross(&Vector3::z()).normalize() } else { Vector3::z() };
+            match (ndm, ndf) {
+                (2, 3) => load.push(moment.z),
+                (3, 6) => load.extend(moment.iter()),
+                _ => {}
+            }
+            let load: Vec<String> = load.iter().map(ToString::to_string).collect();
+            let held = vec!["1"; ndf].join(" ");
+            let ran = run(&format!(
+                "{}{elements}{across}fix 1 {held}\ntimeSeries Linear 1\npattern Plain 1 1 {{ load {last} {} }}
+                test FixedNumIter 8\nalgorithm Newton\nintegrator LoadControl 1.\nanalysis Static\nanalyze 1\nputs [nodeDisp {last}]",
+                script(ndm, ndf, places),
+                load.join(" "),
+            ));
+            ran.done().numbers()
+        };
+        let middle = ends[0] + 0.37 * (ends[1] - ends[0]);
+        let (one, two) = (tip(&ends), tip(&[ends[0], middle, ends[1]]));
+        assert!(one.iter().any(|u| u.abs() > 1e-10), "{words}: {one:?}");
+        assert!(difference(&one, &two) < 1e-6, "{words}: {one:?} and {two:?}");
+    }
+}
+
+#[test]
+fn every_kind_is_in_a_table() {
+    let first = |words: &str| words.split_whitespace().next().unwrap_or_default().to_lowercase();
+    let kind = |usage: &str| usage.split_whitespace().nth(1).unwrap_or_default().to_lowercase();
+    let materials: Vec<String> = MATERIALS.iter().map(|(words, _)| first(words)).collect();
+    for usage in kinds("uniaxialMaterial") {
+        assert!(materials.contains(&kind(usage)), "no row for {usage}");
+    }
+    let elements = ELEMENTS.iter().map(|row| first(row.3));
+    let all: Vec<String> = elements.chain(every_bearing::commands().map(first)).collect();
+    for usage in kinds("element") {
+        assert!(all.contains(&kind(usage)), "no row for {usage}");
+    }
+}
