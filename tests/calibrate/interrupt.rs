@@ -24,7 +24,8 @@ fn an_interrupted_calibration_goes_on() {
     // Enough of it that there is time to interrupt.
     place.edit("study.toml", "[[run]]", "[calibration]\nmethod = \"l-shade\"\nevaluations = 3000\n[[run]]");
     let program = env!("CARGO_BIN_EXE_hysteron");
-    let line = format!("'{program}' calibrate study.toml --out out");
+    // Replaces the shell: one that waits, as dash does, would die of the same Ctrl-C.
+    let line = format!("exec '{program}' calibrate study.toml --out out");
     let mut child = Command::new("script")
         .args(["-qefc", &line, "/dev/null"])
         .current_dir(&place.0)
