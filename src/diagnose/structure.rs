@@ -9,21 +9,28 @@ const POINTS: usize = 1500;
 /// Order of the noise, for what follows the motion and for what comes in bursts.
 const ORDER: usize = 2;
 const LONG_ORDER: usize = 8;
+/// Blocks of time of which each in turn is told by the others.
+const BLOCKS: usize = 6;
 
-/// Part of a residual that has structure which no noise has: told by the motion of the devices or by the channel itself,
-/// standing in lines, or coming in bursts.
+/// Part of a residual that has structure which no noise has: told by the motion of the devices, by the channel itself or by
+/// what is left in other channels, standing in lines, or coming in bursts.
 pub(super) fn structure(study: &Study, scales: &Scales, fits: &[Fit]) -> (f64, String) {
     let (mut most, mut says) = (0.0, String::new());
     let runs = study.runs.iter().enumerate().filter(|(_, r)| r.role == Role::Fit);
     for ((number, run), fit) in runs.zip(fits) {
         let motion = regressors(scales, number);
-        for (o, y) in run.observe.iter().zip(&fit.channels) {
-            let finite = |x: f64| if x.is_finite() { x } else { 0.0 };
-            let r: Vec<f64> = y.iter().zip(&o.values).map(|(y, v)| finite(y - v)).collect();
+        let residuals: Vec<Vec<f64>> = run
+            .observe
+            .iter()
+            .zip(&fit.channels)
+            .map(|(o, y)| y.iter().zip(&o.values).map(|(y, v)| finite(y - v)).collect())
+            .collect();
+        let fewer: Vec<Vec<f64>> = residuals.iter().map(|r| averaged(r, POINTS)).collect();
+        for (c, ((o, y), r)) in run.observe.iter().zip(&fit.channels).zip(&residuals).enumerate() {
             let channel: Vec<f64> = y.iter().map(|y| finite(*y)).collect();
             // Slow noise follows whatever is slow: what it remembers of itself is taken out of both sides first.
-            let few = averaged(&r, POINTS);
-            let noise = burg(&few, ORDER);
+            let few = &fewer[c];
+            let noise = burg(few, ORDER);
             // As many as the samples can bear, the simplest first.
             let columns: Vec<Vec<f64>> = SHIFTS
                 .iter()
@@ -32,13 +39,14 @@ pub(super) fn structure(study: &Study, scales: &Scales, fits: &[Fit]) -> (f64, S
                 .take(few.len() / 8)
                 .map(|c| whiten(&averaged(&c, POINTS), &noise))
                 .collect();
-            let told = explained(&whiten(&few, &noise), &columns, 6);
-            let (line, frequency) = lines(&r, &channel);
-            let burst = bursts(&whiten(&r, &burg(&r, LONG_ORDER)), &whiten(&channel, &burg(&channel, LONG_ORDER)));
+            let told = explained(&whiten(few, &noise), &columns, BLOCKS);
+            let (line, frequency) = lines(r, &channel);
+            let burst = bursts(&innovations(r), &innovations(&channel));
+            let common = in_common(&fewer, c, &noise);
             let times = &run.recording.times;
             let rate = (times.len() - 1) as f64 / (times[times.len() - 1] - times[0]);
             // Only what matters for this channel against the others.
-            let weight = (power(&r) / o.variance / 1e-4).min(1.0);
+            let weight = (power(r) / o.variance / 1e-4).min(1.0);
             let mut consider = |part: f64, what: String| {
                 if weight * part > most {
                     most = weight * part;
@@ -48,10 +56,38 @@ pub(super) fn structure(study: &Study, scales: &Scales, fits: &[Fit]) -> (f64, S
             consider(told, format!("part of the residual of {} follows the motion", o.channel));
             consider(line, format!("the residual of {} has a line at {:.3} Hz", o.channel, frequency * rate));
             consider(burst, format!("the residual of {} comes in bursts", o.channel));
+            consider(common, format!("the residual of {} moves with those of other channels", o.channel));
         }
     }
     (most, says)
 }
+
+fn finite(x: f64) -> f64 {
+    if x.is_finite() { x } else { 0.0 }
+}
+
+/// What the past of a series does not tell.
+fn innovations(x: &[f64]) -> Vec<f64> {
+    whiten(x, &burg(x, LONG_ORDER))
+}
+
+/// Part of the residual of a channel that those of the other channels of its run tell: sensors have noise each of its
+/// own, a force that the model lacks moves all of them. As an amplitude: the sensors' own noise hides some of it, and of
+/// what has nothing in common no block tells another anything at all.
+fn in_common(residuals: &[Vec<f64>], channel: usize, noise: &[f64]) -> f64 {
+    let target = &residuals[channel];
+    let others = || residuals.iter().enumerate().filter(|(c, x)| *c != channel && x.len() == target.len());
+    // The nearest in time first, as many as the samples can bear.
+    let columns: Vec<Vec<f64>> = NEIGHBOURS
+        .iter()
+        .flat_map(|by| others().map(|(_, x)| whiten(&shifted(x, *by), noise)))
+        .take(target.len() / 8)
+        .collect();
+    explained(&whiten(target, noise), &columns, BLOCKS).sqrt()
+}
+
+/// Samples by which what is left in other channels is shifted.
+const NEIGHBOURS: [isize; 13] = [0, -1, 1, -2, 2, -3, 3, -4, 4, -5, 5, -6, 6];
 
 /// Samples by which the channel itself is shifted: a fault of its transfer is told by its neighbours.
 const SHIFTS: [isize; 9] = [-16, -8, -4, -2, 0, 2, 4, 8, 16];
@@ -113,4 +149,32 @@ fn regressors(scales: &Scales, run: usize) -> Vec<Vec<f64>> {
     }
     out.extend(bumps);
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::in_common;
+
+    fn noise(seed: u64, n: usize) -> Vec<f64> {
+        let mut x = 88172645463325252u64 ^ (seed << 32);
+        let mut uniform = || {
+            x ^= x << 13;
+            x ^= x >> 7;
+            x ^= x << 17;
+            (x >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+        };
+        (0..n).map(|_| (0..12).map(|_| uniform()).sum()).collect()
+    }
+
+    #[test]
+    fn sensors_have_noise_of_their_own() {
+        let own: Vec<Vec<f64>> = (1..4).map(|seed| noise(seed, 900)).collect();
+        assert!((0..3).all(|c| in_common(&own, c, &[]) < 0.05));
+        // A force that moves all channels, each a sample later.
+        let force = noise(9, 910);
+        let moved: Vec<Vec<f64>> =
+            (0..3).map(|c| own[c].iter().zip(&force[c..]).map(|(o, f)| o + f).collect()).collect();
+        assert!((0..3).all(|c| in_common(&moved, c, &[]) > 0.5));
+        assert!(in_common(&moved[..1], 0, &[]) == 0.0);
+    }
 }

@@ -1,6 +1,6 @@
 //! Uniaxial springs side by side: what `zeroLength` and `twoNodeLink` have in common.
 
-use super::{Answer, BasicRow, ElementError, Motion, Nature, Snapshot, add_outer, dot};
+use super::{Answer, BasicRow, ElementError, Motion, Nature, Snapshot};
 use crate::material::{Material, Slot, Strain};
 use crate::probe::Probe;
 use nalgebra::Matrix3;
@@ -24,11 +24,29 @@ struct Spring {
     direction: usize,
     /// Deformation from the displacements of all degrees of freedom.
     row: Vec<f64>,
+    /// The same without zeros: places and coefficients.
+    terms: Vec<(usize, f64)>,
     /// Deformation that it measures from.
     initial: f64,
 }
 
 impl Spring {
+    /// Its deformation, or the rate of it, from the motion of all degrees of freedom.
+    #[inline]
+    fn measure(&self, motion: &[f64]) -> f64 {
+        self.terms.iter().map(|&(i, r)| r * motion[i]).sum()
+    }
+
+    /// Add its stiffness to a matrix of `n` degrees of freedom.
+    #[inline]
+    fn add_stiffness(&self, matrix: &mut [f64], n: usize, stiffness: f64) {
+        for &(i, ri) in &self.terms {
+            for &(j, rj) in &self.terms {
+                matrix[i * n + j] += stiffness * ri * rj;
+            }
+        }
+    }
+
     /// The material, and the damper if there is one.
     fn slots(&self) -> impl Iterator<Item = &Slot> + Clone {
         std::iter::once(&self.slot).chain(&self.damper)
@@ -56,7 +74,8 @@ impl Springs {
         };
         let slot = place((material, tag));
         let damper = damper.map(place);
-        self.springs.push(Spring { slot, damper, direction, row, initial });
+        let terms = row.iter().copied().enumerate().filter(|(_, r)| *r != 0.0).collect();
+        self.springs.push(Spring { slot, damper, direction, row, terms, initial });
     }
 
     pub(super) fn state_len(&self) -> usize {
@@ -112,7 +131,7 @@ impl Springs {
         answer: &mut Answer<'_>,
     ) -> Result<(), ElementError> {
         for s in &self.springs {
-            let (value, rate) = (dot(&s.row, motion.disp) - s.initial, dot(&s.row, motion.vel));
+            let (value, rate) = (s.measure(motion.disp) - s.initial, s.measure(motion.vel));
             let stress = s.slot.update(committed, Strain { value, rate, dt: motion.dt }, trial)?;
             let (mut force, mut damping) = (stress.value, stress.damping);
             if let Some(d) = &s.damper {
@@ -121,14 +140,12 @@ impl Springs {
                 force += c.value;
                 damping += c.tangent;
             }
-            for (f, r) in answer.force.iter_mut().zip(&s.row) {
-                *f += force * r;
-            }
+            s.terms.iter().for_each(|&(i, r)| answer.force[i] += force * r);
             if let Some(k) = answer.tangent.as_deref_mut() {
-                add_outer(k, &s.row, stress.tangent);
+                s.add_stiffness(k, s.row.len(), stress.tangent);
             }
             if let Some(c) = answer.damping.as_deref_mut() {
-                add_outer(c, &s.row, damping);
+                s.add_stiffness(c, s.row.len(), damping);
             }
         }
         Ok(())
@@ -136,7 +153,7 @@ impl Springs {
 
     pub(super) fn initial_tangent(&self, tangent: &mut [f64]) {
         for s in &self.springs {
-            add_outer(tangent, &s.row, s.slot.material.initial_tangent());
+            s.add_stiffness(tangent, s.row.len(), s.slot.material.initial_tangent());
         }
     }
 

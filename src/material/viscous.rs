@@ -19,6 +19,10 @@ impl UniaxialLaw for Viscous {
 
     #[inline]
     fn update(&self, _: &(), strain: Strain) -> Result<(Stress, ()), MaterialError> {
+        if self.alpha == 1.0 {
+            // What follows, to the bit, without two powers.
+            return Ok((Stress { value: self.c * strain.rate, tangent: 0.0, damping: self.c }, ()));
+        }
         let rate = strain.rate.abs();
         let value = (self.c * rate.powf(self.alpha)).copysign(self.c * strain.rate);
         let damping = self.alpha * self.c * rate.max(self.min_rate).powf(self.alpha - 1.0);
