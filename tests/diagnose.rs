@@ -5,7 +5,7 @@
 #![allow(clippy::unwrap_used)]
 
 use hysteron::analysis::Options;
-use hysteron::diagnose::{Diagnosis, Settings, Watch, diagnose};
+use hysteron::diagnose::{Diagnosis, Settings, Told, Watch, diagnose};
 use hysteron::diagnostic::SourceMap;
 use hysteron::study::{ScriptSimulator, Study};
 use std::fmt::Write as _;
@@ -83,22 +83,33 @@ fn concealed(name: &str, shows: impl Fn(&[f64], &[f64]) -> Vec<f64>) -> PathBuf 
     dir
 }
 
-struct Silent;
+/// Keeps what was worked out, and stops when that is so much.
+struct Keeper {
+    told: Vec<Told>,
+    enough: usize,
+}
 
-impl Watch for Silent {
+impl Watch for Keeper {
     fn stage(&mut self, _: &str, _: usize, _: usize) {}
     fn stopped(&self) -> bool {
-        false
+        self.told.len() >= self.enough
+    }
+    fn keep(&mut self, told: &[Told]) {
+        self.told = told.to_vec();
     }
 }
 
-fn diagnosed(dir: &Path, without: &[&str]) -> Diagnosis {
+fn attempt(dir: &Path, without: &[&str], earlier: Vec<Told>, keeper: &mut Keeper) -> Result<Diagnosis, String> {
     let mut sources = SourceMap::default();
     let study = Arc::new(Study::load(&dir.join("study.toml"), &mut sources).unwrap());
     let mut simulator = ScriptSimulator::new(study, Options::default(), Arc::new(AtomicBool::new(false)));
     let opening = simulator.open(&mut sources).unwrap();
-    let settings = Settings { without: without.iter().map(|w| (*w).to_owned()).collect(), threads: 2 };
-    diagnose(&simulator, &opening, MODEL, &settings, &mut Silent).unwrap()
+    let settings = Settings { without: without.iter().map(|w| (*w).to_owned()).collect(), threads: 2, earlier };
+    diagnose(&simulator, &opening, MODEL, &settings, keeper)
+}
+
+fn diagnosed(dir: &Path, without: &[&str]) -> Diagnosis {
+    attempt(dir, without, vec![], &mut Keeper { told: vec![], enough: usize::MAX }).unwrap()
 }
 
 /// Run the repaired script by itself, as another script that sets the variables of a run and sources it.
@@ -123,6 +134,14 @@ fn nothing_is_found_where_nothing_is_missing() {
     assert_eq!(d.outcome.verdict.cause, "none", "{:?}", d.outcome.verdict);
     assert!(d.outcome.verdict.confidence > 0.5);
     runs_by_itself(&dir, &d);
+
+    // Interrupted, kept as a file keeps it, and gone on with: the same to the last digit, in less work.
+    let mut keeper = Keeper { told: vec![], enough: 30 };
+    assert_eq!(attempt(&dir, &[], vec![], &mut keeper).err().unwrap(), "interrupted");
+    let kept: Vec<Told> = serde_json::from_str(&serde_json::to_string(&keeper.told).unwrap()).unwrap();
+    let again = attempt(&dir, &[], kept, &mut Keeper { told: vec![], enough: usize::MAX }).unwrap();
+    assert_eq!(serde_json::to_string(&again.outcome).unwrap(), serde_json::to_string(&d.outcome).unwrap());
+    assert!(again.looks < d.looks, "{} {}", again.looks, d.looks);
     let _ = fs::remove_dir_all(dir);
 }
 

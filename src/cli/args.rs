@@ -103,6 +103,9 @@ pub(super) struct DiagnoseArgs {
     /// Number of threads; all cores if it is not given. The result does not depend on it
     #[arg(long, value_name = "N")]
     pub(super) threads: Option<usize>,
+    /// Go on where an interrupted diagnosis was stopped
+    #[arg(long)]
+    pub(super) resume: bool,
     /// Show all explanations that were weighed
     #[arg(long)]
     pub(super) verbose: bool,

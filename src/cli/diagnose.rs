@@ -4,14 +4,17 @@ use super::args::DiagnoseArgs;
 use super::files::place;
 use super::messages::Messages;
 use hysteron::analysis::Options;
-use hysteron::diagnose::{Diagnosis, Settings, Watch, diagnose, hypothesis, page};
+use hysteron::diagnose::{Diagnosis, Settings, Told, Watch, diagnose, hypothesis, page};
 use hysteron::diagnostic::{Diagnostic, Severity, SourceMap, nearest};
 use hysteron::study::{Opening, ScriptSimulator, Study};
 use indicatif::{ProgressBar, ProgressStyle};
+use serde::{Deserialize, Serialize};
 use std::fs;
-use std::path::Path;
+use std::hash::{DefaultHasher, Hash as _, Hasher as _};
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
 
 /// Exit status where the diagnosis failed, and where the input is wrong.
 const FAILED: i32 = 1;
@@ -45,23 +48,31 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
     for w in study.warnings.iter().chain(&opening.warnings).filter(|w| w.severity != Severity::Note) {
         show(w, &sources);
     }
+    let dir = args.out.clone().unwrap_or_else(|| "results".into());
+    let saved = dir.join(CHECKPOINT);
     let found = fs::read_to_string(study.folder.join(&study.model)).map_err(|e| e.to_string()).and_then(|text| {
+        let of = of_what(args, &study, &text);
+        let earlier = if args.resume { earlier(&saved, of)? } else { vec![] };
+        fs::create_dir_all(&dir).map_err(|e| format!("cannot make {}: {e}", dir.display()))?;
         let threads = args.threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
-        let settings = Settings { without: args.without.clone(), threads };
-        let mut bar = Bar::new(stop.clone());
+        let settings = Settings { without: args.without.clone(), threads, earlier };
+        let mut bar = Bar::new(stop.clone(), saved.clone(), of);
         let found = diagnose(&simulator, &opening, &text, &settings, &mut bar);
-        bar.0.finish_and_clear();
+        bar.bar.finish_and_clear();
         found.map(|d| (page(&d, &study, &text), d))
     });
-    let dir = args.out.clone().unwrap_or_else(|| "results".into());
     match found.and_then(|(page, d)| write(&dir, &d, &page).map(|()| d)) {
         Ok(d) => {
+            let _ = fs::remove_file(&saved);
             tell(&d, args.verbose);
             eprintln!("written to {}", dir.display());
             0
         }
         Err(message) => {
             eprintln!("error: {}: {message}", args.study.display());
+            if stop.load(Ordering::Relaxed) && saved.exists() {
+                eprintln!("what was worked out is kept; --resume goes on");
+            }
             FAILED
         }
     }
@@ -79,8 +90,32 @@ fn prepare(
     Ok((simulator, opening))
 }
 
+/// What an interrupted diagnosis leaves in its folder.
+const CHECKPOINT: &str = "diagnosis-checkpoint.json";
+
+#[derive(Serialize, Deserialize)]
+struct Checkpoint {
+    /// Of which study, with which library.
+    of: u64,
+    told: Vec<Told>,
+}
+
+/// A number that differs where the study, its recordings, its script or the library does.
+fn of_what(args: &DiagnoseArgs, study: &Study, text: &str) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    (format!("{study:?}"), text, &args.without, args.compat.is_some(), env!("CARGO_PKG_VERSION")).hash(&mut hasher);
+    hasher.finish()
+}
+
+/// What was worked out before an interruption.
+fn earlier(saved: &Path, of: u64) -> Result<Vec<Told>, String> {
+    let cannot = |e: String| format!("cannot go on: {}: {e}", saved.display());
+    let text = fs::read_to_string(saved).map_err(|e| cannot(e.to_string()))?;
+    let old: Checkpoint = serde_json::from_str(&text).map_err(|e| cannot(e.to_string()))?;
+    if old.of == of { Ok(old.told) } else { Err(cannot("it is of another study, or of another library".into())) }
+}
+
 fn write(dir: &Path, d: &Diagnosis, page: &str) -> Result<(), String> {
-    fs::create_dir_all(dir).map_err(|e| format!("cannot make {}: {e}", dir.display()))?;
     place(&dir.join("corrected.tcl"), &d.script)?;
     place(&dir.join("report.html"), page)?;
     for (name, motion) in d.next_test.iter().flat_map(|t| &t.motions) {
@@ -118,25 +153,47 @@ fn tell(d: &Diagnosis, verbose: bool) {
     }
 }
 
-/// Progress on standard error.
-struct Bar(ProgressBar, Arc<AtomicBool>);
+/// Time between checkpoints.
+const SAVE_EVERY: Duration = Duration::from_secs(5);
+
+/// Progress on standard error, the checkpoint, and the interrupt.
+struct Bar {
+    bar: ProgressBar,
+    stop: Arc<AtomicBool>,
+    saved: PathBuf,
+    of: u64,
+    last: Instant,
+}
 
 impl Bar {
-    fn new(stop: Arc<AtomicBool>) -> Self {
+    fn new(stop: Arc<AtomicBool>, saved: PathBuf, of: u64) -> Self {
         let bar = ProgressBar::new(1);
         let style = ProgressStyle::with_template("{msg} [{bar:30}] {pos}/{len} {per_sec}, {eta} left");
-        Self(bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())), stop)
+        let bar = bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        Self { bar, stop, saved, of, last: Instant::now() }
     }
 }
 
 impl Watch for Bar {
     fn stage(&mut self, what: &str, done: usize, of: usize) {
-        self.0.set_message(what.to_owned());
-        self.0.set_length(of as u64);
-        self.0.set_position(done as u64);
+        self.bar.set_message(what.to_owned());
+        self.bar.set_length(of as u64);
+        self.bar.set_position(done as u64);
     }
 
     fn stopped(&self) -> bool {
-        self.1.load(Ordering::Relaxed)
+        self.stop.load(Ordering::Relaxed)
+    }
+
+    fn keep(&mut self, told: &[Told]) {
+        if self.last.elapsed() < SAVE_EVERY && !self.stopped() {
+            return;
+        }
+        self.last = Instant::now();
+        let checkpoint = Checkpoint { of: self.of, told: told.to_vec() };
+        let text = serde_json::to_string(&checkpoint).map_err(|e| e.to_string());
+        if let Err(message) = text.and_then(|text| place(&self.saved, &text)) {
+            self.bar.suspend(|| eprintln!("warning: no checkpoint: {message}"));
+        }
     }
 }

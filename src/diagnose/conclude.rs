@@ -102,6 +102,7 @@ pub(super) fn conclude(
     };
     let before = all_runs(baseline, &baseline.fitted.values);
     let after = all_runs(&chosen, &fitted.values);
+    work.go_on()?;
     let holdout = |fits: &[Option<Fit>]| -> Option<f64> {
         let held: Vec<f64> = study
             .runs_of(Role::Holdout)

@@ -6,6 +6,7 @@ use super::variant::{Variant, VariantSimulator};
 use crate::calibrate::{LevenbergMarquardt, Method, Trial};
 use crate::study::{Blueprint, Crew, Fit, Mishap, Role, Study, fit};
 use nalgebra::{DMatrix, DVector};
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -42,6 +43,29 @@ pub(super) enum Task {
     Derive { point: Vec<f64> },
     /// Residuals on samples that it was not fitted to.
     HoldBack { point: Vec<f64> },
+    /// What an earlier diagnosis of the same study came to.
+    Told(Told),
+}
+
+/// Of an answer what was work, so that a diagnosis can go on where it was interrupted.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub enum Told {
+    /// Where a search ended.
+    Fitted(Vec<f64>),
+    /// What a screening says.
+    Screened(Option<(f64, Vec<f64>)>),
+    /// To be worked out again.
+    Again,
+}
+
+impl Told {
+    pub(super) fn of(answer: Option<&Answer>) -> Self {
+        match answer {
+            Some(Answer::Fitted(f)) => Self::Fitted(f.point.clone()),
+            Some(Answer::Screened(s)) => Self::Screened(s.clone()),
+            _ => Self::Again,
+        }
+    }
 }
 
 /// What came of it.
@@ -123,7 +147,11 @@ impl Bed<'_> {
             }
             search.tell(&points, &trials);
         }
-        let (objective, point) = best;
+        self.fitted(best.1, best.0)
+    }
+
+    /// What the model says at the end of a search.
+    fn fitted(&mut self, point: Vec<f64>, objective: f64) -> Fitted {
         let values = self.study.space.values(&point).unwrap_or_default();
         let fits = self.fits(&values).unwrap_or_default();
         Fitted { point, values, objective, fits }
@@ -219,6 +247,12 @@ fn work(blueprint: &Blueprint, job: &Job, looks: &AtomicUsize) -> Answer {
         Task::Screen { points, known } => Answer::Screened(bed.screen(points, known)),
         Task::Derive { point } => Answer::Derived(bed.derivatives(point).and_then(|(r, j)| Projection::new(&r, j))),
         Task::HoldBack { point } => Answer::HeldBack(bed.held_back(point)),
+        Task::Told(Told::Fitted(point)) => {
+            let objective = bed.trial(point).score;
+            Answer::Fitted(bed.fitted(point.clone(), objective))
+        }
+        Task::Told(Told::Screened(said)) => Answer::Screened(said.clone()),
+        Task::Told(Told::Again) => Answer::Screened(None),
     }
 }
 

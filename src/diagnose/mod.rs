@@ -28,5 +28,6 @@ pub mod variant;
 mod watching;
 mod work;
 
+pub use fitting::Told;
 pub use page::page;
 pub use pipeline::{Diagnosis, Settings, Watch, diagnose};

@@ -1,7 +1,7 @@
 //! The way from a study to a verdict.
 
 use super::conclude::{Context, conclude};
-use super::fitting::Bench;
+use super::fitting::{Bench, Told};
 use super::hypothesis::{self, Proposal, Sight};
 use super::next_test::NextTest;
 use super::outcome::Outcome;
@@ -21,6 +21,8 @@ pub struct Settings {
     pub without: Vec<String>,
     /// Number of threads.
     pub threads: usize,
+    /// What an interrupted diagnosis of the same study and library kept.
+    pub earlier: Vec<Told>,
 }
 
 /// Who wants to know how far it has come.
@@ -29,6 +31,8 @@ pub trait Watch {
     fn stage(&mut self, what: &str, done: usize, of: usize);
     /// Whether to stop.
     fn stopped(&self) -> bool;
+    /// What has been worked out so far, for whoever goes on after an interruption.
+    fn keep(&mut self, told: &[Told]);
 }
 
 /// What was found.
@@ -78,7 +82,7 @@ pub fn diagnose(
     let study = simulator.study().clone();
     let blueprint = simulator.blueprint();
     let bench = Bench::new(blueprint.clone(), settings.threads).map_err(|e| e.to_string())?;
-    let mut work = Work { study: study.clone(), bench, watch };
+    let mut work = Work { study: study.clone(), bench, watch, earlier: settings.earlier.clone(), jobs: 0 };
 
     let baseline = fit_baseline(&mut work, opening, text)?;
     let values = baseline.fitted.values.clone();

@@ -1,7 +1,7 @@
 //! The work on variants, with its progress, and what an explanation is.
 
 use super::evidence::{INDEPENDENT, Residuals};
-use super::fitting::{Answer, Bench, Fitted, Job, Task};
+use super::fitting::{Answer, Bench, Fitted, Job, Task, Told};
 use super::pipeline::Watch;
 use super::variant::Variant;
 use crate::study::Study;
@@ -63,21 +63,46 @@ pub(super) struct Work<'a> {
     pub(super) study: Arc<Study>,
     pub(super) bench: Bench,
     pub(super) watch: &'a mut dyn Watch,
+    /// What an interrupted diagnosis came to, job after job, and how many jobs there have been.
+    pub(super) earlier: Vec<Told>,
+    pub(super) jobs: usize,
 }
 
 impl Work<'_> {
+    /// An error where the user wants to stop.
+    pub(super) fn go_on(&self) -> Result<(), String> {
+        if self.watch.stopped() { Err("interrupted".into()) } else { Ok(()) }
+    }
+
+    /// The next job, or what an interrupted diagnosis came to in its place: jobs follow from the answers to those before.
+    fn told(&mut self, job: Job) -> Job {
+        self.jobs += 1;
+        match self.earlier.get(self.jobs - 1) {
+            None | Some(Told::Again) => job,
+            Some(told) => Job { task: Task::Told(told.clone()), ..job },
+        }
+    }
+
     fn run(&mut self, stage: &str, jobs: Vec<Job>) -> Result<Vec<Option<Answer>>, String> {
         let of = jobs.len();
         let mut out = Vec::with_capacity(of);
         // In portions, so that progress is seen and an interruption heard.
         let mut jobs = jobs.into_iter().peekable();
         while jobs.peek().is_some() {
-            if self.watch.stopped() {
-                return Err("interrupted".into());
-            }
+            self.go_on()?;
             self.watch.stage(stage, out.len(), of);
-            let portion: Vec<Job> = jobs.by_ref().take(8).collect();
-            out.extend(self.bench.run(portion));
+            let first = self.jobs;
+            let portion: Vec<Job> = jobs.by_ref().take(8).map(|job| self.told(job)).collect();
+            let answers = self.bench.run(portion);
+            // An analysis that was cut off says nothing: what was worked out before it is kept.
+            if let Err(stopped) = self.go_on() {
+                self.watch.keep(&self.earlier);
+                return Err(stopped);
+            }
+            let known = self.earlier.len().saturating_sub(first);
+            self.earlier.extend(answers.iter().skip(known).map(|a| Told::of(a.as_ref())));
+            self.watch.keep(&self.earlier);
+            out.extend(answers);
         }
         self.watch.stage(stage, of, of);
         Ok(out)
