@@ -226,7 +226,7 @@ impl Calibrated {
 }
 
 /// Whether a channel is a force, to be plotted over a displacement.
-pub(super) fn is_force(o: &Observe) -> bool {
+pub fn is_force(o: &Observe) -> bool {
     let unit = o.unit.as_str();
     ["N", "kN", "MN", "lbf", "kip", "Pa", "kPa", "MPa", "ksi"].contains(&unit) || o.channel.contains("force")
 }

@@ -80,15 +80,17 @@ pub(super) fn conclude(
     causes.push(("unknown", unknown));
     causes.sort_by(|a, b| b.1.total_cmp(&a.1));
     let mut p = probabilities(&causes.iter().map(|c| c.1).collect::<Vec<_>>());
-    let verdict = causes[0].0;
     doubt(&causes, &mut p);
+    let mut odds: Vec<(&'static str, f64)> = causes.iter().map(|c| c.0).zip(p).collect();
+    odds.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let mut verdict = odds[0].0;
     // Where structure is left the nearest repair is written all the same.
     let chosen = match verdict {
         "none" => baseline.clone(),
         "unknown" if best.evidence < evidence_of_none + WORTH => baseline.clone(),
-        _ => best,
+        "unknown" => best,
+        _ => weighed.iter().find(|e| e.cause() == verdict).cloned().unwrap_or(best),
     };
-    let also: Vec<&str> = chosen.second().into_iter().filter(|_| verdict != "unknown").collect();
     // The last search, from where the chosen one stands and from around it: contact and yielding make ridges.
     let starts = around(&chosen.fitted.point);
     let jobs = starts.into_iter().map(|start| Work::search(&chosen.variant, start, LAST)).collect();
@@ -115,18 +117,27 @@ pub(super) fn conclude(
     };
     let corrections = chosen.variant.corrections(&fitted.values);
     let share = if baseline.fitted.objective > 0.0 { fitted.objective / baseline.fitted.objective } else { 1.0 };
-    let mut explanation = explanation(verdict, &chosen, &also, &signature, share);
     // Runs that were held out are looked at here for the first time: they can only take confidence away.
+    let mut contradicted = false;
     if let (Some(before), Some(after)) = (holdout(&before), holdout(&after))
         && !matches!(verdict, "none" | "unknown")
         && after >= before
+        && let Some(n) = odds.iter().position(|(cause, _)| *cause == "unknown")
     {
-        let doubted = (1.0 - CONTRADICTED) * p[0];
-        p[0] -= doubted;
-        if let Some(n) = causes.iter().position(|(cause, _)| *cause == "unknown") {
-            p[n] += doubted;
+        contradicted = true;
+        let doubted = (1.0 - CONTRADICTED) * odds[0].1;
+        odds[0].1 -= doubted;
+        odds[n].1 += doubted;
+        // What they speak for is not asked: another cause would be chosen by them.
+        if odds[n].1 > odds[0].1 {
+            odds.swap(0, n);
+            verdict = "unknown";
         }
-        explanation += " The runs held out contradict it: they get no better.";
+    }
+    let also: Vec<&str> = chosen.second().into_iter().filter(|_| verdict != "unknown").collect();
+    let mut explanation = explanation(verdict, &chosen, &also, &signature, share);
+    if contradicted {
+        explanation += " The runs held out contradict the repair: they get no better.";
     }
     // The verdict and its strongest rival, each as it was fitted.
     let rival = weighed.iter().find(|e| e.cause() != chosen.cause() && e.cause() != "none");
@@ -143,14 +154,13 @@ pub(super) fn conclude(
         mismatch: mismatches(c, &before),
         verdict: Verdict {
             cause: verdict.into(),
-            confidence: p[0],
+            confidence: odds[0].1,
             also: also.iter().map(|a| (*a).to_owned()).collect(),
-            also_possible: causes
+            also_possible: odds
                 .iter()
-                .zip(&p)
                 .skip(1)
-                .filter(|(_, p)| **p > 0.005)
-                .map(|((cause, _), p)| Candidate { cause: (*cause).into(), confidence: *p })
+                .filter(|(_, p)| *p > 0.005)
+                .map(|(cause, p)| Candidate { cause: (*cause).into(), confidence: *p })
                 .collect(),
             explanation,
         },
@@ -178,7 +188,16 @@ pub(super) fn conclude(
             evidence: e.evidence,
         })
         .collect();
-    Ok(Diagnosis { outcome, script, weighed, before, after, next_test, looks: work.bench.looks() })
+    // Where the displacement is not recorded, what the model's device deforms by under an imposed motion.
+    let deformed = |r: usize| -> Option<(String, Vec<f64>)> {
+        let of_run = c.scales.watched.iter().filter(|((run, ..), _)| *run == r && c.imposed);
+        let ((_, tag, _), w) = of_run.max_by(|a, b| a.1.extent().e.total_cmp(&b.1.extent().e))?;
+        (w.e.len() == study.runs[r].recording.times.len())
+            .then(|| (format!("deformation of element {tag}, simulated"), w.e.clone()))
+    };
+    let over = |r: usize| c.simulator.displacement(r, &baseline.fitted.values).or_else(|| deformed(r));
+    let displacements = (0..study.runs.len()).map(over).collect();
+    Ok(Diagnosis { outcome, script, weighed, before, after, displacements, next_test, looks: work.bench.looks() })
 }
 
 /// What the evidence cannot know, that an effect may be too weak to be seen and that no law of the library is the one of

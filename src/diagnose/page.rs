@@ -1,6 +1,7 @@
 //! `report.html`: the verdict first, then what it rests on.
 
 use super::pipeline::Diagnosis;
+use crate::calibrate::{Amplitude, amplitudes, is_force};
 use crate::report::Figure;
 use crate::report::html::{self, escaped, labelled, line, number, picture, table};
 use crate::study::{Fit, Role, Study};
@@ -23,33 +24,9 @@ pub fn page(d: &Diagnosis, study: &Study, text: &str) -> String {
     gain(&mut out, d, study);
     evidence(&mut out, d);
     located(&mut out, d);
-    for (i, run) in study.runs.iter().enumerate() {
-        let role = if run.role == Role::Fit { "fitted" } else { "held out" };
-        let _ = writeln!(out, "<h2>{} ({role})</h2>", escaped(&run.name));
-        for (k, o) in run.observe.iter().enumerate() {
-            let t = &run.recording.times;
-            let over = |y: &[f64]| -> Vec<(f64, f64)> {
-                t.iter().copied().zip(y.iter().copied()).filter(|p| p.1.is_finite()).collect()
-            };
-            let channel = |all: &[Option<Fit>]| all[i].as_ref().map(|f| f.channels[k].clone());
-            let less = |y: Vec<f64>| y.iter().zip(&o.values).map(|(y, v)| y - v).collect::<Vec<f64>>();
-            let (before, after) = (channel(&d.before), channel(&d.after));
-            let place = if o.at.is_empty() { String::new() } else { format!(", {}", o.at) };
-            let mut figure = Figure {
-                title: format!("{}{place}", o.channel),
-                x_label: "time [s]".into(),
-                y_label: labelled(&o.channel, &o.unit),
-                curves: vec![line("recorded", over(&o.values))],
-                ..Figure::default()
-            };
-            let named = [("model as it was", &before), ("repaired", &after)];
-            figure.curves.extend(named.iter().filter_map(|(n, y)| Some(line(n, over(y.as_ref()?)))));
-            picture(&mut out, &figure);
-            figure.title = format!("Simulated less recorded{place}");
-            let residuals = [("model as it was", before), ("repaired", after)];
-            figure.curves = residuals.into_iter().filter_map(|(n, y)| Some(line(n, over(&less(y?))))).collect();
-            picture(&mut out, &figure);
-        }
+    cycles(&mut out, d, study);
+    for i in 0..study.runs.len() {
+        pictures(&mut out, d, study, i);
     }
     changed(&mut out, text, &d.script);
     let _ = writeln!(out, "<h2>Next test</h2>\n<p>{}</p>", escaped(&d.outcome.next_test));
@@ -82,7 +59,7 @@ fn evidence(out: &mut String, d: &Diagnosis) {
     for (cause, p) in std::iter::once(first).chain(v.also_possible.iter().map(|c| (c.cause.as_str(), c.confidence))) {
         let _ = writeln!(
             out,
-            "<tr><td>{}</td><td>{:.1} %</td><td style=\"text-align:left\"><span class=\"bar\" style=\"width:{:.0}px\"></span></td></tr>",
+            "<tr><td>{}</td><td class=\"n\">{:.1} %</td><td><span class=\"bar\" style=\"width:{:.0}px\"></span></td></tr>",
             escaped(cause),
             100.0 * p,
             300.0 * p
@@ -104,6 +81,75 @@ fn located(out: &mut String, d: &Diagnosis) {
         vec![m.run.clone(), m.channel.clone(), m.at.clone(), windows.join(", "), share, m.regime.clone()]
     });
     table(out, &["run", "channel", "place", "windows [s]", "share", "regime"], rows);
+}
+
+/// The channels of a run: over the displacement where they are forces, over time, and what the models miss of them.
+fn pictures(out: &mut String, d: &Diagnosis, study: &Study, run: usize) {
+    let r = &study.runs[run];
+    let role = if r.role == Role::Fit { "fitted" } else { "held out" };
+    let _ = writeln!(out, "<h2>{} ({role})</h2>", escaped(&r.name));
+    let t = &r.recording.times;
+    for (k, o) in r.observe.iter().enumerate() {
+        let over = |x: &[f64], y: &[f64]| -> Vec<(f64, f64)> {
+            x.iter().copied().zip(y.iter().copied()).filter(|p| p.0.is_finite() && p.1.is_finite()).collect()
+        };
+        let models = [("model as it was", &d.before), ("repaired", &d.after)];
+        let models = models.map(|(name, all)| (name, all[run].as_ref().map(|f| &f.channels[k])));
+        let place = if o.at.is_empty() { String::new() } else { format!(", {}", o.at) };
+        let all = |x: &[f64]| {
+            let simulated = models.iter().filter_map(|(name, y)| Some(line(name, over(x, y.as_ref()?))));
+            std::iter::once(line("recorded", over(x, &o.values))).chain(simulated).collect::<Vec<_>>()
+        };
+        let y_label = labelled(&o.channel, &o.unit);
+        if let Some((name, u)) = d.displacements[run].as_ref().filter(|_| is_force(o)) {
+            let (title, x_label) = (format!("Loops{place}"), name.clone());
+            picture(out, &Figure { title, x_label, y_label: y_label.clone(), curves: all(u), ..Figure::default() });
+        }
+        let mut figure = Figure {
+            title: format!("{}{place}", o.channel),
+            x_label: "time [s]".into(),
+            y_label,
+            curves: all(t),
+            ..Figure::default()
+        };
+        picture(out, &figure);
+        let located = d.outcome.mismatch.iter().find(|m| m.run == r.name && m.channel == o.channel);
+        figure.shaded = located.iter().flat_map(|m| &m.windows).map(|w| (w[0], w[1])).collect();
+        let grey = if figure.shaded.is_empty() { "" } else { "; most of the squared error lies in the grey" };
+        figure.title = format!("Simulated less recorded{place}{grey}");
+        figure.first_colour = 1;
+        let less = |y: &[f64]| y.iter().zip(&o.values).map(|(y, v)| y - v).collect::<Vec<f64>>();
+        figure.curves = models.iter().filter_map(|(name, y)| Some(line(name, over(t, &less(y.as_ref()?))))).collect();
+        picture(out, &figure);
+    }
+}
+
+/// Errors of stiffness, energy and damping of the cycles, where forces are recorded over displacements.
+fn cycles(out: &mut String, d: &Diagnosis, study: &Study) {
+    let mut rows = vec![];
+    for (i, run) in study.runs.iter().enumerate() {
+        let Some((_, u)) = &d.displacements[i] else { continue };
+        for (k, o) in run.observe.iter().enumerate().filter(|(_, o)| is_force(o)) {
+            let (Some(before), Some(after)) = (&d.before[i], &d.after[i]) else { continue };
+            let of = |f: &Fit| amplitudes(u, &o.values, &f.channels[k]);
+            for (b, a) in of(before).iter().zip(of(after)) {
+                let percent = |pair: [f64; 2]| format!("{:+.1} %", 100.0 * Amplitude::error(pair));
+                let pairs = [(b.stiffness, a.stiffness), (b.energy, a.energy), (b.damping, a.damping)];
+                let errors = pairs.into_iter().flat_map(|(b, a)| [percent(b), percent(a)]);
+                let what = [run.name.clone(), o.channel.clone(), number(b.amplitude), b.cycles.to_string()];
+                rows.push(what.into_iter().chain(errors).collect());
+            }
+        }
+    }
+    if !rows.is_empty() {
+        let _ = writeln!(
+            out,
+            "<h2>Cycles</h2>\n<p>Errors of secant stiffness K, dissipated energy E and equivalent damping ξ.</p>"
+        );
+        let head =
+            ["run", "channel", "amplitude", "cycles", "K before", "after", "E before", "after", "ξ before", "after"];
+        table(out, &head, rows);
+    }
 }
 
 /// The script with what was changed in it: lines that are in one text only.

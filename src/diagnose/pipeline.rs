@@ -9,6 +9,7 @@ use super::pairs::pairs;
 use super::rounds::{best_of_causes, first_round, fit_baseline, refine, weigh};
 use super::watching;
 use super::work::Work;
+use crate::calibrate::Displacements;
 use crate::study::{Fit, Opening, ScriptSimulator};
 
 /// Causes that go into the last round.
@@ -47,6 +48,8 @@ pub struct Diagnosis {
     pub before: Vec<Option<Fit>>,
     /// The same of the repaired model.
     pub after: Vec<Option<Fit>>,
+    /// What forces are plotted over.
+    pub displacements: Displacements,
     /// The test that would tell more, where one can be made from the motions of the study.
     pub next_test: Option<NextTest>,
     /// How many sets of values the fitted runs were looked at for.

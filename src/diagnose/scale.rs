@@ -30,7 +30,7 @@ pub struct Watched {
 }
 
 impl Watched {
-    fn extent(&self) -> Extent {
+    pub(super) fn extent(&self) -> Extent {
         let finite = |v: &[f64]| v.iter().filter(|x| x.is_finite()).fold(0.0f64, |m, x| m.max(x.abs()));
         let mut x = Extent { e: finite(&self.e), q: finite(&self.q), ..Extent::default() };
         for i in 1..self.times.len() {

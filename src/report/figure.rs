@@ -39,6 +39,10 @@ pub struct Figure {
     pub x_range: Option<(f64, f64)>,
     /// Ends of the vertical axis, likewise.
     pub y_range: Option<(f64, f64)>,
+    /// Stretches of the horizontal axis that are shaded.
+    pub shaded: Vec<(f64, f64)>,
+    /// Colours are counted from this one on: the same thing has the same colour in two charts.
+    pub first_colour: usize,
     /// Curves, drawn in this order.
     pub curves: Vec<Curve>,
 }
@@ -160,8 +164,10 @@ impl Figure {
             .axis_desc_style(("sans-serif", 14))
             .draw()
             .map_err(|e| failed(&e))?;
+        let shade = self.shaded.iter().map(|s| Rectangle::new([(s.0, y.0), (s.1, y.1)], BLACK.mix(0.08).filled()));
+        chart.draw_series(shade).map_err(|e| failed(&e))?;
         for (i, curve) in self.curves.iter().enumerate() {
-            let colour = COLOURS[i % COLOURS.len()];
+            let colour = COLOURS[(self.first_colour + i) % COLOURS.len()];
             let points = curve.points.iter().copied().filter(|p| p.0.is_finite() && p.1.is_finite());
             let drawn = match curve.mark {
                 Mark::Line => chart.draw_series(LineSeries::new(points, colour.stroke_width(1))),

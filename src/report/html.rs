@@ -4,8 +4,8 @@ use super::{Curve, Figure, Mark};
 use std::fmt::Write as _;
 
 const STYLE: &str = "body{font:15px/1.5 system-ui,sans-serif;max-width:1000px;margin:2em auto;padding:0 1em;color:#222}\
-    table{border-collapse:collapse;margin:1em 0}td,th{padding:.25em .8em;border-bottom:1px solid #ddd;text-align:right}\
-    td:first-child,th:first-child{text-align:left}svg{max-width:100%;height:auto}h2{margin-top:2em}\
+    table{border-collapse:collapse;margin:1em 0}td,th{padding:.25em .8em;border-bottom:1px solid #ddd;text-align:left}\
+    .n{text-align:right}svg{max-width:100%;height:auto}h2{margin-top:2em}\
     .note{background:#fff6e0;padding:.5em 1em;border-left:4px solid #e69f00}\
     .verdict{font-size:1.15em;background:#eef4fb;padding:.7em 1em;border-left:4px solid #0072b2}\
     .bar{display:inline-block;height:.8em;background:#0072b2}pre{background:#f6f6f6;padding:.7em;overflow-x:auto}\
@@ -25,14 +25,22 @@ pub fn number(x: f64) -> String {
 
 /// A table with the words of its head.
 pub fn table(out: &mut String, head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) {
-    let line = |tag: &str, cells: &mut dyn Iterator<Item = String>| {
-        let cells: String = cells.map(|c| format!("<{tag}>{c}</{tag}>")).collect();
-        format!("<tr>{cells}</tr>\n")
-    };
     out.push_str("<table>\n");
-    out.push_str(&line("th", &mut head.iter().map(|h| escaped(h))));
-    for row in rows {
-        out.push_str(&line("td", &mut row.iter().map(|c| escaped(c))));
+    let rows: Vec<Vec<String>> = rows.into_iter().collect();
+    let is_number = |c: &String| c.trim_end_matches([' ', '%']).parse::<f64>().is_ok();
+    // Numbers stand below each other, and their head above them.
+    let of_numbers: Vec<bool> = (0..head.len()).map(|k| rows.iter().any(|r| r.get(k).is_some_and(is_number))).collect();
+    let mut line = |tag: &str, cells: &mut dyn Iterator<Item = &str>| {
+        out.push_str("<tr>");
+        for (k, cell) in cells.enumerate() {
+            let class = if of_numbers.get(k).is_some_and(|n| *n) { " class=\"n\"" } else { "" };
+            let _ = write!(out, "<{tag}{class}>{}</{tag}>", escaped(cell));
+        }
+        out.push_str("</tr>\n");
+    };
+    line("th", &mut head.iter().copied());
+    for row in &rows {
+        line("td", &mut row.iter().map(String::as_str));
     }
     out.push_str("</table>\n");
 }
