@@ -1,5 +1,6 @@
 //! From the explanations that were weighed to the verdict, the repaired model and the words.
 
+use super::correction::Correction;
 use super::evidence::{INDEPENDENT, probabilities};
 use super::hypothesis;
 use super::insertion::Place;
@@ -119,8 +120,12 @@ pub(super) fn conclude(
     let share = if baseline.fitted.objective > 0.0 { fitted.objective / baseline.fitted.objective } else { 1.0 };
     // Runs that were held out are looked at here for the first time: they can only take confidence away.
     let mut contradicted = false;
+    let concerned =
+        |f: &Correction| f.run.as_ref().is_none_or(|name| study.runs_of(Role::Holdout).any(|(_, r)| r.name == *name));
+    let acts_there = chosen.variant.edits() || corrections.iter().any(concerned);
     if let (Some(before), Some(after)) = (holdout(&before), holdout(&after))
         && !matches!(verdict, "none" | "unknown")
+        && acts_there
         && after >= before
         && let Some(n) = odds.iter().position(|(cause, _)| *cause == "unknown")
     {

@@ -12,8 +12,8 @@ use std::sync::Arc;
 /// Proposals that are fitted after the screening, and of one cause.
 const FIRST_ROUND: usize = 20;
 const OF_A_CAUSE: usize = 3;
-/// Of those of which nothing is to be expected, so many are fitted all the same, and the best of each cause; and what is
-/// nothing, in log evidence.
+/// Of those of which nothing is to be expected, so many are fitted all the same, and the best of each cause, since the
+/// right one may show only once it has the right size; and what is nothing, in log evidence.
 const FITTED: usize = 8;
 const EXPECTED: f64 = -3.0;
 /// Points at which a proposal is tried, for each of its parameters and beside them: from the fitted model, and from the
@@ -109,10 +109,10 @@ pub(super) fn first_round(
     ranked.sort_by_key(|(further, _)| *further);
     let promising = |s: &Screened| 0.5 * INDEPENDENT * (baseline.score() - s.score()) > EXPECTED;
     let (mut picked, mut others) = (vec![], vec![]);
-    for (place, (further, s)) in ranked.into_iter().enumerate() {
+    for (place, (_, s)) in ranked.into_iter().enumerate() {
         if place < FITTED || promising(&s) {
             picked.push(s);
-        } else if !further && !s.variant.of_a_channel() {
+        } else if !s.variant.of_a_channel() {
             others.push(s);
         }
     }

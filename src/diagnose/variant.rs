@@ -60,6 +60,11 @@ impl Variant {
         faults.map_or_else(Vec::new, |f| f(self.split(values).1))
     }
 
+    /// Whether it changes the script, and not only what channels show of it.
+    pub fn edits(&self) -> bool {
+        self.proposal.as_ref().is_some_and(|p| !p.block.is_empty())
+    }
+
     /// Number of parameters to be found.
     pub fn dimension(&self) -> usize {
         self.study.space.dimension()
