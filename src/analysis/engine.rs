@@ -389,6 +389,7 @@ impl Engine {
             moved: true,
             asked: None,
             still: false,
+            summed: false,
             settled: false,
         })
     }

@@ -3,7 +3,7 @@
 use super::ground_inertia::GroundInertia;
 use crate::assembly::{DofMap, Imposed};
 use crate::element::ElementLoad;
-use crate::model::{ElementId, Ground, Model, PatternKind, Tag};
+use crate::model::{Drive, ElementId, Ground, Model, Pattern, PatternKind, Tag};
 
 /// An imposed displacement, found once.
 #[derive(Clone, Debug)]
@@ -41,6 +41,8 @@ impl ImposedDof {
 #[derive(Clone, Debug)]
 pub struct Loads {
     tags: Vec<Tag>,
+    /// What the load factor of each pattern comes from.
+    drives: Vec<Drive>,
     /// Load factor (or ground acceleration) of each pattern at the last time.
     factors: Vec<f64>,
     entries: Vec<NodalEntry>,
@@ -59,6 +61,7 @@ impl Loads {
     pub(super) fn new(model: &Model, map: &DofMap, compat: bool) -> Self {
         let tags: Vec<Tag> = model.patterns.keys().copied().collect();
         let mut loads = Self {
+            drives: model.patterns.values().map(Pattern::drive).collect(),
             factors: vec![0.0; tags.len()],
             entries: vec![],
             inertia: vec![],
@@ -154,8 +157,8 @@ impl Loads {
     pub(super) fn apply(&mut self, model: &Model, time: f64, words: &mut [f64]) -> Result<bool, (String, String)> {
         let mut changed = !self.valid;
         self.imposed.iter_mut().for_each(|i| i.follow_ground(model, time));
-        for (f, p) in self.factors.iter_mut().zip(model.patterns.values()) {
-            let factor = p.factor(time);
+        for (f, drive) in self.factors.iter_mut().zip(&self.drives) {
+            let factor = drive.factor(time);
             changed |= factor != *f;
             *f = factor;
         }

@@ -47,16 +47,11 @@ pub(super) struct Matrices {
     /// damping makes forces of the matrices all of them.
     pub rows: Rows,
     mass: MassPlace,
+    /// Inertia or damping forces come with its motion.
+    is_dynamic: bool,
     rayleigh: Rayleigh,
     /// Those that reports of damping forces count: OpenSees asks no element whether it takes part.
     reported: Rayleigh,
-}
-
-impl Matrices {
-    /// Whether inertia or damping forces come with its motion.
-    fn is_dynamic(&self) -> bool {
-        !matches!(self.mass, MassPlace::None) || !self.rayleigh.is_zero()
-    }
 }
 
 #[derive(Clone, Debug)]
@@ -106,6 +101,8 @@ pub struct Prepared {
     pub(super) updates: u32,
     /// Displacements that the elements were asked at last, and then their velocities, element after element.
     pub(super) motions: Vec<f64>,
+    /// Displacements of all degrees of freedom when the elements were asked last in a step.
+    pub(super) asked_at: Vec<f64>,
     initial: Vec<f64>,
     committed: Vec<f64>,
     mass: Vec<f64>,
@@ -168,6 +165,7 @@ impl Prepared {
                 rates: nature.viscous || nature.elapses,
                 counts_calls: e.element.counts_calls(),
                 damping: nature.viscous.then_some(damping),
+                is_dynamic: !matches!(place, MassPlace::None) || !rayleigh.is_zero(),
                 mass: place,
                 rayleigh,
                 reported,
@@ -201,6 +199,7 @@ impl Prepared {
             asking: Asking::default(),
             updates: 0,
             motions: vec![0.0; motion],
+            asked_at: vec![0.0; model.dofs()],
             initial: vec![],
             committed: vec![],
             mass,
@@ -248,6 +247,12 @@ impl Prepared {
     pub(super) fn forget(&mut self) {
         self.tangent_is_current = false;
         self.solver.forget();
+    }
+
+    /// Clear `spread` of imposed motions and of what followed them.
+    pub(super) fn clear_imposed(&mut self) {
+        self.loads.imposed.iter().for_each(|i| self.spread[i.dof] = 0.0);
+        self.plan.map.dependents.iter().for_each(|d| self.spread[d.dof] = 0.0);
     }
 
     /// Whether the damping needs the tangent of the committed state.
@@ -341,7 +346,7 @@ impl Prepared {
             for (&d, f) in e.dofs.iter().zip(force) {
                 self.full[d as usize] -= f;
             }
-            if dynamic && m.is_dynamic() {
+            if dynamic && m.is_dynamic {
                 let mut f = [0.0; MAX_DOFS];
                 self.add_dynamic_force(&e.dofs, m, state, true, &mut f);
                 for (&d, f) in e.dofs.iter().zip(&f) {
@@ -353,13 +358,14 @@ impl Prepared {
 
     /// Subtract the same from the unbalance of the equations: what goes to the supports is left out.
     pub(super) fn condense_elements(&mut self, model: &Model, state: &State, dynamic: bool) {
-        for (i, (e, m)) in model.elements.iter().zip(&self.matrices).enumerate() {
-            self.plan.subtract_force(i, &state.force[e.force.clone()], &mut self.b);
-            if dynamic && m.is_dynamic() {
-                let mut f = [0.0; MAX_DOFS];
-                self.add_dynamic_force(&e.dofs, m, state, true, &mut f);
-                self.plan.subtract_force(i, &f, &mut self.b);
-            }
+        self.plan.subtract_forces(&state.force, &mut self.b);
+        if !dynamic {
+            return;
+        }
+        for (i, (e, m)) in model.elements.iter().zip(&self.matrices).enumerate().filter(|(_, (_, m))| m.is_dynamic) {
+            let mut f = [0.0; MAX_DOFS];
+            self.add_dynamic_force(&e.dofs, m, state, true, &mut f);
+            self.plan.subtract_force(i, e.force.start, &f, &mut self.b);
         }
     }
 

@@ -42,6 +42,8 @@ pub struct System<'a> {
     pub asked: Option<f64>,
     /// Nothing has a velocity in this step.
     pub still: bool,
+    /// The unbalance in `work.b` is that of the answers of the elements and of the loads as they are: it is not summed again.
+    pub summed: bool,
     /// The test is passed whatever the last correction has done to the forces: an element that it has moved by no more than
     /// round-off has not moved.
     pub settled: bool,
@@ -49,6 +51,9 @@ pub struct System<'a> {
 
 /// Displacements that differ by no more than this fraction differ by the round-off of a correction.
 const ROUND_OFF: f64 = 2.0 * f64::EPSILON;
+
+/// Displacements that are compared at once.
+const SIDE_BY_SIDE: usize = 12;
 
 impl System<'_> {
     /// A failure of this step.
@@ -69,6 +74,7 @@ impl System<'_> {
     /// Set the time, and with it loads and imposed displacements.
     pub fn apply_loads(&mut self, time: f64) -> Result<(), Failure> {
         self.new.time = time;
+        self.summed = false;
         let applied = self.work.loads.apply(self.model, time, &mut self.new.element_load);
         self.moved |= applied.map_err(|(element, message)| self.failure(Cause::Element { element, message }))?;
         self.impose();
@@ -92,16 +98,15 @@ impl System<'_> {
             work.spread[d.dof] = step;
             self.new.disp[d.dof] += step;
         }
-        work.spread.fill(0.0);
-        self.impose_rates();
+        work.clear_imposed();
+        if work.loads.moves {
+            self.impose_rates();
+        }
     }
 
     /// Give the degrees of freedom that follow the ground its velocity and acceleration, and those that follow them.
     fn impose_rates(&mut self) {
         let work = &mut *self.work;
-        if !work.loads.imposed.iter().any(|i| Loads::imposed_rates(i).is_some()) {
-            return;
-        }
         for part in [0, 1] {
             let field = if part == 0 { &mut self.new.vel } else { &mut self.new.accel };
             for i in &work.loads.imposed {
@@ -116,7 +121,7 @@ impl System<'_> {
                 work.spread[d.dof] = step;
                 field[d.dof] += step;
             }
-            work.spread.fill(0.0);
+            work.clear_imposed();
         }
     }
 
@@ -128,6 +133,27 @@ impl System<'_> {
         for (l, x) in self.new.multipliers.iter_mut().zip(&correction[n..]) {
             *l += x;
         }
+    }
+
+    /// Add a correction of the equations to the trial motion as the unknown of an integrator: only the degrees of freedom
+    /// that it moves are touched.
+    pub fn add_correction(&mut self, correction: &[f64], c: Coefficients) {
+        let map = &self.work.plan.map;
+        if !map.dependents.is_empty() {
+            self.spread(correction);
+            return self.add_motion(c);
+        }
+        self.moved = true;
+        let new = &mut *self.new;
+        let (own, multipliers) = correction.split_at(map.equations);
+        for (x, &dof) in own.iter().zip(&map.dof_of) {
+            new.disp[dof] += c.k * x;
+            if self.dynamic {
+                new.vel[dof] += c.c * x;
+                new.accel[dof] += c.m * x;
+            }
+        }
+        new.multipliers.iter_mut().zip(multipliers).for_each(|(l, x)| *l += x);
     }
 
     /// Add `work.spread` times a factor to the trial displacements.
@@ -181,6 +207,10 @@ impl System<'_> {
         let tangents = want_tangent && !self.work.tangent_is_current;
         let all = self.moved || tangents;
         let asked_before = self.asked.take() == Some(self.new.time) && !tangents;
+        if asked_before && self.work.counting.is_empty() && self.nothing_has_moved() {
+            self.asked = Some(self.new.time);
+            return Ok(());
+        }
         let mut asked = false;
         for i in 0..self.model.elements.len() {
             let m = &self.work.matrices[i];
@@ -194,10 +224,24 @@ impl System<'_> {
         }
         let work = &mut *self.work;
         work.tangent_is_current = want_tangent || (work.tangent_is_current && !(all && asked));
+        self.summed &= !asked && work.counting.is_empty();
         if all {
             self.asked = Some(self.new.time);
+            work.asked_at.copy_from_slice(&self.new.disp);
         }
         Ok(())
+    }
+
+    /// Whether all nodes are where the elements were asked last, and no element has loads of its own: the common end of a
+    /// step, found without going through the elements.
+    fn nothing_has_moved(&self) -> bool {
+        let slack = if self.settled { ROUND_OFF } else { 0.0 };
+        let near = |all: bool, (new, old): (&f64, &f64)| all & ((new - old).abs() <= slack * old.abs());
+        // A few side by side, which the compiler does at once.
+        let (new, old) = (self.new.disp.chunks(SIDE_BY_SIDE), self.work.asked_at.chunks(SIDE_BY_SIDE));
+        self.still
+            && self.new.element_load.is_empty()
+            && new.zip(old).all(|(new, old)| new.iter().zip(old).fold(true, near))
     }
 
     /// Whether an element without loads of its own is where it was asked last.
@@ -270,7 +314,12 @@ impl System<'_> {
     /// to be needed.
     pub fn form_unbalance(&mut self, want_tangent: bool) -> Result<(), Failure> {
         self.respond(want_tangent)?;
+        if self.summed && !self.dynamic {
+            return Ok(());
+        }
         self.sum_unbalance();
+        // What constraints in the equations add depends on the displacements themselves.
+        self.summed = self.work.plan.map.links.is_empty();
         if self.work.b.iter().any(|b| !b.is_finite()) {
             let at = self.work.b.iter().position(|b| !b.is_finite()).unwrap_or(0);
             return Err(self.failure_at(Cause::NotFinite, at));
@@ -280,13 +329,15 @@ impl System<'_> {
 
     fn sum_unbalance(&mut self) {
         let work = &mut *self.work;
-        work.full.copy_from_slice(&work.loads.nodal);
+        let n = work.plan.map.equations;
         if self.dynamic {
+            work.full.copy_from_slice(&work.loads.nodal);
             work.subtract_nodal_inertia(self.new);
             work.subtract_modal_damping(self.new);
+            work.plan.map.condense(&work.full, &mut work.b[..n]);
+        } else {
+            work.plan.map.condense(&work.loads.nodal, &mut work.b[..n]);
         }
-        let n = work.plan.map.equations;
-        work.plan.map.condense(&work.full, &mut work.b[..n]);
         work.b[n..].fill(0.0);
         work.condense_elements(self.model, self.new, self.dynamic);
         let loads = &work.loads;

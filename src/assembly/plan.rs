@@ -22,7 +22,7 @@ struct Scatter {
 /// Where a force of an element goes: none of these for a degree of freedom that is held.
 #[derive(Clone, Copy, Debug)]
 struct ForceTerm {
-    /// Place among the forces of the element.
+    /// Place among the forces of all elements.
     from: u32,
     equation: u32,
     coef: f64,
@@ -94,7 +94,7 @@ impl Plan {
             forces: vec![],
             multipliers,
         };
-        plan.scatters = model.elements.iter().map(|e| plan.scatter_of(&e.dofs)).collect();
+        plan.scatters = model.elements.iter().map(|e| plan.scatter_of(&e.dofs, e.force.start)).collect();
         Ok(plan)
     }
 
@@ -103,7 +103,7 @@ impl Plan {
         self.pattern.n
     }
 
-    fn scatter_of(&mut self, dofs: &[u32]) -> Scatter {
+    fn scatter_of(&mut self, dofs: &[u32], force: usize) -> Scatter {
         let start = self.to.len();
         let n = dofs.len();
         let mut coefs = vec![];
@@ -125,7 +125,8 @@ impl Plan {
         let first = self.forces.len();
         for (i, &d) in dofs.iter().enumerate() {
             let terms = self.map.terms(d as usize).iter();
-            self.forces.extend(terms.map(|&(equation, coef)| ForceTerm { from: i as u32, equation, coef }));
+            let from = (force + i) as u32;
+            self.forces.extend(terms.map(|&(equation, coef)| ForceTerm { from, equation, coef }));
         }
         let forces = first..self.forces.len();
         if coefs.iter().all(|&c| c == 1.0) {
@@ -136,11 +137,19 @@ impl Plan {
         Scatter { entries, coefs: Some(at), forces }
     }
 
-    /// Subtract the forces of an element from the forces of the equations.
+    /// Subtract the forces of all elements from the forces of the equations.
     #[inline]
-    pub fn subtract_force(&self, element: usize, force: &[f64], equations: &mut [f64]) {
+    pub fn subtract_forces(&self, all: &[f64], equations: &mut [f64]) {
+        for t in &self.forces {
+            equations[t.equation as usize] -= t.coef * all[t.from as usize];
+        }
+    }
+
+    /// Subtract other forces of an element, whose own begin at `start` among those of all elements.
+    #[inline]
+    pub fn subtract_force(&self, element: usize, start: usize, force: &[f64], equations: &mut [f64]) {
         for t in &self.forces[self.scatters[element].forces.clone()] {
-            equations[t.equation as usize] -= t.coef * force[t.from as usize];
+            equations[t.equation as usize] -= t.coef * force[t.from as usize - start];
         }
     }
 

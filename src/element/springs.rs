@@ -1,7 +1,7 @@
 //! Uniaxial springs side by side: what `zeroLength` and `twoNodeLink` have in common.
 
 use super::{Answer, BasicRow, ElementError, Motion, Nature, Snapshot};
-use crate::material::{Material, Slot, Strain};
+use crate::material::{Material, Slot, Strain, Stress};
 use crate::probe::Probe;
 use nalgebra::Matrix3;
 
@@ -28,6 +28,8 @@ struct Spring {
     terms: Vec<(usize, f64)>,
     /// Deformation that it measures from.
     initial: f64,
+    /// The next spring has the same deformation: its answer is added before the sum goes to the nodes.
+    shared: bool,
 }
 
 impl Spring {
@@ -75,7 +77,10 @@ impl Springs {
         let slot = place((material, tag));
         let damper = damper.map(place);
         let terms = row.iter().copied().enumerate().filter(|(_, r)| *r != 0.0).collect();
-        self.springs.push(Spring { slot, damper, direction, row, terms, initial });
+        if let Some(last) = self.springs.last_mut() {
+            last.shared = last.row == row && last.initial == initial;
+        }
+        self.springs.push(Spring { slot, damper, direction, row, terms, initial, shared: false });
     }
 
     pub(super) fn state_len(&self) -> usize {
@@ -130,23 +135,34 @@ impl Springs {
         trial: &mut [f64],
         answer: &mut Answer<'_>,
     ) -> Result<(), ElementError> {
+        // Of springs with one deformation.
+        let (mut strain, mut sum) = (None, Stress::default());
         for s in &self.springs {
-            let (value, rate) = (s.measure(motion.disp) - s.initial, s.measure(motion.vel));
-            let stress = s.slot.update(committed, Strain { value, rate, dt: motion.dt }, trial)?;
-            let (mut force, mut damping) = (stress.value, stress.damping);
+            let at = *strain.get_or_insert_with(|| {
+                let value = s.measure(motion.disp) - s.initial;
+                Strain { value, rate: s.measure(motion.vel), dt: motion.dt }
+            });
+            let stress = s.slot.update(committed, at, trial)?;
+            sum.value += stress.value;
+            sum.tangent += stress.tangent;
+            sum.damping += stress.damping;
             if let Some(d) = &s.damper {
                 // A damper's "strain" is the rate of deformation, so its tangent is the damping.
-                let c = d.update(committed, Strain { value: rate, rate: 0.0, dt: motion.dt }, trial)?;
-                force += c.value;
-                damping += c.tangent;
+                let c = d.update(committed, Strain { value: at.rate, rate: 0.0, dt: motion.dt }, trial)?;
+                sum.value += c.value;
+                sum.damping += c.tangent;
             }
-            s.terms.iter().for_each(|&(i, r)| answer.force[i] += force * r);
+            if s.shared {
+                continue;
+            }
+            s.terms.iter().for_each(|&(i, r)| answer.force[i] += sum.value * r);
             if let Some(k) = answer.tangent.as_deref_mut() {
-                s.add_stiffness(k, s.row.len(), stress.tangent);
+                s.add_stiffness(k, s.row.len(), sum.tangent);
             }
             if let Some(c) = answer.damping.as_deref_mut() {
-                s.add_stiffness(c, s.row.len(), damping);
+                s.add_stiffness(c, s.row.len(), sum.damping);
             }
+            (strain, sum) = (None, Stress::default());
         }
         Ok(())
     }

@@ -13,6 +13,8 @@ pub struct Slot {
     pub tag: i32,
     at: usize,
     len: usize,
+    /// Stiffness of a law without history whose stress is proportional to the strain: there is nothing to ask it.
+    linear: Option<f64>,
 }
 
 const STRAIN: usize = 0;
@@ -29,7 +31,13 @@ impl Slot {
     /// Place a material at word `at` of the owner's state.
     pub fn new(material: Material, tag: i32, at: usize) -> Self {
         let len = HEADER + material.state_len();
-        Self { material, tag, at, len }
+        let linear = Self::stiffness_of(&material);
+        Self { material, tag, at, len, linear }
+    }
+
+    fn stiffness_of(material: &Material) -> Option<f64> {
+        let plain = material.is_linear() && !material.is_viscous() && material.state_len() == 0;
+        plain.then(|| material.initial_tangent())
     }
 
     /// Place materials one after the other from word `at`; also the first word after them.
@@ -70,7 +78,10 @@ impl Slot {
         let old = &committed[self.at..end];
         let new = &mut trial[self.at..end];
         let (head, next) = new.split_at_mut(HEADER);
-        let s = self.material.update(&old[HEADER..], strain, next)?;
+        let s = match self.linear {
+            Some(k) => Stress { value: k * strain.value, tangent: k, damping: 0.0 },
+            None => self.material.update(&old[HEADER..], strain, next)?,
+        };
         head[STRAIN] = strain.value;
         head[RATE] = strain.rate;
         head[STRESS] = s.value;
@@ -82,6 +93,7 @@ impl Slot {
     /// Give a parameter of the material, by the words of a `parameter` command, another value; the one it had.
     pub fn set_parameter(&mut self, words: &[&str], value: f64) -> Option<f64> {
         let (material, old) = self.material.with_parameter(words, value)?;
+        self.linear = Self::stiffness_of(&material);
         self.material = material;
         Some(old)
     }

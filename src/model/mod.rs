@@ -14,7 +14,7 @@ pub use definitions::{Definitions, Integration, Registry};
 pub use ground_motion::GroundMotion;
 pub use modal_damping::ModalDamping;
 pub use node::Node;
-pub use pattern::{Excitation, Ground, NodalLoad, Pattern, PatternKind, SupportMotion};
+pub use pattern::{Drive, Excitation, Ground, NodalLoad, Pattern, PatternKind, SupportMotion};
 
 use crate::element::Element;
 use std::collections::BTreeMap;

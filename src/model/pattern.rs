@@ -73,6 +73,34 @@ pub enum PatternKind {
     MultipleSupport(BTreeMap<Tag, GroundMotion>),
 }
 
+/// What the load factor of a pattern comes from.
+#[derive(Clone, Debug)]
+pub enum Drive {
+    /// It stays what it is.
+    Held(f64),
+    /// A series times a constant factor.
+    Series(Series, f64),
+    /// The acceleration of the ground, which rests before time zero.
+    Ground(Series),
+}
+
+impl Drive {
+    /// The load factor at a time.
+    pub fn factor(&self, time: f64) -> f64 {
+        match self {
+            Self::Held(factor) => *factor,
+            Self::Series(series, factor) => factor * series.factor(time),
+            Self::Ground(accel) => {
+                if time < 0.0 {
+                    0.0
+                } else {
+                    accel.factor(time)
+                }
+            }
+        }
+    }
+}
+
 /// A load pattern.
 #[derive(Clone, Debug)]
 pub struct Pattern {
@@ -96,13 +124,17 @@ impl Pattern {
 
     /// Load factor at a time; for a uniform excitation the ground acceleration.
     pub fn factor(&self, time: f64) -> f64 {
-        match &self.kind {
-            PatternKind::Plain { series, factor } => self.held.unwrap_or_else(|| factor * series.factor(time)),
-            PatternKind::Uniform(e) => {
-                let time = self.held.unwrap_or(time);
-                if time < 0.0 { 0.0 } else { e.accel.factor(time) }
-            }
-            PatternKind::MultipleSupport(_) => 0.0,
+        self.drive().factor(time)
+    }
+
+    /// What its load factor comes from, on its own.
+    pub fn drive(&self) -> Drive {
+        match (&self.kind, self.held) {
+            (PatternKind::Plain { .. }, Some(factor)) => Drive::Held(factor),
+            (PatternKind::Plain { series, factor }, None) => Drive::Series(series.clone(), *factor),
+            (PatternKind::Uniform(e), None) => Drive::Ground(e.accel.clone()),
+            (PatternKind::Uniform(e), Some(time)) => Drive::Held(Drive::Ground(e.accel.clone()).factor(time)),
+            (PatternKind::MultipleSupport(_), _) => Drive::Held(0.0),
         }
     }
 

@@ -28,6 +28,16 @@ impl DenseLu {
             let usable = pivot != 0.0 && pivot.is_finite();
             return if usable { Ok(pivots) } else { Err(SolveError::Singular { equation: 0 }) };
         }
+        // For the few equations of a single bearing or a small building the loops over a size that is known take half the
+        // time.
+        match n {
+            2 => return self.eliminate::<2>(pivots),
+            3 => return self.eliminate::<3>(pivots),
+            4 => return self.eliminate::<4>(pivots),
+            5 => return self.eliminate::<5>(pivots),
+            6 => return self.eliminate::<6>(pivots),
+            _ => {}
+        }
         for (j, s) in self.scale.iter_mut().enumerate() {
             *s = (0..n).map(|i| values[i * n + j].abs()).fold(0.0, f64::max);
         }
@@ -64,11 +74,55 @@ impl DenseLu {
         Ok(pivots)
     }
 
+    /// Factor `N` equations.
+    fn eliminate<const N: usize>(&mut self, mut pivots: Pivots) -> Result<Pivots, SolveError> {
+        let rows = self.lu.as_chunks_mut::<N>().0;
+        let Ok(rows) = <&mut [[f64; N]; N]>::try_from(rows) else {
+            return Err(SolveError::Singular { equation: 0 });
+        };
+        let scale: [f64; N] = std::array::from_fn(|j| rows.iter().fold(0.0, |m, row| f64::max(m, row[j].abs())));
+        for k in 0..N {
+            let mut p = k;
+            for i in k + 1..N {
+                if rows[i][k].abs() > rows[p][k].abs() {
+                    p = i;
+                }
+            }
+            self.exchange[k] = p;
+            if p != k {
+                rows.swap(k, p);
+            }
+            let pivot_row = rows[k];
+            let pivot = pivot_row[k];
+            pivots.see(k, pivot, scale[k]);
+            if pivot == 0.0 || !pivot.is_finite() {
+                return Err(SolveError::Singular { equation: k });
+            }
+            let inverse = 1.0 / pivot;
+            for row in &mut rows[k + 1..] {
+                let f = row[k] * inverse;
+                row[k] = f;
+                for j in k + 1..N {
+                    row[j] -= f * pivot_row[j];
+                }
+            }
+        }
+        Ok(pivots)
+    }
+
     pub(super) fn solve(&self, x: &mut [f64]) {
         let n = self.n;
         if let [x] = x {
             *x /= self.lu[0];
             return;
+        }
+        match self.n {
+            2 => return self.substitute::<2>(x),
+            3 => return self.substitute::<3>(x),
+            4 => return self.substitute::<4>(x),
+            5 => return self.substitute::<5>(x),
+            6 => return self.substitute::<6>(x),
+            _ => {}
         }
         for (k, &p) in self.exchange.iter().enumerate() {
             x.swap(k, p);
@@ -80,6 +134,23 @@ impl DenseLu {
         for i in (0..n).rev() {
             let s: f64 = self.lu[i * n + i + 1..i * n + n].iter().zip(&x[i + 1..]).map(|(u, x)| u * x).sum();
             x[i] = (x[i] - s) / self.lu[i * n + i];
+        }
+    }
+
+    /// Solve `N` equations.
+    fn substitute<const N: usize>(&self, x: &mut [f64]) {
+        let rows = <&[[f64; N]; N]>::try_from(self.lu.as_chunks::<N>().0);
+        let (Ok(rows), Ok(x)) = (rows, <&mut [f64; N]>::try_from(x)) else { return };
+        for (k, &p) in self.exchange.iter().enumerate() {
+            x.swap(k, p);
+        }
+        for i in 1..N {
+            let s: f64 = (0..i).map(|j| rows[i][j] * x[j]).sum();
+            x[i] -= s;
+        }
+        for i in (0..N).rev() {
+            let s: f64 = (i + 1..N).map(|j| rows[i][j] * x[j]).sum();
+            x[i] = (x[i] - s) / rows[i][i];
         }
     }
 }

@@ -87,6 +87,7 @@ impl Engine {
             moved: false,
             asked: None,
             still: false,
+            summed: false,
             settled: false,
             work,
         };
@@ -129,6 +130,7 @@ impl Engine {
             moved: false,
             asked: None,
             still: setup.kind == Kind::Static && !work.loads.moves && self.committed.vel.iter().all(|v| *v == 0.0),
+            summed: false,
             settled: false,
             work,
         };

@@ -73,8 +73,7 @@ impl Integrator for Collocation {
     }
 
     fn update(&mut self, s: &mut System<'_>, correction: &mut [f64]) -> Result<(), Failure> {
-        s.spread(correction);
-        s.add_motion(self.c);
+        s.add_correction(correction, self.c);
         Ok(())
     }
 

@@ -36,9 +36,7 @@ impl Integrator for LoadControl {
     }
 
     fn update(&mut self, s: &mut System<'_>, correction: &mut [f64]) -> Result<(), Failure> {
-        s.spread(correction);
-        s.add_disp(1.0);
-        s.work.spread.fill(0.0);
+        s.add_correction(correction, s.coefficients);
         Ok(())
     }
 

@@ -121,8 +121,7 @@ impl<M: Method> Integrator for Multistep<M> {
     }
 
     fn update(&mut self, s: &mut System<'_>, correction: &mut [f64]) -> Result<(), Failure> {
-        s.spread(correction);
-        s.add_motion(self.c);
+        s.add_correction(correction, self.c);
         Ok(())
     }
 

@@ -77,8 +77,7 @@ impl Integrator for Newmark {
     }
 
     fn update(&mut self, s: &mut System<'_>, correction: &mut [f64]) -> Result<(), Failure> {
-        s.spread(correction);
-        s.add_motion(self.c);
+        s.add_correction(correction, self.c);
         Ok(())
     }
 }

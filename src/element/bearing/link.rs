@@ -27,7 +27,8 @@ pub struct Link<const N: usize, const B: usize> {
 }
 
 /// Motion of a link in local axes. In the plane what points out of it is zero.
-struct LocalMotion {
+#[derive(Clone, Copy, Debug)]
+pub struct LocalMotion {
     /// Displacement of node j relative to node i.
     offset: [f64; 3],
     /// Rotations of node i and of node j.
@@ -95,8 +96,9 @@ impl<const N: usize, const B: usize> Link<N, B> {
         self
     }
 
+    /// Global displacements (or their rates) in local axes: what deformations and P-Delta moments come from.
     #[inline]
-    fn local_motion(&self, disp: &[f64]) -> LocalMotion {
+    pub fn local_motion(&self, disp: &[f64]) -> LocalMotion {
         let (u, a) = (&disp[..N], &self.axes);
         if Self::PLANE {
             let offset = [u[3] - u[0], u[4] - u[1], 0.0];
@@ -149,7 +151,13 @@ impl<const N: usize, const B: usize> Link<N, B> {
     /// Basic deformations of global displacements (or their rates).
     #[inline]
     pub fn deformation(&self, disp: &[f64]) -> [f64; B] {
-        let ([i, j], LocalMotion { offset, ends: [start, end] }) = (self.arms, self.local_motion(disp));
+        self.deformation_of(&self.local_motion(disp))
+    }
+
+    /// Basic deformations of a motion in local axes.
+    #[inline]
+    pub fn deformation_of(&self, motion: &LocalMotion) -> [f64; B] {
+        let ([i, j], LocalMotion { offset, ends: [start, end] }) = (self.arms, motion);
         let all = [
             offset[0],
             offset[1] - i * start[2] - j * end[2],
@@ -167,11 +175,12 @@ impl<const N: usize, const B: usize> Link<N, B> {
         self.add_end_forces(&self.end_forces(q), force);
     }
 
-    /// Add the global forces of basic forces `q`, P-Delta moments included.
-    pub fn add_force(&self, q: &[f64; B], disp: &[f64], force: &mut [f64]) {
+    /// Add the global forces of basic forces `q` at a motion in local axes, P-Delta moments included.
+    #[inline]
+    pub fn add_force(&self, q: &[f64; B], motion: &LocalMotion, force: &mut [f64]) {
         let mut local = self.end_forces(q);
         if self.p_delta.is_some() {
-            let sway = self.sway(&self.local_motion(disp));
+            let sway = self.sway(motion);
             for (moment, lever) in local.moments.as_flattened_mut().iter_mut().zip(sway.as_flattened()) {
                 *moment += q[0] * lever;
             }

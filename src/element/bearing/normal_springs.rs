@@ -166,6 +166,8 @@ pub struct NormalSprings {
     /// Extension of each per unit of rotation about y and about z: its z, and its y with the other sign.
     lever: [Vec<f64>; 2],
     blocks: Vec<Block>,
+    /// All springs: while none of them has a history, they are asked once for the whole section.
+    whole: Option<Block>,
     /// Virgin histories.
     virgin: Vec<f64>,
 }
@@ -180,6 +182,15 @@ struct Block {
 }
 
 impl Block {
+    /// Together with another that follows it.
+    fn with(mut self, next: Self) -> Self {
+        add_to(&mut self.moments, &next.moments);
+        for (all, own) in self.levers.iter_mut().zip(next.levers) {
+            *all = [all[0].min(own[0]), all[1].max(own[1])];
+        }
+        Self { springs: self.springs.start..next.springs.end, ..self }
+    }
+
     /// Strains between which those of the springs are.
     fn range(&self, [axial, a, b]: [f64; 3]) -> [f64; 2] {
         let [a, b] = [self.levers[0].map(|l| l * a), self.levers[1].map(|l| l * b)];
@@ -262,6 +273,7 @@ impl NormalSprings {
             area: layout.area.clone(),
             lever,
             blocks: vec![],
+            whole: None,
             virgin: vec![],
         };
         springs.divided(layout.area.len())
@@ -282,6 +294,7 @@ impl NormalSprings {
         });
         let blocks = ranges.map(block).collect();
         self.blocks = blocks;
+        self.whole = self.blocks.iter().cloned().reduce(Block::with);
         let mut virgin = vec![0.0; self.len() * self.material.state_len()];
         self.blocks.iter().for_each(|b| self.material.init_all(b.springs.len(), &mut virgin[self.places(&b.springs)]));
         self.virgin = virgin;
@@ -383,7 +396,15 @@ impl NormalSprings {
         let section = At { before: [before[0], before[1], before[2]], strain, rate, dt };
         // What is in proportion to the strains, and the rest.
         let (mut straight, mut sum) = ([0.0; 6], Sum::default());
-        for ((block, virgin), virgin_before) in self.blocks.iter().zip(virgin).zip(virgin_before) {
+        let from = if self.memory == Memory::Committed { virgin_before } else { &*virgin };
+        let whole = self.whole.as_ref().filter(|_| from.iter().all(|word| *word == VIRGIN));
+        let whole = whole.and_then(|all| Some((all, self.material.virgin_tangent(all.range(strain))?)));
+        if let Some((all, tangent)) = whole {
+            straight = all.moments.map(|m| tangent * m);
+            virgin.fill(VIRGIN);
+        }
+        let blocks = if whole.is_some() { &[] } else { &self.blocks[..] };
+        for ((block, virgin), virgin_before) in blocks.iter().zip(virgin).zip(virgin_before) {
             let from = if self.memory == Memory::Committed { *virgin_before } else { *virgin };
             let tangent = if from == VIRGIN { self.material.virgin_tangent(block.range(strain)) } else { None };
             if let Some(tangent) = tangent {

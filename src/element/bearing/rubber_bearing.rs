@@ -74,7 +74,8 @@ impl<L: RubberShear + 'static> Element for RubberBearing<L> {
         trial: &mut [f64],
         answer: Answer<'_>,
     ) -> Result<(), ElementError> {
-        let u = self.link.deformation(motion.disp);
+        let local = self.link.local_motion(motion.disp);
+        let u = self.link.deformation_of(&local);
         let lateral = [u[1], u[2]];
         let rate = if self.shear.is_viscous() || self.shear.ages() {
             let rate = self.link.deformation(motion.vel);
@@ -99,7 +100,7 @@ impl<L: RubberShear + 'static> Element for RubberBearing<L> {
         for i in 0..3 {
             q[3 + i] = rotations[i] * u[3 + i];
         }
-        self.link.add_force(&q, motion.disp, answer.force);
+        self.link.add_force(&q, &local, answer.force);
         if let Some(tangent) = answer.tangent {
             let mut k = [[0.0; 6]; 6];
             k[0][0] = axial.k;

@@ -81,7 +81,8 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
         trial: &mut [f64],
         answer: Answer<'_>,
     ) -> Result<(), ElementError> {
-        let u = self.link.deformation(motion.disp);
+        let local = self.link.local_motion(motion.disp);
+        let u = self.link.deformation_of(&local);
         // Nothing has a velocity in a static analysis.
         let still = motion.vel.iter().all(|v| *v == 0.0);
         let rate = if still { [0.0; B] } else { self.link.deformation(motion.vel) };
@@ -101,7 +102,7 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
         }
         shear.write(trial);
         q[1..=S].copy_from_slice(&shear.q);
-        self.link.add_force(&q, motion.disp, answer.force);
+        self.link.add_force(&q, &local, answer.force);
         if let Some(tangent) = answer.tangent {
             let k = Self::basic_stiffness(stiffness, &shear);
             self.link.add_tangent(&k, &q, motion.disp, tangent, answer.rows);

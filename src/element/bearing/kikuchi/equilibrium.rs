@@ -1,7 +1,7 @@
 //! Inner equilibrium of a Kikuchi bearing, to round-off at every trial state.
 
-use super::condensation::{Condensed, condense, followed, join};
-use super::kinematics::{INNER, OUTER, Springs};
+use super::condensation::{Condensed, condense, correction, followed, join};
+use super::kinematics::{INNER, Matrix, Motion, OUTER, Springs};
 use super::{Factors, KikuchiBearing};
 use crate::element::ElementError;
 use crate::words;
@@ -46,13 +46,19 @@ struct Trial {
     /// Largest force left at the inner nodes, and the largest that counts as none.
     residual: f64,
     allowed: f64,
-    condensed: Option<Condensed>,
+}
+
+/// Forces and stiffness of all degrees of freedom at the position that was tried last. The inner nodes are taken out of
+/// them once they are in balance: on the way there it is enough to know how they yield.
+struct Equations {
+    forces: Motion,
+    stiffness: Matrix,
 }
 
 impl KikuchiBearing {
     /// The state at rest.
     pub(super) fn virgin_memory(&self) -> Memory {
-        let follow = self.virgin_condensed(self.virgin_factors.force).map(|c| c.follow);
+        let follow = self.virgin_condensed(self.virgin_factors.force).map(|c| c.yielding.follow);
         let mut memory = Memory::default();
         if let Some(follow) = follow {
             memory.follow = follow;
@@ -94,11 +100,11 @@ impl KikuchiBearing {
             factors: Factors { stiffness: factors.force, ..factors },
             dt,
         };
-        let found = self.find(&step, &outer, trial)?;
-        let Trial { inner, springs, condensed: Some(c), .. } = found else {
-            return Err(ElementError("the inner nodes of the bearing are held by nothing".into()));
-        };
-        let memory = Memory { outer, inner, axial: springs.axial, follow: c.follow };
+        let mut equations = Equations { forces: Motion::zeros(), stiffness: Matrix::zeros() };
+        let Trial { inner, springs, .. } = self.find(&step, &outer, trial, &mut equations)?;
+        let c = condense(&equations.forces, &equations.stiffness, &self.hold)
+            .ok_or_else(|| ElementError("the inner nodes of the bearing are held by nothing".into()))?;
+        let memory = Memory { outer, inner, axial: springs.axial, follow: c.yielding.follow };
         memory.write(trial);
         let (mut force, mut stiffness) = (c.force, c.stiffness);
         if let Some(shares) = self.shares {
@@ -108,10 +114,16 @@ impl KikuchiBearing {
     }
 
     /// Look for the inner nodes: from where they would follow the ends to, or else along the way of the ends.
-    fn find(&self, step: &Step<'_>, outer: &[f64; OUTER], trial: &mut [f64]) -> Result<Trial, ElementError> {
+    fn find(
+        &self,
+        step: &Step<'_>,
+        outer: &[f64; OUTER],
+        trial: &mut [f64],
+        equations: &mut Equations,
+    ) -> Result<Trial, ElementError> {
         let from = &step.from;
         let way: [f64; OUTER] = std::array::from_fn(|i| outer[i] - from.outer[i]);
-        let first = self.newton(step, outer, followed(&from.follow, &from.inner, &way), trial);
+        let first = self.newton(step, outer, followed(&from.follow, &from.inner, &way), trial, equations);
         if let Ok(Some(found)) = first {
             return Ok(found);
         }
@@ -120,7 +132,7 @@ impl KikuchiBearing {
             for part in 1..=parts {
                 let at: [f64; OUTER] =
                     std::array::from_fn(|i| from.outer[i] + way[i] * f64::from(part) / f64::from(parts));
-                match self.newton(step, &at, inner, trial)? {
+                match self.newton(step, &at, inner, trial, equations)? {
                     Some(found) if part == parts => return Ok(found),
                     Some(found) => inner = found.inner,
                     None => break,
@@ -138,23 +150,26 @@ impl KikuchiBearing {
         outer: &[f64; OUTER],
         start: [f64; INNER],
         trial: &mut [f64],
+        equations: &mut Equations,
     ) -> Result<Option<Trial>, ElementError> {
-        let mut best = self.at(step, outer, start, trial)?;
+        let mut best = self.at(step, outer, start, trial, equations)?;
         for _ in 0..ITERATIONS {
             if best.residual <= best.allowed {
                 return Ok(Some(best));
             }
-            let Some(c) = &best.condensed else { return Ok(None) };
+            let Some(correction) = correction(&equations.forces, &equations.stiffness, &self.hold) else {
+                return Ok(None);
+            };
             let mut share = 1.0;
             let next = loop {
-                let inner = std::array::from_fn(|i| best.inner[i] + share * c.correction[i]);
-                let next = self.at(step, outer, inner, trial)?;
+                let inner = std::array::from_fn(|i| best.inner[i] + share * correction[i]);
+                let next = self.at(step, outer, inner, trial, equations)?;
                 if next.residual < best.residual {
                     break next;
                 }
                 if best.residual <= STAGNATION * best.allowed {
-                    // The springs' histories in `trial` are to be those of the answer.
-                    return Ok(Some(self.at(step, outer, best.inner, trial)?));
+                    // The springs' histories in `trial`, and the equations, are to be those of the answer.
+                    return Ok(Some(self.at(step, outer, best.inner, trial, equations)?));
                 }
                 share *= 0.5;
                 if share < 1e-3 {
@@ -173,16 +188,18 @@ impl KikuchiBearing {
         outer: &[f64; OUTER],
         inner: [f64; INNER],
         trial: &mut [f64],
+        equations: &mut Equations,
     ) -> Result<Trial, ElementError> {
         let k = &self.kinematics;
         let (from, q) = (join(&step.from.outer, &step.from.inner), join(outer, &inner));
         let row = k.axial_row(&q);
         let (axial, change) = k.axial(step.from.axial, &from, &q);
         let springs = self.springs(step.committed, &q, step.factors, axial, step.dt, trial)?;
-        let f = k.forces(&q, &springs, &row);
-        let mut stiffness = k.stiffness(&springs, &row, &change);
-        k.add_geometric(k.stiff.axial * axial, &mut stiffness);
-        self.add_slope(&springs, step.factors, outer, &mut stiffness);
+        let Equations { forces: f, stiffness } = equations;
+        *f = k.forces(&q, &springs, &row);
+        k.stiffness_into(&springs, &row, &change, stiffness);
+        k.add_geometric(k.stiff.axial * axial, stiffness);
+        self.add_slope(&springs, step.factors, outer, stiffness);
         // Forces, and moments over an arm.
         let size =
             |i: usize| if matches!(i % 6, 3..=5) && i < OUTER || i > 12 && i != 15 { 1.0 / self.arm } else { 1.0 };
@@ -192,17 +209,11 @@ impl KikuchiBearing {
         if !residual.is_finite() {
             return Err(ElementError("a spring of the bearing answers with no number".into()));
         }
-        Ok(Trial { inner, springs, residual, allowed, condensed: condense(&f, &stiffness, &self.hold) })
+        Ok(Trial { inner, springs, residual, allowed })
     }
 
     /// What the factor of the shear forces adds to the stiffness as it changes with the displacement.
-    fn add_slope(
-        &self,
-        springs: &Springs,
-        factors: Factors,
-        outer: &[f64; OUTER],
-        stiffness: &mut super::kinematics::Matrix,
-    ) {
+    fn add_slope(&self, springs: &Springs, factors: Factors, outer: &[f64; OUTER], stiffness: &mut Matrix) {
         if factors.slope == 0.0 {
             return;
         }

@@ -167,7 +167,16 @@ impl Kinematics {
 
     /// Stiffness of the springs: `row` is that of the axial force, `change` that of the axial deformation.
     pub(super) fn stiffness(&self, s: &Springs, row: &Motion, change: &Motion) -> Matrix {
-        let mut k = row * change.transpose() * self.stiff.axial;
+        let mut k = Matrix::zeros();
+        self.stiffness_into(s, row, change, &mut k);
+        k
+    }
+
+    /// The same, into a matrix that is there.
+    pub(super) fn stiffness_into(&self, s: &Springs, row: &Motion, change: &Motion, k: &mut Matrix) {
+        for (column, change) in k.as_mut_slice().chunks_exact_mut(DOFS).zip(change.as_slice()) {
+            column.iter_mut().zip(row.as_slice()).for_each(|(k, row)| *k = row * change * self.stiff.axial);
+        }
         for ((plus, minus), c) in [(LOWER, s.lower_stiffness), (UPPER, s.upper_stiffness)] {
             for (a, c) in c.chunks_exact(3).enumerate() {
                 for (b, &c) in c.iter().enumerate() {
@@ -194,7 +203,6 @@ impl Kinematics {
             k[(a, b)] -= c;
             k[(b, a)] -= c;
         }
-        k
     }
 
     /// Shear deformations along y and z by the displacements.

@@ -23,7 +23,7 @@ use super::responses::{NAMES, Response};
 use super::shear_bearing::end_masses;
 use super::shear_springs::{Factors, ShearSprings};
 use crate::element::{
-    Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Overload, Snapshot, frame_force_labels,
+    Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Overload, Rows, Snapshot, frame_force_labels,
 };
 use crate::material::{Material, MaterialError};
 use crate::numeric::SparseMatrix;
@@ -235,12 +235,16 @@ impl KikuchiBearing {
         self.p_delta.then(|| 0.5 * (-shear + (shear * shear + 4.0 * shear * euler).sqrt()))
     }
 
-    /// Add a local stiffness by rows to a global one.
-    fn add_global(&self, local: &[[f64; OUTER]; OUTER], global: &mut [f64]) {
+    /// Add a local stiffness by rows to a global one, of which these rows are wanted.
+    fn add_global(&self, local: &[[f64; OUTER]; OUTER], global: &mut [f64], rows: Rows) {
         for (i, k) in local.iter().enumerate() {
+            let wanted = || self.turn.row(i).iter().filter(|e| rows.has(e.column));
+            if wanted().next().is_none() {
+                continue;
+            }
             let mut turned = [0.0; OUTER];
             self.turn.add_transposed(k, &mut turned);
-            for e in self.turn.row(i) {
+            for e in wanted() {
                 let to = &mut global[e.column * OUTER..(e.column + 1) * OUTER];
                 to.iter_mut().zip(&turned).for_each(|(k, turned)| *k += e.value * turned);
             }
@@ -305,7 +309,7 @@ impl Element for KikuchiBearing {
         };
         self.add_force(&force, answer.force);
         if let Some(k) = answer.tangent {
-            self.add_global(&tangent, k);
+            self.add_global(&tangent, k, answer.rows);
         }
         Ok(())
     }
@@ -322,12 +326,13 @@ impl Element for KikuchiBearing {
     }
     fn last_tangent(&self, history: &[f64], tangent: &mut [f64]) {
         if let Scheme::OpenSees(_, common) = &self.scheme {
-            self.add_global(&common.stiffness().unwrap_or_else(|| self.last_stiffness(history)), tangent);
+            let k = common.stiffness().unwrap_or_else(|| self.last_stiffness(history));
+            self.add_global(&k, tangent, Rows::ALL);
         }
     }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {
-        self.add_global(&self.virgin_tangent(), tangent);
+        self.add_global(&self.virgin_tangent(), tangent, Rows::ALL);
     }
     fn mass(&self) -> Mass {
         end_masses(self.mass, 6, 3)

@@ -4,8 +4,8 @@
 //! forces of the springs as the last call left them and with the geometry of the committed state. So the answer depends
 //! on how often it is asked, and on the size of the steps; with several bearings, on the one that is asked last.
 
-use super::condensation::{Condensed, condense, followed, join};
-use super::kinematics::{INNER, Motion, OUTER, Springs};
+use super::condensation::{Condensed, Yielding, condense, followed, join, yielding};
+use super::kinematics::{INNER, Matrix, Motion, OUTER, Springs};
 use super::{Balance, Common, Factors, KikuchiBearing};
 use crate::element::ElementError;
 use crate::material::MaterialError;
@@ -41,10 +41,8 @@ words! {
 words! {
     /// Equations that a call has solved.
     struct Solved {
-        /// How the inner nodes follow the ends, by columns.
-        follow: [[f64; 6]; 12],
-        /// How they yield to what is left over.
-        correction: [f64; 6],
+        /// What the inner nodes do.
+        yielding: Yielding,
         /// Stiffness of the bearing, by rows.
         stiffness: [[f64; 12]; 12],
     }
@@ -58,10 +56,8 @@ pub(super) fn axial_deformation(state: &[f64]) -> f64 {
 /// Number of words that a bearing keeps besides the histories of its springs.
 pub(super) const HEADER: usize = <Trace as Words>::LEN + <Solved as Words>::LEN;
 
-/// What has been solved, in the state of a bearing.
-fn solved(state: &[f64]) -> Solved {
-    Solved::read(&state[<Trace as Words>::LEN..])
-}
+/// What has been solved begins behind the trace.
+const SOLVED_AT: usize = <Trace as Words>::LEN;
 
 impl KikuchiBearing {
     /// Write the state at rest.
@@ -74,7 +70,7 @@ impl KikuchiBearing {
         let mut flat = self.clone();
         flat.kinematics.half = 0.0;
         let stiffness = flat.virgin_condensed(factors.stiffness).map_or_else(Default::default, |c| c.stiffness);
-        Solved { stiffness, ..Solved::default() }.write(&mut state[<Trace as Words>::LEN..]);
+        Solved { stiffness, ..Solved::default() }.write(&mut state[SOLVED_AT..]);
     }
 
     /// Forces at the ends and the tangent that OpenSees uses, in local axes, for displacements of the ends.
@@ -98,13 +94,13 @@ impl KikuchiBearing {
         // The inner nodes follow the ends, and yield to what the last call left over. What a call of this step has solved
         // is what the next one begins with.
         let first = now.steps == old.steps;
-        let (factors, follow, correction) = if first {
+        let (factors, Yielding { follow, correction }) = if first {
             let factors = self.factors_of_step(&old, committed, trial)?;
-            let c = self.condensed(&from, &self.scaled(&begin, factors), &row)?;
-            (factors, c.follow, c.correction)
+            let (forces, stiffness) = self.equations(&from, &self.scaled(&begin, factors), &row);
+            (factors, yielding(&forces, &stiffness, &self.hold).ok_or_else(held_by_nothing)?)
         } else {
-            let Solved { follow, correction, .. } = solved(trial);
-            (Factors { force: now.factors[0], stiffness: now.factors[1], slope: 0.0 }, follow, correction)
+            let factors = Factors { force: now.factors[0], stiffness: now.factors[1], slope: 0.0 };
+            (factors, Yielding::read(&trial[SOLVED_AT..]))
         };
         let step: [f64; OUTER] = std::array::from_fn(|i| outer[i] - old.outer[i]);
         let inner = followed(&follow, &std::array::from_fn(|i| begin.inner[i] + correction[i]), &step);
@@ -124,8 +120,7 @@ impl KikuchiBearing {
         common.leave(self.number, old.steps + 1.0, join(&outer, &settled.inner), c.stiffness);
         let factors = [factors.force, factors.stiffness];
         Trace { outer, settled, last: call, steps: old.steps + 1.0, factors }.write(trial);
-        let now = Solved { follow: c.follow, correction: c.correction, stiffness: c.stiffness };
-        now.write(&mut trial[<Trace as Words>::LEN..]);
+        Solved { yielding: c.yielding, stiffness: c.stiffness }.write(&mut trial[SOLVED_AT..]);
         Ok((force, c.stiffness))
     }
 
@@ -154,7 +149,7 @@ impl KikuchiBearing {
             let q = join(outer, &call.inner);
             let row = self.kinematics.axial_row(&q);
             let c = self.condensed(&q, &self.scaled(&call, factors), &row)?;
-            let inner: [f64; INNER] = std::array::from_fn(|i| call.inner[i] + c.correction[i]);
+            let inner: [f64; INNER] = std::array::from_fn(|i| call.inner[i] + c.yielding.correction[i]);
             let to = join(outer, &inner);
             let axial = call.springs.axial + row.dot(&(to - q));
             let springs = self.springs(committed, &to, Factors::ONE, axial, dt, trial)?;
@@ -176,16 +171,23 @@ impl KikuchiBearing {
     }
 
     fn condensed(&self, q: &Motion, springs: &Springs, row: &Motion) -> Result<Condensed, ElementError> {
-        let forces = self.kinematics.forces(q, springs, row);
-        let stiffness = self.kinematics.stiffness(springs, row, row);
-        condense(&forces, &stiffness, &self.hold)
-            .ok_or_else(|| ElementError("the inner nodes of the bearing are held by nothing".into()))
+        let (forces, stiffness) = self.equations(q, springs, row);
+        condense(&forces, &stiffness, &self.hold).ok_or_else(held_by_nothing)
+    }
+
+    /// Forces and stiffness of all degrees of freedom.
+    fn equations(&self, q: &Motion, springs: &Springs, row: &Motion) -> (Motion, Matrix) {
+        (self.kinematics.forces(q, springs, row), self.kinematics.stiffness(springs, row, row))
     }
 
     /// The tangent that OpenSees has after the last call, from the state that it left.
     pub(super) fn last_stiffness(&self, state: &[f64]) -> [[f64; OUTER]; OUTER] {
-        solved(state).stiffness
+        Solved::read(&state[SOLVED_AT..]).stiffness
     }
+}
+
+fn held_by_nothing() -> ElementError {
+    ElementError("the inner nodes of the bearing are held by nothing".into())
 }
 
 /// Take the P-Delta moments off the end moments as OpenSees does: each at the axis of the other displacement.
