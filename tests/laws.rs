@@ -23,6 +23,8 @@ mod every_bearing;
 mod every_kind;
 #[path = "laws/frame_materials.rs"]
 mod frame_materials;
+#[path = "laws/heated.rs"]
+mod heated;
 #[path = "laws/kikuchi.rs"]
 mod kikuchi;
 #[path = "laws/links.rs"]

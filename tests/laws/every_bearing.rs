@@ -32,7 +32,7 @@ const fn plane(name: &'static str, command: &'static str) -> Kind {
     Kind { name, command, plane: true, fixed: false }
 }
 
-static KINDS: [Kind; 23] = [
+static KINDS: [Kind; 24] = [
     space(
         "Bouc-Wen",
         "elastomericBearingBoucWen 1 1 2 2000. 40. 0.1 0.01 3. 2. 0.6 0.4 -P 1 -T 2 -My 3 -Mz 4 -orient @ -shearDist 0.3",
@@ -80,6 +80,13 @@ static KINDS: [Kind; 23] = [
     Kind {
         name: "triple pendulum",
         command: "TripleFrictionPendulum 1 1 2 2 1 1 5 2 2 2 0.3 1. 1. 0.05 0.25 0.25 300. 0.002 1. 0.1 1e-8",
+        plane: false,
+        fixed: true,
+    },
+    Kind {
+        name: "triple pendulum, heated",
+        command: "TripleFrictionPendulumX 1 1 2 1 2 5 2 2 2 1 1 1 0.02 0.06 0.1 0.3 1. 1. 0.05 0.25 0.25 0.2 0.3 0.3 0.02 0.02 \
+                  300. 0.002 1. 0.1 1e-8 9549. 4244. 4244. 4.44e-6 0.018 20. 20. 1 2",
         plane: false,
         fixed: true,
     },

@@ -4,6 +4,7 @@ mod beam;
 mod bearing;
 mod component;
 mod fiber_beam;
+mod heated_triple;
 mod kikuchi;
 mod multiple_normal_spring;
 mod multiple_shear_spring;
@@ -58,6 +59,7 @@ const KINDS: &[Kind] = &[
     sliding::RJ_WATSON,
     multiple_shear_spring::MULTIPLE_SHEAR_SPRING,
     triple::TRIPLE,
+    heated_triple::TRIPLE_X,
     bearing::UFRP,
     kikuchi::KIKUCHI,
     multiple_normal_spring::MULTIPLE_NORMAL_SPRING,

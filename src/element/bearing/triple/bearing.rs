@@ -1,6 +1,7 @@
 //! The element around the chain: vertical force, moments, responses.
 
 use super::chain::{Chain, ChainState, Tension, square};
+use super::heated::{Heated, PARAMETER_NAMES, PARAMETERS, Step, Warm};
 use crate::element::bearing::shear_bearing::{
     BASIC_FORCE, DEFORMATION, FRICTION, LOCAL_DISP, LOCAL_FORCE, MATERIAL, probe,
 };
@@ -32,14 +33,23 @@ pub struct TripleSetting {
 #[derive(Clone, Debug)]
 pub struct TriplePendulum {
     chain: Chain,
-    frictions: [Friction; 3],
+    surfaces: Surfaces,
     materials: [Slot; 4],
     setting: TripleSetting,
     state_len: usize,
 }
 
+/// What the coefficients of friction follow.
+#[derive(Clone, Debug)]
+enum Surfaces {
+    /// Friction models of the segments.
+    Models([Friction; 3]),
+    /// Pressure, speed and temperature.
+    Heated(Box<Heated>),
+}
+
 words! {
-    /// History besides chain and materials.
+    /// History besides chain, surfaces and materials.
     struct Load {
         /// Normal force, positive in pressure.
         normal: f64,
@@ -73,24 +83,33 @@ impl TriplePendulum {
         materials: [(Material, i32); 4],
         setting: TripleSetting,
     ) -> Self {
-        let mut state_len = ChainState::LEN + Load::LEN;
+        Self::of(chain, Surfaces::Models(frictions), materials, setting)
+    }
+
+    /// The same with surfaces that warm.
+    pub fn heated(chain: Chain, heated: Heated, materials: [(Material, i32); 4], setting: TripleSetting) -> Self {
+        Self::of(chain, Surfaces::Heated(Box::new(heated)), materials, setting)
+    }
+
+    fn of(chain: Chain, surfaces: Surfaces, materials: [(Material, i32); 4], setting: TripleSetting) -> Self {
+        let mut state_len = HEAT + if matches!(surfaces, Surfaces::Heated(_)) { Heated::LEN } else { 0 };
         let materials = materials.map(|(m, tag)| {
             let slot = Slot::new(m, tag, state_len);
             state_len += slot.len();
             slot
         });
-        Self { chain, frictions, materials, setting, state_len }
+        Self { chain, surfaces, materials, setting, state_len }
     }
 
     fn virgin(&self) -> (ChainState, Load) {
-        let mu = [0, 1, 2].map(|i| self.coefficient(i, self.setting.weight, 0.0).mu);
-        let load = Load { normal: self.setting.weight, mean: self.setting.weight, speed: [0.0; 3], mu };
+        let weight = self.setting.weight;
+        let mu = match &self.surfaces {
+            Surfaces::Models(f) => [0, 1, 2].map(|i| coefficient(f, i, weight, 0.0).mu),
+            Surfaces::Heated(heated) => heated.at_rest(),
+        };
+        let load = Load { normal: weight, mean: weight, speed: [0.0; 3], mu };
         // OpenSees begins without friction, and the coefficients grow to theirs within the first step.
         (self.chain.virgin(), load)
-    }
-
-    fn coefficient(&self, i: usize, normal: f64, speed: f64) -> Coefficient {
-        if normal > 0.0 { self.frictions[i].coefficient(normal, speed) } else { Coefficient::default() }
     }
 
     /// Vertical force, with the normal force of the friction.
@@ -128,19 +147,49 @@ impl TriplePendulum {
         dt: f64,
         (c, last): (&ChainState, &ChainState),
         load: &mut Load,
+        frictions: &[Friction; 3],
     ) -> Result<Tension, ElementError> {
         let Some(tolerance) = self.setting.compat else {
             let mean = load.mean;
-            let t = self.chain.stretch(c, u, dt, |i, speed| self.coefficient(i, mean, speed))?;
+            let t = self.chain.stretch(c, u, dt, |i, speed| coefficient(frictions, i, mean, speed))?;
             (load.speed, load.mu) = (t.friction.map(|f| f.0), t.friction.map(|f| f.1));
             return Ok(t);
         };
         // OpenSees takes the speeds of the last trial.
         load.speed = [0, 1, 2].map(|i| self.chain.segments[i].speed * last.speed[i]);
-        load.mu = [0, 1, 2].map(|i| self.coefficient(i, load.mean, load.speed[i]).mu);
-        let state = self.chain.stretch_by_increments(c, u, load.mu, tolerance, (last.speed, dt));
-        let k = square(&state.whole, 0);
-        Ok(Tension { state, k, by_normal: Vector2::zeros(), friction: [(0.0, 0.0); 3] })
+        load.mu = [0, 1, 2].map(|i| coefficient(frictions, i, load.mean, load.speed[i]).mu);
+        Ok(as_found(self.chain.stretch_by_increments(c, u, load.mu, (tolerance, 0.01), (last.speed, dt))))
+    }
+
+    /// The chain under a mean normal force, with surfaces that warm.
+    fn heated_shear(
+        &self,
+        heated: &Heated,
+        (u, step): (Vector2<f64>, Step),
+        (before, load): (&Load, &mut Load),
+        committed: &[f64],
+        trial: &mut [f64],
+    ) -> Result<Tension, ElementError> {
+        let c = ChainState::read(committed);
+        let (committed, trial) = (&committed[HEAT..], &mut trial[HEAT..]);
+        let t = if let Some(tolerance) = self.setting.compat {
+            load.mu = heated.warm_first(before.normal, step, committed, trial);
+            let to = (tolerance, 1e-4);
+            let t = as_found(self.chain.stretch_by_increments(&c, u, load.mu, to, ([0.0; 3], 0.0)));
+            heated.slide_late((&t.state, &c), step, committed, trial);
+            t
+        } else {
+            let (warm, mean) = (Warm::read(committed), load.mean);
+            let friction = |i, speed| match mean > 0.0 {
+                true => heated.coefficient(&warm, i, mean, speed),
+                false => Coefficient::default(),
+            };
+            let t = self.chain.stretch(&c, u, step.dt, friction)?;
+            (load.speed, load.mu) = (t.friction.map(|f| f.0), t.friction.map(|f| f.1));
+            heated.warm(&t.state, mean, step, committed, trial);
+            t
+        };
+        Ok(t)
     }
 
     fn top(&self, motion: &Motion<'_>, committed: &[f64], trial: &mut [f64]) -> Result<Top, ElementError> {
@@ -151,7 +200,14 @@ impl TriplePendulum {
         let (c, last) = (ChainState::read(committed), ChainState::read(trial));
         let before = Load::read(&committed[ChainState::LEN..]);
         let mut load = Load { normal, mean: 0.5 * (before.normal + normal), ..Load::default() };
-        let t = self.shear(Vector2::new(apart[0], apart[1]), motion.dt, (&c, &last), &mut load)?;
+        let u = Vector2::new(apart[0], apart[1]);
+        let t = match &self.surfaces {
+            Surfaces::Models(f) => self.shear(u, motion.dt, (&c, &last), &mut load, f)?,
+            Surfaces::Heated(heated) => {
+                let step = Step { time: motion.time, dt: motion.dt };
+                self.heated_shear(heated, (u, step), (&before, &mut load), committed, trial)?
+            }
+        };
         let f = Vector2::from(t.state.f);
         t.state.write(trial);
         load.write(&mut trial[ChainState::LEN..]);
@@ -195,6 +251,16 @@ impl TriplePendulum {
     }
 }
 
+fn coefficient(frictions: &[Friction; 3], i: usize, normal: f64, speed: f64) -> Coefficient {
+    if normal > 0.0 { frictions[i].coefficient(normal, speed) } else { Coefficient::default() }
+}
+
+/// A chain whose tangent is what the iteration ended with.
+fn as_found(state: ChainState) -> Tension {
+    let k = square(&state.whole, 0);
+    Tension { state, k, by_normal: Vector2::zeros(), friction: [(0.0, 0.0); 3] }
+}
+
 /// Add a matrix of the displacement of node j less that of node i: `sign` is that of the force on node i.
 fn add_apart(matrix: &mut [f64], row: usize, col: usize, value: f64, sign: f64) {
     for (r, f) in [(row, sign), (row + 6, 1.0)] {
@@ -205,7 +271,10 @@ fn add_apart(matrix: &mut [f64], row: usize, col: usize, value: f64, sign: f64) 
 
 impl Element for TriplePendulum {
     fn class(&self) -> &'static str {
-        "TripleFrictionPendulum"
+        match self.surfaces {
+            Surfaces::Models(_) => "TripleFrictionPendulum",
+            Surfaces::Heated(_) => "TripleFrictionPendulumX",
+        }
     }
     fn dofs(&self) -> usize {
         12
@@ -217,6 +286,9 @@ impl Element for TriplePendulum {
         let (chain, load) = self.virgin();
         chain.write(state);
         load.write(&mut state[ChainState::LEN..]);
+        if let Surfaces::Heated(heated) = &self.surfaces {
+            heated.init(&mut state[HEAT..]);
+        }
         self.materials.iter().for_each(|m| m.init(state));
     }
     fn nature(&self) -> Nature {
@@ -224,8 +296,10 @@ impl Element for TriplePendulum {
             linear: false,
             symmetric: false,
             viscous: self.materials.iter().any(|m| m.material.is_viscous()),
-            elapses: self.frictions.iter().any(|f| f.depends_on_speed())
-                || self.materials.iter().any(|m| m.material.depends_on_time()),
+            elapses: match &self.surfaces {
+                Surfaces::Models(f) => f.iter().any(|f| f.depends_on_speed()),
+                Surfaces::Heated(_) => true,
+            } || self.materials.iter().any(|m| m.material.depends_on_time()),
             rayleigh: false,
         }
     }
@@ -287,32 +361,34 @@ impl Element for TriplePendulum {
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         let number = |n: &str, limit: usize| n.parse::<usize>().ok().filter(|i| (1..=limit).contains(i)).map(|i| i - 1);
+        let heated = matches!(self.surfaces, Surfaces::Heated(_));
         match words {
             ["material", n, rest @ ..] => {
                 let i = number(n, 4)?;
                 Some(self.materials[i].probe(rest)?.inside(&[MATERIAL, i as u32]))
             }
-            ["frictionModel" | "frnMdl" | "frictionMdl" | "frnModel", n, rest @ ..] => {
+            ["param" | "Param" | "parameters" | "Parameters", ..] => {
+                heated.then(|| Probe::new(HEATING, PARAMETER_NAMES))
+            }
+            ["frictionModel" | "frnMdl" | "frictionMdl" | "frnModel", n, rest @ ..] if !heated => {
                 Some(Contact::probe(rest)?.inside(&[FRICTION, number(n, 3)? as u32]))
             }
             ["compDeformation" | "compDeformations" | "compDisplacement" | "compDisplacements", ..] => {
-                Some(Probe::new(SEGMENTS, ["d1x", "d1y", "d3x", "d3y", "d5x", "d5y"]))
+                Some(if heated {
+                    Probe::new(SEGMENTS, HEATED_SEGMENTS)
+                } else {
+                    Probe::new(SEGMENTS, ["d1x", "d1y", "d3x", "d3y", "d5x", "d5y"])
+                })
             }
             _ => probe::<2>(words).filter(|p| [LOCAL_FORCE, BASIC_FORCE, LOCAL_DISP, DEFORMATION].contains(&p.path[0])),
         }
     }
 
     fn probe_names(&self) -> &'static [&'static str] {
-        &[
-            "localForce",
-            "basicForce",
-            "localDisplacement",
-            "deformation",
-            "basicDeformation",
-            "compDisplacement",
-            "material",
-            "frictionModel",
-        ]
+        match self.surfaces {
+            Surfaces::Models(_) => &NAMES,
+            Surfaces::Heated(_) => &HEATED_NAMES,
+        }
     }
 
     fn force_labels(&self) -> Vec<String> {
@@ -341,7 +417,15 @@ impl Element for TriplePendulum {
                     out[3..].fill(0.0);
                 }
             }
-            SEGMENTS => out.copy_from_slice(&chain.d),
+            SEGMENTS => match self.surfaces {
+                Surfaces::Models(_) => out.copy_from_slice(&chain.d),
+                Surfaces::Heated(_) => {
+                    let w = Warm::read(&s.state[HEAT..]);
+                    let words = w.slide.iter().chain(&w.speed);
+                    out.iter_mut().zip(words).for_each(|(o, x)| *o = *x);
+                }
+            },
+            HEATING => out.copy_from_slice(&s.state[HEAT + Warm::LEN - PARAMETERS..HEAT + Warm::LEN]),
             FRICTION => {
                 let i = path[1] as usize;
                 out[0] = Contact { normal: load.mean, speed: load.speed[i], mu: load.mu[i] }.value(path[2]);
@@ -352,3 +436,28 @@ impl Element for TriplePendulum {
 }
 
 const SEGMENTS: u32 = 20;
+const HEATING: u32 = 21;
+/// Where the words of the surfaces begin.
+const HEAT: usize = ChainState::LEN + Load::LEN;
+const HEATED_SEGMENTS: [&str; 12] =
+    ["d1x", "d3x", "d5x", "d1y", "d3y", "d5y", "v1x", "v3x", "v5x", "v1y", "v3y", "v5y"];
+const NAMES: [&str; 8] = [
+    "localForce",
+    "basicForce",
+    "localDisplacement",
+    "deformation",
+    "basicDeformation",
+    "compDisplacement",
+    "material",
+    "frictionModel",
+];
+const HEATED_NAMES: [&str; 8] = [
+    "localForce",
+    "basicForce",
+    "localDisplacement",
+    "deformation",
+    "basicDeformation",
+    "compDisplacement",
+    "material",
+    "Parameters",
+];

@@ -1,12 +1,17 @@
 //! The triple friction pendulum: three pairs of sliding surfaces in series.
 //!
-//! [`Chain`] is the law of the shear, [`TriplePendulum`] the element around it.
+//! [`Chain`] is the law of the shear, [`TriplePendulum`] the element around it, [`Heated`] the friction of surfaces that warm.
 
 mod bearing;
 mod chain;
+mod conduction;
+mod heated;
+pub mod history;
 mod segment;
 mod substeps;
 
 pub use bearing::{TriplePendulum, TripleSetting};
 pub use chain::{Chain, ChainState};
+pub use conduction::{Body, Conduction};
+pub use heated::{Heated, HeatedSetting, Softening};
 pub use segment::Segment;

@@ -40,13 +40,13 @@ impl Way {
 
 impl Chain {
     /// Force at displacement `u` under the coefficients `mu`; the tolerance is a part of the step. The last state stays
-    /// where nothing converges, and `last` speeds where nothing moves.
+    /// where nothing converges, and `last` speeds where nothing moves; segments iterate to the tolerance times `fine`.
     pub(super) fn stretch_by_increments(
         &self,
         c: &ChainState,
         u: Vector2<f64>,
         mu: [f64; 3],
-        tolerance: f64,
+        (tolerance, fine): (f64, f64),
         (last, dt): ([f64; 3], f64),
     ) -> ChainState {
         let begin = Way::from(c);
@@ -60,7 +60,7 @@ impl Chain {
             for (now, change) in now.iter_mut().zip(&change) {
                 *now += part * change;
             }
-            let converged = self.increment(&mut way, from + gone + part * du, part * du, now, tolerance);
+            let converged = self.increment(&mut way, from + gone + part * du, part * du, now, (tolerance, fine));
             if !converged && halvings < HALVINGS {
                 way = begin.clone();
                 (gone, now, steps) = (Vector2::zeros(), c.mu, 0);
@@ -93,7 +93,14 @@ impl Chain {
     }
 
     /// One increment `du` to displacement `u`; whether it converged.
-    fn increment(&self, way: &mut Way, u: Vector2<f64>, du: Vector2<f64>, mu: [f64; 3], tolerance: f64) -> bool {
+    fn increment(
+        &self,
+        way: &mut Way,
+        u: Vector2<f64>,
+        du: Vector2<f64>,
+        mu: [f64; 3],
+        (tolerance, fine): (f64, f64),
+    ) -> bool {
         let mut left = du;
         let mut rounds = 1;
         way.found = way.memory;
@@ -101,7 +108,7 @@ impl Chain {
             rounds += 1;
             let df = way.whole * left;
             for (i, segment) in self.segments.iter().enumerate() {
-                if !pull_by(segment, way, i, df, mu[i], tolerance) {
+                if !pull_by(segment, way, i, df, mu[i], fine * tolerance) {
                     return false;
                 }
             }
@@ -121,7 +128,7 @@ fn pull_by(segment: &Segment, way: &mut Way, i: usize, df: Vector2<f64>, mu: f64
     let friction = Coefficient { mu, ..Coefficient::default() };
     let mut step = inverse * df;
     let mut rounds = 1;
-    while rounds == 1 || (step.norm() > 0.01 * tolerance && rounds <= ROUNDS) {
+    while rounds == 1 || (step.norm() > tolerance && rounds <= ROUNDS) {
         rounds += 1;
         way.d[i] += step;
         let p = segment.pull(way.memory[i], way.d[i], 0.0, |_| friction);
