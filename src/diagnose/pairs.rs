@@ -2,8 +2,9 @@
 
 use super::evidence::INDEPENDENT;
 use super::insertion::Place;
-use super::rounds::{SECOND_ROUND, best_of_causes, tried};
+use super::rounds::{SECOND_ROUND, tried};
 use super::work::{Explained, Work};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// First effects beside which a second is sought, and how much less log evidence than the best they may have: what
@@ -40,7 +41,8 @@ pub(super) fn pairs(
         let Some(proposal) = &one.variant.proposal else { continue };
         let done: Vec<&str> = single[..=n].iter().map(|e| e.cause()).collect();
         let mut all = vec![];
-        for other in best_of_causes(first).iter().filter(|e| !done.contains(&e.cause())) {
+        // Every form: the best of a cause alone need not be the best beside another.
+        for other in first.iter().filter(|e| !done.contains(&e.cause())) {
             let Some(two) = &other.variant.proposal else { continue };
             let Some(v) = baseline.variant.with(place, &proposal.with(two)) else { continue };
             let from = one.fitted.point.len();
@@ -52,6 +54,8 @@ pub(super) fn pairs(
         let mut screened = work.screen(stage, &one.variant, &one.fitted.point, all)?;
         // A search costs more than it can tell where nothing is to be expected of it.
         screened.retain(|s| 0.5 * INDEPENDENT * (one.score() - s.score()) > -1.0);
+        let mut seconds = BTreeSet::new();
+        screened.retain(|s| seconds.insert(s.variant.proposal.as_ref().and_then(|p| p.second)));
         screened.truncate(PAIRS);
         out.extend(work.search_all(stage, screened, SECOND_ROUND)?.into_iter().take(2));
     }
