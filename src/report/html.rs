@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 const STYLE: &str = "body{font:15px/1.5 system-ui,sans-serif;max-width:1000px;margin:2em auto;padding:0 1em;color:#222}\
     table{border-collapse:collapse;margin:1em 0}td,th{padding:.25em .8em;border-bottom:1px solid #ddd;text-align:left}\
-    .n{text-align:right}svg{max-width:100%;height:auto}h2{margin-top:2em}\
+    .n{text-align:right}@media print,(max-width:800px){td,th{padding:.2em .35em;font-size:.85em}}svg{max-width:100%;height:auto}h2{margin-top:2em}\
     .note{background:#fff6e0;padding:.5em 1em;border-left:4px solid #e69f00}\
     .verdict{font-size:1.15em;background:#eef4fb;padding:.7em 1em;border-left:4px solid #0072b2}\
     .bar{display:inline-block;height:.8em;background:#0072b2}pre{background:#f6f6f6;padding:.7em;overflow-x:auto}\
