@@ -23,6 +23,6 @@ pub use plan::{Plan, Strategy};
 pub use posterior::{Posterior, Quantiles, posterior};
 pub use problem::{Evaluated, Problem, StudyProblem};
 pub use profile::{Profile, profiles};
-pub use result::{Calibrated, Displacements, Spread, is_force};
+pub use result::{Calibrated, Displacements, Spread};
 pub use search::{Checkpoint, Outcome, Repeat, Silent, Status, Watch, search};
 pub use uncertainty::{Alone, Interval, Uncertainty, autocorrelation_time, uncertainty};

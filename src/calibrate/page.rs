@@ -1,7 +1,7 @@
 //! The report of a calibration: one file of HTML with its pictures in it.
 
 use super::amplitude::Amplitude;
-use super::result::{Calibrated, Displacements, is_force, role_name};
+use super::result::{Calibrated, Displacements, role_name};
 use super::uncertainty::Uncertainty;
 use crate::report::html::{self, escaped, labelled, line, number, picture, table};
 use crate::report::{Curve, Figure, Mark};
@@ -94,7 +94,7 @@ fn pictures(
         };
         let y_label = labelled(&o.channel, &o.unit);
         let place = if o.at.is_empty() { String::new() } else { format!(", {}", o.at) };
-        let loops = displacement.filter(|_| is_force(o));
+        let loops = displacement.filter(|_| o.is_resistance());
         if let Some((name, u)) = loops {
             picture(
                 out,

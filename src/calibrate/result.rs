@@ -86,7 +86,7 @@ impl Calibrated {
             let simulated = self.fits[i].iter().flat_map(|f| &f.channels);
             let u = displacements.get(i).and_then(Option::as_ref);
             let of_channel = |(o, simulated): (&Observe, &Vec<f64>)| match u {
-                Some((_, u)) if is_force(o) => amplitudes(u, &o.values, simulated),
+                Some((_, u)) if o.is_resistance() => amplitudes(u, &o.values, simulated),
                 _ => vec![],
             };
             run.observe.iter().zip(simulated).map(of_channel).collect()
@@ -223,12 +223,6 @@ impl Calibrated {
     pub fn free_parameters(&self) -> usize {
         self.study.space.parameters.iter().filter(|p| matches!(p.source, Source::Free(_))).count()
     }
-}
-
-/// Whether a channel is a force, to be plotted over a displacement.
-pub fn is_force(o: &Observe) -> bool {
-    let unit = o.unit.as_str();
-    ["N", "kN", "MN", "lbf", "kip", "Pa", "kPa", "MPa", "ksi"].contains(&unit) || o.channel.contains("force")
 }
 
 /// Name of a role in a study.

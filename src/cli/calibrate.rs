@@ -1,7 +1,7 @@
 //! `hysteron calibrate`.
 
 use super::args::{CalibrateArgs, Compat};
-use super::files::place;
+use super::files::{SAVE_EVERY, place};
 use super::messages::Messages;
 use hysteron::analysis::Options;
 use hysteron::calibrate::{
@@ -16,7 +16,7 @@ use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// Exit status where the fit failed, and where the input is wrong.
 const FAILED: i32 = 1;
@@ -314,9 +314,6 @@ struct Bar {
     begun: Instant,
     stop: Arc<AtomicBool>,
 }
-
-/// Time between checkpoints.
-const SAVE_EVERY: Duration = Duration::from_secs(5);
 
 impl Bar {
     fn new(study: &Study, saved: PathBuf, stop: Arc<AtomicBool>) -> Self {

@@ -1,20 +1,19 @@
 //! `hysteron diagnose`.
 
 use super::args::DiagnoseArgs;
-use super::files::place;
+use super::files::{SAVE_EVERY, place};
 use super::messages::Messages;
 use hysteron::analysis::Options;
-use hysteron::diagnose::{Diagnosis, Settings, Told, Watch, diagnose, hypothesis, page};
+use hysteron::diagnose::{Diagnosis, Kept, Settings, Watch, diagnose, hypothesis, identity, page};
 use hysteron::diagnostic::{Diagnostic, Severity, SourceMap, nearest};
 use hysteron::study::{Opening, ScriptSimulator, Study};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::{Deserialize, Serialize};
 use std::fs;
-use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// Exit status where the diagnosis failed, and where the input is wrong.
 const FAILED: i32 = 1;
@@ -51,7 +50,7 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
     let dir = args.out.clone().unwrap_or_else(|| "results".into());
     let saved = dir.join(CHECKPOINT);
     let found = fs::read_to_string(study.folder.join(&study.model)).map_err(|e| e.to_string()).and_then(|text| {
-        let of = of_what(args, &study, &text);
+        let of = identity(&simulator, &opening, &text, &args.without);
         let earlier = if args.resume { earlier(&saved, of)? } else { vec![] };
         fs::create_dir_all(&dir).map_err(|e| format!("cannot make {}: {e}", dir.display()))?;
         let threads = args.threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
@@ -97,22 +96,19 @@ const CHECKPOINT: &str = "diagnosis-checkpoint.json";
 struct Checkpoint {
     /// Of which study, with which library.
     of: u64,
-    told: Vec<Told>,
-}
-
-/// A number that differs where the study, its recordings, its script or the library does.
-fn of_what(args: &DiagnoseArgs, study: &Study, text: &str) -> u64 {
-    let mut hasher = DefaultHasher::new();
-    (format!("{study:?}"), text, &args.without, args.compat.is_some(), env!("CARGO_PKG_VERSION")).hash(&mut hasher);
-    hasher.finish()
+    kept: Vec<Kept>,
 }
 
 /// What was worked out before an interruption.
-fn earlier(saved: &Path, of: u64) -> Result<Vec<Told>, String> {
+fn earlier(saved: &Path, of: u64) -> Result<Vec<Kept>, String> {
     let cannot = |e: String| format!("cannot go on: {}: {e}", saved.display());
     let text = fs::read_to_string(saved).map_err(|e| cannot(e.to_string()))?;
     let old: Checkpoint = serde_json::from_str(&text).map_err(|e| cannot(e.to_string()))?;
-    if old.of == of { Ok(old.told) } else { Err(cannot("it is of another study, or of another library".into())) }
+    if old.of == of {
+        Ok(old.kept)
+    } else {
+        Err(cannot("it is of another study, or of another version of hysteron".into()))
+    }
 }
 
 fn write(dir: &Path, d: &Diagnosis, page: &str) -> Result<(), String> {
@@ -147,14 +143,14 @@ fn tell(d: &Diagnosis, verbose: bool) {
     );
     if verbose {
         println!("the fitted runs were looked at for {} sets of values", d.looks);
+        if d.left.0 > 0.0 {
+            println!("{:.2} of what the best leaves has structure: {}", d.left.0, d.left.1);
+        }
         for w in &d.weighed {
             println!("  {:26} {:.4e}  log evidence {:8.2}  {} ({})", w.cause, w.objective, w.evidence, w.at, w.form);
         }
     }
 }
-
-/// Time between checkpoints.
-const SAVE_EVERY: Duration = Duration::from_secs(5);
 
 /// Progress on standard error, the checkpoint, and the interrupt.
 struct Bar {
@@ -185,12 +181,12 @@ impl Watch for Bar {
         self.stop.load(Ordering::Relaxed)
     }
 
-    fn keep(&mut self, told: &[Told]) {
+    fn keep(&mut self, kept: &[Kept]) {
         if self.last.elapsed() < SAVE_EVERY && !self.stopped() {
             return;
         }
         self.last = Instant::now();
-        let checkpoint = Checkpoint { of: self.of, told: told.to_vec() };
+        let checkpoint = Checkpoint { of: self.of, kept: kept.to_vec() };
         let text = serde_json::to_string(&checkpoint).map_err(|e| e.to_string());
         if let Err(message) = text.and_then(|text| place(&self.saved, &text)) {
             self.bar.suspend(|| eprintln!("warning: no checkpoint: {message}"));

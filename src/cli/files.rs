@@ -4,6 +4,10 @@ use hysteron::command::{FileFormat, Outputs};
 use hysteron::record::{Memory, Output, RecordError, RowFile};
 use std::fs;
 use std::path::Path;
+use std::time::Duration;
+
+/// Time between checkpoints.
+pub(super) const SAVE_EVERY: Duration = Duration::from_secs(5);
 
 /// Files of the system.
 pub(super) struct SystemFiles;

@@ -81,10 +81,35 @@ pub struct Anatomy {
     /// The ground moves (an excitation, not an imposed motion of a node).
     pub shaken: bool,
     /// A number that neither a node nor an element nor a material has used; so are all above it.
-    pub free_tag: i32,
+    free_tag: i32,
+}
+
+/// For whose nodes, elements and materials. Two proposals can stand in one script: each kind has numbers of its
+/// own.
+#[derive(Clone, Copy, Debug)]
+pub enum Numbers {
+    /// Springs at supports.
+    Foundation,
+    /// Hinges at the feet of columns.
+    Hinges,
+    /// Masses beside their nodes.
+    Masses,
+    /// Regions with a damping of their own.
+    Regions,
 }
 
 impl Anatomy {
+    /// The first free number of a kind.
+    pub fn free(&self, whose: Numbers) -> i32 {
+        self.free_tag
+            + match whose {
+                Numbers::Foundation => 0,
+                Numbers::Hinges => 500,
+                Numbers::Masses => 600,
+                Numbers::Regions => 700,
+            }
+    }
+
     /// Of the model that an engine holds.
     pub fn of(engine: &Engine) -> Self {
         let model = engine.model();

@@ -2,11 +2,11 @@
 
 use super::evidence::Residuals;
 use super::projection::Projection;
+use super::resume::Told;
 use super::variant::{Variant, VariantSimulator};
 use crate::calibrate::{LevenbergMarquardt, Method, Trial};
 use crate::study::{Blueprint, Crew, Fit, Mishap, Role, Study, fit};
 use nalgebra::{DMatrix, DVector};
-use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -45,27 +45,6 @@ pub(super) enum Task {
     HoldBack { point: Vec<f64> },
     /// What an earlier diagnosis of the same study came to.
     Told(Told),
-}
-
-/// Of an answer what was work, so that a diagnosis can go on where it was interrupted.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-pub enum Told {
-    /// Where a search ended.
-    Fitted(Vec<f64>),
-    /// What a screening says.
-    Screened(Option<(f64, Vec<f64>)>),
-    /// To be worked out again.
-    Again,
-}
-
-impl Told {
-    pub(super) fn of(answer: Option<&Answer>) -> Self {
-        match answer {
-            Some(Answer::Fitted(f)) => Self::Fitted(f.point.clone()),
-            Some(Answer::Screened(s)) => Self::Screened(s.clone()),
-            _ => Self::Again,
-        }
-    }
 }
 
 /// What came of it.

@@ -20,14 +20,17 @@ mod page;
 mod pairs;
 mod pipeline;
 mod projection;
+mod regression;
 mod repair;
+mod resume;
 mod rounds;
 pub mod scale;
 mod structure;
+mod surrogate;
 pub mod variant;
 mod watching;
 mod work;
 
-pub use fitting::Told;
 pub use page::page;
 pub use pipeline::{Diagnosis, Settings, Watch, diagnose};
+pub use resume::{Kept, identity};

@@ -205,10 +205,6 @@ fn noise_of(study: &Study, e: &Explained) -> Option<Vec<(String, f64)>> {
     (!out.is_empty()).then(|| out.into_iter().map(|(c, r)| (c, power(&r).max(f64::MIN_POSITIVE))).collect())
 }
 
-fn is_force(unit: &str) -> bool {
-    ["N", "kN", "MN", "lbf", "kip", "kips"].contains(&unit)
-}
-
 /// How far two explanations are apart in a test, in mean squares of the noise, over its channels.
 fn apart(
     blueprint: &Blueprint,
@@ -237,7 +233,7 @@ fn apart(
     let (a, b) = (simulate(pair[0])?, simulate(pair[1])?);
     // What the actuator cannot push is no test.
     let most = rig_force.unwrap_or(f64::INFINITY);
-    let forces = run.observe.iter().zip(a.iter().zip(&b)).filter(|(o, _)| is_force(&o.unit));
+    let forces = run.observe.iter().zip(a.iter().zip(&b)).filter(|(o, _)| o.is_force());
     if forces.flat_map(|(_, (a, b))| a.iter().chain(b)).any(|f| f.abs() > most) {
         return None;
     }

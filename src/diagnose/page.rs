@@ -1,7 +1,7 @@
 //! `report.html`: the verdict first, then what it rests on.
 
 use super::pipeline::Diagnosis;
-use crate::calibrate::{Amplitude, amplitudes, is_force};
+use crate::calibrate::{Amplitude, amplitudes};
 use crate::report::Figure;
 use crate::report::html::{self, escaped, labelled, line, number, picture, table};
 use crate::study::{Fit, Role, Study};
@@ -101,7 +101,7 @@ fn pictures(out: &mut String, d: &Diagnosis, study: &Study, run: usize) {
             std::iter::once(line("recorded", over(x, &o.values))).chain(simulated).collect::<Vec<_>>()
         };
         let y_label = labelled(&o.channel, &o.unit);
-        if let Some((name, u)) = d.displacements[run].as_ref().filter(|_| is_force(o)) {
+        if let Some((name, u)) = d.displacements[run].as_ref().filter(|_| o.is_resistance()) {
             let (title, x_label) = (format!("Loops{place}"), name.clone());
             picture(out, &Figure { title, x_label, y_label: y_label.clone(), curves: all(u), ..Figure::default() });
         }
@@ -129,7 +129,7 @@ fn cycles(out: &mut String, d: &Diagnosis, study: &Study) {
     let mut rows = vec![];
     for (i, run) in study.runs.iter().enumerate() {
         let Some((_, u)) = &d.displacements[i] else { continue };
-        for (k, o) in run.observe.iter().enumerate().filter(|(_, o)| is_force(o)) {
+        for (k, o) in run.observe.iter().enumerate().filter(|(_, o)| o.is_resistance()) {
             let (Some(before), Some(after)) = (&d.before[i], &d.after[i]) else { continue };
             let of = |f: &Fit| amplitudes(u, &o.values, &f.channels[k]);
             for (b, a) in of(before).iter().zip(of(after)) {

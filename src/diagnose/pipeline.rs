@@ -1,11 +1,12 @@
 //! The way from a study to a verdict.
 
 use super::conclude::{Context, conclude};
-use super::fitting::{Bench, Told};
+use super::fitting::Bench;
 use super::hypothesis::{self, Proposal, Sight};
 use super::next_test::NextTest;
 use super::outcome::Outcome;
 use super::pairs::pairs;
+use super::resume::Kept;
 use super::rounds::{best_of_causes, first_round, fit_baseline, refine, weigh};
 use super::watching;
 use super::work::Work;
@@ -23,7 +24,7 @@ pub struct Settings {
     /// Number of threads.
     pub threads: usize,
     /// What an interrupted diagnosis of the same study and library kept.
-    pub earlier: Vec<Told>,
+    pub earlier: Vec<Kept>,
 }
 
 /// Who wants to know how far it has come.
@@ -33,7 +34,7 @@ pub trait Watch {
     /// Whether to stop.
     fn stopped(&self) -> bool;
     /// What has been worked out so far, for whoever goes on after an interruption.
-    fn keep(&mut self, told: &[Told]);
+    fn keep(&mut self, kept: &[Kept]);
 }
 
 /// What was found.
@@ -54,6 +55,8 @@ pub struct Diagnosis {
     pub next_test: Option<NextTest>,
     /// How many sets of values the fitted runs were looked at for.
     pub looks: usize,
+    /// Part of the residual of the best explanation that has structure which no noise has, and which structure.
+    pub left: (f64, String),
 }
 
 /// An explanation that was weighed.

@@ -1,7 +1,9 @@
 //! What is left in a residual that no noise has.
 
-use super::noise::{averaged, burg, bursts, explained, lines, power, whiten};
+use super::noise::{averaged, burg, bursts, lines, power, whiten};
+use super::regression::explained;
 use super::scale::Scales;
+use super::surrogate::{follows, unsteady};
 use crate::study::{Fit, Role, Study};
 
 /// Points that a residual is averaged to: mechanisms live in the motion, not between two samples.
@@ -13,7 +15,7 @@ const LONG_ORDER: usize = 8;
 const BLOCKS: usize = 6;
 
 /// Part of a residual that has structure which no noise has: told by the motion of the devices, by the channel itself or by
-/// what is left in other channels, standing in lines, or coming in bursts.
+/// what is left in other channels, standing in lines, coming in bursts, or louder at some times than at others.
 pub(super) fn structure(study: &Study, scales: &Scales, fits: &[Fit]) -> (f64, String) {
     let (mut most, mut says) = (0.0, String::new());
     let runs = study.runs.iter().enumerate().filter(|(_, r)| r.role == Role::Fit);
@@ -37,9 +39,11 @@ pub(super) fn structure(study: &Study, scales: &Scales, fits: &[Fit]) -> (f64, S
                 .map(|s| shifted(&channel, *s))
                 .chain(motion.iter().cloned())
                 .take(few.len() / 8)
-                .map(|c| whiten(&averaged(&c, POINTS), &noise))
+                .map(|c| averaged(&c, POINTS))
                 .collect();
-            let told = explained(&whiten(few, &noise), &columns, BLOCKS);
+            let whitened: Vec<Vec<f64>> = columns.iter().map(|c| whiten(c, &noise)).collect();
+            // White noise hides what is smooth where it is whitened by it: against steady noise of the same spectrum as well.
+            let told = explained(&whiten(few, &noise), &whitened, BLOCKS).max(follows(few, columns, BLOCKS));
             let (line, frequency) = lines(r, &channel);
             let burst = bursts(&innovations(r), &innovations(&channel));
             let common = in_common(&fewer, c, &noise);
@@ -56,6 +60,7 @@ pub(super) fn structure(study: &Study, scales: &Scales, fits: &[Fit]) -> (f64, S
             consider(told, format!("part of the residual of {} follows the motion", o.channel));
             consider(line, format!("the residual of {} has a line at {:.3} Hz", o.channel, frequency * rate));
             consider(burst, format!("the residual of {} comes in bursts", o.channel));
+            consider(unsteady(few), format!("the residual of {} is louder at some times than steady noise", o.channel));
             consider(common, format!("the residual of {} moves with those of other channels", o.channel));
         }
     }
@@ -125,6 +130,9 @@ fn regressors(scales: &Scales, run: usize) -> Vec<Vec<f64>> {
             })
             .collect();
         let each = |f: &dyn Fn(usize) -> f64| (0..n).map(f).collect::<Vec<f64>>();
+        // What is larger on one side, or loaded otherwise than unloaded.
+        let one_sided = each(&|i| q[i] * e[i]);
+        let loading = each(&|i| q[i] * e[i].abs());
         out.extend([
             e.clone(),
             q.clone(),
@@ -138,6 +146,8 @@ fn regressors(scales: &Scales, run: usize) -> Vec<Vec<f64>> {
             each(&|i| q[i] * m[i]),
             each(&|i| e[i] * v[i].abs()),
             each(&|i| e[i] * e[i]),
+            one_sided,
+            loading,
         ]);
         // Whatever function of the deformation: bumps along it.
         let [low, high] = e.iter().fold([0.0f64; 2], |[a, b], x| [a.min(*x), b.max(*x)]);
@@ -154,17 +164,7 @@ fn regressors(scales: &Scales, run: usize) -> Vec<Vec<f64>> {
 #[cfg(test)]
 mod tests {
     use super::in_common;
-
-    fn noise(seed: u64, n: usize) -> Vec<f64> {
-        let mut x = 88172645463325252u64 ^ (seed << 32);
-        let mut uniform = || {
-            x ^= x << 13;
-            x ^= x >> 7;
-            x ^= x << 17;
-            (x >> 11) as f64 / (1u64 << 53) as f64 - 0.5
-        };
-        (0..n).map(|_| (0..12).map(|_| uniform()).sum()).collect()
-    }
+    use crate::diagnose::noise::tests::noise;
 
     #[test]
     fn sensors_have_noise_of_their_own() {

@@ -3,7 +3,7 @@
 use super::correction::Correction;
 use super::hypothesis::Proposal;
 use super::insertion::{Place, insert};
-use crate::study::{Blueprint, Mishap, Parameter, ScriptSimulator, Simulator, Source, Space, Study};
+use crate::study::{Blueprint, Mishap, Parameter, Role, ScriptSimulator, Simulator, Source, Space, Study};
 use std::sync::Arc;
 
 /// A study that a proposal has changed, or the baseline.
@@ -86,7 +86,15 @@ impl Variant {
 
     /// A channel is at fault, not the model.
     pub fn of_a_channel(&self) -> bool {
-        self.proposal.as_ref().is_some_and(|p| p.faults.is_some() && p.block.is_empty())
+        self.proposal.is_some() && !self.edits()
+    }
+
+    /// The range of a channel is wrong in a single run, of several that are fitted. (Clocks and zeros do go wrong in
+    /// single runs.)
+    pub fn of_one_run(&self) -> bool {
+        let middle: Vec<f64> = vec![0.5; self.study.space.parameters.len()];
+        let range = |c: &Correction| c.run.is_some() && (c.gain != 1.0 || c.clip.is_some());
+        self.study.runs_of(Role::Fit).count() > 1 && self.corrections(&middle).iter().any(range)
     }
 
     /// A simulator of it.

@@ -1,8 +1,9 @@
 //! The work on variants, with its progress, and what an explanation is.
 
 use super::evidence::{INDEPENDENT, Residuals};
-use super::fitting::{Answer, Bench, Fitted, Job, Task, Told};
+use super::fitting::{Answer, Bench, Fitted, Job, Task};
 use super::pipeline::Watch;
+use super::resume::{Kept, Told, number};
 use super::variant::Variant;
 use crate::study::Study;
 use std::sync::Arc;
@@ -64,7 +65,7 @@ pub(super) struct Work<'a> {
     pub(super) bench: Bench,
     pub(super) watch: &'a mut dyn Watch,
     /// What an interrupted diagnosis came to, job after job, and how many jobs there have been.
-    pub(super) earlier: Vec<Told>,
+    pub(super) earlier: Vec<Kept>,
     pub(super) jobs: usize,
 }
 
@@ -74,12 +75,18 @@ impl Work<'_> {
         if self.watch.stopped() { Err("interrupted".into()) } else { Ok(()) }
     }
 
-    /// The next job, or what an interrupted diagnosis came to in its place: jobs follow from the answers to those before.
-    fn told(&mut self, job: Job) -> Job {
+    /// The next job, or what an interrupted diagnosis came to in its place. Jobs follow from the answers to those before:
+    /// where another one stands in its place, all that comes after it is forgotten.
+    fn told(&mut self, job: Job, number: u64) -> Job {
         self.jobs += 1;
-        match self.earlier.get(self.jobs - 1) {
-            None | Some(Told::Again) => job,
+        let Some(kept) = self.earlier.get(self.jobs - 1) else { return job };
+        match kept.of_job(number) {
+            Some(Told::Again) => job,
             Some(told) => Job { task: Task::Told(told.clone()), ..job },
+            None => {
+                self.earlier.truncate(self.jobs - 1);
+                job
+            }
         }
     }
 
@@ -92,7 +99,9 @@ impl Work<'_> {
             self.go_on()?;
             self.watch.stage(stage, out.len(), of);
             let first = self.jobs;
-            let portion: Vec<Job> = jobs.by_ref().take(8).map(|job| self.told(job)).collect();
+            let portion: Vec<Job> = jobs.by_ref().take(8).collect();
+            let numbers: Vec<u64> = portion.iter().map(number).collect();
+            let portion: Vec<Job> = portion.into_iter().zip(&numbers).map(|(job, n)| self.told(job, *n)).collect();
             let answers = self.bench.run(portion);
             // An analysis that was cut off says nothing: what was worked out before it is kept.
             if let Err(stopped) = self.go_on() {
@@ -100,7 +109,8 @@ impl Work<'_> {
                 return Err(stopped);
             }
             let known = self.earlier.len().saturating_sub(first);
-            self.earlier.extend(answers.iter().skip(known).map(|a| Told::of(a.as_ref())));
+            let kept = numbers.into_iter().zip(&answers).map(|(n, a)| Kept::of(n, a.as_ref()));
+            self.earlier.extend(kept.skip(known));
             self.watch.keep(&self.earlier);
             out.extend(answers);
         }

@@ -77,3 +77,19 @@ pub struct Observe {
     /// Their variance, about their mean and over their number.
     pub variance: f64,
 }
+
+/// Units of forces, and of stresses.
+const FORCES: [&str; 6] = ["N", "kN", "MN", "lbf", "kip", "kips"];
+const STRESSES: [&str; 4] = ["Pa", "kPa", "MPa", "ksi"];
+
+impl Observe {
+    /// Whether it is a force, by its unit.
+    pub fn is_force(&self) -> bool {
+        FORCES.contains(&self.unit.as_str())
+    }
+
+    /// Whether it is what a displacement is resisted with, by its unit or its name: loops are drawn of it.
+    pub fn is_resistance(&self) -> bool {
+        self.is_force() || STRESSES.contains(&self.unit.as_str()) || self.channel.contains("force")
+    }
+}

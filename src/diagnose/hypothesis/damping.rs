@@ -1,6 +1,7 @@
 //! Energy loss of the structure that the damping model misses.
 
 use super::{Added, Hypothesis, Proposal, Sight};
+use crate::diagnose::anatomy::Numbers;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "damping",
@@ -44,7 +45,7 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     if !s.anatomy.masses.is_empty() {
         // Dashpots between the masses and the ground: mass-proportional damping beside whatever the script has.
         let mut block = vec![];
-        for (tag, node) in (s.anatomy.free_tag + 700..).zip(&s.anatomy.masses) {
+        for (tag, node) in (s.anatomy.free(Numbers::Regions)..).zip(&s.anatomy.masses) {
             block.push(format!("# mass-proportional damping of node {}", node.node));
             block.push(format!("region {tag} -node {} -rayleigh $hy_alphaM 0.0 0.0 0.0", node.node));
         }

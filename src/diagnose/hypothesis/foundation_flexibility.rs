@@ -1,7 +1,7 @@
 //! The support gives way.
 
 use super::{Added, Hypothesis, Proposal, Sight};
-use crate::diagnose::anatomy::Support;
+use crate::diagnose::anatomy::{Numbers, Support};
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "foundation_flexibility",
@@ -45,8 +45,8 @@ fn forms(s: &Sight<'_>, supports: &[&Support], out: &mut Vec<Proposal>) {
     let total = s.anatomy.masses.iter().map(|m| m.mass[0]).sum::<f64>();
     let (first, stiffest) =
         (supports[0], |dof: usize| supports.iter().fold(0.0, |a: f64, p| a.max(p.stiffness[dof - 1])));
-    // Across the last axis, which is the vertical one.
-    let across: Vec<usize> = (1..ndm).filter(|d| first.fixed.contains(d) && stiffest(*d) > 0.0).collect();
+    // Across the last axis, which is the vertical one; a chain along one axis has its motion there.
+    let across: Vec<usize> = (1..ndm.max(2)).filter(|d| first.fixed.contains(d) && stiffest(*d) > 0.0).collect();
     let about: &[usize] = if ndm == 2 { &[3] } else { &[4, 5] };
     let rocks: Vec<usize> =
         about.iter().copied().filter(|d| first.fixed.contains(d) && first.ndf >= *d && stiffest(*d) > 0.0).collect();
@@ -55,7 +55,7 @@ fn forms(s: &Sight<'_>, supports: &[&Support], out: &mut Vec<Proposal>) {
     let mut form = |form: &str, springs: &[(&str, &[usize])], footing: bool| {
         let (mut block, mut added) = (vec![], vec![]);
         let scale = |dofs: &[usize]| dofs.iter().map(|d| stiffest(*d)).fold(0.0, f64::max);
-        for (material, (name, dofs)) in (s.anatomy.free_tag..).step_by(2).zip(springs) {
+        for (material, (name, dofs)) in (s.anatomy.free(Numbers::Foundation)..).step_by(2).zip(springs) {
             block.push(format!("uniaxialMaterial Elastic {material} $hy_{name}"));
             block.push(format!("uniaxialMaterial Viscous {} $hy_{name}_dashpot 1.0", material + 1));
             // Against the stiffness of what stands on it: what is much stiffer is a fixed base.
@@ -63,11 +63,11 @@ fn forms(s: &Sight<'_>, supports: &[&Support], out: &mut Vec<Proposal>) {
             added.push(Added::log(name, 3e-3 * scale, 100.0 * scale, scale));
             added.push(Added::log(&format!("{name}_dashpot"), 1e-5 * scale, 0.3 * scale, 3e-3 * scale));
         }
-        for (support, tag) in supports.iter().zip(s.anatomy.free_tag..) {
+        for (support, tag) in supports.iter().zip(s.anatomy.free(Numbers::Foundation)..) {
             let (mut materials, mut directions) = (vec![], vec![]);
             block.push(format!("node {tag} {}", super::coordinates(support.node, ndm)));
             block.push(format!("fix {tag} {}", vec!["1"; support.ndf].join(" ")));
-            for (material, (_, dofs)) in (s.anatomy.free_tag..).step_by(2).zip(springs) {
+            for (material, (_, dofs)) in (s.anatomy.free(Numbers::Foundation)..).step_by(2).zip(springs) {
                 for dof in *dofs {
                     let direction = if ndm == 2 && *dof == 3 { 6 } else { *dof };
                     block.push(format!("remove sp {} {dof}", support.node));

@@ -1,7 +1,7 @@
 //! The structure above yields.
 
 use super::{Added, Hypothesis, Proposal, Sight};
-use crate::diagnose::anatomy::{Beam, Support};
+use crate::diagnose::anatomy::{Beam, Numbers, Support};
 
 /// Columns that are looked at, at most.
 const MOST: usize = 6;
@@ -57,7 +57,7 @@ fn hinges(s: &Sight<'_>, feet: &[(&Support, &Beam)]) -> Option<Proposal> {
     if stiffness <= 0.0 || moment <= 0.0 {
         return None;
     }
-    let material = s.anatomy.free_tag + 500;
+    let material = s.anatomy.free(Numbers::Hinges);
     let mut block = vec![format!(
         "uniaxialMaterial Steel02 {material} $hy_moment $hy_rotational [expr {{$hy_plastic/$hy_rotational}}] 18.0 0.925 0.15"
     )];

@@ -1,6 +1,7 @@
 //! An eccentric plan turns.
 
 use super::{Added, Hypothesis, Proposal, Sight};
+use crate::diagnose::anatomy::Numbers;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "torsion",
@@ -23,7 +24,7 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
         if !plan || node.mass[turn] <= 0.0 || node.mass[0] <= 0.0 {
             continue;
         }
-        let tag = s.anatomy.free_tag + 600 + n as i32;
+        let tag = s.anatomy.free(Numbers::Masses) + n as i32;
         let radius = (node.mass[turn] / node.mass[0]).sqrt();
         let third = if ndm == 3 { format!(" [nodeCoord {} 3]", node.node) } else { String::new() };
         let masses = |keep: &dyn Fn(usize) -> bool| {
