@@ -5,7 +5,7 @@
 #![allow(clippy::unwrap_used)]
 
 use hysteron::analysis::Options;
-use hysteron::diagnose::{Diagnosis, Settings, Told, Watch, diagnose};
+use hysteron::diagnose::{Diagnosis, Kept, Settings, Watch, diagnose};
 use hysteron::diagnostic::SourceMap;
 use hysteron::study::{ScriptSimulator, Study};
 use std::fmt::Write as _;
@@ -85,7 +85,7 @@ fn concealed(name: &str, shows: impl Fn(&[f64], &[f64]) -> Vec<f64>) -> PathBuf 
 
 /// Keeps what was worked out, and stops when that is so much.
 struct Keeper {
-    told: Vec<Told>,
+    told: Vec<Kept>,
     enough: usize,
 }
 
@@ -94,12 +94,12 @@ impl Watch for Keeper {
     fn stopped(&self) -> bool {
         self.told.len() >= self.enough
     }
-    fn keep(&mut self, told: &[Told]) {
+    fn keep(&mut self, told: &[Kept]) {
         self.told = told.to_vec();
     }
 }
 
-fn attempt(dir: &Path, without: &[&str], earlier: Vec<Told>, keeper: &mut Keeper) -> Result<Diagnosis, String> {
+fn attempt(dir: &Path, without: &[&str], earlier: Vec<Kept>, keeper: &mut Keeper) -> Result<Diagnosis, String> {
     let mut sources = SourceMap::default();
     let study = Arc::new(Study::load(&dir.join("study.toml"), &mut sources).unwrap());
     let mut simulator = ScriptSimulator::new(study, Options::default(), Arc::new(AtomicBool::new(false)));
@@ -138,10 +138,17 @@ fn nothing_is_found_where_nothing_is_missing() {
     // Interrupted, kept as a file keeps it, and gone on with: the same to the last digit, in less work.
     let mut keeper = Keeper { told: vec![], enough: 30 };
     assert_eq!(attempt(&dir, &[], vec![], &mut keeper).err().unwrap(), "interrupted");
-    let kept: Vec<Told> = serde_json::from_str(&serde_json::to_string(&keeper.told).unwrap()).unwrap();
+    let kept: Vec<Kept> = serde_json::from_str(&serde_json::to_string(&keeper.told).unwrap()).unwrap();
     let again = attempt(&dir, &[], kept, &mut Keeper { told: vec![], enough: usize::MAX }).unwrap();
     assert_eq!(serde_json::to_string(&again.outcome).unwrap(), serde_json::to_string(&d.outcome).unwrap());
     assert!(again.looks < d.looks, "{} {}", again.looks, d.looks);
+
+    // What belongs to other jobs is not believed.
+    let mut others = serde_json::to_value(&keeper.told).unwrap();
+    others.as_array_mut().unwrap().iter_mut().skip(3).for_each(|k| k["job"] = 1.into());
+    let others: Vec<Kept> = serde_json::from_value(others).unwrap();
+    let again = attempt(&dir, &[], others, &mut Keeper { told: vec![], enough: usize::MAX }).unwrap();
+    assert_eq!(serde_json::to_string(&again.outcome).unwrap(), serde_json::to_string(&d.outcome).unwrap());
     let _ = fs::remove_dir_all(dir);
 }
 

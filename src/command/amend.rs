@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 pub(super) const COMMANDS: &[Command] = &[Command { name: "amend", usage: USAGE, run: amend }];
 
-const USAGE: &str = "amend element $tag <$tag ...> $kind -option $value ... <-dir $dir1 <$dir2>> <-share $k $elastic <$rest>> | \
+const USAGE: &str = "amend element $tag <$tag ...> $kind -option $value ... <-dir $dir1 <$dir2>> <-axial $dir> <-share $k $elastic <$rest>> | \
                      amend element $tag node $old $new";
 
 /// What a number of an option must be.
@@ -184,10 +184,14 @@ const KINDS: &[Kind] = &[
     Kind {
         name: "slip",
         options: &[
-            needed("-depth", "part of the hysteretic force that is missing where it passes zero", Any),
-            needed("-width", "width of that, as a part of its largest value", Positive),
+            needed("-size", "deformation from end to end of the slack", NotNegative),
+            optional("-growth", "more of it for each deformation that has been reached", NotNegative, 0.0),
+            needed("-width", "hysteretic force within which it slips", Positive),
         ],
-        make: |n, share, _| Arc::new(Slip { depth: n.get("-depth"), width: n.get("-width"), share }),
+        make: |n, share, _| {
+            let (size, growth, width) = (n.get("-size"), n.get("-growth"), n.get("-width"));
+            Arc::new(Slip { size, growth, width, share })
+        },
     },
     Kind {
         name: "pressure",
@@ -288,7 +292,14 @@ fn amend(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         let inner = interp.host.engine.model().elements[id.0].element.clone();
         // The stiffness that a law may need is that of the directions it will act in.
         let probe: Arc<dyn Amendment> = (kind.make)(&words.numbers, words.share, 1.0);
-        let around = |law| Amended::new(inner.clone(), law, &words.directions).map_err(|e| a.refuse(e.0, ""));
+        let around = |law| {
+            let amended = Amended::new(inner.clone(), law, &words.directions);
+            let amended = amended.and_then(|amended| match words.axial {
+                Some(direction) => amended.with_axial(direction),
+                None => Ok(amended),
+            });
+            amended.map_err(|e| a.refuse(e.0, ""))
+        };
         let stiffness = around(probe)?.initial_stiffness()[0];
         let made = around((kind.make)(&words.numbers, words.share, stiffness))?;
         interp.host.engine.replace_element(id, Arc::new(made));
@@ -301,12 +312,14 @@ struct Words {
     numbers: Numbers,
     share: Share,
     directions: Vec<usize>,
+    /// The direction that carries the axial force, where it is not the first.
+    axial: Option<usize>,
 }
 
 impl Words {
     fn take(a: &mut Args<'_>, kind: &Kind) -> Result<Self, Exception> {
         let mut numbers: BTreeMap<_, _> = kind.options.iter().filter_map(|o| Some((o.name, o.default?))).collect();
-        let (mut share, mut directions) = (Share::default(), vec![]);
+        let (mut share, mut directions, mut axial) = (Share::default(), vec![], None);
         while let Some(word) = a.option() {
             match word.as_ref() {
                 "-dir" => {
@@ -314,6 +327,7 @@ impl Words {
                         directions.push(a.dof("direction", 6)? + 1);
                     }
                 }
+                "-axial" => axial = Some(a.dof("direction of the axial force", 6)? + 1),
                 "-share" => {
                     share.stiffness = a.not_negative("stiffness of the elastic part")?;
                     share.elastic = a.float("measure in which it acts on the elastic part")?;
@@ -323,7 +337,7 @@ impl Words {
                 }
                 word => {
                     let Some(o) = kind.options.iter().find(|o| o.name == word) else {
-                        let known = kind.options.iter().map(|o| o.name).chain(["-dir", "-share"]);
+                        let known = kind.options.iter().map(|o| o.name).chain(["-axial", "-dir", "-share"]);
                         return Err(a.unknown_name("option", known));
                     };
                     numbers.insert(o.name, number(a, o)?);
@@ -334,7 +348,7 @@ impl Words {
             let message = format!("amend {}: {} $value is missing", kind.name, o.name);
             return Err(a.refuse(message, format!("expected the {} as well", o.what)));
         }
-        Ok(Self { numbers: Numbers(numbers), share, directions })
+        Ok(Self { numbers: Numbers(numbers), share, directions, axial })
     }
 }
 

@@ -1,5 +1,6 @@
 //! What there is in a model that could be other than it was taken for.
 
+use super::columns::{Column, columns};
 use crate::analysis::Engine;
 use crate::element::{Answer, BasicRow, Element, Motion};
 use crate::model::{Model, PatternKind};
@@ -30,6 +31,8 @@ pub struct Direction {
     pub column: usize,
     /// Initial stiffness.
     pub stiffness: f64,
+    /// It is along the last axis of the model, which is the vertical one but in plan.
+    pub upright: bool,
 }
 
 /// A fixed node.
@@ -56,15 +59,6 @@ pub struct Mass {
     pub mass: Vec<f64>,
 }
 
-/// A beam that is taken as elastic.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Beam {
-    /// Tag.
-    pub tag: i32,
-    /// Tags of its nodes.
-    pub nodes: [i32; 2],
-}
-
 /// What a model is made of.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Anatomy {
@@ -72,8 +66,10 @@ pub struct Anatomy {
     pub ndm: usize,
     /// Springs and bearings.
     pub devices: Vec<Device>,
-    /// Elastic beams.
-    pub beams: Vec<Beam>,
+    /// Tags of elastic beams.
+    pub beams: Vec<i32>,
+    /// Those of them that are columns, the lowest first.
+    pub columns: Vec<Column>,
     /// Fixed nodes.
     pub supports: Vec<Support>,
     /// Nodes with mass.
@@ -122,14 +118,18 @@ impl Anatomy {
             let nature = e.element.nature();
             if rows.is_empty() {
                 if nature.linear && e.dofs.len() >= 6 {
-                    out.beams.push(Beam { tag: e.tag, nodes });
+                    out.beams.push(e.tag);
                 }
                 continue;
             }
             let n = e.element.dofs();
             let mut tangent = vec![0.0; n * n];
             e.element.initial_tangent(&mut tangent);
-            let directions = rows.iter().map(|r| direction(r, &tangent)).filter(|d| d.stiffness > 0.0).collect();
+            let directions = rows
+                .iter()
+                .map(|r| direction(r, &tangent, model.nodes[i.0].ndm()))
+                .filter(|d| d.stiffness > 0.0)
+                .collect();
             out.devices.push(Device {
                 tag: e.tag,
                 class: e.element.class(),
@@ -150,18 +150,11 @@ impl Anatomy {
                 out.masses.push(Mass { node: node.tag, mass: node.mass.clone() });
             }
         }
+        out.columns = columns(model, &out.beams);
         out.shaken = model.patterns.values().any(|p| !matches!(p.kind, PatternKind::Plain { .. }));
         let largest = model.node_tags().chain(model.element_tags()).max().unwrap_or(0);
         out.free_tag = (largest + 1).max(900_000);
         out
-    }
-
-    /// Columns that stand alone on a fixed node, with it.
-    pub fn feet(&self) -> impl Iterator<Item = (&Support, &Beam)> {
-        self.supports.iter().filter_map(|s| {
-            let mut on = self.beams.iter().filter(|b| b.nodes.contains(&s.node));
-            on.next().filter(|_| on.next().is_none()).map(|b| (s, b))
-        })
     }
 
     /// The devices whose law is not linear, as groups of the same class and directions: what was built as one kind.
@@ -194,12 +187,14 @@ fn stiffness_at(model: &Model, node: usize, ndf: usize) -> Vec<f64> {
     sum
 }
 
-fn direction(row: &BasicRow, tangent: &[f64]) -> Direction {
+fn direction(row: &BasicRow, tangent: &[f64], ndm: usize) -> Direction {
     let unit = row.at_j();
     let n = unit.len();
     let product = |k: &[f64]| k.iter().zip(unit).map(|(a, b)| a * b).sum::<f64>();
     let stiffness = tangent.chunks_exact(n).zip(unit).map(|(k, u)| u * product(k)).sum();
-    Direction { number: row.direction, column: row.column, stiffness }
+    // At node j; a chain along one axis has no height.
+    let upright = ndm > 1 && unit.get(n / 2 + ndm - 1).is_some_and(|u| u.abs() > 0.7);
+    Direction { number: row.direction, column: row.column, stiffness, upright }
 }
 
 /// Whether an element answers to a deformation in proportion, however large: springs that were taken as elastic, with or

@@ -16,6 +16,8 @@ pub struct Extent {
     pub work: f64,
     /// Largest deformation of the positive sign, and least.
     pub range: [f64; 2],
+    /// Force at the beginning.
+    pub rest: f64,
 }
 
 /// A device in a direction in a run, sampled.
@@ -33,6 +35,7 @@ impl Watched {
     pub(super) fn extent(&self) -> Extent {
         let finite = |v: &[f64]| v.iter().filter(|x| x.is_finite()).fold(0.0f64, |m, x| m.max(x.abs()));
         let mut x = Extent { e: finite(&self.e), q: finite(&self.q), ..Extent::default() };
+        x.rest = self.q.first().filter(|q| q.is_finite()).map_or(0.0, |q| q.abs());
         for i in 1..self.times.len() {
             let (dt, de) = (self.times[i] - self.times[i - 1], self.e[i] - self.e[i - 1]);
             if de.is_finite() && dt > 0.0 {
@@ -65,6 +68,7 @@ impl Scales {
             v: a.v.max(b.v),
             work: a.work.max(b.work),
             range: [a.range[0].min(b.range[0]), a.range[1].max(b.range[1])],
+            rest: a.rest.max(b.rest),
         })
     }
 }

@@ -47,7 +47,7 @@ pub(super) fn watch(
     anatomy: &Anatomy,
 ) -> Scales {
     let devices = &anatomy.devices[..anatomy.devices.len().min(MOST)];
-    let feet: Vec<_> = anatomy.feet().take(MOST).collect();
+    let columns = &anatomy.columns[..anatomy.columns.len().min(MOST)];
     let moments = if anatomy.ndm == 2 { &[3, 6][..] } else { &[5, 6, 11, 12] };
     let mut block = vec![];
     let mut observe = vec![];
@@ -70,8 +70,8 @@ pub(super) fn watch(
             record(d.tag, what, &mut d.directions.iter().map(|direction| direction.column + 1));
         }
     }
-    for (_, beam) in &feet {
-        record(beam.tag, "localForce", &mut moments.iter().copied());
+    for column in columns {
+        record(column.tag, "localForce", &mut moments.iter().copied());
     }
     let text = insert(text, at, &block);
     let mut watching = (**study).clone();
@@ -90,9 +90,9 @@ pub(super) fn watch(
                 scales.watched.insert((run, d.tag, direction.number), Watched { times, e, q });
             }
         }
-        for (_, beam) in &feet {
+        for column in columns {
             let of_ends = channels.by_ref().take(moments.len()).flatten().filter(|m| m.is_finite());
-            let largest = scales.moments.entry(beam.tag).or_default();
+            let largest = scales.moments.entry(column.tag).or_default();
             *largest = of_ends.fold(*largest, |most, m| most.max(m.abs()));
         }
     }

@@ -21,9 +21,9 @@ pub(super) const VARYING: Hypothesis = Hypothesis {
 /// Compression of a group at rest, from the runs' own `axial` or from the model.
 fn load(s: &Sight<'_>, m: &super::Moved<'_>) -> Option<(f64, String)> {
     let named: Vec<f64> = s.study.runs.iter().filter_map(|r| r.number("axial")).map(f64::abs).collect();
-    let carried = s.scales.of(&m.group, 1).filter(|_| !m.directions.contains(&1)).map_or(0.0, |x| x.q);
+    let carried = m.axial.and_then(|axial| s.scales.of(&m.group, axial)).map_or(0.0, |x| x.q);
     if carried > 0.0 {
-        return Some((carried, String::new()));
+        return Some((carried, m.axial_word()));
     }
     let most = named.iter().fold(0.0f64, |a, b| a.max(*b));
     (most > 0.0 && named.len() == s.study.runs.len()).then(|| (most, " -load [expr {abs($axial)}]".into()))
@@ -54,14 +54,18 @@ fn propose_varying(s: &Sight<'_>) -> Vec<Proposal> {
     let mut out = vec![];
     for m in s.moved(false) {
         // It can only follow a force that the model has and that varies.
-        let Some(x) = s.scales.of(&m.group, 1).filter(|_| !m.directions.contains(&1)) else { continue };
+        let Some(x) = m.axial.and_then(|axial| s.scales.of(&m.group, axial)) else { continue };
         let spread = x.range[1] - x.range[0];
         if spread <= 0.05 * x.e || x.q <= 0.0 {
             continue;
         }
         let k = m.stiffness();
-        let line =
-            format!("{} -reference $hy_reference -power $hy_power -share $hy_k 0 {}", m.amend("pressure"), m.dir);
+        let line = format!(
+            "{} -reference $hy_reference -power $hy_power -share $hy_k 0 {}{}",
+            m.amend("pressure"),
+            m.dir,
+            m.axial_word()
+        );
         let added = vec![
             Added::log("reference", 0.05 * x.q, 2.0 * x.q, 0.6 * x.q),
             Added::linear("power", 0.1, 2.0, 1.0),

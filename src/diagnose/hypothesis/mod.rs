@@ -192,6 +192,8 @@ struct Moved<'a> {
     /// `-dir` with the directions that move.
     dir: String,
     directions: Vec<usize>,
+    /// The direction that carries the axial force, if any does.
+    axial: Option<usize>,
     /// Largest deformation, force, speed; work over the longest run.
     e: f64,
     q: f64,
@@ -213,7 +215,15 @@ impl Moved<'_> {
     fn at(&self) -> String {
         named(&self.group)
     }
+
+    /// Option that tells an amendment which direction carries the axial force, where it is not the first.
+    fn axial_word(&self) -> String {
+        self.axial.filter(|d| *d != 1).map_or_else(String::new, |d| format!(" -axial {d}"))
+    }
 }
+
+/// Part of the largest force that must be there at rest for it to be called the axial load.
+const LOADED: f64 = 0.1;
 
 impl Sight<'_> {
     /// Longest time between two samples of a recording.
@@ -242,12 +252,14 @@ impl Sight<'_> {
 
     fn motion_of<'a>(&self, group: Vec<&'a Device>) -> Option<Moved<'a>> {
         let first = group[0];
-        // A bearing has its axial direction first, and it is another matter.
-        let lateral = |n: usize| n <= 3 && (n > 1 || first.class == "ZeroLength" || first.directions.len() == 1);
+        // A bearing has its axial direction first, and it is another matter; of a spring or a damper that lies it is not.
+        let lateral = |d: &super::anatomy::Direction| {
+            d.number <= 3 && (d.number > 1 || !d.upright || first.class == "ZeroLength" || first.directions.len() == 1)
+        };
         let all: Vec<(usize, super::scale::Extent)> = first
             .directions
             .iter()
-            .filter(|d| lateral(d.number))
+            .filter(|d| lateral(d))
             .filter_map(|d| Some((d.number, self.scales.of(&group, d.number)?)))
             .collect();
         let most = all.iter().map(|(_, x)| x.e).fold(0.0, f64::max);
@@ -258,7 +270,15 @@ impl Sight<'_> {
         }
         let largest = |f: fn(&super::scale::Extent) -> f64| moving.iter().map(|(_, x)| f(x)).fold(0.0, f64::max);
         let words: Vec<String> = directions.iter().map(usize::to_string).collect();
+        // Of a bearing the first; of springs along global axes the vertical one, if it carries something at rest.
+        let loaded = |d: usize| self.scales.of(&group, d).is_some_and(|x| x.rest > LOADED * x.q);
+        let carries = |d: &&super::anatomy::Direction| {
+            let free = d.number <= 3 && !directions.contains(&d.number);
+            free && (d.number == 1 && !lateral(d) || d.upright && loaded(d.number))
+        };
+        let axial = first.directions.iter().find(carries).map(|d| d.number);
         Some(Moved {
+            axial,
             dir: format!("-dir {}", words.join(" ")),
             directions,
             e: largest(|x| x.e),

@@ -1,9 +1,10 @@
 //! The structure above yields.
 
 use super::{Added, Hypothesis, Proposal, Sight};
-use crate::diagnose::anatomy::{Beam, Numbers, Support};
+use crate::diagnose::anatomy::Numbers;
+use crate::diagnose::columns::{Column, rotations};
 
-/// Columns that are looked at, at most.
+/// Columns on the ground that are looked at alone, and storeys, at most.
 const MOST: usize = 6;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
@@ -35,25 +36,31 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
             out.push(Proposal::edit("superstructure_yielding", "bilinear spring", at, vec![line], added));
         }
     }
-    let feet: Vec<(&Support, &Beam)> = s.anatomy.feet().take(MOST).collect();
-    out.extend(feet.iter().filter_map(|foot| hinges(s, &[*foot])));
-    if feet.len() > 1 {
-        out.extend(hinges(s, &feet));
+    // The feet of columns: those on the ground each alone as well, of storeys all together.
+    let mut levels: Vec<Vec<&Column>> = vec![];
+    for column in &s.anatomy.columns {
+        match levels.iter_mut().find(|l| (l[0].level - column.level).abs() <= 1e-6 * column.level.abs().max(1.0)) {
+            Some(level) => level.push(column),
+            None => levels.push(vec![column]),
+        }
+    }
+    for (n, level) in levels.iter().take(MOST).enumerate() {
+        if n == 0 && level.len() > 1 {
+            out.extend(level.iter().take(MOST).filter_map(|column| hinges(s, &[*column])));
+        }
+        out.extend(hinges(s, level));
     }
     out
 }
 
 /// Hinges at the feet of columns, about every axis across them, all alike.
-fn hinges(s: &Sight<'_>, feet: &[(&Support, &Beam)]) -> Option<Proposal> {
-    let (translations, rotations, directions) = match s.anatomy.ndm {
-        2 => ("1 2", &[3][..], "6"),
-        _ => ("1 2 3 6", &[4, 5][..], "4 5"),
+fn hinges(s: &Sight<'_>, columns: &[&Column]) -> Option<Proposal> {
+    let (translations, directions) = match s.anatomy.ndm {
+        2 => ("1 2", "6"),
+        _ => ("1 2 3 6", "4 5"),
     };
-    let stiffness = feet
-        .iter()
-        .flat_map(|(s, _)| rotations.iter().filter_map(|r| s.stiffness.get(r - 1)))
-        .fold(0.0, |a: f64, k| a.max(*k));
-    let moment = feet.iter().filter_map(|(_, b)| s.scales.moments.get(&b.tag)).fold(0.0, |a: f64, m| a.max(*m));
+    let stiffness = columns.iter().fold(0.0, |a: f64, c| a.max(c.rotational));
+    let moment = columns.iter().filter_map(|c| s.scales.moments.get(&c.tag)).fold(0.0, |a: f64, m| a.max(*m));
     if stiffness <= 0.0 || moment <= 0.0 {
         return None;
     }
@@ -61,12 +68,12 @@ fn hinges(s: &Sight<'_>, feet: &[(&Support, &Beam)]) -> Option<Proposal> {
     let mut block = vec![format!(
         "uniaxialMaterial Steel02 {material} $hy_moment $hy_rotational [expr {{$hy_plastic/$hy_rotational}}] 18.0 0.925 0.15"
     )];
-    let materials = vec![material.to_string(); rotations.len()].join(" ");
-    for ((support, foot), tag) in feet.iter().zip(material..) {
-        let node = support.node;
+    let materials = vec![material.to_string(); rotations(s.anatomy.ndm).len()].join(" ");
+    for (column, tag) in columns.iter().zip(material..) {
+        let node = column.node;
         block.extend([
             format!("node {tag} {}", super::coordinates(node, s.anatomy.ndm)),
-            format!("amend element {} node {node} {tag}", foot.tag),
+            format!("amend element {} node {node} {tag}", column.tag),
             format!("equalDOF {node} {tag} {translations}"),
             format!("element zeroLength {tag} {node} {tag} -mat {materials} -dir {directions}"),
         ]);
@@ -77,7 +84,7 @@ fn hinges(s: &Sight<'_>, feet: &[(&Support, &Beam)]) -> Option<Proposal> {
         Added::log("plastic", 1e-3 * stiffness, stiffness, 0.03 * stiffness),
         Added::log("rotational", 0.05 * stiffness, 20.0 * stiffness, stiffness),
     ];
-    let tags: Vec<String> = feet.iter().map(|(_, b)| b.tag.to_string()).collect();
+    let tags: Vec<String> = columns.iter().map(|c| c.tag.to_string()).collect();
     Some(Proposal::edit(
         "superstructure_yielding",
         "plastic hinge",

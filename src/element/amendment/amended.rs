@@ -1,6 +1,7 @@
 //! The element around an element.
 
-use super::{Amendment, Demand, Pair, Verdict};
+use super::slack::Answered;
+use super::{Amendment, Demand, Pair, Slack, Taken, Verdict};
 use crate::element::{
     Answer, BasicRow, Element, ElementError, ElementLoad, MAX_DOFS, Mass, Motion, Nature, Overload, Rows, Snapshot, dot,
 };
@@ -63,6 +64,21 @@ impl Amended {
         Ok(Self { law, rows, axial, inner_len: inner.state_len(), basic_force, inner })
     }
 
+    /// The same with another direction that carries the axial force than the first: of springs along global axes the
+    /// vertical one.
+    ///
+    /// # Errors
+    /// A direction that the element does not have, or that is amended.
+    pub fn with_axial(self, direction: usize) -> Result<Self, ElementError> {
+        let has = self.inner.basic_rows();
+        if self.rows.iter().any(|r| r.direction == direction) {
+            return Err(ElementError(format!("direction {direction} is amended itself")));
+        }
+        let row = has.iter().find(|r| r.direction == direction).cloned();
+        let row = row.ok_or_else(|| no_direction(self.inner.as_ref(), direction, &has))?;
+        Ok(Self { axial: Some(row), ..self })
+    }
+
     /// Stiffness of the virgin element in each of its amended directions.
     pub fn initial_stiffness(&self) -> Pair {
         let n = self.inner.dofs();
@@ -113,6 +129,47 @@ impl Amended {
         }
     }
 
+    /// Displacements with so much of the deformations taken off at node j.
+    fn behind(&self, disp: &[f64], by: Pair) -> [f64; MAX_DOFS] {
+        let mut out = [0.0; MAX_DOFS];
+        out[..disp.len()].copy_from_slice(disp);
+        for (row, s) in self.rows.iter().zip(by) {
+            out.iter_mut().zip(row.at_j()).for_each(|(d, t)| *d -= s * t);
+        }
+        out
+    }
+
+    /// Derivatives of the forces in the amended directions by their deformations.
+    fn by_deformation(&self, tangent: &[f64]) -> [Pair; 2] {
+        let n = self.inner.dofs();
+        let mut out = [[0.0; 2]; 2];
+        for (row, out) in self.rows.iter().zip(&mut out) {
+            let mut by_u = [0.0; MAX_DOFS];
+            row.force_by_disp(tangent, &mut by_u[..n]);
+            for (other, out) in self.rows.iter().zip(out) {
+                *out = dot(&by_u[..n], other.at_j());
+            }
+        }
+        out
+    }
+
+    /// What slack takes of the deformations of a trial state.
+    fn settle(&self, slack: &Slack, motion: &Motion<'_>, old: &[f64], new: &mut [f64]) -> Result<Taken, ElementError> {
+        let n = self.inner.dofs();
+        let mut e = [0.0; 2];
+        e.iter_mut().zip(&self.rows).for_each(|(e, row)| *e = row.deformation(motion.disp));
+        slack.settle(e, |by| -> Result<Answered, ElementError> {
+            let (mut force, mut tangent) = ([0.0; MAX_DOFS], [0.0; MAX_DOFS * MAX_DOFS]);
+            let disp = self.behind(motion.disp, by);
+            let answer =
+                Answer { force: &mut force[..n], tangent: Some(&mut tangent[..n * n]), damping: None, rows: Rows::ALL };
+            self.inner.respond(&Motion { disp: &disp[..n], ..*motion }, old, new, answer)?;
+            let mut q = [0.0; 2];
+            q.iter_mut().zip(&self.rows).for_each(|(q, row)| *q = row.force(&force[..n]));
+            Ok((q, self.by_deformation(&tangent[..n * n])))
+        })
+    }
+
     fn law_at(&self) -> usize {
         self.inner_len + HEADER
     }
@@ -153,8 +210,18 @@ impl Element for Amended {
         };
         let (old, kept) = committed.split_at(self.inner_len);
         let (new, next) = trial.split_at_mut(self.inner_len);
-        self.inner.respond(motion, old, new, own)?;
-        let demand = self.demand(motion.disp, answer.force, motion.dt, [kept[0], kept[1]]);
+        let demand = match self.law.slack(&kept[HEADER..]) {
+            None => {
+                self.inner.respond(motion, old, new, own)?;
+                self.demand(motion.disp, answer.force, motion.dt, [kept[0], kept[1]])
+            }
+            Some(slack) => {
+                let taken = self.settle(&slack, motion, old, new)?;
+                let disp = self.behind(motion.disp, taken.by);
+                self.inner.respond(&Motion { disp: &disp[..motion.disp.len()], ..*motion }, old, new, own)?;
+                Demand { slack: taken, ..self.demand(motion.disp, answer.force, motion.dt, [kept[0], kept[1]]) }
+            }
+        };
         let v = self.law.amend(&kept[HEADER..], &demand, &mut next[HEADER..])?;
         next[..2].copy_from_slice(&demand.e);
         for (i, row) in self.rows.iter().enumerate() {
@@ -173,7 +240,8 @@ impl Element for Amended {
         let mut next = vec![0.0; self.law.state_len()];
         let mut virgin = next.clone();
         self.law.init(&mut virgin);
-        if let Ok(v) = self.law.amend(&virgin, &Demand::default(), &mut next) {
+        let slack = self.law.slack(&virgin).map(|s| s.at_rest(&self.by_deformation(tangent))).unwrap_or_default();
+        if let Ok(v) = self.law.amend(&virgin, &Demand { slack, ..Demand::default() }, &mut next) {
             self.add_tangent(&v, tangent);
         }
     }

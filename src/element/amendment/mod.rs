@@ -19,6 +19,7 @@ mod overstress;
 mod pinching;
 mod pressure;
 mod share;
+mod slack;
 mod slip;
 mod stiffening;
 mod temperature;
@@ -42,6 +43,7 @@ pub use overstress::Overstress;
 pub use pinching::Pinching;
 pub use pressure::Pressure;
 pub use share::Share;
+pub use slack::{Slack, Taken};
 pub use slip::Slip;
 pub use stiffening::Stiffening;
 pub use temperature::Temperature;
@@ -63,6 +65,8 @@ pub struct Demand {
     pub axial: f64,
     /// Domain time since the committed state.
     pub dt: f64,
+    /// What the slack of the law has taken of the deformation: the force is that of the rest.
+    pub slack: Taken,
 }
 
 impl Demand {
@@ -114,6 +118,11 @@ pub trait AmendmentLaw: fmt::Debug + Send + Sync + 'static {
     /// Amended force and next history.
     fn amend(&self, committed: &Self::State, demand: &Demand) -> Result<(Verdict, Self::State), ElementError>;
 
+    /// Slack that the element does not get of its deformation.
+    fn slack(&self, _committed: &Self::State) -> Option<Slack> {
+        None
+    }
+
     /// Whether the force depends on the time that passes.
     fn depends_on_time(&self) -> bool {
         false
@@ -130,6 +139,8 @@ pub trait Amendment: fmt::Debug + Send + Sync {
     fn init(&self, state: &mut [f64]);
     /// Amended force; writes every word of `next`.
     fn amend(&self, committed: &[f64], demand: &Demand, next: &mut [f64]) -> Result<Verdict, ElementError>;
+    /// Slack that the element does not get of its deformation.
+    fn slack(&self, committed: &[f64]) -> Option<Slack>;
     /// Whether the force depends on the time that passes.
     fn depends_on_time(&self) -> bool;
 }
@@ -148,6 +159,9 @@ impl<L: AmendmentLaw> Amendment for L {
         let (verdict, state) = AmendmentLaw::amend(self, &L::State::read(committed), demand)?;
         state.write(next);
         Ok(verdict)
+    }
+    fn slack(&self, committed: &[f64]) -> Option<Slack> {
+        AmendmentLaw::slack(self, &L::State::read(committed))
     }
     fn depends_on_time(&self) -> bool {
         AmendmentLaw::depends_on_time(self)

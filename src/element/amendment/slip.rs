@@ -1,16 +1,18 @@
-//! Slip where the hysteretic force passes zero.
+//! Slip in series with the hysteretic part.
 
-use super::{AmendmentLaw, Demand, Share, Verdict};
+use super::{AmendmentLaw, Demand, Pair, Share, Slack, Verdict};
 use crate::element::ElementError;
 
-/// The hysteretic part z = q - k e grows slowly about zero, as slack is run through:
-/// z' = z (1 - depth exp(-(z / (width z_max))²)) with the largest z so far, the slip-lock function of Baber and Noori,
-/// J. Eng. Mech. 111 (1985), in terms of the force instead of its rate.
+/// The hysteretic part z = q - k e runs through slack where it passes zero: beside its own deformation it takes s(z), the
+/// slip-lock element in series of Baber and Noori, J. Eng. Mech. 111 (1985), so that q' = q(e - s) + k s. Slack is
+/// `size` and a part of the largest deformation so far; `width` is the force within which it is run through.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slip {
-    /// Part of the hysteretic force that is missing where it passes zero, 0 to 1.
-    pub depth: f64,
-    /// Width of that, as a part of the largest hysteretic force so far.
+    /// Deformation between the two ends of the slack.
+    pub size: f64,
+    /// More of it for each deformation that has been reached.
+    pub growth: f64,
+    /// Hysteretic force within which it slips.
     pub width: f64,
     /// The elastic part, which does not slip.
     pub share: Share,
@@ -18,34 +20,34 @@ pub struct Slip {
 
 crate::words! {
     /// History.
-    pub struct Reached {
-        /// Largest hysteretic force so far.
+    pub struct Slipped {
+        /// Largest deformation so far.
         largest: f64,
+        /// Slack that is taken up in each direction.
+        taken: [f64; 2],
     }
 }
 
 impl AmendmentLaw for Slip {
-    type State = Reached;
+    type State = Slipped;
     const NAME: &'static str = "slip";
 
-    fn amend(&self, committed: &Reached, d: &Demand) -> Result<(Verdict, Reached), ElementError> {
+    fn slack(&self, committed: &Slipped) -> Option<Slack> {
+        let size = self.size + self.growth * committed.largest;
+        Some(Slack { size, width: self.width, stiffness: self.share.stiffness, taken: committed.taken })
+    }
+
+    fn amend(&self, committed: &Slipped, d: &Demand) -> Result<(Verdict, Slipped), ElementError> {
         let k = self.share.stiffness;
-        let mut v = Verdict::unchanged(d.q);
-        let mut largest = committed.largest;
-        for i in 0..2 {
-            let z = d.q[i] - k * d.e[i];
-            largest = largest.max(z.abs());
-            if committed.largest <= 0.0 {
-                continue;
-            }
-            let x = z / (self.width * committed.largest);
-            let missing = self.depth * (-x * x).exp();
-            // d z'/d z
-            let slope = 1.0 - missing * (1.0 - 2.0 * x * x);
-            v.q[i] = d.q[i] - missing * z;
-            v.by_force[i][i] = slope;
-            v.by_deformation[i][i] = k * (1.0 - slope);
-        }
-        Ok((v, Reached { largest }))
+        let taken = d.slack.by;
+        let m = d.slack.follows;
+        let unit = |i: usize, j: usize| f64::from(u8::from(i == j));
+        let v = Verdict {
+            q: std::array::from_fn(|i| d.q[i] + k * taken[i]),
+            by_force: m,
+            by_deformation: std::array::from_fn(|i| -> Pair { std::array::from_fn(|j| k * (unit(i, j) - m[i][j])) }),
+            ..Verdict::default()
+        };
+        Ok((v, Slipped { largest: committed.largest.max(d.amplitude()), taken }))
     }
 }
