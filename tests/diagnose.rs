@@ -168,6 +168,23 @@ fn a_stop_is_found_and_what_it_explains_is_not_explained_without_it() {
     assert!(o.mismatch[0].regime.contains("large deformation") || o.mismatch[0].regime.contains("first time"));
     assert!(d.script.contains("amend element 1 "), "{}", d.script);
     runs_by_itself(&dir, &d);
+
+    // The test that tells it from its rival is there to be run, within the stroke of the tests before.
+    let t = d.next_test.as_ref().expect("a next test");
+    assert!((0.5..=1.0).contains(&t.power) && o.next_test.contains("expected power"), "{}", o.next_test);
+    fs::write(dir.join("next_test.tcl"), &t.script).unwrap();
+    for (name, motion) in &t.motions {
+        fs::write(dir.join(name), motion).unwrap();
+        assert!(motion.lines().all(|l| l.parse::<f64>().unwrap().abs() < 0.05 * 1.001));
+    }
+    fs::remove_file(dir.join("force.out")).unwrap();
+    let done = std::process::Command::new(env!("CARGO_BIN_EXE_hysteron"))
+        .args(["run", "next_test.tcl"])
+        .current_dir(&dir)
+        .output()
+        .unwrap();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    assert!(fs::read_to_string(dir.join("force.out")).unwrap().lines().count() + 1 >= t.motions[0].1.lines().count());
     let _ = fs::remove_dir_all(dir);
 }
 

@@ -38,6 +38,8 @@ const WORTH: f64 = 5.0;
 /// 95 % all are right, of 16 that were given 80 to 90 % all but one.
 const DOUBT_OF_A_NAME: f64 = 0.05;
 const DOUBT_OF_NO_NAME: f64 = 0.15;
+/// Part in which evidence counts between causes that look alike.
+const TWINS: f64 = 0.5;
 /// Further starts of the last search, and the sides of the cube in which they lie, against that of the whole.
 const AROUND: usize = 3;
 const NEAR: f64 = 0.1;
@@ -82,6 +84,7 @@ pub(super) fn conclude(
     let unknown = best.evidence.max(evidence_of_none) - 0.5 * INDEPENDENT * (1.0 - left.min(TELLING)).ln() - price;
     causes.push(("unknown", unknown));
     causes.sort_by(|a, b| b.1.total_cmp(&a.1));
+    temper(&mut causes);
     let mut p = probabilities(&causes.iter().map(|c| c.1).collect::<Vec<_>>());
     doubt(&causes, &mut p);
     let mut odds: Vec<(&'static str, f64)> = causes.iter().map(|c| c.0).zip(p).collect();
@@ -215,6 +218,18 @@ pub(super) fn conclude(
         looks: work.bench.looks(),
         left: (left, signature),
     })
+}
+
+/// Causes that look alike are told apart by the forms of their laws, which nature need not have: what the evidence says of
+/// the first against them counts in part.
+fn temper(causes: &mut [(&'static str, f64)]) {
+    let (first, most) = causes[0];
+    let like = |a: &str, b: &str| hypothesis::of(a).is_some_and(|h| h.like.contains(&b));
+    for (cause, evidence) in causes.iter_mut().skip(1) {
+        if like(first, cause) || like(cause, first) {
+            *evidence = most - TWINS * (most - *evidence);
+        }
+    }
 }
 
 /// What the evidence cannot know, that an effect may be too weak to be seen and that no law of the library is the one of

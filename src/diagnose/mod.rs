@@ -8,6 +8,7 @@
 pub mod anatomy;
 pub mod columns;
 mod conclude;
+mod conditions;
 pub mod correction;
 pub mod evidence;
 mod fitting;

@@ -1,5 +1,6 @@
 //! The rounds in which explanations are fitted, fewer and closer in each.
 
+use super::conditions::differ;
 use super::evidence::{INDEPENDENT, Noise};
 use super::hypothesis::Proposal;
 use super::insertion::Place;
@@ -31,7 +32,7 @@ pub(super) const SECOND_ROUND: usize = 12;
 /// or temperature, a law that asks for that explains them without a coincidence.
 const NOTHING: f64 = 3.0;
 const SECOND: f64 = 6.0;
-const OF_ONE_RUN: f64 = 3.0;
+const OF_ONE_RUN: f64 = 8.0;
 
 /// Points of the coordinates from a number on: the first where the proposal starts, the others spread evenly.
 pub(super) fn tried(start: &[f64], from: usize, of_a_parameter: usize) -> Vec<Vec<f64>> {
@@ -165,7 +166,7 @@ pub(super) fn weigh(all: &mut [Explained]) -> Result<(), String> {
             (_, Some(_)) => -SECOND,
             _ => 0.0,
         };
-        if e.variant.of_one_run() {
+        if e.variant.of_one_run() && differ(&e.variant.study) {
             before -= OF_ONE_RUN;
         }
         e.evidence = e.held.as_ref().map_or(f64::NEG_INFINITY, |r| before + noise.evidence(r, e.variant.dimension()));

@@ -1,6 +1,6 @@
 //! The files that the script of a study sees: those of its folder, each read from the disk once.
 
-use crate::script::{FileInfo, Files, OpenMode, OsFiles, Stream};
+use crate::script::{FileInfo, FileKind, Files, OpenMode, OsFiles, Stream};
 use std::collections::HashMap;
 use std::io::{self, Cursor, Read, Seek, SeekFrom, Write};
 use std::sync::{Arc, Mutex};
@@ -59,7 +59,13 @@ impl Files for StudyFiles {
     }
 
     fn info(&self, path: &str, follow: bool) -> io::Result<FileInfo> {
-        OsFiles.info(path, follow)
+        OsFiles.info(path, follow).or_else(|e| {
+            // A text that was put in place of a file that is not there.
+            let known = self.contents.0.lock().map_err(|_| io::Error::from(io::ErrorKind::Other))?;
+            let size = known.get(path).ok_or(e)?.len() as u64;
+            let long_ago = Duration::ZERO;
+            Ok(FileInfo { kind: FileKind::File, size, modified: long_ago, accessed: long_ago, mode: 0o444 })
+        })
     }
 
     fn list(&self, path: &str) -> io::Result<Vec<String>> {

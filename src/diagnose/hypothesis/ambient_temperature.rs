@@ -1,6 +1,7 @@
 //! The run was made at another temperature than the model's.
 
 use super::{Added, Hypothesis, Proposal, Sight};
+use crate::diagnose::conditions::{DEGREES, temperatures};
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "ambient_temperature",
@@ -9,19 +10,6 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     like: &["rate_dependence", "mullins_softening"],
     propose,
 };
-
-/// Differences below this many degrees are not an effect of the surroundings.
-const LEAST: f64 = 2.0;
-
-/// Temperature of each run at its beginning, from a column of its recording; the surroundings, not what work adds.
-fn temperatures(s: &Sight<'_>) -> Option<Vec<f64>> {
-    let of = |r: &crate::study::Run| {
-        let column = r.recording.columns.iter().find(|c| c.name.to_lowercase().starts_with("temp"))?;
-        let first: Vec<f64> = column.values.iter().copied().filter(|x| x.is_finite()).take(10).collect();
-        (!first.is_empty()).then(|| first.iter().sum::<f64>() / first.len() as f64)
-    };
-    s.study.runs.iter().map(of).collect()
-}
 
 /// A variable that every run sets to something else: the block tells the runs by it.
 fn telling(s: &Sight<'_>) -> Option<String> {
@@ -34,10 +22,10 @@ fn telling(s: &Sight<'_>) -> Option<String> {
 }
 
 fn propose(s: &Sight<'_>) -> Vec<Proposal> {
-    let (Some(temperatures), Some(name)) = (temperatures(s), telling(s)) else { return vec![] };
+    let (Some(temperatures), Some(name)) = (temperatures(s.study), telling(s)) else { return vec![] };
     let most = temperatures.iter().fold(f64::NEG_INFINITY, |a, b| a.max(*b));
     let least = temperatures.iter().fold(f64::INFINITY, |a, b| a.min(*b));
-    if most - least < LEAST {
+    if most - least < DEGREES {
         return vec![];
     }
     let mut choose = vec![format!("switch -exact -- ${name} {{")];

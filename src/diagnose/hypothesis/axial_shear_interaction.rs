@@ -1,6 +1,7 @@
 //! The axial load changes the lateral response.
 
 use super::{Added, Hypothesis, Proposal, Sight};
+use crate::diagnose::conditions::axial_loads;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "axial_shear_interaction",
@@ -20,13 +21,12 @@ pub(super) const VARYING: Hypothesis = Hypothesis {
 
 /// Compression of a group at rest, from the runs' own `axial` or from the model.
 fn load(s: &Sight<'_>, m: &super::Moved<'_>) -> Option<(f64, String)> {
-    let named: Vec<f64> = s.study.runs.iter().filter_map(|r| r.number("axial")).map(f64::abs).collect();
     let carried = m.axial.and_then(|axial| s.scales.of(&m.group, axial)).map_or(0.0, |x| x.q);
     if carried > 0.0 {
         return Some((carried, m.axial_word()));
     }
-    let most = named.iter().fold(0.0f64, |a, b| a.max(*b));
-    (most > 0.0 && named.len() == s.study.runs.len()).then(|| (most, " -load [expr {abs($axial)}]".into()))
+    let most = axial_loads(s.study)?.into_iter().fold(0.0, f64::max);
+    (most > 0.0).then(|| (most, " -load [expr {abs($axial)}]".into()))
 }
 
 fn propose(s: &Sight<'_>) -> Vec<Proposal> {

@@ -1,0 +1,33 @@
+//! The conditions that runs were made under, beside their motions.
+
+use crate::study::{Run, Study};
+
+/// Differences below this many degrees are not an effect of the surroundings.
+pub(super) const DEGREES: f64 = 2.0;
+/// Axial loads differ from this part of the largest on.
+const LOADS: f64 = 0.05;
+
+/// Temperature of each run at its beginning, from a column of its recording; the surroundings, not what work adds.
+pub(super) fn temperatures(study: &Study) -> Option<Vec<f64>> {
+    let of = |r: &Run| {
+        let column = r.recording.columns.iter().find(|c| c.name.to_lowercase().starts_with("temp"))?;
+        let first: Vec<f64> = column.values.iter().copied().filter(|x| x.is_finite()).take(10).collect();
+        (!first.is_empty()).then(|| first.iter().sum::<f64>() / first.len() as f64)
+    };
+    study.runs.iter().map(of).collect()
+}
+
+/// Axial load of each run, from the variable `axial` that all of them set.
+pub(super) fn axial_loads(study: &Study) -> Option<Vec<f64>> {
+    study.runs.iter().map(|r| r.number("axial").map(f64::abs)).collect()
+}
+
+/// Whether runs were made at different temperatures or axial loads.
+pub(super) fn differ(study: &Study) -> bool {
+    let spread = |values: Option<Vec<f64>>, least: &dyn Fn(f64) -> f64| {
+        let values = values.unwrap_or_default();
+        let [low, high] = values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(*x), b.max(*x)]);
+        high - low > least(high)
+    };
+    spread(temperatures(study), &|_| DEGREES) || spread(axial_loads(study), &|most| LOADS * most)
+}
