@@ -224,9 +224,8 @@ pub(super) fn conclude(
 /// the first against them counts in part.
 fn temper(causes: &mut [(&'static str, f64)]) {
     let (first, most) = causes[0];
-    let like = |a: &str, b: &str| hypothesis::of(a).is_some_and(|h| h.like.contains(&b));
     for (cause, evidence) in causes.iter_mut().skip(1) {
-        if like(first, cause) || like(cause, first) {
+        if hypothesis::alike(first, cause) {
             *evidence = most - TWINS * (most - *evidence);
         }
     }

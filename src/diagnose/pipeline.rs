@@ -7,7 +7,7 @@ use super::next_test::NextTest;
 use super::outcome::Outcome;
 use super::pairs::pairs;
 use super::resume::Kept;
-use super::rounds::{best_of_causes, first_round, fit_baseline, refine, weigh};
+use super::rounds::{best_of_causes, first_round, fit_baseline, refine, twins, weigh};
 use super::watching;
 use super::work::Work;
 use crate::calibrate::Displacements;
@@ -100,7 +100,8 @@ pub fn diagnose(
     let library = hypothesis::ALL.iter().filter(|h| !settings.without.iter().any(|w| w == h.cause));
     let proposals: Vec<Proposal> = library.flat_map(|h| h.proposals(&sight)).collect();
 
-    let first = first_round(&mut work, &baseline, opening, &place, &proposals)?;
+    let mut first = first_round(&mut work, &baseline, opening, &place, &proposals)?;
+    twins(&mut work, &baseline, &mut first)?;
     let mut finalists = best_of_causes(&first);
     finalists.truncate(FINALISTS);
     let mut weighed = refine(&mut work, "the likeliest of them", finalists)?;

@@ -2,7 +2,7 @@
 
 use super::conditions::differ;
 use super::evidence::{INDEPENDENT, Noise};
-use super::hypothesis::Proposal;
+use super::hypothesis::{self, Proposal};
 use super::insertion::Place;
 use super::variant::Variant;
 use super::work::{Explained, LAST, Screened, Work};
@@ -23,6 +23,8 @@ const TRIED: usize = 2;
 const TRIED_AS_GIVEN: usize = 1;
 /// Values that the user gave are tried as well where they are so far from the fitted ones, in sides of the cube.
 const APART: f64 = 0.03;
+/// Starts from which a rival of the best explanation is searched for again.
+const TWINS: usize = 4;
 /// Iterations of a search: of the baseline, of the first round, of the second.
 const BASELINE: usize = 12;
 const FIRST: usize = 4;
@@ -135,6 +137,29 @@ pub(super) fn first_round(
     fitted.extend(work.search_all(stage, all, FIRST)?);
     fitted.sort_by(|a, b| a.score().total_cmp(&b.score()));
     Ok(fitted)
+}
+
+/// Search again for what looks like the best explanation: its rivals are worth it, contact and slack have many valleys, and
+/// where the best one stands the user's own parameters are nearer to what they are beside its rivals than without any.
+pub(super) fn twins(work: &mut Work<'_>, baseline: &Explained, first: &mut [Explained]) -> Result<(), String> {
+    let own = baseline.variant.dimension();
+    let Some(best) = first.first().filter(|e| e.score() < baseline.score()).cloned() else { return Ok(()) };
+    let (mut jobs, mut of) = (vec![], vec![]);
+    for (n, e) in first.iter().enumerate().filter(|(_, e)| hypothesis::alike(e.cause(), best.cause())) {
+        let start = [&best.fitted.point[..own], &e.fitted.point[own..]].concat();
+        for point in tried(&start, own, 1).into_iter().take(TWINS) {
+            jobs.push(Work::search(&e.variant, point, FIRST));
+            of.push(n);
+        }
+    }
+    let fitted = work.fit("what looks like the best of them", jobs)?;
+    for (n, f) in of.into_iter().zip(fitted) {
+        if let Some(f) = f.filter(|f| f.objective < first[n].fitted.objective) {
+            first[n].fitted = f;
+        }
+    }
+    first.sort_by(|a, b| a.score().total_cmp(&b.score()));
+    Ok(())
 }
 
 /// The best form of each cause, in the order of the causes.

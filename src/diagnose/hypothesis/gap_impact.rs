@@ -26,7 +26,7 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
                 // As stiff at a fifth of the deformation.
                 let k = k * (0.2 * m.e).powf(1.0 - power);
                 let added = vec![
-                    Added::linear("gap", 0.2 * m.e, 1.1 * m.e, 0.8 * m.e),
+                    Added::linear("gap", 0.05 * m.e, 1.1 * m.e, 0.7 * m.e),
                     Added::log("wall", 0.5 * k, 1e4 * k, 30.0 * k),
                     Added::log("damping", 1e-3 / m.v.max(1e-12), 3.0 / m.v.max(1e-12), 0.1 / m.v.max(1e-12)),
                 ];

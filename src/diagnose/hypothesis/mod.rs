@@ -79,6 +79,12 @@ pub fn of(cause: &str) -> Option<&'static Hypothesis> {
     ALL.iter().find(|h| h.cause == cause)
 }
 
+/// Whether one of two causes is said to look like the other.
+pub fn alike(a: &str, b: &str) -> bool {
+    let says = |a: &str, b: &str| of(a).is_some_and(|h| h.like.contains(&b));
+    says(a, b) || says(b, a)
+}
+
 /// What hypotheses are made from.
 pub struct Sight<'a> {
     /// The model.

@@ -80,7 +80,7 @@ fn hinges(s: &Sight<'_>, columns: &[&Column]) -> Option<Proposal> {
     }
     // Against the moment that the elastic columns have, and their stiffness, of which the fitted model has given up some.
     let added = vec![
-        Added::log("moment", 0.1 * moment, 3.0 * moment, 0.8 * moment),
+        Added::log("moment", 0.03 * moment, 3.0 * moment, 0.8 * moment),
         Added::log("plastic", 1e-3 * stiffness, stiffness, 0.03 * stiffness),
         Added::log("rotational", 0.05 * stiffness, 20.0 * stiffness, stiffness),
     ];
