@@ -37,8 +37,8 @@ pub(super) struct Job {
 pub(super) enum Task {
     /// Least squares from a point of the unit cube, with at most so many evaluations.
     Fit { start: Vec<f64>, budget: usize, closely: bool },
-    /// Which of some points comes nearest when the model's known parameters are allowed to follow.
-    Screen { points: Vec<Vec<f64>>, known: Arc<Projection> },
+    /// Which of some points comes nearest, when the model's known parameters are allowed to follow if it is said how.
+    Screen { points: Vec<Vec<f64>>, known: Option<Arc<Projection>> },
     /// Derivatives at a point, for [`Task::Screen`].
     Derive { point: Vec<f64> },
     /// Residuals on samples that it was not fitted to.
@@ -155,10 +155,15 @@ impl Bed<'_> {
         Some((here, j))
     }
 
-    fn screen(&mut self, points: &[Vec<f64>], known: &Projection) -> Option<(f64, Vec<f64>)> {
+    fn screen(&mut self, points: &[Vec<f64>], known: Option<&Projection>) -> Option<(f64, Vec<f64>)> {
         let mut best: Option<(f64, Vec<f64>)> = None;
         for p in points {
-            let Some((score, start)) = known.follow(&self.trial(p).residuals, p) else { continue };
+            let trial = self.trial(p);
+            let followed = match known {
+                Some(known) => known.follow(&trial.residuals, p),
+                None => (trial.score < Trial::FAILED).then(|| (trial.score, p.clone())),
+            };
+            let Some((score, start)) = followed else { continue };
             if best.as_ref().is_none_or(|b| score < b.0) {
                 best = Some((score, start));
             }
@@ -223,7 +228,7 @@ fn work(blueprint: &Blueprint, job: &Job, looks: &AtomicUsize) -> Answer {
     let mut bed = Bed { study: &job.variant.study, simulator: job.variant.simulator(blueprint), looks };
     match &job.task {
         Task::Fit { start, budget, closely } => Answer::Fitted(bed.search(start, *budget, *closely)),
-        Task::Screen { points, known } => Answer::Screened(bed.screen(points, known)),
+        Task::Screen { points, known } => Answer::Screened(bed.screen(points, known.as_deref())),
         Task::Derive { point } => Answer::Derived(bed.derivatives(point).and_then(|(r, j)| Projection::new(&r, j))),
         Task::HoldBack { point } => Answer::HeldBack(bed.held_back(point)),
         Task::Told(Told::Fitted(point)) => {

@@ -56,7 +56,7 @@ pub(super) fn number(job: &Job) -> u64 {
             points(0, std::slice::from_ref(start));
             (budget, closely).hash(&mut hasher);
         }
-        Task::Screen { points: tried, .. } => points(1, tried),
+        Task::Screen { points: tried, known } => points(if known.is_some() { 1 } else { 5 }, tried),
         Task::Derive { point } => points(2, std::slice::from_ref(point)),
         Task::HoldBack { point } => points(3, std::slice::from_ref(point)),
         Task::Told(_) => points(4, &[]),

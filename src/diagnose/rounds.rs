@@ -23,8 +23,8 @@ const TRIED: usize = 2;
 const TRIED_AS_GIVEN: usize = 1;
 /// Values that the user gave are tried as well where they are so far from the fitted ones, in sides of the cube.
 const APART: f64 = 0.03;
-/// Starts from which a rival of the best explanation is searched for again.
-const TWINS: usize = 4;
+/// Points at which a rival of the best explanation is tried again, for each of its parameters and beside them.
+const TWINS: usize = 8;
 /// Iterations of a search: of the baseline, of the first round, of the second.
 const BASELINE: usize = 12;
 const FIRST: usize = 4;
@@ -144,16 +144,18 @@ pub(super) fn first_round(
 pub(super) fn twins(work: &mut Work<'_>, baseline: &Explained, first: &mut [Explained]) -> Result<(), String> {
     let own = baseline.variant.dimension();
     let Some(best) = first.first().filter(|e| e.score() < baseline.score()).cloned() else { return Ok(()) };
-    let (mut jobs, mut of) = (vec![], vec![]);
-    for (n, e) in first.iter().enumerate().filter(|(_, e)| hypothesis::alike(e.cause(), best.cause())) {
+    let stage = "what looks like the best of them";
+    let rivals: Vec<usize> = (0..first.len()).filter(|n| hypothesis::alike(first[*n].cause(), best.cause())).collect();
+    let points = |e: &Explained| {
         let start = [&best.fitted.point[..own], &e.fitted.point[own..]].concat();
-        for point in tried(&start, own, 1).into_iter().take(TWINS) {
-            jobs.push(Work::search(&e.variant, point, FIRST));
-            of.push(n);
-        }
-    }
-    let fitted = work.fit("what looks like the best of them", jobs)?;
-    for (n, f) in of.into_iter().zip(fitted) {
+        (e.variant.clone(), tried(&start, own, TWINS))
+    };
+    let nearest = work.nearest(stage, rivals.iter().map(|n| points(&first[*n])).collect())?;
+    let found: Vec<(usize, Vec<f64>)> =
+        rivals.into_iter().zip(nearest).filter_map(|(n, point)| Some((n, point?))).collect();
+    let jobs = found.iter().map(|(n, point)| Work::search(&first[*n].variant, point.clone(), FIRST)).collect();
+    let fitted = work.fit(stage, jobs)?;
+    for ((n, _), f) in found.into_iter().zip(fitted) {
         if let Some(f) = f.filter(|f| f.objective < first[n].fitted.objective) {
             first[n].fitted = f;
         }

@@ -151,7 +151,7 @@ impl Work<'_> {
             .into_iter()
             .map(|(variant, points)| {
                 let points = points.iter().map(|p| at.iter().chain(&p[at.len()..]).copied().collect());
-                let task = Task::Screen { points: points.collect(), known: known.clone() };
+                let task = Task::Screen { points: points.collect(), known: Some(known.clone()) };
                 (variant.clone(), Job { variant, task })
             })
             .unzip();
@@ -163,6 +163,21 @@ impl Work<'_> {
         let mut out: Vec<Screened> = variants.into_iter().zip(answers).filter_map(screened).collect();
         out.sort_by(|a, b| a.score().total_cmp(&b.score()));
         Ok(out)
+    }
+
+    /// For each variant the point of its own that comes nearest, as it is.
+    pub(super) fn nearest(
+        &mut self,
+        stage: &str,
+        tried: Vec<(Arc<Variant>, Vec<Vec<f64>>)>,
+    ) -> Result<Vec<Option<Vec<f64>>>, String> {
+        let job = |(variant, points)| Job { variant, task: Task::Screen { points, known: None } };
+        let answers = self.run(stage, tried.into_iter().map(job).collect())?;
+        let point = |answer| match answer {
+            Some(Answer::Screened(Some((_, point)))) => Some(point),
+            _ => None,
+        };
+        Ok(answers.into_iter().map(point).collect())
     }
 
     /// Search from where the screening says.

@@ -203,24 +203,29 @@ def calibration(t, path):
 
 def confusion(t, path):
     rows = [r for r in t.rows if not r["effect_over_noise"] or size(r) >= CLEAR]
-    rows = [r for r in rows if not r["also"]]
-    truths = sorted({r["cause"] for r in rows}, key=lambda c: (c in ("none", "unknown"), c))
-    said = truths + sorted({r["verdict"] for r in rows} - set(truths))
+    matrix([(r["cause"], r["verdict"]) for r in rows if not r["also"]], path,
+           f"concealed (rows) and told (columns); effect at least {CLEAR:g} times the noise")
+
+
+def matrix(pairs, path, legend):
+    """A picture of pairs (concealed, told)."""
+    truths = sorted({c for c, _ in pairs}, key=lambda c: (c in ("none", "unknown"), c))
+    said = truths + sorted({v for _, v in pairs} - set(truths))
     cell, left, top = 22, 170, 170
     p = Picture(left + cell * len(said) + 100, top + cell * len(truths) + 40)
     for j, name in enumerate(said):
         p.text(left + cell * (j + 0.5) + 4, top - 6, name.replace("_", " "), "start", turn=-60, size=10)
     for i, name in enumerate(truths):
-        mine = [r for r in rows if r["cause"] == name]
+        mine = [v for c, v in pairs if c == name]
         p.text(left - 6, top + cell * (i + 0.5) + 4, f"{name.replace('_', ' ')} ({len(mine)})", "end", size=10)
         for j, other in enumerate(said):
-            n = sum(r["verdict"] == other for r in mine)
+            n = mine.count(other)
             share = n / len(mine)
             shade = tuple(round(255 + share * (c - 255)) for c in ((11, 98, 168) if name == other else (178, 60, 40)))
             p.box(left + cell * j, top + cell * i, cell, cell, "rgb(%d,%d,%d)" % shade, PALE)
             if n:
                 p.text(left + cell * (j + 0.5), top + cell * (i + 0.5) + 4, str(n), size=10, colour="#ffffff" if share > 0.55 else INK)
-    p.text(10, top + cell * len(truths) + 22, f"concealed (rows) and told (columns); effect at least {CLEAR:g} times the noise", "start", size=10)
+    p.text(10, top + cell * len(truths) + 22, legend, "start", size=10)
     p.save(path)
 
 
