@@ -18,6 +18,8 @@ const FOLDS: usize = 4;
 const ENOUGH: f64 = 1e-3;
 /// The same for the last search.
 const CLOSELY: f64 = 1e-6;
+/// Iterations in which the fault of a channel is followed when it is screened.
+const FAULTS: usize = 6;
 
 fn fold(t: usize, n: usize) -> usize {
     (t * BLOCKS / n.max(1)) % FOLDS
@@ -111,22 +113,8 @@ impl Bed<'_> {
 
     fn search(&mut self, start: &[f64], budget: usize, closely: bool) -> Fitted {
         let enough = if closely { CLOSELY } else { ENOUGH };
-        let mut search = LevenbergMarquardt::new(start, budget).one_by_one(enough);
-        let mut best = (Trial::FAILED, start.to_vec());
-        loop {
-            let points = search.ask();
-            if points.is_empty() {
-                break;
-            }
-            let trials: Vec<Trial> = points.iter().map(|p| self.trial(p)).collect();
-            for (p, trial) in points.iter().zip(&trials).filter(|(_, t)| t.score < Trial::FAILED) {
-                if trial.score < best.0 {
-                    best = (trial.score, p.clone());
-                }
-            }
-            search.tell(&points, &trials);
-        }
-        self.fitted(best.1, best.0)
+        let (objective, point) = descend(start, budget, enough, |p| self.trial(p));
+        self.fitted(point, objective)
     }
 
     /// What the model says at the end of a search.
@@ -155,8 +143,14 @@ impl Bed<'_> {
         Some((here, j))
     }
 
-    fn screen(&mut self, points: &[Vec<f64>], known: Option<&Projection>) -> Option<(f64, Vec<f64>)> {
+    fn screen(
+        &mut self,
+        points: &[Vec<f64>],
+        known: Option<&Projection>,
+        of_a_channel: bool,
+    ) -> Option<(f64, Vec<f64>)> {
         let mut best: Option<(f64, Vec<f64>)> = None;
+        let mut nearest = None;
         for p in points {
             let trial = self.trial(p);
             let followed = match known {
@@ -166,9 +160,22 @@ impl Bed<'_> {
             let Some((score, start)) = followed else { continue };
             if best.as_ref().is_none_or(|b| score < b.0) {
                 best = Some((score, start));
+                nearest = Some(p);
             }
         }
-        best
+        // Faults of channels need no analysis: they are followed to where they are best.
+        let (Some(known), Some(nearest)) = (known.filter(|_| of_a_channel), nearest) else { return best };
+        let own = known.dimension();
+        let (_, added) = descend(&nearest[own..], FAULTS * (nearest.len() - own + 2), ENOUGH, |added| {
+            let left = known.left(&self.trial(&[&nearest[..own], added].concat()).residuals);
+            left.map_or(Trial { score: Trial::FAILED, residuals: vec![] }, |r| Trial {
+                score: r.iter().map(|x| x * x).sum(),
+                residuals: r,
+            })
+        });
+        let point = [&nearest[..own], &added[..]].concat();
+        let followed = known.follow(&self.trial(&point).residuals, &point);
+        followed.filter(|f| best.as_ref().is_none_or(|b| f.0 < b.0)).or(best)
     }
 
     /// For each fold, a step from the fit to all samples towards that without the fold, by the derivatives; what the
@@ -223,12 +230,33 @@ impl Bed<'_> {
     }
 }
 
+/// Least squares from a point, with at most so many evaluations: the best score, and where.
+fn descend(start: &[f64], budget: usize, enough: f64, mut trial: impl FnMut(&[f64]) -> Trial) -> (f64, Vec<f64>) {
+    let mut search = LevenbergMarquardt::new(start, budget).one_by_one(enough);
+    let mut best = (Trial::FAILED, start.to_vec());
+    loop {
+        let points = search.ask();
+        if points.is_empty() {
+            return best;
+        }
+        let trials: Vec<Trial> = points.iter().map(|p| trial(p)).collect();
+        for (p, trial) in points.iter().zip(&trials).filter(|(_, t)| t.score < Trial::FAILED) {
+            if trial.score < best.0 {
+                best = (trial.score, p.clone());
+            }
+        }
+        search.tell(&points, &trials);
+    }
+}
+
 /// Work a job off.
 fn work(blueprint: &Blueprint, job: &Job, looks: &AtomicUsize) -> Answer {
     let mut bed = Bed { study: &job.variant.study, simulator: job.variant.simulator(blueprint), looks };
     match &job.task {
         Task::Fit { start, budget, closely } => Answer::Fitted(bed.search(start, *budget, *closely)),
-        Task::Screen { points, known } => Answer::Screened(bed.screen(points, known.as_deref())),
+        Task::Screen { points, known } => {
+            Answer::Screened(bed.screen(points, known.as_deref(), job.variant.of_a_channel()))
+        }
         Task::Derive { point } => Answer::Derived(bed.derivatives(point).and_then(|(r, j)| Projection::new(&r, j))),
         Task::HoldBack { point } => Answer::HeldBack(bed.held_back(point)),
         Task::Told(Told::Fitted(point)) => {

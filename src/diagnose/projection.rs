@@ -33,6 +33,22 @@ impl Projection {
         (r.is_square() && residual.len() == j.nrows()).then(|| Self { rows: j.nrows(), q, r })
     }
 
+    /// Number of known parameters.
+    pub(super) fn dimension(&self) -> usize {
+        self.r.ncols()
+    }
+
+    /// What the known parameters cannot follow of a residual; `None` where it cannot be compared.
+    pub(super) fn left(&self, residual: &[f64]) -> Option<Vec<f64>> {
+        if residual.len() != self.rows {
+            return None;
+        }
+        let mut long = DVector::zeros(self.q.nrows());
+        long.rows_mut(0, self.rows).copy_from_slice(residual);
+        let part = self.q.tr_mul(&long);
+        Some((long - &self.q * part).as_slice().to_vec())
+    }
+
     /// The objective to be expected of a point with a residual when the known parameters follow, and the point with them
     /// moved. `None` where the residual cannot be compared.
     pub(super) fn follow(&self, residual: &[f64], at: &[f64]) -> Option<(f64, Vec<f64>)> {

@@ -126,8 +126,7 @@ pub(super) fn first_round(
     }
     picked.truncate(FIRST_ROUND);
     let mut fitted = work.search_all(stage, picked, FIRST)?;
-    // The screening sees no further than derivatives do, which is all there is to a fault of a channel, but not to
-    // physics: from the values that the user gave as well.
+    // The screening has followed the fault of a channel to where it is best, but not physics: from the values that the user gave as well.
     let afresh = others.iter().map(|s| {
         let start = [&given[..], &s.variant.start(&baseline.fitted.values)[own..]].concat();
         Screened { start, ..s.clone() }
