@@ -21,6 +21,9 @@ mod sections;
 #[path = "analysis/statics.rs"]
 mod statics;
 
+#[path = "analysis/trapezoidal.rs"]
+mod trapezoidal;
+
 /// Whether two numbers agree to a fraction of the larger.
 #[must_use]
 fn close(a: f64, b: f64, tolerance: f64) -> bool {
