@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, unreachable_pub)]
 
+#[path = "analysis/columns.rs"]
+mod columns;
 #[path = "analysis/constraints.rs"]
 mod constraints;
 #[path = "analysis/dynamics.rs"]

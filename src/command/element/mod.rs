@@ -74,6 +74,8 @@ const KINDS: &[Kind] = &[
     zero_length_section::ZERO_LENGTH_SECTION,
     fiber_beam::DISPLACEMENT,
     fiber_beam::FORCE,
+    fiber_beam::CURVATURE,
+    fiber_beam::CURVATURE_SHEAR,
     fiber_beam::WITH_HINGES,
 ];
 
