@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, unreachable_pub)]
 
+#[path = "analysis/columns.rs"]
+mod columns;
 #[path = "analysis/constraints.rs"]
 mod constraints;
 #[path = "analysis/dynamics.rs"]
@@ -20,6 +22,9 @@ mod script;
 mod sections;
 #[path = "analysis/statics.rs"]
 mod statics;
+
+#[path = "analysis/trapezoidal.rs"]
+mod trapezoidal;
 
 /// Whether two numbers agree to a fraction of the larger.
 #[must_use]

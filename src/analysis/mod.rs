@@ -17,6 +17,7 @@ mod prepared;
 mod reactions;
 mod state;
 mod system;
+mod trapezoid;
 
 pub use convergence::{Measure, Norm, Test, Verdict};
 pub use engine::{Engine, Imbalance, Kind, Observer, Options, Quiet, Setup};

@@ -6,6 +6,7 @@ use super::loads::Loads;
 use super::modal_damping::DampedModes;
 use super::state::State;
 use super::system::Coefficients;
+use super::trapezoid::Trapezoid;
 use crate::assembly::{DofError, Handler, MpScope, Plan};
 use crate::element::{MAX_DOFS, Mass, Rows};
 use crate::model::{Model, Rayleigh};
@@ -82,6 +83,8 @@ pub struct Prepared {
     pub(super) last_mix: TangentMix,
     /// How far the iterations of the step have come: 1 with the last that the test allows.
     pub(super) progress: f64,
+    /// What the unbalance is summed over both ends of a step with, where an integrator does.
+    pub(super) trapezoid: Option<Trapezoid>,
     /// Smallest pivot seen, where it was nearly zero.
     pub weak_pivot: Option<Pivots>,
     pub(super) full: Vec<f64>,
@@ -187,6 +190,7 @@ impl Prepared {
             last: None,
             last_mix: TangentMix::CURRENT,
             progress: 0.0,
+            trapezoid: None,
             weak_pivot: None,
             full: vec![0.0; model.dofs()],
             values: vec![0.0; len],
@@ -348,7 +352,7 @@ impl Prepared {
             }
             if dynamic && m.is_dynamic {
                 let mut f = [0.0; MAX_DOFS];
-                self.add_dynamic_force(&e.dofs, m, state, true, &mut f);
+                self.add_dynamic_force(&e.dofs, m, &m.rayleigh, state, 1.0, &mut f);
                 for (&d, f) in e.dofs.iter().zip(&f) {
                     self.full[d as usize] -= f;
                 }
@@ -356,15 +360,16 @@ impl Prepared {
         }
     }
 
-    /// Subtract the same from the unbalance of the equations: what goes to the supports is left out.
-    pub(super) fn condense_elements(&mut self, model: &Model, state: &State, dynamic: bool) {
+    /// Subtract the same from the unbalance of the equations, `inertia` times the inertia of it: what goes to the supports is
+    /// left out.
+    pub(super) fn condense_elements(&mut self, model: &Model, state: &State, dynamic: bool, inertia: f64) {
         self.plan.subtract_forces(&state.force, &mut self.b);
         if !dynamic {
             return;
         }
         for (i, (e, m)) in model.elements.iter().zip(&self.matrices).enumerate().filter(|(_, (_, m))| m.is_dynamic) {
             let mut f = [0.0; MAX_DOFS];
-            self.add_dynamic_force(&e.dofs, m, state, true, &mut f);
+            self.add_dynamic_force(&e.dofs, m, &m.rayleigh, state, inertia, &mut f);
             self.plan.subtract_force(i, e.force.start, &f, &mut self.b);
         }
     }
@@ -388,15 +393,21 @@ impl Prepared {
         out[n..].fill(0.0);
     }
 
-    /// Add damping and, if wanted, inertia forces of an element.
-    fn add_dynamic_force(&self, dofs: &[u32], m: &Matrices, state: &State, inertia: bool, out: &mut [f64; MAX_DOFS]) {
-        // Inertia is no part of a report of damping.
-        let r = if inertia { &m.rayleigh } else { &m.reported };
+    /// Add the damping forces of an element by factors of Rayleigh, and a share of its inertia.
+    fn add_dynamic_force(
+        &self,
+        dofs: &[u32],
+        m: &Matrices,
+        r: &Rayleigh,
+        state: &State,
+        inertia: f64,
+        out: &mut [f64; MAX_DOFS],
+    ) {
         let n = dofs.len();
         let (mut v, mut a) = ([0.0; MAX_DOFS], [0.0; MAX_DOFS]);
         for ((&d, v), a) in dofs.iter().zip(&mut v).zip(&mut a) {
             *v = state.vel[d as usize];
-            *a = r.alpha_m * *v + if inertia { state.accel[d as usize] } else { 0.0 };
+            *a = r.alpha_m * *v + inertia * state.accel[d as usize];
         }
         let mut add = |matrix: &[f64], factor: f64, x: &[f64]| {
             if factor != 0.0 {
@@ -430,7 +441,8 @@ impl Prepared {
     pub(super) fn subtract_damping(&mut self, model: &Model, state: &State) {
         for (e, m) in model.elements.iter().zip(&self.matrices).filter(|(_, m)| !m.reported.is_zero()) {
             let mut f = [0.0; MAX_DOFS];
-            self.add_dynamic_force(&e.dofs, m, state, false, &mut f);
+            // Inertia is no part of a report of damping.
+            self.add_dynamic_force(&e.dofs, m, &m.reported, state, 0.0, &mut f);
             for (&d, f) in e.dofs.iter().zip(&f) {
                 self.full[d as usize] -= f;
             }
@@ -444,10 +456,10 @@ impl Prepared {
         }
     }
 
-    /// Subtract inertia and mass-proportional damping of the nodes from `full`.
-    pub(super) fn subtract_nodal_inertia(&mut self, state: &State) {
+    /// Subtract a share of the inertia, and the mass-proportional damping, of the nodes from `full`.
+    pub(super) fn subtract_nodal_inertia(&mut self, state: &State, inertia: f64) {
         for &(dof, mass, alpha_m) in &self.nodal {
-            self.full[dof] -= mass * (state.accel[dof] + alpha_m * state.vel[dof]);
+            self.full[dof] -= mass * (inertia * state.accel[dof] + alpha_m * state.vel[dof]);
         }
     }
 }

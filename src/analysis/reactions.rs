@@ -43,7 +43,7 @@ impl Engine {
         let Some(work) = work else { return Ok(()) };
         work.loads.of_nodes(&mut work.full);
         if inertia {
-            work.subtract_nodal_inertia(state);
+            work.subtract_nodal_inertia(state, 1.0);
         }
         out.clone_from(&work.full);
         Ok(())
@@ -79,7 +79,7 @@ impl super::prepared::Prepared {
             ReactionKind::Dynamic => {
                 self.full.copy_from_slice(&self.loads.nodal);
                 self.subtract_elements(model, state, true);
-                self.subtract_nodal_inertia(state);
+                self.subtract_nodal_inertia(state, 1.0);
             }
             ReactionKind::Rayleigh => {
                 self.full.fill(0.0);

@@ -328,18 +328,14 @@ impl System<'_> {
     }
 
     fn sum_unbalance(&mut self) {
-        let work = &mut *self.work;
-        let n = work.plan.map.equations;
-        if self.dynamic {
-            work.full.copy_from_slice(&work.loads.nodal);
-            work.subtract_nodal_inertia(self.new);
-            work.subtract_modal_damping(self.new);
-            work.plan.map.condense(&work.full, &mut work.b[..n]);
-        } else {
-            work.plan.map.condense(&work.loads.nodal, &mut work.b[..n]);
+        match self.work.trapezoid.take() {
+            Some(mut trapezoid) => {
+                self.sum_weighted(&mut trapezoid);
+                self.work.trapezoid = Some(trapezoid);
+            }
+            None => self.sum_forces(1.0),
         }
-        work.b[n..].fill(0.0);
-        work.condense_elements(self.model, self.new, self.dynamic);
+        let work = &mut *self.work;
         let loads = &work.loads;
         work.plan.add_link_forces(
             |link| link.imposed.map_or(0.0, |i| loads.link_value(self.model, &i, self.new.time)),
@@ -347,6 +343,22 @@ impl System<'_> {
             &self.new.multipliers,
             &mut work.b,
         );
+    }
+
+    /// Sum loads, resisting forces, damping and a share of the inertia, but not the forces of constraints, into `work.b`.
+    pub(super) fn sum_forces(&mut self, inertia: f64) {
+        let work = &mut *self.work;
+        let n = work.plan.map.equations;
+        if self.dynamic {
+            work.full.copy_from_slice(&work.loads.nodal);
+            work.subtract_nodal_inertia(self.new, inertia);
+            work.subtract_modal_damping(self.new);
+            work.plan.map.condense(&work.full, &mut work.b[..n]);
+        } else {
+            work.plan.map.condense(&work.loads.nodal, &mut work.b[..n]);
+        }
+        work.b[n..].fill(0.0);
+        work.condense_elements(self.model, self.new, self.dynamic, inertia);
     }
 
     /// Assemble the tangent of the integrator, to be solved with once or often.

@@ -4,12 +4,12 @@ use super::args::Args;
 use super::{Tcl, ignore_option};
 use crate::analysis::integrator::{
     AlphaOs, AlphaParameters, Collocation, FixedIterations, Form, GeneralizedAlpha, Integrator, KrAlpha, Newmark,
-    Restrained, Restraint,
+    Restrained, Restraint, Trapezoidal,
 };
 use crate::script::Exception;
 
 /// Names, that of the integrator inside first.
-pub(super) const NAMES: [(&str, &str); 9] = [
+pub(super) const NAMES: [(&str, &str); 12] = [
     ("Newmark", "NewmarkHSIncrReduct"),
     ("Newmark", "NewmarkHSIncrLimit"),
     ("HHT", "HHTHSIncrReduct"),
@@ -19,11 +19,14 @@ pub(super) const NAMES: [(&str, &str); 9] = [
     ("Newmark", "NewmarkHSFixedNumIter"),
     ("HHT", "HHTHSFixedNumIter"),
     ("Collocation", "CollocationHSFixedNumIter"),
+    ("HHT_TP", "HHTHSIncrReduct_TP"),
+    ("HHT_TP", "HHTHSIncrLimit_TP"),
+    ("HHT_TP", "HHTHSFixedNumIter_TP"),
 ];
 
 const USAGE: &str = "integrator NewmarkHSIncrReduct $gamma $beta $factor | HHTHSIncrReduct $rhoInf|{$alphaI $alphaF $beta \
                      $gamma} $factor | CollocationHSIncrReduct $theta <$beta $gamma> $factor, and ...HSIncrLimit with \
-                     $limit <-normType $p> or ...HSFixedNumIter with <-polyOrder 1|2|3> in place of $factor";
+                     $limit <-normType $p> or ...HSFixedNumIter with <-polyOrder 1|2|3> in place of $factor; HHTHS..._TP as HHTHS...";
 
 const OPERATOR_SPLITTING: &str = "integrator AlphaOS $alpha <$beta $gamma> <-updateElemDisp> | \
                                   AlphaOSGeneralized $rhoInf|{$alphaI $alphaF $beta $gamma} <-updateElemDisp>";
@@ -88,10 +91,10 @@ pub(super) fn take(interp: &mut Tcl, a: &mut Args<'_>, word: &str) -> Result<Opt
             _ => ignore_option(interp, a, &["-normType", "-polyOrder"])?,
         }
     }
-    let fixed = name.ends_with("FixedNumIter");
+    let fixed = name.contains("FixedNumIter");
     let (restraint, own) = match numbers.split_last() {
         _ if fixed => (None, numbers.as_slice()),
-        Some((factor, own)) if name.ends_with("Reduct") => (Some((*factor, Restraint::Factor(*factor))), own),
+        Some((factor, own)) if name.contains("Reduct") => (Some((*factor, Restraint::Factor(*factor))), own),
         Some((size, own)) => (Some((*size, Restraint::Limit { size: *size, norm })), own),
         None => return Err(a.refuse(format!("{name}: the parameters are missing"), "expected as below")),
     };
@@ -101,9 +104,13 @@ pub(super) fn take(interp: &mut Tcl, a: &mut Args<'_>, word: &str) -> Result<Opt
     let inner: Box<dyn Integrator> = match (base, own) {
         ("Newmark", [gamma, beta]) if *beta > 0.0 => Box::new(Newmark::new(*gamma, *beta, Form::Displacement)),
         ("HHT", [rho]) => Box::new(GeneralizedAlpha::new(name, AlphaParameters::spectral(*rho), false)),
-        ("HHT", [inertia, force, beta, gamma]) if *beta > 0.0 => {
+        ("HHT_TP", [rho]) => Box::new(Trapezoidal::new(name, AlphaParameters::spectral(*rho))),
+        ("HHT" | "HHT_TP", [inertia, force, beta, gamma]) if *beta > 0.0 => {
             let p = AlphaParameters { inertia: *inertia, force: *force, beta: *beta, gamma: *gamma };
-            Box::new(GeneralizedAlpha::new(name, p, false))
+            match base {
+                "HHT" => Box::new(GeneralizedAlpha::new(name, p, false)),
+                _ => Box::new(Trapezoidal::new(name, p)),
+            }
         }
         ("Collocation", [theta]) => Box::new(Collocation::stable(*theta)),
         ("Collocation", [theta, beta, gamma]) if *beta > 0.0 => Box::new(Collocation::new(*theta, *beta, *gamma)),

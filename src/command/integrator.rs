@@ -3,11 +3,12 @@
 use super::args::Args;
 use super::hybrid_integrator;
 use super::model::node_of;
+use super::trapezoidal_integrator;
 use super::{Command, Outcome, Tcl, finish, ignore_option, warn};
 use crate::analysis::integrator::{
-    Adaptive, AlphaParameters, ArcLength, CentralDifference, Collocation, DisplacementControl, ExplicitAlpha, Form,
-    GeneralizedAlpha, GimmeMck, Hht, Integrator, LoadControl, MinUnbalDispNorm, Newmark, Sense, backward_euler,
-    houbolt, park_lms3, trbdf2, trbdf3,
+    Adaptive, AlphaParameters, ArcLength, CentralDifference, CentralDifferenceAlternative, Collocation,
+    DisplacementControl, ExplicitAlpha, ExplicitBathe, ExplicitDifference, Form, GeneralizedAlpha, GimmeMck, Hht,
+    Integrator, LoadControl, MinUnbalDispNorm, Newmark, Sense, backward_euler, houbolt, park_lms3, trbdf2, trbdf3,
 };
 use crate::analysis::{Coefficients, TangentMix};
 use crate::diagnostic::Diagnostic;
@@ -28,7 +29,7 @@ fn adaptive(a: &mut Args<'_>, step: f64) -> Result<Adaptive, Exception> {
     Ok(Adaptive { desired_iterations: desired as usize, min, max })
 }
 
-const INTEGRATORS: [&str; 26] = [
+const INTEGRATORS: [&str; 29] = [
     "LoadControl",
     "DisplacementControl",
     "ArcLength",
@@ -47,7 +48,10 @@ const INTEGRATORS: [&str; 26] = [
     "ParkLMS3",
     "BackwardEuler",
     "CentralDifference",
+    "CentralDifferenceAlternative",
     "CentralDifferenceNoDamping",
+    "ExplicitDifference",
+    "ExplicitBathe",
     "NewmarkExplicit",
     "HHTExplicit",
     "HHTGeneralizedExplicit",
@@ -56,15 +60,6 @@ const INTEGRATORS: [&str; 26] = [
     "AlphaOSGeneralized",
     "KRAlphaExplicit",
 ];
-
-/// Explicit generalised α by the spectral radius at the bifurcation (Hulbert and Chung, 1996).
-fn explicit_by_bifurcation(rho: f64, force: f64) -> AlphaParameters {
-    let inertia = (2.0 - rho) / (1.0 + rho);
-    let top =
-        5.0 - 3.0 * rho + 3.0 * force * (rho * rho - rho - 2.0) + force * force * (2.0 + 3.0 * rho - rho * rho * rho);
-    let beta = top / ((force - 1.0) * (rho - 2.0) * (1.0 + rho) * (1.0 + rho));
-    AlphaParameters { inertia, force, beta, gamma: 0.5 + inertia - force }
-}
 
 /// Factors of Rayleigh damping that may end the command of an integrator: they count as the command `rayleigh`.
 fn integrator_rayleigh(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(), Exception> {
@@ -179,7 +174,26 @@ fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             };
             // Factors of Rayleigh damping may follow, which older scripts give here.
             integrator_rayleigh(interp, &mut a)?;
-            Box::new(CentralDifference::new(name, damped, interp.host.engine.options.compat))
+            let compat = interp.host.engine.options.compat;
+            if compat && name == "CentralDifferenceAlternative" {
+                Box::new(CentralDifferenceAlternative::default())
+            } else {
+                Box::new(CentralDifference::new(name, damped, compat))
+            }
+        }
+        "ExplicitDifference" | "Explicitdifference" => {
+            a.usage("integrator ExplicitDifference");
+            Box::new(ExplicitDifference::new(interp.host.engine.options.compat))
+        }
+        "ExplicitBathe" => {
+            a.usage("integrator ExplicitBathe $p");
+            let p = a.positive("share p of the first part of a step")?;
+            if p >= 1.0 {
+                return Err(a.refuse(format!("p is {p}"), "expected more than 0 and less than 1"));
+            }
+            // Whether OpenSees prints the longest stable step.
+            a.optional_int("0 or 1")?;
+            Box::new(ExplicitBathe::new(p, interp.host.engine.options.compat))
         }
         "NewmarkExplicit" => {
             a.usage("integrator NewmarkExplicit $gamma");
@@ -206,7 +220,7 @@ fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
                         a.refuse(format!("alphaF is {force}"), "expected alphaF other than 1 and rhoB other than 2")
                     );
                 }
-                explicit_by_bifurcation(first, force)
+                AlphaParameters::explicit_by_bifurcation(first, force)
             };
             let update = a.flag("-updateElemDisp") || !interp.host.engine.options.compat;
             Box::new(ExplicitAlpha::new("HHTGeneralizedExplicit", p, update))
@@ -226,13 +240,17 @@ fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             integrator_rayleigh(interp, &mut a)?;
             Box::new(Newmark::new(gamma, beta, Form::Displacement))
         }
-        other => match hybrid_integrator::take(interp, &mut a, other)? {
-            Some(made) => made,
-            None => {
+        other => {
+            let made = match hybrid_integrator::take(interp, &mut a, other)? {
+                Some(made) => Some(made),
+                None => trapezoidal_integrator::take(interp, &mut a, other)?,
+            };
+            made.ok_or_else(|| {
                 let hybrid = hybrid_integrator::NAMES.iter().map(|(_, name)| *name);
-                return Err(a.unknown_name("integrator", INTEGRATORS.into_iter().chain(hybrid)));
-            }
-        },
+                let all = INTEGRATORS.into_iter().chain(hybrid).chain(trapezoidal_integrator::names());
+                a.unknown_name("integrator", all)
+            })?
+        }
     };
     finish(interp, &a)?;
     let is_static = made.is_static();

@@ -40,6 +40,7 @@ mod series;
 mod session;
 mod solution;
 mod transform;
+mod trapezoidal_integrator;
 
 use crate::diagnostic::Diagnostic;
 use crate::script::{Call, Exception, Interp, Value};

@@ -4,15 +4,15 @@ use super::close;
 use super::script::{Script, run};
 
 /// A mass on a spring and a dashpot, let go from a displacement of 1: m = 1, k = ω², damping ratio ζ.
-fn free_vibration(integrator: &str, dt: f64, omega: f64, zeta: f64) -> f64 {
+pub(crate) fn free_vibration(integrator: &str, dt: f64, omega: f64, zeta: f64) -> f64 {
     with_algorithm(integrator, "Newton", dt, omega, zeta)
 }
 
-fn with_algorithm(integrator: &str, algorithm: &str, dt: f64, omega: f64, zeta: f64) -> f64 {
+pub(crate) fn with_algorithm(integrator: &str, algorithm: &str, dt: f64, omega: f64, zeta: f64) -> f64 {
     with_test(integrator, algorithm, "NormUnbalance 1e-12 20", dt, omega, zeta)
 }
 
-fn with_test(integrator: &str, algorithm: &str, test: &str, dt: f64, omega: f64, zeta: f64) -> f64 {
+pub(crate) fn with_test(integrator: &str, algorithm: &str, test: &str, dt: f64, omega: f64, zeta: f64) -> f64 {
     let text = format!(
         "model basic -ndm 1 -ndf 1
         node 1 0; node 2 0 -mass 1.0 -disp 1.0
@@ -36,7 +36,7 @@ fn with_test(integrator: &str, algorithm: &str, test: &str, dt: f64, omega: f64,
     run(&text).numbers()[0]
 }
 
-fn exact(t: f64, omega: f64, zeta: f64) -> f64 {
+pub(crate) fn exact(t: f64, omega: f64, zeta: f64) -> f64 {
     let damped = omega * (1.0 - zeta * zeta).sqrt();
     (-zeta * omega * t).exp() * ((damped * t).cos() + zeta * omega / damped * (damped * t).sin())
 }

@@ -32,7 +32,7 @@ const fn plane(name: &'static str, command: &'static str) -> Kind {
     Kind { name, command, plane: true, fixed: false }
 }
 
-static KINDS: [Kind; 24] = [
+static KINDS: [Kind; 25] = [
     space(
         "Bouc-Wen",
         "elastomericBearingBoucWen 1 1 2 2000. 40. 0.1 0.01 3. 2. 0.6 0.4 -P 1 -T 2 -My 3 -Mz 4 -orient @ -shearDist 0.3",
@@ -64,6 +64,10 @@ static KINDS: [Kind; 24] = [
     space("flat slider", "flatSliderBearing 1 1 2 1 8000. -P 5 -T 2 -My 3 -Mz 4 -orient @ -shearDist 0.3"),
     space("pendulum", "singleFPBearing 1 1 2 1 2. 8000. -P 5 -T 2 -My 3 -Mz 4 -orient @ -shearDist 0.3"),
     space("pendulum, pressure", "singleFPBearing 1 1 2 3 2. 8000. -P 5 -T 2 -My 3 -Mz 4 -orient @ -inclVertDisp"),
+    space(
+        "pendulum, heated",
+        "FPBearingPTV 1 1 2 0.06 1 9549. 1 4.44e-6 0.018 1 20. 2. 0.2 8000. 5 2 3 4 @ 0.3 0 0. 20 1e-8 2",
+    ),
     space("RJ Watson", "RJWatsonEqsBearing 1 1 2 1 8000. -P 5 -Vy 2 -Vz 2 -T 2 -My 3 -Mz 4 -orient @"),
     space("shear springs", "multipleShearSpring 1 1 2 6 -mat 7 -orient @"),
     space("shear springs, limit", "multipleShearSpring 1 1 2 5 -nMat 6 8 6 6 8 -lim 0.02 -orient @"),

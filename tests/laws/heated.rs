@@ -120,3 +120,49 @@ fn sliding_warms_and_warmth_softens() {
     // The back of the plates stays behind the surface.
     assert!(warm[3] < warm[1] && warm[4] < warm[2], "{warm:?}");
 }
+
+/// A pendulum nearly flat that slides at 0.15 m/s for a second: temperature, factors of its friction, and shear at its end.
+fn slide(flags: [u8; 3]) -> (f64, Vec<f64>, f64) {
+    let [pressure, temperature, speed] = flags;
+    let ran = run(&format!(
+        "model basic -ndm 3 -ndf 6\nnode 1 0 0 0\nnode 2 0 0 0\nuniaxialMaterial Elastic 5 2e5\nuniaxialMaterial Elastic 2 300.
+        element FPBearingPTV 1 1 2 0.06 {pressure} 9549. {temperature} 4.44e-6 0.018 {speed} 20. 1e4 0.2 8000. 5 2 2 2 \
+        0 0 1 1 0 0 0. 0 0. 20 1e-8 2"
+    ))
+    .done();
+    let mut e = Alone::of(ran.interp.host.engine.model().elements[0].element.clone());
+    let mut u = [0.0; 12];
+    u[8] = -300.0 / 2e5;
+    let mut force = vec![];
+    for i in 0..=100 {
+        u[6] = 0.0015 * f64::from(i);
+        force = e.force(&u);
+        e.commit();
+    }
+    let read = |word: &str| {
+        let probe = e.element.probe(&[word]).unwrap();
+        let mut out = vec![0.0; probe.labels.len()];
+        e.element.read(&probe.path, &Snapshot { disp: &u, state: &e.state, force: &force, load: &[] }, &mut out);
+        out
+    };
+    (read("temperature")[0], read("MuFactors"), force[6])
+}
+
+/// A steady flux q warms a half space by 2 q (α t/π)^½/k; the factors are those of the formulas.
+#[test]
+fn a_pendulum_warms_by_its_friction() {
+    let pressure = 300.0 / (PI * 0.04);
+    let flux = 0.06 * pressure * 0.15;
+    let (warm, factors, force) = slide([0, 0, 0]);
+    let rise = 2.0 * flux * (4.44e-6 / PI).sqrt() / 0.018;
+    assert!((warm - 20.0 - rise).abs() < 2e-3 * rise, "{warm} for {rise}");
+    assert!((force - 0.06 * 300.0).abs() < 0.01 && factors == [1.0; 3], "{force} {factors:?}");
+    let (warm, factors, force) = slide([1, 1, 0]);
+    let by_pressure = 0.7f64.powf(0.02e-3 * (pressure - 9549.0));
+    assert!((factors[0] - by_pressure).abs() < 1e-6, "{factors:?} {by_pressure}");
+    assert!(warm > 22.0 && factors[1] < 0.99 && factors[1] > 0.97, "{warm} {factors:?}");
+    assert!((force - 18.0 * factors[0] * factors[1]).abs() < 0.01, "{force}");
+    // At rest by its nodes' velocities.
+    let (_, factors, force) = slide([0, 0, 1]);
+    assert!((force - 9.0).abs() < 0.01 && factors[2] == 0.5, "{force} {factors:?}");
+}

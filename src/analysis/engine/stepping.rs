@@ -92,6 +92,7 @@ impl Engine {
             work,
         };
         if self.fresh {
+            system.work.trapezoid = None;
             setup.integrator.prepare(&mut system)?;
             setup.algorithm.prepare(&system);
             self.fresh = false;
@@ -159,6 +160,7 @@ impl Engine {
 fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, dt: f64) -> Result<usize, Failure> {
     system.work.updates = 0;
     if fresh {
+        system.work.trapezoid = None;
         setup.integrator.prepare(system)?;
         setup.algorithm.prepare(system);
         system.work.tangent_is_current = false;

@@ -29,6 +29,17 @@ impl AlphaParameters {
     pub fn spectral(rho: f64) -> Self {
         Self::second_order((2.0 - rho) / (1.0 + rho), 1.0 / (1.0 + rho))
     }
+
+    /// Of an explicit method, by the spectral radius at the bifurcation (Hulbert and Chung, 1996) and the fraction of the step
+    /// at which forces count, which is other than 1.
+    pub fn explicit_by_bifurcation(rho: f64, force: f64) -> Self {
+        let inertia = (2.0 - rho) / (1.0 + rho);
+        let top = 5.0 - 3.0 * rho
+            + 3.0 * force * (rho * rho - rho - 2.0)
+            + force * force * (2.0 + 3.0 * rho - rho * rho * rho);
+        let beta = top / ((force - 1.0) * (rho - 2.0) * (1.0 + rho) * (1.0 + rho));
+        Self { inertia, force, beta, gamma: 0.5 + inertia - force }
+    }
 }
 
 /// `integrator GeneralizedAlpha` (Chung and Hulbert, 1993) and `HHTGeneralized`.

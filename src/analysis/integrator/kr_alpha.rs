@@ -8,7 +8,7 @@ use crate::analysis::prepared::TangentMix;
 use crate::analysis::system::{Coefficients, System};
 use crate::solve::{SolveError, solve_dense};
 
-/// `integrator KRAlphaExplicit` (Kolay and Ricles, 2014): displacement and velocity at the end of a step follow from the
+/// `integrator KRAlphaExplicit` and `KRAlphaExplicit_TP` (Kolay and Ricles, 2014): displacement and velocity at the end of a step follow from the
 /// motion at its begin by matrices made once from mass, damping and initial stiffness, so that the method is stable whatever
 /// the step though no tangent is needed.
 ///
@@ -18,6 +18,8 @@ use crate::solve::{SolveError, solve_dense};
 #[derive(Clone, Debug)]
 pub struct KrAlpha {
     p: AlphaParameters,
+    /// The forces of both ends of a step are weighted, not the motion: `KRAlphaExplicit_TP`.
+    trapezoidal: bool,
     /// Elements see the end of the step.
     update_elements: bool,
     /// Length of the step that the matrices are for; zero where there are none.
@@ -49,7 +51,12 @@ impl KrAlpha {
     pub fn new(rho: f64, update_elements: bool) -> Self {
         let p = AlphaParameters::spectral(rho);
         let [alpha1, gain, disp, vel, x, y] = [const { vec![] }; 6];
-        Self { p, update_elements, dt: 0.0, corrections: 0, alpha1, gain, disp, vel, x, y }
+        Self { p, trapezoidal: false, update_elements, dt: 0.0, corrections: 0, alpha1, gain, disp, vel, x, y }
+    }
+
+    /// The same with the weights on the forces at both ends of a step: the elements see ends of steps only.
+    pub fn trapezoidal(rho: f64) -> Self {
+        Self { trapezoidal: true, ..Self::new(rho, true) }
     }
 
     fn make_matrices(&mut self, s: &mut System<'_>, dt: f64) -> Result<(), Failure> {
@@ -72,7 +79,7 @@ impl KrAlpha {
 
 impl Integrator for KrAlpha {
     fn name(&self) -> &'static str {
-        "KRAlphaExplicit"
+        if self.trapezoidal { "KRAlphaExplicit_TP" } else { "KRAlphaExplicit" }
     }
     fn is_static(&self) -> bool {
         false
@@ -88,6 +95,9 @@ impl Integrator for KrAlpha {
         self.vel.resize(n, 0.0);
         self.x.resize(s.work.b.len(), 0.0);
         self.y.resize(s.work.b.len(), 0.0);
+        if self.trapezoidal {
+            s.hold_committed(1.0 - self.p.force, 0.0)?;
+        }
         Ok(())
     }
 
@@ -99,6 +109,8 @@ impl Integrator for KrAlpha {
         s.coefficients = Coefficients { k: 0.0, c: 0.0, m: 1.0 };
         s.moved = true;
         let AlphaParameters { inertia, force, gamma, .. } = self.p;
+        // Where the elements are asked, in parts of the step.
+        let place = if self.trapezoidal { 1.0 } else { force };
         for (x, &dof) in self.x.iter_mut().zip(&s.work.plan.map.dof_of) {
             *x = s.old.accel[dof];
         }
@@ -112,16 +124,19 @@ impl Integrator for KrAlpha {
             let (du, dv) = (dt * v + (0.5 + gamma) * dt * dt * a, dt * a);
             self.disp[i] += du;
             self.vel[i] += dv;
-            new.disp[i] = old.disp[i] + force * du;
-            new.vel[i] = v + force * dv;
+            new.disp[i] = old.disp[i] + place * du;
+            new.vel[i] = v + place * dv;
             new.accel[i] = (1.0 - force) * old.accel[i] + (force - inertia) * a;
         }
         s.work.spread.fill(0.0);
-        s.apply_loads(s.old.time + force * dt)
+        if self.trapezoidal {
+            s.weigh_unbalance(force, 1.0);
+        }
+        s.apply_loads(s.old.time + place * dt)
     }
 
     fn update(&mut self, s: &mut System<'_>, correction: &mut [f64]) -> Result<(), Failure> {
-        only_once("KRAlphaExplicit", &mut self.corrections, s)?;
+        only_once(self.name(), &mut self.corrections, s)?;
         multiply(&self.gain, correction, &mut self.x);
         s.spread(&self.x);
         let (new, held) = (&mut *s.new, &s.work.plan.map.held);
@@ -133,5 +148,12 @@ impl Integrator for KrAlpha {
         s.work.spread.fill(0.0);
         s.moved = self.update_elements;
         s.apply_loads(s.old.time + self.dt)
+    }
+
+    fn commit(&mut self, s: &mut System<'_>, _: usize) -> Result<(), Failure> {
+        if self.trapezoidal {
+            s.hold_unbalance(1.0 - self.p.force, 0.0);
+        }
+        Ok(())
     }
 }

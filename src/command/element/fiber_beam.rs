@@ -6,7 +6,9 @@ use crate::command::args::Args;
 use crate::command::beam_integration::{integration, simple};
 use crate::command::{Tcl, ignore_option};
 use crate::element::Element;
-use crate::element::beam::{DisplacementBased, FiberBeam, ForceBased, Formulation, Hinge, Rule};
+use crate::element::beam::{
+    CurvatureBased, DisplacementBased, FiberBeam, ForceBased, Formulation, Hinge, MAX_DEFORMATIONS, Rule,
+};
 use crate::element::transform::{self, TransformSpec};
 use crate::model::Integration;
 use crate::script::{Exception, Value};
@@ -27,6 +29,20 @@ pub(super) const FORCE: Kind = Kind {
     make: make_force,
 };
 
+pub(super) const CURVATURE: Kind = Kind {
+    names: &["forceBeamColumnCBDI"],
+    usage: "element forceBeamColumnCBDI $tag $i $j $transf $integration <-mass $m> <-iter $maxIter $tol> \
+            <-shear> or $tag $i $j $n $section|-sections $section1 ... $transf <-mass $m> <-iter $maxIter $tol> \
+            <-integration $rule>",
+    make: make_curvature,
+};
+
+pub(super) const CURVATURE_SHEAR: Kind = Kind {
+    names: &["forceBeamColumnCSBDI"],
+    usage: "element forceBeamColumnCSBDI as forceBeamColumnCBDI with -shear",
+    make: make_curvature_shear,
+};
+
 pub(super) const WITH_HINGES: Kind = Kind {
     names: &["beamWithHinges", "BeamWithHinges"],
     usage: "element beamWithHinges $tag $i $j $secI $lpI $secJ $lpJ $E $A $Iz <$Iy $G $J> $transf <-mass $m> \
@@ -42,18 +58,46 @@ struct Words {
     rho: f64,
     consistent: bool,
     force_based: ForceBased,
+    /// Deflections of shear count.
+    shear: bool,
 }
 
 fn make_displacement(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
-    let words = take(interp, a, ends, Rule::Legendre)?;
-    build(DisplacementBased, a, words, ends, nodes)
+    let words = take(interp, a, ends, Rule::Legendre, None)?;
+    build(|_: &[f64]| Ok(DisplacementBased), a, words, ends, nodes)
 }
 
 fn make_force(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
-    let words = take(interp, a, ends, Rule::Lobatto)?;
-    build(words.force_based, a, words, ends, nodes)
+    let words = take(interp, a, ends, Rule::Lobatto, None)?;
+    let force_based = words.force_based;
+    build(|_: &[f64]| Ok(force_based), a, words, ends, nodes)
+}
+
+fn make_curvature(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    make_deflected(interp, a, ends, false)
+}
+
+fn make_curvature_shear(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    make_deflected(interp, a, ends, true)
+}
+
+fn make_deflected(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, shear: bool) -> Result<Arc<dyn Element>, Exception> {
+    let nodes = a.last_span();
+    let words = take(interp, a, ends, Rule::Lobatto, Some(shear))?;
+    let (iteration, shear) = (words.force_based, words.shear);
+    let (compat, plane) = (interp.host.engine.options.compat, ends.ndm == 2);
+    let size: usize = words.integration.sections.iter().map(|(s, _)| s.resultants().len()).sum();
+    if size > MAX_DEFORMATIONS {
+        let message = format!("the sections have {size} deformations together");
+        return Err(a.refuse_at(nodes, message, format!("expected {MAX_DEFORMATIONS} at most: fewer sections")));
+    }
+    let formulation = |places: &[f64]| {
+        let made = CurvatureBased::new(iteration, places, shear, compat, plane);
+        made.ok_or_else(|| a.refuse_at(nodes, "two sections are at the same place", "expected another integration"))
+    };
+    build(formulation, a, words, ends, nodes)
 }
 
 fn check(a: &Args<'_>, ends: &Ends) -> Result<(), Exception> {
@@ -63,8 +107,15 @@ fn check(a: &Args<'_>, ends: &Ends) -> Result<(), Exception> {
     Err(ends.wrong(a, "3 degrees of freedom in 2 or 6 in 3 dimensions"))
 }
 
-/// The words after the nodes, in any of the forms that OpenSees has had.
-fn take(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, default: Rule) -> Result<Words, Exception> {
+/// The words after the nodes, in any of the forms that OpenSees has had. `deflects` is given where deflections count, and says
+/// whether those of shear do.
+fn take(
+    interp: &mut Tcl,
+    a: &mut Args<'_>,
+    ends: &Ends,
+    default: Rule,
+    deflects: Option<bool>,
+) -> Result<Words, Exception> {
     check(a, ends)?;
     let second_is_number = a.ahead().nth(1).is_some_and(|v| v.to_f64().is_ok());
     let (transform, transform_at, integration_words, mut rule) = match (numbers_ahead(a), second_is_number) {
@@ -100,10 +151,12 @@ fn take(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, default: Rule) -> Resul
         rule = Some((found.rule, found.sections));
     }
     let Some((mut rule, sections)) = rule else { unreachable!("each form has a rule") };
-    let (mut rho, mut consistent, mut force_based) = (0.0, false, ForceBased::default());
+    let (mut rho, mut consistent, mut force_based, mut shear) =
+        (0.0, false, ForceBased::default(), deflects.unwrap_or(false));
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-mass" => rho = a.not_negative("mass per length")?,
+            "-shear" if deflects.is_some() => shear = true,
             "-cMass" => consistent = true,
             "-lMass" => consistent = false,
             "-iter" => force_based = iterations(a)?,
@@ -127,7 +180,7 @@ fn take(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, default: Rule) -> Resul
         }
     }
     let integration = Integration { rule, sections };
-    Ok(Words { transform, transform_at, integration, rho, consistent, force_based })
+    Ok(Words { transform, transform_at, integration, rho, consistent, force_based, shear })
 }
 
 fn iterations(a: &mut Args<'_>) -> Result<ForceBased, Exception> {
@@ -148,7 +201,14 @@ fn in_words(interp: &Tcl, a: &Args<'_>, value: &Value) -> Result<Integration, Ex
     }
 }
 
-fn build<F>(formulation: F, a: &Args<'_>, w: Words, ends: &Ends, nodes: Place) -> Result<Arc<dyn Element>, Exception>
+/// The beam of words, of a formulation for the places of its sections.
+fn build<F>(
+    formulation: impl FnOnce(&[f64]) -> Result<F, Exception>,
+    a: &Args<'_>,
+    w: Words,
+    ends: &Ends,
+    nodes: Place,
+) -> Result<Arc<dyn Element>, Exception>
 where
     F: Formulation<6, 3> + Formulation<12, 6>,
 {
@@ -165,10 +225,12 @@ where
     if ends.ndm == 2 {
         let transform = w.transform.plane(&stand).map_err(wrong)?;
         let points = points(transform.length())?;
+        let formulation = formulation(&points.0)?;
         return Ok(Arc::new(FiberBeam::<F, 6, 3>::new(formulation, transform, sections, points, mass)));
     }
     let transform = w.transform.space(&stand).map_err(wrong)?;
     let points = points(transform.length())?;
+    let formulation = formulation(&points.0)?;
     Ok(Arc::new(FiberBeam::<F, 12, 6>::new(formulation, transform, sections, points, mass)))
 }
 
@@ -212,6 +274,6 @@ fn make_with_hinges(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<A
     let all = [section_i, section_j, (elastic, 0)];
     let sections = Hinge::Radau.sections().iter().map(|i| all[*i].clone()).collect();
     let integration = Integration { rule: Rule::Hinges(Hinge::Radau, lp_i, lp_j), sections };
-    let words = Words { transform, transform_at, integration, rho, consistent: false, force_based };
-    build(force_based, a, words, ends, nodes)
+    let words = Words { transform, transform_at, integration, rho, consistent: false, force_based, shear: false };
+    build(|_: &[f64]| Ok(force_based), a, words, ends, nodes)
 }

@@ -21,7 +21,7 @@ pub(super) const TRIPLE_X: Kind = Kind {
 };
 
 /// MPa per unit of pressure and m per unit of length, of the units 1 to 8: N m, kN m, N mm, kN mm, lb in, kip in, lb ft, kip ft.
-const UNITS: [(f64, f64); 8] = [
+pub(super) const UNITS: [(f64, f64); 8] = [
     (1e-6, 1.0),
     (1e-3, 1.0),
     (1.0, 1e-3),
@@ -33,7 +33,7 @@ const UNITS: [(f64, f64); 8] = [
 ];
 
 /// One of a few whole numbers.
-fn one_of(a: &mut Args<'_>, what: &str, range: std::ops::RangeInclusive<i32>) -> Result<i32, Exception> {
+pub(super) fn one_of(a: &mut Args<'_>, what: &str, range: std::ops::RangeInclusive<i32>) -> Result<i32, Exception> {
     let n = a.int(what)?;
     if range.contains(&n) {
         return Ok(n);

@@ -4,6 +4,7 @@ mod beam;
 mod bearing;
 mod component;
 mod fiber_beam;
+mod heated_pendulum;
 mod heated_triple;
 mod kikuchi;
 mod multiple_normal_spring;
@@ -56,6 +57,7 @@ const KINDS: &[Kind] = &[
     rubber_bearing::LEAD_RUBBER_X,
     sliding::FLAT,
     sliding::PENDULUM,
+    heated_pendulum::HEATED_PENDULUM,
     sliding::RJ_WATSON,
     multiple_shear_spring::MULTIPLE_SHEAR_SPRING,
     triple::TRIPLE,
@@ -74,6 +76,8 @@ const KINDS: &[Kind] = &[
     zero_length_section::ZERO_LENGTH_SECTION,
     fiber_beam::DISPLACEMENT,
     fiber_beam::FORCE,
+    fiber_beam::CURVATURE,
+    fiber_beam::CURVATURE_SHEAR,
     fiber_beam::WITH_HINGES,
 ];
 

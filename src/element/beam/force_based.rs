@@ -25,13 +25,13 @@ impl Default for ForceBased {
 }
 
 /// Energy left over, as a part of that of the basic system, which is round-off.
-const ROUND_OFF: f64 = 1e-22;
+pub(super) const ROUND_OFF: f64 = 1e-22;
 /// Iterations that are spent on round-off at most.
-const POLISH: usize = 3;
+pub(super) const POLISH: usize = 3;
 
 /// Words of the loads: reactions, and the internal forces of the simple beam at each section.
-const REACTIONS: usize = 5;
-const INTERNAL: usize = 5;
+pub(super) const REACTIONS: usize = 5;
+pub(super) const INTERNAL: usize = 5;
 
 /// Which flexibility turns missing forces of a section into deformations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,7 +58,7 @@ const ATTEMPTS: [(usize, Correction); 9] = [
 ];
 
 /// A resultant at `x` (fraction of the length) from the basic forces.
-fn row<const B: usize>(resultant: Resultant, x: f64, length: f64) -> [f64; B] {
+pub(super) fn row<const B: usize>(resultant: Resultant, x: f64, length: f64) -> [f64; B] {
     let mut row = [0.0; B];
     match (resultant, bending_at(resultant)) {
         (Resultant::P, _) => row[0] = 1.0,
@@ -126,7 +126,7 @@ impl<const B: usize> Point<B> {
 }
 
 /// The internal force of the simple beam that belongs to a resultant.
-fn of_load(resultant: Resultant, internal: &[f64]) -> f64 {
+pub(super) fn of_load(resultant: Resultant, internal: &[f64]) -> f64 {
     match resultant {
         Resultant::P => internal[0],
         Resultant::Mz => internal[1],

@@ -14,6 +14,12 @@ use super::elastic::{BASIC_DEFORMATIONS, BASIC_FORCES, consistent_mass, lumped_m
 pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send + Sync + 'static {
     /// OpenSees' names of the class in the plane and in space.
     const CLASS: [&'static str; 2];
+    /// The stiffness of the basic system is symmetric.
+    const SYMMETRIC: bool = true;
+    /// Sections feel the deflection of the beam between its ends, so that forces are not proportional to deformations.
+    const DEFLECTS: bool = false;
+    /// Words of its own, behind those of the sections.
+    const WORDS: usize = 0;
 
     /// Number of words that loads are summed in, for so many sections.
     fn load_len(points: usize) -> usize;
@@ -74,6 +80,7 @@ pub struct Member<const N: usize, const B: usize> {
     pub(super) points: (Vec<f64>, Vec<f64>),
     rho: f64,
     consistent: bool,
+    own: usize,
     state_len: usize,
 }
 
@@ -90,6 +97,11 @@ impl<const N: usize, const B: usize> Member<N, B> {
     /// First word of the sections.
     pub(super) fn body(&self) -> usize {
         self.head() + Basic::<B>::LEN
+    }
+
+    /// First of the words of the formulation, which come last.
+    pub(super) fn own_words(&self) -> usize {
+        self.own
     }
 
     /// Sections with their places and what they count, as lengths.
@@ -124,7 +136,8 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> FiberBeam<F, N, B> {
             slot
         };
         let sections = sections.into_iter().map(place).collect();
-        Self { member: Member { transform, sections, points, rho, consistent, state_len: at }, formulation }
+        let state_len = at + F::WORDS;
+        Self { member: Member { transform, sections, points, rho, consistent, own: at, state_len }, formulation }
     }
 }
 
@@ -158,8 +171,8 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
     fn nature(&self) -> Nature {
         let sections = || self.member.sections.iter().map(|s| &s.section);
         Nature {
-            linear: self.member.transform.is_linear() && sections().all(|s| s.is_linear()),
-            symmetric: true,
+            linear: !F::DEFLECTS && self.member.transform.is_linear() && sections().all(|s| s.is_linear()),
+            symmetric: F::SYMMETRIC,
             viscous: false,
             elapses: sections().any(|s| s.depends_on_time()),
             rayleigh: true,

@@ -1,6 +1,7 @@
 //! Beam-columns.
 
 mod component;
+mod curvature_based;
 mod displacement_based;
 mod elastic;
 mod force_based;
@@ -9,6 +10,7 @@ mod member;
 mod timoshenko;
 
 pub use component::{ComponentBeam, ComponentOptions};
+pub use curvature_based::{CurvatureBased, MAX_DEFORMATIONS};
 pub use displacement_based::DisplacementBased;
 pub use elastic::{Bending, ElasticBeam, ElasticOptions, Release};
 pub use force_based::ForceBased;

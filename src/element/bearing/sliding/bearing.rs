@@ -1,5 +1,6 @@
 //! A bearing between two nodes: a sliding surface beside uniaxial materials for the other directions.
 
+use super::heat::{self, Heat};
 use super::surface::{Pose, Surface};
 use crate::element::bearing::Link;
 use crate::element::bearing::shear_bearing::{
@@ -19,6 +20,8 @@ pub enum Kind {
     Flat,
     /// `singleFPBearing`: a spherical surface at node i.
     Pendulum,
+    /// `FPBearingPTV`: a spherical surface at node i that warms.
+    Heated,
     /// `RJWatsonEqsBearing`: a flat surface at node j beside springs of shear.
     Springs,
 }
@@ -29,10 +32,14 @@ impl Kind {
         match self {
             Self::Flat => ["FlatSliderSimple2d", "FlatSliderSimple3d"],
             Self::Pendulum => ["SingleFPSimple2d", "SingleFPSimple3d"],
+            Self::Heated => ["FPBearingPTV"; 2],
             Self::Springs => ["RJWatsonEQS2d", "RJWatsonEQS3d"],
         }
     }
 }
+
+/// Path of the responses of a surface that warms.
+const HEAT: u32 = 20;
 
 /// How OpenSees finds the answer, where it is to be followed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,14 +70,17 @@ pub struct Setting {
 /// bearing carries nothing. P-Delta moments of the axial force and the torsion of the shear force act at the node of the surface.
 #[derive(Clone, Debug)]
 pub struct SlidingBearing<const N: usize, const B: usize, const S: usize> {
-    surface: Surface,
-    link: Link<N, B>,
+    pub(super) surface: Surface,
+    pub(super) link: Link<N, B>,
     /// Basic direction and material.
-    springs: Vec<(usize, Slot)>,
+    pub(super) springs: Vec<(usize, Slot)>,
     setting: Setting,
     /// Rows that give the rotation of the surface, tilt, from the displacements.
-    tilt: [[f64; N]; S],
+    pub(super) tilt: [[f64; N]; S],
     levers: Vec<Lever<N>>,
+    /// Friction that warms, and the first of its words.
+    heat: Option<Heat>,
+    pub(super) own: usize,
     state_len: usize,
 }
 
@@ -90,14 +100,14 @@ struct Lever<const N: usize> {
 
 /// History of a sliding bearing.
 #[derive(Clone, Copy, Debug)]
-struct History<const B: usize, const S: usize> {
+pub(super) struct History<const B: usize, const S: usize> {
     /// Plastic displacement of the surface.
-    plastic: [f64; S],
+    pub(super) plastic: [f64; S],
     /// Force of the surface.
-    shear: [f64; S],
-    contact: Contact,
+    pub(super) shear: [f64; S],
+    pub(super) contact: Contact,
     /// Basic forces.
-    q: [f64; B],
+    pub(super) q: [f64; B],
 }
 
 impl<const B: usize, const S: usize> Default for History<B, S> {
@@ -131,10 +141,10 @@ impl<const B: usize, const S: usize> Words for History<B, S> {
 }
 
 /// Basic forces with their derivatives by the displacements and velocities of all degrees of freedom.
-struct Basic<const N: usize, const B: usize> {
-    q: [f64; B],
-    by_disp: [[f64; N]; B],
-    by_vel: [[f64; N]; B],
+pub(super) struct Basic<const N: usize, const B: usize> {
+    pub(super) q: [f64; B],
+    pub(super) by_disp: [[f64; N]; B],
+    pub(super) by_vel: [[f64; N]; B],
 }
 
 impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
@@ -149,7 +159,7 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
     ) -> Self {
         let springs = setting.kind == Kind::Springs;
         let directions = (0..B).filter(|d| springs || !(1..=S).contains(d));
-        let (slots, state_len) = Slot::pack(materials, History::<B, S>::LEN);
+        let (slots, own) = Slot::pack(materials, History::<B, S>::LEN);
         let (foot, head) = if springs { (N / 2, 0) } else { (0, N / 2) };
         let arm = if springs { shear_dist * length } else { (1.0 - shear_dist) * length };
         let tilt = std::array::from_fn(|i| match (S, i) {
@@ -158,7 +168,16 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
             _ => link.local[foot + 4].map(|r| -r),
         });
         let levers = levers::<N, S>(&link.local, foot, head, arm);
-        Self { surface, springs: directions.zip(slots).collect(), setting, tilt, levers, state_len, link }
+        let springs = directions.zip(slots).collect();
+        Self { surface, springs, setting, tilt, levers, heat: None, own, state_len: own, link }
+    }
+
+    /// The same with friction that warms the surface.
+    pub fn heated(mut self, heat: Heat) -> Self {
+        self.surface.friction = std::sync::Arc::new(heat);
+        self.heat = Some(heat);
+        self.state_len = self.own + Heat::LEN;
+        self
     }
 
     /// Share of the rise of a dish in the axial deformation: rise, its rate, its slope by the shear displacement.
@@ -173,6 +192,9 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
     /// Basic forces at a motion. The materials are asked even where the bearing lifts off, except by OpenSees.
     fn basic(&self, motion: &Motion<'_>, committed: &[f64], trial: &mut [f64]) -> Result<Basic<N, B>, ElementError> {
         let (u, rate) = (self.link.deformation(motion.disp), self.link.deformation(motion.vel));
+        if let (Some(heat), true) = (&self.heat, self.setting.compat.is_some()) {
+            return self.early(heat, motion, committed, trial);
+        }
         let (rise, rise_rate, slope) = self.rise(&u, &rate)?;
         let mut out = Basic { q: [0.0; B], by_disp: [[0.0; N]; B], by_vel: [[0.0; N]; B] };
         let compat = self.setting.compat.is_some();
@@ -206,6 +228,7 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
                 tilt: self.tilt.each_ref().map(|row| dot(row, motion.disp)),
                 pressure: -out.q[0],
                 plastic: old.plastic,
+                warmth: self.heat.as_ref().map_or(1.0, |h| h.share(&committed[self.own..])),
             };
             self.press(&pose, &last, &mut out)?
         } else {
@@ -214,6 +237,10 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
         };
         next.q = out.q;
         next.write(trial);
+        if let Some(heat) = &self.heat {
+            let words = self.own..self.state_len;
+            heat.warm(&next.contact, &u[1..=S], motion.dt, &committed[words.clone()], &mut trial[words]);
+        }
         Ok(out)
     }
 
@@ -341,6 +368,9 @@ impl<const N: usize, const B: usize, const S: usize> Element for SlidingBearing<
         let contact = Contact { mu: self.surface.coefficient(0.0, 0.0).mu, ..Contact::default() };
         History::<B, S> { contact, ..History::default() }.write(state);
         self.springs.iter().for_each(|(_, m)| m.init(state));
+        if let Some(heat) = &self.heat {
+            heat.init(&mut state[self.own..self.state_len]);
+        }
     }
     fn nature(&self) -> Nature {
         let any = |is: fn(&Slot) -> bool| self.springs.iter().any(|(_, slot)| is(slot));
@@ -348,7 +378,7 @@ impl<const N: usize, const B: usize, const S: usize> Element for SlidingBearing<
             linear: false,
             symmetric: false,
             viscous: self.surface.friction.depends_on_speed() || any(|s| s.material.is_viscous()),
-            elapses: any(|s| s.material.depends_on_time()),
+            elapses: self.heat.is_some() || any(|s| s.material.depends_on_time()),
             rayleigh: self.setting.rayleigh,
         }
     }
@@ -412,6 +442,10 @@ impl<const N: usize, const B: usize, const S: usize> Element for SlidingBearing<
             ["frictionModel" | "frnMdl" | "frictionMdl" | "frnModel", rest @ ..] => {
                 Some(Contact::probe(rest)?.inside(&[FRICTION]))
             }
+            [word] if self.heat.is_some() && heat::probe(word).is_some() => {
+                let (id, names) = heat::probe(word)?;
+                Some(Probe::new(id, names.iter().copied()).inside(&[HEAT]))
+            }
             _ => probe::<S>(words).filter(|p| [LOCAL_FORCE, BASIC_FORCE, LOCAL_DISP, DEFORMATION].contains(&p.path[0])),
         }
     }
@@ -425,7 +459,11 @@ impl<const N: usize, const B: usize, const S: usize> Element for SlidingBearing<
             "basicDeformation",
             "material",
             "frictionModel",
-        ]
+            "temperature",
+            "MuFactors",
+            "MuAdjusted",
+            "HeatFlux",
+        ][..if self.heat.is_some() { 11 } else { 7 }]
     }
 
     fn force_labels(&self) -> Vec<String> {
@@ -439,6 +477,7 @@ impl<const N: usize, const B: usize, const S: usize> Element for SlidingBearing<
             LOCAL_DISP => self.link.local_force(s.disp, out),
             DEFORMATION => out.copy_from_slice(&self.link.deformation(s.disp)),
             BASIC_FORCE => out.copy_from_slice(&history.q),
+            HEAT => heat::read(path[1], &s.state[self.own..], out),
             FRICTION => out[0] = history.contact.value(path[1]),
             _ => self.springs[path[1] as usize].1.read(&path[2..], s.state, out),
         }

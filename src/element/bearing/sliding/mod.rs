@@ -1,9 +1,12 @@
 //! Bearings that slide: a flat or spherical surface with friction between two nodes.
 //!
-//! [`Surface`] is the law of the surface, [`SlidingBearing`] the element around it.
+//! [`Surface`] is the law of the surface, [`SlidingBearing`] the element around it, [`Heat`] the friction of a surface that warms.
 
 mod bearing;
+mod early;
+mod heat;
 mod surface;
 
 pub use bearing::{Kind, PlaneSlider, Setting, SlidingBearing, SpaceSlider, Substitution};
+pub use heat::{Heat, HeatSetting};
 pub use surface::{Dish, Pose, Slide, Surface};

@@ -66,6 +66,8 @@ pub struct Pose<const S: usize> {
     pub pressure: f64,
     /// Committed plastic displacement.
     pub plastic: [f64; S],
+    /// Factor of the friction, 1 for a surface that does not warm.
+    pub warmth: f64,
 }
 
 /// The force of a surface and its derivatives.
@@ -211,7 +213,12 @@ impl Surface {
     }
 
     fn at_normal<const S: usize>(&self, pose: &Pose<S>, shape: &Shape<S>, normal: f64) -> AtNormal<S> {
-        let friction = self.coefficient(normal, shape.speed);
+        let cool = self.coefficient(normal, shape.speed);
+        let friction = Coefficient {
+            mu: pose.warmth * cool.mu,
+            by_normal: pose.warmth * cool.by_normal,
+            by_speed: pose.warmth * cool.by_speed,
+        };
         let limit = friction.mu * normal.max(0.0);
         let gone: [f64; S] = std::array::from_fn(|i| pose.u[i] - pose.plastic[i]);
         let trial: [f64; S] = std::array::from_fn(|i| (self.k_init - normal * shape.c[i]) * gone[i]);

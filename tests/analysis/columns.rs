@@ -1,0 +1,102 @@
+//! Columns of one element that feels its own deflection, against the beam-column equations.
+
+use super::script::{Script, run};
+use std::f64::consts::PI;
+
+const E: f64 = 29500.0;
+const A: f64 = 51.7;
+const I: f64 = 2150.0;
+const L: f64 = 196.0;
+
+/// One cantilever of a section under a lateral load of 10 and an axial one: displacements of the tip across and along, base moment.
+fn cantilever(element: &str, section: &str, axial: f64) -> Vec<f64> {
+    run(&format!(
+        "model basic -ndm 2 -ndf 3; node 1 0 0; node 2 0 {L}; fix 1 1 1 1
+        {section}
+        geomTransf PDelta 1; beamIntegration Legendre 1 1 5
+        element {element} 1 1 2 1 1
+        timeSeries Linear 1; pattern Plain 1 1 {{ load 2 10. -{axial} 0. }}
+        constraints Plain; numberer Plain; system FullGeneral; test NormUnbalance 1e-9 20; algorithm Newton
+        integrator LoadControl 1.; analysis Static; analyze 1
+        puts \"[nodeDisp 2 1] [nodeDisp 2 2] [lindex [eleResponse 1 force] 2]\""
+    ))
+    .done()
+    .numbers()
+}
+
+fn elastic() -> String {
+    format!("section Elastic 1 {E} {A} {I}")
+}
+
+/// AISC Design Guide 25, benchmark in single curvature: u = (π/2)(α P/P_e)^½ with P up to two thirds of the critical load.
+#[test]
+fn one_element_bends_as_the_column_does() {
+    let critical = PI * PI * E * I / (4.0 * L * L);
+    for alpha in [0.1, 0.4, 0.67] {
+        let kl = 0.5 * PI * f64::sqrt(alpha);
+        let tip = 10.0 * L.powi(3) / (3.0 * E * I) * 3.0 * (kl.tan() - kl) / kl.powi(3);
+        let moment = 10.0 * L * kl.tan() / kl;
+        let found = cantilever("forceBeamColumnCBDI", &elastic(), alpha * critical);
+        assert!((found[0] / tip - 1.0).abs() < 2e-4, "{alpha}: {} for {tip}", found[0]);
+        assert!((found[2] / moment - 1.0).abs() < 2e-4, "{alpha}: {} for {moment}", found[2]);
+        let straight = cantilever("forceBeamColumn", &elastic(), alpha * critical);
+        assert!((straight[0] / tip - 1.0).abs() > 1e-3, "{alpha}: without deflections {} for {tip}", straight[0]);
+    }
+}
+
+/// A column that also shears (Engesser, 1889): with β = 1 - P/GA and k² = P/(E I β) the tip moves by
+/// H tan(k L)/(k P β) - H L/P.
+#[test]
+fn one_element_shears_as_the_column_does() {
+    let (ga, axial) = (4.0 * 0.4 * PI * PI * E * I / (4.0 * L * L), 0.4 * PI * PI * E * I / (4.0 * L * L));
+    let section = format!("section Elastic 1 {E} {A} {I} {} 0.5", ga / (0.5 * A));
+    let beta = 1.0 - axial / ga;
+    let k = (axial / (E * I * beta)).sqrt();
+    let tip = 10.0 * (k * L).tan() / (k * axial * beta) - 10.0 * L / axial;
+    let found = cantilever("forceBeamColumnCSBDI", &section, axial)[0];
+    assert!((found / tip - 1.0).abs() < 2e-3, "{found} for {tip}");
+    assert_eq!(found, cantilever("forceBeamColumnCBDI", &section, axial)[0].max(found), "shear deflects more");
+}
+
+/// Uniform load on a simply supported beam-column: its ends turn by w L³/(24 E I) times 3 (tan u - u)/u³, u = (L/2)(P/(E I))^½,
+/// in the plane as in space.
+#[test]
+fn loads_between_the_ends_bend_it() {
+    let axial = 0.5 * PI * PI * E * I / (L * L);
+    let u = 0.5 * L * (axial / (E * I)).sqrt();
+    let turn = 0.01 * L.powi(3) / (24.0 * E * I) * 3.0 * (u.tan() - u) / u.powi(3);
+    let plane = format!(
+        "model basic -ndm 2 -ndf 3; node 1 0 0; node 2 {L} 0; fix 1 1 1 0; fix 2 0 1 0
+        {}; geomTransf Linear 1; set load {{load 2 -{axial} 0. 0.; eleLoad -ele 1 -type -beamUniform -0.01}}; set turn {{nodeDisp 1 3}}",
+        elastic()
+    );
+    let space = format!(
+        "model basic -ndm 3 -ndf 6; node 1 0 0 0; node 2 {L} 0 0; fix 1 1 1 1 1 0 0; fix 2 0 1 1 1 0 0
+        section Elastic 1 {E} {A} {I} {I} 11000. 100.; geomTransf Linear 1 0 0 1
+        set load {{load 2 -{axial} 0. 0. 0. 0. 0.; eleLoad -ele 1 -type -beamUniform 0. -0.01}}; set turn {{nodeDisp 1 5}}"
+    );
+    for model in [plane, space] {
+        let found = run(&format!(
+            "{model}
+            beamIntegration Lobatto 1 1 7; element forceBeamColumnCBDI 1 1 2 1 1
+            timeSeries Linear 1; pattern Plain 1 1 $load
+            constraints Plain; numberer Plain; system FullGeneral; test NormUnbalance 1e-9 20; algorithm Newton
+            integrator LoadControl 1.; analysis Static; analyze 1; puts [eval $turn]"
+        ))
+        .done()
+        .numbers()[0]
+            .abs();
+        assert!((found / turn - 1.0).abs() < 1e-4, "{found} for {turn}");
+    }
+}
+
+#[test]
+fn too_many_deformations_and_equal_places_are_refused() {
+    let model = format!("model basic -ndm 2 -ndf 3; node 1 0 0; node 2 0 {L}; {}; geomTransf Linear 1", elastic());
+    let many = Script::default().run(&format!("{model}\nelement forceBeamColumnCBDI 1 1 2 40 1 1"));
+    assert!(many.error().message.contains("deformations"), "{}", many.error().message);
+    let equal = Script::default().run(&format!(
+        "{model}\nbeamIntegration UserDefined 1 3 1 1 1 0.2 0.2 0.8 0.3 0.3 0.4\nelement forceBeamColumnCBDI 1 1 2 1 1"
+    ));
+    assert!(equal.error().message.contains("same place"), "{}", equal.error().message);
+}
