@@ -29,6 +29,9 @@ const NAMELESS: f64 = 9.0;
 /// An explanation that takes more than this part of what can be taken is the harder to doubt the more it takes.
 const MUCH: f64 = 0.5;
 const NAMED: f64 = 45.0;
+/// So is one that has gained more than this in log evidence over none, where something else is left as well: where the effect
+/// was none of the library its laws gained 2 at most (validation/power).
+const GAINED: f64 = 4.0;
 
 /// Log evidence over the model as it is from which a repair is written although structure is left that it does not
 /// explain.
@@ -80,7 +83,12 @@ pub(super) fn conclude(
     let (before, after) = (misfit(study, &baseline.fitted.fits), misfit(study, &best.fitted.fits));
     let floor = after * (1.0 - left);
     let done = if before > floor { ((before - after) / (before - floor)).clamp(0.0, 1.0) } else { 1.0 };
-    let price = if cause == "none" { STRUCTURED } else { NAMELESS + NAMED * (done - MUCH).max(0.0) };
+    let gained = best.evidence - evidence_of_none;
+    let price = if cause == "none" {
+        STRUCTURED
+    } else {
+        NAMELESS + NAMED * (done - MUCH).max(0.0) + (gained - GAINED).max(0.0)
+    };
     let unknown = best.evidence.max(evidence_of_none) - 0.5 * INDEPENDENT * (1.0 - left.min(TELLING)).ln() - price;
     causes.push(("unknown", unknown));
     causes.sort_by(|a, b| b.1.total_cmp(&a.1));

@@ -43,6 +43,11 @@ impl Correction {
         self.channel == channel && self.run.as_deref().is_none_or(|r| r == run)
     }
 
+    /// What its zero has drifted by at a time.
+    pub fn drift_at(&self, t: f64) -> f64 {
+        line(&self.drift, t)
+    }
+
     /// What the faulty channel shows of a signal.
     pub fn apply(&self, times: &[f64], signal: &mut [f64]) {
         if self.lag_s != 0.0 {

@@ -27,6 +27,7 @@ mod repair;
 mod resume;
 mod rounds;
 pub mod scale;
+mod slow_noise;
 mod structure;
 mod surrogate;
 pub mod variant;

@@ -8,6 +8,7 @@ use super::outcome::Outcome;
 use super::pairs::pairs;
 use super::resume::Kept;
 use super::rounds::{best_of_causes, first_round, fit_baseline, refine, twins, weigh};
+use super::slow_noise::may_be_noise;
 use super::watching;
 use super::work::Work;
 use crate::calibrate::Displacements;
@@ -106,9 +107,11 @@ pub fn diagnose(
     finalists.truncate(FINALISTS);
     let mut weighed = refine(&mut work, "the likeliest of them", finalists)?;
     weighed.push(baseline.clone());
+    weighed.retain(|e| !may_be_noise(&study, e));
     work.hold_back("what it predicts", &mut weighed)?;
     weigh(&mut weighed)?;
-    let two = pairs(&mut work, &baseline, &weighed, &first, &place)?;
+    let mut two = pairs(&mut work, &baseline, &weighed, &first, &place)?;
+    two.retain(|e| !may_be_noise(&study, e));
     if !two.is_empty() {
         weighed.extend(two);
         weigh(&mut weighed)?;
