@@ -264,10 +264,10 @@ impl System<'_> {
         self.work.updates = 0;
         for &i in &all {
             let e = &self.model.elements[i];
-            let at = self.work.matrices[i].at;
-            let k = &mut self.work.tangent[at..at + e.dofs.len().pow(2)];
+            let m = &self.work.matrices[i];
+            let k = &mut self.work.tangent[m.at..m.at + e.dofs.len().pow(2)];
             k.fill(0.0);
-            e.element.last_tangent(&self.new.history[e.state.clone()], k);
+            e.element.last_tangent(&self.new.history[e.state.clone()], k, m.rows);
         }
         self.work.counting = all;
         asked

@@ -79,6 +79,8 @@ pub struct Rows(u32);
 impl Rows {
     /// All of them.
     pub const ALL: Self = Self(u32::MAX);
+    /// None of them.
+    pub const NONE: Self = Self(0);
 
     /// Those that are free.
     pub fn of(free: impl IntoIterator<Item = bool>) -> Self {
@@ -89,6 +91,18 @@ impl Rows {
     #[inline]
     pub fn has(self, i: usize) -> bool {
         self.0 >> i & 1 != 0
+    }
+
+    /// These, and row `i` if there are any.
+    #[inline]
+    pub fn and(self, i: usize) -> Self {
+        if self.0 == 0 { self } else { Self(self.0 | 1 << i) }
+    }
+
+    /// These and others.
+    #[inline]
+    pub fn or(self, others: Self) -> Self {
+        Self(self.0 | others.0)
     }
 
     /// Those among the first `n`, in order.
@@ -216,9 +230,9 @@ pub trait Element: fmt::Debug + Send + Sync {
         false
     }
 
-    /// Tangent of the last call, from the history that it left, for an element that counts its calls; n x n by rows,
+    /// Tangent of the last call, from the history that it left, for an element that counts its calls; wanted rows of n x n,
     /// added to a zero matrix.
-    fn last_tangent(&self, _history: &[f64], _tangent: &mut [f64]) {}
+    fn last_tangent(&self, _history: &[f64], _tangent: &mut [f64], _rows: Rows) {}
 
     /// Tangent of the virgin element, n x n by rows, added to a zero matrix.
     fn initial_tangent(&self, tangent: &mut [f64]);

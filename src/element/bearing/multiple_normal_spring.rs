@@ -4,7 +4,9 @@ use super::link::Link;
 use super::normal_springs::{NormalSprings, Section};
 use super::responses::{NAMES, Response};
 use super::shear_bearing::end_masses;
-use crate::element::{Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
+use crate::element::{
+    Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Rows, Snapshot, frame_force_labels,
+};
 use crate::probe::Probe;
 use crate::words;
 use crate::words::Words;
@@ -113,8 +115,8 @@ impl Element for MultipleNormalSpring {
     fn counts_calls(&self) -> bool {
         self.counts_calls
     }
-    fn last_tangent(&self, history: &[f64], tangent: &mut [f64]) {
-        self.link.add_basic(&Self::stiffness(Forces::read(history).stiffness), tangent);
+    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], rows: Rows) {
+        self.link.add_basic_rows(&Self::stiffness(Forces::read(history).stiffness), tangent, rows);
     }
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.link.add_basic(&Self::stiffness(self.springs.initial_stiffness()), tangent);

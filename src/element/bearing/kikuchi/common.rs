@@ -32,14 +32,14 @@ impl Common {
     }
 
     /// Leave what the other bearings take, if this one is the last.
-    pub(super) fn leave(&self, number: usize, step: f64, motion: Motion, stiffness: [[f64; OUTER]; OUTER]) {
+    pub(super) fn leave(&self, number: usize, step: f64, motion: Motion, stiffness: &[[f64; OUTER]; OUTER]) {
         self.with(|v| {
             if number + 1 == v.bearings {
                 if v.motions[1].is_none_or(|(s, _)| s != step) {
                     v.motions[0] = v.motions[1];
                 }
                 v.motions[1] = Some((step, motion));
-                v.stiffness = Some(stiffness);
+                v.stiffness = Some(*stiffness);
             }
         });
     }
@@ -49,8 +49,8 @@ impl Common {
         self.with(|v| v.motions.iter().flatten().find(|(s, _)| *s == step).map(|(_, q)| *q))
     }
 
-    /// Stiffness of the bearing asked last.
-    pub(super) fn stiffness(&self) -> Option<[[f64; OUTER]; OUTER]> {
-        self.with(|v| v.stiffness)
+    /// Use the stiffness of the bearing asked last, where there is one; whether there was.
+    pub(super) fn use_stiffness(&self, act: impl FnOnce(&[[f64; OUTER]; OUTER])) -> bool {
+        self.with(|v| v.stiffness.as_ref().map(act).is_some())
     }
 }

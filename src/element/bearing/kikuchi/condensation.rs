@@ -1,16 +1,20 @@
 //! Taking the inner nodes out of the equations of a Kikuchi bearing.
 
-use super::kinematics::{DOFS, INNER, Matrix, Motion, OUTER};
+use super::kinematics::{DOFS, INNER, InnerMatrix, Matrix, Motion, OUTER};
+use crate::element::Rows;
 use crate::words;
 
 /// Displacements or forces of the inner nodes.
 pub(super) type Inner = [f64; INNER];
-/// What the inner nodes do for each displacement of the outer ones.
-pub(super) type Follow = [[f64; INNER]; OUTER];
 
-/// Inner displacements from those of the outer nodes: where the inner nodes follow to.
-pub(super) fn followed(follow: &Follow, inner: &Inner, way: &[f64; OUTER]) -> Inner {
-    follow.iter().zip(way).fold(*inner, |at, (column, d)| std::array::from_fn(|i| at[i] + column[i] * d))
+/// Inner displacements from those of the outer nodes: where the inner nodes follow to. `follow` has a column for
+/// each outer displacement, one after the other.
+pub(super) fn followed(follow: &[f64], inner: &Inner, way: &[f64; OUTER]) -> Inner {
+    let mut at = *inner;
+    for (column, d) in follow.as_chunks::<INNER>().0.iter().zip(way).filter(|(_, d)| **d != 0.0) {
+        at.iter_mut().zip(column).for_each(|(at, c)| *at += c * d);
+    }
+    at
 }
 
 /// Share of the virgin stiffness that holds inner nodes which no spring holds any more.
@@ -32,40 +36,97 @@ pub(super) struct Condensed {
     pub yielding: Yielding,
     /// Forces at the outer nodes once they have yielded.
     pub force: [f64; OUTER],
-    /// Their stiffness.
+    /// Wanted rows of their stiffness.
     pub stiffness: [[f64; OUTER]; OUTER],
 }
 
-/// Columns of the equations of the inner nodes: their own displacements, those of the outer nodes, the forces.
-const COLUMNS: usize = DOFS + 1;
+/// Right-hand sides of the equations of the inner nodes: displacements of the outer nodes, the forces.
+const COLUMNS: usize = OUTER + 1;
 
-/// The equations of the inner nodes for forces `f` and stiffness `k`, solved: with the columns behind their own that
-/// `right` gives by row; `hold` is the virgin stiffness at these nodes.
-fn solved<const C: usize>(k: &Matrix, hold: &Inner, right: impl Fn(usize, usize) -> f64) -> Option<[[f64; C]; INNER]> {
-    let mut inner: [[f64; C]; INNER] = std::array::from_fn(|i| {
-        std::array::from_fn(|j| if j < INNER { k[(OUTER + i, OUTER + j)] } else { right(i, j - INNER) })
-    });
-    (0..INNER).for_each(|i| inner[i][i] += HOLD * hold[i]);
-    solve(&mut inner)?;
-    Some(inner)
+/// Factors L and U of the equations of the inner nodes, for rows in another order. L has ones in its diagonal, and the
+/// pivots are kept as their inverses.
+struct Factors {
+    factors: InnerMatrix,
+    order: [usize; INNER],
 }
 
-/// The same for displacements of the outer nodes and the forces.
+impl Factors {
+    /// Factor a stiffness, with a hold on what no spring holds; `hold` is the virgin stiffness at these nodes.
+    #[inline]
+    fn of(mut k: InnerMatrix, hold: &Inner) -> Self {
+        (0..INNER).for_each(|i| k[i][i] += HOLD * hold[i]);
+        let mut order = [0, 1, 2, 3, 4, 5];
+        for p in 0..INNER {
+            let mut largest = p;
+            for i in p + 1..INNER {
+                if k[i][p].abs() > k[largest][p].abs() {
+                    largest = i;
+                }
+            }
+            if largest != p {
+                k.swap(p, largest);
+                order.swap(p, largest);
+            }
+            k[p][p] = 1.0 / k[p][p];
+            let pivot = k[p];
+            for row in k.iter_mut().skip(p + 1) {
+                row[p] *= pivot[p];
+                let share = row[p];
+                for j in p + 1..INNER {
+                    row[j] -= share * pivot[j];
+                }
+            }
+        }
+        Self { factors: k, order }
+    }
+
+    /// Solve for right-hand sides, given by row; `None` where they have no finite answer.
+    #[inline]
+    fn solve<const C: usize>(&self, right: impl Fn(usize, &mut [f64; C])) -> Option<[[f64; C]; INNER]> {
+        let mut x = [[0.0; C]; INNER];
+        for i in 0..INNER {
+            let (done, rest) = x.split_at_mut(i);
+            right(self.order[i], &mut rest[0]);
+            done.iter().zip(&self.factors[i]).for_each(|(done, share)| take_off(&mut rest[0], *share, done));
+        }
+        for i in (0..INNER).rev() {
+            let (rest, done) = x.split_at_mut(i + 1);
+            let to = &mut rest[i];
+            done.iter().zip(&self.factors[i][i + 1..]).for_each(|(done, share)| take_off(to, *share, done));
+            to.iter_mut().for_each(|x| *x *= self.factors[i][i]);
+        }
+        x.as_flattened().iter().all(|x| x.is_finite()).then_some(x)
+    }
+}
+
+#[inline]
+fn take_off<const C: usize>(row: &mut [f64; C], share: f64, other: &[f64; C]) {
+    row.iter_mut().zip(other).for_each(|(x, y)| *x -= share * y);
+}
+
+/// What the inner nodes do for displacements of the outer nodes, and for the forces, by rows.
 fn followers(f: &Motion, k: &Matrix, hold: &Inner) -> Option<[[f64; COLUMNS]; INNER]> {
-    solved(k, hold, |i, j| if j < OUTER { -k[(OUTER + i, j)] } else { -f[OUTER + i] })
+    let mut own = [[0.0; INNER]; INNER];
+    own.iter_mut().zip(&k[OUTER..]).for_each(|(own, k)| own.copy_from_slice(&k[OUTER..]));
+    Factors::of(own, hold).solve(|i, right: &mut [f64; COLUMNS]| {
+        right.iter_mut().zip(&k[OUTER + i][..OUTER]).for_each(|(x, k)| *x = -k);
+        right[OUTER] = -f[OUTER + i];
+    })
 }
 
-/// How the inner nodes yield to the force that is left at them, where nothing else is asked.
-pub(super) fn correction(f: &Motion, k: &Matrix, hold: &Inner) -> Option<Inner> {
-    let inner = solved::<{ INNER + 1 }>(k, hold, |i, _| -f[OUTER + i])?;
-    Some(inner.map(|row| row[INNER]))
+/// How the inner nodes yield to the force that is left at them by their own stiffness, where nothing else is asked.
+pub(super) fn correction(f: &Motion, k: InnerMatrix, hold: &Inner) -> Option<Inner> {
+    let inner = Factors::of(k, hold).solve(|i, right| *right = [-f[OUTER + i]])?;
+    Some(inner.map(|[x]| x))
 }
 
 fn yielding_of(inner: &[[f64; COLUMNS]; INNER]) -> Yielding {
-    Yielding {
-        follow: std::array::from_fn(|j| std::array::from_fn(|i| inner[i][INNER + j])),
-        correction: std::array::from_fn(|i| inner[i][DOFS]),
+    let mut yielding = Yielding::default();
+    for (i, row) in inner.iter().enumerate() {
+        yielding.follow.iter_mut().zip(row).for_each(|(column, x)| column[i] = *x);
+        yielding.correction[i] = row[OUTER];
     }
+    yielding
 }
 
 /// What the inner nodes do, where nothing else is asked.
@@ -73,39 +134,23 @@ pub(super) fn yielding(f: &Motion, k: &Matrix, hold: &Inner) -> Option<Yielding>
     followers(f, k, hold).map(|inner| yielding_of(&inner))
 }
 
-/// Condense forces `f` and stiffness `k`; `hold` is the virgin stiffness at the inner nodes.
-pub(super) fn condense(f: &Motion, k: &Matrix, hold: &Inner) -> Option<Condensed> {
+/// Condense forces `f` and stiffness `k`; `hold` is the virgin stiffness at the inner nodes. Only `rows` of the stiffness
+/// are made.
+pub(super) fn condense(f: &Motion, k: &Matrix, hold: &Inner, rows: Rows) -> Option<Condensed> {
     let inner = followers(f, k, hold)?;
-    let mut outer: [[f64; OUTER + 1]; OUTER] =
-        std::array::from_fn(|i| std::array::from_fn(|j| if j < OUTER { k[(i, j)] } else { f[i] }));
-    for (i, row) in outer.iter_mut().enumerate() {
-        for (m, solved) in inner.iter().enumerate() {
-            let share = k[(i, OUTER + m)];
-            row.iter_mut().zip(&solved[INNER..]).for_each(|(to, x)| *to += share * x);
+    let (mut force, mut stiffness) = ([0.0; OUTER], [[0.0; OUTER]; OUTER]);
+    for (i, force) in force.iter_mut().enumerate() {
+        let shares = &k[i][OUTER..];
+        *force = f[i] + shares.iter().zip(&inner).map(|(share, solved)| share * solved[OUTER]).sum::<f64>();
+    }
+    for i in rows.among(OUTER) {
+        let row = &mut stiffness[i];
+        row.copy_from_slice(&k[i][..OUTER]);
+        for (share, solved) in k[i][OUTER..].iter().zip(&inner).filter(|(share, _)| **share != 0.0) {
+            row.iter_mut().zip(&solved[..OUTER]).for_each(|(to, x)| *to += share * x);
         }
     }
-    Some(Condensed {
-        yielding: yielding_of(&inner),
-        force: outer.map(|row| row[OUTER]),
-        stiffness: outer.map(|row| std::array::from_fn(|j| row[j])),
-    })
-}
-
-/// Solve equations with several right-hand sides behind their matrix, in place, by elimination with row exchange; `None`
-/// where they have no finite answer.
-fn solve<const C: usize>(rows: &mut [[f64; C]; INNER]) -> Option<()> {
-    for p in 0..INNER {
-        let largest = (p..INNER).max_by(|&i, &j| rows[i][p].abs().total_cmp(&rows[j][p].abs()))?;
-        rows.swap(p, largest);
-        let by = 1.0 / rows[p][p];
-        rows[p].iter_mut().for_each(|x| *x *= by);
-        let pivot = rows[p];
-        for row in rows.iter_mut().enumerate().filter(|(i, _)| *i != p).map(|(_, row)| row) {
-            let share = row[p];
-            row.iter_mut().zip(&pivot).for_each(|(x, y)| *x -= share * y);
-        }
-    }
-    rows.iter().flatten().all(|x| x.is_finite()).then_some(())
+    Some(Condensed { yielding: yielding_of(&inner), force, stiffness })
 }
 
 /// All displacements from those of the ends and of the inner nodes.

@@ -1,11 +1,21 @@
 //! Inner equilibrium of a Kikuchi bearing, to round-off at every trial state.
 
-use super::condensation::{Condensed, condense, correction, followed, join};
-use super::kinematics::{INNER, Matrix, Motion, OUTER, Springs};
+use super::condensation::{Condensed, Inner, condense, correction, followed, join};
+use super::kinematics::{DOFS, INNER, Matrix, Motion, OUTER, Springs};
 use super::{Factors, KikuchiBearing};
-use crate::element::ElementError;
+use crate::element::{ElementError, Rows, dot};
 use crate::words;
 use crate::words::Words;
+
+/// Words of the memory, and after them of how the inner nodes follow the ends, by columns.
+pub(super) const HEADER: usize = FOLLOW_AT + OUTER * INNER;
+/// Where the latter begin. They are read where they lie.
+const FOLLOW_AT: usize = <Memory as Words>::LEN;
+
+/// How the inner nodes follow the ends, in the state of the bearing.
+fn follow(state: &[f64]) -> &[f64] {
+    &state[FOLLOW_AT..HEADER]
+}
 
 words! {
     /// What a bearing keeps besides the histories of its springs.
@@ -16,8 +26,15 @@ words! {
         inner: [f64; 6],
         /// Axial deformation at mid-height.
         axial: f64,
-        /// How the inner nodes follow the ends, by columns: where they are looked for first.
-        follow: [[f64; 6]; 12],
+        /// The last step of the ends.
+        way: [f64; 12],
+        /// What the inner nodes did in that step beyond following: in proportion to the square of its length, where the
+        /// motion is smooth.
+        bend: [f64; 6],
+        /// Size of the shear displacement that the shear springs have been scaled for.
+        size: f64,
+        /// Factor of their forces, and its derivative by that size; no factor where none has been worked out.
+        factor: [f64; 2],
     }
 }
 
@@ -28,42 +45,44 @@ const TOLERANCE: f64 = 1e-8;
 const STRAIN: f64 = 1e-12;
 /// Residuals so many times larger are taken where round-off lets them sink no further.
 const STAGNATION: f64 = 1e3;
+/// A step counts as no more than so many times the last one where the inner nodes are looked for.
+const FURTHER: f64 = 2.0;
+/// The axial force at j, in local axes.
+const AXIAL: usize = 6;
 /// Largest number of iterations on the way to a displacement.
 const ITERATIONS: usize = 60;
 
 /// A step of the ends, for which the inner nodes are looked for.
 struct Step<'a> {
     committed: &'a [f64],
-    from: Memory,
+    from: &'a Memory,
+    /// Displacements that it begins with, and the row of the axial force there.
+    origin: Motion,
+    row: Motion,
     factors: Factors,
     dt: f64,
 }
 
-/// The bearing at a trial position of its inner nodes.
+/// The bearing at a trial position of its inner nodes. What of its stiffness is needed is made from this.
+#[derive(Clone, Copy, Default)]
 struct Trial {
     inner: [f64; INNER],
     springs: Springs,
+    forces: Motion,
+    /// Row of the axial force, and derivatives of the axial deformation.
+    row: Motion,
+    change: Motion,
     /// Largest force left at the inner nodes, and the largest that counts as none.
     residual: f64,
     allowed: f64,
 }
 
-/// Forces and stiffness of all degrees of freedom at the position that was tried last. The inner nodes are taken out of
-/// them once they are in balance: on the way there it is enough to know how they yield.
-struct Equations {
-    forces: Motion,
-    stiffness: Matrix,
-}
-
 impl KikuchiBearing {
-    /// The state at rest.
-    pub(super) fn virgin_memory(&self) -> Memory {
+    /// Write the state at rest.
+    pub(super) fn write_virgin_memory(&self, state: &mut [f64]) {
         let follow = self.virgin_condensed(self.virgin_factors.force).map(|c| c.yielding.follow);
-        let mut memory = Memory::default();
-        if let Some(follow) = follow {
-            memory.follow = follow;
-        }
-        memory
+        Memory::default().write(state);
+        state[FOLLOW_AT..HEADER].copy_from_slice(follow.unwrap_or_default().as_flattened());
     }
 
     /// The virgin bearing at rest, with a factor of the shear springs.
@@ -71,7 +90,7 @@ impl KikuchiBearing {
         let rest = join(&[0.0; OUTER], &[0.0; INNER]);
         let row = self.kinematics.axial_row(&rest);
         let stiffness = self.kinematics.stiffness(&self.virgin_springs(factor), &row, &row);
-        condense(&rest, &stiffness, &self.hold)
+        condense(&rest, &stiffness, &self.hold, Rows::ALL)
     }
 
     /// Stiffness of the virgin bearing in local axes.
@@ -79,7 +98,7 @@ impl KikuchiBearing {
         self.virgin_condensed(self.virgin_factors.force).map_or([[0.0; OUTER]; OUTER], |c| c.stiffness)
     }
 
-    /// Forces at the ends and their consistent tangent, in local axes, for displacements of the ends.
+    /// Forces at the ends and wanted rows of their consistent tangent, in local axes, for displacements of the ends.
     ///
     /// # Errors
     /// No inner equilibrium was found, or a spring has no answer.
@@ -88,54 +107,96 @@ impl KikuchiBearing {
         outer: [f64; OUTER],
         committed: &[f64],
         dt: f64,
+        rows: Rows,
         trial: &mut [f64],
     ) -> Result<([f64; OUTER], [[f64; OUTER]; OUTER]), ElementError> {
-        let [v, w] = self.offset(&outer);
-        let size = v.hypot(w);
-        // The derivative of the forces, not OpenSees' factor of the stiffness.
-        let factors = self.shear.factors(size, committed, trial)?;
-        let step = Step {
-            committed,
-            from: Memory::read(committed),
-            factors: Factors { stiffness: factors.force, ..factors },
-            dt,
-        };
-        let mut equations = Equations { forces: Motion::zeros(), stiffness: Matrix::zeros() };
-        let Trial { inner, springs, .. } = self.find(&step, &outer, trial, &mut equations)?;
-        let c = condense(&equations.forces, &equations.stiffness, &self.hold)
+        let (from, last) = (Memory::read(committed), Memory::read(trial));
+        let factors = self.factors_at(&outer, &last, committed, trial)?;
+        let origin = join(&from.outer, &from.inner);
+        let row = self.kinematics.axial_row(&origin);
+        let step = Step { committed, from: &from, origin, row, factors, dt };
+        let way = std::array::from_fn(|i| outer[i] - from.outer[i]);
+        let guess = guess(&from, follow(committed), &way);
+        let mut found = Trial::default();
+        self.find(&step, &outer, guess, trial, &mut found)?;
+        let mut stiffness = [[0.0; DOFS]; DOFS];
+        self.kinematics.stiffness_into(&found.springs, &found.row, &found.change, &mut stiffness);
+        self.kinematics.add_geometric(self.kinematics.stiff.axial * found.springs.axial, &mut stiffness);
+        self.add_slope(&found.springs, factors, &outer, &mut stiffness);
+        // The moments of P-Delta change with the axial force.
+        let wanted = if self.shares.is_some() { rows.and(AXIAL) } else { rows };
+        let Condensed { yielding, mut force, mut stiffness } = condense(&found.forces, &stiffness, &self.hold, wanted)
             .ok_or_else(|| ElementError("the inner nodes of the bearing are held by nothing".into()))?;
-        let memory = Memory { outer, inner, axial: springs.axial, follow: c.yielding.follow };
-        memory.write(trial);
-        let (mut force, mut stiffness) = (c.force, c.stiffness);
+        let followed = followed(follow(committed), &from.inner, &way);
+        Memory {
+            outer,
+            inner: found.inner,
+            axial: found.springs.axial,
+            way,
+            bend: std::array::from_fn(|i| found.inner[i] - followed[i]),
+            size: self.size(&outer),
+            factor: [factors.force, factors.slope],
+        }
+        .write(trial);
+        trial[FOLLOW_AT..HEADER].copy_from_slice(yielding.follow.as_flattened());
         if let Some(shares) = self.shares {
-            take_off_p_delta(&outer, shares, &mut force, &mut stiffness);
+            take_off_p_delta(&outer, shares, &mut force, &mut stiffness, rows);
         }
         Ok((force, stiffness))
     }
 
-    /// Look for the inner nodes: from where they would follow the ends to, or else along the way of the ends.
+    /// Size of the shear displacement.
+    fn size(&self, outer: &[f64; OUTER]) -> f64 {
+        let [v, w] = self.offset(outer);
+        v.hypot(w)
+    }
+
+    /// Factors of the shear springs: those of the last call where it was for the same shear displacement.
+    fn factors_at(
+        &self,
+        outer: &[f64; OUTER],
+        last: &Memory,
+        committed: &[f64],
+        trial: &mut [f64],
+    ) -> Result<Factors, ElementError> {
+        let size = self.size(outer);
+        let [force, slope] = last.factor;
+        if force != 0.0 && last.size == size {
+            return Ok(Factors { force, stiffness: force, slope });
+        }
+        let factors = self.shear.factors(size, committed, trial)?;
+        // The derivative of the forces, not OpenSees' factor of the stiffness.
+        Ok(Factors { stiffness: factors.force, ..factors })
+    }
+
+    /// Look for the inner nodes: from a guess, or else along the way of the ends.
     fn find(
         &self,
         step: &Step<'_>,
         outer: &[f64; OUTER],
+        guess: [f64; INNER],
         trial: &mut [f64],
-        equations: &mut Equations,
-    ) -> Result<Trial, ElementError> {
-        let from = &step.from;
+        found: &mut Trial,
+    ) -> Result<(), ElementError> {
+        let from = step.from;
+        let first = self.newton(step, outer, guess, trial, found);
+        if let Ok(true) = first {
+            return Ok(());
+        }
         let way: [f64; OUTER] = std::array::from_fn(|i| outer[i] - from.outer[i]);
-        let first = self.newton(step, outer, followed(&from.follow, &from.inner, &way), trial, equations);
-        if let Ok(Some(found)) = first {
-            return Ok(found);
+        let next = followed(follow(step.committed), &from.inner, &way);
+        if let Ok(true) = self.newton(step, outer, next, trial, found) {
+            return Ok(());
         }
         for parts in [4, 32] {
             let mut inner = from.inner;
             for part in 1..=parts {
                 let at: [f64; OUTER] =
                     std::array::from_fn(|i| from.outer[i] + way[i] * f64::from(part) / f64::from(parts));
-                match self.newton(step, &at, inner, trial, equations)? {
-                    Some(found) if part == parts => return Ok(found),
-                    Some(found) => inner = found.inner,
-                    None => break,
+                match self.newton(step, &at, inner, trial, found)? {
+                    true if part == parts => return Ok(()),
+                    true => inner = found.inner,
+                    false => break,
                 }
             }
         }
@@ -143,42 +204,45 @@ impl KikuchiBearing {
         Err(ElementError("the bearing finds no inner equilibrium: the step is too large, or it has buckled".into()))
     }
 
-    /// Newton's method for the inner nodes, with steps that do not let the residual grow.
+    /// Newton's method for the inner nodes, with steps that do not let the residual grow; whether it has found `best`.
     fn newton(
         &self,
         step: &Step<'_>,
         outer: &[f64; OUTER],
         start: [f64; INNER],
         trial: &mut [f64],
-        equations: &mut Equations,
-    ) -> Result<Option<Trial>, ElementError> {
-        let mut best = self.at(step, outer, start, trial, equations)?;
+        best: &mut Trial,
+    ) -> Result<bool, ElementError> {
+        self.at(step, outer, start, trial, best)?;
         for _ in 0..ITERATIONS {
             if best.residual <= best.allowed {
-                return Ok(Some(best));
+                return Ok(true);
             }
-            let Some(correction) = correction(&equations.forces, &equations.stiffness, &self.hold) else {
-                return Ok(None);
+            let stiffness = self.kinematics.inner_stiffness(&best.springs, &best.row, &best.change);
+            let Some(correction) = correction(&best.forces, stiffness, &self.hold) else {
+                return Ok(false);
             };
-            let mut share = 1.0;
-            let next = loop {
+            let (mut share, mut next) = (1.0, Trial::default());
+            loop {
                 let inner = std::array::from_fn(|i| best.inner[i] + share * correction[i]);
-                let next = self.at(step, outer, inner, trial, equations)?;
+                self.at(step, outer, inner, trial, &mut next)?;
                 if next.residual < best.residual {
-                    break next;
+                    break;
                 }
                 if best.residual <= STAGNATION * best.allowed {
-                    // The springs' histories in `trial`, and the equations, are to be those of the answer.
-                    return Ok(Some(self.at(step, outer, best.inner, trial, equations)?));
+                    // The springs' histories in `trial` are to be those of the answer.
+                    self.at(step, outer, best.inner, trial, &mut next)?;
+                    *best = next;
+                    return Ok(true);
                 }
                 share *= 0.5;
                 if share < 1e-3 {
-                    break next;
+                    break;
                 }
-            };
-            best = next;
+            }
+            *best = next;
         }
-        Ok(None)
+        Ok(false)
     }
 
     /// The bearing at displacements of its ends and inner nodes.
@@ -188,28 +252,27 @@ impl KikuchiBearing {
         outer: &[f64; OUTER],
         inner: [f64; INNER],
         trial: &mut [f64],
-        equations: &mut Equations,
-    ) -> Result<Trial, ElementError> {
+        into: &mut Trial,
+    ) -> Result<(), ElementError> {
         let k = &self.kinematics;
-        let (from, q) = (join(&step.from.outer, &step.from.inner), join(outer, &inner));
+        let q = join(outer, &inner);
         let row = k.axial_row(&q);
-        let (axial, change) = k.axial(step.from.axial, &from, &q);
+        let (axial, change) = k.axial(step.from.axial, &(q - step.origin), [&step.row, &row]);
         let springs = self.springs(step.committed, &q, step.factors, axial, step.dt, trial)?;
-        let Equations { forces: f, stiffness } = equations;
-        *f = k.forces(&q, &springs, &row);
-        k.stiffness_into(&springs, &row, &change, stiffness);
-        k.add_geometric(k.stiff.axial * axial, stiffness);
-        self.add_slope(&springs, step.factors, outer, stiffness);
+        let forces = k.forces(&q, &springs, &row);
         // Forces, and moments over an arm.
-        let size =
-            |i: usize| if matches!(i % 6, 3..=5) && i < OUTER || i > 12 && i != 15 { 1.0 / self.arm } else { 1.0 };
-        let largest = |range: std::ops::Range<usize>| range.fold(0.0f64, |m, i| m.max((f[i] * size(i)).abs()));
-        let residual = largest(OUTER..OUTER + INNER);
-        let allowed = TOLERANCE * largest(0..OUTER) + STRAIN * self.axial_rigidity;
+        let by = 1.0 / self.arm;
+        let largest = |at: std::ops::Range<usize>, by: f64| at.fold(0.0f64, |m, i| m.max((forces[i] * by).abs()));
+        let residual = [(12..13, 1.0), (13..15, by), (15..16, 1.0), (16..18, by)];
+        let whole = [(0..3, 1.0), (3..6, by), (6..9, 1.0), (9..12, by)];
+        let [residual, whole] =
+            [residual, whole].map(|parts| parts.into_iter().fold(0.0f64, |m, (at, by)| m.max(largest(at, by))));
+        let allowed = TOLERANCE * whole + STRAIN * self.axial_rigidity;
         if !residual.is_finite() {
             return Err(ElementError("a spring of the bearing answers with no number".into()));
         }
-        Ok(Trial { inner, springs, residual, allowed })
+        *into = Trial { inner, springs, forces, row, change, residual, allowed };
+        Ok(())
     }
 
     /// What the factor of the shear forces adds to the stiffness as it changes with the displacement.
@@ -223,20 +286,30 @@ impl KikuchiBearing {
             for (i, x) in rows {
                 for (k, d) in direction.into_iter().enumerate() {
                     let c = x * force / factors.force * factors.slope * d;
-                    stiffness[(i, 7 + k)] += c;
-                    stiffness[(i, 1 + k)] -= c;
+                    stiffness[i][7 + k] += c;
+                    stiffness[i][1 + k] -= c;
                 }
             }
         }
     }
 }
 
-/// Take the P-Delta moments off the end moments, by shares at i and at j, and off the tangent.
+/// Where the inner nodes are looked for first: where they follow the ends to from the committed state, and where they bend
+/// to if the ends go on as in the last step.
+fn guess(from: &Memory, follow: &[f64], way: &[f64; OUTER]) -> Inner {
+    let inner = followed(follow, &from.inner, way);
+    let ratio = dot(way, &from.way) / dot(&from.way, &from.way);
+    let square = if ratio > 0.0 { ratio.min(FURTHER).powi(2) } else { 0.0 };
+    std::array::from_fn(|i| inner[i] + square * from.bend[i])
+}
+
+/// Take the P-Delta moments off the end moments, by shares at i and at j, and off these rows of the tangent.
 fn take_off_p_delta(
     outer: &[f64; OUTER],
     shares: [f64; 2],
     force: &mut [f64; OUTER],
     stiffness: &mut [[f64; OUTER]; OUTER],
+    rows: Rows,
 ) {
     let pressure = -force[6];
     let change = stiffness[6].map(|k| -k);
@@ -246,6 +319,9 @@ fn take_off_p_delta(
             let row = 6 * end + about;
             let lever = outer[along + 6] - outer[along];
             force[row] += sign * share * pressure * lever;
+            if !rows.has(row) {
+                continue;
+            }
             for (k, c) in stiffness[row].iter_mut().zip(change) {
                 *k += sign * share * c * lever;
             }

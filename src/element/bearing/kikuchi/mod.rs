@@ -14,7 +14,7 @@ mod opensees;
 
 pub use self::common::Common;
 use self::condensation::Inner;
-use self::equilibrium::Memory;
+use self::equilibrium::{HEADER, Memory};
 use self::kinematics::{Geometry, Kinematics, OUTER, Springs, Stiff};
 use self::opensees::HEADER as OPENSEES_HEADER;
 use super::link::Link;
@@ -98,6 +98,8 @@ pub struct KikuchiBearing {
     link: Link<12, 6>,
     /// Local displacements of the ends from global ones, row by row.
     turn: SparseMatrix<OUTER, OUTER>,
+    /// Rows in local axes that each row in global ones is made of.
+    locals: [Rows; OUTER],
     /// Displacements of the ends in local axes at which the springs are at rest.
     start: [f64; OUTER],
     mass: f64,
@@ -130,7 +132,7 @@ impl KikuchiBearing {
             torsion: RIGID * k * 2.0 * inertia / p.rubber,
         };
         let (header, geometry, number) = match &scheme {
-            Scheme::Converged => (Memory::LEN, Geometry::MeanTilt, 0),
+            Scheme::Converged => (HEADER, Geometry::MeanTilt, 0),
             Scheme::OpenSees(_, common) => (OPENSEES_HEADER, Geometry::EachLink, common.join()),
         };
         let shear = ShearSprings::new(p.shear, p.shear_springs, p.limit, header);
@@ -159,6 +161,7 @@ impl KikuchiBearing {
             p_delta: p.p_delta,
             shares: p.p_delta.then_some(p.shares),
             turn: SparseMatrix::new(&link.local),
+            locals: std::array::from_fn(|global| Rows::of((0..OUTER).map(|i| link.local[i][global] != 0.0))),
             link,
             start,
             mass: p.mass,
@@ -172,7 +175,7 @@ impl KikuchiBearing {
     /// Words of state before those of the springs.
     fn header(&self) -> usize {
         match self.scheme {
-            Scheme::Converged => Memory::LEN,
+            Scheme::Converged => HEADER,
             Scheme::OpenSees(..) => OPENSEES_HEADER,
         }
     }
@@ -251,6 +254,11 @@ impl KikuchiBearing {
         }
     }
 
+    /// Rows in local axes that rows in global ones are made of.
+    fn local_rows(&self, rows: Rows) -> Rows {
+        rows.among(OUTER).fold(Rows::NONE, |all, i| all.or(self.locals[i]))
+    }
+
     /// Global forces of local ones.
     fn add_force(&self, local: &[f64; OUTER], global: &mut [f64]) {
         self.turn.add_transposed(local, global);
@@ -274,7 +282,7 @@ impl Element for KikuchiBearing {
     }
     fn init(&self, state: &mut [f64]) {
         match self.scheme {
-            Scheme::Converged => self.virgin_memory().write(state),
+            Scheme::Converged => self.write_virgin_memory(state),
             Scheme::OpenSees(..) => self.write_virgin_trace(state),
         }
         self.shear.init(state);
@@ -302,7 +310,10 @@ impl Element for KikuchiBearing {
     ) -> Result<(), ElementError> {
         let outer = self.outer(motion.disp);
         let (force, tangent) = match &self.scheme {
-            Scheme::Converged => self.converge(outer, committed, motion.dt, trial)?,
+            Scheme::Converged => {
+                let rows = if answer.tangent.is_some() { self.local_rows(answer.rows) } else { Rows::NONE };
+                self.converge(outer, committed, motion.dt, rows, trial)?
+            }
             Scheme::OpenSees(balance, common) => {
                 self.follow_opensees(outer, committed, motion.dt, (*balance, common), trial)?
             }
@@ -324,10 +335,11 @@ impl Element for KikuchiBearing {
     fn counts_calls(&self) -> bool {
         matches!(self.scheme, Scheme::OpenSees(..))
     }
-    fn last_tangent(&self, history: &[f64], tangent: &mut [f64]) {
-        if let Scheme::OpenSees(_, common) = &self.scheme {
-            let k = common.stiffness().unwrap_or_else(|| self.last_stiffness(history));
-            self.add_global(&k, tangent, Rows::ALL);
+    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], rows: Rows) {
+        if let Scheme::OpenSees(_, common) = &self.scheme
+            && !common.use_stiffness(|k| self.add_global(k, tangent, rows))
+        {
+            self.add_global(&self.last_stiffness(history), tangent, rows);
         }
     }
 

@@ -7,7 +7,7 @@
 use super::condensation::{Condensed, Yielding, condense, followed, join, yielding};
 use super::kinematics::{INNER, Matrix, Motion, OUTER, Springs};
 use super::{Balance, Common, Factors, KikuchiBearing};
-use crate::element::ElementError;
+use crate::element::{ElementError, Rows};
 use crate::material::MaterialError;
 use crate::words;
 use crate::words::Words;
@@ -103,7 +103,7 @@ impl KikuchiBearing {
             (factors, Yielding::read(&trial[SOLVED_AT..]))
         };
         let step: [f64; OUTER] = std::array::from_fn(|i| outer[i] - old.outer[i]);
-        let inner = followed(&follow, &std::array::from_fn(|i| begin.inner[i] + correction[i]), &step);
+        let inner = followed(follow.as_flattened(), &std::array::from_fn(|i| begin.inner[i] + correction[i]), &step);
 
         let q = join(&outer, &inner);
         let axial = begin.springs.axial + row.dot(&(q - from));
@@ -117,7 +117,7 @@ impl KikuchiBearing {
         }
 
         let settled = self.settle(&outer, call, factors, balance, committed, dt, trial)?;
-        common.leave(self.number, old.steps + 1.0, join(&outer, &settled.inner), c.stiffness);
+        common.leave(self.number, old.steps + 1.0, join(&outer, &settled.inner), &c.stiffness);
         let factors = [factors.force, factors.stiffness];
         Trace { outer, settled, last: call, steps: old.steps + 1.0, factors }.write(trial);
         Solved { yielding: c.yielding, stiffness: c.stiffness }.write(&mut trial[SOLVED_AT..]);
@@ -172,7 +172,7 @@ impl KikuchiBearing {
 
     fn condensed(&self, q: &Motion, springs: &Springs, row: &Motion) -> Result<Condensed, ElementError> {
         let (forces, stiffness) = self.equations(q, springs, row);
-        condense(&forces, &stiffness, &self.hold).ok_or_else(held_by_nothing)
+        condense(&forces, &stiffness, &self.hold, Rows::ALL).ok_or_else(held_by_nothing)
     }
 
     /// Forces and stiffness of all degrees of freedom.
