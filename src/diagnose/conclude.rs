@@ -47,7 +47,7 @@ const TWINS: f64 = 0.5;
 const AROUND: usize = 3;
 const NEAR: f64 = 0.1;
 /// What is left of the confidence in a repair when runs that were held out get no better by it.
-const CONTRADICTED: f64 = 0.5;
+const CONTRADICTED: f64 = 0.6;
 
 pub(super) struct Context<'a> {
     pub(super) study: &'a Arc<Study>,

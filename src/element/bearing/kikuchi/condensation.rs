@@ -1,8 +1,13 @@
 //! Taking the inner nodes out of the equations of a Kikuchi bearing.
 
 use super::kinematics::{DOFS, INNER, InnerMatrix, Matrix, Motion, OUTER};
-use crate::element::Rows;
+use crate::element::{ElementError, Rows};
 use crate::words;
+
+/// Why the inner nodes have no equilibrium.
+pub(super) fn held_by_nothing() -> ElementError {
+    ElementError("the inner nodes of the bearing are held by nothing".into())
+}
 
 /// Displacements or forces of the inner nodes.
 pub(super) type Inner = [f64; INNER];

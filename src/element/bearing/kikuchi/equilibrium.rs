@@ -1,6 +1,6 @@
 //! Inner equilibrium of a Kikuchi bearing, to round-off at every trial state.
 
-use super::condensation::{Condensed, Inner, condense, correction, followed, join};
+use super::condensation::{Condensed, Inner, condense, correction, followed, held_by_nothing, join};
 use super::kinematics::{DOFS, INNER, Matrix, Motion, OUTER, Springs};
 use super::{Factors, KikuchiBearing};
 use crate::element::{ElementError, Rows, dot};
@@ -125,8 +125,8 @@ impl KikuchiBearing {
         self.add_slope(&found.springs, factors, &outer, &mut stiffness);
         // The moments of P-Delta change with the axial force.
         let wanted = if self.shares.is_some() { rows.and(AXIAL) } else { rows };
-        let Condensed { yielding, mut force, mut stiffness } = condense(&found.forces, &stiffness, &self.hold, wanted)
-            .ok_or_else(|| ElementError("the inner nodes of the bearing are held by nothing".into()))?;
+        let Condensed { yielding, mut force, mut stiffness } =
+            condense(&found.forces, &stiffness, &self.hold, wanted).ok_or_else(held_by_nothing)?;
         let followed = followed(follow(committed), &from.inner, &way);
         Memory {
             outer,

@@ -4,7 +4,7 @@
 //! forces of the springs as the last call left them and with the geometry of the committed state. So the answer depends
 //! on how often it is asked, and on the size of the steps; with several bearings, on the one that is asked last.
 
-use super::condensation::{Condensed, Yielding, condense, followed, join, yielding};
+use super::condensation::{Condensed, Yielding, condense, followed, held_by_nothing, join, yielding};
 use super::kinematics::{INNER, Matrix, Motion, OUTER, Springs};
 use super::{Balance, Common, Factors, KikuchiBearing};
 use crate::element::{ElementError, Rows};
@@ -184,10 +184,6 @@ impl KikuchiBearing {
     pub(super) fn last_stiffness(&self, state: &[f64]) -> [[f64; OUTER]; OUTER] {
         Solved::read(&state[SOLVED_AT..]).stiffness
     }
-}
-
-fn held_by_nothing() -> ElementError {
-    ElementError("the inner nodes of the bearing are held by nothing".into())
 }
 
 /// Take the P-Delta moments off the end moments as OpenSees does: each at the axis of the other displacement.

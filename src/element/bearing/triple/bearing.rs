@@ -386,8 +386,8 @@ impl Element for TriplePendulum {
 
     fn probe_names(&self) -> &'static [&'static str] {
         match self.surfaces {
-            Surfaces::Models(_) => &NAMES,
-            Surfaces::Heated(_) => &HEATED_NAMES,
+            Surfaces::Models(_) => &NAMES[..8],
+            Surfaces::Heated(_) => &NAMES[1..],
         }
     }
 
@@ -441,17 +441,9 @@ const HEATING: u32 = 21;
 const HEAT: usize = ChainState::LEN + Load::LEN;
 const HEATED_SEGMENTS: [&str; 12] =
     ["d1x", "d3x", "d5x", "d1y", "d3y", "d5y", "v1x", "v3x", "v5x", "v1y", "v3y", "v5y"];
-const NAMES: [&str; 8] = [
-    "localForce",
-    "basicForce",
-    "localDisplacement",
-    "deformation",
-    "basicDeformation",
-    "compDisplacement",
-    "material",
+/// Responses: first that of the bearing with friction models alone, last that of the heated one alone.
+const NAMES: [&str; 9] = [
     "frictionModel",
-];
-const HEATED_NAMES: [&str; 8] = [
     "localForce",
     "basicForce",
     "localDisplacement",

@@ -1,0 +1,125 @@
+//! Where the normal springs of a section stand, and how stiff each is against the others.
+
+use crate::numeric::bessel_i;
+use std::f64::consts::PI;
+
+/// Outline of a section.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// A disc.
+    Round,
+    /// A square.
+    Square,
+}
+
+/// How the vertical stiffness is distributed over a section, by λ = (D/t) √(3 G/K) with the diameter D and the
+/// thickness t of a rubber layer, the shear modulus G and the bulk modulus K of the rubber.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Distribution {
+    /// The same everywhere.
+    Uniform,
+    /// As the pressure in a bonded layer of rubber with this λ (0: incompressible).
+    Pressure(f64),
+}
+
+/// Largest λ that the distributions are worked out for; beyond it the Bessel and hyperbolic functions overflow.
+pub const MAX_LAMBDA: f64 = 700.0;
+
+/// What the distribution over the springs is divided by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mean {
+    /// The mean over the springs: their axial stiffnesses sum up to that of the section.
+    Springs,
+    /// The mean over the section in closed form, where there is one: `multipleNormalSpring`, round.
+    Section,
+}
+
+/// Places and relative stiffnesses of n x n springs of equal area in a section of diameter (or edge) `size`.
+///
+/// A disc is divided into rings of equal width, these into 4 (2 i - 1 - p) sectors, p = 1 for a core where n is odd; a
+/// spring stands in the centroid of its part.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layout {
+    /// Places along the local y axis.
+    pub y: Vec<f64>,
+    /// Places along the local z axis.
+    pub z: Vec<f64>,
+    /// Area of each, times its part in the distribution.
+    pub area: Vec<f64>,
+}
+
+impl Layout {
+    /// Lay out `n` x `n` springs.
+    pub fn new(shape: Shape, size: f64, n: usize, distribution: Distribution, mean: Mean) -> Self {
+        let places = match shape {
+            Shape::Round => rings(n, size),
+            Shape::Square => grid(n, size),
+        };
+        let pressure = |&(y, z): &(f64, f64)| match (distribution, shape) {
+            (Distribution::Uniform, _) => 1.0,
+            (Distribution::Pressure(lambda), Shape::Round) => round_pressure(lambda, y.hypot(z) / (0.5 * size)),
+            (Distribution::Pressure(lambda), Shape::Square) => {
+                square_pressure(lambda, y / (0.5 * size), z / (0.5 * size))
+            }
+        };
+        let mut area: Vec<f64> = places.iter().map(pressure).collect();
+        let whole = if shape == Shape::Round { 0.25 * PI * size * size } else { size * size };
+        let sum = match (mean, shape, distribution) {
+            (Mean::Section, Shape::Round, Distribution::Pressure(lambda)) => {
+                mean_round_pressure(lambda) * area.len() as f64
+            }
+            _ => area.iter().sum(),
+        };
+        area.iter_mut().for_each(|a| *a *= whole / sum);
+        Self { y: places.iter().map(|p| p.0).collect(), z: places.iter().map(|p| p.1).collect(), area }
+    }
+}
+
+fn rings(n: usize, size: f64) -> Vec<(f64, f64)> {
+    let core = n % 2;
+    let mut places = vec![];
+    for ring in 1..=(n + core) / 2 {
+        if ring == 1 && core == 1 {
+            places.push((0.0, 0.0));
+            continue;
+        }
+        let sectors = 4 * (2 * ring - 1 - core);
+        let half = PI / sectors as f64;
+        let outer = (2 * ring - core) as f64 / (2 * n) as f64 * size;
+        let inner = (2 * ring - 2 - core) as f64 / (2 * n) as f64 * size;
+        let r = 2.0 / 3.0 * half.sin() / half * (inner * inner + inner * outer + outer * outer) / (inner + outer);
+        for sector in 0..sectors {
+            let angle = (2 * sector + 1) as f64 * half;
+            places.push((r * angle.cos(), r * angle.sin()));
+        }
+    }
+    places
+}
+
+fn grid(n: usize, size: f64) -> Vec<(f64, f64)> {
+    let at = |i: usize| ((2 * i + 1) as f64 / n as f64 - 1.0) * 0.5 * size;
+    (0..n * n).map(|k| (at(k / n), at(k % n))).collect()
+}
+
+/// Pressure in a disc at the relative radius ρ: 1 - I₀(λ ρ)/I₀(λ), or its limit 1 - ρ².
+fn round_pressure(lambda: f64, rho: f64) -> f64 {
+    if lambda == 0.0 { 1.0 - rho * rho } else { 1.0 - bessel_i(0, lambda * rho) / bessel_i(0, lambda) }
+}
+
+/// Mean of [`round_pressure`] over the disc.
+fn mean_round_pressure(lambda: f64) -> f64 {
+    if lambda == 0.0 { 0.5 } else { 1.0 - 2.0 / lambda * bessel_i(1, lambda) / bessel_i(0, lambda) }
+}
+
+/// Pressure in a square at the relative place (y, z), but for a constant factor: ten terms of its Fourier series
+/// Σ sin(mπ/2)/m (1 - cosh(α z)/cosh α)/α² cos(m π y/2), α² = λ² + (m π/2)², m odd.
+fn square_pressure(lambda: f64, y: f64, z: f64) -> f64 {
+    let term = |m: usize| {
+        let wave = m as f64 * PI / 2.0;
+        let alpha = lambda.hypot(wave);
+        // cosh(α z)/cosh α without overflow
+        let ratio = ((alpha * (z.abs() - 1.0)).exp() + (-alpha * (z.abs() + 1.0)).exp()) / (1.0 + (-2.0 * alpha).exp());
+        wave.sin() / m as f64 * (1.0 - ratio) / (alpha * alpha) * (wave * y).cos()
+    };
+    (1..20).step_by(2).map(term).sum()
+}
