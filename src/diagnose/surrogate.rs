@@ -23,9 +23,12 @@ const SURROGATES: usize = 99;
 /// Deviations of the surrogates that it must be above their mean.
 const FAR: f64 = 5.0;
 
+/// A part of the power of a series.
+type Measure<'a> = &'a dyn Fn(&[f64]) -> f64;
+
 /// Part of the power of a residual that no steady noise of its spectrum has, by each of some measures of it; 0 where it may
 /// be one.
-fn beyond_chance(x: &[f64], measures: &[&dyn Fn(&[f64]) -> f64]) -> f64 {
+fn beyond_chance(x: &[f64], measures: &[Measure<'_>]) -> f64 {
     let n = x.len();
     if n == 0 || measures.is_empty() || power(x) <= 0.0 {
         return 0.0;
@@ -46,7 +49,7 @@ fn beyond_chance(x: &[f64], measures: &[&dyn Fn(&[f64]) -> f64]) -> f64 {
         y.iter_mut().enumerate().for_each(|(t, v)| *v *= taper(t));
         by_chance.iter_mut().zip(measures).for_each(|(all, measure)| all.push(measure(&y)));
     }
-    let beyond = |(measure, all): (&&dyn Fn(&[f64]) -> f64, &Vec<f64>)| {
+    let beyond = |(measure, all): (&Measure<'_>, &Vec<f64>)| {
         let seen = measure(&x);
         let mean = all.iter().sum::<f64>() / all.len() as f64;
         let deviation = power(&all.iter().map(|s| s - mean).collect::<Vec<f64>>()).sqrt();
@@ -61,7 +64,7 @@ fn beyond_chance(x: &[f64], measures: &[&dyn Fn(&[f64]) -> f64]) -> f64 {
 pub(super) fn unsteady(x: &[f64]) -> f64 {
     let cuts = STRETCHES.iter().map(|s| x.len() / s).filter(|length| *length >= SHORTEST);
     let measures: Vec<_> = cuts.map(|length| move |x: &[f64]| standing_out(x, length)).collect();
-    beyond_chance(x, &measures.iter().map(|m| m as &dyn Fn(&[f64]) -> f64).collect::<Vec<_>>())
+    beyond_chance(x, &measures.iter().map(|m| m as Measure<'_>).collect::<Vec<_>>())
 }
 
 /// Part of the power of a residual that regressors tell on times that they were not fitted to, beyond what they tell of a
