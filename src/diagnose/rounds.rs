@@ -163,10 +163,17 @@ pub(super) fn twins(work: &mut Work<'_>, baseline: &Explained, first: &mut [Expl
     Ok(())
 }
 
-/// The best form of each cause, in the order of the causes.
+/// The best form of each cause, and the second one of the first cause and its rivals, in their order: what is the best form
+/// alone need not be beside another effect.
 pub(super) fn best_of_causes(sorted: &[Explained]) -> Vec<Explained> {
-    let mut seen = BTreeSet::new();
-    sorted.iter().filter(|e| seen.insert(e.cause())).cloned().collect()
+    let mut seen: BTreeMap<&str, usize> = BTreeMap::new();
+    let first = sorted.first().map_or("none", Explained::cause);
+    let wanted = |e: &&Explained| {
+        let forms = seen.entry(e.cause()).or_default();
+        *forms += 1;
+        *forms <= if e.cause() == first || hypothesis::alike(e.cause(), first) { 2 } else { 1 }
+    };
+    sorted.iter().filter(wanted).cloned().collect()
 }
 
 /// Explanations fitted more closely.

@@ -170,6 +170,32 @@ impl Amended {
         })
     }
 
+    /// What the tangent of the amended force leaves out where slack takes a part of the displacements of node j: forces that
+    /// are not those of the amended directions, such as moments of the axial force, by what is taken in each, and what is
+    /// taken by the displacements.
+    fn shifts(&self, slack: &Slack, taken: &Taken, tangent: &[f64]) -> [([f64; MAX_DOFS], [f64; MAX_DOFS]); 2] {
+        let n = self.inner.dofs();
+        let k = self.by_deformation(tangent);
+        let mut by_u = [[0.0; MAX_DOFS]; 2];
+        for (row, out) in self.rows.iter().zip(&mut by_u) {
+            row.force_by_disp(tangent, &mut out[..n]);
+            // Of the hysteretic part alone.
+            out.iter_mut().zip(&row.row).for_each(|(d, a)| *d -= slack.stiffness * a);
+        }
+        let mut out = [([0.0; MAX_DOFS], [0.0; MAX_DOFS]); 2];
+        for (i, (row, (by_shift, shift))) in self.rows.iter().zip(&mut out).enumerate() {
+            for (f, t) in by_shift.iter_mut().zip(tangent.chunks_exact(n)) {
+                *f = dot(t, row.at_j());
+            }
+            for (j, other) in self.rows.iter().enumerate() {
+                by_shift.iter_mut().zip(&other.row).for_each(|(f, a)| *f -= a * k[j][i]);
+                let follows = taken.flexibility[i] * taken.follows[i][j];
+                shift.iter_mut().zip(&by_u[j]).for_each(|(s, d)| *s += follows * d);
+            }
+        }
+        out
+    }
+
     fn law_at(&self) -> usize {
         self.inner_len + HEADER
     }
@@ -210,7 +236,8 @@ impl Element for Amended {
         };
         let (old, kept) = committed.split_at(self.inner_len);
         let (new, next) = trial.split_at_mut(self.inner_len);
-        let demand = match self.law.slack(&kept[HEADER..]) {
+        let slack = self.law.slack(&kept[HEADER..]);
+        let demand = match slack {
             None => {
                 self.inner.respond(motion, old, new, own)?;
                 self.demand(motion.disp, answer.force, motion.dt, [kept[0], kept[1]])
@@ -230,7 +257,13 @@ impl Element for Amended {
             answer.force.iter_mut().zip(&row.row).for_each(|(f, a)| *f += added * a);
         }
         if let Some(tangent) = answer.tangent {
+            let shifts = slack.map(|slack| self.shifts(&slack, &demand.slack, tangent));
             self.add_tangent(&v, tangent);
+            for (by_shift, shift) in shifts.iter().flatten() {
+                for (t, f) in tangent.chunks_exact_mut(self.inner.dofs()).zip(by_shift) {
+                    t.iter_mut().zip(shift).for_each(|(t, s)| *t -= f * s);
+                }
+            }
         }
         Ok(())
     }

@@ -24,14 +24,17 @@ pub struct Taken {
     pub by: Pair,
     /// dz by that which it would be without slack, (I + (K - k) ds/dz)⁻¹.
     pub follows: [Pair; 2],
+    /// ds/dz.
+    pub flexibility: Pair,
 }
 
 /// What an element answers to a deformation: its forces, and their derivatives by the deformations.
 pub(super) type Answered = (Pair, [Pair; 2]);
 
-/// Trials of the search, and how near it comes to the end, as a part of the slack.
-const TRIALS: usize = 80;
+/// Trials of the search, how near it comes to the end, as a part of the slack, and the shortest part of a step.
+const TRIALS: usize = 200;
 const NEAR: f64 = 1e-12;
+const SHORTEST: f64 = 1e-4;
 
 impl Slack {
     fn at(&self, z: f64) -> (f64, f64) {
@@ -39,7 +42,7 @@ impl Slack {
         (0.5 * self.size * t, 0.5 * self.size / self.width * (1.0 - t * t))
     }
 
-    /// Find what it takes of the deformation `e`, by Newton's method within the ends of the slack.
+    /// Find what it takes of the deformation `e`, by Newton's method with steps that lead nearer.
     ///
     /// # Errors
     /// Those of the element; no end found.
@@ -49,30 +52,37 @@ impl Slack {
         mut ask: impl FnMut(Pair) -> Result<Answered, ElementError>,
     ) -> Result<Taken, ElementError> {
         let half = 0.5 * self.size;
-        let mut ends = [[-half, half]; 2];
+        let size = self.size.max(f64::MIN_POSITIVE);
         let mut s = self.taken.map(|s| s.clamp(-half, half));
+        // Where the last step began, its direction and its length.
+        let mut last: Option<(Pair, Pair, f64, f64)> = None;
         for _ in 0..TRIALS {
             let (q, tangent) = ask(s)?;
-            let mut missing = [0.0; 2];
-            let mut flexibility = [0.0; 2];
+            let (mut missing, mut flexibility) = ([0.0; 2], [0.0; 2]);
             for i in 0..2 {
                 let (taken, slope) = self.at(q[i] - self.stiffness * (e[i] - s[i]));
                 missing[i] = taken - s[i];
                 flexibility[i] = slope;
-                // The more is left to the element the more slack it takes.
-                ends[i][usize::from(missing[i] < 0.0)] = s[i];
             }
-            let follows = self.follows(&tangent, flexibility);
-            if missing.iter().all(|r| r.abs() <= NEAR * self.size.max(f64::MIN_POSITIVE)) {
-                return Ok(Taken { by: s, follows });
+            let error = missing[0].hypot(missing[1]);
+            if error <= NEAR * size {
+                return Ok(Taken { by: s, follows: self.follows(&tangent, flexibility), flexibility });
             }
-            // (I + D (K - k))⁻¹ is the transpose of `follows` of the transposed tangent.
-            let turned = [[tangent[0][0], tangent[1][0]], [tangent[0][1], tangent[1][1]]];
-            let by = self.follows(&turned, flexibility);
-            for i in 0..2 {
-                let next = s[i] + by[0][i] * missing[0] + by[1][i] * missing[1];
-                let [low, high] = ends[i];
-                s[i] = if next >= low && next <= high { next } else { 0.5 * (low + high) };
+            match last {
+                // Too long a step: the same way, half as far.
+                Some((from, way, length, before)) if error >= before && length > SHORTEST => {
+                    let length = 0.5 * length;
+                    last = Some((from, way, length, before));
+                    s = std::array::from_fn(|i| (from[i] + length * way[i]).clamp(-half, half));
+                }
+                _ => {
+                    // (I + D (K - k))⁻¹ is the transpose of `follows` of the transposed tangent.
+                    let turned = [[tangent[0][0], tangent[1][0]], [tangent[0][1], tangent[1][1]]];
+                    let by = self.follows(&turned, flexibility);
+                    let way = std::array::from_fn(|i| by[0][i] * missing[0] + by[1][i] * missing[1]);
+                    last = Some((s, way, 1.0, error));
+                    s = std::array::from_fn(|i| (s[i] + way[i]).clamp(-half, half));
+                }
             }
         }
         Err(ElementError("the slack in series with the element does not settle".into()))
@@ -94,6 +104,6 @@ impl Slack {
     /// At rest, by the stiffness of the virgin element.
     pub(super) fn at_rest(&self, tangent: &[Pair; 2]) -> Taken {
         let flexibility = [self.at(0.0).1; 2];
-        Taken { by: [0.0; 2], follows: self.follows(tangent, flexibility) }
+        Taken { by: [0.0; 2], follows: self.follows(tangent, flexibility), flexibility }
     }
 }
