@@ -10,7 +10,7 @@ use std::sync::Arc;
 /// First effects beside which a second is sought, and how much less log evidence than the best they may have: what
 /// leads alone may not lead when both have found their second.
 const FIRSTS: usize = 3;
-const RIVAL: f64 = 12.0;
+const RIVAL: f64 = 20.0;
 /// Second effects that are fitted beside each of them.
 const PAIRS: usize = 3;
 /// Points at which a second effect is tried, for each of its parameters and beside them.
