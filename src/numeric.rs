@@ -205,3 +205,27 @@ pub fn invert(a: &mut [f64], n: usize) -> bool {
     }
     true
 }
+
+/// Solve n equations whose right-hand sides are behind them in their rows, up to `columns`, with row exchanges; `false` where
+/// there is no solution.
+pub fn eliminate<const C: usize>(a: &mut [[f64; C]], n: usize, columns: usize) -> bool {
+    for c in 0..n {
+        let pivot = (c..n).fold(c, |best, i| if a[i][c].abs() > a[best][c].abs() { i } else { best });
+        a.swap(c, pivot);
+        let own = a[c];
+        if own[c] == 0.0 || !own[c].is_finite() {
+            return false;
+        }
+        for (i, row) in a[..n].iter_mut().enumerate() {
+            let factor = row[c] / own[c];
+            if i != c && factor != 0.0 {
+                row[c..columns].iter_mut().zip(&own[c..columns]).for_each(|(x, y)| *x -= factor * y);
+            }
+        }
+    }
+    for (c, row) in a[..n].iter_mut().enumerate() {
+        let pivot = row[c];
+        row[n..columns].iter_mut().for_each(|x| *x /= pivot);
+    }
+    true
+}

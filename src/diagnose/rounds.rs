@@ -24,7 +24,7 @@ const TRIED_AS_GIVEN: usize = 1;
 /// Values that the user gave are tried as well where they are so far from the fitted ones, in sides of the cube.
 const APART: f64 = 0.03;
 /// Points at which a rival of the best explanation is tried again, for each of its parameters and beside them.
-const TWINS: usize = 8;
+const TWIN_POINTS: usize = 8;
 /// Iterations of a search: of the baseline, of the first round, of the second.
 const BASELINE: usize = 12;
 const FIRST: usize = 4;
@@ -147,7 +147,7 @@ pub(super) fn twins(work: &mut Work<'_>, baseline: &Explained, first: &mut [Expl
     let rivals: Vec<usize> = (0..first.len()).filter(|n| hypothesis::alike(first[*n].cause(), best.cause())).collect();
     let points = |e: &Explained| {
         let start = [&best.fitted.point[..own], &e.fitted.point[own..]].concat();
-        (e.variant.clone(), tried(&start, own, TWINS))
+        (e.variant.clone(), tried(&start, own, TWIN_POINTS))
     };
     let nearest = work.nearest(stage, rivals.iter().map(|n| points(&first[*n])).collect())?;
     let found: Vec<(usize, Vec<f64>)> =

@@ -5,10 +5,12 @@
 //! spectrum with phases at random.
 
 use super::correction::Correction;
+use super::hypothesis::KNOTS;
 use super::noise::{averaged, power};
 use super::surrogate::Surrogates;
 use super::work::Explained;
 use crate::study::{Role, Study};
+use nalgebra::{DMatrix, DVector};
 
 /// Points that a residual is averaged to.
 const POINTS: usize = 512;
@@ -55,7 +57,8 @@ fn by_chance(residual: &[f64], knotted: bool) -> bool {
     let shapes = if knotted { vec![knots(n)] } else { (1..PLACES).map(|p| jump(n, p * n / PLACES)).collect() };
     // What is left, in its logarithm: near the whole of a residual a little more means much.
     let taken = |x: &[f64]| {
-        let part = shapes.iter().map(|shape| explained(x, shape)).fold(0.0, f64::max);
+        let series = DVector::from_column_slice(x);
+        let part = shapes.iter().map(|basis| basis.tr_mul(&series).norm_squared()).fold(0.0, f64::max);
         -(1.0 - part / power(x).max(f64::MIN_POSITIVE) / n as f64).max(1e-12).ln()
     };
     let mut surrogates = Surrogates::of(&x);
@@ -66,42 +69,24 @@ fn by_chance(residual: &[f64], knotted: bool) -> bool {
 }
 
 /// A line and a jump, as orthonormal series without mean.
-fn jump(n: usize, at: usize) -> Vec<Vec<f64>> {
-    orthonormal(vec![(0..n).map(|t| t as f64).collect(), (0..n).map(|t| f64::from(u8::from(t >= at))).collect()])
+fn jump(n: usize, at: usize) -> DMatrix<f64> {
+    let jump = |t, _| f64::from(u8::from(t >= at));
+    basis(vec![DVector::from_fn(n, |t, _| t as f64), DVector::from_fn(n, jump)])
 }
 
-/// Hats at six knots, likewise.
-fn knots(n: usize) -> Vec<Vec<f64>> {
-    const KNOTS: usize = 6;
+/// Hats at the knots but the last, which is the mean less the others, likewise.
+fn knots(n: usize) -> DMatrix<f64> {
     let hat = |k: usize| {
-        let at = |t: usize| (t as f64 / (n - 1) as f64 * (KNOTS - 1) as f64 - k as f64).abs();
-        (0..n).map(|t| (1.0 - at(t)).max(0.0)).collect::<Vec<f64>>()
+        let at = move |t: usize| (t as f64 / (n - 1) as f64 * (KNOTS - 1) as f64 - k as f64).abs();
+        DVector::from_fn(n, |t, _| (1.0 - at(t)).max(0.0))
     };
-    orthonormal((0..KNOTS).map(hat).collect())
+    basis((0..KNOTS - 1).map(hat).collect())
 }
 
-fn orthonormal(columns: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
-    let mut out: Vec<Vec<f64>> = vec![];
-    for mut c in columns {
-        let mean = c.iter().sum::<f64>() / c.len() as f64;
-        c.iter_mut().for_each(|x| *x -= mean);
-        let size = power(&c);
-        for u in &out {
-            let along: f64 = c.iter().zip(u).map(|(a, b)| a * b).sum();
-            c.iter_mut().zip(u).for_each(|(x, u)| *x -= along * u);
-        }
-        let norm = c.iter().map(|x| x * x).sum::<f64>().sqrt();
-        if power(&c) > 1e-9 * size {
-            c.iter_mut().for_each(|x| *x /= norm);
-            out.push(c);
-        }
-    }
-    out
-}
-
-/// Square of a series in the space of others.
-fn explained(x: &[f64], shape: &[Vec<f64>]) -> f64 {
-    shape.iter().map(|u| x.iter().zip(u).map(|(a, b)| a * b).sum::<f64>().powi(2)).sum()
+/// An orthonormal basis of series whose means are taken off.
+fn basis(mut columns: Vec<DVector<f64>>) -> DMatrix<f64> {
+    columns.iter_mut().for_each(|c| c.add_scalar_mut(-c.mean()));
+    DMatrix::from_columns(&columns).qr().q()
 }
 
 #[cfg(test)]

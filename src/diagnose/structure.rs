@@ -130,9 +130,9 @@ fn regressors(scales: &Scales, run: usize) -> Vec<Vec<f64>> {
             })
             .collect();
         let each = |f: &dyn Fn(usize) -> f64| (0..n).map(f).collect::<Vec<f64>>();
-        // What is larger on one side, or loaded otherwise than unloaded.
-        let one_sided = each(&|i| q[i] * e[i]);
-        let loading = each(&|i| q[i] * e[i].abs());
+        // Work, which is the same on both sides, and a force that grows with the deformation whatever its sense.
+        let work = each(&|i| q[i] * e[i]);
+        let growing = each(&|i| q[i] * e[i].abs());
         out.extend([
             e.clone(),
             q.clone(),
@@ -146,8 +146,8 @@ fn regressors(scales: &Scales, run: usize) -> Vec<Vec<f64>> {
             each(&|i| q[i] * m[i]),
             each(&|i| e[i] * v[i].abs()),
             each(&|i| e[i] * e[i]),
-            one_sided,
-            loading,
+            work,
+            growing,
         ]);
         // Whatever function of the deformation: bumps along it.
         let [low, high] = e.iter().fold([0.0f64; 2], |[a, b], x| [a.min(*x), b.max(*x)]);

@@ -150,17 +150,19 @@ const ELEMENTS: &[(usize, usize, Shape, &str)] = &[
     (2, 3, Shape::Line, "forceBeamColumnCBDI @ 5 22 3"),
     (3, 6, Shape::Line, "forceBeamColumnCBDI @ 4 24 2"),
     (2, 3, Shape::Line, "forceBeamColumnCSBDI @ 5 23 1"),
+    (2, 3, Shape::Link, "forceBeamColumnCBDI @ 5 22 5"),
+    (3, 6, Shape::Link, "forceBeamColumnCBDI @ 4 24 6"),
     (2, 3, Shape::Line, "beamWithHinges @ 22 0.1 22 0.1 200. 0.06 0.00045 1"),
     (2, 2, Shape::Corners, "quad @ 0.3 PlaneStrain 31"),
 ];
 
 fn parts(ndm: usize) -> String {
     let more = if ndm == 2 {
-        "geomTransf Linear 1\ngeomTransf Corotational 3\nnDMaterial ElasticIsotropic 31 200. 0.3
+        "geomTransf Linear 1\ngeomTransf Corotational 3\ngeomTransf PDelta 5\nnDMaterial ElasticIsotropic 31 200. 0.3
         section Fiber 22 { patch rect 11 10 1 -0.15 -0.1 0.15 0.1 }
         section Aggregator 23 13 Vy -section 22"
     } else {
-        "geomTransf Linear 2 0 0 1\ngeomTransf Corotational 4 0 0 1
+        "geomTransf Linear 2 0 0 1\ngeomTransf Corotational 4 0 0 1\ngeomTransf PDelta 6 0 0 1
         section Fiber 24 -GJ 50. { patch rect 11 6 4 -0.15 -0.1 0.15 0.1 }"
     };
     format!("{PARTS}section Uniaxial 21 13 P\n{more}\n")

@@ -92,9 +92,7 @@ impl Engine {
             work,
         };
         if self.fresh {
-            system.work.trapezoid = None;
-            setup.integrator.prepare(&mut system)?;
-            setup.algorithm.prepare(&system);
+            prepare(&mut system, setup)?;
             self.fresh = false;
         }
         setup.integrator.begin(&mut system, dt)?;
@@ -156,13 +154,19 @@ impl Engine {
     }
 }
 
+/// Make integrator and algorithm ready for a model, or an integrator, that is new.
+fn prepare(system: &mut System<'_>, setup: &mut Setup) -> Result<(), Failure> {
+    system.work.trapezoid = None;
+    setup.integrator.prepare(system)?;
+    setup.algorithm.prepare(system);
+    Ok(())
+}
+
 /// Begin, solve and end a step.
 fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, dt: f64) -> Result<usize, Failure> {
     system.work.updates = 0;
     if fresh {
-        system.work.trapezoid = None;
-        setup.integrator.prepare(system)?;
-        setup.algorithm.prepare(system);
+        prepare(system, setup)?;
         system.work.tangent_is_current = false;
         if system.work.wants_committed_tangent() {
             system.respond(true)?;

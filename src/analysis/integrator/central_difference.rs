@@ -41,9 +41,6 @@ impl Integrator for CentralDifference {
     fn name(&self) -> &'static str {
         self.name
     }
-    fn is_static(&self) -> bool {
-        false
-    }
     fn balances(&self) -> bool {
         false
     }

@@ -17,9 +17,6 @@ impl Integrator for CentralDifferenceAlternative {
     fn name(&self) -> &'static str {
         "CentralDifferenceAlternative"
     }
-    fn is_static(&self) -> bool {
-        false
-    }
     fn balances(&self) -> bool {
         false
     }

@@ -54,10 +54,6 @@ impl Integrator for Collocation {
     fn name(&self) -> &'static str {
         self.name
     }
-    fn is_static(&self) -> bool {
-        false
-    }
-
     fn begin(&mut self, s: &mut System<'_>, dt: f64) -> Result<(), Failure> {
         let (gamma, beta, long) = (self.gamma, self.beta, self.theta * dt);
         self.dt = dt;

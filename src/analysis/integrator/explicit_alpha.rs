@@ -35,9 +35,6 @@ impl Integrator for ExplicitAlpha {
     fn name(&self) -> &'static str {
         self.name
     }
-    fn is_static(&self) -> bool {
-        false
-    }
     fn balances(&self) -> bool {
         false
     }

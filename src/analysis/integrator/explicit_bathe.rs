@@ -41,9 +41,6 @@ impl Integrator for ExplicitBathe {
     fn name(&self) -> &'static str {
         "ExplicitBathe"
     }
-    fn is_static(&self) -> bool {
-        false
-    }
     fn balances(&self) -> bool {
         false
     }

@@ -37,9 +37,6 @@ impl Integrator for ExplicitDifference {
     fn name(&self) -> &'static str {
         "ExplicitDifference"
     }
-    fn is_static(&self) -> bool {
-        false
-    }
     fn balances(&self) -> bool {
         false
     }

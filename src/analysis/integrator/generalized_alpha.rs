@@ -73,10 +73,6 @@ impl Integrator for GeneralizedAlpha {
     fn name(&self) -> &'static str {
         self.name
     }
-    fn is_static(&self) -> bool {
-        false
-    }
-
     fn prepare(&mut self, s: &mut System<'_>) -> Result<(), Failure> {
         let n = s.old.disp.len();
         [&mut self.disp, &mut self.vel, &mut self.accel].into_iter().for_each(|v| v.resize(n, 0.0));

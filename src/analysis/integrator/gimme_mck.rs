@@ -12,9 +12,6 @@ impl Integrator for GimmeMck {
     fn name(&self) -> &'static str {
         "GimmeMCK"
     }
-    fn is_static(&self) -> bool {
-        false
-    }
     fn elapses(&self) -> bool {
         false
     }

@@ -36,10 +36,6 @@ impl Integrator for Hht {
     fn name(&self) -> &'static str {
         "HHT"
     }
-    fn is_static(&self) -> bool {
-        false
-    }
-
     fn prepare(&mut self, s: &mut System<'_>) -> Result<(), Failure> {
         self.disp.resize(s.old.disp.len(), 0.0);
         self.vel.resize(s.old.vel.len(), 0.0);

@@ -8,9 +8,9 @@ use crate::analysis::prepared::TangentMix;
 use crate::analysis::system::{Coefficients, System};
 use crate::solve::{SolveError, solve_dense};
 
-/// `integrator KRAlphaExplicit` and `KRAlphaExplicit_TP` (Kolay and Ricles, 2014): displacement and velocity at the end of a step follow from the
-/// motion at its begin by matrices made once from mass, damping and initial stiffness, so that the method is stable whatever
-/// the step though no tangent is needed.
+/// `integrator KRAlphaExplicit` and `KRAlphaExplicit_TP` (Kolay and Ricles, 2014): displacement and
+/// velocity at the end of a step follow from the motion at its begin by matrices made once from mass, damping and initial
+/// stiffness, so that the method is stable whatever the step though no tangent is needed.
 ///
 /// With A = M + γ Δt C + β Δt² K and D = αm M + αf (γ Δt C + β Δt² K) the matrices of the paper are α1 = A⁻¹ M,
 /// α3 = (1 - αf) I + (αf - αm) α1, and the effective mass M (I - α3) = M A⁻¹ D: the accelerations are D⁻¹ A of
@@ -80,9 +80,6 @@ impl KrAlpha {
 impl Integrator for KrAlpha {
     fn name(&self) -> &'static str {
         if self.trapezoidal { "KRAlphaExplicit_TP" } else { "KRAlphaExplicit" }
-    }
-    fn is_static(&self) -> bool {
-        false
     }
     fn balances(&self) -> bool {
         false

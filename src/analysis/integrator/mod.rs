@@ -70,7 +70,9 @@ pub trait Integrator: fmt::Debug + Send {
     fn name(&self) -> &'static str;
 
     /// Whether it serves `analysis Static`.
-    fn is_static(&self) -> bool;
+    fn is_static(&self) -> bool {
+        false
+    }
 
     /// Whether domain time is time: it is not where the step is ruled by something else than time.
     fn elapses(&self) -> bool {

@@ -84,10 +84,6 @@ impl<M: Method> Integrator for Multistep<M> {
     fn name(&self) -> &'static str {
         self.method.name()
     }
-    fn is_static(&self) -> bool {
-        false
-    }
-
     fn prepare(&mut self, s: &mut System<'_>) -> Result<(), Failure> {
         let n = s.old.disp.len();
         self.disp.iter_mut().chain(&mut self.vel).for_each(|v| v.resize(n, 0.0));

@@ -44,10 +44,6 @@ impl Integrator for Newmark {
     fn name(&self) -> &'static str {
         "Newmark"
     }
-    fn is_static(&self) -> bool {
-        false
-    }
-
     /// Predictor: the unknown does not change, the two others follow by Newmark's formulas. Degrees of freedom that
     /// are held keep their velocity and acceleration.
     fn begin(&mut self, s: &mut System<'_>, dt: f64) -> Result<(), Failure> {

@@ -27,10 +27,6 @@ impl Integrator for Trapezoidal {
     fn name(&self) -> &'static str {
         self.name
     }
-    fn is_static(&self) -> bool {
-        false
-    }
-
     fn prepare(&mut self, s: &mut System<'_>) -> Result<(), Failure> {
         s.hold_committed(1.0 - self.p.force, 1.0 - self.p.inertia)
     }

@@ -39,9 +39,6 @@ impl Integrator for TrapezoidalExplicit {
     fn name(&self) -> &'static str {
         self.name
     }
-    fn is_static(&self) -> bool {
-        false
-    }
     fn balances(&self) -> bool {
         false
     }

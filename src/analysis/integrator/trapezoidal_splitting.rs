@@ -36,9 +36,6 @@ impl Integrator for TrapezoidalSplitting {
     fn name(&self) -> &'static str {
         self.name
     }
-    fn is_static(&self) -> bool {
-        false
-    }
     fn balances(&self) -> bool {
         false
     }

@@ -64,5 +64,5 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let setting = Setting { kind: Kind::Heated, mass, rayleigh, uplift: 1e-6, compat };
     let surface = Surface { friction: Arc::new(heat), k_init, dish: Some(dish) };
     let (link, length) = place.link(a, ends, shear_dist)?;
-    Ok(Arc::new(SpaceSlider::new(surface, (link, length, shear_dist), materials, setting).heated(heat)))
+    Ok(Arc::new(SpaceSlider::new(surface, (link, length, shear_dist), materials, setting).warming(heat)))
 }

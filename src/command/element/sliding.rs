@@ -38,8 +38,8 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, kind: Kind) -> Result<A
     let nodes = a.last_span();
     let (friction, _) = a.of(&interp.host.definitions.frictions)?;
     let mut dish = match kind {
-        Kind::Pendulum | Kind::Heated => Some(Dish { radius: a.positive("effective radius Reff")?, rises: false }),
-        Kind::Flat | Kind::Springs => None,
+        Kind::Pendulum => Some(Dish { radius: a.positive("effective radius Reff")?, rises: false }),
+        _ => None,
     };
     let k_init = a.positive("initial stiffness kInit")?;
     let wanted: &[&str] = match (kind, ends.ndm) {
@@ -59,7 +59,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, kind: Kind) -> Result<A
     let known = match kind {
         Kind::Flat => &OPTIONS[..5],
         Kind::Springs => &OPTIONS[..6],
-        Kind::Pendulum | Kind::Heated => OPTIONS,
+        _ => OPTIONS,
     };
     while let Some(option) = a.option() {
         match option.as_ref() {

@@ -26,6 +26,7 @@ use super::anatomy::{Anatomy, Device};
 use super::correction::Correction;
 use super::scale::Scales;
 use crate::study::{Fit, Range, Scale, Study};
+pub(super) use sensor::KNOTS;
 use std::fmt;
 use std::sync::Arc;
 

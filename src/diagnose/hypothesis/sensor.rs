@@ -110,7 +110,7 @@ fn lag(s: &Sight<'_>) -> Vec<Proposal> {
 }
 
 /// Points of the line that a zero may follow in each run.
-const KNOTS: usize = 6;
+pub(in crate::diagnose) const KNOTS: usize = 6;
 
 /// Where the mean of a residual jumps, as a part of its length: the split that leaves the least square on both sides.
 fn jump_of(residual: &[f64]) -> f64 {

@@ -12,6 +12,9 @@ use std::sync::Arc;
 ///
 /// With the rows a of its basic deformations e = a·u, the element's force in direction i is q_i = t_i·f, where t_i is
 /// the part of a_i at node j. The amended force is f + Σ a_i (q'_i - q_i), so that moments of a shear force follow it.
+///
+/// With [`Slack`] the element is asked at the deformation that the slack leaves to it: its other forces, the moments of the
+/// axial force among them, are those of that shorter deformation.
 #[derive(Clone, Debug)]
 pub struct Amended {
     inner: Arc<dyn Element>,

@@ -6,7 +6,7 @@ use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
 use crate::element::{ElementError, Motion};
 use crate::material::MaterialError;
-use crate::numeric::{axpy, dot, invert};
+use crate::numeric::{axpy, dot, eliminate, invert};
 use crate::section::Resultant;
 
 /// Largest number of deformations of all sections of a beam together.
@@ -110,30 +110,6 @@ fn straight_row<const B: usize>(resultant: Resultant, x: f64, length: f64) -> [f
 /// Shear has the other sign than in the force-based beam without deflections.
 fn sense(resultant: Resultant) -> f64 {
     if matches!(resultant, Resultant::Vy | Resultant::Vz) { -1.0 } else { 1.0 }
-}
-
-/// Solve n equations whose right-hand sides are behind them in their rows, up to `columns`, with row exchanges; `false` where
-/// there is no solution.
-fn eliminate(a: &mut [[f64; COLUMNS]], n: usize, columns: usize) -> bool {
-    for c in 0..n {
-        let pivot = (c..n).fold(c, |best, i| if a[i][c].abs() > a[best][c].abs() { i } else { best });
-        a.swap(c, pivot);
-        let own = a[c];
-        if own[c] == 0.0 || !own[c].is_finite() {
-            return false;
-        }
-        for (i, row) in a[..n].iter_mut().enumerate() {
-            let factor = row[c] / own[c];
-            if i != c && factor != 0.0 {
-                row[c..columns].iter_mut().zip(&own[c..columns]).for_each(|(x, y)| *x -= factor * y);
-            }
-        }
-    }
-    for (c, row) in a[..n].iter_mut().enumerate() {
-        let pivot = row[c];
-        row[n..columns].iter_mut().for_each(|x| *x /= pivot);
-    }
-    true
 }
 
 type Deformations = [f64; MAX_DEFORMATIONS];
@@ -411,6 +387,11 @@ impl<const N: usize, const B: usize> Formulation<N, B> for CurvatureBased {
     const DEFLECTS: bool = true;
     /// Basic deformations of the last trial state.
     const WORDS: usize = B;
+
+    /// OpenSees leaves the derivative of the axial force out of P-Delta.
+    fn whole_tangent(&self) -> bool {
+        !self.compat
+    }
 
     fn load_len(points: usize) -> usize {
         <ForceBased as Formulation<N, B>>::load_len(points)

@@ -21,6 +21,11 @@ pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send
     /// Words of its own, behind those of the sections.
     const WORDS: usize = 0;
 
+    /// The tangent is to be the whole derivative of the forces, though the transformation be unsymmetric then.
+    fn whole_tangent(&self) -> bool {
+        false
+    }
+
     /// Number of words that loads are summed in, for so many sections.
     fn load_len(points: usize) -> usize;
     /// Add a load, multiplied by a factor, to the load words.
@@ -196,6 +201,9 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
         m.transform.add_force(motion.disp, &trial[..head], &basic.q, &p0, answer.force);
         if let Some(tangent) = answer.tangent {
             m.transform.add_tangent(motion.disp, &trial[..head], &basic.k, &basic.q, tangent);
+            if self.formulation.whole_tangent() {
+                m.transform.add_unsymmetric_tangent(motion.disp, &basic.k, tangent);
+            }
         }
         Ok(())
     }

@@ -2,6 +2,7 @@
 
 use super::{Frame, Reactions, Transform};
 use crate::element::{add_outer, dot};
+use crate::numeric::axpy;
 
 /// Small displacements: equilibrium in the undeformed position.
 #[derive(Clone, Debug)]
@@ -53,11 +54,20 @@ impl<const N: usize, const B: usize> Transform<N, B> for PDelta<N, B> {
         }
     }
     /// The derivative of the axial force with the displacements is left out, as is usual: it would make the
-    /// stiffness unsymmetric, and is small where P-Delta is meant to be used.
+    /// stiffness unsymmetric, and is small where P-Delta is meant to be used. Beams that are unsymmetric anyway add it.
     fn add_tangent(&self, _: &[f64], _: &[f64], kb: &[[f64; B]; B], q: &[f64; B], tangent: &mut [f64]) {
         self.0.add_basic_stiffness(kb, tangent);
         for row in self.0.across() {
             add_outer(tangent, &row, q[0] / self.0.length);
+        }
+    }
+    fn add_unsymmetric_tangent(&self, disp: &[f64], kb: &[[f64; B]; B], tangent: &mut [f64]) {
+        let u = self.0.since_made(disp);
+        let mut axial = [0.0; N];
+        kb[0].iter().zip(&self.0.basic).for_each(|(k, row)| axpy(*k, row, &mut axial));
+        for row in self.0.across() {
+            let drift = dot(&row, &u) / self.0.length;
+            tangent.chunks_exact_mut(N).zip(&row).for_each(|(t, r)| axpy(r * drift, &axial, t));
         }
     }
     fn frame(&self) -> &Frame<N, B> {

@@ -53,6 +53,9 @@ pub trait Transform<const N: usize, const B: usize>: fmt::Debug + Send + Sync {
     fn add_force(&self, disp: &[f64], state: &[f64], q: &[f64; B], p0: &Reactions, force: &mut [f64]);
     /// Add the global stiffness of the basic stiffness `kb`, that of the geometry included.
     fn add_tangent(&self, disp: &[f64], state: &[f64], kb: &[[f64; B]; B], q: &[f64; B], tangent: &mut [f64]);
+    /// Add what [`Transform::add_tangent`] leaves out of the derivative of the forces to keep it symmetric: nothing, where
+    /// it is the whole derivative.
+    fn add_unsymmetric_tangent(&self, _disp: &[f64], _kb: &[[f64; B]; B], _tangent: &mut [f64]) {}
     /// Undeformed geometry, for masses and local forces.
     fn frame(&self) -> &Frame<N, B>;
 }

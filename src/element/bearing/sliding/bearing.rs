@@ -172,9 +172,8 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
         Self { surface, springs, setting, tilt, levers, heat: None, own, state_len: own, link }
     }
 
-    /// The same with friction that warms the surface.
-    pub fn heated(mut self, heat: Heat) -> Self {
-        self.surface.friction = std::sync::Arc::new(heat);
+    /// The same where the friction of the surface warms it.
+    pub fn warming(mut self, heat: Heat) -> Self {
         self.heat = Some(heat);
         self.state_len = self.own + Heat::LEN;
         self
@@ -442,11 +441,12 @@ impl<const N: usize, const B: usize, const S: usize> Element for SlidingBearing<
             ["frictionModel" | "frnMdl" | "frictionMdl" | "frnModel", rest @ ..] => {
                 Some(Contact::probe(rest)?.inside(&[FRICTION]))
             }
-            [word] if self.heat.is_some() && heat::probe(word).is_some() => {
-                let (id, names) = heat::probe(word)?;
-                Some(Probe::new(id, names.iter().copied()).inside(&[HEAT]))
+            _ => {
+                let known = [LOCAL_FORCE, BASIC_FORCE, LOCAL_DISP, DEFORMATION];
+                let own = probe::<S>(words).filter(|p| known.contains(&p.path[0]));
+                let warmth = || self.heat.and(heat::probe(words.first().filter(|_| words.len() == 1)?));
+                own.or_else(|| warmth().map(|(id, names)| Probe::new(id, names.iter().copied()).inside(&[HEAT])))
             }
-            _ => probe::<S>(words).filter(|p| [LOCAL_FORCE, BASIC_FORCE, LOCAL_DISP, DEFORMATION].contains(&p.path[0])),
         }
     }
 
