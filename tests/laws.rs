@@ -33,6 +33,8 @@ mod links;
 mod materials;
 #[path = "laws/multiple_shear_spring.rs"]
 mod multiple_shear_spring;
+#[path = "laws/normal_springs.rs"]
+mod normal_springs;
 #[path = "laws/quad.rs"]
 mod quad;
 #[path = "laws/rubber.rs"]

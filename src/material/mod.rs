@@ -233,6 +233,13 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
         committed.copy_from_slice(trial);
     }
 
+    /// Copy the history of a point among `n` that [`Uniaxial::init_all`] has laid out to another place: words, number of the
+    /// point, `n`.
+    fn copy_history(&self, (from, i, _): (&[f64], usize, usize), (to, j, _): (&mut [f64], usize, usize)) {
+        let n = self.state_len();
+        to[j * n..(j + 1) * n].copy_from_slice(&from[i * n..(i + 1) * n]);
+    }
+
     /// Tangent of virgin points whose strains are in a range, where all of them answer with stresses in proportion to their
     /// strains and stay virgin; `None` where they do not, or where the law does not know.
     fn virgin_tangent(&self, _range: [f64; 2]) -> Option<f64> {

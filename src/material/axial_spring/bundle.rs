@@ -75,6 +75,10 @@ impl<const HD: bool> Uniaxial for AxialSpring<HD> {
         Ok(())
     }
 
+    fn copy_history(&self, (from, i, n): (&[f64], usize, usize), (to, j, m): (&mut [f64], usize, usize)) {
+        write(&read(from, i, n), to, j, m);
+    }
+
     fn virgin_tangent(&self, [low, high]: [f64; 2]) -> Option<f64> {
         let elastic = self.ucy <= low && high <= self.uty;
         match () {

@@ -64,7 +64,7 @@ struct Step<'a> {
 }
 
 /// The bearing at a trial position of its inner nodes. What of its stiffness is needed is made from this.
-#[derive(Clone, Copy, Default)]
+#[derive(Default)]
 struct Trial {
     inner: [f64; INNER],
     springs: Springs,
@@ -117,8 +117,8 @@ impl KikuchiBearing {
         let step = Step { committed, from: &from, origin, row, factors, dt };
         let way = std::array::from_fn(|i| outer[i] - from.outer[i]);
         let guess = guess(&from, follow(committed), &way);
-        let mut found = Trial::default();
-        self.find(&step, &outer, guess, trial, &mut found)?;
+        let mut trials = [Trial::default(), Trial::default()];
+        let found = self.find(&step, &outer, guess, trial, &mut trials)?;
         let mut stiffness = [[0.0; DOFS]; DOFS];
         self.kinematics.stiffness_into(&found.springs, &found.row, &found.change, &mut stiffness);
         self.kinematics.add_geometric(self.kinematics.stiff.axial * found.springs.axial, &mut stiffness);
@@ -170,33 +170,33 @@ impl KikuchiBearing {
     }
 
     /// Look for the inner nodes: from a guess, or else along the way of the ends.
-    fn find(
+    fn find<'t>(
         &self,
         step: &Step<'_>,
         outer: &[f64; OUTER],
         guess: [f64; INNER],
         trial: &mut [f64],
-        found: &mut Trial,
-    ) -> Result<(), ElementError> {
+        trials: &'t mut [Trial; 2],
+    ) -> Result<&'t Trial, ElementError> {
         let from = step.from;
-        let first = self.newton(step, outer, guess, trial, found);
-        if let Ok(true) = first {
-            return Ok(());
+        let first = self.newton(step, outer, guess, trial, trials);
+        if let Ok(Some(found)) = first {
+            return Ok(&trials[found]);
         }
         let way: [f64; OUTER] = std::array::from_fn(|i| outer[i] - from.outer[i]);
         let next = followed(follow(step.committed), &from.inner, &way);
-        if let Ok(true) = self.newton(step, outer, next, trial, found) {
-            return Ok(());
+        if let Ok(Some(found)) = self.newton(step, outer, next, trial, trials) {
+            return Ok(&trials[found]);
         }
         for parts in [4, 32] {
             let mut inner = from.inner;
             for part in 1..=parts {
                 let at: [f64; OUTER] =
                     std::array::from_fn(|i| from.outer[i] + way[i] * f64::from(part) / f64::from(parts));
-                match self.newton(step, &at, inner, trial, found)? {
-                    true if part == parts => return Ok(()),
-                    true => inner = found.inner,
-                    false => break,
+                match self.newton(step, &at, inner, trial, trials)? {
+                    Some(found) if part == parts => return Ok(&trials[found]),
+                    Some(found) => inner = trials[found].inner,
+                    None => break,
                 }
             }
         }
@@ -204,45 +204,47 @@ impl KikuchiBearing {
         Err(ElementError("the bearing finds no inner equilibrium: the step is too large, or it has buckled".into()))
     }
 
-    /// Newton's method for the inner nodes, with steps that do not let the residual grow; whether it has found `best`.
+    /// Newton's method for the inner nodes, with steps that do not let the residual grow; which of the trials it has found.
     fn newton(
         &self,
         step: &Step<'_>,
         outer: &[f64; OUTER],
         start: [f64; INNER],
         trial: &mut [f64],
-        best: &mut Trial,
-    ) -> Result<bool, ElementError> {
-        self.at(step, outer, start, trial, best)?;
+        trials: &mut [Trial; 2],
+    ) -> Result<Option<usize>, ElementError> {
+        let mut found = 0;
+        self.at(step, outer, start, trial, &mut trials[found])?;
         for _ in 0..ITERATIONS {
+            let [a, b] = &mut *trials;
+            let (best, next) = if found == 0 { (a, b) } else { (b, a) };
             if best.residual <= best.allowed {
-                return Ok(true);
+                return Ok(Some(found));
             }
             let stiffness = self.kinematics.inner_stiffness(&best.springs, &best.row, &best.change);
             let Some(correction) = correction(&best.forces, stiffness, &self.hold) else {
-                return Ok(false);
+                return Ok(None);
             };
-            let (mut share, mut next) = (1.0, Trial::default());
+            found = 1 - found;
+            let mut share = 1.0;
             loop {
                 let inner = std::array::from_fn(|i| best.inner[i] + share * correction[i]);
-                self.at(step, outer, inner, trial, &mut next)?;
+                self.at(step, outer, inner, trial, next)?;
                 if next.residual < best.residual {
                     break;
                 }
                 if best.residual <= STAGNATION * best.allowed {
                     // The springs' histories in `trial` are to be those of the answer.
-                    self.at(step, outer, best.inner, trial, &mut next)?;
-                    *best = next;
-                    return Ok(true);
+                    self.at(step, outer, best.inner, trial, next)?;
+                    return Ok(Some(found));
                 }
                 share *= 0.5;
                 if share < 1e-3 {
                     break;
                 }
             }
-            *best = next;
         }
-        Ok(false)
+        Ok(None)
     }
 
     /// The bearing at displacements of its ends and inner nodes.
@@ -256,22 +258,22 @@ impl KikuchiBearing {
     ) -> Result<(), ElementError> {
         let k = &self.kinematics;
         let q = join(outer, &inner);
-        let row = k.axial_row(&q);
-        let (axial, change) = k.axial(step.from.axial, &(q - step.origin), [&step.row, &row]);
-        let springs = self.springs(step.committed, &q, step.factors, axial, step.dt, trial)?;
-        let forces = k.forces(&q, &springs, &row);
+        into.inner = inner;
+        into.row = k.axial_row(&q);
+        (into.springs.axial, into.change) = k.axial(step.from.axial, &(q - step.origin), [&step.row, &into.row]);
+        self.answer_of_springs(step.committed, &q, step.factors, step.dt, trial, &mut into.springs)?;
+        into.forces = k.forces(&q, &into.springs, &into.row);
         // Forces, and moments over an arm.
-        let by = 1.0 / self.arm;
+        let (by, forces) = (1.0 / self.arm, &into.forces);
         let largest = |at: std::ops::Range<usize>, by: f64| at.fold(0.0f64, |m, i| m.max((forces[i] * by).abs()));
         let residual = [(12..13, 1.0), (13..15, by), (15..16, 1.0), (16..18, by)];
         let whole = [(0..3, 1.0), (3..6, by), (6..9, 1.0), (9..12, by)];
         let [residual, whole] =
             [residual, whole].map(|parts| parts.into_iter().fold(0.0f64, |m, (at, by)| m.max(largest(at, by))));
-        let allowed = TOLERANCE * whole + STRAIN * self.axial_rigidity;
         if !residual.is_finite() {
             return Err(ElementError("a spring of the bearing answers with no number".into()));
         }
-        *into = Trial { inner, springs, forces, row, change, residual, allowed };
+        (into.residual, into.allowed) = (residual, TOLERANCE * whole + STRAIN * self.axial_rigidity);
         Ok(())
     }
 

@@ -192,7 +192,29 @@ impl KikuchiBearing {
         [1, 2].map(|k| outer[k + 6] - outer[k] + self.start[k + 6] - self.start[k])
     }
 
-    /// Forces of all springs at displacements, for the axial deformation at mid-height.
+    /// Forces and stiffnesses of all springs at displacements, into `answer`, but for the axial one at mid-height.
+    fn answer_of_springs(
+        &self,
+        committed: &[f64],
+        q: &kinematics::Motion,
+        factors: Factors,
+        dt: f64,
+        trial: &mut [f64],
+        answer: &mut Springs,
+    ) -> Result<(), MaterialError> {
+        const REST: [f64; 3] = [0.0; 3];
+        let (lower, upper, shear) = self.kinematics.deformations(q);
+        let lower = self.lower.respond(committed, lower, REST, dt, trial)?;
+        (answer.lower, answer.lower_stiffness) = (lower.force, flat(&lower.stiffness));
+        let upper = self.upper.respond(committed, upper, REST, dt, trial)?;
+        (answer.upper, answer.upper_stiffness) = (upper.force, flat(&upper.stiffness));
+        let shear = self.shear.respond(committed, shear, [0.0; 2], dt, trial)?;
+        answer.shear = shear.force.map(|f| f * factors.force);
+        answer.shear_stiffness = flat(&shear.stiffness).map(|k| k * factors.stiffness);
+        Ok(())
+    }
+
+    /// The same with the axial deformation at mid-height.
     fn springs(
         &self,
         committed: &[f64],
@@ -202,20 +224,9 @@ impl KikuchiBearing {
         dt: f64,
         trial: &mut [f64],
     ) -> Result<Springs, MaterialError> {
-        const REST: [f64; 3] = [0.0; 3];
-        let (lower, upper, shear) = self.kinematics.deformations(q);
-        let lower = self.lower.respond(committed, lower, REST, dt, trial)?;
-        let upper = self.upper.respond(committed, upper, REST, dt, trial)?;
-        let shear = self.shear.respond(committed, shear, [0.0; 2], dt, trial)?;
-        Ok(Springs {
-            lower: lower.force,
-            lower_stiffness: flat(&lower.stiffness),
-            upper: upper.force,
-            upper_stiffness: flat(&upper.stiffness),
-            shear: shear.force.map(|f| f * factors.force),
-            shear_stiffness: flat(&shear.stiffness).map(|k| k * factors.stiffness),
-            axial,
-        })
+        let mut springs = Springs { axial, ..Springs::default() };
+        self.answer_of_springs(committed, q, factors, dt, trial, &mut springs)?;
+        Ok(springs)
     }
 
     /// Virgin springs at rest; the stiffness of the shear springs times a factor.
