@@ -184,7 +184,10 @@ impl Source for ElementResponse {
         let found = std::mem::take(&mut self.found);
         for (id, _, answer) in &found {
             self.read(engine, *id, answer);
-            row.extend(self.chosen(self.values.len()).map(|i| self.values[i]));
+            match self.columns.is_empty() {
+                true => row.extend_from_slice(&self.values),
+                false => row.extend(self.chosen(self.values.len()).map(|i| self.values[i])),
+            }
         }
         self.found = found;
         Ok(())

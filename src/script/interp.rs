@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::builtin;
 use super::command::{CommandFn, CoreFn, Imp};
 use super::console::Console;
-use super::core::{Core, Site, What};
+use super::core::{Core, NsId, Site, What};
 use super::error::Exception;
 use super::files::{Files, posix};
 use super::origin::Origin;
@@ -73,7 +73,12 @@ impl<H> Interp<H> {
     pub fn register(&mut self, name: &str, function: CommandFn<H>) {
         self.functions.push(function);
         let imp = Imp::Full(self.functions.len() as u32 - 1);
-        let (ns, tail) = self.core.place_for(&format!("::{}", name.trim_start_matches(':')));
+        let name = name.trim_start_matches(':');
+        // Calibrations make an interpreter for each evaluation, and most names have no namespace to look for.
+        let (ns, tail) = match name.contains(':') {
+            false => (NsId::GLOBAL, name.into()),
+            true => self.core.place_for(&format!("::{name}")),
+        };
         self.core.define(ns, &tail, imp);
     }
 

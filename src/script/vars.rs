@@ -34,6 +34,10 @@ pub(crate) enum Scope {
 
 /// The qualifiers before the last `::` and the name after it.
 pub(crate) fn split_qualified(name: &str) -> Option<(&str, &str)> {
+    // Few names have colons: looking for two in a row takes much longer than for one.
+    if !name.as_bytes().contains(&b':') {
+        return None;
+    }
     let at = name.rfind("::")?;
     Some((name[..at].trim_end_matches(':'), &name[at + 2..]))
 }
