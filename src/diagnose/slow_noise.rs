@@ -2,7 +2,7 @@
 //!
 //! Slow noise wanders, and a zero that may wander as well follows it: of every recording with such noise a line, a jump or some
 //! knots take much. A drift is believed where it takes much more of the residual than of noise of the same
-//! spectrum with phases at random.
+//! spectrum with phases at random, or where the zero is further off than the mean of such noise.
 
 use super::correction::Correction;
 use super::hypothesis::KNOTS;
@@ -11,6 +11,7 @@ use super::surrogate::Surrogates;
 use super::work::Explained;
 use crate::study::{Role, Study};
 use nalgebra::{DMatrix, DVector};
+use std::f64::consts::TAU;
 
 /// Points that a residual is averaged to.
 const POINTS: usize = 512;
@@ -20,6 +21,9 @@ const PLACES: usize = 40;
 const SURROGATES: usize = 99;
 /// Deviations of the surrogates that it must be above their mean: a drift is sought in every channel and run.
 const FAR: f64 = 4.0;
+/// Lowest frequencies whose power says how far the mean of slow noise is from zero, and deviations of it that are too many.
+const LOWEST: usize = 6;
+const OFF: f64 = 5.0;
 
 /// Whether the drift in an explanation may be noise; not where it has none.
 pub(super) fn may_be_noise(study: &Study, e: &Explained) -> bool {
@@ -54,6 +58,9 @@ fn by_chance(residual: &[f64], knotted: bool) -> bool {
     }
     let mean = x.iter().sum::<f64>() / n as f64;
     x.iter_mut().for_each(|x| *x -= mean);
+    if mean.abs() > OFF * deviation_of_mean(&x) {
+        return false;
+    }
     let shapes = if knotted { vec![knots(n)] } else { (1..PLACES).map(|p| jump(n, p * n / PLACES)).collect() };
     // What is left, in its logarithm: near the whole of a residual a little more means much.
     let taken = |x: &[f64]| {
@@ -66,6 +73,18 @@ fn by_chance(residual: &[f64], knotted: bool) -> bool {
     let mean = chance.iter().sum::<f64>() / chance.len() as f64;
     let deviation = power(&chance.iter().map(|c| c - mean).collect::<Vec<f64>>()).sqrt();
     taken(&x) - mean < FAR * deviation
+}
+
+/// Deviation of the mean of noise with this spectrum: that of white noise as strong as it is at the lowest frequencies.
+fn deviation_of_mean(x: &[f64]) -> f64 {
+    let n = x.len() as f64;
+    let periodogram = |k: usize| {
+        let wave = |t: usize| (TAU * (k * t) as f64 / n).sin_cos();
+        let [s, c] = x.iter().enumerate().fold([0.0; 2], |[s, c], (t, x)| [s + x * wave(t).0, c + x * wave(t).1]);
+        (s * s + c * c) / n
+    };
+    let power = (1..=LOWEST).map(periodogram).sum::<f64>() / LOWEST as f64;
+    (power / n).sqrt()
 }
 
 /// A line and a jump, as orthonormal series without mean.
@@ -105,6 +124,8 @@ mod tests {
                 taken += usize::from(!by_chance(&slow, knotted)) + usize::from(!by_chance(&white, knotted));
             }
             let jumped: Vec<f64> = white.iter().enumerate().map(|(t, x)| x + if t > 300 { 3.0 } else { 0.0 }).collect();
+            let off: Vec<f64> = white.iter().map(|x| x + 0.5).collect();
+            assert!(!by_chance(&off, false), "{seed}");
             let risen: Vec<f64> = white.iter().enumerate().map(|(t, x)| x + 8.0 * t as f64 / 900.0).collect();
             assert!(!by_chance(&jumped, false) && !by_chance(&risen, false), "{seed}");
         }
