@@ -92,7 +92,7 @@ pub(super) fn conclude(
     let unknown = best.evidence.max(evidence_of_none) - 0.5 * INDEPENDENT * (1.0 - left.min(TELLING)).ln() - price;
     causes.push(("unknown", unknown));
     causes.sort_by(|a, b| b.1.total_cmp(&a.1));
-    temper(&mut causes, left);
+    temper(&mut causes, left, evidence_of_none);
     let mut p = probabilities(&causes.iter().map(|c| c.1).collect::<Vec<_>>());
     doubt(&causes, &mut p);
     let mut odds: Vec<(&'static str, f64)> = causes.iter().map(|c| c.0).zip(p).collect();
@@ -231,15 +231,17 @@ pub(super) fn conclude(
 /// What the evidence says of the first cause against others with a name counts in part. Causes that look alike are told apart
 /// by the forms of their laws, which nature need not have. And evidence takes what the best explanation leaves for
 /// noise: as far as that has structure no law is right, and a likelihood to a power below one is the more honest one
-/// (Miller and Dunson, 2019, "Robust Bayesian inference via coarsening").
-fn temper(causes: &mut [(&'static str, f64)], left: f64) {
+/// (Miller and Dunson, 2019, "Robust Bayesian inference via coarsening"), against a cause that gains over `none` as the first
+/// does; one that gains nothing is no rival whatever is left.
+fn temper(causes: &mut [(&'static str, f64)], left: f64, none: f64) {
     let (first, most) = causes[0];
     if matches!(first, "none" | "unknown") {
         return;
     }
     for (cause, evidence) in causes.iter_mut().skip(1).filter(|(cause, _)| !matches!(*cause, "none" | "unknown")) {
+        let gained = ((*evidence - none) / (most - none).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
         let part = if hypothesis::alike(first, cause) { TWINS } else { 1.0 };
-        *evidence = most - part * (1.0 - left) * (most - *evidence);
+        *evidence = most - part * (1.0 - left * gained) * (most - *evidence);
     }
 }
 
