@@ -1,9 +1,10 @@
 //! Sections of normal springs that bend in one plane, where one spring tells of a line of them.
 
 use hysteron::element::bearing::{Distribution, Layout, Mean, NormalSprings, Section, Shape};
-use hysteron::material::{AxialParameters, AxialSp, Material, Steel01};
+use hysteron::material::{AxialParameters, AxialSp, Material, Steel01, Viscous};
 use std::sync::Arc;
 
+/// Of a spring, m.
 const LENGTH: f64 = 0.1;
 
 /// Springs with their committed and trial states.
@@ -149,4 +150,15 @@ fn the_tangent_of_lines_is_their_derivative_in_all_directions() {
             together.go(e);
         }
     });
+}
+
+#[test]
+fn dampers_across_the_plane_have_their_moment() {
+    let layout = Layout::new(Shape::Square, 0.6, 12, Distribution::Uniform, Mean::Springs);
+    let damper: Material = Arc::new(Viscous { c: 1e6, alpha: 1.0, min_rate: 1e-9 });
+    let Alone { springs, committed, mut trial } = Alone::new(NormalSprings::new(damper, &layout, LENGTH, 0));
+    // Bent about y, and just beginning to turn about z.
+    let s = springs.respond(&committed, [0.0, 1e-3, 0.0], [0.0, 0.0, 0.2], 0.0, &mut trial).unwrap();
+    let inertia: f64 = layout.area.iter().zip(&layout.y).map(|(a, y)| a * y * y).sum();
+    assert!((s.force[2] / (1e6 * 0.2 * inertia / LENGTH) - 1.0).abs() < 1e-12, "{s:?}");
 }

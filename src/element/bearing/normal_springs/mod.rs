@@ -107,7 +107,8 @@ impl NormalSprings {
         let lever = [layout.z.clone(), layout.y.iter().map(|y| -y).collect()];
         let reach = lever.each_ref().map(|l| l.iter().fold(0.0f64, |m, l| m.max(l.abs())));
         let each = Bundle::new(&material, (layout.area.clone(), lever), None, layout.area.len());
-        let lines = [0, 1].map(|across| Lines::of(&material, &each, across));
+        // Rates may differ along a line whose strains do not.
+        let lines = [0, 1].map(|across| if material.is_viscous() { None } else { Lines::of(&material, &each, across) });
         Self { material, at, memory: Memory::Committed, length, each, lines, reach }
     }
 
