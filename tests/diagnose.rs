@@ -104,7 +104,12 @@ fn attempt(dir: &Path, without: &[&str], earlier: Vec<Kept>, keeper: &mut Keeper
     let study = Arc::new(Study::load(&dir.join("study.toml"), &mut sources).unwrap());
     let mut simulator = ScriptSimulator::new(study, Options::default(), Arc::new(AtomicBool::new(false)));
     let opening = simulator.open(&mut sources).unwrap();
-    let settings = Settings { without: without.iter().map(|w| (*w).to_owned()).collect(), threads: 2, earlier };
+    let settings = Settings {
+        without: without.iter().map(|w| (*w).to_owned()).collect(),
+        threads: 2,
+        earlier,
+        ..Settings::default()
+    };
     diagnose(&simulator, &opening, MODEL, &settings, keeper)
 }
 

@@ -48,6 +48,9 @@ pub struct Options {
     pub ladder: Option<Ladder>,
     /// Force a dense matrix, or a sparse one.
     pub dense: Option<bool>,
+    /// Parts that each step of an analysis is made in, for the error of its steps to be seen. With more than one, tests are
+    /// to be passed with a hundredth of their tolerance too. 0 is 1.
+    pub refine: u32,
 }
 
 /// Who wants to know about steps.

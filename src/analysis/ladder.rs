@@ -66,15 +66,15 @@ impl Default for Ladder {
 
 impl Engine {
     /// Try the remedies on a step that failed.
-    pub(super) fn climb(&mut self, dt: f64, first: Failure, observer: &mut dyn Observer) -> Result<(), Failure> {
+    pub(super) fn climb(&mut self, length: f64, first: Failure, observer: &mut dyn Observer) -> Result<(), Failure> {
         let rungs = self.options.ladder.as_ref().map(|l| l.rungs.clone()).unwrap_or_default();
         for (i, remedy) in rungs.into_iter().enumerate() {
             if observer.interrupted() {
                 break;
             }
             let done = match remedy {
-                Remedy::Halve(times) => self.halve(dt, times),
-                other => self.with_algorithm(other, dt),
+                Remedy::Halve(times) => self.halve(length, times),
+                other => self.with_algorithm(other, length),
             };
             if done {
                 if let Some(l) = &mut self.options.ladder {
@@ -86,13 +86,13 @@ impl Engine {
         Err(first)
     }
 
-    fn with_algorithm(&mut self, remedy: Remedy, dt: f64) -> bool {
+    fn with_algorithm(&mut self, remedy: Remedy, length: f64) -> bool {
         let Some(mut algorithm) = remedy.algorithm() else { return false };
         let swap = |engine: &mut Self, other: &mut Box<dyn Algorithm>| {
             engine.change_setup(|s| std::mem::swap(&mut s.algorithm, other));
         };
         swap(self, &mut algorithm);
-        let done = self.step(dt).is_ok();
+        let done = self.step_in_parts(length).is_ok();
         swap(self, &mut algorithm);
         done
     }

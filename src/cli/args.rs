@@ -22,9 +22,8 @@ pub(super) enum Command {
     Run {
         #[command(flatten)]
         switches: Switches,
-        /// Try other algorithms and shorter steps where a step fails
-        #[arg(long)]
-        ladder: bool,
+        #[command(flatten)]
+        care: Care,
         /// The script
         model: String,
         /// Words that the script finds in $argv
@@ -54,6 +53,17 @@ pub(super) enum Command {
         /// The kinds that this command makes: element, uniaxialMaterial, timeSeries
         command: Option<String>,
     },
+}
+
+/// What is done for steps beyond what the script says.
+#[derive(Args, Debug, Default)]
+pub(super) struct Care {
+    /// Try other algorithms and shorter steps where a step fails
+    #[arg(long)]
+    pub(super) ladder: bool,
+    /// Make each step in N parts, to a hundredth of its tolerance: what changes is the error of the steps
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub(super) refine: u32,
 }
 
 #[derive(Args, Debug)]
@@ -106,6 +116,9 @@ pub(super) struct DiagnoseArgs {
     /// Go on where an interrupted diagnosis was stopped
     #[arg(long)]
     pub(super) resume: bool,
+    /// Times that count by one are seconds, and not the numbers of samples
+    #[arg(long)]
+    pub(super) clock: bool,
     /// Show all explanations that were weighed
     #[arg(long)]
     pub(super) verbose: bool,

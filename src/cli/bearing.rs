@@ -1,6 +1,6 @@
 //! `hysteron bearing`: a bearing by itself, driven as in a testing machine.
 
-use super::args::Switches;
+use super::args::{Care, Switches};
 use super::console::Terminal;
 use super::files::NoFiles;
 use super::loops::Report;
@@ -211,7 +211,7 @@ fn carry_out(test: &Test) -> Result<i32, Failed> {
     if test.script {
         return Ok(run::print(Ok(format!("{script}\n"))));
     }
-    let status = run::script(&test.switches, Mode::Run, false, &script, &[]);
+    let status = run::script(&test.switches, Mode::Run, &Care::default(), &script, &[]);
     let read = |name: &str| -> Result<Columns, String> {
         let text = fs::read_to_string(in_folder(name)).map_err(|e| format!("there are no results: {e}"))?;
         Columns::parse(&text)

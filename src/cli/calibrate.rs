@@ -204,7 +204,7 @@ pub(super) fn prepare(
 ) -> Result<Prepared, Box<Diagnostic>> {
     let study = Arc::new(Study::load(file, sources)?);
     let plan = Plan::of(&study)?;
-    let options = Options { compat: compat.is_some(), ladder: None, dense: None };
+    let options = Options { compat: compat.is_some(), ladder: None, ..Options::default() };
     let mut simulator = ScriptSimulator::new(study, options, stop.clone());
     let opening = simulator.open(sources)?;
     Ok(Prepared { simulator, opening, plan })

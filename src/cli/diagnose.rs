@@ -54,7 +54,7 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
         let earlier = if args.resume { earlier(&saved, of)? } else { vec![] };
         fs::create_dir_all(&dir).map_err(|e| format!("cannot make {}: {e}", dir.display()))?;
         let threads = args.threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
-        let settings = Settings { without: args.without.clone(), threads, earlier };
+        let settings = Settings { without: args.without.clone(), clock: args.clock, threads, earlier };
         let mut bar = Bar::new(stop.clone(), saved.clone(), of);
         let found = diagnose(&simulator, &opening, &text, &settings, &mut bar);
         bar.bar.finish_and_clear();
@@ -83,7 +83,7 @@ fn prepare(
     sources: &mut SourceMap,
 ) -> Result<(ScriptSimulator, Opening), Box<Diagnostic>> {
     let study = Arc::new(Study::load(&args.study, sources)?);
-    let options = Options { compat: args.compat.is_some(), ladder: None, dense: None };
+    let options = Options { compat: args.compat.is_some(), ladder: None, ..Options::default() };
     let mut simulator = ScriptSimulator::new(study, options, stop.clone());
     let opening = simulator.open(sources)?;
     Ok((simulator, opening))

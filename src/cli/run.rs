@@ -1,6 +1,6 @@
 //! What the sub-commands do.
 
-use super::args::{Arguments, Command, Switches};
+use super::args::{Arguments, Care, Command, Switches};
 use super::bearing::bearing;
 use super::console::Terminal;
 use super::files::{NoFiles, SystemFiles};
@@ -22,11 +22,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// Carry out the command line; the exit status.
 pub(crate) fn main() -> i32 {
     match Arguments::parse().command {
-        Command::Run { switches: run, ladder, model, args } => script(&run, Mode::Run, ladder, &model, &args),
+        Command::Run { switches: run, care, model, args } => script(&run, Mode::Run, &care, &model, &args),
         Command::Check { switches: s, model, .. } if model.ends_with(".toml") => {
             super::study::check(Path::new(&model), s.compat, s.strict)
         }
-        Command::Check { switches: run, model, args } => script(&run, Mode::Check, false, &model, &args),
+        Command::Check { switches: run, model, args } => script(&run, Mode::Check, &Care::default(), &model, &args),
         Command::Bearing(test) => bearing(&test),
         Command::Calibrate(args) => super::calibrate::calibrate(&args),
         Command::Diagnose(args) => super::diagnose::run(&args),
@@ -69,9 +69,14 @@ fn usages(command: Option<&str>) -> Result<String, String> {
 }
 
 /// Run or check a script; the exit status.
-pub(super) fn script(run: &Switches, mode: Mode, ladder: bool, model: &str, args: &[String]) -> i32 {
+pub(super) fn script(run: &Switches, mode: Mode, care: &Care, model: &str, args: &[String]) -> i32 {
     let bar = Bar::new();
-    let options = Options { compat: run.compat.is_some(), ladder: ladder.then(Ladder::default), dense: None };
+    let options = Options {
+        compat: run.compat.is_some(),
+        ladder: care.ladder.then(Ladder::default),
+        dense: None,
+        refine: care.refine,
+    };
     let settings = Settings { mode, strict: run.strict, options };
     let console = Terminal::new(bar.clone());
     let outputs: Box<dyn Outputs> = if mode == Mode::Run { Box::new(SystemFiles) } else { Box::new(NoFiles) };

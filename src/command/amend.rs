@@ -4,8 +4,8 @@ use super::args::Args;
 use super::model::{need_model, node_of};
 use super::{Command, Outcome, Tcl, finish};
 use crate::element::amendment::{
-    Amended, Amendment, Axial, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Mullins, Overstress,
-    Pinching, Pressure, Share, Sides, Slip, Stiffening, Temperature, Yielding,
+    Amended, Amendment, Axial, Cavitation, Coupling, Damping, Degradation, Degrading, Friction, Gap, Heating, Mullins,
+    Overstress, Pinching, Pressure, Share, Sides, Slip, Stiffening, Temperature, Yielding,
 };
 use crate::element::bearing::ShearParameters;
 use crate::material::Softening;
@@ -247,6 +247,18 @@ const KINDS: &[Kind] = &[
         ],
         make: |n, _, stiffness| {
             Arc::new(Yielding { force: n.get("-force"), stiffness, hardening: n.get("-hardening") })
+        },
+    },
+    Kind {
+        name: "degrading",
+        options: &[
+            needed("-force", "yield force", Positive),
+            optional("-hardening", "post-yield over elastic stiffness", Ratio, 0.0),
+            optional("-unloading", "exponent of the unloading stiffness", NotNegative, 0.0),
+        ],
+        make: |n, _, stiffness| {
+            let (force, hardening, unloading) = (n.get("-force"), n.get("-hardening"), n.get("-unloading"));
+            Arc::new(Degrading { force, stiffness, hardening, unloading })
         },
     },
     Kind {

@@ -2,6 +2,7 @@
 
 use super::correction::Correction;
 use super::evidence::{INDEPENDENT, probabilities};
+use super::fitting::Fitted;
 use super::hypothesis;
 use super::insertion::Place;
 use super::locate::{regime, windows};
@@ -12,7 +13,9 @@ use super::pipeline::{Diagnosis, Weighed};
 use super::repair;
 use super::rounds::tried;
 use super::scale::Scales;
+use super::step_error::StepError;
 use super::structure::structure;
+use super::variant::Variant;
 use super::work::{Explained, LAST, Work};
 use crate::study::{Fit, Opening, Role, ScriptSimulator, Study, fit};
 use std::collections::BTreeMap;
@@ -58,9 +61,14 @@ pub(super) struct Context<'a> {
     pub(super) scales: &'a Scales,
     /// The motion is that of the device, not of the ground.
     pub(super) imposed: bool,
+    /// How long the steps of the script are.
+    pub(super) steps: StepError,
+    /// Causes that were left out because the recordings have no clock.
+    pub(super) untimed: &'static [&'static str],
 }
 
-/// Put the verdict together.
+/// Put the verdict together. `baseline` is the fitted model with the steps of the script, `weighed` what was weighed with
+/// steps as short as they have to be.
 pub(super) fn conclude(
     work: &mut Work<'_>,
     c: &Context<'_>,
@@ -68,8 +76,9 @@ pub(super) fn conclude(
     weighed: Vec<Explained>,
 ) -> Result<Diagnosis, String> {
     let study = c.study;
-    let best = weighed[0].clone();
-    let evidence_of_none = weighed.iter().find(|e| e.cause() == "none").map_or(f64::NEG_INFINITY, |e| e.evidence);
+    let best = &weighed[0];
+    let none = weighed.iter().find(|e| e.cause() == "none");
+    let evidence_of_none = none.map_or(f64::NEG_INFINITY, |e| e.evidence);
     // The best of each cause, alone or beside a second one, speaks for it.
     let mut causes: Vec<(&'static str, f64)> = vec![];
     for e in &weighed {
@@ -80,7 +89,7 @@ pub(super) fn conclude(
     let cause = best.cause();
     // What the best explanation has explained of what there was to explain, and what structure it leaves.
     let (left, signature) = structure(study, c.scales, &best.fitted.fits);
-    let (before, after) = (misfit(study, &baseline.fitted.fits), misfit(study, &best.fitted.fits));
+    let (before, after) = (misfit(study, &none.unwrap_or(baseline).fitted.fits), misfit(study, &best.fitted.fits));
     let floor = after * (1.0 - left);
     let done = if before > floor { ((before - after) / (before - floor)).clamp(0.0, 1.0) } else { 1.0 };
     let gained = best.evidence - evidence_of_none;
@@ -97,63 +106,46 @@ pub(super) fn conclude(
     doubt(&causes, &mut p);
     let mut odds: Vec<(&'static str, f64)> = causes.iter().map(|c| c.0).zip(p).collect();
     odds.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let mut verdict = odds[0].0;
-    // Where structure is left the nearest repair is written all the same.
-    let chosen = match verdict {
-        "none" => baseline.clone(),
-        "unknown" if best.evidence < evidence_of_none + WORTH => baseline.clone(),
-        "unknown" => best,
-        _ => weighed.iter().find(|e| e.cause() == verdict).cloned().unwrap_or(best),
+    let before = all_runs(c, &baseline.variant, &baseline.fitted.values);
+    // It is the script as it is written that is repaired.
+    work.bench.refine(1);
+    let mut repairs: Vec<(&'static str, Repair)> = vec![];
+    let verdict = loop {
+        let verdict = odds[0].0;
+        // Where structure is left the nearest repair is written all the same.
+        if repairs.iter().any(|(cause, _)| *cause == verdict) || verdict == "unknown" && !repairs.is_empty() {
+            break verdict;
+        }
+        let chosen = match verdict {
+            "none" => baseline,
+            "unknown" if best.evidence < evidence_of_none + WORTH => baseline,
+            "unknown" => best,
+            _ => weighed.iter().find(|e| e.cause() == verdict).unwrap_or(best),
+        };
+        let repair = repaired(work, c, chosen.clone(), &before, verdict)?;
+        if let Some(n) = odds.iter().position(|(cause, _)| repair.contradicted && *cause == "unknown") {
+            let doubted = (1.0 - CONTRADICTED) * odds[0].1;
+            odds[0].1 -= doubted;
+            odds[n].1 += doubted;
+            odds.sort_by(|a, b| b.1.total_cmp(&a.1));
+        }
+        repairs.push((verdict, repair));
     };
-    // The last search, from where the chosen one stands and from around it: contact and yielding make ridges.
-    let starts = around(&chosen.fitted.point);
-    let jobs = starts.into_iter().map(|start| Work::search(&chosen.variant, start, LAST)).collect();
-    let refined = work.fit("the repaired model", jobs)?.into_iter().flatten();
-    let fitted = refined.fold(chosen.fitted.clone(), |a, b| if b.objective <= a.objective { b } else { a });
-
-    let all_runs = |e: &Explained, values: &[f64]| -> Vec<Option<Fit>> {
-        let blueprint = c.simulator.blueprint();
-        let mut simulator = e.variant.simulator(&blueprint);
-        (0..study.runs.len()).map(|r| fit(&mut simulator, study, r, values).ok()).collect()
-    };
-    let before = all_runs(baseline, &baseline.fitted.values);
-    let after = all_runs(&chosen, &fitted.values);
-    work.go_on()?;
-    let holdout = |fits: &[Option<Fit>]| -> Option<f64> {
-        let held: Vec<f64> = study
-            .runs_of(Role::Holdout)
-            .map(|(i, r)| Some(fits[i].as_ref()?.nmse(&r.observe)))
-            .collect::<Option<_>>()?;
-        (!held.is_empty()).then(|| held.iter().sum::<f64>() / held.len() as f64)
-    };
+    let named_by_it = repairs.iter().position(|(cause, _)| *cause == verdict).unwrap_or(0);
+    let (_, Repair { chosen, fitted, after, contradicted }) = repairs.swap_remove(named_by_it);
     let named = |space: &crate::study::Space, values: &[f64]| -> BTreeMap<String, f64> {
         space.parameters.iter().map(|p| p.name.clone()).zip(values.iter().copied()).collect()
     };
     let corrections = chosen.variant.corrections(&fitted.values);
     let share = if baseline.fitted.objective > 0.0 { fitted.objective / baseline.fitted.objective } else { 1.0 };
-    // Runs that were held out are looked at here for the first time: they can only take confidence away.
-    let mut contradicted = false;
-    let concerned =
-        |f: &Correction| f.run.as_ref().is_none_or(|name| study.runs_of(Role::Holdout).any(|(_, r)| r.name == *name));
-    let acts_there = chosen.variant.edits() || corrections.iter().any(concerned);
-    if let (Some(before), Some(after)) = (holdout(&before), holdout(&after))
-        && !matches!(verdict, "none" | "unknown")
-        && acts_there
-        && after >= before
-        && let Some(n) = odds.iter().position(|(cause, _)| *cause == "unknown")
-    {
-        contradicted = true;
-        let doubted = (1.0 - CONTRADICTED) * odds[0].1;
-        odds[0].1 -= doubted;
-        odds[n].1 += doubted;
-        // What they speak for is not asked: another cause would be chosen by them.
-        if odds[n].1 > odds[0].1 {
-            odds.swap(0, n);
-            verdict = "unknown";
-        }
-    }
     let also: Vec<&str> = chosen.second().into_iter().filter(|_| verdict != "unknown").collect();
-    let mut explanation = explanation(verdict, &chosen, &also, &signature, share);
+    let mut explanation = explanation(verdict, &chosen, &also, &signature, share) + &c.steps.says();
+    if !c.untimed.is_empty() {
+        explanation += &format!(
+            " The times of the recordings count samples: {} need a clock and were left out (--clock takes them for seconds).",
+            c.untimed.join(" and ")
+        );
+    }
     if contradicted {
         explanation += " The runs held out contradict the repair: they get no better by it.";
     }
@@ -166,7 +158,7 @@ pub(super) fn conclude(
     let outcome = Outcome {
         baseline: Baseline {
             fit_nmse: baseline.fitted.objective,
-            holdout_nmse: holdout(&before),
+            holdout_nmse: holdout(study, &before),
             parameters: named(&study.space, &baseline.fitted.values),
         },
         mismatch: mismatches(c, &before),
@@ -186,7 +178,7 @@ pub(super) fn conclude(
             script: "corrected.tcl".into(),
             parameters: named(&chosen.variant.study.space, &fitted.values),
             fit_nmse: fitted.objective,
-            holdout_nmse: holdout(&after),
+            holdout_nmse: holdout(study, &after),
             channels: corrections,
         },
         unexplained_share: share.min(1.0),
@@ -226,6 +218,58 @@ pub(super) fn conclude(
         looks: work.bench.looks(),
         left: (left, signature),
     })
+}
+
+/// A model that was repaired.
+struct Repair {
+    /// The explanation that it is repaired by.
+    chosen: Explained,
+    /// As it was fitted with the steps of the script.
+    fitted: Fitted,
+    /// What it says of all runs.
+    after: Vec<Option<Fit>>,
+    /// Runs that were held out get no better by it, though it concerns them.
+    contradicted: bool,
+}
+
+/// The last search, from where the chosen one stands and from around it: contact and yielding make ridges. Runs that were
+/// held out are looked at here for the first time: they can only take confidence away.
+fn repaired(
+    work: &mut Work<'_>,
+    c: &Context<'_>,
+    chosen: Explained,
+    before: &[Option<Fit>],
+    verdict: &str,
+) -> Result<Repair, String> {
+    let study = c.study;
+    let starts = around(&chosen.fitted.point);
+    let jobs = starts.into_iter().map(|start| Work::search(&chosen.variant, start, LAST)).collect();
+    let refined = work.fit("the repaired model", jobs)?.into_iter().flatten();
+    let known = Some(chosen.fitted.clone()).filter(|_| c.steps.parts == 1);
+    let fitted = known.into_iter().chain(refined).min_by(|a, b| a.objective.total_cmp(&b.objective));
+    let fitted = fitted.ok_or("the repaired model has no answer with the steps of the script")?;
+    let after = all_runs(c, &chosen.variant, &fitted.values);
+    work.go_on()?;
+    let concerned =
+        |f: &Correction| f.run.as_ref().is_none_or(|name| study.runs_of(Role::Holdout).any(|(_, r)| r.name == *name));
+    let acts_there = chosen.variant.edits() || chosen.variant.corrections(&fitted.values).iter().any(concerned);
+    let worse =
+        matches!((holdout(study, before), holdout(study, &after)), (Some(before), Some(after)) if after >= before);
+    let contradicted = worse && acts_there && !matches!(verdict, "none" | "unknown");
+    Ok(Repair { chosen, fitted, after, contradicted })
+}
+
+/// What a variant says of all runs with the steps of the script; `None` where it has no answer.
+fn all_runs(c: &Context<'_>, variant: &Arc<Variant>, values: &[f64]) -> Vec<Option<Fit>> {
+    let mut simulator = variant.simulator(&c.simulator.blueprint());
+    (0..c.study.runs.len()).map(|r| fit(&mut simulator, c.study, r, values).ok()).collect()
+}
+
+/// Mean NMSE of the runs that are held out, where there are any and all have an answer.
+fn holdout(study: &Study, fits: &[Option<Fit>]) -> Option<f64> {
+    let held: Vec<f64> =
+        study.runs_of(Role::Holdout).map(|(i, r)| Some(fits[i].as_ref()?.nmse(&r.observe))).collect::<Option<_>>()?;
+    (!held.is_empty()).then(|| held.iter().sum::<f64>() / held.len() as f64)
 }
 
 /// What the evidence says of the first cause against others with a name counts in part. Causes that look alike are told apart

@@ -8,7 +8,7 @@ use crate::calibrate::{LevenbergMarquardt, Method, Trial};
 use crate::study::{Blueprint, Crew, Fit, Mishap, Role, Study, fit};
 use nalgebra::{DMatrix, DVector};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
 
 /// Blocks of a run, each held back in one of the folds.
 const BLOCKS: usize = 8;
@@ -45,13 +45,15 @@ pub(super) enum Task {
     Derive { point: Vec<f64> },
     /// Residuals on samples that it was not fitted to.
     HoldBack { point: Vec<f64> },
+    /// What the model says at a point.
+    Look { point: Vec<f64> },
     /// What an earlier diagnosis of the same study came to.
     Told(Told),
 }
 
 /// What came of it.
 pub(super) enum Answer {
-    /// Of [`Task::Fit`].
+    /// Of [`Task::Fit`] and [`Task::Look`].
     Fitted(Fitted),
     /// Of [`Task::Screen`]: the objective to be expected, and where a search had best start.
     Screened(Option<(f64, Vec<f64>)>),
@@ -115,6 +117,12 @@ impl Bed<'_> {
         let enough = if closely { CLOSELY } else { ENOUGH };
         let (objective, point) = descend(start, budget, enough, |p| self.trial(p));
         self.fitted(point, objective)
+    }
+
+    /// What the model says at a point.
+    fn look(&mut self, point: &[f64]) -> Fitted {
+        let objective = self.trial(point).score;
+        self.fitted(point.to_vec(), objective)
     }
 
     /// What the model says at the end of a search.
@@ -259,10 +267,7 @@ fn work(blueprint: &Blueprint, job: &Job, looks: &AtomicUsize) -> Answer {
         }
         Task::Derive { point } => Answer::Derived(bed.derivatives(point).and_then(|(r, j)| Projection::new(&r, j))),
         Task::HoldBack { point } => Answer::HeldBack(bed.held_back(point)),
-        Task::Told(Told::Fitted(point)) => {
-            let objective = bed.trial(point).score;
-            Answer::Fitted(bed.fitted(point.clone(), objective))
-        }
+        Task::Look { point } | Task::Told(Told::Fitted(point)) => Answer::Fitted(bed.look(point)),
         Task::Told(Told::Screened(said)) => Answer::Screened(said.clone()),
         Task::Told(Told::Again) => Answer::Screened(None),
     }
@@ -272,6 +277,7 @@ fn work(blueprint: &Blueprint, job: &Job, looks: &AtomicUsize) -> Answer {
 pub(super) struct Bench {
     crew: Crew<Job, Answer>,
     looks: Arc<AtomicUsize>,
+    parts: Arc<AtomicU32>,
 }
 
 impl Bench {
@@ -281,10 +287,18 @@ impl Bench {
     /// A thread could not be started.
     pub(super) fn new(blueprint: Blueprint, threads: usize) -> std::io::Result<Self> {
         let make = move || blueprint.clone();
-        let looks = Arc::new(AtomicUsize::new(0));
-        let counted = looks.clone();
-        let crew = Crew::new(threads, make, move |b: &mut Blueprint, job: Job| work(b, &job, &counted))?;
-        Ok(Self { crew, looks })
+        let (looks, parts) = (Arc::new(AtomicUsize::new(0)), Arc::new(AtomicU32::new(1)));
+        let (counted, wanted) = (looks.clone(), parts.clone());
+        let crew = Crew::new(threads, make, move |b: &mut Blueprint, job: Job| {
+            b.refine(wanted.load(Ordering::Relaxed));
+            work(b, &job, &counted)
+        })?;
+        Ok(Self { crew, looks, parts })
+    }
+
+    /// Make the steps of the script in so many parts from now on, with closer tests where there is more than one.
+    pub(super) fn refine(&self, parts: u32) {
+        self.parts.store(parts, Ordering::Relaxed);
     }
 
     /// How often the fitted runs have been looked at, for one set of values each.

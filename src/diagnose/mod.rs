@@ -28,6 +28,7 @@ mod resume;
 mod rounds;
 pub mod scale;
 mod slow_noise;
+mod step_error;
 mod structure;
 mod surrogate;
 pub mod variant;

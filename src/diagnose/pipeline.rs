@@ -1,14 +1,16 @@
 //! The way from a study to a verdict.
 
 use super::conclude::{Context, conclude};
+use super::conditions::untimed;
 use super::fitting::Bench;
 use super::hypothesis::{self, Proposal, Sight};
 use super::next_test::NextTest;
 use super::outcome::Outcome;
 use super::pairs::pairs;
 use super::resume::Kept;
-use super::rounds::{best_of_causes, first_round, fit_baseline, refine, twins, weigh};
+use super::rounds::{best_of_causes, first_round, fit_baseline, refine, refit, twins, weigh};
 use super::slow_noise::may_be_noise;
+use super::step_error::step_error;
 use super::watching;
 use super::work::Work;
 use crate::calibrate::Displacements;
@@ -22,6 +24,8 @@ const FINALISTS: usize = 8;
 pub struct Settings {
     /// Causes that are left out of the library.
     pub without: Vec<String>,
+    /// Times that count by one are seconds, and not samples.
+    pub clock: bool,
     /// Number of threads.
     pub threads: usize,
     /// What an interrupted diagnosis of the same study and library kept.
@@ -98,13 +102,20 @@ pub fn diagnose(
     };
     let scales = watching::watch(&blueprint, &study, text, &values, &place, &anatomy);
     let sight = Sight { anatomy: &anatomy, study: &study, scales: &scales, fits: &baseline.fitted.fits };
-    let library = hypothesis::ALL.iter().filter(|h| !settings.without.iter().any(|w| w == h.cause));
+    let untimed = if settings.clock || anatomy.shaken { &[][..] } else { untimed(&study) };
+    let wanted = |cause: &str| !settings.without.iter().any(|w| w == cause) && !untimed.contains(&cause);
+    let library = hypothesis::ALL.iter().filter(|h| wanted(h.cause));
     let proposals: Vec<Proposal> = library.flat_map(|h| h.proposals(&sight)).collect();
 
     let mut first = first_round(&mut work, &baseline, opening, &place, &proposals)?;
     twins(&mut work, &baseline, &mut first)?;
     let mut finalists = best_of_causes(&first);
     finalists.truncate(FINALISTS);
+    let likeliest = first.first().filter(|e| e.score() < baseline.score()).unwrap_or(&baseline).clone();
+    let steps = step_error(&mut work, &likeliest)?;
+    work.bench.refine(steps.parts);
+    let as_written = baseline.clone();
+    let baseline = if steps.parts > 1 { refit(&mut work, &baseline)? } else { baseline };
     let mut weighed = refine(&mut work, "the likeliest of them", finalists)?;
     weighed.push(baseline.clone());
     weighed.retain(|e| !may_be_noise(&study, e));
@@ -116,7 +127,8 @@ pub fn diagnose(
         weighed.extend(two);
         weigh(&mut weighed)?;
     }
-    let context =
-        Context { study: &study, simulator, opening, text, place: &place, scales: &scales, imposed: !anatomy.shaken };
-    conclude(&mut work, &context, &baseline, weighed)
+    let imposed = !anatomy.shaken;
+    let scales = &scales;
+    let context = Context { study: &study, simulator, opening, text, place: &place, scales, imposed, steps, untimed };
+    conclude(&mut work, &context, &as_written, weighed)
 }

@@ -78,6 +78,14 @@ pub(super) fn fit_baseline(work: &mut Work<'_>, opening: &Opening, text: &str) -
     Ok(Explained::new(variant, fitted))
 }
 
+/// The fitted model once more, with steps of another length.
+pub(super) fn refit(work: &mut Work<'_>, baseline: &Explained) -> Result<Explained, String> {
+    let again = Work::search(&baseline.variant, baseline.fitted.point.clone(), LAST);
+    let fitted = work.fit("the model as it is", vec![again])?.pop().flatten();
+    let fitted = fitted.ok_or("the model has no answer with shorter steps")?;
+    Ok(Explained::new(baseline.variant.clone(), fitted))
+}
+
 /// Every proposal screened, and the likeliest fitted once: best objective first.
 pub(super) fn first_round(
     work: &mut Work<'_>,

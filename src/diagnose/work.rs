@@ -5,7 +5,7 @@ use super::fitting::{Answer, Bench, Fitted, Job, Task};
 use super::pipeline::Watch;
 use super::resume::{Kept, Told, number};
 use super::variant::Variant;
-use crate::study::Study;
+use crate::study::{Fit, Study};
 use std::sync::Arc;
 
 /// Iterations of the last search.
@@ -193,6 +193,13 @@ impl Work<'_> {
             from.into_iter().zip(fitted).filter_map(|(s, f)| Some(Explained::new(s.variant, f?))).collect();
         all.sort_by(|a, b| a.score().total_cmp(&b.score()));
         Ok(all)
+    }
+
+    /// What an explanation says of the fitted runs when the steps of the script are made in so many parts, from now on.
+    pub(super) fn with_steps_in(&mut self, parts: u32, e: &Explained) -> Result<Option<Vec<Fit>>, String> {
+        self.bench.refine(parts);
+        let job = Job { variant: e.variant.clone(), task: Task::Look { point: e.fitted.point.clone() } };
+        Ok(self.fit("the error of the steps", vec![job])?.pop().flatten().map(|f| f.fits))
     }
 
     /// What each says of samples that it was not fitted to.

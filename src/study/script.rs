@@ -94,6 +94,11 @@ impl Blueprint {
         Self { contents: self.contents.with(&self.study.absolute(file), text), ..self.clone() }
     }
 
+    /// Make the steps of the script in so many parts.
+    pub fn refine(&mut self, parts: u32) {
+        self.options.refine = parts;
+    }
+
     /// A simulator.
     pub fn simulator(&self) -> ScriptSimulator {
         let fresh = ScriptSimulator::new(self.study.clone(), self.options.clone(), self.stop.clone());

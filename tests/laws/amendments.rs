@@ -2,8 +2,8 @@
 
 use super::driver::{Alone, difference, path};
 use hysteron::element::amendment::{
-    Amended, Amendment, Axial, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Mullins, Overstress,
-    Pinching, Pressure, Share, Sides, Slip, Stiffening, Temperature, Yielding,
+    Amended, Amendment, Axial, Cavitation, Coupling, Damping, Degradation, Degrading, Friction, Gap, Heating, Mullins,
+    Overstress, Pinching, Pressure, Share, Sides, Slip, Stiffening, Temperature, Yielding,
 };
 use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::{Link, PlaneBearing, ShearParameters, SpaceBearing};
@@ -54,6 +54,7 @@ fn laws() -> Vec<Arc<dyn Amendment>> {
         Arc::new(Pinching { depth: 0.6, width: 0.4, onset: 0.0, share }),
         Arc::new(Slip { size: 0.01, growth: 0.1, width: 10.0, share }),
         Arc::new(Yielding { force: 30.0, stiffness: 8000.0, hardening: 0.05 }),
+        Arc::new(Degrading { force: 30.0, stiffness: 8000.0, hardening: 0.05, unloading: 0.4 }),
         Arc::new(Pressure { reference: 150.0, power: 0.8, share }),
         Arc::new(Friction { force: 15.0, stiffness: 4e4 }),
         Arc::new(Gap { at: 0.03, stiffness: 5e5, power: 1.5, damping: 0.1, sides: Sides::Both }),
@@ -171,6 +172,36 @@ fn each_does_what_it_is_for() {
 
     let yields = force(Arc::new(Yielding { force: 20.0, stiffness: 8000.0, hardening: 0.0 }), cycles(0.05, 1));
     assert!((peak(&yields, 0) - 20.0).abs() < 1e-9);
+}
+
+#[test]
+fn what_degrades_reloads_towards_its_largest_deformation() {
+    let (k, fy, b, a) = (8000.0, 30.0, 0.05, 0.4);
+    let law = Degrading { force: fy, stiffness: k, hardening: b, unloading: a };
+    // A path with corners, in steps that pass over those of the law.
+    let corners = [0.0, 0.03, -0.03, 0.03, 0.02, 0.031];
+    let path = || corners.windows(2).flat_map(|w| (1..=7).map(move |i| w[0] + (w[1] - w[0]) * f64::from(i) / 7.0));
+    let plain = Temperature { softening: 0.0, at: 0.0, reference: 0.0, share: Share::default() };
+    let (plain, amended) = (force(Arc::new(plain), path()), force(Arc::new(law), path()));
+    let ey = fy / k;
+    let envelope = |e: f64| fy + b * k * (e - ey);
+    let (peak, unloading) = (envelope(0.03), k * (ey / 0.03).powf(a));
+    // Where the force is zero after a half cycle, and the lines from there.
+    let zero = 0.03 - peak / unloading;
+    let line = |e: f64, from: [f64; 2], to: [f64; 2]| from[1] + (to[1] - from[1]) * (e - from[0]) / (to[0] - from[0]);
+    for (i, ((e, p), q)) in path().zip(&plain).zip(&amended).enumerate() {
+        let expected = match i {
+            0..7 => envelope(e),
+            7..14 if e > zero => peak - unloading * (0.03 - e),
+            7..14 if e > -ey => line(e, [zero, 0.0], [-ey, -fy]),
+            7..14 => -envelope(-e),
+            14..21 if e < -zero => unloading * (e + 0.03) - peak,
+            14..21 => line(e, [-zero, 0.0], [0.03, peak]),
+            21..35 if e <= 0.03 => peak - unloading * (0.03 - e),
+            _ => envelope(e),
+        };
+        assert!((q - p + k * e - expected).abs() < 1e-9, "{i}: {} {expected}", q - p + k * e);
+    }
 }
 
 #[test]

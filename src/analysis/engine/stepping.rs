@@ -24,8 +24,9 @@ impl Engine {
                 let cause = Cause::Interrupted;
                 return Err(Failure { cause, time: self.committed.time, place: None, code: -3 });
             }
-            let done = match self.step(dt) {
-                Err(failure) if self.options.ladder.is_some() => self.climb(dt, failure, observer),
+            let length = self.length(dt);
+            let done = match self.step_in_parts(length) {
+                Err(failure) if self.options.ladder.is_some() => self.climb(length, failure, observer),
                 done => done,
             };
             if let Err(failure) = done {
@@ -76,6 +77,7 @@ impl Engine {
     pub fn rehearse(&mut self, steps: usize, dt: f64) -> Result<(), Failure> {
         let handler = self.handler();
         self.prepare(handler)?;
+        let length = self.length(dt);
         let (Some(setup), Some((_, _, work))) = (&mut self.setup, &mut self.prepared) else { return Ok(()) };
         let mut system = System {
             model: &self.model,
@@ -95,7 +97,7 @@ impl Engine {
             prepare(&mut system, setup)?;
             self.fresh = false;
         }
-        setup.integrator.begin(&mut system, dt)?;
+        setup.integrator.begin(&mut system, length)?;
         system.form_unbalance(true)?;
         system.form_tangent(TangentMix::CURRENT, Use::Often)?;
         system.work.loads.invalidate();
@@ -109,8 +111,31 @@ impl Engine {
         Ok(())
     }
 
-    /// One step; commits it or leaves the committed state as it was.
-    pub(in crate::analysis) fn step(&mut self, dt: f64) -> Result<(), Failure> {
+    /// Length of a step, as integrators are given it: of time, or as a part of their own step where they are static.
+    fn length(&self, dt: f64) -> f64 {
+        if self.setup.as_ref().is_some_and(|s| s.kind == Kind::Static) { 1.0 } else { dt }
+    }
+
+    /// One step of the script in the parts that [`Options::refine`](super::Options) asks for; commits all of them, or
+    /// leaves the committed state as it was.
+    pub(in crate::analysis) fn step_in_parts(&mut self, length: f64) -> Result<(), Failure> {
+        let divides = self.setup.as_ref().is_some_and(|s| s.integrator.divides());
+        let parts = if divides { self.options.refine.max(1) } else { 1 };
+        if parts == 1 {
+            return self.step(length);
+        }
+        let start = self.committed.clone();
+        for _ in 0..parts {
+            if let Err(failure) = self.step(length / f64::from(parts)) {
+                self.change_state(|s, _| s.clone_from(&start));
+                return Err(failure);
+            }
+        }
+        Ok(())
+    }
+
+    /// One step of a [`length`](Engine::length); commits it or leaves the committed state as it was.
+    pub(in crate::analysis) fn step(&mut self, length: f64) -> Result<(), Failure> {
         let Some(handler) = self.setup.as_ref().map(|s| s.handler) else {
             let cause = Cause::Model("there is no analysis: the command \"analysis\" is missing".into());
             return Err(Failure { cause, time: self.committed.time, place: None, code: -1 });
@@ -133,7 +158,8 @@ impl Engine {
             settled: false,
             work,
         };
-        let result = advance(&mut system, setup, self.fresh, dt);
+        setup.test.closely = self.options.refine > 1;
+        let result = advance(&mut system, setup, self.fresh, length);
         match result {
             Ok(iterations) => {
                 self.fresh = false;
@@ -163,7 +189,7 @@ fn prepare(system: &mut System<'_>, setup: &mut Setup) -> Result<(), Failure> {
 }
 
 /// Begin, solve and end a step.
-fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, dt: f64) -> Result<usize, Failure> {
+fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64) -> Result<usize, Failure> {
     system.work.updates = 0;
     if fresh {
         prepare(system, setup)?;
@@ -173,7 +199,7 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, dt: f64) -> 
             system.work.commit_tangent();
         }
     }
-    setup.integrator.begin(system, dt)?;
+    setup.integrator.begin(system, length)?;
     system.work.asking = Asking::new(setup.kind, setup.integrator.name(), setup.handler);
     system.work.updates = system.work.asking.begin;
     let mut iteration = Iteration { system, integrator: setup.integrator.as_mut(), test: &mut setup.test };

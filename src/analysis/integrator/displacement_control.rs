@@ -84,6 +84,9 @@ impl Integrator for DisplacementControl {
     fn elapses(&self) -> bool {
         false
     }
+    fn divides(&self) -> bool {
+        true
+    }
 
     fn prepare(&mut self, s: &mut System<'_>) -> Result<(), Failure> {
         let n = s.work.b.len();
@@ -98,14 +101,14 @@ impl Integrator for DisplacementControl {
         s.reference_load(s.old.time, &mut self.reference)
     }
 
-    fn begin(&mut self, s: &mut System<'_>, _: f64) -> Result<(), Failure> {
+    fn begin(&mut self, s: &mut System<'_>, part: f64) -> Result<(), Failure> {
         s.coefficients = Coefficients { k: 1.0, c: 0.0, m: 0.0 };
         self.step = self.adaptive.next(self.step, self.last_iterations);
         self.factor = s.old.time;
         // The loads as they are: element loads count in the tangent of a beam with P-Delta.
         s.apply_loads(self.factor)?;
         s.form_tangent(self.mix, Use::Once).map_err(|f| Failure { code: -2, ..f })?;
-        let factor = self.step / self.solve_unit(s)?;
+        let factor = part * self.step / self.solve_unit(s)?;
         let mut unit = std::mem::take(&mut self.unit);
         unit.iter_mut().for_each(|u| *u *= factor);
         let result = self.advance(s, factor, &unit);

@@ -29,10 +29,14 @@ impl Integrator for LoadControl {
         true
     }
 
-    fn begin(&mut self, s: &mut System<'_>, _: f64) -> Result<(), Failure> {
+    fn divides(&self) -> bool {
+        true
+    }
+
+    fn begin(&mut self, s: &mut System<'_>, part: f64) -> Result<(), Failure> {
         s.coefficients = Coefficients { k: 1.0, c: 0.0, m: 0.0 };
         self.step = self.adaptive.next(self.step, self.last_iterations);
-        s.apply_loads(s.old.time + self.step)
+        s.apply_loads(s.old.time + part * self.step)
     }
 
     fn update(&mut self, s: &mut System<'_>, correction: &mut [f64]) -> Result<(), Failure> {

@@ -84,13 +84,18 @@ pub trait Integrator: fmt::Debug + Send {
         true
     }
 
+    /// Whether a step can be made in parts, by giving `begin` parts of its length.
+    fn divides(&self) -> bool {
+        !self.is_static()
+    }
+
     /// The model has changed, or the integrator is new.
     fn prepare(&mut self, _system: &mut System<'_>) -> Result<(), Failure> {
         Ok(())
     }
 
-    /// Begin a step of length `dt` (which static integrators know themselves): set the predicted motion, the loads
-    /// and the coefficients of the tangent.
+    /// Begin a step of length `dt` (of static integrators, which know it themselves, the part of it that is made: 1 unless
+    /// they [divide](Integrator::divides)): set the predicted motion, the loads and the coefficients of the tangent.
     fn begin(&mut self, system: &mut System<'_>, dt: f64) -> Result<(), Failure>;
 
     /// Take a correction of the equations. An integrator that rules the load factor may change it.

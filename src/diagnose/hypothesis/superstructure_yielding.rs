@@ -25,15 +25,23 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
         }
         for set in sets {
             let q = m.directions.iter().filter_map(|d| s.scales.of(&set, *d)).map(|x| x.q).fold(0.0, f64::max);
-            let line = format!(
-                "amend element {} yielding -force $hy_yield -hardening $hy_hardening {}",
-                super::tags(&set),
-                m.dir
+            let tags = super::tags(&set);
+            let mut form = |form: &str, law: &str, more: Vec<Added>| {
+                let line = format!("amend element {tags} {law} -force $hy_yield -hardening $hy_hardening {}", m.dir);
+                let mut added =
+                    vec![Added::log("yield", 0.05 * q, 1.5 * q, 0.6 * q), Added::linear("hardening", 0.0, 0.6, 0.1)];
+                added.extend(more);
+                let at = super::named(&set);
+                out.push(Proposal::edit("superstructure_yielding", form, at, vec![line], added));
+            };
+            form("bilinear spring", "yielding", vec![]);
+            // Concrete loses stiffness, steel does not.
+            let unloading = vec![Added::linear("unloading", 0.0, 0.6, 0.2)];
+            form(
+                "spring that reloads towards its largest deformation",
+                "degrading -unloading $hy_unloading",
+                unloading,
             );
-            let added =
-                vec![Added::log("yield", 0.05 * q, 1.5 * q, 0.6 * q), Added::linear("hardening", 0.0, 0.6, 0.1)];
-            let at = super::named(&set);
-            out.push(Proposal::edit("superstructure_yielding", "bilinear spring", at, vec![line], added));
         }
     }
     // The feet of columns: those on the ground each alone as well, of storeys all together.
