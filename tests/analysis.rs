@@ -14,6 +14,8 @@ mod materials;
 mod model;
 #[path = "analysis/modes.rs"]
 mod modes;
+#[path = "analysis/refine.rs"]
+mod refine;
 #[path = "analysis/rubber.rs"]
 mod rubber;
 #[path = "support/script.rs"]
@@ -22,7 +24,6 @@ mod script;
 mod sections;
 #[path = "analysis/statics.rs"]
 mod statics;
-
 #[path = "analysis/trapezoidal.rs"]
 mod trapezoidal;
 

@@ -100,6 +100,7 @@ impl Watch for Keeper {
 }
 
 fn attempt(dir: &Path, without: &[&str], earlier: Vec<Kept>, keeper: &mut Keeper) -> Result<Diagnosis, String> {
+    let text = fs::read_to_string(dir.join("model.tcl")).unwrap();
     let mut sources = SourceMap::default();
     let study = Arc::new(Study::load(&dir.join("study.toml"), &mut sources).unwrap());
     let mut simulator = ScriptSimulator::new(study, Options::default(), Arc::new(AtomicBool::new(false)));
@@ -110,7 +111,7 @@ fn attempt(dir: &Path, without: &[&str], earlier: Vec<Kept>, keeper: &mut Keeper
         earlier,
         ..Settings::default()
     };
-    diagnose(&simulator, &opening, MODEL, &settings, keeper)
+    diagnose(&simulator, &opening, &text, &settings, keeper)
 }
 
 fn diagnosed(dir: &Path, without: &[&str]) -> Diagnosis {
@@ -203,5 +204,108 @@ fn a_late_channel_is_told_from_physics() {
     assert!((lag - 3.0 * DT).abs() < 0.2 * DT, "{lag}");
     // The script needs no repair, and so keeps its text but for the parameters.
     assert!(!d.script.contains("amend"));
+    let _ = fs::remove_dir_all(dir);
+}
+
+/// A mass on a spring that yields, shaken; its steps are a thirtieth of its period.
+const SHAKEN: &str = "wipe\nmodel basic -ndm 1 -ndf 1\npset k 400.0\npset uy 0.02\nnode 1 0.\nnode 2 0. -mass 1.0\nfix 1 1\n\
+    uniaxialMaterial Elastic 1 [expr {0.6*$k}]\n\
+    uniaxialMaterial BoucWen 2 0.0 [expr {0.4*$k}] 1.0 [expr {0.5/$uy}] [expr {0.5/$uy}] 1.0 0.0 0.0 0.0\n\
+    uniaxialMaterial Parallel 3 1 2\nelement zeroLength 1 1 2 -mat 3 -dir 1\n\
+    timeSeries Path 1 -dt $dt -filePath $motion\npattern UniformExcitation 1 1 -accel 1\n\
+    recorder Node -file disp.out -time -node 2 -dof 1 disp\n\
+    constraints Plain\nsystem FullGeneral\ntest NormDispIncr 1e-10 30\nalgorithm Newton\nintegrator Newmark 0.5 0.25\n\
+    analysis Transient\nfor {set i 1} {$i < $npts} {incr i} { if {[analyze 1 $dt] != 0} { error \"no convergence\" } }\n";
+
+/// The motion of that mass in steps of a fiftieth of the script's, under an acceleration given at the script's.
+fn shaken(ground: &[f64], dt: f64) -> Vec<f64> {
+    let (k, uy, parts) = (380.0, 0.018, 50);
+    let h = dt / f64::from(parts);
+    let (mut x, mut out) = ([0.0; 3], vec![0.0]);
+    for pair in ground.windows(2) {
+        for i in 0..parts {
+            // z' = v (1 - (1 + sign(v z)) |z| / 2): Bouc and Wen's with an exponent of one.
+            let rate = |x: [f64; 3], t: f64| {
+                let [u, v, z] = x;
+                let a = pair[0] + (pair[1] - pair[0]) * t;
+                [v, -a - 0.6 * k * u - 0.4 * k * uy * z, v / uy * (1.0 - 0.5 * z.abs() * (1.0 + (v * z).signum()))]
+            };
+            let go = |x: [f64; 3], d: [f64; 3], h: f64| -> [f64; 3] { std::array::from_fn(|i| x[i] + h * d[i]) };
+            let at = |part: f64| (f64::from(i) + part) / f64::from(parts);
+            // Runge's and Kutta's method.
+            let a = rate(x, at(0.0));
+            let b = rate(go(x, a, 0.5 * h), at(0.5));
+            let c = rate(go(x, b, 0.5 * h), at(0.5));
+            let d = rate(go(x, c, h), at(1.0));
+            x = std::array::from_fn(|i| x[i] + h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]));
+        }
+        out.push(x[0]);
+    }
+    out
+}
+
+#[test]
+fn the_error_of_long_steps_is_no_physics() {
+    let dir = std::env::temp_dir().join(format!("hysteron-diagnose-steps-{}", std::process::id()));
+    fs::create_dir_all(&dir).unwrap();
+    fs::write(dir.join("model.tcl"), SHAKEN).unwrap();
+    let (dt, n) = (0.01, 700);
+    let mut study = "model = \"model.tcl\"\n[[parameter]]\nname = \"k\"\nlower = 200.0\nupper = 800.0\n\
+                     [[parameter]]\nname = \"uy\"\nlower = 0.005\nupper = 0.08\n"
+        .to_owned();
+    let mut noise = Noise(88172645463325252);
+    for (run, role, tones) in [("first", "fit", [6.0, 11.0, 17.0]), ("second", "holdout", [5.0, 13.0, 19.0])] {
+        let at = |t: f64| tones.iter().map(|w| 2.0 * (w * t + w * w).sin()).sum::<f64>() * (-0.1 * t).exp();
+        let ground: Vec<f64> = (0..n).map(|i| at(dt * f64::from(i))).collect();
+        let disp = shaken(&ground, dt);
+        let size = (disp.iter().map(|u| u * u).sum::<f64>() / disp.len() as f64).sqrt();
+        let mut table = "time[s],disp[m]\n".to_owned();
+        for (i, u) in disp.iter().enumerate() {
+            writeln!(table, "{},{}", dt * i as f64, u + 0.03 * size * noise.next()).unwrap();
+        }
+        fs::write(dir.join(format!("{run}.csv")), table).unwrap();
+        fs::write(dir.join(format!("{run}.dat")), ground.iter().map(|a| format!("{a}\n")).collect::<String>()).unwrap();
+        write!(
+            study,
+            "[[run]]\nname = \"{run}\"\nrole = \"{role}\"\nrecording = \"{run}.csv\"\n\
+             set = {{ motion = \"{run}.dat\", dt = {dt}, npts = {n} }}\n\
+             [[run.observe]]\nchannel = \"disp\"\noutput = \"disp.out\"\ncolumn = 1\nat = \"mass\"\n"
+        )
+        .unwrap();
+    }
+    fs::write(dir.join("study.toml"), study).unwrap();
+    let d = diagnosed(&dir, &[]);
+    let o = &d.outcome;
+    // The steps leave as much as the noise, which is 9e-4, and no cause.
+    assert!(o.baseline.fit_nmse > 1.5e-3, "{}", o.baseline.fit_nmse);
+    assert_eq!(o.verdict.cause, "none", "{:?}", o.verdict);
+    assert!(o.verdict.explanation.contains("the causes were weighed with steps in"), "{}", o.verdict.explanation);
+    let _ = fs::remove_dir_all(dir);
+}
+
+#[test]
+fn a_recording_without_a_clock_tells_no_rates() {
+    let faster = |u: &[f64], f: &[f64]| -> Vec<f64> {
+        let speed = |i: usize| (u[i] - u[i.saturating_sub(1)]) / DT;
+        (0..f.len()).map(|i| f[i] + 3.0 * speed(i)).collect()
+    };
+    let dir = concealed("clock", faster);
+    assert_eq!(diagnosed(&dir, &[]).outcome.verdict.cause, "rate_dependence");
+    // The same with the numbers of the samples for times.
+    for run in ["growing", "mixed"] {
+        let text = fs::read_to_string(dir.join(format!("{run}.csv"))).unwrap();
+        let mut counted = String::new();
+        for (i, line) in text.lines().enumerate() {
+            let rest = line.split_once(',').unwrap().1;
+            let _ = if i == 0 { writeln!(counted, "{line}") } else { writeln!(counted, "{},{rest}", i - 1) };
+        }
+        fs::write(dir.join(format!("{run}.csv")), counted).unwrap();
+    }
+    let study = fs::read_to_string(dir.join("study.toml")).unwrap().replace(&format!("dt = {DT}"), "dt = 1.0");
+    fs::write(dir.join("study.toml"), study).unwrap();
+    let verdict = diagnosed(&dir, &[]).outcome.verdict;
+    assert!(verdict.explanation.contains("count samples"), "{verdict:?}");
+    let named = |cause: &str| verdict.cause == cause || verdict.also_possible.iter().any(|c| c.cause == cause);
+    assert!(!named("rate_dependence") && !named("self_heating"), "{verdict:?}");
     let _ = fs::remove_dir_all(dir);
 }

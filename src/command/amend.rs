@@ -102,7 +102,7 @@ const KINDS: &[Kind] = &[
         name: "mullins",
         options: &[
             needed("-virgin", "excess of the virgin force", Any),
-            optional("-power", "exponent of the way back to the virgin path", Positive, 2.0),
+            optional("-power", "exponent of the way back to the virgin path; 0: there is none", NotNegative, 2.0),
             needed("-onset", "deformation by which softening has begun", Positive),
             optional("-healing", "time constant of healing", Positive, f64::INFINITY),
         ],
@@ -111,7 +111,7 @@ const KINDS: &[Kind] = &[
             let softening = Softening {
                 excess: n.get("-virgin"),
                 strain: n.get("-onset"),
-                power: Some(n.get("-power")),
+                power: Some(n.get("-power")).filter(|p| *p > 0.0),
                 healed: if time.is_finite() { 1.0 } else { 0.0 },
                 time,
                 preload: 0.0,

@@ -111,8 +111,8 @@ pub fn diagnose(
     twins(&mut work, &baseline, &mut first)?;
     let mut finalists = best_of_causes(&first);
     finalists.truncate(FINALISTS);
-    let likeliest = first.first().filter(|e| e.score() < baseline.score()).unwrap_or(&baseline).clone();
-    let steps = step_error(&mut work, &likeliest)?;
+    let likeliest = first.first().filter(|e| e.score() < baseline.score());
+    let steps = step_error(&mut work, &baseline, likeliest)?;
     work.bench.refine(steps.parts);
     let as_written = baseline.clone();
     let baseline = if steps.parts > 1 { refit(&mut work, &baseline)? } else { baseline };

@@ -1,8 +1,8 @@
 //! The error of the steps of an analysis, below which nothing is diagnosed.
 //!
 //! A right model with long steps differs from its recordings all the same, and what the steps do follows the motion and
-//! looks like physics. So the best explanation at hand is run once more with its steps in two parts and its tests passed
-//! closer. Where that moves a channel by more than a small part of what is left of it, explanations are weighed with steps in
+//! looks like physics. So the model as it is and the best explanation at hand are run once more with their steps in two parts
+//! and their tests passed closer. Where that moves a channel by more than a small part of what is left of it, explanations are weighed with steps in
 //! as many parts as make the rest of the error small; but not where that takes the model away from the recordings, as where a
 //! motion was sampled no finer than the steps. What is reported of the repaired model is of the steps of the script.
 
@@ -14,10 +14,10 @@ use crate::study::{Fit, Observe, Role, Study};
 const SMALL: f64 = 0.005;
 /// A channel that is followed to this part of its variance is followed.
 const FAITHFUL: f64 = 1e-4;
-/// Iterations in which the best explanation follows the steps.
+/// Iterations in which an explanation follows the steps.
 const AGAIN: usize = 6;
 /// Parts that a step is made in, at most.
-const MOST: u32 = 4;
+const MOST: u32 = 8;
 /// Steps of half the length that move as much as this part of what the whole ones do lead nowhere.
 const LEADS_NOWHERE: f64 = 0.5;
 
@@ -28,6 +28,8 @@ pub(super) struct StepError {
     pub(super) parts: u32,
     /// Largest part of the power that is left of a channel which halving them moves.
     pub(super) share: f64,
+    /// The same of the steps in parts.
+    pub(super) rest: f64,
 }
 
 impl StepError {
@@ -40,39 +42,56 @@ impl StepError {
             format!("Steps of half the length move {:.1} % of what the model leaves of a channel", 100.0 * self.share);
         match self.parts {
             1 => format!(" {moved}, and bring it no nearer to the recordings."),
-            n => format!(" {moved}: the causes were weighed with steps in {n} parts."),
+            n if self.rest <= SMALL => format!(" {moved}: the causes were weighed with steps in {n} parts."),
+            n => format!(
+                " {moved}, and halving steps in {n} parts, with which the causes were weighed, still {:.1} %: what is told from so \
+                 little may be the error of the steps.",
+                100.0 * self.rest
+            ),
         }
     }
 }
 
-/// Find it for the best explanation at hand.
-pub(super) fn step_error(work: &mut Work<'_>, best: &Explained) -> Result<StepError, String> {
+/// Find it for the model as it is and for the best explanation at hand: the former tells it where there is nothing else, and a
+/// wrong law may have taken the place of shorter steps; the latter where an effect hides it.
+pub(super) fn step_error(
+    work: &mut Work<'_>,
+    baseline: &Explained,
+    best: Option<&Explained>,
+) -> Result<StepError, String> {
+    let of_baseline = of_one(work, baseline)?;
+    let of_best = best.map(|e| of_one(work, e)).transpose()?.unwrap_or(of_baseline);
+    // The one that asks for more parts; of equals, the best explanation has less to lose to the steps.
+    Ok(if of_baseline.parts > of_best.parts { of_baseline } else { of_best })
+}
+
+fn of_one(work: &mut Work<'_>, e: &Explained) -> Result<StepError, String> {
     let mut moves: Vec<f64> = vec![];
-    let mut steps = best.fitted.fits.clone();
+    let mut steps = e.fitted.fits.clone();
     let mut parts = 1;
-    while parts < MOST {
-        let Some(halved) = work.with_steps_in(2 * parts, best)? else { break };
+    while let Some(halved) = work.with_steps_in(2 * parts, e)? {
         let moved = moved(&work.study, &steps, &halved);
         let nowhere = moves.last().is_some_and(|before| moved > LEADS_NOWHERE * before);
         moves.push(moved);
         if nowhere {
             parts = 1;
         }
-        if nowhere || moved <= SMALL {
+        if nowhere || moved <= SMALL || parts == MOST {
             break;
         }
         (steps, parts) = (halved, 2 * parts);
     }
     let mut left = |parts: u32| -> Result<f64, String> {
         work.bench.refine(parts);
-        let again = Work::search(&best.variant, best.fitted.point.clone(), AGAIN);
+        let again = Work::search(&e.variant, e.fitted.point.clone(), AGAIN);
         let fitted = work.fit("the error of the steps", vec![again])?.pop().flatten();
         Ok(fitted.map_or(f64::INFINITY, |f| f.objective))
     };
     if parts > 1 && left(parts)? >= left(1)? {
         parts = 1;
     }
-    Ok(StepError { parts, share: moves.first().copied().unwrap_or(0.0) })
+    let [share, rest] = [moves.first(), moves.last()].map(|m| m.copied().unwrap_or(0.0));
+    Ok(StepError { parts, share, rest })
 }
 
 /// Largest part of the power of a residual that other steps move, over the channels that are fitted.

@@ -14,15 +14,19 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     let mut out = vec![];
     for m in s.moved(false) {
         for (which, share, more) in Sight::shares(&m) {
-            let line =
-                format!("{} -virgin $hy_virgin -power $hy_power -onset $hy_onset {}{share}", m.amend("mullins"), m.dir);
-            let mut added = vec![
-                Added::linear("virgin", -0.3, 1.5, 0.2),
-                Added::linear("power", 0.2, 8.0, 2.0),
-                Added::log("onset", 1e-3 * m.e, 3.0 * m.e, 0.1 * m.e),
-            ];
-            added.extend(more);
-            out.push(Proposal::edit("mullins_softening", &format!("excess {which}"), m.at(), vec![line], added));
+            let form = |form: &str, power: &str, added: Vec<Added>| {
+                let options = format!("-virgin $hy_virgin -power {power} -onset $hy_onset {}{share}", m.dir);
+                let line = format!("{} {options}", m.amend("mullins"));
+                let added = added.into_iter().chain(more.clone()).collect();
+                Proposal::edit("mullins_softening", &format!("{form} {which}"), m.at(), vec![line], added)
+            };
+            let virgin = Added::linear("virgin", -0.3, 1.5, 0.2);
+            let onset = |start: f64| Added::log("onset", 1e-3 * m.e, 3.0 * m.e, start * m.e);
+            let back = vec![virgin.clone(), Added::linear("power", 0.2, 8.0, 2.0), onset(0.1)];
+            out.push(form("excess", "$hy_power", back));
+            // Rubber that is back at its largest strain is as stiff as virgin rubber (Ogden and Roxburgh), or the virgin path
+            // itself has lost what is gone (Simo, 1987; Govindjee and Simo, 1991).
+            out.push(form("excess, lost for good,", "0", vec![virgin, onset(0.4)]));
         }
     }
     out
