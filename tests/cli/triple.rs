@@ -16,7 +16,7 @@ fn words_that_cannot_be_are_named() {
         )
     };
     let cases: Vec<(String, &[&str])> = vec![
-        (whole("0 2", SIZE, "0.001", HEAT, "1 2"), &["tagT", "is 0", "expected 1"]),
+        (whole("2 2", SIZE, "0.001", HEAT, "1 2"), &["tagT", "is 2", "0 to 1"]),
         (whole("1 3", SIZE, "0.001", HEAT, "1 2"), &["tagT2", "is 3", "1 to 2"]),
         (whole("1 2", "0.4 0.3", "0.001", HEAT, "1 2"), &["L2", "is 0.3", "greater than L1, 0.4"]),
         (whole("1 2", SIZE, "0.5", HEAT, "1 2"), &["yield displacement uy is 0.5", "less than"]),
@@ -33,4 +33,7 @@ fn words_that_cannot_be_are_named() {
         }
         assert!(err.contains("m.tcl:5:"), "{command}\n{err}");
     }
+    // What cannot be had of OpenSees is said.
+    let (status, _, err) = run(&format!("{MODEL}{}\n", whole("0 2", SIZE, "0.001", HEAT, "1 2")));
+    assert!(status == Some(0) && err.contains("series of segments (tagT 1)"), "{err}");
 }

@@ -2,8 +2,9 @@
 
 use super::triple::{lengths, stiffness};
 use super::{Ends, Kind};
-use crate::command::Tcl;
 use crate::command::args::Args;
+use crate::command::{Tcl, warn};
+use crate::diagnostic::Diagnostic;
 use crate::element::Element;
 use crate::element::bearing::triple::{
     Body, Conduction, Heated, HeatedSetting, Softening, TriplePendulum, TripleSetting,
@@ -74,13 +75,12 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         return Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions"));
     }
     let compat = interp.host.engine.options.compat;
-    let parts = a.int("way tagT to the displacements of the surfaces")?;
-    if parts != 1 {
-        let message = format!("the way tagT to the displacements of the surfaces is {parts}");
-        return Err(a.refuse(
-            message,
-            "expected 1 (from the series of segments): parts by regimes of the force are not available",
-        ));
+    if one_of(a, "way tagT to the displacements of the surfaces", 0..=1)? == 0 {
+        let d = Diagnostic::warning(
+            "TripleFrictionPendulumX: the displacements of the surfaces, and with them speeds and heat, are those of the series \
+             of segments (tagT 1)",
+        );
+        warn(interp, d.at(a.last_span(), "their parts by regimes of the force are not available"))?;
     }
     let (body, materials) = materials(interp, a)?;
     let on = |a: &mut Args<'_>, what: &str| Ok::<bool, Exception>(one_of(a, what, 0..=1)? == 1);
