@@ -1,10 +1,11 @@
 //! The error of the steps of an analysis, below which nothing is diagnosed.
 //!
 //! A right model with long steps differs from its recordings all the same, and what the steps do follows the motion and
-//! looks like physics. So the model as it is and the best explanation at hand are run once more with their steps in two parts
-//! and their tests passed closer. Where that moves a channel by more than a small part of what is left of it, explanations are weighed with steps in
-//! as many parts as make the rest of the error small; but not where that takes the model away from the recordings, as where a
-//! motion was sampled no finer than the steps. What is reported of the repaired model is of the steps of the script.
+//! looks like physics. So the model as it is and the best explanation at hand are run once more with their steps in two
+//! parts and their tests passed closer. Where that moves a channel by more than a small part of what is left of it,
+//! explanations are weighed with steps in as many parts as make the rest of the error small; but not where that takes the
+//! model away from the recordings, as where a motion was sampled no finer than the steps. What is reported of the repaired
+//! model is of the steps of the script.
 
 use super::noise::power;
 use super::work::{Explained, Work};
@@ -52,8 +53,8 @@ impl StepError {
     }
 }
 
-/// Find it for the model as it is and for the best explanation at hand: the former tells it where there is nothing else, and a
-/// wrong law may have taken the place of shorter steps; the latter where an effect hides it.
+/// Find it for the model as it is and for the best explanation at hand: by the former where there is nothing else to be
+/// found, since a wrong law may have taken the place of shorter steps; by the latter where an effect hides it.
 pub(super) fn step_error(
     work: &mut Work<'_>,
     baseline: &Explained,

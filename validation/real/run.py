@@ -36,10 +36,10 @@ def with_roles(study, holdout):
     return re.sub(r'(name\s*=\s*"([^"]+)"\s*\nrole\s*=\s*")\w+"', role, study)
 
 
-def diagnose(args, folder, study, out, without):
+def diagnose(args, folder, study, out):
     if (out / "diagnosis.json").exists() and not args.again:
         return
-    done = subprocess.run([args.engine, "diagnose", study, "--out", out, "--verbose", "--threads", str(args.threads), *(["--without", *without] if without else [])], cwd=folder, capture_output=True, text=True)
+    done = subprocess.run([args.engine, "diagnose", study, "--out", out, "--verbose", "--threads", str(args.threads)], cwd=folder, capture_output=True, text=True)
     if done.returncode:
         raise SystemExit(f"{folder.name}, {study}: {done.stdout}{done.stderr}")
     (out / "said.txt").write_text(done.stdout + done.stderr)
@@ -111,13 +111,13 @@ def prove(args, name):
         print(f"{name}: its recordings are not in this repository, --data says where they are")
         return
     lines, judged = [], []
-    for variant, (file, holdout, *without) in proof.VARIANTS.items():
+    for variant, (file, holdout) in proof.VARIANTS.items():
         source = (folder / file).read_text()
         if holdout is not None:
             source = with_roles(source, holdout)
         (folder / f"{variant}.study.toml").write_text(source)
         out = folder / variant
-        diagnose(args, folder, f"{variant}.study.toml", out, without)
+        diagnose(args, folder, f"{variant}.study.toml", out)
         said, study = json.loads((out / "diagnosis.json").read_text()), tomllib.loads(source)
         verdict = said["verdict"]
         others = ", ".join(f"{c['cause']} {100 * c['confidence']:.0f} %" for c in verdict["also_possible"][:3])

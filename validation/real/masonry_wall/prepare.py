@@ -3,7 +3,7 @@ import math
 
 from bench import columns, write
 
-VARIANTS = {"bilinear": ("study.toml", None), "no_clock": ("study.toml", None, "rate_dependence", "self_heating")}
+VARIANTS = {"bilinear": ("study.toml", None)}
 FIRST, SPLIT, END, EVERY = 0, 1791, 2651, 2
 
 

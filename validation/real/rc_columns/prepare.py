@@ -1,6 +1,5 @@
-"""The first eight specimens of each type of failure with 200 to 1000 points, force and displacement over their peaks, a sample a second.
-
-Twice: with the whole library, and without the causes that need a clock, which the source does not have.
+"""The first eight specimens of each type of failure with 200 to 1000 points, force and displacement over their peaks, a sample a second:
+the source has no clock.
 """
 import csv
 from collections import Counter
@@ -9,7 +8,6 @@ from pathlib import Path
 from bench import write
 
 EACH = 8
-CLOCK = ("rate_dependence", "self_heating", "ambient_temperature")
 LOSS = {"cyclic_degradation", "pinching", "mullins_softening", "axial_shear_interaction"}
 VARIANTS, TYPES = {}, {}
 
@@ -31,9 +29,7 @@ def prepare(data, folder):
         u, f = ([x / max(map(abs, v)) for x in v] for v in curves[s["specimen_id"]])
         write(folder, name, u, 1.0, {"force[-]": f, "disp[-]": u})
         (folder / f"{name}.toml").write_text(template.replace("{id}", name).replace("{npts}", str(len(u))))
-        for suffix, without in (("", ()), ("_no_clock", CLOCK)):
-            VARIANTS[name + suffix] = (f"{name}.toml", None, *without)
-            TYPES[name + suffix] = s["FailureType"]
+        VARIANTS[name], TYPES[name] = (f"{name}.toml", None), s["FailureType"]
 
 
 def known(variant):
@@ -47,23 +43,20 @@ def right(variant, verdict):
 
 
 def count(judged):
-    rows = []
-    for title, chosen in (("Whole library", [j for j in judged if not j[0].endswith("no_clock")]), ("Without the causes that need a clock", [j for j in judged if j[0].endswith("no_clock")])):
-        rows += [f"{title}:", "", "| failure | specimens | loss of strength or stiffness | pinching | either | unknown | none | a channel's fault | something else | median unexplained |",
-                 "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |"]
-        for kind in ("Flexure", "Flexure-Shear", "Shear"):
-            these = [said for v, said, _ in chosen if TYPES[v] == kind]
-            c, shares = Counter(), []
-            for said in these:
-                verdict = said["verdict"]
-                causes = {verdict["cause"], *verdict["also"]}
-                c["loss"] += bool(causes & (LOSS - {"pinching"}))
-                c["pinching"] += "pinching" in causes
-                c["either"] += bool(causes & LOSS)
-                first = verdict["cause"]
-                c[first if first in ("unknown", "none") else "sensor" if first.startswith("sensor") else "either_first" if causes & LOSS else "else"] += 1
-                shares.append(said["unexplained_share"])
-            if these:
-                rows.append(f"| {kind} | {len(these)} | {c['loss']} | {c['pinching']} | {c['either']} | {c['unknown']} | {c['none']} | {c['sensor']} | {c['else']} | {sorted(shares)[len(shares) // 2]:.2f} |")
-        rows.append("")
+    rows = ["| failure | specimens | loss of strength or stiffness | pinching | either | unknown | none | a channel's fault | something else | median unexplained |",
+            "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |"]
+    for kind in ("Flexure", "Flexure-Shear", "Shear"):
+        these = [said for v, said, _ in judged if TYPES[v] == kind]
+        c, shares = Counter(), []
+        for said in these:
+            verdict = said["verdict"]
+            causes = {verdict["cause"], *verdict["also"]}
+            c["loss"] += bool(causes & (LOSS - {"pinching"}))
+            c["pinching"] += "pinching" in causes
+            c["either"] += bool(causes & LOSS)
+            first = verdict["cause"]
+            c[first if first in ("unknown", "none") else "sensor" if first.startswith("sensor") else "either_first" if causes & LOSS else "else"] += 1
+            shares.append(said["unexplained_share"])
+        if these:
+            rows.append(f"| {kind} | {len(these)} | {c['loss']} | {c['pinching']} | {c['either']} | {c['unknown']} | {c['none']} | {c['sensor']} | {c['else']} | {sorted(shares)[len(shares) // 2]:.2f} |")
     return rows

@@ -8,7 +8,6 @@ from pathlib import Path
 from bench import columns, resample, write
 
 HERE = Path(__file__).resolve().parent
-CLOCK = ("rate_dependence", "self_heating", "ambient_temperature")
 SIZES = {  # share of the largest value; samples for the lag
     "gain": (0.9, 1.3),
     "drift": (0.1, 0.3),
@@ -44,7 +43,7 @@ def prepare(data, folder):
         shutil.copy(HERE.parent.parent / f"recordings/{of}/model.tcl", folder / f"{model}.tcl")
     for case, (model, fault, size) in CASES.items():
         (folder / f"{case}.toml").write_text((HERE / f"{model}.toml").read_text().replace("{case}", case))
-        VARIANTS[case] = (f"{case}.toml", None, *(CLOCK if model == "steel" else ()))
+        VARIANTS[case] = (f"{case}.toml", None)
         u, dt, channel, y = sources["example_2" if model == "steel" else "half"]
         write(folder, case, u, dt, {channel: faulty(fault, size, [dt * i for i in range(len(y))], y)})
 

@@ -4,7 +4,7 @@ import math
 from bench import columns, write
 
 LICENSED = True  # Apache-2.0: the thinned recordings are kept here
-VARIANTS = {"bilinear": ("study.toml", None), "no_clock": ("study.toml", None, "rate_dependence", "self_heating")}
+VARIANTS = {"bilinear": ("study.toml", None)}
 FIRST, SPLIT, END, EVERY = 8420, 8820, 9281, 1
 
 

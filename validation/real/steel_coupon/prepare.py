@@ -2,8 +2,7 @@
 from bench import columns, write
 
 LICENSED = True  # MIT: the recordings are kept here
-VARIANTS = {"perfectly_plastic": ("study.toml", None), "bilinear": ("hardening.toml", None),
-            "no_clock": ("hardening.toml", None, "rate_dependence", "self_heating")}
+VARIANTS = {"perfectly_plastic": ("study.toml", None), "bilinear": ("hardening.toml", None)}
 
 
 def prepare(data, folder):
