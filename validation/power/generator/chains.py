@@ -7,7 +7,7 @@ import random
 
 from . import signals
 from .effects import DEVICE, Scale, State, drive
-from .laws import Bilinear, BoucWen, Clough, MenegottoPinto, Viscoelastic
+from .laws import Bilinear, BoucWen, Concrete, MenegottoPinto, Viscoelastic
 from .model import TRANSIENT, Channel, Model, Run, Units, loop, number
 
 STEP = 0.0025
@@ -16,21 +16,22 @@ G = 9.81
 
 
 class Yielding:
-    """An elastic link that yields: bilinear, Menegotto-Pinto, or Clough's degrading reloading."""
+    """An elastic link that yields: bilinear, Menegotto-Pinto, or with the stiffness lost of concrete."""
 
     def __init__(self, seed, s, link, scale):
         rng = random.Random(seed)
         self.link = link
-        self.kind = rng.choice(("bilinear", "steel", "clough"))
+        self.kind = rng.choice(("bilinear", "steel", "concrete"))
         self.Fy = (1.0 - 0.8 * s) * scale.F
         self.b = rng.uniform(0.02, 0.1)
+        self.a, self.c = rng.uniform(0.0, 0.4), rng.uniform(-0.3, 0.3)
 
     def law(self, k):
         if self.kind == "bilinear":
             return Bilinear(self.b * k, self.Fy * (1 - self.b), k)
         if self.kind == "steel":
             return MenegottoPinto(self.Fy, k, self.b, 0.0)
-        return Clough(k, self.Fy, self.b)
+        return Concrete(k, self.Fy, self.b, self.a, self.c)
 
 
 class Soil:
@@ -206,7 +207,7 @@ class Chain(Model):
                 blows = e
         for law in laws:
             law.start()
-        yields = [isinstance(law, (Bilinear, MenegottoPinto, Clough)) for law in laws]
+        yields = [isinstance(law, (Bilinear, MenegottoPinto, Concrete)) for law in laws]
         h, sub, out_each = STEP, round(run.dt / STEP), round(OUT / STEP)
         ground = run.motions[0]
         x, v, a = [0.0] * n, [0.0] * n, [0.0] * n

@@ -139,11 +139,11 @@ class Ambient(Effect):
 
 
 class Mullins(Effect):
-    """Ogden and Roxburgh (1999), eta = 1 - erf((Wm - W)/(m + b Wm))/r, written about the scragged state; or the damage by the
-    largest strain so far of Govindjee and Simo (1991), which no path takes back."""
+    """Ogden and Roxburgh (1999), eta = 1 - erf((Wm - W)/(m + b Wm))/r, written about the scragged state; or damage by the
+    largest energy so far (Miehe, 1995), which no path takes back."""
 
     def draw(self, rng):
-        self.kind = rng.choice(("ogden", "simo"))
+        self.kind = rng.choice(("ogden", "miehe"))
         U = self.scale.U
         self.gain = self.s * rng.uniform(0.5, 0.9)
         self.m = 0.5 * (rng.uniform(0.1, 0.25) * U) ** 2
@@ -161,7 +161,7 @@ class Mullins(Effect):
         if self.kind == "ogden":
             x = 1.0 - math.erf((self.Wm - W) / (self.m + self.b * self.Wm))
         else:
-            x = math.exp(-self.um / self.sat)
+            x = math.exp(-0.5 * (self.um / self.sat) ** 2)
         c.elastic *= 1.0 + self.gain * x
         c.hysteretic *= 1.0 + self.gain * self.part * x
 

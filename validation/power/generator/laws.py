@@ -102,16 +102,18 @@ class Viscoelastic:
         return self.k * u, self.c * v
 
 
-class Clough:
-    """Clough and Johnston (1966): bilinear envelope, reloading towards the largest deformation reached on that side."""
+class Concrete:
+    """Bilinear envelope; unloading softer after larger deformations (Takeda, Sozen and Nielsen, 1970), and reloading towards the
+    largest deformation reached on that side along a curve, as cracks close or bars yield on the way."""
 
-    def __init__(self, k, Fy, hardening):
-        self.k, self.Fy, self.b = k, Fy, hardening
+    def __init__(self, k, Fy, hardening, a, c):
+        self.k, self.Fy, self.b, self.a, self.c = k, Fy, hardening, a, c
         self.start()
 
     def start(self):
         uy = self.Fy / self.k
         self.u = self.f = 0.0
+        self.way, self.anchor = 0, (0.0, 0.0)
         self.most = {1: uy, -1: -uy}
 
     def envelope(self, u):
@@ -123,23 +125,24 @@ class Clough:
         du = u - self.u
         if du == 0.0:
             return 0.0, self.f
-        way = 1 if du > 0.0 else -1
-        elastic = self.f + self.k * du
-        if elastic * way <= 0.0:
-            f = elastic
-        else:
-            at = self.u
-            f = self.f
-            if f * way < 0.0:  # crosses zero force within the step
-                at = self.u - f / self.k
-                f = 0.0
+        way, uy = (1 if du > 0.0 else -1), self.Fy / self.k
+        if way != self.way:
+            self.way, self.anchor = way, (self.u, self.f)
+        f = None
+        if self.f * way < 0.0:
+            soft = self.k * (uy / abs(self.most[-way])) ** self.a
+            f = self.f + soft * du
+            if f * way > 0.0:  # zero force lies within the step
+                self.anchor, f = (self.u - self.f / soft, 0.0), None
+        if f is None:
             top = self.most[way]
             if way * u >= way * top:
                 f = self.envelope(u)
             else:
-                k = (self.envelope(top) - f) / (top - at)
-                f = f + k * (u - at)
-            f = way * min(way * f, way * elastic)
+                (u0, f0), end = self.anchor, self.envelope(top)
+                x = (u - u0) / (top - u0)
+                bend = self.c if abs(top) > uy else 0.0
+                f = f0 + (end - f0) * (x + bend * x * (1.0 - x))
         self.most[way] = way * max(way * self.most[way], way * u)
         self.u, self.f = u, f
         return 0.0, f
