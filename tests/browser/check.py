@@ -100,6 +100,13 @@ def made(engine, out):
     for words, report in jobs:
         subprocess.run([engine, *map(str, words)], check=True, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
         yield report
+    for motion in ("cycles", "circles"):
+        folder = out / f"bearing-{motion}"
+        words = ["bearing", ROOT / "models/lrb.tcl", "--amplitudes", "0.05,0.1,0.2", "--motion", motion, "--axial", "1.0e6", "-o", folder]
+        subprocess.run([engine, *map(str, words)], check=True, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+        page = folder / "loops.html"
+        page.write_text(f"<style>svg {{ max-width: 100%; height: auto }}</style><body><p>A lead rubber bearing, {motion}.</p>{(folder / 'loops.svg').read_text()}</body>")
+        yield page
 
 
 def main():
