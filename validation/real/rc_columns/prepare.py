@@ -1,13 +1,10 @@
-"""The first eight specimens of each type of failure with 200 to 1000 points, force and displacement over their peaks, a sample a second:
-the source has no clock.
-"""
+"""All specimens of the source, force and displacement over their peaks, a sample a second: the source has no clock."""
 import csv
 from collections import Counter
 from pathlib import Path
 
 from bench import write
 
-EACH = 8
 LOSS = {"cyclic_degradation", "pinching", "mullins_softening", "axial_shear_interaction"}
 VARIANTS, TYPES = {}, {}
 
@@ -15,8 +12,7 @@ VARIANTS, TYPES = {}, {}
 def prepare(data, folder):
     source = data / "peer-spd-rc-columns"
     with (source / "specimens.csv").open() as f:
-        specimens = [s for s in csv.DictReader(f) if 200 <= int(s["n_points"]) <= 1000]
-    chosen = [s for t in ("Flexure", "Flexure-Shear", "Shear") for s in [s for s in specimens if s["FailureType"] == t][:EACH]]
+        chosen = sorted(csv.DictReader(f), key=lambda s: (s["FailureType"], int(s["specimen_id"])))
     curves = {s["specimen_id"]: ([], []) for s in chosen}
     with (source / "curves.csv").open() as f:
         for row in csv.DictReader(f):
