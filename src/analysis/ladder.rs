@@ -102,14 +102,6 @@ impl Engine {
         if self.setup().is_none_or(|s| s.kind == Kind::Static) {
             return false;
         }
-        let start = self.state().clone();
-        for power in 1..=times {
-            let parts = 1 << power;
-            if (0..parts).all(|_| self.step(dt / f64::from(parts)).is_ok()) {
-                return true;
-            }
-            self.change_state(|s, _| s.clone_from(&start));
-        }
-        false
+        (1..=times).any(|power| self.in_parts(dt, 1 << power).is_ok())
     }
 }

@@ -4,8 +4,8 @@ use super::args::Args;
 use super::model::{need_model, node_of};
 use super::{Command, Outcome, Tcl, finish};
 use crate::element::amendment::{
-    Amended, Amendment, Axial, Cavitation, Coupling, Damping, Degradation, Degrading, Friction, Gap, Heating, Mullins,
-    Overstress, Pinching, Pressure, Share, Sides, Slip, Stiffening, Temperature, Yielding,
+    Amended, Amendment, Axial, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Mullins, Overstress,
+    PeakOriented, Pinching, Pressure, Share, Sides, Slip, Stiffening, Temperature, Yielding,
 };
 use crate::element::bearing::ShearParameters;
 use crate::material::Softening;
@@ -250,7 +250,7 @@ const KINDS: &[Kind] = &[
         },
     },
     Kind {
-        name: "degrading",
+        name: "peakOriented",
         options: &[
             needed("-force", "yield force", Positive),
             optional("-hardening", "post-yield over elastic stiffness", Ratio, 0.0),
@@ -258,7 +258,7 @@ const KINDS: &[Kind] = &[
         ],
         make: |n, _, stiffness| {
             let (force, hardening, unloading) = (n.get("-force"), n.get("-hardening"), n.get("-unloading"));
-            Arc::new(Degrading { force, stiffness, hardening, unloading })
+            Arc::new(PeakOriented { force, stiffness, hardening, unloading })
         },
     },
     Kind {

@@ -28,7 +28,8 @@ const NEED_A_CLOCK: [&str; 2] = ["rate_dependence", "self_heating"];
 /// The causes that recordings without a clock say nothing of: those of quasi-static tests often have none, and their time is
 /// the number of the sample.
 pub(super) fn untimed(study: &Study) -> &'static [&'static str] {
-    let counts = |r: &Run| r.recording.times.windows(2).all(|t| (t[1] - t[0] - 1.0).abs() < 1e-9);
+    let by_one = |t: &[f64]| (t[1] - t[0] - 1.0).abs() < 1e-9;
+    let counts = |r: &Run| r.recording.times.len() > 1 && r.recording.times.windows(2).all(by_one);
     if study.runs.iter().all(counts) { &NEED_A_CLOCK } else { &[] }
 }
 

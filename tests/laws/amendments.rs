@@ -2,8 +2,8 @@
 
 use super::driver::{Alone, difference, path};
 use hysteron::element::amendment::{
-    Amended, Amendment, Axial, Cavitation, Coupling, Damping, Degradation, Degrading, Friction, Gap, Heating, Mullins,
-    Overstress, Pinching, Pressure, Share, Sides, Slip, Stiffening, Temperature, Yielding,
+    Amended, Amendment, Axial, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Mullins, Overstress,
+    PeakOriented, Pinching, Pressure, Share, Sides, Slip, Stiffening, Temperature, Yielding,
 };
 use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::{Link, PlaneBearing, ShearParameters, SpaceBearing};
@@ -54,7 +54,7 @@ fn laws() -> Vec<Arc<dyn Amendment>> {
         Arc::new(Pinching { depth: 0.6, width: 0.4, onset: 0.0, share }),
         Arc::new(Slip { size: 0.01, growth: 0.1, width: 10.0, share }),
         Arc::new(Yielding { force: 30.0, stiffness: 8000.0, hardening: 0.05 }),
-        Arc::new(Degrading { force: 30.0, stiffness: 8000.0, hardening: 0.05, unloading: 0.4 }),
+        Arc::new(PeakOriented { force: 30.0, stiffness: 8000.0, hardening: 0.05, unloading: 0.4 }),
         Arc::new(Pressure { reference: 150.0, power: 0.8, share }),
         Arc::new(Friction { force: 15.0, stiffness: 4e4 }),
         Arc::new(Gap { at: 0.03, stiffness: 5e5, power: 1.5, damping: 0.1, sides: Sides::Both }),
@@ -175,9 +175,9 @@ fn each_does_what_it_is_for() {
 }
 
 #[test]
-fn what_degrades_reloads_towards_its_largest_deformation() {
+fn what_is_peak_oriented_reloads_towards_its_largest_deformation() {
     let (k, fy, b, a) = (8000.0, 30.0, 0.05, 0.4);
-    let law = Degrading { force: fy, stiffness: k, hardening: b, unloading: a };
+    let law = PeakOriented { force: fy, stiffness: k, hardening: b, unloading: a };
     // A path with corners, in steps that pass over those of the law.
     let corners = [0.0, 0.03, -0.03, 0.03, 0.02, 0.031];
     let path = || corners.windows(2).flat_map(|w| (1..=7).map(move |i| w[0] + (w[1] - w[0]) * f64::from(i) / 7.0));

@@ -116,14 +116,17 @@ impl Engine {
         if self.setup.as_ref().is_some_and(|s| s.kind == Kind::Static) { 1.0 } else { dt }
     }
 
-    /// One step of the script in the parts that [`Options::refine`](super::Options) asks for; commits all of them, or
-    /// leaves the committed state as it was.
+    /// One step of the script, in the parts that [`Options::refine`](super::Options) asks for where it can be divided.
     pub(in crate::analysis) fn step_in_parts(&mut self, length: f64) -> Result<(), Failure> {
         let divides = self.setup.as_ref().is_some_and(|s| s.integrator.divides());
-        let parts = if divides { self.options.refine.max(1) } else { 1 };
-        if parts == 1 {
-            return self.step(length);
+        match self.options.refine {
+            parts @ 2.. if divides => self.in_parts(length, parts),
+            _ => self.step(length),
         }
+    }
+
+    /// One step in so many parts; commits all of them, or leaves the committed state as it was.
+    pub(in crate::analysis) fn in_parts(&mut self, length: f64, parts: u32) -> Result<(), Failure> {
         let start = self.committed.clone();
         for _ in 0..parts {
             if let Err(failure) = self.step(length / f64::from(parts)) {

@@ -39,7 +39,7 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
             let unloading = vec![Added::linear("unloading", 0.0, 0.6, 0.2)];
             form(
                 "spring that reloads towards its largest deformation",
-                "degrading -unloading $hy_unloading",
+                "peakOriented -unloading $hy_unloading",
                 unloading,
             );
         }

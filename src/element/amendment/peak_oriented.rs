@@ -8,7 +8,7 @@ use crate::element::ElementError;
 /// that it goes to. Clough and Johnston (2nd Japan Earthquake Engineering Symposium, 1966) for a = 0, with the unloading stiffness of
 /// Takeda, Sozen and Nielsen (J. Struct. Div. 96, 1970). The force k e of the element is replaced, each direction by itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Degrading {
+pub struct PeakOriented {
     /// Yield force F_y.
     pub force: f64,
     /// Elastic stiffness k of the element in this direction.
@@ -31,7 +31,7 @@ crate::words! {
     }
 }
 
-impl Degrading {
+impl PeakOriented {
     /// Deformation e_y at which it yields.
     fn yields_at(&self) -> f64 {
         self.force / self.stiffness
@@ -64,9 +64,9 @@ impl Degrading {
     }
 }
 
-impl AmendmentLaw for Degrading {
+impl AmendmentLaw for PeakOriented {
     type State = Reached;
-    const NAME: &'static str = "degrading";
+    const NAME: &'static str = "peakOriented";
 
     fn amend(&self, c: &Reached, d: &Demand) -> Result<(Verdict, Reached), ElementError> {
         let (mut v, mut next) = (Verdict::unchanged(d.q), *c);
