@@ -64,7 +64,7 @@ pub(super) struct Context<'a> {
     /// How long the steps of the script are.
     pub(super) steps: StepError,
     /// Causes that were left out because the recordings have no clock.
-    pub(super) untimed: &'static [&'static str],
+    pub(super) untimed: Vec<&'static str>,
 }
 
 /// Put the verdict together. `baseline` is the fitted model with the steps of the script, `weighed` what was weighed with

@@ -22,15 +22,11 @@ pub(super) fn axial_loads(study: &Study) -> Option<Vec<f64>> {
     study.runs.iter().map(|r| r.number("axial").map(f64::abs)).collect()
 }
 
-/// Causes that are told by time passing: without a clock their laws fit what comes with the number of samples.
-const NEED_A_CLOCK: [&str; 2] = ["rate_dependence", "self_heating"];
-
-/// The causes that recordings without a clock say nothing of: those of quasi-static tests often have none, and their time is
-/// the number of the sample.
-pub(super) fn untimed(study: &Study) -> &'static [&'static str] {
+/// Whether the times of all recordings are the number of the sample, as they often are in quasi-static tests: they have no clock.
+pub(super) fn untimed(study: &Study) -> bool {
     let by_one = |t: &[f64]| (t[1] - t[0] - 1.0).abs() < 1e-9;
     let counts = |r: &Run| r.recording.times.len() > 1 && r.recording.times.windows(2).all(by_one);
-    if study.runs.iter().all(counts) { &NEED_A_CLOCK } else { &[] }
+    study.runs.iter().all(counts)
 }
 
 /// Whether runs were made at different temperatures or axial loads.

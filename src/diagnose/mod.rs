@@ -22,6 +22,7 @@ mod page;
 mod pairs;
 mod pipeline;
 mod projection;
+mod recurrence;
 mod regression;
 mod repair;
 mod resume;

@@ -102,10 +102,11 @@ pub fn diagnose(
     };
     let scales = watching::watch(&blueprint, &study, text, &values, &place, &anatomy);
     let sight = Sight { anatomy: &anatomy, study: &study, scales: &scales, fits: &baseline.fitted.fits };
-    let untimed = if settings.clock || anatomy.shaken { &[][..] } else { untimed(&study) };
-    let wanted = |cause: &str| !settings.without.iter().any(|w| w == cause) && !untimed.contains(&cause);
-    let library = hypothesis::ALL.iter().filter(|h| wanted(h.cause));
-    let proposals: Vec<Proposal> = library.flat_map(|h| h.proposals(&sight)).collect();
+    let no_clock = !settings.clock && !anatomy.shaken && untimed(&study);
+    let library = hypothesis::ALL.iter().filter(|h| !settings.without.iter().any(|w| w == h.cause));
+    let (untimed, library): (Vec<_>, Vec<_>) = library.partition(|h| no_clock && h.needs_clock);
+    let proposals: Vec<Proposal> = library.iter().flat_map(|h| h.proposals(&sight)).collect();
+    let untimed = untimed.iter().map(|h| h.cause).collect();
 
     let mut first = first_round(&mut work, &baseline, opening, &place, &proposals)?;
     twins(&mut work, &baseline, &mut first)?;

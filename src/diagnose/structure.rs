@@ -1,9 +1,10 @@
 //! What is left in a residual that no noise has.
 
 use super::noise::{averaged, burg, bursts, lines, power, whiten};
+use super::recurrence::Stroke;
 use super::regression::explained;
 use super::scale::Scales;
-use super::surrogate::{follows, unsteady};
+use super::surrogate::{comes_again, follows, unsteady};
 use crate::study::{Fit, Role, Study};
 
 /// Points that a residual is averaged to: mechanisms live in the motion, not between two samples.
@@ -21,6 +22,8 @@ pub(super) fn structure(study: &Study, scales: &Scales, fits: &[Fit]) -> (f64, S
     let runs = study.runs.iter().enumerate().filter(|(_, r)| r.role == Role::Fit);
     for ((number, run), fit) in runs.zip(fits) {
         let motion = regressors(scales, number);
+        let moving = scales.watched.iter().filter(|((r, _, _), _)| *r == number).take(DEVICES);
+        let strokes: Vec<Stroke> = moving.map(|(_, w)| Stroke::new(&averaged(&w.e, POINTS), BLOCKS)).collect();
         let residuals: Vec<Vec<f64>> = run
             .observe
             .iter()
@@ -58,6 +61,8 @@ pub(super) fn structure(study: &Study, scales: &Scales, fits: &[Fit]) -> (f64, S
                 }
             };
             consider(told, format!("part of the residual of {} follows the motion", o.channel));
+            let again = comes_again(few, &strokes);
+            consider(again, format!("the residual of {} comes again wherever the deformation does", o.channel));
             consider(line, format!("the residual of {} has a line at {:.3} Hz", o.channel, frequency * rate));
             consider(burst, format!("the residual of {} comes in bursts", o.channel));
             consider(unsteady(few), format!("the residual of {} is louder at some times than steady noise", o.channel));
@@ -103,13 +108,15 @@ fn shifted(x: &[f64], by: isize) -> Vec<f64> {
     (0..n).map(|t| x[(t + by).clamp(0, n - 1) as usize] / top).collect()
 }
 
+/// Devices whose motion is looked at, each in one direction.
+const DEVICES: usize = 2;
 /// Bumps along the deformation of a device.
 const BUMPS: usize = 24;
 
 /// Smooth functions of the motion of the devices in a run, scaled to one.
 fn regressors(scales: &Scales, run: usize) -> Vec<Vec<f64>> {
     let (mut out, mut bumps): (Vec<Vec<f64>>, Vec<Vec<f64>>) = (vec![], vec![]);
-    for ((_, _, _), w) in scales.watched.iter().filter(|((r, _, _), _)| *r == run).take(2) {
+    for ((_, _, _), w) in scales.watched.iter().filter(|((r, _, _), _)| *r == run).take(DEVICES) {
         let n = w.times.len();
         let scaled = |v: Vec<f64>| {
             let top = v.iter().filter(|x| x.is_finite()).fold(0.0f64, |m, x| m.max(x.abs())).max(f64::MIN_POSITIVE);

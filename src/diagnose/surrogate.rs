@@ -6,6 +6,7 @@
 //! phases drawn at random (Theiler, Eubank, Longtin, Galdrikian and Farmer, Physica D 58 (1992)).
 
 use super::noise::power;
+use super::recurrence::Stroke;
 use super::regression::Regression;
 use rand::{RngExt as _, SeedableRng as _};
 use rand_pcg::Pcg32;
@@ -72,6 +73,12 @@ pub(super) fn unsteady(x: &[f64]) -> f64 {
 pub(super) fn follows(x: &[f64], columns: Vec<Vec<f64>>, blocks: usize) -> f64 {
     let Some(regression) = Regression::new(columns, blocks) else { return 0.0 };
     beyond_chance(x, &[&|x: &[f64]| regression.explained(x)])
+}
+
+/// Part of the power of a residual that comes again within the strokes of devices, beyond what of a steady noise of its spectrum does.
+pub(super) fn comes_again(x: &[f64], strokes: &[Stroke]) -> f64 {
+    let measures: Vec<_> = strokes.iter().map(|s| move |x: &[f64]| s.comes_again(x)).collect();
+    beyond_chance(x, &measures.iter().map(|m| m as Measure<'_>).collect::<Vec<_>>())
 }
 
 /// Part of the power that stands above the mean of all stretches.

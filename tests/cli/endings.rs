@@ -78,6 +78,26 @@ fn remedy() {
     }
 }
 
+/// `--refine` shows the numerical error of the steps: a hundredth of it is left with ten parts of a second-order method.
+#[test]
+fn refined() {
+    let place = Place::new();
+    // ω = 10 under a load that is there at once: u = (1 - cos ωt) / k.
+    let script = "model basic -ndm 1 -ndf 1\nnode 1 0\nnode 2 0 -mass 1.\nfix 1 1\nuniaxialMaterial Elastic 1 100.\n\
+        element zeroLength 1 1 2 -mat 1 -dir 1\ntimeSeries Constant 1\npattern Plain 1 1 { load 2 1. }\n\
+        setNodeAccel 2 1 1. -commit\nintegrator Newmark 0.5 0.25\nalgorithm Linear\nanalysis Transient\nanalyze 20 0.02\nputs [nodeDisp 2 1]\n";
+    place.write("m.tcl", script);
+    let error = |parts: &str| {
+        let (status, out, err) = place.run(&["run", "--refine", parts, "m.tcl"]);
+        assert_eq!(status, Some(0), "{err}");
+        (out.trim().parse::<f64>().unwrap() - 0.01 * (1.0 - 4f64.cos())).abs()
+    };
+    let (whole, parts) = (error("1"), error("10"));
+    assert!(whole > 1e-5 && (90.0..110.0).contains(&(whole / parts)), "{whole:e} {parts:e}");
+    let (status, _, err) = place.run(&["run", "--refine", "0", "m.tcl"]);
+    assert!(status == Some(2) && err.contains("--refine"), "{status:?} {err}");
+}
+
 /// An interrupt ends the analysis after a committed step, and the record is complete up to there.
 #[test]
 fn interrupted() {

@@ -8,6 +8,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     says: "the runs were made at other temperatures than that of the model's parameters",
     refuted_by: "the same run at the temperature of the model differs from it as much",
     like: &["rate_dependence", "mullins_softening"],
+    needs_clock: false,
     propose,
 };
 

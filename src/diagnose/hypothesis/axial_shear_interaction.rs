@@ -8,6 +8,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     says: "the axial load takes lateral stiffness away (P-Delta, buckling)",
     refuted_by: "the lateral stiffness is the same at another axial load",
     like: &["strain_stiffening", "mullins_softening"],
+    needs_clock: false,
     propose,
 };
 
@@ -16,6 +17,7 @@ pub(super) const VARYING: Hypothesis = Hypothesis {
     says: "the axial force changes during the run and changes the lateral response",
     refuted_by: "the lateral strength does not follow the axial force",
     like: &["axial_shear_interaction", "friction"],
+    needs_clock: false,
     propose: propose_varying,
 };
 

@@ -7,6 +7,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     says: "the two horizontal directions share one yield surface",
     refuted_by: "a motion along one direction changes nothing in the other when both move",
     like: &["friction", "axial_shear_interaction"],
+    needs_clock: false,
     propose,
 };
 

@@ -7,6 +7,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     says: "the rubber cavitates in tension and is damaged by it",
     refuted_by: "the second pull is as strong as the first",
     like: &[],
+    needs_clock: false,
     propose,
 };
 

@@ -7,6 +7,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     says: "strength or stiffness is lost with accumulated damage",
     refuted_by: "after a rest, or at a small amplitude after a large one, the strength is back",
     like: &["self_heating", "mullins_softening"],
+    needs_clock: false,
     propose,
 };
 

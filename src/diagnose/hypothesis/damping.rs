@@ -8,6 +8,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     says: "the structure loses energy that its damping model misses",
     refuted_by: "free vibration decays as the model says",
     like: &["rate_dependence", "friction"],
+    needs_clock: false,
     propose,
 };
 

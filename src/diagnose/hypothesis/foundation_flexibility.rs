@@ -8,6 +8,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     says: "the soil or the support below the fixed base of the model gives way",
     refuted_by: "the base of the structure does not move against the free field",
     like: &["superstructure_yielding", "damping"],
+    needs_clock: false,
     propose,
 };
 

@@ -7,6 +7,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     says: "a Coulomb friction force acts in parallel (a slider, a guide, the rig)",
     refuted_by: "the loop of a tiny cycle is as thin as the material alone would have it",
     like: &["rate_dependence", "damping", "sensor_gain"],
+    needs_clock: false,
     propose,
 };
 

@@ -7,6 +7,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     says: "a gap closes: pounding, a moat wall, a stopper",
     refuted_by: "the deformation passes the gap without a peak of force or acceleration",
     like: &["strain_stiffening"],
+    needs_clock: false,
     propose,
 };
 

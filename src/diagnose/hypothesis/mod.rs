@@ -40,6 +40,8 @@ pub struct Hypothesis {
     pub refuted_by: &'static str,
     /// Another cause looks the same unless the tests part them.
     pub like: &'static [&'static str],
+    /// It is told by time passing: where samples are only counted, its laws would fit what comes with their number.
+    pub needs_clock: bool,
     propose: fn(&Sight<'_>) -> Vec<Proposal>,
 }
 

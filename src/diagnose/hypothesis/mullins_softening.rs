@@ -7,6 +7,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     says: "virgin or recovered rubber is stiffer on its first way to a strain than on the next (Mullins, scragging)",
     refuted_by: "the second cycle at an amplitude that was never reached before is as stiff as the first",
     like: &["cyclic_degradation", "self_heating", "strain_stiffening"],
+    needs_clock: false,
     propose,
 };
 

@@ -7,6 +7,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     says: "slip or crack closing thins the loops near zero",
     refuted_by: "the force at zero deformation is as large as that of a fresh device",
     like: &["cyclic_degradation", "mullins_softening"],
+    needs_clock: false,
     propose,
 };
 

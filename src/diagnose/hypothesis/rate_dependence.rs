@@ -7,6 +7,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     says: "the force depends on how fast the device is strained: a viscous overstress",
     refuted_by: "the same motion at a tenth of the speed gives the same force",
     like: &["friction", "damping", "mullins_softening"],
+    needs_clock: true,
     propose,
 };
 

@@ -7,6 +7,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     says: "dissipated work warms the device and softens it",
     refuted_by: "after a pause long enough to cool the first cycle is as soft as the last",
     like: &["cyclic_degradation", "mullins_softening"],
+    needs_clock: true,
     propose,
 };
 

@@ -12,7 +12,7 @@ const fn fault(
     like: &'static [&'static str],
     propose: fn(&Sight<'_>) -> Vec<Proposal>,
 ) -> Hypothesis {
-    Hypothesis { cause, says, refuted_by, like, propose }
+    Hypothesis { cause, says, refuted_by, like, needs_clock: false, propose }
 }
 
 pub(super) const GAIN: Hypothesis = fault(

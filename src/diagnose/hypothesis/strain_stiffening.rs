@@ -7,6 +7,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     says: "the backbone hardens at large strain",
     refuted_by: "the secant stiffness goes on falling beyond the largest strain tested",
     like: &["axial_shear_interaction", "gap_impact"],
+    needs_clock: false,
     propose,
 };
 

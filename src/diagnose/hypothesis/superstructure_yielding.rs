@@ -12,6 +12,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     says: "the structure above, taken as elastic, yields",
     refuted_by: "the structure comes back to where it stood, and its stiffness does not fall with the amplitude",
     like: &["foundation_flexibility", "damping"],
+    needs_clock: false,
     propose,
 };
 

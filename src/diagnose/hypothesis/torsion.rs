@@ -8,6 +8,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     says: "the mass or the stiffness is eccentric and turns the plan",
     refuted_by: "opposite edges move alike",
     like: &["bidirectional_coupling", "sensor_gain"],
+    needs_clock: false,
     propose,
 };
 
