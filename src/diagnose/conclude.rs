@@ -122,7 +122,15 @@ pub(super) fn conclude(
             "unknown" => best,
             _ => weighed.iter().find(|e| e.cause() == verdict).unwrap_or(best),
         };
-        let repair = repaired(work, c, chosen.clone(), &before, verdict)?;
+        let mut repair = repaired(work, c, chosen.clone(), &before, verdict)?;
+        // Another form of the cause may predict what the first does not.
+        let another = weighed.iter().filter(|e| e.cause() == verdict && e.evidence > evidence_of_none).nth(1);
+        if let Some(form) = another.filter(|_| repair.contradicted && verdict != "none") {
+            let other = repaired(work, c, form.clone(), &before, verdict)?;
+            if !other.contradicted {
+                repair = other;
+            }
+        }
         if let Some(n) = odds.iter().position(|(cause, _)| repair.contradicted && *cause == "unknown") {
             let doubted = (1.0 - CONTRADICTED) * odds[0].1;
             odds[0].1 -= doubted;

@@ -8,7 +8,7 @@ use super::next_test::NextTest;
 use super::outcome::Outcome;
 use super::pairs::pairs;
 use super::resume::Kept;
-use super::rounds::{best_of_causes, first_round, fit_baseline, refine, refit, twins, weigh};
+use super::rounds::{best_of_causes, first_round, fit_baseline, poor, refine, refit, twins, weigh};
 use super::slow_noise::may_be_noise;
 use super::step_error::step_error;
 use super::watching;
@@ -96,7 +96,8 @@ pub fn diagnose(
     let mut work = Work { study: study.clone(), bench, watch, earlier: settings.earlier.clone(), jobs: 0 };
 
     let baseline = fit_baseline(&mut work, opening, text)?;
-    let values = baseline.fitted.values.clone();
+    // A fit that tells little says little of how stiff things are: the user's own values do.
+    let values = if poor(&baseline) { opening.values.clone() } else { baseline.fitted.values.clone() };
     let Some((place, anatomy)) = watching::look(&blueprint, &study, text, &values) else {
         return Err("the script makes no analysis".into());
     };

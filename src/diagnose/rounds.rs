@@ -25,9 +25,16 @@ const TRIED_AS_GIVEN: usize = 1;
 const APART: f64 = 0.03;
 /// Points at which a rival of the best explanation is tried again, for each of its parameters and beside them.
 const TWIN_POINTS: usize = 8;
-/// Iterations of a search: of the baseline, of the first round, of the second.
+/// A baseline that leaves so much of the recordings says little about its own parameters: physics is tried at points of the
+/// whole cube as well, so many for each parameter, the user's too, and beside them, of which the nearest in so many valleys
+/// are followed.
+const POOR: f64 = 0.2;
+const WIDE_POINTS: usize = 8;
+const VALLEYS: usize = 3;
+/// Iterations of a search: of the baseline, of the first round, of its searches from afar, of the second round.
 const BASELINE: usize = 12;
 const FIRST: usize = 4;
+const WIDE: usize = 6;
 pub(super) const SECOND_ROUND: usize = 12;
 /// Log odds, before anything is seen, of nothing missing against any one cause, of one effect against two, and of a channel
 /// whose range is wrong in all runs against one of which it is so in a single one of several: where runs differ in axial load, speed
@@ -76,6 +83,11 @@ pub(super) fn fit_baseline(work: &mut Work<'_>, opening: &Opening, text: &str) -
     let fitted = work.fit("the model as it is", closely.into_iter().collect())?.pop().flatten();
     let fitted = fitted.ok_or("the model has no answer for any values of its parameters")?;
     Ok(Explained::new(variant, fitted))
+}
+
+/// Whether a fitted model leaves so much that little is to be believed of its parameters.
+pub(super) fn poor(baseline: &Explained) -> bool {
+    baseline.fitted.objective > POOR
 }
 
 /// The fitted model once more, with steps of another length.
@@ -142,8 +154,44 @@ pub(super) fn first_round(
     let mut all = if apart > APART { afresh.collect() } else { vec![] };
     all.append(&mut others);
     fitted.extend(work.search_all(stage, all, FIRST)?);
+    if poor(baseline) {
+        widely(work, stage, baseline, &variants, &mut fitted)?;
+    }
     fitted.sort_by(|a, b| a.score().total_cmp(&b.score()));
     Ok(fitted)
+}
+
+/// Search for physics from the nearest of points of the whole cube: a resonance that is missed is not found from its flanks,
+/// and a screening from there says nothing of it. The best of the searches of a variant stays.
+fn widely(
+    work: &mut Work<'_>,
+    stage: &str,
+    baseline: &Explained,
+    variants: &[Arc<Variant>],
+    all: &mut Vec<Explained>,
+) -> Result<(), String> {
+    let physics: Vec<&Arc<Variant>> = variants.iter().filter(|v| !v.of_a_channel()).collect();
+    // The nearest of each of some groups of points: the nearest of all may lie in another valley.
+    let groups = physics.iter().flat_map(|v| {
+        let points = tried(&v.start(&baseline.fitted.values), 0, WIDE_POINTS);
+        let group = move |g| points.iter().skip(g).step_by(VALLEYS).cloned().collect();
+        (0..VALLEYS).map(move |g| ((*v).clone(), group(g)))
+    });
+    let groups: Vec<(Arc<Variant>, Vec<Vec<f64>>)> = groups.collect();
+    let variants: Vec<Arc<Variant>> = groups.iter().map(|(v, _)| v.clone()).collect();
+    let nearest = work.nearest(stage, groups)?;
+    let found: Vec<_> = variants.iter().zip(nearest).filter_map(|(v, p)| Some((v, p?))).collect();
+    let jobs = found.iter().map(|(v, point)| Work::search(v, point.clone(), WIDE)).collect();
+    let fitted = work.fit(stage, jobs)?;
+    for ((variant, _), f) in found.into_iter().zip(fitted) {
+        let Some(f) = f else { continue };
+        match all.iter_mut().find(|e| Arc::ptr_eq(&e.variant, variant)) {
+            Some(known) if f.objective < known.fitted.objective => known.fitted = f,
+            Some(_) => {}
+            None => all.push(Explained::new(variant.clone(), f)),
+        }
+    }
+    Ok(())
 }
 
 /// Search again for what looks like the best explanation: its rivals are worth it, contact and slack have many valleys, and
