@@ -88,7 +88,7 @@ pub(super) fn conclude(
     }
     let cause = best.cause();
     // What the best explanation has explained of what there was to explain, and what structure it leaves.
-    let (left, signature) = structure(study, c.scales, &best.fitted.fits);
+    let (left, signature) = structure(study, c.scales, &best.fitted.fits, cause == "none");
     let (before, after) = (misfit(study, &none.unwrap_or(baseline).fitted.fits), misfit(study, &best.fitted.fits));
     let floor = after * (1.0 - left);
     let done = if before > floor { ((before - after) / (before - floor)).clamp(0.0, 1.0) } else { 1.0 };

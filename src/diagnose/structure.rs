@@ -4,7 +4,7 @@ use super::noise::{averaged, burg, bursts, lines, power, whiten};
 use super::recurrence::Stroke;
 use super::regression::explained;
 use super::scale::Scales;
-use super::surrogate::{comes_again, follows, unsteady};
+use super::surrogate::{comes_again, comes_again_within, follows, silent, unsteady};
 use crate::study::{Fit, Role, Study};
 
 /// Points that a residual is averaged to: mechanisms live in the motion, not between two samples.
@@ -17,7 +17,10 @@ const BLOCKS: usize = 6;
 
 /// Part of a residual that has structure which no noise has: told by the motion of the devices, by the channel itself or by
 /// what is left in other channels, standing in lines, coming in bursts, or louder at some times than at others.
-pub(super) fn structure(study: &Study, scales: &Scales, fits: &[Fit]) -> (f64, String) {
+///
+/// A law of another form than the true one leaves what comes again along the stroke, and nothing where nothing moves: both are
+/// asked of a model only that is taken `as_it_is`, with which nothing but noise should be left.
+pub(super) fn structure(study: &Study, scales: &Scales, fits: &[Fit], as_it_is: bool) -> (f64, String) {
     let (mut most, mut says) = (0.0, String::new());
     let runs = study.runs.iter().enumerate().filter(|(_, r)| r.role == Role::Fit);
     for ((number, run), fit) in runs.zip(fits) {
@@ -61,8 +64,14 @@ pub(super) fn structure(study: &Study, scales: &Scales, fits: &[Fit]) -> (f64, S
                 }
             };
             consider(told, format!("part of the residual of {} follows the motion", o.channel));
-            let again = comes_again(few, &strokes);
+            let again = if as_it_is { comes_again(few, &strokes) } else { comes_again_within(few, &strokes) };
             consider(again, format!("the residual of {} comes again wherever the deformation does", o.channel));
+            if as_it_is {
+                consider(
+                    silent(few),
+                    format!("the residual of {} is silent at some times, as no steady noise", o.channel),
+                );
+            }
             consider(line, format!("the residual of {} has a line at {:.3} Hz", o.channel, frequency * rate));
             consider(burst, format!("the residual of {} comes in bursts", o.channel));
             consider(unsteady(few), format!("the residual of {} is louder at some times than steady noise", o.channel));

@@ -76,9 +76,31 @@ pub(super) fn follows(x: &[f64], columns: Vec<Vec<f64>>, blocks: usize) -> f64 {
 }
 
 /// Part of the power of a residual that comes again within the strokes of devices, beyond what of a steady noise of its spectrum does.
+pub(super) fn comes_again_within(x: &[f64], strokes: &[Stroke]) -> f64 {
+    let measures: Vec<_> = strokes.iter().map(|s| move |x: &[f64]| s.comes_again_within(x)).collect();
+    beyond_chance(x, &measures.iter().map(|m| m as Measure<'_>).collect::<Vec<_>>())
+}
+
+/// The same along the strokes.
 pub(super) fn comes_again(x: &[f64], strokes: &[Stroke]) -> f64 {
     let measures: Vec<_> = strokes.iter().map(|s| move |x: &[f64]| s.comes_again(x)).collect();
     beyond_chance(x, &measures.iter().map(|m| m as Measure<'_>).collect::<Vec<_>>())
+}
+
+/// Part of the power of a residual that its quietest stretches do not have, beyond what those of a steady noise of its spectrum lack:
+/// something that starts and ends leaves silence before and after it, however little it stands out while it lasts.
+pub(super) fn silent(x: &[f64]) -> f64 {
+    let cuts = STRETCHES.iter().map(|s| x.len() / s).filter(|length| *length >= SHORTEST);
+    let measures: Vec<_> = cuts.map(|length| move |x: &[f64]| silence(x, length)).collect();
+    1.0 - (-beyond_chance(x, &measures.iter().map(|m| m as Measure<'_>).collect::<Vec<_>>())).exp()
+}
+
+/// Logarithm of the power of all stretches over that of the quietest quarter of them.
+fn silence(x: &[f64], length: usize) -> f64 {
+    let mut powers: Vec<f64> = x.chunks_exact(length).map(power).collect();
+    powers.sort_by(f64::total_cmp);
+    let mean = |p: &[f64]| (p.iter().sum::<f64>() / p.len().max(1) as f64).max(f64::MIN_POSITIVE);
+    (mean(&powers) / mean(&powers[..powers.len().div_ceil(4)])).ln()
 }
 
 /// Part of the power that stands above the mean of all stretches.
@@ -126,7 +148,7 @@ impl Surrogates {
 
 #[cfg(test)]
 mod tests {
-    use super::{follows, unsteady};
+    use super::{follows, silent, unsteady};
     use crate::diagnose::noise::tests::noise;
 
     #[test]
@@ -138,6 +160,7 @@ mod tests {
             let hum: Vec<f64> = white.iter().enumerate().map(|(t, x)| x + 2.0 * (0.3 * t as f64).sin()).collect();
             for x in [&white, &slow, &hum] {
                 assert!(unsteady(x) < 0.02, "{seed} {}", unsteady(x));
+                assert!(silent(x) < 0.02, "{seed} {}", silent(x));
             }
         }
     }
@@ -150,6 +173,19 @@ mod tests {
         assert!(unsteady(&struck) > 0.2, "{}", unsteady(&struck));
         let grows: Vec<f64> = quiet.iter().enumerate().map(|(t, x)| x * (1.0 + 3.0 * t as f64 / 1500.0)).collect();
         assert!(unsteady(&grows) > 0.08, "{}", unsteady(&grows));
+    }
+
+    #[test]
+    fn silence_before_and_after_is_seen() {
+        // A narrow band has stretches that stand out by chance as well; what it does not have is silence.
+        let quiet = noise(4, 260);
+        let starts = [60usize, 110, 150];
+        let rung = |t: usize| {
+            let since = starts.iter().filter(|s| **s <= t).map(|s| (t - s) as f64);
+            since.map(|u| (0.55 * u).sin() * (-0.05 * u).exp()).sum::<f64>()
+        };
+        let struck: Vec<f64> = quiet.iter().enumerate().map(|(t, x)| 0.03 * x + rung(t)).collect();
+        assert!(silent(&struck) > 0.3, "{}", silent(&struck));
     }
 
     #[test]
