@@ -29,8 +29,8 @@ const TWIN_POINTS: usize = 8;
 /// whole cube as well, so many for each parameter, the user's too, and beside them, of which the nearest in so many valleys
 /// are followed.
 const POOR: f64 = 0.2;
-const WIDE_POINTS: usize = 8;
-const VALLEYS: usize = 3;
+const WIDE_POINTS: usize = 5;
+const VALLEYS: usize = 2;
 /// Iterations of a search: of the baseline, of the first round, of its searches from afar, of the second round.
 const BASELINE: usize = 12;
 const FIRST: usize = 4;
