@@ -6,7 +6,7 @@ use super::hypothesis::{self, Proposal};
 use super::insertion::Place;
 use super::variant::Variant;
 use super::work::{Explained, LAST, Screened, Work};
-use crate::study::Opening;
+use crate::study::{Opening, Role};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -27,10 +27,11 @@ const APART: f64 = 0.03;
 const TWIN_POINTS: usize = 8;
 /// A baseline that leaves so much of the recordings says little about its own parameters: physics is tried at points of the
 /// whole cube as well, so many for each parameter, the user's too, and beside them, of which the nearest in so many valleys
-/// are followed.
+/// are followed. That takes a hundred analyses a proposal: only where proposals times samples are at most so many.
 const POOR: f64 = 0.2;
 const WIDE_POINTS: usize = 5;
 const VALLEYS: usize = 2;
+const WIDE_SAMPLES: usize = 100_000;
 /// Iterations of a search: of the baseline, of the first round, of its searches from afar, of the second round.
 const BASELINE: usize = 12;
 const FIRST: usize = 4;
@@ -171,6 +172,10 @@ fn widely(
     all: &mut Vec<Explained>,
 ) -> Result<(), String> {
     let physics: Vec<&Arc<Variant>> = variants.iter().filter(|v| !v.of_a_channel()).collect();
+    let samples: usize = work.study.runs_of(Role::Fit).map(|(_, r)| r.recording.times.len()).sum();
+    if samples * physics.len() > WIDE_SAMPLES {
+        return Ok(());
+    }
     // The nearest of each of some groups of points: the nearest of all may lie in another valley.
     let groups = physics.iter().flat_map(|v| {
         let points = tried(&v.start(&baseline.fitted.values), 0, WIDE_POINTS);

@@ -33,20 +33,25 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
                 node.mass.iter().enumerate().map(|(i, m)| if keep(i) { format!("{m:e}") } else { "0.0".into() });
             words.collect::<Vec<_>>().join(" ")
         };
-        let block = vec![
-            format!(
-                "node {tag} [expr {{[nodeCoord {0} 1]+$hy_ex}}] [expr {{[nodeCoord {0} 2]+$hy_ey}}]{third}",
-                node.node
-            ),
-            format!("mass {tag} {}", masses(&|i| i < 2)),
-            format!("mass {} {}", node.node, masses(&|i| i >= 2)),
-            format!("rigidLink beam {} {tag}", node.node),
-        ];
-        let added = vec![
-            Added::linear("ex", -radius, radius, 0.05 * radius),
-            Added::linear("ey", -radius, radius, 0.05 * radius),
-        ];
-        out.push(Proposal::edit("torsion", "eccentric mass", format!("node {}", node.node), block, added));
+        let mut form = |form: &str, ex: &str, ey: &str| {
+            let block = vec![
+                format!(
+                    "node {tag} [expr {{[nodeCoord {0} 1]+{ex}}}] [expr {{[nodeCoord {0} 2]+{ey}}}]{third}",
+                    node.node
+                ),
+                format!("mass {tag} {}", masses(&|i| i < 2)),
+                format!("mass {} {}", node.node, masses(&|i| i >= 2)),
+                format!("rigidLink beam {} {tag}", node.node),
+            ];
+            let names = [(ex, "ex"), (ey, "ey")];
+            let own = names.iter().filter(|(word, _)| word.starts_with('$'));
+            let added = own.map(|(_, name)| Added::linear(name, -radius, radius, 0.05 * radius)).collect();
+            out.push(Proposal::edit("torsion", form, format!("node {}", node.node), block, added));
+        };
+        form("eccentric mass", "$hy_ex", "$hy_ey");
+        // Along the axis that is shaken an eccentricity does little but add inertia, and leads a search for both astray.
+        form("mass eccentric along x", "$hy_ex", "0.0");
+        form("mass eccentric along y", "0.0", "$hy_ey");
     }
     out
 }
