@@ -125,7 +125,7 @@ pub(super) fn conclude(
         let mut repair = repaired(work, c, chosen.clone(), &before, verdict)?;
         // Another form of the cause may predict what the first does not.
         let another = weighed.iter().filter(|e| e.cause() == verdict && e.evidence > evidence_of_none).nth(1);
-        if let Some(form) = another.filter(|_| repair.contradicted && verdict != "none") {
+        if let Some(form) = another.filter(|_| repair.contradicted) {
             let other = repaired(work, c, form.clone(), &before, verdict)?;
             if !other.contradicted {
                 repair = other;

@@ -35,6 +35,7 @@ impl Stroke {
     }
 }
 
+/// The largest part of the power of a series that one of some cuts tells.
 fn most(all: &[Cells], x: &[f64]) -> f64 {
     all.iter().map(|c| c.explained(x)).fold(0.0, f64::max)
 }
@@ -67,7 +68,7 @@ impl Cells {
     }
 
     /// Part of the power of a series that the means of the cells in the other blocks of time tell; 0 where they tell nothing.
-    pub(super) fn explained(&self, x: &[f64]) -> f64 {
+    fn explained(&self, x: &[f64]) -> f64 {
         let n = x.len();
         let block = |t: usize| t * self.blocks / n;
         let mut own = vec![(0.0, 0.0); self.blocks * self.count];

@@ -4,7 +4,7 @@ use super::noise::{averaged, burg, bursts, lines, power, whiten};
 use super::recurrence::Stroke;
 use super::regression::explained;
 use super::scale::Scales;
-use super::surrogate::{comes_again, comes_again_within, follows, silent, unsteady};
+use super::surrogate::{comes_again, follows, silent, unsteady};
 use crate::study::{Fit, Role, Study};
 
 /// Points that a residual is averaged to: mechanisms live in the motion, not between two samples.
@@ -64,8 +64,11 @@ pub(super) fn structure(study: &Study, scales: &Scales, fits: &[Fit], as_it_is: 
                 }
             };
             consider(told, format!("part of the residual of {} follows the motion", o.channel));
-            let again = if as_it_is { comes_again(few, &strokes) } else { comes_again_within(few, &strokes) };
-            consider(again, format!("the residual of {} comes again wherever the deformation does", o.channel));
+            let measure = if as_it_is { Stroke::comes_again } else { Stroke::comes_again_within };
+            consider(
+                comes_again(few, &strokes, measure),
+                format!("the residual of {} comes again wherever the deformation does", o.channel),
+            );
             if as_it_is {
                 consider(
                     silent(few),

@@ -24,12 +24,9 @@ const SURROGATES: usize = 99;
 /// Deviations of the surrogates that it must be above their mean.
 const FAR: f64 = 5.0;
 
-/// A part of the power of a series.
-type Measure<'a> = &'a dyn Fn(&[f64]) -> f64;
-
-/// Part of the power of a residual that no steady noise of its spectrum has, by each of some measures of it; 0 where it may
-/// be one.
-fn beyond_chance(x: &[f64], measures: &[Measure<'_>]) -> f64 {
+/// How far a measure of a residual is above what steady noise of its spectrum has, by the one of some measures that is farthest;
+/// 0 where it may be such noise.
+fn beyond_chance<M: Fn(&[f64]) -> f64>(x: &[f64], measures: &[M]) -> f64 {
     let n = x.len();
     if n == 0 || measures.is_empty() || power(x) <= 0.0 {
         return 0.0;
@@ -50,7 +47,7 @@ fn beyond_chance(x: &[f64], measures: &[Measure<'_>]) -> f64 {
         y.iter_mut().enumerate().for_each(|(t, v)| *v *= taper(t));
         by_chance.iter_mut().zip(measures).for_each(|(all, measure)| all.push(measure(&y)));
     }
-    let beyond = |(measure, all): (&Measure<'_>, &Vec<f64>)| {
+    let beyond = |(measure, all): (&M, &Vec<f64>)| {
         let seen = measure(&x);
         let mean = all.iter().sum::<f64>() / all.len() as f64;
         let deviation = power(&all.iter().map(|s| s - mean).collect::<Vec<f64>>()).sqrt();
@@ -65,26 +62,20 @@ fn beyond_chance(x: &[f64], measures: &[Measure<'_>]) -> f64 {
 pub(super) fn unsteady(x: &[f64]) -> f64 {
     let cuts = STRETCHES.iter().map(|s| x.len() / s).filter(|length| *length >= SHORTEST);
     let measures: Vec<_> = cuts.map(|length| move |x: &[f64]| standing_out(x, length)).collect();
-    beyond_chance(x, &measures.iter().map(|m| m as Measure<'_>).collect::<Vec<_>>())
+    beyond_chance(x, &measures)
 }
 
 /// Part of the power of a residual that regressors tell on times that they were not fitted to, beyond what they tell of a
 /// steady noise of its spectrum.
 pub(super) fn follows(x: &[f64], columns: Vec<Vec<f64>>, blocks: usize) -> f64 {
     let Some(regression) = Regression::new(columns, blocks) else { return 0.0 };
-    beyond_chance(x, &[&|x: &[f64]| regression.explained(x)])
+    beyond_chance(x, &[|x: &[f64]| regression.explained(x)])
 }
 
-/// Part of the power of a residual that comes again within the strokes of devices, beyond what of a steady noise of its spectrum does.
-pub(super) fn comes_again_within(x: &[f64], strokes: &[Stroke]) -> f64 {
-    let measures: Vec<_> = strokes.iter().map(|s| move |x: &[f64]| s.comes_again_within(x)).collect();
-    beyond_chance(x, &measures.iter().map(|m| m as Measure<'_>).collect::<Vec<_>>())
-}
-
-/// The same along the strokes.
-pub(super) fn comes_again(x: &[f64], strokes: &[Stroke]) -> f64 {
-    let measures: Vec<_> = strokes.iter().map(|s| move |x: &[f64]| s.comes_again(x)).collect();
-    beyond_chance(x, &measures.iter().map(|m| m as Measure<'_>).collect::<Vec<_>>())
+/// Part of the power of a residual that comes again where devices are deformed as much, in a measure of their strokes, beyond what
+/// of a steady noise of its spectrum does.
+pub(super) fn comes_again(x: &[f64], strokes: &[Stroke], measure: fn(&Stroke, &[f64]) -> f64) -> f64 {
+    beyond_chance(x, &strokes.iter().map(|s| move |x: &[f64]| measure(s, x)).collect::<Vec<_>>())
 }
 
 /// Part of the power of a residual that its quietest stretches do not have, beyond what those of a steady noise of its spectrum lack:
@@ -92,7 +83,7 @@ pub(super) fn comes_again(x: &[f64], strokes: &[Stroke]) -> f64 {
 pub(super) fn silent(x: &[f64]) -> f64 {
     let cuts = STRETCHES.iter().map(|s| x.len() / s).filter(|length| *length >= SHORTEST);
     let measures: Vec<_> = cuts.map(|length| move |x: &[f64]| silence(x, length)).collect();
-    1.0 - (-beyond_chance(x, &measures.iter().map(|m| m as Measure<'_>).collect::<Vec<_>>())).exp()
+    1.0 - (-beyond_chance(x, &measures)).exp()
 }
 
 /// Logarithm of the power of all stretches over that of the quietest quarter of them.
