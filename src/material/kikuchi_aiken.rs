@@ -152,7 +152,7 @@ crate::words! {
 
 impl Head {
     fn depth(&self) -> usize {
-        self.depth as usize
+        self.depth as u32 as usize
     }
 }
 

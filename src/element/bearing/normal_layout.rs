@@ -1,6 +1,6 @@
 //! Where the normal springs of a section stand, and how stiff each is against the others.
 
-use crate::numeric::bessel_i;
+use crate::numeric::{bessel_i, dot};
 use std::f64::consts::PI;
 
 /// Outline of a section.
@@ -55,14 +55,17 @@ impl Layout {
             Shape::Round => rings(n, size),
             Shape::Square => grid(n, size),
         };
-        let pressure = |&(y, z): &(f64, f64)| match (distribution, shape) {
-            (Distribution::Uniform, _) => 1.0,
-            (Distribution::Pressure(lambda), Shape::Round) => round_pressure(lambda, y.hypot(z) / (0.5 * size)),
+        let mut area: Vec<f64> = match (distribution, shape) {
+            (Distribution::Uniform, _) => vec![1.0; places.len()],
+            (Distribution::Pressure(lambda), Shape::Round) => {
+                places.iter().map(|(y, z)| round_pressure(lambda, y.hypot(*z) / (0.5 * size))).collect()
+            }
             (Distribution::Pressure(lambda), Shape::Square) => {
-                square_pressure(lambda, y / (0.5 * size), z / (0.5 * size))
+                // Rows of the grid share their y, columns their z.
+                let lines: Vec<f64> = places[..n].iter().map(|(_, z)| z / (0.5 * size)).collect();
+                square_pressures(lambda, &lines)
             }
         };
-        let mut area: Vec<f64> = places.iter().map(pressure).collect();
         let whole = if shape == Shape::Round { 0.25 * PI * size * size } else { size * size };
         let sum = match (mean, shape, distribution) {
             (Mean::Section, Shape::Round, Distribution::Pressure(lambda)) => {
@@ -111,15 +114,26 @@ fn mean_round_pressure(lambda: f64) -> f64 {
     if lambda == 0.0 { 0.5 } else { 1.0 - 2.0 / lambda * bessel_i(1, lambda) / bessel_i(0, lambda) }
 }
 
-/// Pressure in a square at the relative place (y, z), but for a constant factor: ten terms of its Fourier series
-/// Σ sin(mπ/2)/m (1 - cosh(α z)/cosh α)/α² cos(m π y/2), α² = λ² + (m π/2)², m odd.
-fn square_pressure(lambda: f64, y: f64, z: f64) -> f64 {
-    let term = |m: usize| {
-        let wave = m as f64 * PI / 2.0;
-        let alpha = lambda.hypot(wave);
-        // cosh(α z)/cosh α without overflow
-        let ratio = ((alpha * (z.abs() - 1.0)).exp() + (-alpha * (z.abs() + 1.0)).exp()) / (1.0 + (-2.0 * alpha).exp());
-        wave.sin() / m as f64 * (1.0 - ratio) / (alpha * alpha) * (wave * y).cos()
+/// Terms of the series of the pressure in a square.
+const TERMS: usize = 10;
+
+/// Pressure in a square at the relative places (y, z), one y after the other, each of them on the same `lines`, but for a
+/// constant factor: ten terms of its Fourier series Σ sin(mπ/2)/m (1 - cosh(α z)/cosh α)/α² cos(m π y/2), α² = λ² + (m π/2)²,
+/// m odd.
+fn square_pressures(lambda: f64, lines: &[f64]) -> Vec<f64> {
+    let terms = |of: &dyn Fn(f64, f64) -> f64| -> [f64; TERMS] {
+        std::array::from_fn(|i| of((2 * i + 1) as f64, (2 * i + 1) as f64 * PI / 2.0))
     };
-    (1..20).step_by(2).map(term).sum()
+    let along_y = |y: f64| terms(&|_, wave| (wave * y).cos());
+    let along_z = |z: f64| {
+        terms(&|m, wave| {
+            let alpha = lambda.hypot(wave);
+            // cosh(α z)/cosh α without overflow
+            let ratio =
+                ((alpha * (z.abs() - 1.0)).exp() + (-alpha * (z.abs() + 1.0)).exp()) / (1.0 + (-2.0 * alpha).exp());
+            wave.sin() / m * (1.0 - ratio) / (alpha * alpha)
+        })
+    };
+    let (rows, columns): (Vec<_>, Vec<_>) = lines.iter().map(|at| (along_y(*at), along_z(*at))).unzip();
+    rows.iter().flat_map(|y| columns.iter().map(|z| dot(y, z))).collect()
 }

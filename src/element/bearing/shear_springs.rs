@@ -154,11 +154,12 @@ impl ShearSprings {
                 &mut Stresses { value: &mut value[..n], tangent: &mut tangent[..n], damping: &mut damping[..n] },
             )?;
             for (i, d) in directions.iter().enumerate() {
+                let products = [d[0] * d[0], d[0] * d[1], d[1] * d[1]];
                 for a in 0..2 {
                     sum.force[a] += value[i] * d[a];
                     for b in 0..2 {
-                        sum.stiffness[a][b] += tangent[i] * d[a] * d[b];
-                        sum.damping[a][b] += damping[i] * d[a] * d[b];
+                        sum.stiffness[a][b] += tangent[i] * products[a + b];
+                        sum.damping[a][b] += damping[i] * products[a + b];
                     }
                 }
             }

@@ -36,6 +36,7 @@ words! {
 }
 
 /// The equations with the inner nodes taken out.
+#[derive(Default)]
 pub(super) struct Condensed {
     /// What the inner nodes do.
     pub yielding: Yielding,
@@ -72,14 +73,14 @@ impl Factors {
                 k.swap(p, largest);
                 order.swap(p, largest);
             }
-            k[p][p] = 1.0 / k[p][p];
-            let pivot = k[p];
-            for row in k.iter_mut().skip(p + 1) {
-                row[p] *= pivot[p];
-                let share = row[p];
-                for j in p + 1..INNER {
-                    row[j] -= share * pivot[j];
-                }
+            let inverse = 1.0 / k[p][p];
+            k[p][p] = inverse;
+            // Whole rows at a time, which the compiler does at once: what is left of the pivot stays.
+            let mut pivot = k[p];
+            pivot[..=p].fill(0.0);
+            for row in &mut k[p + 1..] {
+                row[p] *= inverse;
+                take_off(row, row[p], &pivot);
             }
         }
         Self { factors: k, order }
@@ -110,6 +111,7 @@ fn take_off<const C: usize>(row: &mut [f64; C], share: f64, other: &[f64; C]) {
 }
 
 /// What the inner nodes do for displacements of the outer nodes, and for the forces, by rows.
+#[inline]
 fn followers(f: &Motion, k: &Matrix, hold: &Inner) -> Option<[[f64; COLUMNS]; INNER]> {
     let mut own = [[0.0; INNER]; INNER];
     own.iter_mut().zip(&k[OUTER..]).for_each(|(own, k)| own.copy_from_slice(&k[OUTER..]));
@@ -125,37 +127,44 @@ pub(super) fn correction(f: &Motion, k: InnerMatrix, hold: &Inner) -> Option<Inn
     Some(inner.map(|[x]| x))
 }
 
-fn yielding_of(inner: &[[f64; COLUMNS]; INNER]) -> Yielding {
-    let mut yielding = Yielding::default();
+#[inline]
+fn write_yielding(inner: &[[f64; COLUMNS]; INNER], yielding: &mut Yielding) {
     for (i, row) in inner.iter().enumerate() {
         yielding.follow.iter_mut().zip(row).for_each(|(column, x)| column[i] = *x);
         yielding.correction[i] = row[OUTER];
     }
-    yielding
 }
 
 /// What the inner nodes do, where nothing else is asked.
 pub(super) fn yielding(f: &Motion, k: &Matrix, hold: &Inner) -> Option<Yielding> {
-    followers(f, k, hold).map(|inner| yielding_of(&inner))
+    let mut yielding = Yielding::default();
+    write_yielding(&followers(f, k, hold)?, &mut yielding);
+    Some(yielding)
 }
 
-/// Condense forces `f` and stiffness `k`; `hold` is the virgin stiffness at the inner nodes. Only `rows` of the stiffness
-/// are made.
-pub(super) fn condense(f: &Motion, k: &Matrix, hold: &Inner, rows: Rows) -> Option<Condensed> {
+/// Condense forces `f` and stiffness `k`; `hold` is the virgin stiffness at the inner nodes.
+pub(super) fn condense(f: &Motion, k: &Matrix, hold: &Inner) -> Option<Condensed> {
+    let mut condensed = Condensed::default();
+    condense_into(f, k, hold, Rows::ALL, &mut condensed)?;
+    Some(condensed)
+}
+
+/// The same into a place of zeros; only `rows` of the stiffness are made.
+pub(super) fn condense_into(f: &Motion, k: &Matrix, hold: &Inner, rows: Rows, into: &mut Condensed) -> Option<()> {
     let inner = followers(f, k, hold)?;
-    let (mut force, mut stiffness) = ([0.0; OUTER], [[0.0; OUTER]; OUTER]);
-    for (i, force) in force.iter_mut().enumerate() {
+    for (i, force) in into.force.iter_mut().enumerate() {
         let shares = &k[i][OUTER..];
         *force = f[i] + shares.iter().zip(&inner).map(|(share, solved)| share * solved[OUTER]).sum::<f64>();
     }
     for i in rows.among(OUTER) {
-        let row = &mut stiffness[i];
+        let row = &mut into.stiffness[i];
         row.copy_from_slice(&k[i][..OUTER]);
         for (share, solved) in k[i][OUTER..].iter().zip(&inner).filter(|(share, _)| **share != 0.0) {
             row.iter_mut().zip(&solved[..OUTER]).for_each(|(to, x)| *to += share * x);
         }
     }
-    Some(Condensed { yielding: yielding_of(&inner), force, stiffness })
+    write_yielding(&inner, &mut into.yielding);
+    Some(())
 }
 
 /// All displacements from those of the ends and of the inner nodes.

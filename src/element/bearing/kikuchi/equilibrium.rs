@@ -1,9 +1,10 @@
 //! Inner equilibrium of a Kikuchi bearing, to round-off at every trial state.
 
-use super::condensation::{Condensed, Inner, condense, correction, followed, held_by_nothing, join};
+use super::condensation::{Condensed, Inner, condense, condense_into, correction, followed, held_by_nothing, join};
 use super::kinematics::{DOFS, INNER, Matrix, Motion, OUTER, Springs};
 use super::{Factors, KikuchiBearing};
 use crate::element::{ElementError, Rows, dot};
+use crate::numeric::largest;
 use crate::words;
 use crate::words::Words;
 
@@ -24,6 +25,8 @@ words! {
         outer: [f64; 12],
         /// Displacements of the inner nodes.
         inner: [f64; 6],
+        /// What they yield to the force that is left at them.
+        correction: [f64; 6],
         /// Axial deformation at mid-height.
         axial: f64,
         /// The last step of the ends.
@@ -41,12 +44,18 @@ words! {
 /// Residual at the inner nodes over the forces of the bearing that counts as none: the inner nodes yield to it once more
 /// as the equations are condensed, so that the forces at the ends are those of a residual of its square.
 const TOLERANCE: f64 = 1e-8;
+/// The same where stiffnesses are asked for, with which the ends are going to be moved again.
+const ON_THE_WAY: f64 = 1e-6;
 /// The same over E A: a strain.
 const STRAIN: f64 = 1e-12;
 /// Residuals so many times larger are taken where round-off lets them sink no further.
 const STAGNATION: f64 = 1e3;
 /// A step counts as no more than so many times the last one where the inner nodes are looked for.
 const FURTHER: f64 = 2.0;
+/// Share of what counts as none that the inner nodes need not yield to.
+const SETTLED: f64 = 1e-3;
+/// Square of the part of a step within which the ends of the last call are near.
+const NEARER: f64 = 0.1;
 /// The axial force at j, in local axes.
 const AXIAL: usize = 6;
 /// Largest number of iterations on the way to a displacement.
@@ -61,6 +70,8 @@ struct Step<'a> {
     row: Motion,
     factors: Factors,
     dt: f64,
+    /// Residual over the forces of the bearing that counts as none.
+    tolerance: f64,
 }
 
 /// The bearing at a trial position of its inner nodes. What of its stiffness is needed is made from this.
@@ -90,7 +101,7 @@ impl KikuchiBearing {
         let rest = join(&[0.0; OUTER], &[0.0; INNER]);
         let row = self.kinematics.axial_row(&rest);
         let stiffness = self.kinematics.stiffness(&self.virgin_springs(factor), &row, &row);
-        condense(&rest, &stiffness, &self.hold, Rows::ALL)
+        condense(&rest, &stiffness, &self.hold)
     }
 
     /// Stiffness of the virgin bearing in local axes.
@@ -98,7 +109,8 @@ impl KikuchiBearing {
         self.virgin_condensed(self.virgin_factors.force).map_or([[0.0; OUTER]; OUTER], |c| c.stiffness)
     }
 
-    /// Forces at the ends and wanted rows of their consistent tangent, in local axes, for displacements of the ends.
+    /// Forces at the ends and wanted rows of their consistent tangent, in local axes, for displacements of the ends; `into` has
+    /// none yet.
     ///
     /// # Errors
     /// No inner equilibrium was found, or a spring has no answer.
@@ -109,28 +121,37 @@ impl KikuchiBearing {
         dt: f64,
         rows: Rows,
         trial: &mut [f64],
-    ) -> Result<([f64; OUTER], [[f64; OUTER]; OUTER]), ElementError> {
+        into: &mut Condensed,
+    ) -> Result<(), ElementError> {
         let (from, last) = (Memory::read(committed), Memory::read(trial));
         let factors = self.factors_at(&outer, &last, committed, trial)?;
         let origin = join(&from.outer, &from.inner);
         let row = self.kinematics.axial_row(&origin);
-        let step = Step { committed, from: &from, origin, row, factors, dt };
+        let tolerance = if rows == Rows::NONE { TOLERANCE } else { ON_THE_WAY };
+        let step = Step { committed, from: &from, origin, row, factors, dt, tolerance };
         let way = std::array::from_fn(|i| outer[i] - from.outer[i]);
-        let guess = guess(&from, follow(committed), &way);
+        let rest = nearer(&outer, &way, &last);
+        let guess = match &rest {
+            Some(rest) => {
+                let inner = std::array::from_fn(|i| last.inner[i] + last.correction[i]);
+                followed(follow(trial), &inner, rest)
+            }
+            None => guess(&from, follow(committed), &way),
+        };
         let mut trials = [Trial::default(), Trial::default()];
         let found = self.find(&step, &outer, guess, trial, &mut trials)?;
-        let mut stiffness = [[0.0; DOFS]; DOFS];
-        self.kinematics.stiffness_into(&found.springs, &found.row, &found.change, &mut stiffness);
-        self.kinematics.add_geometric(self.kinematics.stiff.axial * found.springs.axial, &mut stiffness);
-        self.add_slope(&found.springs, factors, &outer, &mut stiffness);
-        // The moments of P-Delta change with the axial force.
-        let wanted = if self.shares.is_some() { rows.and(AXIAL) } else { rows };
-        let Condensed { yielding, mut force, mut stiffness } =
-            condense(&found.forces, &stiffness, &self.hold, wanted).ok_or_else(held_by_nothing)?;
+        if rows == Rows::NONE && rest.is_some() && found.residual <= SETTLED * found.allowed {
+            // Nobody asks for stiffnesses, and the inner nodes follow as at the last call.
+            into.force.copy_from_slice(&found.forces.as_slice()[..OUTER]);
+        } else {
+            self.condense_found(found, factors, &outer, rows, into)?;
+            trial[FOLLOW_AT..HEADER].copy_from_slice(into.yielding.follow.as_flattened());
+        }
         let followed = followed(follow(committed), &from.inner, &way);
         Memory {
             outer,
             inner: found.inner,
+            correction: into.yielding.correction,
             axial: found.springs.axial,
             way,
             bend: std::array::from_fn(|i| found.inner[i] - followed[i]),
@@ -138,11 +159,28 @@ impl KikuchiBearing {
             factor: [factors.force, factors.slope],
         }
         .write(trial);
-        trial[FOLLOW_AT..HEADER].copy_from_slice(yielding.follow.as_flattened());
         if let Some(shares) = self.shares {
-            take_off_p_delta(&outer, shares, &mut force, &mut stiffness, rows);
+            take_off_p_delta(&outer, shares, into, rows);
         }
-        Ok((force, stiffness))
+        Ok(())
+    }
+
+    /// Take the inner nodes out of the equations where they are in balance.
+    fn condense_found(
+        &self,
+        found: &Trial,
+        factors: Factors,
+        outer: &[f64; OUTER],
+        rows: Rows,
+        into: &mut Condensed,
+    ) -> Result<(), ElementError> {
+        let mut stiffness = [[0.0; DOFS]; DOFS];
+        self.kinematics.stiffness_into(&found.springs, &found.row, &found.change, &mut stiffness);
+        self.kinematics.add_geometric(self.kinematics.stiff.axial * found.springs.axial, &mut stiffness);
+        self.add_slope(&found.springs, factors, outer, &mut stiffness);
+        // The moments of P-Delta change with the axial force.
+        let wanted = if self.shares.is_some() { rows.and(AXIAL) } else { rows };
+        condense_into(&found.forces, &stiffness, &self.hold, wanted, into).ok_or_else(held_by_nothing)
     }
 
     /// Size of the shear displacement.
@@ -264,16 +302,15 @@ impl KikuchiBearing {
         self.answer_of_springs(step.committed, &q, step.factors, step.dt, trial, &mut into.springs)?;
         into.forces = k.forces(&q, &into.springs, &into.row);
         // Forces, and moments over an arm.
-        let (by, forces) = (1.0 / self.arm, &into.forces);
-        let largest = |at: std::ops::Range<usize>, by: f64| at.fold(0.0f64, |m, i| m.max((forces[i] * by).abs()));
-        let residual = [(12..13, 1.0), (13..15, by), (15..16, 1.0), (16..18, by)];
-        let whole = [(0..3, 1.0), (3..6, by), (6..9, 1.0), (9..12, by)];
-        let [residual, whole] =
-            [residual, whole].map(|parts| parts.into_iter().fold(0.0f64, |m, (at, by)| m.max(largest(at, by))));
-        if !residual.is_finite() {
+        let (f, by) = (&into.forces, 1.0 / self.arm);
+        let residual = largest(&[f[12], f[15]]).max(by * largest(&[f[13], f[14], f[16], f[17]]));
+        let whole = [&f.as_slice()[..3], &f.as_slice()[6..9]].map(largest);
+        let moments = [&f.as_slice()[3..6], &f.as_slice()[9..12]].map(largest);
+        let whole = largest(&whole).max(by * largest(&moments));
+        if !f.sum().is_finite() {
             return Err(ElementError("a spring of the bearing answers with no number".into()));
         }
-        (into.residual, into.allowed) = (residual, TOLERANCE * whole + STRAIN * self.axial_rigidity);
+        (into.residual, into.allowed) = (residual, step.tolerance * whole + STRAIN * self.axial_rigidity);
         Ok(())
     }
 
@@ -296,6 +333,13 @@ impl KikuchiBearing {
     }
 }
 
+/// The way from the ends of the last call, where they are much nearer than those of the committed state: the corrections of a
+/// step are small beside it.
+fn nearer(outer: &[f64; OUTER], way: &[f64; OUTER], last: &Memory) -> Option<[f64; OUTER]> {
+    let rest: [f64; OUTER] = std::array::from_fn(|i| outer[i] - last.outer[i]);
+    (dot(&rest, &rest) < NEARER * dot(way, way)).then_some(rest)
+}
+
 /// Where the inner nodes are looked for first: where they follow the ends to from the committed state, and where they bend
 /// to if the ends go on as in the last step.
 fn guess(from: &Memory, follow: &[f64], way: &[f64; OUTER]) -> Inner {
@@ -309,8 +353,7 @@ fn guess(from: &Memory, follow: &[f64], way: &[f64; OUTER]) -> Inner {
 fn take_off_p_delta(
     outer: &[f64; OUTER],
     shares: [f64; 2],
-    force: &mut [f64; OUTER],
-    stiffness: &mut [[f64; OUTER]; OUTER],
+    Condensed { force, stiffness, .. }: &mut Condensed,
     rows: Rows,
 ) {
     let pressure = -force[6];

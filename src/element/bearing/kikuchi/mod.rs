@@ -13,7 +13,7 @@ mod kinematics;
 mod opensees;
 
 pub use self::common::Common;
-use self::condensation::Inner;
+use self::condensation::{Condensed, Inner};
 use self::equilibrium::{HEADER, Memory};
 use self::kinematics::{Geometry, Kinematics, OUTER, Springs, Stiff};
 use self::opensees::HEADER as OPENSEES_HEADER;
@@ -321,18 +321,20 @@ impl Element for KikuchiBearing {
         answer: Answer<'_>,
     ) -> Result<(), ElementError> {
         let outer = self.outer(motion.disp);
-        let (force, tangent) = match &self.scheme {
+        let mut local = Condensed::default();
+        match &self.scheme {
             Scheme::Converged => {
                 let rows = if answer.tangent.is_some() { self.local_rows(answer.rows) } else { Rows::NONE };
-                self.converge(outer, committed, motion.dt, rows, trial)?
+                self.converge(outer, committed, motion.dt, rows, trial, &mut local)?;
             }
             Scheme::OpenSees(balance, common) => {
-                self.follow_opensees(outer, committed, motion.dt, (*balance, common), trial)?
+                (local.force, local.stiffness) =
+                    self.follow_opensees(outer, committed, motion.dt, (*balance, common), trial)?;
             }
-        };
-        self.add_force(&force, answer.force);
+        }
+        self.add_force(&local.force, answer.force);
         if let Some(k) = answer.tangent {
-            self.add_global(&tangent, k, answer.rows);
+            self.add_global(&local.stiffness, k, answer.rows);
         }
         Ok(())
     }

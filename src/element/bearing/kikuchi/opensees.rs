@@ -7,7 +7,7 @@
 use super::condensation::{Condensed, Yielding, condense, followed, held_by_nothing, join, yielding};
 use super::kinematics::{INNER, Matrix, Motion, OUTER, Springs};
 use super::{Balance, Common, Factors, KikuchiBearing};
-use crate::element::{ElementError, Rows};
+use crate::element::ElementError;
 use crate::material::MaterialError;
 use crate::words;
 use crate::words::Words;
@@ -172,7 +172,7 @@ impl KikuchiBearing {
 
     fn condensed(&self, q: &Motion, springs: &Springs, row: &Motion) -> Result<Condensed, ElementError> {
         let (forces, stiffness) = self.equations(q, springs, row);
-        condense(&forces, &stiffness, &self.hold, Rows::ALL).ok_or_else(held_by_nothing)
+        condense(&forces, &stiffness, &self.hold).ok_or_else(held_by_nothing)
     }
 
     /// Forces and stiffness of all degrees of freedom.
