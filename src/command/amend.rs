@@ -198,8 +198,14 @@ const KINDS: &[Kind] = &[
         options: &[
             needed("-reference", "compression that the parameters belong to", Positive),
             optional("-power", "exponent", Positive, 1.0),
+            optional("-lever", "compression per deformation that overturning adds", Any, 0.0),
+            optional("-load", "compression, where the model does not carry it", Any, f64::NAN),
         ],
-        make: |n, share, _| Arc::new(Pressure { reference: n.get("-reference"), power: n.get("-power"), share }),
+        make: |n, share, _| {
+            let load = Some(n.get("-load")).filter(|p| !p.is_nan());
+            let (reference, power, lever) = (n.get("-reference"), n.get("-power"), n.get("-lever"));
+            Arc::new(Pressure { reference, power, lever, load, share })
+        },
     },
     Kind {
         name: "friction",

@@ -14,7 +14,7 @@ use super::repair;
 use super::rounds::tried;
 use super::scale::Scales;
 use super::step_error::StepError;
-use super::structure::structure;
+use super::structure::{recurs, structure};
 use super::variant::Variant;
 use super::work::{Explained, LAST, Work};
 use crate::study::{Fit, Opening, Role, ScriptSimulator, Study, fit};
@@ -88,7 +88,7 @@ pub(super) fn conclude(
     }
     let cause = best.cause();
     // What the best explanation has explained of what there was to explain, and what structure it leaves.
-    let (left, signature) = structure(study, c.scales, &best.fitted.fits, cause == "none");
+    let (mut left, mut signature) = structure(study, c.scales, &best.fitted.fits, cause == "none");
     let (before, after) = (misfit(study, &none.unwrap_or(baseline).fitted.fits), misfit(study, &best.fitted.fits));
     let floor = after * (1.0 - left);
     let done = if before > floor { ((before - after) / (before - floor)).clamp(0.0, 1.0) } else { 1.0 };
@@ -98,7 +98,17 @@ pub(super) fn conclude(
     } else {
         NAMELESS + NAMED * (done - MUCH).max(0.0) + (gained - GAINED).max(0.0)
     };
-    let unknown = best.evidence.max(evidence_of_none) - 0.5 * INDEPENDENT * (1.0 - left.min(TELLING)).ln() - price;
+    let structured = |left: f64, price: f64| -0.5 * INDEPENDENT * (1.0 - left.min(TELLING)).ln() - price;
+    let mut unknown = best.evidence.max(evidence_of_none) + structured(left, price);
+    // No law of another form stands behind what a form that is exact leaves along the stroke.
+    if best.variant.proposal.as_ref().is_some_and(|p| p.exact) {
+        let again = recurs(study, c.scales, &best.fitted.fits);
+        let doubted = best.evidence + structured(again, STRUCTURED);
+        if again > 0.0 && doubted > unknown {
+            (unknown, left) = (doubted, left.max(again));
+            signature = "what is left comes again wherever the deformation does".into();
+        }
+    }
     causes.push(("unknown", unknown));
     causes.sort_by(|a, b| b.1.total_cmp(&a.1));
     temper(&mut causes, left, evidence_of_none);

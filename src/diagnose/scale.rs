@@ -18,6 +18,8 @@ pub struct Extent {
     pub range: [f64; 2],
     /// Force at the beginning.
     pub rest: f64,
+    /// Largest less least force of a run.
+    pub spread: f64,
 }
 
 /// A device in a direction in a run, sampled.
@@ -36,6 +38,8 @@ impl Watched {
         let finite = |v: &[f64]| v.iter().filter(|x| x.is_finite()).fold(0.0f64, |m, x| m.max(x.abs()));
         let mut x = Extent { e: finite(&self.e), q: finite(&self.q), ..Extent::default() };
         x.rest = self.q.first().filter(|q| q.is_finite()).map_or(0.0, |q| q.abs());
+        let q = || self.q.iter().copied().filter(|q| q.is_finite());
+        x.spread = (q().fold(f64::MIN, f64::max) - q().fold(f64::MAX, f64::min)).max(0.0);
         for i in 1..self.times.len() {
             let (dt, de) = (self.times[i] - self.times[i - 1], self.e[i] - self.e[i - 1]);
             if de.is_finite() && dt > 0.0 {
@@ -69,6 +73,7 @@ impl Scales {
             work: a.work.max(b.work),
             range: [a.range[0].min(b.range[0]), a.range[1].max(b.range[1])],
             rest: a.rest.max(b.rest),
+            spread: a.spread.max(b.spread),
         })
     }
 }

@@ -5,7 +5,7 @@ use super::recurrence::Stroke;
 use super::regression::explained;
 use super::scale::Scales;
 use super::surrogate::{comes_again, follows, silent, unsteady};
-use crate::study::{Fit, Role, Study};
+use crate::study::{Fit, Observe, Role, Run, Study};
 
 /// Points that a residual is averaged to: mechanisms live in the motion, not between two samples.
 const POINTS: usize = 1500;
@@ -22,17 +22,10 @@ const BLOCKS: usize = 6;
 /// asked of a model only that is taken `as_it_is`, with which nothing but noise should be left.
 pub(super) fn structure(study: &Study, scales: &Scales, fits: &[Fit], as_it_is: bool) -> (f64, String) {
     let (mut most, mut says) = (0.0, String::new());
-    let runs = study.runs.iter().enumerate().filter(|(_, r)| r.role == Role::Fit);
-    for ((number, run), fit) in runs.zip(fits) {
+    for ((number, run), fit) in study.runs_of(Role::Fit).zip(fits) {
         let motion = regressors(scales, number);
-        let moving = scales.watched.iter().filter(|((r, _, _), _)| *r == number).take(DEVICES);
-        let strokes: Vec<Stroke> = moving.map(|(_, w)| Stroke::new(&averaged(&w.e, POINTS), BLOCKS)).collect();
-        let residuals: Vec<Vec<f64>> = run
-            .observe
-            .iter()
-            .zip(&fit.channels)
-            .map(|(o, y)| y.iter().zip(&o.values).map(|(y, v)| finite(y - v)).collect())
-            .collect();
+        let strokes = strokes(scales, number);
+        let residuals = residuals(run, fit);
         let fewer: Vec<Vec<f64>> = residuals.iter().map(|r| averaged(r, POINTS)).collect();
         for (c, ((o, y), r)) in run.observe.iter().zip(&fit.channels).zip(&residuals).enumerate() {
             let channel: Vec<f64> = y.iter().map(|y| finite(*y)).collect();
@@ -55,8 +48,7 @@ pub(super) fn structure(study: &Study, scales: &Scales, fits: &[Fit], as_it_is: 
             let common = in_common(&fewer, c, &noise);
             let times = &run.recording.times;
             let rate = (times.len() - 1) as f64 / (times[times.len() - 1] - times[0]);
-            // Only what matters for this channel against the others.
-            let weight = (power(r) / o.variance / 1e-4).min(1.0);
+            let weight = weight(r, o);
             let mut consider = |part: f64, what: String| {
                 if weight * part > most {
                     most = weight * part;
@@ -82,6 +74,35 @@ pub(super) fn structure(study: &Study, scales: &Scales, fits: &[Fit], as_it_is: 
         }
     }
     (most, says)
+}
+
+/// Part of what an explanation leaves that comes again along the stroke, however slowly it changes there.
+pub(super) fn recurs(study: &Study, scales: &Scales, fits: &[Fit]) -> f64 {
+    let of_run = |((number, run), fit): ((usize, &Run), &Fit)| {
+        let strokes = strokes(scales, number);
+        let of_channel = |(r, o): (Vec<f64>, &Observe)| {
+            weight(&r, o) * comes_again(&averaged(&r, POINTS), &strokes, Stroke::comes_again)
+        };
+        residuals(run, fit).into_iter().zip(&run.observe).map(of_channel).fold(0.0, f64::max)
+    };
+    study.runs_of(Role::Fit).zip(fits).map(of_run).fold(0.0, f64::max)
+}
+
+/// What is left in the channels of a run.
+fn residuals(run: &Run, fit: &Fit) -> Vec<Vec<f64>> {
+    let of = |(o, y): (&Observe, &Vec<f64>)| y.iter().zip(&o.values).map(|(y, v)| finite(y - v)).collect();
+    run.observe.iter().zip(&fit.channels).map(of).collect()
+}
+
+/// Strokes of the devices in a run.
+fn strokes(scales: &Scales, run: usize) -> Vec<Stroke> {
+    let moving = scales.watched.iter().filter(|((r, _, _), _)| *r == run).take(DEVICES);
+    moving.map(|(_, w)| Stroke::new(&averaged(&w.e, POINTS), BLOCKS)).collect()
+}
+
+/// Only what matters for a channel against the others.
+fn weight(residual: &[f64], channel: &Observe) -> f64 {
+    (power(residual) / channel.variance / 1e-4).min(1.0)
 }
 
 fn finite(x: f64) -> f64 {

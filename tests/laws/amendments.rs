@@ -55,7 +55,7 @@ fn laws() -> Vec<Arc<dyn Amendment>> {
         Arc::new(Slip { size: 0.01, growth: 0.1, width: 10.0, share }),
         Arc::new(Yielding { force: 30.0, stiffness: 8000.0, hardening: 0.05 }),
         Arc::new(PeakOriented { force: 30.0, stiffness: 8000.0, hardening: 0.05, unloading: 0.4 }),
-        Arc::new(Pressure { reference: 150.0, power: 0.8, share }),
+        Arc::new(Pressure { reference: 150.0, power: 0.8, lever: 900.0, load: None, share }),
         Arc::new(Friction { force: 15.0, stiffness: 4e4 }),
         Arc::new(Gap { at: 0.03, stiffness: 5e5, power: 1.5, damping: 0.1, sides: Sides::Both }),
         Arc::new(Damping { coefficient: 10.0, power: 0.5 }),

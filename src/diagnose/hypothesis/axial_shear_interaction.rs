@@ -52,28 +52,39 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     out
 }
 
+/// Part of itself that the axial force of the model has to vary by in a run to be followed.
+const VARIES: f64 = 0.05;
+
 fn propose_varying(s: &Sight<'_>) -> Vec<Proposal> {
     let mut out = vec![];
     for m in s.moved(false) {
-        // It can only follow a force that the model has and that varies.
-        let Some(x) = m.axial.and_then(|axial| s.scales.of(&m.group, axial)) else { continue };
-        let spread = x.range[1] - x.range[0];
-        if spread <= 0.05 * x.e || x.q <= 0.0 {
-            continue;
-        }
         let k = m.stiffness();
-        let line = format!(
-            "{} -reference $hy_reference -power $hy_power -share $hy_k 0 {}{}",
-            m.amend("pressure"),
-            m.dir,
-            m.axial_word()
-        );
-        let added = vec![
-            Added::log("reference", 0.05 * x.q, 2.0 * x.q, 0.6 * x.q),
-            Added::linear("power", 0.1, 2.0, 1.0),
-            Added::linear("k", 0.0, 1.2 * k, 0.5 * k),
-        ];
-        out.push(Proposal::edit("varying_axial_load", "strength follows the axial force", m.at(), vec![line], added));
+        let elastic = Added::linear("k", 0.0, 1.2 * k, 0.5 * k);
+        let x = m.axial.and_then(|axial| s.scales.of(&m.group, axial)).filter(|x| x.q > 0.0);
+        if let Some(x) = x.filter(|x| x.spread > VARIES * x.q) {
+            let line = format!(
+                "{} -reference $hy_reference -power $hy_power -share $hy_k 0 {}{}",
+                m.amend("pressure"),
+                m.dir,
+                m.axial_word()
+            );
+            let added = vec![
+                Added::log("reference", 0.05 * x.q, 2.0 * x.q, 0.6 * x.q),
+                Added::linear("power", 0.1, 2.0, 1.0),
+                elastic,
+            ];
+            let form = "strength follows the axial force";
+            out.push(Proposal::edit("varying_axial_load", form, m.at(), vec![line], added));
+        } else if let (Some((p, option)), [_]) = (load(s, &m), &m.directions[..]) {
+            // The model holds it constant, or does not have it: what comes of the lateral motion itself.
+            let line =
+                format!("{} -reference {p:.6e} -lever $hy_lever{option} -share $hy_k 0 {}", m.amend("pressure"), m.dir);
+            let most = 1.5 * p / m.e;
+            let added = vec![Added::linear("lever", -most, most, 0.2 * most), elastic];
+            let form = "strength follows an axial force that overturning changes";
+            let form = Proposal::edit("varying_axial_load", form, m.at(), vec![line], added);
+            out.push(Proposal { exact: true, ..form });
+        }
     }
     out
 }

@@ -145,6 +145,8 @@ pub struct Proposal {
     pub added: Vec<Added>,
     /// Faults of channels, if it is about a sensor.
     pub faults: Option<Faults>,
+    /// It follows from geometry alone and not from the form of a law: what it leaves does not come again along the stroke.
+    pub exact: bool,
 }
 
 impl fmt::Debug for Proposal {
@@ -156,13 +158,14 @@ impl fmt::Debug for Proposal {
 impl Proposal {
     /// An edit of the script.
     pub fn edit(cause: &'static str, form: &str, at: String, block: Vec<String>, added: Vec<Added>) -> Self {
-        Self { cause, second: None, form: form.into(), at, block, added, faults: None }
+        Self { cause, second: None, form: form.into(), at, block, added, faults: None, exact: false }
     }
 
     /// Two proposals together; parameters of the second get names of their own.
     pub fn with(&self, other: &Self) -> Self {
         let renamed = |text: &str| text.replace("hy_", "hy2_");
         let mut both = self.clone();
+        both.exact &= other.exact;
         both.second = Some(other.cause);
         both.form = format!("{}; {}", self.form, other.form);
         both.block.extend(other.block.iter().map(|l| renamed(l)));
