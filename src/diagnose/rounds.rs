@@ -111,7 +111,11 @@ pub(super) fn first_round(
     let stage = "what may have been left out";
     let variants: Vec<_> = proposals.iter().filter_map(|p| baseline.variant.with(place, p)).map(Arc::new).collect();
     let points = |n: usize| -> Vec<_> {
-        variants.iter().map(|v| (v.clone(), tried(&v.start(&baseline.fitted.values), own, n))).collect()
+        let of = |v: &Variant| {
+            let fitted = &baseline.fitted.values;
+            [tried(&v.start(fitted), own, n), v.further_starts(fitted)].concat()
+        };
+        variants.iter().map(|v| (v.clone(), of(v))).collect()
     };
     let mut screened = work.screen(stage, &baseline.variant, &baseline.fitted.point, points(TRIED))?;
     // The fit may have swallowed what is missing: the values that the user gave have not.

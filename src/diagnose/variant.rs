@@ -73,10 +73,26 @@ impl Variant {
     /// Where the search starts, in the unit cube: the first parameters as given, the others where they are proposed to
     /// start.
     pub fn start(&self, given: &[f64]) -> Vec<f64> {
+        self.study.space.point(&self.start_values(given))
+    }
+
+    fn start_values(&self, given: &[f64]) -> Vec<f64> {
         let added = self.proposal.iter().flat_map(|p| &p.added).map(|a| a.start);
         let all = std::iter::repeat_n(f64::NAN, self.own).chain(added);
-        let values: Vec<f64> = all.enumerate().map(|(i, start)| given.get(i).copied().unwrap_or(start)).collect();
-        self.study.space.point(&values)
+        all.enumerate().map(|(i, start)| given.get(i).copied().unwrap_or(start)).collect()
+    }
+
+    /// Further points like [`Variant::start`], each with another value of one of the parameters of the proposal.
+    pub fn further_starts(&self, given: &[f64]) -> Vec<Vec<f64>> {
+        let start = self.start_values(given);
+        let added = self.proposal.iter().flat_map(|p| &p.added).enumerate();
+        let others = added.flat_map(|(i, a)| a.also.iter().map(move |x| (self.own + i, *x)));
+        let at = |(i, x): (usize, f64)| {
+            let mut values = start.clone();
+            values[i] = x;
+            self.study.space.point(&values)
+        };
+        others.map(at).collect()
     }
 
     /// The cause of what was proposed; `none` of the baseline.

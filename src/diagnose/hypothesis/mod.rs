@@ -109,6 +109,8 @@ pub struct Added {
     pub range: Range,
     /// Where the search starts.
     pub start: f64,
+    /// Where it is tried as well while the others are at their start: valleys that points spread evenly would miss.
+    pub also: Vec<f64>,
     /// It belongs to the fault of a channel: the model does not know it.
     pub rig: bool,
 }
@@ -116,12 +118,24 @@ pub struct Added {
 impl Added {
     /// Sought evenly between two values.
     pub fn linear(name: &str, lower: f64, upper: f64, start: f64) -> Self {
-        Self { name: format!("hy_{name}"), range: Range { lower, upper, scale: Scale::Linear }, start, rig: false }
+        Self {
+            name: format!("hy_{name}"),
+            range: Range { lower, upper, scale: Scale::Linear },
+            start,
+            also: vec![],
+            rig: false,
+        }
     }
 
     /// Sought evenly in its logarithm.
     pub fn log(name: &str, lower: f64, upper: f64, start: f64) -> Self {
-        Self { name: format!("hy_{name}"), range: Range { lower, upper, scale: Scale::Log }, start, rig: false }
+        Self {
+            name: format!("hy_{name}"),
+            range: Range { lower, upper, scale: Scale::Log },
+            start,
+            also: vec![],
+            rig: false,
+        }
     }
 }
 

@@ -7,6 +7,10 @@ use crate::diagnose::columns::{Column, rotations};
 /// Columns on the ground that are looked at alone, and storeys, at most.
 const MOST: usize = 6;
 
+/// Parts of the largest force of the elastic model at which something that has yielded a little may have done so: the valley is narrow,
+/// for whatever yields much more or not at all moves as differently as if nothing had been found.
+const NEAR_THE_LARGEST: [f64; 5] = [0.99, 0.96, 0.83, 0.75, 0.62];
+
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "superstructure_yielding",
     says: "the structure above, taken as elastic, yields",
@@ -29,8 +33,11 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
             let tags = super::tags(&set);
             let mut form = |form: &str, law: &str, more: Vec<Added>| {
                 let line = format!("amend element {tags} {law} -force $hy_yield -hardening $hy_hardening {}", m.dir);
-                let mut added =
-                    vec![Added::log("yield", 0.05 * q, 1.5 * q, 0.6 * q), Added::linear("hardening", 0.0, 0.6, 0.1)];
+                let force = Added::linear("yield", 0.03 * q, 1.2 * q, 0.9 * q);
+                let mut added = vec![
+                    Added { also: NEAR_THE_LARGEST.map(|part| part * q).into(), ..force },
+                    Added::linear("hardening", 0.0, 0.6, 0.1),
+                ];
                 added.extend(more);
                 let at = super::named(&set);
                 out.push(Proposal::edit("superstructure_yielding", form, at, vec![line], added));
