@@ -207,6 +207,21 @@ fn a_late_channel_is_told_from_physics() {
     let _ = fs::remove_dir_all(dir);
 }
 
+#[test]
+fn overturning_makes_loops_larger_on_one_side() {
+    // The plastic part is the larger the farther the pad is to one side.
+    let larger = |u: &[f64], f: &[f64]| u.iter().zip(f).map(|(u, f)| f + (f - 260.0 * u) * 10.0 * u).collect();
+    let dir = concealed("overturning", larger);
+    let study = fs::read_to_string(dir.join("study.toml")).unwrap();
+    fs::write(dir.join("study.toml"), study.replace("npts = 400", "npts = 400, axial = -150.0")).unwrap();
+    let o = diagnosed(&dir, &[]).outcome;
+    assert_eq!(o.verdict.cause, "varying_axial_load", "{:?}", o.verdict);
+    let lever = o.corrected.parameters["hy_lever"];
+    assert!((lever / 1500.0 - 1.0).abs() < 0.1, "{lever}");
+    assert!(o.corrected.holdout_nmse.unwrap() < 0.2 * o.baseline.holdout_nmse.unwrap(), "{o:?}");
+    let _ = fs::remove_dir_all(dir);
+}
+
 /// A mass on a spring that yields, shaken; its steps are a thirtieth of its period.
 const SHAKEN: &str = "wipe\nmodel basic -ndm 1 -ndf 1\npset k 400.0\npset uy 0.02\nnode 1 0.\nnode 2 0. -mass 1.0\nfix 1 1\n\
     uniaxialMaterial Elastic 1 [expr {0.6*$k}]\n\

@@ -29,6 +29,9 @@ const TWIN_POINTS: usize = 8;
 /// whole cube as well, so many for each parameter, the user's too, and beside them, of which the nearest in so many valleys
 /// are followed. That takes a hundred analyses a proposal: only where proposals times samples are at most so many.
 const POOR: f64 = 0.2;
+/// The same where a parameter is at a bound; how near that is, in sides of the cube.
+const POOR_AT_A_BOUND: f64 = 0.02;
+const AT_A_BOUND: f64 = 1e-3;
 const WIDE_POINTS: usize = 5;
 const VALLEYS: usize = 2;
 const WIDE_SAMPLES: usize = 100_000;
@@ -86,9 +89,12 @@ pub(super) fn fit_baseline(work: &mut Work<'_>, opening: &Opening, text: &str) -
     Ok(Explained::new(variant, fitted))
 }
 
-/// Whether a fitted model leaves so much that little is to be believed of its parameters.
+/// Whether a fitted model leaves so much that little is to be believed of its parameters, or much and has a parameter at a bound:
+/// it would go on from there to make up for what is missing.
 pub(super) fn poor(baseline: &Explained) -> bool {
-    baseline.fitted.objective > POOR
+    let bound = |p: &f64| *p < AT_A_BOUND || *p > 1.0 - AT_A_BOUND;
+    let left = baseline.fitted.objective;
+    left > POOR || left > POOR_AT_A_BOUND && baseline.fitted.point.iter().any(bound)
 }
 
 /// The fitted model once more, with steps of another length.
