@@ -3,7 +3,8 @@
 use crate::analysis::{Failure, Options};
 use crate::command::{self, Mode, Outputs, Session, Tcl};
 use crate::diagnostic::Diagnostic;
-use crate::script::{Console, Exception, Files, Interp, Value};
+use crate::script::{Console, Exception, Files, Interp, Value, Vocabulary};
+use std::cell::OnceCell;
 
 /// How a script is to be run.
 #[derive(Clone, Debug)]
@@ -52,6 +53,11 @@ impl End {
 /// Commands after which a check stops looking: a script that waits for a result would never end.
 const CHECK_BUDGET: u64 = 20_000_000;
 
+thread_local! {
+    /// The commands that every run begins with.
+    static VOCABULARY: OnceCell<Vocabulary<Session>> = const { OnceCell::new() };
+}
+
 /// A script with all that it works on.
 pub struct Run {
     /// The interpreter.
@@ -67,8 +73,21 @@ impl Run {
         outputs: Box<dyn Outputs>,
     ) -> Self {
         let Settings { mode, strict, options } = settings;
-        let mut interp = Interp::new(Session::new(options, mode, strict, outputs), console, files);
-        command::install(&mut interp);
+        let session = Session::new(options, mode, strict, outputs);
+        let fresh = |session, console, files| {
+            let mut interp = Interp::new(session, console, files);
+            command::install(&mut interp);
+            interp
+        };
+        let mut interp = VOCABULARY.with(|known| match (mode, known.get()) {
+            (Mode::Run, Some(words)) => Interp::knowing(session, console, files, words),
+            (Mode::Run, None) => {
+                let interp = fresh(session, console, files);
+                let _ = known.set(interp.vocabulary());
+                interp
+            }
+            (Mode::Check, _) => fresh(session, console, files),
+        });
         if mode == Mode::Check {
             interp.budget = Some(CHECK_BUDGET);
         }

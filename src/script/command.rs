@@ -23,6 +23,7 @@ pub(crate) type CoreFn = fn(&mut Core, &Call<'_>) -> Result<Value, Exception>;
 pub(crate) struct CmdId(pub(crate) u32);
 
 /// A command under its name.
+#[derive(Clone)]
 pub(crate) struct Definition {
     pub(crate) name: Text,
     pub(crate) ns: NsId,

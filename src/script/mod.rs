@@ -46,7 +46,7 @@ pub use self::console::{Console, Recorded};
 pub use self::core::Core;
 pub use self::error::{Exception, Returned, ScriptError};
 pub use self::files::{FileInfo, FileKind, Files, OpenMode, OsFiles, Stream};
-pub use self::interp::{Interp, OnError};
+pub use self::interp::{Interp, OnError, Vocabulary};
 pub use self::list::List;
 pub use self::memory_files::MemoryFiles;
 pub use self::outline::{TopLevel, top_level};

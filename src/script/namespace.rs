@@ -29,6 +29,21 @@ impl Namespace {
         Self::named("::", None)
     }
 
+    /// The same with the commands alone: variables belong to one interpreter.
+    pub(crate) fn without_variables(&self) -> Self {
+        Namespace {
+            full: self.full.clone(),
+            parent: self.parent,
+            children: self.children.clone(),
+            vars: Table::default(),
+            commands: self.commands.clone(),
+            exports: self.exports.clone(),
+            path: self.path.clone(),
+            unknown: self.unknown.clone(),
+            deleted: self.deleted,
+        }
+    }
+
     fn named(full: &str, parent: Option<NsId>) -> Self {
         Namespace {
             full: full.into(),

@@ -35,6 +35,7 @@ mod trying;
 mod var;
 
 use super::command::{CommandFn, CoreFn, Imp};
+use super::core::Core;
 use super::expr::func;
 use super::interp::Interp;
 use super::value::Value;
@@ -90,10 +91,10 @@ pub(crate) fn install<H>(interp: &mut Interp<H>) {
         interp.core.define(ns, &name.into(), Imp::Core(func::command));
     }
     interp.core.inlined = (interp.core.find_command("expr"), interp.core.find_command("set"));
-    variables(interp);
 }
 
-fn variables<H>(interp: &mut Interp<H>) {
+/// The variables that Tcl begins with.
+pub(crate) fn variables(core: &mut Core) {
     let machine = match std::env::consts::ARCH {
         "x86_64" if cfg!(windows) => "amd64",
         other => other,
@@ -133,6 +134,6 @@ fn variables<H>(interp: &mut Interp<H>) {
     let all = all.chain(numbers.into_iter().map(|(k, v)| (k.to_owned(), Value::from(v))));
     for (name, value) in all.chain(env) {
         // A fresh interpreter has no array of these names that could be in the way.
-        let _ = interp.core.set_global(&name, value);
+        let _ = core.set_global(&name, value);
     }
 }
