@@ -40,19 +40,6 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     out
 }
 
-/// What stands on soil is isolated because that is the softest there is: what gives way below an isolator at less than so many times its
-/// secant stiffness is the isolator itself, which a spring and a dashpot below it would stand in for.
-const STIFFER_THAN_ISOLATORS: f64 = 2.0;
-
-/// Secant stiffness of devices that stand on a support themselves and are not taken as linear.
-fn isolators(s: &Sight<'_>, support: &Support) -> f64 {
-    if s.anatomy.groups(false).is_empty() {
-        return 0.0;
-    }
-    let on_it = |m: &super::Moved<'_>| m.group.iter().any(|d| support.elements.contains(&d.tag));
-    s.moved(false).iter().filter(|m| on_it(m)).map(super::Moved::stiffness).fold(0.0, f64::max)
-}
-
 /// Springs and dashpots of the same size under some supports.
 fn forms(s: &Sight<'_>, supports: &[&Support], out: &mut Vec<Proposal>) {
     let ndm = s.anatomy.ndm;
@@ -74,9 +61,7 @@ fn forms(s: &Sight<'_>, supports: &[&Support], out: &mut Vec<Proposal>) {
             block.push(format!("uniaxialMaterial Viscous {} $hy_{name}_dashpot 1.0", material + 1));
             // Against the stiffness of what stands on it: what is much stiffer is a fixed base.
             let scale = scale(dofs);
-            let least = if *name == "sway" { STIFFER_THAN_ISOLATORS * isolators(s, first) } else { 0.0 };
-            let (least, most) = ((3e-3 * scale).max(least), (100.0 * scale).max(10.0 * least));
-            added.push(Added::log(name, least, most, scale.max(1.5 * least)));
+            added.push(Added::log(name, 3e-3 * scale, 100.0 * scale, scale));
             added.push(Added::log(&format!("{name}_dashpot"), 1e-5 * scale, 0.3 * scale, 3e-3 * scale));
         }
         for (support, tag) in supports.iter().zip(s.anatomy.free(Numbers::Foundation)..) {
