@@ -49,11 +49,14 @@ pub struct System<'a> {
     pub settled: bool,
 }
 
+/// Velocities where nothing moves.
+static AT_REST: [f64; MAX_DOFS] = [0.0; MAX_DOFS];
+
 /// Displacements that differ by no more than this fraction differ by the round-off of a correction.
 const ROUND_OFF: f64 = 2.0 * f64::EPSILON;
 
 /// Displacements that are compared at once.
-const SIDE_BY_SIDE: usize = 12;
+const SIDE_BY_SIDE: usize = 6;
 
 impl System<'_> {
     /// A failure of this step.
@@ -237,11 +240,14 @@ impl System<'_> {
     fn nothing_has_moved(&self) -> bool {
         let slack = if self.settled { ROUND_OFF } else { 0.0 };
         let near = |all: bool, (new, old): (&f64, &f64)| all & ((new - old).abs() <= slack * old.abs());
+        if !self.still || !self.new.element_load.is_empty() {
+            return false;
+        }
         // A few side by side, which the compiler does at once.
-        let (new, old) = (self.new.disp.chunks(SIDE_BY_SIDE), self.work.asked_at.chunks(SIDE_BY_SIDE));
-        self.still
-            && self.new.element_load.is_empty()
-            && new.zip(old).all(|(new, old)| new.iter().zip(old).fold(true, near))
+        let (new, new_left) = self.new.disp.as_chunks::<SIDE_BY_SIDE>();
+        let (old, old_left) = self.work.asked_at.as_chunks::<SIDE_BY_SIDE>();
+        let few = |(new, old): (&[f64; SIDE_BY_SIDE], &[f64; SIDE_BY_SIDE])| new.iter().zip(old).fold(true, near);
+        new.iter().zip(old).all(few) && new_left.iter().zip(old_left).fold(true, near)
     }
 
     /// Whether an element without loads of its own is where it was asked last.
@@ -297,7 +303,7 @@ impl System<'_> {
             c
         });
         let load = &self.new.element_load[e.load.clone()];
-        let vel = if self.still { &[0.0; MAX_DOFS][..n] } else { &*vel };
+        let vel = if self.still { &AT_REST[..n] } else { &*vel };
         let motion = Motion { disp, vel, load, dt, time: self.new.time };
         let answer = Answer { force, tangent, damping, rows: m.rows };
         let committed = &self.old.history[e.state.clone()];

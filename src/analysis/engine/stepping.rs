@@ -203,7 +203,9 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64)
         }
     }
     setup.integrator.begin(system, length)?;
-    system.work.asking = Asking::new(setup.kind, setup.integrator.name(), setup.handler);
+    if !system.work.counting.is_empty() {
+        system.work.asking = Asking::new(setup.kind, setup.integrator.name(), setup.handler);
+    }
     system.work.updates = system.work.asking.begin;
     let mut iteration = Iteration { system, integrator: setup.integrator.as_mut(), test: &mut setup.test };
     let iterations = setup.algorithm.solve(&mut iteration)?;
