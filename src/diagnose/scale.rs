@@ -18,8 +18,8 @@ pub struct Extent {
     pub range: [f64; 2],
     /// Force at the beginning.
     pub rest: f64,
-    /// Largest less least force of a run.
-    pub spread: f64,
+    /// Least and largest force, with its sign.
+    pub forces: [f64; 2],
 }
 
 /// A device in a direction in a run, sampled.
@@ -39,7 +39,7 @@ impl Watched {
         let mut x = Extent { e: finite(&self.e), q: finite(&self.q), ..Extent::default() };
         x.rest = self.q.first().filter(|q| q.is_finite()).map_or(0.0, |q| q.abs());
         let q = || self.q.iter().copied().filter(|q| q.is_finite());
-        x.spread = (q().fold(f64::MIN, f64::max) - q().fold(f64::MAX, f64::min)).max(0.0);
+        x.forces = [q().fold(f64::INFINITY, f64::min), q().fold(f64::NEG_INFINITY, f64::max)];
         for i in 1..self.times.len() {
             let (dt, de) = (self.times[i] - self.times[i - 1], self.e[i] - self.e[i - 1]);
             if de.is_finite() && dt > 0.0 {
@@ -73,7 +73,7 @@ impl Scales {
             work: a.work.max(b.work),
             range: [a.range[0].min(b.range[0]), a.range[1].max(b.range[1])],
             rest: a.rest.max(b.rest),
-            spread: a.spread.max(b.spread),
+            forces: [a.forces[0].min(b.forces[0]), a.forces[1].max(b.forces[1])],
         })
     }
 }

@@ -52,8 +52,15 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     out
 }
 
-/// Part of itself that the axial force of the model has to vary by in a run to be followed.
+/// Part of itself that the axial force of the model has to vary by to be followed.
 const VARIES: f64 = 0.05;
+
+/// Whether all runs have the same axial load, where they say what it is.
+fn steady(s: &Sight<'_>) -> bool {
+    let loads = axial_loads(s.study).unwrap_or_default();
+    let [least, most] = loads.iter().fold([f64::INFINITY, 0.0], |[a, b]: [f64; 2], p| [a.min(*p), b.max(*p)]);
+    most - least <= VARIES * most
+}
 
 fn propose_varying(s: &Sight<'_>) -> Vec<Proposal> {
     let mut out = vec![];
@@ -61,7 +68,7 @@ fn propose_varying(s: &Sight<'_>) -> Vec<Proposal> {
         let k = m.stiffness();
         let elastic = Added::linear("k", 0.0, 1.2 * k, 0.5 * k);
         let x = m.axial.and_then(|axial| s.scales.of(&m.group, axial)).filter(|x| x.q > 0.0);
-        if let Some(x) = x.filter(|x| x.spread > VARIES * x.q) {
+        if let Some(x) = x.filter(|x| x.forces[1] - x.forces[0] > VARIES * x.q) {
             let line = format!(
                 "{} -reference $hy_reference -power $hy_power -share $hy_k 0 {}{}",
                 m.amend("pressure"),
@@ -75,8 +82,8 @@ fn propose_varying(s: &Sight<'_>) -> Vec<Proposal> {
             ];
             let form = "strength follows the axial force";
             out.push(Proposal::edit("varying_axial_load", form, m.at(), vec![line], added));
-        } else if let (Some((p, option)), [_]) = (load(s, &m), &m.directions[..]) {
-            // The model holds it constant, or does not have it: what comes of the lateral motion itself.
+        } else if let (Some((p, option)), [_], true) = (load(s, &m), &m.directions[..], x.is_some() || steady(s)) {
+            // The model holds it constant in all runs, or does not have it: what comes of the lateral motion itself.
             let line =
                 format!("{} -reference {p:.6e} -lever $hy_lever{option} -share $hy_k 0 {}", m.amend("pressure"), m.dir);
             let most = 1.5 * p / m.e;
