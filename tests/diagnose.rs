@@ -232,6 +232,9 @@ const SHAKEN: &str = "wipe\nmodel basic -ndm 1 -ndf 1\npset k 400.0\npset uy 0.0
     constraints Plain\nsystem FullGeneral\ntest NormDispIncr 1e-10 30\nalgorithm Newton\nintegrator Newmark 0.5 0.25\n\
     analysis Transient\nfor {set i 1} {$i < $npts} {incr i} { if {[analyze 1 $dt] != 0} { error \"no convergence\" } }\n";
 
+/// Step of the script under earthquakes.
+const STEP: f64 = 0.01;
+
 /// The motion of that mass in steps of a fiftieth of the script's, under an acceleration given at the script's.
 fn shaken(ground: &[f64], dt: f64) -> Vec<f64> {
     let (k, uy, parts) = (380.0, 0.018, 50);
@@ -259,42 +262,92 @@ fn shaken(ground: &[f64], dt: f64) -> Vec<f64> {
     out
 }
 
-#[test]
-fn the_error_of_long_steps_is_no_physics() {
-    let dir = std::env::temp_dir().join(format!("hysteron-diagnose-steps-{}", std::process::id()));
+/// A study of two earthquakes, with what the mass does under each as the channel, and noise of 3 %.
+fn shaken_study(
+    name: &str,
+    model: &str,
+    parameters: [(&str, f64, f64); 2],
+    moves: impl Fn(&[f64]) -> Vec<f64>,
+) -> PathBuf {
+    let dir = std::env::temp_dir().join(format!("hysteron-diagnose-{name}-{}", std::process::id()));
     fs::create_dir_all(&dir).unwrap();
-    fs::write(dir.join("model.tcl"), SHAKEN).unwrap();
-    let (dt, n) = (0.01, 700);
-    let mut study = "model = \"model.tcl\"\n[[parameter]]\nname = \"k\"\nlower = 200.0\nupper = 800.0\n\
-                     [[parameter]]\nname = \"uy\"\nlower = 0.005\nupper = 0.08\n"
-        .to_owned();
+    fs::write(dir.join("model.tcl"), model).unwrap();
+    let n = 700;
+    let mut study = "model = \"model.tcl\"\n".to_owned();
+    for (parameter, lower, upper) in parameters {
+        write!(study, "[[parameter]]\nname = \"{parameter}\"\nlower = {lower:?}\nupper = {upper:?}\n").unwrap();
+    }
     let mut noise = Noise(88172645463325252);
     for (run, role, tones) in [("first", "fit", [6.0, 11.0, 17.0]), ("second", "holdout", [5.0, 13.0, 19.0])] {
         let at = |t: f64| tones.iter().map(|w| 2.0 * (w * t + w * w).sin()).sum::<f64>() * (-0.1 * t).exp();
-        let ground: Vec<f64> = (0..n).map(|i| at(dt * f64::from(i))).collect();
-        let disp = shaken(&ground, dt);
+        let ground: Vec<f64> = (0..n).map(|i| at(STEP * f64::from(i))).collect();
+        let disp = moves(&ground);
         let size = (disp.iter().map(|u| u * u).sum::<f64>() / disp.len() as f64).sqrt();
         let mut table = "time[s],disp[m]\n".to_owned();
         for (i, u) in disp.iter().enumerate() {
-            writeln!(table, "{},{}", dt * i as f64, u + 0.03 * size * noise.next()).unwrap();
+            writeln!(table, "{},{}", STEP * i as f64, u + 0.03 * size * noise.next()).unwrap();
         }
         fs::write(dir.join(format!("{run}.csv")), table).unwrap();
         fs::write(dir.join(format!("{run}.dat")), ground.iter().map(|a| format!("{a}\n")).collect::<String>()).unwrap();
         write!(
             study,
             "[[run]]\nname = \"{run}\"\nrole = \"{role}\"\nrecording = \"{run}.csv\"\n\
-             set = {{ motion = \"{run}.dat\", dt = {dt}, npts = {n} }}\n\
+             set = {{ motion = \"{run}.dat\", dt = {STEP}, npts = {n} }}\n\
              [[run.observe]]\nchannel = \"disp\"\noutput = \"disp.out\"\ncolumn = 1\nat = \"mass\"\n"
         )
         .unwrap();
     }
     fs::write(dir.join("study.toml"), study).unwrap();
+    dir
+}
+
+#[test]
+fn the_error_of_long_steps_is_no_physics() {
+    let parameters = [("k", 200.0, 800.0), ("uy", 0.005, 0.08)];
+    let dir = shaken_study("steps", SHAKEN, parameters, |ground| shaken(ground, STEP));
     let d = diagnosed(&dir, &[]);
     let o = &d.outcome;
     // The steps leave as much as the noise, which is 9e-4, and no cause.
     assert!(o.baseline.fit_nmse > 1.5e-3, "{}", o.baseline.fit_nmse);
     assert_eq!(o.verdict.cause, "none", "{:?}", o.verdict);
     assert!(o.verdict.explanation.contains("the causes were weighed with steps in"), "{}", o.verdict.explanation);
+    let _ = fs::remove_dir_all(dir);
+}
+
+/// A mass on an elastic spring and a dashpot.
+const ELASTIC: &str = "wipe\nmodel basic -ndm 1 -ndf 1\npset k 250.0\npset c 1.0\nnode 1 0.\nnode 2 0. -mass 1.0\nfix 1 1\n\
+    uniaxialMaterial Elastic 1 $k\nuniaxialMaterial Viscous 2 $c 1.0\nelement zeroLength 1 1 2 -mat 1 2 -dir 1 1\n\
+    timeSeries Path 1 -dt $dt -filePath $motion\npattern UniformExcitation 1 1 -accel 1\n\
+    recorder Node -file disp.out -time -node 2 -dof 1 disp\n\
+    constraints Plain\nsystem FullGeneral\ntest NormDispIncr 1e-10 30\nalgorithm Newton\nintegrator Newmark 0.5 0.25\n\
+    analysis Transient\nfor {set i 1} {$i < $npts} {incr i} { if {[analyze 1 $dt] != 0} { error \"no convergence\" } }\n";
+
+/// The motion of that mass on a spring that yields at a force, in steps of a two hundredth of the script's.
+fn yielded(ground: &[f64], strength: f64) -> Vec<f64> {
+    let (k, c, b, parts) = (300.0, 1.5, 0.05, 200);
+    let h = STEP / f64::from(parts);
+    let (mut u, mut v, mut plastic, mut out) = (0.0, 0.0, 0.0f64, vec![0.0]);
+    for pair in ground.windows(2) {
+        for i in 0..parts {
+            let a = pair[0] + (pair[1] - pair[0]) * f64::from(i) / f64::from(parts);
+            let q = ((1.0 - b) * k * (u - plastic)).clamp(-(1.0 - b) * strength, (1.0 - b) * strength);
+            plastic = u - q / ((1.0 - b) * k);
+            v -= h * (a + q + b * k * u + c * v);
+            u += h * v;
+        }
+        out.push(u);
+    }
+    out
+}
+
+#[test]
+fn what_yields_a_little_is_found_just_below_the_largest_force() {
+    let largest = |ground: &[f64]| 300.0 * yielded(ground, 1e9).iter().fold(0.0f64, |m, u| m.max(u.abs()));
+    let moves = |ground: &[f64]| yielded(ground, 0.85 * largest(ground));
+    let dir = shaken_study("yielding", ELASTIC, [("k", 150.0, 600.0), ("c", 0.2, 6.0)], moves);
+    let o = diagnosed(&dir, &[]).outcome;
+    assert_eq!(o.verdict.cause, "superstructure_yielding", "{:?}", o.verdict);
+    assert!(o.corrected.fit_nmse < 2e-3 && o.baseline.fit_nmse > 5e-3, "{o:?}");
     let _ = fs::remove_dir_all(dir);
 }
 
