@@ -95,10 +95,11 @@ fn hinges(s: &Sight<'_>, columns: &[&Column]) -> Option<Proposal> {
         ]);
     }
     // Against the moment that the elastic columns have, and their stiffness, of which the fitted model has given up some.
+    let strength = Added::log("moment", 0.03 * moment, 3.0 * moment, 0.9 * moment);
     let added = vec![
-        Added::log("moment", 0.03 * moment, 3.0 * moment, 0.8 * moment),
-        Added::log("plastic", 1e-3 * stiffness, stiffness, 0.03 * stiffness),
-        Added::log("rotational", 0.05 * stiffness, 20.0 * stiffness, stiffness),
+        Added { also: NEAR_THE_LARGEST.map(|part| part * moment).into(), ..strength },
+        Added::log("plastic", 1e-3 * stiffness, stiffness, 0.05 * stiffness),
+        Added::log("rotational", 0.05 * stiffness, 100.0 * stiffness, 30.0 * stiffness),
     ];
     let tags: Vec<String> = columns.iter().map(|c| c.tag.to_string()).collect();
     Some(Proposal::edit(
