@@ -198,8 +198,8 @@ const KINDS: &[Kind] = &[
         options: &[
             needed("-reference", "compression that the parameters belong to", Positive),
             optional("-power", "exponent", Positive, 1.0),
-            optional("-lever", "compression per deformation that overturning adds", Any, 0.0),
-            optional("-load", "compression, where the model does not carry it", Any, f64::NAN),
+            optional("-lever", "compression per deformation of the first direction that overturning adds", Any, 0.0),
+            optional("-load", "compression, where the model does not carry it", NotNegative, f64::NAN),
         ],
         make: |n, share, _| {
             let load = Some(n.get("-load")).filter(|p| !p.is_nan());

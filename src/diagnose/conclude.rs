@@ -102,11 +102,10 @@ pub(super) fn conclude(
     let mut unknown = best.evidence.max(evidence_of_none) + structured(left, price);
     // No law of another form stands behind what a form that is exact leaves along the stroke.
     if best.variant.proposal.as_ref().is_some_and(|p| p.exact) {
-        let again = recurs(study, c.scales, &best.fitted.fits);
+        let (again, says) = recurs(study, c.scales, &best.fitted.fits);
         let doubted = best.evidence + structured(again, STRUCTURED);
         if again > 0.0 && doubted > unknown {
-            (unknown, left) = (doubted, left.max(again));
-            signature = "what is left comes again wherever the deformation does".into();
+            (unknown, left, signature) = (doubted, left.max(again), says);
         }
     }
     causes.push(("unknown", unknown));

@@ -31,10 +31,17 @@ pub(super) fn untimed(study: &Study) -> bool {
 
 /// Whether runs were made at different temperatures or axial loads.
 pub(super) fn differ(study: &Study) -> bool {
-    let spread = |values: Option<Vec<f64>>, least: &dyn Fn(f64) -> f64| {
-        let values = values.unwrap_or_default();
-        let [low, high] = values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(*x), b.max(*x)]);
-        high - low > least(high)
-    };
-    spread(temperatures(study), &|_| DEGREES) || spread(axial_loads(study), &|most| LOADS * most)
+    spread(temperatures(study), |_| DEGREES) || axial_loads_differ(study)
+}
+
+/// Whether runs were made at different axial loads.
+pub(super) fn axial_loads_differ(study: &Study) -> bool {
+    spread(axial_loads(study), |most| LOADS * most)
+}
+
+/// Whether values lie further apart than a limit, which is told by the largest.
+fn spread(values: Option<Vec<f64>>, limit: impl Fn(f64) -> f64) -> bool {
+    let values = values.unwrap_or_default();
+    let [low, high] = values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(*x), b.max(*x)]);
+    high - low > limit(high)
 }

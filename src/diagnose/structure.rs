@@ -57,10 +57,7 @@ pub(super) fn structure(study: &Study, scales: &Scales, fits: &[Fit], as_it_is: 
             };
             consider(told, format!("part of the residual of {} follows the motion", o.channel));
             let measure = if as_it_is { Stroke::comes_again } else { Stroke::comes_again_within };
-            consider(
-                comes_again(few, &strokes, measure),
-                format!("the residual of {} comes again wherever the deformation does", o.channel),
-            );
+            consider(comes_again(few, &strokes, measure), comes_again_in(o));
             if as_it_is {
                 consider(
                     silent(few),
@@ -76,16 +73,23 @@ pub(super) fn structure(study: &Study, scales: &Scales, fits: &[Fit], as_it_is: 
     (most, says)
 }
 
-/// Part of what an explanation leaves that comes again along the stroke, however slowly it changes there.
-pub(super) fn recurs(study: &Study, scales: &Scales, fits: &[Fit]) -> f64 {
-    let of_run = |((number, run), fit): ((usize, &Run), &Fit)| {
+/// Part of what an explanation leaves that comes again along the stroke, however slowly it changes there, and in which channel.
+pub(super) fn recurs(study: &Study, scales: &Scales, fits: &[Fit]) -> (f64, String) {
+    let (mut most, mut says) = (0.0, String::new());
+    for ((number, run), fit) in study.runs_of(Role::Fit).zip(fits) {
         let strokes = strokes(scales, number);
-        let of_channel = |(r, o): (Vec<f64>, &Observe)| {
-            weight(&r, o) * comes_again(&averaged(&r, POINTS), &strokes, Stroke::comes_again)
-        };
-        residuals(run, fit).into_iter().zip(&run.observe).map(of_channel).fold(0.0, f64::max)
-    };
-    study.runs_of(Role::Fit).zip(fits).map(of_run).fold(0.0, f64::max)
+        for (r, o) in residuals(run, fit).iter().zip(&run.observe) {
+            let part = weight(r, o) * comes_again(&averaged(r, POINTS), &strokes, Stroke::comes_again);
+            if part > most {
+                (most, says) = (part, comes_again_in(o));
+            }
+        }
+    }
+    (most, says)
+}
+
+fn comes_again_in(channel: &Observe) -> String {
+    format!("the residual of {} comes again wherever the deformation does", channel.channel)
 }
 
 /// What is left in the channels of a run.

@@ -49,8 +49,8 @@ pub struct Interp<H> {
     pub on_error: Option<OnError<H>>,
 }
 
-/// The commands of an interpreter, for others that begin with the same: where scripts are short, making them known takes a
-/// quarter of the time.
+/// The commands of an interpreter, for others that begin with the same: making them known takes as long as 150 steps of a
+/// bearing (`benches/README.md`).
 pub struct Vocabulary<H> {
     namespaces: Vec<Namespace>,
     commands: Vec<Definition>,

@@ -203,6 +203,7 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64)
         }
     }
     setup.integrator.begin(system, length)?;
+    // Nobody else asks for it.
     if !system.work.counting.is_empty() {
         system.work.asking = Asking::new(setup.kind, setup.integrator.name(), setup.handler);
     }

@@ -1,7 +1,7 @@
 //! The axial load changes the lateral response.
 
 use super::{Added, Hypothesis, Proposal, Sight};
-use crate::diagnose::conditions::axial_loads;
+use crate::diagnose::conditions::{axial_loads, axial_loads_differ};
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "axial_shear_interaction",
@@ -55,13 +55,6 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
 /// Part of itself that the axial force of the model has to vary by to be followed.
 const VARIES: f64 = 0.05;
 
-/// Whether all runs have the same axial load, where they say what it is.
-fn steady(s: &Sight<'_>) -> bool {
-    let loads = axial_loads(s.study).unwrap_or_default();
-    let [least, most] = loads.iter().fold([f64::INFINITY, 0.0], |[a, b]: [f64; 2], p| [a.min(*p), b.max(*p)]);
-    most - least <= VARIES * most
-}
-
 fn propose_varying(s: &Sight<'_>) -> Vec<Proposal> {
     let mut out = vec![];
     for m in s.moved(false) {
@@ -82,7 +75,9 @@ fn propose_varying(s: &Sight<'_>) -> Vec<Proposal> {
             ];
             let form = "strength follows the axial force";
             out.push(Proposal::edit("varying_axial_load", form, m.at(), vec![line], added));
-        } else if let (Some((p, option)), [_], true) = (load(s, &m), &m.directions[..], x.is_some() || steady(s)) {
+        } else if let (Some((p, option)), [_]) = (load(s, &m), &m.directions[..])
+            && (x.is_some() || !axial_loads_differ(s.study))
+        {
             // The model holds it constant in all runs, or does not have it: what comes of the lateral motion itself.
             let line =
                 format!("{} -reference {p:.6e} -lever $hy_lever{option} -share $hy_k 0 {}", m.amend("pressure"), m.dir);

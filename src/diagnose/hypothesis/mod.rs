@@ -118,24 +118,16 @@ pub struct Added {
 impl Added {
     /// Sought evenly between two values.
     pub fn linear(name: &str, lower: f64, upper: f64, start: f64) -> Self {
-        Self {
-            name: format!("hy_{name}"),
-            range: Range { lower, upper, scale: Scale::Linear },
-            start,
-            also: vec![],
-            rig: false,
-        }
+        Self::sought(name, Range { lower, upper, scale: Scale::Linear }, start)
     }
 
     /// Sought evenly in its logarithm.
     pub fn log(name: &str, lower: f64, upper: f64, start: f64) -> Self {
-        Self {
-            name: format!("hy_{name}"),
-            range: Range { lower, upper, scale: Scale::Log },
-            start,
-            also: vec![],
-            rig: false,
-        }
+        Self::sought(name, Range { lower, upper, scale: Scale::Log }, start)
+    }
+
+    fn sought(name: &str, range: Range, start: f64) -> Self {
+        Self { name: format!("hy_{name}"), range, start, also: vec![], rig: false }
     }
 }
 

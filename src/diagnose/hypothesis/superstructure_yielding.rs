@@ -94,7 +94,8 @@ fn hinges(s: &Sight<'_>, columns: &[&Column]) -> Option<Proposal> {
             format!("element zeroLength {tag} {node} {tag} -mat {materials} -dir {directions}"),
         ]);
     }
-    // Against the moment that the elastic columns have, and their stiffness, of which the fitted model has given up some.
+    // Against the moment that the elastic columns have, and their stiffness, of which the fitted model has given up some. From stiff
+    // hinges on: one as soft as its column is no start for one that yields a little.
     let strength = Added::log("moment", 0.03 * moment, 3.0 * moment, 0.9 * moment);
     let added = vec![
         Added { also: NEAR_THE_LARGEST.map(|part| part * moment).into(), ..strength },

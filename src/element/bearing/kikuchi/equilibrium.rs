@@ -44,11 +44,12 @@ words! {
 /// Residual at the inner nodes over the forces of the bearing that counts as none: the inner nodes yield to it once more
 /// as the equations are condensed, so that the forces at the ends are those of a residual of its square.
 const TOLERANCE: f64 = 1e-8;
-/// The same where stiffnesses are asked for, with which the ends are going to be moved again.
+/// The same where stiffnesses are asked for, with which the ends are mostly going to be moved again. Where they are not, a residual of
+/// its square still is none.
 const ON_THE_WAY: f64 = 1e-6;
 /// The same over E A: a strain.
 const STRAIN: f64 = 1e-12;
-/// Residuals so many times larger are taken where round-off lets them sink no further.
+/// Residuals so many times larger than [`TOLERANCE`] says are taken where round-off lets them sink no further.
 const STAGNATION: f64 = 1e3;
 /// A step counts as no more than so many times the last one where the inner nodes are looked for.
 const FURTHER: f64 = 2.0;
@@ -83,9 +84,10 @@ struct Trial {
     /// Row of the axial force, and derivatives of the axial deformation.
     row: Motion,
     change: Motion,
-    /// Largest force left at the inner nodes, and the largest that counts as none.
+    /// Largest force left at the inner nodes, the largest that counts as none, and that is taken where it sinks no further.
     residual: f64,
     allowed: f64,
+    taken: f64,
 }
 
 impl KikuchiBearing {
@@ -271,7 +273,7 @@ impl KikuchiBearing {
                 if next.residual < best.residual {
                     break;
                 }
-                if best.residual <= STAGNATION * best.allowed {
+                if best.residual <= best.taken {
                     // The springs' histories in `trial` are to be those of the answer.
                     self.at(step, outer, best.inner, trial, next)?;
                     return Ok(Some(found));
@@ -310,7 +312,9 @@ impl KikuchiBearing {
         if !f.sum().is_finite() {
             return Err(ElementError("a spring of the bearing answers with no number".into()));
         }
-        (into.residual, into.allowed) = (residual, step.tolerance * whole + STRAIN * self.axial_rigidity);
+        let strain = STRAIN * self.axial_rigidity;
+        (into.residual, into.allowed) = (residual, step.tolerance * whole + strain);
+        into.taken = STAGNATION * (TOLERANCE * whole + strain);
         Ok(())
     }
 
