@@ -67,6 +67,11 @@ impl SourceMap {
         SourceId(self.sources.len() as u32 - 1)
     }
 
+    /// What the text taken in next is going to be.
+    pub fn next(&self) -> SourceId {
+        SourceId(self.sources.len() as u32)
+    }
+
     /// A text that is there under a name.
     pub fn find(&self, name: &str, text: &str) -> Option<SourceId> {
         let same = |s: &Source| &*s.name == name && &*s.text == text;

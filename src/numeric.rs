@@ -40,15 +40,18 @@ pub fn largest(v: &[f64]) -> f64 {
 /// Euclidean length.
 #[inline]
 pub fn norm(a: &[f64]) -> f64 {
-    dot(a, a).sqrt()
+    match a {
+        [a] => a.abs(),
+        _ => dot(a, a).sqrt(),
+    }
 }
 
 /// A matrix of `R` rows and `C` columns of which few entries are not zero, row by row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SparseMatrix<const R: usize, const C: usize> {
     entries: Vec<Entry>,
-    /// Where each row ends.
-    ends: [usize; R],
+    /// Where each row starts and ends.
+    spans: [(u32, u32); R],
 }
 
 /// An entry of a [`SparseMatrix`].
@@ -65,13 +68,14 @@ pub struct Entry {
 impl<const R: usize, const C: usize> SparseMatrix<R, C> {
     /// From all entries.
     pub fn new(rows: &[[f64; C]; R]) -> Self {
-        let (mut entries, mut ends) = (vec![], [0; R]);
-        for ((row, numbers), end) in rows.iter().enumerate().zip(&mut ends) {
+        let (mut entries, mut spans) = (vec![], [(0, 0); R]);
+        for ((row, numbers), span) in rows.iter().enumerate().zip(&mut spans) {
+            let start = entries.len() as u32;
             let some = numbers.iter().enumerate().filter(|(_, v)| **v != 0.0);
             entries.extend(some.map(|(column, &value)| Entry { row, column, value }));
-            *end = entries.len();
+            *span = (start, entries.len() as u32);
         }
-        Self { entries, ends }
+        Self { entries, spans }
     }
 
     /// Transposed.
@@ -84,8 +88,8 @@ impl<const R: usize, const C: usize> SparseMatrix<R, C> {
     /// The entries of a row that are not zero.
     #[inline]
     pub fn row(&self, row: usize) -> &[Entry] {
-        let start = if row == 0 { 0 } else { self.ends[row - 1] };
-        &self.entries[start..self.ends[row]]
+        let (start, end) = self.spans[row];
+        &self.entries[start as usize..end as usize]
     }
 
     /// Product with a vector of at least `C` numbers.

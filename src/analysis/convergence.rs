@@ -55,6 +55,7 @@ pub enum Norm {
 }
 
 impl Norm {
+    #[inline]
     fn of(self, v: &[f64]) -> f64 {
         match self {
             Self::Max => v.iter().fold(0.0, |m, x| if x.abs() <= m { m } else { x.abs() }),
@@ -138,6 +139,7 @@ impl Test {
     }
 
     /// Begin a step, from the unbalance before its first iteration.
+    #[inline]
     pub fn start(&mut self, unbalance: &[f64]) {
         self.iteration = 0;
         self.norms.clear();
@@ -154,17 +156,20 @@ impl Test {
     }
 
     /// Whether a correction passes whatever the unbalance after it.
+    #[inline]
     pub fn accepts(&self, correction: &[f64]) -> bool {
         let alone = matches!(self.measure, Measure::DispIncr | Measure::DispOrUnbalance);
         alone && self.norm.of(correction) <= self.share() * self.tolerance
     }
 
     /// Part of the tolerances that is asked for.
+    #[inline]
     fn share(&self) -> f64 {
         if self.closely { 0.01 } else { 1.0 }
     }
 
     /// Judge an iteration by its correction and the unbalance after it.
+    #[inline]
     pub fn judge(&mut self, correction: &[f64], unbalance: &[f64]) -> Verdict {
         let mut norm = match self.measure {
             Measure::DispIncr | Measure::RelativeDispIncr | Measure::RelativeTotalDispIncr => self.norm.of(correction),

@@ -304,6 +304,7 @@ impl Engine {
     }
 
     /// The resisting force of an element in the committed state as recorders show it, added to `out`.
+    #[inline]
     pub fn element_force(&self, id: ElementId, out: &mut Vec<f64>) {
         let e = &self.model.elements[id.0];
         let start = out.len();
@@ -313,6 +314,7 @@ impl Engine {
         }
     }
 
+    #[inline]
     fn prepare_options(&self, handler: Handler) -> PrepareOptions {
         let compat = self.options.compat;
         let scope = match handler {
@@ -330,13 +332,13 @@ impl Engine {
     }
 
     /// Make sure that there is a plan for the model as it is.
+    #[inline]
     pub(super) fn prepare(&mut self, handler: Handler) -> Result<&mut Prepared, Failure> {
         let options = self.prepare_options(handler);
         let up_to_date = matches!(&self.prepared, Some((r, o, _)) if *r == self.model.revision() && *o == options);
         if !up_to_date {
             let time = self.committed.time;
-            let prepared =
-                Prepared::new(&self.model, &options).map_err(|cause| Failure { cause, time, place: None, code: -1 })?;
+            let prepared = Prepared::new(&self.model, &options).map_err(|cause| Failure::new(cause, time, -1))?;
             let multipliers = prepared.plan.multipliers;
             self.committed.multipliers.resize(multipliers, 0.0);
             self.trial.clone_from(&self.committed);

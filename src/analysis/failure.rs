@@ -1,6 +1,7 @@
 //! Why an analysis step failed, with what an engineer needs to find the reason.
 
 use std::fmt;
+use std::ops::{Deref, DerefMut};
 
 /// Why a step failed.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,9 +36,13 @@ pub enum Cause {
     Interrupted,
 }
 
-/// A failed step.
+/// A failed step. What there is to say of it is kept apart: all that may fail in a step that does not returns a word.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Failure {
+pub struct Failure(Box<Details>);
+
+/// What there is to say of a failed step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Details {
     /// Why.
     pub cause: Cause,
     /// Domain time that the step was to reach.
@@ -46,6 +51,38 @@ pub struct Failure {
     pub place: Option<String>,
     /// What `analyze` returns for it in OpenSees: -1 the model, -2 the new step, -3 the solution, -4 the commit.
     pub code: i32,
+}
+
+impl Failure {
+    /// From the cause, the domain time that the step was to reach, and what `analyze` returns.
+    pub fn new(cause: Cause, time: f64, code: i32) -> Self {
+        Self(Box::new(Details { cause, time, place: None, code }))
+    }
+
+    /// With the degree of freedom that is worst off, where there is one.
+    pub fn at(mut self, place: Option<String>) -> Self {
+        self.place = place;
+        self
+    }
+
+    /// With another code.
+    pub fn with_code(mut self, code: i32) -> Self {
+        self.code = code;
+        self
+    }
+}
+
+impl Deref for Failure {
+    type Target = Details;
+    fn deref(&self) -> &Details {
+        &self.0
+    }
+}
+
+impl DerefMut for Failure {
+    fn deref_mut(&mut self) -> &mut Details {
+        &mut self.0
+    }
 }
 
 impl fmt::Display for Failure {

@@ -29,6 +29,7 @@ struct NodalEntry {
 
 impl ImposedDof {
     /// Take the motion of the ground at a time; where its pattern is held, at the time when it was.
+    #[inline]
     fn follow_ground(&mut self, model: &Model, time: f64) {
         if let Some(g) = &self.ground {
             let held = model.patterns.values().nth(self.pattern).and_then(|p| p.held);
@@ -45,6 +46,8 @@ pub struct Loads {
     drives: Vec<Drive>,
     /// Load factor (or ground acceleration) of each pattern at the last time.
     factors: Vec<f64>,
+    /// Patterns with loads, which are summed anew where their factor changes; others only impose motions.
+    loaded: Vec<bool>,
     entries: Vec<NodalEntry>,
     inertia: Vec<GroundInertia>,
     elements: Vec<(ElementId, usize, ElementLoad)>,
@@ -63,6 +66,7 @@ impl Loads {
         let mut loads = Self {
             drives: model.patterns.values().map(Pattern::drive).collect(),
             factors: vec![0.0; tags.len()],
+            loaded: model.patterns.values().map(Pattern::has_loads).collect(),
             entries: vec![],
             inertia: vec![],
             elements: vec![],
@@ -108,6 +112,7 @@ impl Loads {
     }
 
     /// Displacement imposed at the last time.
+    #[inline]
     pub(super) fn imposed_value(&self, i: &ImposedDof) -> f64 {
         if i.ground.is_some() {
             return i.motion[0];
@@ -154,12 +159,13 @@ impl Loads {
     ///
     /// # Errors
     /// Class and tag of an element that does not take its load, and what it says.
+    #[inline]
     pub(super) fn apply(&mut self, model: &Model, time: f64, words: &mut [f64]) -> Result<bool, (String, String)> {
         let mut changed = !self.valid;
         self.imposed.iter_mut().for_each(|i| i.follow_ground(model, time));
-        for (f, drive) in self.factors.iter_mut().zip(&self.drives) {
+        for ((f, drive), loaded) in self.factors.iter_mut().zip(&self.drives).zip(&self.loaded) {
             let factor = drive.factor(time);
-            changed |= factor != *f;
+            changed |= *loaded && factor != *f;
             *f = factor;
         }
         if !changed {
@@ -178,7 +184,7 @@ impl Loads {
             let e = &model.elements[id.0];
             e.element
                 .add_load(load, self.factors[*pattern], &mut words[e.load.clone()])
-                .map_err(|error| (format!("{} {}", e.element.class(), e.tag), error.0))?;
+                .map_err(|error| (format!("{} {}", e.element.class(), e.tag), error.0.into()))?;
         }
         Ok(!self.elements.is_empty())
     }

@@ -141,7 +141,7 @@ impl Engine {
         work.assemble(model, Coefficients { k: 1.0, c: 0.0, m: 0.0 }, TangentMix::CURRENT);
         let sum = |v: &[f64]| v.iter().map(|x| x.abs()).sum::<f64>();
         let masses = mass.as_deref().map_or(work.plan.equations() as f64, sum);
-        let failure = |cause| Failure { cause, time, place: None, code: -3 };
+        let failure = |cause| Failure::new(cause, time, -3);
         if masses == 0.0 {
             return Err(ModesError::TooFew { available: 0 });
         }
@@ -154,11 +154,11 @@ impl Engine {
                 Err(SolveError::OutOfMemory) => return Err(failure(Cause::OutOfMemory).into()),
                 Ok(p) if attempt == 1 => {
                     let place = Some(work.plan.equation_name(model, p.equation));
-                    return Err(Failure { place, ..failure(Cause::Singular) }.into());
+                    return Err(failure(Cause::Singular).at(place).into());
                 }
                 Err(SolveError::Singular { equation }) if attempt == 1 => {
                     let place = Some(work.plan.equation_name(model, equation));
-                    return Err(Failure { place, ..failure(Cause::Singular) }.into());
+                    return Err(failure(Cause::Singular).at(place).into());
                 }
                 _ => {
                     shift = -1e-7 * sum(&work.values) / masses;

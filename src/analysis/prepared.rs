@@ -8,7 +8,7 @@ use super::state::State;
 use super::system::Coefficients;
 use super::trapezoid::Trapezoid;
 use crate::assembly::{DofError, Handler, MpScope, Plan};
-use crate::element::{MAX_DOFS, Mass, Rows};
+use crate::element::{MAX_DOFS, Mass, Part, Rows};
 use crate::model::{Model, Rayleigh};
 use crate::numeric::dot;
 use crate::solve::{NEARLY_SINGULAR, Pivots, SolveError, Solver};
@@ -96,6 +96,8 @@ pub struct Prepared {
     pub(super) damping: Vec<f64>,
     pub(super) tangent_is_current: bool,
     pub(super) residual_needs_tangent: bool,
+    /// The integrator multiplies the tangents of the elements with displacements of its own: all columns are read.
+    pub(super) multiplies: bool,
     /// Elements that count their calls.
     pub(super) counting: Vec<usize>,
     /// How often elements that count their calls are asked.
@@ -199,6 +201,7 @@ impl Prepared {
             damping: vec![0.0; damping],
             tangent_is_current: false,
             residual_needs_tangent: false,
+            multiplies: false,
             counting: (0..matrices.len()).filter(|&i| matrices[i].counts_calls).collect(),
             asking: Asking::default(),
             updates: 0,
@@ -253,13 +256,21 @@ impl Prepared {
         self.solver.forget();
     }
 
+    /// What is read of the matrices of an element.
+    #[inline]
+    pub(super) fn part(&self, m: &Matrices) -> Part {
+        Part { rows: m.rows, columns: if self.multiplies { Rows::ALL } else { m.rows } }
+    }
+
     /// Clear `spread` of imposed motions and of what followed them.
+    #[inline]
     pub(super) fn clear_imposed(&mut self) {
         self.loads.imposed.iter().for_each(|i| self.spread[i.dof] = 0.0);
         self.plan.map.dependents.iter().for_each(|d| self.spread[d.dof] = 0.0);
     }
 
     /// Whether the damping needs the tangent of the committed state.
+    #[inline]
     pub(super) fn wants_committed_tangent(&self) -> bool {
         !self.committed.is_empty()
     }
@@ -362,6 +373,7 @@ impl Prepared {
 
     /// Subtract the same from the unbalance of the equations, `inertia` times the inertia of it: what goes to the supports is
     /// left out.
+    #[inline]
     pub(super) fn condense_elements(&mut self, model: &Model, state: &State, dynamic: bool, inertia: f64) {
         self.plan.subtract_forces(&state.force, &mut self.b);
         if !dynamic {

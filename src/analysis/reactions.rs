@@ -53,11 +53,8 @@ impl Engine {
         let (model, state, work) = self.parts();
         let Some(work) = work else { return Ok(()) };
         if kind != ReactionKind::Rayleigh {
-            work.loads.apply(model, state.time, words).map_err(|(element, message)| Failure {
-                cause: super::failure::Cause::Element { element, message },
-                time: state.time,
-                place: None,
-                code: -3,
+            work.loads.apply(model, state.time, words).map_err(|(element, message)| {
+                Failure::new(super::failure::Cause::Element { element, message }, state.time, -3)
             })?;
         }
         work.sum_forces(model, state, kind);

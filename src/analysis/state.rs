@@ -38,6 +38,7 @@ impl State {
 
     /// Take over a trial state: as [`State::copy_from`], but for words of history that nobody reads, and for the rates of
     /// a model that stands still.
+    #[inline]
     pub fn commit(&mut self, trial: &Self, model: &Model, still: bool) {
         self.time = trial.time;
         self.disp.copy_from_slice(&trial.disp);

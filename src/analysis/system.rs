@@ -61,12 +61,12 @@ const SIDE_BY_SIDE: usize = 6;
 impl System<'_> {
     /// A failure of this step.
     pub fn failure(&self, cause: Cause) -> Failure {
-        Failure { cause, time: self.new.time, place: None, code: -3 }
+        Failure::new(cause, self.new.time, -3)
     }
 
     /// A failure that names an equation.
     fn failure_at(&self, cause: Cause, equation: usize) -> Failure {
-        Failure { place: Some(self.work.plan.equation_name(self.model, equation)), ..self.failure(cause) }
+        self.failure(cause).at(Some(self.work.plan.equation_name(self.model, equation)))
     }
 
     /// A failure for an equation without a pivot.
@@ -75,6 +75,7 @@ impl System<'_> {
     }
 
     /// Set the time, and with it loads and imposed displacements.
+    #[inline]
     pub fn apply_loads(&mut self, time: f64) -> Result<(), Failure> {
         self.new.time = time;
         self.summed = false;
@@ -85,6 +86,7 @@ impl System<'_> {
     }
 
     /// Move the imposed degrees of freedom, and those that follow them.
+    #[inline]
     fn impose(&mut self) {
         let work = &mut *self.work;
         if work.loads.imposed.is_empty() {
@@ -140,6 +142,7 @@ impl System<'_> {
 
     /// Add a correction of the equations to the trial motion as the unknown of an integrator: only the degrees of freedom
     /// that it moves are touched.
+    #[inline]
     pub fn add_correction(&mut self, correction: &[f64], c: Coefficients) {
         let map = &self.work.plan.map;
         if !map.dependents.is_empty() {
@@ -237,6 +240,7 @@ impl System<'_> {
 
     /// Whether all nodes are where the elements were asked last, and no element has loads of its own: the common end of a
     /// step, found without going through the elements.
+    #[inline]
     fn nothing_has_moved(&self) -> bool {
         let slack = if self.settled { ROUND_OFF } else { 0.0 };
         let near = |all: bool, (new, old): (&f64, &f64)| all & ((new - old).abs() <= slack * old.abs());
@@ -271,17 +275,20 @@ impl System<'_> {
         for &i in &all {
             let e = &self.model.elements[i];
             let m = &self.work.matrices[i];
+            let part = self.work.part(m);
             let k = &mut self.work.tangent[m.at..m.at + e.dofs.len().pow(2)];
             k.fill(0.0);
-            e.element.last_tangent(&self.new.history[e.state.clone()], k, m.rows);
+            e.element.last_tangent(&self.new.history[e.state.clone()], k, part);
         }
         self.work.counting = all;
         asked
     }
 
+    #[inline]
     fn respond_one(&mut self, i: usize, want_tangent: bool, dt: f64) -> Result<(), Failure> {
         let (e, work) = (&self.model.elements[i], &mut *self.work);
         let m = &work.matrices[i];
+        let part = work.part(m);
         let n = e.dofs.len();
         let (disp, vel) = work.motions[m.motion..m.motion + 2 * n].split_at_mut(n);
         e.dofs.iter().zip(&mut *disp).for_each(|(&d, u)| *u = self.new.disp[d as usize]);
@@ -292,7 +299,7 @@ impl System<'_> {
         force.fill(0.0);
         let tangent = if want_tangent && !m.linear {
             let k = &mut work.tangent[m.at..m.at + n * n];
-            k.fill(0.0);
+            part.clear(k, n);
             Some(k)
         } else {
             None
@@ -304,20 +311,19 @@ impl System<'_> {
         });
         let load = &self.new.element_load[e.load.clone()];
         let vel = if self.still { &AT_REST[..n] } else { &*vel };
-        let motion = Motion { disp, vel, load, dt, time: self.new.time };
-        let answer = Answer { force, tangent, damping, rows: m.rows };
+        let motion = Motion { disp, vel, load, still: self.still, dt, time: self.new.time };
+        let answer = Answer { force, tangent, damping, part };
         let committed = &self.old.history[e.state.clone()];
         let trial = &mut self.new.history[e.state.clone()];
-        e.element.respond(&motion, committed, trial, answer).map_err(|error| Failure {
-            cause: Cause::Element { element: format!("{} {}", e.element.class(), e.tag), message: error.0 },
-            time: self.new.time,
-            place: None,
-            code: -3,
+        e.element.respond(&motion, committed, trial, answer).map_err(|error| {
+            let element = format!("{} {}", e.element.class(), e.tag);
+            Failure::new(Cause::Element { element, message: error.0.into() }, self.new.time, -3)
         })
     }
 
     /// Work out the unbalance b = P - R - C v - M a at the trial state; with the element tangents, if they are going
     /// to be needed.
+    #[inline]
     pub fn form_unbalance(&mut self, want_tangent: bool) -> Result<(), Failure> {
         self.respond(want_tangent)?;
         if self.summed && !self.dynamic {
@@ -333,6 +339,7 @@ impl System<'_> {
         Ok(())
     }
 
+    #[inline]
     fn sum_unbalance(&mut self) {
         match self.work.trapezoid.take() {
             Some(mut trapezoid) => {
@@ -352,6 +359,7 @@ impl System<'_> {
     }
 
     /// Sum loads, resisting forces, damping and a share of the inertia, but not the forces of constraints, into `work.b`.
+    #[inline]
     pub(super) fn sum_forces(&mut self, inertia: f64) {
         let work = &mut *self.work;
         let n = work.plan.map.equations;
@@ -365,6 +373,15 @@ impl System<'_> {
         }
         work.b[n..].fill(0.0);
         work.condense_elements(self.model, self.new, self.dynamic, inertia);
+    }
+
+    /// Whether no force is left over, not even round-off, so that the correction is zero whatever the tangent: a device on
+    /// an imposed path without other loads. Not before there has been a tangent to see a mechanism by, and not where elements
+    /// count how often they are asked.
+    #[inline]
+    pub fn is_balanced(&self) -> bool {
+        let work = &self.work;
+        work.solver.is_factored() && work.counting.is_empty() && work.b.iter().all(|b| *b == 0.0)
     }
 
     /// Assemble the tangent of the integrator, to be solved with once or often.

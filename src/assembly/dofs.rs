@@ -260,6 +260,7 @@ impl DofMap {
     }
 
     /// Sum a vector over degrees of freedom into equations: out = Tᵀ full.
+    #[inline]
     pub fn condense(&self, full: &[f64], out: &mut [f64]) {
         for (o, &dof) in out.iter_mut().zip(&self.dof_of) {
             *o = full[dof];

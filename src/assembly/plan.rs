@@ -226,6 +226,7 @@ impl Plan {
 
     /// Add the forces of the constraints that the handler keeps to the unbalance: `value` gives the value of a
     /// constraint, `disp` has the displacements of all degrees of freedom, `multipliers` their forces.
+    #[inline]
     pub fn add_link_forces(
         &self,
         value: impl Fn(&Link) -> f64,

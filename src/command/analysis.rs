@@ -141,7 +141,7 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             interp.host.last_failure = None;
             Ok(Value::from(0i64))
         }
-        Err(Failure { cause: Cause::Interrupted, .. }) => Err(Exception::Interrupted),
+        Err(failure) if failure.cause == Cause::Interrupted => Err(Exception::Interrupted),
         Err(failure) => {
             let mut d = told(&failure, call.span(0));
             // A check has found what a run would stumble over. In a run the script sees the code; it may have a

@@ -144,7 +144,7 @@ fn trig(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
     if w.zero_shift.abs() > w.factor.abs() {
         return Err(a.refuse("the zero shift is greater than the factor", "such a sine never is zero"));
     }
-    Ok(Arc::new(Trig(w)))
+    Ok(Arc::new(Trig::new(w)))
 }
 
 fn triangle(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {

@@ -88,7 +88,7 @@ impl ElementLoad {
     /// It is a moment along the beam, which elements of this class do not take.
     pub(crate) fn refuse_moment(&self, class: &str) -> Result<(), ElementError> {
         match self {
-            Self::Moment { .. } => Err(ElementError(format!("{class} takes no moments along its length"))),
+            Self::Moment { .. } => Err(ElementError(format!("{class} takes no moments along its length").into())),
             _ => Ok(()),
         }
     }

@@ -53,13 +53,15 @@ pub struct Motion<'a> {
     pub vel: &'a [f64],
     /// Its load words, as [`Element::add_load`] has summed them.
     pub load: &'a [f64],
+    /// Nothing has a velocity.
+    pub still: bool,
     /// Domain time since the committed state.
     pub dt: f64,
     /// Domain time (the load factor of static analyses).
     pub time: f64,
 }
 
-/// Where an element writes its answer; each part has been set to zero.
+/// Where an element writes its answer: what is wanted has been set to zero.
 #[derive(Debug)]
 pub struct Answer<'a> {
     /// Resisting force, length n.
@@ -68,8 +70,31 @@ pub struct Answer<'a> {
     pub tangent: Option<&'a mut [f64]>,
     /// Damping matrix of viscous materials n x n by rows, where it is wanted.
     pub damping: Option<&'a mut [f64]>,
-    /// Rows of the matrices that are wanted; what the others hold does not matter.
+    /// What of the matrices is wanted; what is beside it does not matter.
+    pub part: Part,
+}
+
+/// Rows and columns of a matrix.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// The rows.
     pub rows: Rows,
+    /// The columns.
+    pub columns: Rows,
+}
+
+impl Part {
+    /// The whole matrix.
+    pub const ALL: Self = Self { rows: Rows::ALL, columns: Rows::ALL };
+
+    /// Set the rows of an n x n matrix to zero.
+    #[inline]
+    pub fn clear(self, matrix: &mut [f64], n: usize) {
+        if self.rows.has_all(n) {
+            return matrix.fill(0.0);
+        }
+        self.rows.among(n).for_each(|i| matrix[i * n..(i + 1) * n].fill(0.0));
+    }
 }
 
 /// A choice of the degrees of freedom of an element: with bit i, the i-th.
@@ -103,6 +128,12 @@ impl Rows {
     #[inline]
     pub fn or(self, others: Self) -> Self {
         Self(self.0 | others.0)
+    }
+
+    /// Whether the first `n` are all among them.
+    #[inline]
+    pub fn has_all(self, n: usize) -> bool {
+        !self.0 & ((1 << n) - 1) == 0
     }
 
     /// Those among the first `n`, in order.
@@ -172,7 +203,7 @@ impl Nature {
 
 /// Why an element could not answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ElementError(pub String);
+pub struct ElementError(pub Box<str>);
 
 impl fmt::Display for ElementError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -184,7 +215,7 @@ impl std::error::Error for ElementError {}
 
 impl From<MaterialError> for ElementError {
     fn from(e: MaterialError) -> Self {
-        Self(e.0)
+        Self(e.0.into())
     }
 }
 
@@ -232,7 +263,7 @@ pub trait Element: fmt::Debug + Send + Sync {
 
     /// Tangent of the last call, from the history that it left, for an element that counts its calls; wanted rows of n x n,
     /// added to a zero matrix.
-    fn last_tangent(&self, _history: &[f64], _tangent: &mut [f64], _rows: Rows) {}
+    fn last_tangent(&self, _history: &[f64], _tangent: &mut [f64], _part: Part) {}
 
     /// Tangent of the virgin element, n x n by rows, added to a zero matrix.
     fn initial_tangent(&self, tangent: &mut [f64]);
@@ -261,7 +292,7 @@ pub trait Element: fmt::Debug + Send + Sync {
 
     /// Add a load, multiplied by a factor, to the load words.
     fn add_load(&self, _load: &ElementLoad, _factor: f64, _words: &mut [f64]) -> Result<(), ElementError> {
-        Err(ElementError(format!("{} takes no element loads", self.class())))
+        Err(ElementError(format!("{} takes no element loads", self.class()).into()))
     }
 
     /// Its basic deformations, one row for each direction, where it is two nodes with linear kinematics; empty where

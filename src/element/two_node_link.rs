@@ -55,7 +55,7 @@ impl TwoNodeLink {
         for (material, tag, direction) in springs {
             if direction == 0 || direction > per_node {
                 let message = format!("twoNodeLink: direction {direction} at nodes with {per_node} degrees of freedom");
-                return Err(ElementError(message));
+                return Err(ElementError(message.into()));
             }
             let row = basic_row(direction - 1, per_node, ndm, length, options.shear_dist);
             made.add((material, tag), direction, (pull_back(&row, &local), 0.0), None);

@@ -45,7 +45,7 @@ impl ZeroLength {
         let mut made = Springs::new(axes);
         for (k, (material, tag, direction)) in springs.into_iter().enumerate() {
             let half = direction_row(direction, ndm, per_node, &axes)
-                .ok_or_else(|| ElementError(no_direction(direction, ndm, per_node)))?;
+                .ok_or_else(|| ElementError(no_direction(direction, ndm, per_node).into()))?;
             let row = half.iter().map(|c| -c).chain(half.iter().copied()).collect();
             let damper = match &damping {
                 RayleighDamping::Materials(m) => m.get(k).cloned(),

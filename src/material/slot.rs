@@ -72,21 +72,22 @@ impl Slot {
     }
 
     /// Set the trial strain.
-    #[inline]
+    #[inline(always)]
     pub fn update(&self, committed: &[f64], strain: Strain, trial: &mut [f64]) -> Result<Stress, MaterialError> {
-        let end = self.at + self.len();
-        let old = &committed[self.at..end];
-        let new = &mut trial[self.at..end];
-        let (head, next) = new.split_at_mut(HEADER);
+        let (was, old) = committed[self.at..].split_at(HEADER);
+        let (head, new) = trial[self.at..].split_at_mut(HEADER);
         let s = match self.linear {
             Some(k) => Stress { value: k * strain.value, tangent: k, damping: 0.0 },
-            None => self.material.update(&old[HEADER..], strain, next)?,
+            None => {
+                let own = ..self.len - HEADER;
+                self.material.update(&old[own], strain, &mut new[own])?
+            }
         };
         head[STRAIN] = strain.value;
         head[RATE] = strain.rate;
         head[STRESS] = s.value;
         head[TANGENT] = s.tangent;
-        head[ENERGY] = old[ENERGY] + 0.5 * (old[STRESS] + s.value) * (strain.value - old[STRAIN]);
+        head[ENERGY] = was[ENERGY] + 0.5 * (was[STRESS] + s.value) * (strain.value - was[STRAIN]);
         Ok(s)
     }
 

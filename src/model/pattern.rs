@@ -86,6 +86,7 @@ pub enum Drive {
 
 impl Drive {
     /// The load factor at a time.
+    #[inline]
     pub fn factor(&self, time: f64) -> f64 {
         match self {
             Self::Held(factor) => *factor,
@@ -120,6 +121,12 @@ impl Pattern {
     /// A pattern without loads.
     pub fn new(kind: PatternKind) -> Self {
         Self { kind, nodal_loads: vec![], motions: vec![], element_loads: vec![], held: None }
+    }
+
+    /// Whether there is more in it than imposed motions.
+    pub fn has_loads(&self) -> bool {
+        let inertia = matches!(self.kind, PatternKind::Uniform(_));
+        inertia || !self.nodal_loads.is_empty() || !self.element_loads.is_empty()
     }
 
     /// Load factor at a time; for a uniform excitation the ground acceleration.

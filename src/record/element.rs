@@ -72,6 +72,19 @@ impl Answer {
             Self::Probe(p) => &p.labels,
         }
     }
+
+    /// Append the answer of an element in the committed state; `disp` is for its displacements.
+    fn append(&self, engine: &Engine, id: ElementId, disp: &mut Vec<f64>, out: &mut Vec<f64>) {
+        match self {
+            Self::Force(_) => engine.element_force(id, out),
+            Self::Probe(p) => {
+                let snapshot = engine.snapshot(id, disp);
+                let start = out.len();
+                out.resize(start + p.len(), 0.0);
+                engine.model().elements[id.0].element.read(&p.path, &snapshot, &mut out[start..]);
+            }
+        }
+    }
 }
 
 /// Names of the global force.
@@ -116,18 +129,6 @@ impl ElementResponse {
         values.resize(*columns, 0.0);
         engine.model().elements[id.0].element.read(path, &snapshot, &mut values);
         Some(values)
-    }
-
-    fn read(&mut self, engine: &Engine, id: ElementId, answer: &Answer) {
-        self.values.clear();
-        match answer {
-            Answer::Force(_) => engine.element_force(id, &mut self.values),
-            Answer::Probe(p) => {
-                let snapshot = engine.snapshot(id, &mut self.disp);
-                self.values.resize(p.len(), 0.0);
-                engine.model().elements[id.0].element.read(&p.path, &snapshot, &mut self.values);
-            }
-        }
     }
 
     fn chosen(&self, n: usize) -> impl Iterator<Item = usize> + '_ {
@@ -183,10 +184,12 @@ impl Source for ElementResponse {
     fn row(&mut self, engine: &mut Engine, row: &mut Vec<f64>) -> Result<(), RecordError> {
         let found = std::mem::take(&mut self.found);
         for (id, _, answer) in &found {
-            self.read(engine, *id, answer);
-            match self.columns.is_empty() {
-                true => row.extend_from_slice(&self.values),
-                false => row.extend(self.chosen(self.values.len()).map(|i| self.values[i])),
+            if self.columns.is_empty() {
+                answer.append(engine, *id, &mut self.disp, row);
+            } else {
+                self.values.clear();
+                answer.append(engine, *id, &mut self.disp, &mut self.values);
+                row.extend(self.chosen(self.values.len()).map(|i| self.values[i]));
             }
         }
         self.found = found;

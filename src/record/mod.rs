@@ -113,6 +113,7 @@ impl Recorder {
     ///
     /// # Errors
     /// A response that is not there, or an output that cannot be written.
+    #[inline]
     pub fn record(&mut self, engine: &mut Engine) -> Result<(), RecordError> {
         let time = engine.state().time;
         let c = self.cadence;
@@ -162,6 +163,7 @@ impl Recorder {
     }
 
     /// The row of the committed state, with the time where it is asked for.
+    #[inline]
     fn fill(&mut self, engine: &mut Engine) -> Result<(), RecordError> {
         self.row.clear();
         if self.cadence.time {

@@ -1,5 +1,6 @@
 //! The state of an interpreter but for the host and its commands: variables, namespaces, channels, texts.
 
+use std::cell::Cell;
 use std::collections::HashMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -72,7 +73,8 @@ pub struct Core {
     pub(crate) active: usize,
     pub(crate) namespaces: Vec<Namespace>,
     pub(crate) commands: Vec<Definition>,
-    /// Changes whenever a name may mean another command.
+    /// Changes whenever a name may mean another command; no other interpreter of the thread has had the same, but for one
+    /// with the same commands.
     pub(crate) epoch: u32,
     /// Significant digits of doubles; 0: as many as it takes.
     pub(crate) precision: usize,
@@ -109,7 +111,24 @@ pub struct Core {
     spare_vars: Vec<Table<Slot>>,
 }
 
+thread_local! {
+    static EPOCHS: Cell<u32> = const { Cell::new(0) };
+}
+
+/// A number that no interpreter of this thread has had: parsed scripts, which remember what their commands were, are shared.
+fn fresh_epoch() -> u32 {
+    EPOCHS.with(|last| {
+        last.set(last.get().wrapping_add(1));
+        last.get()
+    })
+}
+
 impl Core {
+    /// A name may mean another command from now on.
+    pub(crate) fn renew_epoch(&mut self) {
+        self.epoch = fresh_epoch();
+    }
+
     pub(crate) fn new(console: Box<dyn Console>, files: Box<dyn Files>) -> Self {
         let global =
             Frame { ns: NsId::GLOBAL, vars: Table::default(), is_proc: false, level: 0, caller: 0, words: vec![] };
@@ -125,7 +144,7 @@ impl Core {
             active: 0,
             namespaces: vec![Namespace::global()],
             commands: vec![],
-            epoch: 1,
+            epoch: fresh_epoch(),
             precision: 0,
             catching: 0,
             levels: 0,

@@ -1,5 +1,7 @@
 //! The interpreter as its host sees it.
 
+use std::cell::RefCell;
+use std::collections::HashMap;
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
@@ -14,6 +16,7 @@ use super::origin::Origin;
 use super::proc::outside_of_loop;
 use super::text::Text;
 use super::value::Value;
+use crate::diagnostic::SourceId;
 
 /// What an interpreter does with an error at the top level of a script.
 pub type OnError<H> = fn(&mut Interp<H>, Exception) -> Result<Value, Exception>;
@@ -49,8 +52,8 @@ pub struct Interp<H> {
     pub on_error: Option<OnError<H>>,
 }
 
-/// The commands of an interpreter, for others that begin with the same: making them known takes as long as 150 steps of a
-/// bearing (`benches/README.md`).
+/// The commands and variables of an interpreter, for others that begin with the same: making them known takes as long as
+/// 200 steps of a bearing (`benches/README.md`).
 pub struct Vocabulary<H> {
     namespaces: Vec<Namespace>,
     commands: Vec<Definition>,
@@ -58,6 +61,15 @@ pub struct Vocabulary<H> {
     epoch: u32,
     inlined: (Option<CmdId>, Option<CmdId>),
 }
+
+thread_local! {
+    /// Files by path as the interpreters of this thread ran them last: the number of their source in its map, and the text
+    /// with its parsed form.
+    static PARSED: RefCell<HashMap<String, (SourceId, Value)>> = RefCell::default();
+}
+
+/// Files that are remembered.
+const MOST_PARSED: usize = 64;
 
 impl<H> Deref for Interp<H> {
     type Target = Core;
@@ -81,20 +93,19 @@ impl<H> Interp<H> {
         interp
     }
 
-    /// An interpreter with the variables of Tcl, and the commands that another one had.
+    /// An interpreter with the commands and variables that another one had.
     pub fn knowing(host: H, console: Box<dyn Console>, files: Box<dyn Files>, words: &Vocabulary<H>) -> Self {
         let mut core = Core::new(console, files);
-        core.namespaces = words.namespaces.iter().map(Namespace::without_variables).collect();
+        core.namespaces = words.namespaces.iter().map(Namespace::copied).collect();
         core.commands = words.commands.clone();
         (core.epoch, core.inlined) = (words.epoch, words.inlined);
-        builtin::variables(&mut core);
         Interp { host, core, functions: words.functions.clone(), on_error: None }
     }
 
-    /// Its commands as they are now.
+    /// Its commands and variables as they are now.
     pub fn vocabulary(&self) -> Vocabulary<H> {
         Vocabulary {
-            namespaces: self.core.namespaces.iter().map(Namespace::without_variables).collect(),
+            namespaces: self.core.namespaces.iter().map(Namespace::copied).collect(),
             commands: self.core.commands.clone(),
             functions: self.functions.clone(),
             epoch: self.core.epoch,
@@ -163,7 +174,7 @@ impl<H> Interp<H> {
         let script = match known {
             Some(script) => script,
             None => {
-                let script = self.core.take_text(shown, &text);
+                let script = self.core.parsed_before(&full, shown, &text);
                 self.core.loaded.insert(full, (Arc::from(text), script.clone()));
                 script
             }
@@ -213,6 +224,27 @@ fn settle(result: Result<Value, Exception>) -> Result<Value, Exception> {
 
 impl Core {
     /// Take in a text as a source of its own.
+    /// A text to run, parsed if an interpreter of this thread has run the same file as its source of the same number:
+    /// calibrations run a script thousands of times.
+    fn parsed_before(&mut self, path: &str, name: &str, text: &str) -> Value {
+        PARSED.with_borrow_mut(|parsed| {
+            let source = self.sources.next();
+            if let Some((of, script)) = parsed.get(path)
+                && *of == source
+                && *script.as_str() == *text
+            {
+                self.sources.add(name, text);
+                return script.clone();
+            }
+            let script = self.take_text(name, text);
+            if parsed.len() >= MOST_PARSED {
+                parsed.clear();
+            }
+            parsed.insert(path.to_owned(), (source, script.clone()));
+            script
+        })
+    }
+
     fn take_text(&mut self, name: &str, text: &str) -> Value {
         let source = self.sources.add(name, text);
         Value::literal(text.to_owned(), Some(Origin::whole(source)))

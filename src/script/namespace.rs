@@ -29,13 +29,13 @@ impl Namespace {
         Self::named("::", None)
     }
 
-    /// The same with the commands alone: variables belong to one interpreter.
-    pub(crate) fn without_variables(&self) -> Self {
+    /// The same for another interpreter: variables with the values that they have, but of its own.
+    pub(crate) fn copied(&self) -> Self {
         Namespace {
             full: self.full.clone(),
             parent: self.parent,
             children: self.children.clone(),
-            vars: Table::default(),
+            vars: self.vars.clone(),
             commands: self.commands.clone(),
             exports: self.exports.clone(),
             path: self.path.clone(),
@@ -141,7 +141,7 @@ impl Core {
         }
         self.ns_mut(id).vars.clear();
         self.ns_mut(id).path.clear();
-        self.epoch += 1;
+        self.renew_epoch();
     }
 
     /// Where a command of this name would be made: its namespace, made if needed, and the last part of the name.
@@ -169,7 +169,7 @@ impl Core {
 
     /// Make a command, in the place of one of the same name if there is.
     pub(crate) fn define(&mut self, ns: NsId, name: &Text, imp: Imp) -> CmdId {
-        self.epoch += 1;
+        self.renew_epoch();
         if let Some(&old) = self.ns(ns).commands.get(name) {
             self.commands[old.0 as usize].imp = imp;
             // No longer those of the language.
@@ -203,7 +203,7 @@ impl Core {
             let moved = super::command::Proc { ns, ..super::command::Proc::clone(proc) };
             *proc = std::rc::Rc::new(moved);
         }
-        self.epoch += 1;
+        self.renew_epoch();
     }
 
     /// Remove a command and what was imported from it.
@@ -214,7 +214,7 @@ impl Core {
             self.ns_mut(ns).commands.remove(&name);
         }
         self.commands[id.0 as usize].imp = Imp::Deleted;
-        self.epoch += 1;
+        self.renew_epoch();
         let imports: Vec<CmdId> = (0..self.commands.len() as u32)
             .map(CmdId)
             .filter(|c| matches!(self.commands[c.0 as usize].imp, Imp::Import(of) if of == id))

@@ -99,6 +99,18 @@ pub(crate) enum Slot {
     Link(Rc<RefCell<Slot>>),
 }
 
+impl Clone for Slot {
+    /// A variable of its own with the same value.
+    fn clone(&self) -> Self {
+        match self {
+            Self::Empty => Self::Empty,
+            Self::Scalar(value) => Self::Scalar(value.clone()),
+            Self::Array(elements) => Self::Array(elements.clone()),
+            Self::Shared(variable) | Self::Link(variable) => variable.borrow().clone(),
+        }
+    }
+}
+
 impl Slot {
     /// Look at the variable itself.
     pub(crate) fn with<R>(&self, f: impl FnOnce(&Slot) -> R) -> R {

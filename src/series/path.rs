@@ -27,10 +27,9 @@ impl TimeSeries for Path {
         }
         // Written so that a time on a point gives the interval that OpenSees takes.
         let place = (time - self.start) / self.dt;
-        let below = place.floor();
-        let i = below as usize;
+        let i = place as usize;
         match self.values.get(i..i.saturating_add(2)) {
-            Some(&[a, b]) => self.factor * (a + (b - a) * (place - below)),
+            Some(&[a, b]) => self.factor * (a + (b - a) * (place - i as f64)),
             _ if self.use_last => self.factor * last,
             _ => 0.0,
         }

@@ -60,19 +60,29 @@ impl Wave {
 
 /// Sine: `c sin(2π (t - t₀)/T + φ) + z`, where φ is the phase shift less that which lets it start at zero for z.
 #[derive(Clone, Debug)]
-pub struct Trig(pub Wave);
+pub struct Trig {
+    wave: Wave,
+    phi: f64,
+}
+
+impl Trig {
+    /// From what it shares with the others.
+    pub fn new(wave: Wave) -> Self {
+        let phi = wave.shift - wave.period / TAU * (wave.zero_shift / wave.factor).asin();
+        Self { wave, phi }
+    }
+}
 
 impl TimeSeries for Trig {
     fn factor(&self, time: f64) -> f64 {
-        let w = &self.0;
+        let w = &self.wave;
         if !w.covers(time) {
             return 0.0;
         }
-        let phi = w.shift - w.period / TAU * (w.zero_shift / w.factor).asin();
-        w.factor * (TAU * (time - w.start) / w.period + phi).sin() + w.zero_shift
+        w.factor * (TAU * (time - w.start) / w.period + self.phi).sin() + w.zero_shift
     }
     fn end(&self) -> Option<f64> {
-        Some(self.0.end)
+        Some(self.wave.end)
     }
 }
 

@@ -1,7 +1,7 @@
 //! What a recorder of a script wrote, kept as numbers.
 
 use crate::record::{Output, RecordError};
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// The rows of a recorder, with their times.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -19,6 +19,7 @@ pub struct Trace {
 }
 
 impl Trace {
+    #[inline]
     fn push(&mut self, time: f64, row: &[f64]) {
         if self.width != row.len() {
             *self = Self { width: row.len(), ..Self::default() };
@@ -63,42 +64,68 @@ impl Trace {
     }
 }
 
-/// Where a recorder writes that is observed. Clones share the rows.
-#[derive(Clone, Debug, Default)]
+/// Where a recorder writes that is observed. Clones share the rows: the one that writes has them to itself until it is
+/// finished or dropped, so that a row takes no lock.
+#[derive(Debug, Default)]
 pub(super) struct TraceOutput {
     shared: Arc<Mutex<Trace>>,
+    own: Option<Trace>,
     time: f64,
 }
 
+impl Clone for TraceOutput {
+    fn clone(&self) -> Self {
+        Self { shared: self.shared.clone(), own: None, time: self.time }
+    }
+}
+
 impl TraceOutput {
+    fn shared(&self) -> MutexGuard<'_, Trace> {
+        self.shared.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
     /// Forget the rows.
     pub(super) fn clear(&self) {
-        if let Ok(mut t) = self.shared.lock() {
-            t.clear();
-        }
+        self.shared().clear();
     }
 
     /// Look at the rows.
     pub(super) fn with<R>(&self, look: impl FnOnce(&Trace) -> R) -> R {
-        match self.shared.lock() {
-            Ok(t) => look(&t),
-            Err(poisoned) => look(&poisoned.into_inner()),
+        look(&self.shared())
+    }
+
+    /// The rows, to write to.
+    fn own(&mut self) -> &mut Trace {
+        let Self { shared, own, .. } = self;
+        own.get_or_insert_with(|| std::mem::take(&mut *shared.lock().unwrap_or_else(PoisonError::into_inner)))
+    }
+
+    /// Give back the rows.
+    fn share(&mut self) {
+        if let Some(own) = self.own.take() {
+            *self.shared() = own;
         }
+    }
+}
+
+impl Drop for TraceOutput {
+    fn drop(&mut self) {
+        self.share();
     }
 }
 
 impl Output for TraceOutput {
     fn wants_start(&self, time: f64) -> bool {
-        self.with(|t| t.times.last().is_none_or(|last| time < *last))
+        let outlived = |t: &Trace| t.times.last().is_none_or(|last| time < *last);
+        self.own.as_ref().map_or_else(|| self.with(outlived), outlived)
     }
 
     fn start(&mut self, time: f64, row: &[f64]) {
-        if let Ok(mut t) = self.shared.lock() {
-            // The clock was set back: what came before belongs to an earlier stage.
-            t.clear();
-            t.push(time, row);
-            t.has_start = true;
-        }
+        // The clock was set back: what came before belongs to an earlier stage.
+        let t = self.own();
+        t.clear();
+        t.push(time, row);
+        t.has_start = true;
     }
 
     fn at(&mut self, time: f64) {
@@ -106,13 +133,13 @@ impl Output for TraceOutput {
     }
 
     fn row(&mut self, row: &[f64]) -> Result<(), RecordError> {
-        if let Ok(mut t) = self.shared.lock() {
-            t.push(self.time, row);
-        }
+        let time = self.time;
+        self.own().push(time, row);
         Ok(())
     }
 
     fn finish(&mut self) -> Result<(), RecordError> {
+        self.share();
         Ok(())
     }
 }

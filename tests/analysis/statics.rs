@@ -196,6 +196,40 @@ fn a_model_without_equations_runs() {
     }
 }
 
+/// A device on an imposed path is in balance as each step begins, until a load comes: then it is solved for again.
+#[test]
+fn a_load_that_comes_after_steps_without_one_is_carried() {
+    let drive = |algorithm: &str| {
+        run(&format!(
+            "model basic -ndm 2 -ndf 3
+            node 1 0 0; node 2 0 0.2
+            fix 1 1 1 1; fix 2 0 0 1
+            uniaxialMaterial Elastic 1 4e5
+            uniaxialMaterial Elastic 2 1e5
+            element elastomericBearingBoucWen 1 1 2 1820 13 0.28 0 2 1 0.5 0.5 -P 1 -Mz 2 -orient 0 1 0 -1 0 0
+            timeSeries Trig 1 0 10 1
+            timeSeries Path 2 -dt 0.25 -values {{0 0 1 0}} -useLast
+            pattern Plain 1 1 {{ sp 2 1 0.05 }}
+            pattern Plain 2 2 {{ load 2 0 -800 0 }}
+            constraints Transformation; numberer Plain; system BandGeneral
+            test NormDispIncr 1e-12 20; algorithm {algorithm}; integrator LoadControl 0.01; analysis Static
+            set out {{}}
+            for {{set i 0}} {{$i < 100}} {{incr i}} {{ analyze 1; lappend out {{*}}[nodeDisp 2] {{*}}[eleResponse 1 force] }}
+            puts $out"
+        ))
+        .done()
+        .numbers()
+    };
+    let (newton, modified) = (drive("Newton"), drive("ModifiedNewton"));
+    assert_eq!(newton.len(), 900);
+    for (k, (a, b)) in newton.iter().zip(&modified).enumerate() {
+        assert!((a - b).abs() <= 1e-9 * (1.0 + b.abs()), "{k}: {a} {b}");
+    }
+    // At 0.5 s the whole load, at 1 s none.
+    assert!(close(newton[49 * 9 + 1], -800.0 / 4e5, 1e-12));
+    assert!(newton[99 * 9 + 1].abs() < 1e-15);
+}
+
 #[test]
 fn adaptive_steps_stay_within_their_limits() {
     let ran = run("model basic -ndm 1 -ndf 1

@@ -1,6 +1,6 @@
 //! Drives materials and elements by themselves.
 
-use hysteron::element::{Answer, Element, Motion};
+use hysteron::element::{Answer, Element, Motion, Part};
 use hysteron::material::{Material, Strain, Stress};
 use std::sync::Arc;
 
@@ -64,15 +64,22 @@ impl Alone {
     pub fn trial(&mut self, disp: &[f64], vel: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let n = self.element.dofs();
         let (mut force, mut tangent) = (vec![0.0; n], vec![0.0; n * n]);
-        let motion = Motion { disp, vel, load: &self.load, dt: 0.01, time: 1.0 };
-        let answer = Answer {
-            force: &mut force,
-            tangent: Some(&mut tangent),
-            damping: None,
-            rows: hysteron::element::Rows::ALL,
-        };
+        let motion = Motion { disp, vel, load: &self.load, still: false, dt: 0.01, time: 1.0 };
+        let answer = Answer { force: &mut force, tangent: Some(&mut tangent), damping: None, part: Part::ALL };
         self.element.respond(&motion, &self.state, &mut self.next, answer).unwrap();
         (force, tangent)
+    }
+
+    /// A part of the tangent at trial displacements, in a matrix that held something else before.
+    pub fn part_of_tangent(&mut self, disp: &[f64], part: Part) -> Vec<f64> {
+        let n = self.element.dofs();
+        let (mut force, mut tangent) = (vec![0.0; n], vec![7.0; n * n]);
+        part.clear(&mut tangent, n);
+        let vel = vec![0.0; n];
+        let motion = Motion { disp, vel: &vel, load: &self.load, still: true, dt: 0.01, time: 1.0 };
+        let answer = Answer { force: &mut force, tangent: Some(&mut tangent), damping: None, part };
+        self.element.respond(&motion, &self.state, &mut self.next, answer).unwrap();
+        tangent
     }
 
     pub fn force(&mut self, disp: &[f64]) -> Vec<f64> {

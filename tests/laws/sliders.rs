@@ -143,8 +143,10 @@ fn answer(e: &Alone, disp: &[f64], vel: &[f64]) -> (Vec<f64>, Vec<f64>, Vec<f64>
     let n = disp.len();
     let (mut f, mut k, mut c, mut next) = (vec![0.0; n], vec![0.0; n * n], vec![0.0; n * n], e.state.clone());
     let answer =
-        Answer { force: &mut f, tangent: Some(&mut k), damping: Some(&mut c), rows: hysteron::element::Rows::ALL };
-    e.element.respond(&Motion { disp, vel, load: &[], dt: 0.01, time: 0.01 }, &e.state, &mut next, answer).unwrap();
+        Answer { force: &mut f, tangent: Some(&mut k), damping: Some(&mut c), part: hysteron::element::Part::ALL };
+    e.element
+        .respond(&Motion { disp, vel, load: &[], still: false, dt: 0.01, time: 0.01 }, &e.state, &mut next, answer)
+        .unwrap();
     (f, k, c)
 }
 

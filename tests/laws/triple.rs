@@ -196,9 +196,14 @@ fn rolling_bearing_has_consistent_tangents() {
     let (mut f, mut c, mut next) = ([0.0; 6], [0.0; 36], e.state.clone());
     let vel = [0.0, 0.0, 0.0, 0.7, 0.2, 0.1];
     let at_rest = e.force(&[0.01; 6]);
-    let answer = Answer { force: &mut f, tangent: None, damping: Some(&mut c), rows: hysteron::element::Rows::ALL };
+    let answer = Answer { force: &mut f, tangent: None, damping: Some(&mut c), part: hysteron::element::Part::ALL };
     e.element
-        .respond(&Motion { disp: &[0.01; 6], vel: &vel, load: &[], dt: DT, time: 1.0 }, &e.state, &mut next, answer)
+        .respond(
+            &Motion { disp: &[0.01; 6], vel: &vel, load: &[], still: false, dt: DT, time: 1.0 },
+            &e.state,
+            &mut next,
+            answer,
+        )
         .unwrap();
     for i in 0..6 {
         let damped: f64 = (0..6).map(|j| c[6 * i + j] * vel[j]).sum();

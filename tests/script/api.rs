@@ -137,3 +137,21 @@ fn random_numbers_come_out_the_same_every_time() {
     let script = "set l {}; for {set i 0} {$i < 3} {incr i} {lappend l [expr {rand()}]}; set l";
     assert_eq!(value(script), value(script));
 }
+
+/// Interpreters of a thread share what they have parsed, not what the names in it mean.
+#[test]
+fn a_script_run_again_finds_its_own_commands() {
+    let run = |definitions: &str| {
+        let files = MemoryFiles::default();
+        files.insert("/definitions.tcl", definitions);
+        files.insert("/main.tcl", "source definitions.tcl\nset all {}\nforeach i {1 2} {lappend all [go $i]}\nset all");
+        let mut interp = Interp::new(0.0, Box::new(Recorded::default()), Box::new(files));
+        interp.register("add", add);
+        interp.eval_file("/main.tcl").unwrap().as_str().to_string()
+    };
+    let [one, two] = ["proc go {x} {expr {$x + 1}}", "proc other {x} {add $x}\nproc go {x} {other $x}"];
+    assert_eq!(run(one), "2 3");
+    assert_eq!(run(two), "1.0 3.0");
+    assert_eq!(run("proc spare {} {}\nrename spare {}\nproc go {x} {return a$x}"), "a1 a2");
+    assert_eq!(run(one), "2 3");
+}

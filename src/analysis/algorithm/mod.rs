@@ -40,6 +40,7 @@ pub struct Iteration<'a, 'b> {
 
 impl Iteration<'_, '_> {
     /// Give the integrator the correction in `system.work.x`.
+    #[inline]
     pub fn update(&mut self) -> Result<(), Failure> {
         self.system.moved = true;
         self.system.work.updates = self.system.work.asking.update;
@@ -52,6 +53,7 @@ impl Iteration<'_, '_> {
 
     /// Work out the unbalance after the last correction, for the test to judge; with the element tangents if another is
     /// going to follow.
+    #[inline]
     pub fn form_unbalance(&mut self, want_tangent: bool) -> Result<(), Failure> {
         let n = self.system.work.plan.map.equations;
         self.system.settled = self.test.accepts(&self.system.work.x[..n]);
@@ -59,12 +61,14 @@ impl Iteration<'_, '_> {
     }
 
     /// Begin the tests of a step, its first unbalance being formed.
+    #[inline]
     pub fn start_test(&mut self) {
         let work = &self.system.work;
         self.test.start(&work.b[..work.plan.map.equations]);
     }
 
     /// Let the test judge the last correction and the unbalance after it; the number of iterations when it is passed.
+    #[inline]
     pub fn judge(&mut self) -> Result<Option<usize>, Failure> {
         let work = &self.system.work;
         let n = work.plan.map.equations;
@@ -83,7 +87,7 @@ impl Iteration<'_, '_> {
             test: self.test.measure.name(),
         };
         let place = self.system.worst(&self.system.work.b);
-        Failure { place, ..self.system.failure(cause) }
+        self.system.failure(cause).at(place)
     }
 }
 

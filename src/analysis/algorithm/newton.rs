@@ -12,12 +12,15 @@ pub struct Newton {
     /// Iterations of the last step. The next one is expected to take as many, and no tangents are made at its end; they
     /// are made up for where it takes more.
     expected: usize,
+    /// The last step was in balance as it began: of the next one the same is expected, and no tangents are made at its
+    /// beginning either.
+    at_rest: bool,
 }
 
 impl Newton {
     /// With which tangents.
     pub fn new(choice: TangentChoice) -> Self {
-        Self { choice, expected: usize::MAX }
+        Self { choice, expected: usize::MAX, at_rest: false }
     }
 }
 
@@ -27,13 +30,22 @@ impl Algorithm for Newton {
     }
     fn solve(&mut self, it: &mut Iteration<'_, '_>) -> Result<usize, Failure> {
         let wants = self.choice != TangentChoice::Always(TangentMix::INITIAL);
-        it.system.form_unbalance(wants)?;
+        it.system.form_unbalance(wants && !self.at_rest)?;
         it.start_test();
+        self.at_rest = it.system.is_balanced();
         for iteration in 0.. {
-            it.system.form_tangent(self.choice.at(iteration), Use::Once)?;
-            it.system.solve()?;
-            it.update()?;
-            it.form_unbalance(wants && iteration + 1 != self.expected)?;
+            // The first correction is known to be zero, and to change nothing where it is only added.
+            let none = iteration == 0 && self.at_rest;
+            if none {
+                it.system.work.x.fill(0.0);
+            } else {
+                it.system.form_tangent(self.choice.at(iteration), Use::Once)?;
+                it.system.solve()?;
+            }
+            if !(none && it.integrator.only_adds()) {
+                it.update()?;
+                it.form_unbalance(wants && iteration + 1 != self.expected)?;
+            }
             if let Some(n) = it.judge()? {
                 self.expected = n;
                 return Ok(n);

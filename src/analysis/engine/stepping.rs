@@ -22,7 +22,7 @@ impl Engine {
         for _ in 0..steps {
             if observer.interrupted() {
                 let cause = Cause::Interrupted;
-                return Err(Failure { cause, time: self.committed.time, place: None, code: -3 });
+                return Err(Failure::new(cause, self.committed.time, -3));
             }
             let length = self.length(dt);
             let done = match self.step_in_parts(length) {
@@ -36,7 +36,7 @@ impl Engine {
             self.steps += 1;
             if let Err(message) = observer.committed(self) {
                 let cause = Cause::Model(message);
-                return Err(Failure { cause, time: self.committed.time, place: None, code: -4 });
+                return Err(Failure::new(cause, self.committed.time, -4));
             }
         }
         Ok(())
@@ -112,11 +112,13 @@ impl Engine {
     }
 
     /// Length of a step, as integrators are given it: of time, or as a part of their own step where they are static.
+    #[inline]
     fn length(&self, dt: f64) -> f64 {
         if self.setup.as_ref().is_some_and(|s| s.kind == Kind::Static) { 1.0 } else { dt }
     }
 
     /// One step of the script, in the parts that [`Options::refine`](super::Options) asks for where it can be divided.
+    #[inline]
     pub(in crate::analysis) fn step_in_parts(&mut self, length: f64) -> Result<(), Failure> {
         let divides = self.setup.as_ref().is_some_and(|s| s.integrator.divides());
         match self.options.refine {
@@ -141,7 +143,7 @@ impl Engine {
     pub(in crate::analysis) fn step(&mut self, length: f64) -> Result<(), Failure> {
         let Some(handler) = self.setup.as_ref().map(|s| s.handler) else {
             let cause = Cause::Model("there is no analysis: the command \"analysis\" is missing".into());
-            return Err(Failure { cause, time: self.committed.time, place: None, code: -1 });
+            return Err(Failure::new(cause, self.committed.time, -1));
         };
         self.prepare(handler)?;
         let (Some(setup), Some((_, _, work))) = (&mut self.setup, &mut self.prepared) else {
@@ -186,6 +188,7 @@ impl Engine {
 /// Make integrator and algorithm ready for a model, or an integrator, that is new.
 fn prepare(system: &mut System<'_>, setup: &mut Setup) -> Result<(), Failure> {
     system.work.trapezoid = None;
+    system.work.multiplies = setup.integrator.multiplies_tangents();
     setup.integrator.prepare(system)?;
     setup.algorithm.prepare(system);
     Ok(())
@@ -212,7 +215,7 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64)
     let iterations = setup.algorithm.solve(&mut iteration)?;
     // Integrators that answer at another time than the end of the step ask once more.
     system.work.updates = 1;
-    setup.integrator.commit(system, iterations).map_err(|f| Failure { code: -4, ..f })?;
+    setup.integrator.commit(system, iterations).map_err(|f| f.with_code(-4))?;
     system.work.updates = 0;
     if system.work.wants_committed_tangent() {
         if !system.work.tangent_is_current {

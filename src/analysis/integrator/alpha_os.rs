@@ -56,6 +56,9 @@ impl Integrator for AlphaOs {
     fn balances(&self) -> bool {
         false
     }
+    fn multiplies_tangents(&self) -> bool {
+        true
+    }
 
     fn prepare(&mut self, s: &mut System<'_>) -> Result<(), Failure> {
         let n = s.old.disp.len();

@@ -59,7 +59,7 @@ impl DisplacementControl {
                 "DisplacementControl: the reference load does not move {} (is there a load that follows its series?)",
                 s.model.dof_name(self.dof)
             );
-            return Err(Failure { code: -2, ..s.failure(Cause::Model(message)) });
+            return Err(s.failure(Cause::Model(message)).with_code(-2));
         }
         Ok(unit)
     }
@@ -96,7 +96,7 @@ impl Integrator for DisplacementControl {
         if self.control.is_empty() {
             let message =
                 format!("DisplacementControl: {} is held and cannot be controlled", s.model.dof_name(self.dof));
-            return Err(Failure { code: -1, ..s.failure(Cause::Model(message)) });
+            return Err(s.failure(Cause::Model(message)).with_code(-1));
         }
         s.reference_load(s.old.time, &mut self.reference)
     }
@@ -107,7 +107,7 @@ impl Integrator for DisplacementControl {
         self.factor = s.old.time;
         // The loads as they are: element loads count in the tangent of a beam with P-Delta.
         s.apply_loads(self.factor)?;
-        s.form_tangent(self.mix, Use::Once).map_err(|f| Failure { code: -2, ..f })?;
+        s.form_tangent(self.mix, Use::Once).map_err(|f| f.with_code(-2))?;
         let factor = part * self.step / self.solve_unit(s)?;
         let mut unit = std::mem::take(&mut self.unit);
         unit.iter_mut().for_each(|u| *u *= factor);

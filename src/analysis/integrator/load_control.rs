@@ -29,6 +29,10 @@ impl Integrator for LoadControl {
         true
     }
 
+    fn only_adds(&self) -> bool {
+        true
+    }
+
     fn divides(&self) -> bool {
         true
     }

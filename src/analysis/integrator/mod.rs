@@ -84,6 +84,16 @@ pub trait Integrator: fmt::Debug + Send {
         true
     }
 
+    /// Whether [`Integrator::update`] does no more than to add the correction to the trial motion, times its coefficients.
+    fn only_adds(&self) -> bool {
+        false
+    }
+
+    /// Whether the tangents of the elements are multiplied with displacements that are in no equation.
+    fn multiplies_tangents(&self) -> bool {
+        false
+    }
+
     /// Whether a step can be made in parts, by giving `begin` parts of its length.
     fn divides(&self) -> bool {
         !self.is_static()

@@ -31,7 +31,7 @@ impl ReferenceLoad {
         s.coefficients = Coefficients { k: 1.0, c: 0.0, m: 0.0 };
         self.factor = s.old.time;
         s.apply_loads(self.factor)?;
-        s.form_tangent(TangentMix::CURRENT, Use::Once).map_err(|f| Failure { code: -2, ..f })?;
+        s.form_tangent(TangentMix::CURRENT, Use::Once).map_err(|f| f.with_code(-2))?;
         self.solve(s)
     }
 
@@ -42,7 +42,7 @@ impl ReferenceLoad {
         if dot(&self.unit, &self.unit) == 0.0 {
             let message =
                 "the load that follows the load factor moves nothing (is there a load that follows its series?)";
-            return Err(Failure { code: -2, ..s.failure(Cause::Model(message.into())) });
+            return Err(s.failure(Cause::Model(message.into())).with_code(-2));
         }
         Ok(())
     }

@@ -39,6 +39,9 @@ impl Integrator for TrapezoidalSplitting {
     fn balances(&self) -> bool {
         false
     }
+    fn multiplies_tangents(&self) -> bool {
+        true
+    }
 
     fn prepare(&mut self, s: &mut System<'_>) -> Result<(), Failure> {
         self.correction.resize(s.old.disp.len(), 0.0);

@@ -3,7 +3,7 @@
 use super::slack::Answered;
 use super::{Amendment, Demand, Pair, Slack, Taken, Verdict};
 use crate::element::{
-    Answer, BasicRow, Element, ElementError, ElementLoad, MAX_DOFS, Mass, Motion, Nature, Overload, Rows, Snapshot, dot,
+    Answer, BasicRow, Element, ElementError, ElementLoad, MAX_DOFS, Mass, Motion, Nature, Overload, Part, Snapshot, dot,
 };
 use crate::probe::Probe;
 use std::sync::Arc;
@@ -36,7 +36,7 @@ const AXIAL: usize = 2;
 fn no_direction(inner: &dyn Element, direction: usize, has: &[BasicRow]) -> ElementError {
     let known: Vec<String> = has.iter().map(|r| r.direction.to_string()).collect();
     let known = if known.is_empty() { "none that can be amended".into() } else { known.join(" ") };
-    ElementError(format!("{} has no direction {direction}; it has {known}", inner.class()))
+    ElementError(format!("{} has no direction {direction}; it has {known}", inner.class()).into())
 }
 
 impl Amended {
@@ -75,7 +75,7 @@ impl Amended {
     pub fn with_axial(self, direction: usize) -> Result<Self, ElementError> {
         let has = self.inner.basic_rows();
         if self.rows.iter().any(|r| r.direction == direction) {
-            return Err(ElementError(format!("direction {direction} is amended itself")));
+            return Err(ElementError(format!("direction {direction} is amended itself").into()));
         }
         let row = has.iter().find(|r| r.direction == direction).cloned();
         let row = row.ok_or_else(|| no_direction(self.inner.as_ref(), direction, &has))?;
@@ -165,7 +165,7 @@ impl Amended {
             let (mut force, mut tangent) = ([0.0; MAX_DOFS], [0.0; MAX_DOFS * MAX_DOFS]);
             let disp = self.behind(motion.disp, by);
             let answer =
-                Answer { force: &mut force[..n], tangent: Some(&mut tangent[..n * n]), damping: None, rows: Rows::ALL };
+                Answer { force: &mut force[..n], tangent: Some(&mut tangent[..n * n]), damping: None, part: Part::ALL };
             self.inner.respond(&Motion { disp: &disp[..n], ..*motion }, old, new, answer)?;
             let mut q = [0.0; 2];
             q.iter_mut().zip(&self.rows).for_each(|(q, row)| *q = row.force(&force[..n]));
@@ -231,11 +231,15 @@ impl Element for Amended {
         trial: &mut [f64],
         mut answer: Answer<'_>,
     ) -> Result<(), ElementError> {
+        // All of the element's tangent is read here.
+        if let Some(tangent) = answer.tangent.as_deref_mut() {
+            tangent.fill(0.0);
+        }
         let own = Answer {
             force: &mut *answer.force,
             tangent: answer.tangent.as_deref_mut(),
             damping: answer.damping.as_deref_mut(),
-            rows: Rows::ALL,
+            part: Part::ALL,
         };
         let (old, kept) = committed.split_at(self.inner_len);
         let (new, next) = trial.split_at_mut(self.inner_len);

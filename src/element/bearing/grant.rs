@@ -35,6 +35,10 @@ crate::words! {
         scragging: f64,
         /// Mullins damage D_M.
         mullins: f64,
+        /// What scragging has left, e^(-c₁ D_S³) and e^(-c₂ D_S³): of the elastic stiffness and of the growth of the radius.
+        kept: [f64; 2],
+        /// What the Mullins damage has left to fade, e^(-c₄ D_M³).
+        fresh: f64,
         /// Distance of the force from the bounding circle δ.
         distance: f64,
         /// Radius of the bounding circle R.
@@ -56,17 +60,20 @@ impl GrantShear {
         if size > c.outer {
             damage.outer = size;
             damage.inner = c.inner + (size - c.outer);
-            damage.scragging = c.scragging;
+            (damage.scragging, damage.kept) = (c.scragging, c.kept);
         }
         let scragging = size < c.inner;
         if scragging {
             damage.outer = c.outer;
             damage.inner = size;
             damage.scragging = c.scragging + (c.inner - size);
+            let cube = damage.scragging * damage.scragging * damage.scragging;
+            damage.kept = [decay(self.c[0], cube), decay(self.c[1], cube)];
         }
         let mullins = size < before;
         if mullins {
             damage.mullins = c.mullins + (before - size);
+            damage.fresh = decay(self.c[3], damage.mullins * damage.mullins * damage.mullins);
         }
         Growth { damage, scragging, mullins }
     }
@@ -84,7 +91,10 @@ impl RubberShear for GrantShear {
         let [b1, _, b3] = self.b;
         // OpenSees leaves the hysteretic part out of the initial stiffness.
         let k = if self.compat { a1 } else { a1 + b1 * b3 };
-        (Shear { k: [[k, 0.0], [0.0, k]], ..Shear::default() }, Damage { radius: b1, ..Damage::default() })
+        (
+            Shear { k: [[k, 0.0], [0.0, k]], ..Shear::default() },
+            Damage { radius: b1, kept: [1.0; 2], fresh: 1.0, ..Damage::default() },
+        )
     }
 
     fn step(&self, c: &Shear<2>, m: &Damage, last: &Damage, at: &Shearing<'_>) -> ShearStep<Damage> {
@@ -98,9 +108,7 @@ impl RubberShear for GrantShear {
 
         // Direction along which the damages grow.
         let inward = if size > 0.0 { [-u[0] / size, -u[1] / size] } else { [0.0; 2] };
-        let scrag3 = d.scragging * d.scragging * d.scragging;
-        let (ks1, ks2) = (decay(c1, scrag3), decay(c2, scrag3));
-        let softening = decay(c4, d.mullins * d.mullins * d.mullins);
+        let ([ks1, ks2], softening) = (d.kept, d.fresh);
         let km = c3 + (1.0 - c3) * softening;
         let per_scragging = if scragging { -3.0 * d.scragging * d.scragging } else { 0.0 };
         let per_mullins = if mullins { -3.0 * d.mullins * d.mullins } else { 0.0 };

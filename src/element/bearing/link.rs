@@ -1,6 +1,6 @@
 //! Kinematics of two-node bearings: basic deformations, and the P-Delta moments of the axial force.
 
-use crate::element::{BasicRow, Rows, dot};
+use crate::element::{BasicRow, Part, dot};
 use crate::numeric::SparseMatrix;
 use nalgebra::Matrix3;
 
@@ -188,11 +188,11 @@ impl<const N: usize, const B: usize> Link<N, B> {
         self.add_end_forces(&local, force);
     }
 
-    /// Add rows of the consistent tangent of [`Link::add_force`] for the basic stiffness `k`.
-    pub fn add_tangent(&self, k: &[[f64; B]; B], q: &[f64; B], disp: &[f64], tangent: &mut [f64], rows: Rows) {
-        self.add_basic_rows(k, tangent, rows);
+    /// Add a part of the consistent tangent of [`Link::add_force`] for the basic stiffness `k`.
+    pub fn add_tangent(&self, k: &[[f64; B]; B], q: &[f64; B], disp: &[f64], tangent: &mut [f64], part: Part) {
+        self.add_basic_part(k, tangent, part);
         let Some(p_delta) = &self.p_delta else { return };
-        let moments = || rows.among(N).map(|i| (i, p_delta.row(i))).filter(|(_, row)| !row.is_empty());
+        let moments = || part.rows.among(N).map(|i| (i, p_delta.row(i))).filter(|(_, row)| !row.is_empty());
         if moments().next().is_none() {
             return;
         }
@@ -209,18 +209,26 @@ impl<const N: usize, const B: usize> Link<N, B> {
 
     /// Add Aᵀ k A for a basic matrix `k`.
     pub fn add_basic(&self, k: &[[f64; B]; B], tangent: &mut [f64]) {
-        self.add_basic_rows(k, tangent, Rows::ALL);
+        self.add_basic_part(k, tangent, Part::ALL);
     }
 
-    /// Add rows of Aᵀ k A for a basic matrix `k`.
-    pub fn add_basic_rows(&self, k: &[[f64; B]; B], tangent: &mut [f64], rows: Rows) {
-        for i in rows.among(N) {
+    /// Add a part of Aᵀ k A for a basic matrix `k`.
+    pub fn add_basic_part(&self, k: &[[f64; B]; B], tangent: &mut [f64], part: Part) {
+        let whole = part.columns.has_all(N);
+        for i in part.rows.among(N) {
             // Derivative of the force at i by the basic deformations.
             let mut by_basic = [0.0; B];
             for e in self.columns.row(i) {
                 by_basic.iter_mut().zip(&k[e.column]).for_each(|(by, k)| *by += e.value * k);
             }
-            self.add_basic_force(&by_basic, &mut tangent[i * N..(i + 1) * N]);
+            let to = &mut tangent[i * N..(i + 1) * N];
+            if whole {
+                self.add_basic_force(&by_basic, to);
+                continue;
+            }
+            for j in part.columns.among(N) {
+                to[j] += self.columns.row(j).iter().fold(0.0, |sum, e| sum + e.value * by_basic[e.column]);
+            }
         }
     }
 

@@ -5,7 +5,7 @@ use super::normal_springs::{NormalSprings, Section};
 use super::responses::{NAMES, Response};
 use super::shear_bearing::end_masses;
 use crate::element::{
-    Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Rows, Snapshot, frame_force_labels,
+    Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Part, Snapshot, frame_force_labels,
 };
 use crate::probe::Probe;
 use crate::words;
@@ -115,8 +115,8 @@ impl Element for MultipleNormalSpring {
     fn counts_calls(&self) -> bool {
         self.counts_calls
     }
-    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], rows: Rows) {
-        self.link.add_basic_rows(&Self::stiffness(Forces::read(history).stiffness), tangent, rows);
+    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], part: Part) {
+        self.link.add_basic_part(&Self::stiffness(Forces::read(history).stiffness), tangent, part);
     }
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.link.add_basic(&Self::stiffness(self.springs.initial_stiffness()), tangent);

@@ -114,12 +114,12 @@ impl<L: RubberShear + 'static> Element for RubberBearing<L> {
             for i in 0..3 {
                 k[3 + i][3 + i] = rotations[i];
             }
-            self.link.add_tangent(&k, &q, motion.disp, tangent, answer.rows);
+            self.link.add_tangent(&k, &q, motion.disp, tangent, answer.part);
         }
         if let Some(damping) = answer.damping.filter(|_| s.damping != 0.0) {
             let mut c = [[0.0; 6]; 6];
             (c[1][1], c[2][2]) = (s.damping, s.damping);
-            self.link.add_basic_rows(&c, damping, answer.rows);
+            self.link.add_basic_part(&c, damping, answer.part);
         }
         Ok(())
     }

@@ -29,6 +29,7 @@ impl<const S: usize> Words for Shear<S> {
 
     #[inline]
     fn read(words: &[f64]) -> Self {
+        let words = &words[..Self::LEN];
         let vector = |at: usize| std::array::from_fn(|i| words[at + i]);
         Self { u: vector(0), internal: vector(S), q: vector(2 * S), k: std::array::from_fn(|i| vector((3 + i) * S)) }
     }

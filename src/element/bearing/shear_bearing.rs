@@ -83,9 +83,7 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
     ) -> Result<(), ElementError> {
         let local = self.link.local_motion(motion.disp);
         let u = self.link.deformation_of(&local);
-        // Nothing has a velocity in a static analysis.
-        let still = motion.vel.iter().all(|v| *v == 0.0);
-        let rate = if still { [0.0; B] } else { self.link.deformation(motion.vel) };
+        let rate = if motion.still { [0.0; B] } else { self.link.deformation(motion.vel) };
         // Of the materials; shear in between.
         let (mut q, mut stiffness, mut viscosity) = ([0.0; B], [0.0; B], [0.0; B]);
         for (i, slot) in self.springs() {
@@ -105,11 +103,11 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
         self.link.add_force(&q, &local, answer.force);
         if let Some(tangent) = answer.tangent {
             let k = Self::basic_stiffness(stiffness, &shear);
-            self.link.add_tangent(&k, &q, motion.disp, tangent, answer.rows);
+            self.link.add_tangent(&k, &q, motion.disp, tangent, answer.part);
         }
         if let Some(damping) = answer.damping {
             let c = diagonal(viscosity);
-            self.link.add_basic_rows(&c, damping, answer.rows);
+            self.link.add_basic_part(&c, damping, answer.part);
         }
         Ok(())
     }

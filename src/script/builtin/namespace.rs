@@ -298,7 +298,7 @@ fn path(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     let names = call.arg(2).to_list()?;
     let path = names.iter().map(|n| core.namespace_named(&n.as_str())).collect::<Result<Vec<_>, _>>()?;
     core.ns_mut(here).path = path;
-    core.epoch += 1;
+    core.renew_epoch();
     Ok(Value::EMPTY)
 }
 

@@ -24,7 +24,7 @@ use super::responses::{NAMES, Response};
 use super::shear_bearing::end_masses;
 use super::shear_springs::{Factors, ShearSprings};
 use crate::element::{
-    Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Overload, Rows, Snapshot, frame_force_labels,
+    Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Overload, Part, Rows, Snapshot, frame_force_labels,
 };
 use crate::material::{Material, MaterialError};
 use crate::numeric::SparseMatrix;
@@ -324,7 +324,7 @@ impl Element for KikuchiBearing {
         let mut local = Condensed::default();
         match &self.scheme {
             Scheme::Converged => {
-                let rows = if answer.tangent.is_some() { self.local_rows(answer.rows) } else { Rows::NONE };
+                let rows = if answer.tangent.is_some() { self.local_rows(answer.part.rows) } else { Rows::NONE };
                 self.converge(outer, committed, motion.dt, rows, trial, &mut local)?;
             }
             Scheme::OpenSees(balance, common) => {
@@ -334,7 +334,7 @@ impl Element for KikuchiBearing {
         }
         self.add_force(&local.force, answer.force);
         if let Some(k) = answer.tangent {
-            self.add_global(&local.stiffness, k, answer.rows);
+            self.add_global(&local.stiffness, k, answer.part.rows);
         }
         Ok(())
     }
@@ -349,7 +349,7 @@ impl Element for KikuchiBearing {
     fn counts_calls(&self) -> bool {
         matches!(self.scheme, Scheme::OpenSees(..))
     }
-    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], rows: Rows) {
+    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], Part { rows, .. }: Part) {
         if let Scheme::OpenSees(_, common) = &self.scheme
             && !common.use_stiffness(|k| self.add_global(k, tangent, rows))
         {

@@ -52,9 +52,10 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
             // The circle at the displacement in its own direction.
             let square = (radius - x) * (radius + x);
             if square <= 0.0 {
-                return Err(ElementError(format!(
-                    "the displacement {x:.4} is not less than the radius of the sliding surface, {radius}"
-                )));
+                return Err(ElementError(
+                    format!("the displacement {x:.4} is not less than the radius of the sliding surface, {radius}")
+                        .into(),
+                ));
             }
             *c = 1.0 / square.sqrt();
         }

@@ -31,7 +31,9 @@ impl Dish {
             return Ok(square.sqrt());
         }
         let r = self.radius;
-        Err(ElementError(format!("the displacement {u:.4} is not less than the radius of the sliding surface, {r}")))
+        Err(ElementError(
+            format!("the displacement {u:.4} is not less than the radius of the sliding surface, {r}").into(),
+        ))
     }
 }
 
@@ -154,10 +156,13 @@ impl Surface {
         if pendulum < self.k_init && s.q.iter().all(|q| q.is_finite()) {
             return Ok(s);
         }
-        Err(ElementError(format!(
-            "the initial stiffness {} is not greater than the pendulum's, N/R = {pendulum}, under a pressure of {}",
-            self.k_init, pose.pressure
-        )))
+        Err(ElementError(
+            format!(
+                "the initial stiffness {} is not greater than the pendulum's, N/R = {pendulum}, under a pressure of {}",
+                self.k_init, pose.pressure
+            )
+            .into(),
+        ))
     }
 
     /// Answer as OpenSees finds it, by substitution: from a force until it changes by less than the tolerance.
@@ -183,7 +188,9 @@ impl Surface {
             }
             q = at.q;
         }
-        Err(ElementError(format!("no shear force was found in {rounds} iterations to a tolerance of {tolerance}")))
+        Err(ElementError(
+            format!("no shear force was found in {rounds} iterations to a tolerance of {tolerance}").into(),
+        ))
     }
 
     fn shape<const S: usize>(&self, pose: &Pose<S>) -> Result<Shape<S>, ElementError> {
