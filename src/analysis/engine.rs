@@ -8,7 +8,7 @@ use super::failure::Failure;
 use super::integrator::Integrator;
 use super::ladder::Ladder;
 use super::prepared::{PrepareOptions, Prepared};
-use super::state::State;
+use super::state::{Departure, State};
 use super::system::{Coefficients, System};
 use crate::assembly::{Handler, MpScope};
 use crate::element::{Element, Overload, Snapshot};
@@ -100,6 +100,7 @@ pub struct Engine {
     model: Model,
     committed: State,
     trial: State,
+    pub(super) departure: Departure,
     setup: Option<Setup>,
     prepared: Option<(u64, PrepareOptions, Prepared)>,
     /// The parts of the analysis that have not seen the prepared model yet.
@@ -127,6 +128,7 @@ impl Engine {
             model: Model::new(),
             committed: State::default(),
             trial: State::default(),
+            departure: Departure::default(),
             setup: None,
             prepared: None,
             fresh: true,
@@ -242,12 +244,21 @@ impl Engine {
         let before = self.model.clone();
         let result = change(&mut self.model);
         self.committed = self.committed.rearranged(&before, &self.model);
+        self.departure.forget();
         self.trial.clone_from(&self.committed);
         result
     }
 
-    /// Change the committed state by hand: time, displacements, velocities.
+    /// Set the domain time.
+    pub fn set_time(&mut self, time: f64) {
+        let departure = std::mem::take(&mut self.departure);
+        self.change_state(|s, _| s.time = time);
+        self.departure = departure;
+    }
+
+    /// Change the committed state by hand: displacements, velocities.
     pub fn change_state(&mut self, change: impl FnOnce(&mut State, &Model)) {
+        self.departure.forget();
         change(&mut self.committed, &self.model);
         self.trial.clone_from(&self.committed);
         if let Some((_, _, p)) = &mut self.prepared {
@@ -269,6 +280,7 @@ impl Engine {
     }
 
     fn forget_work(&mut self) {
+        self.departure.forget();
         if let Some((_, _, work)) = &mut self.prepared {
             work.forget();
         }
@@ -278,6 +290,7 @@ impl Engine {
     /// Back to the undeformed, virgin model at time zero.
     pub fn reset(&mut self) {
         self.committed = State::default();
+        self.departure.forget();
         self.committed.grow(&self.model);
         self.trial.clone_from(&self.committed);
         self.fresh = true;

@@ -203,10 +203,26 @@ impl Engine {
         self.modes.as_ref()
     }
 
-    /// Tangents of all elements in the committed state.
+    /// Tangents of all elements in the committed state: those of the step that has come to it.
     fn respond_as_committed(&mut self) -> Result<(), Failure> {
+        let departure = self.departure.state(self.state());
+        let time = self.state().time;
         self.with_system(|system| {
-            let time = system.old.time;
+            let System { model, coefficients, dynamic, moved, asked, still, summed, settled, .. } = *system;
+            let mut system = System {
+                model,
+                old: departure.as_ref().unwrap_or(system.old),
+                new: &mut *system.new,
+                work: &mut *system.work,
+                coefficients,
+                dynamic,
+                elapses: departure.is_some(),
+                moved,
+                asked,
+                still,
+                summed,
+                settled,
+            };
             system.apply_loads(time)?;
             system.respond(true)
         })

@@ -23,6 +23,43 @@ pub struct State {
     pub multipliers: Vec<f64>,
 }
 
+/// What the last step began from. The tangent at its end is that of the step: asked for anew from where it has come to, a
+/// bearing that slides might as well go back.
+#[derive(Debug, Default)]
+pub(super) struct Departure {
+    history: Vec<f64>,
+    /// Time of the step, zero where the domain time is no time.
+    duration: f64,
+    holds: bool,
+}
+
+impl Departure {
+    /// A step is going to be committed: keep the history of the committed state, which is going to be written over.
+    pub(super) fn keep(&mut self, committed: &mut State, duration: f64) {
+        if self.history.len() == committed.history.len() {
+            std::mem::swap(&mut self.history, &mut committed.history);
+        } else {
+            self.history.clone_from(&committed.history);
+        }
+        (self.duration, self.holds) = (duration, true);
+    }
+
+    /// The committed state is another one than a step has come to.
+    pub(super) fn forget(&mut self) {
+        self.holds = false;
+    }
+
+    /// A state from which the elements answer at the committed motion as they did at the end of the last step, if that was it.
+    pub(super) fn state(&self, committed: &State) -> Option<State> {
+        let holds = self.holds && self.history.len() == committed.history.len();
+        holds.then(|| State {
+            history: self.history.clone(),
+            time: committed.time - self.duration,
+            ..committed.clone()
+        })
+    }
+}
+
 impl State {
     /// Take over another state of the same model without allocating.
     pub fn copy_from(&mut self, other: &Self) {

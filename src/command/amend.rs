@@ -167,7 +167,8 @@ const KINDS: &[Kind] = &[
         make: |n, _, _| {
             let (k, alpha) = (n.get("-stiffness"), n.get("-alpha"));
             let (k0, qd, k2, eta) = ((1.0 - alpha) * k, n.get("-strength"), alpha * k, n.get("-eta"));
-            Arc::new(Coupling { law: ShearParameters { k0, qd, k2, k3: 0.0, mu: 1.0, eta, beta: 0.5, gamma: 0.5 } })
+            let (beta, gamma, compat) = (0.5, 0.5, false);
+            Arc::new(Coupling { law: ShearParameters { k0, qd, k2, k3: 0.0, mu: 1.0, eta, beta, gamma, compat } })
         },
     },
     Kind {

@@ -297,7 +297,7 @@ fn load_const(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let now = engine.state().time;
     engine.change_model(|m| m.patterns.values_mut().for_each(|p| p.hold(now)));
     if let Some(t) = time {
-        engine.change_state(|s, _| s.time = t);
+        engine.set_time(t);
     }
     Ok(Value::EMPTY)
 }
@@ -306,6 +306,6 @@ fn set_time(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, SET_TIME);
     let time = a.float("time")?;
     finish(interp, &a)?;
-    interp.host.engine.change_state(|s, _| s.time = time);
+    interp.host.engine.set_time(time);
     Ok(Value::EMPTY)
 }

@@ -1,5 +1,6 @@
 //! Eigenvalues of K x = λ M x nearest to a shift, by block Lanczos with full reorthogonalisation (Grimes, Lewis and
-//! Simon, 1994) on the operator (K - σM)⁻¹ M in the inner product of M, which may be singular.
+//! Simon, 1994) on the operator (K - σM)⁻¹ M in the inner product of M, which may be singular. Where K is not symmetric (a
+//! slider whose friction follows the axial force) it is block Arnoldi, with the same vectors (Saad, 2011).
 
 use crate::numeric::dot;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
@@ -26,6 +27,9 @@ pub struct Pair {
     /// Vector.
     pub vector: Vec<f64>,
 }
+
+/// Part of the largest entry by which a matrix that is symmetric but for round-off differs from its transpose.
+const SKEW: f64 = 1e-9;
 
 /// Vectors start from the same numbers every time.
 struct Random(u64);
@@ -133,7 +137,11 @@ fn start(pencil: &mut impl Pencil, basis: &mut Basis, random: &mut Random, count
 /// Eigenvalues θ of the operator in the basis, the largest by size first, and their coordinates.
 fn ritz(basis: &Basis, av: &[Vec<f64>]) -> (Vec<f64>, Vec<DVector<f64>>) {
     let m = av.len();
-    let t = DMatrix::from_fn(m, m, |i, j| 0.5 * (dot(&basis.mv[i], &av[j]) + dot(&basis.mv[j], &av[i])));
+    let t = DMatrix::from_fn(m, m, |i, j| dot(&basis.mv[i], &av[j]));
+    if (&t - t.transpose()).amax() > SKEW * t.amax() {
+        return unsymmetric_ritz(&t);
+    }
+    let t = DMatrix::from_fn(m, m, |i, j| 0.5 * (t[(i, j)] + t[(j, i)]));
     let eigen = SymmetricEigen::new(t);
     let mut order: Vec<usize> = (0..m).collect();
     order.sort_by(|&a, &b| eigen.eigenvalues[b].abs().total_cmp(&eigen.eigenvalues[a].abs()));
@@ -141,6 +149,27 @@ fn ritz(basis: &Basis, av: &[Vec<f64>]) -> (Vec<f64>, Vec<DVector<f64>>) {
         order.iter().map(|&i| eigen.eigenvalues[i]).collect(),
         order.iter().map(|&i| eigen.eigenvectors.column(i).into_owned()).collect(),
     )
+}
+
+/// Eigenvalues of a matrix that is not symmetric, the largest by size first, and their vectors. Of a complex pair 1/θ is given
+/// by its real part, as OpenSees gives λ.
+fn unsymmetric_ritz(t: &DMatrix<f64>) -> (Vec<f64>, Vec<DVector<f64>>) {
+    let mut values: Vec<_> = t.complex_eigenvalues().iter().copied().collect();
+    values.sort_by(|a, b| b.norm_sqr().total_cmp(&a.norm_sqr()));
+    let mut random = Random(20_261);
+    let vector = |value: f64| {
+        // Inverse iteration, from next to the value: on it there is nothing to divide by.
+        let shift = value + 1e-10 * t.amax();
+        let lu = (t - DMatrix::identity(t.nrows(), t.nrows()) * shift).lu();
+        let mut x = DVector::from_fn(t.nrows(), |_, _| random.next());
+        for _ in 0..3 {
+            x = lu.solve(&x).unwrap_or(x).normalize();
+        }
+        x
+    };
+    let vectors = values.iter().map(|v| v.re).map(vector).collect();
+    let inverse = |v: &nalgebra::Complex<f64>| if v.re == 0.0 { 0.0 } else { v.norm_sqr() / v.re };
+    (values.iter().map(inverse).collect(), vectors)
 }
 
 fn pairs(pencil: &mut impl Pencil, basis: &Basis, theta: &[f64], s: &[DVector<f64>], count: usize) -> Vec<Pair> {

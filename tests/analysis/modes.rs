@@ -82,6 +82,48 @@ fn massless_degrees_of_freedom_follow() {
     assert!(close(v[2], shape, 1e-8), "{v:?} and {shape}");
 }
 
+/// Modes of a mass of 10 on a bearing that a load beyond its strength has moved, and the displacement of the load.
+fn modes_of_a_yielded(bearing: &str, load: [f64; 2]) -> Vec<f64> {
+    let [x, y] = load;
+    run(&format!(
+        "model basic -ndm 3 -ndf 6
+        node 1 0 0 0; node 2 0 0 0.3 -mass 10 10 10 0 0 0
+        fix 1 1 1 1 1 1 1; fix 2 0 0 0 1 1 1
+        uniaxialMaterial Elastic 1 1e6; uniaxialMaterial Elastic 2 1e4
+        frictionModel Coulomb 1 0.05
+        element {bearing} -P 1 -T 2 -My 2 -Mz 2 -orient 0 0 1 1 0 0
+        timeSeries Linear 1
+        pattern Plain 1 1 {{ load 2 0 0 -1000 0 0 0 }}
+        constraints Plain; numberer Plain; system FullGeneral
+        test NormDispIncr 1e-12 100; algorithm Newton
+        integrator LoadControl 1.0; analysis Static
+        analyze 1
+        loadConst -time 0
+        pattern Plain 2 1 {{ load 2 {x} {y} 0 0 0 0 }}
+        integrator LoadControl 0.01
+        if {{[analyze 100] != 0}} {{ error failed }}
+        puts [concat [eigen 3] [nodeDisp 2 1] [nodeDisp 2 2]]"
+    ))
+    .done()
+    .numbers()
+}
+
+/// The tangent of a bearing that yields or slides is that of the step that has come there, not that of going back: along the
+/// force what is left of the stiffness, across it the strength over the way.
+#[test]
+fn modes_after_yielding_are_those_of_the_last_step() {
+    let v = modes_of_a_yielded("elastomericBearingPlasticity 1 1 2 5000 80 0.1 0 3", [100.0, 0.0]);
+    assert!(close(v[0], 0.1 * 5000.0 / 10.0, 1e-9), "{v:?}");
+    assert!(v[1] > v[0] && v[1] < 500.0 && close(v[2], 1e5, 1e-9), "{v:?}");
+    // The friction of a pendulum follows the axial force: a tangent that is not symmetric, whose vertical mode stands by itself.
+    let v = modes_of_a_yielded("singleFPBearing 1 1 2 1 2.0 8000", [70.0, 0.0]);
+    let radius = (4.0f64 - v[3] * v[3]).sqrt();
+    // N = 1000 along the axis: F = N tan + mu N / cos(a), with a the slope of the dish.
+    let along = 1000.0 * (4.0 / radius.powi(3) + 0.05 * 2.0 * v[3] / radius.powi(3)) / 10.0;
+    assert!(close(v[0], along, 2e-2), "{v:?} {along}");
+    assert!(v[1] > 300.0 && v[1] < 900.0 && close(v[2], 1e5, 1e-2), "{v:?}");
+}
+
 /// A free body: its rigid motions have the frequency zero.
 #[test]
 fn a_floating_body_has_modes_of_zero() {

@@ -14,7 +14,17 @@ use std::sync::Arc;
 
 fn shear() -> ShearParameters {
     let k = 8000.0;
-    ShearParameters { k0: 0.88 * k, qd: 40.0, k2: 0.12 * k, k3: 0.0, mu: 3.0, eta: 2.0, beta: 0.5, gamma: 0.5 }
+    ShearParameters {
+        k0: 0.88 * k,
+        qd: 40.0,
+        k2: 0.12 * k,
+        k3: 0.0,
+        mu: 3.0,
+        eta: 2.0,
+        beta: 0.5,
+        gamma: 0.5,
+        compat: false,
+    }
 }
 
 fn elastic(e: f64) -> (Material, i32) {

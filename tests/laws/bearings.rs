@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 fn shear(eta: f64, beta: f64, gamma: f64, alpha2: f64) -> ShearParameters {
     let k = 8000.0;
-    ShearParameters { k0: 0.88 * k, qd: 40.0, k2: 0.12 * k, k3: alpha2 * k, mu: 3.0, eta, beta, gamma }
+    ShearParameters { k0: 0.88 * k, qd: 40.0, k2: 0.12 * k, k3: alpha2 * k, mu: 3.0, eta, beta, gamma, compat: false }
 }
 
 fn elastic(e: f64) -> (Material, i32) {

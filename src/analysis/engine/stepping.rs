@@ -173,6 +173,8 @@ impl Engine {
                     note_imbalance(&system, &mut self.imbalance);
                 }
                 let still = system.still;
+                let duration = if system.elapses { system.new.time - system.old.time } else { 0.0 };
+                self.departure.keep(&mut self.committed, duration);
                 self.committed.commit(&self.trial, &self.model, still);
                 Ok(())
             }

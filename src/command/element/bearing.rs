@@ -154,6 +154,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         eta,
         beta,
         gamma,
+        compat: interp.host.engine.options.compat,
     };
     around(a, shear, c, ends)
 }

@@ -1,6 +1,6 @@
 //! Shear law of `elastomericBearingBoucWen`.
 
-use super::shear::{Shear, ShearLaw, hardening};
+use super::shear::{Shear, ShearLaw, at_rest, hardening};
 use crate::element::ElementError;
 use crate::numeric::sign;
 
@@ -26,6 +26,8 @@ pub struct ShearParameters {
     pub beta: f64,
     /// Second loop shape parameter γ.
     pub gamma: f64,
+    /// OpenSees' tangent, that of the rate and not of the step.
+    pub compat: bool,
 }
 
 impl ShearParameters {
@@ -62,6 +64,31 @@ impl ShearParameters {
         let z = w.map(|w| t * w);
         let dz = std::array::from_fn(|i| std::array::from_fn(|j| w[i] * dt[j] + if i == j { t } else { 0.0 }));
         Ok((z, dz))
+    }
+
+    /// OpenSees' dz/dd: of the rate at the end of the step, in two directions along the increment, the other part of which is
+    /// taken as following; no entry beyond 1.
+    fn rate_tangent<const N: usize>(&self, z: [f64; N], d: [f64; N]) -> [[f64; N]; N] {
+        let work: f64 = z.iter().zip(&d).map(|(z, d)| z * d).sum();
+        let norm2: f64 = z.iter().map(|z| z * z).sum();
+        let share = norm2.max(f64::MIN_POSITIVE).powf(0.5 * self.eta - 1.0) * (self.gamma + self.beta * sign(work));
+        // Increment of one direction over that of another.
+        let ratio = |i: usize, j: usize| match d.iter().product::<f64>() {
+            _ if i == j => 1.0,
+            0.0 => 0.0,
+            _ => d[i] / d[j],
+        };
+        std::array::from_fn(|i| {
+            std::array::from_fn(|j| {
+                let drag: f64 = (0..N).map(|k| z[k] * ratio(k, j)).sum();
+                let slope = ratio(i, j) - z[i] * share * drag;
+                match slope {
+                    _ if N == 1 || slope.abs() <= 1.0 => slope,
+                    _ if i == j => 1.0,
+                    _ => slope.signum(),
+                }
+            })
+        })
     }
 
     /// The root of t + a t^η = 1 next to 1; `None` where the step is so large that there is none.
@@ -115,11 +142,13 @@ impl<const S: usize> ShearLaw<S> for ShearParameters {
         let scale = self.k0 / self.qd;
         let d: [f64; S] = std::array::from_fn(|i| (u[i] - c.u[i]) * scale);
         let q = |z: &[f64; S]| std::array::from_fn(|i| self.qd * z[i] + hardening[i].0);
-        if d == [0.0; S] {
-            // At rest the step may go on either way: the tangent of continued loading, as at the end of the last step.
+        if at_rest(&u, &c.u) {
             return Ok(Shear { u, q: q(&c.internal), ..*c });
         }
         let (z, mut k) = self.hysteresis(c.internal, d)?;
+        if self.compat {
+            k = self.rate_tangent(z, d);
+        }
         for (i, row) in k.iter_mut().enumerate() {
             row.iter_mut().for_each(|k| *k *= self.k0);
             row[i] += hardening[i].1;

@@ -2,7 +2,7 @@
 
 use super::axial::Axial;
 use super::rubber_shear::{OWN, RubberShear, ShearStep, Shearing};
-use super::shear::Shear;
+use super::shear::{Shear, at_rest};
 use crate::probe::Probe;
 
 /// Bidirectional shear law of high damping rubber.
@@ -131,7 +131,7 @@ impl RubberShear for GrantShear {
         d.radius = b1 + ks2 * b2 * size2;
         let step = [u[0] - c.u[0], u[1] - c.u[1]];
         let way = length(step);
-        let moved = if self.compat { way > f64::EPSILON } else { way > 0.0 };
+        let moved = if self.compat { way > f64::EPSILON } else { !at_rest(&u, &c.u) };
         let n = if moved { step.map(|s| s / way) } else { [0.0; 2] };
         let toward = |radius: f64| [radius * n[0] - c.internal[0], radius * n[1] - c.internal[1]];
         let (old, new) = (toward(m.radius), toward(d.radius));
@@ -141,32 +141,29 @@ impl RubberShear for GrantShear {
         let mu = if gap_now > f64::EPSILON { new.map(|x| x / gap_now) } else { [0.0; 2] };
         let internal: [f64; 2] = std::array::from_fn(|i| d.radius * n[i] - d.distance * mu[i]);
         let q = std::array::from_fn(|i| left * secant * u[i] + internal[i]);
-        if !moved && !self.compat {
-            // At rest the step may go on either way: the tangent of the last one.
+        if !moved {
             let shear = Shear { u, internal: c.internal, q, k: c.k };
             return ShearStep { shear, memory: d, k_axial: [0.0; 2], damping: 0.0 };
         }
-        if moved {
-            let d_radius: [f64; 2] =
-                std::array::from_fn(|j| b2 * (2.0 * ks2 * u[j] + size2 * per_scragging * c2 * ks2 * inward[j]));
-            let turn = d.radius / way;
-            let hat: [[f64; 2]; 2] = std::array::from_fn(|i| {
-                std::array::from_fn(|j| n[i] * d_radius[j] + turn * (f64::from(u8::from(i == j)) - n[i] * n[j]))
-            });
-            // The gap depends on the direction of the step too, which OpenSees leaves out.
-            let mut d_distance = n.map(|n| -d.distance * faded * b3 * n);
-            if !self.compat && gap > 0.0 {
-                let along = (old[0] * n[0] + old[1] * n[1]) / gap;
-                for j in 0..2 {
-                    d_distance[j] += faded * m.radius / way * (old[j] / gap - along * n[j]);
-                }
-            }
-            let swing = if gap_now > f64::EPSILON { d.distance / gap_now } else { 0.0 };
+        let d_radius: [f64; 2] =
+            std::array::from_fn(|j| b2 * (2.0 * ks2 * u[j] + size2 * per_scragging * c2 * ks2 * inward[j]));
+        let turn = d.radius / way;
+        let hat: [[f64; 2]; 2] = std::array::from_fn(|i| {
+            std::array::from_fn(|j| n[i] * d_radius[j] + turn * (f64::from(u8::from(i == j)) - n[i] * n[j]))
+        });
+        // The gap depends on the direction of the step too, which OpenSees leaves out.
+        let mut d_distance = n.map(|n| -d.distance * faded * b3 * n);
+        if !self.compat && gap > 0.0 {
+            let along = (old[0] * n[0] + old[1] * n[1]) / gap;
             for j in 0..2 {
-                let across = mu[0] * hat[0][j] + mu[1] * hat[1][j];
-                for i in 0..2 {
-                    k[i][j] += hat[i][j] - swing * (hat[i][j] - mu[i] * across) - mu[i] * d_distance[j];
-                }
+                d_distance[j] += faded * m.radius / way * (old[j] / gap - along * n[j]);
+            }
+        }
+        let swing = if gap_now > f64::EPSILON { d.distance / gap_now } else { 0.0 };
+        for j in 0..2 {
+            let across = mu[0] * hat[0][j] + mu[1] * hat[1][j];
+            for i in 0..2 {
+                k[i][j] += hat[i][j] - swing * (hat[i][j] - mu[i] * across) - mu[i] * d_distance[j];
             }
         }
         ShearStep { shear: Shear { u, internal, q, k }, memory: d, k_axial: [0.0; 2], damping: 0.0 }

@@ -1,6 +1,6 @@
 //! Shear law of `elastomericBearingPlasticity`.
 
-use super::shear::{Shear, ShearLaw, hardening};
+use super::shear::{Shear, ShearLaw, at_rest, hardening};
 use crate::element::ElementError;
 
 /// Shear law: an elastic, perfectly plastic part with a circular yield surface of radius q_d and stiffness k₀, beside
@@ -32,6 +32,9 @@ impl<const S: usize> ShearLaw<S> for PlasticShear {
 
     #[inline]
     fn step(&self, c: &Shear<S>, u: [f64; S]) -> Result<Shear<S>, ElementError> {
+        if at_rest(&u, &c.u) {
+            return Ok(Shear { u, ..*c });
+        }
         Ok(self.at(c, u))
     }
 

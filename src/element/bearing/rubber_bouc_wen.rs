@@ -3,7 +3,7 @@
 use super::axial::Axial;
 use super::lead::LeadCore;
 use super::rubber_shear::{OWN, RubberShear, ShearStep, Shearing};
-use super::shear::Shear;
+use super::shear::{Shear, at_rest};
 use crate::probe::Probe;
 
 /// Loop shape parameters: ż = (k₀/q_y) [u̇ - z (z₁u̇₁ (β + γ sign(z₁u̇₁)) + z₂u̇₂ (β + γ sign(z₂u̇₂)))].
@@ -132,7 +132,7 @@ impl RubberShear for RubberBoucWen {
     fn step(&self, c: &Shear<2>, m: &Warmth, _: &Warmth, at: &Shearing<'_>) -> ShearStep<Warmth> {
         let (u, qy, scale) = (at.u, m.qy, self.k0 / m.qy);
         let step = [u[0] - c.u[0], u[1] - c.u[1]];
-        let moved = step != [0.0; 2];
+        let moved = !at_rest(&u, &c.u);
         let (mut z, mut dz) = (c.internal, [[m.dz[0], m.dz[1]], [m.dz[2], m.dz[3]]]);
         if moved {
             let d = step.map(|s| s * scale);

@@ -75,6 +75,17 @@ pub trait ShearLaw<const S: usize>: Clone + fmt::Debug + Send + Sync {
     }
 }
 
+/// Displacements that differ by no more than this fraction of them differ by round-off.
+const ROUND_OFF: f64 = 8.0 * f64::EPSILON;
+
+/// Whether a step goes nowhere: it may go on either way, and its tangent is that of continued loading, as at the end of the
+/// last step. What equilibrium corrects by round-off, and axes that are turned, is no way back.
+#[inline]
+pub(super) fn at_rest<const S: usize>(u: &[f64; S], committed: &[f64; S]) -> bool {
+    let size = u.iter().fold(0.0, |m: f64, u| m.max(u.abs()));
+    u.iter().zip(committed).all(|(u, c)| (u - c).abs() <= ROUND_OFF * size)
+}
+
 /// Force and stiffness of the hardening springs of one direction, k₂ u + k₃ sign(u) |u|^μ.
 #[inline]
 pub(super) fn hardening(k2: f64, k3: f64, mu: f64, u: f64) -> (f64, f64) {

@@ -1,6 +1,6 @@
 //! Shear law of `elastomericBearingUFRP`.
 
-use super::shear::{Shear, ShearLaw};
+use super::shear::{Shear, ShearLaw, at_rest};
 use crate::element::ElementError;
 use crate::numeric::{bracketed_root, sign};
 
@@ -78,8 +78,7 @@ impl ShearLaw<1> for UfrpShear {
     fn step(&self, c: &Shear<1>, u: [f64; 1]) -> Result<Shear<1>, ElementError> {
         let d = (u[0] - c.u[0]) / self.uy;
         let [polynomial, stiffness] = self.backbone(u[0]);
-        if d == 0.0 {
-            // At rest the tangent of the last step, as that of the Bouc-Wen bearing.
+        if at_rest(&u, &c.u) {
             return Ok(Shear { u, q: [polynomial + self.hysteretic(c.internal[0])[0]], ..*c });
         }
         let [z, slope] = self
