@@ -81,8 +81,8 @@ pub struct Prepared {
     pub(super) last: Option<Coefficients>,
     /// Which stiffness was in it.
     pub(super) last_mix: TangentMix,
-    /// How far the iterations of the step have come: 1 with the last that the test allows.
-    pub(super) progress: f64,
+    /// Iterations of the step so far, and those that the test allows.
+    pub(super) progress: (usize, usize),
     /// What the unbalance is summed over both ends of a step with, where an integrator does.
     pub(super) trapezoid: Option<Trapezoid>,
     /// Smallest pivot seen, where it was nearly zero.
@@ -191,7 +191,7 @@ impl Prepared {
             spread: vec![0.0; model.dofs()],
             last: None,
             last_mix: TangentMix::CURRENT,
-            progress: 0.0,
+            progress: (0, 1),
             trapezoid: None,
             weak_pivot: None,
             full: vec![0.0; model.dofs()],

@@ -44,7 +44,7 @@ impl Iteration<'_, '_> {
     pub fn update(&mut self) -> Result<(), Failure> {
         self.system.moved = true;
         self.system.work.updates = self.system.work.asking.update;
-        self.system.work.progress = (self.test.iteration + 1) as f64 / self.test.max_iterations.max(1) as f64;
+        self.system.work.progress = (self.test.iteration + 1, self.test.max_iterations.max(1));
         let mut x = std::mem::take(&mut self.system.work.x);
         let result = self.integrator.update(self.system, &mut x);
         self.system.work.x = x;

@@ -62,7 +62,8 @@ impl Integrator for FixedIterations {
     }
 
     fn update(&mut self, s: &mut System<'_>, correction: &mut [f64]) -> Result<(), Failure> {
-        let (newest, past) = self.weights(s.work.progress);
+        let (made, allowed) = s.work.progress;
+        let (newest, past) = self.weights(made as f64 / allowed as f64);
         for (i, (x, m)) in correction.iter().zip(&mut self.moved).enumerate() {
             let mut place = newest * (*m + x);
             if let Some(&dof) = s.work.plan.map.dof_of.get(i) {

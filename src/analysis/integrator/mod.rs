@@ -135,7 +135,11 @@ impl Adaptive {
     }
 
     /// The next size.
+    #[inline]
     pub fn next(&self, size: f64, last_iterations: usize) -> f64 {
+        if self.min == self.max {
+            return self.min;
+        }
         let next = size * self.desired_iterations as f64 / last_iterations.max(1) as f64;
         if next < self.min {
             self.min

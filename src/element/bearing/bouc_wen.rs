@@ -43,13 +43,7 @@ impl ShearParameters {
         let work: f64 = w.iter().zip(&d).map(|(w, d)| w * d).sum();
         let norm2: f64 = w.iter().map(|w| w * w).sum();
         let shape = self.gamma + self.beta * sign(work);
-        // |w|^(η-2), kept finite where w vanishes: there z does too.
-        let finite = norm2.max(f64::MIN_POSITIVE);
-        let power = match self.eta {
-            1.0 => 1.0 / finite.sqrt(),
-            2.0 => 1.0,
-            eta => finite.powf(0.5 * eta - 1.0),
-        };
+        let power = self.power(norm2);
         let a = power * work * shape;
         let t = self.relax(a).ok_or_else(|| self.no_root())?;
         let slope = match self.eta {
@@ -66,12 +60,23 @@ impl ShearParameters {
         Ok((z, dz))
     }
 
+    /// |w|^(η-2) from |w|², kept finite where w vanishes: there z does too.
+    #[inline]
+    fn power(&self, norm2: f64) -> f64 {
+        let finite = norm2.max(f64::MIN_POSITIVE);
+        match self.eta {
+            1.0 => 1.0 / finite.sqrt(),
+            2.0 => 1.0,
+            eta => finite.powf(0.5 * eta - 1.0),
+        }
+    }
+
     /// OpenSees' dz/dd: of the rate at the end of the step, in two directions along the increment, the other part of which is
     /// taken as following; no entry beyond 1.
     fn rate_tangent<const N: usize>(&self, z: [f64; N], d: [f64; N]) -> [[f64; N]; N] {
         let work: f64 = z.iter().zip(&d).map(|(z, d)| z * d).sum();
         let norm2: f64 = z.iter().map(|z| z * z).sum();
-        let share = norm2.max(f64::MIN_POSITIVE).powf(0.5 * self.eta - 1.0) * (self.gamma + self.beta * sign(work));
+        let share = self.power(norm2) * (self.gamma + self.beta * sign(work));
         // Increment of one direction over that of another.
         let ratio = |i: usize, j: usize| match d.iter().product::<f64>() {
             _ if i == j => 1.0,
