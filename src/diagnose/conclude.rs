@@ -1,51 +1,27 @@
 //! From the explanations that were weighed to the verdict, the repaired model and the words.
 
 use super::correction::Correction;
-use super::evidence::{INDEPENDENT, probabilities};
 use super::fitting::Fitted;
 use super::hypothesis;
 use super::insertion::Place;
 use super::locate::{regime, windows};
 use super::next_test::next_test;
-use super::noise::power;
+use super::odds::Odds;
 use super::outcome::{Baseline, Candidate, Corrected, Mismatch, Outcome, Verdict};
 use super::pipeline::{Diagnosis, Weighed};
 use super::repair;
 use super::rounds::tried;
 use super::scale::Scales;
 use super::step_error::StepError;
-use super::structure::{recurs, structure};
 use super::variant::Variant;
 use super::work::{Explained, LAST, Work};
 use crate::study::{Fit, Opening, Role, ScriptSimulator, Study, fit};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// More structure than this part of a residual says no more than this.
-const TELLING: f64 = 0.6;
-
-/// What `unknown` costs in log evidence, over noise and over an explanation with a name: nulls leave no structure, but no
-/// law of the library is the one of nature.
-const STRUCTURED: f64 = 4.0;
-const NAMELESS: f64 = 9.0;
-
-/// An explanation that takes more than this part of what can be taken is the harder to doubt the more it takes.
-const MUCH: f64 = 0.5;
-const NAMED: f64 = 45.0;
-/// So is one that has gained more than this in log evidence over none, where something else is left as well: where the effect
-/// was none of the library its laws gained 2 at most (validation/power).
-const GAINED: f64 = 4.0;
-
 /// Log evidence over the model as it is from which a repair is written although structure is left that it does not
 /// explain.
 const WORTH: f64 = 5.0;
-/// How often a verdict without doubt is wrong all the same, on cases made by other formulas: estimated from the trials of
-/// validation/power from seed 20000 on, rounded up. The batch after them, with these doubts: of 27 answers that were given
-/// 95 % all are right, of 16 that were given 80 to 90 % all but one.
-const DOUBT_OF_A_NAME: f64 = 0.05;
-const DOUBT_OF_NO_NAME: f64 = 0.15;
-/// Part in which evidence counts between causes that look alike.
-const TWINS: f64 = 0.5;
 /// Further starts of the last search, and the sides of the cube in which they lie, against that of the whole.
 const AROUND: usize = 3;
 const NEAR: f64 = 0.1;
@@ -77,44 +53,8 @@ pub(super) fn conclude(
 ) -> Result<Diagnosis, String> {
     let study = c.study;
     let best = &weighed[0];
-    let none = weighed.iter().find(|e| e.cause() == "none");
-    let evidence_of_none = none.map_or(f64::NEG_INFINITY, |e| e.evidence);
-    // The best of each cause, alone or beside a second one, speaks for it.
-    let mut causes: Vec<(&'static str, f64)> = vec![];
-    for e in &weighed {
-        if causes.iter().all(|(cause, _)| *cause != e.cause()) {
-            causes.push((e.cause(), e.evidence));
-        }
-    }
-    let cause = best.cause();
-    // What the best explanation has explained of what there was to explain, and what structure it leaves.
-    let (mut left, mut signature) = structure(study, c.scales, &best.fitted.fits, cause == "none");
-    let (before, after) = (misfit(study, &none.unwrap_or(baseline).fitted.fits), misfit(study, &best.fitted.fits));
-    let floor = after * (1.0 - left);
-    let done = if before > floor { ((before - after) / (before - floor)).clamp(0.0, 1.0) } else { 1.0 };
-    let gained = best.evidence - evidence_of_none;
-    let price = if cause == "none" {
-        STRUCTURED
-    } else {
-        NAMELESS + NAMED * (done - MUCH).max(0.0) + (gained - GAINED).max(0.0)
-    };
-    let structured = |left: f64, price: f64| -0.5 * INDEPENDENT * (1.0 - left.min(TELLING)).ln() - price;
-    let mut unknown = best.evidence.max(evidence_of_none) + structured(left, price);
-    // No law of another form stands behind what a form that is exact leaves along the stroke.
-    if best.variant.proposal.as_ref().is_some_and(|p| p.exact) {
-        let (again, says) = recurs(study, c.scales, &best.fitted.fits);
-        let doubted = best.evidence + structured(again, STRUCTURED);
-        if again > 0.0 && doubted > unknown {
-            (unknown, left, signature) = (doubted, left.max(again), says);
-        }
-    }
-    causes.push(("unknown", unknown));
-    causes.sort_by(|a, b| b.1.total_cmp(&a.1));
-    temper(&mut causes, left, evidence_of_none);
-    let mut p = probabilities(&causes.iter().map(|c| c.1).collect::<Vec<_>>());
-    doubt(&causes, &mut p);
-    let mut odds: Vec<(&'static str, f64)> = causes.iter().map(|c| c.0).zip(p).collect();
-    odds.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let evidence_of_none = weighed.iter().find(|e| e.cause() == "none").map_or(f64::NEG_INFINITY, |e| e.evidence);
+    let Odds { mut odds, left, signature } = Odds::of(study, c.scales, baseline, &weighed);
     let before = all_runs(c, &baseline.variant, &baseline.fitted.values);
     // It is the script as it is written that is repaired.
     work.bench.refine(1);
@@ -289,40 +229,6 @@ fn holdout(study: &Study, fits: &[Option<Fit>]) -> Option<f64> {
     (!held.is_empty()).then(|| held.iter().sum::<f64>() / held.len() as f64)
 }
 
-/// What the evidence says of the first cause against others with a name counts in part. Causes that look alike are told apart
-/// by the forms of their laws, which nature need not have. And evidence takes what the best explanation leaves for
-/// noise: as far as that has structure no law is right, and a likelihood to a power below one is the more honest one
-/// (Miller and Dunson, 2019, "Robust Bayesian inference via coarsening"), against a cause that gains over `none` as the first
-/// does; one that gains nothing is no rival whatever is left.
-fn temper(causes: &mut [(&'static str, f64)], left: f64, none: f64) {
-    let (first, most) = causes[0];
-    if matches!(first, "none" | "unknown") {
-        return;
-    }
-    for (cause, evidence) in causes.iter_mut().skip(1).filter(|(cause, _)| !matches!(*cause, "none" | "unknown")) {
-        let gained = ((*evidence - none) / (most - none).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-        let part = if hypothesis::alike(first, cause) { TWINS } else { 1.0 };
-        *evidence = most - part * (1.0 - left * gained) * (most - *evidence);
-    }
-}
-
-/// What the evidence cannot know, that an effect may be too weak to be seen and that no law of the library is the one of
-/// nature, is taken from the first and given to the others: half to `unknown` (to the next where it is the first), the
-/// rest in equal parts to the causes that look like it.
-fn doubt(causes: &[(&'static str, f64)], p: &mut [f64]) {
-    let first = causes[0].0;
-    let amount = p[0] * if matches!(first, "none" | "unknown") { DOUBT_OF_NO_NAME } else { DOUBT_OF_A_NAME };
-    let like = hypothesis::of(first).map_or(&[][..], |h| h.like);
-    let others: Vec<usize> = (1..p.len()).filter(|i| like.contains(&causes[*i].0)).collect();
-    let unknown = causes.iter().skip(1).position(|c| c.0 == "unknown").map_or(1, |i| i + 1);
-    if p.len() < 2 {
-        return;
-    }
-    p[0] -= amount;
-    p[unknown] += if others.is_empty() { amount } else { 0.5 * amount };
-    others.iter().for_each(|i| p[*i] += 0.5 * amount / others.len() as f64);
-}
-
 /// A point, and others around it.
 fn around(point: &[f64]) -> Vec<Vec<f64>> {
     let middle: Vec<f64> = point.iter().map(|_| 0.5).collect();
@@ -330,18 +236,6 @@ fn around(point: &[f64]) -> Vec<Vec<f64>> {
     let spread = tried(&middle, 0, of_a_parameter).into_iter().skip(1).take(AROUND);
     let near = |other: Vec<f64>| point.iter().zip(other).map(|(p, o)| (p + NEAR * (o - 0.5)).clamp(0.0, 1.0)).collect();
     std::iter::once(point.to_vec()).chain(spread.map(near)).collect()
-}
-
-/// Sum of the NMSE of all fitted channels.
-fn misfit(study: &Study, fits: &[Fit]) -> f64 {
-    let runs = study.runs.iter().filter(|r| r.role == Role::Fit);
-    let channels = runs.zip(fits).flat_map(|(r, f)| r.observe.iter().zip(&f.channels));
-    channels
-        .map(|(o, y)| {
-            let r: Vec<f64> = y.iter().zip(&o.values).map(|(y, v)| y - v).filter(|d| d.is_finite()).collect();
-            power(&r) / o.variance
-        })
-        .sum()
 }
 
 /// Where the baseline differs, the channel with the largest error first.

@@ -17,6 +17,7 @@ pub mod insertion;
 pub mod locate;
 pub mod next_test;
 pub mod noise;
+mod odds;
 pub mod outcome;
 mod page;
 mod pairs;
