@@ -51,7 +51,11 @@ fn concrete02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
             return Err(a.refuse("lambda is 1", "expected a ratio less than 1"));
         }
         ft = a.not_negative("tensile strength ft")?;
-        ets = a.positive("tension softening modulus Ets")?;
+        ets = a.not_negative("tension softening modulus Ets")?;
+        if ets == 0.0 && ft > 0.0 {
+            let d = Diagnostic::warning("without a tension softening modulus Ets a crack carries the tensile strength for good");
+            warn(interp, d.at(a.last_span(), "expected a number greater than 0"))?;
+        }
     }
     Ok(Arc::new(Concrete02 { fc, epsc0, fcu, epscu, ratio, ft, ets }))
 }
