@@ -91,14 +91,14 @@ pub fn nearest(pencil: &mut impl Pencil, count: usize) -> Vec<Pair> {
             pencil.solve(&mut w);
             av.push(w);
         }
-        let (theta, s) = ritz(&basis, &av);
-        let wanted = &theta[..count.min(theta.len())];
+        let ritz = Ritz::of(&basis, &av);
+        let wanted = &ritz.theta[..count.min(ritz.theta.len())];
         let settled = wanted.len() == last.len()
             && wanted.len() == count
-            && wanted.iter().zip(&last).all(|(a, b)| (a - b).abs() <= 1e-15 * a.abs());
+            && wanted.iter().zip(&last).all(|(a, b)| (a - b).abs() <= ritz.tolerance() * a.abs());
         last = wanted.to_vec();
         if settled {
-            return pairs(pencil, &basis, &theta, &s, count);
+            return pairs(pencil, &basis, &ritz, count);
         }
         for w in &av[known..full] {
             let scale = length(pencil, w);
@@ -109,7 +109,7 @@ pub fn nearest(pencil: &mut impl Pencil, count: usize) -> Vec<Pair> {
             start(pencil, &mut basis, &mut random, block);
         }
         if basis.v.len() == full {
-            return pairs(pencil, &basis, &theta, &s, count);
+            return pairs(pencil, &basis, &ritz, count);
         }
     }
 }
@@ -134,55 +134,69 @@ fn start(pencil: &mut impl Pencil, basis: &mut Basis, random: &mut Random, count
     }
 }
 
-/// Eigenvalues θ of the operator in the basis, the largest by size first, and their coordinates.
-fn ritz(basis: &Basis, av: &[Vec<f64>]) -> (Vec<f64>, Vec<DVector<f64>>) {
-    let m = av.len();
-    let t = DMatrix::from_fn(m, m, |i, j| dot(&basis.mv[i], &av[j]));
-    if (&t - t.transpose()).amax() > SKEW * t.amax() {
-        return unsymmetric_ritz(&t);
-    }
-    let t = DMatrix::from_fn(m, m, |i, j| 0.5 * (t[(i, j)] + t[(j, i)]));
-    let eigen = SymmetricEigen::new(t);
-    let mut order: Vec<usize> = (0..m).collect();
-    order.sort_by(|&a, &b| eigen.eigenvalues[b].abs().total_cmp(&eigen.eigenvalues[a].abs()));
-    (
-        order.iter().map(|&i| eigen.eigenvalues[i]).collect(),
-        order.iter().map(|&i| eigen.eigenvectors.column(i).into_owned()).collect(),
-    )
+/// The operator in a basis.
+struct Ritz {
+    matrix: DMatrix<f64>,
+    /// Eigenvalues θ, the largest by size first. Of a complex pair |θ|²/Re θ, so that 1/θ is the real part of λ, as OpenSees
+    /// gives it.
+    theta: Vec<f64>,
+    /// Their vectors where the matrix is symmetric; real parts of the eigenvalues where it is not.
+    vectors: Result<Vec<DVector<f64>>, Vec<f64>>,
 }
 
-/// Eigenvalues of a matrix that is not symmetric, the largest by size first, and their vectors. Of a complex pair 1/θ is given
-/// by its real part, as OpenSees gives λ.
-fn unsymmetric_ritz(t: &DMatrix<f64>) -> (Vec<f64>, Vec<DVector<f64>>) {
-    let mut values: Vec<_> = t.complex_eigenvalues().iter().copied().collect();
-    values.sort_by(|a, b| b.norm_sqr().total_cmp(&a.norm_sqr()));
-    let mut random = Random(20_261);
-    let vector = |value: f64| {
-        // Inverse iteration, from next to the value: on it there is nothing to divide by.
-        let shift = value + 1e-10 * t.amax();
-        let lu = (t - DMatrix::identity(t.nrows(), t.nrows()) * shift).lu();
-        let mut x = DVector::from_fn(t.nrows(), |_, _| random.next());
-        for _ in 0..3 {
-            x = lu.solve(&x).unwrap_or(x).normalize();
+impl Ritz {
+    fn of(basis: &Basis, av: &[Vec<f64>]) -> Self {
+        let m = av.len();
+        let t = DMatrix::from_fn(m, m, |i, j| dot(&basis.mv[i], &av[j]));
+        if (&t - t.transpose()).amax() > SKEW * t.amax() {
+            let mut values: Vec<_> = t.complex_eigenvalues().iter().copied().collect();
+            values.sort_by(|a, b| b.norm_sqr().total_cmp(&a.norm_sqr()));
+            let theta = values.iter().map(|v| if v.re == 0.0 { 0.0 } else { v.norm_sqr() / v.re }).collect();
+            return Self { matrix: t, theta, vectors: Err(values.iter().map(|v| v.re).collect()) };
         }
-        x
-    };
-    let vectors = values.iter().map(|v| v.re).map(vector).collect();
-    let inverse = |v: &nalgebra::Complex<f64>| if v.re == 0.0 { 0.0 } else { v.norm_sqr() / v.re };
-    (values.iter().map(inverse).collect(), vectors)
+        let t = DMatrix::from_fn(m, m, |i, j| 0.5 * (t[(i, j)] + t[(j, i)]));
+        let eigen = SymmetricEigen::new(t.clone());
+        let mut order: Vec<usize> = (0..m).collect();
+        order.sort_by(|&a, &b| eigen.eigenvalues[b].abs().total_cmp(&eigen.eigenvalues[a].abs()));
+        let theta = order.iter().map(|&i| eigen.eigenvalues[i]).collect();
+        let vectors = order.iter().map(|&i| eigen.eigenvectors.column(i).into_owned()).collect();
+        Self { matrix: t, theta, vectors: Ok(vectors) }
+    }
+
+    /// Part by which values that are settled may still differ.
+    fn tolerance(&self) -> f64 {
+        if self.vectors.is_ok() { 1e-15 } else { 1e-13 }
+    }
+
+    /// Coordinates of a vector.
+    fn vector(&self, i: usize) -> DVector<f64> {
+        match &self.vectors {
+            Ok(vectors) => vectors[i].clone(),
+            // Inverse iteration, from next to the value: on it there is nothing to divide by.
+            Err(values) => {
+                let n = self.matrix.nrows();
+                let shift = values[i] + 1e-10 * self.matrix.amax();
+                let lu = (&self.matrix - DMatrix::identity(n, n) * shift).lu();
+                let mut random = Random(20_261 + i as u64);
+                let start = DVector::from_fn(n, |_, _| random.next());
+                (0..3).fold(start, |x, _| lu.solve(&x).unwrap_or(x).normalize())
+            }
+        }
+    }
 }
 
-fn pairs(pencil: &mut impl Pencil, basis: &Basis, theta: &[f64], s: &[DVector<f64>], count: usize) -> Vec<Pair> {
+fn pairs(pencil: &mut impl Pencil, basis: &Basis, ritz: &Ritz, count: usize) -> Vec<Pair> {
     let n = pencil.len();
     let mut mw = vec![0.0; n];
-    let mut out: Vec<Pair> = theta
+    let mut out: Vec<Pair> = ritz
+        .theta
         .iter()
-        .zip(s)
+        .enumerate()
         .take(count)
-        .filter(|(theta, _)| **theta != 0.0)
-        .map(|(theta, s)| {
+        .filter(|(_, theta)| **theta != 0.0)
+        .map(|(i, theta)| {
             let mut w = vec![0.0; n];
-            for (v, c) in basis.v.iter().zip(s.iter()) {
+            for (v, c) in basis.v.iter().zip(ritz.vector(i).iter()) {
                 w.iter_mut().zip(v).for_each(|(w, v)| *w += c * v);
             }
             // One more product cleans the vector of what the mass does not see.

@@ -53,7 +53,9 @@ fn concrete02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
         ft = a.not_negative("tensile strength ft")?;
         ets = a.not_negative("tension softening modulus Ets")?;
         if ets == 0.0 && ft > 0.0 {
-            let d = Diagnostic::warning("without a tension softening modulus Ets a crack carries the tensile strength for good");
+            let d = Diagnostic::warning(
+                "without a tension softening modulus Ets a crack carries the tensile strength for good",
+            );
             warn(interp, d.at(a.last_span(), "expected a number greater than 0"))?;
         }
     }
