@@ -186,6 +186,26 @@ pub fn sign(x: f64) -> f64 {
 /// Invert an n x n matrix by rows in place, with row exchanges (Gauss and Jordan); `false` where it is singular, and the
 /// matrix is spoilt then.
 pub fn invert(a: &mut [f64], n: usize) -> bool {
+    // The sizes of sections and beams are known to the compiler.
+    match n {
+        2 => invert_known::<2>(a),
+        3 => invert_known::<3>(a),
+        4 => invert_known::<4>(a),
+        6 => invert_known::<6>(a),
+        _ => invert_any(a, n),
+    }
+}
+
+fn invert_known<const N: usize>(a: &mut [f64]) -> bool {
+    let mut own = [[0.0; N]; N];
+    own.as_flattened_mut().copy_from_slice(&a[..N * N]);
+    let done = invert_any(own.as_flattened_mut(), N);
+    a[..N * N].copy_from_slice(own.as_flattened());
+    done
+}
+
+#[inline(always)]
+fn invert_any(a: &mut [f64], n: usize) -> bool {
     // Row exchanges come out as column exchanges of the inverse.
     let mut from = [0usize; 16];
     for column in 0..n {

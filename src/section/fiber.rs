@@ -1,7 +1,7 @@
 //! Fiber sections.
 
 use super::{Resultant, Section, SharedSection};
-use crate::material::{Material, MaterialError, Slot, Strain};
+use crate::material::{Material, MaterialError, Slot, Strain, Stress};
 use crate::probe::Probe;
 use std::sync::Arc;
 
@@ -34,7 +34,21 @@ struct Placed {
     y: f64,
     z: f64,
     area: f64,
+    /// Shares of its strain in the deformations P, Mz and My.
+    shares: [f64; 3],
     slot: Slot,
+}
+
+impl Placed {
+    /// Add its force and its stiffness.
+    #[inline]
+    fn add<const M: usize>(&self, stress: &Stress, force: &mut [f64; M], stiffness: &mut [[f64; M]; M]) {
+        for i in 0..M {
+            force[i] += self.shares[i] * stress.value * self.area;
+            let row = stress.tangent * self.area * self.shares[i];
+            (0..M).for_each(|j| stiffness[i][j] += row * self.shares[j]);
+        }
+    }
 }
 
 const FIBER: u32 = 1;
@@ -59,25 +73,47 @@ impl FiberSection {
             at += slot.len();
             slot
         };
-        let placed = |f: Fiber| Placed { y: f.y, z: f.z, area: f.area, slot: place(f.material) };
+        let placed = |f: Fiber| {
+            let shares = [1.0, -(f.y - centroid.0), f.z - centroid.1];
+            Placed { y: f.y, z: f.z, area: f.area, shares, slot: place(f.material) }
+        };
         let fibers = fibers.into_iter().map(placed).collect();
         let torsion = torsion.map(&mut place);
         Self { fibers, torsion, centroid, state_len: at }
     }
 
-    /// Shares of a fiber's strain in the deformations P, Mz and My.
-    fn shares(&self, f: &Placed) -> [f64; 3] {
-        [1.0, -(f.y - self.centroid.0), f.z - self.centroid.1]
+    /// Set the trial strains of the fibers, `M` deformations of the section being theirs, and add up stresses and tangents.
+    fn gather<const M: usize>(
+        &self,
+        committed: &[f64],
+        e: &[f64],
+        dt: f64,
+        next: &mut [f64],
+        (s, k): (&mut [f64], &mut [f64]),
+    ) -> Result<(), MaterialError> {
+        let n = self.resultants().len();
+        let e: [f64; M] = std::array::from_fn(|i| e[i]);
+        let (mut force, mut stiffness) = ([0.0; M], [[0.0; M]; M]);
+        for f in &self.fibers {
+            let value = (0..M).map(|i| f.shares[i] * e[i]).sum();
+            // As in OpenSees, fibers know no rate of strain.
+            let stress = f.slot.update(committed, Strain { value, rate: 0.0, dt }, next)?;
+            f.add(&stress, &mut force, &mut stiffness);
+        }
+        s[..M].copy_from_slice(&force);
+        stiffness.iter().zip(k.chunks_exact_mut(n)).for_each(|(row, k)| k[..M].copy_from_slice(row));
+        Ok(())
     }
 
-    /// Add the stiffness of a fiber.
-    fn add_stiffness(&self, f: &Placed, tangent: f64, k: &mut [f64]) {
-        let n = self.resultants().len();
-        let (a, m) = (self.shares(f), n.min(3));
-        for (i, ai) in a[..m].iter().enumerate() {
-            let row = tangent * f.area * ai;
-            k[i * n..i * n + m].iter_mut().zip(&a).for_each(|(k, aj)| *k += row * aj);
+    /// Stiffness of the virgin fibers.
+    fn virgin<const M: usize>(&self, k: &mut [f64]) {
+        let (mut force, mut stiffness) = ([0.0; M], [[0.0; M]; M]);
+        for f in &self.fibers {
+            let tangent = f.slot.material.initial_tangent();
+            f.add(&Stress { tangent, ..Stress::default() }, &mut force, &mut stiffness);
         }
+        let n = self.resultants().len();
+        stiffness.iter().zip(k.chunks_exact_mut(n)).for_each(|(row, k)| k[..M].copy_from_slice(row));
     }
 
     /// The fiber that the words of a recorder mean, and the words after them: its number, or a place, and a material.
@@ -128,30 +164,17 @@ impl Section for FiberSection {
         s: &mut [f64],
         k: &mut [f64],
     ) -> Result<(), MaterialError> {
-        // As in OpenSees, fibers know no rate of strain.
-        let strain = |value| Strain { value, rate: 0.0, dt };
-        let m = self.resultants().len().min(3);
-        for f in &self.fibers {
-            let a = self.shares(f);
-            let value = a[..m].iter().zip(e).map(|(a, e)| a * e).sum();
-            let stress = f.slot.update(committed, strain(value), next)?;
-            s[..m].iter_mut().zip(&a).for_each(|(s, a)| *s += a * stress.value * f.area);
-            self.add_stiffness(f, stress.tangent, k);
-        }
-        if let Some(torsion) = &self.torsion {
-            let stress = torsion.update(committed, strain(e[3]), next)?;
-            (s[3], k[15]) = (stress.value, stress.tangent);
-        }
+        let Some(torsion) = &self.torsion else { return self.gather::<2>(committed, e, dt, next, (s, k)) };
+        self.gather::<3>(committed, e, dt, next, (&mut *s, &mut *k))?;
+        let stress = torsion.update(committed, Strain { value: e[3], rate: 0.0, dt }, next)?;
+        (s[3], k[15]) = (stress.value, stress.tangent);
         Ok(())
     }
 
     fn initial_stiffness(&self, k: &mut [f64]) {
-        for f in &self.fibers {
-            self.add_stiffness(f, f.slot.material.initial_tangent(), k);
-        }
-        if let Some(torsion) = &self.torsion {
-            k[15] = torsion.material.initial_tangent();
-        }
+        let Some(torsion) = &self.torsion else { return self.virgin::<2>(k) };
+        self.virgin::<3>(k);
+        k[15] = torsion.material.initial_tangent();
     }
 
     /// Of one material, by its tag, or of all that have it.

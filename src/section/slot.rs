@@ -15,6 +15,7 @@ pub struct SectionSlot {
     pub tag: i32,
     at: usize,
     order: usize,
+    len: usize,
 }
 
 const DEFORMATION: u32 = 1;
@@ -30,12 +31,13 @@ impl SectionSlot {
     /// Place a section at word `at` of the owner's state.
     pub fn new(section: SharedSection, tag: i32, at: usize) -> Self {
         let order = section.resultants().len();
-        Self { section, tag, at, order }
+        let len = order * (2 + order) + section.state_len();
+        Self { section, tag, at, order, len }
     }
 
     /// Number of words it takes.
     pub fn len(&self) -> usize {
-        self.header() + self.section.state_len()
+        self.len
     }
 
     /// Never: there are always deformations.
@@ -58,6 +60,12 @@ impl SectionSlot {
         head.fill(0.0);
         self.section.initial_stiffness(&mut head[2 * self.order..]);
         self.section.init(own);
+    }
+
+    /// Take over deformations, resultants and tangent of the committed state, to go on from; not the history.
+    pub fn go_back(&self, committed: &[f64], trial: &mut [f64]) {
+        let words = self.at..self.at + self.header();
+        trial[words.clone()].copy_from_slice(&committed[words]);
     }
 
     /// Set the trial deformations.

@@ -149,7 +149,9 @@ impl ForceBased {
         (parts, correction): (usize, Correction),
     ) -> Result<Option<Basic<B>>, MaterialError> {
         let body = member.body();
-        trial[body..].copy_from_slice(&committed[body..]);
+        // The histories are written with the first trial; where it takes none they are those of the committed state.
+        member.along().for_each(|(section, ..)| section.go_back(committed, trial));
+        let mut tried = false;
         let mut basic = Basic::read(&committed[member.head()..]);
         let internal = |i: usize| &motion.load[REACTIONS + i * INTERNAL..REACTIONS + (i + 1) * INTERNAL];
         let length = member.length();
@@ -196,7 +198,11 @@ impl ForceBased {
                     let p = Point::new(section, (x, length), &basic.q, internal(i), trial, initial)?;
                     section.update(committed, &p.e, motion.dt, trial)?;
                 }
+                tried = true;
             }
+        }
+        if !tried {
+            trial[body..].copy_from_slice(&committed[body..]);
         }
         Ok(Some(basic))
     }
