@@ -71,6 +71,14 @@ impl Slot {
         self.material.init(&mut words[HEADER..]);
     }
 
+    /// Write strain, stress, tangent and energy of a point at rest into the words of a slot; where the law's own begin.
+    pub fn write_header(&self, words: &mut [f64], [strain, stress, tangent, energy]: [f64; 4]) -> usize {
+        let words = &mut words[self.at..];
+        (words[STRAIN], words[RATE], words[STRESS], words[TANGENT], words[ENERGY]) =
+            (strain, 0.0, stress, tangent, energy);
+        self.at + HEADER
+    }
+
     /// Set the trial strain.
     #[inline(always)]
     pub fn update(&self, committed: &[f64], strain: Strain, trial: &mut [f64]) -> Result<Stress, MaterialError> {

@@ -1,8 +1,9 @@
 //! Fiber sections.
 
 use super::{Resultant, Section, SharedSection};
-use crate::material::{Material, MaterialError, Slot, Strain, Stress};
+use crate::material::{Material, MaterialError, Slot, Strain, Strains, Stresses};
 use crate::probe::Probe;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// A fiber before it is part of a section: its place, its area, its material with its tag.
@@ -20,9 +21,13 @@ pub struct Fiber {
 
 /// Fibers whose strains are those of a plane section: ε₀ - y κ_z + z κ_y, with y and z from the centroid of the areas.
 /// In space the torsion is uncoupled.
+///
+/// Its history is, quantity by quantity, strain, stress, tangent and energy of all fibers, then the words of their laws, run
+/// after run, then those of the torsion.
 #[derive(Clone, Debug)]
 pub struct FiberSection {
     fibers: Vec<Placed>,
+    runs: Vec<Run>,
     torsion: Option<Slot>,
     /// Place that bending is about.
     centroid: (f64, f64),
@@ -36,16 +41,72 @@ struct Placed {
     area: f64,
     /// Shares of its strain in the deformations P, Mz and My.
     shares: [f64; 3],
+    /// Run that it is in.
+    run: usize,
+}
+
+/// Fibers one after the other of the same material: one dynamic call for all of them.
+#[derive(Clone, Debug)]
+struct Run {
+    /// The material, as one fiber alone would keep it.
     slot: Slot,
+    /// The fibers.
+    fibers: Range<usize>,
+    /// First of the words of their laws.
+    at: usize,
+}
+
+/// Fibers of a run at most.
+const LONGEST: usize = 128;
+/// As in OpenSees, fibers know no rate of strain.
+const NO_RATE: [f64; LONGEST] = [0.0; LONGEST];
+/// Words of a fiber before those of its law.
+const KEPT: usize = 4;
+
+/// The parts of a history.
+struct Parts<T> {
+    strain: T,
+    stress: T,
+    tangent: T,
+    energy: T,
+    /// Words of the laws, and of the torsion.
+    laws: T,
+}
+
+impl<'a> Parts<&'a [f64]> {
+    fn of(state: &'a [f64], n: usize) -> Self {
+        let (strain, rest) = state.split_at(n);
+        let (stress, rest) = rest.split_at(n);
+        let (tangent, rest) = rest.split_at(n);
+        let (energy, laws) = rest.split_at(n);
+        Self { strain, stress, tangent, energy, laws }
+    }
+}
+
+impl<'a> Parts<&'a mut [f64]> {
+    fn of_mut(state: &'a mut [f64], n: usize) -> Self {
+        let (strain, rest) = state.split_at_mut(n);
+        let (stress, rest) = rest.split_at_mut(n);
+        let (tangent, rest) = rest.split_at_mut(n);
+        let (energy, laws) = rest.split_at_mut(n);
+        Self { strain, stress, tangent, energy, laws }
+    }
+}
+
+impl Run {
+    /// Place of the words of its laws.
+    fn words(&self) -> Range<usize> {
+        self.at..self.at + self.fibers.len() * self.slot.material.state_len()
+    }
 }
 
 impl Placed {
     /// Add its force and its stiffness.
     #[inline]
-    fn add<const M: usize>(&self, stress: &Stress, force: &mut [f64; M], stiffness: &mut [[f64; M]; M]) {
+    fn add<const M: usize>(&self, stress: f64, tangent: f64, force: &mut [f64; M], stiffness: &mut [[f64; M]; M]) {
         for i in 0..M {
-            force[i] += self.shares[i] * stress.value * self.area;
-            let row = stress.tangent * self.area * self.shares[i];
+            force[i] += self.shares[i] * stress * self.area;
+            let row = tangent * self.area * self.shares[i];
             (0..M).for_each(|j| stiffness[i][j] += row * self.shares[j]);
         }
     }
@@ -67,19 +128,27 @@ impl FiberSection {
         let area: f64 = fibers.iter().map(|f| f.area).sum();
         let mean = |x: fn(&Fiber) -> f64| fibers.iter().map(|f| f.area * x(f)).sum::<f64>() / area;
         let centroid = if origin || area == 0.0 { (0.0, 0.0) } else { (mean(|f| f.y), mean(|f| f.z)) };
+        let mut runs: Vec<Run> = vec![];
         let mut at = 0;
-        let mut place = |(material, tag): (Material, i32)| {
-            let slot = Slot::new(material, tag, at);
-            at += slot.len();
-            slot
-        };
-        let placed = |f: Fiber| {
+        let mut placed = vec![];
+        for (i, f) in fibers.into_iter().enumerate() {
+            let (material, tag) = f.material;
+            match runs.last_mut() {
+                Some(r)
+                    if r.fibers.len() < LONGEST && r.slot.tag == tag && Arc::ptr_eq(&r.slot.material, &material) =>
+                {
+                    r.fibers.end = i + 1;
+                }
+                _ => runs.push(Run { slot: Slot::new(material, tag, 0), fibers: i..i + 1, at }),
+            }
+            at = runs.last().map_or(0, |r| r.words().end);
             let shares = [1.0, -(f.y - centroid.0), f.z - centroid.1];
-            Placed { y: f.y, z: f.z, area: f.area, shares, slot: place(f.material) }
-        };
-        let fibers = fibers.into_iter().map(placed).collect();
-        let torsion = torsion.map(&mut place);
-        Self { fibers, torsion, centroid, state_len: at }
+            placed.push(Placed { y: f.y, z: f.z, area: f.area, shares, run: runs.len() - 1 });
+        }
+        at += KEPT * placed.len();
+        let torsion = torsion.map(|(material, tag)| Slot::new(material, tag, at));
+        let state_len = at + torsion.as_ref().map_or(0, Slot::len);
+        Self { fibers: placed, runs, torsion, centroid, state_len }
     }
 
     /// Set the trial strains of the fibers, `M` deformations of the section being theirs, and add up stresses and tangents.
@@ -91,15 +160,30 @@ impl FiberSection {
         next: &mut [f64],
         (s, k): (&mut [f64], &mut [f64]),
     ) -> Result<(), MaterialError> {
-        let n = self.resultants().len();
         let e: [f64; M] = std::array::from_fn(|i| e[i]);
-        let (mut force, mut stiffness) = ([0.0; M], [[0.0; M]; M]);
-        for f in &self.fibers {
-            let value = (0..M).map(|i| f.shares[i] * e[i]).sum();
-            // As in OpenSees, fibers know no rate of strain.
-            let stress = f.slot.update(committed, Strain { value, rate: 0.0, dt }, next)?;
-            f.add(&stress, &mut force, &mut stiffness);
+        let (old, new) = (Parts::of(committed, self.fibers.len()), Parts::of_mut(next, self.fibers.len()));
+        let mut damping = NO_RATE;
+        for run in &self.runs {
+            let (these, words) = (run.fibers.clone(), run.words());
+            for (value, f) in new.strain[these.clone()].iter_mut().zip(&self.fibers[these.clone()]) {
+                *value = (0..M).map(|i| f.shares[i] * e[i]).sum();
+            }
+            let n = these.len();
+            let strains = Strains { value: &new.strain[these.clone()], rate: &NO_RATE[..n], dt };
+            let mut answer = Stresses {
+                value: &mut new.stress[these.clone()],
+                tangent: &mut new.tangent[these],
+                damping: &mut damping[..n],
+            };
+            run.slot.material.update_all(&old.laws[words.clone()], &strains, &mut new.laws[words], &mut answer)?;
         }
+        let (mut force, mut stiffness) = ([0.0; M], [[0.0; M]; M]);
+        for (i, f) in self.fibers.iter().enumerate() {
+            f.add(new.stress[i], new.tangent[i], &mut force, &mut stiffness);
+            let work = 0.5 * (old.stress[i] + new.stress[i]) * (new.strain[i] - old.strain[i]);
+            new.energy[i] = old.energy[i] + work;
+        }
+        let n = self.resultants().len();
         s[..M].copy_from_slice(&force);
         stiffness.iter().zip(k.chunks_exact_mut(n)).for_each(|(row, k)| k[..M].copy_from_slice(row));
         Ok(())
@@ -109,8 +193,8 @@ impl FiberSection {
     fn virgin<const M: usize>(&self, k: &mut [f64]) {
         let (mut force, mut stiffness) = ([0.0; M], [[0.0; M]; M]);
         for f in &self.fibers {
-            let tangent = f.slot.material.initial_tangent();
-            f.add(&Stress { tangent, ..Stress::default() }, &mut force, &mut stiffness);
+            let tangent = self.runs[f.run].slot.material.initial_tangent();
+            f.add(0.0, tangent, &mut force, &mut stiffness);
         }
         let n = self.resultants().len();
         stiffness.iter().zip(k.chunks_exact_mut(n)).for_each(|(row, k)| k[..M].copy_from_slice(row));
@@ -129,9 +213,26 @@ impl FiberSection {
         };
         // In the plane a fiber has no z to be far from.
         let distance = |f: &Placed| (f.y - y).powi(2) + if self.torsion.is_some() { (f.z - z).powi(2) } else { 0.0 };
-        let candidates = self.fibers.iter().enumerate().filter(|(_, f)| tag.is_none_or(|t| f.slot.tag == t));
+        let has_tag = |f: &Placed| tag.is_none_or(|t| self.runs[f.run].slot.tag == t);
+        let candidates = self.fibers.iter().enumerate().filter(|(_, f)| has_tag(f));
         let nearest = candidates.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1)))?;
         Some((nearest.0, rest))
+    }
+
+    /// Materials of the fibers and of the torsion.
+    fn slots(&self) -> impl Iterator<Item = &Slot> {
+        self.runs.iter().map(|r| &r.slot).chain(&self.torsion)
+    }
+
+    /// Value of a probe of a fiber: its words as one alone would keep them.
+    fn read_fiber(&self, i: usize, path: &[u32], state: &[f64], out: &mut [f64]) {
+        let (parts, run) = (Parts::of(state, self.fibers.len()), &self.runs[self.fibers[i].run]);
+        let mut words = vec![0.0; run.slot.len()];
+        let header =
+            run.slot.write_header(&mut words, [parts.strain[i], parts.stress[i], parts.tangent[i], parts.energy[i]]);
+        let from = (&parts.laws[run.words()], i - run.fibers.start, run.fibers.len());
+        run.slot.material.copy_history(from, (&mut words[header..], 0, 1));
+        run.slot.read(path, &words, out);
     }
 }
 
@@ -146,13 +247,19 @@ impl Section for FiberSection {
         self.state_len
     }
     fn init(&self, state: &mut [f64]) {
-        self.fibers.iter().map(|f| &f.slot).chain(&self.torsion).for_each(|s| s.init(state));
+        state.fill(0.0);
+        let parts = Parts::of_mut(state, self.fibers.len());
+        for run in &self.runs {
+            run.slot.material.init_all(run.fibers.len(), &mut parts.laws[run.words()]);
+            parts.tangent[run.fibers.clone()].fill(run.slot.material.initial_tangent());
+        }
+        self.torsion.iter().for_each(|t| t.init(state));
     }
     fn is_linear(&self) -> bool {
-        self.fibers.iter().map(|f| &f.slot).chain(&self.torsion).all(|s| s.material.is_linear())
+        self.slots().all(|s| s.material.is_linear())
     }
     fn depends_on_time(&self) -> bool {
-        self.fibers.iter().map(|f| &f.slot).chain(&self.torsion).any(|s| s.material.depends_on_time())
+        self.slots().any(|s| s.material.depends_on_time())
     }
 
     fn update(
@@ -184,7 +291,7 @@ impl Section for FiberSection {
             ["material", tag, rest @ ..] => (Some(tag.parse::<i32>().ok()?), rest),
             _ => (None, words),
         };
-        let chosen = new.fibers.iter_mut().map(|f| &mut f.slot).filter(|s| tag.is_none_or(|t| s.tag == t));
+        let chosen = new.runs.iter_mut().map(|r| &mut r.slot).filter(|s| tag.is_none_or(|t| s.tag == t));
         let old = chosen.filter_map(|s| s.set_parameter(rest, value)).last()?;
         Some((Arc::new(new), old))
     }
@@ -193,7 +300,7 @@ impl Section for FiberSection {
         match *words.first()? {
             "fiber" => {
                 let (i, rest) = self.find(&words[1..])?;
-                Some(self.fibers[i].slot.probe(rest)?.inside(&[FIBER, i as u32]))
+                Some(self.runs[self.fibers[i].run].slot.probe(rest)?.inside(&[FIBER, i as u32]))
             }
             "fiberData" => {
                 let columns = ["yCoord", "zCoord", "area", "stress", "strain"];
@@ -207,15 +314,16 @@ impl Section for FiberSection {
     }
 
     fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
+        let parts = Parts::of(state, self.fibers.len());
         match path[0] {
-            FIBER => self.fibers[path[1] as usize].slot.read(&path[2..], state, out),
+            FIBER => self.read_fiber(path[1] as usize, &path[2..], state, out),
             FIBER_DATA => {
-                for (f, row) in self.fibers.iter().zip(out.chunks_exact_mut(5)) {
-                    row.copy_from_slice(&[f.y, f.z, f.area, f.slot.stress(state), f.slot.strain(state)]);
+                for ((i, f), row) in self.fibers.iter().enumerate().zip(out.chunks_exact_mut(5)) {
+                    row.copy_from_slice(&[f.y, f.z, f.area, parts.stress[i], parts.strain[i]]);
                 }
             }
             CENTROID => out.copy_from_slice(&[self.centroid.0, self.centroid.1]),
-            ENERGY => out[0] = self.fibers.iter().map(|f| f.area * f.slot.energy(state)).sum(),
+            ENERGY => out[0] = self.fibers.iter().zip(parts.energy).map(|(f, e)| f.area * e).sum(),
             _ => {
                 if let Some(t) = &self.torsion {
                     t.read(&path[1..], state, out);
