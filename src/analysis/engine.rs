@@ -404,6 +404,7 @@ impl Engine {
             coefficients: Coefficients::default(),
             dynamic: false,
             elapses: false,
+            passed: None,
             moved: true,
             asked: None,
             still: false,

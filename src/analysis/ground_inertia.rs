@@ -15,6 +15,9 @@ pub(super) struct GroundInertia {
     elements: Vec<f64>,
     /// What OpenSees counts once more: empty unless its slips are wanted.
     again: Vec<f64>,
+    /// What OpenSees leaves out of the reactions: the masses of elements whose forces it reports without it. Empty unless
+    /// its slips are wanted.
+    left_out: Vec<f64>,
     /// What OpenSees takes off the force that an element reports, by element: empty unless its slips are wanted.
     reported: BTreeMap<usize, Vec<f64>>,
 }
@@ -56,14 +59,27 @@ impl GroundInertia {
             r[node.dofs()].iter_mut().zip(&influence).for_each(|(r, i)| *r = excitation.influence * i);
         }
         let nodes = mass_times(model, &r, true);
-        let mut inertia =
-            Self { pattern, nodes, elements: vec![0.0; model.dofs()], again: vec![], reported: BTreeMap::new() };
+        let mut inertia = Self {
+            pattern,
+            nodes,
+            elements: vec![0.0; model.dofs()],
+            again: vec![],
+            left_out: vec![],
+            reported: BTreeMap::new(),
+        };
         for (i, e) in model.elements.iter().enumerate() {
             let force = element_mass_times(e, &r);
             for (&d, f) in e.dofs.iter().zip(&force) {
                 inertia.elements[d as usize] += f;
             }
-            if let Some(times) = e.element.ground_inertia_slip().filter(|_| compat) {
+            let slip = e.element.ground_inertia_slip().filter(|_| compat);
+            if compat && slip.is_none() && force.iter().any(|f| *f != 0.0) {
+                inertia.left_out.resize(model.dofs(), 0.0);
+                for (&d, f) in e.dofs.iter().zip(&force) {
+                    inertia.left_out[d as usize] += f;
+                }
+            }
+            if let Some(times) = slip {
                 inertia.again.resize(model.dofs(), 0.0);
                 for (&d, f) in e.dofs.iter().zip(&force) {
                     inertia.again[d as usize] += (times - 1.0) * f;
@@ -85,7 +101,7 @@ impl GroundInertia {
     /// Take those that OpenSees counts once more off `out`; with `elements` all those of the elements.
     pub(super) fn take_off(&self, factors: &[f64], elements: bool, out: &mut [f64]) {
         let a = factors[self.pattern];
-        let own: &[f64] = if elements { &self.elements } else { &[] };
+        let own: &[f64] = if elements { &self.elements } else { &self.left_out };
         for part in [own, &self.again] {
             out.iter_mut().zip(part).for_each(|(p, f)| *p += a * f);
         }

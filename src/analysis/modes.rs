@@ -217,6 +217,7 @@ impl Engine {
                 coefficients,
                 dynamic,
                 elapses: departure.is_some(),
+                passed: None,
                 moved,
                 asked,
                 still,

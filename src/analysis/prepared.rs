@@ -51,6 +51,8 @@ pub(super) struct Matrices {
     /// Inertia or damping forces come with its motion.
     is_dynamic: bool,
     rayleigh: Rayleigh,
+    /// Those of them that are in the tangent: OpenSees leaves them out of some.
+    in_tangent: Rayleigh,
     /// Those that reports of damping forces count: OpenSees asks no element whether it takes part.
     reported: Rayleigh,
 }
@@ -98,6 +100,8 @@ pub struct Prepared {
     pub(super) residual_needs_tangent: bool,
     /// The integrator multiplies the tangents of the elements with displacements of its own: all columns are read.
     pub(super) multiplies: bool,
+    /// OpenSees' slips are followed.
+    pub(super) compat: bool,
     /// Elements that count their calls.
     pub(super) counting: Vec<usize>,
     /// How often elements that count their calls are asked.
@@ -173,6 +177,7 @@ impl Prepared {
                 is_dynamic: !matches!(place, MassPlace::None) || !rayleigh.is_zero(),
                 mass: place,
                 rayleigh,
+                in_tangent: if e.element.damps_in_forces_only() { Rayleigh::default() } else { rayleigh },
                 reported,
             });
             at += n * n;
@@ -202,6 +207,7 @@ impl Prepared {
             tangent_is_current: false,
             residual_needs_tangent: false,
             multiplies: false,
+            compat: options.compat,
             counting: (0..matrices.len()).filter(|&i| matrices[i].counts_calls).collect(),
             asking: Asking::default(),
             updates: 0,
@@ -302,16 +308,16 @@ impl Prepared {
         self.values.copy_from_slice(&self.base);
         for (i, (e, m)) in model.elements.iter().zip(&self.matrices).enumerate().filter(|(_, (_, m))| !m.linear) {
             let range = m.at..m.at + e.dofs.len().pow(2);
-            let current = c.k * mix.current + c.c * m.rayleigh.beta_k;
+            let current = c.k * mix.current + c.c * m.in_tangent.beta_k;
             if current != 0.0 {
                 self.plan.add_element(i, &self.tangent[range.clone()], current, &mut self.values);
             }
-            let initial = c.k * mix.initial + c.c * m.rayleigh.beta_k0;
+            let initial = c.k * mix.initial + c.c * m.in_tangent.beta_k0;
             if initial != 0.0 {
                 self.plan.add_element(i, &self.initial[range.clone()], initial, &mut self.values);
             }
-            if m.rayleigh.beta_kc != 0.0 && c.c != 0.0 {
-                let factor = c.c * m.rayleigh.beta_kc;
+            if m.in_tangent.beta_kc != 0.0 && c.c != 0.0 {
+                let factor = c.c * m.in_tangent.beta_kc;
                 self.plan.add_element(i, &self.committed[range.clone()], factor, &mut self.values);
             }
             if let Some(at) = m.damping.filter(|_| c.c != 0.0) {
@@ -326,11 +332,11 @@ impl Prepared {
         for (i, (e, m)) in model.elements.iter().zip(&self.matrices).enumerate() {
             let n = e.dofs.len();
             if m.linear {
-                let r = &m.rayleigh;
+                let r = &m.in_tangent;
                 let factor = c.k * (mix.current + mix.initial) + c.c * (r.beta_k + r.beta_k0 + r.beta_kc);
                 self.plan.add_element(i, &self.tangent[m.at..m.at + n * n], factor, &mut self.base);
             }
-            let factor = c.m + c.c * m.rayleigh.alpha_m;
+            let factor = c.m + c.c * m.in_tangent.alpha_m;
             if factor == 0.0 {
                 continue;
             }

@@ -35,6 +35,8 @@ pub struct System<'a> {
     pub dynamic: bool,
     /// Time passes with the domain time: not where a load factor stands for it.
     pub elapses: bool,
+    /// The time that counts as passed for the elements where it is not that of the domain.
+    pub passed: Option<f64>,
     /// Displacements or element loads differ from the committed ones, or may.
     pub moved: bool,
     /// The time that all elements have been asked at in this step, if they have: those that have not moved since are not
@@ -204,9 +206,22 @@ impl System<'_> {
         Ok(())
     }
 
+    /// Ask all elements at the end of a step, of which the iterations have asked at a time within it. In OpenSees no more
+    /// time has passed for them then.
+    pub fn respond_at_end(&mut self, end: f64) -> Result<(), Failure> {
+        let within = self.new.time - self.old.time;
+        self.moved = true;
+        self.apply_loads(end)?;
+        self.passed = self.work.compat.then_some(within);
+        let done = self.respond(false);
+        self.passed = None;
+        done
+    }
+
     /// Ask all elements for forces, and for tangents if they are wanted.
     pub fn respond(&mut self, want_tangent: bool) -> Result<(), Failure> {
-        let dt = if self.elapses { self.new.time - self.old.time } else { 0.0 };
+        let passed = self.passed.unwrap_or(self.new.time - self.old.time);
+        let dt = if self.elapses { passed } else { 0.0 };
         let want_tangent = want_tangent || self.work.residual_needs_tangent;
         // Where nothing has moved the answers are those of the committed state, which are there still, but for what
         // depends on rates.

@@ -20,7 +20,7 @@ const NAMELESS: f64 = 9.0;
 const MUCH: f64 = 0.5;
 const NAMED: f64 = 45.0;
 /// So is one that has gained more than this in log evidence over none, where something else is left as well: where the effect
-/// was none of the library its laws gained 2 at most (validation/power).
+/// was none of the library its laws had gained 2 at most in the first batches of validation/power.
 const GAINED: f64 = 4.0;
 /// Of less than [`MUCH`] it has gained by bending to what is none of its own: at this part of it the gain says nothing. Two
 /// such laws had gained 9 and 20 where the effect was none of the library.
@@ -109,7 +109,8 @@ impl Odds {
     }
 }
 
-/// Probabilities of causes with their log evidences, the likeliest first; `left` has structure, `none` is the evidence of the model as it is.
+/// Probabilities of causes with their log evidences, the likeliest first. So much is `left` with structure; `none` is the
+/// evidence of the model as it is.
 fn among(mut causes: Vec<(&'static str, f64)>, left: f64, none: f64) -> Vec<(&'static str, f64)> {
     causes.sort_by(|a, b| b.1.total_cmp(&a.1));
     temper(&mut causes, left, none);

@@ -273,6 +273,12 @@ pub trait Element: fmt::Debug + Send + Sync {
         Mass::None
     }
 
+    /// Whether Rayleigh damping counts in its forces and not in its tangent, as OpenSees has it of some elements. Followed on
+    /// demand only.
+    fn damps_in_forces_only(&self) -> bool {
+        false
+    }
+
     /// Where OpenSees takes the inertia of its mass under a uniform ground motion off the force that it reports: how
     /// often it counts that inertia in the equations of motion. Followed on demand only.
     fn ground_inertia_slip(&self) -> Option<f64> {

@@ -3,7 +3,7 @@
 //! slider whose friction follows the axial force) it is block Arnoldi, with the same vectors (Saad, 2011).
 
 use crate::numeric::dot;
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use nalgebra::{DMatrix, DVector, Schur, SymmetricEigen};
 
 /// The two matrices as operators.
 pub trait Pencil {
@@ -30,6 +30,12 @@ pub struct Pair {
 
 /// Part of the largest entry by which a matrix that is symmetric but for round-off differs from its transpose.
 const SKEW: f64 = 1e-9;
+
+/// Iterations for the eigenvalues of an unsymmetric matrix.
+const ITERATIONS: usize = 10_000;
+
+/// A basis of more vectors is a long one.
+const LONG: usize = 120;
 
 /// Vectors start from the same numbers every time.
 struct Random(u64);
@@ -91,6 +97,9 @@ pub fn nearest(pencil: &mut impl Pencil, count: usize) -> Vec<Pair> {
             pencil.solve(&mut w);
             av.push(w);
         }
+        if av.iter().flatten().any(|x| !x.is_finite()) {
+            return vec![];
+        }
         let ritz = Ritz::of(&basis, &av);
         let wanted = &ritz.theta[..count.min(ritz.theta.len())];
         let settled = wanted.len() == last.len()
@@ -148,8 +157,10 @@ impl Ritz {
     fn of(basis: &Basis, av: &[Vec<f64>]) -> Self {
         let m = av.len();
         let t = DMatrix::from_fn(m, m, |i, j| dot(&basis.mv[i], &av[j]));
-        if (&t - t.transpose()).amax() > SKEW * t.amax() {
-            let mut values: Vec<_> = t.complex_eigenvalues().iter().copied().collect();
+        let skew = (&t - t.transpose()).amax() > SKEW * t.amax();
+        // Where the iterations do not end, what is symmetric in it has to do.
+        if let Some(schur) = skew.then(|| Schur::try_new(t.clone(), f64::EPSILON, ITERATIONS)).flatten() {
+            let mut values: Vec<_> = schur.complex_eigenvalues().iter().copied().collect();
             values.sort_by(|a, b| b.norm_sqr().total_cmp(&a.norm_sqr()));
             let theta = values.iter().map(|v| if v.re == 0.0 { 0.0 } else { v.norm_sqr() / v.re }).collect();
             return Self { matrix: t, theta, vectors: Err(values.iter().map(|v| v.re).collect()) };
@@ -163,9 +174,14 @@ impl Ritz {
         Self { matrix: t, theta, vectors: Ok(vectors) }
     }
 
-    /// Part by which values that are settled may still differ.
+    /// Part by which values that are settled may still differ. Without symmetry round-off moves them more, and a basis that
+    /// has grown long would grow to all equations for it.
     fn tolerance(&self) -> f64 {
-        if self.vectors.is_ok() { 1e-15 } else { 1e-13 }
+        match &self.vectors {
+            Ok(_) => 1e-15,
+            Err(values) if values.len() <= LONG => 1e-13,
+            Err(_) => 1e-10,
+        }
     }
 
     /// Coordinates of a vector.

@@ -292,6 +292,10 @@ impl Element for Amended {
     fn overload(&self, history: &[f64]) -> Option<Overload> {
         self.inner.overload(&history[..self.inner_len])
     }
+    fn damps_in_forces_only(&self) -> bool {
+        self.inner.damps_in_forces_only()
+    }
+
     fn ground_inertia_slip(&self) -> Option<f64> {
         self.inner.ground_inertia_slip()
     }

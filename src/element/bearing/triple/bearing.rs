@@ -300,7 +300,8 @@ impl Element for TriplePendulum {
                 Surfaces::Models(f) => f.iter().any(|f| f.depends_on_speed()),
                 Surfaces::Heated(_) => true,
             } || self.materials.iter().any(|m| m.material.depends_on_time()),
-            rayleigh: false,
+            // There is no option to keep it out of Rayleigh damping.
+            rayleigh: true,
         }
     }
 
@@ -338,6 +339,10 @@ impl Element for TriplePendulum {
             top.damping.iter().enumerate().for_each(|(i, x)| add_apart(c, i, i, *x, -1.0));
         }
         Ok(())
+    }
+
+    fn damps_in_forces_only(&self) -> bool {
+        self.setting.compat.is_some()
     }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {
