@@ -326,7 +326,8 @@ impl System<'_> {
         });
         let load = &self.new.element_load[e.load.clone()];
         let vel = if self.still { &AT_REST[..n] } else { &*vel };
-        let motion = Motion { disp, vel, load, still: self.still, dt, time: self.new.time };
+        let time = self.passed.map_or(self.new.time, |passed| self.old.time + passed);
+        let motion = Motion { disp, vel, load, still: self.still, dt, time };
         let answer = Answer { force, tangent, damping, part };
         let committed = &self.old.history[e.state.clone()];
         let trial = &mut self.new.history[e.state.clone()];

@@ -100,9 +100,11 @@ impl RubberBoucWen {
         let length = |v: [f64; 2]| (v[0] * v[0] + v[1] * v[1]).sqrt();
         let speed = length(at.rate);
         let rise = if self.compat {
-            // OpenSees' clock goes on from zero where the domain time has been set back.
+            // OpenSees' clock goes on from zero where the domain time has been set back, and is the domain's where that is no
+            // time.
             let since = if at.time < m.time { 0.0 } else { m.time };
-            core.warm_as_opensees(m.rise, m.qy * length(c.internal), speed, at.time, at.time - since)
+            let passed = if at.dt > 0.0 { at.dt } else { at.time - since };
+            core.warm_as_opensees(m.rise, m.qy * length(c.internal), speed, at.time, passed)
         } else {
             core.warm(m.rise, m.qy * length(z), speed, at.time, at.dt)
         };
