@@ -251,14 +251,16 @@ impl Engine {
 
     /// Set the domain time.
     pub fn set_time(&mut self, time: f64) {
-        let departure = std::mem::take(&mut self.departure);
-        self.change_state(|s, _| s.time = time);
-        self.departure = departure;
+        self.adopt(|s, _| s.time = time);
     }
 
     /// Change the committed state by hand: displacements, velocities.
     pub fn change_state(&mut self, change: impl FnOnce(&mut State, &Model)) {
         self.departure.forget();
+        self.adopt(change);
+    }
+
+    fn adopt(&mut self, change: impl FnOnce(&mut State, &Model)) {
         change(&mut self.committed, &self.model);
         self.trial.clone_from(&self.committed);
         if let Some((_, _, p)) = &mut self.prepared {

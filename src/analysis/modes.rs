@@ -3,6 +3,7 @@
 use super::engine::Engine;
 use super::failure::{Cause, Failure};
 use super::prepared::{Prepared, TangentMix};
+use super::state::State;
 use super::system::{Coefficients, System};
 use crate::solve::eigen::{self, Pair, Pencil};
 use crate::solve::{SINGULAR, SolveError};
@@ -52,6 +53,8 @@ impl Wanted {
 pub enum ModesError {
     /// The equations cannot be made or solved.
     Failure(Failure),
+    /// The tangent has no eigenvalues that could be found.
+    NotFound,
     /// There are fewer modes than were asked for: the mass moves only so many.
     TooFew {
         /// Number of modes that there are.
@@ -69,6 +72,11 @@ impl std::fmt::Display for ModesError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Failure(e) => write!(f, "{e}"),
+            Self::NotFound => write!(
+                f,
+                "no eigenvalues were found: stiffness or mass hold a number that is not finite, or the iterations for the \
+                 eigenvalues of an unsymmetric stiffness did not end"
+            ),
             Self::TooFew { available } => {
                 write!(f, "the model has only {available} modes: as many as independent motions that have a mass")
             }
@@ -176,7 +184,11 @@ impl Engine {
         let available = work.plan.map.equations;
         let wanted = if largest { available } else { count };
         let mut matrices = Matrices { work: &mut *work, mass };
-        let mut pairs = eigen::nearest(&mut matrices, wanted);
+        let found = eigen::nearest(&mut matrices, wanted);
+        let Ok(mut pairs) = found else {
+            work.solver.forget();
+            return Err(ModesError::NotFound);
+        };
         if largest {
             pairs.drain(..pairs.len().saturating_sub(count));
         }
@@ -207,23 +219,7 @@ impl Engine {
     fn respond_as_committed(&mut self) -> Result<(), Failure> {
         let departure = self.departure.state(self.state());
         let time = self.state().time;
-        self.with_system(|system| {
-            let System { model, coefficients, dynamic, moved, asked, still, summed, settled, .. } = *system;
-            let mut system = System {
-                model,
-                old: departure.as_ref().unwrap_or(system.old),
-                new: &mut *system.new,
-                work: &mut *system.work,
-                coefficients,
-                dynamic,
-                elapses: departure.is_some(),
-                passed: None,
-                moved,
-                asked,
-                still,
-                summed,
-                settled,
-            };
+        self.with_system_from(departure.as_ref(), |system| {
             system.apply_loads(time)?;
             system.respond(true)
         })
@@ -234,11 +230,22 @@ impl Engine {
         &mut self,
         act: impl FnOnce(&mut System<'_>) -> Result<T, Failure>,
     ) -> Result<T, Failure> {
-        let Some(mut system) = self.system() else { unreachable!("called after prepare") };
+        self.with_system_from(None, act)
+    }
+
+    /// The same as at the end of a step from another state, of which the time is that of a step.
+    fn with_system_from<T>(
+        &mut self,
+        departure: Option<&State>,
+        act: impl FnOnce(&mut System<'_>) -> Result<T, Failure>,
+    ) -> Result<T, Failure> {
+        let Some(system) = self.system() else { unreachable!("called after prepare") };
+        let committed = system.old;
+        let (old, elapses) = (departure.unwrap_or(committed), departure.is_some());
+        let mut system = System { old, elapses, ..system };
         let result = act(&mut system);
         system.work.loads.invalidate();
-        let old = system.old;
-        system.new.copy_from(old);
+        system.new.copy_from(committed);
         result
     }
 }

@@ -316,6 +316,7 @@ fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             Ok(Value::list(lambda.into_iter().map(Value::from)))
         }
         Err(ModesError::Failure(f)) => Err(a.refuse_at(call.span(0), format!("eigen: {f}"), "")),
+        Err(e @ ModesError::NotFound) => Err(a.refuse_at(call.span(0), format!("eigen: {e}"), "")),
         Err(e @ ModesError::TooFew { .. }) => Err(a.refuse_at(span, format!("eigen: {e}"), "expected no more")),
     }
 }

@@ -53,8 +53,7 @@ pub(super) fn conclude(
 ) -> Result<Diagnosis, String> {
     let study = c.study;
     let best = &weighed[0];
-    let evidence_of_none = weighed.iter().find(|e| e.cause() == "none").map_or(f64::NEG_INFINITY, |e| e.evidence);
-    let Odds { mut odds, left, signature } = Odds::of(study, c.scales, baseline, &weighed);
+    let Odds { mut odds, left, signature, none: evidence_of_none } = Odds::of(study, c.scales, baseline, &weighed);
     let before = all_runs(c, &baseline.variant, &baseline.fitted.values);
     // It is the script as it is written that is repaired.
     work.bench.refine(1);

@@ -41,6 +41,8 @@ pub(super) struct Odds {
     /// Part of what the best explanation leaves that has structure, and which.
     pub(super) left: f64,
     pub(super) signature: String,
+    /// Log evidence of the model as it is.
+    pub(super) none: f64,
 }
 
 /// How the best explanation stands.
@@ -105,7 +107,7 @@ impl Odds {
             }
         }
         causes.push(("unknown", unknown));
-        Self { odds: among(causes, left, none), left, signature }
+        Self { odds: among(causes, left, none), left, signature, none }
     }
 }
 

@@ -3,7 +3,8 @@
 //! slider whose friction follows the axial force) it is block Arnoldi, with the same vectors (Saad, 2011).
 
 use crate::numeric::dot;
-use nalgebra::{DMatrix, DVector, Schur, SymmetricEigen};
+use faer::Mat;
+use nalgebra::{Complex, DMatrix, DVector, SymmetricEigen};
 
 /// The two matrices as operators.
 pub trait Pencil {
@@ -28,11 +29,12 @@ pub struct Pair {
     pub vector: Vec<f64>,
 }
 
+/// There is an entry that is not finite, or the iterations for the eigenvalues did not end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NotFound;
+
 /// Part of the largest entry by which a matrix that is symmetric but for round-off differs from its transpose.
 const SKEW: f64 = 1e-9;
-
-/// Iterations for the eigenvalues of an unsymmetric matrix.
-const ITERATIONS: usize = 10_000;
 
 /// A basis of more vectors is a long one.
 const LONG: usize = 120;
@@ -76,7 +78,10 @@ impl Basis {
 }
 
 /// The `count` pairs nearest to the shift, by rising λ; fewer where the mass has fewer.
-pub fn nearest(pencil: &mut impl Pencil, count: usize) -> Vec<Pair> {
+///
+/// # Errors
+/// See [`NotFound`].
+pub fn nearest(pencil: &mut impl Pencil, count: usize) -> Result<Vec<Pair>, NotFound> {
     let n = pencil.len();
     let block = count.clamp(2, 6).min(n.max(1));
     let mut random = Random(20_261);
@@ -86,7 +91,7 @@ pub fn nearest(pencil: &mut impl Pencil, count: usize) -> Vec<Pair> {
     let mut last: Vec<f64> = vec![];
     start(pencil, &mut basis, &mut random, block);
     if basis.v.is_empty() {
-        return vec![];
+        return Ok(vec![]);
     }
     loop {
         // Operator times the vectors that are new.
@@ -97,17 +102,14 @@ pub fn nearest(pencil: &mut impl Pencil, count: usize) -> Vec<Pair> {
             pencil.solve(&mut w);
             av.push(w);
         }
-        if av.iter().flatten().any(|x| !x.is_finite()) {
-            return vec![];
-        }
-        let ritz = Ritz::of(&basis, &av);
+        let ritz = Ritz::of(&basis, &av)?;
         let wanted = &ritz.theta[..count.min(ritz.theta.len())];
         let settled = wanted.len() == last.len()
             && wanted.len() == count
             && wanted.iter().zip(&last).all(|(a, b)| (a - b).abs() <= ritz.tolerance() * a.abs());
         last = wanted.to_vec();
         if settled {
-            return pairs(pencil, &basis, &ritz, count);
+            return Ok(pairs(pencil, &basis, &ritz.complete()?, count));
         }
         for w in &av[known..full] {
             let scale = length(pencil, w);
@@ -118,7 +120,7 @@ pub fn nearest(pencil: &mut impl Pencil, count: usize) -> Vec<Pair> {
             start(pencil, &mut basis, &mut random, block);
         }
         if basis.v.len() == full {
-            return pairs(pencil, &basis, &ritz, count);
+            return Ok(pairs(pencil, &basis, &ritz.complete()?, count));
         }
     }
 }
@@ -145,58 +147,63 @@ fn start(pencil: &mut impl Pencil, basis: &mut Basis, random: &mut Random, count
 
 /// The operator in a basis.
 struct Ritz {
-    matrix: DMatrix<f64>,
     /// Eigenvalues θ, the largest by size first. Of a complex pair |θ|²/Re θ, so that 1/θ is the real part of λ, as OpenSees
     /// gives it.
     theta: Vec<f64>,
-    /// Their vectors where the matrix is symmetric; real parts of the eigenvalues where it is not.
-    vectors: Result<Vec<DVector<f64>>, Vec<f64>>,
+    /// Their vectors; not yet where the operator is not symmetric.
+    vectors: Vec<DVector<f64>>,
+    /// The operator, where it is not symmetric.
+    unsymmetric: Option<Mat<f64>>,
+}
+
+/// |θ|²/Re θ.
+fn of_pair(theta: Complex<f64>) -> f64 {
+    if theta.re == 0.0 { 0.0 } else { theta.norm_sqr() / theta.re }
 }
 
 impl Ritz {
-    fn of(basis: &Basis, av: &[Vec<f64>]) -> Self {
+    fn of(basis: &Basis, av: &[Vec<f64>]) -> Result<Self, NotFound> {
         let m = av.len();
         let t = DMatrix::from_fn(m, m, |i, j| dot(&basis.mv[i], &av[j]));
-        let skew = (&t - t.transpose()).amax() > SKEW * t.amax();
-        // Where the iterations do not end, what is symmetric in it has to do.
-        if let Some(schur) = skew.then(|| Schur::try_new(t.clone(), f64::EPSILON, ITERATIONS)).flatten() {
-            let mut values: Vec<_> = schur.complex_eigenvalues().iter().copied().collect();
+        if t.iter().any(|x| !x.is_finite()) {
+            return Err(NotFound);
+        }
+        if (&t - t.transpose()).amax() > SKEW * t.amax() {
+            let t = Mat::from_fn(m, m, |i, j| t[(i, j)]);
+            let mut values = t.eigenvalues().map_err(|_| NotFound)?;
             values.sort_by(|a, b| b.norm_sqr().total_cmp(&a.norm_sqr()));
-            let theta = values.iter().map(|v| if v.re == 0.0 { 0.0 } else { v.norm_sqr() / v.re }).collect();
-            return Self { matrix: t, theta, vectors: Err(values.iter().map(|v| v.re).collect()) };
+            let theta = values.into_iter().map(of_pair).collect();
+            return Ok(Self { theta, vectors: vec![], unsymmetric: Some(t) });
         }
         let t = DMatrix::from_fn(m, m, |i, j| 0.5 * (t[(i, j)] + t[(j, i)]));
-        let eigen = SymmetricEigen::new(t.clone());
+        let eigen = SymmetricEigen::new(t);
         let mut order: Vec<usize> = (0..m).collect();
         order.sort_by(|&a, &b| eigen.eigenvalues[b].abs().total_cmp(&eigen.eigenvalues[a].abs()));
         let theta = order.iter().map(|&i| eigen.eigenvalues[i]).collect();
         let vectors = order.iter().map(|&i| eigen.eigenvectors.column(i).into_owned()).collect();
-        Self { matrix: t, theta, vectors: Ok(vectors) }
+        Ok(Self { theta, vectors, unsymmetric: None })
+    }
+
+    /// With the vectors, of which a search that goes on has no need.
+    fn complete(mut self) -> Result<Self, NotFound> {
+        let Some(t) = self.unsymmetric.take() else { return Ok(self) };
+        let eigen = t.eigen().map_err(|_| NotFound)?;
+        let (values, columns) = (eigen.S().column_vector(), eigen.U());
+        let mut order: Vec<usize> = (0..t.nrows()).collect();
+        order.sort_by(|&a, &b| values[b].norm_sqr().total_cmp(&values[a].norm_sqr()));
+        self.theta = order.iter().map(|&i| of_pair(values[i])).collect();
+        let real = |i: usize| DVector::from_fn(t.nrows(), |k, _| columns[(k, i)].re);
+        self.vectors = order.into_iter().map(real).collect();
+        Ok(self)
     }
 
     /// Part by which values that are settled may still differ. Without symmetry round-off moves them more, and a basis that
     /// has grown long would grow to all equations for it.
     fn tolerance(&self) -> f64 {
-        match &self.vectors {
-            Ok(_) => 1e-15,
-            Err(values) if values.len() <= LONG => 1e-13,
-            Err(_) => 1e-10,
-        }
-    }
-
-    /// Coordinates of a vector.
-    fn vector(&self, i: usize) -> DVector<f64> {
-        match &self.vectors {
-            Ok(vectors) => vectors[i].clone(),
-            // Inverse iteration, from next to the value: on it there is nothing to divide by.
-            Err(values) => {
-                let n = self.matrix.nrows();
-                let shift = values[i] + 1e-10 * self.matrix.amax();
-                let lu = (&self.matrix - DMatrix::identity(n, n) * shift).lu();
-                let mut random = Random(20_261 + i as u64);
-                let start = DVector::from_fn(n, |_, _| random.next());
-                (0..3).fold(start, |x, _| lu.solve(&x).unwrap_or(x).normalize())
-            }
+        match &self.unsymmetric {
+            None => 1e-15,
+            Some(t) if t.nrows() <= LONG => 1e-13,
+            Some(_) => 1e-10,
         }
     }
 }
@@ -212,7 +219,7 @@ fn pairs(pencil: &mut impl Pencil, basis: &Basis, ritz: &Ritz, count: usize) -> 
         .filter(|(_, theta)| **theta != 0.0)
         .map(|(i, theta)| {
             let mut w = vec![0.0; n];
-            for (v, c) in basis.v.iter().zip(ritz.vector(i).iter()) {
+            for (v, c) in basis.v.iter().zip(ritz.vectors[i].iter()) {
                 w.iter_mut().zip(v).for_each(|(w, v)| *w += c * v);
             }
             // One more product cleans the vector of what the mass does not see.

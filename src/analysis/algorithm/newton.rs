@@ -14,13 +14,13 @@ pub struct Newton {
     expected: usize,
     /// The last step was in balance as it began: of the next one the same is expected, and no tangents are made at its
     /// beginning either.
-    at_rest: bool,
+    balanced: bool,
 }
 
 impl Newton {
     /// With which tangents.
     pub fn new(choice: TangentChoice) -> Self {
-        Self { choice, expected: usize::MAX, at_rest: false }
+        Self { choice, expected: usize::MAX, balanced: false }
     }
 }
 
@@ -30,12 +30,12 @@ impl Algorithm for Newton {
     }
     fn solve(&mut self, it: &mut Iteration<'_, '_>) -> Result<usize, Failure> {
         let wants = self.choice != TangentChoice::Always(TangentMix::INITIAL);
-        it.system.form_unbalance(wants && !self.at_rest)?;
+        it.system.form_unbalance(wants && !self.balanced)?;
         it.start_test();
-        self.at_rest = it.system.is_balanced();
+        self.balanced = it.system.is_balanced();
         for iteration in 0.. {
             // The first correction is known to be zero, and to change nothing where it is only added.
-            let none = iteration == 0 && self.at_rest;
+            let none = iteration == 0 && self.balanced;
             if none {
                 it.system.work.x.fill(0.0);
             } else {
