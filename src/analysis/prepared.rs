@@ -42,6 +42,10 @@ pub(super) struct Matrices {
     pub rates: bool,
     /// The answer goes on with every call.
     pub counts_calls: bool,
+    /// The current tangent stands for the initial one.
+    initial_is_current: bool,
+    /// The committed tangent stays that of the first step.
+    keeps_committed: bool,
     /// Place of the damping matrix of viscous materials.
     pub damping: Option<usize>,
     /// Rows of the matrices that are read: those of degrees of freedom that are in the equations, and where Rayleigh
@@ -165,6 +169,9 @@ impl Prepared {
             };
             let rayleigh = if nature.rayleigh { e.rayleigh } else { Rayleigh::default() };
             let reported = if nature.rayleigh || options.compat { e.rayleigh } else { Rayleigh::default() };
+            let initial_is_current = e.element.initial_is_current();
+            let [rayleigh, reported] =
+                [rayleigh, reported].map(|r| if initial_is_current { r.with_current_for_initial() } else { r });
             let all = !rayleigh.is_zero() || !reported.is_zero();
             matrices.push(Matrices {
                 at,
@@ -173,6 +180,8 @@ impl Prepared {
                 linear: nature.linear && !nature.viscous,
                 rates: nature.viscous || nature.elapses,
                 counts_calls: e.element.counts_calls(),
+                initial_is_current,
+                keeps_committed: options.compat && !e.element.renews_damping(),
                 damping: nature.viscous.then_some(damping),
                 is_dynamic: !matches!(place, MassPlace::None) || !rayleigh.is_zero(),
                 mass: place,
@@ -281,12 +290,17 @@ impl Prepared {
         !self.committed.is_empty()
     }
 
-    /// Take the current tangents for those of the committed state.
-    pub(super) fn commit_tangent(&mut self) {
-        if self.wants_committed_tangent() {
+    /// Take the current tangents for those of the committed state: all before the first step, then those that are taken anew.
+    pub(super) fn commit_tangents(&mut self, first: bool) {
+        if !first && self.matrices.iter().any(|m| m.keeps_committed) {
+            let ends = self.matrices.iter().skip(1).map(|m| m.at).chain([self.tangent.len()]);
+            for (m, end) in self.matrices.iter().zip(ends).filter(|(m, _)| !m.keeps_committed) {
+                self.committed[m.at..end].copy_from_slice(&self.tangent[m.at..end]);
+            }
+        } else {
             self.committed.copy_from_slice(&self.tangent);
-            self.base_of = None;
         }
+        self.base_of = None;
     }
 
     /// Remember a pivot that is nearly zero.
@@ -308,6 +322,10 @@ impl Prepared {
         self.values.copy_from_slice(&self.base);
         for (i, (e, m)) in model.elements.iter().zip(&self.matrices).enumerate().filter(|(_, (_, m))| !m.linear) {
             let range = m.at..m.at + e.dofs.len().pow(2);
+            let mix = match m.initial_is_current {
+                true => TangentMix { current: mix.current + mix.initial, initial: 0.0 },
+                false => mix,
+            };
             let current = c.k * mix.current + c.c * m.in_tangent.beta_k;
             if current != 0.0 {
                 self.plan.add_element(i, &self.tangent[range.clone()], current, &mut self.values);
@@ -398,7 +416,7 @@ impl Prepared {
         for (e, m) in model.elements.iter().zip(&self.matrices) {
             let n = e.dofs.len();
             let range = m.at..m.at + n * n;
-            let initial = self.last_mix.initial != 0.0 && !m.linear;
+            let initial = self.last_mix.initial != 0.0 && !m.linear && !m.initial_is_current;
             let k = if initial { &self.initial[range] } else { &self.tangent[range] };
             let mut u = [0.0; MAX_DOFS];
             e.dofs.iter().zip(&mut u).for_each(|(&d, u)| *u = disp[d as usize]);

@@ -213,7 +213,8 @@ impl System<'_> {
         self.moved = true;
         self.apply_loads(end)?;
         self.passed = self.work.compat.then_some(within);
-        let done = self.respond(false);
+        // The clock is that of this answer alone: who needs the tangent of the committed state takes it from here.
+        let done = self.respond(self.work.wants_committed_tangent());
         self.passed = None;
         done
     }

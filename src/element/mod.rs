@@ -268,6 +268,12 @@ pub trait Element: fmt::Debug + Send + Sync {
     /// Tangent of the virgin element, n x n by rows, added to a zero matrix.
     fn initial_tangent(&self, tangent: &mut [f64]);
 
+    /// Whether its current tangent stands for the initial one in algorithms and damping, as OpenSees has it of some elements
+    /// that count their calls. Followed on demand only.
+    fn initial_is_current(&self) -> bool {
+        false
+    }
+
     /// Mass.
     fn mass(&self) -> Mass {
         Mass::None
@@ -277,6 +283,12 @@ pub trait Element: fmt::Debug + Send + Sync {
     /// demand only.
     fn damps_in_forces_only(&self) -> bool {
         false
+    }
+
+    /// Whether OpenSees takes the committed tangent of Rayleigh damping anew at the end of every step; of some elements it keeps
+    /// the first one. Followed on demand only.
+    fn renews_damping(&self) -> bool {
+        true
     }
 
     /// Where OpenSees takes the inertia of its mass under a uniform ground motion off the force that it reports: how

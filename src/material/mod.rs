@@ -142,6 +142,17 @@ pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {
     /// Stress and next state for a trial strain, from the committed state.
     fn update(&self, committed: &Self::State, strain: Strain) -> Result<(Stress, Self::State), MaterialError>;
 
+    /// The same where OpenSees is followed: `last` is what the place of the next state holds, mostly the last trial state of the
+    /// step, of which some laws of OpenSees keep what a trial does not set.
+    fn update_on(
+        &self,
+        committed: &Self::State,
+        _last: &Self::State,
+        strain: Strain,
+    ) -> Result<(Stress, Self::State), MaterialError> {
+        self.update(committed, strain)
+    }
+
     /// Tangent of the virgin material.
     fn initial_tangent(&self) -> f64;
 
@@ -291,7 +302,7 @@ impl<L: UniaxialLaw> Uniaxial for L {
     }
     #[inline]
     fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
-        let (stress, state) = UniaxialLaw::update(self, &L::State::read(committed), strain)?;
+        let (stress, state) = self.update_on(&L::State::read(committed), &L::State::read(next), strain)?;
         state.write(next);
         Ok(stress)
     }

@@ -19,8 +19,8 @@ pub struct SelfCentering {
     pub bearing: f64,
     /// Stiffness when bearing, as a part of k₁.
     pub bearing_ratio: f64,
-    /// As in OpenSees, a flag remembers where it was left when a step jumps from it to the elastic part around zero, a
-    /// step that begins to slip slips as a whole, and slip does not change the tangent.
+    /// As in OpenSees, a flag remembers where it was left when a step jumps from it to the elastic part around zero, or a trial
+    /// state was on it; a step that begins to slip slips as a whole, and slip does not change the tangent.
     pub compat: bool,
 }
 
@@ -37,6 +37,8 @@ crate::words! {
         slip: f64,
         /// How far the elastic range in tension and in compression has moved from where it was, both positive.
         moved: [f64; 2],
+        /// Steps so far, by which trial states of a step are known.
+        steps: f64,
     }
 }
 
@@ -55,7 +57,7 @@ impl SelfCentering {
         } else if self.slip != 0.0 && x > self.slip {
             if self.compat {
                 t.slip = c.slip + d;
-                return (on_line(self.slip), self.k1 + c.softening);
+                return (on_line(self.slip), self.k1 + t.softening);
             }
             t.slip = c.slip + (x - self.slip).copysign(d);
             t.moved[side] = self.slip - start;
@@ -76,12 +78,17 @@ impl UniaxialLaw for SelfCentering {
     type State = History;
     const NAME: &'static str = "SelfCentering";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, committed: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+        self.update_on(committed, committed, strain)
+    }
+
+    fn update_on(&self, c: &History, last: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
         let d = strain.value - c.strain;
+        let steps = c.steps + 1.0;
+        let mut t = if self.compat && last.steps == steps { *last } else { History { steps, ..*c } };
         if d.abs() < f64::EPSILON {
-            return Ok((Stress { value: c.stress, tangent: self.k1 + c.softening, damping: 0.0 }, *c));
+            return Ok((Stress { value: t.stress, tangent: self.k1 + t.softening, damping: 0.0 }, t));
         }
-        let mut t = *c;
         t.strain = strain.value;
         let x = strain.value - c.slip;
         let (side, s) = if x >= 0.0 { (0, 1.0) } else { (1, -1.0) };

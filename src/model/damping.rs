@@ -14,6 +14,11 @@ pub struct Rayleigh {
 }
 
 impl Rayleigh {
+    /// With the factor on the initial tangent on the current one.
+    pub(crate) fn with_current_for_initial(self) -> Self {
+        Self { beta_k: self.beta_k + self.beta_k0, beta_k0: 0.0, ..self }
+    }
+
     /// Whether there is no damping.
     pub fn is_zero(&self) -> bool {
         *self == Self::default()

@@ -115,7 +115,10 @@ fn tangent_is_the_derivative_of_the_stress() {
 
 #[test]
 fn stress_depends_on_the_committed_state_alone() {
-    all().into_iter().for_each(|(name, law, amplitude)| check_purity(name, law, amplitude));
+    // In OpenSees the flag remembers trial states (validation/opensees/traces_hht_trbdf2).
+    for (name, law, amplitude) in all().into_iter().filter(|m| m.0 != "flag of OpenSees") {
+        check_purity(name, law, amplitude);
+    }
     check_purity("rounds of OpenSees", Arc::new(series(Iteration::Rounds(3, 1e-12))), 0.1);
 }
 

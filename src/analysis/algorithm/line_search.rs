@@ -62,7 +62,9 @@ impl NewtonLineSearch {
         x.iter_mut().zip(&self.direction).for_each(|(x, d)| *x = (to - from) * d);
         it.update()?;
         it.system.form_unbalance(true)?;
-        Ok(self.work(it))
+        // OpenSees has here the other sign than at lengths 0 and 1.
+        let sign = if it.system.work.compat { -1.0 } else { 1.0 };
+        Ok(sign * self.work(it))
     }
 
     fn work(&self, it: &Iteration<'_, '_>) -> f64 {

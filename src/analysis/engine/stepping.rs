@@ -206,7 +206,7 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64)
         system.work.tangent_is_current = false;
         if system.work.wants_committed_tangent() {
             system.respond(true)?;
-            system.work.commit_tangent();
+            system.work.commit_tangents(true);
         }
     }
     setup.integrator.begin(system, length)?;
@@ -225,7 +225,7 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64)
         if !system.work.tangent_is_current {
             system.respond(true)?;
         }
-        system.work.commit_tangent();
+        system.work.commit_tangents(false);
     }
     Ok(iterations)
 }

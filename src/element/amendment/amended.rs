@@ -296,6 +296,10 @@ impl Element for Amended {
         self.inner.damps_in_forces_only()
     }
 
+    fn renews_damping(&self) -> bool {
+        self.inner.renews_damping()
+    }
+
     fn ground_inertia_slip(&self) -> Option<f64> {
         self.inner.ground_inertia_slip()
     }

@@ -132,6 +132,9 @@ impl Element for MultipleShearSpring {
     fn mass(&self) -> Mass {
         end_masses(self.mass, 6, 3)
     }
+    fn renews_damping(&self) -> bool {
+        false
+    }
     fn ground_inertia_slip(&self) -> Option<f64> {
         (self.mass != 0.0).then_some(1.0)
     }

@@ -51,6 +51,8 @@ pub trait ShearLaw<const S: usize>: Clone + fmt::Debug + Send + Sync {
     const HYSTERETIC: bool;
     /// Whether OpenSees takes the inertia of the bearing's mass under a uniform ground motion off the force that it reports.
     const REPORTS_INERTIA: bool = false;
+    /// Whether OpenSees takes the committed tangent of Rayleigh damping anew at the end of every step.
+    const RENEWS_DAMPING: bool = true;
 
     /// Damping coefficient of a dashpot beside the law, in each direction.
     fn dashpot(&self) -> f64 {

@@ -124,6 +124,10 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
         self.law.masses(self.mass)
     }
 
+    fn renews_damping(&self) -> bool {
+        L::RENEWS_DAMPING
+    }
+
     fn ground_inertia_slip(&self) -> Option<f64> {
         (L::REPORTS_INERTIA && self.mass != 0.0).then_some(1.0)
     }

@@ -121,6 +121,7 @@ impl ShearLaw<2> for YamamotoShear {
     const CLASS: [&'static str; 2] = ["YamamotoBiaxialHDR"; 2];
     const HYSTERETIC: bool = false;
     const REPORTS_INERTIA: bool = true;
+    const RENEWS_DAMPING: bool = false;
 
     fn virgin(&self) -> Shear<2> {
         let k = self.initial();

@@ -360,8 +360,14 @@ impl Element for KikuchiBearing {
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.add_global(&self.virgin_tangent(), tangent, Rows::ALL);
     }
+    fn initial_is_current(&self) -> bool {
+        matches!(self.scheme, Scheme::OpenSees(..))
+    }
     fn mass(&self) -> Mass {
         end_masses(self.mass, 6, 3)
+    }
+    fn renews_damping(&self) -> bool {
+        false
     }
     fn ground_inertia_slip(&self) -> Option<f64> {
         (self.mass != 0.0).then_some(1.0)

@@ -1,12 +1,12 @@
 //! The element around the chain: vertical force, moments, responses.
 
-use super::chain::{Chain, ChainState, Tension, square};
+use super::chain::{Chain, ChainState, Tension, rows, square};
 use super::heated::{Heated, PARAMETER_NAMES, PARAMETERS, Step, Warm};
 use crate::element::bearing::shear_bearing::{
     BASIC_FORCE, DEFORMATION, FRICTION, LOCAL_DISP, LOCAL_FORCE, MATERIAL, probe,
 };
 use crate::element::friction::{Coefficient, Contact, Friction};
-use crate::element::{Answer, BasicRow, Element, ElementError, Motion, Nature, Snapshot, frame_force_labels};
+use crate::element::{Answer, BasicRow, Element, ElementError, Motion, Nature, Part, Snapshot, frame_force_labels};
 use crate::material::{Material, Slot, Strain, Stress};
 use crate::probe::Probe;
 use crate::words;
@@ -59,6 +59,10 @@ words! {
         speed: [f64; 3],
         /// Coefficients of friction at that speed.
         mu: [f64; 3],
+        /// Stiffness of the shear, by rows.
+        across: [f64; 4],
+        /// Tangents of the materials.
+        along: [f64; 4],
     }
 }
 
@@ -103,13 +107,17 @@ impl TriplePendulum {
 
     fn virgin(&self) -> (ChainState, Load) {
         let weight = self.setting.weight;
+        // OpenSees begins without friction, and the coefficients grow to theirs within the first step.
+        let chain = self.chain.virgin();
         let mu = match &self.surfaces {
             Surfaces::Models(f) => [0, 1, 2].map(|i| coefficient(f, i, weight, 0.0).mu),
             Surfaces::Heated(heated) => heated.at_rest(),
         };
-        let load = Load { normal: weight, mean: weight, speed: [0.0; 3], mu };
-        // OpenSees begins without friction, and the coefficients grow to theirs within the first step.
-        (self.chain.virgin(), load)
+        let mut load = Load { normal: weight, mean: weight, mu, ..Load::default() };
+        // As OpenSees finds it where nothing has moved yet: lifted.
+        load.across = chain.whole.map(|k| self.setting.least_normal * k);
+        load.along = self.materials.each_ref().map(|slot| slot.material.initial_tangent());
+        (chain, load)
     }
 
     /// Vertical force, with the normal force of the friction.
@@ -210,10 +218,10 @@ impl TriplePendulum {
         };
         let f = Vector2::from(t.state.f);
         t.state.write(trial);
-        load.write(&mut trial[ChainState::LEN..]);
 
         let shear = normal * f;
         let stiffness: Matrix2<f64> = normal * t.k;
+        (load.across, load.along[0]) = (rows(&stiffness), v.tangent);
         let pressed = self.setting.compat.is_none() && v.value < 0.0;
         let by_z = if pressed { -v.tangent * (f + 0.5 * normal * t.by_normal) } else { Vector2::zeros() };
         for i in 0..2 {
@@ -223,10 +231,12 @@ impl TriplePendulum {
         top.force[2] = v.value;
         top.by_apart[2][2] = v.tangent;
         top.damping[2] = v.damping;
-        for (slot, d) in self.materials.iter().zip(DIRECTIONS).skip(1) {
+        for ((slot, d), k) in self.materials.iter().zip(DIRECTIONS).zip(&mut load.along).skip(1) {
             let s = slot.update(committed, Strain { value: apart[d], rate: rate[d], dt: motion.dt }, trial)?;
             (top.force[d], top.by_apart[d][d], top.damping[d]) = (s.value, s.tangent, s.damping);
+            *k = s.tangent;
         }
+        load.write(&mut trial[ChainState::LEN..]);
         Ok(top)
     }
 
@@ -339,6 +349,20 @@ impl Element for TriplePendulum {
             top.damping.iter().enumerate().for_each(|(i, x)| add_apart(c, i, i, *x, -1.0));
         }
         Ok(())
+    }
+
+    /// OpenSees' friction goes on from the speeds of the last call, its vertical material from where it was put back to.
+    fn counts_calls(&self) -> bool {
+        self.setting.compat.is_some()
+    }
+    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], _: Part) {
+        let load = Load::read(&history[ChainState::LEN..]);
+        for (i, k) in load.across.iter().enumerate() {
+            add_apart(tangent, i / 2, i % 2, *k, -1.0);
+        }
+        for (d, k) in DIRECTIONS.iter().zip(load.along) {
+            add_apart(tangent, *d, *d, k, -1.0);
+        }
     }
 
     fn damps_in_forces_only(&self) -> bool {
