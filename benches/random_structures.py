@@ -142,7 +142,7 @@ def modes(out):
     return {when: [float(x) for x in line.split()[:4]] for when, line in found}
 
 
-def compare(seed, engine, folder):
+def compare(case, seed, engine, folder, steps, files):
     kind, script, shaking = case(seed)
     said = []
     for name, command in (("opensees", [peer_python(), ROOT / "benches/peer_tcl.py"]), ("hysteron", [engine, "run", "--compat", "opensees"])):
@@ -152,22 +152,23 @@ def compare(seed, engine, folder):
         (place / "motion.txt").write_text(shaking)
         done = subprocess.run([*command, "model.tcl"], cwd=place, capture_output=True, text=True, timeout=300)
         said.append(done.stdout + "\n" + done.stderr)
-    both = [{f: rows(folder / str(seed) / p / f"{f}.out") for f in ("disp", "force", "reaction", "accel")} for p in ("opensees", "hysteron")]
+    both = [{f: rows(folder / str(seed) / p / f"{f}.out") for f in files} for p in ("opensees", "hysteron")]
     differences = {f: apart(both[0][f], both[1][f]) for f in both[0]}
     a, b = map(modes, said)
     lambdas = {w: max((abs(x - y) / max(abs(x), 1e-9) for x, y in zip(a[w], b[w])), default=0.0) for w in a if w in b}
     ends = [len(b["disp"]) for b in both]
     # After a failed step the state is that of the last one; its modes need not agree.
-    counted = [d for when, d in lambdas.items() if when == "at rest" or ends[0] == ends[1] == STEPS]
+    counted = [d for when, d in lambdas.items() if when == "at rest" or ends[0] == ends[1] == steps]
     wrong = any(d > APART for d in differences.values()) or any(d > MODES_APART for d in counted)
     verdict = "differs" if wrong else "ends" if ends[0] != ends[1] else "same"
     told = " ".join(f"{f} {d:.0e}" for f, d in differences.items())
-    print(f"{seed:6} {kind:12} {verdict:8} steps {ends[0]}/{ends[1]} {told} modes {' '.join(f'{d:.0e}' for d in lambdas.values())}", flush=True)
+    print(f"{seed:6} {kind:18} {verdict:8} steps {ends[0]}/{ends[1]} {told} modes {' '.join(f'{d:.0e}' for d in lambdas.values())}", flush=True)
     return verdict
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def main(case, steps, files, doc):
+    """Cases from a seed on, in both programs."""
+    parser = argparse.ArgumentParser(description=doc, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--from", dest="first", type=int, default=0)
     parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--keep", type=Path)
@@ -175,11 +176,11 @@ def main():
     a = parser.parse_args()
     with tempfile.TemporaryDirectory() as scratch:
         folder = (a.keep or Path(scratch)).resolve()
-        verdicts = [compare(seed, a.engine.resolve(), folder) for seed in range(a.first, a.first + a.count)]
+        verdicts = [compare(case, seed, a.engine.resolve(), folder, steps, files) for seed in range(a.first, a.first + a.count)]
     counts = {v: verdicts.count(v) for v in ("same", "ends", "differs")}
     print(", ".join(f"{n} {v}" for v, n in counts.items()))
     sys.exit(1 if counts["differs"] else 0)
 
 
 if __name__ == "__main__":
-    main()
+    main(case, STEPS, ("disp", "force", "reaction", "accel"), __doc__)

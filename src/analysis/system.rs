@@ -206,13 +206,21 @@ impl System<'_> {
         Ok(())
     }
 
-    /// Ask all elements at the end of a step, of which the iterations have asked at a time within it. In OpenSees no more
-    /// time has passed for them then.
+    /// Apply the loads of the end of a step that has been solved at another time. In OpenSees loads and imposed motions stay
+    /// those of that time.
+    pub fn apply_loads_at_end(&mut self, end: f64) -> Result<(), Failure> {
+        let solved_at = self.new.time;
+        self.apply_loads(if self.work.compat { solved_at } else { end })?;
+        self.new.time = end;
+        Ok(())
+    }
+
+    /// The same, and ask all elements. In OpenSees no more time has passed for them than when the step was solved.
     pub fn respond_at_end(&mut self, end: f64) -> Result<(), Failure> {
-        let within = self.new.time - self.old.time;
+        let passed = self.new.time - self.old.time;
         self.moved = true;
-        self.apply_loads(end)?;
-        self.passed = self.work.compat.then_some(within);
+        self.apply_loads_at_end(end)?;
+        self.passed = self.work.compat.then_some(passed);
         // The clock is that of this answer alone: who needs the tangent of the committed state takes it from here.
         let done = self.respond(self.work.wants_committed_tangent());
         self.passed = None;

@@ -42,7 +42,7 @@ fn geom_transf(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             _ => ignore_option(interp, &mut a, &["-jntOffset"])?,
         }
     }
-    let transform = TransformSpec { kind, xz, offsets };
+    let transform = TransformSpec { kind, xz, offsets, by_trials: interp.host.engine.options.compat };
     if !interp.host.definitions.transforms.add(tag, transform) {
         let message = format!("there is a geometric transformation {tag} already");
         return Err(a.refuse_at(span, message, "expected a new tag"));

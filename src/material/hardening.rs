@@ -13,6 +13,8 @@ pub struct Hardening {
     pub h_iso: f64,
     /// Kinematic hardening modulus.
     pub h_kin: f64,
+    /// As in OpenSees, an elastic trial state keeps the plastic strain of the trial state before it.
+    pub compat: bool,
 }
 
 crate::words! {
@@ -22,6 +24,8 @@ crate::words! {
         plastic: f64,
         /// Accumulated plastic strain.
         accumulated: f64,
+        /// Steps so far, by which trial states of a step are known.
+        steps: f64,
     }
 }
 
@@ -29,18 +33,24 @@ impl UniaxialLaw for Hardening {
     type State = History;
     const NAME: &'static str = "Hardening";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, committed: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+        self.update_on(committed, committed, strain)
+    }
+
+    fn update_on(&self, c: &History, last: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+        let steps = c.steps + 1.0;
         let elastic = self.e * (strain.value - c.plastic);
         let relative = elastic - self.h_kin * c.plastic;
         let excess = relative.abs() - (self.sigma_y + self.h_iso * c.accumulated);
         // A point on the yield surface is plastic, whatever the round-off.
         if excess <= -f64::EPSILON * self.e {
-            return Ok((Stress { value: elastic, tangent: self.e, damping: 0.0 }, *c));
+            let next = if self.compat && last.steps == steps { *last } else { History { steps, ..*c } };
+            return Ok((Stress { value: elastic, tangent: self.e, damping: 0.0 }, next));
         }
         let hardening = self.h_iso + self.h_kin;
         let flow = excess / (self.e + hardening);
         let s = if relative < 0.0 { -1.0 } else { 1.0 };
-        let next = History { plastic: c.plastic + s * flow, accumulated: c.accumulated + flow };
+        let next = History { plastic: c.plastic + s * flow, accumulated: c.accumulated + flow, steps };
         let tangent = self.e * hardening / (self.e + hardening);
         Ok((Stress { value: elastic - s * flow * self.e, tangent, damping: 0.0 }, next))
     }

@@ -12,7 +12,7 @@ const LINE: (Vector3<f64>, Vector3<f64>) = (Vector3::new(1.0, 2.0, 0.5), Vector3
 
 fn spec(kind: TransformKind, offsets: bool) -> TransformSpec {
     let o = if offsets { (Vector3::new(0.2, 0.1, 0.3), Vector3::new(-0.1, 0.2, -0.2)) } else { Default::default() };
-    TransformSpec { kind, xz: Vector3::new(0.0, 0.3, 1.0), offsets: o }
+    TransformSpec { kind, xz: Vector3::new(0.0, 0.3, 1.0), offsets: o, by_trials: false }
 }
 
 /// Of E A, E I and G A.
@@ -141,7 +141,12 @@ fn ends_are_in_equilibrium() {
 fn two_halves_are_one_whole() {
     let ends = Ends { place: (Vector3::zeros(), Vector3::new(4.0, 0.0, 0.0)), disp: &[0.0; 6] };
     for gav in [None, Some(50.0)] {
-        let straight = TransformSpec { kind: TransformKind::Linear, xz: Vector3::zeros(), offsets: Default::default() };
+        let straight = TransformSpec {
+            kind: TransformKind::Linear,
+            xz: Vector3::zeros(),
+            offsets: Default::default(),
+            by_trials: false,
+        };
         let whole = ElasticBeam::new(
             straight.plane(&ends).unwrap(),
             flat_section(1000.0, 100.0, gav),
@@ -191,7 +196,12 @@ fn member_loads_pass_all_of_their_force_to_the_ends() {
 #[test]
 fn clamped_moments_are_those_of_the_handbook() {
     let ends = Ends { place: (Vector3::zeros(), Vector3::new(6.0, 0.0, 0.0)), disp: &[0.0; 6] };
-    let straight = TransformSpec { kind: TransformKind::Linear, xz: Vector3::zeros(), offsets: Default::default() };
+    let straight = TransformSpec {
+        kind: TransformKind::Linear,
+        xz: Vector3::zeros(),
+        offsets: Default::default(),
+        by_trials: false,
+    };
     let section = flat_section(1000.0, 100.0, None);
     let beam = || Alone::new(ElasticBeam::new(straight.plane(&ends).unwrap(), section, ElasticOptions::default()));
     for (load, mi, mj) in [

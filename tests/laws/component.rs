@@ -10,7 +10,8 @@ use nalgebra::Vector3;
 use std::sync::Arc;
 
 fn transform(kind: TransformKind) -> Arc<dyn Transform<6, 3>> {
-    let spec = TransformSpec { kind, xz: Vector3::z(), offsets: (Vector3::zeros(), Vector3::zeros()) };
+    let spec =
+        TransformSpec { kind, xz: Vector3::z(), offsets: (Vector3::zeros(), Vector3::zeros()), by_trials: false };
     let place = (Vector3::new(1.0, 2.0, 0.0), Vector3::new(4.0, 3.5, 0.0));
     spec.plane(&Ends { place, disp: &[0.0; 6] }).unwrap()
 }

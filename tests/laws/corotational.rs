@@ -13,7 +13,12 @@ const LINE: (Vector3<f64>, Vector3<f64>) = (Vector3::new(1.0, 2.0, 0.5), Vector3
 
 fn beam(offsets: bool) -> Alone {
     let o = if offsets { (Vector3::new(0.2, 0.1, 0.3), Vector3::new(-0.1, 0.2, -0.2)) } else { Default::default() };
-    let spec = TransformSpec { kind: TransformKind::Corotational, xz: Vector3::new(0.0, 0.3, 1.0), offsets: o };
+    let spec = TransformSpec {
+        kind: TransformKind::Corotational,
+        xz: Vector3::new(0.0, 0.3, 1.0),
+        offsets: o,
+        by_trials: false,
+    };
     let transform = spec.space(&Ends { place: LINE, disp: &[0.0; 12] }).unwrap();
     let section = ElasticSection { e: 1000.0, area: 5.0, iz: 0.9, iy: 0.4, g: 100.0, j: 3.0, shear: (None, None) };
     Alone::new(ElasticBeam::new(transform, section, ElasticOptions::default()))

@@ -66,7 +66,7 @@ fn series(iteration: Iteration) -> Series {
 /// Every law with an amplitude of strain that takes it far into its range.
 fn all() -> Vec<(&'static str, Material, f64)> {
     let isotropic = [0.05, 5.0, 0.03, 4.0];
-    let hardening = |h_iso, h_kin| Arc::new(Hardening { e: 200.0, sigma_y: 2.0, h_iso, h_kin });
+    let hardening = |h_iso, h_kin| Arc::new(Hardening { e: 200.0, sigma_y: 2.0, h_iso, h_kin, compat: false });
     let curve =
         ElasticMultiLinear::new(vec![-0.08, -0.03, 0.0, 0.02, 0.05], vec![-3.0, -2.5, 0.0, 1.0, 4.0], 0.0).unwrap();
     let concrete01 = Concrete01 { fpc: -30.0, epsc0: -0.002, fpcu: -6.0, epscu: -0.005 };

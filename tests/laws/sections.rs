@@ -116,7 +116,7 @@ fn the_tangent_of_a_section_is_the_derivative_of_its_resultants() {
 }
 
 fn spec(kind: TransformKind) -> TransformSpec {
-    TransformSpec { kind, xz: Vector3::new(0.0, 0.3, 1.0), offsets: Default::default() }
+    TransformSpec { kind, xz: Vector3::new(0.0, 0.3, 1.0), offsets: Default::default(), by_trials: false }
 }
 
 fn beam<F: Formulation<12, 6>>(formulation: F, section: &SharedSection, rule: &Rule, n: usize) -> Alone {

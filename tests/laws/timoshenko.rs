@@ -15,7 +15,8 @@ const SECTION: ElasticSection =
 
 fn transform() -> Arc<dyn Transform<12, 6>> {
     let offsets = (Vector3::zeros(), Vector3::zeros());
-    let spec = TransformSpec { kind: TransformKind::Linear, xz: Vector3::new(0.0, 0.3, 1.0), offsets };
+    let spec =
+        TransformSpec { kind: TransformKind::Linear, xz: Vector3::new(0.0, 0.3, 1.0), offsets, by_trials: false };
     spec.space(&Ends { place: LINE, disp: &[0.0; 12] }).unwrap()
 }
 

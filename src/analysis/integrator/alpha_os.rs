@@ -39,8 +39,10 @@ impl AlphaOs {
     /// The elements were at the predicted displacement of the last step, not at the corrected one: the linear stiffness makes
     /// up for that share of their forces.
     fn add_lag(&mut self, s: &mut System<'_>, correction: &mut [f64]) -> Result<(), Failure> {
-        for ((lag, end), predicted) in self.lag.iter_mut().zip(&s.old.disp).zip(&self.last) {
-            *lag = (self.p.force - 1.0) * (end - predicted);
+        // Imposed motions were not predicted.
+        let held = &s.work.plan.map.held;
+        for (i, lag) in self.lag.iter_mut().enumerate().filter(|(i, _)| !held[*i]) {
+            *lag = (self.p.force - 1.0) * (s.old.disp[i] - self.last[i]);
         }
         s.stiffness_times(&self.lag, &mut self.extra)?;
         s.solve_for(&mut self.extra)?;
@@ -102,7 +104,7 @@ impl Integrator for AlphaOs {
         s.spread(correction);
         s.add_motion(self.c);
         s.moved = self.update_elements;
-        s.apply_loads(s.old.time + self.dt)
+        s.apply_loads_at_end(s.old.time + self.dt)
     }
 
     fn commit(&mut self, _: &mut System<'_>, _: usize) -> Result<(), Failure> {

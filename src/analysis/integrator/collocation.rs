@@ -84,8 +84,6 @@ impl Integrator for Collocation {
             new.vel[i] = v + dt * ((1.0 - gamma) * a + gamma * end);
             new.disp[i] = old.disp[i] + dt * v + dt * dt * ((0.5 - beta) * a + beta * end);
         }
-        s.moved = true;
-        s.apply_loads(s.old.time + dt)?;
-        s.respond(false)
+        s.respond_at_end(s.old.time + dt)
     }
 }

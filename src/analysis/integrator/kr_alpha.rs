@@ -144,7 +144,7 @@ impl Integrator for KrAlpha {
         }
         s.work.spread.fill(0.0);
         s.moved = self.update_elements;
-        s.apply_loads(s.old.time + self.dt)
+        s.apply_loads_at_end(s.old.time + self.dt)
     }
 
     fn commit(&mut self, s: &mut System<'_>, _: usize) -> Result<(), Failure> {

@@ -110,7 +110,7 @@ fn hardening(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
         let message = "Hardening: the viscosity is ignored, as in OpenSees";
         warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected 0 or nothing"))?;
     }
-    Ok(Arc::new(Hardening { e, sigma_y, h_iso, h_kin }))
+    Ok(Arc::new(Hardening { e, sigma_y, h_iso, h_kin, compat: interp.host.engine.options.compat }))
 }
 
 fn multi_linear(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {

@@ -207,7 +207,7 @@ impl Element for ComponentBeam {
     fn nature(&self) -> Nature {
         Nature {
             linear: self.transform.is_linear() && self.springs.iter().flatten().all(|s| s.material.is_linear()),
-            symmetric: true,
+            symmetric: self.transform.is_symmetric(),
             viscous: false,
             elapses: self.springs.iter().flatten().any(|s| s.material.depends_on_time()),
             rayleigh: true,

@@ -330,7 +330,8 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
         self.transform.init(state);
     }
     fn nature(&self) -> Nature {
-        Nature { linear: self.transform.is_linear(), symmetric: true, viscous: false, elapses: false, rayleigh: true }
+        let symmetric = self.transform.is_symmetric();
+        Nature { linear: self.transform.is_linear(), symmetric, viscous: false, elapses: false, rayleigh: true }
     }
 
     fn respond(

@@ -177,7 +177,7 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
         let sections = || self.member.sections.iter().map(|s| &s.section);
         Nature {
             linear: !F::DEFLECTS && self.member.transform.is_linear() && sections().all(|s| s.is_linear()),
-            symmetric: F::SYMMETRIC,
+            symmetric: F::SYMMETRIC && self.member.transform.is_symmetric(),
             viscous: false,
             elapses: sections().any(|s| s.depends_on_time()),
             rayleigh: true,

@@ -2,7 +2,8 @@
 //!
 //! The nodes' axes turn by the increments of the nodes' rotations, taken as spins from the committed state; a chord
 //! system e follows the line between the ends and the mean of the nodes' axes. Basic deformations are what is left.
-//! OpenSees takes its increments from iteration to iteration, which differs by less the smaller the steps are.
+//! OpenSees takes its increments from iteration to iteration, which differs by less the smaller the steps are; it is followed on
+//! demand.
 
 use super::{Frame, Reactions, Transform};
 use crate::element::ElementError;
@@ -17,6 +18,8 @@ pub struct Corotational3d {
     line: Vector3<f64>,
     /// Joint offsets from node i and node j, undeformed.
     offsets: (Vector3<f64>, Vector3<f64>),
+    /// Spins are taken from the last trial state.
+    by_trials: bool,
 }
 
 crate::words! {
@@ -78,10 +81,10 @@ fn column(m: &Matrix3<f64>, i: usize) -> Vector3<f64> {
 }
 
 impl Corotational3d {
-    /// From the undeformed geometry with its joint offsets.
-    pub fn new(frame: Frame<12, 6>, offsets: (Vector3<f64>, Vector3<f64>)) -> Self {
+    /// From the undeformed geometry with its joint offsets; `by_trials` as in [`TransformSpec`](super::TransformSpec).
+    pub fn new(frame: Frame<12, 6>, offsets: (Vector3<f64>, Vector3<f64>), by_trials: bool) -> Self {
         let along = frame.axes.row(0).transpose() * frame.length;
-        Self { line: along - offsets.1 + offsets.0, frame, offsets }
+        Self { line: along - offsets.1 + offsets.0, frame, offsets, by_trials }
     }
 
     fn stand(&self, disp: &[f64], state: &Turn) -> Stand {
@@ -304,6 +307,9 @@ impl Transform<12, 6> for Corotational3d {
     fn is_small(&self) -> bool {
         false
     }
+    fn is_symmetric(&self) -> bool {
+        false
+    }
     fn state_len(&self) -> usize {
         Turn::LEN
     }
@@ -312,7 +318,8 @@ impl Transform<12, 6> for Corotational3d {
         Turn { i: none, j: none, ..Turn::default() }.write(state);
     }
     fn advance(&self, disp: &[f64], committed: &[f64], trial: &mut [f64]) -> Result<(), ElementError> {
-        let (c, u) = (Turn::read(committed), self.frame.since_made(disp));
+        let from = if self.by_trials { &*trial } else { committed };
+        let (c, u) = (Turn::read(from), self.frame.since_made(disp));
         let next = Turn {
             i: turned(&c.i, &c.rotation_i, part(&u, 3)),
             j: turned(&c.j, &c.rotation_j, part(&u, 9)),

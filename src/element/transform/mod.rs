@@ -34,6 +34,10 @@ pub trait Transform<const N: usize, const B: usize>: fmt::Debug + Send + Sync {
     fn is_small(&self) -> bool {
         true
     }
+    /// Whether the stiffness is symmetric: where large rotations in space meet moments it is not.
+    fn is_symmetric(&self) -> bool {
+        true
+    }
     /// Number of words of history: that of large rotations in space.
     fn state_len(&self) -> usize {
         0
@@ -80,6 +84,8 @@ pub struct TransformSpec {
     pub xz: Vector3<f64>,
     /// Rigid joint offsets from node i and from node j, in global axes.
     pub offsets: (Vector3<f64>, Vector3<f64>),
+    /// As in OpenSees, large rotations in space are the sum of those of all trial states instead of those of all steps.
+    pub by_trials: bool,
 }
 
 /// Where a beam stands: coordinates of its nodes, and their displacements when it is made (it measures from there).
@@ -114,7 +120,7 @@ impl TransformSpec {
         Ok(match self.kind {
             TransformKind::Linear => Arc::new(Linear(frame)),
             TransformKind::PDelta => Arc::new(PDelta(frame)),
-            TransformKind::Corotational => Arc::new(Corotational3d::new(frame, self.offsets)),
+            TransformKind::Corotational => Arc::new(Corotational3d::new(frame, self.offsets, self.by_trials)),
         })
     }
 }
