@@ -7,15 +7,33 @@ use crate::assembly::Handler;
 /// every call ([`counts_calls`](crate::element::Element::counts_calls)); the answers of all others are the same.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Asking {
+    /// Where the integrator looks for the reference load.
+    pub prepare: Calls,
     /// At the begin of a step.
-    pub begin: u32,
+    pub begin: Calls,
     /// After each correction.
-    pub update: u32,
+    pub update: Calls,
+}
+
+/// How often elements are asked.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Calls {
+    /// Those with a node that is held or follows others, before all.
+    pub constrained: u32,
+    /// All of them.
+    pub all: u32,
+}
+
+impl Calls {
+    /// None of them.
+    pub(super) const NONE: Self = Self { constrained: 0, all: 0 };
+    /// All of them, once.
+    pub(super) const ONCE: Self = Self { constrained: 0, all: 1 };
 }
 
 impl Asking {
     /// For the parts of an analysis: elements are updated once with the motion, except at the begin of a step of
-    /// `LoadControl`, and once more where the Transformation handler applies the loads.
+    /// `LoadControl`, and those at constrained nodes once more where the Transformation handler applies the loads.
     pub(super) fn new(kind: Kind, integrator: &str, handler: Handler) -> Self {
         let loads = u32::from(handler == Handler::Transformation);
         let (motion, follows) = match (kind, integrator) {
@@ -24,6 +42,10 @@ impl Asking {
             // The others apply the loads again with each correction, as they rule the load factor.
             (Kind::Static, _) => (1, loads),
         };
-        Self { begin: loads + motion, update: 1 + follows }
+        Self {
+            prepare: Calls { constrained: follows, all: 0 },
+            begin: Calls { constrained: loads, all: motion },
+            update: Calls { constrained: follows, all: 1 },
+        }
     }
 }

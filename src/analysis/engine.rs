@@ -3,6 +3,7 @@
 mod stepping;
 
 use super::algorithm::Algorithm;
+use super::asking::Calls;
 use super::convergence::Test;
 use super::failure::Failure;
 use super::integrator::Integrator;
@@ -397,7 +398,7 @@ impl Engine {
     /// The equations at the committed state, outside of a step.
     pub(super) fn system(&mut self) -> Option<System<'_>> {
         let (_, _, work) = self.prepared.as_mut()?;
-        work.updates = 0;
+        work.updates = Calls::NONE;
         Some(System {
             model: &self.model,
             old: &self.committed,
@@ -407,6 +408,7 @@ impl Engine {
             dynamic: false,
             elapses: false,
             passed: None,
+            again: false,
             moved: true,
             asked: None,
             still: false,

@@ -1,6 +1,6 @@
 //! What an analysis works with between two changes of the model: plan, factors, matrices of the elements, buffers.
 
-use super::asking::Asking;
+use super::asking::{Asking, Calls};
 use super::failure::Cause;
 use super::loads::Loads;
 use super::modal_damping::DampedModes;
@@ -42,6 +42,8 @@ pub(super) struct Matrices {
     pub rates: bool,
     /// The answer goes on with every call.
     pub counts_calls: bool,
+    /// A node of it is held, or follows others.
+    pub constrained: bool,
     /// The current tangent stands for the initial one.
     initial_is_current: bool,
     /// The committed tangent stays that of the first step.
@@ -111,7 +113,7 @@ pub struct Prepared {
     /// How often elements that count their calls are asked.
     pub(super) asking: Asking,
     /// How often they are to be asked now.
-    pub(super) updates: u32,
+    pub(super) updates: Calls,
     /// Displacements that the elements were asked at last, and then their velocities, element after element.
     pub(super) motions: Vec<f64>,
     /// Displacements of all degrees of freedom when the elements were asked last in a step.
@@ -152,6 +154,8 @@ impl Prepared {
             SolveError::OutOfMemory => Cause::OutOfMemory,
             SolveError::Singular { .. } => Cause::Singular,
         })?;
+        let mut constrained = plan.map.held.clone();
+        plan.map.dependents.iter().for_each(|d| constrained[d.dof] = true);
         let (mut at, mut motion, mut damping, mut mass, mut matrices) = (0, 0, 0, vec![], vec![]);
         for e in &model.elements {
             let n = e.dofs.len();
@@ -180,6 +184,7 @@ impl Prepared {
                 linear: nature.linear && !nature.viscous,
                 rates: nature.viscous || nature.elapses,
                 counts_calls: e.element.counts_calls(),
+                constrained: e.dofs.iter().any(|&d| constrained[d as usize]),
                 initial_is_current,
                 keeps_committed: options.compat && !e.element.renews_damping(),
                 damping: nature.viscous.then_some(damping),
@@ -219,7 +224,7 @@ impl Prepared {
             compat: options.compat,
             counting: (0..matrices.len()).filter(|&i| matrices[i].counts_calls).collect(),
             asking: Asking::default(),
-            updates: 0,
+            updates: Calls::NONE,
             motions: vec![0.0; motion],
             asked_at: vec![0.0; model.dofs()],
             initial: vec![],

@@ -37,6 +37,8 @@ pub struct System<'a> {
     pub elapses: bool,
     /// The time that counts as passed for the elements where it is not that of the domain.
     pub passed: Option<f64>,
+    /// Elements that count their calls are asked once more where they were asked last.
+    pub again: bool,
     /// Displacements or element loads differ from the committed ones, or may.
     pub moved: bool,
     /// The time that all elements have been asked at in this step, if they have: those that have not moved since are not
@@ -293,9 +295,14 @@ impl System<'_> {
     /// Ask the elements that count their calls as often as OpenSees does, then for the tangents that they have come to.
     fn respond_counting(&mut self, dt: f64) -> Result<(), Failure> {
         let all = std::mem::take(&mut self.work.counting);
-        let calls = (0..self.work.updates).flat_map(|_| &all);
-        let asked = calls.into_iter().try_for_each(|&i| self.respond_one(i, false, dt));
-        self.work.updates = 0;
+        let calls = std::mem::take(&mut self.work.updates);
+        let mut rounds = (0..calls.constrained + calls.all).flat_map(|round| all.iter().map(move |&i| (round, i)));
+        let asked = rounds.try_for_each(|(round, i)| {
+            let first = if self.work.matrices[i].constrained { 0 } else { calls.constrained };
+            self.again = round > first;
+            if round >= first { self.respond_one(i, false, dt) } else { Ok(()) }
+        });
+        self.again = false;
         for &i in &all {
             let e = &self.model.elements[i];
             let m = &self.work.matrices[i];
@@ -336,7 +343,7 @@ impl System<'_> {
         let load = &self.new.element_load[e.load.clone()];
         let vel = if self.still { &AT_REST[..n] } else { &*vel };
         let time = self.passed.map_or(self.new.time, |passed| self.old.time + passed);
-        let motion = Motion { disp, vel, load, still: self.still, dt, time };
+        let motion = Motion { disp, vel, load, still: self.still, again: self.again, dt, time };
         let answer = Answer { force, tangent, damping, part };
         let committed = &self.old.history[e.state.clone()];
         let trial = &mut self.new.history[e.state.clone()];

@@ -208,7 +208,7 @@ fn elastic(element: &dyn Element, rows: &[BasicRow]) -> bool {
     rows.iter().all(|row| {
         let mut stiffness = |size: f64| {
             let disp: Vec<f64> = row.at_j().iter().map(|u| size * u).collect();
-            let motion = Motion { disp: &disp, vel: &rest, load: &load, still: true, dt: 0.0, time: 0.0 };
+            let motion = Motion { disp: &disp, vel: &rest, load: &load, still: true, again: false, dt: 0.0, time: 0.0 };
             let mut force = vec![0.0; n];
             let answer = Answer { force: &mut force, tangent: None, damping: None, part: crate::element::Part::ALL };
             element.respond(&motion, &state, &mut next, answer).ok()?;

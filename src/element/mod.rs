@@ -55,6 +55,8 @@ pub struct Motion<'a> {
     pub load: &'a [f64],
     /// Nothing has a velocity.
     pub still: bool,
+    /// An element that counts its calls is asked once more where it was asked last.
+    pub again: bool,
     /// Domain time since the committed state.
     pub dt: f64,
     /// Domain time (the load factor of static analyses).

@@ -62,10 +62,14 @@ impl SectionSlot {
         self.section.init(own);
     }
 
-    /// Take over deformations, resultants and tangent of the committed state, to go on from; not the history.
-    pub fn go_back(&self, committed: &[f64], trial: &mut [f64]) {
-        let words = self.at..self.at + self.header();
-        trial[words.clone()].copy_from_slice(&committed[words]);
+    /// Deformations, resultants and tangent in a state.
+    pub fn response<'a>(&self, state: &'a [f64]) -> &'a [f64] {
+        &state[self.at..self.at + self.header()]
+    }
+
+    /// The same, to go on from others; not the history.
+    pub fn response_mut<'a>(&self, state: &'a mut [f64]) -> &'a mut [f64] {
+        &mut state[self.at..self.at + self.header()]
     }
 
     /// Set the trial deformations.

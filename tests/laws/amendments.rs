@@ -264,7 +264,7 @@ fn time_that_does_not_pass_does_not_relax() {
     element.init(&mut state);
     let mut next = state.clone();
     let (mut force, disp) = (vec![0.0; 6], [0.0, 0.0, 0.0, 0.02, 0.0, 0.0]);
-    let motion = Motion { disp: &disp, vel: &[0.0; 6], load: &[], still: false, dt: 0.0, time: 0.0 };
+    let motion = Motion { disp: &disp, vel: &[0.0; 6], load: &[], still: false, again: false, dt: 0.0, time: 0.0 };
     element
         .respond(
             &motion,

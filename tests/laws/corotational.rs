@@ -124,8 +124,15 @@ fn ends_that_meet_are_an_error() {
         let mut u = vec![0.0; n];
         u[..3].copy_from_slice(line.as_slice());
         let (mut force, mut next) = (vec![0.0; n], e.state.clone());
-        let motion =
-            hysteron::element::Motion { disp: &u, vel: &vec![0.0; n], load: &e.load, still: false, dt: 0.0, time: 0.0 };
+        let motion = hysteron::element::Motion {
+            disp: &u,
+            vel: &vec![0.0; n],
+            load: &e.load,
+            still: false,
+            again: false,
+            dt: 0.0,
+            time: 0.0,
+        };
         let answer = hysteron::element::Answer {
             force: &mut force,
             tangent: None,

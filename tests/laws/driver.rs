@@ -64,7 +64,7 @@ impl Alone {
     pub fn trial(&mut self, disp: &[f64], vel: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let n = self.element.dofs();
         let (mut force, mut tangent) = (vec![0.0; n], vec![0.0; n * n]);
-        let motion = Motion { disp, vel, load: &self.load, still: false, dt: 0.01, time: 1.0 };
+        let motion = Motion { disp, vel, load: &self.load, still: false, again: false, dt: 0.01, time: 1.0 };
         let answer = Answer { force: &mut force, tangent: Some(&mut tangent), damping: None, part: Part::ALL };
         self.element.respond(&motion, &self.state, &mut self.next, answer).unwrap();
         (force, tangent)
@@ -76,7 +76,7 @@ impl Alone {
         let (mut force, mut tangent) = (vec![0.0; n], vec![7.0; n * n]);
         part.clear(&mut tangent, n);
         let vel = vec![0.0; n];
-        let motion = Motion { disp, vel: &vel, load: &self.load, still: true, dt: 0.01, time: 1.0 };
+        let motion = Motion { disp, vel: &vel, load: &self.load, still: true, again: false, dt: 0.01, time: 1.0 };
         let answer = Answer { force: &mut force, tangent: Some(&mut tangent), damping: None, part };
         self.element.respond(&motion, &self.state, &mut self.next, answer).unwrap();
         tangent

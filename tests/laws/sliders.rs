@@ -145,7 +145,12 @@ fn answer(e: &Alone, disp: &[f64], vel: &[f64]) -> (Vec<f64>, Vec<f64>, Vec<f64>
     let answer =
         Answer { force: &mut f, tangent: Some(&mut k), damping: Some(&mut c), part: hysteron::element::Part::ALL };
     e.element
-        .respond(&Motion { disp, vel, load: &[], still: false, dt: 0.01, time: 0.01 }, &e.state, &mut next, answer)
+        .respond(
+            &Motion { disp, vel, load: &[], still: false, again: false, dt: 0.01, time: 0.01 },
+            &e.state,
+            &mut next,
+            answer,
+        )
         .unwrap();
     (f, k, c)
 }

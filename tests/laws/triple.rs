@@ -199,7 +199,7 @@ fn rolling_bearing_has_consistent_tangents() {
     let answer = Answer { force: &mut f, tangent: None, damping: Some(&mut c), part: hysteron::element::Part::ALL };
     e.element
         .respond(
-            &Motion { disp: &[0.01; 6], vel: &vel, load: &[], still: false, dt: DT, time: 1.0 },
+            &Motion { disp: &[0.01; 6], vel: &vel, load: &[], still: false, again: false, dt: DT, time: 1.0 },
             &e.state,
             &mut next,
             answer,

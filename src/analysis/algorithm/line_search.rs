@@ -48,23 +48,40 @@ pub struct NewtonLineSearch {
     tangent: TangentChoice,
     /// The whole correction.
     direction: Vec<f64>,
+    /// The correction that an integrator was given.
+    asked: Vec<f64>,
 }
 
 impl NewtonLineSearch {
     /// With a search.
     pub fn new(search: LineSearch, tangent: TangentChoice) -> Self {
-        Self { search, tangent, direction: vec![] }
+        Self { search, tangent, direction: vec![], asked: vec![] }
     }
 
     /// Move from length `from` to length `to` of the correction; the work of the unbalance on it there.
-    fn go(&self, it: &mut Iteration<'_, '_>, from: f64, to: f64) -> Result<f64, Failure> {
+    fn go(&mut self, it: &mut Iteration<'_, '_>, from: f64, to: f64) -> Result<f64, Failure> {
         let x = &mut it.system.work.x;
         x.iter_mut().zip(&self.direction).for_each(|(x, d)| *x = (to - from) * d);
-        it.update()?;
-        it.system.form_unbalance(true)?;
+        self.update(it)?;
         // OpenSees has here the other sign than at lengths 0 and 1.
         let sign = if it.system.work.compat { -1.0 } else { 1.0 };
         Ok(sign * self.work(it))
+    }
+
+    /// Move, and ask for the unbalance there. Where the integrator adds to the correction, as those that find the load factor do,
+    /// OpenSees goes on along what it has moved by.
+    fn update(&mut self, it: &mut Iteration<'_, '_>) -> Result<(), Failure> {
+        let follows = it.system.work.compat;
+        if follows {
+            self.asked.clear();
+            self.asked.extend_from_slice(&it.system.work.x);
+        }
+        it.update()?;
+        if follows && self.asked != it.system.work.x {
+            self.direction.clear();
+            self.direction.extend_from_slice(&it.system.work.x);
+        }
+        it.system.form_unbalance(true)
     }
 
     fn work(&self, it: &Iteration<'_, '_>) -> f64 {
@@ -73,8 +90,8 @@ impl NewtonLineSearch {
 
     /// Search from length 1; `s0` and `s1` are the work of the unbalance on the correction at lengths 0 and 1. The
     /// length found.
-    fn search(&self, it: &mut Iteration<'_, '_>, s0: f64, s1: f64) -> Result<f64, Failure> {
-        let p = &self.search;
+    fn search(&mut self, it: &mut Iteration<'_, '_>, s0: f64, s1: f64) -> Result<f64, Failure> {
+        let p = self.search;
         if s0 == 0.0 || (s1 / s0).abs() <= p.tolerance {
             return Ok(1.0);
         }
@@ -89,7 +106,7 @@ impl NewtonLineSearch {
         eta.min(self.search.max_eta).max(self.search.min_eta)
     }
 
-    fn interpolate(&self, it: &mut Iteration<'_, '_>, s0: f64, s1: f64) -> Result<f64, Failure> {
+    fn interpolate(&mut self, it: &mut Iteration<'_, '_>, s0: f64, s1: f64) -> Result<f64, Failure> {
         let first = (s1 / s0).abs();
         let (mut eta, mut s, mut ratio) = (1.0, s1, first);
         for _ in 0..self.search.max_iterations {
@@ -107,7 +124,7 @@ impl NewtonLineSearch {
         Ok(eta)
     }
 
-    fn secant(&self, it: &mut Iteration<'_, '_>, s0: f64, s1: f64) -> Result<f64, Failure> {
+    fn secant(&mut self, it: &mut Iteration<'_, '_>, s0: f64, s1: f64) -> Result<f64, Failure> {
         let (mut previous, mut s_previous, mut eta, mut s) = (0.0, s0, 1.0, s1);
         for _ in 0..self.search.max_iterations {
             let next = self.limit(eta - s * (previous - eta) / (s_previous - s));
@@ -125,8 +142,8 @@ impl NewtonLineSearch {
     }
 
     /// Find a bracket by longer and longer corrections, then narrow it.
-    fn bracket(&self, it: &mut Iteration<'_, '_>, s0: f64, s1: f64) -> Result<f64, Failure> {
-        let p = &self.search;
+    fn bracket(&mut self, it: &mut Iteration<'_, '_>, s0: f64, s1: f64) -> Result<f64, Failure> {
+        let p = self.search;
         let (mut lower, mut s_lower, mut upper, mut s_upper) = (0.0, s0, 1.0, s1);
         while s_upper * s_lower > 0.0 && upper < p.max_eta {
             let next = 4.0 * upper;
@@ -178,8 +195,7 @@ impl Algorithm for NewtonLineSearch {
             self.direction.clear();
             self.direction.extend_from_slice(&it.system.work.x);
             let s0 = self.work(it);
-            it.update()?;
-            it.system.form_unbalance(true)?;
+            self.update(it)?;
             // A search only where the whole correction does not do.
             let n = it.system.work.plan.map.equations;
             let mut probe = it.test.probe();

@@ -2,7 +2,7 @@
 
 use super::{Engine, Imbalance, Kind, Observer, Setup};
 use crate::analysis::algorithm::Iteration;
-use crate::analysis::asking::Asking;
+use crate::analysis::asking::{Asking, Calls};
 use crate::analysis::failure::Cause;
 use crate::analysis::failure::Failure;
 use crate::analysis::integrator::Adaptive;
@@ -87,6 +87,7 @@ impl Engine {
             dynamic: setup.kind == Kind::Transient,
             elapses: setup.integrator.elapses(),
             passed: None,
+            again: false,
             moved: false,
             asked: None,
             still: false,
@@ -158,6 +159,7 @@ impl Engine {
             dynamic: setup.kind == Kind::Transient,
             elapses: setup.integrator.elapses(),
             passed: None,
+            again: false,
             moved: false,
             asked: None,
             still: setup.kind == Kind::Static && !work.loads.moves && self.committed.vel.iter().all(|v| *v == 0.0),
@@ -200,9 +202,14 @@ fn prepare(system: &mut System<'_>, setup: &mut Setup) -> Result<(), Failure> {
 
 /// Begin, solve and end a step.
 fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64) -> Result<usize, Failure> {
-    system.work.updates = 0;
+    // Nobody else asks for it.
+    if !system.work.counting.is_empty() {
+        system.work.asking = Asking::new(setup.kind, setup.integrator.name(), setup.handler);
+    }
     if fresh {
+        system.work.updates = system.work.asking.prepare;
         prepare(system, setup)?;
+        system.work.updates = Calls::NONE;
         system.work.tangent_is_current = false;
         if system.work.wants_committed_tangent() {
             system.respond(true)?;
@@ -210,17 +217,13 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64)
         }
     }
     setup.integrator.begin(system, length)?;
-    // Nobody else asks for it.
-    if !system.work.counting.is_empty() {
-        system.work.asking = Asking::new(setup.kind, setup.integrator.name(), setup.handler);
-    }
     system.work.updates = system.work.asking.begin;
     let mut iteration = Iteration { system, integrator: setup.integrator.as_mut(), test: &mut setup.test };
     let iterations = setup.algorithm.solve(&mut iteration)?;
     // Integrators that answer at another time than the end of the step ask once more.
-    system.work.updates = 1;
+    system.work.updates = Calls::ONCE;
     setup.integrator.commit(system, iterations).map_err(|f| f.with_code(-4))?;
-    system.work.updates = 0;
+    system.work.updates = Calls::NONE;
     if system.work.wants_committed_tangent() {
         if !system.work.tangent_is_current {
             system.respond(true)?;

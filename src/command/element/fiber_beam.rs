@@ -152,18 +152,18 @@ fn take(
     }
     let Some((mut rule, sections)) = rule else { unreachable!("each form has a rule") };
     let (mut rho, mut consistent, mut force_based, mut shear) =
-        (0.0, false, ForceBased::default(), deflects.unwrap_or(false));
+        (0.0, false, follower(interp), deflects.unwrap_or(false));
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-mass" => rho = a.not_negative("mass per length")?,
             "-shear" if deflects.is_some() => shear = true,
             "-cMass" => consistent = true,
             "-lMass" => consistent = false,
-            "-iter" => force_based = iterations(a)?,
-            // The step is cut into parts by itself.
+            "-iter" => iterations(a, &mut force_based)?,
+            // Without --compat the step is cut into parts by itself.
             "-subdivide" => {
-                a.int("number of subdivisions")?;
-                a.float("factor of a subdivision")?;
+                force_based.parts = a.int("number of subdivisions")?.max(1) as u32;
+                force_based.factor = a.float("factor of a subdivision")?.max(1.0);
             }
             "-integration" => {
                 let name = a.word("rule of integration")?;
@@ -183,9 +183,15 @@ fn take(
     Ok(Words { transform, transform_at, integration, rho, consistent, force_based, shear })
 }
 
-fn iterations(a: &mut Args<'_>) -> Result<ForceBased, Exception> {
-    let max_iterations = a.count("largest number of iterations maxIter")?;
-    Ok(ForceBased { max_iterations, tolerance: a.positive("tolerance")? })
+/// A force-based beam as the run wants it.
+fn follower(interp: &Tcl) -> ForceBased {
+    ForceBased { compat: interp.host.engine.options.compat, ..ForceBased::default() }
+}
+
+fn iterations(a: &mut Args<'_>, force_based: &mut ForceBased) -> Result<(), Exception> {
+    force_based.max_iterations = a.count("largest number of iterations maxIter")?;
+    force_based.tolerance = a.positive("tolerance")?;
+    Ok(())
 }
 
 /// A rule of integration in the words of an element: its name and numbers in a list.
@@ -262,11 +268,11 @@ fn make_with_hinges(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<A
     }
     let (transform, _) = a.of(&interp.host.definitions.transforms)?;
     let transform_at = a.last_span();
-    let (mut rho, mut force_based) = (0.0, ForceBased::default());
+    let (mut rho, mut force_based) = (0.0, follower(interp));
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-mass" => rho = a.not_negative("mass per length")?,
-            "-iter" => force_based = iterations(a)?,
+            "-iter" => iterations(a, &mut force_based)?,
             _ => ignore_option(interp, a, &["-mass", "-iter"])?,
         }
     }

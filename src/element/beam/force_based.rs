@@ -1,6 +1,6 @@
 //! The force-based beam: `forceBeamColumn`.
 
-use super::member::{Basic, Formulation, Member, bending_at, set};
+use super::member::{Basic, Formulation, Member, Trace, bending_at, set};
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
 use crate::element::{ElementError, Motion};
@@ -16,11 +16,17 @@ pub struct ForceBased {
     pub max_iterations: usize,
     /// Energy of the deformations that may be left over.
     pub tolerance: f64,
+    /// How often OpenSees may cut a step into parts.
+    pub parts: u32,
+    /// Into how many parts it does.
+    pub factor: f64,
+    /// OpenSees is followed, whose answers go on from the last trial state.
+    pub compat: bool,
 }
 
 impl Default for ForceBased {
     fn default() -> Self {
-        Self { max_iterations: 10, tolerance: 1e-12 }
+        Self { max_iterations: 10, tolerance: 1e-12, parts: 4, factor: 10.0, compat: false }
     }
 }
 
@@ -76,15 +82,15 @@ pub(super) fn row<const B: usize>(resultant: Resultant, x: f64, length: f64) -> 
 }
 
 /// A section in an iteration: its interpolation, its flexibility, and the deformations that go with the basic forces.
-struct Point<const B: usize> {
+pub(super) struct Point<const B: usize> {
     rows: [[f64; B]; MAX_ORDER],
     flexibility: [f64; MAX_ORDER * MAX_ORDER],
-    e: [f64; MAX_ORDER],
+    pub(super) e: [f64; MAX_ORDER],
 }
 
 impl<const B: usize> Point<B> {
     /// `internal` are the internal forces of the simple beam there.
-    fn new(
+    pub(super) fn new(
         section: &SectionSlot,
         (x, length): (f64, f64),
         q: &[f64; B],
@@ -114,7 +120,7 @@ impl<const B: usize> Point<B> {
     }
 
     /// Add aᵀ f a and aᵀ e, times the weight.
-    fn add(&self, n: usize, weight: f64, f: &mut [[f64; B]; B], v: &mut [f64; B]) {
+    pub(super) fn add(&self, n: usize, weight: f64, f: &mut [[f64; B]; B], v: &mut [f64; B]) {
         for (i, a) in self.rows[..n].iter().enumerate() {
             axpy(weight * self.e[i], a, v);
             for (j, b) in self.rows[..n].iter().enumerate() {
@@ -123,6 +129,11 @@ impl<const B: usize> Point<B> {
             }
         }
     }
+}
+
+/// Internal forces of the simple beam at a section, of the load words of the beam.
+pub(super) fn internal_forces(load: &[f64], section: usize) -> &[f64] {
+    &load[REACTIONS + section * INTERNAL..REACTIONS + (section + 1) * INTERNAL]
 }
 
 /// The internal force of the simple beam that belongs to a resultant.
@@ -150,10 +161,11 @@ impl ForceBased {
     ) -> Result<Option<Basic<B>>, MaterialError> {
         let body = member.body();
         // The histories are written with the first trial; where it takes none they are those of the committed state.
-        member.along().for_each(|(section, ..)| section.go_back(committed, trial));
+        member
+            .along()
+            .for_each(|(section, ..)| section.response_mut(trial).copy_from_slice(section.response(committed)));
         let mut tried = false;
         let mut basic = Basic::read(&committed[member.head()..]);
-        let internal = |i: usize| &motion.load[REACTIONS + i * INTERNAL..REACTIONS + (i + 1) * INTERNAL];
         let length = member.length();
         let mut start = [0.0; B];
         for (section, x, weight) in member.along() {
@@ -168,7 +180,7 @@ impl ForceBased {
             loop {
                 let (mut f, mut gathered) = ([[0.0; B]; B], [0.0; B]);
                 for (i, (section, x, weight)) in member.along().enumerate() {
-                    let p = Point::new(section, (x, length), &basic.q, internal(i), trial, false)?;
+                    let p = Point::new(section, (x, length), &basic.q, internal_forces(motion.load, i), trial, false)?;
                     p.add(section.resultants().len(), weight, &mut f, &mut gathered);
                 }
                 if !invert(f.as_flattened_mut(), B) {
@@ -195,7 +207,8 @@ impl ForceBased {
                     Correction::Initial => true,
                 };
                 for (i, (section, x, _)) in member.along().enumerate() {
-                    let p = Point::new(section, (x, length), &basic.q, internal(i), trial, initial)?;
+                    let p =
+                        Point::new(section, (x, length), &basic.q, internal_forces(motion.load, i), trial, initial)?;
                     section.update(committed, &p.e, motion.dt, trial)?;
                 }
                 tried = true;
@@ -238,6 +251,11 @@ impl ForceBased {
 
 impl<const N: usize, const B: usize> Formulation<N, B> for ForceBased {
     const CLASS: [&'static str; 2] = ["ForceBeamColumn2d", "ForceBeamColumn3d"];
+    const WORDS: usize = Trace::<N, B>::LEN;
+
+    fn goes_on(&self) -> bool {
+        self.compat
+    }
 
     fn load_len(points: usize) -> usize {
         REACTIONS + INTERNAL * points
@@ -266,7 +284,15 @@ impl<const N: usize, const B: usize> Formulation<N, B> for ForceBased {
         trial: &mut [f64],
     ) -> Result<Basic<B>, ElementError> {
         let mut failure = None;
-        for attempt in ATTEMPTS {
+        if self.compat {
+            match self.go_on(member, v, motion, committed, trial) {
+                Ok(Some(basic)) => return Ok(basic),
+                Ok(None) => {}
+                Err(e) => failure = Some(e),
+            }
+        }
+        let own: &[_] = if self.compat { &[] } else { &ATTEMPTS };
+        for &attempt in own {
             match self.attempt(member, v, motion, (committed, trial), attempt) {
                 Ok(Some(basic)) => return Ok(basic),
                 Ok(None) => {}

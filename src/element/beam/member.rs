@@ -2,7 +2,7 @@
 
 use crate::element::load::ElementLoad;
 use crate::element::transform::{Reactions, Transform};
-use crate::element::{Answer, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
+use crate::element::{Answer, Element, ElementError, Mass, Motion, Nature, Part, Snapshot, frame_force_labels};
 use crate::probe::Probe;
 use crate::section::{Resultant, SectionSlot, SharedSection};
 use std::fmt;
@@ -23,6 +23,11 @@ pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send
 
     /// The tangent is to be the whole derivative of the forces, though the transformation be unsymmetric then.
     fn whole_tangent(&self) -> bool {
+        false
+    }
+
+    /// OpenSees is followed, whose answers go on from the last trial state: the own words are [`Trace`], and calls count.
+    fn goes_on(&self) -> bool {
         false
     }
 
@@ -74,6 +79,35 @@ impl<const B: usize> Basic<B> {
     }
 }
 
+/// Own words of a beam that goes on from its last trial state.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Trace<const N: usize, const B: usize> {
+    /// Deformations of that state.
+    pub v: [f64; B],
+    /// What they had changed by.
+    pub dv: [f64; B],
+    /// Displacements of that state.
+    pub disp: [f64; N],
+}
+
+impl<const N: usize, const B: usize> Trace<N, B> {
+    pub(super) const LEN: usize = 2 * B + N;
+
+    pub(super) fn read(words: &[f64]) -> Self {
+        let mut trace = Self { v: [0.0; B], dv: [0.0; B], disp: [0.0; N] };
+        trace.v.copy_from_slice(&words[..B]);
+        trace.dv.copy_from_slice(&words[B..2 * B]);
+        trace.disp.copy_from_slice(&words[2 * B..Self::LEN]);
+        trace
+    }
+
+    pub(super) fn write(&self, words: &mut [f64]) {
+        words[..B].copy_from_slice(&self.v);
+        words[B..2 * B].copy_from_slice(&self.dv);
+        words[2 * B..Self::LEN].copy_from_slice(&self.disp);
+    }
+}
+
 /// Geometry, sections and mass of a beam. Its words are those of the transformation, basic forces and stiffness, and those
 /// of the sections.
 #[derive(Clone, Debug)]
@@ -94,6 +128,11 @@ impl<const N: usize, const B: usize> Member<N, B> {
         self.transform.length()
     }
 
+    /// Whether displacements are small.
+    pub(super) fn is_small(&self) -> bool {
+        self.transform.is_small()
+    }
+
     /// First word of basic forces and stiffness, which those of the transformation come before.
     pub(super) fn head(&self) -> usize {
         self.transform.state_len()
@@ -107,6 +146,21 @@ impl<const N: usize, const B: usize> Member<N, B> {
     /// First of the words of the formulation, which come last.
     pub(super) fn own_words(&self) -> usize {
         self.own
+    }
+
+    /// Deformations, resultants and tangents of the sections in a state, one after the other.
+    pub(super) fn responses(&self, state: &[f64]) -> Vec<f64> {
+        self.sections.iter().flat_map(|s| s.response(state)).copied().collect()
+    }
+
+    /// Put them back, and leave the histories as they are.
+    pub(super) fn set_responses(&self, mut responses: &[f64], state: &mut [f64]) {
+        for section in &self.sections {
+            let words = section.response_mut(state);
+            let (own, rest) = responses.split_at(words.len());
+            words.copy_from_slice(own);
+            responses = rest;
+        }
     }
 
     /// Sections with their places and what they count, as lengths.
@@ -206,6 +260,16 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
             }
         }
         Ok(())
+    }
+
+    fn counts_calls(&self) -> bool {
+        self.formulation.goes_on()
+    }
+    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], _: Part) {
+        let m = &self.member;
+        let disp = Trace::<N, B>::read(&history[m.own..]).disp;
+        let basic = Basic::read(&history[m.head()..]);
+        m.transform.add_tangent(&disp, &history[..m.head()], &basic.k, &basic.q, tangent);
     }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {

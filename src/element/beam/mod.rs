@@ -5,6 +5,7 @@ mod curvature_based;
 mod displacement_based;
 mod elastic;
 mod force_based;
+mod force_by_trials;
 mod integration;
 mod member;
 mod timoshenko;
