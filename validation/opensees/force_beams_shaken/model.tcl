@@ -1,0 +1,72 @@
+# A frame of force-based beams with loads along them, P-Delta and joints tied, shaken until its concrete crushes: OpenSees' route through
+# the inner iterations. kN, m, s.
+model BasicBuilder -ndm 2 -ndf 3
+node 1 0.0 0.0
+node 2 5.0 0.0
+node 3 10.0 0.0
+node 11 0.0 3.2
+node 12 5.0 3.2
+node 13 10.0 3.2
+fix 1 1 1 1 
+fix 2 1 1 1 
+fix 3 1 1 1 
+mass 11 19.129656706401185 19.129656706401185 1e-3
+mass 12 19.129656706401185 19.129656706401185 1e-3
+mass 13 19.129656706401185 19.129656706401185 1e-3
+uniaxialMaterial ElasticPP 1 200000000.0 0.0017283376571815379
+uniaxialMaterial Concrete02 2 -3.5e4 -0.004 -2.5e4 -0.014 0.5 3000 5e5
+uniaxialMaterial Concrete01 3 -2.8e4 -0.002 0.0 -0.006
+uniaxialMaterial Hysteretic 4 120 0.003 150 0.02 90 0.05 -120 -0.003 -150 -0.02 -90 -0.05 0.7469275635714446 0.5504277148659731 0.0 0.0 0
+uniaxialMaterial ElasticPPGap 5 200000000.0 345667.5314363076 0.0004 0.02
+uniaxialMaterial Elastic 6 1e9
+uniaxialMaterial Elastic 7 8e5
+section Fiber 1 {
+  patch rect 2 4 1 -0.15000000000000002 -0.15000000000000002 0.15000000000000002 0.15000000000000002
+  patch rect 3 1 1 0.15000000000000002 -0.15000000000000002 0.2 0.15000000000000002
+  patch rect 3 1 1 -0.2 -0.15000000000000002 -0.15000000000000002 0.15000000000000002
+  layer straight 1 3 0.0005 0.15000000000000002 0.15000000000000002 0.15000000000000002 -0.15000000000000002
+  layer straight 1 3 0.0005 -0.15000000000000002 0.15000000000000002 -0.15000000000000002 -0.15000000000000002
+}
+section Fiber 2 {
+  patch rect 2 10 2 -0.2 -0.12499999999999999 0.2 0.12499999999999999
+  patch rect 3 1 2 0.2 -0.12499999999999999 0.25 0.12499999999999999
+  patch rect 3 1 2 -0.25 -0.12499999999999999 -0.2 0.12499999999999999
+  layer straight 1 3 0.0005 0.2 0.12499999999999999 0.2 -0.12499999999999999
+  layer straight 1 3 0.0005 -0.2 0.12499999999999999 -0.2 -0.12499999999999999
+}
+geomTransf PDelta 1
+geomTransf Linear 2
+element nonlinearBeamColumn 1 1 11 3 1 1 
+element nonlinearBeamColumn 2 2 12 5 1 1 
+element nonlinearBeamColumn 3 3 13 3 1 1 
+element nonlinearBeamColumn 4 11 12 5 2 2 
+element nonlinearBeamColumn 5 12 13 3 2 2 -mass 0.4
+equalDOF 11 12 1
+equalDOF 11 13 1
+timeSeries Linear 1
+pattern Plain 1 1 {
+  load 11 0 -153.03725365120948 0
+  load 12 0 -153.03725365120948 0
+  load 13 0 -153.03725365120948 0
+  eleLoad -ele 4 -type -beamUniform -12.0
+  eleLoad -ele 5 -type -beamUniform -12.0
+}
+constraints Transformation; numberer RCM; system BandGeneral
+test NormDispIncr 1e-10 50 0; algorithm Newton; integrator LoadControl 0.1; analysis Static
+analyze 10
+loadConst -time 0.0
+wipeAnalysis
+recorder Node -file disp.out -time -node 11 11 -dof 1 2 3 disp
+recorder Element -file force.out -time -ele 1 5 force
+recorder Node -file reaction.out -time -node 1 2 -dof 1 2 3 reaction
+recorder Element -file section.out -time -ele 1 section 1 deformation
+constraints Transformation; numberer RCM; system UmfPack; test NormUnbalance 1e-6 100 0
+rayleigh 0.2 0.0 0.0 0.001
+timeSeries Path 2 -dt 0.02 -filePath motion.txt -factor 10.0
+pattern UniformExcitation 2 1 -accel 2
+recorder Node -file accel.out -time -timeSeries 2 -node 11 -dof 1 accel
+algorithm ModifiedNewton
+integrator Newmark 0.5 0.25; analysis Transient
+set done [analyze 240 0.01]
+wipe
+set file [open done.out w]; puts $file $done; close $file
