@@ -6,7 +6,7 @@
 A seed makes a mass and a storey on an isolator of a kind that OpenSees has, with random parameters, dampers, Rayleigh damping, ground
 motion, constraint handler, algorithm and integrator. Both programs run it with tolerances near round-off; displacements, forces, reactions,
 accelerations and eigenvalues (`eigen -fullGenLapack`) are compared, hysteron with `--compat opensees`. A line a case; `differs` where
-something is more than 1e-5 apart, `ends` where one of them stops at another step. Some laws of OpenSees depend on the
+something is more than 1e-5 apart, `ends` where one of them stops at another step, `nothing` where neither makes a step. Some laws of OpenSees depend on the
 iterations (docs/compat.md): KrylovNewton and line searches lead them elsewhere, and a case that differs is a question, not yet an error.
 The first use installs openseespy (see peer.py). Status 1 if a case differs.
 """
@@ -160,7 +160,7 @@ def compare(case, seed, engine, folder, steps, files):
     # After a failed step the state is that of the last one; its modes need not agree.
     counted = [d for when, d in lambdas.items() if when == "at rest" or ends[0] == ends[1] == steps]
     wrong = any(d > APART for d in differences.values()) or any(d > MODES_APART for d in counted)
-    verdict = "differs" if wrong else "ends" if ends[0] != ends[1] else "same"
+    verdict = "differs" if wrong else "ends" if ends[0] != ends[1] else "same" if ends[0] else "nothing"
     told = " ".join(f"{f} {d:.0e}" for f, d in differences.items())
     print(f"{seed:6} {kind:18} {verdict:8} steps {ends[0]}/{ends[1]} {told} modes {' '.join(f'{d:.0e}' for d in lambdas.values())}", flush=True)
     return verdict
@@ -177,7 +177,7 @@ def main(case, steps, files, doc):
     with tempfile.TemporaryDirectory() as scratch:
         folder = (a.keep or Path(scratch)).resolve()
         verdicts = [compare(case, seed, a.engine.resolve(), folder, steps, files) for seed in range(a.first, a.first + a.count)]
-    counts = {v: verdicts.count(v) for v in ("same", "ends", "differs")}
+    counts = {v: verdicts.count(v) for v in ("same", "nothing", "ends", "differs")}
     print(", ".join(f"{n} {v}" for v, n in counts.items()))
     sys.exit(1 if counts["differs"] else 0)
 

@@ -72,6 +72,7 @@ struct Common {
     shear_dist: f64,
     rayleigh: bool,
     mass: f64,
+    compat: bool,
 }
 
 const OPTIONS: &[&str] = &["-orient", "-shearDist", "-doRayleigh", "-mass", "-iter"];
@@ -104,7 +105,8 @@ pub(super) fn shear_dist(a: &mut Args<'_>) -> Result<f64, Exception> {
 fn common(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, nodes: Option<Span>) -> Result<Common, Exception> {
     let wanted: &[&str] = if ends.ndm == 2 { &["-P", "-Mz"] } else { &["-P", "-T", "-My", "-Mz"] };
     let materials = materials(interp, a, wanted)?;
-    let mut c = Common { materials, place: Placement::at_nodes(nodes), shear_dist: 0.5, rayleigh: false, mass: 0.0 };
+    let (place, compat) = (Placement::at_nodes(nodes), interp.host.engine.options.compat);
+    let mut c = Common { materials, place, shear_dist: 0.5, rayleigh: false, mass: 0.0, compat };
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-orient" => {
@@ -211,6 +213,7 @@ fn make_ufrp(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn 
     let o = common(interp, a, ends, nodes)?;
     let law = UfrpShear { uy, a: polynomial, b, c, eta, beta, gamma };
     let (link, _) = o.place.link(a, ends, o.shear_dist)?;
+    let link = link.under_given_force(o.compat);
     let Ok(materials) = o.materials.try_into() else { unreachable!("taken one by one") };
     Ok(Arc::new(PlaneBearing::new(law, link, materials, o.mass, o.rayleigh)))
 }
@@ -225,11 +228,13 @@ fn around<L: ShearLaw<1> + ShearLaw<2> + 'static>(
     match (ends.ndm, ends.ndf) {
         (2, 3) => {
             let (link, _) = c.place.link(a, ends, c.shear_dist)?;
+            let link = link.under_given_force(c.compat);
             let Ok(materials) = c.materials.try_into() else { unreachable!("taken one by one") };
             Ok(Arc::new(PlaneBearing::new(law, link, materials, c.mass, c.rayleigh)))
         }
         (3, 6) => {
             let (link, _) = c.place.link(a, ends, c.shear_dist)?;
+            let link = link.under_given_force(c.compat);
             let Ok(materials) = c.materials.try_into() else { unreachable!("taken one by one") };
             Ok(Arc::new(SpaceBearing::new(law, link, materials, c.mass, c.rayleigh)))
         }

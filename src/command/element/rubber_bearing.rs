@@ -233,7 +233,7 @@ fn make_hdr(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn E
     let compat = interp.host.engine.options.compat;
     let shear = GrantShear { a: elastic, b: hysteretic, c: damage, compat };
     let axial = c.axial(layers.bearing(), [true; 3], compat);
-    Ok(Arc::new(RubberBearing::new(axial, shear, c.link(a, ends)?, c.mass)))
+    Ok(Arc::new(RubberBearing::new(axial, shear, c.link(a, ends)?.under_given_force(compat), c.mass)))
 }
 
 /// Yield force and the ratio of stiffnesses after and before yielding.
@@ -306,7 +306,7 @@ fn make_elastomeric(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<A
         compat,
     };
     let axial = c.axial(rubber, [cavitates, buckles, softens], compat);
-    Ok(Arc::new(RubberBearing::new(axial, shear, c.link(a, ends)?, c.mass)))
+    Ok(Arc::new(RubberBearing::new(axial, shear, c.link(a, ends)?.under_given_force(compat), c.mass)))
 }
 
 fn make_leaded(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
@@ -365,5 +365,5 @@ fn make_leaded(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dy
     let k0 = (1.0 / alpha - 1.0) * rubber.shear;
     let shear = RubberBoucWen { qy, k0, rubber: rubber.shear, cd: c.cd, varies, leaded: true, core, heats, compat };
     let axial = c.axial(rubber, [cavitates, buckles, softens], compat);
-    Ok(Arc::new(RubberBearing::new(axial, shear, c.link(a, ends)?, c.mass)))
+    Ok(Arc::new(RubberBearing::new(axial, shear, c.link(a, ends)?.under_given_force(compat), c.mass)))
 }

@@ -24,6 +24,8 @@ pub struct Link<const N: usize, const B: usize> {
     columns: SparseMatrix<N, B>,
     /// Forces in global axes per unit of axial force and displacement, for the tangent; none without P-Delta moments.
     p_delta: Option<SparseMatrix<N, N>>,
+    /// The tangent knows that the P-Delta moments grow with the axial force.
+    grows: bool,
 }
 
 /// Motion of a link in local axes. In the plane what points out of it is zero.
@@ -62,7 +64,7 @@ impl<const N: usize, const B: usize> Link<N, B> {
         let axes: [[f64; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| axes[(i, j)]));
         let (basic, local) = ([[0.0; N]; B], [[0.0; N]; N]);
         let none = SparseMatrix::new(&[[0.0; B]; N]);
-        let mut link = Self { basic, local, axes, arms, columns: none, p_delta: None };
+        let mut link = Self { basic, local, axes, arms, columns: none, p_delta: None, grows: true };
         let mut p_delta = [[0.0; N]; N];
         for column in 0..N {
             let unit: [f64; N] = std::array::from_fn(|i| if i == column { 1.0 } else { 0.0 });
@@ -94,6 +96,11 @@ impl<const N: usize, const B: usize> Link<N, B> {
     pub fn first_order(mut self) -> Self {
         self.p_delta = None;
         self
+    }
+
+    /// As in OpenSees, the tangent of the P-Delta moments is that under the axial force at hand.
+    pub fn under_given_force(self, given: bool) -> Self {
+        Self { grows: !given, ..self }
     }
 
     /// Global displacements (or their rates) in local axes: what deformations and P-Delta moments come from.
@@ -202,6 +209,9 @@ impl<const N: usize, const B: usize> Link<N, B> {
         for (i, row) in moments() {
             let to = &mut tangent[i * N..(i + 1) * N];
             row.iter().for_each(|e| to[e.column] += q[0] * e.value);
+            if !self.grows {
+                continue;
+            }
             let lever: f64 = row.iter().map(|e| e.value * disp[e.column]).sum();
             to.iter_mut().zip(&axial).for_each(|(t, a)| *t += lever * a);
         }
