@@ -66,6 +66,7 @@ impl Integrator for AlphaOs {
         let n = s.old.disp.len();
         self.disp.resize(n, 0.0);
         self.vel.resize(n, 0.0);
+        self.lag.clear();
         self.lag.resize(n, 0.0);
         self.extra.resize(s.work.b.len(), 0.0);
         self.last.clone_from(&s.old.disp);

@@ -283,24 +283,20 @@ impl<const N: usize, const B: usize> Formulation<N, B> for ForceBased {
         committed: &[f64],
         trial: &mut [f64],
     ) -> Result<Basic<B>, ElementError> {
-        let mut failure = None;
+        let not_found =
+            || ElementError("the deformations of the sections do not come to add up to those of the beam".into());
         if self.compat {
-            match self.go_on(member, v, motion, committed, trial) {
-                Ok(Some(basic)) => return Ok(basic),
-                Ok(None) => {}
-                Err(e) => failure = Some(e),
-            }
+            return self.go_on(member, v, motion, committed, trial)?.ok_or_else(not_found);
         }
-        let own: &[_] = if self.compat { &[] } else { &ATTEMPTS };
-        for &attempt in own {
+        let mut failure = None;
+        for attempt in ATTEMPTS {
             match self.attempt(member, v, motion, (committed, trial), attempt) {
                 Ok(Some(basic)) => return Ok(basic),
                 Ok(None) => {}
                 Err(e) => failure = Some(e),
             }
         }
-        let message = "the deformations of the sections do not come to add up to those of the beam";
-        Err(failure.map_or(ElementError(message.into()), ElementError::from))
+        Err(failure.map_or_else(not_found, ElementError::from))
     }
 
     fn initial_stiffness(member: &Member<N, B>) -> [[f64; B]; B] {

@@ -19,6 +19,9 @@ enum Flexibility {
 const WAYS: [(Flexibility, usize); 3] =
     [(Flexibility::Current, 1), (Flexibility::Initial, 10), (Flexibility::InitialFirst, 1)];
 
+/// Parts of a step that may be found one after the other. OpenSees has no end to them.
+const PARTS: usize = 1000;
+
 impl ForceBased {
     /// Basic forces for deformations `v`, from the last trial state on. `None` if they are not found.
     ///
@@ -48,8 +51,8 @@ impl ForceBased {
         }
         let (mut from, mut part, mut cuts) = (std::array::from_fn(|i| v[i] - left[i]), left, 0);
         let mut sections = member.responses(trial);
-        let mut failure = None;
-        while cuts < self.parts {
+        let (mut failure, mut done) = (None, 0);
+        while cuts < self.parts && done < PARTS {
             let to = std::array::from_fn(|i| from[i] + part[i]);
             let mut found = None;
             for way in WAYS {
@@ -73,7 +76,7 @@ impl ForceBased {
             if norm(&left) <= f64::EPSILON {
                 return Ok(Some(basic));
             }
-            (from, part, cuts) = (to, left, 0);
+            (from, part, cuts, done) = (to, left, 0, done + 1);
             sections = member.responses(trial);
         }
         failure.map_or(Ok(None), Err)
