@@ -9,7 +9,7 @@ them, and more integrators. Pendulums stand without `-shearDist`, of which opens
 import math
 import random
 
-from random_structures import main, motion
+from random_structures import frictions, laws, main, motion
 
 STEPS = 400
 UPRIGHT = "-orient 0 1 0 -1 0 0"
@@ -40,26 +40,14 @@ def case(seed):
     m = weight / 9.81
     k, q = 10 * m * (2 * math.pi / r.uniform(1.5, 3)) ** 2, r.uniform(0.03, 0.08) * weight
     kind, element = isolator(r, k, q)
-    points = [(q, q / k), (1.4 * q, 8 * q / k), (1.5 * q, 20 * q / k)]
-    envelope = " ".join(f"{s * f} {s * d}" for s in (1, -1) for f, d in points)
     damper = r.choice(["", "", "7", "14", "8"])
     held = r.choice([0, 1]), r.choice([0, 0, 1])
     lines = [
         "model BasicBuilder -ndm 2 -ndf 3",
         "node 1 0 0; fix 1 1 1 1",
         *(f"node {n} 0 {z} -mass {x} {x} {r.choice([1, 0.1])}; fix {n} 0 0 {h}" for n, z, x, h in ((2, 0.3, 0.3 * m, held[0]), (3, 3.3, 0.7 * m, held[1]))),
-        "uniaxialMaterial Elastic 1 2.0e6; uniaxialMaterial Elastic 2 1.0e5; uniaxialMaterial ENT 3 2.0e6",
-        f"uniaxialMaterial Steel02 5 {q} {k} 0.1 18 0.925 0.15; uniaxialMaterial Steel01 6 {q} {k} 0.1",
-        f"uniaxialMaterial Viscous 7 {r.uniform(10, 200)} {r.choice([1.0, 0.8, 0.5])}",
-        f"uniaxialMaterial ElasticPPGap 8 {5 * k} {10 * q} 0.05 0.01",
-        f"uniaxialMaterial SelfCentering 11 {k} {0.02 * k} {q} 0.6 0 0 0",
-        f"uniaxialMaterial Hysteretic 12 {envelope} {r.uniform(0.3, 1)} {r.uniform(0.3, 1)} 0.0 0.0 0.1",
-        f"uniaxialMaterial BoucWen 13 0.1 {k} 1.0 {0.5 * k / q} {0.5 * k / q} 1.0 0 0 0",
-        f"uniaxialMaterial ViscousDamper 14 {k} {r.uniform(20, 200)} {r.choice([1.0, 0.5])}",
-        f"uniaxialMaterial Elastic 20 {0.1 * k}",
-        f"frictionModel Coulomb 1 {r.uniform(0.03, 0.1)}",
-        f"frictionModel VelDependent 2 {r.uniform(0.02, 0.05)} {r.uniform(0.06, 0.12)} {r.uniform(10, 50)}",
-        "frictionModel VelPressureDep 3 0.03 0.1 0.2 0.02 0.001 20.",
+        *laws(r, k, q),
+        *frictions(r),
         "frictionModel VelNormalFrcDep 4 0.08 0.9 0.16 0.85 20. 0.0 0.0 2.0",
         element,
         *([f"element twoNodeLink 6 1 2 -mat {damper} -dir 2 {UPRIGHT}"] if damper else []),

@@ -34,6 +34,33 @@ def motion(r):
     return "".join(f"{x:.8g}\n" for x in samples)
 
 
+def laws(r, k, q, rubber=lambda: []):
+    """Commands of uniaxial materials for isolators of stiffness k and strength q; `rubber` adds more in their midst."""
+    points = [(q, q / k), (1.4 * q, 8 * q / k), (1.5 * q, 20 * q / k)]
+    envelope = " ".join(f"{s * f} {s * d}" for s in (1, -1) for f, d in points)
+    return [
+        "uniaxialMaterial Elastic 1 2.0e6; uniaxialMaterial Elastic 2 1.0e5; uniaxialMaterial ENT 3 2.0e6",
+        f"uniaxialMaterial Steel02 5 {q} {k} 0.1 18 0.925 0.15; uniaxialMaterial Steel01 6 {q} {k} 0.1",
+        f"uniaxialMaterial Viscous 7 {r.uniform(10, 200)} {r.choice([1.0, 0.8, 0.5])}",
+        f"uniaxialMaterial ElasticPPGap 8 {5 * k} {10 * q} 0.05 0.01",
+        *rubber(),
+        f"uniaxialMaterial SelfCentering 11 {k} {0.02 * k} {q} 0.6 0 0 0",
+        f"uniaxialMaterial Hysteretic 12 {envelope} {r.uniform(0.3, 1)} {r.uniform(0.3, 1)} 0.0 0.0 0.1",
+        f"uniaxialMaterial BoucWen 13 0.1 {k} 1.0 {0.5 * k / q} {0.5 * k / q} 1.0 0 0 0",
+        f"uniaxialMaterial ViscousDamper 14 {k} {r.uniform(20, 200)} {r.choice([1.0, 0.5])}",
+        f"uniaxialMaterial Elastic 20 {0.1 * k}",
+    ]
+
+
+def frictions(r):
+    """Commands of the friction models that bearings in space and in the plane have."""
+    return [
+        f"frictionModel Coulomb 1 {r.uniform(0.03, 0.1)}",
+        f"frictionModel VelDependent 2 {r.uniform(0.02, 0.05)} {r.uniform(0.06, 0.12)} {r.uniform(10, 50)}",
+        "frictionModel VelPressureDep 3 0.03 0.1 0.2 0.02 0.001 20.",
+    ]
+
+
 def isolator(r, weight, k, q):
     """Name, element commands between nodes 1 and 2, and whether the nodes are at one place."""
     springs = f"-P {r.choice([1, 1, 3])} -T 2 -My 2 -Mz 2 {UP}"
@@ -70,29 +97,18 @@ def case(seed):
     m = weight / 9.81
     k, q = 10 * m * (2 * math.pi / r.uniform(1.5, 3)) ** 2, r.uniform(0.03, 0.08) * weight
     kind, element, together = isolator(r, weight, k, q)
-    points = [(q, q / k), (1.4 * q, 8 * q / k), (1.5 * q, 20 * q / k)]
-    envelope = " ".join(f"{s * f} {s * d}" for s in (1, -1) for f, d in points)
     damper = r.choice(["", "", "", "7", "14", "8"])
     link = "zeroLength" if together else "twoNodeLink"
     rest = ("-dir 1", "") if together else ("-dir 2", UP)
+    rubber = lambda: [f"uniaxialMaterial KikuchiAikenHDR 10 {r.choice(['X0.6', 'X0.6-0MPa', 'X0.4', 'X0.3'])} {weight / 6000:.4f} 0.15"]
     lines = [
         "model BasicBuilder -ndm 3 -ndf 6",
         "node 1 0 0 0; fix 1 1 1 1 1 1 1",
         *(f"node {n} 0 0 {z} -mass {x} {x} {x} 1 1 1; fix {n} 0 0 0 1 1 1" for n, z, x in ((2, 0.0 if together else 0.3, 0.3 * m), (3, 3.3, 0.7 * m))),
-        "uniaxialMaterial Elastic 1 2.0e6; uniaxialMaterial Elastic 2 1.0e5; uniaxialMaterial ENT 3 2.0e6",
-        f"uniaxialMaterial Steel02 5 {q} {k} 0.1 18 0.925 0.15; uniaxialMaterial Steel01 6 {q} {k} 0.1",
-        f"uniaxialMaterial Viscous 7 {r.uniform(10, 200)} {r.choice([1.0, 0.8, 0.5])}",
-        f"uniaxialMaterial ElasticPPGap 8 {5 * k} {10 * q} 0.05 0.01",
-        f"uniaxialMaterial KikuchiAikenHDR 10 {r.choice(['X0.6', 'X0.6-0MPa', 'X0.4', 'X0.3'])} {weight / 6000:.4f} 0.15",
-        f"uniaxialMaterial SelfCentering 11 {k} {0.02 * k} {q} 0.6 0 0 0",
-        f"uniaxialMaterial Hysteretic 12 {envelope} {r.uniform(0.3, 1)} {r.uniform(0.3, 1)} 0.0 0.0 0.1",
-        f"uniaxialMaterial BoucWen 13 0.1 {k} 1.0 {0.5 * k / q} {0.5 * k / q} 1.0 0 0 0",
-        f"uniaxialMaterial ViscousDamper 14 {k} {r.uniform(20, 200)} {r.choice([1.0, 0.5])}",
-        f"uniaxialMaterial Elastic 20 {0.1 * k}; uniaxialMaterial AxialSp 21 6e5 1e3 -1e5 0.1 0.01 0.5",
+        *laws(r, k, q, rubber),
+        "uniaxialMaterial AxialSp 21 6e5 1e3 -1e5 0.1 0.01 0.5",
         f"uniaxialMaterial Elastic 30 {k * r.uniform(5, 30)}",
-        f"frictionModel Coulomb 1 {r.uniform(0.03, 0.1)}",
-        f"frictionModel VelDependent 2 {r.uniform(0.02, 0.05)} {r.uniform(0.06, 0.12)} {r.uniform(10, 50)}",
-        "frictionModel VelPressureDep 3 0.03 0.1 0.2 0.02 0.001 20.",
+        *frictions(r),
         element,
         *([f"element {link} 6 1 2 -mat {damper} {rest[0]} {rest[1]}"] if damper else []),
         f"element twoNodeLink 2 2 3 -mat 1 30 30 -dir 1 2 3 {UP}",

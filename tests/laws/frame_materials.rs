@@ -113,6 +113,20 @@ fn tangent_is_the_derivative_of_the_stress() {
     }
 }
 
+/// A trial state that yields, and then one that does not: in OpenSees the plastic strain of the former is committed.
+#[test]
+fn hardening_of_opensees_keeps_the_plastic_strain_of_a_trial() {
+    let after = |compat| {
+        let mut p = Point::new(Arc::new(Hardening { e: 200.0, sigma_y: 2.0, h_iso: 0.0, h_kin: 20.0, compat }));
+        p.trial(0.021, 0.0, 0.0);
+        p.go(0.005);
+        p.go(0.005).value
+    };
+    // Δε_p = (E ε - σ_y) / (E + H) = 0.01 of the trial state.
+    assert!((after(true) - 200.0 * (0.005 - 0.01)).abs() < 1e-12, "{}", after(true));
+    assert!((after(false) - 200.0 * 0.005).abs() < 1e-12, "{}", after(false));
+}
+
 #[test]
 fn stress_depends_on_the_committed_state_alone() {
     // In OpenSees the flag remembers trial states (validation/opensees/traces_hht_trbdf2).

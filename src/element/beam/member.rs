@@ -263,7 +263,8 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
     }
 
     fn counts_calls(&self) -> bool {
-        self.formulation.goes_on()
+        // Elastic sections come to the same however often they are asked.
+        self.formulation.goes_on() && !self.nature().linear
     }
     fn last_tangent(&self, history: &[f64], tangent: &mut [f64], _: Part) {
         let m = &self.member;
