@@ -27,14 +27,25 @@ pub fn axpy(c: f64, x: &[f64], y: &mut [f64]) {
 }
 
 /// Largest of the absolute values, passing over what is no number; four side by side.
+#[inline]
 pub fn largest(v: &[f64]) -> f64 {
     let greater = |m: f64, x: f64| if x.abs() > m { x.abs() } else { m };
+    if let [x] = v {
+        return greater(0.0, *x);
+    }
     let (head, tail) = v.as_chunks::<4>();
     let mut most = [0.0; 4];
     for x in head {
         most.iter_mut().zip(x).for_each(|(m, x)| *m = greater(*m, *x));
     }
     most.into_iter().chain(tail.iter().copied()).fold(0.0, greater)
+}
+
+/// Whether all are zero; four side by side.
+#[inline]
+pub fn all_zero(v: &[f64]) -> bool {
+    let (head, tail) = v.as_chunks::<4>();
+    head.iter().all(|x| x.iter().fold(true, |all, x| all & (*x == 0.0))) && tail.iter().all(|x| *x == 0.0)
 }
 
 /// Euclidean length.

@@ -347,24 +347,37 @@ impl Engine {
         }
     }
 
+    /// Whether there is a plan for the model as it is. Asked at every step: what else follows from the handler and the
+    /// options is not worked out for it.
+    #[inline]
+    fn is_prepared(&self, handler: &Handler) -> bool {
+        let Options { compat, dense, .. } = &self.options;
+        let as_asked = |o: &PrepareOptions| o.handler == *handler && o.compat == *compat && o.dense == *dense;
+        matches!(&self.prepared, Some((revision, o, _)) if *revision == self.model.revision() && as_asked(o))
+    }
+
     /// Make sure that there is a plan for the model as it is.
     #[inline]
     pub(super) fn prepare(&mut self, handler: Handler) -> Result<&mut Prepared, Failure> {
-        let options = self.prepare_options(handler);
-        let up_to_date = matches!(&self.prepared, Some((r, o, _)) if *r == self.model.revision() && *o == options);
-        if !up_to_date {
-            let time = self.committed.time;
-            let prepared = Prepared::new(&self.model, &options).map_err(|cause| Failure::new(cause, time, -1))?;
-            let multipliers = prepared.plan.multipliers;
-            self.committed.multipliers.resize(multipliers, 0.0);
-            self.trial.clone_from(&self.committed);
-            self.prepared = Some((self.model.revision(), options, prepared));
-            self.fresh = true;
+        if !self.is_prepared(&handler) {
+            self.prepare_anew(self.prepare_options(handler))?;
         }
         match &mut self.prepared {
             Some((_, _, p)) => Ok(p),
             None => unreachable!("made above"),
         }
+    }
+
+    #[cold]
+    fn prepare_anew(&mut self, options: PrepareOptions) -> Result<(), Failure> {
+        let time = self.committed.time;
+        let prepared = Prepared::new(&self.model, &options).map_err(|cause| Failure::new(cause, time, -1))?;
+        let multipliers = prepared.plan.multipliers;
+        self.committed.multipliers.resize(multipliers, 0.0);
+        self.trial.clone_from(&self.committed);
+        self.prepared = Some((self.model.revision(), options, prepared));
+        self.fresh = true;
+        Ok(())
     }
 
     /// Time of the last given value of the excitations that go on, where there are any.

@@ -168,9 +168,11 @@ impl Loads {
             changed |= *loaded && factor != *f;
             *f = factor;
         }
-        if !changed {
-            return Ok(false);
-        }
+        if changed { self.sum(model, words) } else { Ok(false) }
+    }
+
+    /// Sum the loads by their factors.
+    fn sum(&mut self, model: &Model, words: &mut [f64]) -> Result<bool, (String, String)> {
         self.valid = true;
         self.nodal.fill(0.0);
         for e in &self.entries {

@@ -87,8 +87,13 @@ impl State {
             e.element.commit(&trial.history[e.state.clone()], &mut self.history[e.state.clone()]);
         }
         self.force.copy_from_slice(&trial.force);
-        self.element_load.copy_from_slice(&trial.element_load);
-        self.multipliers.copy_from_slice(&trial.multipliers);
+        // Most models have neither, and to copy nothing takes its time too.
+        for (own, other) in [(&mut self.element_load, &trial.element_load), (&mut self.multipliers, &trial.multipliers)]
+        {
+            if !other.is_empty() {
+                own.copy_from_slice(other);
+            }
+        }
     }
 
     /// Make room for nodes and elements that have been added behind the others; new elements are virgin.

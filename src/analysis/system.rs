@@ -4,7 +4,7 @@ use super::failure::{Cause, Failure};
 use super::loads::Loads;
 use super::prepared::{Prepared, TangentMix};
 use super::state::State;
-use crate::element::{Answer, MAX_DOFS, Motion};
+use crate::element::{Answer, ElementError, MAX_DOFS, Motion};
 use crate::model::Model;
 use crate::solve::{Pivots, SINGULAR, SolveError, Use};
 
@@ -64,11 +64,13 @@ const SIDE_BY_SIDE: usize = 6;
 
 impl System<'_> {
     /// A failure of this step.
+    #[cold]
     pub fn failure(&self, cause: Cause) -> Failure {
         Failure::new(cause, self.new.time, -3)
     }
 
     /// A failure that names an equation.
+    #[cold]
     fn failure_at(&self, cause: Cause, equation: usize) -> Failure {
         self.failure(cause).at(Some(self.work.plan.equation_name(self.model, equation)))
     }
@@ -97,17 +99,23 @@ impl System<'_> {
             return;
         }
         self.moved = true;
-        for i in &work.loads.imposed {
-            let value = work.loads.imposed_value(i);
-            work.spread[i.dof] = value - self.new.disp[i.dof];
-            self.new.disp[i.dof] = value;
+        if work.plan.map.dependents.is_empty() {
+            for i in &work.loads.imposed {
+                self.new.disp[i.dof] = work.loads.imposed_value(i);
+            }
+        } else {
+            for i in &work.loads.imposed {
+                let value = work.loads.imposed_value(i);
+                work.spread[i.dof] = value - self.new.disp[i.dof];
+                self.new.disp[i.dof] = value;
+            }
+            for d in &work.plan.map.dependents {
+                let step: f64 = d.terms.iter().map(|&(from, c)| c * work.spread[from]).sum();
+                work.spread[d.dof] = step;
+                self.new.disp[d.dof] += step;
+            }
+            work.clear_imposed();
         }
-        for d in &work.plan.map.dependents {
-            let step: f64 = d.terms.iter().map(|&(from, c)| c * work.spread[from]).sum();
-            work.spread[d.dof] = step;
-            self.new.disp[d.dof] += step;
-        }
-        work.clear_imposed();
         if work.loads.moves {
             self.impose_rates();
         }
@@ -230,7 +238,22 @@ impl System<'_> {
     }
 
     /// Ask all elements for forces, and for tangents if they are wanted.
+    #[inline]
     pub fn respond(&mut self, want_tangent: bool) -> Result<(), Failure> {
+        if self.answers_stand(want_tangent) {
+            return Ok(());
+        }
+        self.ask(want_tangent)
+    }
+
+    /// Whether all elements have answered the question that they would be asked.
+    #[inline]
+    fn answers_stand(&self, want_tangent: bool) -> bool {
+        let tangents = (want_tangent || self.work.residual_needs_tangent) && !self.work.tangent_is_current;
+        self.asked == Some(self.new.time) && !tangents && self.work.counting.is_empty() && self.nothing_has_moved()
+    }
+
+    fn ask(&mut self, want_tangent: bool) -> Result<(), Failure> {
         let passed = self.passed.unwrap_or(self.new.time - self.old.time);
         let dt = if self.elapses { passed } else { 0.0 };
         let want_tangent = want_tangent || self.work.residual_needs_tangent;
@@ -239,10 +262,6 @@ impl System<'_> {
         let tangents = want_tangent && !self.work.tangent_is_current;
         let all = self.moved || tangents;
         let asked_before = self.asked.take() == Some(self.new.time) && !tangents;
-        if asked_before && self.work.counting.is_empty() && self.nothing_has_moved() {
-            self.asked = Some(self.new.time);
-            return Ok(());
-        }
         let mut asked = false;
         for i in 0..self.model.elements.len() {
             let m = &self.work.matrices[i];
@@ -347,16 +366,27 @@ impl System<'_> {
         let answer = Answer { force, tangent, damping, part };
         let committed = &self.old.history[e.state.clone()];
         let trial = &mut self.new.history[e.state.clone()];
-        e.element.respond(&motion, committed, trial, answer).map_err(|error| {
-            let element = format!("{} {}", e.element.class(), e.tag);
-            Failure::new(Cause::Element { element, message: error.0.into() }, self.new.time, -3)
-        })
+        e.element.respond(&motion, committed, trial, answer).map_err(|error| self.element_failed(i, error))
+    }
+
+    #[cold]
+    fn element_failed(&self, i: usize, error: ElementError) -> Failure {
+        let e = &self.model.elements[i];
+        let element = format!("{} {}", e.element.class(), e.tag);
+        self.failure(Cause::Element { element, message: error.0.into() })
     }
 
     /// Work out the unbalance b = P - R - C v - M a at the trial state; with the element tangents, if they are going
     /// to be needed.
     #[inline]
     pub fn form_unbalance(&mut self, want_tangent: bool) -> Result<(), Failure> {
+        if self.answers_stand(want_tangent) && self.summed && !self.dynamic {
+            return Ok(());
+        }
+        self.form_unbalance_anew(want_tangent)
+    }
+
+    fn form_unbalance_anew(&mut self, want_tangent: bool) -> Result<(), Failure> {
         self.respond(want_tangent)?;
         if self.summed && !self.dynamic {
             return Ok(());

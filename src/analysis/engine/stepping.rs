@@ -9,7 +9,7 @@ use crate::analysis::integrator::Adaptive;
 use crate::analysis::prepared::TangentMix;
 use crate::analysis::system::Coefficients;
 use crate::analysis::system::System;
-use crate::numeric::largest;
+use crate::numeric::{all_zero, largest};
 use crate::solve::Use;
 
 impl Engine {
@@ -143,11 +143,13 @@ impl Engine {
 
     /// One step of a [`length`](Engine::length); commits it or leaves the committed state as it was.
     pub(in crate::analysis) fn step(&mut self, length: f64) -> Result<(), Failure> {
-        let Some(handler) = self.setup.as_ref().map(|s| s.handler) else {
+        let Some(setup) = &self.setup else {
             let cause = Cause::Model("there is no analysis: the command \"analysis\" is missing".into());
             return Err(Failure::new(cause, self.committed.time, -1));
         };
-        self.prepare(handler)?;
+        if !self.is_prepared(&setup.handler) {
+            self.prepare(setup.handler)?;
+        }
         let (Some(setup), Some((_, _, work))) = (&mut self.setup, &mut self.prepared) else {
             unreachable!("prepared above")
         };
@@ -162,7 +164,7 @@ impl Engine {
             again: false,
             moved: false,
             asked: None,
-            still: setup.kind == Kind::Static && !work.loads.moves && self.committed.vel.iter().all(|v| *v == 0.0),
+            still: setup.kind == Kind::Static && !work.loads.moves && all_zero(&self.committed.vel),
             summed: false,
             settled: false,
             work,
@@ -234,16 +236,18 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64)
 }
 
 /// Remember a step that counted as converged though forces were left over.
+#[inline]
 fn note_imbalance(system: &System<'_>, worst: &mut Option<Imbalance>) {
     let unbalanced = largest(&system.work.b);
-    if unbalanced == 0.0 {
-        return;
-    }
     // Mostly one of the first forces is large enough to see that there is nothing to tell.
-    let all = || system.new.force.iter().chain(&system.work.loads.nodal);
-    if all().any(|f| Imbalance::LIMIT * f.abs() >= unbalanced) {
-        return;
+    let dwarfs = |f: &f64| Imbalance::LIMIT * f.abs() >= unbalanced;
+    if unbalanced != 0.0 && !system.new.force.iter().any(dwarfs) && !system.work.loads.nodal.iter().any(dwarfs) {
+        measure_imbalance(system, unbalanced, worst);
     }
+}
+
+#[cold]
+fn measure_imbalance(system: &System<'_>, unbalanced: f64, worst: &mut Option<Imbalance>) {
     let force = largest(&system.new.force).max(largest(&system.work.loads.nodal));
     let ratio = unbalanced / force;
     if ratio > Imbalance::LIMIT {
