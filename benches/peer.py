@@ -61,7 +61,7 @@ def seconds(command, script, words=()):
 def programs():
     """Commands that run a script: hysteron, built first, and OpenSees."""
     subprocess.run(["cargo", "build", "--release", "--quiet"], cwd=ROOT, check=True)
-    ours = [ROOT / "target/release/hysteron", "run", "--compat", "opensees"]
+    ours = [ROOT / os.environ.get("CARGO_TARGET_DIR", "target") / "release/hysteron", "run", "--compat", "opensees"]
     return ours, [peer_python(), ROOT / "benches/peer_tcl.py"]
 
 
