@@ -98,7 +98,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--out", type=Path, default=Path("results/rr_frb"))
     parser.add_argument("--target", choices=["reconstructed", "twin"], default="reconstructed")
-    parser.add_argument("--models", nargs="+", default=["bouc_wen", "hdr", "kikuchi"])
+    parser.add_argument("--models", nargs="+", default=["bouc_wen", "hdr", "kikuchi", "kikuchi_soft"])
     parser.add_argument("--population", type=int, help="members, in place of the paper's 50")
     parser.add_argument("--generations", type=int, help="generations, in place of the paper's 150")
     args, words = parser.parse_known_args()
