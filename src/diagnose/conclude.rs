@@ -1,5 +1,6 @@
 //! From the explanations that were weighed to the verdict, the repaired model and the words.
 
+use super::bootstrap::Bootstrap;
 use super::correction::Correction;
 use super::fitting::Fitted;
 use super::hypothesis;
@@ -41,6 +42,8 @@ pub(super) struct Context<'a> {
     pub(super) steps: StepError,
     /// Causes that were left out because the recordings have no clock.
     pub(super) untimed: Vec<&'static str>,
+    /// What recordings with a known truth say of the explanation with the most evidence.
+    pub(super) bootstrap: Option<Bootstrap>,
 }
 
 /// Put the verdict together. `baseline` is the fitted model with the steps of the script, `weighed` what was weighed with
@@ -53,7 +56,8 @@ pub(super) fn conclude(
 ) -> Result<Diagnosis, String> {
     let study = c.study;
     let best = &weighed[0];
-    let Odds { mut odds, left, signature, none: evidence_of_none } = Odds::of(study, c.scales, baseline, &weighed);
+    let Odds { mut odds, left, signature, none: evidence_of_none } =
+        Odds::of(study, c.scales, baseline, &weighed, c.bootstrap.as_ref());
     let before = all_runs(c, &baseline.variant, &baseline.fitted.values);
     // It is the script as it is written that is repaired.
     work.bench.refine(1);
@@ -96,6 +100,9 @@ pub(super) fn conclude(
     let share = if baseline.fitted.objective > 0.0 { fitted.objective / baseline.fitted.objective } else { 1.0 };
     let also: Vec<&str> = chosen.second().into_iter().filter(|_| verdict != "unknown").collect();
     let mut explanation = explanation(verdict, &chosen, &also, &signature, share) + &c.steps.says();
+    if let Some(b) = c.bootstrap.as_ref().filter(|b| b.cause == verdict) {
+        explanation += &b.says();
+    }
     if !c.untimed.is_empty() {
         explanation += &format!(
             " The times of the recordings count samples: {} need a clock and were left out (--clock takes them for seconds).",
@@ -138,6 +145,7 @@ pub(super) fn conclude(
             channels: corrections,
         },
         unexplained_share: share.min(1.0),
+        bootstrap: c.bootstrap.clone(),
         next_test: match &next_test {
             Some(t) => format!("{}; {observe}", t.says),
             None => observe,

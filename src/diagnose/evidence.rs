@@ -20,7 +20,7 @@ use super::noise::{averaged, burg, power, whiten};
 pub const INDEPENDENT: f64 = 40.0;
 
 /// Points that the residual of a channel is averaged to.
-const POINTS: usize = 400;
+pub(super) const POINTS: usize = 400;
 
 /// Order of the noise.
 const ORDER: usize = 2;

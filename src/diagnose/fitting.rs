@@ -1,11 +1,12 @@
 //! What workers do with a variant: fit it, try points of it, see how far it predicts what it was not fitted to.
 
+use super::bootstrap::Near;
 use super::evidence::Residuals;
 use super::projection::Projection;
 use super::resume::Told;
 use super::variant::{Variant, VariantSimulator};
 use crate::calibrate::{LevenbergMarquardt, Method, Trial};
-use crate::study::{Blueprint, Crew, Fit, Mishap, Role, Study, fit};
+use crate::study::{Blueprint, Crew, Fit, Mishap, Observe, Role, Study, fit};
 use nalgebra::{DMatrix, DVector};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
@@ -23,6 +24,15 @@ const FAULTS: usize = 6;
 
 fn fold(t: usize, n: usize) -> usize {
     (t * BLOCKS / n.max(1)) % FOLDS
+}
+
+/// A step of least squares by the normal matrix and the gradient of a residual, damped by a hundredth of a sum of squares:
+/// what the samples do not tell stays where it is.
+pub(super) fn damped_step(mut normal: DMatrix<f64>, gradient: &DVector<f64>, square: f64) -> Option<DVector<f64>> {
+    for i in 0..normal.nrows() {
+        normal[(i, i)] += square.max(f64::MIN_POSITIVE) / 100.0;
+    }
+    Some(normal.cholesky()?.solve(&-gradient))
 }
 
 /// A thing to be done with a variant.
@@ -45,6 +55,8 @@ pub(super) enum Task {
     Derive { point: Vec<f64> },
     /// Residuals on samples that it was not fitted to.
     HoldBack { point: Vec<f64> },
+    /// What is left near a point.
+    Near { point: Vec<f64> },
     /// What the model says at a point.
     Look { point: Vec<f64> },
     /// What an earlier diagnosis of the same study came to.
@@ -61,6 +73,8 @@ pub(super) enum Answer {
     Derived(Option<Projection>),
     /// Of [`Task::HoldBack`].
     HeldBack(Option<Residuals>),
+    /// Of [`Task::Near`].
+    Near(Option<Near>),
 }
 
 /// Where a search has come to.
@@ -186,6 +200,14 @@ impl Bed<'_> {
         followed.filter(|f| best.as_ref().is_none_or(|b| f.0 < b.0)).or(best)
     }
 
+    /// What is left of all channels at a point, and the derivatives there.
+    fn near(&mut self, point: &[f64]) -> Option<Near> {
+        let (r, j) = self.derivatives(point)?;
+        let there = |o: &Observe| o.values.iter().filter(|v| v.is_finite()).count();
+        let samples: Vec<usize> = self.runs().flat_map(|run| self.study.runs[run].observe.iter()).map(there).collect();
+        (samples.iter().sum::<usize>() == r.len()).then(|| Near::new(&r, &j, &samples))
+    }
+
     /// For each fold, a step from the fit to all samples towards that without the fold, by the derivatives; what the
     /// model says there of the fold.
     fn held_back(&mut self, point: &[f64]) -> Option<Residuals> {
@@ -206,13 +228,7 @@ impl Bed<'_> {
         for f in 0..FOLDS {
             let kept: Vec<usize> = (0..r.len()).filter(|i| folds[*i] != f).collect();
             let (a, b) = (j.select_rows(&kept), DVector::from_iterator(kept.len(), kept.iter().map(|i| r[*i])));
-            let mut normal = a.transpose() * &a;
-            // What the samples do not tell stays where it is.
-            let noise = b.norm_squared().max(f64::MIN_POSITIVE) / 100.0;
-            for i in 0..point.len() {
-                normal[(i, i)] += noise;
-            }
-            let step = normal.cholesky()?.solve(&-(a.transpose() * b));
+            let step = damped_step(a.tr_mul(&a), &a.tr_mul(&b), b.norm_squared())?;
             let own = |r: &[f64], inside: bool| -> f64 {
                 (0..r.len()).filter(|i| (folds[*i] == f) == inside).map(|i| r[i] * r[i]).sum()
             };
@@ -266,6 +282,7 @@ fn work(blueprint: &Blueprint, job: &Job, looks: &AtomicUsize) -> Answer {
             Answer::Screened(bed.screen(points, known.as_deref(), job.variant.of_a_channel()))
         }
         Task::Derive { point } => Answer::Derived(bed.derivatives(point).and_then(|(r, j)| Projection::new(&r, j))),
+        Task::Near { point } => Answer::Near(bed.near(point)),
         Task::HoldBack { point } => Answer::HeldBack(bed.held_back(point)),
         Task::Look { point } | Task::Told(Told::Fitted(point)) => Answer::Fitted(bed.look(point)),
         Task::Told(Told::Screened(said)) => Answer::Screened(said.clone()),

@@ -6,6 +6,7 @@
 //! missing, or that it does not know ([`outcome`]). Runs that are held out are looked at once, at the end.
 
 pub mod anatomy;
+mod bootstrap;
 pub mod columns;
 mod conclude;
 mod conditions;

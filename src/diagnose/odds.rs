@@ -1,5 +1,6 @@
 //! How likely each cause is, that there is none, and that it is none of the library.
 
+use super::bootstrap::Bootstrap;
 use super::evidence::{INDEPENDENT, probabilities};
 use super::hypothesis;
 use super::noise::power;
@@ -31,6 +32,9 @@ const LITTLE: f64 = 0.8;
 /// 95 % all are right, of 16 that were given 80 to 90 % all but one.
 const DOUBT_OF_A_NAME: f64 = 0.05;
 const DOUBT_OF_NO_NAME: f64 = 0.15;
+/// Log evidence by which the first cause is ahead of those that the recordings do not tell it apart from: more than the doubts of a
+/// name take from it.
+const AHEAD: f64 = 0.3;
 /// Part in which evidence counts between causes that look alike.
 const TWINS: f64 = 0.5;
 
@@ -80,7 +84,13 @@ fn structured(left: f64, price: f64) -> f64 {
 
 impl Odds {
     /// Of explanations, the best first; `baseline` is the fitted model.
-    pub(super) fn of(study: &Study, scales: &Scales, baseline: &Explained, weighed: &[Explained]) -> Self {
+    pub(super) fn of(
+        study: &Study,
+        scales: &Scales,
+        baseline: &Explained,
+        weighed: &[Explained],
+        bootstrap: Option<&Bootstrap>,
+    ) -> Self {
         let best = &weighed[0];
         let none = weighed.iter().find(|e| e.cause() == "none");
         // The best of each cause, alone or beside a second one, speaks for it.
@@ -107,15 +117,21 @@ impl Odds {
             }
         }
         causes.push(("unknown", unknown));
-        Self { odds: among(causes, left, none), left, signature, none }
+        Self { odds: among(causes, left, none, bootstrap), left, signature, none }
     }
 }
 
 /// Probabilities of causes with their log evidences, the likeliest first. So much is `left` with structure; `none` is the
 /// evidence of the model as it is.
-fn among(mut causes: Vec<(&'static str, f64)>, left: f64, none: f64) -> Vec<(&'static str, f64)> {
+fn among(
+    mut causes: Vec<(&'static str, f64)>,
+    left: f64,
+    none: f64,
+    bootstrap: Option<&Bootstrap>,
+) -> Vec<(&'static str, f64)> {
     causes.sort_by(|a, b| b.1.total_cmp(&a.1));
     temper(&mut causes, left, none);
+    bound(&mut causes, bootstrap);
     let mut p = probabilities(&causes.iter().map(|c| c.1).collect::<Vec<_>>());
     doubt(&causes, &mut p);
     let mut odds: Vec<(&'static str, f64)> = causes.iter().map(|c| c.0).zip(p).collect();
@@ -137,6 +153,18 @@ fn temper(causes: &mut [(&'static str, f64)], left: f64, none: f64) {
         let gained = ((*evidence - none) / (most - none).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
         let part = if hypothesis::alike(first, cause) { TWINS } else { 1.0 };
         *evidence = most - part * (1.0 - left * gained) * (most - *evidence);
+    }
+}
+
+/// What the evidence says of the first cause against one whose own recordings would have let it gain as much counts for little.
+/// The first one stays ahead: that is what the gain still says.
+fn bound(causes: &mut [(&'static str, f64)], bootstrap: Option<&Bootstrap>) {
+    let (first, most) = causes[0];
+    let Some(b) = bootstrap.filter(|b| b.cause == first && first != "none") else { return };
+    for (cause, evidence) in causes.iter_mut().skip(1) {
+        if let Some(ahead) = b.bound(cause) {
+            *evidence = evidence.max(most - ahead.max(AHEAD));
+        }
     }
 }
 
@@ -176,7 +204,7 @@ mod tests {
     /// How likely `unknown` is beside a named cause that has gained so much.
     fn unknown(gained: f64, left: f64, done: f64) -> f64 {
         let s = Standing { evidence: gained, none: 0.0, named: true, left, done };
-        let odds = among(vec![("damping", gained), ("none", 0.0), ("unknown", s.unknown())], left, 0.0);
+        let odds = among(vec![("damping", gained), ("none", 0.0), ("unknown", s.unknown())], left, 0.0, None);
         assert!((odds.iter().map(|o| o.1).sum::<f64>() - 1.0).abs() < 1e-12);
         odds.iter().find(|o| o.0 == "unknown").map_or(0.0, |o| o.1)
     }
@@ -206,7 +234,7 @@ mod tests {
     fn structure_that_nobody_explains_is_unknown() {
         let none = |left| {
             let s = Standing { evidence: 0.0, none: 0.0, named: false, left, done: 0.0 };
-            among(vec![("none", 0.0), ("unknown", s.unknown())], left, 0.0)[0].0
+            among(vec![("none", 0.0), ("unknown", s.unknown())], left, 0.0, None)[0].0
         };
         assert_eq!(none(0.0), "none");
         assert_eq!(none(0.6), "unknown");

@@ -1,5 +1,6 @@
 //! `diagnosis.json`.
 
+use super::bootstrap::Bootstrap;
 use super::correction::Correction;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -17,6 +18,9 @@ pub struct Outcome {
     pub corrected: Corrected,
     /// Part of the baseline's squared error that the repaired model leaves.
     pub unexplained_share: f64,
+    /// What the weighing says of recordings of which the truth is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bootstrap: Option<Bootstrap>,
     /// The test that would tell more.
     pub next_test: String,
 }

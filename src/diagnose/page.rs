@@ -1,5 +1,6 @@
 //! `report.html`: the verdict first, then what it rests on.
 
+use super::bootstrap::Share;
 use super::pipeline::Diagnosis;
 use crate::calibrate::{Amplitude, amplitudes};
 use crate::report::Figure;
@@ -66,6 +67,17 @@ fn evidence(out: &mut String, d: &Diagnosis) {
         );
     }
     out.push_str("</table>\n");
+    if let Some(b) = &d.outcome.bootstrap {
+        let part = |p: f64| format!("{:.1} %", 100.0 * p);
+        let mut rows = vec![];
+        if let Some(chance) = b.chance {
+            rows.push(vec!["none".into(), "some cause gains as much".into(), part(chance)]);
+        }
+        rows.push(vec![b.cause.into(), "it has the most evidence".into(), part(b.found)]);
+        let apart = |s: &Share| vec![s.cause.into(), format!("{} gains as much over it", b.cause), part(s.share)];
+        rows.extend(b.not_told_apart.iter().map(apart));
+        table(out, &[&format!("{} recordings made by", b.recordings), "in which", "part"], rows);
+    }
     let rows = d
         .weighed
         .iter()

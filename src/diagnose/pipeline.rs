@@ -8,7 +8,7 @@ use super::next_test::NextTest;
 use super::outcome::Outcome;
 use super::pairs::pairs;
 use super::resume::Kept;
-use super::rounds::{best_of_causes, first_round, fit_baseline, poor, refine, refit, twins, weigh};
+use super::rounds::{best_of_causes, first_round, fit_baseline, made_again, poor, refine, refit, twins, weigh};
 use super::slow_noise::may_be_noise;
 use super::step_error::step_error;
 use super::watching;
@@ -111,8 +111,8 @@ pub fn diagnose(
 
     let mut first = first_round(&mut work, &baseline, opening, &place, &proposals)?;
     twins(&mut work, &baseline, &mut first)?;
-    let mut finalists = best_of_causes(&first);
-    finalists.truncate(FINALISTS);
+    let best = best_of_causes(&first);
+    let finalists = best[..best.len().min(FINALISTS)].to_vec();
     let likeliest = first.first().filter(|e| e.score() < baseline.score());
     let steps = step_error(&mut work, &baseline, likeliest)?;
     work.bench.refine(steps.parts);
@@ -129,8 +129,10 @@ pub fn diagnose(
         weighed.extend(two);
         weigh(&mut weighed)?;
     }
+    let bootstrap = made_again(&mut work, &weighed, &best)?;
     let imposed = !anatomy.shaken;
     let scales = &scales;
-    let context = Context { study: &study, simulator, opening, text, place: &place, scales, imposed, steps, untimed };
+    let context =
+        Context { study: &study, simulator, opening, text, place: &place, scales, imposed, steps, untimed, bootstrap };
     conclude(&mut work, &context, &as_written, weighed)
 }

@@ -59,6 +59,7 @@ pub(super) fn number(job: &Job) -> u64 {
         Task::Screen { points: tried, known } => points(if known.is_some() { 1 } else { 5 }, tried),
         Task::Derive { point } => points(2, std::slice::from_ref(point)),
         Task::HoldBack { point } => points(3, std::slice::from_ref(point)),
+        Task::Near { point } => points(7, std::slice::from_ref(point)),
         Task::Look { point } => points(6, std::slice::from_ref(point)),
         Task::Told(_) => points(4, &[]),
     }

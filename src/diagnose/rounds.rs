@@ -1,5 +1,6 @@
 //! The rounds in which explanations are fitted, fewer and closer in each.
 
+use super::bootstrap::{Bootstrap, Near, Rival, bootstrap};
 use super::conditions::differ;
 use super::evidence::{INDEPENDENT, Noise};
 use super::hypothesis::{self, Proposal};
@@ -264,17 +265,39 @@ pub(super) fn weigh(all: &mut [Explained]) -> Result<(), String> {
     let best = seen.min_by(|a, b| a.score().total_cmp(&b.score())).and_then(|e| e.held.as_ref());
     let noise = Noise::of(best.ok_or("no explanation could be tested on samples that it was not fitted to")?);
     for e in all.iter_mut() {
-        // That nothing is missing is what is to be believed first, and two effects last.
-        let mut before = match (e.cause(), e.second()) {
-            ("none", _) => NOTHING,
-            (_, Some(_)) => -SECOND,
-            _ => 0.0,
-        };
-        if e.variant.of_one_run() && differ(&e.variant.study) {
-            before -= OF_ONE_RUN;
-        }
-        e.evidence = e.held.as_ref().map_or(f64::NEG_INFINITY, |r| before + noise.evidence(r, e.variant.dimension()));
+        e.evidence =
+            e.held.as_ref().map_or(f64::NEG_INFINITY, |r| before(e) + noise.evidence(r, e.variant.dimension()));
     }
     all.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
     Ok(())
+}
+
+/// Log odds of an explanation before anything is seen: that nothing is missing is what is to be believed first, and two effects
+/// last.
+fn before(e: &Explained) -> f64 {
+    let odds = match (e.cause(), e.second()) {
+        ("none", _) => NOTHING,
+        (_, Some(_)) => -SECOND,
+        _ => 0.0,
+    };
+    if e.variant.of_one_run() && differ(&e.variant.study) { odds - OF_ONE_RUN } else { odds }
+}
+
+/// What explanations would say of recordings that one of them makes: those that were weighed, the likeliest first, and the best of
+/// the causes that were not.
+pub(super) fn made_again(
+    work: &mut Work<'_>,
+    weighed: &[Explained],
+    best: &[Explained],
+) -> Result<Option<Bootstrap>, String> {
+    let known: BTreeSet<&str> = weighed.iter().map(Explained::cause).collect();
+    let more = best.iter().filter(|e| !known.contains(e.cause()));
+    let all: Vec<&Explained> = weighed.iter().chain(more).collect();
+    let near = work.near("recordings as they might have been", &all)?;
+    let rival = |(e, near): (&&Explained, Option<Near>)| {
+        Some(Rival { cause: e.cause(), before: before(e), point: e.fitted.point.clone(), near: near? })
+    };
+    let rivals: Vec<Rival> = all.iter().zip(near).filter_map(rival).collect();
+    let leads = rivals.first().is_some_and(|r| r.cause == weighed[0].cause());
+    Ok(if leads { bootstrap(&rivals) } else { None })
 }

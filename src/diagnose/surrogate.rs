@@ -112,6 +112,11 @@ pub(super) struct Surrogates {
 impl Surrogates {
     /// Of one.
     pub(super) fn of(x: &[f64]) -> Self {
+        Self::seeded(x, 0)
+    }
+
+    /// Of one, with phases that others do not have.
+    pub(super) fn seeded(x: &[f64], seed: u64) -> Self {
         let mut planner = FftPlanner::new();
         let mut buffer: Vec<Complex<f64>> = x.iter().map(|x| Complex { re: *x, im: 0.0 }).collect();
         planner.plan_fft_forward(x.len()).process(&mut buffer);
@@ -119,7 +124,7 @@ impl Surrogates {
         Self {
             amplitudes: buffer.iter().map(|c| c.norm() / x.len() as f64).collect(),
             back: planner.plan_fft_inverse(x.len()),
-            random: Pcg32::seed_from_u64(x.len() as u64),
+            random: Pcg32::seed_from_u64(x.len() as u64 + (seed << 32)),
         }
     }
 

@@ -1,5 +1,6 @@
 //! The work on variants, with its progress, and what an explanation is.
 
+use super::bootstrap::Near;
 use super::evidence::{INDEPENDENT, Residuals};
 use super::fitting::{Answer, Bench, Fitted, Job, Task};
 use super::pipeline::Watch;
@@ -200,6 +201,17 @@ impl Work<'_> {
         self.bench.refine(parts);
         let job = Job { variant: e.variant.clone(), task: Task::Look { point: e.fitted.point.clone() } };
         Ok(self.fit("the error of the steps", vec![job])?.pop().flatten().map(|f| f.fits))
+    }
+
+    /// What each leaves near its fit; nothing of those without an answer.
+    pub(super) fn near(&mut self, stage: &str, all: &[&Explained]) -> Result<Vec<Option<Near>>, String> {
+        let job =
+            |e: &&Explained| Job { variant: e.variant.clone(), task: Task::Near { point: e.fitted.point.clone() } };
+        let near = |answer| match answer {
+            Some(Answer::Near(near)) => near,
+            _ => None,
+        };
+        Ok(self.run(stage, all.iter().map(job).collect())?.into_iter().map(near).collect())
     }
 
     /// What each says of samples that it was not fitted to.
