@@ -4,9 +4,10 @@
 //! Whether a gain may be chance, and whether another cause would have let this one gain as much, depends on the motion, the
 //! channels, the noise and the library of the study at hand. It is seen on recordings made by each explanation in turn, with noise of
 //! the spectrum of what the best one leaves (a parametric bootstrap, as Williams, J. R. Stat. Soc. B 32 (1970), proposed it for
-//! hypotheses none of which contains the other). On each of them all explanations are fitted again, predict blocks that they
-//! were not fitted to, and are weighed as on the real one. Near their fits they are linear in their parameters, so that this
-//! takes no analysis beyond the derivatives.
+//! hypotheses none of which contains the other). On each of them all explanations are fitted again and weighed. Near their fits they
+//! are taken for linear in their parameters, so that this takes no analysis beyond the derivatives. What is weighed is what a
+//! fit leaves, on the real recording too, and not what it predicts of blocks held back: without those, what they determine moves
+//! farther than derivatives are good for.
 
 use super::evidence::{INDEPENDENT, Noise, POINTS, Residuals};
 use super::fitting::damped_step;
