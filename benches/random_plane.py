@@ -9,7 +9,7 @@ them, and more integrators. Pendulums stand without `-shearDist`, of which opens
 import math
 import random
 
-from random_structures import frictions, laws, main, motion
+from random_structures import frictions, laws, main, motion, shaken, weighed
 
 STEPS = 400
 UPRIGHT = "-orient 0 1 0 -1 0 0"
@@ -53,17 +53,9 @@ def case(seed):
         *([f"element twoNodeLink 6 1 2 -mat {damper} -dir 2 {UPRIGHT}"] if damper else []),
         f"geomTransf {r.choice(['Linear', 'PDelta', 'Corotational'])} 1",
         f"element elasticBeamColumn 2 2 3 0.2 2.5e7 {r.uniform(0.002, 0.01)} 1 {r.choice(['', '-mass 0.5'])}",
-        "timeSeries Linear 1",
-        f"pattern Plain 1 1 {{ load 2 0 {-0.3 * weight} 0; load 3 0 {-0.7 * weight} 0 }}",
-        f"constraints {r.choice(['Transformation', 'Plain'])}; numberer RCM; system {r.choice(['BandGeneral', 'UmfPack', 'FullGeneral'])}",
-        "test NormDispIncr 1e-12 100 0; algorithm Newton; integrator LoadControl 0.1; analysis Static",
-        'puts "weight [analyze 10]"',
-        "loadConst -time 0.0",
+        *weighed(r, f"0 {-0.3 * weight} 0", f"0 {-0.7 * weight} 0"),
         'puts "modes at rest [eigen -fullGenLapack 2]"',
-        "wipeAnalysis",
-        r.choice(["", "rayleigh 0.1 0.0 0.002 0.0", "rayleigh 0.1 0.0 0.0 0.002", "rayleigh 0.1 0.001 0.0 0.0"]),
-        f"timeSeries Path 2 -dt 0.02 -filePath motion.txt -factor {r.choice([1.0, 3.0, 6.0])}",
-        "pattern UniformExcitation 2 1 -accel 2",
+        *shaken(r),
         *(["pattern UniformExcitation 3 2 -accel 2 -fact 0.6"] if r.random() < 0.5 else []),
         "recorder Node -file disp.out -time -node 2 3 -dof 1 2 3 disp",
         "recorder Element -file force.out -time -ele 1 force",

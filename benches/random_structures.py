@@ -90,6 +90,28 @@ def isolator(r, weight, k, q):
     return kind, f"element {kinds[kind]}", kind in ("zerolength", "triple")
 
 
+def weighed(r, lower, upper):
+    """Lines that put loads on nodes 2 and 3 in ten steps."""
+    return [
+        "timeSeries Linear 1",
+        f"pattern Plain 1 1 {{ load 2 {lower}; load 3 {upper} }}",
+        f"constraints {r.choice(['Transformation', 'Plain'])}; numberer RCM; system {r.choice(['BandGeneral', 'UmfPack', 'FullGeneral'])}",
+        "test NormDispIncr 1e-12 100 0; algorithm Newton; integrator LoadControl 0.1; analysis Static",
+        'puts "weight [analyze 10]"',
+        "loadConst -time 0.0",
+    ]
+
+
+def shaken(r):
+    """Lines that begin the shaking along x."""
+    return [
+        "wipeAnalysis",
+        r.choice(["", "rayleigh 0.1 0.0 0.002 0.0", "rayleigh 0.1 0.0 0.0 0.002", "rayleigh 0.1 0.001 0.0 0.0"]),
+        f"timeSeries Path 2 -dt 0.02 -filePath motion.txt -factor {r.choice([1.0, 3.0, 6.0])}",
+        "pattern UniformExcitation 2 1 -accel 2",
+    ]
+
+
 def case(seed):
     """Kind of the isolator, script and ground motion. kN, m, s."""
     r = random.Random(seed)
@@ -112,17 +134,9 @@ def case(seed):
         element,
         *([f"element {link} 6 1 2 -mat {damper} {rest[0]} {rest[1]}"] if damper else []),
         f"element twoNodeLink 2 2 3 -mat 1 30 30 -dir 1 2 3 {UP}",
-        "timeSeries Linear 1",
-        f"pattern Plain 1 1 {{ load 2 0 0 {-0.3 * weight} 0 0 0; load 3 0 0 {-0.7 * weight} 0 0 0 }}",
-        f"constraints {r.choice(['Transformation', 'Plain'])}; numberer RCM; system {r.choice(['BandGeneral', 'UmfPack', 'FullGeneral'])}",
-        "test NormDispIncr 1e-12 100 0; algorithm Newton; integrator LoadControl 0.1; analysis Static",
-        'puts "weight [analyze 10]"',
-        "loadConst -time 0.0",
+        *weighed(r, f"0 0 {-0.3 * weight} 0 0 0", f"0 0 {-0.7 * weight} 0 0 0"),
         *(['puts "modes at rest [eigen -fullGenLapack 4]"'] if r.random() < 0.8 else []),
-        "wipeAnalysis",
-        r.choice(["", "rayleigh 0.1 0.0 0.002 0.0", "rayleigh 0.1 0.0 0.0 0.002", "rayleigh 0.1 0.001 0.0 0.0"]),
-        f"timeSeries Path 2 -dt 0.02 -filePath motion.txt -factor {r.choice([1.0, 3.0, 6.0])}",
-        "pattern UniformExcitation 2 1 -accel 2",
+        *shaken(r),
         *(["pattern UniformExcitation 3 2 -accel 2 -fact 0.6"] if r.random() < 0.6 else []),
         *(["pattern UniformExcitation 4 3 -accel 2 -fact 0.4"] if r.random() < 0.3 else []),
         "recorder Node -file disp.out -time -node 2 3 -dof 1 2 3 disp",
