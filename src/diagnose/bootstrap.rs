@@ -9,10 +9,11 @@
 //! fit leaves, on the real recording too, and not what it predicts of blocks held back: without those, what they determine moves
 //! farther than derivatives are good for.
 
-use super::evidence::{INDEPENDENT, Noise, POINTS, Residuals};
+use super::evidence::{Noise, POINTS, Residuals};
 use super::fitting::damped_step;
 use super::noise::averaged;
 use super::surrogate::Surrogates;
+use super::work::priced;
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
@@ -121,7 +122,6 @@ impl Bootstrap {
     /// In words, for the verdict.
     pub(super) fn says(&self) -> String {
         let Some(chance) = self.chance else { return String::new() };
-        let part = |p: f64| format!("{:.1} %", 100.0 * p);
         let mut text = if chance * (self.recordings + 1) as f64 <= 1.5 {
             format!(" In none of {} recordings", self.recordings)
         } else {
@@ -138,6 +138,11 @@ impl Bootstrap {
         }
         text
     }
+}
+
+/// A part in words.
+pub(super) fn part(p: f64) -> String {
+    format!("{:.1} %", 100.0 * p)
 }
 
 /// What is worked out once for an explanation.
@@ -171,9 +176,8 @@ impl<'a> Prepared<'a> {
 fn weighed(all: &[Prepared<'_>], residuals: &[DVector<f64>]) -> Option<Vec<f64>> {
     let left: Vec<DVector<f64>> = all.iter().zip(residuals).map(|(p, r)| p.fitted(r)).collect::<Option<_>>()?;
     let parameters = |p: &Prepared<'_>| p.rival.point.len();
-    let price = |(p, r): &(&Prepared<'_>, &DVector<f64>)| {
-        r.norm_squared().max(f64::MIN_POSITIVE).ln() + parameters(p) as f64 * INDEPENDENT.ln() / INDEPENDENT
-    };
+    let price =
+        |(p, r): &(&Prepared<'_>, &DVector<f64>)| priced(r.norm_squared().max(f64::MIN_POSITIVE), parameters(p));
     let (best, of_best) = all.iter().zip(&left).min_by(|a, b| price(a).total_cmp(&price(b)))?;
     let noise = Noise::of(&best.rival.near.by_channel(of_best));
     let evidence = |(p, r): (&Prepared<'_>, &DVector<f64>)| {
@@ -188,62 +192,90 @@ fn most(all: &[Prepared<'_>], evidence: &[f64], of: impl Fn(&str) -> bool) -> f6
     own.fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// Recordings by the best explanation of each cause; the first of all is the one with the most evidence, and leaves the noise.
-/// Explanations that answered for other samples are left out.
+/// Explanations with what they come to on the real recording.
+struct Made<'a> {
+    all: Vec<Prepared<'a>>,
+    /// What each leaves of it.
+    seen: Vec<DVector<f64>>,
+    evidence: Vec<f64>,
+    /// What the best one leaves, channel after channel.
+    noise: Residuals,
+    /// The cause of the best one.
+    cause: &'static str,
+}
+
+impl Made<'_> {
+    /// By how much the best of some causes is ahead of one.
+    fn ahead(&self, evidence: &[f64], of: impl Fn(&str) -> bool, over: &str) -> f64 {
+        most(&self.all, evidence, of) - most(&self.all, evidence, |c| c == over)
+    }
+
+    /// Whether on a recording made by `truth` the cause is found where that is it, or gains over `truth` as it does on the real one;
+    /// over `none` any cause.
+    fn counts(&self, truth: &str, evidence: &[f64]) -> bool {
+        let gains =
+            |of: &dyn Fn(&str) -> bool| self.ahead(evidence, of, truth) >= self.ahead(&self.evidence, of, truth);
+        match truth {
+            _ if truth == self.cause => {
+                most(&self.all, evidence, |c| c == truth) >= most(&self.all, evidence, |_| true)
+            }
+            "none" => gains(&|c| c != "none"),
+            _ => gains(&|c| c == self.cause),
+        }
+    }
+
+    /// The explanation of a cause with the most evidence.
+    fn best_of(&self, cause: &str) -> Option<usize> {
+        let forms = (0..self.all.len()).filter(|i| self.all[*i].rival.cause == cause);
+        forms.max_by(|a, b| self.evidence[*a].total_cmp(&self.evidence[*b]))
+    }
+
+    /// In how many recordings made by the best explanation of a cause it counts.
+    fn count(&self, truth: &str) -> Option<usize> {
+        let maker = &self.seen[self.best_of(truth)?];
+        let mut noise: Vec<Surrogates> = self.noise.iter().zip(1..).map(|(x, k)| Surrogates::seeded(x, k)).collect();
+        let mut count = 0;
+        for _ in 0..RECORDINGS {
+            let noise = DVector::from_vec(noise.iter_mut().flat_map(Surrogates::draw).collect());
+            let residuals: Vec<DVector<f64>> = self.seen.iter().map(|r| r - maker + &noise).collect();
+            count += usize::from(self.counts(truth, &weighed(&self.all, &residuals)?));
+        }
+        Some(count)
+    }
+}
+
+/// Recordings by the explanation of each cause with the most evidence; the first of all is the one with the most of all, and leaves
+/// the noise. Explanations that answered for other samples are left out.
 pub(super) fn bootstrap(rivals: &[Rival]) -> Option<Bootstrap> {
     let first = rivals.first()?;
     let comparable = |r: &&Rival| r.near.channels == first.near.channels;
     let all: Vec<Prepared<'_>> = rivals.iter().filter(comparable).map(Prepared::new).collect();
-    let cause = first.cause;
     let seen: Vec<DVector<f64>> = all.iter().map(|p| p.rival.near.residual.clone()).collect();
     let evidence = weighed(&all, &seen)?;
-    // By how much the best of some causes is ahead of one.
-    let ahead = |evidence: &[f64], of: &dyn Fn(&str) -> bool, over: &str| {
-        most(&all, evidence, of) - most(&all, evidence, |c| c == over)
-    };
+    let noise = first.near.by_channel(&first.near.residual);
     let mut causes: Vec<&'static str> = vec![];
-    all.iter().for_each(|p| {
+    for p in &all {
         if !causes.contains(&p.rival.cause) {
-            causes.push(p.rival.cause)
+            causes.push(p.rival.cause);
         }
-    });
-    let left = first.near.by_channel(&first.near.residual);
-    let (mut chance, mut found, mut not_told_apart) = (None, 0.0, vec![]);
+    }
+    let cause = first.cause;
+    let made = Made { all, seen, evidence, noise, cause };
+    let mut out = Bootstrap { cause, recordings: RECORDINGS, chance: None, found: 0.0, not_told_apart: vec![] };
     for truth in causes {
-        // The best form of it.
-        let forms = (0..all.len()).filter(|i| all[*i].rival.cause == truth);
-        let maker = forms.max_by(|a, b| evidence[*a].total_cmp(&evidence[*b]))?;
-        let mut noise: Vec<Surrogates> = left.iter().zip(1..).map(|(x, k)| Surrogates::seeded(x, k)).collect();
-        let mut count = 0;
-        let counts = |e: &[f64]| match truth {
-            _ if truth == cause => most(&all, e, |c| c == cause) >= most(&all, e, |_| true),
-            "none" => {
-                let any = |c: &str| c != "none";
-                ahead(e, &any, "none") >= ahead(&evidence, &any, "none")
-            }
-            _ => {
-                let believed = |c: &str| c == cause;
-                ahead(e, &believed, truth) >= ahead(&evidence, &believed, truth)
-            }
-        };
-        for _ in 0..RECORDINGS {
-            let noise = DVector::from_vec(noise.iter_mut().flat_map(Surrogates::draw).collect());
-            let residuals: Vec<DVector<f64>> =
-                all.iter().map(|p| &p.rival.near.residual - &seen[maker] + &noise).collect();
-            count += usize::from(counts(&weighed(&all, &residuals)?));
-        }
+        let count = made.count(truth)?;
         let share = (1 + count) as f64 / (1 + RECORDINGS) as f64;
         match truth {
-            _ if truth == cause => found = count as f64 / RECORDINGS as f64,
-            "none" => chance = Some(share),
+            _ if truth == cause => out.found = count as f64 / RECORDINGS as f64,
+            "none" => out.chance = Some(share),
             _ if cause != "none" && share > REFUTED => {
-                let against = first.before - all[maker].rival.before;
-                not_told_apart.push(Share { cause: truth, share, against });
+                let against = first.before - made.all[made.best_of(truth)?].rival.before;
+                out.not_told_apart.push(Share { cause: truth, share, against });
             }
             _ => {}
         }
     }
-    Some(Bootstrap { cause, recordings: RECORDINGS, chance, found, not_told_apart })
+    Some(out)
 }
 
 #[cfg(test)]

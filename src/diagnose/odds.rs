@@ -200,6 +200,7 @@ fn misfit(study: &Study, fits: &[Fit]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::{Standing, among};
+    use crate::diagnose::bootstrap::{Bootstrap, Share};
 
     /// How likely `unknown` is beside a named cause that has gained so much.
     fn unknown(gained: f64, left: f64, done: f64) -> f64 {
@@ -227,6 +228,39 @@ mod tests {
         assert!(rising.windows(2).all(|w| w[1] >= w[0]), "{rising:?}");
         let falling: Vec<f64> = (0..10).map(|k| unknown(10.0, 0.7, 0.1 * f64::from(k))).collect();
         assert!(falling.windows(2).all(|w| w[1] <= w[0]), "{falling:?}");
+    }
+
+    /// What would have gained as much had another cause been true is hardly likelier than that one, but stays ahead; the others
+    /// are as far behind as before.
+    #[test]
+    fn what_recordings_do_not_tell_apart_stands_side_by_side() {
+        let causes =
+            || vec![("friction", 30.0), ("damping", 10.0), ("gap_impact", 10.0), ("none", 0.0), ("unknown", 2.0)];
+        let of = |odds: &[(&'static str, f64)], cause: &str| odds.iter().find(|o| o.0 == cause).map_or(0.0, |o| o.1);
+        let sure = among(causes(), 0.0, 0.0, None);
+        let share = Share { cause: "damping", share: 0.6, against: 0.0 };
+        let b = Bootstrap {
+            cause: "friction",
+            recordings: 199,
+            chance: Some(0.005),
+            found: 0.5,
+            not_told_apart: vec![share],
+        };
+        let beside = among(causes(), 0.0, 0.0, Some(&b));
+        assert!(of(&sure, "damping") < 0.05 && of(&beside, "damping") > 0.35, "{beside:?}");
+        assert_eq!(beside[0].0, "friction");
+        assert!(of(&beside, "gap_impact") < 0.01 && of(&beside, "none") < 0.01);
+        // The same of recordings of another first cause says nothing.
+        assert_eq!(among(causes(), 0.0, 0.0, Some(&Bootstrap { cause: "torsion", ..b })), sure);
+    }
+
+    /// A gain that chance would give does not make a cause sure.
+    #[test]
+    fn what_may_be_chance_stands_beside_nothing_missing() {
+        let b = Bootstrap { cause: "friction", recordings: 199, chance: Some(0.3), found: 0.5, not_told_apart: vec![] };
+        let odds = among(vec![("friction", 8.0), ("none", 0.0), ("unknown", -4.0)], 0.0, 0.0, Some(&b));
+        let none = odds.iter().find(|o| o.0 == "none").map_or(0.0, |o| o.1);
+        assert!(odds[0].0 == "friction" && none > 0.3, "{odds:?}");
     }
 
     /// Nothing named: structure alone decides between noise and an unknown cause.

@@ -1,6 +1,6 @@
 //! `report.html`: the verdict first, then what it rests on.
 
-use super::bootstrap::Share;
+use super::bootstrap::{Share, part};
 use super::pipeline::Diagnosis;
 use crate::calibrate::{Amplitude, amplitudes};
 use crate::report::Figure;
@@ -68,7 +68,6 @@ fn evidence(out: &mut String, d: &Diagnosis) {
     }
     out.push_str("</table>\n");
     if let Some(b) = &d.outcome.bootstrap {
-        let part = |p: f64| format!("{:.1} %", 100.0 * p);
         let mut rows = vec![];
         if let Some(chance) = b.chance {
             rows.push(vec!["none".into(), "some cause gains as much".into(), part(chance)]);

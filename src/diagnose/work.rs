@@ -38,13 +38,13 @@ impl Explained {
     }
 
     pub(super) fn score(&self) -> f64 {
-        priced(self.fitted.objective, &self.variant)
+        priced(self.fitted.objective, self.variant.dimension())
     }
 }
 
 /// Objective with a price for parameters, for a first sorting.
-pub(super) fn priced(objective: f64, variant: &Variant) -> f64 {
-    objective.ln() + variant.dimension() as f64 * INDEPENDENT.ln() / INDEPENDENT
+pub(super) fn priced(objective: f64, dimension: usize) -> f64 {
+    objective.ln() + dimension as f64 * INDEPENDENT.ln() / INDEPENDENT
 }
 
 /// A variant that has been screened: where a search had best start, and the objective to be expected.
@@ -57,7 +57,7 @@ pub(super) struct Screened {
 
 impl Screened {
     pub(super) fn score(&self) -> f64 {
-        priced(self.expected, &self.variant)
+        priced(self.expected, self.variant.dimension())
     }
 }
 
