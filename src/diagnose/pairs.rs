@@ -1,8 +1,10 @@
 //! A second effect beside the first.
 
 use super::evidence::INDEPENDENT;
+use super::fitting::Fitted;
 use super::insertion::Place;
-use super::rounds::{SECOND_ROUND, tried};
+use super::rounds::{SECOND, SECOND_ROUND, poor, refine, tried, widely, within_reach};
+use super::variant::Variant;
 use super::work::{Explained, Work};
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -13,8 +15,42 @@ const FIRSTS: usize = 3;
 const RIVAL: f64 = 20.0;
 /// Second effects that are fitted beside each of them.
 const PAIRS: usize = 3;
+/// Of those so many may be the best.
+const KEPT: usize = 2;
 /// Points at which a second effect is tried, for each of its parameters and beside them.
 const TRIED: usize = 2;
+/// Effects of pairs beside which others are tried in the place of the second one, at most.
+const EXCHANGES: usize = 4;
+
+/// Two effects that have been fitted together, and which of the first round they are, in their order.
+struct Pair {
+    explained: Explained,
+    of: [usize; 2],
+}
+
+impl Pair {
+    /// By how much it tells more than a single effect, in log evidence.
+    fn ahead(&self, single: &Explained) -> f64 {
+        0.5 * INDEPENDENT * (single.score() - self.explained.score())
+    }
+}
+
+/// Where an effect stands alone, or in a pair.
+struct Stands {
+    /// Which of the first round it is.
+    effect: usize,
+    explained: Explained,
+}
+
+/// What pairs are made of.
+struct Makings<'a> {
+    baseline: &'a Explained,
+    /// Single explanations, those of the first round: best first.
+    first: &'a [Explained],
+    place: &'a Place,
+    /// Second effects are sought from points of the whole cube as well.
+    wide: bool,
+}
 
 /// Pairs that may tell more than their first alone. `weighed` are single explanations, best first; `first` those of the
 /// first round.
@@ -25,40 +61,151 @@ pub(super) fn pairs(
     first: &[Explained],
     place: &Place,
 ) -> Result<Vec<Explained>, String> {
-    let stage = "a second effect";
-    let single: Vec<&Explained> = weighed
-        .iter()
-        .filter(|e| e.cause() != "none" && e.evidence > weighed[0].evidence - RIVAL)
-        .take(FIRSTS)
-        .collect();
     // Where nothing is missing, no two things are.
     if weighed[0].cause() == "none" {
         return Ok(vec![]);
     }
-    let own = baseline.variant.dimension();
+    // From where a poor baseline stands the second effect may not be found: then also from afar.
+    let wide = poor(baseline) && within_reach(&work.study, PAIRS * (FIRSTS + EXCHANGES));
+    let makings = Makings { baseline, first, place, wide };
+    let rivals = weighed.iter().filter(|e| e.cause() != "none" && e.evidence > weighed[0].evidence - RIVAL);
+    let known = |e: &Explained| first.iter().position(|f| Arc::ptr_eq(&f.variant, &e.variant));
+    let stands = |e: &Explained| known(e).map(|effect| Stands { effect, explained: e.clone() });
+    let single: Vec<Stands> = rivals.take(FIRSTS).filter_map(stands).collect();
     let mut out = vec![];
+    let mut tried = BTreeSet::new();
     for (n, one) in single.iter().enumerate() {
-        let Some(proposal) = &one.variant.proposal else { continue };
-        let done: Vec<&str> = single[..=n].iter().map(|e| e.cause()).collect();
-        let mut all = vec![];
-        // Every form: the best of a cause alone need not be the best beside another.
-        for other in first.iter().filter(|e| !done.contains(&e.cause())) {
-            let Some(two) = &other.variant.proposal else { continue };
-            let Some(v) = baseline.variant.with(place, &proposal.with(two)) else { continue };
-            let from = one.fitted.point.len();
-            // Where the second was proposed to begin, and as it was fitted alone.
-            let mut points = tried(&v.start(&one.fitted.values), from, TRIED);
-            points.push([&one.fitted.point[..], &other.fitted.point[own..]].concat());
-            all.push((Arc::new(v), points));
+        let done: Vec<&str> = single[..=n].iter().map(|s| s.explained.cause()).collect();
+        out.extend(makings.beside(work, one, |_, e| !done.contains(&e.cause()))?);
+        tried.insert(one.effect);
+    }
+    // Where two tell more than one, the next form of each first is worth it as well.
+    if leading(&out).is_some_and(|p| p.ahead(&weighed[0]) > SECOND) {
+        let causes: BTreeSet<&str> = single.iter().map(|s| s.explained.cause()).collect();
+        let next = |cause: &&str| (0..first.len()).find(|n| first[*n].cause() == *cause && !tried.contains(n));
+        let forms: Vec<usize> = causes.iter().filter_map(next).collect();
+        let fitted = refine(work, STAGE, forms.iter().map(|n| first[*n].clone()).collect())?;
+        for (effect, explained) in forms.into_iter().zip(fitted) {
+            let one = Stands { effect, explained };
+            let more = makings.beside(work, &one, |n, _| is_new(&out, effect, n))?;
+            out.extend(more.into_iter().filter_map(|p| makings.in_order(p)));
+            tried.insert(effect);
         }
-        let mut screened = work.screen(stage, &one.variant, &one.fitted.point, all)?;
+    }
+    makings.exchange(work, &weighed[0], tried, &mut out)?;
+    let mut out: Vec<Explained> = out.into_iter().map(|p| p.explained).collect();
+    work.hold_back(STAGE, &mut out)?;
+    Ok(out)
+}
+
+/// Whether two effects have not been fitted together yet.
+fn is_new(all: &[Pair], one: usize, two: usize) -> bool {
+    all.iter().all(|p| p.of != [one, two] && p.of != [two, one])
+}
+
+/// The pair with the best score.
+fn leading(all: &[Pair]) -> Option<&Pair> {
+    all.iter().min_by(|a, b| a.explained.score().total_cmp(&b.explained.score()))
+}
+
+const STAGE: &str = "a second effect";
+
+impl Makings<'_> {
+    /// Other effects are tried beside each of the two of the pair that leads: what is the best beside the one need not have been
+    /// among the best alone.
+    fn exchange(
+        &self,
+        work: &mut Work<'_>,
+        single: &Explained,
+        mut tried: BTreeSet<usize>,
+        all: &mut Vec<Pair>,
+    ) -> Result<(), String> {
+        for _ in 0..EXCHANGES {
+            let Some(best) = leading(all).filter(|p| p.ahead(single) > SECOND) else { break };
+            let Some(side) = (0..2).find(|side| !tried.contains(&best.of[*side])) else { break };
+            tried.insert(best.of[side]);
+            let Some(one) = self.taken_from(best, side) else { continue };
+            let more = self.beside(work, &one, |n, _| is_new(all, one.effect, n))?;
+            all.extend(more.into_iter().filter_map(|p| self.in_order(p)));
+        }
+        Ok(())
+    }
+
+    /// One effect of a pair, where it stands in it.
+    fn taken_from(&self, pair: &Pair, side: usize) -> Option<Stands> {
+        let alone = &self.first[pair.of[side]];
+        let [own, first, second] = self.parts(&pair.explained, pair.of);
+        let point = [own, [first, second][side]].concat();
+        let values = alone.variant.study.space.values(&point).ok()?;
+        let fitted = Fitted { point, values, ..alone.fitted.clone() };
+        Some(Stands { effect: pair.of[side], explained: Explained { fitted, ..alone.clone() } })
+    }
+
+    /// Coordinates of the user's own parameters where a pair stands, and of each of its effects.
+    fn parts<'p>(&self, pair: &'p Explained, of: [usize; 2]) -> [&'p [f64]; 3] {
+        let own = self.baseline.variant.dimension();
+        let (both, second) = pair.fitted.point.split_at(self.first[of[0]].variant.dimension());
+        let (own, first) = both.split_at(own);
+        [own, first, second]
+    }
+
+    /// Of two effects the one that tells more alone comes first.
+    fn in_order(&self, pair: Pair) -> Option<Pair> {
+        let [one, two] = pair.of;
+        let rank = |n: usize| self.first.iter().position(|e| e.cause() == self.first[n].cause());
+        if rank(one) < rank(two) {
+            return Some(pair);
+        }
+        let proposal = |n: usize| self.first[n].variant.proposal.as_ref();
+        let variant = self.baseline.variant.with(self.place, &proposal(two)?.with(proposal(one)?))?;
+        let [own, first, second] = self.parts(&pair.explained, pair.of);
+        let point = [own, second, first].concat();
+        let values = variant.study.space.values(&point).ok()?;
+        let fitted = Fitted { point, values, ..pair.explained.fitted };
+        Some(Pair { explained: Explained::new(Arc::new(variant), fitted), of: [two, one] })
+    }
+
+    /// The likeliest beside one of those of the first round that are wanted, and not of its cause.
+    fn beside(
+        &self,
+        work: &mut Work<'_>,
+        one: &Stands,
+        wanted: impl Fn(usize, &Explained) -> bool,
+    ) -> Result<Vec<Pair>, String> {
+        let own = self.baseline.variant.dimension();
+        let Some(proposal) = &one.explained.variant.proposal else { return Ok(vec![]) };
+        let (variant, point) = (&one.explained.variant, &one.explained.fitted.point);
+        let (mut all, mut others) = (vec![], vec![]);
+        // Every form: the best of a cause alone need not be the best beside another.
+        for (n, other) in
+            self.first.iter().enumerate().filter(|(n, e)| e.cause() != one.explained.cause() && wanted(*n, e))
+        {
+            let Some(two) = &other.variant.proposal else { continue };
+            let Some(v) = self.baseline.variant.with(self.place, &proposal.with(two)) else { continue };
+            // Where the second was proposed to begin, and as it was fitted alone.
+            let mut points = tried(&v.start(&one.explained.fitted.values), point.len(), TRIED);
+            points.push([&point[..], &other.fitted.point[own..]].concat());
+            let v = Arc::new(v);
+            others.push((v.clone(), n));
+            all.push((v, points));
+        }
+        let mut screened = work.screen(STAGE, variant, point, all)?;
         // A search costs more than it can tell where nothing is to be expected of it.
-        screened.retain(|s| 0.5 * INDEPENDENT * (one.score() - s.score()) > -1.0);
+        let score = one.explained.score();
+        screened.retain(|s| 0.5 * INDEPENDENT * (score - s.score()) > -1.0);
         let mut seconds = BTreeSet::new();
         screened.retain(|s| seconds.insert(s.variant.proposal.as_ref().and_then(|p| p.second)));
         screened.truncate(PAIRS);
-        out.extend(work.search_all(stage, screened, SECOND_ROUND)?.into_iter().take(2));
+        let variants: Vec<Arc<Variant>> = screened.iter().map(|s| s.variant.clone()).collect();
+        let mut found = work.search_all(STAGE, screened, SECOND_ROUND)?;
+        if self.wide {
+            widely(work, STAGE, self.baseline, &variants, SECOND_ROUND, &mut found)?;
+            found.sort_by(|a, b| a.score().total_cmp(&b.score()));
+        }
+        let pair = |explained: Explained| {
+            let (_, other) = others.iter().find(|(v, _)| Arc::ptr_eq(v, &explained.variant))?;
+            Some(Pair { explained, of: [one.effect, *other] })
+        };
+        Ok(found.into_iter().take(KEPT).filter_map(pair).collect())
     }
-    work.hold_back(stage, &mut out)?;
-    Ok(out)
 }

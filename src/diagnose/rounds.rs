@@ -7,7 +7,7 @@ use super::hypothesis::{self, Proposal};
 use super::insertion::Place;
 use super::variant::Variant;
 use super::work::{Explained, LAST, Screened, Work};
-use crate::study::{Opening, Role};
+use crate::study::{Opening, Role, Study};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -45,7 +45,7 @@ pub(super) const SECOND_ROUND: usize = 12;
 /// whose range is wrong in all runs against one of which it is so in a single one of several: where runs differ in axial load, speed
 /// or temperature, a law that asks for that explains them without a coincidence.
 const NOTHING: f64 = 3.0;
-const SECOND: f64 = 6.0;
+pub(super) const SECOND: f64 = 6.0;
 const OF_ONE_RUN: f64 = 8.0;
 
 /// Points of the coordinates from a number on: the first where the proposal starts, the others spread evenly.
@@ -166,27 +166,34 @@ pub(super) fn first_round(
     let mut all = if apart > APART { afresh.collect() } else { vec![] };
     all.append(&mut others);
     fitted.extend(work.search_all(stage, all, FIRST)?);
-    if poor(baseline) {
-        widely(work, stage, baseline, &variants, &mut fitted)?;
+    let physics = variants.iter().filter(|v| !v.of_a_channel()).count();
+    if poor(baseline) && within_reach(&work.study, physics) {
+        widely(work, stage, baseline, &variants, WIDE, &mut fitted)?;
     }
     fitted.sort_by(|a, b| a.score().total_cmp(&b.score()));
+    // What was sought from two points is known once.
+    let mut seen = BTreeSet::new();
+    fitted.retain(|e| seen.insert(Arc::as_ptr(&e.variant)));
     Ok(fitted)
+}
+
+/// Whether the fitted runs are short enough that so many searches from points of the whole cube can be waited for.
+pub(super) fn within_reach(study: &Study, searches: usize) -> bool {
+    let samples: usize = study.runs_of(Role::Fit).map(|(_, r)| r.recording.times.len()).sum();
+    samples * searches <= WIDE_SAMPLES
 }
 
 /// Search for physics from the nearest of points of the whole cube: a resonance that is missed is not found from its flanks,
 /// and a screening from there says nothing of it. The best of the searches of a variant stays.
-fn widely(
+pub(super) fn widely(
     work: &mut Work<'_>,
     stage: &str,
     baseline: &Explained,
     variants: &[Arc<Variant>],
+    iterations: usize,
     all: &mut Vec<Explained>,
 ) -> Result<(), String> {
     let physics: Vec<&Arc<Variant>> = variants.iter().filter(|v| !v.of_a_channel()).collect();
-    let samples: usize = work.study.runs_of(Role::Fit).map(|(_, r)| r.recording.times.len()).sum();
-    if samples * physics.len() > WIDE_SAMPLES {
-        return Ok(());
-    }
     // The nearest of each of some groups of points: the nearest of all may lie in another valley.
     let groups = physics.iter().flat_map(|v| {
         let points = tried(&v.start(&baseline.fitted.values), 0, WIDE_POINTS);
@@ -197,7 +204,7 @@ fn widely(
     let variants: Vec<Arc<Variant>> = groups.iter().map(|(v, _)| v.clone()).collect();
     let nearest = work.nearest(stage, groups)?;
     let found: Vec<_> = variants.iter().zip(nearest).filter_map(|(v, p)| Some((v, p?))).collect();
-    let jobs = found.iter().map(|(v, point)| Work::search(v, point.clone(), WIDE)).collect();
+    let jobs = found.iter().map(|(v, point)| Work::search(v, point.clone(), iterations)).collect();
     let fitted = work.fit(stage, jobs)?;
     for ((variant, _), f) in found.into_iter().zip(fitted) {
         let Some(f) = f else { continue };
