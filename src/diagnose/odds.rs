@@ -32,6 +32,10 @@ const LITTLE: f64 = 0.8;
 /// 95 % all are right, of 16 that were given 80 to 90 % all but one.
 const DOUBT_OF_A_NAME: f64 = 0.05;
 const DOUBT_OF_NO_NAME: f64 = 0.15;
+/// How much oftener a name is wrong where all that it leaves has structure, and by the square of that part where less has: of 360
+/// names in trials of validation/power 97 % were right where nothing had structure, 93 % where up to two fifths had, 91 % up to
+/// three fifths, seven of nine beyond.
+const DOUBT_OF_A_LAW: f64 = 0.2;
 /// Log evidence by which the first cause is ahead of those that the recordings do not tell it apart from: more than the doubts of a
 /// name take from it.
 const AHEAD: f64 = 0.3;
@@ -134,6 +138,7 @@ fn among(
     bound(&mut causes, bootstrap);
     let mut p = probabilities(&causes.iter().map(|c| c.1).collect::<Vec<_>>());
     doubt(&causes, &mut p);
+    doubt_the_library(&causes, left, &mut p);
     let mut odds: Vec<(&'static str, f64)> = causes.iter().map(|c| c.0).zip(p).collect();
     odds.sort_by(|a, b| b.1.total_cmp(&a.1));
     odds
@@ -185,6 +190,18 @@ fn doubt(causes: &[(&'static str, f64)], p: &mut [f64]) {
     others.iter().for_each(|i| p[*i] += 0.5 * amount / others.len() as f64);
 }
 
+/// Where what a name leaves has structure, nature's law is none of those that have one: what all names lose by that is given to
+/// `unknown`.
+fn doubt_the_library(causes: &[(&'static str, f64)], left: f64, p: &mut [f64]) {
+    let named = |cause: &str| !matches!(cause, "none" | "unknown");
+    let Some(unknown) = causes.iter().position(|c| c.0 == "unknown").filter(|_| named(causes[0].0)) else { return };
+    for i in (0..p.len()).filter(|i| named(causes[*i].0)) {
+        let amount = DOUBT_OF_A_LAW * left * left * p[i];
+        p[i] -= amount;
+        p[unknown] += amount;
+    }
+}
+
 /// Sum of the NMSE of all fitted channels.
 fn misfit(study: &Study, fits: &[Fit]) -> f64 {
     let runs = study.runs.iter().filter(|r| r.role == Role::Fit);
@@ -223,11 +240,24 @@ mod tests {
     fn a_name_that_leaves_most_of_the_structure_falls() {
         assert!(unknown(20.0, 0.9, 0.35) > 0.8);
         assert!(unknown(8.0, 0.6, 0.1) > 0.8);
-        assert!(unknown(20.0, 0.9, 0.9) < 0.1);
+        assert!(unknown(20.0, 0.9, 0.9) < 0.25);
         let rising: Vec<f64> = (0..8).map(|k| unknown(10.0, 0.1 * f64::from(k), 0.3)).collect();
         assert!(rising.windows(2).all(|w| w[1] >= w[0]), "{rising:?}");
         let falling: Vec<f64> = (0..10).map(|k| unknown(10.0, 0.7, 0.1 * f64::from(k))).collect();
         assert!(falling.windows(2).all(|w| w[1] <= w[0]), "{falling:?}");
+    }
+
+    /// The more structure is left, the less sure is a name, and the order of names stays.
+    #[test]
+    fn a_name_beside_structure_is_less_sure() {
+        let sure = |left| {
+            let odds =
+                among(vec![("damping", 30.0), ("torsion", 29.0), ("none", 0.0), ("unknown", -9.0)], left, 0.0, None);
+            assert_eq!((odds[0].0, odds[1].0), ("damping", "torsion"));
+            assert!((odds.iter().map(|o| o.1).sum::<f64>() - 1.0).abs() < 1e-12);
+            odds[0].1 + odds[1].1
+        };
+        assert!(sure(0.0) > 0.94 && (0.78..0.84).contains(&sure(0.9)), "{} {}", sure(0.0), sure(0.9));
     }
 
     /// What would have gained as much had another cause been true is hardly likelier than that one, but stays ahead; the others
