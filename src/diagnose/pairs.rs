@@ -209,3 +209,62 @@ impl Makings<'_> {
         Ok(found.into_iter().take(KEPT).filter_map(pair).collect())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Makings, Pair};
+    use crate::diagnose::fitting::Fitted;
+    use crate::diagnose::hypothesis::{Added, Proposal};
+    use crate::diagnose::insertion::Place;
+    use crate::diagnose::variant::Variant;
+    use crate::diagnose::work::Explained;
+    use crate::diagnostic::SourceMap;
+    use crate::study::Study;
+    use std::path::Path;
+    use std::sync::Arc;
+
+    fn at(variant: Variant, added: &[f64]) -> Explained {
+        let own = variant.dimension() - added.len();
+        let point = [&vec![0.5; own][..], added].concat();
+        let values = variant.study.space.values(&point).unwrap();
+        Explained::new(Arc::new(variant), Fitted { point, values, objective: 1.0, fits: vec![] })
+    }
+
+    fn effect(cause: &'static str, names: &[&str]) -> Proposal {
+        let added = names.iter().map(|n| Added::linear(n, 0.0, 1.0, 0.5)).collect();
+        let block = names.iter().map(|n| format!("{n} $hy_{n}")).collect();
+        Proposal::edit(cause, cause, "element 1".into(), block, added)
+    }
+
+    /// A pair that is turned round keeps the values of all its parameters, and each effect its own.
+    #[test]
+    fn a_pair_may_be_turned_round() {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("tcl-like-inputs/pad_study/study.toml");
+        let study = Arc::new(Study::load(&file, &mut SourceMap::default()).unwrap());
+        let baseline = at(Variant::baseline(&study, "analyze 1\n"), &[]);
+        let place = Place::At(0);
+        let (friction, damping) = (effect("friction", &["force"]), effect("damping", &["c", "n"]));
+        let with = |p: &Proposal| baseline.variant.with(&place, p).unwrap();
+        let first = [at(with(&friction), &[0.1]), at(with(&damping), &[0.2, 0.3])];
+        let makings = Makings { baseline: &baseline, first: &first, place: &place, wide: false };
+        let pair = Pair { explained: at(with(&damping.with(&friction)), &[0.7, 0.8, 0.9]), of: [1, 0] };
+        let turned = makings.in_order(pair).unwrap();
+        assert_eq!(
+            (turned.of, turned.explained.cause(), turned.explained.second()),
+            ([0, 1], "friction", Some("damping"))
+        );
+        let e = &turned.explained;
+        let value = |name: &str| {
+            let parameters = &e.variant.study.space.parameters;
+            parameters.iter().position(|p| p.name == name).map(|i| e.fitted.values[i])
+        };
+        assert_eq!([value("hy_force"), value("hy2_c"), value("hy2_n")], [Some(0.9), Some(0.7), Some(0.8)]);
+        assert_eq!(e.fitted.values[..baseline.fitted.values.len()], baseline.fitted.values);
+        let own = baseline.variant.dimension();
+        let alone = |side| makings.taken_from(&turned, side).unwrap().explained;
+        assert_eq!(alone(0).fitted.point[own..], [0.9]);
+        assert_eq!(alone(1).fitted.point[own..], [0.7, 0.8]);
+        // In its order already: as it is.
+        assert_eq!(makings.in_order(turned).unwrap().of, [0, 1]);
+    }
+}
