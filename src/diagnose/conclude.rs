@@ -42,6 +42,8 @@ pub(super) struct Context<'a> {
     pub(super) steps: StepError,
     /// Causes that were left out because the recordings have no clock.
     pub(super) untimed: Vec<&'static str>,
+    /// Little is to be believed of the fitted model, and the runs are too long to search for physics far from it.
+    pub(super) too_long: bool,
     /// What recordings with a known truth say of the explanation with the most evidence.
     pub(super) bootstrap: Option<Bootstrap>,
 }
@@ -108,6 +110,10 @@ pub(super) fn conclude(
             " The times of the recordings count samples: {} need a clock and were left out (--clock takes them for seconds).",
             c.untimed.join(" and ")
         );
+    }
+    if c.too_long {
+        explanation += " The fitted model leaves much, and the fitted runs are too long to search far from its values: fewer of them, or \
+                        fewer samples, may tell more.";
     }
     if contradicted {
         explanation += " The runs held out contradict the repair: they get no better by it.";

@@ -1,11 +1,14 @@
 //! The conditions that runs were made under, beside their motions.
 
-use crate::study::{Run, Study};
+use crate::study::{Role, Run, Study};
+use std::collections::BTreeMap;
 
 /// Differences below this many degrees are not an effect of the surroundings.
 pub(super) const DEGREES: f64 = 2.0;
 /// Axial loads differ from this part of the largest on.
 const LOADS: f64 = 0.05;
+/// Amplitudes differ from this ratio on.
+const AMPLITUDES: f64 = 3.0;
 
 /// Temperature of each run at its beginning, from a column of its recording; the surroundings, not what work adds.
 pub(super) fn temperatures(study: &Study) -> Option<Vec<f64>> {
@@ -37,6 +40,17 @@ pub(super) fn differ(study: &Study) -> bool {
 /// Whether runs were made at different axial loads.
 pub(super) fn axial_loads_differ(study: &Study) -> bool {
     spread(axial_loads(study), |most| LOADS * most)
+}
+
+/// Whether a channel of the fitted runs is several times as strong in one as in another.
+pub(super) fn amplitudes_differ(study: &Study) -> bool {
+    let mut range: BTreeMap<&str, [f64; 2]> = BTreeMap::new();
+    for o in study.runs_of(Role::Fit).flat_map(|(_, r)| &r.observe) {
+        let [low, high] = range.entry(&o.channel).or_insert([f64::INFINITY, 0.0]);
+        let size = o.variance.sqrt();
+        (*low, *high) = (low.min(size), high.max(size));
+    }
+    range.values().any(|[low, high]| *high > AMPLITUDES * low)
 }
 
 /// Whether values lie further apart than a limit, which is told by the largest.

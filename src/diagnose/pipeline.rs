@@ -8,7 +8,9 @@ use super::next_test::NextTest;
 use super::outcome::Outcome;
 use super::pairs::pairs;
 use super::resume::Kept;
-use super::rounds::{best_of_causes, first_round, fit_baseline, made_again, poor, refine, refit, twins, weigh};
+use super::rounds::{
+    best_of_causes, first_round, fit_baseline, made_again, poor, refine, refit, twins, weigh, within_reach,
+};
 use super::slow_noise::may_be_noise;
 use super::step_error::step_error;
 use super::watching;
@@ -109,7 +111,10 @@ pub fn diagnose(
     let proposals: Vec<Proposal> = library.iter().flat_map(|h| h.proposals(&sight)).collect();
     let untimed = untimed.iter().map(|h| h.cause).collect();
 
-    let mut first = first_round(&mut work, &baseline, opening, &place, &proposals)?;
+    let physics = proposals.iter().filter(|p| !p.block.is_empty()).count();
+    let wide = poor(&baseline) && within_reach(&study, physics);
+    let too_long = poor(&baseline) && !wide;
+    let mut first = first_round(&mut work, &baseline, opening, &place, &proposals, wide)?;
     twins(&mut work, &baseline, &mut first)?;
     let best = best_of_causes(&first);
     let finalists = best[..best.len().min(FINALISTS)].to_vec();
@@ -132,7 +137,18 @@ pub fn diagnose(
     let bootstrap = made_again(&mut work, &weighed, &best)?;
     let imposed = !anatomy.shaken;
     let scales = &scales;
-    let context =
-        Context { study: &study, simulator, opening, text, place: &place, scales, imposed, steps, untimed, bootstrap };
+    let context = Context {
+        study: &study,
+        simulator,
+        opening,
+        text,
+        place: &place,
+        scales,
+        imposed,
+        steps,
+        untimed,
+        too_long,
+        bootstrap,
+    };
     conclude(&mut work, &context, &as_written, weighed)
 }

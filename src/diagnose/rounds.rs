@@ -3,6 +3,7 @@
 use super::bootstrap::{Bootstrap, Near, Rival, bootstrap};
 use super::conditions::differ;
 use super::evidence::{INDEPENDENT, Noise};
+use super::fitting::Fitted;
 use super::hypothesis::{self, Proposal};
 use super::insertion::Place;
 use super::variant::Variant;
@@ -106,13 +107,14 @@ pub(super) fn refit(work: &mut Work<'_>, baseline: &Explained) -> Result<Explain
     Ok(Explained::new(baseline.variant.clone(), fitted))
 }
 
-/// Every proposal screened, and the likeliest fitted once: best objective first.
+/// Every proposal screened, and the likeliest fitted once, physics from afar as well if it is `wide`: best objective first.
 pub(super) fn first_round(
     work: &mut Work<'_>,
     baseline: &Explained,
     opening: &Opening,
     place: &Place,
     proposals: &[Proposal],
+    wide: bool,
 ) -> Result<Vec<Explained>, String> {
     let own = baseline.variant.dimension();
     let stage = "what may have been left out";
@@ -166,8 +168,7 @@ pub(super) fn first_round(
     let mut all = if apart > APART { afresh.collect() } else { vec![] };
     all.append(&mut others);
     fitted.extend(work.search_all(stage, all, FIRST)?);
-    let physics = variants.iter().filter(|v| !v.of_a_channel()).count();
-    if poor(baseline) && within_reach(&work.study, physics) {
+    if wide {
         widely(work, stage, baseline, &variants, WIDE, &mut fitted)?;
     }
     fitted.sort_by(|a, b| a.score().total_cmp(&b.score()));
@@ -200,21 +201,32 @@ pub(super) fn widely(
         let group = move |g| points.iter().skip(g).step_by(VALLEYS).cloned().collect();
         (0..VALLEYS).map(move |g| ((*v).clone(), group(g)))
     });
-    let groups: Vec<(Arc<Variant>, Vec<Vec<f64>>)> = groups.collect();
-    let variants: Vec<Arc<Variant>> = groups.iter().map(|(v, _)| v.clone()).collect();
-    let nearest = work.nearest(stage, groups)?;
-    let found: Vec<_> = variants.iter().zip(nearest).filter_map(|(v, p)| Some((v, p?))).collect();
-    let jobs = found.iter().map(|(v, point)| Work::search(v, point.clone(), iterations)).collect();
-    let fitted = work.fit(stage, jobs)?;
-    for ((variant, _), f) in found.into_iter().zip(fitted) {
-        let Some(f) = f else { continue };
-        match all.iter_mut().find(|e| Arc::ptr_eq(&e.variant, variant)) {
+    for (variant, f) in from_the_nearest(work, stage, groups.collect(), iterations)? {
+        match all.iter_mut().find(|e| Arc::ptr_eq(&e.variant, &variant)) {
             Some(known) if f.objective < known.fitted.objective => known.fitted = f,
             Some(_) => {}
-            None => all.push(Explained::new(variant.clone(), f)),
+            None => all.push(Explained::new(variant, f)),
         }
     }
     Ok(())
+}
+
+/// What searches from the nearest of points of each variant come to.
+fn from_the_nearest(
+    work: &mut Work<'_>,
+    stage: &str,
+    tried: Vec<(Arc<Variant>, Vec<Vec<f64>>)>,
+    iterations: usize,
+) -> Result<Vec<(Arc<Variant>, Fitted)>, String> {
+    let variants: Vec<Arc<Variant>> = tried.iter().map(|(v, _)| v.clone()).collect();
+    let nearest = work.nearest(stage, tried)?;
+    let (variants, jobs): (Vec<_>, Vec<_>) = variants
+        .into_iter()
+        .zip(nearest)
+        .filter_map(|(v, point)| Some((v.clone(), Work::search(&v, point?, iterations))))
+        .unzip();
+    let fitted = work.fit(stage, jobs)?;
+    Ok(variants.into_iter().zip(fitted).filter_map(|(v, f)| Some((v, f?))).collect())
 }
 
 /// Search again for what looks like the best explanation: its rivals are worth it, contact and slack have many valleys, and
@@ -223,19 +235,17 @@ pub(super) fn twins(work: &mut Work<'_>, baseline: &Explained, first: &mut [Expl
     let own = baseline.variant.dimension();
     let Some(best) = first.first().filter(|e| e.score() < baseline.score()).cloned() else { return Ok(()) };
     let stage = "what looks like the best of them";
-    let rivals: Vec<usize> = (0..first.len()).filter(|n| hypothesis::alike(first[*n].cause(), best.cause())).collect();
+    let rivals = first.iter().filter(|e| hypothesis::alike(e.cause(), best.cause()));
     let points = |e: &Explained| {
         let start = [&best.fitted.point[..own], &e.fitted.point[own..]].concat();
         (e.variant.clone(), tried(&start, own, TWIN_POINTS))
     };
-    let nearest = work.nearest(stage, rivals.iter().map(|n| points(&first[*n])).collect())?;
-    let found: Vec<(usize, Vec<f64>)> =
-        rivals.into_iter().zip(nearest).filter_map(|(n, point)| Some((n, point?))).collect();
-    let jobs = found.iter().map(|(n, point)| Work::search(&first[*n].variant, point.clone(), FIRST)).collect();
-    let fitted = work.fit(stage, jobs)?;
-    for ((n, _), f) in found.into_iter().zip(fitted) {
-        if let Some(f) = f.filter(|f| f.objective < first[n].fitted.objective) {
-            first[n].fitted = f;
+    let tried = rivals.map(points).collect();
+    for (variant, f) in from_the_nearest(work, stage, tried, FIRST)? {
+        if let Some(e) =
+            first.iter_mut().find(|e| Arc::ptr_eq(&e.variant, &variant) && f.objective < e.fitted.objective)
+        {
+            e.fitted = f;
         }
     }
     first.sort_by(|a, b| a.score().total_cmp(&b.score()));

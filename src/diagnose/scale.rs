@@ -62,6 +62,12 @@ pub struct Scales {
 }
 
 impl Scales {
+    /// Largest force of any device in a direction of displacement.
+    pub fn largest_force(&self) -> f64 {
+        let forces = self.watched.iter().filter(|((_, _, d), _)| *d <= 3).map(|(_, w)| w.extent().q);
+        forces.fold(0.0, f64::max)
+    }
+
     /// Extent of the motion of a group in a direction: the largest of its members, in any run.
     pub fn of(&self, group: &[&Device], direction: usize) -> Option<Extent> {
         let members =

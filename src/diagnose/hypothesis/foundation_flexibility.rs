@@ -2,6 +2,7 @@
 
 use super::{Added, Hypothesis, Proposal, Sight};
 use crate::diagnose::anatomy::{Numbers, Support};
+use crate::diagnose::conditions::amplitudes_differ;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "foundation_flexibility",
@@ -53,16 +54,25 @@ fn forms(s: &Sight<'_>, supports: &[&Support], out: &mut Vec<Proposal>) {
         about.iter().copied().filter(|d| first.fixed.contains(d) && first.ndf >= *d && stiffest(*d) > 0.0).collect();
     let named: Vec<String> = supports.iter().map(|p| p.node.to_string()).collect();
     let at = format!("node {}", named.join(" "));
-    let mut form = |form: &str, springs: &[(&str, &[usize])], footing: bool| {
+    let mut form = |form: &str, springs: &[(&str, &[usize])], footing: bool, yields: Option<f64>| {
         let (mut block, mut added) = (vec![], vec![]);
         let scale = |dofs: &[usize]| dofs.iter().map(|d| stiffest(*d)).fold(0.0, f64::max);
         for (material, (name, dofs)) in (s.anatomy.free(Numbers::Foundation)..).step_by(2).zip(springs) {
-            block.push(format!("uniaxialMaterial Elastic {material} $hy_{name}"));
+            block.push(match yields {
+                None => format!("uniaxialMaterial Elastic {material} $hy_{name}"),
+                Some(_) => {
+                    format!("uniaxialMaterial Steel01 {material} $hy_{name}_yield $hy_{name} $hy_{name}_hardening")
+                }
+            });
             block.push(format!("uniaxialMaterial Viscous {} $hy_{name}_dashpot 1.0", material + 1));
             // Against the stiffness of what stands on it: what is much stiffer is a fixed base.
             let scale = scale(dofs);
             added.push(Added::log(name, 3e-3 * scale, 100.0 * scale, scale));
             added.push(Added::log(&format!("{name}_dashpot"), 1e-5 * scale, 0.3 * scale, 3e-3 * scale));
+            if let Some(force) = yields {
+                added.push(Added::log(&format!("{name}_yield"), 3e-3 * force, 10.0 * force, 0.1 * force));
+                added.push(Added::linear(&format!("{name}_hardening"), 0.0, 0.9, 0.1));
+            }
         }
         for (support, tag) in supports.iter().zip(s.anatomy.free(Numbers::Foundation)..) {
             let (mut materials, mut directions) = (vec![], vec![]);
@@ -98,15 +108,20 @@ fn forms(s: &Sight<'_>, supports: &[&Support], out: &mut Vec<Proposal>) {
         out.push(Proposal::edit("foundation_flexibility", form, at.clone(), block, added));
     };
     if !across.is_empty() {
-        form("horizontal spring", &[("sway", &across)], false);
+        form("horizontal spring", &[("sway", &across)], false, None);
+        // What softens with amplitude is seen where that differs.
+        let force = s.scales.largest_force();
+        if force > 0.0 && amplitudes_differ(s.study) {
+            form("horizontal spring that yields", &[("sway", &across)], false, Some(force));
+        }
         if total > 0.0 {
-            form("horizontal spring and a footing with mass", &[("sway", &across)], true);
+            form("horizontal spring and a footing with mass", &[("sway", &across)], true, None);
         }
     }
     if !rocks.is_empty() {
-        form("rocking spring", &[("rocking", &rocks)], false);
+        form("rocking spring", &[("rocking", &rocks)], false, None);
     }
     if !across.is_empty() && !rocks.is_empty() {
-        form("horizontal and rocking spring", &[("sway", &across), ("rocking", &rocks)], false);
+        form("horizontal and rocking spring", &[("sway", &across), ("rocking", &rocks)], false, None);
     }
 }

@@ -6,7 +6,7 @@ PAINTER = {"painter_weak": ("2021-12-20_petrolia_weak_acc", 24.0), "painter_afte
 PAINTER_CHANNELS = {"west_end": "ch04", "bent": "ch07", "east_end": "ch09"}
 MELOLAND = {"meloland_weak": (("2008-11-20_calexico_weak_dt0.005_acc", "2008-11-20_calexico_weak_dt0.01_acc"), 6.0), "meloland_strong": (("1979-10-15_imperial_valley_dt0.02_acc",), 0.0)}
 MELOLAND_CHANNELS = {"south_end": "ch03", "south_span": "ch05", "bent": "ch07", "north_span": "ch09", "north_end": "ch13"}
-VARIANTS = {"painter_weak_fitted": ("painter.toml", None), "painter_strong_fitted": ("painter.toml", ["2021 weak", "1992 aftershock"]),
+VARIANTS = {"painter_weak_fitted": ("painter.toml", None), "painter_strong_fitted": ("painter.toml", ["2021 weak", "1992 aftershock"]), "painter_both_fitted": ("painter.toml", ["1992 aftershock"]),
             "meloland_weak_fitted": ("meloland.toml", None), "meloland_strong_fitted": ("meloland.toml", ["2008 weak"])}
 NAME = "{}_acc_cm_s2"
 
