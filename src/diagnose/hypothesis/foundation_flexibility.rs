@@ -109,9 +109,11 @@ fn forms(s: &Sight<'_>, supports: &[&Support], out: &mut Vec<Proposal>) {
     };
     if !across.is_empty() {
         form("horizontal spring", &[("sway", &across)], false, None);
-        // What softens with amplitude is seen where that differs.
+        // What softens with amplitude is seen where that differs, and below what does not soften itself.
         let force = s.scales.largest_force();
-        if force > 0.0 && amplitudes_differ(s.study) {
+        let softens = |tag: &i32| s.anatomy.devices.iter().any(|d| d.tag == *tag && !d.linear);
+        let below = supports.iter().any(|p| p.elements.iter().any(softens));
+        if force > 0.0 && !below && amplitudes_differ(s.study) {
             form("horizontal spring that yields", &[("sway", &across)], false, Some(force));
         }
         if total > 0.0 {
