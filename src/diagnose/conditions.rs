@@ -59,3 +59,28 @@ fn spread(values: Option<Vec<f64>>, limit: impl Fn(f64) -> f64) -> bool {
     let [low, high] = values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(*x), b.max(*x)]);
     high - low > limit(high)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::amplitudes_differ;
+    use crate::diagnostic::SourceMap;
+    use crate::study::{Role, Study};
+    use std::path::Path;
+
+    #[test]
+    fn amplitudes_of_fitted_runs_are_compared() {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("tcl-like-inputs/pad_study/study.toml");
+        let mut study = Study::load(&file, &mut SourceMap::default()).unwrap();
+        study.runs.retain(|r| r.role == Role::Fit);
+        study.runs.truncate(1);
+        assert!(!amplitudes_differ(&study));
+        let mut second = study.runs[0].clone();
+        second.observe.iter_mut().for_each(|o| o.variance *= 4.0);
+        study.runs.push(second);
+        assert!(!amplitudes_differ(&study));
+        study.runs[1].observe.iter_mut().for_each(|o| o.variance *= 4.0);
+        assert!(amplitudes_differ(&study));
+        study.runs[1].role = Role::Holdout;
+        assert!(!amplitudes_differ(&study));
+    }
+}
