@@ -70,7 +70,7 @@ mod tests {
     #[test]
     fn amplitudes_of_fitted_runs_are_compared() {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("tcl-like-inputs/pad_study/study.toml");
-        let mut study = Study::load(&file, &mut SourceMap::default()).unwrap();
+        let mut study = Study::load(&file, &mut SourceMap::default()).expect("a study");
         study.runs.retain(|r| r.role == Role::Fit);
         study.runs.truncate(1);
         assert!(!amplitudes_differ(&study));

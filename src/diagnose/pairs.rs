@@ -226,7 +226,7 @@ mod tests {
     fn at(variant: Variant, added: &[f64]) -> Explained {
         let own = variant.dimension() - added.len();
         let point = [&vec![0.5; own][..], added].concat();
-        let values = variant.study.space.values(&point).unwrap();
+        let values = variant.study.space.values(&point).expect("values");
         Explained::new(Arc::new(variant), Fitted { point, values, objective: 1.0, fits: vec![] })
     }
 
@@ -240,15 +240,15 @@ mod tests {
     #[test]
     fn a_pair_may_be_turned_round() {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("tcl-like-inputs/pad_study/study.toml");
-        let study = Arc::new(Study::load(&file, &mut SourceMap::default()).unwrap());
+        let study = Arc::new(Study::load(&file, &mut SourceMap::default()).expect("a study"));
         let baseline = at(Variant::baseline(&study, "analyze 1\n"), &[]);
         let place = Place::At(0);
         let (friction, damping) = (effect("friction", &["force"]), effect("damping", &["c", "n"]));
-        let with = |p: &Proposal| baseline.variant.with(&place, p).unwrap();
+        let with = |p: &Proposal| baseline.variant.with(&place, p).expect("a variant");
         let first = [at(with(&friction), &[0.1]), at(with(&damping), &[0.2, 0.3])];
         let makings = Makings { baseline: &baseline, first: &first, place: &place, wide: false };
         let pair = Pair { explained: at(with(&damping.with(&friction)), &[0.7, 0.8, 0.9]), of: [1, 0] };
-        let turned = makings.in_order(pair).unwrap();
+        let turned = makings.in_order(pair).expect("a pair");
         assert_eq!(
             (turned.of, turned.explained.cause(), turned.explained.second()),
             ([0, 1], "friction", Some("damping"))
@@ -261,10 +261,10 @@ mod tests {
         assert_eq!([value("hy_force"), value("hy2_c"), value("hy2_n")], [Some(0.9), Some(0.7), Some(0.8)]);
         assert_eq!(e.fitted.values[..baseline.fitted.values.len()], baseline.fitted.values);
         let own = baseline.variant.dimension();
-        let alone = |side| makings.taken_from(&turned, side).unwrap().explained;
+        let alone = |side| makings.taken_from(&turned, side).expect("an effect").explained;
         assert_eq!(alone(0).fitted.point[own..], [0.9]);
         assert_eq!(alone(1).fitted.point[own..], [0.7, 0.8]);
         // In its order already: as it is.
-        assert_eq!(makings.in_order(turned).unwrap().of, [0, 1]);
+        assert_eq!(makings.in_order(turned).expect("a pair").of, [0, 1]);
     }
 }
