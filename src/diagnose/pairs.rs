@@ -21,6 +21,7 @@ const KEPT: usize = 2;
 const TRIED: usize = 2;
 /// Effects of pairs beside which others are tried in the place of the second one, at most.
 const EXCHANGES: usize = 4;
+const STAGE: &str = "a second effect";
 
 /// Two effects that have been fitted together, and which of the first round they are, in their order.
 struct Pair {
@@ -107,8 +108,6 @@ fn is_new(all: &[Pair], one: usize, two: usize) -> bool {
 fn leading(all: &[Pair]) -> Option<&Pair> {
     all.iter().min_by(|a, b| a.explained.score().total_cmp(&b.explained.score()))
 }
-
-const STAGE: &str = "a second effect";
 
 impl Makings<'_> {
     /// Other effects are tried beside each of the two of the pair that leads: what is the best beside the one need not have been
