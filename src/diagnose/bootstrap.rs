@@ -9,11 +9,10 @@
 //! fit leaves, on the real recording too, and not what it predicts of blocks held back: without those, what they determine moves
 //! farther than derivatives are good for.
 
-use super::evidence::{Noise, POINTS, Residuals};
+use super::evidence::{Noise, POINTS, Residuals, priced};
 use super::fitting::damped_step;
 use super::noise::averaged;
 use super::surrogate::Surrogates;
-use super::work::priced;
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 

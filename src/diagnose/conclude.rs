@@ -112,7 +112,7 @@ pub(super) fn conclude(
         );
     }
     if c.too_long {
-        explanation += " The fitted model leaves much, and the fitted runs are too long to search far from its values: fewer of them, or \
+        explanation += " The fitted model leaves much, and the fitted runs are too long to search for every effect far from its values: fewer of them, or \
                         fewer samples, may tell more.";
     }
     if contradicted {

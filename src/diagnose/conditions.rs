@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 pub(super) const DEGREES: f64 = 2.0;
 /// Axial loads differ from this part of the largest on.
 const LOADS: f64 = 0.05;
-/// Amplitudes differ from this ratio on.
+/// Amplitudes differ from this ratio on: a choice, at which softening with amplitude is no matter of the noise.
 const AMPLITUDES: f64 = 3.0;
 
 /// Temperature of each run at its beginning, from a column of its recording; the surroundings, not what work adds.

@@ -19,6 +19,16 @@ use super::noise::{averaged, burg, power, whiten};
 /// simulated cases, not from the length of the records.
 pub const INDEPENDENT: f64 = 40.0;
 
+/// Objective with a price for so many parameters, as a logarithm: a score for a first sorting, the less the better.
+pub(super) fn priced(objective: f64, dimension: usize) -> f64 {
+    objective.ln() + dimension as f64 * INDEPENDENT.ln() / INDEPENDENT
+}
+
+/// Log evidence of one score over another, about.
+pub(super) fn ahead(score: f64, over: f64) -> f64 {
+    0.5 * INDEPENDENT * (over - score)
+}
+
 /// Points that the residual of a channel is averaged to.
 pub(super) const POINTS: usize = 400;
 

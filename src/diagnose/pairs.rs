@@ -1,6 +1,6 @@
 //! A second effect beside the first.
 
-use super::evidence::INDEPENDENT;
+use super::evidence::ahead;
 use super::fitting::Fitted;
 use super::insertion::Place;
 use super::rounds::{SECOND, SECOND_ROUND, poor, refine, tried, widely, within_reach};
@@ -32,7 +32,7 @@ struct Pair {
 impl Pair {
     /// By how much it tells more than a single effect, in log evidence.
     fn ahead(&self, single: &Explained) -> f64 {
-        0.5 * INDEPENDENT * (single.score() - self.explained.score())
+        ahead(self.explained.score(), single.score())
     }
 }
 
@@ -74,26 +74,26 @@ pub(super) fn pairs(
     let stands = |e: &Explained| known(e).map(|effect| Stands { effect, explained: e.clone() });
     let single: Vec<Stands> = rivals.take(FIRSTS).filter_map(stands).collect();
     let mut out = vec![];
-    let mut tried = BTreeSet::new();
+    let mut searched = BTreeSet::new();
     for (n, one) in single.iter().enumerate() {
         let done: Vec<&str> = single[..=n].iter().map(|s| s.explained.cause()).collect();
         out.extend(makings.beside(work, one, |_, e| !done.contains(&e.cause()))?);
-        tried.insert(one.effect);
+        searched.insert(one.effect);
     }
     // Where two tell more than one, the next form of each first is worth it as well.
     if leading(&out).is_some_and(|p| p.ahead(&weighed[0]) > SECOND) {
         let causes: BTreeSet<&str> = single.iter().map(|s| s.explained.cause()).collect();
-        let next = |cause: &&str| (0..first.len()).find(|n| first[*n].cause() == *cause && !tried.contains(n));
+        let next = |cause: &&str| (0..first.len()).find(|n| first[*n].cause() == *cause && !searched.contains(n));
         let forms: Vec<usize> = causes.iter().filter_map(next).collect();
         let fitted = refine(work, STAGE, forms.iter().map(|n| first[*n].clone()).collect())?;
         for (effect, explained) in forms.into_iter().zip(fitted) {
             let one = Stands { effect, explained };
             let more = makings.beside(work, &one, |n, _| is_new(&out, effect, n))?;
             out.extend(more.into_iter().filter_map(|p| makings.in_order(p)));
-            tried.insert(effect);
+            searched.insert(effect);
         }
     }
-    makings.exchange(work, &weighed[0], tried, &mut out)?;
+    makings.exchange(work, &weighed[0], searched, &mut out)?;
     let mut out: Vec<Explained> = out.into_iter().map(|p| p.explained).collect();
     work.hold_back(STAGE, &mut out)?;
     Ok(out)
@@ -116,13 +116,13 @@ impl Makings<'_> {
         &self,
         work: &mut Work<'_>,
         single: &Explained,
-        mut tried: BTreeSet<usize>,
+        mut searched: BTreeSet<usize>,
         all: &mut Vec<Pair>,
     ) -> Result<(), String> {
         for _ in 0..EXCHANGES {
             let Some(best) = leading(all).filter(|p| p.ahead(single) > SECOND) else { break };
-            let Some(side) = (0..2).find(|side| !tried.contains(&best.of[*side])) else { break };
-            tried.insert(best.of[side]);
+            let Some(side) = (0..2).find(|side| !searched.contains(&best.of[*side])) else { break };
+            searched.insert(best.of[side]);
             let Some(one) = self.taken_from(best, side) else { continue };
             let more = self.beside(work, &one, |n, _| is_new(all, one.effect, n))?;
             all.extend(more.into_iter().filter_map(|p| self.in_order(p)));
@@ -191,7 +191,7 @@ impl Makings<'_> {
         let mut screened = work.screen(STAGE, variant, point, all)?;
         // A search costs more than it can tell where nothing is to be expected of it.
         let score = one.explained.score();
-        screened.retain(|s| 0.5 * INDEPENDENT * (score - s.score()) > -1.0);
+        screened.retain(|s| ahead(s.score(), score) > -1.0);
         let mut seconds = BTreeSet::new();
         screened.retain(|s| seconds.insert(s.variant.proposal.as_ref().and_then(|p| p.second)));
         screened.truncate(PAIRS);

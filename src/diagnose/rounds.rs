@@ -2,7 +2,7 @@
 
 use super::bootstrap::{Bootstrap, Near, Rival, bootstrap};
 use super::conditions::differ;
-use super::evidence::{INDEPENDENT, Noise};
+use super::evidence::{Noise, ahead};
 use super::fitting::Fitted;
 use super::hypothesis::{self, Proposal};
 use super::insertion::Place;
@@ -149,7 +149,7 @@ pub(super) fn first_round(
         }
     }
     ranked.append(&mut further);
-    let promising = |s: &Screened| 0.5 * INDEPENDENT * (baseline.score() - s.score()) > EXPECTED;
+    let promising = |s: &Screened| ahead(s.score(), baseline.score()) > EXPECTED;
     let (mut picked, mut others) = (vec![], vec![]);
     for (place, s) in ranked.into_iter().enumerate() {
         if place < FITTED || promising(&s) {

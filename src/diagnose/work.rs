@@ -1,7 +1,7 @@
 //! The work on variants, with its progress, and what an explanation is.
 
 use super::bootstrap::Near;
-use super::evidence::{INDEPENDENT, Residuals};
+use super::evidence::{Residuals, priced};
 use super::fitting::{Answer, Bench, Fitted, Job, Task};
 use super::pipeline::Watch;
 use super::resume::{Kept, Told, number};
@@ -40,11 +40,6 @@ impl Explained {
     pub(super) fn score(&self) -> f64 {
         priced(self.fitted.objective, self.variant.dimension())
     }
-}
-
-/// Objective with a price for parameters, for a first sorting.
-pub(super) fn priced(objective: f64, dimension: usize) -> f64 {
-    objective.ln() + dimension as f64 * INDEPENDENT.ln() / INDEPENDENT
 }
 
 /// A variant that has been screened: where a search had best start, and the objective to be expected.

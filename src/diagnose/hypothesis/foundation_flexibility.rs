@@ -41,6 +41,18 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     out
 }
 
+/// What a support has beside springs and dashpots.
+#[derive(Clone, Copy, PartialEq)]
+enum More {
+    Nothing,
+    /// The springs yield, at about a tenth of the largest force of the model's devices.
+    Yielding {
+        force: f64,
+    },
+    /// A mass of its own.
+    Footing,
+}
+
 /// Springs and dashpots of the same size under some supports.
 fn forms(s: &Sight<'_>, supports: &[&Support], out: &mut Vec<Proposal>) {
     let ndm = s.anatomy.ndm;
@@ -54,22 +66,22 @@ fn forms(s: &Sight<'_>, supports: &[&Support], out: &mut Vec<Proposal>) {
         about.iter().copied().filter(|d| first.fixed.contains(d) && first.ndf >= *d && stiffest(*d) > 0.0).collect();
     let named: Vec<String> = supports.iter().map(|p| p.node.to_string()).collect();
     let at = format!("node {}", named.join(" "));
-    let mut form = |form: &str, springs: &[(&str, &[usize])], footing: bool, yields: Option<f64>| {
+    let mut form = |form: &str, springs: &[(&str, &[usize])], more: More| {
         let (mut block, mut added) = (vec![], vec![]);
         let scale = |dofs: &[usize]| dofs.iter().map(|d| stiffest(*d)).fold(0.0, f64::max);
         for (material, (name, dofs)) in (s.anatomy.free(Numbers::Foundation)..).step_by(2).zip(springs) {
-            block.push(match yields {
-                None => format!("uniaxialMaterial Elastic {material} $hy_{name}"),
-                Some(_) => {
+            block.push(match more {
+                More::Yielding { .. } => {
                     format!("uniaxialMaterial Steel01 {material} $hy_{name}_yield $hy_{name} $hy_{name}_hardening")
                 }
+                _ => format!("uniaxialMaterial Elastic {material} $hy_{name}"),
             });
             block.push(format!("uniaxialMaterial Viscous {} $hy_{name}_dashpot 1.0", material + 1));
             // Against the stiffness of what stands on it: what is much stiffer is a fixed base.
             let scale = scale(dofs);
             added.push(Added::log(name, 3e-3 * scale, 100.0 * scale, scale));
             added.push(Added::log(&format!("{name}_dashpot"), 1e-5 * scale, 0.3 * scale, 3e-3 * scale));
-            if let Some(force) = yields {
+            if let More::Yielding { force } = more {
                 added.push(Added::log(&format!("{name}_yield"), 3e-3 * force, 10.0 * force, 0.1 * force));
                 added.push(Added::linear(&format!("{name}_hardening"), 0.0, 0.9, 0.1));
             }
@@ -92,7 +104,7 @@ fn forms(s: &Sight<'_>, supports: &[&Support], out: &mut Vec<Proposal>) {
                 materials.join(" "),
                 directions.join(" ")
             ));
-            if footing {
+            if more == More::Footing {
                 let own = s.anatomy.masses.iter().find(|m| m.node == support.node).map_or(&[][..], |m| &m.mass);
                 let mass = |i: usize| own.get(i).copied().unwrap_or(0.0);
                 let words = (0..support.ndf).map(|i| match i {
@@ -102,28 +114,28 @@ fn forms(s: &Sight<'_>, supports: &[&Support], out: &mut Vec<Proposal>) {
                 block.push(format!("mass {} {}", support.node, words.collect::<Vec<_>>().join(" ")));
             }
         }
-        if footing {
+        if more == More::Footing {
             added.push(Added::log("footing", 1e-3 * total, total, 0.05 * total));
         }
         out.push(Proposal::edit("foundation_flexibility", form, at.clone(), block, added));
     };
     if !across.is_empty() {
-        form("horizontal spring", &[("sway", &across)], false, None);
+        form("horizontal spring", &[("sway", &across)], More::Nothing);
         // What softens with amplitude is seen where that differs, and below what does not soften itself.
         let force = s.scales.largest_force();
         let softens = |tag: &i32| s.anatomy.devices.iter().any(|d| d.tag == *tag && !d.linear);
         let below = supports.iter().any(|p| p.elements.iter().any(softens));
         if force > 0.0 && !below && amplitudes_differ(s.study) {
-            form("horizontal spring that yields", &[("sway", &across)], false, Some(force));
+            form("horizontal spring that yields", &[("sway", &across)], More::Yielding { force });
         }
         if total > 0.0 {
-            form("horizontal spring and a footing with mass", &[("sway", &across)], true, None);
+            form("horizontal spring and a footing with mass", &[("sway", &across)], More::Footing);
         }
     }
     if !rocks.is_empty() {
-        form("rocking spring", &[("rocking", &rocks)], false, None);
+        form("rocking spring", &[("rocking", &rocks)], More::Nothing);
     }
     if !across.is_empty() && !rocks.is_empty() {
-        form("horizontal and rocking spring", &[("sway", &across), ("rocking", &rocks)], false, None);
+        form("horizontal and rocking spring", &[("sway", &across), ("rocking", &rocks)], More::Nothing);
     }
 }
