@@ -52,6 +52,11 @@ fn pad(path: &[f64]) -> Vec<f64> {
 
 /// A study of two runs, with what the channel shows of the path and the pad's force.
 fn concealed(name: &str, shows: impl Fn(&[f64], &[f64]) -> Vec<f64>) -> PathBuf {
+    recorded(name, shows, f64::INFINITY)
+}
+
+/// The same, of a channel that shows nothing beyond a level, its noise neither.
+fn recorded(name: &str, shows: impl Fn(&[f64], &[f64]) -> Vec<f64>, level: f64) -> PathBuf {
     let dir = std::env::temp_dir().join(format!("hysteron-diagnose-{name}-{}", std::process::id()));
     fs::create_dir_all(&dir).unwrap();
     fs::write(dir.join("model.tcl"), MODEL).unwrap();
@@ -66,7 +71,7 @@ fn concealed(name: &str, shows: impl Fn(&[f64], &[f64]) -> Vec<f64>) -> PathBuf 
         let force = shows(&path, &pad(&path));
         let mut table = "time[s],force[kN]\n".to_owned();
         for (i, f) in force.iter().enumerate() {
-            writeln!(table, "{},{}", DT * i as f64, f + 0.3 * noise.next()).unwrap();
+            writeln!(table, "{},{}", DT * i as f64, (f + 0.3 * noise.next()).clamp(-level, level)).unwrap();
         }
         fs::write(dir.join(format!("{run}.csv")), table).unwrap();
         let text: String = path.iter().map(|u| format!("{u}\n")).collect();
@@ -204,6 +209,17 @@ fn a_late_channel_is_told_from_physics() {
     assert!((lag - 3.0 * DT).abs() < 0.2 * DT, "{lag}");
     // The script needs no repair, and so keeps its text but for the parameters.
     assert!(!d.script.contains("amend"));
+    let _ = fs::remove_dir_all(dir);
+}
+
+/// Of the loops so little is cut off that the misfit hardly tells it.
+#[test]
+fn a_channel_that_stays_at_its_ends_is_seen() {
+    let largest = 20.5;
+    let dir = recorded("saturates", |_, f| f.to_vec(), largest);
+    let d = diagnosed(&dir, &[]);
+    assert_eq!(d.outcome.verdict.cause, "sensor_clipping", "{:?}", d.outcome.verdict);
+    assert_eq!(d.outcome.corrected.channels[0].clip.map(|[_, high]| (high - largest).abs() < 0.5), Some(true));
     let _ = fs::remove_dir_all(dir);
 }
 

@@ -4,8 +4,9 @@ use super::args::Args;
 use super::model::{need_model, node_of};
 use super::{Command, Outcome, Tcl, finish};
 use crate::element::amendment::{
-    Amended, Amendment, Axial, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Mullins, Overstress,
-    PeakOriented, Pinching, Pressure, Share, Sides, Slip, Stiffening, Temperature, Yielding,
+    Amended, Amendment, Axial, Bristles, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Mullins,
+    Overstress, PeakOriented, Pinching, Pressure, Relaxation, Share, Sides, Sliding, Slip, Stiffening, Temperature,
+    Yielding,
 };
 use crate::element::bearing::ShearParameters;
 use crate::material::Softening;
@@ -142,6 +143,18 @@ const KINDS: &[Kind] = &[
         },
     },
     Kind {
+        name: "relaxation",
+        options: &[
+            needed("-strength", "part by which the force of a sudden change is larger", NotNegative),
+            needed("-time", "relaxation time, the shortest where there are several", Positive),
+            optional("-longest", "longest of four relaxation times", Positive, 0.0),
+        ],
+        make: |n, _, _| {
+            let (strength, time, longest) = (n.get("-strength"), n.get("-time"), n.get("-longest"));
+            Arc::new(Relaxation { strength, time, longest })
+        },
+    },
+    Kind {
         name: "axial",
         options: &[
             needed("-critical", "critical load at rest", Positive),
@@ -215,6 +228,27 @@ const KINDS: &[Kind] = &[
             needed("-stiffness", "stiffness before it slips", Positive),
         ],
         make: |n, _, _| Arc::new(Friction { force: n.get("-force"), stiffness: n.get("-stiffness") }),
+    },
+    Kind {
+        name: "bristles",
+        options: &[
+            needed("-force", "friction force of a fast motion", NotNegative),
+            needed("-stiffness", "stiffness before it slips", Positive),
+            optional("-breakaway", "what the friction of a slow motion has more", NotNegative, 0.0),
+            optional("-speed", "speed by which that has gone", Positive, 1.0),
+        ],
+        make: |n, _, _| {
+            let (force, stiffness) = (n.get("-force"), n.get("-stiffness"));
+            Arc::new(Bristles { force, stiffness, breakaway: n.get("-breakaway"), speed: n.get("-speed") })
+        },
+    },
+    Kind {
+        name: "sliding",
+        options: &[
+            needed("-force", "friction force of a fast motion", NotNegative),
+            needed("-speed", "speed over which it is smoothed", Positive),
+        ],
+        make: |n, _, _| Arc::new(Sliding { force: n.get("-force"), speed: n.get("-speed") }),
     },
     Kind {
         name: "gap",

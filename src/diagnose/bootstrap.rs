@@ -176,7 +176,7 @@ fn weighed(all: &[Prepared<'_>], residuals: &[DVector<f64>]) -> Option<Vec<f64>>
     let left: Vec<DVector<f64>> = all.iter().zip(residuals).map(|(p, r)| p.fitted(r)).collect::<Option<_>>()?;
     let parameters = |p: &Prepared<'_>| p.rival.point.len();
     let price =
-        |(p, r): &(&Prepared<'_>, &DVector<f64>)| priced(r.norm_squared().max(f64::MIN_POSITIVE), parameters(p));
+        |(p, r): &(&Prepared<'_>, &DVector<f64>)| priced(r.norm_squared().max(f64::MIN_POSITIVE), parameters(p), 0.0);
     let (best, of_best) = all.iter().zip(&left).min_by(|a, b| price(a).total_cmp(&price(b)))?;
     let noise = Noise::of(&best.rival.near.by_channel(of_best));
     let evidence = |(p, r): (&Prepared<'_>, &DVector<f64>)| {

@@ -3,7 +3,7 @@
 use super::bootstrap::Bootstrap;
 use super::correction::Correction;
 use super::fitting::Fitted;
-use super::hypothesis;
+use super::hypothesis::{self, Proposal};
 use super::insertion::Place;
 use super::locate::{regime, windows};
 use super::next_test::next_test;
@@ -11,7 +11,7 @@ use super::odds::Odds;
 use super::outcome::{Baseline, Candidate, Corrected, Mismatch, Outcome, Verdict};
 use super::pipeline::{Diagnosis, Weighed};
 use super::repair;
-use super::rounds::tried;
+use super::rounds::{as_much, tried};
 use super::scale::Scales;
 use super::step_error::StepError;
 use super::variant::Variant;
@@ -28,6 +28,9 @@ const AROUND: usize = 3;
 const NEAR: f64 = 0.1;
 /// What is left of the confidence in a repair when runs that were held out get no better by it.
 const CONTRADICTED: f64 = 0.6;
+/// And when they get so much worse: of eight effects named in trials of validation/power three were right then.
+const HARMED: f64 = 0.4;
+const HARM: f64 = 1.5;
 
 pub(super) struct Context<'a> {
     pub(super) study: &'a Arc<Study>,
@@ -79,14 +82,14 @@ pub(super) fn conclude(
         let mut repair = repaired(work, c, chosen.clone(), &before, verdict)?;
         // Another form of the cause may predict what the first does not.
         let another = weighed.iter().filter(|e| e.cause() == verdict && e.evidence > evidence_of_none).nth(1);
-        if let Some(form) = another.filter(|_| repair.contradicted) {
+        if let Some(form) = another.filter(|_| repair.keeps < 1.0) {
             let other = repaired(work, c, form.clone(), &before, verdict)?;
-            if !other.contradicted {
+            if other.keeps == 1.0 {
                 repair = other;
             }
         }
-        if let Some(n) = odds.iter().position(|(cause, _)| repair.contradicted && *cause == "unknown") {
-            let doubted = (1.0 - CONTRADICTED) * odds[0].1;
+        if let Some(n) = odds.iter().position(|(cause, _)| repair.keeps < 1.0 && *cause == "unknown") {
+            let doubted = (1.0 - repair.keeps) * odds[0].1;
             odds[0].1 -= doubted;
             odds[n].1 += doubted;
             odds.sort_by(|a, b| b.1.total_cmp(&a.1));
@@ -94,7 +97,7 @@ pub(super) fn conclude(
         repairs.push((verdict, repair));
     };
     let named_by_it = repairs.iter().position(|(cause, _)| *cause == verdict).unwrap_or(0);
-    let (_, Repair { chosen, fitted, after, contradicted }) = repairs.swap_remove(named_by_it);
+    let (_, Repair { chosen, fitted, after, keeps }) = repairs.swap_remove(named_by_it);
     let named = |space: &crate::study::Space, values: &[f64]| -> BTreeMap<String, f64> {
         space.parameters.iter().map(|p| p.name.clone()).zip(values.iter().copied()).collect()
     };
@@ -104,6 +107,9 @@ pub(super) fn conclude(
     let mut explanation = explanation(verdict, &chosen, &also, &signature, share) + &c.steps.says();
     if let Some(b) = c.bootstrap.as_ref().filter(|b| b.cause == verdict) {
         explanation += &b.says();
+    }
+    if let Some(p) = weighed.iter().filter(|e| as_much(e, &chosen)).find_map(|e| another_form(e, &chosen)) {
+        explanation += &format!(" Another form explains as much: {}.", p.form);
     }
     if !c.untimed.is_empty() {
         explanation += &format!(
@@ -115,7 +121,7 @@ pub(super) fn conclude(
         explanation += " The fitted model leaves much, and the fitted runs are too long to search for every effect far from its values: fewer of them, or \
                         fewer samples, may tell more.";
     }
-    if contradicted {
+    if keeps < 1.0 {
         explanation += " The runs held out contradict the repair: they get no better by it.";
     }
     // The verdict and its strongest rival, each as it was fitted.
@@ -198,8 +204,9 @@ struct Repair {
     fitted: Fitted,
     /// What it says of all runs.
     after: Vec<Option<Fit>>,
-    /// Runs that were held out get no better by it, though it concerns them.
-    contradicted: bool,
+    /// What it keeps of the confidence in it: less where runs that were held out get no better by it, though it concerns them, or
+    /// much worse.
+    keeps: f64,
 }
 
 /// The last search, from where the chosen one stands and from around it: contact and yielding make ridges. Runs that were
@@ -223,10 +230,27 @@ fn repaired(
     let concerned =
         |f: &Correction| f.run.as_ref().is_none_or(|name| study.runs_of(Role::Holdout).any(|(_, r)| r.name == *name));
     let acts_there = chosen.variant.edits() || chosen.variant.corrections(&fitted.values).iter().any(concerned);
-    let worse =
-        matches!((holdout(study, before), holdout(study, &after)), (Some(before), Some(after)) if after >= before);
-    let contradicted = worse && acts_there && !matches!(verdict, "none" | "unknown");
-    Ok(Repair { chosen, fitted, after, contradicted })
+    let held = (holdout(study, before), holdout(study, &after));
+    let worse = |part: f64| match held {
+        (Some(before), Some(after)) => after > part * before,
+        (before, after) => before.is_some() && after.is_none(),
+    };
+    // What concerns them should help; what the recordings show by themselves need not be seen there. What does not concern them moves
+    // the model's own parameters all the same, and may do no harm.
+    let seen = chosen.variant.seen() > 0.0;
+    let keeps = match verdict {
+        "none" | "unknown" => 1.0,
+        _ if worse(HARM) => HARMED,
+        _ if acts_there && (worse(1.0) || !seen && held.0.is_some() && held.0 == held.1) => CONTRADICTED,
+        _ => 1.0,
+    };
+    Ok(Repair { chosen, fitted, after, keeps })
+}
+
+/// What was proposed where it is another form of the cause of `chosen`, which stands for all of it.
+fn another_form<'a>(e: &'a Explained, chosen: &Explained) -> Option<&'a Proposal> {
+    let p = e.variant.proposal.as_ref()?;
+    (!Arc::ptr_eq(&e.variant, &chosen.variant)).then_some(p)
 }
 
 /// What a variant says of all runs with the steps of the script; `None` where it has no answer.

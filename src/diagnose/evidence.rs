@@ -19,9 +19,13 @@ use super::noise::{averaged, burg, power, whiten};
 /// simulated cases, not from the length of the records.
 pub const INDEPENDENT: f64 = 40.0;
 
-/// Objective with a price for so many parameters, as a logarithm: a score for a first sorting, the less the better.
-pub(super) fn priced(objective: f64, dimension: usize) -> f64 {
-    objective.ln() + dimension as f64 * INDEPENDENT.ln() / INDEPENDENT
+/// Log odds for what a recording shows by itself, over what only the misfit of a model tells.
+pub(super) const SEEN: f64 = 15.0;
+
+/// Objective with a price for so many parameters and log odds for what else is known, as a logarithm: a score for a first sorting,
+/// the less the better.
+pub(super) fn priced(objective: f64, dimension: usize, known: f64) -> f64 {
+    objective.ln() + (dimension as f64 * INDEPENDENT.ln() - 2.0 * known) / INDEPENDENT
 }
 
 /// Log evidence of one score over another, about.

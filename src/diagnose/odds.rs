@@ -32,10 +32,11 @@ const LITTLE: f64 = 0.8;
 /// 95 % all are right, of 16 that were given 80 to 90 % all but one.
 const DOUBT_OF_A_NAME: f64 = 0.05;
 const DOUBT_OF_NO_NAME: f64 = 0.15;
-/// How much oftener a name is wrong where all that it leaves has structure, and by the square of that part where less has: of 360
-/// names in trials of validation/power 97 % were right where nothing had structure, 93 % where up to two fifths had, 91 % up to
-/// three fifths, seven of nine beyond.
-const DOUBT_OF_A_LAW: f64 = 0.2;
+/// How much oftener a name is wrong where all that it leaves has structure, and in part where a part of it has. Of 395 names in trials
+/// of validation/power 97 % were right where nothing had structure, 93 % where up to two fifths had, 92 % up to three fifths, seven of
+/// nine beyond; with the truth taken out of the library, the names that are left (no equivalents) stand beside structure of a third
+/// and more. It is what both say where the library lacks the cause in one case of five.
+const DOUBT_OF_A_LAW: f64 = 0.4;
 /// Log evidence by which the first cause is ahead of those that the recordings do not tell it apart from: more than the doubts of a
 /// name take from it.
 const AHEAD: f64 = 0.3;
@@ -111,7 +112,9 @@ impl Odds {
         let floor = after * (1.0 - left);
         let done = if before > floor { ((before - after) / (before - floor)).clamp(0.0, 1.0) } else { 1.0 };
         let none = none.map_or(f64::NEG_INFINITY, |e| e.evidence);
-        let mut unknown = Standing { evidence: best.evidence, none, named, left, done }.unknown();
+        // What the recordings show by themselves is no matter of what else is left.
+        let evidence = best.evidence - best.variant.seen();
+        let mut unknown = Standing { evidence, none, named, left, done }.unknown();
         // No law of another form stands behind what a form that is exact leaves along the stroke.
         if best.variant.proposal.as_ref().is_some_and(|p| p.exact) {
             let (again, says) = recurs(study, scales, &best.fitted.fits);
@@ -121,7 +124,9 @@ impl Odds {
             }
         }
         causes.push(("unknown", unknown));
-        Self { odds: among(causes, left, none, bootstrap), left, signature, none }
+        // What is seen is no less sure for what else is left.
+        let beside = if best.variant.seen() > 0.0 { 0.0 } else { left };
+        Self { odds: among(causes, beside, none, bootstrap), left, signature, none }
     }
 }
 
@@ -196,7 +201,7 @@ fn doubt_the_library(causes: &[(&'static str, f64)], left: f64, p: &mut [f64]) {
     let named = |cause: &str| !matches!(cause, "none" | "unknown");
     let Some(unknown) = causes.iter().position(|c| c.0 == "unknown").filter(|_| named(causes[0].0)) else { return };
     for i in (0..p.len()).filter(|i| named(causes[*i].0)) {
-        let amount = DOUBT_OF_A_LAW * left * left * p[i];
+        let amount = DOUBT_OF_A_LAW * left * p[i];
         p[i] -= amount;
         p[unknown] += amount;
     }
@@ -240,7 +245,7 @@ mod tests {
     fn a_name_that_leaves_most_of_the_structure_falls() {
         assert!(unknown(20.0, 0.9, 0.35) > 0.8);
         assert!(unknown(8.0, 0.6, 0.1) > 0.8);
-        assert!(unknown(20.0, 0.9, 0.9) < 0.25);
+        assert!((0.35..0.45).contains(&unknown(20.0, 0.9, 0.9)));
         let rising: Vec<f64> = (0..8).map(|k| unknown(10.0, 0.1 * f64::from(k), 0.3)).collect();
         assert!(rising.windows(2).all(|w| w[1] >= w[0]), "{rising:?}");
         let falling: Vec<f64> = (0..10).map(|k| unknown(10.0, 0.7, 0.1 * f64::from(k))).collect();
@@ -253,11 +258,12 @@ mod tests {
         let sure = |left| {
             let odds =
                 among(vec![("damping", 30.0), ("torsion", 29.0), ("none", 0.0), ("unknown", -9.0)], left, 0.0, None);
-            assert_eq!((odds[0].0, odds[1].0), ("damping", "torsion"));
+            let names: Vec<&str> = odds.iter().map(|o| o.0).filter(|c| *c != "unknown").collect();
+            assert_eq!(names, ["damping", "torsion", "none"]);
             assert!((odds.iter().map(|o| o.1).sum::<f64>() - 1.0).abs() < 1e-12);
-            odds[0].1 + odds[1].1
+            odds.iter().filter(|o| matches!(o.0, "damping" | "torsion")).map(|o| o.1).sum::<f64>()
         };
-        assert!(sure(0.0) > 0.94 && (0.78..0.84).contains(&sure(0.9)), "{} {}", sure(0.0), sure(0.9));
+        assert!(sure(0.0) > 0.94 && (0.58..0.64).contains(&sure(0.9)), "{} {}", sure(0.0), sure(0.9));
     }
 
     /// What would have gained as much had another cause been true is hardly likelier than that one, but stays ahead; the others

@@ -9,7 +9,8 @@ use super::outcome::Outcome;
 use super::pairs::pairs;
 use super::resume::Kept;
 use super::rounds::{
-    best_of_causes, first_round, fit_baseline, made_again, poor, refine, refit, twins, weigh, within_reach,
+    best_of_causes, first_round, fit_baseline, made_again, of_so_many_causes, poor, refine, refit, twins, weigh,
+    within_reach,
 };
 use super::slow_noise::may_be_noise;
 use super::step_error::step_error;
@@ -104,10 +105,10 @@ pub fn diagnose(
         return Err("the script makes no analysis".into());
     };
     let scales = watching::watch(&blueprint, &study, text, &values, &place, &anatomy);
-    let sight = Sight { anatomy: &anatomy, study: &study, scales: &scales, fits: &baseline.fitted.fits };
-    let no_clock = !settings.clock && !anatomy.shaken && untimed(&study);
+    let clock = settings.clock || anatomy.shaken || !untimed(&study);
+    let sight = Sight { anatomy: &anatomy, study: &study, scales: &scales, fits: &baseline.fitted.fits, clock };
     let library = hypothesis::ALL.iter().filter(|h| !settings.without.iter().any(|w| w == h.cause));
-    let (untimed, library): (Vec<_>, Vec<_>) = library.partition(|h| no_clock && h.needs_clock);
+    let (untimed, library): (Vec<_>, Vec<_>) = library.partition(|h| !clock && h.needs_clock);
     let proposals: Vec<Proposal> = library.iter().flat_map(|h| h.proposals(&sight)).collect();
     let untimed = untimed.iter().map(|h| h.cause).collect();
 
@@ -117,7 +118,7 @@ pub fn diagnose(
     let mut first = first_round(&mut work, &baseline, opening, &place, &proposals, wide)?;
     twins(&mut work, &baseline, &mut first)?;
     let best = best_of_causes(&first);
-    let finalists = best[..best.len().min(FINALISTS)].to_vec();
+    let finalists = of_so_many_causes(&best, FINALISTS);
     let likeliest = first.first().filter(|e| e.score() < baseline.score());
     let steps = step_error(&mut work, &baseline, likeliest)?;
     work.bench.refine(steps.parts);

@@ -48,6 +48,8 @@ pub(super) const SECOND_ROUND: usize = 12;
 const NOTHING: f64 = 3.0;
 pub(super) const SECOND: f64 = 6.0;
 const OF_ONE_RUN: f64 = 8.0;
+/// Log evidence within which two forms of a cause explain as much.
+const AS_MUCH: f64 = 0.5;
 
 /// Points of the coordinates from a number on: the first where the proposal starts, the others spread evenly.
 pub(super) fn tried(start: &[f64], from: usize, of_a_parameter: usize) -> Vec<Vec<f64>> {
@@ -265,6 +267,13 @@ pub(super) fn best_of_causes(sorted: &[Explained]) -> Vec<Explained> {
     sorted.iter().filter(wanted).cloned().collect()
 }
 
+/// Those of the first causes, so many, with all their forms.
+pub(super) fn of_so_many_causes(sorted: &[Explained], most: usize) -> Vec<Explained> {
+    let mut causes = BTreeSet::new();
+    let wanted = |e: &&Explained| causes.contains(e.cause()) || causes.len() < most && causes.insert(e.cause());
+    sorted.iter().filter(wanted).cloned().collect()
+}
+
 /// Explanations fitted more closely.
 pub(super) fn refine(work: &mut Work<'_>, stage: &str, all: Vec<Explained>) -> Result<Vec<Explained>, String> {
     let jobs = all.iter().map(|e| Work::search(&e.variant, e.fitted.point.clone(), SECOND_ROUND));
@@ -286,7 +295,26 @@ pub(super) fn weigh(all: &mut [Explained]) -> Result<(), String> {
             e.held.as_ref().map_or(f64::NEG_INFINITY, |r| before(e) + noise.evidence(r, e.variant.dimension()));
     }
     all.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
+    foremost_in_the_middle(all);
     Ok(())
+}
+
+/// Of the forms of the first cause that explain as much, the one comes first whose model stands nearest to the middle of what the
+/// user holds possible: in which of two runs a range is wrong may be told by nothing else.
+fn foremost_in_the_middle(all: &mut [Explained]) {
+    let Some(first) = all.first() else { return };
+    let off = |e: &Explained| e.variant.own(&e.fitted.point).iter().map(|x| (x - 0.5) * (x - 0.5)).sum::<f64>();
+    let equal = all.iter().enumerate().filter(|(_, e)| as_much(e, first));
+    let nearest = equal.min_by(|(_, a), (_, b)| off(a).total_cmp(&off(b))).map(|(n, _)| n);
+    if let Some(n) = nearest {
+        all[..=n].rotate_right(1);
+    }
+}
+
+/// Whether an explanation explains as much as another of its cause.
+pub(super) fn as_much(one: &Explained, other: &Explained) -> bool {
+    let seconds = |e: &Explained| (e.cause(), e.second());
+    seconds(one) == seconds(other) && (one.evidence - other.evidence).abs() < AS_MUCH
 }
 
 /// Log odds of an explanation before anything is seen: that nothing is missing is what is to be believed first, and two effects
@@ -297,7 +325,8 @@ fn before(e: &Explained) -> f64 {
         (_, Some(_)) => -SECOND,
         _ => 0.0,
     };
-    if e.variant.of_one_run() && differ(&e.variant.study) { odds - OF_ONE_RUN } else { odds }
+    let unseen = e.variant.seen() == 0.0 && e.variant.of_one_run() && differ(&e.variant.study);
+    odds + e.variant.known() - if unseen { OF_ONE_RUN } else { 0.0 }
 }
 
 /// What explanations would say of recordings that one of them makes: those that were weighed, the likeliest first, and the best of
@@ -307,6 +336,10 @@ pub(super) fn made_again(
     weighed: &[Explained],
     best: &[Explained],
 ) -> Result<Option<Bootstrap>, String> {
+    // What a recording shows by itself no noise makes.
+    if weighed[0].variant.seen() > 0.0 {
+        return Ok(None);
+    }
     let known: BTreeSet<&str> = weighed.iter().map(Explained::cause).collect();
     let more = best.iter().filter(|e| !known.contains(e.cause()));
     let all: Vec<&Explained> = weighed.iter().chain(more).collect();

@@ -1,8 +1,10 @@
 //! A study with a proposal in it: the script with the block, the parameters of both, the faults of its channels.
 
 use super::correction::Correction;
+use super::evidence::SEEN;
 use super::hypothesis::Proposal;
 use super::insertion::{Place, insert};
+use super::instruments::speak_for;
 use crate::study::{Blueprint, Mishap, Parameter, Role, ScriptSimulator, Simulator, Source, Space, Study};
 use std::sync::Arc;
 
@@ -17,13 +19,15 @@ pub struct Variant {
     pub proposal: Option<Proposal>,
     /// Number of parameters that are the user's own.
     own: usize,
+    /// Log odds by which instruments beside the channels speak for it.
+    instruments: f64,
 }
 
 impl Variant {
     /// The study as it is.
     pub fn baseline(study: &Arc<Study>, text: &str) -> Self {
         let own = study.space.parameters.len();
-        Self { study: study.clone(), text: text.into(), proposal: None, own }
+        Self { study: study.clone(), text: text.into(), proposal: None, own, instruments: 0.0 }
     }
 
     /// With a proposal; the parameters that it adds are declared in the block. `None` where a parameter of the study
@@ -41,7 +45,9 @@ impl Variant {
         };
         let mut study = (*self.study).clone();
         study.space = Space::new(parameters).ok()?;
-        Some(Self { study: Arc::new(study), text, proposal: Some(proposal.clone()), own: self.own })
+        let causes = std::iter::once(proposal.cause).chain(proposal.second);
+        let instruments = causes.map(|cause| speak_for(&study, cause)).sum();
+        Some(Self { study: Arc::new(study), text, proposal: Some(proposal.clone()), own: self.own, instruments })
     }
 
     /// The same with other runs.
@@ -111,6 +117,21 @@ impl Variant {
         let middle: Vec<f64> = vec![0.5; self.study.space.parameters.len()];
         let range = |c: &Correction| c.run.is_some() && (c.gain != 1.0 || c.clip.is_some());
         self.study.runs_of(Role::Fit).count() > 1 && self.corrections(&middle).iter().any(range)
+    }
+
+    /// Log odds for what the recordings show of it by themselves, and instruments beside the channels.
+    pub(super) fn known(&self) -> f64 {
+        self.seen() + self.instruments
+    }
+
+    /// Log odds for what the recordings show of it by themselves.
+    pub(super) fn seen(&self) -> f64 {
+        if self.proposal.as_ref().is_some_and(|p| p.seen) { SEEN } else { 0.0 }
+    }
+
+    /// Coordinates of the user's own parameters at a point.
+    pub(super) fn own<'a>(&self, point: &'a [f64]) -> &'a [f64] {
+        &point[..self.dimension() - self.proposal.as_ref().map_or(0, |p| p.added.len())]
     }
 
     /// A simulator of it.

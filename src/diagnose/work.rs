@@ -38,7 +38,7 @@ impl Explained {
     }
 
     pub(super) fn score(&self) -> f64 {
-        priced(self.fitted.objective, self.variant.dimension())
+        priced(self.fitted.objective, self.variant.dimension(), self.variant.known())
     }
 }
 
@@ -52,7 +52,7 @@ pub(super) struct Screened {
 
 impl Screened {
     pub(super) fn score(&self) -> f64 {
-        priced(self.expected, self.variant.dimension())
+        priced(self.expected, self.variant.dimension(), self.variant.known())
     }
 }
 

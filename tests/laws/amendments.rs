@@ -2,8 +2,9 @@
 
 use super::driver::{Alone, difference, path};
 use hysteron::element::amendment::{
-    Amended, Amendment, Axial, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Mullins, Overstress,
-    PeakOriented, Pinching, Pressure, Share, Sides, Slip, Stiffening, Temperature, Yielding,
+    Amended, Amendment, Axial, Bristles, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Mullins,
+    Overstress, PeakOriented, Pinching, Pressure, Relaxation, Share, Sides, Sliding, Slip, Stiffening, Temperature,
+    Yielding,
 };
 use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::{Link, PlaneBearing, ShearParameters, SpaceBearing};
@@ -67,6 +68,9 @@ fn laws() -> Vec<Arc<dyn Amendment>> {
         Arc::new(PeakOriented { force: 30.0, stiffness: 8000.0, hardening: 0.05, unloading: 0.4 }),
         Arc::new(Pressure { reference: 150.0, power: 0.8, lever: 900.0, load: None, share }),
         Arc::new(Friction { force: 15.0, stiffness: 4e4 }),
+        Arc::new(Bristles { force: 15.0, stiffness: 4e3, breakaway: 10.0, speed: 0.8 }),
+        Arc::new(Sliding { force: 15.0, speed: 0.3 }),
+        Arc::new(Relaxation { strength: 0.6, time: 0.02, longest: 5.0 }),
         Arc::new(Gap { at: 0.03, stiffness: 5e5, power: 1.5, damping: 0.1, sides: Sides::Both }),
         Arc::new(Damping { coefficient: 10.0, power: 0.5 }),
     ]
@@ -182,6 +186,68 @@ fn each_does_what_it_is_for() {
 
     let yields = force(Arc::new(Yielding { force: 20.0, stiffness: 8000.0, hardening: 0.0 }), cycles(0.05, 1));
     assert!((peak(&yields, 0) - 20.0).abs() < 1e-9);
+}
+
+/// Steps of 0.01 s.
+#[test]
+fn bristles_bend_and_slip() {
+    let bristles = |breakaway, speed| Arc::new(Bristles { force: 20.0, stiffness: 2e4, breakaway, speed });
+    let amended = |law: Arc<Bristles>, path: &dyn Fn(usize) -> f64| {
+        let plain = Temperature { softening: 0.0, at: 0.0, reference: 0.0, share: Share::default() };
+        let plain = force(Arc::new(plain), (0..400).map(path));
+        force(law, (0..400).map(path)).into_iter().zip(plain).map(|(a, p)| a - p).collect::<Vec<_>>()
+    };
+    // A steady speed, and back: -F + 2 F exp(-k w / F) after a way w.
+    let there_and_back = |i: usize| 1e-3 * if i <= 200 { i as f64 } else { 400.0 - i as f64 };
+    let f = amended(bristles(0.0, 1.0), &there_and_back);
+    assert!((f[200] - 20.0).abs() < 1e-9);
+    for (i, way) in [(201, 1e-3), (205, 5e-3), (230, 3e-2)] {
+        let expected = -20.0 + 40.0 * (-2e4 * way / 20.0f64).exp();
+        assert!((f[i] - expected).abs() < 1e-6, "{i}: {} {expected}", f[i]);
+    }
+    // Slower, Stribeck's peak: 0.1 m/s and 0.01 m/s against a speed of 0.1 m/s.
+    for slower in [1.0, 10.0] {
+        let f = amended(bristles(8.0, 0.1), &|i| 1e-3 / slower * i as f64);
+        let expected = 20.0 + 8.0 * (-(1.0 / slower).powi(2)).exp();
+        assert!((f[399] - expected).abs() < 1e-6, "{} {expected}", f[399]);
+    }
+}
+
+/// Steps of 0.01 s.
+#[test]
+fn friction_smoothed_over_speed_is_that_of_the_speed() {
+    let ramp = |speed: f64| {
+        let path = || (0..100).map(move |i| 0.01 * speed * f64::from(i));
+        let plain = Temperature { softening: 0.0, at: 0.0, reference: 0.0, share: Share::default() };
+        let sliding = Sliding { force: 20.0, speed: 0.03 };
+        force(Arc::new(sliding), path())[99] - force(Arc::new(plain), path())[99]
+    };
+    for (speed, expected) in [(0.04, 16.0), (-0.04, -16.0), (3.0, 20.0 / (1.0 + 1e-4f64).sqrt())] {
+        assert!((ramp(speed) - expected).abs() < 1e-9, "{speed}: {}", ramp(speed));
+    }
+}
+
+/// What relaxes after a step of the deformation falls with its times; a slow motion knows nothing of it.
+#[test]
+fn a_force_relaxes() {
+    let plain = || Temperature { softening: 0.0, at: 0.0, reference: 0.0, share: Share::default() };
+    let step = || (0..300).map(|i| if i > 0 { 0.04 } else { 0.0 });
+    let more = |law: Relaxation| {
+        let [relaxing, plain] = [force(Arc::new(law), step()), force(Arc::new(plain()), step())];
+        relaxing.iter().zip(&plain).map(|(r, p)| r / p - 1.0).collect::<Vec<f64>>()
+    };
+    let one = more(Relaxation { strength: 0.5, time: 0.4, longest: 0.0 });
+    for i in [2, 50, 299] {
+        let expected = one[1] * (-0.01 * (i - 1) as f64 / 0.4).exp();
+        assert!((one[i] - expected).abs() < 1e-12 && (0.45..0.5).contains(&one[1]), "{i}: {} {expected}", one[i]);
+    }
+    let many = more(Relaxation { strength: 0.5, time: 0.1, longest: 100.0 });
+    let expected = |t: f64| [0.1, 1.0, 10.0, 100.0].map(|tau| 0.125 * (-t / tau).exp()).iter().sum::<f64>();
+    assert!((many[299] - expected(2.985)).abs() < 1e-3, "{} {}", many[299], expected(2.985));
+    let slow = |law: Arc<dyn Amendment>| force(law, (0..3000).map(|i| 1e-5 * i as f64));
+    let relaxing = slow(Arc::new(Relaxation { strength: 0.5, time: 0.02, longest: 0.0 }));
+    let still = slow(Arc::new(plain()));
+    assert!((relaxing[2999] - still[2999]).abs() < 1e-2 * still[2999]);
 }
 
 #[test]

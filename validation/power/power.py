@@ -15,7 +15,7 @@ sys.path.insert(0, HERE)
 import checks  # noqa: E402
 import score  # noqa: E402
 import table  # noqa: E402
-from generator.plan import draw  # noqa: E402
+from generator.plan import draw, plan  # noqa: E402
 
 
 def make(args):
@@ -41,7 +41,7 @@ def one(job):
     seed, args = job
     options = ["--threads", "1"] + (["--verbose"] if args.keep else []) + shlex.split(args.options)
     try:
-        return score.trial(seed, args.engine, options, args.limit, args.keep, args.ratio, args.cause)
+        return score.trial(seed, args.engine, options, args.limit, args.keep, args.ratio, args.cause, args.knock_out)
     except Exception as e:  # a case that cannot be made is a row too, not the end of a night's batch
         return dict.fromkeys(score.FIELDS, "") | {"seed": seed, "status": f"case: {e!r}"[:120]}
 
@@ -65,6 +65,8 @@ def run(args):
         with open(args.csv, "w") as f:
             csv.writer(f, lineterminator="\n").writerow(score.FIELDS)
     jobs = [(seed, args) for seed in range(args.seed, args.seed + args.trials) if seed not in done]
+    if args.knock_out:
+        jobs = [job for job in jobs if plan(job[0])[1][0] not in ("none", "unknown")]
     with workers(args.jobs) as spread:
         for n, row in enumerate(spread(one, jobs), 1):
             with open(args.csv, "a") as f:
@@ -91,6 +93,7 @@ def main():
     r.add_argument("--jobs", type=int, default=os.cpu_count())
     r.add_argument("--engine", default="hysteron")
     r.add_argument("--options", default="", help="more options of `hysteron diagnose`, as '--without friction'")
+    r.add_argument("--knock-out", action="store_true", help="leave the truth of each case out of the library; cases without a listed one are left out")
     r.add_argument("--csv", default=os.path.join(HERE, "trials.csv"))
     r.add_argument("--keep", help="a folder in which studies and what was said stay")
     r.add_argument("--limit", type=float, default=1800.0, help="seconds a case may take")

@@ -51,8 +51,10 @@ def located(truth, mismatch):
     return int(place), f"{overlap(where['windows'], same[0]['windows']):.3f}" if same else "0"
 
 
-def trial(seed, engine, options, limit, keep=None, ratio=None, cause=None):
+def trial(seed, engine, options, limit, keep=None, ratio=None, cause=None, knock_out=False):
     case = draw(seed, ratio, cause)
+    if knock_out:
+        options = options + [word for name in case.truth for word in ("--without", name)]
     with tempfile.TemporaryDirectory() as scratch:
         folder = os.path.join(keep, str(seed)) if keep else scratch
         truth = case.write(folder)

@@ -82,7 +82,8 @@ fn propose_varying(s: &Sight<'_>) -> Vec<Proposal> {
             let line =
                 format!("{} -reference {p:.6e} -lever $hy_lever{option} -share $hy_k 0 {}", m.amend("pressure"), m.dir);
             let most = 1.5 * p / m.e;
-            let added = vec![Added::linear("lever", -most, most, 0.2 * most), elastic];
+            let recorded = m.axial_over(s).map(|slope| (slope * p).clamp(-most, most));
+            let added = vec![Added::linear("lever", -most, most, recorded.unwrap_or(0.2 * most)), elastic];
             let form = "strength follows an axial force that overturning changes";
             let form = Proposal::edit("varying_axial_load", form, m.at(), vec![line], added);
             out.push(Proposal { exact: true, ..form });

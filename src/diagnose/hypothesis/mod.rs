@@ -24,8 +24,9 @@ mod torsion;
 
 use super::anatomy::{Anatomy, Device};
 use super::correction::Correction;
+use super::instruments::axial_over;
 use super::scale::Scales;
-use crate::study::{Fit, Range, Scale, Study};
+use crate::study::{Fit, Range, Role, Scale, Study};
 pub(super) use sensor::KNOTS;
 use std::fmt;
 use std::sync::Arc;
@@ -98,6 +99,8 @@ pub struct Sight<'a> {
     pub scales: &'a Scales,
     /// The fitted runs as the user's model has them, in their order.
     pub fits: &'a [Fit],
+    /// The times of the recordings are those of a clock, and not the numbers of samples.
+    pub clock: bool,
 }
 
 /// A parameter that a proposal adds.
@@ -153,6 +156,8 @@ pub struct Proposal {
     pub faults: Option<Faults>,
     /// It follows from geometry alone and not from the form of a law: what it leaves does not come again along the stroke.
     pub exact: bool,
+    /// The recording shows it by itself, whatever the model.
+    pub seen: bool,
 }
 
 impl fmt::Debug for Proposal {
@@ -164,7 +169,7 @@ impl fmt::Debug for Proposal {
 impl Proposal {
     /// An edit of the script.
     pub fn edit(cause: &'static str, form: &str, at: String, block: Vec<String>, added: Vec<Added>) -> Self {
-        Self { cause, second: None, form: form.into(), at, block, added, faults: None, exact: false }
+        Self { cause, second: None, form: form.into(), at, block, added, faults: None, exact: false, seen: false }
     }
 
     /// Two proposals together; parameters of the second get names of their own.
@@ -172,6 +177,7 @@ impl Proposal {
         let renamed = |text: &str| text.replace("hy_", "hy2_");
         let mut both = self.clone();
         both.exact &= other.exact;
+        both.seen |= other.seen;
         both.second = Some(other.cause);
         both.form = format!("{}; {}", self.form, other.form);
         both.block.extend(other.block.iter().map(|l| renamed(l)));
@@ -232,6 +238,12 @@ impl Moved<'_> {
 
     fn at(&self) -> String {
         named(&self.group)
+    }
+
+    /// Part of its mean by which a recorded axial force grows with the first deformation, in the first fitted run that has one.
+    fn axial_over(&self, s: &Sight<'_>) -> Option<f64> {
+        let (tag, direction) = (self.group[0].tag, *self.directions.first()?);
+        s.study.runs_of(Role::Fit).find_map(|(n, run)| axial_over(run, &s.scales.watched.get(&(n, tag, direction))?.e))
     }
 
     /// Option that tells an amendment which direction carries the axial force, where it is not the first.

@@ -30,6 +30,21 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
         };
         out.push(over("linear overstress (Maxwell)", "1.0", vec![]));
         out.push(over("power-law overstress", "$hy_power", vec![Added::linear("power", 0.08, 1.0, 0.3)]));
+        let relaxing = |form: &str, more: &str| {
+            let line = format!("{} -strength $hy_strength -time $hy_time{more} {dir}", m.amend("relaxation"));
+            // From what relaxes between two samples to what hardly does during the longest run.
+            let (step, longest) = (s.sampling(), s.longest());
+            let added = vec![
+                Added::log("strength", 0.01, 20.0, 0.3),
+                Added::log("time", step, longest, (step * longest).sqrt()),
+            ];
+            Proposal::edit("rate_dependence", form, at.clone(), vec![line], added)
+        };
+        out.push(relaxing("quasi-linear overstress, one relaxation time", ""));
+        out.push(relaxing(
+            "quasi-linear overstress, relaxation times over three decades",
+            " -longest [expr 1000*$hy_time]",
+        ));
         let line = format!("{} damping -coefficient $hy_c -power $hy_power {dir}", m.amend(""));
         let c = m.q / m.v.max(f64::MIN_POSITIVE);
         let added = vec![Added::log("c", 1e-4 * c, 3.0 * c, 0.05 * c), Added::linear("power", 0.1, 1.2, 1.0)];

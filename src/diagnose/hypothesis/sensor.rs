@@ -2,7 +2,8 @@
 
 use super::{Added, Faults, Hypothesis, Proposal, Sight};
 use crate::diagnose::correction::Correction;
-use crate::study::{Observe, Role};
+use crate::diagnose::saturation::saturated;
+use crate::study::{Observe, Role, Run};
 use std::sync::Arc;
 
 const fn fault(
@@ -60,9 +61,10 @@ fn proposal(cause: &'static str, form: &str, channel: &str, added: Vec<Added>, f
     Proposal { faults: Some(faults), ..Proposal::edit(cause, form, format!("channel {channel}"), vec![], added) }
 }
 
-/// Least and greatest sample of a channel in the fitted runs.
-fn extremes(s: &Sight<'_>, channel: &str) -> [f64; 2] {
-    let runs = s.study.runs.iter().filter(|r| r.role == Role::Fit);
+/// Least and greatest sample of a channel in the fitted runs, or in one of them.
+fn extremes(s: &Sight<'_>, channel: &str, run: Option<&str>) -> [f64; 2] {
+    let of_run = |r: &&Run| r.role == Role::Fit && run.is_none_or(|name| r.name == name);
+    let runs = s.study.runs.iter().filter(of_run);
     let values = runs.flat_map(|r| &r.observe).filter(|o| o.channel == channel).flat_map(|o| &o.values);
     values.filter(|x| x.is_finite()).fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(*x), b.max(*x)])
 }
@@ -132,7 +134,7 @@ fn jump_of(residual: &[f64]) -> f64 {
 fn drift(s: &Sight<'_>) -> Vec<Proposal> {
     let mut out = vec![];
     for o in channels(s) {
-        let [low, high] = extremes(s, &o.channel);
+        let [low, high] = extremes(s, &o.channel, None);
         let size = high - low;
         let longest = s.longest();
         let slope = || {
@@ -150,6 +152,11 @@ fn drift(s: &Sight<'_>) -> Vec<Proposal> {
         let slow = warming.clone();
         let faults: Faults = Arc::new(move |v| vec![slow(v, None)]);
         out.push(proposal("sensor_drift", "a steady slope", &o.channel, slope().into(), faults));
+        for r in fitted_with(s, &o.channel) {
+            let (slow, run) = (warming.clone(), r.to_owned());
+            let faults: Faults = Arc::new(move |v| vec![slow(v, Some(&run))]);
+            out.push(proposal("sensor_drift", &format!("a steady slope in {r}"), &o.channel, slope().into(), faults));
+        }
         let fitted = s.study.runs.iter().filter(|r| r.role == Role::Fit);
         let mut all: Vec<(String, f64, f64)> = vec![];
         for (r, fit) in fitted.zip(s.fits) {
@@ -193,16 +200,29 @@ fn drift(s: &Sight<'_>) -> Vec<Proposal> {
 }
 
 fn clipping(s: &Sight<'_>) -> Vec<Proposal> {
-    let each = channels(s).into_iter().filter_map(|o| {
-        let [low, high] = extremes(s, &o.channel);
-        let size = high.max(-low);
-        (size > 0.0).then(|| {
-            let name = o.channel.clone();
-            let faults: Faults =
-                Arc::new(move |v| vec![Correction { clip: Some([-v[0], v[0]]), ..Correction::none(&name, None) }]);
+    let mut out = vec![];
+    for o in channels(s) {
+        let stays = saturated(s.study, s.fits, &o.channel);
+        let runs = std::iter::once(None).chain(fitted_with(s, &o.channel).map(Some));
+        for run in runs {
+            let [low, high] = extremes(s, &o.channel, run);
+            let size = high.max(-low);
+            if size <= 0.0 {
+                continue;
+            }
+            // Where it is seen to stay, the run has its largest values.
+            let at = |end: f64| end.abs() > (1.0 - 1e-3) * size;
+            let of_run = stays.iter().filter(|(r, _)| run.is_none_or(|name| r.name == name));
+            let seen = of_run.flat_map(|(_, ends)| ends).flatten().any(|end| at(*end));
+            let (name, of) = (o.channel.clone(), run.map(str::to_owned));
+            let faults: Faults = Arc::new(move |v| {
+                vec![Correction { clip: Some([-v[0], v[0]]), ..Correction::none(&name, of.as_deref()) }]
+            });
             let added = vec![Added::linear("level", 0.3 * size, 1.1 * size, 1.0 * size)];
-            proposal("sensor_clipping", "a level on both sides", &o.channel, added, faults)
-        })
-    });
-    each.collect()
+            let form = run.map_or("a level on both sides".into(), |r| format!("a level on both sides in {r}"));
+            let form = if seen { form + ", at which the recording stays" } else { form };
+            out.push(Proposal { seen, ..proposal("sensor_clipping", &form, &o.channel, added, faults) });
+        }
+    }
+    out
 }

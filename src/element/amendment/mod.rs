@@ -7,6 +7,7 @@
 
 mod amended;
 mod axial;
+mod bristles;
 mod cavitation;
 mod coupling;
 mod damping;
@@ -19,8 +20,10 @@ mod overstress;
 mod peak_oriented;
 mod pinching;
 mod pressure;
+mod relaxation;
 mod share;
 mod slack;
+mod sliding;
 mod slip;
 mod stiffening;
 mod temperature;
@@ -32,6 +35,7 @@ use std::fmt;
 
 pub use amended::Amended;
 pub use axial::Axial;
+pub use bristles::Bristles;
 pub use cavitation::Cavitation;
 pub use coupling::Coupling;
 pub use damping::Damping;
@@ -44,8 +48,10 @@ pub use overstress::Overstress;
 pub use peak_oriented::PeakOriented;
 pub use pinching::Pinching;
 pub use pressure::Pressure;
+pub use relaxation::Relaxation;
 pub use share::Share;
 pub use slack::{Slack, Taken};
+pub use sliding::Sliding;
 pub use slip::Slip;
 pub use stiffening::Stiffening;
 pub use temperature::Temperature;

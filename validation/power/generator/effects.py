@@ -280,22 +280,31 @@ class Cavitation(Effect):
 
 
 class Friction(Effect):
-    """A guide in parallel: bristles of LuGre with Stribeck's peak, or Dahl's."""
+    """A guide in parallel: Coulomb's law smoothed over speed with a peak at rest that falls by the speed itself, or a hysteretic spring
+    of Bouc and Wen without hardening. (Up to seed 74099 bristles by LuGre or Dahl, which the library has had since.)"""
 
     def draw(self, rng):
         sc = self.scale
         self.Fc = self.s * rng.uniform(0.25, 0.4) * sc.F
+        self.by_speed = rng.random() < 0.5
         self.peak = rng.choice((1.0, rng.uniform(1.1, 1.4)))
         self.vs = rng.uniform(0.05, 0.15) * sc.V
+        self.v0 = rng.uniform(0.005, 0.02) * sc.V
         self.u0 = rng.uniform(0.004, 0.012) * sc.U
+        self.n = rng.uniform(1.5, 4.0)
 
     def start(self):
         self.z = 0.0
 
     def apply(self, c):
-        g = 1.0 + (self.peak - 1.0) * math.exp(-((c.v / self.vs) ** 2))
+        if self.by_speed:
+            c.parallel += self.Fc * (1.0 + (self.peak - 1.0) * math.exp(-abs(c.v) / self.vs)) * math.tanh(c.v / self.v0)
+            return
         d = c.v * c.h / self.u0
-        self.z = (self.z + d) / (1.0 + abs(d) / g)
+        parts = 1 + int(abs(d) / 0.05)
+        for _ in range(parts):
+            left = abs(self.z) ** self.n if d * self.z > 0.0 else 0.0
+            self.z = min(1.0, max(-1.0, self.z + d / parts * (1.0 - left)))
         c.parallel += self.Fc * self.z
 
 

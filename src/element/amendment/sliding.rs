@@ -1,0 +1,41 @@
+//! Friction smoothed over speed.
+
+use super::{AmendmentLaw, Demand, Pair, Verdict};
+use crate::element::ElementError;
+
+/// Coulomb's law with no force at rest, f = F v / √(|v|² + v₀²), isotropic in two directions: as drags of lubricated guides are
+/// recorded, and as many programs smooth a sign. The rate is that of the deformation over domain time, in static analyses too;
+/// where no time passes there is no force.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sliding {
+    /// Friction force F of a fast motion.
+    pub force: f64,
+    /// Speed v₀ at which it is F/√2.
+    pub speed: f64,
+}
+
+impl AmendmentLaw for Sliding {
+    type State = ();
+    const NAME: &'static str = "sliding";
+
+    fn amend(&self, (): &(), d: &Demand) -> Result<(Verdict, ()), ElementError> {
+        let mut out = Verdict::unchanged(d.q);
+        if d.dt <= 0.0 {
+            return Ok((out, ()));
+        }
+        let v: Pair = d.increment().map(|de| de / d.dt);
+        let size = v[0].hypot(v[1]).hypot(self.speed);
+        for i in 0..2 {
+            out.q[i] += self.force * v[i] / size;
+            for j in 0..2 {
+                let unit = f64::from(u8::from(i == j));
+                out.by_deformation[i][j] = self.force / (size * d.dt) * (unit - v[i] * v[j] / (size * size));
+            }
+        }
+        Ok((out, ()))
+    }
+
+    fn depends_on_time(&self) -> bool {
+        true
+    }
+}
