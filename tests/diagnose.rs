@@ -52,11 +52,11 @@ fn pad(path: &[f64]) -> Vec<f64> {
 
 /// A study of two runs, with what the channel shows of the path and the pad's force.
 fn concealed(name: &str, shows: impl Fn(&[f64], &[f64]) -> Vec<f64>) -> PathBuf {
-    recorded(name, shows, f64::INFINITY)
+    recorded(name, shows, [f64::NEG_INFINITY, f64::INFINITY])
 }
 
-/// The same, of a channel that shows nothing beyond a level, its noise neither.
-fn recorded(name: &str, shows: impl Fn(&[f64], &[f64]) -> Vec<f64>, level: f64) -> PathBuf {
+/// The same, of a channel that shows nothing beyond two levels, its noise neither.
+fn recorded(name: &str, shows: impl Fn(&[f64], &[f64]) -> Vec<f64>, [low, high]: [f64; 2]) -> PathBuf {
     let dir = std::env::temp_dir().join(format!("hysteron-diagnose-{name}-{}", std::process::id()));
     fs::create_dir_all(&dir).unwrap();
     fs::write(dir.join("model.tcl"), MODEL).unwrap();
@@ -71,7 +71,7 @@ fn recorded(name: &str, shows: impl Fn(&[f64], &[f64]) -> Vec<f64>, level: f64) 
         let force = shows(&path, &pad(&path));
         let mut table = "time[s],force[kN]\n".to_owned();
         for (i, f) in force.iter().enumerate() {
-            writeln!(table, "{},{}", DT * i as f64, (f + 0.3 * noise.next()).clamp(-level, level)).unwrap();
+            writeln!(table, "{},{}", DT * i as f64, (f + 0.3 * noise.next()).clamp(low, high)).unwrap();
         }
         fs::write(dir.join(format!("{run}.csv")), table).unwrap();
         let text: String = path.iter().map(|u| format!("{u}\n")).collect();
@@ -212,15 +212,21 @@ fn a_late_channel_is_told_from_physics() {
     let _ = fs::remove_dir_all(dir);
 }
 
-/// Of the loops so little is cut off that the misfit hardly tells it.
+/// Of the loops so little is cut off that the misfit hardly tells it; on both sides, and on one.
 #[test]
 fn a_channel_that_stays_at_its_ends_is_seen() {
-    let largest = 20.5;
-    let dir = recorded("saturates", |_, f| f.to_vec(), largest);
-    let d = diagnosed(&dir, &[]);
-    assert_eq!(d.outcome.verdict.cause, "sensor_clipping", "{:?}", d.outcome.verdict);
-    assert_eq!(d.outcome.corrected.channels[0].clip.map(|[_, high]| (high - largest).abs() < 0.5), Some(true));
-    let _ = fs::remove_dir_all(dir);
+    for low in [-19.5, f64::NEG_INFINITY] {
+        let dir = recorded("saturates", |_, f| f.to_vec(), [low, 19.5]);
+        let d = diagnosed(&dir, &[]);
+        assert_eq!(d.outcome.verdict.cause, "sensor_clipping", "{:?}", d.outcome.verdict);
+        let clip = d.outcome.corrected.channels[0].clip;
+        assert!(clip.is_some_and(|[_, high]| (high - 19.5).abs() < 0.5), "{clip:?}");
+        assert!(
+            clip.is_some_and(|[l, _]| if low.is_finite() { (l - low).abs() < 0.5 } else { l < -100.0 }),
+            "{clip:?}"
+        );
+        let _ = fs::remove_dir_all(dir);
+    }
 }
 
 #[test]

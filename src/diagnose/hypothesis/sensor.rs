@@ -199,6 +199,9 @@ fn drift(s: &Sight<'_>) -> Vec<Proposal> {
     out
 }
 
+/// A level that no sample reaches, over the largest one.
+const NEVER: f64 = 10.0;
+
 fn clipping(s: &Sight<'_>) -> Vec<Proposal> {
     let mut out = vec![];
     for o in channels(s) {
@@ -210,18 +213,26 @@ fn clipping(s: &Sight<'_>) -> Vec<Proposal> {
             if size <= 0.0 {
                 continue;
             }
-            // Where it is seen to stay, the run has its largest values.
-            let at = |end: f64| end.abs() > (1.0 - 1e-3) * size;
-            let of_run = stays.iter().filter(|(r, _)| run.is_none_or(|name| r.name == name));
-            let seen = of_run.flat_map(|(_, ends)| ends).flatten().any(|end| at(*end));
+            // An end at which it is seen to stay is one of all that is looked at.
+            let of_run = || stays.iter().filter(|(r, _)| run.is_none_or(|name| r.name == name));
+            let is_end = |side: usize, end: f64| {
+                of_run().filter_map(|(_, ends)| ends[side]).any(|seen| (seen - end).abs() < 1e-3 * size)
+            };
+            let ends = [is_end(0, low).then_some(low), is_end(1, high).then_some(high)];
+            let seen = ends.iter().any(Option::is_some);
             let (name, of) = (o.channel.clone(), run.map(str::to_owned));
+            let clip = move |v: f64| match ends {
+                [None, None] => [-v * size, v * size],
+                [low, high] => [low.map_or(-NEVER * size, |x| v * x), high.map_or(NEVER * size, |x| v * x)],
+            };
             let faults: Faults = Arc::new(move |v| {
-                vec![Correction { clip: Some([-v[0], v[0]]), ..Correction::none(&name, of.as_deref()) }]
+                vec![Correction { clip: Some(clip(v[0])), ..Correction::none(&name, of.as_deref()) }]
             });
-            let added = vec![Added::linear("level", 0.3 * size, 1.1 * size, 1.0 * size)];
-            let form = run.map_or("a level on both sides".into(), |r| format!("a level on both sides in {r}"));
-            let form = if seen { form + ", at which the recording stays" } else { form };
-            out.push(Proposal { seen, ..proposal("sensor_clipping", &form, &o.channel, added, faults) });
+            let form = if seen { "a level at which the recording stays" } else { "a level on both sides" };
+            let form = run.map_or(form.into(), |r| format!("{form} in {r}"));
+            let added =
+                if seen { Added::linear("level", 0.9, 1.1, 1.0) } else { Added::linear("level", 0.3, 1.1, 1.0) };
+            out.push(Proposal { seen, ..proposal("sensor_clipping", &form, &o.channel, vec![added], faults) });
         }
     }
     out
