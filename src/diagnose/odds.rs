@@ -34,8 +34,8 @@ const DOUBT_OF_A_NAME: f64 = 0.05;
 const DOUBT_OF_NO_NAME: f64 = 0.15;
 /// How much oftener a name is wrong where all that it leaves has structure, and in part where a part of it has. Of 395 names in trials
 /// of validation/power 97 % were right where nothing had structure, 93 % where up to two fifths had, 92 % up to three fifths, seven of
-/// nine beyond; with the truth taken out of the library, the names that are left (no equivalents) stand beside structure of a third
-/// and more. It is what both say where the library lacks the cause in one case of five.
+/// nine beyond. Of the names that are given with the truth taken out of the library, and are no equivalents, half stand beside structure
+/// of a third and more. It is about what both say together where the library lacks the cause in one case of five.
 const DOUBT_OF_A_LAW: f64 = 0.4;
 /// Log evidence by which the first cause is ahead of those that the recordings do not tell it apart from: more than the doubts of a
 /// name take from it.

@@ -20,6 +20,13 @@ fn the_force_is_amended_and_so_is_what_recorders_show() {
     assert_eq!((code, out.as_str()), (Some(0), "10 15 5 5\n"), "{err}");
     let (code, out, err) = pulled("amend element 1 temperature -softening 0.01 -at 0 -reference 0 -share 500 0");
     assert_eq!((code, out.as_str()), (Some(0), "10 20 10 10\n"), "{err}");
+    // What depends on time takes that of the domain.
+    let (code, out, err) = pulled("amend element 1 sliding -force 5. -speed 0.0075");
+    assert_eq!((code, out.as_str()), (Some(0), "14 24 6 6\n"), "{err}");
+    let (code, out, err) = pulled("amend element 1 relaxation -strength 0.5 -time 1.");
+    assert_eq!((code, out.as_str()), (Some(0), "13.1606 24.3233 8.42986 8.42986\n"), "{err}");
+    let (code, out, err) = pulled("amend element 1 bristles -force 5. -stiffness 1000.");
+    assert_eq!((code, out.as_str()), (Some(0), "14.3233 24.9084 6.34096 6.34096\n"), "{err}");
     // One around the other: the second sees the force of the first.
     let (code, out, err) = pulled("amend element 1 yielding -force 15.\namend element 1 stiffening -factor 1e4");
     assert_eq!((code, out.as_str()), (Some(0), "11 19 6 6\n"), "{err}");
