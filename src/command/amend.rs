@@ -147,11 +147,15 @@ const KINDS: &[Kind] = &[
         options: &[
             needed("-strength", "part by which the force of a sudden change is larger", NotNegative),
             needed("-time", "relaxation time, the shortest where there are several", Positive),
-            optional("-longest", "longest of four relaxation times", Positive, 0.0),
+            optional(
+                "-decades",
+                "decades over which four relaxation times are spread; 0: there is one",
+                NotNegative,
+                0.0,
+            ),
         ],
         make: |n, _, _| {
-            let (strength, time, longest) = (n.get("-strength"), n.get("-time"), n.get("-longest"));
-            Arc::new(Relaxation { strength, time, longest })
+            Arc::new(Relaxation { strength: n.get("-strength"), time: n.get("-time"), decades: n.get("-decades") })
         },
     },
     Kind {
@@ -235,7 +239,7 @@ const KINDS: &[Kind] = &[
             needed("-force", "friction force of a fast motion", NotNegative),
             needed("-stiffness", "stiffness before it slips", Positive),
             optional("-breakaway", "what the friction of a slow motion has more", NotNegative, 0.0),
-            optional("-speed", "speed by which that has gone", Positive, 1.0),
+            optional("-speed", "speed by which that has gone", Positive, f64::INFINITY),
         ],
         make: |n, _, _| {
             let (force, stiffness) = (n.get("-force"), n.get("-stiffness"));

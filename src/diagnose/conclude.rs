@@ -3,7 +3,7 @@
 use super::bootstrap::Bootstrap;
 use super::correction::Correction;
 use super::fitting::Fitted;
-use super::hypothesis::{self, Proposal};
+use super::hypothesis;
 use super::insertion::Place;
 use super::locate::{regime, windows};
 use super::next_test::next_test;
@@ -108,8 +108,9 @@ pub(super) fn conclude(
     if let Some(b) = c.bootstrap.as_ref().filter(|b| b.cause == verdict) {
         explanation += &b.says();
     }
-    if let Some(p) = weighed.iter().filter(|e| as_much(e, &chosen)).find_map(|e| another_form(e, &chosen)) {
-        explanation += &format!(" Another form explains as much: {}.", p.form);
+    let other = |e: &&Explained| as_much(e, &chosen) && !Arc::ptr_eq(&e.variant, &chosen.variant);
+    if let Some(p) = weighed.iter().find(other).and_then(|e| e.variant.proposal.as_ref()) {
+        explanation += &format!(" Another form explains as much: {}, {}.", p.at, p.form);
     }
     if !c.untimed.is_empty() {
         explanation += &format!(
@@ -122,7 +123,9 @@ pub(super) fn conclude(
                         fewer samples, may tell more.";
     }
     if keeps < 1.0 {
-        explanation += " The runs held out contradict the repair: they get no better by it.";
+        let how =
+            if keeps > HARMED { "they get no better by it" } else { "they get much worse by it, or have no answer" };
+        explanation += &format!(" The runs held out contradict the repair: {how}.");
     }
     // The verdict and its strongest rival, each as it was fitted.
     let rival = weighed.iter().find(|e| e.cause() != chosen.cause() && e.cause() != "none");
@@ -245,12 +248,6 @@ fn repaired(
         _ => 1.0,
     };
     Ok(Repair { chosen, fitted, after, keeps })
-}
-
-/// What was proposed where it is another form of the cause of `chosen`, which stands for all of it.
-fn another_form<'a>(e: &'a Explained, chosen: &Explained) -> Option<&'a Proposal> {
-    let p = e.variant.proposal.as_ref()?;
-    (!Arc::ptr_eq(&e.variant, &chosen.variant)).then_some(p)
 }
 
 /// What a variant says of all runs with the steps of the script; `None` where it has no answer.

@@ -10,11 +10,16 @@ const LOADS: f64 = 0.05;
 /// Amplitudes differ from this ratio on: a choice, at which softening with amplitude is no matter of the noise.
 const AMPLITUDES: f64 = 3.0;
 
+/// Samples of a column of a recording, by the beginning of its name.
+pub(super) fn column<'a>(run: &'a Run, name: &str) -> Option<&'a [f64]> {
+    let column = run.recording.columns.iter().find(|c| c.name.to_lowercase().starts_with(name))?;
+    Some(&column.values)
+}
+
 /// Temperature of each run at its beginning, from a column of its recording; the surroundings, not what work adds.
 pub(super) fn temperatures(study: &Study) -> Option<Vec<f64>> {
     let of = |r: &Run| {
-        let column = r.recording.columns.iter().find(|c| c.name.to_lowercase().starts_with("temp"))?;
-        let first: Vec<f64> = column.values.iter().copied().filter(|x| x.is_finite()).take(10).collect();
+        let first: Vec<f64> = column(r, "temp")?.iter().copied().filter(|x| x.is_finite()).take(10).collect();
         (!first.is_empty()).then(|| first.iter().sum::<f64>() / first.len() as f64)
     };
     study.runs.iter().map(of).collect()

@@ -19,7 +19,8 @@ use super::noise::{averaged, burg, power, whiten};
 /// simulated cases, not from the length of the records.
 pub const INDEPENDENT: f64 = 40.0;
 
-/// Log odds for what a recording shows by itself, over what only the misfit of a model tells.
+/// Log odds for what a recording shows by itself, over what only the misfit of a model tells: a choice, more than any structure that is
+/// left can say for `unknown`.
 pub(super) const SEEN: f64 = 15.0;
 
 /// Objective with a price for so many parameters and log odds for what else is known, as a logarithm: a score for a first sorting,

@@ -1,13 +1,16 @@
 //! What columns that no channel observes say of causes: a thermometer, a load cell.
 
+use super::conditions::column;
 use super::noise::averaged;
 use crate::study::{Role, Run, Study};
 
 /// Log odds by which an instrument speaks for a cause, or against it: much, and not all, since it need not be what moves the channels.
+/// A choice.
 const SPEAKS: f64 = 4.0;
 /// Degrees by which a device becomes warmer in a run where work warms it: no matter of the room.
 const WARMER: f64 = 3.0;
-/// Standard deviation of a recorded axial force over its mean from which it varies, and up to which it does not.
+/// Standard deviation of a recorded axial force over its mean from which it varies, and up to which it does not: in trials of
+/// validation/power 0.09 to 0.29 where it does, 0.002 where it does not.
 const VARIES: f64 = 0.05;
 const CONSTANT: f64 = 0.02;
 /// Points that a temperature is averaged to, and samples of an axial force that are averaged: it follows the motion.
@@ -31,12 +34,6 @@ pub(super) fn speak_for(study: &Study, cause: &str) -> f64 {
         }
         _ => 0.0,
     }
-}
-
-/// Samples of a column of a recording, by the beginning of its name.
-fn column<'a>(run: &'a Run, name: &str) -> Option<&'a [f64]> {
-    let column = run.recording.columns.iter().find(|c| c.name.to_lowercase().starts_with(name))?;
-    Some(&column.values)
 }
 
 /// By how much a recorded temperature rises from its beginning.

@@ -140,7 +140,7 @@ fn among(
 ) -> Vec<(&'static str, f64)> {
     causes.sort_by(|a, b| b.1.total_cmp(&a.1));
     temper(&mut causes, left, none);
-    bound(&mut causes, bootstrap);
+    bound(&mut causes, none, bootstrap);
     let mut p = probabilities(&causes.iter().map(|c| c.1).collect::<Vec<_>>());
     doubt(&causes, &mut p);
     doubt_the_library(&causes, left, &mut p);
@@ -167,14 +167,23 @@ fn temper(causes: &mut [(&'static str, f64)], left: f64, none: f64) {
 }
 
 /// What the evidence says of the first cause against one whose own recordings would have let it gain as much counts for little.
-/// The first one stays ahead: that is what the gain still says.
-fn bound(causes: &mut [(&'static str, f64)], bootstrap: Option<&Bootstrap>) {
+/// The first one stays ahead of each: that is what the gain still says. What one would stand for that gains nothing over `none` itself,
+/// is for `unknown`: the gain of the first tells little, and that other is not seen.
+fn bound(causes: &mut [(&'static str, f64)], none: f64, bootstrap: Option<&Bootstrap>) {
     let (first, most) = causes[0];
     let Some(b) = bootstrap.filter(|b| b.cause == first && first != "none") else { return };
+    let mut unseen = 0.0;
     for (cause, evidence) in causes.iter_mut().skip(1) {
-        if let Some(ahead) = b.bound(cause) {
-            *evidence = evidence.max(most - ahead.max(AHEAD));
+        let Some(ahead) = b.bound(cause) else { continue };
+        let beside = most - ahead.max(AHEAD);
+        if *evidence > none || *cause == "none" {
+            *evidence = evidence.max(beside);
+        } else {
+            unseen += (beside - most).exp();
         }
+    }
+    if let Some((_, unknown)) = causes.iter_mut().find(|c| c.0 == "unknown") {
+        *unknown = most + ((*unknown - most).exp() + unseen).ln();
     }
 }
 
@@ -288,6 +297,28 @@ mod tests {
         assert!(of(&beside, "gap_impact") < 0.01 && of(&beside, "none") < 0.01);
         // The same of recordings of another first cause says nothing.
         assert_eq!(among(causes(), 0.0, 0.0, Some(&Bootstrap { cause: "torsion", ..b })), sure);
+    }
+
+    /// Causes that gain nothing do not stand beside one that they are not told apart from: it is not known then.
+    #[test]
+    fn what_gains_nothing_is_no_rival_but_a_doubt() {
+        let of = |evidence| {
+            let rivals = ["damping", "torsion", "sensor_lag"];
+            let share = |cause| Share { cause, share: 0.6, against: 0.0 };
+            let b = Bootstrap {
+                cause: "friction",
+                recordings: 199,
+                chance: Some(0.005),
+                found: 0.5,
+                not_told_apart: rivals.map(share).into(),
+            };
+            let mut causes = vec![("friction", 4.0), ("none", 0.0), ("unknown", -4.0)];
+            causes.extend(rivals.map(|cause| (cause, evidence)));
+            let odds = among(causes, 0.0, 0.0, Some(&b));
+            assert!((odds.iter().map(|o| o.1).sum::<f64>() - 1.0).abs() < 1e-12);
+            odds[0].0
+        };
+        assert_eq!((of(1.0), of(-1.0)), ("friction", "unknown"));
     }
 
     /// A gain that chance would give does not make a cause sure.

@@ -210,7 +210,7 @@ impl Makings<'_> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::{Makings, Pair};
     use crate::diagnose::fitting::Fitted;
     use crate::diagnose::hypothesis::{Added, Proposal};
@@ -222,14 +222,20 @@ mod tests {
     use std::path::Path;
     use std::sync::Arc;
 
-    fn at(variant: Variant, added: &[f64]) -> Explained {
+    pub(in crate::diagnose) fn at(variant: Variant, added: &[f64]) -> Explained {
         let own = variant.dimension() - added.len();
         let point = [&vec![0.5; own][..], added].concat();
         let values = variant.study.space.values(&point).expect("values");
         Explained::new(Arc::new(variant), Fitted { point, values, objective: 1.0, fits: vec![] })
     }
 
-    fn effect(cause: &'static str, names: &[&str]) -> Proposal {
+    pub(in crate::diagnose) fn baseline() -> Explained {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("tcl-like-inputs/pad_study/study.toml");
+        let study = Arc::new(Study::load(&file, &mut SourceMap::default()).expect("a study"));
+        at(Variant::baseline(&study, "analyze 1\n"), &[])
+    }
+
+    pub(in crate::diagnose) fn effect(cause: &'static str, names: &[&str]) -> Proposal {
         let added = names.iter().map(|n| Added::linear(n, 0.0, 1.0, 0.5)).collect();
         let block = names.iter().map(|n| format!("{n} $hy_{n}")).collect();
         Proposal::edit(cause, cause, "element 1".into(), block, added)
@@ -238,9 +244,7 @@ mod tests {
     /// A pair that is turned round keeps the values of all its parameters, and each effect its own.
     #[test]
     fn a_pair_may_be_turned_round() {
-        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("tcl-like-inputs/pad_study/study.toml");
-        let study = Arc::new(Study::load(&file, &mut SourceMap::default()).expect("a study"));
-        let baseline = at(Variant::baseline(&study, "analyze 1\n"), &[]);
+        let baseline = baseline();
         let place = Place::At(0);
         let (friction, damping) = (effect("friction", &["force"]), effect("damping", &["c", "n"]));
         let with = |p: &Proposal| baseline.variant.with(&place, p).expect("a variant");

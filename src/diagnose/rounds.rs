@@ -351,3 +351,48 @@ pub(super) fn made_again(
     let leads = rivals.first().is_some_and(|r| r.cause == weighed[0].cause());
     Ok(if leads { bootstrap(&rivals) } else { None })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{foremost_in_the_middle, of_so_many_causes};
+    use crate::diagnose::insertion::Place;
+    use crate::diagnose::pairs::tests::{at, baseline, effect};
+    use crate::diagnose::work::Explained;
+
+    /// Explanations by their cause, evidence and where the user's own parameters stand.
+    fn explained(of: &[(&'static str, f64, f64)]) -> Vec<Explained> {
+        let baseline = baseline();
+        let own = baseline.variant.dimension();
+        let one = |(cause, evidence, place): &(&'static str, f64, f64)| {
+            let variant = baseline.variant.with(&Place::At(0), &effect(cause, &["x"])).expect("a variant");
+            let mut e = at(variant, &[0.5]);
+            e.fitted.point[..own].fill(*place);
+            e.evidence = *evidence;
+            e
+        };
+        of.iter().map(one).collect()
+    }
+
+    #[test]
+    fn of_what_explains_as_much_the_middle_comes_first() {
+        let order = |of: &[(&'static str, f64, f64)]| {
+            let mut all = explained(of);
+            foremost_in_the_middle(&mut all);
+            all.iter().map(|e| (e.cause(), e.evidence)).collect::<Vec<_>>()
+        };
+        let near = order(&[("friction", 9.0, 0.1), ("damping", 8.9, 0.5), ("friction", 8.8, 0.4)]);
+        assert_eq!(near, [("friction", 8.8), ("friction", 9.0), ("damping", 8.9)]);
+        // What explains less does not, wherever it stands.
+        let far = order(&[("friction", 9.0, 0.1), ("friction", 8.0, 0.5)]);
+        assert_eq!(far, [("friction", 9.0), ("friction", 8.0)]);
+    }
+
+    #[test]
+    fn second_forms_take_no_places_of_causes() {
+        let all =
+            explained(&[("friction", 9.0, 0.5), ("friction", 8.0, 0.5), ("damping", 7.0, 0.5), ("torsion", 6.0, 0.5)]);
+        let causes = |most| of_so_many_causes(&all, most).iter().map(Explained::cause).collect::<Vec<_>>();
+        assert_eq!(causes(2), ["friction", "friction", "damping"]);
+        assert_eq!(causes(9).len(), 4);
+    }
+}

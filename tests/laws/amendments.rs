@@ -70,7 +70,7 @@ fn laws() -> Vec<Arc<dyn Amendment>> {
         Arc::new(Friction { force: 15.0, stiffness: 4e4 }),
         Arc::new(Bristles { force: 15.0, stiffness: 4e3, breakaway: 10.0, speed: 0.8 }),
         Arc::new(Sliding { force: 15.0, speed: 0.3 }),
-        Arc::new(Relaxation { strength: 0.6, time: 0.02, longest: 5.0 }),
+        Arc::new(Relaxation { strength: 0.6, time: 0.02, decades: 2.4 }),
         Arc::new(Gap { at: 0.03, stiffness: 5e5, power: 1.5, damping: 0.1, sides: Sides::Both }),
         Arc::new(Damping { coefficient: 10.0, power: 0.5 }),
     ]
@@ -236,16 +236,16 @@ fn a_force_relaxes() {
         let [relaxing, plain] = [force(Arc::new(law), step()), force(Arc::new(plain()), step())];
         relaxing.iter().zip(&plain).map(|(r, p)| r / p - 1.0).collect::<Vec<f64>>()
     };
-    let one = more(Relaxation { strength: 0.5, time: 0.4, longest: 0.0 });
+    let one = more(Relaxation { strength: 0.5, time: 0.4, decades: 0.0 });
     for i in [2, 50, 299] {
         let expected = one[1] * (-0.01 * (i - 1) as f64 / 0.4).exp();
         assert!((one[i] - expected).abs() < 1e-12 && (0.45..0.5).contains(&one[1]), "{i}: {} {expected}", one[i]);
     }
-    let many = more(Relaxation { strength: 0.5, time: 0.1, longest: 100.0 });
+    let many = more(Relaxation { strength: 0.5, time: 0.1, decades: 3.0 });
     let expected = |t: f64| [0.1, 1.0, 10.0, 100.0].map(|tau| 0.125 * (-t / tau).exp()).iter().sum::<f64>();
     assert!((many[299] - expected(2.985)).abs() < 1e-3, "{} {}", many[299], expected(2.985));
     let slow = |law: Arc<dyn Amendment>| force(law, (0..3000).map(|i| 1e-5 * i as f64));
-    let relaxing = slow(Arc::new(Relaxation { strength: 0.5, time: 0.02, longest: 0.0 }));
+    let relaxing = slow(Arc::new(Relaxation { strength: 0.5, time: 0.02, decades: 0.0 }));
     let still = slow(Arc::new(plain()));
     assert!((relaxing[2999] - still[2999]).abs() < 1e-2 * still[2999]);
 }

@@ -41,10 +41,7 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
             Proposal::edit("rate_dependence", form, at.clone(), vec![line], added)
         };
         out.push(relaxing("quasi-linear overstress, one relaxation time", ""));
-        out.push(relaxing(
-            "quasi-linear overstress, relaxation times over three decades",
-            " -longest [expr 1000*$hy_time]",
-        ));
+        out.push(relaxing("quasi-linear overstress, relaxation times over three decades", " -decades 3"));
         let line = format!("{} damping -coefficient $hy_c -power $hy_power {dir}", m.amend(""));
         let c = m.q / m.v.max(f64::MIN_POSITIVE);
         let added = vec![Added::log("c", 1e-4 * c, 3.0 * c, 0.05 * c), Added::linear("power", 0.1, 1.2, 1.0)];

@@ -16,7 +16,7 @@ pub struct Bristles {
     pub stiffness: f64,
     /// What the friction of a slow motion has more, F_b.
     pub breakaway: f64,
-    /// Speed v_s by which that has gone.
+    /// Speed v_s by which that has gone; infinite where it stays.
     pub speed: f64,
 }
 

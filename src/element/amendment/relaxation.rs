@@ -17,8 +17,8 @@ pub struct Relaxation {
     pub strength: f64,
     /// Shortest relaxation time.
     pub time: f64,
-    /// Longest relaxation time; there is one alone where it is the shortest.
-    pub longest: f64,
+    /// Decades from it to the longest one; there is one alone where it is 0.
+    pub decades: f64,
 }
 
 crate::words! {
@@ -36,10 +36,10 @@ crate::words! {
 impl Relaxation {
     /// Relaxation times with the part of the strength that each has.
     fn branches(&self) -> impl Iterator<Item = (f64, f64)> {
-        let n = if self.longest > self.time { TIMES } else { 1 };
-        let step = if n > 1 { (self.longest / self.time).ln() / (n - 1) as f64 } else { 0.0 };
+        let n = if self.decades > 0.0 { TIMES } else { 1 };
         let (time, strength) = (self.time, self.strength / n as f64);
-        (0..n).map(move |i| (time * (step * i as f64).exp(), strength))
+        let step = self.decades / (TIMES - 1) as f64;
+        (0..n).map(move |i| (time * 10f64.powf(step * i as f64), strength))
     }
 }
 
