@@ -373,6 +373,45 @@ fn what_yields_a_little_is_found_just_below_the_largest_force() {
     let _ = fs::remove_dir_all(dir);
 }
 
+/// The same mass on the girder of a portal frame under P-Delta, whose columns are as stiff together as that spring. The weight comes
+/// first, and the earthquake is not there yet when it does.
+const PORTAL: &str = "wipe\nmodel basic -ndm 2 -ndf 3\npset EI 280.0\npset aM 1.0\nnode 1 0. 0.\nnode 2 4. 0.\n\
+    node 3 0. 3. -mass 0.5 0.5 0.0\nnode 4 4. 3. -mass 0.5 0.5 0.0\nfix 1 1 1 1\nfix 2 1 1 1\ngeomTransf PDelta 1\n\
+    element elasticBeamColumn 1 1 3 1e3 1e3 [expr $EI/1e3] 1\nelement elasticBeamColumn 2 2 4 1e3 1e3 [expr $EI/1e3] 1\n\
+    element elasticBeamColumn 3 3 4 1e3 1e3 1e4 1\nrayleigh $aM 0. 0. 0.\n\
+    pattern Plain 9 Linear { load 3 0. -0.1 0.\nload 4 0. -0.1 0. }\nsystem FullGeneral\nconstraints Plain\n\
+    test NormDispIncr 1e-9 30\nalgorithm Newton\nintegrator LoadControl 0.5\nanalysis Static\nanalyze 2\n\
+    loadConst -time 0.0\nwipeAnalysis\n\
+    timeSeries Path 1 -dt $dt -filePath $motion\npattern UniformExcitation 1 1 -accel 1\n\
+    recorder Node -file disp.out -time -node 3 -dof 1 disp\n\
+    constraints Plain\nsystem FullGeneral\ntest NormDispIncr 1e-9 30\nalgorithm Newton\nintegrator Newmark 0.5 0.25\n\
+    analysis Transient\nfor {set i 1} {$i < $npts} {incr i} { if {[analyze 1 $dt] != 0} { error \"no convergence\" } }\n";
+
+#[test]
+fn the_ground_may_move_after_the_weight_and_dampers_stand_between_floors() {
+    let parameters = [("EI", 170.0, 680.0), ("aM", 0.2, 6.0)];
+    let damped = |ground: &[f64]| {
+        let (parts, mut u, mut v, mut out) = (200, 0.0, 0.0f64, vec![0.0]);
+        let h = STEP / f64::from(parts);
+        for pair in ground.windows(2) {
+            for i in 0..parts {
+                let a = pair[0] + (pair[1] - pair[0]) * f64::from(i) / f64::from(parts);
+                v -= h * (a + 300.0 * u + 0.4 * v + 3.0 * v.signum() * v.abs().powf(0.4));
+                u += h * v;
+            }
+            out.push(u);
+        }
+        out
+    };
+    let dir = shaken_study("dampers", PORTAL, parameters, damped);
+    let d = diagnosed(&dir, &[]);
+    let o = &d.outcome;
+    assert_eq!(o.verdict.cause, "damping", "{:?}", o.verdict);
+    assert!(o.corrected.fit_nmse < 0.2 * o.baseline.fit_nmse, "{o:?}");
+    assert!(d.weighed.iter().any(|w| w.at == "beside element 1 2"), "{:?}", d.weighed);
+    let _ = fs::remove_dir_all(dir);
+}
+
 #[test]
 fn a_recording_without_a_clock_tells_no_rates() {
     let faster = |u: &[f64], f: &[f64]| -> Vec<f64> {

@@ -1,6 +1,6 @@
 //! What there is in a model that could be other than it was taken for.
 
-use super::columns::{Column, columns};
+use super::columns::{Column, columns, girders};
 use crate::analysis::Engine;
 use crate::element::{Answer, BasicRow, Element, Motion};
 use crate::model::{Model, PatternKind};
@@ -70,6 +70,8 @@ pub struct Anatomy {
     pub beams: Vec<i32>,
     /// Those of them that are columns, the lowest first.
     pub columns: Vec<Column>,
+    /// And those that lie.
+    pub girders: Vec<Column>,
     /// Fixed nodes.
     pub supports: Vec<Support>,
     /// Nodes with mass.
@@ -92,7 +94,12 @@ pub enum Numbers {
     Masses,
     /// Regions with a damping of their own.
     Regions,
+    /// Dashpots beside columns.
+    Dashpots,
 }
+
+/// How the classes of beams without a section or with an elastic one begin.
+const ELASTIC: [&str; 3] = ["ElasticBeam", "ModElasticBeam", "ElasticTimoshenkoBeam"];
 
 impl Anatomy {
     /// The first free number of a kind.
@@ -103,6 +110,7 @@ impl Anatomy {
                 Numbers::Hinges => 500,
                 Numbers::Masses => 600,
                 Numbers::Regions => 700,
+                Numbers::Dashpots => 800,
             }
     }
 
@@ -117,7 +125,9 @@ impl Anatomy {
             let rows = e.element.basic_rows();
             let nature = e.element.nature();
             if rows.is_empty() {
-                if nature.linear && e.dofs.len() >= 6 {
+                // Elastic in their law: large displacements and P-Delta change where they stand, not what they are made of.
+                let of_an_elastic_law = ELASTIC.iter().any(|class| e.element.class().starts_with(class));
+                if (nature.linear || of_an_elastic_law) && e.dofs.len() >= 6 {
                     out.beams.push(e.tag);
                 }
                 continue;
@@ -151,7 +161,8 @@ impl Anatomy {
             }
         }
         out.columns = columns(model, &out.beams);
-        out.shaken = model.patterns.values().any(|p| !matches!(p.kind, PatternKind::Plain { .. }));
+        out.girders = girders(model, &out.beams);
+        out.shaken = shaken(model);
         let largest = model.node_tags().chain(model.element_tags()).max().unwrap_or(0);
         out.free_tag = (largest + 1).max(900_000);
         out
@@ -169,6 +180,11 @@ impl Anatomy {
         }
         groups
     }
+}
+
+/// Whether the ground moves.
+pub(super) fn shaken(model: &Model) -> bool {
+    model.patterns.values().any(|p| !matches!(p.kind, PatternKind::Plain { .. }))
 }
 
 /// Diagonal of the initial stiffness that elements have at a node.

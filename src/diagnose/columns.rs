@@ -1,18 +1,36 @@
-//! Columns of a model, at whose feet hinges can form.
+//! Columns and girders of a model, at whose ends hinges can form.
 
-use crate::model::{Model, NodeId};
+use crate::model::{ElementEntry, Model, NodeId};
 
-/// A beam that is taken as elastic and stands upright on something: a support, a girder or a bearing.
+/// A beam that is taken as elastic: a column, which stands upright on something (a support, a girder or a bearing), or a girder.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
     /// Tag of the beam.
     pub tag: i32,
-    /// Tag of the node that it stands on.
+    /// Tag of the node that it stands on; the first one of a girder.
     pub node: i32,
-    /// Height of that node.
+    /// Tag of the node at its other end.
+    pub head: i32,
+    /// Height of the first node.
     pub level: f64,
     /// Largest stiffness of the beam against rotations of that node about the horizontal axes.
     pub rotational: f64,
+    /// Distance of its nodes.
+    pub length: f64,
+}
+
+impl Column {
+    /// A beam with this end (0 or 1) as the one that it stands on.
+    fn standing(model: &Model, e: &ElementEntry, end: usize, ndm: usize) -> Self {
+        let (n, own) = (e.element.dofs(), e.element.dofs() / 2);
+        let mut tangent = vec![0.0; n * n];
+        e.element.initial_tangent(&mut tangent);
+        let about = rotations(ndm).iter().map(|r| end * own + r - 1).filter(|i| *i < n);
+        let rotational = about.map(|i| tangent[i * n + i]).fold(0.0, f64::max);
+        let (foot, head) = (&model.nodes[e.nodes[end].0], &model.nodes[e.nodes[1 - end].0]);
+        let length = (head.place() - foot.place()).norm();
+        Self { tag: e.tag, node: foot.tag, head: head.tag, level: foot.place()[ndm - 1], rotational, length }
+    }
 }
 
 /// Degrees of freedom of a node, from 1, that are rotations about horizontal axes.
@@ -48,14 +66,20 @@ pub(super) fn columns(model: &Model, beams: &[i32]) -> Vec<Column> {
         if !stands {
             continue;
         }
-        let (n, own) = (e.element.dofs(), e.element.dofs() / 2);
-        let mut tangent = vec![0.0; n * n];
-        e.element.initial_tangent(&mut tangent);
-        let about = rotations(ndm).iter().map(|r| end * own + r - 1).filter(|i| *i < n);
-        let rotational = about.map(|i| tangent[i * n + i]).fold(0.0, f64::max);
-        let node = &model.nodes[foot.0];
-        out.push(Column { tag: e.tag, node: node.tag, level: node.place()[ndm - 1], rotational });
+        out.push(Column::standing(model, e, end, ndm));
     }
     out.sort_by(|a, b| a.level.total_cmp(&b.level));
     out
+}
+
+/// The girders among some beams, in the order of the script: what lies, or nearly.
+pub(super) fn girders(model: &Model, beams: &[i32]) -> Vec<Column> {
+    let Some(ndm) = model.nodes.first().map(|n| n.ndm()).filter(|n| *n > 1) else { return vec![] };
+    let lies = |e: &&ElementEntry| {
+        let [i, j] = e.nodes[..] else { return false };
+        let way = model.nodes[j.0].place() - model.nodes[i.0].place();
+        (way[ndm - 1] / way.norm()).abs() <= UPRIGHT
+    };
+    let all = model.elements.iter().filter(|e| beams.contains(&e.tag)).filter(lies);
+    all.map(|e| Column::standing(model, e, 0, ndm)).collect()
 }

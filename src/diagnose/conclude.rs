@@ -7,9 +7,11 @@ use super::hypothesis;
 use super::insertion::Place;
 use super::locate::{regime, windows};
 use super::next_test::next_test;
+use super::noise::power;
 use super::odds::Odds;
 use super::outcome::{Baseline, Candidate, Corrected, Mismatch, Outcome, Verdict};
 use super::pipeline::{Diagnosis, Weighed};
+use super::prediction::{Judgement, holdout, judge};
 use super::repair;
 use super::rounds::{as_much, tried};
 use super::scale::Scales;
@@ -26,11 +28,9 @@ const WORTH: f64 = 5.0;
 /// Further starts of the last search, and the sides of the cube in which they lie, against that of the whole.
 const AROUND: usize = 3;
 const NEAR: f64 = 0.1;
-/// What is left of the confidence in a repair when runs that were held out get no better by it.
-const CONTRADICTED: f64 = 0.6;
-/// And when they get so much worse: of eight effects named in trials of validation/power three were right then.
-const HARMED: f64 = 0.4;
-const HARM: f64 = 1.5;
+
+/// A repair that takes away this part of the error of a channel tells where its effect is.
+const TELLS: f64 = 0.1;
 
 pub(super) struct Context<'a> {
     pub(super) study: &'a Arc<Study>,
@@ -79,17 +79,18 @@ pub(super) fn conclude(
             "unknown" => best,
             _ => weighed.iter().find(|e| e.cause() == verdict).unwrap_or(best),
         };
-        let mut repair = repaired(work, c, chosen.clone(), &before, verdict)?;
+        let mut repair = repaired(work, c, chosen.clone(), (&before, left))?;
         // Another form of the cause may predict what the first does not.
         let another = weighed.iter().filter(|e| e.cause() == verdict && e.evidence > evidence_of_none).nth(1);
-        if let Some(form) = another.filter(|_| repair.keeps < 1.0) {
-            let other = repaired(work, c, form.clone(), &before, verdict)?;
-            if other.keeps == 1.0 {
+        if let Some(form) = another.filter(|_| repair.judgement.refutes()) {
+            let other = repaired(work, c, form.clone(), (&before, left))?;
+            if !other.judgement.refutes() {
                 repair = other;
             }
         }
-        if let Some(n) = odds.iter().position(|(cause, _)| repair.keeps < 1.0 && *cause == "unknown") {
-            let doubted = (1.0 - repair.keeps) * odds[0].1;
+        let keeps = repair.judgement.keeps();
+        if let Some(n) = odds.iter().position(|(cause, _)| keeps < 1.0 && *cause == "unknown") {
+            let doubted = (1.0 - keeps) * odds[0].1;
             odds[0].1 -= doubted;
             odds[n].1 += doubted;
             odds.sort_by(|a, b| b.1.total_cmp(&a.1));
@@ -97,7 +98,13 @@ pub(super) fn conclude(
         repairs.push((verdict, repair));
     };
     let named_by_it = repairs.iter().position(|(cause, _)| *cause == verdict).unwrap_or(0);
-    let (_, Repair { chosen, fitted, after, keeps }) = repairs.swap_remove(named_by_it);
+    let (nearest, mut repair) = repairs.swap_remove(named_by_it);
+    // Nobody is given a model as repaired that has no name and is known to do harm.
+    let refused = verdict == "unknown" && repair.judgement.refutes();
+    if refused {
+        repair = repaired(work, c, baseline.clone(), (&before, left))?;
+    }
+    let Repair { chosen, fitted, after, judgement } = repair;
     let named = |space: &crate::study::Space, values: &[f64]| -> BTreeMap<String, f64> {
         space.parameters.iter().map(|p| p.name.clone()).zip(values.iter().copied()).collect()
     };
@@ -122,10 +129,10 @@ pub(super) fn conclude(
         explanation += " The fitted model leaves much, and the fitted runs are too long to search for every effect far from its values: fewer of them, or \
                         fewer samples, may tell more.";
     }
-    if keeps < 1.0 {
-        let how =
-            if keeps > HARMED { "they get no better by it" } else { "they get much worse by it, or have no answer" };
-        explanation += &format!(" The runs held out contradict the repair: {how}.");
+    explanation += &judgement.says();
+    if refused {
+        let nearest = if nearest == "unknown" { best.cause() } else { nearest };
+        explanation += &format!(" No repair is written: the nearest, {nearest}, makes the runs held out no better.");
     }
     // The verdict and its strongest rival, each as it was fitted.
     let rival = weighed.iter().find(|e| e.cause() != chosen.cause() && e.cause() != "none");
@@ -139,7 +146,7 @@ pub(super) fn conclude(
             holdout_nmse: holdout(study, &before),
             parameters: named(&study.space, &baseline.fitted.values),
         },
-        mismatch: mismatches(c, &before),
+        mismatch: mismatches(c, &before, Some(&after).filter(|_| !matches!(verdict, "none" | "unknown"))),
         verdict: Verdict {
             cause: verdict.into(),
             confidence: odds[0].1,
@@ -207,9 +214,8 @@ struct Repair {
     fitted: Fitted,
     /// What it says of all runs.
     after: Vec<Option<Fit>>,
-    /// What it keeps of the confidence in it: less where runs that were held out get no better by it, though it concerns them, or
-    /// much worse.
-    keeps: f64,
+    /// What the runs that were held out say of it.
+    judgement: Judgement,
 }
 
 /// The last search, from where the chosen one stands and from around it: contact and yielding make ridges. Runs that were
@@ -218,8 +224,7 @@ fn repaired(
     work: &mut Work<'_>,
     c: &Context<'_>,
     chosen: Explained,
-    before: &[Option<Fit>],
-    verdict: &str,
+    (before, left): (&[Option<Fit>], f64),
 ) -> Result<Repair, String> {
     let study = c.study;
     let starts = around(&chosen.fitted.point);
@@ -233,34 +238,18 @@ fn repaired(
     let concerned =
         |f: &Correction| f.run.as_ref().is_none_or(|name| study.runs_of(Role::Holdout).any(|(_, r)| r.name == *name));
     let acts_there = chosen.variant.edits() || chosen.variant.corrections(&fitted.values).iter().any(concerned);
-    let held = (holdout(study, before), holdout(study, &after));
-    let worse = |part: f64| match held {
-        (Some(before), Some(after)) => after > part * before,
-        (before, after) => before.is_some() && after.is_none(),
+    // Of the model as it is nothing is claimed.
+    let judgement = match chosen.cause() {
+        "none" => Judgement::Keeps,
+        _ => judge(study, before, (&after, left), acts_there, chosen.variant.seen() > 0.0),
     };
-    // What concerns them should help; what the recordings show by themselves need not be seen there. What does not concern them moves
-    // the model's own parameters all the same, and may do no harm.
-    let seen = chosen.variant.seen() > 0.0;
-    let keeps = match verdict {
-        "none" | "unknown" => 1.0,
-        _ if worse(HARM) => HARMED,
-        _ if acts_there && (worse(1.0) || !seen && held.0.is_some() && held.0 == held.1) => CONTRADICTED,
-        _ => 1.0,
-    };
-    Ok(Repair { chosen, fitted, after, keeps })
+    Ok(Repair { chosen, fitted, after, judgement })
 }
 
 /// What a variant says of all runs with the steps of the script; `None` where it has no answer.
 fn all_runs(c: &Context<'_>, variant: &Arc<Variant>, values: &[f64]) -> Vec<Option<Fit>> {
     let mut simulator = variant.simulator(&c.simulator.blueprint());
     (0..c.study.runs.len()).map(|r| fit(&mut simulator, c.study, r, values).ok()).collect()
-}
-
-/// Mean NMSE of the runs that are held out, where there are any and all have an answer.
-fn holdout(study: &Study, fits: &[Option<Fit>]) -> Option<f64> {
-    let held: Vec<f64> =
-        study.runs_of(Role::Holdout).map(|(i, r)| Some(fits[i].as_ref()?.nmse(&r.observe))).collect::<Option<_>>()?;
-    (!held.is_empty()).then(|| held.iter().sum::<f64>() / held.len() as f64)
 }
 
 /// A point, and others around it.
@@ -272,16 +261,19 @@ fn around(point: &[f64]) -> Vec<Vec<f64>> {
     std::iter::once(point.to_vec()).chain(spread.map(near)).collect()
 }
 
-/// Where the baseline differs, the channel with the largest error first.
-fn mismatches(c: &Context<'_>, fits: &[Option<Fit>]) -> Vec<Mismatch> {
+/// Where the baseline differs, the channel with the largest error first. A repair that has a name tells what of the error is no noise.
+fn mismatches(c: &Context<'_>, fits: &[Option<Fit>], repaired: Option<&Vec<Option<Fit>>>) -> Vec<Mismatch> {
     let mut all: Vec<(f64, Mismatch)> = vec![];
     for (number, run) in c.study.runs_of(Role::Fit) {
         let Some(f) = &fits[number] else { continue };
         let motion = c.scales.watched.iter().find(|((r, _, _), _)| *r == number).map(|(_, w)| w.e.clone());
-        for ((o, y), s) in run.observe.iter().zip(&f.channels).zip(&f.scores) {
+        let repaired = repaired.and_then(|r| r[number].as_ref());
+        for (channel, ((o, y), s)) in run.observe.iter().zip(&f.channels).zip(&f.scores).enumerate() {
             let times = &run.recording.times;
-            let r: Vec<f64> = y.iter().zip(&o.values).map(|(y, v)| y - v).collect();
-            let found = windows(times, &r);
+            let differs = |from: &[f64]| -> Vec<f64> { y.iter().zip(from).map(|(y, v)| y - v).collect() };
+            let error = differs(&o.values);
+            let effect = repaired.map(|r| differs(&r.channels[channel])).filter(|e| power(e) > TELLS * power(&error));
+            let found = windows(times, effect.as_ref().unwrap_or(&error), &error);
             let regime = regime(times, &found, motion.as_ref().unwrap_or(&o.values));
             all.push((
                 s.nmse,

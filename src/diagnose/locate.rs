@@ -9,14 +9,16 @@ pub struct Windows {
     pub share: f64,
 }
 
-/// Part of the squared error that the windows shall hold.
+/// Part of the square that the windows shall hold.
 const MOST: f64 = 0.8;
 
-/// The fewest stretches of time that hold most of the squared error. The square is smoothed over a window of a fiftieth of
-/// the record; what stands above a level belongs to a window, the level chosen so that [`MOST`] of the square does.
-pub fn windows(times: &[f64], residual: &[f64]) -> Windows {
+/// The fewest stretches of time that hold most of the square of an `effect`, which is the `error` of a model or what is known of it
+/// without its noise. The square is smoothed over a window of a fiftieth of the record; what stands above a level belongs to a
+/// window, the level chosen so that [`MOST`] of the square does.
+pub fn windows(times: &[f64], effect: &[f64], error: &[f64]) -> Windows {
     let n = times.len();
-    let square: Vec<f64> = residual.iter().map(|r| if r.is_finite() { r * r } else { 0.0 }).collect();
+    let squares = |x: &[f64]| x.iter().map(|r| if r.is_finite() { r * r } else { 0.0 }).collect::<Vec<f64>>();
+    let square = squares(effect);
     let total: f64 = square.iter().sum();
     if n < 10 || total <= 0.0 {
         return Windows { windows: vec![], share: 0.0 };
@@ -50,7 +52,9 @@ pub fn windows(times: &[f64], residual: &[f64]) -> Windows {
             _ => out.push((i, i)),
         }
     }
-    let share = out.iter().map(|(a, b)| sums[b + 1] - sums[*a]).sum::<f64>() / total;
+    let of_error = squares(error);
+    let within: f64 = out.iter().map(|(a, b)| of_error[*a..=*b].iter().sum::<f64>()).sum();
+    let share = within / of_error.iter().sum::<f64>().max(f64::MIN_POSITIVE);
     Windows { windows: out.into_iter().map(|(a, b)| [times[a], times[b]]).collect(), share }
 }
 
@@ -102,7 +106,7 @@ mod tests {
     fn a_burst_is_found() {
         let times: Vec<f64> = (0..2000).map(|i| 0.01 * f64::from(i)).collect();
         let r: Vec<f64> = times.iter().map(|t| if (12.0..15.0).contains(t) { 1.0 } else { 0.02 }).collect();
-        let w = windows(&times, &r);
+        let w = windows(&times, &r, &r);
         assert_eq!(w.windows.len(), 1);
         assert!((w.windows[0][0] - 12.0).abs() < 0.5 && (w.windows[0][1] - 15.0).abs() < 0.6, "{w:?}");
         assert!(w.share > 0.75);

@@ -24,6 +24,7 @@ pub mod outcome;
 mod page;
 mod pairs;
 mod pipeline;
+mod prediction;
 mod projection;
 mod recurrence;
 mod regression;

@@ -3,7 +3,7 @@
 use super::noise::{averaged, burg, bursts, lines, power, whiten};
 use super::recurrence::Stroke;
 use super::regression::explained;
-use super::scale::Scales;
+use super::scale::{Scales, Watched};
 use super::surrogate::{comes_again, follows, silent, unsteady};
 use crate::study::{Fit, Observe, Role, Run, Study};
 
@@ -150,20 +150,38 @@ const DEVICES: usize = 2;
 /// Bumps along the deformation of a device.
 const BUMPS: usize = 24;
 
+/// Scaled to one.
+fn scaled(v: Vec<f64>) -> Vec<f64> {
+    let top = v.iter().filter(|x| x.is_finite()).fold(0.0f64, |m, x| m.max(x.abs())).max(f64::MIN_POSITIVE);
+    v.into_iter().map(|x| if x.is_finite() { x / top } else { 0.0 }).collect()
+}
+
+fn speeds(w: &Watched) -> Vec<f64> {
+    let at = |i: usize| if i == 0 { 0.0 } else { (w.e[i] - w.e[i - 1]) / (w.times[i] - w.times[i - 1]) };
+    (0..w.times.len()).map(at).collect()
+}
+
+/// Functions of the motion of a device in two directions at once: the direction of the velocity, in which friction and yielding pull,
+/// and the force in each direction where the device is far off in the other.
+fn in_two_directions(one: &Watched, two: &Watched) -> [Vec<f64>; 4] {
+    let (a, b) = (speeds(one), speeds(two));
+    let along = |v: &[f64]| {
+        let cosine = |((a, b), v): ((&f64, &f64), &f64)| if a.hypot(*b) > 0.0 { v / a.hypot(*b) } else { 0.0 };
+        scaled(a.iter().zip(&b).zip(v).map(cosine).collect())
+    };
+    let far = |q: &Watched, e: &Watched| scaled(q.q.iter().zip(&e.e).map(|(q, e)| q * e.abs()).collect());
+    [along(&a), along(&b), far(one, two), far(two, one)]
+}
+
 /// Smooth functions of the motion of the devices in a run, scaled to one.
 fn regressors(scales: &Scales, run: usize) -> Vec<Vec<f64>> {
     let (mut out, mut bumps): (Vec<Vec<f64>>, Vec<Vec<f64>>) = (vec![], vec![]);
-    for ((_, _, _), w) in scales.watched.iter().filter(|((r, _, _), _)| *r == run).take(DEVICES) {
+    let moving: Vec<_> = scales.watched.iter().filter(|((r, _, _), _)| *r == run).take(DEVICES).collect();
+    for (_, w) in &moving {
         let n = w.times.len();
-        let scaled = |v: Vec<f64>| {
-            let top = v.iter().filter(|x| x.is_finite()).fold(0.0f64, |m, x| m.max(x.abs())).max(f64::MIN_POSITIVE);
-            v.into_iter().map(|x| if x.is_finite() { x / top } else { 0.0 }).collect::<Vec<f64>>()
-        };
         let e = scaled(w.e.clone());
         let q = scaled(w.q.clone());
-        let v = scaled(
-            (0..n).map(|i| if i == 0 { 0.0 } else { (w.e[i] - w.e[i - 1]) / (w.times[i] - w.times[i - 1]) }).collect(),
-        );
+        let v = scaled(speeds(w));
         let t: Vec<f64> = (0..n).map(|i| i as f64 / n as f64).collect();
         let mut largest = 0.0f64;
         let m: Vec<f64> = e
@@ -200,6 +218,11 @@ fn regressors(scales: &Scales, run: usize) -> Vec<Vec<f64>> {
             let at = low + (b as f64 + 0.5) * width;
             each(&|i| (-((e[i] - at) / width).powi(2)).exp())
         }));
+    }
+    if let [((_, tag, _), one), ((_, other, _), two)] = moving[..]
+        && tag == other
+    {
+        out.extend(in_two_directions(one, two));
     }
     out.extend(bumps);
     out

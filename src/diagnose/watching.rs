@@ -1,6 +1,6 @@
 //! The model looked at: where a block goes, what there is, how far it moves.
 
-use super::anatomy::Anatomy;
+use super::anatomy::{Anatomy, shaken};
 use super::insertion::{Place, insert, place};
 use super::scale::{Scales, Watched};
 use crate::script::top_level;
@@ -27,9 +27,13 @@ pub(super) fn look(blueprint: &Blueprint, study: &Arc<Study>, text: &str, values
         if steps(middle) == 0 { low = middle } else { high = middle }
     }
     let before = blueprint.simulator_of(study.clone(), &text[..commands[low].start]);
-    let anatomy = before.look(0, values, Anatomy::of);
+    let mut anatomy = before.look(0, values, Anatomy::of);
     let made = !anatomy.devices.is_empty() || !anatomy.beams.is_empty();
     if made {
+        // The first steps may be those of the weight, and the ground moves after them; what is wiped in the end tells nothing.
+        let wiped = commands[low..].iter().find(|c| c.name == "wipe").map_or(text.len(), |c| c.start);
+        let whole = blueprint.simulator_of(study.clone(), &text[..wiped]);
+        anatomy.shaken |= whole.look(0, values, |e| shaken(e.model()));
         return Some((place(&commands, low, true), anatomy));
     }
     // The model is made and analysed by one command: it is looked at as it stands in the end.
@@ -47,7 +51,7 @@ pub(super) fn watch(
     anatomy: &Anatomy,
 ) -> Scales {
     let devices = &anatomy.devices[..anatomy.devices.len().min(MOST)];
-    let columns = &anatomy.columns[..anatomy.columns.len().min(MOST)];
+    let beams: Vec<_> = anatomy.columns.iter().take(MOST).chain(anatomy.girders.iter().take(MOST)).collect();
     let moments = if anatomy.ndm == 2 { &[3, 6][..] } else { &[5, 6, 11, 12] };
     let mut block = vec![];
     let mut observe = vec![];
@@ -70,7 +74,7 @@ pub(super) fn watch(
             record(d.tag, what, &mut d.directions.iter().map(|direction| direction.column + 1));
         }
     }
-    for column in columns {
+    for column in &beams {
         record(column.tag, "localForce", &mut moments.iter().copied());
     }
     let text = insert(text, at, &block);
@@ -90,7 +94,7 @@ pub(super) fn watch(
                 scales.watched.insert((run, d.tag, direction.number), Watched { times, e, q });
             }
         }
-        for column in columns {
+        for column in &beams {
             let of_ends = channels.by_ref().take(moments.len()).flatten().filter(|m| m.is_finite());
             let largest = scales.moments.entry(column.tag).or_default();
             *largest = of_ends.fold(*largest, |most, m| most.max(m.abs()));

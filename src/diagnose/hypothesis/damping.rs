@@ -2,6 +2,7 @@
 
 use super::{Added, Hypothesis, Proposal, Sight};
 use crate::diagnose::anatomy::Numbers;
+use crate::diagnose::columns::Column;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "damping",
@@ -43,6 +44,7 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
             }
         }
     }
+    out.extend(beside_columns(s));
     if !s.anatomy.masses.is_empty() {
         // Dashpots between the masses and the ground: mass-proportional damping beside whatever the script has.
         let mut block = vec![];
@@ -54,4 +56,40 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
         out.push(Proposal::edit("damping", "mass-proportional damping", "all masses".into(), block, added));
     }
     out
+}
+
+/// Columns that get a dashpot, at most.
+const COLUMNS: usize = 90;
+
+/// Dashpots from storey to storey of a frame, beside its columns.
+fn beside_columns(s: &Sight<'_>) -> Option<Proposal> {
+    let columns = &s.anatomy.columns;
+    if s.anatomy.girders.is_empty() || columns.is_empty() || columns.len() > COLUMNS {
+        return None;
+    }
+    // Against the critical damping of a column that carries its part of the mass.
+    let stiffness = columns.iter().fold(0.0, |most: f64, c| most.max(3.0 * c.rotational / (c.length * c.length)));
+    let mass = s.anatomy.masses.iter().map(|m| m.mass[0]).sum::<f64>() / columns.len() as f64;
+    let critical = 2.0 * (stiffness * mass).sqrt();
+    if critical <= 0.0 {
+        return None;
+    }
+    let first = s.anatomy.free(Numbers::Dashpots);
+    let (materials, across) = match s.anatomy.ndm {
+        2 => (format!("{first}"), "-dir 2"),
+        _ => (format!("{first} {first}"), "-dir 2 3 -orient 0 0 1 1 0 0"),
+    };
+    let mut block = vec![format!("uniaxialMaterial Viscous {first} $hy_c 1.0")];
+    let link =
+        |(c, tag): (&Column, i32)| format!("element twoNodeLink {tag} {} {} -mat {materials} {across}", c.node, c.head);
+    block.extend(columns.iter().zip(first..).map(link));
+    let added = vec![Added::log("c", 1e-4 * critical, critical, 0.03 * critical)];
+    let tags: Vec<String> = columns.iter().map(|c| c.tag.to_string()).collect();
+    Some(Proposal::edit(
+        "damping",
+        "dashpots in the structure",
+        format!("beside element {}", tags.join(" ")),
+        block,
+        added,
+    ))
 }

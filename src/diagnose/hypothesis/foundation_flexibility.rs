@@ -27,18 +27,33 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     for support in supports.iter().take(ALONE) {
         forms(s, &[support], &mut out);
     }
-    // Those that are held alike, together: the ends of a bridge, the columns of a frame.
-    let mut alike: Vec<Vec<&Support>> = vec![];
-    for support in supports {
-        match alike.iter_mut().find(|g| g[0].fixed == support.fixed) {
-            Some(g) => g.push(support),
-            None => alike.push(vec![support]),
-        }
-    }
-    for group in alike.iter().filter(|g| (2..=TOGETHER).contains(&g.len())) {
+    // Those that are held alike, together: the ends of a bridge, the columns of a frame. And of these those that carry alike: the piers
+    // of a bridge without its abutments.
+    let held = alike(&supports, |a, b| a.fixed == b.fixed);
+    let carrying = alike(&supports, |a, b| a.fixed == b.fixed && carry_alike(a, b));
+    let further = carrying.into_iter().filter(|g| !held.contains(g)).collect::<Vec<_>>();
+    for group in held.iter().chain(&further).filter(|g| (2..=TOGETHER).contains(&g.len())) {
         forms(s, group, &mut out);
     }
     out
+}
+
+/// In groups whose members are like the first.
+fn alike<'a>(supports: &[&'a Support], like: impl Fn(&Support, &Support) -> bool) -> Vec<Vec<&'a Support>> {
+    let mut groups: Vec<Vec<&Support>> = vec![];
+    for support in supports {
+        match groups.iter_mut().find(|g| like(g[0], support)) {
+            Some(g) => g.push(support),
+            None => groups.push(vec![support]),
+        }
+    }
+    groups
+}
+
+/// Whether what stands on two supports is about as stiff.
+fn carry_alike(a: &Support, b: &Support) -> bool {
+    let near = |(a, b): (&f64, &f64)| (a - b).abs() <= 0.5 * a.abs().max(b.abs());
+    a.stiffness.iter().zip(&b.stiffness).all(near)
 }
 
 /// What a support has beside springs and dashpots.

@@ -7,6 +7,9 @@ use crate::diagnose::columns::{Column, rotations};
 /// Columns on the ground that are looked at alone, and storeys, at most.
 const MOST: usize = 6;
 
+/// Hinges in a proposal, at most.
+const HINGES: usize = 90;
+
 /// Parts of the largest force of the elastic model at which something that has yielded a little may have done so: the valley is narrow,
 /// for whatever yields much more or not at all moves as differently as if nothing had been found.
 const NEAR_THE_LARGEST: [f64; 5] = [0.99, 0.96, 0.83, 0.75, 0.62];
@@ -52,7 +55,8 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
             );
         }
     }
-    // The feet of columns: those on the ground each alone as well, of storeys all together.
+    // The feet of columns: those on the ground each alone as well, of storeys all together. Those that a girder holds yield at the head
+    // as well, and girders at both ends.
     let mut levels: Vec<Vec<&Column>> = vec![];
     for column in &s.anatomy.columns {
         match levels.iter_mut().find(|l| (l[0].level - column.level).abs() <= 1e-6 * column.level.abs().max(1.0)) {
@@ -62,15 +66,33 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     }
     for (n, level) in levels.iter().take(MOST).enumerate() {
         if n == 0 && level.len() > 1 {
-            out.extend(level.iter().take(MOST).filter_map(|column| hinges(s, &[*column])));
+            out.extend(level.iter().take(MOST).filter_map(|column| hinges(s, &[*column], Ends::Foot)));
         }
-        out.extend(hinges(s, level));
+        out.extend(hinges(s, level, Ends::Foot));
+        let held = |c: &&Column| s.anatomy.girders.iter().any(|g| [g.node, g.head].contains(&c.head));
+        if level.iter().all(held) {
+            out.extend(hinges(s, level, Ends::Both));
+        }
     }
+    let girders: Vec<&Column> = s.anatomy.girders.iter().collect();
+    out.extend(hinges(s, &girders, Ends::Both));
     out
 }
 
-/// Hinges at the feet of columns, about every axis across them, all alike.
-fn hinges(s: &Sight<'_>, columns: &[&Column]) -> Option<Proposal> {
+/// Ends of beams at which there are hinges.
+#[derive(Clone, Copy, PartialEq)]
+enum Ends {
+    Foot,
+    Both,
+}
+
+/// Hinges at the ends of beams, about every horizontal axis, all alike.
+fn hinges(s: &Sight<'_>, columns: &[&Column], ends: Ends) -> Option<Proposal> {
+    // Each has a number of its own.
+    let ends_of = if ends == Ends::Both { 2 } else { 1 };
+    if columns.len() * ends_of > HINGES {
+        return None;
+    }
     let (translations, directions) = match s.anatomy.ndm {
         2 => ("1 2", "6"),
         _ => ("1 2 3 6", "4 5"),
@@ -85,11 +107,11 @@ fn hinges(s: &Sight<'_>, columns: &[&Column]) -> Option<Proposal> {
         "uniaxialMaterial Steel02 {material} $hy_moment $hy_rotational [expr {{$hy_plastic/$hy_rotational}}] 18.0 0.925 0.15"
     )];
     let materials = vec![material.to_string(); rotations(s.anatomy.ndm).len()].join(" ");
-    for (column, tag) in columns.iter().zip(material..) {
-        let node = column.node;
+    let all = columns.iter().flat_map(|c| [c.node, c.head].into_iter().take(ends_of).map(|node| (c.tag, node)));
+    for ((beam, node), tag) in all.zip(material..) {
         block.extend([
             format!("node {tag} {}", super::coordinates(node, s.anatomy.ndm)),
-            format!("amend element {} node {node} {tag}", column.tag),
+            format!("amend element {beam} node {node} {tag}"),
             format!("equalDOF {node} {tag} {translations}"),
             format!("element zeroLength {tag} {node} {tag} -mat {materials} -dir {directions}"),
         ]);
@@ -106,7 +128,7 @@ fn hinges(s: &Sight<'_>, columns: &[&Column]) -> Option<Proposal> {
     Some(Proposal::edit(
         "superstructure_yielding",
         "plastic hinge",
-        format!("foot of element {}", tags.join(" ")),
+        format!("{} of element {}", if ends == Ends::Both { "both ends" } else { "foot" }, tags.join(" ")),
         block,
         added,
     ))
