@@ -7,7 +7,6 @@ use super::hypothesis;
 use super::insertion::Place;
 use super::locate::{regime, windows};
 use super::next_test::next_test;
-use super::noise::power;
 use super::odds::Odds;
 use super::outcome::{Baseline, Candidate, Corrected, Mismatch, Outcome, Verdict};
 use super::pipeline::{Diagnosis, Weighed};
@@ -261,6 +260,11 @@ fn around(point: &[f64]) -> Vec<Vec<f64>> {
     std::iter::once(point.to_vec()).chain(spread.map(near)).collect()
 }
 
+/// Sum of the squares of the samples that are there.
+fn square(x: &[f64]) -> f64 {
+    x.iter().filter(|v| v.is_finite()).map(|v| v * v).sum()
+}
+
 /// Where the baseline differs, the channel with the largest error first. A repair that has a name tells what of the error is no noise.
 fn mismatches(c: &Context<'_>, fits: &[Option<Fit>], repaired: Option<&Vec<Option<Fit>>>) -> Vec<Mismatch> {
     let mut all: Vec<(f64, Mismatch)> = vec![];
@@ -272,7 +276,7 @@ fn mismatches(c: &Context<'_>, fits: &[Option<Fit>], repaired: Option<&Vec<Optio
             let times = &run.recording.times;
             let differs = |from: &[f64]| -> Vec<f64> { y.iter().zip(from).map(|(y, v)| y - v).collect() };
             let error = differs(&o.values);
-            let effect = repaired.map(|r| differs(&r.channels[channel])).filter(|e| power(e) > TELLS * power(&error));
+            let effect = repaired.map(|r| differs(&r.channels[channel])).filter(|e| square(e) > TELLS * square(&error));
             let found = windows(times, effect.as_ref().unwrap_or(&error), &error);
             let regime = regime(times, &found, motion.as_ref().unwrap_or(&o.values));
             all.push((

@@ -3,6 +3,7 @@
 
     python3 run.py --engine ../../target/release/hysteron
     python3 run.py --engine ../../target/release/hysteron --knock-out     # then: each without what was concealed in it
+    python3 run.py --engine ../../target/release/hysteron --folder ../structures
 """
 
 import argparse
@@ -22,7 +23,7 @@ from score import located, right  # noqa: E402
 def diagnose(args, name, without=()):
     out = os.path.join(args.out, name + ("-without" if without else ""))
     started = time.time()
-    done = subprocess.run([args.engine, "diagnose", os.path.join(HERE, "cases", name, "study.toml"), "--out", out, "--verbose", "--threads", str(args.threads),
+    done = subprocess.run([args.engine, "diagnose", os.path.join(args.folder, "cases", name, "study.toml"), "--out", out, "--verbose", "--threads", str(args.threads),
                            *(["--without", *without] if without else [])],
                           capture_output=True, text=True)
     if done.returncode:
@@ -32,13 +33,13 @@ def diagnose(args, name, without=()):
     print(f"{name}: {done.stdout.splitlines()[0]} ({time.time() - started:.0f} s)", flush=True)
 
 
-def seals():
+def seals(folder):
     """Files whose content is not what was sealed before the run."""
     broken = []
-    with open(os.path.join(HERE, "sealed.sha256")) as f:
+    with open(os.path.join(folder, "sealed.sha256")) as f:
         for line in f:
             digest, path = line.split()
-            with open(os.path.join(HERE, path), "rb") as g:
+            with open(os.path.join(folder, path), "rb") as g:
                 if hashlib.sha256(g.read()).hexdigest() != digest:
                     broken.append(path)
     return broken
@@ -49,7 +50,7 @@ def table(args, names):
             "| case | concealed | answer | confidence | right | place | fitted NMSE | held out NMSE | noise |", "| --- | --- | --- | --- | --- | --- | --- | --- | --- |"]
     hits = 0
     for name in names:
-        with open(os.path.join(HERE, "truth", name + ".json")) as f:
+        with open(os.path.join(args.folder, "truth", name + ".json")) as f:
             truth = json.load(f)
         with open(os.path.join(args.out, name, "diagnosis.json")) as f:
             said = json.load(f)
@@ -62,7 +63,7 @@ def table(args, names):
                  f"{base['holdout_nmse']:.2g} → {after['holdout_nmse']:.2g}", f"{truth['noise_floor_nmse_holdout']:.2g}"]
         rows.append("| " + " | ".join(cells) + " |")
     rows += ["", f"{hits} of {len(names)} right."]
-    with open(os.path.join(HERE, "outcome.md"), "w") as f:
+    with open(os.path.join(args.folder, "outcome.md"), "w") as f:
         f.write("\n".join(rows) + "\n")
 
 
@@ -79,7 +80,7 @@ def knock_out(args, names):
             "| case | left out | answer | confidence | held out NMSE | whole | it is |", "| --- | --- | --- | --- | --- | --- | --- |"]
     counts = {}
     for name in names:
-        truth, whole = read(HERE, "truth", name + ".json"), read(args.out, name, "diagnosis.json")
+        truth, whole = read(args.folder, "truth", name + ".json"), read(args.out, name, "diagnosis.json")
         if truth["cause"] in ("none", "unknown"):
             continue
         without = [truth["cause"], *truth["also"]]
@@ -96,26 +97,28 @@ def knock_out(args, names):
         rows.append("| " + " | ".join([name, " + ".join(without), " + ".join([verdict["cause"], *verdict.get("also", [])]), f"{100 * verdict['confidence']:.0f} %",
                                        f"{said['baseline']['holdout_nmse']:.2g} → {held[0]:.2g}", f"{held[1]:.2g}", kind]) + " |")
     rows += ["", ", ".join(f"{n} {kind}" for kind, n in sorted(counts.items())) + "."]
-    with open(os.path.join(HERE, "knocked_out.md"), "w") as f:
+    with open(os.path.join(args.folder, "knocked_out.md"), "w") as f:
         f.write("\n".join(rows) + "\n")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--engine", default="hysteron")
-    parser.add_argument("--out", default=os.path.join(HERE, "results"))
+    parser.add_argument("--folder", default=HERE, help="where cases and truths are")
+    parser.add_argument("--out", help="FOLDER/results")
     parser.add_argument("--threads", type=int, default=os.cpu_count())
     parser.add_argument("--only", nargs="*", help="names of cases")
     parser.add_argument("--knock-out", action="store_true", help="without the causes that were concealed, after a run with them")
     args = parser.parse_args()
-    names = sorted(os.listdir(os.path.join(HERE, "cases")))
+    args.out = args.out or os.path.join(args.folder, "results")
+    names = sorted(os.listdir(os.path.join(args.folder, "cases")))
     if args.knock_out:
         knock_out(args, names)
         return
     for name in args.only or names:
         diagnose(args, name)
-    if os.path.isdir(os.path.join(HERE, "truth")):
-        broken = seals()
+    if os.path.isdir(os.path.join(args.folder, "truth")):
+        broken = seals(args.folder)
         if broken:
             raise SystemExit("not what was sealed: " + ", ".join(broken))
         if all(os.path.exists(os.path.join(args.out, name, "diagnosis.json")) for name in names):
