@@ -101,6 +101,9 @@ pub enum Numbers {
 /// How the classes of beams without a section or with an elastic one begin.
 const ELASTIC: [&str; 3] = ["ElasticBeam", "ModElasticBeam", "ElasticTimoshenkoBeam"];
 
+/// Numbers that each kind has at least.
+pub const ROOM: usize = 100;
+
 impl Anatomy {
     /// The first free number of a kind.
     pub fn free(&self, whose: Numbers) -> i32 {
@@ -170,16 +173,21 @@ impl Anatomy {
 
     /// The devices whose law is not linear, as groups of the same class and directions: what was built as one kind.
     pub fn groups(&self, linear: bool) -> Vec<Vec<&Device>> {
-        let mut groups: Vec<Vec<&Device>> = vec![];
-        for d in self.devices.iter().filter(|d| d.linear == linear && !d.directions.is_empty()) {
-            let same = |g: &&mut Vec<&Device>| g[0].class == d.class && g[0].directions.len() == d.directions.len();
-            match groups.iter_mut().find(same) {
-                Some(g) => g.push(d),
-                None => groups.push(vec![d]),
-            }
-        }
-        groups
+        let devices = self.devices.iter().filter(|d| d.linear == linear && !d.directions.is_empty());
+        grouped(devices, |a, b| a.class == b.class && a.directions.len() == b.directions.len())
     }
+}
+
+/// In groups whose members are like the first, in their order.
+pub(super) fn grouped<'a, T>(all: impl IntoIterator<Item = &'a T>, like: impl Fn(&T, &T) -> bool) -> Vec<Vec<&'a T>> {
+    let mut groups: Vec<Vec<&T>> = vec![];
+    for one in all {
+        match groups.iter_mut().find(|g| like(g[0], one)) {
+            Some(g) => g.push(one),
+            None => groups.push(vec![one]),
+        }
+    }
+    groups
 }
 
 /// Whether the ground moves.

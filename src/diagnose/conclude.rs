@@ -28,9 +28,6 @@ const WORTH: f64 = 5.0;
 const AROUND: usize = 3;
 const NEAR: f64 = 0.1;
 
-/// A repair that takes away this part of the error of a channel tells where its effect is.
-const TELLS: f64 = 0.1;
-
 pub(super) struct Context<'a> {
     pub(super) study: &'a Arc<Study>,
     pub(super) simulator: &'a ScriptSimulator,
@@ -260,11 +257,6 @@ fn around(point: &[f64]) -> Vec<Vec<f64>> {
     std::iter::once(point.to_vec()).chain(spread.map(near)).collect()
 }
 
-/// Sum of the squares of the samples that are there.
-fn square(x: &[f64]) -> f64 {
-    x.iter().filter(|v| v.is_finite()).map(|v| v * v).sum()
-}
-
 /// Where the baseline differs, the channel with the largest error first. A repair that has a name tells what of the error is no noise.
 fn mismatches(c: &Context<'_>, fits: &[Option<Fit>], repaired: Option<&Vec<Option<Fit>>>) -> Vec<Mismatch> {
     let mut all: Vec<(f64, Mismatch)> = vec![];
@@ -276,8 +268,8 @@ fn mismatches(c: &Context<'_>, fits: &[Option<Fit>], repaired: Option<&Vec<Optio
             let times = &run.recording.times;
             let differs = |from: &[f64]| -> Vec<f64> { y.iter().zip(from).map(|(y, v)| y - v).collect() };
             let error = differs(&o.values);
-            let effect = repaired.map(|r| differs(&r.channels[channel])).filter(|e| square(e) > TELLS * square(&error));
-            let found = windows(times, effect.as_ref().unwrap_or(&error), &error);
+            let effect = repaired.map(|r| differs(&r.channels[channel]));
+            let found = windows(times, &error, effect.as_deref());
             let regime = regime(times, &found, motion.as_ref().unwrap_or(&o.values));
             all.push((
                 s.nmse,

@@ -12,14 +12,20 @@ pub struct Windows {
 /// Part of the square that the windows shall hold.
 const MOST: f64 = 0.8;
 
-/// The fewest stretches of time that hold most of the square of an `effect`, which is the `error` of a model or what is known of it
-/// without its noise. The square is smoothed over a window of a fiftieth of the record; what stands above a level belongs to a
-/// window, the level chosen so that [`MOST`] of the square does.
-pub fn windows(times: &[f64], effect: &[f64], error: &[f64]) -> Windows {
+/// An effect with at least this part of the square of the error tells where it is (a choice).
+const TELLS: f64 = 0.1;
+
+/// The fewest stretches of time that hold most of the square of the `error` of a model, or of what is known of it without its noise,
+/// its `effect`, where that is a fair part of it. The square is smoothed over a window of a fiftieth of the record; what stands
+/// above a level belongs to a window, the level chosen so that [`MOST`] of the square does. All in the unit of the channel; samples
+/// that are not finite count nothing.
+pub fn windows(times: &[f64], error: &[f64], effect: Option<&[f64]>) -> Windows {
     let n = times.len();
     let squares = |x: &[f64]| x.iter().map(|r| if r.is_finite() { r * r } else { 0.0 }).collect::<Vec<f64>>();
-    let square = squares(effect);
-    let total: f64 = square.iter().sum();
+    let sum = |x: &[f64]| x.iter().sum::<f64>();
+    let of_error = squares(error);
+    let square = effect.map(squares).filter(|s| sum(s) > TELLS * sum(&of_error)).unwrap_or_else(|| of_error.clone());
+    let total = sum(&square);
     if n < 10 || total <= 0.0 {
         return Windows { windows: vec![], share: 0.0 };
     }
@@ -52,9 +58,8 @@ pub fn windows(times: &[f64], effect: &[f64], error: &[f64]) -> Windows {
             _ => out.push((i, i)),
         }
     }
-    let of_error = squares(error);
-    let within: f64 = out.iter().map(|(a, b)| of_error[*a..=*b].iter().sum::<f64>()).sum();
-    let share = within / of_error.iter().sum::<f64>().max(f64::MIN_POSITIVE);
+    let within: f64 = out.iter().map(|(a, b)| sum(&of_error[*a..=*b])).sum();
+    let share = within / sum(&of_error).max(f64::MIN_POSITIVE);
     Windows { windows: out.into_iter().map(|(a, b)| [times[a], times[b]]).collect(), share }
 }
 
@@ -101,14 +106,26 @@ pub fn regime(times: &[f64], windows: &Windows, e: &[f64]) -> String {
 #[cfg(test)]
 mod tests {
     use super::windows;
+    use crate::diagnose::noise::tests::noise;
 
     #[test]
     fn a_burst_is_found() {
         let times: Vec<f64> = (0..2000).map(|i| 0.01 * f64::from(i)).collect();
         let r: Vec<f64> = times.iter().map(|t| if (12.0..15.0).contains(t) { 1.0 } else { 0.02 }).collect();
-        let w = windows(&times, &r, &r);
+        let w = windows(&times, &r, None);
         assert_eq!(w.windows.len(), 1);
         assert!((w.windows[0][0] - 12.0).abs() < 0.5 && (w.windows[0][1] - 15.0).abs() < 0.6, "{w:?}");
         assert!(w.share > 0.75);
+    }
+
+    #[test]
+    fn an_effect_is_found_in_noise_and_one_that_is_none_says_nothing() {
+        let times: Vec<f64> = (0..2000).map(|i| 0.01 * f64::from(i)).collect();
+        let effect: Vec<f64> = times.iter().map(|t| if (12.0..15.0).contains(t) { 1.0 } else { 0.0 }).collect();
+        let error: Vec<f64> = effect.iter().zip(noise(3, 2000)).map(|(e, n)| e + n).collect();
+        let length = |effect| windows(&times, &error, effect).windows.iter().map(|w| w[1] - w[0]).sum::<f64>();
+        assert!(length(None) > 6.0 && (2.0..4.0).contains(&length(Some(&effect))));
+        let little: Vec<f64> = effect.iter().map(|e| 0.1 * e).collect();
+        assert_eq!(windows(&times, &error, Some(&little)), windows(&times, &error, None));
     }
 }

@@ -13,7 +13,7 @@ const HARM: f64 = 1.5;
 /// of validation/power; of eight that are given there with the truth taken out of the library none is.
 const PREDICTS: f64 = 0.8;
 const FAILS: f64 = 0.4;
-/// Runs held out in which there is no more than this over the noise cannot judge.
+/// Runs held out in which there is no more than this over the noise cannot judge (a choice).
 const SEEN: f64 = 1.25;
 
 /// How the runs that were held out judge a repair.

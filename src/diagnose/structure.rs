@@ -230,8 +230,9 @@ fn regressors(scales: &Scales, run: usize) -> Vec<Vec<f64>> {
 
 #[cfg(test)]
 mod tests {
-    use super::in_common;
+    use super::{BLOCKS, explained, in_common, regressors, speeds};
     use crate::diagnose::noise::tests::noise;
+    use crate::diagnose::scale::{Scales, Watched};
 
     #[test]
     fn sensors_have_noise_of_their_own() {
@@ -243,5 +244,25 @@ mod tests {
             (0..3).map(|c| own[c].iter().zip(&force[c..]).map(|(o, f)| o + f).collect()).collect();
         assert!((0..3).all(|c| in_common(&moved, c, &[]) > 0.5));
         assert!(in_common(&moved[..1], 0, &[]) == 0.0);
+    }
+
+    /// Friction in the plane pulls against the velocity: its part along one axis depends on the other.
+    #[test]
+    fn a_device_in_the_plane_moves_in_two_directions_at_once() {
+        let times: Vec<f64> = (0..1200).map(|i| 0.01 * f64::from(i)).collect();
+        let moving = |f: &dyn Fn(f64) -> f64| {
+            let e: Vec<f64> = times.iter().map(|t| f(*t)).collect();
+            Watched { times: times.clone(), q: e.clone(), e }
+        };
+        let (x, y) = (moving(&|t| (1.0 + 0.1 * t) * (3.0 * t).sin()), moving(&|t| 2.0 * (1.7 * t).sin()));
+        let of = |other| {
+            let watched = [((0, 1, 1), x.clone()), ((0, other, 2), y.clone())].into_iter().collect();
+            regressors(&Scales { watched, ..Scales::default() }, 0)
+        };
+        let (a, b) = (speeds(&x), speeds(&y));
+        let pulls: Vec<f64> = a.iter().zip(&b).map(|(a, b)| a / a.hypot(*b).max(f64::MIN_POSITIVE)).collect();
+        assert_eq!(of(1).len(), of(2).len() + 4);
+        let simple = |columns: Vec<Vec<f64>>| columns.into_iter().take(32).collect::<Vec<_>>();
+        assert!(explained(&pulls, &simple(of(1)), BLOCKS) > 0.99);
     }
 }

@@ -102,3 +102,39 @@ pub(super) fn watch(
     }
     scales
 }
+
+#[cfg(test)]
+mod tests {
+    use super::look;
+    use crate::analysis::Options;
+    use crate::diagnostic::SourceMap;
+    use crate::study::{ScriptSimulator, Study};
+    use std::path::Path;
+    use std::sync::Arc;
+
+    /// A portal frame under P-Delta whose weight comes before the motion of the ground.
+    const PORTAL: &str = "wipe\nmodel basic -ndm 2 -ndf 3\nnode 1 0. 0.\nnode 2 4. 0.\nnode 3 0. 3. -mass 1. 1. 0.\n\
+        node 4 4. 3. -mass 1. 1. 0.\nfix 1 1 1 1\nfix 2 1 1 1\ngeomTransf PDelta 1\n\
+        element elasticBeamColumn 1 1 3 1e3 1e3 0.3 1\nelement elasticBeamColumn 2 4 2 1e3 1e3 0.3 1\n\
+        element elasticBeamColumn 3 3 4 1e3 1e3 1e3 1\npattern Plain 1 Linear { load 3 0. -1. 0. }\n\
+        constraints Plain\nsystem FullGeneral\nalgorithm Newton\nintegrator LoadControl 1.0\nanalysis Static\nanalyze 1\n\
+        loadConst -time 0.0\nwipeAnalysis\ntimeSeries Constant 2\npattern UniformExcitation 2 1 -accel 2\n\
+        constraints Plain\nsystem FullGeneral\nintegrator Newmark 0.5 0.25\nanalysis Transient\nanalyze 5 0.01\nwipe\n";
+
+    #[test]
+    fn a_frame_is_seen_whatever_its_transformation_and_order() {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("tcl-like-inputs/pad_study/study.toml");
+        let mut sources = SourceMap::default();
+        let study = Arc::new(Study::load(&file, &mut sources).expect("a study"));
+        let mut simulator = ScriptSimulator::new(study.clone(), Options::default(), Arc::default());
+        let opening = simulator.open(&mut sources).expect("a script");
+        let (_, anatomy) = look(&simulator.blueprint(), &study, PORTAL, &opening.values).expect("an analysis");
+        let ends = |all: &[super::super::columns::Column]| -> Vec<(i32, i32, i32)> {
+            all.iter().map(|c| (c.tag, c.node, c.head)).collect()
+        };
+        // The second column was drawn from its head.
+        assert_eq!(ends(&anatomy.columns), [(1, 1, 3), (2, 2, 4)]);
+        assert_eq!(ends(&anatomy.girders), [(3, 3, 4)]);
+        assert!(anatomy.shaken);
+    }
+}

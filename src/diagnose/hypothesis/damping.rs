@@ -1,7 +1,7 @@
 //! Energy loss of the structure that the damping model misses.
 
 use super::{Added, Hypothesis, Proposal, Sight};
-use crate::diagnose::anatomy::Numbers;
+use crate::diagnose::anatomy::{Numbers, ROOM};
 use crate::diagnose::columns::Column;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
@@ -58,13 +58,10 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     out
 }
 
-/// Columns that get a dashpot, at most.
-const COLUMNS: usize = 90;
-
 /// Dashpots from storey to storey of a frame, beside its columns.
 fn beside_columns(s: &Sight<'_>) -> Option<Proposal> {
     let columns = &s.anatomy.columns;
-    if s.anatomy.girders.is_empty() || columns.is_empty() || columns.len() > COLUMNS {
+    if s.anatomy.girders.is_empty() || columns.is_empty() || columns.len() > ROOM {
         return None;
     }
     // Against the critical damping of a column that carries its part of the mass.

@@ -1,7 +1,7 @@
 //! The support gives way.
 
 use super::{Added, Hypothesis, Proposal, Sight};
-use crate::diagnose::anatomy::{Numbers, Support};
+use crate::diagnose::anatomy::{Numbers, Support, grouped};
 use crate::diagnose::conditions::amplitudes_differ;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
@@ -16,6 +16,8 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
 /// Supports that are freed alone, at most, and together.
 const ALONE: usize = 6;
 const TOGETHER: usize = 20;
+/// Stiffnesses that differ by no more than this part of the larger one are about the same (a choice).
+const SPREAD: f64 = 0.5;
 
 fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     let mut out = vec![];
@@ -29,8 +31,9 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     }
     // Those that are held alike, together: the ends of a bridge, the columns of a frame. And of these those that carry alike: the piers
     // of a bridge without its abutments.
-    let held = alike(&supports, |a, b| a.fixed == b.fixed);
-    let carrying = alike(&supports, |a, b| a.fixed == b.fixed && carry_alike(a, b));
+    let all = || supports.iter().copied();
+    let held = grouped(all(), |a, b| a.fixed == b.fixed);
+    let carrying = grouped(all(), |a, b| a.fixed == b.fixed && carry_alike(a, b));
     let further = carrying.into_iter().filter(|g| !held.contains(g)).collect::<Vec<_>>();
     for group in held.iter().chain(&further).filter(|g| (2..=TOGETHER).contains(&g.len())) {
         forms(s, group, &mut out);
@@ -38,21 +41,9 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     out
 }
 
-/// In groups whose members are like the first.
-fn alike<'a>(supports: &[&'a Support], like: impl Fn(&Support, &Support) -> bool) -> Vec<Vec<&'a Support>> {
-    let mut groups: Vec<Vec<&Support>> = vec![];
-    for support in supports {
-        match groups.iter_mut().find(|g| like(g[0], support)) {
-            Some(g) => g.push(support),
-            None => groups.push(vec![support]),
-        }
-    }
-    groups
-}
-
 /// Whether what stands on two supports is about as stiff.
 fn carry_alike(a: &Support, b: &Support) -> bool {
-    let near = |(a, b): (&f64, &f64)| (a - b).abs() <= 0.5 * a.abs().max(b.abs());
+    let near = |(a, b): (&f64, &f64)| (a - b).abs() <= SPREAD * a.abs().max(b.abs());
     a.stiffness.iter().zip(&b.stiffness).all(near)
 }
 

@@ -1,14 +1,11 @@
 //! The structure above yields.
 
 use super::{Added, Hypothesis, Proposal, Sight};
-use crate::diagnose::anatomy::Numbers;
+use crate::diagnose::anatomy::{Device, Numbers, ROOM, grouped};
 use crate::diagnose::columns::{Column, rotations};
 
 /// Columns on the ground that are looked at alone, and storeys, at most.
 const MOST: usize = 6;
-
-/// Hinges in a proposal, at most.
-const HINGES: usize = 90;
 
 /// Parts of the largest force of the elastic model at which something that has yielded a little may have done so: the valley is narrow,
 /// for whatever yields much more or not at all moves as differently as if nothing had been found.
@@ -27,7 +24,7 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     let mut out = vec![];
     for m in s.moved(true) {
         // Each alone, and all together.
-        let mut sets: Vec<Vec<&crate::diagnose::anatomy::Device>> = m.group.iter().map(|d| vec![*d]).collect();
+        let mut sets: Vec<Vec<&Device>> = m.group.iter().map(|d| vec![*d]).collect();
         if m.group.len() > 1 {
             sets.push(m.group.clone());
         }
@@ -57,13 +54,8 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     }
     // The feet of columns: those on the ground each alone as well, of storeys all together. Those that a girder holds yield at the head
     // as well, and girders at both ends.
-    let mut levels: Vec<Vec<&Column>> = vec![];
-    for column in &s.anatomy.columns {
-        match levels.iter_mut().find(|l| (l[0].level - column.level).abs() <= 1e-6 * column.level.abs().max(1.0)) {
-            Some(level) => level.push(column),
-            None => levels.push(vec![column]),
-        }
-    }
+    let one_level = |a: &Column, b: &Column| (a.level - b.level).abs() <= 1e-6 * b.level.abs().max(1.0);
+    let levels = grouped(&s.anatomy.columns, one_level);
     for (n, level) in levels.iter().take(MOST).enumerate() {
         if n == 0 && level.len() > 1 {
             out.extend(level.iter().take(MOST).filter_map(|column| hinges(s, &[*column], Ends::Foot)));
@@ -90,7 +82,7 @@ enum Ends {
 fn hinges(s: &Sight<'_>, columns: &[&Column], ends: Ends) -> Option<Proposal> {
     // Each has a number of its own.
     let ends_of = if ends == Ends::Both { 2 } else { 1 };
-    if columns.len() * ends_of > HINGES {
+    if columns.len() * ends_of > ROOM {
         return None;
     }
     let (translations, directions) = match s.anatomy.ndm {
