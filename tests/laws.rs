@@ -25,6 +25,8 @@ mod every_kind;
 mod frame_materials;
 #[path = "laws/heated.rs"]
 mod heated;
+#[path = "laws/hinges.rs"]
+mod hinges;
 #[path = "laws/kikuchi.rs"]
 mod kikuchi;
 #[path = "laws/links.rs"]

@@ -4,9 +4,9 @@ use super::args::Args;
 use super::model::{need_model, node_of};
 use super::{Command, Outcome, Tcl, finish};
 use crate::element::amendment::{
-    Amended, Amendment, Axial, Bristles, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Mullins,
-    Overstress, PeakOriented, Pinching, Pressure, Relaxation, Share, Sides, Sliding, Slip, Stiffening, Temperature,
-    Yielding,
+    Amended, Amendment, Axial, Bristles, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Hinged,
+    Mullins, Overstress, PeakOriented, Pinching, Pressure, Relaxation, Share, Sides, Sliding, Slip, Stiffening,
+    Temperature, Yielding,
 };
 use crate::element::bearing::ShearParameters;
 use crate::material::Softening;
@@ -18,7 +18,8 @@ use std::sync::Arc;
 pub(super) const COMMANDS: &[Command] = &[Command { name: "amend", usage: USAGE, run: amend }];
 
 const USAGE: &str = "amend element $tag <$tag ...> $kind -option $value ... <-dir $dir1 <$dir2>> <-axial $dir> <-share $k $elastic <$rest>> | \
-                     amend element $tag node $old $new";
+                     amend element $tag node $old $new | \
+                     amend element $tag <$tag ...> hinges -moment $m <-hardening $b> <-end i|j>";
 
 /// What a number of an option must be.
 #[derive(Clone, Copy)]
@@ -340,8 +341,11 @@ fn amend(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if name == "node" {
         return rejoin(interp, &mut a, &elements);
     }
+    if name == "hinges" {
+        return hinge(interp, &mut a, &elements);
+    }
     let Some(kind) = KINDS.iter().find(|k| k.name == name) else {
-        return Err(a.unknown_name("amendment", KINDS.iter().map(|k| k.name).chain(["node"])));
+        return Err(a.unknown_name("amendment", KINDS.iter().map(|k| k.name).chain(["node", "hinges"])));
     };
     let words = Words::take(&mut a, kind)?;
     finish(interp, &a)?;
@@ -433,6 +437,40 @@ fn element_of(interp: &Tcl, a: &mut Args<'_>) -> Result<ElementId, Exception> {
         return Err(a.refuse(message, "amend it before the first analysis"));
     }
     Ok(id)
+}
+
+/// `amend element $tag hinges`: ends of beams that yield.
+fn hinge(interp: &mut Tcl, a: &mut Args<'_>, elements: &[ElementId]) -> Outcome {
+    let (mut moment, mut hardening, mut ends) = (None, 0.0, &[0, 1][..]);
+    while let Some(word) = a.option() {
+        match word.as_ref() {
+            "-moment" => moment = Some(a.positive("yield moment")?),
+            "-hardening" => hardening = a.not_negative("stiffness of the yielding hinge over that of the beam")?,
+            "-end" => {
+                ends = match a.word("end with a hinge")?.as_ref() {
+                    "i" => &[0],
+                    "j" => &[1],
+                    _ => return Err(a.unknown_name("end", ["i", "j"])),
+                }
+            }
+            _ => return Err(a.unknown_name("option", ["-moment", "-hardening", "-end"])),
+        }
+    }
+    let moment = moment
+        .ok_or_else(|| a.refuse("amend hinges: -moment $value is missing", "expected the yield moment as well"))?;
+    finish(interp, a)?;
+    for id in elements {
+        let model = interp.host.engine.model();
+        let entry = &model.elements[id.0];
+        let [i, j] = entry.nodes[..] else {
+            return Err(a.refuse(format!("element {} has not two nodes", entry.tag), "expected a beam"));
+        };
+        let chord = model.nodes[j.0].place() - model.nodes[i.0].place();
+        let hinged = Hinged::new(entry.element.clone(), chord, ends, moment, hardening)
+            .map_err(|e| a.refuse(e.0, "expected a beam"))?;
+        interp.host.engine.replace_element(*id, Arc::new(hinged));
+    }
+    Ok(Value::EMPTY)
 }
 
 /// `amend element $tag node $old $new`: an end of elements joined to another node at the same place, so that a hinge

@@ -88,8 +88,6 @@ pub struct Anatomy {
 pub enum Numbers {
     /// Springs at supports.
     Foundation,
-    /// Hinges at the feet of columns.
-    Hinges,
     /// Masses beside their nodes.
     Masses,
     /// Regions with a damping of their own.
@@ -110,7 +108,6 @@ impl Anatomy {
         self.free_tag
             + match whose {
                 Numbers::Foundation => 0,
-                Numbers::Hinges => 500,
                 Numbers::Masses => 600,
                 Numbers::Regions => 700,
                 Numbers::Dashpots => 800,

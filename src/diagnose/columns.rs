@@ -11,6 +11,8 @@ pub struct Column {
     pub node: i32,
     /// Tag of the node at its other end.
     pub head: i32,
+    /// Which end of the beam that is, 0 or 1.
+    pub end: usize,
     /// Height of the first node.
     pub level: f64,
     /// Largest stiffness of the beam against rotations of that node about the horizontal axes.
@@ -29,7 +31,7 @@ impl Column {
         let rotational = about.map(|i| tangent[i * n + i]).fold(0.0, f64::max);
         let (foot, head) = (&model.nodes[e.nodes[end].0], &model.nodes[e.nodes[1 - end].0]);
         let length = (head.place() - foot.place()).norm();
-        Self { tag: e.tag, node: foot.tag, head: head.tag, level: foot.place()[ndm - 1], rotational, length }
+        Self { tag: e.tag, node: foot.tag, head: head.tag, end, level: foot.place()[ndm - 1], rotational, length }
     }
 }
 

@@ -25,6 +25,10 @@ const TRIED: usize = 2;
 const TRIED_AS_GIVEN: usize = 1;
 /// Values that the user gave are tried as well where they are so far from the fitted ones, in sides of the cube.
 const APART: f64 = 0.03;
+/// What is known of the places of a cause after so few is little: of the first causes, so many, what differs in its form or in its place
+/// alone from the best is fitted as well, and once more from there.
+const ELSEWHERE: usize = 3;
+const STEPS_ELSEWHERE: usize = 2;
 /// Points at which a rival of the best explanation is tried again, for each of its parameters and beside them.
 const TWIN_POINTS: usize = 8;
 /// A baseline that leaves so much of the recordings says little about its own parameters: physics is tried at points of the
@@ -140,14 +144,14 @@ pub(super) fn first_round(
     }
     // The best of each cause, then its further forms.
     let mut of_a_cause: BTreeMap<&str, usize> = BTreeMap::new();
-    let (mut ranked, mut further) = (vec![], vec![]);
+    let (mut ranked, mut further, mut left) = (vec![], vec![], vec![]);
     for s in screened {
         let form = of_a_cause.entry(s.variant.cause()).or_default();
         *form += 1;
         match *form {
             1 => ranked.push(s),
             2..=OF_A_CAUSE => further.push(s),
-            _ => {}
+            _ => left.push(s),
         }
     }
     ranked.append(&mut further);
@@ -170,6 +174,7 @@ pub(super) fn first_round(
     let mut all = if apart > APART { afresh.collect() } else { vec![] };
     all.append(&mut others);
     fitted.extend(work.search_all(stage, all, FIRST)?);
+    elsewhere(work, stage, left, &mut fitted)?;
     if wide {
         widely(work, stage, baseline, &variants, WIDE, &mut fitted)?;
     }
@@ -178,6 +183,41 @@ pub(super) fn first_round(
     let mut seen = BTreeSet::new();
     fitted.retain(|e| seen.insert(Arc::as_ptr(&e.variant)));
     Ok(fitted)
+}
+
+/// Of the first causes that stand at several places: their neighbours in form or place among those that are left.
+fn elsewhere(
+    work: &mut Work<'_>,
+    stage: &str,
+    mut left: Vec<Screened>,
+    fitted: &mut Vec<Explained>,
+) -> Result<(), String> {
+    // Where there is one place the screening has seen the forms from as near as any other would be.
+    let mut places: BTreeMap<&'static str, BTreeSet<&str>> = BTreeMap::new();
+    for (cause, at) in
+        left.iter().map(|s| &s.variant).chain(fitted.iter().map(|e| &e.variant)).filter_map(|v| v.place())
+    {
+        places.entry(cause).or_default().insert(at);
+    }
+    let several: BTreeSet<&str> = places.into_iter().filter(|(_, at)| at.len() > 1).map(|(cause, _)| cause).collect();
+    left.retain(|s| !s.variant.of_a_channel() && several.contains(s.variant.cause()));
+    for _ in 0..STEPS_ELSEWHERE {
+        fitted.sort_by(|a, b| a.score().total_cmp(&b.score()));
+        let mut leaders: Vec<Arc<Variant>> = vec![];
+        for e in fitted.iter() {
+            if leaders.len() < ELSEWHERE && leaders.iter().all(|l| l.cause() != e.cause()) {
+                leaders.push(e.variant.clone());
+            }
+        }
+        let next = |s: &Screened| {
+            let leader = leaders.iter().find(|l| l.cause() == s.variant.cause());
+            leader.is_some_and(|l| l.differs_in_one(&s.variant))
+        };
+        let (near, far): (Vec<_>, Vec<_>) = left.into_iter().partition(next);
+        fitted.extend(work.search_all(stage, near, FIRST)?);
+        left = far;
+    }
+    Ok(())
 }
 
 /// Whether the fitted runs are short enough that so many searches from points of the whole cube can be waited for.

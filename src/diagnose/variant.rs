@@ -106,6 +106,17 @@ impl Variant {
         self.proposal.as_ref().map_or("none", |p| p.cause)
     }
 
+    /// Its cause and where it stands.
+    pub(super) fn place(&self) -> Option<(&'static str, &str)> {
+        self.proposal.as_ref().map(|p| (p.cause, p.at.as_str()))
+    }
+
+    /// Whether another variant has the same form elsewhere or another form at the same place.
+    pub(super) fn differs_in_one(&self, other: &Self) -> bool {
+        let both = self.proposal.as_ref().zip(other.proposal.as_ref());
+        both.is_some_and(|(a, b)| a.cause == b.cause && (a.form == b.form) != (a.at == b.at))
+    }
+
     /// A channel is at fault, not the model.
     pub fn of_a_channel(&self) -> bool {
         self.proposal.is_some() && !self.edits()

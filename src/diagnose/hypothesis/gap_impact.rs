@@ -1,6 +1,7 @@
 //! A gap closes.
 
 use super::{Added, Device, Hypothesis, Moved, Proposal, Sight, named, tags};
+use crate::diagnose::scale::Extent;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "gap_impact",
@@ -14,38 +15,55 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
 /// Devices of a group that are looked at each alone, at most.
 const ALONE: usize = 6;
 
+/// A wall no farther than this part of the largest deformation would never have been called a gap.
+const NEVER: f64 = 0.05;
+
 fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     let mut out = vec![];
     for m in s.moved(false) {
         let sides = [("walls on both sides", 0), ("wall on the positive side", 1), ("wall on the negative side", -1)];
         for (form, side) in sides {
             for (law, power) in [("", 1.0), (", Hertz contact", 1.5)] {
-                out.push(wall(&m, &m.group, &format!("{form}{law}"), (side, power)));
+                out.extend(wall(s, &m, &m.group, &format!("{form}{law}"), (side, power)));
             }
         }
         // An abutment or a neighbour is at one place.
         for device in m.group.iter().filter(|_| (2..=ALONE).contains(&m.group.len())) {
             for (form, side) in sides {
-                out.push(wall(&m, &[device], form, (side, 1.0)));
+                out.extend(wall(s, &m, &[device], form, (side, 1.0)));
             }
         }
     }
     out
 }
 
-/// Walls beside some devices of a group that moves.
-fn wall(m: &Moved<'_>, devices: &[&Device], form: &str, (side, power): (i32, f64)) -> Proposal {
+/// Parts of the largest deformation towards a wall at which it may stand: what touches it at a few peaks only moves otherwise as if there
+/// were none, and the valley is narrow.
+const NEAR_THE_LARGEST: [f64; 4] = [0.97, 0.9, 0.8, 0.5];
+
+/// Walls beside some devices of a group that moves; none where nothing moves towards them.
+fn wall(s: &Sight<'_>, m: &Moved<'_>, devices: &[&Device], form: &str, (side, power): (i32, f64)) -> Option<Proposal> {
     let line = format!(
         "amend element {} gap -at $hy_gap -stiffness $hy_wall -power {power} -damping $hy_damping -side {side} {}",
         tags(devices),
         m.dir
     );
+    let towards = |x: Extent| match side {
+        0 => x.e,
+        1 => x.range[1],
+        _ => -x.range[0],
+    };
+    let reach = m.directions.iter().filter_map(|d| s.scales.of(devices, *d)).map(towards).fold(0.0, f64::max);
+    if reach <= NEVER * m.e {
+        return None;
+    }
     // As stiff at a fifth of the deformation.
     let k = m.stiffness() * (0.2 * m.e).powf(1.0 - power);
+    let gap = Added::linear("gap", NEVER * m.e, 1.1 * m.e, 0.7 * reach);
     let added = vec![
-        Added::linear("gap", 0.05 * m.e, 1.1 * m.e, 0.7 * m.e),
+        Added { also: NEAR_THE_LARGEST.map(|part| part * reach).into(), ..gap },
         Added::log("wall", 0.5 * k, 1e4 * k, 30.0 * k),
         Added::log("damping", 1e-3 / m.v.max(1e-12), 3.0 / m.v.max(1e-12), 0.1 / m.v.max(1e-12)),
     ];
-    Proposal::edit("gap_impact", form, named(devices), vec![line], added)
+    Some(Proposal::edit("gap_impact", form, named(devices), vec![line], added))
 }

@@ -1,8 +1,8 @@
 //! The structure above yields.
 
 use super::{Added, Hypothesis, Proposal, Sight};
-use crate::diagnose::anatomy::{Device, Numbers, ROOM, grouped};
-use crate::diagnose::columns::{Column, rotations};
+use crate::diagnose::anatomy::{Device, grouped};
+use crate::diagnose::columns::Column;
 
 /// Columns on the ground that are looked at alone, and storeys, at most.
 const MOST: usize = 6;
@@ -78,43 +78,30 @@ enum Ends {
     Both,
 }
 
-/// Hinges at the ends of beams, about every horizontal axis, all alike.
+/// Hinges at the ends of beams, about every axis of bending, all alike.
 fn hinges(s: &Sight<'_>, columns: &[&Column], ends: Ends) -> Option<Proposal> {
-    // Each has a number of its own.
-    let ends_of = if ends == Ends::Both { 2 } else { 1 };
-    if columns.len() * ends_of > ROOM {
-        return None;
-    }
-    let (translations, directions) = match s.anatomy.ndm {
-        2 => ("1 2", "6"),
-        _ => ("1 2 3 6", "4 5"),
-    };
-    let stiffness = columns.iter().fold(0.0, |a: f64, c| a.max(c.rotational));
     let moment = columns.iter().filter_map(|c| s.scales.moments.get(&c.tag)).fold(0.0, |a: f64, m| a.max(*m));
-    if stiffness <= 0.0 || moment <= 0.0 {
+    if columns.is_empty() || moment <= 0.0 {
         return None;
     }
-    let material = s.anatomy.free(Numbers::Hinges);
-    let mut block = vec![format!(
-        "uniaxialMaterial Steel02 {material} $hy_moment $hy_rotational [expr {{$hy_plastic/$hy_rotational}}] 18.0 0.925 0.15"
-    )];
-    let materials = vec![material.to_string(); rotations(s.anatomy.ndm).len()].join(" ");
-    let all = columns.iter().flat_map(|c| [c.node, c.head].into_iter().take(ends_of).map(|node| (c.tag, node)));
-    for ((beam, node), tag) in all.zip(material..) {
-        block.extend([
-            format!("node {tag} {}", super::coordinates(node, s.anatomy.ndm)),
-            format!("amend element {beam} node {node} {tag}"),
-            format!("equalDOF {node} {tag} {translations}"),
-            format!("element zeroLength {tag} {node} {tag} -mat {materials} -dir {directions}"),
-        ]);
-    }
-    // Against the moment that the elastic columns have, and their stiffness, of which the fitted model has given up some. From stiff
-    // hinges on: one as soft as its column is no start for one that yields a little.
+    let line = |columns: &[&&Column], end: &str| {
+        let tags: Vec<String> = columns.iter().map(|c| c.tag.to_string()).collect();
+        format!("amend element {} hinges -moment $hy_moment -hardening $hy_hardening{end}", tags.join(" "))
+    };
+    let block = match ends {
+        Ends::Both => vec![line(&columns.iter().collect::<Vec<_>>(), "")],
+        // A column may have been drawn from its head.
+        Ends::Foot => {
+            let (up, down): (Vec<_>, Vec<_>) = columns.iter().partition(|c| c.end == 0);
+            let of = |all: Vec<_>, end| (!all.is_empty()).then(|| line(&all, end));
+            of(up, " -end i").into_iter().chain(of(down, " -end j")).collect()
+        }
+    };
+    // Against the moment that the elastic beams have.
     let strength = Added::log("moment", 0.03 * moment, 3.0 * moment, 0.9 * moment);
     let added = vec![
         Added { also: NEAR_THE_LARGEST.map(|part| part * moment).into(), ..strength },
-        Added::log("plastic", 1e-3 * stiffness, stiffness, 0.05 * stiffness),
-        Added::log("rotational", 0.05 * stiffness, 100.0 * stiffness, 30.0 * stiffness),
+        Added::log("hardening", 1e-3, 1.0, 0.05),
     ];
     let tags: Vec<String> = columns.iter().map(|c| c.tag.to_string()).collect();
     Some(Proposal::edit(
