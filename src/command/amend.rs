@@ -19,7 +19,7 @@ pub(super) const COMMANDS: &[Command] = &[Command { name: "amend", usage: USAGE,
 
 const USAGE: &str = "amend element $tag <$tag ...> $kind -option $value ... <-dir $dir1 <$dir2>> <-axial $dir> <-share $k $elastic <$rest>> | \
                      amend element $tag node $old $new | \
-                     amend element $tag <$tag ...> hinges -moment $m <-hardening $b> <-end i|j>";
+                     amend element $tag <$tag ...> hinges -mat $mat <-end i|j>";
 
 /// What a number of an option must be.
 #[derive(Clone, Copy)]
@@ -441,11 +441,10 @@ fn element_of(interp: &Tcl, a: &mut Args<'_>) -> Result<ElementId, Exception> {
 
 /// `amend element $tag hinges`: ends of beams that yield.
 fn hinge(interp: &mut Tcl, a: &mut Args<'_>, elements: &[ElementId]) -> Outcome {
-    let (mut moment, mut hardening, mut ends) = (None, 0.0, &[0, 1][..]);
+    let (mut material, mut ends) = (None, &[0, 1][..]);
     while let Some(word) = a.option() {
         match word.as_ref() {
-            "-moment" => moment = Some(a.positive("yield moment")?),
-            "-hardening" => hardening = a.not_negative("stiffness of the yielding hinge over that of the beam")?,
+            "-mat" => material = Some(a.of(&interp.host.definitions.materials)?.0),
             "-end" => {
                 ends = match a.word("end with a hinge")?.as_ref() {
                     "i" => &[0],
@@ -453,11 +452,13 @@ fn hinge(interp: &mut Tcl, a: &mut Args<'_>, elements: &[ElementId]) -> Outcome 
                     _ => return Err(a.unknown_name("end", ["i", "j"])),
                 }
             }
-            _ => return Err(a.unknown_name("option", ["-moment", "-hardening", "-end"])),
+            _ => return Err(a.unknown_name("option", ["-mat", "-end"])),
         }
     }
-    let moment = moment
-        .ok_or_else(|| a.refuse("amend hinges: -moment $value is missing", "expected the yield moment as well"))?;
+    let material = material.ok_or_else(|| {
+        let expected = "expected the tag of a uniaxialMaterial, moment over rotation, as well";
+        a.refuse("amend hinges: -mat $mat is missing", expected)
+    })?;
     finish(interp, a)?;
     for id in elements {
         let model = interp.host.engine.model();
@@ -466,8 +467,8 @@ fn hinge(interp: &mut Tcl, a: &mut Args<'_>, elements: &[ElementId]) -> Outcome 
             return Err(a.refuse(format!("element {} has not two nodes", entry.tag), "expected a beam"));
         };
         let chord = model.nodes[j.0].place() - model.nodes[i.0].place();
-        let hinged = Hinged::new(entry.element.clone(), chord, ends, moment, hardening)
-            .map_err(|e| a.refuse(e.0, "expected a beam"))?;
+        let hinged = Hinged::new(entry.element.clone(), chord, ends, material.clone())
+            .map_err(|e| a.refuse(e.0, "expected a beam and a material"))?;
         interp.host.engine.replace_element(*id, Arc::new(hinged));
     }
     Ok(Value::EMPTY)

@@ -88,6 +88,8 @@ pub struct Anatomy {
 pub enum Numbers {
     /// Springs at supports.
     Foundation,
+    /// The material of hinges at the ends of columns.
+    Hinges,
     /// Masses beside their nodes.
     Masses,
     /// Regions with a damping of their own.
@@ -108,6 +110,7 @@ impl Anatomy {
         self.free_tag
             + match whose {
                 Numbers::Foundation => 0,
+                Numbers::Hinges => 500,
                 Numbers::Masses => 600,
                 Numbers::Regions => 700,
                 Numbers::Dashpots => 800,

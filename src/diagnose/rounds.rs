@@ -202,22 +202,39 @@ fn elsewhere(
     let several: BTreeSet<&str> = places.into_iter().filter(|(_, at)| at.len() > 1).map(|(cause, _)| cause).collect();
     left.retain(|s| !s.variant.of_a_channel() && several.contains(s.variant.cause()));
     for _ in 0..STEPS_ELSEWHERE {
-        fitted.sort_by(|a, b| a.score().total_cmp(&b.score()));
-        let mut leaders: Vec<Arc<Variant>> = vec![];
-        for e in fitted.iter() {
-            if leaders.len() < ELSEWHERE && leaders.iter().all(|l| l.cause() != e.cause()) {
-                leaders.push(e.variant.clone());
-            }
-        }
-        let next = |s: &Screened| {
-            let leader = leaders.iter().find(|l| l.cause() == s.variant.cause());
-            leader.is_some_and(|l| l.differs_in_one(&s.variant))
+        let (near, far) = neighbours(fitted, left);
+        // From where the screening says or from where the best stands, whichever is nearer.
+        let points = |(s, leader): (Screened, Explained)| {
+            let (own, best) = (leader.variant.own(&leader.fitted.point).len(), &leader.fitted.point);
+            let added =
+                if best.len() == s.start.len() && leader.variant.same_form(&s.variant) { best } else { &s.start };
+            (s.variant.clone(), vec![s.start.clone(), [&best[..own], &added[own..]].concat()])
         };
-        let (near, far): (Vec<_>, Vec<_>) = left.into_iter().partition(next);
-        fitted.extend(work.search_all(stage, near, FIRST)?);
+        let tried = near.into_iter().map(points).collect();
+        let found = from_the_nearest(work, stage, tried, FIRST)?;
+        fitted.extend(found.into_iter().map(|(variant, f)| Explained::new(variant, f)));
         left = far;
     }
     Ok(())
+}
+
+/// Those that differ from the best of one of the first causes in form alone or in place alone, with it, and the others.
+fn neighbours(fitted: &mut [Explained], left: Vec<Screened>) -> (Vec<(Screened, Explained)>, Vec<Screened>) {
+    fitted.sort_by(|a, b| a.score().total_cmp(&b.score()));
+    let mut leaders: Vec<&Explained> = vec![];
+    for e in fitted.iter() {
+        if leaders.len() < ELSEWHERE && leaders.iter().all(|l| l.cause() != e.cause()) {
+            leaders.push(e);
+        }
+    }
+    let (mut near, mut far) = (vec![], vec![]);
+    for s in left {
+        match leaders.iter().find(|l| l.variant.differs_in_one(&s.variant)) {
+            Some(leader) => near.push((s, (*leader).clone())),
+            None => far.push(s),
+        }
+    }
+    (near, far)
 }
 
 /// Whether the fitted runs are short enough that so many searches from points of the whole cube can be waited for.
@@ -394,10 +411,11 @@ pub(super) fn made_again(
 
 #[cfg(test)]
 mod tests {
-    use super::{foremost_in_the_middle, of_so_many_causes};
+    use super::{foremost_in_the_middle, neighbours, of_so_many_causes};
     use crate::diagnose::insertion::Place;
     use crate::diagnose::pairs::tests::{at, baseline, effect};
-    use crate::diagnose::work::Explained;
+    use crate::diagnose::work::{Explained, Screened};
+    use std::sync::Arc;
 
     /// Explanations by their cause, evidence and where the user's own parameters stand.
     fn explained(of: &[(&'static str, f64, f64)]) -> Vec<Explained> {
@@ -434,5 +452,37 @@ mod tests {
         let causes = |most| of_so_many_causes(&all, most).iter().map(Explained::cause).collect::<Vec<_>>();
         assert_eq!(causes(2), ["friction", "friction", "damping"]);
         assert_eq!(causes(9).len(), 4);
+    }
+
+    #[test]
+    fn the_best_form_is_followed_to_other_places_and_its_place_to_other_forms() {
+        let variant = |cause, form: &str, place: &str| {
+            let mut proposal = effect(cause, &["x"]);
+            (proposal.form, proposal.at) = (form.into(), place.into());
+            Arc::new(baseline().variant.with(&Place::At(0), &proposal).expect("a variant"))
+        };
+        let mut fitted: Vec<Explained> = ["here", "there"]
+            .map(|place| {
+                let mut e = at((*variant("gap_impact", "wall", place)).clone(), &[0.5]);
+                e.fitted.objective = if place == "here" { 0.1 } else { 0.2 };
+                e
+            })
+            .into();
+        let forms =
+            [("gap_impact", "two walls", "here"), ("gap_impact", "wall", "far"), ("gap_impact", "two walls", "far")];
+        let others = [("friction", "wall", "here")];
+        let left = forms.iter().chain(&others).map(|(cause, form, place)| Screened {
+            variant: variant(cause, form, place),
+            start: vec![],
+            expected: 0.3,
+        });
+        let (near, far) = neighbours(&mut fitted, left.collect());
+        let said = |all: &[Screened]| -> Vec<String> {
+            let of = |s: &Screened| s.variant.proposal.as_ref().map(|p| format!("{} {}", p.form, p.at));
+            all.iter().filter_map(of).collect()
+        };
+        let near: Vec<Screened> = near.into_iter().map(|(s, _)| s).collect();
+        assert_eq!(said(&near), ["two walls here", "wall far"]);
+        assert_eq!(said(&far), ["two walls far", "wall here"]);
     }
 }

@@ -117,6 +117,12 @@ impl Variant {
         both.is_some_and(|(a, b)| a.cause == b.cause && (a.form == b.form) != (a.at == b.at))
     }
 
+    /// Whether another variant has the same form.
+    pub(super) fn same_form(&self, other: &Self) -> bool {
+        let form = |v: &Self| v.proposal.as_ref().map(|p| (p.cause, p.form.clone()));
+        form(self) == form(other)
+    }
+
     /// A channel is at fault, not the model.
     pub fn of_a_channel(&self) -> bool {
         self.proposal.is_some() && !self.edits()

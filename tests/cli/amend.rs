@@ -49,13 +49,13 @@ fn a_hinge_is_put_at_the_foot_of_a_column() {
 fn the_foot_of_a_column_yields() {
     let (code, out, err) = run("model basic -ndm 2 -ndf 3\nnode 1 0 0\nnode 2 0 3\nfix 1 1 1 1\n\
          geomTransf PDelta 1\nelement elasticBeamColumn 1 2 1 1. 1e4 0.1 1\n\
-         amend element 1 hinges -moment 6. -hardening 0.1 -end j\n\
+         uniaxialMaterial Steel01 3 6. 4e4 0.01\namend element 1 hinges -mat 3 -end j\n\
          timeSeries Linear 1\npattern Plain 1 1 { sp 2 1 0.03 }\nconstraints Transformation\n\
          test NormDispIncr 1e-10 20\nalgorithm Newton\nintegrator LoadControl 1.\nanalysis Static\nanalyze 1\n\
-         puts [format %.10g [lindex [eleResponse 1 plasticRotation] 0]]\nputs [format %.10g [lindex [eleResponse 1 force] 5]]\n");
-    // Drift 0.01 = m h/(3EI) + theta, m = 6 + 0.1 (4EI/h) theta; the rotation of the node against the end of the beam has the sign of m.
-    let theta = (0.01 - 6.0 * 3.0 / 3e3) / (1.0 + 0.1 * 4e3 / 3.0 * 3.0 / 3e3);
-    let m = 6.0 + 0.1 * 4e3 / 3.0 * theta;
+         puts [format %.10g [lindex [eleResponse 1 hingeRotation] 0]]\nputs [format %.10g [lindex [eleResponse 1 force] 5]]\n");
+    // Drift 0.01 = m h/(3EI) + theta, m = 6 + 400 (theta - 6/4e4); the rotation of the node against the end of the beam has the sign of m.
+    let theta = (0.01 - (6.0 - 400.0 * 6.0 / 4e4) * 3.0 / 3e3) / (1.0 + 400.0 * 3.0 / 3e3);
+    let m = 6.0 + 400.0 * (theta - 6.0 / 4e4);
     let expected = format!("{theta:.6} {m:.6}");
     let numbers: Vec<f64> = out.split_whitespace().filter_map(|w| w.parse().ok()).collect();
     let said = numbers.iter().map(|x| format!("{x:.6}")).collect::<Vec<_>>().join(" ");
@@ -74,11 +74,11 @@ fn mistakes_are_told() {
         ("amend element 1 yielding -force 1 -dir 2", "has no direction 2; it has 1"),
         ("amend node 1 yielding", "unknown thing to amend"),
         ("amend element 1 node 2 1", "not at the place"),
-        ("amend element 1 hinges -moment 3", "is no beam"),
-        ("amend element 1 hinges", "-moment $value is missing"),
-        ("amend element 1 hinges -moment 3 -end k", "unknown end"),
-        ("amend element 1 hinges -moment -3", "yield moment is -3"),
-        ("amend element 1 hinges -momnt 3", "did you mean \"-moment\"?"),
+        ("amend element 1 hinges -mat 1", "is no beam"),
+        ("amend element 1 hinges", "-mat $mat is missing"),
+        ("amend element 1 hinges -mat 1 -end k", "unknown end"),
+        ("amend element 1 hinges -mat 7", "there is no uniaxial material 7"),
+        ("amend element 1 hinges -mta 1", "did you mean \"-mat\"?"),
     ] {
         let command = command.replace("node 2 1", "node 2 77");
         let (code, _, err) = pulled(&format!("node 77 1.\n{command}"));

@@ -1,7 +1,7 @@
 //! The structure above yields.
 
 use super::{Added, Hypothesis, Proposal, Sight};
-use crate::diagnose::anatomy::{Device, grouped};
+use crate::diagnose::anatomy::{Device, Numbers, grouped};
 use crate::diagnose::columns::Column;
 
 /// Columns on the ground that are looked at alone, and storeys, at most.
@@ -80,35 +80,36 @@ enum Ends {
 
 /// Hinges at the ends of beams, about every axis of bending, all alike.
 fn hinges(s: &Sight<'_>, columns: &[&Column], ends: Ends) -> Option<Proposal> {
+    let stiffness = columns.iter().fold(0.0, |a: f64, c| a.max(c.rotational));
     let moment = columns.iter().filter_map(|c| s.scales.moments.get(&c.tag)).fold(0.0, |a: f64, m| a.max(*m));
-    if columns.is_empty() || moment <= 0.0 {
+    if stiffness <= 0.0 || moment <= 0.0 {
         return None;
     }
-    let line = |columns: &[&&Column], end: &str| {
-        let tags: Vec<String> = columns.iter().map(|c| c.tag.to_string()).collect();
-        format!("amend element {} hinges -moment $hy_moment -hardening $hy_hardening{end}", tags.join(" "))
-    };
-    let block = match ends {
-        Ends::Both => vec![line(&columns.iter().collect::<Vec<_>>(), "")],
-        // A column may have been drawn from its head.
-        Ends::Foot => {
-            let (up, down): (Vec<_>, Vec<_>) = columns.iter().partition(|c| c.end == 0);
-            let of = |all: Vec<_>, end| (!all.is_empty()).then(|| line(&all, end));
-            of(up, " -end i").into_iter().chain(of(down, " -end j")).collect()
+    let material = s.anatomy.free(Numbers::Hinges);
+    let mut block = vec![format!(
+        "uniaxialMaterial Steel02 {material} $hy_moment $hy_rotational [expr {{$hy_plastic/$hy_rotational}}] 18.0 0.925 0.15"
+    )];
+    // A column may have been drawn from its head.
+    let (up, down): (Vec<&Column>, Vec<&Column>) =
+        columns.iter().copied().partition(|c| c.end == 0 || ends == Ends::Both);
+    for (some, end) in [(up, " -end i"), (down, " -end j")] {
+        let end = if ends == Ends::Both { "" } else { end };
+        if !some.is_empty() {
+            block.push(format!("amend element {} hinges -mat {material}{end}", tags(&some)));
         }
-    };
-    // Against the moment that the elastic beams have.
+    }
+    // Against the moment that the elastic beams have, and their stiffness, of which the fitted model has given up some. From stiff
+    // hinges on: one as soft as its column is no start for one that yields a little.
     let strength = Added::log("moment", 0.03 * moment, 3.0 * moment, 0.9 * moment);
     let added = vec![
         Added { also: NEAR_THE_LARGEST.map(|part| part * moment).into(), ..strength },
-        Added::log("hardening", 1e-3, 1.0, 0.05),
+        Added::log("plastic", 1e-3 * stiffness, stiffness, 0.05 * stiffness),
+        Added::log("rotational", 0.05 * stiffness, 100.0 * stiffness, 30.0 * stiffness),
     ];
-    let tags: Vec<String> = columns.iter().map(|c| c.tag.to_string()).collect();
-    Some(Proposal::edit(
-        "superstructure_yielding",
-        "plastic hinge",
-        format!("{} of element {}", if ends == Ends::Both { "both ends" } else { "foot" }, tags.join(" ")),
-        block,
-        added,
-    ))
+    let at = format!("{} of element {}", if ends == Ends::Both { "both ends" } else { "foot" }, tags(columns));
+    Some(Proposal::edit("superstructure_yielding", "plastic hinge", at, block, added))
+}
+
+fn tags(columns: &[&Column]) -> String {
+    columns.iter().map(|c| c.tag.to_string()).collect::<Vec<_>>().join(" ")
 }

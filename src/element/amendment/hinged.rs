@@ -3,61 +3,79 @@
 use crate::element::{
     Answer, Element, ElementError, ElementLoad, MAX_DOFS, Mass, Motion, Nature, Overload, Part, Snapshot, dot,
 };
+use crate::material::{Material, Strain};
 use crate::probe::Probe;
 use nalgebra::{Matrix4, SVector, Vector3};
 use std::sync::Arc;
 
-/// A beam whose ends turn against its nodes where their moments go beyond a yield moment: the one-component model of Giberson
-/// (Journal of the Structural Division ASCE 95 (1969) 137), with kinematic hardening.
+/// A beam whose ends turn against its nodes by the law of a uniaxial material, moment over rotation: the one-component model of
+/// Giberson (Journal of the Structural Division ASCE 95 (1969) 137).
 ///
 /// Each end has a hinge about each axis normal to the chord at rest. With its rotation θ, the beam is asked at the rotation of the node
-/// less θ, and answers with the moment m, for which |m - b k θ| ≤ M_y; k is the stiffness of the beam at rest against that rotation.
-/// The hinges are settled within the element, and their rotations condensed from its tangent: the equations of the model are not more
-/// than without them, and the hinges are rigid until they yield.
+/// less θ, and its moment is that of the material at θ. The hinges are settled within the element, and their rotations condensed from
+/// its tangent: the equations of the model are not more than without them, and hinges much stiffer than the beam do no harm.
 #[derive(Clone, Debug)]
 pub struct Hinged {
     inner: Arc<dyn Element>,
-    /// Yield moment M_y.
-    moment: f64,
+    material: Material,
     hinges: Vec<Hinge>,
-    /// Words of the element's own history.
+    /// Words of the element's own history, and of a hinge: its rotation, then those of the material.
     inner_len: usize,
+    hinge_len: usize,
+    /// Moments within this are the same: it goes with the stiffness of the beam.
+    close: f64,
 }
 
 #[derive(Clone, Debug)]
 struct Hinge {
     /// Unit rotation of the node about its axis, over all degrees of freedom.
     row: Vec<f64>,
-    /// b k.
-    hardening: f64,
     /// Name of its rotation.
     label: String,
 }
 
 /// Hinges at most: about two axes at both ends.
 const MOST: usize = 4;
-/// Part of the yield moment to which the hinges are settled.
-const CLOSE: f64 = 1e-12;
-/// Rounds in which the moments of a beam are followed that is not linear, and sweeps over its hinges in one.
+/// Rotation by which the stiffness of the beam tells what moments are the same.
+const CLOSE: f64 = 1e-14;
+/// Rounds in which the moments of a beam are followed that is not linear.
 const ROUNDS: usize = 30;
+/// Steps of Newton's method for all hinges at once; then sweeps from hinge to hinge, with so many steps in each.
+const TOGETHER: usize = 8;
 const SWEEPS: usize = 200;
+const STEPS: usize = 100;
+/// Part of a moment that rounding may have.
+const SAME: f64 = 1e-12;
 /// Path of the rotations: the element's own begin with small numbers.
 const ROTATIONS: u32 = u32::MAX;
 
 /// A number for each hinge.
 type Each = SVector<f64, MOST>;
 
+/// What the hinges answer to their rotations.
+#[derive(Clone, Copy)]
+struct Answered {
+    moment: Each,
+    tangent: Each,
+}
+
+/// Histories of the hinges of a step: committed, and where the next ones go.
+struct Histories<'a> {
+    old: &'a [f64],
+    next: &'a mut [f64],
+    dt: f64,
+}
+
 impl Hinged {
     /// With hinges at some of the ends (0 for node i, 1 for node j) of a beam along a chord.
     ///
     /// # Errors
-    /// An element that is no beam: without rotations at two nodes.
+    /// An element that is no beam: without rotations at two nodes. A material that depends on the rate, which a hinge does not know.
     pub fn new(
         inner: Arc<dyn Element>,
         chord: Vector3<f64>,
         ends: &[usize],
-        moment: f64,
-        hardening: f64,
+        material: Material,
     ) -> Result<Self, ElementError> {
         let n = inner.dofs();
         let axes = match n {
@@ -65,8 +83,10 @@ impl Hinged {
             12 if chord.norm() > 0.0 => normal_to(&chord.normalize()).to_vec(),
             _ => return Err(ElementError(format!("{} is no beam: it has no ends to turn", inner.class()).into())),
         };
-        let mut stiffness = vec![0.0; n * n];
-        inner.initial_tangent(&mut stiffness);
+        if material.is_viscous() {
+            let message = format!("{} depends on the rate, which hinges do not know", material.name());
+            return Err(ElementError(message.into()));
+        }
         let hinge = |end: usize, axis: (usize, &Vector3<f64>)| {
             let mut row = vec![0.0; n];
             let own = n / 2 * (end + 1);
@@ -74,11 +94,16 @@ impl Hinged {
                 6 => row[own - 1] = 1.0,
                 _ => row[own - 3..own].copy_from_slice(axis.1.as_slice()),
             }
-            let along: f64 = stiffness.chunks_exact(n).zip(&row).map(|(k, a)| a * dot(k, &row)).sum();
-            Hinge { hardening: hardening * along, label: format!("theta{}_{}", axis.0 + 1, end + 1), row }
+            Hinge { label: format!("theta{}_{}", axis.0 + 1, end + 1), row }
         };
         let hinges = ends.iter().flat_map(|end| axes.iter().enumerate().map(move |a| hinge(*end, a))).collect();
-        Ok(Self { moment, hinges, inner_len: inner.state_len(), inner })
+        let (inner_len, hinge_len) = (inner.state_len(), 1 + material.state_len());
+        let mut made = Self { inner, material, hinges, inner_len, hinge_len, close: 0.0 };
+        let mut stiffness = vec![0.0; n * n];
+        made.inner.initial_tangent(&mut stiffness);
+        let largest = made.stiffness(&stiffness).diagonal().rows(0, made.hinges.len()).max();
+        made.close = CLOSE * largest.max(made.material.initial_tangent().abs());
+        Ok(made)
     }
 
     /// Displacements behind the hinges.
@@ -91,11 +116,14 @@ impl Hinged {
         out
     }
 
+    /// Rotations in the histories of the hinges.
     fn rotations(&self, words: &[f64]) -> Each {
-        Each::from_iterator(words.iter().copied().chain(std::iter::repeat(0.0)).take(MOST))
+        let mut out = Each::zeros();
+        out.iter_mut().zip(words.chunks_exact(self.hinge_len)).for_each(|(out, words)| *out = words[0]);
+        out
     }
 
-    /// Stiffness of the beam against the rotations of its hinges, with their hardening; 1 on the diagonal of those that are not there.
+    /// Stiffness of the beam against the rotations of its hinges; 1 on the diagonal of those that are not there.
     fn stiffness(&self, tangent: &[f64]) -> Matrix4<f64> {
         let n = self.inner.dofs();
         let mut out = Matrix4::identity();
@@ -103,57 +131,114 @@ impl Hinged {
             for (j, b) in self.hinges.iter().enumerate() {
                 out[(i, j)] = tangent.chunks_exact(n).zip(&a.row).map(|(k, a)| a * dot(k, &b.row)).sum();
             }
-            out[(i, i)] += a.hardening;
         }
         out
     }
 
-    /// Rotations under which no hinge carries more than it can, from committed ones; `over` are the moments less what hardening carries
-    /// at the rotations `from`, by the stiffness `k`. Hinge after hinge until nothing moves (Gauss and Seidel: the stiffness is
-    /// positive definite).
-    fn settle(&self, k: &Matrix4<f64>, over: &Each, from: &Each, committed: &Each) -> Each {
+    /// Moment and tangent of one hinge at a rotation, with its next history.
+    fn ask(&self, i: usize, rotation: f64, h: &mut Histories<'_>) -> Result<(f64, f64), ElementError> {
+        let words = i * self.hinge_len..(i + 1) * self.hinge_len;
+        let (old, next) = (&h.old[words.clone()], &mut h.next[words]);
+        next[0] = rotation;
+        let s = self.material.update(&old[1..], Strain { value: rotation, rate: 0.0, dt: h.dt }, &mut next[1..])?;
+        Ok((s.value, s.tangent))
+    }
+
+    fn ask_all(&self, rotations: &Each, h: &mut Histories<'_>) -> Result<Answered, ElementError> {
+        let mut out = Answered { moment: Each::zeros(), tangent: Each::zeros() };
+        for i in 0..self.hinges.len() {
+            (out.moment[i], out.tangent[i]) = self.ask(i, rotations[i], h)?;
+        }
+        Ok(out)
+    }
+
+    /// Rotations at which the moments of the hinges are those of the beam: `moments` at the rotations `from`, from there by the
+    /// stiffness `k`. Newton's method; where it does not get there, hinge after hinge until nothing moves (Gauss and Seidel).
+    fn settle(
+        &self,
+        k: &Matrix4<f64>,
+        moments: &Each,
+        from: &Each,
+        h: &mut Histories<'_>,
+    ) -> Result<Each, ElementError> {
         let mut now = *from;
-        for _ in 0..SWEEPS {
-            let mut moved: f64 = 0.0;
-            for i in 0..self.hinges.len() {
-                if k[(i, i)] <= 0.0 {
-                    continue;
-                }
-                let others = (k.row(i) * (now - from))[0] - k[(i, i)] * (now[i] - from[i]);
-                let stuck = over[i] - others - k[(i, i)] * (committed[i] - from[i]);
-                let flow = stuck.signum() * (stuck.abs() - self.moment).max(0.0) / k[(i, i)];
-                let next = committed[i] + flow;
-                moved = moved.max(k[(i, i)] * (next - now[i]).abs());
-                now[i] = next;
+        for _ in 0..TOGETHER {
+            let said = self.ask_all(&now, h)?;
+            let over = moments - k * (now - from) - said.moment;
+            if over.rows(0, self.hinges.len()).amax() <= self.close {
+                return Ok(now);
             }
-            if moved <= CLOSE * self.moment {
+            let mut with_hinges = *k;
+            (0..self.hinges.len()).for_each(|i| with_hinges[(i, i)] += said.tangent[i]);
+            let Some(flexibility) = with_hinges.try_inverse() else { break };
+            now += flexibility * over;
+        }
+        now = *from;
+        for _ in 0..SWEEPS {
+            let before = now;
+            for i in 0..self.hinges.len() {
+                let others = (k.row(i) * (now - from))[0] - k[(i, i)] * (now[i] - from[i]);
+                now[i] = self.settle_one(i, (moments[i] - others, from[i], k[(i, i)]), now[i], h)?;
+            }
+            let moved = k.diagonal().component_mul(&(now - before));
+            if moved.amax() <= self.close {
+                return Ok(now);
+            }
+        }
+        Err(ElementError("its hinges find no equilibrium".into()))
+    }
+
+    /// The rotation of one hinge, where the others stay, under a moment (at a rotation) that falls with the stiffness of the beam: what
+    /// is over falls with the rotation, so that Newton's steps can be kept between bounds.
+    fn settle_one(
+        &self,
+        i: usize,
+        (moment, at, k): (f64, f64, f64),
+        start: f64,
+        h: &mut Histories<'_>,
+    ) -> Result<f64, ElementError> {
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        let mut now = start;
+        for _ in 0..STEPS {
+            let (own, tangent) = self.ask(i, now, h)?;
+            let over = moment - k * (now - at) - own;
+            if over.abs() <= self.close {
+                break;
+            }
+            if over > 0.0 {
+                low = now
+            } else {
+                high = now
+            }
+            let next = now + over / (k + tangent);
+            now = if next > low && next < high { next } else { 0.5 * (low + high) };
+            if !now.is_finite() {
+                return Err(ElementError("the material of a hinge softens faster than the beam unloads".into()));
+            }
+            if now == low || now == high {
                 break;
             }
         }
-        now
+        Ok(now)
     }
 
-    /// Take from the tangent what the hinges that turn give way.
-    fn condense(&self, tangent: &mut [f64], turns: [bool; MOST]) {
+    /// Take from the tangent what the hinges give way.
+    fn condense(&self, tangent: &mut [f64], of_hinges: &Each) {
         let n = self.inner.dofs();
         let mut among = self.stiffness(tangent);
-        for i in (0..MOST).filter(|i| !turns[*i]) {
-            among.row_mut(i).fill(0.0);
-            among.column_mut(i).fill(0.0);
-            among[(i, i)] = 1.0;
-        }
+        (0..self.hinges.len()).for_each(|i| among[(i, i)] += of_hinges[i]);
         let Some(flexibility) = among.try_inverse() else { return };
         let (mut by_hinge, mut by_disp) = ([[0.0; MOST]; MAX_DOFS], [[0.0; MAX_DOFS]; MOST]);
-        for (h, hinge) in self.hinges.iter().enumerate().filter(|(h, _)| turns[*h]) {
+        for (h, hinge) in self.hinges.iter().enumerate() {
             for (i, k) in tangent.chunks_exact(n).enumerate() {
                 by_hinge[i][h] = dot(k, &hinge.row);
                 k.iter().zip(&mut by_disp[h]).for_each(|(k, out)| *out += hinge.row[i] * k);
             }
         }
         for (row, by_hinge) in tangent.chunks_exact_mut(n).zip(&by_hinge) {
-            for h in 0..MOST {
+            for (h, by_disp) in by_disp.iter().enumerate().take(self.hinges.len()) {
                 let gives: f64 = (0..MOST).map(|g| by_hinge[g] * flexibility[(g, h)]).sum();
-                row.iter_mut().zip(&by_disp[h]).for_each(|(k, d)| *k -= gives * d);
+                row.iter_mut().zip(by_disp).for_each(|(k, d)| *k -= gives * d);
             }
         }
     }
@@ -174,14 +259,19 @@ impl Element for Hinged {
         self.inner.dofs()
     }
     fn state_len(&self) -> usize {
-        self.inner_len + self.hinges.len()
+        self.inner_len + self.hinges.len() * self.hinge_len
     }
     fn init(&self, state: &mut [f64]) {
-        self.inner.init(&mut state[..self.inner_len]);
-        state[self.inner_len..].fill(0.0);
+        let (own, hinges) = state.split_at_mut(self.inner_len);
+        self.inner.init(own);
+        for words in hinges.chunks_exact_mut(self.hinge_len) {
+            words[0] = 0.0;
+            self.material.init(&mut words[1..]);
+        }
     }
     fn nature(&self) -> Nature {
-        Nature { linear: false, ..self.inner.nature() }
+        let inner = self.inner.nature();
+        Nature { linear: false, elapses: inner.elapses || self.material.depends_on_time(), ..inner }
     }
 
     fn respond(
@@ -194,8 +284,8 @@ impl Element for Hinged {
         let n = self.dofs();
         let (old, kept) = committed.split_at(self.inner_len);
         let (new, next) = trial.split_at_mut(self.inner_len);
-        let committed = self.rotations(kept);
-        let mut rotations = committed;
+        let mut rotations = self.rotations(kept);
+        let mut histories = Histories { old: kept, next, dt: motion.dt };
         let mut own = [0.0; MAX_DOFS * MAX_DOFS];
         for _ in 0..ROUNDS {
             answer.force.fill(0.0);
@@ -212,29 +302,25 @@ impl Element for Hinged {
                 part: Part::ALL,
             };
             self.inner.respond(&Motion { disp: &disp[..n], ..*motion }, old, new, asked)?;
-            let over = |(hinge, turned): (&Hinge, &f64)| dot(&hinge.row, answer.force) - hinge.hardening * turned;
-            let over = Each::from_iterator(
-                self.hinges.iter().zip(&rotations).map(over).chain(std::iter::repeat(0.0)).take(MOST),
-            );
-            let k = self.stiffness(tangent);
-            let settled = self.settle(&k, &over, &rotations, &committed);
-            // Ten times what the sweeps leave of it.
-            if (0..MOST).all(|i| (settled[i] - rotations[i]).abs() * k[(i, i)].abs() <= 10.0 * CLOSE * self.moment) {
-                next.copy_from_slice(&rotations.as_slice()[..self.hinges.len()]);
+            let mut moments = Each::zeros();
+            moments.iter_mut().zip(&self.hinges).for_each(|(m, hinge)| *m = dot(&hinge.row, answer.force));
+            let said = self.ask_all(&rotations, &mut histories)?;
+            let size = moments.amax() + said.moment.amax();
+            if (moments - said.moment).amax() <= 10.0 * self.close + SAME * size {
                 if let Some(out) = answer.tangent {
-                    let turns = std::array::from_fn(|i| rotations[i] != committed[i]);
-                    self.condense(tangent, turns);
+                    self.condense(tangent, &said.tangent);
                     out.copy_from_slice(tangent);
                 }
                 return Ok(());
             }
-            rotations = settled;
+            rotations = self.settle(&self.stiffness(tangent), &moments, &rotations, &mut histories)?;
         }
         Err(ElementError("its hinges find no equilibrium".into()))
     }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.inner.initial_tangent(tangent);
+        self.condense(tangent, &Each::repeat(self.material.initial_tangent()));
     }
     fn mass(&self) -> Mass {
         self.inner.mass()
@@ -261,7 +347,7 @@ impl Element for Hinged {
     // The same paths as the element's own, so that recorders made before the hinges go on.
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         match words {
-            ["plasticRotation"] => Some(Probe::new(ROTATIONS, self.hinges.iter().map(|h| h.label.clone()))),
+            ["hingeRotation"] => Some(Probe::new(ROTATIONS, self.hinges.iter().map(|h| h.label.clone()))),
             words => self.inner.probe(words),
         }
     }
@@ -273,10 +359,11 @@ impl Element for Hinged {
     }
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
         let (state, turned) = s.state.split_at(self.inner_len);
+        let rotations = self.rotations(turned);
         if path == [ROTATIONS] {
-            return out.copy_from_slice(turned);
+            return out.copy_from_slice(&rotations.as_slice()[..out.len()]);
         }
-        let disp = self.behind(s.disp, &self.rotations(turned));
+        let disp = self.behind(s.disp, &rotations);
         self.inner.read(path, &Snapshot { state, disp: &disp[..s.disp.len()], ..*s }, out);
     }
 }
