@@ -1,12 +1,12 @@
 //! `amend`: physics added to elements that a script has made.
 
 use super::args::Args;
-use super::model::{need_model, node_of};
-use super::{Command, Outcome, Tcl, finish};
+use super::model::need_model;
+use super::{Command, Outcome, Tcl, finish, joints};
 use crate::element::amendment::{
-    Amended, Amendment, Axial, Bristles, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Hinged,
-    Mullins, Overstress, PeakOriented, Pinching, Pressure, Relaxation, Share, Sides, Sliding, Slip, Stiffening,
-    Temperature, Yielding,
+    Amended, Amendment, Axial, Bristles, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Mullins,
+    Overstress, PeakOriented, Pinching, Pressure, Relaxation, Share, Sides, Sliding, Slip, Stiffening, Temperature,
+    Yielding,
 };
 use crate::element::bearing::ShearParameters;
 use crate::material::Softening;
@@ -19,7 +19,8 @@ pub(super) const COMMANDS: &[Command] = &[Command { name: "amend", usage: USAGE,
 
 const USAGE: &str = "amend element $tag <$tag ...> $kind -option $value ... <-dir $dir1 <$dir2>> <-axial $dir> <-share $k $elastic <$rest>> | \
                      amend element $tag node $old $new | \
-                     amend element $tag <$tag ...> hinges -mat $mat <-end i|j>";
+                     amend element $tag <$tag ...> hinges -mat $mat <-end i|j> | \
+                     amend node $tag dampedAs $other";
 
 /// What a number of an option must be.
 #[derive(Clone, Copy)]
@@ -330,8 +331,10 @@ const KINDS: &[Kind] = &[
 fn amend(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     need_model(interp, call)?;
     let mut a = Args::new(call, USAGE);
-    if a.word("kind of thing to amend")? != "element" {
-        return Err(a.unknown_name("thing to amend", ["element"]));
+    match a.word("kind of thing to amend")?.as_ref() {
+        "element" => {}
+        "node" => return joints::damped_as(interp, &mut a),
+        _ => return Err(a.unknown_name("thing to amend", ["element", "node"])),
     }
     let mut elements = vec![element_of(interp, &mut a)?];
     while a.at_number() {
@@ -339,10 +342,10 @@ fn amend(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     }
     let name = a.word("kind of amendment")?;
     if name == "node" {
-        return rejoin(interp, &mut a, &elements);
+        return joints::rejoin(interp, &mut a, &elements);
     }
     if name == "hinges" {
-        return hinge(interp, &mut a, &elements);
+        return joints::hinge(interp, &mut a, &elements);
     }
     let Some(kind) = KINDS.iter().find(|k| k.name == name) else {
         return Err(a.unknown_name("amendment", KINDS.iter().map(|k| k.name).chain(["node", "hinges"])));
@@ -437,64 +440,4 @@ fn element_of(interp: &Tcl, a: &mut Args<'_>) -> Result<ElementId, Exception> {
         return Err(a.refuse(message, "amend it before the first analysis"));
     }
     Ok(id)
-}
-
-/// `amend element $tag hinges`: ends of beams that yield.
-fn hinge(interp: &mut Tcl, a: &mut Args<'_>, elements: &[ElementId]) -> Outcome {
-    let (mut material, mut ends) = (None, &[0, 1][..]);
-    while let Some(word) = a.option() {
-        match word.as_ref() {
-            "-mat" => material = Some(a.of(&interp.host.definitions.materials)?.0),
-            "-end" => {
-                ends = match a.word("end with a hinge")?.as_ref() {
-                    "i" => &[0],
-                    "j" => &[1],
-                    _ => return Err(a.unknown_name("end", ["i", "j"])),
-                }
-            }
-            _ => return Err(a.unknown_name("option", ["-mat", "-end"])),
-        }
-    }
-    let material = material.ok_or_else(|| {
-        let expected = "expected the tag of a uniaxialMaterial, moment over rotation, as well";
-        a.refuse("amend hinges: -mat $mat is missing", expected)
-    })?;
-    finish(interp, a)?;
-    for id in elements {
-        let model = interp.host.engine.model();
-        let entry = &model.elements[id.0];
-        let [i, j] = entry.nodes[..] else {
-            return Err(a.refuse(format!("element {} has not two nodes", entry.tag), "expected a beam"));
-        };
-        let chord = model.nodes[j.0].place() - model.nodes[i.0].place();
-        let hinged = Hinged::new(entry.element.clone(), chord, ends, material.clone())
-            .map_err(|e| a.refuse(e.0, "expected a beam and a material"))?;
-        interp.host.engine.replace_element(*id, Arc::new(hinged));
-    }
-    Ok(Value::EMPTY)
-}
-
-/// `amend element $tag node $old $new`: an end of elements joined to another node at the same place, so that a hinge
-/// or a spring can be put between.
-fn rejoin(interp: &mut Tcl, a: &mut Args<'_>, elements: &[ElementId]) -> Outcome {
-    let old = node_of(interp, a, "tag of the node that it is joined to")?;
-    let new = node_of(interp, a, "tag of the node that it shall be joined to")?;
-    let model = interp.host.engine.model();
-    let (from, to) = (&model.nodes[old.0], &model.nodes[new.0]);
-    if from.ndf != to.ndf || from.place() != to.place() {
-        let message =
-            format!("node {} is not at the place of node {}, or has other degrees of freedom", to.tag, from.tag);
-        return Err(a.refuse(message, "expected a node that can stand for it"));
-    }
-    for id in elements {
-        let entry = &interp.host.engine.model().elements[id.0];
-        let Some(end) = entry.nodes.iter().position(|n| *n == old) else {
-            let message =
-                format!("element {} is not joined to node {}", entry.tag, interp.host.engine.model().nodes[old.0].tag);
-            return Err(a.refuse(message, "expected a node of the element"));
-        };
-        interp.host.engine.change_model(|m| m.rejoin_element(*id, end, new));
-    }
-    finish(interp, a)?;
-    Ok(Value::EMPTY)
 }

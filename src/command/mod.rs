@@ -21,6 +21,7 @@ mod friction;
 mod ground_motion;
 mod hybrid_integrator;
 mod integrator;
+mod joints;
 mod load;
 mod material;
 mod matrix;

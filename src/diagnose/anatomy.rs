@@ -57,6 +57,8 @@ pub struct Mass {
     pub node: i32,
     /// Diagonal of the mass.
     pub mass: Vec<f64>,
+    /// It has mass-proportional damping where the block stands.
+    pub damped: bool,
 }
 
 /// What a model is made of.
@@ -160,7 +162,7 @@ impl Anatomy {
                 out.supports.push(Support { node: node.tag, fixed, ndf: node.ndf, elements, stiffness });
             }
             if node.mass.iter().any(|m| *m > 0.0) {
-                out.masses.push(Mass { node: node.tag, mass: node.mass.clone() });
+                out.masses.push(Mass { node: node.tag, mass: node.mass.clone(), damped: node.alpha_m != 0.0 });
             }
         }
         out.columns = columns(model, &out.beams);

@@ -62,6 +62,25 @@ fn the_foot_of_a_column_yields() {
     assert_eq!((code, said), (Some(0), expected), "{err}");
 }
 
+/// A mass moved to another node decays as before.
+#[test]
+fn a_mass_that_is_moved_keeps_its_damping() {
+    let decay = |moved: &str| {
+        let (code, out, err) = run(&format!(
+            "model basic -ndm 2 -ndf 3\nnode 1 0 0\nnode 2 0 3 -mass 2. 2. 0\nfix 1 1 1 1\n\
+             geomTransf Linear 1\nelement elasticBeamColumn 1 1 2 1. 1e4 0.1 1\nrayleigh 0.8 0 0 0\n{moved}\n\
+             timeSeries Path 1 -dt 1. -values {{0 1 0}}\npattern Plain 1 1 {{ load 2 9. 0 0 }}\nconstraints Transformation\n\
+             system FullGeneral\nalgorithm Linear\nintegrator Newmark 0.5 0.25\nanalysis Transient\nanalyze 500 0.01\n\
+             puts [format %.9g [nodeDisp 2 1]]\n"
+        ));
+        assert_eq!(code, Some(0), "{err}");
+        out
+    };
+    let beside = "node 3 0 3\nmass 3 2. 2. 0\nmass 2 0 0 0\nrigidLink beam 2 3\n";
+    assert_eq!(decay(""), decay(&format!("{beside}amend node 3 dampedAs 2")));
+    assert_ne!(decay(""), decay(beside));
+}
+
 #[test]
 fn mistakes_are_told() {
     for (command, message) in [
@@ -72,7 +91,9 @@ fn mistakes_are_told() {
         ("amend element 1 yielding -force 1 -hardening 1", "expected 0 to below 1"),
         ("amend element 1 yielding -forse 1", "did you mean \"-force\"?"),
         ("amend element 1 yielding -force 1 -dir 2", "has no direction 2; it has 1"),
-        ("amend node 1 yielding", "unknown thing to amend"),
+        ("amend section 1 yielding", "unknown thing to amend"),
+        ("amend node 1 yielding", "unknown amendment of a node"),
+        ("amend node 1 dampedAs 8", "there is no node 8"),
         ("amend element 1 node 2 1", "not at the place"),
         ("amend element 1 hinges -mat 1", "is no beam"),
         ("amend element 1 hinges", "-mat $mat is missing"),

@@ -34,7 +34,7 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
             words.collect::<Vec<_>>().join(" ")
         };
         let mut form = |form: &str, ex: &str, ey: &str| {
-            let block = vec![
+            let mut block = vec![
                 format!(
                     "node {tag} [expr {{[nodeCoord {0} 1]+{ex}}}] [expr {{[nodeCoord {0} 2]+{ey}}}]{third}",
                     node.node
@@ -43,6 +43,9 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
                 format!("mass {} {}", node.node, masses(&|i| i >= 2)),
                 format!("rigidLink beam {} {tag}", node.node),
             ];
+            if node.damped {
+                block.push(format!("amend node {tag} dampedAs {}", node.node));
+            }
             let names = [(ex, "ex"), (ey, "ey")];
             let own = names.iter().filter(|(word, _)| word.starts_with('$'));
             let added = own.map(|(_, name)| Added::linear(name, -radius, radius, 0.05 * radius)).collect();
