@@ -22,19 +22,33 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     let mut out = vec![];
     for m in s.moved(false) {
         let sides = [("walls on both sides", 0), ("wall on the positive side", 1), ("wall on the negative side", -1)];
+        let all = Way { directions: &m.directions, across: "" };
         for (form, side) in sides {
             for (law, power) in [("", 1.0), (", Hertz contact", 1.5)] {
-                out.extend(wall(s, &m, &m.group, &format!("{form}{law}"), (side, power)));
+                out.extend(wall(s, &m, &m.group, &all, &format!("{form}{law}"), (side, power)));
+            }
+            // Of what moves in the plane, a wall that stands in the way of one direction.
+            if let [first, second] = &m.directions[..] {
+                for (direction, across) in [(first, " across the first axis"), (second, " across the second axis")] {
+                    let way = Way { directions: std::slice::from_ref(direction), across };
+                    out.extend(wall(s, &m, &m.group, &way, form, (side, 1.0)));
+                }
             }
         }
         // An abutment or a neighbour is at one place.
         for device in m.group.iter().filter(|_| (2..=ALONE).contains(&m.group.len())) {
             for (form, side) in sides {
-                out.extend(wall(s, &m, &[device], form, (side, 1.0)));
+                out.extend(wall(s, &m, &[device], &all, form, (side, 1.0)));
             }
         }
     }
     out
+}
+
+/// Directions of a device that a wall stands in the way of.
+struct Way<'a> {
+    directions: &'a [usize],
+    across: &'static str,
 }
 
 /// Parts of the largest deformation towards a wall at which it may stand: what touches it at a few peaks only moves otherwise as if there
@@ -42,18 +56,25 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
 const NEAR_THE_LARGEST: [f64; 4] = [0.97, 0.9, 0.8, 0.5];
 
 /// Walls beside some devices of a group that moves; none where nothing moves towards them.
-fn wall(s: &Sight<'_>, m: &Moved<'_>, devices: &[&Device], form: &str, (side, power): (i32, f64)) -> Option<Proposal> {
+fn wall(
+    s: &Sight<'_>,
+    m: &Moved<'_>,
+    devices: &[&Device],
+    way: &Way<'_>,
+    form: &str,
+    (side, power): (i32, f64),
+) -> Option<Proposal> {
     let line = format!(
-        "amend element {} gap -at $hy_gap -stiffness $hy_wall -power {power} -damping $hy_damping -side {side} {}",
+        "amend element {} gap -at $hy_gap -stiffness $hy_wall -power {power} -damping $hy_damping -side {side} -dir {}",
         tags(devices),
-        m.dir
+        way.directions.iter().map(usize::to_string).collect::<Vec<_>>().join(" ")
     );
     let towards = |x: Extent| match side {
         0 => x.e,
         1 => x.range[1],
         _ => -x.range[0],
     };
-    let reach = m.directions.iter().filter_map(|d| s.scales.of(devices, *d)).map(towards).fold(0.0, f64::max);
+    let reach = way.directions.iter().filter_map(|d| s.scales.of(devices, *d)).map(towards).fold(0.0, f64::max);
     if reach <= NEVER * m.e {
         return None;
     }
@@ -65,5 +86,5 @@ fn wall(s: &Sight<'_>, m: &Moved<'_>, devices: &[&Device], form: &str, (side, po
         Added::log("wall", 0.5 * k, 1e4 * k, 30.0 * k),
         Added::log("damping", 1e-3 / m.v.max(1e-12), 3.0 / m.v.max(1e-12), 0.1 / m.v.max(1e-12)),
     ];
-    Some(Proposal::edit("gap_impact", form, named(devices), vec![line], added))
+    Some(Proposal::edit("gap_impact", &format!("{form}{}", way.across), named(devices), vec![line], added))
 }

@@ -66,8 +66,13 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
             out.extend(hinges(s, level, Ends::Both));
         }
     }
+    // Girders of all floors, and of each.
     let girders: Vec<&Column> = s.anatomy.girders.iter().collect();
     out.extend(hinges(s, &girders, Ends::Both));
+    let floors = grouped(&s.anatomy.girders, one_level);
+    if floors.len() > 1 {
+        out.extend(floors.iter().take(MOST).filter_map(|floor| hinges(s, floor, Ends::Both)));
+    }
     out
 }
 

@@ -36,8 +36,8 @@ struct Hinge {
 
 /// Hinges at most: about two axes at both ends.
 const MOST: usize = 4;
-/// Rotation by which the stiffness of the beam tells what moments are the same.
-const CLOSE: f64 = 1e-14;
+/// Rotation by which the larger stiffness of beam and hinge tells what moments are the same.
+const CLOSE: f64 = 1e-15;
 /// Rounds in which the moments of a beam are followed that is not linear.
 const ROUNDS: usize = 30;
 /// Steps of Newton's method for all hinges at once; then sweeps from hinge to hinge, with so many steps in each.
@@ -162,10 +162,11 @@ impl Hinged {
         h: &mut Histories<'_>,
     ) -> Result<Each, ElementError> {
         let mut now = *from;
+        let enough = self.close + SAME * moments.amax();
         for _ in 0..TOGETHER {
             let said = self.ask_all(&now, h)?;
             let over = moments - k * (now - from) - said.moment;
-            if over.rows(0, self.hinges.len()).amax() <= self.close {
+            if over.rows(0, self.hinges.len()).amax() <= enough {
                 return Ok(now);
             }
             let mut with_hinges = *k;
@@ -181,7 +182,7 @@ impl Hinged {
                 now[i] = self.settle_one(i, (moments[i] - others, from[i], k[(i, i)]), now[i], h)?;
             }
             let moved = k.diagonal().component_mul(&(now - before));
-            if moved.amax() <= self.close {
+            if moved.amax() <= enough {
                 return Ok(now);
             }
         }
@@ -202,7 +203,7 @@ impl Hinged {
         for _ in 0..STEPS {
             let (own, tangent) = self.ask(i, now, h)?;
             let over = moment - k * (now - at) - own;
-            if over.abs() <= self.close {
+            if over.abs() <= self.close + SAME * own.abs() {
                 break;
             }
             if over > 0.0 {
