@@ -18,7 +18,6 @@ use std::sync::Arc;
 pub(super) const COMMANDS: &[Command] = &[Command { name: "amend", usage: USAGE, run: amend }];
 
 const USAGE: &str = "amend element $tag <$tag ...> $kind -option $value ... <-dir $dir1 <$dir2>> <-axial $dir> <-share $k $elastic <$rest>> | \
-                     amend element $tag node $old $new | \
                      amend element $tag <$tag ...> hinges -mat $mat <-end i|j> | \
                      amend node $tag dampedAs $other";
 
@@ -341,14 +340,11 @@ fn amend(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         elements.push(element_of(interp, &mut a)?);
     }
     let name = a.word("kind of amendment")?;
-    if name == "node" {
-        return joints::rejoin(interp, &mut a, &elements);
-    }
     if name == "hinges" {
         return joints::hinge(interp, &mut a, &elements);
     }
     let Some(kind) = KINDS.iter().find(|k| k.name == name) else {
-        return Err(a.unknown_name("amendment", KINDS.iter().map(|k| k.name).chain(["node", "hinges"])));
+        return Err(a.unknown_name("amendment", KINDS.iter().map(|k| k.name).chain(["hinges"])));
     };
     let words = Words::take(&mut a, kind)?;
     finish(interp, &a)?;

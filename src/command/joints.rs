@@ -45,38 +45,22 @@ pub(super) fn hinge(interp: &mut Tcl, a: &mut Args<'_>, elements: &[ElementId]) 
     for id in elements {
         let model = interp.host.engine.model();
         let entry = &model.elements[id.0];
-        let [i, j] = entry.nodes[..] else {
-            return Err(a.refuse(format!("element {} has not two nodes", entry.tag), "expected a beam"));
+        // A truss in space has as many degrees of freedom as a beam in the plane: the nodes tell them apart.
+        let ends_of = match entry.nodes[..] {
+            [i, j] => {
+                Some([&model.nodes[i.0], &model.nodes[j.0]]).filter(|n| n.iter().all(|n| n.ndf == 3 * (n.ndm() - 1)))
+            }
+            _ => None,
         };
-        let chord = model.nodes[j.0].place() - model.nodes[i.0].place();
+        let Some([i, j]) = ends_of.filter(|[i, j]| i.place() != j.place()) else {
+            let message =
+                format!("element {} does not stand between two nodes with rotations, apart from each other", entry.tag);
+            return Err(a.refuse(message, "expected a beam"));
+        };
+        let chord = j.place() - i.place();
         let hinged = Hinged::new(entry.element.clone(), chord, ends, material.clone())
             .map_err(|e| a.refuse(e.0, "expected a beam and a material"))?;
         interp.host.engine.replace_element(*id, Arc::new(hinged));
     }
-    Ok(Value::EMPTY)
-}
-
-/// `amend element $tag node $old $new`: an end of elements joined to another node at the same place, so that a hinge
-/// or a spring can be put between.
-pub(super) fn rejoin(interp: &mut Tcl, a: &mut Args<'_>, elements: &[ElementId]) -> Outcome {
-    let old = node_of(interp, a, "tag of the node that it is joined to")?;
-    let new = node_of(interp, a, "tag of the node that it shall be joined to")?;
-    let model = interp.host.engine.model();
-    let (from, to) = (&model.nodes[old.0], &model.nodes[new.0]);
-    if from.ndf != to.ndf || from.place() != to.place() {
-        let message =
-            format!("node {} is not at the place of node {}, or has other degrees of freedom", to.tag, from.tag);
-        return Err(a.refuse(message, "expected a node that can stand for it"));
-    }
-    for id in elements {
-        let entry = &interp.host.engine.model().elements[id.0];
-        let Some(end) = entry.nodes.iter().position(|n| *n == old) else {
-            let message =
-                format!("element {} is not joined to node {}", entry.tag, interp.host.engine.model().nodes[old.0].tag);
-            return Err(a.refuse(message, "expected a node of the element"));
-        };
-        interp.host.engine.change_model(|m| m.rejoin_element(*id, end, new));
-    }
-    finish(interp, a)?;
     Ok(Value::EMPTY)
 }

@@ -43,19 +43,25 @@ pub fn rotations(ndm: usize) -> &'static [usize] {
 /// Part of its length by which a beam rises that is called upright.
 const UPRIGHT: f64 = 0.7;
 
+/// Part of its length by which an element with two nodes rises from the first to the second.
+fn rise(model: &Model, nodes: &[NodeId], ndm: usize) -> Option<f64> {
+    let [i, j] = nodes[..] else { return None };
+    let way = model.nodes[j.0].place() - model.nodes[i.0].place();
+    Some(way[ndm - 1] / way.norm())
+}
+
 /// The columns among some beams, the lowest first.
 pub(super) fn columns(model: &Model, beams: &[i32]) -> Vec<Column> {
     let Some(ndm) = model.nodes.first().map(|n| n.ndm()).filter(|n| *n > 1) else { return vec![] };
-    let rise = |nodes: &[NodeId]| -> Option<(usize, f64)> {
-        let [i, j] = nodes[..] else { return None };
-        let way = model.nodes[j.0].place() - model.nodes[i.0].place();
-        let part = way[ndm - 1] / way.norm();
-        (part.abs() > UPRIGHT).then_some((usize::from(part < 0.0), part))
+    // The end on which what stands upright stands.
+    let foot_of = |nodes: &[NodeId]| {
+        let part = rise(model, nodes, ndm).filter(|part| part.abs() > UPRIGHT)?;
+        Some(usize::from(part < 0.0))
     };
     let is_beam = |tag: i32| beams.contains(&tag);
     let mut out: Vec<Column> = vec![];
     for e in model.elements.iter().filter(|e| is_beam(e.tag)) {
-        let Some((end, _)) = rise(&e.nodes) else { continue };
+        let Some(end) = foot_of(&e.nodes) else { continue };
         let foot = e.nodes[end];
         let others: Vec<_> = model.elements.iter().filter(|o| o.tag != e.tag && o.nodes.contains(&foot)).collect();
         let fixed = model.fixes.iter().any(|f| f.node == foot);
@@ -63,7 +69,7 @@ pub(super) fn columns(model: &Model, beams: &[i32]) -> Vec<Column> {
         let stands = if fixed {
             others.iter().all(|o| !is_beam(o.tag))
         } else {
-            others.iter().any(|o| !is_beam(o.tag) || rise(&o.nodes).is_none())
+            others.iter().any(|o| !is_beam(o.tag) || foot_of(&o.nodes).is_none())
         };
         if !stands {
             continue;
@@ -77,11 +83,7 @@ pub(super) fn columns(model: &Model, beams: &[i32]) -> Vec<Column> {
 /// The girders among some beams, in the order of the script: what lies, or nearly.
 pub(super) fn girders(model: &Model, beams: &[i32]) -> Vec<Column> {
     let Some(ndm) = model.nodes.first().map(|n| n.ndm()).filter(|n| *n > 1) else { return vec![] };
-    let lies = |e: &&ElementEntry| {
-        let [i, j] = e.nodes[..] else { return false };
-        let way = model.nodes[j.0].place() - model.nodes[i.0].place();
-        (way[ndm - 1] / way.norm()).abs() <= UPRIGHT
-    };
+    let lies = |e: &&ElementEntry| rise(model, &e.nodes, ndm).is_some_and(|part| part.abs() <= UPRIGHT);
     let all = model.elements.iter().filter(|e| beams.contains(&e.tag)).filter(lies);
     all.map(|e| Column::standing(model, e, 0, ndm)).collect()
 }

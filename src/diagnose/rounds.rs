@@ -25,8 +25,8 @@ const TRIED: usize = 2;
 const TRIED_AS_GIVEN: usize = 1;
 /// Values that the user gave are tried as well where they are so far from the fitted ones, in sides of the cube.
 const APART: f64 = 0.03;
-/// What is known of the places of a cause after so few is little: of the first causes, so many, what differs in its form or in its place
-/// alone from the best is fitted as well, and once more from there.
+/// Where a cause can stand at several places, so few of its forms say little. Of so many of the first causes the neighbours of the best
+/// form are fitted as well, and so often over, from the best of them (choices).
 const ELSEWHERE: usize = 3;
 const STEPS_ELSEWHERE: usize = 2;
 /// Points at which a rival of the best explanation is tried again, for each of its parameters and beside them.

@@ -194,14 +194,6 @@ impl Model {
         self.elements = elements;
     }
 
-    /// Join an end of an element to another node at the same place, with as many degrees of freedom.
-    pub fn rejoin_element(&mut self, id: ElementId, end: usize, node: NodeId) {
-        let entry = &mut self.elements[id.0];
-        entry.nodes[end] = node;
-        entry.dofs = entry.nodes.iter().flat_map(|&n| self.nodes[n.0].dofs()).map(|d| d as u32).collect();
-        self.touch();
-    }
-
     /// Remove an element. The words of the others move: see [`Model::elements`] for where to.
     pub fn remove_element(&mut self, id: ElementId) {
         self.elements.remove(id.0);

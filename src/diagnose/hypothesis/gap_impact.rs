@@ -15,7 +15,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
 /// Devices of a group that are looked at each alone, at most.
 const ALONE: usize = 6;
 
-/// A wall no farther than this part of the largest deformation would never have been called a gap.
+/// A wall no farther than this part of the largest deformation would never have been called a gap (a choice).
 const NEVER: f64 = 0.05;
 
 fn propose(s: &Sight<'_>) -> Vec<Proposal> {
@@ -52,7 +52,7 @@ struct Way<'a> {
 }
 
 /// Parts of the largest deformation towards a wall at which it may stand: what touches it at a few peaks only moves otherwise as if there
-/// were none, and the valley is narrow.
+/// were none, and the valley is narrow (choices).
 const NEAR_THE_LARGEST: [f64; 4] = [0.97, 0.9, 0.8, 0.5];
 
 /// Walls beside some devices of a group that moves; none where nothing moves towards them.

@@ -1,8 +1,6 @@
 //! A beam with plastic hinges at its ends.
 
-use crate::element::{
-    Answer, Element, ElementError, ElementLoad, MAX_DOFS, Mass, Motion, Nature, Overload, Part, Snapshot, dot,
-};
+use crate::element::{Answer, Element, ElementError, ElementLoad, Mass, Motion, Nature, Overload, Part, Snapshot, dot};
 use crate::material::{Material, Strain};
 use crate::probe::Probe;
 use nalgebra::{Matrix4, SVector, Vector3};
@@ -34,6 +32,8 @@ struct Hinge {
     label: String,
 }
 
+/// Degrees of freedom of a beam in space.
+const SPACE: usize = 12;
 /// Hinges at most: about two axes at both ends.
 const MOST: usize = 4;
 /// Rotation by which the larger stiffness of beam and hinge tells what moments are the same.
@@ -67,10 +67,12 @@ struct Histories<'a> {
 }
 
 impl Hinged {
-    /// With hinges at some of the ends (0 for node i, 1 for node j) of a beam along a chord.
+    /// With hinges at some of the ends (0 for node i, 1 for node j) of a beam along a chord, whose length does not matter. Its nodes have
+    /// three degrees of freedom in the plane, six in space. The material gives the moment (force times length) for the rotation in
+    /// radians.
     ///
     /// # Errors
-    /// An element that is no beam: without rotations at two nodes. A material that depends on the rate, which a hinge does not know.
+    /// An element that is no beam, or has an end without moment. A material that depends on the rate, which a hinge does not know.
     pub fn new(
         inner: Arc<dyn Element>,
         chord: Vector3<f64>,
@@ -78,10 +80,18 @@ impl Hinged {
         material: Material,
     ) -> Result<Self, ElementError> {
         let n = inner.dofs();
+        let class = inner.class();
+        if !inner.basic_rows().is_empty() {
+            return Err(ElementError(format!("{class} is amended by direction, and has no hinges").into()));
+        }
+        if inner.counts_calls() {
+            let message = format!("{class} follows OpenSees call by call, which hinges would disturb");
+            return Err(ElementError(message.into()));
+        }
         let axes = match n {
             6 => vec![Vector3::z()],
-            12 if chord.norm() > 0.0 => normal_to(&chord.normalize()).to_vec(),
-            _ => return Err(ElementError(format!("{} is no beam: it has no ends to turn", inner.class()).into())),
+            SPACE if chord.norm() > 0.0 => normal_to(&chord.normalize()).to_vec(),
+            _ => return Err(ElementError(format!("{class} is no beam: it has no ends to turn").into())),
         };
         if material.is_viscous() {
             let message = format!("{} depends on the rate, which hinges do not know", material.name());
@@ -101,14 +111,18 @@ impl Hinged {
         let mut made = Self { inner, material, hinges, inner_len, hinge_len, close: 0.0 };
         let mut stiffness = vec![0.0; n * n];
         made.inner.initial_tangent(&mut stiffness);
-        let largest = made.stiffness(&stiffness).diagonal().rows(0, made.hinges.len()).max();
-        made.close = CLOSE * largest.max(made.material.initial_tangent().abs());
+        let own = made.stiffness(&stiffness).diagonal();
+        let own = own.rows(0, made.hinges.len());
+        if own.min() <= 0.0 {
+            return Err(ElementError(format!("{class} carries no moment at an end that shall have a hinge").into()));
+        }
+        made.close = CLOSE * own.max().max(made.material.initial_tangent().abs());
         Ok(made)
     }
 
     /// Displacements behind the hinges.
-    fn behind(&self, disp: &[f64], rotations: &Each) -> [f64; MAX_DOFS] {
-        let mut out = [0.0; MAX_DOFS];
+    fn behind(&self, disp: &[f64], rotations: &Each) -> [f64; SPACE] {
+        let mut out = [0.0; SPACE];
         out[..disp.len()].copy_from_slice(disp);
         for (hinge, by) in self.hinges.iter().zip(rotations) {
             out.iter_mut().zip(&hinge.row).for_each(|(d, a)| *d -= by * a);
@@ -186,7 +200,7 @@ impl Hinged {
                 return Ok(now);
             }
         }
-        Err(ElementError("its hinges find no equilibrium".into()))
+        Err(ElementError("its hinges find no equilibrium in this step".into()))
     }
 
     /// The rotation of one hinge, where the others stay, under a moment (at a rotation) that falls with the stiffness of the beam: what
@@ -229,7 +243,7 @@ impl Hinged {
         let mut among = self.stiffness(tangent);
         (0..self.hinges.len()).for_each(|i| among[(i, i)] += of_hinges[i]);
         let Some(flexibility) = among.try_inverse() else { return };
-        let (mut by_hinge, mut by_disp) = ([[0.0; MOST]; MAX_DOFS], [[0.0; MAX_DOFS]; MOST]);
+        let (mut by_hinge, mut by_disp) = ([[0.0; MOST]; SPACE], [[0.0; SPACE]; MOST]);
         for (h, hinge) in self.hinges.iter().enumerate() {
             for (i, k) in tangent.chunks_exact(n).enumerate() {
                 by_hinge[i][h] = dot(k, &hinge.row);
@@ -287,7 +301,7 @@ impl Element for Hinged {
         let (new, next) = trial.split_at_mut(self.inner_len);
         let mut rotations = self.rotations(kept);
         let mut histories = Histories { old: kept, next, dt: motion.dt };
-        let mut own = [0.0; MAX_DOFS * MAX_DOFS];
+        let mut own = [0.0; SPACE * SPACE];
         for _ in 0..ROUNDS {
             answer.force.fill(0.0);
             if let Some(damping) = answer.damping.as_deref_mut() {
@@ -316,7 +330,7 @@ impl Element for Hinged {
             }
             rotations = self.settle(&self.stiffness(tangent), &moments, &rotations, &mut histories)?;
         }
-        Err(ElementError("its hinges find no equilibrium".into()))
+        Err(ElementError("its hinges find no equilibrium in this step".into()))
     }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {
