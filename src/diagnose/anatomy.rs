@@ -80,6 +80,8 @@ pub struct Anatomy {
     pub masses: Vec<Mass>,
     /// The ground moves (an excitation, not an imposed motion of a node).
     pub shaken: bool,
+    /// Diagonal of the box that holds all nodes; length.
+    pub extent: f64,
     /// A number that neither a node nor an element nor a material has used; so are all above it.
     free_tag: i32,
 }
@@ -168,6 +170,7 @@ impl Anatomy {
         out.columns = columns(model, &out.beams);
         out.girders = girders(model, &out.beams);
         out.shaken = shaken(model);
+        out.extent = extent(model);
         let largest = model.node_tags().chain(model.element_tags()).max().unwrap_or(0);
         out.free_tag = (largest + 1).max(900_000);
         out
@@ -195,6 +198,13 @@ pub(super) fn grouped<'a, T>(all: impl IntoIterator<Item = &'a T>, like: impl Fn
 /// Whether the ground moves.
 pub(super) fn shaken(model: &Model) -> bool {
     model.patterns.values().any(|p| !matches!(p.kind, PatternKind::Plain { .. }))
+}
+
+/// Diagonal of the box that holds all nodes.
+fn extent(model: &Model) -> f64 {
+    let places = || model.nodes.iter().map(|n| n.place());
+    let corner = |choose: fn(f64, f64) -> f64| places().reduce(|a, b| a.zip_map(&b, choose));
+    corner(f64::max).zip(corner(f64::min)).map_or(0.0, |(high, low)| (high - low).norm())
 }
 
 /// Diagonal of the initial stiffness that elements have at a node.

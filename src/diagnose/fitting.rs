@@ -318,6 +318,11 @@ impl Bench {
         self.parts.store(parts, Ordering::Relaxed);
     }
 
+    /// In how many parts the steps are made.
+    pub(super) fn parts(&self) -> u32 {
+        self.parts.load(Ordering::Relaxed)
+    }
+
     /// How often the fitted runs have been looked at, for one set of values each.
     pub(super) fn looks(&self) -> usize {
         self.looks.load(Ordering::Relaxed)

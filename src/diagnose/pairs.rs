@@ -21,6 +21,9 @@ const KEPT: usize = 2;
 const TRIED: usize = 2;
 /// Effects of pairs beside which others are tried in the place of the second one, at most.
 const EXCHANGES: usize = 4;
+/// What is screened has steps of so many times the length that the fits have, where those are made in parts: what is to be expected of
+/// a second effect is told well enough by them (a choice).
+const ROUGHLY: u32 = 4;
 const STAGE: &str = "a second effect";
 
 /// Two effects that have been fitted together, and which of the first round they are, in their order.
@@ -188,9 +191,15 @@ impl Makings<'_> {
             others.push((v.clone(), n));
             all.push((v, points));
         }
+        let parts = work.bench.parts();
+        let Some(roughly) = work.with_steps_in(STAGE, parts.div_ceil(ROUGHLY), &one.explained)? else {
+            work.bench.refine(parts);
+            return Ok(vec![]);
+        };
         let mut screened = work.screen(STAGE, variant, point, all)?;
+        work.bench.refine(parts);
         // A search costs more than it can tell where nothing is to be expected of it.
-        let score = one.explained.score();
+        let score = Explained { fitted: roughly, ..one.explained.clone() }.score();
         screened.retain(|s| ahead(s.score(), score) > -1.0);
         let mut seconds = BTreeSet::new();
         screened.retain(|s| seconds.insert(s.variant.proposal.as_ref().and_then(|p| p.second)));

@@ -21,6 +21,7 @@ const AGAIN: usize = 6;
 const MOST: u32 = 8;
 /// Steps of half the length that move as much as this part of what the whole ones do lead nowhere.
 const LEADS_NOWHERE: f64 = 0.5;
+const STAGE: &str = "the error of the steps";
 
 /// How long the steps of the script are for what is to be told apart.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,7 +71,8 @@ fn of_one(work: &mut Work<'_>, e: &Explained) -> Result<StepError, String> {
     let mut moves: Vec<f64> = vec![];
     let mut steps = e.fitted.fits.clone();
     let mut parts = 1;
-    while let Some(halved) = work.with_steps_in(2 * parts, e)? {
+    while let Some(halved) = work.with_steps_in(STAGE, 2 * parts, e)? {
+        let halved = halved.fits;
         let moved = moved(&work.study, &steps, &halved);
         let nowhere = moves.last().is_some_and(|before| moved > LEADS_NOWHERE * before);
         moves.push(moved);
@@ -85,7 +87,7 @@ fn of_one(work: &mut Work<'_>, e: &Explained) -> Result<StepError, String> {
     let mut left = |parts: u32| -> Result<f64, String> {
         work.bench.refine(parts);
         let again = Work::search(&e.variant, e.fitted.point.clone(), AGAIN);
-        let fitted = work.fit("the error of the steps", vec![again])?.pop().flatten();
+        let fitted = work.fit(STAGE, vec![again])?.pop().flatten();
         Ok(fitted.map_or(f64::INFINITY, |f| f.objective))
     };
     if parts > 1 && left(parts)? >= left(1)? {

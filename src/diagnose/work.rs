@@ -6,7 +6,7 @@ use super::fitting::{Answer, Bench, Fitted, Job, Task};
 use super::pipeline::Watch;
 use super::resume::{Kept, Told, number};
 use super::variant::Variant;
-use crate::study::{Fit, Study};
+use crate::study::Study;
 use std::sync::Arc;
 
 /// Iterations of the last search.
@@ -191,11 +191,11 @@ impl Work<'_> {
         Ok(all)
     }
 
-    /// What an explanation says of the fitted runs when the steps of the script are made in so many parts, from now on.
-    pub(super) fn with_steps_in(&mut self, parts: u32, e: &Explained) -> Result<Option<Vec<Fit>>, String> {
+    /// What an explanation comes to where it stands when the steps of the script are made in so many parts, from now on.
+    pub(super) fn with_steps_in(&mut self, stage: &str, parts: u32, e: &Explained) -> Result<Option<Fitted>, String> {
         self.bench.refine(parts);
         let job = Job { variant: e.variant.clone(), task: Task::Look { point: e.fitted.point.clone() } };
-        Ok(self.fit("the error of the steps", vec![job])?.pop().flatten().map(|f| f.fits))
+        Ok(self.fit(stage, vec![job])?.pop().flatten())
     }
 
     /// What each leaves near its fit; nothing of those without an answer.

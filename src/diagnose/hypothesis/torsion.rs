@@ -12,6 +12,10 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     propose,
 };
 
+/// A mass whose radius of gyration is less than this part of the model's extent has no plan: its rotational part is a token, as frames
+/// in elevation have it (a choice; a floor has about a third).
+const TOKEN: f64 = 0.01;
+
 fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     let mut out = vec![];
     if !s.anatomy.shaken {
@@ -27,6 +31,9 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
         }
         let tag = s.anatomy.free(Numbers::Masses) + n as i32;
         let radius = (node.mass[turn] / node.mass[0]).sqrt();
+        if radius < TOKEN * s.anatomy.extent {
+            continue;
+        }
         let third = if ndm == 3 { format!(" [nodeCoord {} 3]", node.node) } else { String::new() };
         let masses = |keep: &dyn Fn(usize) -> bool| {
             let words =
@@ -57,4 +64,28 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
         form("mass eccentric along y", "0.0", "$hy_ey");
     }
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::propose;
+    use crate::diagnose::anatomy::{Anatomy, Mass};
+    use crate::diagnose::hypothesis::Sight;
+    use crate::diagnose::pairs::tests::baseline;
+    use crate::diagnose::scale::Scales;
+
+    #[test]
+    fn a_token_of_inertia_makes_no_plan() {
+        let (study, scales) = (baseline().variant.study.clone(), Scales::default());
+        let proposed = |turn: f64, extent: f64| {
+            let masses = vec![Mass { node: 1, mass: vec![18.0, 18.0, turn], damped: false }];
+            let mut anatomy = Anatomy::default();
+            (anatomy.ndm, anatomy.shaken, anatomy.extent, anatomy.masses) = (2, true, extent, masses);
+            propose(&Sight { anatomy: &anatomy, study: &study, scales: &scales, fits: &[], clock: true }).len()
+        };
+        assert_eq!(proposed(18.0 * 3.0 * 3.0, 14.0), 3);
+        assert_eq!(proposed(1e-6, 14.0), 0);
+        // A floor that stands on one spring has no extent but its own.
+        assert_eq!(proposed(18.0 * 3.0 * 3.0, 0.0), 3);
+    }
 }
