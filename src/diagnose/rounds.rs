@@ -3,7 +3,6 @@
 use super::bootstrap::{Bootstrap, Near, Rival, bootstrap};
 use super::conditions::differ;
 use super::evidence::{Noise, ahead};
-use super::fitting::Fitted;
 use super::hypothesis::{self, Proposal};
 use super::insertion::Place;
 use super::variant::Variant;
@@ -33,13 +32,15 @@ const STEPS_ELSEWHERE: usize = 2;
 const TWIN_POINTS: usize = 8;
 /// A baseline that leaves so much of the recordings says little about its own parameters: physics is tried at points of the
 /// whole cube as well, so many for each parameter, the user's too, and beside them, of which the nearest in so many valleys
-/// are followed. That takes a hundred analyses a proposal: only where proposals times samples are at most so many.
+/// are tried, and so many of the nearest of each cause are followed (a choice). That takes tens of analyses a proposal: only where proposals times
+/// samples are at most so many.
 const POOR: f64 = 0.2;
 /// The same where a parameter is at a bound; how near that is, in sides of the cube.
 const POOR_AT_A_BOUND: f64 = 0.02;
 const AT_A_BOUND: f64 = 1e-3;
 const WIDE_POINTS: usize = 5;
 const VALLEYS: usize = 2;
+const FOLLOWED: usize = 4;
 const WIDE_SAMPLES: usize = 100_000;
 /// Iterations of a search: of the baseline, of the first round, of its searches from afar, of the second round.
 const BASELINE: usize = 12;
@@ -211,8 +212,8 @@ fn elsewhere(
             (s.variant.clone(), vec![s.start.clone(), [&best[..own], &added[own..]].concat()])
         };
         let tried = near.into_iter().map(points).collect();
-        let found = from_the_nearest(work, stage, tried, FIRST)?;
-        fitted.extend(found.into_iter().map(|(variant, f)| Explained::new(variant, f)));
+        let nearest = work.nearest(stage, tried)?;
+        fitted.extend(work.search_all(stage, nearest, FIRST)?);
         left = far;
     }
     Ok(())
@@ -260,7 +261,15 @@ pub(super) fn widely(
         let group = move |g| points.iter().skip(g).step_by(VALLEYS).cloned().collect();
         (0..VALLEYS).map(move |g| ((*v).clone(), group(g)))
     });
-    for (variant, f) in from_the_nearest(work, stage, groups.collect(), iterations)? {
+    let mut nearest = work.nearest(stage, groups.collect())?;
+    nearest.sort_by(|a, b| a.expected.total_cmp(&b.expected));
+    let mut of_a_cause: BTreeMap<(&str, Option<&str>), usize> = BTreeMap::new();
+    nearest.retain(|s| {
+        let followed = of_a_cause.entry((s.variant.cause(), s.variant.second())).or_default();
+        *followed += 1;
+        *followed <= FOLLOWED
+    });
+    for Explained { variant, fitted: f, .. } in work.search_all(stage, nearest, iterations)? {
         match all.iter_mut().find(|e| Arc::ptr_eq(&e.variant, &variant)) {
             Some(known) if f.objective < known.fitted.objective => known.fitted = f,
             Some(_) => {}
@@ -268,24 +277,6 @@ pub(super) fn widely(
         }
     }
     Ok(())
-}
-
-/// What searches from the nearest of points of each variant come to.
-fn from_the_nearest(
-    work: &mut Work<'_>,
-    stage: &str,
-    tried: Vec<(Arc<Variant>, Vec<Vec<f64>>)>,
-    iterations: usize,
-) -> Result<Vec<(Arc<Variant>, Fitted)>, String> {
-    let variants: Vec<Arc<Variant>> = tried.iter().map(|(v, _)| v.clone()).collect();
-    let nearest = work.nearest(stage, tried)?;
-    let (variants, jobs): (Vec<_>, Vec<_>) = variants
-        .into_iter()
-        .zip(nearest)
-        .filter_map(|(v, point)| Some((v.clone(), Work::search(&v, point?, iterations))))
-        .unzip();
-    let fitted = work.fit(stage, jobs)?;
-    Ok(variants.into_iter().zip(fitted).filter_map(|(v, f)| Some((v, f?))).collect())
 }
 
 /// Search again for what looks like the best explanation: its rivals are worth it, contact and slack have many valleys, and
@@ -300,7 +291,8 @@ pub(super) fn twins(work: &mut Work<'_>, baseline: &Explained, first: &mut [Expl
         (e.variant.clone(), tried(&start, own, TWIN_POINTS))
     };
     let tried = rivals.map(points).collect();
-    for (variant, f) in from_the_nearest(work, stage, tried, FIRST)? {
+    let nearest = work.nearest(stage, tried)?;
+    for Explained { variant, fitted: f, .. } in work.search_all(stage, nearest, FIRST)? {
         if let Some(e) =
             first.iter_mut().find(|e| Arc::ptr_eq(&e.variant, &variant) && f.objective < e.fitted.objective)
         {

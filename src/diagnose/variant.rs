@@ -106,6 +106,11 @@ impl Variant {
         self.proposal.as_ref().map_or("none", |p| p.cause)
     }
 
+    /// The second of two effects.
+    pub(super) fn second(&self) -> Option<&'static str> {
+        self.proposal.as_ref()?.second
+    }
+
     /// Its cause and where it stands.
     pub(super) fn place(&self) -> Option<(&'static str, &str)> {
         self.proposal.as_ref().map(|p| (p.cause, p.at.as_str()))

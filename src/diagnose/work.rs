@@ -34,7 +34,7 @@ impl Explained {
 
     /// The second of two effects.
     pub(super) fn second(&self) -> Option<&'static str> {
-        self.variant.proposal.as_ref()?.second
+        self.variant.second()
     }
 
     pub(super) fn score(&self) -> f64 {
@@ -53,6 +53,13 @@ pub(super) struct Screened {
 impl Screened {
     pub(super) fn score(&self) -> f64 {
         priced(self.expected, self.variant.dimension(), self.variant.known())
+    }
+}
+
+fn screened((variant, answer): (Arc<Variant>, Option<Answer>)) -> Option<Screened> {
+    match answer {
+        Some(Answer::Screened(Some((expected, start)))) => Some(Screened { variant, start, expected }),
+        _ => None,
     }
 }
 
@@ -152,28 +159,22 @@ impl Work<'_> {
             })
             .unzip();
         let answers = self.run(stage, jobs)?;
-        let screened = |(variant, answer)| match answer {
-            Some(Answer::Screened(Some((expected, start)))) => Some(Screened { variant, start, expected }),
-            _ => None,
-        };
         let mut out: Vec<Screened> = variants.into_iter().zip(answers).filter_map(screened).collect();
         out.sort_by(|a, b| a.score().total_cmp(&b.score()));
         Ok(out)
     }
 
-    /// For each variant the point of its own that comes nearest, as it is.
+    /// For each variant the point of its own that comes nearest, as it is, with the objective there; nothing of those that have no
+    /// answer at any.
     pub(super) fn nearest(
         &mut self,
         stage: &str,
         tried: Vec<(Arc<Variant>, Vec<Vec<f64>>)>,
-    ) -> Result<Vec<Option<Vec<f64>>>, String> {
+    ) -> Result<Vec<Screened>, String> {
+        let variants: Vec<Arc<Variant>> = tried.iter().map(|(v, _)| v.clone()).collect();
         let job = |(variant, points)| Job { variant, task: Task::Screen { points, known: None } };
         let answers = self.run(stage, tried.into_iter().map(job).collect())?;
-        let point = |answer| match answer {
-            Some(Answer::Screened(Some((_, point)))) => Some(point),
-            _ => None,
-        };
-        Ok(answers.into_iter().map(point).collect())
+        Ok(variants.into_iter().zip(answers).filter_map(screened).collect())
     }
 
     /// Search from where the screening says.
