@@ -208,20 +208,21 @@ impl System<'_> {
         Ok(())
     }
 
-    /// Apply the loads of the end of a step that has been solved at another time. In OpenSees loads and imposed motions stay
-    /// those of that time.
-    pub fn apply_loads_at_end(&mut self, end: f64) -> Result<(), Failure> {
-        let solved_at = self.new.time;
-        self.apply_loads(if self.work.compat { solved_at } else { end })?;
-        self.new.time = end;
+    /// Apply the loads of the end of a step of length `dt` that has been solved after `part` of it. In OpenSees loads and imposed
+    /// motions stay those of that time, and the clock goes on from there: it rounds otherwise, and a motion may have ended by then.
+    pub fn apply_loads_at_end(&mut self, part: f64, dt: f64) -> Result<(), Failure> {
+        let (solved_at, end) = (self.new.time, self.old.time + dt);
+        let compat = self.work.compat;
+        self.apply_loads(if compat { solved_at } else { end })?;
+        self.new.time = if compat { solved_at + (1.0 - part) * dt } else { end };
         Ok(())
     }
 
     /// The same, and ask all elements. In OpenSees no more time has passed for them than when the step was solved.
-    pub fn respond_at_end(&mut self, end: f64) -> Result<(), Failure> {
+    pub fn respond_at_end(&mut self, part: f64, dt: f64) -> Result<(), Failure> {
         let passed = self.new.time - self.old.time;
         self.moved = true;
-        self.apply_loads_at_end(end)?;
+        self.apply_loads_at_end(part, dt)?;
         self.passed = self.work.compat.then_some(passed);
         // The clock is that of this answer alone: who needs the tangent of the committed state takes it from here.
         let done = self.respond(self.work.wants_committed_tangent());

@@ -446,3 +446,30 @@ fn motion_files_are_read() {
     let short = Script::default().with_file("m.txt", &peer.replace("4,", "9,")).run("motionFile 1 m.txt");
     assert!(short.error().message.contains("9 values"), "{:?}", short.error());
 }
+
+/// The clock decides whether a motion has ended: it rounds as OpenSees' does where that is asked for. The numbers are OpenSees'.
+#[test]
+fn clocks_of_steps_solved_within() {
+    for (integrator, algorithm, clock) in [
+        ("Newmark 0.5 0.25", "Newton", 11.979999999999833),
+        ("HHT 0.9", "Newton", 11.980000000000143),
+        ("GeneralizedAlpha 1.0 0.9", "Newton", 11.980000000000143),
+        ("Collocation 1.4", "Newton", 11.980000000000185),
+        ("AlphaOS 0.9", "Linear", 11.980000000000143),
+        ("KRAlphaExplicit 0.5", "Linear", 11.980000000000009),
+    ] {
+        let text = format!(
+            "model basic -ndm 1 -ndf 1
+            node 1 0; node 2 0 -mass 1.0; fix 1 1
+            uniaxialMaterial Elastic 1 100.0
+            element zeroLength 1 1 2 -mat 1 -dir 1
+            constraints Plain; numberer Plain; system FullGeneral; test NormDispIncr 1e-10 10; algorithm {algorithm}
+            integrator {integrator}
+            analysis Transient
+            analyze 599 0.02
+            puts [getTime]"
+        );
+        assert_eq!(Script::compat().run(&text).done().numbers()[0], clock, "{integrator}");
+        assert!(close(run(&text).numbers()[0], 11.98, 1e-12), "{integrator}");
+    }
+}

@@ -105,7 +105,7 @@ impl Integrator for AlphaOs {
         s.spread(correction);
         s.add_motion(self.c);
         s.moved = self.update_elements;
-        s.apply_loads_at_end(s.old.time + self.dt)
+        s.apply_loads_at_end(self.p.force, self.dt)
     }
 
     fn commit(&mut self, _: &mut System<'_>, _: usize) -> Result<(), Failure> {

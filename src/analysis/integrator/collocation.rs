@@ -84,6 +84,6 @@ impl Integrator for Collocation {
             new.vel[i] = v + dt * ((1.0 - gamma) * a + gamma * end);
             new.disp[i] = old.disp[i] + dt * v + dt * dt * ((0.5 - beta) * a + beta * end);
         }
-        s.respond_at_end(s.old.time + dt)
+        s.respond_at_end(theta, dt)
     }
 }

@@ -75,6 +75,6 @@ impl Integrator for ExplicitAlpha {
         s.spread(correction);
         s.add_motion(Coefficients { k: beta * dt * dt, c: gamma * dt, m: 1.0 });
         s.moved = self.update_elements;
-        s.apply_loads_at_end(s.old.time + dt)
+        s.apply_loads_at_end(self.p.force, dt)
     }
 }

@@ -124,6 +124,6 @@ impl Integrator for GeneralizedAlpha {
         s.new.disp.copy_from_slice(&self.disp);
         s.new.vel.copy_from_slice(&self.vel);
         s.new.accel.copy_from_slice(&self.accel);
-        s.respond_at_end(s.old.time + self.dt)
+        s.respond_at_end(self.p.force, self.dt)
     }
 }

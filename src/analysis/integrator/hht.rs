@@ -78,6 +78,6 @@ impl Integrator for Hht {
         // Imposed displacements are those of the begin of the step here; the loads move them to its end.
         s.new.disp.copy_from_slice(&self.disp);
         s.new.vel.copy_from_slice(&self.vel);
-        s.respond_at_end(s.old.time + self.dt)
+        s.respond_at_end(self.alpha, self.dt)
     }
 }

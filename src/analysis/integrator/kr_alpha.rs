@@ -59,6 +59,11 @@ impl KrAlpha {
         Self { trapezoidal: true, ..Self::new(rho, true) }
     }
 
+    /// Where the elements are asked, in parts of the step.
+    fn place(&self) -> f64 {
+        if self.trapezoidal { 1.0 } else { self.p.force }
+    }
+
     fn make_matrices(&mut self, s: &mut System<'_>, dt: f64) -> Result<(), Failure> {
         let AlphaParameters { inertia, force, beta, gamma } = self.p;
         let mut matrix = |m: f64, f: f64| {
@@ -106,8 +111,7 @@ impl Integrator for KrAlpha {
         s.coefficients = Coefficients { k: 0.0, c: 0.0, m: 1.0 };
         s.moved = true;
         let AlphaParameters { inertia, force, gamma, .. } = self.p;
-        // Where the elements are asked, in parts of the step.
-        let place = if self.trapezoidal { 1.0 } else { force };
+        let place = self.place();
         for (x, &dof) in self.x.iter_mut().zip(&s.work.plan.map.dof_of) {
             *x = s.old.accel[dof];
         }
@@ -144,7 +148,7 @@ impl Integrator for KrAlpha {
         }
         s.work.spread.fill(0.0);
         s.moved = self.update_elements;
-        s.apply_loads_at_end(s.old.time + self.dt)
+        s.apply_loads_at_end(self.place(), self.dt)
     }
 
     fn commit(&mut self, s: &mut System<'_>, _: usize) -> Result<(), Failure> {
