@@ -2,6 +2,7 @@
 
 use super::args::Args;
 use super::model::need_model;
+use super::series::series_of;
 use super::{Command, Outcome, Tcl, finish, joints};
 use crate::element::amendment::{
     Amended, Amendment, Axial, Bristles, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Mullins,
@@ -12,12 +13,13 @@ use crate::element::bearing::ShearParameters;
 use crate::material::Softening;
 use crate::model::ElementId;
 use crate::script::{Call, Exception, Value};
+use crate::series::Series;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 pub(super) const COMMANDS: &[Command] = &[Command { name: "amend", usage: USAGE, run: amend }];
 
-const USAGE: &str = "amend element $tag <$tag ...> $kind -option $value ... <-dir $dir1 <$dir2>> <-axial $dir> <-share $k $elastic <$rest>> | \
+const USAGE: &str = "amend element $tag <$tag ...> $kind -option $value ... <-dir $dir1 <$dir2>> <-axial $dir | -axialSeries $ts> <-share $k $elastic <$rest>> | \
                      amend element $tag <$tag ...> hinges -mat $mat <-end i|j> | \
                      amend node $tag dampedAs $other";
 
@@ -346,7 +348,7 @@ fn amend(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let Some(kind) = KINDS.iter().find(|k| k.name == name) else {
         return Err(a.unknown_name("amendment", KINDS.iter().map(|k| k.name).chain(["hinges"])));
     };
-    let words = Words::take(&mut a, kind)?;
+    let words = Words::take(interp, &mut a, kind)?;
     finish(interp, &a)?;
     for id in elements {
         let inner = interp.host.engine.model().elements[id.0].element.clone();
@@ -354,8 +356,9 @@ fn amend(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         let probe: Arc<dyn Amendment> = (kind.make)(&words.numbers, words.share, 1.0);
         let around = |law| {
             let amended = Amended::new(inner.clone(), law, &words.directions);
-            let amended = amended.and_then(|amended| match words.axial {
-                Some(direction) => amended.with_axial(direction),
+            let amended = amended.and_then(|amended| match &words.axial {
+                Some(Compression::Direction(direction)) => amended.with_axial(*direction),
+                Some(Compression::History(compression)) => Ok(amended.with_axial_history(compression.clone())),
                 None => Ok(amended),
             });
             amended.map_err(|e| a.refuse(e.0, ""))
@@ -372,12 +375,20 @@ struct Words {
     numbers: Numbers,
     share: Share,
     directions: Vec<usize>,
-    /// The direction that carries the axial force, where it is not the first.
-    axial: Option<usize>,
+    /// Where the axial force comes from, if not from the first direction.
+    axial: Option<Compression>,
+}
+
+/// Where the axial force comes from.
+enum Compression {
+    /// From what the element carries in a direction.
+    Direction(usize),
+    /// From a history of the compression.
+    History(Series),
 }
 
 impl Words {
-    fn take(a: &mut Args<'_>, kind: &Kind) -> Result<Self, Exception> {
+    fn take(interp: &mut Tcl, a: &mut Args<'_>, kind: &Kind) -> Result<Self, Exception> {
         let mut numbers: BTreeMap<_, _> = kind.options.iter().filter_map(|o| Some((o.name, o.default?))).collect();
         let (mut share, mut directions, mut axial) = (Share::default(), vec![], None);
         while let Some(word) = a.option() {
@@ -387,7 +398,8 @@ impl Words {
                         directions.push(a.dof("direction", 6)? + 1);
                     }
                 }
-                "-axial" => axial = Some(a.dof("direction of the axial force", 6)? + 1),
+                "-axial" => axial = Some(Compression::Direction(a.dof("direction of the axial force", 6)? + 1)),
+                "-axialSeries" => axial = Some(Compression::History(series_of(interp, a)?)),
                 "-share" => {
                     share.stiffness = a.not_negative("stiffness of the elastic part")?;
                     share.elastic = a.float("measure in which it acts on the elastic part")?;
@@ -397,7 +409,8 @@ impl Words {
                 }
                 word => {
                     let Some(o) = kind.options.iter().find(|o| o.name == word) else {
-                        let known = kind.options.iter().map(|o| o.name).chain(["-axial", "-dir", "-share"]);
+                        let known =
+                            kind.options.iter().map(|o| o.name).chain(["-axial", "-axialSeries", "-dir", "-share"]);
                         return Err(a.unknown_name("option", known));
                     };
                     numbers.insert(o.name, number(a, o)?);

@@ -1,6 +1,7 @@
 //! What there is in a model that could be other than it was taken for.
 
 use super::columns::{Column, columns, girders};
+use super::neighbours::{Neighbours, neighbours};
 use crate::analysis::Engine;
 use crate::element::{Answer, BasicRow, Element, Motion};
 use crate::model::{Model, PatternKind};
@@ -78,6 +79,8 @@ pub struct Anatomy {
     pub supports: Vec<Support>,
     /// Nodes with mass.
     pub masses: Vec<Mass>,
+    /// Structures that stand side by side.
+    pub neighbours: Vec<Neighbours>,
     /// The ground moves (an excitation, not an imposed motion of a node).
     pub shaken: bool,
     /// Diagonal of the box that holds all nodes; length.
@@ -100,6 +103,8 @@ pub enum Numbers {
     Regions,
     /// Dashpots beside columns.
     Dashpots,
+    /// Joints between neighbours.
+    Joints,
 }
 
 /// How the classes of beams without a section or with an elastic one begin.
@@ -118,6 +123,7 @@ impl Anatomy {
                 Numbers::Masses => 600,
                 Numbers::Regions => 700,
                 Numbers::Dashpots => 800,
+                Numbers::Joints => 900,
             }
     }
 
@@ -169,6 +175,7 @@ impl Anatomy {
         }
         out.columns = columns(model, &out.beams);
         out.girders = girders(model, &out.beams);
+        out.neighbours = neighbours(model);
         out.shaken = shaken(model);
         out.extent = extent(model);
         let largest = model.node_tags().chain(model.element_tags()).max().unwrap_or(0);

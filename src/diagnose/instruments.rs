@@ -44,6 +44,11 @@ fn rise(run: &Run) -> Option<f64> {
     Some(most - mean.first()?)
 }
 
+/// Whether the recorded axial force of a run varies.
+pub(super) fn axial_varies(run: &Run) -> bool {
+    variation(run).is_some_and(|x| x >= VARIES)
+}
+
 /// Standard deviation of a recorded axial force over its mean.
 fn variation(run: &Run) -> Option<f64> {
     let values: Vec<f64> = column(run, "axial")?.iter().copied().filter(|x| x.is_finite()).collect();

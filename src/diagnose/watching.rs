@@ -104,9 +104,10 @@ pub(super) fn watch(
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::look;
     use crate::analysis::Options;
+    use crate::diagnose::anatomy::Anatomy;
     use crate::diagnostic::SourceMap;
     use crate::study::{ScriptSimulator, Study};
     use std::path::Path;
@@ -121,14 +122,19 @@ mod tests {
         loadConst -time 0.0\nwipeAnalysis\ntimeSeries Constant 2\npattern UniformExcitation 2 1 -accel 2\n\
         constraints Plain\nsystem FullGeneral\nintegrator Newmark 0.5 0.25\nanalysis Transient\nanalyze 5 0.01\nwipe\n";
 
-    #[test]
-    fn a_frame_is_seen_whatever_its_transformation_and_order() {
+    /// What is seen of the model of a script, which makes an analysis.
+    pub(in crate::diagnose) fn anatomy_of(text: &str) -> Anatomy {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("tcl-like-inputs/pad_study/study.toml");
         let mut sources = SourceMap::default();
         let study = Arc::new(Study::load(&file, &mut sources).expect("a study"));
         let mut simulator = ScriptSimulator::new(study.clone(), Options::default(), Arc::default());
         let opening = simulator.open(&mut sources).expect("a script");
-        let (_, anatomy) = look(&simulator.blueprint(), &study, PORTAL, &opening.values).expect("an analysis");
+        look(&simulator.blueprint(), &study, text, &opening.values).expect("an analysis").1
+    }
+
+    #[test]
+    fn a_frame_is_seen_whatever_its_transformation_and_order() {
+        let anatomy = anatomy_of(PORTAL);
         let ends = |all: &[super::super::columns::Column]| -> Vec<(i32, i32, i32)> {
             all.iter().map(|c| (c.tag, c.node, c.head)).collect()
         };

@@ -1,6 +1,8 @@
 //! A gap closes.
 
 use super::{Added, Device, Hypothesis, Moved, Proposal, Sight, named, tags};
+use crate::diagnose::anatomy::Numbers;
+use crate::diagnose::neighbours::Neighbours;
 use crate::diagnose::scale::Extent;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
@@ -41,6 +43,9 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
                 out.extend(wall(s, &m, &[device], &all, form, (side, 1.0)));
             }
         }
+    }
+    for (n, pair) in s.anatomy.neighbours.iter().enumerate() {
+        out.extend(joint(s, n, pair));
     }
     out
 }
@@ -87,4 +92,45 @@ fn wall(
         Added::log("damping", 1e-3 / m.v.max(1e-12), 3.0 / m.v.max(1e-12), 0.1 / m.v.max(1e-12)),
     ];
     Some(Proposal::edit("gap_impact", &format!("{form}{}", way.across), named(devices), vec![line], added))
+}
+
+/// Parts of all deformations together that the joint between neighbours may be wide (choices).
+const WIDE: f64 = 2.0;
+const NARROW: f64 = 0.01;
+
+/// A joint between neighbours that is too narrow. Where the model does not say on which side of the first the second stands, either.
+fn joint(s: &Sight<'_>, number: usize, pair: &Neighbours) -> Vec<Proposal> {
+    let lateral =
+        |d: &Device| d.directions.iter().filter(|d| d.number <= 3 && !d.upright).map(|d| d.number).collect::<Vec<_>>();
+    let extents = s.anatomy.devices.iter().flat_map(|d| lateral(d).into_iter().filter_map(|n| s.scales.of(&[d], n)));
+    let (mut reach, mut most) = (0.0, Extent::default());
+    for x in extents {
+        reach += x.e;
+        most = Extent { e: most.e.max(x.e), q: most.q.max(x.q), v: most.v.max(x.v), ..most };
+    }
+    if !s.anatomy.shaken || most.e <= 0.0 || most.q <= 0.0 {
+        return vec![];
+    }
+    let k = most.q / most.e;
+    let tag = s.anatomy.free(Numbers::Joints) + number as i32;
+    let [i, j] = pair.nodes;
+    // Of nodes that stand apart a link knows which way they come nearer.
+    let (element, sides): (_, &[i32]) = if pair.apart { ("twoNodeLink", &[-1]) } else { ("zeroLength", &[-1, 1]) };
+    let one = |side: &i32| {
+        // The wall is that of the amendment; the spring is there to carry it.
+        let block = vec![
+            format!("uniaxialMaterial Elastic {tag} {:e}", 1e-9 * k),
+            format!("element {element} {tag} {i} {j} -mat {tag} -dir 1"),
+            format!("amend element {tag} gap -at $hy_gap -stiffness $hy_wall -damping $hy_damping -side {side} -dir 1"),
+        ];
+        let gap = Added::log("gap", NARROW * reach, WIDE * reach, 0.2 * reach);
+        let added = vec![
+            Added { also: [0.05, 0.1, 0.4, 0.8].map(|part| part * reach).into(), ..gap },
+            Added::log("wall", 0.5 * k, 1e4 * k, 10.0 * k),
+            Added::log("damping", 1e-3 / most.v.max(1e-12), 3.0 / most.v.max(1e-12), 0.1 / most.v.max(1e-12)),
+        ];
+        let form = if *side < 0 { "neighbours touch" } else { "neighbours touch, the second on the other side" };
+        Proposal::edit("gap_impact", form, format!("nodes {i} {j}"), block, added)
+    };
+    sides.iter().map(one).collect()
 }

@@ -21,6 +21,7 @@ mod sensor;
 mod strain_stiffening;
 mod superstructure_yielding;
 mod torsion;
+mod varying_axial_load;
 
 use super::anatomy::{Anatomy, Device};
 use super::correction::Correction;
@@ -55,7 +56,7 @@ pub const ALL: &[Hypothesis] = &[
     cyclic_degradation::HYPOTHESIS,
     strain_stiffening::HYPOTHESIS,
     axial_shear_interaction::HYPOTHESIS,
-    axial_shear_interaction::VARYING,
+    varying_axial_load::HYPOTHESIS,
     cavitation::HYPOTHESIS,
     bidirectional_coupling::HYPOTHESIS,
     friction::HYPOTHESIS,

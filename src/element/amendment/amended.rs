@@ -6,6 +6,7 @@ use crate::element::{
     Answer, BasicRow, Element, ElementError, ElementLoad, MAX_DOFS, Mass, Motion, Nature, Overload, Part, Snapshot, dot,
 };
 use crate::probe::Probe;
+use crate::series::Series;
 use std::sync::Arc;
 
 /// An element whose force in one direction, or in two together, is amended.
@@ -20,11 +21,22 @@ pub struct Amended {
     inner: Arc<dyn Element>,
     law: Arc<dyn Amendment>,
     rows: Vec<BasicRow>,
-    axial: Option<BasicRow>,
+    axial: Compression,
     /// Words of the element's own history.
     inner_len: usize,
     /// Where the element finds its basic forces: those are to be amended when they are read.
     basic_force: Option<Vec<u32>>,
+}
+
+/// Where the compression comes from that a law goes by.
+#[derive(Clone, Debug)]
+enum Compression {
+    /// There is none.
+    None,
+    /// From the force of the element in a direction.
+    Force(BasicRow),
+    /// From a history, such as a load cell's.
+    History(Series),
 }
 
 /// Words before those of the law: committed deformation, and what was added to the force.
@@ -62,7 +74,7 @@ impl Amended {
         if rows.len() > 2 {
             return Err(ElementError("at most two directions are amended together".into()));
         }
-        let axial = find(1).filter(|_| !chosen.contains(&1)).cloned();
+        let axial = find(1).filter(|_| !chosen.contains(&1)).cloned().map_or(Compression::None, Compression::Force);
         let basic_force = inner.probe(&["basicForce"]).map(|p| p.path);
         Ok(Self { law, rows, axial, inner_len: inner.state_len(), basic_force, inner })
     }
@@ -79,7 +91,13 @@ impl Amended {
         }
         let row = has.iter().find(|r| r.direction == direction).cloned();
         let row = row.ok_or_else(|| no_direction(self.inner.as_ref(), direction, &has))?;
-        Ok(Self { axial: Some(row), ..self })
+        Ok(Self { axial: Compression::Force(row), ..self })
+    }
+
+    /// The same with a compression that is a function of time, whatever the element carries.
+    #[must_use]
+    pub fn with_axial_history(self, compression: Series) -> Self {
+        Self { axial: Compression::History(compression), ..self }
     }
 
     /// Stiffness of the virgin element in each of its amended directions.
@@ -96,13 +114,17 @@ impl Amended {
         out
     }
 
-    fn demand(&self, disp: &[f64], force: &[f64], dt: f64, before: Pair) -> Demand {
-        let mut d = Demand { before, dt, ..Demand::default() };
+    fn demand(&self, motion: &Motion<'_>, force: &[f64], before: Pair) -> Demand {
+        let mut d = Demand { before, dt: motion.dt, ..Demand::default() };
         for (i, row) in self.rows.iter().enumerate() {
-            d.e[i] = row.deformation(disp);
+            d.e[i] = row.deformation(motion.disp);
             d.q[i] = row.force(force);
         }
-        d.axial = self.axial.as_ref().map_or(0.0, |r| -r.force(force));
+        d.axial = match &self.axial {
+            Compression::None => 0.0,
+            Compression::Force(row) => -row.force(force),
+            Compression::History(compression) => compression.factor(motion.time),
+        };
         d
     }
 
@@ -114,7 +136,7 @@ impl Amended {
         for (row, out) in self.rows.iter().zip(&mut by_u) {
             row.force_by_disp(tangent, &mut out[..n]);
         }
-        if let Some(row) = &self.axial {
+        if let Compression::Force(row) = &self.axial {
             row.force_by_disp(tangent, &mut by_u[AXIAL][..n]);
         }
         for (i, row) in self.rows.iter().enumerate() {
@@ -221,7 +243,8 @@ impl Element for Amended {
     }
     fn nature(&self) -> Nature {
         let inner = self.inner.nature();
-        Nature { linear: false, symmetric: false, elapses: inner.elapses || self.law.depends_on_time(), ..inner }
+        let elapses = inner.elapses || self.law.depends_on_time() || matches!(self.axial, Compression::History(_));
+        Nature { linear: false, symmetric: false, elapses, ..inner }
     }
 
     fn respond(
@@ -247,13 +270,13 @@ impl Element for Amended {
         let demand = match slack {
             None => {
                 self.inner.respond(motion, old, new, own)?;
-                self.demand(motion.disp, answer.force, motion.dt, [kept[0], kept[1]])
+                self.demand(motion, answer.force, [kept[0], kept[1]])
             }
             Some(slack) => {
                 let taken = self.settle(&slack, motion, old, new)?;
                 let disp = self.behind(motion.disp, taken.by);
                 self.inner.respond(&Motion { disp: &disp[..motion.disp.len()], ..*motion }, old, new, own)?;
-                Demand { slack: taken, ..self.demand(motion.disp, answer.force, motion.dt, [kept[0], kept[1]]) }
+                Demand { slack: taken, ..self.demand(motion, answer.force, [kept[0], kept[1]]) }
             }
         };
         let v = self.law.amend(&kept[HEADER..], &demand, &mut next[HEADER..])?;
