@@ -15,6 +15,8 @@ mod bearings;
 mod component;
 #[path = "laws/corotational.rs"]
 mod corotational;
+#[path = "laws/deterioration.rs"]
+mod deterioration;
 #[path = "laws/driver.rs"]
 mod driver;
 #[path = "laws/every_bearing.rs"]

@@ -5,6 +5,7 @@
 //! Stress and strain may as well be force and displacement: a law knows no units.
 
 mod axial_spring;
+mod bilin;
 mod bouc_wen;
 mod concrete01;
 mod concrete02;
@@ -43,6 +44,7 @@ use std::fmt;
 use std::sync::Arc;
 
 pub use axial_spring::{AxialParameters, AxialSp, AxialSpHD, AxialSpring};
+pub use bilin::{Bilin, BilinSide, Deterioration};
 pub use bouc_wen::BoucWen;
 pub use concrete01::Concrete01;
 pub use concrete02::Concrete02;

@@ -4,11 +4,18 @@ use super::Kind;
 use crate::command::args::Args;
 use crate::command::{Tcl, warn};
 use crate::diagnostic::Diagnostic;
-use crate::material::{BoucWen, Envelope, Hysteretic, Material, SelfCentering};
+use crate::material::{Bilin, BilinSide, BoucWen, Deterioration, Envelope, Hysteretic, Material, SelfCentering};
 use crate::script::Exception;
 use std::sync::Arc;
 
 pub(super) const KINDS: &[Kind] = &[
+    Kind {
+        names: &["Bilin"],
+        usage: "uniaxialMaterial Bilin $tag $Ke $AsPos $AsNeg $MyPos $MyNeg $LambdaS $LambdaC $LambdaA $LambdaK \
+                $cS $cC $cA $cK $thetaPPos $thetaPNeg $thetaPCPos $thetaPCNeg $resPos $resNeg $thetaUPos $thetaUNeg \
+                $DPos $DNeg <$nFactor>",
+        make: bilin,
+    },
     Kind {
         names: &["BoucWen"],
         usage: "uniaxialMaterial BoucWen $tag $alpha $ko $n $gamma $beta $Ao $deltaA $deltaNu $deltaEta",
@@ -26,6 +33,63 @@ pub(super) const KINDS: &[Kind] = &[
         make: self_centering,
     },
 ];
+
+/// The same number for both sides.
+fn both<'a>(
+    a: &mut Args<'a>,
+    what: &str,
+    take: fn(&mut Args<'a>, &str) -> Result<f64, Exception>,
+) -> Result<[f64; 2], Exception> {
+    Ok([take(a, &format!("{what} on the positive side"))?, take(a, &format!("{what} on the negative side"))?])
+}
+
+fn bilin(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let ke = a.positive("elastic stiffness Ke")?;
+    let hardening = both(a, "hardening ratio As", Args::float)?;
+    if let Some(ratio) = hardening.into_iter().find(|r| *r >= 1.0) {
+        return Err(a.refuse(format!("the hardening ratio is {ratio}"), "expected less than 1"));
+    }
+    let positive = a.positive("yield strength My on the positive side")?;
+    let negative = a.float("yield strength My on the negative side")?;
+    if negative >= 0.0 {
+        return Err(a.refuse(format!("the yield strength on the negative side is {negative}"), "expected it negative"));
+    }
+    let modes = ["strength", "strength beyond the cap", "accelerated stiffness", "unloading stiffness"];
+    let mut capacity = [0.0; 4];
+    for (value, mode) in capacity.iter_mut().zip(modes) {
+        *value = a.not_negative(&format!("cumulative rotation capacity Lambda of the {mode}"))?;
+    }
+    let mut exponent = [0.0; 4];
+    for (value, mode) in exponent.iter_mut().zip(modes) {
+        *value = a.not_negative(&format!("rate of deterioration c of the {mode}"))?;
+    }
+    // That of the accelerated stiffness has no part in bilinear hysteresis.
+    let [strength, capping, _, stiffness] =
+        [0, 1, 2, 3].map(|i| Deterioration { capacity: capacity[i], exponent: exponent[i] });
+    let plastic = both(a, "plastic rotation up to the cap thetaP", Args::not_negative)?;
+    let post_capping = both(a, "rotation beyond the cap thetaPC", Args::positive)?;
+    let residual = both(a, "residual strength ratio", Args::not_negative)?;
+    if let Some(ratio) = residual.into_iter().find(|r| *r > 1.0) {
+        return Err(a.refuse(format!("the residual strength ratio is {ratio}"), "expected at most 1"));
+    }
+    let ultimate = both(a, "ultimate rotation thetaU", Args::positive)?;
+    let rate = both(a, "rate of cyclic deterioration D", Args::not_negative)?;
+    let n = a.optional_float("stiffness factor nFactor")?.unwrap_or(0.0);
+    if n < 0.0 {
+        return Err(a.refuse(format!("the stiffness factor nFactor is {n}"), "expected 0 or more"));
+    }
+    let sides = [0, 1].map(|i| BilinSide {
+        strength: [positive, -negative][i],
+        hardening: hardening[i],
+        plastic: plastic[i],
+        post_capping: post_capping[i],
+        residual: residual[i],
+        ultimate: ultimate[i],
+        rate: rate[i],
+    });
+    let compat = interp.host.engine.options.compat;
+    Ok(Arc::new(Bilin { ke, sides, strength, capping, stiffness, n, compat }))
+}
 
 fn bouc_wen(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let law = BoucWen {

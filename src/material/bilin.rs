@@ -1,0 +1,494 @@
+//! Plastic hinges that deteriorate: the modified Ibarra-Medina-Krawinkler law with bilinear hysteresis.
+
+mod backbone;
+
+use super::{MaterialError, Strain, Stress, UniaxialLaw};
+pub use backbone::BilinSide;
+use backbone::{Backbone, Line, meet};
+use std::cmp::Ordering;
+
+/// Slope of what is flat. The law knows by it that a branch carries no more force.
+const FLAT: f64 = 1e-7;
+/// Force of a hinge that has lost its strength; where it is lost on the way, it is positive on both sides.
+const NOTHING: f64 = 1e-10;
+/// The unloading stiffness goes down to this part of the initial one.
+const LEAST_UNLOADING: f64 = 0.1;
+/// A slope beyond the cap, as a part of the initial stiffness, that counts as level.
+const LEVEL: f64 = 1e-3;
+
+/// How one mode of deterioration follows the dissipated energy: β = (E of the excursion / E left of the reference energy)ᶜ, where the
+/// reference energy is Λ My⁺ (twice that for the unloading stiffness).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Deterioration {
+    /// Cumulative rotation capacity Λ; zero for no deterioration.
+    pub capacity: f64,
+    /// Rate c.
+    pub exponent: f64,
+}
+
+impl Deterioration {
+    /// β for the energy of an excursion out of what is left.
+    fn beta(&self, excursion: f64, left: f64) -> f64 {
+        if self.capacity == 0.0 {
+            return 0.0;
+        }
+        // An excursion that has given back more than it took has no power of c.
+        let beta = (excursion / left).powf(self.exponent);
+        if beta.is_nan() { 0.0 } else { beta }
+    }
+}
+
+/// Bilinear hysteresis on a backbone with a cap, a residual strength and an ultimate deformation; strength, cap and unloading stiffness
+/// deteriorate with the dissipated energy (Ibarra, Medina and Krawinkler, 2005, <https://doi.org/10.1002/eqe.495>; Lignos and
+/// Krawinkler, 2011, <https://doi.org/10.1061/(ASCE)ST.1943-541X.0000376>). The stiffness of a hinge that stands at the end of an elastic
+/// member is n times that of the member, and its slopes are those that make member and hinge together follow the given ones (Ribeiro,
+/// Barbosa, Scott and Neves, 2015).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bilin {
+    /// Elastic stiffness of the member.
+    pub ke: f64,
+    /// Backbones for positive and negative deformations.
+    pub sides: [BilinSide; 2],
+    /// Deterioration of yield strength and hardening.
+    pub strength: Deterioration,
+    /// Deterioration of the strength beyond the cap.
+    pub capping: Deterioration,
+    /// Deterioration of the unloading stiffness.
+    pub stiffness: Deterioration,
+    /// How many times stiffer than the member the hinge is, less one.
+    pub n: f64,
+    /// As in OpenSees: the tangent of a step in which the backbone deteriorates is that of the deteriorated backbone at its limit; a step
+    /// from one side to beyond the cap of the other one may lose all strength or have none; the unloading stiffness deteriorates by
+    /// other rules on the positive side than on the negative one; a jump to the residual strength needs no way.
+    pub compat: bool,
+}
+
+crate::words! {
+    /// History of [`Bilin`].
+    pub struct History {
+        /// Deformation.
+        strain: f64,
+        /// Force.
+        stress: f64,
+        /// Slope of the branch, of which some rules ask which it is.
+        slope: f64,
+        /// Tangent.
+        tangent: f64,
+        /// 1 going up, -1 going down, 0 virgin.
+        direction: f64,
+        /// Unloading stiffness.
+        unloading: f64,
+        /// What it was when the backbone last deteriorated.
+        excursion_unloading: f64,
+        /// Dissipated and stored energy.
+        energy: f64,
+        /// That of the present excursion.
+        excursion_energy: f64,
+        /// Product of 1 - β of the unloading stiffness.
+        stiffness_left: f64,
+        /// 1 where the backbone has deteriorated and not been met since.
+        relieved: f64,
+        /// 1 where nothing deteriorates any more.
+        settled: f64,
+        /// 1 where all strength is lost.
+        lost: f64,
+        /// The two sides, each with its deformations and forces positive.
+        sides: [Backbone; 2],
+    }
+}
+
+/// Where a step begins and ends, seen from the side it goes to.
+#[derive(Clone, Copy)]
+struct Step {
+    /// 1 up, -1 down.
+    sign: f64,
+    /// The side it goes to, and the other one.
+    ahead: usize,
+    behind: usize,
+    from: f64,
+    force: f64,
+    to: f64,
+}
+
+impl Step {
+    /// The line of unloading through its beginning.
+    fn line(&self, unloading: f64) -> Line {
+        Line { x: self.from, y: self.force, slope: unloading }
+    }
+}
+
+impl Bilin {
+    /// Stiffness of the hinge.
+    fn k(&self) -> f64 {
+        self.ke * (1.0 + self.n)
+    }
+
+    /// Slope ratio of the hinge for that of member and hinge together.
+    fn of_hinge(&self, ratio: f64) -> f64 {
+        ratio / (1.0 + self.n * (1.0 - ratio))
+    }
+
+    /// The converse.
+    fn of_member(&self, ratio: f64) -> f64 {
+        ratio * (1.0 + self.n) / (1.0 + self.n * ratio)
+    }
+
+    /// The virgin hinge.
+    fn virgin(&self) -> History {
+        let k = self.k();
+        let sides = self.sides.map(|side| self.virgin_side(&side));
+        History {
+            unloading: k,
+            excursion_unloading: k,
+            slope: k,
+            tangent: k,
+            stiffness_left: 1.0,
+            sides,
+            ..History::default()
+        }
+    }
+
+    fn virgin_side(&self, side: &BilinSide) -> Backbone {
+        let (k, hardening) = (self.k(), self.of_hinge(side.hardening));
+        let peak = side.strength + k * hardening * side.plastic;
+        let cap_slope = self.of_hinge(-peak / (side.post_capping * self.ke));
+        let cap = side.plastic + side.strength / k;
+        Backbone {
+            strength: side.strength,
+            hardening,
+            cap_slope,
+            first_cap_slope: cap_slope,
+            cap,
+            cap_force: peak,
+            cap_intercept: peak - cap_slope * k * cap,
+            reach: side.strength / k,
+            target_force: side.strength,
+            ..Backbone::default()
+        }
+    }
+
+    /// Turn round at the beginning of a step.
+    fn turn(&self, c: &History, step: &Step, t: &mut History) {
+        let (k, s) = (self.k(), step);
+        let behind = &mut t.sides[s.behind];
+        if -s.from >= behind.reach {
+            (behind.limit, behind.limit_force) = (-s.from, -s.force);
+        }
+        let recoverable = self.recoverable(s, t);
+        let reference = 2.0 * self.sides[0].strength * self.stiffness.capacity;
+        let spent = t.energy - recoverable;
+        if self.stiffness.capacity != 0.0 {
+            if reference - spent <= 0.0 {
+                t.lost = 1.0;
+            }
+            self.soften(s, spent, reference, recoverable, t);
+        }
+        let yielded = [0, 1].map(|i| self.sides[i].strength / k);
+        if t.sides[0].reach > yielded[0] || t.sides[1].reach > yielded[1] {
+            let before = -t.sides[s.behind].target;
+            if s.from < before || (s.from > before && c.slope == t.unloading) {
+                let side = &mut t.sides[s.ahead];
+                side.aim(&self.sides[s.ahead], s.line(t.unloading), k);
+                // So that a target at the first yield point is not taken for the virgin one.
+                if (side.reach - yielded[s.ahead]).abs() >= 1e-10 && (side.target - yielded[s.ahead]).abs() <= 1e-10 {
+                    let back = if self.compat && s.sign < 0.0 { -1e-9 } else { 1e-9 };
+                    side.target = yielded[s.ahead] - back;
+                }
+            }
+        }
+        let gone = t.sides[s.behind];
+        let side = &mut t.sides[s.ahead];
+        side.reach = side.reach.max(side.target);
+        if gone.exhausted != 0.0 && s.from <= -gone.resume {
+            (side.target, side.target_force) = (-gone.resume - 1e-6, 0.0);
+        }
+    }
+
+    /// Energy that unloading would give back, at a turn.
+    fn recoverable(&self, s: &Step, t: &History) -> f64 {
+        let ahead = &t.sides[s.ahead];
+        if ahead.target_force > 0.0 {
+            return 0.5 * s.force * s.force / t.unloading;
+        }
+        // Without strength there is none, with hardening or without it.
+        let triangle = match ahead.target_force {
+            0.0 => 0.0,
+            force => 0.5 * force * force / (self.k() * ahead.hardening),
+        };
+        if self.compat && s.sign < 0.0 {
+            return 0.5 * (t.sides[s.behind].target_force - s.force) * (ahead.target - s.from) + triangle;
+        }
+        0.5 * (s.force + ahead.target_force) * (ahead.target - s.from) + triangle
+    }
+
+    /// Deterioration of the unloading stiffness at a turn.
+    fn soften(&self, s: &Step, spent: f64, reference: f64, recoverable: f64, t: &mut History) {
+        let k = self.k();
+        let level = |i: usize| (t.sides[i].cap_slope * (1.0 + self.n)).abs() < LEVEL;
+        let odd = self.compat && s.sign > 0.0;
+        let inside = s.to >= -t.sides[s.behind].target;
+        if inside || (if odd { level(0) || level(1) } else { t.settled != 0.0 }) {
+            return;
+        }
+        let mut beta = self.stiffness.beta(t.excursion_energy - recoverable, reference - spent);
+        if spent >= reference || beta >= 1.0 {
+            beta = 1.0;
+        }
+        let left = t.stiffness_left * (1.0 - beta);
+        t.unloading = if t.settled == 0.0 { k * self.of_hinge(left) } else { t.excursion_unloading };
+        t.unloading = t.unloading.max(self.of_hinge(LEAST_UNLOADING) * k);
+        t.stiffness_left = left;
+    }
+
+    /// Force at the end of a step and the slope of its branch, seen from the side it goes to.
+    fn advance(&self, s: &Step, c: &History, t: &mut History) -> (f64, f64) {
+        let (k, x) = (self.k(), s.to);
+        let rule = &self.sides[s.ahead];
+        let (ahead, behind) = (t.sides[s.ahead], t.sides[s.behind]);
+        let residual = rule.residual * rule.strength;
+        let elastic = (s.force + t.unloading * (x - s.from), t.unloading);
+        let (no_ahead, no_behind) = (ahead.exhausted != 0.0, behind.exhausted != 0.0);
+        // In OpenSees a fracture at the residual strength leaves the other side its own.
+        let at_residual = no_ahead && (no_behind || x > ahead.target);
+        if x >= rule.ultimate || (t.lost != 0.0 && !(no_ahead && no_behind)) {
+            t.settled = 1.0;
+            if !(at_residual && self.compat) {
+                t.lost = 1.0;
+            }
+            (NOTHING, FLAT)
+        } else if at_residual {
+            (residual, FLAT)
+        } else if no_ahead {
+            elastic
+        } else if no_behind && x < -behind.resume {
+            (0.0, FLAT)
+        } else if x > ahead.reach {
+            let (force, slope) = self.envelope(s.ahead, x, t);
+            let side = &mut t.sides[s.ahead];
+            side.reach = x;
+            if x > side.bound(&behind, k) || slope == FLAT {
+                side.exhausted = 1.0;
+            }
+            (force, slope)
+        } else if ahead.target.abs() <= 1e-10 {
+            if x > 0.0 {
+                self.envelope(s.ahead, x, t)
+            } else {
+                let (force, slope) = self.envelope(s.behind, -x, t);
+                (-force, slope)
+            }
+        } else if ahead.level != 0.0 {
+            let on_backbone = ahead.target == ahead.target_backbone;
+            let hardens = match x.partial_cmp(&ahead.level_end) {
+                Some(Ordering::Less) => on_backbone || no_behind,
+                Some(Ordering::Equal) => on_backbone && s.sign > 0.0,
+                _ => false,
+            };
+            if x <= ahead.target {
+                elastic
+            } else if hardens {
+                lower(elastic, ahead.harden(x, k))
+            } else {
+                lower(elastic, (ahead.limit_force, if s.sign > 0.0 { 0.0 } else { FLAT }))
+            }
+        } else if ahead.cap <= ahead.strength / k {
+            self.to_cap_before_yield(s, t, elastic)
+        } else {
+            self.to_cap(s, c, t, elastic, residual)
+        }
+    }
+
+    /// On the backbone of a side; beyond its ultimate deformation nothing is left.
+    fn envelope(&self, side: usize, x: f64, t: &mut History) -> (f64, f64) {
+        if x >= self.sides[side].ultimate {
+            t.lost = 1.0;
+            return (if side == 0 { NOTHING } else { -NOTHING }, FLAT);
+        }
+        t.sides[side].at(&self.sides[side], x, self.k())
+    }
+
+    /// Reload towards a backbone whose cap has come before its yield point.
+    fn to_cap_before_yield(&self, s: &Step, t: &mut History, elastic: (f64, f64)) -> (f64, f64) {
+        let (k, x, side) = (self.k(), s.to, t.sides[s.ahead]);
+        let cap = Line { x: side.cap, y: side.cap_force, slope: side.cap_slope * k };
+        let from = |slope| meet(&Line { x: side.target, y: side.target_force, slope }, &cap);
+        let (by_hardening, by_unloading) = (from(k * side.hardening), from(t.unloading));
+        let (end, end_force) = if by_hardening.0 > by_unloading.0 { by_hardening } else { by_unloading };
+        if x <= end {
+            return if x <= side.target { elastic } else { self.lower(s, elastic, side.harden(x, k)) };
+        }
+        let on_cap = self.lower(s, elastic, (end_force + cap.slope * (x - end), cap.slope));
+        self.stop_at_zero(s, on_cap, t)
+    }
+
+    /// Reload towards the hardening branch, the cap behind it and the residual strength behind that.
+    fn to_cap(&self, s: &Step, c: &History, t: &mut History, elastic: (f64, f64), residual: f64) -> (f64, f64) {
+        let (k, x, side) = (self.k(), s.to, t.sides[s.ahead]);
+        let cap = Line { x: side.cap, y: side.cap_force, slope: side.cap_slope * k };
+        let target = Line { x: side.target, y: side.target_force, slope: k * side.hardening };
+        let known = !self.compat || x <= meet(&target, &cap).0;
+        let answer = if known && x <= side.target {
+            elastic
+        } else if known && x <= side.cap {
+            lower(elastic, side.harden(x, k))
+        } else if x > side.cap {
+            let on_cap = lower(elastic, (side.cap_force + cap.slope * (x - side.cap), cap.slope));
+            self.stop_at_zero(s, on_cap, t)
+        } else {
+            (0.0, c.slope)
+        };
+        let answer = if x <= side.cap + (residual - side.cap_force) / cap.slope {
+            answer
+        } else if self.compat {
+            (residual, -FLAT)
+        } else {
+            lower(elastic, (residual, -FLAT))
+        };
+        if t.lost != 0.0 { (s.sign * NOTHING, answer.1) } else { answer }
+    }
+
+    /// [`lower`], of which OpenSees takes the slope of the second line on the positive side.
+    fn lower(&self, s: &Step, elastic: (f64, f64), other: (f64, f64)) -> (f64, f64) {
+        let least = lower(elastic, other);
+        if self.compat && s.sign > 0.0 { (least.0, other.1) } else { least }
+    }
+
+    /// A branch beyond the cap ends where it comes to zero force, and with it all strength.
+    fn stop_at_zero(&self, s: &Step, (force, slope): (f64, f64), t: &mut History) -> (f64, f64) {
+        if slope == t.unloading || force * s.force >= 0.0 || (s.force < 0.0 && !self.compat) {
+            return (force, slope);
+        }
+        t.sides[if s.force > 0.0 { s.ahead } else { s.behind }].exhausted = 1.0;
+        t.lost = 1.0;
+        (0.0, FLAT)
+    }
+
+    /// Deterioration of the side ahead when the force changes its sign; force, slope and deformation that the step then ends at.
+    fn deteriorate(&self, s: &Step, force: f64, t: &mut History) -> (f64, f64, f64) {
+        let (k, rule) = (self.k(), &self.sides[s.ahead]);
+        let reference = |d: &Deterioration| self.sides[0].strength * d.capacity;
+        let used_up = |d: &Deterioration| d.capacity != 0.0 && t.energy >= reference(d);
+        let beta = |d: &Deterioration| {
+            let beta = d.beta(t.excursion_energy, reference(d) - t.energy);
+            if beta.abs() >= 1.0 { 1.0 } else { beta }
+        };
+        let [by_strength, by_cap] = if used_up(&self.strength) {
+            [1.0, 0.0]
+        } else if used_up(&self.capping) {
+            [0.0, 1.0]
+        } else {
+            [beta(&self.strength), beta(&self.capping)]
+        };
+        (t.excursion_energy, t.excursion_unloading) = (0.0, t.unloading);
+        let mut side = t.sides[s.ahead];
+        side.strength *= 1.0 - by_strength * rule.rate;
+        side.hardening = self.of_hinge(self.of_member(side.hardening) * (1.0 - by_strength * rule.rate));
+        side.cap_intercept *= 1.0 - by_cap * rule.rate;
+        let residual = rule.residual * rule.strength;
+        if side.strength <= residual {
+            (side.strength, side.hardening) = (residual, 1e-4);
+            (side.cap_intercept, side.cap_slope) = (residual, -1e-6);
+            t.settled = 1.0;
+        } else {
+            let kept = ((residual - side.strength) / (residual - rule.strength)).abs();
+            side.cap_slope = self.of_hinge(self.of_member(side.first_cap_slope) * kept);
+            if side.cap_slope >= 0.0 {
+                side.cap_slope = -1e-6;
+            }
+        }
+        side.move_cap(k);
+        t.sides[s.ahead] = side;
+        let (limit_force, slope) = self.envelope(s.ahead, side.limit, t);
+        let side = &mut t.sides[s.ahead];
+        (side.limit, side.limit_force) = (side.limit.min(rule.ultimate), limit_force);
+        side.aim(rule, s.line(t.unloading), k);
+        if side.target_force < force {
+            return (side.target_force, k * side.hardening, side.target);
+        }
+        (force, slope, s.to)
+    }
+
+    /// How the force of a step that ends at its target changes with the end of the step: the target moves with the energy.
+    fn slope_of_target(&self, s: &Step, (force, slope): (f64, f64), before: &History, target: f64) -> f64 {
+        let by_strain = 0.5 * (slope * (s.to - s.from) + force + s.force);
+        let de = 1e-6 * before.excursion_energy.abs();
+        let mut more = *before;
+        more.energy += de;
+        more.excursion_energy += de;
+        (self.deteriorate(s, force, &mut more).0 - target) / de * by_strain
+    }
+}
+
+/// The lower of the line of unloading and another, with its slope.
+fn lower(elastic: (f64, f64), other: (f64, f64)) -> (f64, f64) {
+    let force = if elastic.0 < other.0 { elastic.0 } else { other.0 };
+    (force, if (force - elastic.0).abs() < 1e-10 { elastic.1 } else { other.1 })
+}
+
+impl UniaxialLaw for Bilin {
+    type State = History;
+    const NAME: &'static str = "Bilin";
+
+    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+        let (k, d) = (self.k(), strain.value - c.strain);
+        let virgin = c.direction == 0.0;
+        if d.abs() < f64::EPSILON && !virgin {
+            let t = History { strain: strain.value, ..*c };
+            return Ok((Stress { value: c.stress, tangent: c.tangent, damping: 0.0 }, t));
+        }
+        let mut t = if virgin { self.virgin() } else { *c };
+        t.strain = strain.value;
+        // A side whose cap has not been passed has its strength again.
+        let (i, x) = if strain.value > 0.0 { (0, strain.value) } else { (1, -strain.value) };
+        if x < t.sides[i].end_of_cap(&self.sides[i], k) {
+            (t.sides[i].exhausted, t.sides[i].level) = (0.0, 0.0);
+        }
+        let (sign, ahead) = if d >= 0.0 { (1.0, 0) } else { (-1.0, 1) };
+        let (from, force, to) = (sign * c.strain, sign * c.stress, sign * strain.value);
+        let s = Step { sign, ahead, behind: 1 - ahead, from, force, to };
+        if t.sides[ahead].exhausted != 0.0 {
+            t.sides[ahead].resume = t.sides[s.behind].hardening_from(k);
+        }
+        if virgin {
+            t.direction = sign;
+        } else if t.direction == -sign {
+            t.direction = sign;
+            self.turn(c, &s, &mut t);
+        }
+        let (force, mut slope) = self.advance(&s, c, &mut t);
+        let work = 0.5 * (force + s.force) * (to - from);
+        t.energy += work;
+        t.excursion_energy += work;
+        let mut answer = (force, slope, to);
+        if force * s.force < 0.0 && t.relieved == 0.0 {
+            let i = if s.force > 0.0 { s.ahead } else { s.behind };
+            if t.sides[i].reach > t.sides[i].strength / k {
+                t.relieved = 1.0;
+                if t.settled == 0.0 {
+                    let before = t;
+                    answer = self.deteriorate(&s, force, &mut t);
+                    if answer.0 != force && !self.compat {
+                        slope = self.slope_of_target(&s, (force, slope), &before, answer.0);
+                    }
+                }
+            }
+        }
+        let value = sign * answer.0;
+        let tangent = if self.compat { answer.1 } else { slope };
+        if !(value.is_finite() && tangent.is_finite() && t.energy.is_finite() && t.unloading.is_finite()) {
+            return Err(MaterialError(format!("Bilin has no force at a deformation of {:.6e}", strain.value)));
+        }
+        if answer.1.abs() <= FLAT && answer.2 != 0.0 {
+            t.sides[if sign * answer.2 > 0.0 { 0 } else { 1 }].level = 1.0;
+        }
+        (t.stress, t.slope, t.tangent) = (value, answer.1, tangent);
+        if t.sides.iter().any(|b| t.slope == k * b.hardening || t.slope == k * b.cap_slope) {
+            t.relieved = 0.0;
+        }
+        Ok((Stress { value, tangent, damping: 0.0 }, t))
+    }
+
+    fn initial_tangent(&self) -> f64 {
+        self.k()
+    }
+}

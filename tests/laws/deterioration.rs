@@ -1,0 +1,120 @@
+//! Plastic hinges that deteriorate.
+
+use super::driver::Point;
+use super::materials::{check_purity, check_tangent};
+use hysteron::material::{Bilin, BilinSide, Deterioration};
+use std::sync::Arc;
+
+const KE: f64 = 200.0;
+
+/// My, αs, θp, θpc, κ, θu, D.
+const SIDE: BilinSide = BilinSide {
+    strength: 2.0,
+    hardening: 0.03,
+    plastic: 0.05,
+    post_capping: 0.2,
+    residual: 0.4,
+    ultimate: 0.4,
+    rate: 1.0,
+};
+
+fn hinge(capacity: f64, n: f64, compat: bool) -> Bilin {
+    let mode = Deterioration { capacity, exponent: 1.0 };
+    Bilin { ke: KE, sides: [SIDE; 2], strength: mode, capping: mode, stiffness: mode, n, compat }
+}
+
+fn close(a: f64, b: f64) {
+    assert!((a - b).abs() < 1e-6 * (1.0 + b.abs()), "{a}, expected {b}");
+}
+
+/// Peaks of full cycles of one amplitude.
+fn peaks(law: Bilin, amplitude: f64, cycles: usize) -> Vec<f64> {
+    let mut p = Point::new(Arc::new(law));
+    let mut at = |from: f64, to: f64| -> f64 {
+        (1..=40).map(|i| p.go(from + (to - from) * f64::from(i) / 40.0).value).last().unwrap()
+    };
+    let mut from = 0.0;
+    (0..2 * cycles)
+        .map(|i| {
+            let to = if i % 2 == 0 { amplitude } else { -amplitude };
+            let force = at(from, to).abs();
+            from = to;
+            force
+        })
+        .collect()
+}
+
+#[test]
+fn tangent_and_history_are_those_of_the_step() {
+    for (name, capacity, n) in [("no deterioration", 0.0, 0.0), ("little", 10.0, 0.0), ("much", 1.0, 3.0)] {
+        check_tangent(name, Arc::new(hinge(capacity, n, false)), 0.1);
+        check_purity(name, Arc::new(hinge(capacity, n, false)), 0.1);
+        check_purity(name, Arc::new(hinge(capacity, n, true)), 0.3);
+    }
+}
+
+/// Yield, cap, residual strength and fracture, on both sides.
+#[test]
+fn one_push_follows_the_backbone() {
+    let (yielded, peak) = (0.01, 2.0 + 0.03 * KE * 0.05);
+    for s in [1.0, -1.0] {
+        let mut p = Point::new(Arc::new(hinge(1.0, 0.0, false)));
+        for (x, force) in [
+            (0.005, 1.0),
+            (yielded, 2.0),
+            (yielded + 0.05, peak),
+            (yielded + 0.05 + 0.1, 0.5 * peak),
+            (0.3, 0.8),
+            (0.39, 0.8),
+            (0.41, 0.0),
+        ] {
+            close(s * p.go(s * x).value, force);
+        }
+        close(p.go(0.0).value, 0.0);
+    }
+}
+
+/// Hinge and elastic member in a row follow the backbone that is given, up to the cap.
+#[test]
+fn hinge_and_member_follow_the_given_backbone() {
+    let n = 10.0;
+    let member = KE * (1.0 + n) / n;
+    let mut p = Point::new(Arc::new(hinge(0.0, n, false)));
+    let mut last = (0.0, 0.0);
+    for i in 1..=50 {
+        let x = 0.001 * f64::from(i);
+        let force = p.go(x).value;
+        let now = (x + force / member, force);
+        let slope = (now.1 - last.1) / (now.0 - last.0);
+        if now.1 < 2.0 {
+            close(slope, KE);
+        } else if last.1 > 2.0 {
+            close(slope, 0.03 * KE);
+        }
+        last = now;
+    }
+}
+
+/// Cycles take strength away, the more the less capacity there is; without a reference energy they do not.
+#[test]
+fn cycles_wear_the_hinge_out() {
+    let intact = peaks(hinge(0.0, 0.0, false), 0.04, 8);
+    intact[2..].iter().for_each(|&f| close(f, intact[2]));
+    let [some, more] = [2.0, 1.0].map(|capacity| peaks(hinge(capacity, 0.0, false), 0.04, 8));
+    for (i, (a, b)) in some.iter().zip(&more).enumerate().skip(2) {
+        assert!(b < a && *a < intact[i], "peak {i}: {a} and {b} of {}", intact[i]);
+        assert!(*a < some[i - 1] && *b < more[i - 1], "peak {i}: {a} after {}", some[i - 1]);
+    }
+}
+
+/// A step from one side to beyond the cap of the other one takes no more than that.
+#[test]
+fn a_long_step_leaves_strength() {
+    let drive = |compat: bool| {
+        let side = BilinSide { plastic: 0.02, residual: 0.0, ..SIDE };
+        let mut p = Point::new(Arc::new(Bilin { sides: [side; 2], ..hinge(1.0, 0.0, compat) }));
+        [0.03, -0.07, 0.03, -0.065].map(|x| p.go(x).value)[3]
+    };
+    assert!(drive(false) < -0.5, "{}", drive(false));
+    assert!(drive(true).abs() < 1e-6, "{}", drive(true));
+}
