@@ -53,6 +53,8 @@ mod script;
 mod sections;
 #[path = "laws/sliders.rs"]
 mod sliders;
+#[path = "laws/smooth_hysteresis.rs"]
+mod smooth_hysteresis;
 #[path = "laws/springs.rs"]
 mod springs;
 #[path = "laws/timoshenko.rs"]

@@ -9,6 +9,7 @@ mod hysteretic;
 mod impact;
 mod plastic;
 mod rubber;
+mod smooth;
 mod wrapper;
 
 use super::args::Args;
@@ -43,6 +44,7 @@ fn kinds() -> impl Iterator<Item = &'static Kind> {
         plastic::KINDS,
         concrete::KINDS,
         hysteretic::KINDS,
+        smooth::KINDS,
         damper::KINDS,
         bearing::KINDS,
         impact::KINDS,

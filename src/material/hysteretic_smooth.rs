@@ -1,0 +1,31 @@
+//! Smooth hysteresis of exponential type, the same in both directions.
+
+use super::hysteretic_asym::{History, HystereticAsym};
+use super::{MaterialError, Strain, Stress, UniaxialLaw};
+
+/// The exponential law of Vaiana, Sessa, Marmo and Rosati (2018, <https://doi.org/10.1007/s11071-018-4282-2>): [`HystereticAsym`] with
+/// b₁ = b₂ = β and γ = 0.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HystereticSmooth {
+    law: HystereticAsym,
+}
+
+impl HystereticSmooth {
+    /// Stiffness at the beginning of a branch k_a and of the limit curves k_b, half the height of the loop, and β.
+    pub fn new(ka: f64, kb: f64, fbar: f64, beta: f64) -> Self {
+        Self { law: HystereticAsym { ka, kb, fo: fbar, b: [beta; 2], gamma: 0.0 } }
+    }
+}
+
+impl UniaxialLaw for HystereticSmooth {
+    type State = History;
+    const NAME: &'static str = "HystereticSmooth";
+
+    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+        self.law.branch(c, strain.value)
+    }
+
+    fn initial_tangent(&self) -> f64 {
+        UniaxialLaw::initial_tangent(&self.law)
+    }
+}
