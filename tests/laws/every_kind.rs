@@ -32,6 +32,7 @@ const MATERIALS: &[(&str, f64)] = &[
     ("HystereticSmooth @ 200. 10. 2. 6.", 0.1),
     ("HystereticAsym @ 200. 10. 2. 9. 4. 1.5", 0.1),
     ("HystereticPoly @ 200. 10. 20. 50. 200. 1e-12", 0.1),
+    ("SAWS @ 2. 0.3 0.07 200. 0.06 -0.08 1.1 0.02 0.8 1.1", 0.1),
     ("SelfCentering @ 200. 10. 2. 0.7 0.06 0.09 0.4", 0.12),
     ("Viscous @ 5. 0.7", 0.1),
     ("ViscousDamper @ 200. 5. 0.7", 0.1),

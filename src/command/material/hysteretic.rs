@@ -4,7 +4,7 @@ use super::Kind;
 use crate::command::args::Args;
 use crate::command::{Tcl, warn};
 use crate::diagnostic::Diagnostic;
-use crate::material::{Bilin, BilinSide, BoucWen, Deterioration, Envelope, Hysteretic, Material, SelfCentering};
+use crate::material::{Bilin, BilinSide, BoucWen, Deterioration, Envelope, Hysteretic, Material, Saws, SelfCentering};
 use crate::script::Exception;
 use std::sync::Arc;
 
@@ -26,6 +26,11 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial Hysteretic $tag $s1p $e1p $s2p $e2p <$s3p $e3p> $s1n $e1n $s2n $e2n <$s3n $e3n> \
                 $pinchX $pinchY $damage1 $damage2 <$beta>",
         make: hysteretic,
+    },
+    Kind {
+        names: &["SAWS", "SAWSMaterial"],
+        usage: "uniaxialMaterial SAWS $tag $F0 $FI $DU $S0 $R1 $R2 $R3 $R4 $alpha $beta",
+        make: saws,
     },
     Kind {
         names: &["SelfCentering"],
@@ -160,4 +165,32 @@ fn self_centering(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
     let bearing_ratio = a.optional_float("ratio of bearing stiffness rBear")?.unwrap_or(0.0);
     let compat = interp.host.engine.options.compat;
     Ok(Arc::new(SelfCentering { k1, k2, activation, beta, slip, bearing, bearing_ratio, compat }))
+}
+
+fn saws(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let fo = a.positive("force F0 where the asymptote of the envelope meets zero displacement")?;
+    let fi = a.not_negative("force FI of the pinched line at zero displacement")?;
+    let du = a.positive("displacement DU at the largest force")?;
+    let so = a.positive("initial stiffness S0")?;
+    let r1 = a.float("ratio R1 of the stiffness of the asymptote")?;
+    let r2 = a.float("ratio R2 of the softening stiffness")?;
+    if r2 >= 0.0 {
+        return Err(a.refuse(format!("the ratio R2 of the softening stiffness is {r2}"), "expected it negative"));
+    }
+    let r3 = a.positive("ratio R3 of the unloading stiffness")?;
+    let r4 = a.not_negative("ratio R4 of the pinched stiffness")?;
+    if r4 >= r3 {
+        return Err(
+            a.refuse(format!("the ratio R4 of the pinched stiffness is {r4}"), format!("expected less than R3, {r3}"))
+        );
+    }
+    let alpha = a.not_negative("softening alpha of the reloading stiffness")?;
+    let beta = a.positive("growth beta of the displacement")?;
+    let compat = interp.host.engine.options.compat;
+    let law = Saws { fo, fi, du, so, r: [r1, r2, r3, r4], alpha, beta, compat };
+    if !law.pinches() {
+        let message = "SAWS: the pinched line FI + R4 S0 u does not meet the envelope";
+        return Err(a.refuse(message, "expected less FI or R4, so that it does before 2 DU"));
+    }
+    Ok(Arc::new(law))
 }
