@@ -27,6 +27,10 @@ fn the_force_is_amended_and_so_is_what_recorders_show() {
     assert_eq!((code, out.as_str()), (Some(0), "13.1606 24.3233 8.42986 8.42986\n"), "{err}");
     let (code, out, err) = pulled("amend element 1 bristles -force 5. -stiffness 1000.");
     assert_eq!((code, out.as_str()), (Some(0), "14.3233 24.9084 6.34096 6.34096\n"), "{err}");
+    // The compression as a load cell recorded it.
+    let history = "{Path -dt 1. -values {2 1 3 0.5} -useLast}";
+    let (code, out, err) = pulled(&format!("amend element 1 pressure -reference 2. -axialSeries {history}"));
+    assert_eq!((code, out.as_str()), (Some(0), "5 30 2.5 2.5\n"), "{err}");
     // One around the other: the second sees the force of the first.
     let (code, out, err) = pulled("amend element 1 yielding -force 15.\namend element 1 stiffening -factor 1e4");
     assert_eq!((code, out.as_str()), (Some(0), "11 19 6 6\n"), "{err}");
@@ -103,6 +107,7 @@ fn mistakes_are_told() {
         ("amend element 1 hinges -mat 1", "does not stand between two nodes with rotations"),
         ("amend element 1 hinges", "-mat $mat is missing"),
         ("amend element 1 hinges -mat 1 -end k", "unknown end"),
+        ("amend element 1 pressure -reference 1. -axialSeries 9", "there is no time series 9"),
         ("amend element 1 hinges -mat 7", "there is no uniaxial material 7"),
         ("amend element 1 hinges -mta 1", "did you mean \"-mat\"?"),
     ] {
