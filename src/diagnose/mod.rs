@@ -18,7 +18,7 @@ pub mod insertion;
 mod instruments;
 pub mod locate;
 pub mod neighbours;
-mod next_test;
+pub mod next_test;
 pub mod noise;
 mod odds;
 pub mod outcome;

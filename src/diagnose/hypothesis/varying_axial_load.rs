@@ -95,6 +95,9 @@ fn history(study: &Study, known: bool) -> Option<Vec<String>> {
     let (name, texts) =
         runs[0].0.set.iter().find_map(|(name, _)| Some((name, texts(name).filter(|t| distinct(t))?)))?;
     let means: Vec<f64> = runs.iter().map(|(_, axial)| mean(axial)).collect();
+    if !means.iter().all(|m| m.is_finite() && *m != 0.0) {
+        return None;
+    }
     let of_all = means.iter().sum::<f64>() / means.len() as f64;
     let mut out = vec![format!("switch -- ${name} {{")];
     for (((run, axial), text), own) in runs.iter().zip(&texts).zip(&means) {
@@ -127,4 +130,20 @@ fn thinned(times: &[f64], values: &[f64], over: f64) -> (String, String) {
     }
     let list = |x: &[f64], digits: usize| x.iter().map(|x| format!("{x:.digits$}")).collect::<Vec<_>>().join(" ");
     (list(&t, 6), list(&x, 4))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{POINTS, thinned};
+
+    #[test]
+    fn a_history_begins_at_once_and_is_short() {
+        let (times, ratios) = thinned(&[0.5, 1.0, 1.5], &[2.0, f64::NAN, 4.0], 2.0);
+        assert_eq!((times.as_str(), ratios.as_str()), ("0.000000 0.500000 1.500000", "1.0000 1.0000 2.0000"));
+        let many: Vec<f64> = (0..5 * POINTS).map(|i| i as f64).collect();
+        let (times, ratios) = thinned(&many, &many, 1.0);
+        let first = |list: &str| list.split(' ').take(3).map(str::to_owned).collect::<Vec<_>>();
+        assert_eq!(first(&times), ["0.000000", "2.000000", "7.000000"]);
+        assert_eq!(ratios.split(' ').count(), POINTS + 1);
+    }
 }
