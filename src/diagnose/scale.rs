@@ -22,6 +22,22 @@ pub struct Extent {
     pub forces: [f64; 2],
 }
 
+impl Extent {
+    /// The larger of two in everything.
+    pub fn or(self, b: Self) -> Self {
+        let wider = |a: [f64; 2], b: [f64; 2]| [a[0].min(b[0]), a[1].max(b[1])];
+        Self {
+            e: self.e.max(b.e),
+            q: self.q.max(b.q),
+            v: self.v.max(b.v),
+            work: self.work.max(b.work),
+            range: wider(self.range, b.range),
+            rest: self.rest.max(b.rest),
+            forces: wider(self.forces, b.forces),
+        }
+    }
+}
+
 /// A device in a direction in a run, sampled.
 #[derive(Clone, Debug, Default)]
 pub struct Watched {
@@ -72,14 +88,6 @@ impl Scales {
     pub fn of(&self, group: &[&Device], direction: usize) -> Option<Extent> {
         let members =
             self.watched.iter().filter(|((_, tag, d), _)| *d == direction && group.iter().any(|g| g.tag == *tag));
-        members.map(|(_, w)| w.extent()).reduce(|a, b| Extent {
-            e: a.e.max(b.e),
-            q: a.q.max(b.q),
-            v: a.v.max(b.v),
-            work: a.work.max(b.work),
-            range: [a.range[0].min(b.range[0]), a.range[1].max(b.range[1])],
-            rest: a.rest.max(b.rest),
-            forces: [a.forces[0].min(b.forces[0]), a.forces[1].max(b.forces[1])],
-        })
+        members.map(|(_, w)| w.extent()).reduce(Extent::or)
     }
 }

@@ -42,7 +42,7 @@ impl Deterioration {
 /// deteriorate with the dissipated energy (Ibarra, Medina and Krawinkler, 2005, <https://doi.org/10.1002/eqe.495>; Lignos and
 /// Krawinkler, 2011, <https://doi.org/10.1061/(ASCE)ST.1943-541X.0000376>). The stiffness of a hinge that stands at the end of an elastic
 /// member is n times that of the member, and its slopes are those that make member and hinge together follow the given ones (Ribeiro,
-/// Barbosa, Scott and Neves, 2015).
+/// Barbosa, Scott and Neves, 2015). Forces are moments and deformations rotations where it is a hinge.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bilin {
     /// Elastic stiffness of the member.

@@ -7,7 +7,7 @@ use super::{MaterialError, Strain, Stress, UniaxialLaw};
 ///
 /// f = f_e(u) + exp(γ u) (k_b u ± f_0), f_e = exp(b₁ u) - exp(-b₂ u) - (b₁ + b₂) u,
 ///
-/// with the upper sign where u grows.
+/// with the upper sign where u grows. k_a and k_b are stress over strain, f_0 a stress, b₁, b₂ and γ numbers over strain.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HystereticAsym {
     /// Stiffness at the beginning of a branch that leaves a limit curve k_a.

@@ -73,7 +73,7 @@ pub use maxwell::Maxwell;
 pub use multi_linear::MultiLinear;
 pub use no_tension::NoTension;
 pub use parallel::Parallel;
-pub use saws::Saws;
+pub use saws::{Saws, Wall};
 pub use self_centering::SelfCentering;
 pub use series::{Iteration, Series};
 pub use slot::Slot;

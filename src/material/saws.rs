@@ -9,14 +9,14 @@ const FAILED: f64 = 1e-8;
 /// <https://doi.org/10.1061/(ASCE)0733-9445(2001)127:4(433)>): an exponential envelope with a line that softens, unloading by r₃ S₀, a
 /// pinched line r₄ S₀ at ±F_I, and reloading that is the softer the further the wall has been.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Saws {
-    /// Force where the asymptote of the envelope meets zero displacement F₀.
+pub struct Wall {
+    /// Force where the asymptote of the envelope meets zero displacement F₀; force.
     pub fo: f64,
-    /// Force of the pinched line at zero displacement F_I.
+    /// Force of the pinched line at zero displacement F_I; force.
     pub fi: f64,
-    /// Displacement at the largest force Δ_u.
+    /// Displacement at the largest force Δ_u; length.
     pub du: f64,
-    /// Initial stiffness S₀.
+    /// Initial stiffness S₀; force over length.
     pub so: f64,
     /// Stiffnesses as parts of S₀: asymptote, softening (negative), unloading, pinching.
     pub r: [f64; 4],
@@ -27,6 +27,16 @@ pub struct Saws {
     /// As in OpenSees: where the pinched line leaves the envelope is found to a force of 1e-6; the tangent of the envelope is that of
     /// another displacement; the negative side has other rules in a few turns within the loop.
     pub compat: bool,
+}
+
+/// A [`Wall`] with what follows from its parameters.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Saws {
+    wall: Wall,
+    /// Displacement at which the pinched line leaves the curve of the envelope.
+    leaves: f64,
+    /// Displacement at which nothing is left.
+    ultimate: f64,
 }
 
 /// What the wall does.
@@ -115,48 +125,54 @@ crate::words! {
 }
 
 impl Saws {
+    /// `None` where the pinched line does not leave the envelope within twice the displacement at the largest force.
+    pub fn new(wall: Wall) -> Option<Self> {
+        let mut made = Self { wall, leaves: 0.0, ultimate: 0.0 };
+        let far = 2.0 * made.wall.du;
+        if made.curve(far).0 < made.pinched(far).0 {
+            return None;
+        }
+        (made.leaves, made.ultimate) = (made.find_leaving(), made.find_ultimate());
+        Some(made)
+    }
+
     /// Force and slope of the curve of the envelope.
     fn curve(&self, x: f64) -> (f64, f64) {
-        let (asymptote, left) = (self.fo + self.r[0] * self.so * x, (-self.so * x / self.fo).exp());
+        let (asymptote, left) =
+            (self.wall.fo + self.wall.r[0] * self.wall.so * x, (-self.wall.so * x / self.wall.fo).exp());
         let share = 1.0 - left;
-        (asymptote * share, asymptote * self.so / self.fo * left + self.r[0] * self.so * share)
+        (asymptote * share, asymptote * self.wall.so / self.wall.fo * left + self.wall.r[0] * self.wall.so * share)
     }
 
     /// Force and slope of the line behind it.
     fn softening(&self, x: f64) -> (f64, f64) {
-        let slope = self.r[1] * self.so;
-        (self.curve(self.du).0 + slope * (x - self.du), slope)
+        let slope = self.wall.r[1] * self.wall.so;
+        (self.curve(self.wall.du).0 + slope * (x - self.wall.du), slope)
     }
 
     /// The pinched line.
     fn pinched(&self, x: f64) -> (f64, f64) {
-        let slope = self.r[3] * self.so;
-        (self.fi + slope * x, slope)
+        let slope = self.wall.r[3] * self.wall.so;
+        (self.wall.fi + slope * x, slope)
     }
 
     /// Where a line of unloading through a point meets the pinched line of the other side.
     fn lands(&self, x: f64, force: f64) -> f64 {
-        (force + self.fi - self.r[2] * self.so * x) / (self.so * (self.r[3] - self.r[2]))
+        (force + self.wall.fi - self.wall.r[2] * self.wall.so * x) / (self.wall.so * (self.wall.r[3] - self.wall.r[2]))
     }
 
     /// Displacement at which nothing is left: the line of softening has come to the pinched line or to zero.
-    fn ultimate(&self) -> f64 {
-        let fu = self.curve(self.du).0;
-        let slope = self.r[1] * self.so;
-        let pinched = (fu + self.fi - slope * self.du) / (self.so * (self.r[3] - self.r[1]));
-        pinched.min(self.du - fu / slope)
-    }
-
-    /// Whether the pinched line leaves the envelope, within twice the displacement at the largest force.
-    pub fn pinches(&self) -> bool {
-        let far = 2.0 * self.du;
-        self.curve(far).0 >= self.pinched(far).0
+    fn find_ultimate(&self) -> f64 {
+        let fu = self.curve(self.wall.du).0;
+        let slope = self.wall.r[1] * self.wall.so;
+        let pinched = (fu + self.wall.fi - slope * self.wall.du) / (self.wall.so * (self.wall.r[3] - self.wall.r[1]));
+        pinched.min(self.wall.du - fu / slope)
     }
 
     /// Where the pinched line leaves the curve of the envelope.
-    fn leaves(&self) -> f64 {
-        let tolerance = if self.compat { 1e-6 } else { 0.0 };
-        let (mut low, mut high, mut middle) = (0.0, 2.0 * self.du, self.du);
+    fn find_leaving(&self) -> f64 {
+        let tolerance = if self.wall.compat { 1e-6 } else { 0.0 };
+        let (mut low, mut high, mut middle) = (0.0, 2.0 * self.wall.du, self.wall.du);
         for _ in 0..200 {
             middle = 0.5 * (low + high);
             let above = self.curve(middle).0 - self.pinched(middle).0;
@@ -175,9 +191,9 @@ impl Saws {
     /// Reloading stiffness towards a target, and where its line leaves the pinched one.
     fn reload(&self, side: &Reached, old: f64) -> (f64, f64) {
         let slope = if side.yielded == 0.0 {
-            self.so
+            self.wall.so
         } else if side.target != 0.0 {
-            self.so * (self.fo / self.so / side.target).powf(self.alpha)
+            self.wall.so * (self.wall.fo / self.wall.so / side.target).powf(self.wall.alpha)
         } else {
             old
         };
@@ -185,7 +201,7 @@ impl Saws {
     }
 
     fn meets(&self, side: &Reached, slope: f64) -> f64 {
-        (self.fi - side.target_stress + slope * side.target) / (slope - self.r[3] * self.so)
+        (self.wall.fi - side.target_stress + slope * side.target) / (slope - self.wall.r[3] * self.wall.so)
     }
 }
 
@@ -217,18 +233,18 @@ impl Saws {
         let i = usize::from(s < 0.0);
         let (x, turn) = (s * u, s * t.turn);
         let before = t.before;
-        let unload = self.r[2] * self.so;
+        let unload = self.wall.r[2] * self.wall.so;
         match path {
             Path::Failed => Next::At(s, (FAILED * x, FAILED), false),
             Path::Virgin => {
-                if x <= 1.05 * self.leaves() {
+                if x <= 1.05 * self.leaves {
                     return Next::At(s, self.curve(x), true);
                 }
                 t.before = word(Path::Virgin, 1.0);
                 Next::To(Path::Curve, s)
             }
             Path::Curve | Path::Softening => {
-                if path == Path::Curve && x > self.du {
+                if path == Path::Curve && x > self.wall.du {
                     return Next::To(Path::Softening, s);
                 }
                 // A wall that comes from the other side in one step has been unloaded already.
@@ -237,17 +253,19 @@ impl Saws {
                 }
                 let on = |x: f64| if path == Path::Curve { self.curve(x) } else { self.softening(x) };
                 let mut at = on(x);
-                let target = self.beta * x;
+                let target = self.wall.beta * x;
                 let (mut target_stress, _) = on(target);
                 if path == Path::Curve {
-                    if self.compat {
+                    if self.wall.compat {
                         let there = self.curve(target);
-                        let (asymptote, left) =
-                            (self.fo + self.r[0] * self.so * target, (-self.so * x / self.fo).exp());
+                        let (asymptote, left) = (
+                            self.wall.fo + self.wall.r[0] * self.wall.so * target,
+                            (-self.wall.so * x / self.wall.fo).exp(),
+                        );
                         let share = there.0 / asymptote;
-                        at.1 = asymptote * self.so / self.fo * left + self.r[0] * self.so * share;
+                        at.1 = asymptote * self.wall.so / self.wall.fo * left + self.wall.r[0] * self.wall.so * share;
                     }
-                    target_stress = target_stress.min(self.curve(self.du).0);
+                    target_stress = target_stress.min(self.curve(self.wall.du).0);
                 }
                 t.sides[i] = Reached { yielded: 1.0, strain: x, stress: at.0, target, target_stress };
                 t.before = word(path, 1.0);
@@ -287,14 +305,14 @@ impl Saws {
                 }
                 let (slope, end) = self.reload(&t.sides[i], t.reloading);
                 t.reloading = slope;
-                let odd = self.compat && s > 0.0 && passed.negative;
-                let near = if odd { -self.leaves() } else { self.leaves() };
+                let odd = self.wall.compat && s > 0.0 && passed.negative;
+                let near = if odd { -self.leaves } else { self.leaves };
                 if x <= near || (t.sides[i].yielded != 0.0 && x <= end) {
                     t.before = word(Path::Pinched, s);
                     return Next::At(s, self.pinched(x), true);
                 }
                 let fresh = t.sides[i].yielded == 0.0;
-                if fresh || s > 0.0 || !self.compat {
+                if fresh || s > 0.0 || !self.wall.compat {
                     t.before = word(Path::Pinched, s);
                 }
                 Next::To(if fresh { Path::Virgin } else { Path::Reloading }, s)
@@ -315,9 +333,9 @@ impl Saws {
                 let from = if path == Path::Between {
                     self.pinched(turn).0
                 } else {
-                    t.reloading = self.so * (self.fo / self.so / r.target).powf(self.alpha);
+                    t.reloading = self.wall.so * (self.wall.fo / self.wall.so / r.target).powf(self.wall.alpha);
                     let other =
-                        if self.compat && s < 0.0 { word(Path::Unloading, 1.0) } else { word(Path::Pinched, s) };
+                        if self.wall.compat && s < 0.0 { word(Path::Unloading, 1.0) } else { word(Path::Pinched, s) };
                     if before == other && x >= self.meets(&r, t.reloading) {
                         t.before = word(path, s);
                         return Next::To(Path::Reloading, s);
@@ -347,7 +365,7 @@ impl UniaxialLaw for Saws {
     fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
         let u = strain.value;
         let mut t = History { strain: u, ..*c };
-        if u.abs() >= self.ultimate() {
+        if u.abs() >= self.ultimate {
             t.path = word(Path::Failed, 1.0);
         }
         let mut passed = Passed::default();
@@ -375,7 +393,7 @@ impl UniaxialLaw for Saws {
     }
 
     fn initial_tangent(&self) -> f64 {
-        self.so
+        self.wall.so
     }
 }
 

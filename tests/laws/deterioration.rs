@@ -2,7 +2,7 @@
 
 use super::driver::Point;
 use super::materials::{check_purity, check_tangent};
-use hysteron::material::{Bilin, BilinSide, Deterioration};
+use hysteron::material::{Bilin, BilinSide, Deterioration, Saws, Wall};
 use std::sync::Arc;
 
 const KE: f64 = 200.0;
@@ -117,4 +117,39 @@ fn a_long_step_leaves_strength() {
     };
     assert!(drive(false) < -0.5, "{}", drive(false));
     assert!(drive(true).abs() < 1e-6, "{}", drive(true));
+}
+
+const WALL: Wall =
+    Wall { fo: 2.0, fi: 0.3, du: 0.07, so: 200.0, r: [0.06, -0.08, 1.1, 0.02], alpha: 0.8, beta: 1.1, compat: false };
+
+/// One push follows (F0 + R1 S0 u)(1 - exp(-S0 u / F0)) up to DU, then a line of slope R2 S0.
+#[test]
+fn one_push_of_a_wall_follows_its_envelope() {
+    let envelope = |u: f64| (2.0 + 12.0 * u) * (1.0 - (-100.0 * u).exp());
+    for s in [1.0, -1.0] {
+        let mut p = Point::new(Arc::new(Saws::new(WALL).expect("a wall that pinches")));
+        for u in [0.005, 0.02, 0.05, 0.07] {
+            close(s * p.go(s * u).value, envelope(u));
+        }
+        close(s * p.go(s * 0.1).value, envelope(0.07) - 16.0 * 0.03);
+    }
+    assert!(Saws::new(Wall { fi: 5.0, ..WALL }).is_none());
+}
+
+/// Cycles of one amplitude dissipate, the later ones less.
+#[test]
+fn cycles_of_a_wall_pinch() {
+    let mut p = Point::new(Arc::new(Saws::new(WALL).expect("a wall that pinches")));
+    let mut cycle = || {
+        let mut work = 0.0;
+        let (mut from, mut before) = (0.0, p.go(0.0).value);
+        for to in (1..=200).map(|i| 0.05 * (std::f64::consts::TAU * f64::from(i) / 200.0).sin()) {
+            let force = p.go(to).value;
+            work += 0.5 * (force + before) * (to - from);
+            (from, before) = (to, force);
+        }
+        work
+    };
+    let [first, second, third] = [cycle(), cycle(), cycle()];
+    assert!(first > second && second >= third && third > 0.0, "{first} {second} {third}");
 }

@@ -4,7 +4,9 @@ use super::Kind;
 use crate::command::args::Args;
 use crate::command::{Tcl, warn};
 use crate::diagnostic::Diagnostic;
-use crate::material::{Bilin, BilinSide, BoucWen, Deterioration, Envelope, Hysteretic, Material, Saws, SelfCentering};
+use crate::material::{
+    Bilin, BilinSide, BoucWen, Deterioration, Envelope, Hysteretic, Material, Saws, SelfCentering, Wall,
+};
 use crate::script::Exception;
 use std::sync::Arc;
 
@@ -187,10 +189,10 @@ fn saws(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let alpha = a.not_negative("softening alpha of the reloading stiffness")?;
     let beta = a.positive("growth beta of the displacement")?;
     let compat = interp.host.engine.options.compat;
-    let law = Saws { fo, fi, du, so, r: [r1, r2, r3, r4], alpha, beta, compat };
-    if !law.pinches() {
+    let wall = Wall { fo, fi, du, so, r: [r1, r2, r3, r4], alpha, beta, compat };
+    let law = Saws::new(wall).ok_or_else(|| {
         let message = "SAWS: the pinched line FI + R4 S0 u does not meet the envelope";
-        return Err(a.refuse(message, "expected less FI or R4, so that it does before 2 DU"));
-    }
+        a.refuse(message, "expected less FI or R4, so that it does before 2 DU")
+    })?;
     Ok(Arc::new(law))
 }

@@ -86,12 +86,18 @@ fn wall(
     // As stiff at a fifth of the deformation.
     let k = m.stiffness() * (0.2 * m.e).powf(1.0 - power);
     let gap = Added::linear("gap", NEVER * m.e, 1.1 * m.e, 0.7 * reach);
-    let added = vec![
-        Added { also: NEAR_THE_LARGEST.map(|part| part * reach).into(), ..gap },
-        Added::log("wall", 0.5 * k, 1e4 * k, 30.0 * k),
-        Added::log("damping", 1e-3 / m.v.max(1e-12), 3.0 / m.v.max(1e-12), 0.1 / m.v.max(1e-12)),
-    ];
+    let gap = Added { also: NEAR_THE_LARGEST.map(|part| part * reach).into(), ..gap };
+    let added = [vec![gap], contact(k, 30.0 * k, m.v)].concat();
     Some(Proposal::edit("gap_impact", &format!("{form}{}", way.across), named(devices), vec![line], added))
+}
+
+/// Stiffness and damping of a contact beside something of stiffness k that moves with a speed; where the search for the former starts.
+fn contact(k: f64, start: f64, speed: f64) -> Vec<Added> {
+    let slowest = speed.max(1e-12);
+    vec![
+        Added::log("wall", 0.5 * k, 1e4 * k, start),
+        Added::log("damping", 1e-3 / slowest, 3.0 / slowest, 0.1 / slowest),
+    ]
 }
 
 /// Parts of all deformations together that the joint between neighbours may be wide (choices).
@@ -102,15 +108,13 @@ const NARROW: f64 = 0.01;
 fn joint(s: &Sight<'_>, number: usize, pair: &Neighbours) -> Vec<Proposal> {
     let lateral =
         |d: &Device| d.directions.iter().filter(|d| d.number <= 3 && !d.upright).map(|d| d.number).collect::<Vec<_>>();
-    let extents = s.anatomy.devices.iter().flat_map(|d| lateral(d).into_iter().filter_map(|n| s.scales.of(&[d], n)));
-    let (mut reach, mut most) = (0.0, Extent::default());
-    for x in extents {
-        reach += x.e;
-        most = Extent { e: most.e.max(x.e), q: most.q.max(x.q), v: most.v.max(x.v), ..most };
-    }
-    if !s.anatomy.shaken || most.e <= 0.0 || most.q <= 0.0 {
+    let of = |d| lateral(d).into_iter().filter_map(|n| s.scales.of(&[d], n));
+    let extents: Vec<Extent> = s.anatomy.devices.iter().flat_map(of).collect();
+    let reach: f64 = extents.iter().map(|x| x.e).sum();
+    let Some(most) = extents.into_iter().reduce(Extent::or).filter(|x| s.anatomy.shaken && x.e > 0.0 && x.q > 0.0)
+    else {
         return vec![];
-    }
+    };
     let k = most.q / most.e;
     let tag = s.anatomy.free(Numbers::Joints) + number as i32;
     let [i, j] = pair.nodes;
@@ -124,11 +128,8 @@ fn joint(s: &Sight<'_>, number: usize, pair: &Neighbours) -> Vec<Proposal> {
             format!("amend element {tag} gap -at $hy_gap -stiffness $hy_wall -damping $hy_damping -side {side} -dir 1"),
         ];
         let gap = Added::log("gap", NARROW * reach, WIDE * reach, 0.2 * reach);
-        let added = vec![
-            Added { also: [0.05, 0.1, 0.4, 0.8].map(|part| part * reach).into(), ..gap },
-            Added::log("wall", 0.5 * k, 1e4 * k, 10.0 * k),
-            Added::log("damping", 1e-3 / most.v.max(1e-12), 3.0 / most.v.max(1e-12), 0.1 / most.v.max(1e-12)),
-        ];
+        let gap = Added { also: [0.05, 0.1, 0.4, 0.8].map(|part| part * reach).into(), ..gap };
+        let added = [vec![gap], contact(k, 10.0 * k, most.v)].concat();
         let form = if *side < 0 { "neighbours touch" } else { "neighbours touch, the second on the other side" };
         Proposal::edit("gap_impact", form, format!("nodes {i} {j}"), block, added)
     };

@@ -4,6 +4,7 @@ use super::axial_shear_interaction::load;
 use super::{Added, Hypothesis, Moved, Proposal, Sight};
 use crate::diagnose::conditions::{axial_loads_differ, column};
 use crate::diagnose::instruments::axial_varies;
+use crate::diagnose::noise::averaged;
 use crate::study::{Run, Study};
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
@@ -116,14 +117,9 @@ fn mean(x: &[f64]) -> f64 {
 
 /// Times and values over a mean as lists, averaged over as many samples as make them few; from the beginning on.
 fn thinned(times: &[f64], values: &[f64], over: f64) -> (String, String) {
-    let both: Vec<(f64, f64)> =
-        times.iter().zip(values).filter(|(_, x)| x.is_finite()).map(|(t, x)| (*t, *x)).collect();
-    let (mut t, mut x) = (vec![], vec![]);
-    for part in both.chunks(both.len().div_ceil(POINTS).max(1)) {
-        let n = part.len() as f64;
-        t.push(part.iter().map(|p| p.0).sum::<f64>() / n);
-        x.push(part.iter().map(|p| p.1).sum::<f64>() / n / over);
-    }
+    let there = times.iter().zip(values).filter(|(_, x)| x.is_finite());
+    let (times, ratios): (Vec<f64>, Vec<f64>) = there.map(|(t, x)| (*t, x / over)).unzip();
+    let (mut t, mut x) = (averaged(&times, POINTS), averaged(&ratios, POINTS));
     if t.first().is_some_and(|t| *t > 0.0) {
         t.insert(0, 0.0);
         x.insert(0, x[0]);
