@@ -9,7 +9,7 @@ use crate::calibrate::{LevenbergMarquardt, Method, Trial};
 use crate::study::{Blueprint, Crew, Fit, Mishap, Observe, Role, Study, fit};
 use nalgebra::{DMatrix, DVector};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicU32, AtomicU64, AtomicUsize, Ordering};
 
 /// Blocks of a run, each held back in one of the folds.
 const BLOCKS: usize = 8;
@@ -96,6 +96,8 @@ struct Bed<'a> {
     simulator: VariantSimulator,
     /// Sets of runs that were looked at, by all workers.
     looks: &'a AtomicUsize,
+    /// Step of the differences that are taken for derivatives, in sides of the cube.
+    width: f64,
 }
 
 impl Bed<'_> {
@@ -129,7 +131,7 @@ impl Bed<'_> {
 
     fn search(&mut self, start: &[f64], budget: usize, closely: bool) -> Fitted {
         let enough = if closely { CLOSELY } else { ENOUGH };
-        let (objective, point) = descend(start, budget, enough, |p| self.trial(p));
+        let (objective, point) = descend(start, budget, enough, self.width, |p| self.trial(p));
         self.fitted(point, objective)
     }
 
@@ -154,7 +156,7 @@ impl Bed<'_> {
         }
         let mut j = DMatrix::zeros(here.len(), point.len());
         for i in 0..point.len() {
-            let h = if point[i] > 0.5 { -LevenbergMarquardt::STEP } else { LevenbergMarquardt::STEP };
+            let h = if point[i] > 0.5 { -self.width } else { self.width };
             let mut p = point.to_vec();
             p[i] += h;
             let there = self.trial(&p).residuals;
@@ -188,7 +190,8 @@ impl Bed<'_> {
         // Faults of channels need no analysis: they are followed to where they are best.
         let (Some(known), Some(nearest)) = (known.filter(|_| of_a_channel), nearest) else { return best };
         let own = known.dimension();
-        let (_, added) = descend(&nearest[own..], FAULTS * (nearest.len() - own + 2), ENOUGH, |added| {
+        let budget = FAULTS * (nearest.len() - own + 2);
+        let (_, added) = descend(&nearest[own..], budget, ENOUGH, LevenbergMarquardt::STEP, |added| {
             let left = known.left(&self.trial(&[&nearest[..own], added].concat()).residuals);
             left.map_or(Trial { score: Trial::FAILED, residuals: vec![] }, |r| Trial {
                 score: r.iter().map(|x| x * x).sum(),
@@ -254,9 +257,15 @@ impl Bed<'_> {
     }
 }
 
-/// Least squares from a point, with at most so many evaluations: the best score, and where.
-fn descend(start: &[f64], budget: usize, enough: f64, mut trial: impl FnMut(&[f64]) -> Trial) -> (f64, Vec<f64>) {
-    let mut search = LevenbergMarquardt::new(start, budget).one_by_one(enough);
+/// Least squares from a point, with at most so many evaluations and differences so wide: the best score, and where.
+fn descend(
+    start: &[f64],
+    budget: usize,
+    enough: f64,
+    width: f64,
+    mut trial: impl FnMut(&[f64]) -> Trial,
+) -> (f64, Vec<f64>) {
+    let mut search = LevenbergMarquardt::new(start, budget).one_by_one(enough).with_steps(width);
     let mut best = (Trial::FAILED, start.to_vec());
     loop {
         let points = search.ask();
@@ -274,8 +283,8 @@ fn descend(start: &[f64], budget: usize, enough: f64, mut trial: impl FnMut(&[f6
 }
 
 /// Work a job off.
-fn work(blueprint: &Blueprint, job: &Job, looks: &AtomicUsize) -> Answer {
-    let mut bed = Bed { study: &job.variant.study, simulator: job.variant.simulator(blueprint), looks };
+fn work(blueprint: &Blueprint, job: &Job, looks: &AtomicUsize, width: f64) -> Answer {
+    let mut bed = Bed { study: &job.variant.study, simulator: job.variant.simulator(blueprint), looks, width };
     match &job.task {
         Task::Fit { start, budget, closely } => Answer::Fitted(bed.search(start, *budget, *closely)),
         Task::Screen { points, known } => {
@@ -295,6 +304,8 @@ pub(super) struct Bench {
     crew: Crew<Job, Answer>,
     looks: Arc<AtomicUsize>,
     parts: Arc<AtomicU32>,
+    /// Bits of the width of differences.
+    width: Arc<AtomicU64>,
 }
 
 impl Bench {
@@ -305,17 +316,23 @@ impl Bench {
     pub(super) fn new(blueprint: Blueprint, threads: usize) -> std::io::Result<Self> {
         let make = move || blueprint.clone();
         let (looks, parts) = (Arc::new(AtomicUsize::new(0)), Arc::new(AtomicU32::new(1)));
-        let (counted, wanted) = (looks.clone(), parts.clone());
+        let width = Arc::new(AtomicU64::new(LevenbergMarquardt::STEP.to_bits()));
+        let (counted, wanted, wide) = (looks.clone(), parts.clone(), width.clone());
         let crew = Crew::new(threads, make, move |b: &mut Blueprint, job: Job| {
             b.refine(wanted.load(Ordering::Relaxed));
-            work(b, &job, &counted)
+            work(b, &job, &counted, f64::from_bits(wide.load(Ordering::Relaxed)))
         })?;
-        Ok(Self { crew, looks, parts })
+        Ok(Self { crew, looks, parts, width })
     }
 
     /// Make the steps of the script in so many parts from now on, with closer tests where there is more than one.
     pub(super) fn refine(&self, parts: u32) {
         self.parts.store(parts, Ordering::Relaxed);
+    }
+
+    /// Take differences over steps so wide from now on, in sides of the cube.
+    pub(super) fn widen(&self, width: f64) {
+        self.width.store(width.to_bits(), Ordering::Relaxed);
     }
 
     /// In how many parts the steps are made.

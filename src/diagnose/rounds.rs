@@ -3,10 +3,12 @@
 use super::bootstrap::{Bootstrap, Near, Rival, bootstrap};
 use super::conditions::differ;
 use super::evidence::{Noise, ahead};
+use super::fitting::Fitted;
 use super::hypothesis::{self, Proposal};
 use super::insertion::Place;
 use super::variant::Variant;
 use super::work::{Explained, LAST, Screened, Work};
+use crate::calibrate::LevenbergMarquardt;
 use crate::study::{Opening, Role, Study};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -42,6 +44,11 @@ const WIDE_POINTS: usize = 5;
 const VALLEYS: usize = 2;
 const FOLLOWED: usize = 4;
 const WIDE_SAMPLES: usize = 100_000;
+/// Where stick and slip or contact make the objective rough, derivatives over a narrow step tell of its ripples and searches stick. Wider
+/// steps, in sides of the cube, that are tried for the model as it is, and the part by which it has to come nearer for all else to
+/// be sought so as well (choices).
+const WIDER: [f64; 2] = [1e-3, 1e-2];
+const ROUGH: f64 = 0.02;
 /// Iterations of a search: of the baseline, of the first round, of its searches from afar, of the second round.
 const BASELINE: usize = 12;
 const FIRST: usize = 4;
@@ -91,11 +98,23 @@ pub(super) fn fit_baseline(work: &mut Work<'_>, opening: &Opening, text: &str) -
     }
     let jobs = starts.into_iter().map(|s| Work::search(&variant, s, BASELINE)).collect();
     let fitted = work.fit("the model as it is", jobs)?.into_iter().flatten();
-    let best = fitted.min_by(|a, b| a.objective.total_cmp(&b.objective));
-    let closely = best.map(|f| Work::search(&variant, f.point, LAST));
-    let fitted = work.fit("the model as it is", closely.into_iter().collect())?.pop().flatten();
-    let fitted = fitted.ok_or("the model has no answer for any values of its parameters")?;
-    Ok(Explained::new(variant, fitted))
+    let mut sorted: Vec<Fitted> = fitted.collect();
+    sorted.sort_by(|a, b| a.objective.total_cmp(&b.objective));
+    let closely = |f: &Fitted| Work::search(&variant, f.point.clone(), LAST);
+    let narrow = work.fit("the model as it is", sorted.first().map(closely).into_iter().collect())?.pop().flatten();
+    let narrow = narrow.ok_or("the model has no answer for any values of its parameters")?;
+    sorted.insert(0, narrow);
+    let mut best = (LevenbergMarquardt::STEP, sorted[0].clone());
+    for width in WIDER {
+        work.bench.widen(width);
+        let again = work.fit("the model as it is", sorted.iter().take(VALLEYS).map(closely).collect())?;
+        let again = again.into_iter().flatten().min_by(|a, b| a.objective.total_cmp(&b.objective));
+        if let Some(f) = again.filter(|f| f.objective < (1.0 - ROUGH) * best.1.objective) {
+            best = (width, f);
+        }
+    }
+    work.bench.widen(best.0);
+    Ok(Explained::new(variant, best.1))
 }
 
 /// Whether a fitted model leaves so much that little is to be believed of its parameters, or much and has a parameter at a bound:

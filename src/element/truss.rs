@@ -1,7 +1,7 @@
 //! Axial bar: `truss`.
 
 use super::bar::{Bar, BarOptions};
-use super::{Answer, Element, ElementError, Mass, Motion, Nature, Snapshot, add_outer, dot};
+use super::{Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Snapshot, add_outer, dot};
 use crate::material::{Material, Slot, Strain};
 use crate::probe::Probe;
 use std::sync::Arc;
@@ -96,6 +96,12 @@ impl Element for Truss {
 
     fn initial_tangent(&self, tangent: &mut [f64]) {
         add_outer(tangent, &self.row, self.volume() * self.bar.slot.material.initial_tangent());
+    }
+
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        let length = self.bar.length;
+        let row: Vec<f64> = self.row.iter().map(|r| r * length).collect();
+        vec![BasicRow::new(1, 0, &row, (self.bar.ndm, self.bar.per_node)).from_initial(self.initial * length)]
     }
 
     fn ground_inertia_slip(&self) -> Option<f64> {

@@ -8,8 +8,8 @@ use hysteron::element::amendment::{
 };
 use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::{Link, PlaneBearing, ShearParameters, SpaceBearing};
-use hysteron::element::{Answer, Element, ElementError, Motion};
-use hysteron::material::{Elastic, Material, Softening};
+use hysteron::element::{Answer, BarOptions, Element, ElementError, Motion, Truss};
+use hysteron::material::{Elastic, Material, Softening, Steel01};
 use nalgebra::Vector3;
 use std::sync::Arc;
 
@@ -186,6 +186,32 @@ fn each_does_what_it_is_for() {
 
     let yields = force(Arc::new(Yielding { force: 20.0, stiffness: 8000.0, hardening: 0.0 }), cycles(0.05, 1));
     assert!((peak(&yields, 0) - 20.0).abs() < 1e-9);
+}
+
+/// A brace that is amended yields as one of a material that does.
+#[test]
+fn a_brace_yields() {
+    let (modulus, area, strength, hardening) = (2.0e5, 0.3, 250.0, 0.05);
+    let brace = |law: Material| {
+        let options = BarOptions { area, rho: 0.0, consistent: false, rayleigh: false };
+        Truss::new(law, 1, &[3.0, 4.0], 3, &[0.0, 0.0], options).unwrap()
+    };
+    let stiffness = modulus * area / 5.0;
+    let steel = Steel01 { fy: strength, e0: modulus, b: hardening, a: Steel01::NO_ISOTROPIC };
+    let law = Arc::new(Yielding { force: strength * area, stiffness, hardening });
+    let amended = Amended::new(Arc::new(brace(Arc::new(Elastic::new(modulus)))), law, &[]).unwrap();
+    assert!((amended.initial_stiffness()[0] - stiffness).abs() < 1e-9 * stiffness);
+    let (mut amended, mut yields) = (Alone::new(amended), Alone::new(brace(Arc::new(steel))));
+    let mut largest = 0.0f64;
+    for (k, u) in path(5, 60, 0.05).into_iter().enumerate() {
+        let disp = [0.0, 0.0, 0.0, u, 0.3 * u, 0.1];
+        let (a, b) = (amended.force(&disp), yields.force(&disp));
+        assert!(a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 1e-9 * strength * area), "{k}: {a:?} {b:?}");
+        largest = a.iter().fold(largest, |most, f| most.max(f.abs()));
+        amended.commit();
+        yields.commit();
+    }
+    assert!(largest > 0.6 * strength * area);
 }
 
 /// Steps of 0.01 s.

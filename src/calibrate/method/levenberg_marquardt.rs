@@ -28,7 +28,8 @@ pub struct LevenbergMarquardt {
     point: Vec<f64>,
     score: f64,
     residuals: Vec<f64>,
-    /// Step of each coordinate for the derivatives.
+    /// Step of the differences, and that of each coordinate with its sign.
+    width: f64,
     steps: Vec<f64>,
     /// JᵀJ by columns, and Jᵀr.
     normal: Vec<f64>,
@@ -65,6 +66,7 @@ impl LevenbergMarquardt {
             point: start.to_vec(),
             score: Trial::FAILED,
             residuals: vec![],
+            width: Self::STEP,
             steps: vec![],
             normal: vec![],
             gradient: vec![],
@@ -83,6 +85,13 @@ impl LevenbergMarquardt {
     pub fn one_by_one(mut self, enough: f64) -> Self {
         self.factors = vec![1.0];
         self.enough = enough;
+        self
+    }
+
+    /// With differences over steps so wide, in sides of the cube: where the objective is rough, narrow ones tell its ripples.
+    #[must_use]
+    pub fn with_steps(mut self, width: f64) -> Self {
+        self.width = width;
         self
     }
 
@@ -137,7 +146,7 @@ impl Method for LevenbergMarquardt {
         match self.phase {
             Phase::Start => vec![self.point.clone()],
             Phase::Derivatives => {
-                self.steps = self.point.iter().map(|x| if *x > 0.5 { -Self::STEP } else { Self::STEP }).collect();
+                self.steps = self.point.iter().map(|x| if *x > 0.5 { -self.width } else { self.width }).collect();
                 let moved = |i: usize| {
                     let mut p = self.point.clone();
                     p[i] += self.steps[i];
@@ -204,5 +213,40 @@ impl Method for LevenbergMarquardt {
 
     fn progress(&self) -> f64 {
         self.used as f64 / self.budget as f64
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LevenbergMarquardt, Method as _, Trial};
+
+    /// Where a search ends whose objective is a parabola with ripples.
+    fn found(mut search: LevenbergMarquardt) -> f64 {
+        let residual = |x: f64| vec![x - 0.3 + 2e-3 * (1e5 * x).sin(), 0.01];
+        let mut best = (f64::INFINITY, 0.0);
+        loop {
+            let points = search.ask();
+            if points.is_empty() {
+                return best.1;
+            }
+            let trial = |p: &Vec<f64>| {
+                let residuals = residual(p[0]);
+                Trial { score: residuals.iter().map(|r| r * r).sum(), residuals }
+            };
+            let trials: Vec<Trial> = points.iter().map(trial).collect();
+            for (p, t) in points.iter().zip(&trials) {
+                if t.score < best.0 {
+                    best = (t.score, p[0]);
+                }
+            }
+            search.tell(&points, &trials);
+        }
+    }
+
+    #[test]
+    fn wide_differences_see_beyond_ripples() {
+        let search = || LevenbergMarquardt::new(&[0.8], 60).one_by_one(1e-3);
+        assert!((found(search()) - 0.3).abs() > 0.1);
+        assert!((found(search().with_steps(1e-2)) - 0.3).abs() < 0.01);
     }
 }

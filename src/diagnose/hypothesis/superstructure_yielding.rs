@@ -4,8 +4,9 @@ use super::{Added, Hypothesis, Proposal, Sight};
 use crate::diagnose::anatomy::{Device, Numbers, grouped};
 use crate::diagnose::columns::Column;
 
-/// Columns on the ground that are looked at alone, and storeys, at most.
+/// Columns on the ground that are looked at alone, and storeys, at most; springs and braces of a kind that are.
 const MOST: usize = 6;
+const FEW: usize = 12;
 
 /// Parts of the largest force of the elastic model at which something that has yielded a little may have done so: the valley is narrow,
 /// for whatever yields much more or not at all moves as differently as if nothing had been found.
@@ -23,8 +24,9 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
 fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     let mut out = vec![];
     for m in s.moved(true) {
-        // Each alone, and all together.
-        let mut sets: Vec<Vec<&Device>> = m.group.iter().map(|d| vec![*d]).collect();
+        // Each alone where they are few, and all together.
+        let mut sets: Vec<Vec<&Device>> =
+            if m.group.len() <= FEW { m.group.iter().map(|d| vec![*d]).collect() } else { vec![] };
         if m.group.len() > 1 {
             sets.push(m.group.clone());
         }
