@@ -88,10 +88,12 @@ const KINDS: &[Kind] = &[
             needed("-softening", "softening b per degree", Any),
             needed("-capacity", "heat capacity C, work per degree", Positive),
             optional("-cooling", "cooling time", Positive, f64::INFINITY),
+            optional("-conduction", "time of conduction into a half-space", Positive, f64::INFINITY),
         ],
         make: |n, share, _| {
-            let (softening, capacity, cooling) = (n.get("-softening"), n.get("-capacity"), n.get("-cooling"));
-            Arc::new(Heating { softening, capacity, cooling, share })
+            let (softening, capacity) = (n.get("-softening"), n.get("-capacity"));
+            let (cooling, conduction) = (n.get("-cooling"), n.get("-conduction"));
+            Arc::new(Heating { softening, capacity, cooling, conduction, share })
         },
     },
     Kind {

@@ -55,7 +55,8 @@ fn laws() -> Vec<Arc<dyn Amendment>> {
     let share = PART;
     vec![
         Arc::new(Temperature { softening: 0.01, at: -10.0, reference: 20.0, share }),
-        Arc::new(Heating { softening: 0.01, capacity: 0.2, cooling: 3.0, share }),
+        Arc::new(Heating { softening: 0.01, capacity: 0.2, cooling: 3.0, conduction: f64::INFINITY, share }),
+        Arc::new(Heating { softening: 0.01, capacity: 0.05, cooling: 30.0, conduction: 0.2, share }),
         Arc::new(Degradation { loss: 0.5, energy: 2.0, share }),
         Arc::new(Mullins { softening: Softening { healed: 1.0, time: 50.0, ..softening(0.4, 0.01) }, share }),
         Arc::new(Stiffening { factor: 2e4, from: 0.01, power: 2.0 }),
@@ -141,7 +142,13 @@ fn each_does_what_it_is_for() {
     assert!(cold.iter().zip(&plain).all(|(c, p)| (c - 0.3f64.exp() * p).abs() < 1e-9));
 
     let warm = force(
-        Arc::new(Heating { softening: 0.01, capacity: 0.5, cooling: f64::INFINITY, share: all }),
+        Arc::new(Heating {
+            softening: 0.01,
+            capacity: 0.5,
+            cooling: f64::INFINITY,
+            conduction: f64::INFINITY,
+            share: all,
+        }),
         cycles(0.05, 3),
     );
     assert!(peak(&warm, 0) > peak(&warm, 1) && peak(&warm, 1) > peak(&warm, 2));

@@ -253,6 +253,10 @@ impl Moved<'_> {
     }
 }
 
+/// What a factor acts on.
+const WHOLE: &str = "of the whole force";
+const ELASTIC: &str = "of the elastic part";
+
 /// Part of the largest force that must be there at rest for it to be called the axial load.
 const LOADED: f64 = 0.1;
 
@@ -326,9 +330,9 @@ impl Sight<'_> {
         let k = m.stiffness();
         let part = || Added::linear("k", 0.05 * k, 1.2 * k, 0.6 * k);
         [
-            ("of the whole force", "", vec![]),
+            (WHOLE, "", vec![]),
             ("of the hysteretic part", " -share $hy_k 0", vec![part()]),
-            ("of the elastic part", " -share $hy_k 1 0", vec![part()]),
+            (ELASTIC, " -share $hy_k 1 0", vec![part()]),
             (
                 "of both parts in their own measure",
                 " -share $hy_k $hy_elastic",

@@ -3,8 +3,18 @@
 use super::{AmendmentLaw, Demand, Share, Verdict};
 use crate::element::ElementError;
 
+/// Rates over 1/τ_c by which heat is conducted away, one a decade; the lowest is 10 to this power.
+const RATES: usize = 9;
+const LOWEST: i32 = -5;
+
 /// Temperature rise θ by the work of the hysteretic part, dθ = dW / C - θ dt / τ, and the factor s = exp(-b θ):
 /// a lumped form of Kalpakidis and Constantinou, J. Struct. Eng. 135 (2009).
+///
+/// A core or a face of sliding that lies on a body much larger than itself does not cool to the temperature of its surroundings with one
+/// time constant: the heat goes on spreading in that body. What is left of a heat pulse after a time t is then
+/// exp(t/τ_c) erfc(√(t/τ_c)), with τ_c = (C/A)² / (k ρ c) of the area A of contact and the conductivity and heat capacity of the body
+/// (Carslaw and Jaeger, Conduction of Heat in Solids, 1959, section 12.4): one half-space. Its spectrum of rates
+/// r, 1/(π √r (1 + r)), is taken at one rate a decade.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Heating {
     /// Softening b per degree.
@@ -13,6 +23,8 @@ pub struct Heating {
     pub capacity: f64,
     /// Cooling time τ; infinite where no heat is lost.
     pub cooling: f64,
+    /// Time τ_c of conduction; infinite where no heat is conducted away.
+    pub conduction: f64,
     /// What it acts on.
     pub share: Share,
 }
@@ -20,8 +32,25 @@ pub struct Heating {
 crate::words! {
     /// History.
     pub struct Warmth {
-        /// Temperature rise θ.
-        rise: f64,
+        /// Temperature rise θ, in parts that decay by the rates of conduction.
+        rise: [f64; RATES],
+    }
+}
+
+impl Heating {
+    /// Parts of the heat capacity's reciprocal with their rates of decay, 1/time.
+    fn parts(&self) -> impl Iterator<Item = (f64, f64)> {
+        let (conducts, cooling) = (self.conduction.is_finite(), 1.0 / self.cooling);
+        let spectrum = |k: usize| {
+            let r = 10f64.powi(LOWEST + k as i32);
+            (1.0 / (r.sqrt() + 1.0 / r.sqrt()), r)
+        };
+        let sum: f64 = (0..RATES).map(|k| spectrum(k).0).sum();
+        let conduction = self.conduction;
+        (0..if conducts { RATES } else { 1 }).map(move |k| {
+            let (weight, r) = spectrum(k);
+            if conducts { (weight / sum, cooling + r / conduction) } else { (1.0, cooling) }
+        })
     }
 }
 
@@ -32,17 +61,45 @@ impl AmendmentLaw for Heating {
     fn amend(&self, committed: &Warmth, d: &Demand) -> Result<(Verdict, Warmth), ElementError> {
         // Cooling implicitly: stable for any step. The work is that of the softened force of the step before, so that
         // the energy account closes to first order in the step.
-        let keep = 1.0 / (1.0 + d.dt / self.cooling);
-        let now = (-self.softening * committed.rise).exp();
-        let heated = committed.rise + now * self.share.work(d) / self.capacity;
+        let before: f64 = committed.rise.iter().sum();
+        let now = (-self.softening * before).exp();
+        let heat = now * self.share.work(d) / self.capacity;
+        let (mut next, mut slope) = (Warmth::default(), 0.0);
+        for ((weight, rate), (to, from)) in self.parts().zip(next.rise.iter_mut().zip(&committed.rise)) {
+            let keep = 1.0 / (1.0 + d.dt * rate);
+            *to = keep * (from + weight * heat);
+            slope += keep * weight * now / self.capacity;
+        }
+        let mut rise: f64 = next.rise.iter().sum();
         // Unloading gives work back: below the surroundings it never gets.
-        let (rise, slope) = if heated > 0.0 { (keep * heated, keep * now / self.capacity) } else { (0.0, 0.0) };
+        if rise <= 0.0 {
+            (next, rise, slope) = (Warmth::default(), 0.0, 0.0);
+        }
         let s = (-self.softening * rise).exp();
         let verdict = self.share.scale_by_work(d, s, -self.softening * s * slope);
-        Ok((verdict, Warmth { rise }))
+        Ok((verdict, next))
     }
 
     fn depends_on_time(&self) -> bool {
-        self.cooling.is_finite()
+        self.cooling.is_finite() || self.conduction.is_finite()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Heating;
+    use crate::element::amendment::Share;
+
+    /// What is left of a pulse is exp(x) erfc(√x): values from tables of erfc (Abramowitz and Stegun, 1964, tables 7.1 and 7.3).
+    #[test]
+    fn a_pulse_spreads_in_a_half_space() {
+        let share = Share::default();
+        let h = Heating { softening: 0.01, capacity: 1.0, cooling: f64::INFINITY, conduction: 2.0, share };
+        let left = |x: f64| h.parts().map(|(weight, rate)| weight * (-rate * 2.0 * x).exp()).sum::<f64>();
+        for (x, exact) in
+            [(0.0, 1.0), (0.01, 0.89646), (0.1, 0.72358), (1.0, 0.42758), (10.0, 0.17058), (100.0, 0.05614)]
+        {
+            assert!((left(x) - exact).abs() < 0.01, "{x}: {} {exact}", left(x));
+        }
     }
 }
