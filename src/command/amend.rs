@@ -19,7 +19,7 @@ use std::sync::Arc;
 
 pub(super) const COMMANDS: &[Command] = &[Command { name: "amend", usage: USAGE, run: amend }];
 
-const USAGE: &str = "amend element $tag <$tag ...> $kind -option $value ... <-dir $dir1 <$dir2>> <-axial $dir | -axialSeries $ts> <-share $k $elastic <$rest>> | \
+const USAGE: &str = "amend element $tag <$tag ...> $kind -option $value ... <-dir $dir1 <$dir2>> <-axial $dir | -axialSeries $ts> <-share $k $elastic <$rest> | -strengthBeside $k> | \
                      amend element $tag <$tag ...> hinges -mat $mat <-end i|j> | \
                      amend node $tag dampedAs $other";
 
@@ -365,11 +365,22 @@ fn amend(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             });
             amended.map_err(|e| a.refuse(e.0, ""))
         };
+        if words.share.of_strength && !weakens(probe.as_ref()) {
+            let message = format!("amend {}: this law has no -strengthBeside", kind.name);
+            return Err(a.refuse(message, "expected it of temperature, heating or degradation"));
+        }
         let stiffness = around(probe)?.initial_stiffness()[0];
         let made = around((kind.make)(&words.numbers, words.share, stiffness))?;
         interp.host.engine.replace_element(id, Arc::new(made));
     }
     Ok(Value::EMPTY)
+}
+
+/// Whether a law knows of a strength that the element loses.
+fn weakens(law: &dyn Amendment) -> bool {
+    let mut virgin = vec![0.0; law.state_len()];
+    law.init(&mut virgin);
+    law.weakening(&virgin).is_some()
 }
 
 /// What stands behind the kind of an amendment.
@@ -402,7 +413,9 @@ impl Words {
                 }
                 "-axial" => axial = Some(Compression::Direction(a.dof("direction of the axial force", 6)? + 1)),
                 "-axialSeries" => axial = Some(Compression::History(series_of(interp, a)?)),
+                "-strengthBeside" => share = Share::strength_beside(a.not_negative("stiffness of the elastic part")?),
                 "-share" => {
+                    share.of_strength = false;
                     share.stiffness = a.not_negative("stiffness of the elastic part")?;
                     share.elastic = a.float("measure in which it acts on the elastic part")?;
                     if a.at_number() {
@@ -411,8 +424,8 @@ impl Words {
                 }
                 word => {
                     let Some(o) = kind.options.iter().find(|o| o.name == word) else {
-                        let known =
-                            kind.options.iter().map(|o| o.name).chain(["-axial", "-axialSeries", "-dir", "-share"]);
+                        let common = ["-axial", "-axialSeries", "-dir", "-share", "-strengthBeside"];
+                        let known = kind.options.iter().map(|o| o.name).chain(common);
                         return Err(a.unknown_name("option", known));
                     };
                     numbers.insert(o.name, number(a, o)?);

@@ -175,7 +175,7 @@ impl Anatomy {
         }
         out.columns = columns(model, &out.beams);
         out.girders = girders(model, &out.beams);
-        out.neighbours = neighbours(model);
+        out.neighbours = neighbours(model, &out.devices);
         out.shaken = shaken(model);
         out.extent = extent(model);
         let largest = model.node_tags().chain(model.element_tags()).max().unwrap_or(0);
@@ -183,11 +183,24 @@ impl Anatomy {
         out
     }
 
+    /// The devices that stand on the ground, as groups of the same class and directions.
+    pub fn grounded(&self) -> Vec<Vec<&Device>> {
+        let stands = |d: &&Device| {
+            !d.directions.is_empty()
+                && self.supports.iter().any(|s| d.nodes.contains(&s.node) && s.fixed.len() >= self.ndm)
+        };
+        grouped(self.devices.iter().filter(stands), of_a_kind)
+    }
+
     /// The devices whose law is not linear, as groups of the same class and directions: what was built as one kind.
     pub fn groups(&self, linear: bool) -> Vec<Vec<&Device>> {
         let devices = self.devices.iter().filter(|d| d.linear == linear && !d.directions.is_empty());
-        grouped(devices, |a, b| a.class == b.class && a.directions.len() == b.directions.len())
+        grouped(devices, of_a_kind)
     }
+}
+
+fn of_a_kind(a: &Device, b: &Device) -> bool {
+    a.class == b.class && a.directions.len() == b.directions.len()
 }
 
 /// In groups whose members are like the first, in their order.

@@ -11,6 +11,7 @@ pub mod columns;
 mod conclude;
 mod conditions;
 pub mod correction;
+mod elsewhere;
 pub mod evidence;
 mod fitting;
 pub mod hypothesis;

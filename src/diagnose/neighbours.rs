@@ -1,5 +1,6 @@
-//! Structures that stand side by side on the same ground and could touch.
+//! Structures that stand side by side on the same ground, or spans on the same pier, and could touch.
 
+use super::anatomy::Device;
 use crate::model::{Model, NodeId};
 
 /// Two nodes with mass of different structures at the same height.
@@ -16,8 +17,8 @@ const MOST: usize = 8;
 /// Heights within this part of the distance between the lowest and the highest node are the same.
 const LEVEL: f64 = 0.01;
 
-/// The pairs of a model, the highest first; none where all that has mass hangs together but by the ground.
-pub(super) fn neighbours(model: &Model) -> Vec<Neighbours> {
+/// The pairs of a model, the highest first; none where all that has mass hangs together, but by the ground or by bearings on the same pier.
+pub(super) fn neighbours(model: &Model, devices: &[Device]) -> Vec<Neighbours> {
     let Some(ndm) = model.nodes.first().map(|n| n.ndm()) else { return vec![] };
     let structures = structures(model);
     let height = |n: usize| if ndm > 1 { model.nodes[n].place()[ndm - 1] } else { 0.0 };
@@ -31,7 +32,9 @@ pub(super) fn neighbours(model: &Model) -> Vec<Neighbours> {
             let [p, q] = [a, b].map(|n| model.nodes[n].place());
             // What stands beside it does so along the axis that it moves in.
             let aside = (1..ndm).any(|d| (p[d] - q[d]).abs() > LEVEL * whole);
-            if structures[a] == structures[b] || aside {
+            let apart =
+                structures[a] != structures[b] || rest_on_one(model, devices, [a, b].map(|n| model.nodes[n].tag));
+            if !apart || aside {
                 continue;
             }
             out.push((height(a), Neighbours { nodes: [a, b].map(|n| model.nodes[n].tag), apart: p[0] != q[0] }));
@@ -40,6 +43,17 @@ pub(super) fn neighbours(model: &Model) -> Vec<Neighbours> {
     out.sort_by(|a, b| b.0.total_cmp(&a.0));
     out.truncate(MOST);
     out.into_iter().map(|(_, pair)| pair).collect()
+}
+
+/// Whether nothing joins two nodes but what each of them rests on by a bearing: the decks of two spans on a pier.
+fn rest_on_one(model: &Model, devices: &[Device], [a, b]: [i32; 2]) -> bool {
+    let below = |n: i32| {
+        let bears = devices.iter().filter(move |d| !d.linear && d.nodes.contains(&n));
+        bears.map(move |d| d.nodes[usize::from(d.nodes[0] == n)])
+    };
+    let joined =
+        model.elements.iter().any(|e| [a, b].iter().all(|n| e.nodes.iter().any(|m| model.nodes[m.0].tag == *n)));
+    !joined && below(a).any(|n| below(b).any(|m| m == n))
 }
 
 /// For each node the first node of the structure that it belongs to: what elements and constraints join, but for nodes that are held
@@ -91,5 +105,30 @@ mod tests {
         assert_eq!(seen(""), [Neighbours { nodes: [2, 5], apart: true }]);
         // A beam between the roofs makes one structure of them.
         assert_eq!(seen("9 3 6"), []);
+    }
+
+    #[test]
+    fn decks_on_one_pier_stand_side_by_side() {
+        let seen = |bearing: &str| {
+            let text = format!(
+                "model basic -ndm 1 -ndf 1
+                foreach n {{1 2 3 4}} {{node $n 0.}}
+                fix 1 1
+                foreach n {{2 3 4}} {{mass $n 1.}}
+                uniaxialMaterial Elastic 1 1e3
+                uniaxialMaterial {bearing}
+                foreach {{e i j m}} {{1 1 2 1 2 2 3 2 3 2 4 2}} {{element zeroLength $e $i $j -mat $m -dir 1}}
+                timeSeries Constant 2
+                pattern UniformExcitation 2 1 -accel 2
+                constraints Plain; numberer Plain; system FullGeneral; algorithm Linear
+                integrator Newmark 0.5 0.25
+                analysis Transient
+                analyze 2 0.01\n"
+            );
+            anatomy_of(&text).neighbours
+        };
+        assert_eq!(seen("ElasticPP 2 1e3 0.01"), [Neighbours { nodes: [3, 4], apart: false }]);
+        // Storeys of springs are no spans.
+        assert_eq!(seen("Elastic 2 1e3"), []);
     }
 }

@@ -2,6 +2,7 @@
 
 use super::bootstrap::{Bootstrap, Near, Rival, bootstrap};
 use super::conditions::differ;
+use super::elsewhere::{elsewhere, nested};
 use super::evidence::{Noise, ahead};
 use super::fitting::Fitted;
 use super::hypothesis::{self, Proposal};
@@ -26,10 +27,6 @@ const TRIED: usize = 2;
 const TRIED_AS_GIVEN: usize = 1;
 /// Values that the user gave are tried as well where they are so far from the fitted ones, in sides of the cube.
 const APART: f64 = 0.03;
-/// Where a cause can stand at several places, so few of its forms say little. Of so many of the first causes the neighbours of the best
-/// form are fitted as well, and so often over, from the best of them (choices).
-const ELSEWHERE: usize = 3;
-const STEPS_ELSEWHERE: usize = 2;
 /// Points at which a rival of the best explanation is tried again, for each of its parameters and beside them.
 const TWIN_POINTS: usize = 8;
 /// A baseline that leaves so much of the recordings says little about its own parameters: physics is tried at points of the
@@ -51,7 +48,7 @@ const WIDER: [f64; 2] = [1e-3, 1e-2];
 const ROUGH: f64 = 0.02;
 /// Iterations of a search: of the baseline, of the first round, of its searches from afar, of the second round.
 const BASELINE: usize = 12;
-const FIRST: usize = 4;
+pub(super) const FIRST: usize = 4;
 const WIDE: usize = 6;
 pub(super) const SECOND_ROUND: usize = 12;
 /// Log odds, before anything is seen, of nothing missing against any one cause, of one effect against two, and of a channel
@@ -195,6 +192,7 @@ pub(super) fn first_round(
     all.append(&mut others);
     fitted.extend(work.search_all(stage, all, FIRST)?);
     elsewhere(work, stage, left, &mut fitted)?;
+    nested(work, stage, &variants, &mut fitted)?;
     if wide {
         widely(work, stage, baseline, &variants, WIDE, &mut fitted)?;
     }
@@ -203,58 +201,6 @@ pub(super) fn first_round(
     let mut seen = BTreeSet::new();
     fitted.retain(|e| seen.insert(Arc::as_ptr(&e.variant)));
     Ok(fitted)
-}
-
-/// Of the first causes that stand at several places: their neighbours in form or place among those that are left.
-fn elsewhere(
-    work: &mut Work<'_>,
-    stage: &str,
-    mut left: Vec<Screened>,
-    fitted: &mut Vec<Explained>,
-) -> Result<(), String> {
-    // Where there is one place the screening has seen the forms from as near as any other would be.
-    let mut places: BTreeMap<&'static str, BTreeSet<&str>> = BTreeMap::new();
-    for (cause, at) in
-        left.iter().map(|s| &s.variant).chain(fitted.iter().map(|e| &e.variant)).filter_map(|v| v.place())
-    {
-        places.entry(cause).or_default().insert(at);
-    }
-    let several: BTreeSet<&str> = places.into_iter().filter(|(_, at)| at.len() > 1).map(|(cause, _)| cause).collect();
-    left.retain(|s| !s.variant.of_a_channel() && several.contains(s.variant.cause()));
-    for _ in 0..STEPS_ELSEWHERE {
-        let (near, far) = neighbours(fitted, left);
-        // From where the screening says or from where the best stands, whichever is nearer.
-        let points = |(s, leader): (Screened, Explained)| {
-            let (own, best) = (leader.variant.own(&leader.fitted.point).len(), &leader.fitted.point);
-            let added =
-                if best.len() == s.start.len() && leader.variant.same_form(&s.variant) { best } else { &s.start };
-            (s.variant.clone(), vec![s.start.clone(), [&best[..own], &added[own..]].concat()])
-        };
-        let tried = near.into_iter().map(points).collect();
-        let nearest = work.nearest(stage, tried)?;
-        fitted.extend(work.search_all(stage, nearest, FIRST)?);
-        left = far;
-    }
-    Ok(())
-}
-
-/// Those that differ from the best of one of the first causes in form alone or in place alone, with it, and the others.
-fn neighbours(fitted: &mut [Explained], left: Vec<Screened>) -> (Vec<(Screened, Explained)>, Vec<Screened>) {
-    fitted.sort_by(|a, b| a.score().total_cmp(&b.score()));
-    let mut leaders: Vec<&Explained> = vec![];
-    for e in fitted.iter() {
-        if leaders.len() < ELSEWHERE && leaders.iter().all(|l| l.cause() != e.cause()) {
-            leaders.push(e);
-        }
-    }
-    let (mut near, mut far) = (vec![], vec![]);
-    for s in left {
-        match leaders.iter().find(|l| l.variant.differs_in_one(&s.variant)) {
-            Some(leader) => near.push((s, (*leader).clone())),
-            None => far.push(s),
-        }
-    }
-    (near, far)
 }
 
 /// Whether the fitted runs are short enough that so many searches from points of the whole cube can be waited for.
@@ -422,11 +368,10 @@ pub(super) fn made_again(
 
 #[cfg(test)]
 mod tests {
-    use super::{foremost_in_the_middle, neighbours, of_so_many_causes};
+    use super::{foremost_in_the_middle, of_so_many_causes};
     use crate::diagnose::insertion::Place;
     use crate::diagnose::pairs::tests::{at, baseline, effect};
-    use crate::diagnose::work::{Explained, Screened};
-    use std::sync::Arc;
+    use crate::diagnose::work::Explained;
 
     /// Explanations by their cause, evidence and where the user's own parameters stand.
     fn explained(of: &[(&'static str, f64, f64)]) -> Vec<Explained> {
@@ -463,37 +408,5 @@ mod tests {
         let causes = |most| of_so_many_causes(&all, most).iter().map(Explained::cause).collect::<Vec<_>>();
         assert_eq!(causes(2), ["friction", "friction", "damping"]);
         assert_eq!(causes(9).len(), 4);
-    }
-
-    #[test]
-    fn the_best_form_is_followed_to_other_places_and_its_place_to_other_forms() {
-        let variant = |cause, form: &str, place: &str| {
-            let mut proposal = effect(cause, &["x"]);
-            (proposal.form, proposal.at) = (form.into(), place.into());
-            Arc::new(baseline().variant.with(&Place::At(0), &proposal).expect("a variant"))
-        };
-        let mut fitted: Vec<Explained> = ["here", "there"]
-            .map(|place| {
-                let mut e = at((*variant("gap_impact", "wall", place)).clone(), &[0.5]);
-                e.fitted.objective = if place == "here" { 0.1 } else { 0.2 };
-                e
-            })
-            .into();
-        let forms =
-            [("gap_impact", "two walls", "here"), ("gap_impact", "wall", "far"), ("gap_impact", "two walls", "far")];
-        let others = [("friction", "wall", "here")];
-        let left = forms.iter().chain(&others).map(|(cause, form, place)| Screened {
-            variant: variant(cause, form, place),
-            start: vec![],
-            expected: 0.3,
-        });
-        let (near, far) = neighbours(&mut fitted, left.collect());
-        let said = |all: &[Screened]| -> Vec<String> {
-            let of = |s: &Screened| s.variant.proposal.as_ref().map(|p| format!("{} {}", p.form, p.at));
-            all.iter().filter_map(of).collect()
-        };
-        let near: Vec<Screened> = near.into_iter().map(|(s, _)| s).collect();
-        assert_eq!(said(&near), ["two walls here", "wall far"]);
-        assert_eq!(said(&far), ["two walls far", "wall here"]);
     }
 }

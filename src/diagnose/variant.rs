@@ -128,6 +128,14 @@ impl Variant {
         form(self) == form(other)
     }
 
+    /// Whether it has the parameters of another variant, of its cause and place, and more behind them.
+    pub(super) fn contains(&self, simpler: &Self) -> bool {
+        let Some((a, b)) = self.proposal.as_ref().zip(simpler.proposal.as_ref()) else { return false };
+        let alone = self.edits() && a.second.is_none() && b.second.is_none();
+        let same = a.added.iter().zip(&b.added).all(|(a, b)| a.name == b.name && a.range == b.range);
+        alone && (a.cause, &a.at) == (b.cause, &b.at) && a.added.len() > b.added.len() && same
+    }
+
     /// A channel is at fault, not the model.
     pub fn of_a_channel(&self) -> bool {
         self.proposal.is_some() && !self.edits()

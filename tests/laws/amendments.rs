@@ -44,7 +44,7 @@ fn space() -> impl Element + 'static {
     SpaceBearing::new(shear(), Link::new(&axes, length, 0.3), materials, 0.0, false)
 }
 
-const PART: Share = Share { stiffness: 960.0, elastic: 0.3, hysteretic: 0.8 };
+const PART: Share = Share { stiffness: 960.0, elastic: 0.3, hysteretic: 0.8, of_strength: false };
 
 /// Softening that does not heal.
 fn softening(excess: f64, strain: f64) -> Softening {
@@ -58,6 +58,8 @@ fn laws() -> Vec<Arc<dyn Amendment>> {
         Arc::new(Heating { softening: 0.01, capacity: 0.2, cooling: 3.0, conduction: f64::INFINITY, share }),
         Arc::new(Heating { softening: 0.01, capacity: 0.05, cooling: 30.0, conduction: 0.2, share }),
         Arc::new(Degradation { loss: 0.5, energy: 2.0, share }),
+        Arc::new(Degradation { loss: 0.5, energy: 2.0, share: Share::strength_beside(960.0) }),
+        Arc::new(Temperature { softening: 0.01, at: -30.0, reference: 20.0, share: Share::strength_beside(900.0) }),
         Arc::new(Mullins { softening: Softening { healed: 1.0, time: 50.0, ..softening(0.4, 0.01) }, share }),
         Arc::new(Stiffening { factor: 2e4, from: 0.01, power: 2.0 }),
         Arc::new(Overstress { force: 30.0, speed: 0.5, power: 0.3, stiffness: 5000.0 }),
@@ -113,8 +115,12 @@ fn tangent_is_the_derivative_of_the_force() {
 
 /// Shear force of a bearing in the plane along a history of its upper node.
 fn force(law: Arc<dyn Amendment>, history: impl Iterator<Item = f64>) -> Vec<f64> {
+    force_of(shear(), law, history)
+}
+
+fn force_of(shear: ShearParameters, law: Arc<dyn Amendment>, history: impl Iterator<Item = f64>) -> Vec<f64> {
     let (axes, length) = Orientation::default().of_link(Vector3::zeros(), Vector3::new(0.0, 0.3, 0.0), true).unwrap();
-    let inner = PlaneBearing::new(shear(), Link::new(&axes, length, 0.5), [elastic(1e5), elastic(6e3)], 0.0, false);
+    let inner = PlaneBearing::new(shear, Link::new(&axes, length, 0.5), [elastic(1e5), elastic(6e3)], 0.0, false);
     let mut e = Alone::new(Amended::new(Arc::new(inner), law, &[]).unwrap());
     history
         .map(|u| {
@@ -193,6 +199,24 @@ fn each_does_what_it_is_for() {
 
     let yields = force(Arc::new(Yielding { force: 20.0, stiffness: 8000.0, hardening: 0.0 }), cycles(0.05, 1));
     assert!((peak(&yields, 0) - 20.0).abs() < 1e-9);
+}
+
+/// A factor on the strength makes it the bearing of that strength and of the same stiffness.
+#[test]
+fn a_weaker_bearing_is_as_stiff() {
+    let untouched = || Arc::new(Temperature { softening: 0.0, at: 0.0, reference: 0.0, share: Share::default() });
+    let share = Share::strength_beside(shear().k2);
+    let history = || path(11, 400, 0.03).into_iter();
+    for factor in [0.5, 1.4f64] {
+        let law = Temperature { softening: -factor.ln(), at: 1.0, reference: 0.0, share };
+        let weaker = force(Arc::new(law), history());
+        let right = force_of(ShearParameters { qd: factor * shear().qd, ..shear() }, untouched(), history());
+        let whole = right.iter().fold(0.0f64, |m, f| m.max(f.abs()));
+        assert!(whole > factor * shear().qd);
+        for (k, (a, b)) in weaker.iter().zip(&right).enumerate() {
+            assert!((a - b).abs() < 1e-6 * whole, "{factor} {k}: {a} {b}");
+        }
+    }
 }
 
 /// A brace that is amended yields as one of a material that does.

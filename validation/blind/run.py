@@ -58,7 +58,7 @@ def table(args, names):
         ok = right(truth, verdict)
         hits += ok
         place, _ = located(truth, said.get("mismatch", []))
-        cells = [name, " + ".join([truth["cause"], *truth["also"]]), " + ".join([verdict["cause"], *verdict.get("also", [])]), f"{100 * verdict['confidence']:.0f} %",
+        cells = [name, " + ".join([truth["cause"], *(truth.get("also") or [])]), " + ".join([verdict["cause"], *verdict.get("also", [])]), f"{100 * verdict['confidence']:.0f} %",
                  "yes" if ok else "no", {1: "yes", 0: "no"}.get(place, ""), f"{base['fit_nmse']:.2g} → {after['fit_nmse']:.2g}",
                  f"{base['holdout_nmse']:.2g} → {after['holdout_nmse']:.2g}", f"{truth['noise_floor_nmse_holdout']:.2g}"]
         rows.append("| " + " | ".join(cells) + " |")
@@ -83,7 +83,7 @@ def knock_out(args, names):
         truth, whole = read(args.folder, "truth", name + ".json"), read(args.out, name, "diagnosis.json")
         if truth["cause"] in ("none", "unknown"):
             continue
-        without = [truth["cause"], *truth["also"]]
+        without = [truth["cause"], *(truth.get("also") or [])]
         diagnose(args, name, without)
         said = read(args.out, name + "-without", "diagnosis.json")
         verdict, held = said["verdict"], [d["corrected"]["holdout_nmse"] for d in (said, whole)]

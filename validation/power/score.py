@@ -20,7 +20,7 @@ def right(truth, verdict):
     named = {verdict["cause"], *verdict.get("also", [])}
     if truth["cause"] in ("none", "unknown"):
         return verdict["cause"] == truth["cause"]
-    return bool(named & {truth["cause"], *truth["also"]})
+    return bool(named & {truth["cause"], *(truth.get("also") or [])})
 
 
 def covered(spans, t):
@@ -59,7 +59,7 @@ def trial(seed, engine, options, limit, keep=None, ratio=None, cause=None, knock
         folder = os.path.join(keep, str(seed)) if keep else scratch
         truth = case.write(folder)
         row = dict.fromkeys(FIELDS, "")
-        row.update(seed=seed, family=truth["family"], cause=truth["cause"], also=" ".join(truth["also"]), kinds=" ".join(truth["kinds"]), noise=truth["noise"],
+        row.update(seed=seed, family=truth["family"], cause=truth["cause"], also=" ".join(truth.get("also") or []), kinds=" ".join(truth["kinds"]), noise=truth["noise"],
                    floor_fit=f"{truth['noise_floor_nmse_fit']:.4g}", floor_holdout=f"{truth['noise_floor_nmse_holdout']:.4g}")
         for key, size in zip(("effect_over_noise", "second_over_noise"), truth["effect_over_noise"]):
             row[key] = size

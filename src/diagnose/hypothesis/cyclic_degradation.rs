@@ -1,6 +1,6 @@
 //! Strength is lost with accumulated damage.
 
-use super::{Added, Hypothesis, Proposal, Sight};
+use super::{Added, Hypothesis, Proposal, Sight, of_strength};
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "cyclic_degradation",
@@ -14,7 +14,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
 fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     let mut out = vec![];
     for m in s.moved(false) {
-        for (which, share, more) in Sight::shares(&m) {
+        for (which, share, more) in Sight::shares(&m).into_iter().chain([of_strength(&m)]) {
             let line = format!("{} -loss $hy_loss -energy $hy_energy {}{share}", m.amend("degradation"), m.dir);
             let mut added = vec![
                 Added::linear("loss", -0.5, 0.95, 0.2),

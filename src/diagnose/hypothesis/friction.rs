@@ -13,7 +13,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
 
 fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     let mut out = vec![];
-    for m in s.moved(false) {
+    for m in s.moved_or_grounded() {
         let force = || Added::log("force", 1e-3 * m.q, 0.9 * m.q, 0.05 * m.q);
         // What bends farther before it slips is a hysteretic spring and no friction.
         let way = || Added::log("way", 1e-4 * m.e, 0.05 * m.e, 0.01 * m.e);

@@ -22,7 +22,7 @@ const NEVER: f64 = 0.05;
 
 fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     let mut out = vec![];
-    for m in s.moved(false) {
+    for m in s.moved_or_grounded() {
         let sides = [("walls on both sides", 0), ("wall on the positive side", 1), ("wall on the negative side", -1)];
         let all = Way { directions: &m.directions, across: "" };
         for (form, side) in sides {

@@ -254,8 +254,8 @@ impl Moved<'_> {
 }
 
 /// What a factor acts on.
-const WHOLE: &str = "of the whole force";
-const ELASTIC: &str = "of the elastic part";
+const HYSTERETIC: &str = "of the hysteretic part";
+const STRENGTH: &str = "of the strength";
 
 /// Part of the largest force that must be there at rest for it to be called the axial load.
 const LOADED: f64 = 0.1;
@@ -283,6 +283,16 @@ impl Sight<'_> {
         let groups =
             if groups.is_empty() && !linear && !self.anatomy.shaken { self.anatomy.groups(true) } else { groups };
         groups.into_iter().filter_map(|g| self.motion_of(g)).collect()
+    }
+
+    /// The same for what acts beside a device whatever its law is: where all of a model that is shaken was taken as elastic, on
+    /// what stands on the ground, such as isolators.
+    fn moved_or_grounded(&self) -> Vec<Moved<'_>> {
+        let moved = self.moved(false);
+        if !moved.is_empty() || !self.anatomy.shaken {
+            return moved;
+        }
+        self.anatomy.grounded().into_iter().filter_map(|g| self.motion_of(g)).collect()
     }
 
     fn motion_of<'a>(&self, group: Vec<&'a Device>) -> Option<Moved<'a>> {
@@ -330,9 +340,9 @@ impl Sight<'_> {
         let k = m.stiffness();
         let part = || Added::linear("k", 0.05 * k, 1.2 * k, 0.6 * k);
         [
-            (WHOLE, "", vec![]),
-            ("of the hysteretic part", " -share $hy_k 0", vec![part()]),
-            (ELASTIC, " -share $hy_k 1 0", vec![part()]),
+            ("of the whole force", "", vec![]),
+            (HYSTERETIC, " -share $hy_k 0", vec![part()]),
+            ("of the elastic part", " -share $hy_k 1 0", vec![part()]),
             (
                 "of both parts in their own measure",
                 " -share $hy_k $hy_elastic",
@@ -340,6 +350,12 @@ impl Sight<'_> {
             ),
         ]
     }
+}
+
+/// Form of a factor on the strength of the hysteretic part, which keeps its elastic stiffness: what yields does so earlier.
+fn of_strength(m: &Moved<'_>) -> (&'static str, &'static str, Vec<Added>) {
+    let k = m.stiffness();
+    (STRENGTH, " -strengthBeside $hy_k", vec![Added::linear("k", 0.0, 1.2 * k, 0.6 * k)])
 }
 
 /// Tcl that gives the coordinates of a node.

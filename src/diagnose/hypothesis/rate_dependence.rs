@@ -13,7 +13,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
 
 fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     let mut out = vec![];
-    for m in s.moved(false) {
+    for m in s.moved_or_grounded() {
         let (at, dir, k) = (m.at(), &m.dir, m.stiffness());
         let over = |form: &str, power: &str, more: Vec<Added>| {
             let line = format!(

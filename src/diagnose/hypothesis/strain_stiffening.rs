@@ -15,7 +15,7 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     let mut out = vec![];
     // Under ground motion a model without stiffening goes much further than what stiffens.
     let most = if s.anatomy.shaken { 20.0 } else { 3.0 };
-    for m in s.moved(false) {
+    for m in s.moved_or_grounded() {
         let form = |form: &str, power: f64, from: &str, added: Vec<Added>| {
             let line = format!("{} -factor $hy_factor -power {power} -from {from} {}", m.amend("stiffening"), m.dir);
             Proposal::edit("strain_stiffening", form, m.at(), vec![line], added)

@@ -39,8 +39,9 @@ enum Compression {
     History(Series),
 }
 
-/// Words before those of the law: committed deformation, and what was added to the force.
-const HEADER: usize = 4;
+/// Words before those of the law: committed deformation, what was added to the force, and what has been withheld of the deformation.
+const HEADER: usize = 6;
+const WITHHELD: usize = 4;
 /// Behind two directions.
 const AXIAL: usize = 2;
 
@@ -164,6 +165,16 @@ impl Amended {
         out
     }
 
+    /// The tangent by displacements of which the element gets so much less, in the amended directions.
+    fn withhold(&self, part: f64, tangent: &mut [f64]) {
+        for row in tangent.chunks_exact_mut(self.inner.dofs()) {
+            let by: Pair = std::array::from_fn(|i| self.rows.get(i).map_or(0.0, |r| part * dot(row, r.at_j())));
+            for (r, by) in self.rows.iter().zip(by) {
+                row.iter_mut().zip(&r.row).for_each(|(t, a)| *t -= by * a);
+            }
+        }
+    }
+
     /// Derivatives of the forces in the amended directions by their deformations.
     fn by_deformation(&self, tangent: &[f64]) -> [Pair; 2] {
         let n = self.inner.dofs();
@@ -267,7 +278,21 @@ impl Element for Amended {
         let (old, kept) = committed.split_at(self.inner_len);
         let (new, next) = trial.split_at_mut(self.inner_len);
         let slack = self.law.slack(&kept[HEADER..]);
+        let weakening = self.law.weakening(&kept[HEADER..]);
+        let mut withheld = [0.0; 2];
         let demand = match slack {
+            None if weakening.is_some() => {
+                let part = weakening.map_or(0.0, |w| w.withheld());
+                for (i, (row, by)) in self.rows.iter().zip(&mut withheld).enumerate() {
+                    *by = kept[WITHHELD + i] + part * (row.deformation(motion.disp) - kept[i]);
+                }
+                let disp = self.behind(motion.disp, withheld);
+                self.inner.respond(&Motion { disp: &disp[..motion.disp.len()], ..*motion }, old, new, own)?;
+                if let Some(tangent) = answer.tangent.as_deref_mut() {
+                    self.withhold(part, tangent);
+                }
+                self.demand(motion, answer.force, [kept[0], kept[1]])
+            }
             None => {
                 self.inner.respond(motion, old, new, own)?;
                 self.demand(motion, answer.force, [kept[0], kept[1]])
@@ -279,8 +304,20 @@ impl Element for Amended {
                 Demand { slack: taken, ..self.demand(motion, answer.force, [kept[0], kept[1]]) }
             }
         };
-        let v = self.law.amend(&kept[HEADER..], &demand, &mut next[HEADER..])?;
+        let v = match weakening {
+            Some(w) => {
+                // The law sees the elastic part at the whole deformation.
+                let seen = Demand { q: std::array::from_fn(|i| demand.q[i] + w.stiffness * withheld[i]), ..demand };
+                let mut v = self.law.amend(&kept[HEADER..], &seen, &mut next[HEADER..])?;
+                for (by_e, by_q) in v.by_deformation.iter_mut().zip(&v.by_force) {
+                    by_e.iter_mut().zip(by_q).for_each(|(e, q)| *e += q * w.stiffness * w.withheld());
+                }
+                v
+            }
+            None => self.law.amend(&kept[HEADER..], &demand, &mut next[HEADER..])?,
+        };
         next[..2].copy_from_slice(&demand.e);
+        next[WITHHELD..HEADER].copy_from_slice(&withheld);
         for (i, row) in self.rows.iter().enumerate() {
             let added = v.q[i] - demand.q[i];
             next[2 + i] = added;
@@ -303,6 +340,10 @@ impl Element for Amended {
         let mut next = vec![0.0; self.law.state_len()];
         let mut virgin = next.clone();
         self.law.init(&mut virgin);
+        // What has lost strength is as stiff as before.
+        if self.law.weakening(&virgin).is_some() {
+            return;
+        }
         let slack = self.law.slack(&virgin).map(|s| s.at_rest(&self.by_deformation(tangent))).unwrap_or_default();
         if let Ok(v) = self.law.amend(&virgin, &Demand { slack, ..Demand::default() }, &mut next) {
             self.add_tangent(&v, tangent);

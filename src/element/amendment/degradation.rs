@@ -1,6 +1,6 @@
 //! Strength lost with accumulated damage.
 
-use super::{AmendmentLaw, Demand, Share, Verdict};
+use super::{AmendmentLaw, Demand, Share, Verdict, Weakening};
 use crate::element::ElementError;
 
 /// s = 1 - loss (1 - exp(-E / E₀)) with the energy E that the hysteretic part has taken in, counted without sign as
@@ -34,5 +34,9 @@ impl AmendmentLaw for Degradation {
         let s = 1.0 - self.loss * (1.0 - left);
         let slope = -self.loss * left / self.energy * work.signum();
         Ok((self.share.scale_by_work(d, s, slope), Damage { energy }))
+    }
+
+    fn weakening(&self, committed: &Damage) -> Option<Weakening> {
+        self.share.weakening(1.0 - self.loss * -(-committed.energy / self.energy).exp_m1())
     }
 }

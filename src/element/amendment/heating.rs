@@ -1,6 +1,6 @@
 //! Self-heating: dissipated work warms the device and softens it.
 
-use super::{AmendmentLaw, Demand, Share, Verdict};
+use super::{AmendmentLaw, Demand, Share, Verdict, Weakening};
 use crate::element::ElementError;
 
 /// Rates over 1/τ_c by which heat is conducted away, one a decade; the lowest is 10 to this power.
@@ -78,6 +78,10 @@ impl AmendmentLaw for Heating {
         let s = (-self.softening * rise).exp();
         let verdict = self.share.scale_by_work(d, s, -self.softening * s * slope);
         Ok((verdict, next))
+    }
+
+    fn weakening(&self, committed: &Warmth) -> Option<Weakening> {
+        self.share.weakening((-self.softening * committed.rise.iter().sum::<f64>()).exp())
     }
 
     fn depends_on_time(&self) -> bool {

@@ -51,7 +51,7 @@ pub use peak_oriented::PeakOriented;
 pub use pinching::Pinching;
 pub use pressure::Pressure;
 pub use relaxation::Relaxation;
-pub use share::Share;
+pub use share::{Share, Weakening};
 pub use slack::{Slack, Taken};
 pub use sliding::Sliding;
 pub use slip::Slip;
@@ -133,6 +133,11 @@ pub trait AmendmentLaw: fmt::Debug + Send + Sync + 'static {
         None
     }
 
+    /// Strength that the element has lost.
+    fn weakening(&self, _committed: &Self::State) -> Option<Weakening> {
+        None
+    }
+
     /// Whether the force depends on the time that passes.
     fn depends_on_time(&self) -> bool {
         false
@@ -151,6 +156,8 @@ pub trait Amendment: fmt::Debug + Send + Sync {
     fn amend(&self, committed: &[f64], demand: &Demand, next: &mut [f64]) -> Result<Verdict, ElementError>;
     /// Slack that the element does not get of its deformation.
     fn slack(&self, committed: &[f64]) -> Option<Slack>;
+    /// Strength that the element has lost.
+    fn weakening(&self, committed: &[f64]) -> Option<Weakening>;
     /// Whether the force depends on the time that passes.
     fn depends_on_time(&self) -> bool;
 }
@@ -172,6 +179,9 @@ impl<L: AmendmentLaw> Amendment for L {
     }
     fn slack(&self, committed: &[f64]) -> Option<Slack> {
         AmendmentLaw::slack(self, &L::State::read(committed))
+    }
+    fn weakening(&self, committed: &[f64]) -> Option<Weakening> {
+        AmendmentLaw::weakening(self, &L::State::read(committed))
     }
     fn depends_on_time(&self) -> bool {
         AmendmentLaw::depends_on_time(self)

@@ -16,15 +16,48 @@ pub struct Share {
     pub elastic: f64,
     /// Measure in which it acts on the hysteretic part.
     pub hysteretic: f64,
+    /// The factor is one of the strength: the hysteretic part keeps its elastic stiffness, as [`Weakening`] says.
+    pub of_strength: bool,
 }
+
+/// A hysteretic part z that has a part s of its strength and all of its elastic stiffness: its deformations shrink with its force,
+/// s z(∫ de/s). That is exact for an elastic-plastic part or one of Bouc and Wen whose strength changes between steps, and needs to
+/// know nothing of them; s is that of the committed state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Weakening {
+    /// Part s that is left of the strength.
+    pub left: f64,
+    /// Stiffness k of the elastic part.
+    pub stiffness: f64,
+}
+
+impl Weakening {
+    /// Part of an increment of deformation that the element gets less of than there is.
+    pub(super) fn withheld(&self) -> f64 {
+        1.0 - 1.0 / self.left
+    }
+}
+
+/// No strength falls below this part: its deformations would have no end.
+const LEAST: f64 = 0.02;
 
 impl Default for Share {
     fn default() -> Self {
-        Self { stiffness: 0.0, elastic: 1.0, hysteretic: 1.0 }
+        Self { stiffness: 0.0, elastic: 1.0, hysteretic: 1.0, of_strength: false }
     }
 }
 
 impl Share {
+    /// A factor on the strength of what stands beside an elastic part.
+    pub fn strength_beside(stiffness: f64) -> Self {
+        Self { stiffness, elastic: 0.0, hysteretic: 1.0, of_strength: true }
+    }
+
+    /// How the element is asked where the factor is one of its strength and is `left` in the committed state.
+    pub fn weakening(&self, left: f64) -> Option<Weakening> {
+        self.of_strength.then(|| Weakening { left: left.max(LEAST), stiffness: self.stiffness })
+    }
+
     /// The force under a factor `s` with the derivative `ds` by the deformation and `ds_axial` by the axial force.
     pub fn scale(&self, d: &Demand, s: f64, ds: Pair, ds_axial: f64) -> Verdict {
         let k = self.stiffness * (self.hysteretic - self.elastic) * (1.0 - s);

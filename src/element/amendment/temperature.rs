@@ -1,6 +1,6 @@
 //! Another temperature than the one that the parameters were found at.
 
-use super::{AmendmentLaw, Demand, Share, Verdict};
+use super::{AmendmentLaw, Demand, Share, Verdict, Weakening};
 use crate::element::ElementError;
 
 /// s = exp(-b (T - T₀)): stiffness and strength of rubber and lead fall about exponentially with the temperature
@@ -18,12 +18,21 @@ pub struct Temperature {
     pub share: Share,
 }
 
+impl Temperature {
+    fn factor(&self) -> f64 {
+        (-self.softening * (self.at - self.reference)).exp()
+    }
+}
+
 impl AmendmentLaw for Temperature {
     type State = ();
     const NAME: &'static str = "temperature";
 
     fn amend(&self, (): &(), d: &Demand) -> Result<(Verdict, ()), ElementError> {
-        let s = (-self.softening * (self.at - self.reference)).exp();
-        Ok((self.share.scale(d, s, [0.0; 2], 0.0), ()))
+        Ok((self.share.scale(d, self.factor(), [0.0; 2], 0.0), ()))
+    }
+
+    fn weakening(&self, (): &()) -> Option<Weakening> {
+        self.share.weakening(self.factor())
     }
 }
