@@ -413,9 +413,11 @@ impl Words {
                 }
                 "-axial" => axial = Some(Compression::Direction(a.dof("direction of the axial force", 6)? + 1)),
                 "-axialSeries" => axial = Some(Compression::History(series_of(interp, a)?)),
+                "-share" | "-strengthBeside" if share != Share::default() => {
+                    return Err(a.refuse("two words for what the factor acts on", "expected -share or -strengthBeside"));
+                }
                 "-strengthBeside" => share = Share::strength_beside(a.not_negative("stiffness of the elastic part")?),
                 "-share" => {
-                    share.of_strength = false;
                     share.stiffness = a.not_negative("stiffness of the elastic part")?;
                     share.elastic = a.float("measure in which it acts on the elastic part")?;
                     if a.at_number() {

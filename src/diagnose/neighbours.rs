@@ -32,12 +32,12 @@ pub(super) fn neighbours(model: &Model, devices: &[Device]) -> Vec<Neighbours> {
             let [p, q] = [a, b].map(|n| model.nodes[n].place());
             // What stands beside it does so along the axis that it moves in.
             let aside = (1..ndm).any(|d| (p[d] - q[d]).abs() > LEVEL * whole);
-            let apart =
-                structures[a] != structures[b] || rest_on_one(model, devices, [a, b].map(|n| model.nodes[n].tag));
-            if !apart || aside {
+            let tags = [a, b].map(|n| model.nodes[n].tag);
+            let beside = structures[a] != structures[b] || rest_on_one(model, devices, tags);
+            if !beside || aside {
                 continue;
             }
-            out.push((height(a), Neighbours { nodes: [a, b].map(|n| model.nodes[n].tag), apart: p[0] != q[0] }));
+            out.push((height(a), Neighbours { nodes: tags, apart: p[0] != q[0] }));
         }
     }
     out.sort_by(|a, b| b.0.total_cmp(&a.0));
@@ -51,9 +51,15 @@ fn rest_on_one(model: &Model, devices: &[Device], [a, b]: [i32; 2]) -> bool {
         let bears = devices.iter().filter(move |d| !d.linear && d.nodes.contains(&n));
         bears.map(move |d| d.nodes[usize::from(d.nodes[0] == n)])
     };
-    let joined =
-        model.elements.iter().any(|e| [a, b].iter().all(|n| e.nodes.iter().any(|m| model.nodes[m.0].tag == *n)));
-    !joined && below(a).any(|n| below(b).any(|m| m == n))
+    let tag = |n: &NodeId| model.nodes[n.0].tag;
+    let joined = model.elements.iter().any(|e| [a, b].iter().all(|n| e.nodes.iter().any(|m| tag(m) == *n)));
+    // What a node follows, itself among it.
+    let follows = |n: i32| {
+        let held = model.multi_points.iter().filter(move |m| tag(&m.constrained) == n);
+        held.map(|m| tag(&m.retained)).chain([n])
+    };
+    let tied = follows(a).any(|n| follows(b).any(|m| m == n));
+    !joined && !tied && below(a).any(|n| below(b).any(|m| m == n))
 }
 
 /// For each node the first node of the structure that it belongs to: what elements and constraints join, but for nodes that are held

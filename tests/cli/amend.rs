@@ -20,6 +20,20 @@ fn the_force_is_amended_and_so_is_what_recorders_show() {
     assert_eq!((code, out.as_str()), (Some(0), "10 15 5 5\n"), "{err}");
     let (code, out, err) = pulled("amend element 1 temperature -softening 0.01 -at 0 -reference 0 -share 500 0");
     assert_eq!((code, out.as_str()), (Some(0), "10 20 10 10\n"), "{err}");
+    // What does not yield has no strength to lose.
+    let (code, out, err) =
+        pulled("amend element 1 temperature -softening 0.01 -at 50 -reference 0 -strengthBeside 500");
+    assert_eq!((code, out.as_str()), (Some(0), "10 20 10 10\n"), "{err}");
+    for (line, says) in [
+        ("mullins -virgin 0.2 -onset 0.01 -strengthBeside 500", "has no -strengthBeside"),
+        (
+            "temperature -softening 0.01 -at 0 -reference 0 -share 500 0 -strengthBeside 500",
+            "-share or -strengthBeside",
+        ),
+    ] {
+        let (code, _, err) = pulled(&format!("amend element 1 {line}"));
+        assert!(code == Some(2) && err.contains(says), "{code:?} {err}");
+    }
     // What depends on time takes that of the domain.
     let (code, out, err) = pulled("amend element 1 sliding -force 5. -speed 0.0075");
     assert_eq!((code, out.as_str()), (Some(0), "14 24 6 6\n"), "{err}");
@@ -77,8 +91,9 @@ fn a_mass_that_is_moved_keeps_its_damping() {
 #[test]
 fn only_beams_get_hinges() {
     for (dimensions, element, message) in [
-        ("-ndm 3 -ndf 3", "truss 1 1 2 1. 1", "does not stand between two nodes with rotations"),
-        ("-ndm 3 -ndf 6", "truss 1 1 2 1. 1", "carries no moment"),
+        ("-ndm 3 -ndf 3", "corotTruss 1 1 2 1. 1", "does not stand between two nodes with rotations"),
+        ("-ndm 3 -ndf 6", "corotTruss 1 1 2 1. 1", "carries no moment"),
+        ("-ndm 3 -ndf 6", "truss 1 1 2 1. 1", "is amended by direction"),
         ("-ndm 2 -ndf 3", "twoNodeLink 1 1 2 -mat 1 1 -dir 1 2", "is amended by direction"),
     ] {
         let apart = if dimensions.contains("-ndm 3") { "1 2 3" } else { "1 2" };
