@@ -365,10 +365,6 @@ fn amend(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             });
             amended.map_err(|e| a.refuse(e.0, ""))
         };
-        if words.share.of_strength && !weakens(probe.as_ref()) {
-            let message = format!("amend {}: this law has no -strengthBeside", kind.name);
-            return Err(a.refuse(message, "expected it of temperature, heating or degradation"));
-        }
         let stiffness = around(probe)?.initial_stiffness()[0];
         let made = around((kind.make)(&words.numbers, words.share, stiffness))?;
         interp.host.engine.replace_element(id, Arc::new(made));
@@ -438,7 +434,12 @@ impl Words {
             let message = format!("amend {}: {} $value is missing", kind.name, o.name);
             return Err(a.refuse(message, format!("expected the {} as well", o.what)));
         }
-        Ok(Self { numbers: Numbers(numbers), share, directions, axial })
+        let numbers = Numbers(numbers);
+        if share.of_strength && !weakens((kind.make)(&numbers, share, 1.0).as_ref()) {
+            let message = format!("amend {}: this law has no -strengthBeside", kind.name);
+            return Err(a.refuse(message, "expected it of temperature, heating or degradation"));
+        }
+        Ok(Self { numbers, share, directions, axial })
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::anatomy::Device;
 use crate::model::{Model, NodeId};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Two nodes with mass of different structures at the same height.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,7 +21,7 @@ const LEVEL: f64 = 0.01;
 /// The pairs of a model, the highest first; none where all that has mass hangs together, but by the ground or by bearings on the same pier.
 pub(super) fn neighbours(model: &Model, devices: &[Device]) -> Vec<Neighbours> {
     let Some(ndm) = model.nodes.first().map(|n| n.ndm()) else { return vec![] };
-    let structures = structures(model);
+    let (structures, spans) = (structures(model), spans(model, devices));
     let height = |n: usize| if ndm > 1 { model.nodes[n].place()[ndm - 1] } else { 0.0 };
     let heights = || (0..model.nodes.len()).map(height);
     let whole = heights().fold(f64::NEG_INFINITY, f64::max) - heights().fold(f64::INFINITY, f64::min);
@@ -33,7 +34,8 @@ pub(super) fn neighbours(model: &Model, devices: &[Device]) -> Vec<Neighbours> {
             // What stands beside it does so along the axis that it moves in.
             let aside = (1..ndm).any(|d| (p[d] - q[d]).abs() > LEVEL * whole);
             let tags = [a, b].map(|n| model.nodes[n].tag);
-            let beside = structures[a] != structures[b] || rest_on_one(model, devices, tags);
+            let beside =
+                structures[a] != structures[b] || spans.contains(&[tags[0].min(tags[1]), tags[0].max(tags[1])]);
             if !beside || aside {
                 continue;
             }
@@ -45,21 +47,26 @@ pub(super) fn neighbours(model: &Model, devices: &[Device]) -> Vec<Neighbours> {
     out.into_iter().map(|(_, pair)| pair).collect()
 }
 
-/// Whether nothing joins two nodes but what each of them rests on by a bearing: the decks of two spans on a pier.
-fn rest_on_one(model: &Model, devices: &[Device], [a, b]: [i32; 2]) -> bool {
-    let below = |n: i32| {
-        let bears = devices.iter().filter(move |d| !d.linear && d.nodes.contains(&n));
-        bears.map(move |d| d.nodes[usize::from(d.nodes[0] == n)])
-    };
+/// Nodes that nothing joins but what each of them rests on by a bearing, the lower tag first: the decks of two spans on a pier.
+fn spans(model: &Model, devices: &[Device]) -> BTreeSet<[i32; 2]> {
+    let mut on: BTreeMap<i32, Vec<i32>> = BTreeMap::new();
+    for d in devices.iter().filter(|d| !d.linear) {
+        let [i, j] = d.nodes;
+        on.entry(i).or_default().push(j);
+        on.entry(j).or_default().push(i);
+    }
     let tag = |n: &NodeId| model.nodes[n.0].tag;
-    let joined = model.elements.iter().any(|e| [a, b].iter().all(|n| e.nodes.iter().any(|m| tag(m) == *n)));
+    let joined =
+        |pair: &[i32; 2]| model.elements.iter().any(|e| pair.iter().all(|n| e.nodes.iter().any(|m| tag(m) == *n)));
     // What a node follows, itself among it.
     let follows = |n: i32| {
         let held = model.multi_points.iter().filter(move |m| tag(&m.constrained) == n);
         held.map(|m| tag(&m.retained)).chain([n])
     };
-    let tied = follows(a).any(|n| follows(b).any(|m| m == n));
-    !joined && !tied && below(a).any(|n| below(b).any(|m| m == n))
+    let tied = |[a, b]: &[i32; 2]| follows(*a).any(|n| follows(*b).any(|m| m == n));
+    let pairs = on.values().flat_map(|all| all.iter().flat_map(|a| all.iter().map(|b| [*a, *b])));
+    let pairs: BTreeSet<[i32; 2]> = pairs.filter(|[a, b]| a < b).collect();
+    pairs.into_iter().filter(|pair| !joined(pair) && !tied(pair)).collect()
 }
 
 /// For each node the first node of the structure that it belongs to: what elements and constraints join, but for nodes that are held

@@ -100,8 +100,8 @@ pub(super) fn fit_baseline(work: &mut Work<'_>, opening: &Opening, text: &str) -
     let closely = |f: &Fitted| Work::search(&variant, f.point.clone(), LAST);
     let narrow = work.fit("the model as it is", sorted.first().map(closely).into_iter().collect())?.pop().flatten();
     let narrow = narrow.ok_or("the model has no answer for any values of its parameters")?;
-    sorted.insert(0, narrow);
-    let mut best = (LevenbergMarquardt::STEP, sorted[0].clone());
+    let mut best = (LevenbergMarquardt::STEP, narrow.clone());
+    sorted[0] = narrow;
     for width in WIDER {
         work.bench.widen(width);
         let again = work.fit("the model as it is", sorted.iter().take(VALLEYS).map(closely).collect())?;

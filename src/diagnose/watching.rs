@@ -143,4 +143,15 @@ pub(super) mod tests {
         assert_eq!(ends(&anatomy.girders), [(3, 3, 4)]);
         assert!(anatomy.shaken);
     }
+    #[test]
+    fn isolators_stand_on_the_ground_and_storeys_do_not() {
+        let text = "model basic -ndm 1 -ndf 1\nforeach n {1 2 3} {node $n 0.}\nfix 1 1\nmass 2 1.\nmass 3 1.\n\
+            uniaxialMaterial Elastic 1 1e3\nelement zeroLength 7 1 2 -mat 1 -dir 1\nelement zeroLength 8 2 3 -mat 1 -dir 1\n\
+            timeSeries Constant 2\npattern UniformExcitation 2 1 -accel 2\nconstraints Plain\nsystem FullGeneral\n\
+            integrator Newmark 0.5 0.25\nanalysis Transient\nanalyze 2 0.01\n";
+        let anatomy = anatomy_of(text);
+        let tags: Vec<Vec<i32>> = anatomy.grounded().iter().map(|g| g.iter().map(|d| d.tag).collect()).collect();
+        assert_eq!(tags, [[7]]);
+        assert!(anatomy.groups(false).is_empty() && anatomy.groups(true)[0].len() == 2);
+    }
 }

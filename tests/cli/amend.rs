@@ -50,6 +50,22 @@ fn the_force_is_amended_and_so_is_what_recorders_show() {
     assert_eq!((code, out.as_str()), (Some(0), "11 19 6 6\n"), "{err}");
 }
 
+/// What slack or a lost strength keeps from the element is a part of the deformation that recorders show.
+#[test]
+fn the_deformation_is_that_of_the_whole() {
+    for amendment in [
+        "temperature -softening 0.01 -at 50 -reference 0 -strengthBeside 100",
+        "slip -size 0.004 -width 1. -share 100 1",
+    ] {
+        let (code, out, err) = pulled(&format!(
+            "amend element 1 {amendment}\nrename analyze step\n\
+             proc analyze n {{ step $n; puts -nonewline \"[format %.6g [eleResponse 1 deformation]]: \" }}"
+        ));
+        let shown: Vec<&str> = out.split_whitespace().filter_map(|w| w.strip_suffix(':')).collect();
+        assert_eq!((code, &shown[..]), (Some(0), &["0.01", "0.02", "0.01"][..]), "{out} {err}");
+    }
+}
+
 /// A column whose foot yields, drawn from its head: P-Delta, with what recorders show of the hinge.
 #[test]
 fn the_foot_of_a_column_yields() {

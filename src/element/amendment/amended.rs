@@ -24,8 +24,9 @@ pub struct Amended {
     axial: Compression,
     /// Words of the element's own history.
     inner_len: usize,
-    /// Where the element finds its basic forces: those are to be amended when they are read.
+    /// Where the element finds its basic forces and deformations: those are to be amended when they are read.
     basic_force: Option<Vec<u32>>,
+    deformation: Option<Vec<u32>>,
 }
 
 /// Where the compression comes from that a law goes by.
@@ -76,8 +77,8 @@ impl Amended {
             return Err(ElementError("at most two directions are amended together".into()));
         }
         let axial = find(1).filter(|_| !chosen.contains(&1)).cloned().map_or(Compression::None, Compression::Force);
-        let basic_force = inner.probe(&["basicForce"]).map(|p| p.path);
-        Ok(Self { law, rows, axial, inner_len: inner.state_len(), basic_force, inner })
+        let [basic_force, deformation] = ["basicForce", "deformation"].map(|what| inner.probe(&[what]).map(|p| p.path));
+        Ok(Self { law, rows, axial, inner_len: inner.state_len(), basic_force, deformation, inner })
     }
 
     /// The same with another direction that carries the axial force than the first: of springs along global axes the
@@ -277,35 +278,24 @@ impl Element for Amended {
         };
         let (old, kept) = committed.split_at(self.inner_len);
         let (new, next) = trial.split_at_mut(self.inner_len);
+        let before = [kept[0], kept[1]];
         let slack = self.law.slack(&kept[HEADER..]);
-        let weakening = self.law.weakening(&kept[HEADER..]);
-        let mut withheld = [0.0; 2];
-        let demand = match slack {
-            None if weakening.is_some() => {
-                let part = weakening.map_or(0.0, |w| w.withheld());
-                for (i, (row, by)) in self.rows.iter().zip(&mut withheld).enumerate() {
-                    *by = kept[WITHHELD + i] + part * (row.deformation(motion.disp) - kept[i]);
-                }
-                let disp = self.behind(motion.disp, withheld);
-                self.inner.respond(&Motion { disp: &disp[..motion.disp.len()], ..*motion }, old, new, own)?;
-                if let Some(tangent) = answer.tangent.as_deref_mut() {
-                    self.withhold(part, tangent);
-                }
-                self.demand(motion, answer.force, [kept[0], kept[1]])
+        let weakening = self.law.weakening(&kept[HEADER..]).filter(|_| slack.is_none());
+        let taken = slack.as_ref().map(|slack| self.settle(slack, motion, old, new)).transpose()?.unwrap_or_default();
+        let mut withheld = taken.by;
+        if let Some(w) = weakening {
+            for (i, (row, by)) in self.rows.iter().zip(&mut withheld).enumerate() {
+                *by = kept[WITHHELD + i] + w.withheld() * (row.deformation(motion.disp) - before[i]);
             }
-            None => {
-                self.inner.respond(motion, old, new, own)?;
-                self.demand(motion, answer.force, [kept[0], kept[1]])
-            }
-            Some(slack) => {
-                let taken = self.settle(&slack, motion, old, new)?;
-                let disp = self.behind(motion.disp, taken.by);
-                self.inner.respond(&Motion { disp: &disp[..motion.disp.len()], ..*motion }, old, new, own)?;
-                Demand { slack: taken, ..self.demand(motion, answer.force, [kept[0], kept[1]]) }
-            }
-        };
+        }
+        let disp = self.behind(motion.disp, withheld);
+        self.inner.respond(&Motion { disp: &disp[..motion.disp.len()], ..*motion }, old, new, own)?;
+        let demand = Demand { slack: taken, ..self.demand(motion, answer.force, before) };
         let v = match weakening {
             Some(w) => {
+                if let Some(tangent) = answer.tangent.as_deref_mut() {
+                    self.withhold(w.withheld(), tangent);
+                }
                 // The law sees the elastic part at the whole deformation.
                 let seen = Demand { q: std::array::from_fn(|i| demand.q[i] + w.stiffness * withheld[i]), ..demand };
                 let mut v = self.law.amend(&kept[HEADER..], &seen, &mut next[HEADER..])?;
@@ -393,6 +383,12 @@ impl Element for Amended {
         if self.basic_force.as_deref() == Some(path) {
             for (i, row) in self.rows.iter().enumerate() {
                 out[row.column] += own[2 + i];
+            }
+        }
+        // The deformation is that of the whole, of which the element itself may have had less or more.
+        if self.deformation.as_deref() == Some(path) {
+            for (i, row) in self.rows.iter().enumerate().filter(|(i, _)| own[WITHHELD + i] != 0.0) {
+                out[row.column] = own[i];
             }
         }
     }

@@ -23,6 +23,13 @@ crate::words! {
     }
 }
 
+impl Degradation {
+    /// s after an energy.
+    fn factor(&self, energy: f64) -> f64 {
+        1.0 - self.loss * (1.0 - (-energy / self.energy).exp())
+    }
+}
+
 impl AmendmentLaw for Degradation {
     type State = Damage;
     const NAME: &'static str = "degradation";
@@ -30,13 +37,11 @@ impl AmendmentLaw for Degradation {
     fn amend(&self, committed: &Damage, d: &Demand) -> Result<(Verdict, Damage), ElementError> {
         let work = self.share.work(d);
         let energy = committed.energy + work.abs();
-        let left = (-energy / self.energy).exp();
-        let s = 1.0 - self.loss * (1.0 - left);
-        let slope = -self.loss * left / self.energy * work.signum();
-        Ok((self.share.scale_by_work(d, s, slope), Damage { energy }))
+        let slope = -self.loss * (-energy / self.energy).exp() / self.energy * work.signum();
+        Ok((self.share.scale_by_work(d, self.factor(energy), slope), Damage { energy }))
     }
 
     fn weakening(&self, committed: &Damage) -> Option<Weakening> {
-        self.share.weakening(1.0 - self.loss * -(-committed.energy / self.energy).exp_m1())
+        self.share.weakening(self.factor(committed.energy))
     }
 }

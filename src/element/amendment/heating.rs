@@ -2,6 +2,7 @@
 
 use super::{AmendmentLaw, Demand, Share, Verdict, Weakening};
 use crate::element::ElementError;
+use std::sync::LazyLock;
 
 /// Rates over 1/τ_c by which heat is conducted away, one a decade; the lowest is 10 to this power.
 const RATES: usize = 9;
@@ -37,20 +38,24 @@ crate::words! {
     }
 }
 
+/// Weights and rates of conduction, in 1/τ_c. The step from one rate to the next is even in the logarithm: the weight is √r/(1 + r).
+static SPECTRUM: LazyLock<[(f64, f64); RATES]> = LazyLock::new(|| {
+    let rates: [f64; RATES] = std::array::from_fn(|k| 10f64.powi(LOWEST + k as i32));
+    let weights = rates.map(|r| r.sqrt() / (1.0 + r));
+    let sum: f64 = weights.iter().sum();
+    std::array::from_fn(|k| (weights[k] / sum, rates[k]))
+});
+
 impl Heating {
-    /// Parts of the heat capacity's reciprocal with their rates of decay, 1/time.
+    /// Parts of the heat with their rates of decay, 1/time.
     fn parts(&self) -> impl Iterator<Item = (f64, f64)> {
-        let (conducts, cooling) = (self.conduction.is_finite(), 1.0 / self.cooling);
-        let spectrum = |k: usize| {
-            let r = 10f64.powi(LOWEST + k as i32);
-            (1.0 / (r.sqrt() + 1.0 / r.sqrt()), r)
-        };
-        let sum: f64 = (0..RATES).map(|k| spectrum(k).0).sum();
-        let conduction = self.conduction;
-        (0..if conducts { RATES } else { 1 }).map(move |k| {
-            let (weight, r) = spectrum(k);
-            if conducts { (weight / sum, cooling + r / conduction) } else { (1.0, cooling) }
-        })
+        let spectrum: &[(f64, f64)] = if self.conduction.is_finite() { &*SPECTRUM } else { &[(1.0, 0.0)] };
+        spectrum.iter().map(|(weight, r)| (*weight, 1.0 / self.cooling + r / self.conduction))
+    }
+
+    /// s at a temperature rise.
+    fn factor(&self, rise: f64) -> f64 {
+        (-self.softening * rise).exp()
     }
 }
 
@@ -61,8 +66,7 @@ impl AmendmentLaw for Heating {
     fn amend(&self, committed: &Warmth, d: &Demand) -> Result<(Verdict, Warmth), ElementError> {
         // Cooling implicitly: stable for any step. The work is that of the softened force of the step before, so that
         // the energy account closes to first order in the step.
-        let before: f64 = committed.rise.iter().sum();
-        let now = (-self.softening * before).exp();
+        let now = self.factor(committed.rise.iter().sum());
         let heat = now * self.share.work(d) / self.capacity;
         let (mut next, mut slope) = (Warmth::default(), 0.0);
         for ((weight, rate), (to, from)) in self.parts().zip(next.rise.iter_mut().zip(&committed.rise)) {
@@ -75,13 +79,13 @@ impl AmendmentLaw for Heating {
         if rise <= 0.0 {
             (next, rise, slope) = (Warmth::default(), 0.0, 0.0);
         }
-        let s = (-self.softening * rise).exp();
+        let s = self.factor(rise);
         let verdict = self.share.scale_by_work(d, s, -self.softening * s * slope);
         Ok((verdict, next))
     }
 
     fn weakening(&self, committed: &Warmth) -> Option<Weakening> {
-        self.share.weakening((-self.softening * committed.rise.iter().sum::<f64>()).exp())
+        self.share.weakening(self.factor(committed.rise.iter().sum()))
     }
 
     fn depends_on_time(&self) -> bool {

@@ -27,7 +27,7 @@ pub struct Share {
 pub struct Weakening {
     /// Part s that is left of the strength.
     pub left: f64,
-    /// Stiffness k of the elastic part.
+    /// Stiffness k of the elastic part, force per deformation.
     pub stiffness: f64,
 }
 
