@@ -87,6 +87,11 @@ fn structured(left: f64, price: f64) -> f64 {
     -0.5 * INDEPENDENT * (1.0 - left.min(TELLING)).ln() - price
 }
 
+/// Whether the model as it is leaves more structure than noise may have by chance: the answer would be `unknown`.
+pub(super) fn leaves_structure(study: &Study, scales: &Scales, as_it_is: &Explained) -> bool {
+    structured(structure(study, scales, &as_it_is.fitted.fits, true).0, STRUCTURED) > 0.0
+}
+
 impl Odds {
     /// Of explanations, the best first; `baseline` is the fitted model.
     pub(super) fn of(

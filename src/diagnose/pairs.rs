@@ -65,10 +65,6 @@ pub(super) fn pairs(
     first: &[Explained],
     place: &Place,
 ) -> Result<Vec<Explained>, String> {
-    // Where nothing is missing, no two things are.
-    if weighed[0].cause() == "none" {
-        return Ok(vec![]);
-    }
     // From where a poor baseline stands the second effect may not be found: then also from afar.
     let wide = poor(baseline) && within_reach(&work.study, PAIRS * (FIRSTS + EXCHANGES));
     let makings = Makings { baseline, first, place, wide };

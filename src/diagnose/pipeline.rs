@@ -5,6 +5,7 @@ use super::conditions::untimed;
 use super::fitting::Bench;
 use super::hypothesis::{self, Proposal, Sight};
 use super::next_test::NextTest;
+use super::odds::leaves_structure;
 use super::outcome::Outcome;
 use super::pairs::pairs;
 use super::resume::Kept;
@@ -129,7 +130,9 @@ pub fn diagnose(
     weighed.retain(|e| !may_be_noise(&study, e));
     work.hold_back("what it predicts", &mut weighed)?;
     weigh(&mut weighed)?;
-    let mut two = pairs(&mut work, &baseline, &weighed, &first, &place)?;
+    // Where nothing is missing, no two things are; where no effect alone tells more than nothing, two may.
+    let missing = weighed[0].cause() != "none" || leaves_structure(&study, &scales, &weighed[0]);
+    let mut two = if missing { pairs(&mut work, &baseline, &weighed, &first, &place)? } else { vec![] };
     two.retain(|e| !may_be_noise(&study, e));
     if !two.is_empty() {
         weighed.extend(two);

@@ -19,13 +19,20 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
         return out;
     }
     for m in s.moved(true) {
-        let line = format!("{} -coefficient $hy_c {}", m.amend("damping"), m.dir);
-        let c = m.q / m.v.max(f64::MIN_POSITIVE);
-        let added = vec![Added::log("c", 1e-4 * c, 3.0 * c, 0.05 * c)];
-        out.push(Proposal::edit("damping", "dashpots in the structure", m.at(), vec![line], added));
-        let line = format!("{} -coefficient $hy_c -power $hy_power {}", m.amend("damping"), m.dir);
-        let added = vec![Added::log("c", 1e-4 * c, 3.0 * c, 0.05 * c), Added::linear("power", 0.3, 1.0, 0.6)];
-        out.push(Proposal::edit("damping", "dashpots of a power of speed", m.at(), vec![line], added));
+        let dashpots = |amend: &str, at: &str, forms: [&str; 2]| {
+            let c = m.q / m.v.max(f64::MIN_POSITIVE);
+            let added = Added::log("c", 1e-4 * c, 3.0 * c, 0.05 * c);
+            // From nearly friction to an orifice's.
+            let power = Added::linear("power", 0.2, 2.0, 0.6);
+            let linear = format!("{amend} -coefficient $hy_c {}", m.dir);
+            let curved = format!("{amend} -coefficient $hy_c -power $hy_power {}", m.dir);
+            [
+                Proposal::edit("damping", forms[0], at.into(), vec![linear], vec![added.clone()]),
+                Proposal::edit("damping", forms[1], at.into(), vec![curved], vec![added, power]),
+            ]
+        };
+        let all = ["dashpots in the structure", "dashpots of a power of speed"];
+        out.extend(dashpots(&m.amend("damping"), &m.at(), all));
         // Each with a dashpot in proportion to its stiffness, and each alone.
         if m.group.len() > 1 {
             let alike = |d: &super::Device| {
@@ -37,10 +44,8 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
             let added = vec![Added::log("beta", 1e-4 * beta, 3.0 * beta, 0.05 * beta)];
             out.push(Proposal::edit("damping", "dashpots in proportion to stiffness", m.at(), block, added));
             for d in &m.group {
-                let line = format!("amend element {} damping -coefficient $hy_c {}", d.tag, m.dir);
-                let added = vec![Added::log("c", 1e-4 * c, 3.0 * c, 0.05 * c)];
-                let at = super::named(&[d]);
-                out.push(Proposal::edit("damping", "dashpot", at, vec![line], added));
+                let alone = format!("amend element {} damping", d.tag);
+                out.extend(dashpots(&alone, &super::named(&[d]), ["dashpot", "dashpot of a power of speed"]));
             }
         }
     }

@@ -13,6 +13,8 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
 
 fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     let mut out = vec![];
+    // A dashpot beside what was taken as elastic is damping of the structure.
+    let of_elastic = s.anatomy.shaken && s.moved(false).is_empty();
     for m in s.moved_or_grounded() {
         let (at, dir, k) = (m.at(), &m.dir, m.stiffness());
         let over = |form: &str, power: &str, more: Vec<Added>| {
@@ -42,10 +44,12 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
         };
         out.push(relaxing("quasi-linear overstress, one relaxation time", ""));
         out.push(relaxing("quasi-linear overstress, relaxation times over three decades", " -decades 3"));
-        let line = format!("{} damping -coefficient $hy_c -power $hy_power {dir}", m.amend(""));
-        let c = m.q / m.v.max(f64::MIN_POSITIVE);
-        let added = vec![Added::log("c", 1e-4 * c, 3.0 * c, 0.05 * c), Added::linear("power", 0.1, 1.2, 1.0)];
-        out.push(Proposal::edit("rate_dependence", "dashpot", at.clone(), vec![line], added));
+        if !of_elastic {
+            let line = format!("{} damping -coefficient $hy_c -power $hy_power {dir}", m.amend(""));
+            let c = m.q / m.v.max(f64::MIN_POSITIVE);
+            let added = vec![Added::log("c", 1e-4 * c, 3.0 * c, 0.05 * c), Added::linear("power", 0.1, 1.2, 1.0)];
+            out.push(Proposal::edit("rate_dependence", "dashpot", at.clone(), vec![line], added));
+        }
     }
     out
 }

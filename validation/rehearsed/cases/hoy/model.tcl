@@ -1,0 +1,57 @@
+# Archive building on isolators, four storeys
+# units: kN, m, t, s
+wipe
+model basic -ndm 1 -ndf 1
+
+pset Kd 4000.0
+pset Qd 500.0
+pset rk 1.0
+node 1 0.0
+fix 1 1
+node 2 0.0 -mass 260.0
+node 3 0.0 -mass 210.0
+node 4 0.0 -mass 210.0
+node 5 0.0 -mass 200.0
+node 6 0.0 -mass 150.0
+
+set ki [expr $Kd/0.09]
+set uy [expr $Qd/((1.0-0.09)*$ki)]
+uniaxialMaterial BoucWen 1 0.09 $ki 1.0 [expr 0.5/$uy] [expr 0.5/$uy] 1.0 0.0 0.0 0.0
+element zeroLength 1 1 2 -mat 1 -dir 1
+uniaxialMaterial Elastic 11 [expr $rk*400000.0]
+uniaxialMaterial Viscous 21 950.0 1.0
+element zeroLength 11 2 3 -mat 11 21 -dir 1 1
+uniaxialMaterial Elastic 12 [expr $rk*360000.0]
+uniaxialMaterial Viscous 22 850.0 1.0
+element zeroLength 12 3 4 -mat 12 22 -dir 1 1
+uniaxialMaterial Elastic 13 [expr $rk*300000.0]
+uniaxialMaterial Viscous 23 720.0 1.0
+element zeroLength 13 4 5 -mat 13 23 -dir 1 1
+uniaxialMaterial Elastic 14 [expr $rk*230000.0]
+uniaxialMaterial Viscous 24 560.0 1.0
+element zeroLength 14 5 6 -mat 14 24 -dir 1 1
+
+timeSeries Path 1 -dt $dt -filePath $motion
+pattern UniformExcitation 1 1 -accel 1
+
+recorder Node -file disp.out -time -node 2 -dof 1 disp
+recorder Node -file acc.out -timeSeries 1 -time -node 2 3 4 5 6 -dof 1 accel
+
+constraints Transformation
+numberer RCM
+system BandGeneral
+test NormDispIncr 1.0e-8 50
+algorithm Newton
+integrator Newmark 0.5 0.25
+analysis Transient
+set sub 1
+if {[info exists nsub]} {set sub $nsub}
+for {set i 1} {$i < $npts} {incr i} {
+    set ok [analyze $sub [expr $dt/double($sub)]]
+    if {$ok != 0} {
+        algorithm KrylovNewton
+        set ok [analyze $sub [expr $dt/double($sub)]]
+        algorithm Newton
+    }
+    if {$ok != 0} {error "no convergence at [getTime]"}
+}

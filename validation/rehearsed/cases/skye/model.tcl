@@ -1,0 +1,42 @@
+# Two-storey house
+# units: N, mm, t, s
+wipe
+model basic -ndm 1 -ndf 1
+
+pset rk 1.0
+pset b1 0.0035
+node 1 0.0
+fix 1 1
+node 2 0.0 -mass 120.0
+node 3 0.0 -mass 95.0
+
+uniaxialMaterial Elastic 1 [expr $rk*92000.0]
+uniaxialMaterial Elastic 2 [expr $rk*71000.0]
+element zeroLength 1 1 2 -mat 1 -dir 1 -doRayleigh 1
+element zeroLength 2 2 3 -mat 2 -dir 1 -doRayleigh 1
+rayleigh 0.4 0.0 $b1 0.0
+
+timeSeries Path 1 -dt $dt -filePath $motion
+pattern UniformExcitation 1 1 -accel 1
+
+recorder Node -file acc.out -timeSeries 1 -time -node 1 2 3 -dof 1 accel
+recorder Node -file disp.out -time -node 2 3 -dof 1 disp
+
+constraints Transformation
+numberer RCM
+system BandGeneral
+test NormDispIncr 1.0e-8 50
+algorithm Newton
+integrator Newmark 0.5 0.25
+analysis Transient
+set sub 1
+if {[info exists nsub]} {set sub $nsub}
+for {set i 1} {$i < $npts} {incr i} {
+    set ok [analyze $sub [expr $dt/double($sub)]]
+    if {$ok != 0} {
+        algorithm KrylovNewton
+        set ok [analyze $sub [expr $dt/double($sub)]]
+        algorithm Newton
+    }
+    if {$ok != 0} {error "no convergence at [getTime]"}
+}
