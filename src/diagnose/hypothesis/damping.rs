@@ -20,15 +20,13 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
     }
     for m in s.moved(true) {
         let dashpots = |amend: &str, at: &str, forms: [&str; 2]| {
-            let c = m.q / m.v.max(f64::MIN_POSITIVE);
-            let added = Added::log("c", 1e-4 * c, 3.0 * c, 0.05 * c);
             // From nearly friction to an orifice's.
             let power = Added::linear("power", 0.2, 2.0, 0.6);
-            let linear = format!("{amend} -coefficient $hy_c {}", m.dir);
-            let curved = format!("{amend} -coefficient $hy_c -power $hy_power {}", m.dir);
+            let (linear, force) = m.dashpot(amend, "1.0");
+            let (curved, _) = m.dashpot(amend, "$hy_power");
             [
-                Proposal::edit("damping", forms[0], at.into(), vec![linear], vec![added.clone()]),
-                Proposal::edit("damping", forms[1], at.into(), vec![curved], vec![added, power]),
+                Proposal::edit("damping", forms[0], at.into(), vec![linear], vec![force.clone()]),
+                Proposal::edit("damping", forms[1], at.into(), vec![curved], vec![force, power]),
             ]
         };
         let all = ["dashpots in the structure", "dashpots of a power of speed"];

@@ -241,6 +241,16 @@ impl Moved<'_> {
         named(&self.group)
     }
 
+    /// A command with a dashpot of a power of speed, by its force at the speed of the fitted model, with what it adds: what unit its
+    /// coefficient has depends on the power.
+    fn dashpot(&self, amend: &str, power: &str) -> (String, Added) {
+        let line = format!(
+            "{amend} -coefficient [expr {{$hy_force/pow({:.6e},{power})}}] -power {power} {}",
+            self.v, self.dir
+        );
+        (line, Added::log("force", 1e-4 * self.q, 3.0 * self.q, 0.05 * self.q))
+    }
+
     /// Part of its mean by which a recorded axial force grows with the first deformation, in the first fitted run that has one.
     fn axial_over(&self, s: &Sight<'_>) -> Option<f64> {
         let (tag, direction) = (self.group[0].tag, *self.directions.first()?);

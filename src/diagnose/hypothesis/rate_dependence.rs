@@ -45,9 +45,8 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
         out.push(relaxing("quasi-linear overstress, one relaxation time", ""));
         out.push(relaxing("quasi-linear overstress, relaxation times over three decades", " -decades 3"));
         if !of_elastic {
-            let line = format!("{} damping -coefficient $hy_c -power $hy_power {dir}", m.amend(""));
-            let c = m.q / m.v.max(f64::MIN_POSITIVE);
-            let added = vec![Added::log("c", 1e-4 * c, 3.0 * c, 0.05 * c), Added::linear("power", 0.1, 1.2, 1.0)];
+            let (line, force) = m.dashpot(&m.amend("damping"), "$hy_power");
+            let added = vec![force, Added::linear("power", 0.1, 1.2, 1.0)];
             out.push(Proposal::edit("rate_dependence", "dashpot", at.clone(), vec![line], added));
         }
     }
