@@ -55,6 +55,8 @@ mod sections;
 mod sliders;
 #[path = "laws/smooth_hysteresis.rs"]
 mod smooth_hysteresis;
+#[path = "laws/soil_springs.rs"]
+mod soil_springs;
 #[path = "laws/springs.rs"]
 mod springs;
 #[path = "laws/timoshenko.rs"]

@@ -10,6 +10,7 @@ mod impact;
 mod plastic;
 mod rubber;
 mod smooth;
+mod soil;
 mod wrapper;
 
 use super::args::Args;
@@ -45,6 +46,7 @@ fn kinds() -> impl Iterator<Item = &'static Kind> {
         concrete::KINDS,
         hysteretic::KINDS,
         smooth::KINDS,
+        soil::KINDS,
         damper::KINDS,
         bearing::KINDS,
         impact::KINDS,

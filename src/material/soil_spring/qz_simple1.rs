@@ -1,0 +1,134 @@
+//! End bearing of a pile, which lifts off the soil.
+
+use super::branch::{Branch, Turn};
+use super::zone::{Grows, Zone};
+use super::{Gap, Near, Part, ROUNDS_AT_MOST, Soil, Step, TOLERANCE};
+use crate::numeric::bracketed_root;
+
+/// Tolerances below which a step is elastic.
+const ELASTIC: f64 = 3.0;
+/// The elastic zone grows up to this part of the ultimate force.
+const MOST_ELASTIC: f64 = 0.7;
+/// Stiffness of the closed gap and of the open one, by the ultimate force over the displacement at half of it, and that of the virgin one.
+const CLOSED: f64 = 1000.0;
+const OPEN: f64 = 1e-6;
+const VIRGIN: f64 = 100.0;
+
+/// QzBackbone of a q-z spring.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum QzBackbone {
+    /// Drilled shafts in clay (Reese and O'Neill, 1987).
+    Clay,
+    /// Piles in sand (Vijayvergiya, 1977).
+    Sand,
+}
+
+/// A q-z spring.
+#[derive(Clone, Debug, PartialEq)]
+pub struct QzSimple1 {
+    backbone: QzBackbone,
+    qult: f64,
+    z50: f64,
+    near: Zone,
+    suction: Branch,
+}
+
+impl QzSimple1 {
+    /// Suction at the most, as a part of the ultimate resistance.
+    pub const MOST_SUCTION: f64 = 0.1;
+
+    /// Ultimate resistance, displacement at half of it, and resistance in uplift as a part of it.
+    pub fn new(backbone: QzBackbone, qult: f64, z50: f64, suction: f64) -> Self {
+        let suction = suction.clamp(TOLERANCE, Self::MOST_SUCTION);
+        let branch = |curve| Branch::new(curve, 1e-4 * qult / z50, qult, ELASTIC);
+        let (reference, n, elastic) = match backbone {
+            QzBackbone::Clay => (0.35 * z50, 1.2, 0.2),
+            QzBackbone::Sand => (12.3 * z50, 5.5, 0.3),
+        };
+        let near = Zone {
+            branch: branch([qult, reference, n]),
+            rigid: 1e4 * qult / z50,
+            elastic,
+            grows: Grows::UpTo(MOST_ELASTIC),
+            y50: z50,
+        };
+        Self { backbone, qult, z50, near, suction: branch([suction * qult, 0.5 * z50, 1.0]) }
+    }
+
+    fn stiffness(&self, part: f64) -> f64 {
+        part * self.qult / self.z50
+    }
+}
+
+impl Soil for QzSimple1 {
+    const NAME: &'static str = "QzSimple1";
+    const BOUNDED: bool = true;
+
+    fn ultimate(&self) -> f64 {
+        self.qult
+    }
+
+    fn y50(&self) -> f64 {
+        self.z50
+    }
+
+    fn far(&self) -> f64 {
+        self.stiffness(match self.backbone {
+            QzBackbone::Clay => 0.525,
+            QzBackbone::Sand => 1.39,
+        })
+    }
+
+    fn virgin(&self) -> (Near, Gap) {
+        let dragged = Part { tangent: self.suction.initial(), ..Part::default() };
+        let spring = Part { tangent: self.stiffness(VIRGIN) + dragged.tangent, ..Part::default() };
+        (self.near.virgin(), Gap { spring, dragged, turn: Turn::default(), closed: [0.0; 2] })
+    }
+
+    fn yields(&self, c: &Near, p: f64) -> Near {
+        self.near.to(c, p)
+    }
+
+    fn opens(&self, c: &Gap, _: f64, p: f64) -> (Gap, f64) {
+        let mut t = *c;
+        let at = |y: f64, t: &mut Gap| {
+            t.turn = c.turn;
+            let s = if y >= c.dragged.y { 1.0 } else { -1.0 };
+            self.suction.turn_round(&c.dragged, &mut t.turn, s);
+            let k = self.stiffness(if y <= 0.0 { CLOSED } else { OPEN });
+            let (p, tangent) = self.suction.on(&t.turn, s, y);
+            t.dragged = Part { y, p, tangent };
+            (k * y + p, k + tangent)
+        };
+        let excess = |y: f64| {
+            let (force, tangent) = at(y, &mut t);
+            (force - p, tangent)
+        };
+        // The suction is within its bounds.
+        let ends = [(p - self.suction.limit).min(0.0), (p + self.suction.limit).max(0.0)];
+        let ends = (ends[0] / self.stiffness(CLOSED), ends[1] / self.stiffness(OPEN));
+        let y = bracketed_root(excess, ends, c.spring.y.clamp(ends.0, ends.1), self.z50, ROUNDS_AT_MOST);
+        let y = y.unwrap_or(f64::NAN);
+        let (_, tangent) = at(y, &mut t);
+        t.spring = Part { y, p, tangent };
+        (t, 0.0)
+    }
+
+    fn yields_on(&self, c: &Near, t: &mut Near, step: Step) {
+        self.near.go_on(c, t, step);
+    }
+
+    fn opens_on(&self, c: &Gap, t: &mut Gap, _: f64, step: Step) {
+        let from = t.spring.y;
+        // To where it opens or closes first.
+        let dy = match from + step.dy {
+            y if from > 0.0 && y < -TOLERANCE => -TOLERANCE - from,
+            y if from < 0.0 && y > TOLERANCE => TOLERANCE - from,
+            _ => step.dy,
+        };
+        let y = from + dy;
+        let k = self.stiffness(if y <= 0.0 { CLOSED } else { OPEN });
+        self.suction.go_on((&c.dragged, &c.turn), (&mut t.dragged, &mut t.turn), dy);
+        t.spring = Part { y, p: k * y + t.dragged.p, tangent: k + t.dragged.tangent };
+    }
+}
