@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""All that the diagnosis was asked with a truth that is known, from the outcomes of `power`, `blind`, `structures`, `unfamiliar`, `foreign`, `published`, `rehearsed` and `real`: confusion.md and confusion.svg.
+"""All that the diagnosis was asked with a truth that is known, from the outcomes of `power`, `blind`, `structures`, `unfamiliar`, `foreign`, `published`, `rehearsed`, `encore` and `real`: confusion.md and confusion.svg.
 
     python3 confusion.py
 """
@@ -40,9 +40,9 @@ def made():
 
 
 def concealed():
-    """Cases of `blind`, `structures`, `unfamiliar`, `foreign`, `published` and `rehearsed`, all but the first as their truths were opened."""
+    """Cases of `blind`, `structures`, `unfamiliar`, `foreign`, `published`, `rehearsed` and `encore`, all but the first as their truths were opened."""
     for folder, file in (("blind", "outcome.md"), ("structures", "opened.md"), ("unfamiliar", "opened.md"), ("foreign", "opened.md"), ("published", "opened.md"),
-                         ("rehearsed", "opened.md")):
+                         ("rehearsed", "opened.md"), ("encore", "opened.md")):
         for r in rows_of(os.path.join(folder, file), "case"):
             yield folder, r["concealed"].split(" + "), r["answer"].split(" + "), float(r["confidence"].split()[0]) / 100.0
 
@@ -63,7 +63,7 @@ def main():
     # What was told of a pair stands with the effect that it names.
     pairs = [(next((c for c in causes if c in told), causes[0]), next((v for v in told if v in causes), told[0])) for _, causes, told, _ in rows]
     matrix(pairs, os.path.join(HERE, "confusion.svg"), "concealed (rows) and told (columns), effects of any size")
-    out = ["# Everything with a truth that is known", "", "Written by `confusion.py` from the outcomes of [power](power), [blind](blind), [structures](structures), [unfamiliar](unfamiliar), [foreign](foreign), [published](published) and [rehearsed](rehearsed) as their truths were opened, and [real/rig_faults](real/rig_faults). "
+    out = ["# Everything with a truth that is known", "", "Written by `confusion.py` from the outcomes of [power](power), [blind](blind), [structures](structures), [unfamiliar](unfamiliar), [foreign](foreign), [published](published), [rehearsed](rehearsed) and [encore](encore) as their truths were opened, and [real/rig_faults](real/rig_faults). "
            "*Right* is either effect of a pair; of a recording as it is, whose model is never whole, `unknown`.", "", "![confusion](confusion.svg)", "",
            "| proof | asked | right (95 % interval) | unknown or none instead of a name | a wrong name | of these with 90 % or more |", "| --- | --- | --- | --- | --- | --- |"]
     for name in [*dict.fromkeys(r[0] for r in rows), "all"]:
