@@ -58,19 +58,60 @@ pub(super) fn structure(study: &Study, scales: &Scales, fits: &[Fit], as_it_is: 
             consider(told, format!("part of the residual of {} follows the motion", o.channel));
             let measure = if as_it_is { Stroke::comes_again } else { Stroke::comes_again_within };
             consider(comes_again(few, &strokes, measure), comes_again_in(o));
+            // The noise of a sensor may grow with what it reads: silence and loudness are what is more than that.
+            let level = if as_it_is { levelled(few, &averaged(&channel, POINTS)) } else { few.clone() };
             if as_it_is {
                 consider(
-                    silent(few),
+                    silent(&level),
                     format!("the residual of {} is silent at some times, as no steady noise", o.channel),
                 );
             }
             consider(line, format!("the residual of {} has a line at {:.3} Hz", o.channel, frequency * rate));
             consider(burst, format!("the residual of {} comes in bursts", o.channel));
-            consider(unsteady(few), format!("the residual of {} is louder at some times than steady noise", o.channel));
+            consider(
+                unsteady(&level),
+                format!("the residual of {} is louder at some times than steady noise", o.channel),
+            );
             consider(common, format!("the residual of {} moves with those of other channels", o.channel));
         }
     }
     (most, says)
+}
+
+/// A residual over the level of a noise whose variance is a + b y² where the channel reads y, of the likeliest a and b that are not
+/// negative.
+fn levelled(residual: &[f64], channel: &[f64]) -> Vec<f64> {
+    /// Reweighted steps of least squares, and the least part of the power that does not grow.
+    const STEPS: usize = 20;
+    const LEAST: f64 = 1e-3;
+    let (mean, size) = (power(residual), power(channel));
+    if mean <= 0.0 || size <= 0.0 {
+        return residual.to_vec();
+    }
+    let grows: Vec<f64> = channel.iter().map(|y| y * y / size).collect();
+    let (mut a, mut b) = (mean, 0.0);
+    for _ in 0..STEPS {
+        let (mut normal, mut gradient) = ([[0.0; 2]; 2], [0.0; 2]);
+        for (r, g) in residual.iter().zip(&grows) {
+            let w = (a + b * g).powi(-2);
+            normal = [[normal[0][0] + w, normal[0][1] + w * g], [normal[1][0] + w * g, normal[1][1] + w * g * g]];
+            gradient = [gradient[0] + w * r * r, gradient[1] + w * g * r * r];
+        }
+        let [[aa, ab], [_, bb]] = normal;
+        let determinant = aa * bb - ab * ab;
+        if determinant <= 1e-12 * aa * bb {
+            break;
+        }
+        a = (bb * gradient[0] - ab * gradient[1]) / determinant;
+        b = (aa * gradient[1] - ab * gradient[0]) / determinant;
+        if b < 0.0 {
+            (a, b) = (gradient[0] / aa, 0.0);
+        } else if a < LEAST * mean {
+            a = LEAST * mean;
+            b = ((gradient[1] - ab * a) / bb).max(0.0);
+        }
+    }
+    residual.iter().zip(&grows).map(|(r, g)| r / (a + b * g).sqrt()).collect()
 }
 
 /// Part of what an explanation leaves that comes again along the stroke, however slowly it changes there, and in which channel.
@@ -230,7 +271,7 @@ fn regressors(scales: &Scales, run: usize) -> Vec<Vec<f64>> {
 
 #[cfg(test)]
 mod tests {
-    use super::{BLOCKS, explained, in_common, regressors, speeds};
+    use super::{BLOCKS, explained, in_common, levelled, regressors, silent, speeds, unsteady};
     use crate::diagnose::noise::tests::noise;
     use crate::diagnose::scale::{Scales, Watched};
 
@@ -244,6 +285,25 @@ mod tests {
             (0..3).map(|c| own[c].iter().zip(&force[c..]).map(|(o, f)| o + f).collect()).collect();
         assert!((0..3).all(|c| in_common(&moved, c, &[]) > 0.5));
         assert!(in_common(&moved[..1], 0, &[]) == 0.0);
+    }
+
+    /// Noise that grows with what a sensor reads is neither silent nor loud; what comes and goes by itself is.
+    #[test]
+    fn noise_may_grow_with_what_is_read() {
+        let n = 1200;
+        let channel: Vec<f64> = (0..n).map(|t| (t as f64 / n as f64) * (0.05 * t as f64).sin()).collect();
+        let mut flagged = 0;
+        for seed in 1..20 {
+            let grows: Vec<f64> =
+                noise(seed, n).iter().zip(&channel).map(|(x, y)| x * (0.1f64 + y * y).sqrt()).collect();
+            let level = levelled(&grows, &channel);
+            assert!(silent(&grows) > 0.3, "{seed} {}", silent(&grows));
+            flagged += usize::from(silent(&level).max(unsteady(&level)) > 0.05);
+            let rung = |t: usize| if t % 500 > 400 { 8.0 * (0.4 * t as f64).sin() } else { 0.0 };
+            let struck: Vec<f64> = noise(seed, n).iter().enumerate().map(|(t, x)| x + rung(t)).collect();
+            assert!(silent(&levelled(&struck, &channel)) > 0.3);
+        }
+        assert!(flagged < 3, "{flagged}");
     }
 
     /// Friction in the plane pulls against the velocity: its part along one axis depends on the other.
