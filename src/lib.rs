@@ -11,10 +11,10 @@
 //! # A script in memory
 //! ```
 //! use hysteron::analysis::Options;
-//! use hysteron::command::{FileFormat, Mode, Outputs};
+//! use hysteron::opensees::{FileFormat, Mode, Outputs};
 //! use hysteron::record::{Memory, Output, RecordError};
 //! use hysteron::run::{End, Run, Settings};
-//! use hysteron::script::{MemoryFiles, Recorded};
+//! use hysteron::tcl::{MemoryFiles, Recorded};
 //! use std::path::Path;
 //!
 //! /// Keeps what recorders write.
@@ -48,26 +48,10 @@
 
 #![forbid(unsafe_code)]
 
-pub mod analysis;
-pub mod assembly;
-pub mod calibrate;
-pub mod command;
-pub mod diagnose;
-pub mod diagnostic;
-pub mod element;
-pub mod io;
-pub mod material;
-pub mod measure;
-pub mod model;
-pub mod numeric;
-pub mod probe;
-pub mod protocol;
-pub mod record;
-pub mod report;
-pub mod run;
-pub mod script;
-pub mod section;
-pub mod series;
-pub mod solve;
-pub mod study;
-pub mod words;
+pub use hysteron_diagnose as diagnose;
+pub use hysteron_engine::{
+    analysis, assembly, element, material, model, number_format, numeric, probe, record, section, series, solve, words,
+};
+pub use hysteron_identify::{calibrate, measure, protocol, report, study};
+pub use hysteron_opensees::{self as opensees, run};
+pub use hysteron_tcl::{self as tcl, diagnostic};

@@ -6,7 +6,7 @@
 mod script;
 
 use hysteron::analysis::{Engine, Observer, Quiet};
-use hysteron::io::number::Style;
+use hysteron::number_format::Style;
 use hysteron::record::{Cadence, ElementResponse, Layout, NodeQuantity, NodeResponse, Recorder, RowFile, Separator};
 use std::alloc::{self, GlobalAlloc, System};
 use std::cell::Cell;

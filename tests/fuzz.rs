@@ -78,7 +78,7 @@ fn sound(ran: &Ran) {
 }
 
 fn commands() -> Vec<String> {
-    hysteron::command::commands().map(|c| c.name.to_owned()).collect()
+    hysteron::opensees::commands().map(|c| c.name.to_owned()).collect()
 }
 
 fn random_commands() -> impl Strategy<Value = Vec<(String, Vec<&'static str>)>> {

@@ -8,13 +8,13 @@ use super::progress::Bar;
 use super::run;
 use clap::{Args, ValueEnum};
 use hysteron::analysis::Options;
-use hysteron::command::{Mode, Tcl};
-use hysteron::io::table::Table as Columns;
 use hysteron::measure::Split;
+use hysteron::opensees::files::table::Table as Columns;
+use hysteron::opensees::{Mode, Tcl};
 use hysteron::protocol::{Bearing, Motion, Protocol};
 use hysteron::report::{Column, Record, Table};
 use hysteron::run::{End, Run, Settings};
-use hysteron::script::{OsFiles, OverlayFiles, Value};
+use hysteron::tcl::{OsFiles, OverlayFiles, Value};
 use std::fs;
 use std::path::Path;
 

@@ -1,7 +1,7 @@
 //! The script's own output.
 
 use super::progress::Bar;
-use hysteron::script::Console;
+use hysteron::tcl::Console;
 use std::io::Write;
 
 /// The terminal: `puts` goes to standard output, the rest to standard error.

@@ -1,6 +1,6 @@
 //! Files that are written: those of recorders, and results.
 
-use hysteron::command::{FileFormat, Outputs};
+use hysteron::opensees::{FileFormat, Outputs};
 use hysteron::record::{Memory, Output, RecordError, RowFile};
 use std::fs;
 use std::path::Path;

@@ -1,9 +1,10 @@
 //! `hysteron loops`: measures of the cycles in any two columns of a file.
 
 use clap::{Args, ValueEnum};
-use hysteron::io::table::Table as Columns;
 use hysteron::measure::{Specimen, Split};
-use hysteron::report::{Figure, Record, Table, Units, cycle_charts, cycle_table, orbit_charts, orbit_table, sheet};
+use hysteron::opensees::chart::{Figure, sheet};
+use hysteron::opensees::files::table::Table as Columns;
+use hysteron::report::{Record, Table, Units, cycle_charts, cycle_table, orbit_charts, orbit_table};
 use std::fs;
 
 /// Where the loops are, and what is wanted of them.

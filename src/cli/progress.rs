@@ -1,6 +1,6 @@
 //! Progress of long analyses, on a terminal only.
 
-use hysteron::command::Progress;
+use hysteron::opensees::Progress;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 use std::time::{Duration, Instant};

@@ -9,10 +9,10 @@ use super::messages::Messages;
 use super::progress::Bar;
 use clap::Parser;
 use hysteron::analysis::{Ladder, Options};
-use hysteron::command::{self, Mode, Outputs, Tcl};
 use hysteron::diagnostic::{Diagnostic, Severity, Span, nearest};
+use hysteron::opensees::{self, Mode, Outputs, Tcl};
 use hysteron::run::{End, Run, Settings};
-use hysteron::script::{Files, OsFiles, OverlayFiles};
+use hysteron::tcl::{Files, OsFiles, OverlayFiles};
 use std::collections::BTreeMap;
 use std::io::Write as _;
 use std::path::Path;
@@ -53,15 +53,15 @@ pub(super) fn print(result: Result<String, String>) -> i32 {
 /// How commands are used: all of them, or the kinds of one.
 fn usages(command: Option<&str>) -> Result<String, String> {
     let Some(name) = command else {
-        return Ok(command::commands().map(|c| c.usage_line() + "\n").collect());
+        return Ok(opensees::commands().map(|c| c.usage_line() + "\n").collect());
     };
-    let kinds: String = command::kinds(name).iter().map(|k| format!("{k}\n")).collect();
+    let kinds: String = opensees::kinds(name).iter().map(|k| format!("{k}\n")).collect();
     if !kinds.is_empty() {
         return Ok(kinds);
     }
-    match command::commands().find(|c| c.name == name) {
+    match opensees::commands().find(|c| c.name == name) {
         Some(c) => Ok(c.usage_line() + "\n"),
-        None => Err(match nearest(name, command::commands().map(|c| c.name)) {
+        None => Err(match nearest(name, opensees::commands().map(|c| c.name)) {
             Some(near) => format!("there is no command \"{name}\": did you mean \"{near}\"?"),
             None => format!("there is no command \"{name}\""),
         }),

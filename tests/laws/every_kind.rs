@@ -4,8 +4,8 @@
 use super::driver::{Alone, difference, path};
 use super::every_bearing;
 use super::script::run;
-use hysteron::command::kinds;
 use hysteron::element::{Answer, Motion, Part};
+use hysteron::opensees::kinds;
 use nalgebra::Vector3;
 
 /// Words of a material after `uniaxialMaterial`, with @ for the tag, and the strain that takes it far into its range.

@@ -2,11 +2,11 @@
 #![allow(dead_code)]
 
 use hysteron::analysis::Options;
-use hysteron::command::{FileFormat, Mode, Outputs, Tcl};
 use hysteron::diagnostic::Diagnostic;
+use hysteron::opensees::{FileFormat, Mode, Outputs, Tcl};
 use hysteron::record::{Memory, Output, RecordError};
 use hysteron::run::{End, Run, Settings};
-use hysteron::script::{Files, MemoryFiles, OpenMode, Recorded};
+use hysteron::tcl::{Files, MemoryFiles, OpenMode, Recorded};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::io::Write;

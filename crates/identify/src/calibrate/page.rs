@@ -1,0 +1,260 @@
+//! The report of a calibration: one file of HTML with its pictures in it.
+
+use super::amplitude::Amplitude;
+use super::result::{Calibrated, Displacements, role_name};
+use super::uncertainty::Uncertainty;
+use crate::report::html::{self, escaped, labelled, line, number, picture, table};
+use crate::study::{Fit, Observe, Role, Run, Source};
+use hysteron_opensees::chart::{Curve, Figure, Mark};
+use std::fmt::Write as _;
+
+/// The report.
+pub fn page(result: &Calibrated, displacements: &Displacements) -> String {
+    let study = &result.study;
+    let title = if study.title.is_empty() { &study.model } else { &study.title };
+    let mut out = html::head(&format!("Calibration: {title}"));
+    let _ = writeln!(
+        out,
+        "<p>Objective (mean NMSE of the fitted channels) <b>{}</b>, {} evaluations in {:.1} s with {}{}, seed {}.</p>",
+        number(result.objective),
+        result.outcome.evaluations(),
+        result.wall,
+        result.plan.strategy.name(),
+        if result.plan.polish { " and a least-squares polish" } else { "" },
+        result.plan.seed
+    );
+    parameters(&mut out, result);
+    runs(&mut out, result);
+    for (i, ((run, fit), u)) in study.runs.iter().zip(&result.fits).zip(displacements).enumerate() {
+        if let Ok(fit) = fit {
+            pictures(&mut out, run, fit, u.as_ref(), result.amplitudes.get(i).map_or(&[], Vec::as_slice));
+        }
+    }
+    search(&mut out, result);
+    sureness(&mut out, result);
+    html::end(out)
+}
+
+fn parameters(out: &mut String, result: &Calibrated) {
+    let space = &result.study.space;
+    out.push_str("<h2>Parameters</h2>\n");
+    let intervals = result.uncertainty.iter().flat_map(|u| &u.intervals);
+    let rows = space.parameters.iter().zip(&result.values).map(|(p, v)| {
+        let interval = intervals.clone().find(|i| i.name == p.name);
+        let sure = interval.map_or(String::new(), |i| format!("{} to {}", number(i.lower), number(i.upper)));
+        let from = match &p.source {
+            Source::Free(r) => format!("{} to {}", number(r.lower), number(r.upper)),
+            Source::Fixed(_) => "fixed".into(),
+            Source::Tied { text, .. } => format!("= {text}"),
+        };
+        vec![p.name.clone(), number(*v), sure, from]
+    });
+    table(out, &["parameter", "value", "95 % interval", "range"], rows);
+    let notes = result.uncertainty.iter().flat_map(Uncertainty::notes);
+    let bounds = result.at_bounds().into_iter().map(|n| format!("{n} is at a bound of its range"));
+    for note in notes.chain(bounds) {
+        let _ = writeln!(out, "<p class=\"note\">{}</p>", escaped(&note));
+    }
+}
+
+fn runs(out: &mut String, result: &Calibrated) {
+    out.push_str("<h2>Runs</h2>\n");
+    let rows = result.study.runs.iter().zip(&result.fits).flat_map(|(run, fit)| {
+        let role = role_name(run.role).to_owned();
+        match fit {
+            Err(why) => vec![vec![run.name.clone(), role, why.to_string()]],
+            Ok(fit) => {
+                let row = |(o, s): (&Observe, &crate::study::Score)| {
+                    let missing = o.values.iter().filter(|v| v.is_nan()).count();
+                    let counts = [s.samples, s.dropped, missing].map(|n| n.to_string());
+                    [vec![run.name.clone(), role.clone(), o.channel.clone(), number(s.nmse)], counts.to_vec()].concat()
+                };
+                run.observe.iter().zip(&fit.scores).map(row).collect()
+            }
+        }
+    });
+    table(out, &["run", "role", "channel", "NMSE", "samples", "after the end", "missing"], rows);
+    if let Some(h) = result.nmse(Role::Holdout) {
+        let _ = writeln!(out, "<p>Mean NMSE of the holdout runs, never used to fit: <b>{}</b>.</p>", number(h));
+    }
+}
+
+fn pictures(
+    out: &mut String,
+    run: &Run,
+    fit: &Fit,
+    displacement: Option<&(String, Vec<f64>)>,
+    amplitudes: &[Vec<Amplitude>],
+) {
+    let _ = writeln!(out, "<h2>{} ({})</h2>", escaped(&run.name), role_name(run.role));
+    let t = &run.recording.times;
+    for (k, (o, simulated)) in run.observe.iter().zip(&fit.channels).enumerate() {
+        let over = |x: &[f64], y: &[f64]| -> Vec<(f64, f64)> {
+            x.iter().copied().zip(y.iter().copied()).filter(|p| !p.0.is_nan() && !p.1.is_nan()).collect()
+        };
+        let y_label = labelled(&o.channel, &o.unit);
+        let place = if o.at.is_empty() { String::new() } else { format!(", {}", o.at) };
+        let loops = displacement.filter(|_| o.is_resistance());
+        if let Some((name, u)) = loops {
+            picture(
+                out,
+                &Figure {
+                    title: format!("Loops{place}"),
+                    x_label: name.clone(),
+                    y_label: y_label.clone(),
+                    curves: vec![line("recorded", over(u, &o.values)), line("simulated", over(u, simulated))],
+                    ..Figure::default()
+                },
+            );
+        }
+        picture(
+            out,
+            &Figure {
+                title: format!("{}{place}", o.channel),
+                x_label: "time [s]".into(),
+                y_label: y_label.clone(),
+                curves: vec![line("recorded", over(t, &o.values)), line("simulated", over(t, simulated))],
+                ..Figure::default()
+            },
+        );
+        let residual: Vec<f64> = simulated.iter().zip(&o.values).map(|(a, b)| a - b).collect();
+        picture(
+            out,
+            &Figure {
+                title: format!("Simulated less recorded{place}"),
+                x_label: "time [s]".into(),
+                y_label,
+                curves: vec![line("", over(t, &residual))],
+                ..Figure::default()
+            },
+        );
+        if let Some((name, _)) = loops {
+            by_amplitude(out, name, amplitudes.get(k).map_or(&[], Vec::as_slice));
+        }
+    }
+}
+
+fn by_amplitude(out: &mut String, name: &str, all: &[Amplitude]) {
+    if all.is_empty() {
+        return;
+    }
+    let percent = |pair: [f64; 2]| format!("{:+.1} %", 100.0 * Amplitude::error(pair));
+    let rows = all.iter().map(|a| {
+        let measures = [a.stiffness, a.energy, a.damping].into_iter();
+        let cells = measures.flat_map(|m| [number(m[0]), percent(m)]);
+        [number(a.amplitude), a.cycles.to_string()].into_iter().chain(cells).collect()
+    });
+    table(out, &["amplitude", "cycles", "K recorded", "error", "E recorded", "error", "ξ recorded", "error"], rows);
+    let curve = |label: &str, of: fn(&Amplitude) -> [f64; 2]| {
+        line(label, all.iter().map(|a| (a.amplitude, 100.0 * Amplitude::error(of(a)))).collect())
+    };
+    if all.len() > 1 {
+        picture(
+            out,
+            &Figure {
+                title: "Error by amplitude".into(),
+                x_label: format!("amplitude of {name}"),
+                y_label: "error [%]".into(),
+                curves: vec![
+                    curve("secant stiffness", |a| a.stiffness),
+                    curve("dissipated energy", |a| a.energy),
+                    curve("equivalent damping", |a| a.damping),
+                ],
+                ..Figure::default()
+            },
+        );
+    }
+}
+
+fn search(out: &mut String, result: &Calibrated) {
+    out.push_str("<h2>Search</h2>\n");
+    let repeats = &result.outcome.repeats;
+    let curves = repeats.iter().map(|r| {
+        // Steps: the best stays until it is beaten.
+        let mut points = vec![];
+        for (n, s) in &r.history {
+            if let Some((_, last)) = points.last().copied() {
+                points.push((*n as f64, last));
+            }
+            points.push((*n as f64, s.log10()));
+        }
+        points.extend(points.last().copied().map(|(_, s)| (r.evaluations as f64, s)));
+        line(&if repeats.len() < 7 { format!("seed {}", r.seed) } else { String::new() }, points)
+    });
+    picture(
+        out,
+        &Figure {
+            title: "Convergence".into(),
+            x_label: "evaluations".into(),
+            y_label: "log10 of the best objective".into(),
+            curves: curves.collect(),
+            ..Figure::default()
+        },
+    );
+    let s = result.spread();
+    if s.repeats > 1 {
+        let row = vec![s.repeats.to_string(), number(s.best), number(s.worst), number(s.mean), number(s.deviation)];
+        table(out, &["repeats", "best", "worst", "mean", "deviation"], [row]);
+    }
+    let mishaps = result.outcome.mishaps();
+    if !mishaps.is_empty() {
+        let rows = mishaps.iter().map(|(kind, n)| {
+            let example = repeats.iter().find_map(|r| r.examples.get(*kind)).map_or("", String::as_str);
+            vec![(*kind).to_owned(), n.to_string(), example.to_owned()]
+        });
+        table(out, &["points without an answer", "count", "for instance"], rows);
+    }
+}
+
+fn sureness(out: &mut String, result: &Calibrated) {
+    let Some(u) = &result.uncertainty else { return };
+    out.push_str("<h2>How sure the parameters are</h2>\n");
+    let _ = writeln!(
+        out,
+        "<p>From the curvature at the best point, {:.0} samples being worth {:.0} independent ones for their \
+         autocorrelation. Where the model cannot follow the data, this is how well they fix the best fit, not how near it \
+         is to the truth.</p>",
+        u.samples, u.effective_samples
+    );
+    let names: Vec<&str> = u.intervals.iter().map(|i| i.name.as_str()).collect();
+    let head: Vec<&str> = ["correlation"].into_iter().chain(names.iter().copied()).collect();
+    let rows = names
+        .iter()
+        .zip(&u.correlation)
+        .map(|(n, row)| std::iter::once((*n).to_owned()).chain(row.iter().map(|c| format!("{c:+.2}"))).collect());
+    table(out, &head, rows);
+    if let Some(profiles) = &result.profiles {
+        for p in profiles {
+            picture(
+                out,
+                &Figure {
+                    title: format!("Profile of {}", p.name),
+                    x_label: p.name.clone(),
+                    y_label: "n ln(S/S_min); 95 % at 3.84".into(),
+                    curves: vec![line("", p.points.clone())],
+                    ..Figure::default()
+                },
+            );
+        }
+    }
+    let Some(posterior) = &result.posterior else { return };
+    let rows =
+        posterior.quantiles.iter().map(|q| vec![q.name.clone(), number(q.lower), number(q.median), number(q.upper)]);
+    table(out, &["posterior", "2.5 %", "50 %", "97.5 %"], rows);
+    for i in 1..names.len() {
+        picture(
+            out,
+            &Figure {
+                title: format!("Posterior of {} and {}", names[0], names[i]),
+                x_label: names[0].to_owned(),
+                y_label: names[i].to_owned(),
+                curves: vec![Curve {
+                    name: String::new(),
+                    points: posterior.draws.iter().map(|d| (d[0], d[i])).collect(),
+                    mark: Mark::Dots,
+                }],
+                ..Figure::default()
+            },
+        );
+    }
+}

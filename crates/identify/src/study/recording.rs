@@ -1,0 +1,137 @@
+//! Recordings: a table of what was measured, as comma-separated values.
+
+use hysteron_tcl::diagnostic::{Diagnostic, SourceMap, Span};
+
+/// A column of a recording.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    /// Name, without the unit.
+    pub name: String,
+    /// Unit; empty where the header gives none.
+    pub unit: String,
+    /// Samples in that unit, as many as times; NaN where one is missing.
+    pub values: Vec<f64>,
+}
+
+/// What was measured in a run.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Recording {
+    /// Times in s, increasing.
+    pub times: Vec<f64>,
+    /// All columns but the time.
+    pub columns: Vec<Column>,
+}
+
+/// Where the cells of a text are, for messages.
+struct Text<'a> {
+    name: &'a str,
+    text: &'a str,
+}
+
+impl Text<'_> {
+    /// The error for a stretch of the text.
+    fn refuse(&self, sources: &mut SourceMap, at: (usize, usize), message: String, label: &str) -> Box<Diagnostic> {
+        let source = sources.add(self.name, self.text);
+        let span = Span { source, start: at.0 as u32, end: at.1 as u32 };
+        Box::new(Diagnostic::error(message).at(Some(span), label))
+    }
+}
+
+/// First and last byte of a cell. A record keeps its cells one behind the other, without what was between them; quotes
+/// shift what follows them, which a message may stand.
+fn place(record: &csv::StringRecord, cell: usize) -> (usize, usize) {
+    let start = record.position().map_or(0, |p| p.byte() as usize);
+    let range = record.range(cell).unwrap_or_default();
+    (start + range.start + cell, start + range.end + cell)
+}
+
+/// Name and unit of `name[unit]`.
+fn header(cell: &str) -> (String, String) {
+    match cell.trim().strip_suffix(']').and_then(|c| c.split_once('[')) {
+        Some((name, unit)) => (name.trim().to_owned(), unit.trim().to_owned()),
+        None => (cell.trim().to_owned(), String::new()),
+    }
+}
+
+impl Recording {
+    /// Read a recording: a header row of `name[unit]`, the first being `time[s]`, and rows of numbers. Empty cells are
+    /// missing samples.
+    ///
+    /// # Errors
+    /// What is wrong, with its place in the text; `name` is what messages call it.
+    pub fn parse(name: &str, text: &str, sources: &mut SourceMap) -> Result<Self, Box<Diagnostic>> {
+        let place_of = Text { name, text };
+        let mut reader = csv::ReaderBuilder::new()
+            .has_headers(false)
+            .flexible(true)
+            .trim(csv::Trim::All)
+            .comment(Some(b'#'))
+            .from_reader(text.as_bytes());
+        let mut rows = reader.records();
+        let unreadable = |e: csv::Error, sources: &mut SourceMap| {
+            let at = e.position().map_or(0, |p| p.byte() as usize);
+            place_of.refuse(sources, (at, at), format!("{name}: {e}"), "expected comma-separated values")
+        };
+        let head = match rows.next() {
+            Some(row) => row.map_err(|e| unreadable(e, sources))?,
+            None => return Err(place_of.refuse(sources, (0, 0), format!("{name} is empty"), "expected a header row")),
+        };
+        let mut recording = Self::default();
+        for (i, cell) in head.iter().enumerate() {
+            let (column, unit) = header(cell);
+            if i == 0 {
+                if column != "time" || !["s", "sec", ""].contains(&unit.as_str()) {
+                    let message = format!("the first column of {name} is \"{cell}\"");
+                    return Err(place_of.refuse(sources, place(&head, 0), message, "expected time[s]"));
+                }
+                continue;
+            }
+            if column.is_empty() || recording.columns.iter().any(|c| c.name == column) {
+                let message = format!("the column \"{cell}\" of {name} has no name of its own");
+                return Err(place_of.refuse(sources, place(&head, i), message, "expected another name[unit]"));
+            }
+            recording.columns.push(Column { name: column, unit, values: vec![] });
+        }
+        for row in rows {
+            let row = row.map_err(|e| unreadable(e, sources))?;
+            if row.len() != head.len() {
+                let message = format!("a row of {name} has {} cells, its header {}", row.len(), head.len());
+                let end = place(&row, row.len().saturating_sub(1)).1;
+                let start = place(&row, 0).0;
+                return Err(place_of.refuse(sources, (start, end), message, "expected as many cells as columns"));
+            }
+            for (i, cell) in row.iter().enumerate() {
+                let value = match cell {
+                    "" | "nan" | "NaN" | "NAN" if i > 0 => f64::NAN,
+                    _ => match cell.parse::<f64>() {
+                        Ok(x) if x.is_finite() => x,
+                        _ => {
+                            let what = if i == 0 { "the time" } else { &recording.columns[i - 1].name };
+                            let message = format!("{what} is not a number: \"{cell}\"");
+                            return Err(place_of.refuse(sources, place(&row, i), message, "expected a number"));
+                        }
+                    },
+                };
+                if i > 0 {
+                    recording.columns[i - 1].values.push(value);
+                    continue;
+                }
+                if let Some(last) = recording.times.last().filter(|l| **l >= value) {
+                    let message = format!("the time goes from {last} to {value}");
+                    return Err(place_of.refuse(sources, place(&row, 0), message, "expected a later time"));
+                }
+                recording.times.push(value);
+            }
+        }
+        if recording.times.len() < 2 {
+            let message = format!("{name} has {} rows of numbers", recording.times.len());
+            return Err(place_of.refuse(sources, (0, text.len().min(1)), message, "expected two or more"));
+        }
+        Ok(recording)
+    }
+
+    /// A column by its name.
+    pub fn column(&self, name: &str) -> Option<&Column> {
+        self.columns.iter().find(|c| c.name == name)
+    }
+}

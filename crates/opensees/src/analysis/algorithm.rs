@@ -1,0 +1,244 @@
+//! `algorithm`.
+
+use crate::args::Args;
+use crate::{Command, Outcome, Tcl, ignore_option, warn};
+use hysteron_engine::analysis::TangentMix;
+use hysteron_engine::analysis::algorithm::{
+    Algorithm, ExpressNewton, LineSearch, Linear, ModifiedNewton, Newton, NewtonLineSearch, SearchKind, TangentChoice,
+    Tangents, bfgs, broyden, krylov_newton, secant_newton,
+};
+use hysteron_tcl::diagnostic::Diagnostic;
+use hysteron_tcl::{Call, Exception, Value};
+
+pub(crate) const COMMANDS: &[Command] = &[Command { name: "algorithm", usage: ALGORITHM, run: algorithm }];
+
+const ALGORITHM: &str = "algorithm Linear | Newton | ModifiedNewton | NewtonLineSearch | KrylovNewton | SecantNewton | \
+                         BFGS | Broyden | ... <options>";
+
+/// The tangent that options of an algorithm ask for, and whether it is factored only once.
+fn tangent(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(TangentChoice, bool), Exception> {
+    let (mut choice, mut once) = (TangentChoice::Always(TangentMix::CURRENT), false);
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-initial" | "initial" | "-Initial" => choice = TangentChoice::Always(TangentMix::INITIAL),
+            "-current" | "-Current" => choice = TangentChoice::Always(TangentMix::CURRENT),
+            "-initialThenCurrent" | "-initialCurrent" | "-intialThenCurrent" | "-intialCurrent" => {
+                choice = TangentChoice::InitialThenCurrent;
+            }
+            "-Hall" | "-hall" => {
+                let initial = a.optional_float("share of the initial tangent")?.unwrap_or(0.1);
+                let current = a.optional_float("share of the current tangent")?.unwrap_or(0.9);
+                choice = TangentChoice::Always(TangentMix { current, initial });
+            }
+            "-secant" | "-Secant" => no_secant(interp, a)?,
+            "-factorOnce" | "-FactorOnce" | "-factoronce" => once = true,
+            _ => ignore_option(interp, a, &["-initial", "-initialThenCurrent", "-Hall", "-factorOnce"])?,
+        }
+    }
+    Ok((choice, once))
+}
+
+fn mix(choice: TangentChoice) -> TangentMix {
+    match choice {
+        TangentChoice::Always(mix) => mix,
+        TangentChoice::InitialThenCurrent => TangentMix::INITIAL,
+    }
+}
+
+const ALGORITHMS: [&str; 11] = [
+    "Linear",
+    "Newton",
+    "ModifiedNewton",
+    "NewtonLineSearch",
+    "KrylovNewton",
+    "MillerNewton",
+    "SecantNewton",
+    "PeriodicNewton",
+    "BFGS",
+    "Broyden",
+    "ExpressNewton",
+];
+
+fn algorithm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, ALGORITHM);
+    let made: Box<dyn Algorithm> = match a.word("kind of algorithm")?.as_ref() {
+        "Linear" => {
+            let (choice, once) = tangent(interp, &mut a)?;
+            Box::new(Linear::new(mix(choice), once))
+        }
+        "Newton" => Box::new(Newton::new(tangent(interp, &mut a)?.0)),
+        "ModifiedNewton" => {
+            let (choice, once) = tangent(interp, &mut a)?;
+            Box::new(ModifiedNewton::new(mix(choice), once))
+        }
+        "NewtonLineSearch" => line_search(interp, &mut a)?,
+        // Miller's acceleration is that of the Krylov subspace (Carlson and Miller, 1998).
+        "KrylovNewton" | "MillerNewton" => krylov(interp, &mut a)?,
+        "SecantNewton" => secant(interp, &mut a, false)?,
+        "PeriodicNewton" => secant(interp, &mut a, true)?,
+        // Newton's method, in OpenSees as an accelerated method that does not accelerate.
+        "RaphsonNewton" => {
+            let Tangents { increment, iterate, .. } = accelerated(interp, &mut a, false)?.tangents;
+            let iterate = iterate.unwrap_or(increment);
+            let same = iterate == increment;
+            Box::new(Newton::new(if same { TangentChoice::Always(iterate) } else { TangentChoice::InitialThenCurrent }))
+        }
+        "BFGS" => {
+            let (mix, count) = quasi_newton(interp, &mut a)?;
+            bfgs(mix, count)
+        }
+        "Broyden" => {
+            let (mix, count) = quasi_newton(interp, &mut a)?;
+            broyden(mix, count)
+        }
+        "ExpressNewton" => express(interp, &mut a)?,
+        _ => return Err(a.unknown_name("algorithm", ALGORITHMS)),
+    };
+    // A setup takes its own; the parts keep none, so that `analysis` finds the one of the setup.
+    if interp.host.engine.setup().is_some() {
+        interp.host.engine.change_setup(|s| s.algorithm = made);
+    } else {
+        interp.host.parts.algorithm = Some(made);
+    }
+    Ok(Value::EMPTY)
+}
+
+fn line_search(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Box<dyn Algorithm>, Exception> {
+    let mut search = LineSearch::new(SearchKind::InitialInterpolated);
+    // The old form: a number is the tolerance.
+    if let Some(tolerance) = a.optional_float("tolerance of the line search")? {
+        search.tolerance = tolerance;
+    }
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-type" => {
+                search.kind = match a.word("type of the line search")?.as_ref() {
+                    "InitialInterpolated" | "LineSearch" => SearchKind::InitialInterpolated,
+                    "Bisection" => SearchKind::Bisection,
+                    "Secant" => SearchKind::Secant,
+                    "RegulaFalsi" => SearchKind::RegulaFalsi,
+                    _ => {
+                        let known = ["InitialInterpolated", "Bisection", "Secant", "RegulaFalsi"];
+                        return Err(a.unknown_name("type of line search", known));
+                    }
+                };
+            }
+            "-tol" | "-tolerance" => search.tolerance = a.positive("tolerance of the line search")?,
+            "-maxIter" => search.max_iterations = a.count("largest number of steps of the search")?,
+            "-minEta" => search.min_eta = a.float("shortest length")?,
+            "-maxEta" => search.max_eta = a.float("longest length")?,
+            "-pFlag" | "-flag" => drop(a.int("print flag")?),
+            _ => ignore_option(interp, a, &["-type", "-tol", "-maxIter", "-minEta", "-maxEta", "-pFlag"])?,
+        }
+    }
+    Ok(Box::new(NewtonLineSearch::new(search, TangentChoice::Always(TangentMix::CURRENT))))
+}
+
+/// Options of the accelerated methods.
+struct Accelerated {
+    tangents: Tangents,
+    terms: usize,
+    cut_out: Option<(f64, f64)>,
+}
+
+fn accelerated(interp: &mut Tcl, a: &mut Args<'_>, secant: bool) -> Result<Accelerated, Exception> {
+    let current = TangentMix::CURRENT;
+    let tangents = Tangents { increment: current, iterate: Some(current), period: 3, once: false };
+    let mut o = Accelerated { tangents, terms: 2, cut_out: None };
+    let t = &mut o.tangents;
+    let mut given = false;
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-increment" | "-iterate" => {
+                let mix = match a.word("tangent: current, initial or noTangent")?.as_ref() {
+                    "current" => Some(TangentMix::CURRENT),
+                    "initial" => Some(TangentMix::INITIAL),
+                    "noTangent" => None,
+                    _ => return Err(a.unknown_name("tangent", ["current", "initial", "noTangent"])),
+                };
+                if option == "-iterate" {
+                    (t.iterate, given) = (mix, true);
+                } else {
+                    // There is nothing to keep in the first step, and a tangent that is kept is factored once.
+                    t.once |= mix.is_none();
+                    t.increment = mix.unwrap_or(TangentMix::CURRENT);
+                }
+            }
+            "-maxDim" => t.period = a.count("largest dimension of the subspace")?,
+            "-factorOnce" | "-FactorOnce" | "-factoronce" | "-factorIncrementOnce" | "-FactorIncrementOnce" => {
+                t.once = true;
+            }
+            "-numTerms" if secant => o.terms = a.count("number of terms")?,
+            "-cutOut" | "-cutout" if secant => {
+                o.cut_out = Some((a.positive("limit R1 of the scale")?, a.positive("limit R2 of the added part")?));
+            }
+            _ => {
+                ignore_option(interp, a, &["-increment", "-iterate", "-maxDim", "-factorOnce", "-numTerms", "-cutOut"])?
+            }
+        }
+    }
+    if t.once && !given {
+        t.iterate = None;
+    }
+    // A new tangent in the middle of a step is another one than that of its begin.
+    t.once &= t.iterate.is_none();
+    Ok(o)
+}
+
+fn krylov(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Box<dyn Algorithm>, Exception> {
+    a.usage("algorithm KrylovNewton <-increment $tangent> <-iterate $tangent> <-maxDim $n> <-factorOnce>");
+    let o = accelerated(interp, a, false)?;
+    Ok(krylov_newton(o.tangents))
+}
+
+/// `SecantNewton`, and with `periodic` the same without its terms.
+fn secant(interp: &mut Tcl, a: &mut Args<'_>, periodic: bool) -> Result<Box<dyn Algorithm>, Exception> {
+    a.usage("algorithm SecantNewton <-increment $tangent> <-iterate $tangent> <-maxDim $n> <-numTerms $n> <-cutOut $R1 $R2>");
+    let o = accelerated(interp, a, !periodic)?;
+    let terms = if periodic { 0 } else { o.terms };
+    Ok(secant_newton(o.tangents, terms, o.cut_out))
+}
+
+/// Tangent and count of `BFGS` and `Broyden`.
+fn quasi_newton(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(TangentMix, usize), Exception> {
+    a.usage("algorithm BFGS | Broyden <-initial> <-count $corrections>");
+    let (mut mix, mut count) = (TangentMix::CURRENT, 10);
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-initial" | "initial" => mix = TangentMix::INITIAL,
+            "-current" => mix = TangentMix::CURRENT,
+            "-count" => count = a.count("number of corrections with one tangent")?,
+            "-secant" => no_secant(interp, a)?,
+            // The number alone is an old form.
+            _ if a.last_word().parse::<usize>().is_ok_and(|n| n > 0) => count = a.last_word().parse().unwrap_or(count),
+            _ => ignore_option(interp, a, &["-initial", "-count"])?,
+        }
+    }
+    Ok((mix, count))
+}
+
+fn express(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Box<dyn Algorithm>, Exception> {
+    a.usage("algorithm ExpressNewton <$corrections> <$factor> <-initialTangent | -currentTangent> <-factorOnce>");
+    let corrections = if a.at_number() { a.count("number of corrections")? } else { 2 };
+    let factor = if a.at_number() { a.positive("factor of the stiffness")? } else { 1.0 };
+    let (mut initial, mut once) = (false, false);
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-initialTangent" | "-InitialTangent" | "-initial" | "-Initial" => (initial, once) = (true, true),
+            "-currentTangent" | "-CurrentTangent" => initial = false,
+            "-factorOnce" | "-FactorOnce" | "-factoronce" => once = true,
+            _ => ignore_option(interp, a, &["-initialTangent", "-currentTangent", "-factorOnce"])?,
+        }
+    }
+    let mix = if initial {
+        TangentMix { current: 0.0, initial: factor }
+    } else {
+        TangentMix { current: factor, initial: 0.0 }
+    };
+    Ok(Box::new(ExpressNewton::new(corrections, mix, once)))
+}
+
+fn no_secant(interp: &mut Tcl, a: &Args<'_>) -> Result<(), Exception> {
+    let message = "the secant tangent is not supported: the current tangent is used";
+    warn(interp, Diagnostic::warning(message).at(a.last_span(), "the results are the same once converged"))
+}

@@ -1,0 +1,348 @@
+//! Analyses: `analysis analyze eigen` and what goes with them.
+
+use crate::args::Args;
+use crate::session::{Mode, Parts};
+use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
+use hysteron_engine::analysis::algorithm::{Algorithm, Newton, TangentChoice};
+use hysteron_engine::analysis::integrator::Form;
+use hysteron_engine::analysis::integrator::{Adaptive, Integrator, LoadControl, Newmark};
+use hysteron_engine::analysis::{
+    Cause, Failure, Kind, Ladder, Measure, ModesError, Problem, Setup, TangentMix, Test, Wanted,
+};
+use hysteron_engine::assembly::Handler;
+use hysteron_engine::element::Overload;
+use hysteron_tcl::diagnostic::{Diagnostic, Severity, Span};
+use hysteron_tcl::{Call, Exception, Value};
+
+pub(crate) const COMMANDS: &[Command] = &[
+    Command { name: "analysis", usage: ANALYSIS, run: analysis },
+    Command { name: "analyze", usage: ANALYZE, run: analyze },
+    Command { name: "eigen", usage: EIGEN, run: eigen },
+    Command { name: "wipeAnalysis", usage: "wipeAnalysis", run: wipe_analysis },
+    Command { name: "reset", usage: "reset", run: reset },
+    Command { name: "revertToStart", usage: "revertToStart", run: reset },
+    Command { name: "initialize", usage: "initialize", run: |_, _| Ok(Value::EMPTY) },
+    Command { name: "ladder", usage: LADDER, run: ladder },
+];
+
+const ANALYSIS: &str = "analysis Static | Transient | VariableTransient";
+const ANALYZE: &str = "analyze $steps (static), analyze $steps $dt (transient) or \
+                       analyze $steps $dt $dtMin $dtMax $iterations (variable transient)";
+const EIGEN: &str = "eigen <$solver> <-generalized | -standard> <-findLargest> $count";
+const LADDER: &str = "ladder on | off: try other algorithms and shorter steps before a step fails";
+
+fn analysis(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, ANALYSIS);
+    let mut variable = false;
+    let kind = match a.word("kind of analysis")?.as_ref() {
+        "Static" => Kind::Static,
+        "Transient" => Kind::Transient,
+        "VariableTransient" | "VariableTimeStepTransient" | "TransientWithVariableTimeStep" => {
+            variable = true;
+            Kind::Transient
+        }
+        _ => return Err(a.unknown_name("analysis", ["Static", "Transient", "VariableTransient"])),
+    };
+    // `-numSublevels` and the like: substepping is asked for with `ladder`.
+    finish(interp, &a)?;
+    let session = &mut interp.host;
+    let old = session.engine.take_setup();
+    let parts = std::mem::take(&mut session.parts);
+    let Parts { handler, test, algorithm, integrator, print } = parts;
+    // Parts that were given for an analysis serve the next one too, unless new ones are given.
+    let (old_algorithm, old_integrator, old_test, old_handler) = match old {
+        Some(s) => (Some(s.algorithm), Some(s.integrator), Some(s.test), Some(s.handler)),
+        None => (None, None, None, None),
+    };
+    let fits = |i: &dyn Integrator| i.is_static() == (kind == Kind::Static);
+    let (integrator, kept) = match integrator {
+        Some(i) if fits(&*i) => (Some(i), None),
+        other => (old_integrator.filter(|i| fits(&**i)), other),
+    };
+    let integrator = integrator.unwrap_or_else(|| default_integrator(kind));
+    let algorithm = algorithm.or(old_algorithm).unwrap_or_else(default_algorithm);
+    let test = test.or(old_test).unwrap_or_else(|| Test::new(Measure::Unbalance, 1e-6, 25));
+    let handler = handler.or(old_handler).unwrap_or(Handler::Plain);
+    session.recorders.print = print;
+    session.parts =
+        Parts { handler: Some(handler), test: Some(test.clone()), integrator: kept, print, algorithm: None };
+    session.variable_steps = variable;
+    session.engine.set_up(Setup { kind, handler, algorithm, integrator, test });
+    Ok(Value::EMPTY)
+}
+
+fn default_integrator(kind: Kind) -> Box<dyn Integrator> {
+    match kind {
+        Kind::Static => Box::new(LoadControl::new(1.0, Adaptive::fixed(1.0))),
+        Kind::Transient => Box::new(Newmark::new(0.5, 0.25, Form::Displacement)),
+    }
+}
+
+fn default_algorithm() -> Box<dyn Algorithm> {
+    Box::new(Newton::new(TangentChoice::Always(TangentMix::CURRENT)))
+}
+
+fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, ANALYZE);
+    let Some(kind) = interp.host.kind() else {
+        return Err(a.refuse_at(
+            call.span(0),
+            "analyze: there is no analysis",
+            "expected a command \"analysis\" before",
+        ));
+    };
+    let steps = a.int("number of steps")?;
+    if steps < 0 {
+        return Err(a.refuse(format!("the number of steps is {steps}"), "expected a number that is not negative"));
+    }
+    let elapses = interp.host.engine.setup().is_none_or(|s| s.integrator.elapses());
+    let dt = match kind {
+        Kind::Transient if elapses => a.positive("step of time dt")?,
+        Kind::Transient => a.not_negative("step of time dt")?,
+        Kind::Static => 0.0,
+    };
+    let lengths = if interp.host.variable_steps && a.left() > 0 { Some(step_lengths(&mut a)?) } else { None };
+    if kind == Kind::Transient {
+        finish(interp, &a)?;
+    }
+    warn_of_plain(interp, call.span(0))?;
+    warn_of_pseudo_time(interp, call.span(0))?;
+    let session = &mut interp.host;
+    let done = match session.mode {
+        // Whatever an analysis of another model than was meant would say is no news.
+        Mode::Check if session.findings.rejected => {
+            session.rehearsed = true;
+            session.findings.pass_over(0);
+            Ok(())
+        }
+        Mode::Check => {
+            session.rehearsed = true;
+            session.engine.rehearse(steps as usize, dt)
+        }
+        Mode::Run => {
+            session.recorders.print = session.parts.print;
+            session.recorders.end = session.engine.excitation_end();
+            let (engine, steps) = (&mut session.engine, steps as usize);
+            session.recorders.start(engine);
+            match lengths {
+                Some(lengths) => engine.analyze_variable(steps, dt, lengths, &mut session.recorders),
+                None => engine.analyze(steps, dt, &mut session.recorders),
+            }
+        }
+    };
+    let printed = std::mem::take(&mut interp.host.recorders.printed);
+    if !printed.is_empty() {
+        crate::print_error(interp, &printed);
+    }
+    for missing in interp.host.recorders.missing() {
+        warn(interp, missing)?;
+    }
+    tell_doubts(interp, call.span(0))?;
+    match done {
+        Ok(()) => {
+            interp.host.last_failure = None;
+            Ok(Value::from(0i64))
+        }
+        Err(failure) if failure.cause == Cause::Interrupted => Err(Exception::Interrupted),
+        Err(failure) => {
+            let mut d = told(&failure, call.span(0));
+            // A check has found what a run would stumble over. In a run the script sees the code; it may have a
+            // remedy, so `--strict` makes no error of it.
+            if interp.host.mode == Mode::Check {
+                d.severity = Severity::Error;
+            }
+            let code = failure.code;
+            interp.host.last_failure = Some(failure);
+            crate::tell(interp, d);
+            Ok(Value::from(i64::from(code)))
+        }
+    }
+}
+
+/// Smallest and largest step of time, and the iterations that a step should take.
+fn step_lengths(a: &mut Args<'_>) -> Result<Adaptive, Exception> {
+    let min = a.positive("smallest step dtMin")?;
+    let max = a.positive("largest step dtMax")?;
+    if max < min {
+        return Err(a.refuse(format!("the largest step is {max}"), format!("expected at least the smallest, {min}")));
+    }
+    Ok(Adaptive { desired_iterations: a.count("number of iterations wanted")?, min, max })
+}
+
+/// Warn, once, of constraints that OpenSees' `Plain` handler does not follow and ours does.
+fn warn_of_plain(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
+    let engine = &interp.host.engine;
+    let told = interp.host.told.contains_key("plain");
+    if told || engine.options.compat || !engine.setup().is_some_and(|s| s.handler == Handler::Plain) {
+        return Ok(());
+    }
+    let model = engine.model();
+    let name = |n: hysteron_engine::model::NodeId| model.nodes[n.0].tag;
+    let moved = model.patterns.values().flat_map(|p| &p.motions).find(|m| m.value != 0.0);
+    let moved = moved.map(|m| format!("the imposed motion of node {}", name(m.node)));
+    let tied = model.multi_points.iter().find(|m| !m.is_identity());
+    let tied = tied.map(|m| format!("the constraint of node {} to node {}", name(m.constrained), name(m.retained)));
+    let Some(what) = moved.or(tied) else { return Ok(()) };
+    interp.host.told.insert("plain", 1);
+    let message = format!("OpenSees' handler Plain leaves out {what}; here it is followed");
+    warn(interp, Diagnostic::warning(message).at(span, "expected \"constraints Transformation\" before this"))
+}
+
+/// Warn, once, of laws that depend on time in an analysis whose steps are ruled by something else.
+fn warn_of_pseudo_time(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
+    if interp.host.told.contains_key("pseudo-time") {
+        return Ok(());
+    }
+    let engine = &interp.host.engine;
+    let Some(integrator) = engine.setup().map(|s| &s.integrator).filter(|i| !i.elapses()) else { return Ok(()) };
+    let Some(e) = engine.model().elements.iter().find(|e| e.element.nature().elapses) else { return Ok(()) };
+    let what = format!("{} {}", e.element.class(), e.tag);
+    let name = integrator.name();
+    interp.host.told.insert("pseudo-time", 1);
+    let message = format!("no time passes under {name}: the dashpots of {what} stay where they are");
+    let d = Diagnostic::warning(message).at(span, "expected LoadControl, whose load factor is the time");
+    warn(interp, d.help("an imposed displacement (sp) over a Path series goes at the rate of that path"))
+}
+
+/// A failure as a message.
+fn told(failure: &Failure, span: Option<Span>) -> Diagnostic {
+    let d = Diagnostic::warning(failure.to_string()).at(span, format!("returns {}", failure.code));
+    match &failure.cause {
+        Cause::NotConverged { .. } => {
+            d.help("\"ladder on\" tries other algorithms and shorter steps before it gives up")
+        }
+        Cause::Singular => d.help("hold the degree of freedom, or join it to something with stiffness"),
+        _ => d,
+    }
+}
+
+/// Warn, once each, of steps that were out of balance though they counted as converged, and of equations that are
+/// nearly singular.
+fn tell_doubts(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
+    let session = &mut interp.host;
+    let weak = if session.told.contains_key("pivot") { None } else { session.engine.weak_pivot() };
+    if let Some((place, ratio)) = weak {
+        session.told.insert("pivot", 1);
+        let message =
+            format!("the equations are nearly singular at {place}: {ratio:.1e} of the stiffness is left there");
+        warn(interp, Diagnostic::warning(message).at(span, "few digits of the results are right"))?;
+    }
+    let session = &mut interp.host;
+    let told = session.told.contains_key("balance");
+    if let Some(i) = session.engine.imbalance.as_ref().filter(|_| !told) {
+        let message = format!(
+            "a step counted as converged though the forces are out of balance: {:.1} % of the largest force \
+             at time {} ({})",
+            100.0 * i.ratio,
+            i.time,
+            i.place
+        );
+        session.told.insert("balance", 1);
+        warn(interp, Diagnostic::warning(message).at(span, "a tighter test, or one of the unbalance, shows it"))?;
+    }
+    tell_overload(interp, span);
+    Ok(())
+}
+
+/// Tell once of a bearing under more than its critical load. It may be what the script is about: no error, even where
+/// warnings are.
+fn tell_overload(interp: &mut Tcl, span: Option<Span>) {
+    let session = &mut interp.host;
+    if session.mode == Mode::Check || session.told.contains_key("overload") {
+        return;
+    }
+    let Some((e, Overload { load, critical })) = session.engine.overload() else { return };
+    let message = format!(
+        "the axial load of {} {} is {load:.4e}, above its critical load of {critical:.4e}",
+        e.element.class(),
+        e.tag
+    );
+    session.told.insert("overload", 1);
+    crate::tell(interp, Diagnostic::warning(message).at(span, "it has buckled"));
+}
+
+const SOLVERS: &[&str] = &[
+    "-genBandArpack",
+    "-fullGenLapack",
+    "-symmBandLapack",
+    "-symmGenLapack",
+    "-generalized",
+    "-standard",
+    "-frequency",
+    "-findLargest",
+];
+
+fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, EIGEN);
+    let (mut problem, mut largest, mut lapack) = (Problem::Generalized, false, false);
+    while a.left() > 1 {
+        let option = a.word("option")?;
+        match option.trim_start_matches('-') {
+            "fullGenLapack" | "fullGenLapackEigen" => lapack = true,
+            "genBandArpack"
+            | "genBandArpackEigen"
+            | "symmBandLapack"
+            | "symmBandLapackEigen"
+            | "symmGenLapack"
+            | "symmGenLapackEigen"
+            | "UmfPack" => {}
+            "generalized" | "frequency" => problem = Problem::Generalized,
+            "standard" => problem = Problem::Standard,
+            "findLargest" => largest = true,
+            _ => ignore_option(interp, &mut a, SOLVERS)?,
+        }
+    }
+    let count = a.count("number of modes")?;
+    let span = a.last_span();
+    if interp.host.mode == Mode::Check && interp.host.findings.rejected {
+        interp.host.rehearsed = true;
+        interp.host.findings.pass_over(count);
+        return Ok(Value::list((0..count).map(|_| Value::from(1.0))));
+    }
+    let engine = &mut interp.host.engine;
+    if let Some(handler) = interp.host.parts.handler {
+        engine.default_handler = handler;
+    }
+    lapack &= engine.options.compat;
+    match engine.find_modes(Wanted { count, problem, largest, lapack }) {
+        Ok(modes) => {
+            let lambda = modes.lambda.clone();
+            if lapack && largest {
+                let d = Diagnostic::warning("eigen: -fullGenLapack takes no notice of -findLargest in OpenSees");
+                warn(interp, d.at(call.span(0), "the smallest eigenvalues are given"))?;
+            }
+            if let Some(n) = lambda.iter().position(|l| *l == f64::MAX) {
+                let d = Diagnostic::warning(format!("eigen: the model has only {n} modes: the others are infinite"));
+                warn(interp, d.at(span, "expected no more"))?;
+            }
+            Ok(Value::list(lambda.into_iter().map(Value::from)))
+        }
+        Err(ModesError::Failure(f)) => Err(a.refuse_at(call.span(0), format!("eigen: {f}"), "")),
+        Err(e @ ModesError::NotFound) => Err(a.refuse_at(call.span(0), format!("eigen: {e}"), "")),
+        Err(e @ ModesError::TooFew { .. }) => Err(a.refuse_at(span, format!("eigen: {e}"), "expected no more")),
+    }
+}
+
+fn wipe_analysis(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    finish(interp, &Args::new(call, "wipeAnalysis"))?;
+    interp.host.engine.wipe_analysis();
+    interp.host.parts = Parts::default();
+    Ok(Value::EMPTY)
+}
+
+fn reset(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
+    interp.host.engine.reset();
+    Ok(Value::EMPTY)
+}
+
+fn ladder(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, LADDER);
+    let on = match a.word("on or off")?.as_ref() {
+        "on" => true,
+        "off" => false,
+        _ => return Err(a.unknown_name("state of the ladder", ["on", "off"])),
+    };
+    finish(interp, &a)?;
+    interp.host.engine.options.ladder = on.then(Ladder::default);
+    Ok(Value::EMPTY)
+}

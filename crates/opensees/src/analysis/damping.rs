@@ -1,0 +1,125 @@
+//! Rayleigh damping and regions.
+
+use crate::args::Args;
+use crate::session::Region;
+use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
+use hysteron_engine::model::{ElementId, NodeId, Rayleigh};
+use hysteron_tcl::diagnostic::Diagnostic;
+use hysteron_tcl::{Call, Exception, Value};
+
+pub(crate) const COMMANDS: &[Command] = &[
+    Command { name: "rayleigh", usage: RAYLEIGH, run: rayleigh },
+    Command { name: "region", usage: REGION, run: region },
+    Command { name: "setElementRayleighDampingFactors", usage: FACTORS, run: element_factors },
+    Command { name: "setElementRayleighFactors", usage: FACTORS, run: element_factors },
+];
+
+const RAYLEIGH: &str = "rayleigh $alphaM $betaK $betaK0 $betaKc";
+const REGION: &str = "region $tag <-ele $tag ...> <-eleOnly $tag ...> <-eleRange $first $last> <-eleOnlyRange ...> \
+                      <-node $tag ...> <-nodeOnly ...> <-nodeRange $first $last> <-nodeOnlyRange ...> \
+                      <-rayleigh $alphaM $betaK $betaK0 $betaKc>";
+const FACTORS: &str = "setElementRayleighDampingFactors $element $alphaM $betaK $betaK0 $betaKc";
+
+fn factors(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Rayleigh, Exception> {
+    let r = Rayleigh {
+        alpha_m: a.float("factor of the mass alphaM")?,
+        beta_k: a.float("factor of the current stiffness betaK")?,
+        beta_k0: a.float("factor of the initial stiffness betaK0")?,
+        beta_kc: a.float("factor of the committed stiffness betaKc")?,
+    };
+    let stiffness = r.beta_k + r.beta_k0 + r.beta_kc;
+    if r.alpha_m < 0.0 || stiffness < 0.0 {
+        let what = if r.alpha_m < 0.0 { "mass" } else { "stiffness" };
+        let d = Diagnostic::warning(format!("the Rayleigh damping by {what} is negative: it feeds the motion"));
+        warn(interp, d.at(a.last_span(), "expected factors not less than 0"))?;
+    }
+    Ok(r)
+}
+
+/// Nodes and elements that are there now: those that come later have no damping, as in OpenSees.
+fn rayleigh(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, RAYLEIGH);
+    set_rayleigh(interp, &mut a)?;
+    finish(interp, &a)?;
+    Ok(Value::EMPTY)
+}
+
+/// Take the four factors and give them to the whole model.
+pub(crate) fn set_rayleigh(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(), Exception> {
+    let r = factors(interp, a)?;
+    interp.host.engine.change_model(|m| {
+        m.elements.iter_mut().for_each(|e| e.rayleigh = r);
+        m.nodes.iter_mut().for_each(|n| n.alpha_m = r.alpha_m);
+    });
+    Ok(())
+}
+
+fn element_factors(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, FACTORS);
+    let tag = a.int("tag of the element")?;
+    let Some(id) = interp.host.engine.model().element(tag) else {
+        return Err(a.refuse(format!("there is no element {tag}"), "expected the tag of an element"));
+    };
+    let r = factors(interp, &mut a)?;
+    finish(interp, &a)?;
+    interp.host.engine.change_model(|m| m.elements[id.0].rayleigh = r);
+    Ok(Value::EMPTY)
+}
+
+/// Tags as a list, or as the first and the last of a range.
+fn chosen(a: &mut Args<'_>, range: bool) -> Result<Vec<i32>, Exception> {
+    if range {
+        let (first, last) = (a.int("first tag")?, a.int("last tag")?);
+        return Ok((first.min(last)..=first.max(last)).collect());
+    }
+    Ok(a.ints())
+}
+
+fn region(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, REGION);
+    let tag = a.int("tag of the region")?;
+    let mut region = Region::default();
+    let mut damping = None;
+    while let Some(option) = a.option() {
+        let option = option.as_ref();
+        match option {
+            "-ele" | "-eleOnly" | "-element" | "-eleRange" | "-eleOnlyRange" => {
+                let tags = chosen(&mut a, option.ends_with("Range"))?;
+                let model = interp.host.engine.model();
+                let ids: Vec<ElementId> = tags.iter().filter_map(|t| model.element(*t)).collect();
+                if !option.starts_with("-eleOnly") {
+                    region.nodes.extend(ids.iter().flat_map(|id| model.elements[id.0].nodes.iter().copied()));
+                }
+                region.elements.extend(ids);
+            }
+            "-node" | "-nodeOnly" | "-nodeRange" | "-nodeOnlyRange" => {
+                let tags = chosen(&mut a, option.ends_with("Range"))?;
+                let model = interp.host.engine.model();
+                let ids: Vec<NodeId> = tags.iter().filter_map(|t| model.node(*t)).collect();
+                if !option.starts_with("-nodeOnly") {
+                    // Elements all of whose nodes are in the region.
+                    let inside = |e: &&hysteron_engine::model::ElementEntry| e.nodes.iter().all(|n| ids.contains(n));
+                    let found = model.elements.iter().filter(inside).filter_map(|e| model.element(e.tag));
+                    region.elements.extend(found);
+                }
+                region.nodes.extend(ids);
+            }
+            "-rayleigh" => damping = Some(factors(interp, &mut a)?),
+            _ => {
+                let known = ["-ele", "-eleOnly", "-eleRange", "-node", "-nodeOnly", "-nodeRange", "-rayleigh"];
+                ignore_option(interp, &mut a, &known)?;
+            }
+        }
+    }
+    // In the order in which they are met, as recorders show them.
+    let mut seen = std::collections::BTreeSet::new();
+    region.nodes.retain(|n| seen.insert(*n));
+    if let Some(r) = damping {
+        interp.host.engine.change_model(|m| {
+            region.elements.iter().for_each(|e| m.elements[e.0].rayleigh = r);
+            region.nodes.iter().for_each(|n| m.nodes[n.0].alpha_m = r.alpha_m);
+        });
+    }
+    interp.host.regions.insert(tag, region);
+    Ok(Value::EMPTY)
+}

@@ -1,0 +1,63 @@
+//! `printA` and `printB`: matrix and right-hand side of the equations.
+
+use crate::args::Args;
+use crate::{Command, Outcome, Tcl, ignore_option, print_error};
+use hysteron_engine::analysis::Equations;
+use hysteron_engine::number_format::Style;
+use hysteron_tcl::{Call, OpenMode, Value};
+use std::io::Write as _;
+
+pub(crate) const COMMANDS: &[Command] = &[
+    Command { name: "printA", usage: PRINT_A, run: print_a },
+    Command { name: "printB", usage: PRINT_B, run: print_b },
+];
+
+const PRINT_A: &str = "printA <-file $file> <-ret>";
+const PRINT_B: &str = "printB <-file $file> <-ret>";
+
+fn print_a(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    print(interp, call, PRINT_A, |e| e.matrix)
+}
+
+fn print_b(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    print(interp, call, PRINT_B, |e| e.unbalance)
+}
+
+/// Write numbers in rows as long as there are equations, or give them back.
+fn print(interp: &mut Tcl, call: &Call<'_>, usage: &'static str, what: fn(Equations) -> Vec<f64>) -> Outcome {
+    let mut a = Args::new(call, usage);
+    let (mut file, mut give_back) = (None, false);
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-file" | "file" => file = Some(a.word("name of the file")?.into_owned()),
+            "-ret" | "ret" => give_back = true,
+            _ => ignore_option(interp, &mut a, &["-file", "-ret"])?,
+        }
+    }
+    let equations = match interp.host.engine.equations() {
+        Ok(e) => e,
+        Err(failure) => return Err(a.refuse_at(call.whole_span(), failure.to_string(), "")),
+    };
+    let row = equations.unbalance.len();
+    let numbers = what(equations);
+    if give_back {
+        return Ok(Value::list(numbers.into_iter().map(Value::from)));
+    }
+    let mut text = String::new();
+    for row in numbers.chunks(row.max(1)) {
+        for x in row {
+            Style::default().push(*x, &mut text);
+            text.push(' ');
+        }
+        text.push('\n');
+    }
+    let Some(name) = file else {
+        print_error(interp, &text);
+        return Ok(Value::EMPTY);
+    };
+    let path = interp.absolute(&name);
+    let mode = OpenMode { write: true, create: true, truncate: true, ..OpenMode::default() };
+    let written = interp.files.open(&path, mode).and_then(|mut f| f.write_all(text.as_bytes()));
+    written.map_err(|e| a.refuse_at(call.whole_span(), format!("the file \"{name}\" cannot be written: {e}"), ""))?;
+    Ok(Value::EMPTY)
+}

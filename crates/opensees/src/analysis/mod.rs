@@ -1,0 +1,12 @@
+//! Commands that set up and run an analysis.
+
+pub(crate) mod algorithm;
+pub(crate) mod analyze;
+pub(crate) mod damping;
+pub(crate) mod hybrid_integrator;
+pub(crate) mod integrator;
+pub(crate) mod matrix;
+pub(crate) mod modal_damping;
+pub(crate) mod modal_properties;
+pub(crate) mod solution;
+pub(crate) mod trapezoidal_integrator;

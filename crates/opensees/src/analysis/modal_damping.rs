@@ -1,0 +1,38 @@
+//! `modalDamping` and `modalDampingQ`.
+
+use crate::args::Args;
+use crate::{Command, Outcome, Tcl, warn};
+use hysteron_engine::model::ModalDamping;
+use hysteron_tcl::diagnostic::Diagnostic;
+use hysteron_tcl::{Call, Value};
+
+pub(crate) const COMMANDS: &[Command] = &[
+    Command { name: "modalDamping", usage: USAGE, run: |i, c| modal_damping(i, c, true) },
+    Command { name: "modalDampingQ", usage: USAGE, run: |i, c| modal_damping(i, c, false) },
+];
+
+const USAGE: &str = "modalDamping $ratio | $ratio1 $ratio2 ...: damping ratios of the modes that eigen has found";
+
+fn modal_damping(interp: &mut Tcl, call: &Call<'_>, in_tangent: bool) -> Outcome {
+    let mut a = Args::new(call, USAGE);
+    let Some(modes) = interp.host.engine.modes().cloned() else {
+        return Err(a.refuse_at(call.span(0), "there are no modes to damp", "expected a command \"eigen\" before"));
+    };
+    let mut ratios = vec![a.not_negative("damping ratio")?];
+    while a.left() > 0 {
+        ratios.push(a.not_negative("damping ratio")?);
+    }
+    let count = modes.lambda.len();
+    if ratios.len() == 1 {
+        ratios = vec![ratios[0]; count];
+    } else if ratios.len() != count {
+        let message = format!("{}: {} damping ratios but {count} modes", call.name(), ratios.len());
+        let label = if ratios.len() < count { "the other modes are not damped" } else { "the others are left out" };
+        warn(interp, Diagnostic::warning(message).at(a.last_span(), label))?;
+    }
+    let nodes_only = interp.host.engine.options.compat;
+    let damped = ratios.iter().zip(modes.lambda.iter().zip(modes.shapes));
+    let modes = damped.map(|(ratio, (lambda, shape))| (2.0 * ratio * lambda.max(0.0).sqrt(), shape)).collect();
+    interp.host.engine.change_model(|m| m.modal_damping = ModalDamping { modes, in_tangent, nodes_only });
+    Ok(Value::EMPTY)
+}

@@ -1,0 +1,324 @@
+//! The words of an OpenSees command, taken one after the other with a message for each that is not what it should be.
+
+use hysteron_engine::model::{Registry, Tag};
+use hysteron_tcl::diagnostic::{self, Diagnostic, Span};
+use hysteron_tcl::{Call, Exception, Value};
+use std::borrow::Cow;
+
+/// The words of a command that have not been taken yet.
+pub(crate) struct Args<'a> {
+    call: &'a Call<'a>,
+    at: usize,
+    usage: &'static str,
+}
+
+/// What a number must be.
+#[derive(Clone, Copy)]
+enum Sign {
+    Any,
+    Positive,
+    NotNegative,
+}
+
+impl<'a> Args<'a> {
+    /// All words after the name of the command.
+    pub(crate) fn new(call: &'a Call<'a>, usage: &'static str) -> Self {
+        Self { call, at: 1, usage }
+    }
+
+    /// The same words for what a sub-command wants.
+    pub(crate) fn usage(&mut self, usage: &'static str) {
+        self.usage = usage;
+    }
+
+    /// Number of words left.
+    pub(crate) fn left(&self) -> usize {
+        self.call.len().saturating_sub(self.at)
+    }
+
+    /// Place of the last word taken.
+    pub(crate) fn last_span(&self) -> Option<Span> {
+        self.call.span(self.at - 1)
+    }
+
+    /// Place of the next word.
+    pub(crate) fn next_span(&self) -> Option<Span> {
+        self.call.span(self.at)
+    }
+
+    /// The next word, left where it is.
+    pub(crate) fn peek(&self) -> Option<Cow<'a, str>> {
+        self.call.get(self.at).map(Value::as_str)
+    }
+
+    /// The words that have not been taken.
+    pub(crate) fn ahead(&self) -> impl Iterator<Item = &'a Value> + use<'a> {
+        self.call.from(self.at).iter()
+    }
+
+    /// Whether the next word is a number.
+    pub(crate) fn at_number(&self) -> bool {
+        self.call.get(self.at).is_some_and(|v| v.to_f64().is_ok())
+    }
+
+    /// Whether the next word begins like an option: a minus and no number.
+    pub(crate) fn at_option(&self) -> bool {
+        self.peek().is_some_and(|w| w.starts_with('-')) && !self.at_number()
+    }
+
+    /// An error about the last word taken.
+    pub(crate) fn refuse(&self, message: impl Into<String>, label: impl Into<String>) -> Exception {
+        self.refuse_at(self.last_span(), message, label)
+    }
+
+    /// An error about a place.
+    pub(crate) fn refuse_at(
+        &self,
+        span: Option<Span>,
+        message: impl Into<String>,
+        label: impl Into<String>,
+    ) -> Exception {
+        Exception::diagnosed(Diagnostic::error(message).at(span, label).help(self.usage_line()))
+    }
+
+    fn usage_line(&self) -> String {
+        format!("usage: {}", crate::usage_as(&self.call.name(), self.usage))
+    }
+
+    /// The error for a word that is not there.
+    fn missing(&self, what: &str) -> Exception {
+        let span = self.call.whole_span().or_else(|| self.call.span(0));
+        self.refuse_at(span, format!("{}: the {what} is missing", self.call.name()), format!("expected the {what}"))
+    }
+
+    fn take(&mut self, what: &str) -> Result<&'a Value, Exception> {
+        if self.left() == 0 {
+            return Err(self.missing(what));
+        }
+        self.at += 1;
+        Ok(self.call.arg(self.at - 1))
+    }
+
+    /// The next word.
+    pub(crate) fn word(&mut self, what: &str) -> Result<Cow<'a, str>, Exception> {
+        self.take(what).map(Value::as_str)
+    }
+
+    /// The next word as it is, for instance a body.
+    pub(crate) fn value(&mut self, what: &str) -> Result<Value, Exception> {
+        self.take(what).cloned()
+    }
+
+    fn number(&mut self, what: &str, sign: Sign) -> Result<f64, Exception> {
+        let value = self.take(what)?;
+        let expected = match sign {
+            Sign::Any => "a number",
+            Sign::Positive => "a number greater than 0",
+            Sign::NotNegative => "a number not less than 0",
+        };
+        let label = || format!("expected the {what}, {expected}");
+        let Ok(x) = value.to_f64() else {
+            let text = value.as_str();
+            return Err(self.refuse(format!("{what} is not a number: \"{text}\""), label()));
+        };
+        if !x.is_finite() {
+            return Err(self.refuse(format!("{what} is not finite"), label()));
+        }
+        let good = match sign {
+            Sign::Any => true,
+            Sign::Positive => x > 0.0,
+            Sign::NotNegative => x >= 0.0,
+        };
+        if good { Ok(x) } else { Err(self.refuse(format!("{what} is {x}"), label())) }
+    }
+
+    /// A finite number.
+    pub(crate) fn float(&mut self, what: &str) -> Result<f64, Exception> {
+        self.number(what, Sign::Any)
+    }
+
+    /// A number greater than zero.
+    pub(crate) fn positive(&mut self, what: &str) -> Result<f64, Exception> {
+        self.number(what, Sign::Positive)
+    }
+
+    /// A number not less than zero.
+    pub(crate) fn not_negative(&mut self, what: &str) -> Result<f64, Exception> {
+        self.number(what, Sign::NotNegative)
+    }
+
+    /// A number, where the next word is one.
+    pub(crate) fn optional_float(&mut self, what: &str) -> Result<Option<f64>, Exception> {
+        if self.at_number() { self.float(what).map(Some) } else { Ok(None) }
+    }
+
+    /// All numbers up to the next word that is none. A word that is a list of numbers counts as its elements.
+    pub(crate) fn floats(&mut self, what: &str) -> Result<Vec<f64>, Exception> {
+        let mut out = vec![];
+        while let Some(value) = self.call.get(self.at) {
+            if let Ok(x) = value.to_f64() {
+                if !x.is_finite() {
+                    self.at += 1;
+                    return Err(self.refuse(format!("a {what} is not finite"), "expected a number"));
+                }
+                out.push(x);
+            } else if let Some(list) = numbers(value) {
+                out.extend(list);
+            } else {
+                break;
+            }
+            self.at += 1;
+        }
+        Ok(out)
+    }
+
+    /// A whole number. OpenSees takes `2.0` for 2; so do we.
+    pub(crate) fn int(&mut self, what: &str) -> Result<i32, Exception> {
+        let value = self.take(what)?;
+        match as_int(value) {
+            Some(i) => Ok(i),
+            None => {
+                let text = value.as_str();
+                let message = format!("{what} is not a whole number: \"{text}\"");
+                Err(self.refuse(message, format!("expected the {what}, a whole number")))
+            }
+        }
+    }
+
+    /// A whole number, where the next word is one.
+    pub(crate) fn optional_int(&mut self, what: &str) -> Result<Option<i32>, Exception> {
+        if self.call.get(self.at).is_some_and(|v| as_int(v).is_some()) { self.int(what).map(Some) } else { Ok(None) }
+    }
+
+    /// All whole numbers up to the next word that is none; a word that is a list of them counts as its elements.
+    pub(crate) fn ints(&mut self) -> Vec<i32> {
+        let mut out = vec![];
+        while let Some(value) = self.call.get(self.at) {
+            if let Some(i) = as_int(value) {
+                out.push(i);
+            } else if let Some(list) = value.to_list().ok().filter(|l| l.len() > 1) {
+                let all: Option<Vec<i32>> = list.iter().map(as_int).collect();
+                match all {
+                    Some(all) => out.extend(all),
+                    None => break,
+                }
+            } else {
+                break;
+            }
+            self.at += 1;
+        }
+        out
+    }
+
+    /// A count, at least one.
+    pub(crate) fn count(&mut self, what: &str) -> Result<usize, Exception> {
+        match self.int(what)? {
+            i if i >= 1 => Ok(i as usize),
+            i => Err(self.refuse(format!("{what} is {i}"), format!("expected the {what}, at least 1"))),
+        }
+    }
+
+    /// A degree of freedom or direction, 1 to `limit`; counted from 0 in the result.
+    pub(crate) fn dof(&mut self, what: &str, limit: usize) -> Result<usize, Exception> {
+        match self.int(what)? {
+            i if i >= 1 && i as usize <= limit => Ok(i as usize - 1),
+            i => Err(self.refuse(format!("{what} is {i}"), format!("expected the {what}, 1 to {limit}"))),
+        }
+    }
+
+    /// A thing by its tag.
+    pub(crate) fn of<T: Clone>(&mut self, registry: &Registry<T>) -> Result<(T, Tag), Exception> {
+        let kind = registry.kind;
+        let tag = self.int(&format!("tag of a {kind}"))?;
+        match registry.get(tag) {
+            Some(thing) => Ok((thing.clone(), tag)),
+            None => {
+                let known: Vec<String> = registry.tags().map(|t| t.to_string()).collect();
+                let known = match known.len() {
+                    0 => format!("no {kind} has been defined"),
+                    n if n > 20 => format!("{n} have been defined, {} to {}", known[0], known[n - 1]),
+                    _ => format!("defined: {}", known.join(" ")),
+                };
+                Err(self.refuse(format!("there is no {kind} {tag}"), known))
+            }
+        }
+    }
+
+    /// Take the next word if it is this one.
+    pub(crate) fn flag(&mut self, name: &str) -> bool {
+        let there = self.peek().is_some_and(|w| w == name);
+        self.at += usize::from(there);
+        there
+    }
+
+    /// The next word, if there is one, as an option.
+    pub(crate) fn option(&mut self) -> Option<Cow<'a, str>> {
+        let word = self.peek()?;
+        self.at += 1;
+        Some(word)
+    }
+
+    /// The last word taken.
+    pub(crate) fn last_word(&self) -> Cow<'a, str> {
+        self.call.arg(self.at - 1).as_str()
+    }
+
+    /// A warning about the last word taken, which is no option of the command. Numbers after it are left out with it.
+    pub(crate) fn unknown_option(&mut self, known: &[&str]) -> Diagnostic {
+        let (word, span) = (self.last_word(), self.last_span());
+        let mut values = 0;
+        while word.starts_with('-') && self.at_number() {
+            self.at += 1;
+            values += 1;
+        }
+        let with = if values > 0 { ", and so is what follows it" } else { "" };
+        let message = format!("{}: \"{word}\" is not an option and is ignored{with}", self.call.name());
+        let expected = if known.is_empty() { String::new() } else { format!("expected one of {}", known.join(" ")) };
+        let d = Diagnostic::warning(message).at(span, expected);
+        match diagnostic::nearest(&word, known.iter().copied()) {
+            Some(near) => d.help(format!("did you mean \"{near}\"?")),
+            None => d,
+        }
+    }
+
+    /// An error about the last word taken, which is none of the names that may stand there.
+    pub(crate) fn unknown_name(&self, what: &str, known: impl IntoIterator<Item = &'static str>) -> Exception {
+        let word = self.call.arg(self.at - 1).as_str();
+        let known: Vec<&str> = known.into_iter().collect();
+        let name = self.call.name();
+        let listed = !crate::kinds(&name).is_empty();
+        let message = format!("unknown {what} \"{word}\"");
+        let mut d = Diagnostic::error(message).at(self.last_span(), "not known");
+        if let Some(near) = diagnostic::nearest(&word, known.iter().copied()) {
+            d = d.help(format!("did you mean \"{near}\"?"));
+        }
+        Exception::diagnosed(d.help(if listed {
+            format!("\"hysteron commands {name}\" lists all that are known")
+        } else {
+            format!("known: {}", known.join(" "))
+        }))
+    }
+
+    /// A warning about the words that are left over, if any.
+    pub(crate) fn rest(&self) -> Option<Diagnostic> {
+        let word = self.peek()?;
+        let message = format!("{}: \"{word}\" and what follows it is ignored", self.call.name());
+        let d = Diagnostic::warning(message).at(self.next_span(), "nothing more was expected");
+        let comment = word.starts_with('#');
+        Some(d.help(if comment { "a comment after a command begins with \";#\"".into() } else { self.usage_line() }))
+    }
+}
+
+fn as_int(value: &Value) -> Option<i32> {
+    if let Ok(i) = value.to_i64() {
+        return i32::try_from(i).ok();
+    }
+    let x = value.to_f64().ok()?;
+    (x.fract() == 0.0 && x.abs() < f64::from(i32::MAX)).then_some(x as i32)
+}
+
+/// The elements of a list of numbers.
+fn numbers(value: &Value) -> Option<Vec<f64>> {
+    let list = value.to_list().ok()?;
+    list.iter().map(|v| v.to_f64().ok().filter(|x| x.is_finite())).collect()
+}

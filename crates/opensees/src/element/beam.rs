@@ -1,0 +1,162 @@
+//! `element elasticBeamColumn` and `ModElasticBeam2d`.
+
+use super::{Ends, Kind};
+use crate::args::Args;
+use crate::{Tcl, ignore_option};
+use hysteron_engine::element::Element;
+use hysteron_engine::element::axes::AxesError;
+use hysteron_engine::element::beam::{ElasticBeam, ElasticOptions, Release};
+use hysteron_engine::element::transform;
+use hysteron_engine::section::{ElasticSection, Resultant, SharedSection};
+use hysteron_tcl::Exception;
+use std::sync::Arc;
+
+pub(super) const ELASTIC: Kind = Kind {
+    names: &["elasticBeamColumn", "ElasticBeamColumn", "elasticBeam"],
+    usage: "element elasticBeamColumn $tag $i $j $A $E $Iz <$G $Avy> $transf (in the plane) or \
+            $A $E $G $J $Iy $Iz <$Avy $Avz> $transf (in space) or $section $transf <-mass $m> <-cMass> <-release $code> \
+            <-releasez $code> <-releasey $code>",
+    make,
+};
+
+pub(super) const MODIFIED: Kind = Kind {
+    names: &["ModElasticBeam2d", "modElasticBeam2d", "ModElasticBeam", "modElasticBeam"],
+    usage: "element ModElasticBeam2d $tag $i $j $A $E $Iz $K11 $K33 $K44 $transf <-rho $m> <-cMass>",
+    make: make_modified,
+};
+
+const OPTIONS: &[&str] = &["-mass", "-cMass", "-lMass", "-release", "-releasez", "-releasey"];
+
+fn release(a: &mut Args<'_>) -> Result<Release, Exception> {
+    Ok(match a.int("code of the release")? {
+        0 => Release::None,
+        1 => Release::I,
+        2 => Release::J,
+        3 => Release::Both,
+        code => return Err(a.refuse(format!("{code} is no code of a release"), "expected 0 none, 1 i, 2 j, 3 both")),
+    })
+}
+
+fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElasticOptions, Exception> {
+    let mut o = ElasticOptions::default();
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-mass" => o.rho = a.not_negative("mass per length")?,
+            "-cMass" => o.consistent = true,
+            "-lMass" => o.consistent = false,
+            "-release" | "-releasez" => o.release.0 = release(a)?,
+            "-releasey" => o.release.1 = release(a)?,
+            // Of use to thermal loads alone.
+            "-alpha" | "-depth" => drop(a.float("value")?),
+            _ => ignore_option(interp, a, OPTIONS)?,
+        }
+    }
+    Ok(o)
+}
+
+/// Numbers before the options: OpenSees tells the forms of the command apart by how many there are.
+pub(super) fn numbers_ahead(a: &Args<'_>) -> usize {
+    a.ahead().take_while(|v| v.to_f64().is_ok()).count()
+}
+
+pub(super) type Place = Option<hysteron_tcl::diagnostic::Span>;
+
+pub(super) fn no_transform(a: &Args<'_>, transf: Place, nodes: Place, e: AxesError) -> Exception {
+    match e {
+        AxesError::NoLength => a.refuse_at(nodes, "the beam has no length", "expected a node at another place"),
+        e => a.refuse_at(transf, e.message(), "expected a vector that is not along the beam"),
+    }
+}
+
+/// An elastic section, or what a section is before anything has happened to it.
+pub(super) fn elastic_part(section: &SharedSection) -> ElasticSection {
+    section.elastic().unwrap_or_else(|| {
+        let resultants = section.resultants();
+        let n = resultants.len();
+        let mut k = vec![0.0; n * n];
+        section.initial_stiffness(&mut k);
+        let of = |wanted: Resultant| resultants.iter().position(|r| *r == wanted).map(|i| k[i * (n + 1)]);
+        let rigidity = |r| of(r).unwrap_or(0.0);
+        ElasticSection {
+            e: 1.0,
+            area: rigidity(Resultant::P),
+            iz: rigidity(Resultant::Mz),
+            iy: rigidity(Resultant::My),
+            g: 1.0,
+            j: rigidity(Resultant::T),
+            shear: (of(Resultant::Vy), of(Resultant::Vz)),
+        }
+    })
+}
+
+/// The section of the beam: by its tag, or number after number.
+fn section(interp: &Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSection, Exception> {
+    match (ndm, numbers_ahead(a)) {
+        (_, 2) => Ok(elastic_part(&a.of(&interp.host.definitions.sections)?.0)),
+        (2, n) => {
+            let (area, e) = (a.positive("cross-sectional area A")?, a.positive("elastic modulus E")?);
+            let iz = a.positive("second moment of area Iz")?;
+            let (mut g, mut shear) = (0.0, None);
+            if n >= 6 {
+                g = a.positive("shear modulus G")?;
+                shear = Some(a.positive("shear area Avy")?);
+            }
+            Ok(ElasticSection { e, area, iz, iy: 0.0, g, j: 0.0, shear: (shear, None) })
+        }
+        (_, n) => {
+            let (area, e) = (a.positive("cross-sectional area A")?, a.positive("elastic modulus E")?);
+            let (g, j) = (a.positive("shear modulus G")?, a.positive("torsion constant J")?);
+            let (iy, iz) = (a.positive("second moment of area Iy")?, a.positive("second moment of area Iz")?);
+            let shear = if n >= 9 {
+                (Some(a.positive("shear area Avy")?), Some(a.positive("shear area Avz")?))
+            } else {
+                (None, None)
+            };
+            Ok(ElasticSection { e, area, iz, iy, g, j, shear })
+        }
+    }
+}
+
+fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let nodes = a.last_span();
+    if !matches!((ends.ndm, ends.ndf), (2, 3) | (3, 6)) {
+        return Err(ends.wrong(a, "3 degrees of freedom in 2 or 6 in 3 dimensions"));
+    }
+    let s = section(interp, a, ends.ndm)?;
+    let (spec, _) = a.of(&interp.host.definitions.transforms)?;
+    let place = a.last_span();
+    let o = options(interp, a)?;
+    let stand = transform::Ends { place: ends.place, disp: &ends.disp };
+    let wrong = |e| no_transform(a, place, nodes, e);
+    if ends.ndm == 2 {
+        return Ok(Arc::new(ElasticBeam::new(spec.plane(&stand).map_err(wrong)?, s, o)));
+    }
+    Ok(Arc::new(ElasticBeam::new(spec.space(&stand).map_err(wrong)?, s, o)))
+}
+
+fn make_modified(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let nodes = a.last_span();
+    if (ends.ndm, ends.ndf) != (2, 3) {
+        return Err(ends.wrong(a, "3 degrees of freedom in 2 dimensions"));
+    }
+    let (area, e) = (a.positive("cross-sectional area A")?, a.positive("elastic modulus E")?);
+    let iz = a.positive("second moment of area Iz")?;
+    let factors = [a.positive("factor K11")?, a.positive("factor K33")?, a.float("factor K44")?];
+    let (spec, _) = a.of(&interp.host.definitions.transforms)?;
+    let place = a.last_span();
+    let mut o = ElasticOptions::default();
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-rho" | "-RHO" | "-mass" => o.rho = a.not_negative("mass per length")?,
+            "-cMass" => o.consistent = true,
+            "-lMass" => o.consistent = false,
+            // Of use to thermal loads alone.
+            "-alpha" | "-d" => drop(a.float("value")?),
+            _ => ignore_option(interp, a, &["-rho", "-cMass", "-lMass", "-alpha", "-d"])?,
+        }
+    }
+    let stand = transform::Ends { place: ends.place, disp: &ends.disp };
+    let transform = spec.plane(&stand).map_err(|e| no_transform(a, place, nodes, e))?;
+    let section = ElasticSection { e, area, iz, iy: 0.0, g: 0.0, j: 0.0, shear: (None, None) };
+    Ok(Arc::new(ElasticBeam::modified(transform, section, factors, o)))
+}

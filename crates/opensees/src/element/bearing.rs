@@ -1,0 +1,245 @@
+//! `element elastomericBearingBoucWen`, `elastomericBearingPlasticity` and `elastomericBearingUFRP`.
+
+use super::{Ends, Kind, orientation};
+use crate::args::Args;
+use crate::{Tcl, ignore_option};
+use hysteron_engine::element::Element;
+use hysteron_engine::element::axes::Orientation;
+use hysteron_engine::element::bearing::{
+    Link, PlaneBearing, PlasticShear, ShearLaw, ShearParameters, SpaceBearing, UfrpShear,
+};
+use hysteron_engine::material::Material;
+use hysteron_tcl::Exception;
+use hysteron_tcl::diagnostic::Span;
+use std::sync::Arc;
+
+pub(super) const BOUC_WEN: Kind = Kind {
+    names: &["elastomericBearingBoucWen", "ElastomericBearingBoucWen"],
+    usage: "element elastomericBearingBoucWen $tag $i $j $kInit $qd $alpha1 $alpha2 $mu $eta $beta $gamma -P $mat \
+            <-T $mat -My $mat> -Mz $mat <-orient <$x1 $x2 $x3> $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> \
+            <-mass $m> <-iter $maxIter $tol>",
+    make,
+};
+
+pub(super) const PLASTICITY: Kind = Kind {
+    names: &["elastomericBearingPlasticity", "ElastomericBearingPlasticity", "elastomericBearing"],
+    usage: "element elastomericBearingPlasticity $tag $i $j $kInit $qd $alpha1 $alpha2 $mu -P $mat <-T $mat -My $mat> \
+            -Mz $mat <-orient <$x1 $x2 $x3> $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> <-mass $m>",
+    make: make_plastic,
+};
+
+pub(super) const UFRP: Kind = Kind {
+    names: &["elastomericBearingUFRP"],
+    usage: "element elastomericBearingUFRP $tag $i $j $uy $a1 $a2 $a3 $a4 $a5 $b $c $eta $beta $gamma -P $mat -Mz $mat \
+            <-orient $x1 $x2 $x3 $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> <-mass $m> <-iter $maxIter $tol>",
+    make: make_ufrp,
+};
+
+/// Where a bearing stands.
+pub(super) struct Placement {
+    pub(super) orientation: Orientation,
+    /// Place of `-orient`.
+    pub(super) orient_span: Option<Span>,
+    nodes: Option<Span>,
+}
+
+impl Placement {
+    /// Along the line between its nodes.
+    pub(super) fn at_nodes(nodes: Option<Span>) -> Self {
+        Self { orientation: Orientation::default(), orient_span: None, nodes }
+    }
+
+    /// Kinematics and length.
+    pub(super) fn link<const N: usize, const B: usize>(
+        &self,
+        a: &Args<'_>,
+        ends: &Ends,
+        shear_dist: f64,
+    ) -> Result<(Link<N, B>, f64), Exception> {
+        let made = self.orientation.of_link(ends.place.0, ends.place.1, ends.ndm == 2);
+        let (axes, length) = made.map_err(|e| {
+            let at = self.orient_span.or(self.nodes);
+            let label =
+                if self.orient_span.is_some() { "" } else { "nodes at one place need -orient with the local axes" };
+            a.refuse_at(at, format!("bearing: {}", e.message()), label)
+        })?;
+        Ok((Link::new(&axes, length, shear_dist), length))
+    }
+}
+
+/// What the bearings of this family have in common besides their law.
+struct Common {
+    materials: Vec<(Material, i32)>,
+    place: Placement,
+    shear_dist: f64,
+    rayleigh: bool,
+    mass: f64,
+    compat: bool,
+}
+
+const OPTIONS: &[&str] = &["-orient", "-shearDist", "-doRayleigh", "-mass", "-iter"];
+
+/// Materials by their options, which OpenSees wants in this order.
+pub(super) fn materials(interp: &Tcl, a: &mut Args<'_>, wanted: &[&str]) -> Result<Vec<(Material, i32)>, Exception> {
+    let mut materials = vec![];
+    for option in wanted {
+        let found = a.word(&format!("option {option} with a material"))?;
+        if found != *option {
+            let message = format!("expected the option {option} with a material, found \"{found}\"");
+            return Err(a.refuse(message, format!("expected {option} here: the order is {}", wanted.join(" "))));
+        }
+        materials.push(a.of(&interp.host.definitions.materials)?);
+    }
+    Ok(materials)
+}
+
+/// The word after `-shearDist`.
+pub(super) fn shear_dist(a: &mut Args<'_>) -> Result<f64, Exception> {
+    let x = a.float("place of the shear force as a fraction of the length")?;
+    if (0.0..=1.0).contains(&x) {
+        Ok(x)
+    } else {
+        Err(a.refuse(format!("-shearDist is {x}"), "expected a fraction, 0 to 1"))
+    }
+}
+
+/// Materials, then the options that may come in any order.
+fn common(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, nodes: Option<Span>) -> Result<Common, Exception> {
+    let wanted: &[&str] = if ends.ndm == 2 { &["-P", "-Mz"] } else { &["-P", "-T", "-My", "-Mz"] };
+    let materials = materials(interp, a, wanted)?;
+    let (place, compat) = (Placement::at_nodes(nodes), interp.host.engine.options.compat);
+    let mut c = Common { materials, place, shear_dist: 0.5, rayleigh: false, mass: 0.0, compat };
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-orient" => {
+                c.place.orient_span = a.last_span();
+                c.place.orientation = orientation(a, ends.ndm)?;
+            }
+            "-shearDist" => c.shear_dist = shear_dist(a)?,
+            "-doRayleigh" => c.rayleigh = true,
+            "-mass" => c.mass = a.not_negative("mass")?,
+            "-iter" => {
+                // z is always found to round-off.
+                a.count("largest number of iterations")?;
+                a.positive("tolerance")?;
+            }
+            _ => ignore_option(interp, a, OPTIONS)?,
+        }
+    }
+    Ok(c)
+}
+
+fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let nodes = a.last_span();
+    let k_init = a.positive("initial stiffness kInit")?;
+    let qd = a.positive("characteristic strength qd")?;
+    let alpha1 = a.float("post-yield stiffness ratio alpha1")?;
+    if alpha1 >= 1.0 {
+        return Err(a.refuse(format!("alpha1 is {alpha1}"), "expected a ratio less than 1"));
+    }
+    let alpha2 = a.float("post-yield stiffness ratio alpha2 of the nonlinear hardening")?;
+    let mu = hardening_exponent(a, alpha2)?;
+    let eta = a.positive("yielding exponent eta")?;
+    let beta = a.float("first loop parameter beta")?;
+    let gamma = a.float("second loop parameter gamma")?;
+    if beta + gamma <= 0.0 {
+        return Err(a.refuse(
+            format!("beta + gamma is {}", beta + gamma),
+            "expected a sum greater than 0: the hysteretic force would not be bounded",
+        ));
+    }
+    let c = common(interp, a, ends, nodes)?;
+    let shear = ShearParameters {
+        k0: (1.0 - alpha1) * k_init,
+        qd,
+        k2: alpha1 * k_init,
+        k3: alpha2 * k_init,
+        mu,
+        eta,
+        beta,
+        gamma,
+        compat: interp.host.engine.options.compat,
+    };
+    around(a, shear, c, ends)
+}
+
+/// Exponent μ of the nonlinear hardening.
+fn hardening_exponent(a: &mut Args<'_>, alpha2: f64) -> Result<f64, Exception> {
+    let mu = a.float("exponent mu of the nonlinear hardening")?;
+    if alpha2 != 0.0 && mu < 1.0 {
+        return Err(a.refuse(
+            format!("mu is {mu}"),
+            "expected an exponent of at least 1: the stiffness at rest would not be finite",
+        ));
+    }
+    Ok(mu)
+}
+
+fn make_plastic(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let nodes = a.last_span();
+    let k_init = a.positive("initial stiffness kInit")?;
+    let qd = a.positive("characteristic strength qd")?;
+    let alpha1 = a.float("post-yield stiffness ratio alpha1")?;
+    if alpha1 >= 1.0 {
+        return Err(a.refuse(format!("alpha1 is {alpha1}"), "expected a ratio less than 1"));
+    }
+    let alpha2 = a.float("post-yield stiffness ratio alpha2 of the nonlinear hardening")?;
+    let mu = hardening_exponent(a, alpha2)?;
+    let c = common(interp, a, ends, nodes)?;
+    let compat = interp.host.engine.options.compat;
+    let shear = PlasticShear { k0: (1.0 - alpha1) * k_init, qd, k2: alpha1 * k_init, k3: alpha2 * k_init, mu, compat };
+    around(a, shear, c, ends)
+}
+
+fn make_ufrp(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let nodes = a.last_span();
+    if (ends.ndm, ends.ndf) != (2, 3) {
+        return Err(ends.wrong(a, "3 degrees of freedom in 2 dimensions"));
+    }
+    let uy = a.positive("yield displacement uy")?;
+    let mut polynomial = [0.0; 5];
+    for (i, x) in polynomial.iter_mut().enumerate() {
+        *x = a.float(&format!("coefficient a{} of the polynomial", i + 1))?;
+    }
+    let b = a.positive("hysteretic scaling factor b")?;
+    let c = a.not_negative("viscous damping coefficient c")?;
+    let eta = a.positive("yielding exponent eta")?;
+    let beta = a.float("first loop parameter beta")?;
+    let gamma = a.float("second loop parameter gamma")?;
+    if beta + gamma <= 0.0 {
+        return Err(a.refuse(
+            format!("beta + gamma is {}", beta + gamma),
+            "expected a sum greater than 0: the hysteretic force would not be bounded",
+        ));
+    }
+    let o = common(interp, a, ends, nodes)?;
+    let law = UfrpShear { uy, a: polynomial, b, c, eta, beta, gamma };
+    let (link, _) = o.place.link(a, ends, o.shear_dist)?;
+    let link = link.under_given_force(o.compat);
+    let Ok(materials) = o.materials.try_into() else { unreachable!("taken one by one") };
+    Ok(Arc::new(PlaneBearing::new(law, link, materials, o.mass, o.rayleigh)))
+}
+
+/// The bearing around a shear law, in the plane or in space.
+fn around<L: ShearLaw<1> + ShearLaw<2> + 'static>(
+    a: &Args<'_>,
+    law: L,
+    c: Common,
+    ends: &Ends,
+) -> Result<Arc<dyn Element>, Exception> {
+    match (ends.ndm, ends.ndf) {
+        (2, 3) => {
+            let (link, _) = c.place.link(a, ends, c.shear_dist)?;
+            let link = link.under_given_force(c.compat);
+            let Ok(materials) = c.materials.try_into() else { unreachable!("taken one by one") };
+            Ok(Arc::new(PlaneBearing::new(law, link, materials, c.mass, c.rayleigh)))
+        }
+        (3, 6) => {
+            let (link, _) = c.place.link(a, ends, c.shear_dist)?;
+            let link = link.under_given_force(c.compat);
+            let Ok(materials) = c.materials.try_into() else { unreachable!("taken one by one") };
+            Ok(Arc::new(SpaceBearing::new(law, link, materials, c.mass, c.rayleigh)))
+        }
+        _ => Err(ends.wrong(a, "3 degrees of freedom in 2 or 6 in 3 dimensions")),
+    }
+}

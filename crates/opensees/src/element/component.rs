@@ -1,0 +1,48 @@
+//! `element componentElement2d`.
+
+use super::beam::no_transform;
+use super::{Ends, Kind};
+use crate::args::Args;
+use crate::{Tcl, ignore_option};
+use hysteron_engine::element::Element;
+use hysteron_engine::element::beam::{ComponentBeam, ComponentOptions};
+use hysteron_engine::element::transform;
+use hysteron_engine::material::Elastic;
+use hysteron_tcl::Exception;
+use std::sync::Arc;
+
+pub(super) const COMPONENT: Kind = Kind {
+    names: &["componentElement2d", "componentElement", "ComponentElement2d"],
+    usage: "element componentElement2d $tag $i $j $A $E $I $transf $materialI $materialJ | -stiffness $kI $kJ <-rho $m> \
+            <-cMass>",
+    make,
+};
+
+fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let nodes = a.last_span();
+    if (ends.ndm, ends.ndf) != (2, 3) {
+        return Err(ends.wrong(a, "3 degrees of freedom in 2 dimensions"));
+    }
+    let (area, e) = (a.positive("cross-sectional area A")?, a.positive("elastic modulus E")?);
+    let i = a.positive("second moment of area I")?;
+    let (spec, _) = a.of(&interp.host.definitions.transforms)?;
+    let place = a.last_span();
+    let springs = if a.flag("-stiffness") || a.flag("-k") {
+        let k = [a.not_negative("stiffness kI (0: a hinge)")?, a.not_negative("stiffness kJ (0: a hinge)")?];
+        k.map(|k| (k > 0.0).then(|| (Arc::new(Elastic::new(k)) as hysteron_engine::material::Material, 0)))
+    } else {
+        let materials = &interp.host.definitions.materials;
+        [Some(a.of(materials)?), Some(a.of(materials)?)]
+    };
+    let mut options = ComponentOptions { ea: e * area, ei: e * i, rho: 0.0, consistent: false };
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-rho" => options.rho = a.not_negative("mass per length")?,
+            "-cMass" => options.consistent = true,
+            _ => ignore_option(interp, a, &["-rho", "-cMass"])?,
+        }
+    }
+    let stand = transform::Ends { place: ends.place, disp: &ends.disp };
+    let transform = spec.plane(&stand).map_err(|e| no_transform(a, place, nodes, e))?;
+    Ok(Arc::new(ComponentBeam::new(transform, options, springs)))
+}

@@ -1,0 +1,285 @@
+//! `element dispBeamColumn`, `forceBeamColumn`, `nonlinearBeamColumn` and `beamWithHinges`.
+
+use super::beam::{Place, no_transform, numbers_ahead};
+use super::{Ends, Kind};
+use crate::args::Args;
+use crate::section::beam_integration::{integration, simple};
+use crate::{Tcl, ignore_option};
+use hysteron_engine::element::Element;
+use hysteron_engine::element::beam::{
+    CurvatureBased, DisplacementBased, FiberBeam, ForceBased, Formulation, Hinge, MAX_DEFORMATIONS, Rule,
+};
+use hysteron_engine::element::transform::{self, TransformSpec};
+use hysteron_engine::model::Integration;
+use hysteron_engine::section::{Elastic, ElasticSection, Resultant, SharedSection};
+use hysteron_tcl::{Exception, Value};
+use std::sync::Arc;
+
+pub(super) const DISPLACEMENT: Kind = Kind {
+    names: &["dispBeamColumn", "DispBeamColumn"],
+    usage: "element dispBeamColumn $tag $i $j $transf $integration <-mass $m> <-cMass> or \
+            $tag $i $j $n $section $transf <-mass $m> <-cMass> <-integration $rule>",
+    make: make_displacement,
+};
+
+pub(super) const FORCE: Kind = Kind {
+    names: &["forceBeamColumn", "ForceBeamColumn", "nonlinearBeamColumn", "NonlinearBeamColumn"],
+    usage: "element forceBeamColumn $tag $i $j $transf $integration <-mass $m> <-iter $maxIter $tol> or \
+            $tag $i $j $n $section|-sections $section1 ... $transf <-mass $m> <-iter $maxIter $tol> <-integration $rule>",
+    make: make_force,
+};
+
+pub(super) const CURVATURE: Kind = Kind {
+    names: &["forceBeamColumnCBDI"],
+    usage: "element forceBeamColumnCBDI $tag $i $j $transf $integration <-mass $m> <-iter $maxIter $tol> \
+            <-shear> or $tag $i $j $n $section|-sections $section1 ... $transf <-mass $m> <-iter $maxIter $tol> \
+            <-integration $rule>",
+    make: make_curvature,
+};
+
+pub(super) const CURVATURE_SHEAR: Kind = Kind {
+    names: &["forceBeamColumnCSBDI"],
+    usage: "element forceBeamColumnCSBDI as forceBeamColumnCBDI with -shear",
+    make: make_curvature_shear,
+};
+
+pub(super) const WITH_HINGES: Kind = Kind {
+    names: &["beamWithHinges", "BeamWithHinges"],
+    usage: "element beamWithHinges $tag $i $j $secI $lpI $secJ $lpJ $E $A $Iz <$Iy $G $J> $transf <-mass $m> \
+            <-iter $maxIter $tol>",
+    make: make_with_hinges,
+};
+
+/// A beam as its words describe it.
+struct Words {
+    transform: TransformSpec,
+    transform_at: Place,
+    integration: Integration,
+    rho: f64,
+    consistent: bool,
+    force_based: ForceBased,
+    /// Deflections of shear count.
+    shear: bool,
+}
+
+fn make_displacement(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let nodes = a.last_span();
+    let words = take(interp, a, ends, Rule::Legendre, None)?;
+    build(|_: &[f64]| Ok(DisplacementBased), a, words, ends, nodes)
+}
+
+fn make_force(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let nodes = a.last_span();
+    let words = take(interp, a, ends, Rule::Lobatto, None)?;
+    let force_based = words.force_based;
+    build(|_: &[f64]| Ok(force_based), a, words, ends, nodes)
+}
+
+fn make_curvature(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    make_deflected(interp, a, ends, false)
+}
+
+fn make_curvature_shear(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    make_deflected(interp, a, ends, true)
+}
+
+fn make_deflected(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, shear: bool) -> Result<Arc<dyn Element>, Exception> {
+    let nodes = a.last_span();
+    let words = take(interp, a, ends, Rule::Lobatto, Some(shear))?;
+    let (iteration, shear) = (words.force_based, words.shear);
+    let (compat, plane) = (interp.host.engine.options.compat, ends.ndm == 2);
+    let size: usize = words.integration.sections.iter().map(|(s, _)| s.resultants().len()).sum();
+    if size > MAX_DEFORMATIONS {
+        let message = format!("the sections have {size} deformations together");
+        return Err(a.refuse_at(nodes, message, format!("expected {MAX_DEFORMATIONS} at most: fewer sections")));
+    }
+    let formulation = |places: &[f64]| {
+        let made = CurvatureBased::new(iteration, places, shear, compat, plane);
+        made.ok_or_else(|| a.refuse_at(nodes, "two sections are at the same place", "expected another integration"))
+    };
+    build(formulation, a, words, ends, nodes)
+}
+
+fn check(a: &Args<'_>, ends: &Ends) -> Result<(), Exception> {
+    if matches!((ends.ndm, ends.ndf), (2, 3) | (3, 6)) {
+        return Ok(());
+    }
+    Err(ends.wrong(a, "3 degrees of freedom in 2 or 6 in 3 dimensions"))
+}
+
+/// The words after the nodes, in any of the forms that OpenSees has had. `deflects` is given where deflections count, and says
+/// whether those of shear do.
+fn take(
+    interp: &mut Tcl,
+    a: &mut Args<'_>,
+    ends: &Ends,
+    default: Rule,
+    deflects: Option<bool>,
+) -> Result<Words, Exception> {
+    check(a, ends)?;
+    let second_is_number = a.ahead().nth(1).is_some_and(|v| v.to_f64().is_ok());
+    let (transform, transform_at, integration_words, mut rule) = match (numbers_ahead(a), second_is_number) {
+        // The number of points and `-sections`, or with one section for all of them.
+        (3.., _) => {
+            let n = a.count("number of integration points")?;
+            let section = a.of(&interp.host.definitions.sections)?;
+            let (transform, _) = a.of(&interp.host.definitions.transforms)?;
+            (transform, a.last_span(), None, Some((default, vec![section; n])))
+        }
+        (1, _) if a.ahead().nth(1).is_some_and(|v| v.as_str() == "-sections") => {
+            let n = a.count("number of integration points")?;
+            a.flag("-sections");
+            let sections: Vec<_> = (0..n).map(|_| a.of(&interp.host.definitions.sections)).collect::<Result<_, _>>()?;
+            let (transform, _) = a.of(&interp.host.definitions.transforms)?;
+            (transform, a.last_span(), None, Some((default, sections)))
+        }
+        // A rule in words, after the transformation.
+        (_, false) => {
+            let (transform, _) = a.of(&interp.host.definitions.transforms)?;
+            let at = a.last_span();
+            (transform, at, Some(a.value("integration")?), None)
+        }
+        _ => {
+            let (transform, _) = a.of(&interp.host.definitions.transforms)?;
+            let at = a.last_span();
+            let (found, _) = a.of(&interp.host.definitions.integrations)?;
+            (transform, at, None, Some((found.rule, found.sections)))
+        }
+    };
+    if let Some(value) = integration_words {
+        let found = in_words(interp, a, &value)?;
+        rule = Some((found.rule, found.sections));
+    }
+    let Some((mut rule, sections)) = rule else { unreachable!("each form has a rule") };
+    let (mut rho, mut consistent, mut force_based, mut shear) =
+        (0.0, false, follower(interp), deflects.unwrap_or(false));
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-mass" => rho = a.not_negative("mass per length")?,
+            "-shear" if deflects.is_some() => shear = true,
+            "-cMass" => consistent = true,
+            "-lMass" => consistent = false,
+            "-iter" => iterations(a, &mut force_based)?,
+            // Without --compat the step is cut into parts by itself.
+            "-subdivide" => {
+                force_based.parts = a.int("number of subdivisions")?.max(1) as u32;
+                force_based.factor = a.float("factor of a subdivision")?.max(1.0);
+            }
+            "-integration" => {
+                let name = a.word("rule of integration")?;
+                let Some(found) = simple(&name) else {
+                    return Err(a.unknown_name("rule of integration", ["Lobatto", "Legendre", "Radau", "NewtonCotes"]));
+                };
+                if found.points(sections.len(), 1.0).is_none() {
+                    let message = format!("{name} has no rule with {} points", sections.len());
+                    return Err(a.refuse(message, "expected a rule for as many points"));
+                }
+                rule = found;
+            }
+            _ => ignore_option(interp, a, &["-mass", "-cMass", "-iter", "-integration"])?,
+        }
+    }
+    let integration = Integration { rule, sections };
+    Ok(Words { transform, transform_at, integration, rho, consistent, force_based, shear })
+}
+
+/// A force-based beam as the run wants it.
+fn follower(interp: &Tcl) -> ForceBased {
+    ForceBased { compat: interp.host.engine.options.compat, ..ForceBased::default() }
+}
+
+fn iterations(a: &mut Args<'_>, force_based: &mut ForceBased) -> Result<(), Exception> {
+    force_based.max_iterations = a.count("largest number of iterations maxIter")?;
+    force_based.tolerance = a.positive("tolerance")?;
+    Ok(())
+}
+
+/// A rule of integration in the words of an element: its name and numbers in a list.
+fn in_words(interp: &Tcl, a: &Args<'_>, value: &Value) -> Result<Integration, Exception> {
+    let list = value.to_list().map(|l| l.to_vec()).unwrap_or_default();
+    let numbers: Option<Vec<f64>> = list.iter().skip(1).map(|v| v.to_f64().ok()).collect();
+    match (list.first(), numbers) {
+        (Some(name), Some(numbers)) if !numbers.is_empty() => integration(interp, a, &name.as_str(), &numbers),
+        _ => Err(a.refuse(
+            format!("\"{}\" is no integration", value.as_str()),
+            "expected the tag of a beamIntegration, or a rule with its numbers in one word",
+        )),
+    }
+}
+
+/// The beam of words, of a formulation for the places of its sections.
+fn build<F>(
+    formulation: impl FnOnce(&[f64]) -> Result<F, Exception>,
+    a: &Args<'_>,
+    w: Words,
+    ends: &Ends,
+    nodes: Place,
+) -> Result<Arc<dyn Element>, Exception>
+where
+    F: Formulation<6, 3> + Formulation<12, 6>,
+{
+    let stand = transform::Ends { place: ends.place, disp: &ends.disp };
+    let wrong = |e| no_transform(a, w.transform_at, nodes, e);
+    let mass = (w.rho, w.consistent);
+    let sections = w.integration.sections;
+    deformable(a, &sections, ends.ndm, nodes)?;
+    let points = |length: f64| {
+        let found = w.integration.rule.points(sections.len(), length);
+        let good = found.filter(|(x, w)| x.iter().chain(w).all(|x| x.is_finite()));
+        good.ok_or_else(|| a.refuse_at(nodes, "the integration has no points for this beam", ""))
+    };
+    if ends.ndm == 2 {
+        let transform = w.transform.plane(&stand).map_err(wrong)?;
+        let points = points(transform.length())?;
+        let formulation = formulation(&points.0)?;
+        return Ok(Arc::new(FiberBeam::<F, 6, 3>::new(formulation, transform, sections, points, mass)));
+    }
+    let transform = w.transform.space(&stand).map_err(wrong)?;
+    let points = points(transform.length())?;
+    let formulation = formulation(&points.0)?;
+    Ok(Arc::new(FiberBeam::<F, 12, 6>::new(formulation, transform, sections, points, mass)))
+}
+
+/// Refuse sections that leave the beam without a stiffness.
+fn deformable(a: &Args<'_>, sections: &[(SharedSection, i32)], ndm: usize, at: Place) -> Result<(), Exception> {
+    let needed = &[Resultant::P, Resultant::Mz, Resultant::My, Resultant::T][..if ndm == 2 { 2 } else { 4 }];
+    for (section, tag) in sections {
+        if let Some(r) = needed.iter().find(|r| !section.resultants().contains(r)) {
+            let message = format!("section {tag} has no {}, which the beam needs", r.name());
+            return Err(a.refuse_at(at, message, "expected another section, or one with more resultants (Aggregator)"));
+        }
+    }
+    Ok(())
+}
+
+fn make_with_hinges(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let nodes = a.last_span();
+    check(a, ends)?;
+    let section_i = a.of(&interp.host.definitions.sections)?;
+    let lp_i = a.not_negative("length of the hinge lpI")?;
+    let section_j = a.of(&interp.host.definitions.sections)?;
+    let lp_j = a.not_negative("length of the hinge lpJ")?;
+    let (e, area) = (a.positive("elastic modulus E")?, a.positive("cross-sectional area A")?);
+    let iz = a.positive("second moment of area Iz")?;
+    let mut s = ElasticSection { e, area, iz, iy: 0.0, g: 0.0, j: 0.0, shear: (None, None) };
+    if ends.ndm == 3 {
+        s.iy = a.positive("second moment of area Iy")?;
+        (s.g, s.j) = (a.positive("shear modulus G")?, a.positive("torsion constant J")?);
+    }
+    let (transform, _) = a.of(&interp.host.definitions.transforms)?;
+    let transform_at = a.last_span();
+    let (mut rho, mut force_based) = (0.0, follower(interp));
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-mass" => rho = a.not_negative("mass per length")?,
+            "-iter" => iterations(a, &mut force_based)?,
+            _ => ignore_option(interp, a, &["-mass", "-iter"])?,
+        }
+    }
+    let elastic: SharedSection = Arc::new(Elastic::new(s, ends.ndm == 2));
+    let all = [section_i, section_j, (elastic, 0)];
+    let sections = Hinge::Radau.sections().iter().map(|i| all[*i].clone()).collect();
+    let integration = Integration { rule: Rule::Hinges(Hinge::Radau, lp_i, lp_j), sections };
+    let words = Words { transform, transform_at, integration, rho, consistent: false, force_based, shear: false };
+    build(|_: &[f64]| Ok(force_based), a, words, ends, nodes)
+}

@@ -1,0 +1,137 @@
+//! `element TripleFrictionPendulumX`.
+
+use super::triple::{lengths, stiffness};
+use super::{Ends, Kind};
+use crate::args::Args;
+use crate::{Tcl, warn};
+use hysteron_engine::element::Element;
+use hysteron_engine::element::bearing::triple::{
+    Body, Conduction, Heated, HeatedSetting, Softening, TriplePendulum, TripleSetting,
+};
+use hysteron_engine::material::Material;
+use hysteron_tcl::Exception;
+use hysteron_tcl::diagnostic::Diagnostic;
+use std::sync::Arc;
+
+pub(super) const TRIPLE_X: Kind = Kind {
+    names: &["TripleFrictionPendulumX"],
+    usage: "element TripleFrictionPendulumX $tag $i $j $tagT $tagT2 $vertMatTag $rotZMatTag $rotXMatTag $rotYMatTag \
+            $tagPres $tagTemp $tagVel $mu1 $mu2 $mu3 $L1 $L2 $L3 $d1 $d2 $d3 $b1 $b2 $b3 $t2 $t3 $W $uy $kvt $minFv $tol \
+            $refPres1 $refPres2 $refPres3 $Diffusivity $Conductivity $Temperature0 $rateParam $kTmodel $unit",
+    make,
+};
+
+/// MPa per unit of pressure and m per unit of length, of the units 1 to 8: N m, kN m, N mm, kN mm, lb in, kip in, lb ft, kip ft.
+pub(super) const UNITS: [(f64, f64); 8] = [
+    (1e-6, 1.0),
+    (1e-3, 1.0),
+    (1.0, 1e-3),
+    (1e3, 1e-3),
+    (0.006894, 0.0254),
+    (6.894, 0.0254),
+    (4.788e-5, 0.3048),
+    (0.04788, 0.3048),
+];
+
+/// One of a few whole numbers.
+pub(super) fn one_of(a: &mut Args<'_>, what: &str, range: std::ops::RangeInclusive<i32>) -> Result<i32, Exception> {
+    let n = a.int(what)?;
+    if range.contains(&n) {
+        return Ok(n);
+    }
+    let (first, last) = (range.start(), range.end());
+    Err(a.refuse(format!("the {what} is {n}"), format!("expected a whole number from {first} to {last}")))
+}
+
+fn three(a: &mut Args<'_>, what: [&str; 3]) -> Result<[f64; 3], Exception> {
+    let [x, y, z] = what;
+    Ok([a.positive(x)?, a.positive(y)?, a.positive(z)?])
+}
+
+/// The vertical material and those of the rotations about Z, X and Y, from the tag of the conduction on. OpenSees starts a word early: it
+/// takes the tag of the conduction for that of the vertical material, and leaves the last one out.
+fn materials(interp: &Tcl, a: &mut Args<'_>) -> Result<(Body, [(Material, i32); 4]), Exception> {
+    let known = &interp.host.definitions.materials;
+    let tag = one_of(a, "conduction tagT2 (1 half space, 2 plate)", 1..=2)?;
+    let body = if tag == 1 { Body::HalfSpace } else { Body::Plate };
+    let compat = interp.host.engine.options.compat;
+    let early = match known.get(tag) {
+        Some(material) => (material.clone(), tag),
+        None if compat => {
+            let message = format!(
+                "OpenSees takes tagT2 for the tag of the vertical material, and there is no {} {tag}",
+                known.kind
+            );
+            return Err(a.refuse(message, "define it, or run without --compat"));
+        }
+        None => return Ok((body, [a.of(known)?, a.of(known)?, a.of(known)?, a.of(known)?])),
+    };
+    let [first, second, third, last] = [a.of(known)?, a.of(known)?, a.of(known)?, a.of(known)?];
+    Ok((body, if compat { [early, first, second, third] } else { [first, second, third, last] }))
+}
+
+fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    if (ends.ndm, ends.ndf) != (3, 6) {
+        return Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions"));
+    }
+    let compat = interp.host.engine.options.compat;
+    if one_of(a, "way tagT to the displacements of the surfaces", 0..=1)? == 0 {
+        let d = Diagnostic::warning(
+            "TripleFrictionPendulumX: the displacements of the surfaces, and with them speeds and heat, are those of the series \
+             of segments (tagT 1)",
+        );
+        warn(interp, d.at(a.last_span(), "their parts by regimes of the force are not available"))?;
+    }
+    let (body, materials) = materials(interp, a)?;
+    let on = |a: &mut Args<'_>, what: &str| Ok::<bool, Exception>(one_of(a, what, 0..=1)? == 1);
+    let by_pressure = on(a, "dependence on pressure tagPres")?;
+    let by_temperature = on(a, "dependence on temperature tagTemp")?;
+    let by_speed = on(a, "dependence on speed tagVel")?;
+    let mu = three(a, ["coefficient of friction mu1", "coefficient of friction mu2", "coefficient of friction mu3"])?;
+    let (l, d) = lengths(a)?;
+    let width =
+        three(a, ["diameter b1 of the slider", "diameter b2 of the lower plate", "diameter b3 of the upper plate"])?;
+    let thickness = [a.positive("thickness t2 of the lower plate")?, a.positive("thickness t3 of the upper plate")?];
+    let weight = a.positive("weight W")?;
+    let uy = a.positive("yield displacement uy")?;
+    let uy_span = a.last_span();
+    let k_tension = a.positive("vertical stiffness in tension kvt")?;
+    let least_normal = a.not_negative("least normal force minFv")?;
+    let tolerance = a.positive("tolerance tol")?;
+    let reference = three(a, ["reference pressure 1", "reference pressure 2", "reference pressure 3"])?;
+    let conduction = Conduction {
+        diffusivity: a.positive("thermal diffusivity")?,
+        conductivity: a.positive("thermal conductivity")?,
+        body,
+        compat,
+    };
+    let temperature = a.float("temperature at the beginning")?;
+    let rate = a.not_negative("rate of the dependence on speed")?;
+    let softening = match one_of(a, "dependence kTmodel on temperature", 1..=3)? {
+        1 => Softening::Half,
+        2 => Softening::Third,
+        _ => Softening::TwoThirds,
+    };
+    let unit = one_of(a, "system of units", 1..=8)?;
+    let (mega_pascal, metre) = UNITS[usize::try_from(unit - 1).unwrap_or_default()];
+    let heated = Heated::new(HeatedSetting {
+        mu,
+        reference: by_pressure.then_some(reference),
+        mega_pascal,
+        rate: by_speed.then_some(rate * metre),
+        softening: by_temperature.then_some(softening),
+        radius: width.map(|b| 0.5 * b),
+        temperature,
+        conduction,
+        thickness,
+        outer: [l[1], l[2]].map(|r| r / (r - l[0])),
+    });
+    let e = stiffness(a, uy_span, heated.at_rest()[0], uy, &l)?;
+    // The outer segments reach their ends first.
+    let whole = 2.0 * d[0] + d[1] + d[2] + 0.5 * width[0];
+    let inner = whole - d[1] * (1.0 - l[0] / l[1]) - d[2] * (1.0 - l[0] / l[2]);
+    let chain = super::triple::chain(e, &l, &d, inner);
+    let height = ends.place.1.z - ends.place.0.z;
+    let setting = TripleSetting { weight, k_tension, least_normal, height, compat: compat.then_some(tolerance) };
+    Ok(Arc::new(TriplePendulum::heated(chain, heated, materials, setting)))
+}

@@ -1,0 +1,66 @@
+//! What `amend` changes of how nodes and elements hang together.
+
+use crate::args::Args;
+use crate::model::nodes::node_of;
+use crate::{Outcome, Tcl, finish};
+use hysteron_engine::element::amendment::Hinged;
+use hysteron_engine::model::ElementId;
+use hysteron_tcl::Value;
+use std::sync::Arc;
+
+/// `amend node $tag dampedAs $other`: a node that takes over the mass of another one takes over its mass-proportional damping as well, for
+/// `rayleigh` reaches only the nodes that there are.
+pub(crate) fn damped_as(interp: &mut Tcl, a: &mut Args<'_>) -> Outcome {
+    let node = node_of(interp, a, "tag of the node")?;
+    if a.word("kind of amendment")? != "dampedAs" {
+        return Err(a.unknown_name("amendment of a node", ["dampedAs"]));
+    }
+    let other = node_of(interp, a, "tag of the node whose damping it takes over")?;
+    finish(interp, a)?;
+    interp.host.engine.change_model(|m| m.nodes[node.0].alpha_m = m.nodes[other.0].alpha_m);
+    Ok(Value::EMPTY)
+}
+
+/// `amend element $tag hinges`: ends of beams that yield.
+pub(crate) fn hinge(interp: &mut Tcl, a: &mut Args<'_>, elements: &[ElementId]) -> Outcome {
+    let (mut material, mut ends) = (None, &[0, 1][..]);
+    while let Some(word) = a.option() {
+        match word.as_ref() {
+            "-mat" => material = Some(a.of(&interp.host.definitions.materials)?.0),
+            "-end" => {
+                ends = match a.word("end with a hinge")?.as_ref() {
+                    "i" => &[0],
+                    "j" => &[1],
+                    _ => return Err(a.unknown_name("end", ["i", "j"])),
+                }
+            }
+            _ => return Err(a.unknown_name("option", ["-mat", "-end"])),
+        }
+    }
+    let material = material.ok_or_else(|| {
+        let expected = "expected the tag of a uniaxialMaterial, moment over rotation, as well";
+        a.refuse("amend hinges: -mat $mat is missing", expected)
+    })?;
+    finish(interp, a)?;
+    for id in elements {
+        let model = interp.host.engine.model();
+        let entry = &model.elements[id.0];
+        // A truss in space has as many degrees of freedom as a beam in the plane: the nodes tell them apart.
+        let ends_of = match entry.nodes[..] {
+            [i, j] => {
+                Some([&model.nodes[i.0], &model.nodes[j.0]]).filter(|n| n.iter().all(|n| n.ndf == 3 * (n.ndm() - 1)))
+            }
+            _ => None,
+        };
+        let Some([i, j]) = ends_of.filter(|[i, j]| i.place() != j.place()) else {
+            let message =
+                format!("element {} does not stand between two nodes with rotations, apart from each other", entry.tag);
+            return Err(a.refuse(message, "expected a beam"));
+        };
+        let chord = j.place() - i.place();
+        let hinged = Hinged::new(entry.element.clone(), chord, ends, material.clone())
+            .map_err(|e| a.refuse(e.0, "expected a beam and a material"))?;
+        interp.host.engine.replace_element(*id, Arc::new(hinged));
+    }
+    Ok(Value::EMPTY)
+}

@@ -1,0 +1,200 @@
+//! `element KikuchiBearing`.
+
+use super::multiple_springs::{Orient, distribution, divisions, once, option_missing, shape};
+use super::{Ends, Kind, refused};
+use crate::args::Args;
+use crate::{Tcl, ignore_option, warn};
+use hysteron_engine::element::Element;
+use hysteron_engine::element::bearing::{
+    Balance, Distribution, KikuchiBearing, KikuchiParameters, Layout, Mean, Scheme, Shape,
+};
+use hysteron_engine::material::Material;
+use hysteron_tcl::Exception;
+use hysteron_tcl::diagnostic::{Diagnostic, Span};
+use std::sync::Arc;
+
+pub(super) const KIKUCHI: Kind = Kind {
+    names: &["KikuchiBearing"],
+    usage: "element KikuchiBearing $tag $i $j -shape round|square -size $size $totalRubber <-totalHeight $height> \
+            -nMSS $nMSS -matMSS $mat <-limDisp $limDisp> -nMNS $nMNS -matMNS $mat <-lambda $lambda> \
+            <-orient <$x1 $x2 $x3> $yp1 $yp2 $yp3> <-mass $m> <-noPDInput> <-noTilt> <-adjustPDOutput $ci $cj> \
+            <-doBalance $limFo $limFi $nIter>",
+    make,
+};
+
+const NAME: &str = "KikuchiBearing";
+const OPTIONS: &[&str] = &[
+    "-shape",
+    "-size",
+    "-totalHeight",
+    "-nMSS",
+    "-matMSS",
+    "-limDisp",
+    "-nMNS",
+    "-matMNS",
+    "-lambda",
+    "-orient",
+    "-mass",
+    "-noPDInput",
+    "-noTilt",
+    "-adjustPDOutput",
+    "-doBalance",
+];
+
+/// The options as they have been given.
+struct Options {
+    shape: Option<Shape>,
+    size: Option<(f64, f64)>,
+    height: Option<f64>,
+    shear_springs: Option<usize>,
+    shear: Option<Material>,
+    limit: Option<f64>,
+    normal_springs: Option<usize>,
+    normal: Option<Material>,
+    lambda: Option<Distribution>,
+    orient: Option<Orient>,
+    mass: Option<f64>,
+    p_delta: bool,
+    tilt: bool,
+    shares: Option<[f64; 2]>,
+    balance: Option<Balance>,
+}
+
+fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Options, Exception> {
+    let mut o = Options {
+        shape: None,
+        size: None,
+        height: None,
+        shear_springs: None,
+        shear: None,
+        limit: None,
+        normal_springs: None,
+        normal: None,
+        lambda: None,
+        orient: None,
+        mass: None,
+        p_delta: true,
+        tilt: true,
+        shares: None,
+        balance: None,
+    };
+    /// Keep the value of an option that may stand once.
+    macro_rules! keep {
+        ($field:ident, $option:expr, $value:expr) => {{
+            once(a, &o.$field, $option)?;
+            o.$field = Some($value);
+        }};
+    }
+    while let Some(option) = a.option() {
+        let option = option.as_ref();
+        match option {
+            "-shape" => keep!(shape, option, shape(a)?),
+            "-size" => {
+                let size = |a: &mut Args<'_>| {
+                    Ok::<_, Exception>((
+                        a.positive("diameter or edge of the bearing")?,
+                        a.positive("total thickness of the rubber")?,
+                    ))
+                };
+                keep!(size, option, size(a)?)
+            }
+            "-totalHeight" => keep!(height, option, a.positive("total height of the bearing")?),
+            "-nMSS" => keep!(shear_springs, option, divisions(a, "number nMSS of shear springs")?),
+            "-matMSS" => keep!(shear, option, a.of(&interp.host.definitions.materials)?.0),
+            "-limDisp" => keep!(limit, option, limit(a)?),
+            "-nMNS" => {
+                keep!(normal_springs, option, divisions(a, "number nMNS of normal springs across the section")?)
+            }
+            "-matMNS" => keep!(normal, option, a.of(&interp.host.definitions.materials)?.0),
+            "-lambda" => keep!(lambda, option, distribution(a)?),
+            "-orient" => {
+                let mut orient = Orient::default();
+                orient.take(a)?;
+                keep!(orient, option, orient)
+            }
+            "-mass" => keep!(mass, option, a.positive("mass")?),
+            "-noPDInput" => o.p_delta = false,
+            "-noTilt" => o.tilt = false,
+            "-adjustPDOutput" => {
+                let shares = [a.positive("share ci of the P-Delta moment at i")?, a.positive("share cj at j")?];
+                keep!(shares, option, shares)
+            }
+            "-doBalance" => {
+                a.positive("largest unbalanced external force limFo")?;
+                let tolerance = a.positive("largest unbalanced internal force limFi")?;
+                let rounds = a.count("largest number nIter of corrections")? as u32;
+                keep!(balance, option, Balance { tolerance, rounds })
+            }
+            _ => ignore_option(interp, a, OPTIONS)?,
+        }
+    }
+    Ok(o)
+}
+
+/// The displacement from which on the shear forces are scaled.
+fn limit(a: &mut Args<'_>) -> Result<f64, Exception> {
+    let limit = a.not_negative("displacement limDisp of the scaling")?;
+    if limit == 0.0 {
+        let label = "expected a displacement greater than 0: at rest there is no force to scale";
+        return Err(a.refuse("-limDisp is 0", label));
+    }
+    Ok(limit)
+}
+
+fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let nodes = a.last_span();
+    if (ends.ndm, ends.ndf) != (3, 6) {
+        return Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions"));
+    }
+    let o = options(interp, a)?;
+    let missing = |option, what| option_missing(a, nodes, NAME, option, what);
+    let shape = o.shape.ok_or_else(|| missing("-shape", "round or square"))?;
+    let (size, rubber) =
+        o.size.ok_or_else(|| missing("-size", "the diameter or edge and the total thickness of the rubber"))?;
+    let shear_springs = o.shear_springs.ok_or_else(|| missing("-nMSS", "the number of shear springs"))?;
+    let shear = o.shear.ok_or_else(|| missing("-matMSS", "the tag of their material"))?;
+    let n = o.normal_springs.ok_or_else(|| missing("-nMNS", "the number of normal springs across the section"))?;
+    let normal = o.normal.ok_or_else(|| missing("-matMNS", "the tag of their material"))?;
+    let (axes, length) = o.orient.unwrap_or_default().axes(a, ends, nodes)?;
+    let height = o.height.unwrap_or(length);
+    if height == 0.0 {
+        let message = format!("{NAME}: its nodes are at one place, and -totalHeight is missing");
+        return Err(a.refuse_at(nodes, message, "expected nodes at a distance, or -totalHeight"));
+    }
+    if o.limit.is_none() && shear_springs > 2 {
+        warn_unscaled(interp, nodes, shear_springs)?;
+    }
+    let scheme = match interp.host.engine.options.compat {
+        true => Scheme::OpenSees(
+            o.balance.unwrap_or(Balance { tolerance: 0.0, rounds: 0 }),
+            interp.host.definitions.kikuchi.clone(),
+        ),
+        false => Scheme::Converged,
+    };
+    let parameters = KikuchiParameters {
+        shape,
+        size,
+        rubber,
+        height,
+        shear,
+        shear_springs,
+        limit: o.limit,
+        normal,
+        layout: Layout::new(shape, size, n, o.lambda.unwrap_or(Distribution::Uniform), Mean::Springs),
+        tilt: o.tilt,
+        p_delta: o.p_delta,
+        shares: o.shares.unwrap_or([0.5; 2]),
+        mass: o.mass.unwrap_or(0.0),
+    };
+    let bearing = KikuchiBearing::new(parameters, &axes, &ends.disp, scheme);
+    Ok(Arc::new(bearing.map_err(|e| refused(a, nodes, e))?))
+}
+
+/// Without a limit all springs act with their full force.
+fn warn_unscaled(interp: &mut Tcl, nodes: Option<Span>, n: usize) -> Result<(), Exception> {
+    let times = 0.5 * n as f64;
+    let message =
+        format!("{NAME}: without -limDisp the {n} shear springs are not scaled: {times} times as stiff as one");
+    let label = "expected -limDisp with the displacement from which on they are scaled to the material given";
+    warn(interp, Diagnostic::warning(message).at(nodes, label))
+}

@@ -1,0 +1,175 @@
+//! `element`.
+
+pub(crate) mod amend;
+mod beam;
+mod bearing;
+mod component;
+mod fiber_beam;
+mod heated_pendulum;
+mod heated_triple;
+mod joints;
+mod kikuchi;
+mod multiple_normal_spring;
+mod multiple_shear_spring;
+mod multiple_springs;
+mod quad;
+mod rheology_bearing;
+mod rubber_bearing;
+mod sliding;
+mod timoshenko;
+mod triple;
+mod truss;
+mod two_node_link;
+mod yamamoto;
+mod zero_length;
+mod zero_length_section;
+
+use crate::args::Args;
+use crate::model::nodes::{need_model, node_of};
+use crate::{Command, Outcome, Tcl, finish};
+use hysteron_engine::element::axes::Orientation;
+use hysteron_engine::element::{Element, ElementError};
+use hysteron_engine::model::NodeId;
+use hysteron_tcl::{Call, Exception, Value};
+use nalgebra::Vector3;
+use std::sync::Arc;
+
+pub(crate) const COMMANDS: &[Command] =
+    &[Command { name: "element", usage: "element $kind $tag $iNode $jNode ...", run: element }];
+
+type Make = fn(&mut Tcl, &mut Args<'_>, &Ends) -> Result<Arc<dyn Element>, Exception>;
+
+/// A kind of element between two nodes, and how it is made from the words after its nodes.
+struct Kind {
+    names: &'static [&'static str],
+    usage: &'static str,
+    make: Make,
+}
+
+const KINDS: &[Kind] = &[
+    beam::ELASTIC,
+    beam::MODIFIED,
+    component::COMPONENT,
+    timoshenko::TIMOSHENKO,
+    bearing::BOUC_WEN,
+    bearing::PLASTICITY,
+    rubber_bearing::HDR,
+    rheology_bearing::RHEOLOGY,
+    rubber_bearing::ELASTOMERIC_X,
+    rubber_bearing::LEAD_RUBBER_X,
+    sliding::FLAT,
+    sliding::PENDULUM,
+    heated_pendulum::HEATED_PENDULUM,
+    sliding::RJ_WATSON,
+    multiple_shear_spring::MULTIPLE_SHEAR_SPRING,
+    triple::TRIPLE,
+    heated_triple::TRIPLE_X,
+    bearing::UFRP,
+    kikuchi::KIKUCHI,
+    multiple_normal_spring::MULTIPLE_NORMAL_SPRING,
+    truss::TRUSS,
+    truss::COROT_TRUSS,
+    truss::TRUSS_SECTION,
+    truss::COROT_TRUSS_SECTION,
+    two_node_link::TWO_NODE_LINK,
+    yamamoto::YAMAMOTO,
+    zero_length::ZERO_LENGTH,
+    zero_length::COUPLED,
+    zero_length_section::ZERO_LENGTH_SECTION,
+    fiber_beam::DISPLACEMENT,
+    fiber_beam::FORCE,
+    fiber_beam::CURVATURE,
+    fiber_beam::CURVATURE_SHEAR,
+    fiber_beam::WITH_HINGES,
+];
+
+/// How the kinds are used.
+pub(crate) fn usages() -> impl Iterator<Item = &'static str> {
+    KINDS.iter().map(|k| k.usage).chain([quad::USAGE])
+}
+
+/// The two nodes of an element.
+struct Ends {
+    nodes: [NodeId; 2],
+    place: (Vector3<f64>, Vector3<f64>),
+    /// Displacements of all degrees of freedom of i, then of j.
+    disp: Vec<f64>,
+    ndm: usize,
+    /// Degrees of freedom of each node.
+    ndf: usize,
+}
+
+impl Ends {
+    fn take(interp: &Tcl, a: &mut Args<'_>) -> Result<Self, Exception> {
+        let i = node_of(interp, a, "tag of node i")?;
+        let j = node_of(interp, a, "tag of node j")?;
+        let engine = &interp.host.engine;
+        let (ni, nj) = (&engine.model().nodes[i.0], &engine.model().nodes[j.0]);
+        if i == j {
+            return Err(a.refuse("the element joins a node with itself", "expected another node"));
+        }
+        if ni.ndf != nj.ndf {
+            let message = format!("node {} has {} degrees of freedom, node {} has {}", ni.tag, ni.ndf, nj.tag, nj.ndf);
+            return Err(a.refuse(message, "expected as many as at node i"));
+        }
+        let disp = ni.dofs().chain(nj.dofs()).map(|d| engine.state().disp[d]).collect();
+        Ok(Self { nodes: [i, j], place: (ni.place(), nj.place()), disp, ndm: ni.ndm(), ndf: ni.ndf })
+    }
+
+    /// Displacement of j less that of i.
+    fn initial(&self) -> Vec<f64> {
+        let (i, j) = self.disp.split_at(self.ndf);
+        j.iter().zip(i).map(|(j, i)| j - i).collect()
+    }
+
+    /// The error for nodes that the element cannot join.
+    fn wrong(&self, a: &Args<'_>, wanted: &str) -> Exception {
+        let message = format!(
+            "the element needs {wanted}; its nodes have {} degrees of freedom in {} dimensions",
+            self.ndf, self.ndm
+        );
+        a.refuse(message, "not between these nodes")
+    }
+}
+
+fn element(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    need_model(interp, call)?;
+    let mut a = Args::new(call, "element $kind $tag $iNode $jNode ...");
+    let name = a.word("kind of element")?;
+    let kind = KINDS.iter().find(|k| k.names.contains(&name.as_ref()));
+    let usage = kind.map(|k| k.usage).or_else(|| quad::NAMES.contains(&name.as_ref()).then_some(quad::USAGE));
+    let Some(usage) = usage else {
+        let names = KINDS.iter().flat_map(|k| k.names.iter().copied());
+        return Err(a.unknown_name("element", names.chain(quad::NAMES)));
+    };
+    a.usage(usage);
+    let tag = a.int("tag of the element")?;
+    if interp.host.engine.model().element(tag).is_some() {
+        return Err(a.refuse(format!("there is an element {tag} already"), "expected a new tag"));
+    }
+    let (nodes, made) = match kind {
+        Some(kind) => {
+            let ends = Ends::take(interp, &mut a)?;
+            (ends.nodes.to_vec(), (kind.make)(interp, &mut a, &ends)?)
+        }
+        None => quad::make(interp, &mut a)?,
+    };
+    finish(interp, &a)?;
+    interp.host.engine.add_element(tag, nodes, made);
+    Ok(Value::EMPTY)
+}
+
+/// An error of an element as one of the command.
+fn refused(a: &Args<'_>, span: Option<hysteron_tcl::diagnostic::Span>, e: ElementError) -> Exception {
+    a.refuse_at(span, e.0, "")
+}
+
+/// The words after `-orient`: x and y of the local axes (six numbers), or, in space, y alone (three).
+fn orientation(a: &mut Args<'_>, ndm: usize) -> Result<Orientation, Exception> {
+    use crate::model::transform::vector;
+    let first = vector(a, 3, "vector after -orient")?;
+    if ndm == 3 && !a.at_number() {
+        return Ok(Orientation { x: None, y: Some(first) });
+    }
+    Ok(Orientation { x: Some(first), y: Some(vector(a, 3, "local x-y plane's vector after -orient")?) })
+}

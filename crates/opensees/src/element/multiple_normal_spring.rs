@@ -1,0 +1,69 @@
+//! `element multipleNormalSpring`.
+
+use super::multiple_springs::{Orient, distribution, divisions, once, option_missing, shape};
+use super::{Ends, Kind};
+use crate::args::Args;
+use crate::{Tcl, ignore_option};
+use hysteron_engine::element::Element;
+use hysteron_engine::element::bearing::{Distribution, Layout, Link, Mean, MultipleNormalSpring, NormalSprings};
+use hysteron_tcl::Exception;
+use std::sync::Arc;
+
+pub(super) const MULTIPLE_NORMAL_SPRING: Kind = Kind {
+    names: &["multipleNormalSpring"],
+    usage: "element multipleNormalSpring $tag $i $j $nDivide -mat $mat -shape round|square -size $size \
+            <-lambda $lambda> <-orient <$x1 $x2 $x3> $yp1 $yp2 $yp3> <-mass $m>",
+    make,
+};
+
+const NAME: &str = "multipleNormalSpring";
+const OPTIONS: &[&str] = &["-mat", "-shape", "-size", "-lambda", "-orient", "-mass"];
+
+fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let nodes = a.last_span();
+    if (ends.ndm, ends.ndf) != (3, 6) {
+        return Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions"));
+    }
+    let n = divisions(a, "number nDivide of springs across the section")?;
+    let last = a.last_span();
+    let (mut material, mut outline, mut size) = (None, None, None);
+    let (mut lambda, mut orient, mut mass) = (Distribution::Uniform, Orient::default(), 0.0);
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-mat" => {
+                once(a, &material, "-mat")?;
+                material = Some(a.of(&interp.host.definitions.materials)?.0);
+            }
+            "-shape" => {
+                once(a, &outline, "-shape")?;
+                outline = Some(shape(a)?);
+            }
+            "-size" => {
+                once(a, &size, "-size")?;
+                size = Some(a.positive("diameter or edge of the section")?);
+            }
+            "-lambda" => lambda = distribution(a)?,
+            "-orient" => orient.take(a)?,
+            "-mass" => mass = a.positive("mass")?,
+            _ => ignore_option(interp, a, OPTIONS)?,
+        }
+    }
+    let missing = |option, what| option_missing(a, last, NAME, option, what);
+    let material = material.ok_or_else(|| missing("-mat", "the tag of a material"))?;
+    let outline = outline.ok_or_else(|| missing("-shape", "round or square"))?;
+    let size = size.ok_or_else(|| missing("-size", "the diameter or edge of the section"))?;
+    let (axes, length) = orient.axes(a, ends, nodes)?;
+    if length == 0.0 {
+        let message = format!("{NAME}: its nodes are at one place");
+        return Err(a.refuse_at(nodes, message, "expected nodes at a distance: it is the length of the springs"));
+    }
+    let compat = interp.host.engine.options.compat;
+    let mut layout = Layout::new(outline, size, n, lambda, Mean::Section);
+    if compat {
+        // OpenSees counts y the other way round, which shows as it commits only some of the springs.
+        layout.y.iter_mut().for_each(|y| *y = -*y);
+    }
+    let springs = NormalSprings::new(material, &layout, length, MultipleNormalSpring::HEADER);
+    let link = Link::new(&axes, length, 0.5);
+    Ok(Arc::new(MultipleNormalSpring::new(springs, link, mass, compat)))
+}

@@ -1,0 +1,58 @@
+//! `element multipleShearSpring`.
+
+use super::multiple_springs::{Orient, divisions, once, option_missing};
+use super::{Ends, Kind, refused};
+use crate::Tcl;
+use crate::args::Args;
+use hysteron_engine::element::Element;
+use hysteron_engine::element::bearing::{Link, MultipleShearSpring, ShearSprings};
+use hysteron_tcl::Exception;
+use std::sync::Arc;
+
+pub(super) const MULTIPLE_SHEAR_SPRING: Kind = Kind {
+    names: &["multipleShearSpring", "MSS"],
+    usage: "element multipleShearSpring $tag $i $j $nSpring -mat $mat | -nMat $mat1 ... <-lim $dsp> \
+            <-orient <$x1 $x2 $x3> $yp1 $yp2 $yp3> <-mass $m>",
+    make,
+};
+
+const NAME: &str = "multipleShearSpring";
+const OPTIONS: [&str; 5] = ["-mat", "-nMat", "-lim", "-orient", "-mass"];
+
+fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let nodes = a.last_span();
+    if (ends.ndm, ends.ndf) != (3, 6) {
+        return Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions"));
+    }
+    let n = divisions(a, "number nSpring of springs")?;
+    let last = a.last_span();
+    let (mut materials, mut limit, mut limit_at) = (None, None, None);
+    let (mut orient, mut mass) = (Orient::default(), 0.0);
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-mat" | "-nMat" => {
+                once(a, &materials, "-mat or -nMat")?;
+                let known = &interp.host.definitions.materials;
+                materials = Some(if option == "-mat" {
+                    vec![(a.of(known)?.0, n)]
+                } else {
+                    (0..n).map(|_| Ok((a.of(known)?.0, 1))).collect::<Result<_, Exception>>()?
+                });
+            }
+            "-lim" => {
+                limit =
+                    Some(a.not_negative("smallest displacement dsp that the factors are for")?).filter(|l| *l > 0.0);
+                limit_at = a.last_span();
+            }
+            "-orient" => orient.take(a)?,
+            "-mass" => mass = a.positive("mass")?,
+            _ => return Err(a.unknown_name("option", OPTIONS)),
+        }
+    }
+    let materials = materials.ok_or_else(|| option_missing(a, last, NAME, "-mat", "the tag of a material"))?;
+    let (axes, length) = orient.axes(a, ends, nodes)?;
+    let springs = ShearSprings::of(materials, limit, MultipleShearSpring::HEADER);
+    let compat = interp.host.engine.options.compat;
+    let element = MultipleShearSpring::new(springs, Link::new(&axes, length, 0.5), mass, compat);
+    Ok(Arc::new(element.map_err(|e| refused(a, limit_at, e))?))
+}

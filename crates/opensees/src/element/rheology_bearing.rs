@@ -1,0 +1,90 @@
+//! `element HDRRheologyBearing`.
+
+use super::rubber_bearing::{Common, in_space, layers};
+use super::{Ends, Kind};
+use crate::Tcl;
+use crate::args::Args;
+use crate::material::rheology;
+use hysteron_engine::element::Element;
+use hysteron_engine::element::bearing::{RheologyShear, RubberBearing};
+use hysteron_engine::material::HdrRheology;
+use hysteron_tcl::Exception;
+use std::sync::Arc;
+
+pub(super) const RHEOLOGY: Kind = Kind {
+    names: &["HDRRheologyBearing"],
+    usage: "element HDRRheologyBearing $tag $i $j $Gr $Kbulk $D1 $D2 $ts $tr $n -compound $name -temperature $T | $C1eq \
+            $C2eq $C3eq $tauCrEq $m $C1oe $C2oe $tauCrOe $a $n <-linear $C> <-heatCapacity $c <-coolingTime $s>> \
+            <-conduction $layers $tRubber $tSteel $tPlate $kRubber $cRubber $kSteel $cSteel $film> <-ambient $T> <-mullins $excess $strain <-heal $fraction $time> <-preload $strain>> <-axial kumar|linear> <-pDelta on|off> \
+            <-orient $x1 $x2 $x3 $y1 $y2 $y3> <-kc $kc> <-PhiM $PhiM> <-ac $ac> <-shearDist $sDratio> <-mass $m> \
+            <-cover $tc>",
+    make,
+};
+
+const OPTIONS: &[&str] = &[
+    "-compound",
+    "-temperature",
+    "-linear",
+    "-heatCapacity",
+    "-coolingTime",
+    "-conduction",
+    "-ambient",
+    "-beyond",
+    "-mullins",
+    "-heal",
+    "-preload",
+    "-axial",
+    "-pDelta",
+    "-orient",
+    "-kc",
+    "-PhiM",
+    "-ac",
+    "-shearDist",
+    "-mass",
+    "-cover",
+];
+
+fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    in_space(a, ends)?;
+    let mut c = Common::new(a.last_span());
+    let mut layers = layers(interp, a, false)?;
+    let (mut varies, mut p_delta) = (true, true);
+    let law = rheology(interp, a, OPTIONS, |a, option| {
+        match option {
+            "-axial" => {
+                varies = match a.word("axial law: kumar or linear")?.as_ref() {
+                    "kumar" => true,
+                    "linear" => false,
+                    _ => return Err(a.unknown_name("axial law", ["kumar", "linear"])),
+                }
+            }
+            "-pDelta" => {
+                p_delta = match a.word("P-Delta moments: on or off")?.as_ref() {
+                    "on" => true,
+                    "off" => false,
+                    _ => return Err(a.unknown_name("choice of P-Delta moments", ["on", "off"])),
+                }
+            }
+            "-orient" => c.axes(a)?,
+            "-kc" => c.cavitation(a)?,
+            "-PhiM" => c.damage(a)?,
+            "-ac" => c.degradation(a)?,
+            "-shearDist" => c.shear_dist(a)?,
+            "-mass" => c.mass(a)?,
+            "-cover" => c.cover(a)?,
+            _ => return Ok(false),
+        }
+        Ok(true)
+    })?;
+    if !law.hold_ends {
+        return Err(a.refuse("a bearing cannot end at the table of its compound", "expected -beyond hold, or none"));
+    }
+    layers.cover = c.cover;
+    let rubber = layers.bearing();
+    let law = HdrRheology { area: rubber.area, height: rubber.thickness, ..law };
+    let axial = c.axial(rubber, [varies; 3], interp.host.engine.options.compat);
+    let shear = RheologyShear { law };
+    let link = c.link(a, ends)?;
+    let link = if p_delta { link } else { link.first_order() };
+    Ok(Arc::new(RubberBearing::new(axial, shear, link, c.mass)))
+}

@@ -1,0 +1,371 @@
+//! `element HDR`, `ElastomericX` and `LeadRubberX`.
+
+use super::{Ends, Kind};
+use crate::args::Args;
+use crate::model::transform::vector;
+use crate::{Tcl, warn};
+use hysteron_engine::element::Element;
+use hysteron_engine::element::axes::Orientation;
+use hysteron_engine::element::bearing::{
+    AxialLaw, GrantShear, Layers, LeadCore, Link, PI, Rubber, RubberBearing, RubberBoucWen,
+};
+use hysteron_tcl::Exception;
+use hysteron_tcl::diagnostic::{Diagnostic, Span};
+use nalgebra::Vector3;
+use std::sync::Arc;
+
+pub(super) const HDR: Kind = Kind {
+    names: &["HDR"],
+    usage: "element HDR $tag $i $j $Gr $Kbulk $D1 $D2 $ts $tr $n $a1 $a2 $a3 $b1 $b2 $b3 $c1 $c2 $c3 $c4 \
+            <$x1 $x2 $x3 $y1 $y2 $y3 <$kc <$PhiM <$ac <$sDratio <$m <$tc>>>>>>>",
+    make: make_hdr,
+};
+
+pub(super) const ELASTOMERIC_X: Kind = Kind {
+    names: &["ElastomericX"],
+    usage: "element ElastomericX $tag $i $j $Fy $alpha $Gr $Kbulk $D1 $D2 $ts $tr $n \
+            <$x1 $x2 $x3 $y1 $y2 $y3 <$kc <$PhiM <$ac <$sDratio <$m <$cd <$tc <$tag1 ... $tag4>>>>>>>>",
+    make: make_elastomeric,
+};
+
+pub(super) const LEAD_RUBBER_X: Kind = Kind {
+    names: &["LeadRubberX"],
+    usage: "element LeadRubberX $tag $i $j $Fy $alpha $Gr $Kbulk $D1 $D2 $ts $tr $n <$x1 $x2 $x3 $y1 $y2 $y3 \
+            <$kc <$PhiM <$ac $sDratio $m $cd <$tc <$qL $cL $kS $aS <$tag1 ... $tag5>>>>>>>",
+    make: make_leaded,
+};
+
+/// What the bearings of this family have in common, with OpenSees' defaults.
+pub(super) struct Common {
+    orientation: Orientation,
+    orient_at: Option<Span>,
+    kc: f64,
+    phi: f64,
+    ac: f64,
+    shear_dist: f64,
+    pub(super) mass: f64,
+    cd: f64,
+    pub(super) cover: f64,
+}
+
+impl Common {
+    pub(super) fn new(nodes: Option<Span>) -> Self {
+        Self {
+            // The local y axis of a bearing that is not told is opposite to the global X.
+            orientation: Orientation { x: None, y: Some(-Vector3::x()) },
+            orient_at: nodes,
+            kc: 10.0,
+            phi: 0.5,
+            ac: 1.0,
+            shear_dist: 0.5,
+            mass: 0.0,
+            cd: 0.0,
+            cover: 0.0,
+        }
+    }
+
+    pub(super) fn axes(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
+        let x = vector(a, 3, "local x axis")?;
+        self.orient_at = a.last_span();
+        let y = vector(a, 3, "vector in the local x-y plane")?;
+        self.orientation = Orientation { x: Some(x), y: Some(y) };
+        Ok(())
+    }
+
+    pub(super) fn cavitation(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
+        // Zero stands for a bearing that hardens; OpenSees puts a small number there.
+        let kc = a.not_negative("cavitation parameter kc")?;
+        self.kc = if kc < f64::EPSILON { 1e-4 } else { kc };
+        Ok(())
+    }
+
+    pub(super) fn damage(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
+        self.phi = fraction(a, "largest damage of the cavitation strength PhiM")?;
+        Ok(())
+    }
+
+    pub(super) fn degradation(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
+        self.ac = a.not_negative("strength degradation parameter ac")?;
+        Ok(())
+    }
+
+    pub(super) fn shear_dist(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
+        self.shear_dist = fraction(a, "place of the shear force sDratio")?;
+        Ok(())
+    }
+
+    pub(super) fn mass(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
+        self.mass = a.not_negative("mass m")?;
+        Ok(())
+    }
+
+    fn damping(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
+        self.cd = a.not_negative("viscous damping cd")?;
+        Ok(())
+    }
+
+    pub(super) fn cover(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
+        self.cover = a.not_negative("cover thickness tc")?;
+        Ok(())
+    }
+
+    /// Kinematics between the nodes.
+    pub(super) fn link(&self, a: &Args<'_>, ends: &Ends) -> Result<Link<12, 6>, Exception> {
+        let made = self.orientation.of_link(ends.place.0, ends.place.1, false);
+        let (axes, length) = made.map_err(|e| {
+            let label = "expected nodes apart or a local x axis, and a vector that is not parallel to it";
+            a.refuse_at(self.orient_at, format!("bearing: {}", e.message()), label)
+        })?;
+        Ok(Link::new(&axes, length, self.shear_dist))
+    }
+
+    /// The axial law, where `switches` say whether the bearing cavitates, buckles and softens.
+    pub(super) fn axial(&self, rubber: Rubber, [cavitates, buckles, softens]: [bool; 3], compat: bool) -> AxialLaw {
+        AxialLaw { rubber, kc: self.kc, phi: self.phi, ac: self.ac, cavitates, buckles, softens, compat }
+    }
+}
+
+/// A number from 0 to 1.
+fn fraction(a: &mut Args<'_>, what: &str) -> Result<f64, Exception> {
+    let x = a.float(what)?;
+    if (0.0..=1.0).contains(&x) { Ok(x) } else { Err(a.refuse(format!("{what} is {x}"), "expected a number 0 to 1")) }
+}
+
+pub(super) fn in_space(a: &Args<'_>, ends: &Ends) -> Result<(), Exception> {
+    if (ends.ndm, ends.ndf) == (3, 6) { Ok(()) } else { Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions")) }
+}
+
+/// Material and geometry: G, K, D1, D2, ts, tr, n.
+pub(super) fn layers(interp: &mut Tcl, a: &mut Args<'_>, plugged: bool) -> Result<Layers, Exception> {
+    let g = a.positive("shear modulus Gr")?;
+    let bulk = a.positive("bulk modulus Kbulk")?;
+    let inner = a.not_negative("inner diameter D1")?;
+    let outer = a.positive("outer diameter D2")?;
+    if outer <= inner {
+        return Err(a.refuse(
+            format!("outer diameter D2 is {outer}, inner diameter D1 is {inner}"),
+            format!("expected an outer diameter greater than {inner}"),
+        ));
+    }
+    let shim = a.not_negative("thickness of a shim ts")?;
+    let layer = a.positive("thickness of a rubber layer tr")?;
+    if layer >= outer {
+        return Err(a.refuse(
+            format!("thickness of a rubber layer tr is {layer}"),
+            format!("expected less than the outer diameter, {outer}"),
+        ));
+    }
+    let count = a.float("number of layers n")?;
+    if count < 1.0 {
+        return Err(a.refuse(format!("number of layers n is {count}"), "expected at least 1"));
+    }
+    if count.fract() != 0.0 {
+        let d = Diagnostic::warning(format!("number of layers n is {count}"));
+        warn(interp, d.at(a.last_span(), "expected a whole number"))?;
+    }
+    Ok(Layers { g, bulk, inner, outer, shim, layer, count, cover: 0.0, plugged })
+}
+
+/// The error for words after the last argument.
+fn nothing_left(a: &Args<'_>) -> Result<(), Exception> {
+    match a.left() {
+        0 => Ok(()),
+        n => {
+            let words: Vec<String> = a.ahead().map(|v| v.as_str().into_owned()).collect();
+            let s = if n == 1 { "" } else { "s" };
+            let message = format!("{n} argument{s} too many: {}", words.join(" "));
+            Err(a.refuse_at(a.next_span(), message, "nothing more was expected"))
+        }
+    }
+}
+
+/// Whether numbers can be G, K, D1, D2, ts, tr, n of a bearing.
+fn can_be_layers(v: &[f64]) -> bool {
+    matches!(v, [g, k, d1, d2, ts, tr, n, ..]
+        if *g > 0.0 && *k > 0.0 && *d1 >= 0.0 && d2 > d1 && (0.0..*d2).contains(ts) && (0.0..*d2).contains(tr)
+            && *n >= 1.0 && n.fract() == 0.0)
+}
+
+/// Scripts for the first `HDR` give a yield force and a yield displacement before the shear modulus.
+fn first_form(a: &Args<'_>) -> Result<(), Exception> {
+    let numbers: Vec<f64> = a.ahead().map_while(|v| v.to_f64().ok()).collect();
+    if numbers.len() < 19 || can_be_layers(&numbers) || !can_be_layers(&numbers[2..]) {
+        return Ok(());
+    }
+    let two: Vec<String> = a.ahead().take(2).map(|v| v.as_str().into_owned()).collect();
+    let message = format!("HDR: 2 arguments too many before the shear modulus: {}", two.join(" "));
+    let label = "this one and the next, a yield force and displacement, are no arguments of HDR any more";
+    Err(a.refuse_at(a.next_span(), message, label))
+}
+
+fn make_hdr(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    in_space(a, ends)?;
+    let mut c = Common::new(a.last_span());
+    first_form(a)?;
+    let mut layers = layers(interp, a, false)?;
+    layers.count = layers.count.trunc();
+    let elastic = [
+        a.positive("parameter a1 of the elastic shear force")?,
+        a.float("parameter a2 of the elastic shear force")?,
+        a.float("parameter a3 of the elastic shear force")?,
+    ];
+    let hysteretic = [
+        a.not_negative("parameter b1 of the bounding force")?,
+        a.float("parameter b2 of the bounding force")?,
+        a.not_negative("parameter b3 of the hysteretic force")?,
+    ];
+    let damage = [
+        a.not_negative("scragging parameter c1")?,
+        a.not_negative("scragging parameter c2")?,
+        a.float("Mullins parameter c3")?,
+        a.not_negative("Mullins parameter c4")?,
+    ];
+    if a.left() > 0 {
+        c.axes(a)?;
+    }
+    for take in
+        [Common::cavitation, Common::damage, Common::degradation, Common::shear_dist, Common::mass, Common::cover]
+    {
+        if a.left() > 0 {
+            take(&mut c, a)?;
+        }
+    }
+    nothing_left(a)?;
+    layers.cover = c.cover;
+    let compat = interp.host.engine.options.compat;
+    let shear = GrantShear { a: elastic, b: hysteretic, c: damage, compat };
+    let axial = c.axial(layers.bearing(), [true; 3], compat);
+    Ok(Arc::new(RubberBearing::new(axial, shear, c.link(a, ends)?.under_given_force(compat), c.mass)))
+}
+
+/// Yield force and the ratio of stiffnesses after and before yielding.
+fn yielding(a: &mut Args<'_>) -> Result<(f64, f64), Exception> {
+    let qy = a.positive("yield force Fy")?;
+    let alpha = a.positive("post-yield stiffness ratio alpha")?;
+    if alpha >= 1.0 {
+        return Err(a.refuse(
+            format!("post-yield stiffness ratio alpha is {alpha}"),
+            "expected a number greater than 0 and less than 1",
+        ));
+    }
+    Ok((qy, alpha))
+}
+
+/// Switches, which are 1 or off.
+fn switches<const N: usize>(interp: &mut Tcl, a: &mut Args<'_>, what: [&str; N]) -> Result<[bool; N], Exception> {
+    let mut on = [false; N];
+    for (i, (on, what)) in on.iter_mut().zip(what).enumerate() {
+        if a.left() == 0 {
+            break;
+        }
+        let switch = a.int(&format!("tag{} ({what})", i + 1))?;
+        *on = switch == 1;
+        if !(0..=1).contains(&switch) {
+            let d = Diagnostic::warning(format!("tag{} ({what}) is {switch} and counts as 0", i + 1));
+            warn(interp, d.at(a.last_span(), "expected 0 or 1"))?;
+        }
+    }
+    Ok(on)
+}
+
+fn make_elastomeric(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    in_space(a, ends)?;
+    let mut c = Common::new(a.last_span());
+    let (qy, alpha) = yielding(a)?;
+    let mut layers = layers(interp, a, false)?;
+    if a.left() > 0 {
+        c.axes(a)?;
+    }
+    let options = [
+        Common::cavitation,
+        Common::damage,
+        Common::degradation,
+        Common::shear_dist,
+        Common::mass,
+        Common::damping,
+        Common::cover,
+    ];
+    for take in options {
+        if a.left() > 0 {
+            take(&mut c, a)?;
+        }
+    }
+    let [cavitates, buckles, varies, softens] =
+        switches(interp, a, ["cavitation", "critical load", "shear stiffness", "axial stiffness"])?;
+    nothing_left(a)?;
+    layers.cover = c.cover;
+    let compat = interp.host.engine.options.compat;
+    let rubber = layers.bearing();
+    let shear = RubberBoucWen {
+        qy,
+        k0: (1.0 / alpha - 1.0) * rubber.shear,
+        rubber: rubber.shear,
+        cd: c.cd,
+        varies,
+        leaded: false,
+        core: None,
+        heats: false,
+        compat,
+    };
+    let axial = c.axial(rubber, [cavitates, buckles, softens], compat);
+    Ok(Arc::new(RubberBearing::new(axial, shear, c.link(a, ends)?.under_given_force(compat), c.mass)))
+}
+
+fn make_leaded(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    in_space(a, ends)?;
+    let mut c = Common::new(a.last_span());
+    let (qy, alpha) = yielding(a)?;
+    let mut layers = layers(interp, a, true)?;
+    if a.left() > 0 {
+        c.axes(a)?;
+    }
+    // OpenSees takes some of them together or not at all.
+    for take in [Common::cavitation, Common::damage] {
+        if a.left() > 0 {
+            take(&mut c, a)?;
+        }
+    }
+    if a.left() > 0 {
+        c.degradation(a)?;
+        c.shear_dist(a)?;
+        c.mass(a)?;
+        c.damping(a)?;
+    }
+    if a.left() > 0 {
+        c.cover(a)?;
+    }
+    let (mut density, mut heat, mut conductivity, mut diffusivity) = (11200.0, 130.0, 50.0, 1.41e-5);
+    if a.left() > 0 {
+        density = a.positive("density of lead qL")?;
+        heat = a.positive("specific heat of lead cL")?;
+        conductivity = a.positive("thermal conductivity of steel kS")?;
+        diffusivity = a.positive("thermal diffusivity of steel aS")?;
+    }
+    let [cavitates, buckles, varies, softens, heats] =
+        switches(interp, a, ["cavitation", "critical load", "shear stiffness", "axial stiffness", "heating"])?;
+    if heats && layers.inner == 0.0 {
+        return Err(a.refuse(
+            "tag5 (heating) is 1, but the inner diameter D1 is 0: there is no lead core",
+            "expected 0, or a D1 greater than 0",
+        ));
+    }
+    nothing_left(a)?;
+    layers.cover = c.cover;
+    let compat = interp.host.engine.options.compat;
+    let rubber = layers.bearing();
+    let radius = 0.5 * layers.inner;
+    let core = (radius > 0.0).then(|| LeadCore {
+        radius,
+        area: PI * radius * radius,
+        height: rubber.height,
+        shims: layers.shims(),
+        density,
+        heat,
+        conductivity,
+        diffusivity,
+    });
+    let k0 = (1.0 / alpha - 1.0) * rubber.shear;
+    let shear = RubberBoucWen { qy, k0, rubber: rubber.shear, cd: c.cd, varies, leaded: true, core, heats, compat };
+    let axial = c.axial(rubber, [cavitates, buckles, softens], compat);
+    Ok(Arc::new(RubberBearing::new(axial, shear, c.link(a, ends)?.under_given_force(compat), c.mass)))
+}

@@ -1,0 +1,101 @@
+//! `element flatSliderBearing`, `singleFPBearing` and `RJWatsonEqsBearing`.
+
+use super::bearing::{Placement, materials};
+use super::{Ends, orientation};
+use crate::args::Args;
+use crate::{Tcl, ignore_option};
+use hysteron_engine::element::Element;
+use hysteron_engine::element::bearing::sliding::{
+    Dish, Kind, PlaneSlider, Setting, SpaceSlider, Substitution, Surface,
+};
+use hysteron_tcl::Exception;
+use std::sync::Arc;
+
+pub(super) const FLAT: super::Kind = super::Kind {
+    names: &["flatSliderBearing"],
+    usage: "element flatSliderBearing $tag $i $j $frnMdlTag $kInit -P $mat <-T $mat -My $mat> -Mz $mat \
+            <-orient <$x1 $x2 $x3> $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> <-mass $m> <-iter $maxIter $tol>",
+    make: |interp, a, ends| make(interp, a, ends, Kind::Flat),
+};
+
+pub(super) const PENDULUM: super::Kind = super::Kind {
+    names: &["singleFPBearing", "SFPBearing", "singlePFBearing", "SPFBearing"],
+    usage: "element singleFPBearing $tag $i $j $frnMdlTag $Reff $kInit -P $mat <-T $mat -My $mat> -Mz $mat \
+            <-orient <$x1 $x2 $x3> $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> <-inclVertDisp> <-mass $m> \
+            <-iter $maxIter $tol> <-kFactUplift $kFact>",
+    make: |interp, a, ends| make(interp, a, ends, Kind::Pendulum),
+};
+
+pub(super) const RJ_WATSON: super::Kind = super::Kind {
+    names: &["RJWatsonEqsBearing", "RJWatsonBearing", "EQSBearing"],
+    usage: "element RJWatsonEqsBearing $tag $i $j $frnMdlTag $kInit -P $mat -Vy $mat <-Vz $mat -T $mat -My $mat> \
+            -Mz $mat <-orient <$x1 $x2 $x3> $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> <-mass $m> \
+            <-iter $maxIter $tol> <-kFactUplift $kFact>",
+    make: |interp, a, ends| make(interp, a, ends, Kind::Springs),
+};
+
+const OPTIONS: &[&str] = &["-orient", "-shearDist", "-doRayleigh", "-mass", "-iter", "-kFactUplift", "-inclVertDisp"];
+
+fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, kind: Kind) -> Result<Arc<dyn Element>, Exception> {
+    let nodes = a.last_span();
+    let (friction, _) = a.of(&interp.host.definitions.frictions)?;
+    let mut dish = match kind {
+        Kind::Pendulum => Some(Dish { radius: a.positive("effective radius Reff")?, rises: false }),
+        _ => None,
+    };
+    let k_init = a.positive("initial stiffness kInit")?;
+    let wanted: &[&str] = match (kind, ends.ndm) {
+        (Kind::Springs, 2) => &["-P", "-Vy", "-Mz"],
+        (Kind::Springs, _) => &["-P", "-Vy", "-Vz", "-T", "-My", "-Mz"],
+        (_, 2) => &["-P", "-Mz"],
+        _ => &["-P", "-T", "-My", "-Mz"],
+    };
+    let materials = materials(interp, a, wanted)?;
+    let mut place = Placement::at_nodes(nodes);
+    let mut substitution = Substitution { rounds: 25, tolerance: 1e-12 };
+    let compat = interp.host.engine.options.compat;
+    // OpenSees gives the flat slider no share of its own.
+    let uplift = if compat && kind == Kind::Flat { f64::EPSILON } else { 1e-6 };
+    let mut setting = Setting { kind, mass: 0.0, rayleigh: false, uplift, compat: None };
+    let mut shear_dist = 0.0;
+    let known = match kind {
+        Kind::Flat => &OPTIONS[..5],
+        Kind::Springs => &OPTIONS[..6],
+        _ => OPTIONS,
+    };
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-orient" => {
+                place.orient_span = a.last_span();
+                place.orientation = orientation(a, ends.ndm)?;
+            }
+            "-shearDist" => shear_dist = super::bearing::shear_dist(a)?,
+            "-doRayleigh" => setting.rayleigh = true,
+            "-mass" => setting.mass = a.not_negative("mass")?,
+            "-iter" => {
+                substitution.rounds = a.count("largest number of iterations")?;
+                substitution.tolerance = a.positive("tolerance")?;
+            }
+            "-kFactUplift" if known.contains(&"-kFactUplift") => {
+                setting.uplift = a.positive("share of the stiffness left in uplift kFactUplift")?;
+            }
+            "-inclVertDisp" | "-inclVertdisp" if known.contains(&"-inclVertDisp") => {
+                dish = dish.map(|d| Dish { rises: true, ..d });
+            }
+            _ => ignore_option(interp, a, known)?,
+        }
+    }
+    setting.compat = compat.then_some(substitution);
+    let surface = Surface { friction, k_init, dish };
+    match (ends.ndm, ends.ndf) {
+        (2, 3) => {
+            let (link, length) = place.link(a, ends, shear_dist)?;
+            Ok(Arc::new(PlaneSlider::new(surface, (link, length, shear_dist), materials, setting)))
+        }
+        (3, 6) => {
+            let (link, length) = place.link(a, ends, shear_dist)?;
+            Ok(Arc::new(SpaceSlider::new(surface, (link, length, shear_dist), materials, setting)))
+        }
+        _ => Err(ends.wrong(a, "3 degrees of freedom in 2 or 6 in 3 dimensions")),
+    }
+}

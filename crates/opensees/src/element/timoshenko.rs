@@ -1,0 +1,83 @@
+//! `element ElasticTimoshenkoBeam`.
+
+use super::beam::{elastic_part, no_transform, numbers_ahead};
+use super::{Ends, Kind};
+use crate::args::Args;
+use crate::{Tcl, ignore_option};
+use hysteron_engine::element::Element;
+use hysteron_engine::element::beam::{TimoshenkoBeam, TimoshenkoOptions};
+use hysteron_engine::element::transform;
+use hysteron_engine::section::ElasticSection;
+use hysteron_tcl::Exception;
+use nalgebra::Vector3;
+use std::sync::Arc;
+
+pub(super) const TIMOSHENKO: Kind = Kind {
+    names: &["ElasticTimoshenkoBeam", "elasticTimoshenkoBeam"],
+    usage: "element ElasticTimoshenkoBeam $tag $i $j $E $G $A $Iz $Avy $transf (in the plane) or \
+            $E $G $A $J $Iy $Iz $Avy $Avz $transf (in space) or $section $transf <-mass $m> <-cMass> <-geomNonlinear>",
+    make,
+};
+
+/// The section of the beam: by its tag, or number after number.
+fn section(interp: &Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSection, Exception> {
+    if numbers_ahead(a) == 2 {
+        let (section, tag) = a.of(&interp.host.definitions.sections)?;
+        let mut s = elastic_part(&section);
+        if s.g == 0.0 {
+            return Err(a.refuse(
+                format!("section {tag} has no shear modulus, which the beam needs"),
+                "expected a section with a G",
+            ));
+        }
+        // As in OpenSees, the whole area takes the shear of a section that says nothing about it.
+        s.shear = (s.shear.0.or(Some(s.area)), s.shear.1.or(Some(s.area)));
+        return Ok(s);
+    }
+    let (e, g) = (a.positive("elastic modulus E")?, a.positive("shear modulus G")?);
+    let area = a.positive("cross-sectional area A")?;
+    let (mut j, mut iy) = (0.0, 0.0);
+    if ndm == 3 {
+        j = a.positive("torsion constant J")?;
+        iy = a.positive("second moment of area Iy")?;
+    }
+    let iz = a.positive("second moment of area Iz")?;
+    let avy = a.positive("shear area Avy")?;
+    let avz = if ndm == 3 { Some(a.positive("shear area Avz")?) } else { None };
+    Ok(ElasticSection { e, area, iz, iy, g, j, shear: (Some(avy), avz) })
+}
+
+fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let nodes = a.last_span();
+    if !matches!((ends.ndm, ends.ndf), (2, 3) | (3, 6)) {
+        return Err(ends.wrong(a, "3 degrees of freedom in 2 or 6 in 3 dimensions"));
+    }
+    let s = section(interp, a, ends.ndm)?;
+    let (spec, tag) = a.of(&interp.host.definitions.transforms)?;
+    let place = a.last_span();
+    if spec.offsets != (Vector3::zeros(), Vector3::zeros()) {
+        return Err(a.refuse(
+            format!("the beam has no joint offsets, but transformation {tag} does"),
+            "expected a transformation without -jntOffset",
+        ));
+    }
+    let mut o = TimoshenkoOptions::default();
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-mass" => o.rho = a.not_negative("mass per length")?,
+            "-cMass" => o.consistent = true,
+            "-lMass" => o.consistent = false,
+            "-geomNonlinear" => o.geometric = true,
+            _ => ignore_option(interp, a, &["-mass", "-cMass", "-lMass", "-geomNonlinear"])?,
+        }
+    }
+    // The transformation gives the axes alone, and displacements count from the nodes' coordinates.
+    let still = vec![0.0; ends.disp.len()];
+    let stand = transform::Ends { place: ends.place, disp: &still };
+    let wrong = |e| no_transform(a, place, nodes, e);
+    Ok(if ends.ndm == 2 {
+        Arc::new(TimoshenkoBeam::new(spec.plane(&stand).map_err(wrong)?.frame().clone(), s, o))
+    } else {
+        Arc::new(TimoshenkoBeam::new(spec.space(&stand).map_err(wrong)?.frame().clone(), s, o))
+    })
+}

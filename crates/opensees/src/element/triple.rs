@@ -1,0 +1,87 @@
+//! `element TripleFrictionPendulum`.
+
+use super::{Ends, Kind};
+use crate::Tcl;
+use crate::args::Args;
+use hysteron_engine::element::Element;
+use hysteron_engine::element::bearing::triple::{Chain, Segment, TriplePendulum, TripleSetting};
+use hysteron_engine::element::friction::Friction;
+use hysteron_engine::material::Material;
+use hysteron_tcl::Exception;
+use hysteron_tcl::diagnostic::Span;
+use std::sync::Arc;
+
+pub(super) const TRIPLE: Kind = Kind {
+    names: &["TripleFrictionPendulum"],
+    usage: "element TripleFrictionPendulum $tag $i $j $frnTag1 $frnTag2 $frnTag3 $vertMatTag $rotZMatTag $rotXMatTag \
+            $rotYMatTag $L1 $L2 $L3 $d1 $d2 $d3 $W $uy $kvt $minFv $tol",
+    make,
+};
+
+/// Effective radii and displacement limits of the inner, lower and upper surfaces.
+pub(super) fn lengths(a: &mut Args<'_>) -> Result<([f64; 3], [f64; 3]), Exception> {
+    let l1 = a.positive("effective radius L1 of the inner surfaces")?;
+    let mut outer = |what: &str| -> Result<f64, Exception> {
+        let l = a.positive(&format!("effective radius {what}"))?;
+        let refused = || a.refuse(format!("{what} is {l}"), format!("expected a radius greater than L1, {l1}"));
+        if l > l1 { Ok(l) } else { Err(refused()) }
+    };
+    let l = [l1, outer("L2 of the lower outer surface")?, outer("L3 of the upper outer surface")?];
+    let d1 = a.positive("displacement limit d1 of the inner surfaces")?;
+    let d2 = a.positive("displacement limit d2 of the lower outer surface")?;
+    let d3 = a.positive("displacement limit d3 of the upper outer surface")?;
+    Ok((l, [d1, d2, d3]))
+}
+
+/// Stiffness of all segments before sliding, from the first coefficient of friction and the yield displacement at `span`.
+pub(super) fn stiffness(
+    a: &Args<'_>,
+    span: Option<Span>,
+    mu: f64,
+    uy: f64,
+    [l1, l2, l3]: &[f64; 3],
+) -> Result<f64, Exception> {
+    let e = 3.0 * mu / uy;
+    let softest = (0.5 / l1).max(1.0 / (l2 - l1)).max(1.0 / (l3 - l1));
+    if e > softest {
+        return Ok(e);
+    }
+    let limit = uy * e / softest;
+    let message = format!("the yield displacement uy is {uy}: the bearing is not stiffer before sliding than in it");
+    Err(a.refuse_at(span, message, format!("expected a displacement less than {limit:.4}")))
+}
+
+/// The segments, `inner` being the gap of the first.
+pub(super) fn chain(e: f64, [l1, l2, l3]: &[f64; 3], [_, d2, d3]: &[f64; 3], inner: f64) -> Chain {
+    let segment = |stiffness: f64, gap: f64, speed: f64| Segment { e, h: e * stiffness / (e - stiffness), gap, speed };
+    Chain {
+        segments: [
+            segment(0.5 / l1, inner, 0.5),
+            segment(1.0 / (l2 - l1), d2 * (1.0 - l1 / l2), l2 / (l2 - l1)),
+            segment(1.0 / (l3 - l1), d3 * (1.0 - l1 / l3), l3 / (l3 - l1)),
+        ],
+    }
+}
+
+fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    if (ends.ndm, ends.ndf) != (3, 6) {
+        return Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions"));
+    }
+    let definitions = &interp.host.definitions;
+    let mut friction = || a.of(&definitions.frictions).map(|(f, _)| f);
+    let frictions: [Friction; 3] = [friction()?, friction()?, friction()?];
+    let mut material = || a.of(&definitions.materials);
+    let materials: [(Material, i32); 4] = [material()?, material()?, material()?, material()?];
+    let (l, d) = lengths(a)?;
+    let weight = a.positive("weight W")?;
+    let uy = a.positive("yield displacement uy")?;
+    let e = stiffness(a, a.last_span(), frictions[0].coefficient(weight, 0.0).mu, uy, &l)?;
+    let k_tension = a.positive("vertical stiffness in tension kvt")?;
+    let least_normal = a.not_negative("least normal force minFv")?;
+    let tolerance = a.positive("tolerance tol")?;
+    let chain = chain(e, &l, &d, 2.0 * (l[0] / l[2] * d[2] + d[0]));
+    let height = ends.place.1.z - ends.place.0.z;
+    let compat = interp.host.engine.options.compat.then_some(tolerance);
+    let setting = TripleSetting { weight, k_tension, least_normal, height, compat };
+    Ok(Arc::new(TriplePendulum::new(chain, frictions, materials, setting)))
+}

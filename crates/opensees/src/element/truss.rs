@@ -1,0 +1,97 @@
+//! `element truss` and `corotTruss`.
+
+use super::beam::numbers_ahead;
+use super::{Ends, Kind, refused};
+use crate::args::Args;
+use crate::{Tcl, ignore_option};
+use hysteron_engine::element::{BarOptions, CorotTruss, Element, Truss};
+use hysteron_engine::material::Material;
+use hysteron_engine::section::Axial;
+use hysteron_tcl::Exception;
+use std::sync::Arc;
+
+pub(super) const TRUSS: Kind = Kind {
+    names: &["truss", "Truss"],
+    usage: "element truss $tag $i $j $A $matTag <-rho $rho> <-cMass $flag> <-doRayleigh $flag> <-useInitialDisp $flag>",
+    make,
+};
+
+pub(super) const COROT_TRUSS: Kind = Kind {
+    names: &["corotTruss", "CorotTruss"],
+    usage: "element corotTruss $tag $i $j $A $matTag <-rho $rho> <-cMass $flag> <-doRayleigh $flag>",
+    make: make_corot,
+};
+
+pub(super) const TRUSS_SECTION: Kind = Kind {
+    names: &["trussSection", "TrussSection"],
+    usage: "element trussSection $tag $i $j $section <-rho $rho> <-cMass $flag> <-doRayleigh $flag>",
+    make,
+};
+
+pub(super) const COROT_TRUSS_SECTION: Kind = Kind {
+    names: &["corotTrussSection", "CorotTrussSection"],
+    usage: "element corotTrussSection $tag $i $j $section <-rho $rho> <-cMass $flag> <-doRayleigh $flag>",
+    make: make_corot,
+};
+
+fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let span = a.last_span();
+    let mut initial = ends.initial();
+    let (material, tag, options) = words(interp, a, ends, Some(&mut initial))?;
+    let line = ends.place.1 - ends.place.0;
+    let line: Vec<f64> = (0..ends.ndm).map(|i| line[i] + initial[i]).collect();
+    let truss = Truss::new(material, tag, &line, ends.ndf, &initial, options);
+    Ok(Arc::new(truss.map_err(|e| refused(a, span, e))?))
+}
+
+/// The corotational bar measures from the nodes' coordinates, whatever their displacements are.
+fn make_corot(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let span = a.last_span();
+    let (material, tag, options) = words(interp, a, ends, None)?;
+    let line = ends.place.1 - ends.place.0;
+    let truss = CorotTruss::new(material, tag, &line.as_slice()[..ends.ndm], ends.ndf, options);
+    Ok(Arc::new(truss.map_err(|e| refused(a, span, e))?))
+}
+
+/// Area and material, or, with one number instead of two, a section whose axial force is the bar's.
+fn axial(interp: &Tcl, a: &mut Args<'_>) -> Result<(f64, Material, i32), Exception> {
+    if numbers_ahead(a) == 1 {
+        let (section, tag) = a.of(&interp.host.definitions.sections)?;
+        let Some(axial) = Axial::new(section, tag) else {
+            return Err(a.refuse(format!("section {tag} has no axial force"), "expected a section with P"));
+        };
+        return Ok((1.0, Arc::new(axial), tag));
+    }
+    let area = a.positive("cross-sectional area A")?;
+    let (material, tag) = a.of(&interp.host.definitions.materials)?;
+    Ok((area, material, tag))
+}
+
+/// Material and constants; the displacements to measure from, where the kind of bar has them, may be given up.
+fn words(
+    interp: &mut Tcl,
+    a: &mut Args<'_>,
+    ends: &Ends,
+    mut initial: Option<&mut Vec<f64>>,
+) -> Result<(Material, i32, BarOptions), Exception> {
+    let (area, material, tag) = axial(interp, a)?;
+    let mut options = BarOptions { area, rho: 0.0, consistent: false, rayleigh: false };
+    let known = &["-rho", "-cMass", "-doRayleigh", "-useInitialDisp"][..if initial.is_some() { 4 } else { 3 }];
+    while let Some(option) = a.option() {
+        match (option.as_ref(), &mut initial) {
+            ("-rho", _) => options.rho = a.not_negative("mass per length rho")?,
+            ("-cMass", _) => options.consistent = a.int("flag")? != 0,
+            ("-doRayleigh", _) => options.rayleigh = a.int("flag")? != 0,
+            ("-useInitialDisp", Some(initial)) => {
+                if a.int("flag")? == 0 {
+                    initial.fill(0.0);
+                }
+            }
+            _ => ignore_option(interp, a, known)?,
+        }
+    }
+    if !matches!((ends.ndm, ends.ndf), (1, 1) | (2, 2 | 3) | (3, 3 | 6)) {
+        return Err(ends.wrong(a, "1 degree of freedom in 1, 2 or 3 in 2, 3 or 6 in 3 dimensions"));
+    }
+    Ok((material, tag, options))
+}

@@ -1,0 +1,49 @@
+//! `element YamamotoBiaxialHDR`.
+
+use super::multiple_springs::Orient;
+use super::{Ends, Kind};
+use crate::Tcl;
+use crate::args::Args;
+use hysteron_engine::element::Element;
+use hysteron_engine::element::bearing::{Link, ShearBearing, YamamotoShear};
+use hysteron_tcl::Exception;
+use std::sync::Arc;
+
+pub(super) const YAMAMOTO: Kind = Kind {
+    names: &["YamamotoBiaxialHDR"],
+    usage: "element YamamotoBiaxialHDR $tag $i $j $tp $dDo $dDi $hr <-coRS $cr $cs> <-orient <$x1 $x2 $x3> $y1 $y2 $y3> \
+            <-mass $m>",
+    make,
+};
+
+fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let nodes = a.last_span();
+    if (ends.ndm, ends.ndf) != (3, 6) {
+        return Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions"));
+    }
+    match a.int("compound tp")? {
+        1 => {}
+        tp => return Err(a.refuse(format!("there is no compound {tp}"), "expected 1, Bridgestone's X0.6R")),
+    }
+    let outer = a.positive("outer diameter dDo")?;
+    let inner = a.not_negative("inner diameter dDi")?;
+    if inner >= outer {
+        return Err(a.refuse(format!("the inner diameter is {inner}"), format!("expected it less than dDo, {outer}")));
+    }
+    let height = a.positive("total thickness hr of the rubber")?;
+    let (mut factors, mut mass) = ([1.0; 2], 0.0);
+    let mut orient = Orient::default();
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-coRS" => factors = [a.positive("factor cr of tau_r")?, a.positive("factor cs of tau_s")?],
+            "-orient" => orient.take(a)?,
+            "-mass" => mass = a.positive("mass")?,
+            _ => return Err(a.unknown_name("option", ["-coRS", "-orient", "-mass"])),
+        }
+    }
+    let (axes, length) = orient.axes(a, ends, nodes)?;
+    let law = YamamotoShear::new([outer, inner], height, factors, interp.host.engine.options.compat);
+    // No springs besides the shear: nothing resists axial force, torsion and bending.
+    let bearing = ShearBearing::<_, 12, 6, 0, 2>::new(law, Link::new(&axes, length, 0.5), [], mass, true);
+    Ok(Arc::new(bearing))
+}

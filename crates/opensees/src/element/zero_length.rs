@@ -1,0 +1,108 @@
+//! `element zeroLength`.
+
+use super::{Ends, Kind, refused};
+use crate::args::Args;
+use crate::model::transform::vector;
+use crate::{Tcl, ignore_option, warn};
+use hysteron_engine::element::axes::{self, Orientation};
+use hysteron_engine::element::{CoupledZeroLength, Element, RayleighDamping, ZeroLength};
+use hysteron_engine::material::Material;
+use hysteron_tcl::Exception;
+use hysteron_tcl::diagnostic::Diagnostic;
+use nalgebra::{Matrix3, Vector3};
+use std::sync::Arc;
+
+pub(super) const ZERO_LENGTH: Kind = Kind {
+    names: &["zeroLength"],
+    usage: "element zeroLength $tag $i $j -mat $mat1 ... -dir $dir1 ... <-doRayleigh <$flag>> \
+            <-dampMats $mat1 ...> <-orient $x1 $x2 $x3 $yp1 $yp2 $yp3>",
+    make,
+};
+
+pub(super) const COUPLED: Kind = Kind {
+    names: &["CoupledZeroLength", "coupledZeroLength", "ZeroLengthCoupled"],
+    usage: "element CoupledZeroLength $tag $i $j $dir1 $dir2 $mat <$doRayleigh>",
+    make: make_coupled,
+};
+
+const OPTIONS: &[&str] = &["-mat", "-dir", "-doRayleigh", "-dampMats", "-orient"];
+
+fn materials(interp: &Tcl, a: &mut Args<'_>) -> Result<Vec<(Material, i32)>, Exception> {
+    let mut out = vec![a.of(&interp.host.definitions.materials)?];
+    while a.at_number() {
+        out.push(a.of(&interp.host.definitions.materials)?);
+    }
+    Ok(out)
+}
+
+fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let span = a.last_span();
+    let (mut mats, mut dirs) = (vec![], vec![]);
+    let mut damping = RayleighDamping::None;
+    let mut axes = Matrix3::identity();
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-mat" => mats = materials(interp, a)?,
+            "-dir" | "-dof" => {
+                while dirs.is_empty() || a.at_number() {
+                    let direction = a.dof("direction", 6)? + 1;
+                    // In the plane the third degree of freedom of a node is its rotation.
+                    let turns = direction == 3 && (ends.ndm, ends.ndf) == (2, 3);
+                    dirs.push((if turns { 6 } else { direction }, a.last_span()));
+                }
+            }
+            "-doRayleigh" => match a.optional_int("flag")? {
+                None | Some(1) => damping = RayleighDamping::Model,
+                _ => damping = RayleighDamping::None,
+            },
+            "-dampMats" => damping = RayleighDamping::Materials(materials(interp, a)?),
+            "-orient" => {
+                let place = a.last_span();
+                let (x, y) = if ends.ndm == 2 {
+                    // In the plane y is square to x, whatever else is given.
+                    let x = vector(a, 3, "local x axis")?;
+                    if a.at_number() {
+                        vector(a, 3, "vector in the local x-y plane")?;
+                    }
+                    (x, Vector3::new(-x.y, x.x, 0.0))
+                } else {
+                    let Orientation { x, y } = super::orientation(a, 1)?;
+                    (x.unwrap_or(Vector3::x()), y.unwrap_or(Vector3::y()))
+                };
+                axes = axes::from_x_and_y(x, y).map_err(|e| a.refuse_at(place, e.message(), ""))?;
+            }
+            _ => ignore_option(interp, a, OPTIONS)?,
+        }
+    }
+    if mats.is_empty() {
+        return Err(a.refuse_at(
+            span,
+            "zeroLength: the materials are missing",
+            "expected -mat and their tags after this",
+        ));
+    }
+    if mats.len() != dirs.len() {
+        let message = format!("zeroLength: {} materials but {} directions", mats.len(), dirs.len());
+        return Err(a.refuse_at(dirs.last().map_or(span, |d| d.1), message, "expected a direction for each material"));
+    }
+    let gap = (ends.place.1 - ends.place.0).norm();
+    if gap > 1e-6 * ends.place.0.norm().max(ends.place.1.norm()) {
+        let message = format!("zeroLength: its nodes are {gap:.6} apart, which the element takes no notice of");
+        warn(interp, Diagnostic::warning(message).at(span, "expected a node at the same place"))?;
+    }
+    let last = dirs.last().and_then(|d| d.1);
+    let springs = mats.into_iter().zip(&dirs).map(|((m, tag), (d, _))| (m, tag, *d)).collect();
+    let element = ZeroLength::new(springs, ends.ndm, ends.ndf, axes, &ends.initial(), damping);
+    Ok(Arc::new(element.map_err(|e| refused(a, last, e))?))
+}
+
+fn make_coupled(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let directions = [a.dof("first direction", ends.ndf)?, a.dof("second direction", ends.ndf)?];
+    if directions[0] == directions[1] {
+        return Err(a.refuse("both directions are the same", "expected another direction"));
+    }
+    let material = a.of(&interp.host.definitions.materials)?;
+    let rayleigh = a.optional_int("flag")?.is_some_and(|flag| flag == 1);
+    let compat = interp.host.engine.options.compat;
+    Ok(Arc::new(CoupledZeroLength::new(material, directions, ends.ndf, &ends.initial(), rayleigh, compat)))
+}

@@ -1,0 +1,160 @@
+//! The OpenSees commands of a script.
+//!
+//! A command is a function of the interpreter and the call; it takes its words with [`args::Args`], which points at
+//! each that is not what it should be, and changes the [`Session`]. To add one: a function in the file of its family,
+//! and a line in the family's `COMMANDS`.
+
+#![forbid(unsafe_code)]
+
+mod analysis;
+mod args;
+pub mod chart;
+mod check;
+mod element;
+pub mod files;
+mod load;
+mod material;
+mod model;
+mod output;
+pub mod run;
+mod section;
+mod session;
+
+use args::Args;
+use hysteron_tcl::diagnostic::Diagnostic;
+use hysteron_tcl::{Call, Exception, Interp, Value};
+
+pub use check::Findings;
+pub use files::number_files::NumberFiles;
+pub use session::{FileFormat, Mode, OnWarning, Outputs, Progress, Session};
+
+/// The interpreter that the commands run in.
+pub type Tcl = Interp<Session>;
+
+/// How a command ends.
+type Outcome = Result<Value, Exception>;
+
+/// A command and how it is used.
+pub struct Command {
+    /// Name.
+    pub name: &'static str,
+    /// How it is used, in one line.
+    pub usage: &'static str,
+    run: fn(&mut Tcl, &Call<'_>) -> Outcome,
+}
+
+impl Command {
+    /// How it is used, under its own name: commands of a family may share their usage.
+    pub fn usage_line(&self) -> String {
+        usage_as(self.name, self.usage)
+    }
+}
+
+/// A usage under the name of a command that shares it with the one it begins with.
+fn usage_as(name: &str, usage: &str) -> String {
+    let name = name.rsplit("::").next().unwrap_or_default();
+    let head = usage.split(' ').next().unwrap_or_default();
+    let shared = head != name && [head, name].iter().all(|n| commands().any(|c| c.name == *n));
+    if shared { format!("{name}{}", &usage[head.len()..]) } else { usage.to_owned() }
+}
+
+/// The commands of all families.
+pub fn commands() -> impl Iterator<Item = &'static Command> {
+    [
+        model::nodes::COMMANDS,
+        model::constraint::COMMANDS,
+        material::COMMANDS,
+        material::friction::COMMANDS,
+        section::COMMANDS,
+        section::fiber::COMMANDS,
+        section::beam_integration::COMMANDS,
+        model::transform::COMMANDS,
+        element::COMMANDS,
+        material::nd_material::COMMANDS,
+        model::block::COMMANDS,
+        element::amend::COMMANDS,
+        load::series::COMMANDS,
+        load::motion_file::COMMANDS,
+        load::pattern::COMMANDS,
+        load::ground_motion::COMMANDS,
+        analysis::damping::COMMANDS,
+        analysis::modal_damping::COMMANDS,
+        analysis::modal_properties::COMMANDS,
+        analysis::solution::COMMANDS,
+        analysis::algorithm::COMMANDS,
+        analysis::integrator::COMMANDS,
+        analysis::analyze::COMMANDS,
+        output::recorder::COMMANDS,
+        output::query::COMMANDS,
+        output::print::COMMANDS,
+        analysis::matrix::COMMANDS,
+        model::remove::COMMANDS,
+        model::parameter::COMMANDS,
+        output::display::COMMANDS,
+        output::figure::COMMANDS,
+    ]
+    .into_iter()
+    .flatten()
+}
+
+/// The kinds of thing that a command makes, each with its words; none where there is but one kind, or few.
+pub fn kinds(command: &str) -> Vec<&'static str> {
+    match command {
+        "element" => element::usages().collect(),
+        "uniaxialMaterial" => material::usages().collect(),
+        "frictionModel" => material::friction::usages().collect(),
+        "timeSeries" => load::series::usages().collect(),
+        _ => vec![],
+    }
+}
+
+/// Make the commands known to an interpreter.
+pub fn install(interp: &mut Tcl) {
+    let checks = interp.host.mode == Mode::Check;
+    for c in commands() {
+        interp.register(c.name, if checks { check::checked } else { c.run });
+    }
+    if checks {
+        interp.on_error = Some(check::go_on);
+    }
+}
+
+/// Warn, or under `--strict` refuse.
+fn warn(interp: &mut Tcl, mut warning: Diagnostic) -> Result<(), Exception> {
+    if interp.host.strict {
+        warning.severity = hysteron_tcl::diagnostic::Severity::Error;
+        return Err(Exception::diagnosed(warning));
+    }
+    tell(interp, warning);
+    Ok(())
+}
+
+/// Warn that the word just taken is none of the command's options, and go on without it.
+fn ignore_option(interp: &mut Tcl, args: &mut Args<'_>, known: &[&str]) -> Result<(), Exception> {
+    warn(interp, args.unknown_option(known))
+}
+
+/// Warn, whether or not warnings are errors.
+fn tell(interp: &mut Tcl, warning: Diagnostic) {
+    interp.warn(warning);
+    if let (Some(hear), Some(warning)) = (&mut interp.host.on_warning, interp.core.warnings.last()) {
+        hear(warning, &interp.core.sources);
+    }
+}
+
+/// Warn about words that are left over.
+fn finish(interp: &mut Tcl, args: &Args<'_>) -> Result<(), Exception> {
+    args.rest().map_or(Ok(()), |w| warn(interp, w))
+}
+
+/// Content of a text file, by the name the script gives it.
+fn read_text(interp: &mut Tcl, name: &str) -> std::io::Result<String> {
+    let path = interp.absolute(name);
+    let bytes = interp.files.read(&path)?;
+    Ok(String::from_utf8(bytes).unwrap_or_else(|e| e.into_bytes().iter().map(|b| char::from(*b)).collect()))
+}
+
+/// Write to the script's error stream.
+fn print_error(interp: &mut Tcl, text: &str) {
+    interp.console.err(text);
+}

@@ -1,0 +1,145 @@
+//! `pattern MultipleSupport` and what is in it.
+
+use crate::args::Args;
+use crate::load::series::series_of;
+use crate::model::nodes::node_of;
+use crate::{Command, Outcome, Tcl, finish, ignore_option};
+use hysteron_engine::model::{Ground, GroundMotion, Pattern, PatternKind, SupportMotion, Tag};
+use hysteron_tcl::diagnostic::Span;
+use hysteron_tcl::{Call, Exception, Value};
+use std::collections::BTreeMap;
+
+pub(crate) const COMMANDS: &[Command] = &[
+    Command { name: "groundMotion", usage: GROUND, run: ground_motion },
+    Command { name: "imposedMotion", usage: IMPOSED, run: imposed_motion },
+    Command { name: "imposedSupportMotion", usage: IMPOSED, run: imposed_motion },
+];
+
+pub(crate) const PATTERN: &str = "pattern MultipleSupport $tag { groundMotion ... imposedMotion ... }";
+const GROUND: &str = "groundMotion $tag Plain <-accel $series> <-vel $series> <-disp $series> <-int Trapezoidal> \
+                      <-dtInt $dt> <-fact $factor> | groundMotion $tag Interpolated $motion ... -fact $factor ...";
+const IMPOSED: &str = "imposedMotion $node $dof $groundMotion <-other>";
+
+/// `pattern MultipleSupport`, after the tag.
+pub(crate) fn multiple_support(interp: &mut Tcl, tag: Tag, mut a: Args<'_>) -> Outcome {
+    let pattern = Pattern::new(PatternKind::MultipleSupport(BTreeMap::new()));
+    interp.host.engine.change_model(|m| m.patterns.insert(tag, pattern));
+    let before = interp.host.pattern.replace(tag);
+    if a.left() > 0 {
+        let body = a.value("motions")?;
+        finish(interp, &a)?;
+        let done = interp.eval_value(&body);
+        interp.host.pattern = before;
+        done?;
+    }
+    Ok(Value::EMPTY)
+}
+
+/// The motions of the pattern that is being read.
+fn motions<'a>(interp: &'a Tcl, a: &Args<'_>) -> Result<(Tag, &'a BTreeMap<Tag, GroundMotion>), Exception> {
+    let model = interp.host.engine.model();
+    let current = interp.host.pattern.and_then(|tag| Some((tag, &model.patterns.get(&tag)?.kind)));
+    match current {
+        Some((tag, PatternKind::MultipleSupport(motions))) => Ok((tag, motions)),
+        _ => Err(a.refuse_at(
+            None,
+            "there is no pattern MultipleSupport to put this in",
+            "expected inside a pattern MultipleSupport",
+        )),
+    }
+}
+
+fn motion_of(interp: &Tcl, a: &mut Args<'_>) -> Result<GroundMotion, Exception> {
+    let tag = a.int("tag of a ground motion")?;
+    let (_, all) = motions(interp, a)?;
+    all.get(&tag).cloned().ok_or_else(|| {
+        let known: Vec<String> = all.keys().map(ToString::to_string).collect();
+        a.refuse(format!("there is no ground motion {tag}"), format!("defined: {}", known.join(" ")))
+    })
+}
+
+fn ground_motion(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, GROUND);
+    let tag = a.int("tag of the ground motion")?;
+    let (pattern, all) = motions(interp, &a)?;
+    if all.contains_key(&tag) {
+        return Err(a.refuse(format!("there is a ground motion {tag} already"), "expected a new tag"));
+    }
+    let motion = match a.word("kind of ground motion")?.as_ref() {
+        "Plain" | "Series" => plain(interp, &mut a)?,
+        "Interpolated" => interpolated(interp, &mut a)?,
+        _ => return Err(a.unknown_name("ground motion", ["Plain", "Interpolated"])),
+    };
+    interp.host.engine.change_model(|m| {
+        if let Some(PatternKind::MultipleSupport(all)) = m.patterns.get_mut(&pattern).map(|p| &mut p.kind) {
+            all.insert(tag, motion);
+        }
+    });
+    Ok(Value::EMPTY)
+}
+
+fn plain(interp: &mut Tcl, a: &mut Args<'_>) -> Result<GroundMotion, Exception> {
+    let kind = a.last_span();
+    let (mut series, mut dt, mut factor) = ([None, None, None], 0.01, 1.0);
+    while let Some(option) = a.option() {
+        let mut given = |i: usize, interp: &mut Tcl, a: &mut Args<'_>| -> Result<(), Exception> {
+            series[i] = Some(series_of(interp, a)?);
+            Ok(())
+        };
+        match option.as_ref() {
+            "-disp" | "-displacement" => given(0, interp, a)?,
+            "-vel" | "-velocity" => given(1, interp, a)?,
+            "-accel" | "-acceleration" => given(2, interp, a)?,
+            "-int" | "-integrator" => match a.word("kind of integration")?.as_ref() {
+                "Trapezoidal" | "Simpson" => {}
+                _ => return Err(a.unknown_name("integration of a series", ["Trapezoidal", "Simpson"])),
+            },
+            "-dtInt" | "-dtIntegrator" | "-deltaT" => dt = a.positive("step of the integration")?,
+            "-fact" | "-factor" => factor = a.float("factor")?,
+            _ => ignore_option(interp, a, &["-accel", "-vel", "-disp", "-int", "-dtInt", "-fact"])?,
+        }
+    }
+    // OpenSees integrates what is missing, but differentiates nothing: supports that move by displacements have no velocity.
+    let derive = !interp.host.engine.options.compat;
+    no_series(GroundMotion::from_series(series, dt, factor, derive), a, kind)
+}
+
+fn no_series(motion: Option<GroundMotion>, a: &Args<'_>, span: Option<Span>) -> Result<GroundMotion, Exception> {
+    motion.ok_or_else(|| a.refuse_at(span, "the ground motion has no series", "expected -accel, -vel or -disp"))
+}
+
+fn interpolated(interp: &mut Tcl, a: &mut Args<'_>) -> Result<GroundMotion, Exception> {
+    let mut parts = vec![];
+    while a.at_number() {
+        parts.push(motion_of(interp, a)?);
+    }
+    if !(a.flag("-fact") || a.flag("-factor")) {
+        return Err(a.refuse_at(a.next_span(), "the factors of the motions are missing", "expected -fact"));
+    }
+    let factors = a.floats("factor")?;
+    if factors.len() != parts.len() || parts.is_empty() {
+        let message = format!("{} motions but {} factors", parts.len(), factors.len());
+        return Err(a.refuse(message, "expected a factor for each motion"));
+    }
+    finish(interp, a)?;
+    Ok(GroundMotion::Interpolated(factors.into_iter().zip(parts).collect()))
+}
+
+fn imposed_motion(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, IMPOSED);
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    let ndf = interp.host.engine.model().nodes[node.0].ndf;
+    let dof = a.dof("degree of freedom", ndf)?;
+    let motion = motion_of(interp, &mut a)?;
+    let rates = !a.flag("-other");
+    finish(interp, &a)?;
+    let (pattern, _) = motions(interp, &a)?;
+    let tag = interp.host.sp_tag();
+    let ground = Some(Ground { motion, rates });
+    interp.host.engine.change_model(|m| {
+        if let Some(p) = m.patterns.get_mut(&pattern) {
+            p.motions.push(SupportMotion { node, dof, value: 1.0, constant: false, initial: 0.0, tag, ground });
+        }
+    });
+    Ok(Value::EMPTY)
+}

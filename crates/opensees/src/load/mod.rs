@@ -1,0 +1,6 @@
+//! Load patterns, time series and ground motions.
+
+pub(crate) mod ground_motion;
+pub(crate) mod motion_file;
+pub(crate) mod pattern;
+pub(crate) mod series;

@@ -1,0 +1,312 @@
+//! Load patterns and what is in them.
+
+use super::ground_motion;
+use crate::args::Args;
+use crate::load::series::series_of;
+use crate::model::nodes::{need_model, node_of};
+use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
+use hysteron_engine::element::ElementLoad;
+use hysteron_engine::model::{ElementId, Excitation, NodalLoad, Pattern, PatternKind, SupportMotion, Tag};
+use hysteron_engine::series::Constant;
+use hysteron_tcl::diagnostic::Diagnostic;
+use hysteron_tcl::{Call, Exception, Value};
+use std::sync::Arc;
+
+pub(crate) const COMMANDS: &[Command] = &[
+    Command { name: "pattern", usage: PLAIN, run: pattern },
+    Command { name: "load", usage: LOAD, run: load },
+    Command { name: "sp", usage: SP, run: sp },
+    Command { name: "eleLoad", usage: ELE_LOAD, run: ele_load },
+    Command { name: "loadConst", usage: LOAD_CONST, run: load_const },
+    Command { name: "setTime", usage: SET_TIME, run: set_time },
+];
+
+const PLAIN: &str = "pattern Plain $tag $series <-fact $factor> { load ... sp ... eleLoad ... }";
+const UNIFORM: &str = "pattern UniformExcitation $tag $direction -accel $series <-vel0 $v> <-fact $factor>";
+const LOAD: &str = "load $node $f1 <$f2 ...> <-const> <-pattern $tag>";
+const SP: &str = "sp $node $dof $value <-const> <-subtractInit> <-pattern $tag>";
+const ELE_LOAD: &str = "eleLoad -ele $tag ... | -range $first $last -type -beamUniform ... | -beamUniformMoment $mz | \
+                        -beamPoint ...";
+const LOAD_CONST: &str = "loadConst <-time $time>";
+const SET_TIME: &str = "setTime $time";
+
+fn pattern(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    need_model(interp, call)?;
+    let mut a = Args::new(call, PLAIN);
+    let kind = a.word("kind of pattern")?;
+    match kind.as_ref() {
+        "Plain" | "LoadPattern" => plain(interp, a),
+        "UniformExcitation" | "UniformSupport" | "EarthquakePattern" => {
+            a.usage(UNIFORM);
+            uniform(interp, a)
+        }
+        "MultipleSupport" | "MultiSupport" => {
+            a.usage(ground_motion::PATTERN);
+            let tag = new_tag(interp, &mut a)?;
+            ground_motion::multiple_support(interp, tag, a)
+        }
+        _ => Err(a.unknown_name("load pattern", ["Plain", "UniformExcitation", "MultipleSupport"])),
+    }
+}
+
+fn new_tag(interp: &Tcl, a: &mut Args<'_>) -> Result<Tag, Exception> {
+    let tag = a.int("tag of the pattern")?;
+    if interp.host.engine.model().patterns.contains_key(&tag) {
+        return Err(a.refuse(format!("there is a load pattern {tag} already"), "expected a new tag"));
+    }
+    Ok(tag)
+}
+
+fn plain(interp: &mut Tcl, mut a: Args<'_>) -> Outcome {
+    let tag = new_tag(interp, &mut a)?;
+    let series = series_of(interp, &mut a)?;
+    let mut factor = 1.0;
+    while a.at_option() {
+        a.option();
+        match a.last_word().as_ref() {
+            "-fact" | "-factor" => factor = a.float("factor")?,
+            _ => ignore_option(interp, &mut a, &["-fact"])?,
+        }
+    }
+    let pattern = Pattern::new(PatternKind::Plain { series, factor });
+    interp.host.engine.change_model(|m| m.patterns.insert(tag, pattern));
+    interp.host.pattern = Some(tag);
+    if a.left() > 0 {
+        let body = a.value("loads")?;
+        finish(interp, &a)?;
+        let before = interp.host.pattern.replace(tag);
+        let done = interp.eval_value(&body);
+        interp.host.pattern = before;
+        done?;
+    }
+    Ok(Value::EMPTY)
+}
+
+fn uniform(interp: &mut Tcl, mut a: Args<'_>) -> Outcome {
+    let tag = new_tag(interp, &mut a)?;
+    let limit = [1, 3, 6][interp.host.ndm - 1];
+    let direction = a.dof("direction", limit)?;
+    let mut excitation =
+        Excitation { direction, accel: Arc::new(Constant { factor: 0.0 }), influence: 1.0, initial_velocity: 0.0 };
+    let mut given = false;
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-accel" | "-acceleration" => {
+                excitation.accel = series_of(interp, &mut a)?;
+                given = true;
+            }
+            "-vel0" | "-initialVel" => excitation.initial_velocity = a.float("initial velocity")?,
+            "-fact" | "-factor" => excitation.influence = a.float("factor")?,
+            "-disp" | "-vel" => {
+                let message = format!("a uniform excitation by {option} is not supported: give the acceleration");
+                return Err(a.refuse(message, "expected -accel"));
+            }
+            _ => ignore_option(interp, &mut a, &["-accel", "-vel0", "-fact"])?,
+        }
+    }
+    if !given {
+        return Err(a.refuse("the uniform excitation has no acceleration", "expected -accel and a time series"));
+    }
+    let start = excitation.initial_velocity;
+    let pattern = Pattern::new(PatternKind::Uniform(excitation));
+    interp.host.engine.change_model(|m| m.patterns.insert(tag, pattern));
+    if start != 0.0 {
+        interp.host.engine.change_state(|state, model| {
+            // Supports stay at rest.
+            let fixed = |i: usize| model.fixes.iter().any(|f| f.node.0 == i && f.dof == direction);
+            for (_, node) in model.nodes.iter().enumerate().filter(|(i, n)| direction < n.ndf && !fixed(*i)) {
+                state.vel[node.offset + direction] = start;
+            }
+        });
+    }
+    Ok(Value::EMPTY)
+}
+
+/// The pattern that a load goes into: the one whose body is being read, or the one named by `-pattern`.
+fn current(interp: &Tcl, a: &Args<'_>, named: Option<Tag>) -> Result<Tag, Exception> {
+    match named.or(interp.host.pattern) {
+        Some(tag) if interp.host.engine.model().patterns.contains_key(&tag) => Ok(tag),
+        Some(tag) => Err(a.refuse(format!("there is no load pattern {tag}"), "expected the tag of a pattern")),
+        None => Err(a.refuse_at(None, "there is no load pattern to put this in", "expected inside a pattern")),
+    }
+}
+
+fn change_pattern(interp: &mut Tcl, tag: Tag, change: impl FnOnce(&mut Pattern)) {
+    interp.host.engine.change_model(|m| {
+        if let Some(p) = m.patterns.get_mut(&tag) {
+            change(p);
+        }
+    });
+}
+
+fn load(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, LOAD);
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    let ndf = interp.host.engine.model().nodes[node.0].ndf;
+    let values = (1..=ndf).map(|i| a.float(&format!("force on degree of freedom {i}")));
+    let values = values.collect::<Result<Vec<f64>, _>>()?;
+    let (mut constant, mut named) = (false, None);
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-const" => constant = true,
+            "-pattern" => named = Some(a.int("tag of the pattern")?),
+            _ => ignore_option(interp, &mut a, &["-const", "-pattern"])?,
+        }
+    }
+    let tag = current(interp, &a, named)?;
+    change_pattern(interp, tag, |p| p.nodal_loads.push(NodalLoad { node, values, constant }));
+    Ok(Value::EMPTY)
+}
+
+fn sp(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, SP);
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    let (ndf, offset) = {
+        let n = &interp.host.engine.model().nodes[node.0];
+        (n.ndf, n.offset)
+    };
+    let dof = a.dof("degree of freedom", ndf)?;
+    let span = a.last_span();
+    let value = a.float("value")?;
+    let (mut constant, mut named, mut initial) = (false, None, 0.0);
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-const" => constant = true,
+            "-subtractInit" => initial = interp.host.engine.state().disp[offset + dof],
+            "-pattern" => named = Some(a.int("tag of the pattern")?),
+            _ => ignore_option(interp, &mut a, &["-const", "-subtractInit", "-pattern"])?,
+        }
+    }
+    let pattern = current(interp, &a, named)?;
+    let model = interp.host.engine.model();
+    let fixed = model.fixes.iter().any(|f| f.node == node && f.dof == dof);
+    let taken = model.patterns.values().any(|p| p.motions.iter().any(|m| m.node == node && m.dof == dof));
+    if fixed || taken {
+        let by = if fixed { "by a \"fix\"" } else { "by another \"sp\"" };
+        let message = format!("degree of freedom {} of the node is held already {by}", dof + 1);
+        let d = Diagnostic::warning(message).at(span, "which of the two holds is not defined in OpenSees");
+        warn(interp, d.help("here the imposed motion of the pattern with the highest tag holds"))?;
+    }
+    let tag = interp.host.sp_tag();
+    change_pattern(interp, pattern, |p| {
+        p.motions.push(SupportMotion { node, dof, value, constant, initial, tag, ground: None });
+    });
+    Ok(Value::EMPTY)
+}
+
+fn ele_load(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, ELE_LOAD);
+    let mut elements: Vec<(ElementId, Option<hysteron_tcl::diagnostic::Span>)> = vec![];
+    let mut given = None;
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-ele" => {
+                while elements.is_empty() || a.at_number() {
+                    let tag = a.int("tag of an element")?;
+                    let id = interp.host.engine.model().element(tag);
+                    let missing = || a.refuse(format!("there is no element {tag}"), "expected the tag of an element");
+                    elements.push((id.ok_or_else(missing)?, a.last_span()));
+                }
+            }
+            "-range" => {
+                let (first, last) = (a.int("first tag")?, a.int("last tag")?);
+                let model = interp.host.engine.model();
+                let within = model.element_tags().filter(|t| (first..=last).contains(t));
+                elements.extend(within.filter_map(|t| model.element(t)).map(|id| (id, a.last_span())));
+            }
+            "-type" => {}
+            "-beamUniform" | "beamUniform" => given = Some(beam_uniform(&mut a, interp.host.ndm)?),
+            "-beamUniformMoment" | "beamUniformMoment" => given = Some(beam_moment(&mut a, interp.host.ndm)?),
+            "-beamPoint" | "beamPoint" => given = Some(beam_point(&mut a, interp.host.ndm)?),
+            "-pattern" => drop(a.int("tag of the pattern")?),
+            _ if given.is_none() => {
+                return Err(a.unknown_name(
+                    "element load",
+                    ["-ele", "-range", "-type", "-beamUniform", "-beamUniformMoment", "-beamPoint"],
+                ));
+            }
+            _ => ignore_option(interp, &mut a, &["-ele", "-range", "-type"])?,
+        }
+    }
+    let Some(load) = given else {
+        return Err(a.refuse_at(
+            call.span(0),
+            "eleLoad: there is no load",
+            "expected -type -beamUniform or -beamPoint",
+        ));
+    };
+    if elements.is_empty() {
+        return Err(a.refuse_at(call.span(0), "eleLoad: there are no elements", "expected -ele or -range"));
+    }
+    let pattern = current(interp, &a, None)?;
+    for (id, span) in elements {
+        let e = &interp.host.engine.model().elements[id.0].element;
+        // What the element says to the load is found out now, where the script can be pointed at.
+        e.add_load(&load, 0.0, &mut vec![0.0; e.load_len()]).map_err(|err| a.refuse_at(span, err.0, ""))?;
+        change_pattern(interp, pattern, |p| p.element_loads.push((id, load)));
+    }
+    Ok(Value::EMPTY)
+}
+
+fn beam_uniform(a: &mut Args<'_>, ndm: usize) -> Result<ElementLoad, Exception> {
+    let y = a.float("load Wy")?;
+    let z = if ndm == 3 { a.float("load Wz")? } else { 0.0 };
+    let x = a.optional_float("load Wx")?.unwrap_or(0.0);
+    let Some(from) = a.optional_float("start of the load as a fraction of the length")? else {
+        return Ok(ElementLoad::Distributed { span: (0.0, 1.0), y: (y, y), z: (z, z), x: (x, x) });
+    };
+    let to = a.optional_float("end of the load as a fraction of the length")?.unwrap_or(1.0);
+    if !(0.0..=1.0).contains(&from) || !(from..=1.0).contains(&to) {
+        return Err(a.refuse(format!("the load goes from {from} to {to}"), "expected fractions, 0 to 1, that rise"));
+    }
+    let y2 = a.optional_float("load Wy at the end")?.unwrap_or(y);
+    let z2 = if ndm == 3 { a.optional_float("load Wz at the end")?.unwrap_or(z) } else { 0.0 };
+    let x2 = a.optional_float("load Wx at the end")?.unwrap_or(x);
+    Ok(ElementLoad::Distributed { span: (from, to), y: (y, y2), z: (z, z2), x: (x, x2) })
+}
+
+/// A moment about z all along a beam; in space one about each axis, which no element takes.
+fn beam_moment(a: &mut Args<'_>, ndm: usize) -> Result<ElementLoad, Exception> {
+    if ndm == 3 {
+        a.float("moment per length mx")?;
+        a.float("moment per length my")?;
+    }
+    Ok(ElementLoad::Moment { z: a.float("moment per length mz")? })
+}
+
+fn beam_point(a: &mut Args<'_>, ndm: usize) -> Result<ElementLoad, Exception> {
+    let y = a.float("force Py")?;
+    let z = if ndm == 3 { a.float("force Pz")? } else { 0.0 };
+    let at = a.float("place as a fraction of the length")?;
+    if !(0.0..=1.0).contains(&at) {
+        return Err(a.refuse(format!("the place of the force is {at}"), "expected a fraction of the length, 0 to 1"));
+    }
+    let x = a.optional_float("force Px")?.unwrap_or(0.0);
+    Ok(ElementLoad::Point { at, y, z, x })
+}
+
+fn load_const(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, LOAD_CONST);
+    let mut time = None;
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-time" => time = Some(a.float("time")?),
+            _ => ignore_option(interp, &mut a, &["-time"])?,
+        }
+    }
+    let engine = &mut interp.host.engine;
+    let now = engine.state().time;
+    engine.change_model(|m| m.patterns.values_mut().for_each(|p| p.hold(now)));
+    if let Some(t) = time {
+        engine.set_time(t);
+    }
+    Ok(Value::EMPTY)
+}
+
+fn set_time(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, SET_TIME);
+    let time = a.float("time")?;
+    finish(interp, &a)?;
+    interp.host.engine.set_time(time);
+    Ok(Value::EMPTY)
+}

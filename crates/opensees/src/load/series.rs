@@ -1,0 +1,279 @@
+//! `timeSeries`.
+
+use crate::args::Args;
+use crate::{Command, Outcome, Tcl, ignore_option, warn};
+use hysteron_engine::series::{Constant, Linear, Path, PathTimes, Pulse, Rectangular, Series, Triangle, Trig, Wave};
+use hysteron_tcl::diagnostic::{Diagnostic, Span};
+use hysteron_tcl::{Call, Exception, Value};
+use std::sync::Arc;
+
+pub(crate) const COMMANDS: &[Command] =
+    &[Command { name: "timeSeries", usage: "timeSeries $kind $tag ...", run: time_series }];
+
+/// A kind of series and how it is made from the words after its tag.
+struct Kind {
+    names: &'static [&'static str],
+    usage: &'static str,
+    make: fn(&mut Tcl, &mut Args<'_>) -> Result<Series, Exception>,
+}
+
+const WAVE: &str = "timeSeries Trig|Triangle $tag $tStart $tEnd $period <-factor $c> <-shift $shift> <-zeroShift $z>";
+
+const KINDS: &[Kind] = &[
+    Kind { names: &["Constant", "ConstantSeries"], usage: "timeSeries Constant $tag <-factor $c>", make: constant },
+    Kind { names: &["Linear", "LinearSeries"], usage: "timeSeries Linear $tag <-factor $c>", make: linear },
+    Kind { names: &["Trig", "TrigSeries", "Sine", "SineSeries"], usage: WAVE, make: trig },
+    Kind { names: &["Triangle", "TriangleSeries"], usage: WAVE, make: triangle },
+    Kind {
+        names: &["Rectangular"],
+        usage: "timeSeries Rectangular $tag $tStart $tEnd <-factor $c>",
+        make: rectangular,
+    },
+    Kind {
+        names: &["Pulse", "PulseSeries"],
+        usage: "timeSeries Pulse $tag $tStart $tEnd $period <-width $w> <-shift $shift> <-factor $c> <-zeroShift $z>",
+        make: pulse,
+    },
+    Kind {
+        names: &["Path", "Series"],
+        usage: "timeSeries Path $tag -dt $dt -values {...} | -dt $dt -filePath $file | -time {...} -values {...} | \
+                -fileTime $file -filePath $file <-factor $c> <-useLast> <-prependZero> <-startTime $t>",
+        make: path,
+    },
+];
+
+/// How the kinds are used.
+pub(crate) fn usages() -> impl Iterator<Item = &'static str> {
+    KINDS.iter().map(|k| k.usage)
+}
+
+fn time_series(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "timeSeries $kind $tag ...");
+    let kind = kind(&mut a)?;
+    let tag = a.int("tag of the time series")?;
+    let span = a.last_span();
+    let series = (kind.make)(interp, &mut a)?;
+    if !interp.host.definitions.series.add(tag, series) {
+        return Err(a.refuse_at(span, format!("there is a time series {tag} already"), "expected a new tag"));
+    }
+    Ok(Value::EMPTY)
+}
+
+fn kind(a: &mut Args<'_>) -> Result<&'static Kind, Exception> {
+    let name = a.word("kind of time series")?;
+    let Some(kind) = KINDS.iter().find(|k| k.names.contains(&name.as_ref())) else {
+        return Err(a.unknown_name("time series", KINDS.iter().map(|k| k.names[0])));
+    };
+    a.usage(kind.usage);
+    Ok(kind)
+}
+
+/// A series by its tag, or given in place: a name (`Linear`) or a list (`{Series -dt 0.01 -filePath gm.txt}`).
+pub(crate) fn series_of(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
+    if a.at_number() {
+        return a.of(&interp.host.definitions.series).map(|(s, _)| s);
+    }
+    let value = a.value("time series")?;
+    let list = value.to_list().map_err(|_| a.refuse("not a time series", "expected a tag, a name or a list"))?;
+    let mut words = vec![Value::from("timeSeries")];
+    words.extend(list.iter().cloned());
+    let inner = Call::of(&words);
+    let mut b = Args::new(&inner, "a time series in place: {Series -dt $dt -filePath $file -factor $c}");
+    let kind = kind(&mut b)?;
+    (kind.make)(interp, &mut b)
+}
+
+fn factor_only(interp: &mut Tcl, a: &mut Args<'_>) -> Result<f64, Exception> {
+    let mut factor = 1.0;
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-factor" => factor = a.float("factor")?,
+            _ => ignore_option(interp, a, &["-factor"])?,
+        }
+    }
+    Ok(factor)
+}
+
+fn constant(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
+    Ok(Arc::new(Constant { factor: factor_only(interp, a)? }))
+}
+
+fn linear(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
+    Ok(Arc::new(Linear { factor: factor_only(interp, a)? }))
+}
+
+/// Warn where a series ends before it begins: it is zero at all times.
+fn warn_of_end(interp: &mut Tcl, a: &Args<'_>, start: f64, end: f64) -> Result<(), Exception> {
+    if end > start {
+        return Ok(());
+    }
+    let d = Diagnostic::warning(format!("the time series ends at {end} but begins at {start}: it is zero"));
+    warn(interp, d.at(a.last_span(), format!("expected tEnd, greater than {start}")))
+}
+
+/// Times, period, and the options of the periodic series; also the width of a pulse.
+fn wave(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Wave, f64), Exception> {
+    let start = a.float("start tStart")?;
+    let end = a.float("end tEnd")?;
+    warn_of_end(interp, a, start, end)?;
+    let period = a.positive("period")?;
+    let mut w = Wave { start, end, period, shift: 0.0, factor: 1.0, zero_shift: 0.0 };
+    let mut width = 0.5;
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-factor" => w.factor = a.float("factor")?,
+            "-shift" | "-phaseShift" => w.shift = a.float("phase shift")?,
+            "-zeroShift" => w.zero_shift = a.float("zero shift")?,
+            "-width" | "-pulseWidth" => {
+                width = a.float("width of the pulse as a fraction of the period")?;
+                if !(0.0..=1.0).contains(&width) {
+                    let d = Diagnostic::warning(format!(
+                        "the width of the pulse is {width}: it never begins or never ends"
+                    ));
+                    warn(interp, d.at(a.last_span(), "expected a fraction, 0 to 1"))?;
+                }
+            }
+            _ => ignore_option(interp, a, &["-factor", "-shift", "-zeroShift", "-width"])?,
+        }
+    }
+    Ok((w, width))
+}
+
+fn trig(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
+    let (w, _) = wave(interp, a)?;
+    if w.zero_shift.abs() > w.factor.abs() {
+        return Err(a.refuse("the zero shift is greater than the factor", "such a sine never is zero"));
+    }
+    Ok(Arc::new(Trig::new(w)))
+}
+
+fn triangle(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
+    Ok(Arc::new(Triangle(wave(interp, a)?.0)))
+}
+
+fn pulse(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
+    let (wave, width) = wave(interp, a)?;
+    Ok(Arc::new(Pulse { wave, width }))
+}
+
+fn rectangular(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
+    let start = a.float("start tStart")?;
+    let end = a.float("end tEnd")?;
+    warn_of_end(interp, a, start, end)?;
+    Ok(Arc::new(Rectangular { start, end, factor: factor_only(interp, a)? }))
+}
+
+const PATH_OPTIONS: &[&str] = &[
+    "-dt",
+    "-values",
+    "-time",
+    "-filePath",
+    "-fileTime",
+    "-file",
+    "-factor",
+    "-useLast",
+    "-prependZero",
+    "-startTime",
+];
+
+fn path(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
+    let (mut values, mut times, mut dt) = (None, None, None);
+    let (mut factor, mut start, mut use_last, mut prepend) = (1.0, 0.0, false, false);
+    let command = a.last_span();
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-dt" | "-dT" => dt = Some(a.positive("step of time dt")?),
+            "-values" => values = Some(a.floats("value")?),
+            "-time" => times = Some((a.floats("time")?, a.last_span())),
+            "-filePath" => values = Some(file(interp, a)?),
+            "-fileTime" => times = Some((file(interp, a)?, a.last_span())),
+            "-file" => {
+                let pairs = file(interp, a)?;
+                times = Some((pairs.iter().copied().step_by(2).collect(), a.last_span()));
+                values = Some(pairs.iter().copied().skip(1).step_by(2).collect());
+            }
+            "-factor" => factor = a.float("factor")?,
+            "-useLast" => use_last = true,
+            "-prependZero" => prepend = true,
+            "-startTime" | "-tStart" => start = a.float("start time")?,
+            // An old script may give the tag as an option.
+            "-tag" => drop(a.int("tag")?),
+            _ => ignore_option(interp, a, PATH_OPTIONS)?,
+        }
+    }
+    let Some(mut values) = values.filter(|v| !v.is_empty()) else {
+        return Err(a.refuse_at(command, "the path has no values", "expected -values or -filePath"));
+    };
+    if let [value] = values[..] {
+        let d = Diagnostic::warning(format!("the path has a single value, {value}"));
+        warn(interp, d.at(command, "expected two or more"))?;
+    }
+    if prepend {
+        values.insert(0, 0.0);
+    }
+    match (times, dt) {
+        (Some((times, span)), _) => {
+            if times.len() != values.len() {
+                let message = format!("{} times but {} values", times.len(), values.len());
+                return Err(a.refuse_at(span, message, "expected a time for each value"));
+            }
+            if let Some(i) = times.windows(2).position(|w| w[1] < w[0]) {
+                let message = format!("the times go back: {} after {}", times[i + 1], times[i]);
+                return Err(a.refuse_at(span, message, "expected times that do not decrease"));
+            }
+            Ok(Arc::new(PathTimes { times, values, factor, use_last }))
+        }
+        (None, Some(dt)) => Ok(Arc::new(Path { values, dt, factor, use_last, start })),
+        (None, None) => Err(a.refuse_at(command, "the path has no times", "expected -dt, -time or -fileTime")),
+    }
+}
+
+/// The numbers of a file, as far as they go.
+fn file(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Vec<f64>, Exception> {
+    let name = a.word("name of a file")?.into_owned();
+    let span = a.last_span();
+    let text = crate::read_text(interp, &name)
+        .map_err(|e| a.refuse(format!("cannot read \"{name}\": {e}"), "expected a file"))?;
+    if let Some(values) = interp.host.number_files.find(&name, &text) {
+        return Ok(values);
+    }
+    let mut out = vec![];
+    for word in text.split_ascii_whitespace() {
+        match word.parse::<f64>() {
+            Ok(x) if x.is_finite() => out.push(x),
+            _ => {
+                not_a_number(interp, &name, &text, word, out.len(), span)?;
+                return Ok(out);
+            }
+        }
+    }
+    interp.host.number_files.remember(&name, &text, &out);
+    Ok(out)
+}
+
+/// A file holds something else than numbers: nothing can be made of it where it begins so; where it ends so, OpenSees
+/// leaves the rest out without a word.
+fn not_a_number(
+    interp: &mut Tcl,
+    name: &str,
+    text: &str,
+    word: &str,
+    read: usize,
+    span: Option<Span>,
+) -> Result<(), Exception> {
+    let at = (word.as_ptr() as usize - text.as_ptr() as usize) as u32;
+    let source = interp.sources.add(name, text);
+    let place = Span { source, start: at, end: at + word.len() as u32 };
+    let mut d = if read == 0 {
+        Diagnostic::error(format!("\"{name}\" does not begin with a number: \"{word}\""))
+            .help("remove the header lines, or read the file with a procedure of your own")
+    } else {
+        let message = format!("\"{name}\" is read up to \"{word}\" only, which is not a number ({read} numbers read)");
+        Diagnostic::warning(message)
+    };
+    d = d.at(Some(place), "expected a number");
+    if let Some(span) = span {
+        d.callers.push(hysteron_tcl::diagnostic::Caller { what: format!("file \"{name}\""), span });
+    }
+    if read == 0 { Err(Exception::diagnosed(d)) } else { warn(interp, d) }
+}

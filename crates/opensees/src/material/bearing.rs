@@ -1,0 +1,174 @@
+//! Materials of laminated rubber bearings.
+
+use super::Kind;
+use crate::Tcl;
+use crate::args::Args;
+use hysteron_engine::material::{
+    AxialParameters, AxialSp, AxialSpHD, COMPOUNDS, HighDampingRubber, KikuchiAiken, LeadRubber, LeadRubberParameters,
+    Material,
+};
+use hysteron_tcl::Exception;
+use std::sync::Arc;
+
+pub(super) const KINDS: &[Kind] = &[
+    Kind {
+        names: &["AxialSp"],
+        usage: "uniaxialMaterial AxialSp $tag $sce $fty $fcy <$bte $bty $bcy $fcr>",
+        make: axial_sp,
+    },
+    Kind {
+        names: &["AxialSpHD"],
+        usage: "uniaxialMaterial AxialSpHD $tag $sce $fty $fcy <$bte $bty $bth $bcy $fcr $ath>",
+        make: axial_sp_hd,
+    },
+    Kind {
+        names: &["KikuchiAikenHDR"],
+        usage: "uniaxialMaterial KikuchiAikenHDR $tag $tp $ar $hr <-coGHU $cg $ch $cu> <-coMSS $rs $rf>",
+        make: kikuchi_aiken_hdr,
+    },
+    Kind {
+        names: &["KikuchiAikenLRB"],
+        usage: "uniaxialMaterial KikuchiAikenLRB $tag $type $ar $hr $gr $ap $tp $alph $beta <-T $temp> <-coKQ $rk $rq> \
+                <-coMSS $rs $rf>",
+        make: kikuchi_aiken_lrb,
+    },
+];
+
+/// A number between limits, or what it is where there is no word left.
+fn within(a: &mut Args<'_>, what: &str, otherwise: f64, limits: [f64; 2], range: &str) -> Result<f64, Exception> {
+    let x = if a.left() > 0 { a.float(what)? } else { otherwise };
+    if (limits[0]..=limits[1]).contains(&x) {
+        return Ok(x);
+    }
+    let expected = match limits {
+        [low, f64::INFINITY] => format!("expected at least {low}: {range}"),
+        [low, high] => format!("expected a number from {low} to {high}: {range}"),
+    };
+    Err(a.refuse(format!("{what} is {x}"), expected))
+}
+
+const RATIO: &str = "a ratio to the stiffness sce in compression";
+const TENSION: &str = "ratio bte of the stiffness in tension";
+const CAVITATED: &str = "ratio bty of the stiffness after cavitation";
+const HARDENED: &str = "ratio bth of the stiffness after hardening in tension";
+const YIELDED: &str = "ratio bcy of the stiffness after yield in compression";
+
+/// sce, fty and fcy, which both springs begin with.
+fn stiffness_and_strengths(a: &mut Args<'_>) -> Result<AxialParameters, Exception> {
+    let sce = a.positive("stiffness sce in compression")?;
+    let fty = a.not_negative("stress fty at cavitation")?;
+    let fcy = a.float("stress fcy at yield in compression")?;
+    if fcy > 0.0 {
+        return Err(
+            a.refuse(format!("fcy is {fcy}"), "expected the stress at yield in compression, not greater than 0")
+        );
+    }
+    Ok(AxialParameters { sce, fty, fcy, bte: 0.0, bty: 0.0, bcy: 0.0, fcr: 0.0, hardening: None })
+}
+
+fn closing_stress(a: &mut Args<'_>, fcy: f64) -> Result<f64, Exception> {
+    within(a, "stress fcr at which a cavitated spring closes", 0.0, [fcy, 0.0], "fcy to 0")
+}
+
+fn axial_sp(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let mut p = stiffness_and_strengths(a)?;
+    p.bte = within(a, TENSION, 0.0, [0.0, 1.0], RATIO)?;
+    p.bty = within(a, CAVITATED, 0.0, [0.0, p.bte], "0 to bte")?;
+    p.bcy = within(a, YIELDED, 0.0, [0.0, 1.0], RATIO)?;
+    p.fcr = closing_stress(a, p.fcy)?;
+    Ok(Arc::new(AxialSp::new(&p, interp.host.engine.options.compat)))
+}
+
+fn axial_sp_hd(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let mut p = stiffness_and_strengths(a)?;
+    p.bte = within(a, TENSION, 1.0, [0.0, 1.0], RATIO)?;
+    p.bty = within(a, CAVITATED, 1.0, [0.0, p.bte], "0 to bte")?;
+    let bth = within(a, HARDENED, 1.0, [p.bty, p.bte], "bty to bte")?;
+    if p.bty < p.bte && (bth == p.bty || bth == p.bte) {
+        return Err(a.refuse(
+            format!("bth is {bth}"),
+            format!(
+                "expected a ratio between bty, {}, and bte, {}: the spring hardens, and less than elastic",
+                p.bty, p.bte
+            ),
+        ));
+    }
+    p.bcy = within(a, YIELDED, 1.0, [0.0, 1.0], RATIO)?;
+    p.fcr = closing_stress(a, p.fcy)?;
+    let at = "displacement ath at which hardening begins, over that at cavitation";
+    let ath = within(a, at, 1.0, [1.0, f64::INFINITY], "a ratio")?;
+    p.hardening = (p.bty < p.bte).then_some((bth, ath));
+    Ok(Arc::new(AxialSpHD::new(&p, interp.host.engine.options.compat)))
+}
+
+/// A factor, where 0 stands for 1.
+fn factor(a: &mut Args<'_>, what: &str) -> Result<f64, Exception> {
+    let x = a.not_negative(what)?;
+    Ok(if x == 0.0 { 1.0 } else { x })
+}
+
+/// R_s and R_f of a spring of several side by side.
+fn spring_factors(a: &mut Args<'_>) -> Result<[f64; 2], Exception> {
+    Ok([factor(a, "factor rs of the stiffness")?, factor(a, "factor rf of the force")?])
+}
+
+fn kikuchi_aiken_hdr(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let name = a.word("compound tp")?;
+    let number = name.parse::<usize>().ok().and_then(|n| n.checked_sub(1));
+    let compound = match number {
+        Some(i) => COMPOUNDS.get(i),
+        None => COMPOUNDS.iter().find(|c| c.name == name),
+    };
+    let Some(compound) = compound else {
+        return Err(a.unknown_name("compound", COMPOUNDS.iter().map(|c| c.name)));
+    };
+    let area = a.positive("area ar of the rubber")?;
+    let height = a.positive("total thickness hr of the rubber")?;
+    let (mut factors, mut springs) = ([1.0; 3], [1.0; 2]);
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-coGHU" => {
+                let names = ["factor cg of the shear modulus", "factor ch of the damping", "factor cu of u"];
+                for (f, name) in factors.iter_mut().zip(names) {
+                    *f = factor(a, name)?;
+                }
+            }
+            "-coMSS" => springs = spring_factors(a)?,
+            _ => return Err(a.unknown_name("option", ["-coGHU", "-coMSS"])),
+        }
+    }
+    let rubber = HighDampingRubber { compound: compound.clone(), area, height, factors };
+    Ok(Arc::new(KikuchiAiken::new(rubber, springs, interp.host.engine.options.compat)))
+}
+
+fn kikuchi_aiken_lrb(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    match a.int("type of bearing")? {
+        1 => {}
+        n => return Err(a.refuse(format!("the type of bearing is {n}"), "expected 1: there is no other")),
+    }
+    let mut p = LeadRubberParameters {
+        rubber_area: a.positive("area ar of the rubber")?,
+        height: a.positive("total thickness hr of the rubber")?,
+        rubber_modulus: a.positive("shear modulus gr of the rubber")?,
+        lead_area: a.positive("area ap of the lead plug")?,
+        lead_strength: a.positive("yield stress tp of the lead")?,
+        lead_modulus: a.not_negative("shear modulus alph of the lead")?,
+        stiffness_ratio: a.float("ratio beta of the initial stiffness to that after yield")?,
+        temperature: 15.0,
+        factors: [1.0; 2],
+    };
+    if p.stiffness_ratio <= 1.0 {
+        let label = "expected a ratio greater than 1: the bearing softens when it yields";
+        return Err(a.refuse(format!("beta is {}", p.stiffness_ratio), label));
+    }
+    let mut springs = [1.0; 2];
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-T" => p.temperature = a.float("temperature in degrees Celsius")?,
+            "-coKQ" => p.factors = [factor(a, "factor rk of the stiffness")?, factor(a, "factor rq of the strength")?],
+            "-coMSS" => springs = spring_factors(a)?,
+            _ => return Err(a.unknown_name("option", ["-T", "-coKQ", "-coMSS"])),
+        }
+    }
+    Ok(Arc::new(KikuchiAiken::new(LeadRubber::new(&p), springs, interp.host.engine.options.compat)))
+}

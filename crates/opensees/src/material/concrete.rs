@@ -1,0 +1,63 @@
+//! Concrete.
+
+use super::Kind;
+use crate::args::Args;
+use crate::{Tcl, warn};
+use hysteron_engine::material::{Concrete01, Concrete02, Material};
+use hysteron_tcl::Exception;
+use hysteron_tcl::diagnostic::Diagnostic;
+use std::sync::Arc;
+
+pub(super) const KINDS: &[Kind] = &[
+    Kind {
+        names: &["Concrete01", "concrete01"],
+        usage: "uniaxialMaterial Concrete01 $tag $fpc $epsc0 $fpcu $epscu",
+        make: concrete01,
+    },
+    Kind {
+        names: &["Concrete02", "concrete02"],
+        usage: "uniaxialMaterial Concrete02 $tag $fpc $epsc0 $fpcu $epscu <$lambda $ft $Ets>",
+        make: concrete02,
+    },
+];
+
+/// Strength, its strain, crushing strength, its strain: all in compression, whatever their signs.
+fn compression(interp: &mut Tcl, a: &mut Args<'_>) -> Result<[f64; 4], Exception> {
+    let mut other_than_zero = |what: &str| match a.float(what)? {
+        0.0 => Err(a.refuse(format!("the {what} is 0"), "expected a number less than 0")),
+        x => Ok(-x.abs()),
+    };
+    let (fc, epsc0) = (other_than_zero("compressive strength fpc")?, other_than_zero("strain at the strength epsc0")?);
+    let fcu = -a.float("crushing strength fpcu")?.abs();
+    let epscu = -a.float("strain at the crushing strength epscu")?.abs();
+    if epscu >= epsc0 {
+        let d = Diagnostic::warning(format!("the crushing strain {epscu} is not beyond that of the strength, {epsc0}"));
+        warn(interp, d.at(a.last_span(), "expected a larger strain"))?;
+    }
+    Ok([fc, epsc0, fcu, epscu])
+}
+
+fn concrete01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let [fpc, epsc0, fpcu, epscu] = compression(interp, a)?;
+    Ok(Arc::new(Concrete01 { fpc, epsc0, fpcu, epscu }))
+}
+
+fn concrete02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let [fc, epsc0, fcu, epscu] = compression(interp, a)?;
+    let (mut ratio, mut ft, mut ets) = (0.1, -0.1 * fc, 0.1 * fc / epsc0);
+    if a.left() > 0 {
+        ratio = a.float("ratio of the unloading slope lambda")?;
+        if ratio == 1.0 {
+            return Err(a.refuse("lambda is 1", "expected a ratio less than 1"));
+        }
+        ft = a.not_negative("tensile strength ft")?;
+        ets = a.not_negative("tension softening modulus Ets")?;
+        if ets == 0.0 && ft > 0.0 {
+            let d = Diagnostic::warning(
+                "without a tension softening modulus Ets a crack carries the tensile strength for good",
+            );
+            warn(interp, d.at(a.last_span(), "expected a number greater than 0"))?;
+        }
+    }
+    Ok(Arc::new(Concrete02 { fc, epsc0, fcu, epscu, ratio, ft, ets }))
+}

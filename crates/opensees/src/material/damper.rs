@@ -1,0 +1,83 @@
+//! Dampers.
+
+use super::Kind;
+use crate::args::Args;
+use crate::{Tcl, warn};
+use hysteron_engine::material::{Material, Maxwell, Method, Viscous, ViscousDamper};
+use hysteron_tcl::Exception;
+use hysteron_tcl::diagnostic::Diagnostic;
+use std::sync::Arc;
+
+pub(super) const KINDS: &[Kind] = &[
+    Kind { names: &["Viscous"], usage: "uniaxialMaterial Viscous $tag $C $alpha <$minVel>", make: viscous },
+    Kind {
+        names: &["ViscousDamper"],
+        usage: "uniaxialMaterial ViscousDamper $tag $K $C $alpha <$LGap> <$NM $relTol $absTol $maxHalf>",
+        make: viscous_damper,
+    },
+    Kind {
+        names: &["Maxwell", "MaxwellMaterial"],
+        usage: "uniaxialMaterial Maxwell $tag $K $C $alpha $L <-returnD>",
+        make: maxwell,
+    },
+];
+
+fn viscous(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let c = a.not_negative("damping coefficient C")?;
+    let alpha = a.float("velocity exponent alpha")?;
+    if alpha <= 0.0 {
+        let is = if alpha < 0.0 { "is taken for 1" } else { "makes the force the same at every velocity" };
+        let d = Diagnostic::warning(format!("Viscous: the velocity exponent alpha is {alpha} and {is}"));
+        warn(interp, d.at(a.last_span(), "expected a number greater than 0"))?;
+    }
+    let min_rate = a.optional_float("smallest velocity minVel")?.unwrap_or(1e-11).abs();
+    // As in OpenSees a negative exponent stands for a linear dashpot, and a zero velocity for a very small one.
+    let min_rate = if min_rate == 0.0 { 1e-21 } else { min_rate };
+    Ok(Arc::new(Viscous { c, alpha: if alpha < 0.0 { 1.0 } else { alpha }, min_rate }))
+}
+
+/// A velocity exponent; as in OpenSees a negative one stands for a linear dashpot.
+fn exponent(a: &mut Args<'_>) -> Result<f64, Exception> {
+    match a.float("velocity exponent alpha")? {
+        0.0 => Err(a.refuse("the velocity exponent alpha is 0", "expected alpha, greater than 0")),
+        alpha => Ok(if alpha < 0.0 { 1.0 } else { alpha }),
+    }
+}
+
+fn viscous_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let compat = interp.host.engine.options.compat;
+    let k = a.positive("stiffness K")?;
+    let c = a.positive("damping coefficient C")?;
+    let alpha = exponent(a)?;
+    let gap = a.optional_float("length of the gap LGap")?.unwrap_or(0.0);
+    let method = Method::DormandPrince;
+    let mut law = ViscousDamper { k, c, alpha, gap, method, relative: 1e-6, absolute: 1e-10, halvings: 15, compat };
+    if a.left() > 0 {
+        law.method = match a.int("number of the method NM")? {
+            1 => Method::DormandPrince,
+            2 => Method::AdamsBashforthMoulton,
+            3 => Method::Rosenbrock,
+            n => {
+                let label = "expected 1 (Dormand-Prince), 2 (Adams-Bashforth-Moulton) or 3 (Rosenbrock)";
+                return Err(a.refuse(format!("there is no method {n}"), label));
+            }
+        };
+        law.relative = a.not_negative("relative tolerance relTol")?;
+        law.absolute = a.not_negative("absolute tolerance absTol")?;
+        law.halvings = a.int("largest number of halvings maxHalf")?;
+        if !(0..=20).contains(&law.halvings) {
+            return Err(a.refuse(format!("maxHalf is {}", law.halvings), "expected maxHalf, 0 to 20"));
+        }
+    }
+    Ok(Arc::new(law))
+}
+
+fn maxwell(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let compat = interp.host.engine.options.compat;
+    let k = a.positive("stiffness K")?;
+    let c = a.positive("damping coefficient C")?;
+    let alpha = exponent(a)?;
+    let length = a.positive("length L")?;
+    let secant_damping = a.flag("-returnD") || a.flag("-D");
+    Ok(Arc::new(Maxwell { k, c, alpha, length, secant_damping, compat }))
+}

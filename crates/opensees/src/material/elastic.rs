@@ -1,0 +1,149 @@
+//! Elastic materials.
+
+use super::Kind;
+use crate::args::Args;
+use crate::{Tcl, warn};
+use hysteron_engine::material::{
+    Elastic, ElasticBilin, ElasticMultiLinear, ElasticPP, ElasticPPGap, Material, NoTension,
+};
+use hysteron_tcl::Exception;
+use hysteron_tcl::diagnostic::Diagnostic;
+use std::sync::Arc;
+
+pub(super) const KINDS: &[Kind] = &[
+    Kind { names: &["Elastic"], usage: "uniaxialMaterial Elastic $tag $E <$eta> <$Eneg>", make: elastic },
+    Kind {
+        names: &["ElasticPP"],
+        usage: "uniaxialMaterial ElasticPP $tag $E $epsyP <$epsyN> <$eps0>",
+        make: elastic_pp,
+    },
+    Kind {
+        names: &["ElasticPPGap"],
+        usage: "uniaxialMaterial ElasticPPGap $tag $E $Fy $gap <$eta> <damage>",
+        make: elastic_pp_gap,
+    },
+    Kind { names: &["ENT"], usage: "uniaxialMaterial ENT $tag $E <$a> <$b>", make: no_tension },
+    Kind {
+        names: &["ElasticBilin", "ElasticBilinear"],
+        usage: "uniaxialMaterial ElasticBilin $tag $EP1 $EP2 $epsP2 <$EN1 $EN2 $epsN2>",
+        make: elastic_bilin,
+    },
+    Kind {
+        names: &["ElasticMultiLinear"],
+        usage: "uniaxialMaterial ElasticMultiLinear $tag <$eta> -strain $e1 $e2 ... -stress $s1 $s2 ...",
+        make: elastic_multi_linear,
+    },
+];
+
+/// A modulus that may be 0, as that of a spring which is there for its name only. A negative one stands for an effect
+/// that softens: seldom meant.
+fn modulus(interp: &mut Tcl, a: &mut Args<'_>) -> Result<f64, Exception> {
+    let e = a.float("elastic modulus E")?;
+    if e < 0.0 {
+        let d = Diagnostic::warning(format!("the elastic modulus E is {e}: the material pushes instead of holding"));
+        warn(interp, d.at(a.last_span(), "expected a number not less than 0"))?;
+    }
+    Ok(e)
+}
+
+/// A yield strain whose sign is made to fit its side, as in OpenSees.
+fn yield_strain(interp: &mut Tcl, a: &mut Args<'_>, what: &str, x: f64, sign: f64) -> Result<(), Exception> {
+    if x == 0.0 {
+        return Err(a.refuse(format!("the {what} is 0"), "expected a strain other than 0"));
+    }
+    if x * sign < 0.0 {
+        let d = Diagnostic::warning(format!("ElasticPP: the {what} is {x} and is taken for {}", -x));
+        warn(
+            interp,
+            d.at(a.last_span(), format!("expected a number {} than 0", if sign > 0.0 { "greater" } else { "less" })),
+        )?;
+    }
+    Ok(())
+}
+
+fn elastic(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let e = modulus(interp, a)?;
+    let eta = a.optional_float("damping modulus eta")?.unwrap_or(0.0);
+    let e_neg = a.optional_float("modulus in compression Eneg")?.unwrap_or(e);
+    Ok(Arc::new(Elastic { e_pos: e, eta, e_neg }))
+}
+
+fn elastic_pp(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let e = a.positive("elastic modulus E")?;
+    let tension = a.float("yield strain in tension epsyP")?;
+    yield_strain(interp, a, "yield strain in tension epsyP", tension, 1.0)?;
+    let compression = a.optional_float("yield strain in compression epsyN")?;
+    if let Some(x) = compression {
+        yield_strain(interp, a, "yield strain in compression epsyN", x, -1.0)?;
+    }
+    let compression = compression.unwrap_or(-tension);
+    let initial = a.optional_float("initial strain eps0")?.unwrap_or(0.0);
+    Ok(Arc::new(ElasticPP::new(e, tension, compression, initial)))
+}
+
+fn elastic_pp_gap(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let mut e = a.not_negative("elastic modulus E")?;
+    let e_span = a.last_span();
+    let fy = a.float("yield stress Fy")?;
+    let gap = a.float("strain at which the gap closes")?;
+    let gap_span = a.last_span();
+    let mut eta = a.optional_float("hardening ratio eta")?.unwrap_or(0.0);
+    if e == 0.0 {
+        // As in OpenSees: a yield strain of 0.2 %.
+        e = fy.abs() / 0.002;
+        if e == 0.0 {
+            return Err(a.refuse_at(e_span, "E and Fy are both 0", "expected the elastic modulus E, greater than 0"));
+        }
+    }
+    if eta >= 1.0 {
+        let message = format!("ElasticPPGap: the hardening ratio {eta} is not less than 1 and is taken for 0");
+        warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected a ratio less than 1"))?;
+        eta = 0.0;
+    }
+    if fy * gap < 0.0 {
+        let message = "ElasticPPGap: the yield stress and the gap have different signs, so that it acts at once";
+        warn(interp, Diagnostic::warning(message).at(gap_span, "expected the sign of Fy"))?;
+    }
+    let damage = a.flag("damage") || a.flag("Damage");
+    Ok(Arc::new(ElasticPPGap { e, fy, gap, eta, damage }))
+}
+
+fn no_tension(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let e = a.not_negative("elastic modulus E")?;
+    let tension = a.optional_float("part of the modulus that acts in tension, a")?.unwrap_or(0.0);
+    let b = a.optional_float("factor of the strain in tension, b")?.unwrap_or(1.0);
+    Ok(Arc::new(NoTension { e, a: tension, b }))
+}
+
+fn elastic_bilin(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let tension = [a.float("first modulus EP1")?, a.float("second modulus EP2")?, a.float("strain epsP2")?];
+    let compression = if a.left() > 0 {
+        [
+            a.float("first modulus in compression EN1")?,
+            a.float("second modulus in compression EN2")?,
+            a.float("strain in compression epsN2")?,
+        ]
+    } else {
+        tension
+    };
+    let both = |i: usize| [tension[i], compression[i]];
+    Ok(Arc::new(ElasticBilin { first: both(0), second: both(1), bend: both(2).map(f64::abs) }))
+}
+
+fn elastic_multi_linear(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let eta = a.optional_float("damping modulus eta")?.unwrap_or(0.0);
+    let mut list = |option: &str, what: &str| {
+        if a.flag(option) {
+            return a.floats(what);
+        }
+        a.word(option)?;
+        Err(a.refuse(format!("\"{}\" is not {option}", a.last_word()), format!("expected {option} and a list")))
+    };
+    let (strains, stresses) = (list("-strain", "strain")?, list("-stress", "stress")?);
+    let (n, m) = (strains.len(), stresses.len());
+    let law = ElasticMultiLinear::new(strains, stresses, eta).ok_or_else(|| {
+        let message = format!("{n} strains and {m} stresses make no curve");
+        a.refuse(message, "expected at least 2 strains that rise, and as many stresses")
+    })?;
+    Ok(Arc::new(law))
+}

@@ -1,0 +1,198 @@
+//! Hysteretic materials.
+
+use super::Kind;
+use crate::args::Args;
+use crate::{Tcl, warn};
+use hysteron_engine::material::{
+    Bilin, BilinSide, BoucWen, Deterioration, Envelope, Hysteretic, Material, Saws, SelfCentering, Wall,
+};
+use hysteron_tcl::Exception;
+use hysteron_tcl::diagnostic::Diagnostic;
+use std::sync::Arc;
+
+pub(super) const KINDS: &[Kind] = &[
+    Kind {
+        names: &["Bilin"],
+        usage: "uniaxialMaterial Bilin $tag $Ke $AsPos $AsNeg $MyPos $MyNeg $LambdaS $LambdaC $LambdaA $LambdaK \
+                $cS $cC $cA $cK $thetaPPos $thetaPNeg $thetaPCPos $thetaPCNeg $resPos $resNeg $thetaUPos $thetaUNeg \
+                $DPos $DNeg <$nFactor>",
+        make: bilin,
+    },
+    Kind {
+        names: &["BoucWen"],
+        usage: "uniaxialMaterial BoucWen $tag $alpha $ko $n $gamma $beta $Ao $deltaA $deltaNu $deltaEta",
+        make: bouc_wen,
+    },
+    Kind {
+        names: &["Hysteretic"],
+        usage: "uniaxialMaterial Hysteretic $tag $s1p $e1p $s2p $e2p <$s3p $e3p> $s1n $e1n $s2n $e2n <$s3n $e3n> \
+                $pinchX $pinchY $damage1 $damage2 <$beta>",
+        make: hysteretic,
+    },
+    Kind {
+        names: &["SAWS", "SAWSMaterial"],
+        usage: "uniaxialMaterial SAWS $tag $F0 $FI $DU $S0 $R1 $R2 $R3 $R4 $alpha $beta",
+        make: saws,
+    },
+    Kind {
+        names: &["SelfCentering"],
+        usage: "uniaxialMaterial SelfCentering $tag $k1 $k2 $sigAct $beta <$epsSlip> <$epsBear> <$rBear>",
+        make: self_centering,
+    },
+];
+
+/// The same number for both sides.
+fn both<'a>(
+    a: &mut Args<'a>,
+    what: &str,
+    take: fn(&mut Args<'a>, &str) -> Result<f64, Exception>,
+) -> Result<[f64; 2], Exception> {
+    Ok([take(a, &format!("{what} on the positive side"))?, take(a, &format!("{what} on the negative side"))?])
+}
+
+fn bilin(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let ke = a.positive("elastic stiffness Ke")?;
+    let hardening = both(a, "hardening ratio As", Args::float)?;
+    if let Some(ratio) = hardening.into_iter().find(|r| *r >= 1.0) {
+        return Err(a.refuse(format!("the hardening ratio is {ratio}"), "expected less than 1"));
+    }
+    let positive = a.positive("yield strength My on the positive side")?;
+    let negative = a.float("yield strength My on the negative side")?;
+    if negative >= 0.0 {
+        return Err(a.refuse(format!("the yield strength on the negative side is {negative}"), "expected it negative"));
+    }
+    let modes = ["strength", "strength beyond the cap", "accelerated stiffness", "unloading stiffness"];
+    let mut capacity = [0.0; 4];
+    for (value, mode) in capacity.iter_mut().zip(modes) {
+        *value = a.not_negative(&format!("cumulative rotation capacity Lambda of the {mode}"))?;
+    }
+    let mut exponent = [0.0; 4];
+    for (value, mode) in exponent.iter_mut().zip(modes) {
+        *value = a.not_negative(&format!("rate of deterioration c of the {mode}"))?;
+    }
+    // That of the accelerated stiffness has no part in bilinear hysteresis.
+    let [strength, capping, _, stiffness] =
+        [0, 1, 2, 3].map(|i| Deterioration { capacity: capacity[i], exponent: exponent[i] });
+    let plastic = both(a, "plastic rotation up to the cap thetaP", Args::not_negative)?;
+    let post_capping = both(a, "rotation beyond the cap thetaPC", Args::positive)?;
+    let residual = both(a, "residual strength ratio", Args::not_negative)?;
+    if let Some(ratio) = residual.into_iter().find(|r| *r > 1.0) {
+        return Err(a.refuse(format!("the residual strength ratio is {ratio}"), "expected at most 1"));
+    }
+    let ultimate = both(a, "ultimate rotation thetaU", Args::positive)?;
+    let rate = both(a, "rate of cyclic deterioration D", Args::not_negative)?;
+    let n = a.optional_float("stiffness factor nFactor")?.unwrap_or(0.0);
+    if n < 0.0 {
+        return Err(a.refuse(format!("the stiffness factor nFactor is {n}"), "expected 0 or more"));
+    }
+    let sides = [0, 1].map(|i| BilinSide {
+        strength: [positive, -negative][i],
+        hardening: hardening[i],
+        plastic: plastic[i],
+        post_capping: post_capping[i],
+        residual: residual[i],
+        ultimate: ultimate[i],
+        rate: rate[i],
+    });
+    let compat = interp.host.engine.options.compat;
+    Ok(Arc::new(Bilin { ke, sides, strength, capping, stiffness, n, compat }))
+}
+
+fn bouc_wen(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let law = BoucWen {
+        alpha: a.float("ratio of post-yield stiffness alpha")?,
+        ko: a.positive("elastic stiffness ko")?,
+        n: a.positive("exponent n")?,
+        gamma: a.float("gamma")?,
+        beta: a.float("beta")?,
+        ao: a.float("Ao")?,
+        delta_a: a.float("deltaA")?,
+        delta_nu: a.float("deltaNu")?,
+        delta_eta: a.float("deltaEta")?,
+    };
+    // Tolerance and number of iterations: the root is always found to round-off.
+    a.optional_float("tolerance")?;
+    a.optional_int("largest number of iterations")?;
+    if law.beta + law.gamma <= 0.0 {
+        let message = "BoucWen: beta + gamma is not greater than 0, so the hysteretic force is not bounded";
+        warn(interp, Diagnostic::warning(message).at(None, ""))?;
+    }
+    Ok(Arc::new(law))
+}
+
+/// The envelope on one side; `s` is the sign of its strains.
+fn envelope(a: &mut Args<'_>, points: usize, s: f64) -> Result<Envelope, Exception> {
+    let (mut stress, mut strain) = ([0.0; 3], [0.0; 3]);
+    let side = if s > 0.0 { "in tension" } else { "in compression" };
+    for i in 0..points {
+        stress[i] = s * a.float(&format!("stress {} {side}", i + 1))?;
+        if i == 0 && stress[0] <= 0.0 {
+            let message = format!("stress 1 {side} is {}", s * stress[0]);
+            return Err(a.refuse(message, "expected a stress with the sign of the strains of its side"));
+        }
+        strain[i] = s * a.float(&format!("strain {} {side}", i + 1))?;
+        let before = if i == 0 { 0.0 } else { strain[i - 1] };
+        if strain[i] <= before {
+            let message = format!("strain {} {side} is {}, not beyond {}", i + 1, s * strain[i], s * before);
+            return Err(a.refuse(message, "expected strains that go away from zero"));
+        }
+    }
+    Ok(if points == 3 {
+        Envelope::new(stress, strain)
+    } else {
+        Envelope::bilinear([stress[0], stress[1]], [strain[0], strain[1]])
+    })
+}
+
+fn hysteretic(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    // Two points a side with pinching and damage are 12 numbers, three are 16; beta may follow.
+    let points = if a.left() <= 13 { 2 } else { 3 };
+    let (tension, compression) = (envelope(a, points, 1.0)?, envelope(a, points, -1.0)?);
+    let pinch = [a.float("pinching factor of strain pinchX")?, a.float("pinching factor of stress pinchY")?];
+    let damage = [a.float("damage by ductility damage1")?, a.float("damage by energy damage2")?];
+    let beta = a.optional_float("exponent of the unloading stiffness beta")?.unwrap_or(0.0);
+    Ok(Arc::new(Hysteretic::new(tension, compression, pinch, damage, beta)))
+}
+
+fn self_centering(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let k1 = a.positive("initial stiffness k1")?;
+    let k2 = a.float("stiffness after activation k2")?;
+    let activation = a.positive("stress at activation sigAct")?;
+    let beta = a.not_negative("height of the flag beta")?;
+    if beta > 1.0 {
+        return Err(a.refuse(format!("the height of the flag beta is {beta}"), "expected beta, 0 to 1"));
+    }
+    let slip = a.optional_float("strain at slip epsSlip")?.unwrap_or(0.0);
+    let bearing = a.optional_float("strain at bearing epsBear")?.unwrap_or(0.0);
+    let bearing_ratio = a.optional_float("ratio of bearing stiffness rBear")?.unwrap_or(0.0);
+    let compat = interp.host.engine.options.compat;
+    Ok(Arc::new(SelfCentering { k1, k2, activation, beta, slip, bearing, bearing_ratio, compat }))
+}
+
+fn saws(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let fo = a.positive("force F0 where the asymptote of the envelope meets zero displacement")?;
+    let fi = a.not_negative("force FI of the pinched line at zero displacement")?;
+    let du = a.positive("displacement DU at the largest force")?;
+    let so = a.positive("initial stiffness S0")?;
+    let r1 = a.float("ratio R1 of the stiffness of the asymptote")?;
+    let r2 = a.float("ratio R2 of the softening stiffness")?;
+    if r2 >= 0.0 {
+        return Err(a.refuse(format!("the ratio R2 of the softening stiffness is {r2}"), "expected it negative"));
+    }
+    let r3 = a.positive("ratio R3 of the unloading stiffness")?;
+    let r4 = a.not_negative("ratio R4 of the pinched stiffness")?;
+    if r4 >= r3 {
+        return Err(
+            a.refuse(format!("the ratio R4 of the pinched stiffness is {r4}"), format!("expected less than R3, {r3}"))
+        );
+    }
+    let alpha = a.not_negative("softening alpha of the reloading stiffness")?;
+    let beta = a.positive("growth beta of the displacement")?;
+    let compat = interp.host.engine.options.compat;
+    let wall = Wall { fo, fi, du, so, r: [r1, r2, r3, r4], alpha, beta, compat };
+    let law = Saws::new(wall).ok_or_else(|| {
+        let message = "SAWS: the pinched line FI + R4 S0 u does not meet the envelope";
+        a.refuse(message, "expected less FI or R4, so that it does before 2 DU")
+    })?;
+    Ok(Arc::new(law))
+}

@@ -1,0 +1,75 @@
+//! Materials of pounding.
+
+use super::Kind;
+use crate::args::Args;
+use crate::{Tcl, warn};
+use hysteron_engine::material::{HertzDamp, Impact, JankowskiImpact, Material};
+use hysteron_tcl::Exception;
+use hysteron_tcl::diagnostic::Diagnostic;
+use std::sync::Arc;
+
+pub(super) const KINDS: &[Kind] = &[
+    Kind {
+        names: &["ImpactMaterial", "Impact"],
+        usage: "uniaxialMaterial ImpactMaterial $tag $K1 $K2 $deltaY $gap",
+        make: impact,
+    },
+    Kind {
+        names: &["HertzDamp", "Hertzdamp"],
+        usage: "uniaxialMaterial HertzDamp $tag $Kh $xiNorm $gap <$n>",
+        make: hertz_damp,
+    },
+    Kind {
+        names: &["JankowskiImpact"],
+        usage: "uniaxialMaterial JankowskiImpact $tag $Kh $xi $mEff $gap <$n>",
+        make: jankowski,
+    },
+];
+
+/// A displacement on the compression side; a positive one is turned, as OpenSees does.
+fn compressive(interp: &mut Tcl, a: &mut Args<'_>, what: &str) -> Result<f64, Exception> {
+    let x = a.float(what)?;
+    if x > 0.0 {
+        let message = format!("the {what} is {x}, which is in tension: {} is taken", -x);
+        warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected a number not greater than 0"))?;
+    }
+    Ok(-x.abs())
+}
+
+const GAP: &str = "displacement gap at which contact begins";
+
+fn impact(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let k1 = a.positive("initial stiffness K1")?;
+    let k2 = a.not_negative("secondary stiffness K2")?;
+    if k2 > k1 {
+        return Err(a.refuse(format!("K2 is {k2}"), format!("expected a stiffness from 0 to K1, {k1}")));
+    }
+    let delta_y = compressive(interp, a, "yield displacement deltaY")?;
+    let gap = compressive(interp, a, GAP)?;
+    Ok(Arc::new(Impact { k1, k2, delta_y, gap, compat: interp.host.engine.options.compat }))
+}
+
+fn exponent(a: &mut Args<'_>) -> Result<f64, Exception> {
+    let n = a.optional_float("exponent n")?.unwrap_or(1.5);
+    if n < 1.0 {
+        return Err(a.refuse(format!("the exponent n is {n}"), "expected an exponent of at least 1"));
+    }
+    Ok(n)
+}
+
+fn hertz_damp(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let kh = a.positive("contact stiffness Kh")?;
+    let xi = a.not_negative("normalised damping coefficient xiNorm")?;
+    let gap = compressive(interp, a, GAP)?;
+    let n = exponent(a)?;
+    Ok(Arc::new(HertzDamp { kh, xi, gap, n, compat: interp.host.engine.options.compat }))
+}
+
+fn jankowski(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let kh = a.positive("contact stiffness Kh")?;
+    let xi = a.not_negative("impact damping ratio xi")?;
+    let mass = a.not_negative("effective mass mEff")?;
+    let gap = compressive(interp, a, GAP)?;
+    let n = exponent(a)?;
+    Ok(Arc::new(JankowskiImpact { kh, xi, mass, gap, n, compat: interp.host.engine.options.compat }))
+}

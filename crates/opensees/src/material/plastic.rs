@@ -1,0 +1,131 @@
+//! Steels and other plastic materials.
+
+use super::Kind;
+use crate::args::Args;
+use crate::{Tcl, warn};
+use hysteron_engine::material::{BrbBranch, Hardening, Material, MultiLinear, Steel01, Steel02, SteelBrb};
+use hysteron_tcl::Exception;
+use hysteron_tcl::diagnostic::Diagnostic;
+use std::sync::Arc;
+
+pub(super) const KINDS: &[Kind] = &[
+    Kind { names: &["Steel01"], usage: "uniaxialMaterial Steel01 $tag $Fy $E0 $b <$a1 $a2 $a3 $a4>", make: steel01 },
+    Kind {
+        names: &["Steel02"],
+        usage: "uniaxialMaterial Steel02 $tag $Fy $E0 $b <$R0 $cR1 $cR2 <$a1 $a2 $a3 $a4 <$sigInit>>>",
+        make: steel02,
+    },
+    Kind {
+        names: &["SteelBRB"],
+        usage: "uniaxialMaterial SteelBRB $tag $E $sigmaY0 $sigmaYT $alphaT $betaT $deltaT $sigmaYC $alphaC $betaC $deltaC \
+                <$tol>",
+        make: steel_brb,
+    },
+    Kind {
+        names: &["Hardening"],
+        usage: "uniaxialMaterial Hardening $tag $E $sigmaY $Hiso $Hkin <$eta>",
+        make: hardening,
+    },
+    Kind {
+        names: &["MultiLinear"],
+        usage: "uniaxialMaterial MultiLinear $tag $u1 $f1 <$u2 $f2 ...>",
+        make: multi_linear,
+    },
+];
+
+fn steel01(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let fy = a.positive("yield strength Fy")?;
+    let e0 = a.positive("elastic modulus E0")?;
+    let b = a.float("hardening ratio b")?;
+    let isotropic = isotropic(a, Steel01::NO_ISOTROPIC)?;
+    Ok(Arc::new(Steel01 { fy, e0, b, a: isotropic }))
+}
+
+/// a1 to a4: all or none.
+fn isotropic(a: &mut Args<'_>, mut values: [f64; 4]) -> Result<[f64; 4], Exception> {
+    if a.left() > 0 {
+        for (value, name) in values.iter_mut().zip(["a1", "a2", "a3", "a4"]) {
+            *value = a.float(&format!("isotropic hardening parameter {name}"))?;
+        }
+    }
+    Ok(values)
+}
+
+fn steel02(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let fy = a.positive("yield strength Fy")?;
+    let e0 = a.positive("elastic modulus E0")?;
+    let b = a.float("hardening ratio b")?;
+    if b == 1.0 {
+        return Err(a.refuse("the hardening ratio is 1", "the asymptotes never meet: use the material Elastic"));
+    }
+    let [mut r0, mut c_r1, mut c_r2] = Steel02::TRANSITION;
+    if a.left() > 0 {
+        r0 = a.positive("sharpness of the transition R0")?;
+        c_r1 = a.float("cR1")?;
+        if c_r1 > 1.0 {
+            let label = "the sharpness of the transition would come to be negative: expected at most 1";
+            return Err(a.refuse(format!("cR1 is {c_r1}"), label));
+        }
+        c_r2 = a.positive("cR2")?;
+    }
+    let isotropic = isotropic(a, Steel02::NO_ISOTROPIC)?;
+    for [growth, scale] in [[isotropic[0], isotropic[1]], [isotropic[2], isotropic[3]]] {
+        if growth != 0.0 && scale <= 0.0 {
+            let label = "expected a2 and a4 greater than 0";
+            return Err(a.refuse(format!("isotropic hardening starts at {scale} yield strains"), label));
+        }
+    }
+    let sig_init = a.optional_float("initial stress sigInit")?.unwrap_or(0.0);
+    Ok(Arc::new(Steel02 { fy, e0, b, r0, c_r: [c_r1, c_r2], a: isotropic, sig_init }))
+}
+
+fn steel_brb(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let e = a.positive("elastic modulus E")?;
+    let yield_stress = a.positive("initial yield stress sigmaY0")?;
+    let mut branch = |side: &str| {
+        Ok::<_, Exception>(BrbBranch {
+            yield_stress: a.positive(&format!("hardened yield stress sigmaY{side}"))?,
+            alpha: a.positive(&format!("exponent alpha{side} of the transition"))?,
+            beta: a.not_negative(&format!("kinematic hardening beta{side}"))?,
+            delta: a.positive(&format!("plastic strain delta{side} of isotropic hardening"))?,
+        })
+    };
+    let (tension, compression) = (branch("T")?, branch("C")?);
+    // Found to round-off here.
+    a.optional_float("tolerance")?;
+    let compat = interp.host.engine.options.compat;
+    Ok(Arc::new(SteelBrb { e, yield_stress, tension, compression, compat }))
+}
+
+fn hardening(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let e = a.positive("elastic modulus E")?;
+    let sigma_y = a.not_negative("yield stress sigmaY")?;
+    let h_iso = a.float("isotropic hardening modulus Hiso")?;
+    let h_kin = a.float("kinematic hardening modulus Hkin")?;
+    if e + h_iso + h_kin <= 0.0 {
+        let message = format!("E + Hiso + Hkin is {}", e + h_iso + h_kin);
+        return Err(a.refuse(message, "expected a modulus after yield that softens less than E stiffens"));
+    }
+    if a.optional_float("viscosity eta")?.is_some_and(|eta| eta != 0.0) {
+        let message = "Hardening: the viscosity is ignored, as in OpenSees";
+        warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected 0 or nothing"))?;
+    }
+    Ok(Arc::new(Hardening { e, sigma_y, h_iso, h_kin, compat: interp.host.engine.options.compat }))
+}
+
+fn multi_linear(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let mut points = vec![];
+    while a.left() > 0 {
+        points.push([a.positive("strain of a point")?, a.float("stress of a point")?]);
+        let n = points.len();
+        if n > 1 && points[n - 1][0] <= points[n - 2][0] {
+            let message =
+                format!("the strains of the points do not rise: {} after {}", points[n - 1][0], points[n - 2][0]);
+            return Err(a.refuse(message, "expected a strain greater than that of the point before"));
+        }
+    }
+    let compat = interp.host.engine.options.compat;
+    let law = MultiLinear::new(points, compat)
+        .ok_or_else(|| a.refuse("MultiLinear has no points", "expected pairs of strain and stress"))?;
+    Ok(Arc::new(law))
+}

@@ -1,0 +1,254 @@
+//! High damping rubber, and softening around any law.
+
+use super::Kind;
+use crate::args::Args;
+use crate::{Tcl, ignore_option, read_text, warn};
+use hysteron_engine::material::hdr::{Compound, NAMES, Parameters, Stack, Thermal};
+use hysteron_engine::material::{HdrRheology, Material, Mullins, Softening};
+use hysteron_tcl::Exception;
+use hysteron_tcl::diagnostic::{Diagnostic, Span};
+use std::sync::Arc;
+
+pub(super) const KINDS: &[Kind] = &[
+    Kind {
+        names: &["HDRRheology"],
+        usage: USAGE,
+        make: |interp, a| Ok(Arc::new(rheology(interp, a, OPTIONS, |_, _| Ok(false))?)),
+    },
+    Kind {
+        names: &["Mullins"],
+        usage: "uniaxialMaterial Mullins $tag $material $excess $strain <-power $p> <-heal $fraction $time> \
+                <-preload $strain>",
+        make: mullins,
+    },
+];
+
+pub(crate) const USAGE: &str = "uniaxialMaterial HDRRheology $tag -compound $name -temperature $T | $C1eq \
+    $C2eq $C3eq $tauCrEq $m $C1oe $C2oe $tauCrOe $a $n <-area $A -height $h> <-linear $C> \
+    <-heatCapacity $c <-coolingTime $s>> <-conduction $layers $tRubber $tSteel $tPlate $kRubber $cRubber $kSteel \
+    $cSteel $film> <-ambient $T> <-beyond hold|error> <-mullins $excess $strain <-heal $fraction $time> <-preload \
+    $strain>>";
+
+const OPTIONS: &[&str] = &[
+    "-compound",
+    "-temperature",
+    "-area",
+    "-height",
+    "-linear",
+    "-heatCapacity",
+    "-coolingTime",
+    "-conduction",
+    "-ambient",
+    "-beyond",
+    "-mullins",
+    "-heal",
+    "-preload",
+];
+
+/// The options as far as they have been taken.
+#[derive(Default)]
+struct Options {
+    compound: Option<(Compound, Option<Span>)>,
+    temperature: Option<(f64, Option<Span>)>,
+    ambient: Option<(f64, Option<Span>)>,
+    area: Option<f64>,
+    height: Option<f64>,
+    linear: Option<f64>,
+    capacity: Option<f64>,
+    cooling: Option<(f64, Option<Span>)>,
+    stack: Option<(Stack, Option<Span>)>,
+    hold_ends: Option<bool>,
+    softening: Option<Softening>,
+}
+
+/// A law of high damping rubber from parameters and options. `known` are the options that may be given, and `other` takes
+/// those that are not the law's: the last word taken is one.
+pub(crate) fn rheology(
+    interp: &mut Tcl,
+    a: &mut Args<'_>,
+    known: &[&str],
+    mut other: impl FnMut(&mut Args<'_>, &str) -> Result<bool, Exception>,
+) -> Result<HdrRheology, Exception> {
+    let mut o = Options::default();
+    if a.at_number() {
+        o.compound = Some((Compound::constant(explicit(a)?), None));
+    }
+    let explicit = o.compound.is_some();
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            option if !known.contains(&option) => ignore_option(interp, a, known)?,
+            "-compound" if explicit => {
+                return Err(a.refuse(
+                    "the parameters are given already, by number",
+                    "expected either -compound or ten numbers",
+                ));
+            }
+            "-compound" => o.compound = Some((compound(interp, a)?, a.last_span())),
+            "-temperature" => o.temperature = Some((a.float("temperature of the rubber")?, a.last_span())),
+            "-ambient" => o.ambient = Some((a.float("temperature of the surroundings")?, a.last_span())),
+            "-area" => o.area = Some(a.positive("area of the bearing")?),
+            "-height" => o.height = Some(a.positive("height of the rubber")?),
+            "-linear" => o.linear = Some(a.positive("stiffness C of the linear overstress spring")?),
+            "-heatCapacity" => o.capacity = Some(a.positive("heat capacity per volume of rubber")?),
+            "-coolingTime" => o.cooling = Some((a.positive("time constant of cooling")?, a.last_span())),
+            "-conduction" => o.stack = Some((stack(a)?, a.last_span())),
+            "-beyond" => {
+                o.hold_ends = Some(match a.word("what to do beyond the table: hold or error")?.as_ref() {
+                    "hold" => true,
+                    "error" => false,
+                    _ => return Err(a.unknown_name("way beyond the table", ["hold", "error"])),
+                });
+            }
+            "-mullins" => o.softening = Some(softening(a)?),
+            "-heal" | "-preload" if o.softening.is_none() => {
+                return Err(a.refuse(format!("{option} stands without softening"), "expected -mullins before"));
+            }
+            "-heal" => heal(a, o.softening.as_mut())?,
+            "-preload" => preload(a, o.softening.as_mut())?,
+            option => {
+                if !other(a, option)? {
+                    ignore_option(interp, a, known)?;
+                }
+            }
+        }
+    }
+    assemble(interp, a, o, explicit)
+}
+
+/// The law from its options.
+fn assemble(interp: &mut Tcl, a: &Args<'_>, o: Options, explicit: bool) -> Result<HdrRheology, Exception> {
+    let Some((compound, span)) = o.compound else {
+        return Err(a.refuse("HDRRheology has no parameters", "expected -compound with a name, or ten numbers"));
+    };
+    let compound = match o.linear {
+        Some(c2_oe) => compound.map(|p| Parameters { c1_oe: 0.0, tau_cr_oe: 0.0, c2_oe, ..*p }),
+        None => compound,
+    };
+    let ambient = match (o.ambient, o.temperature) {
+        (Some((ambient, _)), Some((t, at))) if t != ambient => {
+            let d =
+                Diagnostic::warning(format!("HDRRheology: the rubber begins at the -ambient {ambient}, not at {t}"));
+            warn(interp, d.at(at, "is ignored: expected one of -temperature and -ambient"))?;
+            ambient
+        }
+        (Some((t, _)), _) | (None, Some((t, _))) => t,
+        (None, None) if explicit => 0.0,
+        (None, None) => return Err(a.refuse_at(span, "a compound without a temperature", "expected -temperature too")),
+    };
+    if let Err(e) = compound.at(ambient) {
+        let at = o.ambient.or(o.temperature).and_then(|(_, at)| at);
+        let (lo, hi) = e.range;
+        return Err(a.refuse_at(at, e.to_string(), format!("expected a temperature from {lo} to {hi}")));
+    }
+    let thermal = match (o.capacity, o.cooling, o.stack) {
+        (None, None, None) => None,
+        (Some(capacity), cooling, None) => Some(Thermal::lumped(capacity, cooling.map_or(f64::INFINITY, |c| c.0))),
+        (None, None, Some((stack, _))) => Some(Thermal::stack(&stack)),
+        (_, _, Some((_, at))) => {
+            let label = "expected either -conduction or -heatCapacity with -coolingTime";
+            return Err(a.refuse_at(at, "two kinds of self-heating", label));
+        }
+        (None, Some((_, at)), None) => {
+            return Err(a.refuse_at(at, "-coolingTime stands without self-heating", "expected -heatCapacity too"));
+        }
+    };
+    if thermal.is_some() && !explicit && o.hold_ends.is_none() {
+        let (lo, hi) = compound.range();
+        let d = Diagnostic::warning(format!(
+            "HDRRheology: the compound is known from {lo} to {hi}; rubber that heats itself beyond keeps the parameters \
+             of {hi}"
+        ));
+        let d = d.at(span, "the temperature goes on to rise, the parameters do not change");
+        warn(interp, d.help("\"-beyond hold\" says that this is meant, \"-beyond error\" stops there"))?;
+    }
+    Ok(HdrRheology {
+        ambient,
+        thermal,
+        hold_ends: o.hold_ends.unwrap_or(true),
+        softening: o.softening,
+        area: o.area.unwrap_or(1.0),
+        height: o.height.unwrap_or(1.0),
+        compound,
+    })
+}
+
+/// Ten parameters by number.
+fn explicit(a: &mut Args<'_>) -> Result<Parameters, Exception> {
+    let mut p = [0.0; 10];
+    let mut spans = [None; 10];
+    for ((x, span), (name, ..)) in p.iter_mut().zip(&mut spans).zip(NAMES) {
+        *x = a.float(&format!("parameter {name}"))?;
+        *span = a.last_span();
+    }
+    Parameters::new(p).map_err(|(i, label)| a.refuse_at(spans[i], format!("{} is {}", NAMES[i].0, p[i]), label))
+}
+
+/// A compound that comes with the program, or from a table in a file.
+fn compound(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Compound, Exception> {
+    let name = a.word("name of a compound, or of a file with its table")?;
+    let text = match Compound::built_in(&name) {
+        Some(text) => text.to_owned(),
+        None if name.contains('.') => read_text(interp, &name)
+            .map_err(|e| a.refuse(format!("cannot read the compound {name}: {e}"), "expected the name of a file"))?,
+        None => return Err(a.unknown_name("compound", Compound::names())),
+    };
+    Compound::parse(&text).map_err(|e| a.refuse(format!("compound {name}: {e}"), "expected a table of parameters"))
+}
+
+fn stack(a: &mut Args<'_>) -> Result<Stack, Exception> {
+    Ok(Stack {
+        layers: a.count("number of layers of rubber")?,
+        rubber: a.positive("thickness tRubber of a layer of rubber")?,
+        steel: a.not_negative("thickness tSteel of a steel plate")?,
+        plate: a.not_negative("thickness tPlate of an end plate")?,
+        rubber_properties: (
+            a.positive("thermal conductivity kRubber")?,
+            a.positive("heat capacity cRubber per volume of rubber")?,
+        ),
+        steel_properties: (
+            a.positive("thermal conductivity kSteel")?,
+            a.positive("heat capacity cSteel per volume of steel")?,
+        ),
+        film: a.not_negative("heat transfer coefficient film of the end plates")?,
+    })
+}
+
+fn softening(a: &mut Args<'_>) -> Result<Softening, Exception> {
+    let excess = a.not_negative("excess of stiffness of virgin rubber")?;
+    let strain = a.positive("strain over which the excess goes")?;
+    Ok(Softening { excess, strain, power: None, healed: 0.0, time: 1.0, preload: 0.0 })
+}
+
+fn heal(a: &mut Args<'_>, softening: Option<&mut Softening>) -> Result<(), Exception> {
+    let healed = a.not_negative("fraction that heals")?;
+    if healed > 1.0 {
+        return Err(a.refuse(format!("the fraction that heals is {healed}"), "expected a fraction, 0 to 1"));
+    }
+    let time = a.positive("time constant of healing")?;
+    if let Some(s) = softening {
+        (s.healed, s.time) = (healed, time);
+    }
+    Ok(())
+}
+
+fn preload(a: &mut Args<'_>, softening: Option<&mut Softening>) -> Result<(), Exception> {
+    let preload = a.not_negative("strain of the preloading")?;
+    if let Some(s) = softening {
+        s.preload = preload;
+    }
+    Ok(())
+}
+
+fn mullins(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let inner = a.of(&interp.host.definitions.materials)?;
+    let mut law = softening(a)?;
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-heal" => heal(a, Some(&mut law))?,
+            "-preload" => preload(a, Some(&mut law))?,
+            "-power" => law.power = Some(a.positive("exponent of the way back to the virgin path")?),
+            _ => ignore_option(interp, a, &["-heal", "-preload", "-power"])?,
+        }
+    }
+    Ok(Arc::new(Mullins::new(inner, law)))
+}

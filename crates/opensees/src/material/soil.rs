@@ -1,0 +1,77 @@
+//! Springs between piles and soil.
+
+use super::Kind;
+use crate::args::Args;
+use crate::{Tcl, warn};
+use hysteron_engine::material::{
+    Material, PyBackbone, PySimple1, QzBackbone, QzSimple1, SoilSpring, TzBackbone, TzSimple1,
+};
+use hysteron_tcl::Exception;
+use hysteron_tcl::diagnostic::Diagnostic;
+use std::sync::Arc;
+
+pub(super) const KINDS: &[Kind] = &[
+    Kind {
+        names: &["PySimple1"],
+        usage: "uniaxialMaterial PySimple1 $tag $soilType $pult $Y50 $Cd <$c>",
+        make: py_simple1,
+    },
+    Kind { names: &["TzSimple1"], usage: "uniaxialMaterial TzSimple1 $tag $tzType $tult $z50 <$c>", make: tz_simple1 },
+    Kind {
+        names: &["QzSimple1"],
+        usage: "uniaxialMaterial QzSimple1 $tag $qzType $qult $Z50 <$suction> <$c>",
+        make: qz_simple1,
+    },
+];
+
+/// One of two backbones.
+fn backbone<T>(a: &mut Args<'_>, what: &str, kinds: [(&str, T); 2]) -> Result<T, Exception> {
+    let number = a.int(what)?;
+    let [one, two] = kinds;
+    match number {
+        1 => Ok(one.1),
+        2 => Ok(two.1),
+        _ => Err(a.refuse(format!("the {what} is {number}"), format!("expected 1 ({}) or 2 ({})", one.0, two.0))),
+    }
+}
+
+/// A number that is zero where it is left out.
+fn optional(a: &mut Args<'_>, what: &str) -> Result<f64, Exception> {
+    if a.left() == 0 { Ok(0.0) } else { a.not_negative(what) }
+}
+
+fn py_simple1(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let kinds = [("soft clay", PyBackbone::Clay), ("sand", PyBackbone::Sand)];
+    let kind = backbone(a, "soil type", kinds)?;
+    let pult = a.positive("ultimate resistance pult")?;
+    let y50 = a.positive("displacement Y50 at half of the ultimate resistance")?;
+    let drag = a.not_negative("drag resistance Cd within a gap, as a part of the ultimate one")?;
+    let dashpot = optional(a, "dashpot coefficient c")?;
+    let compat = interp.host.engine.options.compat;
+    Ok(Arc::new(SoilSpring { soil: PySimple1::new(kind, pult, y50, drag), dashpot, compat }))
+}
+
+fn tz_simple1(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let kinds = [("Reese and O'Neill", TzBackbone::ReeseONeill), ("Mosher", TzBackbone::Mosher)];
+    let kind = backbone(a, "type of the t-z spring", kinds)?;
+    let tult = a.positive("ultimate resistance tult")?;
+    let z50 = a.positive("displacement z50 at half of the ultimate resistance")?;
+    let dashpot = optional(a, "dashpot coefficient c")?;
+    let compat = interp.host.engine.options.compat;
+    Ok(Arc::new(SoilSpring { soil: TzSimple1::new(kind, tult, z50), dashpot, compat }))
+}
+
+fn qz_simple1(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let kinds = [("clay", QzBackbone::Clay), ("sand", QzBackbone::Sand)];
+    let kind = backbone(a, "type of the q-z spring", kinds)?;
+    let qult = a.positive("ultimate resistance qult")?;
+    let z50 = a.positive("displacement Z50 at half of the ultimate resistance")?;
+    let suction = optional(a, "suction, the resistance in uplift as a part of the ultimate one")?;
+    if suction > QzSimple1::MOST_SUCTION {
+        let message = format!("the suction {suction} is more than {}, which is taken", QzSimple1::MOST_SUCTION);
+        warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected at most a tenth"))?;
+    }
+    let dashpot = optional(a, "dashpot coefficient c")?;
+    let compat = interp.host.engine.options.compat;
+    Ok(Arc::new(SoilSpring { soil: QzSimple1::new(kind, qult, z50, suction), dashpot, compat }))
+}

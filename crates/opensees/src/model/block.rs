@@ -1,0 +1,92 @@
+//! `block2D`: a mesh of quadrilaterals.
+
+use crate::args::Args;
+use crate::model::nodes::need_model;
+use crate::{Command, Outcome, Tcl, finish};
+use hysteron_tcl::{Call, Exception, Value};
+
+pub(crate) const COMMANDS: &[Command] = &[Command { name: "block2D", usage: USAGE, run: block2d }];
+
+const USAGE: &str =
+    "block2D $nx $ny $firstNode $firstElement $kind {arguments} <-numEleNodes 4> {1 $x1 $y1 <$z1> 2 $x2 ...}";
+
+/// Corners, then the middles of the sides 12, 23, 34 and 41, then the middle: by their place in the unit square.
+const PLACES: [[f64; 2]; 9] =
+    [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, 0.0]];
+
+/// What stands in for a point that is not given: the mean of these.
+const MEANS: [(usize, &[usize]); 5] = [(4, &[0, 1]), (5, &[1, 2]), (6, &[2, 3]), (7, &[3, 0]), (8, &[0, 1, 2, 3])];
+
+/// Lagrange's parabola through -1, 0 and 1 that is 1 at `at`.
+fn parabola(at: f64, x: f64) -> f64 {
+    if at == 0.0 { 1.0 - x * x } else { 0.5 * x * (x + at) }
+}
+
+/// The points of the block; those that are not given follow from the corners.
+fn points(a: &mut Args<'_>, ndm: usize) -> Result<[Vec<f64>; 9], Exception> {
+    let given = a.value("points of the block")?;
+    let list = given.to_list()?;
+    if list.len() % (ndm + 1) != 0 {
+        let message = format!("{} words for the points of the block", list.len());
+        return Err(a.refuse(message, format!("expected a number 1 to 9 and {ndm} coordinates for each")));
+    }
+    let mut points: [Vec<f64>; 9] = Default::default();
+    for words in list.chunks(ndm + 1) {
+        let numbers: Result<Vec<f64>, _> = words.iter().map(Value::to_f64).collect();
+        let numbers = numbers.map_err(|_| a.refuse("a point of the block has a word that is no number", ""))?;
+        match points.get_mut((numbers[0] as usize).wrapping_sub(1)) {
+            Some(p) if numbers[0].fract() == 0.0 => p.extend(&numbers[1..]),
+            _ => return Err(a.refuse(format!("{} is no point of a block", numbers[0]), "expected 1 to 9")),
+        }
+    }
+    if let Some(i) = (0..9).find(|&i| if i < 4 { points[i].len() != ndm } else { points[i].len() > ndm }) {
+        let message =
+            format!("point {} of the block is {}", i + 1, if points[i].is_empty() { "missing" } else { "given twice" });
+        return Err(a.refuse(message, "expected the corners 1 to 4 once each"));
+    }
+    for (i, from) in MEANS {
+        if points[i].is_empty() {
+            points[i] = (0..ndm).map(|d| from.iter().map(|&k| points[k][d]).sum::<f64>() / from.len() as f64).collect();
+        }
+    }
+    Ok(points)
+}
+
+fn block2d(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    need_model(interp, call)?;
+    let mut a = Args::new(call, USAGE);
+    let ndm = interp.host.ndm;
+    if ndm < 2 {
+        return Err(a.refuse_at(call.span(0), "block2D: the model has one dimension", "expected 2 or 3"));
+    }
+    let (nx, ny) = (a.count("number of elements along 1-2")?, a.count("number of elements along 2-3")?);
+    let (node, element) = (a.int("tag of the first node")?, a.int("tag of the first element")?);
+    let kind = a.word("kind of element")?.into_owned();
+    let arguments = a.word("arguments of the elements after their nodes")?.into_owned();
+    if a.flag("-numEleNodes") && a.int("number of nodes of an element")? != 4 {
+        return Err(a.refuse("only elements with 4 nodes can be made", "expected 4"));
+    }
+    let points = points(&mut a, ndm)?;
+    finish(interp, &a)?;
+    let tag = |i: usize, j: usize| i64::from(node) + (i + j * (nx + 1)) as i64;
+    for j in 0..=ny {
+        for i in 0..=nx {
+            let (x, y) = (2.0 * i as f64 / nx as f64 - 1.0, 2.0 * j as f64 / ny as f64 - 1.0);
+            let mut words = vec![Value::from("node"), Value::from(tag(i, j))];
+            words.extend((0..ndm).map(|d| {
+                let weighted =
+                    PLACES.iter().zip(&points).map(|([px, py], p)| parabola(*px, x) * parabola(*py, y) * p[d]);
+                Value::from(weighted.sum::<f64>())
+            }));
+            interp.eval_value(&Value::list(words))?;
+        }
+    }
+    for j in 0..ny {
+        for i in 0..nx {
+            let corners = [tag(i, j), tag(i + 1, j), tag(i + 1, j + 1), tag(i, j + 1)].map(|t| t.to_string()).join(" ");
+            let number = i64::from(element) + (i + j * nx) as i64;
+            interp.eval_value(&Value::from(format!("element {kind} {number} {corners} {arguments}")))?;
+        }
+    }
+    Ok(Value::EMPTY)
+}

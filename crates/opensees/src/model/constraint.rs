@@ -1,0 +1,178 @@
+//! Single-point and multi-point constraints.
+
+use crate::args::Args;
+use crate::model::nodes::node_of;
+use crate::{Command, Outcome, Tcl, finish};
+use hysteron_engine::model::{Fix, MultiPoint, NodeId};
+use hysteron_tcl::{Call, Exception, Value};
+
+pub(crate) const COMMANDS: &[Command] = &[
+    Command { name: "fix", usage: FIX, run: fix },
+    Command { name: "fixX", usage: FIX_LEVEL, run: |i, c| fix_level(i, c, 0) },
+    Command { name: "fixY", usage: FIX_LEVEL, run: |i, c| fix_level(i, c, 1) },
+    Command { name: "fixZ", usage: FIX_LEVEL, run: |i, c| fix_level(i, c, 2) },
+    Command { name: "equalDOF", usage: EQUAL, run: equal_dof },
+    Command { name: "rigidDiaphragm", usage: DIAPHRAGM, run: rigid_diaphragm },
+    Command { name: "rigidLink", usage: LINK, run: rigid_link },
+];
+
+const FIX: &str = "fix $node $flag1 <$flag2 ...> (1 held, 0 free)";
+const FIX_LEVEL: &str = "fixX $coordinate $flag1 <$flag2 ...> <-tol $tolerance>";
+const EQUAL: &str = "equalDOF $retained $constrained $dof1 <$dof2 ...>";
+const DIAPHRAGM: &str = "rigidDiaphragm $perpendicular $retained $constrained1 <$constrained2 ...>";
+const LINK: &str = "rigidLink beam|bar $retained $constrained";
+
+fn flags(a: &mut Args<'_>, n: usize) -> Result<Vec<bool>, Exception> {
+    (1..=n).map(|i| a.int(&format!("flag of degree of freedom {i}")).map(|f| f != 0)).collect()
+}
+
+fn hold(interp: &mut Tcl, node: NodeId, flags: &[bool]) {
+    let dofs: Vec<usize> = (0..flags.len()).filter(|&i| flags[i]).collect();
+    let tags: Vec<i32> = dofs.iter().map(|_| interp.host.sp_tag()).collect();
+    interp.host.engine.change_model(|model| {
+        for (dof, tag) in dofs.into_iter().zip(tags) {
+            if !model.fixes.iter().any(|f| f.node == node && f.dof == dof) {
+                model.fixes.push(Fix { node, dof, tag });
+            }
+        }
+    });
+}
+
+fn fix(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, FIX);
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    let flags = flags(&mut a, interp.host.engine.model().nodes[node.0].ndf)?;
+    finish(interp, &a)?;
+    hold(interp, node, &flags);
+    Ok(Value::EMPTY)
+}
+
+/// `fixX` and its sisters: all nodes at a coordinate.
+fn fix_level(interp: &mut Tcl, call: &Call<'_>, direction: usize) -> Outcome {
+    let mut a = Args::new(call, FIX_LEVEL);
+    let level = a.float("coordinate")?;
+    let words = a.ahead().map(|v| v.as_str().into_owned());
+    let given = words.take_while(|w| w != "-tol").count();
+    // Without a flag nothing would be held.
+    let flags = flags(&mut a, given.max(1))?;
+    let tolerance = if a.flag("-tol") { a.not_negative("tolerance")? } else { 1e-10 };
+    finish(interp, &a)?;
+    let model = interp.host.engine.model();
+    let at_level =
+        |n: &hysteron_engine::model::Node| n.coords.get(direction).is_some_and(|x| (x - level).abs() <= tolerance);
+    let nodes: Vec<NodeId> = (0..model.nodes.len()).map(NodeId).filter(|n| at_level(&model.nodes[n.0])).collect();
+    if nodes.is_empty() {
+        return Err(a.refuse_at(call.span(1), format!("{}: no node has this coordinate", call.name()), ""));
+    }
+    for node in nodes {
+        let ndf = interp.host.engine.model().nodes[node.0].ndf;
+        hold(interp, node, &flags[..flags.len().min(ndf)]);
+    }
+    Ok(Value::EMPTY)
+}
+
+fn add(interp: &mut Tcl, retained: NodeId, constrained: NodeId, dofs: (Vec<usize>, Vec<usize>), matrix: Vec<f64>) {
+    let tag = interp.host.mp_tag();
+    let (constrained_dofs, retained_dofs) = dofs;
+    interp.host.engine.change_model(|model| {
+        model.multi_points.push(MultiPoint { constrained, retained, constrained_dofs, retained_dofs, matrix, tag });
+    });
+}
+
+/// Retained and constrained node, which must not be the same.
+fn pair(interp: &Tcl, a: &mut Args<'_>) -> Result<(NodeId, NodeId), Exception> {
+    let retained = node_of(interp, a, "tag of the retained node")?;
+    let constrained = node_of(interp, a, "tag of the constrained node")?;
+    if retained == constrained {
+        return Err(a.refuse("a node cannot follow itself", "expected another node than the retained one"));
+    }
+    Ok((retained, constrained))
+}
+
+fn equal_dof(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, EQUAL);
+    let (retained, constrained) = pair(interp, &mut a)?;
+    let nodes = &interp.host.engine.model().nodes;
+    let limit = nodes[retained.0].ndf.min(nodes[constrained.0].ndf);
+    let mut dofs = vec![a.dof("degree of freedom", limit)?];
+    while a.left() > 0 {
+        dofs.push(a.dof("degree of freedom", limit)?);
+    }
+    let n = dofs.len();
+    let mut matrix = vec![0.0; n * n];
+    (0..n).for_each(|i| matrix[i * n + i] = 1.0);
+    add(interp, retained, constrained, (dofs.clone(), dofs), matrix);
+    Ok(Value::EMPTY)
+}
+
+fn rigid_diaphragm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, DIAPHRAGM);
+    let ndm = interp.host.ndm;
+    let normal = a.dof("direction perpendicular to the diaphragm", 3)?;
+    let retained = node_of(interp, &mut a, "tag of the retained node")?;
+    if ndm != 3 || interp.host.engine.model().nodes[retained.0].ndf != 6 {
+        let message = "rigidDiaphragm needs a model with 3 dimensions and 6 degrees of freedom a node";
+        return Err(a.refuse_at(call.span(0), message, "not in this model"));
+    }
+    // The two directions in the plane, and the rotation about its normal.
+    let (p, q) = [(1, 2), (2, 0), (0, 1)][normal];
+    if a.left() == 0 {
+        node_of(interp, &mut a, "tag of a constrained node")?;
+    }
+    while a.left() > 0 {
+        let node = node_of(interp, &mut a, "tag of a constrained node")?;
+        let nodes = &interp.host.engine.model().nodes;
+        let arm = nodes[node.0].place() - nodes[retained.0].place();
+        if node == retained {
+            return Err(a.refuse("a node cannot follow itself", "expected another node than the retained one"));
+        }
+        if nodes[node.0].ndf != 6 {
+            return Err(a.refuse("the node has not got 6 degrees of freedom", ""));
+        }
+        if arm[normal].abs() > 1e-9 * arm.norm().max(1.0) {
+            let axis = ["x", "y", "z"][normal];
+            let message = format!("the node does not lie in the diaphragm: its {axis} differs by {}", arm[normal]);
+            return Err(a.refuse(message, "expected a node in the plane of the retained one"));
+        }
+        let matrix = vec![1.0, 0.0, -arm[q], 0.0, 1.0, arm[p], 0.0, 0.0, 1.0];
+        let dofs = vec![p, q, 3 + normal];
+        add(interp, retained, node, (dofs.clone(), dofs), matrix);
+    }
+    Ok(Value::EMPTY)
+}
+
+fn rigid_link(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, LINK);
+    let kind = a.word("kind of link")?;
+    let beam = match kind.as_ref() {
+        "beam" | "-beam" => true,
+        "bar" | "-bar" | "rod" | "-rod" => false,
+        _ => return Err(a.unknown_name("kind of rigid link", ["beam", "bar"])),
+    };
+    let (retained, constrained) = pair(interp, &mut a)?;
+    finish(interp, &a)?;
+    let nodes = &interp.host.engine.model().nodes;
+    let (r, c) = (&nodes[retained.0], &nodes[constrained.0]);
+    let (ndm, ndf, arm) = (r.ndm(), r.ndf, c.place() - r.place());
+    if ndf != c.ndf {
+        return Err(a.refuse("the two nodes have different numbers of degrees of freedom", ""));
+    }
+    let n = if beam { ndf } else { ndm.min(ndf) };
+    let mut matrix = vec![0.0; n * n];
+    (0..n).for_each(|i| matrix[i * n + i] = 1.0);
+    match (beam, ndm, ndf) {
+        (true, 2, 3) => {
+            matrix[2] = -arm.y;
+            matrix[n + 2] = arm.x;
+        }
+        (true, 3, 6) => {
+            for (i, row) in (-arm.cross_matrix()).row_iter().enumerate() {
+                row.iter().enumerate().for_each(|(j, x)| matrix[i * n + 3 + j] = *x);
+            }
+        }
+        _ => {}
+    }
+    let dofs: Vec<usize> = (0..n).collect();
+    add(interp, retained, constrained, (dofs.clone(), dofs), matrix);
+    Ok(Value::EMPTY)
+}

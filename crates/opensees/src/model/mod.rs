@@ -1,0 +1,8 @@
+//! Nodes, constraints, transformations and parameters of a model.
+
+pub(crate) mod block;
+pub(crate) mod constraint;
+pub(crate) mod nodes;
+pub(crate) mod parameter;
+pub(crate) mod remove;
+pub(crate) mod transform;

@@ -1,0 +1,160 @@
+//! The model and its nodes.
+
+use crate::args::Args;
+use crate::{Command, Outcome, Tcl, finish, ignore_option};
+use hysteron_engine::model::NodeId;
+use hysteron_tcl::diagnostic::Diagnostic;
+use hysteron_tcl::{Call, Exception, Value};
+
+pub(crate) const COMMANDS: &[Command] = &[
+    Command { name: "wipe", usage: "wipe", run: wipe },
+    Command { name: "model", usage: MODEL, run: model },
+    Command { name: "node", usage: NODE, run: node },
+    Command { name: "mass", usage: MASS, run: mass },
+    Command { name: "pset", usage: PSET, run: pset },
+    Command { name: "setNodeCoord", usage: SET_COORD, run: set_node_coord },
+];
+
+const MODEL: &str = "model BasicBuilder -ndm $ndm <-ndf $ndf>";
+const NODE: &str = "node $tag $x <$y <$z>> <-ndf $ndf> <-mass $m ...> <-disp $u ...> <-vel $v ...>";
+const MASS: &str = "mass $node $m1 <$m2 ...>";
+const PSET: &str = "pset $name $value";
+const SET_COORD: &str = "setNodeCoord $node $direction $value";
+
+/// The node with the tag that comes next.
+pub(crate) fn node_of(interp: &Tcl, args: &mut Args<'_>, what: &str) -> Result<NodeId, Exception> {
+    let tag = args.int(what)?;
+    interp.host.engine.model().node(tag).ok_or_else(|| {
+        let model = interp.host.engine.model();
+        let near = model.node_tags().min_by_key(|t| t.abs_diff(tag));
+        let label = near.map_or_else(|| "no node has been made".into(), |t| format!("the nearest tag is {t}"));
+        args.refuse(format!("there is no node {tag}"), label)
+    })
+}
+
+fn wipe(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let finished = interp.host.wipe();
+    finished.map_err(|e| call.error_at(0, e.to_string(), "a recorder could not be finished"))?;
+    Ok(Value::EMPTY)
+}
+
+fn model(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, MODEL);
+    let builder = a.word("kind of model")?;
+    if !["basic", "basicbuilder", "modelbuilder"].contains(&builder.to_lowercase().as_str()) {
+        return Err(a.unknown_name("kind of model", ["basic", "BasicBuilder"]));
+    }
+    let (mut ndm, mut ndf) = (None, None);
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-ndm" | "-NDM" => ndm = Some(a.dof("number of dimensions", 3)? + 1),
+            "-ndf" | "-NDF" => ndf = Some(a.dof("number of degrees of freedom of a node", 6)? + 1),
+            _ => ignore_option(interp, &mut a, &["-ndm", "-ndf"])?,
+        }
+    }
+    let Some(ndm) = ndm else {
+        return Err(a.refuse_at(call.span(0), "model: the number of dimensions is missing", "expected -ndm 1, 2 or 3"));
+    };
+    interp.host.ndm = ndm;
+    interp.host.ndf = ndf.unwrap_or(ndm * (ndm + 1) / 2);
+    Ok(Value::EMPTY)
+}
+
+/// The command can only be used after `model`.
+pub(crate) fn need_model(interp: &Tcl, call: &Call<'_>) -> Result<(), Exception> {
+    if interp.host.ndm > 0 {
+        return Ok(());
+    }
+    let d = Diagnostic::error(format!("{}: there is no model yet", call.name()))
+        .at(call.span(0), "expected a command \"model\" before this")
+        .help(format!("usage: {MODEL}"));
+    Err(Exception::diagnosed(d))
+}
+
+fn node(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    need_model(interp, call)?;
+    let mut a = Args::new(call, NODE);
+    let tag = a.int("tag of the node")?;
+    if interp.host.engine.model().node(tag).is_some() {
+        return Err(a.refuse(format!("there is a node {tag} already"), "expected a new tag"));
+    }
+    let ndm = interp.host.ndm;
+    let coords = (0..ndm).map(|i| a.float(["x coordinate", "y coordinate", "z coordinate"][i]));
+    let coords = coords.collect::<Result<Vec<f64>, _>>()?;
+    let mut ndf = interp.host.ndf;
+    let (mut mass, mut disp, mut vel) = (None, None, None);
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-ndf" | "-NDF" => ndf = a.dof("number of degrees of freedom", 6)? + 1,
+            "-mass" => mass = Some(masses(&mut a, ndf)?),
+            "-disp" | "-dispLoc" => disp = Some(values(&mut a, ndf, "displacement")?),
+            "-vel" => vel = Some(values(&mut a, ndf, "velocity")?),
+            _ => ignore_option(interp, &mut a, &["-ndf", "-mass", "-disp", "-vel"])?,
+        }
+    }
+    let engine = &mut interp.host.engine;
+    let id = engine.add_node(tag, &coords, ndf);
+    if let Some(m) = mass {
+        engine.change_model(|model| model.nodes[id.0].mass = m);
+    }
+    if disp.is_some() || vel.is_some() {
+        engine.change_state(|state, model| {
+            let dofs = model.nodes[id.0].dofs();
+            for (to, from) in [(&mut state.disp, &disp), (&mut state.vel, &vel)] {
+                if let Some(from) = from {
+                    to[dofs.clone()].copy_from_slice(from);
+                }
+            }
+        });
+    }
+    Ok(Value::EMPTY)
+}
+
+fn values(a: &mut Args<'_>, n: usize, what: &str) -> Result<Vec<f64>, Exception> {
+    (1..=n).map(|i| a.float(&format!("{what} of degree of freedom {i}"))).collect()
+}
+
+fn masses(a: &mut Args<'_>, n: usize) -> Result<Vec<f64>, Exception> {
+    (1..=n).map(|i| a.not_negative(&format!("mass of degree of freedom {i}"))).collect()
+}
+
+fn mass(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, MASS);
+    let id = node_of(interp, &mut a, "tag of the node")?;
+    let ndf = interp.host.engine.model().nodes[id.0].ndf;
+    let m = masses(&mut a, ndf)?;
+    finish(interp, &a)?;
+    interp.host.engine.change_model(|model| model.nodes[id.0].mass = m);
+    Ok(Value::EMPTY)
+}
+
+/// A parameter of a study: sets the variable of that name, to the study's value where it has one.
+fn pset(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, PSET);
+    let name = a.word("name of the parameter")?.into_owned();
+    let value = a.value("value of the parameter")?;
+    if let Some(span) = a.last_span() {
+        interp.host.declared_at.insert(name.clone(), span);
+    }
+    finish(interp, &a)?;
+    let value = match interp.host.parameters.get(&name) {
+        Some(x) => Value::from(*x),
+        None => value,
+    };
+    if let Ok(x) = value.to_f64() {
+        interp.host.declared.insert(name.clone(), x);
+    }
+    interp.set_var(&name, value.clone())?;
+    Ok(value)
+}
+
+fn set_node_coord(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, SET_COORD);
+    let id = node_of(interp, &mut a, "tag of the node")?;
+    let limit = interp.host.engine.model().nodes[id.0].ndm();
+    let direction = a.dof("direction", limit)?;
+    let x = a.float("coordinate")?;
+    finish(interp, &a)?;
+    interp.host.engine.change_model(|model| model.nodes[id.0].coords[direction] = x);
+    Ok(Value::EMPTY)
+}

@@ -1,0 +1,356 @@
+//! Parameters: numbers of the model that a script may change by a tag (`parameter updateParameter ...`).
+
+use crate::args::Args;
+use crate::model::nodes::node_of;
+use crate::{Command, Outcome, Tcl, finish, warn};
+use hysteron_engine::model::{NodeId, Tag};
+use hysteron_tcl::diagnostic::{Diagnostic, Span};
+use hysteron_tcl::{Call, Exception, Value};
+
+pub(crate) const COMMANDS: &[Command] = &[
+    Command { name: "parameter", usage: PARAMETER, run: parameter },
+    Command { name: "addToParameter", usage: ADD, run: add_to_parameter },
+    Command { name: "updateParameter", usage: UPDATE, run: update_parameter },
+    Command { name: "getParamValue", usage: "getParamValue $tag", run: value_of },
+    Command { name: "getParamTags", usage: "getParamTags", run: tags },
+    Command { name: "setParameter", usage: SET, run: set_parameter },
+];
+
+const PARAMETER: &str = "parameter $tag <$value> | <node $node mass x|y|z|xy|xyz> | <node $node disp $dof> \
+                         | <loadPattern $pattern loadAtNode $node $dof> | <loadPattern $pattern lambda> \
+                         | <element|region $tag $name ...>";
+const ADD: &str = "addToParameter $tag node $node mass x|y|z|xy|xyz | loadPattern $pattern loadAtNode $node $dof \
+                   | element|region $tag $name ...";
+const UPDATE: &str = "updateParameter $tag $value";
+const SET: &str = "setParameter -val $value <-ele $element ... | -eleRange $first $last> $name ... | \
+                   -node $node ... mass x|y|z|xy|xyz";
+
+/// A number of the model.
+#[derive(Clone, Debug, PartialEq)]
+enum Place {
+    /// Mass of the first degrees of freedom of a node.
+    Mass { node: Tag, dofs: Vec<usize> },
+    /// Reference load of a pattern on a node.
+    Load { pattern: Tag, node: Tag, dof: usize },
+    /// Displacement of a node: it can be read only.
+    Disp { node: Tag, dof: usize },
+    /// Load factor of a pattern: it can be read only.
+    Factor { pattern: Tag },
+    /// A number of an element, by the words that name it.
+    Element { element: Tag, words: Vec<String> },
+}
+
+/// A number, and where in the model it stands. Places are kept by tag: what is removed is no longer changed.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Parameter {
+    value: f64,
+    places: Vec<Place>,
+}
+
+/// A node by its tag; the tag.
+fn node_tag(interp: &Tcl, a: &mut Args<'_>) -> Result<(NodeId, Tag), Exception> {
+    let node = node_of(interp, a, "tag of the node")?;
+    Ok((node, interp.host.engine.model().nodes[node.0].tag))
+}
+
+/// `mass` and the directions, for a node with so many degrees of freedom.
+fn mass_dofs(a: &mut Args<'_>, ndf: usize) -> Result<Vec<usize>, Exception> {
+    let dofs = match a.word("direction of the mass")?.as_ref() {
+        "x" | "X" | "1" => vec![0],
+        "y" | "Y" | "2" => vec![1],
+        "z" | "Z" | "3" => vec![2],
+        "xy" | "XY" => vec![0, 1],
+        "xyz" | "XYZ" => vec![0, 1, 2],
+        _ => return Err(a.unknown_name("direction", ["x", "y", "z", "xy", "xyz"])),
+    };
+    if dofs.iter().any(|d| *d >= ndf) {
+        let message = format!("the node has only {ndf} degrees of freedom");
+        return Err(a.refuse(message, "expected a direction that it has"));
+    }
+    Ok(dofs)
+}
+
+/// Parameters that mean nothing unless they are greater than 0: moduli, areas, strengths, mass.
+const POSITIVE: [&str; 17] =
+    ["E", "Epos", "A", "I", "Iz", "Iy", "G", "J", "Av", "Avy", "Avz", "sigmaY", "fy", "Fy", "ko", "n", "R0"];
+
+/// The name of a parameter of elements, and a warning where none of them has it: OpenSees says nothing.
+fn of_elements(interp: &mut Tcl, a: &mut Args<'_>, elements: &[Tag]) -> Result<Vec<Place>, Exception> {
+    let mut words = vec![a.word("name of the parameter")?.into_owned()];
+    let span = a.last_span();
+    while a.left() > 0 {
+        words.push(a.word("name of the parameter")?.into_owned());
+    }
+    let place = |element: Tag| Place::Element { element, words: words.clone() };
+    let places: Vec<Place> = elements.iter().map(|e| place(*e)).filter(|p| read(interp, p).is_some()).collect();
+    if places.is_empty() {
+        let of = match elements {
+            [one] => format!("element {one} has"),
+            _ => format!("none of {} elements has", elements.len()),
+        };
+        let message = format!("{of} no parameter \"{}\": it changes nothing", words.join(" "));
+        warn(interp, Diagnostic::warning(message).at(span, "expected the name of a parameter"))?;
+    }
+    Ok(places)
+}
+
+/// Where a parameter stands, from the words that say so.
+fn places(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Vec<Place>, Exception> {
+    match a.peek().as_deref() {
+        Some("element") => {
+            a.word("element")?;
+            let tag = a.int("tag of the element")?;
+            if interp.host.engine.model().element(tag).is_none() {
+                return Err(a.refuse(format!("there is no element {tag}"), "expected the tag of an element"));
+            }
+            of_elements(interp, a, &[tag])
+        }
+        Some("region") => {
+            a.word("region")?;
+            let tag = a.int("tag of the region")?;
+            let Some(region) = interp.host.regions.get(&tag) else {
+                return Err(a.refuse(format!("there is no region {tag}"), "expected the tag of a region"));
+            };
+            let model = interp.host.engine.model();
+            let elements: Vec<Tag> = region.elements.iter().map(|e| model.elements[e.0].tag).collect();
+            of_elements(interp, a, &elements)
+        }
+        _ => place(interp, a).map(|p| vec![p]),
+    }
+}
+
+fn place(interp: &Tcl, a: &mut Args<'_>) -> Result<Place, Exception> {
+    let model = interp.host.engine.model();
+    match a.word("kind of thing")?.as_ref() {
+        "node" => {
+            let (id, node) = node_tag(interp, a)?;
+            let ndf = model.nodes[id.0].ndf;
+            match a.word("property of the node")?.as_ref() {
+                "mass" | "-mass" => Ok(Place::Mass { node, dofs: mass_dofs(a, ndf)? }),
+                "disp" => Ok(Place::Disp { node, dof: a.dof("degree of freedom", ndf)? }),
+                _ => Err(a.unknown_name("property of a node", ["mass", "disp"])),
+            }
+        }
+        "loadPattern" | "pattern" => {
+            let pattern = a.int("tag of the pattern")?;
+            if !model.patterns.contains_key(&pattern) {
+                return Err(a.refuse(format!("there is no load pattern {pattern}"), "expected the tag of a pattern"));
+            }
+            match a.word("property of the pattern")?.as_ref() {
+                "lambda" => Ok(Place::Factor { pattern }),
+                "loadAtNode" => {
+                    let (id, node) = node_tag(interp, a)?;
+                    let span = a.last_span();
+                    let dof = a.dof("degree of freedom", model.nodes[id.0].ndf)?;
+                    let loaded = model.patterns[&pattern].nodal_loads.iter().any(|l| l.node == id);
+                    if !loaded {
+                        let message = format!("load pattern {pattern} has no load on node {node}");
+                        return Err(a.refuse_at(span, message, "expected a node that the pattern loads"));
+                    }
+                    Ok(Place::Load { pattern, node, dof })
+                }
+                _ => Err(a.unknown_name("property of a load pattern", ["loadAtNode", "lambda"])),
+            }
+        }
+        _ => Err(a.unknown_name("thing with parameters", ["node", "loadPattern", "element", "region"])),
+    }
+}
+
+/// What stands at a place now.
+fn read(interp: &Tcl, place: &Place) -> Option<f64> {
+    let engine = &interp.host.engine;
+    let model = engine.model();
+    match place {
+        Place::Mass { node, dofs } => model.nodes[model.node(*node)?.0].mass.get(*dofs.first()?).copied(),
+        Place::Disp { node, dof } => {
+            let node = &model.nodes[model.node(*node)?.0];
+            engine.state().disp.get(node.offset + dof).copied()
+        }
+        Place::Element { element, words } => {
+            let words: Vec<&str> = words.iter().map(String::as_str).collect();
+            let element = &model.elements[model.element(*element)?.0].element;
+            // What it had, told by the change; the changed element is let go.
+            element.with_parameter(&words, 1.0).map(|(_, value)| value)
+        }
+        Place::Factor { pattern } => Some(model.patterns.get(pattern)?.factor(engine.state().time)),
+        Place::Load { pattern, node, dof } => {
+            let id = model.node(*node)?;
+            // OpenSees takes the last load on the node.
+            let load = model.patterns.get(pattern)?.nodal_loads.iter().rev().find(|l| l.node == id)?;
+            load.values.get(*dof).copied()
+        }
+    }
+}
+
+/// Put a value in its place.
+fn write(interp: &mut Tcl, place: &Place, value: f64) {
+    interp.host.engine.change_model(|model| match place {
+        Place::Mass { node, dofs } => {
+            if let Some(id) = model.node(*node) {
+                let mass = &mut model.nodes[id.0].mass;
+                mass.iter_mut().enumerate().filter(|(d, _)| dofs.contains(d)).for_each(|(_, m)| *m = value);
+            }
+        }
+        Place::Load { pattern, node, dof } => {
+            let id = model.node(*node);
+            let loads = model.patterns.get_mut(pattern).map(|p| &mut p.nodal_loads);
+            let load = loads.and_then(|loads| loads.iter_mut().rev().find(|l| Some(l.node) == id));
+            if let Some(x) = load.and_then(|l| l.values.get_mut(*dof)) {
+                *x = value;
+            }
+        }
+        Place::Element { element, words } => {
+            let words: Vec<&str> = words.iter().map(String::as_str).collect();
+            if let Some(id) = model.element(*element)
+                && let Some((new, _)) = model.elements[id.0].element.with_parameter(&words, value)
+            {
+                model.replace_element(id, new);
+            }
+        }
+        Place::Disp { .. } | Place::Factor { .. } => {}
+    });
+}
+
+fn parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, PARAMETER);
+    let tag = a.int("tag of the parameter")?;
+    if interp.host.numbers.contains_key(&tag) {
+        return Err(a.refuse(format!("there is a parameter {tag} already"), "expected a new tag"));
+    }
+    let mut new = Parameter::default();
+    if let Some(value) = a.optional_float("value")? {
+        new.value = value;
+    } else if a.left() > 0 {
+        new.places = places(interp, &mut a)?;
+        new.value = new.places.first().and_then(|p| read(interp, p)).unwrap_or(0.0);
+    }
+    finish(interp, &a)?;
+    interp.host.numbers.insert(tag, new);
+    Ok(Value::from(i64::from(tag)))
+}
+
+/// Tag of a parameter that is there.
+fn known(interp: &Tcl, a: &mut Args<'_>) -> Result<Tag, Exception> {
+    let tag = a.int("tag of the parameter")?;
+    if interp.host.numbers.contains_key(&tag) {
+        return Ok(tag);
+    }
+    let tags: Vec<String> = interp.host.numbers.keys().map(ToString::to_string).collect();
+    let there = if tags.is_empty() { "none has been defined".to_owned() } else { tags.join(" ") };
+    Err(a.refuse(format!("there is no parameter {tag}"), format!("defined: {there}")))
+}
+
+fn add_to_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, ADD);
+    let tag = known(interp, &mut a)?;
+    let places = places(interp, &mut a)?;
+    finish(interp, &a)?;
+    let value = places.first().and_then(|p| read(interp, p));
+    if let Some(p) = interp.host.numbers.get_mut(&tag) {
+        p.places.extend(places);
+        p.value = value.unwrap_or(p.value);
+    }
+    Ok(Value::from(i64::from(tag)))
+}
+
+/// Refuse a value that a number of the model cannot have.
+fn refuse_meaningless(a: &Args<'_>, span: Option<Span>, value: f64, places: &[Place]) -> Result<(), Exception> {
+    for place in places {
+        match place {
+            Place::Mass { .. } if value < 0.0 => {
+                return Err(a.refuse_at(span, format!("the mass is {value}"), "expected a mass not less than 0"));
+            }
+            Place::Element { words, .. } if value <= 0.0 => {
+                if let Some(name) = words.last().filter(|w| POSITIVE.contains(&w.as_str())) {
+                    return Err(a.refuse_at(span, format!("{name} is {value}"), "expected a number greater than 0"));
+                }
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+fn update_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, UPDATE);
+    let tag = known(interp, &mut a)?;
+    let value = a.float("value")?;
+    let span = a.last_span();
+    finish(interp, &a)?;
+    let places = interp.host.numbers.get(&tag).map(|p| p.places.clone()).unwrap_or_default();
+    refuse_meaningless(&a, span, value, &places)?;
+    places.iter().for_each(|p| write(interp, p, value));
+    if let Some(p) = interp.host.numbers.get_mut(&tag) {
+        p.value = value;
+    }
+    Ok(Value::EMPTY)
+}
+
+fn value_of(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "getParamValue $tag");
+    let tag = known(interp, &mut a)?;
+    finish(interp, &a)?;
+    let Some(p) = interp.host.numbers.get(&tag) else { return Ok(Value::EMPTY) };
+    // Results are read anew; what a script has set is as it was set.
+    let result = p.places.iter().find(|p| matches!(p, Place::Disp { .. } | Place::Factor { .. }));
+    Ok(Value::from(result.and_then(|place| read(interp, place)).unwrap_or(p.value)))
+}
+
+fn tags(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
+    Ok(Value::list(interp.host.numbers.keys().map(|t| Value::from(i64::from(*t)))))
+}
+
+fn set_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, SET);
+    if !a.flag("-val") {
+        a.word("option -val")?;
+        return Err(a.refuse("setParameter begins with the value", "expected -val"));
+    }
+    let value = a.float("value")?;
+    let span = a.last_span();
+    let model = interp.host.engine.model();
+    let elements: Option<Vec<Tag>> = match a.peek().as_deref() {
+        Some("-ele" | "-eles" | "-element") => {
+            a.word("option")?;
+            let tags = a.ints();
+            if let Some(missing) = tags.iter().find(|t| model.element(**t).is_none()) {
+                return Err(a.refuse(format!("there is no element {missing}"), "expected tags of elements"));
+            }
+            Some(tags)
+        }
+        Some("-eleRange") => {
+            a.word("option")?;
+            let (first, last) = (a.int("first tag of the range")?, a.int("last tag of the range")?);
+            let range = first.min(last)..=first.max(last);
+            Some(model.element_tags().filter(|t| range.contains(t)).collect())
+        }
+        Some("-node" | "-nodes") => None,
+        // OpenSees takes the name for an option, and does nothing.
+        _ => {
+            a.word("option -ele, -eleRange or -node")?;
+            return Err(a.unknown_name("option of setParameter", ["-ele", "-eleRange", "-node"]));
+        }
+    };
+    if let Some(elements) = elements {
+        let places = of_elements(interp, &mut a, &elements)?;
+        refuse_meaningless(&a, span, value, &places)?;
+        places.iter().for_each(|p| write(interp, p, value));
+        return Ok(Value::EMPTY);
+    }
+    a.word("option -node")?;
+    let mut nodes = vec![];
+    while a.at_number() {
+        nodes.push(node_tag(interp, &mut a)?);
+    }
+    if !matches!(a.word("property of the nodes")?.as_ref(), "mass" | "-mass") {
+        return Err(a.unknown_name("property of a node", ["mass"]));
+    }
+    let model = interp.host.engine.model();
+    let ndf = nodes.iter().map(|(id, _)| model.nodes[id.0].ndf).min().unwrap_or(0);
+    let dofs = mass_dofs(&mut a, ndf)?;
+    finish(interp, &a)?;
+    let places: Vec<Place> = nodes.iter().map(|(_, n)| Place::Mass { node: *n, dofs: dofs.clone() }).collect();
+    refuse_meaningless(&a, span, value, &places)?;
+    places.iter().for_each(|p| write(interp, p, value));
+    Ok(Value::EMPTY)
+}

@@ -1,0 +1,133 @@
+//! `remove`.
+
+use crate::args::Args;
+use crate::model::nodes::node_of;
+use crate::{Command, Outcome, Tcl, finish};
+use hysteron_tcl::{Call, Value};
+
+pub(crate) const COMMANDS: &[Command] = &[Command { name: "remove", usage: USAGE, run: remove }];
+
+const USAGE: &str = "remove loadPattern $tag | recorders | recorder $tag | element $tag | node $tag | \
+                     sp $tag | sp $node $dof <$pattern> | mp $tag | material $tag | timeSeries $tag | parameter $tag";
+
+fn remove(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, USAGE);
+    match a.word("kind of thing to remove")?.as_ref() {
+        "loadPattern" | "pattern" => {
+            let tag = a.int("tag of the pattern")?;
+            if interp.host.engine.change_model(|m| m.patterns.remove(&tag)).is_none() {
+                return Err(a.refuse(format!("there is no load pattern {tag}"), "expected the tag of a pattern"));
+            }
+        }
+        "recorders" => {
+            let finished = interp.host.recorders.finish();
+            finished.map_err(|e| a.refuse(e.to_string(), ""))?;
+        }
+        "recorder" => {
+            let tag = a.int("tag of the recorder")?;
+            match interp.host.recorders.by_tag.remove(&tag) {
+                Some(mut r) => r.recorder.finish().map_err(|e| a.refuse(e.to_string(), ""))?,
+                None => return Err(a.refuse(format!("there is no recorder {tag}"), "expected the tag of a recorder")),
+            }
+        }
+        "element" | "ele" => {
+            let tag = a.int("tag of the element")?;
+            let Some(id) = interp.host.engine.model().element(tag) else {
+                return Err(a.refuse(format!("there is no element {tag}"), "expected the tag of an element"));
+            };
+            interp.host.engine.remove_element(id);
+            interp.host.forget_element(id);
+        }
+        "node" => {
+            let node = node_of(interp, &mut a, "tag of the node")?;
+            if let Err(element) = interp.host.engine.remove_node(node) {
+                let message = format!("the node belongs to element {element}");
+                return Err(a.refuse(message, "expected a node without elements"));
+            }
+            interp.host.forget_node(node);
+        }
+        "sp" | "SPconstraint" | "SPConstraint" => return remove_sp(interp, &mut a),
+        "mp" | "MPconstraint" => {
+            let tag = a.int("tag of the constraint, or of the constrained node")?;
+            let node = interp.host.engine.model().node(tag);
+            let removed = interp.host.engine.change_model(|m| {
+                let before = m.multi_points.len();
+                m.multi_points.retain(|mp| Some(mp.constrained) != node);
+                if m.multi_points.len() == before {
+                    m.multi_points.retain(|mp| mp.tag != tag);
+                }
+                before - m.multi_points.len()
+            });
+            if removed == 0 {
+                let message = format!("there is no multi-point constraint of node {tag}, nor one with this number");
+                return Err(a.refuse(message, "expected a constrained node"));
+            }
+        }
+        "material" | "uniaxialMaterial" => {
+            let tag = a.int("tag of the material")?;
+            interp.host.definitions.materials.remove(tag);
+        }
+        "parameter" => {
+            let tag = a.int("tag of the parameter")?;
+            if interp.host.numbers.remove(&tag).is_none() {
+                return Err(a.refuse(format!("there is no parameter {tag}"), "expected the tag of a parameter"));
+            }
+        }
+        "timeSeries" => {
+            let tag = a.int("tag of the time series")?;
+            interp.host.definitions.series.remove(tag);
+        }
+        _ => {
+            let known = [
+                "loadPattern",
+                "recorders",
+                "recorder",
+                "element",
+                "node",
+                "sp",
+                "mp",
+                "material",
+                "timeSeries",
+                "parameter",
+            ];
+            return Err(a.unknown_name("thing to remove", known));
+        }
+    }
+    finish(interp, &a)?;
+    Ok(Value::EMPTY)
+}
+
+/// `remove sp $tag`, or `remove sp $node $dof <$pattern>`.
+fn remove_sp(interp: &mut Tcl, a: &mut Args<'_>) -> Outcome {
+    let removed = if a.left() == 1 {
+        let tag = a.int("tag of the constraint")?;
+        interp.host.engine.change_model(|m| {
+            let before = m.fixes.len() + m.patterns.values().map(|p| p.motions.len()).sum::<usize>();
+            m.fixes.retain(|f| f.tag != tag);
+            m.patterns.values_mut().for_each(|p| p.motions.retain(|s| s.tag != tag));
+            before - m.fixes.len() - m.patterns.values().map(|p| p.motions.len()).sum::<usize>()
+        })
+    } else {
+        let node = node_of(interp, a, "tag of the node")?;
+        let ndf = interp.host.engine.model().nodes[node.0].ndf;
+        let dof = a.dof("degree of freedom", ndf)?;
+        let pattern = a.optional_int("tag of the pattern")?.filter(|t| *t != -1);
+        interp.host.engine.change_model(|m| match pattern.and_then(|t| m.patterns.get_mut(&t)) {
+            Some(p) => {
+                let before = p.motions.len();
+                p.motions.retain(|s| s.node != node || s.dof != dof);
+                before - p.motions.len()
+            }
+            None => {
+                let before = m.fixes.len();
+                m.fixes.retain(|f| f.node != node || f.dof != dof);
+                before - m.fixes.len()
+            }
+        })
+    };
+    if removed == 0 {
+        return Err(a.refuse("there is no such constraint", "expected a constraint of the model"));
+    }
+    finish(interp, a)?;
+    Ok(Value::EMPTY)
+}

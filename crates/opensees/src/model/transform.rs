@@ -1,0 +1,60 @@
+//! `geomTransf`.
+
+use crate::args::Args;
+use crate::model::nodes::need_model;
+use crate::{Command, Outcome, Tcl, ignore_option};
+use hysteron_engine::element::transform::{TransformKind, TransformSpec};
+use hysteron_tcl::{Call, Exception, Value};
+use nalgebra::Vector3;
+
+pub(crate) const COMMANDS: &[Command] = &[Command { name: "geomTransf", usage: USAGE, run: geom_transf }];
+
+const USAGE: &str = "geomTransf Linear|PDelta|Corotational $tag <$x $y $z of a vector in the local x-z plane, in space> \
+                     <-jntOffset $dxi $dyi <$dzi> $dxj $dyj <$dzj>>";
+
+fn geom_transf(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    need_model(interp, call)?;
+    let mut a = Args::new(call, USAGE);
+    let kind = match a.word("kind of transformation")?.as_ref() {
+        "Linear" => TransformKind::Linear,
+        "PDelta" | "LinearWithPDelta" => TransformKind::PDelta,
+        "Corotational" | "Corotational2d" | "Corotational3d" => TransformKind::Corotational,
+        _ => return Err(a.unknown_name("geometric transformation", ["Linear", "PDelta", "Corotational"])),
+    };
+    let tag = a.int("tag of the transformation")?;
+    let span = a.last_span();
+    let ndm = interp.host.ndm;
+    let mut xz = Vector3::zeros();
+    if ndm == 3 {
+        // Some scripts name the vector.
+        a.flag("-vecxz");
+        xz = vector(&mut a, 3, "vector in the local x-z plane")?;
+        if xz.norm() == 0.0 {
+            return Err(a.refuse("the vector in the local x-z plane is zero", "expected a direction"));
+        }
+    }
+    let mut offsets = (Vector3::zeros(), Vector3::zeros());
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-jntOffset" => {
+                offsets = (vector(&mut a, ndm, "offset at node i")?, vector(&mut a, ndm, "offset at node j")?);
+            }
+            _ => ignore_option(interp, &mut a, &["-jntOffset"])?,
+        }
+    }
+    let transform = TransformSpec { kind, xz, offsets, by_trials: interp.host.engine.options.compat };
+    if !interp.host.definitions.transforms.add(tag, transform) {
+        let message = format!("there is a geometric transformation {tag} already");
+        return Err(a.refuse_at(span, message, "expected a new tag"));
+    }
+    Ok(Value::EMPTY)
+}
+
+/// A vector with the first `n` components given.
+pub(crate) fn vector(a: &mut Args<'_>, n: usize, what: &str) -> Result<Vector3<f64>, Exception> {
+    let mut v = Vector3::zeros();
+    for (i, axis) in ["x", "y", "z"].into_iter().enumerate().take(n) {
+        v[i] = a.float(&format!("{axis} of the {what}"))?;
+    }
+    Ok(v)
+}

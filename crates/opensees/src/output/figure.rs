@@ -1,0 +1,81 @@
+//! Commands of our own to look at results: `columns` reads a table, `figure` draws it.
+
+use crate::args::Args;
+use crate::chart::{Curve, Figure, Mark};
+use crate::files::table::Table;
+use crate::{Command, Outcome, Tcl, read_text, warn};
+use hysteron_tcl::{Call, Exception, Value};
+use std::io::Write as _;
+
+pub(crate) const COMMANDS: &[Command] = &[
+    Command { name: "columns", usage: COLUMNS, run: columns },
+    Command { name: "figure", usage: FIGURE, run: figure },
+];
+
+const COLUMNS: &str = "columns $file: the columns of a table of numbers, a list of lists";
+const FIGURE: &str = "figure $file.svg -title $text -x $label -y $label <-xrange $low $high> <-yrange $low $high> <-equal> \
+                      -line $name $xs $ys ... <-dots $name $xs $ys ...>";
+
+fn columns(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, COLUMNS);
+    let name = a.word("name of the file")?.into_owned();
+    let text =
+        read_text(interp, &name).map_err(|e| a.refuse(format!("cannot read \"{name}\": {e}"), "expected a file"))?;
+    let table = Table::parse(&text).map_err(|e| a.refuse(format!("\"{name}\": {e}"), "expected a table of numbers"))?;
+    let column = |c: Vec<f64>| Value::list(c.into_iter().map(Value::from));
+    Ok(Value::list(table.columns.into_iter().map(column)))
+}
+
+fn numbers(a: &mut Args<'_>, what: &str) -> Result<Vec<f64>, Exception> {
+    let value = a.value(what)?;
+    let wrong = || a.refuse(format!("the {what} are not a list of numbers"), "expected a list of numbers");
+    let list = value.to_list().map_err(|_| wrong())?;
+    list.iter().map(|v| v.to_f64().map_err(|_| wrong())).collect()
+}
+
+fn range(a: &mut Args<'_>) -> Result<(f64, f64), Exception> {
+    let (low, high) = (a.float("low end of the axis")?, a.float("high end of the axis")?);
+    if low < high {
+        Ok((low, high))
+    } else {
+        Err(a.refuse(format!("the axis goes from {low} to {high}"), "expected more"))
+    }
+}
+
+fn figure(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, FIGURE);
+    let name = a.word("name of the file")?.into_owned();
+    let span = a.last_span();
+    let mut f = Figure::default();
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-title" => f.title = a.word("title")?.into_owned(),
+            "-x" => f.x_label = a.word("label of the horizontal axis")?.into_owned(),
+            "-y" => f.y_label = a.word("label of the vertical axis")?.into_owned(),
+            "-equal" => f.equal = true,
+            "-xrange" => f.x_range = Some(range(&mut a)?),
+            "-yrange" => f.y_range = Some(range(&mut a)?),
+            "-line" | "-dots" => {
+                let mark = if option == "-line" { Mark::Line } else { Mark::Dots };
+                let name = a.word("name of the curve")?.into_owned();
+                let xs = numbers(&mut a, "horizontal values")?;
+                let ys = numbers(&mut a, "vertical values")?;
+                if xs.len() != ys.len() {
+                    let message = format!("{} horizontal values but {} vertical ones", xs.len(), ys.len());
+                    return Err(a.refuse(message, "expected as many"));
+                }
+                f.curves.push(Curve { name, points: xs.into_iter().zip(ys).collect(), mark });
+            }
+            _ => warn(
+                interp,
+                a.unknown_option(&["-title", "-x", "-y", "-xrange", "-yrange", "-equal", "-line", "-dots"]),
+            )?,
+        }
+    }
+    let svg = f.svg().map_err(|e| a.refuse_at(span, format!("figure: {e}"), ""))?;
+    let path = interp.absolute(&name);
+    let mode = hysteron_tcl::OpenMode { write: true, create: true, truncate: true, ..Default::default() };
+    let written = interp.files.open(&path, mode).and_then(|mut file| file.write_all(svg.as_bytes()));
+    written.map_err(|e| a.refuse_at(span, format!("cannot write \"{name}\": {e}"), "expected a file"))?;
+    Ok(Value::EMPTY)
+}

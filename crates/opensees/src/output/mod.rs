@@ -1,0 +1,7 @@
+//! Recorders, queries and pictures.
+
+pub(crate) mod display;
+pub(crate) mod figure;
+pub(crate) mod print;
+pub(crate) mod query;
+pub(crate) mod recorder;

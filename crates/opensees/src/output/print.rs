@@ -1,0 +1,162 @@
+//! `print`: what the model is, as text or as JSON.
+
+use crate::args::Args;
+use crate::{Command, Outcome, Tcl, ignore_option, print_error};
+use hysteron_engine::model::{ElementEntry, Model, Node, Tag};
+use hysteron_tcl::{Call, Exception, OpenMode, Value};
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+use std::io::Write as _;
+
+pub(crate) const COMMANDS: &[Command] = &[Command { name: "print", usage: PRINT, run: print }];
+
+const PRINT: &str = "print <-file $file> <-JSON> <-node <-flag $n> <$tag ...>> <-ele <-flag $n> <$tag ...>>";
+
+/// What is printed, in what form, and where to.
+#[derive(Default)]
+struct Wanted {
+    file: Option<String>,
+    json: bool,
+    /// Tags of nodes, all of them if there are none; not printed for `None`.
+    nodes: Option<Vec<Tag>>,
+    elements: Option<Vec<Tag>>,
+    analysis: bool,
+}
+
+fn print(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, PRINT);
+    let mut w = Wanted::default();
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-file" | "file" => w.file = Some(a.word("name of the file")?.into_owned()),
+            "-JSON" | "-json" => w.json = true,
+            "-node" | "node" => w.nodes.get_or_insert_default().extend(tags(&mut a)?),
+            "-ele" | "ele" | "-element" => w.elements.get_or_insert_default().extend(tags(&mut a)?),
+            "-integrator" | "integrator" | "-algorithm" | "algorithm" => {
+                a.optional_int("flag")?;
+                w.analysis = true;
+            }
+            // A word that is no option is the name of a file.
+            word if !word.starts_with('-') => w.file = Some(word.to_owned()),
+            _ => ignore_option(interp, &mut a, &["-file", "-JSON", "-node", "-ele", "-integrator", "-algorithm"])?,
+        }
+    }
+    if w.nodes.is_none() && w.elements.is_none() && !w.analysis {
+        (w.nodes, w.elements) = (Some(vec![]), Some(vec![]));
+    }
+    let model = interp.host.engine.model();
+    for (what, wanted, known) in [
+        ("node", &w.nodes, model.node_tags().collect::<BTreeSet<_>>()),
+        ("element", &w.elements, model.element_tags().collect()),
+    ] {
+        if let Some(tag) = wanted.iter().flatten().find(|t| !known.contains(t)) {
+            return Err(a.refuse_at(
+                call.whole_span(),
+                format!("there is no {what} {tag}"),
+                format!("expected a tag of {what}s"),
+            ));
+        }
+    }
+    let text = if w.json { json(interp.host.engine.model()) } else { text(interp, &w) };
+    let Some(name) = &w.file else {
+        print_error(interp, &text);
+        return Ok(Value::EMPTY);
+    };
+    let path = interp.absolute(name);
+    // JSON is a document of its own; text is appended, as in OpenSees.
+    let mode = OpenMode { write: true, create: true, append: !w.json, truncate: w.json, ..OpenMode::default() };
+    let written = interp.files.open(&path, mode).and_then(|mut file| file.write_all(text.as_bytes()));
+    written.map_err(|e| call.error_at(0, format!("cannot write \"{name}\": {e}"), ""))?;
+    Ok(Value::EMPTY)
+}
+
+/// Tags after `-node` or `-ele`, with a flag that may come before them.
+fn tags(a: &mut Args<'_>) -> Result<Vec<Tag>, Exception> {
+    if a.flag("-flag") || a.flag("flag") {
+        a.int("flag")?;
+    }
+    Ok(a.ints())
+}
+
+/// Numbers with a space after each, as OpenSees puts out a vector.
+fn row(values: &[f64]) -> String {
+    values.iter().fold(String::new(), |mut s, x| {
+        let _ = write!(s, "{x} ");
+        s
+    })
+}
+
+fn text(interp: &Tcl, w: &Wanted) -> String {
+    let engine = &interp.host.engine;
+    let (model, state) = (engine.model(), engine.state());
+    let mut out = String::new();
+    if w.nodes.is_some() && w.elements.is_some() {
+        let _ = writeln!(
+            out,
+            "Current Domain Information\n\tCurrent Time: {}\n\tNumber of nodes: {}\n\tNumber of elements: {}\n\
+             \tNumber of single-point constraints: {}\n\tNumber of multi-point constraints: {}\n\
+             \tNumber of load patterns: {}",
+            state.time,
+            model.nodes.len(),
+            model.elements.len(),
+            model.fixes.len(),
+            model.multi_points.len(),
+            model.patterns.len()
+        );
+    }
+    let chosen = |wanted: &Option<Vec<Tag>>, tag: Tag| {
+        wanted.as_ref().is_some_and(|tags| tags.is_empty() || tags.contains(&tag))
+    };
+    for node in model.nodes_by_tag().map(|id| &model.nodes[id.0]).filter(|n| chosen(&w.nodes, n.tag)) {
+        let _ = writeln!(out, "\n Node: {}\n\tCoordinates  : {}", node.tag, row(&node.coords));
+        for (name, field) in [("Disps", &state.disp), ("Velocities   ", &state.vel), ("commitAccels", &state.accel)] {
+            let _ = writeln!(out, "\t{name}: {}", row(&field[node.dofs()]));
+        }
+        if node.mass.iter().any(|m| *m != 0.0) {
+            let _ = writeln!(out, "\tMass : {}\n\t Rayleigh Factor: alphaM: {}", row(&node.mass), node.alpha_m);
+        }
+    }
+    for e in model.elements_by_tag().map(|id| &model.elements[id.0]).filter(|e| chosen(&w.elements, e.tag)) {
+        let nodes: Vec<String> = node_tags(model, e).map(|t| t.to_string()).collect();
+        let _ = writeln!(out, "\nElement: {} type: {}", e.tag, e.element.class());
+        let _ = writeln!(out, "\tConnected Nodes: {}", nodes.join(" "));
+        let _ = writeln!(out, "\tResisting Force: {}", row(&state.force[e.force.clone()]));
+    }
+    if let Some(setup) = engine.setup().filter(|_| w.analysis) {
+        let _ = writeln!(out, "\t {}\n\t {}", setup.integrator.name(), setup.algorithm.name());
+    }
+    out
+}
+
+fn node_tags<'a>(model: &'a Model, e: &'a ElementEntry) -> impl Iterator<Item = Tag> + 'a {
+    e.nodes.iter().map(|n| model.nodes[n.0].tag)
+}
+
+fn list(values: impl Iterator<Item = String>) -> String {
+    values.collect::<Vec<_>>().join(", ")
+}
+
+/// OpenSees' model file: nodes and elements with what they are made of.
+fn json(model: &Model) -> String {
+    let numbers = |v: &[f64]| list(v.iter().map(ToString::to_string));
+    let node = |n: &Node| {
+        let mass = if n.mass.iter().any(|m| *m != 0.0) {
+            format!(", \"mass\": [{}]", numbers(&n.mass))
+        } else {
+            String::new()
+        };
+        format!("\t\t\t\t{{\"name\": {}, \"ndf\": {}, \"crd\": [{}]{mass}}}", n.tag, n.ndf, numbers(&n.coords))
+    };
+    let element = |e: &ElementEntry| {
+        let nodes = list(node_tags(model, e).map(|t| t.to_string()));
+        format!("\t\t\t\t{{\"name\": {}, \"type\": \"{}\", \"nodes\": [{nodes}]}}", e.tag, e.element.class())
+    };
+    let nodes: Vec<String> = model.nodes_by_tag().map(|id| node(&model.nodes[id.0])).collect();
+    let elements: Vec<String> = model.elements_by_tag().map(|id| element(&model.elements[id.0])).collect();
+    format!(
+        "{{\n\"StructuralAnalysisModel\": {{\n\t\"properties\": {{}},\n\t\"geometry\": {{\n\t\t\"nodes\": [\n{}\n\t\t],\n\
+         \t\t\"elements\": [\n{}\n\t\t]\n\t}}\n}}\n}}\n",
+        nodes.join(",\n"),
+        elements.join(",\n")
+    )
+}

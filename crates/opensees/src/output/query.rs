@@ -1,0 +1,360 @@
+//! What a script may ask: responses of nodes and elements, time, tags; and what it may set by hand.
+
+use crate::args::Args;
+use crate::model::nodes::node_of;
+use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
+use hysteron_engine::analysis::{Failure, ReactionKind, State};
+use hysteron_engine::model::{ElementId, NodeId};
+use hysteron_engine::record::ElementResponse;
+use hysteron_tcl::diagnostic::Diagnostic;
+use hysteron_tcl::{Call, Exception, Value};
+
+const NODE: &str = "nodeDisp $node <$dof>";
+const SET: &str = "setNodeDisp $node $dof $value <-commit>";
+const DOF: &str = "degree of freedom";
+const RESPONSE: &str = "eleResponse $element $response ...";
+
+pub(crate) const COMMANDS: &[Command] = &[
+    Command { name: "nodeDisp", usage: NODE, run: |i, c| node_field(i, c, |s| &s.disp) },
+    Command { name: "nodeVel", usage: NODE, run: |i, c| node_field(i, c, |s| &s.vel) },
+    Command { name: "nodeAccel", usage: NODE, run: |i, c| node_field(i, c, |s| &s.accel) },
+    Command { name: "nodeReaction", usage: NODE, run: node_reaction },
+    Command { name: "nodeUnbalance", usage: NODE, run: node_unbalance },
+    Command { name: "nodeCoord", usage: "nodeCoord $node <$direction>", run: node_coord },
+    Command { name: "nodeMass", usage: NODE, run: node_mass },
+    Command { name: "nodeEigenvector", usage: "nodeEigenvector $node $mode <$dof>", run: node_eigenvector },
+    Command { name: "reactions", usage: "reactions <-dynamic> <-rayleigh>", run: reactions },
+    Command { name: "setNodeDisp", usage: SET, run: |i, c| set_node(i, c, |s| &mut s.disp) },
+    Command { name: "setNodeVel", usage: SET, run: |i, c| set_node(i, c, |s| &mut s.vel) },
+    Command { name: "setNodeAccel", usage: SET, run: |i, c| set_node(i, c, |s| &mut s.accel) },
+    Command { name: "setNodeMass", usage: "setNodeMass $node $dof $mass", run: set_mass },
+    Command { name: "eleResponse", usage: RESPONSE, run: ele_response },
+    Command { name: "eleForce", usage: "eleForce $element <$dof>", run: |i, c| named(i, c, "force") },
+    Command { name: "localForce", usage: "localForce $element <$dof>", run: |i, c| named(i, c, "localForce") },
+    Command { name: "sectionForce", usage: OF_SECTION, run: |i, c| of_section(i, c, "force") },
+    Command { name: "sectionDeformation", usage: OF_SECTION, run: |i, c| of_section(i, c, "deformation") },
+    Command { name: "sectionStiffness", usage: OF_SECTION, run: |i, c| of_section(i, c, "stiffness") },
+    Command { name: "sectionFlexibility", usage: OF_SECTION, run: |i, c| of_section(i, c, "flexibility") },
+    Command { name: "sectionLocation", usage: ALONG, run: |i, c| along(i, c, "integrationPoints") },
+    Command { name: "sectionWeight", usage: ALONG, run: |i, c| along(i, c, "integrationWeights") },
+    Command { name: "sectionTag", usage: ALONG, run: |i, c| along(i, c, "sectionTags") },
+    Command { name: "basicForce", usage: "basicForce $element <$dof>", run: |i, c| named(i, c, "basicForce") },
+    Command {
+        name: "basicDeformation",
+        usage: "basicDeformation $element <$dof>",
+        run: |i, c| named(i, c, "basicDeformation"),
+    },
+    Command { name: "eleNodes", usage: "eleNodes $element", run: ele_nodes },
+    Command { name: "eleType", usage: "eleType $element", run: ele_type },
+    Command { name: "getTime", usage: "getTime", run: |i, _| Ok(Value::from(i.host.engine.state().time)) },
+    Command { name: "getLoadFactor", usage: "getLoadFactor $pattern", run: load_factor },
+    Command { name: "getNodeTags", usage: "getNodeTags", run: node_tags },
+    Command { name: "getEleTags", usage: "getEleTags", run: ele_tags },
+    Command { name: "nodeBounds", usage: "nodeBounds", run: node_bounds },
+    // Scripts that may be run in parallel ask how many they are: this one is alone.
+    Command { name: "getPID", usage: "getPID", run: |_, _| Ok(Value::from(0i64)) },
+    Command { name: "getNP", usage: "getNP", run: |_, _| Ok(Value::from(1i64)) },
+    Command { name: "getNDM", usage: "getNDM", run: |i, _| Ok(Value::from(i.host.ndm as i64)) },
+    Command { name: "getNDF", usage: "getNDF <$node>", run: ndf },
+    Command { name: "nodeDOFs", usage: "nodeDOFs $node", run: node_dofs },
+    Command { name: "systemSize", usage: "systemSize", run: system_size },
+    Command { name: "testIter", usage: "testIter", run: iterations },
+    Command { name: "numIter", usage: "numIter", run: iterations },
+    Command { name: "testNorm", usage: "testNorm", run: norms },
+    Command { name: "testNorms", usage: "testNorms", run: norms },
+    Command { name: "numFact", usage: "numFact", run: factorizations },
+    Command { name: "version", usage: "version", run: |_, _| Ok(Value::from(env!("CARGO_PKG_VERSION"))) },
+];
+
+fn list(values: &[f64]) -> Value {
+    Value::list(values.iter().map(|x| Value::from(*x)))
+}
+
+/// All values of a node, or the one of a degree of freedom.
+fn pick(interp: &mut Tcl, a: &mut Args<'_>, values: &[f64], what: &str) -> Outcome {
+    if a.left() == 0 {
+        return Ok(list(values));
+    }
+    // OpenSees gives all values for 0, which scripts with one degree of freedom at a node rely on.
+    if what == DOF && a.peek().is_some_and(|w| w == "0") {
+        a.option();
+        let d = Diagnostic::warning("the degree of freedom is 0: all values are given");
+        warn(interp, d.at(a.last_span(), format!("expected the degree of freedom, 1 to {}", values.len())))?;
+        finish(interp, a)?;
+        return Ok(list(values));
+    }
+    let i = a.dof(what, values.len())?;
+    finish(interp, a)?;
+    Ok(Value::from(values[i]))
+}
+
+fn of_node(interp: &Tcl, node: NodeId, field: &[f64]) -> Vec<f64> {
+    field[interp.host.engine.model().nodes[node.0].dofs()].to_vec()
+}
+
+fn node_field(interp: &mut Tcl, call: &Call<'_>, field: fn(&State) -> &Vec<f64>) -> Outcome {
+    let mut a = Args::new(call, NODE);
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    let values = of_node(interp, node, field(interp.host.engine.state()));
+    pick(interp, &mut a, &values, DOF)
+}
+
+fn failed(call: &Call<'_>, f: &Failure) -> Exception {
+    call.error_at(0, f.to_string(), "")
+}
+
+fn node_reaction(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, NODE);
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    let kind = interp.host.reaction_kind;
+    let mut all = vec![];
+    interp.host.engine.reactions(kind, &mut all).map_err(|f| failed(call, &f))?;
+    let values = of_node(interp, node, &all);
+    pick(interp, &mut a, &values, DOF)
+}
+
+fn node_unbalance(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, NODE);
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    let mut all = vec![];
+    interp.host.engine.unbalanced(false, &mut all).map_err(|f| failed(call, &f))?;
+    let values = of_node(interp, node, &all);
+    pick(interp, &mut a, &values, DOF)
+}
+
+/// Which reactions `nodeReaction` gives: they are always those of the present state.
+fn reactions(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "reactions <-dynamic> <-rayleigh>");
+    interp.host.reaction_kind = ReactionKind::Static;
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-dynamic" | "-incInertia" | "-dynamical" | "-Dynamic" => {
+                interp.host.reaction_kind = ReactionKind::Dynamic;
+            }
+            "-rayleigh" | "-Rayleigh" => interp.host.reaction_kind = ReactionKind::Rayleigh,
+            _ => ignore_option(interp, &mut a, &["-dynamic", "-rayleigh"])?,
+        }
+    }
+    Ok(Value::EMPTY)
+}
+
+fn node_coord(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "nodeCoord $node <$direction>");
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    let coords = interp.host.engine.model().nodes[node.0].coords.clone();
+    if let Some(i) = a.peek().and_then(|w| ["X", "Y", "Z"].iter().position(|n| w.eq_ignore_ascii_case(n))) {
+        a.option();
+        return Ok(Value::from(coords.get(i).copied().unwrap_or(0.0)));
+    }
+    pick(interp, &mut a, &coords, "direction")
+}
+
+fn node_mass(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, NODE);
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    let mass = interp.host.engine.model().nodes[node.0].mass.clone();
+    pick(interp, &mut a, &mass, "degree of freedom of the mass")
+}
+
+fn node_eigenvector(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "nodeEigenvector $node $mode <$dof>");
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    let count = interp.host.engine.modes().map_or(0, |m| m.shapes.len());
+    let mode = a.count("number of the mode")?;
+    let Some(shape) = interp.host.engine.modes().and_then(|m| m.shapes.get(mode - 1)) else {
+        let label =
+            if count == 0 { "expected a command \"eigen\" before".into() } else { format!("expected 1 to {count}") };
+        return Err(a.refuse(format!("there is no mode {mode}"), label));
+    };
+    let dofs = interp.host.engine.model().nodes[node.0].dofs();
+    let values = shape.get(dofs).map(<[f64]>::to_vec).unwrap_or_default();
+    pick(interp, &mut a, &values, DOF)
+}
+
+fn set_node(interp: &mut Tcl, call: &Call<'_>, field: fn(&mut State) -> &mut Vec<f64>) -> Outcome {
+    let mut a = Args::new(call, SET);
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    let (offset, ndf) = {
+        let n = &interp.host.engine.model().nodes[node.0];
+        (n.offset, n.ndf)
+    };
+    let dof = a.dof("degree of freedom", ndf)?;
+    let value = a.float("value")?;
+    a.flag("-commit");
+    finish(interp, &a)?;
+    interp.host.engine.change_state(|s, _| field(s)[offset + dof] = value);
+    Ok(Value::EMPTY)
+}
+
+fn set_mass(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "setNodeMass $node $dof $mass");
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    let dof = a.dof("degree of freedom", interp.host.engine.model().nodes[node.0].ndf)?;
+    let mass = a.not_negative("mass")?;
+    finish(interp, &a)?;
+    interp.host.engine.change_model(|m| m.nodes[node.0].mass[dof] = mass);
+    Ok(Value::EMPTY)
+}
+
+fn element_of(interp: &Tcl, a: &mut Args<'_>) -> Result<ElementId, Exception> {
+    let tag = a.int("tag of the element")?;
+    let id = interp.host.engine.model().element(tag);
+    id.ok_or_else(|| a.refuse(format!("there is no element {tag}"), "expected the tag of an element"))
+}
+
+fn evaluate(interp: &mut Tcl, id: ElementId, words: &[&str]) -> Option<Vec<f64>> {
+    let session = &mut interp.host;
+    ElementResponse::evaluate(&session.engine, id, words, &mut session.known)
+}
+
+fn ele_response(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, RESPONSE);
+    let id = element_of(interp, &mut a)?;
+    a.word("name of the response")?;
+    let span = a.last_span();
+    let words: Vec<_> = call.args()[1..].iter().map(Value::as_str).collect();
+    let words: Vec<&str> = words.iter().map(AsRef::as_ref).collect();
+    match evaluate(interp, id, &words) {
+        Some(values) => Ok(list(&values)),
+        None => Err(no_response(interp, &a, id, &words, span)),
+    }
+}
+
+fn no_response(
+    interp: &Tcl,
+    a: &Args<'_>,
+    id: ElementId,
+    words: &[&str],
+    span: Option<hysteron_tcl::diagnostic::Span>,
+) -> Exception {
+    let engine = &interp.host.engine;
+    let class = engine.model().elements[id.0].element.class();
+    let known: Vec<&str> = ElementResponse::names(engine, id).collect();
+    a.refuse_at(
+        span,
+        format!("{class} has no response \"{}\"", words.join(" ")),
+        format!("known: {}", known.join(", ")),
+    )
+}
+
+const OF_SECTION: &str = "sectionForce $element $section <$dof>";
+const ALONG: &str = "sectionLocation $element <$section>";
+
+/// A response of a section of a beam, or one of its values.
+fn of_section(interp: &mut Tcl, call: &Call<'_>, what: &str) -> Outcome {
+    let mut a = Args::new(call, OF_SECTION);
+    let id = element_of(interp, &mut a)?;
+    let number = a.count("number of the section")?.to_string();
+    let words = ["section", number.as_str(), what];
+    let Some(values) = evaluate(interp, id, &words) else {
+        return Err(a.refuse(format!("the element has no section {number}"), "expected a number from 1 on"));
+    };
+    pick(interp, &mut a, &values, "number of the value")
+}
+
+/// What a beam says of its sections, or of one of them.
+fn along(interp: &mut Tcl, call: &Call<'_>, what: &str) -> Outcome {
+    let mut a = Args::new(call, ALONG);
+    let id = element_of(interp, &mut a)?;
+    let Some(values) = evaluate(interp, id, &[what]) else {
+        return Err(a.refuse("the element has no sections along its length", "expected a beam with sections"));
+    };
+    pick(interp, &mut a, &values, "number of the section")
+}
+
+/// A response with a command of its own: all of it, or one column.
+fn named(interp: &mut Tcl, call: &Call<'_>, response: &str) -> Outcome {
+    let mut a = Args::new(call, "eleForce $element <$dof>");
+    let id = element_of(interp, &mut a)?;
+    match evaluate(interp, id, &[response]) {
+        Some(values) => pick(interp, &mut a, &values, "number of the column"),
+        None => Err(no_response(interp, &a, id, &[response], call.span(0))),
+    }
+}
+
+fn ele_nodes(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "eleNodes $element");
+    let id = element_of(interp, &mut a)?;
+    let model = interp.host.engine.model();
+    Ok(Value::list(model.elements[id.0].nodes.iter().map(|n| Value::from(i64::from(model.nodes[n.0].tag)))))
+}
+
+fn ele_type(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "eleType $element");
+    let id = element_of(interp, &mut a)?;
+    Ok(Value::from(interp.host.engine.model().elements[id.0].element.class()))
+}
+
+fn load_factor(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "getLoadFactor $pattern");
+    let tag = a.int("tag of the pattern")?;
+    let engine = &interp.host.engine;
+    match engine.model().patterns.get(&tag) {
+        Some(p) => Ok(Value::from(p.factor(engine.state().time))),
+        None => Err(a.refuse(format!("there is no load pattern {tag}"), "expected the tag of a pattern")),
+    }
+}
+
+fn node_tags(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
+    Ok(Value::list(interp.host.engine.model().node_tags().map(|t| Value::from(i64::from(t)))))
+}
+
+fn ele_tags(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
+    Ok(Value::list(interp.host.engine.model().element_tags().map(|t| Value::from(i64::from(t)))))
+}
+
+/// Least x, y and z of the nodes, then the greatest.
+fn node_bounds(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
+    let mut bounds: Option<([f64; 3], [f64; 3])> = None;
+    for node in &interp.host.engine.model().nodes {
+        let at = [0, 1, 2].map(|i| node.coords.get(i).copied().unwrap_or(0.0));
+        let (low, high) = bounds.get_or_insert((at, at));
+        for i in 0..3 {
+            low[i] = low[i].min(at[i]);
+            high[i] = high[i].max(at[i]);
+        }
+    }
+    let (low, high) = bounds.unwrap_or_default();
+    Ok(list(&[low, high].concat()))
+}
+
+fn ndf(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "getNDF <$node>");
+    if a.left() == 0 {
+        return Ok(Value::from(interp.host.ndf as i64));
+    }
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    Ok(Value::from(interp.host.engine.model().nodes[node.0].ndf as i64))
+}
+
+/// Equation numbers of a node, -1 where it is held.
+fn node_dofs(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "nodeDOFs $node");
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    let engine = &interp.host.engine;
+    let number = |dof| match engine.prepared().map(|p| p.plan.map.terms(dof)) {
+        Some([(e, _)]) => i64::from(*e),
+        _ => -1,
+    };
+    Ok(Value::list(engine.model().nodes[node.0].dofs().map(|d| Value::from(number(d)))))
+}
+
+fn system_size(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
+    Ok(Value::from(interp.host.engine.prepared().map_or(0, |p| p.plan.equations()) as i64))
+}
+
+fn iterations(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
+    let engine = &interp.host.engine;
+    let tests = engine.setup().map_or(0, |s| s.test.iteration);
+    // OpenSees counts one more test where the last has failed.
+    let more = usize::from(engine.options.compat && interp.host.last_failure.is_some());
+    Ok(Value::from((tests + more) as i64))
+}
+
+fn norms(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
+    Ok(interp.host.engine.setup().map_or(Value::EMPTY, |s| list(&s.test.norms)))
+}
+
+fn factorizations(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
+    Ok(Value::from(interp.host.engine.prepared().map_or(0, |p| p.solver.factorizations) as i64))
+}

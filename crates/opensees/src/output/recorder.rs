@@ -1,0 +1,365 @@
+//! `recorder` and `record`.
+
+use crate::args::Args;
+use crate::session::{FileFormat, Mode};
+use crate::{Command, Outcome, Tcl, ignore_option, warn};
+use hysteron_engine::model::Tag;
+use hysteron_engine::number_format::Style;
+use hysteron_engine::record::{
+    Cadence, Drift, ElementResponse, Layout, NodeQuantity, NodeResponse, Output, Recorder, Separator, Source,
+};
+use hysteron_engine::series::Series;
+use hysteron_tcl::diagnostic::{Diagnostic, Span};
+use hysteron_tcl::{Call, Exception, FileKind, Value};
+
+pub(crate) const COMMANDS: &[Command] = &[
+    Command { name: "recorder", usage: "recorder $kind -file $file ...", run: recorder },
+    Command { name: "record", usage: "record", run: record },
+    Command { name: "setPrecision", usage: "setPrecision $digits", run: set_precision },
+];
+
+const NODE: &str = "recorder Node -file|-csv|-xml|-binary $file <-time> <-precision $n> <-dT $dt> <-closeOnWrite> <-timeSeries $tag ...> \
+                    -node $tag ... | -nodeRange $first $last | -region $tag -dof $dof ... $response";
+const ELEMENT: &str = "recorder Element -file|-csv|-xml|-binary $file <-time> <-precision $n> <-dT $dt> <-closeOnWrite> \
+                       -ele $tag ... | -eleRange $first $last | -region $tag <-dof $column ...> $response ...";
+const DRIFT: &str = "recorder Drift -file $file <-time> -iNode $tag ... -jNode $tag ... -dof $dof -perpDirn $direction";
+
+/// The options that all recorders share.
+#[derive(Default)]
+struct Common {
+    file: Option<(String, Option<Span>)>,
+    style: Option<Style>,
+    layout: Option<Layout>,
+    close_on_write: bool,
+    cadence: Cadence,
+}
+
+const COMMON: &[&str] =
+    &["-file", "-csv", "-xml", "-binary", "-time", "-dT", "-rTolDt", "-closeOnWrite", "-precision", "-scientific"];
+
+impl Common {
+    fn new(interp: &Tcl) -> Self {
+        Self {
+            style: Some(interp.host.style),
+            cadence: Cadence { tolerance: 1e-5, ..Cadence::default() },
+            ..Self::default()
+        }
+    }
+
+    /// Take an option that all recorders share; `false` if it is none.
+    fn take(&mut self, option: &str, a: &mut Args<'_>) -> Result<bool, Exception> {
+        let style = self.style.get_or_insert_default();
+        match option {
+            "-file" | "-fileCSV" | "-csv" | "-xml" | "-binary" => {
+                self.layout = Some(match option {
+                    "-file" => Layout::Text(Separator::Space),
+                    "-xml" => Layout::Xml,
+                    "-binary" => Layout::Binary,
+                    _ => Layout::Text(Separator::Comma),
+                });
+                self.file = Some((a.word("name of the file")?.into_owned(), a.last_span()));
+            }
+            "-time" | "-load" => self.cadence.time = true,
+            "-dT" | "-dt" => self.cadence.dt = a.not_negative("step of time dT")?,
+            "-rTolDt" => self.cadence.tolerance = a.not_negative("tolerance rTolDt")?,
+            "-closeOnWrite" => self.close_on_write = true,
+            "-precision" => style.precision = a.count("number of digits")?,
+            "-scientific" => style.scientific = true,
+            "-tcp" | "-database" | "-fileAdd" => {
+                let message = format!("recorder: the output {option} is not supported yet");
+                return Err(a.refuse(message, "expected -file, -csv, -xml or -binary"));
+            }
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    /// Open the output and add the recorder; its tag.
+    fn finish(self, interp: &mut Tcl, call: &Call<'_>, source: Box<dyn Source>, envelope: bool) -> Outcome {
+        let output: Box<dyn Output> = match &self.file {
+            Some((name, span)) => {
+                let path = interp.absolute(name);
+                let format = FileFormat {
+                    style: self.style.unwrap_or_default(),
+                    layout: self.layout.unwrap_or(Layout::Text(Separator::Space)),
+                    close_on_write: self.close_on_write,
+                };
+                let is_folder =
+                    |interp: &Tcl, p: &str| interp.files.info(p, true).is_ok_and(|i| i.kind == FileKind::Directory);
+                if is_folder(interp, &path) {
+                    let d = Diagnostic::error(format!("cannot write {path}: it is a folder"));
+                    return Err(Exception::diagnosed(d.at(*span, "cannot write here")));
+                }
+                let folder = path.rsplit_once('/').map_or("/", |(f, _)| if f.is_empty() { "/" } else { f });
+                let no_folder = |interp: &Tcl| {
+                    let named = name.rsplit_once('/').map_or(folder, |(f, _)| f);
+                    let d = Diagnostic::error(format!("cannot write {name}: there is no folder {named}"));
+                    let help = format!("make it before, with \"file mkdir {named}\"");
+                    (!is_folder(interp, folder)).then(|| d.at(*span, "cannot write here").help(help))
+                };
+                if interp.host.mode == Mode::Check
+                    && let Some(d) = no_folder(interp)
+                {
+                    return Err(Exception::diagnosed(d));
+                }
+                let made = interp.host.outputs.create(name, path.as_ref(), format);
+                made.map_err(|e| {
+                    let other = || Diagnostic::error(e.to_string()).at(*span, "cannot write here");
+                    Exception::diagnosed(no_folder(interp).unwrap_or_else(other))
+                })?
+            }
+            None => {
+                let d = Diagnostic::warning("recorder: there is no file, so nothing is kept");
+                warn(interp, d.at(call.span(0), "expected -file"))?;
+                Box::new(Nowhere)
+            }
+        };
+        let recorder = if envelope {
+            Recorder::envelope(source, output, self.cadence)
+        } else {
+            Recorder::history(source, output, self.cadence)
+        };
+        Ok(Value::from(i64::from(interp.host.recorders.add(recorder, call.whole_span()))))
+    }
+}
+
+/// An output that keeps nothing.
+#[derive(Debug)]
+struct Nowhere;
+
+impl Output for Nowhere {
+    fn row(&mut self, _: &[f64]) -> Result<(), hysteron_engine::record::RecordError> {
+        Ok(())
+    }
+    fn finish(&mut self) -> Result<(), hysteron_engine::record::RecordError> {
+        Ok(())
+    }
+}
+
+fn recorder(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "recorder $kind -file $file ...");
+    let kind = a.word("kind of recorder")?;
+    match kind.as_ref() {
+        "Node" => node(interp, call, a, false),
+        "EnvelopeNode" => node(interp, call, a, true),
+        "Element" => element(interp, call, a, false),
+        "EnvelopeElement" => element(interp, call, a, true),
+        "Drift" | "DriftRecorder" => drift(interp, call, a, false),
+        "EnvelopeDrift" => drift(interp, call, a, true),
+        // Windows of OpenSees.
+        "display" | "plot" | "plotDifferent" | "increments" => Ok(Value::from(-1i64)),
+        _ => {
+            let known = ["Node", "EnvelopeNode", "Element", "EnvelopeElement", "Drift", "EnvelopeDrift", "display"];
+            Err(a.unknown_name("recorder", known))
+        }
+    }
+}
+
+/// Tags of a region's nodes or elements.
+fn region(interp: &Tcl, a: &mut Args<'_>, nodes: bool) -> Result<Vec<Tag>, Exception> {
+    let tag = a.int("tag of a region")?;
+    let Some(r) = interp.host.regions.get(&tag) else {
+        return Err(a.refuse(format!("there is no region {tag}"), "expected the tag of a region"));
+    };
+    let model = interp.host.engine.model();
+    Ok(if nodes {
+        r.nodes.iter().map(|n| model.nodes[n.0].tag).collect()
+    } else {
+        r.elements.iter().map(|e| model.elements[e.0].tag).collect()
+    })
+}
+
+/// Tags within a range that are there when the recorder is made.
+fn range(a: &mut Args<'_>, there: impl Iterator<Item = Tag>) -> Result<Vec<Tag>, Exception> {
+    let (first, last) = (a.int("first tag")?, a.int("last tag")?);
+    Ok(there.filter(|t| (first.min(last)..=first.max(last)).contains(t)).collect())
+}
+
+/// Degrees of freedom or columns, counted from 0.
+fn dofs(a: &mut Args<'_>) -> Result<Vec<usize>, Exception> {
+    let mut out = vec![];
+    for d in a.ints() {
+        match usize::try_from(d - 1) {
+            Ok(d) => out.push(d),
+            Err(_) => return Err(a.refuse(format!("there is no degree of freedom {d}"), "expected 1, 2, ...")),
+        }
+    }
+    Ok(out)
+}
+
+fn node(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, envelope: bool) -> Outcome {
+    a.usage(NODE);
+    let mut common = Common::new(interp);
+    let (mut nodes, mut columns, mut series): (Option<Vec<Tag>>, _, Vec<Option<Series>>) = (None, vec![], vec![]);
+    let mut response: Option<(String, Option<Span>)> = None;
+    while let Some(option) = a.option() {
+        if common.take(&option, &mut a)? {
+            continue;
+        }
+        match option.as_ref() {
+            "-node" | "-nodes" => {
+                if a.flag("all") {
+                    continue;
+                }
+                nodes.get_or_insert_default().extend(a.ints());
+            }
+            "-nodeRange" => {
+                let there: Vec<Tag> = interp.host.engine.model().node_tags().collect();
+                nodes.get_or_insert_default().extend(range(&mut a, there.into_iter())?);
+            }
+            "-region" => nodes.get_or_insert_default().extend(region(interp, &mut a, true)?),
+            "-dof" | "-dofs" => columns = dofs(&mut a)?,
+            "-timeSeries" => {
+                while a.at_number() {
+                    let zero = a.peek().is_some_and(|w| matches!(w.as_ref(), "0" | "-1"));
+                    series.push(if zero {
+                        a.option();
+                        None
+                    } else {
+                        Some(a.of(&interp.host.definitions.series)?.0)
+                    });
+                }
+            }
+            word if word.starts_with('-') => {
+                let known = [COMMON, &["-node", "-nodeRange", "-region", "-dof", "-timeSeries"]].concat();
+                ignore_option(interp, &mut a, &known)?;
+            }
+            word => {
+                // `eigen 1` may come as one word or as two.
+                let mut name = word.to_owned();
+                if word == "eigen" && a.at_number() {
+                    name = format!("eigen {}", a.int("number of the mode")?);
+                }
+                response = Some((name, a.last_span()));
+            }
+        }
+    }
+    let quantity = match &response {
+        None => {
+            return Err(a.refuse_at(call.span(0), "recorder: the response is missing", "expected for instance disp"));
+        }
+        Some((name, span)) => NodeQuantity::parse(name).ok_or_else(|| {
+            let mut d =
+                Diagnostic::error(format!("unknown response of a node \"{name}\"")).at(*span, "expected a response");
+            if let Some(near) = hysteron_tcl::diagnostic::nearest(name, NodeQuantity::NAMES.iter().copied()) {
+                d = d.help(format!("did you mean \"{near}\"?"));
+            }
+            Exception::diagnosed(d.help(format!("known: {}", NodeQuantity::NAMES.join(", "))))
+        })?,
+    };
+    let source = NodeResponse::new(quantity, nodes, columns, series);
+    common.finish(interp, call, Box::new(source), envelope)
+}
+
+fn element(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, envelope: bool) -> Outcome {
+    a.usage(ELEMENT);
+    let mut common = Common::new(interp);
+    let (mut elements, mut columns, mut words): (Option<Vec<Tag>>, _, Vec<String>) = (None, vec![], vec![]);
+    let mut named = None;
+    while let Some(option) = a.option() {
+        if common.take(&option, &mut a)? {
+            continue;
+        }
+        match option.as_ref() {
+            "-ele" | "-eles" | "-element" => {
+                if a.flag("all") {
+                    continue;
+                }
+                elements.get_or_insert_default().extend(a.ints());
+            }
+            "-eleRange" => {
+                let there: Vec<Tag> = interp.host.engine.model().element_tags().collect();
+                elements.get_or_insert_default().extend(range(&mut a, there.into_iter())?);
+            }
+            "-region" => elements.get_or_insert_default().extend(region(interp, &mut a, false)?),
+            "-dof" | "-dofs" => columns = dofs(&mut a)?,
+            word => {
+                // The first word that is no option begins the response, which takes all that follows.
+                named = a.last_span();
+                words.push(word.to_owned());
+                while let Some(w) = a.option() {
+                    words.push(w.into_owned());
+                }
+            }
+        }
+    }
+    if words.is_empty() {
+        return Err(a.refuse_at(call.span(0), "recorder: the response is missing", "expected for instance force"));
+    }
+    check_response(interp, elements.as_deref(), &words, named)?;
+    let source = ElementResponse::new(elements, words, columns);
+    common.finish(interp, call, Box::new(source), envelope)
+}
+
+/// Warn where none of the elements that are there has the response.
+fn check_response(
+    interp: &mut Tcl,
+    elements: Option<&[Tag]>,
+    words: &[String],
+    span: Option<Span>,
+) -> Result<(), Exception> {
+    let engine = &interp.host.engine;
+    let model = engine.model();
+    let tags: Vec<Tag> = elements.map_or_else(|| model.element_tags().collect(), <[Tag]>::to_vec);
+    let ids: Vec<_> = tags.iter().filter_map(|t| model.element(*t)).collect();
+    let list: Vec<&str> = words.iter().map(String::as_str).collect();
+    let Some(first) = ids.first() else { return Ok(()) };
+    if ids.iter().any(|id| ElementResponse::is_known(engine, *id, &list)) {
+        return Ok(());
+    }
+    let class = model.elements[first.0].element.class();
+    let known: Vec<&str> = ElementResponse::names(engine, *first).collect();
+    let message = format!("{class} has no response \"{}\"", words.join(" "));
+    let mut d = Diagnostic::warning(message).at(span, "nothing is recorded");
+    if let Some(near) = hysteron_tcl::diagnostic::nearest(&words[0], known.iter().copied()) {
+        d = d.help(format!("did you mean \"{near}\"?"));
+    }
+    warn(interp, d.help(format!("known: {}", known.join(", "))))
+}
+
+fn drift(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, envelope: bool) -> Outcome {
+    a.usage(DRIFT);
+    let mut common = Common::new(interp);
+    let (mut i, mut j, mut dof, mut across) = (vec![], vec![], None, None);
+    while let Some(option) = a.option() {
+        if common.take(&option, &mut a)? {
+            continue;
+        }
+        match option.as_ref() {
+            "-iNode" | "-iNodes" => i = a.ints(),
+            "-jNode" | "-jNodes" => j = a.ints(),
+            "-dof" => dof = Some(a.dof("degree of freedom", 6)?),
+            "-perpDirn" | "-perpDirection" => across = Some(a.dof("perpendicular direction", 3)?),
+            _ => {
+                let known = [COMMON, &["-iNode", "-jNode", "-dof", "-perpDirn"]].concat();
+                ignore_option(interp, &mut a, &known)?;
+            }
+        }
+    }
+    let (Some(dof), Some(across)) = (dof, across) else {
+        return Err(a.refuse_at(
+            call.span(0),
+            "recorder Drift: the direction is missing",
+            "expected -dof and -perpDirn",
+        ));
+    };
+    if i.is_empty() || i.len() != j.len() {
+        let message = format!("recorder Drift: {} nodes i but {} nodes j", i.len(), j.len());
+        return Err(a.refuse_at(call.span(0), message, "expected as many after -iNode as after -jNode"));
+    }
+    let source = Drift::new(i.into_iter().zip(j).collect(), dof, across);
+    common.finish(interp, call, Box::new(source), envelope)
+}
+
+fn record(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let session = &mut interp.host;
+    let done = session.recorders.record(&mut session.engine);
+    done.map_err(|e| call.error_at(0, e.to_string(), ""))?;
+    Ok(Value::EMPTY)
+}
+
+fn set_precision(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "setPrecision $digits");
+    interp.host.style.precision = a.count("number of digits")?;
+    Ok(Value::EMPTY)
+}

@@ -1,0 +1,128 @@
+//! A script from its file to its outcome.
+
+use crate::{Mode, Outputs, Session, Tcl};
+use hysteron_engine::analysis::{Failure, Options};
+use hysteron_tcl::diagnostic::Diagnostic;
+use hysteron_tcl::{Console, Exception, Files, Interp, Value, Vocabulary};
+use std::cell::OnceCell;
+
+/// How a script is to be run.
+#[derive(Clone, Debug)]
+pub struct Settings {
+    /// For its results, or to find what is wrong with it.
+    pub mode: Mode,
+    /// Warnings are errors.
+    pub strict: bool,
+    /// Settings of the analyses.
+    pub options: Options,
+}
+
+/// How a script ended.
+#[derive(Debug)]
+pub enum End {
+    /// It came to its end.
+    Done,
+    /// It came to its end, but its last analysis had failed.
+    Failed(Failure),
+    /// It ended itself with this status.
+    Exit(i32),
+    /// A command was rejected.
+    Rejected(Box<Diagnostic>),
+    /// It raised an error of its own.
+    Raised(Box<Diagnostic>),
+    /// It was interrupted.
+    Interrupted,
+    /// A check had seen enough: the script waits for results that only a run has. With what stopped it, if anything.
+    Enough(Option<Box<Diagnostic>>),
+}
+
+impl End {
+    /// Exit status: 0 done, 1 the analysis failed or the script raised an error of its own, 2 the input is wrong,
+    /// 130 interrupted.
+    pub fn status(&self) -> i32 {
+        match self {
+            Self::Done | Self::Enough(_) => 0,
+            Self::Failed(_) | Self::Raised(_) => 1,
+            Self::Exit(n) => *n,
+            Self::Rejected(_) => 2,
+            Self::Interrupted => 130,
+        }
+    }
+}
+
+/// Commands after which a check stops looking: a script that waits for a result would never end.
+const CHECK_BUDGET: u64 = 20_000_000;
+
+thread_local! {
+    /// The commands that every run begins with.
+    static VOCABULARY: OnceCell<Vocabulary<Session>> = const { OnceCell::new() };
+}
+
+/// A script with all that it works on.
+pub struct Run {
+    /// The interpreter.
+    pub interp: Tcl,
+}
+
+impl Run {
+    /// Prepare to run a script.
+    pub fn new(
+        settings: Settings,
+        console: Box<dyn Console>,
+        files: Box<dyn Files>,
+        outputs: Box<dyn Outputs>,
+    ) -> Self {
+        let Settings { mode, strict, options } = settings;
+        let session = Session::new(options, mode, strict, outputs);
+        let fresh = |session, console, files| {
+            let mut interp = Interp::new(session, console, files);
+            crate::install(&mut interp);
+            interp
+        };
+        let mut interp = VOCABULARY.with(|known| match (mode, known.get()) {
+            (Mode::Run, Some(words)) => Interp::knowing(session, console, files, words),
+            (Mode::Run, None) => {
+                let interp = fresh(session, console, files);
+                let _ = known.set(interp.vocabulary());
+                interp
+            }
+            (Mode::Check, _) => fresh(session, console, files),
+        });
+        if mode == Mode::Check {
+            interp.budget = Some(CHECK_BUDGET);
+        }
+        let interrupt = interp.interrupt.clone();
+        interp.host.stop_on(interrupt);
+        Self { interp }
+    }
+
+    /// Run a script; `args` become `$argv`. Recorders are finished whatever happens.
+    pub fn script(&mut self, path: &str, args: &[String]) -> End {
+        let set = |i: &mut Tcl, name: &str, value: Value| i.set_global(name, value);
+        let list = Value::list(args.iter().map(|a| Value::from(a.as_str())));
+        let known = set(&mut self.interp, "argv0", Value::from(path))
+            .and_then(|_| set(&mut self.interp, "argc", Value::from(args.len() as i64)))
+            .and_then(|_| set(&mut self.interp, "argv", list));
+        let result = known.and_then(|_| self.interp.eval_file(path));
+        let end = self.end_of(result);
+        match (self.interp.host.finish(), end) {
+            (Err(e), End::Done | End::Failed(_)) => End::Raised(Box::new(Diagnostic::error(e.to_string()))),
+            (_, end) => end,
+        }
+    }
+
+    fn end_of(&mut self, result: Result<Value, Exception>) -> End {
+        match result {
+            // OpenSees ends with status 0 whatever its last analysis did.
+            Ok(_) if self.interp.host.engine.options.compat => End::Done,
+            Ok(_) => self.interp.host.last_failure.take().map_or(End::Done, End::Failed),
+            Err(Exception::Exit(status)) => End::Exit(status),
+            Err(Exception::Interrupted) if self.interp.budget == Some(0) => End::Enough(None),
+            Err(Exception::Interrupted) => End::Interrupted,
+            Err(Exception::Error(e)) if self.interp.host.rehearsed => End::Enough(Some(Box::new(e.diagnostic))),
+            Err(Exception::Error(e)) if e.raised => End::Raised(Box::new(e.diagnostic)),
+            Err(Exception::Error(e)) => End::Rejected(Box::new(e.diagnostic)),
+            Err(_) => End::Done,
+        }
+    }
+}

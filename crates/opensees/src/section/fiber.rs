@@ -1,0 +1,174 @@
+//! `fiber`, `patch` and `layer`: what the body of `section Fiber` is made of.
+
+use crate::args::Args;
+use crate::{Command, Outcome, Tcl, finish};
+use hysteron_engine::material::Material;
+use hysteron_engine::section::Fiber;
+use hysteron_tcl::{Call, Exception, Value};
+
+pub(crate) const COMMANDS: &[Command] = &[
+    Command { name: "fiber", usage: FIBER, run: fiber },
+    Command { name: "patch", usage: PATCH, run: patch },
+    Command { name: "layer", usage: LAYER, run: layer },
+];
+
+const FIBER: &str = "fiber $y $z $area $material";
+const PATCH: &str = "patch quad $material $nIJ $nJK $yI $zI $yJ $zJ $yK $zK $yL $zL | rect $material $nY $nZ $yI $zI $yK $zK | \
+                     circ $material $nCirc $nRad $y $z $rInner $rOuter <$angle1 $angle2>";
+const LAYER: &str =
+    "layer straight $material $n $area $y1 $z1 $y2 $z2 | circ $material $n $area $y $z $radius <$angle1 $angle2>";
+
+/// Add fibers of a material, each with its place and area, to the section whose body is being run.
+fn add(
+    interp: &mut Tcl,
+    a: &Args<'_>,
+    material: (Material, i32),
+    made: impl IntoIterator<Item = ([f64; 2], f64)>,
+) -> Result<(), Exception> {
+    finish(interp, a)?;
+    let Some(fibers) = &mut interp.host.fibers else {
+        return Err(a.refuse("there is no fiber section to add to", "expected to be in the body of section Fiber"));
+    };
+    for ([y, z], area) in made {
+        if area <= 0.0 {
+            let message = format!("a fiber at y = {y:.6}, z = {z:.6} has an area of {area:.6e}");
+            return Err(a.refuse(message, "expected corners in the sense that goes from y to z"));
+        }
+        fibers.push(Fiber { y, z, area, material: material.clone() });
+    }
+    Ok(())
+}
+
+fn fiber(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, FIBER);
+    let place = [a.float("y of the fiber")?, a.float("z of the fiber")?];
+    let area = a.positive("area of the fiber")?;
+    let material = a.of(&interp.host.definitions.materials)?;
+    add(interp, &a, material, [(place, area)])?;
+    Ok(Value::EMPTY)
+}
+
+fn point(a: &mut Args<'_>, what: &str) -> Result<[f64; 2], Exception> {
+    Ok([a.float(&format!("y of the {what}"))?, a.float(&format!("z of the {what}"))?])
+}
+
+fn patch(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, PATCH);
+    let kind = a.word("kind of patch")?;
+    let known = ["quad", "quadr", "quadrilateral", "rect", "rectangular", "circ", "circular"];
+    if !known.contains(&kind.as_ref()) {
+        return Err(a.unknown_name("patch", known));
+    }
+    let material = a.of(&interp.host.definitions.materials)?;
+    let (n, m) = (a.count("number of divisions")?, a.count("number of divisions across")?);
+    let fibers = match kind.as_ref() {
+        "rect" | "rectangular" => {
+            let ([y1, mut z1], [y2, mut z2]) = (point(&mut a, "first corner")?, point(&mut a, "opposite corner")?);
+            if (y2 - y1) * (z2 - z1) < 0.0 {
+                // As in OpenSees, so that areas are positive.
+                std::mem::swap(&mut z1, &mut z2);
+            }
+            quadrilateral([[y1, z1], [y2, z1], [y2, z2], [y1, z2]], n, m)
+        }
+        "circ" | "circular" => {
+            let centre = point(&mut a, "centre")?;
+            let (inner, outer) = (a.not_negative("inner radius")?, a.positive("outer radius")?);
+            if inner >= outer {
+                return Err(a.refuse(format!("the outer radius {outer} is not greater than the inner one"), ""));
+            }
+            let angles = match a.optional_float("first angle")? {
+                Some(first) => [first, a.float("last angle")?],
+                None => [0.0, 360.0],
+            };
+            ring(centre, [inner, outer], angles.map(f64::to_radians), n, m)
+        }
+        _ => {
+            let mut corners = [[0.0; 2]; 4];
+            for (corner, name) in corners.iter_mut().zip(["corner I", "corner J", "corner K", "corner L"]) {
+                *corner = point(&mut a, name)?;
+            }
+            quadrilateral(corners, n, m)
+        }
+    };
+    add(interp, &a, material, fibers)?;
+    Ok(Value::EMPTY)
+}
+
+/// Cells of a quadrilateral I J K L with `n` divisions from I to J and `m` from J to K: centroids and areas.
+fn quadrilateral(corners: [[f64; 2]; 4], n: usize, m: usize) -> Vec<([f64; 2], f64)> {
+    let at = |i: usize, j: usize| {
+        let (xi, eta) = (i as f64 / n as f64, j as f64 / m as f64);
+        let shares = [(1.0 - xi) * (1.0 - eta), xi * (1.0 - eta), xi * eta, (1.0 - xi) * eta];
+        let mut p = [0.0; 2];
+        for (share, c) in shares.iter().zip(&corners) {
+            p[0] += share * c[0];
+            p[1] += share * c[1];
+        }
+        p
+    };
+    let cells = (0..m).flat_map(|j| (0..n).map(move |i| (i, j)));
+    cells.map(|(i, j)| centroid([at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)])).collect()
+}
+
+/// Centroid and area of a quadrilateral.
+fn centroid(p: [[f64; 2]; 4]) -> ([f64; 2], f64) {
+    // About the first corner, lest large coordinates cancel.
+    let [y0, z0] = p[0];
+    let (mut double, mut y, mut z) = (0.0, 0.0, 0.0);
+    for i in 0..4 {
+        let ([a, b], [c, d]) = (p[i], p[(i + 1) % 4]);
+        let (a, b, c, d) = (a - y0, b - z0, c - y0, d - z0);
+        let cross = a * d - c * b;
+        double += cross;
+        y += (a + c) * cross;
+        z += (b + d) * cross;
+    }
+    ([y0 + y / (3.0 * double), z0 + z / (3.0 * double)], 0.5 * double)
+}
+
+/// Cells of a part of a ring with `n` divisions along it and `m` across: centroids and areas.
+fn ring(centre: [f64; 2], radii: [f64; 2], angles: [f64; 2], n: usize, m: usize) -> Vec<([f64; 2], f64)> {
+    let (width, angle) = ((radii[1] - radii[0]) / m as f64, (angles[1] - angles[0]) / n as f64);
+    let half = 0.5 * angle;
+    let cell = |(i, j): (usize, usize)| {
+        let (inner, middle) = (radii[0] + width * j as f64, angles[0] + angle * (i as f64 + 0.5));
+        let outer = inner + width;
+        let area = half * (outer * outer - inner * inner);
+        let radius =
+            2.0 * half.sin() / (3.0 * half) * (outer.powi(3) - inner.powi(3)) / (outer * outer - inner * inner);
+        ([centre[0] + radius * middle.cos(), centre[1] + radius * middle.sin()], area)
+    };
+    (0..m).flat_map(|j| (0..n).map(move |i| (i, j))).map(cell).collect()
+}
+
+fn layer(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, LAYER);
+    let kind = a.word("kind of layer")?;
+    let known = ["straight", "circ", "circular"];
+    if !known.contains(&kind.as_ref()) {
+        return Err(a.unknown_name("layer", known));
+    }
+    let material = a.of(&interp.host.definitions.materials)?;
+    let n = a.count("number of bars")?;
+    let area = a.positive("area of a bar")?;
+    let places: Vec<[f64; 2]> = if kind == "straight" {
+        let (first, last) = (point(&mut a, "first bar")?, point(&mut a, "last bar")?);
+        let along = |i: usize| if n == 1 { 0.5 } else { i as f64 / (n - 1) as f64 };
+        (0..n).map(|i| [0, 1].map(|k| first[k] + along(i) * (last[k] - first[k]))).collect()
+    } else {
+        let (centre, radius) = (point(&mut a, "centre")?, a.positive("radius")?);
+        let [first, mut last] = match a.optional_float("first angle")? {
+            Some(first) => [first, a.float("last angle")?],
+            None => [0.0, 360.0],
+        };
+        if last - first >= 360.0 {
+            // A whole circle has no bar twice.
+            last = first + 360.0 - 360.0 / n as f64;
+        }
+        let step = if n == 1 { 0.0 } else { (last - first) / (n - 1) as f64 };
+        let angle = |i: usize| (first + step * i as f64).to_radians();
+        (0..n).map(|i| [centre[0] + radius * angle(i).cos(), centre[1] + radius * angle(i).sin()]).collect()
+    };
+    add(interp, &a, material, places.into_iter().map(|p| (p, area)))?;
+    Ok(Value::EMPTY)
+}

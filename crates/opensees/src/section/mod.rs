@@ -1,0 +1,141 @@
+//! `section`.
+
+pub(crate) mod beam_integration;
+pub(crate) mod fiber;
+
+use crate::args::Args;
+use crate::model::nodes::need_model;
+use crate::{Command, Outcome, Tcl, finish, ignore_option};
+use hysteron_engine::material::Elastic as ElasticMaterial;
+use hysteron_engine::model::Tag;
+use hysteron_engine::section::{Aggregator, Elastic, ElasticSection, FiberSection, Resultant, SharedSection};
+use hysteron_tcl::{Call, Exception, Value};
+use std::sync::Arc;
+
+pub(crate) const COMMANDS: &[Command] = &[Command { name: "section", usage: SECTION, run: section }];
+
+const SECTION: &str = "section Elastic|Fiber|Aggregator|Uniaxial $tag ...";
+const ELASTIC: &str = "section Elastic $tag $E $A $Iz <$G $alphaY> (in the plane) or \
+                       $E $A $Iz $Iy $G $J <$alphaY $alphaZ> (in space)";
+const FIBER: &str = "section Fiber $tag <-GJ $GJ | -torsion $material> <-noCentroid> {fibers}";
+const AGGREGATOR: &str = "section Aggregator $tag $material1 P|Mz|Vy|My|Vz|T <$material2 ...> <-section $section>";
+const UNIAXIAL: &str = "section Uniaxial $tag $material P|Mz|Vy|My|Vz|T";
+
+const KINDS: [&str; 4] = ["Elastic", "Fiber", "Aggregator", "Uniaxial"];
+
+fn section(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    need_model(interp, call)?;
+    let mut a = Args::new(call, SECTION);
+    let kind = a.word("kind of section")?;
+    let make = match kind.as_ref() {
+        "Elastic" | "ElasticSection" | "elastic" => elastic,
+        "Fiber" | "fiberSec" | "FiberSection" | "fiber" => fibers,
+        "Aggregator" | "AddDeformation" => aggregator,
+        "Uniaxial" | "Generic1D" | "Generic1d" => uniaxial,
+        _ => return Err(a.unknown_name("section", KINDS)),
+    };
+    let tag = a.int("tag of the section")?;
+    let span = a.last_span();
+    let made = make(interp, &mut a)?;
+    finish(interp, &a)?;
+    add(interp, &a, tag, made, span)
+}
+
+fn add(
+    interp: &mut Tcl,
+    a: &Args<'_>,
+    tag: Tag,
+    made: SharedSection,
+    span: Option<hysteron_tcl::diagnostic::Span>,
+) -> Outcome {
+    if !interp.host.definitions.sections.add(tag, made) {
+        return Err(a.refuse_at(span, format!("there is a section {tag} already"), "expected a new tag"));
+    }
+    Ok(Value::EMPTY)
+}
+
+fn elastic(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
+    a.usage(ELASTIC);
+    let (e, area) = (a.positive("elastic modulus E")?, a.positive("cross-sectional area A")?);
+    let iz = a.positive("second moment of area Iz")?;
+    let mut s = ElasticSection { e, area, iz, iy: 0.0, g: 0.0, j: 0.0, shear: (None, None) };
+    let plane = interp.host.ndm != 3;
+    if !plane {
+        s.iy = a.positive("second moment of area Iy")?;
+        s.g = a.positive("shear modulus G")?;
+        s.j = a.positive("torsion constant J")?;
+        if a.left() > 0 {
+            s.shear.0 = Some(area * a.positive("shear factor alphaY")?);
+            s.shear.1 = Some(area * a.positive("shear factor alphaZ")?);
+        }
+    } else if a.left() > 0 {
+        s.g = a.positive("shear modulus G")?;
+        s.shear.0 = Some(area * a.positive("shear factor alphaY")?);
+    }
+    Ok(Arc::new(Elastic::new(s, plane)))
+}
+
+fn fibers(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
+    a.usage(FIBER);
+    let span = a.last_span();
+    let (mut torsion, mut origin) = (None, false);
+    while a.at_option() && a.left() > 1 {
+        match a.option().as_deref().unwrap_or_default() {
+            "-GJ" => {
+                let material: hysteron_engine::material::Material =
+                    Arc::new(ElasticMaterial::new(a.positive("torsional rigidity GJ")?));
+                torsion = Some((material, 0));
+            }
+            "-torsion" => torsion = Some(a.of(&interp.host.definitions.materials)?),
+            "-noCentroid" => origin = true,
+            _ => ignore_option(interp, a, &["-GJ", "-torsion", "-noCentroid"])?,
+        }
+    }
+    if interp.host.ndm == 3 && torsion.is_none() {
+        let message = "a fiber section in space needs a torsional stiffness";
+        return Err(a.refuse_at(span, message, "expected -GJ or -torsion after the tag"));
+    }
+    let body = a.value("body with the fibers")?;
+    let outer = interp.host.fibers.replace(vec![]);
+    let done = interp.eval_value(&body);
+    let fibers = std::mem::replace(&mut interp.host.fibers, outer).unwrap_or_default();
+    done?;
+    if fibers.iter().map(|f| f.area).sum::<f64>() <= 0.0 {
+        return Err(a.refuse_at(span, "the section has no area", "expected patches, layers or fibers in its body"));
+    }
+    let torsion = torsion.filter(|_| interp.host.ndm == 3);
+    Ok(Arc::new(FiberSection::new(fibers, torsion, origin)))
+}
+
+fn resultant(a: &mut Args<'_>) -> Result<Resultant, Exception> {
+    let name = a.word("resultant")?;
+    let found = Resultant::ALL.into_iter().find(|r| r.name() == name);
+    found.ok_or_else(|| a.unknown_name("resultant", Resultant::ALL.map(Resultant::name)))
+}
+
+fn aggregator(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
+    a.usage(AGGREGATOR);
+    let span = a.last_span();
+    let (mut base, mut additions) = (None, vec![]);
+    while a.left() > 0 {
+        if a.flag("-section") {
+            base = Some(a.of(&interp.host.definitions.sections)?.0);
+            continue;
+        }
+        let (material, tag) = a.of(&interp.host.definitions.materials)?;
+        additions.push((material, tag, resultant(a)?));
+    }
+    if additions.is_empty() {
+        return Err(a.refuse_at(span, "there is nothing to aggregate", "expected materials and their resultants"));
+    }
+    let made = Aggregator::new(base, additions).map_err(|e| a.refuse_at(span, e.0, ""))?;
+    Ok(Arc::new(made))
+}
+
+fn uniaxial(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
+    a.usage(UNIAXIAL);
+    let (material, tag) = a.of(&interp.host.definitions.materials)?;
+    let addition = (material, tag, resultant(a)?);
+    let made = Aggregator::new(None, vec![addition]).map_err(|e| a.refuse(e.0, ""))?;
+    Ok(Arc::new(made))
+}

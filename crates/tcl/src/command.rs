@@ -1,0 +1,226 @@
+//! Commands and calls of them.
+
+use std::rc::Rc;
+
+use super::ast::{Command, Script};
+use super::core::{Core, NsId};
+use super::ensemble::Ensemble;
+use super::error::Exception;
+use super::interp::Interp;
+use super::text::Text;
+use super::value::Value;
+use super::vars::VarName;
+use crate::diagnostic::{self, Diagnostic, Span};
+
+/// A command of the host or of the language.
+pub type CommandFn<H> = fn(&mut Interp<H>, &Call<'_>) -> Result<Value, Exception>;
+
+/// A command that needs neither the host nor to evaluate scripts.
+pub(crate) type CoreFn = fn(&mut Core, &Call<'_>) -> Result<Value, Exception>;
+
+/// Number of a command; stays with it when it is renamed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct CmdId(pub(crate) u32);
+
+/// A command under its name.
+#[derive(Clone)]
+pub(crate) struct Definition {
+    pub(crate) name: Text,
+    pub(crate) ns: NsId,
+    pub(crate) imp: Imp,
+}
+
+/// What a command does.
+#[derive(Clone)]
+pub(crate) enum Imp {
+    Core(CoreFn),
+    /// Number among the functions of the interpreter.
+    Full(u32),
+    Proc(Rc<Proc>),
+    Import(CmdId),
+    Ensemble(Rc<Ensemble>),
+    /// Other words in place of the name.
+    Alias(Rc<[Value]>),
+    Deleted,
+}
+
+/// A procedure.
+#[derive(Clone, Debug)]
+pub(crate) struct Proc {
+    pub(crate) ns: NsId,
+    pub(crate) params: Vec<Param>,
+    /// Whether the last parameter is `args`.
+    pub(crate) variadic: bool,
+    pub(crate) body: Value,
+    pub(crate) script: Rc<Script>,
+}
+
+/// A parameter of a procedure.
+#[derive(Clone, Debug)]
+pub(crate) struct Param {
+    pub(crate) name: Rc<VarName>,
+    pub(crate) default: Option<Value>,
+}
+
+/// Where a call stands in a script.
+#[derive(Clone, Copy)]
+pub(crate) struct Place<'a> {
+    pub(crate) script: &'a Script,
+    pub(crate) command: &'a Command,
+    /// For each word of the call the word of the command that it comes from, where `{*}` has made more or fewer of them.
+    pub(crate) map: Option<&'a [u32]>,
+}
+
+impl Place<'_> {
+    /// Place of a word of the call.
+    pub(crate) fn word(&self, i: usize) -> Option<Span> {
+        let i = match self.map {
+            None => i,
+            Some(map) => *map.get(i)? as usize,
+        };
+        let word = self.command.words.get(i)?;
+        self.script.unit.span(word.start, word.end)
+    }
+
+    pub(crate) fn whole(&self) -> Option<Span> {
+        self.script.unit.span(self.command.start, self.command.end)
+    }
+}
+
+/// The words of a call, the name of the command being the first.
+pub struct Call<'a> {
+    words: &'a [Value],
+    place: Option<Place<'a>>,
+    blank: Value,
+}
+
+impl<'a> Call<'a> {
+    /// A call that stands nowhere in a script; the first word is the name of the command.
+    pub fn of(words: &'a [Value]) -> Self {
+        Self::new(words, None)
+    }
+
+    pub(crate) fn new(words: &'a [Value], place: Option<Place<'a>>) -> Self {
+        Call { words, place, blank: Value::EMPTY }
+    }
+
+    /// The name under which the command was called.
+    pub fn name(&self) -> std::borrow::Cow<'_, str> {
+        self.arg(0).as_str()
+    }
+
+    /// How many words there are, the name included.
+    #[allow(clippy::len_without_is_empty)]
+    pub fn len(&self) -> usize {
+        self.words.len()
+    }
+
+    /// A word; number 0 is the name. Empty where there is no such word.
+    pub fn arg(&self, i: usize) -> &Value {
+        self.words.get(i).unwrap_or(&self.blank)
+    }
+
+    /// A word, if it was given.
+    pub fn get(&self, i: usize) -> Option<&Value> {
+        self.words.get(i)
+    }
+
+    /// The words after the name.
+    pub fn args(&self) -> &'a [Value] {
+        self.from(1)
+    }
+
+    /// All words from the one with this number.
+    pub fn from(&self, i: usize) -> &'a [Value] {
+        self.words.get(i..).unwrap_or_default()
+    }
+
+    /// Where a word stands in the script; none where the text was built at run time.
+    pub fn span(&self, i: usize) -> Option<Span> {
+        self.place.as_ref()?.word(i)
+    }
+
+    /// Where the whole command stands.
+    pub fn whole_span(&self) -> Option<Span> {
+        self.place.as_ref()?.whole()
+    }
+
+    /// The text of the whole command as it stands in the script.
+    pub(crate) fn source_text(&self) -> Option<&str> {
+        let place = self.place.as_ref()?;
+        Some(place.script.unit.slice(place.command.start, place.command.end))
+    }
+
+    /// An error that points at a word.
+    pub fn error_at(&self, i: usize, message: impl Into<String>, label: &str) -> Exception {
+        Exception::error(message).at(self.span(i), label)
+    }
+
+    /// An error with a diagnostic of its own, which points at a word unless it points somewhere already.
+    pub fn refuse(&self, i: usize, mut diagnostic: Diagnostic) -> Exception {
+        if diagnostic.span.is_none() {
+            diagnostic.span = self.span(i);
+        }
+        Exception::diagnosed(diagnostic)
+    }
+
+    /// The error for a wrong number of words. `usage`: the words that belong after the first `given` ones.
+    pub fn usage(&self, given: usize, usage: &str) -> Exception {
+        let mut text = String::new();
+        super::list::join(&self.words[..given.min(self.words.len())]).clone_into(&mut text);
+        if !usage.is_empty() {
+            text.push(' ');
+            text.push_str(usage);
+        }
+        self.wrong_args(&text)
+    }
+
+    /// The error for a wrong number of words, for a command that is to be written like this.
+    pub(crate) fn wrong_args(&self, right: &str) -> Exception {
+        let span = match (self.place.as_ref().and_then(Place::whole), self.span(0)) {
+            (Some(whole), Some(name)) if self.words.len() == 1 => Some(name.to(whole)),
+            (whole, _) => whole,
+        };
+        Exception::coded(format!("wrong # args: should be \"{right}\""), &["TCL", "WRONGARGS"]).at(span, "")
+    }
+
+    /// Check the number of words, the name included; `right` is how the command is to be written.
+    pub(crate) fn expect(&self, words: impl std::ops::RangeBounds<usize>, right: &str) -> Result<(), Exception> {
+        if words.contains(&self.words.len()) { Ok(()) } else { Err(self.wrong_args(right)) }
+    }
+
+    /// The one of some names that a word is or, unless `exact`, abbreviates; Tcl's error if it is none.
+    pub(crate) fn choose(&self, i: usize, what: &str, names: &[&str], exact: bool) -> Result<usize, Exception> {
+        choose(&self.arg(i).as_str(), what, names, exact).map_err(|e| e.at(self.span(i), ""))
+    }
+}
+
+/// The one of some names that a word is or, unless `exact`, abbreviates.
+pub(crate) fn choose(word: &str, what: &str, names: &[&str], exact: bool) -> Result<usize, Exception> {
+    if let Some(at) = names.iter().position(|n| *n == word) {
+        return Ok(at);
+    }
+    let mut ambiguous = false;
+    if !exact && !word.is_empty() {
+        let mut matches = names.iter().enumerate().filter(|(_, n)| n.starts_with(word));
+        match (matches.next(), matches.next()) {
+            (Some((at, _)), None) => return Ok(at),
+            (Some(_), Some(_)) => ambiguous = true,
+            _ => {}
+        }
+    }
+    let kind = if ambiguous { "ambiguous" } else { "bad" };
+    let message = format!("{kind} {what} \"{word}\": must be {}", alternatives(names));
+    let near = diagnostic::nearest(word, names.iter().copied()).map(str::to_owned);
+    Err(Exception::coded(message, &["TCL", "LOOKUP", "INDEX", what, word]).suggest(near))
+}
+
+/// `a`, `a or b`, `a, b, or c`.
+pub(crate) fn alternatives(names: &[&str]) -> String {
+    match names {
+        [] => String::new(),
+        [one] => (*one).to_owned(),
+        [a, b] => format!("{a} or {b}"),
+        [most @ .., last] => format!("{}, or {last}", most.join(", ")),
+    }
+}

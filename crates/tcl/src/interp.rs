@@ -1,0 +1,261 @@
+//! The interpreter as its host sees it.
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::ops::{Deref, DerefMut};
+use std::sync::Arc;
+
+use super::builtin;
+use super::command::{CmdId, CommandFn, CoreFn, Definition, Imp};
+use super::console::Console;
+use super::core::{Core, NsId, Site, What};
+use super::error::Exception;
+use super::files::{Files, posix};
+use super::namespace::Namespace;
+use super::origin::Origin;
+use super::proc::outside_of_loop;
+use super::text::Text;
+use super::value::Value;
+use crate::diagnostic::SourceId;
+
+/// What an interpreter does with an error at the top level of a script.
+pub type OnError<H> = fn(&mut Interp<H>, Exception) -> Result<Value, Exception>;
+
+/// A Tcl interpreter. `host` is what the commands of the host work on.
+///
+/// ```
+/// use hysteron_tcl::{Call, Exception, Interp, MemoryFiles, Recorded, Value};
+///
+/// fn node(interp: &mut Interp<Vec<f64>>, call: &Call<'_>) -> Result<Value, Exception> {
+///     if call.len() != 2 {
+///         return Err(call.usage(1, "x"));
+///     }
+///     let x = call.arg(1).to_f64()?;
+///     interp.host.push(x);
+///     Ok(Value::EMPTY)
+/// }
+///
+/// let console = Recorded::default();
+/// let mut interp = Interp::new(vec![], Box::new(console.clone()), Box::new(MemoryFiles::default()));
+/// interp.register("node", node);
+/// interp.eval_str("model.tcl", "foreach x {1 2} { node [expr {$x * 0.5}] }; puts done").unwrap();
+/// assert_eq!(interp.host, [0.5, 1.0]);
+/// assert_eq!(console.out(), "done\n");
+/// ```
+pub struct Interp<H> {
+    /// What the commands of the host work on.
+    pub host: H,
+    /// Variables, files, console and warnings.
+    pub core: Core,
+    pub(crate) functions: Vec<CommandFn<H>>,
+    /// What to do with an error at the top level of the script: hand it back to end the script, or give a value to
+    /// go on with the next command. `None` ends the script.
+    pub on_error: Option<OnError<H>>,
+}
+
+/// The commands and variables of an interpreter, for others that begin with the same: making them known takes as long as
+/// 200 steps of a bearing (`benches/README.md`).
+pub struct Vocabulary<H> {
+    namespaces: Vec<Namespace>,
+    commands: Vec<Definition>,
+    functions: Vec<CommandFn<H>>,
+    epoch: u32,
+    inlined: (Option<CmdId>, Option<CmdId>),
+}
+
+thread_local! {
+    /// Files by path as the interpreters of this thread ran them last: the number of their source in its map, and the text
+    /// with its parsed form.
+    static PARSED: RefCell<HashMap<String, (SourceId, Value)>> = RefCell::default();
+}
+
+/// Files that are remembered.
+const MOST_PARSED: usize = 64;
+
+impl<H> Deref for Interp<H> {
+    type Target = Core;
+    fn deref(&self) -> &Core {
+        &self.core
+    }
+}
+
+impl<H> DerefMut for Interp<H> {
+    fn deref_mut(&mut self) -> &mut Core {
+        &mut self.core
+    }
+}
+
+impl<H> Interp<H> {
+    /// An interpreter with the commands and variables of Tcl.
+    pub fn new(host: H, console: Box<dyn Console>, files: Box<dyn Files>) -> Self {
+        let mut interp = Interp { host, core: Core::new(console, files), functions: vec![], on_error: None };
+        builtin::install(&mut interp);
+        builtin::variables(&mut interp.core);
+        interp
+    }
+
+    /// An interpreter with the commands and variables that another one had.
+    pub fn knowing(host: H, console: Box<dyn Console>, files: Box<dyn Files>, words: &Vocabulary<H>) -> Self {
+        let mut core = Core::new(console, files);
+        core.namespaces = words.namespaces.iter().map(Namespace::copied).collect();
+        core.commands = words.commands.clone();
+        (core.epoch, core.inlined) = (words.epoch, words.inlined);
+        Interp { host, core, functions: words.functions.clone(), on_error: None }
+    }
+
+    /// Its commands and variables as they are now.
+    pub fn vocabulary(&self) -> Vocabulary<H> {
+        Vocabulary {
+            namespaces: self.core.namespaces.iter().map(Namespace::copied).collect(),
+            commands: self.core.commands.clone(),
+            functions: self.functions.clone(),
+            epoch: self.core.epoch,
+            inlined: self.core.inlined,
+        }
+    }
+
+    /// Make a command of the host known; it replaces one of the same name.
+    pub fn register(&mut self, name: &str, function: CommandFn<H>) {
+        self.functions.push(function);
+        let imp = Imp::Full(self.functions.len() as u32 - 1);
+        let name = name.trim_start_matches(':');
+        // Calibrations make an interpreter for each evaluation, and most names have no namespace to look for.
+        let (ns, tail) = match name.contains(':') {
+            false => (NsId::GLOBAL, name.into()),
+            true => self.core.place_for(&format!("::{name}")),
+        };
+        self.core.define(ns, &tail, imp);
+    }
+
+    pub(crate) fn register_core(&mut self, name: &str, function: CoreFn) {
+        let (ns, tail) = self.core.place_for(name);
+        self.core.define(ns, &tail, Imp::Core(function));
+    }
+
+    /// Run a script from a file, in the current namespace and with the current variables.
+    /// A `return` at its top level ends it. What waits in open files is written at the end.
+    pub fn eval_file(&mut self, path: &str) -> Result<Value, Exception> {
+        let result = self.source(path, path);
+        self.core.channels.flush_all();
+        settle(result)
+    }
+
+    /// Run a script from a text; messages call it by `name`.
+    pub fn eval_str(&mut self, name: &str, text: &str) -> Result<Value, Exception> {
+        let script = self.core.take_text(name, text);
+        let result = self.top_level(&script, name);
+        self.core.channels.flush_all();
+        settle(result)
+    }
+
+    /// Evaluate a body where the command stands that was given it, as `pattern … { … }` does.
+    pub fn eval_value(&mut self, body: &Value) -> Result<Value, Exception> {
+        let compiled = std::mem::replace(&mut self.core.compiled, true);
+        let result = self.eval_body(body);
+        self.core.compiled = compiled;
+        result
+    }
+
+    /// The command `source`: `shown` is the path as the script wrote it.
+    pub(crate) fn source(&mut self, path: &str, shown: &str) -> Result<Value, Exception> {
+        let full = self.core.absolute(path);
+        let bytes = self.core.files.read(&full);
+        let bytes = bytes.map_err(|e| posix(&e, |why| format!("couldn't read file \"{shown}\": {why}")))?;
+        let mut text = match String::from_utf8(bytes) {
+            Ok(text) => text,
+            Err(e) => e.into_bytes().iter().map(|b| *b as char).collect(),
+        };
+        if text.contains('\r') {
+            text = text.replace("\r\n", "\n").replace('\r', "\n");
+        }
+        if let Some(end) = text.find('\u{1a}') {
+            text.truncate(end);
+        }
+        let known = self.core.loaded.get(&full).filter(|(t, _)| **t == *text).map(|(_, v)| v.clone());
+        let script = match known {
+            Some(script) => script,
+            None => {
+                let script = self.core.parsed_before(&full, shown, &text);
+                self.core.loaded.insert(full, (Arc::from(text), script.clone()));
+                script
+            }
+        };
+        self.top_level(&script, shown)
+    }
+
+    /// Run a text that stands for itself.
+    fn top_level(&mut self, script: &Value, name: &str) -> Result<Value, Exception> {
+        // Tcl counts the command `source` but not the script that a program starts with.
+        let nested = !self.core.scripts.is_empty();
+        if nested {
+            self.core.enter()?;
+        }
+        let compiled = std::mem::replace(&mut self.core.compiled, false);
+        let site = self.core.site.take();
+        self.core.sites.push(Site { what: What::Source(Text::from(name)), span: site });
+        self.core.scripts.push(Value::from(name));
+        let result = self.eval_body(script);
+        self.core.scripts.pop();
+        self.core.sites.pop();
+        self.core.site = site;
+        self.core.compiled = compiled;
+        self.core.levels -= usize::from(nested);
+        match result {
+            Err(Exception::Return(v)) => Ok(v),
+            Err(Exception::ReturnWith(r)) => super::proc::leave(*r),
+            Err(e @ Exception::Error(_)) => {
+                let shown: String = name.chars().take(150).collect();
+                Err(e.trace(|line| format!("file \"{shown}\" line {line}")))
+            }
+            other => other,
+        }
+    }
+}
+
+/// What ends a script ends it; only errors and `exit` matter to the host.
+fn settle(result: Result<Value, Exception>) -> Result<Value, Exception> {
+    match result {
+        Err(Exception::Return(v) | Exception::Other(_, v)) => Ok(v),
+        Err(Exception::ReturnWith(r)) => Ok(r.value),
+        Err(Exception::Break) => Err(outside_of_loop("break")),
+        Err(Exception::Continue) => Err(outside_of_loop("continue")),
+        other => other,
+    }
+}
+
+impl Core {
+    /// Take in a text as a source of its own.
+    /// A text to run, parsed if an interpreter of this thread has run the same file as its source of the same number:
+    /// calibrations run a script thousands of times.
+    fn parsed_before(&mut self, path: &str, name: &str, text: &str) -> Value {
+        PARSED.with_borrow_mut(|parsed| {
+            let source = self.sources.next();
+            if let Some((of, script)) = parsed.get(path)
+                && *of == source
+                && *script.as_str() == *text
+            {
+                self.sources.add(name, text);
+                return script.clone();
+            }
+            let script = self.take_text(name, text);
+            if parsed.len() >= MOST_PARSED {
+                parsed.clear();
+            }
+            parsed.insert(path.to_owned(), (source, script.clone()));
+            script
+        })
+    }
+
+    fn take_text(&mut self, name: &str, text: &str) -> Value {
+        let source = self.sources.add(name, text);
+        Value::literal(text.to_owned(), Some(Origin::whole(source)))
+    }
+
+    /// Set a variable of the global namespace, where a script finds what its host tells it (`argv`, `env(HOME)`).
+    pub fn set_global(&mut self, name: &str, value: impl Into<Value>) -> Result<(), Exception> {
+        let active = std::mem::replace(&mut self.active, 0);
+        let result = self.set_var(name, value);
+        self.active = active;
+        result
+    }
+}
