@@ -21,27 +21,7 @@ use crate::diagnostic::SourceId;
 /// What an interpreter does with an error at the top level of a script.
 pub type OnError<H> = fn(&mut Interp<H>, Exception) -> Result<Value, Exception>;
 
-/// A Tcl interpreter. `host` is what the commands of the host work on.
-///
-/// ```
-/// use hysteron_tcl::{Call, Exception, Interp, MemoryFiles, Recorded, Value};
-///
-/// fn node(interp: &mut Interp<Vec<f64>>, call: &Call<'_>) -> Result<Value, Exception> {
-///     if call.len() != 2 {
-///         return Err(call.usage(1, "x"));
-///     }
-///     let x = call.arg(1).to_f64()?;
-///     interp.host.push(x);
-///     Ok(Value::EMPTY)
-/// }
-///
-/// let console = Recorded::default();
-/// let mut interp = Interp::new(vec![], Box::new(console.clone()), Box::new(MemoryFiles::default()));
-/// interp.register("node", node);
-/// interp.eval_str("model.tcl", "foreach x {1 2} { node [expr {$x * 0.5}] }; puts done").unwrap();
-/// assert_eq!(interp.host, [0.5, 1.0]);
-/// assert_eq!(console.out(), "done\n");
-/// ```
+/// A Tcl interpreter. The documentation of the crate has an example.
 pub struct Interp<H> {
     /// What the commands of the host work on.
     pub host: H,

@@ -1,12 +1,4 @@
-//! The Tcl 8.6 interpreter that runs the scripts.
-//!
-//! A host makes an [`Interp`], registers its commands ([`Interp::register`]) and runs a script ([`Interp::eval_file`],
-//! [`Interp::eval_str`]). Results, number formats and error texts are those of tclsh 8.6; every error also carries a
-//! [`crate::diagnostic::Diagnostic`] that points at the offending word, through procedures, sourced files and bodies.
-//!
-//! Nothing here prints, ends the process or starts a program: output goes to a [`Console`], files are reached through
-//! [`Files`], and `exit` is the outcome [`Exception::Exit`].
-
+#![doc = include_str!("../README.md")]
 #![forbid(unsafe_code)]
 
 mod ast;
