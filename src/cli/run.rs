@@ -8,7 +8,7 @@ use super::loops::loops;
 use super::messages::Messages;
 use super::progress::Bar;
 use clap::Parser;
-use hysteron::analysis::{Ladder, Options};
+use hysteron::analysis::{Options, RecoveryStrategy};
 use hysteron::diagnostic::{Diagnostic, Severity, Span, nearest};
 use hysteron::opensees::{self, Mode, Outputs, Tcl};
 use hysteron::run::{End, Run, Settings};
@@ -73,7 +73,7 @@ pub(super) fn script(run: &Switches, mode: Mode, care: &Care, model: &str, args:
     let bar = Bar::new();
     let options = Options {
         compat: run.compat.is_some(),
-        ladder: care.ladder.then(Ladder::default),
+        ladder: care.ladder.then(RecoveryStrategy::default),
         dense: None,
         refine: care.refine,
     };

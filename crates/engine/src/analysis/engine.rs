@@ -7,10 +7,10 @@ use super::asking::Calls;
 use super::convergence::Test;
 use super::failure::Failure;
 use super::integrator::Integrator;
-use super::ladder::Ladder;
-use super::prepared::{PrepareOptions, Prepared};
-use super::state::{Departure, State};
+use super::recovery::RecoveryStrategy;
+use super::state::{State, StepStart};
 use super::system::{Coefficients, System};
+use super::workspace::{PrepareOptions, Workspace};
 use crate::assembly::{Handler, MpScope};
 use crate::element::{Element, Overload, Snapshot};
 use crate::model::{ElementEntry, ElementId, GroundMotion, Model, NodeId, Pattern, PatternKind, Tag};
@@ -46,7 +46,7 @@ pub struct Options {
     /// Follow OpenSees where it is known to slip.
     pub compat: bool,
     /// Remedies for a step that fails.
-    pub ladder: Option<Ladder>,
+    pub ladder: Option<RecoveryStrategy>,
     /// Force a dense matrix, or a sparse one.
     pub dense: Option<bool>,
     /// Parts that each step of an analysis is made in, for the error of its steps to be seen. With more than one, tests are
@@ -101,9 +101,9 @@ pub struct Engine {
     model: Model,
     committed: State,
     trial: State,
-    pub(super) departure: Departure,
+    pub(super) step_start: StepStart,
     setup: Option<Setup>,
-    prepared: Option<(u64, PrepareOptions, Prepared)>,
+    prepared: Option<(u64, PrepareOptions, Workspace)>,
     /// The parts of the analysis that have not seen the prepared model yet.
     fresh: bool,
     /// Settings.
@@ -129,7 +129,7 @@ impl Engine {
             model: Model::new(),
             committed: State::default(),
             trial: State::default(),
-            departure: Departure::default(),
+            step_start: StepStart::default(),
             setup: None,
             prepared: None,
             fresh: true,
@@ -245,7 +245,7 @@ impl Engine {
         let before = self.model.clone();
         let result = change(&mut self.model);
         self.committed = self.committed.rearranged(&before, &self.model);
-        self.departure.forget();
+        self.step_start.forget();
         self.trial.clone_from(&self.committed);
         result
     }
@@ -257,7 +257,7 @@ impl Engine {
 
     /// Change the committed state by hand: displacements, velocities.
     pub fn change_state(&mut self, change: impl FnOnce(&mut State, &Model)) {
-        self.departure.forget();
+        self.step_start.forget();
         self.adopt(change);
     }
 
@@ -283,7 +283,7 @@ impl Engine {
     }
 
     fn forget_work(&mut self) {
-        self.departure.forget();
+        self.step_start.forget();
         if let Some((_, _, work)) = &mut self.prepared {
             work.forget();
         }
@@ -293,7 +293,7 @@ impl Engine {
     /// Back to the undeformed, virgin model at time zero.
     pub fn reset(&mut self) {
         self.committed = State::default();
-        self.departure.forget();
+        self.step_start.forget();
         self.committed.grow(&self.model);
         self.trial.clone_from(&self.committed);
         self.fresh = true;
@@ -358,7 +358,7 @@ impl Engine {
 
     /// Make sure that there is a plan for the model as it is.
     #[inline]
-    pub(super) fn prepare(&mut self, handler: Handler) -> Result<&mut Prepared, Failure> {
+    pub(super) fn prepare(&mut self, handler: Handler) -> Result<&mut Workspace, Failure> {
         if !self.is_prepared(&handler) {
             self.prepare_anew(self.prepare_options(handler))?;
         }
@@ -371,7 +371,7 @@ impl Engine {
     #[cold]
     fn prepare_anew(&mut self, options: PrepareOptions) -> Result<(), Failure> {
         let time = self.committed.time;
-        let prepared = Prepared::new(&self.model, &options).map_err(|cause| Failure::new(cause, time, -1))?;
+        let prepared = Workspace::new(&self.model, &options).map_err(|cause| Failure::new(cause, time, -1))?;
         let multipliers = prepared.plan.multipliers;
         self.committed.multipliers.resize(multipliers, 0.0);
         self.trial.clone_from(&self.committed);
@@ -399,12 +399,12 @@ impl Engine {
     }
 
     /// The plan and the factors, where there are any.
-    pub fn prepared(&self) -> Option<&Prepared> {
+    pub fn prepared(&self) -> Option<&Workspace> {
         self.prepared.as_ref().map(|(_, _, p)| p)
     }
 
     /// Model, committed state and work, borrowed apart.
-    pub(super) fn parts(&mut self) -> (&Model, &State, Option<&mut Prepared>) {
+    pub(super) fn parts(&mut self) -> (&Model, &State, Option<&mut Workspace>) {
         (&self.model, &self.committed, self.prepared.as_mut().map(|(_, _, p)| p))
     }
 

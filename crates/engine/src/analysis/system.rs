@@ -4,8 +4,8 @@ mod answers;
 
 use super::failure::{Cause, Failure};
 use super::loads::Loads;
-use super::prepared::{Prepared, TangentMix};
 use super::state::State;
+use super::workspace::{TangentMix, Workspace};
 use crate::model::Model;
 use crate::solve::{Pivots, SINGULAR, SolveError, Use};
 
@@ -29,7 +29,7 @@ pub struct System<'a> {
     /// The trial state.
     pub new: &'a mut State,
     /// Plan, factors and work vectors.
-    pub work: &'a mut Prepared,
+    pub work: &'a mut Workspace,
     /// Share of stiffness, damping and mass in the tangent.
     pub coefficients: Coefficients,
     /// Inertia and damping count.
@@ -257,10 +257,10 @@ impl System<'_> {
 
     #[inline]
     fn sum_unbalance(&mut self) {
-        match self.work.trapezoid.take() {
-            Some(mut trapezoid) => {
-                self.sum_weighted(&mut trapezoid);
-                self.work.trapezoid = Some(trapezoid);
+        match self.work.two_end_residual.take() {
+            Some(mut two_end_residual) => {
+                self.sum_weighted(&mut two_end_residual);
+                self.work.two_end_residual = Some(two_end_residual);
             }
             None => self.sum_forces(1.0),
         }

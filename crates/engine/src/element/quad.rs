@@ -1,6 +1,6 @@
 //! The four-node quadrilateral of plane elasticity: `quad`.
 
-use super::{Answer, Element, ElementError, Mass, Motion, Nature, Snapshot, dot};
+use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot};
 use crate::numeric::axpy;
 use crate::probe::Probe;
 
@@ -162,11 +162,17 @@ impl Element for Quad {
         0
     }
     fn init(&self, _: &mut [f64]) {}
-    fn nature(&self) -> Nature {
-        Nature { linear: true, symmetric: true, viscous: false, elapses: false, rayleigh: true }
+    fn traits(&self) -> ElementTraits {
+        ElementTraits { linear: true, symmetric: true, viscous: false, elapses: false, rayleigh: true }
     }
 
-    fn respond(&self, m: &Motion<'_>, _: &[f64], _: &mut [f64], answer: Answer<'_>) -> Result<(), ElementError> {
+    fn respond(
+        &self,
+        m: &ElementInput<'_>,
+        _: &[f64],
+        _: &mut [f64],
+        answer: ElementOutput<'_>,
+    ) -> Result<(), ElementError> {
         answer.force.copy_from_slice(&self.at_rest);
         for (f, row) in answer.force.iter_mut().zip(self.stiffness.chunks_exact(8)) {
             *f += dot(row, m.disp);

@@ -21,7 +21,7 @@ pub enum Iteration {
     Rounds(usize, f64),
 }
 
-/// Words before the parts.
+/// State variables before the parts.
 const HEADER: usize = 3;
 /// Stress of the whole; the parts' stresses differ from it by what is left over.
 const STRESS: usize = 0;

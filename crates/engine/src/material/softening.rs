@@ -89,7 +89,7 @@ pub struct Mullins {
     softening: Softening,
 }
 
-/// Words of history before those of the law inside: γₘ, the largest strain ever, the factor.
+/// State variables of history before those of the law inside: γₘ, the largest strain ever, the factor.
 const PEAK: usize = 0;
 const EVER: usize = 1;
 const FACTOR: usize = 2;

@@ -1,7 +1,7 @@
 //! Asking the elements, as seldom as their answers allow.
 
 use super::{Cause, Failure, System};
-use crate::element::{Answer, ElementError, MAX_DOFS, Motion};
+use crate::element::{ElementError, ElementInput, ElementOutput, MAX_DOFS};
 
 /// Velocities where nothing moves.
 static AT_REST: [f64; MAX_DOFS] = [0.0; MAX_DOFS];
@@ -138,8 +138,8 @@ impl System<'_> {
         let load = &self.new.element_load[e.load.clone()];
         let vel = if self.still { &AT_REST[..n] } else { &*vel };
         let time = self.passed.map_or(self.new.time, |passed| self.old.time + passed);
-        let motion = Motion { disp, vel, load, still: self.still, again: self.again, dt, time };
-        let answer = Answer { force, tangent, damping, part };
+        let motion = ElementInput { disp, vel, load, still: self.still, again: self.again, dt, time };
+        let answer = ElementOutput { force, tangent, damping, part };
         let committed = &self.old.history[e.state.clone()];
         let trial = &mut self.new.history[e.state.clone()];
         e.element.respond(&motion, committed, trial, answer).map_err(|error| self.element_failed(i, error))

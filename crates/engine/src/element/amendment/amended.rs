@@ -1,9 +1,10 @@
 //! The element around an element.
 
-use super::slack::Answered;
-use super::{Amendment, Demand, Pair, Slack, Taken, Verdict};
+use super::slack::ForceAndTangent;
+use super::{AmendedForce, Amendment, DeformationState, Pair, Slack, SlackShare};
 use crate::element::{
-    Answer, BasicRow, Element, ElementError, ElementLoad, MAX_DOFS, Mass, Motion, Nature, Overload, Part, Snapshot, dot,
+    BasicRow, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, MAX_DOFS, Mass,
+    MatrixMask, Overload, Snapshot, dot,
 };
 use crate::probe::Probe;
 use crate::series::Series;
@@ -22,7 +23,7 @@ pub struct Amended {
     law: Arc<dyn Amendment>,
     rows: Vec<BasicRow>,
     axial: Compression,
-    /// Words of the element's own history.
+    /// State variables of the element's own history.
     inner_len: usize,
     /// Where the element finds its basic forces and deformations: those are to be amended when they are read.
     basic_force: Option<Vec<u32>>,
@@ -40,7 +41,7 @@ enum Compression {
     History(Series),
 }
 
-/// Words before those of the law: committed deformation, what was added to the force, and what has been withheld of the deformation.
+/// State variables before those of the law: committed deformation, what was added to the force, and what has been withheld of the deformation.
 const HEADER: usize = 6;
 const WITHHELD: usize = 4;
 /// Behind two directions.
@@ -116,8 +117,8 @@ impl Amended {
         out
     }
 
-    fn demand(&self, motion: &Motion<'_>, force: &[f64], before: Pair) -> Demand {
-        let mut d = Demand { before, dt: motion.dt, ..Demand::default() };
+    fn demand(&self, motion: &ElementInput<'_>, force: &[f64], before: Pair) -> DeformationState {
+        let mut d = DeformationState { before, dt: motion.dt, ..DeformationState::default() };
         for (i, row) in self.rows.iter().enumerate() {
             d.e[i] = row.deformation(motion.disp);
             d.q[i] = row.force(force);
@@ -131,7 +132,7 @@ impl Amended {
     }
 
     /// Change the tangent of the element into that of the amended force.
-    fn add_tangent(&self, v: &Verdict, tangent: &mut [f64]) {
+    fn add_tangent(&self, v: &AmendedForce, tangent: &mut [f64]) {
         let n = self.inner.dofs();
         // Rows of the element's tangent that belong to q_1, q_2 and the axial force.
         let mut by_u = [[0.0; MAX_DOFS]; 3];
@@ -191,16 +192,26 @@ impl Amended {
     }
 
     /// What slack takes of the deformations of a trial state.
-    fn settle(&self, slack: &Slack, motion: &Motion<'_>, old: &[f64], new: &mut [f64]) -> Result<Taken, ElementError> {
+    fn settle(
+        &self,
+        slack: &Slack,
+        motion: &ElementInput<'_>,
+        old: &[f64],
+        new: &mut [f64],
+    ) -> Result<SlackShare, ElementError> {
         let n = self.inner.dofs();
         let mut e = [0.0; 2];
         e.iter_mut().zip(&self.rows).for_each(|(e, row)| *e = row.deformation(motion.disp));
-        slack.settle(e, |by| -> Result<Answered, ElementError> {
+        slack.settle(e, |by| -> Result<ForceAndTangent, ElementError> {
             let (mut force, mut tangent) = ([0.0; MAX_DOFS], [0.0; MAX_DOFS * MAX_DOFS]);
             let disp = self.behind(motion.disp, by);
-            let answer =
-                Answer { force: &mut force[..n], tangent: Some(&mut tangent[..n * n]), damping: None, part: Part::ALL };
-            self.inner.respond(&Motion { disp: &disp[..n], ..*motion }, old, new, answer)?;
+            let answer = ElementOutput {
+                force: &mut force[..n],
+                tangent: Some(&mut tangent[..n * n]),
+                damping: None,
+                part: MatrixMask::ALL,
+            };
+            self.inner.respond(&ElementInput { disp: &disp[..n], ..*motion }, old, new, answer)?;
             let mut q = [0.0; 2];
             q.iter_mut().zip(&self.rows).for_each(|(q, row)| *q = row.force(&force[..n]));
             Ok((q, self.by_deformation(&tangent[..n * n])))
@@ -210,7 +221,7 @@ impl Amended {
     /// What the tangent of the amended force leaves out where slack takes a part of the displacements of node j: forces that
     /// are not those of the amended directions, such as moments of the axial force, by what is taken in each, and what is
     /// taken by the displacements.
-    fn shifts(&self, slack: &Slack, taken: &Taken, tangent: &[f64]) -> [([f64; MAX_DOFS], [f64; MAX_DOFS]); 2] {
+    fn shifts(&self, slack: &Slack, taken: &SlackShare, tangent: &[f64]) -> [([f64; MAX_DOFS], [f64; MAX_DOFS]); 2] {
         let n = self.inner.dofs();
         let k = self.by_deformation(tangent);
         let mut by_u = [[0.0; MAX_DOFS]; 2];
@@ -253,28 +264,28 @@ impl Element for Amended {
         state[self.inner_len..self.law_at()].fill(0.0);
         self.law.init(&mut state[self.law_at()..]);
     }
-    fn nature(&self) -> Nature {
-        let inner = self.inner.nature();
+    fn traits(&self) -> ElementTraits {
+        let inner = self.inner.traits();
         let elapses = inner.elapses || self.law.depends_on_time() || matches!(self.axial, Compression::History(_));
-        Nature { linear: false, symmetric: false, elapses, ..inner }
+        ElementTraits { linear: false, symmetric: false, elapses, ..inner }
     }
 
     fn respond(
         &self,
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        mut answer: Answer<'_>,
+        mut answer: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         // All of the element's tangent is read here.
         if let Some(tangent) = answer.tangent.as_deref_mut() {
             tangent.fill(0.0);
         }
-        let own = Answer {
+        let own = ElementOutput {
             force: &mut *answer.force,
             tangent: answer.tangent.as_deref_mut(),
             damping: answer.damping.as_deref_mut(),
-            part: Part::ALL,
+            part: MatrixMask::ALL,
         };
         let (old, kept) = committed.split_at(self.inner_len);
         let (new, next) = trial.split_at_mut(self.inner_len);
@@ -289,15 +300,16 @@ impl Element for Amended {
             }
         }
         let disp = self.behind(motion.disp, withheld);
-        self.inner.respond(&Motion { disp: &disp[..motion.disp.len()], ..*motion }, old, new, own)?;
-        let demand = Demand { slack: taken, ..self.demand(motion, answer.force, before) };
+        self.inner.respond(&ElementInput { disp: &disp[..motion.disp.len()], ..*motion }, old, new, own)?;
+        let demand = DeformationState { slack: taken, ..self.demand(motion, answer.force, before) };
         let v = match weakening {
             Some(w) => {
                 if let Some(tangent) = answer.tangent.as_deref_mut() {
                     self.withhold(w.withheld(), tangent);
                 }
                 // The law sees the elastic part at the whole deformation.
-                let seen = Demand { q: std::array::from_fn(|i| demand.q[i] + w.stiffness * withheld[i]), ..demand };
+                let seen =
+                    DeformationState { q: std::array::from_fn(|i| demand.q[i] + w.stiffness * withheld[i]), ..demand };
                 let mut v = self.law.amend(&kept[HEADER..], &seen, &mut next[HEADER..])?;
                 for (by_e, by_q) in v.by_deformation.iter_mut().zip(&v.by_force) {
                     by_e.iter_mut().zip(by_q).for_each(|(e, q)| *e += q * w.stiffness * w.withheld());
@@ -335,7 +347,7 @@ impl Element for Amended {
             return;
         }
         let slack = self.law.slack(&virgin).map(|s| s.at_rest(&self.by_deformation(tangent))).unwrap_or_default();
-        if let Ok(v) = self.law.amend(&virgin, &Demand { slack, ..Demand::default() }, &mut next) {
+        if let Ok(v) = self.law.amend(&virgin, &DeformationState { slack, ..DeformationState::default() }, &mut next) {
             self.add_tangent(&v, tangent);
         }
     }

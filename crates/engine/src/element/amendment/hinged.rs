@@ -1,6 +1,9 @@
 //! A beam with plastic hinges at its ends.
 
-use crate::element::{Answer, Element, ElementError, ElementLoad, Mass, Motion, Nature, Overload, Part, Snapshot, dot};
+use crate::element::{
+    Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, MatrixMask, Overload,
+    Snapshot, dot,
+};
 use crate::material::{Material, Strain};
 use crate::probe::Probe;
 use nalgebra::{Matrix4, SVector, Vector3};
@@ -17,7 +20,7 @@ pub struct Hinged {
     inner: Arc<dyn Element>,
     material: Material,
     hinges: Vec<Hinge>,
-    /// Words of the element's own history, and of a hinge: its rotation, then those of the material.
+    /// State variables of the element's own history, and of a hinge: its rotation, then those of the material.
     inner_len: usize,
     hinge_len: usize,
     /// Moments within this are the same: it goes with the stiffness of the beam.
@@ -54,7 +57,7 @@ type Each = SVector<f64, MOST>;
 
 /// What the hinges answer to their rotations.
 #[derive(Clone, Copy)]
-struct Answered {
+struct HingeMoments {
     moment: Each,
     tangent: Each,
 }
@@ -158,8 +161,8 @@ impl Hinged {
         Ok((s.value, s.tangent))
     }
 
-    fn ask_all(&self, rotations: &Each, h: &mut Histories<'_>) -> Result<Answered, ElementError> {
-        let mut out = Answered { moment: Each::zeros(), tangent: Each::zeros() };
+    fn ask_all(&self, rotations: &Each, h: &mut Histories<'_>) -> Result<HingeMoments, ElementError> {
+        let mut out = HingeMoments { moment: Each::zeros(), tangent: Each::zeros() };
         for i in 0..self.hinges.len() {
             (out.moment[i], out.tangent[i]) = self.ask(i, rotations[i], h)?;
         }
@@ -284,17 +287,17 @@ impl Element for Hinged {
             self.material.init(&mut words[1..]);
         }
     }
-    fn nature(&self) -> Nature {
-        let inner = self.inner.nature();
-        Nature { linear: false, elapses: inner.elapses || self.material.depends_on_time(), ..inner }
+    fn traits(&self) -> ElementTraits {
+        let inner = self.inner.traits();
+        ElementTraits { linear: false, elapses: inner.elapses || self.material.depends_on_time(), ..inner }
     }
 
     fn respond(
         &self,
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        mut answer: Answer<'_>,
+        mut answer: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let n = self.dofs();
         let (old, kept) = committed.split_at(self.inner_len);
@@ -310,13 +313,13 @@ impl Element for Hinged {
             let tangent = &mut own[..n * n];
             tangent.fill(0.0);
             let disp = self.behind(motion.disp, &rotations);
-            let asked = Answer {
+            let asked = ElementOutput {
                 force: &mut *answer.force,
                 tangent: Some(&mut *tangent),
                 damping: answer.damping.as_deref_mut(),
-                part: Part::ALL,
+                part: MatrixMask::ALL,
             };
-            self.inner.respond(&Motion { disp: &disp[..n], ..*motion }, old, new, asked)?;
+            self.inner.respond(&ElementInput { disp: &disp[..n], ..*motion }, old, new, asked)?;
             let mut moments = Each::zeros();
             moments.iter_mut().zip(&self.hinges).for_each(|(m, hinge)| *m = dot(&hinge.row, answer.force));
             let said = self.ask_all(&rotations, &mut histories)?;

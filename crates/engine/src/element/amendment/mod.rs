@@ -31,7 +31,7 @@ mod temperature;
 mod yielding;
 
 use super::ElementError;
-use crate::words::Words;
+use crate::state_struct::StateStruct;
 use std::fmt;
 
 pub use amended::Amended;
@@ -52,7 +52,7 @@ pub use pinching::Pinching;
 pub use pressure::Pressure;
 pub use relaxation::Relaxation;
 pub use share::{Share, Weakening};
-pub use slack::{Slack, Taken};
+pub use slack::{Slack, SlackShare};
 pub use sliding::Sliding;
 pub use slip::Slip;
 pub use stiffening::Stiffening;
@@ -64,7 +64,7 @@ pub type Pair = [f64; 2];
 
 /// What an amendment is given.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Demand {
+pub struct DeformationState {
     /// Trial deformation.
     pub e: Pair,
     /// Committed deformation.
@@ -76,10 +76,10 @@ pub struct Demand {
     /// Domain time since the committed state.
     pub dt: f64,
     /// What the slack of the law has taken of the deformation: the force is that of the rest.
-    pub slack: Taken,
+    pub slack: SlackShare,
 }
 
-impl Demand {
+impl DeformationState {
     /// |e|.
     pub fn amplitude(&self) -> f64 {
         self.e[0].hypot(self.e[1])
@@ -99,7 +99,7 @@ impl Demand {
 
 /// What an amendment answers: the force, and its derivatives.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Verdict {
+pub struct AmendedForce {
     /// Amended force.
     pub q: Pair,
     /// d(amended force)/d(force of the element), by rows.
@@ -110,7 +110,7 @@ pub struct Verdict {
     pub by_axial: Pair,
 }
 
-impl Verdict {
+impl AmendedForce {
     /// The force as it is.
     pub fn unchanged(q: Pair) -> Self {
         Self { q, by_force: [[1.0, 0.0], [0.0, 1.0]], ..Self::default() }
@@ -120,13 +120,17 @@ impl Verdict {
 /// A law of amendment with a fixed number of history variables.
 pub trait AmendmentLaw: fmt::Debug + Send + Sync + 'static {
     /// History; `default()` must be the virgin state.
-    type State: Words;
+    type State: StateStruct;
 
     /// Name in the `amend` command.
     const NAME: &'static str;
 
     /// Amended force and next history.
-    fn amend(&self, committed: &Self::State, demand: &Demand) -> Result<(Verdict, Self::State), ElementError>;
+    fn amend(
+        &self,
+        committed: &Self::State,
+        demand: &DeformationState,
+    ) -> Result<(AmendedForce, Self::State), ElementError>;
 
     /// Slack that the element does not get of its deformation.
     fn slack(&self, _committed: &Self::State) -> Option<Slack> {
@@ -153,7 +157,12 @@ pub trait Amendment: fmt::Debug + Send + Sync {
     /// Write the virgin state.
     fn init(&self, state: &mut [f64]);
     /// Amended force; writes every word of `next`.
-    fn amend(&self, committed: &[f64], demand: &Demand, next: &mut [f64]) -> Result<Verdict, ElementError>;
+    fn amend(
+        &self,
+        committed: &[f64],
+        demand: &DeformationState,
+        next: &mut [f64],
+    ) -> Result<AmendedForce, ElementError>;
     /// Slack that the element does not get of its deformation.
     fn slack(&self, committed: &[f64]) -> Option<Slack>;
     /// Strength that the element has lost.
@@ -172,10 +181,15 @@ impl<L: AmendmentLaw> Amendment for L {
     fn init(&self, state: &mut [f64]) {
         L::State::default().write(state);
     }
-    fn amend(&self, committed: &[f64], demand: &Demand, next: &mut [f64]) -> Result<Verdict, ElementError> {
-        let (verdict, state) = AmendmentLaw::amend(self, &L::State::read(committed), demand)?;
+    fn amend(
+        &self,
+        committed: &[f64],
+        demand: &DeformationState,
+        next: &mut [f64],
+    ) -> Result<AmendedForce, ElementError> {
+        let (amended, state) = AmendmentLaw::amend(self, &L::State::read(committed), demand)?;
         state.write(next);
-        Ok(verdict)
+        Ok(amended)
     }
     fn slack(&self, committed: &[f64]) -> Option<Slack> {
         AmendmentLaw::slack(self, &L::State::read(committed))

@@ -2,7 +2,9 @@
 
 use crate::element::load::{ElementLoad, EndActions};
 use crate::element::transform::{Frame, Reactions, Transform};
-use crate::element::{Answer, Element, ElementError, Mass, Motion, Nature, Snapshot, dot, frame_force_labels};
+use crate::element::{
+    Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot, frame_force_labels,
+};
 use crate::numeric::axpy;
 use crate::probe::Probe;
 use crate::section::ElasticSection;
@@ -187,7 +189,7 @@ impl<const N: usize, const B: usize> ElasticBeam<N, B> {
     }
 
     /// Force and tangent from the constant matrices.
-    fn respond_small(&self, c: &Constant<N>, m: &Motion<'_>, answer: Answer<'_>) {
+    fn respond_small(&self, c: &Constant<N>, m: &ElementInput<'_>, answer: ElementOutput<'_>) {
         let frame = self.frame();
         let u = frame.since_made(m.disp);
         // The matrices are symmetric: rows serve as columns.
@@ -329,17 +331,17 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
     fn init(&self, state: &mut [f64]) {
         self.transform.init(state);
     }
-    fn nature(&self) -> Nature {
+    fn traits(&self) -> ElementTraits {
         let symmetric = self.transform.is_symmetric();
-        Nature { linear: self.transform.is_linear(), symmetric, viscous: false, elapses: false, rayleigh: true }
+        ElementTraits { linear: self.transform.is_linear(), symmetric, viscous: false, elapses: false, rayleigh: true }
     }
 
     fn respond(
         &self,
-        m: &Motion<'_>,
+        m: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: Answer<'_>,
+        answer: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         if let Some(c) = &self.constant {
             self.respond_small(c, m, answer);

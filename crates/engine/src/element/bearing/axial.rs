@@ -43,7 +43,7 @@ pub struct AxialLaw {
     pub compat: bool,
 }
 
-crate::words! {
+crate::state_struct! {
     /// Axial history: what the next step starts from.
     pub struct Axial {
         /// Force, tension positive.
@@ -133,7 +133,7 @@ impl AxialLaw {
         self.rubber.cavitation * (1.0 - self.phi * (1.0 - (-self.ac * (umax - uc) / uc).exp()))
     }
 
-    /// Answer to the axial displacement `u` (tension positive) at the shear displacement `uh`.
+    /// Response to the axial displacement `u` (tension positive) at the shear displacement `uh`.
     #[inline]
     pub fn step(&self, c: &Axial, u: f64, uh: f64) -> AxialStep {
         if self.compat { self.lagging_step(c, u, uh) } else { self.consistent_step(c, u, uh) }

@@ -9,7 +9,7 @@ use crate::numeric::sign;
 ///
 /// Casciati (1989) and Nagarajaiah, Reinhorn and Constantinou (1991), as in OpenSees; backward Euler over a step, solved to round-off.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ShearParameters {
+pub struct BoucWenShear {
     /// Elastic stiffness of the hysteretic part k₀ = (1-α₁) k_init.
     pub k0: f64,
     /// Characteristic strength q_d.
@@ -30,7 +30,7 @@ pub struct ShearParameters {
     pub compat: bool,
 }
 
-impl ShearParameters {
+impl BoucWenShear {
     /// Hysteretic parameters at the end of a step (backward Euler) and dz/dd by rows, for an increment `d` of the
     /// displacement over the yield displacement q_d/k₀; `N` directions.
     ///
@@ -129,7 +129,7 @@ impl ShearParameters {
     }
 }
 
-impl<const S: usize> ShearLaw<S> for ShearParameters {
+impl<const S: usize> ShearLaw<S> for BoucWenShear {
     const CLASS: [&'static str; 2] = ["ElastomericBearingBoucWen2d", "ElastomericBearingBoucWen3d"];
     const HYSTERETIC: bool = true;
 

@@ -24,7 +24,7 @@ pub struct GrantShear {
     pub compat: bool,
 }
 
-crate::words! {
+crate::state_struct! {
     /// Damage of high damping rubber.
     pub struct Damage {
         /// Outer bound of the displacement D_S⁺.

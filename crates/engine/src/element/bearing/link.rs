@@ -1,6 +1,6 @@
 //! Kinematics of two-node bearings: basic deformations, and the P-Delta moments of the axial force.
 
-use crate::element::{BasicRow, Part, dot};
+use crate::element::{BasicRow, MatrixMask, dot};
 use crate::numeric::SparseMatrix;
 use nalgebra::Matrix3;
 
@@ -196,7 +196,7 @@ impl<const N: usize, const B: usize> Link<N, B> {
     }
 
     /// Add a part of the consistent tangent of [`Link::add_force`] for the basic stiffness `k`.
-    pub fn add_tangent(&self, k: &[[f64; B]; B], q: &[f64; B], disp: &[f64], tangent: &mut [f64], part: Part) {
+    pub fn add_tangent(&self, k: &[[f64; B]; B], q: &[f64; B], disp: &[f64], tangent: &mut [f64], part: MatrixMask) {
         self.add_basic_part(k, tangent, part);
         let Some(p_delta) = &self.p_delta else { return };
         let moments = || part.rows.among(N).map(|i| (i, p_delta.row(i))).filter(|(_, row)| !row.is_empty());
@@ -219,11 +219,11 @@ impl<const N: usize, const B: usize> Link<N, B> {
 
     /// Add Aᵀ k A for a basic matrix `k`.
     pub fn add_basic(&self, k: &[[f64; B]; B], tangent: &mut [f64]) {
-        self.add_basic_part(k, tangent, Part::ALL);
+        self.add_basic_part(k, tangent, MatrixMask::ALL);
     }
 
     /// Add a part of Aᵀ k A for a basic matrix `k`.
-    pub fn add_basic_part(&self, k: &[[f64; B]; B], tangent: &mut [f64], part: Part) {
+    pub fn add_basic_part(&self, k: &[[f64; B]; B], tangent: &mut [f64], part: MatrixMask) {
         let whole = part.columns.has_all(N);
         for i in part.rows.among(N) {
             // Derivative of the force at i by the basic deformations.

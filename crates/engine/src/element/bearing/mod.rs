@@ -30,7 +30,7 @@ mod ufrp;
 mod yamamoto;
 
 pub use axial::{Axial, AxialLaw, AxialStep};
-pub use bouc_wen::ShearParameters;
+pub use bouc_wen::BoucWenShear;
 pub use grant::{Damage, GrantShear};
 pub use kikuchi::{Balance, Common, KikuchiBearing, KikuchiParameters, Scheme};
 pub use lead::LeadCore;

@@ -5,13 +5,14 @@ use super::normal_springs::{NormalSprings, Section};
 use super::responses::{NAMES, Response};
 use super::shear_bearing::end_masses;
 use crate::element::{
-    Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Part, Snapshot, frame_force_labels,
+    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask, Snapshot,
+    frame_force_labels,
 };
 use crate::probe::Probe;
-use crate::words;
-use crate::words::Words;
+use crate::state_struct;
+use crate::state_struct::StateStruct;
 
-words! {
+state_struct! {
     /// What recorders read.
     struct Forces {
         /// Axial force and moments about y and z.
@@ -35,7 +36,7 @@ pub struct MultipleNormalSpring {
 const DIRECTIONS: [usize; 3] = [0, 4, 5];
 
 impl MultipleNormalSpring {
-    /// Words of state before those of the springs.
+    /// State variables of state before those of the springs.
     pub const HEADER: usize = Forces::LEN;
 
     /// From springs whose histories begin at word [`Self::HEADER`], and the kinematics. `compat` follows OpenSees, which
@@ -78,9 +79,9 @@ impl Element for MultipleNormalSpring {
         Forces { force: [0.0; 3], stiffness: self.springs.initial_stiffness() }.write(state);
         self.springs.init(state);
     }
-    fn nature(&self) -> Nature {
+    fn traits(&self) -> ElementTraits {
         let material = self.springs.material();
-        Nature {
+        ElementTraits {
             linear: material.is_linear(),
             symmetric: true,
             viscous: material.is_viscous(),
@@ -91,10 +92,10 @@ impl Element for MultipleNormalSpring {
 
     fn respond(
         &self,
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: Answer<'_>,
+        answer: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let [u, rate] = [motion.disp, motion.vel].map(|x| {
             let basic = self.link.deformation(x);
@@ -115,7 +116,7 @@ impl Element for MultipleNormalSpring {
     fn counts_calls(&self) -> bool {
         self.counts_calls
     }
-    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], part: Part) {
+    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], part: MatrixMask) {
         self.link.add_basic_part(&Self::stiffness(Forces::read(history).stiffness), tangent, part);
     }
     fn initial_tangent(&self, tangent: &mut [f64]) {

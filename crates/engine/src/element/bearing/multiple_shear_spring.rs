@@ -4,12 +4,14 @@ use super::link::Link;
 use super::responses::{NAMES, Response};
 use super::shear_bearing::end_masses;
 use super::shear_springs::{Bundle, Factors, ShearSprings};
-use crate::element::{Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
+use crate::element::{
+    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, frame_force_labels,
+};
 use crate::probe::Probe;
-use crate::words;
-use crate::words::Words;
+use crate::state_struct;
+use crate::state_struct::StateStruct;
 
-words! {
+state_struct! {
     /// What recorders read.
     struct Forces {
         /// Shear along y and z.
@@ -30,7 +32,7 @@ pub struct MultipleShearSpring {
 }
 
 impl MultipleShearSpring {
-    /// Words of state before those of the springs.
+    /// State variables of state before those of the springs.
     pub const HEADER: usize = Forces::LEN;
 
     /// From springs whose histories begin at word [`Self::HEADER`], and the kinematics.
@@ -89,9 +91,9 @@ impl Element for MultipleShearSpring {
         Forces::default().write(state);
         self.springs.init(state);
     }
-    fn nature(&self) -> Nature {
+    fn traits(&self) -> ElementTraits {
         let any = |is: fn(&crate::material::Material) -> bool| self.springs.materials().any(is);
-        Nature {
+        ElementTraits {
             linear: false,
             symmetric: self.compat || !self.springs.is_limited(),
             viscous: any(|m| m.is_viscous()),
@@ -102,10 +104,10 @@ impl Element for MultipleShearSpring {
 
     fn respond(
         &self,
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: Answer<'_>,
+        answer: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let [u, rate] = [motion.disp, motion.vel].map(|x| {
             let basic = self.link.deformation(x);

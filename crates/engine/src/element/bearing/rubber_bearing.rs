@@ -8,10 +8,11 @@ use super::shear_bearing::{
     BASIC_FORCE, BASIC_STIFFNESS, DEFORMATION, HYSTERETIC, LOCAL_DISP, LOCAL_FORCE, end_masses, probe,
 };
 use crate::element::{
-    Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Overload, Snapshot, frame_force_labels,
+    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Overload, Snapshot,
+    frame_force_labels,
 };
 use crate::probe::Probe;
-use crate::words::Words;
+use crate::state_struct::StateStruct;
 
 /// Layered rubber bearing in space: axial force, shear in two directions, and linear torsion and rotations.
 #[derive(Clone, Debug)]
@@ -57,8 +58,8 @@ impl<L: RubberShear + 'static> Element for RubberBearing<L> {
         memory.write(&mut state[MEMORY_AT..]);
         state[Self::TAIL_AT..].fill(0.0);
     }
-    fn nature(&self) -> Nature {
-        Nature {
+    fn traits(&self) -> ElementTraits {
+        ElementTraits {
             linear: false,
             symmetric: false,
             viscous: self.shear.is_viscous(),
@@ -69,10 +70,10 @@ impl<L: RubberShear + 'static> Element for RubberBearing<L> {
 
     fn respond(
         &self,
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: Answer<'_>,
+        answer: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let local = self.link.local_motion(motion.disp);
         let u = self.link.deformation_of(&local);

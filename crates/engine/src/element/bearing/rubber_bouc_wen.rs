@@ -38,7 +38,7 @@ pub struct RubberBoucWen {
     pub compat: bool,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of the law beside [`Shear`].
     pub struct Warmth {
         /// ∂z/∂u by rows.

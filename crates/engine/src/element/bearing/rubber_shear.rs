@@ -3,7 +3,7 @@
 use super::axial::{Axial, AxialStep};
 use super::shear::Shear;
 use crate::probe::Probe;
-use crate::words::Words;
+use crate::state_struct::StateStruct;
 use std::fmt;
 
 /// What a shear law is told of a trial state.
@@ -41,7 +41,7 @@ pub struct ShearStep<M> {
 /// A law of shear in two directions that an axial law stands beside.
 pub trait RubberShear: Clone + fmt::Debug + Send + Sync {
     /// History beside [`Shear`].
-    type Memory: Words;
+    type Memory: StateStruct;
 
     /// OpenSees' name of the bearing.
     fn class(&self) -> &'static str;
@@ -61,7 +61,7 @@ pub trait RubberShear: Clone + fmt::Debug + Send + Sync {
     fn advance(&self, _from: &Self::Memory, _to: &Self::Memory, _dt: f64, _tail: &mut [f64]) {}
     /// History at rest, with the initial stiffness.
     fn virgin(&self) -> (Shear<2>, Self::Memory);
-    /// Answer to a trial state from the committed history `c`, `m`. `last` is the memory of the trial before, which
+    /// Response to a trial state from the committed history `c`, `m`. `last` is the memory of the trial before, which
     /// nothing depends on but what OpenSees' laws forget to reset.
     fn step(&self, c: &Shear<2>, m: &Self::Memory, last: &Self::Memory, at: &Shearing<'_>) -> ShearStep<Self::Memory>;
     /// Responses of its own; the numbers of their paths begin at 100.

@@ -2,7 +2,7 @@
 
 use super::shear_bearing::end_masses;
 use crate::element::{ElementError, Mass};
-use crate::words::Words;
+use crate::state_struct::StateStruct;
 use std::fmt;
 
 /// Shear history of a law with `S` directions, and what recorders read of it.
@@ -24,7 +24,7 @@ impl<const S: usize> Default for Shear<S> {
     }
 }
 
-impl<const S: usize> Words for Shear<S> {
+impl<const S: usize> StateStruct for Shear<S> {
     const LEN: usize = 3 * S + S * S;
 
     #[inline]

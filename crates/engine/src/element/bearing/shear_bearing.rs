@@ -2,10 +2,12 @@
 
 use super::link::Link;
 use super::shear::{Shear, ShearLaw};
-use crate::element::{Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
+use crate::element::{
+    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, frame_force_labels,
+};
 use crate::material::{Material, Slot, Strain};
 use crate::probe::Probe;
-use crate::words::Words;
+use crate::state_struct::StateStruct;
 
 /// Bearing with a law for its `S` directions of shear and `M` uniaxial materials for the other basic directions: axial
 /// force and moment in the plane (`N` = 6 degrees of freedom, `B` = 3 basic directions, `M` = 2, `S` = 1); axial
@@ -68,18 +70,18 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
         self.law.virgin().write(state);
         self.materials.iter().for_each(|m| m.init(state));
     }
-    fn nature(&self) -> Nature {
-        let materials = Nature::of(self.materials.iter());
+    fn traits(&self) -> ElementTraits {
+        let materials = ElementTraits::of(self.materials.iter());
         let viscous = materials.viscous || self.law.dashpot() != 0.0;
-        Nature { linear: false, symmetric: false, viscous, rayleigh: self.rayleigh, ..materials }
+        ElementTraits { linear: false, symmetric: false, viscous, rayleigh: self.rayleigh, ..materials }
     }
 
     fn respond(
         &self,
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: Answer<'_>,
+        answer: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let local = self.link.local_motion(motion.disp);
         let u = self.link.deformation_of(&local);

@@ -2,7 +2,7 @@
 
 use super::kinematics::{DOFS, INNER, InnerMatrix, Matrix, Motion, OUTER};
 use crate::element::{ElementError, Rows};
-use crate::words;
+use crate::state_struct;
 
 /// Why the inner nodes have no equilibrium.
 pub(super) fn held_by_nothing() -> ElementError {
@@ -25,7 +25,7 @@ pub(super) fn followed(follow: &[f64], inner: &Inner, way: &[f64; OUTER]) -> Inn
 /// Share of the virgin stiffness that holds inner nodes which no spring holds any more.
 const HOLD: f64 = 1e-10;
 
-words! {
+state_struct! {
     /// What the inner nodes do by their own equations.
     pub(super) struct Yielding {
         /// How they follow the outer ones.

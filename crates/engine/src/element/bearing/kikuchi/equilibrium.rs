@@ -5,20 +5,20 @@ use super::kinematics::{DOFS, INNER, Matrix, Motion, OUTER, Springs};
 use super::{Factors, KikuchiBearing};
 use crate::element::{ElementError, Rows, dot};
 use crate::numeric::largest;
-use crate::words;
-use crate::words::Words;
+use crate::state_struct;
+use crate::state_struct::StateStruct;
 
-/// Words of the memory, and after them of how the inner nodes follow the ends, by columns.
+/// State variables of the memory, and after them of how the inner nodes follow the ends, by columns.
 pub(super) const HEADER: usize = FOLLOW_AT + OUTER * INNER;
 /// Where the latter begin. They are read where they lie.
-const FOLLOW_AT: usize = <Memory as Words>::LEN;
+const FOLLOW_AT: usize = <Memory as StateStruct>::LEN;
 
 /// How the inner nodes follow the ends, in the state of the bearing.
 fn follow(state: &[f64]) -> &[f64] {
     &state[FOLLOW_AT..HEADER]
 }
 
-words! {
+state_struct! {
     /// What a bearing keeps besides the histories of its springs.
     pub(super) struct Memory {
         /// Displacements of the ends in local axes.

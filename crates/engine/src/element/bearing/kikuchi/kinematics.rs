@@ -1,6 +1,6 @@
 //! Kinematics of a Kikuchi bearing: deformations of its springs, and their forces on its nodes.
 
-use crate::words;
+use crate::state_struct;
 use nalgebra::SVector;
 
 /// Degrees of freedom: x, y, z and the rotations about them at the ends i (0 to 5) and j (6 to 11); x and the rotations
@@ -18,7 +18,7 @@ pub(super) type Matrix = [[f64; DOFS]; DOFS];
 /// A matrix over those of the inner nodes, by rows.
 pub(super) type InnerMatrix = [[f64; INNER]; INNER];
 
-words! {
+state_struct! {
     /// Forces and stiffnesses of all springs at a configuration.
     pub(super) struct Springs {
         /// Axial force and moments about y and z of the lower section.

@@ -24,12 +24,13 @@ use super::responses::{NAMES, Response};
 use super::shear_bearing::end_masses;
 use super::shear_springs::{Factors, ShearSprings};
 use crate::element::{
-    Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Overload, Part, Rows, Snapshot, frame_force_labels,
+    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask, Overload, Rows,
+    Snapshot, frame_force_labels,
 };
 use crate::material::{Material, MaterialError};
 use crate::numeric::SparseMatrix;
 use crate::probe::Probe;
-use crate::words::Words;
+use crate::state_struct::StateStruct;
 use nalgebra::Matrix3;
 use std::f64::consts::PI;
 
@@ -173,7 +174,7 @@ impl KikuchiBearing {
         })
     }
 
-    /// Words of state before those of the springs.
+    /// State variables of state before those of the springs.
     fn header(&self) -> usize {
         match self.scheme {
             Scheme::Converged => HEADER,
@@ -301,10 +302,10 @@ impl Element for KikuchiBearing {
         self.lower.init(state);
         self.upper.init(state);
     }
-    fn nature(&self) -> Nature {
+    fn traits(&self) -> ElementTraits {
         // OpenSees gives the springs no rates, so that viscous materials rest.
         let mut materials = self.shear.materials().chain([self.lower.material()]);
-        Nature {
+        ElementTraits {
             linear: false,
             symmetric: false,
             viscous: false,
@@ -315,10 +316,10 @@ impl Element for KikuchiBearing {
 
     fn respond(
         &self,
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: Answer<'_>,
+        answer: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let outer = self.outer(motion.disp);
         let mut local = Condensed::default();
@@ -349,7 +350,7 @@ impl Element for KikuchiBearing {
     fn counts_calls(&self) -> bool {
         matches!(self.scheme, Scheme::OpenSees(..))
     }
-    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], Part { rows, .. }: Part) {
+    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], MatrixMask { rows, .. }: MatrixMask) {
         if let Scheme::OpenSees(_, common) = &self.scheme
             && !common.use_stiffness(|k| self.add_global(k, tangent, rows))
         {

@@ -9,10 +9,10 @@ use super::kinematics::{INNER, Matrix, Motion, OUTER, Springs};
 use super::{Balance, Common, Factors, KikuchiBearing};
 use crate::element::ElementError;
 use crate::material::MaterialError;
-use crate::words;
-use crate::words::Words;
+use crate::state_struct;
+use crate::state_struct::StateStruct;
 
-words! {
+state_struct! {
     /// Springs and inner nodes as a call left them.
     pub(super) struct Call {
         /// Forces of the springs; those of the shear springs not yet multiplied by their factors.
@@ -22,7 +22,7 @@ words! {
     }
 }
 
-words! {
+state_struct! {
     /// What a bearing keeps besides the histories of its springs and what it has solved for.
     struct Trace {
         /// Displacements of the ends in local axes.
@@ -38,7 +38,7 @@ words! {
     }
 }
 
-words! {
+state_struct! {
     /// Equations that a call has solved.
     struct Solved {
         /// What the inner nodes do.
@@ -54,10 +54,10 @@ pub(super) fn axial_deformation(state: &[f64]) -> f64 {
 }
 
 /// Number of words that a bearing keeps besides the histories of its springs.
-pub(super) const HEADER: usize = <Trace as Words>::LEN + <Solved as Words>::LEN;
+pub(super) const HEADER: usize = <Trace as StateStruct>::LEN + <Solved as StateStruct>::LEN;
 
 /// What has been solved begins behind the trace.
-const SOLVED_AT: usize = <Trace as Words>::LEN;
+const SOLVED_AT: usize = <Trace as StateStruct>::LEN;
 
 impl KikuchiBearing {
     /// Write the state at rest.

@@ -7,11 +7,13 @@ use crate::element::bearing::shear_bearing::{
     BASIC_FORCE, DEFORMATION, FRICTION, LOCAL_DISP, LOCAL_FORCE, MATERIAL, end_masses, probe,
 };
 use crate::element::friction::Contact;
-use crate::element::{Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Snapshot, frame_force_labels};
+use crate::element::{
+    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, frame_force_labels,
+};
 use crate::material::{Material, Slot, Strain};
 use crate::numeric::{axpy, dot, norm};
 use crate::probe::Probe;
-use crate::words::Words;
+use crate::state_struct::StateStruct;
 
 /// Kind of a sliding bearing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -116,7 +118,7 @@ impl<const B: usize, const S: usize> Default for History<B, S> {
     }
 }
 
-impl<const B: usize, const S: usize> Words for History<B, S> {
+impl<const B: usize, const S: usize> StateStruct for History<B, S> {
     const LEN: usize = 2 * S + Contact::LEN + B;
 
     fn read(words: &[f64]) -> Self {
@@ -189,7 +191,12 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
     }
 
     /// Basic forces at a motion. The materials are asked even where the bearing lifts off, except by OpenSees.
-    fn basic(&self, motion: &Motion<'_>, committed: &[f64], trial: &mut [f64]) -> Result<Basic<N, B>, ElementError> {
+    fn basic(
+        &self,
+        motion: &ElementInput<'_>,
+        committed: &[f64],
+        trial: &mut [f64],
+    ) -> Result<Basic<N, B>, ElementError> {
         let (u, rate) = (self.link.deformation(motion.disp), self.link.deformation(motion.vel));
         if let (Some(heat), true) = (&self.heat, self.setting.compat.is_some()) {
             return self.early(heat, motion, committed, trial);
@@ -371,9 +378,9 @@ impl<const N: usize, const B: usize, const S: usize> Element for SlidingBearing<
             heat.init(&mut state[self.own..self.state_len]);
         }
     }
-    fn nature(&self) -> Nature {
+    fn traits(&self) -> ElementTraits {
         let any = |is: fn(&Slot) -> bool| self.springs.iter().any(|(_, slot)| is(slot));
-        Nature {
+        ElementTraits {
             linear: false,
             symmetric: false,
             viscous: self.surface.friction.depends_on_speed() || any(|s| s.material.is_viscous()),
@@ -384,10 +391,10 @@ impl<const N: usize, const B: usize, const S: usize> Element for SlidingBearing<
 
     fn respond(
         &self,
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: Answer<'_>,
+        answer: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let Basic { q, by_disp, by_vel } = self.basic(motion, committed, trial)?;
         for (row, &q) in self.link.basic.iter().zip(&q) {

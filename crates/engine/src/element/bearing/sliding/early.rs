@@ -3,10 +3,10 @@
 use super::bearing::{Basic, History, SlidingBearing};
 use super::heat::Heat;
 use crate::element::friction::Contact;
-use crate::element::{ElementError, Motion};
+use crate::element::{ElementError, ElementInput};
 use crate::material::Strain;
 use crate::numeric::{axpy, norm};
-use crate::words::Words;
+use crate::state_struct::StateStruct;
 
 /// Share of the stiffness before sliding that is left in uplift, and of the tension that pushes then.
 const UPLIFT: f64 = 1e-6;
@@ -19,7 +19,7 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
     pub(super) fn early(
         &self,
         heat: &Heat,
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
     ) -> Result<Basic<N, B>, ElementError> {

@@ -3,8 +3,8 @@
 use crate::element::bearing::triple::{Body, Conduction, Softening, history};
 use crate::element::friction::{Coefficient, Contact, FrictionLaw};
 use crate::numeric::norm;
-use crate::words;
-use crate::words::Words;
+use crate::state_struct;
+use crate::state_struct::StateStruct;
 use std::f64::consts::PI;
 
 /// Temperature at the beginning, °C.
@@ -44,7 +44,7 @@ pub struct Heat {
     edge: f64,
 }
 
-words! {
+state_struct! {
     /// History of the surface besides that of its heat.
     pub(super) struct Warm {
         /// Time since the beginning, domain time, and steps since that began.
@@ -65,7 +65,7 @@ words! {
 }
 
 impl Heat {
-    /// Words of history.
+    /// State variables of history.
     pub(super) const LEN: usize = Warm::LEN + history::LEN;
 
     /// From its parameters.

@@ -129,7 +129,7 @@ impl<const S: usize> AtNormal<S> {
 const ROUNDS: usize = 100;
 
 impl Surface {
-    /// Answer at a pose.
+    /// Response at a pose.
     ///
     /// # Errors
     /// A displacement beyond the edge of the dish, a normal force that cannot be found.
@@ -165,7 +165,7 @@ impl Surface {
         ))
     }
 
-    /// Answer as OpenSees finds it, by substitution: from a force until it changes by less than the tolerance.
+    /// Response as OpenSees finds it, by substitution: from a force until it changes by less than the tolerance.
     ///
     /// # Errors
     /// As [`Surface::slide`].

@@ -6,11 +6,14 @@ use crate::element::bearing::shear_bearing::{
     BASIC_FORCE, DEFORMATION, FRICTION, LOCAL_DISP, LOCAL_FORCE, MATERIAL, probe,
 };
 use crate::element::friction::{Coefficient, Contact, Friction};
-use crate::element::{Answer, BasicRow, Element, ElementError, Motion, Nature, Part, Snapshot, frame_force_labels};
+use crate::element::{
+    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask, Snapshot,
+    frame_force_labels,
+};
 use crate::material::{Material, Slot, Strain, Stress};
 use crate::probe::Probe;
-use crate::words;
-use crate::words::Words;
+use crate::state_struct;
+use crate::state_struct::StateStruct;
 use nalgebra::{Matrix2, Vector2};
 
 /// What a triple friction pendulum is made with besides its chain and materials.
@@ -48,7 +51,7 @@ enum Surfaces {
     Heated(Box<Heated>),
 }
 
-words! {
+state_struct! {
     /// History besides chain, surfaces and materials.
     struct Load {
         /// Normal force, positive in pressure.
@@ -200,7 +203,7 @@ impl TriplePendulum {
         Ok(t)
     }
 
-    fn top(&self, motion: &Motion<'_>, committed: &[f64], trial: &mut [f64]) -> Result<Top, ElementError> {
+    fn top(&self, motion: &ElementInput<'_>, committed: &[f64], trial: &mut [f64]) -> Result<Top, ElementError> {
         let apart: [f64; 6] = std::array::from_fn(|i| motion.disp[6 + i] - motion.disp[i]);
         let rate: [f64; 6] = std::array::from_fn(|i| motion.vel[6 + i] - motion.vel[i]);
         let mut top = Top { force: [0.0; 6], by_apart: [[0.0; 6]; 6], damping: [0.0; 6] };
@@ -301,8 +304,8 @@ impl Element for TriplePendulum {
         }
         self.materials.iter().for_each(|m| m.init(state));
     }
-    fn nature(&self) -> Nature {
-        Nature {
+    fn traits(&self) -> ElementTraits {
+        ElementTraits {
             linear: false,
             symmetric: false,
             viscous: self.materials.iter().any(|m| m.material.is_viscous()),
@@ -317,10 +320,10 @@ impl Element for TriplePendulum {
 
     fn respond(
         &self,
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: Answer<'_>,
+        answer: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let top = self.top(motion, committed, trial)?;
         let apart = std::array::from_fn(|i| motion.disp[6 + i] - motion.disp[i]);
@@ -355,7 +358,7 @@ impl Element for TriplePendulum {
     fn counts_calls(&self) -> bool {
         self.setting.compat.is_some()
     }
-    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], _: Part) {
+    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], _: MatrixMask) {
         let load = Load::read(&history[ChainState::LEN..]);
         for (i, k) in load.across.iter().enumerate() {
             add_apart(tangent, i / 2, i % 2, *k, -1.0);

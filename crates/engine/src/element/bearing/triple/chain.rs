@@ -3,10 +3,10 @@
 use super::segment::{Pull, Segment};
 use crate::element::ElementError;
 use crate::element::friction::Coefficient;
-use crate::words;
+use crate::state_struct;
 use nalgebra::{Matrix2, Vector2};
 
-words! {
+state_struct! {
     /// History of a chain; the segments one after the other, x and y of each.
     pub struct ChainState {
         /// Displacement of the chain.

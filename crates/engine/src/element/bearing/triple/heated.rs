@@ -5,8 +5,8 @@ use super::conduction::{Body, Conduction};
 use super::history;
 use crate::element::bearing::rubber::PI as ROUGHLY;
 use crate::element::friction::Coefficient;
-use crate::words;
-use crate::words::Words;
+use crate::state_struct;
+use crate::state_struct::StateStruct;
 use std::f64::consts::PI;
 
 /// How a coefficient of friction falls as the surface warms. H. Kim and M. C. Constantinou, Earthquake Engineering and Structural
@@ -70,7 +70,7 @@ pub struct Heated {
     edge: [f64; 3],
 }
 
-words! {
+state_struct! {
     /// History of the surfaces besides that of their heat.
     pub(super) struct Warm {
         /// Time since the beginning.
@@ -98,7 +98,7 @@ words! {
     }
 }
 
-/// Words that a recorder takes from the end of [`Warm`]: temperatures, coefficients, fluxes, factors.
+/// State variables that a recorder takes from the end of [`Warm`]: temperatures, coefficients, fluxes, factors.
 pub(super) const PARAMETERS: usize = 20;
 /// Names of these.
 pub(super) const PARAMETER_NAMES: [&str; PARAMETERS] = [
@@ -137,7 +137,7 @@ fn norms(v: &[f64; 6]) -> [f64; 3] {
 }
 
 impl Heated {
-    /// Words of history.
+    /// State variables of history.
     pub(super) const LEN: usize = Warm::LEN + 3 * history::LEN;
 
     /// From its parameters.

@@ -10,9 +10,9 @@
 const CELLS: usize = 8;
 /// Levels: the heat of level n is that of 2^n steps.
 const LEVELS: usize = 16;
-/// Words of a cell.
+/// State variables of a cell.
 const CELL: usize = 4;
-/// Words of a history.
+/// State variables of a history.
 pub const LEN: usize = LEVELS * (1 + CELLS * CELL);
 /// Steps after which the oldest cells grow with the history.
 pub const STEPS: usize = 6 << (LEVELS - 1);

@@ -3,7 +3,7 @@
 //! Committing a whole model is then one copy, reverting is not storing, and a checkpoint is the vector itself.
 
 /// A plain struct that can be kept in a slice of `f64`.
-pub trait Words: Copy + Default + Send + Sync + 'static {
+pub trait StateStruct: Copy + Default + Send + Sync + 'static {
     /// Number of `f64` it takes.
     const LEN: usize;
     /// Read from the first `LEN` words.
@@ -12,22 +12,22 @@ pub trait Words: Copy + Default + Send + Sync + 'static {
     fn write(&self, words: &mut [f64]);
 }
 
-impl Words for () {
+impl StateStruct for () {
     const LEN: usize = 0;
     fn read(_: &[f64]) -> Self {}
     fn write(&self, _: &mut [f64]) {}
 }
 
-/// Declare a struct of `f64` fields (scalars, arrays, structs of the same kind) that implements [`Words`].
+/// Declare a struct of `f64` fields (scalars, arrays, structs of the same kind) that implements [`StateStruct`].
 ///
 /// ```
-/// hysteron_engine::words! {
+/// hysteron_engine::state_struct! {
 ///     /// History of some law.
 ///     pub struct History { /// largest strain
 ///         strain: f64, /// two hysteretic parameters
 ///         z: [f64; 2] }
 /// }
-/// use hysteron_engine::words::Words;
+/// use hysteron_engine::state_struct::StateStruct;
 /// let h = History { strain: 0.1, z: [0.2, 0.3] };
 /// let mut w = [0.0; History::LEN];
 /// h.write(&mut w);
@@ -35,34 +35,34 @@ impl Words for () {
 /// assert_eq!(History::read(&w), h);
 /// ```
 #[macro_export]
-macro_rules! words {
+macro_rules! state_struct {
     ($(#[$meta:meta])* $vis:vis struct $name:ident { $($(#[$fmeta:meta])* $field:ident : $ty:ty),* $(,)? }) => {
         $(#[$meta])*
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
         $vis struct $name { $($(#[$fmeta])* pub $field: $ty),* }
 
-        impl $crate::words::Words for $name {
-            const LEN: usize = 0 $(+ <$ty as $crate::words::Field>::LEN)*;
+        impl $crate::state_struct::StateStruct for $name {
+            const LEN: usize = 0 $(+ <$ty as $crate::state_struct::Field>::LEN)*;
             #[inline]
             fn read(words: &[f64]) -> Self {
-                let words = &words[..<Self as $crate::words::Words>::LEN];
+                let words = &words[..<Self as $crate::state_struct::StateStruct>::LEN];
                 let mut at = 0;
-                $(let $field = <$ty as $crate::words::Field>::get(words, &mut at);)*
+                $(let $field = <$ty as $crate::state_struct::Field>::get(words, &mut at);)*
                 let _ = at;
                 Self { $($field),* }
             }
             #[inline]
             fn write(&self, words: &mut [f64]) {
-                let words = &mut words[..<Self as $crate::words::Words>::LEN];
+                let words = &mut words[..<Self as $crate::state_struct::StateStruct>::LEN];
                 let mut at = 0;
-                $($crate::words::Field::put(&self.$field, words, &mut at);)*
+                $($crate::state_struct::Field::put(&self.$field, words, &mut at);)*
                 let _ = at;
             }
         }
     };
 }
 
-/// What a field of a [`words!`](crate::words!) struct may be.
+/// What a field of a [`state_struct!`](crate::state_struct!) struct may be.
 pub trait Field: Sized {
     /// Number of words.
     const LEN: usize;
@@ -99,7 +99,7 @@ impl<T: Field, const N: usize> Field for [T; N] {
 }
 
 /// A struct of words inside another.
-impl<W: Words> Field for W {
+impl<W: StateStruct> Field for W {
     const LEN: usize = W::LEN;
     #[inline]
     fn get(words: &[f64], at: &mut usize) -> Self {

@@ -7,9 +7,9 @@ use super::failure::Cause;
 use super::loads::Loads;
 use super::modal_damping::DampedModes;
 use super::system::Coefficients;
-use super::trapezoid::Trapezoid;
+use super::two_end_residual::TwoEndResidual;
 use crate::assembly::{DofError, Handler, MpScope, Plan};
-use crate::element::{MAX_DOFS, Mass, Part, Rows};
+use crate::element::{MAX_DOFS, Mass, MatrixMask, Rows};
 use crate::model::{Model, Rayleigh};
 use crate::numeric::dot;
 use crate::solve::{NEARLY_SINGULAR, Pivots, SolveError, Solver};
@@ -32,7 +32,7 @@ impl TangentMix {
 
 /// Where the matrices of an element lie, and what they are multiplied with.
 #[derive(Clone, Debug)]
-pub(super) struct Matrices {
+pub(super) struct ElementWorkspace {
     /// Place of the tangent.
     pub at: usize,
     /// Place of the motion that it was asked at last.
@@ -73,7 +73,7 @@ enum MassPlace {
 
 /// Everything an analysis works with between two changes of the model.
 #[derive(Debug)]
-pub struct Prepared {
+pub struct Workspace {
     /// Numbering, pattern and scatter maps.
     pub plan: Plan,
     /// Factors.
@@ -93,13 +93,13 @@ pub struct Prepared {
     /// Iterations of the step so far, and those that the test allows.
     pub(super) progress: (usize, usize),
     /// What the unbalance is summed over both ends of a step with, where an integrator does.
-    pub(super) trapezoid: Option<Trapezoid>,
+    pub(super) two_end_residual: Option<TwoEndResidual>,
     /// Smallest pivot seen, where it was nearly zero.
     pub weak_pivot: Option<Pivots>,
     pub(super) full: Vec<f64>,
     pub(super) values: Vec<f64>,
     pub(super) factored: Vec<f64>,
-    pub(super) matrices: Vec<Matrices>,
+    pub(super) matrices: Vec<ElementWorkspace>,
     pub(super) damped_modes: DampedModes,
     pub(super) tangent: Vec<f64>,
     pub(super) damping: Vec<f64>,
@@ -143,7 +143,7 @@ pub struct PrepareOptions {
     pub dense: Option<bool>,
 }
 
-impl Prepared {
+impl Workspace {
     /// Prepare for a model.
     ///
     /// # Errors
@@ -160,7 +160,7 @@ impl Prepared {
         let (mut at, mut motion, mut damping, mut mass, mut matrices) = (0, 0, 0, vec![], vec![]);
         for e in &model.elements {
             let n = e.dofs.len();
-            let nature = e.element.nature();
+            let nature = e.element.traits();
             let place = match e.element.mass() {
                 Mass::None => MassPlace::None,
                 Mass::Lumped(m) => {
@@ -178,7 +178,7 @@ impl Prepared {
             let [rayleigh, reported] =
                 [rayleigh, reported].map(|r| if initial_is_current { r.with_current_for_initial() } else { r });
             let all = !rayleigh.is_zero() || !reported.is_zero();
-            matrices.push(Matrices {
+            matrices.push(ElementWorkspace {
                 at,
                 motion,
                 rows: Rows::of(e.dofs.iter().map(|&d| all || !plan.map.terms(d as usize).is_empty())),
@@ -212,7 +212,7 @@ impl Prepared {
             last: None,
             last_mix: TangentMix::CURRENT,
             progress: (0, 1),
-            trapezoid: None,
+            two_end_residual: None,
             weak_pivot: None,
             full: vec![0.0; model.dofs()],
             values: vec![0.0; len],
@@ -279,8 +279,8 @@ impl Prepared {
 
     /// What is read of the matrices of an element.
     #[inline]
-    pub(super) fn part(&self, m: &Matrices) -> Part {
-        Part { rows: m.rows, columns: if self.multiplies { Rows::ALL } else { m.rows } }
+    pub(super) fn part(&self, m: &ElementWorkspace) -> MatrixMask {
+        MatrixMask { rows: m.rows, columns: if self.multiplies { Rows::ALL } else { m.rows } }
     }
 
     /// Clear `spread` of imposed motions and of what followed them.

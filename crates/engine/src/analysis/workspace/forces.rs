@@ -1,12 +1,12 @@
 //! Forces that are taken off the unbalance: resisting forces of the elements, damping and inertia of elements and nodes.
 
-use super::{MassPlace, Matrices, Prepared};
+use super::{ElementWorkspace, MassPlace, Workspace};
 use crate::analysis::state::State;
 use crate::element::MAX_DOFS;
 use crate::model::{Model, Rayleigh};
 use crate::numeric::dot;
 
-impl Prepared {
+impl Workspace {
     /// Subtract the forces of the elements from `full`: resisting forces, and with `dynamic` damping and inertia.
     pub(in crate::analysis) fn subtract_elements(&mut self, model: &Model, state: &State, dynamic: bool) {
         for (e, m) in model.elements.iter().zip(&self.matrices) {
@@ -43,7 +43,7 @@ impl Prepared {
     fn add_dynamic_force(
         &self,
         dofs: &[u32],
-        m: &Matrices,
+        m: &ElementWorkspace,
         r: &Rayleigh,
         state: &State,
         inertia: f64,

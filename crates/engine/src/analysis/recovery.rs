@@ -6,11 +6,11 @@ use super::algorithm::{
 };
 use super::engine::{Engine, Kind, Observer};
 use super::failure::Failure;
-use super::prepared::TangentMix;
+use super::workspace::TangentMix;
 
 /// One thing to try.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Remedy {
+pub enum RecoveryStep {
     /// Newton's method.
     Newton,
     /// Newton's method with a line search.
@@ -23,7 +23,7 @@ pub enum Remedy {
     Halve(u32),
 }
 
-impl Remedy {
+impl RecoveryStep {
     fn algorithm(self) -> Option<Box<dyn Algorithm>> {
         let current = TangentChoice::Always(TangentMix::CURRENT);
         Some(match self {
@@ -44,23 +44,29 @@ impl Remedy {
 /// Remedies in the order in which they are tried; the first that works ends the trying, and the next step starts
 /// with the script's own algorithm again.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Ladder {
+pub struct RecoveryStrategy {
     /// The rungs.
-    pub rungs: Vec<Remedy>,
+    pub rungs: Vec<RecoveryStep>,
     /// How often each helped.
     pub helped: Vec<usize>,
 }
 
-impl Ladder {
+impl RecoveryStrategy {
     /// From the rungs.
-    pub fn new(rungs: Vec<Remedy>) -> Self {
+    pub fn new(rungs: Vec<RecoveryStep>) -> Self {
         Self { helped: vec![0; rungs.len()], rungs }
     }
 }
 
-impl Default for Ladder {
+impl Default for RecoveryStrategy {
     fn default() -> Self {
-        Self::new(vec![Remedy::Newton, Remedy::LineSearch, Remedy::Krylov, Remedy::Initial, Remedy::Halve(4)])
+        Self::new(vec![
+            RecoveryStep::Newton,
+            RecoveryStep::LineSearch,
+            RecoveryStep::Krylov,
+            RecoveryStep::Initial,
+            RecoveryStep::Halve(4),
+        ])
     }
 }
 
@@ -73,7 +79,7 @@ impl Engine {
                 break;
             }
             let done = match remedy {
-                Remedy::Halve(times) => self.halve(length, times),
+                RecoveryStep::Halve(times) => self.halve(length, times),
                 other => self.with_algorithm(other, length),
             };
             if done {
@@ -86,7 +92,7 @@ impl Engine {
         Err(first)
     }
 
-    fn with_algorithm(&mut self, remedy: Remedy, length: f64) -> bool {
+    fn with_algorithm(&mut self, remedy: RecoveryStep, length: f64) -> bool {
         let Some(mut algorithm) = remedy.algorithm() else { return false };
         let swap = |engine: &mut Self, other: &mut Box<dyn Algorithm>| {
             engine.change_setup(|s| std::mem::swap(&mut s.algorithm, other));

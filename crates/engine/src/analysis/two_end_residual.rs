@@ -5,7 +5,7 @@ use super::system::System;
 /// Weights of the unbalance at the end of a step, and what its begin has left to it. Methods that weight *forces* so, by the
 /// trapezoidal rule, differ from those that ask the elements once at a weighted *motion* where these are nonlinear.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Trapezoid {
+pub(super) struct TwoEndResidual {
     /// Of loads, resisting forces and damping at the end of the step.
     forces: f64,
     /// Of the inertia.
@@ -22,14 +22,14 @@ impl System<'_> {
     /// [`System::hold_unbalance`] has left. The forces of constraints count whole, and those of the end of the step alone.
     pub fn weigh_unbalance(&mut self, forces: f64, inertia: f64) {
         let n = self.work.b.len();
-        let t = self.work.trapezoid.get_or_insert_default();
+        let t = self.work.two_end_residual.get_or_insert_default();
         t.held.resize(n, 0.0);
         (t.forces, t.inertia) = (forces, inertia);
     }
 
     /// Keep the unbalance of the trial state, with weights, for the next step. The elements are not asked again.
     pub fn hold_unbalance(&mut self, forces: f64, inertia: f64) {
-        let mut t = self.work.trapezoid.take().unwrap_or_default();
+        let mut t = self.work.two_end_residual.take().unwrap_or_default();
         // The unbalance that the step has ended with is looked at after it.
         t.kept.clone_from(&self.work.b);
         t.held.clear();
@@ -38,12 +38,12 @@ impl System<'_> {
         self.sum_weighted(&mut t);
         std::mem::swap(&mut t.held, &mut self.work.b);
         self.work.b.copy_from_slice(&t.kept);
-        self.work.trapezoid = Some(t);
+        self.work.two_end_residual = Some(t);
     }
 
     /// Add a factor times a vector to what is held for the next step.
     pub fn add_to_held(&mut self, factor: f64, x: &[f64]) {
-        if let Some(t) = &mut self.work.trapezoid {
+        if let Some(t) = &mut self.work.two_end_residual {
             t.held.iter_mut().zip(x).for_each(|(h, x)| *h += factor * x);
         }
     }
@@ -59,7 +59,7 @@ impl System<'_> {
         Ok(())
     }
 
-    pub(super) fn sum_weighted(&mut self, t: &mut Trapezoid) {
+    pub(super) fn sum_weighted(&mut self, t: &mut TwoEndResidual) {
         if t.forces != 0.0 {
             self.sum_forces(t.inertia / t.forces);
             self.work.b.iter_mut().zip(&t.held).for_each(|(b, held)| *b = t.forces * *b + held);
