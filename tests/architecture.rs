@@ -131,6 +131,23 @@ fn the_library_neither_prints_nor_exits_nor_panics() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
+/// What stands around an element forwards every method of the trait, defaulted ones too: the lint names those that are missing.
+#[test]
+fn wrappers_of_elements_forward_every_method() {
+    const HELD: &str = "#[deny(clippy::missing_trait_methods)]";
+    let (mut wrappers, mut wrong) = (0, vec![]);
+    for (path, text) in sources("src").into_iter().filter(|(_, text)| text.contains(": Arc<dyn Element>,\n")) {
+        for (at, _) in text.match_indices("\nimpl Element for ") {
+            wrappers += 1;
+            if text[..at].lines().last() != Some(HELD) {
+                wrong.push(path.display().to_string());
+            }
+        }
+    }
+    assert!(wrappers >= 2, "only {wrappers} found");
+    assert!(wrong.is_empty(), "{HELD} is missing in\n{}", wrong.join("\n"));
+}
+
 #[test]
 fn rooms_are_small() {
     let mut long = vec![];
