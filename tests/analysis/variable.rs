@@ -24,7 +24,7 @@ fn a_step_that_fails_at_once_is_shortened() {
 #[test]
 fn what_never_works_ends_with_the_smallest_step() {
     for before in ["", "analyze 3 0.01 0.001 0.02 3;"] {
-        let ran = run(&format!(
+        let ran = Script::default().run(&format!(
             "model basic -ndm 1 -ndf 1; node 1 0; node 2 0 -mass 2.0; node 3 0; node 4 0; fix 1 1
             uniaxialMaterial Elastic 1 100.; element zeroLength 1 1 2 -mat 1 -dir 1; element zeroLength 2 2 3 -mat 1 -dir 1
             element zeroLength 3 3 4 -mat 1 -dir 1
