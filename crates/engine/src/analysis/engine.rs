@@ -263,10 +263,12 @@ impl Engine {
 
     fn adopt(&mut self, change: impl FnOnce(&mut State, &Model)) {
         change(&mut self.committed, &self.model);
-        self.trial.clone_from(&self.committed);
         if let Some((_, _, p)) = &mut self.prepared {
+            // A state from before the preparation has no multipliers.
+            self.committed.multipliers.resize(p.plan.multipliers, 0.0);
             p.loads.invalidate();
         }
+        self.trial.clone_from(&self.committed);
     }
 
     /// The state, to be gone back to. What follows from here and what follows [`Engine::restore`] is the same to the

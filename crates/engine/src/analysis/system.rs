@@ -301,7 +301,14 @@ impl System<'_> {
     }
 
     /// Assemble the tangent of the integrator, to be solved with once or often.
+    ///
+    /// # Errors
+    /// Coefficients that are not finite, as of a step so short that its inverse overflows; what the factorisation finds.
     pub fn form_tangent(&mut self, mix: TangentMix, how: Use) -> Result<(), Failure> {
+        let Coefficients { k, c, m } = self.coefficients;
+        if !(k.is_finite() && c.is_finite() && m.is_finite()) {
+            return Err(self.failure(Cause::NotFinite));
+        }
         if mix.current != 0.0 && !self.work.tangent_is_current {
             self.respond(true)?;
         }

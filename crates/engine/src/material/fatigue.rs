@@ -210,6 +210,9 @@ impl Uniaxial for Fatigue {
     fn is_linear(&self) -> bool {
         false
     }
+    fn shown_strain(&self, strain: f64, state: &[f64]) -> f64 {
+        self.inner.shown(strain, state)
+    }
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
         let mut new = self.clone();
         let old = new.inner.set_parameter(words, value)?;

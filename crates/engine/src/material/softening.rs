@@ -4,6 +4,7 @@
 use super::{Material, MaterialError, Slot, Strain, Stress, Uniaxial};
 use crate::numeric::Dual;
 use crate::probe::Probe;
+use std::sync::Arc;
 
 /// How the stress of rubber falls with the largest strain that it has had, and comes back with time.
 ///
@@ -140,6 +141,14 @@ impl Uniaxial for Mullins {
     }
     fn is_linear(&self) -> bool {
         false
+    }
+    fn shown_strain(&self, strain: f64, state: &[f64]) -> f64 {
+        self.inner.shown(strain, state)
+    }
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
+        let mut new = self.clone();
+        let old = new.inner.set_parameter(words, value)?;
+        Some((Arc::new(new), old))
     }
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         match *words.first()? {

@@ -58,13 +58,19 @@ impl Engine {
         let (mut gone, mut now) = (0.0, dt);
         while gone < total {
             let before = self.steps;
-            match self.analyze(1, now, observer) {
-                Ok(()) => gone += now,
-                Err(f) if self.steps > before || now <= lengths.min || f.cause == Cause::Interrupted => return Err(f),
-                Err(_) => self.failure = None,
-            }
+            let done = self.analyze(1, now, observer);
             let iterations = self.setup.as_ref().map_or(1, |s| s.test.iteration);
-            now = lengths.next(now, iterations);
+            match done {
+                Ok(()) => {
+                    gone += now;
+                    now = lengths.next(now, iterations);
+                }
+                Err(f) if self.steps > before || now <= lengths.min || f.cause == Cause::Interrupted => return Err(f),
+                Err(_) => {
+                    self.failure = None;
+                    now = lengths.shorter(now, iterations);
+                }
+            }
         }
         Ok(())
     }

@@ -17,6 +17,9 @@ use std::sync::Arc;
 ///
 /// With [`Slack`] the element is asked at the deformation that the slack leaves to it: its other forces, the moments of the
 /// axial force among them, are those of that shorter deformation.
+///
+/// An element that counts its calls has the tangent of its last call kept in the history, n x n behind the law's words. Slack
+/// asks such an element several times in a call.
 #[derive(Clone, Debug)]
 pub struct Amended {
     inner: Arc<dyn Element>,
@@ -205,13 +208,13 @@ impl Amended {
         slack.settle(e, |by| -> Result<ForceAndTangent, ElementError> {
             let (mut force, mut tangent) = ([0.0; MAX_DOFS], [0.0; MAX_DOFS * MAX_DOFS]);
             let disp = self.behind(motion.disp, by);
-            let answer = ElementOutput {
+            let mut answer = ElementOutput {
                 force: &mut force[..n],
                 tangent: Some(&mut tangent[..n * n]),
                 damping: None,
                 part: MatrixMask::ALL,
             };
-            self.inner.respond(&ElementInput { disp: &disp[..n], ..*motion }, old, new, answer)?;
+            self.ask(&ElementInput { disp: &disp[..n], ..*motion }, old, new, &mut answer)?;
             let mut q = [0.0; 2];
             q.iter_mut().zip(&self.rows).for_each(|(q, row)| *q = row.force(&force[..n]));
             Ok((q, self.by_deformation(&tangent[..n * n])))
@@ -247,30 +250,41 @@ impl Amended {
     fn law_at(&self) -> usize {
         self.inner_len + HEADER
     }
-}
 
-impl Element for Amended {
-    fn class(&self) -> &'static str {
-        self.inner.class()
-    }
-    fn dofs(&self) -> usize {
-        self.inner.dofs()
-    }
-    fn state_len(&self) -> usize {
+    /// First word of the kept tangent.
+    fn tangent_at(&self) -> usize {
         self.law_at() + self.law.state_len()
     }
-    fn init(&self, state: &mut [f64]) {
-        self.inner.init(&mut state[..self.inner_len]);
-        state[self.inner_len..self.law_at()].fill(0.0);
-        self.law.init(&mut state[self.law_at()..]);
-    }
-    fn traits(&self) -> ElementTraits {
-        let inner = self.inner.traits();
-        let elapses = inner.elapses || self.law.depends_on_time() || matches!(self.axial, Compression::History(_));
-        ElementTraits { linear: false, symmetric: false, elapses, ..inner }
+
+    /// State variables of the kept tangent: none unless the element counts its calls.
+    fn tangent_len(&self) -> usize {
+        if self.inner.counts_calls() { self.inner.dofs().pow(2) } else { 0 }
     }
 
-    fn respond(
+    /// Force and tangent of the element itself at these displacements.
+    fn ask(
+        &self,
+        motion: &ElementInput<'_>,
+        committed: &[f64],
+        trial: &mut [f64],
+        answer: &mut ElementOutput<'_>,
+    ) -> Result<(), ElementError> {
+        let counts = self.inner.counts_calls();
+        let own = ElementOutput {
+            force: &mut *answer.force,
+            tangent: answer.tangent.as_deref_mut().filter(|_| !counts),
+            damping: answer.damping.as_deref_mut(),
+            part: MatrixMask::ALL,
+        };
+        self.inner.respond(motion, committed, trial, own)?;
+        if let Some(tangent) = answer.tangent.as_deref_mut().filter(|_| counts) {
+            self.inner.last_tangent(trial, tangent, MatrixMask::ALL);
+        }
+        Ok(())
+    }
+
+    /// Force and tangent of the amended element.
+    fn respond_amended(
         &self,
         motion: &ElementInput<'_>,
         committed: &[f64],
@@ -281,17 +295,12 @@ impl Element for Amended {
         if let Some(tangent) = answer.tangent.as_deref_mut() {
             tangent.fill(0.0);
         }
-        let own = ElementOutput {
-            force: &mut *answer.force,
-            tangent: answer.tangent.as_deref_mut(),
-            damping: answer.damping.as_deref_mut(),
-            part: MatrixMask::ALL,
-        };
         let (old, kept) = committed.split_at(self.inner_len);
         let (new, next) = trial.split_at_mut(self.inner_len);
+        let words = HEADER..HEADER + self.law.state_len();
         let before = [kept[0], kept[1]];
-        let slack = self.law.slack(&kept[HEADER..]);
-        let weakening = self.law.weakening(&kept[HEADER..]).filter(|_| slack.is_none());
+        let slack = self.law.slack(&kept[words.clone()]);
+        let weakening = self.law.weakening(&kept[words.clone()]).filter(|_| slack.is_none());
         let taken = slack.as_ref().map(|slack| self.settle(slack, motion, old, new)).transpose()?.unwrap_or_default();
         let mut withheld = taken.by;
         if let Some(w) = weakening {
@@ -300,7 +309,7 @@ impl Element for Amended {
             }
         }
         let disp = self.behind(motion.disp, withheld);
-        self.inner.respond(&ElementInput { disp: &disp[..motion.disp.len()], ..*motion }, old, new, own)?;
+        self.ask(&ElementInput { disp: &disp[..motion.disp.len()], ..*motion }, old, new, &mut answer)?;
         let demand = DeformationState { slack: taken, ..self.demand(motion, answer.force, before) };
         let v = match weakening {
             Some(w) => {
@@ -310,13 +319,13 @@ impl Element for Amended {
                 // The law sees the elastic part at the whole deformation.
                 let seen =
                     DeformationState { q: std::array::from_fn(|i| demand.q[i] + w.stiffness * withheld[i]), ..demand };
-                let mut v = self.law.amend(&kept[HEADER..], &seen, &mut next[HEADER..])?;
+                let mut v = self.law.amend(&kept[words.clone()], &seen, &mut next[words.clone()])?;
                 for (by_e, by_q) in v.by_deformation.iter_mut().zip(&v.by_force) {
                     by_e.iter_mut().zip(by_q).for_each(|(e, q)| *e += q * w.stiffness * w.withheld());
                 }
                 v
             }
-            None => self.law.amend(&kept[HEADER..], &demand, &mut next[HEADER..])?,
+            None => self.law.amend(&kept[words.clone()], &demand, &mut next[words.clone()])?,
         };
         next[..2].copy_from_slice(&demand.e);
         next[WITHHELD..HEADER].copy_from_slice(&withheld);
@@ -336,6 +345,68 @@ impl Element for Amended {
         }
         Ok(())
     }
+}
+
+#[deny(clippy::missing_trait_methods)]
+impl Element for Amended {
+    fn class(&self) -> &'static str {
+        self.inner.class()
+    }
+    fn dofs(&self) -> usize {
+        self.inner.dofs()
+    }
+    fn state_len(&self) -> usize {
+        self.tangent_at() + self.tangent_len()
+    }
+    fn init(&self, state: &mut [f64]) {
+        self.inner.init(&mut state[..self.inner_len]);
+        state[self.inner_len..self.law_at()].fill(0.0);
+        let (law, tangent) = state[self.law_at()..].split_at_mut(self.law.state_len());
+        self.law.init(law);
+        if !tangent.is_empty() {
+            tangent.fill(0.0);
+            self.initial_tangent(tangent);
+        }
+    }
+    fn traits(&self) -> ElementTraits {
+        let inner = self.inner.traits();
+        let elapses = inner.elapses || self.law.depends_on_time() || matches!(self.axial, Compression::History(_));
+        ElementTraits { linear: false, symmetric: false, elapses, ..inner }
+    }
+
+    fn respond(
+        &self,
+        motion: &ElementInput<'_>,
+        committed: &[f64],
+        trial: &mut [f64],
+        answer: ElementOutput<'_>,
+    ) -> Result<(), ElementError> {
+        if !self.inner.counts_calls() {
+            return self.respond_amended(motion, committed, trial, answer);
+        }
+        let mut tangent = [0.0; MAX_DOFS * MAX_DOFS];
+        let tangent = &mut tangent[..self.tangent_len()];
+        let ElementOutput { force, tangent: wanted, damping, part } = answer;
+        let kept = ElementOutput { force, tangent: Some(&mut *tangent), damping, part };
+        self.respond_amended(motion, committed, trial, kept)?;
+        trial[self.tangent_at()..].copy_from_slice(tangent);
+        if let Some(wanted) = wanted {
+            wanted.copy_from_slice(tangent);
+        }
+        Ok(())
+    }
+
+    fn commit(&self, trial: &[f64], committed: &mut [f64]) {
+        let (own, rest) = committed.split_at_mut(self.inner_len);
+        self.inner.commit(&trial[..self.inner_len], own);
+        rest.copy_from_slice(&trial[self.inner_len..]);
+    }
+    fn counts_calls(&self) -> bool {
+        self.inner.counts_calls()
+    }
+    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], _: MatrixMask) {
+        tangent.copy_from_slice(&history[self.tangent_at()..]);
+    }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.inner.initial_tangent(tangent);
@@ -352,6 +423,9 @@ impl Element for Amended {
         }
     }
 
+    fn initial_is_current(&self) -> bool {
+        self.inner.initial_is_current()
+    }
     fn mass(&self) -> Mass {
         self.inner.mass()
     }
@@ -368,6 +442,18 @@ impl Element for Amended {
 
     fn ground_inertia_slip(&self) -> Option<f64> {
         self.inner.ground_inertia_slip()
+    }
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
+        let (inner, old) = self.inner.with_parameter(words, value)?;
+        let mut new = Self { inner, ..self.clone() };
+        let stiffness = new.initial_stiffness()[0];
+        // A law made for the old stiffness would leave the difference in parallel.
+        if stiffness != self.initial_stiffness()[0]
+            && let Some(law) = self.law.with_stiffness(stiffness)
+        {
+            new.law = law;
+        }
+        Some((Arc::new(new), old))
     }
     fn load_len(&self) -> usize {
         self.inner.load_len()

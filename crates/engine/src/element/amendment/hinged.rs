@@ -1,8 +1,8 @@
 //! A beam with plastic hinges at its ends.
 
 use crate::element::{
-    Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, MatrixMask, Overload,
-    Snapshot, dot,
+    BasicRow, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, MatrixMask,
+    Overload, Snapshot, dot,
 };
 use crate::material::{Material, Strain};
 use crate::probe::Probe;
@@ -111,16 +111,21 @@ impl Hinged {
         };
         let hinges = ends.iter().flat_map(|end| axes.iter().enumerate().map(move |a| hinge(*end, a))).collect();
         let (inner_len, hinge_len) = (inner.state_len(), 1 + material.state_len());
-        let mut made = Self { inner, material, hinges, inner_len, hinge_len, close: 0.0 };
-        let mut stiffness = vec![0.0; n * n];
-        made.inner.initial_tangent(&mut stiffness);
-        let own = made.stiffness(&stiffness).diagonal();
-        let own = own.rows(0, made.hinges.len());
+        Self { inner, material, hinges, inner_len, hinge_len, close: 0.0 }.scaled()
+    }
+
+    /// The same with the tolerance of moments that belongs to the stiffness of the beam.
+    fn scaled(mut self) -> Result<Self, ElementError> {
+        let mut stiffness = vec![0.0; self.inner.dofs().pow(2)];
+        self.inner.initial_tangent(&mut stiffness);
+        let own = self.stiffness(&stiffness).diagonal();
+        let own = own.rows(0, self.hinges.len());
         if own.min() <= 0.0 {
+            let class = self.inner.class();
             return Err(ElementError(format!("{class} carries no moment at an end that shall have a hinge").into()));
         }
-        made.close = CLOSE * own.max().max(made.material.initial_tangent().abs());
-        Ok(made)
+        self.close = CLOSE * own.max().max(self.material.initial_tangent().abs());
+        Ok(self)
     }
 
     /// Displacements behind the hinges.
@@ -269,6 +274,7 @@ fn normal_to(chord: &Vector3<f64>) -> [Vector3<f64>; 2] {
     [first, chord.cross(&first)]
 }
 
+#[deny(clippy::missing_trait_methods)]
 impl Element for Hinged {
     fn class(&self) -> &'static str {
         self.inner.class()
@@ -336,9 +342,23 @@ impl Element for Hinged {
         Err(ElementError("its hinges find no equilibrium in this step".into()))
     }
 
+    fn commit(&self, trial: &[f64], committed: &mut [f64]) {
+        let (own, hinges) = committed.split_at_mut(self.inner_len);
+        self.inner.commit(&trial[..self.inner_len], own);
+        hinges.copy_from_slice(&trial[self.inner_len..]);
+    }
+    // An element that counts its calls is refused: there is no tangent of a last call.
+    fn counts_calls(&self) -> bool {
+        false
+    }
+    fn last_tangent(&self, _: &[f64], _: &mut [f64], _: MatrixMask) {}
+
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.inner.initial_tangent(tangent);
         self.condense(tangent, &Each::repeat(self.material.initial_tangent()));
+    }
+    fn initial_is_current(&self) -> bool {
+        self.inner.initial_is_current()
     }
     fn mass(&self) -> Mass {
         self.inner.mass()
@@ -354,6 +374,14 @@ impl Element for Hinged {
     }
     fn ground_inertia_slip(&self) -> Option<f64> {
         self.inner.ground_inertia_slip()
+    }
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
+        let (inner, old) = self.inner.with_parameter(words, value)?;
+        let new = Self { inner, ..self.clone() }.scaled().ok()?;
+        Some((Arc::new(new), old))
+    }
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        self.inner.basic_rows()
     }
     fn load_len(&self) -> usize {
         self.inner.load_len()

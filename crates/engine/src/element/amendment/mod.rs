@@ -33,6 +33,7 @@ mod yielding;
 use super::ElementError;
 use crate::state_struct::StateStruct;
 use std::fmt;
+use std::sync::Arc;
 
 pub use amended::Amended;
 pub use axial::Axial;
@@ -146,6 +147,14 @@ pub trait AmendmentLaw: fmt::Debug + Send + Sync + 'static {
     fn depends_on_time(&self) -> bool {
         false
     }
+
+    /// The law for another stiffness of the element; `None` if it does not use that stiffness.
+    fn with_stiffness(&self, _stiffness: f64) -> Option<Self>
+    where
+        Self: Sized,
+    {
+        None
+    }
 }
 
 /// A law of amendment of any kind.
@@ -169,6 +178,8 @@ pub trait Amendment: fmt::Debug + Send + Sync {
     fn weakening(&self, committed: &[f64]) -> Option<Weakening>;
     /// Whether the force depends on the time that passes.
     fn depends_on_time(&self) -> bool;
+    /// The law for another stiffness of the element; `None` if it does not use that stiffness.
+    fn with_stiffness(&self, stiffness: f64) -> Option<Arc<dyn Amendment>>;
 }
 
 impl<L: AmendmentLaw> Amendment for L {
@@ -199,5 +210,8 @@ impl<L: AmendmentLaw> Amendment for L {
     }
     fn depends_on_time(&self) -> bool {
         AmendmentLaw::depends_on_time(self)
+    }
+    fn with_stiffness(&self, stiffness: f64) -> Option<Arc<dyn Amendment>> {
+        Some(Arc::new(AmendmentLaw::with_stiffness(self, stiffness)?))
     }
 }

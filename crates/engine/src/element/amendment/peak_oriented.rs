@@ -84,4 +84,8 @@ impl AmendmentLaw for PeakOriented {
         }
         Ok((v, next))
     }
+
+    fn with_stiffness(&self, stiffness: f64) -> Option<Self> {
+        Some(Self { stiffness, ..*self })
+    }
 }

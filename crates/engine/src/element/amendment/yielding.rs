@@ -53,4 +53,8 @@ impl AmendmentLaw for Yielding {
         }
         Ok((v, Plastic { deformation }))
     }
+
+    fn with_stiffness(&self, stiffness: f64) -> Option<Self> {
+        Some(Self { stiffness, ..*self })
+    }
 }
