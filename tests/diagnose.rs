@@ -5,7 +5,7 @@
 #![allow(clippy::unwrap_used)]
 
 use hysteron::analysis::Options;
-use hysteron::diagnose::{Diagnosis, Kept, Settings, Watch, diagnose};
+use hysteron::diagnose::{Diagnosis, Kept, Settings, Watch, diagnose, hypothesis};
 use hysteron::diagnostic::SourceMap;
 use hysteron::study::{ScriptSimulator, Study};
 use std::fmt::Write as _;
@@ -449,4 +449,19 @@ fn a_recording_without_a_clock_tells_no_rates() {
     let named = |cause: &str| verdict.cause == cause || verdict.also_possible.iter().any(|c| c.cause == cause);
     assert!(!named("rate_dependence") && !named("self_heating"), "{verdict:?}");
     let _ = fs::remove_dir_all(dir);
+}
+
+/// The page of the causes says of each what the library says.
+#[test]
+fn the_page_of_causes_is_that_of_the_library() {
+    let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/reference/causes.md")).unwrap();
+    for h in hypothesis::ALL {
+        let row = format!("| `{}` | {} | {} |", h.cause, h.says, h.refuted_by);
+        assert!(page.contains(&row), "{row}");
+        let like: Vec<String> = h.like.iter().map(|cause| format!("`{cause}`")).collect();
+        let like = if like.is_empty() { "none".to_owned() } else { like.join(", ") };
+        assert!(page.contains(&format!("| `{}` | {like} |\n", h.cause)), "look-alikes of {}", h.cause);
+    }
+    let named = page.lines().filter(|line| line.starts_with("| `")).count();
+    assert_eq!(named, 2 + 3 * hypothesis::ALL.len(), "a row of each cause in each of three tables, and none, unknown");
 }
