@@ -1,7 +1,7 @@
 //! Shear law of `elastomericBearingBoucWen`.
 
-use super::shear::{Shear, ShearLaw, at_rest, hardening};
 use crate::element::ElementError;
+use crate::element::bearing::laws::shear::{Shear, ShearLaw, at_rest, hardening};
 use crate::numeric::sign;
 
 /// Shear law of `elastomericBearingBoucWen`: q = q_d z + k₂ u + k₃ sign(u) |u|^μ, with

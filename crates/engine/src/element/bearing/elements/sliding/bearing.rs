@@ -3,7 +3,7 @@
 use super::heat::{self, Heat};
 use super::surface::{Pose, Surface};
 use crate::element::bearing::Link;
-use crate::element::bearing::shear_bearing::{
+use crate::element::bearing::elements::shear_bearing::{
     BASIC_FORCE, DEFORMATION, FRICTION, LOCAL_DISP, LOCAL_FORCE, MATERIAL, end_masses, probe,
 };
 use crate::element::friction::Contact;

@@ -1,7 +1,7 @@
 //! Shear laws of layered rubber bearings: what a law is told, and what it must say.
 
-use super::axial::{Axial, AxialStep};
-use super::shear::Shear;
+use crate::element::bearing::laws::axial::{Axial, AxialStep};
+use crate::element::bearing::laws::shear::Shear;
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
 use std::fmt;
@@ -73,4 +73,4 @@ pub trait RubberShear: Clone + fmt::Debug + Send + Sync {
 }
 
 /// First number that is free for the responses of a law; those of the bearing are below.
-pub(super) const OWN: u32 = 100;
+pub(in crate::element::bearing) const OWN: u32 = 100;

@@ -1,6 +1,6 @@
 //! Heating of a lead core.
 
-use super::rubber::PI;
+use crate::element::bearing::laws::rubber::PI;
 
 /// Rise of temperature of a lead core that works, and the yield force that it leaves.
 ///

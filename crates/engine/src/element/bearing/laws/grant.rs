@@ -1,8 +1,8 @@
 //! Shear law of `HDR`.
 
-use super::axial::Axial;
-use super::rubber_shear::{OWN, RubberShear, ShearStep, Shearing};
-use super::shear::{Shear, at_rest};
+use crate::element::bearing::laws::axial::Axial;
+use crate::element::bearing::laws::rubber_shear::{OWN, RubberShear, ShearStep, Shearing};
+use crate::element::bearing::laws::shear::{Shear, at_rest};
 use crate::probe::Probe;
 
 /// Bidirectional shear law of high damping rubber.

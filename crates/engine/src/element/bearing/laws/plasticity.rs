@@ -1,7 +1,7 @@
 //! Shear law of `elastomericBearingPlasticity`.
 
-use super::shear::{Shear, ShearLaw, at_rest, hardening};
 use crate::element::ElementError;
+use crate::element::bearing::laws::shear::{Shear, ShearLaw, at_rest, hardening};
 
 /// Shear law: an elastic, perfectly plastic part with a circular yield surface of radius q_d and stiffness k₀, beside
 /// the hardening springs k₂ u + k₃ sign(u) |u|^μ of each direction; solved by return mapping, which is exact (Simo and

@@ -3,7 +3,7 @@
 use super::chain::ChainState;
 use super::conduction::{Body, Conduction};
 use super::history;
-use crate::element::bearing::rubber::PI as ROUGHLY;
+use crate::element::bearing::laws::rubber::PI as ROUGHLY;
 use crate::element::friction::Coefficient;
 use crate::state_struct;
 use crate::state_struct::StateStruct;

@@ -1,12 +1,12 @@
 //! Responses that OpenSees' multiple spring bearings in space have in common.
 
-use super::link::Link;
 use crate::element::Snapshot;
+use crate::element::bearing::kinematics::link::Link;
 use crate::probe::Probe;
 
 /// Responses by name, with the columns that OpenSees calls so.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Response {
+pub(in crate::element::bearing) enum Response {
     /// End forces in local axes.
     LocalForce,
     /// Forces of the basic system.
@@ -18,7 +18,7 @@ pub(super) enum Response {
 }
 
 /// Names of the responses.
-pub(super) const NAMES: &[&str] =
+pub(in crate::element::bearing) const NAMES: &[&str] =
     &["localForce", "basicForce", "localDisplacement", "deformation", "basicDeformation", "basicDisplacement"];
 
 const LOCAL_FORCES: [&str; 12] =
@@ -28,7 +28,7 @@ impl Response {
     const ALL: [Self; 4] = [Self::LocalForce, Self::BasicForce, Self::LocalDisp, Self::Deformation];
 
     /// The response of this name.
-    pub(super) fn probe(words: &[&str]) -> Option<Probe> {
+    pub(in crate::element::bearing) fn probe(words: &[&str]) -> Option<Probe> {
         let numbered = |stem: &str| (1..=6).map(|i| format!("{stem}{i}")).collect::<Vec<_>>();
         let (which, labels) = match *words.first()? {
             "localForce" | "localForces" => (Self::LocalForce, LOCAL_FORCES.map(str::to_owned).to_vec()),
@@ -46,12 +46,12 @@ impl Response {
     }
 
     /// The response that a path stands for.
-    pub(super) fn of(path: &[u32]) -> Self {
+    pub(in crate::element::bearing) fn of(path: &[u32]) -> Self {
         Self::ALL.into_iter().find(|r| path.first() == Some(&(*r as u32))).unwrap_or(Self::LocalForce)
     }
 
     /// Its value; `basic_force` is asked for basic forces.
-    pub(super) fn read(
+    pub(in crate::element::bearing) fn read(
         self,
         link: &Link<12, 6>,
         s: &Snapshot<'_>,

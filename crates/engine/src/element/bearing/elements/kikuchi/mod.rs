@@ -17,12 +17,12 @@ use self::condensation::{Condensed, Inner};
 use self::equilibrium::{HEADER, Memory};
 use self::kinematics::{Geometry, Kinematics, OUTER, Springs, Stiff};
 use self::opensees::HEADER as OPENSEES_HEADER;
-use super::link::Link;
-use super::normal_layout::{Layout, Shape};
-use super::normal_springs::NormalSprings;
-use super::responses::{NAMES, Response};
-use super::shear_bearing::end_masses;
-use super::shear_springs::{Factors, ShearSprings};
+use crate::element::bearing::elements::shear_bearing::end_masses;
+use crate::element::bearing::kinematics::link::Link;
+use crate::element::bearing::kinematics::responses::{NAMES, Response};
+use crate::element::bearing::laws::normal_layout::{Layout, Shape};
+use crate::element::bearing::laws::normal_springs::NormalSprings;
+use crate::element::bearing::laws::shear_springs::{Factors, ShearSprings};
 use crate::element::{
     BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask, Overload, Rows,
     Snapshot, frame_force_labels,

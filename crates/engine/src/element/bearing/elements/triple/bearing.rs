@@ -2,7 +2,7 @@
 
 use super::chain::{Chain, ChainState, Tension, rows, square};
 use super::heated::{Heated, PARAMETER_NAMES, PARAMETERS, Step, Warm};
-use crate::element::bearing::shear_bearing::{
+use crate::element::bearing::elements::shear_bearing::{
     BASIC_FORCE, DEFORMATION, FRICTION, LOCAL_DISP, LOCAL_FORCE, MATERIAL, probe,
 };
 use crate::element::friction::{Coefficient, Contact, Friction};

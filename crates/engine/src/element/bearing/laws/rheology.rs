@@ -1,8 +1,8 @@
 //! Shear law of `HDRRheologyBearing`: the rheology of high damping rubber in two directions.
 
-use super::axial::Axial;
-use super::rubber_shear::{OWN, RubberShear, ShearStep, Shearing};
-use super::shear::Shear;
+use crate::element::bearing::laws::axial::Axial;
+use crate::element::bearing::laws::rubber_shear::{OWN, RubberShear, ShearStep, Shearing};
+use crate::element::bearing::laws::shear::Shear;
 use crate::material::HdrRheology;
 use crate::material::hdr::PlaneHistory;
 use crate::probe::Probe;

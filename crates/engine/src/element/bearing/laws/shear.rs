@@ -1,6 +1,6 @@
 //! Shear laws of bearings: what a law must say, and the history that all of them keep.
 
-use super::shear_bearing::end_masses;
+use crate::element::bearing::elements::shear_bearing::end_masses;
 use crate::element::{ElementError, Mass};
 use crate::state_struct::StateStruct;
 use std::fmt;
@@ -83,14 +83,14 @@ const ROUND_OFF: f64 = 8.0 * f64::EPSILON;
 /// Whether a step goes nowhere: it may go on either way, and its tangent is that of continued loading, as at the end of the
 /// last step. What equilibrium corrects by round-off, and axes that are turned, is no way back.
 #[inline]
-pub(super) fn at_rest<const S: usize>(u: &[f64; S], committed: &[f64; S]) -> bool {
+pub(in crate::element::bearing) fn at_rest<const S: usize>(u: &[f64; S], committed: &[f64; S]) -> bool {
     let size = u.iter().fold(0.0, |m: f64, u| m.max(u.abs()));
     u.iter().zip(committed).all(|(u, c)| (u - c).abs() <= ROUND_OFF * size)
 }
 
 /// Force and stiffness of the hardening springs of one direction, k₂ u + k₃ sign(u) |u|^μ.
 #[inline]
-pub(super) fn hardening(k2: f64, k3: f64, mu: f64, u: f64) -> (f64, f64) {
+pub(in crate::element::bearing) fn hardening(k2: f64, k3: f64, mu: f64, u: f64) -> (f64, f64) {
     if k3 == 0.0 {
         return (k2 * u, k2);
     }

@@ -1,9 +1,9 @@
 //! Shear springs between two nodes: `multipleShearSpring`.
 
-use super::link::Link;
-use super::responses::{NAMES, Response};
-use super::shear_bearing::end_masses;
-use super::shear_springs::{Bundle, Factors, ShearSprings};
+use crate::element::bearing::elements::shear_bearing::end_masses;
+use crate::element::bearing::kinematics::link::Link;
+use crate::element::bearing::kinematics::responses::{NAMES, Response};
+use crate::element::bearing::laws::shear_springs::{Bundle, Factors, ShearSprings};
 use crate::element::{
     BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, frame_force_labels,
 };

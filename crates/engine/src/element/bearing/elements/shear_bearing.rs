@@ -1,7 +1,7 @@
 //! A bearing between two nodes: a shear law beside uniaxial materials for the other directions.
 
-use super::link::Link;
-use super::shear::{Shear, ShearLaw};
+use crate::element::bearing::kinematics::link::Link;
+use crate::element::bearing::laws::shear::{Shear, ShearLaw};
 use crate::element::{
     BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, frame_force_labels,
 };
@@ -178,7 +178,7 @@ fn diagonal<const B: usize>(values: [f64; B]) -> [[f64; B]; B] {
 }
 
 /// Half of the mass at each end, translations only.
-pub(super) fn end_masses(mass: f64, per_node: usize, translations: usize) -> Mass {
+pub(in crate::element::bearing) fn end_masses(mass: f64, per_node: usize, translations: usize) -> Mass {
     if mass == 0.0 {
         return Mass::None;
     }
@@ -189,15 +189,15 @@ pub(super) fn end_masses(mass: f64, per_node: usize, translations: usize) -> Mas
     Mass::Lumped(m)
 }
 
-pub(super) const LOCAL_FORCE: u32 = 2;
-pub(super) const BASIC_FORCE: u32 = 3;
-pub(super) const LOCAL_DISP: u32 = 4;
-pub(super) const DEFORMATION: u32 = 5;
-pub(super) const HYSTERETIC: u32 = 6;
-pub(super) const BASIC_STIFFNESS: u32 = 8;
-pub(super) const MATERIAL: u32 = 9;
+pub(in crate::element::bearing) const LOCAL_FORCE: u32 = 2;
+pub(in crate::element::bearing) const BASIC_FORCE: u32 = 3;
+pub(in crate::element::bearing) const LOCAL_DISP: u32 = 4;
+pub(in crate::element::bearing) const DEFORMATION: u32 = 5;
+pub(in crate::element::bearing) const HYSTERETIC: u32 = 6;
+pub(in crate::element::bearing) const BASIC_STIFFNESS: u32 = 8;
+pub(in crate::element::bearing) const MATERIAL: u32 = 9;
 /// Of friction models, in the bearings that slide.
-pub(super) const FRICTION: u32 = 10;
+pub(in crate::element::bearing) const FRICTION: u32 = 10;
 
 /// Names of the responses; the first is that of laws with a hysteretic parameter only.
 const PROBES: &[&str] = &[
@@ -212,7 +212,7 @@ const PROBES: &[&str] = &[
 ];
 
 /// The responses by name.
-pub(super) fn probe<const S: usize>(words: &[&str]) -> Option<Probe> {
+pub(in crate::element::bearing) fn probe<const S: usize>(words: &[&str]) -> Option<Probe> {
     let plane = S == 1;
     let basic = if plane { 3 } else { 6 };
     let numbered = |stem: &str, n: usize| (1..=n).map(|i| format!("{stem}{i}")).collect::<Vec<_>>();

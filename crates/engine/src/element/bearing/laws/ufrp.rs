@@ -1,7 +1,7 @@
 //! Shear law of `elastomericBearingUFRP`.
 
-use super::shear::{Shear, ShearLaw, at_rest};
 use crate::element::ElementError;
+use crate::element::bearing::laws::shear::{Shear, ShearLaw, at_rest};
 use crate::numeric::{bracketed_root, sign};
 
 /// Shear law of an unbonded fibre-reinforced bearing, whose ends roll off their supports:

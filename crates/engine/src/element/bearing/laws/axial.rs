@@ -1,8 +1,8 @@
 //! Axial law of layered rubber bearings: cavitation and its damage in tension, buckling in compression, both as the
 //! shear displacement has it.
 
-use super::overlap::overlap;
-use super::rubber::{PI, Rubber};
+use crate::element::bearing::kinematics::overlap::overlap;
+use crate::element::bearing::laws::rubber::{PI, Rubber};
 
 /// Part of the critical load that is left however far a bearing is sheared.
 const LEAST_CRITICAL: f64 = 0.2;

@@ -1,9 +1,9 @@
 //! Shear law of `ElastomericX` and `LeadRubberX`.
 
-use super::axial::Axial;
-use super::lead::LeadCore;
-use super::rubber_shear::{OWN, RubberShear, ShearStep, Shearing};
-use super::shear::{Shear, at_rest};
+use crate::element::bearing::laws::axial::Axial;
+use crate::element::bearing::laws::lead::LeadCore;
+use crate::element::bearing::laws::rubber_shear::{OWN, RubberShear, ShearStep, Shearing};
+use crate::element::bearing::laws::shear::{Shear, at_rest};
 use crate::probe::Probe;
 
 /// Loop shape parameters: ż = (k₀/q_y) [u̇ - z (z₁u̇₁ (β + γ sign(z₁u̇₁)) + z₂u̇₂ (β + γ sign(z₂u̇₂)))].

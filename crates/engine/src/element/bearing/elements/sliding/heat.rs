@@ -1,6 +1,6 @@
 //! Friction of a pendulum that depends on pressure, on speed, and on the temperature that the sliding makes.
 
-use crate::element::bearing::triple::{Body, Conduction, Softening, history};
+use crate::element::bearing::elements::triple::{Body, Conduction, Softening, history};
 use crate::element::friction::{Coefficient, Contact, FrictionLaw};
 use crate::numeric::norm;
 use crate::state_struct;

@@ -5,7 +5,7 @@ mod lines;
 
 use self::bundle::{At, Bundle, PLACES, Sum, add_to};
 use self::lines::Lines;
-use super::normal_layout::Layout;
+use crate::element::bearing::laws::normal_layout::Layout;
 use crate::material::{Material, MaterialError};
 use std::ops::Range;
 

@@ -1,12 +1,12 @@
 //! `HDR`, `ElastomericX`, `LeadRubberX`: a shear law beside the axial law of layered rubber bearings.
 
-use super::axial::{Axial, AxialLaw};
-use super::link::Link;
-use super::rubber_shear::{RubberShear, Shearing};
-use super::shear::Shear;
-use super::shear_bearing::{
+use crate::element::bearing::elements::shear_bearing::{
     BASIC_FORCE, BASIC_STIFFNESS, DEFORMATION, HYSTERETIC, LOCAL_DISP, LOCAL_FORCE, end_masses, probe,
 };
+use crate::element::bearing::kinematics::link::Link;
+use crate::element::bearing::laws::axial::{Axial, AxialLaw};
+use crate::element::bearing::laws::rubber_shear::{RubberShear, Shearing};
+use crate::element::bearing::laws::shear::Shear;
 use crate::element::{
     BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Overload, Snapshot,
     frame_force_labels,

@@ -1,6 +1,6 @@
 //! How heat that enters a surface warms it.
 
-use crate::element::bearing::rubber::PI as ROUGHLY;
+use crate::element::bearing::laws::rubber::PI as ROUGHLY;
 use std::f64::consts::PI;
 
 /// What the heat flows into.

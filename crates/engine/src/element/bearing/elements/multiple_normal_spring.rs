@@ -1,9 +1,9 @@
 //! Normal springs between two nodes: `multipleNormalSpring`.
 
-use super::link::Link;
-use super::normal_springs::{NormalSprings, Section};
-use super::responses::{NAMES, Response};
-use super::shear_bearing::end_masses;
+use crate::element::bearing::elements::shear_bearing::end_masses;
+use crate::element::bearing::kinematics::link::Link;
+use crate::element::bearing::kinematics::responses::{NAMES, Response};
+use crate::element::bearing::laws::normal_springs::{NormalSprings, Section};
 use crate::element::{
     BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask, Snapshot,
     frame_force_labels,

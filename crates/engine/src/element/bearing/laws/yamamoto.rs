@@ -1,7 +1,7 @@
 //! Shear law of `YamamotoBiaxialHDR`.
 
-use super::shear::{Shear, ShearLaw};
-use super::shear_bearing::end_masses;
+use crate::element::bearing::elements::shear_bearing::end_masses;
+use crate::element::bearing::laws::shear::{Shear, ShearLaw};
 use crate::element::{ElementError, Mass};
 use std::f64::consts::PI;
 
