@@ -32,6 +32,13 @@ impl Point {
         self.state.copy_from_slice(&self.next);
     }
 
+    /// Stress at a committed strain; `None` where the law has none.
+    pub fn try_go(&mut self, strain: f64) -> Option<f64> {
+        let s = self.law.update(&self.state, Strain { value: strain, rate: 0.0, dt: 0.0 }, &mut self.next).ok()?;
+        self.commit();
+        Some(s.value)
+    }
+
     pub fn go(&mut self, strain: f64) -> Stress {
         let s = self.trial(strain, 0.0, 0.0);
         self.commit();

@@ -267,6 +267,10 @@ pub trait Element: fmt::Debug + Send + Sync {
     /// added to a zero matrix.
     fn last_tangent(&self, _history: &[f64], _tangent: &mut [f64], _part: MatrixMask) {}
 
+    /// Bring the force of the last call, for an element that counts its calls, up to date with the load words: what the loads
+    /// do without a call.
+    fn last_force(&self, _history: &[f64], _load: &[f64], _force: &mut [f64]) {}
+
     /// Tangent of the virgin element, n x n by rows, added to a zero matrix.
     fn initial_tangent(&self, tangent: &mut [f64]);
 

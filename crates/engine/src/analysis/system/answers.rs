@@ -101,6 +101,11 @@ impl System<'_> {
         for &i in &all {
             let e = &self.model.elements[i];
             let m = &self.work.matrices[i];
+            if calls.all == 0 && (calls.constrained == 0 || !m.constrained) {
+                let load = &self.new.element_load[e.load.clone()];
+                let force = &mut self.new.force[e.force.clone()];
+                e.element.last_force(&self.new.history[e.state.clone()], load, force);
+            }
             let part = self.work.part(m);
             let k = &mut self.work.tangent[m.at..m.at + e.dofs.len().pow(2)];
             k.fill(0.0);

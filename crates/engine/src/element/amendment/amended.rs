@@ -469,6 +469,8 @@ impl Element for Amended {
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         self.inner.probe(words)
     }
+    // No element that can be amended takes loads.
+    fn last_force(&self, _: &[f64], _: &[f64], _: &mut [f64]) {}
     fn probe_names(&self) -> &'static [&'static str] {
         self.inner.probe_names()
     }

@@ -87,7 +87,7 @@ impl Hinged {
         if !inner.basic_rows().is_empty() {
             return Err(ElementError(format!("{class} is amended by direction, and has no hinges").into()));
         }
-        if inner.counts_calls() {
+        if inner.counts_calls() && !inner.traits().linear {
             let message = format!("{class} follows OpenSees call by call, which hinges would disturb");
             return Err(ElementError(message.into()));
         }
@@ -397,6 +397,8 @@ impl Element for Hinged {
             words => self.inner.probe(words),
         }
     }
+    // An element that counts its calls and is not linear is refused; a linear one is asked like any other.
+    fn last_force(&self, _: &[f64], _: &[f64], _: &mut [f64]) {}
     fn probe_names(&self) -> &'static [&'static str] {
         self.inner.probe_names()
     }

@@ -265,14 +265,21 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
     }
 
     fn counts_calls(&self) -> bool {
-        // Elastic sections come to the same however often they are asked.
-        self.formulation.goes_on() && !self.traits().linear
+        self.formulation.goes_on()
     }
     fn last_tangent(&self, history: &[f64], tangent: &mut [f64], _: MatrixMask) {
         let m = &self.member;
         let disp = Trace::<N, B>::read(&history[m.own..]).disp;
         let basic = Basic::read(&history[m.head()..]);
         m.transform.add_tangent(&disp, &history[..m.head()], &basic.k, &basic.q, tangent);
+    }
+    /// The reactions follow the loads at once, the basic forces with the next call.
+    fn last_force(&self, history: &[f64], load: &[f64], force: &mut [f64]) {
+        let m = &self.member;
+        let disp = Trace::<N, B>::read(&history[m.own..]).disp;
+        let basic = Basic::<B>::read(&history[m.head()..]);
+        force.fill(0.0);
+        m.transform.add_force(&disp, &history[..m.head()], &basic.q, &F::reactions(load), force);
     }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {
