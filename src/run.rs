@@ -1,6 +1,6 @@
 //! A script from its file to its outcome.
 
-use crate::analysis::{Failure, Options};
+use crate::analysis::{Failure, Options, WorkCounts};
 use crate::command::{self, Mode, Outputs, Session, Tcl};
 use crate::diagnostic::Diagnostic;
 use crate::script::{Console, Exception, Files, Interp, Value, Vocabulary};
@@ -109,6 +109,11 @@ impl Run {
             (Err(e), End::Done | End::Failed(_)) => End::Raised(Box::new(Diagnostic::error(e.to_string()))),
             (_, end) => end,
         }
+    }
+
+    /// Counts of the work of the analyses so far.
+    pub fn work_counts(&self) -> WorkCounts {
+        self.interp.host.engine.work_counts()
     }
 
     fn end_of(&mut self, result: Result<Value, Exception>) -> End {

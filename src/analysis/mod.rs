@@ -18,6 +18,7 @@ mod reactions;
 mod state;
 mod system;
 mod trapezoid;
+mod work_counts;
 
 pub use convergence::{Measure, Norm, Test, Verdict};
 pub use engine::{Engine, Imbalance, Kind, Observer, Options, Quiet, Setup};
@@ -30,3 +31,4 @@ pub use prepared::{PrepareOptions, Prepared, TangentMix};
 pub use reactions::ReactionKind;
 pub use state::State;
 pub use system::{Coefficients, System};
+pub use work_counts::WorkCounts;

@@ -172,7 +172,8 @@ impl Recorders {
 pub struct Session {
     /// The model with its state and analysis.
     pub engine: Engine,
-    pub(super) definitions: Definitions,
+    /// Materials, series, sections and the like, by tag.
+    pub definitions: Definitions,
     pub(super) ndm: usize,
     pub(super) ndf: usize,
     pub(super) pattern: Option<Tag>,
