@@ -10,6 +10,7 @@ use super::integrator::Integrator;
 use super::recovery::RecoveryStrategy;
 use super::state::{State, StepStart};
 use super::system::{Coefficients, System};
+use super::work_counts::WorkCounts;
 use super::workspace::{PrepareOptions, Workspace};
 use crate::assembly::{Handler, MpScope};
 use crate::element::{Element, Overload, Snapshot};
@@ -120,6 +121,8 @@ pub struct Engine {
     pub default_handler: Handler,
     pub(super) modes: Option<super::modes::Modes>,
     pub(super) reaction_words: Vec<f64>,
+    /// Work done with plans that have been dropped.
+    pub(super) earlier_work: WorkCounts,
 }
 
 impl Engine {
@@ -141,6 +144,7 @@ impl Engine {
             default_handler: Handler::Transformation,
             modes: None,
             reaction_words: vec![],
+            earlier_work: WorkCounts::default(),
         }
     }
 
@@ -161,12 +165,20 @@ impl Engine {
     pub fn wipe(&mut self) {
         let options = std::mem::take(&mut self.options);
         let imbalance = self.imbalance.take();
-        *self = Self { imbalance, steps: self.steps, iterations: self.iterations, ..Self::new(options) };
+        self.drop_prepared();
+        let (steps, iterations, earlier_work) = (self.steps, self.iterations, self.earlier_work);
+        *self = Self { imbalance, steps, iterations, earlier_work, ..Self::new(options) };
     }
 
     /// Forget the analysis.
     pub fn wipe_analysis(&mut self) {
         self.setup = None;
+        self.drop_prepared();
+    }
+
+    /// Drop plan and factors; the work done with them still counts.
+    fn drop_prepared(&mut self) {
+        self.earlier_work = self.work_counts();
         self.prepared = None;
     }
 
@@ -299,7 +311,7 @@ impl Engine {
         self.committed.grow(&self.model);
         self.trial.clone_from(&self.committed);
         self.fresh = true;
-        self.prepared = None;
+        self.drop_prepared();
     }
 
     /// What a recorder reads an element's responses from.
@@ -377,6 +389,7 @@ impl Engine {
         let multipliers = prepared.plan.multipliers;
         self.committed.multipliers.resize(multipliers, 0.0);
         self.trial.clone_from(&self.committed);
+        self.drop_prepared();
         self.prepared = Some((self.model.revision(), options, prepared));
         self.fresh = true;
         Ok(())

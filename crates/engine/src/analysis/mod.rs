@@ -17,6 +17,7 @@ mod recovery;
 mod state;
 mod system;
 mod two_end_residual;
+mod work_counts;
 mod workspace;
 
 pub use convergence::{Measure, Norm, Test, TestOutcome};
@@ -29,4 +30,5 @@ pub use reactions::ReactionKind;
 pub use recovery::{RecoveryStep, RecoveryStrategy};
 pub use state::State;
 pub use system::{Coefficients, System};
+pub use work_counts::WorkCounts;
 pub use workspace::{PrepareOptions, TangentMix, Workspace};

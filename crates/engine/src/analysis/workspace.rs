@@ -96,6 +96,8 @@ pub struct Workspace {
     pub(super) two_end_residual: Option<TwoEndResidual>,
     /// Smallest pivot seen, where it was nearly zero.
     pub weak_pivot: Option<Pivots>,
+    /// State determinations of elements so far.
+    pub element_calls: u64,
     pub(super) full: Vec<f64>,
     pub(super) values: Vec<f64>,
     pub(super) factored: Vec<f64>,
@@ -214,6 +216,7 @@ impl Workspace {
             progress: (0, 1),
             two_end_residual: None,
             weak_pivot: None,
+            element_calls: 0,
             full: vec![0.0; model.dofs()],
             values: vec![0.0; len],
             factored: vec![0.0; len],

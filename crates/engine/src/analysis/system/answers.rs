@@ -118,6 +118,7 @@ impl System<'_> {
     #[inline]
     fn respond_one(&mut self, i: usize, want_tangent: bool, dt: f64) -> Result<(), Failure> {
         let (e, work) = (&self.model.elements[i], &mut *self.work);
+        work.element_calls += 1;
         let m = &work.matrices[i];
         let part = work.part(m);
         let n = e.dofs.len();
