@@ -181,7 +181,7 @@ fn annotated_inputs() {
 /// What is checked against the thesis on high damping rubber: a script there ends with an error where a check fails.
 #[test]
 fn thesis() {
-    for script in scripts("validation/thesis") {
+    for script in scripts("validation/identification/thesis") {
         let name = script.file_stem().unwrap().to_str().unwrap().to_owned();
         let work = workplace(&format!("thesis-{name}"));
         let output = Command::new(env!("CARGO_BIN_EXE_hysteron"))
