@@ -92,6 +92,15 @@ def nmse(recorded, simulated):
 COLOURS = {"recorded": "#222222", "before": "#d95f02", "after": "#1b7fb5"}
 
 
+def _path(points):
+    """A path through points in tenths of the picture's unit, by differences, which take half of the place; what is not a number is passed over."""
+    points = [(round(10 * u), round(10 * v)) for u, v in points if not (math.isnan(u) or math.isnan(v))]
+    if not points:
+        return ""
+    steps = [f"{b[0] - a[0]} {b[1] - a[1]}".replace(" -", "-") for a, b in zip(points, points[1:])]
+    return "M{} {}l".format(*points[0]) + " ".join(steps).replace(" -", "-")
+
+
 def _panel(x0, y0, width, height, title, labels, curves):
     """A plot of {name: (xs, ys)}: axes with their ends, curves thinned to about 900 points."""
     xs = [v for c in curves.values() for v in c[0]]
@@ -101,8 +110,9 @@ def _panel(x0, y0, width, height, title, labels, curves):
     text = [f'<rect x="{x0}" y="{y0}" width="{width}" height="{height}" fill="none" stroke="#999"/>']
     for name, (a, b) in curves.items():
         step = max(1, len(a) // 900)
-        points = " ".join(f"{x0 + (u - lo_x) * sx:.1f},{y0 + height - (v - lo_y) * sy:.1f}" for u, v in zip(a[::step], b[::step]))
-        text.append(f'<polyline points="{points}" fill="none" stroke="{COLOURS[name]}" stroke-width="{1.6 if name == "recorded" else 1.1}"/>')
+        d = _path((x0 + (u - lo_x) * sx, y0 + height - (v - lo_y) * sy) for u, v in zip(a[::step], b[::step]))
+        text.append(f'<path transform="scale(.1)" d="{d}" fill="none" stroke="{COLOURS[name]}" stroke-width="{16 if name == "recorded" else 11}"/>')
+
     def end(v, low, high):
         return f"{0.0 if abs(v) < 1e-6 * (high - low) else v:.3g}"
 
