@@ -1,4 +1,4 @@
-"""What the proofs share: reading and writing of recordings, errors of a model, pictures. Standard library only."""
+"""Shared by all recordings: reading and writing of tables, errors of a model, pictures. Standard library only."""
 import csv
 import math
 import re

@@ -68,7 +68,7 @@ def errors(args, folder, study, said, out):
 
 
 def leading(out):
-    """What had the most evidence of all that was weighed, and by how much more than none: (cause, form, difference, NMSE)."""
+    """The cause with the most evidence and its lead over none: (cause, form, difference, NMSE)."""
     found = re.findall(r"^ +(\w+) +(\S+) +log evidence +(\S+) +(.*)$", (out / "said.txt").read_text(), re.M)
     none = next(float(e) for c, _, e, _ in found if c == "none")
     cause, nmse, evidence, form = found[0]

@@ -45,7 +45,7 @@ def case_row(r):
 
 
 def kind_of(r, whole):
-    """What an answer is whose cause was taken out of the library."""
+    """The class of an answer whose cause was taken out of the library."""
     if r["answer"] in NO_CAUSE:
         return r["answer"]
     if float(r["held_out_repaired"]) <= EQUIVALENT * float(whole):

@@ -1,17 +1,11 @@
 """The analyst's script with the underlying parameters and nothing concealed must give the response of the generator."""
 
 import os
-import subprocess
 import tempfile
 
 from generator import signals
 from generator.case import sample
-from generator.model import number
-
-
-def columns(path):
-    with open(path) as f:
-        return list(zip(*([float(x) for x in line.split()] for line in f if line.strip())))
+from generator.scripts import columns, execute
 
 
 def effect_off(case, command):
@@ -20,17 +14,10 @@ def effect_off(case, command):
     script = m.script
     for name, value in m.parameters.items():
         script = script.replace(f"@{name}@", repr(float(value)))
+    script = script.replace("pset ", "set ")
     with tempfile.TemporaryDirectory() as folder:
         for run in m.runs:
-            values, files = m.settings(run)
-            for name, series in files.items():
-                with open(os.path.join(folder, name), "w") as f:
-                    f.writelines(f"{v:.9g}\n" for v in series)
-            sets = "".join(f"set {k} {v}\n" for k, v in values.items())
-            plain = script.replace("pset ", "set ")
-            with open(os.path.join(folder, "check.tcl"), "w") as f:
-                f.write(sets + plain + "\nwipe\n")
-            done = subprocess.run(command + ["check.tcl"], cwd=folder, capture_output=True, text=True)
+            done = execute(command, m, run, script, folder)
             if done.returncode:
                 raise RuntimeError(done.stderr[-2000:])
             for c in m.channels:

@@ -45,7 +45,7 @@ class Extrapolation:
 
 
 def differences(numbers, order, finest):
-    """What the extrapolation of an order leaves of each number; 0 where there is none."""
+    """The difference of each number from the extrapolation of an order; 0 in place of words."""
     guess, left = Extrapolation(order, finest), []
     for number in numbers:
         if number is None:

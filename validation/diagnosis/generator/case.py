@@ -68,7 +68,7 @@ class Case:
         return out
 
     def sensitivities(self):
-        """An orthonormal basis of what small changes of the analyst's parameters do."""
+        """An orthonormal basis of the responses to small changes of the analyst's parameters."""
         m = self.model
         zero = self.stacked(self.clean)
         basis = []
@@ -86,7 +86,7 @@ class Case:
         return basis
 
     def residual(self, strengths):
-        """What the effects do that no small change of the parameters does, stacked."""
+        """The part of the effects that no small change of the parameters gives, stacked."""
         r = self.stacked({r.name: self.response(r, strengths) for r in self.fit})
         zero = self.stacked(self.clean)
         r = [a - b for a, b in zip(r, zero)]

@@ -1,4 +1,4 @@
-"""What is concealed in a device: each effect changes or adds to the forces of the law that the analyst has.
+"""Effects concealed in a device: each changes or adds to the forces of the law that the analyst has.
 
 An effect has a strength s from 0 (absent) to about 1 (as strong as it is plausible) and keeps its other parameters,
 drawn from its seed, as s varies. Its formulas are on purpose not those of `src/element/amendment`.
@@ -9,7 +9,7 @@ import random
 
 
 class State:
-    """What an effect sees and changes: deformation u, its rate v, the step h, axial load P, temperature T,
+    """The state that an effect reads and changes: deformation u, its rate v, the step h, axial load P, temperature T,
     elastic and hysteretic force of the base law, and what stands in parallel."""
 
     __slots__ = ("u", "v", "h", "t", "P", "P0", "T", "elastic", "hysteretic", "parallel")

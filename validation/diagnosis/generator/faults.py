@@ -1,4 +1,4 @@
-"""What is wrong with a channel: a recording y(t) of the true response x(t) on an even grid."""
+"""Faults of a channel: a recording y(t) of the true response x(t) on an even grid."""
 
 import math
 import random

@@ -1,4 +1,4 @@
-"""What families of models share: runs, channels, units, and the text of scripts."""
+"""Shared by all families of models: runs, channels, units, and the text of scripts."""
 
 
 class Units:

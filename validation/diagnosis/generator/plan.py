@@ -1,4 +1,4 @@
-"""Which case a seed makes."""
+"""The case of a seed."""
 
 import random
 

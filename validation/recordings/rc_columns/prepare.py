@@ -33,7 +33,7 @@ def known(variant):
 
 
 def right(variant, verdict):
-    """Whether a loss or pinching is among what was found; flexural failures may have little of it."""
+    """Returns true if a loss or pinching is among the causes found. Flexural failures may have little of it."""
     found = LOSS & {verdict["cause"], *verdict["also"]}
     return " + ".join(sorted(found)) if found else "-"
 
