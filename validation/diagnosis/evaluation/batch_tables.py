@@ -74,9 +74,7 @@ def markdown(batches, outcomes, misses):
     out = ["# Sealed batches: outcome", "", "Written by `tables.py` from `outcomes.csv` and `misses.csv`.",
            "*As opened* is the answer of the build before the truth was known. *Later* is a diagnosis again, with the truth in sight: it proves only that the cause of the miss was understood."]
     for b in batches:
-        out += ["", f"## Batch {b['batch']}: {b['models']}"]
-        if b["note"]:
-            out += ["", b["note"]]
+        out += ["", f"## Batch {b['batch']}", "", f"Models: {b['models']}.", *([b["note"]] if b["note"] else [])]
         for state, title in ((OPENED, "As opened"), (LATER, "Later")):
             rows = chosen(outcomes, b["batch"], state)
             if rows:
