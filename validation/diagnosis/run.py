@@ -3,8 +3,9 @@
 
     python3 validation/diagnosis/run.py --engine target/release/hysteron --batch 2
     python3 validation/diagnosis/run.py --engine target/release/hysteron --batch 2 --knock-out
+    python3 validation/diagnosis/run.py --batch 2 --verify
 
-The second takes what is concealed in each case out of the library. Cases that have a result in the output folder are not diagnosed again, so that a run goes
+The second takes what is concealed in each case out of the library, the third only unpacks the batch and checks its files and seals. Cases that have a result in the output folder are not diagnosed again, so that a run goes
 on where it was stopped. `--record later` keeps the scores in outcomes.csv; `tables.py` makes the tables of them.
 """
 
@@ -115,6 +116,7 @@ def options():
     parser.add_argument("--knock-out", action="store_true", help="leave what is concealed out of the library")
     parser.add_argument("--threads", type=int, default=os.cpu_count())
     parser.add_argument("--out", default=os.path.join(ROOT, "results", "diagnosis"), help="folder of cases and results (results/diagnosis)")
+    parser.add_argument("--verify", action="store_true", help="unpack and check the batch, diagnose nothing")
     parser.add_argument("--record", choices=(OPENED, LATER), help="keep the scores in outcomes.csv under this state")
     return parser.parse_args()
 
@@ -122,6 +124,9 @@ def options():
 def main():
     args = options()
     folder = unpacked(args.batch, args.out)
+    if args.verify:
+        print(f"{folder}: files and seals are those of batches.csv")
+        return
     state = KNOCKED_OUT if args.knock_out else args.record or LATER
     todo, rows, failed, started, ran = list(cases(args, folder)), [], [], time.time(), 0
     for i, (name, truth, without) in enumerate(todo, 1):
