@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Diagnoses real recordings and writes outcome.md and a picture for each proof, as README.md here says.
+"""Diagnoses measured recordings and writes outcome.md and a picture for each source, as README.md here says.
 
     validation/recordings/run.py [NAME ...] [--data DIR] [--out DIR] [--engine HYSTERON] [--threads N] [--again]
 
@@ -165,8 +165,6 @@ def main():
     args = parser.parse_args()
     for name in args.names or names:
         prove(args, name)
-    parts = [(HERE / n / "outcome.md").read_text().split("\n", 4)[4] for n in names if (HERE / n / "outcome.md").exists()]
-    (HERE / "outcome.md").write_text("# Real recordings: outcome\n\nWritten by `run.py`.\n\n" + "\n".join(parts))
 
 
 if __name__ == "__main__":
