@@ -5,8 +5,10 @@
     python3 validation/diagnosis/run.py --engine target/release/hysteron --batch 2 --knock-out
     python3 validation/diagnosis/run.py --batch 2 --verify
 
-The second takes what is concealed in each case out of the library, the third only unpacks the batch and checks its files and seals. Cases that have a result in the output folder are not diagnosed again, so that a run goes
-on where it was stopped. `--record later` keeps the scores in outcomes.csv; `tables.py` makes the tables of them.
+The second takes what is concealed in each case out of the library. The third only unpacks the batch and checks its files and seals.
+
+Cases that have a result in the output folder are not diagnosed again, and one that was interrupted is resumed, so that a run goes on where it was
+stopped. `--record later` keeps the scores in outcomes.csv; `tables.py` makes the tables of them.
 """
 
 import argparse
@@ -55,6 +57,8 @@ def causes(truth):
 def diagnose(args, study, out, without):
     """Runs the engine. What it says goes to said.txt. Returns what went wrong, or nothing."""
     command = [args.engine, "diagnose", study, "--out", out, "--verbose", "--threads", str(args.threads)]
+    if os.path.exists(os.path.join(out, "diagnosis-checkpoint.json")):
+        command.append("--resume")
     done = subprocess.run(command + (["--without", *without] if without else []), capture_output=True, text=True)
     os.makedirs(out, exist_ok=True)
     with open(os.path.join(out, "said.txt"), "w") as f:
