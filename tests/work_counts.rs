@@ -59,7 +59,8 @@ fn root() -> PathBuf {
 
 /// Let a script read the files of a folder, where there is one, in a folder of its own.
 fn with_folder(mut script: Script, folder: &Path, place: &str) -> Script {
-    let files = fs::read_dir(folder).into_iter().flatten().map(|e| e.unwrap().path()).filter(|p| p.is_file());
+    let files = fs::read_dir(folder).into_iter().flatten().map(|e| e.unwrap().path());
+    let files = files.filter(|p| p.is_file() && p.extension().is_none_or(|e| e != "gz"));
     for path in files {
         let name = path.file_name().unwrap().to_str().unwrap();
         script = script.with_file(&format!("{place}{name}"), &fs::read_to_string(&path).unwrap());
