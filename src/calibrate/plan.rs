@@ -33,7 +33,7 @@ impl Strategy {
         ("least-squares", Self::LeastSquares),
     ];
 
-    /// The best measured on the project's own problems (`docs/calibration.md`).
+    /// The best measured on the project's own problems (`docs/explanation/calibration.md`).
     pub const DEFAULT: Self = Self::CmaEs;
 
     /// Its name.
