@@ -61,6 +61,13 @@ fn every_command_has_one_page() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
+#[test]
+fn what_is_told_is_of_commands_that_there_are() {
+    let known: Vec<&str> = hysteron::command::commands().map(|c| c.name).collect();
+    let gone: Vec<&str> = words::scopes().filter(|s| *s != "*" && !known.contains(s)).collect();
+    assert!(gone.is_empty(), "tests/reference/*.txt tell of {gone:?}");
+}
+
 /// Output of the program, of both streams.
 fn printed(args: &[&str], dir: &Path) -> String {
     let done = Command::new(env!("CARGO_BIN_EXE_hysteron")).args(args).current_dir(dir).output().unwrap();

@@ -29,6 +29,11 @@ pub fn meaning(head: &[&str], option: &str, argument: &str) -> Option<&'static s
     of(&head.join(" ")).or_else(|| of(head.first().copied().unwrap_or_default())).or_else(|| of("*"))
 }
 
+/// The commands that the texts are about.
+pub fn scopes() -> impl Iterator<Item = &'static str> {
+    lines(ABOUT).chain(lines(MEANINGS)).filter_map(|l| l[0].split(' ').next())
+}
+
 /// The pages, in the order of the book.
 pub const PAGES: &[Page] = &[
     Page {
