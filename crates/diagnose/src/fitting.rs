@@ -6,7 +6,7 @@ use super::projection::Projection;
 use super::resume::Told;
 use super::variant::{Variant, VariantSimulator};
 use hysteron_identify::calibrate::{LevenbergMarquardt, Method, Trial};
-use hysteron_identify::study::{Blueprint, Crew, Fit, Mishap, Observe, Role, Study, fit};
+use hysteron_identify::study::{Blueprint, Fit, Mishap, Observe, Role, Study, WorkerPool, fit};
 use nalgebra::{DMatrix, DVector};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, AtomicU64, AtomicUsize, Ordering};
@@ -301,11 +301,12 @@ fn work(blueprint: &Blueprint, job: &Job, looks: &AtomicUsize, width: f64) -> An
 
 /// Workers that look at variants.
 pub(super) struct Bench {
-    crew: Crew<Job, Answer>,
-    looks: Arc<AtomicUsize>,
-    parts: Arc<AtomicU32>,
+    pool: WorkerPool,
+    blueprint: Blueprint,
+    looks: AtomicUsize,
+    parts: AtomicU32,
     /// Bits of the width of differences.
-    width: Arc<AtomicU64>,
+    width: AtomicU64,
 }
 
 impl Bench {
@@ -314,15 +315,9 @@ impl Bench {
     /// # Errors
     /// A thread could not be started.
     pub(super) fn new(blueprint: Blueprint, threads: usize) -> std::io::Result<Self> {
-        let make = move || blueprint.clone();
-        let (looks, parts) = (Arc::new(AtomicUsize::new(0)), Arc::new(AtomicU32::new(1)));
-        let width = Arc::new(AtomicU64::new(LevenbergMarquardt::STEP.to_bits()));
-        let (counted, wanted, wide) = (looks.clone(), parts.clone(), width.clone());
-        let crew = Crew::new(threads, make, move |b: &mut Blueprint, job: Job| {
-            b.refine(wanted.load(Ordering::Relaxed));
-            work(b, &job, &counted, f64::from_bits(wide.load(Ordering::Relaxed)))
-        })?;
-        Ok(Self { crew, looks, parts, width })
+        let width = AtomicU64::new(LevenbergMarquardt::STEP.to_bits());
+        let (looks, parts) = (AtomicUsize::new(0), AtomicU32::new(1));
+        Ok(Self { pool: WorkerPool::new(threads)?, blueprint, looks, parts, width })
     }
 
     /// Make the steps of the script in so many parts from now on, with closer tests where there is more than one.
@@ -347,6 +342,9 @@ impl Bench {
 
     /// Do all; `None` where a worker broke down.
     pub(super) fn run(&self, jobs: impl IntoIterator<Item = Job>) -> Vec<Option<Answer>> {
-        self.crew.run(jobs)
+        let mut blueprint = self.blueprint.clone();
+        blueprint.refine(self.parts());
+        let width = f64::from_bits(self.width.load(Ordering::Relaxed));
+        self.pool.run(jobs, |job| work(&blueprint, &job, &self.looks, width))
     }
 }

@@ -1,7 +1,8 @@
 //! What is to be made least.
 
 use super::method::Trial;
-use crate::study::{Crew, Fit, Mishap, Role, ScriptSimulator, Simulator, Study, fit, objective};
+use crate::study::{Fit, Mishap, Role, ScriptSimulator, Simulator, Study, WorkerPool, fit, objective};
+use std::cell::Cell;
 use std::sync::Arc;
 
 /// What a point came to, and why, if it came to nothing.
@@ -35,10 +36,24 @@ struct Job {
     values: Arc<[f64]>,
 }
 
+thread_local! {
+    /// The simulator of a worker thread. A script's values cannot be sent between threads, so it is made and dropped here.
+    /// The threads of a pool serve one [`StudyProblem`] only.
+    static SIMULATOR: Cell<Option<Box<dyn Simulator>>> = const { Cell::new(None) };
+}
+
 /// The parameters of a study that follow its recordings.
 pub struct StudyProblem {
     study: Arc<Study>,
-    crew: Crew<Job, Result<Fit, Mishap>>,
+    pool: WorkerPool,
+    make_simulator: Box<dyn Fn() -> Box<dyn Simulator> + Send + Sync>,
+}
+
+impl Drop for StudyProblem {
+    fn drop(&mut self) {
+        // The threads of a pool end some time after it, and would keep their simulators until then.
+        self.pool.run_in_each_thread(|| drop(SIMULATOR.take()));
+    }
 }
 
 impl StudyProblem {
@@ -49,11 +64,10 @@ impl StudyProblem {
     pub fn new<S: Simulator + 'static>(
         study: Arc<Study>,
         threads: usize,
-        make: impl Fn() -> S + Clone + Send + 'static,
+        make_simulator: impl Fn() -> S + Send + Sync + 'static,
     ) -> std::io::Result<Self> {
-        let of = study.clone();
-        let work = move |s: &mut S, job: Job| fit(s, &of, job.run, &job.values);
-        Ok(Self { crew: Crew::new(threads, make, work)?, study })
+        let make_simulator = Box::new(move || Box::new(make_simulator()) as Box<dyn Simulator>);
+        Ok(Self { study, pool: WorkerPool::new(threads)?, make_simulator })
     }
 
     /// The study's own script as the model; the simulator has been opened.
@@ -65,6 +79,18 @@ impl StudyProblem {
         Self::new(simulator.study().clone(), threads, move || blueprint.simulator())
     }
 
+    /// Simulate runs in parallel; results in their order.
+    fn simulate(&self, jobs: impl IntoIterator<Item = Job>) -> impl Iterator<Item = Result<Fit, Mishap>> {
+        let results = self.pool.run(jobs, |job: Job| {
+            // A simulator whose run panics is not put back, so the next job gets a new one.
+            let mut simulator = SIMULATOR.take().unwrap_or_else(|| (self.make_simulator)());
+            let result = fit(&mut *simulator, &self.study, job.run, &job.values);
+            SIMULATOR.set(Some(simulator));
+            result
+        });
+        results.into_iter().map(|r| r.unwrap_or(Err(Mishap::Defect)))
+    }
+
     /// The study.
     pub fn study(&self) -> &Arc<Study> {
         &self.study
@@ -73,8 +99,7 @@ impl StudyProblem {
     /// Runs with some values of all parameters.
     pub fn fits(&self, runs: &[usize], values: &[f64]) -> Vec<Result<Fit, Mishap>> {
         let values: Arc<[f64]> = values.into();
-        let answers = self.crew.run(runs.iter().map(|r| Job { run: *r, values: values.clone() }));
-        answers.into_iter().map(|a| a.unwrap_or(Err(Mishap::Defect))).collect()
+        self.simulate(runs.iter().map(|r| Job { run: *r, values: values.clone() })).collect()
     }
 
     fn fitted_runs(&self) -> Vec<usize> {
@@ -106,13 +131,12 @@ impl Problem for StudyProblem {
         let runs = self.fitted_runs();
         let values: Vec<_> = points.iter().map(|p| self.study.space.values(p).map(Arc::<[f64]>::from)).collect();
         let jobs = values.iter().flatten().flat_map(|v| runs.iter().map(|r| Job { run: *r, values: v.clone() }));
-        let mut answers = self.crew.run(jobs).into_iter();
+        let mut answers = self.simulate(jobs);
         let evaluated = values.iter().map(|v| {
             if let Err(outside) = v {
                 return Evaluated::failed(Mishap::Outside(outside.to_string()));
             }
-            let fits: Vec<Result<Fit, Mishap>> =
-                (0..runs.len()).map(|_| answers.next().flatten().unwrap_or(Err(Mishap::Defect))).collect();
+            let fits: Vec<Result<Fit, Mishap>> = answers.by_ref().take(runs.len()).collect();
             let good: Result<Vec<&Fit>, Mishap> = fits.iter().map(|f| f.as_ref().map_err(Mishap::clone)).collect();
             match good {
                 Err(mishap) => Evaluated::failed(mishap),

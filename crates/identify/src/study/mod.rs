@@ -2,9 +2,8 @@
 //!
 //! [`Study::load`] reads `study.toml` and its recordings. A [`Simulator`] gives what the model says at the times of a
 //! recording; [`ScriptSimulator`] is the one that runs the script, in this process and without touching the disk, and a
-//! [`Crew`] keeps one of them in each thread. [`score`] compares the two.
+//! [`WorkerPool`] runs several of them at a time. [`score`] compares the two.
 
-mod crew;
 mod file;
 mod files;
 mod load;
@@ -15,8 +14,8 @@ mod score;
 mod script;
 mod simulator;
 mod trace;
+mod worker_pool;
 
-pub use crew::Crew;
 pub use load::{Calibration, Rejected, Rig, Study};
 pub use parameter::{Outside, Parameter, Range, Scale, Source, Space};
 pub use recording::{Column, Recording};
@@ -25,3 +24,4 @@ pub use score::{Fit, Score, fit, objective, score};
 pub use script::{Blueprint, Limits, Opening, ScriptSimulator};
 pub use simulator::{Mishap, Simulator};
 pub use trace::Trace;
+pub use worker_pool::WorkerPool;
