@@ -109,14 +109,14 @@ fn attempt(dir: &Path, without: &[&str], earlier: Vec<Kept>, keeper: &mut Keeper
     let mut sources = SourceMap::default();
     let study = Arc::new(Study::load(&dir.join("study.toml"), &mut sources).unwrap());
     let mut simulator = ScriptSimulator::new(study, Options::default(), Arc::new(AtomicBool::new(false)));
-    let opening = simulator.open(&mut sources).unwrap();
+    let initial_run = simulator.run_initially(&mut sources).unwrap();
     let settings = Settings {
         without: without.iter().map(|w| (*w).to_owned()).collect(),
         threads: 2,
         earlier,
         ..Settings::default()
     };
-    diagnose(&simulator, &opening, &text, &settings, keeper)
+    diagnose(&simulator, &initial_run, &text, &settings, keeper)
 }
 
 fn diagnosed(dir: &Path, without: &[&str]) -> Diagnosis {
