@@ -27,10 +27,10 @@ pub fn page(result: &CalibrationResult, displacements: &Displacements) -> String
     runs(&mut out, result);
     for (i, ((run, scored), u)) in study.runs.iter().zip(&result.scored_runs).zip(displacements).enumerate() {
         if let Ok(scored) = scored {
-            pictures(&mut out, run, scored, u.as_ref(), result.amplitudes.get(i).map_or(&[], Vec::as_slice));
+            run_charts(&mut out, run, scored, u.as_ref(), result.amplitudes.get(i).map_or(&[], Vec::as_slice));
         }
     }
-    search(&mut out, result);
+    convergence(&mut out, result);
     uncertainty(&mut out, result);
     html::end(out)
 }
@@ -79,7 +79,7 @@ fn runs(out: &mut String, result: &CalibrationResult) {
     }
 }
 
-fn pictures(
+fn run_charts(
     out: &mut String,
     run: &Run,
     scored: &ScoredRun,
@@ -129,12 +129,12 @@ fn pictures(
             },
         );
         if let Some((name, _)) = loops {
-            by_amplitude(out, name, amplitudes.get(k).map_or(&[], Vec::as_slice));
+            amplitude_errors(out, name, amplitudes.get(k).map_or(&[], Vec::as_slice));
         }
     }
 }
 
-fn by_amplitude(out: &mut String, name: &str, groups: &[AmplitudeGroup]) {
+fn amplitude_errors(out: &mut String, name: &str, groups: &[AmplitudeGroup]) {
     if groups.is_empty() {
         return;
     }
@@ -166,7 +166,7 @@ fn by_amplitude(out: &mut String, name: &str, groups: &[AmplitudeGroup]) {
     }
 }
 
-fn search(out: &mut String, result: &CalibrationResult) {
+fn convergence(out: &mut String, result: &CalibrationResult) {
     out.push_str("<h2>Search</h2>\n");
     let repeats = &result.search.repeats;
     let curves = repeats.iter().map(|r| {

@@ -87,7 +87,7 @@ impl SourceSpans {
         Span { source: self.source, start: range.start as u32, end: range.end as u32 }
     }
 
-    fn refuse<T>(&self, s: &Spanned<T>, message: impl Into<String>, label: impl Into<String>) -> StudyError {
+    fn error<T>(&self, s: &Spanned<T>, message: impl Into<String>, label: impl Into<String>) -> StudyError {
         Box::new(Diagnostic::error(message).at(Some(self.span(s)), label))
     }
 
@@ -100,7 +100,7 @@ impl SourceSpans {
         expected: &str,
     ) -> Result<f64, StudyError> {
         let x = *s.get_ref();
-        if x.is_finite() && good(x) { Ok(x) } else { Err(self.refuse(s, format!("{what} is {x}"), expected)) }
+        if x.is_finite() && good(x) { Ok(x) } else { Err(self.error(s, format!("{what} is {x}"), expected)) }
     }
 
     fn count(&self, what: &str, s: &Option<Spanned<i64>>, least: i64) -> Result<Option<usize>, StudyError> {
@@ -109,7 +109,7 @@ impl SourceSpans {
             Ok(n) if n as i64 >= least => Ok(Some(n)),
             _ => {
                 let message = format!("{what} is {}", s.get_ref());
-                Err(self.refuse(s, message, format!("expected a whole number not less than {least}")))
+                Err(self.error(s, message, format!("expected a whole number not less than {least}")))
             }
         }
     }
@@ -120,7 +120,7 @@ impl SourceSpans {
         if let Some(k) = known.iter().find(|k| *k == word) {
             return Ok(k);
         }
-        let mut d = self.refuse(s, format!("unknown {what} \"{word}\""), format!("expected {}", known.join(" or ")));
+        let mut d = self.error(s, format!("unknown {what} \"{word}\""), format!("expected {}", known.join(" or ")));
         if let Some(near) = nearest(word, known.iter().copied()) {
             d.help.push(format!("did you mean \"{near}\"?"));
         }
@@ -140,12 +140,12 @@ impl Study {
         let folder = file.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let folder = folder.canonicalize().map_err(unreadable)?;
         let source = sources.add(&shown.to_string(), &text);
-        let parsed: StudyFile = toml::from_str(&text).map_err(|e| syntax(&e, source))?;
+        let parsed: StudyFile = toml::from_str(&text).map_err(|e| syntax_error(&e, source))?;
         let spans = SourceSpans { source };
-        let (parameters, name_spans) = parameters(&spans, &parsed.parameter)?;
+        let (parameters, name_spans) = read_parameters(&spans, &parsed.parameter)?;
         let space = ParameterSpace::new(parameters).map_err(|cyclic| {
             let name = &parsed.parameter[cyclic].get_ref().name;
-            spans.refuse(name, format!("the formula of {} depends on itself", name.get_ref()), "tied in a circle")
+            spans.error(name, format!("the formula of {} depends on itself", name.get_ref()), "tied in a circle")
         })?;
         if space.dimension() == 0 {
             let message = "no parameter is to be found: none has bounds";
@@ -158,9 +158,9 @@ impl Study {
             let name = &table.get_ref().name;
             if known.contains(&name.get_ref().as_str()) {
                 let message = format!("there are two runs named \"{}\"", name.get_ref());
-                return Err(spans.refuse(name, message, "expected another name"));
+                return Err(spans.error(name, message, "expected another name"));
             }
-            runs.push(run(&spans, &folder, table, &space, sources, &mut warnings)?);
+            runs.push(read_run(&spans, &folder, table, &space, sources, &mut warnings)?);
         }
         if !runs.iter().any(|r| r.role == Role::Fit) {
             let message = "no run has the role \"fit\"";
@@ -168,7 +168,7 @@ impl Study {
         }
         let model = parsed.model.get_ref().clone();
         if !folder.join(&model).is_file() {
-            return Err(spans.refuse(&parsed.model, format!("there is no script {model}"), "expected a file"));
+            return Err(spans.error(&parsed.model, format!("there is no script {model}"), "expected a file"));
         }
         Ok(Self {
             title: parsed.title.clone().unwrap_or_default(),
@@ -177,8 +177,8 @@ impl Study {
             model,
             space,
             runs,
-            calibration: calibration(&spans, &parsed)?,
-            rig: rig(&spans, &parsed)?,
+            calibration: read_calibration_options(&spans, &parsed)?,
+            rig: read_rig(&spans, &parsed)?,
             name_spans,
             warnings,
         })
@@ -204,7 +204,7 @@ impl Study {
 }
 
 /// The message for an error of the TOML parser. Unknown keys come with the nearest known one.
-fn syntax(e: &toml::de::Error, source: SourceId) -> StudyError {
+fn syntax_error(e: &toml::de::Error, source: SourceId) -> StudyError {
     let message = e.message().trim();
     let span = e.span().map(|r| Span { source, start: r.start as u32, end: r.end as u32 });
     let mut quoted = message.split('`').skip(1).step_by(2);
@@ -221,7 +221,8 @@ fn syntax(e: &toml::de::Error, source: SourceId) -> StudyError {
     Box::new(d)
 }
 
-fn parameters(
+/// Parameters of the study, and locations of their names.
+fn read_parameters(
     spans: &SourceSpans,
     tables: &[Spanned<ParameterTable>],
 ) -> Result<(Vec<Parameter>, Vec<Span>), StudyError> {
@@ -231,27 +232,28 @@ fn parameters(
         let t = table.get_ref();
         let name = t.name.get_ref().clone();
         if parameters.iter().any(|p| p.name == name) {
-            return Err(spans.refuse(&t.name, format!("there are two parameters \"{name}\""), "expected another name"));
+            return Err(spans.error(&t.name, format!("there are two parameters \"{name}\""), "expected another name"));
         }
         let kind = match (&t.value, &t.expr) {
             (Some(_), Some(_)) => {
-                return Err(spans.refuse(&t.name, format!("{name} has both a value and a formula"), "expected one"));
+                return Err(spans.error(&t.name, format!("{name} has both a value and a formula"), "expected one"));
             }
             (Some(value), None) => ParameterKind::Fixed(spans.number(&name, value, |_| true, "expected a number")?),
-            (None, Some(formula)) => tied(spans, t, formula, &names)?,
-            (None, None) => ParameterKind::Free(range(spans, t)?),
+            (None, Some(formula)) => read_tied(spans, t, formula, &names)?,
+            (None, None) => ParameterKind::Free(read_range(spans, t)?),
         };
         parameters.push(Parameter { name, kind });
     }
     Ok((parameters, tables.iter().map(|t| spans.span(&t.get_ref().name)).collect()))
 }
 
-fn range(spans: &SourceSpans, t: &ParameterTable) -> Result<ParameterRange, StudyError> {
+/// Range of a free parameter.
+fn read_range(spans: &SourceSpans, t: &ParameterTable) -> Result<ParameterRange, StudyError> {
     let name = t.name.get_ref();
     let (Some(lower), Some(upper)) = (&t.lower, &t.upper) else {
         let missing = if t.lower.is_none() { "lower" } else { "upper" };
         let message = format!("parameter {name} has no {missing} bound");
-        return Err(spans.refuse(&t.name, message, "expected lower and upper, or value, or expr"));
+        return Err(spans.error(&t.name, message, "expected lower and upper, or value, or expr"));
     };
     let scale = match &t.scale {
         Some(s) if spans.choice("scale", s, &["linear", "log"])? == "log" => Scale::Log,
@@ -262,26 +264,27 @@ fn range(spans: &SourceSpans, t: &ParameterTable) -> Result<ParameterRange, Stud
     let high = spans.number(&format!("the upper bound of {name}"), upper, |x| x > low, &above)?;
     if scale == Scale::Log && low <= 0.0 {
         let message = format!("the lower bound of {name} is {low}");
-        return Err(spans.refuse(lower, message, "expected more than 0, since the scale is logarithmic"));
+        return Err(spans.error(lower, message, "expected more than 0, since the scale is logarithmic"));
     }
     Ok(ParameterRange { lower: low, upper: high, scale })
 }
 
-fn tied(
+/// Formula of a tied parameter.
+fn read_tied(
     spans: &SourceSpans,
     t: &ParameterTable,
     formula: &Spanned<String>,
     names: &[&str],
 ) -> Result<ParameterKind, StudyError> {
     let text = formula.get_ref();
-    let wrong = |why: String| spans.refuse(formula, why, "expected a formula such as 0.5*a/b");
+    let wrong = |why: String| spans.error(formula, why, "expected a formula such as 0.5*a/b");
     let parsed = exmex::parse::<f64>(text).map_err(|e| wrong(format!("\"{text}\" is no formula: {e}")))?;
     let mut arguments = vec![];
     for name in parsed.var_names() {
         match names.iter().position(|n| n == name) {
             Some(i) => arguments.push(i),
             None => {
-                let mut d = spans.refuse(formula, format!("there is no parameter {name}"), "expected a parameter");
+                let mut d = spans.error(formula, format!("there is no parameter {name}"), "expected a parameter");
                 if let Some(near) = nearest(name, names.iter().copied()) {
                     d.help.push(format!("did you mean \"{near}\"?"));
                 }
@@ -294,7 +297,8 @@ fn tied(
     Ok(ParameterKind::Tied { text: text.clone(), formula: Box::new(parsed), arguments, bounds: (lower, upper) })
 }
 
-fn run(
+/// A run with its recording.
+fn read_run(
     spans: &SourceSpans,
     folder: &Path,
     table: &Spanned<RunTable>,
@@ -312,23 +316,24 @@ fn run(
     for (key, value) in &t.set {
         if space.parameters.iter().any(|p| p.name == *key.get_ref()) {
             let message = format!("{} is set in run \"{name}\" and is a parameter", key.get_ref());
-            return Err(spans.refuse(key, message, "expected in one place only"));
+            return Err(spans.error(key, message, "expected in one place only"));
         }
-        set.push((key.get_ref().clone(), setting(spans, value)?));
+        set.push((key.get_ref().clone(), read_setting(spans, value)?));
     }
     let path = t.recording.get_ref();
     let text = fs::read_to_string(folder.join(path))
-        .map_err(|e| spans.refuse(&t.recording, format!("cannot read {path}: {e}"), "expected a file"))?;
+        .map_err(|e| spans.error(&t.recording, format!("cannot read {path}: {e}"), "expected a file"))?;
     let recording = Recording::parse(path, &text, sources)?;
     if t.observe.is_empty() {
-        return Err(spans.refuse(&t.name, format!("run \"{name}\" observes nothing"), "expected a [[run.observe]]"));
+        return Err(spans.error(&t.name, format!("run \"{name}\" observes nothing"), "expected a [[run.observe]]"));
     }
-    let observe = t.observe.iter().map(|o| observe(spans, o.get_ref(), &recording, path, warnings));
+    let observe = t.observe.iter().map(|o| read_channel(spans, o.get_ref(), &recording, path, warnings));
     Ok(Run { role, set, observe: observe.collect::<Result<_, _>>()?, recording, name })
 }
 
-fn setting(spans: &SourceSpans, value: &Spanned<toml::Value>) -> Result<Setting, StudyError> {
-    let wrong = || spans.refuse(value, "a Tcl variable cannot be set to this", "expected a text, a number or a list");
+/// Value of a variable that a run sets.
+fn read_setting(spans: &SourceSpans, value: &Spanned<toml::Value>) -> Result<Setting, StudyError> {
+    let wrong = || spans.error(value, "a Tcl variable cannot be set to this", "expected a text, a number or a list");
     let text = |v: &toml::Value| match v {
         toml::Value::String(s) => Some(s.clone()),
         toml::Value::Integer(i) => Some(i.to_string()),
@@ -346,7 +351,8 @@ fn setting(spans: &SourceSpans, value: &Spanned<toml::Value>) -> Result<Setting,
     })
 }
 
-fn observe(
+/// An observed channel with its samples.
+fn read_channel(
     spans: &SourceSpans,
     o: &ObserveTable,
     recording: &Recording,
@@ -356,7 +362,7 @@ fn observe(
     let channel = o.channel.get_ref();
     let Some(column) = recording.column(channel) else {
         let known: Vec<&str> = recording.columns.iter().map(|c| c.name.as_str()).collect();
-        let mut d = spans.refuse(&o.channel, format!("{path} has no column {channel}"), "expected a column of it");
+        let mut d = spans.error(&o.channel, format!("{path} has no column {channel}"), "expected a column of it");
         match nearest(channel, known.iter().copied()) {
             Some(near) => d.help.push(format!("did you mean \"{near}\"?")),
             None => d.help.push(format!("it has {}", known.join(", "))),
@@ -368,14 +374,14 @@ fn observe(
         None => 1.0,
     };
     let at = usize::try_from(*o.column.get_ref())
-        .map_err(|_| spans.refuse(&o.column, format!("the column is {}", o.column.get_ref()), "expected 0, 1, ..."))?;
+        .map_err(|_| spans.error(&o.column, format!("the column is {}", o.column.get_ref()), "expected 0, 1, ..."))?;
     let present: Vec<f64> = column.values.iter().copied().filter(|v| !v.is_nan()).collect();
     let n = present.len() as f64;
     let mean = present.iter().sum::<f64>() / n;
     let variance = present.iter().map(|v| (v - mean) * (v - mean)).sum::<f64>() / n;
     if present.len() < 2 || variance == 0.0 {
         let message = format!("{channel} of {path} never changes ({} samples)", present.len());
-        return Err(spans.refuse(&o.channel, message, "expected a channel with a variance"));
+        return Err(spans.error(&o.channel, message, "expected a channel with a variance"));
     }
     let missing = column.values.len() - present.len();
     if missing > 0 {
@@ -394,7 +400,8 @@ fn observe(
     })
 }
 
-fn calibration(spans: &SourceSpans, file: &StudyFile) -> Result<CalibrationOptions, StudyError> {
+/// The table `[calibration]`.
+fn read_calibration_options(spans: &SourceSpans, file: &StudyFile) -> Result<CalibrationOptions, StudyError> {
     let c = &file.calibration;
     let optional = |what: &str, s: &Option<Spanned<f64>>, good: fn(f64) -> bool, expected: &str| {
         s.as_ref().map(|s| spans.number(what, s, good, expected)).transpose()
@@ -413,7 +420,8 @@ fn calibration(spans: &SourceSpans, file: &StudyFile) -> Result<CalibrationOptio
     })
 }
 
-fn rig(spans: &SourceSpans, file: &StudyFile) -> Result<Option<Rig>, StudyError> {
+/// The table `[rig]`.
+fn read_rig(spans: &SourceSpans, file: &StudyFile) -> Result<Option<Rig>, StudyError> {
     let Some(r) = &file.rig else { return Ok(None) };
     let positive = |what: &str, s: &Option<Spanned<f64>>| {
         s.as_ref().map(|s| spans.number(what, s, |x| x > 0.0, "expected a number greater than 0")).transpose()
@@ -422,7 +430,7 @@ fn rig(spans: &SourceSpans, file: &StudyFile) -> Result<Option<Rig>, StudyError>
         let [low, high] = *t.get_ref();
         if !(low <= high && low > -273.15 && high.is_finite()) {
             let message = format!("the temperatures of the rig are {low} and {high}");
-            return Err(spans.refuse(t, message, "expected the lowest and the highest, in °C"));
+            return Err(spans.error(t, message, "expected the lowest and the highest, in °C"));
         }
     }
     Ok(Some(Rig {

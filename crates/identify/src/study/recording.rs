@@ -30,7 +30,7 @@ struct RecordingText<'a> {
 
 impl RecordingText<'_> {
     /// An error at a byte range of the text.
-    fn refuse(&self, sources: &mut SourceMap, at: (usize, usize), message: String, label: &str) -> Box<Diagnostic> {
+    fn error(&self, sources: &mut SourceMap, at: (usize, usize), message: String, label: &str) -> Box<Diagnostic> {
         let source = sources.add(self.name, self.text);
         let span = Span { source, start: at.0 as u32, end: at.1 as u32 };
         Box::new(Diagnostic::error(message).at(Some(span), label))
@@ -65,13 +65,13 @@ fn columns(
         if i == 0 {
             if name != "time" || !["s", "sec", ""].contains(&unit.as_str()) {
                 let message = format!("the first column of {} is \"{cell}\"", source.name);
-                return Err(source.refuse(sources, cell_range(head, 0), message, "expected time[s]"));
+                return Err(source.error(sources, cell_range(head, 0), message, "expected time[s]"));
             }
             continue;
         }
         if name.is_empty() || columns.iter().any(|c| c.name == name) {
             let message = format!("the column \"{cell}\" of {} has no name of its own", source.name);
-            return Err(source.refuse(sources, cell_range(head, i), message, "expected another name[unit]"));
+            return Err(source.error(sources, cell_range(head, i), message, "expected another name[unit]"));
         }
         columns.push(Column { name, unit, values: vec![] });
     }
@@ -95,11 +95,11 @@ impl Recording {
         let mut rows = reader.records();
         let unreadable = |e: csv::Error, sources: &mut SourceMap| {
             let at = e.position().map_or(0, |p| p.byte() as usize);
-            source.refuse(sources, (at, at), format!("{name}: {e}"), "expected comma-separated values")
+            source.error(sources, (at, at), format!("{name}: {e}"), "expected comma-separated values")
         };
         let head = match rows.next() {
             Some(row) => row.map_err(|e| unreadable(e, sources))?,
-            None => return Err(source.refuse(sources, (0, 0), format!("{name} is empty"), "expected a header row")),
+            None => return Err(source.error(sources, (0, 0), format!("{name} is empty"), "expected a header row")),
         };
         let mut recording = Self { times: vec![], columns: columns(&head, &source, sources)? };
         for row in rows {
@@ -108,7 +108,7 @@ impl Recording {
                 let message = format!("a row of {name} has {} cells, its header {}", row.len(), head.len());
                 let end = cell_range(&row, row.len().saturating_sub(1)).1;
                 let start = cell_range(&row, 0).0;
-                return Err(source.refuse(sources, (start, end), message, "expected as many cells as columns"));
+                return Err(source.error(sources, (start, end), message, "expected as many cells as columns"));
             }
             for (i, cell) in row.iter().enumerate() {
                 let value = match cell {
@@ -118,7 +118,7 @@ impl Recording {
                         _ => {
                             let what = if i == 0 { "the time" } else { &recording.columns[i - 1].name };
                             let message = format!("{what} is not a number: \"{cell}\"");
-                            return Err(source.refuse(sources, cell_range(&row, i), message, "expected a number"));
+                            return Err(source.error(sources, cell_range(&row, i), message, "expected a number"));
                         }
                     },
                 };
@@ -128,14 +128,14 @@ impl Recording {
                 }
                 if let Some(last) = recording.times.last().filter(|l| **l >= value) {
                     let message = format!("the time goes from {last} to {value}");
-                    return Err(source.refuse(sources, cell_range(&row, 0), message, "expected a later time"));
+                    return Err(source.error(sources, cell_range(&row, 0), message, "expected a later time"));
                 }
                 recording.times.push(value);
             }
         }
         if recording.times.len() < 2 {
             let message = format!("{name} has {} rows of numbers", recording.times.len());
-            return Err(source.refuse(sources, (0, text.len().min(1)), message, "expected two or more"));
+            return Err(source.error(sources, (0, text.len().min(1)), message, "expected two or more"));
         }
         Ok(recording)
     }
