@@ -1,12 +1,12 @@
 //! `hysteron diagnose`.
 
 use super::args::DiagnoseArgs;
-use super::files::{SAVE_EVERY, place};
+use super::files::{CHECKPOINT_INTERVAL, write_atomically};
 use super::messages::Messages;
 use hysteron::analysis::Options;
 use hysteron::diagnose::{Diagnosis, Kept, Settings, Watch, diagnose, hypothesis, identity, page};
 use hysteron::diagnostic::{Diagnostic, Severity, SourceMap, nearest};
-use hysteron::study::{Opening, ScriptSimulator, Study};
+use hysteron::study::{InitialRun, ScriptSimulator, Study};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::{Deserialize, Serialize};
 use std::fs;
@@ -36,7 +36,7 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
     }
     let mut sources = SourceMap::default();
     let show = |d: &Diagnostic, sources: &SourceMap| eprintln!("{}\n", Messages::new().render(d, sources));
-    let (simulator, opening) = match prepare(args, &stop, &mut sources) {
+    let (simulator, initial_run) = match prepare(args, &stop, &mut sources) {
         Ok(prepared) => prepared,
         Err(d) => {
             show(&d, &sources);
@@ -44,19 +44,19 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
         }
     };
     let study = simulator.study().clone();
-    for w in study.warnings.iter().chain(&opening.warnings).filter(|w| w.severity != Severity::Note) {
+    for w in study.warnings.iter().chain(&initial_run.warnings).filter(|w| w.severity != Severity::Note) {
         show(w, &sources);
     }
     let dir = args.out.clone().unwrap_or_else(|| "results".into());
     let saved = dir.join(CHECKPOINT);
     let found = fs::read_to_string(study.folder.join(&study.model)).map_err(|e| e.to_string()).and_then(|text| {
-        let of = identity(&simulator, &opening, &text, &args.without);
+        let of = identity(&simulator, &initial_run, &text, &args.without);
         let earlier = if args.resume { earlier(&saved, of)? } else { vec![] };
         fs::create_dir_all(&dir).map_err(|e| format!("cannot make {}: {e}", dir.display()))?;
         let threads = args.threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
         let settings = Settings { without: args.without.clone(), clock: args.clock, threads, earlier };
         let mut bar = Bar::new(stop.clone(), saved.clone(), of);
-        let found = diagnose(&simulator, &opening, &text, &settings, &mut bar);
+        let found = diagnose(&simulator, &initial_run, &text, &settings, &mut bar);
         bar.bar.finish_and_clear();
         found.map(|d| (page(&d, &study, &text), d))
     });
@@ -81,12 +81,12 @@ fn prepare(
     args: &DiagnoseArgs,
     stop: &Arc<AtomicBool>,
     sources: &mut SourceMap,
-) -> Result<(ScriptSimulator, Opening), Box<Diagnostic>> {
+) -> Result<(ScriptSimulator, InitialRun), Box<Diagnostic>> {
     let study = Arc::new(Study::load(&args.study, sources)?);
     let options = Options { compat: args.compat.is_some(), ladder: None, ..Options::default() };
     let mut simulator = ScriptSimulator::new(study, options, stop.clone());
-    let opening = simulator.open(sources)?;
-    Ok((simulator, opening))
+    let initial_run = simulator.run_initially(sources)?;
+    Ok((simulator, initial_run))
 }
 
 /// What an interrupted diagnosis leaves in its folder.
@@ -112,16 +112,16 @@ fn earlier(saved: &Path, of: u64) -> Result<Vec<Kept>, String> {
 }
 
 fn write(dir: &Path, d: &Diagnosis, page: &str) -> Result<(), String> {
-    place(&dir.join("corrected.tcl"), &d.script)?;
-    place(&dir.join("report.html"), page)?;
+    write_atomically(&dir.join("corrected.tcl"), &d.script)?;
+    write_atomically(&dir.join("report.html"), page)?;
     for (name, motion) in d.next_test.iter().flat_map(|t| &t.motions) {
-        place(&dir.join(name), motion)?;
+        write_atomically(&dir.join(name), motion)?;
     }
     if let Some(test) = &d.next_test {
-        place(&dir.join("next_test.tcl"), &test.script)?;
+        write_atomically(&dir.join("next_test.tcl"), &test.script)?;
     }
     let json = serde_json::to_string_pretty(&d.outcome).map_err(|e| e.to_string())?;
-    place(&dir.join("diagnosis.json"), &(json + "\n"))
+    write_atomically(&dir.join("diagnosis.json"), &(json + "\n"))
 }
 
 /// The verdict in a few lines.
@@ -182,13 +182,13 @@ impl Watch for Bar {
     }
 
     fn keep(&mut self, kept: &[Kept]) {
-        if self.last.elapsed() < SAVE_EVERY && !self.stopped() {
+        if self.last.elapsed() < CHECKPOINT_INTERVAL && !self.stopped() {
             return;
         }
         self.last = Instant::now();
         let checkpoint = Checkpoint { of: self.of, kept: kept.to_vec() };
         let text = serde_json::to_string(&checkpoint).map_err(|e| e.to_string());
-        if let Err(message) = text.and_then(|text| place(&self.saved, &text)) {
+        if let Err(message) = text.and_then(|text| write_atomically(&self.saved, &text)) {
             self.bar.suspend(|| eprintln!("warning: no checkpoint: {message}"));
         }
     }

@@ -152,6 +152,6 @@ pub fn attempt(dir: &Path, settings: &Settings, keeper: &mut Keeper) -> Result<D
     let mut sources = SourceMap::default();
     let study = Arc::new(Study::load(&dir.join("study.toml"), &mut sources).unwrap());
     let mut simulator = ScriptSimulator::new(study, Options::default(), Arc::new(AtomicBool::new(false)));
-    let opening = simulator.open(&mut sources).unwrap();
-    diagnose(&simulator, &opening, &text, settings, keeper)
+    let initial_run = simulator.run_initially(&mut sources).unwrap();
+    diagnose(&simulator, &initial_run, &text, settings, keeper)
 }

@@ -17,7 +17,7 @@ use super::scale::Scales;
 use super::step_error::StepError;
 use super::variant::Variant;
 use super::work::{Explained, LAST, Work};
-use hysteron_identify::study::{Fit, Opening, Role, ScriptSimulator, Study, fit};
+use hysteron_identify::study::{InitialRun, Role, ScoredRun, ScriptSimulator, Study, simulate_and_score};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -31,7 +31,7 @@ const NEAR: f64 = 0.1;
 pub(super) struct Context<'a> {
     pub(super) study: &'a Arc<Study>,
     pub(super) simulator: &'a ScriptSimulator,
-    pub(super) opening: &'a Opening,
+    pub(super) initial_run: &'a InitialRun,
     pub(super) text: &'a str,
     pub(super) place: &'a Place,
     pub(super) scales: &'a Scales,
@@ -101,7 +101,7 @@ pub(super) fn conclude(
         repair = repaired(work, c, baseline.clone(), (&before, left))?;
     }
     let Repair { chosen, fitted, after, judgement } = repair;
-    let named = |space: &hysteron_identify::study::Space, values: &[f64]| -> BTreeMap<String, f64> {
+    let named = |space: &hysteron_identify::study::ParameterSpace, values: &[f64]| -> BTreeMap<String, f64> {
         space.parameters.iter().map(|p| p.name.clone()).zip(values.iter().copied()).collect()
     };
     let corrections = chosen.variant.corrections(&fitted.values);
@@ -135,7 +135,7 @@ pub(super) fn conclude(
     let observe = observation(verdict, rival.map(Explained::cause));
     let next_test = rival
         .filter(|_| chosen.cause() != "none")
-        .and_then(|r| next_test(&c.simulator.blueprint(), study, c.imposed, [&chosen, r]));
+        .and_then(|r| next_test(&c.simulator.factory(), study, c.imposed, [&chosen, r]));
     let outcome = Outcome {
         baseline: Baseline {
             fit_nmse: baseline.fitted.objective,
@@ -169,7 +169,7 @@ pub(super) fn conclude(
             None => observe,
         },
     };
-    let script = repair::script(c.text, &c.opening.places, c.place, &chosen.variant, &fitted.values);
+    let script = repair::script(c.text, &c.initial_run.value_spans, c.place, &chosen.variant, &fitted.values);
     let weighed = weighed
         .iter()
         .map(|e| Weighed {
@@ -209,7 +209,7 @@ struct Repair {
     /// As it was fitted with the steps of the script.
     fitted: Fitted,
     /// What it says of all runs.
-    after: Vec<Option<Fit>>,
+    after: Vec<Option<ScoredRun>>,
     /// What the runs that were held out say of it.
     judgement: Judgement,
 }
@@ -220,7 +220,7 @@ fn repaired(
     work: &mut Work<'_>,
     c: &Context<'_>,
     chosen: Explained,
-    (before, left): (&[Option<Fit>], f64),
+    (before, left): (&[Option<ScoredRun>], f64),
 ) -> Result<Repair, String> {
     let study = c.study;
     let starts = around(&chosen.fitted.point);
@@ -243,9 +243,9 @@ fn repaired(
 }
 
 /// What a variant says of all runs with the steps of the script; `None` where it has no answer.
-fn all_runs(c: &Context<'_>, variant: &Arc<Variant>, values: &[f64]) -> Vec<Option<Fit>> {
-    let mut simulator = variant.simulator(&c.simulator.blueprint());
-    (0..c.study.runs.len()).map(|r| fit(&mut simulator, c.study, r, values).ok()).collect()
+fn all_runs(c: &Context<'_>, variant: &Arc<Variant>, values: &[f64]) -> Vec<Option<ScoredRun>> {
+    let mut simulator = variant.simulator(&c.simulator.factory());
+    (0..c.study.runs.len()).map(|r| simulate_and_score(&mut simulator, c.study, r, values).ok()).collect()
 }
 
 /// A point, and others around it.
@@ -258,7 +258,7 @@ fn around(point: &[f64]) -> Vec<Vec<f64>> {
 }
 
 /// Where the baseline differs, the channel with the largest error first. A repair that has a name tells what of the error is no noise.
-fn mismatches(c: &Context<'_>, fits: &[Option<Fit>], repaired: Option<&Vec<Option<Fit>>>) -> Vec<Mismatch> {
+fn mismatches(c: &Context<'_>, fits: &[Option<ScoredRun>], repaired: Option<&Vec<Option<ScoredRun>>>) -> Vec<Mismatch> {
     let mut all: Vec<(f64, Mismatch)> = vec![];
     for (number, run) in c.study.runs_of(Role::Fit) {
         let Some(f) = &fits[number] else { continue };

@@ -6,7 +6,9 @@ use super::projection::Projection;
 use super::resume::Told;
 use super::variant::{Variant, VariantSimulator};
 use hysteron_identify::calibrate::{LevenbergMarquardt, Method, Trial};
-use hysteron_identify::study::{Blueprint, Crew, Fit, Mishap, Observe, Role, Study, fit};
+use hysteron_identify::study::{
+    ObservedChannel, Role, ScoredRun, SimulationError, SimulatorFactory, Study, WorkerPool, simulate_and_score,
+};
 use nalgebra::{DMatrix, DVector};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, AtomicU64, AtomicUsize, Ordering};
@@ -87,7 +89,7 @@ pub(super) struct Fitted {
     /// Objective of the study.
     pub(super) objective: f64,
     /// The fitted runs there, in their order; empty where the model has no answer.
-    pub(super) fits: Vec<Fit>,
+    pub(super) fits: Vec<ScoredRun>,
 }
 
 /// A variant with its simulator.
@@ -105,16 +107,16 @@ impl Bed<'_> {
         self.study.runs_of(Role::Fit).map(|(i, _)| i)
     }
 
-    fn fits(&mut self, values: &[f64]) -> Result<Vec<Fit>, Mishap> {
+    fn fits(&mut self, values: &[f64]) -> Result<Vec<ScoredRun>, SimulationError> {
         let runs: Vec<usize> = self.runs().collect();
         self.looks.fetch_add(1, Ordering::Relaxed);
-        runs.into_iter().map(|r| fit(&mut self.simulator, self.study, r, values)).collect()
+        runs.into_iter().map(|r| simulate_and_score(&mut self.simulator, self.study, r, values)).collect()
     }
 
     /// Weighted residuals, whose squares add up to the objective.
     fn trial(&mut self, point: &[f64]) -> Trial {
-        let failed = Trial { score: Trial::FAILED, residuals: vec![] };
-        let Ok(values) = self.study.space.values(point) else { return failed };
+        let failed = Trial { objective: Trial::FAILED, residuals: vec![] };
+        let Ok(values) = self.study.space.values_at(point) else { return failed };
         let Ok(fits) = self.fits(&values) else { return failed };
         let channels: usize = self.runs().map(|r| self.study.runs[r].observe.len()).sum();
         let mut residuals = vec![];
@@ -126,7 +128,7 @@ impl Bed<'_> {
                 residuals.extend(own.iter().map(|d| scale * d));
             }
         }
-        Trial { score: residuals.iter().map(|r| r * r).sum(), residuals }
+        Trial { objective: residuals.iter().map(|r| r * r).sum(), residuals }
     }
 
     fn search(&mut self, start: &[f64], budget: usize, closely: bool) -> Fitted {
@@ -137,13 +139,13 @@ impl Bed<'_> {
 
     /// What the model says at a point.
     fn look(&mut self, point: &[f64]) -> Fitted {
-        let objective = self.trial(point).score;
+        let objective = self.trial(point).objective;
         self.fitted(point.to_vec(), objective)
     }
 
     /// What the model says at the end of a search.
     fn fitted(&mut self, point: Vec<f64>, objective: f64) -> Fitted {
-        let values = self.study.space.values(&point).unwrap_or_default();
+        let values = self.study.space.values_at(&point).unwrap_or_default();
         let fits = self.fits(&values).unwrap_or_default();
         Fitted { point, values, objective, fits }
     }
@@ -179,7 +181,7 @@ impl Bed<'_> {
             let trial = self.trial(p);
             let followed = match known {
                 Some(known) => known.follow(&trial.residuals, p),
-                None => (trial.score < Trial::FAILED).then(|| (trial.score, p.clone())),
+                None => (trial.objective < Trial::FAILED).then(|| (trial.objective, p.clone())),
             };
             let Some((score, start)) = followed else { continue };
             if best.as_ref().is_none_or(|b| score < b.0) {
@@ -191,10 +193,10 @@ impl Bed<'_> {
         let (Some(known), Some(nearest)) = (known.filter(|_| of_a_channel), nearest) else { return best };
         let own = known.dimension();
         let budget = FAULTS * (nearest.len() - own + 2);
-        let (_, added) = descend(&nearest[own..], budget, ENOUGH, LevenbergMarquardt::STEP, |added| {
+        let (_, added) = descend(&nearest[own..], budget, ENOUGH, LevenbergMarquardt::DIFFERENCE_STEP, |added| {
             let left = known.left(&self.trial(&[&nearest[..own], added].concat()).residuals);
-            left.map_or(Trial { score: Trial::FAILED, residuals: vec![] }, |r| Trial {
-                score: r.iter().map(|x| x * x).sum(),
+            left.map_or(Trial { objective: Trial::FAILED, residuals: vec![] }, |r| Trial {
+                objective: r.iter().map(|x| x * x).sum(),
                 residuals: r,
             })
         });
@@ -206,7 +208,7 @@ impl Bed<'_> {
     /// What is left of all channels at a point, and the derivatives there.
     fn near(&mut self, point: &[f64]) -> Option<Near> {
         let (r, j) = self.derivatives(point)?;
-        let there = |o: &Observe| o.values.iter().filter(|v| v.is_finite()).count();
+        let there = |o: &ObservedChannel| o.values.iter().filter(|v| v.is_finite()).count();
         let samples: Vec<usize> = self.runs().flat_map(|run| self.study.runs[run].observe.iter()).map(there).collect();
         (samples.iter().sum::<usize>() == r.len()).then(|| Near::new(&r, &j, &samples))
     }
@@ -265,7 +267,7 @@ fn descend(
     width: f64,
     mut trial: impl FnMut(&[f64]) -> Trial,
 ) -> (f64, Vec<f64>) {
-    let mut search = LevenbergMarquardt::new(start, budget).one_by_one(enough).with_steps(width);
+    let mut search = LevenbergMarquardt::new(start, budget).with_single_steps(enough).with_difference_step(width);
     let mut best = (Trial::FAILED, start.to_vec());
     loop {
         let points = search.ask();
@@ -273,9 +275,9 @@ fn descend(
             return best;
         }
         let trials: Vec<Trial> = points.iter().map(|p| trial(p)).collect();
-        for (p, trial) in points.iter().zip(&trials).filter(|(_, t)| t.score < Trial::FAILED) {
-            if trial.score < best.0 {
-                best = (trial.score, p.clone());
+        for (p, trial) in points.iter().zip(&trials).filter(|(_, t)| t.objective < Trial::FAILED) {
+            if trial.objective < best.0 {
+                best = (trial.objective, p.clone());
             }
         }
         search.tell(&points, &trials);
@@ -283,8 +285,8 @@ fn descend(
 }
 
 /// Work a job off.
-fn work(blueprint: &Blueprint, job: &Job, looks: &AtomicUsize, width: f64) -> Answer {
-    let mut bed = Bed { study: &job.variant.study, simulator: job.variant.simulator(blueprint), looks, width };
+fn work(factory: &SimulatorFactory, job: &Job, looks: &AtomicUsize, width: f64) -> Answer {
+    let mut bed = Bed { study: &job.variant.study, simulator: job.variant.simulator(factory), looks, width };
     match &job.task {
         Task::Fit { start, budget, closely } => Answer::Fitted(bed.search(start, *budget, *closely)),
         Task::Screen { points, known } => {
@@ -301,11 +303,12 @@ fn work(blueprint: &Blueprint, job: &Job, looks: &AtomicUsize, width: f64) -> An
 
 /// Workers that look at variants.
 pub(super) struct Bench {
-    crew: Crew<Job, Answer>,
-    looks: Arc<AtomicUsize>,
-    parts: Arc<AtomicU32>,
+    pool: WorkerPool,
+    factory: SimulatorFactory,
+    looks: AtomicUsize,
+    parts: AtomicU32,
     /// Bits of the width of differences.
-    width: Arc<AtomicU64>,
+    width: AtomicU64,
 }
 
 impl Bench {
@@ -313,16 +316,10 @@ impl Bench {
     ///
     /// # Errors
     /// A thread could not be started.
-    pub(super) fn new(blueprint: Blueprint, threads: usize) -> std::io::Result<Self> {
-        let make = move || blueprint.clone();
-        let (looks, parts) = (Arc::new(AtomicUsize::new(0)), Arc::new(AtomicU32::new(1)));
-        let width = Arc::new(AtomicU64::new(LevenbergMarquardt::STEP.to_bits()));
-        let (counted, wanted, wide) = (looks.clone(), parts.clone(), width.clone());
-        let crew = Crew::new(threads, make, move |b: &mut Blueprint, job: Job| {
-            b.refine(wanted.load(Ordering::Relaxed));
-            work(b, &job, &counted, f64::from_bits(wide.load(Ordering::Relaxed)))
-        })?;
-        Ok(Self { crew, looks, parts, width })
+    pub(super) fn new(factory: SimulatorFactory, threads: usize) -> std::io::Result<Self> {
+        let width = AtomicU64::new(LevenbergMarquardt::DIFFERENCE_STEP.to_bits());
+        let (looks, parts) = (AtomicUsize::new(0), AtomicU32::new(1));
+        Ok(Self { pool: WorkerPool::new(threads)?, factory, looks, parts, width })
     }
 
     /// Make the steps of the script in so many parts from now on, with closer tests where there is more than one.
@@ -347,6 +344,9 @@ impl Bench {
 
     /// Do all; `None` where a worker broke down.
     pub(super) fn run(&self, jobs: impl IntoIterator<Item = Job>) -> Vec<Option<Answer>> {
-        self.crew.run(jobs)
+        let mut factory = self.factory.clone();
+        factory.refine(self.parts());
+        let width = f64::from_bits(self.width.load(Ordering::Relaxed));
+        self.pool.run(jobs, |job| work(&factory, &job, &self.looks, width))
     }
 }

@@ -8,7 +8,7 @@
 use super::evidence::INDEPENDENT;
 use super::noise::power;
 use super::work::Explained;
-use hysteron_identify::study::{Blueprint, Role, Run, Setting, Simulator, Study};
+use hysteron_identify::study::{Role, Run, Setting, Simulator, SimulatorFactory, Study};
 use std::fmt::Write as _;
 use std::path::Path;
 use std::sync::Arc;
@@ -94,7 +94,7 @@ impl Change {
 /// Advise a test that tells two explanations apart. `imposed` where the motion is that of the device, not of the ground:
 /// then stroke and speed are those of the rig, and where the study does not say them, those of its own runs.
 pub(super) fn next_test(
-    blueprint: &Blueprint,
+    factory: &SimulatorFactory,
     study: &Study,
     imposed: bool,
     pair: [&Explained; 2],
@@ -126,7 +126,7 @@ pub(super) fn next_test(
             if (imposed && !within) || (!imposed && (change.time != 1.0 || change.twice)) {
                 continue;
             }
-            let Some(apart) = apart(blueprint, run, &made, dt, pair, &noise, rig.and_then(|r| r.force)) else {
+            let Some(apart) = apart(factory, run, &made, dt, pair, &noise, rig.and_then(|r| r.force)) else {
                 continue;
             };
             if best.as_ref().is_none_or(|b| apart > 1.02 * b.0) {
@@ -207,7 +207,7 @@ fn noise_of(study: &Study, e: &Explained) -> Option<Vec<(String, f64)>> {
 
 /// How far two explanations are apart in a test, in mean squares of the noise, over its channels.
 fn apart(
-    blueprint: &Blueprint,
+    factory: &SimulatorFactory,
     run: &Run,
     made: &Motions,
     dt: f64,
@@ -219,16 +219,16 @@ fn apart(
     let end = dt * (made[0].1.len().saturating_sub(2)) as f64;
     let times: Vec<f64> = (1..=samples).map(|i| end * i as f64 / samples as f64).collect();
     let simulate = |e: &Explained| {
-        let mut blueprint = blueprint.clone();
+        let mut factory = factory.clone();
         for (name, values) in made {
-            blueprint = blueprint.with_file(&file_of(name), &lines(values));
+            factory = factory.with_file(&file_of(name), &lines(values));
         }
         let mut study = (*e.variant.study).clone();
         let mut test = Run { set: settings(run, made, dt), ..run.clone() };
         test.recording.times.clone_from(&times);
         study.runs = vec![test];
         let variant = Arc::new(e.variant.of_study(study));
-        variant.simulator(&blueprint).simulate(0, &e.fitted.values).ok()
+        variant.simulator(&factory).simulate(0, &e.fitted.values).ok()
     };
     let (a, b) = (simulate(pair[0])?, simulate(pair[1])?);
     // What the actuator cannot push is no test.

@@ -7,7 +7,7 @@ use super::noise::power;
 use super::scale::Scales;
 use super::structure::{recurs, structure};
 use super::work::Explained;
-use hysteron_identify::study::{Fit, Role, Study};
+use hysteron_identify::study::{Role, ScoredRun, Study};
 
 /// More structure than this part of a residual says no more than this.
 const TELLING: f64 = 0.6;
@@ -222,7 +222,7 @@ fn doubt_the_library(causes: &[(&'static str, f64)], left: f64, p: &mut [f64]) {
 }
 
 /// Sum of the NMSE of all fitted channels.
-fn misfit(study: &Study, fits: &[Fit]) -> f64 {
+fn misfit(study: &Study, fits: &[ScoredRun]) -> f64 {
     let runs = study.runs.iter().filter(|r| r.role == Role::Fit);
     let channels = runs.zip(fits).flat_map(|(r, f)| r.observe.iter().zip(&f.channels));
     channels

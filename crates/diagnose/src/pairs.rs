@@ -134,7 +134,7 @@ impl Makings<'_> {
         let alone = &self.first[pair.of[side]];
         let [own, first, second] = self.parts(&pair.explained, pair.of);
         let point = [own, [first, second][side]].concat();
-        let values = alone.variant.study.space.values(&point).ok()?;
+        let values = alone.variant.study.space.values_at(&point).ok()?;
         let fitted = Fitted { point, values, ..alone.fitted.clone() };
         Some(Stands { effect: pair.of[side], explained: Explained { fitted, ..alone.clone() } })
     }
@@ -158,7 +158,7 @@ impl Makings<'_> {
         let variant = self.baseline.variant.with(self.place, &proposal(two)?.with(proposal(one)?))?;
         let [own, first, second] = self.parts(&pair.explained, pair.of);
         let point = [own, second, first].concat();
-        let values = variant.study.space.values(&point).ok()?;
+        let values = variant.study.space.values_at(&point).ok()?;
         let fitted = Fitted { point, values, ..pair.explained.fitted };
         Some(Pair { explained: Explained::new(Arc::new(variant), fitted), of: [two, one] })
     }
@@ -230,7 +230,7 @@ pub(super) mod tests {
     pub(crate) fn at(variant: Variant, added: &[f64]) -> Explained {
         let own = variant.dimension() - added.len();
         let point = [&vec![0.5; own][..], added].concat();
-        let values = variant.study.space.values(&point).expect("values");
+        let values = variant.study.space.values_at(&point).expect("values");
         Explained::new(Arc::new(variant), Fitted { point, values, objective: 1.0, fits: vec![] })
     }
 

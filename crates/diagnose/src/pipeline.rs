@@ -18,7 +18,7 @@ use super::step_error::step_error;
 use super::watching;
 use super::work::Work;
 use hysteron_identify::calibrate::Displacements;
-use hysteron_identify::study::{Fit, Opening, ScriptSimulator};
+use hysteron_identify::study::{InitialRun, ScoredRun, ScriptSimulator};
 
 /// Causes that go into the last round.
 const FINALISTS: usize = 8;
@@ -55,9 +55,9 @@ pub struct Diagnosis {
     /// All explanations that were weighed, best first: cause, form, place, objective, log evidence.
     pub weighed: Vec<Weighed>,
     /// Observed channels as the baseline and the repaired model have them, by run: NaN where there is no answer.
-    pub before: Vec<Option<Fit>>,
+    pub before: Vec<Option<ScoredRun>>,
     /// The same of the repaired model.
-    pub after: Vec<Option<Fit>>,
+    pub after: Vec<Option<ScoredRun>>,
     /// What forces are plotted over.
     pub displacements: Displacements,
     /// The test that would tell more, where one can be made from the motions of the study.
@@ -89,23 +89,23 @@ pub struct Weighed {
 /// The model has no answer at all, or the user interrupted.
 pub fn diagnose(
     simulator: &ScriptSimulator,
-    opening: &Opening,
+    initial_run: &InitialRun,
     text: &str,
     settings: &Settings,
     watch: &mut dyn Watch,
 ) -> Result<Diagnosis, String> {
     let study = simulator.study().clone();
-    let blueprint = simulator.blueprint();
-    let bench = Bench::new(blueprint.clone(), settings.threads).map_err(|e| e.to_string())?;
+    let factory = simulator.factory();
+    let bench = Bench::new(factory.clone(), settings.threads).map_err(|e| e.to_string())?;
     let mut work = Work { study: study.clone(), bench, watch, earlier: settings.earlier.clone(), jobs: 0 };
 
-    let baseline = fit_baseline(&mut work, opening, text)?;
+    let baseline = fit_baseline(&mut work, initial_run, text)?;
     // A fit that tells little says little of how stiff things are: the user's own values do.
-    let values = if poor(&baseline) { opening.values.clone() } else { baseline.fitted.values.clone() };
-    let Some((place, anatomy)) = watching::look(&blueprint, &study, text, &values) else {
+    let values = if poor(&baseline) { initial_run.values.clone() } else { baseline.fitted.values.clone() };
+    let Some((place, anatomy)) = watching::look(&factory, &study, text, &values) else {
         return Err("the script makes no analysis".into());
     };
-    let scales = watching::watch(&blueprint, &study, text, &values, &place, &anatomy);
+    let scales = watching::watch(&factory, &study, text, &values, &place, &anatomy);
     let clock = settings.clock || anatomy.shaken || !untimed(&study);
     let sight = Sight { anatomy: &anatomy, study: &study, scales: &scales, fits: &baseline.fitted.fits, clock };
     let library = hypothesis::ALL.iter().filter(|h| !settings.without.iter().any(|w| w == h.cause));
@@ -116,7 +116,7 @@ pub fn diagnose(
     let physics = proposals.iter().filter(|p| !p.block.is_empty()).count();
     let wide = poor(&baseline) && within_reach(&study, physics);
     let too_long = poor(&baseline) && !wide;
-    let mut first = first_round(&mut work, &baseline, opening, &place, &proposals, wide)?;
+    let mut first = first_round(&mut work, &baseline, initial_run, &place, &proposals, wide)?;
     twins(&mut work, &baseline, &mut first)?;
     let best = best_of_causes(&first);
     let finalists = of_so_many_causes(&best, FINALISTS);
@@ -144,7 +144,7 @@ pub fn diagnose(
     let context = Context {
         study: &study,
         simulator,
-        opening,
+        initial_run,
         text,
         place: &place,
         scales,

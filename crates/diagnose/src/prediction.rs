@@ -1,6 +1,6 @@
 //! What runs that were held out say of a repair: they can only take confidence away.
 
-use hysteron_identify::study::{Fit, Observe, Role, Study};
+use hysteron_identify::study::{ObservedChannel, Role, ScoredRun, Study};
 use std::collections::BTreeMap;
 
 /// What is left of the confidence in a repair when runs that were held out get no better by it.
@@ -72,8 +72,8 @@ impl Judgement {
 /// parameters all the same, and may do no harm.
 pub(super) fn judge(
     study: &Study,
-    before: &[Option<Fit>],
-    (after, structured): (&[Option<Fit>], f64),
+    before: &[Option<ScoredRun>],
+    (after, structured): (&[Option<ScoredRun>], f64),
     acts: bool,
     seen: bool,
 ) -> Judgement {
@@ -99,7 +99,7 @@ pub(super) fn judge(
 }
 
 /// Mean NMSE of the runs that are held out, where there are any and all have an answer.
-pub(super) fn holdout(study: &Study, fits: &[Option<Fit>]) -> Option<f64> {
+pub(super) fn holdout(study: &Study, fits: &[Option<ScoredRun>]) -> Option<f64> {
     let held: Vec<f64> =
         study.runs_of(Role::Holdout).map(|(i, r)| Some(fits[i].as_ref()?.nmse(&r.observe))).collect::<Option<_>>()?;
     (!held.is_empty()).then(|| held.iter().sum::<f64>() / held.len() as f64)
@@ -107,7 +107,7 @@ pub(super) fn holdout(study: &Study, fits: &[Option<Fit>]) -> Option<f64> {
 
 /// What a repair may leave of the runs held out: in each channel as much as it leaves of the fitted ones, as a part of the variance
 /// or in the channel's unit, whatever is more. (Sensors have noise of one size, machines make more of it where they work harder.)
-fn floor(study: &Study, fits: &[Option<Fit>]) -> f64 {
+fn floor(study: &Study, fits: &[Option<ScoredRun>]) -> f64 {
     let mut left: BTreeMap<&str, (f64, f64, f64)> = BTreeMap::new();
     for (i, run) in study.runs_of(Role::Fit) {
         let Some(fit) = &fits[i] else { continue };
@@ -119,7 +119,7 @@ fn floor(study: &Study, fits: &[Option<Fit>]) -> f64 {
         }
     }
     let (all, count) = left.values().fold((0.0, 0.0), |(a, n), (part, _, count)| (a + part, n + count));
-    let of = |o: &Observe| {
+    let of = |o: &ObservedChannel| {
         let own = left.get(o.channel.as_str()).map(|(part, square, n)| (part / n).max(square / n / o.variance));
         o.weight * own.unwrap_or(all / f64::max(count, 1.0))
     };
@@ -133,7 +133,7 @@ fn floor(study: &Study, fits: &[Option<Fit>]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::{Judgement, judge};
-    use hysteron_identify::study::{Fit, Role, Score, Study};
+    use hysteron_identify::study::{Role, Score, ScoredRun, Study};
     use hysteron_tcl::diagnostic::SourceMap;
     use std::path::Path;
 
@@ -143,13 +143,13 @@ mod tests {
     }
 
     /// Fits that leave so much of the fitted runs, and so much of those held out; nothing where they have no answer.
-    fn leaves(study: &Study, fit: f64, held: Option<f64>) -> Vec<Option<Fit>> {
+    fn leaves(study: &Study, fit: f64, held: Option<f64>) -> Vec<Option<ScoredRun>> {
         let of = |role| if role == Role::Fit { Some(fit) } else { held };
         let scores = |n: usize, nmse| vec![Score { nmse, samples: 100, dropped: 0 }; n];
         study
             .runs
             .iter()
-            .map(|r| Some(Fit { channels: vec![], scores: scores(r.observe.len(), of(r.role)?) }))
+            .map(|r| Some(ScoredRun { channels: vec![], scores: scores(r.observe.len(), of(r.role)?) }))
             .collect()
     }
 

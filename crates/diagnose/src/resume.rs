@@ -5,7 +5,7 @@
 //! where either differs, something has changed, and what was worked out is no answer any more.
 
 use super::fitting::{Answer, Job, Task};
-use hysteron_identify::study::{Opening, ScriptSimulator, fit};
+use hysteron_identify::study::{InitialRun, ScriptSimulator, simulate_and_score};
 use serde::{Deserialize, Serialize};
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 
@@ -68,14 +68,14 @@ pub(super) fn number(job: &Job) -> u64 {
 
 /// A number that differs where a study does: its file, its recordings, its script, the library, and what its model says at
 /// the values of the script, which depends on every file that is read and on the program.
-pub fn identity(simulator: &ScriptSimulator, opening: &Opening, text: &str, without: &[String]) -> u64 {
+pub fn identity(simulator: &ScriptSimulator, initial_run: &InitialRun, text: &str, without: &[String]) -> u64 {
     let study = simulator.study();
     let mut hasher = DefaultHasher::new();
     (format!("{study:?}"), text, without, env!("CARGO_PKG_VERSION")).hash(&mut hasher);
-    let values = study.space.values(&study.space.point(&opening.values)).unwrap_or_default();
-    let mut simulator = simulator.blueprint().simulator_of(study.clone(), text);
+    let values = study.space.values_at(&study.space.unit_point(&initial_run.values)).unwrap_or_default();
+    let mut simulator = simulator.factory().simulator_of_script(study.clone(), text);
     for run in 0..study.runs.len() {
-        match fit(&mut simulator, study, run, &values) {
+        match simulate_and_score(&mut simulator, study, run, &values) {
             Ok(f) => f.channels.iter().flatten().for_each(|x| x.to_bits().hash(&mut hasher)),
             Err(mishap) => format!("{mishap:?}").hash(&mut hasher),
         }

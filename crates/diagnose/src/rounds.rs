@@ -10,7 +10,7 @@ use super::insertion::Place;
 use super::variant::Variant;
 use super::work::{Explained, LAST, Screened, Work};
 use hysteron_identify::calibrate::LevenbergMarquardt;
-use hysteron_identify::study::{Opening, Role, Study};
+use hysteron_identify::study::{InitialRun, Role, Study};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -84,10 +84,10 @@ pub(super) fn tried(start: &[f64], from: usize, of_a_parameter: usize) -> Vec<Ve
 }
 
 /// The user's model by least squares, from its own values and from others.
-pub(super) fn fit_baseline(work: &mut Work<'_>, opening: &Opening, text: &str) -> Result<Explained, String> {
+pub(super) fn fit_baseline(work: &mut Work<'_>, initial_run: &InitialRun, text: &str) -> Result<Explained, String> {
     let variant = Arc::new(Variant::baseline(&work.study, text));
     let n = variant.dimension();
-    let mut starts = vec![work.study.space.point(&opening.values)];
+    let mut starts = vec![work.study.space.unit_point(&initial_run.values)];
     // Opposite corners of a smaller cube, and its middle.
     starts.push(vec![0.5; n]);
     for k in 0..4usize {
@@ -100,7 +100,7 @@ pub(super) fn fit_baseline(work: &mut Work<'_>, opening: &Opening, text: &str) -
     let closely = |f: &Fitted| Work::search(&variant, f.point.clone(), LAST);
     let narrow = work.fit("the model as it is", sorted.first().map(closely).into_iter().collect())?.pop().flatten();
     let narrow = narrow.ok_or("the model has no answer for any values of its parameters")?;
-    let mut best = (LevenbergMarquardt::STEP, narrow.clone());
+    let mut best = (LevenbergMarquardt::DIFFERENCE_STEP, narrow.clone());
     sorted[0] = narrow;
     for width in WIDER {
         work.bench.widen(width);
@@ -134,7 +134,7 @@ pub(super) fn refit(work: &mut Work<'_>, baseline: &Explained) -> Result<Explain
 pub(super) fn first_round(
     work: &mut Work<'_>,
     baseline: &Explained,
-    opening: &Opening,
+    initial_run: &InitialRun,
     place: &Place,
     proposals: &[Proposal],
     wide: bool,
@@ -151,7 +151,7 @@ pub(super) fn first_round(
     };
     let mut screened = work.screen(stage, &baseline.variant, &baseline.fitted.point, points(TRIED))?;
     // The fit may have swallowed what is missing: the values that the user gave have not.
-    let given = work.study.space.point(&opening.values);
+    let given = work.study.space.unit_point(&initial_run.values);
     let apart = given.iter().zip(&baseline.fitted.point).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     if apart > APART {
         screened.extend(work.screen(stage, &baseline.variant, &given, points(TRIED_AS_GIVEN))?);

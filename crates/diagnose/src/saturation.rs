@@ -3,7 +3,7 @@
 //! A channel that saturates shows the same value for as long as what it measures is beyond. What moves turns back at its ends: of
 //! its samples there few are equal, and not in a row.
 
-use hysteron_identify::study::{Fit, Role, Run, Study};
+use hysteron_identify::study::{Role, Run, ScoredRun, Study};
 
 /// Samples that are as equal as a file writes them, over the range of the channel.
 const EQUAL: f64 = 1e-6;
@@ -38,9 +38,9 @@ pub(super) fn ends(values: &[f64], model: &[f64]) -> [Option<f64>; 2] {
 }
 
 /// The same of a channel of the fitted runs, with their names; `fits` are the fitted runs as the model has them.
-pub(super) fn saturated<'a>(study: &'a Study, fits: &[Fit], channel: &str) -> Vec<(&'a Run, [Option<f64>; 2])> {
+pub(super) fn saturated<'a>(study: &'a Study, fits: &[ScoredRun], channel: &str) -> Vec<(&'a Run, [Option<f64>; 2])> {
     let runs = study.runs_of(Role::Fit).map(|(_, r)| r).zip(fits);
-    let of = |(r, fit): (&'a Run, &Fit)| {
+    let of = |(r, fit): (&'a Run, &ScoredRun)| {
         let c = r.observe.iter().position(|o| o.channel == channel)?;
         Some((r, ends(&r.observe[c].values, &fit.channels[c])))
     };

@@ -9,7 +9,7 @@
 
 use super::noise::power;
 use super::work::{Explained, Work};
-use hysteron_identify::study::{Fit, Observe, Role, Study};
+use hysteron_identify::study::{ObservedChannel, Role, ScoredRun, Study};
 
 /// Part of the power of a residual that steps of half the length may move.
 const SMALL: f64 = 0.005;
@@ -98,12 +98,12 @@ fn of_one(work: &mut Work<'_>, e: &Explained) -> Result<StepError, String> {
 }
 
 /// Largest part of the power of a residual that other steps move, over the channels that are fitted.
-fn moved(study: &Study, steps: &[Fit], others: &[Fit]) -> f64 {
+fn moved(study: &Study, steps: &[ScoredRun], others: &[ScoredRun]) -> f64 {
     let runs = study.runs.iter().filter(|r| r.role == Role::Fit);
     let channels = runs
         .zip(steps.iter().zip(others))
         .flat_map(|(run, (a, b))| run.observe.iter().zip(a.channels.iter().zip(&b.channels)));
-    let part = |(o, (y, z)): (&Observe, (&Vec<f64>, &Vec<f64>))| {
+    let part = |(o, (y, z)): (&ObservedChannel, (&Vec<f64>, &Vec<f64>))| {
         let finite = |x: Vec<f64>| x.into_iter().filter(|x| x.is_finite()).collect::<Vec<f64>>();
         let left = power(&finite(y.iter().zip(&o.values).map(|(y, v)| y - v).collect()));
         let change = power(&finite(y.iter().zip(z).map(|(y, z)| y - z).collect()));

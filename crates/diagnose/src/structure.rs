@@ -5,7 +5,7 @@ use super::recurrence::Stroke;
 use super::regression::explained;
 use super::scale::{Scales, Watched};
 use super::surrogate::{comes_again, follows, silent, unsteady};
-use hysteron_identify::study::{Fit, Observe, Role, Run, Study};
+use hysteron_identify::study::{ObservedChannel, Role, Run, ScoredRun, Study};
 
 /// Points that a residual is averaged to: mechanisms live in the motion, not between two samples.
 const POINTS: usize = 1500;
@@ -20,7 +20,7 @@ const BLOCKS: usize = 6;
 ///
 /// A law of another form than the true one leaves what comes again along the stroke, and nothing where nothing moves: both are
 /// asked of a model only that is taken `as_it_is`, with which nothing but noise should be left.
-pub(super) fn structure(study: &Study, scales: &Scales, fits: &[Fit], as_it_is: bool) -> (f64, String) {
+pub(super) fn structure(study: &Study, scales: &Scales, fits: &[ScoredRun], as_it_is: bool) -> (f64, String) {
     let (mut most, mut says) = (0.0, String::new());
     for ((number, run), fit) in study.runs_of(Role::Fit).zip(fits) {
         let motion = regressors(scales, number);
@@ -115,7 +115,7 @@ fn levelled(residual: &[f64], channel: &[f64]) -> Vec<f64> {
 }
 
 /// Part of what an explanation leaves that comes again along the stroke, however slowly it changes there, and in which channel.
-pub(super) fn recurs(study: &Study, scales: &Scales, fits: &[Fit]) -> (f64, String) {
+pub(super) fn recurs(study: &Study, scales: &Scales, fits: &[ScoredRun]) -> (f64, String) {
     let (mut most, mut says) = (0.0, String::new());
     for ((number, run), fit) in study.runs_of(Role::Fit).zip(fits) {
         let strokes = strokes(scales, number);
@@ -129,13 +129,13 @@ pub(super) fn recurs(study: &Study, scales: &Scales, fits: &[Fit]) -> (f64, Stri
     (most, says)
 }
 
-fn comes_again_in(channel: &Observe) -> String {
+fn comes_again_in(channel: &ObservedChannel) -> String {
     format!("the residual of {} comes again wherever the deformation does", channel.channel)
 }
 
 /// What is left in the channels of a run.
-fn residuals(run: &Run, fit: &Fit) -> Vec<Vec<f64>> {
-    let of = |(o, y): (&Observe, &Vec<f64>)| y.iter().zip(&o.values).map(|(y, v)| finite(y - v)).collect();
+fn residuals(run: &Run, fit: &ScoredRun) -> Vec<Vec<f64>> {
+    let of = |(o, y): (&ObservedChannel, &Vec<f64>)| y.iter().zip(&o.values).map(|(y, v)| finite(y - v)).collect();
     run.observe.iter().zip(&fit.channels).map(of).collect()
 }
 
@@ -146,7 +146,7 @@ fn strokes(scales: &Scales, run: usize) -> Vec<Stroke> {
 }
 
 /// Only what matters for a channel against the others.
-fn weight(residual: &[f64], channel: &Observe) -> f64 {
+fn weight(residual: &[f64], channel: &ObservedChannel) -> f64 {
     (power(residual) / channel.variance / 1e-4).min(1.0)
 }
 

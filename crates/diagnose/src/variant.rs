@@ -5,7 +5,10 @@ use super::evidence::SEEN;
 use super::hypothesis::Proposal;
 use super::insertion::{Place, insert};
 use super::instruments::speak_for;
-use hysteron_identify::study::{Blueprint, Mishap, Parameter, Role, ScriptSimulator, Simulator, Source, Space, Study};
+use hysteron_identify::study::{
+    Parameter, ParameterKind, ParameterSpace, Role, ScriptSimulator, SimulationError, Simulator, SimulatorFactory,
+    Study,
+};
 use std::sync::Arc;
 
 /// A study that a proposal has changed, or the baseline.
@@ -35,7 +38,7 @@ impl Variant {
     pub fn with(&self, place: &Place, proposal: &Proposal) -> Option<Self> {
         let mut parameters = self.study.space.parameters[..self.own].to_vec();
         for a in &proposal.added {
-            parameters.push(Parameter { name: a.name.clone(), source: Source::Free(a.range) });
+            parameters.push(Parameter { name: a.name.clone(), kind: ParameterKind::Free(a.range) });
         }
         let values: Vec<f64> = proposal.added.iter().map(|a| a.start).collect();
         let text: Arc<str> = if proposal.block.is_empty() {
@@ -44,7 +47,7 @@ impl Variant {
             insert(&self.text, place, &declared(proposal, &values)).into()
         };
         let mut study = (*self.study).clone();
-        study.space = Space::new(parameters).ok()?;
+        study.space = ParameterSpace::new(parameters).ok()?;
         let causes = std::iter::once(proposal.cause).chain(proposal.second);
         let instruments = causes.map(|cause| speak_for(&study, cause)).sum();
         Some(Self { study: Arc::new(study), text, proposal: Some(proposal.clone()), own: self.own, instruments })
@@ -79,7 +82,7 @@ impl Variant {
     /// Where the search starts, in the unit cube: the first parameters as given, the others where they are proposed to
     /// start.
     pub fn start(&self, given: &[f64]) -> Vec<f64> {
-        self.study.space.point(&self.start_values(given))
+        self.study.space.unit_point(&self.start_values(given))
     }
 
     fn start_values(&self, given: &[f64]) -> Vec<f64> {
@@ -96,7 +99,7 @@ impl Variant {
         let at = |(i, x): (usize, f64)| {
             let mut values = start.clone();
             values[i] = x;
-            self.study.space.point(&values)
+            self.study.space.unit_point(&values)
         };
         others.map(at).collect()
     }
@@ -165,8 +168,8 @@ impl Variant {
     }
 
     /// A simulator of it.
-    pub fn simulator(self: &Arc<Self>, blueprint: &Blueprint) -> VariantSimulator {
-        let script = blueprint.simulator_of(self.study.clone(), &self.text);
+    pub fn simulator(self: &Arc<Self>, factory: &SimulatorFactory) -> VariantSimulator {
+        let script = factory.simulator_of_script(self.study.clone(), &self.text);
         VariantSimulator { variant: self.clone(), script, last: vec![None; self.study.runs.len()] }
     }
 
@@ -197,7 +200,7 @@ pub struct VariantSimulator {
 }
 
 impl Simulator for VariantSimulator {
-    fn simulate(&mut self, run: usize, values: &[f64]) -> Result<Vec<Vec<f64>>, Mishap> {
+    fn simulate(&mut self, run: usize, values: &[f64]) -> Result<Vec<Vec<f64>>, SimulationError> {
         let known = self.variant.of_the_model(values);
         let mut channels = match &self.last[run] {
             Some((at, channels)) if *at == known => channels.clone(),

@@ -3,7 +3,7 @@
 use super::anatomy::{Anatomy, shaken};
 use super::insertion::{Place, insert, place};
 use super::scale::{Scales, Watched};
-use hysteron_identify::study::{Blueprint, Observe, Role, Simulator, Study};
+use hysteron_identify::study::{ObservedChannel, Role, Simulator, SimulatorFactory, Study};
 use hysteron_tcl::top_level;
 use std::sync::Arc;
 
@@ -11,11 +11,16 @@ use std::sync::Arc;
 const MOST: usize = 60;
 
 /// Find where a block goes, and what the model has there. `None` for a script that analyses nothing.
-pub(super) fn look(blueprint: &Blueprint, study: &Arc<Study>, text: &str, values: &[f64]) -> Option<(Place, Anatomy)> {
+pub(super) fn look(
+    factory: &SimulatorFactory,
+    study: &Arc<Study>,
+    text: &str,
+    values: &[f64],
+) -> Option<(Place, Anatomy)> {
     let commands = top_level(text);
     let steps = |n: usize| {
         let end = commands.get(n).map_or(text.len(), |c| c.start);
-        blueprint.simulator_of(study.clone(), &text[..end]).look(0, values, |e| e.steps)
+        factory.simulator_of_script(study.clone(), &text[..end]).inspect_model(0, values, |e| e.steps)
     };
     // The first command that makes a step: those before number `low` make none, those before `high` some.
     let (mut low, mut high) = (0, commands.len());
@@ -26,24 +31,24 @@ pub(super) fn look(blueprint: &Blueprint, study: &Arc<Study>, text: &str, values
         let middle = (low + high) / 2;
         if steps(middle) == 0 { low = middle } else { high = middle }
     }
-    let before = blueprint.simulator_of(study.clone(), &text[..commands[low].start]);
-    let mut anatomy = before.look(0, values, Anatomy::of);
+    let before = factory.simulator_of_script(study.clone(), &text[..commands[low].start]);
+    let mut anatomy = before.inspect_model(0, values, Anatomy::of);
     let made = !anatomy.devices.is_empty() || !anatomy.beams.is_empty();
     if made {
         // The first steps may be those of the weight, and the ground moves after them; what is wiped in the end tells nothing.
         let wiped = commands[low..].iter().find(|c| c.name == "wipe").map_or(text.len(), |c| c.start);
-        let whole = blueprint.simulator_of(study.clone(), &text[..wiped]);
-        anatomy.shaken |= whole.look(0, values, |e| shaken(e.model()));
+        let whole = factory.simulator_of_script(study.clone(), &text[..wiped]);
+        anatomy.shaken |= whole.inspect_model(0, values, |e| shaken(e.model()));
         return Some((place(&commands, low, true), anatomy));
     }
     // The model is made and analysed by one command: it is looked at as it stands in the end.
-    let anatomy = blueprint.simulator_of(study.clone(), text).look(0, values, Anatomy::of);
+    let anatomy = factory.simulator_of_script(study.clone(), text).inspect_model(0, values, Anatomy::of);
     Some((Place::FirstAnalyze, anatomy))
 }
 
 /// Watch the devices in all fitted runs.
 pub(super) fn watch(
-    blueprint: &Blueprint,
+    factory: &SimulatorFactory,
     study: &Arc<Study>,
     text: &str,
     values: &[f64],
@@ -58,7 +63,7 @@ pub(super) fn watch(
     let mut record = |tag: i32, what: &str, columns: &mut dyn Iterator<Item = usize>| {
         let file = format!("hysteron-watch-{tag}-{what}.out");
         block.push(format!("recorder Element -file {file} -time -ele {tag} {what}"));
-        observe.extend(columns.map(|column| Observe {
+        observe.extend(columns.map(|column| ObservedChannel {
             channel: String::new(),
             unit: String::new(),
             output: file.clone(),
@@ -81,7 +86,7 @@ pub(super) fn watch(
     let mut watching = (**study).clone();
     watching.runs.iter_mut().for_each(|r| r.observe.clone_from(&observe));
     let watching = Arc::new(watching);
-    let mut simulator = blueprint.simulator_of(watching.clone(), &text);
+    let mut simulator = factory.simulator_of_script(watching.clone(), &text);
     let mut scales = Scales::default();
     for (run, spec) in watching.runs_of(Role::Fit) {
         let Ok(channels) = simulator.simulate(run, values) else { continue };
@@ -128,8 +133,8 @@ pub(super) mod tests {
         let mut sources = SourceMap::default();
         let study = Arc::new(Study::load(&file, &mut sources).expect("a study"));
         let mut simulator = ScriptSimulator::new(study.clone(), Options::default(), Arc::default());
-        let opening = simulator.open(&mut sources).expect("a script");
-        look(&simulator.blueprint(), &study, text, &opening.values).expect("an analysis").1
+        let initial_run = simulator.run_initially(&mut sources).expect("a script");
+        look(&simulator.factory(), &study, text, &initial_run.values).expect("an analysis").1
     }
 
     #[test]

@@ -27,7 +27,7 @@ use super::anatomy::{Anatomy, Device};
 use super::correction::Correction;
 use super::instruments::axial_over;
 use super::scale::Scales;
-use hysteron_identify::study::{Fit, Range, Role, Scale, Study};
+use hysteron_identify::study::{ParameterRange, Role, Scale, ScoredRun, Study};
 pub(super) use sensor::KNOTS;
 use std::fmt;
 use std::sync::Arc;
@@ -99,7 +99,7 @@ pub struct Sight<'a> {
     /// How far things move in the fitted runs.
     pub scales: &'a Scales,
     /// The fitted runs as the user's model has them, in their order.
-    pub fits: &'a [Fit],
+    pub fits: &'a [ScoredRun],
     /// The times of the recordings are those of a clock, and not the numbers of samples.
     pub clock: bool,
 }
@@ -110,7 +110,7 @@ pub struct Added {
     /// Its name in the script.
     pub name: String,
     /// Where it is sought.
-    pub range: Range,
+    pub range: ParameterRange,
     /// Where the search starts.
     pub start: f64,
     /// Where it is tried as well while the others are at their start: valleys that points spread evenly would miss.
@@ -122,15 +122,15 @@ pub struct Added {
 impl Added {
     /// Sought evenly between two values.
     pub fn linear(name: &str, lower: f64, upper: f64, start: f64) -> Self {
-        Self::sought(name, Range { lower, upper, scale: Scale::Linear }, start)
+        Self::sought(name, ParameterRange { lower, upper, scale: Scale::Linear }, start)
     }
 
     /// Sought evenly in its logarithm.
     pub fn log(name: &str, lower: f64, upper: f64, start: f64) -> Self {
-        Self::sought(name, Range { lower, upper, scale: Scale::Log }, start)
+        Self::sought(name, ParameterRange { lower, upper, scale: Scale::Log }, start)
     }
 
-    fn sought(name: &str, range: Range, start: f64) -> Self {
+    fn sought(name: &str, range: ParameterRange, start: f64) -> Self {
         Self { name: format!("hy_{name}"), range, start, also: vec![], rig: false }
     }
 }

@@ -3,7 +3,7 @@
 use super::{Added, Faults, Hypothesis, Proposal, Sight};
 use crate::correction::Correction;
 use crate::saturation::saturated;
-use hysteron_identify::study::{Observe, Role, Run};
+use hysteron_identify::study::{ObservedChannel, Role, Run};
 use std::sync::Arc;
 
 const fn fault(
@@ -46,8 +46,8 @@ pub(super) const CLIPPING: Hypothesis = fault(
 );
 
 /// The channels of the fitted runs, each once, with one of its records.
-fn channels<'a>(s: &'a Sight<'_>) -> Vec<&'a Observe> {
-    let mut all: Vec<&Observe> = vec![];
+fn channels<'a>(s: &'a Sight<'_>) -> Vec<&'a ObservedChannel> {
+    let mut all: Vec<&ObservedChannel> = vec![];
     for o in s.study.runs.iter().filter(|r| r.role == Role::Fit).flat_map(|r| &r.observe) {
         if all.iter().all(|known| known.channel != o.channel) {
             all.push(o);
@@ -96,7 +96,7 @@ fn fitted_with<'a>(s: &'a Sight<'_>, channel: &'a str) -> impl Iterator<Item = &
 
 fn lag(s: &Sight<'_>) -> Vec<Proposal> {
     let step = s.sampling();
-    let in_all_and_each = |o: &&Observe| {
+    let in_all_and_each = |o: &&ObservedChannel| {
         let one = |run: Option<&str>| {
             let (name, of) = (o.channel.clone(), run.map(str::to_owned));
             let faults: Faults =

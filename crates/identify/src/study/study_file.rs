@@ -1,4 +1,4 @@
-//! The file of a study as it is written; what it means is worked out in [`super::load`].
+//! The tables of `study.toml` as they are written. [`super::load`] checks them.
 
 use serde::Deserialize;
 use std::collections::BTreeMap;

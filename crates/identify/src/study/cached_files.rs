@@ -1,4 +1,4 @@
-//! The files that the script of a study sees: those of its folder, each read from the disk once.
+//! Read-only files for the script of a study. Each is read from the disk once.
 
 use hysteron_tcl::{FileInfo, FileKind, Files, OpenMode, OsFiles, Stream};
 use std::collections::HashMap;
@@ -6,38 +6,38 @@ use std::io::{self, Cursor, Read, Seek, SeekFrom, Write};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
-/// Contents of files by their path; clones share them.
+/// Contents of files by path. Clones share them.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Contents(Arc<Mutex<HashMap<String, Arc<[u8]>>>>);
+pub(super) struct FileContents(Arc<Mutex<HashMap<String, Arc<[u8]>>>>);
 
-impl Contents {
-    /// The same, with another text for one file.
-    pub(super) fn with(&self, path: &str, text: &str) -> Self {
-        let mut known = self.0.lock().map_or_else(|e| e.into_inner().clone(), |k| k.clone());
-        known.insert(path.to_owned(), text.as_bytes().into());
-        Self(Arc::new(Mutex::new(known)))
+impl FileContents {
+    /// A copy with another text for one file.
+    pub(super) fn with_text(&self, path: &str, text: &str) -> Self {
+        let mut texts = self.0.lock().map_or_else(|e| e.into_inner().clone(), |k| k.clone());
+        texts.insert(path.to_owned(), text.as_bytes().into());
+        Self(Arc::new(Mutex::new(texts)))
     }
 }
 
-/// Files of the system, remembered once they are read. What a script writes goes to an overlay, never here.
-pub(super) struct StudyFiles {
+/// Files of the system, kept in memory once they are read. Writing is refused: an overlay takes what a script writes.
+pub(super) struct CachedFiles {
     folder: String,
-    contents: Contents,
+    contents: FileContents,
 }
 
-impl StudyFiles {
-    /// With `folder` as the current one.
-    pub(super) fn new(folder: &str, contents: &Contents) -> Self {
+impl CachedFiles {
+    /// Files with `folder` as the current folder.
+    pub(super) fn new(folder: &str, contents: &FileContents) -> Self {
         Self { folder: folder.to_owned(), contents: contents.clone() }
     }
 
     fn content(&self, path: &str) -> io::Result<Arc<[u8]>> {
-        let mut known = self.contents.0.lock().map_err(|_| io::Error::from(io::ErrorKind::Other))?;
-        if let Some(content) = known.get(path) {
+        let mut texts = self.contents.0.lock().map_err(|_| io::Error::from(io::ErrorKind::Other))?;
+        if let Some(content) = texts.get(path) {
             return Ok(content.clone());
         }
         let content: Arc<[u8]> = OsFiles.read(path)?.into();
-        known.insert(path.to_owned(), content.clone());
+        texts.insert(path.to_owned(), content.clone());
         Ok(content)
     }
 }
@@ -46,7 +46,7 @@ fn read_only<T>() -> io::Result<T> {
     Err(io::ErrorKind::PermissionDenied.into())
 }
 
-impl Files for StudyFiles {
+impl Files for CachedFiles {
     fn current_dir(&self) -> String {
         self.folder.clone()
     }
@@ -55,16 +55,16 @@ impl Files for StudyFiles {
         if mode.write {
             return read_only();
         }
-        Ok(Box::new(Content(Cursor::new(self.content(path)?))))
+        Ok(Box::new(ReadStream(Cursor::new(self.content(path)?))))
     }
 
     fn info(&self, path: &str, follow: bool) -> io::Result<FileInfo> {
         OsFiles.info(path, follow).or_else(|e| {
-            // A text that was put in place of a file that is not there.
-            let known = self.contents.0.lock().map_err(|_| io::Error::from(io::ErrorKind::Other))?;
-            let size = known.get(path).ok_or(e)?.len() as u64;
-            let long_ago = Duration::ZERO;
-            Ok(FileInfo { kind: FileKind::File, size, modified: long_ago, accessed: long_ago, mode: 0o444 })
+            // A replaced text may have no file on the disk.
+            let texts = self.contents.0.lock().map_err(|_| io::Error::from(io::ErrorKind::Other))?;
+            let size = texts.get(path).ok_or(e)?.len() as u64;
+            let epoch = Duration::ZERO;
+            Ok(FileInfo { kind: FileKind::File, size, modified: epoch, accessed: epoch, mode: 0o444 })
         })
     }
 
@@ -89,10 +89,10 @@ impl Files for StudyFiles {
     }
 }
 
-/// A content that is read.
-struct Content(Cursor<Arc<[u8]>>);
+/// A stream that reads a cached file.
+struct ReadStream(Cursor<Arc<[u8]>>);
 
-impl Read for Content {
+impl Read for ReadStream {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         self.0.read(buffer)
     }
@@ -102,7 +102,7 @@ impl Read for Content {
     }
 }
 
-impl Write for Content {
+impl Write for ReadStream {
     fn write(&mut self, _: &[u8]) -> io::Result<usize> {
         read_only()
     }
@@ -112,13 +112,13 @@ impl Write for Content {
     }
 }
 
-impl Seek for Content {
+impl Seek for ReadStream {
     fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
         self.0.seek(to)
     }
 }
 
-impl Stream for Content {
+impl Stream for ReadStream {
     fn set_len(&mut self, _: u64) -> io::Result<()> {
         read_only()
     }
