@@ -4,7 +4,7 @@ use super::engine::Kind;
 use crate::assembly::Handler;
 
 /// How often OpenSees updates its elements. It matters for elements that follow a scheme of OpenSees' which goes on with
-/// every call ([`counts_calls`](crate::element::Element::counts_calls)); the answers of all others are the same.
+/// every call ([`CallDependent`](crate::element::CallDependent)); the answers of all others are the same.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Asking {
     /// Where the integrator looks for the reference load.

@@ -72,7 +72,7 @@ impl GroundInertia {
             for (&d, f) in e.dofs.iter().zip(&force) {
                 inertia.elements[d as usize] += f;
             }
-            let slip = e.element.ground_inertia_slip().filter(|_| compat);
+            let slip = e.element.opensees().ground_inertia.filter(|_| compat);
             if compat && slip.is_none() && force.iter().any(|f| *f != 0.0) {
                 inertia.left_out.resize(model.dofs(), 0.0);
                 for (&d, f) in e.dofs.iter().zip(&force) {

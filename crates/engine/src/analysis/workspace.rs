@@ -174,7 +174,8 @@ impl Workspace {
             };
             let rayleigh = if nature.rayleigh { e.rayleigh } else { Rayleigh::default() };
             let reported = if nature.rayleigh || options.compat { e.rayleigh } else { Rayleigh::default() };
-            let initial_is_current = e.element.initial_is_current();
+            let slips = e.element.opensees();
+            let initial_is_current = slips.initial_is_current;
             let [rayleigh, reported] =
                 [rayleigh, reported].map(|r| if initial_is_current { r.with_current_for_initial() } else { r });
             let all = !rayleigh.is_zero() || !reported.is_zero();
@@ -184,15 +185,15 @@ impl Workspace {
                 rows: Rows::of(e.dofs.iter().map(|&d| all || !plan.map.terms(d as usize).is_empty())),
                 linear: nature.linear && !nature.viscous,
                 rates: nature.viscous || nature.elapses,
-                counts_calls: e.element.counts_calls(),
+                counts_calls: slips.calls.is_some(),
                 constrained: e.dofs.iter().any(|&d| constrained[d as usize]),
                 initial_is_current,
-                keeps_committed: options.compat && !e.element.renews_damping(),
+                keeps_committed: options.compat && slips.keeps_first_damping,
                 damping: nature.viscous.then_some(damping),
                 is_dynamic: !matches!(place, MassPlace::None) || !rayleigh.is_zero(),
                 mass: place,
                 rayleigh,
-                in_tangent: if e.element.damps_in_forces_only() { Rayleigh::default() } else { rayleigh },
+                in_tangent: if slips.damps_in_forces_only { Rayleigh::default() } else { rayleigh },
                 reported,
             });
             at += n * n;

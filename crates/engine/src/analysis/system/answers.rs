@@ -104,7 +104,9 @@ impl System<'_> {
             let part = self.work.part(m);
             let k = &mut self.work.tangent[m.at..m.at + e.dofs.len().pow(2)];
             k.fill(0.0);
-            e.element.last_tangent(&self.new.history[e.state.clone()], k, part);
+            if let Some(calls) = e.element.opensees().calls {
+                calls.last_tangent(&self.new.history[e.state.clone()], k, part);
+            }
         }
         self.work.counting = all;
         asked

@@ -24,8 +24,8 @@ use super::responses::{NAMES, Response};
 use super::shear_bearing::end_masses;
 use super::shear_springs::{Factors, ShearSprings};
 use crate::element::{
-    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask, Overload, Rows,
-    Snapshot, frame_force_labels,
+    BasicRow, CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits,
+    Overload, Rows, Snapshot, frame_force_labels,
 };
 use crate::material::{Material, MaterialError};
 use crate::numeric::SparseMatrix;
@@ -347,31 +347,21 @@ impl Element for KikuchiBearing {
         self.lower.commit(trial, committed);
         self.upper.commit(trial, committed);
     }
-    fn counts_calls(&self) -> bool {
-        matches!(self.scheme, Scheme::OpenSees(..))
-    }
-    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], MatrixMask { rows, .. }: MatrixMask) {
-        if let Scheme::OpenSees(_, common) = &self.scheme
-            && !common.use_stiffness(|k| self.add_global(k, tangent, rows))
-        {
-            self.add_global(&self.last_stiffness(history), tangent, rows);
-        }
-    }
-
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.add_global(&self.virgin_tangent(), tangent, Rows::ALL);
-    }
-    fn initial_is_current(&self) -> bool {
-        matches!(self.scheme, Scheme::OpenSees(..))
     }
     fn mass(&self) -> Mass {
         end_masses(self.mass, 6, 3)
     }
-    fn renews_damping(&self) -> bool {
-        false
-    }
-    fn ground_inertia_slip(&self) -> Option<f64> {
-        (self.mass != 0.0).then_some(1.0)
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        let follows = matches!(self.scheme, Scheme::OpenSees(..));
+        OpenSeesTraits {
+            calls: follows.then_some(self as &dyn CallDependent),
+            initial_is_current: follows,
+            keeps_first_damping: true,
+            ground_inertia: (self.mass != 0.0).then_some(1.0),
+            ..OpenSeesTraits::default()
+        }
     }
     fn overload(&self, history: &[f64]) -> Option<Overload> {
         let axial = match self.scheme {

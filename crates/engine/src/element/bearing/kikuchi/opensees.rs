@@ -6,8 +6,8 @@
 
 use super::condensation::{Condensed, Yielding, condense, followed, held_by_nothing, join, yielding};
 use super::kinematics::{INNER, Matrix, Motion, OUTER, Springs};
-use super::{Balance, Common, Factors, KikuchiBearing};
-use crate::element::ElementError;
+use super::{Balance, Common, Factors, KikuchiBearing, Scheme};
+use crate::element::{CallDependent, ElementError, MatrixMask};
 use crate::material::MaterialError;
 use crate::state_struct;
 use crate::state_struct::StateStruct;
@@ -183,6 +183,16 @@ impl KikuchiBearing {
     /// The tangent that OpenSees has after the last call, from the state that it left.
     pub(super) fn last_stiffness(&self, state: &[f64]) -> [[f64; OUTER]; OUTER] {
         Solved::read(&state[SOLVED_AT..]).stiffness
+    }
+}
+
+impl CallDependent for KikuchiBearing {
+    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], MatrixMask { rows, .. }: MatrixMask) {
+        if let Scheme::OpenSees(_, common) = &self.scheme
+            && !common.use_stiffness(|k| self.add_global(k, tangent, rows))
+        {
+            self.add_global(&self.last_stiffness(history), tangent, rows);
+        }
     }
 }
 
