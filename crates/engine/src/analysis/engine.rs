@@ -3,13 +3,13 @@
 mod stepping;
 
 use super::algorithm::Algorithm;
-use super::asking::Calls;
 use super::convergence::Test;
 use super::failure::Failure;
 use super::integrator::Integrator;
+use super::opensees::Stage;
 use super::recovery::RecoveryStrategy;
 use super::state::{State, StepStart};
-use super::system::{Coefficients, System};
+use super::system::System;
 use super::workspace::{PrepareOptions, Workspace};
 use crate::assembly::{Handler, MpScope};
 use crate::element::{Element, Overload, Snapshot};
@@ -413,22 +413,7 @@ impl Engine {
     /// The equations at the committed state, outside of a step.
     pub(super) fn system(&mut self) -> Option<System<'_>> {
         let (_, _, work) = self.prepared.as_mut()?;
-        work.updates = Calls::NONE;
-        Some(System {
-            model: &self.model,
-            old: &self.committed,
-            new: &mut self.trial,
-            work,
-            coefficients: Coefficients::default(),
-            dynamic: false,
-            elapses: false,
-            passed: None,
-            again: false,
-            moved: true,
-            asked: None,
-            still: false,
-            summed: false,
-            settled: false,
-        })
+        work.enter(Stage::Outside);
+        Some(System::new(&self.model, &self.committed, &mut self.trial, work))
     }
 }

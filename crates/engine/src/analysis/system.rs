@@ -1,6 +1,6 @@
 //! The equations of a step: unbalance, tangent, correction, for a trial state.
 
-mod answers;
+mod evaluation;
 
 use super::failure::{Cause, Failure};
 use super::loads::Loads;
@@ -38,8 +38,6 @@ pub struct System<'a> {
     pub elapses: bool,
     /// The time that counts as passed for the elements where it is not that of the domain.
     pub passed: Option<f64>,
-    /// Elements that count their calls are asked once more where they were asked last.
-    pub again: bool,
     /// Displacements or element loads differ from the committed ones, or may.
     pub moved: bool,
     /// The time that all elements have been asked at in this step, if they have: those that have not moved since are not
@@ -52,6 +50,28 @@ pub struct System<'a> {
     /// The test is passed whatever the last correction has done to the forces: an element that it has moved by no more than
     /// round-off has not moved.
     pub settled: bool,
+}
+
+impl<'a> System<'a> {
+    /// The equations at a committed state, outside of a step.
+    #[inline]
+    pub(super) fn new(model: &'a Model, old: &'a State, new: &'a mut State, work: &'a mut Workspace) -> Self {
+        Self {
+            model,
+            old,
+            new,
+            work,
+            coefficients: Coefficients::default(),
+            dynamic: false,
+            elapses: false,
+            passed: None,
+            moved: true,
+            asked: None,
+            still: false,
+            summed: false,
+            settled: false,
+        }
+    }
 }
 
 impl System<'_> {
@@ -212,7 +232,7 @@ impl System<'_> {
     /// motions stay those of that time, and the clock goes on from there: it rounds otherwise, and a motion may have ended by then.
     pub fn apply_loads_at_end(&mut self, part: f64, dt: f64) -> Result<(), Failure> {
         let (solved_at, end) = (self.new.time, self.old.time + dt);
-        let compat = self.work.compat;
+        let compat = self.work.opensees.is_some();
         self.apply_loads(if compat { solved_at } else { end })?;
         self.new.time = if compat { solved_at + (1.0 - part) * dt } else { end };
         Ok(())
@@ -223,7 +243,7 @@ impl System<'_> {
         let passed = self.new.time - self.old.time;
         self.moved = true;
         self.apply_loads_at_end(part, dt)?;
-        self.passed = self.work.compat.then_some(passed);
+        self.passed = self.work.opensees.is_some().then_some(passed);
         // The clock is that of this answer alone: who needs the tangent of the committed state takes it from here.
         let done = self.respond(self.work.wants_committed_tangent());
         self.passed = None;
@@ -297,7 +317,7 @@ impl System<'_> {
     #[inline]
     pub fn is_balanced(&self) -> bool {
         let work = &self.work;
-        work.solver.is_factored() && work.counting.is_empty() && work.b.iter().all(|b| *b == 0.0)
+        work.solver.is_factored() && !work.counts_updates() && work.b.iter().all(|b| *b == 0.0)
     }
 
     /// Assemble the tangent of the integrator, to be solved with once or often.

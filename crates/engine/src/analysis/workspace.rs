@@ -2,10 +2,10 @@
 
 mod forces;
 
-use super::asking::{Asking, Calls};
 use super::failure::Cause;
 use super::loads::Loads;
 use super::modal_damping::DampedModes;
+use super::opensees::{Stage, UpdateCounts};
 use super::system::Coefficients;
 use super::two_end_residual::TwoEndResidual;
 use crate::assembly::{DofError, Handler, MpScope, Plan};
@@ -43,8 +43,6 @@ pub(super) struct ElementWorkspace {
     pub rates: bool,
     /// The answer goes on with every call.
     pub counts_calls: bool,
-    /// A node of it is held, or follows others.
-    pub constrained: bool,
     /// The current tangent stands for the initial one.
     initial_is_current: bool,
     /// The committed tangent stays that of the first step.
@@ -107,14 +105,8 @@ pub struct Workspace {
     pub(super) residual_needs_tangent: bool,
     /// The integrator multiplies the tangents of the elements with displacements of its own: all columns are read.
     pub(super) multiplies: bool,
-    /// OpenSees' slips are followed.
-    pub(super) compat: bool,
-    /// Elements that count their calls.
-    pub(super) counting: Vec<usize>,
-    /// How often elements that count their calls are asked.
-    pub(super) asking: Asking,
-    /// How often they are to be asked now.
-    pub(super) updates: Calls,
+    /// Number of updates of the elements, under `--compat opensees` only.
+    pub(super) opensees: Option<UpdateCounts>,
     /// Displacements that the elements were asked at last, and then their velocities, element after element.
     pub(super) motions: Vec<f64>,
     /// Displacements of all degrees of freedom when the elements were asked last in a step.
@@ -185,8 +177,7 @@ impl Workspace {
                 rows: Rows::of(e.dofs.iter().map(|&d| all || !plan.map.terms(d as usize).is_empty())),
                 linear: nature.linear && !nature.viscous,
                 rates: nature.viscous || nature.elapses,
-                counts_calls: slips.calls.is_some(),
-                constrained: e.dofs.iter().any(|&d| constrained[d as usize]),
+                counts_calls: options.compat && slips.calls.is_some(),
                 initial_is_current,
                 keeps_committed: options.compat && slips.keeps_first_damping,
                 damping: nature.viscous.then_some(damping),
@@ -223,10 +214,7 @@ impl Workspace {
             tangent_is_current: false,
             residual_needs_tangent: false,
             multiplies: false,
-            compat: options.compat,
-            counting: (0..matrices.len()).filter(|&i| matrices[i].counts_calls).collect(),
-            asking: Asking::default(),
-            updates: Calls::NONE,
+            opensees: options.compat.then(|| UpdateCounts::new(model, &constrained)),
             motions: vec![0.0; motion],
             asked_at: vec![0.0; model.dofs()],
             initial: vec![],
@@ -276,6 +264,20 @@ impl Workspace {
     pub(super) fn forget(&mut self) {
         self.tangent_is_current = false;
         self.solver.forget();
+    }
+
+    /// Set the updates that the next evaluation makes of elements that depend on their number.
+    #[inline]
+    pub(super) fn enter(&mut self, stage: Stage) {
+        if let Some(counts) = &mut self.opensees {
+            counts.enter(stage);
+        }
+    }
+
+    /// Returns true if an element depends on the number of its updates.
+    #[inline]
+    pub(super) fn counts_updates(&self) -> bool {
+        self.opensees.as_ref().is_some_and(|counts| !counts.elements.is_empty())
     }
 
     /// What is read of the matrices of an element.

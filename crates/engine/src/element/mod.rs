@@ -36,7 +36,7 @@ pub use basic_row::BasicRow;
 pub use corot_truss::CorotTruss;
 pub use coupled_zero_length::CoupledZeroLength;
 pub use load::ElementLoad;
-pub use opensees::{CallDependent, OpenSeesTraits};
+pub use opensees::{CallDependent, OpenSeesCall, OpenSeesTraits, SharedState};
 pub use quad::{Isotropic, Plane, Quad, QuadOptions};
 pub use truss::Truss;
 pub use two_node_link::{LinkOptions, TwoNodeLink};
@@ -57,8 +57,8 @@ pub struct ElementInput<'a> {
     pub load: &'a [f64],
     /// Nothing has a velocity.
     pub still: bool,
-    /// An element that counts its calls is asked once more where it was asked last.
-    pub again: bool,
+    /// Under `--compat opensees`, the call of an element that depends on the number of calls.
+    pub opensees: Option<OpenSeesCall<'a>>,
     /// Domain time since the committed state.
     pub dt: f64,
     /// Domain time (the load factor of static analyses).

@@ -3,6 +3,8 @@
 //! The analysis reads them under `--compat opensees` only.
 
 use super::MatrixMask;
+use std::cell::Cell;
+use std::fmt;
 
 /// Differences of one element; the default is an element without any.
 #[derive(Clone, Copy, Debug, Default)]
@@ -22,8 +24,28 @@ pub struct OpenSeesTraits<'a> {
     pub ground_inertia: Option<f64>,
 }
 
+/// State variables that the elements of a class share: static members of the class in OpenSees. They are zero in a new
+/// model, and are empty where an element is evaluated outside of an analysis.
+pub type SharedState = [Cell<f64>];
+
+/// A call of a [`CallDependent`] element.
+#[derive(Clone, Copy, Debug)]
+pub struct OpenSeesCall<'a> {
+    /// The call before had the same motion.
+    pub repeated: bool,
+    /// The element is the last of its class in the model.
+    pub last_of_class: bool,
+    /// State variables of the class.
+    pub shared: &'a SharedState,
+}
+
 /// An element whose trial state depends on the trial state of the call before, and so on the number of calls in a step.
-pub trait CallDependent: std::fmt::Debug {
+pub trait CallDependent: fmt::Debug {
+    /// Number of state variables that the elements of the class share.
+    fn shared_len(&self) -> usize {
+        0
+    }
+
     /// Tangent of the last call, from the trial history of that call. Wanted rows of n x n are added to a zero matrix.
-    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], part: MatrixMask);
+    fn last_tangent(&self, history: &[f64], shared: &SharedState, tangent: &mut [f64], part: MatrixMask);
 }

@@ -64,14 +64,14 @@ impl NewtonLineSearch {
         x.iter_mut().zip(&self.direction).for_each(|(x, d)| *x = (to - from) * d);
         self.update(it)?;
         // OpenSees has here the other sign than at lengths 0 and 1.
-        let sign = if it.system.work.compat { -1.0 } else { 1.0 };
+        let sign = if it.system.work.opensees.is_some() { -1.0 } else { 1.0 };
         Ok(sign * self.work(it))
     }
 
     /// Move, and ask for the unbalance there. Where the integrator adds to the correction, as those that find the load factor do,
     /// OpenSees goes on along what it has moved by.
     fn update(&mut self, it: &mut Iteration<'_, '_>) -> Result<(), Failure> {
-        let follows = it.system.work.compat;
+        let follows = it.system.work.opensees.is_some();
         if follows {
             self.asked.clear();
             self.asked.extend_from_slice(&it.system.work.x);

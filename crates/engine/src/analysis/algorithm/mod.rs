@@ -14,6 +14,7 @@ mod secant_newton;
 use super::convergence::{Test, TestOutcome};
 use super::failure::{Cause, Failure};
 use super::integrator::Integrator;
+use super::opensees::Stage;
 use super::system::System;
 use super::workspace::TangentMix;
 use std::fmt;
@@ -43,7 +44,7 @@ impl Iteration<'_, '_> {
     #[inline]
     pub fn update(&mut self) -> Result<(), Failure> {
         self.system.moved = true;
-        self.system.work.updates = self.system.work.asking.update;
+        self.system.work.enter(Stage::Correction);
         self.system.work.progress = (self.test.iteration + 1, self.test.max_iterations.max(1));
         let mut x = std::mem::take(&mut self.system.work.x);
         let result = self.integrator.update(self.system, &mut x);

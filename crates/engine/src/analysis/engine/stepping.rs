@@ -2,11 +2,10 @@
 
 use super::{Engine, Imbalance, Kind, Observer, Setup};
 use crate::analysis::algorithm::Iteration;
-use crate::analysis::asking::{Asking, Calls};
 use crate::analysis::failure::Cause;
 use crate::analysis::failure::Failure;
 use crate::analysis::integrator::Adaptive;
-use crate::analysis::system::Coefficients;
+use crate::analysis::opensees::Stage;
 use crate::analysis::system::System;
 use crate::analysis::workspace::TangentMix;
 use crate::numeric::{all_zero, largest};
@@ -86,20 +85,10 @@ impl Engine {
         let length = self.length(dt);
         let (Some(setup), Some((_, _, work))) = (&mut self.setup, &mut self.prepared) else { return Ok(()) };
         let mut system = System {
-            model: &self.model,
-            old: &self.committed,
-            new: &mut self.trial,
-            coefficients: Coefficients::default(),
             dynamic: setup.kind == Kind::Transient,
             elapses: setup.integrator.elapses(),
-            passed: None,
-            again: false,
             moved: false,
-            asked: None,
-            still: false,
-            summed: false,
-            settled: false,
-            work,
+            ..System::new(&self.model, &self.committed, &mut self.trial, work)
         };
         if self.fresh {
             prepare(&mut system, setup)?;
@@ -140,7 +129,7 @@ impl Engine {
         let start = self.committed.clone();
         for _ in 0..parts {
             if let Err(failure) = self.step(length / f64::from(parts)) {
-                self.change_state(|s, _| s.clone_from(&start));
+                self.change_state(|s, _| s.revert_to(&start));
                 return Err(failure);
             }
         }
@@ -159,21 +148,13 @@ impl Engine {
         let (Some(setup), Some((_, _, work))) = (&mut self.setup, &mut self.prepared) else {
             unreachable!("prepared above")
         };
+        let still = setup.kind == Kind::Static && !work.loads.moves && all_zero(&self.committed.vel);
         let mut system = System {
-            model: &self.model,
-            old: &self.committed,
-            new: &mut self.trial,
-            coefficients: Coefficients::default(),
             dynamic: setup.kind == Kind::Transient,
             elapses: setup.integrator.elapses(),
-            passed: None,
-            again: false,
             moved: false,
-            asked: None,
-            still: setup.kind == Kind::Static && !work.loads.moves && all_zero(&self.committed.vel),
-            summed: false,
-            settled: false,
-            work,
+            still,
+            ..System::new(&self.model, &self.committed, &mut self.trial, work)
         };
         setup.test.closely = self.options.refine > 1;
         let result = advance(&mut system, setup, self.fresh, length);
@@ -192,6 +173,7 @@ impl Engine {
             }
             Err(failure) => {
                 system.work.loads.invalidate();
+                self.committed.shared.copy_from_slice(&self.trial.shared);
                 self.trial.copy_from(&self.committed);
                 Err(failure)
             }
@@ -210,14 +192,13 @@ fn prepare(system: &mut System<'_>, setup: &mut Setup) -> Result<(), Failure> {
 
 /// Begin, solve and end a step.
 fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64) -> Result<usize, Failure> {
-    // Nobody else asks for it.
-    if !system.work.counting.is_empty() {
-        system.work.asking = Asking::new(setup.kind, setup.integrator.name(), setup.handler);
+    if let Some(counts) = &mut system.work.opensees {
+        counts.set_schedule(setup.kind, setup.integrator.name(), setup.handler);
     }
     if fresh {
-        system.work.updates = system.work.asking.prepare;
+        system.work.enter(Stage::Preparation);
         prepare(system, setup)?;
-        system.work.updates = Calls::NONE;
+        system.work.enter(Stage::Outside);
         system.work.tangent_is_current = false;
         if system.work.wants_committed_tangent() {
             system.respond(true)?;
@@ -225,13 +206,12 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64)
         }
     }
     setup.integrator.begin(system, length)?;
-    system.work.updates = system.work.asking.begin;
+    system.work.enter(Stage::Begin);
     let mut iteration = Iteration { system, integrator: setup.integrator.as_mut(), test: &mut setup.test };
     let iterations = setup.algorithm.solve(&mut iteration)?;
-    // Integrators that answer at another time than the end of the step ask once more.
-    system.work.updates = Calls::ONCE;
+    system.work.enter(Stage::End);
     setup.integrator.commit(system, iterations).map_err(|f| f.with_code(-4))?;
-    system.work.updates = Calls::NONE;
+    system.work.enter(Stage::Outside);
     if system.work.wants_committed_tangent() {
         if !system.work.tangent_is_current {
             system.respond(true)?;

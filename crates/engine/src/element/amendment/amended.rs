@@ -4,7 +4,7 @@ use super::slack::ForceAndTangent;
 use super::{AmendedForce, Amendment, DeformationState, Pair, Slack, SlackShare};
 use crate::element::{
     BasicRow, CallDependent, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, MAX_DOFS,
-    Mass, MatrixMask, OpenSeesTraits, Overload, Snapshot, dot,
+    Mass, MatrixMask, OpenSeesTraits, Overload, SharedState, Snapshot, dot,
 };
 use crate::probe::Probe;
 use crate::series::Series;
@@ -278,7 +278,8 @@ impl Amended {
         };
         self.inner.respond(motion, committed, trial, own)?;
         if let (Some(calls), Some(tangent)) = (calls, answer.tangent.as_deref_mut()) {
-            calls.last_tangent(trial, tangent, MatrixMask::ALL);
+            let shared = motion.opensees.map_or(&[] as &SharedState, |call| call.shared);
+            calls.last_tangent(trial, shared, tangent, MatrixMask::ALL);
         }
         Ok(())
     }
@@ -348,7 +349,10 @@ impl Amended {
 }
 
 impl CallDependent for Amended {
-    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], _: MatrixMask) {
+    fn shared_len(&self) -> usize {
+        self.inner.opensees().calls.map_or(0, CallDependent::shared_len)
+    }
+    fn last_tangent(&self, history: &[f64], _: &SharedState, tangent: &mut [f64], _: MatrixMask) {
         tangent.copy_from_slice(&history[self.tangent_at()..]);
     }
 }

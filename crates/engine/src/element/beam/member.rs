@@ -4,7 +4,7 @@ use crate::element::load::ElementLoad;
 use crate::element::transform::{Reactions, Transform};
 use crate::element::{
     CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask, OpenSeesTraits,
-    Snapshot, frame_force_labels,
+    SharedState, Snapshot, frame_force_labels,
 };
 use crate::probe::Probe;
 use crate::section::{Resultant, SectionSlot, SharedSection};
@@ -215,7 +215,7 @@ const SECTION: u32 = 30;
 const ALL_SECTIONS: u32 = 31;
 
 impl<F: Formulation<N, B>, const N: usize, const B: usize> CallDependent for FiberBeam<F, N, B> {
-    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], _: MatrixMask) {
+    fn last_tangent(&self, history: &[f64], _: &SharedState, tangent: &mut [f64], _: MatrixMask) {
         let m = &self.member;
         let disp = Trace::<N, B>::read(&history[m.own..]).disp;
         let basic = Basic::read(&history[m.head()..]);

@@ -32,7 +32,7 @@ mod yamamoto;
 pub use axial::{Axial, AxialLaw, AxialStep};
 pub use bouc_wen::BoucWenShear;
 pub use grant::{Damage, GrantShear};
-pub use kikuchi::{Balance, Common, KikuchiBearing, KikuchiParameters, Scheme};
+pub use kikuchi::{Balance, KikuchiBearing, KikuchiParameters, Scheme};
 pub use lead::LeadCore;
 pub use link::Link;
 pub use multiple_normal_spring::MultipleNormalSpring;

@@ -6,7 +6,7 @@ use super::responses::{NAMES, Response};
 use super::shear_bearing::end_masses;
 use crate::element::{
     BasicRow, CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask,
-    OpenSeesTraits, Snapshot, frame_force_labels,
+    OpenSeesTraits, SharedState, Snapshot, frame_force_labels,
 };
 use crate::probe::Probe;
 use crate::state_struct;
@@ -146,7 +146,7 @@ impl Element for MultipleNormalSpring {
 }
 
 impl CallDependent for MultipleNormalSpring {
-    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], part: MatrixMask) {
+    fn last_tangent(&self, history: &[f64], _: &SharedState, tangent: &mut [f64], part: MatrixMask) {
         self.link.add_basic_part(&Self::stiffness(Forces::read(history).stiffness), tangent, part);
     }
 }

@@ -6,13 +6,11 @@
 //! midst; at their outer ends stand the sections, each as long as half of the rubber. The axial force runs along the
 //! tilted links: so the bearing softens with the shear displacement, and buckles.
 
-mod common;
 mod condensation;
 mod equilibrium;
 mod kinematics;
 mod opensees;
 
-pub use self::common::Common;
 use self::condensation::{Condensed, Inner};
 use self::equilibrium::{HEADER, Memory};
 use self::kinematics::{Geometry, Kinematics, OUTER, Springs, Stiff};
@@ -71,8 +69,8 @@ pub struct KikuchiParameters {
 pub enum Scheme {
     /// To round-off at every trial state.
     Converged,
-    /// As OpenSees does: one step from the springs of the last trial state, with what its bearings have in common.
-    OpenSees(Balance, Common),
+    /// As in OpenSees: one Newton step from the springs of the last trial state.
+    OpenSees(Balance),
 }
 
 /// OpenSees' `-doBalance`: correction of the inner nodes when a step is committed.
@@ -109,8 +107,6 @@ pub struct KikuchiBearing {
     virgin_factors: Factors,
     /// Virgin stiffness of a section at each inner node.
     hold: Inner,
-    /// Number among the bearings that have variables in common.
-    number: usize,
     scheme: Scheme,
 }
 
@@ -133,9 +129,9 @@ impl KikuchiBearing {
             bending: RIGID * e * inertia / p.rubber,
             torsion: RIGID * k * 2.0 * inertia / p.rubber,
         };
-        let (header, geometry, number) = match &scheme {
-            Scheme::Converged => (HEADER, Geometry::MeanTilt, 0),
-            Scheme::OpenSees(_, common) => (OPENSEES_HEADER, Geometry::EachLink, common.join()),
+        let (header, geometry) = match &scheme {
+            Scheme::Converged => (HEADER, Geometry::MeanTilt),
+            Scheme::OpenSees(_) => (OPENSEES_HEADER, Geometry::EachLink),
         };
         let shear = ShearSprings::new(p.shear, p.shear_springs, p.limit, header);
         let at = header + shear.state_len();
@@ -143,7 +139,7 @@ impl KikuchiBearing {
         shear.init(&mut virgin);
         let virgin_factors = shear.factors(0.0, &virgin.clone(), &mut virgin)?;
         let mut lower = NormalSprings::new(p.normal, &p.layout, 0.5 * p.rubber, at);
-        if matches!(scheme, Scheme::OpenSees(..)) {
+        if matches!(scheme, Scheme::OpenSees(_)) {
             lower = lower.counting_calls();
         }
         let upper = lower.clone().at(at + lower.state_len());
@@ -169,7 +165,6 @@ impl KikuchiBearing {
             mass: p.mass,
             virgin_factors,
             hold,
-            number,
             scheme,
         })
     }
@@ -178,7 +173,7 @@ impl KikuchiBearing {
     fn header(&self) -> usize {
         match self.scheme {
             Scheme::Converged => HEADER,
-            Scheme::OpenSees(..) => OPENSEES_HEADER,
+            Scheme::OpenSees(_) => OPENSEES_HEADER,
         }
     }
 
@@ -296,7 +291,7 @@ impl Element for KikuchiBearing {
     fn init(&self, state: &mut [f64]) {
         match self.scheme {
             Scheme::Converged => self.write_virgin_memory(state),
-            Scheme::OpenSees(..) => self.write_virgin_trace(state),
+            Scheme::OpenSees(_) => self.write_virgin_trace(state),
         }
         self.shear.init(state);
         self.lower.init(state);
@@ -328,9 +323,9 @@ impl Element for KikuchiBearing {
                 let rows = if answer.tangent.is_some() { self.local_rows(answer.part.rows) } else { Rows::NONE };
                 self.converge(outer, committed, motion.dt, rows, trial, &mut local)?;
             }
-            Scheme::OpenSees(balance, common) => {
+            Scheme::OpenSees(balance) => {
                 (local.force, local.stiffness) =
-                    self.follow_opensees(outer, committed, motion.dt, (*balance, common), trial)?;
+                    self.follow_opensees(outer, committed, motion.dt, (*balance, motion.opensees), trial)?;
             }
         }
         self.add_force(&local.force, answer.force);
@@ -354,7 +349,7 @@ impl Element for KikuchiBearing {
         end_masses(self.mass, 6, 3)
     }
     fn opensees(&self) -> OpenSeesTraits<'_> {
-        let follows = matches!(self.scheme, Scheme::OpenSees(..));
+        let follows = matches!(self.scheme, Scheme::OpenSees(_));
         OpenSeesTraits {
             calls: follows.then_some(self as &dyn CallDependent),
             initial_is_current: follows,
@@ -366,7 +361,7 @@ impl Element for KikuchiBearing {
     fn overload(&self, history: &[f64]) -> Option<Overload> {
         let axial = match self.scheme {
             Scheme::Converged => Memory::read(history).axial,
-            Scheme::OpenSees(..) => opensees::axial_deformation(history),
+            Scheme::OpenSees(_) => opensees::axial_deformation(history),
         };
         let (load, critical) = (-self.kinematics.stiff.axial * axial, self.critical_load()?);
         (load > critical).then_some(Overload { load, critical })

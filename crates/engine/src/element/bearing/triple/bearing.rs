@@ -8,7 +8,7 @@ use crate::element::bearing::shear_bearing::{
 use crate::element::friction::{Coefficient, Contact, Friction};
 use crate::element::{
     BasicRow, CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask,
-    OpenSeesTraits, Snapshot, frame_force_labels,
+    OpenSeesTraits, SharedState, Snapshot, frame_force_labels,
 };
 use crate::material::{Material, Slot, Strain, Stress};
 use crate::probe::Probe;
@@ -460,7 +460,7 @@ impl Element for TriplePendulum {
 
 /// OpenSees' friction starts from the speeds of the last call, its vertical material from its restored state.
 impl CallDependent for TriplePendulum {
-    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], _: MatrixMask) {
+    fn last_tangent(&self, history: &[f64], _: &SharedState, tangent: &mut [f64], _: MatrixMask) {
         let load = Load::read(&history[ChainState::LEN..]);
         for (i, k) in load.across.iter().enumerate() {
             add_apart(tangent, i / 2, i % 2, *k, -1.0);

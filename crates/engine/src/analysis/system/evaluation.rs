@@ -1,7 +1,9 @@
 //! Asking the elements, as seldom as their answers allow.
 
 use super::{Cause, Failure, System};
-use crate::element::{ElementError, ElementInput, ElementOutput, MAX_DOFS};
+use crate::analysis::opensees::{CountedElement, Updates};
+use crate::element::{ElementError, ElementInput, ElementOutput, MAX_DOFS, OpenSeesCall};
+use std::cell::Cell;
 
 /// Velocities where nothing moves.
 static AT_REST: [f64; MAX_DOFS] = [0.0; MAX_DOFS];
@@ -26,7 +28,7 @@ impl System<'_> {
     #[inline]
     pub(super) fn answers_stand(&self, want_tangent: bool) -> bool {
         let tangents = (want_tangent || self.work.residual_needs_tangent) && !self.work.tangent_is_current;
-        self.asked == Some(self.new.time) && !tangents && self.work.counting.is_empty() && self.nothing_has_moved()
+        self.asked == Some(self.new.time) && !tangents && !self.work.counts_updates() && self.nothing_has_moved()
     }
 
     fn ask(&mut self, want_tangent: bool) -> Result<(), Failure> {
@@ -42,16 +44,16 @@ impl System<'_> {
         for i in 0..self.model.elements.len() {
             let m = &self.work.matrices[i];
             if (all || m.rates) && !m.counts_calls && !(asked_before && self.has_not_moved(i)) {
-                self.respond_one(i, want_tangent, dt)?;
+                self.respond_one(i, want_tangent, dt, None)?;
                 asked = true;
             }
         }
-        if !self.work.counting.is_empty() {
-            self.respond_counting(dt)?;
+        if self.work.counts_updates() {
+            self.respond_counted(dt)?;
         }
         let work = &mut *self.work;
         work.tangent_is_current = want_tangent || (work.tangent_is_current && !(all && asked));
-        self.summed &= !asked && work.counting.is_empty();
+        self.summed &= !asked && !work.counts_updates();
         if all {
             self.asked = Some(self.new.time);
             work.asked_at.copy_from_slice(&self.new.disp);
@@ -87,33 +89,51 @@ impl System<'_> {
         e.load.is_empty() && same(&self.new.disp, disp) && (self.still || same(&self.new.vel, vel))
     }
 
-    /// Ask the elements that count their calls as often as OpenSees does, then for the tangents that they have come to.
-    fn respond_counting(&mut self, dt: f64) -> Result<(), Failure> {
-        let all = std::mem::take(&mut self.work.counting);
-        let calls = std::mem::take(&mut self.work.updates);
-        let mut rounds = (0..calls.constrained + calls.all).flat_map(|round| all.iter().map(move |&i| (round, i)));
-        let asked = rounds.try_for_each(|(round, i)| {
-            let first = if self.work.matrices[i].constrained { 0 } else { calls.constrained };
-            self.again = round > first;
-            if round >= first { self.respond_one(i, false, dt) } else { Ok(()) }
-        });
-        self.again = false;
-        for &i in &all {
-            let e = &self.model.elements[i];
-            let m = &self.work.matrices[i];
-            let part = self.work.part(m);
-            let k = &mut self.work.tangent[m.at..m.at + e.dofs.len().pow(2)];
-            k.fill(0.0);
-            if let Some(calls) = e.element.opensees().calls {
-                calls.last_tangent(&self.new.history[e.state.clone()], k, part);
-            }
-        }
-        self.work.counting = all;
-        asked
+    /// Evaluate the elements that depend on the number of calls as often as OpenSees does, then their tangents.
+    fn respond_counted(&mut self, dt: f64) -> Result<(), Failure> {
+        let Some(mut counts) = self.work.opensees.take() else { return Ok(()) };
+        let updates = std::mem::take(&mut counts.due);
+        let result = self.update_counted(&counts.elements, updates, dt);
+        counts.elements.iter().for_each(|counted| self.take_last_tangent(counted.index));
+        self.work.opensees = Some(counts);
+        result
     }
 
+    fn update_counted(&mut self, elements: &[CountedElement], updates: Updates, dt: f64) -> Result<(), Failure> {
+        for round in 0..updates.constrained + updates.all {
+            for counted in elements {
+                let first = if counted.constrained { 0 } else { updates.constrained };
+                if round >= first {
+                    let call = (round > first, counted.last_of_class);
+                    self.respond_one(counted.index, false, dt, Some(call))?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn take_last_tangent(&mut self, i: usize) {
+        let e = &self.model.elements[i];
+        let m = &self.work.matrices[i];
+        let part = self.work.part(m);
+        let k = &mut self.work.tangent[m.at..m.at + e.dofs.len().pow(2)];
+        k.fill(0.0);
+        if let Some(calls) = e.element.opensees().calls {
+            let shared = Cell::from_mut(&mut self.new.shared[e.shared.clone()]).as_slice_of_cells();
+            calls.last_tangent(&self.new.history[e.state.clone()], shared, k, part);
+        }
+    }
+
+    /// Evaluate an element. For one that depends on the number of calls, `counted` holds the first fields of its
+    /// [`OpenSeesCall`].
     #[inline]
-    fn respond_one(&mut self, i: usize, want_tangent: bool, dt: f64) -> Result<(), Failure> {
+    fn respond_one(
+        &mut self,
+        i: usize,
+        want_tangent: bool,
+        dt: f64,
+        counted: Option<(bool, bool)>,
+    ) -> Result<(), Failure> {
         let (e, work) = (&self.model.elements[i], &mut *self.work);
         let m = &work.matrices[i];
         let part = work.part(m);
@@ -140,7 +160,12 @@ impl System<'_> {
         let load = &self.new.element_load[e.load.clone()];
         let vel = if self.still { &AT_REST[..n] } else { &*vel };
         let time = self.passed.map_or(self.new.time, |passed| self.old.time + passed);
-        let motion = ElementInput { disp, vel, load, still: self.still, again: self.again, dt, time };
+        let shared = &mut self.new.shared;
+        let opensees = counted.map(|(repeated, last_of_class)| {
+            let shared = Cell::from_mut(&mut shared[e.shared.clone()]).as_slice_of_cells();
+            OpenSeesCall { repeated, last_of_class, shared }
+        });
+        let motion = ElementInput { disp, vel, load, still: self.still, opensees, dt, time };
         let answer = ElementOutput { force, tangent, damping, part };
         let committed = &self.old.history[e.state.clone()];
         let trial = &mut self.new.history[e.state.clone()];
