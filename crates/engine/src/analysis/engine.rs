@@ -396,7 +396,7 @@ impl Engine {
     /// The smallest pivot that was nearly zero: where it was, and the fraction of the stiffness that was left.
     pub fn weak_pivot(&self) -> Option<(String, f64)> {
         let (_, _, work) = self.prepared.as_ref()?;
-        let p = work.weak_pivot?;
+        let p = work.matrix.weak_pivot?;
         Some((work.plan.equation_name(&self.model, p.equation), p.ratio))
     }
 

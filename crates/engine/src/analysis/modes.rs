@@ -143,7 +143,7 @@ impl Engine {
         let time = state.time;
         work.assemble(model, Coefficients { k: 0.0, c: 0.0, m: 1.0 }, TangentMix::CURRENT);
         let mass = match problem {
-            Problem::Generalized => Some(work.values.clone()),
+            Problem::Generalized => Some(work.matrix.values.clone()),
             Problem::Standard => None,
         };
         work.assemble(model, Coefficients { k: 1.0, c: 0.0, m: 0.0 }, TangentMix::CURRENT);
@@ -156,7 +156,7 @@ impl Engine {
         // A body that floats is held by a very soft spring, which the eigenvalues are freed of again.
         let mut shift = 0.0;
         for attempt in 0..2 {
-            let pivots = work.solver.factor(&work.plan.pattern, &work.values);
+            let pivots = work.solver.factor(&work.plan.pattern, &work.matrix.values);
             match pivots {
                 Ok(p) if p.ratio > SINGULAR || !work.plan.handler.eliminates() => break,
                 Err(SolveError::OutOfMemory) => return Err(failure(Cause::OutOfMemory).into()),
@@ -169,12 +169,12 @@ impl Engine {
                     return Err(failure(Cause::Singular).at(place).into());
                 }
                 _ => {
-                    shift = -1e-7 * sum(&work.values) / masses;
+                    shift = -1e-7 * sum(&work.matrix.values) / masses;
                     match &mass {
-                        Some(m) => work.values.iter_mut().zip(m).for_each(|(k, m)| *k -= shift * m),
+                        Some(m) => work.matrix.values.iter_mut().zip(m).for_each(|(k, m)| *k -= shift * m),
                         None => (0..work.plan.map.equations).for_each(|e| {
                             if let Some(at) = work.plan.pattern.place(e, e) {
-                                work.values[at] -= shift;
+                                work.matrix.values[at] -= shift;
                             }
                         }),
                     }

@@ -42,7 +42,7 @@ pub struct System<'a> {
     pub moved: bool,
     /// The time that all elements have been asked at in this step, if they have: those that have not moved since are not
     /// asked again, for the same question has the same answer.
-    pub asked: Option<f64>,
+    pub evaluated_at: Option<f64>,
     /// Nothing has a velocity in this step.
     pub still: bool,
     /// The unbalance in `work.b` is that of the answers of the elements and of the loads as they are: it is not summed again.
@@ -66,7 +66,7 @@ impl<'a> System<'a> {
             elapses: false,
             passed: None,
             moved: true,
-            asked: None,
+            evaluated_at: None,
             still: false,
             summed: false,
             settled: false,
@@ -209,7 +209,7 @@ impl System<'_> {
     /// Stiffness of the elements, initial or as last answered by the choice of the last tangent, times displacements of
     /// all degrees of freedom, as forces of the equations.
     pub fn stiffness_times(&mut self, disp: &[f64], out: &mut [f64]) -> Result<(), Failure> {
-        if !self.work.tangent_is_current {
+        if !self.work.elements.is_current {
             self.respond(true)?;
         }
         self.work.stiffness_times(self.model, disp, out);
@@ -329,19 +329,19 @@ impl System<'_> {
         if !(k.is_finite() && c.is_finite() && m.is_finite()) {
             return Err(self.failure(Cause::NotFinite));
         }
-        if mix.current != 0.0 && !self.work.tangent_is_current {
+        if mix.current != 0.0 && !self.work.elements.is_current {
             self.respond(true)?;
         }
         let work = &mut *self.work;
-        work.last = Some(self.coefficients);
-        work.last_mix = mix;
+        work.matrix.coefficients = Some(self.coefficients);
+        work.matrix.mix = mix;
         work.assemble(self.model, self.coefficients, mix);
         work.add_modal_damping(self.coefficients.c);
-        if work.solver.is_factored() && work.values == work.factored {
+        if work.solver.is_factored() && work.matrix.values == work.matrix.factored {
             return Ok(());
         }
-        work.factored.copy_from_slice(&work.values);
-        let result = work.solver.prepare(&work.plan.pattern, &work.values, how);
+        work.matrix.factored.copy_from_slice(&work.matrix.values);
+        let result = work.solver.prepare(&work.plan.pattern, &work.matrix.values, how);
         self.check(result)
     }
 
@@ -375,7 +375,7 @@ impl System<'_> {
     /// Solve with the tangent for another right-hand side, in place.
     pub fn solve_for(&mut self, x: &mut [f64]) -> Result<(), Failure> {
         let work = &mut *self.work;
-        let result = work.solver.solve(&work.plan.pattern, &work.values, x);
+        let result = work.solver.solve(&work.plan.pattern, &work.matrix.values, x);
         self.check(result)?;
         match x.iter().position(|x| !x.is_finite()) {
             Some(at) => Err(self.failure_at(Cause::NotFinite, at)),

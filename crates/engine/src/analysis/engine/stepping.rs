@@ -184,7 +184,7 @@ impl Engine {
 /// Make integrator and algorithm ready for a model, or an integrator, that is new.
 fn prepare(system: &mut System<'_>, setup: &mut Setup) -> Result<(), Failure> {
     system.work.two_end_residual = None;
-    system.work.multiplies = setup.integrator.multiplies_tangents();
+    system.work.elements.multiplies = setup.integrator.multiplies_tangents();
     setup.integrator.prepare(system)?;
     setup.algorithm.prepare(system);
     Ok(())
@@ -199,7 +199,7 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64)
         system.work.enter(Stage::Preparation);
         prepare(system, setup)?;
         system.work.enter(Stage::Outside);
-        system.work.tangent_is_current = false;
+        system.work.elements.is_current = false;
         if system.work.wants_committed_tangent() {
             system.respond(true)?;
             system.work.commit_tangents(true);
@@ -213,7 +213,7 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64)
     setup.integrator.commit(system, iterations).map_err(|f| f.with_code(-4))?;
     system.work.enter(Stage::Outside);
     if system.work.wants_committed_tangent() {
-        if !system.work.tangent_is_current {
+        if !system.work.elements.is_current {
             system.respond(true)?;
         }
         system.work.commit_tangents(false);

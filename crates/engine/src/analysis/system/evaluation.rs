@@ -27,22 +27,22 @@ impl System<'_> {
     /// Whether all elements have answered the question that they would be asked.
     #[inline]
     pub(super) fn answers_stand(&self, want_tangent: bool) -> bool {
-        let tangents = (want_tangent || self.work.residual_needs_tangent) && !self.work.tangent_is_current;
-        self.asked == Some(self.new.time) && !tangents && !self.work.counts_updates() && self.nothing_has_moved()
+        let tangents = (want_tangent || self.work.elements.residual_needs_tangent) && !self.work.elements.is_current;
+        self.evaluated_at == Some(self.new.time) && !tangents && !self.work.counts_updates() && self.nothing_has_moved()
     }
 
     fn ask(&mut self, want_tangent: bool) -> Result<(), Failure> {
         let passed = self.passed.unwrap_or(self.new.time - self.old.time);
         let dt = if self.elapses { passed } else { 0.0 };
-        let want_tangent = want_tangent || self.work.residual_needs_tangent;
+        let want_tangent = want_tangent || self.work.elements.residual_needs_tangent;
         // Where nothing has moved the answers are those of the committed state, which are there still, but for what
         // depends on rates.
-        let tangents = want_tangent && !self.work.tangent_is_current;
+        let tangents = want_tangent && !self.work.elements.is_current;
         let all = self.moved || tangents;
-        let asked_before = self.asked.take() == Some(self.new.time) && !tangents;
+        let asked_before = self.evaluated_at.take() == Some(self.new.time) && !tangents;
         let mut asked = false;
         for i in 0..self.model.elements.len() {
-            let m = &self.work.matrices[i];
+            let m = &self.work.elements.entries[i];
             if (all || m.rates) && !m.counts_calls && !(asked_before && self.has_not_moved(i)) {
                 self.respond_one(i, want_tangent, dt, None)?;
                 asked = true;
@@ -52,11 +52,11 @@ impl System<'_> {
             self.respond_counted(dt)?;
         }
         let work = &mut *self.work;
-        work.tangent_is_current = want_tangent || (work.tangent_is_current && !(all && asked));
+        work.elements.is_current = want_tangent || (work.elements.is_current && !(all && asked));
         self.summed &= !asked && !work.counts_updates();
         if all {
-            self.asked = Some(self.new.time);
-            work.asked_at.copy_from_slice(&self.new.disp);
+            self.evaluated_at = Some(self.new.time);
+            work.evaluated.disp.copy_from_slice(&self.new.disp);
         }
         Ok(())
     }
@@ -72,15 +72,15 @@ impl System<'_> {
         }
         // A few side by side, which the compiler does at once.
         let (new, new_left) = self.new.disp.as_chunks::<SIDE_BY_SIDE>();
-        let (old, old_left) = self.work.asked_at.as_chunks::<SIDE_BY_SIDE>();
+        let (old, old_left) = self.work.evaluated.disp.as_chunks::<SIDE_BY_SIDE>();
         let few = |(new, old): (&[f64; SIDE_BY_SIDE], &[f64; SIDE_BY_SIDE])| new.iter().zip(old).fold(true, near);
         new.iter().zip(old).all(few) && new_left.iter().zip(old_left).fold(true, near)
     }
 
     /// Whether an element without loads of its own is where it was asked last.
     fn has_not_moved(&self, i: usize) -> bool {
-        let (e, at) = (&self.model.elements[i], self.work.matrices[i].motion);
-        let (disp, vel) = self.work.motions[at..at + 2 * e.dofs.len()].split_at(e.dofs.len());
+        let (e, at) = (&self.model.elements[i], self.work.elements.entries[i].motion);
+        let (disp, vel) = self.work.evaluated.elements[at..at + 2 * e.dofs.len()].split_at(e.dofs.len());
         let slack = if self.settled { ROUND_OFF } else { 0.0 };
         let same = |new: &[f64], old: &[f64]| {
             let near = |(d, old): (&u32, &f64)| (new[*d as usize] - old).abs() <= slack * old.abs();
@@ -114,9 +114,9 @@ impl System<'_> {
 
     fn take_last_tangent(&mut self, i: usize) {
         let e = &self.model.elements[i];
-        let m = &self.work.matrices[i];
+        let m = &self.work.elements.entries[i];
         let part = self.work.part(m);
-        let k = &mut self.work.tangent[m.at..m.at + e.dofs.len().pow(2)];
+        let k = &mut self.work.elements.tangent[m.at..m.at + e.dofs.len().pow(2)];
         k.fill(0.0);
         if let Some(calls) = e.element.opensees().calls {
             let shared = Cell::from_mut(&mut self.new.shared[e.shared.clone()]).as_slice_of_cells();
@@ -135,10 +135,10 @@ impl System<'_> {
         counted: Option<(bool, bool)>,
     ) -> Result<(), Failure> {
         let (e, work) = (&self.model.elements[i], &mut *self.work);
-        let m = &work.matrices[i];
+        let m = &work.elements.entries[i];
         let part = work.part(m);
         let n = e.dofs.len();
-        let (disp, vel) = work.motions[m.motion..m.motion + 2 * n].split_at_mut(n);
+        let (disp, vel) = work.evaluated.elements[m.motion..m.motion + 2 * n].split_at_mut(n);
         e.dofs.iter().zip(&mut *disp).for_each(|(&d, u)| *u = self.new.disp[d as usize]);
         if !self.still {
             e.dofs.iter().zip(&mut *vel).for_each(|(&d, v)| *v = self.new.vel[d as usize]);
@@ -146,14 +146,14 @@ impl System<'_> {
         let force = &mut self.new.force[e.force.clone()];
         force.fill(0.0);
         let tangent = if want_tangent && !m.linear {
-            let k = &mut work.tangent[m.at..m.at + n * n];
+            let k = &mut work.elements.tangent[m.at..m.at + n * n];
             part.clear(k, n);
             Some(k)
         } else {
             None
         };
         let damping = m.damping.map(|at| {
-            let c = &mut work.damping[at..at + n * n];
+            let c = &mut work.elements.damping[at..at + n * n];
             c.fill(0.0);
             c
         });

@@ -93,7 +93,7 @@ pub struct KikuchiBearing {
     arm: f64,
     /// E A, where forces are compared with none.
     axial_rigidity: f64,
-    p_delta: bool,
+    /// Shares of the P-Delta moment that are taken off the end moments; `None` without P-Delta.
     shares: Option<[f64; 2]>,
     link: Link<12, 6>,
     /// Local displacements of the ends from global ones, row by row.
@@ -156,7 +156,6 @@ impl KikuchiBearing {
             kinematics: Kinematics::new(0.5 * p.height, stiff, p.tilt, p.p_delta, geometry),
             arm: 0.25 * p.size,
             axial_rigidity: e.abs() * area,
-            p_delta: p.p_delta,
             shares: p.p_delta.then_some(p.shares),
             turn: SparseMatrix::new(&link.local),
             locals: std::array::from_fn(|global| Rows::of((0..OUTER).map(|i| link.local[i][global] != 0.0))),
@@ -243,7 +242,7 @@ impl KikuchiBearing {
         let bending = self.hold[1].min(self.hold[2]);
         let shear = self.virgin_factors.force * self.shear.initial_stiffness()[0][0] * height;
         let euler = 2.0 * bending / height;
-        self.p_delta.then(|| 0.5 * (-shear + (shear * shear + 4.0 * shear * euler).sqrt()))
+        self.shares.map(|_| 0.5 * (-shear + (shear * shear + 4.0 * shear * euler).sqrt()))
     }
 
     /// Add a local stiffness by rows to a global one, of which these rows are wanted.
