@@ -43,9 +43,9 @@ pub struct Setup {
 /// Settings that hold for all analyses of an engine.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// Follow OpenSees where it is known to slip.
+    /// Reproduce the known errors of OpenSees.
     pub compat: bool,
-    /// Remedies for a step that fails.
+    /// Strategy for a step that fails.
     pub ladder: Option<RecoveryStrategy>,
     /// Force a dense matrix, or a sparse one.
     pub dense: Option<bool>,
@@ -54,21 +54,21 @@ pub struct Options {
     pub refine: u32,
 }
 
-/// Who wants to know about steps.
+/// Receiver of committed steps.
 pub trait Observer {
     /// A step has been committed.
     ///
     /// # Errors
-    /// What keeps the observer from going on (a recorder that cannot write); ends the analysis.
+    /// The observer cannot go on (a recorder that cannot write); this ends the analysis.
     fn committed(&mut self, engine: &mut Engine) -> Result<(), String>;
 
-    /// Whether to stop before the next step.
+    /// Returns true to stop before the next step.
     fn interrupted(&self) -> bool {
         false
     }
 }
 
-/// Nobody.
+/// An observer that does nothing.
 pub struct Quiet;
 
 impl Observer for Quiet {
@@ -84,14 +84,14 @@ pub struct Imbalance {
     pub time: f64,
     /// Largest unbalanced force over the largest force in the model.
     pub ratio: f64,
-    /// Where, in words.
+    /// Its place in words.
     pub place: String,
     /// Steps so far that were out of balance by more than [`Imbalance::LIMIT`].
     pub steps: usize,
 }
 
 impl Imbalance {
-    /// Unbalanced forces beyond this fraction of the largest force are worth telling.
+    /// Unbalanced forces beyond this fraction of the largest force are reported.
     pub const LIMIT: f64 = 1e-2;
 }
 
@@ -104,7 +104,7 @@ pub struct Engine {
     pub(super) step_start: StepStart,
     setup: Option<Setup>,
     prepared: Option<(u64, PrepareOptions, Workspace)>,
-    /// The parts of the analysis that have not seen the prepared model yet.
+    /// The parts of the analysis have not been prepared for the model yet.
     fresh: bool,
     /// Settings.
     pub options: Options,
@@ -302,7 +302,7 @@ impl Engine {
         self.prepared = None;
     }
 
-    /// What a recorder reads an element's responses from.
+    /// Data of the committed state from which a recorder reads the responses of an element.
     pub fn snapshot<'a>(&'a self, id: ElementId, disp: &'a mut Vec<f64>) -> Snapshot<'a> {
         let e = &self.model.elements[id.0];
         disp.clear();
@@ -349,13 +349,13 @@ impl Engine {
         }
     }
 
-    /// Whether there is a plan for the model as it is. Asked at every step: what else follows from the handler and the
-    /// options is not worked out for it.
+    /// Returns true if there is a plan for the model as it is. Every step calls it, so that nothing else is worked out that
+    /// follows from the handler and the options.
     #[inline]
     fn is_prepared(&self, handler: &Handler) -> bool {
         let Options { compat, dense, .. } = &self.options;
-        let as_asked = |o: &PrepareOptions| o.handler == *handler && o.compat == *compat && o.dense == *dense;
-        matches!(&self.prepared, Some((revision, o, _)) if *revision == self.model.revision() && as_asked(o))
+        let matches_options = |o: &PrepareOptions| o.handler == *handler && o.compat == *compat && o.dense == *dense;
+        matches!(&self.prepared, Some((revision, o, _)) if *revision == self.model.revision() && matches_options(o))
     }
 
     /// Make sure that there is a plan for the model as it is.

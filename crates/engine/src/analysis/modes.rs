@@ -17,7 +17,7 @@ pub struct Modes {
     pub shapes: Vec<Vec<f64>>,
 }
 
-/// What the eigenvalues are of.
+/// Eigenvalue problem.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Problem {
     /// K x = λ M x.
@@ -26,14 +26,14 @@ pub enum Problem {
     Standard,
 }
 
-/// Which modes are wanted.
+/// Choice of modes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Wanted {
-    /// How many.
+    /// Their number.
     pub count: usize,
-    /// What the eigenvalues are of.
+    /// Eigenvalue problem.
     pub problem: Problem,
-    /// Those with the largest eigenvalues instead of the smallest.
+    /// Modes with the largest eigenvalues instead of the smallest.
     pub largest: bool,
     /// As OpenSees' solver `-fullGenLapack` gives them: always the smallest, with infinite values (the largest number)
     /// where the mass moves no more modes, and shapes of unit length in a mass matrix whose rows are summed up on its
@@ -55,7 +55,7 @@ pub enum ModesError {
     Failure(Failure),
     /// The tangent has no eigenvalues that could be found.
     NotFound,
-    /// There are fewer modes than were asked for: the mass moves only so many.
+    /// There are fewer modes than required: the mass moves only so many.
     TooFew {
         /// Number of modes that there are.
         available: usize,
@@ -120,7 +120,7 @@ fn as_lapack(matrices: &ElementWorkspace<'_>, pairs: &mut Vec<Pair>, count: usiz
     matrices.mass(&vec![1.0; n], &mut sums);
     for p in pairs.iter_mut() {
         let square: f64 = p.vector.iter().zip(&sums).map(|(x, m)| m * x * x).sum();
-        // Where the sums are no length, LAPACK's own: the largest entry is one.
+        // If the sums are no length, LAPACK's scale: the largest entry is one.
         let size = if square > 0.0 { square.sqrt() } else { p.vector.iter().fold(0.0f64, |m, x| m.max(x.abs())) };
         p.vector.iter_mut().for_each(|x| *x /= size);
     }

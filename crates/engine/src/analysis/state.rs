@@ -26,8 +26,8 @@ pub struct State {
     pub shared: Vec<f64>,
 }
 
-/// What the last step began from. The tangent at its end is that of the step: asked for anew from where it has come to, a
-/// bearing that slides might as well go back.
+/// State at the begin of the last step. The tangent at its end belongs to the step: evaluated from the end, a sliding
+/// bearing may as well go back.
 #[derive(Debug, Default)]
 pub(super) struct StepStart {
     history: Vec<f64>,
@@ -52,7 +52,8 @@ impl StepStart {
         self.holds = false;
     }
 
-    /// A state from which the elements answer at the committed motion as they did at the end of the last step, if that was it.
+    /// A state from which the elements have the forces of the end of the last step at the committed motion. `None` if the
+    /// committed state is not that end.
     pub(super) fn state(&self, committed: &State) -> Option<State> {
         let holds = self.holds && self.history.len() == committed.history.len();
         holds.then(|| State {

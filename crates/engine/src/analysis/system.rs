@@ -20,7 +20,7 @@ pub struct Coefficients {
     pub m: f64,
 }
 
-/// The equations of a step, for whoever solves them: integrators and algorithms.
+/// The equations of a step, for integrators and algorithms.
 pub struct System<'a> {
     /// The model.
     pub model: &'a Model,
@@ -40,12 +40,11 @@ pub struct System<'a> {
     pub passed: Option<f64>,
     /// Displacements or element loads differ from the committed ones, or may.
     pub moved: bool,
-    /// The time that all elements have been asked at in this step, if they have: those that have not moved since are not
-    /// asked again, for the same question has the same answer.
+    /// Time of the last evaluation of all elements in this step. Elements that have not moved since are not evaluated again.
     pub evaluated_at: Option<f64>,
     /// Nothing has a velocity in this step.
     pub still: bool,
-    /// The unbalance in `work.b` is that of the answers of the elements and of the loads as they are: it is not summed again.
+    /// The unbalance in `work.b` belongs to the forces of the elements and the loads as they are: it is not summed again.
     pub summed: bool,
     /// The test is passed whatever the last correction has done to the forces: an element that it has moved by no more than
     /// round-off has not moved.
@@ -206,8 +205,8 @@ impl System<'_> {
         self.work.spread.fill(0.0);
     }
 
-    /// Stiffness of the elements, initial or as last answered by the choice of the last tangent, times displacements of
-    /// all degrees of freedom, as forces of the equations.
+    /// Stiffness of the elements times displacements of all degrees of freedom, as forces of the equations. The stiffness is
+    /// the initial or the last one, as in the last tangent.
     pub fn stiffness_times(&mut self, disp: &[f64], out: &mut [f64]) -> Result<(), Failure> {
         if !self.work.elements.is_current {
             self.respond(true)?;
@@ -238,13 +237,13 @@ impl System<'_> {
         Ok(())
     }
 
-    /// The same, and ask all elements. In OpenSees no more time has passed for them than when the step was solved.
+    /// The same, and evaluate all elements. In OpenSees no more time has passed for them than when the step was solved.
     pub fn respond_at_end(&mut self, part: f64, dt: f64) -> Result<(), Failure> {
         let passed = self.new.time - self.old.time;
         self.moved = true;
         self.apply_loads_at_end(part, dt)?;
         self.passed = self.work.opensees.is_some().then_some(passed);
-        // The clock is that of this answer alone: who needs the tangent of the committed state takes it from here.
+        // `passed` holds for this evaluation alone, so that it gives the committed tangent too where that is needed.
         let done = self.respond(self.work.wants_committed_tangent());
         self.passed = None;
         done
@@ -254,7 +253,7 @@ impl System<'_> {
     /// to be needed.
     #[inline]
     pub fn form_unbalance(&mut self, want_tangent: bool) -> Result<(), Failure> {
-        if self.answers_stand(want_tangent) && self.summed && !self.dynamic {
+        if self.evaluation_is_current(want_tangent) && self.summed && !self.dynamic {
             return Ok(());
         }
         self.form_unbalance_anew(want_tangent)
@@ -266,7 +265,7 @@ impl System<'_> {
             return Ok(());
         }
         self.sum_unbalance();
-        // What constraints in the equations add depends on the displacements themselves.
+        // Forces of constraints in the equations depend on the displacements themselves.
         self.summed = self.work.plan.map.links.is_empty();
         if self.work.b.iter().any(|b| !b.is_finite()) {
             let at = self.work.b.iter().position(|b| !b.is_finite()).unwrap_or(0);
@@ -311,9 +310,9 @@ impl System<'_> {
         work.condense_elements(self.model, self.new, self.dynamic, inertia);
     }
 
-    /// Whether no force is left over, not even round-off, so that the correction is zero whatever the tangent: a device on
-    /// an imposed path without other loads. Not before there has been a tangent to see a mechanism by, and not where elements
-    /// count how often they are asked.
+    /// Returns true if no force is left over, not even round-off, as of a device on an imposed path without other loads. The
+    /// correction is zero then whatever the tangent. False before the first tangent, which shows a mechanism, and where
+    /// elements depend on the number of their updates.
     #[inline]
     pub fn is_balanced(&self) -> bool {
         let work = &self.work;
@@ -345,7 +344,7 @@ impl System<'_> {
         self.check(result)
     }
 
-    /// Turn what a factorisation found into a failure, or remember it.
+    /// Turn the result of a factorisation into a failure, or keep its smallest pivot.
     fn check(&mut self, result: Result<Option<Pivots>, SolveError>) -> Result<(), Failure> {
         let work = &mut *self.work;
         match result {

@@ -1,4 +1,4 @@
-//! What an analysis works with between two changes of the model: plan, factors, matrices of the elements, buffers.
+//! Data of an analysis between two changes of the model: plan, factors, matrices of the elements, buffers.
 
 mod forces;
 
@@ -14,7 +14,7 @@ use crate::model::{Model, Rayleigh};
 use crate::numeric::dot;
 use crate::solve::{NEARLY_SINGULAR, Pivots, SolveError, Solver};
 
-/// Which stiffness goes into the tangent.
+/// Stiffness in the tangent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TangentMix {
     /// Share of the current tangent.
@@ -171,16 +171,16 @@ pub struct Workspace {
     nodal: Vec<(usize, f64, f64)>,
 }
 
-/// How to prepare.
+/// Options of a [`Workspace`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PrepareOptions {
     /// Constraint handler.
     pub handler: Handler,
-    /// Which multi-point constraints count.
+    /// Multi-point constraints that count.
     pub scope: MpScope,
-    /// Whether imposed motions only hold their degrees of freedom.
+    /// Imposed motions only hold their degrees of freedom.
     pub homogeneous: bool,
-    /// OpenSees' slips are followed.
+    /// The known errors of OpenSees are reproduced.
     pub compat: bool,
     /// Force a dense matrix, or a sparse one.
     pub dense: Option<bool>,
@@ -332,7 +332,7 @@ impl Workspace {
         self.opensees.as_ref().is_some_and(|counts| !counts.elements.is_empty())
     }
 
-    /// What is read of the matrices of an element.
+    /// Rows and columns that are read of the matrices of an element.
     #[inline]
     pub(super) fn part(&self, m: &ElementWorkspace) -> MatrixMask {
         MatrixMask { rows: m.rows, columns: if self.elements.multiplies { Rows::ALL } else { m.rows } }
@@ -345,13 +345,14 @@ impl Workspace {
         self.plan.map.dependents.iter().for_each(|d| self.spread[d.dof] = 0.0);
     }
 
-    /// Whether the damping needs the tangent of the committed state.
+    /// Returns true if the damping needs the tangent of the committed state.
     #[inline]
     pub(super) fn wants_committed_tangent(&self) -> bool {
         !self.elements.committed.is_empty()
     }
 
-    /// Take the current tangents for those of the committed state: all before the first step, then those that are taken anew.
+    /// Take the current tangents for those of the committed state. Before the first step (`first`) these are all tangents; later
+    /// they leave out elements that keep their first one.
     pub(super) fn commit_tangents(&mut self, first: bool) {
         if !first && self.elements.entries.iter().any(|m| m.keeps_committed) {
             let ends = self.elements.entries.iter().skip(1).map(|m| m.at).chain([self.elements.tangent.len()]);
@@ -364,7 +365,7 @@ impl Workspace {
         self.matrix.base_of = None;
     }
 
-    /// Remember a pivot that is nearly zero.
+    /// Keep a pivot that is nearly zero.
     pub(super) fn note_pivot(&mut self, p: Pivots) {
         if p.ratio <= NEARLY_SINGULAR && self.plan.handler.eliminates() && self.matrix.weak_pivot.is_none() {
             self.matrix.weak_pivot = Some(p);

@@ -29,7 +29,7 @@ pub use linear::Linear;
 pub use newton::{ModifiedNewton, Newton};
 pub use secant_newton::secant_newton;
 
-/// What an algorithm works on during a step.
+/// Equations, integrator and test of a step, for an algorithm.
 pub struct Iteration<'a, 'b> {
     /// The equations.
     pub system: &'a mut System<'b>,
@@ -104,7 +104,7 @@ pub trait Algorithm: fmt::Debug + Send {
     fn solve(&mut self, it: &mut Iteration<'_, '_>) -> Result<usize, Failure>;
 }
 
-/// Which tangent the iterations of a step use.
+/// Tangent of the iterations of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TangentChoice {
     /// One mix for all iterations.

@@ -25,7 +25,7 @@ impl Engine {
             }
             let length = self.length(dt);
             let done = match self.step_in_parts(length) {
-                Err(failure) if self.options.ladder.is_some() => self.climb(length, failure, observer),
+                Err(failure) if self.options.ladder.is_some() => self.recover(length, failure, observer),
                 done => done,
             };
             if let Err(failure) = done {
@@ -114,7 +114,7 @@ impl Engine {
         if self.setup.as_ref().is_some_and(|s| s.kind == Kind::Static) { 1.0 } else { dt }
     }
 
-    /// One step of the script, in the parts that [`Options::refine`](super::Options) asks for where it can be divided.
+    /// One step of the script, in the number of parts of [`Options::refine`](super::Options) where it can be divided.
     #[inline]
     pub(in crate::analysis) fn step_in_parts(&mut self, length: f64) -> Result<(), Failure> {
         let divides = self.setup.as_ref().is_some_and(|s| s.integrator.divides());
@@ -156,7 +156,7 @@ impl Engine {
             still,
             ..System::new(&self.model, &self.committed, &mut self.trial, work)
         };
-        setup.test.closely = self.options.refine > 1;
+        setup.test.tightened = self.options.refine > 1;
         let result = advance(&mut system, setup, self.fresh, length);
         match result {
             Ok(iterations) => {
@@ -221,11 +221,11 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64)
     Ok(iterations)
 }
 
-/// Remember a step that counted as converged though forces were left over.
+/// Keep the imbalance of a step that counted as converged though forces were left over.
 #[inline]
 fn note_imbalance(system: &System<'_>, worst: &mut Option<Imbalance>) {
     let unbalanced = largest(&system.work.b);
-    // Mostly one of the first forces is large enough to see that there is nothing to tell.
+    // Mostly one of the first forces is large enough to show that there is nothing to report.
     let dwarfs = |f: &f64| Imbalance::LIMIT * f.abs() >= unbalanced;
     if unbalanced != 0.0 && !system.new.force.iter().any(dwarfs) && !system.work.loads.nodal.iter().any(dwarfs) {
         measure_imbalance(system, unbalanced, worst);

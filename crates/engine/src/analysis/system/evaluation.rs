@@ -1,4 +1,4 @@
-//! Asking the elements, as seldom as their answers allow.
+//! Evaluation of the elements: none is evaluated twice at the same motion.
 
 use super::{Cause, Failure, System};
 use crate::analysis::opensees::{CountedElement, Updates};
@@ -15,45 +15,44 @@ const ROUND_OFF: f64 = 2.0 * f64::EPSILON;
 const SIDE_BY_SIDE: usize = 6;
 
 impl System<'_> {
-    /// Ask all elements for forces, and for tangents if they are wanted.
+    /// Evaluate the forces of all elements, and their tangents with `want_tangent`.
     #[inline]
     pub fn respond(&mut self, want_tangent: bool) -> Result<(), Failure> {
-        if self.answers_stand(want_tangent) {
+        if self.evaluation_is_current(want_tangent) {
             return Ok(());
         }
-        self.ask(want_tangent)
+        self.evaluate(want_tangent)
     }
 
-    /// Whether all elements have answered the question that they would be asked.
+    /// Returns true if an evaluation would repeat the last one.
     #[inline]
-    pub(super) fn answers_stand(&self, want_tangent: bool) -> bool {
+    pub(super) fn evaluation_is_current(&self, want_tangent: bool) -> bool {
         let tangents = (want_tangent || self.work.elements.residual_needs_tangent) && !self.work.elements.is_current;
-        self.evaluated_at == Some(self.new.time) && !tangents && !self.work.counts_updates() && self.nothing_has_moved()
+        self.evaluated_at == Some(self.new.time) && !tangents && !self.work.counts_updates() && self.no_node_has_moved()
     }
 
-    fn ask(&mut self, want_tangent: bool) -> Result<(), Failure> {
+    fn evaluate(&mut self, want_tangent: bool) -> Result<(), Failure> {
         let passed = self.passed.unwrap_or(self.new.time - self.old.time);
         let dt = if self.elapses { passed } else { 0.0 };
         let want_tangent = want_tangent || self.work.elements.residual_needs_tangent;
-        // Where nothing has moved the answers are those of the committed state, which are there still, but for what
-        // depends on rates.
+        // Without motion, the forces of the committed state are still there, but for those that depend on rates.
         let tangents = want_tangent && !self.work.elements.is_current;
         let all = self.moved || tangents;
-        let asked_before = self.evaluated_at.take() == Some(self.new.time) && !tangents;
-        let mut asked = false;
+        let evaluated_before = self.evaluated_at.take() == Some(self.new.time) && !tangents;
+        let mut evaluated = false;
         for i in 0..self.model.elements.len() {
             let m = &self.work.elements.entries[i];
-            if (all || m.rates) && !m.counts_calls && !(asked_before && self.has_not_moved(i)) {
+            if (all || m.rates) && !m.counts_calls && !(evaluated_before && self.has_not_moved(i)) {
                 self.respond_one(i, want_tangent, dt, None)?;
-                asked = true;
+                evaluated = true;
             }
         }
         if self.work.counts_updates() {
             self.respond_counted(dt)?;
         }
         let work = &mut *self.work;
-        work.elements.is_current = want_tangent || (work.elements.is_current && !(all && asked));
-        self.summed &= !asked && !work.counts_updates();
+        work.elements.is_current = want_tangent || (work.elements.is_current && !(all && evaluated));
+        self.summed &= !evaluated && !work.counts_updates();
         if all {
             self.evaluated_at = Some(self.new.time);
             work.evaluated.disp.copy_from_slice(&self.new.disp);
@@ -61,23 +60,23 @@ impl System<'_> {
         Ok(())
     }
 
-    /// Whether all nodes are where the elements were asked last, and no element has loads of its own: the common end of a
-    /// step, found without going through the elements.
+    /// Returns true if no node has moved since the last evaluation and no element has loads of its own. It is the common end
+    /// of a step, found without a loop over the elements.
     #[inline]
-    fn nothing_has_moved(&self) -> bool {
+    fn no_node_has_moved(&self) -> bool {
         let slack = if self.settled { ROUND_OFF } else { 0.0 };
         let near = |all: bool, (new, old): (&f64, &f64)| all & ((new - old).abs() <= slack * old.abs());
         if !self.still || !self.new.element_load.is_empty() {
             return false;
         }
-        // A few side by side, which the compiler does at once.
+        // The compiler makes one vector operation of each chunk.
         let (new, new_left) = self.new.disp.as_chunks::<SIDE_BY_SIDE>();
         let (old, old_left) = self.work.evaluated.disp.as_chunks::<SIDE_BY_SIDE>();
         let few = |(new, old): (&[f64; SIDE_BY_SIDE], &[f64; SIDE_BY_SIDE])| new.iter().zip(old).fold(true, near);
         new.iter().zip(old).all(few) && new_left.iter().zip(old_left).fold(true, near)
     }
 
-    /// Whether an element without loads of its own is where it was asked last.
+    /// Returns true if an element has no loads of its own and has not moved since its last evaluation.
     fn has_not_moved(&self, i: usize) -> bool {
         let (e, at) = (&self.model.elements[i], self.work.elements.entries[i].motion);
         let (disp, vel) = self.work.evaluated.elements[at..at + 2 * e.dofs.len()].split_at(e.dofs.len());
