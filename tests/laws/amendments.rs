@@ -388,7 +388,7 @@ fn time_that_does_not_pass_does_not_relax() {
     let mut next = state.clone();
     let (mut force, disp) = (vec![0.0; 6], [0.0, 0.0, 0.0, 0.02, 0.0, 0.0]);
     let motion =
-        ElementInput { disp: &disp, vel: &[0.0; 6], load: &[], still: false, again: false, dt: 0.0, time: 0.0 };
+        ElementInput { disp: &disp, vel: &[0.0; 6], load: &[], still: false, opensees: None, dt: 0.0, time: 0.0 };
     element
         .respond(
             &motion,

@@ -134,7 +134,7 @@ fn ends_that_meet_are_an_error() {
             vel: &vec![0.0; n],
             load: &e.load,
             still: false,
-            again: false,
+            opensees: None,
             dt: 0.0,
             time: 0.0,
         };

@@ -150,7 +150,7 @@ fn answer(e: &Alone, disp: &[f64], vel: &[f64]) -> (Vec<f64>, Vec<f64>, Vec<f64>
     };
     e.element
         .respond(
-            &ElementInput { disp, vel, load: &[], still: false, again: false, dt: 0.01, time: 0.01 },
+            &ElementInput { disp, vel, load: &[], still: false, opensees: None, dt: 0.01, time: 0.01 },
             &e.state,
             &mut next,
             answer,

@@ -200,7 +200,7 @@ fn rolling_bearing_has_consistent_tangents() {
         ElementOutput { force: &mut f, tangent: None, damping: Some(&mut c), part: hysteron::element::MatrixMask::ALL };
     e.element
         .respond(
-            &ElementInput { disp: &[0.01; 6], vel: &vel, load: &[], still: false, again: false, dt: DT, time: 1.0 },
+            &ElementInput { disp: &[0.01; 6], vel: &vel, load: &[], still: false, opensees: None, dt: DT, time: 1.0 },
             &e.state,
             &mut next,
             answer,

@@ -265,7 +265,7 @@ fn elastic(element: &dyn Element, rows: &[BasicRow]) -> bool {
         let mut stiffness = |size: f64| {
             let disp: Vec<f64> = row.at_j().iter().map(|u| size * u).collect();
             let motion =
-                ElementInput { disp: &disp, vel: &rest, load: &load, still: true, again: false, dt: 0.0, time: 0.0 };
+                ElementInput { disp: &disp, vel: &rest, load: &load, still: true, opensees: None, dt: 0.0, time: 0.0 };
             let mut force = vec![0.0; n];
             let answer = ElementOutput {
                 force: &mut force,

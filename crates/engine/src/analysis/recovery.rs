@@ -1,4 +1,4 @@
-//! Remedies for steps that fail, for those who ask for them: a script's own fallback must see the failure first.
+//! Recovery from steps that fail. It is off by default, since a script's own fallback must see the failure first.
 
 use super::algorithm::TangentChoice;
 use super::algorithm::{
@@ -47,7 +47,7 @@ impl RecoveryStep {
 pub struct RecoveryStrategy {
     /// The rungs.
     pub rungs: Vec<RecoveryStep>,
-    /// How often each helped.
+    /// Number of steps that each has recovered.
     pub helped: Vec<usize>,
 }
 
@@ -72,7 +72,7 @@ impl Default for RecoveryStrategy {
 
 impl Engine {
     /// Try the remedies on a step that failed.
-    pub(super) fn climb(&mut self, length: f64, first: Failure, observer: &mut dyn Observer) -> Result<(), Failure> {
+    pub(super) fn recover(&mut self, length: f64, first: Failure, observer: &mut dyn Observer) -> Result<(), Failure> {
         let rungs = self.options.ladder.as_ref().map(|l| l.rungs.clone()).unwrap_or_default();
         for (i, remedy) in rungs.into_iter().enumerate() {
             if observer.interrupted() {

@@ -16,6 +16,7 @@ mod corot_truss;
 mod coupled_zero_length;
 pub mod friction;
 pub mod load;
+mod opensees;
 mod quad;
 mod springs;
 pub mod transform;
@@ -35,6 +36,7 @@ pub use basic_row::BasicRow;
 pub use corot_truss::CorotTruss;
 pub use coupled_zero_length::CoupledZeroLength;
 pub use load::ElementLoad;
+pub use opensees::{CallDependent, OpenSeesCall, OpenSeesTraits, SharedState};
 pub use quad::{Isotropic, Plane, Quad, QuadOptions};
 pub use truss::Truss;
 pub use two_node_link::{LinkOptions, TwoNodeLink};
@@ -55,8 +57,8 @@ pub struct ElementInput<'a> {
     pub load: &'a [f64],
     /// Nothing has a velocity.
     pub still: bool,
-    /// An element that counts its calls is asked once more where it was asked last.
-    pub again: bool,
+    /// Under `--compat opensees`, the call of an element that depends on the number of calls.
+    pub opensees: Option<OpenSeesCall<'a>>,
     /// Domain time since the committed state.
     pub dt: f64,
     /// Domain time (the load factor of static analyses).
@@ -257,50 +259,17 @@ pub trait Element: fmt::Debug + Send + Sync {
         committed.copy_from_slice(trial);
     }
 
-    /// Whether the answer goes on with every call in a step, from what the last call left in the trial history: true only
-    /// of schemes of OpenSees' that are followed on demand. Such an element is asked as often as OpenSees asks it.
-    fn counts_calls(&self) -> bool {
-        false
+    /// Differences from its counterpart in OpenSees, for an analysis under `--compat opensees`.
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        OpenSeesTraits::default()
     }
-
-    /// Tangent of the last call, from the history that it left, for an element that counts its calls; wanted rows of n x n,
-    /// added to a zero matrix.
-    fn last_tangent(&self, _history: &[f64], _tangent: &mut [f64], _part: MatrixMask) {}
-
-    /// Bring the force of the last call, for an element that counts its calls, up to date with the load words: what the loads
-    /// do without a call.
-    fn last_force(&self, _history: &[f64], _load: &[f64], _force: &mut [f64]) {}
 
     /// Tangent of the virgin element, n x n by rows, added to a zero matrix.
     fn initial_tangent(&self, tangent: &mut [f64]);
 
-    /// Whether its current tangent stands for the initial one in algorithms and damping, as OpenSees has it of some elements
-    /// that count their calls. Followed on demand only.
-    fn initial_is_current(&self) -> bool {
-        false
-    }
-
     /// Mass.
     fn mass(&self) -> Mass {
         Mass::None
-    }
-
-    /// Whether Rayleigh damping counts in its forces and not in its tangent, as OpenSees has it of some elements. Followed on
-    /// demand only.
-    fn damps_in_forces_only(&self) -> bool {
-        false
-    }
-
-    /// Whether OpenSees takes the committed tangent of Rayleigh damping anew at the end of every step; of some elements it keeps
-    /// the first one. Followed on demand only.
-    fn renews_damping(&self) -> bool {
-        true
-    }
-
-    /// Where OpenSees takes the inertia of its mass under a uniform ground motion off the force that it reports: how
-    /// often it counts that inertia in the equations of motion. Followed on demand only.
-    fn ground_inertia_slip(&self) -> Option<f64> {
-        None
     }
 
     /// The element with another value of a parameter, by the words of a `parameter` command, and the value it had;

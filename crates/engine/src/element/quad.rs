@@ -1,6 +1,6 @@
 //! The four-node quadrilateral of plane elasticity: `quad`.
 
-use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot};
+use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot};
 use crate::numeric::axpy;
 use crate::probe::Probe;
 
@@ -198,8 +198,8 @@ impl Element for Quad {
         if self.mass.iter().all(|m| *m == 0.0) { Mass::None } else { Mass::Lumped(self.mass.to_vec()) }
     }
 
-    fn ground_inertia_slip(&self) -> Option<f64> {
-        (self.mass[0] != 0.0).then_some(1.0)
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        OpenSeesTraits { ground_inertia: (self.mass[0] != 0.0).then_some(1.0), ..OpenSeesTraits::default() }
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {

@@ -2,7 +2,8 @@
 
 use super::bar::{Bar, BarOptions};
 use super::{
-    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, add_outer, dot,
+    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
+    add_outer, dot,
 };
 use crate::material::{Material, Slot, Strain};
 use crate::probe::Probe;
@@ -106,8 +107,8 @@ impl Element for Truss {
         vec![BasicRow::new(1, 0, &row, (self.bar.ndm, self.bar.per_node)).from_initial(self.initial * length)]
     }
 
-    fn ground_inertia_slip(&self) -> Option<f64> {
-        (self.bar.options.rho != 0.0).then_some(1.0)
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        OpenSeesTraits { ground_inertia: (self.bar.options.rho != 0.0).then_some(1.0), ..OpenSeesTraits::default() }
     }
 
     fn mass(&self) -> Mass {

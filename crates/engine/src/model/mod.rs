@@ -16,7 +16,7 @@ pub use modal_damping::ModalDamping;
 pub use node::Node;
 pub use pattern::{Drive, Excitation, Ground, NodalLoad, Pattern, PatternKind, SupportMotion};
 
-use crate::element::Element;
+use crate::element::{CallDependent, Element};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
@@ -51,6 +51,8 @@ pub struct ElementEntry {
     pub force: Range<usize>,
     /// Its words among the loads of all elements.
     pub load: Range<usize>,
+    /// State variables that it shares with the elements of its class.
+    pub shared: Range<usize>,
 }
 
 /// Nodes, elements, constraints and loads.
@@ -76,6 +78,8 @@ pub struct Model {
     state_len: usize,
     force_len: usize,
     load_len: usize,
+    /// Shared state variables by class and number.
+    shared: BTreeMap<(&'static str, usize), Range<usize>>,
 }
 
 impl Model {
@@ -99,6 +103,10 @@ impl Model {
     /// Number of load words of all elements.
     pub fn load_len(&self) -> usize {
         self.load_len
+    }
+    /// Number of state variables that elements share, all classes together.
+    pub fn shared_len(&self) -> usize {
+        self.shared.values().map(|range| range.end).max().unwrap_or(0)
     }
 
     /// Number of the last change.
@@ -133,6 +141,7 @@ impl Model {
             state: 0..0,
             force: 0..0,
             load: 0..0,
+            shared: 0..0,
             element,
         };
         self.place(&mut entry);
@@ -151,6 +160,11 @@ impl Model {
         e.state = take(&mut self.state_len, e.element.state_len());
         e.force = take(&mut self.force_len, e.element.dofs());
         e.load = take(&mut self.load_len, e.element.load_len());
+        let shared = e.element.opensees().calls.map_or(0, CallDependent::shared_len);
+        if shared > 0 {
+            let end = self.shared_len();
+            e.shared = self.shared.entry((e.element.class(), shared)).or_insert(end..end + shared).clone();
+        }
     }
 
     /// The node with a tag.
@@ -189,6 +203,7 @@ impl Model {
     /// Give all elements their words anew.
     fn place_elements(&mut self) {
         (self.state_len, self.force_len, self.load_len) = (0, 0, 0);
+        self.shared.clear();
         let mut elements = std::mem::take(&mut self.elements);
         elements.iter_mut().for_each(|e| self.place(e));
         self.elements = elements;

@@ -165,10 +165,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         warn_unscaled(interp, nodes, shear_springs)?;
     }
     let scheme = match interp.host.engine.options.compat {
-        true => Scheme::OpenSees(
-            o.balance.unwrap_or(Balance { tolerance: 0.0, rounds: 0 }),
-            interp.host.definitions.kikuchi.clone(),
-        ),
+        true => Scheme::OpenSees(o.balance.unwrap_or(Balance { tolerance: 0.0, rounds: 0 })),
         false => Scheme::Converged,
     };
     let parameters = KikuchiParameters {

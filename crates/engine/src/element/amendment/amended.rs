@@ -3,8 +3,8 @@
 use super::slack::ForceAndTangent;
 use super::{AmendedForce, Amendment, DeformationState, Pair, Slack, SlackShare};
 use crate::element::{
-    BasicRow, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, MAX_DOFS, Mass,
-    MatrixMask, Overload, Snapshot, dot,
+    BasicRow, CallDependent, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, MAX_DOFS,
+    Mass, MatrixMask, OpenSeesTraits, Overload, SharedState, Snapshot, dot,
 };
 use crate::probe::Probe;
 use crate::series::Series;
@@ -258,7 +258,7 @@ impl Amended {
 
     /// State variables of the kept tangent: none unless the element counts its calls.
     fn tangent_len(&self) -> usize {
-        if self.inner.counts_calls() { self.inner.dofs().pow(2) } else { 0 }
+        if self.inner.opensees().calls.is_some() { self.inner.dofs().pow(2) } else { 0 }
     }
 
     /// Force and tangent of the element itself at these displacements.
@@ -269,16 +269,17 @@ impl Amended {
         trial: &mut [f64],
         answer: &mut ElementOutput<'_>,
     ) -> Result<(), ElementError> {
-        let counts = self.inner.counts_calls();
+        let calls = self.inner.opensees().calls;
         let own = ElementOutput {
             force: &mut *answer.force,
-            tangent: answer.tangent.as_deref_mut().filter(|_| !counts),
+            tangent: answer.tangent.as_deref_mut().filter(|_| calls.is_none()),
             damping: answer.damping.as_deref_mut(),
             part: MatrixMask::ALL,
         };
         self.inner.respond(motion, committed, trial, own)?;
-        if let Some(tangent) = answer.tangent.as_deref_mut().filter(|_| counts) {
-            self.inner.last_tangent(trial, tangent, MatrixMask::ALL);
+        if let (Some(calls), Some(tangent)) = (calls, answer.tangent.as_deref_mut()) {
+            let shared = motion.opensees.map_or(&[] as &SharedState, |call| call.shared);
+            calls.last_tangent(trial, shared, tangent, MatrixMask::ALL);
         }
         Ok(())
     }
@@ -347,6 +348,15 @@ impl Amended {
     }
 }
 
+impl CallDependent for Amended {
+    fn shared_len(&self) -> usize {
+        self.inner.opensees().calls.map_or(0, CallDependent::shared_len)
+    }
+    fn last_tangent(&self, history: &[f64], _: &SharedState, tangent: &mut [f64], _: MatrixMask) {
+        tangent.copy_from_slice(&history[self.tangent_at()..]);
+    }
+}
+
 #[deny(clippy::missing_trait_methods)]
 impl Element for Amended {
     fn class(&self) -> &'static str {
@@ -381,7 +391,7 @@ impl Element for Amended {
         trial: &mut [f64],
         answer: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
-        if !self.inner.counts_calls() {
+        if self.inner.opensees().calls.is_none() {
             return self.respond_amended(motion, committed, trial, answer);
         }
         let mut tangent = [0.0; MAX_DOFS * MAX_DOFS];
@@ -401,12 +411,6 @@ impl Element for Amended {
         self.inner.commit(&trial[..self.inner_len], own);
         rest.copy_from_slice(&trial[self.inner_len..]);
     }
-    fn counts_calls(&self) -> bool {
-        self.inner.counts_calls()
-    }
-    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], _: MatrixMask) {
-        tangent.copy_from_slice(&history[self.tangent_at()..]);
-    }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.inner.initial_tangent(tangent);
@@ -423,25 +427,15 @@ impl Element for Amended {
         }
     }
 
-    fn initial_is_current(&self) -> bool {
-        self.inner.initial_is_current()
-    }
     fn mass(&self) -> Mass {
         self.inner.mass()
     }
     fn overload(&self, history: &[f64]) -> Option<Overload> {
         self.inner.overload(&history[..self.inner_len])
     }
-    fn damps_in_forces_only(&self) -> bool {
-        self.inner.damps_in_forces_only()
-    }
-
-    fn renews_damping(&self) -> bool {
-        self.inner.renews_damping()
-    }
-
-    fn ground_inertia_slip(&self) -> Option<f64> {
-        self.inner.ground_inertia_slip()
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        let inner = self.inner.opensees();
+        OpenSeesTraits { calls: inner.calls.map(|_| self as &dyn CallDependent), ..inner }
     }
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
         let (inner, old) = self.inner.with_parameter(words, value)?;
@@ -469,8 +463,6 @@ impl Element for Amended {
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         self.inner.probe(words)
     }
-    // No element that can be amended takes loads.
-    fn last_force(&self, _: &[f64], _: &[f64], _: &mut [f64]) {}
     fn probe_names(&self) -> &'static [&'static str] {
         self.inner.probe_names()
     }

@@ -2,7 +2,7 @@
 
 use crate::element::{
     BasicRow, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, MatrixMask,
-    Overload, Snapshot, dot,
+    OpenSeesTraits, Overload, Snapshot, dot,
 };
 use crate::material::{Material, Strain};
 use crate::probe::Probe;
@@ -87,7 +87,7 @@ impl Hinged {
         if !inner.basic_rows().is_empty() {
             return Err(ElementError(format!("{class} is amended by direction, and has no hinges").into()));
         }
-        if inner.counts_calls() && !inner.traits().linear {
+        if inner.opensees().calls.is_some() && !inner.traits().linear {
             let message = format!("{class} follows OpenSees call by call, which hinges would disturb");
             return Err(ElementError(message.into()));
         }
@@ -347,18 +347,9 @@ impl Element for Hinged {
         self.inner.commit(&trial[..self.inner_len], own);
         hinges.copy_from_slice(&trial[self.inner_len..]);
     }
-    // An element that counts its calls is refused: there is no tangent of a last call.
-    fn counts_calls(&self) -> bool {
-        false
-    }
-    fn last_tangent(&self, _: &[f64], _: &mut [f64], _: MatrixMask) {}
-
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.inner.initial_tangent(tangent);
         self.condense(tangent, &Each::repeat(self.material.initial_tangent()));
-    }
-    fn initial_is_current(&self) -> bool {
-        self.inner.initial_is_current()
     }
     fn mass(&self) -> Mass {
         self.inner.mass()
@@ -366,14 +357,10 @@ impl Element for Hinged {
     fn overload(&self, history: &[f64]) -> Option<Overload> {
         self.inner.overload(&history[..self.inner_len])
     }
-    fn damps_in_forces_only(&self) -> bool {
-        self.inner.damps_in_forces_only()
-    }
-    fn renews_damping(&self) -> bool {
-        self.inner.renews_damping()
-    }
-    fn ground_inertia_slip(&self) -> Option<f64> {
-        self.inner.ground_inertia_slip()
+    // None of them depends on the number of calls: such an element is refused.
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        // An inner element that depends on the number of calls is linear here, and is evaluated like any other.
+        OpenSeesTraits { calls: None, ..self.inner.opensees() }
     }
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
         let (inner, old) = self.inner.with_parameter(words, value)?;
@@ -397,8 +384,6 @@ impl Element for Hinged {
             words => self.inner.probe(words),
         }
     }
-    // An element that counts its calls and is not linear is refused; a linear one is asked like any other.
-    fn last_force(&self, _: &[f64], _: &[f64], _: &mut [f64]) {}
     fn probe_names(&self) -> &'static [&'static str] {
         self.inner.probe_names()
     }

@@ -3,7 +3,8 @@
 use crate::element::load::{ElementLoad, EndActions};
 use crate::element::transform::{Frame, Reactions, Transform};
 use crate::element::{
-    Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, frame_force_labels,
+    Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
+    frame_force_labels,
 };
 use crate::numeric::axpy;
 use crate::probe::Probe;
@@ -335,8 +336,9 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
         self.frame().add_basic_stiffness(&self.kb, tangent);
     }
 
-    fn ground_inertia_slip(&self) -> Option<f64> {
-        (self.options.rho != 0.0).then_some(if N == 6 { 2.0 } else { 1.0 })
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        let ground_inertia = (self.options.rho != 0.0).then_some(if N == 6 { 2.0 } else { 1.0 });
+        OpenSeesTraits { ground_inertia, ..OpenSeesTraits::default() }
     }
 
     fn mass(&self) -> Mass {

@@ -3,7 +3,8 @@
 use crate::element::load::ElementLoad;
 use crate::element::transform::{Reactions, Transform};
 use crate::element::{
-    Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask, Snapshot, frame_force_labels,
+    CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask, OpenSeesTraits,
+    SharedState, Snapshot, frame_force_labels,
 };
 use crate::probe::Probe;
 use crate::section::{Resultant, SectionSlot, SharedSection};
@@ -213,6 +214,23 @@ const STIFFNESS: u32 = 19;
 const SECTION: u32 = 30;
 const ALL_SECTIONS: u32 = 31;
 
+impl<F: Formulation<N, B>, const N: usize, const B: usize> CallDependent for FiberBeam<F, N, B> {
+    fn last_tangent(&self, history: &[f64], _: &SharedState, tangent: &mut [f64], _: MatrixMask) {
+        let m = &self.member;
+        let disp = Trace::<N, B>::read(&history[m.own..]).disp;
+        let basic = Basic::read(&history[m.head()..]);
+        m.transform.add_tangent(&disp, &history[..m.head()], &basic.k, &basic.q, tangent);
+    }
+    /// The reactions follow the loads at once, the basic forces with the next call.
+    fn last_force(&self, history: &[f64], load: &[f64], force: &mut [f64]) {
+        let m = &self.member;
+        let disp = Trace::<N, B>::read(&history[m.own..]).disp;
+        let basic = Basic::<B>::read(&history[m.head()..]);
+        force.fill(0.0);
+        m.transform.add_force(&disp, &history[..m.head()], &basic.q, &F::reactions(load), force);
+    }
+}
+
 impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam<F, N, B> {
     fn class(&self) -> &'static str {
         F::CLASS[usize::from(N == 12)]
@@ -264,30 +282,17 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
         Ok(())
     }
 
-    fn counts_calls(&self) -> bool {
-        self.formulation.goes_on()
-    }
-    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], _: MatrixMask) {
-        let m = &self.member;
-        let disp = Trace::<N, B>::read(&history[m.own..]).disp;
-        let basic = Basic::read(&history[m.head()..]);
-        m.transform.add_tangent(&disp, &history[..m.head()], &basic.k, &basic.q, tangent);
-    }
-    /// The reactions follow the loads at once, the basic forces with the next call.
-    fn last_force(&self, history: &[f64], load: &[f64], force: &mut [f64]) {
-        let m = &self.member;
-        let disp = Trace::<N, B>::read(&history[m.own..]).disp;
-        let basic = Basic::<B>::read(&history[m.head()..]);
-        force.fill(0.0);
-        m.transform.add_force(&disp, &history[..m.head()], &basic.q, &F::reactions(load), force);
-    }
-
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.member.transform.frame().add_basic_stiffness(&F::initial_stiffness(&self.member), tangent);
     }
 
-    fn ground_inertia_slip(&self) -> Option<f64> {
-        (self.member.rho != 0.0).then_some(1.0)
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        let depends = self.formulation.goes_on();
+        OpenSeesTraits {
+            calls: depends.then_some(self as &dyn CallDependent),
+            ground_inertia: (self.member.rho != 0.0).then_some(1.0),
+            ..OpenSeesTraits::default()
+        }
     }
 
     fn mass(&self) -> Mass {

@@ -4,8 +4,8 @@ use super::elastic::{basic_stiffness, lumped_mass};
 use super::{Bending, Release};
 use crate::element::transform::{Frame, Reactions};
 use crate::element::{
-    Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, Snapshot, dot,
-    frame_force_labels,
+    Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
+    dot, frame_force_labels,
 };
 use crate::numeric::axpy;
 use crate::probe::Probe;
@@ -217,8 +217,8 @@ impl<const N: usize, const B: usize> Element for TimoshenkoBeam<N, B> {
         self.mass.clone()
     }
 
-    fn ground_inertia_slip(&self) -> Option<f64> {
-        (self.mass != Mass::None).then_some(2.0)
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        OpenSeesTraits { ground_inertia: (self.mass != Mass::None).then_some(2.0), ..OpenSeesTraits::default() }
     }
 
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {

@@ -7,7 +7,7 @@ mod elements;
 mod kinematics;
 mod laws;
 
-pub use elements::kikuchi::{Balance, Common, KikuchiBearing, KikuchiParameters, Scheme};
+pub use elements::kikuchi::{Balance, KikuchiBearing, KikuchiParameters, Scheme};
 pub use elements::multiple_normal_spring::MultipleNormalSpring;
 pub use elements::multiple_shear_spring::MultipleShearSpring;
 pub use elements::rubber_bearing::RubberBearing;

@@ -5,8 +5,8 @@ use crate::element::bearing::kinematics::link::Link;
 use crate::element::bearing::kinematics::responses::{NAMES, Response};
 use crate::element::bearing::laws::normal_springs::{NormalSprings, Section};
 use crate::element::{
-    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask, Snapshot,
-    frame_force_labels,
+    BasicRow, CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask,
+    OpenSeesTraits, SharedState, Snapshot, frame_force_labels,
 };
 use crate::probe::Probe;
 use crate::state_struct;
@@ -113,23 +113,19 @@ impl Element for MultipleNormalSpring {
         Ok(())
     }
 
-    fn counts_calls(&self) -> bool {
-        self.counts_calls
-    }
-    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], part: MatrixMask) {
-        self.link.add_basic_part(&Self::stiffness(Forces::read(history).stiffness), tangent, part);
-    }
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.link.add_basic(&Self::stiffness(self.springs.initial_stiffness()), tangent);
     }
     fn mass(&self) -> Mass {
         end_masses(self.mass, 6, 3)
     }
-    fn renews_damping(&self) -> bool {
-        false
-    }
-    fn ground_inertia_slip(&self) -> Option<f64> {
-        (self.mass != 0.0).then_some(1.0)
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        OpenSeesTraits {
+            calls: self.counts_calls.then_some(self as &dyn CallDependent),
+            keeps_first_damping: true,
+            ground_inertia: (self.mass != 0.0).then_some(1.0),
+            ..OpenSeesTraits::default()
+        }
     }
     fn basic_rows(&self) -> Vec<BasicRow> {
         self.link.basic_rows()
@@ -146,5 +142,11 @@ impl Element for MultipleNormalSpring {
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
         let basic = |out: &mut [f64]| out.copy_from_slice(&Self::spread(Forces::read(s.state).force));
         Response::of(path).read(&self.link, s, out, basic);
+    }
+}
+
+impl CallDependent for MultipleNormalSpring {
+    fn last_tangent(&self, history: &[f64], _: &SharedState, tangent: &mut [f64], part: MatrixMask) {
+        self.link.add_basic_part(&Self::stiffness(Forces::read(history).stiffness), tangent, part);
     }
 }

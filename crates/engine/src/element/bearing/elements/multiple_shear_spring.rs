@@ -5,7 +5,8 @@ use crate::element::bearing::kinematics::link::Link;
 use crate::element::bearing::kinematics::responses::{NAMES, Response};
 use crate::element::bearing::laws::shear_springs::{Bundle, Factors, ShearSprings};
 use crate::element::{
-    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, frame_force_labels,
+    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
+    frame_force_labels,
 };
 use crate::probe::Probe;
 use crate::state_struct;
@@ -134,11 +135,9 @@ impl Element for MultipleShearSpring {
     fn mass(&self) -> Mass {
         end_masses(self.mass, 6, 3)
     }
-    fn renews_damping(&self) -> bool {
-        false
-    }
-    fn ground_inertia_slip(&self) -> Option<f64> {
-        (self.mass != 0.0).then_some(1.0)
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        let ground_inertia = (self.mass != 0.0).then_some(1.0);
+        OpenSeesTraits { keeps_first_damping: true, ground_inertia, ..OpenSeesTraits::default() }
     }
     fn basic_rows(&self) -> Vec<BasicRow> {
         self.link.basic_rows()

@@ -3,7 +3,8 @@
 use crate::element::bearing::kinematics::link::Link;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw};
 use crate::element::{
-    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, frame_force_labels,
+    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
+    frame_force_labels,
 };
 use crate::material::{Material, Slot, Strain};
 use crate::probe::Probe;
@@ -126,12 +127,9 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
         self.law.masses(self.mass)
     }
 
-    fn renews_damping(&self) -> bool {
-        L::RENEWS_DAMPING
-    }
-
-    fn ground_inertia_slip(&self) -> Option<f64> {
-        (L::REPORTS_INERTIA && self.mass != 0.0).then_some(1.0)
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        let ground_inertia = (L::REPORTS_INERTIA && self.mass != 0.0).then_some(1.0);
+        OpenSeesTraits { keeps_first_damping: !L::RENEWS_DAMPING, ground_inertia, ..OpenSeesTraits::default() }
     }
 
     fn basic_rows(&self) -> Vec<BasicRow> {

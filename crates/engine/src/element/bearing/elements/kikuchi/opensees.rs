@@ -6,15 +6,15 @@
 
 use super::condensation::{Condensed, Yielding, condense, followed, held_by_nothing, join, yielding};
 use super::kinematics::{INNER, Matrix, Motion, OUTER, Springs};
-use super::{Balance, Common, Factors, KikuchiBearing};
-use crate::element::ElementError;
+use super::{Balance, Factors, KikuchiBearing};
+use crate::element::{CallDependent, ElementError, MatrixMask, OpenSeesCall, SharedState};
 use crate::material::MaterialError;
 use crate::state_struct;
 use crate::state_struct::StateStruct;
 
 state_struct! {
     /// Springs and inner nodes as a call left them.
-    pub(super) struct Call {
+    pub(super) struct SpringState {
         /// Forces of the springs; those of the shear springs not yet multiplied by their factors.
         springs: Springs,
         /// Displacements of the inner nodes.
@@ -28,9 +28,9 @@ state_struct! {
         /// Displacements of the ends in local axes.
         outer: [f64; 12],
         /// What the next step begins with.
-        settled: Call,
+        settled: SpringState,
         /// What the next call of this step begins with.
-        last: Call,
+        last: SpringState,
         /// Number of steps made: those of the trial state are one more if it has been asked in this step.
         steps: f64,
         /// Factors of the shear springs in this step: of forces and of stiffnesses.
@@ -45,6 +45,53 @@ state_struct! {
         yielding: Yielding,
         /// Stiffness of the bearing, by rows.
         stiffness: [[f64; 12]; 12],
+    }
+}
+
+state_struct! {
+    /// Variables that OpenSees keeps once for all bearings of a model, as its last bearing leaves them.
+    struct SharedVariables {
+        /// Numbers of the step before and of the last one; zero where there is none.
+        steps: [f64; 2],
+        /// Displacements of ends and inner nodes at the end of these steps.
+        motions: [[f64; 18]; 2],
+        /// Condensed stiffness of the last call.
+        stiffness: [[f64; 12]; 12],
+    }
+}
+
+impl SharedVariables {
+    /// Those of a model; zero where the bearing stands outside of one.
+    fn of(shared: &SharedState) -> Self {
+        let mut words = [0.0; Self::LEN];
+        words.iter_mut().zip(shared).for_each(|(word, cell)| *word = cell.get());
+        Self::read(&words)
+    }
+
+    fn write_to(&self, shared: &SharedState) {
+        let mut words = [0.0; Self::LEN];
+        self.write(&mut words);
+        shared.iter().zip(&words).for_each(|(cell, word)| cell.set(*word));
+    }
+
+    /// Take over a call of a step.
+    fn set(&mut self, step: f64, motion: &Motion, stiffness: &[[f64; OUTER]; OUTER]) {
+        if self.steps[1] != step {
+            (self.steps[0], self.motions[0]) = (self.steps[1], self.motions[1]);
+        }
+        (self.steps[1], self.motions[1]) = (step, (*motion).into());
+        self.stiffness = *stiffness;
+    }
+
+    /// Displacements at the end of a step.
+    fn motion(&self, step: f64) -> Option<Motion> {
+        let at = self.steps.iter().position(|s| *s == step && step > 0.0)?;
+        Some(Motion::from_column_slice(&self.motions[at]))
+    }
+
+    /// Stiffness of the last call, after the first one.
+    fn stiffness(&self) -> Option<[[f64; OUTER]; OUTER]> {
+        (self.steps[1] > 0.0).then_some(self.stiffness)
     }
 }
 
@@ -63,7 +110,7 @@ impl KikuchiBearing {
     /// Write the state at rest.
     pub(super) fn write_virgin_trace(&self, state: &mut [f64]) {
         let factors = self.virgin_factors;
-        let call = Call { springs: self.virgin_springs(1.0), inner: [0.0; INNER] };
+        let call = SpringState { springs: self.virgin_springs(1.0), inner: [0.0; INNER] };
         Trace { settled: call, last: call, factors: [factors.force, factors.stiffness], ..Trace::default() }
             .write(state);
         // OpenSees works out its first stiffness before it knows the height.
@@ -82,14 +129,16 @@ impl KikuchiBearing {
         outer: [f64; OUTER],
         committed: &[f64],
         dt: f64,
-        (balance, common): (Balance, &Common),
+        (balance, call): (Balance, Option<OpenSeesCall<'_>>),
         trial: &mut [f64],
     ) -> Result<([f64; OUTER], [[f64; OUTER]; OUTER]), ElementError> {
         let old = Trace::read(committed);
         let now = Trace::read(trial);
         let begin = old.settled;
         let from = join(&old.outer, &begin.inner);
-        let row = self.kinematics.axial_row(&common.motion(old.steps).unwrap_or(from));
+        let mut shared = call.map(|c| SharedVariables::of(c.shared)).unwrap_or_default();
+        let geometry = shared.motion(old.steps).unwrap_or(from);
+        let row = self.kinematics.axial_row(&geometry);
 
         // The inner nodes follow the ends, and yield to what the last call left over. What a call of this step has solved
         // is what the next one begins with.
@@ -108,18 +157,20 @@ impl KikuchiBearing {
         let q = join(&outer, &inner);
         let axial = begin.springs.axial + row.dot(&(q - from));
         let springs = self.springs(committed, &q, Factors::ONE, axial, dt, trial)?;
-        let call = Call { springs, inner };
-        let c = self.condensed(&q, &self.scaled(&call, factors), &row)?;
+        let springs = SpringState { springs, inner };
+        let c = self.condensed(&q, &self.scaled(&springs, factors), &row)?;
         let mut force = c.force;
         if let Some(shares) = self.shares {
-            let geometry = common.motion(old.steps).unwrap_or(from);
             take_off_p_delta(&(geometry + join(&step, &[0.0; INNER])), shares, &mut force);
         }
 
-        let settled = self.settle(&outer, call, factors, balance, committed, dt, trial)?;
-        common.leave(self.number, old.steps + 1.0, join(&outer, &settled.inner), &c.stiffness);
+        let settled = self.settle(&outer, springs, factors, balance, committed, dt, trial)?;
+        if let Some(call) = call.filter(|c| c.last_of_class) {
+            shared.set(old.steps + 1.0, &join(&outer, &settled.inner), &c.stiffness);
+            shared.write_to(call.shared);
+        }
         let factors = [factors.force, factors.stiffness];
-        Trace { outer, settled, last: call, steps: old.steps + 1.0, factors }.write(trial);
+        Trace { outer, settled, last: springs, steps: old.steps + 1.0, factors }.write(trial);
         Solved { yielding: c.yielding, stiffness: c.stiffness }.write(&mut trial[SOLVED_AT..]);
         Ok((force, c.stiffness))
     }
@@ -138,13 +189,13 @@ impl KikuchiBearing {
     fn settle(
         &self,
         outer: &[f64; OUTER],
-        mut call: Call,
+        mut call: SpringState,
         factors: Factors,
         balance: Balance,
         committed: &[f64],
         dt: f64,
         trial: &mut [f64],
-    ) -> Result<Call, ElementError> {
+    ) -> Result<SpringState, ElementError> {
         for _ in 0..balance.rounds {
             let q = join(outer, &call.inner);
             let row = self.kinematics.axial_row(&q);
@@ -153,7 +204,7 @@ impl KikuchiBearing {
             let to = join(outer, &inner);
             let axial = call.springs.axial + row.dot(&(to - q));
             let springs = self.springs(committed, &to, Factors::ONE, axial, dt, trial)?;
-            call = Call { springs, inner };
+            call = SpringState { springs, inner };
             let left = self.kinematics.forces(&to, &self.scaled(&call, factors), &row);
             if left.fixed_rows::<INNER>(OUTER).iter().all(|f| f.abs() <= balance.tolerance) {
                 break;
@@ -163,7 +214,7 @@ impl KikuchiBearing {
     }
 
     /// The springs of a call, those in shear multiplied by their factors.
-    fn scaled(&self, call: &Call, factors: Factors) -> Springs {
+    fn scaled(&self, call: &SpringState, factors: Factors) -> Springs {
         let mut s = call.springs;
         s.shear = s.shear.map(|f| f * factors.force);
         s.shear_stiffness = s.shear_stiffness.map(|k| k * factors.stiffness);
@@ -179,10 +230,16 @@ impl KikuchiBearing {
     fn equations(&self, q: &Motion, springs: &Springs, row: &Motion) -> (Motion, Matrix) {
         (self.kinematics.forces(q, springs, row), self.kinematics.stiffness(springs, row, row))
     }
+}
 
-    /// The tangent that OpenSees has after the last call, from the state that it left.
-    pub(super) fn last_stiffness(&self, state: &[f64]) -> [[f64; OUTER]; OUTER] {
-        Solved::read(&state[SOLVED_AT..]).stiffness
+impl CallDependent for KikuchiBearing {
+    fn shared_len(&self) -> usize {
+        SharedVariables::LEN
+    }
+    fn last_tangent(&self, history: &[f64], shared: &SharedState, tangent: &mut [f64], part: MatrixMask) {
+        let shared = SharedVariables::of(shared).stiffness();
+        let stiffness = shared.unwrap_or_else(|| Solved::read(&history[SOLVED_AT..]).stiffness);
+        self.add_global(&stiffness, tangent, part.rows);
     }
 }
 

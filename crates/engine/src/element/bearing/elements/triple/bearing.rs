@@ -7,8 +7,8 @@ use crate::element::bearing::elements::shear_bearing::{
 };
 use crate::element::friction::{Coefficient, Contact, Friction};
 use crate::element::{
-    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask, Snapshot,
-    frame_force_labels,
+    BasicRow, CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask,
+    OpenSeesTraits, SharedState, Snapshot, frame_force_labels,
 };
 use crate::material::{Material, Slot, Strain, Stress};
 use crate::probe::Probe;
@@ -354,22 +354,13 @@ impl Element for TriplePendulum {
         Ok(())
     }
 
-    /// OpenSees' friction goes on from the speeds of the last call, its vertical material from where it was put back to.
-    fn counts_calls(&self) -> bool {
-        self.setting.compat.is_some()
-    }
-    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], _: MatrixMask) {
-        let load = Load::read(&history[ChainState::LEN..]);
-        for (i, k) in load.across.iter().enumerate() {
-            add_apart(tangent, i / 2, i % 2, *k, -1.0);
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        let compat = self.setting.compat.is_some();
+        OpenSeesTraits {
+            calls: compat.then_some(self as &dyn CallDependent),
+            damps_in_forces_only: compat,
+            ..OpenSeesTraits::default()
         }
-        for (d, k) in DIRECTIONS.iter().zip(load.along) {
-            add_apart(tangent, *d, *d, k, -1.0);
-        }
-    }
-
-    fn damps_in_forces_only(&self) -> bool {
-        self.setting.compat.is_some()
     }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {
@@ -463,6 +454,19 @@ impl Element for TriplePendulum {
                 out[0] = Contact { normal: load.mean, speed: load.speed[i], mu: load.mu[i] }.value(path[2]);
             }
             _ => self.materials[path[1] as usize].read(&path[2..], s.state, out),
+        }
+    }
+}
+
+/// OpenSees' friction starts from the speeds of the last call, its vertical material from its restored state.
+impl CallDependent for TriplePendulum {
+    fn last_tangent(&self, history: &[f64], _: &SharedState, tangent: &mut [f64], _: MatrixMask) {
+        let load = Load::read(&history[ChainState::LEN..]);
+        for (i, k) in load.across.iter().enumerate() {
+            add_apart(tangent, i / 2, i % 2, *k, -1.0);
+        }
+        for (d, k) in DIRECTIONS.iter().zip(load.along) {
+            add_apart(tangent, *d, *d, k, -1.0);
         }
     }
 }
