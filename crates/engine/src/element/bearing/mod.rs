@@ -1,7 +1,7 @@
-//! Bearings of seismic isolation: two-node elements that join a shear law to axial and rotational materials.
+//! Seismic isolation bearings: two-node elements of a shear law with axial and rotational materials.
 //!
-//! To add one of this family: a [`ShearLaw`] in a file of its own. [`ShearBearing`] is the element around it.
-//! A [`RubberShear`] stands beside the axial law of layered rubber, in a [`RubberBearing`].
+//! A new bearing of this family is a [`ShearLaw`] in a file of its own, with [`ShearBearing`] as the element. A
+//! [`RubberShear`] is combined with the axial law of layered rubber in a [`RubberBearing`].
 
 mod elements;
 mod kinematics;

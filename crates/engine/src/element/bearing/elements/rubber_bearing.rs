@@ -1,4 +1,4 @@
-//! `HDR`, `ElastomericX`, `LeadRubberX`: a shear law beside the axial law of layered rubber bearings.
+//! `HDR`, `ElastomericX`, `LeadRubberX`: a shear law with the axial law of layered rubber bearings.
 
 use crate::element::bearing::elements::shear_bearing::{
     BASIC_FORCE, BASIC_STIFFNESS, DEFORMATION, HYSTERETIC, LOCAL_DISP, LOCAL_FORCE, end_masses, probe,
@@ -14,7 +14,7 @@ use crate::element::{
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
 
-/// Layered rubber bearing in space: axial force, shear in two directions, and linear torsion and rotations.
+/// A layered rubber bearing in space: axial force, shear in two directions, linear torsion and rotations.
 #[derive(Clone, Debug)]
 pub struct RubberBearing<L> {
     axial: AxialLaw,
@@ -27,15 +27,15 @@ const SHEAR_AT: usize = Axial::LEN;
 const MEMORY_AT: usize = SHEAR_AT + Shear::<2>::LEN;
 
 impl<L: RubberShear> RubberBearing<L> {
-    /// Where the words behind the memory of the shear law begin.
+    /// Index of the state variables after the memory of the shear law.
     const TAIL_AT: usize = MEMORY_AT + L::Memory::LEN;
 
-    /// From its laws, its kinematics and its mass.
+    /// Makes the bearing of its laws, its kinematics and its mass.
     pub fn new(axial: AxialLaw, shear: L, link: Link<12, 6>, mass: f64) -> Self {
         Self { axial, shear, link, mass }
     }
 
-    /// Stiffnesses of torsion and rotations.
+    /// Stiffnesses of torsion, rotation about y and rotation about z.
     fn rotations(&self) -> [f64; 3] {
         [self.axial.rubber.torsion, self.axial.rubber.rotation, self.axial.rubber.rotation]
     }

@@ -7,25 +7,27 @@ use crate::probe::Probe;
 
 /// Bidirectional shear law of high damping rubber.
 ///
-/// D. N. Grant, G. L. Fenves and A. S. Whittaker, "Bidirectional modelling of high-damping rubber bearings", Journal of
-/// Earthquake Engineering 8 (2004) 161-185. The force is F₁ + F₂: F₁ = K_S1 K_M (a₁ + a₂ U² + a₃ U⁴) u is elastic, and
-/// F₂ goes towards the bounding circle of radius R = b₁ + K_S2 b₂ U² in the direction n of the increment,
-/// F₂ = R n - δ μ, where δ' = -b₃ δ |u'|. Scragging, the damage of long standing D_S, lowers K_S = e^(-c D_S³), and the
-/// Mullins effect, D_M, lowers K_M = c₃ + (1 - c₃) e^(-c₄ D_M³).
+/// Source: D. N. Grant, G. L. Fenves and A. S. Whittaker, "Bidirectional modelling of high-damping rubber bearings",
+/// Journal of Earthquake Engineering 8 (2004) 161-185. The force is F₁ + F₂. F₁ = K_S1 K_M (a₁ + a₂ U² + a₃ U⁴) u is
+/// elastic. F₂ = R n - δ μ tends to the bounding circle of radius R = b₁ + K_S2 b₂ U² in the direction n of the
+/// increment, with δ' = -b₃ δ |u'|.
+///
+/// Scragging, the long-term damage D_S, lowers K_S = e^(-c D_S³). The Mullins damage D_M lowers K_M = c₃ + (1 - c₃)
+/// e^(-c₄ D_M³).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GrantShear {
-    /// Elastic part: a₁, a₂, a₃.
+    /// Coefficients a₁, a₂, a₃ of the elastic part.
     pub a: [f64; 3],
-    /// Hysteretic part: b₁, b₂, b₃.
+    /// Coefficients b₁, b₂, b₃ of the hysteretic part.
     pub b: [f64; 3],
-    /// Damage: c₁, c₂ of scragging, c₃, c₄ of the Mullins effect.
+    /// Coefficients of the damage: c₁, c₂ of scragging, c₃, c₄ of the Mullins effect.
     pub c: [f64; 4],
     /// OpenSees' tangent.
     pub compat: bool,
 }
 
 crate::state_struct! {
-    /// Damage of high damping rubber.
+    /// State variables of high damping rubber.
     pub struct Damage {
         /// Outer bound of the displacement D_S⁺.
         outer: f64,
@@ -35,18 +37,18 @@ crate::state_struct! {
         scragging: f64,
         /// Mullins damage D_M.
         mullins: f64,
-        /// What scragging has left, e^(-c₁ D_S³) and e^(-c₂ D_S³): of the elastic stiffness and of the growth of the radius.
+        /// Factors of scragging on elastic stiffness and growth of the radius: e^(-c₁ D_S³), e^(-c₂ D_S³).
         kept: [f64; 2],
-        /// What the Mullins damage has left to fade, e^(-c₄ D_M³).
+        /// Factor e^(-c₄ D_M³) of the Mullins damage.
         fresh: f64,
-        /// Distance of the force from the bounding circle δ.
+        /// Distance δ of the force from the bounding circle.
         distance: f64,
-        /// Radius of the bounding circle R.
+        /// Radius R of the bounding circle.
         radius: f64,
     }
 }
 
-/// The damage at a displacement, and whether it grows with the displacement going back.
+/// State variables at a displacement, and whether each damage grows for a displacement towards the centre.
 struct Growth {
     damage: Damage,
     scragging: bool,
@@ -55,7 +57,7 @@ struct Growth {
 
 impl GrantShear {
     fn growth(&self, c: &Damage, last: &Damage, size: f64, before: f64) -> Growth {
-        // What a displacement does not change keeps in OpenSees the value of the trial before.
+        // In OpenSees, variables that a displacement does not change keep the value of the last trial.
         let mut damage = if self.compat { *last } else { *c };
         if size > c.outer {
             damage.outer = size;
@@ -89,7 +91,7 @@ impl RubberShear for GrantShear {
     fn virgin(&self) -> (Shear<2>, Damage) {
         let [a1, ..] = self.a;
         let [b1, _, b3] = self.b;
-        // OpenSees leaves the hysteretic part out of the initial stiffness.
+        // OpenSees omits the hysteretic part in the initial stiffness.
         let k = if self.compat { a1 } else { a1 + b1 * b3 };
         (
             Shear { k: [[k, 0.0], [0.0, k]], ..Shear::default() },
@@ -106,7 +108,7 @@ impl RubberShear for GrantShear {
         let [c1, c2, c3, c4] = self.c;
         let Growth { damage: mut d, scragging, mullins } = self.growth(m, last, size, before);
 
-        // Direction along which the damages grow.
+        // Direction of growing damage.
         let inward = if size > 0.0 { [-u[0] / size, -u[1] / size] } else { [0.0; 2] };
         let ([ks1, ks2], softening) = (d.kept, d.fresh);
         let km = c3 + (1.0 - c3) * softening;
@@ -115,7 +117,7 @@ impl RubberShear for GrantShear {
 
         // Elastic part.
         let (left, secant) = (ks1 * km, a1 + size2 * (a2 + size2 * a3));
-        // In the derivative of K_M OpenSees has 1 - c₄ where 1 - c₃ belongs.
+        // In the derivative of K_M OpenSees has 1 - c₄ instead of 1 - c₃.
         let share = if self.compat { 1.0 - c4 } else { 1.0 - c3 };
         let loss = secant * (per_scragging * c1 * left + per_mullins * c4 * share * softening * ks1);
         let grow = 2.0 * left * (a2 + 2.0 * a3 * size2);
@@ -151,7 +153,7 @@ impl RubberShear for GrantShear {
         let hat: [[f64; 2]; 2] = std::array::from_fn(|i| {
             std::array::from_fn(|j| n[i] * d_radius[j] + turn * (f64::from(u8::from(i == j)) - n[i] * n[j]))
         });
-        // The gap depends on the direction of the step too, which OpenSees leaves out.
+        // δ depends on the direction of the step, which OpenSees omits.
         let mut d_distance = n.map(|n| -d.distance * faded * b3 * n);
         if !self.compat && gap > 0.0 {
             let along = (old[0] * n[0] + old[1] * n[1]) / gap;
@@ -206,7 +208,7 @@ fn length(v: [f64; 2]) -> f64 {
     (v[0] * v[0] + v[1] * v[1]).sqrt()
 }
 
-/// e^(-c x), without the work where nothing decays.
+/// e^(-c x); 1 without evaluation for c = 0 or x = 0.
 #[inline]
 fn decay(c: f64, x: f64) -> f64 {
     let power = c * x;

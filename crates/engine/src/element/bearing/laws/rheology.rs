@@ -7,14 +7,14 @@ use crate::material::HdrRheology;
 use crate::material::hdr::PlaneHistory;
 use crate::probe::Probe;
 
-/// The rheology beside the axial law of layered rubber.
+/// The rheology with the axial law of layered rubber.
 #[derive(Clone, Debug)]
 pub struct RheologyShear {
     /// The law of the rubber, with area and thickness of the bearing.
     pub law: HdrRheology,
 }
 
-/// Responses of its own: name, columns, number.
+/// Own responses: name, columns, number.
 const RESPONSES: [(&str, &[&str], u32); 7] = [
     ("temperature", &["temperature"], OWN),
     ("equilibrium", &["equilibrium2", "equilibrium3"], OWN + 1),
@@ -24,7 +24,7 @@ const RESPONSES: [(&str, &[&str], u32); 7] = [
     ("heatStored", &["heatStored"], OWN + 5),
     ("heatLost", &["heatLost"], OWN + 6),
 ];
-/// Temperatures through the height.
+/// Response of the temperatures through the height.
 const PROFILE: u32 = OWN + 7;
 
 impl RheologyShear {

@@ -3,12 +3,12 @@
 use crate::material::{Material, MaterialError, Strain, Strains, Stresses};
 use std::f64::consts::PI;
 
-/// Springs in the directions θ = π i/n of the plane of shear (Wada and Hirose, 1989), of one material or of several; their
-/// histories lie one after the other in the state of their owner, behind them room for two more.
+/// Springs in the directions θ = π i/n of the shear plane (Wada and Hirose, 1989), of one or several materials. Their
+/// state variables follow each other in the state of their owner, then those of two auxiliary springs.
 ///
-/// With a limit u₀ the forces are multiplied so that the bundle, sheared in one direction from the virgin state to
-/// max(|u|, u₀), carries the force of one spring alone, all of the first material; |u| is the size of the displacement. Without one they are
-/// not, and n springs are about n/2 times as stiff as one.
+/// With a limit u₀ the forces are multiplied by a factor. The reference is a virgin bundle of the first material,
+/// sheared in one direction to max(|u|, u₀). The factor gives it the force of a single spring. Without a limit there is
+/// no factor, and n springs are about n/2 times as stiff as one.
 #[derive(Clone, Debug)]
 pub struct ShearSprings {
     runs: Vec<Run>,
@@ -16,7 +16,7 @@ pub struct ShearSprings {
     limit: Option<f64>,
     /// Virgin state of the first material.
     virgin: Vec<f64>,
-    /// Where there is room for two springs, after all others: one that is tried for the factors, and what it answers.
+    /// Index of the two auxiliary springs: the one evaluated for the factors, and its response.
     room: usize,
 }
 
@@ -28,43 +28,44 @@ struct Run {
     springs: std::ops::Range<usize>,
 }
 
-/// Forces of a bundle along y and z, before they are multiplied by the factors.
+/// Forces of a bundle along y and z, without the factors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Bundle {
     /// Forces.
     pub force: [f64; 2],
     /// Derivatives by the displacements.
     pub stiffness: [[f64; 2]; 2],
-    /// Derivatives by the velocities, of viscous materials.
+    /// Derivatives by the velocities, for viscous materials.
     pub damping: [[f64; 2]; 2],
 }
 
-/// What the forces and stiffnesses of a bundle are multiplied by.
+/// Factors of the forces and stiffnesses of a bundle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Factors {
     /// Factor of the forces.
     pub force: f64,
-    /// Factor that OpenSees multiplies the stiffness by, instead of deriving the forces.
+    /// Factor of the stiffness in OpenSees, in place of the derivative of the forces.
     pub stiffness: f64,
     /// Derivative of the factor of the forces by the size of the displacement.
     pub slope: f64,
 }
 
 impl Factors {
-    /// No factors.
+    /// Factors of 1.
     pub const ONE: Self = Self { force: 1.0, stiffness: 1.0, slope: 0.0 };
 }
 
-/// Springs updated at a time, so that their stresses stay on the stack.
+/// Number of springs updated in one call: their stresses are on the stack.
 const CHUNK: usize = 32;
 
 impl ShearSprings {
-    /// `n` springs of one material with their histories from word `at` on.
+    /// Makes `n` springs of one material, with state variables from index `at` on.
     pub fn new(material: Material, n: usize, limit: Option<f64>, at: usize) -> Self {
         Self::of(vec![(material, n)], limit, at)
     }
 
-    /// Springs of several materials, each with the number of neighbouring springs that are of it; at least one.
+    /// Makes springs of several materials, each with its number of neighbouring springs. At least one material is
+    /// needed.
     pub fn of(materials: Vec<(Material, usize)>, limit: Option<f64>, at: usize) -> Self {
         let n: usize = materials.iter().map(|(_, n)| n).sum();
         let directions = (0..n).map(|i| PI * i as f64 / n as f64).map(|angle| [angle.cos(), angle.sin()]).collect();
@@ -82,23 +83,23 @@ impl ShearSprings {
         Self { runs, directions, limit, virgin, room }
     }
 
-    /// Number of words that they take.
+    /// Number of state variables.
     pub fn state_len(&self) -> usize {
         let first = self.runs.first().map_or(self.room, |run| run.at);
         self.room - first + 2 * self.virgin.len()
     }
 
-    /// Their materials.
+    /// Materials of the springs.
     pub fn materials(&self) -> impl Iterator<Item = &Material> {
         self.runs.iter().map(|run| &run.material)
     }
 
-    /// Whether their forces are multiplied by factors that depend on the displacement.
+    /// Returns true if the forces have a factor that depends on the displacement.
     pub fn is_limited(&self) -> bool {
         self.limit.is_some()
     }
 
-    /// Write the virgin state.
+    /// Writes the virgin state variables.
     pub fn init(&self, state: &mut [f64]) {
         for Run { material, at, springs } in &self.runs {
             let words = material.state_len();
@@ -113,18 +114,21 @@ impl ShearSprings {
         }
     }
 
-    /// Take over their histories of a trial state.
+    /// Copies the state variables of a trial state.
     pub fn commit(&self, trial: &[f64], committed: &mut [f64]) {
         for Run { material, at, springs } in &self.runs {
             let words = *at..at + springs.len() * material.state_len();
             material.commit_all(&trial[words.clone()], &mut committed[words]);
         }
-        // Of the two that are tried, one is worked with.
+        // Of the auxiliary springs only the first has a committed state.
         let tried = self.room..self.room + self.virgin.len();
         committed[tried.clone()].copy_from_slice(&trial[tried]);
     }
 
-    /// Forces at displacements along y and z, with their rates.
+    /// Forces at displacements along y and z, and their rates.
+    ///
+    /// # Errors
+    /// Errors of the materials.
     pub fn respond(
         &self,
         committed: &[f64],
@@ -183,11 +187,11 @@ impl ShearSprings {
         sum
     }
 
-    /// Factors at a displacement of this size, from the committed state of the owner; `trial` has room to work, and keeps
-    /// what OpenSees' springs remember of having been tried.
+    /// Factors at a displacement of this size, from the committed state of the owner. `trial` is workspace, and keeps
+    /// the state that OpenSees' springs retain after an evaluation.
     ///
     /// # Errors
-    /// A virgin bundle that resists no displacement.
+    /// A virgin bundle without resistance.
     pub fn factors(&self, size: f64, committed: &[f64], trial: &mut [f64]) -> Result<Factors, MaterialError> {
         let tried = self.room..self.room + self.virgin.len();
         trial[tried.clone()].copy_from_slice(&committed[tried]);

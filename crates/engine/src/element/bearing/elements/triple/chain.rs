@@ -7,25 +7,25 @@ use crate::state_struct;
 use nalgebra::{Matrix2, Vector2};
 
 state_struct! {
-    /// History of a chain; the segments one after the other, x and y of each.
+    /// State variables of a chain, segment after segment, x and y of each.
     pub struct ChainState {
         /// Displacement of the chain.
         u: [f64; 2],
-        /// Displacement of the segments.
+        /// Displacements of the segments.
         d: [f64; 6],
-        /// Plastic displacement.
+        /// Plastic displacements.
         plastic: [f64; 6],
-        /// Back force of the hardening.
+        /// Back forces of the hardening.
         back: [f64; 6],
-        /// Stiffness of the segments, by rows.
+        /// Stiffnesses of the segments, 2 x 2 by rows.
         k: [f64; 12],
-        /// Stiffness of the chain, by rows.
+        /// Stiffness of the chain, 2 x 2 by rows.
         whole: [f64; 4],
-        /// Force as a part of the weight.
+        /// Force per weight.
         f: [f64; 2],
-        /// Coefficients of friction that the force was found with.
+        /// Coefficients of friction at that force.
         mu: [f64; 3],
-        /// Speed of the segments.
+        /// Speeds of the segments.
         speed: [f64; 3],
     }
 }
@@ -43,12 +43,12 @@ pub(super) fn rows(m: &Matrix2<f64>) -> [f64; 4] {
 }
 
 impl ChainState {
-    /// Take over what segment `i` answers at displacement `d`.
+    /// Stores the response of segment `i` at the displacement `d`.
     fn set(&mut self, i: usize, d: Vector2<f64>, p: &Pull) {
         self.set_memory(i, d, (p.plastic, p.back), &p.k);
     }
 
-    /// Displacement of segment `i`, plastic displacement and back force, stiffness.
+    /// Sets displacement, plastic displacement, back force and stiffness of segment `i`.
     pub(super) fn set_memory(
         &mut self,
         i: usize,
@@ -68,7 +68,7 @@ fn inverses(k: [Matrix2<f64>; 3]) -> Option<[Matrix2<f64>; 3]> {
     Some([a?, b?, c?])
 }
 
-/// Stiffness of segments in series.
+/// Stiffness of segments in series; `None` if singular.
 pub(super) fn in_series(k: [Matrix2<f64>; 3]) -> Option<Matrix2<f64>> {
     inverses(k)?.iter().sum::<Matrix2<f64>>().try_inverse()
 }
@@ -80,12 +80,12 @@ pub struct Chain {
     pub segments: [Segment; 3],
 }
 
-/// The force of a chain.
+/// Force of a chain with derivatives.
 pub(super) struct Tension {
     pub(super) state: ChainState,
     /// Stiffness.
     pub(super) k: Matrix2<f64>,
-    /// By the normal force, through the friction.
+    /// Derivative of the force by the normal force, through the friction.
     pub(super) by_normal: Vector2<f64>,
     /// Speeds of the surfaces, with the coefficients of friction.
     pub(super) friction: [(f64, f64); 3],
@@ -94,7 +94,7 @@ pub(super) struct Tension {
 const ROUNDS: usize = 100;
 
 impl Chain {
-    /// History at rest.
+    /// State variables of the virgin chain.
     pub fn virgin(&self) -> ChainState {
         let mut s = ChainState::default();
         let k = self.segments.map(|segment| Matrix2::from_diagonal_element(segment.e));
@@ -105,12 +105,12 @@ impl Chain {
         s
     }
 
-    /// The force that holds the chain at displacement `u`, from the committed history: Newton's method for displacements
-    /// that add up under a force that all segments share. `friction` gives the coefficient of a segment at the speed of
+    /// Force of the chain at a displacement `u`, from the committed state. Newton's method solves for segment
+    /// displacements with the sum `u` and equal forces. `friction` gives the coefficient of a segment at the speed of
     /// its surface.
     ///
     /// # Errors
-    /// Where no force is found.
+    /// No convergence.
     pub(super) fn stretch(
         &self,
         c: &ChainState,
@@ -127,7 +127,7 @@ impl Chain {
         let first = inverses([0, 1, 2].map(|i| square(&c.k, i))).ok_or_else(no_force)?;
         let ahead = square(&c.whole, 0) * (u - Vector2::from(c.u));
         let mut d: [Vector2<f64>; 3] = std::array::from_fn(|i| two(&c.d, i) + first[i] * ahead);
-        // What round-off has left of the sum.
+        // Removes the round-off of the sum.
         d[0] += u - (d[0] + d[1] + d[2]);
         let mut at = pulls(&d);
         let mut least = f64::INFINITY;
@@ -159,8 +159,8 @@ impl Chain {
     }
 }
 
-/// Along a step from where the common force is `f`, which keeps the sum of the displacements, to where the energy of the chain
-/// does not fall much more: it is convex, with kinks where a surface begins to slide or reaches its edge.
+/// Line search from the common force `f`. The step keeps the sum of the displacements. It ends close to the minimum of
+/// the energy of the chain. The energy is convex, with kinks at the onset of sliding and at contact with the edge.
 fn go_down(
     pulls: &impl Fn(&[Vector2<f64>; 3]) -> [Pull; 3],
     (d, at): (&[Vector2<f64>; 3], &[Pull; 3]),
@@ -185,7 +185,7 @@ fn go_down(
         if (first && g <= -0.8 * begin) || g.abs() <= -0.5 * begin || width < 1e-9 {
             return (there, p);
         }
-        // False position, kept off the ends.
+        // Regula falsi, kept away from the ends of the bracket.
         let zero = lo.0 - lo.1 * width / (above - lo.1);
         share = zero.clamp(lo.0 + 0.1 * width, right - 0.1 * width);
     }

@@ -1,41 +1,42 @@
-//! How heat that enters a surface warms it.
+//! Heat conduction: temperature rise from the heat that enters a surface.
 
 use crate::element::bearing::laws::rubber::PI as ROUGHLY;
 use std::f64::consts::PI;
 
-/// What the heat flows into.
+/// Body behind the surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Body {
-    /// A half space.
+    /// A half-space.
     HalfSpace,
-    /// A plate that no heat leaves at its back.
+    /// A plate with an insulated back.
     Plate,
 }
 
-/// Conduction of the heat of a surface into the plate behind it, one-dimensional. H. S. Carslaw and J. C. Jaeger, "Conduction of Heat in
-/// Solids", 2nd edition (1959), sections 2.9 and 3.8.
+/// One-dimensional conduction of heat from a surface into the body behind it. Source: H. S. Carslaw and J. C. Jaeger,
+/// "Conduction of Heat in Solids", 2nd edition (1959), sections 2.9 and 3.8.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Conduction {
-    /// Half space or plate.
+    /// Half-space or plate.
     pub body: Body,
     /// Thermal diffusivity α, length²/time.
     pub diffusivity: f64,
     /// Thermal conductivity k, power/(length °C).
     pub conductivity: f64,
-    /// OpenSees' constants (22/7 and 3.14159 for π) and its end of the series: the first term that adds less than a thousandth.
+    /// OpenSees' constants (22/7 and 3.14159 for π) and its truncation of the series at the first term below 10⁻³ of
+    /// the sum.
     pub compat: bool,
 }
 
 impl Conduction {
-    /// Temperature per heat of an area at an age `tau` > 0, at the surface and at the depth `thickness` (the back of the plate),
-    /// °C area/energy.
+    /// Temperature rise for a unit heat per area at an age `tau` > 0, °C area/energy. Entries are at the surface and at
+    /// the depth `thickness`, the back of the plate.
     pub fn rise(&self, thickness: f64, tau: f64) -> [f64; 2] {
         let pi = match (self.compat, self.body) {
             (false, _) => PI,
             (true, Body::HalfSpace) => 22.0 / 7.0,
             (true, Body::Plate) => ROUGHLY,
         };
-        // Images of the source lie at even multiples of the thickness.
+        // Image sources lie at even multiples of the thickness.
         let age = self.diffusivity * tau / (thickness * thickness);
         let image = |n: f64| (-0.25 * n * n / age).exp();
         let share = match self.body {
@@ -59,7 +60,7 @@ impl Conduction {
     }
 }
 
-/// The sum of `term` until one adds no more than a thousandth.
+/// Sum of `term` until a term is at most 10⁻³ of the sum before.
 fn cut_short(term: impl Fn(f64) -> f64) -> f64 {
     let mut sum = 0.0;
     for n in 0..=100 {

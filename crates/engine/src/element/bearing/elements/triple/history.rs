@@ -1,26 +1,29 @@
-//! Heat that has entered a surface, remembered in a fixed number of words.
+//! History of the heat that entered a surface, in an array of fixed length.
 //!
-//! The temperature is a convolution of the heat flux with a kernel that falls with the age of the heat. Heat of one step is a *cell*: up to
-//! two amounts at two times. Cells are kept in levels; where a level is full, its two oldest cells become one of the level
-//! above, whose two amounts have the moments 0 to 3 of the four (Gauss' quadrature for the heat itself). A cell is then never
-//! longer than a sixth of its age until [`STEPS`] have passed, and the error of the convolution is that of Gauss' rule with two points, some 1e-6
-//! of it for the kernels of heat conduction (measured against the direct convolution in `tests/laws/heated.rs`).
+//! The temperature is the convolution of the heat flux with a kernel that decreases with the age of the heat. The heat
+//! of one step is a *cell*: up to two amounts at two times. Cells are stored in levels. If a level is full, its two
+//! oldest cells merge into one of the next level.
+//!
+//! The two amounts of the merged cell have the moments 0 to 3 of the four (Gauss quadrature with the heat as its
+//! weight). Up to [`STEPS`] steps a cell is never longer than 1/6 of its age. The relative error of the convolution is
+//! then that of Gauss' rule with two points. For the kernels of heat conduction it is about 10⁻⁶, measured against the
+//! direct convolution in `tests/laws/heated.rs`.
 
-/// Cells of a level.
+/// Number of cells of a level.
 const CELLS: usize = 8;
-/// Levels: the heat of level n is that of 2^n steps.
+/// Number of levels; a cell of level n has the heat of 2^n steps.
 const LEVELS: usize = 16;
-/// State variables of a cell.
+/// Number of state variables of a cell.
 const CELL: usize = 4;
-/// State variables of a history.
+/// Number of state variables of a history.
 pub const LEN: usize = LEVELS * (1 + CELLS * CELL);
-/// Steps after which the oldest cells grow with the history.
+/// Number of steps up to which cells are at most 1/6 of their age.
 pub const STEPS: usize = 6 << (LEVELS - 1);
 
-/// Heat of a step: time and amount, twice. Amounts are not negative.
+/// Heat of a step: two pairs of time and amount, with amounts ≥ 0.
 pub type Cell = [f64; CELL];
 
-/// One cell of two, with the moments 0 to 3 of their heat.
+/// Merges two cells into one with the moments 0 to 3 of their heat.
 fn merge(a: &[f64], b: &[f64]) -> Cell {
     let points = || a.chunks_exact(2).chain(b.chunks_exact(2)).map(|p| (p[0], p[1]));
     let heat: f64 = points().map(|(_, q)| q).sum();
@@ -40,7 +43,7 @@ fn merge(a: &[f64], b: &[f64]) -> Cell {
     [centre + skew - root, share * heat, centre + skew + root, (1.0 - share) * heat]
 }
 
-/// Add the heat of a step, the latest so far, to a history of [`LEN`] words.
+/// Adds the heat of the latest step to a history of length [`LEN`].
 pub fn push(words: &mut [f64], cell: Cell) {
     let (counts, cells) = words.split_at_mut(LEVELS);
     let mut next = cell;
@@ -68,7 +71,7 @@ pub fn push(words: &mut [f64], cell: Cell) {
     }
 }
 
-/// Times and amounts of heat.
+/// Times and amounts of the heat.
 pub fn heat(words: &[f64]) -> impl Iterator<Item = (f64, f64)> {
     let (counts, cells) = words.split_at(LEVELS);
     counts

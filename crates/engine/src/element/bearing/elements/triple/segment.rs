@@ -4,43 +4,43 @@ use crate::element::friction::Coefficient;
 use crate::numeric::bracketed_root;
 use nalgebra::{Matrix2, Vector2};
 
-/// A pair of sliding surfaces: friction with the pendulum's stiffness as kinematic hardening, and a circular gap to the
-/// edge of the surfaces beside it. Forces are parts of the weight. Dao, Ryan, Sato and Sasaki (2013).
+/// A pair of sliding surfaces: friction with the pendulum stiffness as kinematic hardening, and a circular gap to the
+/// rim. Forces are per weight. Source: Dao, Ryan, Sato and Sasaki (2013).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
-    /// Stiffness before sliding E.
+    /// Stiffness E before sliding, 1/length.
     pub e: f64,
-    /// Hardening H, E E'/(E - E') for a stiffness E' in sliding.
+    /// Hardening H = E E'/(E - E') for the stiffness E' in sliding, 1/length.
     pub h: f64,
-    /// Distance to the edge.
+    /// Displacement at contact with the rim.
     pub gap: f64,
     /// Speed of the surface per speed of the segment.
     pub speed: f64,
 }
 
-/// The force of a segment.
+/// Force of a segment with derivatives.
 #[derive(Clone, Copy, Debug)]
 pub struct Pull {
     /// Force.
     pub f: Vector2<f64>,
     /// Stiffness.
     pub k: Matrix2<f64>,
-    /// By the coefficient of friction.
+    /// Derivative by the coefficient of friction.
     pub by_mu: Vector2<f64>,
     /// Plastic displacement.
     pub plastic: Vector2<f64>,
     /// Back force of the hardening.
     pub back: Vector2<f64>,
-    /// Speed of the surface, where it slides.
+    /// Speed of the surface in sliding.
     pub speed: f64,
     /// Coefficient of friction at that speed.
     pub mu: Coefficient,
 }
 
 impl Segment {
-    /// Force at displacement `d`, from the plastic displacement and the back force: radial return (Simo and Hughes, 1998,
-    /// section 3.3), with the coefficient of friction at the speed of sliding (`friction`) over a time `dt`; where no
-    /// time passes, at rest.
+    /// Force at a displacement `d`, from the plastic displacement and the back force, by radial return (Simo and
+    /// Hughes, 1998, section 3.3). `friction` gives the coefficient at the sliding speed over the time `dt`; the speed
+    /// is 0 if no time passes.
     pub fn pull(
         &self,
         (plastic, back): (Vector2<f64>, Vector2<f64>),
@@ -59,7 +59,7 @@ impl Segment {
             let mut slip = (size - mu.mu) / hard;
             let per_slip = if dt > 0.0 { self.speed / dt } else { 0.0 };
             if per_slip > 0.0 {
-                // The faster it slides the more friction holds: one equation for the slip, which rises with it.
+                // Friction may grow with the speed: one monotonic equation for the slip.
                 let equation = |slip: f64| {
                     let mu = friction(per_slip * slip);
                     (hard * slip + mu.mu - size, hard + mu.by_speed * per_slip)

@@ -9,36 +9,36 @@ use crate::element::bearing::laws::normal_layout::Layout;
 use crate::material::{Material, MaterialError};
 use std::ops::Range;
 
-/// Forces of a section and their derivatives: axial force, moment about y, moment about z.
+/// Forces of a section with derivatives: axial force, moment about y, moment about z.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Section {
     /// Forces.
     pub force: [f64; 3],
     /// Derivatives by the deformations.
     pub stiffness: [[f64; 3]; 3],
-    /// Derivatives by the rates of the deformations, of viscous materials.
+    /// Derivatives by the rates of the deformations, for viscous materials.
     pub damping: [[f64; 3]; 3],
 }
 
-/// From which histories springs go on.
+/// State from which springs are updated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Memory {
-    /// From the committed ones.
+    /// The committed state.
     Committed,
-    /// Also from those that the last call of the step left, as laws of OpenSees' do.
+    /// The committed state and that of the last call in the step, as for some of OpenSees' laws.
     Calls,
-    /// The same, and those from this number on never commit: for them the virgin history is the committed one.
+    /// As `Calls`, and springs from this number on never commit: their committed state is the virgin one.
     Forgetful(usize),
 }
 
-/// Whose histories a state holds.
+/// Extent of the state variables in a state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kept {
-    /// Nobody's: all springs are virgin.
+    /// None: all springs are virgin.
     None,
-    /// Those of lines with the same lever, the first or the second.
+    /// One set for each line with the same lever, the first or the second.
     Lines(usize),
-    /// Each spring's.
+    /// One set for each spring.
     Each,
 }
 
@@ -60,7 +60,7 @@ impl Kept {
         }
     }
 
-    /// Whether a state can go on with histories kept so.
+    /// Returns true if a state of this extent can be updated with the extent `next`.
     fn goes_on_as(self, next: Self) -> bool {
         self == Self::None || self == next
     }
@@ -68,32 +68,32 @@ impl Kept {
 
 /// Springs of one material over a section.
 ///
-/// In the state of their owner lie first the strains of the section, then whose histories are kept, then a word for each
-/// block of springs, then their histories, block after block. The word is 1 while all springs of the block are virgin: most of
-/// them are, for most of the time, and what is in proportion to the strain takes one product a block. The histories
-/// are then those of virgin springs, whatever their words hold.
+/// State variables of the owner are, in order: section strains; extent of the spring states; one flag per block of
+/// springs; spring states by block. The flag is 1 while all springs of a block are virgin. Their response is then
+/// proportional to the strain and takes one product a block. The stored values of such a block are unused; its state is
+/// the virgin one.
 ///
-/// While the section has bent in one plane only, one history is kept for each line of springs across it.
+/// While the section bends in one plane only, one state is stored for each line of springs normal to it.
 #[derive(Clone, Debug)]
 pub struct NormalSprings {
     material: Material,
     at: usize,
     memory: Memory,
-    /// Length of a spring, by which its extension becomes a strain.
+    /// Length of a spring: strain is extension over length.
     length: f64,
     each: Bundle,
     lines: [Option<Lines>; 2],
-    /// Largest of each lever.
+    /// Largest size of each lever.
     reach: [f64; 2],
 }
 
-/// The word of a block of virgin springs.
+/// Flag of a block of virgin springs.
 const VIRGIN: f64 = 1.0;
 
-/// Strains of a section.
+/// Number of section strains.
 const STRAINS: usize = 3;
 
-/// Words of a state: strains of the section, whose histories are kept, whether each block is virgin, histories.
+/// Parts of a state: section strains, extent of the spring states, flag of each block, spring states.
 struct Words<T> {
     strain: T,
     kept: T,
@@ -102,27 +102,27 @@ struct Words<T> {
 }
 
 impl NormalSprings {
-    /// Springs of a layout, of this length, with their histories from word `at` on.
+    /// Makes springs of a layout and a length, with state variables from index `at` on.
     pub fn new(material: Material, layout: &Layout, length: f64, at: usize) -> Self {
         let lever = [layout.z.clone(), layout.y.iter().map(|y| -y).collect()];
         let reach = lever.each_ref().map(|l| l.iter().fold(0.0f64, |m, l| m.max(l.abs())));
         let each = Bundle::new(&material, (layout.area.clone(), lever), None, layout.area.len());
-        // Rates may differ along a line whose strains do not.
+        // Rates may vary along a line with constant strains.
         let lines = [0, 1].map(|across| if material.is_viscous() { None } else { Lines::of(&material, &each, across) });
         Self { material, at, memory: Memory::Committed, length, each, lines, reach }
     }
 
-    /// The same springs with their histories from word `at` on.
+    /// Moves the state variables to index `at`.
     pub fn at(self, at: usize) -> Self {
         Self { at, ..self }
     }
 
-    /// The same springs, asked by an element that counts its calls.
+    /// Marks the springs as part of an element that counts its calls.
     pub fn counting_calls(self) -> Self {
         Self { memory: Memory::Calls, ..self }
     }
 
-    /// The same, of which only the first `n` commit their histories.
+    /// Lets only the first `n` springs commit their state.
     pub fn remembering(self, n: usize) -> Self {
         let n = n.min(self.len());
         let (area, lever) = self.each.parts();
@@ -136,17 +136,17 @@ impl NormalSprings {
         self.each.len()
     }
 
-    /// Whether there are none.
+    /// Returns true without springs.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Number of words that they take.
+    /// Number of state variables.
     pub fn state_len(&self) -> usize {
         STRAINS + 1 + self.each.blocks.len() + self.each.virgin.len()
     }
 
-    /// Their material.
+    /// Material of the springs.
     pub fn material(&self) -> &Material {
         &self.material
     }
@@ -165,7 +165,7 @@ impl NormalSprings {
         Words { strain, kept, virgin, histories }
     }
 
-    /// Write the virgin state.
+    /// Writes the virgin state variables.
     pub fn init(&self, state: &mut [f64]) {
         let w = self.words_mut(state);
         w.strain.fill(0.0);
@@ -174,7 +174,7 @@ impl NormalSprings {
         w.histories.copy_from_slice(&self.each.virgin);
     }
 
-    /// The springs, or lines of them, whose histories are kept.
+    /// The springs, or lines of them, with stored states.
     fn bundle(&self, kept: Kept) -> &Bundle {
         match kept {
             Kept::Lines(across) => self.lines[across].as_ref().map_or(&self.each, |l| &l.bundle),
@@ -182,7 +182,7 @@ impl NormalSprings {
         }
     }
 
-    /// Take over their histories of a trial state.
+    /// Copies the state variables of a trial state.
     pub fn commit(&self, trial: &[f64], committed: &mut [f64]) {
         let (from, to) = (self.words(trial), self.words_mut(committed));
         to.strain.copy_from_slice(from.strain);
@@ -198,13 +198,13 @@ impl NormalSprings {
         }
     }
 
-    /// Where the histories of a block lie among all.
+    /// Range of the state variables of a block.
     fn places(&self, springs: &Range<usize>) -> Range<usize> {
         let words = self.material.state_len();
         springs.start * words..springs.end * words
     }
 
-    /// Whose histories are to be kept at strains, after those of the committed state and of the last call.
+    /// Extent of the states to store at section strains, after the committed state and the last call.
     fn keep(&self, before: Kept, last: Kept, strain: [f64; 3]) -> Kept {
         let turned = [strain[1].abs() * self.reach[0], strain[2].abs() * self.reach[1]];
         let largest = strain[0].abs() + turned[0] + turned[1];
@@ -217,14 +217,17 @@ impl NormalSprings {
         lines(first).or_else(|| lines(1 - first)).unwrap_or(Kept::Each)
     }
 
-    /// Histories of all springs from those of lines, if it is lines that are kept.
+    /// States of all springs from those of lines; `None` unless `kept` is lines.
     fn spread(&self, kept: Kept, virgin: &[f64], histories: &[f64]) -> Option<Vec<f64>> {
         let Kept::Lines(across) = kept else { return None };
         let virgin: Vec<bool> = virgin.iter().map(|v| *v == VIRGIN).collect();
         Some(self.lines[across].as_ref()?.spread(&self.material, &self.each, &virgin, histories))
     }
 
-    /// Forces at deformations: extension, rotations about y and z; with the rates of these.
+    /// Forces at deformations (extension, rotations about y and z) and their rates.
+    ///
+    /// # Errors
+    /// Errors of the material.
     pub fn respond(
         &self,
         committed: &[f64],
@@ -250,7 +253,7 @@ impl NormalSprings {
         }
         let kept = self.keep(kept_before, kept_last, strain);
         let bundle = self.bundle(kept);
-        // Springs that no longer move as lines go on from the histories of their lines.
+        // Springs that leave their line start from the state of the line.
         let spread = if kept == Kept::Each { self.spread(kept_before, old.virgin, old.histories) } else { None };
         let histories = spread.as_deref().unwrap_or(old.histories);
         let was_virgin = |block: usize| kept_before == Kept::None || spread.is_none() && old.virgin[block] == VIRGIN;
@@ -262,7 +265,7 @@ impl NormalSprings {
             }
             new.kept[0] = kept.word();
         }
-        // What is in proportion to the strains, and the rest.
+        // Sums for springs proportional to their strain, and for the others.
         let (mut straight, mut sum) = ([0.0; 6], Sum::default());
         for (n, (block, virgin)) in bundle.blocks.iter().zip(&mut *new.virgin).enumerate() {
             let starts_virgin = if calls { *virgin == VIRGIN } else { was_virgin(n) };
@@ -289,7 +292,7 @@ impl NormalSprings {
         Ok(self.section(&straight, sum, strain))
     }
 
-    /// Of the moments of the tangent where springs are in proportion to their strains, and the sums over the others.
+    /// Section response from the tangent moments of proportional springs and the sums over the others.
     fn section(&self, straight: &[f64; 6], mut sum: Sum, strain: [f64; 3]) -> Section {
         let mut force = sum.force;
         for (f, row) in force.iter_mut().zip(PLACES) {
@@ -309,7 +312,7 @@ impl NormalSprings {
         self.matrix(moments.map(|m| e * m))
     }
 
-    /// Matrix of moments, by the length of the springs.
+    /// Section matrix from moments, divided by the length of the springs.
     fn matrix(&self, moments: [f64; 6]) -> [[f64; 3]; 3] {
         let [a, b, c, d, e, f] = moments.map(|m| m / self.length);
         [[a, b, c], [b, d, e], [c, e, f]]
