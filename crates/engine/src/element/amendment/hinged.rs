@@ -142,9 +142,9 @@ impl Hinged {
     }
 
     /// Hinge rotations from the state variables.
-    fn rotations(&self, range: &[f64]) -> PerHinge {
+    fn rotations(&self, state: &[f64]) -> PerHinge {
         let mut out = PerHinge::zeros();
-        out.iter_mut().zip(range.chunks_exact(self.hinge_len)).for_each(|(out, range)| *out = range[0]);
+        out.iter_mut().zip(state.chunks_exact(self.hinge_len)).for_each(|(out, hinge)| *out = hinge[0]);
         out
     }
 
@@ -293,9 +293,9 @@ impl Element for Hinged {
     fn init(&self, state: &mut [f64]) {
         let (own, hinges) = state.split_at_mut(self.inner_len);
         self.inner.init(own);
-        for range in hinges.chunks_exact_mut(self.hinge_len) {
-            range[0] = 0.0;
-            self.material.init(&mut range[1..]);
+        for hinge in hinges.chunks_exact_mut(self.hinge_len) {
+            hinge[0] = 0.0;
+            self.material.init(&mut hinge[1..]);
         }
     }
     fn traits(&self) -> ElementTraits {
@@ -380,8 +380,8 @@ impl Element for Hinged {
     fn ground_inertia_slip(&self) -> Option<f64> {
         self.inner.ground_inertia_slip()
     }
-    fn with_parameter(&self, range: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
-        let (inner, old) = self.inner.with_parameter(range, value)?;
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
+        let (inner, old) = self.inner.with_parameter(words, value)?;
         let new = Self { inner, ..self.clone() }.scaled().ok()?;
         Some((Arc::new(new), old))
     }
@@ -391,15 +391,15 @@ impl Element for Hinged {
     fn load_len(&self) -> usize {
         self.inner.load_len()
     }
-    fn add_load(&self, load: &ElementLoad, factor: f64, range: &mut [f64]) -> Result<(), ElementError> {
-        self.inner.add_load(load, factor, range)
+    fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
+        self.inner.add_load(load, factor, sums)
     }
 
     // Paths equal those of the element, so recorders from before the hinges stay valid.
-    fn probe(&self, range: &[&str]) -> Option<Probe> {
-        match range {
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        match words {
             ["hingeRotation"] => Some(Probe::new(ROTATIONS, self.hinges.iter().map(|h| h.label.clone()))),
-            range => self.inner.probe(range),
+            words => self.inner.probe(words),
         }
     }
     // A nonlinear element that counts its calls is refused; a linear one needs no last force.
