@@ -25,7 +25,7 @@ pub use laws::plasticity::PlasticShear;
 pub use laws::rheology::RheologyShear;
 pub use laws::rubber::{Layers, PI, Rubber};
 pub use laws::rubber_bouc_wen::{RubberBoucWen, Warmth};
-pub use laws::rubber_shear::{RubberShear, ShearStep, Shearing};
+pub use laws::rubber_shear::{RubberShear, ShearInput, ShearStep};
 pub use laws::shear::{Shear, ShearLaw};
 pub use laws::shear_springs::{Bundle, Factors, ShearSprings};
 pub use laws::ufrp::UfrpShear;

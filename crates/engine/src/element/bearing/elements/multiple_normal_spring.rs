@@ -43,7 +43,7 @@ impl MultipleNormalSpring {
     /// OpenSees, which commits only n of its n x n springs.
     pub fn new(springs: NormalSprings, link: Link<12, 6>, mass: f64, compat: bool) -> Self {
         let n = springs.len().isqrt();
-        let springs = if compat { springs.remembering(n) } else { springs };
+        let springs = if compat { springs.committing_first(n) } else { springs };
         let counts_calls = compat && !springs.material().is_linear();
         Self { springs, link, mass, counts_calls }
     }
@@ -95,7 +95,7 @@ impl Element for MultipleNormalSpring {
         motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: ElementOutput<'_>,
+        output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let [u, rate] = [motion.disp, motion.vel].map(|x| {
             let basic = self.link.deformation(x);
@@ -103,11 +103,11 @@ impl Element for MultipleNormalSpring {
         });
         let Section { force, stiffness, damping } = self.springs.respond(committed, u, rate, motion.dt, trial)?;
         Forces { force, stiffness }.write(trial);
-        self.link.add_basic_force(&Self::spread(force), answer.force);
-        if let Some(tangent) = answer.tangent {
+        self.link.add_basic_force(&Self::spread(force), output.force);
+        if let Some(tangent) = output.tangent {
             self.link.add_basic(&Self::stiffness(stiffness), tangent);
         }
-        if let Some(c) = answer.damping {
+        if let Some(c) = output.damping {
             self.link.add_basic(&Self::stiffness(damping), c);
         }
         Ok(())

@@ -81,7 +81,7 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
         motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: ElementOutput<'_>,
+        output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let local = self.link.local_motion(motion.disp);
         let u = self.link.deformation_of(&local);
@@ -102,14 +102,14 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
         }
         shear.write(trial);
         q[1..=S].copy_from_slice(&shear.q);
-        self.link.add_force(&q, &local, answer.force);
-        if let Some(tangent) = answer.tangent {
+        self.link.add_force(&q, &local, output.force);
+        if let Some(tangent) = output.tangent {
             let k = Self::basic_stiffness(stiffness, &shear);
-            self.link.add_tangent(&k, &q, motion.disp, tangent, answer.part);
+            self.link.add_tangent(&k, &q, motion.disp, tangent, output.part);
         }
-        if let Some(damping) = answer.damping {
+        if let Some(damping) = output.damping {
             let c = diagonal(viscosity);
-            self.link.add_basic_part(&c, damping, answer.part);
+            self.link.add_basic_part(&c, damping, output.part);
         }
         Ok(())
     }

@@ -25,7 +25,7 @@ pub struct Link<const N: usize, const B: usize> {
     /// Global forces per unit of axial force and displacement, for the tangent; `None` without P-Delta moments.
     p_delta: Option<SparseMatrix<N, N>>,
     /// The tangent includes the derivative of the axial force in the P-Delta moments.
-    grows: bool,
+    axial_derivative: bool,
 }
 
 /// Displacements of a link in local axes; components out of a plane are 0.
@@ -65,11 +65,11 @@ impl<const N: usize, const B: usize> Link<N, B> {
         let axes: [[f64; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| axes[(i, j)]));
         let (basic, local) = ([[0.0; N]; B], [[0.0; N]; N]);
         let none = SparseMatrix::new(&[[0.0; B]; N]);
-        let mut link = Self { basic, local, axes, arms, columns: none, p_delta: None, grows: true };
+        let mut link = Self { basic, local, axes, arms, columns: none, p_delta: None, axial_derivative: true };
         let mut p_delta = [[0.0; N]; N];
         for column in 0..N {
             let unit: [f64; N] = std::array::from_fn(|i| if i == column { 1.0 } else { 0.0 });
-            let moments = EndForces { force: [0.0; 3], moments: link.sway(&link.local_motion(&unit)) };
+            let moments = EndForces { force: [0.0; 3], moments: link.p_delta_levers(&link.local_motion(&unit)) };
             let mut force = [0.0; N];
             link.add_end_forces(&moments, &mut force);
             force.iter().zip(&mut p_delta).for_each(|(f, row)| row[column] = *f);
@@ -99,9 +99,9 @@ impl<const N: usize, const B: usize> Link<N, B> {
         self
     }
 
-    /// With `given`, the tangent of the P-Delta moments is that at constant axial force, as in OpenSees.
-    pub fn under_given_force(self, given: bool) -> Self {
-        Self { grows: !given, ..self }
+    /// With `constant`, the tangent of the P-Delta moments is that at constant axial force, as in OpenSees.
+    pub fn under_given_force(self, constant: bool) -> Self {
+        Self { axial_derivative: !constant, ..self }
     }
 
     /// Local displacements (or velocities) from global ones.
@@ -110,10 +110,13 @@ impl<const N: usize, const B: usize> Link<N, B> {
         let (u, a) = (&disp[..N], &self.axes);
         if Self::PLANE {
             let offset = [u[3] - u[0], u[4] - u[1], 0.0];
-            LocalMotion { offset: turn(a, offset), ends: [[0.0, 0.0, a[2][2] * u[2]], [0.0, 0.0, a[2][2] * u[5]]] }
+            LocalMotion { offset: to_local(a, offset), ends: [[0.0, 0.0, a[2][2] * u[2]], [0.0, 0.0, a[2][2] * u[5]]] }
         } else {
             let offset = [u[6] - u[0], u[7] - u[1], u[8] - u[2]];
-            LocalMotion { offset: turn(a, offset), ends: [turn(a, [u[3], u[4], u[5]]), turn(a, [u[9], u[10], u[11]])] }
+            LocalMotion {
+                offset: to_local(a, offset),
+                ends: [to_local(a, [u[3], u[4], u[5]]), to_local(a, [u[9], u[10], u[11]])],
+            }
         }
     }
 
@@ -121,18 +124,18 @@ impl<const N: usize, const B: usize> Link<N, B> {
     #[inline]
     fn add_end_forces(&self, local: &EndForces, force: &mut [f64]) {
         let (f, a) = (&mut force[..N], &self.axes);
-        let pull = turn_back(a, local.force);
+        let global_force = to_global(a, local.force);
         let add = |f: &mut [f64], sign: f64, v: &[f64]| f.iter_mut().zip(v).for_each(|(f, v)| *f += sign * v);
         if Self::PLANE {
-            add(&mut f[..2], -1.0, &pull);
-            add(&mut f[3..5], 1.0, &pull);
+            add(&mut f[..2], -1.0, &global_force);
+            add(&mut f[3..5], 1.0, &global_force);
             f[2] += a[2][2] * local.moments[0][2];
             f[5] += a[2][2] * local.moments[1][2];
         } else {
-            add(&mut f[..3], -1.0, &pull);
-            add(&mut f[3..6], 1.0, &turn_back(a, local.moments[0]));
-            add(&mut f[6..9], 1.0, &pull);
-            add(&mut f[9..12], 1.0, &turn_back(a, local.moments[1]));
+            add(&mut f[..3], -1.0, &global_force);
+            add(&mut f[3..6], 1.0, &to_global(a, local.moments[0]));
+            add(&mut f[6..9], 1.0, &global_force);
+            add(&mut f[9..12], 1.0, &to_global(a, local.moments[1]));
         }
     }
 
@@ -148,12 +151,15 @@ impl<const N: usize, const B: usize> Link<N, B> {
 
     /// P-Delta moments at the ends per unit of axial force.
     #[inline]
-    fn sway(&self, u: &LocalMotion) -> [[f64; 3]; 2] {
+    fn p_delta_levers(&self, u: &LocalMotion) -> [[f64; 3]; 2] {
         let ([i, j], [start, end]) = (self.arms, &u.ends);
         // Half of the offset at each end, plus the difference from the end rotations.
         let half = [-0.5 * u.offset[2], 0.5 * u.offset[1]];
-        let over = [0.5 * (i * start[1] - j * end[1]), 0.5 * (i * start[2] - j * end[2])];
-        [[0.0, half[0] + over[0], half[1] + over[1]], [0.0, half[0] - over[0], half[1] - over[1]]]
+        let from_rotations = [0.5 * (i * start[1] - j * end[1]), 0.5 * (i * start[2] - j * end[2])];
+        [
+            [0.0, half[0] + from_rotations[0], half[1] + from_rotations[1]],
+            [0.0, half[0] - from_rotations[0], half[1] - from_rotations[1]],
+        ]
     }
 
     /// Basic deformations (or their rates) from global displacements (or velocities).
@@ -188,8 +194,8 @@ impl<const N: usize, const B: usize> Link<N, B> {
     pub fn add_force(&self, q: &[f64; B], motion: &LocalMotion, force: &mut [f64]) {
         let mut local = self.end_forces(q);
         if self.p_delta.is_some() {
-            let sway = self.sway(motion);
-            for (moment, lever) in local.moments.as_flattened_mut().iter_mut().zip(sway.as_flattened()) {
+            let p_delta_levers = self.p_delta_levers(motion);
+            for (moment, lever) in local.moments.as_flattened_mut().iter_mut().zip(p_delta_levers.as_flattened()) {
                 *moment += q[0] * lever;
             }
         }
@@ -210,7 +216,7 @@ impl<const N: usize, const B: usize> Link<N, B> {
         for (i, row) in moments() {
             let to = &mut tangent[i * N..(i + 1) * N];
             row.iter().for_each(|e| to[e.column] += q[0] * e.value);
-            if !self.grows {
+            if !self.axial_derivative {
                 continue;
             }
             let lever: f64 = row.iter().map(|e| e.value * disp[e.column]).sum();
@@ -260,12 +266,12 @@ impl<const N: usize, const B: usize> Link<N, B> {
 
 /// Components of a global vector along local axes.
 #[inline]
-fn turn(axes: &[[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
+fn to_local(axes: &[[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
     axes.map(|a| a[0] * v[0] + a[1] * v[1] + a[2] * v[2])
 }
 
 /// Components of a local vector along global axes.
 #[inline]
-fn turn_back(axes: &[[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
+fn to_global(axes: &[[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|i| axes[0][i] * v[0] + axes[1][i] * v[1] + axes[2][i] * v[2])
 }

@@ -5,9 +5,9 @@ use crate::element::bearing::kinematics::overlap::overlap;
 use crate::element::bearing::laws::rubber::{PI, Rubber};
 
 /// Least ratio of the critical load to that at zero shear displacement.
-const LEAST_CRITICAL: f64 = 0.2;
+const MIN_CRITICAL_RATIO: f64 = 0.2;
 /// Ratio of the axial stiffness after buckling to the initial one.
-const BUCKLED: f64 = 1e-4;
+const BUCKLED_STIFFNESS_RATIO: f64 = 1e-4;
 
 /// Axial law of `HDR`, `ElastomericX` and `LeadRubberX`.
 ///
@@ -111,8 +111,8 @@ impl AxialLaw {
                 // OpenSees' area contains its rounded π.
                 share *= std::f64::consts::PI / PI;
             }
-            if share < LEAST_CRITICAL {
-                fcrn *= LEAST_CRITICAL;
+            if share < MIN_CRITICAL_RATIO {
+                fcrn *= MIN_CRITICAL_RATIO;
             } else {
                 dfcrn = fcrn * slope / r.diameter;
                 fcrn *= share;
@@ -147,7 +147,7 @@ impl AxialLaw {
         let mut next = Axial { kv: s.kv, uc, fcrn: s.fcrn, fcrmin: c.fcrmin.max(s.fcrn), ..*c };
         let (k, k_shear);
         if self.buckles && u <= s.fcrn / s.kv {
-            k = self.rubber.axial * BUCKLED;
+            k = self.rubber.axial * BUCKLED_STIFFNESS_RATIO;
             next.force = s.fcrn + k * (u - s.fcrn / s.kv);
             k_shear = s.dfcrn - k * (s.dfcrn - s.fcrn * s.dkv / s.kv) / s.kv;
         } else if !self.cavitates || u * s.kv <= c.fcn {
@@ -156,12 +156,12 @@ impl AxialLaw {
             k_shear = s.dkv * u;
         } else if u < c.umax.max(uc) {
             // After cavitation at another shear displacement, the target of reloading is at least u_c.
-            let (far, dfar) = if c.umax > uc { (c.umax, 0.0) } else { (uc, duc) };
-            let (top, slope) = self.backbone(far - uc);
+            let (target, dtarget) = if c.umax > uc { (c.umax, 0.0) } else { (uc, duc) };
+            let (top, slope) = self.backbone(target - uc);
             let (start, dstart) = (c.fcn / s.kv, -c.fcn / s.kv * s.dkv / s.kv);
-            k = (top - c.fcn) / (far - start);
+            k = (top - c.fcn) / (target - start);
             next.force = c.fcn + k * (u - start);
-            let dk = (slope * (dfar - duc) - k * (dfar - dstart)) / (far - start);
+            let dk = (slope * (dtarget - duc) - k * (dtarget - dstart)) / (target - start);
             k_shear = dk * (u - start) - k * dstart;
         } else {
             (next.force, k) = self.backbone(u - uc);
@@ -176,7 +176,7 @@ impl AxialLaw {
         let start = c.fcn / c.kv;
         let (force, k);
         if self.buckles && u <= c.fcrn / c.kv {
-            k = self.rubber.axial * BUCKLED;
+            k = self.rubber.axial * BUCKLED_STIFFNESS_RATIO;
             force = c.fcrmin + k * (u - c.fcrn / c.kv);
         } else if !self.cavitates || u <= start {
             k = c.kv;

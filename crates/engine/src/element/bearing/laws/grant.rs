@@ -1,7 +1,7 @@
 //! Shear law of `HDR`.
 
 use crate::element::bearing::laws::axial::Axial;
-use crate::element::bearing::laws::rubber_shear::{OWN, RubberShear, ShearStep, Shearing};
+use crate::element::bearing::laws::rubber_shear::{OWN, RubberShear, ShearInput, ShearStep};
 use crate::element::bearing::laws::shear::{Shear, at_rest};
 use crate::probe::Probe;
 
@@ -38,9 +38,9 @@ crate::state_struct! {
         /// Mullins damage D_M.
         mullins: f64,
         /// Factors of scragging on elastic stiffness and growth of the radius: e^(-c₁ D_S³), e^(-c₂ D_S³).
-        kept: [f64; 2],
+        scragging_factors: [f64; 2],
         /// Factor e^(-c₄ D_M³) of the Mullins damage.
-        fresh: f64,
+        mullins_factor: f64,
         /// Distance δ of the force from the bounding circle.
         distance: f64,
         /// Radius R of the bounding circle.
@@ -62,7 +62,7 @@ impl GrantShear {
         if size > c.outer {
             damage.outer = size;
             damage.inner = c.inner + (size - c.outer);
-            (damage.scragging, damage.kept) = (c.scragging, c.kept);
+            (damage.scragging, damage.scragging_factors) = (c.scragging, c.scragging_factors);
         }
         let scragging = size < c.inner;
         if scragging {
@@ -70,12 +70,12 @@ impl GrantShear {
             damage.inner = size;
             damage.scragging = c.scragging + (c.inner - size);
             let cube = damage.scragging * damage.scragging * damage.scragging;
-            damage.kept = [decay(self.c[0], cube), decay(self.c[1], cube)];
+            damage.scragging_factors = [decay(self.c[0], cube), decay(self.c[1], cube)];
         }
         let mullins = size < before;
         if mullins {
             damage.mullins = c.mullins + (before - size);
-            damage.fresh = decay(self.c[3], damage.mullins * damage.mullins * damage.mullins);
+            damage.mullins_factor = decay(self.c[3], damage.mullins * damage.mullins * damage.mullins);
         }
         Growth { damage, scragging, mullins }
     }
@@ -95,11 +95,11 @@ impl RubberShear for GrantShear {
         let k = if self.compat { a1 } else { a1 + b1 * b3 };
         (
             Shear { k: [[k, 0.0], [0.0, k]], ..Shear::default() },
-            Damage { radius: b1, kept: [1.0; 2], fresh: 1.0, ..Damage::default() },
+            Damage { radius: b1, scragging_factors: [1.0; 2], mullins_factor: 1.0, ..Damage::default() },
         )
     }
 
-    fn step(&self, c: &Shear<2>, m: &Damage, last: &Damage, at: &Shearing<'_>) -> ShearStep<Damage> {
+    fn step(&self, c: &Shear<2>, m: &Damage, last: &Damage, at: &ShearInput<'_>) -> ShearStep<Damage> {
         let (u, size) = (at.u, at.size);
         let size2 = size * size;
         let before = length(c.u);
@@ -109,24 +109,24 @@ impl RubberShear for GrantShear {
         let Growth { damage: mut d, scragging, mullins } = self.growth(m, last, size, before);
 
         // Direction of growing damage.
-        let inward = if size > 0.0 { [-u[0] / size, -u[1] / size] } else { [0.0; 2] };
-        let ([ks1, ks2], softening) = (d.kept, d.fresh);
-        let km = c3 + (1.0 - c3) * softening;
+        let towards_centre = if size > 0.0 { [-u[0] / size, -u[1] / size] } else { [0.0; 2] };
+        let ([ks1, ks2], mullins_decay) = (d.scragging_factors, d.mullins_factor);
+        let km = c3 + (1.0 - c3) * mullins_decay;
         let per_scragging = if scragging { -3.0 * d.scragging * d.scragging } else { 0.0 };
         let per_mullins = if mullins { -3.0 * d.mullins * d.mullins } else { 0.0 };
 
         // Elastic part.
-        let (left, secant) = (ks1 * km, a1 + size2 * (a2 + size2 * a3));
+        let (elastic_factor, secant) = (ks1 * km, a1 + size2 * (a2 + size2 * a3));
         // In the derivative of K_M OpenSees has 1 - c₄ instead of 1 - c₃.
         let share = if self.compat { 1.0 - c4 } else { 1.0 - c3 };
-        let loss = secant * (per_scragging * c1 * left + per_mullins * c4 * share * softening * ks1);
-        let grow = 2.0 * left * (a2 + 2.0 * a3 * size2);
+        let loss = secant * (per_scragging * c1 * elastic_factor + per_mullins * c4 * share * mullins_decay * ks1);
+        let stiffening = 2.0 * elastic_factor * (a2 + 2.0 * a3 * size2);
         let mut k = [[0.0; 2]; 2];
         for i in 0..2 {
             for j in 0..2 {
-                k[i][j] = u[i] * (grow * u[j] + loss * inward[j]);
+                k[i][j] = u[i] * (stiffening * u[j] + loss * towards_centre[j]);
             }
-            k[i][i] += left * secant;
+            k[i][i] += elastic_factor * secant;
         }
 
         // Hysteretic part.
@@ -138,34 +138,34 @@ impl RubberShear for GrantShear {
         let toward = |radius: f64| [radius * n[0] - c.internal[0], radius * n[1] - c.internal[1]];
         let (old, new) = (toward(m.radius), toward(d.radius));
         let (gap, gap_now) = (length(old), length(new));
-        let faded = 1.0 / (1.0 + b3 * way);
-        d.distance = gap * faded;
+        let decayed = 1.0 / (1.0 + b3 * way);
+        d.distance = gap * decayed;
         let mu = if gap_now > f64::EPSILON { new.map(|x| x / gap_now) } else { [0.0; 2] };
         let internal: [f64; 2] = std::array::from_fn(|i| d.radius * n[i] - d.distance * mu[i]);
-        let q = std::array::from_fn(|i| left * secant * u[i] + internal[i]);
+        let q = std::array::from_fn(|i| elastic_factor * secant * u[i] + internal[i]);
         if !moved {
             let shear = Shear { u, internal: c.internal, q, k: c.k };
             return ShearStep { shear, memory: d, k_axial: [0.0; 2], damping: 0.0 };
         }
         let d_radius: [f64; 2] =
-            std::array::from_fn(|j| b2 * (2.0 * ks2 * u[j] + size2 * per_scragging * c2 * ks2 * inward[j]));
+            std::array::from_fn(|j| b2 * (2.0 * ks2 * u[j] + size2 * per_scragging * c2 * ks2 * towards_centre[j]));
         let turn = d.radius / way;
         let hat: [[f64; 2]; 2] = std::array::from_fn(|i| {
             std::array::from_fn(|j| n[i] * d_radius[j] + turn * (f64::from(u8::from(i == j)) - n[i] * n[j]))
         });
         // δ depends on the direction of the step, which OpenSees omits.
-        let mut d_distance = n.map(|n| -d.distance * faded * b3 * n);
+        let mut d_distance = n.map(|n| -d.distance * decayed * b3 * n);
         if !self.compat && gap > 0.0 {
             let along = (old[0] * n[0] + old[1] * n[1]) / gap;
             for j in 0..2 {
-                d_distance[j] += faded * m.radius / way * (old[j] / gap - along * n[j]);
+                d_distance[j] += decayed * m.radius / way * (old[j] / gap - along * n[j]);
             }
         }
-        let swing = if gap_now > f64::EPSILON { d.distance / gap_now } else { 0.0 };
+        let rotation = if gap_now > f64::EPSILON { d.distance / gap_now } else { 0.0 };
         for j in 0..2 {
             let across = mu[0] * hat[0][j] + mu[1] * hat[1][j];
             for i in 0..2 {
-                k[i][j] += hat[i][j] - swing * (hat[i][j] - mu[i] * across) - mu[i] * d_distance[j];
+                k[i][j] += hat[i][j] - rotation * (hat[i][j] - mu[i] * across) - mu[i] * d_distance[j];
             }
         }
         ShearStep { shear: Shear { u, internal, q, k }, memory: d, k_axial: [0.0; 2], damping: 0.0 }

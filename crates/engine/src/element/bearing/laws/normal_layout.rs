@@ -12,7 +12,7 @@ pub enum Shape {
     Square,
 }
 
-/// Distribution of the vertical stiffness over a section. λ = (D/t) √(3 G/K) for a rubber layer of diameter D and
+/// Distribution of the vertical stiffness over a section. λ is (D/t) √(3 G/K) for a rubber layer of diameter D and
 /// thickness t, with shear modulus G and bulk modulus K.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Distribution {

@@ -2,7 +2,7 @@
 
 use crate::element::bearing::laws::axial::Axial;
 use crate::element::bearing::laws::lead::LeadCore;
-use crate::element::bearing::laws::rubber_shear::{OWN, RubberShear, ShearStep, Shearing};
+use crate::element::bearing::laws::rubber_shear::{OWN, RubberShear, ShearInput, ShearStep};
 use crate::element::bearing::laws::shear::{Shear, at_rest};
 use crate::probe::Probe;
 
@@ -95,13 +95,12 @@ impl RubberBoucWen {
     }
 
     /// Temperature rise and yield force for the next step.
-    fn warm(&self, c: &Shear<2>, m: &Warmth, z: [f64; 2], at: &Shearing<'_>) -> (f64, f64) {
+    fn warm(&self, c: &Shear<2>, m: &Warmth, z: [f64; 2], at: &ShearInput<'_>) -> (f64, f64) {
         let Some(core) = &self.core else { return (m.rise, m.qy) };
         let length = |v: [f64; 2]| (v[0] * v[0] + v[1] * v[1]).sqrt();
         let speed = length(at.rate);
         let rise = if self.compat {
-            // OpenSees' clock restarts at 0 after the domain time is set back; the domain time is used in that case
-            // too.
+            // Without a time step OpenSees counts from the last time, or from 0 after the domain time was set back.
             let since = if at.time < m.time { 0.0 } else { m.time };
             let passed = if at.dt > 0.0 { at.dt } else { at.time - since };
             core.warm_as_opensees(m.rise, m.qy * length(c.internal), speed, at.time, passed)
@@ -121,7 +120,7 @@ impl RubberShear for RubberBoucWen {
     fn is_viscous(&self) -> bool {
         self.cd > 0.0
     }
-    fn ages(&self) -> bool {
+    fn depends_on_time(&self) -> bool {
         self.core.is_some()
     }
 
@@ -131,7 +130,7 @@ impl RubberShear for RubberBoucWen {
         (Shear { k: [[k, 0.0], [0.0, k]], ..Shear::default() }, memory)
     }
 
-    fn step(&self, c: &Shear<2>, m: &Warmth, _: &Warmth, at: &Shearing<'_>) -> ShearStep<Warmth> {
+    fn step(&self, c: &Shear<2>, m: &Warmth, _: &Warmth, at: &ShearInput<'_>) -> ShearStep<Warmth> {
         let (u, qy, scale) = (at.u, m.qy, self.k0 / m.qy);
         let step = [u[0] - c.u[0], u[1] - c.u[1]];
         let moved = !at_rest(&u, &c.u);

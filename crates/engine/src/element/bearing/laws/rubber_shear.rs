@@ -8,7 +8,7 @@ use std::fmt;
 
 /// Input of a shear law at a trial state.
 #[derive(Clone, Copy, Debug)]
-pub struct Shearing<'a> {
+pub struct ShearInput<'a> {
     /// Displacement.
     pub u: [f64; 2],
     /// Size of the displacement.
@@ -50,7 +50,7 @@ pub trait RubberShear: Clone + fmt::Debug + Send + Sync {
         false
     }
     /// Returns true if the state variables depend on the increment of time.
-    fn ages(&self) -> bool {
+    fn depends_on_time(&self) -> bool {
         false
     }
     /// Number of state variables after the memory, if it depends on the bearing. Their initial value is 0.
@@ -63,7 +63,8 @@ pub trait RubberShear: Clone + fmt::Debug + Send + Sync {
     fn virgin(&self) -> (Shear<2>, Self::Memory);
     /// Response to a trial state from the committed state `c`, `m`. `last` is the memory of the last trial, used only
     /// to follow OpenSees.
-    fn step(&self, c: &Shear<2>, m: &Self::Memory, last: &Self::Memory, at: &Shearing<'_>) -> ShearStep<Self::Memory>;
+    fn step(&self, c: &Shear<2>, m: &Self::Memory, last: &Self::Memory, at: &ShearInput<'_>)
+    -> ShearStep<Self::Memory>;
     /// Own responses of the law; path numbers start at 100.
     fn probe(&self, words: &[&str]) -> Option<Probe>;
     /// Names of all responses, those of the bearing included.

@@ -47,7 +47,7 @@ pub struct Heat {
 
 state_struct! {
     /// State variables of the surface besides those of the heat history.
-    pub(super) struct Warm {
+    pub(super) struct ThermalState {
         /// Time since the start, domain time, and number of steps since then.
         clock: f64,
         time: f64,
@@ -67,7 +67,7 @@ state_struct! {
 
 impl Heat {
     /// Number of state variables.
-    pub(super) const LEN: usize = Warm::LEN + history::LEN;
+    pub(super) const LEN: usize = ThermalState::LEN + history::LEN;
 
     /// Makes the surface of its parameters.
     pub fn new(setting: HeatSetting) -> Self {
@@ -82,7 +82,7 @@ impl Heat {
         words.fill(0.0);
         let factors = if self.setting.compat { [1.0; 3] } else { [1.0, self.softening(AMBIENT), self.by_speed(0.0)] };
         let mu = self.setting.mu * factors.iter().product::<f64>();
-        Warm { temperature: AMBIENT, mu, factors, ..Warm::default() }.write(words);
+        ThermalState { temperature: AMBIENT, mu, factors, ..ThermalState::default() }.write(words);
     }
 
     fn by_pressure(&self, normal: f64) -> f64 {
@@ -100,7 +100,7 @@ impl Heat {
 
     /// Factor k_T for the temperature of a state.
     pub(super) fn share(&self, words: &[f64]) -> f64 {
-        self.softening(Warm::read(words).temperature)
+        self.softening(ThermalState::read(words).temperature)
     }
 
     /// Heat flux at the displacement `u`.
@@ -109,8 +109,8 @@ impl Heat {
     }
 
     /// Temperature from a heat history, with the age of each amount, and an additional amount.
-    fn warmth(&self, heat: &[f64], age: impl Fn(f64) -> f64, more: Option<(f64, f64)>) -> f64 {
-        let all = history::heat(heat).map(|(t, q)| (age(t), q)).chain(more);
+    fn temperature_from(&self, heat: &[f64], age: impl Fn(f64) -> f64, additional: Option<(f64, f64)>) -> f64 {
+        let all = history::heat(heat).map(|(t, q)| (age(t), q)).chain(additional);
         // The temperature at depth is unused.
         AMBIENT + all.map(|(tau, q)| q * self.conduction.rise(1.0, tau)[0]).sum::<f64>()
     }
@@ -119,24 +119,27 @@ impl Heat {
     /// step. The history stores it at two Gauss points. The temperature of this step uses the one-point rule for a
     /// kernel of 1/√τ.
     pub(super) fn warm(&self, contact: &Contact, u: &[f64], dt: f64, committed: &[f64], trial: &mut [f64]) {
-        let c = Warm::read(committed);
+        let c = ThermalState::read(committed);
         let mut w = c;
         trial.copy_from_slice(committed);
         let n = u.len();
         w.u[..n].copy_from_slice(u);
         (w.mu, w.factors) = (contact.mu, [self.by_pressure(contact.normal), self.share(committed), 1.0]);
-        let still = self.setting.mu * w.factors[0] * w.factors[1];
-        w.factors[2] =
-            if contact.normal > 0.0 && still > 0.0 { contact.mu / still } else { self.by_speed(contact.speed) };
+        let at_zero_speed = self.setting.mu * w.factors[0] * w.factors[1];
+        w.factors[2] = if contact.normal > 0.0 && at_zero_speed > 0.0 {
+            contact.mu / at_zero_speed
+        } else {
+            self.by_speed(contact.speed)
+        };
         if dt > 0.0 {
             w.clock = c.clock + dt;
-            let gone: [f64; 2] = std::array::from_fn(|i| w.u[i] - c.u[i]);
-            w.flux = self.flux((w.mu, contact.normal, norm(&gone) / dt), norm(u));
-            let heat = &mut trial[Warm::LEN..];
+            let increment: [f64; 2] = std::array::from_fn(|i| w.u[i] - c.u[i]);
+            w.flux = self.flux((w.mu, contact.normal, norm(&increment) / dt), norm(u));
+            let heat = &mut trial[ThermalState::LEN..];
             let latest = (w.flux > 0.0).then_some((dt / 3.0, 2.0 / 3f64.sqrt() * dt * w.flux));
-            w.temperature = self.warmth(heat, |t| w.clock - t, latest);
-            let (middle, aside, half) = (w.clock - 0.5 * dt, dt / 12f64.sqrt(), 0.5 * dt * w.flux);
-            history::push(heat, [middle - aside, half, middle + aside, half]);
+            w.temperature = self.temperature_from(heat, |t| w.clock - t, latest);
+            let (middle, gauss_offset, half) = (w.clock - 0.5 * dt, dt / 12f64.sqrt(), 0.5 * dt * w.flux);
+            history::push(heat, [middle - gauss_offset, half, middle + gauss_offset, half]);
         }
         w.write(trial);
     }
@@ -147,22 +150,22 @@ impl Heat {
     /// has the coefficient of the last step. It lies at the end of its step, with an age of at least the step. The
     /// first step of a new domain time has factors of 1 and deletes the heat history.
     pub(super) fn warm_first(&self, (normal, speed): (f64, f64), u: &[f64], time: f64, words: &mut [f64]) -> f64 {
-        let c = Warm::read(words);
+        let c = ThermalState::read(words);
         let mut w = c;
-        let (own, heat) = words.split_at_mut(Warm::LEN);
+        let (own, heat) = words.split_at_mut(ThermalState::LEN);
         let again = (time - c.time).abs() < 1e-8 && c.steps > 0.0;
         if !again && time > c.time {
             let dt = time - c.time;
             let before = if c.steps == 0.0 { [0.0; 2] } else { c.u };
             w.u[..u.len()].copy_from_slice(u);
-            let gone: [f64; 2] = std::array::from_fn(|i| w.u[i] - before[i]);
-            let speed = if speed > 0.0 { speed } else { norm(&gone) / dt };
+            let increment: [f64; 2] = std::array::from_fn(|i| w.u[i] - before[i]);
+            let speed = if speed > 0.0 { speed } else { norm(&increment) / dt };
             let mu = self.setting.mu * c.factors.iter().product::<f64>();
             w.flux = self.flux((mu, normal, speed), norm(u));
             w.clock = c.clock + dt;
             history::push(heat, [w.clock, dt * w.flux, w.clock, 0.0]);
             let warms = c.steps > 1.0 && norm(u) > 0.0;
-            w.temperature = if warms { self.warmth(heat, |t| w.clock - t + dt, None) } else { AMBIENT };
+            w.temperature = if warms { self.temperature_from(heat, |t| w.clock - t + dt, None) } else { AMBIENT };
             w.factors = [self.by_pressure(normal), self.softening(w.temperature), self.by_speed(speed)];
             (w.time, w.steps) = (time, c.steps + 1.0);
         } else if !again {
@@ -215,7 +218,7 @@ pub(super) fn probe(word: &str) -> Option<(u32, &'static [&'static str])> {
 
 /// Values of a response.
 pub(super) fn read(id: u32, words: &[f64], out: &mut [f64]) {
-    let w = Warm::read(words);
+    let w = ThermalState::read(words);
     match id {
         TEMPERATURE => out[0] = w.temperature,
         FACTORS => out.copy_from_slice(&w.factors),

@@ -125,7 +125,7 @@ impl<const S: usize> AtNormal<S> {
 }
 
 /// Largest number of iterations for the normal force; two or three are usual.
-const ROUNDS: usize = 100;
+const MAX_ITERATIONS: usize = 100;
 
 impl Surface {
     /// Response at a trial state.
@@ -136,10 +136,11 @@ impl Surface {
         let shape = self.shape(pose)?;
         // Newton's method for N = max(0, P + q(N)·g), which is nearly linear.
         let mut normal = pose.pressure;
-        for _ in 0..ROUNDS {
+        for _ in 0..MAX_ITERATIONS {
             let at = self.at_normal(pose, &shape, normal);
-            let wanted = pose.pressure + dot(&at.q, &shape.g);
-            let step = if wanted > 0.0 { (wanted - normal) / (1.0 - dot(&at.by_normal, &shape.g)) } else { -normal };
+            let equilibrium = pose.pressure + dot(&at.q, &shape.g);
+            let step =
+                if equilibrium > 0.0 { (equilibrium - normal) / (1.0 - dot(&at.by_normal, &shape.g)) } else { -normal };
             let next = (normal + step).max(0.0);
             if (next - normal).abs() <= 1e-14 * pose.pressure {
                 return self.checked(pose, self.answer(pose, &shape, &at, normal));
@@ -220,24 +221,25 @@ impl Surface {
     }
 
     fn at_normal<const S: usize>(&self, pose: &Pose<S>, shape: &Shape<S>, normal: f64) -> AtNormal<S> {
-        let cool = self.coefficient(normal, shape.speed);
+        let unheated = self.coefficient(normal, shape.speed);
         let friction = Coefficient {
-            mu: pose.warmth * cool.mu,
-            by_normal: pose.warmth * cool.by_normal,
-            by_speed: pose.warmth * cool.by_speed,
+            mu: pose.warmth * unheated.mu,
+            by_normal: pose.warmth * unheated.by_normal,
+            by_speed: pose.warmth * unheated.by_speed,
         };
         let limit = friction.mu * normal.max(0.0);
-        let gone: [f64; S] = std::array::from_fn(|i| pose.u[i] - pose.plastic[i]);
-        let trial: [f64; S] = std::array::from_fn(|i| (self.k_init - normal * shape.c[i]) * gone[i]);
+        let elastic: [f64; S] = std::array::from_fn(|i| pose.u[i] - pose.plastic[i]);
+        let trial: [f64; S] = std::array::from_fn(|i| (self.k_init - normal * shape.c[i]) * elastic[i]);
         let size = norm(&trial);
         let mut at = AtNormal { q: trial, by_normal: [0.0; S], trial, size, friction, limit };
-        let trial_by_normal: [f64; S] = std::array::from_fn(|i| -shape.c[i] * gone[i]);
+        let trial_by_normal: [f64; S] = std::array::from_fn(|i| -shape.c[i] * elastic[i]);
         if at.slides() {
             let along = dot(&trial, &trial_by_normal) / (size * size);
-            let grows = if normal > 0.0 { friction.mu + normal * friction.by_normal } else { 0.0 };
+            let by_normal_force = if normal > 0.0 { friction.mu + normal * friction.by_normal } else { 0.0 };
             for i in 0..S {
                 at.q[i] = limit * trial[i] / size;
-                at.by_normal[i] = grows * trial[i] / size + limit / size * (trial_by_normal[i] - along * trial[i]);
+                at.by_normal[i] =
+                    by_normal_force * trial[i] / size + limit / size * (trial_by_normal[i] - along * trial[i]);
             }
         } else {
             at.by_normal = trial_by_normal;
@@ -279,24 +281,24 @@ impl Surface {
             for j in 0..S {
                 let same = f64::from(u8::from(i == j));
                 // Across the direction of sliding the friction force rotates.
-                let turns = if slides { at.limit / at.size * (same - n[i] * n[j]) } else { same };
-                s.stiffness[i][j] = turns * k0[j] + same * normal * shape.c[i];
+                let rotation = if slides { at.limit / at.size * (same - n[i] * n[j]) } else { same };
+                s.stiffness[i][j] = rotation * k0[j] + same * normal * shape.c[i];
                 s.by_u[i][j] = s.stiffness[i][j];
                 if S == 2 {
                     // The displacement changes the radius in the other direction.
-                    let (k, gone) = (1 - j, pose.u[1 - j] - pose.plastic[1 - j]);
-                    let turns = if slides {
+                    let (k, elastic) = (1 - j, pose.u[1 - j] - pose.plastic[1 - j]);
+                    let rotation = if slides {
                         at.limit / at.size * (f64::from(u8::from(i == k)) - n[i] * n[k])
                     } else {
                         f64::from(u8::from(i == k))
                     };
                     let lifts = if i == k { pose.u[i] } else { 0.0 };
-                    s.by_u[i][j] += normal * shape.dc[k] * (lifts - turns * gone);
+                    s.by_u[i][j] += normal * shape.dc[k] * (lifts - rotation * elastic);
                 }
                 s.by_tilt[i][j] = -same * normal;
-                let rises = if slides { normal * at.friction.by_speed * n[i] } else { 0.0 };
-                s.by_u[i][j] += rises * shape.speed_by_u[j];
-                s.by_rate[i][j] = rises * shape.speed_by_rate[j];
+                let by_speed_direction = if slides { normal * at.friction.by_speed * n[i] } else { 0.0 };
+                s.by_u[i][j] += by_speed_direction * shape.speed_by_u[j];
+                s.by_rate[i][j] = by_speed_direction * shape.speed_by_rate[j];
             }
         }
         s.follow_normal(pose, shape, at);

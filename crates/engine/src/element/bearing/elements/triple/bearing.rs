@@ -1,7 +1,7 @@
 //! The element of the triple friction pendulum: vertical force, moments, responses.
 
-use super::chain::{Chain, ChainState, Tension, rows, square};
-use super::heated::{Heated, PARAMETER_NAMES, PARAMETERS, Step, Warm};
+use super::chain::{Chain, ChainForce, ChainState, rows, square};
+use super::heated::{Heated, PARAMETER_NAMES, PARAMETERS, Step, ThermalState};
 use crate::element::bearing::elements::shear_bearing::{
     BASIC_FORCE, DEFORMATION, FRICTION, LOCAL_DISP, LOCAL_FORCE, MATERIAL, probe,
 };
@@ -160,7 +160,7 @@ impl TriplePendulum {
         (c, last): (&ChainState, &ChainState),
         load: &mut Load,
         frictions: &[Friction; 3],
-    ) -> Result<Tension, ElementError> {
+    ) -> Result<ChainForce, ElementError> {
         let Some(tolerance) = self.setting.compat else {
             let mean = load.mean;
             let t = self.chain.stretch(c, u, dt, |i, speed| coefficient(frictions, i, mean, speed))?;
@@ -181,7 +181,7 @@ impl TriplePendulum {
         (before, load): (&Load, &mut Load),
         committed: &[f64],
         trial: &mut [f64],
-    ) -> Result<Tension, ElementError> {
+    ) -> Result<ChainForce, ElementError> {
         let c = ChainState::read(committed);
         let (committed, trial) = (&committed[HEAT..], &mut trial[HEAT..]);
         let t = if let Some(tolerance) = self.setting.compat {
@@ -191,7 +191,7 @@ impl TriplePendulum {
             heated.slide_late((&t.state, &c), step, committed, trial);
             t
         } else {
-            let (warm, mean) = (Warm::read(committed), load.mean);
+            let (warm, mean) = (ThermalState::read(committed), load.mean);
             let friction = |i, speed| match mean > 0.0 {
                 true => heated.coefficient(&warm, i, mean, speed),
                 false => Coefficient::default(),
@@ -269,9 +269,9 @@ fn coefficient(frictions: &[Friction; 3], i: usize, normal: f64, speed: f64) -> 
 }
 
 /// The force of a chain with the tangent of its last iteration.
-fn as_found(state: ChainState) -> Tension {
+fn as_found(state: ChainState) -> ChainForce {
     let k = square(&state.whole, 0);
-    Tension { state, k, by_normal: Vector2::zeros(), friction: [(0.0, 0.0); 3] }
+    ChainForce { state, k, by_normal: Vector2::zeros(), friction: [(0.0, 0.0); 3] }
 }
 
 /// Adds an entry of a matrix by the relative displacement; `sign` is that of the force on node i.
@@ -452,12 +452,12 @@ impl Element for TriplePendulum {
             SEGMENTS => match self.surfaces {
                 Surfaces::Models(_) => out.copy_from_slice(&chain.d),
                 Surfaces::Heated(_) => {
-                    let w = Warm::read(&s.state[HEAT..]);
+                    let w = ThermalState::read(&s.state[HEAT..]);
                     let words = w.slide.iter().chain(&w.speed);
                     out.iter_mut().zip(words).for_each(|(o, x)| *o = *x);
                 }
             },
-            HEATING => out.copy_from_slice(&s.state[HEAT + Warm::LEN - PARAMETERS..HEAT + Warm::LEN]),
+            HEATING => out.copy_from_slice(&s.state[HEAT + ThermalState::LEN - PARAMETERS..HEAT + ThermalState::LEN]),
             FRICTION => {
                 let i = path[1] as usize;
                 out[0] = Contact { normal: load.mean, speed: load.speed[i], mu: load.mu[i] }.value(path[2]);

@@ -1,6 +1,6 @@
 //! Three segments in series.
 
-use super::segment::{Pull, Segment};
+use super::segment::{Segment, SegmentForce};
 use crate::element::ElementError;
 use crate::element::friction::Coefficient;
 use crate::state_struct;
@@ -44,7 +44,7 @@ pub(super) fn rows(m: &Matrix2<f64>) -> [f64; 4] {
 
 impl ChainState {
     /// Stores the response of segment `i` at the displacement `d`.
-    fn set(&mut self, i: usize, d: Vector2<f64>, p: &Pull) {
+    fn set(&mut self, i: usize, d: Vector2<f64>, p: &SegmentForce) {
         self.set_memory(i, d, (p.plastic, p.back), &p.k);
     }
 
@@ -81,7 +81,7 @@ pub struct Chain {
 }
 
 /// Force of a chain with derivatives.
-pub(super) struct Tension {
+pub(super) struct ChainForce {
     pub(super) state: ChainState,
     /// Stiffness.
     pub(super) k: Matrix2<f64>,
@@ -91,7 +91,12 @@ pub(super) struct Tension {
     pub(super) friction: [(f64, f64); 3],
 }
 
-const ROUNDS: usize = 100;
+/// Largest number of Newton steps.
+const MAX_ITERATIONS: usize = 100;
+/// Relative tolerance of the equality of the segment forces.
+const TOLERANCE: f64 = 1e-13;
+/// Relative tolerance once round-off stops the convergence.
+const STALLED_TOLERANCE: f64 = 1e-10;
 
 impl Chain {
     /// State variables of the virgin chain.
@@ -117,27 +122,28 @@ impl Chain {
         u: Vector2<f64>,
         dt: f64,
         friction: impl Fn(usize, f64) -> Coefficient,
-    ) -> Result<Tension, ElementError> {
-        let pulls = |d: &[Vector2<f64>; 3]| -> [Pull; 3] {
+    ) -> Result<ChainForce, ElementError> {
+        let segment_forces = |d: &[Vector2<f64>; 3]| -> [SegmentForce; 3] {
             std::array::from_fn(|i| {
                 let memory = (two(&c.plastic, i), two(&c.back, i));
                 self.segments[i].pull(memory, d[i], dt, |speed| friction(i, speed))
             })
         };
         let first = inverses([0, 1, 2].map(|i| square(&c.k, i))).ok_or_else(no_force)?;
-        let ahead = square(&c.whole, 0) * (u - Vector2::from(c.u));
-        let mut d: [Vector2<f64>; 3] = std::array::from_fn(|i| two(&c.d, i) + first[i] * ahead);
+        let predicted_increment = square(&c.whole, 0) * (u - Vector2::from(c.u));
+        let mut d: [Vector2<f64>; 3] = std::array::from_fn(|i| two(&c.d, i) + first[i] * predicted_increment);
         // Removes the round-off of the sum.
         d[0] += u - (d[0] + d[1] + d[2]);
-        let mut at = pulls(&d);
-        let mut least = f64::INFINITY;
-        for _ in 0..ROUNDS {
+        let mut at = segment_forces(&d);
+        let mut smallest_residual = f64::INFINITY;
+        for _ in 0..MAX_ITERATIONS {
             let inverses = inverses(at.map(|p| p.k)).ok_or_else(no_force)?;
             let whole = inverses.iter().sum::<Matrix2<f64>>().try_inverse().ok_or_else(no_force)?;
             let f = whole * (0..3).map(|i| inverses[i] * at[i].f).sum::<Vector2<f64>>();
-            let misfit = at.iter().map(|p| (p.f - f).norm()).fold(0.0, f64::max);
+            let residual = at.iter().map(|p| (p.f - f).norm()).fold(0.0, f64::max);
             let scale = f.norm() + at[0].mu.mu;
-            if misfit <= 1e-13 * scale || (misfit >= least && misfit <= 1e-10 * scale) {
+            if residual <= TOLERANCE * scale || (residual >= smallest_residual && residual <= STALLED_TOLERANCE * scale)
+            {
                 let by_normal: Vector2<f64> = (0..3).map(|i| inverses[i] * at[i].by_mu * at[i].mu.by_normal).sum();
                 let mut state = ChainState {
                     u: u.into(),
@@ -149,11 +155,11 @@ impl Chain {
                 };
                 (0..3).for_each(|i| state.set(i, d[i], &at[i]));
                 let friction = at.map(|p| (p.speed, p.mu.mu));
-                return Ok(Tension { state, k: whole, by_normal: whole * by_normal, friction });
+                return Ok(ChainForce { state, k: whole, by_normal: whole * by_normal, friction });
             }
-            least = misfit;
+            smallest_residual = residual;
             let step: [Vector2<f64>; 3] = std::array::from_fn(|i| inverses[i] * (f - at[i].f));
-            (d, at) = go_down(&pulls, (&d, &at), f, &step);
+            (d, at) = line_search(&segment_forces, (&d, &at), f, &step);
         }
         Err(no_force())
     }
@@ -161,18 +167,18 @@ impl Chain {
 
 /// Line search from the common force `f`. The step keeps the sum of the displacements. It ends close to the minimum of
 /// the energy of the chain. The energy is convex, with kinks at the onset of sliding and at contact with the edge.
-fn go_down(
-    pulls: &impl Fn(&[Vector2<f64>; 3]) -> [Pull; 3],
-    (d, at): (&[Vector2<f64>; 3], &[Pull; 3]),
+fn line_search(
+    segment_forces: &impl Fn(&[Vector2<f64>; 3]) -> [SegmentForce; 3],
+    (d, at): (&[Vector2<f64>; 3], &[SegmentForce; 3]),
     f: Vector2<f64>,
     step: &[Vector2<f64>; 3],
-) -> ([Vector2<f64>; 3], [Pull; 3]) {
-    let slope = |p: &[Pull; 3]| (0..3).map(|i| (p[i].f - f).dot(&step[i])).sum::<f64>();
-    let begin = slope(at);
-    let (mut lo, mut hi, mut share) = ((0.0, begin), None, 1.0);
+) -> ([Vector2<f64>; 3], [SegmentForce; 3]) {
+    let slope = |p: &[SegmentForce; 3]| (0..3).map(|i| (p[i].f - f).dot(&step[i])).sum::<f64>();
+    let initial_slope = slope(at);
+    let (mut lo, mut hi, mut share) = ((0.0, initial_slope), None, 1.0);
     loop {
-        let there: [Vector2<f64>; 3] = std::array::from_fn(|i| d[i] + share * step[i]);
-        let p = pulls(&there);
+        let trial: [Vector2<f64>; 3] = std::array::from_fn(|i| d[i] + share * step[i]);
+        let p = segment_forces(&trial);
         let g = slope(&p);
         let first = hi.is_none();
         if g > 0.0 {
@@ -180,10 +186,10 @@ fn go_down(
         } else {
             lo = (share, g)
         }
-        let (right, above) = hi.unwrap_or((1.0, -begin));
+        let (right, above) = hi.unwrap_or((1.0, -initial_slope));
         let width = right - lo.0;
-        if (first && g <= -0.8 * begin) || g.abs() <= -0.5 * begin || width < 1e-9 {
-            return (there, p);
+        if (first && g <= -0.8 * initial_slope) || g.abs() <= -0.5 * initial_slope || width < 1e-9 {
+            return (trial, p);
         }
         // Regula falsi, kept away from the ends of the bracket.
         let zero = lo.0 - lo.1 * width / (above - lo.1);

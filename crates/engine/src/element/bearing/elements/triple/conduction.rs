@@ -1,7 +1,12 @@
 //! Heat conduction: temperature rise from the heat that enters a surface.
 
-use crate::element::bearing::laws::rubber::PI as ROUGHLY;
+use crate::element::bearing::laws::rubber::PI as ROUNDED_PI;
 use std::f64::consts::PI;
+
+/// Fourier number α t / h² below which the image series converges faster than the Fourier series.
+const IMAGE_SERIES_LIMIT: f64 = 0.3;
+/// Relative size of the last term of OpenSees' series.
+const TRUNCATION: f64 = 1e-3;
 
 /// Body behind the surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,7 +39,7 @@ impl Conduction {
         let pi = match (self.compat, self.body) {
             (false, _) => PI,
             (true, Body::HalfSpace) => 22.0 / 7.0,
-            (true, Body::Plate) => ROUGHLY,
+            (true, Body::Plate) => ROUNDED_PI,
         };
         // Image sources lie at even multiples of the thickness.
         let age = self.diffusivity * tau / (thickness * thickness);
@@ -42,9 +47,9 @@ impl Conduction {
         let share = match self.body {
             Body::HalfSpace => [1.0, image(1.0)],
             Body::Plate if self.compat => {
-                [0.0, 1.0].map(|z| cut_short(|n| image(2.0 * n + z) + image(2.0 * n + 2.0 - z)))
+                [0.0, 1.0].map(|z| truncated_sum(|n| image(2.0 * n + z) + image(2.0 * n + 2.0 - z)))
             }
-            Body::Plate if age < 0.3 => {
+            Body::Plate if age < IMAGE_SERIES_LIMIT => {
                 let sum = |from: u32| 2.0 * (0..6).map(|n| image(f64::from(2 * n + from))).sum::<f64>();
                 [1.0 + sum(2), sum(1)]
             }
@@ -61,12 +66,12 @@ impl Conduction {
 }
 
 /// Sum of `term` until a term is at most 10⁻³ of the sum before.
-fn cut_short(term: impl Fn(f64) -> f64) -> f64 {
+fn truncated_sum(term: impl Fn(f64) -> f64) -> f64 {
     let mut sum = 0.0;
     for n in 0..=100 {
         let before = sum;
         sum += term(f64::from(n));
-        if sum - before <= 1e-3 * before {
+        if sum - before <= TRUNCATION * before {
             break;
         }
     }

@@ -73,7 +73,7 @@ pub struct Heated {
 
 state_struct! {
     /// State variables of the surfaces besides those of the heat history.
-    pub(super) struct Warm {
+    pub(super) struct ThermalState {
         /// Time since the start.
         clock: f64,
         /// Domain time.
@@ -99,7 +99,7 @@ state_struct! {
     }
 }
 
-/// Number of recorded state variables at the end of [`Warm`]: temperatures, coefficients, fluxes, factors.
+/// Number of recorded state variables at the end of [`ThermalState`]: temperatures, coefficients, fluxes, factors.
 pub(super) const PARAMETERS: usize = 20;
 /// Column names of the recorded state variables.
 pub(super) const PARAMETER_NAMES: [&str; PARAMETERS] = [
@@ -139,7 +139,7 @@ fn norms(v: &[f64; 6]) -> [f64; 3] {
 
 impl Heated {
     /// Number of state variables.
-    pub(super) const LEN: usize = Warm::LEN + 3 * history::LEN;
+    pub(super) const LEN: usize = ThermalState::LEN + 3 * history::LEN;
 
     /// Makes the surfaces of their parameters.
     pub fn new(setting: HeatedSetting) -> Self {
@@ -160,10 +160,11 @@ impl Heated {
 
     pub(super) fn init(&self, words: &mut [f64]) {
         let mu = self.at_rest();
-        let mut w = Warm { mu_before: mu, mu, temperature: [self.setting.temperature; 5], ..Warm::default() };
+        let mut w =
+            ThermalState { mu_before: mu, mu, temperature: [self.setting.temperature; 5], ..ThermalState::default() };
         w.factors = [1.0; 9];
         w.write(words);
-        words[Warm::LEN..Self::LEN].fill(0.0);
+        words[ThermalState::LEN..Self::LEN].fill(0.0);
     }
 
     fn by_pressure(&self, i: usize, normal: f64) -> f64 {
@@ -180,7 +181,7 @@ impl Heated {
     }
 
     /// Coefficient of pair `i` at a normal force > 0 and a speed, with the temperature of the state.
-    pub(super) fn coefficient(&self, w: &Warm, i: usize, normal: f64, speed: f64) -> Coefficient {
+    pub(super) fn coefficient(&self, w: &ThermalState, i: usize, normal: f64, speed: f64) -> Coefficient {
         let s = &self.setting;
         let share = s.mu[i] * self.by_pressure(i, normal) * self.by_temperature(w.temperature[i]);
         let mu = share * self.by_speed(speed);
@@ -206,23 +207,29 @@ impl Heated {
     }
 
     /// Temperatures at surface and depth from a heat history, with the age of each amount, and an additional amount.
-    fn warmth(&self, i: usize, heat: &[f64], age: impl Fn(f64) -> f64, more: Option<(f64, f64)>) -> [f64; 2] {
+    fn temperatures(
+        &self,
+        i: usize,
+        heat: &[f64],
+        age: impl Fn(f64) -> f64,
+        additional: Option<(f64, f64)>,
+    ) -> [f64; 2] {
         let s = &self.setting;
         let conduction = if i == 0 { Conduction { body: Body::HalfSpace, ..s.conduction } } else { s.conduction };
         let thickness = s.thickness[i.saturating_sub(1)];
         let mut out = [s.temperature; 2];
-        for (tau, q) in history::heat(heat).map(|(t, q)| (age(t), q)).chain(more) {
+        for (tau, q) in history::heat(heat).map(|(t, q)| (age(t), q)).chain(additional) {
             let k = conduction.rise(thickness, tau);
             (out[0], out[1]) = (out[0] + q * k[0], out[1] + q * k[1]);
         }
         out
     }
 
-    fn heat_of(words: &[f64], i: usize) -> &[f64] {
-        &words[Warm::LEN + i * history::LEN..Warm::LEN + (i + 1) * history::LEN]
+    fn heat_history(words: &[f64], i: usize) -> &[f64] {
+        &words[ThermalState::LEN + i * history::LEN..ThermalState::LEN + (i + 1) * history::LEN]
     }
 
-    fn set_temperature(w: &mut Warm, i: usize, [surface, depth]: [f64; 2]) {
+    fn set_temperature(w: &mut ThermalState, i: usize, [surface, depth]: [f64; 2]) {
         w.temperature[i] = surface;
         if i > 0 {
             w.temperature[2 + i] = depth;
@@ -233,26 +240,26 @@ impl Heated {
     /// Heat is uniform over the step. The history stores it at two Gauss points. The temperature of this step uses the
     /// one-point rule for a kernel of 1/√τ.
     pub(super) fn warm(&self, chain: &ChainState, normal: f64, step: Step, committed: &[f64], trial: &mut [f64]) {
-        let c = Warm::read(committed);
-        let mut w = Warm { before: c.slide, slide: self.slide(&chain.d), mu: chain.mu, mu_before: c.mu, ..c };
-        trial[Warm::LEN..Self::LEN].copy_from_slice(&committed[Warm::LEN..Self::LEN]);
+        let c = ThermalState::read(committed);
+        let mut w = ThermalState { before: c.slide, slide: self.slide(&chain.d), mu: chain.mu, mu_before: c.mu, ..c };
+        trial[ThermalState::LEN..Self::LEN].copy_from_slice(&committed[ThermalState::LEN..Self::LEN]);
         if step.dt > 0.0 {
             let dt = step.dt;
             w.speed = std::array::from_fn(|i| (w.slide[i] - c.slide[i]) / dt);
             (w.clock, w.time) = (c.clock + dt, step.time);
-            let (moved, speed) = (norms(&w.slide), norms(&w.speed));
+            let (displacements, speed) = (norms(&w.slide), norms(&w.speed));
             for i in 0..3 {
-                w.flux[i] = self.flux(i, w.mu[i], normal, (moved[i], speed[i]));
+                w.flux[i] = self.flux(i, w.mu[i], normal, (displacements[i], speed[i]));
                 let latest = (w.flux[i] > 0.0).then_some((dt / 3.0, 2.0 / 3f64.sqrt() * dt * w.flux[i]));
-                let now = self.warmth(i, Self::heat_of(committed, i), |t| w.clock - t, latest);
+                let now = self.temperatures(i, Self::heat_history(committed, i), |t| w.clock - t, latest);
                 Self::set_temperature(&mut w, i, now);
-                let (middle, aside, half) = (w.clock - 0.5 * dt, dt / 12f64.sqrt(), 0.5 * dt * w.flux[i]);
-                let heat = &mut trial[Warm::LEN + i * history::LEN..Warm::LEN + (i + 1) * history::LEN];
-                history::push(heat, [middle - aside, half, middle + aside, half]);
+                let (middle, gauss_offset, half) = (w.clock - 0.5 * dt, dt / 12f64.sqrt(), 0.5 * dt * w.flux[i]);
+                let heat = &mut trial[ThermalState::LEN + i * history::LEN..ThermalState::LEN + (i + 1) * history::LEN];
+                history::push(heat, [middle - gauss_offset, half, middle + gauss_offset, half]);
                 w.factors[i] = self.by_pressure(i, normal);
                 w.factors[3 + i] = self.by_temperature(c.temperature[i]);
-                let still = self.setting.mu[i] * w.factors[i] * w.factors[3 + i];
-                w.factors[6 + i] = if still > 0.0 { w.mu[i] / still } else { 1.0 };
+                let at_zero_speed = self.setting.mu[i] * w.factors[i] * w.factors[3 + i];
+                w.factors[6 + i] = if at_zero_speed > 0.0 { w.mu[i] / at_zero_speed } else { 1.0 };
             }
         }
         w.write(trial);
@@ -262,22 +269,22 @@ impl Heated {
     /// force at its start, and on the coefficients of two steps before. The first step of a new domain time has the
     /// reference coefficients. Heat lies at the end of its step, with an age of at least the step.
     pub(super) fn warm_first(&self, normal: f64, step: Step, committed: &[f64], trial: &mut [f64]) -> [f64; 3] {
-        let c = Warm::read(committed);
-        let mut w = Warm { before: c.slide, mu_before: c.mu, time: step.time, ..c };
-        trial[Warm::LEN..Self::LEN].copy_from_slice(&committed[Warm::LEN..Self::LEN]);
+        let c = ThermalState::read(committed);
+        let mut w = ThermalState { before: c.slide, mu_before: c.mu, time: step.time, ..c };
+        trial[ThermalState::LEN..Self::LEN].copy_from_slice(&committed[ThermalState::LEN..Self::LEN]);
         if step.time < c.time {
-            trial[Warm::LEN..Self::LEN].fill(0.0);
+            trial[ThermalState::LEN..Self::LEN].fill(0.0);
             (w.clock, w.steps, w.factors) = (0.0, 1.0, [1.0; 9]);
         } else if step.time > c.time {
             w.clock = c.clock + step.dt;
-            let (moved, speed) = (norms(&c.slide), norms(&c.speed));
+            let (displacements, speed) = (norms(&c.slide), norms(&c.speed));
             for i in 0..3 {
-                w.flux[i] = self.flux(i, c.mu_before[i], normal, (moved[i], speed[i]));
-                let heat = &mut trial[Warm::LEN + i * history::LEN..Warm::LEN + (i + 1) * history::LEN];
+                w.flux[i] = self.flux(i, c.mu_before[i], normal, (displacements[i], speed[i]));
+                let heat = &mut trial[ThermalState::LEN + i * history::LEN..ThermalState::LEN + (i + 1) * history::LEN];
                 history::push(heat, [w.clock, step.dt * w.flux[i], w.clock, 0.0]);
-                let warms = c.steps > 1.0 && moved[i] > 1e-11;
+                let warms = c.steps > 1.0 && displacements[i] > 1e-11;
                 let now = if warms {
-                    self.warmth(i, heat, |t| w.clock - t + step.dt, None)
+                    self.temperatures(i, heat, |t| w.clock - t + step.dt, None)
                 } else {
                     [self.setting.temperature; 2]
                 };
@@ -302,7 +309,7 @@ impl Heated {
         committed: &[f64],
         trial: &mut [f64],
     ) {
-        let (c, mut w) = (Warm::read(committed), Warm::read(trial));
+        let (c, mut w) = (ThermalState::read(committed), ThermalState::read(trial));
         let (now, late) = (self.slide(&chain.d), self.slide(&last.d));
         w.slide = std::array::from_fn(|i| if i % 3 == 0 { late[i] } else { now[i] });
         if step.dt > 0.0 {

@@ -20,7 +20,7 @@ pub struct Segment {
 
 /// Force of a segment with derivatives.
 #[derive(Clone, Copy, Debug)]
-pub struct Pull {
+pub struct SegmentForce {
     /// Force.
     pub f: Vector2<f64>,
     /// Stiffness.
@@ -47,12 +47,12 @@ impl Segment {
         d: Vector2<f64>,
         dt: f64,
         friction: impl Fn(f64) -> Coefficient,
-    ) -> Pull {
+    ) -> SegmentForce {
         let trial = self.e * (d - plastic);
         let xi = trial - back;
         let (size, zero) = (xi.norm(), Vector2::zeros());
         let (k, mu) = (Matrix2::from_diagonal_element(self.e), friction(0.0));
-        let mut p = Pull { f: trial, k, by_mu: zero, plastic, back, speed: 0.0, mu };
+        let mut p = SegmentForce { f: trial, k, by_mu: zero, plastic, back, speed: 0.0, mu };
         if size > mu.mu {
             let n = xi / size;
             let hard = self.e + self.h;
@@ -64,16 +64,16 @@ impl Segment {
                     let mu = friction(per_slip * slip);
                     (hard * slip + mu.mu - size, hard + mu.by_speed * per_slip)
                 };
-                let most = size / hard;
-                slip = bracketed_root(equation, (0.0, most), slip.min(most), most, 100).unwrap_or(slip);
+                let max_slip = size / hard;
+                slip = bracketed_root(equation, (0.0, max_slip), slip.min(max_slip), max_slip, 100).unwrap_or(slip);
                 p.speed = per_slip * slip;
                 p.mu = friction(p.speed);
             }
             let soft = 1.0 / (hard + p.mu.by_speed * per_slip);
             p.f -= self.e * slip * n;
-            let turns = self.e * self.e * slip / size;
-            let along = turns - self.e * self.e * soft;
-            p.k = Matrix2::from_diagonal_element(self.e - turns) + along * n * n.transpose();
+            let rotation = self.e * self.e * slip / size;
+            let along = rotation - self.e * self.e * soft;
+            p.k = Matrix2::from_diagonal_element(self.e - rotation) + along * n * n.transpose();
             p.by_mu = self.e * soft * n;
             p.plastic += slip * n;
             p.back += slip * self.h * n;

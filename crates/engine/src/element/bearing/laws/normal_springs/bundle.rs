@@ -12,7 +12,7 @@ const LANES: usize = 4;
 pub(super) type Moments = [f64; 6];
 
 /// Indices of the moments in a symmetric 3 x 3 matrix.
-pub(super) const PLACES: [[usize; 3]; 3] = [[0, 1, 2], [1, 3, 4], [2, 4, 5]];
+pub(super) const MOMENT_INDICES: [[usize; 3]; 3] = [[0, 1, 2], [1, 3, 4], [2, 4, 5]];
 
 pub(super) fn add_to<const N: usize>(sums: &mut [f64; N], terms: &[f64; N]) {
     sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
@@ -71,7 +71,7 @@ impl Block {
 
 /// Section strains, their committed values if the material needs them, and their rates.
 #[derive(Clone, Copy)]
-pub(super) struct At {
+pub(super) struct SectionStrains {
     pub(super) before: Option<[f64; 3]>,
     pub(super) strain: [f64; 3],
     pub(super) rate: [f64; 3],
@@ -99,9 +99,9 @@ impl Weights<'_> {
     #[inline(always)]
     fn sum<const N: usize>(&self, factor: &[f64], of: impl Fn(f64, f64, f64) -> [f64; N]) -> [f64; N] {
         let mut lanes = [[0.0; LANES]; N];
-        let (area, area_left) = self.area.as_chunks::<LANES>();
-        let (factor, factor_left) = factor.as_chunks::<LANES>();
-        let [(a, a_left), (b, b_left)] = self.lever.map(|l| l.as_chunks::<LANES>());
+        let (area, area_rest) = self.area.as_chunks::<LANES>();
+        let (factor, factor_rest) = factor.as_chunks::<LANES>();
+        let [(a, a_rest), (b, b_rest)] = self.lever.map(|l| l.as_chunks::<LANES>());
         for (((area, factor), a), b) in area.iter().zip(factor).zip(a).zip(b) {
             for lane in 0..LANES {
                 let terms = of(area[lane] * factor[lane], a[lane], b[lane]);
@@ -109,7 +109,7 @@ impl Weights<'_> {
             }
         }
         let mut sums = lanes.map(|sum| sum.iter().sum());
-        for (((area, factor), a), b) in area_left.iter().zip(factor_left).zip(a_left).zip(b_left) {
+        for (((area, factor), a), b) in area_rest.iter().zip(factor_rest).zip(a_rest).zip(b_rest) {
             add_to(&mut sums, &of(area * factor, *a, *b));
         }
         sums
@@ -127,7 +127,7 @@ impl Weights<'_> {
     fn moments(&self, factor: &[f64]) -> Moments {
         let mut moments = self.sum(factor, |w, a, b| [w, w * a, w * b, w * a * a, w * a * b, w * b * b]);
         if let Some((axis, along)) = self.along(factor) {
-            moments[PLACES[1 + axis][1 + axis]] += along;
+            moments[MOMENT_INDICES[1 + axis][1 + axis]] += along;
         }
         moments
     }
@@ -166,10 +166,10 @@ impl Bundle {
             Block { moments, levers: weights.lever.map(ends), springs }
         };
         let blocks: Vec<Block> = ranges.map(block).collect();
-        let words = material.state_len();
-        let mut virgin = vec![0.0; n * words];
+        let state_len = material.state_len();
+        let mut virgin = vec![0.0; n * state_len];
         for b in &blocks {
-            material.init_all(b.springs.len(), &mut virgin[b.springs.start * words..b.springs.end * words]);
+            material.init_all(b.springs.len(), &mut virgin[b.springs.start * state_len..b.springs.end * state_len]);
         }
         bundle.whole = blocks.iter().cloned().reduce(Block::with);
         (bundle.blocks, bundle.virgin) = (blocks, virgin);
@@ -199,7 +199,7 @@ impl Bundle {
         &self,
         material: &Material,
         block: &Block,
-        at: &At,
+        at: &SectionStrains,
         old: &[f64],
         next: &mut [f64],
         sum: &mut Sum,

@@ -4,11 +4,11 @@ use super::bundle::{BLOCK, Breadth, Bundle};
 use crate::material::Material;
 
 /// Relative difference of levers that are taken as equal: round-off.
-const SAME: f64 = 1e-12;
+const EQUAL_LEVERS: f64 = 1e-12;
 /// Largest ratio of lines to springs; with more lines there is no gain in speed.
-const FEW: f64 = 0.6;
+const MAX_LINE_RATIO: f64 = 0.6;
 /// Relative difference of the strains along a line that is round-off.
-const ALIKE: f64 = 1e-13;
+const EQUAL_STRAINS: f64 = 1e-13;
 
 /// The springs of a section in lines with equal levers for one of the rotations.
 ///
@@ -36,11 +36,11 @@ impl Lines {
         let mut lines: Vec<Vec<usize>> = vec![];
         for i in order {
             match lines.last_mut() {
-                Some(line) if own[i] - own[line[0]] <= SAME * width => line.push(i),
+                Some(line) if own[i] - own[line[0]] <= EQUAL_LEVERS * width => line.push(i),
                 _ => lines.push(vec![i]),
             }
         }
-        if lines.len() as f64 > FEW * area.len() as f64 {
+        if lines.len() as f64 > MAX_LINE_RATIO * area.len() as f64 {
             return None;
         }
         let sum = |line: &[usize], of: &dyn Fn(usize) -> f64| line.iter().map(|&i| area[i] * of(i)).sum::<f64>();
@@ -50,7 +50,7 @@ impl Lines {
         };
         let mut middle = mean(&|i| other[i]);
         // Lines that are symmetric about the axis.
-        middle.iter_mut().filter(|m| m.abs() <= SAME * length).for_each(|m| *m = 0.0);
+        middle.iter_mut().filter(|m| m.abs() <= EQUAL_LEVERS * length).for_each(|m| *m = 0.0);
         let mut levers = [mean(&|i| own[i]), middle];
         let square = mean(&|i| other[i] * other[i]);
         let square = square.iter().zip(&levers[1]).map(|(s, m)| s - m * m).collect();
@@ -68,24 +68,30 @@ impl Lines {
     }
 
     /// Returns true if section strains, of which `largest` is the largest, are equal along each line.
-    pub(super) fn hold(&self, strain: [f64; 3], largest: f64) -> bool {
+    pub(super) fn has_equal_strains(&self, strain: [f64; 3], largest: f64) -> bool {
         let (axis, length) = self.along;
-        strain[1 + axis].abs() * length <= ALIKE * largest
+        strain[1 + axis].abs() * length <= EQUAL_STRAINS * largest
     }
 
     /// State variables of all springs from those of their lines. `virgin` has one value per block.
-    pub(super) fn spread(&self, material: &Material, springs: &Bundle, virgin: &[bool], histories: &[f64]) -> Vec<f64> {
-        let words = material.state_len();
-        let mut all = vec![0.0; springs.len() * words];
+    pub(super) fn spread(
+        &self,
+        material: &Material,
+        springs: &Bundle,
+        virgin: &[bool],
+        line_states: &[f64],
+    ) -> Vec<f64> {
+        let state_len = material.state_len();
+        let mut all = vec![0.0; springs.len() * state_len];
         for block in &springs.blocks {
             let n = block.springs.len();
-            let to = &mut all[block.springs.start * words..block.springs.end * words];
+            let to = &mut all[block.springs.start * state_len..block.springs.end * state_len];
             for (i, spring) in block.springs.clone().enumerate() {
                 let line = self.of[spring];
                 let from = &self.bundle.blocks[line / BLOCK];
-                let kept = if virgin[line / BLOCK] { &self.bundle.virgin[..] } else { histories };
-                let kept = &kept[from.springs.start * words..from.springs.end * words];
-                material.copy_history((kept, line % BLOCK, from.springs.len()), (to, i, n));
+                let states = if virgin[line / BLOCK] { &self.bundle.virgin[..] } else { line_states };
+                let states = &states[from.springs.start * state_len..from.springs.end * state_len];
+                material.copy_history((states, line % BLOCK, from.springs.len()), (to, i, n));
             }
         }
         all
