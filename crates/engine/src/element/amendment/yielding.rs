@@ -1,11 +1,11 @@
-//! A member taken as elastic yields.
+//! Yielding of an elastic member.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState, Pair};
 use crate::element::ElementError;
 
-/// Plastic deformation e_p beside the elastic one, with kinematic hardening: q' = q - k e_p, |q' - H e_p| ≤ F_y, with
-/// H = b k / (1 - b) so that b is the post-yield stiffness over the elastic one. The return is radial and exact for
-/// the step (Simo and Hughes, Computational Inelasticity, 1998, section 1.4).
+/// Plastic deformation e_p with kinematic hardening: q' = q - k e_p and |q' - H e_p| ≤ F_y. With H = b k / (1 - b), b
+/// is the ratio of post-yield to elastic stiffness. Radial return is exact for the step (Simo and Hughes, Computational
+/// Inelasticity, 1998, section 1.4).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Yielding {
     /// Yield force F_y.
@@ -17,18 +17,22 @@ pub struct Yielding {
 }
 
 crate::state_struct! {
-    /// History.
-    pub struct Plastic {
+    /// State variables.
+    pub struct YieldingState {
         /// Plastic deformation e_p.
         deformation: [f64; 2],
     }
 }
 
 impl AmendmentLaw for Yielding {
-    type State = Plastic;
+    type State = YieldingState;
     const NAME: &'static str = "yielding";
 
-    fn amend(&self, committed: &Plastic, d: &DeformationState) -> Result<(AmendedForce, Plastic), ElementError> {
+    fn amend(
+        &self,
+        committed: &YieldingState,
+        d: &DeformationState,
+    ) -> Result<(AmendedForce, YieldingState), ElementError> {
         let k = self.stiffness;
         let h = self.hardening / (1.0 - self.hardening) * k;
         let ep = committed.deformation;
@@ -51,7 +55,7 @@ impl AmendmentLaw for Yielding {
                 v.by_force[i][j] = unit - k * (n[i] * n[j] / (k + h) + turned);
             }
         }
-        Ok((v, Plastic { deformation }))
+        Ok((v, YieldingState { deformation }))
     }
 
     fn with_stiffness(&self, stiffness: f64) -> Option<Self> {

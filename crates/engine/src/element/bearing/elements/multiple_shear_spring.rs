@@ -13,33 +13,33 @@ use crate::state_struct;
 use crate::state_struct::StateStruct;
 
 state_struct! {
-    /// What recorders read.
+    /// Recorded shear forces.
     struct Forces {
         /// Shear along y and z.
         force: [f64; 2],
     }
 }
 
-/// Springs in all directions across the line between two nodes, at half of its length: shear, no axial force, no
-/// torsion and no bending (Wada and Hirose, 1989).
+/// Shear springs in all directions normal to the line between two nodes, at its middle. There is no axial force,
+/// torsion or bending (Wada and Hirose, 1989).
 #[derive(Clone, Debug)]
 pub struct MultipleShearSpring {
     springs: ShearSprings,
     link: Link<12, 6>,
     mass: f64,
     initial: [[f64; 2]; 2],
-    /// As in OpenSees, the stiffness is multiplied by a factor of its own instead of being the derivative of the force.
+    /// OpenSees' stiffness: multiplied by a factor of its own instead of the derivative of the force.
     compat: bool,
 }
 
 impl MultipleShearSpring {
-    /// State variables of state before those of the springs.
+    /// Number of state variables before those of the springs.
     pub const HEADER: usize = Forces::LEN;
 
-    /// From springs whose histories begin at word [`Self::HEADER`], and the kinematics.
+    /// Makes the element of springs with state variables from [`Self::HEADER`] on, and the kinematics.
     ///
     /// # Errors
-    /// Springs with a limit at which they have no force.
+    /// Springs without a force at their limit.
     pub fn new(springs: ShearSprings, link: Link<12, 6>, mass: f64, compat: bool) -> Result<Self, ElementError> {
         let mut state = vec![0.0; Self::HEADER + springs.state_len()];
         springs.init(&mut state);
@@ -49,7 +49,7 @@ impl MultipleShearSpring {
         Ok(Self { springs, link, mass, initial, compat })
     }
 
-    /// Stiffness of the bundle with its factors, at a displacement `u` of the size `size`.
+    /// Stiffness of the bundle with its factors, at a displacement `u` of length `size`.
     fn stiffness(&self, bundle: &Bundle, factors: &Factors, u: [f64; 2], size: f64) -> [[f64; 2]; 2] {
         let scale = if self.compat { factors.stiffness } else { factors.force };
         let mut k = bundle.stiffness.map(|row| row.map(|k| scale * k));
@@ -64,7 +64,7 @@ impl MultipleShearSpring {
     }
 }
 
-/// A matrix of the two shears among those of all basic directions.
+/// Stiffness in all basic directions from that of the two shears.
 fn spread(shear: [[f64; 2]; 2]) -> [[f64; 6]; 6] {
     let mut k = [[0.0; 6]; 6];
     for (row, shear) in k[1..3].iter_mut().zip(shear) {
@@ -73,7 +73,7 @@ fn spread(shear: [[f64; 2]; 2]) -> [[f64; 6]; 6] {
     k
 }
 
-/// Basic forces.
+/// Basic forces from the two shears.
 fn basic([y, z]: [f64; 2]) -> [f64; 6] {
     [0.0, y, z, 0.0, 0.0, 0.0]
 }
