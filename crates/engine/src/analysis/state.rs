@@ -13,11 +13,11 @@ pub struct State {
     pub vel: Vec<f64>,
     /// Accelerations, likewise; relative to the ground under a uniform excitation.
     pub accel: Vec<f64>,
-    /// History words of all elements.
+    /// State variables of all elements.
     pub history: Vec<f64>,
     /// Resisting forces of all elements.
     pub force: Vec<f64>,
-    /// Load words of all elements.
+    /// Load variables of all elements.
     pub element_load: Vec<f64>,
     /// Forces of the constraints under the Lagrange handler.
     pub multipliers: Vec<f64>,
@@ -85,8 +85,8 @@ impl State {
         self.shared = shared;
     }
 
-    /// Take over a trial state: as [`State::copy_from`], but for words of history that nobody reads, and for the rates of
-    /// a model that stands still.
+    /// Take over a trial state: as [`State::copy_from`], but for unused state variables, and for the rates of a model that
+    /// stands still.
     #[inline]
     pub fn commit(&mut self, trial: &Self, model: &Model, still: bool) {
         self.time = trial.time;
@@ -99,7 +99,7 @@ impl State {
             e.element.commit(&trial.history[e.state.clone()], &mut self.history[e.state.clone()]);
         }
         self.force.copy_from_slice(&trial.force);
-        // Most models have neither, and to copy nothing takes its time too.
+        // Most models have none of them, and to copy nothing takes time too.
         for (own, other) in [
             (&mut self.element_load, &trial.element_load),
             (&mut self.multipliers, &trial.multipliers),
@@ -145,7 +145,7 @@ impl State {
         }
         for e in &after.elements {
             if let Some(old) = before.element(e.tag).map(|id| &before.elements[id.0]) {
-                // An element that another has been put around keeps its history: its words come first.
+                // An element inside a new wrapper keeps its history: its state variables come first.
                 let n = e.state.len().min(old.state.len());
                 let from = &self.history[old.state.clone()];
                 next.history[e.state.clone()][..n].copy_from_slice(&from[..n]);

@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 /// Things of one kind by tag.
 #[derive(Clone, Debug)]
 pub struct Registry<T> {
-    /// What the things are called in messages.
+    /// Name of the objects in messages.
     pub kind: &'static str,
     things: BTreeMap<Tag, T>,
 }

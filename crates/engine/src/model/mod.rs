@@ -1,4 +1,4 @@
-//! What is analysed: nodes, elements, constraints, loads, damping. No state of the motion lies here.
+//! The model: nodes, elements, constraints, loads, damping. It holds no state of the motion.
 
 mod constraint;
 mod damping;
@@ -21,7 +21,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Tag of a thing in the script.
+/// Tag of an object in the script.
 pub type Tag = i32;
 
 /// Place of a node in [`Model::nodes`].
@@ -45,11 +45,11 @@ pub struct ElementEntry {
     pub rayleigh: Rayleigh,
     /// Global degrees of freedom, node after node.
     pub dofs: Vec<u32>,
-    /// Its words in the history of the model.
+    /// Its state variables in the history of the model.
     pub state: Range<usize>,
     /// Its resisting force among all.
     pub force: Range<usize>,
-    /// Its words among the loads of all elements.
+    /// Its load variables among those of all elements.
     pub load: Range<usize>,
     /// State variables that it shares with the elements of its class.
     pub shared: Range<usize>,
@@ -92,7 +92,7 @@ impl Model {
     pub fn dofs(&self) -> usize {
         self.dofs
     }
-    /// Number of words of history of all elements.
+    /// Number of state variables of all elements.
     pub fn state_len(&self) -> usize {
         self.state_len
     }
@@ -100,7 +100,7 @@ impl Model {
     pub fn force_len(&self) -> usize {
         self.force_len
     }
-    /// Number of load words of all elements.
+    /// Number of load variables of all elements.
     pub fn load_len(&self) -> usize {
         self.load_len
     }
@@ -151,7 +151,7 @@ impl Model {
         id
     }
 
-    /// Give an element its words behind those of the elements before it.
+    /// Give an element its variables behind those of the elements before it.
     fn place(&mut self, e: &mut ElementEntry) {
         let take = |end: &mut usize, n: usize| {
             *end += n;
@@ -192,7 +192,7 @@ impl Model {
         self.element_of.values().copied()
     }
 
-    /// Put another element in the place of one, between the same nodes. The words of the others move.
+    /// Put another element in the place of one, between the same nodes. The variables of the others move.
     pub fn replace_element(&mut self, id: ElementId, element: Arc<dyn Element>) {
         debug_assert_eq!(self.elements[id.0].dofs.len(), element.dofs());
         self.elements[id.0].element = element;
@@ -200,7 +200,7 @@ impl Model {
         self.touch();
     }
 
-    /// Give all elements their words anew.
+    /// Give all elements their variables anew.
     fn place_elements(&mut self) {
         (self.state_len, self.force_len, self.load_len) = (0, 0, 0);
         self.shared.clear();
@@ -209,7 +209,7 @@ impl Model {
         self.elements = elements;
     }
 
-    /// Remove an element. The words of the others move: see [`Model::elements`] for where to.
+    /// Remove an element. The variables of the others move to the places in [`Model::elements`].
     pub fn remove_element(&mut self, id: ElementId) {
         self.elements.remove(id.0);
         self.place_elements();

@@ -32,7 +32,7 @@ use crate::state_struct::StateStruct;
 use nalgebra::Matrix3;
 use std::f64::consts::PI;
 
-/// What a [`KikuchiBearing`] is made of.
+/// Parameters of a [`KikuchiBearing`].
 #[derive(Clone, Debug)]
 pub struct KikuchiParameters {
     /// Outline of the section.
@@ -64,7 +64,7 @@ pub struct KikuchiParameters {
     pub mass: f64,
 }
 
-/// How the inner nodes are brought into balance.
+/// Scheme for the equilibrium of the inner nodes.
 #[derive(Clone, Debug)]
 pub enum Scheme {
     /// To round-off at every trial state.
@@ -168,7 +168,7 @@ impl KikuchiBearing {
         })
     }
 
-    /// State variables of state before those of the springs.
+    /// Number of state variables before those of the springs.
     fn header(&self) -> usize {
         match self.scheme {
             Scheme::Converged => HEADER,
@@ -187,25 +187,25 @@ impl KikuchiBearing {
         [1, 2].map(|k| outer[k + 6] - outer[k] + self.start[k + 6] - self.start[k])
     }
 
-    /// Forces and stiffnesses of all springs at displacements, into `answer`, but for the axial one at mid-height.
-    fn answer_of_springs(
+    /// Forces and stiffnesses of all springs but the axial one at mid-height, at displacements, into `springs`.
+    fn evaluate_springs(
         &self,
         committed: &[f64],
         q: &kinematics::Motion,
         factors: Factors,
         dt: f64,
         trial: &mut [f64],
-        answer: &mut Springs,
+        springs: &mut Springs,
     ) -> Result<(), MaterialError> {
         const REST: [f64; 3] = [0.0; 3];
         let (lower, upper, shear) = self.kinematics.deformations(q);
         let lower = self.lower.respond(committed, lower, REST, dt, trial)?;
-        (answer.lower, answer.lower_stiffness) = (lower.force, flat(&lower.stiffness));
+        (springs.lower, springs.lower_stiffness) = (lower.force, flat(&lower.stiffness));
         let upper = self.upper.respond(committed, upper, REST, dt, trial)?;
-        (answer.upper, answer.upper_stiffness) = (upper.force, flat(&upper.stiffness));
+        (springs.upper, springs.upper_stiffness) = (upper.force, flat(&upper.stiffness));
         let shear = self.shear.respond(committed, shear, [0.0; 2], dt, trial)?;
-        answer.shear = shear.force.map(|f| f * factors.force);
-        answer.shear_stiffness = flat(&shear.stiffness).map(|k| k * factors.stiffness);
+        springs.shear = shear.force.map(|f| f * factors.force);
+        springs.shear_stiffness = flat(&shear.stiffness).map(|k| k * factors.stiffness);
         Ok(())
     }
 
@@ -220,7 +220,7 @@ impl KikuchiBearing {
         trial: &mut [f64],
     ) -> Result<Springs, MaterialError> {
         let mut springs = Springs { axial, ..Springs::default() };
-        self.answer_of_springs(committed, q, factors, dt, trial, &mut springs)?;
+        self.evaluate_springs(committed, q, factors, dt, trial, &mut springs)?;
         Ok(springs)
     }
 
@@ -297,7 +297,7 @@ impl Element for KikuchiBearing {
         self.upper.init(state);
     }
     fn traits(&self) -> ElementTraits {
-        // OpenSees gives the springs no rates, so that viscous materials rest.
+        // OpenSees gives the springs no rates, so that viscous materials have no force.
         let mut materials = self.shear.materials().chain([self.lower.material()]);
         ElementTraits {
             linear: false,

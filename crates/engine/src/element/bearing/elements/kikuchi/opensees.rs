@@ -1,10 +1,11 @@
-//! OpenSees' scheme for the inner nodes of a Kikuchi bearing, followed on demand only.
+//! OpenSees' scheme for the inner nodes of a Kikuchi bearing, extrapolated on demand only.
 //!
-//! Each time the element is asked, its inner nodes make one Newton step from the committed position, with stiffnesses and
-//! forces of the springs as the last call left them and with the geometry of the committed state. So the answer depends
-//! on how often it is asked, and on the size of the steps; with several bearings, on the one that is asked last.
+//! In each call, the inner nodes make one Newton step from the committed position. Stiffnesses and forces of the springs are
+//! those of the last call, the geometry is that of the committed state. So the force depends on the number of calls and on the
+//! size of the steps. With several bearings in a model, all take their geometry and their tangent from the last one: in
+//! OpenSees, displacements and condensed stiffness are static members of the class.
 
-use super::condensation::{Condensed, Yielding, condense, followed, held_by_nothing, join, yielding};
+use super::condensation::{Condensed, InnerSolution, condense, extrapolated, join, no_inner_stiffness, solution};
 use super::kinematics::{INNER, Matrix, Motion, OUTER, Springs};
 use super::{Balance, Factors, KikuchiBearing};
 use crate::element::{CallDependent, ElementError, MatrixMask, OpenSeesCall, SharedState};
@@ -13,7 +14,7 @@ use crate::state_struct;
 use crate::state_struct::StateStruct;
 
 state_struct! {
-    /// Springs and inner nodes as a call left them.
+    /// Springs and inner nodes after a call.
     pub(super) struct SpringState {
         /// Forces of the springs; those of the shear springs not yet multiplied by their factors.
         springs: Springs,
@@ -23,15 +24,15 @@ state_struct! {
 }
 
 state_struct! {
-    /// What a bearing keeps besides the histories of its springs and what it has solved for.
+    /// State variables besides the histories of the springs and the solution of the last call.
     struct Trace {
         /// Displacements of the ends in local axes.
         outer: [f64; 12],
-        /// What the next step begins with.
+        /// State at the begin of the next step.
         settled: SpringState,
-        /// What the next call of this step begins with.
+        /// State at the begin of the next call of this step.
         last: SpringState,
-        /// Number of steps made: those of the trial state are one more if it has been asked in this step.
+        /// Number of steps; the trial state has one more after a call in this step.
         steps: f64,
         /// Factors of the shear springs in this step: of forces and of stiffnesses.
         factors: [f64; 2],
@@ -39,10 +40,10 @@ state_struct! {
 }
 
 state_struct! {
-    /// Equations that a call has solved.
+    /// Solution of a call.
     struct Solved {
-        /// What the inner nodes do.
-        yielding: Yielding,
+        /// Solution for the inner nodes.
+        solution: InnerSolution,
         /// Stiffness of the bearing, by rows.
         stiffness: [[f64; 12]; 12],
     }
@@ -61,7 +62,7 @@ state_struct! {
 }
 
 impl SharedVariables {
-    /// Those of a model; zero where the bearing stands outside of one.
+    /// The variables of a model; zero for a bearing outside of one.
     fn of(shared: &SharedState) -> Self {
         let mut words = [0.0; Self::LEN];
         words.iter_mut().zip(shared).for_each(|(word, cell)| *word = cell.get());
@@ -100,10 +101,10 @@ pub(super) fn axial_deformation(state: &[f64]) -> f64 {
     Trace::read(state).settled.springs.axial
 }
 
-/// Number of words that a bearing keeps besides the histories of its springs.
+/// Number of state variables besides the histories of the springs.
 pub(super) const HEADER: usize = <Trace as StateStruct>::LEN + <Solved as StateStruct>::LEN;
 
-/// What has been solved begins behind the trace.
+/// The solution lies behind the trace.
 const SOLVED_AT: usize = <Trace as StateStruct>::LEN;
 
 impl KikuchiBearing {
@@ -120,10 +121,10 @@ impl KikuchiBearing {
         Solved { stiffness, ..Solved::default() }.write(&mut state[SOLVED_AT..]);
     }
 
-    /// Forces at the ends and the tangent that OpenSees uses, in local axes, for displacements of the ends.
+    /// Forces at the ends and OpenSees' tangent, in local axes, for displacements of the ends.
     ///
     /// # Errors
-    /// The springs hold the inner nodes no longer, or a spring has no answer.
+    /// The springs hold the inner nodes no longer, or a spring finds no force.
     pub(super) fn follow_opensees(
         &self,
         outer: [f64; OUTER],
@@ -140,19 +141,20 @@ impl KikuchiBearing {
         let geometry = shared.motion(old.steps).unwrap_or(from);
         let row = self.kinematics.axial_row(&geometry);
 
-        // The inner nodes follow the ends, and yield to what the last call left over. What a call of this step has solved
-        // is what the next one begins with.
+        // The inner nodes are extrapolated from the committed state and corrected for the residual of the last call. The solution
+        // of a call in this step belongs to the next call.
         let first = now.steps == old.steps;
-        let (factors, Yielding { follow, correction }) = if first {
+        let (factors, InnerSolution { follow, correction }) = if first {
             let factors = self.factors_of_step(&old, committed, trial)?;
             let (forces, stiffness) = self.equations(&from, &self.scaled(&begin, factors), &row);
-            (factors, yielding(&forces, &stiffness, &self.hold).ok_or_else(held_by_nothing)?)
+            (factors, solution(&forces, &stiffness, &self.hold).ok_or_else(no_inner_stiffness)?)
         } else {
             let factors = Factors { force: now.factors[0], stiffness: now.factors[1], slope: 0.0 };
-            (factors, Yielding::read(&trial[SOLVED_AT..]))
+            (factors, InnerSolution::read(&trial[SOLVED_AT..]))
         };
         let step: [f64; OUTER] = std::array::from_fn(|i| outer[i] - old.outer[i]);
-        let inner = followed(follow.as_flattened(), &std::array::from_fn(|i| begin.inner[i] + correction[i]), &step);
+        let inner =
+            extrapolated(follow.as_flattened(), &std::array::from_fn(|i| begin.inner[i] + correction[i]), &step);
 
         let q = join(&outer, &inner);
         let axial = begin.springs.axial + row.dot(&(q - from));
@@ -171,7 +173,7 @@ impl KikuchiBearing {
         }
         let factors = [factors.force, factors.stiffness];
         Trace { outer, settled, last: springs, steps: old.steps + 1.0, factors }.write(trial);
-        Solved { yielding: c.yielding, stiffness: c.stiffness }.write(&mut trial[SOLVED_AT..]);
+        Solved { solution: c.solution, stiffness: c.stiffness }.write(&mut trial[SOLVED_AT..]);
         Ok((force, c.stiffness))
     }
 
@@ -184,7 +186,7 @@ impl KikuchiBearing {
         self.shear.factors(v.hypot(w), committed, trial)
     }
 
-    /// What `-doBalance` makes of a call when its step is committed.
+    /// Corrections of `-doBalance` when the step of a call is committed.
     #[allow(clippy::too_many_arguments)]
     fn settle(
         &self,
@@ -200,7 +202,7 @@ impl KikuchiBearing {
             let q = join(outer, &call.inner);
             let row = self.kinematics.axial_row(&q);
             let c = self.condensed(&q, &self.scaled(&call, factors), &row)?;
-            let inner: [f64; INNER] = std::array::from_fn(|i| call.inner[i] + c.yielding.correction[i]);
+            let inner: [f64; INNER] = std::array::from_fn(|i| call.inner[i] + c.solution.correction[i]);
             let to = join(outer, &inner);
             let axial = call.springs.axial + row.dot(&(to - q));
             let springs = self.springs(committed, &to, Factors::ONE, axial, dt, trial)?;
@@ -223,7 +225,7 @@ impl KikuchiBearing {
 
     fn condensed(&self, q: &Motion, springs: &Springs, row: &Motion) -> Result<Condensed, ElementError> {
         let (forces, stiffness) = self.equations(q, springs, row);
-        condense(&forces, &stiffness, &self.hold).ok_or_else(held_by_nothing)
+        condense(&forces, &stiffness, &self.hold).ok_or_else(no_inner_stiffness)
     }
 
     /// Forces and stiffness of all degrees of freedom.
