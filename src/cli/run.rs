@@ -83,7 +83,7 @@ pub(super) fn script(run: &Switches, mode: Mode, care: &Care, model: &str, args:
     let files: Box<dyn Files> =
         if mode == Mode::Run { Box::new(OsFiles) } else { Box::new(OverlayFiles::new(Box::new(OsFiles))) };
     let mut run = Run::new(settings, Box::new(console), files, outputs);
-    run.interp.host.tell(Box::new(bar.steps()));
+    run.interp.host.set_progress(Box::new(bar.steps()));
     let aside = bar.clone();
     let mut shown = Shown::default();
     run.interp.host.on_warning(Box::new(move |warning, sources| {
@@ -95,7 +95,7 @@ pub(super) fn script(run: &Switches, mode: Mode, care: &Care, model: &str, args:
     let end = run.script(model, args);
     bar.clear();
     tell_end(&end, &run.interp);
-    if run.interp.host.findings.unrehearsed {
+    if run.interp.host.check.skipped_analyses {
         eprintln!("note: the analyses were not rehearsed, since a definition was rejected");
     }
     summarise(&run.interp);

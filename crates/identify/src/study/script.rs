@@ -216,7 +216,7 @@ impl ScriptSimulator {
         let begun = Instant::now();
         let limits = self.limits[run];
         let cut = script.interp.interrupt.clone();
-        script.interp.host.tell(Box::new(Watch { cut, stop: self.stop.clone(), steps: 0, limits, begun }));
+        script.interp.host.set_progress(Box::new(Watch { cut, stop: self.stop.clone(), steps: 0, limits, begun }));
         script.interp.host.number_files = self.numbers.clone();
         script.interp.budget = Some(limits.commands);
         if let Some(values) = values {
