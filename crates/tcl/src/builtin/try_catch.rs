@@ -39,17 +39,17 @@ fn throw<H>(_: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> {
     Err(Exception::error_value(call.arg(2).clone()).with_code(call.arg(1).clone()).at(call.whole_span(), ""))
 }
 
-/// How a script ended, as `catch` tells it.
+/// Result of a script in the form that `catch` returns.
 struct Outcome {
     code: i32,
     value: Value,
     options: Dict,
-    /// To let it go on if no handler wants it.
+    /// The exception, to be raised again if no handler matches.
     exception: Option<Exception>,
 }
 
 impl Core {
-    /// Take the end of a script apart; what cannot be caught goes on.
+    /// Split the result of a script into code, value and options. `exit` and an interrupt cannot be caught.
     fn outcome(&mut self, result: Result<Value, Exception>) -> Result<Outcome, Exception> {
         let mut table: Table<Value> = Table::default();
         let mut set = |key: &str, value: Value| {
@@ -114,18 +114,18 @@ impl Core {
 
 fn catch<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(2..=4, "catch script ?resultVarName? ?optionVarName?")?;
-    interp.core.catching += 1;
-    let count = !interp.core.compiled;
+    interp.core.calls.catching += 1;
+    let count = !interp.core.calls.compiled;
     let result = if count { interp.core.enter() } else { Ok(()) };
     let result = match result {
         Ok(()) => {
             let result = interp.body(call, 1, "\"catch\" body");
-            interp.core.levels -= usize::from(count);
+            interp.core.calls.levels -= usize::from(count);
             result
         }
         Err(e) => Err(e),
     };
-    interp.core.catching -= 1;
+    interp.core.calls.catching -= 1;
     let outcome = interp.core.outcome(result)?;
     if let Some(name) = call.get(2) {
         let name = VarName::of(name);
@@ -142,7 +142,7 @@ fn catch<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception>
 struct Handler {
     wanted: Wanted,
     vars: Value,
-    /// Which word its body is.
+    /// Index of the word that is its body.
     body: usize,
 }
 
@@ -217,9 +217,9 @@ fn handlers(call: &Call<'_>) -> Result<(Vec<Handler>, Option<usize>), Exception>
 fn try_command<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(2.., "try body ?handler ...? ?finally script?")?;
     let (handlers, finally) = handlers(call)?;
-    interp.core.catching += usize::from(!handlers.is_empty());
+    interp.core.calls.catching += usize::from(!handlers.is_empty());
     let result = interp.body(call, 1, "\"try\" body");
-    interp.core.catching -= usize::from(!handlers.is_empty());
+    interp.core.calls.catching -= usize::from(!handlers.is_empty());
     let result = handle(interp, call, &handlers, result);
     let Some(body) = finally else { return result };
     if matches!(result, Err(Exception::Exit(_) | Exception::Interrupted)) {

@@ -9,9 +9,9 @@ use std::collections::BTreeMap;
 
 pub(super) const SET_STRAIN: &str = "setStrain $strain <$rate>";
 
-/// Materials that are tried by themselves. Each keeps its state while others are tried.
+/// Materials that are tested by themselves. Each keeps its state while others are tested.
 #[derive(Debug, Default)]
-pub(crate) struct Bench {
+pub(crate) struct MaterialTests {
     current: Option<Tag>,
     points: BTreeMap<Tag, Point>,
 }
@@ -25,11 +25,11 @@ struct Point {
 
 pub(super) fn test(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "testUniaxialMaterial $tag");
-    let (material, tag) = a.of(&interp.host.definitions.materials)?;
+    let (material, tag) = a.of(&interp.host.builder.definitions.materials)?;
     finish(interp, &a)?;
-    let bench = &mut interp.host.bench;
-    bench.current = Some(tag);
-    bench.points.entry(tag).or_insert_with(|| {
+    let tests = &mut interp.host.builder.material_tests;
+    tests.current = Some(tag);
+    tests.points.entry(tag).or_insert_with(|| {
         let slot = Slot::new(material, tag, 0);
         let mut state = vec![0.0; slot.len()];
         slot.init(&mut state);
@@ -48,12 +48,12 @@ pub(super) fn set_strain(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let span = a.last_span();
     let rate = a.optional_float("strain rate")?.unwrap_or(0.0);
     finish(interp, &a)?;
-    let bench = &mut interp.host.bench;
-    let Some(point) = bench.current.and_then(|tag| bench.points.get_mut(&tag)) else {
+    let tests = &mut interp.host.builder.material_tests;
+    let Some(point) = tests.current.and_then(|tag| tests.points.get_mut(&tag)) else {
         return Err(a.refuse_at(span, NONE, FIRST));
     };
     let mut next = point.state.clone();
-    // No time passes on the bench.
+    // No time passes in a test.
     let strain = Strain { value, rate, dt: 0.0 };
     point.stress = point
         .slot
@@ -67,8 +67,8 @@ pub(super) fn set_strain(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 pub(super) fn get(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let a = Args::new(call, "getStrain | getStress | getTangent | getDampTangent");
     finish(interp, &a)?;
-    let bench = &interp.host.bench;
-    let Some(point) = bench.current.and_then(|tag| bench.points.get(&tag)) else {
+    let tests = &interp.host.builder.material_tests;
+    let Some(point) = tests.current.and_then(|tag| tests.points.get(&tag)) else {
         return Err(a.refuse(NONE, FIRST));
     };
     let value = match call.name().rsplit("::").next() {
