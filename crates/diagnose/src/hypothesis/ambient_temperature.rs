@@ -1,7 +1,7 @@
 //! The run was made at another temperature than the model's.
 
 use super::{Added, Hypothesis, Proposal, Sight};
-use crate::conditions::{DEGREES, temperatures};
+use crate::inspect::conditions::{DEGREES, temperatures};
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "ambient_temperature",

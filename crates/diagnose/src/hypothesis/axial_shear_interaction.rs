@@ -1,7 +1,7 @@
 //! The axial load changes the lateral response.
 
 use super::{Added, Hypothesis, Proposal, Sight};
-use crate::conditions::axial_loads;
+use crate::inspect::conditions::axial_loads;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "axial_shear_interaction",

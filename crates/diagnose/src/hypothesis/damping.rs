@@ -1,8 +1,8 @@
 //! Energy loss of the structure that the damping model misses.
 
 use super::{Added, Hypothesis, Proposal, Sight};
-use crate::anatomy::{Numbers, ROOM};
-use crate::columns::Column;
+use crate::inspect::columns::Column;
+use crate::inspect::inventory::{Numbers, ROOM};
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "damping",

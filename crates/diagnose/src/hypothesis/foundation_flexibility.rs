@@ -1,8 +1,8 @@
 //! The support gives way.
 
 use super::{Added, Hypothesis, Proposal, Sight};
-use crate::anatomy::{Numbers, Support, grouped};
-use crate::conditions::amplitudes_differ;
+use crate::inspect::conditions::amplitudes_differ;
+use crate::inspect::inventory::{Numbers, Support, grouped};
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "foundation_flexibility",

@@ -1,9 +1,9 @@
 //! A gap closes.
 
 use super::{Added, Device, Hypothesis, Moved, Proposal, Sight, named, tags};
-use crate::anatomy::Numbers;
-use crate::neighbours::Neighbours;
-use crate::scale::Extent;
+use crate::inspect::inventory::Numbers;
+use crate::inspect::neighbours::Neighbours;
+use crate::inspect::response::Extent;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "gap_impact",

@@ -23,12 +23,12 @@ mod superstructure_yielding;
 mod torsion;
 mod varying_axial_load;
 
-use super::anatomy::{Anatomy, Device};
-use super::correction::Correction;
-use super::instruments::axial_over;
-use super::scale::Scales;
+use crate::candidate::sensor_fault::Correction;
+use crate::inspect::auxiliary_channels::axial_over;
+use crate::inspect::inventory::{Anatomy, Device};
+use crate::inspect::response::Scales;
 use hysteron_identify::study::{Fit, Range, Role, Scale, Study};
-pub(super) use sensor::KNOTS;
+pub(crate) use sensor::KNOTS;
 use std::fmt;
 use std::sync::Arc;
 
@@ -308,10 +308,10 @@ impl Sight<'_> {
     fn motion_of<'a>(&self, group: Vec<&'a Device>) -> Option<Moved<'a>> {
         let first = group[0];
         // A bearing has its axial direction first, and it is another matter; of a spring or a damper that lies it is not.
-        let lateral = |d: &super::anatomy::Direction| {
+        let lateral = |d: &crate::inspect::inventory::Direction| {
             d.number <= 3 && (d.number > 1 || !d.upright || first.class == "ZeroLength" || first.directions.len() == 1)
         };
-        let all: Vec<(usize, super::scale::Extent)> = first
+        let all: Vec<(usize, crate::inspect::response::Extent)> = first
             .directions
             .iter()
             .filter(|d| lateral(d))
@@ -323,11 +323,12 @@ impl Sight<'_> {
         if directions.is_empty() {
             return None;
         }
-        let largest = |f: fn(&super::scale::Extent) -> f64| moving.iter().map(|(_, x)| f(x)).fold(0.0, f64::max);
+        let largest =
+            |f: fn(&crate::inspect::response::Extent) -> f64| moving.iter().map(|(_, x)| f(x)).fold(0.0, f64::max);
         let words: Vec<String> = directions.iter().map(usize::to_string).collect();
         // Of a bearing the first; of springs along global axes the vertical one, if it carries something at rest.
         let loaded = |d: usize| self.scales.of(&group, d).is_some_and(|x| x.rest > LOADED * x.q);
-        let carries = |d: &&super::anatomy::Direction| {
+        let carries = |d: &&crate::inspect::inventory::Direction| {
             let free = d.number <= 3 && !directions.contains(&d.number);
             free && (d.number == 1 && !lateral(d) || d.upright && loaded(d.number))
         };

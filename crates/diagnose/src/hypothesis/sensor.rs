@@ -1,8 +1,8 @@
 //! Faults of a channel: scaled, late, drifting, clipped.
 
 use super::{Added, Faults, Hypothesis, Proposal, Sight};
-use crate::correction::Correction;
-use crate::saturation::saturated;
+use crate::candidate::sensor_fault::Correction;
+use crate::inspect::saturation::saturated;
 use hysteron_identify::study::{Observe, Role, Run};
 use std::sync::Arc;
 

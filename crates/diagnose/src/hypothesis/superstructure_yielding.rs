@@ -1,8 +1,8 @@
 //! The structure above yields.
 
 use super::{Added, Hypothesis, Proposal, Sight};
-use crate::anatomy::{Device, Numbers, grouped};
-use crate::columns::Column;
+use crate::inspect::columns::Column;
+use crate::inspect::inventory::{Device, Numbers, grouped};
 
 /// Columns on the ground that are looked at alone, and storeys, at most; springs and braces of a kind that are.
 const MOST: usize = 6;

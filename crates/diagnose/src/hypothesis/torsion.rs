@@ -1,7 +1,7 @@
 //! An eccentric plan turns.
 
 use super::{Added, Hypothesis, Proposal, Sight};
-use crate::anatomy::Numbers;
+use crate::inspect::inventory::Numbers;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "torsion",
@@ -69,10 +69,10 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
 #[cfg(test)]
 mod tests {
     use super::propose;
-    use crate::anatomy::{Anatomy, Mass};
+    use crate::fit::two_effect_search::tests::baseline;
     use crate::hypothesis::Sight;
-    use crate::pairs::tests::baseline;
-    use crate::scale::Scales;
+    use crate::inspect::inventory::{Anatomy, Mass};
+    use crate::inspect::response::Scales;
 
     #[test]
     fn a_token_of_inertia_makes_no_plan() {

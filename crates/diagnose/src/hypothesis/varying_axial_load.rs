@@ -2,9 +2,9 @@
 
 use super::axial_shear_interaction::load;
 use super::{Added, Hypothesis, Moved, Proposal, Sight};
-use crate::conditions::{axial_loads_differ, column};
-use crate::instruments::axial_varies;
-use crate::noise::averaged;
+use crate::inspect::auxiliary_channels::axial_varies;
+use crate::inspect::conditions::{axial_loads_differ, column};
+use crate::residual::noise::averaged;
 use hysteron_identify::study::{Run, Study};
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
