@@ -1,11 +1,11 @@
-//! Diagnosis: an effect that was concealed is found, none is found where there is none, and a library without the cause
-//! does not name another with certainty.
+//! Diagnosis from end to end: hidden effects are found, complete models have none, and a library without the cause names no
+//! other with certainty.
 
 #![cfg(unix)]
 #![allow(clippy::unwrap_used)]
 
 use hysteron::analysis::Options;
-use hysteron::diagnose::{Diagnosis, Kept, Settings, Watch, diagnose};
+use hysteron::diagnose::{CheckpointEntry, Diagnosis, ProgressMonitor, Settings, diagnose};
 use hysteron::diagnostic::SourceMap;
 use hysteron::study::{ScriptSimulator, Study};
 use std::fmt::Write as _;
@@ -50,13 +50,13 @@ fn pad(path: &[f64]) -> Vec<f64> {
     path.iter().map(force).collect()
 }
 
-/// A study of two runs, with what the channel shows of the path and the pad's force.
-fn concealed(name: &str, shows: impl Fn(&[f64], &[f64]) -> Vec<f64>) -> PathBuf {
-    recorded(name, shows, [f64::NEG_INFINITY, f64::INFINITY])
+/// A study of two runs whose channel is a function of the path and the pad's force.
+fn study_of(name: &str, shows: impl Fn(&[f64], &[f64]) -> Vec<f64>) -> PathBuf {
+    clipped_study(name, shows, [f64::NEG_INFINITY, f64::INFINITY])
 }
 
-/// The same, of a channel that shows nothing beyond two levels, its noise neither.
-fn recorded(name: &str, shows: impl Fn(&[f64], &[f64]) -> Vec<f64>, [low, high]: [f64; 2]) -> PathBuf {
+/// The same with a channel clipped at two levels after its noise is added.
+fn clipped_study(name: &str, shows: impl Fn(&[f64], &[f64]) -> Vec<f64>, [low, high]: [f64; 2]) -> PathBuf {
     let dir = std::env::temp_dir().join(format!("hysteron-diagnose-{name}-{}", std::process::id()));
     fs::create_dir_all(&dir).unwrap();
     fs::write(dir.join("model.tcl"), MODEL).unwrap();
@@ -88,44 +88,49 @@ fn recorded(name: &str, shows: impl Fn(&[f64], &[f64]) -> Vec<f64>, [low, high]:
     dir
 }
 
-/// Keeps what was worked out, and stops when that is so much.
-struct Keeper {
-    told: Vec<Kept>,
-    enough: usize,
+/// Keeps the results, and cancels after `max_entries`.
+struct Recorder {
+    entries: Vec<CheckpointEntry>,
+    max_entries: usize,
 }
 
-impl Watch for Keeper {
+impl ProgressMonitor for Recorder {
     fn stage(&mut self, _: &str, _: usize, _: usize) {}
-    fn stopped(&self) -> bool {
-        self.told.len() >= self.enough
+    fn is_cancelled(&self) -> bool {
+        self.entries.len() >= self.max_entries
     }
-    fn keep(&mut self, told: &[Kept]) {
-        self.told = told.to_vec();
+    fn checkpoint(&mut self, entries: &[CheckpointEntry]) {
+        self.entries = entries.to_vec();
     }
 }
 
-fn attempt(dir: &Path, without: &[&str], earlier: Vec<Kept>, keeper: &mut Keeper) -> Result<Diagnosis, String> {
+fn attempt(
+    dir: &Path,
+    without: &[&str],
+    checkpoint: Vec<CheckpointEntry>,
+    recorder: &mut Recorder,
+) -> Result<Diagnosis, String> {
     let text = fs::read_to_string(dir.join("model.tcl")).unwrap();
     let mut sources = SourceMap::default();
     let study = Arc::new(Study::load(&dir.join("study.toml"), &mut sources).unwrap());
     let mut simulator = ScriptSimulator::new(study, Options::default(), Arc::new(AtomicBool::new(false)));
     let opening = simulator.open(&mut sources).unwrap();
     let settings = Settings {
-        without: without.iter().map(|w| (*w).to_owned()).collect(),
+        excluded_causes: without.iter().map(|w| (*w).to_owned()).collect(),
         threads: 2,
-        earlier,
+        checkpoint,
         ..Settings::default()
     };
-    diagnose(&simulator, &opening, &text, &settings, keeper)
+    diagnose(&simulator, &opening, &text, &settings, recorder)
 }
 
 fn diagnosed(dir: &Path, without: &[&str]) -> Diagnosis {
-    attempt(dir, without, vec![], &mut Keeper { told: vec![], enough: usize::MAX }).unwrap()
+    attempt(dir, without, vec![], &mut Recorder { entries: vec![], max_entries: usize::MAX }).unwrap()
 }
 
 /// Run the repaired script by itself, as another script that sets the variables of a run and sources it.
 fn runs_by_itself(dir: &Path, d: &Diagnosis) {
-    fs::write(dir.join("corrected.tcl"), &d.script).unwrap();
+    fs::write(dir.join("corrected.tcl"), &d.repaired_script).unwrap();
     let around = format!("set motion growing.dat\nset dt {DT}\nset npts 400\nsource corrected.tcl\n");
     fs::write(dir.join("around.tcl"), around).unwrap();
     let done = std::process::Command::new(env!("CARGO_BIN_EXE_hysteron"))
@@ -133,42 +138,43 @@ fn runs_by_itself(dir: &Path, d: &Diagnosis) {
         .current_dir(dir)
         .output()
         .unwrap();
-    assert!(done.status.success(), "{}\n{}", String::from_utf8_lossy(&done.stderr), d.script);
+    assert!(done.status.success(), "{}\n{}", String::from_utf8_lossy(&done.stderr), d.repaired_script);
     let force = fs::read_to_string(dir.join("force.out")).unwrap();
     assert_eq!(force.lines().count(), 399);
 }
 
 #[test]
-fn nothing_is_found_where_nothing_is_missing() {
-    let dir = concealed("none", |_, f| f.to_vec());
+fn complete_model_has_no_cause_and_resumes_to_the_bit() {
+    let dir = study_of("none", |_, f| f.to_vec());
     let d = diagnosed(&dir, &[]);
     assert_eq!(d.outcome.verdict.cause, "none", "{:?}", d.outcome.verdict);
     assert!(d.outcome.verdict.confidence > 0.5);
     runs_by_itself(&dir, &d);
 
-    // Interrupted, kept as a file keeps it, and gone on with: the same to the last digit, in less work.
-    let mut keeper = Keeper { told: vec![], enough: 30 };
-    assert_eq!(attempt(&dir, &[], vec![], &mut keeper).err().unwrap(), "interrupted");
-    let kept: Vec<Kept> = serde_json::from_str(&serde_json::to_string(&keeper.told).unwrap()).unwrap();
-    let again = attempt(&dir, &[], kept, &mut Keeper { told: vec![], enough: usize::MAX }).unwrap();
+    // Interrupted, saved and resumed: the same to the last digit with fewer evaluations.
+    let mut recorder = Recorder { entries: vec![], max_entries: 30 };
+    assert_eq!(attempt(&dir, &[], vec![], &mut recorder).err().unwrap(), "interrupted");
+    let entries: Vec<CheckpointEntry> =
+        serde_json::from_str(&serde_json::to_string(&recorder.entries).unwrap()).unwrap();
+    let again = attempt(&dir, &[], entries, &mut Recorder { entries: vec![], max_entries: usize::MAX }).unwrap();
     assert_eq!(serde_json::to_string(&again.outcome).unwrap(), serde_json::to_string(&d.outcome).unwrap());
-    assert!(again.looks < d.looks, "{} {}", again.looks, d.looks);
+    assert!(again.evaluations < d.evaluations, "{} {}", again.evaluations, d.evaluations);
 
-    // What belongs to other jobs is not believed.
-    let mut others = serde_json::to_value(&keeper.told).unwrap();
+    // Entries of other jobs are not used.
+    let mut others = serde_json::to_value(&recorder.entries).unwrap();
     others.as_array_mut().unwrap().iter_mut().skip(3).for_each(|k| k["job"] = 1.into());
-    let others: Vec<Kept> = serde_json::from_value(others).unwrap();
-    let again = attempt(&dir, &[], others, &mut Keeper { told: vec![], enough: usize::MAX }).unwrap();
+    let others: Vec<CheckpointEntry> = serde_json::from_value(others).unwrap();
+    let again = attempt(&dir, &[], others, &mut Recorder { entries: vec![], max_entries: usize::MAX }).unwrap();
     assert_eq!(serde_json::to_string(&again.outcome).unwrap(), serde_json::to_string(&d.outcome).unwrap());
     let _ = fs::remove_dir_all(dir);
 }
 
 #[test]
-fn a_stop_is_found_and_what_it_explains_is_not_explained_without_it() {
+fn a_stop_is_found_and_repaired_and_a_discriminating_test_is_written() {
     let stop = |u: &[f64], f: &[f64]| -> Vec<f64> {
         u.iter().zip(f).map(|(u, f)| f + 4000.0 * u.signum() * (u.abs() - 0.03).max(0.0)).collect()
     };
-    let dir = concealed("gap", stop);
+    let dir = study_of("gap", stop);
     let d = diagnosed(&dir, &[]);
     let o = &d.outcome;
     assert!(["gap_impact", "strain_stiffening"].contains(&o.verdict.cause.as_str()), "{:?}", o.verdict);
@@ -177,10 +183,10 @@ fn a_stop_is_found_and_what_it_explains_is_not_explained_without_it() {
     let (before, after) = (o.baseline.holdout_nmse.unwrap(), o.corrected.holdout_nmse.unwrap());
     assert!(after < 0.1 * before, "{before} {after}");
     assert!(o.mismatch[0].regime.contains("large deformation") || o.mismatch[0].regime.contains("first time"));
-    assert!(d.script.contains("amend element 1 "), "{}", d.script);
+    assert!(d.repaired_script.contains("amend element 1 "), "{}", d.repaired_script);
     runs_by_itself(&dir, &d);
 
-    // The test that tells it from its rival is there to be run, within the stroke of the tests before.
+    // The discriminating test runs, within the stroke of the study.
     let t = d.next_test.as_ref().expect("a next test");
     assert!((0.5..=1.0).contains(&t.power) && o.next_test.contains("expected power"), "{}", o.next_test);
     fs::write(dir.join("next_test.tcl"), &t.script).unwrap();
@@ -200,23 +206,23 @@ fn a_stop_is_found_and_what_it_explains_is_not_explained_without_it() {
 }
 
 #[test]
-fn a_late_channel_is_told_from_physics() {
+fn a_delayed_channel_is_distinguished_from_physics() {
     let late = |_: &[f64], f: &[f64]| (0..f.len()).map(|i| f[i.saturating_sub(3)]).collect();
-    let dir = concealed("lag", late);
+    let dir = study_of("lag", late);
     let d = diagnosed(&dir, &[]);
     assert_eq!(d.outcome.verdict.cause, "sensor_lag", "{:?}", d.outcome.verdict);
     let lag = d.outcome.corrected.channels[0].lag_s;
     assert!((lag - 3.0 * DT).abs() < 0.2 * DT, "{lag}");
-    // The script needs no repair, and so keeps its text but for the parameters.
-    assert!(!d.script.contains("amend"));
+    // The script changes in its parameters alone.
+    assert!(!d.repaired_script.contains("amend"));
     let _ = fs::remove_dir_all(dir);
 }
 
-/// Of the loops so little is cut off that the misfit hardly tells it; on both sides, and on one.
+/// Clipping of the tips of the loops that hardly changes the misfit, on both sides and on one.
 #[test]
-fn a_channel_that_stays_at_its_ends_is_seen() {
+fn a_saturated_channel_is_found() {
     for low in [-19.5, f64::NEG_INFINITY] {
-        let dir = recorded("saturates", |_, f| f.to_vec(), [low, 19.5]);
+        let dir = clipped_study("saturates", |_, f| f.to_vec(), [low, 19.5]);
         let d = diagnosed(&dir, &[]);
         assert_eq!(d.outcome.verdict.cause, "sensor_clipping", "{:?}", d.outcome.verdict);
         let clip = d.outcome.corrected.channels[0].clip;
@@ -230,10 +236,10 @@ fn a_channel_that_stays_at_its_ends_is_seen() {
 }
 
 #[test]
-fn overturning_makes_loops_larger_on_one_side() {
-    // The plastic part is the larger the farther the pad is to one side.
+fn an_axial_force_from_overturning_is_found() {
+    // The plastic part grows with the deformation in one sense.
     let larger = |u: &[f64], f: &[f64]| u.iter().zip(f).map(|(u, f)| f + (f - 260.0 * u) * 10.0 * u).collect();
-    let dir = concealed("overturning", larger);
+    let dir = study_of("overturning", larger);
     let study = fs::read_to_string(dir.join("study.toml")).unwrap();
     fs::write(dir.join("study.toml"), study.replace("npts = 400", "npts = 400, axial = -150.0")).unwrap();
     let o = diagnosed(&dir, &[]).outcome;
@@ -324,12 +330,12 @@ fn shaken_study(
 }
 
 #[test]
-fn the_error_of_long_steps_is_no_physics() {
+fn error_of_long_steps_is_no_cause() {
     let parameters = [("k", 200.0, 800.0), ("uy", 0.005, 0.08)];
     let dir = shaken_study("steps", SHAKEN, parameters, |ground| shaken(ground, STEP));
     let d = diagnosed(&dir, &[]);
     let o = &d.outcome;
-    // The steps leave as much as the noise, which is 9e-4, and no cause.
+    // The steps leave as much as the noise, 9e-4.
     assert!(o.baseline.fit_nmse > 1.5e-3, "{}", o.baseline.fit_nmse);
     assert_eq!(o.verdict.cause, "none", "{:?}", o.verdict);
     assert!(o.verdict.explanation.contains("the causes were weighed with steps in"), "{}", o.verdict.explanation);
@@ -363,7 +369,7 @@ fn yielded(ground: &[f64], strength: f64) -> Vec<f64> {
 }
 
 #[test]
-fn what_yields_a_little_is_found_just_below_the_largest_force() {
+fn slight_yielding_is_found_just_below_the_largest_force() {
     let largest = |ground: &[f64]| 300.0 * yielded(ground, 1e9).iter().fold(0.0f64, |m, u| m.max(u.abs()));
     let moves = |ground: &[f64]| yielded(ground, 0.85 * largest(ground));
     let dir = shaken_study("yielding", ELASTIC, [("k", 150.0, 600.0), ("c", 0.2, 6.0)], moves);
@@ -389,7 +395,7 @@ fn damped(ground: &[f64], [c, beside, power]: [f64; 3]) -> Vec<f64> {
 }
 
 #[test]
-fn what_an_elastic_structure_loses_is_damping_whatever_the_power_of_speed() {
+fn a_quadratic_dashpot_in_an_elastic_structure_is_damping() {
     let moves = |ground: &[f64]| damped(ground, [0.5, 12.0, 2.0]);
     let dir = shaken_study("orifices", ELASTIC, [("k", 150.0, 600.0), ("c", 0.2, 30.0)], moves);
     let o = diagnosed(&dir, &[]).outcome;
@@ -413,26 +419,26 @@ const PORTAL: &str = "wipe\nmodel basic -ndm 2 -ndf 3\npset EI 280.0\npset aM 1.
     analysis Transient\nfor {set i 1} {$i < $npts} {incr i} { if {[analyze 1 $dt] != 0} { error \"no convergence\" } }\n";
 
 #[test]
-fn the_ground_may_move_after_the_weight_and_dampers_stand_between_floors() {
+fn dampers_in_a_frame_are_found_if_ground_motion_follows_gravity() {
     let parameters = [("EI", 170.0, 680.0), ("aM", 0.2, 6.0)];
     let dir = shaken_study("dampers", PORTAL, parameters, |ground| damped(ground, [0.4, 3.0, 0.4]));
     let d = diagnosed(&dir, &[]);
     let o = &d.outcome;
     assert_eq!(o.verdict.cause, "damping", "{:?}", o.verdict);
     assert!(o.corrected.fit_nmse < 0.2 * o.baseline.fit_nmse, "{o:?}");
-    assert!(d.weighed.iter().any(|w| w.at == "beside element 1 2"), "{:?}", d.weighed);
+    assert!(d.ranking.iter().any(|w| w.location == "beside element 1 2"), "{:?}", d.ranking);
     let _ = fs::remove_dir_all(dir);
 }
 
 #[test]
-fn a_recording_without_a_clock_tells_no_rates() {
+fn a_recording_without_a_clock_shows_no_rate_dependence() {
     let faster = |u: &[f64], f: &[f64]| -> Vec<f64> {
         let speed = |i: usize| (u[i] - u[i.saturating_sub(1)]) / DT;
         (0..f.len()).map(|i| f[i] + 3.0 * speed(i)).collect()
     };
-    let dir = concealed("clock", faster);
+    let dir = study_of("clock", faster);
     assert_eq!(diagnosed(&dir, &[]).outcome.verdict.cause, "rate_dependence");
-    // The same with the numbers of the samples for times.
+    // The same with sample numbers as times.
     for run in ["growing", "mixed"] {
         let text = fs::read_to_string(dir.join(format!("{run}.csv"))).unwrap();
         let mut counted = String::new();

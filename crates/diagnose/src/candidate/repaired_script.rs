@@ -1,36 +1,37 @@
-//! The repaired script: the user's own with fitted values in its `pset` commands and the block of what was added.
+//! The repaired script: the user's script with fitted values in its `pset` commands and the commands of a proposal.
 
-use crate::candidate::variant::{Variant, declared};
-use crate::inspect::insertion::{Place, insert};
+use super::variant::Variant;
+use crate::inspect::insertion::{InsertionPoint, insert};
 
-/// The text of `corrected.tcl`, from the values of all parameters of the variant. `places` are those of the values of the
-/// user's own parameters in the text.
-pub(crate) fn script(
+/// Text of `corrected.tcl` at values of all parameters of a variant.
+///
+/// `value_places` are byte ranges of the values of the user's own parameters in `text`.
+pub(crate) fn repaired_script(
     text: &str,
-    places: &[Option<(usize, usize)>],
-    at: &Place,
+    value_places: &[Option<(usize, usize)>],
+    point: &InsertionPoint,
     variant: &Variant,
     values: &[f64],
 ) -> String {
     let (own, added) = variant.split(values);
-    let with_block = match &variant.proposal {
-        Some(p) if !p.block.is_empty() => insert(text, at, &declared(p, added)),
+    let mut out = match &variant.proposal {
+        Some(p) if !p.commands.is_empty() => insert(text, point, &p.declared_commands(added)),
         _ => text.to_owned(),
     };
-    // The block has gone in at one place: what stands behind it has moved by its length.
-    let moved = with_block.len() - text.len();
-    let from = match at {
-        Place::At(byte) => text[..*byte].rfind('\n').map_or(0, |i| i + 1),
-        Place::FirstAnalyze => 0,
+    // Values behind the insertion have moved by its length.
+    let moved = out.len() - text.len();
+    let from = match point {
+        InsertionPoint::At(byte) => text[..*byte].rfind('\n').map_or(0, |i| i + 1),
+        InsertionPoint::FirstAnalyze => 0,
     };
-    let mut edits: Vec<(usize, usize, f64)> = places
+    let mut edits: Vec<(usize, usize, f64)> = value_places
         .iter()
         .zip(own)
         .filter_map(|(p, v)| p.map(|(a, b)| (a, b, *v)))
         .map(|(a, b, v)| if a >= from { (a + moved, b + moved, v) } else { (a, b, v) })
         .collect();
+    // From the end on, so that earlier places stay valid.
     edits.sort_by_key(|e| std::cmp::Reverse(e.0));
-    let mut out = with_block;
     for (start, end, value) in edits {
         if out.get(start..end).is_some() {
             out.replace_range(start..end, &format!("{value:?}"));

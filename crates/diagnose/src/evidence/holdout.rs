@@ -1,149 +1,153 @@
-//! What runs that were held out say of a repair: they can only take confidence away.
+//! Judgement of a repair by the runs held out, which can only lower its confidence.
 
+use crate::prior::{
+    FAILED_SHARE, KEPT_IF_CONTRADICTED, KEPT_IF_WORSENED, MIN_HOLDOUT_SIGNAL_RATIO, PREDICTED_SHARE, WORSENED_RATIO,
+};
 use hysteron_identify::study::{Fit, Observe, Role, Study};
 use std::collections::BTreeMap;
 
-/// What is left of the confidence in a repair when runs that were held out get no better by it.
-const CONTRADICTED: f64 = 0.6;
-/// And when they get so much worse: of eight effects named in trials of validation/power three were right then.
-const HARMED: f64 = 0.4;
-const HARM: f64 = 1.5;
-/// A repair that takes this part of what can be taken of the runs held out predicts them, one that takes no more than the other part is
-/// worth as little as one that they contradict. Of names that take less than the first, but some, thirteen of sixteen are right in trials
-/// of validation/power; of eight that are given there with the truth taken out of the library none is.
-const PREDICTS: f64 = 0.8;
-const FAILS: f64 = 0.4;
-/// Runs held out in which there is no more than this over the noise cannot judge (a choice).
-const SEEN: f64 = 1.25;
-
-/// How the runs that were held out judge a repair.
+/// Judgement of a repair.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Judgement {
-    /// They do not speak against it.
-    Keeps,
-    /// They get better, by this part of what can be taken.
-    Partly(f64),
-    /// They get no better.
+pub(crate) enum HoldoutJudgement {
+    /// Nothing speaks against it.
+    Accepted,
+    /// It removes this share of the reducible error, less than [`PREDICTED_SHARE`].
+    PartlyPredicted(f64),
+    /// The runs do not improve.
     Contradicted,
-    /// They get much worse, or have no answer.
-    Harmed,
+    /// The runs get much worse, or have no result.
+    Worsened,
 }
 
-impl Judgement {
-    /// What is kept of the confidence.
-    pub(crate) fn keeps(self) -> f64 {
+impl HoldoutJudgement {
+    /// Part of the confidence that is kept.
+    pub(crate) fn kept_confidence(self) -> f64 {
         match self {
-            Self::Keeps => 1.0,
-            Self::Partly(taken) => {
-                let part = ((taken - FAILS) / (PREDICTS - FAILS)).clamp(0.0, 1.0);
-                CONTRADICTED + (1.0 - CONTRADICTED) * part
+            Self::Accepted => 1.0,
+            Self::PartlyPredicted(share) => {
+                let part = ((share - FAILED_SHARE) / (PREDICTED_SHARE - FAILED_SHARE)).clamp(0.0, 1.0);
+                KEPT_IF_CONTRADICTED + (1.0 - KEPT_IF_CONTRADICTED) * part
             }
-            Self::Contradicted => CONTRADICTED,
-            Self::Harmed => HARMED,
+            Self::Contradicted => KEPT_IF_CONTRADICTED,
+            Self::Worsened => KEPT_IF_WORSENED,
         }
     }
 
-    /// Whether they speak against it altogether.
+    /// Returns true if the runs refute the repair.
     pub(crate) fn refutes(self) -> bool {
-        matches!(self, Self::Contradicted | Self::Harmed)
+        matches!(self, Self::Contradicted | Self::Worsened)
     }
 
-    /// In words, where they speak against it.
-    pub(crate) fn says(self) -> String {
+    /// The judgement in words; empty if the repair is accepted.
+    pub(crate) fn description(self) -> String {
         match self {
-            Self::Keeps => String::new(),
-            Self::Partly(taken) => {
+            Self::Accepted => String::new(),
+            Self::PartlyPredicted(share) => {
                 format!(
                     " Of what is wrong in the runs held out the repair takes away no more than {:.0} %.",
-                    100.0 * taken
+                    100.0 * share
                 )
             }
             Self::Contradicted => " The runs held out contradict the repair: they get no better by it.".into(),
-            Self::Harmed => {
+            Self::Worsened => {
                 " The runs held out contradict the repair: they get much worse by it, or have no answer.".into()
             }
         }
     }
 }
 
-/// What the runs that are held out say of a repair, from what the model says of all runs `before` it and `after`. So much
-/// of what it leaves of the fitted ones is `structured`, and no noise. The repair changes what it says of those held out if it `acts`
-/// there; what the recordings show by themselves (`seen`) need not be seen there. What does not concern them moves the model's own
-/// parameters all the same, and may do no harm.
-pub(crate) fn judge(
-    study: &Study,
-    before: &[Option<Fit>],
-    (after, structured): (&[Option<Fit>], f64),
-    acts: bool,
-    seen: bool,
-) -> Judgement {
-    let (held, left) = match (holdout(study, before), holdout(study, after)) {
-        (Some(held), Some(left)) => (held, left),
-        (Some(_), None) => return Judgement::Harmed,
-        (None, _) => return Judgement::Keeps,
+/// A repair to be judged, with the model's channels in all runs before and after it.
+pub(crate) struct Repair<'a> {
+    /// Channels before; `None` for a run without a result.
+    pub(crate) before: &'a [Option<Fit>],
+    /// Channels after.
+    pub(crate) after: &'a [Option<Fit>],
+    /// Structured share of its residual in the fitted runs; the rest is noise.
+    pub(crate) structured_share: f64,
+    /// True if the repair affects runs held out. One that does not still moves the user's parameters.
+    pub(crate) affects_holdout: bool,
+    /// True if the recordings show its effect by themselves. The runs held out need not contain the effect.
+    pub(crate) visible_in_recording: bool,
+}
+
+/// Judges a repair by the runs held out.
+pub(crate) fn judge(study: &Study, repair: &Repair<'_>) -> HoldoutJudgement {
+    let (before, after) = match (holdout_nmse(study, repair.before), holdout_nmse(study, repair.after)) {
+        (Some(before), Some(after)) => (before, after),
+        (Some(_), None) => return HoldoutJudgement::Worsened,
+        (None, _) => return HoldoutJudgement::Accepted,
     };
-    if left > HARM * held {
-        return Judgement::Harmed;
+    if after > WORSENED_RATIO * before {
+        return HoldoutJudgement::Worsened;
     }
-    if acts && (left > held || !seen && left == held) {
-        return Judgement::Contradicted;
+    let unchanged = !repair.visible_in_recording && after == before;
+    if repair.affects_holdout && (after > before || unchanged) {
+        return HoldoutJudgement::Contradicted;
     }
-    let floor = (1.0 - structured) * floor(study, after);
-    if !acts || seen || held < SEEN * floor {
-        return Judgement::Keeps;
+    let noise = (1.0 - repair.structured_share) * expected_holdout_nmse(study, repair.after);
+    if !repair.affects_holdout || repair.visible_in_recording || before < MIN_HOLDOUT_SIGNAL_RATIO * noise {
+        return HoldoutJudgement::Accepted;
     }
-    match (held - left) / (held - floor) {
-        taken if taken < PREDICTS => Judgement::Partly(taken),
-        _ => Judgement::Keeps,
+    match (before - after) / (before - noise) {
+        share if share < PREDICTED_SHARE => HoldoutJudgement::PartlyPredicted(share),
+        _ => HoldoutJudgement::Accepted,
     }
 }
 
-/// Mean NMSE of the runs that are held out, where there are any and all have an answer.
-pub(crate) fn holdout(study: &Study, fits: &[Option<Fit>]) -> Option<f64> {
+/// Mean NMSE of the runs held out; none if there are none, or if one has no result.
+pub(crate) fn holdout_nmse(study: &Study, fits: &[Option<Fit>]) -> Option<f64> {
     let held: Vec<f64> =
         study.runs_of(Role::Holdout).map(|(i, r)| Some(fits[i].as_ref()?.nmse(&r.observe))).collect::<Option<_>>()?;
     (!held.is_empty()).then(|| held.iter().sum::<f64>() / held.len() as f64)
 }
 
-/// What a repair may leave of the runs held out: in each channel as much as it leaves of the fitted ones, as a part of the variance
-/// or in the channel's unit, whatever is more. (Sensors have noise of one size, machines make more of it where they work harder.)
-fn floor(study: &Study, fits: &[Option<Fit>]) -> f64 {
-    let mut left: BTreeMap<&str, (f64, f64, f64)> = BTreeMap::new();
+/// NMSE of a channel over fitted runs.
+#[derive(Default)]
+struct FittedError {
+    /// Sum of NMSE.
+    nmse: f64,
+    /// Sum of mean squares, in the channel's unit.
+    square: f64,
+    /// Number of runs.
+    runs: f64,
+}
+
+/// NMSE of the runs held out with the error of the fitted ones.
+///
+/// Each channel has the same share of its variance or the same error in its unit, whichever is larger: sensors have noise of one
+/// size, machines have more noise under more load.
+fn expected_holdout_nmse(study: &Study, fits: &[Option<Fit>]) -> f64 {
+    let mut of_channel: BTreeMap<&str, FittedError> = BTreeMap::new();
     for (i, run) in study.runs_of(Role::Fit) {
         let Some(fit) = &fits[i] else { continue };
         for (o, s) in run.observe.iter().zip(&fit.scores) {
-            let (part, square, count) = left.entry(&o.channel).or_default();
-            *part += s.nmse;
-            *square += s.nmse * o.variance;
-            *count += 1.0;
+            let error = of_channel.entry(&o.channel).or_default();
+            error.nmse += s.nmse;
+            error.square += s.nmse * o.variance;
+            error.runs += 1.0;
         }
     }
-    let (all, count) = left.values().fold((0.0, 0.0), |(a, n), (part, _, count)| (a + part, n + count));
-    let of = |o: &Observe| {
-        let own = left.get(o.channel.as_str()).map(|(part, square, n)| (part / n).max(square / n / o.variance));
-        o.weight * own.unwrap_or(all / f64::max(count, 1.0))
+    let (sum, runs) = of_channel.values().fold((0.0, 0.0), |(sum, runs), e| (sum + e.nmse, runs + e.runs));
+    let expected = |o: &Observe| {
+        let fitted = of_channel.get(o.channel.as_str());
+        let own = fitted.map(|e| (e.nmse / e.runs).max(e.square / e.runs / o.variance));
+        o.weight * own.unwrap_or(sum / f64::max(runs, 1.0))
     };
     let held: Vec<f64> = study
         .runs_of(Role::Holdout)
-        .map(|(_, r)| r.observe.iter().map(of).sum::<f64>() / r.observe.len() as f64)
+        .map(|(_, r)| r.observe.iter().map(expected).sum::<f64>() / r.observe.len() as f64)
         .collect();
     held.iter().sum::<f64>() / held.len().max(1) as f64
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Judgement, judge};
+    use super::{HoldoutJudgement, Repair, judge};
+    use crate::test_support::pad_study;
     use hysteron_identify::study::{Fit, Role, Score, Study};
-    use hysteron_tcl::diagnostic::SourceMap;
-    use std::path::Path;
 
-    fn study() -> Study {
-        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tcl-like-inputs/pad_study/study.toml");
-        Study::load(&file, &mut SourceMap::default()).expect("a study")
-    }
-
-    /// Fits that leave so much of the fitted runs, and so much of those held out; nothing where they have no answer.
-    fn leaves(study: &Study, fit: f64, held: Option<f64>) -> Vec<Option<Fit>> {
+    /// Fits with a NMSE of the fitted runs and of those held out; none without a result.
+    fn with_nmse(study: &Study, fit: f64, held: Option<f64>) -> Vec<Option<Fit>> {
         let of = |role| if role == Role::Fit { Some(fit) } else { held };
         let scores = |n: usize, nmse| vec![Score { nmse, samples: 100, dropped: 0 }; n];
         study
@@ -153,32 +157,38 @@ mod tests {
             .collect()
     }
 
-    fn judged(before: f64, after: Option<f64>, acts: bool, seen: bool) -> Judgement {
-        let s = study();
-        judge(&s, &leaves(&s, 0.5, Some(before)), (&leaves(&s, 1e-3, after), 0.0), acts, seen)
+    fn judged(before: f64, after: Option<f64>, affects_holdout: bool, visible_in_recording: bool) -> HoldoutJudgement {
+        let s = pad_study();
+        let (before, after) = (with_nmse(&s, 0.5, Some(before)), with_nmse(&s, 1e-3, after));
+        let repair =
+            Repair { before: &before, after: &after, structured_share: 0.0, affects_holdout, visible_in_recording };
+        judge(&s, &repair)
     }
 
     #[test]
-    fn what_predicts_is_believed_and_what_does_not_is_doubted_by_degrees() {
-        assert_eq!(judged(0.5, Some(1e-3), true, false), Judgement::Keeps);
-        assert_eq!(judged(0.5, Some(0.6), true, false), Judgement::Contradicted);
-        assert_eq!(judged(0.5, Some(0.5), true, false), Judgement::Contradicted);
-        assert_eq!(judged(0.5, Some(0.8), true, false), Judgement::Harmed);
-        assert_eq!(judged(0.5, None, true, false), Judgement::Harmed);
-        let keeps: Vec<f64> = (0..10).map(|i| judged(0.5, Some(0.055 * f64::from(i)), true, false).keeps()).collect();
+    fn confidence_falls_with_the_predicted_share() {
+        assert_eq!(judged(0.5, Some(1e-3), true, false), HoldoutJudgement::Accepted);
+        assert_eq!(judged(0.5, Some(0.6), true, false), HoldoutJudgement::Contradicted);
+        assert_eq!(judged(0.5, Some(0.5), true, false), HoldoutJudgement::Contradicted);
+        assert_eq!(judged(0.5, Some(0.8), true, false), HoldoutJudgement::Worsened);
+        assert_eq!(judged(0.5, None, true, false), HoldoutJudgement::Worsened);
+        let keeps: Vec<f64> =
+            (0..10).map(|i| judged(0.5, Some(0.055 * f64::from(i)), true, false).kept_confidence()).collect();
         assert!(keeps.windows(2).all(|w| w[1] <= w[0]) && keeps[0] == 1.0 && keeps[9] == 0.6, "{keeps:?}");
         let half = judged(0.5, Some(0.25), true, false);
-        assert!(matches!(half, Judgement::Partly(_)) && (0.65..0.75).contains(&half.keeps()), "{half:?}");
-        assert!(half.says().contains("50 %"), "{}", half.says());
+        assert!(
+            matches!(half, HoldoutJudgement::PartlyPredicted(_)) && (0.65..0.75).contains(&half.kept_confidence()),
+            "{half:?}"
+        );
+        assert!(half.description().contains("50 %"), "{}", half.description());
     }
 
-    /// A fault of one run says nothing of others but may not harm them; what is seen need not help; an effect as small as the noise
-    /// cannot be judged.
+    /// A fault of one run may not worsen others. A visible effect need not improve them. The noise hides small effects.
     #[test]
-    fn what_does_not_concern_the_runs_held_out_is_not_judged_by_them() {
-        assert_eq!(judged(0.5, Some(0.55), false, false), Judgement::Keeps);
-        assert_eq!(judged(0.5, Some(0.8), false, false), Judgement::Harmed);
-        assert_eq!(judged(0.5, Some(0.4), true, true), Judgement::Keeps);
-        assert_eq!(judged(0.00115, Some(0.0011), true, false), Judgement::Keeps);
+    fn runs_without_the_effect_do_not_judge_it() {
+        assert_eq!(judged(0.5, Some(0.55), false, false), HoldoutJudgement::Accepted);
+        assert_eq!(judged(0.5, Some(0.8), false, false), HoldoutJudgement::Worsened);
+        assert_eq!(judged(0.5, Some(0.4), true, true), HoldoutJudgement::Accepted);
+        assert_eq!(judged(0.00115, Some(0.0011), true, false), HoldoutJudgement::Accepted);
     }
 }

@@ -1,130 +1,81 @@
-//! What the weighing would say of recordings of which the truth is known: those that an explanation makes, with the noise that
-//! the best one leaves.
+//! Parametric bootstrap: the ranking on simulated recordings whose cause is known.
 //!
-//! Whether a gain may be chance, and whether another cause would have let this one gain as much, depends on the motion, the
-//! channels, the noise and the library of the study at hand. It is seen on recordings made by each explanation in turn, with noise of
-//! the spectrum of what the best one leaves (a parametric bootstrap, as Williams, J. R. Stat. Soc. B 32 (1970), proposed it for
-//! hypotheses none of which contains the other). On each of them all explanations are fitted again and weighed. Near their fits they
-//! are taken for linear in their parameters, so that this takes no analysis beyond the derivatives. What is weighed is what a
-//! fit leaves, on the real recording too, and not what it predicts of blocks held back: without those, what they determine moves
-//! farther than derivatives are good for.
+//! Chance may produce a gain, or another cause may give this one an equal gain. Both depend on the motion, the channels, the
+//! noise and the library of the study. Each hypothesis therefore simulates recordings, with noise of the spectrum that the best
+//! one leaves (Williams 1970, J. R. Stat. Soc. B 32, 350, for hypotheses none of which contains the other). All hypotheses are
+//! fitted to each of them and ranked.
+//!
+//! Fits are linear in their parameters near the optimum, so that only their derivatives need analyses. The ranking uses
+//! residuals of the fit, on the real recording too, instead of held-out residuals: without a block of samples, parameters
+//! move further than derivatives are valid.
 
-use crate::evidence::likelihood::{Noise, POINTS, Residuals, priced};
-use crate::fit::evaluator::damped_step;
-use crate::residual::noise::averaged;
+use super::likelihood::NoiseModel;
+use crate::fit::fitted::penalised_score;
+use crate::fit::job::ChannelResiduals;
+use crate::fit::linearized::{LinearizedFit, damped_step};
+use crate::prior::{BOOTSTRAP_RECORDINGS, MAX_LINEAR_STEP, MAX_REFUTED_SHARE};
 use crate::residual::surrogates::Surrogates;
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
-/// Recordings that each explanation makes.
-const RECORDINGS: usize = 199;
-/// An explanation whose recordings let another one gain so much in no more than this part of them is refuted by the gain.
-const REFUTED: f64 = 0.05;
-/// Parameters follow at most by this part of their range: as far as derivatives may be trusted.
-const FAR: f64 = 0.4;
-
-/// An explanation near its fit, averaged as it is weighed.
-#[derive(Clone)]
-pub(crate) struct Near {
-    /// What it leaves, channel after channel.
-    residual: DVector<f64>,
-    /// Derivatives of that by its coordinates.
-    derivatives: DMatrix<f64>,
-    /// Points of each channel.
-    channels: Vec<usize>,
-}
-
-impl Near {
-    /// From weighted residuals of samples and their derivatives, channel after channel with so many samples each.
-    pub(crate) fn new(residual: &[f64], derivatives: &DMatrix<f64>, samples: &[usize]) -> Self {
-        let mut channels = vec![];
-        let mut fewer = |x: &[f64]| -> Vec<f64> {
-            let mut rest = x;
-            let parts: Vec<Vec<f64>> = samples
-                .iter()
-                .map(|n| {
-                    let (own, after) = rest.split_at(*n);
-                    rest = after;
-                    averaged(own, POINTS)
-                })
-                .collect();
-            channels = parts.iter().map(Vec::len).collect();
-            parts.concat()
-        };
-        let columns: Vec<Vec<f64>> = derivatives.column_iter().map(|c| fewer(c.as_slice())).collect();
-        let residual = DVector::from_vec(fewer(residual));
-        let derivatives = DMatrix::from_fn(residual.len(), columns.len(), |i, k| columns[k][i]);
-        Self { residual, derivatives, channels }
-    }
-
-    fn by_channel(&self, x: &DVector<f64>) -> Residuals {
-        let mut rest = x.as_slice();
-        let own = |n: &usize| {
-            let (own, after) = rest.split_at(*n);
-            rest = after;
-            own.to_vec()
-        };
-        self.channels.iter().map(own).collect()
-    }
-}
-
-/// An explanation that takes part.
-pub(crate) struct Rival {
+/// A hypothesis that takes part.
+pub(crate) struct Competitor {
     /// Its cause.
     pub(crate) cause: &'static str,
-    /// Log odds before anything is seen.
-    pub(crate) before: f64,
-    /// The point of the unit cube where it stands.
+    /// Log odds before the fit, nats.
+    pub(crate) prior_log_odds: f64,
+    /// Its optimum in the unit cube.
     pub(crate) point: Vec<f64>,
-    /// What it is there.
-    pub(crate) near: Near,
+    /// The linearized fit there.
+    pub(crate) fit: LinearizedFit,
 }
 
-/// What came of it for the cause with the most evidence.
+/// Result for the cause with the most evidence.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Bootstrap {
+pub struct BootstrapResult {
     /// The cause.
     pub cause: &'static str,
-    /// Recordings that each explanation made.
+    /// Number of recordings that each hypothesis simulated.
     pub recordings: usize,
-    /// Part of the recordings of the model as it is in which some cause gains as much; none where that is the cause.
+    /// Share of the complete model's recordings in which some cause gains as much; none if `cause` is `none`.
     pub chance: Option<f64>,
-    /// Part of its own recordings in which it has the most evidence.
+    /// Share of its own recordings in which the cause has the most evidence.
     pub found: f64,
-    /// Other causes that a cause with a name is not told apart from: part of their recordings in which it gains as much over them.
-    pub not_told_apart: Vec<Share>,
+    /// Causes in whose recordings this one often gains as much.
+    pub not_told_apart: Vec<EqualGain>,
 }
 
-/// A part of the recordings of a cause.
+/// Share of a cause's recordings in which the first cause gains as much over it as in the real recording.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Share {
-    /// The cause.
+pub struct EqualGain {
+    /// The other cause.
     pub cause: &'static str,
-    /// The part, between 0 and 1.
+    /// The share, between 0 and 1.
     pub share: f64,
-    /// Log odds against it before anything was seen: no gain.
+    /// Prior log odds of the first cause over it, nats; they are no gain.
     #[serde(skip)]
-    pub against: f64,
+    pub(crate) prior_log_odds: f64,
 }
 
-impl Bootstrap {
-    /// What the evidence of the cause over another one may count for, where it would have been as much had the other one been
-    /// true: at most the factor 1/(-e p ln p) for a share p (Sellke, Bayarri and Berger, The American Statistician 55 (2001)), as
-    /// its logarithm; what speaks against it beforehand stands.
-    pub(crate) fn bound(&self, other: &str) -> Option<f64> {
-        let of_none = self.chance.filter(|p| *p > REFUTED && other == "none").map(|p| (p, 0.0));
-        let of_other = || self.not_told_apart.iter().find(|s| s.cause == other).map(|s| (s.share, s.against));
-        let (p, against) = of_none.or_else(of_other)?;
-        Some(against + if p < (-1.0f64).exp() { -(-p * p.ln()).ln() - 1.0 } else { 0.0 })
+impl BootstrapResult {
+    /// Largest log evidence of the cause over another one whose recordings give it an equal gain.
+    ///
+    /// A share p allows at most the odds -1/(e p ln p) (Sellke, Bayarri and Berger 2001, Am. Stat. 55, 62-71), besides the prior
+    /// odds. `None` without such a bound.
+    pub(crate) fn max_log_evidence_over(&self, other: &str) -> Option<f64> {
+        let of_none = self.chance.filter(|p| *p > MAX_REFUTED_SHARE && other == "none").map(|p| (p, 0.0));
+        let equal_gain = || self.not_told_apart.iter().find(|s| s.cause == other).map(|s| (s.share, s.prior_log_odds));
+        let (p, prior_log_odds) = of_none.or_else(equal_gain)?;
+        Some(prior_log_odds + if p < (-1.0f64).exp() { -(-p * p.ln()).ln() - 1.0 } else { 0.0 })
     }
 
-    /// In words, for the verdict.
-    pub(crate) fn says(&self) -> String {
+    /// The result in words; empty if the cause is `none`.
+    pub(crate) fn description(&self) -> String {
         let Some(chance) = self.chance else { return String::new() };
         let mut text = if chance * (self.recordings + 1) as f64 <= 1.5 {
             format!(" In none of {} recordings", self.recordings)
         } else {
-            format!(" In {} of the recordings", part(chance))
+            format!(" In {} of the recordings", percent(chance))
         };
         text += " that the model as it is would make with this noise any cause gains as much.";
         for s in &self.not_told_apart {
@@ -132,144 +83,157 @@ impl Bootstrap {
                 " Were it {}, {} would gain as much in {} of the recordings: this one does not tell them apart.",
                 s.cause,
                 self.cause,
-                part(s.share)
+                percent(s.share)
             );
         }
         text
     }
 }
 
-/// A part in words.
-pub(crate) fn part(p: f64) -> String {
-    format!("{:.1} %", 100.0 * p)
+/// A share in per cent, with one digit.
+pub(crate) fn percent(share: f64) -> String {
+    format!("{:.1} %", 100.0 * share)
 }
 
-/// What is worked out once for an explanation.
-struct Prepared<'a> {
-    rival: &'a Rival,
+/// A competitor with its normal matrix.
+struct LinearCompetitor<'a> {
+    competitor: &'a Competitor,
     normal: DMatrix<f64>,
 }
 
-impl<'a> Prepared<'a> {
-    fn new(rival: &'a Rival) -> Self {
-        let j = &rival.near.derivatives;
-        Self { rival, normal: j.tr_mul(j) }
+impl<'a> LinearCompetitor<'a> {
+    fn new(competitor: &'a Competitor) -> Self {
+        let j = &competitor.fit.derivatives;
+        Self { competitor, normal: j.tr_mul(j) }
     }
 
-    /// What it leaves of a recording that it is fitted to, of which it leaves a residual where it stands.
-    fn fitted(&self, residual: &DVector<f64>) -> Option<DVector<f64>> {
-        let j = &self.rival.near.derivatives;
+    fn dimension(&self) -> usize {
+        self.competitor.point.len()
+    }
+
+    /// Residual of a recording after a linear fit, from its residual at the optimum of the real recording.
+    fn refitted(&self, residual: &DVector<f64>) -> Option<DVector<f64>> {
+        let j = &self.competitor.fit.derivatives;
         let square = residual.norm_squared();
         let step = damped_step(self.normal.clone(), &j.tr_mul(residual), square)?;
-        // It stays in the cube.
-        let within = DVector::from_fn(step.len(), |i, _| {
-            let p = self.rival.point[i];
-            (p + step[i].clamp(-FAR, FAR)).clamp(0.0, 1.0) - p
+        let within_cube = DVector::from_fn(step.len(), |i, _| {
+            let p = self.competitor.point[i];
+            (p + step[i].clamp(-MAX_LINEAR_STEP, MAX_LINEAR_STEP)).clamp(0.0, 1.0) - p
         });
-        let after = residual + j * within;
+        let after = residual + j * within_cube;
         Some(if after.norm_squared() < square { after } else { residual.clone() })
     }
 }
 
-/// Log evidence of all explanations on a recording, of which each leaves a residual where it stands.
-fn weighed(all: &[Prepared<'_>], residuals: &[DVector<f64>]) -> Option<Vec<f64>> {
-    let left: Vec<DVector<f64>> = all.iter().zip(residuals).map(|(p, r)| p.fitted(r)).collect::<Option<_>>()?;
-    let parameters = |p: &Prepared<'_>| p.rival.point.len();
-    let price =
-        |(p, r): &(&Prepared<'_>, &DVector<f64>)| priced(r.norm_squared().max(f64::MIN_POSITIVE), parameters(p), 0.0);
-    let (best, of_best) = all.iter().zip(&left).min_by(|a, b| price(a).total_cmp(&price(b)))?;
-    let noise = Noise::of(&best.rival.near.by_channel(of_best));
-    let evidence = |(p, r): (&Prepared<'_>, &DVector<f64>)| {
-        p.rival.before + noise.evidence(&best.rival.near.by_channel(r), parameters(p))
+/// Log evidence of all competitors on a recording, from their residuals at the optima of the real one.
+fn log_evidences(all: &[LinearCompetitor<'_>], residuals: &[DVector<f64>]) -> Option<Vec<f64>> {
+    let refitted: Vec<DVector<f64>> = all.iter().zip(residuals).map(|(p, r)| p.refitted(r)).collect::<Option<_>>()?;
+    let score = |(p, r): &(&LinearCompetitor<'_>, &DVector<f64>)| {
+        penalised_score(r.norm_squared().max(f64::MIN_POSITIVE), p.dimension(), 0.0)
     };
-    Some(all.iter().zip(&left).map(evidence).collect())
+    let (best, of_best) = all.iter().zip(&refitted).min_by(|a, b| score(a).total_cmp(&score(b)))?;
+    let channels = &best.competitor.fit;
+    let noise = NoiseModel::of(&channels.by_channel(of_best));
+    let log_evidence = |(p, r): (&LinearCompetitor<'_>, &DVector<f64>)| {
+        p.competitor.prior_log_odds + noise.log_evidence(&channels.by_channel(r), p.dimension())
+    };
+    Some(all.iter().zip(&refitted).map(log_evidence).collect())
 }
 
-/// The most evidence among the explanations by a cause.
-fn most(all: &[Prepared<'_>], evidence: &[f64], of: impl Fn(&str) -> bool) -> f64 {
-    let own = all.iter().zip(evidence).filter(|(p, _)| of(p.rival.cause)).map(|(_, e)| *e);
-    own.fold(f64::NEG_INFINITY, f64::max)
-}
-
-/// Explanations with what they come to on the real recording.
-struct Made<'a> {
-    all: Vec<Prepared<'a>>,
-    /// What each leaves of it.
-    seen: Vec<DVector<f64>>,
-    evidence: Vec<f64>,
-    /// What the best one leaves, channel after channel.
-    noise: Residuals,
-    /// The cause of the best one.
+/// Competitors with their results on the real recording.
+struct Bootstrap<'a> {
+    all: Vec<LinearCompetitor<'a>>,
+    /// Residual of each on the real recording.
+    residuals: Vec<DVector<f64>>,
+    log_evidence: Vec<f64>,
+    /// Residual of the best one, which is the noise.
+    noise: ChannelResiduals,
+    /// Cause of the best one.
     cause: &'static str,
 }
 
-impl Made<'_> {
-    /// By how much the best of some causes is ahead of one.
-    fn ahead(&self, evidence: &[f64], of: impl Fn(&str) -> bool, over: &str) -> f64 {
-        most(&self.all, evidence, of) - most(&self.all, evidence, |c| c == over)
+impl Bootstrap<'_> {
+    /// Largest log evidence among selected causes.
+    fn largest(&self, log_evidence: &[f64], of: impl Fn(&str) -> bool) -> f64 {
+        let selected = self.all.iter().zip(log_evidence).filter(|(p, _)| of(p.competitor.cause)).map(|(_, e)| *e);
+        selected.fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// Whether on a recording made by `truth` the cause is found where that is it, or gains over `truth` as it does on the real one;
-    /// over `none` any cause.
-    fn counts(&self, truth: &str, evidence: &[f64]) -> bool {
-        let gains =
-            |of: &dyn Fn(&str) -> bool| self.ahead(evidence, of, truth) >= self.ahead(&self.evidence, of, truth);
+    /// Log evidence of the best of selected causes over another cause.
+    fn gain(&self, log_evidence: &[f64], of: impl Fn(&str) -> bool, over: &str) -> f64 {
+        self.largest(log_evidence, of) - self.largest(log_evidence, |c| c == over)
+    }
+
+    /// Returns true if a recording simulated by `truth` counts.
+    ///
+    /// A recording of the first cause counts if that cause has the most evidence. A recording of another cause counts if the
+    /// first gains as much over it as in the real recording; one of `none`, if any cause does.
+    fn counts(&self, truth: &str, log_evidence: &[f64]) -> bool {
+        let equal_gain =
+            |of: &dyn Fn(&str) -> bool| self.gain(log_evidence, of, truth) >= self.gain(&self.log_evidence, of, truth);
         match truth {
             _ if truth == self.cause => {
-                most(&self.all, evidence, |c| c == truth) >= most(&self.all, evidence, |_| true)
+                self.largest(log_evidence, |c| c == truth) >= self.largest(log_evidence, |_| true)
             }
-            "none" => gains(&|c| c != "none"),
-            _ => gains(&|c| c == self.cause),
+            "none" => equal_gain(&|c| c != "none"),
+            _ => equal_gain(&|c| c == self.cause),
         }
     }
 
-    /// The explanation of a cause with the most evidence.
+    /// Index of a cause's competitor with the most evidence.
     fn best_of(&self, cause: &str) -> Option<usize> {
-        let forms = (0..self.all.len()).filter(|i| self.all[*i].rival.cause == cause);
-        forms.max_by(|a, b| self.evidence[*a].total_cmp(&self.evidence[*b]))
+        let forms = (0..self.all.len()).filter(|i| self.all[*i].competitor.cause == cause);
+        forms.max_by(|a, b| self.log_evidence[*a].total_cmp(&self.log_evidence[*b]))
     }
 
-    /// In how many recordings made by the best explanation of a cause it counts.
+    /// Number of recordings by the best competitor of a cause that count.
     fn count(&self, truth: &str) -> Option<usize> {
-        let maker = &self.seen[self.best_of(truth)?];
-        let mut noise: Vec<Surrogates> = self.noise.iter().zip(1..).map(|(x, k)| Surrogates::seeded(x, k)).collect();
+        let of_truth = &self.residuals[self.best_of(truth)?];
+        let mut noise: Vec<Surrogates> =
+            self.noise.iter().zip(1..).map(|(x, seed)| Surrogates::with_seed(x, seed)).collect();
         let mut count = 0;
-        for _ in 0..RECORDINGS {
+        for _ in 0..BOOTSTRAP_RECORDINGS {
             let noise = DVector::from_vec(noise.iter_mut().flat_map(Surrogates::draw).collect());
-            let residuals: Vec<DVector<f64>> = self.seen.iter().map(|r| r - maker + &noise).collect();
-            count += usize::from(self.counts(truth, &weighed(&self.all, &residuals)?));
+            // The recording is the model of `truth` plus noise, so that each residual shifts by the same series.
+            let residuals: Vec<DVector<f64>> = self.residuals.iter().map(|r| r - of_truth + &noise).collect();
+            count += usize::from(self.counts(truth, &log_evidences(&self.all, &residuals)?));
         }
         Some(count)
     }
 }
 
-/// Recordings by the explanation of each cause with the most evidence; the first of all is the one with the most of all, and leaves
-/// the noise. Explanations that answered for other samples are left out.
-pub(crate) fn bootstrap(rivals: &[Rival]) -> Option<Bootstrap> {
-    let first = rivals.first()?;
-    let comparable = |r: &&Rival| r.near.channels == first.near.channels;
-    let all: Vec<Prepared<'_>> = rivals.iter().filter(comparable).map(Prepared::new).collect();
-    let seen: Vec<DVector<f64>> = all.iter().map(|p| p.rival.near.residual.clone()).collect();
-    let evidence = weighed(&all, &seen)?;
-    let noise = first.near.by_channel(&first.near.residual);
+/// Simulates and ranks recordings of every cause.
+///
+/// The first competitor has the most evidence, and leaves the noise. Competitors with other samples than its are left out.
+/// `None` without competitors, or for a singular fit.
+pub(crate) fn parametric_bootstrap(competitors: &[Competitor]) -> Option<BootstrapResult> {
+    let first = competitors.first()?;
+    let comparable = |c: &&Competitor| c.fit.channels == first.fit.channels;
+    let all: Vec<LinearCompetitor<'_>> = competitors.iter().filter(comparable).map(LinearCompetitor::new).collect();
+    let residuals: Vec<DVector<f64>> = all.iter().map(|p| p.competitor.fit.residual.clone()).collect();
+    let log_evidence = log_evidences(&all, &residuals)?;
+    let noise = first.fit.by_channel(&first.fit.residual);
     let mut causes: Vec<&'static str> = vec![];
     for p in &all {
-        if !causes.contains(&p.rival.cause) {
-            causes.push(p.rival.cause);
+        if !causes.contains(&p.competitor.cause) {
+            causes.push(p.competitor.cause);
         }
     }
     let cause = first.cause;
-    let made = Made { all, seen, evidence, noise, cause };
-    let mut out = Bootstrap { cause, recordings: RECORDINGS, chance: None, found: 0.0, not_told_apart: vec![] };
+    let bootstrap = Bootstrap { all, residuals, log_evidence, noise, cause };
+    let recordings = BOOTSTRAP_RECORDINGS;
+    let mut out = BootstrapResult { cause, recordings, chance: None, found: 0.0, not_told_apart: vec![] };
     for truth in causes {
-        let count = made.count(truth)?;
-        let share = (1 + count) as f64 / (1 + RECORDINGS) as f64;
+        let count = bootstrap.count(truth)?;
+        // The real recording is one of them.
+        let share = (1 + count) as f64 / (1 + BOOTSTRAP_RECORDINGS) as f64;
         match truth {
-            _ if truth == cause => out.found = count as f64 / RECORDINGS as f64,
+            _ if truth == cause => out.found = count as f64 / BOOTSTRAP_RECORDINGS as f64,
             "none" => out.chance = Some(share),
-            _ if cause != "none" && share > REFUTED => {
-                let against = first.before - made.all[made.best_of(truth)?].rival.before;
-                out.not_told_apart.push(Share { cause: truth, share, against });
+            _ if cause != "none" && share > MAX_REFUTED_SHARE => {
+                let other = bootstrap.all[bootstrap.best_of(truth)?].competitor;
+                let prior_log_odds = first.prior_log_odds - other.prior_log_odds;
+                out.not_told_apart.push(EqualGain { cause: truth, share, prior_log_odds });
             }
             _ => {}
         }
@@ -279,12 +243,13 @@ pub(crate) fn bootstrap(rivals: &[Rival]) -> Option<Bootstrap> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Bootstrap, Near, Rival, bootstrap};
-    use crate::residual::noise::tests::noise;
+    use super::{BootstrapResult, Competitor, parametric_bootstrap};
+    use crate::fit::linearized::LinearizedFit;
+    use crate::test_support::white_noise;
     use nalgebra::DMatrix;
 
-    /// An explanation that can add any multiple of a shape to a recording, fitted to it.
-    fn rival(cause: &'static str, recorded: &[f64], shapes: &[&[f64]]) -> Rival {
+    /// A hypothesis that adds multiples of shapes to a recording, fitted to it.
+    fn competitor(cause: &'static str, recorded: &[f64], shapes: &[&[f64]]) -> Competitor {
         let n = recorded.len();
         let j = DMatrix::from_fn(n, shapes.len(), |t, k| shapes[k][t]);
         let b = nalgebra::DVector::from_column_slice(recorded);
@@ -292,44 +257,50 @@ mod tests {
             Some(normal) if !shapes.is_empty() => &b - &j * normal.solve(&j.tr_mul(&b)),
             _ => b,
         };
-        let before = if cause == "none" { 3.0 } else { 0.0 };
-        Rival { cause, before, point: vec![0.5; shapes.len()], near: Near::new(left.as_slice(), &j, &[n]) }
+        let prior_log_odds = if cause == "none" { 3.0 } else { 0.0 };
+        Competitor {
+            cause,
+            prior_log_odds,
+            point: vec![0.5; shapes.len()],
+            fit: LinearizedFit::new(left.as_slice(), &j, &[n]),
+        }
     }
 
-    /// Of recordings with an effect of one shape and a size; another shape is nearly the same in a part.
-    fn of(size: f64, alike: f64) -> Option<Bootstrap> {
+    /// Result for a recording with an effect of a shape and a size. Another cause has a shape that overlaps with it.
+    fn simulated(size: f64, overlap: f64) -> Option<BootstrapResult> {
         let n = 300;
         let at = |k: f64| (0..n).map(|t| (k * f64::from(t)).sin()).collect::<Vec<f64>>();
         let (own, apart) = (at(0.11), at(0.173));
-        let other: Vec<f64> = own.iter().zip(&apart).map(|(a, b)| alike * a + (1.0 - alike) * b).collect();
-        let recorded: Vec<f64> = noise(7, n as usize).iter().zip(&own).map(|(x, s)| x + size * s).collect();
-        let rivals = [("friction", vec![&own[..]]), ("damping", vec![&other]), ("none", vec![])];
-        let rivals: Vec<Rival> = rivals.iter().map(|(cause, shapes)| rival(cause, &recorded, shapes)).collect();
-        bootstrap(&rivals)
+        let other: Vec<f64> = own.iter().zip(&apart).map(|(a, b)| overlap * a + (1.0 - overlap) * b).collect();
+        let recorded: Vec<f64> = white_noise(7, n as usize).iter().zip(&own).map(|(x, s)| x + size * s).collect();
+        let competitors = [("friction", vec![&own[..]]), ("damping", vec![&other]), ("none", vec![])];
+        let competitors: Vec<Competitor> =
+            competitors.iter().map(|(cause, shapes)| competitor(cause, &recorded, shapes)).collect();
+        parametric_bootstrap(&competitors)
     }
 
     #[test]
-    fn what_is_far_above_the_noise_is_no_chance() {
-        let b = of(2.0, 0.2).expect("an answer");
+    fn a_gain_far_above_the_noise_is_no_chance() {
+        let b = simulated(2.0, 0.2).expect("an answer");
         assert_eq!(b.chance, Some(1.0 / 200.0));
         assert!(b.found > 0.99 && b.not_told_apart.is_empty(), "{b:?}");
-        assert!(b.bound("damping").is_none() && b.bound("none").is_none());
-        assert!(b.says().contains("none of 199"));
+        assert!(b.max_log_evidence_over("damping").is_none() && b.max_log_evidence_over("none").is_none());
+        assert!(b.description().contains("none of 199"));
     }
 
     #[test]
-    fn what_is_within_the_noise_may_be_chance() {
-        let b = of(0.02, 0.2).expect("an answer");
+    fn a_gain_within_the_noise_may_be_chance() {
+        let b = simulated(0.02, 0.2).expect("an answer");
         assert!(b.chance.is_some_and(|p| p > 0.05), "{b:?}");
-        assert!(b.bound("none").is_some_and(|ahead| ahead < 1.0));
+        assert!(b.max_log_evidence_over("none").is_some_and(|bound| bound < 1.0));
     }
 
     #[test]
-    fn shapes_that_are_nearly_the_same_are_not_told_apart() {
-        let b = of(2.0, 0.995).expect("an answer");
+    fn causes_with_nearly_equal_shapes_are_not_distinguished() {
+        let b = simulated(2.0, 0.995).expect("an answer");
         assert_eq!(b.not_told_apart.iter().map(|s| s.cause).collect::<Vec<_>>(), ["damping"]);
-        assert!(b.bound("damping").is_some_and(|ahead| ahead < 1.5), "{b:?}");
-        // The same every time.
-        assert_eq!(of(2.0, 0.995), Some(b));
+        assert!(b.max_log_evidence_over("damping").is_some_and(|bound| bound < 1.5), "{b:?}");
+        // The result repeats.
+        assert_eq!(simulated(2.0, 0.995), Some(b));
     }
 }

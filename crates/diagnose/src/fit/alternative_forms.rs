@@ -1,57 +1,56 @@
-//! Forms and places of the first causes that the screening has not shown from near enough.
+//! Forms and locations of the leading causes that screening has not approximated well.
 
+use super::fitted::{FittedHypothesis, ScreenedHypothesis, sort_by_score};
+use super::halton_points::halton_points;
+use super::scheduler::Scheduler;
+use super::search_settings::{EXTENDED_FORM_POINTS, FIRST_ROUND_ITERATIONS, LEADING_CAUSES, NEIGHBOUR_EXPANSIONS};
 use crate::candidate::variant::Variant;
-use crate::fit::scheduler::{Explained, Screened, Work};
-use crate::fit::screening::{FIRST, tried};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-/// Where a cause can stand at several places, so few of its forms say little. Of so many of the first causes the neighbours of the best
-/// form are fitted as well, and so often over, from the best of them (choices).
-const ELSEWHERE: usize = 3;
-const STEPS_ELSEWHERE: usize = 2;
-/// Points at which a form is tried that contains a simpler one, for each parameter that it has more and beside them.
-const NESTED_POINTS: usize = 4;
-
-/// Of the first causes that stand at several places: their neighbours in form or place among those that are left.
-pub(crate) fn elsewhere(
-    work: &mut Work<'_>,
+/// Fits unfitted forms that differ from the best form of a leading cause in form alone or in location alone.
+///
+/// Only causes with several locations take part. With a single location, screening has tried every form from nearby.
+pub(crate) fn fit_neighbouring_forms(
+    scheduler: &mut Scheduler<'_>,
     stage: &str,
-    mut left: Vec<Screened>,
-    fitted: &mut Vec<Explained>,
+    mut unfitted: Vec<ScreenedHypothesis>,
+    fitted: &mut Vec<FittedHypothesis>,
 ) -> Result<(), String> {
-    // Where there is one place the screening has seen the forms from as near as any other would be.
-    let mut places: BTreeMap<&'static str, BTreeSet<&str>> = BTreeMap::new();
-    for (cause, at) in
-        left.iter().map(|s| &s.variant).chain(fitted.iter().map(|e| &e.variant)).filter_map(|v| v.place())
-    {
-        places.entry(cause).or_default().insert(at);
+    let mut locations: BTreeMap<&'static str, BTreeSet<&str>> = BTreeMap::new();
+    let variants = unfitted.iter().map(|s| &s.variant).chain(fitted.iter().map(|e| &e.variant));
+    for (cause, location) in variants.filter_map(|v| v.cause_and_location()) {
+        locations.entry(cause).or_default().insert(location);
     }
-    let several: BTreeSet<&str> = places.into_iter().filter(|(_, at)| at.len() > 1).map(|(cause, _)| cause).collect();
-    left.retain(|s| !s.variant.of_a_channel() && several.contains(s.variant.cause()));
-    for _ in 0..STEPS_ELSEWHERE {
-        let (near, far) = neighbours(fitted, left);
-        // From where the screening says or from where the best stands, whichever is nearer.
-        let points = |(s, leader): (Screened, Explained)| {
-            let (own, best) = (leader.variant.own(&leader.fitted.point).len(), &leader.fitted.point);
-            let added =
-                if best.len() == s.start.len() && leader.variant.same_form(&s.variant) { best } else { &s.start };
+    let several = |(cause, at): (&'static str, BTreeSet<&str>)| (at.len() > 1).then_some(cause);
+    let movable: BTreeSet<&str> = locations.into_iter().filter_map(several).collect();
+    unfitted.retain(|s| !s.variant.is_channel_fault() && movable.contains(s.variant.cause()));
+    for _ in 0..NEIGHBOUR_EXPANSIONS {
+        let (near, far) = neighbours_of_leaders(fitted, unfitted);
+        // From the screened start or from the optimum of the leader, whichever is better.
+        let points = |(s, leader): (ScreenedHypothesis, FittedHypothesis)| {
+            let (own, best) = (leader.variant.own_coordinates(&leader.fitted.point).len(), &leader.fitted.point);
+            let one_form = best.len() == s.start.len() && leader.variant.has_form_of(&s.variant);
+            let added = if one_form { best } else { &s.start };
             (s.variant.clone(), vec![s.start.clone(), [&best[..own], &added[own..]].concat()])
         };
-        let tried = near.into_iter().map(points).collect();
-        let nearest = work.nearest(stage, tried)?;
-        fitted.extend(work.search_all(stage, nearest, FIRST)?);
-        left = far;
+        let candidates = near.into_iter().map(points).collect();
+        let starts = scheduler.best_points(stage, candidates)?;
+        fitted.extend(scheduler.search(stage, starts, FIRST_ROUND_ITERATIONS)?);
+        unfitted = far;
     }
     Ok(())
 }
 
-/// Those that differ from the best of one of the first causes in form alone or in place alone, with it, and the others.
-fn neighbours(fitted: &mut [Explained], left: Vec<Screened>) -> (Vec<(Screened, Explained)>, Vec<Screened>) {
+/// Hypotheses with the leader that they differ from in form alone or in location alone, and the others.
+fn neighbours_of_leaders(
+    fitted: &mut [FittedHypothesis],
+    unfitted: Vec<ScreenedHypothesis>,
+) -> (Vec<(ScreenedHypothesis, FittedHypothesis)>, Vec<ScreenedHypothesis>) {
     let leaders = leaders(fitted);
     let (mut near, mut far) = (vec![], vec![]);
-    for s in left {
-        match leaders.iter().find(|l| l.variant.differs_in_one(&s.variant)) {
+    for s in unfitted {
+        match leaders.iter().find(|l| l.variant.differs_in_form_or_location(&s.variant)) {
             Some(leader) => near.push((s, (*leader).clone())),
             None => far.push(s),
         }
@@ -59,40 +58,42 @@ fn neighbours(fitted: &mut [Explained], left: Vec<Screened>) -> (Vec<(Screened, 
     (near, far)
 }
 
-/// The best of each of the first causes.
-fn leaders(fitted: &mut [Explained]) -> Vec<&Explained> {
-    fitted.sort_by(|a, b| a.score().total_cmp(&b.score()));
-    let mut leaders: Vec<&Explained> = vec![];
+/// The best of each of the [`LEADING_CAUSES`] first causes.
+fn leaders(fitted: &mut [FittedHypothesis]) -> Vec<&FittedHypothesis> {
+    sort_by_score(fitted);
+    let mut leaders: Vec<&FittedHypothesis> = vec![];
     for e in fitted.iter() {
-        if leaders.len() < ELSEWHERE && leaders.iter().all(|l| l.cause() != e.cause()) {
+        if leaders.len() < LEADING_CAUSES && leaders.iter().all(|l| l.cause() != e.cause()) {
             leaders.push(e);
         }
     }
     leaders
 }
 
-/// A form with the parameters of a simpler one and some more comes as near as that with the right values of those. Where it has not, the
-/// search for it has stuck, or it was not sought: of the first causes such forms are fitted from where the simpler one stands.
-pub(crate) fn nested(
-    work: &mut Work<'_>,
+/// Fits forms that extend the best form of a leading cause by parameters, from the optimum of the latter.
+///
+/// The right values of the further parameters reproduce the simpler form. An extended form with a larger error has therefore
+/// ended in a local minimum, or was never sought.
+pub(crate) fn fit_extended_forms(
+    scheduler: &mut Scheduler<'_>,
     stage: &str,
     variants: &[Arc<Variant>],
-    fitted: &mut Vec<Explained>,
+    fitted: &mut Vec<FittedHypothesis>,
 ) -> Result<(), String> {
-    let mut from = vec![];
+    let mut candidates = vec![];
     for leader in leaders(fitted).into_iter().cloned().collect::<Vec<_>>() {
         let behind = |v: &Arc<Variant>| {
             let known = fitted.iter().find(|e| Arc::ptr_eq(&e.variant, v));
             known.is_none_or(|e| e.fitted.objective > leader.fitted.objective)
         };
-        for v in variants.iter().filter(|v| v.contains(&leader.variant) && behind(v)) {
+        for v in variants.iter().filter(|v| v.extends(&leader.variant) && behind(v)) {
             let simpler = leader.fitted.point.len();
             let start = [&leader.fitted.point[..], &v.start(&leader.fitted.values)[simpler..]].concat();
-            from.push((v.clone(), tried(&start, simpler, NESTED_POINTS)));
+            candidates.push((v.clone(), halton_points(&start, simpler, EXTENDED_FORM_POINTS)));
         }
     }
-    let nearest = work.nearest(stage, from)?;
-    for e in work.search_all(stage, nearest, FIRST)? {
+    let starts = scheduler.best_points(stage, candidates)?;
+    for e in scheduler.search(stage, starts, FIRST_ROUND_ITERATIONS)? {
         match fitted.iter_mut().find(|known| Arc::ptr_eq(&known.variant, &e.variant)) {
             Some(known) if e.fitted.objective < known.fitted.objective => *known = e,
             Some(_) => {}
@@ -104,23 +105,23 @@ pub(crate) fn nested(
 
 #[cfg(test)]
 mod tests {
-    use super::neighbours;
-    use crate::fit::scheduler::{Explained, Screened};
-    use crate::fit::two_effect_search::tests::{at, baseline, effect};
-    use crate::hypothesis::Added;
-    use crate::inspect::insertion::Place;
+    use super::neighbours_of_leaders;
+    use crate::candidate::proposal::AddedParameter;
+    use crate::fit::fitted::{FittedHypothesis, ScreenedHypothesis};
+    use crate::inspect::insertion::InsertionPoint;
+    use crate::test_support::{baseline, fitted_at, script_edit};
     use std::sync::Arc;
 
     #[test]
-    fn the_best_form_is_followed_to_other_places_and_its_place_to_other_forms() {
+    fn neighbours_differ_in_form_alone_or_in_location_alone() {
         let variant = |cause, form: &str, place: &str| {
-            let mut proposal = effect(cause, &["x"]);
-            (proposal.form, proposal.at) = (form.into(), place.into());
-            Arc::new(baseline().variant.with(&Place::At(0), &proposal).expect("a variant"))
+            let mut proposal = script_edit(cause, &["x"]);
+            (proposal.form, proposal.location) = (form.into(), place.into());
+            Arc::new(baseline().variant.with_proposal(&InsertionPoint::At(0), &proposal).expect("a variant"))
         };
-        let mut fitted: Vec<Explained> = ["here", "there"]
+        let mut fitted: Vec<FittedHypothesis> = ["here", "there"]
             .map(|place| {
-                let mut e = at((*variant("gap_impact", "wall", place)).clone(), &[0.5]);
+                let mut e = fitted_at((*variant("gap_impact", "wall", place)).clone(), &[0.5]);
                 e.fitted.objective = if place == "here" { 0.1 } else { 0.2 };
                 e
             })
@@ -128,40 +129,42 @@ mod tests {
         let forms =
             [("gap_impact", "two walls", "here"), ("gap_impact", "wall", "far"), ("gap_impact", "two walls", "far")];
         let others = [("friction", "wall", "here")];
-        let left = forms.iter().chain(&others).map(|(cause, form, place)| Screened {
+        let left = forms.iter().chain(&others).map(|(cause, form, place)| ScreenedHypothesis {
             variant: variant(cause, form, place),
             start: vec![],
-            expected: 0.3,
+            expected_objective: 0.3,
         });
-        let (near, far) = neighbours(&mut fitted, left.collect());
-        let said = |all: &[Screened]| -> Vec<String> {
-            let of = |s: &Screened| s.variant.proposal.as_ref().map(|p| format!("{} {}", p.form, p.at));
+        let (near, far) = neighbours_of_leaders(&mut fitted, left.collect());
+        let described = |all: &[ScreenedHypothesis]| -> Vec<String> {
+            let of = |s: &ScreenedHypothesis| s.variant.proposal.as_ref().map(|p| format!("{} {}", p.form, p.location));
             all.iter().filter_map(of).collect()
         };
-        let near: Vec<Screened> = near.into_iter().map(|(s, _)| s).collect();
-        assert_eq!(said(&near), ["two walls here", "wall far"]);
-        assert_eq!(said(&far), ["two walls far", "wall here"]);
+        let near: Vec<ScreenedHypothesis> = near.into_iter().map(|(s, _)| s).collect();
+        assert_eq!(described(&near), ["two walls here", "wall far"]);
+        assert_eq!(described(&far), ["two walls far", "wall here"]);
     }
 
     #[test]
-    fn a_form_with_more_parameters_at_the_same_place_contains_another() {
+    fn a_form_with_further_parameters_at_one_location_extends_another() {
         let variant = |cause, place: &str, names: &[&str]| {
-            let mut proposal = effect(cause, names);
-            proposal.at = place.into();
-            baseline().variant.with(&Place::At(0), &proposal).expect("a variant")
+            let mut proposal = script_edit(cause, names);
+            proposal.location = place.into();
+            baseline().variant.with_proposal(&InsertionPoint::At(0), &proposal).expect("a variant")
         };
         let simple = variant("foundation_flexibility", "here", &["sway"]);
-        assert!(variant("foundation_flexibility", "here", &["sway", "rocking"]).contains(&simple));
+        assert!(variant("foundation_flexibility", "here", &["sway", "rocking"]).extends(&simple));
         for (cause, place, names) in [
             ("foundation_flexibility", "here", &["sway"][..]),
             ("foundation_flexibility", "there", &["sway", "rocking"]),
             ("foundation_flexibility", "here", &["rocking", "sway"]),
             ("damping", "here", &["sway", "rocking"]),
         ] {
-            assert!(!variant(cause, place, names).contains(&simple), "{cause} {place} {names:?}");
+            assert!(!variant(cause, place, names).extends(&simple), "{cause} {place} {names:?}");
         }
-        let mut narrow = effect("foundation_flexibility", &["sway", "rocking"]);
-        (narrow.at, narrow.added[0]) = ("here".into(), Added::linear("sway", 0.1, 0.2, 0.15));
-        assert!(!baseline().variant.with(&Place::At(0), &narrow).expect("a variant").contains(&simple));
+        let mut narrow = script_edit("foundation_flexibility", &["sway", "rocking"]);
+        (narrow.location, narrow.parameters[0]) = ("here".into(), AddedParameter::linear("sway", 0.1, 0.2, 0.15));
+        assert!(
+            !baseline().variant.with_proposal(&InsertionPoint::At(0), &narrow).expect("a variant").extends(&simple)
+        );
     }
 }

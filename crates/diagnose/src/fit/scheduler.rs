@@ -1,223 +1,229 @@
-//! The work on variants, with its progress, and what an explanation is.
+//! Batches of jobs with progress, cancellation and the cache of their results.
 
+use super::checkpoint::{CheckpointEntry, EvaluationCache};
+use super::evaluator_pool::EvaluatorPool;
+use super::fitted::{FittedHypothesis, ScreenedHypothesis, sort_by_score};
+use super::job::{EvaluationSettings, FittedModel, Job, JobResult, Task};
+use super::linearized::LinearizedFit;
+use super::search_settings::JOBS_PER_BATCH;
 use crate::candidate::variant::Variant;
-use crate::evidence::likelihood::{Residuals, priced};
-use crate::evidence::parametric_bootstrap::Near;
-use crate::fit::checkpoint::{Kept, Told, number};
-use crate::fit::evaluator::{Answer, Bench, Fitted, Job, Task};
-use crate::verdict::diagnosis::Watch;
+use hysteron_identify::calibrate::LevenbergMarquardt;
 use hysteron_identify::study::Study;
 use std::sync::Arc;
 
-/// Iterations of the last search.
-pub(crate) const LAST: usize = 20;
-
-/// An explanation that has been fitted.
-#[derive(Clone)]
-pub(crate) struct Explained {
-    pub(crate) variant: Arc<Variant>,
-    pub(crate) fitted: Fitted,
-    /// What it leaves of samples that it was not fitted to.
-    pub(crate) held: Option<Residuals>,
-    /// Log evidence.
-    pub(crate) evidence: f64,
+/// Receiver of a diagnosis' progress.
+pub trait ProgressMonitor {
+    /// `done` of `total` jobs of a stage are complete.
+    fn stage(&mut self, name: &str, done: usize, total: usize);
+    /// Returns true if the diagnosis is to stop.
+    fn is_cancelled(&self) -> bool;
+    /// All results so far, from which an interrupted diagnosis can resume.
+    fn checkpoint(&mut self, entries: &[CheckpointEntry]);
 }
 
-impl Explained {
-    pub(crate) fn new(variant: Arc<Variant>, fitted: Fitted) -> Self {
-        Self { variant, fitted, held: None, evidence: f64::NEG_INFINITY }
-    }
+/// A variant with the points at which it is screened.
+pub(crate) type VariantPoints = (Arc<Variant>, Vec<Vec<f64>>);
 
-    pub(crate) fn cause(&self) -> &'static str {
-        self.variant.cause()
-    }
-
-    /// The second of two effects.
-    pub(crate) fn second(&self) -> Option<&'static str> {
-        self.variant.second()
-    }
-
-    pub(crate) fn score(&self) -> f64 {
-        priced(self.fitted.objective, self.variant.dimension(), self.variant.known())
-    }
-}
-
-/// A variant that has been screened: where a search had best start, and the objective to be expected.
-#[derive(Clone)]
-pub(crate) struct Screened {
-    pub(crate) variant: Arc<Variant>,
-    pub(crate) start: Vec<f64>,
-    pub(crate) expected: f64,
-}
-
-impl Screened {
-    pub(crate) fn score(&self) -> f64 {
-        priced(self.expected, self.variant.dimension(), self.variant.known())
-    }
-}
-
-fn screened((variant, answer): (Arc<Variant>, Option<Answer>)) -> Option<Screened> {
-    match answer {
-        Some(Answer::Screened(Some((expected, start)))) => Some(Screened { variant, start, expected }),
-        _ => None,
-    }
-}
-
-pub(crate) struct Work<'a> {
+/// Schedules jobs; the methods return an error if the user cancels.
+pub(crate) struct Scheduler<'a> {
+    /// The user's study.
     pub(crate) study: Arc<Study>,
-    pub(crate) bench: Bench,
-    pub(crate) watch: &'a mut dyn Watch,
-    /// What an interrupted diagnosis came to, job after job, and how many jobs there have been.
-    pub(crate) earlier: Vec<Kept>,
-    pub(crate) jobs: usize,
+    pool: EvaluatorPool,
+    settings: EvaluationSettings,
+    monitor: &'a mut dyn ProgressMonitor,
+    cache: EvaluationCache,
 }
 
-impl Work<'_> {
-    /// An error where the user wants to stop.
-    pub(crate) fn go_on(&self) -> Result<(), String> {
-        if self.watch.stopped() { Err("interrupted".into()) } else { Ok(()) }
+impl<'a> Scheduler<'a> {
+    /// A scheduler for a study, with the entries of an interrupted diagnosis.
+    pub(crate) fn new(
+        study: Arc<Study>,
+        pool: EvaluatorPool,
+        monitor: &'a mut dyn ProgressMonitor,
+        checkpoint: Vec<CheckpointEntry>,
+    ) -> Self {
+        let settings = EvaluationSettings { step_parts: 1, difference_step: LevenbergMarquardt::STEP };
+        Self { study, pool, settings, monitor, cache: EvaluationCache::new(checkpoint) }
     }
 
-    /// The next job, or what an interrupted diagnosis came to in its place. Jobs follow from the answers to those before:
-    /// where another one stands in its place, all that comes after it is forgotten.
-    fn told(&mut self, job: Job, number: u64) -> Job {
-        self.jobs += 1;
-        let Some(kept) = self.earlier.get(self.jobs - 1) else { return job };
-        match kept.of_job(number) {
-            Some(Told::Again) => job,
-            Some(told) => Job { task: Task::Told(told.clone()), ..job },
-            None => {
-                self.earlier.truncate(self.jobs - 1);
-                job
-            }
-        }
+    /// Number of parts into which later jobs divide each step of the script.
+    pub(crate) fn set_step_parts(&mut self, parts: u32) {
+        self.settings.step_parts = parts;
     }
 
-    fn run(&mut self, stage: &str, jobs: Vec<Job>) -> Result<Vec<Option<Answer>>, String> {
-        let of = jobs.len();
-        let mut out = Vec::with_capacity(of);
-        // In portions, so that progress is seen and an interruption heard.
+    /// Parts into which each step of the script is divided.
+    pub(crate) fn step_parts(&self) -> u32 {
+        self.settings.step_parts
+    }
+
+    /// Step of finite differences of later jobs, in coordinates of the unit cube.
+    pub(crate) fn set_difference_step(&mut self, step: f64) {
+        self.settings.difference_step = step;
+    }
+
+    /// Evaluations of the fitted runs so far.
+    pub(crate) fn evaluations(&self) -> usize {
+        self.pool.evaluations()
+    }
+
+    /// # Errors
+    /// The user has cancelled.
+    pub(crate) fn check_cancelled(&self) -> Result<(), String> {
+        if self.monitor.is_cancelled() { Err("interrupted".into()) } else { Ok(()) }
+    }
+
+    /// Results in the order of the jobs; `None` where an evaluator failed.
+    fn run(&mut self, stage: &str, jobs: Vec<Job>) -> Result<Vec<Option<JobResult>>, String> {
+        let total = jobs.len();
+        let mut out = Vec::with_capacity(total);
         let mut jobs = jobs.into_iter().peekable();
         while jobs.peek().is_some() {
-            self.go_on()?;
-            self.watch.stage(stage, out.len(), of);
-            let first = self.jobs;
-            let portion: Vec<Job> = jobs.by_ref().take(8).collect();
-            let numbers: Vec<u64> = portion.iter().map(number).collect();
-            let portion: Vec<Job> = portion.into_iter().zip(&numbers).map(|(job, n)| self.told(job, *n)).collect();
-            let answers = self.bench.run(portion);
-            // An analysis that was cut off says nothing: what was worked out before it is kept.
-            if let Err(stopped) = self.go_on() {
-                self.watch.keep(&self.earlier);
-                return Err(stopped);
+            self.check_cancelled()?;
+            self.monitor.stage(stage, out.len(), total);
+            let batch: Vec<Job> = jobs.by_ref().take(JOBS_PER_BATCH).collect();
+            let (pool, settings) = (&self.pool, self.settings);
+            let results = self.cache.results(batch, |missing| pool.run(missing, settings));
+            // Analyses that were cut off are no results, so that this batch is not committed.
+            let cancelled = self.check_cancelled();
+            if cancelled.is_ok() {
+                self.cache.commit();
             }
-            let known = self.earlier.len().saturating_sub(first);
-            let kept = numbers.into_iter().zip(&answers).map(|(n, a)| Kept::of(n, a.as_ref()));
-            self.earlier.extend(kept.skip(known));
-            self.watch.keep(&self.earlier);
-            out.extend(answers);
+            self.monitor.checkpoint(self.cache.entries());
+            cancelled?;
+            out.extend(results);
         }
-        self.watch.stage(stage, of, of);
+        self.monitor.stage(stage, total, total);
         Ok(out)
     }
 
-    pub(crate) fn fit(&mut self, stage: &str, jobs: Vec<Job>) -> Result<Vec<Option<Fitted>>, String> {
-        let fitted = |a| match a {
-            Some(Answer::Fitted(f)) if !f.fits.is_empty() => Some(f),
+    /// Fitted models of searches or evaluations; `None` where the analysis failed.
+    pub(crate) fn fit(&mut self, stage: &str, jobs: Vec<Job>) -> Result<Vec<Option<FittedModel>>, String> {
+        let fitted = |result| match result {
+            Some(JobResult::Fitted(f)) if !f.fits.is_empty() => Some(f),
             _ => None,
         };
         Ok(self.run(stage, jobs)?.into_iter().map(fitted).collect())
     }
 
-    /// A search from a point with so many iterations.
-    pub(crate) fn search(variant: &Arc<Variant>, start: Vec<f64>, iterations: usize) -> Job {
-        let budget = iterations * (variant.dimension() + 2);
-        let task = Task::Fit { start, budget, closely: iterations >= LAST };
-        Job { variant: variant.clone(), task }
-    }
-
-    /// Screen variants, each at points of which the first coordinates are known: best first. The known ones stand `at` a
-    /// point of the variant `from`, and follow by its derivatives.
+    /// Screens variants at points near a known point of a simpler variant: best first.
+    ///
+    /// The first coordinates of every point are those of `known`, and follow by the derivatives of `simpler` there.
     pub(crate) fn screen(
         &mut self,
         stage: &str,
-        from: &Arc<Variant>,
-        at: &[f64],
-        tried: Vec<(Arc<Variant>, Vec<Vec<f64>>)>,
-    ) -> Result<Vec<Screened>, String> {
-        let derive = Task::Derive { point: at.to_vec() };
-        let known = match self.run(stage, vec![Job { variant: from.clone(), task: derive }])?.pop() {
-            Some(Some(Answer::Derived(Some(known)))) => Arc::new(known),
+        simpler: &Arc<Variant>,
+        known: &[f64],
+        candidates: Vec<VariantPoints>,
+    ) -> Result<Vec<ScreenedHypothesis>, String> {
+        let task = Task::Project { point: known.to_vec() };
+        let projection = match self.run(stage, vec![Job { variant: simpler.clone(), task }])?.pop() {
+            Some(Some(JobResult::Projected(Some(projection)))) => Arc::new(projection),
             _ => return Ok(vec![]),
         };
-        let (variants, jobs): (Vec<_>, Vec<_>) = tried
-            .into_iter()
-            .map(|(variant, points)| {
-                let points = points.iter().map(|p| at.iter().chain(&p[at.len()..]).copied().collect());
-                let task = Task::Screen { points: points.collect(), known: Some(known.clone()) };
-                (variant.clone(), Job { variant, task })
-            })
-            .unzip();
-        let answers = self.run(stage, jobs)?;
-        let mut out: Vec<Screened> = variants.into_iter().zip(answers).filter_map(screened).collect();
+        let at_known = |p: &Vec<f64>| known.iter().chain(&p[known.len()..]).copied().collect();
+        let candidates = candidates.into_iter().map(|(v, points)| (v, points.iter().map(at_known).collect())).collect();
+        let mut out = self.screen_points(stage, candidates, Some(&projection))?;
         out.sort_by(|a, b| a.score().total_cmp(&b.score()));
         Ok(out)
     }
 
-    /// For each variant the point of its own that comes nearest, as it is, with the objective there; nothing of those that have no
-    /// answer at any.
-    pub(crate) fn nearest(
+    /// The best point of each variant with its objective; variants without a result are left out.
+    pub(crate) fn best_points(
         &mut self,
         stage: &str,
-        tried: Vec<(Arc<Variant>, Vec<Vec<f64>>)>,
-    ) -> Result<Vec<Screened>, String> {
-        let variants: Vec<Arc<Variant>> = tried.iter().map(|(v, _)| v.clone()).collect();
-        let job = |(variant, points)| Job { variant, task: Task::Screen { points, known: None } };
-        let answers = self.run(stage, tried.into_iter().map(job).collect())?;
-        Ok(variants.into_iter().zip(answers).filter_map(screened).collect())
+        candidates: Vec<VariantPoints>,
+    ) -> Result<Vec<ScreenedHypothesis>, String> {
+        self.screen_points(stage, candidates, None)
     }
 
-    /// Search from where the screening says.
-    pub(crate) fn search_all(
+    fn screen_points(
         &mut self,
         stage: &str,
-        from: Vec<Screened>,
+        candidates: Vec<VariantPoints>,
+        projection: Option<&Arc<super::projection::Projection>>,
+    ) -> Result<Vec<ScreenedHypothesis>, String> {
+        let variants: Vec<Arc<Variant>> = candidates.iter().map(|(v, _)| v.clone()).collect();
+        let job = |(variant, points)| Job { variant, task: Task::Screen { points, projection: projection.cloned() } };
+        let results = self.run(stage, candidates.into_iter().map(job).collect())?;
+        let screened = |(variant, result)| match result {
+            Some(JobResult::Screened(Some((expected_objective, start)))) => {
+                Some(ScreenedHypothesis { variant, start, expected_objective })
+            }
+            _ => None,
+        };
+        Ok(variants.into_iter().zip(results).filter_map(screened).collect())
+    }
+
+    /// Searches from screened starts: best first.
+    pub(crate) fn search(
+        &mut self,
+        stage: &str,
+        from: Vec<ScreenedHypothesis>,
         iterations: usize,
-    ) -> Result<Vec<Explained>, String> {
-        let jobs = from.iter().map(|s| Self::search(&s.variant, s.start.clone(), iterations)).collect();
+    ) -> Result<Vec<FittedHypothesis>, String> {
+        let jobs = from.iter().map(|s| Job::search(&s.variant, s.start.clone(), iterations)).collect();
         let fitted = self.fit(stage, jobs)?;
-        let mut all: Vec<Explained> =
-            from.into_iter().zip(fitted).filter_map(|(s, f)| Some(Explained::new(s.variant, f?))).collect();
-        all.sort_by(|a, b| a.score().total_cmp(&b.score()));
+        let hypothesis = |(s, f): (ScreenedHypothesis, _)| Some(FittedHypothesis::new(s.variant, f?));
+        let mut all: Vec<FittedHypothesis> = from.into_iter().zip(fitted).filter_map(hypothesis).collect();
+        sort_by_score(&mut all);
         Ok(all)
     }
 
-    /// What an explanation comes to where it stands when the steps of the script are made in so many parts, from now on.
-    pub(crate) fn with_steps_in(&mut self, stage: &str, parts: u32, e: &Explained) -> Result<Option<Fitted>, String> {
-        self.bench.refine(parts);
-        let job = Job { variant: e.variant.clone(), task: Task::Look { point: e.fitted.point.clone() } };
+    /// Searches from the optima of hypotheses; without a result they stay as they are.
+    pub(crate) fn refine(
+        &mut self,
+        stage: &str,
+        all: Vec<FittedHypothesis>,
+        iterations: usize,
+    ) -> Result<Vec<FittedHypothesis>, String> {
+        let jobs = all.iter().map(|e| Job::search(&e.variant, e.fitted.point.clone(), iterations));
+        let fitted = self.fit(stage, jobs.collect())?;
+        let refined = |(e, fitted)| match fitted {
+            Some(fitted) => FittedHypothesis { fitted, ..e },
+            None => e,
+        };
+        Ok(all.into_iter().zip(fitted).map(refined).collect())
+    }
+
+    /// A hypothesis at its optimum with another division of steps, which later jobs keep.
+    pub(crate) fn evaluate_with_step_parts(
+        &mut self,
+        stage: &str,
+        parts: u32,
+        e: &FittedHypothesis,
+    ) -> Result<Option<FittedModel>, String> {
+        self.set_step_parts(parts);
+        let job = Job { variant: e.variant.clone(), task: Task::Evaluate { point: e.fitted.point.clone() } };
         Ok(self.fit(stage, vec![job])?.pop().flatten())
     }
 
-    /// What each leaves near its fit; nothing of those without an answer.
-    pub(crate) fn near(&mut self, stage: &str, all: &[&Explained]) -> Result<Vec<Option<Near>>, String> {
-        let job =
-            |e: &&Explained| Job { variant: e.variant.clone(), task: Task::Near { point: e.fitted.point.clone() } };
-        let near = |answer| match answer {
-            Some(Answer::Near(near)) => near,
+    /// Linearized fits of hypotheses; `None` where the analysis failed.
+    pub(crate) fn linearize(
+        &mut self,
+        stage: &str,
+        all: &[&FittedHypothesis],
+    ) -> Result<Vec<Option<LinearizedFit>>, String> {
+        let job = |e: &&FittedHypothesis| {
+            let task = Task::Linearize { point: e.fitted.point.clone() };
+            Job { variant: e.variant.clone(), task }
+        };
+        let linearized = |result| match result {
+            Some(JobResult::Linearized(fit)) => fit,
             _ => None,
         };
-        Ok(self.run(stage, all.iter().map(job).collect())?.into_iter().map(near).collect())
+        Ok(self.run(stage, all.iter().map(job).collect())?.into_iter().map(linearized).collect())
     }
 
-    /// What each says of samples that it was not fitted to.
-    pub(crate) fn hold_back(&mut self, stage: &str, all: &mut [Explained]) -> Result<(), String> {
-        let job =
-            |e: &Explained| Job { variant: e.variant.clone(), task: Task::HoldBack { point: e.fitted.point.clone() } };
-        let answers = self.run(stage, all.iter().map(job).collect())?;
-        for (e, a) in all.iter_mut().zip(answers) {
-            e.held = match a {
-                Some(Answer::HeldBack(r)) => r,
+    /// Sets the held-out residuals of hypotheses.
+    pub(crate) fn hold_out(&mut self, stage: &str, all: &mut [FittedHypothesis]) -> Result<(), String> {
+        let job = |e: &FittedHypothesis| {
+            let task = Task::HoldOut { point: e.fitted.point.clone() };
+            Job { variant: e.variant.clone(), task }
+        };
+        let results = self.run(stage, all.iter().map(job).collect())?;
+        for (e, result) in all.iter_mut().zip(results) {
+            e.held_out = match result {
+                Some(JobResult::HeldOut(r)) => r,
                 _ => None,
             };
         }

@@ -1,267 +1,259 @@
-//! A second effect beside the first.
+//! Search for a second effect beside the first.
 
+use super::baseline::is_poor;
+use super::fitted::{FittedHypothesis, approximate_gain, sort_by_score};
+use super::global_search::{global_search, is_affordable};
+use super::halton_points::halton_points;
+use super::job::FittedModel;
+use super::scheduler::{Scheduler, VariantPoints};
+use super::search_settings::{
+    FIRST_EFFECTS, KEPT_PAIRS, MAX_EXCHANGES, MAX_FIRST_EFFECT_DEFICIT, MIN_EXPECTED_PAIR_GAIN, SCREENING_STEP_RATIO,
+    SECOND_EFFECT_POINTS, SECOND_EFFECTS, SECOND_ROUND_ITERATIONS,
+};
 use crate::candidate::variant::Variant;
-use crate::evidence::likelihood::ahead;
-use crate::fit::evaluator::Fitted;
-use crate::fit::scheduler::{Explained, Work};
-use crate::fit::screening::{SECOND, SECOND_ROUND, poor, refine, tried, widely, within_reach};
-use crate::inspect::insertion::Place;
+use crate::inspect::insertion::InsertionPoint;
+use crate::prior::ONE_EFFECT_LOG_ODDS;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-/// First effects beside which a second is sought, and how much less log evidence than the best they may have: what
-/// leads alone may not lead when both have found their second.
-const FIRSTS: usize = 3;
-const RIVAL: f64 = 20.0;
-/// Second effects that are fitted beside each of them.
-const PAIRS: usize = 3;
-/// Of those so many may be the best.
-const KEPT: usize = 2;
-/// Points at which a second effect is tried, for each of its parameters and beside them.
-const TRIED: usize = 2;
-/// Effects of pairs beside which others are tried in the place of the second one, at most.
-const EXCHANGES: usize = 4;
-/// What is screened has steps of so many times the length that the fits have, where those are made in parts: what is to be expected of
-/// a second effect is told well enough by them (a choice).
-const ROUGHLY: u32 = 4;
 const STAGE: &str = "a second effect";
 
-/// Two effects that have been fitted together, and which of the first round they are, in their order.
-struct Pair {
-    explained: Explained,
-    of: [usize; 2],
+/// Two effects fitted together.
+struct EffectPair {
+    hypothesis: FittedHypothesis,
+    /// Indices of both among the single effects, in their order in the variant.
+    effects: [usize; 2],
 }
 
-impl Pair {
-    /// By how much it tells more than a single effect, in log evidence.
-    fn ahead(&self, single: &Explained) -> f64 {
-        ahead(self.explained.score(), single.score())
+impl EffectPair {
+    /// Approximate log evidence over a single effect.
+    fn gain(&self, single: &FittedHypothesis) -> f64 {
+        approximate_gain(self.hypothesis.score(), single.score())
     }
 }
 
-/// Where an effect stands alone, or in a pair.
-struct Stands {
-    /// Which of the first round it is.
+/// An effect at an optimum: its own, or that of a pair.
+struct PlacedEffect {
+    /// Index among the single effects.
     effect: usize,
-    explained: Explained,
+    hypothesis: FittedHypothesis,
 }
 
-/// What pairs are made of.
-struct Makings<'a> {
-    baseline: &'a Explained,
-    /// Single explanations, those of the first round: best first.
-    first: &'a [Explained],
-    place: &'a Place,
-    /// Second effects are sought from points of the whole cube as well.
-    wide: bool,
+/// Basis of the search for pairs.
+struct PairSearch<'a> {
+    baseline: &'a FittedHypothesis,
+    /// Single effects of the first round, best first.
+    singles: &'a [FittedHypothesis],
+    point: &'a InsertionPoint,
+    /// True if second effects are sought from the whole range as well.
+    global: bool,
 }
 
-/// Pairs that may tell more than their first alone. `weighed` are single explanations, best first; `first` those of the
-/// first round.
-pub(crate) fn pairs(
-    work: &mut Work<'_>,
-    baseline: &Explained,
-    weighed: &[Explained],
-    first: &[Explained],
-    place: &Place,
-) -> Result<Vec<Explained>, String> {
-    // From where a poor baseline stands the second effect may not be found: then also from afar.
-    let wide = poor(baseline) && within_reach(&work.study, PAIRS * (FIRSTS + EXCHANGES));
-    let makings = Makings { baseline, first, place, wide };
-    let rivals = weighed.iter().filter(|e| e.cause() != "none" && e.evidence > weighed[0].evidence - RIVAL);
-    let known = |e: &Explained| first.iter().position(|f| Arc::ptr_eq(&f.variant, &e.variant));
-    let stands = |e: &Explained| known(e).map(|effect| Stands { effect, explained: e.clone() });
-    let single: Vec<Stands> = rivals.take(FIRSTS).filter_map(stands).collect();
-    let mut out = vec![];
+/// Pairs of effects that may explain more than their first effect alone, with held-out residuals.
+///
+/// `ranked` are single hypotheses by log evidence, `singles` those of the first round by score.
+pub(crate) fn two_effect_search(
+    scheduler: &mut Scheduler<'_>,
+    baseline: &FittedHypothesis,
+    ranked: &[FittedHypothesis],
+    singles: &[FittedHypothesis],
+    point: &InsertionPoint,
+) -> Result<Vec<FittedHypothesis>, String> {
+    // The optimum of a poor baseline may be too far from that of a pair.
+    let global = is_poor(baseline) && is_affordable(&scheduler.study, SECOND_EFFECTS * (FIRST_EFFECTS + MAX_EXCHANGES));
+    let search = PairSearch { baseline, singles, point, global };
+    let least = ranked[0].log_evidence - MAX_FIRST_EFFECT_DEFICIT;
+    let leading = ranked.iter().filter(|e| e.cause() != "none" && e.log_evidence > least);
+    let index = |e: &FittedHypothesis| singles.iter().position(|f| Arc::ptr_eq(&f.variant, &e.variant));
+    let placed = |e: &FittedHypothesis| index(e).map(|effect| PlacedEffect { effect, hypothesis: e.clone() });
+    let firsts: Vec<PlacedEffect> = leading.take(FIRST_EFFECTS).filter_map(placed).collect();
+    let mut pairs = vec![];
     let mut searched = BTreeSet::new();
-    for (n, one) in single.iter().enumerate() {
-        let done: Vec<&str> = single[..=n].iter().map(|s| s.explained.cause()).collect();
-        out.extend(makings.beside(work, one, |_, e| !done.contains(&e.cause()))?);
-        searched.insert(one.effect);
+    for (n, first) in firsts.iter().enumerate() {
+        let done: Vec<&str> = firsts[..=n].iter().map(|s| s.hypothesis.cause()).collect();
+        pairs.extend(search.beside(scheduler, first, |_, e| !done.contains(&e.cause()))?);
+        searched.insert(first.effect);
     }
-    // Where two tell more than one, the next form of each first is worth it as well.
-    if leading(&out).is_some_and(|p| p.ahead(&weighed[0]) > SECOND) {
-        let causes: BTreeSet<&str> = single.iter().map(|s| s.explained.cause()).collect();
-        let next = |cause: &&str| (0..first.len()).find(|n| first[*n].cause() == *cause && !searched.contains(n));
-        let forms: Vec<usize> = causes.iter().filter_map(next).collect();
-        let fitted = refine(work, STAGE, forms.iter().map(|n| first[*n].clone()).collect())?;
-        for (effect, explained) in forms.into_iter().zip(fitted) {
-            let one = Stands { effect, explained };
-            let more = makings.beside(work, &one, |n, _| is_new(&out, effect, n))?;
-            out.extend(more.into_iter().filter_map(|p| makings.in_order(p)));
-            searched.insert(effect);
-        }
+    if best_pair(&pairs).is_some_and(|p| p.gain(&ranked[0]) > ONE_EFFECT_LOG_ODDS) {
+        search.try_next_forms(scheduler, &firsts, &mut searched, &mut pairs)?;
     }
-    makings.exchange(work, &weighed[0], searched, &mut out)?;
-    let mut out: Vec<Explained> = out.into_iter().map(|p| p.explained).collect();
-    work.hold_back(STAGE, &mut out)?;
+    search.exchange_effects(scheduler, &ranked[0], searched, &mut pairs)?;
+    let mut out: Vec<FittedHypothesis> = pairs.into_iter().map(|p| p.hypothesis).collect();
+    scheduler.hold_out(STAGE, &mut out)?;
     Ok(out)
 }
 
-/// Whether two effects have not been fitted together yet.
-fn is_new(all: &[Pair], one: usize, two: usize) -> bool {
-    all.iter().all(|p| p.of != [one, two] && p.of != [two, one])
+/// Returns true if two effects have not been fitted together.
+fn is_new(pairs: &[EffectPair], one: usize, two: usize) -> bool {
+    pairs.iter().all(|p| p.effects != [one, two] && p.effects != [two, one])
 }
 
 /// The pair with the best score.
-fn leading(all: &[Pair]) -> Option<&Pair> {
-    all.iter().min_by(|a, b| a.explained.score().total_cmp(&b.explained.score()))
+fn best_pair(pairs: &[EffectPair]) -> Option<&EffectPair> {
+    pairs.iter().min_by(|a, b| a.hypothesis.score().total_cmp(&b.hypothesis.score()))
 }
 
-impl Makings<'_> {
-    /// Other effects are tried beside each of the two of the pair that leads: what is the best beside the one need not have been
-    /// among the best alone.
-    fn exchange(
+impl PairSearch<'_> {
+    /// Seeks second effects beside the next form of each first cause.
+    fn try_next_forms(
         &self,
-        work: &mut Work<'_>,
-        single: &Explained,
-        mut searched: BTreeSet<usize>,
-        all: &mut Vec<Pair>,
+        scheduler: &mut Scheduler<'_>,
+        firsts: &[PlacedEffect],
+        searched: &mut BTreeSet<usize>,
+        pairs: &mut Vec<EffectPair>,
     ) -> Result<(), String> {
-        for _ in 0..EXCHANGES {
-            let Some(best) = leading(all).filter(|p| p.ahead(single) > SECOND) else { break };
-            let Some(side) = (0..2).find(|side| !searched.contains(&best.of[*side])) else { break };
-            searched.insert(best.of[side]);
-            let Some(one) = self.taken_from(best, side) else { continue };
-            let more = self.beside(work, &one, |n, _| is_new(all, one.effect, n))?;
-            all.extend(more.into_iter().filter_map(|p| self.in_order(p)));
+        let singles = self.singles;
+        let causes: BTreeSet<&str> = firsts.iter().map(|s| s.hypothesis.cause()).collect();
+        let next = |cause: &&str| (0..singles.len()).find(|n| singles[*n].cause() == *cause && !searched.contains(n));
+        let forms: Vec<usize> = causes.iter().filter_map(next).collect();
+        let alone = forms.iter().map(|n| singles[*n].clone()).collect();
+        let fitted = scheduler.refine(STAGE, alone, SECOND_ROUND_ITERATIONS)?;
+        for (effect, hypothesis) in forms.into_iter().zip(fitted) {
+            let first = PlacedEffect { effect, hypothesis };
+            let more = self.beside(scheduler, &first, |n, _| is_new(pairs, effect, n))?;
+            pairs.extend(more.into_iter().filter_map(|p| self.ordered(p)));
+            searched.insert(effect);
         }
         Ok(())
     }
 
-    /// One effect of a pair, where it stands in it.
-    fn taken_from(&self, pair: &Pair, side: usize) -> Option<Stands> {
-        let alone = &self.first[pair.of[side]];
-        let [own, first, second] = self.parts(&pair.explained, pair.of);
-        let point = [own, [first, second][side]].concat();
-        let values = alone.variant.study.space.values(&point).ok()?;
-        let fitted = Fitted { point, values, ..alone.fitted.clone() };
-        Some(Stands { effect: pair.of[side], explained: Explained { fitted, ..alone.clone() } })
+    /// Replaces each effect of the best pair in turn: the best partner need not have been among the best alone.
+    fn exchange_effects(
+        &self,
+        scheduler: &mut Scheduler<'_>,
+        single: &FittedHypothesis,
+        mut searched: BTreeSet<usize>,
+        pairs: &mut Vec<EffectPair>,
+    ) -> Result<(), String> {
+        for _ in 0..MAX_EXCHANGES {
+            let Some(best) = best_pair(pairs).filter(|p| p.gain(single) > ONE_EFFECT_LOG_ODDS) else { break };
+            let Some(side) = (0..2).find(|side| !searched.contains(&best.effects[*side])) else { break };
+            searched.insert(best.effects[side]);
+            let Some(kept) = self.effect_of_pair(best, side) else { continue };
+            let more = self.beside(scheduler, &kept, |n, _| is_new(pairs, kept.effect, n))?;
+            pairs.extend(more.into_iter().filter_map(|p| self.ordered(p)));
+        }
+        Ok(())
     }
 
-    /// Coordinates of the user's own parameters where a pair stands, and of each of its effects.
-    fn parts<'p>(&self, pair: &'p Explained, of: [usize; 2]) -> [&'p [f64]; 3] {
+    /// One effect of a pair, at the optimum of the pair.
+    fn effect_of_pair(&self, pair: &EffectPair, side: usize) -> Option<PlacedEffect> {
+        let alone = &self.singles[pair.effects[side]];
+        let [own, first, second] = self.coordinates(&pair.hypothesis, pair.effects);
+        let point = [own, [first, second][side]].concat();
+        let values = alone.variant.study.space.values(&point).ok()?;
+        let fitted = FittedModel { point, values, ..alone.fitted.clone() };
+        Some(PlacedEffect { effect: pair.effects[side], hypothesis: FittedHypothesis { fitted, ..alone.clone() } })
+    }
+
+    /// Coordinates of the user's parameters and of both effects at the optimum of a pair.
+    fn coordinates<'p>(&self, pair: &'p FittedHypothesis, effects: [usize; 2]) -> [&'p [f64]; 3] {
         let own = self.baseline.variant.dimension();
-        let (both, second) = pair.fitted.point.split_at(self.first[of[0]].variant.dimension());
+        let (both, second) = pair.fitted.point.split_at(self.singles[effects[0]].variant.dimension());
         let (own, first) = both.split_at(own);
         [own, first, second]
     }
 
-    /// Of two effects the one that tells more alone comes first.
-    fn in_order(&self, pair: Pair) -> Option<Pair> {
-        let [one, two] = pair.of;
-        let rank = |n: usize| self.first.iter().position(|e| e.cause() == self.first[n].cause());
+    /// The pair with the better single effect first.
+    fn ordered(&self, pair: EffectPair) -> Option<EffectPair> {
+        let [one, two] = pair.effects;
+        let rank = |n: usize| self.singles.iter().position(|e| e.cause() == self.singles[n].cause());
         if rank(one) < rank(two) {
             return Some(pair);
         }
-        let proposal = |n: usize| self.first[n].variant.proposal.as_ref();
-        let variant = self.baseline.variant.with(self.place, &proposal(two)?.with(proposal(one)?))?;
-        let [own, first, second] = self.parts(&pair.explained, pair.of);
+        let proposal = |n: usize| self.singles[n].variant.proposal.as_ref();
+        let both = proposal(two)?.combined_with(proposal(one)?);
+        let variant = self.baseline.variant.with_proposal(self.point, &both)?;
+        let [own, first, second] = self.coordinates(&pair.hypothesis, pair.effects);
         let point = [own, second, first].concat();
         let values = variant.study.space.values(&point).ok()?;
-        let fitted = Fitted { point, values, ..pair.explained.fitted };
-        Some(Pair { explained: Explained::new(Arc::new(variant), fitted), of: [two, one] })
+        let fitted = FittedModel { point, values, ..pair.hypothesis.fitted };
+        Some(EffectPair { hypothesis: FittedHypothesis::new(Arc::new(variant), fitted), effects: [two, one] })
     }
 
-    /// The likeliest beside one of those of the first round that are wanted, and not of its cause.
+    /// Variants of one effect beside each wanted single effect of another cause, with the index and start points of the
+    /// latter. All forms take part: the best form alone need not be the best beside another effect.
+    fn candidates(
+        &self,
+        one: &FittedHypothesis,
+        wanted: impl Fn(usize, &FittedHypothesis) -> bool,
+    ) -> Vec<(usize, VariantPoints)> {
+        let own = self.baseline.variant.dimension();
+        let point = &one.fitted.point;
+        let others = self.singles.iter().enumerate().filter(|(n, e)| e.cause() != one.cause() && wanted(*n, e));
+        let candidate = |(n, other): (usize, &FittedHypothesis)| {
+            let both = one.variant.proposal.as_ref()?.combined_with(other.variant.proposal.as_ref()?);
+            let variant = self.baseline.variant.with_proposal(self.point, &both)?;
+            // The second effect at its proposed start, and as it was fitted alone.
+            let mut points = halton_points(&variant.start(&one.fitted.values), point.len(), SECOND_EFFECT_POINTS);
+            points.push([&point[..], &other.fitted.point[own..]].concat());
+            Some((n, (Arc::new(variant), points)))
+        };
+        others.filter_map(candidate).collect()
+    }
+
+    /// The best pairs of one effect with the wanted single effects of other causes.
     fn beside(
         &self,
-        work: &mut Work<'_>,
-        one: &Stands,
-        wanted: impl Fn(usize, &Explained) -> bool,
-    ) -> Result<Vec<Pair>, String> {
-        let own = self.baseline.variant.dimension();
-        let Some(proposal) = &one.explained.variant.proposal else { return Ok(vec![]) };
-        let (variant, point) = (&one.explained.variant, &one.explained.fitted.point);
-        let (mut all, mut others) = (vec![], vec![]);
-        // Every form: the best of a cause alone need not be the best beside another.
-        for (n, other) in
-            self.first.iter().enumerate().filter(|(n, e)| e.cause() != one.explained.cause() && wanted(*n, e))
-        {
-            let Some(two) = &other.variant.proposal else { continue };
-            let Some(v) = self.baseline.variant.with(self.place, &proposal.with(two)) else { continue };
-            // Where the second was proposed to begin, and as it was fitted alone.
-            let mut points = tried(&v.start(&one.explained.fitted.values), point.len(), TRIED);
-            points.push([&point[..], &other.fitted.point[own..]].concat());
-            let v = Arc::new(v);
-            others.push((v.clone(), n));
-            all.push((v, points));
+        scheduler: &mut Scheduler<'_>,
+        one: &PlacedEffect,
+        wanted: impl Fn(usize, &FittedHypothesis) -> bool,
+    ) -> Result<Vec<EffectPair>, String> {
+        if one.hypothesis.variant.proposal.is_none() {
+            return Ok(vec![]);
         }
-        let parts = work.bench.parts();
-        let Some(roughly) = work.with_steps_in(STAGE, parts.div_ceil(ROUGHLY), &one.explained)? else {
-            work.bench.refine(parts);
+        let candidates = self.candidates(&one.hypothesis, wanted);
+        let index_of: Vec<(Arc<Variant>, usize)> = candidates.iter().map(|(n, (v, _))| (v.clone(), *n)).collect();
+        let candidates = candidates.into_iter().map(|(_, candidate)| candidate).collect();
+        // Longer steps predict the gain of a second effect well enough.
+        let parts = scheduler.step_parts();
+        let coarse =
+            scheduler.evaluate_with_step_parts(STAGE, parts.div_ceil(SCREENING_STEP_RATIO), &one.hypothesis)?;
+        let Some(coarse) = coarse else {
+            scheduler.set_step_parts(parts);
             return Ok(vec![]);
         };
-        let mut screened = work.screen(STAGE, variant, point, all)?;
-        work.bench.refine(parts);
-        // A search costs more than it can tell where nothing is to be expected of it.
-        let score = Explained { fitted: roughly, ..one.explained.clone() }.score();
-        screened.retain(|s| ahead(s.score(), score) > -1.0);
-        let mut seconds = BTreeSet::new();
-        screened.retain(|s| seconds.insert(s.variant.proposal.as_ref().and_then(|p| p.second)));
-        screened.truncate(PAIRS);
+        let (variant, point) = (&one.hypothesis.variant, &one.hypothesis.fitted.point);
+        let mut screened = scheduler.screen(STAGE, variant, point, candidates)?;
+        scheduler.set_step_parts(parts);
+        let score = FittedHypothesis { fitted: coarse, ..one.hypothesis.clone() }.score();
+        screened.retain(|s| approximate_gain(s.score(), score) > MIN_EXPECTED_PAIR_GAIN);
+        let mut second_causes = BTreeSet::new();
+        screened.retain(|s| second_causes.insert(s.variant.second_cause()));
+        screened.truncate(SECOND_EFFECTS);
         let variants: Vec<Arc<Variant>> = screened.iter().map(|s| s.variant.clone()).collect();
-        let mut found = work.search_all(STAGE, screened, SECOND_ROUND)?;
-        if self.wide {
-            widely(work, STAGE, self.baseline, &variants, SECOND_ROUND, &mut found)?;
-            found.sort_by(|a, b| a.score().total_cmp(&b.score()));
+        let mut found = scheduler.search(STAGE, screened, SECOND_ROUND_ITERATIONS)?;
+        if self.global {
+            global_search(scheduler, STAGE, self.baseline, &variants, SECOND_ROUND_ITERATIONS, &mut found)?;
+            sort_by_score(&mut found);
         }
-        let pair = |explained: Explained| {
-            let (_, other) = others.iter().find(|(v, _)| Arc::ptr_eq(v, &explained.variant))?;
-            Some(Pair { explained, of: [one.effect, *other] })
+        let pair = |hypothesis: FittedHypothesis| {
+            let (_, other) = index_of.iter().find(|(v, _)| Arc::ptr_eq(v, &hypothesis.variant))?;
+            Some(EffectPair { hypothesis, effects: [one.effect, *other] })
         };
-        Ok(found.into_iter().take(KEPT).filter_map(pair).collect())
+        Ok(found.into_iter().take(KEPT_PAIRS).filter_map(pair).collect())
     }
 }
 
 #[cfg(test)]
-pub(crate) mod tests {
-    use super::{Makings, Pair};
-    use crate::candidate::variant::Variant;
-    use crate::fit::evaluator::Fitted;
-    use crate::fit::scheduler::Explained;
-    use crate::hypothesis::{Added, Proposal};
-    use crate::inspect::insertion::Place;
-    use hysteron_identify::study::Study;
-    use hysteron_tcl::diagnostic::SourceMap;
-    use std::path::Path;
-    use std::sync::Arc;
+mod tests {
+    use super::{EffectPair, PairSearch};
+    use crate::inspect::insertion::InsertionPoint;
+    use crate::test_support::{baseline, fitted_at, script_edit};
 
-    pub(crate) fn at(variant: Variant, added: &[f64]) -> Explained {
-        let own = variant.dimension() - added.len();
-        let point = [&vec![0.5; own][..], added].concat();
-        let values = variant.study.space.values(&point).expect("values");
-        Explained::new(Arc::new(variant), Fitted { point, values, objective: 1.0, fits: vec![] })
-    }
-
-    pub(crate) fn baseline() -> Explained {
-        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tcl-like-inputs/pad_study/study.toml");
-        let study = Arc::new(Study::load(&file, &mut SourceMap::default()).expect("a study"));
-        at(Variant::baseline(&study, "analyze 1\n"), &[])
-    }
-
-    pub(crate) fn effect(cause: &'static str, names: &[&str]) -> Proposal {
-        let added = names.iter().map(|n| Added::linear(n, 0.0, 1.0, 0.5)).collect();
-        let block = names.iter().map(|n| format!("{n} $hy_{n}")).collect();
-        Proposal::edit(cause, cause, "element 1".into(), block, added)
-    }
-
-    /// A pair that is turned round keeps the values of all its parameters, and each effect its own.
+    /// A reordered pair keeps the values of all parameters, and each effect its own.
     #[test]
-    fn a_pair_may_be_turned_round() {
+    fn a_pair_can_be_reordered() {
         let baseline = baseline();
-        let place = Place::At(0);
-        let (friction, damping) = (effect("friction", &["force"]), effect("damping", &["c", "n"]));
-        let with = |p: &Proposal| baseline.variant.with(&place, p).expect("a variant");
-        let first = [at(with(&friction), &[0.1]), at(with(&damping), &[0.2, 0.3])];
-        let makings = Makings { baseline: &baseline, first: &first, place: &place, wide: false };
-        let pair = Pair { explained: at(with(&damping.with(&friction)), &[0.7, 0.8, 0.9]), of: [1, 0] };
-        let turned = makings.in_order(pair).expect("a pair");
-        assert_eq!(
-            (turned.of, turned.explained.cause(), turned.explained.second()),
-            ([0, 1], "friction", Some("damping"))
-        );
-        let e = &turned.explained;
+        let point = InsertionPoint::At(0);
+        let (friction, damping) = (script_edit("friction", &["force"]), script_edit("damping", &["c", "n"]));
+        let with = |p: &_| baseline.variant.with_proposal(&point, p).expect("a variant");
+        let singles = [fitted_at(with(&friction), &[0.1]), fitted_at(with(&damping), &[0.2, 0.3])];
+        let search = PairSearch { baseline: &baseline, singles: &singles, point: &point, global: false };
+        let both = fitted_at(with(&damping.combined_with(&friction)), &[0.7, 0.8, 0.9]);
+        let pair = search.ordered(EffectPair { hypothesis: both, effects: [1, 0] }).expect("a pair");
+        let e = &pair.hypothesis;
+        assert_eq!((pair.effects, e.cause(), e.second_cause()), ([0, 1], "friction", Some("damping")));
         let value = |name: &str| {
             let parameters = &e.variant.study.space.parameters;
             parameters.iter().position(|p| p.name == name).map(|i| e.fitted.values[i])
@@ -269,10 +261,10 @@ pub(crate) mod tests {
         assert_eq!([value("hy_force"), value("hy2_c"), value("hy2_n")], [Some(0.9), Some(0.7), Some(0.8)]);
         assert_eq!(e.fitted.values[..baseline.fitted.values.len()], baseline.fitted.values);
         let own = baseline.variant.dimension();
-        let alone = |side| makings.taken_from(&turned, side).expect("an effect").explained;
-        assert_eq!(alone(0).fitted.point[own..], [0.9]);
-        assert_eq!(alone(1).fitted.point[own..], [0.7, 0.8]);
-        // In its order already: as it is.
-        assert_eq!(makings.in_order(turned).expect("a pair").of, [0, 1]);
+        let effect = |side| search.effect_of_pair(&pair, side).expect("an effect").hypothesis;
+        assert_eq!(effect(0).fitted.point[own..], [0.9]);
+        assert_eq!(effect(1).fitted.point[own..], [0.7, 0.8]);
+        // An ordered pair stays as it is.
+        assert_eq!(search.ordered(pair).expect("a pair").effects, [0, 1]);
     }
 }

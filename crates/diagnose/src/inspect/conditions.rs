@@ -1,53 +1,51 @@
-//! The conditions that runs were made under, beside their motions.
+//! Conditions of the runs besides their motions: temperature, axial load, amplitude and clock.
 
+use crate::prior::{
+    AMBIENT_SAMPLES, COUNTED_INTERVAL_TOLERANCE, MIN_AMPLITUDE_RATIO, MIN_AXIAL_LOAD_DIFFERENCE,
+    MIN_TEMPERATURE_DIFFERENCE,
+};
 use hysteron_identify::study::{Role, Run, Study};
 use std::collections::BTreeMap;
 
-/// Differences below this many degrees are not an effect of the surroundings.
-pub(crate) const DEGREES: f64 = 2.0;
-/// Axial loads differ from this part of the largest on.
-const LOADS: f64 = 0.05;
-/// Amplitudes differ from this ratio on: a choice, at which softening with amplitude is no matter of the noise.
-const AMPLITUDES: f64 = 3.0;
-
-/// Samples of a column of a recording, by the beginning of its name.
-pub(crate) fn column<'a>(run: &'a Run, name: &str) -> Option<&'a [f64]> {
-    let column = run.recording.columns.iter().find(|c| c.name.to_lowercase().starts_with(name))?;
+/// Samples of the first column of a recording whose lower-case name begins with `prefix`.
+pub(crate) fn recorded_column<'a>(run: &'a Run, prefix: &str) -> Option<&'a [f64]> {
+    let column = run.recording.columns.iter().find(|c| c.name.to_lowercase().starts_with(prefix))?;
     Some(&column.values)
 }
 
-/// Temperature of each run at its beginning, from a column of its recording; the surroundings, not what work adds.
-pub(crate) fn temperatures(study: &Study) -> Option<Vec<f64>> {
+/// Ambient temperature of each run in degrees, from the beginning of a recorded column; none unless all runs have one.
+pub(crate) fn ambient_temperatures(study: &Study) -> Option<Vec<f64>> {
     let of = |r: &Run| {
-        let first: Vec<f64> = column(r, "temp")?.iter().copied().filter(|x| x.is_finite()).take(10).collect();
+        let finite = recorded_column(r, "temp")?.iter().copied().filter(|x| x.is_finite());
+        let first: Vec<f64> = finite.take(AMBIENT_SAMPLES).collect();
         (!first.is_empty()).then(|| first.iter().sum::<f64>() / first.len() as f64)
     };
     study.runs.iter().map(of).collect()
 }
 
-/// Axial load of each run, from the variable `axial` that all of them set.
+/// Absolute axial load of each run, from the variable `axial`; none unless all runs set it.
 pub(crate) fn axial_loads(study: &Study) -> Option<Vec<f64>> {
     study.runs.iter().map(|r| r.number("axial").map(f64::abs)).collect()
 }
 
-/// Whether the times of all recordings are the number of the sample, as they often are in quasi-static tests: they have no clock.
-pub(crate) fn untimed(study: &Study) -> bool {
-    let by_one = |t: &[f64]| (t[1] - t[0] - 1.0).abs() < 1e-9;
+/// Returns true if the times of all recordings count samples, as in many quasi-static tests.
+pub(crate) fn lacks_clock(study: &Study) -> bool {
+    let by_one = |t: &[f64]| (t[1] - t[0] - 1.0).abs() < COUNTED_INTERVAL_TOLERANCE;
     let counts = |r: &Run| r.recording.times.len() > 1 && r.recording.times.windows(2).all(by_one);
     study.runs.iter().all(counts)
 }
 
-/// Whether runs were made at different temperatures or axial loads.
-pub(crate) fn differ(study: &Study) -> bool {
-    spread(temperatures(study), |_| DEGREES) || axial_loads_differ(study)
+/// Returns true if runs differ in temperature or in axial load.
+pub(crate) fn conditions_differ(study: &Study) -> bool {
+    spread_exceeds(ambient_temperatures(study), |_| MIN_TEMPERATURE_DIFFERENCE) || axial_loads_differ(study)
 }
 
-/// Whether runs were made at different axial loads.
+/// Returns true if runs differ in axial load.
 pub(crate) fn axial_loads_differ(study: &Study) -> bool {
-    spread(axial_loads(study), |most| LOADS * most)
+    spread_exceeds(axial_loads(study), |most| MIN_AXIAL_LOAD_DIFFERENCE * most)
 }
 
-/// Whether a channel of the fitted runs is several times as strong in one as in another.
+/// Returns true if a channel is several times as strong in one fitted run as in another.
 pub(crate) fn amplitudes_differ(study: &Study) -> bool {
     let mut range: BTreeMap<&str, [f64; 2]> = BTreeMap::new();
     for o in study.runs_of(Role::Fit).flat_map(|(_, r)| &r.observe) {
@@ -55,11 +53,11 @@ pub(crate) fn amplitudes_differ(study: &Study) -> bool {
         let size = o.variance.sqrt();
         (*low, *high) = (low.min(size), high.max(size));
     }
-    range.values().any(|[low, high]| *high > AMPLITUDES * low)
+    range.values().any(|[low, high]| *high > MIN_AMPLITUDE_RATIO * low)
 }
 
-/// Whether values lie further apart than a limit, which is told by the largest.
-fn spread(values: Option<Vec<f64>>, limit: impl Fn(f64) -> f64) -> bool {
+/// Returns true if the range of values exceeds a limit, which may depend on the largest value.
+fn spread_exceeds(values: Option<Vec<f64>>, limit: impl Fn(f64) -> f64) -> bool {
     let values = values.unwrap_or_default();
     let [low, high] = values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(*x), b.max(*x)]);
     high - low > limit(high)

@@ -1,340 +1,342 @@
-//! From the explanations that were weighed to the verdict, the repaired model and the words.
+//! From ranked hypotheses to the verdict and the repaired model.
 
-use crate::candidate::repaired_script;
-use crate::candidate::sensor_fault::Correction;
+use super::diagnosis::{Diagnosis, RankedHypothesis};
+use super::discriminating_test::discriminating_test;
+use super::explanation::{explanation, observation};
+use super::mismatch::{find_windows, regime};
+use super::result_file::{Baseline, Candidate, Mismatch, Outcome, RepairedModel, Verdict};
+use crate::candidate::channel_fault::ChannelFault;
+use crate::candidate::repaired_script::repaired_script;
 use crate::candidate::variant::Variant;
-use crate::evidence::holdout::{Judgement, holdout, judge};
-use crate::evidence::parametric_bootstrap::Bootstrap;
-use crate::evidence::probabilities::Odds;
-use crate::fit::evaluator::Fitted;
-use crate::fit::scheduler::{Explained, LAST, Work};
-use crate::fit::screening::{as_much, tried};
+use crate::evidence::holdout::{self, HoldoutJudgement, holdout_nmse, judge};
+use crate::evidence::parametric_bootstrap::BootstrapResult;
+use crate::evidence::probabilities::{CauseProbabilities, CauseValues};
+use crate::evidence::ranking::equal_forms;
+use crate::fit::fitted::FittedHypothesis;
+use crate::fit::halton_points::points_around;
+use crate::fit::job::{FittedModel, Job};
+use crate::fit::scheduler::Scheduler;
+use crate::fit::search_settings::LAST_ITERATIONS;
 use crate::fit::step_error::StepError;
-use crate::hypothesis;
-use crate::inspect::insertion::Place;
-use crate::inspect::response::Scales;
-use crate::verdict::diagnosis::{Diagnosis, Weighed};
-use crate::verdict::discriminating_test::next_test;
-use crate::verdict::mismatch::{regime, windows};
-use crate::verdict::result_file::{Baseline, Candidate, Corrected, Mismatch, Outcome, Verdict};
-use hysteron_identify::study::{Fit, Opening, Role, ScriptSimulator, Study, fit};
+use crate::inspect::insertion::InsertionPoint;
+use crate::inspect::response::ResponseRanges;
+use crate::prior::{MIN_REPAIR_GAIN, MIN_REPORTED_PROBABILITY};
+use hysteron_identify::study::{Fit, Opening, Role, ScriptSimulator, Space, Study, fit};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// Log evidence over the model as it is from which a repair is written although structure is left that it does not
-/// explain.
-const WORTH: f64 = 5.0;
-/// Further starts of the last search, and the sides of the cube in which they lie, against that of the whole.
-const AROUND: usize = 3;
-const NEAR: f64 = 0.1;
-
-pub(crate) struct Context<'a> {
-    pub(crate) study: &'a Arc<Study>,
-    pub(crate) simulator: &'a ScriptSimulator,
-    pub(crate) opening: &'a Opening,
-    pub(crate) text: &'a str,
-    pub(crate) place: &'a Place,
-    pub(crate) scales: &'a Scales,
-    /// The motion is that of the device, not of the ground.
-    pub(crate) imposed: bool,
-    /// How long the steps of the script are.
-    pub(crate) steps: StepError,
-    /// Causes that were left out because the recordings have no clock.
-    pub(crate) untimed: Vec<&'static str>,
-    /// Little is to be believed of the fitted model, and the runs are too long to search for physics far from it.
-    pub(crate) too_long: bool,
-    /// What recordings with a known truth say of the explanation with the most evidence.
-    pub(crate) bootstrap: Option<Bootstrap>,
+/// Basis of the conclusion besides the ranking.
+pub(super) struct ConclusionContext<'a> {
+    pub(super) study: &'a Arc<Study>,
+    pub(super) simulator: &'a ScriptSimulator,
+    pub(super) opening: &'a Opening,
+    pub(super) text: &'a str,
+    pub(super) point: &'a InsertionPoint,
+    pub(super) responses: &'a ResponseRanges,
+    /// True if motions of nodes are imposed, false if the ground moves.
+    pub(super) imposed_motion: bool,
+    pub(super) step_error: StepError,
+    /// Causes left out because the recordings have no clock.
+    pub(super) causes_without_clock: Vec<&'static str>,
+    /// True if the baseline is poor and the runs are too long for a global search.
+    pub(super) global_search_too_long: bool,
+    pub(super) bootstrap: Option<BootstrapResult>,
 }
 
-/// Put the verdict together. `baseline` is the fitted model with the steps of the script, `weighed` what was weighed with
-/// steps as short as they have to be.
-pub(crate) fn conclude(
-    work: &mut Work<'_>,
-    c: &Context<'_>,
-    baseline: &Explained,
-    weighed: Vec<Explained>,
+/// A repaired model.
+struct Repair {
+    /// Hypothesis of the repair.
+    hypothesis: FittedHypothesis,
+    /// Its optimum with the steps of the script.
+    fitted: FittedModel,
+    /// Channels of all runs; none for a run without a result.
+    fits: Vec<Option<Fit>>,
+    judgement: HoldoutJudgement,
+}
+
+/// Cause with the highest probability after the judgement of its repair.
+struct JudgedVerdict {
+    cause: &'static str,
+    repair: Repair,
+    /// Cause of the nearest repair if none is written, because it has no name and worsens the runs held out.
+    refused: Option<&'static str>,
+}
+
+/// Diagnosis from ranked hypotheses, best first.
+///
+/// `baseline` is fitted with the steps of the script, `ranked` with steps as short as necessary.
+pub(super) fn conclude(
+    scheduler: &mut Scheduler<'_>,
+    c: &ConclusionContext<'_>,
+    baseline: &FittedHypothesis,
+    ranked: &[FittedHypothesis],
 ) -> Result<Diagnosis, String> {
     let study = c.study;
-    let best = &weighed[0];
-    let Odds { mut odds, left, signature, none: evidence_of_none } =
-        Odds::of(study, c.scales, baseline, &weighed, c.bootstrap.as_ref());
-    let before = all_runs(c, &baseline.variant, &baseline.fitted.values);
-    // It is the script as it is written that is repaired.
-    work.bench.refine(1);
-    let mut repairs: Vec<(&'static str, Repair)> = vec![];
-    let verdict = loop {
-        let verdict = odds[0].0;
-        // Where structure is left the nearest repair is written all the same.
-        if repairs.iter().any(|(cause, _)| *cause == verdict) || verdict == "unknown" && !repairs.is_empty() {
-            break verdict;
-        }
-        let chosen = match verdict {
-            "none" => baseline,
-            "unknown" if best.evidence < evidence_of_none + WORTH => baseline,
-            "unknown" => best,
-            _ => weighed.iter().find(|e| e.cause() == verdict).unwrap_or(best),
-        };
-        let mut repair = repaired(work, c, chosen.clone(), (&before, left))?;
-        // Another form of the cause may predict what the first does not.
-        let another = weighed.iter().filter(|e| e.cause() == verdict && e.evidence > evidence_of_none).nth(1);
-        if let Some(form) = another.filter(|_| repair.judgement.refutes()) {
-            let other = repaired(work, c, form.clone(), (&before, left))?;
-            if !other.judgement.refutes() {
-                repair = other;
-            }
-        }
-        let keeps = repair.judgement.keeps();
-        if let Some(n) = odds.iter().position(|(cause, _)| keeps < 1.0 && *cause == "unknown") {
-            let doubted = (1.0 - keeps) * odds[0].1;
-            odds[0].1 -= doubted;
-            odds[n].1 += doubted;
-            odds.sort_by(|a, b| b.1.total_cmp(&a.1));
-        }
-        repairs.push((verdict, repair));
-    };
-    let named_by_it = repairs.iter().position(|(cause, _)| *cause == verdict).unwrap_or(0);
-    let (nearest, mut repair) = repairs.swap_remove(named_by_it);
-    // Nobody is given a model as repaired that has no name and is known to do harm.
-    let refused = verdict == "unknown" && repair.judgement.refutes();
-    if refused {
-        repair = repaired(work, c, baseline.clone(), (&before, left))?;
-    }
-    let Repair { chosen, fitted, after, judgement } = repair;
-    let named = |space: &hysteron_identify::study::Space, values: &[f64]| -> BTreeMap<String, f64> {
-        space.parameters.iter().map(|p| p.name.clone()).zip(values.iter().copied()).collect()
-    };
-    let corrections = chosen.variant.corrections(&fitted.values);
-    let share = if baseline.fitted.objective > 0.0 { fitted.objective / baseline.fitted.objective } else { 1.0 };
-    let also: Vec<&str> = chosen.second().into_iter().filter(|_| verdict != "unknown").collect();
-    let mut explanation = explanation(verdict, &chosen, &also, &signature, share) + &c.steps.says();
-    if let Some(b) = c.bootstrap.as_ref().filter(|b| b.cause == verdict) {
-        explanation += &b.says();
-    }
-    let other = |e: &&Explained| as_much(e, &chosen) && !Arc::ptr_eq(&e.variant, &chosen.variant);
-    if let Some(p) = weighed.iter().find(other).and_then(|e| e.variant.proposal.as_ref()) {
-        explanation += &format!(" Another form explains as much: {}, {}.", p.at, p.form);
-    }
-    if !c.untimed.is_empty() {
-        explanation += &format!(
-            " The times of the recordings count samples: {} need a clock and were left out (--clock takes them for seconds).",
-            c.untimed.join(" and ")
-        );
-    }
-    if c.too_long {
-        explanation += " The fitted model leaves much, and the fitted runs are too long to search for every effect far from its values: fewer of them, or \
-                        fewer samples, may tell more.";
-    }
-    explanation += &judgement.says();
-    if refused {
-        let nearest = if nearest == "unknown" { best.cause() } else { nearest };
-        explanation += &format!(" No repair is written: the nearest, {nearest}, makes the runs held out no better.");
-    }
-    // The verdict and its strongest rival, each as it was fitted.
-    let rival = weighed.iter().find(|e| e.cause() != chosen.cause() && e.cause() != "none");
-    let observe = observation(verdict, rival.map(Explained::cause));
-    let next_test = rival
-        .filter(|_| chosen.cause() != "none")
-        .and_then(|r| next_test(&c.simulator.blueprint(), study, c.imposed, [&chosen, r]));
+    let mut causes = CauseProbabilities::of(study, c.responses, baseline, ranked, c.bootstrap.as_ref());
+    let baseline_fits = fits_of_all_runs(c, &baseline.variant, &baseline.fitted.values);
+    // The repaired model keeps the steps of the script.
+    scheduler.set_step_parts(1);
+    let mut verdict_judge = VerdictJudge { scheduler, c, baseline, ranked, baseline_fits: &baseline_fits };
+    let verdict = verdict_judge.verdict(&mut causes)?;
+    let repair = &verdict.repair;
+    // The verdict and its strongest competitor, each as fitted.
+    let competitor = ranked.iter().find(|e| e.cause() != repair.hypothesis.cause() && e.cause() != "none");
+    let observation = observation(verdict.cause, competitor.map(FittedHypothesis::cause));
+    let next_test = competitor.filter(|_| repair.hypothesis.cause() != "none").and_then(|other| {
+        discriminating_test(&c.simulator.blueprint(), study, c.imposed_motion, [&repair.hypothesis, other])
+    });
+    let named_repair = Some(&repair.fits).filter(|_| !matches!(verdict.cause, "none" | "unknown"));
     let outcome = Outcome {
         baseline: Baseline {
             fit_nmse: baseline.fitted.objective,
-            holdout_nmse: holdout(study, &before),
-            parameters: named(&study.space, &baseline.fitted.values),
+            holdout_nmse: holdout_nmse(study, &baseline_fits),
+            parameters: values_by_name(&study.space, &baseline.fitted.values),
         },
-        mismatch: mismatches(c, &before, Some(&after).filter(|_| !matches!(verdict, "none" | "unknown"))),
-        verdict: Verdict {
-            cause: verdict.into(),
-            confidence: odds[0].1,
-            also: also.iter().map(|a| (*a).to_owned()).collect(),
-            also_possible: odds
-                .iter()
-                .skip(1)
-                .filter(|(_, p)| *p > 0.005)
-                .map(|(cause, p)| Candidate { cause: (*cause).into(), confidence: *p })
-                .collect(),
-            explanation,
-        },
-        corrected: Corrected {
+        mismatch: mismatches(c, &baseline_fits, named_repair),
+        verdict: verdict_in_words(c, baseline, ranked, &causes, &verdict),
+        corrected: RepairedModel {
             script: "corrected.tcl".into(),
-            parameters: named(&chosen.variant.study.space, &fitted.values),
-            fit_nmse: fitted.objective,
-            holdout_nmse: holdout(study, &after),
-            channels: corrections,
+            parameters: values_by_name(&repair.hypothesis.variant.study.space, &repair.fitted.values),
+            fit_nmse: repair.fitted.objective,
+            holdout_nmse: holdout_nmse(study, &repair.fits),
+            channels: repair.hypothesis.variant.channel_faults(&repair.fitted.values),
         },
-        unexplained_share: share.min(1.0),
+        unexplained_share: remaining_share(baseline, repair).min(1.0),
         bootstrap: c.bootstrap.clone(),
         next_test: match &next_test {
-            Some(t) => format!("{}; {observe}", t.says),
-            None => observe,
+            Some(t) => format!("{}; {observation}", t.description),
+            None => observation,
         },
     };
-    let script = repaired_script::script(c.text, &c.opening.places, c.place, &chosen.variant, &fitted.values);
-    let weighed = weighed
-        .iter()
-        .map(|e| Weighed {
-            cause: e.cause(),
-            form: e.variant.proposal.as_ref().map_or_else(String::new, |p| p.form.clone()),
-            at: e.variant.proposal.as_ref().map_or_else(String::new, |p| p.at.clone()),
-            objective: e.fitted.objective,
-            evidence: e.evidence,
-        })
-        .collect();
-    // Where the displacement is not recorded, what the model's device deforms by under an imposed motion.
-    let deformed = |r: usize| -> Option<(String, Vec<f64>)> {
-        let of_run = c.scales.watched.iter().filter(|((run, ..), _)| *run == r && c.imposed);
-        let ((_, tag, _), w) = of_run.max_by(|a, b| a.1.extent().e.total_cmp(&b.1.extent().e))?;
-        (w.e.len() == study.runs[r].recording.times.len())
-            .then(|| (format!("deformation of element {tag}, simulated"), w.e.clone()))
-    };
-    let over = |r: usize| c.simulator.displacement(r, &baseline.fitted.values).or_else(|| deformed(r));
-    let displacements = (0..study.runs.len()).map(over).collect();
+    let values = &repair.fitted.values;
+    let script = repaired_script(c.text, &c.opening.places, c.point, &repair.hypothesis.variant, values);
     Ok(Diagnosis {
         outcome,
-        script,
-        weighed,
-        before,
-        after,
-        displacements,
+        repaired_script: script,
+        ranking: ranked.iter().map(ranked_hypothesis).collect(),
+        displacements: displacements(c, &baseline.fitted.values),
+        repaired_fits: verdict.repair.fits,
+        baseline_fits,
         next_test,
-        looks: work.bench.looks(),
-        left: (left, signature),
+        evaluations: scheduler.evaluations(),
+        structured_share: causes.structure.share,
+        structure: causes.structure.description,
     })
 }
 
-/// A model that was repaired.
-struct Repair {
-    /// The explanation that it is repaired by.
-    chosen: Explained,
-    /// As it was fitted with the steps of the script.
-    fitted: Fitted,
-    /// What it says of all runs.
-    after: Vec<Option<Fit>>,
-    /// What the runs that were held out say of it.
-    judgement: Judgement,
+/// Finds the verdict by repairing the most probable cause until its repair stands.
+struct VerdictJudge<'a, 'b> {
+    scheduler: &'a mut Scheduler<'b>,
+    c: &'a ConclusionContext<'a>,
+    baseline: &'a FittedHypothesis,
+    ranked: &'a [FittedHypothesis],
+    baseline_fits: &'a [Option<Fit>],
 }
 
-/// The last search, from where the chosen one stands and from around it: contact and yielding make ridges. Runs that were
-/// held out are looked at here for the first time: they can only take confidence away.
-fn repaired(
-    work: &mut Work<'_>,
-    c: &Context<'_>,
-    chosen: Explained,
-    (before, left): (&[Option<Fit>], f64),
-) -> Result<Repair, String> {
-    let study = c.study;
-    let starts = around(&chosen.fitted.point);
-    let jobs = starts.into_iter().map(|start| Work::search(&chosen.variant, start, LAST)).collect();
-    let refined = work.fit("the repaired model", jobs)?.into_iter().flatten();
-    let known = Some(chosen.fitted.clone()).filter(|_| c.steps.parts == 1);
-    let fitted = known.into_iter().chain(refined).min_by(|a, b| a.objective.total_cmp(&b.objective));
-    let fitted = fitted.ok_or("the repaired model has no answer with the steps of the script")?;
-    let after = all_runs(c, &chosen.variant, &fitted.values);
-    work.go_on()?;
-    let concerned =
-        |f: &Correction| f.run.as_ref().is_none_or(|name| study.runs_of(Role::Holdout).any(|(_, r)| r.name == *name));
-    let acts_there = chosen.variant.edits() || chosen.variant.corrections(&fitted.values).iter().any(concerned);
-    // Of the model as it is nothing is claimed.
-    let judgement = match chosen.cause() {
-        "none" => Judgement::Keeps,
-        _ => judge(study, before, (&after, left), acts_there, chosen.variant.seen() > 0.0),
+impl VerdictJudge<'_, '_> {
+    /// Repairs the most probable cause. If the runs held out lower its probability, the next most probable one follows.
+    fn verdict(&mut self, causes: &mut CauseProbabilities) -> Result<JudgedVerdict, String> {
+        let structured_share = causes.structure.share;
+        let log_evidence_of_none = causes.log_evidence_of_none;
+        let mut repairs: Vec<(&'static str, Repair)> = vec![];
+        let cause = loop {
+            let cause = causes.probabilities[0].0;
+            // Even for `unknown` the nearest repair is written.
+            if repairs.iter().any(|(known, _)| *known == cause) || cause == "unknown" && !repairs.is_empty() {
+                break cause;
+            }
+            let repair = self.best_repair(cause, log_evidence_of_none, structured_share)?;
+            move_to_unknown(&mut causes.probabilities, repair.judgement.kept_confidence());
+            repairs.push((cause, repair));
+        };
+        let index = repairs.iter().position(|(known, _)| *known == cause).unwrap_or(0);
+        let (repaired_cause, repair) = repairs.swap_remove(index);
+        if cause == "unknown" && repair.judgement.refutes() {
+            let nearest = if repaired_cause == "unknown" { self.ranked[0].cause() } else { repaired_cause };
+            let repair = self.repair(self.baseline.clone(), structured_share)?;
+            return Ok(JudgedVerdict { cause, repair, refused: Some(nearest) });
+        }
+        Ok(JudgedVerdict { cause, repair, refused: None })
+    }
+
+    /// Repair by the best form of a cause, or by its second form if the runs held out refute the first alone.
+    fn best_repair(&mut self, cause: &str, log_evidence_of_none: f64, structured_share: f64) -> Result<Repair, String> {
+        let best = &self.ranked[0];
+        let hypothesis = match cause {
+            "none" => self.baseline,
+            "unknown" if best.log_evidence < log_evidence_of_none + MIN_REPAIR_GAIN => self.baseline,
+            "unknown" => best,
+            _ => self.ranked.iter().find(|e| e.cause() == cause).unwrap_or(best),
+        };
+        let repair = self.repair(hypothesis.clone(), structured_share)?;
+        let supported = |e: &&FittedHypothesis| e.cause() == cause && e.log_evidence > log_evidence_of_none;
+        let second_form = self.ranked.iter().filter(supported).nth(1).filter(|_| repair.judgement.refutes());
+        if let Some(form) = second_form {
+            let second = self.repair(form.clone(), structured_share)?;
+            if !second.judgement.refutes() {
+                return Ok(second);
+            }
+        }
+        Ok(repair)
+    }
+
+    /// The last search, from the optimum of a hypothesis and from points around it, and the judgement of the runs held out.
+    ///
+    /// These runs are evaluated here for the first time.
+    fn repair(&mut self, hypothesis: FittedHypothesis, structured_share: f64) -> Result<Repair, String> {
+        let (c, study) = (self.c, self.c.study);
+        let variant = &hypothesis.variant;
+        let starts = points_around(&hypothesis.fitted.point);
+        let jobs = starts.into_iter().map(|start| Job::search(variant, start, LAST_ITERATIONS)).collect();
+        let refined = self.scheduler.fit("the repaired model", jobs)?.into_iter().flatten();
+        let known = Some(hypothesis.fitted.clone()).filter(|_| c.step_error.parts == 1);
+        let fitted = known.into_iter().chain(refined).min_by(|a, b| a.objective.total_cmp(&b.objective));
+        let fitted = fitted.ok_or("the repaired model has no answer with the steps of the script")?;
+        let fits = fits_of_all_runs(c, variant, &fitted.values);
+        self.scheduler.check_cancelled()?;
+        let in_holdout = |f: &ChannelFault| {
+            f.run.as_ref().is_none_or(|name| study.runs_of(Role::Holdout).any(|(_, r)| r.name == *name))
+        };
+        let affects_holdout = variant.edits_script() || variant.channel_faults(&fitted.values).iter().any(in_holdout);
+        let repair = holdout::Repair {
+            before: self.baseline_fits,
+            after: &fits,
+            structured_share,
+            affects_holdout,
+            visible_in_recording: variant.visible_log_odds() > 0.0,
+        };
+        // The user's model claims nothing.
+        let judgement = if hypothesis.cause() == "none" { HoldoutJudgement::Accepted } else { judge(study, &repair) };
+        Ok(Repair { hypothesis, fitted, fits, judgement })
+    }
+}
+
+/// Moves the part of the first cause's probability that is not kept to `unknown`, and sorts again.
+fn move_to_unknown(probabilities: &mut CauseValues, kept: f64) {
+    let unknown = probabilities.iter().position(|(cause, _)| kept < 1.0 && *cause == "unknown");
+    if let Some(n) = unknown {
+        let amount = (1.0 - kept) * probabilities[0].1;
+        probabilities[0].1 -= amount;
+        probabilities[n].1 += amount;
+        probabilities.sort_by(|a, b| b.1.total_cmp(&a.1));
+    }
+}
+
+/// Share of the baseline's squared error that a repair leaves.
+fn remaining_share(baseline: &FittedHypothesis, repair: &Repair) -> f64 {
+    let before = baseline.fitted.objective;
+    if before > 0.0 { repair.fitted.objective / before } else { 1.0 }
+}
+
+/// Verdict with its explanation and the other possible causes.
+fn verdict_in_words(
+    c: &ConclusionContext<'_>,
+    baseline: &FittedHypothesis,
+    ranked: &[FittedHypothesis],
+    causes: &CauseProbabilities,
+    verdict: &JudgedVerdict,
+) -> Verdict {
+    let (cause, repair) = (verdict.cause, &verdict.repair);
+    let hypothesis = &repair.hypothesis;
+    let second_causes: Vec<&str> = hypothesis.second_cause().into_iter().filter(|_| cause != "unknown").collect();
+    let share = remaining_share(baseline, repair);
+    let mut text = explanation(cause, hypothesis, &second_causes, &causes.structure.description, share);
+    text += &c.step_error.description();
+    if let Some(b) = c.bootstrap.as_ref().filter(|b| b.cause == cause) {
+        text += &b.description();
+    }
+    let other_form =
+        |e: &&FittedHypothesis| equal_forms(e, hypothesis) && !Arc::ptr_eq(&e.variant, &hypothesis.variant);
+    if let Some(p) = ranked.iter().find(other_form).and_then(|e| e.variant.proposal.as_ref()) {
+        text += &format!(" Another form explains as much: {}, {}.", p.location, p.form);
+    }
+    if !c.causes_without_clock.is_empty() {
+        text += &format!(
+            " The times of the recordings count samples: {} need a clock and were left out (--clock takes them for seconds).",
+            c.causes_without_clock.join(" and ")
+        );
+    }
+    if c.global_search_too_long {
+        text += " The fitted model leaves much, and the fitted runs are too long to search for every effect far from its values: fewer of them, or \
+                 fewer samples, may tell more.";
+    }
+    text += &repair.judgement.description();
+    if let Some(nearest) = verdict.refused {
+        text += &format!(" No repair is written: the nearest, {nearest}, makes the runs held out no better.");
+    }
+    let others = causes.probabilities.iter().skip(1).filter(|(_, p)| *p > MIN_REPORTED_PROBABILITY);
+    Verdict {
+        cause: cause.into(),
+        confidence: causes.probabilities[0].1,
+        also: second_causes.iter().map(|a| (*a).to_owned()).collect(),
+        also_possible: others.map(|(cause, p)| Candidate { cause: (*cause).into(), confidence: *p }).collect(),
+        explanation: text,
+    }
+}
+
+fn ranked_hypothesis(e: &FittedHypothesis) -> RankedHypothesis {
+    let proposal = e.variant.proposal.as_ref();
+    RankedHypothesis {
+        cause: e.cause(),
+        form: proposal.map_or_else(String::new, |p| p.form.clone()),
+        location: proposal.map_or_else(String::new, |p| p.location.clone()),
+        objective: e.fitted.objective,
+        log_evidence: e.log_evidence,
+    }
+}
+
+fn values_by_name(space: &Space, values: &[f64]) -> BTreeMap<String, f64> {
+    space.parameters.iter().map(|p| p.name.clone()).zip(values.iter().copied()).collect()
+}
+
+/// Displacement of each run with its name: recorded, or simulated for the most deformed device under an imposed motion.
+fn displacements(c: &ConclusionContext<'_>, values: &[f64]) -> Vec<Option<(String, Vec<f64>)>> {
+    let simulated = |r: usize| -> Option<(String, Vec<f64>)> {
+        let of_run = c.responses.histories.iter().filter(|((run, ..), _)| *run == r && c.imposed_motion);
+        let largest = of_run.max_by(|a, b| a.1.range().deformation.total_cmp(&b.1.range().deformation));
+        let ((_, tag, _), h) = largest?;
+        (h.deformation.len() == c.study.runs[r].recording.times.len())
+            .then(|| (format!("deformation of element {tag}, simulated"), h.deformation.clone()))
     };
-    Ok(Repair { chosen, fitted, after, judgement })
+    let of_run = |r: usize| c.simulator.displacement(r, values).or_else(|| simulated(r));
+    (0..c.study.runs.len()).map(of_run).collect()
 }
 
-/// What a variant says of all runs with the steps of the script; `None` where it has no answer.
-fn all_runs(c: &Context<'_>, variant: &Arc<Variant>, values: &[f64]) -> Vec<Option<Fit>> {
+/// Channels of a variant in all runs with the steps of the script; `None` for a run without a result.
+fn fits_of_all_runs(c: &ConclusionContext<'_>, variant: &Arc<Variant>, values: &[f64]) -> Vec<Option<Fit>> {
     let mut simulator = variant.simulator(&c.simulator.blueprint());
     (0..c.study.runs.len()).map(|r| fit(&mut simulator, c.study, r, values).ok()).collect()
 }
 
-/// A point, and others around it.
-fn around(point: &[f64]) -> Vec<Vec<f64>> {
-    let middle: Vec<f64> = point.iter().map(|_| 0.5).collect();
-    let of_a_parameter = AROUND.div_ceil(point.len() + 1);
-    let spread = tried(&middle, 0, of_a_parameter).into_iter().skip(1).take(AROUND);
-    let near = |other: Vec<f64>| point.iter().zip(other).map(|(p, o)| (p + NEAR * (o - 0.5)).clamp(0.0, 1.0)).collect();
-    std::iter::once(point.to_vec()).chain(spread.map(near)).collect()
-}
-
-/// Where the baseline differs, the channel with the largest error first. A repair that has a name tells what of the error is no noise.
-fn mismatches(c: &Context<'_>, fits: &[Option<Fit>], repaired: Option<&Vec<Option<Fit>>>) -> Vec<Mismatch> {
+/// Errors of the baseline in the fitted runs, the largest NMSE first. A named repair separates the effect from the noise.
+fn mismatches(
+    c: &ConclusionContext<'_>,
+    baseline_fits: &[Option<Fit>],
+    repaired_fits: Option<&Vec<Option<Fit>>>,
+) -> Vec<Mismatch> {
     let mut all: Vec<(f64, Mismatch)> = vec![];
     for (number, run) in c.study.runs_of(Role::Fit) {
-        let Some(f) = &fits[number] else { continue };
-        let motion = c.scales.watched.iter().find(|((r, _, _), _)| *r == number).map(|(_, w)| w.e.clone());
-        let repaired = repaired.and_then(|r| r[number].as_ref());
+        let Some(f) = &baseline_fits[number] else { continue };
+        let first_history = c.responses.histories.iter().find(|((r, _, _), _)| *r == number);
+        let motion = first_history.map(|(_, h)| h.deformation.clone());
+        let repaired = repaired_fits.and_then(|r| r[number].as_ref());
         for (channel, ((o, y), s)) in run.observe.iter().zip(&f.channels).zip(&f.scores).enumerate() {
             let times = &run.recording.times;
-            let differs = |from: &[f64]| -> Vec<f64> { y.iter().zip(from).map(|(y, v)| y - v).collect() };
-            let error = differs(&o.values);
-            let effect = repaired.map(|r| differs(&r.channels[channel]));
-            let found = windows(times, &error, effect.as_deref());
+            let difference = |from: &[f64]| -> Vec<f64> { y.iter().zip(from).map(|(y, v)| y - v).collect() };
+            let effect = repaired.map(|r| difference(&r.channels[channel]));
+            let found = find_windows(times, &difference(&o.values), effect.as_deref());
             let regime = regime(times, &found, motion.as_ref().unwrap_or(&o.values));
-            all.push((
-                s.nmse,
-                Mismatch {
-                    run: run.name.clone(),
-                    channel: o.channel.clone(),
-                    at: o.at.clone(),
-                    windows: found.windows,
-                    share: found.share,
-                    regime,
-                },
-            ));
+            let mismatch = Mismatch {
+                run: run.name.clone(),
+                channel: o.channel.clone(),
+                at: o.at.clone(),
+                windows: found.windows,
+                share: found.share,
+                regime,
+            };
+            all.push((s.nmse, mismatch));
         }
     }
     all.sort_by(|a, b| b.0.total_cmp(&a.0));
     all.into_iter().map(|(_, m)| m).collect()
-}
-
-fn explanation(verdict: &str, chosen: &Explained, also: &[&str], signature: &str, share: f64) -> String {
-    match verdict {
-        "none" => {
-            "what the model leaves of the recordings is noise: no effect of the library gains anything on samples \
-                   that it was not fitted to."
-                .into()
-        }
-        "unknown" => {
-            let mut text = if signature.is_empty() {
-                "nothing speaks clearly for an effect of the library, nor for noise".to_owned()
-            } else {
-                format!("there is structure that no effect of the library explains: {signature}")
-            };
-            if let Some(h) = hypothesis::of(chosen.cause()) {
-                text += &format!(
-                    "; the repaired model has the nearest, {}, and leaves {:.1} % of the squared error",
-                    h.cause,
-                    100.0 * share
-                );
-            }
-            text + "."
-        }
-        cause => {
-            let h = hypothesis::of(cause);
-            let place =
-                chosen.variant.proposal.as_ref().map_or_else(String::new, |p| format!(" ({}, {})", p.at, p.form));
-            let mut text = format!("{}{place}", h.map_or(cause, |h| h.says));
-            for second in also {
-                text += &format!("; and {}", hypothesis::of(second).map_or(*second, |h| h.says));
-            }
-            text += &format!(
-                "; the repaired model leaves {:.1} % of the squared error. It would be wrong if {}.",
-                100.0 * share,
-                h.map_or("", |h| h.refuted_by)
-            );
-            text
-        }
-    }
-}
-
-/// What to look at next, in words, where no test of the rig can be proposed.
-fn observation(verdict: &str, rival: Option<&str>) -> String {
-    match (hypothesis::of(verdict), rival.and_then(hypothesis::of)) {
-        (Some(h), Some(r)) => {
-            format!("to tell {} from {}: see whether {}, and whether {}", h.cause, r.cause, h.refuted_by, r.refuted_by)
-        }
-        (Some(h), None) => format!("see whether {}", h.refuted_by),
-        _ => "repeat a run unchanged: what repeats is the model, what does not is noise".into(),
-    }
 }

@@ -1,158 +1,162 @@
-//! The way from a study to a verdict.
+//! The way from a study to its diagnosis.
 
+use super::conclusion::{ConclusionContext, conclude};
+use super::discriminating_test::DiscriminatingTest;
+use super::result_file::Outcome;
+use crate::candidate::proposal::Proposal;
 use crate::evidence::probabilities::leaves_structure;
-use crate::fit::checkpoint::Kept;
-use crate::fit::evaluator::Bench;
-use crate::fit::scheduler::Work;
-use crate::fit::screening::{
-    best_of_causes, first_round, fit_baseline, made_again, of_so_many_causes, poor, refine, refit, twins, weigh,
-    within_reach,
-};
+use crate::evidence::ranking::{bootstrap_ranking, rank};
+use crate::fit::baseline::{fit_baseline, is_poor, refit_baseline};
+use crate::fit::checkpoint::CheckpointEntry;
+use crate::fit::evaluator_pool::EvaluatorPool;
+use crate::fit::fitted::FittedHypothesis;
+use crate::fit::global_search::is_affordable;
+use crate::fit::refit_competitors::refit_competitors;
+use crate::fit::scheduler::{ProgressMonitor, Scheduler};
+use crate::fit::screening::{FirstRound, best_forms, of_first_causes};
+use crate::fit::search_settings::{FINALIST_CAUSES, SECOND_ROUND_ITERATIONS};
 use crate::fit::step_error::step_error;
-use crate::fit::two_effect_search::pairs;
-use crate::hypothesis::{self, Proposal, Sight};
-use crate::inspect::conditions::untimed;
-use crate::inspect::probe;
-use crate::residual::drift::may_be_noise;
-use crate::verdict::conclusion::{Context, conclude};
-use crate::verdict::discriminating_test::NextTest;
-use crate::verdict::result_file::Outcome;
+use crate::fit::two_effect_search::two_effect_search;
+use crate::hypothesis::{self, context::ProposalContext};
+use crate::inspect::conditions::lacks_clock;
+use crate::inspect::probe::{inspect_model, record_responses};
+use crate::residual::drift::drift_may_be_noise;
 use hysteron_identify::calibrate::Displacements;
-use hysteron_identify::study::{Fit, Opening, ScriptSimulator};
+use hysteron_identify::study::{Fit, Opening, ScriptSimulator, Study};
 
-/// Causes that go into the last round.
-const FINALISTS: usize = 8;
-
-/// What is asked for.
+/// Settings of a diagnosis.
 #[derive(Clone, Debug, Default)]
 pub struct Settings {
-    /// Causes that are left out of the library.
-    pub without: Vec<String>,
-    /// Times that count by one are seconds, and not samples.
-    pub clock: bool,
+    /// Causes to be left out of the library.
+    pub excluded_causes: Vec<String>,
+    /// True if times that count by one are seconds, not numbers of samples.
+    pub counted_times_are_seconds: bool,
     /// Number of threads.
     pub threads: usize,
-    /// What an interrupted diagnosis of the same study and library kept.
-    pub earlier: Vec<Kept>,
+    /// Entries of an interrupted diagnosis of the same study and library.
+    pub checkpoint: Vec<CheckpointEntry>,
 }
 
-/// Who wants to know how far it has come.
-pub trait Watch {
-    /// A stage has come so far.
-    fn stage(&mut self, what: &str, done: usize, of: usize);
-    /// Whether to stop.
-    fn stopped(&self) -> bool;
-    /// What has been worked out so far, for whoever goes on after an interruption.
-    fn keep(&mut self, kept: &[Kept]);
-}
-
-/// What was found.
+/// Result of a diagnosis.
 pub struct Diagnosis {
-    /// As it is written.
+    /// Content of the result file.
     pub outcome: Outcome,
-    /// The repaired script.
-    pub script: String,
-    /// All explanations that were weighed, best first: cause, form, place, objective, log evidence.
-    pub weighed: Vec<Weighed>,
-    /// Observed channels as the baseline and the repaired model have them, by run: NaN where there is no answer.
-    pub before: Vec<Option<Fit>>,
-    /// The same of the repaired model.
-    pub after: Vec<Option<Fit>>,
-    /// What forces are plotted over.
+    /// Text of the repaired script.
+    pub repaired_script: String,
+    /// All ranked hypotheses, best first.
+    pub ranking: Vec<RankedHypothesis>,
+    /// Observed channels of the baseline, by run; none for a run without a result.
+    pub baseline_fits: Vec<Option<Fit>>,
+    /// Observed channels of the repaired model, by run.
+    pub repaired_fits: Vec<Option<Fit>>,
+    /// Displacements over which forces are plotted, by run.
     pub displacements: Displacements,
-    /// The test that would tell more, where one can be made from the motions of the study.
-    pub next_test: Option<NextTest>,
-    /// How many sets of values the fitted runs were looked at for.
-    pub looks: usize,
-    /// Part of the residual of the best explanation that has structure which no noise has, and which structure.
-    pub left: (f64, String),
+    /// Recommended test; none if the motions of the study allow none.
+    pub next_test: Option<DiscriminatingTest>,
+    /// Number of points at which the fitted runs were evaluated.
+    pub evaluations: usize,
+    /// Structured share of the residual of the best hypothesis.
+    pub structured_share: f64,
+    /// Kind of that structure, in words.
+    pub structure: String,
 }
 
-/// An explanation that was weighed.
+/// A ranked hypothesis.
 #[derive(Clone, Debug)]
-pub struct Weighed {
-    /// Cause; `none` for the user's model.
+pub struct RankedHypothesis {
+    /// Its cause; `none` for the user's model.
     pub cause: &'static str,
-    /// Form of it.
+    /// Its form, in words.
     pub form: String,
-    /// What it changes.
-    pub at: String,
-    /// Objective over all samples.
+    /// Part of the model or channel that it changes, in words.
+    pub location: String,
+    /// Mean NMSE over fitted channels and runs.
     pub objective: f64,
-    /// Log evidence, on samples held back.
-    pub evidence: f64,
+    /// Log evidence from held-out samples, with prior odds, nats.
+    pub log_evidence: f64,
 }
 
-/// Diagnose a study whose script has been opened.
+/// Returns false if the drift of a hypothesis may be slow noise.
+fn drift_is_significant(study: &Study, e: &FittedHypothesis) -> bool {
+    !drift_may_be_noise(study, &e.variant.channel_faults(&e.fitted.values), &e.fitted.fits)
+}
+
+/// Diagnoses a study whose script has been opened. `text` is the script.
 ///
 /// # Errors
-/// The model has no answer at all, or the user interrupted.
+/// The model has no result at any values, the script makes no analysis, or the user cancelled.
 pub fn diagnose(
     simulator: &ScriptSimulator,
     opening: &Opening,
     text: &str,
     settings: &Settings,
-    watch: &mut dyn Watch,
+    monitor: &mut dyn ProgressMonitor,
 ) -> Result<Diagnosis, String> {
     let study = simulator.study().clone();
     let blueprint = simulator.blueprint();
-    let bench = Bench::new(blueprint.clone(), settings.threads).map_err(|e| e.to_string())?;
-    let mut work = Work { study: study.clone(), bench, watch, earlier: settings.earlier.clone(), jobs: 0 };
+    let pool = EvaluatorPool::new(blueprint.clone(), settings.threads).map_err(|e| e.to_string())?;
+    let mut scheduler = Scheduler::new(study.clone(), pool, monitor, settings.checkpoint.clone());
+    let baseline = fit_baseline(&mut scheduler, opening, text)?;
 
-    let baseline = fit_baseline(&mut work, opening, text)?;
-    // A fit that tells little says little of how stiff things are: the user's own values do.
-    let values = if poor(&baseline) { opening.values.clone() } else { baseline.fitted.values.clone() };
-    let Some((place, anatomy)) = probe::look(&blueprint, &study, text, &values) else {
+    // A poor fit says little of stiffnesses; the user's own values say more.
+    let poor = is_poor(&baseline);
+    let values = if poor { opening.values.clone() } else { baseline.fitted.values.clone() };
+    let Some((point, inventory)) = inspect_model(&blueprint, &study, text, &values) else {
         return Err("the script makes no analysis".into());
     };
-    let scales = probe::watch(&blueprint, &study, text, &values, &place, &anatomy);
-    let clock = settings.clock || anatomy.shaken || !untimed(&study);
-    let sight = Sight { anatomy: &anatomy, study: &study, scales: &scales, fits: &baseline.fitted.fits, clock };
-    let library = hypothesis::ALL.iter().filter(|h| !settings.without.iter().any(|w| w == h.cause));
-    let (untimed, library): (Vec<_>, Vec<_>) = library.partition(|h| !clock && h.needs_clock);
-    let proposals: Vec<Proposal> = library.iter().flat_map(|h| h.proposals(&sight)).collect();
-    let untimed = untimed.iter().map(|h| h.cause).collect();
+    let responses = record_responses(&blueprint, &study, text, &values, &point, &inventory);
+    let has_clock = settings.counted_times_are_seconds || inventory.base_excited || !lacks_clock(&study);
+    let context = ProposalContext {
+        inventory: &inventory,
+        study: &study,
+        responses: &responses,
+        fits: &baseline.fitted.fits,
+        has_clock,
+    };
+    let library = hypothesis::ALL.iter().filter(|h| !settings.excluded_causes.iter().any(|w| w == h.cause));
+    let (without_clock, library): (Vec<_>, Vec<_>) = library.partition(|h| !has_clock && h.needs_clock);
+    let proposals: Vec<Proposal> = library.iter().flat_map(|h| h.proposals(&context)).collect();
 
-    let physics = proposals.iter().filter(|p| !p.block.is_empty()).count();
-    let wide = poor(&baseline) && within_reach(&study, physics);
-    let too_long = poor(&baseline) && !wide;
-    let mut first = first_round(&mut work, &baseline, opening, &place, &proposals, wide)?;
-    twins(&mut work, &baseline, &mut first)?;
-    let best = best_of_causes(&first);
-    let finalists = of_so_many_causes(&best, FINALISTS);
-    let likeliest = first.first().filter(|e| e.score() < baseline.score());
-    let steps = step_error(&mut work, &baseline, likeliest)?;
-    work.bench.refine(steps.parts);
-    let as_written = baseline.clone();
-    let baseline = if steps.parts > 1 { refit(&mut work, &baseline)? } else { baseline };
-    let mut weighed = refine(&mut work, "the likeliest of them", finalists)?;
-    weighed.push(baseline.clone());
-    weighed.retain(|e| !may_be_noise(&study, e));
-    work.hold_back("what it predicts", &mut weighed)?;
-    weigh(&mut weighed)?;
-    // Where nothing is missing, no two things are; where no effect alone tells more than nothing, two may.
-    let missing = weighed[0].cause() != "none" || leaves_structure(&study, &scales, &weighed[0]);
-    let mut two = if missing { pairs(&mut work, &baseline, &weighed, &first, &place)? } else { vec![] };
-    two.retain(|e| !may_be_noise(&study, e));
-    if !two.is_empty() {
-        weighed.extend(two);
-        weigh(&mut weighed)?;
+    let edits = proposals.iter().filter(|p| !p.commands.is_empty()).count();
+    let global = poor && is_affordable(&study, edits);
+    let first_round = FirstRound { baseline: &baseline, opening, point: &point, proposals: &proposals, global };
+    let mut singles = first_round.fit(&mut scheduler)?;
+    refit_competitors(&mut scheduler, &baseline, &mut singles)?;
+    let finalists = best_forms(&singles);
+    let best = singles.first().filter(|e| e.score() < baseline.score());
+    let step_error = step_error(&mut scheduler, &baseline, best)?;
+    scheduler.set_step_parts(step_error.parts);
+    let baseline_of_script = baseline.clone();
+    let baseline = if step_error.parts > 1 { refit_baseline(&mut scheduler, &baseline)? } else { baseline };
+
+    let second_round = of_first_causes(&finalists, FINALIST_CAUSES);
+    let mut ranked = scheduler.refine("the likeliest of them", second_round, SECOND_ROUND_ITERATIONS)?;
+    ranked.push(baseline.clone());
+    ranked.retain(|e| drift_is_significant(&study, e));
+    scheduler.hold_out("what it predicts", &mut ranked)?;
+    rank(&mut ranked)?;
+    // A complete model lacks no two effects. Where no single effect gains anything, two together may.
+    if ranked[0].cause() != "none" || leaves_structure(&study, &responses, &ranked[0]) {
+        let mut pairs = two_effect_search(&mut scheduler, &baseline, &ranked, &singles, &point)?;
+        pairs.retain(|e| drift_is_significant(&study, e));
+        if !pairs.is_empty() {
+            ranked.extend(pairs);
+            rank(&mut ranked)?;
+        }
     }
-    let bootstrap = made_again(&mut work, &weighed, &best)?;
-    let imposed = !anatomy.shaken;
-    let scales = &scales;
-    let context = Context {
+    let bootstrap = bootstrap_ranking(&mut scheduler, &ranked, &finalists)?;
+    let context = ConclusionContext {
         study: &study,
         simulator,
         opening,
         text,
-        place: &place,
-        scales,
-        imposed,
-        steps,
-        untimed,
-        too_long,
+        point: &point,
+        responses: &responses,
+        imposed_motion: !inventory.base_excited,
+        step_error,
+        causes_without_clock: without_clock.iter().map(|h| h.cause).collect(),
+        global_search_too_long: poor && !global,
         bootstrap,
     };
-    conclude(&mut work, &context, &as_written, weighed)
+    conclude(&mut scheduler, &context, &baseline_of_script, &ranked)
 }

@@ -1,6 +1,6 @@
-//! `report.html`: the verdict first, then what it rests on.
+//! `report.html`: the verdict, then its evidence.
 
-use crate::evidence::parametric_bootstrap::{Share, part};
+use crate::evidence::parametric_bootstrap::{EqualGain, percent};
 use crate::verdict::diagnosis::Diagnosis;
 use hysteron_identify::calibrate::{Amplitude, amplitudes};
 use hysteron_identify::report::html::{self, escaped, labelled, line, number, picture, table};
@@ -8,8 +8,8 @@ use hysteron_identify::study::{Fit, Role, Study};
 use hysteron_opensees::chart::Figure;
 use std::fmt::Write as _;
 
-/// The report. `text` is the user's script.
-pub fn page(d: &Diagnosis, study: &Study, text: &str) -> String {
+/// Text of the report. `text` is the user's script.
+pub fn report(d: &Diagnosis, study: &Study, text: &str) -> String {
     let title = if study.title.is_empty() { &study.model } else { &study.title };
     let mut out = html::head(&format!("Diagnosis: {title}"));
     let v = &d.outcome.verdict;
@@ -22,27 +22,27 @@ pub fn page(d: &Diagnosis, study: &Study, text: &str) -> String {
         100.0 * v.confidence,
         escaped(&v.explanation)
     );
-    gain(&mut out, d, study);
+    errors(&mut out, d, study);
     evidence(&mut out, d);
-    located(&mut out, d);
-    cycles(&mut out, d, study);
+    mismatch_table(&mut out, d);
+    cycle_errors(&mut out, d, study);
     for i in 0..study.runs.len() {
-        pictures(&mut out, d, study, i);
+        figures(&mut out, d, study, i);
     }
-    changed(&mut out, text, &d.script);
+    script_changes(&mut out, text, &d.repaired_script);
     let _ = writeln!(out, "<h2>Next test</h2>\n<p>{}</p>", escaped(&d.outcome.next_test));
     html::end(out)
 }
 
-/// Errors before and after, by run.
-fn gain(out: &mut String, d: &Diagnosis, study: &Study) {
+/// Errors of all runs and values of all parameters, before and after the repair.
+fn errors(out: &mut String, d: &Diagnosis, study: &Study) {
     out.push_str("<h2>Gain</h2>\n");
     let error = |all: &[Option<Fit>], i: usize| {
         all[i].as_ref().map_or("no answer".into(), |f| number(f.nmse(&study.runs[i].observe)))
     };
     let rows = study.runs.iter().enumerate().map(|(i, r)| {
         let role = if r.role == Role::Fit { "fitted" } else { "held out" };
-        vec![r.name.clone(), role.into(), error(&d.before, i), error(&d.after, i)]
+        vec![r.name.clone(), role.into(), error(&d.baseline_fits, i), error(&d.repaired_fits, i)]
     });
     table(out, &["run", "role", "NMSE before", "NMSE after"], rows);
     let rows = d.outcome.corrected.parameters.iter().map(|(name, v)| {
@@ -52,7 +52,7 @@ fn gain(out: &mut String, d: &Diagnosis, study: &Study) {
     table(out, &["parameter", "before", "after"], rows);
 }
 
-/// Probabilities of all causes, and what each form came to.
+/// Probabilities of all causes, the bootstrap, and the ranking.
 fn evidence(out: &mut String, d: &Diagnosis) {
     out.push_str("<h2>Evidence</h2>\n<table>\n");
     let v = &d.outcome.verdict;
@@ -70,21 +70,22 @@ fn evidence(out: &mut String, d: &Diagnosis) {
     if let Some(b) = &d.outcome.bootstrap {
         let mut rows = vec![];
         if let Some(chance) = b.chance {
-            rows.push(vec!["none".into(), "some cause gains as much".into(), part(chance)]);
+            rows.push(vec!["none".into(), "some cause gains as much".into(), percent(chance)]);
         }
-        rows.push(vec![b.cause.into(), "it has the most evidence".into(), part(b.found)]);
-        let apart = |s: &Share| vec![s.cause.into(), format!("{} gains as much over it", b.cause), part(s.share)];
-        rows.extend(b.not_told_apart.iter().map(apart));
+        rows.push(vec![b.cause.into(), "it has the most evidence".into(), percent(b.found)]);
+        let equal_gain =
+            |s: &EqualGain| vec![s.cause.into(), format!("{} gains as much over it", b.cause), percent(s.share)];
+        rows.extend(b.not_told_apart.iter().map(equal_gain));
         table(out, &[&format!("{} recordings made by", b.recordings), "in which", "part"], rows);
     }
-    let rows = d
-        .weighed
-        .iter()
-        .map(|w| vec![w.cause.to_owned(), w.form.clone(), w.at.clone(), number(w.objective), number(w.evidence)]);
+    let rows = d.ranking.iter().map(|w| {
+        vec![w.cause.to_owned(), w.form.clone(), w.location.clone(), number(w.objective), number(w.log_evidence)]
+    });
     table(out, &["cause", "form", "place", "NMSE fitted", "log evidence"], rows);
 }
 
-fn located(out: &mut String, d: &Diagnosis) {
+/// Windows of time in which the baseline differed.
+fn mismatch_table(out: &mut String, d: &Diagnosis) {
     out.push_str("<h2>Where the model differed</h2>\n");
     let rows = d.outcome.mismatch.iter().map(|m| {
         let windows: Vec<String> = m.windows.iter().map(|w| format!("{:.2}-{:.2}", w[0], w[1])).collect();
@@ -94,8 +95,8 @@ fn located(out: &mut String, d: &Diagnosis) {
     table(out, &["run", "channel", "place", "windows [s]", "share", "regime"], rows);
 }
 
-/// The channels of a run: over the displacement where they are forces, over time, and what the models miss of them.
-fn pictures(out: &mut String, d: &Diagnosis, study: &Study, run: usize) {
+/// Figures of a run: resistances over displacement, channels over time, and errors over time.
+fn figures(out: &mut String, d: &Diagnosis, study: &Study, run: usize) {
     let r = &study.runs[run];
     let role = if r.role == Role::Fit { "fitted" } else { "held out" };
     let _ = writeln!(out, "<h2>{} ({role})</h2>", escaped(&r.name));
@@ -104,7 +105,7 @@ fn pictures(out: &mut String, d: &Diagnosis, study: &Study, run: usize) {
         let over = |x: &[f64], y: &[f64]| -> Vec<(f64, f64)> {
             x.iter().copied().zip(y.iter().copied()).filter(|p| p.0.is_finite() && p.1.is_finite()).collect()
         };
-        let models = [("model as it was", &d.before), ("repaired", &d.after)];
+        let models = [("model as it was", &d.baseline_fits), ("repaired", &d.repaired_fits)];
         let models = models.map(|(name, all)| (name, all[run].as_ref().map(|f| &f.channels[k])));
         let place = if o.at.is_empty() { String::new() } else { format!(", {}", o.at) };
         let all = |x: &[f64]| {
@@ -135,13 +136,13 @@ fn pictures(out: &mut String, d: &Diagnosis, study: &Study, run: usize) {
     }
 }
 
-/// Errors of stiffness, energy and damping of the cycles, where forces are recorded over displacements.
-fn cycles(out: &mut String, d: &Diagnosis, study: &Study) {
+/// Errors of stiffness, energy and damping of cycles, where resistances are recorded over displacements.
+fn cycle_errors(out: &mut String, d: &Diagnosis, study: &Study) {
     let mut rows = vec![];
     for (i, run) in study.runs.iter().enumerate() {
         let Some((_, u)) = &d.displacements[i] else { continue };
         for (k, o) in run.observe.iter().enumerate().filter(|(_, o)| o.is_resistance()) {
-            let (Some(before), Some(after)) = (&d.before[i], &d.after[i]) else { continue };
+            let (Some(before), Some(after)) = (&d.baseline_fits[i], &d.repaired_fits[i]) else { continue };
             let of = |f: &Fit| amplitudes(u, &o.values, &f.channels[k]);
             for (b, a) in of(before).iter().zip(of(after)) {
                 let percent = |pair: [f64; 2]| format!("{:+.1} %", 100.0 * Amplitude::error(pair));
@@ -163,8 +164,8 @@ fn cycles(out: &mut String, d: &Diagnosis, study: &Study) {
     }
 }
 
-/// The script with what was changed in it: lines that are in one text only.
-fn changed(out: &mut String, before: &str, after: &str) {
+/// The script with deleted and inserted lines marked.
+fn script_changes(out: &mut String, before: &str, after: &str) {
     out.push_str("<h2>The script</h2>\n<pre>");
     for change in similar::TextDiff::from_lines(before, after).iter_all_changes() {
         let text = escaped(change.value());

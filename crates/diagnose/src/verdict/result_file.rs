@@ -1,94 +1,94 @@
-//! `diagnosis.json`.
+//! `diagnosis.json`. Field names are those of the file.
 
-use crate::candidate::sensor_fault::Correction;
-use crate::evidence::parametric_bootstrap::Bootstrap;
+use crate::candidate::channel_fault::ChannelFault;
+use crate::evidence::parametric_bootstrap::BootstrapResult;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// All that was found.
+/// Content of the file.
 #[derive(Clone, Debug, Serialize)]
 pub struct Outcome {
     /// The user's model, fitted by least squares.
     pub baseline: Baseline,
-    /// Where it differs from the recordings.
+    /// Channels in which it differs from the recordings, the largest error first.
     pub mismatch: Vec<Mismatch>,
-    /// What was left out.
+    /// The verdict.
     pub verdict: Verdict,
     /// The repaired model.
-    pub corrected: Corrected,
-    /// Part of the baseline's squared error that the repaired model leaves.
+    pub corrected: RepairedModel,
+    /// Share of the baseline's squared error that the repaired model leaves.
     pub unexplained_share: f64,
-    /// What the weighing says of recordings of which the truth is known.
+    /// Ranking on simulated recordings whose cause is known.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub bootstrap: Option<Bootstrap>,
-    /// The test that would tell more.
+    pub bootstrap: Option<BootstrapResult>,
+    /// Recommended next test, in words.
     pub next_test: String,
 }
 
 /// The fitted user's model.
 #[derive(Clone, Debug, Serialize)]
 pub struct Baseline {
-    /// Mean NMSE over channels and runs that were fitted.
+    /// Mean NMSE over fitted channels and runs.
     pub fit_nmse: f64,
-    /// The same of those that were held out; none where there are none.
+    /// Mean NMSE over runs held out; none without such runs.
     pub holdout_nmse: Option<f64>,
-    /// Fitted parameters.
+    /// Fitted values by parameter.
     pub parameters: BTreeMap<String, f64>,
 }
 
-/// A channel in a run.
+/// Error of the baseline in one channel of a run.
 #[derive(Clone, Debug, Serialize)]
 pub struct Mismatch {
-    /// Run.
+    /// Name of the run.
     pub run: String,
     /// Column of the recording.
     pub channel: String,
-    /// What it hangs on.
+    /// Place of the sensor.
     pub at: String,
-    /// Seconds of the recording.
+    /// Windows of the recording with most of the error, s.
     pub windows: Vec<[f64; 2]>,
-    /// Part of the squared error in them.
+    /// Share of the squared error within them.
     pub share: f64,
-    /// What the motion is like there.
+    /// The motion within them, in words.
     pub regime: String,
 }
 
 /// A cause with its probability.
 #[derive(Clone, Debug, Serialize)]
 pub struct Candidate {
-    /// Cause.
+    /// The cause.
     pub cause: String,
-    /// Probability.
+    /// Its probability.
     pub confidence: f64,
 }
 
-/// What was left out.
+/// The most probable cause.
 #[derive(Clone, Debug, Serialize)]
 pub struct Verdict {
-    /// Cause.
+    /// The cause; `none` for a complete model, `unknown` for a cause outside the library.
     pub cause: String,
-    /// Probability.
+    /// Its probability.
     pub confidence: f64,
-    /// A second effect beside it.
+    /// Cause of a second effect.
     pub also: Vec<String>,
-    /// What else it may be.
+    /// Other possible causes, the most probable first.
     pub also_possible: Vec<Candidate>,
-    /// In words.
+    /// The verdict in words.
     pub explanation: String,
 }
 
 /// The repaired model.
 #[derive(Clone, Debug, Serialize)]
-pub struct Corrected {
-    /// Its file.
+pub struct RepairedModel {
+    /// File of its script.
     pub script: String,
-    /// Parameters of the user and those added.
+    /// Values of the user's and the added parameters.
     pub parameters: BTreeMap<String, f64>,
-    /// Mean NMSE of what was fitted.
+    /// Mean NMSE over fitted channels and runs.
     pub fit_nmse: f64,
-    /// The same of what was held out.
+    /// Mean NMSE over runs held out; none without such runs.
     pub holdout_nmse: Option<f64>,
     /// Faults of channels.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub channels: Vec<Correction>,
+    pub channels: Vec<ChannelFault>,
 }

@@ -1,32 +1,32 @@
-//! Faults of a sensor: how the simulated channel becomes the recorded one.
+//! Faults of a sensor: the map from a simulated channel to the recorded one.
 
 use serde::Serialize;
 
-/// A fault of a channel: lag first, then gain and offset, then drift, then clip.
+/// A fault of a channel, applied in the order delay, gain and offset, drift, clipping.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Correction {
+pub struct ChannelFault {
     /// Column of the recording.
     pub channel: String,
-    /// The run that it holds for; all where there is none.
+    /// Name of the affected run; none if all runs are.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub run: Option<String>,
     /// Factor on the true value.
     pub gain: f64,
-    /// Added to it, in the unit of the channel.
+    /// Constant added to it, in the unit of the channel.
     pub offset: f64,
-    /// Seconds by which the channel is late.
+    /// Delay, s.
     pub lag_s: f64,
-    /// Points (s, unit of the channel) of a line that is added, constant beyond its ends.
+    /// Points (s, unit of the channel) of an added polyline, constant beyond its ends.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub drift: Vec<[f64; 2]>,
-    /// Least and greatest value that the channel shows.
+    /// Least and greatest recorded value.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub clip: Option<[f64; 2]>,
 }
 
-impl Correction {
-    /// No fault.
-    pub fn none(channel: &str, run: Option<&str>) -> Self {
+impl ChannelFault {
+    /// The identity.
+    pub(crate) fn none(channel: &str, run: Option<&str>) -> Self {
         Self {
             channel: channel.into(),
             run: run.map(Into::into),
@@ -38,24 +38,24 @@ impl Correction {
         }
     }
 
-    /// Whether it concerns a channel of a run.
-    pub fn concerns(&self, run: &str, channel: &str) -> bool {
+    /// Returns true if the fault affects a channel of a run.
+    pub(crate) fn affects(&self, run: &str, channel: &str) -> bool {
         self.channel == channel && self.run.as_deref().is_none_or(|r| r == run)
     }
 
-    /// What its zero has drifted by at a time.
-    pub fn drift_at(&self, t: f64) -> f64 {
-        line(&self.drift, t)
+    /// Drift at a time, in the unit of the channel.
+    pub(crate) fn drift_at(&self, t: f64) -> f64 {
+        polyline(&self.drift, t)
     }
 
-    /// What the faulty channel shows of a signal.
-    pub fn apply(&self, times: &[f64], signal: &mut [f64]) {
+    /// Replaces a signal by the recorded channel.
+    pub(crate) fn apply(&self, times: &[f64], signal: &mut [f64]) {
         if self.lag_s != 0.0 {
             let late: Vec<f64> = times.iter().map(|t| cubic(times, signal, t - self.lag_s)).collect();
             signal.copy_from_slice(&late);
         }
         for (t, y) in times.iter().zip(signal) {
-            *y = self.gain * *y + self.offset + line(&self.drift, *t);
+            *y = self.gain * *y + self.offset + polyline(&self.drift, *t);
             if let Some([low, high]) = self.clip {
                 *y = y.clamp(low.min(high), high.max(low));
             }
@@ -63,8 +63,8 @@ impl Correction {
     }
 }
 
-/// A line through points at a time; constant beyond its ends, zero without points.
-fn line(points: &[[f64; 2]], t: f64) -> f64 {
+/// Value of a polyline at a time; constant beyond its ends, 0 without points.
+fn polyline(points: &[[f64; 2]], t: f64) -> f64 {
     let after = points.partition_point(|p| p[0] < t);
     match (after.checked_sub(1).and_then(|i| points.get(i)), points.get(after)) {
         (Some(a), Some(b)) => a[1] + (b[1] - a[1]) * (t - a[0]) / (b[0] - a[0]),
@@ -74,7 +74,7 @@ fn line(points: &[[f64; 2]], t: f64) -> f64 {
     }
 }
 
-/// A sampled signal at a time, by the cubic through the four samples around it; its first and last value beyond.
+/// Cubic interpolation of a sampled signal through the four samples around a time; constant beyond its ends.
 fn cubic(times: &[f64], y: &[f64], t: f64) -> f64 {
     let n = times.len();
     let i = times.partition_point(|x| *x <= t);
@@ -97,20 +97,20 @@ fn cubic(times: &[f64], y: &[f64], t: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::Correction;
+    use super::ChannelFault;
 
     #[test]
-    fn faults_are_applied_in_their_order() {
+    fn delay_gain_drift_and_clipping_are_applied_in_this_order() {
         let times: Vec<f64> = (0..200).map(|i| 0.01 * f64::from(i)).collect();
         let truth = |t: f64| (3.0 * t).sin();
         let mut y: Vec<f64> = times.iter().map(|t| truth(*t)).collect();
-        let c = Correction {
+        let c = ChannelFault {
             gain: 2.0,
             offset: 0.1,
             lag_s: 0.025,
             drift: vec![[0.5, 0.0], [1.5, 1.0]],
             clip: Some([-1.0, 2.0]),
-            ..Correction::none("force", None)
+            ..ChannelFault::none("force", None)
         };
         c.apply(&times, &mut y);
         let expected = |t: f64| (2.0 * truth(t - 0.025) + 0.1 + (t - 0.5).clamp(0.0, 1.0)).clamp(-1.0, 2.0);
