@@ -76,7 +76,7 @@ enum MassPlace {
     Consistent(usize),
 }
 
-/// Matrices of all elements, one after the other.
+/// ElementWorkspace of all elements, one after the other.
 #[derive(Debug, Default)]
 pub(super) struct ElementMatrices {
     /// Places and factors by element.
