@@ -69,7 +69,7 @@ pub struct Orientation {
 impl Orientation {
     /// Rotation to local axes and length of a link from `i` to `j` (global coordinates), by the convention of OpenSees'
     /// bearings and links. The local x axis is `x`, by default the line between the nodes. Without `y`, the local y
-    /// axis is normal to x in a `plane` model, and in the plane of x and the global Y in space.
+    /// axis of a `plane` model is normal to x. In space it is then in the plane of x and the global Y.
     ///
     /// # Errors
     /// No x axis, or `y` parallel to it.

@@ -68,7 +68,7 @@ pub struct Quad {
 /// Derivatives of the strains xx, yy and the shear angle by the displacements of the corners.
 type Rows = [[f64; 8]; 3];
 
-/// Natural coordinates of the corners, counterclockwise.
+/// Natural coordinates of the corners, counterclockwise. Gauss points are at 1/√3 of them.
 const SIGNS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 
 /// Shape functions, their derivatives by x and y, and the Jacobian determinant at natural coordinates `at`.

@@ -103,8 +103,8 @@ impl Springs {
         directions
     }
 
-    /// Basic deformations, one for each direction; `direction` maps a direction to 1 to 6. `nodes` are degrees of
-    /// freedom per node and dimensions.
+    /// Basic deformations, one for each direction; `direction` maps a direction to 1 to 6. `nodes` are the numbers of
+    /// dimensions and of degrees of freedom per node.
     pub(super) fn basic_rows(&self, direction: impl Fn(usize) -> usize, nodes: (usize, usize)) -> Vec<BasicRow> {
         let mut rows: Vec<BasicRow> = vec![];
         for (column, s) in self.springs.iter().enumerate() {

@@ -305,18 +305,18 @@ impl Amended {
         if let Some(tangent) = output.tangent.as_deref_mut() {
             tangent.fill(0.0);
         }
-        let (old, kept) = committed.split_at(self.inner_len);
+        let (old, own_committed) = committed.split_at(self.inner_len);
         let (new, next) = trial.split_at_mut(self.inner_len);
         let law_range = HEADER_LEN..HEADER_LEN + self.law.state_len();
-        let before = [kept[0], kept[1]];
-        let slack = self.law.slack(&kept[law_range.clone()]);
-        let weakening = self.law.weakening(&kept[law_range.clone()]).filter(|_| slack.is_none());
+        let before = [own_committed[0], own_committed[1]];
+        let slack = self.law.slack(&own_committed[law_range.clone()]);
+        let weakening = self.law.weakening(&own_committed[law_range.clone()]).filter(|_| slack.is_none());
         let slack_share =
             slack.as_ref().map(|slack| self.solve_slack(slack, motion, old, new)).transpose()?.unwrap_or_default();
         let mut withheld = slack_share.by;
         if let Some(w) = weakening {
             for (i, (row, by)) in self.rows.iter().zip(&mut withheld).enumerate() {
-                *by = kept[WITHHELD_AT + i] + w.withheld_part() * (row.deformation(motion.disp) - before[i]);
+                *by = own_committed[WITHHELD_AT + i] + w.withheld_part() * (row.deformation(motion.disp) - before[i]);
             }
         }
         let disp = self.element_displacements(motion.disp, withheld);
@@ -333,13 +333,16 @@ impl Amended {
                     q: std::array::from_fn(|i| deformation_state.q[i] + w.stiffness * withheld[i]),
                     ..deformation_state
                 };
-                let mut v = self.law.amend(&kept[law_range.clone()], &at_total, &mut next[law_range.clone()])?;
+                let mut v =
+                    self.law.amend(&own_committed[law_range.clone()], &at_total, &mut next[law_range.clone()])?;
                 for (by_e, by_q) in v.by_deformation.iter_mut().zip(&v.by_force) {
                     by_e.iter_mut().zip(by_q).for_each(|(e, q)| *e += q * w.stiffness * w.withheld_part());
                 }
                 v
             }
-            None => self.law.amend(&kept[law_range.clone()], &deformation_state, &mut next[law_range.clone()])?,
+            None => {
+                self.law.amend(&own_committed[law_range.clone()], &deformation_state, &mut next[law_range.clone()])?
+            }
         };
         next[..2].copy_from_slice(&deformation_state.e);
         next[WITHHELD_AT..HEADER_LEN].copy_from_slice(&withheld);

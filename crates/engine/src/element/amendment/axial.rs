@@ -3,8 +3,8 @@
 use super::{AmendedForce, AmendmentLaw, DeformationState, Share};
 use crate::element::ElementError;
 
-/// s = (1 - (P / P_cr)ᵖ) / (1 - (P_ref / P_cr0)ᵖ) with the compression P and the critical load P_cr = P_cr0 (1 - |e| /
-/// D), which falls with the overlap of the plates. P = 0 in tension.
+/// s = (1 - (P / P_cr)ᵖ) / (1 - (P_ref / P_cr0)ᵖ) with the compression P. The critical load P_cr = P_cr0 (1 - |e| / D)
+/// falls with the overlap of the plates. P = 0 in tension.
 ///
 /// The stiffness near the critical load is that of Koh and Kelly, Int. J. Mech. Sci. 29 (1987). The reduced area is a
 /// share of the overlapping part of the plates.

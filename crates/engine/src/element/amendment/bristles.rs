@@ -48,11 +48,11 @@ impl AmendmentLaw for Bristles {
         d: &DeformationState,
     ) -> Result<(AmendedForce, BristlesState), ElementError> {
         let de = d.increment();
-        let way = de[0].hypot(de[1]);
+        let increment_size = de[0].hypot(de[1]);
         let mut v = AmendedForce::unchanged(d.q);
         let unit = |i: usize, j: usize| f64::from(u8::from(i == j));
-        let (steady, falls) = self.steady(if d.dt > 0.0 { way / d.dt } else { 0.0 });
-        if way == 0.0 || steady <= 0.0 {
+        let (steady, steady_slope) = self.steady(if d.dt > 0.0 { increment_size / d.dt } else { 0.0 });
+        if increment_size == 0.0 || steady <= 0.0 {
             let k = if steady > 0.0 { self.stiffness } else { 0.0 };
             // The stiffness of bent bristles depends on the direction of motion, which is unknown at rest: use that of
             // unbent bristles.
@@ -63,18 +63,18 @@ impl AmendmentLaw for Bristles {
             return Ok((v, *committed));
         }
         // Exact for a straight increment: f tends to g n.
-        let n: Pair = de.map(|x| x / way);
-        let a = self.stiffness * way / steady;
-        let left = (-a).exp();
-        let force: Pair = std::array::from_fn(|i| steady * n[i] + (committed.force[i] - steady * n[i]) * left);
-        let dg: Pair = n.map(|n| if d.dt > 0.0 { falls * n / d.dt } else { 0.0 });
+        let n: Pair = de.map(|x| x / increment_size);
+        let a = self.stiffness * increment_size / steady;
+        let decay = (-a).exp();
+        let force: Pair = std::array::from_fn(|i| steady * n[i] + (committed.force[i] - steady * n[i]) * decay);
+        let dg: Pair = n.map(|n| if d.dt > 0.0 { steady_slope * n / d.dt } else { 0.0 });
         for i in 0..2 {
             v.q[i] += force[i];
-            let off = committed.force[i] - steady * n[i];
+            let deviation = committed.force[i] - steady * n[i];
             for j in 0..2 {
-                let turns = steady * (unit(i, j) - n[i] * n[j]) / way * (1.0 - left);
+                let rotation = steady * (unit(i, j) - n[i] * n[j]) / increment_size * (1.0 - decay);
                 let da = self.stiffness * n[j] / steady - a * dg[j] / steady;
-                v.by_deformation[i][j] = dg[j] * n[i] * (1.0 - left) + turns - off * left * da;
+                v.by_deformation[i][j] = dg[j] * n[i] * (1.0 - decay) + rotation - deviation * decay * da;
             }
         }
         Ok((v, BristlesState { force }))

@@ -8,10 +8,10 @@ use crate::element::ElementError;
 ///
 /// F = F_c (1 + rise (1 - exp(-(u - u_c) / reach))).
 ///
-/// Each larger extension lowers the strength of the next tensile cycle to F_cn = F_c (1 - φ) at u_cn = u_c (1 - φ),
-/// with φ = φ_max (1 - exp(-a (u_max - u_c) / u_c)). From there the force is linear up to the envelope at u_max.
-/// Source: Kumar, Whittaker and Constantinou, Earthquake Eng. Struct. Dyn. 43 (2014), with `rise` for their 1 / (k T_r)
-/// and `reach` for 1 / k.
+/// Damage φ = φ_max (1 - exp(-a (u_max - u_c) / u_c)) grows with the largest extension u_max. The strength of the next
+/// tensile cycle is F_cn = F_c (1 - φ), at the extension u_cn = u_c (1 - φ). From there the force is linear up to the
+/// envelope at u_max. Source: Kumar, Whittaker and Constantinou, Earthquake Eng. Struct. Dyn. 43 (2014), with `rise`
+/// for their 1 / (k T_r) and `reach` for 1 / k.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cavitation {
     /// Cavitation strength F_c.
@@ -35,9 +35,9 @@ pub struct Cavitation {
 impl Cavitation {
     /// Envelope and its slope at the extension `u`.
     fn envelope(&self, u: f64) -> (f64, f64) {
-        let left = (-(u - self.extension).max(0.0) / self.reach).exp();
-        let slope = if u > self.extension { self.strength * self.rise * left / self.reach } else { 0.0 };
-        (self.strength * (1.0 + self.rise * (1.0 - left)), slope)
+        let decay = (-(u - self.extension).max(0.0) / self.reach).exp();
+        let slope = if u > self.extension { self.strength * self.rise * decay / self.reach } else { 0.0 };
+        (self.strength * (1.0 + self.rise * (1.0 - decay)), slope)
     }
 
     /// Largest tensile force at the extension `u`, and its slope, after the extension `largest`.
@@ -45,11 +45,11 @@ impl Cavitation {
         if u >= largest || largest <= self.extension {
             return self.envelope(u);
         }
-        let past = (largest - self.extension) / self.extension;
-        let kept = 1.0 - self.damage * (1.0 - (-self.rate * past).exp());
-        let (from, to) = (kept * self.extension, self.envelope(largest).0);
-        let slope = (to - kept * self.strength) / (largest - from);
-        if u > from { (kept * self.strength + slope * (u - from), slope) } else { (f64::INFINITY, 0.0) }
+        let beyond_cavitation = (largest - self.extension) / self.extension;
+        let strength_ratio = 1.0 - self.damage * (1.0 - (-self.rate * beyond_cavitation).exp());
+        let (from, to) = (strength_ratio * self.extension, self.envelope(largest).0);
+        let slope = (to - strength_ratio * self.strength) / (largest - from);
+        if u > from { (strength_ratio * self.strength + slope * (u - from), slope) } else { (f64::INFINITY, 0.0) }
     }
 }
 

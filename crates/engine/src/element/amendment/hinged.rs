@@ -73,9 +73,9 @@ struct Histories<'a> {
 }
 
 impl Hinged {
-    /// Adds hinges at some of the `ends` (0 for node i, 1 for node j) of a beam along the chord, a vector of any
-    /// length. Nodes have three degrees of freedom in the plane, six in space. The material gives the moment (force x
-    /// length) for the rotation (rad).
+    /// Adds hinges at some of the `ends` of a beam: 0 for node i, 1 for node j. The chord is a vector along the beam of
+    /// any length. Nodes have three degrees of freedom in the plane, six in space. The material gives the moment (force
+    /// x length) for the rotation (rad).
     ///
     /// # Errors
     /// An element that is no beam or has no moment at an end. A material that depends on the strain rate.
@@ -208,8 +208,8 @@ impl Hinged {
                 let others = (k.row(i) * (theta - from))[0] - k[(i, i)] * (theta[i] - from[i]);
                 theta[i] = self.solve_hinge(i, (moments[i] - others, from[i], k[(i, i)]), theta[i], h)?;
             }
-            let moved = k.diagonal().component_mul(&(theta - before));
-            if moved.amax() <= tolerance {
+            let moment_change = k.diagonal().component_mul(&(theta - before));
+            if moment_change.amax() <= tolerance {
                 return Ok(theta);
             }
         }
@@ -311,10 +311,10 @@ impl Element for Hinged {
         mut output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let n = self.dofs();
-        let (old, kept) = committed.split_at(self.inner_len);
+        let (old, hinge_states) = committed.split_at(self.inner_len);
         let (new, next) = trial.split_at_mut(self.inner_len);
-        let mut rotations = self.rotations(kept);
-        let mut histories = Histories { old: kept, next, dt: motion.dt };
+        let mut rotations = self.rotations(hinge_states);
+        let mut histories = Histories { old: hinge_states, next, dt: motion.dt };
         let mut own = [0.0; SPACE * SPACE];
         for _ in 0..MAX_LINEARIZATIONS {
             output.force.fill(0.0);
@@ -396,8 +396,8 @@ impl Element for Hinged {
         self.inner.force_labels()
     }
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
-        let (state, turned) = s.state.split_at(self.inner_len);
-        let rotations = self.rotations(turned);
+        let (state, hinge_states) = s.state.split_at(self.inner_len);
+        let rotations = self.rotations(hinge_states);
         if path == [ROTATIONS] {
             return out.copy_from_slice(&rotations.as_slice()[..out.len()]);
         }

@@ -66,19 +66,20 @@ impl AmendmentLaw for Overstress {
         let de = d.increment();
         let trial: Pair = std::array::from_fn(|i| committed.force[i] + self.stiffness * de[i]);
         let size = trial[0].hypot(trial[1]);
-        let (left, slope) = self.relax(size, d.dt)?;
+        let (overstress, slope) = self.relax(size, d.dt)?;
         let mut v = AmendedForce::unchanged(d.q);
         if size == 0.0 {
             v.by_deformation = [[self.stiffness, 0.0], [0.0, self.stiffness]];
             return Ok((v, OverstressState { force: trial }));
         }
         let n = trial.map(|t| t / size);
-        let force = n.map(|n| left * n);
+        let force = n.map(|n| overstress * n);
         for i in 0..2 {
             v.q[i] += force[i];
             for j in 0..2 {
                 let unit = f64::from(u8::from(i == j));
-                v.by_deformation[i][j] = self.stiffness * (slope * n[i] * n[j] + left / size * (unit - n[i] * n[j]));
+                v.by_deformation[i][j] =
+                    self.stiffness * (slope * n[i] * n[j] + overstress / size * (unit - n[i] * n[j]));
             }
         }
         Ok((v, OverstressState { force }))

@@ -3,8 +3,8 @@
 use super::Pair;
 use crate::element::ElementError;
 
-/// Slack s(z) = ½ size tanh(z / width) in each direction. z = q(e - s) - k (e - s) is the element's force at e - s
-/// without its elastic part. The flexibility ds/dz has its maximum at z = 0 and vanishes for large |z|.
+/// Slack s(z) = ½ size tanh(z / width) in each direction. The force z = q(e - s) - k (e - s) is that of the element at
+/// e - s without its elastic part. The flexibility ds/dz has its maximum at z = 0 and vanishes for large |z|.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slack {
     /// Total slack deformation, from z → -∞ to z → ∞.
@@ -14,7 +14,7 @@ pub struct Slack {
     /// Stiffness k of the elastic part.
     pub stiffness: f64,
     /// Committed slack deformation, the start of the iteration.
-    pub taken: Pair,
+    pub committed: Pair,
 }
 
 /// Slack deformation with derivatives.
@@ -55,15 +55,15 @@ impl Slack {
     ) -> Result<SlackShare, ElementError> {
         let half = 0.5 * self.size;
         let size = self.size.max(f64::MIN_POSITIVE);
-        let mut s = self.taken.map(|s| s.clamp(-half, half));
+        let mut s = self.committed.map(|s| s.clamp(-half, half));
         // Start of the last step, its direction, its length and the error before it.
         let mut last: Option<(Pair, Pair, f64, f64)> = None;
         for _ in 0..MAX_ITERATIONS {
             let (q, tangent) = evaluate(s)?;
             let (mut residual, mut flexibility) = ([0.0; 2], [0.0; 2]);
             for i in 0..2 {
-                let (taken, slope) = self.slack_at(q[i] - self.stiffness * (e[i] - s[i]));
-                residual[i] = taken - s[i];
+                let (target, slope) = self.slack_at(q[i] - self.stiffness * (e[i] - s[i]));
+                residual[i] = target - s[i];
                 flexibility[i] = slope;
             }
             let error = residual[0].hypot(residual[1]);

@@ -24,7 +24,7 @@ crate::state_struct! {
         /// Largest deformation so far.
         largest: f64,
         /// Slack deformation in each direction.
-        taken: [f64; 2],
+        slip: [f64; 2],
     }
 }
 
@@ -34,20 +34,20 @@ impl AmendmentLaw for Slip {
 
     fn slack(&self, committed: &SlipState) -> Option<Slack> {
         let size = self.size + self.growth * committed.largest;
-        Some(Slack { size, width: self.width, stiffness: self.share.stiffness, taken: committed.taken })
+        Some(Slack { size, width: self.width, stiffness: self.share.stiffness, committed: committed.slip })
     }
 
     fn amend(&self, committed: &SlipState, d: &DeformationState) -> Result<(AmendedForce, SlipState), ElementError> {
         let k = self.share.stiffness;
-        let taken = d.slack.by;
+        let slip = d.slack.by;
         let m = d.slack.follows;
         let unit = |i: usize, j: usize| f64::from(u8::from(i == j));
         let v = AmendedForce {
-            q: std::array::from_fn(|i| d.q[i] + k * taken[i]),
+            q: std::array::from_fn(|i| d.q[i] + k * slip[i]),
             by_force: m,
             by_deformation: std::array::from_fn(|i| -> Pair { std::array::from_fn(|j| k * (unit(i, j) - m[i][j])) }),
             ..AmendedForce::default()
         };
-        Ok((v, SlipState { largest: committed.largest.max(d.amplitude()), taken }))
+        Ok((v, SlipState { largest: committed.largest.max(d.amplitude()), slip }))
     }
 }

@@ -38,21 +38,21 @@ impl AmendmentLaw for Yielding {
         let ep = committed.deformation;
         let relative: Pair = std::array::from_fn(|i| d.q[i] - (k + h) * ep[i]);
         let size = relative[0].hypot(relative[1]);
-        let beyond = size - self.force;
-        if beyond <= 0.0 {
+        let excess = size - self.force;
+        if excess <= 0.0 {
             let mut v = AmendedForce::unchanged(d.q);
             v.q = std::array::from_fn(|i| d.q[i] - k * ep[i]);
             return Ok((v, *committed));
         }
         let n = relative.map(|x| x / size);
-        let flow = beyond / (k + h);
+        let flow = excess / (k + h);
         let deformation: Pair = std::array::from_fn(|i| ep[i] + flow * n[i]);
         let mut v = AmendedForce { q: std::array::from_fn(|i| d.q[i] - k * deformation[i]), ..AmendedForce::default() };
         for i in 0..2 {
             for j in 0..2 {
                 let unit = f64::from(u8::from(i == j));
-                let turned = flow / size * (unit - n[i] * n[j]);
-                v.by_force[i][j] = unit - k * (n[i] * n[j] / (k + h) + turned);
+                let rotation = flow / size * (unit - n[i] * n[j]);
+                v.by_force[i][j] = unit - k * (n[i] * n[j] / (k + h) + rotation);
             }
         }
         Ok((v, YieldingState { deformation }))

@@ -163,8 +163,8 @@ impl<const N: usize> Constant<N> {
 }
 
 impl ElasticBeam<6, 3> {
-    /// Replaces the factors 4, 4 and 2 of E I/L in the stiffness of the end rotations i, j and of their coupling by
-    /// K11, K33 and K44 (Zareian and Medina, 2010). Member loads act as on an unmodified beam.
+    /// Replaces the factors 4, 4 and 2 of E I/L in the end rotation stiffness by K11, K33 and K44 (Zareian and Medina,
+    /// 2010). They belong to i, to j and to their coupling. Member loads act as on an unmodified beam.
     pub fn modified(
         transform: Arc<dyn Transform<6, 3>>,
         section: ElasticSection,

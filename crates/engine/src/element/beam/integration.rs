@@ -183,8 +183,8 @@ fn polynomial_weights(x: &[f64], given: &[f64]) -> Option<Vec<f64>> {
     if !invert(&mut matrix, free) {
         return None;
     }
-    let taken = |i: usize| x.iter().zip(given).map(|(x, w)| power(*x, i) * w).sum::<f64>();
-    let rest: Vec<f64> = (0..free).map(|i| integral(i) - taken(i)).collect();
+    let given_part = |i: usize| x.iter().zip(given).map(|(x, w)| power(*x, i) * w).sum::<f64>();
+    let rest: Vec<f64> = (0..free).map(|i| integral(i) - given_part(i)).collect();
     w.extend(matrix.chunks_exact(free.max(1)).map(|row| row.iter().zip(&rest).map(|(m, r)| m * r).sum::<f64>()));
     Some(w)
 }

@@ -163,9 +163,9 @@ impl<const N: usize, const B: usize> Member<N, B> {
     /// Restores them without a change of the other state variables.
     pub(super) fn set_responses(&self, mut responses: &[f64], state: &mut [f64]) {
         for section in &self.sections {
-            let words = section.response_mut(state);
-            let (own, rest) = responses.split_at(words.len());
-            words.copy_from_slice(own);
+            let response = section.response_mut(state);
+            let (own, rest) = responses.split_at(response.len());
+            response.copy_from_slice(own);
             responses = rest;
         }
     }

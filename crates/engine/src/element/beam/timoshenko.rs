@@ -49,8 +49,8 @@ pub struct TimoshenkoOptions {
 
 /// Entries of a symmetric local matrix in a plane of bending.
 ///
-/// They are: deflection with itself and with that of the other end, the same for the rotation, and deflection at i with
-/// the rotations at i and j. At j the last two have the opposite sign.
+/// The first two are deflection with itself and with that of the other end, the next two the same for the rotation.
+/// Then follows deflection at i with the rotations at i and j. At j the last two have the opposite sign.
 struct PlaneTerms {
     vv: [f64; 2],
     rr: [f64; 2],

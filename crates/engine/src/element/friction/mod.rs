@@ -31,16 +31,16 @@ pub struct Coefficient {
 }
 
 impl Coefficient {
-    /// μ = μ_fast - (μ_fast - μ_slow) exp(-r |v|) for the speed v. Each argument is a value and its derivative by the
-    /// normal force. Source: Constantinou, Mokha and Reinhorn (1990).
+    /// μ = μ_fast - (μ_fast - μ_slow) exp(-r |v|) for the speed v. `slow`, `fast` and `rate` are a value and its
+    /// derivative by the normal force. Source: Constantinou, Mokha and Reinhorn (1990).
     fn between(slow: [f64; 2], fast: [f64; 2], rate: [f64; 2], speed: f64) -> Self {
         let v = speed.abs();
-        let left = (-rate[0] * v).exp();
-        let gap = (fast[0] - slow[0]) * left;
+        let decay = (-rate[0] * v).exp();
+        let speed_term = (fast[0] - slow[0]) * decay;
         Self {
-            mu: fast[0] - gap,
-            by_normal: fast[1] - (fast[1] - slow[1]) * left + rate[1] * v * gap,
-            by_speed: rate[0] * gap,
+            mu: fast[0] - speed_term,
+            by_normal: fast[1] - (fast[1] - slow[1]) * decay + rate[1] * v * speed_term,
+            by_speed: rate[0] * speed_term,
         }
     }
 }

@@ -63,8 +63,8 @@ impl Transform<6, 3> for Corotational2d {
     }
     fn deformation(&self, disp: &[f64], _: &[f64]) -> [f64; 3] {
         let c = self.chord(disp);
-        let turned = c.sin.atan2(c.cos);
-        [c.length - self.0.length, c.local[2] - turned, c.local[5] - turned]
+        let chord_rotation = c.sin.atan2(c.cos);
+        [c.length - self.0.length, c.local[2] - chord_rotation, c.local[5] - chord_rotation]
     }
     /// Member loads keep the direction of the undeformed beam, as in OpenSees.
     fn add_force(&self, disp: &[f64], _: &[f64], q: &[f64; 3], p0: &Reactions, force: &mut [f64]) {

@@ -33,8 +33,9 @@ impl Frame<6, 3> {
     pub fn plane(ends: &Ends<'_>, offsets: &(Vector3<f64>, Vector3<f64>)) -> Result<Self, AxesError> {
         let mut initial = [0.0; 6];
         initial.copy_from_slice(ends.disp);
-        let moved = |k: usize| Vector3::new(initial[k], initial[k + 1], 0.0);
-        let line = (ends.place.1 + moved(3) + offsets.1) - (ends.place.0 + moved(0) + offsets.0);
+        let initial_translation = |k: usize| Vector3::new(initial[k], initial[k + 1], 0.0);
+        let line =
+            (ends.place.1 + initial_translation(3) + offsets.1) - (ends.place.0 + initial_translation(0) + offsets.0);
         let axes = axes::from_x_and_y(line, Vector3::new(-line.y, line.x, 0.0))?;
         let mut local = [[0.0; 6]; 6];
         for (at, offset) in [(0, &offsets.0), (3, &offsets.1)] {
@@ -70,8 +71,9 @@ impl Frame<12, 6> {
     pub fn space(ends: &Ends<'_>, offsets: &(Vector3<f64>, Vector3<f64>), xz: Vector3<f64>) -> Result<Self, AxesError> {
         let mut initial = [0.0; 12];
         initial.copy_from_slice(ends.disp);
-        let moved = |k: usize| Vector3::new(initial[k], initial[k + 1], initial[k + 2]);
-        let line = (ends.place.1 + moved(6) + offsets.1) - (ends.place.0 + moved(0) + offsets.0);
+        let initial_translation = |k: usize| Vector3::new(initial[k], initial[k + 1], initial[k + 2]);
+        let line =
+            (ends.place.1 + initial_translation(6) + offsets.1) - (ends.place.0 + initial_translation(0) + offsets.0);
         let axes = axes::from_x_and_xz(line, xz)?;
         let mut local = [[0.0; 12]; 12];
         for (at, offset) in [(0, &offsets.0), (6, &offsets.1)] {

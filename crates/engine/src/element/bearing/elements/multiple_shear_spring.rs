@@ -108,7 +108,7 @@ impl Element for MultipleShearSpring {
         motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: ElementOutput<'_>,
+        output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let [u, rate] = [motion.disp, motion.vel].map(|x| {
             let basic = self.link.deformation(x);
@@ -119,11 +119,11 @@ impl Element for MultipleShearSpring {
         let factors = self.springs.factors(size, committed, trial)?;
         let force = bundle.force.map(|f| factors.force * f);
         Forces { force }.write(trial);
-        self.link.add_basic_force(&basic(force), answer.force);
-        if let Some(tangent) = answer.tangent {
+        self.link.add_basic_force(&basic(force), output.force);
+        if let Some(tangent) = output.tangent {
             self.link.add_basic(&spread(self.stiffness(&bundle, &factors, u, size)), tangent);
         }
-        if let Some(c) = answer.damping {
+        if let Some(c) = output.damping {
             self.link.add_basic(&spread(bundle.damping.map(|row| row.map(|c| factors.force * c))), c);
         }
         Ok(())

@@ -9,8 +9,8 @@ use crate::probe::Probe;
 ///
 /// Source: D. N. Grant, G. L. Fenves and A. S. Whittaker, "Bidirectional modelling of high-damping rubber bearings",
 /// Journal of Earthquake Engineering 8 (2004) 161-185. The force is F₁ + F₂. F₁ = K_S1 K_M (a₁ + a₂ U² + a₃ U⁴) u is
-/// elastic. F₂ = R n - δ μ tends to the bounding circle of radius R = b₁ + K_S2 b₂ U² in the direction n of the
-/// increment, with δ' = -b₃ δ |u'|.
+/// elastic. F₂ = R n - δ μ with δ' = -b₃ δ |u'| tends to a bounding circle in the direction n of the increment. Its
+/// radius is R = b₁ + K_S2 b₂ U².
 ///
 /// Scragging, the long-term damage D_S, lowers K_S = e^(-c D_S³). The Mullins damage D_M lowers K_M = c₃ + (1 - c₃)
 /// e^(-c₄ D_M³).

@@ -28,16 +28,16 @@ impl<const S: usize> StateStruct for Shear<S> {
     const LEN: usize = 3 * S + S * S;
 
     #[inline]
-    fn read(words: &[f64]) -> Self {
-        let words = &words[..Self::LEN];
-        let vector = |at: usize| std::array::from_fn(|i| words[at + i]);
+    fn read(state: &[f64]) -> Self {
+        let state = &state[..Self::LEN];
+        let vector = |at: usize| std::array::from_fn(|i| state[at + i]);
         Self { u: vector(0), internal: vector(S), q: vector(2 * S), k: std::array::from_fn(|i| vector((3 + i) * S)) }
     }
 
     #[inline]
-    fn write(&self, words: &mut [f64]) {
+    fn write(&self, state: &mut [f64]) {
         let rows = [&self.u, &self.internal, &self.q].into_iter().chain(&self.k);
-        for (to, from) in words[..Self::LEN].chunks_exact_mut(S).zip(rows) {
+        for (to, from) in state[..Self::LEN].chunks_exact_mut(S).zip(rows) {
             to.copy_from_slice(from);
         }
     }

@@ -395,14 +395,14 @@ impl<const N: usize, const B: usize, const S: usize> Element for SlidingBearing<
         motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: ElementOutput<'_>,
+        output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let Basic { q, by_disp, by_vel } = self.basic(motion, committed, trial)?;
         for (row, &q) in self.link.basic.iter().zip(&q) {
-            axpy(q, row, answer.force);
+            axpy(q, row, output.force);
         }
         let consistent = self.setting.compat.is_none();
-        let (mut tangent, mut damping) = (answer.tangent, answer.damping);
+        let (mut tangent, mut damping) = (output.tangent, output.damping);
         for (row, (by_disp, by_vel)) in self.link.basic.iter().zip(by_disp.iter().zip(&by_vel)) {
             add_product(&mut tangent, row, by_disp);
             add_product(&mut damping, row, by_vel);
@@ -418,7 +418,7 @@ impl<const N: usize, const B: usize, const S: usize> Element for SlidingBearing<
                     axpy(length, &by_vel[*basic], &mut by_v);
                 }
             }
-            axpy(moment, &lever.row, answer.force);
+            axpy(moment, &lever.row, output.force);
             add_product(&mut tangent, &lever.row, &by_u);
             add_product(&mut damping, &lever.row, &by_v);
         }

@@ -78,11 +78,11 @@ impl Heat {
         Self { setting, conduction, area, edge: setting.radius * (0.25 * pi).sqrt() }
     }
 
-    pub(super) fn init(&self, words: &mut [f64]) {
-        words.fill(0.0);
+    pub(super) fn init(&self, state: &mut [f64]) {
+        state.fill(0.0);
         let factors = if self.setting.compat { [1.0; 3] } else { [1.0, self.softening(AMBIENT), self.by_speed(0.0)] };
         let mu = self.setting.mu * factors.iter().product::<f64>();
-        ThermalState { temperature: AMBIENT, mu, factors, ..ThermalState::default() }.write(words);
+        ThermalState { temperature: AMBIENT, mu, factors, ..ThermalState::default() }.write(state);
     }
 
     fn by_pressure(&self, normal: f64) -> f64 {
@@ -99,8 +99,8 @@ impl Heat {
     }
 
     /// Factor k_T for the temperature of a state.
-    pub(super) fn share(&self, words: &[f64]) -> f64 {
-        self.softening(ThermalState::read(words).temperature)
+    pub(super) fn share(&self, state: &[f64]) -> f64 {
+        self.softening(ThermalState::read(state).temperature)
     }
 
     /// Heat flux at the displacement `u`.
@@ -149,10 +149,10 @@ impl Heat {
     /// The speed is that of the trial state, or at rest the displacement since the last step over the time. The heat
     /// has the coefficient of the last step. It lies at the end of its step, with an age of at least the step. The
     /// first step of a new domain time has factors of 1 and deletes the heat history.
-    pub(super) fn warm_first(&self, (normal, speed): (f64, f64), u: &[f64], time: f64, words: &mut [f64]) -> f64 {
-        let c = ThermalState::read(words);
+    pub(super) fn warm_first(&self, (normal, speed): (f64, f64), u: &[f64], time: f64, state: &mut [f64]) -> f64 {
+        let c = ThermalState::read(state);
         let mut w = c;
-        let (own, heat) = words.split_at_mut(ThermalState::LEN);
+        let (own, heat) = state.split_at_mut(ThermalState::LEN);
         let again = (time - c.time).abs() < 1e-8 && c.steps > 0.0;
         if !again && time > c.time {
             let dt = time - c.time;
@@ -217,8 +217,8 @@ pub(super) fn probe(word: &str) -> Option<(u32, &'static [&'static str])> {
 }
 
 /// Values of a response.
-pub(super) fn read(id: u32, words: &[f64], out: &mut [f64]) {
-    let w = ThermalState::read(words);
+pub(super) fn read(id: u32, state: &[f64], out: &mut [f64]) {
+    let w = ThermalState::read(state);
     match id {
         TEMPERATURE => out[0] = w.temperature,
         FACTORS => out.copy_from_slice(&w.factors),

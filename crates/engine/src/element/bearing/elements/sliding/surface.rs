@@ -143,7 +143,7 @@ impl Surface {
                 if equilibrium > 0.0 { (equilibrium - normal) / (1.0 - dot(&at.by_normal, &shape.g)) } else { -normal };
             let next = (normal + step).max(0.0);
             if (next - normal).abs() <= 1e-14 * pose.pressure {
-                return self.checked(pose, self.answer(pose, &shape, &at, normal));
+                return self.checked(pose, self.response_at(pose, &shape, &at, normal));
             }
             normal = next;
         }
@@ -184,7 +184,7 @@ impl Surface {
             let change: [f64; S] = std::array::from_fn(|i| at.q[i] - q[i]);
             // The round-off of a large force may exceed the tolerance.
             if norm(&change) < tolerance.max(1e-15 * norm(&at.q)) {
-                return Ok(self.answer(pose, &shape, &at, normal));
+                return Ok(self.response_at(pose, &shape, &at, normal));
             }
             q = at.q;
         }
@@ -260,7 +260,7 @@ impl Surface {
         Coefficient { mu: if mu.is_finite() { mu } else { 0.0 }, ..Coefficient::default() }
     }
 
-    fn answer<const S: usize>(&self, pose: &Pose<S>, shape: &Shape<S>, at: &AtNormal<S>, normal: f64) -> Slide<S> {
+    fn response_at<const S: usize>(&self, pose: &Pose<S>, shape: &Shape<S>, at: &AtNormal<S>, normal: f64) -> Slide<S> {
         let slides = at.slides();
         let n = if slides { at.trial.map(|t| t / at.size) } else { [0.0; S] };
         let k0 = shape.c.map(|c| self.k_init - normal * c);
@@ -315,8 +315,8 @@ impl<const S: usize> Slide<S> {
         let share = 1.0 / (1.0 - dot(&at.by_normal, &shape.g));
         let column = |m: &[[f64; S]; S], j: usize| -> f64 { (0..S).map(|i| shape.g[i] * m[i][j]).sum() };
         for j in 0..S {
-            let turned = if S == 2 { at.q[1 - j] * pose.u[1 - j] * shape.dc[1 - j] } else { 0.0 };
-            let by_u = share * (column(&self.by_u, j) + at.q[j] * shape.c[j] + turned);
+            let curvature_term = if S == 2 { at.q[1 - j] * pose.u[1 - j] * shape.dc[1 - j] } else { 0.0 };
+            let by_u = share * (column(&self.by_u, j) + at.q[j] * shape.c[j] + curvature_term);
             let by_rate = share * column(&self.by_rate, j);
             let by_tilt = share * (column(&self.by_tilt, j) - at.q[j]);
             for i in 0..S {

@@ -323,7 +323,7 @@ impl Element for TriplePendulum {
         motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: ElementOutput<'_>,
+        output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let top = self.top(motion, committed, trial)?;
         let apart = std::array::from_fn(|i| motion.disp[6 + i] - motion.disp[i]);
@@ -332,11 +332,11 @@ impl Element for TriplePendulum {
         let compat = self.setting.compat.is_some();
         let turn = if compat { 1.0 } else { -1.0 };
         for (i, m) in m.iter().enumerate() {
-            (answer.force[i], answer.force[6 + i]) = (-top.force[i], top.force[i]);
-            answer.force[3 + i] = turn * top.force[3 + i] + 0.5 * m;
-            answer.force[9 + i] = top.force[3 + i] + 0.5 * m;
+            (output.force[i], output.force[6 + i]) = (-top.force[i], top.force[i]);
+            output.force[3 + i] = turn * top.force[3 + i] + 0.5 * m;
+            output.force[9 + i] = top.force[3 + i] + 0.5 * m;
         }
-        if let Some(k) = answer.tangent {
+        if let Some(k) = output.tangent {
             for i in 0..6 {
                 for j in 0..6 {
                     add_apart(k, i, j, top.by_apart[i][j], -1.0);
@@ -348,7 +348,7 @@ impl Element for TriplePendulum {
                 }
             }
         }
-        if let Some(c) = answer.damping {
+        if let Some(c) = output.damping {
             top.damping.iter().enumerate().for_each(|(i, x)| add_apart(c, i, i, *x, -1.0));
         }
         Ok(())

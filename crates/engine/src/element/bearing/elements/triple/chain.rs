@@ -30,12 +30,12 @@ state_struct! {
     }
 }
 
-pub(super) fn two(words: &[f64], i: usize) -> Vector2<f64> {
-    Vector2::new(words[2 * i], words[2 * i + 1])
+pub(super) fn two(entries: &[f64], i: usize) -> Vector2<f64> {
+    Vector2::new(entries[2 * i], entries[2 * i + 1])
 }
 
-pub(super) fn square(words: &[f64], i: usize) -> Matrix2<f64> {
-    Matrix2::from_row_slice(&words[4 * i..4 * i + 4])
+pub(super) fn square(entries: &[f64], i: usize) -> Matrix2<f64> {
+    Matrix2::from_row_slice(&entries[4 * i..4 * i + 4])
 }
 
 pub(super) fn rows(m: &Matrix2<f64>) -> [f64; 4] {
@@ -56,8 +56,8 @@ impl ChainState {
         (plastic, back): (Vector2<f64>, Vector2<f64>),
         k: &Matrix2<f64>,
     ) {
-        for (words, v) in [(&mut self.d, d), (&mut self.plastic, plastic), (&mut self.back, back)] {
-            words[2 * i..2 * i + 2].copy_from_slice(v.as_slice());
+        for (entries, v) in [(&mut self.d, d), (&mut self.plastic, plastic), (&mut self.back, back)] {
+            entries[2 * i..2 * i + 2].copy_from_slice(v.as_slice());
         }
         self.k[4 * i..4 * i + 4].copy_from_slice(&rows(k));
     }
@@ -103,8 +103,8 @@ impl Chain {
     pub fn virgin(&self) -> ChainState {
         let mut s = ChainState::default();
         let k = self.segments.map(|segment| Matrix2::from_diagonal_element(segment.e));
-        for (words, k) in s.k.chunks_exact_mut(4).zip(&k) {
-            words.copy_from_slice(&rows(k));
+        for (entries, k) in s.k.chunks_exact_mut(4).zip(&k) {
+            entries.copy_from_slice(&rows(k));
         }
         s.whole = rows(&in_series(k).unwrap_or_default());
         s

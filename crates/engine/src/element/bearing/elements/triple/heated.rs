@@ -158,13 +158,13 @@ impl Heated {
         s.mu.map(|mu| mu * share)
     }
 
-    pub(super) fn init(&self, words: &mut [f64]) {
+    pub(super) fn init(&self, state: &mut [f64]) {
         let mu = self.at_rest();
         let mut w =
             ThermalState { mu_before: mu, mu, temperature: [self.setting.temperature; 5], ..ThermalState::default() };
         w.factors = [1.0; 9];
-        w.write(words);
-        words[ThermalState::LEN..Self::LEN].fill(0.0);
+        w.write(state);
+        state[ThermalState::LEN..Self::LEN].fill(0.0);
     }
 
     fn by_pressure(&self, i: usize, normal: f64) -> f64 {
@@ -225,8 +225,8 @@ impl Heated {
         out
     }
 
-    fn heat_history(words: &[f64], i: usize) -> &[f64] {
-        &words[ThermalState::LEN + i * history::LEN..ThermalState::LEN + (i + 1) * history::LEN]
+    fn heat_history(state: &[f64], i: usize) -> &[f64] {
+        &state[ThermalState::LEN + i * history::LEN..ThermalState::LEN + (i + 1) * history::LEN]
     }
 
     fn set_temperature(w: &mut ThermalState, i: usize, [surface, depth]: [f64; 2]) {

@@ -82,8 +82,8 @@ impl Segment {
         if r > self.gap {
             let n = d / r;
             p.f += self.e * (r - self.gap) * n;
-            let left = self.gap / r;
-            p.k += self.e * (Matrix2::from_diagonal_element(1.0 - left) + left * n * n.transpose());
+            let gap_ratio = self.gap / r;
+            p.k += self.e * (Matrix2::from_diagonal_element(1.0 - gap_ratio) + gap_ratio * n * n.transpose());
         }
         p
     }
