@@ -166,14 +166,14 @@ fn end_forces_balance_member_loads() {
     let loads = [
         ElementLoad::Distributed { span: (0.0, 1.0), y: (3.0, 3.0), z: (-2.0, -2.0), x: (1.0, 1.0) },
         ElementLoad::Distributed { span: (0.2, 0.7), y: (1.0, 4.0), z: (2.0, 0.0), x: (0.0, 2.0) },
-        ElementLoad::MaterialPoint { at: 0.3, y: 5.0, z: -4.0, x: 2.0 },
+        ElementLoad::Point { at: 0.3, y: 5.0, z: -4.0, x: 2.0 },
     ];
     for release in [Release::None, Release::I, Release::J, Release::Both] {
         for load in &loads {
             let e = space(TransformKind::Linear, false, true, release);
             let length = (LINE.1 - LINE.0).norm();
             let total = match *load {
-                ElementLoad::MaterialPoint { y, z, x, .. } => Vector3::new(x, y, z),
+                ElementLoad::Point { y, z, x, .. } => Vector3::new(x, y, z),
                 ElementLoad::Moment { .. } => Vector3::zeros(),
                 ElementLoad::Distributed { span, y, z, x } => {
                     let mean = |w: (f64, f64)| 0.5 * (w.0 + w.1) * (span.1 - span.0) * length;
@@ -207,7 +207,7 @@ fn fixed_end_moments_match_the_handbook() {
     for (load, mi, mj) in [
         (ElementLoad::Distributed { span: (0.0, 1.0), y: (-10.0, -10.0), z: (0.0, 0.0), x: (0.0, 0.0) }, 30.0, -30.0),
         (
-            ElementLoad::MaterialPoint { at: 1.0 / 3.0, y: -10.0, z: 0.0, x: 0.0 },
+            ElementLoad::Point { at: 1.0 / 3.0, y: -10.0, z: 0.0, x: 0.0 },
             10.0 * 2.0 * 16.0 / 36.0,
             -10.0 * 4.0 * 4.0 / 36.0,
         ),

@@ -286,7 +286,7 @@ fn critical_load_and_stiffness_fall_with_shear() {
 fn axial_force_is_independent_of_step_size() {
     let law = axial(rubber(false));
     let (uc, ucr) = limits();
-    let go = |n: u32| {
+    let advance = |n: u32| {
         let mut state = law.virgin();
         let corners = [(0.0, 0.0), (0.1, 0.5 * ucr), (0.0, 3.0 * uc), (0.2, 0.0), (0.1, 2.0 * uc), (0.3, 0.9 * ucr)];
         let mut forces = vec![];

@@ -139,11 +139,10 @@ fn elastic_sections_give_the_elastic_beam() {
         None,
         Some(ElementLoad::Distributed { span: (0.0, 1.0), y: (3.0, 3.0), z: (-2.0, -2.0), x: (1.0, 1.0) }),
         Some(ElementLoad::Distributed { span: (0.2, 0.7), y: (3.0, 5.0), z: (-2.0, 1.0), x: (1.0, 4.0) }),
-        Some(ElementLoad::MaterialPoint { at: 0.3, y: 5.0, z: -4.0, x: 2.0 }),
+        Some(ElementLoad::Point { at: 0.3, y: 5.0, z: -4.0, x: 2.0 }),
     ] {
         // The moment of a partial load is no polynomial; many points integrate it closely.
-        let smooth =
-            !matches!(load, Some(ElementLoad::MaterialPoint { .. } | ElementLoad::Distributed { span: (0.2, _), .. }));
+        let smooth = !matches!(load, Some(ElementLoad::Point { .. } | ElementLoad::Distributed { span: (0.2, _), .. }));
         let n = if smooth { 5 } else { 100 };
         let rule = if smooth { Rule::Lobatto } else { Rule::Trapezoidal };
         for mut e in

@@ -282,7 +282,7 @@ fn closed_cycles_create_no_energy() {
 fn lifted_bearing_has_no_force_and_restarts_sliding() {
     for kind in [Kind::Flat, Kind::Pendulum] {
         let mut e = upright(kind, &frictions()[0]);
-        let go = |e: &mut SingleElement, x: f64, z: f64| {
+        let advance = |e: &mut SingleElement, x: f64, z: f64| {
             let mut u = [0.0; 12];
             (u[6], u[8], u[10]) = (x, z, 0.01);
             let f = e.force(&u);
