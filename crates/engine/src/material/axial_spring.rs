@@ -245,7 +245,7 @@ impl<const HD: bool> AxialSpring<HD> {
 
     /// Force and stiffness on a branch.
     #[inline]
-    fn answer(&self, t: &History) -> Stress {
+    fn response(&self, t: &History) -> Stress {
         let u = t.u;
         let (value, tangent) = match t.branch {
             Branch::Elastic if u <= 0.0 => (self.sce * u, self.sce),
@@ -303,8 +303,8 @@ impl<const HD: bool> AxialSpring<HD> {
     #[inline]
     fn step(&self, c: &History, u: f64) -> (Stress, History) {
         let mut t = History { u, ..*c };
-        t.branch = self.follow(c, || self.answer(c).value, u, &mut t);
-        (self.answer(&t), t)
+        t.branch = self.follow(c, || self.response(c).value, u, &mut t);
+        (self.response(&t), t)
     }
 
     /// As `step`, but as in OpenSees, where the branch continues from the last call, committed or not. Only
@@ -314,7 +314,7 @@ impl<const HD: bool> AxialSpring<HD> {
     fn step_on(&self, c: &History, last: &History, u: f64) -> (Stress, History) {
         let from = History { u: c.u, ..*last };
         let mut t = History { u, ..from };
-        let next = self.follow(&from, || self.answer(c).value, u, &mut t);
+        let next = self.follow(&from, || self.response(c).value, u, &mut t);
         t.branch = match (from.branch, next) {
             (Branch::Shifted, _) if u <= from.slope => Branch::Yielded,
             (Branch::Shifted, Branch::Yielded) => Branch::Shifted,
@@ -327,6 +327,6 @@ impl<const HD: bool> AxialSpring<HD> {
             }
             _ => {}
         }
-        (self.answer(&t), t)
+        (self.response(&t), t)
     }
 }

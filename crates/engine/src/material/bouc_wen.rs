@@ -3,6 +3,9 @@
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 use crate::numeric::{bracketed_root, sign};
 
+/// Maximum number of iterations for z; bisection alone needs fewer.
+const MAX_ITERATIONS: u32 = 120;
+
 /// σ = α k₀ ε + (1-α) k₀ z with ż = [A - |z|ⁿ (γ + β sign(ε̇ z)) ν] ε̇ / η. A, ν and η are linear in the dissipated
 /// energy e = ∫ (1-α) k₀ z dε. The step is integrated by backward Euler, solved to round-off.
 #[derive(Clone, Debug, PartialEq)]
@@ -93,7 +96,7 @@ impl BoucWen {
             // zero.
             if along(start).0 > 0.0 { start = 0.0 } else { bracket.0 = start }
         }
-        let root = bracketed_root(along, bracket, start, c.z.abs().max(d.abs()), 120);
+        let root = bracketed_root(along, bracket, start, c.z.abs().max(d.abs()), MAX_ITERATIONS);
         root.map(|y| s * y).ok_or_else(|| {
             MaterialError(format!("BoucWen found no hysteretic displacement for a strain increment of {d:.6e}"))
         })

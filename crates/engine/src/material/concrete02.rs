@@ -23,7 +23,7 @@ pub struct Concrete02 {
 }
 
 /// Tangent of the branches with constant stress; a positive value keeps the stiffness matrix regular.
-const FLAT: f64 = 1.0e-10;
+const FLAT_TANGENT: f64 = 1.0e-10;
 
 crate::state_struct! {
     /// History of [`Concrete02`].
@@ -55,7 +55,7 @@ impl Concrete02 {
             let slope = (self.fcu - self.fc) / (self.epscu - self.epsc0);
             (self.fc + slope * (eps - self.epsc0), slope)
         } else {
-            (self.fcu, FLAT)
+            (self.fcu, FLAT_TANGENT)
         }
     }
 
@@ -68,7 +68,7 @@ impl Concrete02 {
         } else if eps <= self.ft * (1.0 / self.ets + 1.0 / modulus) {
             (self.ft - self.ets * (eps - peak), -self.ets)
         } else {
-            (0.0, FLAT)
+            (0.0, FLAT_TANGENT)
         }
     }
 }

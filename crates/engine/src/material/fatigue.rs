@@ -35,13 +35,13 @@ crate::state_struct! {
         /// Damage of the closed ranges.
         damage: f64,
         /// First to fourth reversal that are not yet part of a closed range; zero if there is none.
-        turn: [f64; 4],
+        reversals: [f64; 4],
         /// Strain range before the current one.
         range: f64,
         /// 1 if the third and the fourth reversal are not counted yet.
-        waiting: f64,
+        pending: f64,
         /// 1 after the second reversal.
-        begun: f64,
+        has_second_reversal: f64,
         /// 0 before the first strain, 1 after it.
         started: f64,
         /// Last nonzero strain increment.
@@ -54,9 +54,9 @@ crate::state_struct! {
 }
 
 /// Stress and stiffness of a failed material divided by those of the intact one, as in OpenSees.
-const LEFT: f64 = 1.0e-8;
+const RESIDUAL_STRENGTH_RATIO: f64 = 1.0e-8;
 /// Strain ranges below this value cause no damage.
-const NO_RANGE: f64 = 1.0e-10;
+const MIN_STRAIN_RANGE: f64 = 1.0e-10;
 
 impl Fatigue {
     /// Wraps a material, given with its tag.
@@ -70,52 +70,52 @@ impl Fatigue {
     }
 
     /// Counts a reversal at the last strain.
-    fn turn(&self, c: &mut Cycles) {
-        let [a, b, third, _] = c.turn;
+    fn count_reversal(&self, c: &mut Cycles) {
+        let [a, b, third, _] = c.reversals;
         let peak = c.last;
-        if c.begun == 0.0 {
-            c.turn[1] = peak;
+        if c.has_second_reversal == 0.0 {
+            c.reversals[1] = peak;
             c.range = (peak - a).abs();
-            c.begun = 1.0;
+            c.has_second_reversal = 1.0;
             return;
         }
-        let waits = c.waiting != 0.0;
+        let waits = c.pending != 0.0;
         let range = (peak - if waits { third } else { b }).abs();
-        c.turn[if waits { 3 } else { 2 }] = peak;
+        c.reversals[if waits { 3 } else { 2 }] = peak;
         let count = |c: &mut Cycles, cycles: f64, range: f64| {
             c.damage += self.damage(cycles, range);
             c.counted[0] = [cycles, range];
         };
         match (range < c.range, waits) {
             (true, false) => {
-                c.waiting = 1.0;
+                c.pending = 1.0;
                 c.range = range;
             }
             (true, true) => {
                 count(c, 1.0, range);
-                c.turn = [a, b, 0.0, 0.0];
+                c.reversals = [a, b, 0.0, 0.0];
                 c.range = (b - a).abs();
-                c.waiting = 0.0;
+                c.pending = 0.0;
             }
             (false, true) => {
                 let inner = c.range;
                 count(c, 1.0, inner);
-                c.turn = [a, peak, 0.0, 0.0];
+                c.reversals = [a, peak, 0.0, 0.0];
                 c.range = (peak - a).abs();
-                c.waiting = 0.0;
+                c.pending = 0.0;
             }
             (false, false) => {
                 let before = c.range;
                 count(c, 0.5, before);
-                c.turn = [b, peak, 0.0, 0.0];
+                c.reversals = [b, peak, 0.0, 0.0];
                 c.range = range;
             }
         }
     }
 
     /// Total damage if the strain reversed now.
-    fn would_be(&self, c: &mut Cycles, strain: f64) -> f64 {
-        let [a, b, third, fourth] = c.turn;
+    fn damage_if_reversed(&self, c: &mut Cycles, strain: f64) -> f64 {
+        let [a, b, third, fourth] = c.reversals;
         let open = match (b != 0.0, third != 0.0, fourth != 0.0) {
             (false, false, false) => [(0.5, (strain - a).abs()), (0.0, 0.0)],
             (true, false, false) => [(0.5, (strain - b).abs()), (0.5, c.range)],
@@ -126,8 +126,8 @@ impl Fatigue {
         };
         let mut damage = c.damage;
         for ((cycles, range), counted) in open.into_iter().zip(&mut c.counted[1..]) {
-            *counted = if range < NO_RANGE { [0.0; 2] } else { [cycles, range] };
-            if range >= NO_RANGE {
+            *counted = if range < MIN_STRAIN_RANGE { [0.0; 2] } else { [cycles, range] };
+            if range >= MIN_STRAIN_RANGE {
                 damage += self.damage(cycles, range);
             }
         }
@@ -144,18 +144,18 @@ impl Fatigue {
             return c;
         }
         if c.started == 0.0 {
-            (c.started, c.turn, c.last, c.waiting) = (1.0, [strain, 0.0, 0.0, 0.0], strain, 0.0);
+            (c.started, c.reversals, c.last, c.pending) = (1.0, [strain, 0.0, 0.0, 0.0], strain, 0.0);
         }
         let slope = if strain == c.last { c.slope } else { strain - c.last };
         let sign = |x: f64| if x == 0.0 { 0.0 } else { x.signum() };
         if c.slope != 0.0 && sign(c.slope) != sign(slope) {
-            self.turn(&mut c);
+            self.count_reversal(&mut c);
             if c.damage >= self.p.d_max {
                 c.failed = 1.0;
             }
         }
         if c.failed == 0.0 {
-            let damage = self.would_be(&mut c, strain);
+            let damage = self.damage_if_reversed(&mut c, strain);
             // A cracked section still carries compression, so failure needs a tensile stress.
             if damage > self.p.d_max && stress > 0.0 {
                 (c.damage, c.failed) = (damage, 1.0);
@@ -192,7 +192,11 @@ impl Uniaxial for Fatigue {
         }
         new.write(next);
         Ok(if failed {
-            Stress { value: LEFT * s.value, tangent: LEFT * self.initial_tangent(), damping: 0.0 }
+            Stress {
+                value: RESIDUAL_STRENGTH_RATIO * s.value,
+                tangent: RESIDUAL_STRENGTH_RATIO * self.initial_tangent(),
+                damping: 0.0,
+            }
         } else {
             s
         })

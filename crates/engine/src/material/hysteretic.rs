@@ -3,9 +3,9 @@
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 
 /// Largest strain of an envelope, which no analysis reaches.
-const FAR: f64 = 1.0e16;
+const MAX_STRAIN: f64 = 1.0e16;
 /// Slope of a horizontal branch divided by the elastic slope; a positive value keeps the stiffness matrix regular.
-const FLAT: f64 = 1.0e-9;
+const FLAT_SLOPE_RATIO: f64 = 1.0e-9;
 
 /// The envelope on one side: stresses and strains of its three points, positive on both sides.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,7 +38,7 @@ impl Envelope {
     fn at(&self, x: f64) -> (f64, f64) {
         let (m, r, e) = (&self.stress, &self.strain, &self.slope);
         if x < 0.0 {
-            (0.0, FLAT * e[0])
+            (0.0, FLAT_SLOPE_RATIO * e[0])
         } else if x <= r[0] {
             (e[0] * x, e[0])
         } else if x <= r[1] {
@@ -46,7 +46,7 @@ impl Envelope {
         } else if x <= r[2] || e[2] > 0.0 {
             (m[1] + e[2] * (x - r[1]), e[2])
         } else {
-            (m[2], FLAT * e[0])
+            (m[2], FLAT_SLOPE_RATIO * e[0])
         }
     }
 
@@ -141,7 +141,7 @@ impl Hysteretic {
             }
         }
         t.loading = s;
-        t.extreme[ahead] = t.extreme[ahead].min(FAR).max(front.strain[0]);
+        t.extreme[ahead] = t.extreme[ahead].min(MAX_STRAIN).max(front.strain[0]);
         let target = t.extreme[ahead];
         let (peak, _) = front.at(target);
         let zero = s * t.unloaded[behind];
@@ -151,10 +151,10 @@ impl Hysteretic {
         let elastic = (sig_c + k_front * d, k_front);
         if x < zero {
             let sig = sig_c + k_rear * d;
-            if sig >= 0.0 { (0.0, FLAT * rear.unloading) } else { (sig, k_rear) }
+            if sig >= 0.0 { (0.0, FLAT_SLOPE_RATIO * rear.unloading) } else { (sig, k_rear) }
         } else if x < pinch {
             if x <= release {
-                (0.0, FLAT * front.unloading)
+                (0.0, FLAT_SLOPE_RATIO * front.unloading)
             } else {
                 let k = peak * self.pinch_y / (pinch - release);
                 lower(elastic, ((x - release) * k, k))

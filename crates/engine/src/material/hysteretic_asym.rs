@@ -7,8 +7,8 @@ use super::{MaterialError, Strain, Stress, UniaxialLaw};
 ///
 /// f = f_e(u) + exp(γ u) (k_b u ± f_0), f_e = exp(b₁ u) - exp(-b₂ u) - (b₁ + b₂) u,
 ///
-/// The upper sign applies if u increases. k_a and k_b are stress over strain, and f_0 is a stress. b₁, b₂ and γ are
-/// inverse strains.
+/// The upper sign applies if u increases. The parameters k_a and k_b are stress over strain, f_0 is a stress, and b₁,
+/// b₂ and γ are inverse strains.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HystereticAsym {
     /// Stiffness k_a at the first point of a branch from a limit curve.
@@ -48,11 +48,11 @@ impl HystereticAsym {
         let a = 0.5 * (self.ka - self.kb) / self.fo;
         let start = (self.elastic(c.strain).0 - c.stress) * (-self.gamma * c.strain).exp();
         // Remaining distance to the limit curve.
-        let left = (start + self.kb * c.strain + s * self.fo) * (-a * d.abs()).exp();
+        let remaining = (start + self.kb * c.strain + s * self.fo) * (-a * d.abs()).exp();
         let (fe, slope) = self.elastic(u);
-        let (loop_force, growth) = (self.kb * u + s * self.fo - left, (self.gamma * u).exp());
+        let (loop_force, growth) = (self.kb * u + s * self.fo - remaining, (self.gamma * u).exp());
         let value = fe + growth * loop_force;
-        let tangent = slope + growth * (self.gamma * loop_force + self.kb + s * a * left);
+        let tangent = slope + growth * (self.gamma * loop_force + self.kb + s * a * remaining);
         if !(value.is_finite() && tangent.is_finite()) {
             return Err(MaterialError(format!("{} has no stress at a strain of {u:.6e}", Self::NAME)));
         }

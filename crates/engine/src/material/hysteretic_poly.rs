@@ -31,7 +31,7 @@ impl HystereticPoly {
     /// OpenSees' tolerance.
     pub const TOLERANCE: f64 = 1e-20;
 
-    /// Returns u_0, (1 + 2 u_0)^(1-a) and f̄. 2 u_0 is the length of a branch between the limit curves, and f̄ half
+    /// Returns u_0, (1 + 2 u_0)^(1-a) and f̄. The length of a branch between the limit curves is 2 u_0; f̄ is half
     /// the height of the loop.
     fn range(&self) -> [f64; 3] {
         let k = self.ka - self.kb;

@@ -11,7 +11,7 @@ pub struct HystereticSmooth {
 }
 
 impl HystereticSmooth {
-    /// From k_a at the first point of a branch, k_b of the limit curves (stiffnesses), half the height of the loop
+    /// From the stiffnesses k_a (first point of a branch) and k_b (limit curves), half the height of the loop
     /// (stress), and β (inverse strain).
     pub fn new(ka: f64, kb: f64, fbar: f64, beta: f64) -> Self {
         Self { law: HystereticAsym { ka, kb, fo: fbar, b: [beta; 2], gamma: 0.0 } }

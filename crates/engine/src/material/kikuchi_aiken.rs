@@ -33,7 +33,7 @@ pub enum Loops {
 }
 
 /// Intersection of the formulas `below` and `above` within 2 % of `limit`, or `limit` if they do not intersect there.
-pub(super) fn meeting(limit: f64, below: impl Fn(f64) -> f64, above: impl Fn(f64) -> f64) -> f64 {
+pub(super) fn intersection(limit: f64, below: impl Fn(f64) -> f64, above: impl Fn(f64) -> f64) -> f64 {
     let difference = |x: f64| above(x) - below(x);
     let (mut low, mut high) = (0.98 * limit, 1.02 * limit);
     let first = difference(low);
@@ -60,7 +60,7 @@ pub trait Device: fmt::Debug + Clone + Send + Sync + 'static {
     fn height(&self) -> f64;
 
     /// Displacement increment below which the state is kept.
-    fn rest(&self) -> f64;
+    fn min_increment(&self) -> f64;
 
     /// Force F_m at an amplitude, and its derivative with respect to the displacement.
     fn skeleton(&self, gamma: f64) -> (f64, f64);
@@ -163,19 +163,19 @@ impl Head {
 }
 
 /// Offset of a reversal, counted from 1.
-fn place(level: usize) -> usize {
+fn offset(level: usize) -> usize {
     Head::LEN + (level - 1) * Reversal::LEN
 }
 
 fn reversal(words: &[f64], level: usize) -> Reversal {
-    Reversal::read(&words[place(level)..])
+    Reversal::read(&words[offset(level)..])
 }
 
 /// Removes the pair of reversals with the smallest difference to the enclosing loop.
-fn forget(words: &mut [f64]) {
+fn drop_closest_pair(words: &mut [f64]) {
     let difference = |level: usize| (reversal(words, level + 1).x - reversal(words, level - 1).x).abs();
     let least = (2..LEVELS).min_by(|a, b| difference(*a).total_cmp(&difference(*b))).unwrap_or(2);
-    words.copy_within(place(least + 2)..place(LEVELS + 1), place(least));
+    words.copy_within(offset(least + 2)..offset(LEVELS + 1), offset(least));
 }
 
 /// Parameter a of a loop with equivalent damping h_eq, at most `limit`; equal to `limit` if no a gives this damping.
@@ -311,11 +311,11 @@ impl<D: Device> KikuchiAiken<D> {
             let b = self.device.bump(gamma, t.a);
             let alpha = if loops == Loops::Closed { 2.0 / self.curve(t.a, b, 2.0).0 } else { 1.0 };
             t.depth = 1.0;
-            Reversal { x: sign(c.d), q2: sign(c.d) * t.u * t.fm, b, alpha }.write(&mut next[place(1)..]);
+            Reversal { x: sign(c.d), q2: sign(c.d) * t.u * t.fm, b, alpha }.write(&mut next[offset(1)..]);
             return Ok(());
         }
         if c.depth() == LEVELS {
-            forget(next);
+            drop_closest_pair(next);
             t.depth -= 2.0;
         }
         let before = reversal(next, t.depth());
@@ -326,7 +326,7 @@ impl<D: Device> KikuchiAiken<D> {
         let ratio =
             if b == before.b { 1.0 } else { self.curve(t.a, before.b, length).0 / self.curve(t.a, b, length).0 };
         t.depth += 1.0;
-        Reversal { x, q2: c.q2, b, alpha: before.alpha * ratio }.write(&mut next[place(t.depth())..]);
+        Reversal { x, q2: c.q2, b, alpha: before.alpha * ratio }.write(&mut next[offset(t.depth())..]);
         Ok(())
     }
 
@@ -369,7 +369,7 @@ impl<D: Device> Uniaxial for KikuchiAiken<D> {
         D::NAME
     }
     fn state_len(&self) -> usize {
-        place(LEVELS + 1)
+        offset(LEVELS + 1)
     }
     fn init(&self, state: &mut [f64]) {
         state.fill(0.0);
@@ -379,11 +379,11 @@ impl<D: Device> Uniaxial for KikuchiAiken<D> {
     /// Closed reversals keep stale values, because nothing reads them.
     fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
         let c = Head::read(committed);
-        let used = place(c.depth() + 1);
+        let used = offset(c.depth() + 1);
         next[Head::LEN..used].copy_from_slice(&committed[Head::LEN..used]);
         let d = strain.value * self.rs / self.rf;
         let step = d - c.d;
-        if step.abs() < self.device.rest() {
+        if step.abs() < self.device.min_increment() {
             c.write(next);
             return Ok(Stress { value: c.force, tangent: c.stiffness, damping: 0.0 });
         }
@@ -404,7 +404,7 @@ impl<D: Device> Uniaxial for KikuchiAiken<D> {
     fn commit_all(&self, trial: &[f64], committed: &mut [f64]) {
         let points = trial.chunks_exact(self.state_len()).zip(committed.chunks_exact_mut(self.state_len()));
         for (trial, committed) in points {
-            let used = place(Head::read(trial).depth() + 1);
+            let used = offset(Head::read(trial).depth() + 1);
             committed[..used].copy_from_slice(&trial[..used]);
         }
     }

@@ -1,6 +1,6 @@
 //! High damping rubber bearings in the law of Kikuchi and Aiken.
 
-use super::kikuchi_aiken::{Device, Loops, Shape, bump_of_damping, decay_of_damping, meeting};
+use super::kikuchi_aiken::{Device, Loops, Shape, bump_of_damping, decay_of_damping, intersection};
 
 /// Functions of the shear strain γ for a rubber compound, fitted to tests up to γ = 4.1, in MPa.
 ///
@@ -124,7 +124,7 @@ impl Device for HighDampingRubber {
 
     fn joined(mut self) -> Self {
         let [limit, k, m] = self.compound.geq_power;
-        self.compound.geq_power[0] = meeting(limit, |g| k * g.powf(m), |g| cubic(&self.compound.geq, g));
+        self.compound.geq_power[0] = intersection(limit, |g| k * g.powf(m), |g| cubic(&self.compound.geq, g));
         self
     }
 
@@ -132,7 +132,7 @@ impl Device for HighDampingRubber {
         self.height
     }
 
-    fn rest(&self) -> f64 {
+    fn min_increment(&self) -> f64 {
         f64::EPSILON * self.height
     }
 

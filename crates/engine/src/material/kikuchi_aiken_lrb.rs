@@ -1,6 +1,6 @@
 //! Lead rubber bearings in the law of Kikuchi and Aiken.
 
-use super::kikuchi_aiken::{Device, Loops, Shape, bump_of_damping, decay_of_damping, meeting};
+use super::kikuchi_aiken::{Device, Loops, Shape, bump_of_damping, decay_of_damping, intersection};
 use std::f64::consts::PI;
 
 /// Largest decay a, and the constant a above γ = 2.
@@ -112,11 +112,11 @@ impl Device for LeadRubber {
 
     fn joined(mut self) -> Self {
         for (i, limit) in self.strength_limits.iter_mut().enumerate() {
-            *limit = meeting(*limit, |g| power(STRENGTH[i], g).0, |g| power(STRENGTH[i + 1], g).0);
+            *limit = intersection(*limit, |g| power(STRENGTH[i], g).0, |g| power(STRENGTH[i + 1], g).0);
         }
         for (i, limit) in self.stiffness_limits.iter_mut().enumerate() {
             let above = |g: f64| STIFFNESS.get(i + 1).map_or_else(|| stiffened(g), |f| power(*f, g)).0;
-            *limit = meeting(*limit, |g| power(STIFFNESS[i], g).0, above);
+            *limit = intersection(*limit, |g| power(STIFFNESS[i], g).0, above);
         }
         self
     }
@@ -125,7 +125,7 @@ impl Device for LeadRubber {
         self.height
     }
 
-    fn rest(&self) -> f64 {
+    fn min_increment(&self) -> f64 {
         f64::EPSILON
     }
 

@@ -74,7 +74,7 @@ pub use maxwell::Maxwell;
 pub use multi_linear::MultiLinear;
 pub use no_tension::NoTension;
 pub use parallel::Parallel;
-pub use saws::{Saws, Wall};
+pub use saws::{Saws, SawsParameters};
 pub use self_centering::SelfCentering;
 pub use series::{Iteration, Series};
 pub use slot::Slot;
@@ -84,7 +84,7 @@ pub use steel_brb::{BrbBranch, SteelBrb};
 pub use steel01::Steel01;
 pub use steel02::Steel02;
 pub use viscous::Viscous;
-pub use viscous_damper::{Method, ViscousDamper};
+pub use viscous_damper::{IntegrationMethod, ViscousDamper};
 pub use wrapped::{InitialState, MinMax};
 
 /// A trial strain, with the rate and the time that rate-dependent laws need.

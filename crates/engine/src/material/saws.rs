@@ -3,14 +3,14 @@
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 
 /// Stiffness of a failed wall, force over displacement; the value of OpenSees.
-const FAILED: f64 = 1e-8;
+const FAILED_STIFFNESS: f64 = 1e-8;
 
 /// Pinched hysteresis of sheathing-to-framing connectors and of walls made with them. The envelope is exponential up
 /// to the largest force and softens linearly beyond. Unloading has the stiffness r₃ S₀, the pinched line r₄ S₀ at
 /// ±F_I. The reloading stiffness decreases with the largest displacement. Source: Folz and Filiatrault, 2001,
 /// <https://doi.org/10.1061/(ASCE)0733-9445(2001)127:4(433)>.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Wall {
+pub struct SawsParameters {
     /// Force F₀ of the envelope's asymptote at zero displacement; force.
     pub fo: f64,
     /// Force F_I of the pinched line at zero displacement; force.
@@ -31,10 +31,10 @@ pub struct Wall {
     pub compat: bool,
 }
 
-/// The law of a [`Wall`], with derived constants.
+/// The law of a [`SawsParameters`], with derived constants.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Saws {
-    wall: Wall,
+    wall: SawsParameters,
     /// Displacement at the intersection of the pinched line with the exponential envelope.
     leaves: f64,
     /// Displacement at which all strength is lost.
@@ -66,6 +66,11 @@ enum Path {
     Across,
 }
 
+/// Maximum number of bisections for an intersection; more than the bits of a double.
+const MAX_BISECTIONS: usize = 200;
+/// Maximum number of paths in a step.
+const MAX_PATHS: usize = 10;
+
 const PATHS: [Path; 10] = [
     Path::Virgin,
     Path::Curve,
@@ -92,7 +97,7 @@ fn path(word: f64) -> (Path, f64) {
 
 crate::state_struct! {
     /// History of one side, with positive displacements and forces.
-    pub struct Reached {
+    pub struct SideHistory {
         /// 1 if the envelope has been reached.
         yielded: f64,
         /// Displacement of the last unloading from the envelope.
@@ -122,14 +127,14 @@ crate::state_struct! {
         /// Reloading stiffness.
         reloading: f64,
         /// Histories of both sides.
-        sides: [Reached; 2],
+        sides: [SideHistory; 2],
     }
 }
 
 impl Saws {
     /// Returns `None` if the pinched line does not meet the envelope within twice the displacement at the largest
     /// force.
-    pub fn new(wall: Wall) -> Option<Self> {
+    pub fn new(wall: SawsParameters) -> Option<Self> {
         let mut made = Self { wall, leaves: 0.0, ultimate: 0.0 };
         let far = 2.0 * made.wall.du;
         if made.curve(far).0 < made.pinched(far).0 {
@@ -160,7 +165,7 @@ impl Saws {
     }
 
     /// Displacement at the intersection of an unloading line with the pinched line of the other side.
-    fn lands(&self, x: f64, force: f64) -> f64 {
+    fn unloading_intersection(&self, x: f64, force: f64) -> f64 {
         (force + self.wall.fi - self.wall.r[2] * self.wall.so * x) / (self.wall.so * (self.wall.r[3] - self.wall.r[2]))
     }
 
@@ -176,7 +181,7 @@ impl Saws {
     fn find_leaving(&self) -> f64 {
         let tolerance = if self.wall.compat { 1e-6 } else { 0.0 };
         let (mut low, mut high, mut middle) = (0.0, 2.0 * self.wall.du, self.wall.du);
-        for _ in 0..200 {
+        for _ in 0..MAX_BISECTIONS {
             middle = 0.5 * (low + high);
             let above = self.curve(middle).0 - self.pinched(middle).0;
             if above >= 0.0 {
@@ -192,7 +197,7 @@ impl Saws {
     }
 
     /// Reloading stiffness towards a target, and displacement at the intersection of its line with the pinched line.
-    fn reload(&self, side: &Reached, old: f64) -> (f64, f64) {
+    fn reload(&self, side: &SideHistory, old: f64) -> (f64, f64) {
         let slope = if side.yielded == 0.0 {
             self.wall.so
         } else if side.target != 0.0 {
@@ -200,17 +205,17 @@ impl Saws {
         } else {
             old
         };
-        (slope, self.meets(side, slope))
+        (slope, self.reloading_intersection(side, slope))
     }
 
-    fn meets(&self, side: &Reached, slope: f64) -> f64 {
+    fn reloading_intersection(&self, side: &SideHistory, slope: f64) -> f64 {
         (self.wall.fi - side.target_stress + slope * side.target) / (slope - self.wall.r[3] * self.wall.so)
     }
 }
 
 /// Paths that a step has passed.
 #[derive(Clone, Copy, Default)]
-struct Passed {
+struct PassedPaths {
     /// The pinched line of the negative side.
     negative: bool,
     /// Unloading from the envelope.
@@ -226,7 +231,7 @@ enum Next {
 }
 
 impl Saws {
-    fn follow(&self, now: (Path, f64), u: f64, passed: Passed, t: &mut History) -> Next {
+    fn follow(&self, now: (Path, f64), u: f64, passed: PassedPaths, t: &mut History) -> Next {
         let (path, side) = now;
         let sign = if u >= 0.0 { 1.0 } else { -1.0 };
         let s = match path {
@@ -238,7 +243,7 @@ impl Saws {
         let before = t.before;
         let unload = self.wall.r[2] * self.wall.so;
         match path {
-            Path::Failed => Next::At(s, (FAILED * x, FAILED), false),
+            Path::Failed => Next::At(s, (FAILED_STIFFNESS * x, FAILED_STIFFNESS), false),
             Path::Virgin => {
                 if x <= 1.05 * self.leaves {
                     return Next::At(s, self.curve(x), true);
@@ -270,7 +275,7 @@ impl Saws {
                     }
                     target_stress = target_stress.min(self.curve(self.wall.du).0);
                 }
-                t.sides[i] = Reached { yielded: 1.0, strain: x, stress: at.0, target, target_stress };
+                t.sides[i] = SideHistory { yielded: 1.0, strain: x, stress: at.0, target, target_stress };
                 t.before = word(path, 1.0);
                 Next::At(s, at, true)
             }
@@ -280,7 +285,7 @@ impl Saws {
                     return Next::To(Path::Across, t.turn.signum());
                 }
                 let r = t.sides[i];
-                if x < self.lands(r.strain, r.stress) {
+                if x < self.unloading_intersection(r.strain, r.stress) {
                     return Next::To(Path::Pinched, -s);
                 }
                 let force = r.stress + unload * (x - r.strain);
@@ -293,7 +298,7 @@ impl Saws {
             Path::Across => {
                 let r = t.sides[i];
                 t.before = word(Path::Across, s);
-                if x <= self.lands(r.strain, r.stress) {
+                if x <= self.unloading_intersection(r.strain, r.stress) {
                     return Next::To(Path::Pinched, -s);
                 }
                 let force = r.stress + unload * (x - r.strain);
@@ -339,13 +344,13 @@ impl Saws {
                     t.reloading = self.wall.so * (self.wall.fo / self.wall.so / r.target).powf(self.wall.alpha);
                     let other =
                         if self.wall.compat && s < 0.0 { word(Path::Unloading, 1.0) } else { word(Path::Pinched, s) };
-                    if before == other && x >= self.meets(&r, t.reloading) {
+                    if before == other && x >= self.reloading_intersection(&r, t.reloading) {
                         t.before = word(path, s);
                         return Next::To(Path::Reloading, s);
                     }
                     r.target_stress + t.reloading * (turn - r.target)
                 };
-                if x > self.lands(turn, from) && x < turn {
+                if x > self.unloading_intersection(turn, from) && x < turn {
                     return Next::At(s, (from + unload * (x - turn), unload), false);
                 }
                 t.before = word(path, s);
@@ -371,8 +376,8 @@ impl UniaxialLaw for Saws {
         if u.abs() >= self.ultimate {
             t.path = word(Path::Failed, 1.0);
         }
-        let mut passed = Passed::default();
-        for _ in 0..10 {
+        let mut passed = PassedPaths::default();
+        for _ in 0..MAX_PATHS {
             let now = path(t.path);
             passed.negative |= now == (Path::Pinched, -1.0);
             passed.unloading |= now.0 == Path::Unloading;
@@ -387,12 +392,12 @@ impl UniaxialLaw for Saws {
                     return if finite {
                         Ok((Stress { value: t.stress, tangent, damping: 0.0 }, t))
                     } else {
-                        Err(none(u))
+                        Err(no_force_error(u))
                     };
                 }
             }
         }
-        Err(none(u))
+        Err(no_force_error(u))
     }
 
     fn initial_tangent(&self) -> f64 {
@@ -400,6 +405,6 @@ impl UniaxialLaw for Saws {
     }
 }
 
-fn none(u: f64) -> MaterialError {
+fn no_force_error(u: f64) -> MaterialError {
     MaterialError(format!("SAWS has no force at a displacement of {u:.6e}"))
 }

@@ -65,8 +65,8 @@ impl Softening {
             None => self.factor(peak),
             Some(_) if size.value >= peak.value => Dual::constant(1.0 + self.excess),
             Some(p) => {
-                let left = ((-1.0 / self.strain) * peak).exp();
-                one + self.excess * (left + (one - left) * (size / peak).powf(Dual::constant(p)))
+                let decay = ((-1.0 / self.strain) * peak).exp();
+                one + self.excess * (decay + (one - decay) * (size / peak).powf(Dual::constant(p)))
             }
         }
     }

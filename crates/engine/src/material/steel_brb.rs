@@ -4,6 +4,9 @@ use super::{MaterialError, Strain, Stress, UniaxialLaw};
 use crate::numeric::bracketed_root;
 use crate::probe::Probe;
 
+/// Maximum number of iterations for the plastic strain; bisection alone needs fewer.
+const MAX_ITERATIONS: u32 = 200;
+
 /// Hardening of [`SteelBrb`] in one loading direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BrbBranch {
@@ -71,13 +74,13 @@ impl SteelBrb {
     fn load(&self, b: &BrbBranch, old: &History, stress: f64, de: f64) -> Result<(f64, f64), MaterialError> {
         // The residual x - share |de| increases with the plastic strain x along the increment.
         let sign = de.signum();
-        let left = |x: f64| {
+        let residual = |x: f64| {
             let (share, by_plastic, _) = self.share(b, old, stress, de, sign * x);
             (x - share * de.abs(), 1.0 - by_plastic * de)
         };
         // The root is at most |de|, unless a falling yield stress has left the stress above it.
-        let most = if left(de.abs()).0 >= 0.0 { de.abs() } else { f64::INFINITY };
-        let dp = bracketed_root(left, (0.0, most), 0.0, de.abs(), 200).ok_or_else(|| {
+        let upper = if residual(de.abs()).0 >= 0.0 { de.abs() } else { f64::INFINITY };
+        let dp = bracketed_root(residual, (0.0, upper), 0.0, de.abs(), MAX_ITERATIONS).ok_or_else(|| {
             MaterialError(format!("SteelBRB: no plastic strain found for the increment {de} of strain"))
         })?;
         let dp = sign * dp;

@@ -16,13 +16,13 @@ pub struct ViscousDamper {
     /// Length of the gap that opens at every change of sign of the force.
     pub gap: f64,
     /// Integration method.
-    pub method: Method,
+    pub method: IntegrationMethod,
     /// Relative error tolerance.
     pub relative: f64,
     /// Absolute error tolerance, force.
     pub absolute: f64,
     /// Maximum number of halvings of a step.
-    pub halvings: i32,
+    pub max_halvings: i32,
     /// As in OpenSees, a rate of exactly zero is replaced by the rate of the previous step, and the damping tangent
     /// is zero.
     pub compat: bool,
@@ -30,7 +30,7 @@ pub struct ViscousDamper {
 
 /// Integration method for the differential equation of a [`ViscousDamper`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
+pub enum IntegrationMethod {
     /// Runge-Kutta of order 5 (Dormand and Prince, 1980).
     DormandPrince,
     /// Predictor and corrector of order 6 (Adams, Bashforth and Moulton).
@@ -52,6 +52,9 @@ crate::state_struct! {
         gap: [f64; 2],
     }
 }
+
+/// Smallest |F/C| in the derivative of the dashpot rate, which is infinite at zero force for α > 1.
+const MIN_FORCE_RATIO: f64 = 1e-12;
 
 /// Weighted sum.
 fn weighted(weights: &[f64], k: &[Dual]) -> Dual {
@@ -92,12 +95,12 @@ const CORRECT: [&[f64]; 6] = [
 
 impl ViscousDamper {
     /// dF/dt at a rate and a force.
-    fn speed(&self, rate: Dual, force: Dual) -> Dual {
+    fn force_rate(&self, rate: Dual, force: Dual) -> Dual {
         let p = 1.0 / self.alpha;
         let size = force.value.abs() / self.c;
         let flow = size.powf(p).copysign(force.value);
         // The derivative is infinite at zero force for α > 1, so it is bounded.
-        let slope = if p < 1.0 && size < 1e-12 { 1e-12 } else { size };
+        let slope = if p < 1.0 && size < MIN_FORCE_RATIO { MIN_FORCE_RATIO } else { size };
         let slope = p * slope.powf(p - 1.0) / self.c * force.slope;
         self.k * Dual { value: rate.value - flow, slope: rate.slope - slope }
     }
@@ -107,43 +110,43 @@ impl ViscousDamper {
     fn step(&self, v0: Dual, v1: Dual, y0: Dual, h: f64) -> (Dual, f64, f64) {
         let rate = |place: f64| place * (v1 - v0) + v0;
         match self.method {
-            Method::DormandPrince => {
+            IntegrationMethod::DormandPrince => {
                 let mut k = [Dual::default(); 7];
                 for i in 0..6 {
-                    k[i] = h * self.speed(rate(DP_PLACE[i]), y0 + weighted(DP[i], &k));
+                    k[i] = h * self.force_rate(rate(DP_PLACE[i]), y0 + weighted(DP[i], &k));
                 }
                 let y = y0 + weighted(&DP_END, &k);
-                k[6] = h * self.speed(v1, y);
+                k[6] = h * self.force_rate(v1, y);
                 let error = weighted(&DP_ERROR, &k).value;
                 (y, error, (error / y.value).abs())
             }
-            Method::AdamsBashforthMoulton => {
+            IntegrationMethod::AdamsBashforthMoulton => {
                 let h = h / 6.0;
                 // Force rates, the latest first.
                 let mut f = [Dual::default(); 7];
-                f[0] = self.speed(v0, y0);
+                f[0] = self.force_rate(v0, y0);
                 let (mut y, mut error) = (y0, 0.0);
                 for i in 0..6 {
                     let predicted = y + h * weighted(PREDICT[i], &f);
                     f.rotate_right(1);
-                    f[0] = self.speed(rate((i + 1) as f64 / 6.0), predicted);
+                    f[0] = self.force_rate(rate((i + 1) as f64 / 6.0), predicted);
                     y = y + h * weighted(CORRECT[i], &f);
                     error = predicted.value - y.value;
                 }
                 (y, error, (error / y.value).abs())
             }
-            Method::Rosenbrock => {
+            IntegrationMethod::Rosenbrock => {
                 let jacobian = -self.k / (self.alpha * self.c);
                 let d = 1.0 / (2.0 + std::f64::consts::SQRT_2);
                 let e32 = 6.0 + std::f64::consts::SQRT_2;
                 let w = 1.0 / (1.0 - h * d * jacobian);
                 let shift = Dual { value: h * d * self.k, slope: 0.0 };
-                let f0 = self.speed(v0, y0);
+                let f0 = self.force_rate(v0, y0);
                 let k1 = w * (f0 + shift);
-                let f1 = self.speed(rate(0.5), y0 + 0.5 * h * k1);
+                let f1 = self.force_rate(rate(0.5), y0 + 0.5 * h * k1);
                 let k2 = w * (f1 - k1) + k1;
                 let y = y0 + h * k2;
-                let f2 = self.speed(v1, y);
+                let f2 = self.force_rate(v1, y);
                 let k3 = w * (f2 - e32 * (k2 - f1) - 2.0 * (k1 - f0) + shift);
                 let error = h / 6.0 * (k1 - 2.0 * k2 + k3).value;
                 (y, error, (error / (y.value + error)).abs())
@@ -158,7 +161,7 @@ impl ViscousDamper {
         if dt <= 0.0 {
             return Ok(force);
         }
-        let smallest = 0.5f64.powi(self.halvings);
+        let smallest = 0.5f64.powi(self.max_halvings);
         let (mut part, mut done) = (1.0, 0.0);
         let at = |x: f64| Dual { value: start.value + (end - start.value) * x, slope: x };
         // The substeps are powers of one half, so that they sum to exactly one.
@@ -179,7 +182,7 @@ impl ViscousDamper {
     }
 
     /// Returns true if the force vanishes in the gap that opens when the force changes sign.
-    fn lost(&self, c: &History, t: &mut History, force: f64) -> bool {
+    fn is_in_gap(&self, c: &History, t: &mut History, force: f64) -> bool {
         let change = (t.strain - c.strain) * force.abs() / (force - c.stress).abs();
         if force > 0.0 && c.stress < 0.0 {
             t.gap = [c.strain + change, 0.0];
@@ -204,8 +207,8 @@ impl UniaxialLaw for ViscousDamper {
         let end = if self.compat && strain.rate == 0.0 { c.rate } else { strain.rate };
         let force = self.integrate(c, end, strain.dt)?;
         let mut t = History { strain: strain.value, rate: strain.rate, ..*c };
-        let lost = self.gap > 0.0 && self.lost(c, &mut t, force.value);
-        let force = if lost { Dual::default() } else { force };
+        let in_gap = self.gap > 0.0 && self.is_in_gap(c, &mut t, force.value);
+        let force = if in_gap { Dual::default() } else { force };
         t.stress = force.value;
         let damping = if self.compat || !force.slope.is_finite() { 0.0 } else { force.slope };
         Ok((Stress { value: force.value, tangent: 0.0, damping }, t))

@@ -17,7 +17,11 @@ pub struct MinMax {
 /// 1 if the material has failed; its own variables follow.
 const FAILED: usize = 0;
 /// Tangent of a failed material divided by the initial tangent; a positive value keeps the stiffness matrix regular.
-const FLAT: f64 = 1.0e-8;
+const FAILED_TANGENT_RATIO: f64 = 1.0e-8;
+/// Tolerance of the initial stress, relative to the stress, or absolute for a stress of zero.
+const STRESS_TOLERANCE: f64 = 1e-12;
+/// Maximum number of Newton iterations for the initial strain.
+const MAX_ITERATIONS: usize = 100;
 
 impl MinMax {
     /// From a material, given with its tag, and its strain limits.
@@ -41,7 +45,7 @@ impl Uniaxial for MinMax {
         if committed[FAILED] != 0.0 || strain.value >= self.max || strain.value <= self.min {
             next.copy_from_slice(&committed[..next.len()]);
             next[FAILED] = 1.0;
-            return Ok(Stress { value: 0.0, tangent: FLAT * self.initial_tangent(), damping: 0.0 });
+            return Ok(Stress { value: 0.0, tangent: FAILED_TANGENT_RATIO * self.initial_tangent(), damping: 0.0 });
         }
         next[FAILED] = 0.0;
         self.inner.update(committed, strain, next)
@@ -108,9 +112,9 @@ impl InitialState {
     pub fn stress((material, tag): (Material, i32), stress: f64) -> Result<Self, MaterialError> {
         let tangent = material.initial_tangent();
         let mut law = Self { name: "InitStressMaterial", inner: Slot::new(material, tag, 0), strain: 0.0 };
-        let tolerance = if stress == 0.0 { 1e-12 } else { 1e-12 * stress.abs() };
+        let tolerance = if stress == 0.0 { STRESS_TOLERANCE } else { STRESS_TOLERANCE * stress.abs() };
         let (mut missing, mut slope) = (stress, tangent);
-        for _ in 0..100 {
+        for _ in 0..MAX_ITERATIONS {
             law.strain += missing / slope;
             if !law.strain.is_finite() {
                 break;
@@ -144,8 +148,8 @@ impl Uniaxial for InitialState {
     fn init(&self, state: &mut [f64]) {
         self.inner.init(state);
         // The constructor has evaluated the same step successfully.
-        if let Ok((begun, _)) = self.begin(self.strain) {
-            state[..begun.len()].copy_from_slice(&begun);
+        if let Ok((initial, _)) = self.begin(self.strain) {
+            state[..initial.len()].copy_from_slice(&initial);
         }
     }
     fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {

@@ -26,8 +26,8 @@ pub struct Fiber {
 /// the laws follow, run after run, and then those of the torsion.
 #[derive(Clone, Debug)]
 pub struct FiberSection {
-    fibers: Vec<Placed>,
-    runs: Vec<Run>,
+    fibers: Vec<PlacedFiber>,
+    runs: Vec<FiberRun>,
     torsion: Option<Slot>,
     /// Reference point of bending, y and z.
     centroid: (f64, f64),
@@ -35,19 +35,19 @@ pub struct FiberSection {
 }
 
 #[derive(Clone, Debug)]
-struct Placed {
+struct PlacedFiber {
     y: f64,
     z: f64,
     area: f64,
     /// Derivatives of the strain with respect to the deformations P, Mz and My.
-    shares: [f64; 3],
+    strain_gradient: [f64; 3],
     /// Index of the run.
     run: usize,
 }
 
 /// Consecutive fibers of the same material, evaluated in one dynamic call.
 #[derive(Clone, Debug)]
-struct Run {
+struct FiberRun {
     /// The material with the slot of a single fiber.
     slot: Slot,
     /// Range of fibers.
@@ -57,11 +57,11 @@ struct Run {
 }
 
 /// Maximum number of fibers of a run; sizes a buffer on the stack.
-const LONGEST: usize = 128;
+const MAX_RUN_LENGTH: usize = 128;
 /// Strain rates of fibers; zero, as in OpenSees.
-const NO_RATE: [f64; LONGEST] = [0.0; LONGEST];
+const NO_RATE: [f64; MAX_RUN_LENGTH] = [0.0; MAX_RUN_LENGTH];
 /// State variables of a fiber in front of those of its law.
-const KEPT: usize = 4;
+const FIBER_HEADER: usize = 4;
 
 /// Slices of a history.
 struct Parts<T> {
@@ -93,21 +93,21 @@ impl<'a> Parts<&'a mut [f64]> {
     }
 }
 
-impl Run {
+impl FiberRun {
     /// Range of the laws' state variables.
     fn words(&self) -> Range<usize> {
         self.at..self.at + self.fibers.len() * self.slot.material.state_len()
     }
 }
 
-impl Placed {
+impl PlacedFiber {
     /// Adds the fiber's force and stiffness.
     #[inline]
     fn add<const M: usize>(&self, stress: f64, tangent: f64, force: &mut [f64; M], stiffness: &mut [[f64; M]; M]) {
         for i in 0..M {
-            force[i] += self.shares[i] * stress * self.area;
-            let row = tangent * self.area * self.shares[i];
-            (0..M).for_each(|j| stiffness[i][j] += row * self.shares[j]);
+            force[i] += self.strain_gradient[i] * stress * self.area;
+            let row = tangent * self.area * self.strain_gradient[i];
+            (0..M).for_each(|j| stiffness[i][j] += row * self.strain_gradient[j]);
         }
     }
 }
@@ -128,31 +128,33 @@ impl FiberSection {
         let area: f64 = fibers.iter().map(|f| f.area).sum();
         let mean = |x: fn(&Fiber) -> f64| fibers.iter().map(|f| f.area * x(f)).sum::<f64>() / area;
         let centroid = if origin || area == 0.0 { (0.0, 0.0) } else { (mean(|f| f.y), mean(|f| f.z)) };
-        let mut runs: Vec<Run> = vec![];
+        let mut runs: Vec<FiberRun> = vec![];
         let mut at = 0;
         let mut placed = vec![];
         for (i, f) in fibers.into_iter().enumerate() {
             let (material, tag) = f.material;
             match runs.last_mut() {
                 Some(r)
-                    if r.fibers.len() < LONGEST && r.slot.tag == tag && Arc::ptr_eq(&r.slot.material, &material) =>
+                    if r.fibers.len() < MAX_RUN_LENGTH
+                        && r.slot.tag == tag
+                        && Arc::ptr_eq(&r.slot.material, &material) =>
                 {
                     r.fibers.end = i + 1;
                 }
-                _ => runs.push(Run { slot: Slot::new(material, tag, 0), fibers: i..i + 1, at }),
+                _ => runs.push(FiberRun { slot: Slot::new(material, tag, 0), fibers: i..i + 1, at }),
             }
             at = runs.last().map_or(0, |r| r.words().end);
-            let shares = [1.0, -(f.y - centroid.0), f.z - centroid.1];
-            placed.push(Placed { y: f.y, z: f.z, area: f.area, shares, run: runs.len() - 1 });
+            let strain_gradient = [1.0, -(f.y - centroid.0), f.z - centroid.1];
+            placed.push(PlacedFiber { y: f.y, z: f.z, area: f.area, strain_gradient, run: runs.len() - 1 });
         }
-        at += KEPT * placed.len();
+        at += FIBER_HEADER * placed.len();
         let torsion = torsion.map(|(material, tag)| Slot::new(material, tag, at));
         let state_len = at + torsion.as_ref().map_or(0, Slot::len);
         Self { fibers: placed, runs, torsion, centroid, state_len }
     }
 
     /// Evaluates the fibers at `M` section deformations and integrates stresses and tangents.
-    fn gather<const M: usize>(
+    fn integrate<const M: usize>(
         &self,
         committed: &[f64],
         e: &[f64],
@@ -164,18 +166,18 @@ impl FiberSection {
         let (old, new) = (Parts::of(committed, self.fibers.len()), Parts::of_mut(next, self.fibers.len()));
         let mut damping = NO_RATE;
         for run in &self.runs {
-            let (these, words) = (run.fibers.clone(), run.words());
-            for (value, f) in new.strain[these.clone()].iter_mut().zip(&self.fibers[these.clone()]) {
-                *value = (0..M).map(|i| f.shares[i] * e[i]).sum();
+            let (range, words) = (run.fibers.clone(), run.words());
+            for (value, f) in new.strain[range.clone()].iter_mut().zip(&self.fibers[range.clone()]) {
+                *value = (0..M).map(|i| f.strain_gradient[i] * e[i]).sum();
             }
-            let n = these.len();
-            let strains = Strains { value: &new.strain[these.clone()], rate: &NO_RATE[..n], dt };
-            let mut answer = Stresses {
-                value: &mut new.stress[these.clone()],
-                tangent: &mut new.tangent[these],
+            let n = range.len();
+            let strains = Strains { value: &new.strain[range.clone()], rate: &NO_RATE[..n], dt };
+            let mut stresses = Stresses {
+                value: &mut new.stress[range.clone()],
+                tangent: &mut new.tangent[range],
                 damping: &mut damping[..n],
             };
-            run.slot.material.update_all(&old.laws[words.clone()], &strains, &mut new.laws[words], &mut answer)?;
+            run.slot.material.update_all(&old.laws[words.clone()], &strains, &mut new.laws[words], &mut stresses)?;
         }
         let (mut force, mut stiffness) = ([0.0; M], [[0.0; M]; M]);
         for (i, f) in self.fibers.iter().enumerate() {
@@ -213,8 +215,9 @@ impl FiberSection {
             None => (None, &words[2..]),
         };
         // The z coordinate does not count in a plane section.
-        let distance = |f: &Placed| (f.y - y).powi(2) + if self.torsion.is_some() { (f.z - z).powi(2) } else { 0.0 };
-        let has_tag = |f: &Placed| tag.is_none_or(|t| self.runs[f.run].slot.tag == t);
+        let distance =
+            |f: &PlacedFiber| (f.y - y).powi(2) + if self.torsion.is_some() { (f.z - z).powi(2) } else { 0.0 };
+        let has_tag = |f: &PlacedFiber| tag.is_none_or(|t| self.runs[f.run].slot.tag == t);
         let candidates = self.fibers.iter().enumerate().filter(|(_, f)| has_tag(f));
         let nearest = candidates.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1)))?;
         Some((nearest.0, rest))
@@ -273,8 +276,8 @@ impl Section for FiberSection {
         s: &mut [f64],
         k: &mut [f64],
     ) -> Result<(), MaterialError> {
-        let Some(torsion) = &self.torsion else { return self.gather::<2>(committed, e, dt, next, (s, k)) };
-        self.gather::<3>(committed, e, dt, next, (&mut *s, &mut *k))?;
+        let Some(torsion) = &self.torsion else { return self.integrate::<2>(committed, e, dt, next, (s, k)) };
+        self.integrate::<3>(committed, e, dt, next, (&mut *s, &mut *k))?;
         let stress = torsion.update(committed, Strain { value: e[3], rate: 0.0, dt }, next)?;
         (s[3], k[15]) = (stress.value, stress.tangent);
         Ok(())

@@ -20,7 +20,7 @@ pub struct SectionSlot {
 
 const DEFORMATION: u32 = 1;
 const FORCE: u32 = 2;
-const BOTH: u32 = 4;
+const FORCE_AND_DEFORMATION: u32 = 4;
 const STIFFNESS: u32 = 12;
 const FLEXIBILITY: u32 = 13;
 const CODE: u32 = 14;
@@ -130,7 +130,7 @@ impl SectionSlot {
         Some(match *words.first()? {
             "force" | "forces" => Probe::new(FORCE, forces()),
             "deformation" | "deformations" => Probe::new(DEFORMATION, deformations()),
-            "forceAndDeformation" => Probe::new(BOTH, deformations().chain(forces())),
+            "forceAndDeformation" => Probe::new(FORCE_AND_DEFORMATION, deformations().chain(forces())),
             "stiffness" => Probe::new(STIFFNESS, square("k")),
             "flexibility" => Probe::new(FLEXIBILITY, square("f")),
             "code" => Probe::new(CODE, forces()),
@@ -143,7 +143,7 @@ impl SectionSlot {
         match path[0] {
             DEFORMATION => out.copy_from_slice(self.deformation(state)),
             FORCE => out.copy_from_slice(self.resultant(state)),
-            BOTH => {
+            FORCE_AND_DEFORMATION => {
                 out[..self.order].copy_from_slice(self.deformation(state));
                 out[self.order..].copy_from_slice(self.resultant(state));
             }

@@ -84,7 +84,7 @@ fn series(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         }
     }
     let compat = interp.host.engine.options.compat;
-    let iteration = if compat { Iteration::Rounds(rounds, tolerance) } else { Iteration::Converged };
+    let iteration = if compat { Iteration::FixedIterations(rounds, tolerance) } else { Iteration::Converged };
     Ok(Arc::new(Series::new(all, iteration)))
 }
 

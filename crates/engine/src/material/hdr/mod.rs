@@ -75,7 +75,7 @@ crate::state_struct! {
 
 /// A state with its derivatives with respect to the strain at the end of the step.
 #[derive(Clone, Copy, Debug)]
-struct Point {
+struct TrialState {
     strain: Dual,
     slip_eq: Dual,
     gamma_b: Dual,
@@ -86,7 +86,7 @@ struct Point {
     peak: Peak,
 }
 
-impl Point {
+impl TrialState {
     fn new(h: &History) -> Self {
         Self {
             strain: Dual::constant(h.strain),
@@ -118,14 +118,14 @@ impl Branches {
     }
 
     /// Equilibrium stress (Eqs 3.4, 3.5, 3.7) and overstress (Eq 3.9).
-    fn stress(&self, p: &Point) -> (Dual, Dual) {
+    fn stress(&self, p: &TrialState) -> (Dual, Dual) {
         let power = self.c3 * p.strain.abs().powf(self.m);
         let spring = self.c2 * p.strain + if p.strain.value < 0.0 { -power } else { power };
         (self.c1 * (p.strain - p.slip_eq) + spring, self.overstress.stress(p.gamma_b, p.slip_oe))
     }
 
     /// Elastic energy per volume.
-    fn stored(&self, p: &Point) -> Dual {
+    fn stored(&self, p: &TrialState) -> Dual {
         let one = Dual::constant(1.0);
         let elastic = p.strain - p.slip_eq;
         let power = self.c3 / (self.m + one) * p.strain.abs().powf(self.m + one);
@@ -136,11 +136,13 @@ impl Branches {
 }
 
 /// Temperature rise that one set of parameters may cover, in degrees.
-const STEP_OF_TEMPERATURE: f64 = 1.0;
+const MAX_TEMPERATURE_RISE: f64 = 1.0;
 /// Maximum number of substeps that follow the temperature.
-const MOST_PARTS: f64 = 64.0;
+const MAX_SUBSTEPS: f64 = 64.0;
 /// Maximum number of iterations for temperature and stress.
-const MOST_ROUNDS: usize = 30;
+const MAX_ITERATIONS: usize = 30;
+/// Tolerance of temperature and its derivative in the iterations, relative to 1 + |temperature|.
+const TEMPERATURE_TOLERANCE: f64 = 1e-11;
 
 impl HdrRheology {
     /// A law of stress and strain for a compound at a temperature, without self-heating or softening.
@@ -150,7 +152,13 @@ impl HdrRheology {
     }
 
     /// Strains after `time` at constant parameters, and the centroid of the heat generation in time.
-    fn mechanics(&self, old: &Point, law: &Branches, strain: Dual, time: f64) -> Result<(Point, f64), MaterialError> {
+    fn mechanics(
+        &self,
+        old: &TrialState,
+        law: &Branches,
+        strain: Dual,
+        time: f64,
+    ) -> Result<(TrialState, f64), MaterialError> {
         let mut slip_eq = old.slip_eq;
         let trial = law.c1 * (strain - slip_eq);
         if trial.value.abs() > law.tau_cr.value && law.c1.value > 0.0 {
@@ -160,7 +168,7 @@ impl HdrRheology {
         let flow = law.overstress.flow((old.gamma_b, old.slip_oe), strain - old.strain, time)?;
         // Springs release energy if the temperature lowers their stiffness.
         let before = law.stored(old);
-        let mut new = Point { strain, slip_eq, gamma_b: flow.b, slip_oe: flow.slip, ..*old };
+        let mut new = TrialState { strain, slip_eq, gamma_b: flow.b, slip_oe: flow.slip, ..*old };
         new.stored = law.stored(&new);
         new.heat = old.stored - before + sliding + flow.heat;
         let whole = sliding.value + flow.heat.value;
@@ -177,11 +185,17 @@ impl HdrRheology {
     }
 
     /// One substep.
-    fn part(&self, old: &Point, strain: Dual, time: f64, modes: &mut [f64]) -> Result<Point, MaterialError> {
+    fn substep(
+        &self,
+        old: &TrialState,
+        strain: Dual,
+        time: f64,
+        modes: &mut [f64],
+    ) -> Result<TrialState, MaterialError> {
         let peak = self.softening.map_or(old.peak, |s| s.advance(old.peak, strain, time));
         let (before, after) = (self.factor(old.peak), self.factor(peak));
         let mut end = old.temperature;
-        let mut rounds = 0;
+        let mut iterations = 0;
         loop {
             let law = Branches::new(self.parameters(0.5 * (old.temperature + end))?);
             let (mut new, centre) = self.mechanics(old, &law, strain, time)?;
@@ -206,37 +220,37 @@ impl HdrRheology {
                 None => end,
             };
             let change = (found.value - end.value).abs() + (found.slope - end.slope).abs();
-            rounds += 1;
+            iterations += 1;
             // The slope is part of the criterion, because the tangent needs a converged derivative.
-            if change <= 1e-11 * (1.0 + end.value.abs()) || rounds == MOST_ROUNDS {
+            if change <= TEMPERATURE_TOLERANCE * (1.0 + end.value.abs()) || iterations == MAX_ITERATIONS {
                 if let Some(thermal) = &self.thermal {
                     thermal.advance(modes, new.heat.value, centre, time);
                 }
                 let heat = old.heat + new.heat;
-                return Ok(Point { temperature: found, heat, peak, ..new });
+                return Ok(TrialState { temperature: found, heat, peak, ..new });
             }
             end = found;
         }
     }
 
     /// A step in `parts` substeps. Returns the state and the largest temperature change of a substep.
-    fn parts(
+    fn integrate(
         &self,
-        old: &Point,
+        old: &TrialState,
         strain: Dual,
         time: f64,
-        parts: f64,
+        substeps: f64,
         modes: &mut [f64],
-    ) -> Result<(Point, f64), MaterialError> {
-        let (mut point, mut most) = (*old, 0.0f64);
-        for i in 1..=parts as usize {
-            let share = i as f64 / parts;
+    ) -> Result<(TrialState, f64), MaterialError> {
+        let (mut point, mut largest_rise) = (*old, 0.0f64);
+        for i in 1..=substeps as usize {
+            let share = i as f64 / substeps;
             let to = (1.0 - share) * old.strain + share * strain;
-            let next = self.part(&point, to, time / parts, modes)?;
-            most = most.max((next.temperature.value - point.temperature.value).abs());
+            let next = self.substep(&point, to, time / substeps, modes)?;
+            largest_rise = largest_rise.max((next.temperature.value - point.temperature.value).abs());
             point = next;
         }
-        Ok((point, most))
+        Ok((point, largest_rise))
     }
 
     /// Softening factor on all stresses.
@@ -294,19 +308,19 @@ impl Uniaxial for HdrRheology {
         History { temperature: self.ambient, peak, ever: peak, ..History::default() }.write(state);
     }
     fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
-        let old = Point::new(&History::read(committed));
+        let old = TrialState::new(&History::read(committed));
         let gamma = Dual { value: strain.value / self.height, slope: 1.0 };
         // Negative steps of LoadControl remove a load, and they take time too.
         let time = strain.dt.abs();
-        let mut parts = 1.0;
+        let mut substeps = 1.0;
         let (words, modes) = next.split_at_mut(History::LEN);
         let point = loop {
             modes.copy_from_slice(&committed[History::LEN..History::LEN + modes.len()]);
-            let (point, rise) = self.parts(&old, gamma, time, parts, modes)?;
-            if rise <= STEP_OF_TEMPERATURE || parts >= MOST_PARTS {
+            let (point, rise) = self.integrate(&old, gamma, time, substeps, modes)?;
+            if rise <= MAX_TEMPERATURE_RISE || substeps >= MAX_SUBSTEPS {
                 break point;
             }
-            parts = (parts * rise / STEP_OF_TEMPERATURE).ceil().clamp(2.0 * parts, MOST_PARTS);
+            substeps = (substeps * rise / MAX_TEMPERATURE_RISE).ceil().clamp(2.0 * substeps, MAX_SUBSTEPS);
         };
         let (equilibrium, overstress) = Branches::new(self.parameters(point.temperature)?).stress(&point);
         let factor = self.factor(point.peak);

@@ -45,15 +45,19 @@ const A: [[f64; 5]; 5] = [
 ];
 const GAMMA: f64 = 0.25;
 /// Abscissae of the stages.
-const PLACE: [f64; 5] = [0.25, 0.75, 11.0 / 20.0, 0.5, 1.0];
+const ABSCISSAE: [f64; 5] = [0.25, 0.75, 11.0 / 20.0, 0.5, 1.0];
 /// Weights of the solution minus those of the embedded solution of order 3.
 const ERROR: [f64; 5] = [-3.0 / 16.0, -27.0 / 32.0, 25.0 / 32.0, 0.0, 0.25];
 /// Accepted error of a substep, relative to the stress.
 const TOLERANCE: f64 = 1e-8;
 /// Smallest reference stress of the error, divided by a.
-const FLOOR: f64 = 1e-2;
+const STRESS_FLOOR_RATIO: f64 = 1e-2;
+/// Maximum number of Newton iterations of a stage.
+const MAX_NEWTON_ITERATIONS: usize = 100;
+/// Maximum number of iterations for the sliding event; the first half may use Newton's method.
+const MAX_EVENT_ITERATIONS: usize = 60;
 /// Maximum number of substeps; exceeded only by invalid numbers.
-const MOST_SUBSTEPS: usize = 20_000;
+const MAX_SUBSTEPS: usize = 20_000;
 
 /// A substep: strain of the elasto-plastic part, its rate at the end, error of the stress, dissipated work and its
 /// moment in time.
@@ -93,7 +97,7 @@ impl Branch {
         let (x0, beta0, a, exponent) = (x.value, beta.value, self.a.value, p.value);
         let mut z = x0.min(a * (x0 / beta0).powf(self.n.value));
         let mut slope = 1.0;
-        for _ in 0..100 {
+        for _ in 0..MAX_NEWTON_ITERATIONS {
             let f = (z / a).powf(exponent);
             slope = 1.0 + beta0 * exponent * f / z;
             let correction = (z + beta0 * f - x0) / slope;
@@ -120,7 +124,7 @@ impl Branch {
             rates[i] = r - if known.value < 0.0 { -flow } else { flow };
             let power = size * flow;
             heat = heat + A[4][i] * (h * power);
-            moment += A[4][i] * PLACE[i] * power.value;
+            moment += A[4][i] * ABSCISSAE[i] * power.value;
             error += ERROR[i] * rates[i].value;
             end = b + h * (sum + GAMMA * rates[i]);
         }
@@ -152,32 +156,32 @@ impl Branch {
         let room = way * (limit.value - out.b.value);
         let strength = if yields { self.tau_cr.value / self.c1.value } else { 0.0 };
         let mut sliding = !yields || way != 0.0 && room <= 1e-13 * (strength + limit.value.abs());
-        let mut left = Dual::constant(time);
-        let mut gone = 0.0;
+        let mut remaining = Dual::constant(time);
+        let mut elapsed = 0.0;
         let mut h = self.first_guess(x.value, r.value, p.value, sliding).min(time);
-        for _ in 0..MOST_SUBSTEPS {
+        for _ in 0..MAX_SUBSTEPS {
             let k = if sliding { self.c2 } else { self.c1 + self.c2 };
             let from = (out.b, self.stress(out.b, out.slip));
-            let last = h >= left.value * (1.0 - 1e-12);
-            let mut taken = if last { left } else { Dual::constant(h) };
-            let mut s = self.substep(from, k, r, taken, p);
-            let allowed = TOLERANCE * (from.1.value.abs() + FLOOR * self.a.value);
+            let last = h >= remaining.value * (1.0 - 1e-12);
+            let mut length = if last { remaining } else { Dual::constant(h) };
+            let mut s = self.substep(from, k, r, length, p);
+            let allowed = TOLERANCE * (from.1.value.abs() + STRESS_FLOOR_RATIO * self.a.value);
             let ratio = s.error / allowed;
             if ratio > 1.0 {
-                h = taken.value * (0.9 * ratio.powf(-0.25)).clamp(0.1, 0.9);
+                h = length.value * (0.9 * ratio.powf(-0.25)).clamp(0.1, 0.9);
                 continue;
             }
             let event = !sliding && way != 0.0 && way * (s.b.value - limit.value) > 0.0;
             if event {
-                taken = self.arrival(from, k, r, p, (limit, taken.value));
-                s = self.substep(from, k, r, taken, p);
+                length = self.arrival(from, k, r, p, (limit, length.value));
+                s = self.substep(from, k, r, length, p);
             }
             out.heat = out.heat + s.heat;
-            out.moment += s.moment + gone * s.heat.value;
+            out.moment += s.moment + elapsed * s.heat.value;
             if sliding && yields {
                 let slid = s.b - out.b;
                 out.heat = out.heat + self.tau_cr * slid.abs();
-                out.moment += (gone + 0.5 * taken.value) * self.tau_cr.value * slid.value.abs();
+                out.moment += (elapsed + 0.5 * length.value) * self.tau_cr.value * slid.value.abs();
                 out.slip = out.slip + slid;
             }
             out.b = if event { limit } else { s.b };
@@ -185,13 +189,13 @@ impl Branch {
                 break;
             }
             sliding |= event;
-            left = left - taken;
-            gone += taken.value;
-            if last && !event || left.value <= 1e-14 * time {
+            remaining = remaining - length;
+            elapsed += length.value;
+            if last && !event || remaining.value <= 1e-14 * time {
                 return Ok(out);
             }
             let growth = if ratio > 0.0 { (0.9 * ratio.powf(-0.25)).clamp(0.3, 5.0) } else { 5.0 };
-            h = (taken.value.max(h) * growth).min(left.value);
+            h = (length.value.max(h) * growth).min(remaining.value);
         }
         Err(MaterialError(format!("HDRRheology found no overstress at a strain rate of {:.6e}", r.value)))
     }
@@ -200,7 +204,7 @@ impl Branch {
     fn arrival(&self, from: (Dual, Dual), k: Dual, r: Dual, p: Dual, (limit, longest): (Dual, f64)) -> Dual {
         let (mut lo, mut hi) = (0.0, longest);
         let mut h = Dual::constant(0.5 * longest);
-        for i in 0..60 {
+        for i in 0..MAX_EVENT_ITERATIONS {
             let s = self.substep(from, k, r, h, p);
             let missing = limit - s.b;
             let ahead = missing.value * (limit.value - from.0.value) > 0.0;
@@ -214,7 +218,7 @@ impl Branch {
             if (next - h.value).abs() <= 1e-13 * longest {
                 return Dual { value: next.clamp(0.0, longest), slope: missing.slope / s.speed };
             }
-            h.value = if next > lo && next < hi && i < 30 { next } else { 0.5 * (lo + hi) };
+            h.value = if next > lo && next < hi && i < MAX_EVENT_ITERATIONS / 2 { next } else { 0.5 * (lo + hi) };
         }
         h
     }

@@ -48,10 +48,10 @@ impl Parameters {
     /// # Errors
     /// Index of the first number outside its range, and the expected range.
     pub fn new(p: [f64; 10]) -> Result<Self, (usize, String)> {
-        for (i, (&x, (name, least, may))) in p.iter().zip(NAMES).enumerate() {
-            if !(x > least || may && x == least) || !x.is_finite() {
-                let range = if may { "not less than" } else { "greater than" };
-                return Err((i, format!("expected {name}, a number {range} {least}")));
+        for (i, (&x, (name, lower, inclusive))) in p.iter().zip(NAMES).enumerate() {
+            if !(x > lower || inclusive && x == lower) || !x.is_finite() {
+                let range = if inclusive { "not less than" } else { "greater than" };
+                return Err((i, format!("expected {name}, a number {range} {lower}")));
             }
         }
         let [c1_eq, c2_eq, c3_eq, tau_cr_eq, m, c1_oe, c2_oe, tau_cr_oe, a, n] = p;

@@ -5,7 +5,7 @@
 //! integration. A fan of uniaxial laws, as in a multiple shear spring, would be a different law with its own
 //! identification. It would also depend on the spring directions.
 
-use super::{HdrRheology, MOST_ROUNDS, Thermal};
+use super::{HdrRheology, MAX_ITERATIONS, Thermal};
 use crate::numeric::Dual;
 use nalgebra::{Matrix2, Vector2};
 
@@ -53,12 +53,12 @@ type M = Matrix2<f64>;
 
 /// A vector with its derivative with respect to the strain at the end of the step.
 #[derive(Clone, Copy)]
-struct Carried {
+struct VectorWithDerivative {
     value: V,
     slope: M,
 }
 
-impl Carried {
+impl VectorWithDerivative {
     fn constant(value: [f64; 2]) -> Self {
         Self { value: V::from(value), slope: M::zeros() }
     }
@@ -66,12 +66,12 @@ impl Carried {
 
 /// Spring and slider with a circular yield surface in series: stress c (b - s), at most `limit`.
 #[derive(Clone, Copy)]
-struct Yielding {
+struct ElastoPlastic {
     c: f64,
     limit: f64,
 }
 
-impl Yielding {
+impl ElastoPlastic {
     /// Stress for a strain `b` and a previous slip `s`, and its derivative with respect to b. The derivative with
     /// respect to s is the negative.
     fn stress(&self, b: V, s: V) -> (V, M) {
@@ -86,20 +86,20 @@ impl Yielding {
     }
 
     /// Slip after the return to the yield surface, and its dissipated work.
-    fn slip(&self, b: Carried, s: Carried) -> (Carried, f64) {
+    fn slip(&self, b: VectorWithDerivative, s: VectorWithDerivative) -> (VectorWithDerivative, f64) {
         if self.c <= 0.0 {
             return (b, 0.0);
         }
         let (stress, k) = self.stress(b.value, s.value);
         let value = b.value - stress / self.c;
         let slope = b.slope - k * (b.slope - s.slope) / self.c;
-        (Carried { value, slope }, stress.dot(&(value - s.value)))
+        (VectorWithDerivative { value, slope }, stress.dot(&(value - s.value)))
     }
 }
 
 /// The overstress branch at one temperature.
 struct Branch {
-    part: Yielding,
+    part: ElastoPlastic,
     c2: f64,
     a: f64,
     p: f64,
@@ -108,16 +108,22 @@ struct Branch {
 /// Strains of the branch, and its dissipated work.
 #[derive(Clone, Copy)]
 struct Flow {
-    b: Carried,
-    s: Carried,
+    b: VectorWithDerivative,
+    s: VectorWithDerivative,
     heat: f64,
 }
 
 /// Accepted difference between a substep and its two halves, relative to the stress. Their extrapolation is more
 /// accurate by the ratio of substep to relaxation time.
 const TOLERANCE: f64 = 1e-5;
-const FLOOR: f64 = 1e-2;
-const MOST_SUBSTEPS: usize = 20_000;
+/// Smallest reference stress of the error, divided by a.
+const STRESS_FLOOR_RATIO: f64 = 1e-2;
+/// Maximum number of substeps; exceeded only by invalid numbers.
+const MAX_SUBSTEPS: usize = 20_000;
+/// Tolerance of the temperature in the iterations, degrees.
+const TEMPERATURE_TOLERANCE: f64 = 1e-9;
+/// Maximum number of Newton iterations of a substep.
+const MAX_NEWTON_ITERATIONS: usize = 60;
 
 impl Branch {
     fn stress(&self, b: V, s: V) -> (V, M) {
@@ -138,24 +144,24 @@ impl Branch {
     }
 
     /// A substep of backward Euler; `None` if Newton's method does not converge.
-    fn euler(&self, from: Flow, r: &Carried, h: f64) -> Option<Flow> {
+    fn euler(&self, from: Flow, r: &VectorWithDerivative, h: f64) -> Option<Flow> {
         let known = from.b.value + h * r.value;
-        let miss = |b: V| {
+        let residual = |b: V| {
             let (x, k) = self.stress(b, from.s.value);
             let (g, gx) = self.rate(x);
             (b - known + h * g, h * gx * k, x, g, gx)
         };
         let scale = known.norm().max(from.b.value.norm()).max(1e-12);
         let mut b = from.b.value;
-        let mut now = miss(b);
-        for _ in 0..60 {
+        let mut now = residual(b);
+        for _ in 0..MAX_NEWTON_ITERATIONS {
             let inverse = (M::identity() + now.1).try_inverse()?;
             let step = inverse * now.0;
             let size = now.0.norm();
             let mut share = 1.0;
             loop {
                 let next = b - share * step;
-                let then = miss(next);
+                let then = residual(next);
                 if then.0.norm() <= (1.0 - 1e-4 * share) * size || size <= 1e-14 * scale || share < 1e-6 {
                     (b, now) = (next, then);
                     break;
@@ -168,7 +174,7 @@ impl Branch {
                 let gx = now.4;
                 let inverse = (M::identity() + h * gx * (k + self.c2 * M::identity())).try_inverse()?;
                 let slope = inverse * (from.b.slope + h * r.slope + h * gx * k * from.s.slope);
-                let b = Carried { value: b, slope };
+                let b = VectorWithDerivative { value: b, slope };
                 let (s, slid) = self.part.slip(b, from.s);
                 return Some(Flow { b, s, heat: from.heat + slid + h * now.2.dot(&now.3) });
             }
@@ -178,22 +184,22 @@ impl Branch {
 
     /// Response of the branch to a strain increment at constant rate over `time`.
     fn flow(&self, b: [f64; 2], s: [f64; 2], increment: V, time: f64) -> Flow {
-        let mut at = Flow { b: Carried::constant(b), s: Carried::constant(s), heat: 0.0 };
+        let mut at = Flow { b: VectorWithDerivative::constant(b), s: VectorWithDerivative::constant(s), heat: 0.0 };
         let slipped = |f: &mut Flow| {
             let (s, heat) = self.part.slip(f.b, f.s);
             (f.s, f.heat) = (s, f.heat + heat);
         };
         slipped(&mut at);
         if time <= 0.0 {
-            at.b = Carried { value: at.b.value + increment, slope: M::identity() };
+            at.b = VectorWithDerivative { value: at.b.value + increment, slope: M::identity() };
             slipped(&mut at);
             return at;
         }
-        let r = Carried { value: increment / time, slope: M::identity() / time };
+        let r = VectorWithDerivative { value: increment / time, slope: M::identity() / time };
         let stiffness = self.part.c + self.c2;
-        let (mut left, mut h) = (time, time);
-        for _ in 0..MOST_SUBSTEPS {
-            h = h.min(left);
+        let (mut remaining, mut h) = (time, time);
+        for _ in 0..MAX_SUBSTEPS {
+            h = h.min(remaining);
             let halves = self.euler(at, &r, 0.5 * h).and_then(|half| self.euler(half, &r, 0.5 * h));
             let (Some(fine), Some(coarse)) = (halves, self.euler(at, &r, h)) else {
                 h *= 0.25;
@@ -201,18 +207,20 @@ impl Branch {
             };
             let size = self.stress(fine.b.value, fine.s.value).0.norm();
             let error = stiffness * (fine.b.value - coarse.b.value).norm();
-            let ratio = error / (TOLERANCE * (size + FLOOR * self.a));
+            let ratio = error / (TOLERANCE * (size + STRESS_FLOOR_RATIO * self.a));
             if ratio > 1.0 && h > 1e-12 * time {
                 h *= (0.9 / ratio.sqrt()).clamp(0.1, 0.8);
                 continue;
             }
-            let twice =
-                |f: Carried, c: Carried| Carried { value: 2.0 * f.value - c.value, slope: 2.0 * f.slope - c.slope };
+            let twice = |f: VectorWithDerivative, c: VectorWithDerivative| VectorWithDerivative {
+                value: 2.0 * f.value - c.value,
+                slope: 2.0 * f.slope - c.slope,
+            };
             let heat = (2.0 * fine.heat - coarse.heat).max(at.heat);
             at = Flow { b: twice(fine.b, coarse.b), s: twice(fine.s, coarse.s), heat };
             slipped(&mut at);
-            left -= h;
-            if left <= 1e-14 * time {
+            remaining -= h;
+            if remaining <= 1e-14 * time {
                 break;
             }
             h *= if ratio > 0.0 { (0.9 / ratio.sqrt()).clamp(0.3, 4.0) } else { 4.0 };
@@ -223,7 +231,7 @@ impl Branch {
 
 /// The law at one temperature.
 struct Law {
-    part: Yielding,
+    part: ElastoPlastic,
     c2: f64,
     c3: f64,
     m: f64,
@@ -232,8 +240,10 @@ struct Law {
 
 impl Law {
     fn new([c1, c2, c3, tau_cr, m, c1_oe, c2_oe, tau_cr_oe, a, n]: [Dual; 10]) -> Self {
-        let part =
-            |c: Dual, limit: Dual| Yielding { c: if limit.value > 0.0 { c.value } else { 0.0 }, limit: limit.value };
+        let part = |c: Dual, limit: Dual| ElastoPlastic {
+            c: if limit.value > 0.0 { c.value } else { 0.0 },
+            limit: limit.value,
+        };
         let branch = Branch { part: part(c1_oe, tau_cr_oe), c2: c2_oe.value, a: a.value, p: 1.0 / n.value };
         Self { part: part(c1, tau_cr), c2: c2.value, c3: c3.value, m: m.value, branch }
     }
@@ -260,17 +270,22 @@ impl Law {
     }
 
     /// A step. Returns history, equilibrium stress and overstress with their derivatives, and the heat.
-    fn step(&self, c: &PlaneHistory, strain: V, time: f64) -> (PlaneHistory, Carried, Carried, f64) {
-        let given = c.stored - self.stored(c);
-        let here = Carried { value: strain, slope: M::identity() };
+    fn step(
+        &self,
+        c: &PlaneHistory,
+        strain: V,
+        time: f64,
+    ) -> (PlaneHistory, VectorWithDerivative, VectorWithDerivative, f64) {
+        let released = c.stored - self.stored(c);
+        let here = VectorWithDerivative { value: strain, slope: M::identity() };
         let (tau_ep, k_ep) = self.part.stress(strain, V::from(c.slip_eq));
-        let (slip_eq, slid) = self.part.slip(here, Carried::constant(c.slip_eq));
+        let (slip_eq, slid) = self.part.slip(here, VectorWithDerivative::constant(c.slip_eq));
         let (tau_ee, k_ee) = self.spring(strain);
         let flow = self.branch.flow(c.gamma_b, c.slip_oe, strain - V::from(c.strain), time);
         let (x, k) = self.branch.part.stress(flow.b.value, flow.s.value);
         let slope = k * (flow.b.slope - flow.s.slope) + self.branch.c2 * flow.b.slope;
-        let overstress = Carried { value: x + self.branch.c2 * flow.b.value, slope };
-        let equilibrium = Carried { value: tau_ep + tau_ee, slope: k_ep + k_ee };
+        let overstress = VectorWithDerivative { value: x + self.branch.c2 * flow.b.value, slope };
+        let equilibrium = VectorWithDerivative { value: tau_ep + tau_ee, slope: k_ep + k_ee };
         let mut next = PlaneHistory {
             strain: strain.into(),
             slip_eq: slip_eq.value.into(),
@@ -279,7 +294,7 @@ impl Law {
             ..*c
         };
         next.stored = self.stored(&next);
-        (next, equilibrium, overstress, given + slid + flow.heat)
+        (next, equilibrium, overstress, released + slid + flow.heat)
     }
 }
 
@@ -316,7 +331,7 @@ impl HdrRheology {
         let peak = self.softening.map_or(before, |s| s.advance(before, Dual { value: size, slope: 1.0 }, time));
         let (old_factor, factor) = (self.factor(before).value, self.factor(peak));
         let mut rise = c.rise;
-        let mut rounds = 0;
+        let mut iterations = 0;
         let (mut next, equilibrium, overstress) = loop {
             let temperature = Dual::constant(self.ambient + 0.5 * (c.rise + rise));
             let law = Law::new(self.compound.held(temperature));
@@ -324,8 +339,8 @@ impl HdrRheology {
             let softened = (old_factor - factor.value).max(0.0) * 0.5 * (c.stored + next.stored);
             let heat = 0.5 * (old_factor + factor.value) * work + softened;
             let found = self.thermal.as_ref().map_or(c.rise, |t| t.after(amplitudes, heat, 0.5 * time, time).0);
-            rounds += 1;
-            if (found - rise).abs() <= 1e-9 || rounds == MOST_ROUNDS {
+            iterations += 1;
+            if (found - rise).abs() <= TEMPERATURE_TOLERANCE || iterations == MAX_ITERATIONS {
                 break (PlaneHistory { rise: found, heat: c.heat + heat, ..next }, equilibrium, overstress);
             }
             rise = found;

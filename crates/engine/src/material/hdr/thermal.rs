@@ -61,6 +61,9 @@ pub struct Stack {
 /// Number of cells of a rubber layer and of an end plate.
 const CELLS: (usize, usize) = (4, 2);
 
+/// Smallest share of a mode in the heating; smaller shares are round-off.
+const MIN_MODE_SHARE: f64 = 1e-12;
+
 impl Thermal {
     /// Uniform temperature of the rubber, from the heat capacity per volume of rubber and the time constant of
     /// cooling.
@@ -112,7 +115,7 @@ impl Thermal {
             let gain: f64 = (0..n).map(|i| v[i] / root[i] * source[i]).sum();
             let rise = gain * gain / height;
             // Half of the modes are antisymmetric about mid-height and are never heated.
-            if rise * c_r > 1e-12 {
+            if rise * c_r > MIN_MODE_SHARE {
                 let shape: Vec<f64> = (0..n).map(|i| v[i] / root[i] * height / gain).collect();
                 let content = shape.iter().zip(&capacity).map(|(x, c)| x * c).sum::<f64>() / height;
                 modes.push(Mode { rate: rate.max(0.0), rise, content, shape });
