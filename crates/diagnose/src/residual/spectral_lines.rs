@@ -30,7 +30,7 @@ pub(crate) fn line_share(x: &[f64], model: &[f64]) -> (f64, f64) {
     }
     let (mut share, mut strongest) = (0.0, (0.0, 0.0));
     for (i, p) in spectrum.iter().enumerate().skip(MIN_LINE_CYCLES) {
-        // A line stands above an octave on both sides and above its close band: broad noise falls with frequency, and
+        // A line stands above an octave on both sides and above its close band. Broad noise falls with frequency, and
         // narrow-band noise stands above its octave.
         let octave_width = (i / 2).max(MIN_LINE_BAND);
         let band = octave_width.min(LINE_BAND);

@@ -1,7 +1,7 @@
 //! Tests of a residual against steady noise of its spectrum.
 //!
 //! Sensor noise is steady, white or coloured, and independent of the motion. A missing effect follows the motion or acts at
-//! some times only. Surrogates show how much of that steady noise does by chance: series with the amplitudes of the residual's
+//! some times only. Surrogates show how much of that steady noise does by chance. They have the amplitudes of the residual's
 //! Fourier transform and random phases (Theiler et al. 1992, Physica D 58, 77-94).
 
 use super::recurrence::StrokeCells;
