@@ -37,12 +37,15 @@ use std::sync::Arc;
 pub(crate) const COMMANDS: &[Command] =
     &[Command::new("element", "element $kind $tag $iNode $jNode ...", element).with_kinds(|| kind::usages(KINDS))];
 
+type TwoNodes = fn(&mut Tcl, &mut Args<'_>, &Ends) -> Result<Arc<dyn Element>, Exception>;
+type AnyNodes = fn(&mut Tcl, &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception>;
+
 /// Function that makes a kind of element.
 enum Make {
     /// Between two nodes, from the words after them.
-    TwoNodes(fn(&mut Tcl, &mut Args<'_>, &Ends) -> Result<Arc<dyn Element>, Exception>),
+    TwoNodes(TwoNodes),
     /// From the words after the tag, which name the nodes.
-    AnyNodes(fn(&mut Tcl, &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception>),
+    AnyNodes(AnyNodes),
 }
 
 /// A kind of element.
