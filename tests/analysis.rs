@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, unreachable_pub)]
 
+#[path = "analysis/amended.rs"]
+mod amended;
 #[path = "analysis/columns.rs"]
 mod columns;
 #[path = "analysis/constraints.rs"]
@@ -26,6 +28,8 @@ mod sections;
 mod statics;
 #[path = "analysis/trapezoidal.rs"]
 mod trapezoidal;
+#[path = "analysis/variable.rs"]
+mod variable;
 
 /// Whether two numbers agree to a fraction of the larger.
 #[must_use]

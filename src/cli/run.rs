@@ -8,7 +8,7 @@ use super::loops::loops;
 use super::messages::Messages;
 use super::progress::ProgressLine;
 use clap::Parser;
-use hysteron::analysis::{Ladder, Options};
+use hysteron::analysis::{Options, RecoveryStrategy};
 use hysteron::diagnostic::{Diagnostic, Severity, Span, nearest};
 use hysteron::opensees::{self, Mode, Outputs, Tcl};
 use hysteron::run::{End, Run, Settings};
@@ -73,7 +73,7 @@ pub(super) fn script(script: &ScriptArgs, mode: Mode, steps: &StepArgs, model: &
     let progress = ProgressLine::new();
     let options = Options {
         compat: script.compat.is_some(),
-        ladder: steps.ladder.then(Ladder::default),
+        ladder: steps.ladder.then(RecoveryStrategy::default),
         dense: None,
         refine: steps.refine,
     };

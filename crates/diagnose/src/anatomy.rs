@@ -3,7 +3,7 @@
 use super::columns::{Column, columns, girders};
 use super::neighbours::{Neighbours, neighbours};
 use hysteron_engine::analysis::Engine;
-use hysteron_engine::element::{Answer, BasicRow, Element, Motion};
+use hysteron_engine::element::{BasicRow, Element, ElementInput, ElementOutput};
 use hysteron_engine::model::{Model, PatternKind};
 
 /// A spring or bearing whose force can be amended.
@@ -136,7 +136,7 @@ impl Anatomy {
             let [i, j] = e.nodes[..] else { continue };
             let nodes = [tag(i), tag(j)];
             let rows = e.element.basic_rows();
-            let nature = e.element.nature();
+            let nature = e.element.traits();
             if rows.is_empty() {
                 // Elastic in their law: large displacements and P-Delta change where they stand, not what they are made of.
                 let of_an_elastic_law = ELASTIC.iter().any(|class| e.element.class().starts_with(class));
@@ -264,10 +264,15 @@ fn elastic(element: &dyn Element, rows: &[BasicRow]) -> bool {
     rows.iter().all(|row| {
         let mut stiffness = |size: f64| {
             let disp: Vec<f64> = row.at_j().iter().map(|u| size * u).collect();
-            let motion = Motion { disp: &disp, vel: &rest, load: &load, still: true, again: false, dt: 0.0, time: 0.0 };
+            let motion =
+                ElementInput { disp: &disp, vel: &rest, load: &load, still: true, again: false, dt: 0.0, time: 0.0 };
             let mut force = vec![0.0; n];
-            let answer =
-                Answer { force: &mut force, tangent: None, damping: None, part: hysteron_engine::element::Part::ALL };
+            let answer = ElementOutput {
+                force: &mut force,
+                tangent: None,
+                damping: None,
+                part: hysteron_engine::element::MatrixMask::ALL,
+            };
             element.respond(&motion, &state, &mut next, answer).ok()?;
             Some(row.force(&force) / size)
         };

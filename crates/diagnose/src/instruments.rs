@@ -10,7 +10,7 @@ const SPEAKS: f64 = 4.0;
 /// Degrees by which a device becomes warmer in a run where work warms it: no matter of the room.
 const WARMER: f64 = 3.0;
 /// Standard deviation of a recorded axial force over its mean from which it varies, and up to which it does not: in trials of
-/// validation/power 0.09 to 0.29 where it does, 0.002 where it does not.
+/// validation/diagnosis 0.09 to 0.29 where it does, 0.002 where it does not.
 const VARIES: f64 = 0.05;
 const CONSTANT: f64 = 0.02;
 /// Points that a temperature is averaged to, and samples of an axial force that are averaged: it follows the motion.

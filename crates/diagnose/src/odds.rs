@@ -21,19 +21,19 @@ const NAMELESS: f64 = 9.0;
 const MUCH: f64 = 0.5;
 const NAMED: f64 = 45.0;
 /// So is one that has gained more than this in log evidence over none, where something else is left as well: where the effect
-/// was none of the library its laws had gained 2 at most in the first batches of validation/power.
+/// was none of the library its laws had gained 2 at most in the first batches of validation/diagnosis.
 const GAINED: f64 = 4.0;
 /// Of less than [`MUCH`] it has gained by bending to what is none of its own: at this part of it the gain says nothing. Two
 /// such laws had gained 9 and 20 where the effect was none of the library.
 const LITTLE: f64 = 0.8;
 
 /// How often a verdict without doubt is wrong all the same, on cases made by other formulas: estimated from the trials of
-/// validation/power from seed 20000 on, rounded up. The batch after them, with these doubts: of 27 answers that were given
+/// validation/diagnosis from seed 20000 on, rounded up. The batch after them, with these doubts: of 27 answers that were given
 /// 95 % all are right, of 16 that were given 80 to 90 % all but one.
 const DOUBT_OF_A_NAME: f64 = 0.05;
 const DOUBT_OF_NO_NAME: f64 = 0.15;
 /// How much oftener a name is wrong where all that it leaves has structure, and in part where a part of it has. Of 395 names in trials
-/// of validation/power 97 % were right where nothing had structure, 93 % where up to two fifths had, 92 % up to three fifths, seven of
+/// of validation/diagnosis 97 % were right where nothing had structure, 93 % where up to two fifths had, 92 % up to three fifths, seven of
 /// nine beyond. Of the names that are given with the truth taken out of the library, and are no equivalents, half stand beside structure
 /// of a third and more. It is about what both say together where the library lacks the cause in one case of five.
 const DOUBT_OF_A_LAW: f64 = 0.4;

@@ -5,12 +5,12 @@ use std::collections::BTreeMap;
 
 /// What is left of the confidence in a repair when runs that were held out get no better by it.
 const CONTRADICTED: f64 = 0.6;
-/// And when they get so much worse: of eight effects named in trials of validation/power three were right then.
+/// And when they get so much worse: of eight effects named in trials of validation/diagnosis three were right then.
 const HARMED: f64 = 0.4;
 const HARM: f64 = 1.5;
 /// A repair that takes this part of what can be taken of the runs held out predicts them, one that takes no more than the other part is
 /// worth as little as one that they contradict. Of names that take less than the first, but some, thirteen of sixteen are right in trials
-/// of validation/power; of eight that are given there with the truth taken out of the library none is.
+/// of validation/diagnosis; of eight that are given there with the truth taken out of the library none is.
 const PREDICTS: f64 = 0.8;
 const FAILS: f64 = 0.4;
 /// Runs held out in which there is no more than this over the noise cannot judge (a choice).

@@ -1,7 +1,7 @@
 //! A script from its file to its outcome.
 
 use crate::{Mode, Outputs, Session, Tcl};
-use hysteron_engine::analysis::{Failure, Options};
+use hysteron_engine::analysis::{Failure, Options, WorkCounts};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Console, Exception, Files, Interp, Value, Vocabulary};
 use std::cell::OnceCell;
@@ -109,6 +109,11 @@ impl Run {
             (Err(e), End::Done | End::Failed(_)) => End::Raised(Box::new(Diagnostic::error(e.to_string()))),
             (_, end) => end,
         }
+    }
+
+    /// Counts of the work of the analyses so far.
+    pub fn work_counts(&self) -> WorkCounts {
+        self.interp.host.engine.work_counts()
     }
 
     fn end_of(&mut self, result: Result<Value, Exception>) -> End {

@@ -172,7 +172,8 @@ impl Recorders {
 pub struct Session {
     /// The model with its state and analysis.
     pub engine: Engine,
-    pub(crate) definitions: Definitions,
+    /// Materials, series, sections and the like, by tag.
+    pub definitions: Definitions,
     pub(crate) ndm: usize,
     pub(crate) ndf: usize,
     pub(crate) pattern: Option<Tag>,

@@ -99,7 +99,7 @@ pub struct Test {
 
 /// What a test says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
+pub enum TestOutcome {
     /// Passed.
     Converged,
     /// Not passed yet.
@@ -170,7 +170,7 @@ impl Test {
 
     /// Judge an iteration by its correction and the unbalance after it.
     #[inline]
-    pub fn judge(&mut self, correction: &[f64], unbalance: &[f64]) -> Verdict {
+    pub fn judge(&mut self, correction: &[f64], unbalance: &[f64]) -> TestOutcome {
         let mut norm = match self.measure {
             Measure::DispIncr | Measure::RelativeDispIncr | Measure::RelativeTotalDispIncr => self.norm.of(correction),
             Measure::Unbalance | Measure::RelativeUnbalance => self.norm.of(unbalance),
@@ -215,12 +215,16 @@ impl Test {
         // As close as asked for, or as close as round-off lets it come.
         let ends = grown || self.iteration >= self.max_iterations;
         if passes(self.share()) || self.closely && ends && passes(1.0) {
-            return Verdict::Converged;
+            return TestOutcome::Converged;
         }
         let too_often = self.max_increases.is_some_and(|m| self.increases >= m);
         if self.iteration >= self.max_iterations || too_often || norm > self.max_norm || norm.is_nan() {
-            return if self.accept_unconverged && !norm.is_nan() { Verdict::Converged } else { Verdict::Failed };
+            return if self.accept_unconverged && !norm.is_nan() {
+                TestOutcome::Converged
+            } else {
+                TestOutcome::Failed
+            };
         }
-        Verdict::Continue
+        TestOutcome::Continue
     }
 }

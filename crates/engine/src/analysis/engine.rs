@@ -7,10 +7,11 @@ use super::asking::Calls;
 use super::convergence::Test;
 use super::failure::Failure;
 use super::integrator::Integrator;
-use super::ladder::Ladder;
-use super::prepared::{PrepareOptions, Prepared};
-use super::state::{Departure, State};
+use super::recovery::RecoveryStrategy;
+use super::state::{State, StepStart};
 use super::system::{Coefficients, System};
+use super::work_counts::WorkCounts;
+use super::workspace::{PrepareOptions, Workspace};
 use crate::assembly::{Handler, MpScope};
 use crate::element::{Element, Overload, Snapshot};
 use crate::model::{ElementEntry, ElementId, GroundMotion, Model, NodeId, Pattern, PatternKind, Tag};
@@ -46,7 +47,7 @@ pub struct Options {
     /// Follow OpenSees where it is known to slip.
     pub compat: bool,
     /// Remedies for a step that fails.
-    pub ladder: Option<Ladder>,
+    pub ladder: Option<RecoveryStrategy>,
     /// Force a dense matrix, or a sparse one.
     pub dense: Option<bool>,
     /// Parts that each step of an analysis is made in, for the error of its steps to be seen. With more than one, tests are
@@ -101,9 +102,9 @@ pub struct Engine {
     model: Model,
     committed: State,
     trial: State,
-    pub(super) departure: Departure,
+    pub(super) step_start: StepStart,
     setup: Option<Setup>,
-    prepared: Option<(u64, PrepareOptions, Prepared)>,
+    prepared: Option<(u64, PrepareOptions, Workspace)>,
     /// The parts of the analysis that have not seen the prepared model yet.
     fresh: bool,
     /// Settings.
@@ -120,6 +121,8 @@ pub struct Engine {
     pub default_handler: Handler,
     pub(super) modes: Option<super::modes::Modes>,
     pub(super) reaction_words: Vec<f64>,
+    /// Work done with plans that have been dropped.
+    pub(super) earlier_work: WorkCounts,
 }
 
 impl Engine {
@@ -129,7 +132,7 @@ impl Engine {
             model: Model::new(),
             committed: State::default(),
             trial: State::default(),
-            departure: Departure::default(),
+            step_start: StepStart::default(),
             setup: None,
             prepared: None,
             fresh: true,
@@ -141,6 +144,7 @@ impl Engine {
             default_handler: Handler::Transformation,
             modes: None,
             reaction_words: vec![],
+            earlier_work: WorkCounts::default(),
         }
     }
 
@@ -161,12 +165,20 @@ impl Engine {
     pub fn wipe(&mut self) {
         let options = std::mem::take(&mut self.options);
         let imbalance = self.imbalance.take();
-        *self = Self { imbalance, steps: self.steps, iterations: self.iterations, ..Self::new(options) };
+        self.drop_prepared();
+        let (steps, iterations, earlier_work) = (self.steps, self.iterations, self.earlier_work);
+        *self = Self { imbalance, steps, iterations, earlier_work, ..Self::new(options) };
     }
 
     /// Forget the analysis.
     pub fn wipe_analysis(&mut self) {
         self.setup = None;
+        self.drop_prepared();
+    }
+
+    /// Drop plan and factors; the work done with them still counts.
+    fn drop_prepared(&mut self) {
+        self.earlier_work = self.work_counts();
         self.prepared = None;
     }
 
@@ -245,7 +257,7 @@ impl Engine {
         let before = self.model.clone();
         let result = change(&mut self.model);
         self.committed = self.committed.rearranged(&before, &self.model);
-        self.departure.forget();
+        self.step_start.forget();
         self.trial.clone_from(&self.committed);
         result
     }
@@ -257,16 +269,18 @@ impl Engine {
 
     /// Change the committed state by hand: displacements, velocities.
     pub fn change_state(&mut self, change: impl FnOnce(&mut State, &Model)) {
-        self.departure.forget();
+        self.step_start.forget();
         self.adopt(change);
     }
 
     fn adopt(&mut self, change: impl FnOnce(&mut State, &Model)) {
         change(&mut self.committed, &self.model);
-        self.trial.clone_from(&self.committed);
         if let Some((_, _, p)) = &mut self.prepared {
+            // A state from before the preparation has no multipliers.
+            self.committed.multipliers.resize(p.plan.multipliers, 0.0);
             p.loads.invalidate();
         }
+        self.trial.clone_from(&self.committed);
     }
 
     /// The state, to be gone back to. What follows from here and what follows [`Engine::restore`] is the same to the
@@ -283,7 +297,7 @@ impl Engine {
     }
 
     fn forget_work(&mut self) {
-        self.departure.forget();
+        self.step_start.forget();
         if let Some((_, _, work)) = &mut self.prepared {
             work.forget();
         }
@@ -293,11 +307,11 @@ impl Engine {
     /// Back to the undeformed, virgin model at time zero.
     pub fn reset(&mut self) {
         self.committed = State::default();
-        self.departure.forget();
+        self.step_start.forget();
         self.committed.grow(&self.model);
         self.trial.clone_from(&self.committed);
         self.fresh = true;
-        self.prepared = None;
+        self.drop_prepared();
     }
 
     /// What a recorder reads an element's responses from.
@@ -358,7 +372,7 @@ impl Engine {
 
     /// Make sure that there is a plan for the model as it is.
     #[inline]
-    pub(super) fn prepare(&mut self, handler: Handler) -> Result<&mut Prepared, Failure> {
+    pub(super) fn prepare(&mut self, handler: Handler) -> Result<&mut Workspace, Failure> {
         if !self.is_prepared(&handler) {
             self.prepare_anew(self.prepare_options(handler))?;
         }
@@ -371,10 +385,11 @@ impl Engine {
     #[cold]
     fn prepare_anew(&mut self, options: PrepareOptions) -> Result<(), Failure> {
         let time = self.committed.time;
-        let prepared = Prepared::new(&self.model, &options).map_err(|cause| Failure::new(cause, time, -1))?;
+        let prepared = Workspace::new(&self.model, &options).map_err(|cause| Failure::new(cause, time, -1))?;
         let multipliers = prepared.plan.multipliers;
         self.committed.multipliers.resize(multipliers, 0.0);
         self.trial.clone_from(&self.committed);
+        self.drop_prepared();
         self.prepared = Some((self.model.revision(), options, prepared));
         self.fresh = true;
         Ok(())
@@ -399,12 +414,12 @@ impl Engine {
     }
 
     /// The plan and the factors, where there are any.
-    pub fn prepared(&self) -> Option<&Prepared> {
+    pub fn prepared(&self) -> Option<&Workspace> {
         self.prepared.as_ref().map(|(_, _, p)| p)
     }
 
     /// Model, committed state and work, borrowed apart.
-    pub(super) fn parts(&mut self) -> (&Model, &State, Option<&mut Prepared>) {
+    pub(super) fn parts(&mut self) -> (&Model, &State, Option<&mut Workspace>) {
         (&self.model, &self.committed, self.prepared.as_mut().map(|(_, _, p)| p))
     }
 

@@ -2,8 +2,8 @@
 
 use super::engine::{Engine, Kind};
 use super::failure::Failure;
-use super::prepared::TangentMix;
 use super::system::{Coefficients, System};
+use super::workspace::TangentMix;
 
 /// Equations of a model, by rising tag of the nodes.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -2,9 +2,9 @@
 
 use super::engine::Engine;
 use super::failure::{Cause, Failure};
-use super::prepared::{Prepared, TangentMix};
 use super::state::State;
 use super::system::{Coefficients, System};
+use super::workspace::{TangentMix, Workspace};
 use crate::solve::eigen::{self, Pair, Pencil};
 use crate::solve::{SINGULAR, SolveError};
 
@@ -87,13 +87,13 @@ impl std::fmt::Display for ModesError {
 impl std::error::Error for ModesError {}
 
 /// The factored stiffness and the mass matrix.
-struct Matrices<'a> {
-    work: &'a mut Prepared,
+struct ElementWorkspace<'a> {
+    work: &'a mut Workspace,
     /// Mass; `None` for the unit matrix.
     mass: Option<Vec<f64>>,
 }
 
-impl Pencil for Matrices<'_> {
+impl Pencil for ElementWorkspace<'_> {
     fn len(&self) -> usize {
         self.work.plan.equations()
     }
@@ -114,7 +114,7 @@ impl Pencil for Matrices<'_> {
 
 /// Scale the vectors to unit length in the mass matrix with its rows summed up on the diagonal, and fill up with
 /// infinite eigenvalues.
-fn as_lapack(matrices: &Matrices<'_>, pairs: &mut Vec<Pair>, count: usize) {
+fn as_lapack(matrices: &ElementWorkspace<'_>, pairs: &mut Vec<Pair>, count: usize) {
     let n = matrices.len();
     let mut sums = vec![0.0; n];
     matrices.mass(&vec![1.0; n], &mut sums);
@@ -183,7 +183,7 @@ impl Engine {
         }
         let available = work.plan.map.equations;
         let wanted = if largest { available } else { count };
-        let mut matrices = Matrices { work: &mut *work, mass };
+        let mut matrices = ElementWorkspace { work: &mut *work, mass };
         let found = eigen::nearest(&mut matrices, wanted);
         let Ok(mut pairs) = found else {
             work.solver.forget();
@@ -217,9 +217,9 @@ impl Engine {
 
     /// Tangents of all elements in the committed state: those of the step that has come to it.
     fn respond_as_committed(&mut self) -> Result<(), Failure> {
-        let departure = self.departure.state(self.state());
+        let step_start = self.step_start.state(self.state());
         let time = self.state().time;
-        self.with_system_from(departure.as_ref(), |system| {
+        self.with_system_from(step_start.as_ref(), |system| {
             system.apply_loads(time)?;
             system.respond(true)
         })
@@ -236,12 +236,12 @@ impl Engine {
     /// The same as at the end of a step from another state, of which the time is that of a step.
     fn with_system_from<T>(
         &mut self,
-        departure: Option<&State>,
+        step_start: Option<&State>,
         act: impl FnOnce(&mut System<'_>) -> Result<T, Failure>,
     ) -> Result<T, Failure> {
         let Some(system) = self.system() else { unreachable!("called after prepare") };
         let committed = system.old;
-        let (old, elapses) = (departure.unwrap_or(committed), departure.is_some());
+        let (old, elapses) = (step_start.unwrap_or(committed), step_start.is_some());
         let mut system = System { old, elapses, ..system };
         let result = act(&mut system);
         system.work.loads.invalidate();

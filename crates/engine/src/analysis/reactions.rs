@@ -64,7 +64,7 @@ impl Engine {
     }
 }
 
-impl super::prepared::Prepared {
+impl super::workspace::Workspace {
     /// Loads less forces of elements and nodes, into `full`.
     fn sum_forces(&mut self, model: &crate::model::Model, state: &State, kind: ReactionKind) {
         match kind {

@@ -26,14 +26,14 @@ pub struct State {
 /// What the last step began from. The tangent at its end is that of the step: asked for anew from where it has come to, a
 /// bearing that slides might as well go back.
 #[derive(Debug, Default)]
-pub(super) struct Departure {
+pub(super) struct StepStart {
     history: Vec<f64>,
     /// Time of the step, zero where the domain time is no time.
     duration: f64,
     holds: bool,
 }
 
-impl Departure {
+impl StepStart {
     /// A step is going to be committed: keep the history of the committed state, which is going to be written over.
     pub(super) fn keep(&mut self, committed: &mut State, duration: f64) {
         if self.history.len() == committed.history.len() {

@@ -4,8 +4,8 @@ mod answers;
 
 use super::failure::{Cause, Failure};
 use super::loads::Loads;
-use super::prepared::{Prepared, TangentMix};
 use super::state::State;
+use super::workspace::{TangentMix, Workspace};
 use crate::model::Model;
 use crate::solve::{Pivots, SINGULAR, SolveError, Use};
 
@@ -29,7 +29,7 @@ pub struct System<'a> {
     /// The trial state.
     pub new: &'a mut State,
     /// Plan, factors and work vectors.
-    pub work: &'a mut Prepared,
+    pub work: &'a mut Workspace,
     /// Share of stiffness, damping and mass in the tangent.
     pub coefficients: Coefficients,
     /// Inertia and damping count.
@@ -257,10 +257,10 @@ impl System<'_> {
 
     #[inline]
     fn sum_unbalance(&mut self) {
-        match self.work.trapezoid.take() {
-            Some(mut trapezoid) => {
-                self.sum_weighted(&mut trapezoid);
-                self.work.trapezoid = Some(trapezoid);
+        match self.work.two_end_residual.take() {
+            Some(mut two_end_residual) => {
+                self.sum_weighted(&mut two_end_residual);
+                self.work.two_end_residual = Some(two_end_residual);
             }
             None => self.sum_forces(1.0),
         }
@@ -301,7 +301,14 @@ impl System<'_> {
     }
 
     /// Assemble the tangent of the integrator, to be solved with once or often.
+    ///
+    /// # Errors
+    /// Coefficients that are not finite, as of a step so short that its inverse overflows; what the factorisation finds.
     pub fn form_tangent(&mut self, mix: TangentMix, how: Use) -> Result<(), Failure> {
+        let Coefficients { k, c, m } = self.coefficients;
+        if !(k.is_finite() && c.is_finite() && m.is_finite()) {
+            return Err(self.failure(Cause::NotFinite));
+        }
         if mix.current != 0.0 && !self.work.tangent_is_current {
             self.respond(true)?;
         }

@@ -61,7 +61,7 @@ impl Plan {
         let map = DofMap::new(model, handler, scope, homogeneous)?;
         let multipliers = if matches!(handler, Handler::Lagrange { .. }) { map.links.len() } else { 0 };
         let n = map.equations + multipliers;
-        let symmetric = model.elements.iter().all(|e| e.element.nature().symmetric);
+        let symmetric = model.elements.iter().all(|e| e.element.traits().symmetric);
         let storage = match (dense.unwrap_or(n <= DENSE_LIMIT), symmetric && multipliers == 0) {
             (true, _) => Storage::Dense,
             (false, true) => Storage::Upper,

@@ -1,6 +1,6 @@
 //! What axial bars have in common: material, mass and responses.
 
-use super::{Mass, Nature, Snapshot};
+use super::{ElementTraits, Mass, Snapshot};
 use crate::material::Slot;
 use crate::probe::Probe;
 
@@ -41,8 +41,8 @@ impl Bar {
         2 * self.per_node
     }
 
-    pub(super) fn nature(&self) -> Nature {
-        Nature { rayleigh: self.options.rayleigh, ..Nature::of(std::iter::once(&self.slot)) }
+    pub(super) fn traits(&self) -> ElementTraits {
+        ElementTraits { rayleigh: self.options.rayleigh, ..ElementTraits::of(std::iter::once(&self.slot)) }
     }
 
     pub(super) fn mass(&self) -> Mass {

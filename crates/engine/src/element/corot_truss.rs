@@ -1,7 +1,7 @@
 //! Axial bar with large displacements: `corotTruss`.
 
 use super::bar::{Bar, BarOptions};
-use super::{Answer, Element, ElementError, Mass, Motion, Nature, Snapshot};
+use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot};
 use crate::material::{Material, Slot, Strain};
 use crate::probe::Probe;
 use std::sync::Arc;
@@ -94,16 +94,16 @@ impl Element for CorotTruss {
     fn init(&self, state: &mut [f64]) {
         self.bar.slot.init(state);
     }
-    fn nature(&self) -> Nature {
-        Nature { linear: false, ..self.bar.nature() }
+    fn traits(&self) -> ElementTraits {
+        ElementTraits { linear: false, ..self.bar.traits() }
     }
 
     fn respond(
         &self,
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: Answer<'_>,
+        answer: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let chord = self.chord(motion.disp)?;
         let n = &chord.direction;

@@ -1,6 +1,6 @@
 //! One spring for two directions: `CoupledZeroLength`.
 
-use super::{Answer, Element, ElementError, Motion, Nature, Snapshot};
+use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot};
 use crate::material::{Material, Slot, Strain};
 use crate::probe::Probe;
 use std::sync::Arc;
@@ -72,16 +72,16 @@ impl Element for CoupledZeroLength {
         state[..2].fill(0.0);
         self.slot.init(state);
     }
-    fn nature(&self) -> Nature {
-        Nature { linear: false, rayleigh: self.rayleigh, ..Nature::of(std::iter::once(&self.slot)) }
+    fn traits(&self) -> ElementTraits {
+        ElementTraits { linear: false, rayleigh: self.rayleigh, ..ElementTraits::of(std::iter::once(&self.slot)) }
     }
 
     fn respond(
         &self,
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: Answer<'_>,
+        answer: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let rate = self.offset(motion.vel);
         let mut d = self.offset(motion.disp);

@@ -1,7 +1,7 @@
 //! Finite elements.
 //!
 //! An element is a struct of constants that implements [`Element`]. Its history lies in a slice of the model's state
-//! (see [`words`](crate::words)); it answers with forces and tangents for the motion of its nodes. Forces are those
+//! (see [`state_struct`](crate::state_struct)); it answers with forces and tangents for the motion of its nodes. Forces are those
 //! that the nodes exert on the element, in global axes, node after node: OpenSees' "resisting force".
 //!
 //! A model with many elements of a kind calls [`Element::respond`] millions of times: it must not allocate.
@@ -46,7 +46,7 @@ pub const MAX_DOFS: usize = 24;
 
 /// What an element is given at a trial state.
 #[derive(Clone, Copy, Debug)]
-pub struct Motion<'a> {
+pub struct ElementInput<'a> {
     /// Trial displacements of its degrees of freedom, node after node.
     pub disp: &'a [f64],
     /// Trial velocities, likewise.
@@ -65,7 +65,7 @@ pub struct Motion<'a> {
 
 /// Where an element writes its answer: what is wanted has been set to zero.
 #[derive(Debug)]
-pub struct Answer<'a> {
+pub struct ElementOutput<'a> {
     /// Resisting force, length n.
     pub force: &'a mut [f64],
     /// Tangent stiffness n x n by rows, where it is wanted.
@@ -73,19 +73,19 @@ pub struct Answer<'a> {
     /// Damping matrix of viscous materials n x n by rows, where it is wanted.
     pub damping: Option<&'a mut [f64]>,
     /// What of the matrices is wanted; what is beside it does not matter.
-    pub part: Part,
+    pub part: MatrixMask,
 }
 
 /// Rows and columns of a matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Part {
+pub struct MatrixMask {
     /// The rows.
     pub rows: Rows,
     /// The columns.
     pub columns: Rows,
 }
 
-impl Part {
+impl MatrixMask {
     /// The whole matrix.
     pub const ALL: Self = Self { rows: Rows::ALL, columns: Rows::ALL };
 
@@ -176,7 +176,7 @@ pub enum Mass {
 
 /// What is constant about an element's answers; the analysis saves work by it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Nature {
+pub struct ElementTraits {
     /// The tangent never changes and the force is linear in the displacements (and the loads).
     pub linear: bool,
     /// The tangent is symmetric.
@@ -189,7 +189,7 @@ pub struct Nature {
     pub rayleigh: bool,
 }
 
-impl Nature {
+impl ElementTraits {
     /// Of an element that is as its materials are: symmetric, and without Rayleigh damping.
     pub(crate) fn of<'a>(materials: impl Iterator<Item = &'a Slot> + Clone) -> Self {
         let laws = || materials.clone().map(|s| &s.material);
@@ -241,15 +241,15 @@ pub trait Element: fmt::Debug + Send + Sync {
     /// Write the virgin state.
     fn init(&self, state: &mut [f64]);
     /// What is constant about it.
-    fn nature(&self) -> Nature;
+    fn traits(&self) -> ElementTraits;
 
     /// Force and tangent for a trial motion from the committed history; writes every word of `trial`.
     fn respond(
         &self,
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: Answer<'_>,
+        answer: ElementOutput<'_>,
     ) -> Result<(), ElementError>;
 
     /// Take over the history of a trial state. One with many words may leave out those that nobody reads.
@@ -265,7 +265,11 @@ pub trait Element: fmt::Debug + Send + Sync {
 
     /// Tangent of the last call, from the history that it left, for an element that counts its calls; wanted rows of n x n,
     /// added to a zero matrix.
-    fn last_tangent(&self, _history: &[f64], _tangent: &mut [f64], _part: Part) {}
+    fn last_tangent(&self, _history: &[f64], _tangent: &mut [f64], _part: MatrixMask) {}
+
+    /// Bring the force of the last call, for an element that counts its calls, up to date with the load words: what the loads
+    /// do without a call.
+    fn last_force(&self, _history: &[f64], _load: &[f64], _force: &mut [f64]) {}
 
     /// Tangent of the virgin element, n x n by rows, added to a zero matrix.
     fn initial_tangent(&self, tangent: &mut [f64]);

@@ -1,6 +1,6 @@
 //! The four-node quadrilateral of plane elasticity: `quad`.
 
-use super::{Answer, Element, ElementError, Mass, Motion, Nature, Snapshot, dot};
+use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot};
 use crate::numeric::axpy;
 use crate::probe::Probe;
 
@@ -61,6 +61,8 @@ pub struct Quad {
     mass: [f64; 8],
     elasticity: [[f64; 3]; 3],
     points: [Rows; 4],
+    /// Volumes that go with the points.
+    volumes: [f64; 4],
 }
 
 /// Strains xx, yy and the shear angle per displacement of the corners.
@@ -104,11 +106,13 @@ impl Quad {
             mass: [0.0; 8],
             elasticity: material.plane(plane),
             points: [[[0.0; 8]; 3]; 4],
+            volumes: [0.0; 4],
         };
         let rho = if options.rho == 0.0 { material.rho } else { options.rho };
-        for (sign, rows) in SIGNS.iter().zip(&mut made.points) {
+        for ((sign, rows), at) in SIGNS.iter().zip(&mut made.points).zip(&mut made.volumes) {
             let (n, d, det) = shape(corners, sign.map(|s| s / 3.0f64.sqrt()));
             let volume = det * options.thickness;
+            *at = volume;
             for (node, (n, [dx, dy])) in n.iter().zip(d).enumerate() {
                 let [x, y] = [2 * node, 2 * node + 1];
                 (rows[0][x], rows[1][y], rows[2][x], rows[2][y]) = (dx, dy, dy, dx);
@@ -162,14 +166,23 @@ impl Element for Quad {
         0
     }
     fn init(&self, _: &mut [f64]) {}
-    fn nature(&self) -> Nature {
-        Nature { linear: true, symmetric: true, viscous: false, elapses: false, rayleigh: true }
+    fn traits(&self) -> ElementTraits {
+        ElementTraits { linear: true, symmetric: true, viscous: false, elapses: false, rayleigh: true }
     }
 
-    fn respond(&self, m: &Motion<'_>, _: &[f64], _: &mut [f64], answer: Answer<'_>) -> Result<(), ElementError> {
+    fn respond(
+        &self,
+        m: &ElementInput<'_>,
+        _: &[f64],
+        _: &mut [f64],
+        answer: ElementOutput<'_>,
+    ) -> Result<(), ElementError> {
         answer.force.copy_from_slice(&self.at_rest);
-        for (f, row) in answer.force.iter_mut().zip(self.stiffness.chunks_exact(8)) {
-            *f += dot(row, m.disp);
+        // Of stresses, not of stiffness times displacements, whose round-off would not be in equilibrium.
+        for (point, (rows, volume)) in self.points.iter().zip(&self.volumes).enumerate() {
+            for (row, stress) in rows.iter().zip(self.at(point, true, m.disp)) {
+                axpy(volume * stress, row, answer.force);
+            }
         }
         if let Some(k) = answer.tangent {
             axpy(1.0, &self.stiffness, k);

@@ -1,6 +1,6 @@
 //! Uniaxial springs side by side: what `zeroLength` and `twoNodeLink` have in common.
 
-use super::{Answer, BasicRow, ElementError, Motion, Nature, Snapshot};
+use super::{BasicRow, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot};
 use crate::material::{Material, Slot, Strain, Stress};
 use crate::probe::Probe;
 use nalgebra::Matrix3;
@@ -121,19 +121,19 @@ impl Springs {
         self.springs.iter().filter(|s| s.direction == direction).map(|s| s.slot.stress(state)).sum()
     }
 
-    pub(super) fn nature(&self) -> Nature {
-        let nature = Nature::of(self.slots());
+    pub(super) fn traits(&self) -> ElementTraits {
+        let nature = ElementTraits::of(self.slots());
         let dampers = self.springs.iter().any(|s| s.damper.is_some());
-        Nature { linear: nature.linear && !dampers, viscous: nature.viscous || dampers, ..nature }
+        ElementTraits { linear: nature.linear && !dampers, viscous: nature.viscous || dampers, ..nature }
     }
 
     /// Add the springs' forces and tangents to `answer`.
     pub(super) fn respond(
         &self,
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: &mut Answer<'_>,
+        answer: &mut ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         // Of springs with one deformation.
         let (mut strain, mut sum) = (None, Stress::default());

@@ -1,7 +1,9 @@
 //! Axial bar: `truss`.
 
 use super::bar::{Bar, BarOptions};
-use super::{Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Snapshot, add_outer, dot};
+use super::{
+    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, add_outer, dot,
+};
 use crate::material::{Material, Slot, Strain};
 use crate::probe::Probe;
 use std::sync::Arc;
@@ -64,16 +66,16 @@ impl Element for Truss {
     fn init(&self, state: &mut [f64]) {
         self.bar.slot.init(state);
     }
-    fn nature(&self) -> Nature {
-        self.bar.nature()
+    fn traits(&self) -> ElementTraits {
+        self.bar.traits()
     }
 
     fn respond(
         &self,
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: Answer<'_>,
+        answer: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let strain = Strain {
             value: dot(&self.row, motion.disp) - self.initial,

@@ -1,7 +1,7 @@
 //! Springs between two nodes at a distance: `twoNodeLink`.
 
 use super::springs::Springs;
-use super::{Answer, BasicRow, Element, ElementError, Mass, Motion, Nature, Snapshot, dot};
+use super::{BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot};
 use crate::material::{Material, Slot};
 use crate::probe::Probe;
 use nalgebra::Matrix3;
@@ -202,18 +202,18 @@ impl Element for TwoNodeLink {
     fn init(&self, state: &mut [f64]) {
         self.springs.init(state);
     }
-    fn nature(&self) -> Nature {
-        let nature = Nature { rayleigh: self.rayleigh, ..self.springs.nature() };
+    fn traits(&self) -> ElementTraits {
+        let nature = ElementTraits { rayleigh: self.rayleigh, ..self.springs.traits() };
         let p_delta = !self.p_delta.is_empty();
-        Nature { linear: nature.linear && !p_delta, symmetric: !p_delta, ..nature }
+        ElementTraits { linear: nature.linear && !p_delta, symmetric: !p_delta, ..nature }
     }
 
     fn respond(
         &self,
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        mut answer: Answer<'_>,
+        mut answer: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         self.springs.respond(motion, committed, trial, &mut answer)?;
         if !self.p_delta.is_empty() {

@@ -1,7 +1,7 @@
 //! Springs between two nodes at one place: `zeroLength`.
 
 use super::springs::Springs;
-use super::{Answer, BasicRow, Element, ElementError, Motion, Nature, Snapshot, dot};
+use super::{BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, dot};
 use crate::material::{Material, Slot};
 use crate::probe::Probe;
 use nalgebra::Matrix3;
@@ -91,16 +91,16 @@ impl Element for ZeroLength {
     fn init(&self, state: &mut [f64]) {
         self.springs.init(state);
     }
-    fn nature(&self) -> Nature {
-        Nature { rayleigh: self.rayleigh, ..self.springs.nature() }
+    fn traits(&self) -> ElementTraits {
+        ElementTraits { rayleigh: self.rayleigh, ..self.springs.traits() }
     }
 
     fn respond(
         &self,
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        mut answer: Answer<'_>,
+        mut answer: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         self.springs.respond(motion, committed, trial, &mut answer)
     }

@@ -1,7 +1,7 @@
 //! A section between two nodes at one place: `zeroLengthSection`.
 
 use super::zero_length::direction_row;
-use super::{Answer, Element, ElementError, Motion, Nature, Snapshot, dot};
+use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, dot};
 use crate::probe::Probe;
 use crate::section::{MAX_ORDER, Resultant, SectionSlot, SharedSection};
 use nalgebra::Matrix3;
@@ -75,9 +75,9 @@ impl Element for ZeroLengthSection {
     fn init(&self, state: &mut [f64]) {
         self.slot.init(state);
     }
-    fn nature(&self) -> Nature {
+    fn traits(&self) -> ElementTraits {
         let section = &self.slot.section;
-        Nature {
+        ElementTraits {
             linear: section.is_linear(),
             symmetric: true,
             viscous: false,
@@ -88,10 +88,10 @@ impl Element for ZeroLengthSection {
 
     fn respond(
         &self,
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: Answer<'_>,
+        answer: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let mut e = [0.0; MAX_ORDER];
         e.iter_mut().zip(&self.rows).for_each(|(e, row)| *e = dot(row, motion.disp));

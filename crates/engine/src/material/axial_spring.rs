@@ -3,7 +3,7 @@
 mod bundle;
 
 use super::Stress;
-use crate::words::Field;
+use crate::state_struct::Field;
 
 /// Parameters of an axial spring as the `AxialSp` and `AxialSpHD` commands have them. Stress over displacement: a
 /// spring of a bearing knows its share of the area, not its length.
@@ -106,7 +106,7 @@ impl Field for Branch {
     }
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of an [`AxialSpring`].
     struct History {
         /// Displacement.
@@ -298,7 +298,7 @@ impl<const HD: bool> AxialSpring<HD> {
         }
     }
 
-    /// Answer and next history at `u`, from the committed history.
+    /// Response and next history at `u`, from the committed history.
     #[inline]
     fn step(&self, c: &History, u: f64) -> (Stress, History) {
         let mut t = History { u, ..*c };

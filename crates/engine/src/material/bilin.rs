@@ -63,7 +63,7 @@ pub struct Bilin {
     pub compat: bool,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of [`Bilin`].
     pub struct History {
         /// Deformation.

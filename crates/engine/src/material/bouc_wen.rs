@@ -27,7 +27,7 @@ pub struct BoucWen {
     pub delta_eta: f64,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of [`BoucWen`].
     pub struct History {
         /// Strain.

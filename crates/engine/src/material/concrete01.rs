@@ -16,7 +16,7 @@ pub struct Concrete01 {
     pub epscu: f64,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of [`Concrete01`].
     pub struct History {
         /// Strain.

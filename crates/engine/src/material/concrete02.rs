@@ -25,7 +25,7 @@ pub struct Concrete02 {
 /// Slope where there is no stress left: keeps a structure that hangs on it from being singular.
 const FLAT: f64 = 1.0e-10;
 
-crate::words! {
+crate::state_struct! {
     /// History of [`Concrete02`].
     pub struct History {
         /// Strain.

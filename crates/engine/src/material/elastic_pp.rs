@@ -22,7 +22,7 @@ impl ElasticPP {
     }
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of [`ElasticPP`].
     pub struct PlasticStrain {
         /// Plastic strain.

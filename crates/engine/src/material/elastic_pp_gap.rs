@@ -18,7 +18,7 @@ pub struct ElasticPPGap {
     pub damage: bool,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of [`ElasticPPGap`].
     pub struct Shift {
         /// Shift of the strain at yield.

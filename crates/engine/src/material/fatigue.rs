@@ -2,7 +2,7 @@
 
 use super::{Material, MaterialError, Slot, Strain, Stress, Uniaxial};
 use crate::probe::Probe;
-use crate::words::Words;
+use crate::state_struct::StateStruct;
 use std::sync::Arc;
 
 /// Numbers of [`Fatigue`].
@@ -28,7 +28,7 @@ pub struct Fatigue {
     p: FatigueParameters,
 }
 
-crate::words! {
+crate::state_struct! {
     /// What is known of the cycles so far.
     struct Cycles {
         /// 1 once the material has failed.
@@ -209,6 +209,9 @@ impl Uniaxial for Fatigue {
     }
     fn is_linear(&self) -> bool {
         false
+    }
+    fn shown_strain(&self, strain: f64, state: &[f64]) -> f64 {
+        self.inner.shown(strain, state)
     }
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
         let mut new = self.clone();

@@ -17,7 +17,7 @@ pub struct Hardening {
     pub compat: bool,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of [`Hardening`].
     pub struct History {
         /// Plastic strain.

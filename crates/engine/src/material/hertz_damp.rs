@@ -19,7 +19,7 @@ pub struct HertzDamp {
     pub compat: bool,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of [`HertzDamp`].
     pub struct Contact {
         /// Damping coefficient over δⁿ, from the speed at which contact began.

@@ -98,7 +98,7 @@ impl Hysteretic {
     }
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of [`Hysteretic`].
     pub struct History {
         /// Strain.

@@ -22,7 +22,7 @@ pub struct HystereticAsym {
     pub gamma: f64,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of laws whose branch is known from the point where it begins.
     pub struct History {
         /// Strain.

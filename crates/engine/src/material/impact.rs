@@ -20,7 +20,7 @@ pub struct Impact {
     pub compat: bool,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of [`Impact`].
     pub struct History {
         /// Displacement.

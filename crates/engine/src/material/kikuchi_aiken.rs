@@ -3,7 +3,7 @@
 use super::{MaterialError, Strain, Stress, Uniaxial};
 use crate::numeric::{bracketed_root, sign};
 use crate::probe::Probe;
-use crate::words::Words;
+use crate::state_struct::StateStruct;
 use std::fmt;
 
 /// Shear strain up to which a bearing is elastic.
@@ -108,7 +108,7 @@ struct Compat {
 /// it is taken for closed.
 const LEVELS: usize = 48;
 
-crate::words! {
+crate::state_struct! {
     /// History but for the reversals.
     struct Head {
         /// Displacement, times R_s / R_f.
@@ -136,7 +136,7 @@ crate::words! {
     }
 }
 
-crate::words! {
+crate::state_struct! {
     /// A reversal, and the curve that begins there.
     struct Reversal {
         /// x_r.

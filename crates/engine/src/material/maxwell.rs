@@ -21,7 +21,7 @@ pub struct Maxwell {
     pub compat: bool,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of [`Maxwell`].
     pub struct History {
         /// Strain.

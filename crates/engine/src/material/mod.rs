@@ -1,7 +1,7 @@
 //! Uniaxial materials: stress, tangent and next state for a trial strain, as pure functions of the committed state.
 //!
 //! A law is a struct of constant parameters that implements [`UniaxialLaw`]; its history is a plain struct declared
-//! with [`words!`](crate::words!). Whoever uses a law (a spring, a fiber) keeps the history through a [`Slot`].
+//! with [`state_struct!`](crate::state_struct!). Whoever uses a law (a spring, a fiber) keeps the history through a [`Slot`].
 //! Stress and strain may as well be force and displacement: a law knows no units.
 
 mod axial_spring;
@@ -44,7 +44,7 @@ mod viscous_damper;
 mod wrapped;
 
 use crate::probe::Probe;
-use crate::words::Words;
+use crate::state_struct::StateStruct;
 use std::fmt;
 use std::sync::Arc;
 
@@ -146,7 +146,7 @@ impl std::error::Error for MaterialError {}
 /// A uniaxial law with a fixed number of history variables.
 pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {
     /// History of one point; `default()` must be the virgin state.
-    type State: Words;
+    type State: StateStruct;
 
     /// Name in the `uniaxialMaterial` command.
     const NAME: &'static str;

@@ -18,7 +18,7 @@ pub struct MultiLinear {
     compat: bool,
 }
 
-/// Words before the ends of the lines.
+/// State variables before the ends of the lines.
 const HEADER: usize = 4;
 const STRAIN: usize = 0;
 const STRESS: usize = 1;

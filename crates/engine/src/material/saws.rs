@@ -88,7 +88,7 @@ fn path(word: f64) -> (Path, f64) {
     (number.map_or(Path::Virgin, |(_, p)| p), if word < 0.0 { -1.0 } else { 1.0 })
 }
 
-crate::words! {
+crate::state_struct! {
     /// One side, with its displacements and forces positive.
     pub struct Reached {
         /// 1 where the envelope has been followed.
@@ -104,7 +104,7 @@ crate::words! {
     }
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of [`Saws`].
     pub struct History {
         /// Displacement.

@@ -24,7 +24,7 @@ pub struct SelfCentering {
     pub compat: bool,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of [`SelfCentering`].
     pub struct History {
         /// Strain.

@@ -21,7 +21,7 @@ pub enum Iteration {
     Rounds(usize, f64),
 }
 
-/// Words before the parts.
+/// State variables before the parts.
 const HEADER: usize = 3;
 /// Stress of the whole; the parts' stresses differ from it by what is left over.
 const STRESS: usize = 0;
@@ -30,10 +30,46 @@ const SOFTENING: usize = 1;
 /// Strain of the whole.
 const STRAIN: usize = 2;
 
+/// Difference of the parts' stresses, as a fraction of the largest, that counts as none.
+const CLOSE: f64 = 1e-12;
+/// Change of the flexibility, as a fraction, that counts as none.
+const SAME: f64 = 1e-9;
+/// Difference of the parts' stresses that counts as round-off of a law whose own numbers are larger than its stress, as a
+/// fraction of the stress that the parts round by.
+const ROUGH: f64 = 1e-4;
+/// Corrections by an unchanged flexibility that must have failed before.
+const IDLE: u32 = 3;
 /// Iterations of Newton's method.
 const LIMIT: usize = 30;
 const STRAINS: u32 = 1;
 const PART: u32 = 2;
+
+/// Difference of the stresses of the parts after a correction.
+#[derive(Clone, Copy)]
+struct Gap {
+    value: f64,
+    /// The correction has not changed the flexibility: in exact numbers nothing would be left.
+    linear: bool,
+}
+
+/// Watches for differences that are round-off. Where the common stress goes to zero, the parts still round by the stresses
+/// that they come from.
+struct Rounding {
+    /// Smallest difference so far.
+    least: f64,
+    /// Corrections by an unchanged flexibility that have not made it smaller.
+    idle: u32,
+}
+
+impl Rounding {
+    /// Returns true if a difference is round-off, for parts that round by a stress.
+    fn explains(&mut self, gap: Gap, rounded: f64) -> bool {
+        let stagnates = gap.value >= 0.5 * self.least;
+        self.idle = if gap.value >= self.least && gap.linear { self.idle + 1 } else { 0 };
+        self.least = self.least.min(gap.value);
+        stagnates && gap.value <= CLOSE * rounded || self.idle >= IDLE && gap.value <= ROUGH * rounded
+    }
+}
 
 impl Series {
     /// From materials with their tags.
@@ -102,6 +138,16 @@ impl Series {
         Err(MaterialError(message))
     }
 
+    /// Largest stress that the parts round by: those of the committed state, and stiffness times strain.
+    fn rounded_stress(&self, committed: &[f64], next: &[f64]) -> f64 {
+        let of_part = |part: &Slot| {
+            let stiffness = part.material.initial_tangent().abs().max(part.tangent(next).abs());
+            let strain = part.strain(committed).abs().max(part.strain(next).abs());
+            part.stress(committed).abs().max(stiffness * strain)
+        };
+        self.parts.iter().map(of_part).fold(0.0, f64::max)
+    }
+
     /// Newton's method from the parts as they are in `next`, and a stress.
     fn newton(
         &self,
@@ -111,6 +157,7 @@ impl Series {
         next: &mut [f64],
     ) -> Result<Option<Stress>, MaterialError> {
         let mut scale = self.initial_tangent().abs() * strain.value.abs();
+        let mut rounding = Rounding { least: f64::INFINITY, idle: 0 };
         for _ in 0..LIMIT {
             // Stress for which the linearised parts have the strain of the whole.
             let (mut f, mut total) = (0.0, 0.0);
@@ -136,9 +183,11 @@ impl Series {
             let stresses = || self.parts.iter().map(|p| p.stress(next));
             let (low, high) = stresses().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), s| (l.min(s), h.max(s)));
             scale = scale.max(low.abs()).max(high.abs());
-            if high - low <= 1e-12 * scale {
-                let f: f64 = self.parts.iter().map(|p| flexibility(p.tangent(next))).sum();
-                return Ok(Some(Stress { value: self.parts[0].stress(next), tangent: flexibility(f), damping: 0.0 }));
+            let after: f64 = self.parts.iter().map(|p| flexibility(p.tangent(next))).sum();
+            let gap = Gap { value: high - low, linear: (after - f).abs() <= SAME * f.abs() };
+            if gap.value <= CLOSE * scale || rounding.explains(gap, self.rounded_stress(committed, next)) {
+                let value = self.parts[0].stress(next);
+                return Ok(Some(Stress { value, tangent: flexibility(after), damping: 0.0 }));
             }
         }
         Ok(None)

@@ -114,8 +114,12 @@ impl Slot {
 
     /// Strain in a state as recorders show it: with the initial strain of materials that have one.
     pub fn shown_strain(&self, state: &[f64]) -> f64 {
-        let words = &state[self.at..self.at + self.len()];
-        self.material.shown_strain(words[STRAIN], &words[HEADER..])
+        self.shown(self.strain(state), state)
+    }
+
+    /// The same for another strain than that of the state.
+    pub fn shown(&self, strain: f64, state: &[f64]) -> f64 {
+        self.material.shown_strain(strain, &state[self.at + HEADER..self.at + self.len()])
     }
 
     /// Stress in a state.

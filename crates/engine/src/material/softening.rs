@@ -4,6 +4,7 @@
 use super::{Material, MaterialError, Slot, Strain, Stress, Uniaxial};
 use crate::numeric::Dual;
 use crate::probe::Probe;
+use std::sync::Arc;
 
 /// How the stress of rubber falls with the largest strain that it has had, and comes back with time.
 ///
@@ -89,7 +90,7 @@ pub struct Mullins {
     softening: Softening,
 }
 
-/// Words of history before those of the law inside: γₘ, the largest strain ever, the factor.
+/// State variables of history before those of the law inside: γₘ, the largest strain ever, the factor.
 const PEAK: usize = 0;
 const EVER: usize = 1;
 const FACTOR: usize = 2;
@@ -140,6 +141,14 @@ impl Uniaxial for Mullins {
     }
     fn is_linear(&self) -> bool {
         false
+    }
+    fn shown_strain(&self, strain: f64, state: &[f64]) -> f64 {
+        self.inner.shown(strain, state)
+    }
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
+        let mut new = self.clone();
+        let old = new.inner.set_parameter(words, value)?;
+        Some((Arc::new(new), old))
     }
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         match *words.first()? {

@@ -21,7 +21,7 @@ impl Steel01 {
     pub const NO_ISOTROPIC: [f64; 4] = [0.0, 55.0, 0.0, 55.0];
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of [`Steel01`].
     pub struct History {
         /// Smallest strain at a reversal.

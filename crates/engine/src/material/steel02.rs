@@ -30,7 +30,7 @@ impl Steel02 {
     pub const NO_ISOTROPIC: [f64; 4] = [0.0, 1.0, 0.0, 1.0];
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of [`Steel02`].
     pub struct History {
         /// 1 loading, -1 unloading, 0 virgin.

@@ -34,7 +34,7 @@ pub struct SteelBrb {
     pub compat: bool,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of [`SteelBrb`].
     pub struct History {
         /// Strain.

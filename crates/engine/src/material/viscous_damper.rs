@@ -38,7 +38,7 @@ pub enum Method {
     Rosenbrock,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of [`ViscousDamper`].
     pub struct History {
         /// Strain.

@@ -59,7 +59,8 @@ impl Uniaxial for MinMax {
         false
     }
     fn shown_strain(&self, strain: f64, state: &[f64]) -> f64 {
-        if self.compat && state[FAILED] != 0.0 { self.inner.strain(state) } else { strain }
+        let held = self.compat && state[FAILED] != 0.0;
+        self.inner.shown(if held { self.inner.strain(state) } else { strain }, state)
     }
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
         let mut new = self.clone();
@@ -162,8 +163,8 @@ impl Uniaxial for InitialState {
     fn is_linear(&self) -> bool {
         self.strain == 0.0 && self.inner.material.is_linear()
     }
-    fn shown_strain(&self, strain: f64, _: &[f64]) -> f64 {
-        strain + self.strain
+    fn shown_strain(&self, strain: f64, state: &[f64]) -> f64 {
+        self.inner.shown(strain + self.strain, state)
     }
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
         let mut new = self.clone();

@@ -1,8 +1,9 @@
 //! A section that is only stretched: what a bar makes of it.
 
 use super::{MAX_ORDER, Resultant, SectionSlot, SharedSection};
-use crate::material::{MaterialError, Strain, Stress, Uniaxial};
+use crate::material::{Material, MaterialError, Strain, Stress, Uniaxial};
 use crate::probe::Probe;
+use std::sync::Arc;
 
 /// The axial force of a section against its elongation, the other deformations being zero.
 #[derive(Clone, Debug)]
@@ -52,6 +53,11 @@ impl Uniaxial for Axial {
     }
     fn is_linear(&self) -> bool {
         self.slot.section.is_linear()
+    }
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
+        let mut new = self.clone();
+        let old = new.slot.set_parameter(words.strip_prefix(&["section"]).unwrap_or(words), value)?;
+        Some((Arc::new(new), old))
     }
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         self.slot.probe(words.strip_prefix(&["section"]).unwrap_or(words))

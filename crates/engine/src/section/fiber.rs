@@ -60,7 +60,7 @@ struct Run {
 const LONGEST: usize = 128;
 /// As in OpenSees, fibers know no rate of strain.
 const NO_RATE: [f64; LONGEST] = [0.0; LONGEST];
-/// Words of a fiber before those of its law.
+/// State variables of a fiber before those of its law.
 const KEPT: usize = 4;
 
 /// The parts of a history.
@@ -69,7 +69,7 @@ struct Parts<T> {
     stress: T,
     tangent: T,
     energy: T,
-    /// Words of the laws, and of the torsion.
+    /// State variables of the laws, and of the torsion.
     laws: T,
 }
 

@@ -7,7 +7,7 @@ use hysteron_engine::analysis::algorithm::{Algorithm, Newton, TangentChoice};
 use hysteron_engine::analysis::integrator::Form;
 use hysteron_engine::analysis::integrator::{Adaptive, Integrator, LoadControl, Newmark};
 use hysteron_engine::analysis::{
-    Cause, Failure, Kind, Ladder, Measure, ModesError, Problem, Setup, TangentMix, Test, Wanted,
+    Cause, Failure, Kind, Measure, ModesError, Problem, RecoveryStrategy, Setup, TangentMix, Test, Wanted,
 };
 use hysteron_engine::assembly::Handler;
 use hysteron_engine::element::Overload;
@@ -195,7 +195,7 @@ fn warn_of_pseudo_time(interp: &mut Tcl, span: Option<Span>) -> Result<(), Excep
     }
     let engine = &interp.host.engine;
     let Some(integrator) = engine.setup().map(|s| &s.integrator).filter(|i| !i.elapses()) else { return Ok(()) };
-    let Some(e) = engine.model().elements.iter().find(|e| e.element.nature().elapses) else { return Ok(()) };
+    let Some(e) = engine.model().elements.iter().find(|e| e.element.traits().elapses) else { return Ok(()) };
     let what = format!("{} {}", e.element.class(), e.tag);
     let name = integrator.name();
     interp.host.told.insert("pseudo-time", 1);
@@ -343,6 +343,6 @@ fn ladder(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         _ => return Err(a.unknown_name("state of the ladder", ["on", "off"])),
     };
     finish(interp, &a)?;
-    interp.host.engine.options.ladder = on.then(Ladder::default);
+    interp.host.engine.options.ladder = on.then(RecoveryStrategy::default);
     Ok(Value::EMPTY)
 }

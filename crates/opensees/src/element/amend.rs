@@ -10,7 +10,7 @@ use hysteron_engine::element::amendment::{
     Overstress, PeakOriented, Pinching, Pressure, Relaxation, Share, Sides, Sliding, Slip, Stiffening, Temperature,
     Yielding,
 };
-use hysteron_engine::element::bearing::ShearParameters;
+use hysteron_engine::element::bearing::BoucWenShear;
 use hysteron_engine::material::Softening;
 use hysteron_engine::model::ElementId;
 use hysteron_engine::series::Series;
@@ -191,7 +191,7 @@ const KINDS: &[Kind] = &[
             let (k, alpha) = (n.get("-stiffness"), n.get("-alpha"));
             let (k0, qd, k2, eta) = ((1.0 - alpha) * k, n.get("-strength"), alpha * k, n.get("-eta"));
             let (beta, gamma, compat) = (0.5, 0.5, false);
-            Arc::new(Coupling { law: ShearParameters { k0, qd, k2, k3: 0.0, mu: 1.0, eta, beta, gamma, compat } })
+            Arc::new(Coupling { law: BoucWenShear { k0, qd, k2, k3: 0.0, mu: 1.0, eta, beta, gamma, compat } })
         },
     },
     Kind {

@@ -6,7 +6,7 @@ use crate::{Tcl, ignore_option};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::axes::Orientation;
 use hysteron_engine::element::bearing::{
-    Link, PlaneBearing, PlasticShear, ShearLaw, ShearParameters, SpaceBearing, UfrpShear,
+    BoucWenShear, Link, PlaneBearing, PlasticShear, ShearLaw, SpaceBearing, UfrpShear,
 };
 use hysteron_engine::material::Material;
 use hysteron_tcl::Exception;
@@ -149,7 +149,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         ));
     }
     let c = common(interp, a, ends, nodes)?;
-    let shear = ShearParameters {
+    let shear = BoucWenShear {
         k0: (1.0 - alpha1) * k_init,
         qd,
         k2: alpha1 * k_init,

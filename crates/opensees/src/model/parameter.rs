@@ -283,6 +283,16 @@ fn update_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if let Some(p) = interp.host.numbers.get_mut(&tag) {
         p.value = value;
     }
+    // An element that has been removed is no news; one that a script has put in its place may have other parameters.
+    let there = |element: &Tag| interp.host.engine.model().element(*element).is_some();
+    let lost = places.iter().find_map(|place| match place {
+        Place::Element { element, words } if there(element) && read(interp, place).is_none() => Some((*element, words)),
+        _ => None,
+    });
+    if let Some((element, words)) = lost {
+        let message = format!("element {element} has no parameter \"{}\" any more: it stays as it is", words.join(" "));
+        warn(interp, Diagnostic::warning(message).at(call.span(0), "changes nothing there"))?;
+    }
     Ok(Value::EMPTY)
 }
 

@@ -3,8 +3,8 @@
 
 use super::{Algorithm, Iteration};
 use crate::analysis::failure::Failure;
-use crate::analysis::prepared::TangentMix;
 use crate::analysis::system::System;
+use crate::analysis::workspace::TangentMix;
 use crate::solve::Use;
 use std::fmt;
 

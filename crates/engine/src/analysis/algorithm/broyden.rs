@@ -3,8 +3,8 @@
 use super::Algorithm;
 use super::quasi_newton::{Past, QuasiNewton, Update};
 use crate::analysis::failure::Failure;
-use crate::analysis::prepared::TangentMix;
 use crate::analysis::system::System;
+use crate::analysis::workspace::TangentMix;
 use crate::numeric::{axpy, dot};
 
 /// `algorithm Broyden` (Broyden, 1965, the first method): the inverse of the tangent changes as little as the last

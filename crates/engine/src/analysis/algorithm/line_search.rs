@@ -1,7 +1,7 @@
 //! Newton's method with a search for the best length of each correction.
 
 use super::{Algorithm, Iteration, TangentChoice};
-use crate::analysis::convergence::Verdict;
+use crate::analysis::convergence::TestOutcome;
 use crate::analysis::failure::Failure;
 use crate::numeric::dot;
 use crate::solve::Use;
@@ -199,7 +199,7 @@ impl Algorithm for NewtonLineSearch {
             // A search only where the whole correction does not do.
             let n = it.system.work.plan.map.equations;
             let mut probe = it.test.probe();
-            let done = probe.judge(&it.system.work.x[..n], &it.system.work.b[..n]) == Verdict::Converged;
+            let done = probe.judge(&it.system.work.x[..n], &it.system.work.b[..n]) == TestOutcome::Converged;
             if !done {
                 let s1 = self.work(it);
                 let eta = self.search(it, s0, s1)?;

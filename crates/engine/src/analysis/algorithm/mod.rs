@@ -11,11 +11,11 @@ mod newton;
 mod quasi_newton;
 mod secant_newton;
 
-use super::convergence::{Test, Verdict};
+use super::convergence::{Test, TestOutcome};
 use super::failure::{Cause, Failure};
 use super::integrator::Integrator;
-use super::prepared::TangentMix;
 use super::system::System;
+use super::workspace::TangentMix;
 use std::fmt;
 
 pub use accelerated::Tangents;
@@ -73,9 +73,9 @@ impl Iteration<'_, '_> {
         let work = &self.system.work;
         let n = work.plan.map.equations;
         match self.test.judge(&work.x[..n], &work.b[..n]) {
-            Verdict::Converged => Ok(Some(self.test.iteration)),
-            Verdict::Continue => Ok(None),
-            Verdict::Failed => Err(self.not_converged()),
+            TestOutcome::Converged => Ok(Some(self.test.iteration)),
+            TestOutcome::Continue => Ok(None),
+            TestOutcome::Failed => Err(self.not_converged()),
         }
     }
 

@@ -2,10 +2,10 @@
 //! tangent to begin with.
 
 use super::{Algorithm, Iteration};
-use crate::analysis::convergence::Verdict;
+use crate::analysis::convergence::TestOutcome;
 use crate::analysis::failure::Failure;
-use crate::analysis::prepared::TangentMix;
 use crate::analysis::system::System;
+use crate::analysis::workspace::TangentMix;
 use crate::solve::Use;
 use std::fmt;
 
@@ -68,7 +68,7 @@ impl<U: Update> QuasiNewton<U> {
             it.update()?;
             it.system.form_unbalance(false)?;
             let n = it.system.work.plan.map.equations;
-            if probe.judge(&it.system.work.x[..n], &it.system.work.b[..n]) != Verdict::Continue {
+            if probe.judge(&it.system.work.x[..n], &it.system.work.b[..n]) != TestOutcome::Continue {
                 break;
             }
         }

@@ -6,9 +6,9 @@ use crate::analysis::asking::{Asking, Calls};
 use crate::analysis::failure::Cause;
 use crate::analysis::failure::Failure;
 use crate::analysis::integrator::Adaptive;
-use crate::analysis::prepared::TangentMix;
 use crate::analysis::system::Coefficients;
 use crate::analysis::system::System;
+use crate::analysis::workspace::TangentMix;
 use crate::numeric::{all_zero, largest};
 use crate::solve::Use;
 
@@ -58,13 +58,19 @@ impl Engine {
         let (mut gone, mut now) = (0.0, dt);
         while gone < total {
             let before = self.steps;
-            match self.analyze(1, now, observer) {
-                Ok(()) => gone += now,
-                Err(f) if self.steps > before || now <= lengths.min || f.cause == Cause::Interrupted => return Err(f),
-                Err(_) => self.failure = None,
-            }
+            let done = self.analyze(1, now, observer);
             let iterations = self.setup.as_ref().map_or(1, |s| s.test.iteration);
-            now = lengths.next(now, iterations);
+            match done {
+                Ok(()) => {
+                    gone += now;
+                    now = lengths.next(now, iterations);
+                }
+                Err(f) if self.steps > before || now <= lengths.min || f.cause == Cause::Interrupted => return Err(f),
+                Err(_) => {
+                    self.failure = None;
+                    now = lengths.shorter(now, iterations);
+                }
+            }
         }
         Ok(())
     }
@@ -180,7 +186,7 @@ impl Engine {
                 }
                 let still = system.still;
                 let duration = if system.elapses { system.new.time - system.old.time } else { 0.0 };
-                self.departure.keep(&mut self.committed, duration);
+                self.step_start.keep(&mut self.committed, duration);
                 self.committed.commit(&self.trial, &self.model, still);
                 Ok(())
             }
@@ -195,7 +201,7 @@ impl Engine {
 
 /// Make integrator and algorithm ready for a model, or an integrator, that is new.
 fn prepare(system: &mut System<'_>, setup: &mut Setup) -> Result<(), Failure> {
-    system.work.trapezoid = None;
+    system.work.two_end_residual = None;
     system.work.multiplies = setup.integrator.multiplies_tangents();
     setup.integrator.prepare(system)?;
     setup.algorithm.prepare(system);

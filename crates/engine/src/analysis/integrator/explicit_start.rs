@@ -1,8 +1,8 @@
 //! The acceleration at which an explicit method starts.
 
 use crate::analysis::failure::Failure;
-use crate::analysis::prepared::TangentMix;
 use crate::analysis::system::{Coefficients, System};
+use crate::analysis::workspace::TangentMix;
 use crate::solve::Use;
 
 /// Accelerations of all degrees of freedom that keep the committed state in balance, M a = P - R - C v; where degrees of freedom

@@ -4,8 +4,8 @@ use super::central_difference::only_once;
 use super::{AlphaParameters, Integrator};
 use crate::analysis::failure::Failure;
 use crate::analysis::matrices::dense_tangent;
-use crate::analysis::prepared::TangentMix;
 use crate::analysis::system::{Coefficients, System};
+use crate::analysis::workspace::TangentMix;
 use crate::solve::{SolveError, solve_dense};
 
 /// `integrator KRAlphaExplicit` and `KRAlphaExplicit_TP` (Kolay and Ricles, 2014): displacement and

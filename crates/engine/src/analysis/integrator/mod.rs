@@ -149,4 +149,11 @@ impl Adaptive {
             next
         }
     }
+
+    /// The size to try after a step of `size`, above the smallest, has failed: the next one where that is smaller, else half
+    /// of it. A step may fail before its first iteration, or within the iterations that a step should take.
+    pub fn shorter(&self, size: f64, last_iterations: usize) -> f64 {
+        let next = self.next(size, last_iterations);
+        if next < size { next } else { (0.5 * size).max(self.min) }
+    }
 }

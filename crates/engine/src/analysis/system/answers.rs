@@ -1,7 +1,7 @@
 //! Asking the elements, as seldom as their answers allow.
 
 use super::{Cause, Failure, System};
-use crate::element::{Answer, ElementError, MAX_DOFS, Motion};
+use crate::element::{ElementError, ElementInput, ElementOutput, MAX_DOFS};
 
 /// Velocities where nothing moves.
 static AT_REST: [f64; MAX_DOFS] = [0.0; MAX_DOFS];
@@ -101,6 +101,11 @@ impl System<'_> {
         for &i in &all {
             let e = &self.model.elements[i];
             let m = &self.work.matrices[i];
+            if calls.all == 0 && (calls.constrained == 0 || !m.constrained) {
+                let load = &self.new.element_load[e.load.clone()];
+                let force = &mut self.new.force[e.force.clone()];
+                e.element.last_force(&self.new.history[e.state.clone()], load, force);
+            }
             let part = self.work.part(m);
             let k = &mut self.work.tangent[m.at..m.at + e.dofs.len().pow(2)];
             k.fill(0.0);
@@ -113,6 +118,7 @@ impl System<'_> {
     #[inline]
     fn respond_one(&mut self, i: usize, want_tangent: bool, dt: f64) -> Result<(), Failure> {
         let (e, work) = (&self.model.elements[i], &mut *self.work);
+        work.element_calls += 1;
         let m = &work.matrices[i];
         let part = work.part(m);
         let n = e.dofs.len();
@@ -138,8 +144,8 @@ impl System<'_> {
         let load = &self.new.element_load[e.load.clone()];
         let vel = if self.still { &AT_REST[..n] } else { &*vel };
         let time = self.passed.map_or(self.new.time, |passed| self.old.time + passed);
-        let motion = Motion { disp, vel, load, still: self.still, again: self.again, dt, time };
-        let answer = Answer { force, tangent, damping, part };
+        let motion = ElementInput { disp, vel, load, still: self.still, again: self.again, dt, time };
+        let answer = ElementOutput { force, tangent, damping, part };
         let committed = &self.old.history[e.state.clone()];
         let trial = &mut self.new.history[e.state.clone()];
         e.element.respond(&motion, committed, trial, answer).map_err(|error| self.element_failed(i, error))

@@ -1,9 +1,10 @@
 //! The element around an element.
 
-use super::slack::Answered;
-use super::{Amendment, Demand, Pair, Slack, Taken, Verdict};
+use super::slack::ForceAndTangent;
+use super::{AmendedForce, Amendment, DeformationState, Pair, Slack, SlackShare};
 use crate::element::{
-    Answer, BasicRow, Element, ElementError, ElementLoad, MAX_DOFS, Mass, Motion, Nature, Overload, Part, Snapshot, dot,
+    BasicRow, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, MAX_DOFS, Mass,
+    MatrixMask, Overload, Snapshot, dot,
 };
 use crate::probe::Probe;
 use crate::series::Series;
@@ -16,13 +17,16 @@ use std::sync::Arc;
 ///
 /// With [`Slack`] the element is asked at the deformation that the slack leaves to it: its other forces, the moments of the
 /// axial force among them, are those of that shorter deformation.
+///
+/// An element that counts its calls has the tangent of its last call kept in the history, n x n behind the law's words. Slack
+/// asks such an element several times in a call.
 #[derive(Clone, Debug)]
 pub struct Amended {
     inner: Arc<dyn Element>,
     law: Arc<dyn Amendment>,
     rows: Vec<BasicRow>,
     axial: Compression,
-    /// Words of the element's own history.
+    /// State variables of the element's own history.
     inner_len: usize,
     /// Where the element finds its basic forces and deformations: those are to be amended when they are read.
     basic_force: Option<Vec<u32>>,
@@ -40,7 +44,7 @@ enum Compression {
     History(Series),
 }
 
-/// Words before those of the law: committed deformation, what was added to the force, and what has been withheld of the deformation.
+/// State variables before those of the law: committed deformation, what was added to the force, and what has been withheld of the deformation.
 const HEADER: usize = 6;
 const WITHHELD: usize = 4;
 /// Behind two directions.
@@ -116,8 +120,8 @@ impl Amended {
         out
     }
 
-    fn demand(&self, motion: &Motion<'_>, force: &[f64], before: Pair) -> Demand {
-        let mut d = Demand { before, dt: motion.dt, ..Demand::default() };
+    fn demand(&self, motion: &ElementInput<'_>, force: &[f64], before: Pair) -> DeformationState {
+        let mut d = DeformationState { before, dt: motion.dt, ..DeformationState::default() };
         for (i, row) in self.rows.iter().enumerate() {
             d.e[i] = row.deformation(motion.disp);
             d.q[i] = row.force(force);
@@ -131,7 +135,7 @@ impl Amended {
     }
 
     /// Change the tangent of the element into that of the amended force.
-    fn add_tangent(&self, v: &Verdict, tangent: &mut [f64]) {
+    fn add_tangent(&self, v: &AmendedForce, tangent: &mut [f64]) {
         let n = self.inner.dofs();
         // Rows of the element's tangent that belong to q_1, q_2 and the axial force.
         let mut by_u = [[0.0; MAX_DOFS]; 3];
@@ -191,16 +195,26 @@ impl Amended {
     }
 
     /// What slack takes of the deformations of a trial state.
-    fn settle(&self, slack: &Slack, motion: &Motion<'_>, old: &[f64], new: &mut [f64]) -> Result<Taken, ElementError> {
+    fn settle(
+        &self,
+        slack: &Slack,
+        motion: &ElementInput<'_>,
+        old: &[f64],
+        new: &mut [f64],
+    ) -> Result<SlackShare, ElementError> {
         let n = self.inner.dofs();
         let mut e = [0.0; 2];
         e.iter_mut().zip(&self.rows).for_each(|(e, row)| *e = row.deformation(motion.disp));
-        slack.settle(e, |by| -> Result<Answered, ElementError> {
+        slack.settle(e, |by| -> Result<ForceAndTangent, ElementError> {
             let (mut force, mut tangent) = ([0.0; MAX_DOFS], [0.0; MAX_DOFS * MAX_DOFS]);
             let disp = self.behind(motion.disp, by);
-            let answer =
-                Answer { force: &mut force[..n], tangent: Some(&mut tangent[..n * n]), damping: None, part: Part::ALL };
-            self.inner.respond(&Motion { disp: &disp[..n], ..*motion }, old, new, answer)?;
+            let mut answer = ElementOutput {
+                force: &mut force[..n],
+                tangent: Some(&mut tangent[..n * n]),
+                damping: None,
+                part: MatrixMask::ALL,
+            };
+            self.ask(&ElementInput { disp: &disp[..n], ..*motion }, old, new, &mut answer)?;
             let mut q = [0.0; 2];
             q.iter_mut().zip(&self.rows).for_each(|(q, row)| *q = row.force(&force[..n]));
             Ok((q, self.by_deformation(&tangent[..n * n])))
@@ -210,7 +224,7 @@ impl Amended {
     /// What the tangent of the amended force leaves out where slack takes a part of the displacements of node j: forces that
     /// are not those of the amended directions, such as moments of the axial force, by what is taken in each, and what is
     /// taken by the displacements.
-    fn shifts(&self, slack: &Slack, taken: &Taken, tangent: &[f64]) -> [([f64; MAX_DOFS], [f64; MAX_DOFS]); 2] {
+    fn shifts(&self, slack: &Slack, taken: &SlackShare, tangent: &[f64]) -> [([f64; MAX_DOFS], [f64; MAX_DOFS]); 2] {
         let n = self.inner.dofs();
         let k = self.by_deformation(tangent);
         let mut by_u = [[0.0; MAX_DOFS]; 2];
@@ -236,51 +250,57 @@ impl Amended {
     fn law_at(&self) -> usize {
         self.inner_len + HEADER
     }
-}
 
-impl Element for Amended {
-    fn class(&self) -> &'static str {
-        self.inner.class()
-    }
-    fn dofs(&self) -> usize {
-        self.inner.dofs()
-    }
-    fn state_len(&self) -> usize {
+    /// First word of the kept tangent.
+    fn tangent_at(&self) -> usize {
         self.law_at() + self.law.state_len()
     }
-    fn init(&self, state: &mut [f64]) {
-        self.inner.init(&mut state[..self.inner_len]);
-        state[self.inner_len..self.law_at()].fill(0.0);
-        self.law.init(&mut state[self.law_at()..]);
-    }
-    fn nature(&self) -> Nature {
-        let inner = self.inner.nature();
-        let elapses = inner.elapses || self.law.depends_on_time() || matches!(self.axial, Compression::History(_));
-        Nature { linear: false, symmetric: false, elapses, ..inner }
+
+    /// State variables of the kept tangent: none unless the element counts its calls.
+    fn tangent_len(&self) -> usize {
+        if self.inner.counts_calls() { self.inner.dofs().pow(2) } else { 0 }
     }
 
-    fn respond(
+    /// Force and tangent of the element itself at these displacements.
+    fn ask(
         &self,
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        mut answer: Answer<'_>,
+        answer: &mut ElementOutput<'_>,
+    ) -> Result<(), ElementError> {
+        let counts = self.inner.counts_calls();
+        let own = ElementOutput {
+            force: &mut *answer.force,
+            tangent: answer.tangent.as_deref_mut().filter(|_| !counts),
+            damping: answer.damping.as_deref_mut(),
+            part: MatrixMask::ALL,
+        };
+        self.inner.respond(motion, committed, trial, own)?;
+        if let Some(tangent) = answer.tangent.as_deref_mut().filter(|_| counts) {
+            self.inner.last_tangent(trial, tangent, MatrixMask::ALL);
+        }
+        Ok(())
+    }
+
+    /// Force and tangent of the amended element.
+    fn respond_amended(
+        &self,
+        motion: &ElementInput<'_>,
+        committed: &[f64],
+        trial: &mut [f64],
+        mut answer: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         // All of the element's tangent is read here.
         if let Some(tangent) = answer.tangent.as_deref_mut() {
             tangent.fill(0.0);
         }
-        let own = Answer {
-            force: &mut *answer.force,
-            tangent: answer.tangent.as_deref_mut(),
-            damping: answer.damping.as_deref_mut(),
-            part: Part::ALL,
-        };
         let (old, kept) = committed.split_at(self.inner_len);
         let (new, next) = trial.split_at_mut(self.inner_len);
+        let words = HEADER..HEADER + self.law.state_len();
         let before = [kept[0], kept[1]];
-        let slack = self.law.slack(&kept[HEADER..]);
-        let weakening = self.law.weakening(&kept[HEADER..]).filter(|_| slack.is_none());
+        let slack = self.law.slack(&kept[words.clone()]);
+        let weakening = self.law.weakening(&kept[words.clone()]).filter(|_| slack.is_none());
         let taken = slack.as_ref().map(|slack| self.settle(slack, motion, old, new)).transpose()?.unwrap_or_default();
         let mut withheld = taken.by;
         if let Some(w) = weakening {
@@ -289,22 +309,23 @@ impl Element for Amended {
             }
         }
         let disp = self.behind(motion.disp, withheld);
-        self.inner.respond(&Motion { disp: &disp[..motion.disp.len()], ..*motion }, old, new, own)?;
-        let demand = Demand { slack: taken, ..self.demand(motion, answer.force, before) };
+        self.ask(&ElementInput { disp: &disp[..motion.disp.len()], ..*motion }, old, new, &mut answer)?;
+        let demand = DeformationState { slack: taken, ..self.demand(motion, answer.force, before) };
         let v = match weakening {
             Some(w) => {
                 if let Some(tangent) = answer.tangent.as_deref_mut() {
                     self.withhold(w.withheld(), tangent);
                 }
                 // The law sees the elastic part at the whole deformation.
-                let seen = Demand { q: std::array::from_fn(|i| demand.q[i] + w.stiffness * withheld[i]), ..demand };
-                let mut v = self.law.amend(&kept[HEADER..], &seen, &mut next[HEADER..])?;
+                let seen =
+                    DeformationState { q: std::array::from_fn(|i| demand.q[i] + w.stiffness * withheld[i]), ..demand };
+                let mut v = self.law.amend(&kept[words.clone()], &seen, &mut next[words.clone()])?;
                 for (by_e, by_q) in v.by_deformation.iter_mut().zip(&v.by_force) {
                     by_e.iter_mut().zip(by_q).for_each(|(e, q)| *e += q * w.stiffness * w.withheld());
                 }
                 v
             }
-            None => self.law.amend(&kept[HEADER..], &demand, &mut next[HEADER..])?,
+            None => self.law.amend(&kept[words.clone()], &demand, &mut next[words.clone()])?,
         };
         next[..2].copy_from_slice(&demand.e);
         next[WITHHELD..HEADER].copy_from_slice(&withheld);
@@ -324,6 +345,68 @@ impl Element for Amended {
         }
         Ok(())
     }
+}
+
+#[deny(clippy::missing_trait_methods)]
+impl Element for Amended {
+    fn class(&self) -> &'static str {
+        self.inner.class()
+    }
+    fn dofs(&self) -> usize {
+        self.inner.dofs()
+    }
+    fn state_len(&self) -> usize {
+        self.tangent_at() + self.tangent_len()
+    }
+    fn init(&self, state: &mut [f64]) {
+        self.inner.init(&mut state[..self.inner_len]);
+        state[self.inner_len..self.law_at()].fill(0.0);
+        let (law, tangent) = state[self.law_at()..].split_at_mut(self.law.state_len());
+        self.law.init(law);
+        if !tangent.is_empty() {
+            tangent.fill(0.0);
+            self.initial_tangent(tangent);
+        }
+    }
+    fn traits(&self) -> ElementTraits {
+        let inner = self.inner.traits();
+        let elapses = inner.elapses || self.law.depends_on_time() || matches!(self.axial, Compression::History(_));
+        ElementTraits { linear: false, symmetric: false, elapses, ..inner }
+    }
+
+    fn respond(
+        &self,
+        motion: &ElementInput<'_>,
+        committed: &[f64],
+        trial: &mut [f64],
+        answer: ElementOutput<'_>,
+    ) -> Result<(), ElementError> {
+        if !self.inner.counts_calls() {
+            return self.respond_amended(motion, committed, trial, answer);
+        }
+        let mut tangent = [0.0; MAX_DOFS * MAX_DOFS];
+        let tangent = &mut tangent[..self.tangent_len()];
+        let ElementOutput { force, tangent: wanted, damping, part } = answer;
+        let kept = ElementOutput { force, tangent: Some(&mut *tangent), damping, part };
+        self.respond_amended(motion, committed, trial, kept)?;
+        trial[self.tangent_at()..].copy_from_slice(tangent);
+        if let Some(wanted) = wanted {
+            wanted.copy_from_slice(tangent);
+        }
+        Ok(())
+    }
+
+    fn commit(&self, trial: &[f64], committed: &mut [f64]) {
+        let (own, rest) = committed.split_at_mut(self.inner_len);
+        self.inner.commit(&trial[..self.inner_len], own);
+        rest.copy_from_slice(&trial[self.inner_len..]);
+    }
+    fn counts_calls(&self) -> bool {
+        self.inner.counts_calls()
+    }
+    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], _: MatrixMask) {
+        tangent.copy_from_slice(&history[self.tangent_at()..]);
+    }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.inner.initial_tangent(tangent);
@@ -335,11 +418,14 @@ impl Element for Amended {
             return;
         }
         let slack = self.law.slack(&virgin).map(|s| s.at_rest(&self.by_deformation(tangent))).unwrap_or_default();
-        if let Ok(v) = self.law.amend(&virgin, &Demand { slack, ..Demand::default() }, &mut next) {
+        if let Ok(v) = self.law.amend(&virgin, &DeformationState { slack, ..DeformationState::default() }, &mut next) {
             self.add_tangent(&v, tangent);
         }
     }
 
+    fn initial_is_current(&self) -> bool {
+        self.inner.initial_is_current()
+    }
     fn mass(&self) -> Mass {
         self.inner.mass()
     }
@@ -357,6 +443,18 @@ impl Element for Amended {
     fn ground_inertia_slip(&self) -> Option<f64> {
         self.inner.ground_inertia_slip()
     }
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
+        let (inner, old) = self.inner.with_parameter(words, value)?;
+        let mut new = Self { inner, ..self.clone() };
+        let stiffness = new.initial_stiffness()[0];
+        // A law made for the old stiffness would leave the difference in parallel.
+        if stiffness != self.initial_stiffness()[0]
+            && let Some(law) = self.law.with_stiffness(stiffness)
+        {
+            new.law = law;
+        }
+        Some((Arc::new(new), old))
+    }
     fn load_len(&self) -> usize {
         self.inner.load_len()
     }
@@ -371,6 +469,8 @@ impl Element for Amended {
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         self.inner.probe(words)
     }
+    // No element that can be amended takes loads.
+    fn last_force(&self, _: &[f64], _: &[f64], _: &mut [f64]) {}
     fn probe_names(&self) -> &'static [&'static str] {
         self.inner.probe_names()
     }

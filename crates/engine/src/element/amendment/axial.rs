@@ -1,6 +1,6 @@
 //! Loss of lateral stiffness under axial load.
 
-use super::{AmendmentLaw, Demand, Share, Verdict};
+use super::{AmendedForce, AmendmentLaw, DeformationState, Share};
 use crate::element::ElementError;
 
 /// s = 1 - (P / P_cr)ᵖ with P_cr falling with the overlap of the plates, P_cr = P_cr0 (1 - |e| / D): the stiffness of
@@ -29,7 +29,7 @@ impl AmendmentLaw for Axial {
     type State = ();
     const NAME: &'static str = "axial";
 
-    fn amend(&self, (): &(), d: &Demand) -> Result<(Verdict, ()), ElementError> {
+    fn amend(&self, (): &(), d: &DeformationState) -> Result<(AmendedForce, ()), ElementError> {
         let p = self.load.unwrap_or(d.axial).max(0.0);
         let overlap = (1.0 - d.amplitude() / self.width).max(0.05);
         let ratio = p / (self.critical * overlap);

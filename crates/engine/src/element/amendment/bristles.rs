@@ -1,6 +1,6 @@
 //! Friction whose bristles bend before they slip, and that may be larger at rest.
 
-use super::{AmendmentLaw, Demand, Pair, Verdict};
+use super::{AmendedForce, AmendmentLaw, DeformationState, Pair};
 use crate::element::ElementError;
 
 /// Friction by the law of Dahl (Aerospace Corporation TOR-0158(3107-18)-1, 1968), with Stribeck's peak at low speed as in
@@ -20,7 +20,7 @@ pub struct Bristles {
     pub speed: f64,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History.
     pub struct Bent {
         /// Friction force f.
@@ -41,10 +41,10 @@ impl AmendmentLaw for Bristles {
     type State = Bent;
     const NAME: &'static str = "bristles";
 
-    fn amend(&self, committed: &Bent, d: &Demand) -> Result<(Verdict, Bent), ElementError> {
+    fn amend(&self, committed: &Bent, d: &DeformationState) -> Result<(AmendedForce, Bent), ElementError> {
         let de = d.increment();
         let way = de[0].hypot(de[1]);
-        let mut v = Verdict::unchanged(d.q);
+        let mut v = AmendedForce::unchanged(d.q);
         let unit = |i: usize, j: usize| f64::from(u8::from(i == j));
         let (steady, falls) = self.steady(if d.dt > 0.0 { way / d.dt } else { 0.0 });
         if way == 0.0 || steady <= 0.0 {

@@ -1,6 +1,6 @@
 //! Tensile cavitation of rubber and its damage.
 
-use super::{AmendmentLaw, Demand, Share, Verdict};
+use super::{AmendedForce, AmendmentLaw, DeformationState, Share};
 use crate::element::ElementError;
 
 /// Tension of a direction follows an envelope beyond the cavitation strength F_c, reached at the extension u_c,
@@ -51,7 +51,7 @@ impl Cavitation {
     }
 }
 
-crate::words! {
+crate::state_struct! {
     /// History.
     pub struct Cavities {
         /// Largest extension so far.
@@ -63,10 +63,10 @@ impl AmendmentLaw for Cavitation {
     type State = Cavities;
     const NAME: &'static str = "cavitation";
 
-    fn amend(&self, committed: &Cavities, d: &Demand) -> Result<(Verdict, Cavities), ElementError> {
+    fn amend(&self, committed: &Cavities, d: &DeformationState) -> Result<(AmendedForce, Cavities), ElementError> {
         let u = self.sign * d.e[0];
         let (limit, slope) = self.limit(u, committed.largest);
-        let mut v = Verdict::unchanged(d.q);
+        let mut v = AmendedForce::unchanged(d.q);
         let k = self.share.stiffness;
         if k > 0.0 {
             if k * u > limit {

@@ -1,6 +1,6 @@
 //! Viscous damping in parallel.
 
-use super::{AmendmentLaw, Demand, Verdict};
+use super::{AmendedForce, AmendmentLaw, DeformationState};
 use crate::element::ElementError;
 
 /// A dashpot f = c |ė|ⁿ sign(ė) in each direction, with the rate of the deformation over domain time, in static
@@ -21,8 +21,8 @@ impl AmendmentLaw for Damping {
     type State = ();
     const NAME: &'static str = "damping";
 
-    fn amend(&self, (): &(), d: &Demand) -> Result<(Verdict, ()), ElementError> {
-        let mut v = Verdict::unchanged(d.q);
+    fn amend(&self, (): &(), d: &DeformationState) -> Result<(AmendedForce, ()), ElementError> {
+        let mut v = AmendedForce::unchanged(d.q);
         if d.dt <= 0.0 {
             return Ok((v, ()));
         }

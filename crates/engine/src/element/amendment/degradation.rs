@@ -1,6 +1,6 @@
 //! Strength lost with accumulated damage.
 
-use super::{AmendmentLaw, Demand, Share, Verdict, Weakening};
+use super::{AmendedForce, AmendmentLaw, DeformationState, Share, Weakening};
 use crate::element::ElementError;
 
 /// s = 1 - loss (1 - exp(-E / E₀)) with the energy E that the hysteretic part has taken in, counted without sign as
@@ -15,7 +15,7 @@ pub struct Degradation {
     pub share: Share,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History.
     pub struct Damage {
         /// Accumulated energy E.
@@ -34,7 +34,7 @@ impl AmendmentLaw for Degradation {
     type State = Damage;
     const NAME: &'static str = "degradation";
 
-    fn amend(&self, committed: &Damage, d: &Demand) -> Result<(Verdict, Damage), ElementError> {
+    fn amend(&self, committed: &Damage, d: &DeformationState) -> Result<(AmendedForce, Damage), ElementError> {
         let work = self.share.work(d);
         let energy = committed.energy + work.abs();
         let slope = -self.loss * (-energy / self.energy).exp() / self.energy * work.signum();

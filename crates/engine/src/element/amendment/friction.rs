@@ -1,6 +1,6 @@
 //! Coulomb friction in parallel: a slider, a guide, a rig.
 
-use super::{AmendmentLaw, Demand, Pair, Verdict};
+use super::{AmendedForce, AmendmentLaw, DeformationState, Pair};
 use crate::element::ElementError;
 
 /// An elastic-plastic force of the size F along the motion, f = k (e - e_s) within |f| ≤ F: the regularised Coulomb law,
@@ -13,7 +13,7 @@ pub struct Friction {
     pub stiffness: f64,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History.
     pub struct Grip {
         /// Friction force f.
@@ -25,13 +25,13 @@ impl AmendmentLaw for Friction {
     type State = Grip;
     const NAME: &'static str = "friction";
 
-    fn amend(&self, committed: &Grip, d: &Demand) -> Result<(Verdict, Grip), ElementError> {
+    fn amend(&self, committed: &Grip, d: &DeformationState) -> Result<(AmendedForce, Grip), ElementError> {
         let de = d.increment();
         let trial: Pair = std::array::from_fn(|i| committed.force[i] + self.stiffness * de[i]);
         let size = trial[0].hypot(trial[1]);
         let slips = size > self.force;
         let force = if slips { trial.map(|t| self.force * t / size) } else { trial };
-        let mut v = Verdict::unchanged(d.q);
+        let mut v = AmendedForce::unchanged(d.q);
         for i in 0..2 {
             v.q[i] += force[i];
             for j in 0..2 {

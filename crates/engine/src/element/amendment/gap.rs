@@ -1,6 +1,6 @@
 //! Closing of a gap: pounding, a moat wall, a stopper.
 
-use super::{AmendmentLaw, Demand, Verdict};
+use super::{AmendedForce, AmendmentLaw, DeformationState};
 use crate::element::ElementError;
 
 /// Contact beyond the deformation `at`, in each direction on its own: f = k d^p (1 + c ḋ) with the penetration d and
@@ -55,8 +55,8 @@ impl AmendmentLaw for Gap {
     type State = ();
     const NAME: &'static str = "gap";
 
-    fn amend(&self, (): &(), d: &Demand) -> Result<(Verdict, ()), ElementError> {
-        let mut v = Verdict::unchanged(d.q);
+    fn amend(&self, (): &(), d: &DeformationState) -> Result<(AmendedForce, ()), ElementError> {
+        let mut v = AmendedForce::unchanged(d.q);
         for i in 0..2 {
             let mut add = |sign: f64| {
                 let (force, slope) = self.contact(sign * d.e[i], sign * d.before[i], d.dt);

@@ -1,6 +1,6 @@
 //! Self-heating: dissipated work warms the device and softens it.
 
-use super::{AmendmentLaw, Demand, Share, Verdict, Weakening};
+use super::{AmendedForce, AmendmentLaw, DeformationState, Share, Weakening};
 use crate::element::ElementError;
 use std::sync::LazyLock;
 
@@ -30,7 +30,7 @@ pub struct Heating {
     pub share: Share,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History.
     pub struct Warmth {
         /// Temperature rise θ, in parts that decay by the rates of conduction.
@@ -63,7 +63,7 @@ impl AmendmentLaw for Heating {
     type State = Warmth;
     const NAME: &'static str = "heating";
 
-    fn amend(&self, committed: &Warmth, d: &Demand) -> Result<(Verdict, Warmth), ElementError> {
+    fn amend(&self, committed: &Warmth, d: &DeformationState) -> Result<(AmendedForce, Warmth), ElementError> {
         // Cooling implicitly: stable for any step. The work is that of the softened force of the step before, so that
         // the energy account closes to first order in the step.
         let now = self.factor(committed.rise.iter().sum());
@@ -80,8 +80,8 @@ impl AmendmentLaw for Heating {
             (next, rise, slope) = (Warmth::default(), 0.0, 0.0);
         }
         let s = self.factor(rise);
-        let verdict = self.share.scale_by_work(d, s, -self.softening * s * slope);
-        Ok((verdict, next))
+        let amended = self.share.scale_by_work(d, s, -self.softening * s * slope);
+        Ok((amended, next))
     }
 
     fn weakening(&self, committed: &Warmth) -> Option<Weakening> {

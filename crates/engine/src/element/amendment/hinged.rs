@@ -1,6 +1,9 @@
 //! A beam with plastic hinges at its ends.
 
-use crate::element::{Answer, Element, ElementError, ElementLoad, Mass, Motion, Nature, Overload, Part, Snapshot, dot};
+use crate::element::{
+    BasicRow, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, MatrixMask,
+    Overload, Snapshot, dot,
+};
 use crate::material::{Material, Strain};
 use crate::probe::Probe;
 use nalgebra::{Matrix4, SVector, Vector3};
@@ -17,7 +20,7 @@ pub struct Hinged {
     inner: Arc<dyn Element>,
     material: Material,
     hinges: Vec<Hinge>,
-    /// Words of the element's own history, and of a hinge: its rotation, then those of the material.
+    /// State variables of the element's own history, and of a hinge: its rotation, then those of the material.
     inner_len: usize,
     hinge_len: usize,
     /// Moments within this are the same: it goes with the stiffness of the beam.
@@ -54,7 +57,7 @@ type Each = SVector<f64, MOST>;
 
 /// What the hinges answer to their rotations.
 #[derive(Clone, Copy)]
-struct Answered {
+struct HingeMoments {
     moment: Each,
     tangent: Each,
 }
@@ -84,7 +87,7 @@ impl Hinged {
         if !inner.basic_rows().is_empty() {
             return Err(ElementError(format!("{class} is amended by direction, and has no hinges").into()));
         }
-        if inner.counts_calls() {
+        if inner.counts_calls() && !inner.traits().linear {
             let message = format!("{class} follows OpenSees call by call, which hinges would disturb");
             return Err(ElementError(message.into()));
         }
@@ -108,16 +111,21 @@ impl Hinged {
         };
         let hinges = ends.iter().flat_map(|end| axes.iter().enumerate().map(move |a| hinge(*end, a))).collect();
         let (inner_len, hinge_len) = (inner.state_len(), 1 + material.state_len());
-        let mut made = Self { inner, material, hinges, inner_len, hinge_len, close: 0.0 };
-        let mut stiffness = vec![0.0; n * n];
-        made.inner.initial_tangent(&mut stiffness);
-        let own = made.stiffness(&stiffness).diagonal();
-        let own = own.rows(0, made.hinges.len());
+        Self { inner, material, hinges, inner_len, hinge_len, close: 0.0 }.scaled()
+    }
+
+    /// The same with the tolerance of moments that belongs to the stiffness of the beam.
+    fn scaled(mut self) -> Result<Self, ElementError> {
+        let mut stiffness = vec![0.0; self.inner.dofs().pow(2)];
+        self.inner.initial_tangent(&mut stiffness);
+        let own = self.stiffness(&stiffness).diagonal();
+        let own = own.rows(0, self.hinges.len());
         if own.min() <= 0.0 {
+            let class = self.inner.class();
             return Err(ElementError(format!("{class} carries no moment at an end that shall have a hinge").into()));
         }
-        made.close = CLOSE * own.max().max(made.material.initial_tangent().abs());
-        Ok(made)
+        self.close = CLOSE * own.max().max(self.material.initial_tangent().abs());
+        Ok(self)
     }
 
     /// Displacements behind the hinges.
@@ -158,8 +166,8 @@ impl Hinged {
         Ok((s.value, s.tangent))
     }
 
-    fn ask_all(&self, rotations: &Each, h: &mut Histories<'_>) -> Result<Answered, ElementError> {
-        let mut out = Answered { moment: Each::zeros(), tangent: Each::zeros() };
+    fn ask_all(&self, rotations: &Each, h: &mut Histories<'_>) -> Result<HingeMoments, ElementError> {
+        let mut out = HingeMoments { moment: Each::zeros(), tangent: Each::zeros() };
         for i in 0..self.hinges.len() {
             (out.moment[i], out.tangent[i]) = self.ask(i, rotations[i], h)?;
         }
@@ -266,6 +274,7 @@ fn normal_to(chord: &Vector3<f64>) -> [Vector3<f64>; 2] {
     [first, chord.cross(&first)]
 }
 
+#[deny(clippy::missing_trait_methods)]
 impl Element for Hinged {
     fn class(&self) -> &'static str {
         self.inner.class()
@@ -284,17 +293,17 @@ impl Element for Hinged {
             self.material.init(&mut words[1..]);
         }
     }
-    fn nature(&self) -> Nature {
-        let inner = self.inner.nature();
-        Nature { linear: false, elapses: inner.elapses || self.material.depends_on_time(), ..inner }
+    fn traits(&self) -> ElementTraits {
+        let inner = self.inner.traits();
+        ElementTraits { linear: false, elapses: inner.elapses || self.material.depends_on_time(), ..inner }
     }
 
     fn respond(
         &self,
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        mut answer: Answer<'_>,
+        mut answer: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let n = self.dofs();
         let (old, kept) = committed.split_at(self.inner_len);
@@ -310,13 +319,13 @@ impl Element for Hinged {
             let tangent = &mut own[..n * n];
             tangent.fill(0.0);
             let disp = self.behind(motion.disp, &rotations);
-            let asked = Answer {
+            let asked = ElementOutput {
                 force: &mut *answer.force,
                 tangent: Some(&mut *tangent),
                 damping: answer.damping.as_deref_mut(),
-                part: Part::ALL,
+                part: MatrixMask::ALL,
             };
-            self.inner.respond(&Motion { disp: &disp[..n], ..*motion }, old, new, asked)?;
+            self.inner.respond(&ElementInput { disp: &disp[..n], ..*motion }, old, new, asked)?;
             let mut moments = Each::zeros();
             moments.iter_mut().zip(&self.hinges).for_each(|(m, hinge)| *m = dot(&hinge.row, answer.force));
             let said = self.ask_all(&rotations, &mut histories)?;
@@ -333,9 +342,23 @@ impl Element for Hinged {
         Err(ElementError("its hinges find no equilibrium in this step".into()))
     }
 
+    fn commit(&self, trial: &[f64], committed: &mut [f64]) {
+        let (own, hinges) = committed.split_at_mut(self.inner_len);
+        self.inner.commit(&trial[..self.inner_len], own);
+        hinges.copy_from_slice(&trial[self.inner_len..]);
+    }
+    // An element that counts its calls is refused: there is no tangent of a last call.
+    fn counts_calls(&self) -> bool {
+        false
+    }
+    fn last_tangent(&self, _: &[f64], _: &mut [f64], _: MatrixMask) {}
+
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.inner.initial_tangent(tangent);
         self.condense(tangent, &Each::repeat(self.material.initial_tangent()));
+    }
+    fn initial_is_current(&self) -> bool {
+        self.inner.initial_is_current()
     }
     fn mass(&self) -> Mass {
         self.inner.mass()
@@ -352,6 +375,14 @@ impl Element for Hinged {
     fn ground_inertia_slip(&self) -> Option<f64> {
         self.inner.ground_inertia_slip()
     }
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
+        let (inner, old) = self.inner.with_parameter(words, value)?;
+        let new = Self { inner, ..self.clone() }.scaled().ok()?;
+        Some((Arc::new(new), old))
+    }
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        self.inner.basic_rows()
+    }
     fn load_len(&self) -> usize {
         self.inner.load_len()
     }
@@ -366,6 +397,8 @@ impl Element for Hinged {
             words => self.inner.probe(words),
         }
     }
+    // An element that counts its calls and is not linear is refused; a linear one is asked like any other.
+    fn last_force(&self, _: &[f64], _: &[f64], _: &mut [f64]) {}
     fn probe_names(&self) -> &'static [&'static str] {
         self.inner.probe_names()
     }

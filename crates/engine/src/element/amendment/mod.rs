@@ -31,8 +31,9 @@ mod temperature;
 mod yielding;
 
 use super::ElementError;
-use crate::words::Words;
+use crate::state_struct::StateStruct;
 use std::fmt;
+use std::sync::Arc;
 
 pub use amended::Amended;
 pub use axial::Axial;
@@ -52,7 +53,7 @@ pub use pinching::Pinching;
 pub use pressure::Pressure;
 pub use relaxation::Relaxation;
 pub use share::{Share, Weakening};
-pub use slack::{Slack, Taken};
+pub use slack::{Slack, SlackShare};
 pub use sliding::Sliding;
 pub use slip::Slip;
 pub use stiffening::Stiffening;
@@ -64,7 +65,7 @@ pub type Pair = [f64; 2];
 
 /// What an amendment is given.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Demand {
+pub struct DeformationState {
     /// Trial deformation.
     pub e: Pair,
     /// Committed deformation.
@@ -76,10 +77,10 @@ pub struct Demand {
     /// Domain time since the committed state.
     pub dt: f64,
     /// What the slack of the law has taken of the deformation: the force is that of the rest.
-    pub slack: Taken,
+    pub slack: SlackShare,
 }
 
-impl Demand {
+impl DeformationState {
     /// |e|.
     pub fn amplitude(&self) -> f64 {
         self.e[0].hypot(self.e[1])
@@ -99,7 +100,7 @@ impl Demand {
 
 /// What an amendment answers: the force, and its derivatives.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Verdict {
+pub struct AmendedForce {
     /// Amended force.
     pub q: Pair,
     /// d(amended force)/d(force of the element), by rows.
@@ -110,7 +111,7 @@ pub struct Verdict {
     pub by_axial: Pair,
 }
 
-impl Verdict {
+impl AmendedForce {
     /// The force as it is.
     pub fn unchanged(q: Pair) -> Self {
         Self { q, by_force: [[1.0, 0.0], [0.0, 1.0]], ..Self::default() }
@@ -120,13 +121,17 @@ impl Verdict {
 /// A law of amendment with a fixed number of history variables.
 pub trait AmendmentLaw: fmt::Debug + Send + Sync + 'static {
     /// History; `default()` must be the virgin state.
-    type State: Words;
+    type State: StateStruct;
 
     /// Name in the `amend` command.
     const NAME: &'static str;
 
     /// Amended force and next history.
-    fn amend(&self, committed: &Self::State, demand: &Demand) -> Result<(Verdict, Self::State), ElementError>;
+    fn amend(
+        &self,
+        committed: &Self::State,
+        demand: &DeformationState,
+    ) -> Result<(AmendedForce, Self::State), ElementError>;
 
     /// Slack that the element does not get of its deformation.
     fn slack(&self, _committed: &Self::State) -> Option<Slack> {
@@ -142,6 +147,14 @@ pub trait AmendmentLaw: fmt::Debug + Send + Sync + 'static {
     fn depends_on_time(&self) -> bool {
         false
     }
+
+    /// The law for another stiffness of the element; `None` if it does not use that stiffness.
+    fn with_stiffness(&self, _stiffness: f64) -> Option<Self>
+    where
+        Self: Sized,
+    {
+        None
+    }
 }
 
 /// A law of amendment of any kind.
@@ -153,13 +166,20 @@ pub trait Amendment: fmt::Debug + Send + Sync {
     /// Write the virgin state.
     fn init(&self, state: &mut [f64]);
     /// Amended force; writes every word of `next`.
-    fn amend(&self, committed: &[f64], demand: &Demand, next: &mut [f64]) -> Result<Verdict, ElementError>;
+    fn amend(
+        &self,
+        committed: &[f64],
+        demand: &DeformationState,
+        next: &mut [f64],
+    ) -> Result<AmendedForce, ElementError>;
     /// Slack that the element does not get of its deformation.
     fn slack(&self, committed: &[f64]) -> Option<Slack>;
     /// Strength that the element has lost.
     fn weakening(&self, committed: &[f64]) -> Option<Weakening>;
     /// Whether the force depends on the time that passes.
     fn depends_on_time(&self) -> bool;
+    /// The law for another stiffness of the element; `None` if it does not use that stiffness.
+    fn with_stiffness(&self, stiffness: f64) -> Option<Arc<dyn Amendment>>;
 }
 
 impl<L: AmendmentLaw> Amendment for L {
@@ -172,10 +192,15 @@ impl<L: AmendmentLaw> Amendment for L {
     fn init(&self, state: &mut [f64]) {
         L::State::default().write(state);
     }
-    fn amend(&self, committed: &[f64], demand: &Demand, next: &mut [f64]) -> Result<Verdict, ElementError> {
-        let (verdict, state) = AmendmentLaw::amend(self, &L::State::read(committed), demand)?;
+    fn amend(
+        &self,
+        committed: &[f64],
+        demand: &DeformationState,
+        next: &mut [f64],
+    ) -> Result<AmendedForce, ElementError> {
+        let (amended, state) = AmendmentLaw::amend(self, &L::State::read(committed), demand)?;
         state.write(next);
-        Ok(verdict)
+        Ok(amended)
     }
     fn slack(&self, committed: &[f64]) -> Option<Slack> {
         AmendmentLaw::slack(self, &L::State::read(committed))
@@ -185,5 +210,8 @@ impl<L: AmendmentLaw> Amendment for L {
     }
     fn depends_on_time(&self) -> bool {
         AmendmentLaw::depends_on_time(self)
+    }
+    fn with_stiffness(&self, stiffness: f64) -> Option<Arc<dyn Amendment>> {
+        Some(Arc::new(AmendmentLaw::with_stiffness(self, stiffness)?))
     }
 }

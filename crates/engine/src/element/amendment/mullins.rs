@@ -1,6 +1,6 @@
 //! Mullins softening (scragging): rubber is stiffer on its first way to a strain than on the next.
 
-use super::{AmendmentLaw, Demand, Share, Verdict};
+use super::{AmendedForce, AmendmentLaw, DeformationState, Share};
 use crate::element::ElementError;
 use crate::material::{Peak, Softening};
 use crate::numeric::Dual;
@@ -15,7 +15,7 @@ pub struct Mullins {
     pub share: Share,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History.
     pub struct Memory {
         /// Largest deformation so far, less what has healed.
@@ -29,7 +29,7 @@ impl AmendmentLaw for Mullins {
     type State = Memory;
     const NAME: &'static str = "mullins";
 
-    fn amend(&self, committed: &Memory, d: &Demand) -> Result<(Verdict, Memory), ElementError> {
+    fn amend(&self, committed: &Memory, d: &DeformationState) -> Result<(AmendedForce, Memory), ElementError> {
         let size = Dual { value: d.amplitude(), slope: 1.0 };
         let old = Peak { now: Dual::constant(committed.largest), ever: committed.ever };
         let peak = self.softening.advance(old, size, d.dt.abs());

@@ -1,6 +1,6 @@
 //! Viscous overstress: the force depends on how fast the device is strained.
 
-use super::{AmendmentLaw, Demand, Pair, Verdict};
+use super::{AmendedForce, AmendmentLaw, DeformationState, Pair};
 use crate::element::ElementError;
 
 /// A Maxwell element in parallel, with a dashpot that follows a power law: f' = k e' - k v₀ (|f| / F₀)^(1/n) f/|f|. At
@@ -21,7 +21,7 @@ pub struct Overstress {
     pub stiffness: f64,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History.
     pub struct Over {
         /// Overstress f.
@@ -59,12 +59,12 @@ impl AmendmentLaw for Overstress {
     type State = Over;
     const NAME: &'static str = "overstress";
 
-    fn amend(&self, committed: &Over, d: &Demand) -> Result<(Verdict, Over), ElementError> {
+    fn amend(&self, committed: &Over, d: &DeformationState) -> Result<(AmendedForce, Over), ElementError> {
         let de = d.increment();
         let trial: Pair = std::array::from_fn(|i| committed.force[i] + self.stiffness * de[i]);
         let size = trial[0].hypot(trial[1]);
         let (left, slope) = self.relax(size, d.dt)?;
-        let mut v = Verdict::unchanged(d.q);
+        let mut v = AmendedForce::unchanged(d.q);
         if size == 0.0 {
             v.by_deformation = [[self.stiffness, 0.0], [0.0, self.stiffness]];
             return Ok((v, Over { force: trial }));

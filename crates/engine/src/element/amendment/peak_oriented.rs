@@ -1,6 +1,6 @@
 //! A member taken as elastic yields, and reloads towards its largest deformation, as reinforced concrete does.
 
-use super::{AmendmentLaw, Demand, Verdict};
+use super::{AmendedForce, AmendmentLaw, DeformationState};
 use crate::element::ElementError;
 
 /// Elastic with stiffness k up to the yield force F_y, then b k; unloading with k (e_y/e_max)^a, where e_max is the largest
@@ -19,7 +19,7 @@ pub struct PeakOriented {
     pub unloading: f64,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History.
     pub struct Reached {
         /// Force in the place of k e.
@@ -68,8 +68,8 @@ impl AmendmentLaw for PeakOriented {
     type State = Reached;
     const NAME: &'static str = "peakOriented";
 
-    fn amend(&self, c: &Reached, d: &Demand) -> Result<(Verdict, Reached), ElementError> {
-        let (mut v, mut next) = (Verdict::unchanged(d.q), *c);
+    fn amend(&self, c: &Reached, d: &DeformationState) -> Result<(AmendedForce, Reached), ElementError> {
+        let (mut v, mut next) = (AmendedForce::unchanged(d.q), *c);
         for i in 0..2 {
             let (e, before) = (d.e[i], d.before[i]);
             let (force, slope) = if e >= before {
@@ -83,5 +83,9 @@ impl AmendmentLaw for PeakOriented {
             (next.force[i], next.most[i], next.least[i]) = (force, c.most[i].max(e), c.least[i].min(e));
         }
         Ok((v, next))
+    }
+
+    fn with_stiffness(&self, stiffness: f64) -> Option<Self> {
+        Some(Self { stiffness, ..*self })
     }
 }

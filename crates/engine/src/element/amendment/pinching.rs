@@ -1,6 +1,6 @@
 //! Pinching: slip or crack closing thins the loops near zero.
 
-use super::{AmendmentLaw, Demand, Share, Verdict};
+use super::{AmendedForce, AmendmentLaw, DeformationState, Share};
 use crate::element::ElementError;
 
 /// s = 1 - depth exp(-(|e| / (width e_max))²), once the deformation has been larger than `onset`: the slip-lock shape
@@ -17,7 +17,7 @@ pub struct Pinching {
     pub share: Share,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History.
     pub struct Slack {
         /// Largest deformation so far.
@@ -29,13 +29,13 @@ impl AmendmentLaw for Pinching {
     type State = Slack;
     const NAME: &'static str = "pinching";
 
-    fn amend(&self, committed: &Slack, d: &Demand) -> Result<(Verdict, Slack), ElementError> {
+    fn amend(&self, committed: &Slack, d: &DeformationState) -> Result<(AmendedForce, Slack), ElementError> {
         let r = d.amplitude();
         let largest = committed.largest.max(r);
         // Slack is what was opened before: the committed deformation counts.
         let opened = committed.largest - self.onset;
         if opened <= 0.0 {
-            return Ok((Verdict::unchanged(d.q), Slack { largest }));
+            return Ok((AmendedForce::unchanged(d.q), Slack { largest }));
         }
         let width = self.width * opened;
         let missing = self.depth * (-(r / width).powi(2)).exp();

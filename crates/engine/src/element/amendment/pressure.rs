@@ -1,6 +1,6 @@
 //! Strength that follows the axial force, as that of a slider does.
 
-use super::{AmendmentLaw, Demand, Share, Verdict};
+use super::{AmendedForce, AmendmentLaw, DeformationState, Share};
 use crate::element::ElementError;
 
 /// s = (P / P₀)ᵖ with the compression P = N + c e of the element; no force is left in tension. With the hysteretic part alone
@@ -24,7 +24,7 @@ impl AmendmentLaw for Pressure {
     type State = ();
     const NAME: &'static str = "pressure";
 
-    fn amend(&self, (): &(), d: &Demand) -> Result<(Verdict, ()), ElementError> {
+    fn amend(&self, (): &(), d: &DeformationState) -> Result<(AmendedForce, ()), ElementError> {
         let compression = self.load.unwrap_or(d.axial) + self.lever * d.e[0];
         if compression <= 0.0 {
             return Ok((self.share.scale(d, 0.0, [0.0; 2], 0.0), ()));

@@ -1,6 +1,6 @@
 //! A force that relaxes: quasi-linear viscoelasticity.
 
-use super::{AmendmentLaw, Demand, Pair, Verdict};
+use super::{AmendedForce, AmendmentLaw, DeformationState, Pair};
 use crate::element::ElementError;
 
 /// Relaxation times.
@@ -21,7 +21,7 @@ pub struct Relaxation {
     pub decades: f64,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History.
     pub struct Relaxing {
         /// What relaxes of the first direction, by relaxation time.
@@ -47,10 +47,10 @@ impl AmendmentLaw for Relaxation {
     type State = Relaxing;
     const NAME: &'static str = "relaxation";
 
-    fn amend(&self, committed: &Relaxing, d: &Demand) -> Result<(Verdict, Relaxing), ElementError> {
+    fn amend(&self, committed: &Relaxing, d: &DeformationState) -> Result<(AmendedForce, Relaxing), ElementError> {
         let mut next = Relaxing { force: d.q, ..*committed };
         let change: Pair = std::array::from_fn(|i| d.q[i] - committed.force[i]);
-        let mut v = Verdict::unchanged(d.q);
+        let mut v = AmendedForce::unchanged(d.q);
         for (b, (time, strength)) in self.branches().enumerate() {
             let a = d.dt.max(0.0) / time;
             let (left, mean) = if a > 0.0 { ((-a).exp(), -(-a).exp_m1() / a) } else { (1.0, 1.0) };

@@ -1,6 +1,6 @@
 //! Which part of a force a factor concerns.
 
-use super::{Demand, Pair, Verdict};
+use super::{AmendedForce, DeformationState, Pair};
 
 /// Parts of a force: an elastic part, `stiffness` times the deformation, and the rest, the hysteretic part. A factor
 /// s acts on each in its measure (0 not at all, 1 fully):
@@ -59,11 +59,11 @@ impl Share {
     }
 
     /// The force under a factor `s` with the derivative `ds` by the deformation and `ds_axial` by the axial force.
-    pub fn scale(&self, d: &Demand, s: f64, ds: Pair, ds_axial: f64) -> Verdict {
+    pub fn scale(&self, d: &DeformationState, s: f64, ds: Pair, ds_axial: f64) -> AmendedForce {
         let k = self.stiffness * (self.hysteretic - self.elastic) * (1.0 - s);
         let scale = 1.0 - self.hysteretic * (1.0 - s);
         let concerned = self.concerned(d);
-        let mut v = Verdict::default();
+        let mut v = AmendedForce::default();
         for (i, concerned) in concerned.into_iter().enumerate() {
             v.q[i] = scale * d.q[i] + k * d.e[i];
             v.by_force[i][i] = scale;
@@ -75,25 +75,25 @@ impl Share {
     }
 
     /// d q'/d s: what the factor acts on.
-    fn concerned(&self, d: &Demand) -> Pair {
+    fn concerned(&self, d: &DeformationState) -> Pair {
         let k = (self.hysteretic - self.elastic) * self.stiffness;
         std::array::from_fn(|i| self.hysteretic * d.q[i] - k * d.e[i])
     }
 
     /// Work of the hysteretic part over the step, by the trial force: what heats and damages.
-    pub fn work(&self, d: &Demand) -> f64 {
+    pub fn work(&self, d: &DeformationState) -> f64 {
         let de = d.increment();
         (0..2).map(|i| (d.q[i] - self.stiffness * d.e[i]) * de[i]).sum()
     }
 
     /// d(work)/de at constant force.
-    pub fn work_by_deformation(&self, d: &Demand) -> Pair {
+    pub fn work_by_deformation(&self, d: &DeformationState) -> Pair {
         let de = d.increment();
         std::array::from_fn(|i| d.q[i] - self.stiffness * (d.e[i] + de[i]))
     }
 
     /// The force under a factor that depends on the work of the step: s = s(w), with s'(w) = `ds_work`.
-    pub fn scale_by_work(&self, d: &Demand, s: f64, ds_work: f64) -> Verdict {
+    pub fn scale_by_work(&self, d: &DeformationState, s: f64, ds_work: f64) -> AmendedForce {
         let by_e = self.work_by_deformation(d).map(|w| ds_work * w);
         let mut v = self.scale(d, s, by_e, 0.0);
         let (de, concerned) = (d.increment(), self.concerned(d));

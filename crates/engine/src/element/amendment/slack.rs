@@ -19,7 +19,7 @@ pub struct Slack {
 
 /// What slack takes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Taken {
+pub struct SlackShare {
     /// Deformation s.
     pub by: Pair,
     /// dz by that which it would be without slack, (I + (K - k) ds/dz)⁻¹.
@@ -29,7 +29,7 @@ pub struct Taken {
 }
 
 /// What an element answers to a deformation: its forces, and their derivatives by the deformations.
-pub(super) type Answered = (Pair, [Pair; 2]);
+pub(super) type ForceAndTangent = (Pair, [Pair; 2]);
 
 /// Trials of the search, how near it comes to the end, as a part of the slack, and the shortest part of a step.
 const TRIALS: usize = 200;
@@ -49,8 +49,8 @@ impl Slack {
     pub(super) fn settle(
         &self,
         e: Pair,
-        mut ask: impl FnMut(Pair) -> Result<Answered, ElementError>,
-    ) -> Result<Taken, ElementError> {
+        mut ask: impl FnMut(Pair) -> Result<ForceAndTangent, ElementError>,
+    ) -> Result<SlackShare, ElementError> {
         let half = 0.5 * self.size;
         let size = self.size.max(f64::MIN_POSITIVE);
         let mut s = self.taken.map(|s| s.clamp(-half, half));
@@ -66,7 +66,7 @@ impl Slack {
             }
             let error = missing[0].hypot(missing[1]);
             if error <= NEAR * size {
-                return Ok(Taken { by: s, follows: self.follows(&tangent, flexibility), flexibility });
+                return Ok(SlackShare { by: s, follows: self.follows(&tangent, flexibility), flexibility });
             }
             match last {
                 // Too long a step: the same way, half as far.
@@ -102,8 +102,8 @@ impl Slack {
     }
 
     /// At rest, by the stiffness of the virgin element.
-    pub(super) fn at_rest(&self, tangent: &[Pair; 2]) -> Taken {
+    pub(super) fn at_rest(&self, tangent: &[Pair; 2]) -> SlackShare {
         let flexibility = [self.at(0.0).1; 2];
-        Taken { by: [0.0; 2], follows: self.follows(tangent, flexibility), flexibility }
+        SlackShare { by: [0.0; 2], follows: self.follows(tangent, flexibility), flexibility }
     }
 }

@@ -1,6 +1,6 @@
 //! Friction smoothed over speed.
 
-use super::{AmendmentLaw, Demand, Pair, Verdict};
+use super::{AmendedForce, AmendmentLaw, DeformationState, Pair};
 use crate::element::ElementError;
 
 /// Coulomb's law with no force at rest, f = F v / √(|v|² + v₀²), isotropic in two directions: as drags of lubricated guides are
@@ -18,8 +18,8 @@ impl AmendmentLaw for Sliding {
     type State = ();
     const NAME: &'static str = "sliding";
 
-    fn amend(&self, (): &(), d: &Demand) -> Result<(Verdict, ()), ElementError> {
-        let mut out = Verdict::unchanged(d.q);
+    fn amend(&self, (): &(), d: &DeformationState) -> Result<(AmendedForce, ()), ElementError> {
+        let mut out = AmendedForce::unchanged(d.q);
         if d.dt <= 0.0 {
             return Ok((out, ()));
         }

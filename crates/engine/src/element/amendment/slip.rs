@@ -1,6 +1,6 @@
 //! Slip in series with the hysteretic part.
 
-use super::{AmendmentLaw, Demand, Pair, Share, Slack, Verdict};
+use super::{AmendedForce, AmendmentLaw, DeformationState, Pair, Share, Slack};
 use crate::element::ElementError;
 
 /// The hysteretic part z = q - k e runs through slack where it passes zero: beside its own deformation it takes s(z), the
@@ -18,7 +18,7 @@ pub struct Slip {
     pub share: Share,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History.
     pub struct Slipped {
         /// Largest deformation so far.
@@ -37,16 +37,16 @@ impl AmendmentLaw for Slip {
         Some(Slack { size, width: self.width, stiffness: self.share.stiffness, taken: committed.taken })
     }
 
-    fn amend(&self, committed: &Slipped, d: &Demand) -> Result<(Verdict, Slipped), ElementError> {
+    fn amend(&self, committed: &Slipped, d: &DeformationState) -> Result<(AmendedForce, Slipped), ElementError> {
         let k = self.share.stiffness;
         let taken = d.slack.by;
         let m = d.slack.follows;
         let unit = |i: usize, j: usize| f64::from(u8::from(i == j));
-        let v = Verdict {
+        let v = AmendedForce {
             q: std::array::from_fn(|i| d.q[i] + k * taken[i]),
             by_force: m,
             by_deformation: std::array::from_fn(|i| -> Pair { std::array::from_fn(|j| k * (unit(i, j) - m[i][j])) }),
-            ..Verdict::default()
+            ..AmendedForce::default()
         };
         Ok((v, Slipped { largest: committed.largest.max(d.amplitude()), taken }))
     }

@@ -1,6 +1,6 @@
 //! Another temperature than the one that the parameters were found at.
 
-use super::{AmendmentLaw, Demand, Share, Verdict, Weakening};
+use super::{AmendedForce, AmendmentLaw, DeformationState, Share, Weakening};
 use crate::element::ElementError;
 
 /// s = exp(-b (T - T₀)): stiffness and strength of rubber and lead fall about exponentially with the temperature
@@ -28,7 +28,7 @@ impl AmendmentLaw for Temperature {
     type State = ();
     const NAME: &'static str = "temperature";
 
-    fn amend(&self, (): &(), d: &Demand) -> Result<(Verdict, ()), ElementError> {
+    fn amend(&self, (): &(), d: &DeformationState) -> Result<(AmendedForce, ()), ElementError> {
         Ok((self.share.scale(d, self.factor(), [0.0; 2], 0.0), ()))
     }
 

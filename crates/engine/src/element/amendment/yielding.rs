@@ -1,6 +1,6 @@
 //! A member taken as elastic yields.
 
-use super::{AmendmentLaw, Demand, Pair, Verdict};
+use super::{AmendedForce, AmendmentLaw, DeformationState, Pair};
 use crate::element::ElementError;
 
 /// Plastic deformation e_p beside the elastic one, with kinematic hardening: q' = q - k e_p, |q' - H e_p| ≤ F_y, with
@@ -16,7 +16,7 @@ pub struct Yielding {
     pub hardening: f64,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History.
     pub struct Plastic {
         /// Plastic deformation e_p.
@@ -28,7 +28,7 @@ impl AmendmentLaw for Yielding {
     type State = Plastic;
     const NAME: &'static str = "yielding";
 
-    fn amend(&self, committed: &Plastic, d: &Demand) -> Result<(Verdict, Plastic), ElementError> {
+    fn amend(&self, committed: &Plastic, d: &DeformationState) -> Result<(AmendedForce, Plastic), ElementError> {
         let k = self.stiffness;
         let h = self.hardening / (1.0 - self.hardening) * k;
         let ep = committed.deformation;
@@ -36,14 +36,14 @@ impl AmendmentLaw for Yielding {
         let size = relative[0].hypot(relative[1]);
         let beyond = size - self.force;
         if beyond <= 0.0 {
-            let mut v = Verdict::unchanged(d.q);
+            let mut v = AmendedForce::unchanged(d.q);
             v.q = std::array::from_fn(|i| d.q[i] - k * ep[i]);
             return Ok((v, *committed));
         }
         let n = relative.map(|x| x / size);
         let flow = beyond / (k + h);
         let deformation: Pair = std::array::from_fn(|i| ep[i] + flow * n[i]);
-        let mut v = Verdict { q: std::array::from_fn(|i| d.q[i] - k * deformation[i]), ..Verdict::default() };
+        let mut v = AmendedForce { q: std::array::from_fn(|i| d.q[i] - k * deformation[i]), ..AmendedForce::default() };
         for i in 0..2 {
             for j in 0..2 {
                 let unit = f64::from(u8::from(i == j));
@@ -52,5 +52,9 @@ impl AmendmentLaw for Yielding {
             }
         }
         Ok((v, Plastic { deformation }))
+    }
+
+    fn with_stiffness(&self, stiffness: f64) -> Option<Self> {
+        Some(Self { stiffness, ..*self })
     }
 }

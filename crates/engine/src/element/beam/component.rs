@@ -2,7 +2,9 @@
 
 use super::elastic::{Bending, Release, add_clamped_load, consistent_mass, lumped_mass};
 use crate::element::transform::{Reactions, Transform};
-use crate::element::{Answer, Element, ElementError, ElementLoad, Mass, Motion, Nature, Snapshot, frame_force_labels};
+use crate::element::{
+    Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, Snapshot, frame_force_labels,
+};
 use crate::material::{Slot, Strain};
 use crate::probe::Probe;
 use std::sync::Arc;
@@ -31,7 +33,7 @@ pub struct ComponentBeam {
     len: usize,
 }
 
-/// Words of the rotations of the beam's ends.
+/// State variables of the rotations of the beam's ends.
 const INSIDE: usize = 2;
 /// Iterations for the rotations inside.
 const ITERATIONS: usize = 50;
@@ -204,8 +206,8 @@ impl Element for ComponentBeam {
         state[..INSIDE].fill(0.0);
         self.springs.iter().flatten().for_each(|s| s.init(state));
     }
-    fn nature(&self) -> Nature {
-        Nature {
+    fn traits(&self) -> ElementTraits {
+        ElementTraits {
             linear: self.transform.is_linear() && self.springs.iter().flatten().all(|s| s.material.is_linear()),
             symmetric: self.transform.is_symmetric(),
             viscous: false,
@@ -216,10 +218,10 @@ impl Element for ComponentBeam {
 
     fn respond(
         &self,
-        m: &Motion<'_>,
+        m: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: Answer<'_>,
+        answer: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         self.transform.advance(m.disp, committed, trial)?;
         let v = self.transform.deformation(m.disp, trial);

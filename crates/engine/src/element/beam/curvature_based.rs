@@ -4,7 +4,7 @@ use super::force_based::{ForceBased, INTERNAL, POLISH, REACTIONS, ROUND_OFF, of_
 use super::member::{Basic, Formulation, Member};
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
-use crate::element::{ElementError, Motion};
+use crate::element::{ElementError, ElementInput};
 use crate::material::MaterialError;
 use crate::numeric::{axpy, dot, eliminate, invert};
 use crate::section::Resultant;
@@ -288,7 +288,7 @@ impl CurvatureBased {
         &self,
         member: &Member<N, B>,
         v: &[f64; B],
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         (committed, trial): (&[f64], &mut [f64]),
         parts: usize,
     ) -> Result<Option<Basic<B>>, MaterialError> {
@@ -342,7 +342,7 @@ impl CurvatureBased {
         &self,
         member: &Member<N, B>,
         v: &[f64; B],
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
     ) -> Result<Option<Basic<B>>, MaterialError> {
@@ -409,7 +409,7 @@ impl<const N: usize, const B: usize> Formulation<N, B> for CurvatureBased {
         &self,
         member: &Member<N, B>,
         v: &[f64; B],
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
     ) -> Result<Basic<B>, ElementError> {

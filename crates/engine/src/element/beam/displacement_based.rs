@@ -4,7 +4,7 @@ use super::elastic::{Bending, Release, add_clamped_load};
 use super::member::{Basic, Formulation, Member, bending_at, set};
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
-use crate::element::{ElementError, Motion};
+use crate::element::{ElementError, ElementInput};
 use crate::numeric::{dot, invert};
 use crate::section::{MAX_ORDER, Resultant};
 
@@ -60,7 +60,7 @@ impl<const N: usize, const B: usize> Formulation<N, B> for DisplacementBased {
         &self,
         member: &Member<N, B>,
         v: &[f64; B],
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
     ) -> Result<Basic<B>, ElementError> {

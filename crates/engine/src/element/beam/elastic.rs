@@ -2,7 +2,9 @@
 
 use crate::element::load::{ElementLoad, EndActions};
 use crate::element::transform::{Frame, Reactions, Transform};
-use crate::element::{Answer, Element, ElementError, Mass, Motion, Nature, Snapshot, dot, frame_force_labels};
+use crate::element::{
+    Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, frame_force_labels,
+};
 use crate::numeric::axpy;
 use crate::probe::Probe;
 use crate::section::ElasticSection;
@@ -120,12 +122,11 @@ pub struct ElasticBeam<const N: usize, const B: usize> {
     kb: [[f64; B]; B],
     /// Bending about z and, in space, about y.
     bending: [Bending; 2],
-    /// Global matrices, where they do not change with the displacements.
+    /// Global matrices of the tangent, where they do not change with the displacements.
     constant: Option<Box<Constant<N>>>,
 }
 
-/// What is constant about an elastic beam under small displacements: worth keeping, since most elements of a building
-/// are such beams.
+/// Parts of the tangent of an elastic beam under small displacements.
 #[derive(Clone, Debug)]
 struct Constant<const N: usize> {
     stiffness: [[f64; N]; N],
@@ -149,6 +150,14 @@ impl<const N: usize> Constant<N> {
         pull[0] = 1.0;
         let geometric = (!transform.is_linear()).then(|| matrix(&[[0.0; B]; B], &pull));
         Some(Box::new(Self { stiffness, geometric }))
+    }
+
+    /// Add the tangent under an axial force.
+    fn add_tangent(&self, axial: f64, tangent: &mut [f64]) {
+        axpy(1.0, self.stiffness.as_flattened(), tangent);
+        if let Some(g) = &self.geometric {
+            axpy(axial, g.as_flattened(), tangent);
+        }
     }
 }
 
@@ -184,38 +193,6 @@ impl<const N: usize, const B: usize> ElasticBeam<N, B> {
         }
         self.constant = Constant::of(self.transform.as_ref(), &self.kb);
         self
-    }
-
-    /// Force and tangent from the constant matrices.
-    fn respond_small(&self, c: &Constant<N>, m: &Motion<'_>, answer: Answer<'_>) {
-        let frame = self.frame();
-        let u = frame.since_made(m.disp);
-        // The matrices are symmetric: rows serve as columns.
-        for (row, u) in c.stiffness.iter().zip(&u) {
-            axpy(*u, row, answer.force);
-        }
-        if m.load.iter().any(|l| *l != 0.0) {
-            let mut q = [0.0; B];
-            q.copy_from_slice(&m.load[..B]);
-            frame.add_basic_force(&q, answer.force);
-            frame.add_reactions(&Self::reactions(m.load), answer.force);
-        }
-        let axial = m.load[0] + self.kb[0][0] * dot(&frame.basic[0], &u);
-        if let Some(g) = &c.geometric {
-            for (row, u) in g.iter().zip(&u) {
-                axpy(axial * u, row, answer.force);
-            }
-        }
-        if let Some(tangent) = answer.tangent {
-            for (t, k) in tangent.iter_mut().zip(c.stiffness.iter().flatten()) {
-                *t += k;
-            }
-            if let Some(g) = &c.geometric {
-                for (t, g) in tangent.iter_mut().zip(g.iter().flatten()) {
-                    *t += axial * g;
-                }
-            }
-        }
     }
 
     fn frame(&self) -> &Frame<N, B> {
@@ -329,27 +306,27 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
     fn init(&self, state: &mut [f64]) {
         self.transform.init(state);
     }
-    fn nature(&self) -> Nature {
+    fn traits(&self) -> ElementTraits {
         let symmetric = self.transform.is_symmetric();
-        Nature { linear: self.transform.is_linear(), symmetric, viscous: false, elapses: false, rayleigh: true }
+        ElementTraits { linear: self.transform.is_linear(), symmetric, viscous: false, elapses: false, rayleigh: true }
     }
 
     fn respond(
         &self,
-        m: &Motion<'_>,
+        m: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: Answer<'_>,
+        answer: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
-        if let Some(c) = &self.constant {
-            self.respond_small(c, m, answer);
-            return Ok(());
-        }
         self.transform.advance(m.disp, committed, trial)?;
+        // Forces come of deformations. The round-off of stiffness times displacements would not be in equilibrium: a stiff
+        // beam that moves with a soft structure would load it.
         let q = self.basic_force(m.disp, trial, m.load);
         self.transform.add_force(m.disp, trial, &q, &Self::reactions(m.load), answer.force);
-        if let Some(tangent) = answer.tangent {
-            self.transform.add_tangent(m.disp, trial, &self.kb, &q, tangent);
+        match (answer.tangent, &self.constant) {
+            (Some(tangent), Some(c)) => c.add_tangent(q[0], tangent),
+            (Some(tangent), None) => self.transform.add_tangent(m.disp, trial, &self.kb, &q, tangent),
+            (None, _) => {}
         }
         Ok(())
     }

@@ -3,7 +3,7 @@
 use super::member::{Basic, Formulation, Member, Trace, bending_at, set};
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
-use crate::element::{ElementError, Motion};
+use crate::element::{ElementError, ElementInput};
 use crate::material::MaterialError;
 use crate::numeric::{axpy, dot, invert};
 use crate::section::{MAX_ORDER, Resultant, SectionSlot};
@@ -35,7 +35,7 @@ pub(super) const ROUND_OFF: f64 = 1e-22;
 /// Iterations that are spent on round-off at most.
 pub(super) const POLISH: usize = 3;
 
-/// Words of the loads: reactions, and the internal forces of the simple beam at each section.
+/// State variables of the loads: reactions, and the internal forces of the simple beam at each section.
 pub(super) const REACTIONS: usize = 5;
 pub(super) const INTERNAL: usize = 5;
 
@@ -155,7 +155,7 @@ impl ForceBased {
         &self,
         member: &Member<N, B>,
         v: &[f64; B],
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         (committed, trial): (&[f64], &mut [f64]),
         (parts, correction): (usize, Correction),
     ) -> Result<Option<Basic<B>>, MaterialError> {
@@ -279,7 +279,7 @@ impl<const N: usize, const B: usize> Formulation<N, B> for ForceBased {
         &self,
         member: &Member<N, B>,
         v: &[f64; B],
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
     ) -> Result<Basic<B>, ElementError> {

@@ -2,7 +2,9 @@
 
 use crate::element::load::ElementLoad;
 use crate::element::transform::{Reactions, Transform};
-use crate::element::{Answer, Element, ElementError, Mass, Motion, Nature, Part, Snapshot, frame_force_labels};
+use crate::element::{
+    Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask, Snapshot, frame_force_labels,
+};
 use crate::probe::Probe;
 use crate::section::{Resultant, SectionSlot, SharedSection};
 use std::fmt;
@@ -18,7 +20,7 @@ pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send
     const SYMMETRIC: bool = true;
     /// Sections feel the deflection of the beam between its ends, so that forces are not proportional to deformations.
     const DEFLECTS: bool = false;
-    /// Words of its own, behind those of the sections.
+    /// State variables of its own, behind those of the sections.
     const WORDS: usize = 0;
 
     /// The tangent is to be the whole derivative of the forces, though the transformation be unsymmetric then.
@@ -43,7 +45,7 @@ pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send
         &self,
         member: &Member<N, B>,
         v: &[f64; B],
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
     ) -> Result<Basic<B>, ElementError>;
@@ -227,9 +229,9 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
         m.sections.iter().for_each(|s| s.init(state));
         Basic { q: [0.0; B], k: F::initial_stiffness(m) }.write(&mut state[m.head()..]);
     }
-    fn nature(&self) -> Nature {
+    fn traits(&self) -> ElementTraits {
         let sections = || self.member.sections.iter().map(|s| &s.section);
-        Nature {
+        ElementTraits {
             linear: !F::DEFLECTS && self.member.transform.is_linear() && sections().all(|s| s.is_linear()),
             symmetric: F::SYMMETRIC && self.member.transform.is_symmetric(),
             viscous: false,
@@ -240,10 +242,10 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
 
     fn respond(
         &self,
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: Answer<'_>,
+        answer: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let m = &self.member;
         let head = m.head();
@@ -263,14 +265,21 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
     }
 
     fn counts_calls(&self) -> bool {
-        // Elastic sections come to the same however often they are asked.
-        self.formulation.goes_on() && !self.nature().linear
+        self.formulation.goes_on()
     }
-    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], _: Part) {
+    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], _: MatrixMask) {
         let m = &self.member;
         let disp = Trace::<N, B>::read(&history[m.own..]).disp;
         let basic = Basic::read(&history[m.head()..]);
         m.transform.add_tangent(&disp, &history[..m.head()], &basic.k, &basic.q, tangent);
+    }
+    /// The reactions follow the loads at once, the basic forces with the next call.
+    fn last_force(&self, history: &[f64], load: &[f64], force: &mut [f64]) {
+        let m = &self.member;
+        let disp = Trace::<N, B>::read(&history[m.own..]).disp;
+        let basic = Basic::<B>::read(&history[m.head()..]);
+        force.fill(0.0);
+        m.transform.add_force(&disp, &history[..m.head()], &basic.q, &F::reactions(load), force);
     }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {

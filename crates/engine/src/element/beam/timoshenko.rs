@@ -4,7 +4,8 @@ use super::elastic::{basic_stiffness, lumped_mass};
 use super::{Bending, Release};
 use crate::element::transform::{Frame, Reactions};
 use crate::element::{
-    Answer, Element, ElementError, ElementLoad, Mass, Motion, Nature, Snapshot, dot, frame_force_labels,
+    Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, Snapshot, dot,
+    frame_force_labels,
 };
 use crate::numeric::axpy;
 use crate::probe::Probe;
@@ -169,12 +170,24 @@ impl<const N: usize, const B: usize> Element for TimoshenkoBeam<N, B> {
         0
     }
     fn init(&self, _: &mut [f64]) {}
-    fn nature(&self) -> Nature {
-        Nature { linear: self.geometric.is_none(), symmetric: true, viscous: false, elapses: false, rayleigh: true }
+    fn traits(&self) -> ElementTraits {
+        ElementTraits {
+            linear: self.geometric.is_none(),
+            symmetric: true,
+            viscous: false,
+            elapses: false,
+            rayleigh: true,
+        }
     }
 
     /// The derivative of the axial force with the displacements is left out of the tangent, as with P-Delta.
-    fn respond(&self, m: &Motion<'_>, _: &[f64], _: &mut [f64], answer: Answer<'_>) -> Result<(), ElementError> {
+    fn respond(
+        &self,
+        m: &ElementInput<'_>,
+        _: &[f64],
+        _: &mut [f64],
+        answer: ElementOutput<'_>,
+    ) -> Result<(), ElementError> {
         let q = self.basic_force(m.disp);
         self.frame.add_basic_force(&q, answer.force);
         for (row, load) in self.frame.local.iter().zip(m.load) {

@@ -9,7 +9,7 @@ mod vel_normal_frc_dep;
 mod vel_pressure_dep;
 
 use crate::probe::Probe;
-use crate::words;
+use crate::state_struct;
 use std::fmt;
 use std::sync::Arc;
 
@@ -63,7 +63,7 @@ pub trait FrictionLaw: fmt::Debug + Send + Sync {
 /// A friction model as elements hold it.
 pub type Friction = Arc<dyn FrictionLaw>;
 
-words! {
+state_struct! {
     /// What a sliding surface last saw, for recorders.
     pub struct Contact {
         /// Normal force, positive in pressure.

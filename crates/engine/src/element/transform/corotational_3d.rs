@@ -7,7 +7,7 @@
 
 use super::{Frame, Reactions, Transform};
 use crate::element::ElementError;
-use crate::words::Words;
+use crate::state_struct::StateStruct;
 use nalgebra::{Matrix3, Quaternion, SMatrix, UnitQuaternion, Vector3};
 
 /// Corotational transformation in space.
@@ -22,7 +22,7 @@ pub struct Corotational3d {
     by_trials: bool,
 }
 
-crate::words! {
+crate::state_struct! {
     /// Turn of the nodes since the beam was made (quaternions i, j, k, w), and the nodal rotations that led to it.
     struct Turn {
         i: [f64; 4],

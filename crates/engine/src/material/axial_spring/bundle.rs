@@ -3,7 +3,7 @@
 use super::{AxialSpring, Branch, History};
 use crate::material::{MaterialError, Strain, Strains, Stress, Stresses, Uniaxial};
 use crate::probe::Probe;
-use crate::words::{Field, Words};
+use crate::state_struct::{Field, StateStruct};
 
 /// History of spring `i` of `n`. Those of a bundle lie quantity by quantity: so it is
 /// quick to see whether all of them are still elastic.
@@ -24,7 +24,7 @@ impl<const HD: bool> Uniaxial for AxialSpring<HD> {
         if HD { "AxialSpHD" } else { "AxialSp" }
     }
     fn state_len(&self) -> usize {
-        <History as Words>::LEN
+        <History as StateStruct>::LEN
     }
     fn init(&self, state: &mut [f64]) {
         self.init_all(1, state);
@@ -91,7 +91,7 @@ impl<const HD: bool> Uniaxial for AxialSpring<HD> {
 
     /// An elastic spring remembers nothing.
     fn are_virgin(&self, state: &[f64]) -> bool {
-        let n = state.len() / <History as Words>::LEN;
+        let n = state.len() / <History as StateStruct>::LEN;
         // Bits of all together, which the compiler makes of neighbouring numbers at once: elastic is zero.
         state[n..2 * n].iter().fold(0, |any, b| any | b.to_bits()) == 0
     }

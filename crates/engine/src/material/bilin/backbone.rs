@@ -38,7 +38,7 @@ pub(super) fn meet(a: &Line, b: &Line) -> (f64, f64) {
     (x, a.slope * x - a.slope * a.x + a.y)
 }
 
-crate::words! {
+crate::state_struct! {
     /// A backbone as it has deteriorated, and what the hinge does on its way to it.
     pub struct Backbone {
         /// Yield strength.

@@ -9,7 +9,7 @@ use super::softening::{Peak, Softening};
 use super::{MaterialError, Strain, Stress, Uniaxial};
 use crate::numeric::{Dual, sign};
 use crate::probe::Probe;
-use crate::words::Words;
+use crate::state_struct::StateStruct;
 use overstress::Branch;
 
 pub use parameters::{Compound, NAMES, OutOfRange, Parameters};
@@ -45,7 +45,7 @@ pub struct HdrRheology {
     pub height: f64,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of [`HdrRheology`]; the amplitudes of heat flow are behind it.
     pub struct History {
         /// Shear strain γ.

@@ -10,7 +10,7 @@ use super::{HdrRheology, MOST_ROUNDS, Thermal};
 use crate::numeric::Dual;
 use nalgebra::{Matrix2, Vector2};
 
-crate::words! {
+crate::state_struct! {
     /// History of the rheology in the plane.
     pub struct PlaneHistory {
         /// Shear strain γ.

@@ -2,7 +2,7 @@
 
 use super::{Part, TOLERANCE, below};
 
-crate::words! {
+crate::state_struct! {
     /// Where loading has turned.
     pub struct Turn {
         /// Force.

@@ -27,7 +27,7 @@ const ROUNDS_AT_MOST: u32 = 300;
 /// The least damping, as a part of the stiffness of the far field.
 const LEAST_DAMPING: f64 = 1e-12;
 
-crate::words! {
+crate::state_struct! {
     /// A spring.
     pub struct Part {
         /// Displacement.
@@ -39,7 +39,7 @@ crate::words! {
     }
 }
 
-crate::words! {
+crate::state_struct! {
     /// The spring that yields.
     pub struct Near {
         /// It.
@@ -51,7 +51,7 @@ crate::words! {
     }
 }
 
-crate::words! {
+crate::state_struct! {
     /// The spring that opens, of two in parallel.
     pub struct Gap {
         /// It.
@@ -65,7 +65,7 @@ crate::words! {
     }
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of [`SoilSpring`].
     pub struct History {
         /// All of it.

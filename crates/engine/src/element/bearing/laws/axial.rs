@@ -1,0 +1,200 @@
+//! Axial law of layered rubber bearings: cavitation and its damage in tension, buckling in compression, both as the
+//! shear displacement has it.
+
+use crate::element::bearing::kinematics::overlap::overlap;
+use crate::element::bearing::laws::rubber::{PI, Rubber};
+
+/// Part of the critical load that is left however far a bearing is sheared.
+const LEAST_CRITICAL: f64 = 0.2;
+/// Axial stiffness of a bearing that has buckled, over its stiffness at rest.
+const BUCKLED: f64 = 1e-4;
+
+/// Axial law of `HDR`, `ElastomericX` and `LeadRubberX`.
+///
+/// Kumar, Whittaker and Constantinou (2014). At the shear displacement u_h the stiffness is
+/// K_v = K_v0 / (1 + 3/π² (u_h/r)²) and the critical load P_cr times the overlap of the ends, but no less than a fifth of it.
+/// Beyond cavitation at u_c = F_c/K_v tension follows F_c (1 + (1 - e^(-k_c (u-u_c))) / (T_r k_c)); the strength of a bearing
+/// that has been there is F_c (1 - Φ_max (1 - e^(-a_c (u_max-u_c)/u_c))), and it is loaded again along the line from that
+/// strength to the farthest point.
+///
+/// OpenSees takes the displacements of the last step for K_v, u_c and P_cr. Here they are those of the step itself, unless
+/// `compat` says otherwise, so that the size of the steps does not change the answer.
+///
+/// The force depends on the shear displacement, the shear force not on the axial one: a cycle that compresses a sheared
+/// bearing, straightens and unloads it gains energy. Cycles at a constant shear displacement or under a constant axial
+/// force do not.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxialLaw {
+    /// The bearing.
+    pub rubber: Rubber,
+    /// Cavitation parameter k_c.
+    pub kc: f64,
+    /// Largest damage Φ_max.
+    pub phi: f64,
+    /// Rate of the damage a_c.
+    pub ac: f64,
+    /// It cavitates.
+    pub cavitates: bool,
+    /// It buckles, at a load that varies with the shear displacement.
+    pub buckles: bool,
+    /// Its stiffness varies with the shear displacement.
+    pub softens: bool,
+    /// OpenSees' scheme.
+    pub compat: bool,
+}
+
+crate::state_struct! {
+    /// Axial history: what the next step starts from.
+    pub struct Axial {
+        /// Force, tension positive.
+        force: f64,
+        /// Stiffness K_v before cavitation.
+        kv: f64,
+        /// Displacement u_c at which the virgin bearing cavitates.
+        uc: f64,
+        /// Cavitation strength that is left.
+        fcn: f64,
+        /// Largest tensile displacement.
+        umax: f64,
+        /// Critical load, negative.
+        fcrn: f64,
+        /// Smallest critical load so far, negative.
+        fcrmin: f64,
+    }
+}
+
+/// Axial answer to a displacement.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxialStep {
+    /// The next history.
+    pub next: Axial,
+    /// ∂N/∂u.
+    pub k: f64,
+    /// ∂N/∂u_h.
+    pub k_shear: f64,
+    /// Critical load that holds in the step, negative.
+    pub critical: f64,
+    /// Its derivative by u_h.
+    pub d_critical: f64,
+}
+
+/// What depends on the shear displacement, with derivatives.
+struct Sheared {
+    kv: f64,
+    dkv: f64,
+    fcrn: f64,
+    dfcrn: f64,
+}
+
+impl AxialLaw {
+    /// The virgin history.
+    pub fn virgin(&self) -> Axial {
+        let Rubber { axial, cavitation, critical, .. } = self.rubber;
+        let uc = cavitation / axial;
+        Axial { force: 0.0, kv: axial, uc, fcn: cavitation, umax: uc, fcrn: -critical, fcrmin: -critical }
+    }
+
+    fn sheared(&self, uh: f64) -> Sheared {
+        let r = &self.rubber;
+        let (mut kv, mut dkv) = (r.axial, 0.0);
+        if self.softens {
+            let a = 3.0 / (PI * PI) / (r.gyration * r.gyration);
+            let soft = 1.0 / (1.0 + a * uh * uh);
+            kv *= soft;
+            dkv = -2.0 * a * uh * soft * kv;
+        }
+        let (mut fcrn, mut dfcrn) = (-r.critical, 0.0);
+        if self.buckles {
+            let (mut share, slope) = overlap(uh / r.diameter);
+            if self.compat {
+                // OpenSees divides by an area that has its π.
+                share *= std::f64::consts::PI / PI;
+            }
+            if share < LEAST_CRITICAL {
+                fcrn *= LEAST_CRITICAL;
+            } else {
+                dfcrn = fcrn * slope / r.diameter;
+                fcrn *= share;
+            }
+        }
+        Sheared { kv, dkv, fcrn, dfcrn }
+    }
+
+    /// Force on the path of virgin tension beyond cavitation, and its slope.
+    #[inline]
+    fn backbone(&self, beyond: f64) -> (f64, f64) {
+        let Rubber { cavitation, thickness, .. } = self.rubber;
+        let e = (-self.kc * beyond).exp();
+        (cavitation * (1.0 + (1.0 - e) / (thickness * self.kc)), cavitation / thickness * e)
+    }
+
+    /// Cavitation strength after the largest displacement `umax`.
+    fn strength(&self, umax: f64, uc: f64) -> f64 {
+        self.rubber.cavitation * (1.0 - self.phi * (1.0 - (-self.ac * (umax - uc) / uc).exp()))
+    }
+
+    /// Response to the axial displacement `u` (tension positive) at the shear displacement `uh`.
+    #[inline]
+    pub fn step(&self, c: &Axial, u: f64, uh: f64) -> AxialStep {
+        if self.compat { self.lagging_step(c, u, uh) } else { self.consistent_step(c, u, uh) }
+    }
+
+    fn consistent_step(&self, c: &Axial, u: f64, uh: f64) -> AxialStep {
+        let s = self.sheared(uh);
+        let uc = self.rubber.cavitation / s.kv;
+        let duc = -uc * s.dkv / s.kv;
+        let mut next = Axial { kv: s.kv, uc, fcrn: s.fcrn, fcrmin: c.fcrmin.max(s.fcrn), ..*c };
+        let (k, k_shear);
+        if self.buckles && u <= s.fcrn / s.kv {
+            k = self.rubber.axial * BUCKLED;
+            next.force = s.fcrn + k * (u - s.fcrn / s.kv);
+            k_shear = s.dfcrn - k * (s.dfcrn - s.fcrn * s.dkv / s.kv) / s.kv;
+        } else if !self.cavitates || u * s.kv <= c.fcn {
+            k = s.kv;
+            next.force = k * u;
+            k_shear = s.dkv * u;
+        } else if u < c.umax.max(uc) {
+            // A bearing that cavitated at another shear displacement has its farthest point at u_c at least.
+            let (far, dfar) = if c.umax > uc { (c.umax, 0.0) } else { (uc, duc) };
+            let (top, slope) = self.backbone(far - uc);
+            let (start, dstart) = (c.fcn / s.kv, -c.fcn / s.kv * s.dkv / s.kv);
+            k = (top - c.fcn) / (far - start);
+            next.force = c.fcn + k * (u - start);
+            let dk = (slope * (dfar - duc) - k * (dfar - dstart)) / (far - start);
+            k_shear = dk * (u - start) - k * dstart;
+        } else {
+            (next.force, k) = self.backbone(u - uc);
+            k_shear = -k * duc;
+            next.umax = u;
+            next.fcn = c.fcn.min(self.strength(u, uc));
+        }
+        AxialStep { next, k, k_shear, critical: s.fcrn, d_critical: s.dfcrn }
+    }
+
+    fn lagging_step(&self, c: &Axial, u: f64, uh: f64) -> AxialStep {
+        let start = c.fcn / c.kv;
+        let (force, k);
+        if self.buckles && u <= c.fcrn / c.kv {
+            k = self.rubber.axial * BUCKLED;
+            force = c.fcrmin + k * (u - c.fcrn / c.kv);
+        } else if !self.cavitates || u <= start {
+            k = c.kv;
+            force = k * u;
+        } else if u < c.umax {
+            k = (self.backbone(c.umax - c.uc).0 - c.fcn) / (c.umax - start);
+            force = c.fcn + k * (u - start);
+        } else {
+            (force, k) = self.backbone(u - c.uc);
+        }
+        let s = self.sheared(uh);
+        let mut next = Axial { force, kv: s.kv, fcrn: s.fcrn, fcrmin: c.fcrmin.max(s.fcrn), ..*c };
+        if self.softens && uh > f64::EPSILON {
+            next.uc = self.rubber.cavitation / s.kv;
+        }
+        if self.cavitates && u > c.umax {
+            next.umax = u;
+            next.fcn = self.strength(u, next.uc);
+        }
+        AxialStep { next, k, k_shear: 0.0, critical: c.fcrn, d_critical: 0.0 }
+    }
+}
