@@ -7,7 +7,7 @@
 #[path = "support/studies.rs"]
 mod studies;
 
-use hysteron::diagnose::{Diagnosis, Kept, Settings, hypothesis};
+use hysteron::diagnose::{CheckpointEntry, Diagnosis, Settings, hypothesis};
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -65,7 +65,12 @@ fn recorded(name: &str, shows: impl Fn(&[f64], &[f64]) -> Vec<f64>, [low, high]:
     dir
 }
 
-fn attempt(dir: &Path, without: &[&str], earlier: Vec<Kept>, keeper: &mut Keeper) -> Result<Diagnosis, String> {
+fn attempt(
+    dir: &Path,
+    without: &[&str],
+    earlier: Vec<CheckpointEntry>,
+    keeper: &mut Keeper,
+) -> Result<Diagnosis, String> {
     let without = without.iter().map(|w| (*w).to_owned()).collect();
     studies::attempt(dir, &Settings { without, threads: 2, earlier, ..Settings::default() }, keeper)
 }
@@ -100,7 +105,7 @@ fn nothing_is_found_where_nothing_is_missing() {
     // Interrupted, kept as a file keeps it, and gone on with: the same to the last digit, in less work.
     let mut keeper = Keeper { told: vec![], enough: 30 };
     assert_eq!(attempt(&dir, &[], vec![], &mut keeper).err().unwrap(), "interrupted");
-    let kept: Vec<Kept> = serde_json::from_str(&serde_json::to_string(&keeper.told).unwrap()).unwrap();
+    let kept: Vec<CheckpointEntry> = serde_json::from_str(&serde_json::to_string(&keeper.told).unwrap()).unwrap();
     let again = attempt(&dir, &[], kept, &mut Keeper::patient()).unwrap();
     assert_eq!(serde_json::to_string(&again.outcome).unwrap(), serde_json::to_string(&d.outcome).unwrap());
     assert!(again.looks < d.looks, "{} {}", again.looks, d.looks);
@@ -108,7 +113,7 @@ fn nothing_is_found_where_nothing_is_missing() {
     // What belongs to other jobs is not believed.
     let mut others = serde_json::to_value(&keeper.told).unwrap();
     others.as_array_mut().unwrap().iter_mut().skip(3).for_each(|k| k["job"] = 1.into());
-    let others: Vec<Kept> = serde_json::from_value(others).unwrap();
+    let others: Vec<CheckpointEntry> = serde_json::from_value(others).unwrap();
     let again = attempt(&dir, &[], others, &mut Keeper::patient()).unwrap();
     assert_eq!(serde_json::to_string(&again.outcome).unwrap(), serde_json::to_string(&d.outcome).unwrap());
     let _ = fs::remove_dir_all(dir);

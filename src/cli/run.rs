@@ -83,7 +83,7 @@ pub(super) fn script(script: &ScriptArgs, mode: Mode, steps: &StepArgs, model: &
     let files: Box<dyn Files> =
         if mode == Mode::Run { Box::new(OsFiles) } else { Box::new(OverlayFiles::new(Box::new(OsFiles))) };
     let mut run = Run::new(settings, Box::new(console), files, outputs);
-    run.interp.host.tell(Box::new(progress.steps()));
+    run.interp.host.set_progress(Box::new(progress.steps()));
     let line = progress.clone();
     let mut counts = WarningCounts::default();
     run.interp.host.on_warning(Box::new(move |warning, sources| {
@@ -95,7 +95,7 @@ pub(super) fn script(script: &ScriptArgs, mode: Mode, steps: &StepArgs, model: &
     let end = run.script(model, args);
     progress.clear();
     print_end(&end, &run.interp);
-    if run.interp.host.findings.unrehearsed {
+    if run.interp.host.check.skipped_analyses {
         eprintln!("note: the analyses were not rehearsed, since a definition was rejected");
     }
     print_warning_summary(&run.interp);

@@ -198,7 +198,7 @@ fn a_model_without_equations_runs() {
 
 /// A device on an imposed path is in balance as each step begins, until a load comes: then it is solved for again.
 #[test]
-fn a_load_that_comes_after_steps_without_one_is_carried() {
+fn load_after_steps_without_one_is_carried() {
     let drive = |algorithm: &str| {
         run(&format!(
             "model basic -ndm 2 -ndf 3
@@ -275,8 +275,8 @@ fn reactions_balance_the_loads() {
     }
 }
 
-/// A section by its tag is the section by its numbers; factors 4, 4 and 2 are an unmodified beam; a column that is
-/// bent into a circle by a moment ends where the circle does.
+/// A section by its tag equals the section by its numbers. Factors 4, 4 and 2 give the unmodified beam. A column bent
+/// into a circle by a moment ends at the end of the circle.
 #[test]
 fn forms_of_elastic_beams() {
     let cantilever = |element: &str, transform: &str, load: &str, parts: usize| {
@@ -392,8 +392,8 @@ fn a_release_is_a_hinge() {
     }
 }
 
-/// A stick of ten storeys with stiff arms, in space or in the plane: rigid motion of an arm makes no force but round-off,
-/// and that is in equilibrium, so that the correction falls to the round-off of the displacements.
+/// A stick of ten storeys with stiff arms, in space or in the plane. Rigid motion of an arm causes forces of round-off
+/// only, which are in equilibrium. The correction therefore falls to the round-off of the displacements.
 fn stick(ndm: usize, transf: &str, ratio: &str, compat: bool) -> Vec<f64> {
     let model = match ndm {
         3 => {

@@ -13,7 +13,7 @@ fn shown(kind: &str) -> impl Fn(&str) -> Vec<f64> {
     }
 }
 
-/// What must be captured is well above this, what is not captured well below it.
+/// Bound on the match: phenomena that are captured are well above it, the others well below.
 const SEEN: f64 = 0.05;
 
 #[test]

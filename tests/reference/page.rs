@@ -1,7 +1,7 @@
 //! Pages of the reference: commands by family, each with its usage and a table of its arguments.
 
 use super::probe::{self, MODELS, Meaning, Meanings, Said, Walk};
-use super::usage::{self, Part, Row};
+use super::usage::{self, MatrixMask, Row};
 use super::words;
 use hysteron::opensees::{Command, commands, kinds};
 use std::fmt::Write as _;
@@ -203,16 +203,16 @@ fn explained(usage: &str, row: &Row, found: &Meanings, blanks: &mut Blanks) -> (
 }
 
 /// What the command says of its arguments: in the model where it says most.
-fn meanings(usage: &str, parts: &[Part]) -> Meanings {
+fn meanings(usage: &str, parts: &[MatrixMask]) -> Meanings {
     let head = usage::command(usage).split(' ').next().unwrap_or_default().to_owned();
-    let forms: Vec<&[Part]> = parts.split(|p| *p == Part::Either).collect();
+    let forms: Vec<&[MatrixMask]> = parts.split(|p| *p == MatrixMask::Either).collect();
     let mut all = Meanings::new();
     let wanted: usize = usage::rows(parts).iter().map(|r| r.arguments.len()).sum();
     for model in MODELS {
         if all.len() >= wanted {
             break;
         }
-        let mut prefixes: Vec<Vec<Part>> = vec![vec![]];
+        let mut prefixes: Vec<Vec<MatrixMask>> = vec![vec![]];
         for form in &forms {
             let mut best = Meanings::new();
             for prefix in &prefixes {
@@ -236,7 +236,7 @@ fn meanings(usage: &str, parts: &[Part]) -> Meanings {
     all
 }
 
-fn parts_names(parts: &[Part]) -> Vec<String> {
+fn parts_names(parts: &[MatrixMask]) -> Vec<String> {
     usage::rows(parts).into_iter().flat_map(|r| r.arguments).collect()
 }
 
@@ -267,7 +267,7 @@ fn amend(out: &mut String, c: &Command, blanks: &mut Blanks) {
             }
             let needed = matches!(probe::say(MODELS[0], &others), Said::Refused(m, _) if m.contains("is missing"));
             let mut walk = Walk::new(MODELS[0], words(&[name]));
-            walk.take(&[Part::Word((*option).clone()), Part::Argument("value".into())]);
+            walk.take(&[MatrixMask::Word((*option).clone()), MatrixMask::Argument("value".into())]);
             let m = walk.found.into_values().next().unwrap_or_default();
             let shown = if needed { format!("{option} $value") } else { format!("<{option} $value>") };
             let _ = writeln!(out, "| `{shown}` | {} | {} |", m.what, m.value);

@@ -2,7 +2,7 @@
 //! expected there, and one that is given a wrong word says what the word may be.
 
 use super::script::{Ran, Script};
-use super::usage::Part;
+use super::usage::MatrixMask;
 use hysteron::run::End;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -137,21 +137,21 @@ impl<'a> Walk<'a> {
     }
 
     /// Take required parts in their order; then the optional ones, each from where it stands.
-    pub fn take(&mut self, parts: &[Part]) {
-        let mut later: Vec<&[Part]> = vec![];
+    pub fn take(&mut self, parts: &[MatrixMask]) {
+        let mut later: Vec<&[MatrixMask]> = vec![];
         for part in parts {
             match part {
-                Part::Optional(inner) => later.push(inner),
-                Part::Argument(name) => self.argument(name),
-                Part::Word(word) => self.word(word),
-                Part::Repeated | Part::Either => {}
+                MatrixMask::Optional(inner) => later.push(inner),
+                MatrixMask::Argument(name) => self.argument(name),
+                MatrixMask::Word(word) => self.word(word),
+                MatrixMask::Repeated | MatrixMask::Either => {}
             }
         }
         for inner in later {
             let (words, option) = (self.words.clone(), self.option.clone());
             self.take(inner);
             // Options are tried one by one; arguments by position need those before them.
-            let by_position = matches!(inner.first(), Some(Part::Argument(_)));
+            let by_position = matches!(inner.first(), Some(MatrixMask::Argument(_)));
             if !by_position || say(self.model, &self.words) != Said::Taken {
                 (self.words, self.option) = (words, option);
             }

@@ -2,13 +2,13 @@
 
 /// A part of a usage string.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum MatrixMask {
     /// A word that stands as it is: `-mat`, `beam|bar`, `{fibers}`.
     Word(String),
     /// An argument, without its dollar.
     Argument(String),
     /// `<...>`: parts that may be left out.
-    Optional(Vec<Part>),
+    Optional(Vec<MatrixMask>),
     /// `...`: what comes before may be repeated.
     Repeated,
     /// `|` or `or`: what follows is another form.
@@ -21,7 +21,7 @@ pub fn command(usage: &str) -> &str {
 }
 
 /// Parts of a usage string, without the name of the command. Notes in parentheses and after a colon are left out.
-pub fn parse(usage: &str) -> Vec<Part> {
+pub fn parse(usage: &str) -> Vec<MatrixMask> {
     let usage = command(usage.split(": ").next().unwrap_or(usage));
     let mut words = tokens(usage).into_iter().skip(1);
     group(&mut words)
@@ -61,17 +61,17 @@ fn push(out: &mut [String], c: char) {
     }
 }
 
-fn group(words: &mut impl Iterator<Item = String>) -> Vec<Part> {
+fn group(words: &mut impl Iterator<Item = String>) -> Vec<MatrixMask> {
     let mut out = vec![];
     while let Some(word) = words.next() {
         match word.as_str() {
             ">" => break,
-            "<" => out.push(Part::Optional(group(words))),
-            "|" | "or" => out.push(Part::Either),
-            "..." => out.push(Part::Repeated),
+            "<" => out.push(MatrixMask::Optional(group(words))),
+            "|" | "or" => out.push(MatrixMask::Either),
+            "..." => out.push(MatrixMask::Repeated),
             _ => match word.strip_prefix('$') {
                 Some(name) => alternatives(name, &mut out),
-                None => out.push(Part::Word(word)),
+                None => out.push(MatrixMask::Word(word)),
             },
         }
     }
@@ -79,13 +79,13 @@ fn group(words: &mut impl Iterator<Item = String>) -> Vec<Part> {
 }
 
 /// `$a|$b` and `$section|-sections` are two forms each.
-fn alternatives(word: &str, out: &mut Vec<Part>) {
+fn alternatives(word: &str, out: &mut Vec<MatrixMask>) {
     for (i, part) in word.split('|').enumerate() {
         if i > 0 {
-            out.push(Part::Either);
+            out.push(MatrixMask::Either);
         }
         let name = part.trim_start_matches('$').to_owned();
-        out.push(if part.starts_with('-') { Part::Word(name) } else { Part::Argument(name) });
+        out.push(if part.starts_with('-') { MatrixMask::Word(name) } else { MatrixMask::Argument(name) });
     }
 }
 
@@ -103,7 +103,7 @@ pub struct Row {
 }
 
 /// The arguments and options of a usage, each once, in their order.
-pub fn rows(parts: &[Part]) -> Vec<Row> {
+pub fn rows(parts: &[MatrixMask]) -> Vec<Row> {
     let mut out = vec![];
     collect(parts, false, &mut out);
     let mut seen: Vec<(String, Vec<String>)> = vec![];
@@ -116,26 +116,26 @@ pub fn rows(parts: &[Part]) -> Vec<Row> {
     out
 }
 
-fn collect(parts: &[Part], optional: bool, out: &mut Vec<Row>) {
+fn collect(parts: &[MatrixMask], optional: bool, out: &mut Vec<Row>) {
     // The option whose arguments are being taken: they are part of its row.
     let mut option: Option<usize> = None;
     for part in parts {
         match part {
-            Part::Word(word) if word.starts_with('-') => {
+            MatrixMask::Word(word) if word.starts_with('-') => {
                 for name in word.split('|') {
                     let row = Row { shown: name.into(), option: name.into(), arguments: vec![], optional };
                     option = Some(out.len());
                     out.push(row);
                 }
             }
-            Part::Word(word) => {
+            MatrixMask::Word(word) => {
                 if let Some(row) = option.take().map(|i| &mut out[i])
                     && row.arguments.is_empty()
                 {
                     row.shown += &format!(" {word}");
                 }
             }
-            Part::Argument(name) => match option {
+            MatrixMask::Argument(name) => match option {
                 Some(i) => {
                     out[i].shown += &format!(" ${name}");
                     out[i].arguments.push(name.clone());
@@ -147,8 +147,8 @@ fn collect(parts: &[Part], optional: bool, out: &mut Vec<Row>) {
                     optional,
                 }),
             },
-            Part::Optional(inner) => {
-                let opens = inner.iter().any(|p| matches!(p, Part::Word(w) if w.starts_with('-')));
+            MatrixMask::Optional(inner) => {
+                let opens = inner.iter().any(|p| matches!(p, MatrixMask::Word(w) if w.starts_with('-')));
                 match option {
                     Some(i) if !opens => {
                         let mut more = vec![];
@@ -161,12 +161,12 @@ fn collect(parts: &[Part], optional: bool, out: &mut Vec<Row>) {
                     _ => collect(inner, true, out),
                 }
             }
-            Part::Repeated => {
+            MatrixMask::Repeated => {
                 if let Some(row) = out.last_mut() {
                     row.shown += " ...";
                 }
             }
-            Part::Either => option = None,
+            MatrixMask::Either => option = None,
         }
     }
 }

@@ -32,7 +32,7 @@ pub fn count_laws(run: &mut Run) {
 
 fn count_calls_of(interp: &mut Tcl, call: &Call<'_>) -> Result<Value, Exception> {
     let tag: i32 = call.arg(1).as_str().parse().unwrap();
-    let materials = &mut interp.host.definitions.materials;
+    let materials = &mut interp.host.builder.definitions.materials;
     let material = materials.remove(tag).unwrap();
     assert!(materials.add(tag, Arc::new(Counted(material))));
     Ok(Value::from(""))

@@ -2,7 +2,7 @@
 #![allow(dead_code)]
 
 use hysteron::analysis::Options;
-use hysteron::diagnose::{Diagnosis, Kept, Settings, Watch, diagnose};
+use hysteron::diagnose::{CheckpointEntry, Diagnosis, ProgressMonitor, Settings, diagnose};
 use hysteron::diagnostic::SourceMap;
 use hysteron::study::{ScriptSimulator, Study};
 use std::fmt::Write as _;
@@ -125,7 +125,7 @@ impl Concealed {
 
 /// Keeps what was worked out, and stops when that is so much.
 pub struct Keeper {
-    pub told: Vec<Kept>,
+    pub told: Vec<CheckpointEntry>,
     pub enough: usize,
 }
 
@@ -136,12 +136,12 @@ impl Keeper {
     }
 }
 
-impl Watch for Keeper {
+impl ProgressMonitor for Keeper {
     fn stage(&mut self, _: &str, _: usize, _: usize) {}
-    fn stopped(&self) -> bool {
+    fn is_cancelled(&self) -> bool {
         self.told.len() >= self.enough
     }
-    fn keep(&mut self, told: &[Kept]) {
+    fn checkpoint(&mut self, told: &[CheckpointEntry]) {
         self.told = told.to_vec();
     }
 }

@@ -1,7 +1,6 @@
 //! Analyses: the state of the motion, the integrators and algorithms that advance it, and what may go wrong.
 
 pub mod algorithm;
-mod asking;
 mod convergence;
 mod engine;
 mod failure;
@@ -12,6 +11,7 @@ mod matrices;
 mod modal_damping;
 mod modal_properties;
 mod modes;
+mod opensees;
 mod reactions;
 mod recovery;
 mod state;

@@ -2,67 +2,74 @@
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 
-/// Force of a wall that has failed, as a part of its displacement.
-const FAILED: f64 = 1e-8;
+/// Stiffness of a failed wall, force over displacement; the value of OpenSees.
+const FAILED_STIFFNESS: f64 = 1e-8;
 
-/// Pinched hysteresis of sheathing-to-framing connectors and of walls made with them (Folz and Filiatrault, 2001,
-/// <https://doi.org/10.1061/(ASCE)0733-9445(2001)127:4(433)>): an exponential envelope with a line that softens, unloading by r₃ S₀, a
-/// pinched line r₄ S₀ at ±F_I, and reloading that is the softer the further the wall has been.
+/// Pinched hysteresis of sheathing-to-framing connectors and of walls made with them. The envelope is exponential up
+/// to the largest force and softens linearly beyond. Unloading has the stiffness r₃ S₀, the pinched line r₄ S₀ at
+/// ±F_I. The reloading stiffness decreases with the largest displacement. Source: Folz and Filiatrault, 2001,
+/// <https://doi.org/10.1061/(ASCE)0733-9445(2001)127:4(433)>.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Wall {
-    /// Force where the asymptote of the envelope meets zero displacement F₀; force.
+pub struct SawsParameters {
+    /// Force F₀ of the envelope's asymptote at zero displacement; force.
     pub fo: f64,
-    /// Force of the pinched line at zero displacement F_I; force.
+    /// Force F_I of the pinched line at zero displacement; force.
     pub fi: f64,
-    /// Displacement at the largest force Δ_u; length.
+    /// Displacement Δ_u at the largest force; length.
     pub du: f64,
     /// Initial stiffness S₀; force over length.
     pub so: f64,
-    /// Stiffnesses as parts of S₀: asymptote, softening (negative), unloading, pinching.
+    /// Stiffnesses r₁ to r₄ divided by S₀: asymptote, softening (negative), unloading, pinching.
     pub r: [f64; 4],
-    /// Softening of the reloading stiffness α.
+    /// Exponent α of the reloading stiffness.
     pub alpha: f64,
-    /// How much further than it has been reloading takes the wall to the envelope β.
+    /// Displacement at which reloading reaches the envelope divided by the largest displacement, β.
     pub beta: f64,
-    /// As in OpenSees: where the pinched line leaves the envelope is found to a force of 1e-6; the tangent of the envelope is that of
-    /// another displacement; the negative side has other rules in a few turns within the loop.
+    /// As in OpenSees: the intersection of pinched line and envelope has a force tolerance of 1e-6, and the
+    /// envelope's tangent is that of another displacement. A few reversals inside the loop have different rules on
+    /// the negative side.
     pub compat: bool,
 }
 
-/// A [`Wall`] with what follows from its parameters.
+/// The law of a [`SawsParameters`], with derived constants.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Saws {
-    wall: Wall,
-    /// Displacement at which the pinched line leaves the curve of the envelope.
+    wall: SawsParameters,
+    /// Displacement at the intersection of the pinched line with the exponential envelope.
     leaves: f64,
-    /// Displacement at which nothing is left.
+    /// Displacement at which all strength is lost.
     ultimate: f64,
 }
 
-/// What the wall does.
+/// Path of the wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Path {
-    /// Nothing any more.
+    /// Failed.
     Failed,
-    /// On the envelope where it is left along itself.
+    /// On the envelope near zero, where unloading follows the loading curve.
     Virgin,
-    /// On its curve.
+    /// On the exponential part of the envelope.
     Curve,
-    /// On its line.
+    /// On the softening part of the envelope.
     Softening,
-    /// Unloading from it.
+    /// Unloading from the envelope.
     Unloading,
     /// On the pinched line of a side.
     Pinched,
-    /// From there to the envelope.
+    /// From the pinched line to the envelope.
     Reloading,
-    /// From the pinched line of a side to that of the other one.
+    /// Between the pinched lines of both sides.
     Between,
-    /// From the line of reloading to the pinched line of the other side.
+    /// From the reloading line to the pinched line of the other side.
     Back,
     /// Unloading from a side beyond zero displacement.
     Across,
 }
+
+/// Maximum number of bisections for an intersection; more than the bits of a double.
+const MAX_BISECTIONS: usize = 200;
+/// Maximum number of paths in a step.
+const MAX_PATHS: usize = 10;
 
 const PATHS: [Path; 10] = [
     Path::Virgin,
@@ -77,7 +84,7 @@ const PATHS: [Path; 10] = [
     Path::Failed,
 ];
 
-/// A path and the side that it belongs to, as kept in a word: the number of the path, negative on the negative side.
+/// A path and its side as a state variable: the number of the path, negative on the negative side.
 fn word(path: Path, s: f64) -> f64 {
     let number = PATHS.iter().position(|p| *p == path).map_or(0.0, |i| i as f64);
     s * number
@@ -89,17 +96,17 @@ fn path(word: f64) -> (Path, f64) {
 }
 
 crate::state_struct! {
-    /// One side, with its displacements and forces positive.
-    pub struct Reached {
-        /// 1 where the envelope has been followed.
+    /// History of one side, with positive displacements and forces.
+    pub struct SideHistory {
+        /// 1 if the envelope has been reached.
         yielded: f64,
         /// Displacement of the last unloading from the envelope.
         strain: f64,
-        /// Force there.
+        /// Force at that displacement.
         stress: f64,
-        /// Displacement at which reloading comes to the envelope.
+        /// Displacement at which reloading reaches the envelope.
         target: f64,
-        /// Force there.
+        /// Force at that displacement.
         target_stress: f64,
     }
 }
@@ -113,20 +120,21 @@ crate::state_struct! {
         stress: f64,
         /// Path and side.
         path: f64,
-        /// Path and side before.
+        /// Previous path and side.
         before: f64,
-        /// Displacement at which the path was left, or the last on it.
+        /// Displacement at the end of the previous path, or the last one on the path.
         turn: f64,
         /// Reloading stiffness.
         reloading: f64,
-        /// Both sides.
-        sides: [Reached; 2],
+        /// Histories of both sides.
+        sides: [SideHistory; 2],
     }
 }
 
 impl Saws {
-    /// `None` where the pinched line does not leave the envelope within twice the displacement at the largest force.
-    pub fn new(wall: Wall) -> Option<Self> {
+    /// Returns `None` if the pinched line does not meet the envelope within twice the displacement at the largest
+    /// force.
+    pub fn new(wall: SawsParameters) -> Option<Self> {
         let mut made = Self { wall, leaves: 0.0, ultimate: 0.0 };
         let far = 2.0 * made.wall.du;
         if made.curve(far).0 < made.pinched(far).0 {
@@ -136,7 +144,7 @@ impl Saws {
         Some(made)
     }
 
-    /// Force and slope of the curve of the envelope.
+    /// Force and slope of the exponential envelope.
     fn curve(&self, x: f64) -> (f64, f64) {
         let (asymptote, left) =
             (self.wall.fo + self.wall.r[0] * self.wall.so * x, (-self.wall.so * x / self.wall.fo).exp());
@@ -144,24 +152,24 @@ impl Saws {
         (asymptote * share, asymptote * self.wall.so / self.wall.fo * left + self.wall.r[0] * self.wall.so * share)
     }
 
-    /// Force and slope of the line behind it.
+    /// Force and slope of the softening line.
     fn softening(&self, x: f64) -> (f64, f64) {
         let slope = self.wall.r[1] * self.wall.so;
         (self.curve(self.wall.du).0 + slope * (x - self.wall.du), slope)
     }
 
-    /// The pinched line.
+    /// Force and slope of the pinched line.
     fn pinched(&self, x: f64) -> (f64, f64) {
         let slope = self.wall.r[3] * self.wall.so;
         (self.wall.fi + slope * x, slope)
     }
 
-    /// Where a line of unloading through a point meets the pinched line of the other side.
-    fn lands(&self, x: f64, force: f64) -> f64 {
+    /// Displacement at the intersection of an unloading line with the pinched line of the other side.
+    fn unloading_intersection(&self, x: f64, force: f64) -> f64 {
         (force + self.wall.fi - self.wall.r[2] * self.wall.so * x) / (self.wall.so * (self.wall.r[3] - self.wall.r[2]))
     }
 
-    /// Displacement at which nothing is left: the line of softening has come to the pinched line or to zero.
+    /// Displacement at which all strength is lost: the softening line meets the pinched line or zero.
     fn find_ultimate(&self) -> f64 {
         let fu = self.curve(self.wall.du).0;
         let slope = self.wall.r[1] * self.wall.so;
@@ -169,11 +177,11 @@ impl Saws {
         pinched.min(self.wall.du - fu / slope)
     }
 
-    /// Where the pinched line leaves the curve of the envelope.
+    /// Displacement at the intersection of pinched line and exponential envelope, by bisection.
     fn find_leaving(&self) -> f64 {
         let tolerance = if self.wall.compat { 1e-6 } else { 0.0 };
         let (mut low, mut high, mut middle) = (0.0, 2.0 * self.wall.du, self.wall.du);
-        for _ in 0..200 {
+        for _ in 0..MAX_BISECTIONS {
             middle = 0.5 * (low + high);
             let above = self.curve(middle).0 - self.pinched(middle).0;
             if above >= 0.0 {
@@ -188,8 +196,8 @@ impl Saws {
         middle
     }
 
-    /// Reloading stiffness towards a target, and where its line leaves the pinched one.
-    fn reload(&self, side: &Reached, old: f64) -> (f64, f64) {
+    /// Reloading stiffness towards a target, and displacement at the intersection of its line with the pinched line.
+    fn reload(&self, side: &SideHistory, old: f64) -> (f64, f64) {
         let slope = if side.yielded == 0.0 {
             self.wall.so
         } else if side.target != 0.0 {
@@ -197,33 +205,33 @@ impl Saws {
         } else {
             old
         };
-        (slope, self.meets(side, slope))
+        (slope, self.reloading_intersection(side, slope))
     }
 
-    fn meets(&self, side: &Reached, slope: f64) -> f64 {
+    fn reloading_intersection(&self, side: &SideHistory, slope: f64) -> f64 {
         (self.wall.fi - side.target_stress + slope * side.target) / (slope - self.wall.r[3] * self.wall.so)
     }
 }
 
-/// What a step has come through.
+/// Paths that a step has passed.
 #[derive(Clone, Copy, Default)]
-struct Passed {
+struct PassedPaths {
     /// The pinched line of the negative side.
     negative: bool,
     /// Unloading from the envelope.
     unloading: bool,
 }
 
-/// One step of the way through the paths.
+/// Result of one path.
 enum Next {
-    /// On to another path of a side.
+    /// Continue on another path of a side.
     To(Path, f64),
-    /// Force and slope, seen from the side; whether the displacement is kept as the last of the path.
+    /// Force and slope with the signs of the side; true if the displacement is stored as the last of the path.
     At(f64, (f64, f64), bool),
 }
 
 impl Saws {
-    fn follow(&self, now: (Path, f64), u: f64, passed: Passed, t: &mut History) -> Next {
+    fn follow(&self, now: (Path, f64), u: f64, passed: PassedPaths, t: &mut History) -> Next {
         let (path, side) = now;
         let sign = if u >= 0.0 { 1.0 } else { -1.0 };
         let s = match path {
@@ -235,7 +243,7 @@ impl Saws {
         let before = t.before;
         let unload = self.wall.r[2] * self.wall.so;
         match path {
-            Path::Failed => Next::At(s, (FAILED * x, FAILED), false),
+            Path::Failed => Next::At(s, (FAILED_STIFFNESS * x, FAILED_STIFFNESS), false),
             Path::Virgin => {
                 if x <= 1.05 * self.leaves {
                     return Next::At(s, self.curve(x), true);
@@ -247,7 +255,7 @@ impl Saws {
                 if path == Path::Curve && x > self.wall.du {
                     return Next::To(Path::Softening, s);
                 }
-                // A wall that comes from the other side in one step has been unloaded already.
+                // A step from the other side includes the unloading.
                 if x < if passed.unloading { turn } else { turn.abs() } {
                     return Next::To(Path::Unloading, s);
                 }
@@ -267,7 +275,7 @@ impl Saws {
                     }
                     target_stress = target_stress.min(self.curve(self.wall.du).0);
                 }
-                t.sides[i] = Reached { yielded: 1.0, strain: x, stress: at.0, target, target_stress };
+                t.sides[i] = SideHistory { yielded: 1.0, strain: x, stress: at.0, target, target_stress };
                 t.before = word(path, 1.0);
                 Next::At(s, at, true)
             }
@@ -277,7 +285,7 @@ impl Saws {
                     return Next::To(Path::Across, t.turn.signum());
                 }
                 let r = t.sides[i];
-                if x < self.lands(r.strain, r.stress) {
+                if x < self.unloading_intersection(r.strain, r.stress) {
                     return Next::To(Path::Pinched, -s);
                 }
                 let force = r.stress + unload * (x - r.strain);
@@ -290,7 +298,7 @@ impl Saws {
             Path::Across => {
                 let r = t.sides[i];
                 t.before = word(Path::Across, s);
-                if x <= self.lands(r.strain, r.stress) {
+                if x <= self.unloading_intersection(r.strain, r.stress) {
                     return Next::To(Path::Pinched, -s);
                 }
                 let force = r.stress + unload * (x - r.strain);
@@ -336,13 +344,13 @@ impl Saws {
                     t.reloading = self.wall.so * (self.wall.fo / self.wall.so / r.target).powf(self.wall.alpha);
                     let other =
                         if self.wall.compat && s < 0.0 { word(Path::Unloading, 1.0) } else { word(Path::Pinched, s) };
-                    if before == other && x >= self.meets(&r, t.reloading) {
+                    if before == other && x >= self.reloading_intersection(&r, t.reloading) {
                         t.before = word(path, s);
                         return Next::To(Path::Reloading, s);
                     }
                     r.target_stress + t.reloading * (turn - r.target)
                 };
-                if x > self.lands(turn, from) && x < turn {
+                if x > self.unloading_intersection(turn, from) && x < turn {
                     return Next::At(s, (from + unload * (x - turn), unload), false);
                 }
                 t.before = word(path, s);
@@ -368,8 +376,8 @@ impl UniaxialLaw for Saws {
         if u.abs() >= self.ultimate {
             t.path = word(Path::Failed, 1.0);
         }
-        let mut passed = Passed::default();
-        for _ in 0..10 {
+        let mut passed = PassedPaths::default();
+        for _ in 0..MAX_PATHS {
             let now = path(t.path);
             passed.negative |= now == (Path::Pinched, -1.0);
             passed.unloading |= now.0 == Path::Unloading;
@@ -384,12 +392,12 @@ impl UniaxialLaw for Saws {
                     return if finite {
                         Ok((Stress { value: t.stress, tangent, damping: 0.0 }, t))
                     } else {
-                        Err(none(u))
+                        Err(no_force_error(u))
                     };
                 }
             }
         }
-        Err(none(u))
+        Err(no_force_error(u))
     }
 
     fn initial_tangent(&self) -> f64 {
@@ -397,6 +405,6 @@ impl UniaxialLaw for Saws {
     }
 }
 
-fn none(u: f64) -> MaterialError {
+fn no_force_error(u: f64) -> MaterialError {
     MaterialError(format!("SAWS has no force at a displacement of {u:.6e}"))
 }

@@ -188,7 +188,7 @@ impl ScriptSimulator {
         let limits = self.limits[run];
         let interrupt = script.interp.interrupt.clone();
         let watch = LimitWatch { interrupt, stop: self.stop.clone(), steps: 0, limits, begun };
-        script.interp.host.tell(Box::new(watch));
+        script.interp.host.set_progress(Box::new(watch));
         script.interp.host.number_files = self.numbers.clone();
         script.interp.budget = Some(limits.commands);
         if let Some(values) = values {

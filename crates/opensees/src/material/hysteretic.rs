@@ -4,7 +4,7 @@ use super::Kind;
 use crate::args::Args;
 use crate::{Tcl, warn};
 use hysteron_engine::material::{
-    Bilin, BilinSide, BoucWen, Deterioration, Envelope, Hysteretic, Material, Saws, SelfCentering, Wall,
+    Bilin, BilinSide, BoucWen, Deterioration, Envelope, Hysteretic, Material, Saws, SawsParameters, SelfCentering,
 };
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -189,7 +189,7 @@ fn saws(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let alpha = a.not_negative("softening alpha of the reloading stiffness")?;
     let beta = a.positive("growth beta of the displacement")?;
     let compat = interp.host.engine.options.compat;
-    let wall = Wall { fo, fi, du, so, r: [r1, r2, r3, r4], alpha, beta, compat };
+    let wall = SawsParameters { fo, fi, du, so, r: [r1, r2, r3, r4], alpha, beta, compat };
     let law = Saws::new(wall).ok_or_else(|| {
         let message = "SAWS: the pinched line FI + R4 S0 u does not meet the envelope";
         a.refuse(message, "expected less FI or R4, so that it does before 2 DU")

@@ -1,13 +1,13 @@
-//! Bearings of seismic isolation: two-node elements that join a shear law to axial and rotational materials.
+//! Seismic isolation bearings: two-node elements of a shear law with axial and rotational materials.
 //!
-//! To add one of this family: a [`ShearLaw`] in a file of its own. [`ShearBearing`] is the element around it.
-//! A [`RubberShear`] stands beside the axial law of layered rubber, in a [`RubberBearing`].
+//! A new bearing of this family is a [`ShearLaw`] in a file of its own, with [`ShearBearing`] as the element. A
+//! [`RubberShear`] is combined with the axial law of layered rubber in a [`RubberBearing`].
 
 mod elements;
 mod kinematics;
 mod laws;
 
-pub use elements::kikuchi::{Balance, Common, KikuchiBearing, KikuchiParameters, Scheme};
+pub use elements::kikuchi::{Balance, KikuchiBearing, KikuchiParameters, Scheme};
 pub use elements::multiple_normal_spring::MultipleNormalSpring;
 pub use elements::multiple_shear_spring::MultipleShearSpring;
 pub use elements::rubber_bearing::RubberBearing;
@@ -25,7 +25,7 @@ pub use laws::plasticity::PlasticShear;
 pub use laws::rheology::RheologyShear;
 pub use laws::rubber::{Layers, PI, Rubber};
 pub use laws::rubber_bouc_wen::{RubberBoucWen, Warmth};
-pub use laws::rubber_shear::{RubberShear, ShearStep, Shearing};
+pub use laws::rubber_shear::{RubberShear, ShearInput, ShearStep};
 pub use laws::shear::{Shear, ShearLaw};
 pub use laws::shear_springs::{Bundle, Factors, ShearSprings};
 pub use laws::ufrp::UfrpShear;

@@ -5,30 +5,30 @@ use crate::element::bearing::kinematics::link::Link;
 use crate::element::bearing::kinematics::responses::{NAMES, Response};
 use crate::element::bearing::laws::normal_springs::{NormalSprings, Section};
 use crate::element::{
-    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask, Snapshot,
-    frame_force_labels,
+    BasicRow, CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask,
+    OpenSeesTraits, SharedState, Snapshot, frame_force_labels,
 };
 use crate::probe::Probe;
 use crate::state_struct;
 use crate::state_struct::StateStruct;
 
 state_struct! {
-    /// What recorders read.
+    /// Recorded section forces.
     struct Forces {
-        /// Axial force and moments about y and z.
+        /// Axial force, moment about y, moment about z.
         force: [f64; 3],
         /// Stiffness of the section.
         stiffness: [[f64; 3]; 3],
     }
 }
 
-/// Springs along the line between two nodes, spread over a section: axial force and bending, no shear and no torsion.
+/// Springs along the line between two nodes, distributed over a section: axial force and bending, no shear or torsion.
 #[derive(Clone, Debug)]
 pub struct MultipleNormalSpring {
     springs: NormalSprings,
     link: Link<12, 6>,
     mass: f64,
-    /// OpenSees is followed, whose springs may go on with every call.
+    /// OpenSees' scheme, in which springs may depend on every call.
     counts_calls: bool,
 }
 
@@ -36,14 +36,14 @@ pub struct MultipleNormalSpring {
 const DIRECTIONS: [usize; 3] = [0, 4, 5];
 
 impl MultipleNormalSpring {
-    /// State variables of state before those of the springs.
+    /// Number of state variables before those of the springs.
     pub const HEADER: usize = Forces::LEN;
 
-    /// From springs whose histories begin at word [`Self::HEADER`], and the kinematics. `compat` follows OpenSees, which
-    /// commits only n of its n x n springs.
+    /// Makes the element of springs with state variables from [`Self::HEADER`] on, and the kinematics. `compat` follows
+    /// OpenSees, which commits only n of its n x n springs.
     pub fn new(springs: NormalSprings, link: Link<12, 6>, mass: f64, compat: bool) -> Self {
         let n = springs.len().isqrt();
-        let springs = if compat { springs.remembering(n) } else { springs };
+        let springs = if compat { springs.committing_first(n) } else { springs };
         let counts_calls = compat && !springs.material().is_linear();
         Self { springs, link, mass, counts_calls }
     }
@@ -95,7 +95,7 @@ impl Element for MultipleNormalSpring {
         motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: ElementOutput<'_>,
+        output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let [u, rate] = [motion.disp, motion.vel].map(|x| {
             let basic = self.link.deformation(x);
@@ -103,33 +103,29 @@ impl Element for MultipleNormalSpring {
         });
         let Section { force, stiffness, damping } = self.springs.respond(committed, u, rate, motion.dt, trial)?;
         Forces { force, stiffness }.write(trial);
-        self.link.add_basic_force(&Self::spread(force), answer.force);
-        if let Some(tangent) = answer.tangent {
+        self.link.add_basic_force(&Self::spread(force), output.force);
+        if let Some(tangent) = output.tangent {
             self.link.add_basic(&Self::stiffness(stiffness), tangent);
         }
-        if let Some(c) = answer.damping {
+        if let Some(c) = output.damping {
             self.link.add_basic(&Self::stiffness(damping), c);
         }
         Ok(())
     }
 
-    fn counts_calls(&self) -> bool {
-        self.counts_calls
-    }
-    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], part: MatrixMask) {
-        self.link.add_basic_part(&Self::stiffness(Forces::read(history).stiffness), tangent, part);
-    }
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.link.add_basic(&Self::stiffness(self.springs.initial_stiffness()), tangent);
     }
     fn mass(&self) -> Mass {
         end_masses(self.mass, 6, 3)
     }
-    fn renews_damping(&self) -> bool {
-        false
-    }
-    fn ground_inertia_slip(&self) -> Option<f64> {
-        (self.mass != 0.0).then_some(1.0)
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        OpenSeesTraits {
+            calls: self.counts_calls.then_some(self as &dyn CallDependent),
+            keeps_first_damping: true,
+            ground_inertia: (self.mass != 0.0).then_some(1.0),
+            ..OpenSeesTraits::default()
+        }
     }
     fn basic_rows(&self) -> Vec<BasicRow> {
         self.link.basic_rows()
@@ -146,5 +142,11 @@ impl Element for MultipleNormalSpring {
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
         let basic = |out: &mut [f64]| out.copy_from_slice(&Self::spread(Forces::read(s.state).force));
         Response::of(path).read(&self.link, s, out, basic);
+    }
+}
+
+impl CallDependent for MultipleNormalSpring {
+    fn last_tangent(&self, history: &[f64], _: &SharedState, tangent: &mut [f64], part: MatrixMask) {
+        self.link.add_basic_part(&Self::stiffness(Forces::read(history).stiffness), tangent, part);
     }
 }

@@ -5,40 +5,41 @@ use crate::element::bearing::kinematics::link::Link;
 use crate::element::bearing::kinematics::responses::{NAMES, Response};
 use crate::element::bearing::laws::shear_springs::{Bundle, Factors, ShearSprings};
 use crate::element::{
-    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, frame_force_labels,
+    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
+    frame_force_labels,
 };
 use crate::probe::Probe;
 use crate::state_struct;
 use crate::state_struct::StateStruct;
 
 state_struct! {
-    /// What recorders read.
+    /// Recorded shear forces.
     struct Forces {
         /// Shear along y and z.
         force: [f64; 2],
     }
 }
 
-/// Springs in all directions across the line between two nodes, at half of its length: shear, no axial force, no
-/// torsion and no bending (Wada and Hirose, 1989).
+/// Shear springs in all directions normal to the line between two nodes, at its middle. There is no axial force,
+/// torsion or bending (Wada and Hirose, 1989).
 #[derive(Clone, Debug)]
 pub struct MultipleShearSpring {
     springs: ShearSprings,
     link: Link<12, 6>,
     mass: f64,
     initial: [[f64; 2]; 2],
-    /// As in OpenSees, the stiffness is multiplied by a factor of its own instead of being the derivative of the force.
+    /// OpenSees' stiffness: multiplied by a factor of its own instead of the derivative of the force.
     compat: bool,
 }
 
 impl MultipleShearSpring {
-    /// State variables of state before those of the springs.
+    /// Number of state variables before those of the springs.
     pub const HEADER: usize = Forces::LEN;
 
-    /// From springs whose histories begin at word [`Self::HEADER`], and the kinematics.
+    /// Makes the element of springs with state variables from [`Self::HEADER`] on, and the kinematics.
     ///
     /// # Errors
-    /// Springs with a limit at which they have no force.
+    /// Springs without a force at their limit.
     pub fn new(springs: ShearSprings, link: Link<12, 6>, mass: f64, compat: bool) -> Result<Self, ElementError> {
         let mut state = vec![0.0; Self::HEADER + springs.state_len()];
         springs.init(&mut state);
@@ -48,7 +49,7 @@ impl MultipleShearSpring {
         Ok(Self { springs, link, mass, initial, compat })
     }
 
-    /// Stiffness of the bundle with its factors, at a displacement `u` of the size `size`.
+    /// Stiffness of the bundle with its factors, at a displacement `u` of length `size`.
     fn stiffness(&self, bundle: &Bundle, factors: &Factors, u: [f64; 2], size: f64) -> [[f64; 2]; 2] {
         let scale = if self.compat { factors.stiffness } else { factors.force };
         let mut k = bundle.stiffness.map(|row| row.map(|k| scale * k));
@@ -63,7 +64,7 @@ impl MultipleShearSpring {
     }
 }
 
-/// A matrix of the two shears among those of all basic directions.
+/// Stiffness in all basic directions from that of the two shears.
 fn spread(shear: [[f64; 2]; 2]) -> [[f64; 6]; 6] {
     let mut k = [[0.0; 6]; 6];
     for (row, shear) in k[1..3].iter_mut().zip(shear) {
@@ -72,7 +73,7 @@ fn spread(shear: [[f64; 2]; 2]) -> [[f64; 6]; 6] {
     k
 }
 
-/// Basic forces.
+/// Basic forces from the two shears.
 fn basic([y, z]: [f64; 2]) -> [f64; 6] {
     [0.0, y, z, 0.0, 0.0, 0.0]
 }
@@ -107,7 +108,7 @@ impl Element for MultipleShearSpring {
         motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: ElementOutput<'_>,
+        output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let [u, rate] = [motion.disp, motion.vel].map(|x| {
             let basic = self.link.deformation(x);
@@ -118,11 +119,11 @@ impl Element for MultipleShearSpring {
         let factors = self.springs.factors(size, committed, trial)?;
         let force = bundle.force.map(|f| factors.force * f);
         Forces { force }.write(trial);
-        self.link.add_basic_force(&basic(force), answer.force);
-        if let Some(tangent) = answer.tangent {
+        self.link.add_basic_force(&basic(force), output.force);
+        if let Some(tangent) = output.tangent {
             self.link.add_basic(&spread(self.stiffness(&bundle, &factors, u, size)), tangent);
         }
-        if let Some(c) = answer.damping {
+        if let Some(c) = output.damping {
             self.link.add_basic(&spread(bundle.damping.map(|row| row.map(|c| factors.force * c))), c);
         }
         Ok(())
@@ -134,11 +135,9 @@ impl Element for MultipleShearSpring {
     fn mass(&self) -> Mass {
         end_masses(self.mass, 6, 3)
     }
-    fn renews_damping(&self) -> bool {
-        false
-    }
-    fn ground_inertia_slip(&self) -> Option<f64> {
-        (self.mass != 0.0).then_some(1.0)
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        let ground_inertia = (self.mass != 0.0).then_some(1.0);
+        OpenSeesTraits { keeps_first_damping: true, ground_inertia, ..OpenSeesTraits::default() }
     }
     fn basic_rows(&self) -> Vec<BasicRow> {
         self.link.basic_rows()

@@ -1,11 +1,11 @@
-//! `HDR`, `ElastomericX`, `LeadRubberX`: a shear law beside the axial law of layered rubber bearings.
+//! `HDR`, `ElastomericX`, `LeadRubberX`: a shear law with the axial law of layered rubber bearings.
 
 use crate::element::bearing::elements::shear_bearing::{
     BASIC_FORCE, BASIC_STIFFNESS, DEFORMATION, HYSTERETIC, LOCAL_DISP, LOCAL_FORCE, end_masses, probe,
 };
 use crate::element::bearing::kinematics::link::Link;
 use crate::element::bearing::laws::axial::{Axial, AxialLaw};
-use crate::element::bearing::laws::rubber_shear::{RubberShear, Shearing};
+use crate::element::bearing::laws::rubber_shear::{RubberShear, ShearInput};
 use crate::element::bearing::laws::shear::Shear;
 use crate::element::{
     BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Overload, Snapshot,
@@ -14,7 +14,7 @@ use crate::element::{
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
 
-/// Layered rubber bearing in space: axial force, shear in two directions, and linear torsion and rotations.
+/// A layered rubber bearing in space: axial force, shear in two directions, linear torsion and rotations.
 #[derive(Clone, Debug)]
 pub struct RubberBearing<L> {
     axial: AxialLaw,
@@ -27,15 +27,15 @@ const SHEAR_AT: usize = Axial::LEN;
 const MEMORY_AT: usize = SHEAR_AT + Shear::<2>::LEN;
 
 impl<L: RubberShear> RubberBearing<L> {
-    /// Where the words behind the memory of the shear law begin.
+    /// Index of the state variables after the memory of the shear law.
     const TAIL_AT: usize = MEMORY_AT + L::Memory::LEN;
 
-    /// From its laws, its kinematics and its mass.
+    /// Makes the bearing of its laws, its kinematics and its mass.
     pub fn new(axial: AxialLaw, shear: L, link: Link<12, 6>, mass: f64) -> Self {
         Self { axial, shear, link, mass }
     }
 
-    /// Stiffnesses of torsion and rotations.
+    /// Stiffnesses of torsion, rotation about y and rotation about z.
     fn rotations(&self) -> [f64; 3] {
         [self.axial.rubber.torsion, self.axial.rubber.rotation, self.axial.rubber.rotation]
     }
@@ -63,7 +63,7 @@ impl<L: RubberShear + 'static> Element for RubberBearing<L> {
             linear: false,
             symmetric: false,
             viscous: self.shear.is_viscous(),
-            elapses: self.shear.ages(),
+            elapses: self.shear.depends_on_time(),
             rayleigh: false,
         }
     }
@@ -73,12 +73,12 @@ impl<L: RubberShear + 'static> Element for RubberBearing<L> {
         motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: ElementOutput<'_>,
+        output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let local = self.link.local_motion(motion.disp);
         let u = self.link.deformation_of(&local);
         let lateral = [u[1], u[2]];
-        let rate = if self.shear.is_viscous() || self.shear.ages() {
+        let rate = if self.shear.is_viscous() || self.shear.depends_on_time() {
             let rate = self.link.deformation(motion.vel);
             [rate[1], rate[2]]
         } else {
@@ -87,7 +87,7 @@ impl<L: RubberShear + 'static> Element for RubberBearing<L> {
         let size = (u[1] * u[1] + u[2] * u[2]).sqrt();
         let axial = self.axial.step(&Axial::read(committed), u[0], size);
         let tail = &committed[Self::TAIL_AT..];
-        let at = Shearing { u: lateral, size, rate, dt: motion.dt, time: motion.time, axial: &axial, tail };
+        let at = ShearInput { u: lateral, size, rate, dt: motion.dt, time: motion.time, axial: &axial, tail };
         let (c, m) = (Shear::read(&committed[SHEAR_AT..]), L::Memory::read(&committed[MEMORY_AT..]));
         let s = self.shear.step(&c, &m, &L::Memory::read(&trial[MEMORY_AT..]), &at);
         axial.next.write(trial);
@@ -101,8 +101,8 @@ impl<L: RubberShear + 'static> Element for RubberBearing<L> {
         for i in 0..3 {
             q[3 + i] = rotations[i] * u[3 + i];
         }
-        self.link.add_force(&q, &local, answer.force);
-        if let Some(tangent) = answer.tangent {
+        self.link.add_force(&q, &local, output.force);
+        if let Some(tangent) = output.tangent {
             let mut k = [[0.0; 6]; 6];
             k[0][0] = axial.k;
             for i in 0..2 {
@@ -115,12 +115,12 @@ impl<L: RubberShear + 'static> Element for RubberBearing<L> {
             for i in 0..3 {
                 k[3 + i][3 + i] = rotations[i];
             }
-            self.link.add_tangent(&k, &q, motion.disp, tangent, answer.part);
+            self.link.add_tangent(&k, &q, motion.disp, tangent, output.part);
         }
-        if let Some(damping) = answer.damping.filter(|_| s.damping != 0.0) {
+        if let Some(damping) = output.damping.filter(|_| s.damping != 0.0) {
             let mut c = [[0.0; 6]; 6];
             (c[1][1], c[2][2]) = (s.damping, s.damping);
-            self.link.add_basic_part(&c, damping, answer.part);
+            self.link.add_basic_part(&c, damping, output.part);
         }
         Ok(())
     }

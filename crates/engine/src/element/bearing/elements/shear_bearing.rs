@@ -1,17 +1,18 @@
-//! A bearing between two nodes: a shear law beside uniaxial materials for the other directions.
+//! A bearing between two nodes: a shear law with uniaxial materials for the other directions.
 
 use crate::element::bearing::kinematics::link::Link;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw};
 use crate::element::{
-    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, frame_force_labels,
+    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
+    frame_force_labels,
 };
 use crate::material::{Material, Slot, Strain};
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
 
-/// Bearing with a law for its `S` directions of shear and `M` uniaxial materials for the other basic directions: axial
-/// force and moment in the plane (`N` = 6 degrees of freedom, `B` = 3 basic directions, `M` = 2, `S` = 1); axial
-/// force, torsion and the moments about y and z in space (12, 6, 4, 2).
+/// A bearing with a law for its `S` shear directions and `M` uniaxial materials for the other basic directions. In the
+/// plane (`N` = 6 degrees of freedom, `B` = 3 basic directions, `M` = 2, `S` = 1) these are axial force and moment. In
+/// space (12, 6, 4, 2) they are axial force, torsion and the moments about y and z.
 #[derive(Clone, Debug)]
 pub struct ShearBearing<L, const N: usize, const B: usize, const M: usize, const S: usize> {
     law: L,
@@ -22,13 +23,13 @@ pub struct ShearBearing<L, const N: usize, const B: usize, const M: usize, const
     state_len: usize,
 }
 
-/// In the plane.
+/// A bearing in the plane.
 pub type PlaneBearing<L> = ShearBearing<L, 6, 3, 2, 1>;
-/// In space.
+/// A bearing in space.
 pub type SpaceBearing<L> = ShearBearing<L, 12, 6, 4, 2>;
 
 impl<L: ShearLaw<S>, const N: usize, const B: usize, const M: usize, const S: usize> ShearBearing<L, N, B, M, S> {
-    /// From the law, the kinematics, and the materials (with their tags) in the order of the basic directions.
+    /// Makes the bearing of its law, its kinematics, and its materials with tags in the order of the basic directions.
     pub fn new(law: L, link: Link<N, B>, materials: [(Material, i32); M], mass: f64, rayleigh: bool) -> Self {
         let mut state_len = Shear::<S>::LEN;
         let materials = materials.map(|(m, tag)| {
@@ -44,7 +45,7 @@ impl<L: ShearLaw<S>, const N: usize, const B: usize, const M: usize, const S: us
         self.materials.iter().enumerate().map(|(i, m)| (if i == 0 { 0 } else { i + S }, m))
     }
 
-    /// Stiffnesses of the materials, and of the shear law between them.
+    /// Basic stiffness from those of the materials and of the shear law.
     fn basic_stiffness(materials: [f64; B], shear: &Shear<S>) -> [[f64; B]; B] {
         let mut k = diagonal(materials);
         for (row, k) in k[1..=S].iter_mut().zip(&shear.k) {
@@ -81,12 +82,12 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
         motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: ElementOutput<'_>,
+        output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let local = self.link.local_motion(motion.disp);
         let u = self.link.deformation_of(&local);
         let rate = if motion.still { [0.0; B] } else { self.link.deformation(motion.vel) };
-        // Of the materials; shear in between.
+        // Axial and rotational entries from the materials, shear entries between them.
         let (mut q, mut stiffness, mut viscosity) = ([0.0; B], [0.0; B], [0.0; B]);
         for (i, slot) in self.springs() {
             let s = slot.update(committed, Strain { value: u[i], rate: rate[i], dt: motion.dt }, trial)?;
@@ -102,14 +103,14 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
         }
         shear.write(trial);
         q[1..=S].copy_from_slice(&shear.q);
-        self.link.add_force(&q, &local, answer.force);
-        if let Some(tangent) = answer.tangent {
+        self.link.add_force(&q, &local, output.force);
+        if let Some(tangent) = output.tangent {
             let k = Self::basic_stiffness(stiffness, &shear);
-            self.link.add_tangent(&k, &q, motion.disp, tangent, answer.part);
+            self.link.add_tangent(&k, &q, motion.disp, tangent, output.part);
         }
-        if let Some(damping) = answer.damping {
+        if let Some(damping) = output.damping {
             let c = diagonal(viscosity);
-            self.link.add_basic_part(&c, damping, answer.part);
+            self.link.add_basic_part(&c, damping, output.part);
         }
         Ok(())
     }
@@ -126,12 +127,9 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
         self.law.masses(self.mass)
     }
 
-    fn renews_damping(&self) -> bool {
-        L::RENEWS_DAMPING
-    }
-
-    fn ground_inertia_slip(&self) -> Option<f64> {
-        (L::REPORTS_INERTIA && self.mass != 0.0).then_some(1.0)
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        let ground_inertia = (L::REPORTS_INERTIA && self.mass != 0.0).then_some(1.0);
+        OpenSeesTraits { keeps_first_damping: !L::RENEWS_DAMPING, ground_inertia, ..OpenSeesTraits::default() }
     }
 
     fn basic_rows(&self) -> Vec<BasicRow> {
@@ -177,7 +175,7 @@ fn diagonal<const B: usize>(values: [f64; B]) -> [[f64; B]; B] {
     matrix
 }
 
-/// Half of the mass at each end, translations only.
+/// Lumped mass: half at each end, translations only.
 pub(in crate::element::bearing) fn end_masses(mass: f64, per_node: usize, translations: usize) -> Mass {
     if mass == 0.0 {
         return Mass::None;
@@ -196,10 +194,10 @@ pub(in crate::element::bearing) const DEFORMATION: u32 = 5;
 pub(in crate::element::bearing) const HYSTERETIC: u32 = 6;
 pub(in crate::element::bearing) const BASIC_STIFFNESS: u32 = 8;
 pub(in crate::element::bearing) const MATERIAL: u32 = 9;
-/// Of friction models, in the bearings that slide.
+/// First response of the friction model, in sliding bearings.
 pub(in crate::element::bearing) const FRICTION: u32 = 10;
 
-/// Names of the responses; the first is that of laws with a hysteretic parameter only.
+/// Names of the responses; the first exists only for laws with a hysteretic parameter.
 const PROBES: &[&str] = &[
     "hystereticParameter",
     "localForce",
@@ -211,7 +209,7 @@ const PROBES: &[&str] = &[
     "material",
 ];
 
-/// The responses by name.
+/// The response for the arguments of a recorder.
 pub(in crate::element::bearing) fn probe<const S: usize>(words: &[&str]) -> Option<Probe> {
     let plane = S == 1;
     let basic = if plane { 3 } else { 6 };

@@ -1,4 +1,4 @@
-//! Kinematics that bearing elements share, and the responses that follow from them.
+//! Kinematics of bearing elements, and the responses that follow from them.
 
 pub(in crate::element::bearing) mod link;
 pub(in crate::element::bearing) mod overlap;

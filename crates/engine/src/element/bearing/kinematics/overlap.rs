@@ -1,9 +1,9 @@
-//! Overlap of the two ends of a round bearing that is sheared.
+//! Overlap area of the two end plates of a sheared round bearing.
 
 use std::f64::consts::PI;
 
-/// Share of the area of two circles of one diameter that overlaps when their centres are `x` diameters apart, and its
-/// derivative: (Δ - sin Δ) / π with Δ = 2 acos x.
+/// Ratio of the overlap area of two equal circles to their area, and its derivative by `x`, the distance of the centres
+/// in diameters. The ratio is (Δ - sin Δ) / π with Δ = 2 acos x.
 #[inline]
 pub fn overlap(x: f64) -> (f64, f64) {
     if x >= 1.0 {
@@ -24,7 +24,7 @@ mod tests {
         assert_eq!(overlap(0.0).0, 1.0);
         assert_eq!(overlap(1.0).0, 0.0);
         assert_eq!(overlap(1.5), (0.0, 0.0));
-        // Centres half a diameter apart: 2/3 - √3/(2π).
+        // At half a diameter: 2/3 - √3/(2π).
         assert!((overlap(0.5).0 - (2.0 / 3.0 - 3.0f64.sqrt() / (2.0 * std::f64::consts::PI))).abs() < 1e-15);
         let (h, x) = (1e-6, 0.37);
         let slope = (overlap(x + h).0 - overlap(x - h).0) / (2.0 * h);

@@ -1,10 +1,10 @@
-//! Responses that OpenSees' multiple spring bearings in space have in common.
+//! Common responses of OpenSees' multiple spring bearings in space.
 
 use crate::element::Snapshot;
 use crate::element::bearing::kinematics::link::Link;
 use crate::probe::Probe;
 
-/// Responses by name, with the columns that OpenSees calls so.
+/// Responses with OpenSees' column names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::element::bearing) enum Response {
     /// End forces in local axes.
@@ -27,7 +27,7 @@ const LOCAL_FORCES: [&str; 12] =
 impl Response {
     const ALL: [Self; 4] = [Self::LocalForce, Self::BasicForce, Self::LocalDisp, Self::Deformation];
 
-    /// The response of this name.
+    /// The response for the arguments of a recorder.
     pub(in crate::element::bearing) fn probe(words: &[&str]) -> Option<Probe> {
         let numbered = |stem: &str| (1..=6).map(|i| format!("{stem}{i}")).collect::<Vec<_>>();
         let (which, labels) = match *words.first()? {
@@ -45,12 +45,12 @@ impl Response {
         Some(Probe::new(which as u32, labels))
     }
 
-    /// The response that a path stands for.
+    /// The response of a path.
     pub(in crate::element::bearing) fn of(path: &[u32]) -> Self {
         Self::ALL.into_iter().find(|r| path.first() == Some(&(*r as u32))).unwrap_or(Self::LocalForce)
     }
 
-    /// Its value; `basic_force` is asked for basic forces.
+    /// Writes its value; `basic_force` computes basic forces.
     pub(in crate::element::bearing) fn read(
         self,
         link: &Link<12, 6>,

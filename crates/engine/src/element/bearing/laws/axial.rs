@@ -1,84 +1,85 @@
-//! Axial law of layered rubber bearings: cavitation and its damage in tension, buckling in compression, both as the
-//! shear displacement has it.
+//! Axial law of layered rubber bearings: cavitation with damage in tension, buckling in compression, both as functions
+//! of the shear displacement.
 
 use crate::element::bearing::kinematics::overlap::overlap;
 use crate::element::bearing::laws::rubber::{PI, Rubber};
 
-/// Part of the critical load that is left however far a bearing is sheared.
-const LEAST_CRITICAL: f64 = 0.2;
-/// Axial stiffness of a bearing that has buckled, over its stiffness at rest.
-const BUCKLED: f64 = 1e-4;
+/// Least ratio of the critical load to that at zero shear displacement.
+const MIN_CRITICAL_RATIO: f64 = 0.2;
+/// Ratio of the axial stiffness after buckling to the initial one.
+const BUCKLED_STIFFNESS_RATIO: f64 = 1e-4;
 
 /// Axial law of `HDR`, `ElastomericX` and `LeadRubberX`.
 ///
-/// Kumar, Whittaker and Constantinou (2014). At the shear displacement u_h the stiffness is
-/// K_v = K_v0 / (1 + 3/π² (u_h/r)²) and the critical load P_cr times the overlap of the ends, but no less than a fifth of it.
-/// Beyond cavitation at u_c = F_c/K_v tension follows F_c (1 + (1 - e^(-k_c (u-u_c))) / (T_r k_c)); the strength of a bearing
-/// that has been there is F_c (1 - Φ_max (1 - e^(-a_c (u_max-u_c)/u_c))), and it is loaded again along the line from that
-/// strength to the farthest point.
+/// Source: Kumar, Whittaker and Constantinou (2014). At the shear displacement u_h the stiffness is K_v = K_v0 / (1 +
+/// 3/π² (u_h/r)²). The critical load is P_cr times the overlap of the ends, at least 0.2 P_cr. Beyond cavitation at u_c
+/// = F_c/K_v the tensile force is F_c (1 + (1 - e^(-k_c (u-u_c))) / (T_r k_c)).
 ///
-/// OpenSees takes the displacements of the last step for K_v, u_c and P_cr. Here they are those of the step itself, unless
-/// `compat` says otherwise, so that the size of the steps does not change the answer.
+/// After a largest displacement u_max the strength is F_c (1 - Φ_max (1 - e^(-a_c (u_max-u_c)/u_c))). Reloading is
+/// linear from that strength to the force at u_max.
 ///
-/// The force depends on the shear displacement, the shear force not on the axial one: a cycle that compresses a sheared
-/// bearing, straightens and unloads it gains energy. Cycles at a constant shear displacement or under a constant axial
-/// force do not.
+/// OpenSees uses the shear displacement of the last step for K_v, u_c and P_cr. Without `compat` it is that of the step
+/// itself, so that the response is independent of the step size.
+///
+/// The force depends on the shear displacement, but the shear force does not depend on the axial one. A cycle that
+/// compresses a sheared bearing, straightens and unloads it gains energy. Cycles at constant shear displacement or
+/// constant axial force do not.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxialLaw {
-    /// The bearing.
+    /// Properties of the bearing.
     pub rubber: Rubber,
     /// Cavitation parameter k_c.
     pub kc: f64,
     /// Largest damage Φ_max.
     pub phi: f64,
-    /// Rate of the damage a_c.
+    /// Rate a_c of the damage.
     pub ac: f64,
-    /// It cavitates.
+    /// Cavitation is active.
     pub cavitates: bool,
-    /// It buckles, at a load that varies with the shear displacement.
+    /// Buckling is active, at a load that depends on the shear displacement.
     pub buckles: bool,
-    /// Its stiffness varies with the shear displacement.
+    /// The stiffness depends on the shear displacement.
     pub softens: bool,
     /// OpenSees' scheme.
     pub compat: bool,
 }
 
 crate::state_struct! {
-    /// Axial history: what the next step starts from.
+    /// Committed axial state.
     pub struct Axial {
         /// Force, tension positive.
         force: f64,
-        /// Stiffness K_v before cavitation.
+        /// Stiffness K_v.
         kv: f64,
-        /// Displacement u_c at which the virgin bearing cavitates.
+        /// Displacement u_c at first cavitation.
         uc: f64,
-        /// Cavitation strength that is left.
+        /// Current cavitation strength.
         fcn: f64,
-        /// Largest tensile displacement.
+        /// Largest tensile displacement u_max.
         umax: f64,
         /// Critical load, negative.
         fcrn: f64,
-        /// Smallest critical load so far, negative.
+        /// Critical load of smallest size so far, negative.
         fcrmin: f64,
     }
 }
 
-/// Axial answer to a displacement.
+/// Axial response to a displacement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxialStep {
-    /// The next history.
+    /// Trial state.
     pub next: Axial,
     /// ∂N/∂u.
     pub k: f64,
     /// ∂N/∂u_h.
     pub k_shear: f64,
-    /// Critical load that holds in the step, negative.
+    /// Critical load of the step, negative.
     pub critical: f64,
-    /// Its derivative by u_h.
+    /// Derivative of the critical load by u_h.
     pub d_critical: f64,
 }
 
-/// What depends on the shear displacement, with derivatives.
+/// Properties at a shear displacement, with derivatives.
 struct Sheared {
     kv: f64,
     dkv: f64,
@@ -87,7 +88,7 @@ struct Sheared {
 }
 
 impl AxialLaw {
-    /// The virgin history.
+    /// Virgin state.
     pub fn virgin(&self) -> Axial {
         let Rubber { axial, cavitation, critical, .. } = self.rubber;
         let uc = cavitation / axial;
@@ -107,11 +108,11 @@ impl AxialLaw {
         if self.buckles {
             let (mut share, slope) = overlap(uh / r.diameter);
             if self.compat {
-                // OpenSees divides by an area that has its π.
+                // OpenSees' area contains its rounded π.
                 share *= std::f64::consts::PI / PI;
             }
-            if share < LEAST_CRITICAL {
-                fcrn *= LEAST_CRITICAL;
+            if share < MIN_CRITICAL_RATIO {
+                fcrn *= MIN_CRITICAL_RATIO;
             } else {
                 dfcrn = fcrn * slope / r.diameter;
                 fcrn *= share;
@@ -120,7 +121,7 @@ impl AxialLaw {
         Sheared { kv, dkv, fcrn, dfcrn }
     }
 
-    /// Force on the path of virgin tension beyond cavitation, and its slope.
+    /// Force at first loading beyond cavitation, and its slope.
     #[inline]
     fn backbone(&self, beyond: f64) -> (f64, f64) {
         let Rubber { cavitation, thickness, .. } = self.rubber;
@@ -128,7 +129,7 @@ impl AxialLaw {
         (cavitation * (1.0 + (1.0 - e) / (thickness * self.kc)), cavitation / thickness * e)
     }
 
-    /// Cavitation strength after the largest displacement `umax`.
+    /// Cavitation strength after a largest displacement `umax`.
     fn strength(&self, umax: f64, uc: f64) -> f64 {
         self.rubber.cavitation * (1.0 - self.phi * (1.0 - (-self.ac * (umax - uc) / uc).exp()))
     }
@@ -146,7 +147,7 @@ impl AxialLaw {
         let mut next = Axial { kv: s.kv, uc, fcrn: s.fcrn, fcrmin: c.fcrmin.max(s.fcrn), ..*c };
         let (k, k_shear);
         if self.buckles && u <= s.fcrn / s.kv {
-            k = self.rubber.axial * BUCKLED;
+            k = self.rubber.axial * BUCKLED_STIFFNESS_RATIO;
             next.force = s.fcrn + k * (u - s.fcrn / s.kv);
             k_shear = s.dfcrn - k * (s.dfcrn - s.fcrn * s.dkv / s.kv) / s.kv;
         } else if !self.cavitates || u * s.kv <= c.fcn {
@@ -154,13 +155,13 @@ impl AxialLaw {
             next.force = k * u;
             k_shear = s.dkv * u;
         } else if u < c.umax.max(uc) {
-            // A bearing that cavitated at another shear displacement has its farthest point at u_c at least.
-            let (far, dfar) = if c.umax > uc { (c.umax, 0.0) } else { (uc, duc) };
-            let (top, slope) = self.backbone(far - uc);
+            // After cavitation at another shear displacement, the target of reloading is at least u_c.
+            let (target, dtarget) = if c.umax > uc { (c.umax, 0.0) } else { (uc, duc) };
+            let (top, slope) = self.backbone(target - uc);
             let (start, dstart) = (c.fcn / s.kv, -c.fcn / s.kv * s.dkv / s.kv);
-            k = (top - c.fcn) / (far - start);
+            k = (top - c.fcn) / (target - start);
             next.force = c.fcn + k * (u - start);
-            let dk = (slope * (dfar - duc) - k * (dfar - dstart)) / (far - start);
+            let dk = (slope * (dtarget - duc) - k * (dtarget - dstart)) / (target - start);
             k_shear = dk * (u - start) - k * dstart;
         } else {
             (next.force, k) = self.backbone(u - uc);
@@ -175,7 +176,7 @@ impl AxialLaw {
         let start = c.fcn / c.kv;
         let (force, k);
         if self.buckles && u <= c.fcrn / c.kv {
-            k = self.rubber.axial * BUCKLED;
+            k = self.rubber.axial * BUCKLED_STIFFNESS_RATIO;
             force = c.fcrmin + k * (u - c.fcrn / c.kv);
         } else if !self.cavitates || u <= start {
             k = c.kv;

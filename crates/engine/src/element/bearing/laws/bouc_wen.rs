@@ -4,10 +4,11 @@ use crate::element::ElementError;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw, at_rest, hardening};
 use crate::numeric::sign;
 
-/// Shear law of `elastomericBearingBoucWen`: q = q_d z + k₂ u + k₃ sign(u) |u|^μ, with
-/// ż = (k₀/q_d) [A u̇ - z |z|^(η-2) (z·u̇) (γ + β sign(z·u̇))], A = 1.
+/// Shear law of `elastomericBearingBoucWen`: q = q_d z + k₂ u + k₃ sign(u) |u|^μ, with ż = (k₀/q_d) [A u̇ - z |z|^(η-2)
+/// (z·u̇) (γ + β sign(z·u̇))], A = 1.
 ///
-/// Casciati (1989) and Nagarajaiah, Reinhorn and Constantinou (1991), as in OpenSees; backward Euler over a step, solved to round-off.
+/// Sources: Casciati (1989); Nagarajaiah, Reinhorn and Constantinou (1991), as in OpenSees. Backward Euler over a step,
+/// solved to round-off.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BoucWenShear {
     /// Elastic stiffness of the hysteretic part k₀ = (1-α₁) k_init.
@@ -26,17 +27,17 @@ pub struct BoucWenShear {
     pub beta: f64,
     /// Second loop shape parameter γ.
     pub gamma: f64,
-    /// OpenSees' tangent, that of the rate and not of the step.
+    /// OpenSees' tangent: the derivative of the rate equation, not of the step.
     pub compat: bool,
 }
 
 impl BoucWenShear {
-    /// Hysteretic parameters at the end of a step (backward Euler) and dz/dd by rows, for an increment `d` of the
-    /// displacement over the yield displacement q_d/k₀; `N` directions.
+    /// Hysteretic parameters z at the end of a step (backward Euler), and ∂z/∂d by rows. `d` is the increment of
+    /// displacement over the yield displacement q_d/k₀, in `N` directions.
     ///
-    /// The equation z = z_c + d - z |z|^(η-2) (z·d) (γ + β sign(z·d)) says that z points along w = z_c + d. With z = t w
-    /// it is one equation for a number, t + a t^η = 1 with a = |w|^(η-2) (w·d) (γ + β sign(w·d)). Its root next to
-    /// t = 1 is the one that grows out of the committed state.
+    /// The equation is z = z_c + d - z |z|^(η-2) (z·d) (γ + β sign(z·d)), so z is parallel to w = z_c + d. With z = t w
+    /// it is scalar: t + a t^η = 1, with a = |w|^(η-2) (w·d) (γ + β sign(w·d)). The solution is the root next to t = 1,
+    /// which is continuous with the committed state.
     #[inline]
     fn hysteresis<const N: usize>(&self, zc: [f64; N], d: [f64; N]) -> Result<([f64; N], [[f64; N]; N]), ElementError> {
         let w: [f64; N] = std::array::from_fn(|i| zc[i] + d[i]);
@@ -60,7 +61,7 @@ impl BoucWenShear {
         Ok((z, dz))
     }
 
-    /// |w|^(η-2) from |w|², kept finite where w vanishes: there z does too.
+    /// |w|^(η-2) from |w|², finite at w = 0 since z vanishes there.
     #[inline]
     fn power(&self, norm2: f64) -> f64 {
         let finite = norm2.max(f64::MIN_POSITIVE);
@@ -71,13 +72,13 @@ impl BoucWenShear {
         }
     }
 
-    /// OpenSees' dz/dd: of the rate at the end of the step, in two directions along the increment, the other part of which is
-    /// taken as following; no entry beyond 1.
+    /// OpenSees' ∂z/∂d, from the rate at the end of the step. In two directions the ratio of the increments is taken as
+    /// constant. Entries are at most 1.
     fn rate_tangent<const N: usize>(&self, z: [f64; N], d: [f64; N]) -> [[f64; N]; N] {
         let work: f64 = z.iter().zip(&d).map(|(z, d)| z * d).sum();
         let norm2: f64 = z.iter().map(|z| z * z).sum();
         let share = self.power(norm2) * (self.gamma + self.beta * sign(work));
-        // Increment of one direction over that of another.
+        // Ratio of the increment of one direction to the other.
         let ratio = |i: usize, j: usize| match d.iter().product::<f64>() {
             _ if i == j => 1.0,
             0.0 => 0.0,
@@ -96,7 +97,7 @@ impl BoucWenShear {
         })
     }
 
-    /// The root of t + a t^η = 1 next to 1; `None` where the step is so large that there is none.
+    /// The root of t + a t^η = 1 next to 1; `None` if the step is too large for a root.
     #[inline]
     fn relax(&self, a: f64) -> Option<f64> {
         if self.eta == 1.0 {
@@ -106,8 +107,8 @@ impl BoucWenShear {
             let root = 1.0 + 4.0 * a;
             return (root >= 0.0).then(|| 2.0 / (1.0 + root.sqrt()));
         }
-        // Newton's method from 1 goes towards the root from one side: the function is convex for a > 0 and concave for
-        // a < 0, if η > 1; for η < 1 the steps are kept positive.
+        // Newton's method from 1 converges from one side for η > 1, where the function is convex for a > 0 and concave
+        // for a < 0. For η < 1 the steps keep t positive.
         let mut t = 1.0f64;
         for _ in 0..200 {
             let slope = a * t.powf(self.eta - 1.0);

@@ -2,25 +2,25 @@
 
 use crate::element::bearing::laws::rubber::PI;
 
-/// Rise of temperature of a lead core that works, and the yield force that it leaves.
+/// Temperature rise of a lead core, and its yield force.
 ///
-/// I. V. Kalpakidis and M. C. Constantinou, "Effects of heating on the behavior of lead-rubber bearings. I: Theory", Journal
-/// of Structural Engineering 135 (2009) 1440-1449: work heats the lead, and heat flows out to the end plates and the shims
-/// by an amount that depends on the time since the motion began, which is the domain time here. SI units: the constants of
-/// the material are in metres, kilograms, seconds and degrees Celsius.
+/// Source: I. V. Kalpakidis and M. C. Constantinou, "Effects of heating on the behavior of lead-rubber bearings. I:
+/// Theory", Journal of Structural Engineering 135 (2009) 1440-1449. Work heats the lead. Heat flows to the end plates
+/// and the shims. The rate depends on the time since the start of motion, here the domain time. Units are SI: metres,
+/// kilograms, seconds, degrees Celsius.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LeadCore {
-    /// Radius a.
+    /// Radius a of the core.
     pub radius: f64,
-    /// Area A_L.
+    /// Area A_L of the core.
     pub area: f64,
-    /// Height h.
+    /// Height h of the core.
     pub height: f64,
-    /// Thickness of all shims.
+    /// Total thickness of the shims.
     pub shims: f64,
-    /// Density ρ_L.
+    /// Density ρ_L of lead.
     pub density: f64,
-    /// Specific heat c_L.
+    /// Specific heat c_L of lead.
     pub heat: f64,
     /// Thermal conductivity of steel k_s.
     pub conductivity: f64,
@@ -28,12 +28,12 @@ pub struct LeadCore {
     pub diffusivity: f64,
 }
 
-/// Decrease of the yield strength of lead with temperature, 1/°C.
+/// Coefficient of the yield strength of lead with temperature, 1/°C.
 const SOFTENING: f64 = 0.0069;
 
 impl LeadCore {
-    /// Heat that flows out at a time, per degree, as a rate of temperature; the square root and cube root of the time
-    /// make it infinite at the beginning.
+    /// Heat loss per degree at a time, as a rate of temperature. It is infinite at time 0, by the square and cube root
+    /// of the time.
     fn loss(&self, time: f64) -> f64 {
         let tau = self.diffusivity * time / (self.radius * self.radius);
         let plates = if tau < 0.6 {
@@ -48,18 +48,18 @@ impl LeadCore {
         self.conductivity / self.radius * (1.0 / plates + shims) / self.capacity()
     }
 
-    /// Heat that a degree takes, per area of the core.
+    /// Heat capacity per area of the core, energy/(area °C).
     fn capacity(&self) -> f64 {
         self.density * self.heat * self.height
     }
 
-    /// Yield force over that of the cold core.
+    /// Ratio of the yield force to that of the cold core.
     pub fn strength(rise: f64) -> f64 {
         (-SOFTENING * rise).exp()
     }
 
-    /// Rise of temperature after a step in which the force `strength` does work at `speed`: backward Euler, which
-    /// neither overshoots nor cools below the start.
+    /// Temperature rise after a step with the work of the force `strength` at `speed`. Backward Euler neither
+    /// overshoots nor cools below the initial temperature.
     pub fn warm(&self, rise: f64, strength: f64, speed: f64, time: f64, dt: f64) -> f64 {
         if dt <= 0.0 || time <= 0.0 {
             return rise;
@@ -68,10 +68,10 @@ impl LeadCore {
         (rise + dt * gain) / (1.0 + dt * self.loss(time))
     }
 
-    /// The same by OpenSees' scheme: improved Euler whose first stage never cools, and whose second stage is that of the
-    /// time after the step.
+    /// Temperature rise by OpenSees' scheme: improved Euler with a first stage that never cools, and a second stage at
+    /// the time after the step.
     pub fn warm_as_opensees(&self, rise: f64, strength: f64, speed: f64, time: f64, dt: f64) -> f64 {
-        // At the beginning OpenSees multiplies an infinite loss by no rise.
+        // At time 0 OpenSees multiplies an infinite loss by a zero rise.
         if time <= 0.0 {
             return rise;
         }

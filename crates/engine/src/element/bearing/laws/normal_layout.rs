@@ -1,4 +1,4 @@
-//! Where the normal springs of a section stand, and how stiff each is against the others.
+//! Positions of the normal springs of a section, and their relative stiffness.
 
 use crate::numeric::{bessel_i, dot};
 use std::f64::consts::PI;
@@ -12,44 +12,44 @@ pub enum Shape {
     Square,
 }
 
-/// How the vertical stiffness is distributed over a section, by λ = (D/t) √(3 G/K) with the diameter D and the
-/// thickness t of a rubber layer, the shear modulus G and the bulk modulus K of the rubber.
+/// Distribution of the vertical stiffness over a section. λ is (D/t) √(3 G/K) for a rubber layer of diameter D and
+/// thickness t, with shear modulus G and bulk modulus K.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Distribution {
-    /// The same everywhere.
+    /// Uniform.
     Uniform,
-    /// As the pressure in a bonded layer of rubber with this λ (0: incompressible).
+    /// The pressure in a bonded rubber layer with this λ (0: incompressible).
     Pressure(f64),
 }
 
-/// Largest λ that the distributions are worked out for; beyond it the Bessel and hyperbolic functions overflow.
+/// Largest λ; Bessel and hyperbolic functions overflow beyond it.
 pub const MAX_LAMBDA: f64 = 700.0;
 
-/// What the distribution over the springs is divided by.
+/// Normalisation of the distribution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mean {
-    /// The mean over the springs: their axial stiffnesses sum up to that of the section.
+    /// Mean over the springs: their axial stiffnesses add up to that of the section.
     Springs,
-    /// The mean over the section in closed form, where there is one: `multipleNormalSpring`, round.
+    /// Mean over the section in closed form, if there is one: round `multipleNormalSpring`.
     Section,
 }
 
-/// Places and relative stiffnesses of n x n springs of equal area in a section of diameter (or edge) `size`.
+/// Positions and relative stiffnesses of n x n springs of equal area in a section of diameter (or edge) `size`.
 ///
-/// A disc is divided into rings of equal width, these into 4 (2 i - 1 - p) sectors, p = 1 for a core where n is odd; a
-/// spring stands in the centroid of its part.
+/// A disc has rings of equal width. Ring i has 4 (2 i - 1 - p) sectors, where p = 1 for a core if n is odd. A spring is
+/// at the centroid of its sector.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layout {
-    /// Places along the local y axis.
+    /// Coordinates along local y.
     pub y: Vec<f64>,
-    /// Places along the local z axis.
+    /// Coordinates along local z.
     pub z: Vec<f64>,
-    /// Area of each, times its part in the distribution.
+    /// Area of each spring times its relative stiffness.
     pub area: Vec<f64>,
 }
 
 impl Layout {
-    /// Lay out `n` x `n` springs.
+    /// Makes the layout of `n` x `n` springs.
     pub fn new(shape: Shape, size: f64, n: usize, distribution: Distribution, mean: Mean) -> Self {
         let places = match shape {
             Shape::Round => rings(n, size),
@@ -61,7 +61,7 @@ impl Layout {
                 places.iter().map(|(y, z)| round_pressure(lambda, y.hypot(*z) / (0.5 * size))).collect()
             }
             (Distribution::Pressure(lambda), Shape::Square) => {
-                // Rows of the grid share their y, columns their z.
+                // Springs of a grid row share y, those of a column z.
                 let lines: Vec<f64> = places[..n].iter().map(|(_, z)| z / (0.5 * size)).collect();
                 square_pressures(lambda, &lines)
             }
@@ -104,7 +104,7 @@ fn grid(n: usize, size: f64) -> Vec<(f64, f64)> {
     (0..n * n).map(|k| (at(k / n), at(k % n))).collect()
 }
 
-/// Pressure in a disc at the relative radius ρ: 1 - I₀(λ ρ)/I₀(λ), or its limit 1 - ρ².
+/// Pressure in a disc at the relative radius ρ: 1 - I₀(λ ρ)/I₀(λ), or its limit 1 - ρ² for λ = 0.
 fn round_pressure(lambda: f64, rho: f64) -> f64 {
     if lambda == 0.0 { 1.0 - rho * rho } else { 1.0 - bessel_i(0, lambda * rho) / bessel_i(0, lambda) }
 }
@@ -114,12 +114,13 @@ fn mean_round_pressure(lambda: f64) -> f64 {
     if lambda == 0.0 { 0.5 } else { 1.0 - 2.0 / lambda * bessel_i(1, lambda) / bessel_i(0, lambda) }
 }
 
-/// Terms of the series of the pressure in a square.
+/// Number of terms of the pressure series in a square.
 const TERMS: usize = 10;
 
-/// Pressure in a square at the relative places (y, z), one y after the other, each of them on the same `lines`, but for a
-/// constant factor: ten terms of its Fourier series Σ sin(mπ/2)/m (1 - cosh(α z)/cosh α)/α² cos(m π y/2), α² = λ² + (m π/2)²,
-/// m odd.
+/// Pressure in a square up to a constant factor, at relative positions (y, z) with y and z on `lines`, y in the outer
+/// loop. Ten terms of the Fourier series are summed, for odd m:
+///
+/// Σ sin(mπ/2)/m (1 - cosh(α z)/cosh α)/α² cos(m π y/2), α² = λ² + (m π/2)².
 fn square_pressures(lambda: f64, lines: &[f64]) -> Vec<f64> {
     let terms = |of: &dyn Fn(f64, f64) -> f64| -> [f64; TERMS] {
         std::array::from_fn(|i| of((2 * i + 1) as f64, (2 * i + 1) as f64 * PI / 2.0))
@@ -128,7 +129,7 @@ fn square_pressures(lambda: f64, lines: &[f64]) -> Vec<f64> {
     let along_z = |z: f64| {
         terms(&|m, wave| {
             let alpha = lambda.hypot(wave);
-            // cosh(α z)/cosh α without overflow
+            // cosh(α z)/cosh α without overflow.
             let ratio =
                 ((alpha * (z.abs() - 1.0)).exp() + (-alpha * (z.abs() + 1.0)).exp()) / (1.0 + (-2.0 * alpha).exp());
             wave.sin() / m * (1.0 - ratio) / (alpha * alpha)

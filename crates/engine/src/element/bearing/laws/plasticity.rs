@@ -3,9 +3,9 @@
 use crate::element::ElementError;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw, at_rest, hardening};
 
-/// Shear law: an elastic, perfectly plastic part with a circular yield surface of radius q_d and stiffness k₀, beside
-/// the hardening springs k₂ u + k₃ sign(u) |u|^μ of each direction; solved by return mapping, which is exact (Simo and
-/// Hughes, 1998, section 3.3).
+/// Shear law: an elastic, perfectly plastic part with stiffness k₀ and a circular yield surface of radius q_d. In
+/// parallel each direction has the hardening springs k₂ u + k₃ sign(u) |u|^μ. Return mapping is exact (Simo and Hughes,
+/// 1998, section 3.3).
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlasticShear {
     /// Elastic stiffness of the hysteretic part k₀ = (1-α₁) k_init.
@@ -18,7 +18,7 @@ pub struct PlasticShear {
     pub k3: f64,
     /// Exponent of the nonlinear hardening μ.
     pub mu: f64,
-    /// As in OpenSees, a trial that yields leaves its plastic displacement behind where the step ends elastic.
+    /// OpenSees' scheme: a trial that yields leaves its plastic displacement if the step ends elastic.
     pub compat: bool,
 }
 
@@ -46,7 +46,7 @@ impl<const S: usize> ShearLaw<S> for PlasticShear {
 }
 
 impl PlasticShear {
-    /// History at displacement `u`; the internal variable is the plastic displacement.
+    /// State at a displacement `u`; the internal variable is the plastic displacement.
     #[inline]
     fn at<const S: usize>(&self, c: &Shear<S>, u: [f64; S]) -> Shear<S> {
         let hardening = u.map(|u| hardening(self.k2, self.k3, self.mu, u));
@@ -56,7 +56,7 @@ impl PlasticShear {
         let elastic = size <= self.qd;
         let n = trial.map(|q| if elastic { 0.0 } else { q / size });
         let slip = if elastic { 0.0 } else { (size - self.qd) / self.k0 };
-        // On the yield surface only the part across the force is stiff.
+        // On the yield surface the stiffness is that normal to the force.
         let k = if elastic { self.k0 } else { self.k0 * self.qd / size };
         for i in 0..S {
             next.internal[i] += slip * n[i];

@@ -1,20 +1,20 @@
 //! Shear law of `HDRRheologyBearing`: the rheology of high damping rubber in two directions.
 
 use crate::element::bearing::laws::axial::Axial;
-use crate::element::bearing::laws::rubber_shear::{OWN, RubberShear, ShearStep, Shearing};
+use crate::element::bearing::laws::rubber_shear::{OWN, RubberShear, ShearInput, ShearStep};
 use crate::element::bearing::laws::shear::Shear;
 use crate::material::HdrRheology;
 use crate::material::hdr::PlaneHistory;
 use crate::probe::Probe;
 
-/// The rheology beside the axial law of layered rubber.
+/// The rheology with the axial law of layered rubber.
 #[derive(Clone, Debug)]
 pub struct RheologyShear {
     /// The law of the rubber, with area and thickness of the bearing.
     pub law: HdrRheology,
 }
 
-/// Responses of its own: name, columns, number.
+/// Own responses: name, columns, number.
 const RESPONSES: [(&str, &[&str], u32); 7] = [
     ("temperature", &["temperature"], OWN),
     ("equilibrium", &["equilibrium2", "equilibrium3"], OWN + 1),
@@ -24,7 +24,7 @@ const RESPONSES: [(&str, &[&str], u32); 7] = [
     ("heatStored", &["heatStored"], OWN + 5),
     ("heatLost", &["heatLost"], OWN + 6),
 ];
-/// Temperatures through the height.
+/// Response of the temperatures through the height.
 const PROFILE: u32 = OWN + 7;
 
 impl RheologyShear {
@@ -40,7 +40,7 @@ impl RubberShear for RheologyShear {
         "HDRRheologyBearing"
     }
 
-    fn ages(&self) -> bool {
+    fn depends_on_time(&self) -> bool {
         true
     }
 
@@ -57,7 +57,7 @@ impl RubberShear for RheologyShear {
         (Shear { k: [[k, 0.0], [0.0, k]], ..Shear::default() }, self.law.plane_virgin())
     }
 
-    fn step(&self, _: &Shear<2>, m: &PlaneHistory, _: &PlaneHistory, at: &Shearing<'_>) -> ShearStep<PlaneHistory> {
+    fn step(&self, _: &Shear<2>, m: &PlaneHistory, _: &PlaneHistory, at: &ShearInput<'_>) -> ShearStep<PlaneHistory> {
         let step = self.law.plane_step(m, at.tail, at.u.map(|u| u / self.law.height), at.dt);
         let k = step.tangent.map(|row| row.map(|k| self.law.area / self.law.height * k));
         let shear = Shear { u: at.u, internal: step.next.slip_eq, q: self.scaled(step.stress), k };

@@ -1,11 +1,11 @@
-//! Layered rubber bearings of round plan: stiffnesses and strengths from material and geometry.
+//! Round layered rubber bearings: stiffnesses and strengths from material and geometry.
 
-/// π as OpenSees' layered bearings have it. It is kept: what is known of rubber is worth fewer digits, and scripts
-/// compare results to the last one.
+/// π as in OpenSees' layered bearings. It is kept because scripts compare results to the last digit; rubber properties
+/// are less accurate.
 #[allow(clippy::approx_constant)]
 pub const PI: f64 = 3.14159;
 
-/// What a round bearing is made of; annular where it has a hole or a lead core.
+/// Properties of a round bearing; annular with a hole or a lead core.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Layers {
     /// Shear modulus of the rubber G.
@@ -22,27 +22,27 @@ pub struct Layers {
     pub layer: f64,
     /// Number of layers n.
     pub count: f64,
-    /// Cover t_c, as it is added to the outer diameter.
+    /// Cover t_c, added to the outer diameter.
     pub cover: f64,
-    /// The hole is filled with lead, so that rubber bulges at the outside alone.
+    /// A lead plug fills the hole, so that rubber bulges only at the outside.
     pub plugged: bool,
 }
 
-/// Stiffnesses and strengths of a bearing at rest.
+/// Stiffnesses and strengths of an undeformed bearing.
 ///
-/// M. Kumar, A. Whittaker and M. Constantinou, "An advanced numerical model of elastomeric seismic isolation bearings",
-/// Earthquake Engineering and Structural Dynamics 43 (2014) 1955-1974.
+/// Source: M. Kumar, A. Whittaker and M. Constantinou, "An advanced numerical model of elastomeric seismic isolation
+/// bearings", Earthquake Engineering and Structural Dynamics 43 (2014) 1955-1974.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rubber {
     /// Bonded area A.
     pub area: f64,
     /// Radius of gyration r of the area.
     pub gyration: f64,
-    /// Outer diameter D₂, which the overlap of the ends is reckoned with.
+    /// Outer diameter D₂, for the overlap of the ends.
     pub diameter: f64,
-    /// Thickness of all rubber T_r.
+    /// Total thickness T_r of rubber.
     pub thickness: f64,
-    /// Height of rubber and shims h.
+    /// Total height h of rubber and shims.
     pub height: f64,
     /// Axial stiffness K_v0 = A E_c / T_r.
     pub axial: f64,
@@ -52,20 +52,20 @@ pub struct Rubber {
     pub torsion: f64,
     /// Rotational stiffness E_r I_s / h.
     pub rotation: f64,
-    /// Critical load in compression P_cr = √(P_E G A_s), a positive number.
+    /// Critical load in compression P_cr = √(P_E G A_s), positive.
     pub critical: f64,
     /// Cavitation force F_c = 3 G A.
     pub cavitation: f64,
 }
 
 impl Layers {
-    /// Shape factor of a layer S: loaded area over the area that is free to bulge.
+    /// Shape factor S of a layer: loaded area over the area free to bulge.
     pub fn shape_factor(&self) -> f64 {
         let (d1, d2) = (self.inner, self.outer);
         if self.plugged { (d2 * d2 - d1 * d1) / (4.0 * d2 * self.layer) } else { (d2 - d1) / (4.0 * self.layer) }
     }
 
-    /// Factor of the compression modulus of a layer with a hole; 1 without. (Constantinou, Kartoum and Kelly, 1992.)
+    /// Factor of the compression modulus for a hole; 1 without one (Constantinou, Kartoum and Kelly, 1992).
     fn hole_factor(&self) -> f64 {
         if self.inner < f64::EPSILON {
             return 1.0;
@@ -80,12 +80,12 @@ impl Layers {
         1.0 / (1.0 / (6.0 * self.g * s * s * self.hole_factor()) + 4.0 / 3.0 / self.bulk)
     }
 
-    /// Thickness of all shims.
+    /// Total thickness of the shims.
     pub fn shims(&self) -> f64 {
         (self.count - 1.0) * self.shim
     }
 
-    /// The bearing made of these layers.
+    /// Properties of the bearing of these layers.
     pub fn bearing(&self) -> Rubber {
         let outside = self.outer + self.cover;
         let area = PI / 4.0 * (outside * outside - self.inner * self.inner);
@@ -94,7 +94,7 @@ impl Layers {
         let height = thickness + self.shims();
         let modulus = self.compression_modulus();
         let rotation_modulus = modulus / 3.0;
-        // Shims do not deform: area and second moment are raised so that the whole height acts as rubber.
+        // Shims are rigid: area and second moment are increased as if rubber had the total height.
         let (shear_area, raised) = (area * height / thickness, inertia * height / thickness);
         let euler = PI * PI * rotation_modulus * raised / (height * height);
         Rubber {

@@ -2,44 +2,44 @@
 
 use crate::element::bearing::laws::axial::Axial;
 use crate::element::bearing::laws::lead::LeadCore;
-use crate::element::bearing::laws::rubber_shear::{OWN, RubberShear, ShearStep, Shearing};
+use crate::element::bearing::laws::rubber_shear::{OWN, RubberShear, ShearInput, ShearStep};
 use crate::element::bearing::laws::shear::{Shear, at_rest};
 use crate::probe::Probe;
 
-/// Loop shape parameters: ż = (k₀/q_y) [u̇ - z (z₁u̇₁ (β + γ sign(z₁u̇₁)) + z₂u̇₂ (β + γ sign(z₂u̇₂)))].
+/// Loop shape parameters of ż = (k₀/q_y) [u̇ - z (z₁u̇₁ (β + γ sign(z₁u̇₁)) + z₂u̇₂ (β + γ sign(z₂u̇₂)))].
 const BETA: f64 = 0.1;
 const GAMMA: f64 = 0.9;
 
-/// Rubber beside a hysteretic part, q = k_e u + q_y z + c_d u̇, with Bouc and Wen's z.
+/// Rubber in parallel with a hysteretic part: q = k_e u + q_y z + c_d u̇ with Bouc-Wen's z.
 ///
-/// S. Nagarajaiah, A. M. Reinhorn and M. C. Constantinou, "Nonlinear dynamic analysis of 3-D base-isolated structures",
-/// Journal of Structural Engineering 117 (1991) 2035-2054, as Kumar, Whittaker and Constantinou (2014) use it: the
-/// stiffness of the rubber falls with the axial force, k_e = (G A / T_r) (1 - (N/P_cr)²), and the yield force with
-/// the temperature of a lead core. Backward Euler; the yield force is that of the temperature before the step.
+/// Source: S. Nagarajaiah, A. M. Reinhorn and M. C. Constantinou, "Nonlinear dynamic analysis of 3-D base-isolated
+/// structures", Journal of Structural Engineering 117 (1991) 2035-2054, as used by Kumar, Whittaker and Constantinou
+/// (2014). The rubber stiffness decreases with the axial force, k_e = (G A / T_r) (1 - (N/P_cr)²), and the yield force
+/// with the temperature of a lead core. Backward Euler; the yield force is that at the committed temperature.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RubberBoucWen {
-    /// Yield force of the cold bearing.
+    /// Yield force at zero temperature rise.
     pub qy: f64,
-    /// Stiffness of the hysteretic part at rest k₀ = (1/α - 1) G A / T_r.
+    /// Initial stiffness of the hysteretic part k₀ = (1/α - 1) G A / T_r.
     pub k0: f64,
     /// Stiffness of the rubber without axial force G A / T_r.
     pub rubber: f64,
     /// Viscous damping c_d.
     pub cd: f64,
-    /// The stiffness of the rubber varies with the axial force.
+    /// The rubber stiffness depends on the axial force.
     pub varies: bool,
-    /// It is `LeadRubberX`.
+    /// True for `LeadRubberX`.
     pub leaded: bool,
-    /// The core, if there is one.
+    /// Lead core, if any.
     pub core: Option<LeadCore>,
-    /// Heating lowers the yield force.
+    /// Heating of the core lowers the yield force.
     pub heats: bool,
     /// OpenSees' scheme and tangent.
     pub compat: bool,
 }
 
 crate::state_struct! {
-    /// History of the law beside [`Shear`].
+    /// State variables besides [`Shear`].
     pub struct Warmth {
         /// ∂z/∂u by rows.
         dz: [f64; 4],
@@ -47,24 +47,24 @@ crate::state_struct! {
         ke: f64,
         /// Yield force.
         qy: f64,
-        /// Rise of temperature.
+        /// Temperature rise.
         rise: f64,
         /// Domain time.
         time: f64,
     }
 }
 
-/// z du (β + γ sign(z du)), and its derivative by the product.
+/// z du (β + γ sign(z du)), and its derivative by the product z du.
 #[inline]
 fn share(product: f64) -> (f64, f64) {
     let slope = BETA + GAMMA * crate::numeric::sign(product);
     (product * slope, slope)
 }
 
-/// Backward Euler step for an increment `d` of the displacement over the yield displacement: z and ∂z/∂d.
+/// Backward Euler for an increment `d` of displacement over yield displacement: z and ∂z/∂d.
 ///
-/// z = z_c + d - z τ with τ = Σ z_i d_i (β + γ sign(z_i d_i)) says that z points along w = z_c + d; with z = t w it is
-/// t + s t² = 1, where s = Σ w_i d_i (β + γ sign(w_i d_i)) is never negative since γ > β.
+/// z = z_c + d - z τ with τ = Σ z_i d_i (β + γ sign(z_i d_i)), so z is parallel to w = z_c + d. With z = t w it is t +
+/// s t² = 1, where s = Σ w_i d_i (β + γ sign(w_i d_i)) ≥ 0 since γ > β.
 #[inline]
 fn hysteresis(zc: [f64; 2], d: [f64; 2]) -> ([f64; 2], [[f64; 2]; 2]) {
     let w = [zc[0] + d[0], zc[1] + d[1]];
@@ -72,13 +72,13 @@ fn hysteresis(zc: [f64; 2], d: [f64; 2]) -> ([f64; 2], [[f64; 2]; 2]) {
     let s = parts[0].0 + parts[1].0;
     let root = (1.0 + 4.0 * s).sqrt();
     let t = 2.0 / (1.0 + root);
-    // 1 + 2 s t is the root too.
+    // The square root also equals 1 + 2 s t.
     let dt: [f64; 2] = std::array::from_fn(|j| -t * t / root * parts[j].1 * (w[j] + d[j]));
     let dz = std::array::from_fn(|i| std::array::from_fn(|j| w[i] * dt[j] + if i == j { t } else { 0.0 }));
     (w.map(|w| t * w), dz)
 }
 
-/// OpenSees' ∂z/∂d: along the direction of the increment, with the other part of it taken as following.
+/// OpenSees' ∂z/∂d: along the increment, with a constant ratio of its components.
 fn rate_tangent(z: [f64; 2], d: [f64; 2]) -> [[f64; 2]; 2] {
     let slope = [share(z[0] * d[0]).1, share(z[1] * d[1]).1];
     let (r12, r21) = if d[0] * d[1] == 0.0 { (0.0, 0.0) } else { (d[0] / d[1], d[1] / d[0]) };
@@ -88,20 +88,19 @@ fn rate_tangent(z: [f64; 2], d: [f64; 2]) -> [[f64; 2]; 2] {
 }
 
 impl RubberBoucWen {
-    /// Stiffness of the rubber under an axial force, as a part of that without, and its derivative by N/P_cr.
+    /// Ratio of the rubber stiffness to that without axial force, and its derivative by N/P_cr.
     #[inline]
     fn left(&self, ratio: f64) -> (f64, f64) {
         if self.varies { (1.0 - ratio * ratio, -2.0 * ratio) } else { (1.0, 0.0) }
     }
 
-    /// Temperature and yield force for the next step.
-    fn warm(&self, c: &Shear<2>, m: &Warmth, z: [f64; 2], at: &Shearing<'_>) -> (f64, f64) {
+    /// Temperature rise and yield force for the next step.
+    fn warm(&self, c: &Shear<2>, m: &Warmth, z: [f64; 2], at: &ShearInput<'_>) -> (f64, f64) {
         let Some(core) = &self.core else { return (m.rise, m.qy) };
         let length = |v: [f64; 2]| (v[0] * v[0] + v[1] * v[1]).sqrt();
         let speed = length(at.rate);
         let rise = if self.compat {
-            // OpenSees' clock goes on from zero where the domain time has been set back, and is the domain's where that is no
-            // time.
+            // Without a time step OpenSees counts from the last time, or from 0 after the domain time was set back.
             let since = if at.time < m.time { 0.0 } else { m.time };
             let passed = if at.dt > 0.0 { at.dt } else { at.time - since };
             core.warm_as_opensees(m.rise, m.qy * length(c.internal), speed, at.time, passed)
@@ -121,7 +120,7 @@ impl RubberShear for RubberBoucWen {
     fn is_viscous(&self) -> bool {
         self.cd > 0.0
     }
-    fn ages(&self) -> bool {
+    fn depends_on_time(&self) -> bool {
         self.core.is_some()
     }
 
@@ -131,7 +130,7 @@ impl RubberShear for RubberBoucWen {
         (Shear { k: [[k, 0.0], [0.0, k]], ..Shear::default() }, memory)
     }
 
-    fn step(&self, c: &Shear<2>, m: &Warmth, _: &Warmth, at: &Shearing<'_>) -> ShearStep<Warmth> {
+    fn step(&self, c: &Shear<2>, m: &Warmth, _: &Warmth, at: &ShearInput<'_>) -> ShearStep<Warmth> {
         let (u, qy, scale) = (at.u, m.qy, self.k0 / m.qy);
         let step = [u[0] - c.u[0], u[1] - c.u[1]];
         let moved = !at_rest(&u, &c.u);
@@ -144,7 +143,7 @@ impl RubberShear for RubberBoucWen {
             }
             dz = dz.map(|row| row.map(|x| x * scale));
         }
-        // Like the axial law, OpenSees takes the axial force of the step before.
+        // Like its axial law, OpenSees uses the axial force of the last step.
         let axial = at.axial;
         let ratio = axial.next.force / axial.critical;
         let (left, d_left) = self.left(ratio);
@@ -157,7 +156,7 @@ impl RubberShear for RubberBoucWen {
         if self.compat {
             damping = 0.0;
             if !moved {
-                // OpenSees keeps force and tangent where the displacement is the same to the last bit.
+                // OpenSees keeps force and tangent for a bitwise equal displacement.
                 (q, k) = (c.q, c.k);
             } else if self.cd > 0.0 && at.dt > 0.0 {
                 (0..2).for_each(|i| k[i][i] += self.cd / at.dt);

@@ -1,4 +1,4 @@
-//! Shear laws of layered rubber bearings: what a law is told, and what it must say.
+//! Shear laws of layered rubber bearings: input, response and trait.
 
 use crate::element::bearing::laws::axial::{Axial, AxialStep};
 use crate::element::bearing::laws::shear::Shear;
@@ -6,71 +6,72 @@ use crate::probe::Probe;
 use crate::state_struct::StateStruct;
 use std::fmt;
 
-/// What a shear law is told of a trial state.
+/// Input of a shear law at a trial state.
 #[derive(Clone, Copy, Debug)]
-pub struct Shearing<'a> {
+pub struct ShearInput<'a> {
     /// Displacement.
     pub u: [f64; 2],
-    /// Length of the displacement.
+    /// Size of the displacement.
     pub size: f64,
-    /// Its rate.
+    /// Velocity.
     pub rate: [f64; 2],
     /// Domain time since the committed state.
     pub dt: f64,
     /// Domain time.
     pub time: f64,
-    /// What the axial law answers.
+    /// Response of the axial law.
     pub axial: &'a AxialStep,
-    /// The committed words of history behind the memory.
+    /// Committed state variables after the memory.
     pub tail: &'a [f64],
 }
 
-/// What a shear law answers: stiffness and force of the step are in `shear`.
+/// Response of a shear law; force and stiffness are in `shear`.
 #[derive(Clone, Copy, Debug)]
 pub struct ShearStep<M> {
-    /// The next history, with force and stiffness.
+    /// Trial state, with force and stiffness.
     pub shear: Shear<2>,
-    /// The rest of the next history.
+    /// Trial state of the memory.
     pub memory: M,
-    /// ∂q by the axial displacement.
+    /// ∂q/∂(axial displacement).
     pub k_axial: [f64; 2],
-    /// ∂q by the rate, the same in all directions.
+    /// ∂q/∂u̇, equal in all directions.
     pub damping: f64,
 }
 
-/// A law of shear in two directions that an axial law stands beside.
+/// A shear law in two directions beside an axial law.
 pub trait RubberShear: Clone + fmt::Debug + Send + Sync {
-    /// History beside [`Shear`].
+    /// State variables besides [`Shear`].
     type Memory: StateStruct;
 
     /// OpenSees' name of the bearing.
     fn class(&self) -> &'static str;
-    /// Whether the force depends on the rate.
+    /// Returns true if the force depends on the velocity.
     fn is_viscous(&self) -> bool {
         false
     }
-    /// Whether the history depends on the time that passes.
-    fn ages(&self) -> bool {
+    /// Returns true if the state variables depend on the increment of time.
+    fn depends_on_time(&self) -> bool {
         false
     }
-    /// Number of words of history behind the memory, where their number depends on the bearing. They begin at zero.
+    /// Number of state variables after the memory, if it depends on the bearing. Their initial value is 0.
     fn tail_len(&self) -> usize {
         0
     }
-    /// Carry these words over a time, from a memory to the next.
+    /// Updates these state variables over a time increment, between two states of the memory.
     fn advance(&self, _from: &Self::Memory, _to: &Self::Memory, _dt: f64, _tail: &mut [f64]) {}
-    /// History at rest, with the initial stiffness.
+    /// Virgin state, with the initial stiffness.
     fn virgin(&self) -> (Shear<2>, Self::Memory);
-    /// Response to a trial state from the committed history `c`, `m`. `last` is the memory of the trial before, which
-    /// nothing depends on but what OpenSees' laws forget to reset.
-    fn step(&self, c: &Shear<2>, m: &Self::Memory, last: &Self::Memory, at: &Shearing<'_>) -> ShearStep<Self::Memory>;
-    /// Responses of its own; the numbers of their paths begin at 100.
+    /// Response to a trial state from the committed state `c`, `m`. `last` is the memory of the last trial, used only
+    /// to follow OpenSees.
+    fn step(&self, c: &Shear<2>, m: &Self::Memory, last: &Self::Memory, at: &ShearInput<'_>)
+    -> ShearStep<Self::Memory>;
+    /// Own responses of the law; path numbers start at 100.
     fn probe(&self, words: &[&str]) -> Option<Probe>;
-    /// Names of the responses, those of the bearing included.
+    /// Names of all responses, those of the bearing included.
     fn probe_names(&self) -> &'static [&'static str];
-    /// Value of a response of its own; `tail` are the words behind the memory.
+    /// Value of an own response; `tail` are the state variables after the memory.
     fn read(&self, id: u32, shear: &Shear<2>, memory: &Self::Memory, tail: &[f64], axial: &Axial, out: &mut [f64]);
 }
 
-/// First number that is free for the responses of a law; those of the bearing are below.
+/// First path number of the responses of a law; smaller ones are those of the bearing.
 pub(in crate::element::bearing) const OWN: u32 = 100;

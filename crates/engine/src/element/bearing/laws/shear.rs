@@ -1,11 +1,11 @@
-//! Shear laws of bearings: what a law must say, and the history that all of them keep.
+//! Shear laws of bearings: the trait, and the common state variables.
 
 use crate::element::bearing::elements::shear_bearing::end_masses;
 use crate::element::{ElementError, Mass};
 use crate::state_struct::StateStruct;
 use std::fmt;
 
-/// Shear history of a law with `S` directions, and what recorders read of it.
+/// State variables of a law with `S` shear directions, which recorders read.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shear<const S: usize> {
     /// Displacement.
@@ -28,16 +28,16 @@ impl<const S: usize> StateStruct for Shear<S> {
     const LEN: usize = 3 * S + S * S;
 
     #[inline]
-    fn read(words: &[f64]) -> Self {
-        let words = &words[..Self::LEN];
-        let vector = |at: usize| std::array::from_fn(|i| words[at + i]);
+    fn read(state: &[f64]) -> Self {
+        let state = &state[..Self::LEN];
+        let vector = |at: usize| std::array::from_fn(|i| state[at + i]);
         Self { u: vector(0), internal: vector(S), q: vector(2 * S), k: std::array::from_fn(|i| vector((3 + i) * S)) }
     }
 
     #[inline]
-    fn write(&self, words: &mut [f64]) {
+    fn write(&self, state: &mut [f64]) {
         let rows = [&self.u, &self.internal, &self.q].into_iter().chain(&self.k);
-        for (to, from) in words[..Self::LEN].chunks_exact_mut(S).zip(rows) {
+        for (to, from) in state[..Self::LEN].chunks_exact_mut(S).zip(rows) {
             to.copy_from_slice(from);
         }
     }
@@ -45,43 +45,45 @@ impl<const S: usize> StateStruct for Shear<S> {
 
 /// A shear law with `S` coupled directions: 1 in the plane, 2 in space.
 pub trait ShearLaw<const S: usize>: Clone + fmt::Debug + Send + Sync {
-    /// OpenSees' name of the bearing, in the plane and in space.
+    /// OpenSees' class names in the plane and in space.
     const CLASS: [&'static str; 2];
-    /// Whether recorders show the internal variable as the hysteretic parameter.
+    /// True if recorders show the internal variable as the hysteretic parameter.
     const HYSTERETIC: bool;
-    /// Whether OpenSees takes the inertia of the bearing's mass under a uniform ground motion off the force that it reports.
+    /// True if OpenSees subtracts the inertia of the bearing's mass under a uniform ground motion from the reported
+    /// force.
     const REPORTS_INERTIA: bool = false;
-    /// Whether OpenSees takes the committed tangent of Rayleigh damping anew at the end of every step.
+    /// True if OpenSees updates the committed tangent of Rayleigh damping at the end of every step.
     const RENEWS_DAMPING: bool = true;
 
-    /// Damping coefficient of a dashpot beside the law, in each direction.
+    /// Damping coefficient of a dashpot in parallel, in each direction.
     fn dashpot(&self) -> f64 {
         0.0
     }
 
-    /// History at rest, with the initial stiffness.
+    /// Virgin state, with the initial stiffness.
     fn virgin(&self) -> Shear<S>;
 
-    /// History at a displacement, from the committed one.
+    /// Trial state at a displacement, from the committed state.
     ///
     /// # Errors
-    /// A step that the law has no answer for.
+    /// The equation of the law has no solution for the step.
     fn step(&self, committed: &Shear<S>, u: [f64; S]) -> Result<Shear<S>, ElementError>;
 
-    /// Put into the history of a step what OpenSees forgets to reset of the trial before; followed on demand only.
+    /// Copies into the trial state the variables of the last trial that OpenSees does not reset; used only to follow
+    /// OpenSees.
     fn leave_trace(&self, _committed: &Shear<S>, _last: &Shear<S>, _next: &mut Shear<S>) {}
 
-    /// Where the mass of the bearing is: half of it at each end.
+    /// Mass of the bearing: half at each end.
     fn masses(&self, mass: f64) -> Mass {
         end_masses(mass, 3 * S, S + 1)
     }
 }
 
-/// Displacements that differ by no more than this fraction of them differ by round-off.
+/// Relative difference of displacements that is round-off.
 const ROUND_OFF: f64 = 8.0 * f64::EPSILON;
 
-/// Whether a step goes nowhere: it may go on either way, and its tangent is that of continued loading, as at the end of the
-/// last step. What equilibrium corrects by round-off, and axes that are turned, is no way back.
+/// Returns true if the increment is round-off. The tangent is then that of continued loading, as at the end of the last
+/// step. Equilibrium corrections and rotations of axes by round-off are no unloading.
 #[inline]
 pub(in crate::element::bearing) fn at_rest<const S: usize>(u: &[f64; S], committed: &[f64; S]) -> bool {
     let size = u.iter().fold(0.0, |m: f64, u| m.max(u.abs()));

@@ -3,128 +3,132 @@
 use crate::material::{Material, MaterialError, Strain, Strains, Stresses};
 use std::f64::consts::PI;
 
-/// Springs in the directions θ = π i/n of the plane of shear (Wada and Hirose, 1989), of one material or of several; their
-/// histories lie one after the other in the state of their owner, behind them room for two more.
+/// Springs in the directions θ = π i/n of the shear plane (Wada and Hirose, 1989), of one or several materials. Their
+/// state variables follow each other in the state of their owner, then those of two auxiliary springs.
 ///
-/// With a limit u₀ the forces are multiplied so that the bundle, sheared in one direction from the virgin state to
-/// max(|u|, u₀), carries the force of one spring alone, all of the first material; |u| is the size of the displacement. Without one they are
-/// not, and n springs are about n/2 times as stiff as one.
+/// With a limit u₀ the forces are multiplied by a factor. The reference is a virgin bundle of the first material,
+/// sheared in one direction to max(|u|, u₀). The factor gives it the force of a single spring. Without a limit there is
+/// no factor, and n springs are about n/2 times as stiff as one.
 #[derive(Clone, Debug)]
 pub struct ShearSprings {
-    runs: Vec<Run>,
+    groups: Vec<SpringGroup>,
     directions: Vec<[f64; 2]>,
     limit: Option<f64>,
     /// Virgin state of the first material.
     virgin: Vec<f64>,
-    /// Where there is room for two springs, after all others: one that is tried for the factors, and what it answers.
-    room: usize,
+    /// Index of the two auxiliary springs: the one evaluated for the factors, and its response.
+    auxiliary_at: usize,
 }
 
 /// Neighbouring springs of one material.
 #[derive(Clone, Debug)]
-struct Run {
+struct SpringGroup {
     material: Material,
     at: usize,
     springs: std::ops::Range<usize>,
 }
 
-/// Forces of a bundle along y and z, before they are multiplied by the factors.
+/// Forces of a bundle along y and z, without the factors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Bundle {
     /// Forces.
     pub force: [f64; 2],
     /// Derivatives by the displacements.
     pub stiffness: [[f64; 2]; 2],
-    /// Derivatives by the velocities, of viscous materials.
+    /// Derivatives by the velocities, for viscous materials.
     pub damping: [[f64; 2]; 2],
 }
 
-/// What the forces and stiffnesses of a bundle are multiplied by.
+/// Factors of the forces and stiffnesses of a bundle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Factors {
     /// Factor of the forces.
     pub force: f64,
-    /// Factor that OpenSees multiplies the stiffness by, instead of deriving the forces.
+    /// Factor of the stiffness in OpenSees, in place of the derivative of the forces.
     pub stiffness: f64,
     /// Derivative of the factor of the forces by the size of the displacement.
     pub slope: f64,
 }
 
 impl Factors {
-    /// No factors.
+    /// Factors of 1.
     pub const ONE: Self = Self { force: 1.0, stiffness: 1.0, slope: 0.0 };
 }
 
-/// Springs updated at a time, so that their stresses stay on the stack.
-const CHUNK: usize = 32;
+/// Number of springs updated in one call: their stresses are on the stack.
+const CHUNK_LEN: usize = 32;
 
 impl ShearSprings {
-    /// `n` springs of one material with their histories from word `at` on.
+    /// Makes `n` springs of one material, with state variables from index `at` on.
     pub fn new(material: Material, n: usize, limit: Option<f64>, at: usize) -> Self {
         Self::of(vec![(material, n)], limit, at)
     }
 
-    /// Springs of several materials, each with the number of neighbouring springs that are of it; at least one.
+    /// Makes springs of several materials, each with its number of neighbouring springs. At least one material is
+    /// needed.
     pub fn of(materials: Vec<(Material, usize)>, limit: Option<f64>, at: usize) -> Self {
         let n: usize = materials.iter().map(|(_, n)| n).sum();
         let directions = (0..n).map(|i| PI * i as f64 / n as f64).map(|angle| [angle.cos(), angle.sin()]).collect();
         let mut virgin = vec![0.0; materials.first().map_or(0, |(m, _)| m.state_len())];
-        let (mut runs, mut room, mut first) = (Vec::with_capacity(materials.len()), at, 0);
+        let (mut groups, mut auxiliary_at, mut first) = (Vec::with_capacity(materials.len()), at, 0);
         for (material, n) in materials {
-            let words = n * material.state_len();
-            runs.push(Run { material, at: room, springs: first..first + n });
-            room += words;
+            let len = n * material.state_len();
+            groups.push(SpringGroup { material, at: auxiliary_at, springs: first..first + n });
+            auxiliary_at += len;
             first += n;
         }
-        if let Some(run) = runs.first() {
-            run.material.init(&mut virgin);
+        if let Some(group) = groups.first() {
+            group.material.init(&mut virgin);
         }
-        Self { runs, directions, limit, virgin, room }
+        Self { groups, directions, limit, virgin, auxiliary_at }
     }
 
-    /// Number of words that they take.
+    /// Number of state variables.
     pub fn state_len(&self) -> usize {
-        let first = self.runs.first().map_or(self.room, |run| run.at);
-        self.room - first + 2 * self.virgin.len()
+        let first = self.groups.first().map_or(self.auxiliary_at, |group| group.at);
+        self.auxiliary_at - first + 2 * self.virgin.len()
     }
 
-    /// Their materials.
+    /// Materials of the springs.
     pub fn materials(&self) -> impl Iterator<Item = &Material> {
-        self.runs.iter().map(|run| &run.material)
+        self.groups.iter().map(|group| &group.material)
     }
 
-    /// Whether their forces are multiplied by factors that depend on the displacement.
+    /// Returns true if the forces have a factor that depends on the displacement.
     pub fn is_limited(&self) -> bool {
         self.limit.is_some()
     }
 
-    /// Write the virgin state.
+    /// Writes the virgin state variables.
     pub fn init(&self, state: &mut [f64]) {
-        for Run { material, at, springs } in &self.runs {
-            let words = material.state_len();
-            for first in (0..springs.len()).step_by(CHUNK) {
-                let n = CHUNK.min(springs.len() - first);
-                material.init_all(n, &mut state[at + first * words..at + (first + n) * words]);
+        for SpringGroup { material, at, springs } in &self.groups {
+            let len = material.state_len();
+            for first in (0..springs.len()).step_by(CHUNK_LEN) {
+                let n = CHUNK_LEN.min(springs.len() - first);
+                material.init_all(n, &mut state[at + first * len..at + (first + n) * len]);
             }
         }
-        let words = self.virgin.len();
-        for room in [self.room, self.room + words] {
-            state[room..room + words].copy_from_slice(&self.virgin);
+        let len = self.virgin.len();
+        for at in [self.auxiliary_at, self.auxiliary_at + len] {
+            state[at..at + len].copy_from_slice(&self.virgin);
         }
     }
 
-    /// Take over their histories of a trial state.
+    /// Copies the state variables of a trial state.
     pub fn commit(&self, trial: &[f64], committed: &mut [f64]) {
-        for Run { material, at, springs } in &self.runs {
-            let words = *at..at + springs.len() * material.state_len();
-            material.commit_all(&trial[words.clone()], &mut committed[words]);
+        for SpringGroup { material, at, springs } in &self.groups {
+            let range = *at..at + springs.len() * material.state_len();
+            material.commit_all(&trial[range.clone()], &mut committed[range]);
         }
-        // Of the two that are tried, one is worked with.
-        let tried = self.room..self.room + self.virgin.len();
-        committed[tried.clone()].copy_from_slice(&trial[tried]);
+        // Of the auxiliary springs only the first has a committed state.
+        let auxiliary = self.auxiliary_at..self.auxiliary_at + self.virgin.len();
+        committed[auxiliary.clone()].copy_from_slice(&trial[auxiliary]);
     }
 
-    /// Forces at displacements along y and z, with their rates.
+    /// Forces at displacements along y and z, and their rates.
+    ///
+    /// # Errors
+    /// Errors of the materials.
     pub fn respond(
         &self,
         committed: &[f64],
@@ -134,20 +138,20 @@ impl ShearSprings {
         trial: &mut [f64],
     ) -> Result<Bundle, MaterialError> {
         let mut sum = Bundle::default();
-        let (mut strains, mut rates) = ([0.0; CHUNK], [0.0; CHUNK]);
-        let (mut value, mut tangent, mut damping) = ([0.0; CHUNK], [0.0; CHUNK], [0.0; CHUNK]);
-        let chunks = self.runs.iter().flat_map(|run| {
-            let words = run.material.state_len();
-            let chunks = self.directions[run.springs.clone()].chunks(CHUNK).enumerate();
-            chunks.map(move |(i, directions)| (run, run.at + i * CHUNK * words, directions))
+        let (mut strains, mut rates) = ([0.0; CHUNK_LEN], [0.0; CHUNK_LEN]);
+        let (mut value, mut tangent, mut damping) = ([0.0; CHUNK_LEN], [0.0; CHUNK_LEN], [0.0; CHUNK_LEN]);
+        let chunks = self.groups.iter().flat_map(|group| {
+            let len = group.material.state_len();
+            let chunks = self.directions[group.springs.clone()].chunks(CHUNK_LEN).enumerate();
+            chunks.map(move |(i, directions)| (group, group.at + i * CHUNK_LEN * len, directions))
         });
-        for (run, at, directions) in chunks {
+        for (group, at, directions) in chunks {
             let n = directions.len();
-            let at = at..at + n * run.material.state_len();
+            let at = at..at + n * group.material.state_len();
             for ((e, r), [c, s]) in strains.iter_mut().zip(&mut rates).zip(directions) {
                 (*e, *r) = (c * u[0] + s * u[1], c * rate[0] + s * rate[1]);
             }
-            run.material.update_all(
+            group.material.update_all(
                 &committed[at.clone()],
                 &Strains { value: &strains[..n], rate: &rates[..n], dt },
                 &mut trial[at],
@@ -170,9 +174,9 @@ impl ShearSprings {
     /// Stiffness of the virgin bundle.
     pub fn initial_stiffness(&self) -> [[f64; 2]; 2] {
         let mut sum = [[0.0; 2]; 2];
-        for run in &self.runs {
-            let k = run.material.initial_tangent();
-            for d in &self.directions[run.springs.clone()] {
+        for group in &self.groups {
+            let k = group.material.initial_tangent();
+            for d in &self.directions[group.springs.clone()] {
                 for a in 0..2 {
                     for b in 0..2 {
                         sum[a][b] += k * d[a] * d[b];
@@ -183,23 +187,23 @@ impl ShearSprings {
         sum
     }
 
-    /// Factors at a displacement of this size, from the committed state of the owner; `trial` has room to work, and keeps
-    /// what OpenSees' springs remember of having been tried.
+    /// Factors at a displacement of this size, from the committed state of the owner. `trial` is workspace, and keeps
+    /// the state that OpenSees' springs retain after an evaluation.
     ///
     /// # Errors
-    /// A virgin bundle that resists no displacement.
+    /// A virgin bundle without resistance.
     pub fn factors(&self, size: f64, committed: &[f64], trial: &mut [f64]) -> Result<Factors, MaterialError> {
-        let tried = self.room..self.room + self.virgin.len();
-        trial[tried.clone()].copy_from_slice(&committed[tried]);
-        let (Some(limit), Some(Run { material, .. })) = (self.limit, self.runs.first()) else {
+        let auxiliary = self.auxiliary_at..self.auxiliary_at + self.virgin.len();
+        trial[auxiliary.clone()].copy_from_slice(&committed[auxiliary]);
+        let (Some(limit), Some(SpringGroup { material, .. })) = (self.limit, self.groups.first()) else {
             return Ok(Factors::ONE);
         };
-        let words = self.virgin.len();
-        let (tried, answer) = trial[self.room..self.room + 2 * words].split_at_mut(words);
+        let len = self.virgin.len();
+        let (auxiliary, response) = trial[self.auxiliary_at..self.auxiliary_at + 2 * len].split_at_mut(len);
         let u = size.max(limit);
         let mut at = |value: f64| {
-            let stress = material.update(tried, Strain { value, rate: 0.0, dt: 0.0 }, answer)?;
-            material.leave_trace(answer, tried);
+            let stress = material.update(auxiliary, Strain { value, rate: 0.0, dt: 0.0 }, response)?;
+            material.leave_trace(response, auxiliary);
             Ok::<_, MaterialError>(stress)
         };
         let one = at(u)?;

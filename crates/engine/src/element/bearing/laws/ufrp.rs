@@ -5,17 +5,19 @@ use crate::element::bearing::laws::shear::{Shear, ShearLaw, at_rest};
 use crate::numeric::{bracketed_root, sign};
 
 /// Shear law of an unbonded fibre-reinforced bearing, whose ends roll off their supports:
-/// q = b (1 - γ |z|^η) z + a₁ u + a₂ |u| u + a₃ u³ + a₄ |u| u³ + a₅ u⁵ + c u̇, with
+///
+/// q = b (1 - γ |z|^η) z + a₁ u + a₂ |u| u + a₃ u³ + a₄ |u| u³ + a₅ u⁵ + c u̇,
+///
 /// ż = u̇/u_y [1 - |z|^η (γ + β sign(z u̇))].
 ///
-/// Love, Toopchi-Nezhad, Tait and Drysdale (2011), as in OpenSees; backward Euler over a step.
+/// Source: Love, Toopchi-Nezhad, Tait and Drysdale (2011), as in OpenSees. Backward Euler over a step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UfrpShear {
     /// Yield displacement u_y.
     pub uy: f64,
-    /// Coefficients of the polynomial a₁ to a₅.
+    /// Coefficients a₁ to a₅ of the polynomial.
     pub a: [f64; 5],
-    /// Factor of the hysteretic force b.
+    /// Factor b of the hysteretic force.
     pub b: f64,
     /// Damping coefficient c.
     pub c: f64,
@@ -42,9 +44,9 @@ impl UfrpShear {
         [self.b * (1.0 - p) * z, self.b * (1.0 - (self.eta + 1.0) * p)]
     }
 
-    /// Hysteretic parameter after an increment `d` of the displacement over the yield displacement, and its slope.
+    /// Hysteretic parameter after an increment `d` of displacement over yield displacement, and its slope.
     fn evolve(&self, zc: f64, d: f64) -> Option<[f64; 2]> {
-        // With the sign of the increment turned to positive, z rises from z_c towards its bound.
+        // For a positive increment z rises from z_c towards its bound.
         let (s, d) = (sign(d), d.abs());
         let rate = |z: f64| {
             let shape = self.gamma + self.beta * sign(z);

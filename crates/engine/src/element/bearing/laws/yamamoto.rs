@@ -7,18 +7,18 @@ use std::f64::consts::PI;
 
 /// Exponent n of the evolution of Q.
 const EXPONENT: f64 = 0.7;
-/// Displacement over which Q evolves, α, over the thickness of the rubber.
+/// Ratio of the displacement α of the evolution of Q to the rubber thickness.
 const ALPHA: f64 = 0.25;
-/// Stresses are in MPa; the command's forces come out in N for lengths in m.
+/// Pa per MPa: stresses are in MPa, forces in N for lengths in m.
 const MEGA: f64 = 1e6;
 /// Largest step of the integration of Q, in α.
 const STEP: f64 = 0.05;
 
-/// Bidirectional shear of a high damping rubber bearing: F = A [τ_r(γ) u/|u| + τ_s(γ) Q] with the shear strain
-/// γ = |u| / H_r; Q follows the motion, dQ/dl = (t - |Q|ⁿ Q/|Q|) / α along a path of length l and direction t.
+/// Bidirectional shear of a high damping rubber bearing: F = A [τ_r(γ) u/|u| + τ_s(γ) Q] with the shear strain γ = |u|
+/// / H_r. Q evolves as dQ/dl = (t - |Q|ⁿ Q/|Q|) / α along a path of length l and direction t.
 ///
-/// Yamamoto, Minewaki, Yoneda and Higashino (2012), <https://doi.org/10.1002/eqe.1161>, with the coefficients of
-/// Bridgestone's X0.6R that OpenSees has.
+/// Source: Yamamoto, Minewaki, Yoneda and Higashino (2012), <https://doi.org/10.1002/eqe.1161>, with the coefficients
+/// of Bridgestone's X0.6R in OpenSees.
 #[derive(Clone, Debug, PartialEq)]
 pub struct YamamotoShear {
     /// Area A of the rubber, m² for forces in N.
@@ -29,21 +29,21 @@ pub struct YamamotoShear {
     pub cr: f64,
     /// Factor c_s of τ_s.
     pub cs: f64,
-    /// As in OpenSees, Q takes one step of Euler's method forward, the stiffness is always the initial one, and the mass of
-    /// node j goes to the rotations of node i.
+    /// OpenSees' scheme: one forward Euler step for Q, always the initial stiffness, and the mass of node j at the
+    /// rotations of node i.
     pub compat: bool,
 }
 
-/// Q with its derivative with respect to the increment of the displacement, by rows.
+/// Q and its derivatives by the increment of displacement, by rows.
 type Evolution = ([f64; 2], [[f64; 2]; 2]);
 
 impl YamamotoShear {
-    /// For a ring of rubber of outer and inner diameter.
+    /// Makes the law of a rubber ring with outer and inner diameter.
     pub fn new([outer, inner]: [f64; 2], height: f64, [cr, cs]: [f64; 2], compat: bool) -> Self {
         Self { area: PI / 4.0 * (outer * outer - inner * inner), height, cr, cs, compat }
     }
 
-    /// |Q|ⁿ Q/|Q| and its derivative.
+    /// |Q|ⁿ Q/|Q| and its derivatives.
     fn recovery(q: [f64; 2]) -> Evolution {
         let size = q[0].hypot(q[1]);
         if size < f64::EPSILON {
@@ -55,15 +55,14 @@ impl YamamotoShear {
         (q.map(|q| power * q), [[slope(0, 0), slope(0, 1)], [slope(1, 0), slope(1, 1)]])
     }
 
-    /// Q after an increment `d` of the displacement over α: Euler's method forward in compat mode, else Runge and Kutta's in
-    /// short steps.
+    /// Q after an increment `d` of displacement over α: forward Euler with `compat`, else Runge-Kutta in short steps.
     fn evolve(&self, q: [f64; 2], d: [f64; 2]) -> Evolution {
         let length = d[0].hypot(d[1]);
         if length < f64::EPSILON {
             return (q, [[1.0, 0.0], [0.0, 1.0]]);
         }
         let t = d.map(|d| d / length);
-        // Rates along the way that is gone through in a unit of time.
+        // Derivatives by the path, scaled to a unit interval.
         let rate = |(q, dq): Evolution| -> Evolution {
             let (r, dr) = Self::recovery(q);
             let value = std::array::from_fn(|i| d[i] - length * r[i]);
@@ -94,7 +93,7 @@ impl YamamotoShear {
         at
     }
 
-    /// τ_r and τ_s times the area, each with its derivative with respect to γ.
+    /// A τ_r and A τ_s, each with its derivative by γ.
     fn skeleton(&self, gamma: f64) -> [(f64, f64); 2] {
         let over = (gamma - 1.8).max(0.0);
         let r = MEGA * self.area * self.cr;
@@ -105,13 +104,13 @@ impl YamamotoShear {
         ]
     }
 
-    /// Stiffness at rest.
+    /// Initial stiffness.
     fn initial(&self) -> f64 {
         (0.22 * self.cr + 1.0 * self.cs) * MEGA * self.area / self.height
     }
 }
 
-/// A step from one state of Q at a rate.
+/// A step of size `h` from a state of Q at a rate.
 fn along((q, dq): Evolution, (rate, slope): Evolution, h: f64) -> Evolution {
     let value = std::array::from_fn(|i| q[i] + h * rate[i]);
     (value, std::array::from_fn(|i| std::array::from_fn(|j| dq[i][j] + h * slope[i][j])))
@@ -142,7 +141,7 @@ impl ShearLaw<2> for YamamotoShear {
         if self.compat {
             return Ok(Shear { u, internal, q, k: self.virgin().k });
         }
-        // F_r / |u|, which is a constant at small strains.
+        // F_r / |u|, which is constant at small strains.
         let secant = if size > 0.0 { fr / size } else { kr / self.height };
         let k = std::array::from_fn(|i| {
             std::array::from_fn(|j| {

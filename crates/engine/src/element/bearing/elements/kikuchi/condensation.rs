@@ -1,36 +1,36 @@
-//! Taking the inner nodes out of the equations of a Kikuchi bearing.
+//! Static condensation of the inner nodes of a Kikuchi bearing.
 
 use super::kinematics::{DOFS, INNER, InnerMatrix, Matrix, Motion, OUTER};
 use crate::element::{ElementError, Rows};
 use crate::state_struct;
 
-/// Why the inner nodes have no equilibrium.
-pub(super) fn held_by_nothing() -> ElementError {
+/// The error of inner nodes without stiffness.
+pub(super) fn no_inner_stiffness() -> ElementError {
     ElementError("the inner nodes of the bearing are held by nothing".into())
 }
 
 /// Displacements or forces of the inner nodes.
 pub(super) type Inner = [f64; INNER];
 
-/// Inner displacements from those of the outer nodes: where the inner nodes follow to. `follow` has a column for
-/// each outer displacement, one after the other.
-pub(super) fn followed(follow: &[f64], inner: &Inner, way: &[f64; OUTER]) -> Inner {
+/// Linear extrapolation of the inner displacements, `inner + follow step`. `follow` has a column for each outer displacement,
+/// one after the other.
+pub(super) fn extrapolated(follow: &[f64], inner: &Inner, step: &[f64; OUTER]) -> Inner {
     let mut at = *inner;
-    for (column, d) in follow.as_chunks::<INNER>().0.iter().zip(way).filter(|(_, d)| **d != 0.0) {
+    for (column, d) in follow.as_chunks::<INNER>().0.iter().zip(step).filter(|(_, d)| **d != 0.0) {
         at.iter_mut().zip(column).for_each(|(at, c)| *at += c * d);
     }
     at
 }
 
-/// Share of the virgin stiffness that holds inner nodes which no spring holds any more.
+/// Share of the virgin stiffness that is added where no spring holds the inner nodes any more.
 const HOLD: f64 = 1e-10;
 
 state_struct! {
-    /// What the inner nodes do by their own equations.
-    pub(super) struct Yielding {
-        /// How they follow the outer ones.
+    /// Solution of the equations of the inner nodes.
+    pub(super) struct InnerSolution {
+        /// Derivatives of the inner displacements by the outer ones, by columns.
         follow: [[f64; 6]; 12],
-        /// How they yield to the force that is left at them.
+        /// Newton correction for the residual at the inner nodes.
         correction: [f64; 6],
     }
 }
@@ -38,9 +38,9 @@ state_struct! {
 /// The equations with the inner nodes taken out.
 #[derive(Default)]
 pub(super) struct Condensed {
-    /// What the inner nodes do.
-    pub yielding: Yielding,
-    /// Forces at the outer nodes once they have yielded.
+    /// Solution for the inner nodes.
+    pub solution: InnerSolution,
+    /// Forces at the outer nodes after the correction of the inner ones.
     pub force: [f64; OUTER],
     /// Wanted rows of their stiffness.
     pub stiffness: [[f64; OUTER]; OUTER],
@@ -75,30 +75,30 @@ impl Factors {
             }
             let inverse = 1.0 / k[p][p];
             k[p][p] = inverse;
-            // Whole rows at a time, which the compiler does at once: what is left of the pivot stays.
+            // The compiler makes vector operations of whole rows. The part left of the pivot stays.
             let mut pivot = k[p];
             pivot[..=p].fill(0.0);
             for row in &mut k[p + 1..] {
                 row[p] *= inverse;
-                take_off(row, row[p], &pivot);
+                subtract_scaled(row, row[p], &pivot);
             }
         }
         Self { factors: k, order }
     }
 
-    /// Solve for right-hand sides, given by row; `None` where they have no finite answer.
+    /// Solve for right-hand sides, given by row; `None` where the solution is not finite.
     #[inline]
     fn solve<const C: usize>(&self, right: impl Fn(usize, &mut [f64; C])) -> Option<[[f64; C]; INNER]> {
         let mut x = [[0.0; C]; INNER];
         for i in 0..INNER {
             let (done, rest) = x.split_at_mut(i);
             right(self.order[i], &mut rest[0]);
-            done.iter().zip(&self.factors[i]).for_each(|(done, share)| take_off(&mut rest[0], *share, done));
+            done.iter().zip(&self.factors[i]).for_each(|(done, share)| subtract_scaled(&mut rest[0], *share, done));
         }
         for i in (0..INNER).rev() {
             let (rest, done) = x.split_at_mut(i + 1);
             let to = &mut rest[i];
-            done.iter().zip(&self.factors[i][i + 1..]).for_each(|(done, share)| take_off(to, *share, done));
+            done.iter().zip(&self.factors[i][i + 1..]).for_each(|(done, share)| subtract_scaled(to, *share, done));
             to.iter_mut().for_each(|x| *x *= self.factors[i][i]);
         }
         x.as_flattened().iter().all(|x| x.is_finite()).then_some(x)
@@ -106,13 +106,13 @@ impl Factors {
 }
 
 #[inline]
-fn take_off<const C: usize>(row: &mut [f64; C], share: f64, other: &[f64; C]) {
+fn subtract_scaled<const C: usize>(row: &mut [f64; C], share: f64, other: &[f64; C]) {
     row.iter_mut().zip(other).for_each(|(x, y)| *x -= share * y);
 }
 
-/// What the inner nodes do for displacements of the outer nodes, and for the forces, by rows.
+/// Inner displacements per unit of the outer displacements, and for the forces, by rows.
 #[inline]
-fn followers(f: &Motion, k: &Matrix, hold: &Inner) -> Option<[[f64; COLUMNS]; INNER]> {
+fn solve_inner(f: &Motion, k: &Matrix, hold: &Inner) -> Option<[[f64; COLUMNS]; INNER]> {
     let mut own = [[0.0; INNER]; INNER];
     own.iter_mut().zip(&k[OUTER..]).for_each(|(own, k)| own.copy_from_slice(&k[OUTER..]));
     Factors::of(own, hold).solve(|i, right: &mut [f64; COLUMNS]| {
@@ -121,25 +121,25 @@ fn followers(f: &Motion, k: &Matrix, hold: &Inner) -> Option<[[f64; COLUMNS]; IN
     })
 }
 
-/// How the inner nodes yield to the force that is left at them by their own stiffness, where nothing else is asked.
+/// Newton correction of the inner nodes for the residual at them.
 pub(super) fn correction(f: &Motion, k: InnerMatrix, hold: &Inner) -> Option<Inner> {
     let inner = Factors::of(k, hold).solve(|i, right| *right = [-f[OUTER + i]])?;
     Some(inner.map(|[x]| x))
 }
 
 #[inline]
-fn write_yielding(inner: &[[f64; COLUMNS]; INNER], yielding: &mut Yielding) {
+fn write_solution(inner: &[[f64; COLUMNS]; INNER], solution: &mut InnerSolution) {
     for (i, row) in inner.iter().enumerate() {
-        yielding.follow.iter_mut().zip(row).for_each(|(column, x)| column[i] = *x);
-        yielding.correction[i] = row[OUTER];
+        solution.follow.iter_mut().zip(row).for_each(|(column, x)| column[i] = *x);
+        solution.correction[i] = row[OUTER];
     }
 }
 
-/// What the inner nodes do, where nothing else is asked.
-pub(super) fn yielding(f: &Motion, k: &Matrix, hold: &Inner) -> Option<Yielding> {
-    let mut yielding = Yielding::default();
-    write_yielding(&followers(f, k, hold)?, &mut yielding);
-    Some(yielding)
+/// Solution for the inner nodes without the condensed forces and stiffness.
+pub(super) fn solution(f: &Motion, k: &Matrix, hold: &Inner) -> Option<InnerSolution> {
+    let mut solution = InnerSolution::default();
+    write_solution(&solve_inner(f, k, hold)?, &mut solution);
+    Some(solution)
 }
 
 /// Condense forces `f` and stiffness `k`; `hold` is the virgin stiffness at the inner nodes.
@@ -151,7 +151,7 @@ pub(super) fn condense(f: &Motion, k: &Matrix, hold: &Inner) -> Option<Condensed
 
 /// The same into a place of zeros; only `rows` of the stiffness are made.
 pub(super) fn condense_into(f: &Motion, k: &Matrix, hold: &Inner, rows: Rows, into: &mut Condensed) -> Option<()> {
-    let inner = followers(f, k, hold)?;
+    let inner = solve_inner(f, k, hold)?;
     for (i, force) in into.force.iter_mut().enumerate() {
         let shares = &k[i][OUTER..];
         *force = f[i] + shares.iter().zip(&inner).map(|(share, solved)| share * solved[OUTER]).sum::<f64>();
@@ -163,7 +163,7 @@ pub(super) fn condense_into(f: &Motion, k: &Matrix, hold: &Inner, rows: Rows, in
             row.iter_mut().zip(&solved[..OUTER]).for_each(|(to, x)| *to += share * x);
         }
     }
-    write_yielding(&inner, &mut into.yielding);
+    write_solution(&inner, &mut into.solution);
     Some(())
 }
 

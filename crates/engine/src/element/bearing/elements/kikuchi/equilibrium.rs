@@ -1,6 +1,8 @@
 //! Inner equilibrium of a Kikuchi bearing, to round-off at every trial state.
 
-use super::condensation::{Condensed, Inner, condense, condense_into, correction, followed, held_by_nothing, join};
+use super::condensation::{
+    Condensed, Inner, condense, condense_into, correction, extrapolated, join, no_inner_stiffness,
+};
 use super::kinematics::{DOFS, INNER, Matrix, Motion, OUTER, Springs};
 use super::{Factors, KikuchiBearing};
 use crate::element::{ElementError, Rows, dot};
@@ -8,31 +10,31 @@ use crate::numeric::largest;
 use crate::state_struct;
 use crate::state_struct::StateStruct;
 
-/// State variables of the memory, and after them of how the inner nodes follow the ends, by columns.
+/// Number of state variables of the memory and of the derivatives of the inner displacements by the outer ones.
 pub(super) const HEADER: usize = FOLLOW_AT + OUTER * INNER;
-/// Where the latter begin. They are read where they lie.
+/// Place of the derivatives, which are read in place.
 const FOLLOW_AT: usize = <Memory as StateStruct>::LEN;
 
-/// How the inner nodes follow the ends, in the state of the bearing.
+/// Derivatives of the inner displacements by the outer ones in the state of the bearing, by columns.
 fn follow(state: &[f64]) -> &[f64] {
     &state[FOLLOW_AT..HEADER]
 }
 
 state_struct! {
-    /// What a bearing keeps besides the histories of its springs.
+    /// State variables besides the histories of the springs.
     pub(super) struct Memory {
         /// Displacements of the ends in local axes.
         outer: [f64; 12],
         /// Displacements of the inner nodes.
         inner: [f64; 6],
-        /// What they yield to the force that is left at them.
+        /// Newton correction for the residual at the inner nodes.
         correction: [f64; 6],
         /// Axial deformation at mid-height.
         axial: f64,
         /// The last step of the ends.
         way: [f64; 12],
-        /// What the inner nodes did in that step beyond following: in proportion to the square of its length, where the
-        /// motion is smooth.
+        /// Error of the linear extrapolation of the inner nodes in that step. It is in proportion to the square of the length of a
+        /// step where the motion is smooth.
         bend: [f64; 6],
         /// Size of the shear displacement that the shear springs have been scaled for.
         size: f64,
@@ -41,28 +43,28 @@ state_struct! {
     }
 }
 
-/// Residual at the inner nodes over the forces of the bearing that counts as none: the inner nodes yield to it once more
-/// as the equations are condensed, so that the forces at the ends are those of a residual of its square.
+/// Tolerance of the residual at the inner nodes, over the forces of the bearing. The condensation corrects the inner nodes
+/// once more, so that the residual in the forces at the ends is of the order of its square.
 const TOLERANCE: f64 = 1e-8;
-/// The same where stiffnesses are asked for, with which the ends are mostly going to be moved again. Where they are not, a residual of
-/// its square still is none.
-const ON_THE_WAY: f64 = 1e-6;
-/// The same over E A: a strain.
+/// Tolerance for evaluations with tangent, which another correction of the ends mostly follows. Its square is still below
+/// the tolerance of the others.
+const TANGENT_TOLERANCE: f64 = 1e-6;
+/// Absolute tolerance over E A: a strain.
 const STRAIN: f64 = 1e-12;
 /// Residuals so many times larger than [`TOLERANCE`] says are taken where round-off lets them sink no further.
 const STAGNATION: f64 = 1e3;
-/// A step counts as no more than so many times the last one where the inner nodes are looked for.
-const FURTHER: f64 = 2.0;
-/// Share of what counts as none that the inner nodes need not yield to.
-const SETTLED: f64 = 1e-3;
-/// Square of the part of a step within which the ends of the last call are near.
-const NEARER: f64 = 0.1;
+/// Largest ratio of a step to the last one in the extrapolation of the inner nodes.
+const MAX_STEP_RATIO: f64 = 2.0;
+/// Share of the tolerance below which the inner nodes need no further correction.
+const CORRECTED: f64 = 1e-3;
+/// Largest squared distance to the ends of the last call, over the squared step, for a start from that call.
+const MAX_SQUARED_DISTANCE: f64 = 0.1;
 /// The axial force at j, in local axes.
 const AXIAL: usize = 6;
-/// Largest number of iterations on the way to a displacement.
+/// Largest number of inner iterations.
 const ITERATIONS: usize = 60;
 
-/// A step of the ends, for which the inner nodes are looked for.
+/// A step of the ends, for which the equilibrium of the inner nodes is found.
 struct Step<'a> {
     committed: &'a [f64],
     from: &'a Memory,
@@ -71,11 +73,11 @@ struct Step<'a> {
     row: Motion,
     factors: Factors,
     dt: f64,
-    /// Residual over the forces of the bearing that counts as none.
+    /// Tolerance of the residual over the forces of the bearing.
     tolerance: f64,
 }
 
-/// The bearing at a trial position of its inner nodes. What of its stiffness is needed is made from this.
+/// The bearing at a trial position of its inner nodes.
 #[derive(Default)]
 struct Trial {
     inner: [f64; INNER],
@@ -84,7 +86,7 @@ struct Trial {
     /// Row of the axial force, and derivatives of the axial deformation.
     row: Motion,
     change: Motion,
-    /// Largest force left at the inner nodes, the largest that counts as none, and that is taken where it sinks no further.
+    /// Residual at the inner nodes, its tolerance, and the tolerance where it sinks no further.
     residual: f64,
     allowed: f64,
     taken: f64,
@@ -93,7 +95,7 @@ struct Trial {
 impl KikuchiBearing {
     /// Write the state at rest.
     pub(super) fn write_virgin_memory(&self, state: &mut [f64]) {
-        let follow = self.virgin_condensed(self.virgin_factors.force).map(|c| c.yielding.follow);
+        let follow = self.virgin_condensed(self.virgin_factors.force).map(|c| c.solution.follow);
         Memory::default().write(state);
         state[FOLLOW_AT..HEADER].copy_from_slice(follow.unwrap_or_default().as_flattened());
     }
@@ -115,7 +117,7 @@ impl KikuchiBearing {
     /// none yet.
     ///
     /// # Errors
-    /// No inner equilibrium was found, or a spring has no answer.
+    /// No inner equilibrium was found, or a spring finds no force.
     pub(super) fn converge(
         &self,
         outer: [f64; OUTER],
@@ -129,34 +131,34 @@ impl KikuchiBearing {
         let factors = self.factors_at(&outer, &last, committed, trial)?;
         let origin = join(&from.outer, &from.inner);
         let row = self.kinematics.axial_row(&origin);
-        let tolerance = if rows == Rows::NONE { TOLERANCE } else { ON_THE_WAY };
+        let tolerance = if rows == Rows::NONE { TOLERANCE } else { TANGENT_TOLERANCE };
         let step = Step { committed, from: &from, origin, row, factors, dt, tolerance };
         let way = std::array::from_fn(|i| outer[i] - from.outer[i]);
         let rest = nearer(&outer, &way, &last);
         let guess = match &rest {
             Some(rest) => {
                 let inner = std::array::from_fn(|i| last.inner[i] + last.correction[i]);
-                followed(follow(trial), &inner, rest)
+                extrapolated(follow(trial), &inner, rest)
             }
             None => guess(&from, follow(committed), &way),
         };
         let mut trials = [Trial::default(), Trial::default()];
         let found = self.find(&step, &outer, guess, trial, &mut trials)?;
-        if rows == Rows::NONE && rest.is_some() && found.residual <= SETTLED * found.allowed {
-            // Nobody asks for stiffnesses, and the inner nodes follow as at the last call.
+        if rows == Rows::NONE && rest.is_some() && found.residual <= CORRECTED * found.allowed {
+            // No tangent is needed, and the derivatives of the last call are still good enough.
             into.force.copy_from_slice(&found.forces.as_slice()[..OUTER]);
         } else {
             self.condense_found(found, factors, &outer, rows, into)?;
-            trial[FOLLOW_AT..HEADER].copy_from_slice(into.yielding.follow.as_flattened());
+            trial[FOLLOW_AT..HEADER].copy_from_slice(into.solution.follow.as_flattened());
         }
-        let followed = followed(follow(committed), &from.inner, &way);
+        let extrapolated = extrapolated(follow(committed), &from.inner, &way);
         Memory {
             outer,
             inner: found.inner,
-            correction: into.yielding.correction,
+            correction: into.solution.correction,
             axial: found.springs.axial,
             way,
-            bend: std::array::from_fn(|i| found.inner[i] - followed[i]),
+            bend: std::array::from_fn(|i| found.inner[i] - extrapolated[i]),
             size: self.size(&outer),
             factor: [factors.force, factors.slope],
         }
@@ -167,7 +169,7 @@ impl KikuchiBearing {
         Ok(())
     }
 
-    /// Take the inner nodes out of the equations where they are in balance.
+    /// Condense the inner nodes at their equilibrium.
     fn condense_found(
         &self,
         found: &Trial,
@@ -182,7 +184,7 @@ impl KikuchiBearing {
         self.add_slope(&found.springs, factors, outer, &mut stiffness);
         // The moments of P-Delta change with the axial force.
         let wanted = if self.shares.is_some() { rows.and(AXIAL) } else { rows };
-        condense_into(&found.forces, &stiffness, &self.hold, wanted, into).ok_or_else(held_by_nothing)
+        condense_into(&found.forces, &stiffness, &self.hold, wanted, into).ok_or_else(no_inner_stiffness)
     }
 
     /// Size of the shear displacement.
@@ -191,7 +193,7 @@ impl KikuchiBearing {
         v.hypot(w)
     }
 
-    /// Factors of the shear springs: those of the last call where it was for the same shear displacement.
+    /// Factors of the shear springs: those of the last call if it had the same shear displacement.
     fn factors_at(
         &self,
         outer: &[f64; OUTER],
@@ -209,7 +211,7 @@ impl KikuchiBearing {
         Ok(Factors { stiffness: factors.force, ..factors })
     }
 
-    /// Look for the inner nodes: from a guess, or else along the way of the ends.
+    /// Find the equilibrium of the inner nodes: from a guess, or else in parts of the step of the ends.
     fn find<'t>(
         &self,
         step: &Step<'_>,
@@ -224,7 +226,7 @@ impl KikuchiBearing {
             return Ok(&trials[found]);
         }
         let way: [f64; OUTER] = std::array::from_fn(|i| outer[i] - from.outer[i]);
-        let next = followed(follow(step.committed), &from.inner, &way);
+        let next = extrapolated(follow(step.committed), &from.inner, &way);
         if let Ok(Some(found)) = self.newton(step, outer, next, trial, trials) {
             return Ok(&trials[found]);
         }
@@ -244,7 +246,8 @@ impl KikuchiBearing {
         Err(ElementError("the bearing finds no inner equilibrium: the step is too large, or it has buckled".into()))
     }
 
-    /// Newton's method for the inner nodes, with steps that do not let the residual grow; which of the trials it has found.
+    /// Newton's method for the inner nodes, with steps that do not let the residual grow. Returns the number of the trial that
+    /// is in equilibrium.
     fn newton(
         &self,
         step: &Step<'_>,
@@ -274,7 +277,7 @@ impl KikuchiBearing {
                     break;
                 }
                 if best.residual <= best.taken {
-                    // The springs' histories in `trial` are to be those of the answer.
+                    // The springs' histories in `trial` must be those of the result.
                     self.at(step, outer, best.inner, trial, next)?;
                     return Ok(Some(found));
                 }
@@ -301,7 +304,7 @@ impl KikuchiBearing {
         into.inner = inner;
         into.row = k.axial_row(&q);
         (into.springs.axial, into.change) = k.axial(step.from.axial, &(q - step.origin), [&step.row, &into.row]);
-        self.answer_of_springs(step.committed, &q, step.factors, step.dt, trial, &mut into.springs)?;
+        self.evaluate_springs(step.committed, &q, step.factors, step.dt, trial, &mut into.springs)?;
         into.forces = k.forces(&q, &into.springs, &into.row);
         // Forces, and moments over an arm.
         let (f, by) = (&into.forces, 1.0 / self.arm);
@@ -318,7 +321,7 @@ impl KikuchiBearing {
         Ok(())
     }
 
-    /// What the factor of the shear forces adds to the stiffness as it changes with the displacement.
+    /// Add the stiffness from the change of the factor of the shear forces with the displacement.
     fn add_slope(&self, springs: &Springs, factors: Factors, outer: &[f64; OUTER], stiffness: &mut Matrix) {
         if factors.slope == 0.0 {
             return;
@@ -337,19 +340,19 @@ impl KikuchiBearing {
     }
 }
 
-/// The way from the ends of the last call, where they are much nearer than those of the committed state: the corrections of a
-/// step are small beside it.
+/// Displacements from the ends of the last call, if these are much nearer than the committed ones. The corrections of a step
+/// are small beside the step.
 fn nearer(outer: &[f64; OUTER], way: &[f64; OUTER], last: &Memory) -> Option<[f64; OUTER]> {
     let rest: [f64; OUTER] = std::array::from_fn(|i| outer[i] - last.outer[i]);
-    (dot(&rest, &rest) < NEARER * dot(way, way)).then_some(rest)
+    (dot(&rest, &rest) < MAX_SQUARED_DISTANCE * dot(way, way)).then_some(rest)
 }
 
-/// Where the inner nodes are looked for first: where they follow the ends to from the committed state, and where they bend
-/// to if the ends go on as in the last step.
+/// Start of the inner iteration: a linear extrapolation of the committed state, plus the error of the last extrapolation
+/// times the squared ratio of the steps.
 fn guess(from: &Memory, follow: &[f64], way: &[f64; OUTER]) -> Inner {
-    let inner = followed(follow, &from.inner, way);
+    let inner = extrapolated(follow, &from.inner, way);
     let ratio = dot(way, &from.way) / dot(&from.way, &from.way);
-    let square = if ratio > 0.0 { ratio.min(FURTHER).powi(2) } else { 0.0 };
+    let square = if ratio > 0.0 { ratio.min(MAX_STEP_RATIO).powi(2) } else { 0.0 };
     std::array::from_fn(|i| inner[i] + square * from.bend[i])
 }
 

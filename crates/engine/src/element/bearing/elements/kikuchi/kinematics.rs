@@ -49,7 +49,7 @@ pub(super) struct Stiff {
     pub bending: f64,
 }
 
-/// How the axial force at mid-height acts on the tilted, displaced links.
+/// Action of the axial force at mid-height on the tilted, displaced links.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Geometry {
     /// Each link by its own tilt.
@@ -70,7 +70,7 @@ pub(super) struct Kinematics {
     coupling: [[[f64; 4]; 4]; 2],
 }
 
-/// Where a section's forces act: with plus and with minus.
+/// Degrees of freedom at which a section's forces act: with plus and with minus.
 const LOWER: ([usize; 3], [usize; 3]) = ([12, 13, 14], [0, 4, 5]);
 const UPPER: ([usize; 3], [usize; 3]) = ([6, 10, 11], [15, 16, 17]);
 

@@ -6,13 +6,11 @@
 //! midst; at their outer ends stand the sections, each as long as half of the rubber. The axial force runs along the
 //! tilted links: so the bearing softens with the shear displacement, and buckles.
 
-mod common;
 mod condensation;
 mod equilibrium;
 mod kinematics;
 mod opensees;
 
-pub use self::common::Common;
 use self::condensation::{Condensed, Inner};
 use self::equilibrium::{HEADER, Memory};
 use self::kinematics::{Geometry, Kinematics, OUTER, Springs, Stiff};
@@ -24,8 +22,8 @@ use crate::element::bearing::laws::normal_layout::{Layout, Shape};
 use crate::element::bearing::laws::normal_springs::NormalSprings;
 use crate::element::bearing::laws::shear_springs::{Factors, ShearSprings};
 use crate::element::{
-    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask, Overload, Rows,
-    Snapshot, frame_force_labels,
+    BasicRow, CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits,
+    Overload, Rows, Snapshot, frame_force_labels,
 };
 use crate::material::{Material, MaterialError};
 use crate::numeric::SparseMatrix;
@@ -34,7 +32,7 @@ use crate::state_struct::StateStruct;
 use nalgebra::Matrix3;
 use std::f64::consts::PI;
 
-/// What a [`KikuchiBearing`] is made of.
+/// Parameters of a [`KikuchiBearing`].
 #[derive(Clone, Debug)]
 pub struct KikuchiParameters {
     /// Outline of the section.
@@ -66,13 +64,13 @@ pub struct KikuchiParameters {
     pub mass: f64,
 }
 
-/// How the inner nodes are brought into balance.
+/// Scheme for the equilibrium of the inner nodes.
 #[derive(Clone, Debug)]
 pub enum Scheme {
     /// To round-off at every trial state.
     Converged,
-    /// As OpenSees does: one step from the springs of the last trial state, with what its bearings have in common.
-    OpenSees(Balance, Common),
+    /// As in OpenSees: one Newton step from the springs of the last trial state.
+    OpenSees(Balance),
 }
 
 /// OpenSees' `-doBalance`: correction of the inner nodes when a step is committed.
@@ -95,7 +93,7 @@ pub struct KikuchiBearing {
     arm: f64,
     /// E A, where forces are compared with none.
     axial_rigidity: f64,
-    p_delta: bool,
+    /// Shares of the P-Delta moment that are taken off the end moments; `None` without P-Delta.
     shares: Option<[f64; 2]>,
     link: Link<12, 6>,
     /// Local displacements of the ends from global ones, row by row.
@@ -109,8 +107,6 @@ pub struct KikuchiBearing {
     virgin_factors: Factors,
     /// Virgin stiffness of a section at each inner node.
     hold: Inner,
-    /// Number among the bearings that have variables in common.
-    number: usize,
     scheme: Scheme,
 }
 
@@ -133,9 +129,9 @@ impl KikuchiBearing {
             bending: RIGID * e * inertia / p.rubber,
             torsion: RIGID * k * 2.0 * inertia / p.rubber,
         };
-        let (header, geometry, number) = match &scheme {
-            Scheme::Converged => (HEADER, Geometry::MeanTilt, 0),
-            Scheme::OpenSees(_, common) => (OPENSEES_HEADER, Geometry::EachLink, common.join()),
+        let (header, geometry) = match &scheme {
+            Scheme::Converged => (HEADER, Geometry::MeanTilt),
+            Scheme::OpenSees(_) => (OPENSEES_HEADER, Geometry::EachLink),
         };
         let shear = ShearSprings::new(p.shear, p.shear_springs, p.limit, header);
         let at = header + shear.state_len();
@@ -143,7 +139,7 @@ impl KikuchiBearing {
         shear.init(&mut virgin);
         let virgin_factors = shear.factors(0.0, &virgin.clone(), &mut virgin)?;
         let mut lower = NormalSprings::new(p.normal, &p.layout, 0.5 * p.rubber, at);
-        if matches!(scheme, Scheme::OpenSees(..)) {
+        if matches!(scheme, Scheme::OpenSees(_)) {
             lower = lower.counting_calls();
         }
         let upper = lower.clone().at(at + lower.state_len());
@@ -160,7 +156,6 @@ impl KikuchiBearing {
             kinematics: Kinematics::new(0.5 * p.height, stiff, p.tilt, p.p_delta, geometry),
             arm: 0.25 * p.size,
             axial_rigidity: e.abs() * area,
-            p_delta: p.p_delta,
             shares: p.p_delta.then_some(p.shares),
             turn: SparseMatrix::new(&link.local),
             locals: std::array::from_fn(|global| Rows::of((0..OUTER).map(|i| link.local[i][global] != 0.0))),
@@ -169,16 +164,15 @@ impl KikuchiBearing {
             mass: p.mass,
             virgin_factors,
             hold,
-            number,
             scheme,
         })
     }
 
-    /// State variables of state before those of the springs.
+    /// Number of state variables before those of the springs.
     fn header(&self) -> usize {
         match self.scheme {
             Scheme::Converged => HEADER,
-            Scheme::OpenSees(..) => OPENSEES_HEADER,
+            Scheme::OpenSees(_) => OPENSEES_HEADER,
         }
     }
 
@@ -193,25 +187,25 @@ impl KikuchiBearing {
         [1, 2].map(|k| outer[k + 6] - outer[k] + self.start[k + 6] - self.start[k])
     }
 
-    /// Forces and stiffnesses of all springs at displacements, into `answer`, but for the axial one at mid-height.
-    fn answer_of_springs(
+    /// Forces and stiffnesses of all springs but the axial one at mid-height, at displacements, into `springs`.
+    fn evaluate_springs(
         &self,
         committed: &[f64],
         q: &kinematics::Motion,
         factors: Factors,
         dt: f64,
         trial: &mut [f64],
-        answer: &mut Springs,
+        springs: &mut Springs,
     ) -> Result<(), MaterialError> {
         const REST: [f64; 3] = [0.0; 3];
         let (lower, upper, shear) = self.kinematics.deformations(q);
         let lower = self.lower.respond(committed, lower, REST, dt, trial)?;
-        (answer.lower, answer.lower_stiffness) = (lower.force, flat(&lower.stiffness));
+        (springs.lower, springs.lower_stiffness) = (lower.force, flat(&lower.stiffness));
         let upper = self.upper.respond(committed, upper, REST, dt, trial)?;
-        (answer.upper, answer.upper_stiffness) = (upper.force, flat(&upper.stiffness));
+        (springs.upper, springs.upper_stiffness) = (upper.force, flat(&upper.stiffness));
         let shear = self.shear.respond(committed, shear, [0.0; 2], dt, trial)?;
-        answer.shear = shear.force.map(|f| f * factors.force);
-        answer.shear_stiffness = flat(&shear.stiffness).map(|k| k * factors.stiffness);
+        springs.shear = shear.force.map(|f| f * factors.force);
+        springs.shear_stiffness = flat(&shear.stiffness).map(|k| k * factors.stiffness);
         Ok(())
     }
 
@@ -226,7 +220,7 @@ impl KikuchiBearing {
         trial: &mut [f64],
     ) -> Result<Springs, MaterialError> {
         let mut springs = Springs { axial, ..Springs::default() };
-        self.answer_of_springs(committed, q, factors, dt, trial, &mut springs)?;
+        self.evaluate_springs(committed, q, factors, dt, trial, &mut springs)?;
         Ok(springs)
     }
 
@@ -248,7 +242,7 @@ impl KikuchiBearing {
         let bending = self.hold[1].min(self.hold[2]);
         let shear = self.virgin_factors.force * self.shear.initial_stiffness()[0][0] * height;
         let euler = 2.0 * bending / height;
-        self.p_delta.then(|| 0.5 * (-shear + (shear * shear + 4.0 * shear * euler).sqrt()))
+        self.shares.map(|_| 0.5 * (-shear + (shear * shear + 4.0 * shear * euler).sqrt()))
     }
 
     /// Add a local stiffness by rows to a global one, of which these rows are wanted.
@@ -296,14 +290,14 @@ impl Element for KikuchiBearing {
     fn init(&self, state: &mut [f64]) {
         match self.scheme {
             Scheme::Converged => self.write_virgin_memory(state),
-            Scheme::OpenSees(..) => self.write_virgin_trace(state),
+            Scheme::OpenSees(_) => self.write_virgin_trace(state),
         }
         self.shear.init(state);
         self.lower.init(state);
         self.upper.init(state);
     }
     fn traits(&self) -> ElementTraits {
-        // OpenSees gives the springs no rates, so that viscous materials rest.
+        // OpenSees gives the springs no rates, so that viscous materials have no force.
         let mut materials = self.shear.materials().chain([self.lower.material()]);
         ElementTraits {
             linear: false,
@@ -328,9 +322,9 @@ impl Element for KikuchiBearing {
                 let rows = if answer.tangent.is_some() { self.local_rows(answer.part.rows) } else { Rows::NONE };
                 self.converge(outer, committed, motion.dt, rows, trial, &mut local)?;
             }
-            Scheme::OpenSees(balance, common) => {
+            Scheme::OpenSees(balance) => {
                 (local.force, local.stiffness) =
-                    self.follow_opensees(outer, committed, motion.dt, (*balance, common), trial)?;
+                    self.follow_opensees(outer, committed, motion.dt, (*balance, motion.opensees), trial)?;
             }
         }
         self.add_force(&local.force, answer.force);
@@ -347,36 +341,26 @@ impl Element for KikuchiBearing {
         self.lower.commit(trial, committed);
         self.upper.commit(trial, committed);
     }
-    fn counts_calls(&self) -> bool {
-        matches!(self.scheme, Scheme::OpenSees(..))
-    }
-    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], MatrixMask { rows, .. }: MatrixMask) {
-        if let Scheme::OpenSees(_, common) = &self.scheme
-            && !common.use_stiffness(|k| self.add_global(k, tangent, rows))
-        {
-            self.add_global(&self.last_stiffness(history), tangent, rows);
-        }
-    }
-
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.add_global(&self.virgin_tangent(), tangent, Rows::ALL);
-    }
-    fn initial_is_current(&self) -> bool {
-        matches!(self.scheme, Scheme::OpenSees(..))
     }
     fn mass(&self) -> Mass {
         end_masses(self.mass, 6, 3)
     }
-    fn renews_damping(&self) -> bool {
-        false
-    }
-    fn ground_inertia_slip(&self) -> Option<f64> {
-        (self.mass != 0.0).then_some(1.0)
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        let follows = matches!(self.scheme, Scheme::OpenSees(_));
+        OpenSeesTraits {
+            calls: follows.then_some(self as &dyn CallDependent),
+            initial_is_current: follows,
+            keeps_first_damping: true,
+            ground_inertia: (self.mass != 0.0).then_some(1.0),
+            ..OpenSeesTraits::default()
+        }
     }
     fn overload(&self, history: &[f64]) -> Option<Overload> {
         let axial = match self.scheme {
             Scheme::Converged => Memory::read(history).axial,
-            Scheme::OpenSees(..) => opensees::axial_deformation(history),
+            Scheme::OpenSees(_) => opensees::axial_deformation(history),
         };
         let (load, critical) = (-self.kinematics.stiff.axial * axial, self.critical_load()?);
         (load > critical).then_some(Overload { load, critical })

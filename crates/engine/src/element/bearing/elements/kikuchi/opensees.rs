@@ -1,20 +1,21 @@
-//! OpenSees' scheme for the inner nodes of a Kikuchi bearing, followed on demand only.
+//! OpenSees' scheme for the inner nodes of a Kikuchi bearing, extrapolated on demand only.
 //!
-//! Each time the element is asked, its inner nodes make one Newton step from the committed position, with stiffnesses and
-//! forces of the springs as the last call left them and with the geometry of the committed state. So the answer depends
-//! on how often it is asked, and on the size of the steps; with several bearings, on the one that is asked last.
+//! In each call, the inner nodes make one Newton step from the committed position. Stiffnesses and forces of the springs are
+//! those of the last call, the geometry is that of the committed state. So the force depends on the number of calls and on the
+//! size of the steps. With several bearings in a model, all take their geometry and their tangent from the last one: in
+//! OpenSees, displacements and condensed stiffness are static members of the class.
 
-use super::condensation::{Condensed, Yielding, condense, followed, held_by_nothing, join, yielding};
+use super::condensation::{Condensed, InnerSolution, condense, extrapolated, join, no_inner_stiffness, solution};
 use super::kinematics::{INNER, Matrix, Motion, OUTER, Springs};
-use super::{Balance, Common, Factors, KikuchiBearing};
-use crate::element::ElementError;
+use super::{Balance, Factors, KikuchiBearing};
+use crate::element::{CallDependent, ElementError, MatrixMask, OpenSeesCall, SharedState};
 use crate::material::MaterialError;
 use crate::state_struct;
 use crate::state_struct::StateStruct;
 
 state_struct! {
-    /// Springs and inner nodes as a call left them.
-    pub(super) struct Call {
+    /// Springs and inner nodes after a call.
+    pub(super) struct SpringState {
         /// Forces of the springs; those of the shear springs not yet multiplied by their factors.
         springs: Springs,
         /// Displacements of the inner nodes.
@@ -23,15 +24,15 @@ state_struct! {
 }
 
 state_struct! {
-    /// What a bearing keeps besides the histories of its springs and what it has solved for.
+    /// State variables besides the histories of the springs and the solution of the last call.
     struct Trace {
         /// Displacements of the ends in local axes.
         outer: [f64; 12],
-        /// What the next step begins with.
-        settled: Call,
-        /// What the next call of this step begins with.
-        last: Call,
-        /// Number of steps made: those of the trial state are one more if it has been asked in this step.
+        /// State at the begin of the next step.
+        settled: SpringState,
+        /// State at the begin of the next call of this step.
+        last: SpringState,
+        /// Number of steps; the trial state has one more after a call in this step.
         steps: f64,
         /// Factors of the shear springs in this step: of forces and of stiffnesses.
         factors: [f64; 2],
@@ -39,12 +40,59 @@ state_struct! {
 }
 
 state_struct! {
-    /// Equations that a call has solved.
+    /// Solution of a call.
     struct Solved {
-        /// What the inner nodes do.
-        yielding: Yielding,
+        /// Solution for the inner nodes.
+        solution: InnerSolution,
         /// Stiffness of the bearing, by rows.
         stiffness: [[f64; 12]; 12],
+    }
+}
+
+state_struct! {
+    /// Variables that OpenSees keeps once for all bearings of a model, as its last bearing leaves them.
+    struct SharedVariables {
+        /// Numbers of the step before and of the last one; zero where there is none.
+        steps: [f64; 2],
+        /// Displacements of ends and inner nodes at the end of these steps.
+        motions: [[f64; 18]; 2],
+        /// Condensed stiffness of the last call.
+        stiffness: [[f64; 12]; 12],
+    }
+}
+
+impl SharedVariables {
+    /// The variables of a model; zero for a bearing outside of one.
+    fn of(shared: &SharedState) -> Self {
+        let mut words = [0.0; Self::LEN];
+        words.iter_mut().zip(shared).for_each(|(word, cell)| *word = cell.get());
+        Self::read(&words)
+    }
+
+    fn write_to(&self, shared: &SharedState) {
+        let mut words = [0.0; Self::LEN];
+        self.write(&mut words);
+        shared.iter().zip(&words).for_each(|(cell, word)| cell.set(*word));
+    }
+
+    /// Take over a call of a step.
+    fn set(&mut self, step: f64, motion: &Motion, stiffness: &[[f64; OUTER]; OUTER]) {
+        if self.steps[1] != step {
+            (self.steps[0], self.motions[0]) = (self.steps[1], self.motions[1]);
+        }
+        (self.steps[1], self.motions[1]) = (step, (*motion).into());
+        self.stiffness = *stiffness;
+    }
+
+    /// Displacements at the end of a step.
+    fn motion(&self, step: f64) -> Option<Motion> {
+        let at = self.steps.iter().position(|s| *s == step && step > 0.0)?;
+        Some(Motion::from_column_slice(&self.motions[at]))
+    }
+
+    /// Stiffness of the last call, after the first one.
+    fn stiffness(&self) -> Option<[[f64; OUTER]; OUTER]> {
+        (self.steps[1] > 0.0).then_some(self.stiffness)
     }
 }
 
@@ -53,17 +101,17 @@ pub(super) fn axial_deformation(state: &[f64]) -> f64 {
     Trace::read(state).settled.springs.axial
 }
 
-/// Number of words that a bearing keeps besides the histories of its springs.
+/// Number of state variables besides the histories of the springs.
 pub(super) const HEADER: usize = <Trace as StateStruct>::LEN + <Solved as StateStruct>::LEN;
 
-/// What has been solved begins behind the trace.
+/// The solution lies behind the trace.
 const SOLVED_AT: usize = <Trace as StateStruct>::LEN;
 
 impl KikuchiBearing {
     /// Write the state at rest.
     pub(super) fn write_virgin_trace(&self, state: &mut [f64]) {
         let factors = self.virgin_factors;
-        let call = Call { springs: self.virgin_springs(1.0), inner: [0.0; INNER] };
+        let call = SpringState { springs: self.virgin_springs(1.0), inner: [0.0; INNER] };
         Trace { settled: call, last: call, factors: [factors.force, factors.stiffness], ..Trace::default() }
             .write(state);
         // OpenSees works out its first stiffness before it knows the height.
@@ -73,54 +121,59 @@ impl KikuchiBearing {
         Solved { stiffness, ..Solved::default() }.write(&mut state[SOLVED_AT..]);
     }
 
-    /// Forces at the ends and the tangent that OpenSees uses, in local axes, for displacements of the ends.
+    /// Forces at the ends and OpenSees' tangent, in local axes, for displacements of the ends.
     ///
     /// # Errors
-    /// The springs hold the inner nodes no longer, or a spring has no answer.
+    /// The springs hold the inner nodes no longer, or a spring finds no force.
     pub(super) fn follow_opensees(
         &self,
         outer: [f64; OUTER],
         committed: &[f64],
         dt: f64,
-        (balance, common): (Balance, &Common),
+        (balance, call): (Balance, Option<OpenSeesCall<'_>>),
         trial: &mut [f64],
     ) -> Result<([f64; OUTER], [[f64; OUTER]; OUTER]), ElementError> {
         let old = Trace::read(committed);
         let now = Trace::read(trial);
         let begin = old.settled;
         let from = join(&old.outer, &begin.inner);
-        let row = self.kinematics.axial_row(&common.motion(old.steps).unwrap_or(from));
+        let mut shared = call.map(|c| SharedVariables::of(c.shared)).unwrap_or_default();
+        let geometry = shared.motion(old.steps).unwrap_or(from);
+        let row = self.kinematics.axial_row(&geometry);
 
-        // The inner nodes follow the ends, and yield to what the last call left over. What a call of this step has solved
-        // is what the next one begins with.
+        // The inner nodes are extrapolated from the committed state and corrected for the residual of the last call. The solution
+        // of a call in this step belongs to the next call.
         let first = now.steps == old.steps;
-        let (factors, Yielding { follow, correction }) = if first {
+        let (factors, InnerSolution { follow, correction }) = if first {
             let factors = self.factors_of_step(&old, committed, trial)?;
             let (forces, stiffness) = self.equations(&from, &self.scaled(&begin, factors), &row);
-            (factors, yielding(&forces, &stiffness, &self.hold).ok_or_else(held_by_nothing)?)
+            (factors, solution(&forces, &stiffness, &self.hold).ok_or_else(no_inner_stiffness)?)
         } else {
             let factors = Factors { force: now.factors[0], stiffness: now.factors[1], slope: 0.0 };
-            (factors, Yielding::read(&trial[SOLVED_AT..]))
+            (factors, InnerSolution::read(&trial[SOLVED_AT..]))
         };
         let step: [f64; OUTER] = std::array::from_fn(|i| outer[i] - old.outer[i]);
-        let inner = followed(follow.as_flattened(), &std::array::from_fn(|i| begin.inner[i] + correction[i]), &step);
+        let inner =
+            extrapolated(follow.as_flattened(), &std::array::from_fn(|i| begin.inner[i] + correction[i]), &step);
 
         let q = join(&outer, &inner);
         let axial = begin.springs.axial + row.dot(&(q - from));
         let springs = self.springs(committed, &q, Factors::ONE, axial, dt, trial)?;
-        let call = Call { springs, inner };
-        let c = self.condensed(&q, &self.scaled(&call, factors), &row)?;
+        let springs = SpringState { springs, inner };
+        let c = self.condensed(&q, &self.scaled(&springs, factors), &row)?;
         let mut force = c.force;
         if let Some(shares) = self.shares {
-            let geometry = common.motion(old.steps).unwrap_or(from);
             take_off_p_delta(&(geometry + join(&step, &[0.0; INNER])), shares, &mut force);
         }
 
-        let settled = self.settle(&outer, call, factors, balance, committed, dt, trial)?;
-        common.leave(self.number, old.steps + 1.0, join(&outer, &settled.inner), &c.stiffness);
+        let settled = self.settle(&outer, springs, factors, balance, committed, dt, trial)?;
+        if let Some(call) = call.filter(|c| c.last_of_class) {
+            shared.set(old.steps + 1.0, &join(&outer, &settled.inner), &c.stiffness);
+            shared.write_to(call.shared);
+        }
         let factors = [factors.force, factors.stiffness];
-        Trace { outer, settled, last: call, steps: old.steps + 1.0, factors }.write(trial);
-        Solved { yielding: c.yielding, stiffness: c.stiffness }.write(&mut trial[SOLVED_AT..]);
+        Trace { outer, settled, last: springs, steps: old.steps + 1.0, factors }.write(trial);
+        Solved { solution: c.solution, stiffness: c.stiffness }.write(&mut trial[SOLVED_AT..]);
         Ok((force, c.stiffness))
     }
 
@@ -133,27 +186,27 @@ impl KikuchiBearing {
         self.shear.factors(v.hypot(w), committed, trial)
     }
 
-    /// What `-doBalance` makes of a call when its step is committed.
+    /// Corrections of `-doBalance` when the step of a call is committed.
     #[allow(clippy::too_many_arguments)]
     fn settle(
         &self,
         outer: &[f64; OUTER],
-        mut call: Call,
+        mut call: SpringState,
         factors: Factors,
         balance: Balance,
         committed: &[f64],
         dt: f64,
         trial: &mut [f64],
-    ) -> Result<Call, ElementError> {
+    ) -> Result<SpringState, ElementError> {
         for _ in 0..balance.rounds {
             let q = join(outer, &call.inner);
             let row = self.kinematics.axial_row(&q);
             let c = self.condensed(&q, &self.scaled(&call, factors), &row)?;
-            let inner: [f64; INNER] = std::array::from_fn(|i| call.inner[i] + c.yielding.correction[i]);
+            let inner: [f64; INNER] = std::array::from_fn(|i| call.inner[i] + c.solution.correction[i]);
             let to = join(outer, &inner);
             let axial = call.springs.axial + row.dot(&(to - q));
             let springs = self.springs(committed, &to, Factors::ONE, axial, dt, trial)?;
-            call = Call { springs, inner };
+            call = SpringState { springs, inner };
             let left = self.kinematics.forces(&to, &self.scaled(&call, factors), &row);
             if left.fixed_rows::<INNER>(OUTER).iter().all(|f| f.abs() <= balance.tolerance) {
                 break;
@@ -163,7 +216,7 @@ impl KikuchiBearing {
     }
 
     /// The springs of a call, those in shear multiplied by their factors.
-    fn scaled(&self, call: &Call, factors: Factors) -> Springs {
+    fn scaled(&self, call: &SpringState, factors: Factors) -> Springs {
         let mut s = call.springs;
         s.shear = s.shear.map(|f| f * factors.force);
         s.shear_stiffness = s.shear_stiffness.map(|k| k * factors.stiffness);
@@ -172,17 +225,23 @@ impl KikuchiBearing {
 
     fn condensed(&self, q: &Motion, springs: &Springs, row: &Motion) -> Result<Condensed, ElementError> {
         let (forces, stiffness) = self.equations(q, springs, row);
-        condense(&forces, &stiffness, &self.hold).ok_or_else(held_by_nothing)
+        condense(&forces, &stiffness, &self.hold).ok_or_else(no_inner_stiffness)
     }
 
     /// Forces and stiffness of all degrees of freedom.
     fn equations(&self, q: &Motion, springs: &Springs, row: &Motion) -> (Motion, Matrix) {
         (self.kinematics.forces(q, springs, row), self.kinematics.stiffness(springs, row, row))
     }
+}
 
-    /// The tangent that OpenSees has after the last call, from the state that it left.
-    pub(super) fn last_stiffness(&self, state: &[f64]) -> [[f64; OUTER]; OUTER] {
-        Solved::read(&state[SOLVED_AT..]).stiffness
+impl CallDependent for KikuchiBearing {
+    fn shared_len(&self) -> usize {
+        SharedVariables::LEN
+    }
+    fn last_tangent(&self, history: &[f64], shared: &SharedState, tangent: &mut [f64], part: MatrixMask) {
+        let shared = SharedVariables::of(shared).stiffness();
+        let stiffness = shared.unwrap_or_else(|| Solved::read(&history[SOLVED_AT..]).stiffness);
+        self.add_global(&stiffness, tangent, part.rows);
     }
 }
 

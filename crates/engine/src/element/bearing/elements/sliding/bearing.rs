@@ -1,4 +1,4 @@
-//! A bearing between two nodes: a sliding surface beside uniaxial materials for the other directions.
+//! A bearing between two nodes: a sliding surface with uniaxial materials for the other directions.
 
 use super::heat::{self, Heat};
 use super::surface::{Pose, Surface};
@@ -22,14 +22,14 @@ pub enum Kind {
     Flat,
     /// `singleFPBearing`: a spherical surface at node i.
     Pendulum,
-    /// `FPBearingPTV`: a spherical surface at node i that warms.
+    /// `FPBearingPTV`: a spherical surface at node i with frictional heating.
     Heated,
-    /// `RJWatsonEqsBearing`: a flat surface at node j beside springs of shear.
+    /// `RJWatsonEqsBearing`: a flat surface at node j with shear springs in parallel.
     Springs,
 }
 
 impl Kind {
-    /// OpenSees' names in the plane and in space.
+    /// OpenSees' class names in the plane and in space.
     fn class(self) -> [&'static str; 2] {
         match self {
             Self::Flat => ["FlatSliderSimple2d", "FlatSliderSimple3d"],
@@ -40,67 +40,68 @@ impl Kind {
     }
 }
 
-/// Path of the responses of a surface that warms.
+/// First response of a surface with frictional heating.
 const HEAT: u32 = 20;
 
-/// How OpenSees finds the answer, where it is to be followed.
+/// OpenSees' iteration for the shear force, by substitution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Substitution {
-    /// Iterations for the shear force.
+    /// Largest number of iterations.
     pub rounds: usize,
-    /// Change of the shear force that ends them.
+    /// Tolerance of the change of the shear force.
     pub tolerance: f64,
 }
 
-/// What a sliding bearing is made with besides its surface and materials.
+/// Properties of a sliding bearing besides its surface and materials.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setting {
     /// Kind.
     pub kind: Kind,
-    /// Mass.
+    /// Mass, half at each end.
     pub mass: f64,
     /// Rayleigh damping applies to it.
     pub rayleigh: bool,
-    /// Share of the initial stiffness that is left where the bearing lifts off, so that there is something to solve with.
+    /// Share of the initial stiffness that remains in uplift, so that the tangent is regular.
     pub uplift: f64,
-    /// OpenSees' way: the iterations of its options, its tangent, and what it keeps of trial states.
+    /// OpenSees' scheme: the iterations of its options, its tangent, and its state between trials; `None` for the
+    /// consistent law.
     pub compat: Option<Substitution>,
 }
 
-/// Bearing of a sliding surface with `S` directions and uniaxial materials: `N` degrees of freedom and `B` basic directions
-/// (axial, shear, torsion, rotations). The axial material decides whether the surface is in touch: without pressure the
-/// bearing carries nothing. P-Delta moments of the axial force and the torsion of the shear force act at the node of the surface.
+/// A bearing with a sliding surface in `S` directions and uniaxial materials. It has `N` degrees of freedom and `B`
+/// basic directions (axial, shear, torsion, rotations). In tension the surface carries no force. P-Delta moments of the
+/// axial force and the torsion of the shear force act at the node of the surface.
 #[derive(Clone, Debug)]
 pub struct SlidingBearing<const N: usize, const B: usize, const S: usize> {
     pub(super) surface: Surface,
     pub(super) link: Link<N, B>,
-    /// Basic direction and material.
+    /// Basic directions with their materials.
     pub(super) springs: Vec<(usize, Slot)>,
     setting: Setting,
-    /// Rows that give the rotation of the surface, tilt, from the displacements.
+    /// Rows of the rotation of the surface about its two axes, by the displacements.
     pub(super) tilt: [[f64; N]; S],
     levers: Vec<Lever<N>>,
-    /// Friction that warms, and the first of its words.
+    /// Frictional heating, and the index of its state variables.
     heat: Option<Heat>,
     pub(super) own: usize,
     state_len: usize,
 }
 
-/// In the plane.
+/// A sliding bearing in the plane.
 pub type PlaneSlider = SlidingBearing<6, 3, 1>;
-/// In space.
+/// A sliding bearing in space.
 pub type SpaceSlider = SlidingBearing<12, 6, 2>;
 
-/// A moment on a node: sums of basic forces times displacements.
+/// A moment on a node: the sum of basic forces times displacements.
 #[derive(Clone, Debug)]
 struct Lever<const N: usize> {
-    /// Row of local displacements that the moment works on.
+    /// Row of the conjugate local rotation.
     row: [f64; N],
-    /// Basic force and the arm it has from the displacements.
+    /// Basic force, and derivatives of its lever arm by the displacements.
     arms: Vec<(usize, [f64; N])>,
 }
 
-/// History of a sliding bearing.
+/// State variables of a sliding bearing.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct History<const B: usize, const S: usize> {
     /// Plastic displacement of the surface.
@@ -142,7 +143,7 @@ impl<const B: usize, const S: usize> StateStruct for History<B, S> {
     }
 }
 
-/// Basic forces with their derivatives by the displacements and velocities of all degrees of freedom.
+/// Basic forces with their derivatives by displacements and velocities of all degrees of freedom.
 pub(super) struct Basic<const N: usize, const B: usize> {
     pub(super) q: [f64; B],
     pub(super) by_disp: [[f64; N]; B],
@@ -150,9 +151,9 @@ pub(super) struct Basic<const N: usize, const B: usize> {
 }
 
 impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
-    /// From the surface, the kinematics with the length and the place of the shear force (0 node i, 1 node j), and the
-    /// materials with their tags in the order of the basic directions: axial, shear (for [`Kind::Springs`]), torsion in
-    /// space, rotations.
+    /// Makes the bearing of its surface, its kinematics and its materials with tags. The kinematics have the length and
+    /// the position of the shear force (0 for node i, 1 for node j). Materials are in the order of the basic
+    /// directions: axial, shear (for [`Kind::Springs`]), torsion in space, rotations.
     pub fn new(
         surface: Surface,
         (link, length, shear_dist): (Link<N, B>, f64, f64),
@@ -174,23 +175,23 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
         Self { surface, springs, setting, tilt, levers, heat: None, own, state_len: own, link }
     }
 
-    /// The same where the friction of the surface warms it.
+    /// Adds frictional heating of the surface.
     pub fn warming(mut self, heat: Heat) -> Self {
         self.heat = Some(heat);
         self.state_len = self.own + Heat::LEN;
         self
     }
 
-    /// Share of the rise of a dish in the axial deformation: rise, its rate, its slope by the shear displacement.
+    /// Rise of the slider in a dish: rise, its rate, its derivatives by the shear displacement.
     fn rise(&self, u: &[f64; B], rate: &[f64; B]) -> Result<(f64, f64, [f64; S]), ElementError> {
         let Some(dish) = self.surface.dish.filter(|d| d.rises) else { return Ok((0.0, 0.0, [0.0; S])) };
         let (rise, slope) = dish.rise::<S>(std::array::from_fn(|i| u[1 + i]))?;
-        // OpenSees leaves the rate out, and the slope out of the tangent.
+        // OpenSees omits the rate, and omits the slope in the tangent.
         let followed = self.setting.compat.is_none();
         Ok(if followed { (rise, dot(&slope, &rate[1..=S]), slope) } else { (rise, 0.0, [0.0; S]) })
     }
 
-    /// Basic forces at a motion. The materials are asked even where the bearing lifts off, except by OpenSees.
+    /// Basic forces at a trial state. Materials are evaluated in uplift too, except by OpenSees.
     fn basic(
         &self,
         motion: &ElementInput<'_>,
@@ -213,7 +214,7 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
             let strain = Strain { value: u[*d] - less, rate: rate[*d] - less_rate, dt: motion.dt };
             let s = slot.update(committed, strain, trial)?;
             if compat && *d == 0 && S == 1 && self.setting.kind != Kind::Springs && s.value > 0.0 {
-                // OpenSees puts the axial material back to where it was.
+                // OpenSees restores the committed strain of the axial material.
                 slot.update(committed, Strain { value: last, rate: 0.0, dt: motion.dt }, trial)?;
             }
             out.q[*d] = s.value;
@@ -250,7 +251,7 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
         Ok(out)
     }
 
-    /// Add the surface under pressure.
+    /// Adds the forces of the surface in contact.
     fn press(
         &self,
         pose: &Pose<S>,
@@ -261,7 +262,7 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
             None => self.surface.slide(pose)?,
             Some(s) => self.surface.slide_by_substitution(pose, last.shear, s.rounds, s.tolerance)?,
         };
-        // Where a trial has slid and the next one sticks, OpenSees keeps the plastic displacement of the one that slid.
+        // If a trial slid and the next one sticks, OpenSees keeps the plastic displacement of the first.
         let kept = if self.setting.compat.is_some() { last.plastic } else { pose.plastic };
         let (axial, axial_damping) = (out.by_disp[0], out.by_vel[0]);
         for i in 0..S {
@@ -285,15 +286,15 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
         Ok(History { plastic, shear: slide.q, contact: slide.contact, q: [0.0; B] })
     }
 
-    /// Share of the initial stiffness that stays where there is no pressure, so that there is something to solve with: all
-    /// of it where the surfaces touch; beyond, what leads back to the pressure of the committed state.
+    /// Share of the initial stiffness that remains without compression, so that the tangent is regular. It is 1 at zero
+    /// gap. Beyond, it leads back to the compression of the committed state.
     fn left(&self, gap: f64, committed: &[f64]) -> f64 {
         let Some((_, axial)) = self.springs.first() else { unreachable!("there is an axial material") };
         let closing = axial.material.initial_tangent() * (gap - axial.strain(committed));
         if gap <= 0.0 { 1.0 } else { (-axial.stress(committed) / closing.abs()).max(self.setting.uplift).min(1.0) }
     }
 
-    /// Take away what needs pressure: everything but the springs of shear. A share of the initial stiffness stays.
+    /// Removes the forces that need contact: all but the shear springs. A share of the initial stiffness remains.
     fn lift(
         &self,
         (u, rate, left): (&[f64; B], &[f64; B], f64),
@@ -302,7 +303,7 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
     ) -> History<B, S> {
         let compat = self.setting.compat.is_some();
         let springs = self.setting.kind == Kind::Springs;
-        // OpenSees leaves the initial stiffness whole in space, and in the plane where the axial material does not pull.
+        // OpenSees keeps the full initial stiffness in space, and in the plane if the axial material is not in tension.
         let whole = compat && (S == 2 || springs || out.q[0] == 0.0);
         let left = match compat {
             true if whole => 1.0,
@@ -325,7 +326,7 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
             axpy(left * self.surface.k_init, basic, row);
         }
         if compat {
-            // The friction model keeps what it last saw; in the plane the slider does not move along where nothing pulls.
+            // The friction model keeps its last contact state. In the plane the slider does not move without tension.
             let stays = whole && S == 1 && !springs;
             let plastic = if stays { last.plastic } else { std::array::from_fn(|i| u[1 + i]) };
             return History { plastic, shear: [0.0; S], ..*last };
@@ -336,14 +337,14 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
     }
 }
 
-/// The moments at node offsets `foot`, where the surface is, and `head`, `arm` away from the shear force: the axial force
-/// times the displacement of the slider, and the torsion of the shear force. Half a model: the surface moves with
-/// its node, so all of them act there.
+/// Moments at the node offsets `foot`, which has the surface, and `head`, at a distance `arm` from the shear force.
+/// They are the axial force times the displacement of the slider, and the torsion of the shear force. The surface moves
+/// with its node, so all of them act there.
 fn levers<const N: usize, const S: usize>(local: &[[f64; N]; N], foot: usize, head: usize, arm: f64) -> Vec<Lever<N>> {
     let apart = |i: usize| -> [f64; N] { std::array::from_fn(|k| local[N / 2 + i][k] - local[i][k]) };
     let turned = |i: usize, factor: f64| local[head + i].map(|r| factor * r);
     let sum = |a: [f64; N], b: [f64; N]| -> [f64; N] { std::array::from_fn(|k| a[k] + b[k]) };
-    // Bending planes: shear direction, rotation, and the sign of the displacement in the moment.
+    // Planes of bending: shear direction, rotation, and the sign of the displacement in the moment.
     let planes: &[(usize, usize, f64)] = if S == 1 { &[(1, 2, 1.0)] } else { &[(1, 5, 1.0), (2, 4, -1.0)] };
     let mut all = vec![];
     for &(v, r, sign) in planes {
@@ -394,14 +395,14 @@ impl<const N: usize, const B: usize, const S: usize> Element for SlidingBearing<
         motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: ElementOutput<'_>,
+        output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let Basic { q, by_disp, by_vel } = self.basic(motion, committed, trial)?;
         for (row, &q) in self.link.basic.iter().zip(&q) {
-            axpy(q, row, answer.force);
+            axpy(q, row, output.force);
         }
         let consistent = self.setting.compat.is_none();
-        let (mut tangent, mut damping) = (answer.tangent, answer.damping);
+        let (mut tangent, mut damping) = (output.tangent, output.damping);
         for (row, (by_disp, by_vel)) in self.link.basic.iter().zip(by_disp.iter().zip(&by_vel)) {
             add_product(&mut tangent, row, by_disp);
             add_product(&mut damping, row, by_vel);
@@ -417,7 +418,7 @@ impl<const N: usize, const B: usize, const S: usize> Element for SlidingBearing<
                     axpy(length, &by_vel[*basic], &mut by_v);
                 }
             }
-            axpy(moment, &lever.row, answer.force);
+            axpy(moment, &lever.row, output.force);
             add_product(&mut tangent, &lever.row, &by_u);
             add_product(&mut damping, &lever.row, &by_v);
         }
@@ -491,7 +492,7 @@ impl<const N: usize, const B: usize, const S: usize> Element for SlidingBearing<
     }
 }
 
-/// `matrix += a bᵀ`, where there is a matrix.
+/// `matrix += a bᵀ`, if there is a matrix.
 fn add_product<const N: usize>(matrix: &mut Option<&mut [f64]>, a: &[f64; N], b: &[f64; N]) {
     if let Some(m) = matrix {
         for (row, a) in m.chunks_exact_mut(N).zip(a).filter(|(_, a)| **a != 0.0) {

@@ -1,4 +1,4 @@
-//! Friction of a pendulum that depends on pressure, on speed, and on the temperature that the sliding makes.
+//! Pendulum friction that depends on pressure, speed and the temperature from frictional heating.
 
 use crate::element::bearing::elements::triple::{Body, Conduction, Softening, history};
 use crate::element::friction::{Coefficient, Contact, FrictionLaw};
@@ -7,34 +7,35 @@ use crate::state_struct;
 use crate::state_struct::StateStruct;
 use std::f64::consts::PI;
 
-/// Temperature at the beginning, °C.
+/// Initial temperature, °C.
 const AMBIENT: f64 = 20.0;
 
-/// What the coefficient of friction is made of: μ = μ₀ k_p k_T k_v with k_p = 0.7^(0.02 (p - p₀)), pressures in MPa,
-/// k_T = 0.789 (0.7^(0.02 T) + 0.4), T in °C, and k_v = 1 - exp(-a v)/2. M. Kumar, A. S. Whittaker and M. C. Constantinou,
-/// "Characterizing friction in sliding isolation bearings", Earthquake Engineering and Structural Dynamics 44 (2015).
+/// Factors of the coefficient of friction: μ = μ₀ k_p k_T k_v. With pressures in MPa k_p = 0.7^(0.02 (p - p₀)), with T
+/// in °C k_T = 0.789 (0.7^(0.02 T) + 0.4), and k_v = 1 - exp(-a v)/2. Source: M. Kumar, A. S. Whittaker and M. C.
+/// Constantinou, "Characterizing friction in sliding isolation bearings", Earthquake Engineering and Structural
+/// Dynamics 44 (2015).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HeatSetting {
-    /// Coefficient μ₀ at speed, under the reference pressure, at 20 °C.
+    /// Coefficient μ₀ at high speed, at the reference pressure and 20 °C.
     pub mu: f64,
-    /// Reference pressure p₀, where the pressure counts.
+    /// Reference pressure p₀; `None` for k_p = 1.
     pub reference: Option<f64>,
     /// MPa per unit of pressure.
     pub mega_pascal: f64,
-    /// Rate a per speed, where the speed counts.
+    /// Rate a, time/length; `None` for k_v = 1.
     pub rate: Option<f64>,
-    /// Whether the temperature counts.
+    /// False for k_T = 1.
     pub softens: bool,
-    /// Radius of contact of the slider.
+    /// Contact radius of the slider.
     pub radius: f64,
-    /// Thermal diffusivity and conductivity of the plate behind the surface, a half space.
+    /// Thermal diffusivity (length²/time) and conductivity (power/(length °C)) of the plate, taken as a half-space.
     pub conduction: [f64; 2],
-    /// OpenSees' constants, and its times of what counts when.
+    /// OpenSees' constants, and its order of updates.
     pub compat: bool,
 }
 
-/// A surface that warms: friction makes the heat flux μ p v at its middle while the slider covers it, which is up to a
-/// displacement of r √π / 2; the flux warms a half space. The friction of a step is that of the temperature at its beginning, and of
+/// A surface with frictional heating. The heat flux at its centre is μ p v while the slider covers the centre, up to a
+/// displacement of r √π / 2. It heats a half-space. The friction of a step has the temperature at its start, and the
 /// pressure and speed at its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Heat {
@@ -45,13 +46,13 @@ pub struct Heat {
 }
 
 state_struct! {
-    /// History of the surface besides that of its heat.
-    pub(super) struct Warm {
-        /// Time since the beginning, domain time, and steps since that began.
+    /// State variables of the surface besides those of the heat history.
+    pub(super) struct ThermalState {
+        /// Time since the start, domain time, and number of steps since then.
         clock: f64,
         time: f64,
         steps: f64,
-        /// Displacement, of two directions at most.
+        /// Displacement in up to two directions.
         u: [f64; 2],
         /// Temperature, °C.
         temperature: f64,
@@ -65,10 +66,10 @@ state_struct! {
 }
 
 impl Heat {
-    /// State variables of history.
-    pub(super) const LEN: usize = Warm::LEN + history::LEN;
+    /// Number of state variables.
+    pub(super) const LEN: usize = ThermalState::LEN + history::LEN;
 
-    /// From its parameters.
+    /// Makes the surface of its parameters.
     pub fn new(setting: HeatSetting) -> Self {
         let pi = if setting.compat { 22.0 / 7.0 } else { PI };
         let [diffusivity, conductivity] = setting.conduction;
@@ -77,11 +78,11 @@ impl Heat {
         Self { setting, conduction, area, edge: setting.radius * (0.25 * pi).sqrt() }
     }
 
-    pub(super) fn init(&self, words: &mut [f64]) {
-        words.fill(0.0);
+    pub(super) fn init(&self, state: &mut [f64]) {
+        state.fill(0.0);
         let factors = if self.setting.compat { [1.0; 3] } else { [1.0, self.softening(AMBIENT), self.by_speed(0.0)] };
         let mu = self.setting.mu * factors.iter().product::<f64>();
-        Warm { temperature: AMBIENT, mu, factors, ..Warm::default() }.write(words);
+        ThermalState { temperature: AMBIENT, mu, factors, ..ThermalState::default() }.write(state);
     }
 
     fn by_pressure(&self, normal: f64) -> f64 {
@@ -97,68 +98,74 @@ impl Heat {
         if self.setting.softens { Softening::Half.factor(temperature) } else { 1.0 }
     }
 
-    /// Factor of the friction by the temperature of a history.
-    pub(super) fn share(&self, words: &[f64]) -> f64 {
-        self.softening(Warm::read(words).temperature)
+    /// Factor k_T for the temperature of a state.
+    pub(super) fn share(&self, state: &[f64]) -> f64 {
+        self.softening(ThermalState::read(state).temperature)
     }
 
-    /// Heat flux at a displacement.
+    /// Heat flux at the displacement `u`.
     fn flux(&self, (mu, normal, speed): (f64, f64, f64), u: f64) -> f64 {
         if u < self.edge { mu * normal / self.area * speed } else { 0.0 }
     }
 
-    /// Temperature from heat at the ages of a history and more of it.
-    fn warmth(&self, heat: &[f64], age: impl Fn(f64) -> f64, more: Option<(f64, f64)>) -> f64 {
-        let all = history::heat(heat).map(|(t, q)| (age(t), q)).chain(more);
-        // The depth is not asked for.
+    /// Temperature from a heat history, with the age of each amount, and an additional amount.
+    fn temperature_from(&self, heat: &[f64], age: impl Fn(f64) -> f64, additional: Option<(f64, f64)>) -> f64 {
+        let all = history::heat(heat).map(|(t, q)| (age(t), q)).chain(additional);
+        // The temperature at depth is unused.
         AMBIENT + all.map(|(tau, q)| q * self.conduction.rise(1.0, tau)[0]).sum::<f64>()
     }
 
-    /// After a step: its heat is added, and the surface warms. The heat is spread evenly over the step: by Gauss' rule, the latest by that
-    /// for a kernel of 1/√τ.
+    /// Update after a step: its heat is added to the history, and the temperature follows. Heat is uniform over the
+    /// step. The history stores it at two Gauss points. The temperature of this step uses the one-point rule for a
+    /// kernel of 1/√τ.
     pub(super) fn warm(&self, contact: &Contact, u: &[f64], dt: f64, committed: &[f64], trial: &mut [f64]) {
-        let c = Warm::read(committed);
+        let c = ThermalState::read(committed);
         let mut w = c;
         trial.copy_from_slice(committed);
         let n = u.len();
         w.u[..n].copy_from_slice(u);
         (w.mu, w.factors) = (contact.mu, [self.by_pressure(contact.normal), self.share(committed), 1.0]);
-        let still = self.setting.mu * w.factors[0] * w.factors[1];
-        w.factors[2] =
-            if contact.normal > 0.0 && still > 0.0 { contact.mu / still } else { self.by_speed(contact.speed) };
+        let at_zero_speed = self.setting.mu * w.factors[0] * w.factors[1];
+        w.factors[2] = if contact.normal > 0.0 && at_zero_speed > 0.0 {
+            contact.mu / at_zero_speed
+        } else {
+            self.by_speed(contact.speed)
+        };
         if dt > 0.0 {
             w.clock = c.clock + dt;
-            let gone: [f64; 2] = std::array::from_fn(|i| w.u[i] - c.u[i]);
-            w.flux = self.flux((w.mu, contact.normal, norm(&gone) / dt), norm(u));
-            let heat = &mut trial[Warm::LEN..];
+            let increment: [f64; 2] = std::array::from_fn(|i| w.u[i] - c.u[i]);
+            w.flux = self.flux((w.mu, contact.normal, norm(&increment) / dt), norm(u));
+            let heat = &mut trial[ThermalState::LEN..];
             let latest = (w.flux > 0.0).then_some((dt / 3.0, 2.0 / 3f64.sqrt() * dt * w.flux));
-            w.temperature = self.warmth(heat, |t| w.clock - t, latest);
-            let (middle, aside, half) = (w.clock - 0.5 * dt, dt / 12f64.sqrt(), 0.5 * dt * w.flux);
-            history::push(heat, [middle - aside, half, middle + aside, half]);
+            w.temperature = self.temperature_from(heat, |t| w.clock - t, latest);
+            let (middle, gauss_offset, half) = (w.clock - 0.5 * dt, dt / 12f64.sqrt(), 0.5 * dt * w.flux);
+            history::push(heat, [middle - gauss_offset, half, middle + gauss_offset, half]);
         }
         w.write(trial);
     }
 
-    /// OpenSees' way: the factors of a step are those of the first trial state in it, with the speed there or, at rest, that of the way since
-    /// the step before, and heat by the coefficient of the step before; the first step of a new domain time has none and
-    /// forgets the heat. Heat lies at the end of each step, and is as old as the step is long at least. The coefficient.
-    pub(super) fn warm_first(&self, (normal, speed): (f64, f64), u: &[f64], time: f64, words: &mut [f64]) -> f64 {
-        let c = Warm::read(words);
+    /// Coefficient of friction by OpenSees' scheme. The factors of a step are those of its first trial state.
+    ///
+    /// The speed is that of the trial state, or at rest the displacement since the last step over the time. The heat
+    /// has the coefficient of the last step. It lies at the end of its step, with an age of at least the step. The
+    /// first step of a new domain time has factors of 1 and deletes the heat history.
+    pub(super) fn warm_first(&self, (normal, speed): (f64, f64), u: &[f64], time: f64, state: &mut [f64]) -> f64 {
+        let c = ThermalState::read(state);
         let mut w = c;
-        let (own, heat) = words.split_at_mut(Warm::LEN);
+        let (own, heat) = state.split_at_mut(ThermalState::LEN);
         let again = (time - c.time).abs() < 1e-8 && c.steps > 0.0;
         if !again && time > c.time {
             let dt = time - c.time;
             let before = if c.steps == 0.0 { [0.0; 2] } else { c.u };
             w.u[..u.len()].copy_from_slice(u);
-            let gone: [f64; 2] = std::array::from_fn(|i| w.u[i] - before[i]);
-            let speed = if speed > 0.0 { speed } else { norm(&gone) / dt };
+            let increment: [f64; 2] = std::array::from_fn(|i| w.u[i] - before[i]);
+            let speed = if speed > 0.0 { speed } else { norm(&increment) / dt };
             let mu = self.setting.mu * c.factors.iter().product::<f64>();
             w.flux = self.flux((mu, normal, speed), norm(u));
             w.clock = c.clock + dt;
             history::push(heat, [w.clock, dt * w.flux, w.clock, 0.0]);
             let warms = c.steps > 1.0 && norm(u) > 0.0;
-            w.temperature = if warms { self.warmth(heat, |t| w.clock - t + dt, None) } else { AMBIENT };
+            w.temperature = if warms { self.temperature_from(heat, |t| w.clock - t + dt, None) } else { AMBIENT };
             w.factors = [self.by_pressure(normal), self.softening(w.temperature), self.by_speed(speed)];
             (w.time, w.steps) = (time, c.steps + 1.0);
         } else if !again {
@@ -171,7 +178,7 @@ impl Heat {
     }
 }
 
-/// Without the factor of the temperature, which is that of a history.
+/// The coefficient without k_T, which depends on the state.
 impl FrictionLaw for Heat {
     fn name(&self) -> &'static str {
         "FPBearingPTV"
@@ -196,7 +203,7 @@ const FACTORS: u32 = 2;
 const COEFFICIENT: u32 = 3;
 const FLUX: u32 = 4;
 
-/// Responses of the surface: number and names of the columns.
+/// Responses of the surface: number and column names.
 pub(super) fn probe(word: &str) -> Option<(u32, &'static [&'static str])> {
     Some(match word {
         "temperature" | "Temperature" | "temp" | "Temp" => (TEMPERATURE, &["TemperatureCenter"]),
@@ -210,8 +217,8 @@ pub(super) fn probe(word: &str) -> Option<(u32, &'static [&'static str])> {
 }
 
 /// Values of a response.
-pub(super) fn read(id: u32, words: &[f64], out: &mut [f64]) {
-    let w = Warm::read(words);
+pub(super) fn read(id: u32, state: &[f64], out: &mut [f64]) {
+    let w = ThermalState::read(state);
     match id {
         TEMPERATURE => out[0] = w.temperature,
         FACTORS => out.copy_from_slice(&w.factors),

@@ -1,6 +1,7 @@
-//! Bearings that slide: a flat or spherical surface with friction between two nodes.
+//! Sliding bearings: a flat or spherical surface with friction between two nodes.
 //!
-//! [`Surface`] is the law of the surface, [`SlidingBearing`] the element around it, [`Heat`] the friction of a surface that warms.
+//! [`Surface`] is the law of the surface, [`SlidingBearing`] the element, [`Heat`] the friction with frictional
+//! heating.
 
 mod bearing;
 mod early;

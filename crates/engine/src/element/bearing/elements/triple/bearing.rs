@@ -1,14 +1,14 @@
-//! The element around the chain: vertical force, moments, responses.
+//! The element of the triple friction pendulum: vertical force, moments, responses.
 
-use super::chain::{Chain, ChainState, Tension, rows, square};
-use super::heated::{Heated, PARAMETER_NAMES, PARAMETERS, Step, Warm};
+use super::chain::{Chain, ChainForce, ChainState, rows, square};
+use super::heated::{Heated, PARAMETER_NAMES, PARAMETERS, Step, ThermalState};
 use crate::element::bearing::elements::shear_bearing::{
     BASIC_FORCE, DEFORMATION, FRICTION, LOCAL_DISP, LOCAL_FORCE, MATERIAL, probe,
 };
 use crate::element::friction::{Coefficient, Contact, Friction};
 use crate::element::{
-    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask, Snapshot,
-    frame_force_labels,
+    BasicRow, CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask,
+    OpenSeesTraits, SharedState, Snapshot, frame_force_labels,
 };
 use crate::material::{Material, Slot, Strain, Stress};
 use crate::probe::Probe;
@@ -16,23 +16,24 @@ use crate::state_struct;
 use crate::state_struct::StateStruct;
 use nalgebra::{Matrix2, Vector2};
 
-/// What a triple friction pendulum is made with besides its chain and materials.
+/// Properties of a triple friction pendulum besides its chain and materials.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TripleSetting {
-    /// Weight that the first coefficients of friction are those of.
+    /// Weight for the initial coefficients of friction.
     pub weight: f64,
     /// Vertical stiffness in tension.
     pub k_tension: f64,
-    /// Normal force of the friction where the bearing is lifted.
+    /// Normal force of the friction in uplift.
     pub least_normal: f64,
-    /// Height, node j above node i.
+    /// Height of node j above node i.
     pub height: f64,
-    /// OpenSees' way, to a tolerance that is a part of the step.
+    /// OpenSees' scheme with its relative tolerance; `None` for the consistent law.
     pub compat: Option<f64>,
 }
 
-/// Triple friction pendulum between two nodes, upright along the global Z: a chain of sliding segments whose force is a part of the
-/// vertical force, and uniaxial materials for the vertical direction and the rotations about Z, X and Y.
+/// A triple friction pendulum between two nodes, with its axis along the global Z. The shear force of a chain of
+/// sliding segments is proportional to the normal force. Uniaxial materials act in the vertical direction and for the
+/// rotations about Z, X and Y.
 #[derive(Clone, Debug)]
 pub struct TriplePendulum {
     chain: Chain,
@@ -42,27 +43,27 @@ pub struct TriplePendulum {
     state_len: usize,
 }
 
-/// What the coefficients of friction follow.
+/// Friction of the surfaces.
 #[derive(Clone, Debug)]
 enum Surfaces {
     /// Friction models of the segments.
     Models([Friction; 3]),
-    /// Pressure, speed and temperature.
+    /// Friction that depends on pressure, speed and temperature.
     Heated(Box<Heated>),
 }
 
 state_struct! {
-    /// History besides chain, surfaces and materials.
+    /// State variables besides those of chain and surfaces.
     struct Load {
-        /// Normal force, positive in pressure.
+        /// Normal force, positive in compression.
         normal: f64,
-        /// Mean of it over the step, which the friction follows.
+        /// Mean normal force of the step, for the friction.
         mean: f64,
-        /// Speed of the surfaces that the coefficients were found with.
+        /// Speed of the surfaces for the coefficients of friction.
         speed: [f64; 3],
         /// Coefficients of friction at that speed.
         mu: [f64; 3],
-        /// Stiffness of the shear, by rows.
+        /// Shear stiffness, 2 x 2 by rows.
         across: [f64; 4],
         /// Tangents of the materials.
         along: [f64; 4],
@@ -74,7 +75,7 @@ const DIRECTIONS: [usize; 4] = [2, 5, 3, 4];
 /// Global degree of freedom of each local one: the local x axis is the global Z.
 const LOCAL: [usize; 6] = [2, 0, 1, 5, 3, 4];
 
-/// Forces at node j with their derivatives by the displacement of j less that of i.
+/// Forces at node j, and their derivatives by the relative displacement.
 struct Top {
     force: [f64; 6],
     by_apart: [[f64; 6]; 6],
@@ -82,8 +83,8 @@ struct Top {
 }
 
 impl TriplePendulum {
-    /// From the chain, the friction models of its segments, and the materials with their tags: vertical, rotation about
-    /// Z, X and Y.
+    /// Makes the bearing of its chain, the friction models of its segments, and its materials with tags: vertical,
+    /// rotations about Z, X and Y.
     pub fn new(
         chain: Chain,
         frictions: [Friction; 3],
@@ -93,7 +94,7 @@ impl TriplePendulum {
         Self::of(chain, Surfaces::Models(frictions), materials, setting)
     }
 
-    /// The same with surfaces that warm.
+    /// Makes the bearing with frictional heating.
     pub fn heated(chain: Chain, heated: Heated, materials: [(Material, i32); 4], setting: TripleSetting) -> Self {
         Self::of(chain, Surfaces::Heated(Box::new(heated)), materials, setting)
     }
@@ -110,20 +111,20 @@ impl TriplePendulum {
 
     fn virgin(&self) -> (ChainState, Load) {
         let weight = self.setting.weight;
-        // OpenSees begins without friction, and the coefficients grow to theirs within the first step.
+        // OpenSees starts without friction; the coefficients grow to their values within the first step.
         let chain = self.chain.virgin();
         let mu = match &self.surfaces {
             Surfaces::Models(f) => [0, 1, 2].map(|i| coefficient(f, i, weight, 0.0).mu),
             Surfaces::Heated(heated) => heated.at_rest(),
         };
         let mut load = Load { normal: weight, mean: weight, mu, ..Load::default() };
-        // As OpenSees finds it where nothing has moved yet: lifted.
+        // OpenSees' state before the first step: in uplift.
         load.across = chain.whole.map(|k| self.setting.least_normal * k);
         load.along = self.materials.each_ref().map(|slot| slot.material.initial_tangent());
         (chain, load)
     }
 
-    /// Vertical force, with the normal force of the friction.
+    /// Vertical force, and normal force of the friction.
     fn vertical(
         &self,
         (apart, rate, dt): (f64, f64, f64),
@@ -141,7 +142,7 @@ impl TriplePendulum {
             let k = if apart > 0.0 { self.setting.k_tension } else { s.tangent };
             return Ok((Stress { value: k * apart.max(0.0), tangent: k, damping: 0.0 }, normal));
         }
-        // OpenSees puts the material back to where it was, and reports the least normal force.
+        // OpenSees restores the committed strain of the material, and reports the least normal force.
         let initial = slot.material.initial_tangent();
         let pulls = s.value > initial * f64::EPSILON;
         if pulls {
@@ -151,7 +152,7 @@ impl TriplePendulum {
         Ok((Stress { value: -normal, ..s }, normal))
     }
 
-    /// The chain under a mean normal force.
+    /// Shear force of the chain at a mean normal force.
     fn shear(
         &self,
         u: Vector2<f64>,
@@ -159,20 +160,20 @@ impl TriplePendulum {
         (c, last): (&ChainState, &ChainState),
         load: &mut Load,
         frictions: &[Friction; 3],
-    ) -> Result<Tension, ElementError> {
+    ) -> Result<ChainForce, ElementError> {
         let Some(tolerance) = self.setting.compat else {
             let mean = load.mean;
             let t = self.chain.stretch(c, u, dt, |i, speed| coefficient(frictions, i, mean, speed))?;
             (load.speed, load.mu) = (t.friction.map(|f| f.0), t.friction.map(|f| f.1));
             return Ok(t);
         };
-        // OpenSees takes the speeds of the last trial.
+        // OpenSees uses the speeds of the last trial.
         load.speed = [0, 1, 2].map(|i| self.chain.segments[i].speed * last.speed[i]);
         load.mu = [0, 1, 2].map(|i| coefficient(frictions, i, load.mean, load.speed[i]).mu);
         Ok(as_found(self.chain.stretch_by_increments(c, u, load.mu, (tolerance, 0.01), (last.speed, dt))))
     }
 
-    /// The chain under a mean normal force, with surfaces that warm.
+    /// Shear force of the chain at a mean normal force, with frictional heating.
     fn heated_shear(
         &self,
         heated: &Heated,
@@ -180,7 +181,7 @@ impl TriplePendulum {
         (before, load): (&Load, &mut Load),
         committed: &[f64],
         trial: &mut [f64],
-    ) -> Result<Tension, ElementError> {
+    ) -> Result<ChainForce, ElementError> {
         let c = ChainState::read(committed);
         let (committed, trial) = (&committed[HEAT..], &mut trial[HEAT..]);
         let t = if let Some(tolerance) = self.setting.compat {
@@ -190,7 +191,7 @@ impl TriplePendulum {
             heated.slide_late((&t.state, &c), step, committed, trial);
             t
         } else {
-            let (warm, mean) = (Warm::read(committed), load.mean);
+            let (warm, mean) = (ThermalState::read(committed), load.mean);
             let friction = |i, speed| match mean > 0.0 {
                 true => heated.coefficient(&warm, i, mean, speed),
                 false => Coefficient::default(),
@@ -243,8 +244,7 @@ impl TriplePendulum {
         Ok(top)
     }
 
-    /// Moments of the shear force over the height and of the vertical force over the displacement, half of which go to
-    /// each node, with their derivatives.
+    /// Moments with derivatives: shear force times height plus vertical force times displacement, half at each node.
     fn moments(&self, top: &Top, apart: &[f64; 3]) -> ([f64; 3], [[f64; 3]; 3]) {
         let [dx, dy, _] = *apart;
         let (q, h) = (&top.force, self.setting.height);
@@ -268,13 +268,13 @@ fn coefficient(frictions: &[Friction; 3], i: usize, normal: f64, speed: f64) -> 
     if normal > 0.0 { frictions[i].coefficient(normal, speed) } else { Coefficient::default() }
 }
 
-/// A chain whose tangent is what the iteration ended with.
-fn as_found(state: ChainState) -> Tension {
+/// The force of a chain with the tangent of its last iteration.
+fn as_found(state: ChainState) -> ChainForce {
     let k = square(&state.whole, 0);
-    Tension { state, k, by_normal: Vector2::zeros(), friction: [(0.0, 0.0); 3] }
+    ChainForce { state, k, by_normal: Vector2::zeros(), friction: [(0.0, 0.0); 3] }
 }
 
-/// Add a matrix of the displacement of node j less that of node i: `sign` is that of the force on node i.
+/// Adds an entry of a matrix by the relative displacement; `sign` is that of the force on node i.
 fn add_apart(matrix: &mut [f64], row: usize, col: usize, value: f64, sign: f64) {
     for (r, f) in [(row, sign), (row + 6, 1.0)] {
         matrix[r * 12 + col] -= f * value;
@@ -313,7 +313,7 @@ impl Element for TriplePendulum {
                 Surfaces::Models(f) => f.iter().any(|f| f.depends_on_speed()),
                 Surfaces::Heated(_) => true,
             } || self.materials.iter().any(|m| m.material.depends_on_time()),
-            // There is no option to keep it out of Rayleigh damping.
+            // The command has no option against Rayleigh damping.
             rayleigh: true,
         }
     }
@@ -323,20 +323,20 @@ impl Element for TriplePendulum {
         motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: ElementOutput<'_>,
+        output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let top = self.top(motion, committed, trial)?;
         let apart = std::array::from_fn(|i| motion.disp[6 + i] - motion.disp[i]);
         let (m, by) = self.moments(&top, &apart);
-        // OpenSees turns both nodes the same way with the rotational materials, and leaves the moments out of the tangent.
+        // OpenSees gives both nodes the same sign of the rotational moments, and omits the moments in the tangent.
         let compat = self.setting.compat.is_some();
         let turn = if compat { 1.0 } else { -1.0 };
         for (i, m) in m.iter().enumerate() {
-            (answer.force[i], answer.force[6 + i]) = (-top.force[i], top.force[i]);
-            answer.force[3 + i] = turn * top.force[3 + i] + 0.5 * m;
-            answer.force[9 + i] = top.force[3 + i] + 0.5 * m;
+            (output.force[i], output.force[6 + i]) = (-top.force[i], top.force[i]);
+            output.force[3 + i] = turn * top.force[3 + i] + 0.5 * m;
+            output.force[9 + i] = top.force[3 + i] + 0.5 * m;
         }
-        if let Some(k) = answer.tangent {
+        if let Some(k) = output.tangent {
             for i in 0..6 {
                 for j in 0..6 {
                     add_apart(k, i, j, top.by_apart[i][j], -1.0);
@@ -348,28 +348,19 @@ impl Element for TriplePendulum {
                 }
             }
         }
-        if let Some(c) = answer.damping {
+        if let Some(c) = output.damping {
             top.damping.iter().enumerate().for_each(|(i, x)| add_apart(c, i, i, *x, -1.0));
         }
         Ok(())
     }
 
-    /// OpenSees' friction goes on from the speeds of the last call, its vertical material from where it was put back to.
-    fn counts_calls(&self) -> bool {
-        self.setting.compat.is_some()
-    }
-    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], _: MatrixMask) {
-        let load = Load::read(&history[ChainState::LEN..]);
-        for (i, k) in load.across.iter().enumerate() {
-            add_apart(tangent, i / 2, i % 2, *k, -1.0);
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        let compat = self.setting.compat.is_some();
+        OpenSeesTraits {
+            calls: compat.then_some(self as &dyn CallDependent),
+            damps_in_forces_only: compat,
+            ..OpenSeesTraits::default()
         }
-        for (d, k) in DIRECTIONS.iter().zip(load.along) {
-            add_apart(tangent, *d, *d, k, -1.0);
-        }
-    }
-
-    fn damps_in_forces_only(&self) -> bool {
-        self.setting.compat.is_some()
     }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {
@@ -452,12 +443,12 @@ impl Element for TriplePendulum {
             SEGMENTS => match self.surfaces {
                 Surfaces::Models(_) => out.copy_from_slice(&chain.d),
                 Surfaces::Heated(_) => {
-                    let w = Warm::read(&s.state[HEAT..]);
+                    let w = ThermalState::read(&s.state[HEAT..]);
                     let words = w.slide.iter().chain(&w.speed);
                     out.iter_mut().zip(words).for_each(|(o, x)| *o = *x);
                 }
             },
-            HEATING => out.copy_from_slice(&s.state[HEAT + Warm::LEN - PARAMETERS..HEAT + Warm::LEN]),
+            HEATING => out.copy_from_slice(&s.state[HEAT + ThermalState::LEN - PARAMETERS..HEAT + ThermalState::LEN]),
             FRICTION => {
                 let i = path[1] as usize;
                 out[0] = Contact { normal: load.mean, speed: load.speed[i], mu: load.mu[i] }.value(path[2]);
@@ -467,13 +458,26 @@ impl Element for TriplePendulum {
     }
 }
 
+/// OpenSees' friction starts from the speeds of the last call, its vertical material from its restored state.
+impl CallDependent for TriplePendulum {
+    fn last_tangent(&self, history: &[f64], _: &SharedState, tangent: &mut [f64], _: MatrixMask) {
+        let load = Load::read(&history[ChainState::LEN..]);
+        for (i, k) in load.across.iter().enumerate() {
+            add_apart(tangent, i / 2, i % 2, *k, -1.0);
+        }
+        for (d, k) in DIRECTIONS.iter().zip(load.along) {
+            add_apart(tangent, *d, *d, k, -1.0);
+        }
+    }
+}
+
 const SEGMENTS: u32 = 20;
 const HEATING: u32 = 21;
-/// Where the words of the surfaces begin.
+/// Index of the state variables of the surfaces.
 const HEAT: usize = ChainState::LEN + Load::LEN;
 const HEATED_SEGMENTS: [&str; 12] =
     ["d1x", "d3x", "d5x", "d1y", "d3y", "d5y", "v1x", "v3x", "v5x", "v1y", "v3y", "v5y"];
-/// Responses: first that of the bearing with friction models alone, last that of the heated one alone.
+/// Responses: the first exists with friction models alone, the last with heating alone.
 const NAMES: [&str; 9] = [
     "frictionModel",
     "localForce",

@@ -1,4 +1,4 @@
-//! Friction that depends on pressure, speed and the temperature that the sliding makes.
+//! Friction that depends on pressure, speed and the temperature from frictional heating.
 
 use super::chain::ChainState;
 use super::conduction::{Body, Conduction};
@@ -9,20 +9,20 @@ use crate::state_struct;
 use crate::state_struct::StateStruct;
 use std::f64::consts::PI;
 
-/// How a coefficient of friction falls as the surface warms. H. Kim and M. C. Constantinou, Earthquake Engineering and Structural
-/// Dynamics (2023), doi 10.1002/eqe.3797, from which the other factors are, too.
+/// Decrease of a coefficient of friction with the temperature. Source of this and the other factors: H. Kim and M. C.
+/// Constantinou, Earthquake Engineering and Structural Dynamics (2023), doi 10.1002/eqe.3797.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Softening {
-    /// To a half at 200 °C.
+    /// To 1/2 at 200 °C.
     Half,
-    /// To a third.
+    /// To 1/3.
     Third,
-    /// To two thirds.
+    /// To 2/3.
     TwoThirds,
 }
 
 impl Softening {
-    /// Factor at a temperature in °C: 1 at about 20 °C.
+    /// Factor at a temperature in °C; 1 at about 20 °C.
     pub fn factor(self, temperature: f64) -> f64 {
         let fall = |per_degree: f64| 0.7f64.powf(temperature * per_degree);
         match self {
@@ -33,24 +33,25 @@ impl Softening {
     }
 }
 
-/// What the coefficients of friction of the three pairs of surfaces are made of.
+/// Parameters of the coefficients of friction of the three pairs of surfaces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HeatedSetting {
-    /// Coefficients of friction at reference pressure, at speed, at 20 °C: inner, lower outer, upper outer surfaces.
+    /// Coefficients of friction at high speed, at the reference pressure and 20 °C: inner, lower outer, upper outer
+    /// surfaces.
     pub mu: [f64; 3],
-    /// Reference pressures p0, where the pressure counts: the factor is 0.7^(0.02 (p - p0)) with pressures in MPa.
+    /// Reference pressures p₀, with a factor 0.7^(0.02 (p - p₀)) and pressures in MPa; `None` for a factor of 1.
     pub reference: Option<[f64; 3]>,
     /// MPa per unit of pressure.
     pub mega_pascal: f64,
-    /// Rate a per speed, where the speed counts: the factor is 1 - exp(-a v)/2.
+    /// Rate a (time/length), with a factor 1 - exp(-a v)/2; `None` for a factor of 1.
     pub rate: Option<f64>,
-    /// Where the temperature counts.
+    /// Temperature factor; `None` for a factor of 1.
     pub softening: Option<Softening>,
-    /// Radius of contact of each pair.
+    /// Contact radius of each pair.
     pub radius: [f64; 3],
-    /// Temperature at the beginning, °C.
+    /// Initial temperature, °C.
     pub temperature: f64,
-    /// Conduction behind the outer surfaces; behind the inner ones is a half space.
+    /// Conduction behind the outer surfaces; the inner ones have a half-space.
     pub conduction: Conduction,
     /// Thickness of the plates behind the outer surfaces.
     pub thickness: [f64; 2],
@@ -58,11 +59,11 @@ pub struct HeatedSetting {
     pub outer: [f64; 2],
 }
 
-/// Friction of surfaces that warm.
+/// Surfaces with frictional heating.
 ///
-/// Friction makes the heat flux μ p v at the middle of a surface while the slider covers it, which is up to a displacement of
-/// r √π / 2 (Kim and Constantinou, 2023); the flux warms the plate behind. The friction of a step is that of the temperature at its
-/// beginning, and of pressure and speed at its end.
+/// The heat flux at the centre of a surface is μ p v while the slider covers the centre. It does so up to a
+/// displacement of r √π / 2 (Kim and Constantinou, 2023). The flux heats the plate behind. The friction of a step has
+/// the temperature at its start, and the pressure and speed at its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Heated {
     setting: HeatedSetting,
@@ -71,36 +72,36 @@ pub struct Heated {
 }
 
 state_struct! {
-    /// History of the surfaces besides that of their heat.
-    pub(super) struct Warm {
-        /// Time since the beginning.
+    /// State variables of the surfaces besides those of the heat history.
+    pub(super) struct ThermalState {
+        /// Time since the start.
         clock: f64,
         /// Domain time.
         time: f64,
-        /// Steps since the domain time began, as far as OpenSees counts them.
+        /// Number of steps since the start of the domain time, as OpenSees counts them.
         steps: f64,
-        /// Coefficients of friction of the step before.
+        /// Coefficients of friction of the last step.
         mu_before: [f64; 3],
-        /// Displacements of the surfaces at the step before.
+        /// Displacements of the surfaces at the last step.
         before: [f64; 6],
-        /// Displacements of the inner, lower and upper surfaces: those along x, those along y.
+        /// Displacements of the inner, lower and upper surfaces: along x, then along y.
         slide: [f64; 6],
-        /// Their speeds.
+        /// Speeds in the order of the displacements.
         speed: [f64; 6],
-        /// Temperatures, °C: of the three surfaces, at the depths of the outer two.
+        /// Temperatures, °C: of the three surfaces, then at the depths of the outer two.
         temperature: [f64; 5],
         /// Coefficients of friction.
         mu: [f64; 3],
         /// Heat fluxes, power/area.
         flux: [f64; 3],
-        /// Factors of the coefficients: by pressure, by temperature, by speed.
+        /// Factors of the coefficients: for pressure, temperature, speed.
         factors: [f64; 9],
     }
 }
 
-/// State variables that a recorder takes from the end of [`Warm`]: temperatures, coefficients, fluxes, factors.
+/// Number of recorded state variables at the end of [`ThermalState`]: temperatures, coefficients, fluxes, factors.
 pub(super) const PARAMETERS: usize = 20;
-/// Names of these.
+/// Column names of the recorded state variables.
 pub(super) const PARAMETER_NAMES: [&str; PARAMETERS] = [
     "Temp2 and 3",
     "Temp1",
@@ -124,32 +125,32 @@ pub(super) const PARAMETER_NAMES: [&str; PARAMETERS] = [
     "kVF 4",
 ];
 
-/// The time of a step: its domain time and how much of it has passed.
+/// Domain time of a step, and its increment.
 #[derive(Clone, Copy)]
 pub(super) struct Step {
     pub(super) time: f64,
     pub(super) dt: f64,
 }
 
-/// Displacements or speeds of the three surfaces without their direction.
+/// Sizes of the displacements or speeds of the three surfaces.
 fn norms(v: &[f64; 6]) -> [f64; 3] {
     std::array::from_fn(|i| v[i].hypot(v[3 + i]))
 }
 
 impl Heated {
-    /// State variables of history.
-    pub(super) const LEN: usize = Warm::LEN + 3 * history::LEN;
+    /// Number of state variables.
+    pub(super) const LEN: usize = ThermalState::LEN + 3 * history::LEN;
 
-    /// From its parameters.
+    /// Makes the surfaces of their parameters.
     pub fn new(setting: HeatedSetting) -> Self {
-        // OpenSees' constants.
+        // OpenSees' values of π.
         let (pi, quarter) = if setting.conduction.compat { (ROUGHLY, 22.0 / 28.0) } else { (PI, 0.25 * PI) };
         let area = setting.radius.map(|r| pi * r * r);
         Self { setting, area, edge: setting.radius.map(|r| r * quarter.sqrt()) }
     }
 
-    /// Coefficients of friction at rest at the beginning, under the reference pressures. OpenSees takes [`Softening::Half`] for them
-    /// whatever the model.
+    /// Initial coefficients of friction at zero speed and the reference pressures. OpenSees uses [`Softening::Half`]
+    /// for them with every temperature model.
     pub fn at_rest(&self) -> [f64; 3] {
         let s = &self.setting;
         let softening = if s.conduction.compat { s.softening.map(|_| Softening::Half) } else { s.softening };
@@ -157,12 +158,13 @@ impl Heated {
         s.mu.map(|mu| mu * share)
     }
 
-    pub(super) fn init(&self, words: &mut [f64]) {
+    pub(super) fn init(&self, state: &mut [f64]) {
         let mu = self.at_rest();
-        let mut w = Warm { mu_before: mu, mu, temperature: [self.setting.temperature; 5], ..Warm::default() };
+        let mut w =
+            ThermalState { mu_before: mu, mu, temperature: [self.setting.temperature; 5], ..ThermalState::default() };
         w.factors = [1.0; 9];
-        w.write(words);
-        words[Warm::LEN..Self::LEN].fill(0.0);
+        w.write(state);
+        state[ThermalState::LEN..Self::LEN].fill(0.0);
     }
 
     fn by_pressure(&self, i: usize, normal: f64) -> f64 {
@@ -178,8 +180,8 @@ impl Heated {
         self.setting.softening.map_or(1.0, |m| m.factor(temperature))
     }
 
-    /// Coefficient of pair `i` under a normal force > 0 at a speed, at the temperature of the history.
-    pub(super) fn coefficient(&self, w: &Warm, i: usize, normal: f64, speed: f64) -> Coefficient {
+    /// Coefficient of pair `i` at a normal force > 0 and a speed, with the temperature of the state.
+    pub(super) fn coefficient(&self, w: &ThermalState, i: usize, normal: f64, speed: f64) -> Coefficient {
         let s = &self.setting;
         let share = s.mu[i] * self.by_pressure(i, normal) * self.by_temperature(w.temperature[i]);
         let mu = share * self.by_speed(speed);
@@ -188,7 +190,7 @@ impl Heated {
         Coefficient { mu, by_normal, by_speed }
     }
 
-    /// Displacements of the surfaces for those of the segments; what the outer ones leave is that of the inner two.
+    /// Displacements of the surfaces from those of the segments. The inner pair shares the difference to the total.
     fn slide(&self, d: &[f64; 6]) -> [f64; 6] {
         let mut out = [0.0; 6];
         for k in 0..2 {
@@ -204,78 +206,85 @@ impl Heated {
         if displacement < self.edge[i] { mu * normal / self.area[i] * speed } else { 0.0 }
     }
 
-    /// Temperature at the surface and at depth, from heat at the times of a history and more of it.
-    fn warmth(&self, i: usize, heat: &[f64], age: impl Fn(f64) -> f64, more: Option<(f64, f64)>) -> [f64; 2] {
+    /// Temperatures at surface and depth from a heat history, with the age of each amount, and an additional amount.
+    fn temperatures(
+        &self,
+        i: usize,
+        heat: &[f64],
+        age: impl Fn(f64) -> f64,
+        additional: Option<(f64, f64)>,
+    ) -> [f64; 2] {
         let s = &self.setting;
         let conduction = if i == 0 { Conduction { body: Body::HalfSpace, ..s.conduction } } else { s.conduction };
         let thickness = s.thickness[i.saturating_sub(1)];
         let mut out = [s.temperature; 2];
-        for (tau, q) in history::heat(heat).map(|(t, q)| (age(t), q)).chain(more) {
+        for (tau, q) in history::heat(heat).map(|(t, q)| (age(t), q)).chain(additional) {
             let k = conduction.rise(thickness, tau);
             (out[0], out[1]) = (out[0] + q * k[0], out[1] + q * k[1]);
         }
         out
     }
 
-    fn heat_of(words: &[f64], i: usize) -> &[f64] {
-        &words[Warm::LEN + i * history::LEN..Warm::LEN + (i + 1) * history::LEN]
+    fn heat_history(state: &[f64], i: usize) -> &[f64] {
+        &state[ThermalState::LEN + i * history::LEN..ThermalState::LEN + (i + 1) * history::LEN]
     }
 
-    fn set_temperature(w: &mut Warm, i: usize, [surface, depth]: [f64; 2]) {
+    fn set_temperature(w: &mut ThermalState, i: usize, [surface, depth]: [f64; 2]) {
         w.temperature[i] = surface;
         if i > 0 {
             w.temperature[2 + i] = depth;
         }
     }
 
-    /// After a step: the surfaces move with the chain, the heat of the step is added, and the surfaces warm. The heat is spread
-    /// evenly over the step: by Gauss' rule, the latest by that for a kernel of 1/√τ.
+    /// Update after a step: displacements follow the chain, the heat is added to the history, and temperatures follow.
+    /// Heat is uniform over the step. The history stores it at two Gauss points. The temperature of this step uses the
+    /// one-point rule for a kernel of 1/√τ.
     pub(super) fn warm(&self, chain: &ChainState, normal: f64, step: Step, committed: &[f64], trial: &mut [f64]) {
-        let c = Warm::read(committed);
-        let mut w = Warm { before: c.slide, slide: self.slide(&chain.d), mu: chain.mu, mu_before: c.mu, ..c };
-        trial[Warm::LEN..Self::LEN].copy_from_slice(&committed[Warm::LEN..Self::LEN]);
+        let c = ThermalState::read(committed);
+        let mut w = ThermalState { before: c.slide, slide: self.slide(&chain.d), mu: chain.mu, mu_before: c.mu, ..c };
+        trial[ThermalState::LEN..Self::LEN].copy_from_slice(&committed[ThermalState::LEN..Self::LEN]);
         if step.dt > 0.0 {
             let dt = step.dt;
             w.speed = std::array::from_fn(|i| (w.slide[i] - c.slide[i]) / dt);
             (w.clock, w.time) = (c.clock + dt, step.time);
-            let (moved, speed) = (norms(&w.slide), norms(&w.speed));
+            let (displacements, speed) = (norms(&w.slide), norms(&w.speed));
             for i in 0..3 {
-                w.flux[i] = self.flux(i, w.mu[i], normal, (moved[i], speed[i]));
+                w.flux[i] = self.flux(i, w.mu[i], normal, (displacements[i], speed[i]));
                 let latest = (w.flux[i] > 0.0).then_some((dt / 3.0, 2.0 / 3f64.sqrt() * dt * w.flux[i]));
-                let now = self.warmth(i, Self::heat_of(committed, i), |t| w.clock - t, latest);
+                let now = self.temperatures(i, Self::heat_history(committed, i), |t| w.clock - t, latest);
                 Self::set_temperature(&mut w, i, now);
-                let (middle, aside, half) = (w.clock - 0.5 * dt, dt / 12f64.sqrt(), 0.5 * dt * w.flux[i]);
-                let heat = &mut trial[Warm::LEN + i * history::LEN..Warm::LEN + (i + 1) * history::LEN];
-                history::push(heat, [middle - aside, half, middle + aside, half]);
+                let (middle, gauss_offset, half) = (w.clock - 0.5 * dt, dt / 12f64.sqrt(), 0.5 * dt * w.flux[i]);
+                let heat = &mut trial[ThermalState::LEN + i * history::LEN..ThermalState::LEN + (i + 1) * history::LEN];
+                history::push(heat, [middle - gauss_offset, half, middle + gauss_offset, half]);
                 w.factors[i] = self.by_pressure(i, normal);
                 w.factors[3 + i] = self.by_temperature(c.temperature[i]);
-                let still = self.setting.mu[i] * w.factors[i] * w.factors[3 + i];
-                w.factors[6 + i] = if still > 0.0 { w.mu[i] / still } else { 1.0 };
+                let at_zero_speed = self.setting.mu[i] * w.factors[i] * w.factors[3 + i];
+                w.factors[6 + i] = if at_zero_speed > 0.0 { w.mu[i] / at_zero_speed } else { 1.0 };
             }
         }
         w.write(trial);
     }
 
-    /// OpenSees' way, before the step: the coefficients of a step follow from the displacements, speeds and the normal force at its begin
-    /// and the coefficients of two steps before; the first step of a new domain time has the reference coefficients. Heat
-    /// lies at the end of each step, and is as old as the step is long at least.
+    /// Coefficients of friction by OpenSees' scheme, before the step. They depend on displacements, speeds and normal
+    /// force at its start, and on the coefficients of two steps before. The first step of a new domain time has the
+    /// reference coefficients. Heat lies at the end of its step, with an age of at least the step.
     pub(super) fn warm_first(&self, normal: f64, step: Step, committed: &[f64], trial: &mut [f64]) -> [f64; 3] {
-        let c = Warm::read(committed);
-        let mut w = Warm { before: c.slide, mu_before: c.mu, time: step.time, ..c };
-        trial[Warm::LEN..Self::LEN].copy_from_slice(&committed[Warm::LEN..Self::LEN]);
+        let c = ThermalState::read(committed);
+        let mut w = ThermalState { before: c.slide, mu_before: c.mu, time: step.time, ..c };
+        trial[ThermalState::LEN..Self::LEN].copy_from_slice(&committed[ThermalState::LEN..Self::LEN]);
         if step.time < c.time {
-            trial[Warm::LEN..Self::LEN].fill(0.0);
+            trial[ThermalState::LEN..Self::LEN].fill(0.0);
             (w.clock, w.steps, w.factors) = (0.0, 1.0, [1.0; 9]);
         } else if step.time > c.time {
             w.clock = c.clock + step.dt;
-            let (moved, speed) = (norms(&c.slide), norms(&c.speed));
+            let (displacements, speed) = (norms(&c.slide), norms(&c.speed));
             for i in 0..3 {
-                w.flux[i] = self.flux(i, c.mu_before[i], normal, (moved[i], speed[i]));
-                let heat = &mut trial[Warm::LEN + i * history::LEN..Warm::LEN + (i + 1) * history::LEN];
+                w.flux[i] = self.flux(i, c.mu_before[i], normal, (displacements[i], speed[i]));
+                let heat = &mut trial[ThermalState::LEN + i * history::LEN..ThermalState::LEN + (i + 1) * history::LEN];
                 history::push(heat, [w.clock, step.dt * w.flux[i], w.clock, 0.0]);
-                let warms = c.steps > 1.0 && moved[i] > 1e-11;
+                let warms = c.steps > 1.0 && displacements[i] > 1e-11;
                 let now = if warms {
-                    self.warmth(i, heat, |t| w.clock - t + step.dt, None)
+                    self.temperatures(i, heat, |t| w.clock - t + step.dt, None)
                 } else {
                     [self.setting.temperature; 2]
                 };
@@ -291,7 +300,8 @@ impl Heated {
         w.mu
     }
 
-    /// OpenSees' way, after the step: displacements and speeds of the surfaces, those of the inner ones a step late; speeds over two steps.
+    /// Displacements and speeds of the surfaces by OpenSees' scheme, after the step. The inner displacements lag by one
+    /// step; speeds are differences over two steps.
     pub(super) fn slide_late(
         &self,
         (chain, last): (&ChainState, &ChainState),
@@ -299,11 +309,11 @@ impl Heated {
         committed: &[f64],
         trial: &mut [f64],
     ) {
-        let (c, mut w) = (Warm::read(committed), Warm::read(trial));
+        let (c, mut w) = (ThermalState::read(committed), ThermalState::read(trial));
         let (now, late) = (self.slide(&chain.d), self.slide(&last.d));
         w.slide = std::array::from_fn(|i| if i % 3 == 0 { late[i] } else { now[i] });
         if step.dt > 0.0 {
-            // Outer speeds stay where nothing moves.
+            // Outer speeds are kept if nothing moves.
             let moves = chain.u != last.u;
             for i in (0..6).filter(|i| i % 3 == 0 || moves) {
                 w.speed[i] = (w.slide[i] - c.before[i]) / (2.0 * step.dt);

@@ -1,6 +1,6 @@
 //! The triple friction pendulum: three pairs of sliding surfaces in series.
 //!
-//! [`Chain`] is the law of the shear, [`TriplePendulum`] the element around it, [`Heated`] the friction of surfaces that warm.
+//! [`Chain`] is the shear law, [`TriplePendulum`] the element, [`Heated`] the friction with frictional heating.
 
 mod bearing;
 mod chain;

@@ -1,59 +1,59 @@
-//! Springs of a section that are asked one by one.
+//! Springs of a section that are evaluated individually.
 
 use crate::material::{Material, MaterialError, Strains, Stresses};
 use std::ops::Range;
 
-/// Largest number of springs of a block, so that their stresses stay on the stack.
+/// Largest number of springs of a block: their stresses are on the stack.
 pub(super) const BLOCK: usize = 64;
-/// Sums that are taken side by side.
+/// Number of partial sums for vectorisation.
 const LANES: usize = 4;
 
-/// Products of a weight with 1, the levers a and b, a², a b and b², summed over springs.
+/// Sums over springs of a weight times 1, the levers a and b, a², a b and b².
 pub(super) type Moments = [f64; 6];
 
-/// Rows and columns of a symmetric matrix of moments.
-pub(super) const PLACES: [[usize; 3]; 3] = [[0, 1, 2], [1, 3, 4], [2, 4, 5]];
+/// Indices of the moments in a symmetric 3 x 3 matrix.
+pub(super) const MOMENT_INDICES: [[usize; 3]; 3] = [[0, 1, 2], [1, 3, 4], [2, 4, 5]];
 
 pub(super) fn add_to<const N: usize>(sums: &mut [f64; N], terms: &[f64; N]) {
     sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
 }
 
-/// Springs, each of which may stand for a line of them.
+/// Springs, each of which may represent a line of springs.
 #[derive(Clone, Debug)]
 pub(super) struct Bundle {
-    /// Area of each, times its part in the distribution.
+    /// Area of each times its relative stiffness.
     area: Vec<f64>,
-    /// Extension of each per unit of rotation about y and about z: its z, and its y with the other sign.
+    /// Extension of each per unit rotation about y and about z: its z, and its -y.
     lever: [Vec<f64>; 2],
     breadth: Option<Breadth>,
-    /// Neighbours that are updated together.
+    /// Neighbouring springs that are updated in one call.
     pub(super) blocks: Vec<Block>,
-    /// All together: while none of them has a history, they are asked once for the whole section.
+    /// All springs as one block: while all are virgin, one evaluation gives the section.
     pub(super) whole: Option<Block>,
-    /// Virgin histories.
+    /// Virgin state variables.
     pub(super) virgin: Vec<f64>,
 }
 
-/// How far the springs of each line lie on both sides of its middle.
+/// Extent of the lines on both sides of their middle.
 #[derive(Clone, Debug)]
 pub(super) struct Breadth {
-    /// Lever that they differ in.
+    /// Index of the lever that varies along a line.
     pub(super) axis: usize,
-    /// Mean of the square of the difference, for each line.
+    /// Mean square deviation of that lever, for each line.
     pub(super) square: Vec<f64>,
 }
 
-/// Neighbouring springs that are updated together, and the moments of their areas.
+/// Neighbouring springs that are updated in one call, and the moments of their areas.
 #[derive(Clone, Debug)]
 pub(super) struct Block {
     pub(super) springs: Range<usize>,
     pub(super) moments: Moments,
-    /// Smallest and largest of each lever.
+    /// Smallest and largest value of each lever.
     levers: [[f64; 2]; 2],
 }
 
 impl Block {
-    /// Together with another that follows it.
+    /// Union with the following block.
     fn with(mut self, next: Self) -> Self {
         add_to(&mut self.moments, &next.moments);
         for (all, own) in self.levers.iter_mut().zip(next.levers) {
@@ -62,23 +62,23 @@ impl Block {
         Self { springs: self.springs.start..next.springs.end, ..self }
     }
 
-    /// Strains between which those of the springs are.
+    /// Bounds of the strains of the springs for section strains.
     pub(super) fn range(&self, [axial, a, b]: [f64; 3]) -> [f64; 2] {
         let [a, b] = [self.levers[0].map(|l| l * a), self.levers[1].map(|l| l * b)];
         [axial + a[0].min(a[1]) + b[0].min(b[1]), axial + a[0].max(a[1]) + b[0].max(b[1])]
     }
 }
 
-/// Strains of a section, those of its committed state where the material asks for them, and their rates.
+/// Section strains, their committed values if the material needs them, and their rates.
 #[derive(Clone, Copy)]
-pub(super) struct At {
+pub(super) struct SectionStrains {
     pub(super) before: Option<[f64; 3]>,
     pub(super) strain: [f64; 3],
     pub(super) rate: [f64; 3],
     pub(super) dt: f64,
 }
 
-/// Forces and moments of springs.
+/// Sums of forces and moments over springs.
 #[derive(Default)]
 pub(super) struct Sum {
     pub(super) force: [f64; 3],
@@ -86,7 +86,7 @@ pub(super) struct Sum {
     pub(super) damping: Moments,
 }
 
-/// What springs with neighbouring numbers weigh, their levers, and the breadth of their lines.
+/// Weights, levers and line extents of neighbouring springs.
 struct Weights<'a> {
     area: &'a [f64],
     lever: [&'a [f64]; 2],
@@ -94,14 +94,14 @@ struct Weights<'a> {
 }
 
 impl Weights<'_> {
-    /// Sums over the springs of area times `factor` times what `of` says of the levers, in several lanes: sums that wait
-    /// for each other took longer than all the springs.
+    /// Sums over the springs of area times `factor` times `of` the levers. Independent partial sums allow
+    /// vectorisation.
     #[inline(always)]
     fn sum<const N: usize>(&self, factor: &[f64], of: impl Fn(f64, f64, f64) -> [f64; N]) -> [f64; N] {
         let mut lanes = [[0.0; LANES]; N];
-        let (area, area_left) = self.area.as_chunks::<LANES>();
-        let (factor, factor_left) = factor.as_chunks::<LANES>();
-        let [(a, a_left), (b, b_left)] = self.lever.map(|l| l.as_chunks::<LANES>());
+        let (area, area_rest) = self.area.as_chunks::<LANES>();
+        let (factor, factor_rest) = factor.as_chunks::<LANES>();
+        let [(a, a_rest), (b, b_rest)] = self.lever.map(|l| l.as_chunks::<LANES>());
         for (((area, factor), a), b) in area.iter().zip(factor).zip(a).zip(b) {
             for lane in 0..LANES {
                 let terms = of(area[lane] * factor[lane], a[lane], b[lane]);
@@ -109,13 +109,13 @@ impl Weights<'_> {
             }
         }
         let mut sums = lanes.map(|sum| sum.iter().sum());
-        for (((area, factor), a), b) in area_left.iter().zip(factor_left).zip(a_left).zip(b_left) {
+        for (((area, factor), a), b) in area_rest.iter().zip(factor_rest).zip(a_rest).zip(b_rest) {
             add_to(&mut sums, &of(area * factor, *a, *b));
         }
         sums
     }
 
-    /// Strains of the springs: that of the axis, and those of the rotations times levers.
+    /// Strains of the springs: axial strain plus rotations times levers.
     #[inline]
     fn spread(&self, e: [f64; 3], out: &mut [f64]) {
         for ((out, a), b) in out.iter_mut().zip(self.lever[0]).zip(self.lever[1]) {
@@ -123,21 +123,21 @@ impl Weights<'_> {
         }
     }
 
-    /// Moments of the springs, each with a factor.
+    /// Moments of the springs, each multiplied by a factor.
     fn moments(&self, factor: &[f64]) -> Moments {
         let mut moments = self.sum(factor, |w, a, b| [w, w * a, w * b, w * a * a, w * a * b, w * b * b]);
         if let Some((axis, along)) = self.along(factor) {
-            moments[PLACES[1 + axis][1 + axis]] += along;
+            moments[MOMENT_INDICES[1 + axis][1 + axis]] += along;
         }
         moments
     }
 
-    /// Force and moments of the springs under stresses.
+    /// Force and moments of the springs for their stresses.
     fn forces(&self, stress: &[f64]) -> [f64; 3] {
         self.sum(stress, |w, a, b| [w, w * a, w * b])
     }
 
-    /// Moment of inertia that lines have along themselves, each with a factor, and about which of the levers.
+    /// Second moment of the lines about their middle, each multiplied by a factor, with the index of its lever.
     fn along(&self, factor: &[f64]) -> Option<(usize, f64)> {
         let (axis, square) = self.breadth?;
         Some((axis, self.area.iter().zip(square).zip(factor).map(|((w, s), f)| w * s * f).sum()))
@@ -145,8 +145,8 @@ impl Weights<'_> {
 }
 
 impl Bundle {
-    /// Springs of a material with areas and levers, lines of them if they have a breadth, in blocks of which none goes
-    /// beyond spring `cut`.
+    /// Makes springs of a material with areas and levers, or lines of them with a breadth. No block extends beyond the
+    /// spring `cut`.
     pub(super) fn new(
         material: &Material,
         (area, lever): (Vec<f64>, [Vec<f64>; 2]),
@@ -166,10 +166,10 @@ impl Bundle {
             Block { moments, levers: weights.lever.map(ends), springs }
         };
         let blocks: Vec<Block> = ranges.map(block).collect();
-        let words = material.state_len();
-        let mut virgin = vec![0.0; n * words];
+        let state_len = material.state_len();
+        let mut virgin = vec![0.0; n * state_len];
         for b in &blocks {
-            material.init_all(b.springs.len(), &mut virgin[b.springs.start * words..b.springs.end * words]);
+            material.init_all(b.springs.len(), &mut virgin[b.springs.start * state_len..b.springs.end * state_len]);
         }
         bundle.whole = blocks.iter().cloned().reduce(Block::with);
         (bundle.blocks, bundle.virgin) = (blocks, virgin);
@@ -194,12 +194,12 @@ impl Bundle {
         }
     }
 
-    /// Add the forces of a block, spring by spring.
+    /// Adds the forces of a block, evaluated spring by spring.
     pub(super) fn respond(
         &self,
         material: &Material,
         block: &Block,
-        at: &At,
+        at: &SectionStrains,
         old: &[f64],
         next: &mut [f64],
         sum: &mut Sum,
@@ -225,7 +225,7 @@ impl Bundle {
         add_to(&mut sum.force, &weights.forces(&value[..n]));
         add_to(&mut sum.stiffness, &weights.moments(&tangent[..n]));
         if let Some((axis, along)) = weights.along(&tangent[..n]) {
-            // What its ends are strained more or less than its middle.
+            // Moment of the linear strain variation along a line.
             sum.force[1 + axis] += along * at.strain[1 + axis];
         }
         if viscous {

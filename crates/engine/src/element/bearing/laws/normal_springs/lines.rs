@@ -1,31 +1,31 @@
-//! Lines of springs across the plane that a section bends in.
+//! Lines of springs normal to the plane of bending.
 
 use super::bundle::{BLOCK, Breadth, Bundle};
 use crate::material::Material;
 
-/// Levers that are as good as the same, in parts of the largest.
-const SAME: f64 = 1e-12;
-/// Largest part of the springs that there may be lines: with more of them there is little to gain.
-const FEW: f64 = 0.6;
-/// Strains by which the springs of a line may differ, in parts of the largest of the section: round-off.
-const ALIKE: f64 = 1e-13;
+/// Relative difference of levers that are taken as equal: round-off.
+const EQUAL_LEVERS: f64 = 1e-12;
+/// Largest ratio of lines to springs; with more lines there is no gain in speed.
+const MAX_LINE_RATIO: f64 = 0.6;
+/// Relative difference of the strains along a line that is round-off.
+const EQUAL_STRAINS: f64 = 1e-13;
 
-/// The springs of a section in lines, each with the same lever for one of the rotations.
+/// The springs of a section in lines with equal levers for one of the rotations.
 ///
-/// As long as the section has turned about that axis only, all springs of a line have had the same strains and have the
-/// same history, so that one of them tells of all.
+/// While the section rotates about that axis only, all springs of a line have equal strains and equal state variables.
+/// One spring then represents the line.
 #[derive(Clone, Debug)]
 pub(super) struct Lines {
-    /// A spring in the middle of each line.
+    /// One spring in the middle of each line.
     pub(super) bundle: Bundle,
     /// Line of each spring.
     of: Vec<usize>,
-    /// Lever along the lines, and how long they are on both sides.
+    /// Index of the lever along the lines, and its largest size.
     along: (usize, f64),
 }
 
 impl Lines {
-    /// Lines of springs whose lever `across` is the same; `None` where there are not few.
+    /// Makes lines of springs with an equal lever `across`; `None` if there are too many.
     pub(super) fn of(material: &Material, springs: &Bundle, across: usize) -> Option<Self> {
         let (area, lever) = springs.parts();
         let (own, other) = (lever[across], lever[1 - across]);
@@ -36,11 +36,11 @@ impl Lines {
         let mut lines: Vec<Vec<usize>> = vec![];
         for i in order {
             match lines.last_mut() {
-                Some(line) if own[i] - own[line[0]] <= SAME * width => line.push(i),
+                Some(line) if own[i] - own[line[0]] <= EQUAL_LEVERS * width => line.push(i),
                 _ => lines.push(vec![i]),
             }
         }
-        if lines.len() as f64 > FEW * area.len() as f64 {
+        if lines.len() as f64 > MAX_LINE_RATIO * area.len() as f64 {
             return None;
         }
         let sum = |line: &[usize], of: &dyn Fn(usize) -> f64| line.iter().map(|&i| area[i] * of(i)).sum::<f64>();
@@ -49,8 +49,8 @@ impl Lines {
             lines.iter().zip(&areas).map(|(line, area)| sum(line, of) / area).collect()
         };
         let mut middle = mean(&|i| other[i]);
-        // Of lines that are the same on both sides.
-        middle.iter_mut().filter(|m| m.abs() <= SAME * length).for_each(|m| *m = 0.0);
+        // Lines that are symmetric about the axis.
+        middle.iter_mut().filter(|m| m.abs() <= EQUAL_LEVERS * length).for_each(|m| *m = 0.0);
         let mut levers = [mean(&|i| own[i]), middle];
         let square = mean(&|i| other[i] * other[i]);
         let square = square.iter().zip(&levers[1]).map(|(s, m)| s - m * m).collect();
@@ -67,25 +67,31 @@ impl Lines {
         Some(Self { bundle, of, along: (1 - across, length) })
     }
 
-    /// Whether strains of a section, the largest of which is `largest`, are the same along each line.
-    pub(super) fn hold(&self, strain: [f64; 3], largest: f64) -> bool {
+    /// Returns true if section strains, of which `largest` is the largest, are equal along each line.
+    pub(super) fn has_equal_strains(&self, strain: [f64; 3], largest: f64) -> bool {
         let (axis, length) = self.along;
-        strain[1 + axis].abs() * length <= ALIKE * largest
+        strain[1 + axis].abs() * length <= EQUAL_STRAINS * largest
     }
 
-    /// Histories of all springs, each that of its line, of which `virgin` says for each block whether it is virgin.
-    pub(super) fn spread(&self, material: &Material, springs: &Bundle, virgin: &[bool], histories: &[f64]) -> Vec<f64> {
-        let words = material.state_len();
-        let mut all = vec![0.0; springs.len() * words];
+    /// State variables of all springs from those of their lines. `virgin` has one value per block.
+    pub(super) fn spread(
+        &self,
+        material: &Material,
+        springs: &Bundle,
+        virgin: &[bool],
+        line_states: &[f64],
+    ) -> Vec<f64> {
+        let state_len = material.state_len();
+        let mut all = vec![0.0; springs.len() * state_len];
         for block in &springs.blocks {
             let n = block.springs.len();
-            let to = &mut all[block.springs.start * words..block.springs.end * words];
+            let to = &mut all[block.springs.start * state_len..block.springs.end * state_len];
             for (i, spring) in block.springs.clone().enumerate() {
                 let line = self.of[spring];
                 let from = &self.bundle.blocks[line / BLOCK];
-                let kept = if virgin[line / BLOCK] { &self.bundle.virgin[..] } else { histories };
-                let kept = &kept[from.springs.start * words..from.springs.end * words];
-                material.copy_history((kept, line % BLOCK, from.springs.len()), (to, i, n));
+                let states = if virgin[line / BLOCK] { &self.bundle.virgin[..] } else { line_states };
+                let states = &states[from.springs.start * state_len..from.springs.end * state_len];
+                material.copy_history((states, line % BLOCK, from.springs.len()), (to, i, n));
             }
         }
         all

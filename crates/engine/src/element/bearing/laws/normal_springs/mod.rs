@@ -3,48 +3,48 @@
 mod bundle;
 mod lines;
 
-use self::bundle::{At, Bundle, PLACES, Sum, add_to};
+use self::bundle::{Bundle, MOMENT_INDICES, SectionStrains, Sum, add_to};
 use self::lines::Lines;
 use crate::element::bearing::laws::normal_layout::Layout;
 use crate::material::{Material, MaterialError};
 use std::ops::Range;
 
-/// Forces of a section and their derivatives: axial force, moment about y, moment about z.
+/// Forces of a section with derivatives: axial force, moment about y, moment about z.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Section {
     /// Forces.
     pub force: [f64; 3],
     /// Derivatives by the deformations.
     pub stiffness: [[f64; 3]; 3],
-    /// Derivatives by the rates of the deformations, of viscous materials.
+    /// Derivatives by the rates of the deformations, for viscous materials.
     pub damping: [[f64; 3]; 3],
 }
 
-/// From which histories springs go on.
+/// State from which springs are updated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Memory {
-    /// From the committed ones.
+enum StartState {
+    /// The committed state.
     Committed,
-    /// Also from those that the last call of the step left, as laws of OpenSees' do.
-    Calls,
-    /// The same, and those from this number on never commit: for them the virgin history is the committed one.
-    Forgetful(usize),
+    /// The committed state and that of the last call in the step, as for some of OpenSees' laws.
+    LastCall,
+    /// As `LastCall`, and springs from this number on never commit: their committed state is the virgin one.
+    PartialCommit(usize),
 }
 
-/// Whose histories a state holds.
+/// Extent of the state variables in a state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kept {
-    /// Nobody's: all springs are virgin.
+enum StoredStates {
+    /// None: all springs are virgin.
     None,
-    /// Those of lines with the same lever, the first or the second.
+    /// One set for each line with the same lever, the first or the second.
     Lines(usize),
-    /// Each spring's.
+    /// One set for each spring.
     Each,
 }
 
-impl Kept {
-    fn of(word: f64) -> Self {
-        match word {
+impl StoredStates {
+    fn of(flag: f64) -> Self {
+        match flag {
             0.0 => Self::None,
             1.0 => Self::Lines(0),
             2.0 => Self::Lines(1),
@@ -52,7 +52,7 @@ impl Kept {
         }
     }
 
-    fn word(self) -> f64 {
+    fn flag(self) -> f64 {
         match self {
             Self::None => 0.0,
             Self::Lines(across) => 1.0 + across as f64,
@@ -60,75 +60,75 @@ impl Kept {
         }
     }
 
-    /// Whether a state can go on with histories kept so.
-    fn goes_on_as(self, next: Self) -> bool {
+    /// Returns true if a state of this extent can be updated with the extent `next`.
+    fn can_continue_as(self, next: Self) -> bool {
         self == Self::None || self == next
     }
 }
 
 /// Springs of one material over a section.
 ///
-/// In the state of their owner lie first the strains of the section, then whose histories are kept, then a word for each
-/// block of springs, then their histories, block after block. The word is 1 while all springs of the block are virgin: most of
-/// them are, for most of the time, and what is in proportion to the strain takes one product a block. The histories
-/// are then those of virgin springs, whatever their words hold.
+/// State variables of the owner are, in order: section strains; extent of the spring states; one flag per block of
+/// springs; spring states by block. The flag is 1 while all springs of a block are virgin. Their response is then
+/// proportional to the strain and takes one product a block. The stored values of such a block are unused; its state is
+/// the virgin one.
 ///
-/// While the section has bent in one plane only, one history is kept for each line of springs across it.
+/// While the section bends in one plane only, one state is stored for each line of springs normal to it.
 #[derive(Clone, Debug)]
 pub struct NormalSprings {
     material: Material,
     at: usize,
-    memory: Memory,
-    /// Length of a spring, by which its extension becomes a strain.
+    start_state: StartState,
+    /// Length of a spring: strain is extension over length.
     length: f64,
     each: Bundle,
     lines: [Option<Lines>; 2],
-    /// Largest of each lever.
-    reach: [f64; 2],
+    /// Largest size of each lever.
+    max_lever: [f64; 2],
 }
 
-/// The word of a block of virgin springs.
+/// Flag of a block of virgin springs.
 const VIRGIN: f64 = 1.0;
 
-/// Strains of a section.
+/// Number of section strains.
 const STRAINS: usize = 3;
 
-/// Words of a state: strains of the section, whose histories are kept, whether each block is virgin, histories.
-struct Words<T> {
+/// Parts of a state: section strains, extent of the spring states, flag of each block, spring states.
+struct StateParts<T> {
     strain: T,
-    kept: T,
+    stored: T,
     virgin: T,
-    histories: T,
+    states: T,
 }
 
 impl NormalSprings {
-    /// Springs of a layout, of this length, with their histories from word `at` on.
+    /// Makes springs of a layout and a length, with state variables from index `at` on.
     pub fn new(material: Material, layout: &Layout, length: f64, at: usize) -> Self {
         let lever = [layout.z.clone(), layout.y.iter().map(|y| -y).collect()];
-        let reach = lever.each_ref().map(|l| l.iter().fold(0.0f64, |m, l| m.max(l.abs())));
+        let max_lever = lever.each_ref().map(|l| l.iter().fold(0.0f64, |m, l| m.max(l.abs())));
         let each = Bundle::new(&material, (layout.area.clone(), lever), None, layout.area.len());
-        // Rates may differ along a line whose strains do not.
+        // Rates may vary along a line with constant strains.
         let lines = [0, 1].map(|across| if material.is_viscous() { None } else { Lines::of(&material, &each, across) });
-        Self { material, at, memory: Memory::Committed, length, each, lines, reach }
+        Self { material, at, start_state: StartState::Committed, length, each, lines, max_lever }
     }
 
-    /// The same springs with their histories from word `at` on.
+    /// Moves the state variables to index `at`.
     pub fn at(self, at: usize) -> Self {
         Self { at, ..self }
     }
 
-    /// The same springs, asked by an element that counts its calls.
+    /// Marks the springs as part of an element that counts its calls.
     pub fn counting_calls(self) -> Self {
-        Self { memory: Memory::Calls, ..self }
+        Self { start_state: StartState::LastCall, ..self }
     }
 
-    /// The same, of which only the first `n` commit their histories.
-    pub fn remembering(self, n: usize) -> Self {
+    /// Lets only the first `n` springs commit their state.
+    pub fn committing_first(self, n: usize) -> Self {
         let n = n.min(self.len());
         let (area, lever) = self.each.parts();
         let parts = (area.to_vec(), lever.map(<[f64]>::to_vec));
         let each = Bundle::new(&self.material, parts, None, n);
-        Self { memory: Memory::Forgetful(n), each, lines: [None, None], ..self }
+        Self { start_state: StartState::PartialCommit(n), each, lines: [None, None], ..self }
     }
 
     /// Number of springs.
@@ -136,95 +136,98 @@ impl NormalSprings {
         self.each.len()
     }
 
-    /// Whether there are none.
+    /// Returns true without springs.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Number of words that they take.
+    /// Number of state variables.
     pub fn state_len(&self) -> usize {
         STRAINS + 1 + self.each.blocks.len() + self.each.virgin.len()
     }
 
-    /// Their material.
+    /// Material of the springs.
     pub fn material(&self) -> &Material {
         &self.material
     }
 
-    fn words<'a>(&self, state: &'a [f64]) -> Words<&'a [f64]> {
+    fn parts<'a>(&self, state: &'a [f64]) -> StateParts<&'a [f64]> {
         let (strain, rest) = state[self.at..self.at + self.state_len()].split_at(STRAINS);
-        let (kept, rest) = rest.split_at(1);
-        let (virgin, histories) = rest.split_at(self.each.blocks.len());
-        Words { strain, kept, virgin, histories }
+        let (stored, rest) = rest.split_at(1);
+        let (virgin, states) = rest.split_at(self.each.blocks.len());
+        StateParts { strain, stored, virgin, states }
     }
 
-    fn words_mut<'a>(&self, state: &'a mut [f64]) -> Words<&'a mut [f64]> {
+    fn parts_mut<'a>(&self, state: &'a mut [f64]) -> StateParts<&'a mut [f64]> {
         let (strain, rest) = state[self.at..self.at + self.state_len()].split_at_mut(STRAINS);
-        let (kept, rest) = rest.split_at_mut(1);
-        let (virgin, histories) = rest.split_at_mut(self.each.blocks.len());
-        Words { strain, kept, virgin, histories }
+        let (stored, rest) = rest.split_at_mut(1);
+        let (virgin, states) = rest.split_at_mut(self.each.blocks.len());
+        StateParts { strain, stored, virgin, states }
     }
 
-    /// Write the virgin state.
+    /// Writes the virgin state variables.
     pub fn init(&self, state: &mut [f64]) {
-        let w = self.words_mut(state);
+        let w = self.parts_mut(state);
         w.strain.fill(0.0);
-        w.kept[0] = Kept::None.word();
+        w.stored[0] = StoredStates::None.flag();
         w.virgin.fill(VIRGIN);
-        w.histories.copy_from_slice(&self.each.virgin);
+        w.states.copy_from_slice(&self.each.virgin);
     }
 
-    /// The springs, or lines of them, whose histories are kept.
-    fn bundle(&self, kept: Kept) -> &Bundle {
-        match kept {
-            Kept::Lines(across) => self.lines[across].as_ref().map_or(&self.each, |l| &l.bundle),
-            Kept::None | Kept::Each => &self.each,
+    /// The springs, or lines of them, with stored states.
+    fn bundle(&self, stored: StoredStates) -> &Bundle {
+        match stored {
+            StoredStates::Lines(across) => self.lines[across].as_ref().map_or(&self.each, |l| &l.bundle),
+            StoredStates::None | StoredStates::Each => &self.each,
         }
     }
 
-    /// Take over their histories of a trial state.
+    /// Copies the state variables of a trial state.
     pub fn commit(&self, trial: &[f64], committed: &mut [f64]) {
-        let (from, to) = (self.words(trial), self.words_mut(committed));
+        let (from, to) = (self.parts(trial), self.parts_mut(committed));
         to.strain.copy_from_slice(from.strain);
-        to.kept.copy_from_slice(from.kept);
-        let kept = Kept::of(from.kept[0]);
-        if kept == Kept::None {
+        to.stored.copy_from_slice(from.stored);
+        let stored = StoredStates::of(from.stored[0]);
+        if stored == StoredStates::None {
             return;
         }
         to.virgin.copy_from_slice(from.virgin);
-        for (block, _) in self.bundle(kept).blocks.iter().zip(from.virgin).filter(|(_, v)| **v != VIRGIN) {
-            let places = self.places(&block.springs);
-            to.histories[places.clone()].copy_from_slice(&from.histories[places]);
+        for (block, _) in self.bundle(stored).blocks.iter().zip(from.virgin).filter(|(_, v)| **v != VIRGIN) {
+            let state_range = self.state_range(&block.springs);
+            to.states[state_range.clone()].copy_from_slice(&from.states[state_range]);
         }
     }
 
-    /// Where the histories of a block lie among all.
-    fn places(&self, springs: &Range<usize>) -> Range<usize> {
-        let words = self.material.state_len();
-        springs.start * words..springs.end * words
+    /// Range of the state variables of a block.
+    fn state_range(&self, springs: &Range<usize>) -> Range<usize> {
+        let len = self.material.state_len();
+        springs.start * len..springs.end * len
     }
 
-    /// Whose histories are to be kept at strains, after those of the committed state and of the last call.
-    fn keep(&self, before: Kept, last: Kept, strain: [f64; 3]) -> Kept {
-        let turned = [strain[1].abs() * self.reach[0], strain[2].abs() * self.reach[1]];
-        let largest = strain[0].abs() + turned[0] + turned[1];
+    /// Extent of the states to store at section strains, after the committed state and the last call.
+    fn next_stored(&self, before: StoredStates, last: StoredStates, strain: [f64; 3]) -> StoredStates {
+        let bending = [strain[1].abs() * self.max_lever[0], strain[2].abs() * self.max_lever[1]];
+        let largest = strain[0].abs() + bending[0] + bending[1];
         let lines = |across: usize| {
-            let kept = Kept::Lines(across);
-            let held = self.lines[across].as_ref().is_some_and(|l| l.hold(strain, largest));
-            (held && before.goes_on_as(kept) && last.goes_on_as(kept)).then_some(kept)
+            let stored = StoredStates::Lines(across);
+            let equal_strains = self.lines[across].as_ref().is_some_and(|l| l.has_equal_strains(strain, largest));
+            (equal_strains && before.can_continue_as(stored) && last.can_continue_as(stored)).then_some(stored)
         };
-        let first = usize::from(turned[1] > turned[0]);
-        lines(first).or_else(|| lines(1 - first)).unwrap_or(Kept::Each)
+        let first = usize::from(bending[1] > bending[0]);
+        lines(first).or_else(|| lines(1 - first)).unwrap_or(StoredStates::Each)
     }
 
-    /// Histories of all springs from those of lines, if it is lines that are kept.
-    fn spread(&self, kept: Kept, virgin: &[f64], histories: &[f64]) -> Option<Vec<f64>> {
-        let Kept::Lines(across) = kept else { return None };
+    /// States of all springs from those of lines; `None` unless `stored` is lines.
+    fn spread(&self, stored: StoredStates, virgin: &[f64], states: &[f64]) -> Option<Vec<f64>> {
+        let StoredStates::Lines(across) = stored else { return None };
         let virgin: Vec<bool> = virgin.iter().map(|v| *v == VIRGIN).collect();
-        Some(self.lines[across].as_ref()?.spread(&self.material, &self.each, &virgin, histories))
+        Some(self.lines[across].as_ref()?.spread(&self.material, &self.each, &virgin, states))
     }
 
-    /// Forces at deformations: extension, rotations about y and z; with the rates of these.
+    /// Forces at deformations (extension, rotations about y and z) and their rates.
+    ///
+    /// # Errors
+    /// Errors of the material.
     pub fn respond(
         &self,
         committed: &[f64],
@@ -234,68 +237,72 @@ impl NormalSprings {
         trial: &mut [f64],
     ) -> Result<Section, MaterialError> {
         let [strain, rate] = [deformation, rate].map(|e| e.map(|e| e / self.length));
-        let (old, new) = (self.words(committed), self.words_mut(trial));
+        let (old, new) = (self.parts(committed), self.parts_mut(trial));
         new.strain.copy_from_slice(&strain);
-        let calls = self.memory != Memory::Committed;
+        let calls = self.start_state != StartState::Committed;
         let before = calls.then(|| [old.strain[0], old.strain[1], old.strain[2]]);
-        let at = At { before, strain, rate, dt };
-        let kept_before = Kept::of(old.kept[0]);
-        let kept_last = if calls { Kept::of(new.kept[0]) } else { Kept::None };
-        let start = if calls { kept_last } else { kept_before };
-        if let (Kept::None, Some(all)) = (start, &self.each.whole)
+        let at = SectionStrains { before, strain, rate, dt };
+        let stored_committed = StoredStates::of(old.stored[0]);
+        let stored_last = if calls { StoredStates::of(new.stored[0]) } else { StoredStates::None };
+        let start = if calls { stored_last } else { stored_committed };
+        if let (StoredStates::None, Some(all)) = (start, &self.each.whole)
             && let Some(tangent) = self.material.virgin_tangent(all.range(strain))
         {
-            new.kept[0] = Kept::None.word();
+            new.stored[0] = StoredStates::None.flag();
             return Ok(self.section(&all.moments.map(|m| tangent * m), Sum::default(), strain));
         }
-        let kept = self.keep(kept_before, kept_last, strain);
-        let bundle = self.bundle(kept);
-        // Springs that no longer move as lines go on from the histories of their lines.
-        let spread = if kept == Kept::Each { self.spread(kept_before, old.virgin, old.histories) } else { None };
-        let histories = spread.as_deref().unwrap_or(old.histories);
-        let was_virgin = |block: usize| kept_before == Kept::None || spread.is_none() && old.virgin[block] == VIRGIN;
-        if Kept::of(new.kept[0]) != kept {
-            let spread = if kept == Kept::Each { self.spread(kept_last, new.virgin, new.histories) } else { None };
+        let stored = self.next_stored(stored_committed, stored_last, strain);
+        let bundle = self.bundle(stored);
+        // Springs that leave their line start from the state of the line.
+        let spread =
+            if stored == StoredStates::Each { self.spread(stored_committed, old.virgin, old.states) } else { None };
+        let states = spread.as_deref().unwrap_or(old.states);
+        let was_virgin =
+            |block: usize| stored_committed == StoredStates::None || spread.is_none() && old.virgin[block] == VIRGIN;
+        if StoredStates::of(new.stored[0]) != stored {
+            let spread =
+                if stored == StoredStates::Each { self.spread(stored_last, new.virgin, new.states) } else { None };
             new.virgin.fill(if spread.is_some() { 0.0 } else { VIRGIN });
             if let Some(all) = spread {
-                new.histories.copy_from_slice(&all);
+                new.states.copy_from_slice(&all);
             }
-            new.kept[0] = kept.word();
+            new.stored[0] = stored.flag();
         }
-        // What is in proportion to the strains, and the rest.
-        let (mut straight, mut sum) = ([0.0; 6], Sum::default());
+        // Sums for springs proportional to their strain, and for the others.
+        let (mut proportional, mut sum) = ([0.0; 6], Sum::default());
         for (n, (block, virgin)) in bundle.blocks.iter().zip(&mut *new.virgin).enumerate() {
             let starts_virgin = if calls { *virgin == VIRGIN } else { was_virgin(n) };
             let tangent = if starts_virgin { self.material.virgin_tangent(block.range(strain)) } else { None };
             if let Some(tangent) = tangent {
-                add_to(&mut straight, &block.moments.map(|m| tangent * m));
+                add_to(&mut proportional, &block.moments.map(|m| tangent * m));
                 *virgin = VIRGIN;
                 continue;
             }
-            let places = self.places(&block.springs);
-            let (next, fresh) = (&mut new.histories[places.clone()], &bundle.virgin[places.clone()]);
+            let state_range = self.state_range(&block.springs);
+            let (next, virgin_state) = (&mut new.states[state_range.clone()], &bundle.virgin[state_range.clone()]);
             if *virgin == VIRGIN {
-                next.copy_from_slice(fresh);
+                next.copy_from_slice(virgin_state);
             }
-            let forgets = matches!(self.memory, Memory::Forgetful(cut) if block.springs.start >= cut);
-            let old = if forgets || was_virgin(n) { fresh } else { &histories[places] };
-            let at = if forgets { At { before: Some([0.0; 3]), ..at } } else { at };
+            let never_commits =
+                matches!(self.start_state, StartState::PartialCommit(cut) if block.springs.start >= cut);
+            let old = if never_commits || was_virgin(n) { virgin_state } else { &states[state_range] };
+            let at = if never_commits { SectionStrains { before: Some([0.0; 3]), ..at } } else { at };
             bundle.respond(&self.material, block, &at, old, next, &mut sum)?;
             *virgin = if self.material.are_virgin(next) { VIRGIN } else { 0.0 };
         }
         if new.virgin[..bundle.blocks.len()].iter().all(|v| *v == VIRGIN) {
-            new.kept[0] = Kept::None.word();
+            new.stored[0] = StoredStates::None.flag();
         }
-        Ok(self.section(&straight, sum, strain))
+        Ok(self.section(&proportional, sum, strain))
     }
 
-    /// Of the moments of the tangent where springs are in proportion to their strains, and the sums over the others.
-    fn section(&self, straight: &[f64; 6], mut sum: Sum, strain: [f64; 3]) -> Section {
+    /// Section response from the tangent moments of proportional springs and the sums over the others.
+    fn section(&self, proportional: &[f64; 6], mut sum: Sum, strain: [f64; 3]) -> Section {
         let mut force = sum.force;
-        for (f, row) in force.iter_mut().zip(PLACES) {
-            *f += row.iter().zip(strain).map(|(&place, e)| straight[place] * e).sum::<f64>();
+        for (f, row) in force.iter_mut().zip(MOMENT_INDICES) {
+            *f += row.iter().zip(strain).map(|(&place, e)| proportional[place] * e).sum::<f64>();
         }
-        add_to(&mut sum.stiffness, straight);
+        add_to(&mut sum.stiffness, proportional);
         let viscous = self.material.is_viscous();
         let damping = if viscous { self.matrix(sum.damping) } else { [[0.0; 3]; 3] };
         Section { force, stiffness: self.matrix(sum.stiffness), damping }
@@ -309,7 +316,7 @@ impl NormalSprings {
         self.matrix(moments.map(|m| e * m))
     }
 
-    /// Matrix of moments, by the length of the springs.
+    /// Section matrix from moments, divided by the length of the springs.
     fn matrix(&self, moments: [f64; 6]) -> [[f64; 3]; 3] {
         let [a, b, c, d, e, f] = moments.map(|m| m / self.length);
         [[a, b, c], [b, d, e], [c, e, f]]
