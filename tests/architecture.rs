@@ -12,7 +12,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     (
         "engine",
         &[
-            "words",
+            "state_struct",
             "numeric",
             "number_format",
             "probe",
