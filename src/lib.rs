@@ -50,7 +50,8 @@
 
 pub use hysteron_diagnose as diagnose;
 pub use hysteron_engine::{
-    analysis, assembly, element, material, model, number_format, numeric, probe, record, section, series, solve, words,
+    analysis, assembly, element, material, model, number_format, numeric, probe, record, section, series, solve,
+    state_struct,
 };
 pub use hysteron_identify::{calibrate, measure, protocol, report, study};
 pub use hysteron_opensees::{self as opensees, run};

@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, unreachable_pub)]
 
+#[path = "analysis/amended.rs"]
+mod amended;
 #[path = "analysis/columns.rs"]
 mod columns;
 #[path = "analysis/constraints.rs"]
@@ -14,6 +16,8 @@ mod materials;
 mod model;
 #[path = "analysis/modes.rs"]
 mod modes;
+#[path = "analysis/opensees.rs"]
+mod opensees;
 #[path = "analysis/refine.rs"]
 mod refine;
 #[path = "analysis/rubber.rs"]
@@ -26,6 +30,8 @@ mod sections;
 mod statics;
 #[path = "analysis/trapezoidal.rs"]
 mod trapezoidal;
+#[path = "analysis/variable.rs"]
+mod variable;
 
 /// Whether two numbers agree to a fraction of the larger.
 #[must_use]

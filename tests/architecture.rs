@@ -123,6 +123,23 @@ fn libraries_neither_print_nor_exit_nor_panic() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
+/// An element around another one forwards every method of the trait, defaulted ones too: the lint names those that are missing.
+#[test]
+fn wrappers_of_elements_forward_every_method() {
+    const HELD: &str = "#[deny(clippy::missing_trait_methods)]";
+    let (mut wrappers, mut wrong) = (0, vec![]);
+    for (path, text) in sources("crates").into_iter().filter(|(_, text)| text.contains(": Arc<dyn Element>,\n")) {
+        for (at, _) in text.match_indices("\nimpl Element for ") {
+            wrappers += 1;
+            if text[..at].lines().last() != Some(HELD) {
+                wrong.push(path.display().to_string());
+            }
+        }
+    }
+    assert!(wrappers >= 2, "only {wrappers} found");
+    assert!(wrong.is_empty(), "{HELD} is missing in\n{}", wrong.join("\n"));
+}
+
 #[test]
 fn files_are_small() {
     let mut long = vec![];

@@ -2,41 +2,18 @@
 //! other with certainty.
 
 #![cfg(unix)]
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, unreachable_pub)]
 
-use hysteron::analysis::Options;
-use hysteron::diagnose::{CheckpointEntry, Diagnosis, ProgressMonitor, Settings, diagnose};
-use hysteron::diagnostic::SourceMap;
-use hysteron::study::{ScriptSimulator, Study};
+#[path = "support/studies.rs"]
+mod studies;
+
+use hysteron::diagnose::{CheckpointEntry, Diagnosis, Settings, hypothesis};
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use studies::{CheckpointRecorder, Noise, PAD, SHAKEN};
 
-/// A pad under imposed displacement: a spring that yields and one that does not.
-const MODEL: &str = "wipe\nmodel basic -ndm 1 -ndf 1\npset Fy 9.0\npset k 300.0\nnode 1 0.\nnode 2 0.\nfix 1 1\n\
-    uniaxialMaterial Steel01 1 $Fy 2000.0 0.0\nuniaxialMaterial Elastic 2 $k\nuniaxialMaterial Parallel 3 1 2\n\
-    element zeroLength 1 1 2 -mat 3 -dir 1\ntimeSeries Path 1 -dt $dt -filePath $motion\n\
-    pattern Plain 1 1 { sp 2 1 1.0 }\nrecorder Element -file force.out -time -ele 1 force\n\
-    constraints Transformation\ntest NormDispIncr 1e-10 30\nalgorithm Newton\nintegrator LoadControl $dt\n\
-    analysis Static\nfor {set i 1} {$i < $npts} {incr i} { if {[analyze 1] != 0} { error \"no convergence\" } }\n";
 const DT: f64 = 0.02;
-
-/// Noise of a load cell.
-struct Noise(u64);
-
-impl Noise {
-    fn next(&mut self) -> f64 {
-        let mut uniform = || {
-            self.0 ^= self.0 << 13;
-            self.0 ^= self.0 >> 7;
-            self.0 ^= self.0 << 17;
-            (self.0 >> 11) as f64 / (1u64 << 53) as f64
-        };
-        (0..12).map(|_| uniform()).sum::<f64>() - 6.0
-    }
-}
 
 /// Force of an elastic-plastic spring beside an elastic one along a path, by its own formula.
 fn pad(path: &[f64]) -> Vec<f64> {
@@ -59,13 +36,13 @@ fn study_of(name: &str, shows: impl Fn(&[f64], &[f64]) -> Vec<f64>) -> PathBuf {
 fn clipped_study(name: &str, shows: impl Fn(&[f64], &[f64]) -> Vec<f64>, [low, high]: [f64; 2]) -> PathBuf {
     let dir = std::env::temp_dir().join(format!("hysteron-diagnose-{name}-{}", std::process::id()));
     fs::create_dir_all(&dir).unwrap();
-    fs::write(dir.join("model.tcl"), MODEL).unwrap();
+    fs::write(dir.join("model.tcl"), PAD).unwrap();
     let mut study = "model = \"model.tcl\"\n[[parameter]]\nname = \"Fy\"\nlower = 4.0\nupper = 25.0\n\
                      [[parameter]]\nname = \"k\"\nlower = 100.0\nupper = 600.0\n"
         .to_owned();
     let growing = |t: f64| 0.006 * t * (4.0 * t).sin();
     let mixed = |t: f64| 0.03 * (2.5 * t).sin() + 0.02 * (7.0 * t).sin();
-    let mut noise = Noise(88172645463325252);
+    let mut noise = Noise::default();
     for (run, role, motion) in [("growing", "fit", &growing as &dyn Fn(f64) -> f64), ("mixed", "holdout", &mixed)] {
         let path: Vec<f64> = (0..400).map(|i| motion(DT * f64::from(i))).collect();
         let force = shows(&path, &pad(&path));
@@ -88,44 +65,18 @@ fn clipped_study(name: &str, shows: impl Fn(&[f64], &[f64]) -> Vec<f64>, [low, h
     dir
 }
 
-/// Keeps the results, and cancels after `max_entries`.
-struct Recorder {
-    entries: Vec<CheckpointEntry>,
-    max_entries: usize,
-}
-
-impl ProgressMonitor for Recorder {
-    fn stage(&mut self, _: &str, _: usize, _: usize) {}
-    fn is_cancelled(&self) -> bool {
-        self.entries.len() >= self.max_entries
-    }
-    fn checkpoint(&mut self, entries: &[CheckpointEntry]) {
-        self.entries = entries.to_vec();
-    }
-}
-
 fn attempt(
     dir: &Path,
     without: &[&str],
     checkpoint: Vec<CheckpointEntry>,
-    recorder: &mut Recorder,
+    recorder: &mut CheckpointRecorder,
 ) -> Result<Diagnosis, String> {
-    let text = fs::read_to_string(dir.join("model.tcl")).unwrap();
-    let mut sources = SourceMap::default();
-    let study = Arc::new(Study::load(&dir.join("study.toml"), &mut sources).unwrap());
-    let mut simulator = ScriptSimulator::new(study, Options::default(), Arc::new(AtomicBool::new(false)));
-    let opening = simulator.open(&mut sources).unwrap();
-    let settings = Settings {
-        excluded_causes: without.iter().map(|w| (*w).to_owned()).collect(),
-        threads: 2,
-        checkpoint,
-        ..Settings::default()
-    };
-    diagnose(&simulator, &opening, &text, &settings, recorder)
+    let excluded_causes = without.iter().map(|w| (*w).to_owned()).collect();
+    studies::attempt(dir, &Settings { excluded_causes, threads: 2, checkpoint, ..Settings::default() }, recorder)
 }
 
 fn diagnosed(dir: &Path, without: &[&str]) -> Diagnosis {
-    attempt(dir, without, vec![], &mut Recorder { entries: vec![], max_entries: usize::MAX }).unwrap()
+    attempt(dir, without, vec![], &mut CheckpointRecorder::unlimited()).unwrap()
 }
 
 /// Run the repaired script by itself, as another script that sets the variables of a run and sources it.
@@ -152,11 +103,11 @@ fn complete_model_has_no_cause_and_resumes_to_the_bit() {
     runs_by_itself(&dir, &d);
 
     // Interrupted, saved and resumed: the same to the last digit with fewer evaluations.
-    let mut recorder = Recorder { entries: vec![], max_entries: 30 };
+    let mut recorder = CheckpointRecorder { entries: vec![], max_entries: 30 };
     assert_eq!(attempt(&dir, &[], vec![], &mut recorder).err().unwrap(), "interrupted");
     let entries: Vec<CheckpointEntry> =
         serde_json::from_str(&serde_json::to_string(&recorder.entries).unwrap()).unwrap();
-    let again = attempt(&dir, &[], entries, &mut Recorder { entries: vec![], max_entries: usize::MAX }).unwrap();
+    let again = attempt(&dir, &[], entries, &mut CheckpointRecorder::unlimited()).unwrap();
     assert_eq!(serde_json::to_string(&again.outcome).unwrap(), serde_json::to_string(&d.outcome).unwrap());
     assert!(again.evaluations < d.evaluations, "{} {}", again.evaluations, d.evaluations);
 
@@ -164,7 +115,7 @@ fn complete_model_has_no_cause_and_resumes_to_the_bit() {
     let mut others = serde_json::to_value(&recorder.entries).unwrap();
     others.as_array_mut().unwrap().iter_mut().skip(3).for_each(|k| k["job"] = 1.into());
     let others: Vec<CheckpointEntry> = serde_json::from_value(others).unwrap();
-    let again = attempt(&dir, &[], others, &mut Recorder { entries: vec![], max_entries: usize::MAX }).unwrap();
+    let again = attempt(&dir, &[], others, &mut CheckpointRecorder::unlimited()).unwrap();
     assert_eq!(serde_json::to_string(&again.outcome).unwrap(), serde_json::to_string(&d.outcome).unwrap());
     let _ = fs::remove_dir_all(dir);
 }
@@ -250,16 +201,6 @@ fn an_axial_force_from_overturning_is_found() {
     let _ = fs::remove_dir_all(dir);
 }
 
-/// A mass on a spring that yields, shaken; its steps are a thirtieth of its period.
-const SHAKEN: &str = "wipe\nmodel basic -ndm 1 -ndf 1\npset k 400.0\npset uy 0.02\nnode 1 0.\nnode 2 0. -mass 1.0\nfix 1 1\n\
-    uniaxialMaterial Elastic 1 [expr {0.6*$k}]\n\
-    uniaxialMaterial BoucWen 2 0.0 [expr {0.4*$k}] 1.0 [expr {0.5/$uy}] [expr {0.5/$uy}] 1.0 0.0 0.0 0.0\n\
-    uniaxialMaterial Parallel 3 1 2\nelement zeroLength 1 1 2 -mat 3 -dir 1\n\
-    timeSeries Path 1 -dt $dt -filePath $motion\npattern UniformExcitation 1 1 -accel 1\n\
-    recorder Node -file disp.out -time -node 2 -dof 1 disp\n\
-    constraints Plain\nsystem FullGeneral\ntest NormDispIncr 1e-10 30\nalgorithm Newton\nintegrator Newmark 0.5 0.25\n\
-    analysis Transient\nfor {set i 1} {$i < $npts} {incr i} { if {[analyze 1 $dt] != 0} { error \"no convergence\" } }\n";
-
 /// Step of the script under earthquakes.
 const STEP: f64 = 0.01;
 
@@ -305,7 +246,7 @@ fn shaken_study(
     for (parameter, lower, upper) in parameters {
         write!(study, "[[parameter]]\nname = \"{parameter}\"\nlower = {lower:?}\nupper = {upper:?}\n").unwrap();
     }
-    let mut noise = Noise(88172645463325252);
+    let mut noise = Noise::default();
     for (run, role, tones) in [("first", "fit", [6.0, 11.0, 17.0]), ("second", "holdout", [5.0, 13.0, 19.0])] {
         let at = |t: f64| tones.iter().map(|w| 2.0 * (w * t + w * w).sin()).sum::<f64>() * (-0.1 * t).exp();
         let ground: Vec<f64> = (0..n).map(|i| at(STEP * f64::from(i))).collect();
@@ -455,4 +396,19 @@ fn a_recording_without_a_clock_shows_no_rate_dependence() {
     let named = |cause: &str| verdict.cause == cause || verdict.also_possible.iter().any(|c| c.cause == cause);
     assert!(!named("rate_dependence") && !named("self_heating"), "{verdict:?}");
     let _ = fs::remove_dir_all(dir);
+}
+
+/// The page of causes quotes the library.
+#[test]
+fn the_page_of_causes_is_that_of_the_library() {
+    let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/reference/causes.md")).unwrap();
+    for h in hypothesis::ALL {
+        let row = format!("| `{}` | {} | {} |", h.cause, h.statement, h.refuted_by);
+        assert!(page.contains(&row), "{row}");
+        let like: Vec<String> = h.look_alikes.iter().map(|cause| format!("`{cause}`")).collect();
+        let like = if like.is_empty() { "none".to_owned() } else { like.join(", ") };
+        assert!(page.contains(&format!("| `{}` | {like} |\n", h.cause)), "look-alikes of {}", h.cause);
+    }
+    let named = page.lines().filter(|line| line.starts_with("| `")).count();
+    assert_eq!(named, 2 + 3 * hypothesis::ALL.len(), "a row of each cause in each of three tables, and none, unknown");
 }

@@ -1,14 +1,14 @@
 //! `hysteron diagnose`.
 
 use super::args::DiagnoseArgs;
-use super::files::{SAVE_EVERY, place};
+use super::files::{CHECKPOINT_INTERVAL, write_atomically};
 use super::messages::Messages;
 use hysteron::analysis::Options;
 use hysteron::diagnose::{
     CheckpointEntry, Diagnosis, ProgressMonitor, Settings, diagnose, hypothesis, identity, report,
 };
 use hysteron::diagnostic::{Diagnostic, Severity, SourceMap, nearest};
-use hysteron::study::{Opening, ScriptSimulator, Study};
+use hysteron::study::{InitialRun, ScriptSimulator, Study};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::{Deserialize, Serialize};
 use std::fs;
@@ -39,7 +39,7 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
     }
     let mut sources = SourceMap::default();
     let show = |d: &Diagnostic, sources: &SourceMap| eprintln!("{}\n", Messages::new().render(d, sources));
-    let (simulator, opening) = match prepare(args, &stop, &mut sources) {
+    let (simulator, initial_run) = match prepare(args, &stop, &mut sources) {
         Ok(prepared) => prepared,
         Err(d) => {
             show(&d, &sources);
@@ -47,13 +47,13 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
         }
     };
     let study = simulator.study().clone();
-    for w in study.warnings.iter().chain(&opening.warnings).filter(|w| w.severity != Severity::Note) {
+    for w in study.warnings.iter().chain(&initial_run.warnings).filter(|w| w.severity != Severity::Note) {
         show(w, &sources);
     }
     let dir = args.out.clone().unwrap_or_else(|| "results".into());
     let saved = dir.join(CHECKPOINT_FILE);
     let found = fs::read_to_string(study.folder.join(&study.model)).map_err(|e| e.to_string()).and_then(|text| {
-        let identity = identity(&simulator, &opening, &text, &args.without);
+        let identity = identity(&simulator, &initial_run, &text, &args.without);
         let checkpoint = if args.resume { read_checkpoint(&saved, identity)? } else { vec![] };
         fs::create_dir_all(&dir).map_err(|e| format!("cannot make {}: {e}", dir.display()))?;
         let threads = args.threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
@@ -64,7 +64,7 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
             checkpoint,
         };
         let mut monitor = ConsoleMonitor::new(stop.clone(), saved.clone(), identity);
-        let found = diagnose(&simulator, &opening, &text, &settings, &mut monitor);
+        let found = diagnose(&simulator, &initial_run, &text, &settings, &mut monitor);
         monitor.bar.finish_and_clear();
         found.map(|d| (report(&d, &study, &text), d))
     });
@@ -89,12 +89,12 @@ fn prepare(
     args: &DiagnoseArgs,
     stop: &Arc<AtomicBool>,
     sources: &mut SourceMap,
-) -> Result<(ScriptSimulator, Opening), Box<Diagnostic>> {
+) -> Result<(ScriptSimulator, InitialRun), Box<Diagnostic>> {
     let study = Arc::new(Study::load(&args.study, sources)?);
     let options = Options { compat: args.compat.is_some(), ladder: None, ..Options::default() };
     let mut simulator = ScriptSimulator::new(study, options, stop.clone());
-    let opening = simulator.open(sources)?;
-    Ok((simulator, opening))
+    let initial_run = simulator.run_initially(sources)?;
+    Ok((simulator, initial_run))
 }
 
 /// File of an interrupted diagnosis.
@@ -121,16 +121,16 @@ fn read_checkpoint(saved: &Path, identity: u64) -> Result<Vec<CheckpointEntry>, 
 
 /// Writes the files of a diagnosis.
 fn write(dir: &Path, d: &Diagnosis, report: &str) -> Result<(), String> {
-    place(&dir.join("corrected.tcl"), &d.repaired_script)?;
-    place(&dir.join("report.html"), report)?;
+    write_atomically(&dir.join("corrected.tcl"), &d.repaired_script)?;
+    write_atomically(&dir.join("report.html"), report)?;
     for (name, motion) in d.next_test.iter().flat_map(|t| &t.motions) {
-        place(&dir.join(name), motion)?;
+        write_atomically(&dir.join(name), motion)?;
     }
     if let Some(test) = &d.next_test {
-        place(&dir.join("next_test.tcl"), &test.script)?;
+        write_atomically(&dir.join("next_test.tcl"), &test.script)?;
     }
     let json = serde_json::to_string_pretty(&d.outcome).map_err(|e| e.to_string())?;
-    place(&dir.join("diagnosis.json"), &(json + "\n"))
+    write_atomically(&dir.join("diagnosis.json"), &(json + "\n"))
 }
 
 /// Prints the verdict, the errors and, if `verbose`, the ranking.
@@ -194,13 +194,13 @@ impl ProgressMonitor for ConsoleMonitor {
     }
 
     fn checkpoint(&mut self, entries: &[CheckpointEntry]) {
-        if self.last_save.elapsed() < SAVE_EVERY && !self.is_cancelled() {
+        if self.last_save.elapsed() < CHECKPOINT_INTERVAL && !self.is_cancelled() {
             return;
         }
         self.last_save = Instant::now();
         let checkpoint = Checkpoint { identity: self.identity, entries: entries.to_vec() };
         let text = serde_json::to_string(&checkpoint).map_err(|e| e.to_string());
-        if let Err(message) = text.and_then(|text| place(&self.saved, &text)) {
+        if let Err(message) = text.and_then(|text| write_atomically(&self.saved, &text)) {
             self.bar.suspend(|| eprintln!("warning: no checkpoint: {message}"));
         }
     }

@@ -1,9 +1,9 @@
-//! Materials through their commands: the bench, what recorders show, what is refused.
+//! Materials through their commands: tests of one material, recorders, refusals.
 
 use super::script::{Script, run};
 
 #[test]
-fn a_material_on_the_bench() {
+fn material_is_tested_by_itself() {
     let ran = run("uniaxialMaterial Hardening 1 200.0 2.0 0.0 20.0
         uniaxialMaterial Elastic 2 50.0 3.0
         testUniaxialMaterial 1
@@ -45,6 +45,42 @@ fn parts_of_a_material_answer_recorders() {
     for (a, b) in got.into_iter().zip(expected) {
         assert!((a - b).abs() < 1e-9, "{a} for {b}");
     }
+}
+
+/// A wrapper shows the strain with the initial one, and passes parameters on.
+#[test]
+fn materials_around_others_show_and_change_them() {
+    for around in [
+        "Fatigue 6 5 -E0 0.2",
+        "MinMax 6 5 -max 1.",
+        "Mullins 6 5 0. 0.1",
+        "InitStrain 6 5 0.",
+        "Fatigue 7 5 -E0 0.2; uniaxialMaterial MinMax 6 7 -max 1.",
+    ] {
+        let ran = run(&format!(
+            "model basic -ndm 1 -ndf 1; node 1 0; node 2 0; fix 1 1
+            uniaxialMaterial Elastic 1 100.; uniaxialMaterial InitStrain 5 1 0.02; uniaxialMaterial {around}
+            element zeroLength 1 1 2 -mat 6 -dir 1; parameter 1 element 1 material 1 E
+            timeSeries Constant 1; pattern Plain 1 1 {{ load 2 3. }}
+            constraints Plain; numberer Plain; system FullGeneral; test NormUnbalance 1e-9 20; algorithm Newton
+            integrator LoadControl 1.; analysis Static; analyze 1
+            puts \"[nodeDisp 2 1] [eleResponse 1 material 1 strain]\"
+            updateParameter 1 300.; analyze 1
+            puts \"[nodeDisp 2 1] [eleResponse 1 material 1 strain]\""
+        ));
+        assert!(ran.warnings().is_empty(), "{around}: {:?}", ran.warnings());
+        let n = ran.numbers();
+        for (a, b) in n.iter().zip([0.01, 0.03, -0.01, 0.01]) {
+            assert!((a - b).abs() < 1e-9, "{around}: {n:?}");
+        }
+    }
+    // A bar with a section.
+    let ran = run("model basic -ndm 1 -ndf 1; node 1 0; node 2 2; fix 1 1
+        section Elastic 1 100. 2. 1.; element trussSection 1 1 2 1; parameter 1 element 1 E
+        timeSeries Constant 1; pattern Plain 1 1 { load 2 3. }
+        constraints Plain; numberer Plain; system FullGeneral; test NormUnbalance 1e-9 20; algorithm Newton
+        integrator LoadControl 1.; analysis Static; updateParameter 1 300.; analyze 1; puts [nodeDisp 2 1]");
+    assert!(ran.warnings().is_empty() && (ran.numbers()[0] - 0.01).abs() < 1e-12, "{} {:?}", ran.out, ran.warnings());
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use super::close;
 use super::script::{Ran, Script, run};
+use hysteron::analysis::RecoveryStrategy;
 
 fn refined(text: &str, refine: u32) -> Ran {
     let mut script = Script::default();
@@ -50,9 +51,9 @@ fn parts_are_shorter_steps() {
     }
 }
 
-/// What cannot be divided is made as it is.
+/// A step that cannot be divided is taken whole.
 #[test]
-fn a_path_that_seeks_its_own_steps_keeps_them() {
+fn arc_length_steps_are_not_divided() {
     let script = format!(
         "{MOVED}pattern Plain 1 {{Linear}} {{ load 2 1.0 }}\nintegrator ArcLength 0.01 1.0; analysis Static; analyze 20
         puts \"[nodeDisp 2 1] [getTime]\""
@@ -61,7 +62,7 @@ fn a_path_that_seeks_its_own_steps_keeps_them() {
     assert!(close(parts[0], steps[0], 1e-9) && close(parts[1], steps[1], 1e-9), "{parts:?} {steps:?}");
 }
 
-/// Where a later part fails nothing is committed.
+/// Nothing is committed if a later part of a step fails.
 #[test]
 fn a_step_fails_as_a_whole() {
     // It carries 1.5: half of the second step is possible.
@@ -77,9 +78,50 @@ fn a_step_fails_as_a_whole() {
     assert!(close(numbers[2], 0.8, 1e-12) && close(numbers[3], 0.008, 1e-9), "{numbers:?}");
 }
 
-/// Tests are passed closer: what a loose one leaves is seen.
+/// A failed step leaves the multipliers of `constraints Lagrange` as they were: none before the first step.
 #[test]
-fn tests_are_passed_closer() {
+fn a_step_with_multipliers_is_tried_again() {
+    // It carries 1.5: the first step is too much, the second is not.
+    let script = |kind: &str| {
+        format!(
+            "model basic -ndm 1 -ndf 1; node 1 0; node 2 0; node 3 0; fix 1 1; equalDOF 2 3 1
+            mass 2 1.; mass 3 1.
+            uniaxialMaterial ElasticPP 1 100. 0.015; element zeroLength 1 1 2 -mat 1 -dir 1
+            pattern Plain 1 Linear {{ load 3 1.0 }}
+            constraints Lagrange; numberer Plain; system FullGeneral; test NormUnbalance 1e-9 10; algorithm Newton
+            {kind}"
+        )
+    };
+    let pushed = script(
+        "integrator LoadControl 2.0; analysis Static; set first [analyze 1]
+        integrator LoadControl 0.8
+        puts \"$first [analyze 1] [getTime] [nodeDisp 3 1] [lindex [eleResponse 1 force] 1]\"",
+    );
+    // The first correction is never so small.
+    let shaken = script(
+        "test NormDispIncr 1e-300 1; integrator Newmark 0.5 0.25; analysis Transient; set first [analyze 1 0.1]
+        test NormUnbalance 1e-9 10; algorithm Newton
+        puts \"$first [analyze 1 0.8] [getTime] [nodeDisp 3 1] [nodeDisp 2 1]\"",
+    );
+    for ladder in [None, Some(RecoveryStrategy::default())] {
+        for refine in [1, 4] {
+            let made = |text: &str| {
+                let mut script = Script::default();
+                (script.options.refine, script.options.ladder) = (refine, ladder.clone());
+                script.run(text).numbers()
+            };
+            let n = made(&pushed);
+            assert!(n[0] < 0.0 && n[1] == 0.0 && close(n[2], 0.8, 1e-12), "{n:?}");
+            assert!(close(n[3], 0.008, 1e-9) && close(n[4], 0.8, 1e-9), "{n:?}");
+            let n = made(&shaken);
+            assert!(n[0] < 0.0 && n[1] == 0.0 && close(n[2], 0.8, 1e-12) && close(n[3], n[4], 1e-9), "{n:?}");
+        }
+    }
+}
+
+/// Refinement tightens the test: the error that a loose one leaves shows.
+#[test]
+fn refinement_tightens_the_convergence_test() {
     let left = |refine: u32| {
         let loose = MOVED.replace("test NormUnbalance 1e-11 30", "test NormUnbalance 1e-1 30");
         let script = format!(

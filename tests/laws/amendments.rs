@@ -7,15 +7,15 @@ use hysteron::element::amendment::{
     Yielding,
 };
 use hysteron::element::axes::Orientation;
-use hysteron::element::bearing::{Link, PlaneBearing, ShearParameters, SpaceBearing};
-use hysteron::element::{Answer, BarOptions, Element, ElementError, Motion, Truss};
+use hysteron::element::bearing::{BoucWenShear, Link, PlaneBearing, SpaceBearing};
+use hysteron::element::{BarOptions, Element, ElementError, ElementInput, ElementOutput, Truss};
 use hysteron::material::{Elastic, Material, Softening, Steel01};
 use nalgebra::Vector3;
 use std::sync::Arc;
 
-fn shear() -> ShearParameters {
+fn shear() -> BoucWenShear {
     let k = 8000.0;
-    ShearParameters {
+    BoucWenShear {
         k0: 0.88 * k,
         qd: 40.0,
         k2: 0.12 * k,
@@ -118,7 +118,7 @@ fn force(law: Arc<dyn Amendment>, history: impl Iterator<Item = f64>) -> Vec<f64
     force_of(shear(), law, history)
 }
 
-fn force_of(shear: ShearParameters, law: Arc<dyn Amendment>, history: impl Iterator<Item = f64>) -> Vec<f64> {
+fn force_of(shear: BoucWenShear, law: Arc<dyn Amendment>, history: impl Iterator<Item = f64>) -> Vec<f64> {
     let (axes, length) = Orientation::default().of_link(Vector3::zeros(), Vector3::new(0.0, 0.3, 0.0), true).unwrap();
     let inner = PlaneBearing::new(shear, Link::new(&axes, length, 0.5), [elastic(1e5), elastic(6e3)], 0.0, false);
     let mut e = Alone::new(Amended::new(Arc::new(inner), law, &[]).unwrap());
@@ -210,7 +210,7 @@ fn a_weaker_bearing_is_as_stiff() {
     for factor in [0.5, 1.4f64] {
         let law = Temperature { softening: -factor.ln(), at: 1.0, reference: 0.0, share };
         let weaker = force(Arc::new(law), history());
-        let right = force_of(ShearParameters { qd: factor * shear().qd, ..shear() }, untouched(), history());
+        let right = force_of(BoucWenShear { qd: factor * shear().qd, ..shear() }, untouched(), history());
         let whole = right.iter().fold(0.0f64, |m, f| m.max(f.abs()));
         assert!(whole > factor * shear().qd);
         for (k, (a, b)) in weaker.iter().zip(&right).enumerate() {
@@ -387,13 +387,14 @@ fn time_that_does_not_pass_does_not_relax() {
     element.init(&mut state);
     let mut next = state.clone();
     let (mut force, disp) = (vec![0.0; 6], [0.0, 0.0, 0.0, 0.02, 0.0, 0.0]);
-    let motion = Motion { disp: &disp, vel: &[0.0; 6], load: &[], still: false, again: false, dt: 0.0, time: 0.0 };
+    let motion =
+        ElementInput { disp: &disp, vel: &[0.0; 6], load: &[], still: false, opensees: None, dt: 0.0, time: 0.0 };
     element
         .respond(
             &motion,
             &state,
             &mut next,
-            Answer { force: &mut force, tangent: None, damping: None, part: hysteron::element::Part::ALL },
+            ElementOutput { force: &mut force, tangent: None, damping: None, part: hysteron::element::MatrixMask::ALL },
         )
         .unwrap();
     assert!(force.iter().all(|f| f.is_finite()));

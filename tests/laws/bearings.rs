@@ -2,37 +2,37 @@
 
 use super::driver::{Alone, difference, path};
 use hysteron::element::axes::Orientation;
-use hysteron::element::bearing::{Link, PlaneBearing, ShearParameters, SpaceBearing};
+use hysteron::element::bearing::{BoucWenShear, Link, PlaneBearing, SpaceBearing};
 use hysteron::material::{Elastic, ElasticPP, Material};
 use nalgebra::{Rotation3, Vector3};
 use std::sync::Arc;
 
-fn shear(eta: f64, beta: f64, gamma: f64, alpha2: f64) -> ShearParameters {
+fn shear(eta: f64, beta: f64, gamma: f64, alpha2: f64) -> BoucWenShear {
     let k = 8000.0;
-    ShearParameters { k0: 0.88 * k, qd: 40.0, k2: 0.12 * k, k3: alpha2 * k, mu: 3.0, eta, beta, gamma, compat: false }
+    BoucWenShear { k0: 0.88 * k, qd: 40.0, k2: 0.12 * k, k3: alpha2 * k, mu: 3.0, eta, beta, gamma, compat: false }
 }
 
 fn elastic(e: f64) -> (Material, i32) {
     (Arc::new(Elastic::new(e)), 1)
 }
 
-fn plane(p: ShearParameters, shear_dist: f64) -> Alone {
+fn plane(p: BoucWenShear, shear_dist: f64) -> Alone {
     let (axes, length) = Orientation::default().of_link(Vector3::zeros(), Vector3::new(0.05, 0.3, 0.0), true).unwrap();
     let moment = (Arc::new(ElasticPP::new(6000.0, 1.0, -1.0, 0.0)) as Material, 2);
     Alone::new(PlaneBearing::new(p, Link::new(&axes, length, shear_dist), [elastic(1e5), moment], 0.0, false))
 }
 
-fn space_along(p: ShearParameters, shear_dist: f64, orientation: Orientation, line: Vector3<f64>) -> Alone {
+fn space_along(p: BoucWenShear, shear_dist: f64, orientation: Orientation, line: Vector3<f64>) -> Alone {
     let (axes, length) = orientation.of_link(Vector3::zeros(), line, false).unwrap();
     let materials = [elastic(1e5), elastic(900.0), elastic(6000.0), elastic(5000.0)];
     Alone::new(SpaceBearing::new(p, Link::new(&axes, length, shear_dist), materials, 0.0, false))
 }
 
-fn space(p: ShearParameters) -> Alone {
+fn space(p: BoucWenShear) -> Alone {
     space_along(p, 0.3, Orientation::default(), Vector3::new(0.02, -0.05, 0.3))
 }
 
-fn laws() -> [(&'static str, ShearParameters); 5] {
+fn laws() -> [(&'static str, BoucWenShear); 5] {
     [
         ("eta 1", shear(1.0, 0.5, 0.5, 0.0)),
         ("eta 2", shear(2.0, 0.5, 0.5, 0.0)),

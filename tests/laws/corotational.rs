@@ -80,7 +80,7 @@ fn tangent_is_the_derivative_of_the_force() {
             let entry = |i: usize, j: usize| k[i * n + j];
             let skew = (0..n * n).map(|at| (entry(at / n, at % n) - entry(at % n, at / n)).abs()).fold(0.0, f64::max);
             let largest = k.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-            assert!(!e.element.nature().symmetric || skew < 1e-9 * largest, "{name}, bent by {size}: {skew:.1e}");
+            assert!(!e.element.traits().symmetric || skew < 1e-9 * largest, "{name}, bent by {size}: {skew:.1e}");
             e = match n {
                 6 => bar(),
                 _ => beam(name != "beam"),
@@ -129,20 +129,20 @@ fn ends_that_meet_are_an_error() {
         let mut u = vec![0.0; n];
         u[..3].copy_from_slice(line.as_slice());
         let (mut force, mut next) = (vec![0.0; n], e.state.clone());
-        let motion = hysteron::element::Motion {
+        let motion = hysteron::element::ElementInput {
             disp: &u,
             vel: &vec![0.0; n],
             load: &e.load,
             still: false,
-            again: false,
+            opensees: None,
             dt: 0.0,
             time: 0.0,
         };
-        let answer = hysteron::element::Answer {
+        let answer = hysteron::element::ElementOutput {
             force: &mut force,
             tangent: None,
             damping: None,
-            part: hysteron::element::Part::ALL,
+            part: hysteron::element::MatrixMask::ALL,
         };
         assert!(e.element.respond(&motion, &e.state, &mut next, answer).is_err());
     }

@@ -1,6 +1,6 @@
 //! Drives materials and elements by themselves.
 
-use hysteron::element::{Answer, Element, Motion, Part};
+use hysteron::element::{Element, ElementInput, ElementOutput, MatrixMask};
 use hysteron::material::{Material, Strain, Stress};
 use std::sync::Arc;
 
@@ -30,6 +30,13 @@ impl Point {
     /// Commit the last trial.
     pub fn commit(&mut self) {
         self.state.copy_from_slice(&self.next);
+    }
+
+    /// Stress at a committed strain; `None` where the law has none.
+    pub fn try_go(&mut self, strain: f64) -> Option<f64> {
+        let s = self.law.update(&self.state, Strain { value: strain, rate: 0.0, dt: 0.0 }, &mut self.next).ok()?;
+        self.commit();
+        Some(s.value)
     }
 
     pub fn go(&mut self, strain: f64) -> Stress {
@@ -64,20 +71,22 @@ impl Alone {
     pub fn trial(&mut self, disp: &[f64], vel: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let n = self.element.dofs();
         let (mut force, mut tangent) = (vec![0.0; n], vec![0.0; n * n]);
-        let motion = Motion { disp, vel, load: &self.load, still: false, again: false, dt: 0.01, time: 1.0 };
-        let answer = Answer { force: &mut force, tangent: Some(&mut tangent), damping: None, part: Part::ALL };
+        let motion = ElementInput { disp, vel, load: &self.load, still: false, opensees: None, dt: 0.01, time: 1.0 };
+        let answer =
+            ElementOutput { force: &mut force, tangent: Some(&mut tangent), damping: None, part: MatrixMask::ALL };
         self.element.respond(&motion, &self.state, &mut self.next, answer).unwrap();
         (force, tangent)
     }
 
     /// A part of the tangent at trial displacements, in a matrix that held something else before.
-    pub fn part_of_tangent(&mut self, disp: &[f64], part: Part) -> Vec<f64> {
+    pub fn part_of_tangent(&mut self, disp: &[f64], part: MatrixMask) -> Vec<f64> {
         let n = self.element.dofs();
         let (mut force, mut tangent) = (vec![0.0; n], vec![7.0; n * n]);
         part.clear(&mut tangent, n);
         let vel = vec![0.0; n];
-        let motion = Motion { disp, vel: &vel, load: &self.load, still: true, again: false, dt: 0.01, time: 1.0 };
-        let answer = Answer { force: &mut force, tangent: Some(&mut tangent), damping: None, part };
+        let motion =
+            ElementInput { disp, vel: &vel, load: &self.load, still: true, opensees: None, dt: 0.01, time: 1.0 };
+        let answer = ElementOutput { force: &mut force, tangent: Some(&mut tangent), damping: None, part };
         self.element.respond(&motion, &self.state, &mut self.next, answer).unwrap();
         tangent
     }

@@ -2,7 +2,7 @@
 
 use super::driver::{Alone, path};
 use super::script::run;
-use hysteron::element::{Part, Rows, Snapshot};
+use hysteron::element::{MatrixMask, Rows, Snapshot};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 const HEIGHT: f64 = 0.25;
@@ -246,7 +246,7 @@ fn a_part_of_the_tangent_is_as_in_the_whole() {
             let columns = Rows::of((0..n).map(|i| i % 2 == 1));
             for u in kind.motion(23, 30) {
                 let whole = e.trial(&u, &vec![0.0; n]).1;
-                let mut part = e.part_of_tangent(&u, Part { rows, columns });
+                let mut part = e.part_of_tangent(&u, MatrixMask { rows, columns });
                 for (k, part) in part.iter_mut().enumerate().filter(|(k, _)| !wanted(k / n) || (k % n) % 2 == 0) {
                     *part = whole[k];
                 }

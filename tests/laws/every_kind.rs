@@ -4,7 +4,7 @@
 use super::driver::{Alone, difference, path};
 use super::every_bearing;
 use super::script::run;
-use hysteron::element::{Answer, Motion, Part};
+use hysteron::element::{ElementInput, ElementOutput, MatrixMask};
 use hysteron::opensees::kinds;
 use nalgebra::Vector3;
 
@@ -76,9 +76,13 @@ fn spring(words: &str) -> Alone {
 fn step(e: &mut Alone, next: &mut [f64], u: f64, from: f64) -> (f64, f64) {
     let (mut force, mut tangent, mut damping) = ([0.0; 2], [0.0; 4], [0.0; 4]);
     let (disp, vel) = ([0.0, u], [0.0, (u - from) / DT]);
-    let motion = Motion { disp: &disp, vel: &vel, load: &[], still: false, again: false, dt: DT, time: 1.0 };
-    let answer =
-        Answer { force: &mut force, tangent: Some(&mut tangent), damping: Some(&mut damping), part: Part::ALL };
+    let motion = ElementInput { disp: &disp, vel: &vel, load: &[], still: false, opensees: None, dt: DT, time: 1.0 };
+    let answer = ElementOutput {
+        force: &mut force,
+        tangent: Some(&mut tangent),
+        damping: Some(&mut damping),
+        part: MatrixMask::ALL,
+    };
     e.element.respond(&motion, &e.state, next, answer).unwrap();
     (force[1], tangent[3] + damping[3] / DT)
 }

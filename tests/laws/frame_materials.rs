@@ -176,6 +176,50 @@ fn parts_of_a_series_agree() {
     }
 }
 
+/// A series comes back to no strain from anywhere, elastic or yielded: the common stress is found, and it is one.
+#[test]
+fn series_comes_back_to_no_strain() {
+    let elastic = || -> Material { Arc::new(Elastic::new(150.0)) };
+    let both: fn(&[Material]) -> Vec<(Material, i32)> = |laws| laws.iter().cloned().zip(1..).collect();
+    let kinds = [
+        [steel01(), elastic()],
+        [steel02(Steel02::NO_ISOTROPIC, 0.0), elastic()],
+        [steel01(), steel02(Steel02::NO_ISOTROPIC, 0.0)],
+        [multi_linear(), elastic()],
+    ];
+    let mut failed = vec![];
+    for (kind, laws) in kinds.iter().enumerate() {
+        for seed in 1..=300 {
+            // Amplitudes from far below the strain at which the parts yield to far beyond it.
+            let amplitude = 0.2 * 0.1f64.powi((seed % 7) as i32);
+            let law: Material = Arc::new(Series::new(both(laws), Iteration::Converged));
+            let probe = law.probe(&["strains"]).unwrap();
+            let (mut whole, mut parts) = (Point::new(law), laws.clone().map(Point::new));
+            let mut stiffest = 0.0f64;
+            'path: for (i, strain) in path(seed, 60, amplitude).into_iter().enumerate() {
+                for strain in [strain, 0.0].into_iter().take(if i % 4 == 3 { 2 } else { 1 }) {
+                    let Some(s) = whole.try_go(strain) else {
+                        failed.push((kind, seed, strain));
+                        break 'path;
+                    };
+                    let mut strains = [0.0; 2];
+                    whole.law.read(&probe.path, whole.state(), &mut strains);
+                    // Forces round by the largest stiffness times strain on the way.
+                    stiffest = strains.iter().fold(stiffest, |most, e| most.max(200.0 * e.abs()));
+                    assert!((strains.iter().sum::<f64>() - strain).abs() <= 1e-14 * stiffest);
+                    for (part, strain) in parts.iter_mut().zip(strains) {
+                        let own = part.go(strain).value;
+                        // Multilinear stresses round by the points of their curve, up to 2.5.
+                        let rounded = 1e-11 * stiffest + 2.5 * f64::EPSILON;
+                        assert!((own - s).abs() <= rounded, "kind {kind}, path {seed}: {own} and {s}");
+                    }
+                }
+            }
+        }
+    }
+    assert!(failed.is_empty(), "{} paths: {:?}", failed.len(), &failed[..failed.len().min(5)]);
+}
+
 /// The elastic-plastic part takes all strain on its plateau, where its flexibility has no bound.
 #[test]
 fn series_with_a_plateau() {

@@ -3,8 +3,8 @@
 use super::driver::{Alone, difference, path};
 use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::{
-    Balance, Common, Distribution, KikuchiBearing, KikuchiParameters, Layout, Link, Mean, MultipleNormalSpring,
-    NormalSprings, Scheme, Shape,
+    Balance, Distribution, KikuchiBearing, KikuchiParameters, Layout, Link, Mean, MultipleNormalSpring, NormalSprings,
+    Scheme, Shape,
 };
 use hysteron::material::{
     AxialParameters, AxialSp, COMPOUNDS, Elastic, ElasticPP, HighDampingRubber, KikuchiAiken, Material, NoTension,
@@ -440,7 +440,7 @@ fn scheme_of_opensees_comes_near_in_small_steps() {
         f
     };
     let exact = run(Scheme::Converged, 10);
-    let scheme = || Scheme::OpenSees(Balance { tolerance: 1.0, rounds: 3 }, Common::default());
+    let scheme = || Scheme::OpenSees(Balance { tolerance: 1.0, rounds: 3 });
     let (coarse, fine) = (difference(&run(scheme(), 20), &exact), difference(&run(scheme(), 400), &exact));
     assert!(fine < 2e-3 && fine < coarse, "{coarse:.1e} {fine:.1e}");
 }

@@ -5,7 +5,7 @@ use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::{
     AxialLaw, GrantShear, Layers, LeadCore, Link, PI, Rubber, RubberBearing, RubberBoucWen, RubberShear,
 };
-use hysteron::element::{Answer, Motion};
+use hysteron::element::{ElementInput, ElementOutput};
 use nalgebra::{Rotation3, Vector3};
 
 const HEIGHT: f64 = 0.25;
@@ -330,18 +330,18 @@ fn circular_orbits_show_bidirectional_coupling() {
 fn viscous_part_is_in_the_damping_matrix() {
     let law = RubberBoucWen { cd: 3e4, ..bouc_wen(true, false) };
     let e = along(law, upright().0, upright().1);
-    assert!(e.element.nature().viscous);
+    assert!(e.element.traits().viscous);
     let mut next = e.state.clone();
     let mut respond = |vel: &[f64]| {
         let (mut force, mut damping) = (vec![0.0; 12], vec![0.0; 144]);
         let mut disp = [0.0; 12];
         (disp[6], disp[8]) = (0.05, -0.001);
-        let motion = Motion { disp: &disp, vel, load: &[], still: false, again: false, dt: 0.01, time: 0.01 };
-        let answer = Answer {
+        let motion = ElementInput { disp: &disp, vel, load: &[], still: false, opensees: None, dt: 0.01, time: 0.01 };
+        let answer = ElementOutput {
             force: &mut force,
             tangent: None,
             damping: Some(&mut damping),
-            part: hysteron::element::Part::ALL,
+            part: hysteron::element::MatrixMask::ALL,
         };
         e.element.respond(&motion, &e.state, &mut next, answer).unwrap();
         (force, damping)

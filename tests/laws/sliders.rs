@@ -9,7 +9,7 @@ use hysteron::element::bearing::sliding::{
 use hysteron::element::friction::{
     Coulomb, Friction, VelDepMultiLinear, VelDependent, VelNormalFrcDep, VelPressureDep,
 };
-use hysteron::element::{Answer, Motion};
+use hysteron::element::{ElementInput, ElementOutput};
 use hysteron::material::{Elastic, Material, NoTension};
 use nalgebra::{Rotation3, Vector3};
 use std::sync::Arc;
@@ -142,11 +142,15 @@ fn motion(n: usize, seed: u64, steps: usize) -> Vec<Vec<f64>> {
 fn answer(e: &Alone, disp: &[f64], vel: &[f64]) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
     let n = disp.len();
     let (mut f, mut k, mut c, mut next) = (vec![0.0; n], vec![0.0; n * n], vec![0.0; n * n], e.state.clone());
-    let answer =
-        Answer { force: &mut f, tangent: Some(&mut k), damping: Some(&mut c), part: hysteron::element::Part::ALL };
+    let answer = ElementOutput {
+        force: &mut f,
+        tangent: Some(&mut k),
+        damping: Some(&mut c),
+        part: hysteron::element::MatrixMask::ALL,
+    };
     e.element
         .respond(
-            &Motion { disp, vel, load: &[], still: false, again: false, dt: 0.01, time: 0.01 },
+            &ElementInput { disp, vel, load: &[], still: false, opensees: None, dt: 0.01, time: 0.01 },
             &e.state,
             &mut next,
             answer,

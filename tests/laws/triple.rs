@@ -5,7 +5,7 @@ use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::triple::{Chain, Segment, TriplePendulum, TripleSetting};
 use hysteron::element::bearing::{Link, PlaneBearing, UfrpShear};
 use hysteron::element::friction::{Coulomb, Friction, VelDependent};
-use hysteron::element::{Answer, Motion};
+use hysteron::element::{ElementInput, ElementOutput};
 use hysteron::material::{Elastic, Material};
 use nalgebra::Vector3;
 use std::sync::Arc;
@@ -196,10 +196,11 @@ fn rolling_bearing_has_consistent_tangents() {
     let (mut f, mut c, mut next) = ([0.0; 6], [0.0; 36], e.state.clone());
     let vel = [0.0, 0.0, 0.0, 0.7, 0.2, 0.1];
     let at_rest = e.force(&[0.01; 6]);
-    let answer = Answer { force: &mut f, tangent: None, damping: Some(&mut c), part: hysteron::element::Part::ALL };
+    let answer =
+        ElementOutput { force: &mut f, tangent: None, damping: Some(&mut c), part: hysteron::element::MatrixMask::ALL };
     e.element
         .respond(
-            &Motion { disp: &[0.01; 6], vel: &vel, load: &[], still: false, again: false, dt: DT, time: 1.0 },
+            &ElementInput { disp: &[0.01; 6], vel: &vel, load: &[], still: false, opensees: None, dt: DT, time: 1.0 },
             &e.state,
             &mut next,
             answer,

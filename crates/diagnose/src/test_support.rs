@@ -20,7 +20,7 @@ pub(crate) fn pad_study() -> Study {
 pub(crate) fn fitted_at(variant: Variant, added: &[f64]) -> FittedHypothesis {
     let own = variant.dimension() - added.len();
     let point = [&vec![0.5; own][..], added].concat();
-    let values = variant.study.space.values(&point).expect("values");
+    let values = variant.study.space.values_at(&point).expect("values");
     FittedHypothesis::new(Arc::new(variant), FittedModel { point, values, objective: 1.0, fits: vec![] })
 }
 

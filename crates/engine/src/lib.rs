@@ -22,4 +22,4 @@ pub mod record;
 pub mod section;
 pub mod series;
 pub mod solve;
-pub mod words;
+pub mod state_struct;

@@ -1,7 +1,7 @@
 //! A proposal: an edit of the script or a fault of a channel, with its parameters.
 
 use super::channel_fault::ChannelFault;
-use hysteron_identify::study::{Range, Scale};
+use hysteron_identify::study::{ParameterRange, Scale};
 use std::fmt;
 use std::sync::Arc;
 
@@ -11,7 +11,7 @@ pub(crate) struct AddedParameter {
     /// Name in the script.
     pub(crate) name: String,
     /// Range of the search.
-    pub(crate) range: Range,
+    pub(crate) range: ParameterRange,
     /// Start of the search.
     pub(crate) start: f64,
     /// Further values that are tried while the other parameters stay at their start, because evenly spread points would
@@ -24,15 +24,15 @@ pub(crate) struct AddedParameter {
 impl AddedParameter {
     /// A parameter on a linear scale.
     pub(crate) fn linear(name: &str, lower: f64, upper: f64, start: f64) -> Self {
-        Self::new(name, Range { lower, upper, scale: Scale::Linear }, start)
+        Self::new(name, ParameterRange { lower, upper, scale: Scale::Linear }, start)
     }
 
     /// A parameter on a logarithmic scale.
     pub(crate) fn log(name: &str, lower: f64, upper: f64, start: f64) -> Self {
-        Self::new(name, Range { lower, upper, scale: Scale::Log }, start)
+        Self::new(name, ParameterRange { lower, upper, scale: Scale::Log }, start)
     }
 
-    fn new(name: &str, range: Range, start: f64) -> Self {
+    fn new(name: &str, range: ParameterRange, start: f64) -> Self {
         Self { name: format!("hy_{name}"), range, start, further_starts: vec![], of_channel_fault: false }
     }
 }

@@ -5,7 +5,10 @@ use super::proposal::Proposal;
 use crate::inspect::auxiliary_channels::auxiliary_log_odds;
 use crate::inspect::insertion::{InsertionPoint, insert};
 use crate::prior::VISIBLE_FAULT_LOG_ODDS;
-use hysteron_identify::study::{Blueprint, Mishap, Parameter, Role, ScriptSimulator, Simulator, Source, Space, Study};
+use hysteron_identify::study::{
+    Parameter, ParameterKind, ParameterSpace, Role, ScriptSimulator, SimulationError, Simulator, SimulatorFactory,
+    Study,
+};
 use std::sync::Arc;
 
 /// A study changed by a proposal, or the study as it is.
@@ -34,7 +37,7 @@ impl Variant {
     pub(crate) fn with_proposal(&self, point: &InsertionPoint, proposal: &Proposal) -> Option<Self> {
         let mut parameters = self.study.space.parameters[..self.own_parameters].to_vec();
         for a in &proposal.parameters {
-            parameters.push(Parameter { name: a.name.clone(), source: Source::Free(a.range) });
+            parameters.push(Parameter { name: a.name.clone(), kind: ParameterKind::Free(a.range) });
         }
         let values: Vec<f64> = proposal.parameters.iter().map(|a| a.start).collect();
         let text: Arc<str> = if proposal.commands.is_empty() {
@@ -43,7 +46,7 @@ impl Variant {
             insert(&self.text, point, &proposal.declared_commands(&values)).into()
         };
         let mut study = (*self.study).clone();
-        study.space = Space::new(parameters).ok()?;
+        study.space = ParameterSpace::new(parameters).ok()?;
         let causes = std::iter::once(proposal.cause).chain(proposal.second_cause);
         let auxiliary_log_odds = causes.map(|cause| auxiliary_log_odds(&study, cause)).sum();
         Some(Self {
@@ -83,7 +86,7 @@ impl Variant {
 
     /// Start of a search in the unit cube: the first parameters at the given values, the others at their proposed start.
     pub(crate) fn start(&self, given: &[f64]) -> Vec<f64> {
-        self.study.space.point(&self.start_values(given))
+        self.study.space.unit_point(&self.start_values(given))
     }
 
     fn start_values(&self, given: &[f64]) -> Vec<f64> {
@@ -100,7 +103,7 @@ impl Variant {
         let at = |(i, x): (usize, f64)| {
             let mut values = start.clone();
             values[i] = x;
-            self.study.space.point(&values)
+            self.study.space.unit_point(&values)
         };
         others.map(at).collect()
     }
@@ -169,8 +172,8 @@ impl Variant {
     }
 
     /// A simulator of the variant.
-    pub(crate) fn simulator(self: &Arc<Self>, blueprint: &Blueprint) -> VariantSimulator {
-        let script = blueprint.simulator_of(self.study.clone(), &self.text);
+    pub(crate) fn simulator(self: &Arc<Self>, factory: &SimulatorFactory) -> VariantSimulator {
+        let script = factory.simulator_of_script(self.study.clone(), &self.text);
         VariantSimulator { variant: self.clone(), script, last: vec![None; self.study.runs.len()] }
     }
 
@@ -194,7 +197,7 @@ pub(crate) struct VariantSimulator {
 }
 
 impl Simulator for VariantSimulator {
-    fn simulate(&mut self, run: usize, values: &[f64]) -> Result<Vec<Vec<f64>>, Mishap> {
+    fn simulate(&mut self, run: usize, values: &[f64]) -> Result<Vec<Vec<f64>>, SimulationError> {
         let script_values = self.variant.script_values(values);
         let mut channels = match &self.last[run] {
             Some((at, channels)) if *at == script_values => channels.clone(),

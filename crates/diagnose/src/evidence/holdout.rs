@@ -3,7 +3,7 @@
 use crate::prior::{
     FAILED_SHARE, KEPT_IF_CONTRADICTED, KEPT_IF_WORSENED, MIN_HOLDOUT_SIGNAL_RATIO, PREDICTED_SHARE, WORSENED_RATIO,
 };
-use hysteron_identify::study::{Fit, Observe, Role, Study};
+use hysteron_identify::study::{ObservedChannel, Role, ScoredRun, Study};
 use std::collections::BTreeMap;
 
 /// Judgement of a repair.
@@ -59,9 +59,9 @@ impl HoldoutJudgement {
 /// A repair to be judged, with the model's channels in all runs before and after it.
 pub(crate) struct Repair<'a> {
     /// Channels before; `None` for a run without a result.
-    pub(crate) before: &'a [Option<Fit>],
+    pub(crate) before: &'a [Option<ScoredRun>],
     /// Channels after.
-    pub(crate) after: &'a [Option<Fit>],
+    pub(crate) after: &'a [Option<ScoredRun>],
     /// Structured share of its residual in the fitted runs; the rest is noise.
     pub(crate) structured_share: f64,
     /// True if the repair affects runs held out. One that does not still moves the user's parameters.
@@ -95,7 +95,7 @@ pub(crate) fn judge(study: &Study, repair: &Repair<'_>) -> HoldoutJudgement {
 }
 
 /// Mean NMSE of the runs held out; none if there are none, or if one has no result.
-pub(crate) fn holdout_nmse(study: &Study, fits: &[Option<Fit>]) -> Option<f64> {
+pub(crate) fn holdout_nmse(study: &Study, fits: &[Option<ScoredRun>]) -> Option<f64> {
     let held: Vec<f64> =
         study.runs_of(Role::Holdout).map(|(i, r)| Some(fits[i].as_ref()?.nmse(&r.observe))).collect::<Option<_>>()?;
     (!held.is_empty()).then(|| held.iter().sum::<f64>() / held.len() as f64)
@@ -116,7 +116,7 @@ struct FittedError {
 ///
 /// Each channel has the same share of its variance or the same error in its unit, whichever is larger. Sensors have noise of
 /// one size; machines have more noise under more load.
-fn expected_holdout_nmse(study: &Study, fits: &[Option<Fit>]) -> f64 {
+fn expected_holdout_nmse(study: &Study, fits: &[Option<ScoredRun>]) -> f64 {
     let mut of_channel: BTreeMap<&str, FittedError> = BTreeMap::new();
     for (i, run) in study.runs_of(Role::Fit) {
         let Some(fit) = &fits[i] else { continue };
@@ -128,7 +128,7 @@ fn expected_holdout_nmse(study: &Study, fits: &[Option<Fit>]) -> f64 {
         }
     }
     let (sum, runs) = of_channel.values().fold((0.0, 0.0), |(sum, runs), e| (sum + e.nmse, runs + e.runs));
-    let expected = |o: &Observe| {
+    let expected = |o: &ObservedChannel| {
         let fitted = of_channel.get(o.channel.as_str());
         let own = fitted.map(|e| (e.nmse / e.runs).max(e.square / e.runs / o.variance));
         o.weight * own.unwrap_or(sum / f64::max(runs, 1.0))
@@ -144,16 +144,16 @@ fn expected_holdout_nmse(study: &Study, fits: &[Option<Fit>]) -> f64 {
 mod tests {
     use super::{HoldoutJudgement, Repair, judge};
     use crate::test_support::pad_study;
-    use hysteron_identify::study::{Fit, Role, Score, Study};
+    use hysteron_identify::study::{Role, Score, ScoredRun, Study};
 
     /// Fits with a NMSE of the fitted runs and of those held out; none without a result.
-    fn with_nmse(study: &Study, fit: f64, held: Option<f64>) -> Vec<Option<Fit>> {
+    fn with_nmse(study: &Study, fit: f64, held: Option<f64>) -> Vec<Option<ScoredRun>> {
         let of = |role| if role == Role::Fit { Some(fit) } else { held };
         let scores = |n: usize, nmse| vec![Score { nmse, samples: 100, dropped: 0 }; n];
         study
             .runs
             .iter()
-            .map(|r| Some(Fit { channels: vec![], scores: scores(r.observe.len(), of(r.role)?) }))
+            .map(|r| Some(ScoredRun { channels: vec![], scores: scores(r.observe.len(), of(r.role)?) }))
             .collect()
     }
 

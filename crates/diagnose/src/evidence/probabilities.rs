@@ -12,7 +12,7 @@ use crate::prior::{
 };
 use crate::residual::unmodelled_structure::{UnmodelledStructure, recurring_structure, unmodelled_structure};
 use crate::series::power;
-use hysteron_identify::study::{Fit, Role, Study};
+use hysteron_identify::study::{Role, ScoredRun, Study};
 
 /// Causes with a number each, log evidence in nats or probability.
 pub(crate) type CauseValues = Vec<(&'static str, f64)>;
@@ -215,7 +215,7 @@ fn doubt_library(causes: &[(&'static str, f64)], structured_share: f64, p: &mut 
 }
 
 /// Sum of the NMSE of all fitted channels.
-fn total_nmse(study: &Study, fits: &[Fit]) -> f64 {
+fn total_nmse(study: &Study, fits: &[ScoredRun]) -> f64 {
     let runs = study.runs.iter().filter(|r| r.role == Role::Fit);
     let channels = runs.zip(fits).flat_map(|(r, f)| r.observe.iter().zip(&f.channels));
     channels

@@ -9,7 +9,7 @@ use super::search_settings::{
 };
 use crate::candidate::variant::Variant;
 use hysteron_identify::calibrate::LevenbergMarquardt;
-use hysteron_identify::study::Opening;
+use hysteron_identify::study::InitialRun;
 use std::sync::Arc;
 
 const STAGE: &str = "the model as it is";
@@ -26,11 +26,11 @@ fn baseline_starts(n: usize) -> Vec<Vec<f64>> {
 /// The model has no result for any values, or the user cancelled.
 pub(crate) fn fit_baseline(
     scheduler: &mut Scheduler<'_>,
-    opening: &Opening,
+    initial_run: &InitialRun,
     text: &str,
 ) -> Result<FittedHypothesis, String> {
     let variant = Arc::new(Variant::baseline(&scheduler.study, text));
-    let mut starts = vec![scheduler.study.space.point(&opening.values)];
+    let mut starts = vec![scheduler.study.space.unit_point(&initial_run.values)];
     starts.extend(baseline_starts(variant.dimension()));
     let jobs = starts.into_iter().map(|s| Job::search(&variant, s, BASELINE_ITERATIONS)).collect();
     let mut sorted: Vec<FittedModel> = scheduler.fit(STAGE, jobs)?.into_iter().flatten().collect();
@@ -38,7 +38,7 @@ pub(crate) fn fit_baseline(
     let precise = |f: &FittedModel| Job::search(&variant, f.point.clone(), LAST_ITERATIONS);
     let first = scheduler.fit(STAGE, sorted.first().map(precise).into_iter().collect())?.pop().flatten();
     let first = first.ok_or("the model has no answer for any values of its parameters")?;
-    let mut best = (LevenbergMarquardt::STEP, first.clone());
+    let mut best = (LevenbergMarquardt::DIFFERENCE_STEP, first.clone());
     sorted[0] = first;
     for step in WIDER_DIFFERENCE_STEPS {
         scheduler.set_difference_step(step);

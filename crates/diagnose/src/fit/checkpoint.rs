@@ -4,7 +4,7 @@
 //! key of its job, and all of them the [`identity`] of the study. Entries behind a job with another key are invalid.
 
 use super::job::{Job, JobResult, Task};
-use hysteron_identify::study::{Opening, ScriptSimulator, fit};
+use hysteron_identify::study::{InitialRun, ScriptSimulator, simulate_and_score};
 use serde::{Deserialize, Serialize};
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 
@@ -130,14 +130,14 @@ fn job_key(job: &Job) -> u64 {
 
 /// Hash of a study: its file, recordings, script and library, the program's version, and the model's channels at the
 /// values of the script. The channels depend on every file that is read, and on the program.
-pub fn identity(simulator: &ScriptSimulator, opening: &Opening, text: &str, excluded_causes: &[String]) -> u64 {
+pub fn identity(simulator: &ScriptSimulator, initial_run: &InitialRun, text: &str, excluded_causes: &[String]) -> u64 {
     let study = simulator.study();
     let mut hasher = DefaultHasher::new();
     (format!("{study:?}"), text, excluded_causes, env!("CARGO_PKG_VERSION")).hash(&mut hasher);
-    let values = study.space.values(&study.space.point(&opening.values)).unwrap_or_default();
-    let mut simulator = simulator.blueprint().simulator_of(study.clone(), text);
+    let values = study.space.values_at(&study.space.unit_point(&initial_run.values)).unwrap_or_default();
+    let mut simulator = simulator.factory().simulator_of_script(study.clone(), text);
     for run in 0..study.runs.len() {
-        match fit(&mut simulator, study, run, &values) {
+        match simulate_and_score(&mut simulator, study, run, &values) {
             Ok(f) => f.channels.iter().flatten().for_each(|x| x.to_bits().hash(&mut hasher)),
             Err(error) => format!("{error:?}").hash(&mut hasher),
         }

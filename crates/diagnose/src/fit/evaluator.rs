@@ -7,13 +7,20 @@ use super::search_settings::{CHANNEL_FAULT_ITERATIONS, EXTRA_EVALUATIONS, PRECIS
 use crate::candidate::variant::VariantSimulator;
 use crate::prior::{HOLDOUT_BLOCKS, HOLDOUT_FOLDS, HOLDOUT_STEP_FRACTIONS};
 use hysteron_identify::calibrate::{LevenbergMarquardt, Method, Trial};
-use hysteron_identify::study::{Blueprint, Fit, Mishap, Observe, Role, Study, fit};
+use hysteron_identify::study::{
+    ObservedChannel, Role, ScoredRun, SimulationError, SimulatorFactory, Study, simulate_and_score,
+};
 use nalgebra::{DMatrix, DVector};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Result of a job. `evaluations` counts the evaluations of the fitted runs.
-pub(crate) fn evaluate(blueprint: &Blueprint, job: &Job, evaluations: &AtomicUsize, difference_step: f64) -> JobResult {
-    let simulator = job.variant.simulator(blueprint);
+pub(crate) fn evaluate(
+    factory: &SimulatorFactory,
+    job: &Job,
+    evaluations: &AtomicUsize,
+    difference_step: f64,
+) -> JobResult {
+    let simulator = job.variant.simulator(factory);
     let mut evaluator = Evaluator { study: &job.variant.study, simulator, evaluations, difference_step };
     match &job.task {
         Task::Fit { start, max_evaluations, precise } => {
@@ -37,7 +44,7 @@ fn fold(t: usize, n: usize) -> usize {
 }
 
 fn failed_trial() -> Trial {
-    Trial { score: Trial::FAILED, residuals: vec![] }
+    Trial { objective: Trial::FAILED, residuals: vec![] }
 }
 
 /// A variant with its simulator.
@@ -56,19 +63,19 @@ impl Evaluator<'_> {
     }
 
     /// Channels of the fitted runs, run after run.
-    fn channels(&self) -> impl Iterator<Item = &Observe> {
+    fn channels(&self) -> impl Iterator<Item = &ObservedChannel> {
         self.runs().flat_map(|run| self.study.runs[run].observe.iter())
     }
 
-    fn fits(&mut self, values: &[f64]) -> Result<Vec<Fit>, Mishap> {
+    fn fits(&mut self, values: &[f64]) -> Result<Vec<ScoredRun>, SimulationError> {
         let runs: Vec<usize> = self.runs().collect();
         self.evaluations.fetch_add(1, Ordering::Relaxed);
-        runs.into_iter().map(|r| fit(&mut self.simulator, self.study, r, values)).collect()
+        runs.into_iter().map(|r| simulate_and_score(&mut self.simulator, self.study, r, values)).collect()
     }
 
     /// Weighted residuals, whose squares add up to the objective.
     fn trial(&mut self, point: &[f64]) -> Trial {
-        let Ok(values) = self.study.space.values(point) else { return failed_trial() };
+        let Ok(values) = self.study.space.values_at(point) else { return failed_trial() };
         let Ok(fits) = self.fits(&values) else { return failed_trial() };
         let channels: usize = self.runs().map(|r| self.study.runs[r].observe.len()).sum();
         let mut residuals = vec![];
@@ -80,7 +87,7 @@ impl Evaluator<'_> {
                 residuals.extend(own.iter().map(|d| scale * d));
             }
         }
-        Trial { score: residuals.iter().map(|r| r * r).sum(), residuals }
+        Trial { objective: residuals.iter().map(|r| r * r).sum(), residuals }
     }
 
     fn search(&mut self, start: &[f64], max_evaluations: usize, precise: bool) -> FittedModel {
@@ -91,12 +98,12 @@ impl Evaluator<'_> {
     }
 
     fn model_at(&mut self, point: &[f64]) -> FittedModel {
-        let objective = self.trial(point).score;
+        let objective = self.trial(point).objective;
         self.fitted_model(point.to_vec(), objective)
     }
 
     fn fitted_model(&mut self, point: Vec<f64>, objective: f64) -> FittedModel {
-        let values = self.study.space.values(&point).unwrap_or_default();
+        let values = self.study.space.values_at(&point).unwrap_or_default();
         let fits = self.fits(&values).unwrap_or_default();
         FittedModel { point, values, objective, fits }
     }
@@ -134,7 +141,7 @@ impl Evaluator<'_> {
             let trial = self.trial(p);
             let expected = match projection {
                 Some(projection) => projection.follow(&trial.residuals, p),
-                None => (trial.score < Trial::FAILED).then(|| (trial.score, p.clone())),
+                None => (trial.objective < Trial::FAILED).then(|| (trial.objective, p.clone())),
             };
             let Some((score, start)) = expected else { continue };
             if best.as_ref().is_none_or(|b| score < b.0) {
@@ -148,10 +155,10 @@ impl Evaluator<'_> {
         };
         let own = projection.dimension();
         let budget = CHANNEL_FAULT_ITERATIONS * (point.len() - own + EXTRA_EVALUATIONS);
-        let step = LevenbergMarquardt::STEP;
+        let step = LevenbergMarquardt::DIFFERENCE_STEP;
         let (_, added) = least_squares(&point[own..], budget, SEARCH_TOLERANCE, step, |added| {
             let remaining = projection.remaining(&self.trial(&[&point[..own], added].concat()).residuals);
-            remaining.map_or_else(failed_trial, |r| Trial { score: r.iter().map(|x| x * x).sum(), residuals: r })
+            remaining.map_or_else(failed_trial, |r| Trial { objective: r.iter().map(|x| x * x).sum(), residuals: r })
         });
         let point = [&point[..own], &added[..]].concat();
         let followed = projection.follow(&self.trial(&point).residuals, &point);
@@ -216,7 +223,9 @@ fn least_squares(
     difference_step: f64,
     mut trial: impl FnMut(&[f64]) -> Trial,
 ) -> (f64, Vec<f64>) {
-    let mut search = LevenbergMarquardt::new(start, max_evaluations).one_by_one(tolerance).with_steps(difference_step);
+    let mut search = LevenbergMarquardt::new(start, max_evaluations)
+        .with_single_steps(tolerance)
+        .with_difference_step(difference_step);
     let mut best = (Trial::FAILED, start.to_vec());
     loop {
         let points = search.ask();
@@ -224,9 +233,9 @@ fn least_squares(
             return best;
         }
         let trials: Vec<Trial> = points.iter().map(|p| trial(p)).collect();
-        for (p, trial) in points.iter().zip(&trials).filter(|(_, t)| t.score < Trial::FAILED) {
-            if trial.score < best.0 {
-                best = (trial.score, p.clone());
+        for (p, trial) in points.iter().zip(&trials).filter(|(_, t)| t.objective < Trial::FAILED) {
+            if trial.objective < best.0 {
+                best = (trial.objective, p.clone());
             }
         }
         search.tell(&points, &trials);

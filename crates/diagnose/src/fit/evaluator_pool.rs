@@ -2,31 +2,23 @@
 
 use super::evaluator::evaluate;
 use super::job::{EvaluationSettings, Job, JobResult};
-use hysteron_identify::study::{Blueprint, Crew};
-use std::sync::Arc;
+use hysteron_identify::study::{SimulatorFactory, WorkerPool};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Threads that work off jobs.
 pub(crate) struct EvaluatorPool {
-    workers: Crew<(Job, EvaluationSettings), JobResult>,
-    evaluations: Arc<AtomicUsize>,
+    workers: WorkerPool,
+    factory: SimulatorFactory,
+    evaluations: AtomicUsize,
 }
 
 impl EvaluatorPool {
-    /// A pool with an evaluator per thread.
+    /// A pool of threads.
     ///
     /// # Errors
     /// A thread could not be started.
-    pub(crate) fn new(blueprint: Blueprint, threads: usize) -> std::io::Result<Self> {
-        let make = move || blueprint.clone();
-        let evaluations = Arc::new(AtomicUsize::new(0));
-        let counted = evaluations.clone();
-        let workers =
-            Crew::new(threads, make, move |b: &mut Blueprint, (job, settings): (Job, EvaluationSettings)| {
-                b.refine(settings.step_parts);
-                evaluate(b, &job, &counted, settings.difference_step)
-            })?;
-        Ok(Self { workers, evaluations })
+    pub(crate) fn new(factory: SimulatorFactory, threads: usize) -> std::io::Result<Self> {
+        Ok(Self { workers: WorkerPool::new(threads)?, factory, evaluations: AtomicUsize::new(0) })
     }
 
     /// Evaluations of the fitted runs so far, each at one point.
@@ -36,6 +28,8 @@ impl EvaluatorPool {
 
     /// Results in the order of the jobs; `None` where an evaluator failed.
     pub(crate) fn run(&self, jobs: Vec<Job>, settings: EvaluationSettings) -> Vec<Option<JobResult>> {
-        self.workers.run(jobs.into_iter().map(|job| (job, settings)))
+        let mut factory = self.factory.clone();
+        factory.refine(settings.step_parts);
+        self.workers.run(jobs, |job| evaluate(&factory, &job, &self.evaluations, settings.difference_step))
     }
 }

@@ -4,7 +4,7 @@ use super::linearized::LinearizedFit;
 use super::projection::Projection;
 use super::search_settings::{EXTRA_EVALUATIONS, LAST_ITERATIONS};
 use crate::candidate::variant::Variant;
-use hysteron_identify::study::Fit;
+use hysteron_identify::study::ScoredRun;
 use std::sync::Arc;
 
 /// Weighted residuals of the fitted runs, channel after channel; missing samples are left out.
@@ -69,7 +69,7 @@ pub(crate) struct FittedModel {
     /// Objective of the study: mean NMSE.
     pub(crate) objective: f64,
     /// The fitted runs, in their order; empty if the analysis failed.
-    pub(crate) fits: Vec<Fit>,
+    pub(crate) fits: Vec<ScoredRun>,
 }
 
 /// Numerical settings of an evaluation.

@@ -42,7 +42,7 @@ impl<'a> Scheduler<'a> {
         monitor: &'a mut dyn ProgressMonitor,
         checkpoint: Vec<CheckpointEntry>,
     ) -> Self {
-        let settings = EvaluationSettings { step_parts: 1, difference_step: LevenbergMarquardt::STEP };
+        let settings = EvaluationSettings { step_parts: 1, difference_step: LevenbergMarquardt::DIFFERENCE_STEP };
         Self { study, pool, settings, monitor, cache: EvaluationCache::new(checkpoint) }
     }
 

@@ -14,7 +14,7 @@ use crate::candidate::proposal::Proposal;
 use crate::candidate::variant::Variant;
 use crate::hypothesis::look_alike;
 use crate::inspect::insertion::InsertionPoint;
-use hysteron_identify::study::Opening;
+use hysteron_identify::study::InitialRun;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -25,7 +25,7 @@ pub(crate) struct FirstRound<'a> {
     /// The fitted baseline.
     pub(crate) baseline: &'a FittedHypothesis,
     /// Values of the script.
-    pub(crate) opening: &'a Opening,
+    pub(crate) initial_run: &'a InitialRun,
     /// Place of added commands.
     pub(crate) point: &'a InsertionPoint,
     /// All proposals.
@@ -54,7 +54,7 @@ impl FirstRound<'_> {
         let own = baseline.variant.dimension();
         let with = |p| baseline.variant.with_proposal(self.point, p);
         let variants: Vec<_> = self.proposals.iter().filter_map(with).map(Arc::new).collect();
-        let user_point = scheduler.study.space.point(&self.opening.values);
+        let user_point = scheduler.study.space.unit_point(&self.initial_run.values);
         let distances = user_point.iter().zip(&baseline.fitted.point).map(|(a, b)| (a - b).abs());
         let user_values_differ = distances.fold(0.0, f64::max) > MIN_USER_VALUE_DISTANCE;
         let screened = self.screen(scheduler, &variants, user_values_differ.then_some(&user_point))?;

@@ -11,7 +11,7 @@ use super::scheduler::Scheduler;
 use super::search_settings::STEP_ERROR_ITERATIONS;
 use crate::prior::{MAX_STEP_ERROR_RATIO, MAX_STEP_PARTS, NEGLIGIBLE_STEP_ERROR, REPRODUCED_CHANNEL};
 use crate::series::power;
-use hysteron_identify::study::{Fit, Observe, Role, Study};
+use hysteron_identify::study::{ObservedChannel, Role, ScoredRun, Study};
 
 const STAGE: &str = "the error of the steps";
 
@@ -93,12 +93,12 @@ fn step_error_of(scheduler: &mut Scheduler<'_>, e: &FittedHypothesis) -> Result<
 }
 
 /// Largest share of a channel's residual power that other steps move, over the fitted channels.
-fn moved_share(study: &Study, fits: &[Fit], others: &[Fit]) -> f64 {
+fn moved_share(study: &Study, fits: &[ScoredRun], others: &[ScoredRun]) -> f64 {
     let runs = study.runs.iter().filter(|r| r.role == Role::Fit);
     let channels = runs
         .zip(fits.iter().zip(others))
         .flat_map(|(run, (a, b))| run.observe.iter().zip(a.channels.iter().zip(&b.channels)));
-    let share = |(o, (y, z)): (&Observe, (&Vec<f64>, &Vec<f64>))| {
+    let share = |(o, (y, z)): (&ObservedChannel, (&Vec<f64>, &Vec<f64>))| {
         let finite = |x: Vec<f64>| x.into_iter().filter(|x| x.is_finite()).collect::<Vec<f64>>();
         let residual = power(&finite(y.iter().zip(&o.values).map(|(y, v)| y - v).collect()));
         let change = power(&finite(y.iter().zip(z).map(|(y, z)| y - z).collect()));

@@ -141,7 +141,7 @@ impl PairSearch<'_> {
         let alone = &self.singles[pair.effects[side]];
         let [own, first, second] = self.coordinates(&pair.hypothesis, pair.effects);
         let point = [own, [first, second][side]].concat();
-        let values = alone.variant.study.space.values(&point).ok()?;
+        let values = alone.variant.study.space.values_at(&point).ok()?;
         let fitted = FittedModel { point, values, ..alone.fitted.clone() };
         Some(PlacedEffect { effect: pair.effects[side], hypothesis: FittedHypothesis { fitted, ..alone.clone() } })
     }
@@ -166,7 +166,7 @@ impl PairSearch<'_> {
         let variant = self.baseline.variant.with_proposal(self.point, &both)?;
         let [own, first, second] = self.coordinates(&pair.hypothesis, pair.effects);
         let point = [own, second, first].concat();
-        let values = variant.study.space.values(&point).ok()?;
+        let values = variant.study.space.values_at(&point).ok()?;
         let fitted = FittedModel { point, values, ..pair.hypothesis.fitted };
         Some(EffectPair { hypothesis: FittedHypothesis::new(Arc::new(variant), fitted), effects: [two, one] })
     }

@@ -4,7 +4,7 @@ use super::AddedParameter;
 use crate::inspect::auxiliary_channels::axial_force_slope;
 use crate::inspect::inventory::{Device, Direction, ModelInventory};
 use crate::inspect::response::{ResponseRange, ResponseRanges};
-use hysteron_identify::study::{Fit, Role, Study};
+use hysteron_identify::study::{Role, ScoredRun, Study};
 
 /// Basis of proposals.
 pub(crate) struct ProposalContext<'a> {
@@ -15,7 +15,7 @@ pub(crate) struct ProposalContext<'a> {
     /// Responses of the fitted baseline in the fitted runs.
     pub(crate) responses: &'a ResponseRanges,
     /// Channels of the fitted baseline in the fitted runs, in their order.
-    pub(crate) fits: &'a [Fit],
+    pub(crate) fits: &'a [ScoredRun],
     /// True if the times of the recordings are those of a clock, false if they count samples.
     pub(crate) has_clock: bool,
 }

@@ -5,7 +5,7 @@ use crate::candidate::channel_fault::ChannelFault;
 use crate::candidate::proposal::FaultModel;
 use crate::inspect::saturation::saturated_runs;
 use crate::prior::SATURATED_EXTREME;
-use hysteron_identify::study::{Observe, Role, Run};
+use hysteron_identify::study::{ObservedChannel, Role, Run};
 use std::sync::Arc;
 
 const fn fault(
@@ -48,8 +48,8 @@ pub(super) const CLIPPING: Hypothesis = fault(
 );
 
 /// Channels of the fitted runs, each with one of its records.
-fn channels<'a>(s: &'a ProposalContext<'_>) -> Vec<&'a Observe> {
-    let mut all: Vec<&Observe> = vec![];
+fn channels<'a>(s: &'a ProposalContext<'_>) -> Vec<&'a ObservedChannel> {
+    let mut all: Vec<&ObservedChannel> = vec![];
     for o in s.study.runs.iter().filter(|r| r.role == Role::Fit).flat_map(|r| &r.observe) {
         if all.iter().all(|known| known.channel != o.channel) {
             all.push(o);
@@ -107,7 +107,7 @@ fn fitted_with<'a>(s: &'a ProposalContext<'_>, channel: &'a str) -> impl Iterato
 
 fn lag(s: &ProposalContext<'_>) -> Vec<Proposal> {
     let step = s.sampling_interval();
-    let in_all_and_each = |o: &&Observe| {
+    let in_all_and_each = |o: &&ObservedChannel| {
         let one = |run: Option<&str>| {
             let (name, of) = (o.channel.clone(), run.map(str::to_owned));
             let faults: FaultModel =

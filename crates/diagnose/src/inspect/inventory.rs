@@ -3,7 +3,7 @@
 use super::adjacent_structures::{AdjacentNodes, adjacent_nodes};
 use super::frame_members::{FrameMember, columns, girders};
 use hysteron_engine::analysis::Engine;
-use hysteron_engine::element::{Answer, BasicRow, Element, Motion};
+use hysteron_engine::element::{BasicRow, Element, ElementInput, ElementOutput, MatrixMask};
 use hysteron_engine::model::{Model, PatternKind};
 
 /// A spring or bearing whose law an amendment can change.
@@ -137,7 +137,7 @@ impl ModelInventory {
             let [i, j] = e.nodes[..] else { continue };
             let nodes = [tag(i), tag(j)];
             let rows = e.element.basic_rows();
-            let traits = e.element.nature();
+            let traits = e.element.traits();
             if rows.is_empty() {
                 // Large displacements and P-Delta change the geometry, not the law.
                 let elastic_law = ELASTIC_BEAM_CLASSES.iter().any(|class| e.element.class().starts_with(class));
@@ -279,11 +279,11 @@ fn is_elastic(element: &dyn Element, rows: &[BasicRow]) -> bool {
     rows.iter().all(|row| {
         let mut stiffness = |size: f64| {
             let disp: Vec<f64> = row.at_j().iter().map(|u| size * u).collect();
-            let motion = Motion { disp: &disp, vel: &rest, load: &load, still: true, again: false, dt: 0.0, time: 0.0 };
+            let motion =
+                ElementInput { disp: &disp, vel: &rest, load: &load, still: true, opensees: None, dt: 0.0, time: 0.0 };
             let mut force = vec![0.0; n];
-            let answer =
-                Answer { force: &mut force, tangent: None, damping: None, part: hysteron_engine::element::Part::ALL };
-            element.respond(&motion, &state, &mut next, answer).ok()?;
+            let output = ElementOutput { force: &mut force, tangent: None, damping: None, part: MatrixMask::ALL };
+            element.respond(&motion, &state, &mut next, output).ok()?;
             Some(row.force(&force) / size)
         };
         let initial = stiffness(SMALLEST_DEFORMATION);

@@ -3,7 +3,7 @@
 use super::insertion::{InsertionPoint, insert, insertion_point};
 use super::inventory::{ModelInventory, is_base_excited};
 use super::response::{ResponseHistory, ResponseRanges};
-use hysteron_identify::study::{Blueprint, Observe, Role, Simulator, Study};
+use hysteron_identify::study::{ObservedChannel, Role, Simulator, SimulatorFactory, Study};
 use hysteron_tcl::top_level;
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ const MAX_RECORDED: usize = 60;
 
 /// Insertion point of a script, and the inventory of its model there. `None` if the script makes no analysis.
 pub(crate) fn inspect_model(
-    blueprint: &Blueprint,
+    factory: &SimulatorFactory,
     study: &Arc<Study>,
     text: &str,
     values: &[f64],
@@ -20,7 +20,7 @@ pub(crate) fn inspect_model(
     let commands = top_level(text);
     let steps = |n: usize| {
         let end = commands.get(n).map_or(text.len(), |c| c.start);
-        blueprint.simulator_of(study.clone(), &text[..end]).look(0, values, |e| e.steps)
+        factory.simulator_of_script(study.clone(), &text[..end]).inspect_model(0, values, |e| e.steps)
     };
     // Bisection for the first command that makes a step: the commands before `low` make none, those before `high` some.
     let (mut low, mut high) = (0, commands.len());
@@ -31,32 +31,33 @@ pub(crate) fn inspect_model(
         let middle = (low + high) / 2;
         if steps(middle) == 0 { low = middle } else { high = middle }
     }
-    let before = blueprint.simulator_of(study.clone(), &text[..commands[low].start]);
-    let mut inventory = before.look(0, values, ModelInventory::from_engine);
+    let before = factory.simulator_of_script(study.clone(), &text[..commands[low].start]);
+    let mut inventory = before.inspect_model(0, values, ModelInventory::from_engine);
     let model_exists = !inventory.devices.is_empty() || !inventory.beams.is_empty();
     if model_exists {
         // The first steps may be those of the weight, with the excitation defined after them. A final `wipe` removes it.
         let wiped = commands[low..].iter().find(|c| c.name == "wipe").map_or(text.len(), |c| c.start);
-        let whole = blueprint.simulator_of(study.clone(), &text[..wiped]);
-        inventory.base_excited |= whole.look(0, values, |e| is_base_excited(e.model()));
+        let whole = factory.simulator_of_script(study.clone(), &text[..wiped]);
+        inventory.base_excited |= whole.inspect_model(0, values, |e| is_base_excited(e.model()));
         return Some((insertion_point(&commands, low, true), inventory));
     }
     // One command makes the model and analyses it, so that only the final model can be inspected.
-    let inventory = blueprint.simulator_of(study.clone(), text).look(0, values, ModelInventory::from_engine);
+    let inventory =
+        factory.simulator_of_script(study.clone(), text).inspect_model(0, values, ModelInventory::from_engine);
     Some((InsertionPoint::FirstAnalyze, inventory))
 }
 
 /// Commands that record elements, with the columns of their outputs.
 struct Recorders {
     commands: Vec<String>,
-    observed: Vec<Observe>,
+    observed: Vec<ObservedChannel>,
 }
 
 impl Recorders {
     fn add(&mut self, tag: i32, response: &str, columns: impl Iterator<Item = usize>) {
         let file = format!("hysteron-watch-{tag}-{response}.out");
         self.commands.push(format!("recorder Element -file {file} -time -ele {tag} {response}"));
-        self.observed.extend(columns.map(|column| Observe {
+        self.observed.extend(columns.map(|column| ObservedChannel {
             channel: String::new(),
             unit: String::new(),
             output: file.clone(),
@@ -71,7 +72,7 @@ impl Recorders {
 
 /// Responses of devices and beams in all fitted runs; runs without a result are left out.
 pub(crate) fn record_responses(
-    blueprint: &Blueprint,
+    factory: &SimulatorFactory,
     study: &Arc<Study>,
     text: &str,
     values: &[f64],
@@ -95,7 +96,7 @@ pub(crate) fn record_responses(
     let mut recorded = (**study).clone();
     recorded.runs.iter_mut().for_each(|r| r.observe.clone_from(&recorders.observed));
     let recorded = Arc::new(recorded);
-    let mut simulator = blueprint.simulator_of(recorded.clone(), &text);
+    let mut simulator = factory.simulator_of_script(recorded.clone(), &text);
     let mut ranges = ResponseRanges::default();
     for (number, run) in recorded.runs_of(Role::Fit) {
         let Ok(channels) = simulator.simulate(number, values) else { continue };
@@ -143,8 +144,8 @@ pub(crate) mod tests {
         let mut sources = SourceMap::default();
         let study = Arc::new(Study::load(&file, &mut sources).expect("a study"));
         let mut simulator = ScriptSimulator::new(study.clone(), Options::default(), Arc::default());
-        let opening = simulator.open(&mut sources).expect("a script");
-        inspect_model(&simulator.blueprint(), &study, text, &opening.values).expect("an analysis").1
+        let initial_run = simulator.run_initially(&mut sources).expect("a script");
+        inspect_model(&simulator.factory(), &study, text, &initial_run.values).expect("an analysis").1
     }
 
     #[test]

@@ -7,7 +7,7 @@ use crate::prior::{
     EQUAL_SAMPLES, MIN_MOTION_WHILE_SATURATED, MIN_SATURATED_IN_A_ROW, MIN_SATURATED_OVER_NEAR, MIN_SATURATED_SAMPLES,
     NEAR_END,
 };
-use hysteron_identify::study::{Fit, Role, Run, Study};
+use hysteron_identify::study::{Role, Run, ScoredRun, Study};
 
 /// Least and greatest value of a series, each only if the series saturates there while the `model` moves.
 pub(crate) fn saturated_levels(values: &[f64], model: &[f64]) -> [Option<f64>; 2] {
@@ -33,9 +33,13 @@ pub(crate) fn saturated_levels(values: &[f64], model: &[f64]) -> [Option<f64>; 2
 }
 
 /// Fitted runs in which a channel saturates, with its levels. `fits` are the fitted runs of the model, in their order.
-pub(crate) fn saturated_runs<'a>(study: &'a Study, fits: &[Fit], channel: &str) -> Vec<(&'a Run, [Option<f64>; 2])> {
+pub(crate) fn saturated_runs<'a>(
+    study: &'a Study,
+    fits: &[ScoredRun],
+    channel: &str,
+) -> Vec<(&'a Run, [Option<f64>; 2])> {
     let runs = study.runs_of(Role::Fit).map(|(_, r)| r).zip(fits);
-    let of = |(r, fit): (&'a Run, &Fit)| {
+    let of = |(r, fit): (&'a Run, &ScoredRun)| {
         let c = r.observe.iter().position(|o| o.channel == channel)?;
         Some((r, saturated_levels(&r.observe[c].values, &fit.channels[c])))
     };

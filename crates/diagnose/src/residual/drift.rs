@@ -12,14 +12,14 @@ use crate::prior::{
     SURROGATES,
 };
 use crate::series::{averaged, power};
-use hysteron_identify::study::{Fit, Role, Study};
+use hysteron_identify::study::{Role, ScoredRun, Study};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
 
 /// Returns true if the strongest drift among channel faults may be slow noise; false if no channel drifts.
 ///
 /// `fits` are the fitted runs with these faults, in their order.
-pub(crate) fn drift_may_be_noise(study: &Study, faults: &[ChannelFault], fits: &[Fit]) -> bool {
+pub(crate) fn drift_may_be_noise(study: &Study, faults: &[ChannelFault], fits: &[ScoredRun]) -> bool {
     let drifting: Vec<&ChannelFault> = faults.iter().filter(|c| !c.drift.is_empty()).collect();
     let runs = study.runs.iter().filter(|r| r.role == Role::Fit);
     // Power of the drift over the variance of its channel, residual without it, and true if the drift is a polyline.

@@ -14,7 +14,7 @@ use crate::prior::{
     VARIANCE_FIT_STEPS,
 };
 use crate::series::{averaged, power};
-use hysteron_identify::study::{Fit, Observe, Role, Run, Study};
+use hysteron_identify::study::{ObservedChannel, Role, Run, ScoredRun, Study};
 
 /// Structure of a residual that no steady noise has.
 #[derive(Clone, Debug, Default)]
@@ -37,7 +37,7 @@ impl UnmodelledStructure {
 /// A run with its residuals and the motion of its devices.
 struct RunResiduals<'a> {
     run: &'a Run,
-    fit: &'a Fit,
+    fit: &'a ScoredRun,
     /// Residuals of the channels at all samples.
     residuals: Vec<Vec<f64>>,
     /// The same, averaged to at most [`STRUCTURE_POINTS`] points.
@@ -53,7 +53,7 @@ struct RunResiduals<'a> {
 pub(crate) fn unmodelled_structure(
     study: &Study,
     responses: &ResponseRanges,
-    fits: &[Fit],
+    fits: &[ScoredRun],
     complete_model: bool,
 ) -> UnmodelledStructure {
     let mut found = UnmodelledStructure::default();
@@ -161,7 +161,11 @@ fn variance_normalised(residual: &[f64], channel: &[f64]) -> Vec<f64> {
 }
 
 /// Residual that recurs along the stroke, however slowly it changes there.
-pub(crate) fn recurring_structure(study: &Study, responses: &ResponseRanges, fits: &[Fit]) -> UnmodelledStructure {
+pub(crate) fn recurring_structure(
+    study: &Study,
+    responses: &ResponseRanges,
+    fits: &[ScoredRun],
+) -> UnmodelledStructure {
     let mut found = UnmodelledStructure::default();
     for ((number, run), fit) in study.runs_of(Role::Fit).zip(fits) {
         let strokes = strokes(responses, number);
@@ -174,13 +178,14 @@ pub(crate) fn recurring_structure(study: &Study, responses: &ResponseRanges, fit
     found
 }
 
-fn recurrence_description(channel: &Observe) -> String {
+fn recurrence_description(channel: &ObservedChannel) -> String {
     format!("the residual of {} comes again wherever the deformation does", channel.channel)
 }
 
 /// Residuals of the channels of a run; missing samples are 0.
-fn residuals(run: &Run, fit: &Fit) -> Vec<Vec<f64>> {
-    let of = |(o, y): (&Observe, &Vec<f64>)| y.iter().zip(&o.values).map(|(y, v)| finite_or_zero(y - v)).collect();
+fn residuals(run: &Run, fit: &ScoredRun) -> Vec<Vec<f64>> {
+    let of =
+        |(o, y): (&ObservedChannel, &Vec<f64>)| y.iter().zip(&o.values).map(|(y, v)| finite_or_zero(y - v)).collect();
     run.observe.iter().zip(&fit.channels).map(of).collect()
 }
 
@@ -191,7 +196,7 @@ fn strokes(responses: &ResponseRanges, run: usize) -> Vec<StrokeCells> {
 }
 
 /// Weight of a channel, at most 1: small where the residual is negligible against the channel.
-fn significance(residual: &[f64], channel: &Observe) -> f64 {
+fn significance(residual: &[f64], channel: &ObservedChannel) -> f64 {
     (power(residual) / channel.variance / NEGLIGIBLE_RESIDUAL).min(1.0)
 }
 

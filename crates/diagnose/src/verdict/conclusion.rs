@@ -21,7 +21,9 @@ use crate::fit::step_error::StepError;
 use crate::inspect::insertion::InsertionPoint;
 use crate::inspect::response::ResponseRanges;
 use crate::prior::{MIN_REPAIR_GAIN, MIN_REPORTED_PROBABILITY};
-use hysteron_identify::study::{Fit, Opening, Role, ScriptSimulator, Space, Study, fit};
+use hysteron_identify::study::{
+    InitialRun, ParameterSpace, Role, ScoredRun, ScriptSimulator, Study, simulate_and_score,
+};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -29,7 +31,7 @@ use std::sync::Arc;
 pub(super) struct ConclusionContext<'a> {
     pub(super) study: &'a Arc<Study>,
     pub(super) simulator: &'a ScriptSimulator,
-    pub(super) opening: &'a Opening,
+    pub(super) initial_run: &'a InitialRun,
     pub(super) text: &'a str,
     pub(super) point: &'a InsertionPoint,
     pub(super) responses: &'a ResponseRanges,
@@ -50,7 +52,7 @@ struct Repair {
     /// Its optimum with the steps of the script.
     fitted: FittedModel,
     /// Channels of all runs; none for a run without a result.
-    fits: Vec<Option<Fit>>,
+    fits: Vec<Option<ScoredRun>>,
     judgement: HoldoutJudgement,
 }
 
@@ -83,7 +85,7 @@ pub(super) fn conclude(
     let competitor = ranked.iter().find(|e| e.cause() != repair.hypothesis.cause() && e.cause() != "none");
     let observation = observation(verdict.cause, competitor.map(FittedHypothesis::cause));
     let next_test = competitor.filter(|_| repair.hypothesis.cause() != "none").and_then(|other| {
-        discriminating_test(&c.simulator.blueprint(), study, c.imposed_motion, [&repair.hypothesis, other])
+        discriminating_test(&c.simulator.factory(), study, c.imposed_motion, [&repair.hypothesis, other])
     });
     let named_repair = Some(&repair.fits).filter(|_| !matches!(verdict.cause, "none" | "unknown"));
     let outcome = Outcome {
@@ -109,7 +111,7 @@ pub(super) fn conclude(
         },
     };
     let values = &repair.fitted.values;
-    let script = repaired_script(c.text, &c.opening.places, c.point, &repair.hypothesis.variant, values);
+    let script = repaired_script(c.text, &c.initial_run.value_spans, c.point, &repair.hypothesis.variant, values);
     Ok(Diagnosis {
         outcome,
         repaired_script: script,
@@ -130,7 +132,7 @@ struct VerdictJudge<'a, 'b> {
     c: &'a ConclusionContext<'a>,
     baseline: &'a FittedHypothesis,
     ranked: &'a [FittedHypothesis],
-    baseline_fits: &'a [Option<Fit>],
+    baseline_fits: &'a [Option<ScoredRun>],
 }
 
 impl VerdictJudge<'_, '_> {
@@ -285,7 +287,7 @@ fn ranked_hypothesis(e: &FittedHypothesis) -> RankedHypothesis {
     }
 }
 
-fn values_by_name(space: &Space, values: &[f64]) -> BTreeMap<String, f64> {
+fn values_by_name(space: &ParameterSpace, values: &[f64]) -> BTreeMap<String, f64> {
     space.parameters.iter().map(|p| p.name.clone()).zip(values.iter().copied()).collect()
 }
 
@@ -303,16 +305,16 @@ fn displacements(c: &ConclusionContext<'_>, values: &[f64]) -> Vec<Option<(Strin
 }
 
 /// Channels of a variant in all runs with the steps of the script; `None` for a run without a result.
-fn fits_of_all_runs(c: &ConclusionContext<'_>, variant: &Arc<Variant>, values: &[f64]) -> Vec<Option<Fit>> {
-    let mut simulator = variant.simulator(&c.simulator.blueprint());
-    (0..c.study.runs.len()).map(|r| fit(&mut simulator, c.study, r, values).ok()).collect()
+fn fits_of_all_runs(c: &ConclusionContext<'_>, variant: &Arc<Variant>, values: &[f64]) -> Vec<Option<ScoredRun>> {
+    let mut simulator = variant.simulator(&c.simulator.factory());
+    (0..c.study.runs.len()).map(|r| simulate_and_score(&mut simulator, c.study, r, values).ok()).collect()
 }
 
 /// Errors of the baseline in the fitted runs, the largest NMSE first. A named repair separates the effect from the noise.
 fn mismatches(
     c: &ConclusionContext<'_>,
-    baseline_fits: &[Option<Fit>],
-    repaired_fits: Option<&Vec<Option<Fit>>>,
+    baseline_fits: &[Option<ScoredRun>],
+    repaired_fits: Option<&Vec<Option<ScoredRun>>>,
 ) -> Vec<Mismatch> {
     let mut all: Vec<(f64, Mismatch)> = vec![];
     for (number, run) in c.study.runs_of(Role::Fit) {

@@ -22,7 +22,7 @@ use crate::inspect::conditions::lacks_clock;
 use crate::inspect::probe::{inspect_model, record_responses};
 use crate::residual::drift::drift_may_be_noise;
 use hysteron_identify::calibrate::Displacements;
-use hysteron_identify::study::{Fit, Opening, ScriptSimulator, Study};
+use hysteron_identify::study::{InitialRun, ScoredRun, ScriptSimulator, Study};
 
 /// Settings of a diagnosis.
 #[derive(Clone, Debug, Default)]
@@ -46,9 +46,9 @@ pub struct Diagnosis {
     /// All ranked hypotheses, best first.
     pub ranking: Vec<RankedHypothesis>,
     /// Observed channels of the baseline, by run; none for a run without a result.
-    pub baseline_fits: Vec<Option<Fit>>,
+    pub baseline_fits: Vec<Option<ScoredRun>>,
     /// Observed channels of the repaired model, by run.
-    pub repaired_fits: Vec<Option<Fit>>,
+    pub repaired_fits: Vec<Option<ScoredRun>>,
     /// Displacements over which forces are plotted, by run.
     pub displacements: Displacements,
     /// Recommended test; none if the motions of the study allow none.
@@ -87,24 +87,24 @@ fn drift_is_significant(study: &Study, e: &FittedHypothesis) -> bool {
 /// The model has no result at any values, the script makes no analysis, or the user cancelled.
 pub fn diagnose(
     simulator: &ScriptSimulator,
-    opening: &Opening,
+    initial_run: &InitialRun,
     text: &str,
     settings: &Settings,
     monitor: &mut dyn ProgressMonitor,
 ) -> Result<Diagnosis, String> {
     let study = simulator.study().clone();
-    let blueprint = simulator.blueprint();
-    let pool = EvaluatorPool::new(blueprint.clone(), settings.threads).map_err(|e| e.to_string())?;
+    let factory = simulator.factory();
+    let pool = EvaluatorPool::new(factory.clone(), settings.threads).map_err(|e| e.to_string())?;
     let mut scheduler = Scheduler::new(study.clone(), pool, monitor, settings.checkpoint.clone());
-    let baseline = fit_baseline(&mut scheduler, opening, text)?;
+    let baseline = fit_baseline(&mut scheduler, initial_run, text)?;
 
     // A poor fit says little of stiffnesses; the user's own values say more.
     let poor = is_poor(&baseline);
-    let values = if poor { opening.values.clone() } else { baseline.fitted.values.clone() };
-    let Some((point, inventory)) = inspect_model(&blueprint, &study, text, &values) else {
+    let values = if poor { initial_run.values.clone() } else { baseline.fitted.values.clone() };
+    let Some((point, inventory)) = inspect_model(&factory, &study, text, &values) else {
         return Err("the script makes no analysis".into());
     };
-    let responses = record_responses(&blueprint, &study, text, &values, &point, &inventory);
+    let responses = record_responses(&factory, &study, text, &values, &point, &inventory);
     let has_clock = settings.counted_times_are_seconds || inventory.base_excited || !lacks_clock(&study);
     let context = ProposalContext {
         inventory: &inventory,
@@ -119,7 +119,7 @@ pub fn diagnose(
 
     let edits = proposals.iter().filter(|p| !p.commands.is_empty()).count();
     let global = poor && is_affordable(&study, edits);
-    let first_round = FirstRound { baseline: &baseline, opening, point: &point, proposals: &proposals, global };
+    let first_round = FirstRound { baseline: &baseline, initial_run, point: &point, proposals: &proposals, global };
     let mut singles = first_round.fit(&mut scheduler)?;
     refit_competitors(&mut scheduler, &baseline, &mut singles)?;
     let finalists = best_forms(&singles);
@@ -148,7 +148,7 @@ pub fn diagnose(
     let context = ConclusionContext {
         study: &study,
         simulator,
-        opening,
+        initial_run,
         text,
         point: &point,
         responses: &responses,

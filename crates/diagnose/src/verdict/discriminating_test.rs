@@ -8,7 +8,7 @@
 use crate::fit::fitted::FittedHypothesis;
 use crate::prior::EFFECTIVE_SAMPLES;
 use crate::series::power;
-use hysteron_identify::study::{Blueprint, Rig, Role, Run, Setting, Simulator, Study};
+use hysteron_identify::study::{Rig, Role, Run, Setting, Simulator, SimulatorFactory, Study};
 use std::fmt::Write as _;
 use std::path::Path;
 use std::sync::Arc;
@@ -160,7 +160,7 @@ struct VariedRun<'a> {
 /// `imposed` is true if the motion is that of the device, so that the limits of the rig apply; false for ground motions.
 /// `None` if no motion of the study is a file of numbers, or none can be simulated.
 pub(super) fn discriminating_test(
-    blueprint: &Blueprint,
+    factory: &SimulatorFactory,
     study: &Study,
     imposed: bool,
     pair: [&FittedHypothesis; 2],
@@ -178,7 +178,7 @@ pub(super) fn discriminating_test(
             if !allowed {
                 continue;
             }
-            let Some(separation) = separation(blueprint, &test, pair, &noise, limits.force) else { continue };
+            let Some(separation) = separation(factory, &test, pair, &noise, limits.force) else { continue };
             if best.as_ref().is_none_or(|b| separation > MIN_IMPROVEMENT * b.0) {
                 best = Some((separation, test));
             }
@@ -269,7 +269,7 @@ fn noise_of(study: &Study, e: &FittedHypothesis) -> Option<Vec<(String, f64)>> {
 ///
 /// `None` if a simulation fails, or if a force exceeds the rig's.
 fn separation(
-    blueprint: &Blueprint,
+    factory: &SimulatorFactory,
     test: &VariedRun<'_>,
     pair: [&FittedHypothesis; 2],
     noise: &[(String, f64)],
@@ -281,16 +281,16 @@ fn separation(
     let end = test.dt * (count.saturating_sub(2)) as f64;
     let times: Vec<f64> = (1..=samples).map(|i| end * i as f64 / samples as f64).collect();
     let simulate = |e: &FittedHypothesis| {
-        let mut blueprint = blueprint.clone();
+        let mut factory = factory.clone();
         for (name, values) in &test.motions {
-            blueprint = blueprint.with_file(&motion_file(name), &file_content(values));
+            factory = factory.with_file(&motion_file(name), &file_content(values));
         }
         let mut study = (*e.variant.study).clone();
         let mut varied = Run { set: test.settings(), ..run.clone() };
         varied.recording.times.clone_from(&times);
         study.runs = vec![varied];
         let variant = Arc::new(e.variant.with_study(study));
-        variant.simulator(&blueprint).simulate(0, &e.fitted.values).ok()
+        variant.simulator(&factory).simulate(0, &e.fitted.values).ok()
     };
     let (a, b) = (simulate(pair[0])?, simulate(pair[1])?);
     let forces = run.observe.iter().zip(a.iter().zip(&b)).filter(|(o, _)| o.is_force());

@@ -2,9 +2,9 @@
 
 use crate::evidence::parametric_bootstrap::{EqualGain, percent};
 use crate::verdict::diagnosis::Diagnosis;
-use hysteron_identify::calibrate::{Amplitude, amplitudes};
+use hysteron_identify::calibrate::{AmplitudeGroup, amplitude_groups};
 use hysteron_identify::report::html::{self, escaped, labelled, line, number, picture, table};
-use hysteron_identify::study::{Fit, Role, Study};
+use hysteron_identify::study::{Role, ScoredRun, Study};
 use hysteron_opensees::chart::Figure;
 use std::fmt::Write as _;
 
@@ -37,7 +37,7 @@ pub fn report(d: &Diagnosis, study: &Study, text: &str) -> String {
 /// Errors of all runs and values of all parameters, before and after the repair.
 fn errors(out: &mut String, d: &Diagnosis, study: &Study) {
     out.push_str("<h2>Gain</h2>\n");
-    let error = |all: &[Option<Fit>], i: usize| {
+    let error = |all: &[Option<ScoredRun>], i: usize| {
         all[i].as_ref().map_or("no answer".into(), |f| number(f.nmse(&study.runs[i].observe)))
     };
     let rows = study.runs.iter().enumerate().map(|(i, r)| {
@@ -143,9 +143,9 @@ fn cycle_errors(out: &mut String, d: &Diagnosis, study: &Study) {
         let Some((_, u)) = &d.displacements[i] else { continue };
         for (k, o) in run.observe.iter().enumerate().filter(|(_, o)| o.is_resistance()) {
             let (Some(before), Some(after)) = (&d.baseline_fits[i], &d.repaired_fits[i]) else { continue };
-            let of = |f: &Fit| amplitudes(u, &o.values, &f.channels[k]);
+            let of = |f: &ScoredRun| amplitude_groups(u, &o.values, &f.channels[k]);
             for (b, a) in of(before).iter().zip(of(after)) {
-                let percent = |pair: [f64; 2]| format!("{:+.1} %", 100.0 * Amplitude::error(pair));
+                let percent = |pair: [f64; 2]| format!("{:+.1} %", 100.0 * AmplitudeGroup::error(pair));
                 let pairs = [(b.stiffness, a.stiffness), (b.energy, a.energy), (b.damping, a.damping)];
                 let errors = pairs.into_iter().flat_map(|(b, a)| [percent(b), percent(a)]);
                 let what = [run.name.clone(), o.channel.clone(), number(b.amplitude), b.cycles.to_string()];

@@ -3,14 +3,15 @@
 mod stepping;
 
 use super::algorithm::Algorithm;
-use super::asking::Calls;
 use super::convergence::Test;
 use super::failure::Failure;
 use super::integrator::Integrator;
-use super::ladder::Ladder;
-use super::prepared::{PrepareOptions, Prepared};
-use super::state::{Departure, State};
-use super::system::{Coefficients, System};
+use super::opensees::Stage;
+use super::recovery::RecoveryStrategy;
+use super::state::{State, StepStart};
+use super::system::System;
+use super::work_counts::WorkCounts;
+use super::workspace::{PrepareOptions, Workspace};
 use crate::assembly::{Handler, MpScope};
 use crate::element::{Element, Overload, Snapshot};
 use crate::model::{ElementEntry, ElementId, GroundMotion, Model, NodeId, Pattern, PatternKind, Tag};
@@ -43,10 +44,10 @@ pub struct Setup {
 /// Settings that hold for all analyses of an engine.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// Follow OpenSees where it is known to slip.
+    /// Reproduce the known errors of OpenSees.
     pub compat: bool,
-    /// Remedies for a step that fails.
-    pub ladder: Option<Ladder>,
+    /// Strategy for a step that fails.
+    pub ladder: Option<RecoveryStrategy>,
     /// Force a dense matrix, or a sparse one.
     pub dense: Option<bool>,
     /// Parts that each step of an analysis is made in, for the error of its steps to be seen. With more than one, tests are
@@ -54,21 +55,21 @@ pub struct Options {
     pub refine: u32,
 }
 
-/// Who wants to know about steps.
+/// Receiver of committed steps.
 pub trait Observer {
     /// A step has been committed.
     ///
     /// # Errors
-    /// What keeps the observer from going on (a recorder that cannot write); ends the analysis.
+    /// The observer cannot go on (a recorder that cannot write); this ends the analysis.
     fn committed(&mut self, engine: &mut Engine) -> Result<(), String>;
 
-    /// Whether to stop before the next step.
+    /// Returns true to stop before the next step.
     fn interrupted(&self) -> bool {
         false
     }
 }
 
-/// Nobody.
+/// An observer that does nothing.
 pub struct Quiet;
 
 impl Observer for Quiet {
@@ -84,14 +85,14 @@ pub struct Imbalance {
     pub time: f64,
     /// Largest unbalanced force over the largest force in the model.
     pub ratio: f64,
-    /// Where, in words.
+    /// Its place in words.
     pub place: String,
     /// Steps so far that were out of balance by more than [`Imbalance::LIMIT`].
     pub steps: usize,
 }
 
 impl Imbalance {
-    /// Unbalanced forces beyond this fraction of the largest force are worth telling.
+    /// Unbalanced forces beyond this fraction of the largest force are reported.
     pub const LIMIT: f64 = 1e-2;
 }
 
@@ -101,10 +102,10 @@ pub struct Engine {
     model: Model,
     committed: State,
     trial: State,
-    pub(super) departure: Departure,
+    pub(super) step_start: StepStart,
     setup: Option<Setup>,
-    prepared: Option<(u64, PrepareOptions, Prepared)>,
-    /// The parts of the analysis that have not seen the prepared model yet.
+    prepared: Option<(u64, PrepareOptions, Workspace)>,
+    /// The parts of the analysis have not been prepared for the model yet.
     fresh: bool,
     /// Settings.
     pub options: Options,
@@ -120,6 +121,8 @@ pub struct Engine {
     pub default_handler: Handler,
     pub(super) modes: Option<super::modes::Modes>,
     pub(super) reaction_words: Vec<f64>,
+    /// Work done with plans that have been dropped.
+    pub(super) earlier_work: WorkCounts,
 }
 
 impl Engine {
@@ -129,7 +132,7 @@ impl Engine {
             model: Model::new(),
             committed: State::default(),
             trial: State::default(),
-            departure: Departure::default(),
+            step_start: StepStart::default(),
             setup: None,
             prepared: None,
             fresh: true,
@@ -141,6 +144,7 @@ impl Engine {
             default_handler: Handler::Transformation,
             modes: None,
             reaction_words: vec![],
+            earlier_work: WorkCounts::default(),
         }
     }
 
@@ -161,12 +165,20 @@ impl Engine {
     pub fn wipe(&mut self) {
         let options = std::mem::take(&mut self.options);
         let imbalance = self.imbalance.take();
-        *self = Self { imbalance, steps: self.steps, iterations: self.iterations, ..Self::new(options) };
+        self.drop_prepared();
+        let (steps, iterations, earlier_work) = (self.steps, self.iterations, self.earlier_work);
+        *self = Self { imbalance, steps, iterations, earlier_work, ..Self::new(options) };
     }
 
     /// Forget the analysis.
     pub fn wipe_analysis(&mut self) {
         self.setup = None;
+        self.drop_prepared();
+    }
+
+    /// Drop plan and factors; the work done with them still counts.
+    fn drop_prepared(&mut self) {
+        self.earlier_work = self.work_counts();
         self.prepared = None;
     }
 
@@ -245,7 +257,7 @@ impl Engine {
         let before = self.model.clone();
         let result = change(&mut self.model);
         self.committed = self.committed.rearranged(&before, &self.model);
-        self.departure.forget();
+        self.step_start.forget();
         self.trial.clone_from(&self.committed);
         result
     }
@@ -257,16 +269,18 @@ impl Engine {
 
     /// Change the committed state by hand: displacements, velocities.
     pub fn change_state(&mut self, change: impl FnOnce(&mut State, &Model)) {
-        self.departure.forget();
+        self.step_start.forget();
         self.adopt(change);
     }
 
     fn adopt(&mut self, change: impl FnOnce(&mut State, &Model)) {
         change(&mut self.committed, &self.model);
-        self.trial.clone_from(&self.committed);
         if let Some((_, _, p)) = &mut self.prepared {
+            // A state from before the preparation has no multipliers.
+            self.committed.multipliers.resize(p.plan.multipliers, 0.0);
             p.loads.invalidate();
         }
+        self.trial.clone_from(&self.committed);
     }
 
     /// The state, to be gone back to. What follows from here and what follows [`Engine::restore`] is the same to the
@@ -283,7 +297,7 @@ impl Engine {
     }
 
     fn forget_work(&mut self) {
-        self.departure.forget();
+        self.step_start.forget();
         if let Some((_, _, work)) = &mut self.prepared {
             work.forget();
         }
@@ -293,14 +307,14 @@ impl Engine {
     /// Back to the undeformed, virgin model at time zero.
     pub fn reset(&mut self) {
         self.committed = State::default();
-        self.departure.forget();
+        self.step_start.forget();
         self.committed.grow(&self.model);
         self.trial.clone_from(&self.committed);
         self.fresh = true;
-        self.prepared = None;
+        self.drop_prepared();
     }
 
-    /// What a recorder reads an element's responses from.
+    /// Data of the committed state from which a recorder reads the responses of an element.
     pub fn snapshot<'a>(&'a self, id: ElementId, disp: &'a mut Vec<f64>) -> Snapshot<'a> {
         let e = &self.model.elements[id.0];
         disp.clear();
@@ -347,18 +361,18 @@ impl Engine {
         }
     }
 
-    /// Whether there is a plan for the model as it is. Asked at every step: what else follows from the handler and the
-    /// options is not worked out for it.
+    /// Returns true if there is a plan for the model as it is. Every step calls it, so that nothing else is worked out that
+    /// follows from the handler and the options.
     #[inline]
     fn is_prepared(&self, handler: &Handler) -> bool {
         let Options { compat, dense, .. } = &self.options;
-        let as_asked = |o: &PrepareOptions| o.handler == *handler && o.compat == *compat && o.dense == *dense;
-        matches!(&self.prepared, Some((revision, o, _)) if *revision == self.model.revision() && as_asked(o))
+        let matches_options = |o: &PrepareOptions| o.handler == *handler && o.compat == *compat && o.dense == *dense;
+        matches!(&self.prepared, Some((revision, o, _)) if *revision == self.model.revision() && matches_options(o))
     }
 
     /// Make sure that there is a plan for the model as it is.
     #[inline]
-    pub(super) fn prepare(&mut self, handler: Handler) -> Result<&mut Prepared, Failure> {
+    pub(super) fn prepare(&mut self, handler: Handler) -> Result<&mut Workspace, Failure> {
         if !self.is_prepared(&handler) {
             self.prepare_anew(self.prepare_options(handler))?;
         }
@@ -371,10 +385,11 @@ impl Engine {
     #[cold]
     fn prepare_anew(&mut self, options: PrepareOptions) -> Result<(), Failure> {
         let time = self.committed.time;
-        let prepared = Prepared::new(&self.model, &options).map_err(|cause| Failure::new(cause, time, -1))?;
+        let prepared = Workspace::new(&self.model, &options).map_err(|cause| Failure::new(cause, time, -1))?;
         let multipliers = prepared.plan.multipliers;
         self.committed.multipliers.resize(multipliers, 0.0);
         self.trial.clone_from(&self.committed);
+        self.drop_prepared();
         self.prepared = Some((self.model.revision(), options, prepared));
         self.fresh = true;
         Ok(())
@@ -394,39 +409,24 @@ impl Engine {
     /// The smallest pivot that was nearly zero: where it was, and the fraction of the stiffness that was left.
     pub fn weak_pivot(&self) -> Option<(String, f64)> {
         let (_, _, work) = self.prepared.as_ref()?;
-        let p = work.weak_pivot?;
+        let p = work.matrix.weak_pivot?;
         Some((work.plan.equation_name(&self.model, p.equation), p.ratio))
     }
 
     /// The plan and the factors, where there are any.
-    pub fn prepared(&self) -> Option<&Prepared> {
+    pub fn prepared(&self) -> Option<&Workspace> {
         self.prepared.as_ref().map(|(_, _, p)| p)
     }
 
     /// Model, committed state and work, borrowed apart.
-    pub(super) fn parts(&mut self) -> (&Model, &State, Option<&mut Prepared>) {
+    pub(super) fn parts(&mut self) -> (&Model, &State, Option<&mut Workspace>) {
         (&self.model, &self.committed, self.prepared.as_mut().map(|(_, _, p)| p))
     }
 
     /// The equations at the committed state, outside of a step.
     pub(super) fn system(&mut self) -> Option<System<'_>> {
         let (_, _, work) = self.prepared.as_mut()?;
-        work.updates = Calls::NONE;
-        Some(System {
-            model: &self.model,
-            old: &self.committed,
-            new: &mut self.trial,
-            work,
-            coefficients: Coefficients::default(),
-            dynamic: false,
-            elapses: false,
-            passed: None,
-            again: false,
-            moved: true,
-            asked: None,
-            still: false,
-            summed: false,
-            settled: false,
-        })
+        work.enter(Stage::Outside);
+        Some(System::new(&self.model, &self.committed, &mut self.trial, work))
     }
 }

@@ -1,8 +1,8 @@
 //! Forces and matrix of damping by modes.
 
 use super::ground_inertia::mass_times;
-use super::prepared::Prepared;
 use super::state::State;
+use super::workspace::Workspace;
 use crate::assembly::Storage;
 use crate::model::Model;
 use crate::numeric::{axpy, dot};
@@ -30,7 +30,7 @@ impl DampedModes {
     }
 }
 
-impl Prepared {
+impl Workspace {
     /// Subtract the forces of damping by modes from `full`.
     pub(super) fn subtract_modal_damping(&mut self, state: &State) {
         for (factor, mass_shape, _) in &self.damped_modes.modes {
@@ -49,7 +49,7 @@ impl Prepared {
             for (i, a) in shape.iter().enumerate().filter(|(_, a)| **a != 0.0) {
                 for (j, b) in shape.iter().enumerate().filter(|(j, _)| pattern.storage != Storage::Upper || i <= *j) {
                     if let Some(at) = pattern.place(i, j) {
-                        self.values[at] += factor * damping * a * b;
+                        self.matrix.values[at] += factor * damping * a * b;
                     }
                 }
             }

@@ -2,9 +2,9 @@
 
 use super::engine::Engine;
 use super::failure::{Cause, Failure};
-use super::prepared::{Prepared, TangentMix};
 use super::state::State;
 use super::system::{Coefficients, System};
+use super::workspace::{TangentMix, Workspace};
 use crate::solve::eigen::{self, Pair, Pencil};
 use crate::solve::{SINGULAR, SolveError};
 
@@ -17,7 +17,7 @@ pub struct Modes {
     pub shapes: Vec<Vec<f64>>,
 }
 
-/// What the eigenvalues are of.
+/// Eigenvalue problem.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Problem {
     /// K x = λ M x.
@@ -26,14 +26,14 @@ pub enum Problem {
     Standard,
 }
 
-/// Which modes are wanted.
+/// Choice of modes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Wanted {
-    /// How many.
+    /// Their number.
     pub count: usize,
-    /// What the eigenvalues are of.
+    /// Eigenvalue problem.
     pub problem: Problem,
-    /// Those with the largest eigenvalues instead of the smallest.
+    /// Modes with the largest eigenvalues instead of the smallest.
     pub largest: bool,
     /// As OpenSees' solver `-fullGenLapack` gives them: always the smallest, with infinite values (the largest number)
     /// where the mass moves no more modes, and shapes of unit length in a mass matrix whose rows are summed up on its
@@ -55,7 +55,7 @@ pub enum ModesError {
     Failure(Failure),
     /// The tangent has no eigenvalues that could be found.
     NotFound,
-    /// There are fewer modes than were asked for: the mass moves only so many.
+    /// There are fewer modes than required: the mass moves only so many.
     TooFew {
         /// Number of modes that there are.
         available: usize,
@@ -87,13 +87,13 @@ impl std::fmt::Display for ModesError {
 impl std::error::Error for ModesError {}
 
 /// The factored stiffness and the mass matrix.
-struct Matrices<'a> {
-    work: &'a mut Prepared,
+struct ElementWorkspace<'a> {
+    work: &'a mut Workspace,
     /// Mass; `None` for the unit matrix.
     mass: Option<Vec<f64>>,
 }
 
-impl Pencil for Matrices<'_> {
+impl Pencil for ElementWorkspace<'_> {
     fn len(&self) -> usize {
         self.work.plan.equations()
     }
@@ -114,13 +114,13 @@ impl Pencil for Matrices<'_> {
 
 /// Scale the vectors to unit length in the mass matrix with its rows summed up on the diagonal, and fill up with
 /// infinite eigenvalues.
-fn as_lapack(matrices: &Matrices<'_>, pairs: &mut Vec<Pair>, count: usize) {
+fn as_lapack(matrices: &ElementWorkspace<'_>, pairs: &mut Vec<Pair>, count: usize) {
     let n = matrices.len();
     let mut sums = vec![0.0; n];
     matrices.mass(&vec![1.0; n], &mut sums);
     for p in pairs.iter_mut() {
         let square: f64 = p.vector.iter().zip(&sums).map(|(x, m)| m * x * x).sum();
-        // Where the sums are no length, LAPACK's own: the largest entry is one.
+        // If the sums are no length, LAPACK's scale: the largest entry is one.
         let size = if square > 0.0 { square.sqrt() } else { p.vector.iter().fold(0.0f64, |m, x| m.max(x.abs())) };
         p.vector.iter_mut().for_each(|x| *x /= size);
     }
@@ -143,7 +143,7 @@ impl Engine {
         let time = state.time;
         work.assemble(model, Coefficients { k: 0.0, c: 0.0, m: 1.0 }, TangentMix::CURRENT);
         let mass = match problem {
-            Problem::Generalized => Some(work.values.clone()),
+            Problem::Generalized => Some(work.matrix.values.clone()),
             Problem::Standard => None,
         };
         work.assemble(model, Coefficients { k: 1.0, c: 0.0, m: 0.0 }, TangentMix::CURRENT);
@@ -156,7 +156,7 @@ impl Engine {
         // A body that floats is held by a very soft spring, which the eigenvalues are freed of again.
         let mut shift = 0.0;
         for attempt in 0..2 {
-            let pivots = work.solver.factor(&work.plan.pattern, &work.values);
+            let pivots = work.solver.factor(&work.plan.pattern, &work.matrix.values);
             match pivots {
                 Ok(p) if p.ratio > SINGULAR || !work.plan.handler.eliminates() => break,
                 Err(SolveError::OutOfMemory) => return Err(failure(Cause::OutOfMemory).into()),
@@ -169,12 +169,12 @@ impl Engine {
                     return Err(failure(Cause::Singular).at(place).into());
                 }
                 _ => {
-                    shift = -1e-7 * sum(&work.values) / masses;
+                    shift = -1e-7 * sum(&work.matrix.values) / masses;
                     match &mass {
-                        Some(m) => work.values.iter_mut().zip(m).for_each(|(k, m)| *k -= shift * m),
+                        Some(m) => work.matrix.values.iter_mut().zip(m).for_each(|(k, m)| *k -= shift * m),
                         None => (0..work.plan.map.equations).for_each(|e| {
                             if let Some(at) = work.plan.pattern.place(e, e) {
-                                work.values[at] -= shift;
+                                work.matrix.values[at] -= shift;
                             }
                         }),
                     }
@@ -183,7 +183,7 @@ impl Engine {
         }
         let available = work.plan.map.equations;
         let wanted = if largest { available } else { count };
-        let mut matrices = Matrices { work: &mut *work, mass };
+        let mut matrices = ElementWorkspace { work: &mut *work, mass };
         let found = eigen::nearest(&mut matrices, wanted);
         let Ok(mut pairs) = found else {
             work.solver.forget();
@@ -217,9 +217,9 @@ impl Engine {
 
     /// Tangents of all elements in the committed state: those of the step that has come to it.
     fn respond_as_committed(&mut self) -> Result<(), Failure> {
-        let departure = self.departure.state(self.state());
+        let step_start = self.step_start.state(self.state());
         let time = self.state().time;
-        self.with_system_from(departure.as_ref(), |system| {
+        self.with_system_from(step_start.as_ref(), |system| {
             system.apply_loads(time)?;
             system.respond(true)
         })
@@ -236,12 +236,12 @@ impl Engine {
     /// The same as at the end of a step from another state, of which the time is that of a step.
     fn with_system_from<T>(
         &mut self,
-        departure: Option<&State>,
+        step_start: Option<&State>,
         act: impl FnOnce(&mut System<'_>) -> Result<T, Failure>,
     ) -> Result<T, Failure> {
         let Some(system) = self.system() else { unreachable!("called after prepare") };
         let committed = system.old;
-        let (old, elapses) = (departure.unwrap_or(committed), departure.is_some());
+        let (old, elapses) = (step_start.unwrap_or(committed), step_start.is_some());
         let mut system = System { old, elapses, ..system };
         let result = act(&mut system);
         system.work.loads.invalidate();

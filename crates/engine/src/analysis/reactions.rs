@@ -4,7 +4,7 @@ use super::engine::Engine;
 use super::failure::Failure;
 use super::state::State;
 
-/// Which forces count in a reaction.
+/// Forces that count in a reaction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReactionKind {
     /// Resisting forces of the elements less the loads; and, as in OpenSees, mass-proportional damping of the nodes.
@@ -64,7 +64,7 @@ impl Engine {
     }
 }
 
-impl super::prepared::Prepared {
+impl super::workspace::Workspace {
     /// Loads less forces of elements and nodes, into `full`.
     fn sum_forces(&mut self, model: &crate::model::Model, state: &State, kind: ReactionKind) {
         match kind {

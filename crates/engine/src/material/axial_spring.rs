@@ -3,27 +3,27 @@
 mod bundle;
 
 use super::Stress;
-use crate::words::Field;
+use crate::state_struct::Field;
 
-/// Parameters of an axial spring as the `AxialSp` and `AxialSpHD` commands have them. Stress over displacement: a
-/// spring of a bearing knows its share of the area, not its length.
+/// Parameters of an axial spring in the commands `AxialSp` and `AxialSpHD`. Stiffnesses are stress over displacement,
+/// since a spring of a bearing has an area but no length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxialParameters {
-    /// Stiffness in compression, σ per displacement.
+    /// Stiffness in compression, stress over displacement.
     pub sce: f64,
     /// Stress at cavitation, not negative.
     pub fty: f64,
     /// Stress at yield in compression, not positive.
     pub fcy: f64,
-    /// Stiffness in tension over `sce`, 0 to 1.
+    /// Stiffness in tension divided by `sce`, 0 to 1.
     pub bte: f64,
-    /// Stiffness after cavitation over `sce`, 0 to `bte`; equal to `bte` for a spring that does not cavitate.
+    /// Stiffness after cavitation divided by `sce`, 0 to `bte`; equal to `bte` for a spring without cavitation.
     pub bty: f64,
-    /// Stiffness after yield in compression over `sce`, 0 to 1.
+    /// Stiffness after yield in compression divided by `sce`, 0 to 1.
     pub bcy: f64,
-    /// Stress at which a cavitated spring is whole again, `fcy` to 0.
+    /// Stress at which a cavitated spring has recovered, `fcy` to 0.
     pub fcr: f64,
-    /// Hardening after cavitation (`AxialSpHD`): stiffness over `sce`, and the displacement at which it begins over
+    /// Hardening after cavitation (`AxialSpHD`): stiffness divided by `sce`, and its initial displacement divided by
     /// that at cavitation.
     pub hardening: Option<(f64, f64)>,
 }
@@ -31,10 +31,10 @@ pub struct AxialParameters {
 /// Axial spring of a multiple-shear-spring or multiple-normal-spring bearing model (Tanimoto, 2012, in OpenSees; Ishii
 /// and Kikuchi, 2019, <https://doi.org/10.1002/eqe.3132>).
 ///
-/// The skeleton is elastic in tension and compression with stiffnesses of their own, yields on both sides and, with `HD`,
-/// hardens in tension. After cavitation it unloads towards the point (u_cr, f_cr) of the elastic compression branch,
-/// where it is whole again: `AxialSp` on the straight line there, `AxialSpHD` elastically at first. After yield in
-/// compression the elastic lines are shifted along.
+/// The skeleton is elastic with different stiffnesses in tension and compression, yields on both sides and, with
+/// `HD`, hardens in tension. After cavitation the spring unloads towards the point (u_cr, f_cr) of the elastic
+/// compression branch, where it has recovered. `AxialSp` unloads on the straight line to this point, `AxialSpHD`
+/// elastically at first. Yield in compression shifts the elastic lines.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AxialSpring<const HD: bool> {
     sce: f64,
@@ -58,7 +58,7 @@ pub type AxialSp = AxialSpring<false>;
 /// `uniaxialMaterial AxialSpHD`.
 pub type AxialSpHD = AxialSpring<true>;
 
-/// Where on its curves a spring is.
+/// Branch of a spring.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Branch {
     /// Elastic through the origin.
@@ -68,17 +68,17 @@ enum Branch {
     Cavitated,
     /// On the skeleton in compression after yield.
     Yielded,
-    /// On the line `slope` through (u_cr, f_cr), on which it closes after cavitation.
+    /// Closing after cavitation on the line `slope` through (u_cr, f_cr).
     Closing,
-    /// On the elastic line that leaves that line at `from`.
+    /// On the elastic line from the closing line at `from`.
     Reopening,
-    /// On the elastic line that leaves the skeleton in tension at `from`, above (u_cr, f_cr) all the way.
+    /// On the elastic line from the skeleton in tension at `from`, above (u_cr, f_cr) along its length.
     Relieved,
     /// On the elastic lines through zero force at `from`, after yield in compression.
     Shifted,
     /// On the skeleton in tension before cavitation, after yield in compression.
     Flowing,
-    /// On the hardening line where it does not belong: where OpenSees leaves a spring that comes down to u_cr in one step.
+    /// On the extended hardening line, as OpenSees leaves a spring that reaches u_cr in one step.
     Overlooked,
 }
 
@@ -106,27 +106,27 @@ impl Field for Branch {
     }
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of an [`AxialSpring`].
     struct History {
         /// Displacement.
         u: f64,
         /// Branch.
         branch: Branch,
-        /// Slope of the line on which it closes.
+        /// Slope of the closing line.
         slope: f64,
-        /// Displacement that the elastic line of the branch passes through.
+        /// Displacement of the first point of the branch's elastic line.
         from: f64,
     }
 }
 
 impl<const HD: bool> AxialSpring<HD> {
-    /// From the parameters. With `compat` a step that jumps from cavitation to compression ends where it does in OpenSees,
-    /// a spring that has just begun to harden closes beyond (u_cr, f_cr) or overlooks that it is there, and one without stiffness in tension does not
-    /// come off compression once it has yielded.
+    /// From the parameters. With `compat` the spring deviates as in OpenSees. A step from cavitation to compression
+    /// ends where it does there. A spring that has just begun to harden closes beyond (u_cr, f_cr) or misses this
+    /// point. A spring without stiffness in tension does not leave compression after yield.
     pub fn new(p: &AxialParameters, compat: bool) -> Self {
         let (ste, sty) = (p.bte * p.sce, p.bty * p.sce);
-        // What does not yield has its yield point out of reach.
+        // A spring without cavitation has its yield point at infinity.
         let (fty, uty, sty) = if ste > sty { (p.fty, p.fty / ste, sty) } else { (f64::MAX, f64::MAX, 0.0) };
         let (sth, uth) = p.hardening.map_or((sty, f64::MAX), |(bth, ath)| (bth * p.sce, ath * uty));
         let fth = if uth < f64::MAX { sty * (uth - uty) + fty } else { f64::MAX };
@@ -134,7 +134,7 @@ impl<const HD: bool> AxialSpring<HD> {
         Self { sce: p.sce, ste, sty, scy, sth, fty, uty, fcy: p.fcy, ucy, fcr: p.fcr, ucr, fth, uth, compat }
     }
 
-    /// Force and stiffness of the skeleton in tension, extended to the left.
+    /// Force and stiffness of the skeleton in tension, extended to smaller displacements.
     #[inline]
     fn tension(&self, u: f64) -> (f64, f64) {
         if u > self.uth {
@@ -150,7 +150,7 @@ impl<const HD: bool> AxialSpring<HD> {
         self.scy * (u - self.ucy) + self.fcy
     }
 
-    /// Force on the line on which the spring closes.
+    /// Force on the closing line.
     #[inline]
     fn closing(&self, slope: f64, u: f64) -> f64 {
         self.fcr + slope * (u - self.ucr)
@@ -168,15 +168,15 @@ impl<const HD: bool> AxialSpring<HD> {
         }
     }
 
-    /// Down from the skeleton in tension, where the force was `f` at `c.u`.
+    /// Branch of unloading from the skeleton in tension, with the force `f` at `c.u`.
     #[inline]
     fn unload(&self, c: &History, f: f64, u: f64, t: &mut History) -> Branch {
         if HD {
             if self.compat && c.u > self.uth && u == self.ucr {
                 return Branch::Overlooked;
             }
-            // Elastically, to the line that joins the skeleton's slope through the origin with (u_cr, f_cr); or, where
-            // the elastic line ends in compression before, along itself.
+            // The spring unloads elastically to the line from (u_cr, f_cr) to the intersection of elastic line and
+            // origin slope of the skeleton. If the elastic line meets compression first, the spring follows it.
             let end = f + self.ste * (self.ucr - c.u);
             if end >= self.fcr && !(self.compat && c.u > self.uth) {
                 t.from = c.u;
@@ -193,19 +193,19 @@ impl<const HD: bool> AxialSpring<HD> {
         self.close(t.slope, u)
     }
 
-    /// Down the line through (u_cr, f_cr), and beyond.
+    /// Branch on the closing line and beyond it.
     #[inline]
     fn close(&self, slope: f64, u: f64) -> Branch {
         let mut end = self.ucr;
         if self.compat && self.uth < f64::MAX {
-            // OpenSees looks first whether the elastic line from the hardening point has been passed.
+            // OpenSees first tests the elastic line from the hardening point.
             let pass = (self.fth - self.fcr - self.ste * self.uth + slope * self.ucr) / (slope - self.ste);
             end = end.min(pass);
         }
         if u > end { Branch::Closing } else { self.virgin(u) }
     }
 
-    /// On the elastic line from the skeleton at `from`, above (u_cr, f_cr).
+    /// Branch on the elastic line from the skeleton at `from`, above (u_cr, f_cr).
     #[inline]
     fn relieved(&self, from: f64, u: f64) -> Branch {
         if u > from {
@@ -217,7 +217,7 @@ impl<const HD: bool> AxialSpring<HD> {
         }
     }
 
-    /// Up from the line through (u_cr, f_cr) at `from`, or down to it again.
+    /// Branch on the elastic line from the closing line at `from`, upwards or back.
     #[inline]
     fn reopen(&self, t: &History, u: f64) -> Branch {
         if u <= t.from {
@@ -229,7 +229,7 @@ impl<const HD: bool> AxialSpring<HD> {
         }
     }
 
-    /// On the elastic lines through zero force at `zero`, between the skeletons.
+    /// Branch on the elastic lines through zero force at `zero`, between the skeletons.
     #[inline]
     fn shifted(&self, c: &History, zero: f64, u: f64) -> Branch {
         if u <= zero {
@@ -256,14 +256,15 @@ impl<const HD: bool> AxialSpring<HD> {
             Branch::Closing => (self.closing(t.slope, u), t.slope),
             Branch::Reopening => (self.closing(t.slope, t.from) + self.ste * (u - t.from), self.ste),
             Branch::Relieved => (self.tension(t.from).0 + self.ste * (u - t.from), self.ste),
-            // Without stiffness in tension OpenSees' spring never gets to the tension side of the line.
+            // OpenSees' spring without stiffness in tension never reaches the tension side of the line.
             Branch::Shifted if u <= t.from || (self.compat && self.ste == 0.0) => (self.sce * (u - t.from), self.sce),
             Branch::Shifted => (self.ste * (u - t.from), self.ste),
         };
         Stress { value, tangent, damping: 0.0 }
     }
 
-    /// Branch at `u` from that of `c`, where the committed force was `force`; sets where its lines begin.
+    /// Branch at `u` from the branch of `c` with the committed force `force`; sets the first points of its lines in
+    /// `t`.
     #[inline]
     fn follow(&self, c: &History, force: impl Fn() -> f64, u: f64, t: &mut History) -> Branch {
         match c.branch {
@@ -298,7 +299,7 @@ impl<const HD: bool> AxialSpring<HD> {
         }
     }
 
-    /// Answer and next history at `u`, from the committed history.
+    /// Response and next history at `u`, from the committed history.
     #[inline]
     fn step(&self, c: &History, u: f64) -> (Stress, History) {
         let mut t = History { u, ..*c };
@@ -306,9 +307,9 @@ impl<const HD: bool> AxialSpring<HD> {
         (self.answer(&t), t)
     }
 
-    /// The same, where OpenSees is followed: its spring goes on from the branch of the last call, whether or not it was
-    /// committed, and takes only displacement and force from the committed state. `slope` is then where a shifted spring
-    /// yields again.
+    /// As `step`, but as in OpenSees, where the branch continues from the last call, committed or not. Only
+    /// displacement and force come from the committed state. `slope` then holds the displacement at which a shifted
+    /// spring yields again.
     #[inline]
     fn step_on(&self, c: &History, last: &History, u: f64) -> (Stress, History) {
         let from = History { u: c.u, ..*last };

@@ -2,75 +2,74 @@
 
 use super::{Material, MaterialError, Slot, Strain, Stress, Uniaxial};
 use crate::probe::Probe;
-use crate::words::Words;
+use crate::state_struct::StateStruct;
 use std::sync::Arc;
 
-/// Numbers of [`Fatigue`].
+/// Parameters of [`Fatigue`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FatigueParameters {
     /// Damage at which the material fails, 0 to 1.
     pub d_max: f64,
-    /// Strain range at which one cycle is enough to fail.
+    /// Strain range at which one cycle causes failure.
     pub e0: f64,
-    /// Slope of the curve of Coffin and Manson in logarithms, negative.
+    /// Slope of the Coffin-Manson curve in logarithmic scales, negative.
     pub m: f64,
-    /// Strains at which the material fails at once.
+    /// Smallest and largest strain; the material fails if it reaches either.
     pub limits: (f64, f64),
 }
 
-/// A material that fails by low-cycle fatigue: ranges of strain are found by a rainflow count that looks at four turning
-/// points at a time, and their damage is summed as Miner does, with a life by Coffin and Manson (Uriz and Mahin, 2008). The
-/// count is brought up to date when a step ends, so that it is the next step that feels the failure. What has failed keeps
-/// 1e-8 of its stress.
+/// A material that fails by low-cycle fatigue (Uriz and Mahin, 2008). A rainflow count over four reversals finds the
+/// strain ranges. Their damage is summed by Miner's rule with the Coffin-Manson life. The count is updated at the end
+/// of a step, so that failure acts from the next step on. A failed material keeps 1e-8 of its stress.
 #[derive(Clone, Debug)]
 pub struct Fatigue {
     inner: Slot,
     p: FatigueParameters,
 }
 
-crate::words! {
-    /// What is known of the cycles so far.
+crate::state_struct! {
+    /// State of the rainflow count.
     struct Cycles {
         /// 1 once the material has failed.
         failed: f64,
-        /// Damage of the ranges that are closed.
+        /// Damage of the closed ranges.
         damage: f64,
-        /// Turning points that are not yet part of a range: first, second, third, fourth. Zero stands for none.
+        /// First to fourth reversal that are not yet part of a closed range; zero if there is none.
         turn: [f64; 4],
-        /// Range before the one in hand.
+        /// Strain range before the current one.
         range: f64,
-        /// Third and fourth turning points are waiting to be counted.
+        /// 1 if the third and the fourth reversal are not counted yet.
         waiting: f64,
-        /// The second turning point has been found.
+        /// 1 after the second reversal.
         begun: f64,
-        /// 0 before the first strain.
+        /// 0 before the first strain, 1 after it.
         started: f64,
-        /// Last increment of strain that was not zero.
+        /// Last nonzero strain increment.
         slope: f64,
         /// Last strain.
         last: f64,
-        /// Cycles and range: counted in this step, and two that would be if the strain turned now.
+        /// Pairs of cycles and range: counted in this step, and two that would be counted if the strain reversed now.
         counted: [[f64; 2]; 3],
     }
 }
 
-/// Part of stress and stiffness that is left after failure.
+/// Stress and stiffness of a failed material divided by those of the intact one, as in OpenSees.
 const LEFT: f64 = 1.0e-8;
-/// Smaller ranges do no damage.
+/// Strain ranges below this value cause no damage.
 const NO_RANGE: f64 = 1.0e-10;
 
 impl Fatigue {
-    /// Around a material with its tag.
+    /// Wraps a material, given with its tag.
     pub fn new((material, tag): (Material, i32), p: FatigueParameters) -> Self {
         Self { inner: Slot::new(material, tag, Cycles::LEN), p }
     }
 
-    /// Damage of a number of cycles of a range.
+    /// Damage of a number of cycles of one range by the Coffin-Manson life.
     fn damage(&self, cycles: f64, range: f64) -> f64 {
         cycles / (range / self.p.e0).powf(1.0 / self.p.m).abs()
     }
 
-    /// A turning point: the last strain.
+    /// Counts a reversal at the last strain.
     fn turn(&self, c: &mut Cycles) {
         let [a, b, third, _] = c.turn;
         let peak = c.last;
@@ -114,7 +113,7 @@ impl Fatigue {
         }
     }
 
-    /// Damage if the strain turned now.
+    /// Total damage if the strain reversed now.
     fn would_be(&self, c: &mut Cycles, strain: f64) -> f64 {
         let [a, b, third, fourth] = c.turn;
         let open = match (b != 0.0, third != 0.0, fourth != 0.0) {
@@ -122,7 +121,7 @@ impl Fatigue {
             (true, false, false) => [(0.5, (strain - b).abs()), (0.5, c.range)],
             (true, true, false) if (a - strain).abs() > (a - b).abs() => [(0.5, (strain - a).abs()), (1.0, c.range)],
             (true, true, false) => [(0.5, (a - b).abs()), (1.0, (third - strain).abs())],
-            // A turning point at zero strain cannot be told from none.
+            // Zero marks a missing reversal, so a reversal at zero strain is treated as missing.
             _ => return c.damage,
         };
         let mut damage = c.damage;
@@ -135,7 +134,7 @@ impl Fatigue {
         damage
     }
 
-    /// The cycles at the end of a step.
+    /// State of the count at the end of a step.
     fn advance(&self, old: &Cycles, strain: f64, stress: f64) -> Cycles {
         let mut c = *old;
         c.counted[0] = [0.0; 2];
@@ -157,7 +156,7 @@ impl Fatigue {
         }
         if c.failed == 0.0 {
             let damage = self.would_be(&mut c, strain);
-            // What is compressed holds on, cracked or not.
+            // A cracked section still carries compression, so failure needs a tensile stress.
             if damage > self.p.d_max && stress > 0.0 {
                 (c.damage, c.failed) = (damage, 1.0);
             }
@@ -188,7 +187,7 @@ impl Uniaxial for Fatigue {
             self.advance(&old, strain.value, s.value)
         };
         if new.failed != 0.0 {
-            // What has failed remembers nothing more.
+            // The history of a failed material is frozen.
             next[Cycles::LEN..].copy_from_slice(&committed[Cycles::LEN..Cycles::LEN + self.inner.len()]);
         }
         new.write(next);
@@ -209,6 +208,9 @@ impl Uniaxial for Fatigue {
     }
     fn is_linear(&self) -> bool {
         false
+    }
+    fn shown_strain(&self, strain: f64, state: &[f64]) -> f64 {
+        self.inner.shown(strain, state)
     }
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
         let mut new = self.clone();

@@ -1,38 +1,38 @@
-//! Kikuchi and Aiken's law of the shear hysteresis of rubber bearings.
+//! Shear hysteresis of rubber bearings by Kikuchi and Aiken.
 
 use super::{MaterialError, Strain, Stress, Uniaxial};
 use crate::numeric::{bracketed_root, sign};
 use crate::probe::Probe;
-use crate::words::Words;
+use crate::state_struct::StateStruct;
 use std::fmt;
 
-/// Shear strain up to which a bearing is elastic.
+/// Elastic limit of the shear strain, as in OpenSees.
 pub(super) const ELASTIC_STRAIN: f64 = 0.05;
 
-/// Shape of the loops of a bearing that has been sheared to some amplitude.
+/// Shape of the hysteresis loops at one shear strain amplitude.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Shape {
-    /// Part u of the force at the amplitude that is hysteretic.
+    /// Hysteretic share u of the force at the amplitude.
     pub u: f64,
-    /// Part p of the elastic force that stiffens.
+    /// Stiffening share p of the elastic force.
     pub p: f64,
-    /// Exponent n of what stiffens.
+    /// Exponent n of the stiffening share.
     pub n: f64,
     /// Decay a of the hysteretic curves after a reversal.
     pub a: f64,
 }
 
-/// How the loops end.
+/// End of the first curve of a loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Loops {
-    /// In the opposite point of the skeleton: the first curve has the factor α that takes it there.
+    /// At the opposite point of the skeleton; the factor α of the first curve ensures it.
     Closed,
-    /// As in OpenSees: the first curve has α = 1 and ends short of the skeleton by 2 u F_m exp(-2 a), which the force
-    /// steps by.
+    /// As in OpenSees: the first curve has α = 1 and ends short of the skeleton. The force jumps there by 2 u F_m
+    /// exp(-2 a).
     Short,
 }
 
-/// Strain from which `above` holds instead of `below`: where they meet, no more than 2 % from `limit`.
+/// Intersection of the formulas `below` and `above` within 2 % of `limit`, or `limit` if they do not intersect there.
 pub(super) fn meeting(limit: f64, below: impl Fn(f64) -> f64, above: impl Fn(f64) -> f64) -> f64 {
     let difference = |x: f64| above(x) - below(x);
     let (mut low, mut high) = (0.98 * limit, 1.02 * limit);
@@ -47,71 +47,77 @@ pub(super) fn meeting(limit: f64, below: impl Fn(f64) -> f64, above: impl Fn(f64
     high
 }
 
-/// What a kind of bearing says of its loops, by the shear strain γ of their amplitude.
+/// Loop parameters of a kind of bearing, as functions of the shear strain amplitude γ.
 pub trait Device: fmt::Debug + Clone + Send + Sync + 'static {
     /// Name in the `uniaxialMaterial` command.
     const NAME: &'static str;
 
-    /// The same with each formula of the skeleton from where it meets the one before. OpenSees changes over at a round
-    /// number next to it, where the force steps by up to 3e-4 of it.
+    /// Moves the limits between the skeleton's formulas to their intersections. OpenSees changes formulas at round
+    /// numbers near them, where the force jumps by up to 3e-4 of its value.
     fn joined(self) -> Self;
 
-    /// Total thickness of the rubber H_r.
+    /// Total thickness H_r of the rubber.
     fn height(&self) -> f64;
 
-    /// Increment of the displacement that counts as rest.
+    /// Displacement increment below which the state is kept.
     fn rest(&self) -> f64;
 
     /// Force F_m at an amplitude, and its derivative with respect to the displacement.
     fn skeleton(&self, gamma: f64) -> (f64, f64);
 
-    /// Shape of the loops.
+    /// Shape of the loops at an amplitude.
     fn shape(&self, gamma: f64, loops: Loops) -> Shape;
 
-    /// b of a curve that begins at a reversal at γ, in loops with the given a.
+    /// Parameter b of a curve from a reversal at γ, for loops with the given a.
     fn bump(&self, gamma: f64, a: f64) -> f64;
 
-    /// c of the curves that b stands before.
+    /// Parameter c of the curves with a nonzero b.
     fn decay(&self) -> f64;
 }
 
-/// The law: within the largest displacement X so far, with x = d / X, the force is F₁ + F₂,
-/// F₁ = (1 - u) F_m [(1 - p) x + p xⁿ] and F₂ along a curve from the last reversal (x_r, F_2r),
-/// F₂ = F_2r ± α u F_m [2 - 2 exp(-a t) + b t exp(-c t)], t = |x - x_r|; α takes the curve to the reversal before, from
-/// where the interrupted one goes on, the first one to the opposite point of the skeleton. Beyond X the force is that of the skeleton.
+/// The law of Kikuchi and Aiken. Within the largest displacement X so far the force is F₁ + F₂, with x = d / X:
 ///
-/// Kikuchi and Aiken (1997), <https://doi.org/10.1002/(SICI)1096-9845(199702)26:2%3C215::AID-EQE640%3E3.0.CO;2-9>; the
-/// parameters and their functions of the amplitude as in OpenSees.
+/// F₁ = (1 - u) F_m [(1 - p) x + p xⁿ],
+///
+/// F₂ = F_2r ± α u F_m [2 - 2 exp(-a t) + b t exp(-c t)], t = |x - x_r|.
+///
+/// F₂ follows a curve from the last reversal (x_r, F_2r). The factor α leads the curve to the previous reversal,
+/// where the interrupted curve continues. The first curve leads to the opposite point of the skeleton. Beyond X the
+/// force is that of the skeleton.
+///
+/// Source: Kikuchi and Aiken (1997),
+/// <https://doi.org/10.1002/(SICI)1096-9845(199702)26:2%3C215::AID-EQE640%3E3.0.CO;2-9>. The parameters and their
+/// functions of the amplitude are those of OpenSees.
 #[derive(Clone, Debug)]
 pub struct KikuchiAiken<D> {
     device: D,
-    /// Factors of a spring of several side by side: R_s of the displacement over R_f, and R_f of the force.
+    /// Factors of one of several parallel springs: R_s for displacement (times 1 / R_f) and R_f for force.
     rs: f64,
     rf: f64,
     /// Stiffness in the elastic range.
     elastic: f64,
-    /// As in OpenSees: its tangent on the skeleton, an elastic range that comes back a little softer, steps of the force
-    /// where a loop meets the skeleton and where its formulas meet, a to a coarse tolerance, a loop that closes to the last bit left open, and an initial tangent without R_s.
+    /// As in OpenSees: the tangent on the skeleton, a softer return through the elastic range, and force jumps where
+    /// loops or formulas meet the skeleton. Further, a has a coarse tolerance, a loop closed to the last bit stays
+    /// open, and the initial tangent omits R_s.
     compat: Option<Compat>,
 }
 
-/// What is only needed for OpenSees' numbers.
+/// Constants that reproduce OpenSees' numbers.
 #[derive(Clone, Copy, Debug)]
 struct Compat {
-    /// Force on the way back over that on the way out, in the elastic range.
+    /// Force of the return divided by that of the outward path, in the elastic range.
     back: f64,
-    /// Stiffness that is reported in the elastic range by a bearing that has been tried beyond it.
+    /// Reported stiffness in the elastic range after a trial beyond it.
     tried: f64,
 }
 
-/// Reversals inside each other that are remembered. Where there are more, the loop that hardly differs from the one around
-/// it is taken for closed.
+/// Maximum number of nested reversals. A further reversal closes the loop that differs least from the enclosing one.
 const LEVELS: usize = 48;
 
-crate::words! {
-    /// History but for the reversals.
+crate::state_struct! {
+    /// History without the reversals.
     struct Head {
-        /// Displacement, times R_s / R_f.
+        /// Displacement times R_s / R_f.
         d: f64,
         /// Force.
         force: f64,
@@ -123,20 +129,20 @@ crate::words! {
         sign: f64,
         /// Largest displacement X.
         max: f64,
-        /// Force F_m of the skeleton there.
+        /// Force F_m of the skeleton at X.
         fm: f64,
-        /// Number of reversals that are open.
+        /// Number of open reversals.
         depth: f64,
         u: f64,
         p: f64,
         n: f64,
         a: f64,
-        /// 1 once it has been beyond the elastic range.
+        /// 1 after a displacement beyond the elastic range.
         sheared: f64,
     }
 }
 
-crate::words! {
+crate::state_struct! {
     /// A reversal, and the curve that begins there.
     struct Reversal {
         /// x_r.
@@ -156,7 +162,7 @@ impl Head {
     }
 }
 
-/// Place of a reversal, counted from 1.
+/// Offset of a reversal, counted from 1.
 fn place(level: usize) -> usize {
     Head::LEN + (level - 1) * Reversal::LEN
 }
@@ -165,15 +171,15 @@ fn reversal(words: &[f64], level: usize) -> Reversal {
     Reversal::read(&words[place(level)..])
 }
 
-/// Forget the two reversals that are missed least.
+/// Removes the pair of reversals with the smallest difference to the enclosing loop.
 fn forget(words: &mut [f64]) {
     let difference = |level: usize| (reversal(words, level + 1).x - reversal(words, level - 1).x).abs();
     let least = (2..LEVELS).min_by(|a, b| difference(*a).total_cmp(&difference(*b))).unwrap_or(2);
     words.copy_within(place(least + 2)..place(LEVELS + 1), place(least));
 }
 
-/// Parameter a of a loop with equivalent damping h_eq, at most `limit`; a loop that no a is fat or thin enough for has
-/// that limit too. `range` is where OpenSees begins to look for it.
+/// Parameter a of a loop with equivalent damping h_eq, at most `limit`; equal to `limit` if no a gives this damping.
+/// `range` is the upper end of OpenSees' bisection.
 pub(super) fn decay_of_damping(heq: f64, u: f64, range: f64, limit: f64, loops: Loops) -> f64 {
     let share = std::f64::consts::PI * heq / (2.0 * u);
     match loops {
@@ -182,7 +188,7 @@ pub(super) fn decay_of_damping(heq: f64, u: f64, range: f64, limit: f64, loops: 
     }
 }
 
-/// Of a closed loop: coth a - 1 / a = π h_eq / (2u).
+/// Parameter a of a closed loop: coth a - 1 / a = π h_eq / (2u).
 fn closed_decay(share: f64, limit: f64) -> f64 {
     if !(share > 0.0 && share < 1.0) {
         return limit;
@@ -191,8 +197,8 @@ fn closed_decay(share: f64, limit: f64) -> f64 {
     bracketed_root(rises, (0.0, f64::INFINITY), 1.0 / (1.0 - share), 1.0, 100).map_or(limit, |a| a.min(limit))
 }
 
-/// Of a loop that ends short of the skeleton: (1 - exp(-2a)) / a = 1 - π h_eq / (2u), where OpenSees' bisection from
-/// `range` ends.
+/// Parameter a of a loop that ends short of the skeleton: (1 - exp(-2a)) / a = 1 - π h_eq / (2u). Returns the end of
+/// OpenSees' bisection from `range`.
 fn short_decay(target: f64, range: f64, limit: f64) -> f64 {
     const TOLERANCE: f64 = 1e-6;
     if !(target > 0.0 && target < 2.0) {
@@ -209,7 +215,7 @@ fn short_decay(target: f64, range: f64, limit: f64) -> f64 {
     };
     let Some(root) = bracketed_root(falls, (0.0, f64::INFINITY), 1.0 / target, 1.0, 100) else { return limit };
     let slope = side(root).1;
-    // Where the bisection goes, and where its tolerance ends it, is known from the root.
+    // The root determines the path of the bisection and its end, without evaluating it at every step.
     let (mut low, mut high) = (0.0, range);
     for _ in 0..100 {
         let a = 0.5 * (low + high);
@@ -229,13 +235,13 @@ fn short_decay(target: f64, range: f64, limit: f64) -> f64 {
     low.min(limit)
 }
 
-/// b of a curve that dissipates as much as h_eq says: c² [π h_eq / u - (2 + 2 / a (exp(-2a) - 1))].
+/// Parameter b of a curve with the dissipation of h_eq: b = c² [π h_eq / u - (2 + 2 / a (exp(-2a) - 1))].
 pub(super) fn bump_of_damping(heq: f64, u: f64, a: f64, c: f64) -> f64 {
     c * c * (std::f64::consts::PI * heq / u - (2.0 + 2.0 / a * ((-2.0 * a).exp() - 1.0)))
 }
 
 impl<D: Device> KikuchiAiken<D> {
-    /// A bearing, or one of several springs side by side with the factors R_s and R_f, both 1 for a whole bearing.
+    /// A whole bearing (R_s = R_f = 1), or one of several parallel springs with the factors R_s and R_f.
     pub fn new(device: D, [rs, rf]: [f64; 2], compat: bool) -> Self {
         let device = if compat { device } else { device.joined() };
         let elastic = device.skeleton(ELASTIC_STRAIN).0 / (ELASTIC_STRAIN * device.height());
@@ -247,7 +253,10 @@ impl<D: Device> KikuchiAiken<D> {
         Self { device, rs, rf, elastic, compat }
     }
 
-    /// Refuse what the fitted functions give where they have lost their meaning; OpenSees goes on.
+    /// Rejects values of the fitted functions outside their range of validity; OpenSees continues with them.
+    ///
+    /// # Errors
+    /// The value is not positive, or with `compat` not finite.
     fn check(&self, x: f64, gamma: f64) -> Result<(), MaterialError> {
         if x > 0.0 || (self.compat.is_some() && x.is_finite()) {
             return Ok(());
@@ -276,7 +285,7 @@ impl<D: Device> KikuchiAiken<D> {
         Ok((fm * sign(t.d), k))
     }
 
-    /// The part in brackets of a hysteretic curve, and its derivative.
+    /// The bracketed term of a hysteretic curve, and its derivative.
     fn curve(&self, a: f64, b: f64, t: f64) -> (f64, f64) {
         let e = (-a * t).exp();
         let (value, slope) = (2.0 - 2.0 * e, 2.0 * a * e);
@@ -288,7 +297,7 @@ impl<D: Device> KikuchiAiken<D> {
         (value + t * be, slope + be * (1.0 - c * t))
     }
 
-    /// Take down a reversal at the committed state; `next` holds the committed reversals.
+    /// Adds a reversal at the committed state; `next` holds the committed reversals.
     fn reverse(&self, c: &Head, t: &mut Head, next: &mut [f64]) -> Result<(), MaterialError> {
         let gamma = c.d.abs() / self.device.height();
         if c.depth == 0.0 {
@@ -321,7 +330,7 @@ impl<D: Device> KikuchiAiken<D> {
         Ok(())
     }
 
-    /// Forget the loops that have been closed at x.
+    /// Removes the loops that are closed at x.
     fn close(&self, t: &mut Head, x: f64, next: &[f64]) {
         while t.depth >= 2.0 {
             let (begin, end) = (reversal(next, t.depth()).x, reversal(next, t.depth() - 1).x);
@@ -367,7 +376,7 @@ impl<D: Device> Uniaxial for KikuchiAiken<D> {
         Head { stiffness: self.initial_tangent(), ..Head::default() }.write(state);
     }
 
-    /// Reversals that are not open any more are left as they are: nothing reads them.
+    /// Closed reversals keep stale values, because nothing reads them.
     fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
         let c = Head::read(committed);
         let used = place(c.depth() + 1);
@@ -418,7 +427,7 @@ impl<D: Device> Uniaxial for KikuchiAiken<D> {
     fn is_linear(&self) -> bool {
         false
     }
-    /// OpenSees shows the displacement with the factor R_s / R_f.
+    /// OpenSees reports the displacement with the factor R_s / R_f.
     fn shown_strain(&self, strain: f64, _: &[f64]) -> f64 {
         if self.compat.is_some() { strain * self.rs / self.rf } else { strain }
     }

@@ -1,37 +1,36 @@
-//! Multilinear plasticity after Masing.
+//! Multilinear plasticity by Masing's rule.
 
 use super::{MaterialError, Strain, Stress, Uniaxial};
 use crate::probe::Probe;
 
-/// Hysteresis with a symmetric envelope of straight lines: every branch after a reversal is the envelope at twice its
-/// size.
+/// Hysteresis with a symmetric piecewise linear envelope. Every branch after a reversal is the envelope scaled by
+/// two.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MultiLinear {
-    /// Strains and stresses at the ends of the lines.
+    /// Strains and stresses at the ends of the segments.
     points: Vec<[f64; 2]>,
-    /// Slope of each line.
+    /// Slope of each segment.
     slope: Vec<f64>,
-    /// Strain that each line covers.
+    /// Strain length of each segment.
     reach: Vec<f64>,
-    /// As in OpenSees, a yielded state that is committed again at the same strain is taken for one that yielded in
-    /// compression.
+    /// As in OpenSees, a yielded state that is committed again at the same strain counts as yielded in compression.
     compat: bool,
 }
 
-/// Words before the ends of the lines.
+/// State variables before the segment ends.
 const HEADER: usize = 4;
 const STRAIN: usize = 0;
 const STRESS: usize = 1;
-/// Tangent, less the initial one.
+/// Tangent minus the initial tangent.
 const SOFTENING: usize = 2;
-/// The line on which the last step ended.
+/// Segment at the end of the last step.
 const LINE: usize = 3;
 
-/// Where the lines end now: strain in compression and in tension, stress in compression and in tension.
+/// Present end of a segment: strain in compression and in tension, stress in compression and in tension.
 type End = [f64; 4];
 
 impl MultiLinear {
-    /// From strains and stresses, both positive, the strains rising. `None` where they are not that.
+    /// From positive strains and stresses with increasing strains. `None` if the points are invalid.
     pub fn new(points: Vec<[f64; 2]>, compat: bool) -> Option<Self> {
         let good = points.first().is_some_and(|p| p[0] > 0.0) && points.windows(2).all(|w| w[1][0] > w[0][0]);
         let before = |i: usize| if i == 0 { [0.0; 2] } else { points[i - 1] };
@@ -40,8 +39,8 @@ impl MultiLinear {
         good.then_some(Self { points, slope, reach, compat })
     }
 
-    /// Take the point where a step ended on a line as the end of the lines before it, on the side on which it yielded
-    /// (1 tension, 0 compression), and let the other side follow at twice the size.
+    /// Moves the ends of the segments before `line` to the end of the step on the yielded side (1 tension, 0
+    /// compression). The ends of the other side follow at twice the segment length.
     fn move_ends(&self, ends: &mut [End], line: usize, strain: f64, stress: f64, side: usize) {
         let (here, there) = (side, 1 - side);
         let s = if side == 1 { -2.0 } else { 2.0 };
@@ -59,7 +58,7 @@ impl MultiLinear {
     }
 }
 
-/// The words of the ends as lines of four.
+/// The state variables of the segment ends, four for each.
 fn ends(words: &mut [f64]) -> &mut [End] {
     words[HEADER..].as_chunks_mut::<4>().0
 }
@@ -94,7 +93,7 @@ impl Uniaxial for MultiLinear {
         let now = ends(next);
         let side = usize::from(x > now[0][1]);
         let s = if side == 1 { 1.0 } else { -1.0 };
-        // Beyond the last point its line goes on.
+        // The last segment extends beyond the last point.
         let found = now.iter().position(|end| s * x <= s * end[side]).unwrap_or(now.len() - 1);
         let line = if x >= now[0][0] && x <= now[0][1] { 0 } else { found.max(usize::from(now.len() > 1)) };
         let value = now[line][2 + side] + (x - now[line][side]) * self.slope[line];

@@ -2,63 +2,65 @@
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 
-/// Force of a wall that has failed, as a part of its displacement.
+/// Stiffness of a failed wall, force over displacement; the value of OpenSees.
 const FAILED: f64 = 1e-8;
 
-/// Pinched hysteresis of sheathing-to-framing connectors and of walls made with them (Folz and Filiatrault, 2001,
-/// <https://doi.org/10.1061/(ASCE)0733-9445(2001)127:4(433)>): an exponential envelope with a line that softens, unloading by r₃ S₀, a
-/// pinched line r₄ S₀ at ±F_I, and reloading that is the softer the further the wall has been.
+/// Pinched hysteresis of sheathing-to-framing connectors and of walls made with them. The envelope is exponential up
+/// to the largest force and softens linearly beyond. Unloading has the stiffness r₃ S₀, the pinched line r₄ S₀ at
+/// ±F_I. The reloading stiffness decreases with the largest displacement. Source: Folz and Filiatrault, 2001,
+/// <https://doi.org/10.1061/(ASCE)0733-9445(2001)127:4(433)>.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wall {
-    /// Force where the asymptote of the envelope meets zero displacement F₀; force.
+    /// Force F₀ of the envelope's asymptote at zero displacement; force.
     pub fo: f64,
-    /// Force of the pinched line at zero displacement F_I; force.
+    /// Force F_I of the pinched line at zero displacement; force.
     pub fi: f64,
-    /// Displacement at the largest force Δ_u; length.
+    /// Displacement Δ_u at the largest force; length.
     pub du: f64,
     /// Initial stiffness S₀; force over length.
     pub so: f64,
-    /// Stiffnesses as parts of S₀: asymptote, softening (negative), unloading, pinching.
+    /// Stiffnesses r₁ to r₄ divided by S₀: asymptote, softening (negative), unloading, pinching.
     pub r: [f64; 4],
-    /// Softening of the reloading stiffness α.
+    /// Exponent α of the reloading stiffness.
     pub alpha: f64,
-    /// How much further than it has been reloading takes the wall to the envelope β.
+    /// Displacement at which reloading reaches the envelope divided by the largest displacement, β.
     pub beta: f64,
-    /// As in OpenSees: where the pinched line leaves the envelope is found to a force of 1e-6; the tangent of the envelope is that of
-    /// another displacement; the negative side has other rules in a few turns within the loop.
+    /// As in OpenSees: the intersection of pinched line and envelope has a force tolerance of 1e-6, and the
+    /// envelope's tangent is that of another displacement. A few reversals inside the loop have different rules on
+    /// the negative side.
     pub compat: bool,
 }
 
-/// A [`Wall`] with what follows from its parameters.
+/// The law of a [`Wall`], with derived constants.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Saws {
     wall: Wall,
-    /// Displacement at which the pinched line leaves the curve of the envelope.
+    /// Displacement at the intersection of the pinched line with the exponential envelope.
     leaves: f64,
-    /// Displacement at which nothing is left.
+    /// Displacement at which all strength is lost.
     ultimate: f64,
 }
 
-/// What the wall does.
+/// Path of the wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Path {
-    /// Nothing any more.
+    /// Failed.
     Failed,
-    /// On the envelope where it is left along itself.
+    /// On the envelope near zero, where unloading follows the loading curve.
     Virgin,
-    /// On its curve.
+    /// On the exponential part of the envelope.
     Curve,
-    /// On its line.
+    /// On the softening part of the envelope.
     Softening,
-    /// Unloading from it.
+    /// Unloading from the envelope.
     Unloading,
     /// On the pinched line of a side.
     Pinched,
-    /// From there to the envelope.
+    /// From the pinched line to the envelope.
     Reloading,
-    /// From the pinched line of a side to that of the other one.
+    /// Between the pinched lines of both sides.
     Between,
-    /// From the line of reloading to the pinched line of the other side.
+    /// From the reloading line to the pinched line of the other side.
     Back,
     /// Unloading from a side beyond zero displacement.
     Across,
@@ -77,7 +79,7 @@ const PATHS: [Path; 10] = [
     Path::Failed,
 ];
 
-/// A path and the side that it belongs to, as kept in a word: the number of the path, negative on the negative side.
+/// A path and its side as a state variable: the number of the path, negative on the negative side.
 fn word(path: Path, s: f64) -> f64 {
     let number = PATHS.iter().position(|p| *p == path).map_or(0.0, |i| i as f64);
     s * number
@@ -88,23 +90,23 @@ fn path(word: f64) -> (Path, f64) {
     (number.map_or(Path::Virgin, |(_, p)| p), if word < 0.0 { -1.0 } else { 1.0 })
 }
 
-crate::words! {
-    /// One side, with its displacements and forces positive.
+crate::state_struct! {
+    /// History of one side, with positive displacements and forces.
     pub struct Reached {
-        /// 1 where the envelope has been followed.
+        /// 1 if the envelope has been reached.
         yielded: f64,
         /// Displacement of the last unloading from the envelope.
         strain: f64,
-        /// Force there.
+        /// Force at that displacement.
         stress: f64,
-        /// Displacement at which reloading comes to the envelope.
+        /// Displacement at which reloading reaches the envelope.
         target: f64,
-        /// Force there.
+        /// Force at that displacement.
         target_stress: f64,
     }
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of [`Saws`].
     pub struct History {
         /// Displacement.
@@ -113,19 +115,20 @@ crate::words! {
         stress: f64,
         /// Path and side.
         path: f64,
-        /// Path and side before.
+        /// Previous path and side.
         before: f64,
-        /// Displacement at which the path was left, or the last on it.
+        /// Displacement at the end of the previous path, or the last one on the path.
         turn: f64,
         /// Reloading stiffness.
         reloading: f64,
-        /// Both sides.
+        /// Histories of both sides.
         sides: [Reached; 2],
     }
 }
 
 impl Saws {
-    /// `None` where the pinched line does not leave the envelope within twice the displacement at the largest force.
+    /// Returns `None` if the pinched line does not meet the envelope within twice the displacement at the largest
+    /// force.
     pub fn new(wall: Wall) -> Option<Self> {
         let mut made = Self { wall, leaves: 0.0, ultimate: 0.0 };
         let far = 2.0 * made.wall.du;
@@ -136,7 +139,7 @@ impl Saws {
         Some(made)
     }
 
-    /// Force and slope of the curve of the envelope.
+    /// Force and slope of the exponential envelope.
     fn curve(&self, x: f64) -> (f64, f64) {
         let (asymptote, left) =
             (self.wall.fo + self.wall.r[0] * self.wall.so * x, (-self.wall.so * x / self.wall.fo).exp());
@@ -144,24 +147,24 @@ impl Saws {
         (asymptote * share, asymptote * self.wall.so / self.wall.fo * left + self.wall.r[0] * self.wall.so * share)
     }
 
-    /// Force and slope of the line behind it.
+    /// Force and slope of the softening line.
     fn softening(&self, x: f64) -> (f64, f64) {
         let slope = self.wall.r[1] * self.wall.so;
         (self.curve(self.wall.du).0 + slope * (x - self.wall.du), slope)
     }
 
-    /// The pinched line.
+    /// Force and slope of the pinched line.
     fn pinched(&self, x: f64) -> (f64, f64) {
         let slope = self.wall.r[3] * self.wall.so;
         (self.wall.fi + slope * x, slope)
     }
 
-    /// Where a line of unloading through a point meets the pinched line of the other side.
+    /// Displacement at the intersection of an unloading line with the pinched line of the other side.
     fn lands(&self, x: f64, force: f64) -> f64 {
         (force + self.wall.fi - self.wall.r[2] * self.wall.so * x) / (self.wall.so * (self.wall.r[3] - self.wall.r[2]))
     }
 
-    /// Displacement at which nothing is left: the line of softening has come to the pinched line or to zero.
+    /// Displacement at which all strength is lost: the softening line meets the pinched line or zero.
     fn find_ultimate(&self) -> f64 {
         let fu = self.curve(self.wall.du).0;
         let slope = self.wall.r[1] * self.wall.so;
@@ -169,7 +172,7 @@ impl Saws {
         pinched.min(self.wall.du - fu / slope)
     }
 
-    /// Where the pinched line leaves the curve of the envelope.
+    /// Displacement at the intersection of pinched line and exponential envelope, by bisection.
     fn find_leaving(&self) -> f64 {
         let tolerance = if self.wall.compat { 1e-6 } else { 0.0 };
         let (mut low, mut high, mut middle) = (0.0, 2.0 * self.wall.du, self.wall.du);
@@ -188,7 +191,7 @@ impl Saws {
         middle
     }
 
-    /// Reloading stiffness towards a target, and where its line leaves the pinched one.
+    /// Reloading stiffness towards a target, and displacement at the intersection of its line with the pinched line.
     fn reload(&self, side: &Reached, old: f64) -> (f64, f64) {
         let slope = if side.yielded == 0.0 {
             self.wall.so
@@ -205,7 +208,7 @@ impl Saws {
     }
 }
 
-/// What a step has come through.
+/// Paths that a step has passed.
 #[derive(Clone, Copy, Default)]
 struct Passed {
     /// The pinched line of the negative side.
@@ -214,11 +217,11 @@ struct Passed {
     unloading: bool,
 }
 
-/// One step of the way through the paths.
+/// Result of one path.
 enum Next {
-    /// On to another path of a side.
+    /// Continue on another path of a side.
     To(Path, f64),
-    /// Force and slope, seen from the side; whether the displacement is kept as the last of the path.
+    /// Force and slope with the signs of the side; true if the displacement is stored as the last of the path.
     At(f64, (f64, f64), bool),
 }
 
@@ -247,7 +250,7 @@ impl Saws {
                 if path == Path::Curve && x > self.wall.du {
                     return Next::To(Path::Softening, s);
                 }
-                // A wall that comes from the other side in one step has been unloaded already.
+                // A step from the other side includes the unloading.
                 if x < if passed.unloading { turn } else { turn.abs() } {
                     return Next::To(Path::Unloading, s);
                 }

@@ -2,7 +2,7 @@
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 
-/// Flag-shaped law with a fuse that slips and comes to bear (Christopoulos, Tremblay, Kim and Lacerte, 2008).
+/// Flag-shaped law with a fuse that slips and then bears (Christopoulos, Tremblay, Kim and Lacerte, 2008).
 #[derive(Clone, Debug, PartialEq)]
 pub struct SelfCentering {
     /// Initial stiffness k₁.
@@ -11,40 +11,40 @@ pub struct SelfCentering {
     pub k2: f64,
     /// Stress at activation.
     pub activation: f64,
-    /// Height of the flag as a part of the stress at activation, 0 to 1.
+    /// Height of the flag divided by the activation stress, 0 to 1.
     pub beta: f64,
     /// Strain at which the fuse slips; zero for never.
     pub slip: f64,
     /// Strain at which the fuse bears; zero for never.
     pub bearing: f64,
-    /// Stiffness when bearing, as a part of k₁.
+    /// Stiffness in bearing divided by k₁.
     pub bearing_ratio: f64,
-    /// As in OpenSees, a flag remembers where it was left when a step jumps from it to the elastic part around zero, or a trial
-    /// state was on it; a step that begins to slip slips as a whole, and slip does not change the tangent.
+    /// As in OpenSees, a flag keeps its shift after a jump to the elastic range around zero, or after a trial on it.
+    /// A step that begins to slip slips as a whole, and slip does not change the tangent.
     pub compat: bool,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of [`SelfCentering`].
     pub struct History {
         /// Strain.
         strain: f64,
         /// Stress.
         stress: f64,
-        /// Tangent, less the initial one.
+        /// Tangent minus the initial tangent.
         softening: f64,
         /// Slip of the fuse.
         slip: f64,
-        /// How far the elastic range in tension and in compression has moved from where it was, both positive.
+        /// Shift of the elastic range in tension and in compression, both positive.
         moved: [f64; 2],
-        /// Steps so far, by which trial states of a step are known.
+        /// Number of steps; identifies the trial states of the current step.
         steps: f64,
     }
 }
 
 impl SelfCentering {
-    /// Stress and tangent on one side of zero (mirrored, if it is compression) away from the elastic part around zero.
-    /// `x` is the strain less the slip, `total` with it.
+    /// Stress and tangent on one side outside the elastic range around zero, mirrored in compression. `x` is the
+    /// strain minus the slip, `total` the strain.
     fn flag(&self, c: &History, x: f64, total: f64, d: f64, side: usize, t: &mut History) -> (f64, f64) {
         let start = self.activation / self.k1;
         let low = (1.0 - self.beta) * start;
@@ -94,7 +94,7 @@ impl UniaxialLaw for SelfCentering {
         let (side, s) = if x >= 0.0 { (0, 1.0) } else { (1, -1.0) };
         let elastic = s * x <= (1.0 - self.beta) * self.activation / self.k1;
         if !self.compat {
-            // What has been left has come back to where it was.
+            // A flag that is left returns to its initial position.
             t.moved[1 - side] = 0.0;
             if elastic {
                 t.moved[side] = 0.0;

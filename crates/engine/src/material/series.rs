@@ -1,9 +1,9 @@
-//! Materials one behind the other.
+//! Materials in series.
 
 use super::{Material, MaterialError, Slot, Strain, Stress, Uniaxial};
 use crate::probe::Probe;
 
-/// Materials with the same stress; their strains add up.
+/// Materials with the same stress. The strain is the sum of their strains.
 #[derive(Clone, Debug)]
 pub struct Series {
     parts: Vec<Slot>,
@@ -11,45 +11,82 @@ pub struct Series {
     iteration: Iteration,
 }
 
-/// How the stress that all parts share is sought.
+/// Solution method for the common stress of the components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Iteration {
-    /// Until the parts have the same stress, to round-off.
+    /// Newton's method until the component stresses agree to round-off.
     Converged,
-    /// As in OpenSees: at most so many rounds, or until the energy of the residual is less than the tolerance; what is
-    /// left over is carried into the next step.
+    /// As in OpenSees: a maximum number of iterations, or until the energy of the residual is less than the
+    /// tolerance. The residual is carried into the next step.
     Rounds(usize, f64),
 }
 
-/// Words before the parts.
+/// State variables before those of the components.
 const HEADER: usize = 3;
-/// Stress of the whole; the parts' stresses differ from it by what is left over.
+/// Stress of the series; the component stresses differ from it by the residual.
 const STRESS: usize = 0;
-/// Tangent, less the initial one.
+/// Tangent minus the initial tangent.
 const SOFTENING: usize = 1;
-/// Strain of the whole.
+/// Strain of the series.
 const STRAIN: usize = 2;
 
-/// Iterations of Newton's method.
+/// Tolerance of the component stresses' spread, relative to the largest stress: a few thousand times the machine
+/// precision.
+const CLOSE: f64 = 1e-12;
+/// Relative change of the flexibility below which a correction is linear.
+const SAME: f64 = 1e-9;
+/// Tolerance of a stagnating spread, relative to the stress that round-off scales with. It covers laws whose internal
+/// numbers exceed their stress.
+const ROUGH: f64 = 1e-4;
+/// Number of linear corrections without improvement before a spread counts as round-off.
+const IDLE: u32 = 3;
+/// Maximum number of Newton iterations.
 const LIMIT: usize = 30;
 const STRAINS: u32 = 1;
 const PART: u32 = 2;
 
+/// Spread of the component stresses after a correction.
+#[derive(Clone, Copy)]
+struct Gap {
+    value: f64,
+    /// True if the correction did not change the flexibility: in exact arithmetic the spread would be zero.
+    linear: bool,
+}
+
+/// Detects spreads that are round-off. If the common stress goes to zero, the component stresses keep the round-off
+/// of their larger committed values.
+struct Rounding {
+    /// Smallest spread so far.
+    least: f64,
+    /// Number of successive linear corrections without improvement.
+    idle: u32,
+}
+
+impl Rounding {
+    /// Returns true if a spread is round-off relative to the stress `rounded`.
+    fn explains(&mut self, gap: Gap, rounded: f64) -> bool {
+        let stagnates = gap.value >= 0.5 * self.least;
+        self.idle = if gap.value >= self.least && gap.linear { self.idle + 1 } else { 0 };
+        self.least = self.least.min(gap.value);
+        stagnates && gap.value <= CLOSE * rounded || self.idle >= IDLE && gap.value <= ROUGH * rounded
+    }
+}
+
 impl Series {
-    /// From materials with their tags.
+    /// From materials, each with its tag.
     pub fn new(materials: Vec<(Material, i32)>, iteration: Iteration) -> Self {
         let (parts, state_len) = Slot::pack(materials, HEADER);
         Self { parts, state_len, iteration }
     }
 
-    /// Set the strain of a part; its stress and flexibility.
+    /// Evaluates a component at a strain; returns its stress and flexibility.
     fn set(&self, i: usize, committed: &[f64], value: f64, dt: f64, next: &mut [f64]) -> Result<Part, MaterialError> {
-        // The rate is that of the whole: that of the parts is not known.
+        // The components' rates are unknown, since only the total rate is given.
         let s = self.parts[i].update(committed, Strain { value, rate: 0.0, dt }, next)?;
         Ok(Part { stress: s.value, flexibility: flexibility(s.tangent) })
     }
 
-    /// The rounds of OpenSees: the parts are given the strain that would bring them to the stress of the whole.
+    /// The iterations of OpenSees. Each component gets the strain that would give it the stress of the series.
     fn rounds(
         &self,
         committed: &[f64],
@@ -81,8 +118,8 @@ impl Series {
         Ok(Stress { value: stress, tangent, damping: 0.0 })
     }
 
-    /// Newton's method for the stress that all parts share. Where a large step makes it go round in circles between the
-    /// kinks of the parts, it goes to the strain by and by; every stress is that of one step from the committed state.
+    /// Newton's method for the common stress. If a large step cycles between the kinks of the components, the strain
+    /// is applied in increments. Every component stress is still that of one step from the committed state.
     fn converge(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
         for pieces in [1, 4, 16, 64, 256] {
             next.copy_from_slice(&committed[..next.len()]);
@@ -102,7 +139,17 @@ impl Series {
         Err(MaterialError(message))
     }
 
-    /// Newton's method from the parts as they are in `next`, and a stress.
+    /// Largest stress that round-off scales with: the committed stresses, and stiffness times strain.
+    fn rounded_stress(&self, committed: &[f64], next: &[f64]) -> f64 {
+        let of_part = |part: &Slot| {
+            let stiffness = part.material.initial_tangent().abs().max(part.tangent(next).abs());
+            let strain = part.strain(committed).abs().max(part.strain(next).abs());
+            part.stress(committed).abs().max(stiffness * strain)
+        };
+        self.parts.iter().map(of_part).fold(0.0, f64::max)
+    }
+
+    /// Newton's method from the component states in `next` and a stress. `None` if it does not converge.
     fn newton(
         &self,
         committed: &[f64],
@@ -111,8 +158,9 @@ impl Series {
         next: &mut [f64],
     ) -> Result<Option<Stress>, MaterialError> {
         let mut scale = self.initial_tangent().abs() * strain.value.abs();
+        let mut rounding = Rounding { least: f64::INFINITY, idle: 0 };
         for _ in 0..LIMIT {
-            // Stress for which the linearised parts have the strain of the whole.
+            // Stress for which the linearised components have the total strain.
             let (mut f, mut total) = (0.0, 0.0);
             for part in &self.parts {
                 let own = flexibility(part.tangent(next));
@@ -130,15 +178,17 @@ impl Series {
                 }
                 self.set(i, committed, value, strain.dt, next)?;
             }
-            // What round-off leaves over goes to the softest part, whose stress feels it least.
+            // The softest component takes the remaining strain, because its stress changes least.
             let value = self.parts[softest].strain(next) + rest;
             self.set(softest, committed, value, strain.dt, next)?;
             let stresses = || self.parts.iter().map(|p| p.stress(next));
             let (low, high) = stresses().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), s| (l.min(s), h.max(s)));
             scale = scale.max(low.abs()).max(high.abs());
-            if high - low <= 1e-12 * scale {
-                let f: f64 = self.parts.iter().map(|p| flexibility(p.tangent(next))).sum();
-                return Ok(Some(Stress { value: self.parts[0].stress(next), tangent: flexibility(f), damping: 0.0 }));
+            let after: f64 = self.parts.iter().map(|p| flexibility(p.tangent(next))).sum();
+            let gap = Gap { value: high - low, linear: (after - f).abs() <= SAME * f.abs() };
+            if gap.value <= CLOSE * scale || rounding.explains(gap, self.rounded_stress(committed, next)) {
+                let value = self.parts[0].stress(next);
+                return Ok(Some(Stress { value, tangent: flexibility(after), damping: 0.0 }));
             }
         }
         Ok(None)
@@ -150,7 +200,7 @@ struct Part {
     flexibility: f64,
 }
 
-/// 1/k, bounded where k vanishes.
+/// 1/k, bounded if k vanishes.
 fn flexibility(k: f64) -> f64 {
     if k.abs() > 1e-12 { 1.0 / k } else { 1e12_f64.copysign(k) }
 }

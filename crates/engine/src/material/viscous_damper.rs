@@ -3,8 +3,8 @@
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 use crate::numeric::Dual;
 
-/// Spring and nonlinear dashpot in series: dF/dt = K (v - |F/C|^(1/α) sign F), integrated over each step with steps
-/// that are halved until the error estimate is small (Akcelyan, Lignos and Hikino, 2018).
+/// Spring and nonlinear dashpot in series: dF/dt = K (v - |F/C|^(1/α) sign F). Each step is divided in halves until
+/// the error estimate is within the tolerances (Akcelyan, Lignos and Hikino, 2018).
 #[derive(Clone, Debug, PartialEq)]
 pub struct ViscousDamper {
     /// Stiffness K.
@@ -13,21 +13,22 @@ pub struct ViscousDamper {
     pub c: f64,
     /// Velocity exponent α.
     pub alpha: f64,
-    /// Length of the gap that opens whenever the force changes its sign.
+    /// Length of the gap that opens at every change of sign of the force.
     pub gap: f64,
-    /// How the differential equation is integrated.
+    /// Integration method.
     pub method: Method,
-    /// Relative error that counts as small.
+    /// Relative error tolerance.
     pub relative: f64,
-    /// Absolute error that counts as small.
+    /// Absolute error tolerance, force.
     pub absolute: f64,
-    /// How often a step may be halved.
+    /// Maximum number of halvings of a step.
     pub halvings: i32,
-    /// As in OpenSees, a rate of exactly zero leaves that of the step before, and there is no tangent.
+    /// As in OpenSees, a rate of exactly zero is replaced by the rate of the previous step, and the damping tangent
+    /// is zero.
     pub compat: bool,
 }
 
-/// How the differential equation of a [`ViscousDamper`] is integrated.
+/// Integration method for the differential equation of a [`ViscousDamper`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
     /// Runge-Kutta of order 5 (Dormand and Prince, 1980).
@@ -38,7 +39,7 @@ pub enum Method {
     Rosenbrock,
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of [`ViscousDamper`].
     pub struct History {
         /// Strain.
@@ -47,17 +48,17 @@ crate::words! {
         stress: f64,
         /// Rate.
         rate: f64,
-        /// Strain at which the gap in tension and in compression began; zero for none.
+        /// Strain at which the gap began, in tension and in compression; zero if there is none.
         gap: [f64; 2],
     }
 }
 
-/// Sum of numbers with weights.
+/// Weighted sum.
 fn weighted(weights: &[f64], k: &[Dual]) -> Dual {
     weights.iter().zip(k).fold(Dual::default(), |sum, (w, k)| sum + *w * *k)
 }
 
-/// Places of the stages of Dormand and Prince, and their weights.
+/// Abscissae and weights of the stages of Dormand and Prince.
 const DP_PLACE: [f64; 6] = [0.0, 0.2, 0.3, 0.8, 8.0 / 9.0, 1.0];
 const DP: [&[f64]; 6] = [
     &[],
@@ -71,7 +72,7 @@ const DP_END: [f64; 6] = [35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -218
 const DP_ERROR: [f64; 7] =
     [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339200.0, 22.0 / 525.0, -1.0 / 40.0];
 
-/// Weights of the predictors and correctors of Adams, Bashforth and Moulton, the latest value first.
+/// Weights of the Adams-Bashforth predictors and the Adams-Moulton correctors, the latest value first.
 const PREDICT: [&[f64]; 6] = [
     &[1.0],
     &[1.5, -0.5],
@@ -95,13 +96,14 @@ impl ViscousDamper {
         let p = 1.0 / self.alpha;
         let size = force.value.abs() / self.c;
         let flow = size.powf(p).copysign(force.value);
-        // The derivative at zero force is infinite for α > 1: it is held just beside.
+        // The derivative is infinite at zero force for α > 1, so it is bounded.
         let slope = if p < 1.0 && size < 1e-12 { 1e-12 } else { size };
         let slope = p * slope.powf(p - 1.0) / self.c * force.slope;
         self.k * Dual { value: rate.value - flow, slope: rate.slope - slope }
     }
 
-    /// Force after a time `h` in which the rate goes from `v0` to `v1`, and an estimate of its error.
+    /// Force after a time `h` in which the rate goes from `v0` to `v1`, with the absolute and the relative error
+    /// estimate.
     fn step(&self, v0: Dual, v1: Dual, y0: Dual, h: f64) -> (Dual, f64, f64) {
         let rate = |place: f64| place * (v1 - v0) + v0;
         match self.method {
@@ -117,7 +119,7 @@ impl ViscousDamper {
             }
             Method::AdamsBashforthMoulton => {
                 let h = h / 6.0;
-                // Speeds, the latest first.
+                // Force rates, the latest first.
                 let mut f = [Dual::default(); 7];
                 f[0] = self.speed(v0, y0);
                 let (mut y, mut error) = (y0, 0.0);
@@ -149,7 +151,7 @@ impl ViscousDamper {
         }
     }
 
-    /// Force at the end of the step, with its derivative by the rate there.
+    /// Force at the end of the step, with its derivative with respect to the final rate.
     fn integrate(&self, c: &History, end: f64, dt: f64) -> Result<Dual, MaterialError> {
         let start = Dual { value: c.rate, slope: 0.0 };
         let mut force = Dual { value: c.stress, slope: 0.0 };
@@ -159,7 +161,7 @@ impl ViscousDamper {
         let smallest = 0.5f64.powi(self.halvings);
         let (mut part, mut done) = (1.0, 0.0);
         let at = |x: f64| Dual { value: start.value + (end - start.value) * x, slope: x };
-        // The parts are powers of a half, so that they add up to exactly one.
+        // The substeps are powers of one half, so that they sum to exactly one.
         while done < 1.0 {
             let (y, error, relative) = self.step(at(done), at(done + part), force, part * dt);
             if relative <= self.relative || error.abs() <= self.absolute || part <= smallest {
@@ -176,7 +178,7 @@ impl ViscousDamper {
         Ok(force)
     }
 
-    /// Whether a force is lost in the gap that opens when the force changes its sign.
+    /// Returns true if the force vanishes in the gap that opens when the force changes sign.
     fn lost(&self, c: &History, t: &mut History, force: f64) -> bool {
         let change = (t.strain - c.strain) * force.abs() / (force - c.stress).abs();
         if force > 0.0 && c.stress < 0.0 {

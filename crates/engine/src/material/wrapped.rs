@@ -1,26 +1,26 @@
-//! Laws around one other material: limits of strain, and a state to begin from.
+//! Materials that wrap another one: strain limits, and an initial state.
 
 use super::{Material, MaterialError, Slot, Strain, Stress, Uniaxial};
 use crate::probe::Probe;
 use std::sync::Arc;
 
-/// A material that fails for good when its strain comes to a limit.
+/// A material that fails permanently if its strain reaches a limit.
 #[derive(Clone, Debug)]
 pub struct MinMax {
     inner: Slot,
     min: f64,
     max: f64,
-    /// As in OpenSees, recorders show the strain before the failure ever after.
+    /// As in OpenSees, recorders keep reporting the strain before the failure.
     compat: bool,
 }
 
-/// Whether it has failed; the material is behind.
+/// 1 if the material has failed; its own variables follow.
 const FAILED: usize = 0;
-/// Tangent of a failed material, as a part of the initial one: keeps a structure that hangs on it from being singular.
+/// Tangent of a failed material divided by the initial tangent; a positive value keeps the stiffness matrix regular.
 const FLAT: f64 = 1.0e-8;
 
 impl MinMax {
-    /// From a material with its tag and the limits of its strain.
+    /// From a material, given with its tag, and its strain limits.
     pub fn new((material, tag): (Material, i32), min: f64, max: f64, compat: bool) -> Self {
         Self { inner: Slot::new(material, tag, 1), min, max, compat }
     }
@@ -59,7 +59,8 @@ impl Uniaxial for MinMax {
         false
     }
     fn shown_strain(&self, strain: f64, state: &[f64]) -> f64 {
-        if self.compat && state[FAILED] != 0.0 { self.inner.strain(state) } else { strain }
+        let held = self.compat && state[FAILED] != 0.0;
+        self.inner.shown(if held { self.inner.strain(state) } else { strain }, state)
     }
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
         let mut new = self.clone();
@@ -82,7 +83,7 @@ impl Uniaxial for MinMax {
     }
 }
 
-/// A material that has a strain to begin with, at zero strain of the whole.
+/// A material with an initial strain at zero total strain.
 #[derive(Clone, Debug)]
 pub struct InitialState {
     name: &'static str,
@@ -91,16 +92,16 @@ pub struct InitialState {
 }
 
 impl InitialState {
-    /// `InitStrainMaterial`: the initial strain is given.
+    /// `InitStrainMaterial`: a given initial strain.
     ///
     /// # Errors
-    /// The material has no stress there.
+    /// The material has no stress at this strain.
     pub fn strain((material, tag): (Material, i32), strain: f64) -> Result<Self, MaterialError> {
         let law = Self { name: "InitStrainMaterial", inner: Slot::new(material, tag, 0), strain };
         law.begin(strain).map(|_| law)
     }
 
-    /// `InitStressMaterial`: the initial stress is given, and the strain is found by Newton's method.
+    /// `InitStressMaterial`: a given initial stress, whose strain is found by Newton's method.
     ///
     /// # Errors
     /// No strain has this stress.
@@ -123,7 +124,7 @@ impl InitialState {
         Err(MaterialError(format!("the material has no strain with a stress of {stress}")))
     }
 
-    /// State of the material, and its stress, at a strain straight from rest.
+    /// State and stress of the material after one step from rest to a strain.
     fn begin(&self, value: f64) -> Result<(Vec<f64>, Stress), MaterialError> {
         let mut rest = vec![0.0; self.inner.len()];
         self.inner.init(&mut rest);
@@ -142,7 +143,7 @@ impl Uniaxial for InitialState {
     }
     fn init(&self, state: &mut [f64]) {
         self.inner.init(state);
-        // That this succeeds has been seen when the material was made.
+        // The constructor has evaluated the same step successfully.
         if let Ok((begun, _)) = self.begin(self.strain) {
             state[..begun.len()].copy_from_slice(&begun);
         }
@@ -162,8 +163,8 @@ impl Uniaxial for InitialState {
     fn is_linear(&self) -> bool {
         self.strain == 0.0 && self.inner.material.is_linear()
     }
-    fn shown_strain(&self, strain: f64, _: &[f64]) -> f64 {
-        strain + self.strain
+    fn shown_strain(&self, strain: f64, state: &[f64]) -> f64 {
+        self.inner.shown(strain + self.strain, state)
     }
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
         let mut new = self.clone();

@@ -10,16 +10,16 @@ use crate::probe::Probe;
 pub struct ElementResponse {
     /// Elements by tag; `None` for all of them.
     elements: Option<Vec<Tag>>,
-    /// Words of the recorder command that name the response.
+    /// State variables of the recorder command that name the response.
     words: Vec<String>,
     /// Columns of the response from 0; empty for all.
     columns: Vec<usize>,
-    found: Vec<(ElementId, Tag, Answer)>,
+    found: Vec<(ElementId, Tag, Response)>,
     values: Vec<f64>,
     disp: Vec<f64>,
 }
 
-/// Responses that have been asked for by name, since loops ask for the same ones again and again.
+/// Responses that have been found by name, since loops use the same ones again and again.
 #[derive(Debug, Default)]
 pub struct Known {
     /// Of the model that they belong to.
@@ -58,14 +58,14 @@ impl Known {
 }
 
 #[derive(Debug)]
-enum Answer {
+enum Response {
     /// The global force.
     Force(Vec<String>),
     /// A response of the element's own.
     Probe(Probe),
 }
 
-impl Answer {
+impl Response {
     fn labels(&self) -> &[String] {
         match self {
             Self::Force(labels) => labels,
@@ -73,7 +73,7 @@ impl Answer {
         }
     }
 
-    /// Append the answer of an element in the committed state; `disp` is for its displacements.
+    /// Append the response of an element in the committed state; `disp` is a buffer for its displacements.
     fn append(&self, engine: &Engine, id: ElementId, disp: &mut Vec<f64>, out: &mut Vec<f64>) {
         match self {
             Self::Force(_) => engine.element_force(id, out),
@@ -96,13 +96,13 @@ impl ElementResponse {
         Self { elements, words, columns, found: vec![], values: vec![], disp: vec![] }
     }
 
-    fn answer(&self, engine: &Engine, id: ElementId) -> Option<Answer> {
+    fn answer(&self, engine: &Engine, id: ElementId) -> Option<Response> {
         let element = &engine.model().elements[id.0].element;
         let words: Vec<&str> = self.words.iter().map(String::as_str).collect();
         if words.first().is_some_and(|w| FORCE.contains(w)) {
-            return Some(Answer::Force(element.force_labels()));
+            return Some(Response::Force(element.force_labels()));
         }
-        element.probe(&words).map(Answer::Probe)
+        element.probe(&words).map(Response::Probe)
     }
 
     /// Names that an element knows besides those common to all, to suggest the nearest to a misspelled one.
@@ -111,7 +111,7 @@ impl ElementResponse {
         FORCE[..4].iter().copied().chain(own.iter().copied())
     }
 
-    /// Whether an element has a response of that name.
+    /// Returns true if an element has a response of that name.
     pub fn is_known(engine: &Engine, id: ElementId, words: &[&str]) -> bool {
         words.first().is_some_and(|w| FORCE.contains(w)) || engine.model().elements[id.0].element.probe(words).is_some()
     }
@@ -170,7 +170,7 @@ impl Source for ElementResponse {
     fn groups(&self, engine: &Engine) -> Vec<Group> {
         const ENDS: [&str; 4] = ["node1", "node2", "node3", "node4"];
         let model = engine.model();
-        let group = |(id, tag, answer): &(ElementId, Tag, Answer)| {
+        let group = |(id, tag, answer): &(ElementId, Tag, Response)| {
             let entry = &model.elements[id.0];
             let mut attributes = vec![("eleType", entry.element.class().to_owned()), ("eleTag", tag.to_string())];
             attributes.extend(ENDS.into_iter().zip(entry.nodes.iter().map(|n| model.nodes[n.0].tag.to_string())));

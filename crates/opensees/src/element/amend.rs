@@ -10,7 +10,7 @@ use hysteron_engine::element::amendment::{
     Overstress, PeakOriented, Pinching, Pressure, Relaxation, Share, Sides, Sliding, Slip, Stiffening, Temperature,
     Yielding,
 };
-use hysteron_engine::element::bearing::ShearParameters;
+use hysteron_engine::element::bearing::BoucWenShear;
 use hysteron_engine::material::Softening;
 use hysteron_engine::model::ElementId;
 use hysteron_engine::series::Series;
@@ -18,13 +18,13 @@ use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-pub(crate) const COMMANDS: &[Command] = &[Command { name: "amend", usage: USAGE, run: amend }];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("amend", USAGE, amend)];
 
 const USAGE: &str = "amend element $tag <$tag ...> $kind -option $value ... <-dir $dir1 <$dir2>> <-axial $dir | -axialSeries $ts> <-share $k $elastic <$rest> | -strengthBeside $k> | \
                      amend element $tag <$tag ...> hinges -mat $mat <-end i|j> | \
                      amend node $tag dampedAs $other";
 
-/// What a number of an option must be.
+/// Range that the number of an option must lie in.
 #[derive(Clone, Copy)]
 enum Range {
     Any,
@@ -191,7 +191,7 @@ const KINDS: &[Kind] = &[
             let (k, alpha) = (n.get("-stiffness"), n.get("-alpha"));
             let (k0, qd, k2, eta) = ((1.0 - alpha) * k, n.get("-strength"), alpha * k, n.get("-eta"));
             let (beta, gamma, compat) = (0.5, 0.5, false);
-            Arc::new(Coupling { law: ShearParameters { k0, qd, k2, k3: 0.0, mu: 1.0, eta, beta, gamma, compat } })
+            Arc::new(Coupling { law: BoucWenShear { k0, qd, k2, k3: 0.0, mu: 1.0, eta, beta, gamma, compat } })
         },
     },
     Kind {
@@ -373,23 +373,23 @@ fn amend(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     Ok(Value::EMPTY)
 }
 
-/// Whether a law knows of a strength that the element loses.
+/// Returns true if a law has a strength that the element loses.
 fn weakens(law: &dyn Amendment) -> bool {
     let mut virgin = vec![0.0; law.state_len()];
     law.init(&mut virgin);
     law.weakening(&virgin).is_some()
 }
 
-/// What stands behind the kind of an amendment.
+/// Words after the kind of an amendment.
 struct Words {
     numbers: Numbers,
     share: Share,
     directions: Vec<usize>,
-    /// Where the axial force comes from, if not from the first direction.
+    /// Source of the axial force, if it is not the first direction.
     axial: Option<Compression>,
 }
 
-/// Where the axial force comes from.
+/// Source of the axial force.
 enum Compression {
     /// From what the element carries in a direction.
     Direction(usize),

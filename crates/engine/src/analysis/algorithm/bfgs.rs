@@ -3,8 +3,8 @@
 use super::Algorithm;
 use super::quasi_newton::{Past, QuasiNewton, Update};
 use crate::analysis::failure::Failure;
-use crate::analysis::prepared::TangentMix;
 use crate::analysis::system::System;
+use crate::analysis::workspace::TangentMix;
 use crate::numeric::{axpy, dot, norm};
 
 /// `algorithm BFGS` (Matthies and Strang, 1979): the inverse of the tangent stays symmetric. The updates are carried out

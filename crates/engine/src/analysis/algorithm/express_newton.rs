@@ -2,7 +2,7 @@
 
 use super::{Algorithm, Iteration};
 use crate::analysis::failure::Failure;
-use crate::analysis::prepared::TangentMix;
+use crate::analysis::workspace::TangentMix;
 use crate::solve::Use;
 
 /// `algorithm ExpressNewton` (Xu, 2016): a number of corrections with one tangent, and no test.

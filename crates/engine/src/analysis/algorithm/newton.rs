@@ -2,7 +2,7 @@
 
 use super::{Algorithm, Iteration, TangentChoice};
 use crate::analysis::failure::Failure;
-use crate::analysis::prepared::TangentMix;
+use crate::analysis::workspace::TangentMix;
 use crate::solve::Use;
 
 /// `algorithm Newton`.

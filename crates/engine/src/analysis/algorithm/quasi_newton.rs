@@ -1,15 +1,15 @@
-//! What the quasi-Newton methods share: corrections with a matrix that learns from the residuals, and now and then a new
-//! tangent to begin with.
+//! Common part of the quasi-Newton methods: the residuals update the matrix of the corrections, which starts anew from a
+//! tangent now and then.
 
 use super::{Algorithm, Iteration};
-use crate::analysis::convergence::Verdict;
+use crate::analysis::convergence::TestOutcome;
 use crate::analysis::failure::Failure;
-use crate::analysis::prepared::TangentMix;
 use crate::analysis::system::System;
+use crate::analysis::workspace::TangentMix;
 use crate::solve::Use;
 use std::fmt;
 
-/// How a quasi-Newton method learns.
+/// Update of a quasi-Newton method.
 pub(super) trait Update: fmt::Debug + Send {
     /// Name in the `algorithm` command.
     fn name(&self) -> &'static str;
@@ -68,7 +68,7 @@ impl<U: Update> QuasiNewton<U> {
             it.update()?;
             it.system.form_unbalance(false)?;
             let n = it.system.work.plan.map.equations;
-            if probe.judge(&it.system.work.x[..n], &it.system.work.b[..n]) != Verdict::Continue {
+            if probe.judge(&it.system.work.x[..n], &it.system.work.b[..n]) != TestOutcome::Continue {
                 break;
             }
         }

@@ -2,8 +2,8 @@
 
 use super::{Adaptive, Integrator};
 use crate::analysis::failure::{Cause, Failure};
-use crate::analysis::prepared::TangentMix;
 use crate::analysis::system::{Coefficients, System};
+use crate::analysis::workspace::TangentMix;
 use crate::solve::Use;
 
 /// `integrator DisplacementControl`: one degree of freedom moves by a given increment, the load factor follows
@@ -15,7 +15,7 @@ pub struct DisplacementControl {
     step: f64,
     adaptive: Adaptive,
     last_iterations: usize,
-    /// Which stiffness predicts.
+    /// Stiffness of the prediction.
     mix: TangentMix,
     /// Load factor of the trial state.
     factor: f64,

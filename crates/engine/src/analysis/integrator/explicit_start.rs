@@ -1,15 +1,15 @@
 //! The acceleration at which an explicit method starts.
 
 use crate::analysis::failure::Failure;
-use crate::analysis::prepared::TangentMix;
 use crate::analysis::system::{Coefficients, System};
+use crate::analysis::workspace::TangentMix;
 use crate::solve::Use;
 
 /// Accelerations of all degrees of freedom that keep the committed state in balance, M a = P - R - C v; where degrees of freedom
 /// are held they are those that they have.
 ///
 /// # Errors
-/// A mass matrix without an inverse, or an element that does not answer.
+/// The mass matrix has no inverse, or an element finds no force.
 pub(super) fn balanced_acceleration(s: &mut System<'_>, accel: &mut [f64]) -> Result<(), Failure> {
     s.coefficients = Coefficients { k: 0.0, c: 0.0, m: 1.0 };
     s.apply_loads(s.old.time)?;

@@ -4,8 +4,8 @@ use super::central_difference::only_once;
 use super::{AlphaParameters, Integrator};
 use crate::analysis::failure::Failure;
 use crate::analysis::matrices::dense_tangent;
-use crate::analysis::prepared::TangentMix;
 use crate::analysis::system::{Coefficients, System};
+use crate::analysis::workspace::TangentMix;
 use crate::solve::{SolveError, solve_dense};
 
 /// `integrator KRAlphaExplicit` and `KRAlphaExplicit_TP` (Kolay and Ricles, 2014): displacement and
@@ -59,7 +59,7 @@ impl KrAlpha {
         Self { trapezoidal: true, ..Self::new(rho, true) }
     }
 
-    /// Where the elements are asked, in parts of the step.
+    /// Time of the evaluation of the elements, in parts of the step.
     fn place(&self) -> f64 {
         if self.trapezoidal { 1.0 } else { self.p.force }
     }

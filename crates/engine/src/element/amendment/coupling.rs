@@ -1,24 +1,24 @@
 //! One yield surface for two directions.
 
-use super::{AmendmentLaw, Demand, Verdict};
+use super::{AmendedForce, AmendmentLaw, DeformationState};
 use crate::element::ElementError;
-use crate::element::bearing::{Shear, ShearLaw, ShearParameters};
+use crate::element::bearing::{BoucWenShear, Shear, ShearLaw};
 
-/// The law of `elastomericBearingBoucWen` in both directions at once, in the place of springs that do not know of each
-/// other: Park, Wen and Ang, Earthquake Eng. Struct. Dyn. 14 (1986). The force of the element is not used.
+/// The law of `elastomericBearingBoucWen` in both directions, in place of two uncoupled springs. The force of the
+/// element is not used. Source: Park, Wen and Ang, Earthquake Eng. Struct. Dyn. 14 (1986).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Coupling {
-    /// The law.
-    pub law: ShearParameters,
+    /// The Bouc-Wen law.
+    pub law: BoucWenShear,
 }
 
 impl AmendmentLaw for Coupling {
     type State = Shear<2>;
     const NAME: &'static str = "coupling";
 
-    fn amend(&self, committed: &Shear<2>, d: &Demand) -> Result<(Verdict, Shear<2>), ElementError> {
+    fn amend(&self, committed: &Shear<2>, d: &DeformationState) -> Result<(AmendedForce, Shear<2>), ElementError> {
         let virgin = *committed == Shear::default();
         let next = if virgin { self.law.step(&self.law.virgin(), d.e) } else { self.law.step(committed, d.e) }?;
-        Ok((Verdict { q: next.q, by_deformation: next.k, ..Verdict::default() }, next))
+        Ok((AmendedForce { q: next.q, by_deformation: next.k, ..AmendedForce::default() }, next))
     }
 }

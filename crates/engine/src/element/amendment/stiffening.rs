@@ -1,15 +1,15 @@
 //! Hardening at large deformation.
 
-use super::{AmendmentLaw, Demand, Pair, Verdict};
+use super::{AmendedForce, AmendmentLaw, DeformationState, Pair};
 use crate::element::ElementError;
 
-/// An elastic force in parallel: factor (|e| - from)ᵖ beyond the deformation `from`, along e. Filled rubber stiffens
-/// so when its chains come to their limit.
+/// An elastic force in parallel: factor (|e| - from)ᵖ along e, if |e| > `from`. Filled rubber stiffens by the finite
+/// extensibility of its chains.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stiffening {
-    /// Force at one unit of deformation beyond `from`.
+    /// Force at a deformation of `from` plus one unit of length.
     pub factor: f64,
-    /// Deformation where it begins.
+    /// Deformation at which stiffening begins.
     pub from: f64,
     /// Exponent p, at least 1.
     pub power: f64,
@@ -19,10 +19,10 @@ impl AmendmentLaw for Stiffening {
     type State = ();
     const NAME: &'static str = "stiffening";
 
-    fn amend(&self, (): &(), d: &Demand) -> Result<(Verdict, ()), ElementError> {
+    fn amend(&self, (): &(), d: &DeformationState) -> Result<(AmendedForce, ()), ElementError> {
         let r = d.amplitude();
         let beyond = r - self.from;
-        let mut v = Verdict::unchanged(d.q);
+        let mut v = AmendedForce::unchanged(d.q);
         if beyond > 0.0 {
             let force = self.factor * beyond.powf(self.power);
             let slope = self.factor * self.power * beyond.powf(self.power - 1.0);
@@ -32,8 +32,8 @@ impl AmendmentLaw for Stiffening {
     }
 }
 
-/// Add a force along the deformation with the slope d(force)/d|e|.
-fn add_radial(mut v: Verdict, n: Pair, force: f64, slope: f64, r: f64) -> Verdict {
+/// Adds a force along the deformation of size r, with the slope d(force)/d|e|.
+fn add_radial(mut v: AmendedForce, n: Pair, force: f64, slope: f64, r: f64) -> AmendedForce {
     for i in 0..2 {
         v.q[i] += force * n[i];
         for j in 0..2 {

@@ -3,7 +3,7 @@
 
 use super::force_based::{ForceBased, Point, internal_forces};
 use super::member::{Basic, Member, Trace};
-use crate::element::Motion;
+use crate::element::ElementInput;
 use crate::material::MaterialError;
 use crate::numeric::{axpy, dot, invert, norm};
 
@@ -31,7 +31,7 @@ impl ForceBased {
         &self,
         member: &Member<N, B>,
         v: &[f64; B],
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
     ) -> Result<Option<Basic<B>>, MaterialError> {
@@ -40,7 +40,7 @@ impl ForceBased {
         let mut basic = Basic::read(&trial[member.head()..]);
         let mut left: [f64; B] = std::array::from_fn(|i| v[i] - trace.v[i]);
         // The nodes still have the increment that they had at the last call.
-        if motion.again && member.is_small() {
+        if motion.opensees.is_some_and(|c| c.repeated) && member.is_small() {
             left = trace.dv;
         }
         let mut disp = [0.0; N];
@@ -88,7 +88,7 @@ impl ForceBased {
         member: &Member<N, B>,
         (from, part, to): (&Basic<B>, &[f64; B], &[f64; B]),
         (flexibility, times): (Flexibility, usize),
-        motion: &Motion<'_>,
+        motion: &ElementInput<'_>,
         (committed, trial): (&[f64], &mut [f64]),
     ) -> Result<Option<Basic<B>>, MaterialError> {
         let length = member.length();

@@ -1,12 +1,12 @@
-//! Axial springs side by side.
+//! Axial springs in parallel.
 
 use super::{AxialSpring, Branch, History};
 use crate::material::{MaterialError, Strain, Strains, Stress, Stresses, Uniaxial};
 use crate::probe::Probe;
-use crate::words::{Field, Words};
+use crate::state_struct::{Field, StateStruct};
 
-/// History of spring `i` of `n`. Those of a bundle lie quantity by quantity: so it is
-/// quick to see whether all of them are still elastic.
+/// History of spring `i` of `n`. A bundle stores one quantity after the other, so that the test for all-elastic
+/// springs is fast.
 #[inline]
 fn read(words: &[f64], i: usize, n: usize) -> History {
     let (u, slope, from) = (words[i], words[i + 2 * n], words[i + 3 * n]);
@@ -24,7 +24,7 @@ impl<const HD: bool> Uniaxial for AxialSpring<HD> {
         if HD { "AxialSpHD" } else { "AxialSp" }
     }
     fn state_len(&self) -> usize {
-        <History as Words>::LEN
+        <History as StateStruct>::LEN
     }
     fn init(&self, state: &mut [f64]) {
         self.init_all(1, state);
@@ -89,10 +89,10 @@ impl<const HD: bool> Uniaxial for AxialSpring<HD> {
         }
     }
 
-    /// An elastic spring remembers nothing.
+    /// An elastic spring has no history.
     fn are_virgin(&self, state: &[f64]) -> bool {
-        let n = state.len() / <History as Words>::LEN;
-        // Bits of all together, which the compiler makes of neighbouring numbers at once: elastic is zero.
+        let n = state.len() / <History as StateStruct>::LEN;
+        // The bitwise OR of all branches vectorizes, and the elastic branch is zero.
         state[n..2 * n].iter().fold(0, |any, b| any | b.to_bits()) == 0
     }
 

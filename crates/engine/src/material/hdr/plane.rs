@@ -1,16 +1,15 @@
-//! The rheology in two directions of shear.
+//! The rheology in two shear directions.
 //!
-//! Every part is its own in the plane: springs act along their strain, the sliders have round yield surfaces, the dashpot
-//! flows along its stress. On a straight line this is the law of one direction to the tolerance of the integration, and it
-//! is the same in all directions. (A fan of laws of one direction, as in a multiple shear spring, is neither: the sum over
-//! a fan of sliders and power laws is another law, which would have to be identified anew, and it knows the directions of
-//! its springs.)
+//! Every part is isotropic in the plane. Springs act along their strain, the sliders have circular yield surfaces,
+//! and the dashpot flows along its stress. On a straight path the law equals the uniaxial one to the tolerance of the
+//! integration. A fan of uniaxial laws, as in a multiple shear spring, would be a different law with its own
+//! identification. It would also depend on the spring directions.
 
 use super::{HdrRheology, MOST_ROUNDS, Thermal};
 use crate::numeric::Dual;
 use nalgebra::{Matrix2, Vector2};
 
-crate::words! {
+crate::state_struct! {
     /// History of the rheology in the plane.
     pub struct PlaneHistory {
         /// Shear strain γ.
@@ -19,17 +18,17 @@ crate::words! {
         slip_eq: [f64; 2],
         /// Strain of the elasto-plastic part of the overstress branch.
         gamma_b: [f64; 2],
-        /// Strain of its slider.
+        /// Strain of the overstress slider.
         slip_oe: [f64; 2],
         /// Mean temperature of the rubber above the surroundings.
         rise: f64,
         /// Elastic energy per volume.
         stored: f64,
-        /// Heat that has arisen per volume.
+        /// Generated heat per volume.
         heat: f64,
-        /// Strain that softening goes by.
+        /// Strain γₘ of the softening.
         peak: f64,
-        /// Largest strain ever.
+        /// All-time largest strain.
         ever: f64,
         /// Equilibrium stress.
         equilibrium: [f64; 2],
@@ -38,21 +37,21 @@ crate::words! {
     }
 }
 
-/// What the law answers in the plane.
+/// Response of the law in the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlaneStep {
     /// The next history.
     pub next: PlaneHistory,
     /// Stress.
     pub stress: [f64; 2],
-    /// Derivative of the stress by the strain, at the temperature of the step.
+    /// Derivative of the stress with respect to the strain, at the temperature of the step.
     pub tangent: [[f64; 2]; 2],
 }
 
 type V = Vector2<f64>;
 type M = Matrix2<f64>;
 
-/// A vector with its derivative by the strain at the end of the step.
+/// A vector with its derivative with respect to the strain at the end of the step.
 #[derive(Clone, Copy)]
 struct Carried {
     value: V,
@@ -65,7 +64,7 @@ impl Carried {
     }
 }
 
-/// Spring and slider with a round yield surface in series: stress c (b - s), at most `limit`.
+/// Spring and slider with a circular yield surface in series: stress c (b - s), at most `limit`.
 #[derive(Clone, Copy)]
 struct Yielding {
     c: f64,
@@ -73,7 +72,8 @@ struct Yielding {
 }
 
 impl Yielding {
-    /// Stress for a strain `b` and a slip `s` from before, and its derivative by b (by s it is the opposite).
+    /// Stress for a strain `b` and a previous slip `s`, and its derivative with respect to b. The derivative with
+    /// respect to s is the negative.
     fn stress(&self, b: V, s: V) -> (V, M) {
         let trial = self.c * (b - s);
         let size = trial.norm();
@@ -85,7 +85,7 @@ impl Yielding {
         (self.limit * n, self.c * self.limit / size * along)
     }
 
-    /// Slip after that, and the work that it takes.
+    /// Slip after the return to the yield surface, and its dissipated work.
     fn slip(&self, b: Carried, s: Carried) -> (Carried, f64) {
         if self.c <= 0.0 {
             return (b, 0.0);
@@ -105,7 +105,7 @@ struct Branch {
     p: f64,
 }
 
-/// Strains of the branch, and the work that it has dissipated.
+/// Strains of the branch, and its dissipated work.
 #[derive(Clone, Copy)]
 struct Flow {
     b: Carried,
@@ -113,8 +113,8 @@ struct Flow {
     heat: f64,
 }
 
-/// Difference between a substep and its two halves that is accepted, relative to the stress. Their extrapolation is better
-/// by the ratio of the substep to the time of relaxation.
+/// Accepted difference between a substep and its two halves, relative to the stress. Their extrapolation is more
+/// accurate by the ratio of substep to relaxation time.
 const TOLERANCE: f64 = 1e-5;
 const FLOOR: f64 = 1e-2;
 const MOST_SUBSTEPS: usize = 20_000;
@@ -125,7 +125,7 @@ impl Branch {
         (stress + self.c2 * b, k + self.c2 * M::identity())
     }
 
-    /// Strain rate of the dashpot, and its derivative by the stress.
+    /// Strain rate of the dashpot, and its derivative with respect to the stress.
     fn rate(&self, x: V) -> (V, M) {
         let size = x.norm();
         if size == 0.0 {
@@ -137,7 +137,7 @@ impl Branch {
         (f * n, f / size * (M::identity() + (self.p - 1.0) * n * n.transpose()))
     }
 
-    /// A substep of backward Euler; `None` where no strain is found.
+    /// A substep of backward Euler; `None` if Newton's method does not converge.
     fn euler(&self, from: Flow, r: &Carried, h: f64) -> Option<Flow> {
         let known = from.b.value + h * r.value;
         let miss = |b: V| {
@@ -160,6 +160,7 @@ impl Branch {
                     (b, now) = (next, then);
                     break;
                 }
+                // Armijo's rule of sufficient decrease guards the kink of the yield surface.
                 share *= 0.5;
             }
             if now.0.norm() <= 1e-13 * scale {
@@ -175,7 +176,7 @@ impl Branch {
         None
     }
 
-    /// The branch after a strain increment at a constant rate in a time.
+    /// Response of the branch to a strain increment at constant rate over `time`.
     fn flow(&self, b: [f64; 2], s: [f64; 2], increment: V, time: f64) -> Flow {
         let mut at = Flow { b: Carried::constant(b), s: Carried::constant(s), heat: 0.0 };
         let slipped = |f: &mut Flow| {
@@ -258,7 +259,7 @@ impl Law {
             + 0.5 * (self.branch.part.c * (b - t).norm_squared() + self.branch.c2 * b.norm_squared())
     }
 
-    /// A step: history, equilibrium stress and overstress with their derivatives, and the heat.
+    /// A step. Returns history, equilibrium stress and overstress with their derivatives, and the heat.
     fn step(&self, c: &PlaneHistory, strain: V, time: f64) -> (PlaneHistory, Carried, Carried, f64) {
         let given = c.stored - self.stored(c);
         let here = Carried { value: strain, slope: M::identity() };
@@ -289,25 +290,25 @@ impl HdrRheology {
         PlaneHistory { peak, ever: peak, ..PlaneHistory::default() }
     }
 
-    /// Tangent of the virgin law, the same in all directions.
+    /// Tangent of the virgin law, equal in all directions.
     pub fn plane_stiffness(&self) -> f64 {
         super::Uniaxial::initial_tangent(self) * self.height / self.area
     }
 
-    /// Number of amplitudes of heat flow.
+    /// Number of modal amplitudes of heat flow.
     pub fn heat_len(&self) -> usize {
         self.thermal.as_ref().map_or(0, Thermal::len)
     }
 
-    /// Let the heat of a step flow: the amplitudes of heat flow after a time from `c` to `next`.
+    /// Advances the modal amplitudes by `time`, with the heat generated between the histories `c` and `next`.
     pub fn plane_flow(&self, c: &PlaneHistory, next: &PlaneHistory, time: f64, amplitudes: &mut [f64]) {
         if let Some(thermal) = &self.thermal {
             thermal.advance(amplitudes, next.heat - c.heat, 0.5 * time.abs(), time.abs());
         }
     }
 
-    /// Stress for a strain in the plane after a time, from the committed history and amplitudes of heat flow. Heat arises
-    /// evenly over the step, and beyond the table of the compound its end is held.
+    /// Stress for a strain in the plane after `time`, from the committed history and modal amplitudes. The heat is
+    /// generated uniformly over the step. Parameters are constant beyond the table of the compound.
     pub fn plane_step(&self, c: &PlaneHistory, amplitudes: &[f64], strain: [f64; 2], time: f64) -> PlaneStep {
         let (g, time) = (V::from(strain), time.abs());
         let before = super::Peak { now: Dual::constant(c.peak), ever: c.ever };

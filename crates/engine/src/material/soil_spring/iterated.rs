@@ -1,33 +1,33 @@
-//! How OpenSees distributes a step among the springs.
+//! Distribution of a step among the springs, as in OpenSees.
 
 use super::{History, Part, Soil, SoilSpring, TOLERANCE, below};
 
-/// Times that the force is distributed in a part of a step; what has not come to one force then stays as it is.
+/// Maximum number of iterations per substep, as in OpenSees; the residual then remains.
 const ROUNDS: usize = 19;
-/// Parts of a step at most.
+/// Maximum number of substeps, as in OpenSees.
 const PARTS: f64 = 100.0;
 
-/// A step of one of the springs: what the force asks for, and what it asked for the last time.
+/// Displacement increments of one spring: present and previous iteration.
 #[derive(Clone, Copy, Debug)]
 pub struct Step {
-    /// Displacement.
+    /// Present increment.
     pub dy: f64,
-    /// Displacement before.
+    /// Previous increment.
     pub old: f64,
 }
 
 impl Step {
-    /// Where it changes its sign and does not shrink, half of the last one.
+    /// The increment, limited to half the previous one if it alternates without decreasing.
     pub(super) fn steady(self) -> f64 {
         if self.dy * self.old < 0.0 && (self.dy / self.old).abs() > 0.5 { -0.5 * self.old } else { self.dy }
     }
 }
 
 impl<S: Soil> SoilSpring<S> {
-    /// From a trial state of the step to another one.
+    /// State at the displacement `y`, from the trial state `t` of the step.
     pub(super) fn iterated(&self, c: &History, mut t: History, y: f64) -> History {
         let (ultimate, dy) = (self.soil.ultimate(), y - t.whole.y);
-        // Where a soft branch turns into a stiff one the whole step would go astray.
+        // A large step across an increase of stiffness would diverge, so it is divided.
         let by_force = match (t.whole.tangent * dy / ultimate).abs() {
             f if f > 0.5 => 1.0 + (2.0 * f).floor(),
             _ => 1.0,
@@ -43,7 +43,7 @@ impl<S: Soil> SoilSpring<S> {
         t
     }
 
-    /// How far the forces of the springs are from that of the whole, in all.
+    /// Sum of the differences between the spring forces and the total force.
     fn unbalance(h: &History) -> f64 {
         let opens = h.gap.spring.tangent.is_finite();
         let of = |spring: &Part| (h.whole.p - spring.p).abs();

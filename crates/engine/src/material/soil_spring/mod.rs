@@ -1,7 +1,8 @@
-//! Springs between piles and soil: three springs in series, of which one yields, one may open, and one is elastic with a dashpot.
+//! Soil springs of piles: a plastic near field, a gap, and an elastic far field with a dashpot, in series.
 //!
-//! Boulanger, Curras, Kutter, Wilson and Abghari (1999), <https://doi.org/10.1061/(ASCE)1090-0241(1999)125:9(750)>; Boulanger (2003),
-//! the documentation of `PySimple1`, `TzSimple1` and `QzSimple1`.
+//! Sources: Boulanger, Curras, Kutter, Wilson and Abghari (1999),
+//! <https://doi.org/10.1061/(ASCE)1090-0241(1999)125:9(750)>; Boulanger (2003), the documentation of `PySimple1`,
+//! `TzSimple1` and `QzSimple1`.
 
 mod branch;
 mod iterated;
@@ -20,15 +21,15 @@ pub use py_simple1::{PyBackbone, PySimple1};
 pub use qz_simple1::{QzBackbone, QzSimple1};
 pub use tz_simple1::{TzBackbone, TzSimple1};
 
-/// What counts as nothing, as a part of the ultimate force.
+/// Force tolerance divided by the ultimate force, as in OpenSees.
 const TOLERANCE: f64 = 1e-12;
-/// Forces that are tried at most until the displacements of the springs add up.
+/// Maximum number of iterations for the common force.
 const ROUNDS_AT_MOST: u32 = 300;
-/// The least damping, as a part of the stiffness of the far field.
+/// Smallest damping divided by the stiffness of the far field.
 const LEAST_DAMPING: f64 = 1e-12;
 
-crate::words! {
-    /// A spring.
+crate::state_struct! {
+    /// State of one spring.
     pub struct Part {
         /// Displacement.
         y: f64,
@@ -39,86 +40,87 @@ crate::words! {
     }
 }
 
-crate::words! {
-    /// The spring that yields.
+crate::state_struct! {
+    /// State of the plastic near-field spring.
     pub struct Near {
-        /// It.
+        /// The spring.
         spring: Part,
-        /// Where it turned: the bounds of the elastic zone, the one at greater forces first, or the last turn alone.
+        /// Bounds of the elastic zone, the one at the greater force first; or the last reversal alone.
         turns: [Turn; 2],
-        /// Half the height of the elastic zone, as a part of the ultimate force.
+        /// Half the height of the elastic zone divided by the ultimate force.
         elastic: f64,
     }
 }
 
-crate::words! {
-    /// The spring that opens, of two in parallel.
+crate::state_struct! {
+    /// State of the gap: closure and drag in parallel.
     pub struct Gap {
-        /// It.
+        /// The spring.
         spring: Part,
-        /// What is dragged along in it.
+        /// The drag spring.
         dragged: Part,
-        /// Where that turned.
+        /// Last reversal of the drag spring.
         turn: Turn,
-        /// Displacements at which it is closed to the left and to the right.
+        /// Displacements at which the gap closes, left and right.
         closed: [f64; 2],
     }
 }
 
-crate::words! {
+crate::state_struct! {
     /// History of [`SoilSpring`].
     pub struct History {
-        /// All of it.
+        /// The series of springs.
         whole: Part,
-        /// The spring that yields.
+        /// The plastic near-field spring.
         near: Near,
-        /// The spring that opens.
+        /// The gap.
         gap: Gap,
-        /// The elastic spring.
+        /// The elastic far-field spring.
         far: Part,
-        /// Steps so far, by which trial states of a step are known.
+        /// Number of steps; identifies the trial states of the current step.
         steps: f64,
     }
 }
 
-/// What the kinds of springs differ in.
+/// Properties that distinguish p-y, t-z and q-z springs.
 pub trait Soil: Clone + fmt::Debug + Send + Sync + 'static {
     /// Name in the `uniaxialMaterial` command.
     const NAME: &'static str;
-    /// The force on the springs never exceeds the ultimate one while it is distributed.
+    /// True if the iterations of OpenSees bound the force by the ultimate force.
     const BOUNDED: bool;
 
     /// Ultimate force.
     fn ultimate(&self) -> f64;
-    /// Displacement at half of it.
+    /// Displacement at half the ultimate force.
     fn y50(&self) -> f64;
-    /// Stiffness of the elastic spring.
+    /// Stiffness of the far-field spring.
     fn far(&self) -> f64;
-    /// The other two before anything has happened. A rigid one has an infinite tangent.
+    /// Virgin near field and gap. A rigid spring has an infinite tangent.
     fn virgin(&self) -> (Near, Gap);
-    /// The spring that yields, from its committed state to a force.
+    /// Near field at the force `p`, from its committed state.
     fn yields(&self, c: &Near, p: f64) -> Near;
-    /// The spring that opens, from its committed state to a force, where the one that yields stands; and by how much it moves with that.
+    /// Gap at the force `p`, from its committed state, for a near-field displacement `near`; and the derivative of
+    /// its displacement with respect to `near`.
     fn opens(&self, c: &Gap, near: f64, p: f64) -> (Gap, f64);
-    /// The spring that yields goes on from a trial state, as in OpenSees.
+    /// Advances the trial state of the near field by a step, as in OpenSees.
     fn yields_on(&self, c: &Near, t: &mut Near, step: Step);
-    /// The spring that opens goes on from a trial state, as in OpenSees, where the one that yields stands.
+    /// Advances the trial state of the gap by a step, as in OpenSees, for a near-field displacement `near`.
     fn opens_on(&self, c: &Gap, t: &mut Gap, near: f64, step: Step);
 }
 
-/// Three springs in series, with a dashpot beside the elastic one.
+/// Three springs in series, with a dashpot in parallel with the far field.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SoilSpring<S> {
-    /// What kind of soil.
+    /// The soil.
     pub soil: S,
-    /// Coefficient of the dashpot.
+    /// Dashpot coefficient, force over velocity.
     pub dashpot: f64,
-    /// As in OpenSees: the force is distributed step by step from the trial state before, so often and no oftener, and the tangent does not
-    /// know how the share of the dashpot changes.
+    /// As in OpenSees: a bounded number of iterations distributes the force from the last trial state. The tangent
+    /// omits the change of the dashpot's share.
     pub compat: bool,
 }
 
-/// The force that is nearer to zero than a limit.
+/// The force bounded by `limit` minus the tolerance.
 fn below(p: f64, limit: f64) -> f64 {
     if p.abs() >= (1.0 - TOLERANCE) * limit { (1.0 - TOLERANCE) * limit.copysign(p) } else { p }
 }
@@ -136,7 +138,7 @@ impl<S: Soil> SoilSpring<S> {
         1.0 / (1.0 / h.gap.spring.tangent + 1.0 / h.near.spring.tangent + 1.0 / h.far.tangent)
     }
 
-    /// The springs at one force whose displacements add up to `y`.
+    /// State of the springs at the common force whose displacements sum to `y`.
     fn balanced(&self, c: &History, y: f64) -> Option<History> {
         let far = self.soil.far();
         let at = |p: f64| {
@@ -162,7 +164,7 @@ impl<S: Soil> SoilSpring<S> {
         Some(History { whole, near, gap, far: Part { y: p / far, p, tangent: far }, steps: c.steps })
     }
 
-    /// Part of the step that the elastic spring takes, and how it changes with the step.
+    /// Share of the far field in the displacement increment, and its derivative with respect to the increment.
     fn of_far_field(c: &History, t: &History) -> (f64, f64) {
         let dy = t.whole.y - c.whole.y;
         if dy == 0.0 {

@@ -1,16 +1,16 @@
-//! Lateral resistance of a pile in soil, with a gap that opens behind it.
+//! Lateral resistance of a pile in soil, with a gap behind it (p-y spring).
 
 use super::branch::{Branch, Turn};
 use super::zone::{Grows, Zone};
 use super::{Gap, Near, Part, ROUNDS_AT_MOST, Soil, Step, below};
 use crate::numeric::bracketed_root;
 
-/// Elastic zone at the least, as a part of the ultimate force on each side.
+/// Smallest elastic zone on each side divided by the ultimate force, as in OpenSees.
 const LEAST_ELASTIC: f64 = 0.25;
-/// Tolerances below which a step is elastic.
+/// Elastic limit of a step in multiples of the force tolerance, as in OpenSees.
 const ELASTIC: f64 = 10.0;
 
-/// PyBackbone of a p-y spring.
+/// Backbone of a p-y spring.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PyBackbone {
     /// Soft clay (Matlock, 1970).
@@ -31,7 +31,8 @@ pub struct PySimple1 {
 }
 
 impl PySimple1 {
-    /// Ultimate resistance, displacement at half of it, and residual resistance in a gap as a part of it.
+    /// From the ultimate resistance, the displacement at half of it, and the drag in the gap divided by the ultimate
+    /// resistance.
     pub fn new(backbone: PyBackbone, pult: f64, y50: f64, drag: f64) -> Self {
         let drag = drag.max(super::TOLERANCE);
         let least = 1e-2 * pult / y50;
@@ -50,17 +51,17 @@ impl PySimple1 {
         Self { backbone, pult, y50, drag, near, dragged: branch([drag * pult, 0.5 * y50, 1.0]) }
     }
 
-    /// What the soil gives back of its displacement.
+    /// Displacement that the soil recovers.
     fn rebound(&self) -> f64 {
         1.5 * self.y50
     }
 
-    /// The gap after the pile has been so far in the soil that yields.
+    /// Bounds of the gap after a near-field displacement `y`.
     fn widened(&self, [left, right]: [f64; 2], y: f64) -> [f64; 2] {
         [left.min(self.rebound() - y), right.max(-self.rebound() - y)]
     }
 
-    /// Force and tangent of contact with the two sides of the gap.
+    /// Force and tangent of the contact with both sides of the gap.
     fn closure(&self, [left, right]: [f64; 2], y: f64) -> (f64, f64) {
         let small = self.y50 / 50.0;
         let (k, to_right, to_left) = (1.8 * self.pult * small, small + right - y, small + y - left);
@@ -101,7 +102,8 @@ impl Soil for PySimple1 {
     }
 
     fn opens(&self, c: &Gap, near: f64, p: f64) -> (Gap, f64) {
-        // Contact with a side is infinite at its end, which may be moving away: then by this much.
+        // The contact force is infinite at the bounds of the gap, so the root lies between them; a bound may move
+        // with `y`.
         let small = self.y50 / 50.0;
         let ends = [
             (c.closed[0] - small).min(0.5 * (self.rebound() - near - small)),
@@ -141,7 +143,7 @@ impl Soil for PySimple1 {
 
     fn opens_on(&self, c: &Gap, t: &mut Gap, near: f64, step: Step) {
         let from = t.spring.y;
-        // Not through the side of the gap in one step.
+        // A step must not cross the side of the gap.
         let dy = match from + step.dy {
             y if y < t.closed[0] => 0.75 * (t.closed[0] - from),
             y if y > t.closed[1] => 0.75 * (t.closed[1] - from),

@@ -1,20 +1,21 @@
-//! End bearing of a pile, which lifts off the soil.
+//! End bearing of a pile with uplift (q-z spring).
 
 use super::branch::{Branch, Turn};
 use super::zone::{Grows, Zone};
 use super::{Gap, Near, Part, ROUNDS_AT_MOST, Soil, Step, TOLERANCE};
 use crate::numeric::bracketed_root;
 
-/// Tolerances below which a step is elastic.
+/// Elastic limit of a step in multiples of the force tolerance, as in OpenSees.
 const ELASTIC: f64 = 3.0;
-/// The elastic zone grows up to this part of the ultimate force.
+/// Largest height of the elastic zone divided by the ultimate force, as in OpenSees.
 const MOST_ELASTIC: f64 = 0.7;
-/// Stiffness of the closed gap and of the open one, by the ultimate force over the displacement at half of it, and that of the virgin one.
+/// Stiffness of the closed, the open and the virgin gap, in multiples of ultimate force over `z50`; values of
+/// OpenSees.
 const CLOSED: f64 = 1000.0;
 const OPEN: f64 = 1e-6;
 const VIRGIN: f64 = 100.0;
 
-/// QzBackbone of a q-z spring.
+/// Backbone of a q-z spring.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum QzBackbone {
     /// Drilled shafts in clay (Reese and O'Neill, 1987).
@@ -34,10 +35,11 @@ pub struct QzSimple1 {
 }
 
 impl QzSimple1 {
-    /// Suction at the most, as a part of the ultimate resistance.
+    /// Largest suction divided by the ultimate resistance.
     pub const MOST_SUCTION: f64 = 0.1;
 
-    /// Ultimate resistance, displacement at half of it, and resistance in uplift as a part of it.
+    /// From the ultimate resistance, the displacement at half of it, and the uplift resistance divided by the
+    /// ultimate resistance.
     pub fn new(backbone: QzBackbone, qult: f64, z50: f64, suction: f64) -> Self {
         let suction = suction.clamp(TOLERANCE, Self::MOST_SUCTION);
         let branch = |curve| Branch::new(curve, 1e-4 * qult / z50, qult, ELASTIC);
@@ -104,7 +106,7 @@ impl Soil for QzSimple1 {
             let (force, tangent) = at(y, &mut t);
             (force - p, tangent)
         };
-        // The suction is within its bounds.
+        // The bounds follow from the largest suction in either direction.
         let ends = [(p - self.suction.limit).min(0.0), (p + self.suction.limit).max(0.0)];
         let ends = (ends[0] / self.stiffness(CLOSED), ends[1] / self.stiffness(OPEN));
         let y = bracketed_root(excess, ends, c.spring.y.clamp(ends.0, ends.1), self.z50, ROUNDS_AT_MOST);
@@ -120,7 +122,7 @@ impl Soil for QzSimple1 {
 
     fn opens_on(&self, c: &Gap, t: &mut Gap, _: f64, step: Step) {
         let from = t.spring.y;
-        // To where it opens or closes first.
+        // A step that crosses the contact point first stops there.
         let dy = match from + step.dy {
             y if from > 0.0 && y < -TOLERANCE => -TOLERANCE - from,
             y if from < 0.0 && y > TOLERANCE => TOLERANCE - from,

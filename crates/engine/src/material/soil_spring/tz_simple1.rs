@@ -1,12 +1,12 @@
-//! Friction along the shaft of a pile.
+//! Shaft friction of a pile (t-z spring).
 
 use super::branch::Branch;
 use super::{Gap, Near, Part, Soil, Step};
 
-/// Tolerances below which a step is elastic.
+/// Elastic limit of a step in multiples of the force tolerance, as in OpenSees.
 const ELASTIC: f64 = 10.0;
 
-/// TzBackbone of a t-z spring.
+/// Backbone of a t-z spring.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TzBackbone {
     /// Reese and O'Neill (1987).
@@ -25,7 +25,7 @@ pub struct TzSimple1 {
 }
 
 impl TzSimple1 {
-    /// Ultimate resistance and displacement at half of it.
+    /// From the ultimate resistance and the displacement at half of it.
     pub fn new(backbone: TzBackbone, tult: f64, z50: f64) -> Self {
         let (reference, n) = match backbone {
             TzBackbone::ReeseONeill => (0.5 * z50, 1.5),

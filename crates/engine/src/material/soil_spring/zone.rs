@@ -1,34 +1,34 @@
-//! A spring that is all but rigid in a zone of forces, which moves along where it yields.
+//! A rigid-plastic spring with an elastic zone that follows plastic flow.
 
 use super::branch::{Branch, Turn};
 use super::{Near, Part, Step, below};
 
-/// How the elastic zone goes on where the loading turns.
+/// Size of the elastic zone after a reversal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Grows {
-    /// As high as at first, but so far beyond zero at least, as a part of the ultimate force.
+    /// The initial height, with a bound at least this fraction of the ultimate force beyond zero.
     AtLeast(f64),
-    /// As high as from one turn to the other, to this part of the ultimate force.
+    /// The distance between reversals, up to this fraction of the ultimate force.
     UpTo(f64),
 }
 
-/// A rigid-plastic spring: stiffness in its zone, and a branch from its bounds.
+/// A rigid-plastic spring: a stiffness in the zone and a branch from its bounds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Zone {
-    /// Beyond the zone.
+    /// Branch beyond the zone.
     pub(super) branch: Branch,
-    /// Stiffness within it.
+    /// Stiffness in the zone.
     pub(super) rigid: f64,
-    /// Half its height at first, as a part of the ultimate force.
+    /// Initial half height divided by the ultimate force.
     pub(super) elastic: f64,
-    /// What it does where the loading turns.
+    /// Rule for the size after a reversal.
     pub(super) grows: Grows,
     /// Displacement at half the ultimate force of the soil.
     pub(super) y50: f64,
 }
 
 impl Zone {
-    /// Before anything has happened.
+    /// The virgin state.
     pub(super) fn virgin(&self) -> Near {
         let p = self.elastic * self.branch.limit;
         let spring = Part { tangent: self.rigid, ..Part::default() };
@@ -36,7 +36,7 @@ impl Zone {
         Near { spring, turns, elastic: self.elastic }
     }
 
-    /// The longest step where the loading turns.
+    /// Largest displacement increment after a reversal.
     fn longest(&self, elastic: f64) -> f64 {
         let part = match self.grows {
             Grows::AtLeast(part) => part,
@@ -45,7 +45,7 @@ impl Zone {
         part * self.branch.limit / self.rigid
     }
 
-    /// Turn round in the sense `s`: -1 where the force has been growing.
+    /// Reverses to the direction `s`, which is -1 if the force has been increasing.
     fn turn(&self, c: &Near, t: &mut Near, s: f64) {
         let limit = self.branch.limit;
         let (here, there) = if s < 0.0 { (0, 1) } else { (1, 0) };
@@ -64,7 +64,7 @@ impl Zone {
         t.turns[there] = Turn { p: to, y: c.spring.y + (to - from) / self.rigid };
     }
 
-    /// From the committed state to a force.
+    /// State at the force `p`, from the committed state.
     pub(super) fn to(&self, c: &Near, p: f64) -> Near {
         let s = if p >= c.spring.p { 1.0 } else { -1.0 };
         let mut t = *c;
@@ -79,7 +79,7 @@ impl Zone {
         t
     }
 
-    /// Turn round where the committed state is on a branch and the loading goes on in the other sense.
+    /// Reverses if the committed state is on a branch and the loading opposes it; returns true if it did.
     fn turn_round(&self, c: &Near, t: &mut Near, s: f64) -> bool {
         let turns = if s < 0.0 { c.spring.p > c.turns[0].p } else { c.spring.p < c.turns[1].p };
         if turns {
@@ -88,7 +88,7 @@ impl Zone {
         turns
     }
 
-    /// A step from the trial state, as in OpenSees.
+    /// Advances the trial state by a step, as in OpenSees.
     pub(super) fn go_on(&self, c: &Near, t: &mut Near, step: Step) {
         let from = t.spring.y;
         let mut dy = step.steady();

@@ -1,0 +1,114 @@
+//! Forces that are taken off the unbalance: resisting forces of the elements, damping and inertia of elements and nodes.
+
+use super::{ElementWorkspace, MassPlace, Workspace};
+use crate::analysis::state::State;
+use crate::element::MAX_DOFS;
+use crate::model::{Model, Rayleigh};
+use crate::numeric::dot;
+
+impl Workspace {
+    /// Subtract the forces of the elements from `full`: resisting forces, and with `dynamic` damping and inertia.
+    pub(in crate::analysis) fn subtract_elements(&mut self, model: &Model, state: &State, dynamic: bool) {
+        for (e, m) in model.elements.iter().zip(&self.elements.entries) {
+            let force = &state.force[e.force.clone()];
+            for (&d, f) in e.dofs.iter().zip(force) {
+                self.full[d as usize] -= f;
+            }
+            if dynamic && m.is_dynamic {
+                let mut f = [0.0; MAX_DOFS];
+                self.add_dynamic_force(&e.dofs, m, &m.rayleigh.forces, state, 1.0, &mut f);
+                for (&d, f) in e.dofs.iter().zip(&f) {
+                    self.full[d as usize] -= f;
+                }
+            }
+        }
+    }
+
+    /// Subtract the same from the unbalance of the equations, `inertia` times the inertia of it: what goes to the supports is
+    /// left out.
+    #[inline]
+    pub(in crate::analysis) fn condense_elements(&mut self, model: &Model, state: &State, dynamic: bool, inertia: f64) {
+        self.plan.subtract_forces(&state.force, &mut self.b);
+        if !dynamic {
+            return;
+        }
+        for (i, (e, m)) in
+            model.elements.iter().zip(&self.elements.entries).enumerate().filter(|(_, (_, m))| m.is_dynamic)
+        {
+            let mut f = [0.0; MAX_DOFS];
+            self.add_dynamic_force(&e.dofs, m, &m.rayleigh.forces, state, inertia, &mut f);
+            self.plan.subtract_force(i, e.force.start, &f, &mut self.b);
+        }
+    }
+
+    /// Add the damping forces of an element by factors of Rayleigh, and a share of its inertia.
+    fn add_dynamic_force(
+        &self,
+        dofs: &[u32],
+        m: &ElementWorkspace,
+        r: &Rayleigh,
+        state: &State,
+        inertia: f64,
+        out: &mut [f64; MAX_DOFS],
+    ) {
+        let n = dofs.len();
+        let (mut v, mut a) = ([0.0; MAX_DOFS], [0.0; MAX_DOFS]);
+        for ((&d, v), a) in dofs.iter().zip(&mut v).zip(&mut a) {
+            *v = state.vel[d as usize];
+            *a = r.alpha_m * *v + inertia * state.accel[d as usize];
+        }
+        let mut add = |matrix: &[f64], factor: f64, x: &[f64]| {
+            if factor != 0.0 {
+                for (o, row) in out.iter_mut().zip(matrix.chunks_exact(n)) {
+                    *o += factor * dot(row, x);
+                }
+            }
+        };
+        let range = m.at..m.at + n * n;
+        if m.linear {
+            add(&self.elements.tangent[range], r.beta_k + r.beta_k0 + r.beta_kc, &v[..n]);
+        } else {
+            add(&self.elements.tangent[range.clone()], r.beta_k, &v[..n]);
+            if r.beta_k0 != 0.0 {
+                add(&self.elements.initial[range.clone()], r.beta_k0, &v[..n]);
+            }
+            if r.beta_kc != 0.0 {
+                add(&self.elements.committed[range], r.beta_kc, &v[..n]);
+            }
+        }
+        match m.mass {
+            MassPlace::None => {}
+            MassPlace::Lumped(at) => {
+                out.iter_mut().zip(&self.elements.mass[at..at + n]).zip(&a).for_each(|((o, m), a)| *o += m * a);
+            }
+            MassPlace::Consistent(at) => add(&self.elements.mass[at..at + n * n], 1.0, &a[..n]),
+        }
+    }
+
+    /// Subtract the Rayleigh damping forces of the elements from `full`.
+    pub(in crate::analysis) fn subtract_damping(&mut self, model: &Model, state: &State) {
+        for (e, m) in model.elements.iter().zip(&self.elements.entries).filter(|(_, m)| !m.rayleigh.reported.is_zero())
+        {
+            let mut f = [0.0; MAX_DOFS];
+            // Inertia is no part of a report of damping.
+            self.add_dynamic_force(&e.dofs, m, &m.rayleigh.reported, state, 0.0, &mut f);
+            for (&d, f) in e.dofs.iter().zip(&f) {
+                self.full[d as usize] -= f;
+            }
+        }
+    }
+
+    /// Subtract the mass-proportional damping of the nodes from `full`.
+    pub(in crate::analysis) fn subtract_nodal_damping(&mut self, state: &State) {
+        for &(dof, mass, alpha_m) in &self.nodal {
+            self.full[dof] -= mass * alpha_m * state.vel[dof];
+        }
+    }
+
+    /// Subtract a share of the inertia, and the mass-proportional damping, of the nodes from `full`.
+    pub(in crate::analysis) fn subtract_nodal_inertia(&mut self, state: &State, inertia: f64) {
+        for &(dof, mass, alpha_m) in &self.nodal {
+            self.full[dof] -= mass * (inertia * state.accel[dof] + alpha_m * state.vel[dof]);
+        }
+    }
+}
