@@ -34,7 +34,7 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
                 eprintln!("  did you mean \"{near}\"?");
             }
             eprintln!("  known: {}", known().collect::<Vec<_>>().join(" "));
-            return WRONG;
+            return WRONG_INPUT_STATUS;
         }
     }
     let mut sources = SourceMap::default();
@@ -43,7 +43,7 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
         Ok(prepared) => prepared,
         Err(d) => {
             show(&d, &sources);
-            return WRONG;
+            return WRONG_INPUT_STATUS;
         }
     };
     let study = simulator.study().clone();
@@ -80,7 +80,7 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
             if stop.load(Ordering::Relaxed) && saved.exists() {
                 eprintln!("what was worked out is kept; --resume goes on");
             }
-            FAILED
+            FAILED_STATUS
         }
     }
 }
