@@ -11,7 +11,7 @@ use hysteron::diagnose::{CheckpointEntry, Diagnosis, Settings, hypothesis};
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
-use studies::{Keeper, Noise, PAD, SHAKEN};
+use studies::{CheckpointRecorder, Noise, PAD, SHAKEN};
 
 const DT: f64 = 0.02;
 
@@ -68,19 +68,15 @@ fn recorded(name: &str, shows: impl Fn(&[f64], &[f64]) -> Vec<f64>, [low, high]:
 fn attempt(
     dir: &Path,
     without: &[&str],
-    earlier: Vec<CheckpointEntry>,
-    keeper: &mut Keeper,
+    checkpoint: Vec<CheckpointEntry>,
+    recorder: &mut CheckpointRecorder,
 ) -> Result<Diagnosis, String> {
-    let without = without.iter().map(|w| (*w).to_owned()).collect();
-    studies::attempt(
-        dir,
-        &Settings { excluded_causes: without, threads: 2, checkpoint: earlier, ..Settings::default() },
-        keeper,
-    )
+    let excluded_causes = without.iter().map(|w| (*w).to_owned()).collect();
+    studies::attempt(dir, &Settings { excluded_causes, threads: 2, checkpoint, ..Settings::default() }, recorder)
 }
 
 fn diagnosed(dir: &Path, without: &[&str]) -> Diagnosis {
-    attempt(dir, without, vec![], &mut Keeper::patient()).unwrap()
+    attempt(dir, without, vec![], &mut CheckpointRecorder::unlimited()).unwrap()
 }
 
 /// Run the repaired script by itself, as another script that sets the variables of a run and sources it.
@@ -106,19 +102,20 @@ fn nothing_is_found_where_nothing_is_missing() {
     assert!(d.outcome.verdict.confidence > 0.5);
     runs_by_itself(&dir, &d);
 
-    // Interrupted, kept as a file keeps it, and gone on with: the same to the last digit, in less work.
-    let mut keeper = Keeper { told: vec![], enough: 30 };
-    assert_eq!(attempt(&dir, &[], vec![], &mut keeper).err().unwrap(), "interrupted");
-    let kept: Vec<CheckpointEntry> = serde_json::from_str(&serde_json::to_string(&keeper.told).unwrap()).unwrap();
-    let again = attempt(&dir, &[], kept, &mut Keeper::patient()).unwrap();
+    // Interrupted, saved and resumed: the same to the last digit with fewer evaluations.
+    let mut recorder = CheckpointRecorder { entries: vec![], max_entries: 30 };
+    assert_eq!(attempt(&dir, &[], vec![], &mut recorder).err().unwrap(), "interrupted");
+    let entries: Vec<CheckpointEntry> =
+        serde_json::from_str(&serde_json::to_string(&recorder.entries).unwrap()).unwrap();
+    let again = attempt(&dir, &[], entries, &mut CheckpointRecorder::unlimited()).unwrap();
     assert_eq!(serde_json::to_string(&again.outcome).unwrap(), serde_json::to_string(&d.outcome).unwrap());
     assert!(again.evaluations < d.evaluations, "{} {}", again.evaluations, d.evaluations);
 
-    // What belongs to other jobs is not believed.
-    let mut others = serde_json::to_value(&keeper.told).unwrap();
+    // Results of other jobs are not used.
+    let mut others = serde_json::to_value(&recorder.entries).unwrap();
     others.as_array_mut().unwrap().iter_mut().skip(3).for_each(|k| k["job"] = 1.into());
     let others: Vec<CheckpointEntry> = serde_json::from_value(others).unwrap();
-    let again = attempt(&dir, &[], others, &mut Keeper::patient()).unwrap();
+    let again = attempt(&dir, &[], others, &mut CheckpointRecorder::unlimited()).unwrap();
     assert_eq!(serde_json::to_string(&again.outcome).unwrap(), serde_json::to_string(&d.outcome).unwrap());
     let _ = fs::remove_dir_all(dir);
 }
@@ -401,7 +398,7 @@ fn a_recording_without_a_clock_tells_no_rates() {
     let _ = fs::remove_dir_all(dir);
 }
 
-/// The page of the causes says of each what the library says.
+/// The page of causes quotes the library.
 #[test]
 fn the_page_of_causes_is_that_of_the_library() {
     let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/reference/causes.md")).unwrap();

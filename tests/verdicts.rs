@@ -20,7 +20,7 @@ use std::fs;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
-use studies::{Concealed, Keeper};
+use studies::{CheckpointRecorder, Concealed};
 
 /// A study, its truth, the cause that the diagnosis names with a second one beside it, and its confidence, %.
 type Row = (&'static str, &'static str, &'static str, u32);
@@ -103,7 +103,7 @@ fn verdict(name: &str, study: &Concealed) -> (String, f64) {
     let settings =
         Settings { excluded_causes: without.map(|c| (*c).to_owned()).collect(), threads: 1, ..Settings::default() };
     let dir = study.write(&format!("verdict-{}", name.replace([' ', ','], "-")));
-    let found = studies::attempt(&dir, &settings, &mut Keeper::patient());
+    let found = studies::attempt(&dir, &settings, &mut CheckpointRecorder::unlimited());
     let _ = fs::remove_dir_all(dir);
     let verdict = found.unwrap_or_else(|e| panic!("{name}: {e}")).outcome.verdict;
     let causes = std::iter::once(&verdict.cause).chain(&verdict.also);

@@ -123,35 +123,35 @@ impl Concealed {
     }
 }
 
-/// Keeps what was worked out, and stops when that is so much.
-pub struct Keeper {
-    pub told: Vec<CheckpointEntry>,
-    pub enough: usize,
+/// Keeps checkpoints, and cancels after `max_entries` results.
+pub struct CheckpointRecorder {
+    pub entries: Vec<CheckpointEntry>,
+    pub max_entries: usize,
 }
 
-impl Keeper {
-    /// One that never stops.
-    pub fn patient() -> Self {
-        Self { told: vec![], enough: usize::MAX }
+impl CheckpointRecorder {
+    /// A recorder that never cancels.
+    pub fn unlimited() -> Self {
+        Self { entries: vec![], max_entries: usize::MAX }
     }
 }
 
-impl ProgressMonitor for Keeper {
+impl ProgressMonitor for CheckpointRecorder {
     fn stage(&mut self, _: &str, _: usize, _: usize) {}
     fn is_cancelled(&self) -> bool {
-        self.told.len() >= self.enough
+        self.entries.len() >= self.max_entries
     }
-    fn checkpoint(&mut self, told: &[CheckpointEntry]) {
-        self.told = told.to_vec();
+    fn checkpoint(&mut self, entries: &[CheckpointEntry]) {
+        self.entries = entries.to_vec();
     }
 }
 
 /// Diagnose the study in a folder.
-pub fn attempt(dir: &Path, settings: &Settings, keeper: &mut Keeper) -> Result<Diagnosis, String> {
+pub fn attempt(dir: &Path, settings: &Settings, recorder: &mut CheckpointRecorder) -> Result<Diagnosis, String> {
     let text = fs::read_to_string(dir.join("model.tcl")).unwrap();
     let mut sources = SourceMap::default();
     let study = Arc::new(Study::load(&dir.join("study.toml"), &mut sources).unwrap());
     let mut simulator = ScriptSimulator::new(study, Options::default(), Arc::new(AtomicBool::new(false)));
     let initial_run = simulator.run_initially(&mut sources).unwrap();
-    diagnose(&simulator, &initial_run, &text, settings, keeper)
+    diagnose(&simulator, &initial_run, &text, settings, recorder)
 }

@@ -10,7 +10,7 @@ use std::sync::Arc;
 pub(crate) struct AddedParameter {
     /// Name in the script.
     pub(crate) name: String,
-    /// ParameterRange of the search.
+    /// Range of the search.
     pub(crate) range: ParameterRange,
     /// Start of the search.
     pub(crate) start: f64,

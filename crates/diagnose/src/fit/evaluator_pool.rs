@@ -13,7 +13,7 @@ pub(crate) struct EvaluatorPool {
 }
 
 impl EvaluatorPool {
-    /// A pool with an evaluator per thread.
+    /// A pool of threads.
     ///
     /// # Errors
     /// A thread could not be started.

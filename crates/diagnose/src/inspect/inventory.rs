@@ -282,8 +282,8 @@ fn is_elastic(element: &dyn Element, rows: &[BasicRow]) -> bool {
             let motion =
                 ElementInput { disp: &disp, vel: &rest, load: &load, still: true, opensees: None, dt: 0.0, time: 0.0 };
             let mut force = vec![0.0; n];
-            let answer = ElementOutput { force: &mut force, tangent: None, damping: None, part: MatrixMask::ALL };
-            element.respond(&motion, &state, &mut next, answer).ok()?;
+            let output = ElementOutput { force: &mut force, tangent: None, damping: None, part: MatrixMask::ALL };
+            element.respond(&motion, &state, &mut next, output).ok()?;
             Some(row.force(&force) / size)
         };
         let initial = stiffness(SMALLEST_DEFORMATION);
