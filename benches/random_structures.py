@@ -7,7 +7,7 @@ A seed makes a mass and a storey on an isolator of a kind that OpenSees has, wit
 motion, constraint handler, algorithm and integrator. Both programs run it with tolerances near round-off; displacements, forces, reactions,
 accelerations and eigenvalues (`eigen -fullGenLapack`) are compared, hysteron with `--compat opensees`. A line a case; `differs` where
 something is more than 1e-5 apart, `ends` where one of them stops at another step, `nothing` where neither makes a step. Some laws of OpenSees depend on the
-iterations (docs/compat.md): KrylovNewton and line searches lead them elsewhere, and a case that differs is a question, not yet an error.
+iterations (docs/reference/compat.md): KrylovNewton and line searches lead them elsewhere, and a case that differs is a question, not yet an error.
 The first use installs openseespy (see peer.py). Status 1 if a case differs.
 """
 import argparse

@@ -16,6 +16,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "numeric",
             "number_format",
             "probe",
+            "rules",
             "series",
             "material",
             "section",

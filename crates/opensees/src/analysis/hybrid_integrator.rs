@@ -1,6 +1,7 @@
 //! `integrator NewmarkHSIncrReduct` and the like: implicit integrators for hybrid simulation.
 
 use crate::args::Args;
+use crate::slips;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::analysis::integrator::{
     AlphaOs, AlphaParameters, Collocation, FixedIterations, Form, GeneralizedAlpha, Integrator, KrAlpha, Newmark,
@@ -69,7 +70,7 @@ pub(crate) fn kolay_ricles(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Box<dyn
     if rho > 1.0 {
         return Err(a.refuse(format!("the spectral radius is {rho}"), "expected 0 to 1"));
     }
-    let update = a.flag("-updateElemDisp") || !interp.host.engine.options.compat;
+    let update = a.flag("-updateElemDisp") || !interp.host.follows(&[slips::EXPLICIT_ELEMENTS]);
     Ok(Box::new(KrAlpha::new(rho, update)))
 }
 

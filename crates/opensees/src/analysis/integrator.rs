@@ -4,6 +4,7 @@ use crate::analysis::hybrid_integrator;
 use crate::analysis::trapezoidal_integrator;
 use crate::args::Args;
 use crate::model::nodes::node_of;
+use crate::slips;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
 use hysteron_engine::analysis::integrator::{
     Adaptive, AlphaParameters, ArcLength, CentralDifference, CentralDifferenceAlternative, Collocation,
@@ -143,7 +144,7 @@ fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             } else {
                 AlphaParameters { inertia, force, beta: a.positive("beta")?, gamma: a.positive("gamma")? }
             };
-            Box::new(GeneralizedAlpha::new("GeneralizedAlpha", p, interp.host.engine.options.compat))
+            Box::new(GeneralizedAlpha::new("GeneralizedAlpha", p, interp.host.follows(&[slips::GENERALIZED_ALPHA])))
         }
         "Collocation" => {
             a.usage("integrator Collocation $theta <$beta $gamma>");
@@ -174,7 +175,7 @@ fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             };
             // Factors of Rayleigh damping may follow, which older scripts give here.
             integrator_rayleigh(interp, &mut a)?;
-            let compat = interp.host.engine.options.compat;
+            let compat = interp.host.follows(&[slips::CENTRAL_DIFFERENCE_START]);
             if compat && name == "CentralDifferenceAlternative" {
                 Box::new(CentralDifferenceAlternative::default())
             } else {
@@ -183,7 +184,7 @@ fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         }
         "ExplicitDifference" | "Explicitdifference" => {
             a.usage("integrator ExplicitDifference");
-            Box::new(ExplicitDifference::new(interp.host.engine.options.compat))
+            Box::new(ExplicitDifference::new(interp.host.follows(&[slips::EXPLICIT_START])))
         }
         "ExplicitBathe" => {
             a.usage("integrator ExplicitBathe $p");
@@ -193,7 +194,7 @@ fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             }
             // Whether OpenSees prints the longest stable step.
             a.optional_int("0 or 1")?;
-            Box::new(ExplicitBathe::new(p, interp.host.engine.options.compat))
+            Box::new(ExplicitBathe::new(p, interp.host.follows(&[slips::EXPLICIT_START])))
         }
         "NewmarkExplicit" => {
             a.usage("integrator NewmarkExplicit $gamma");
@@ -205,7 +206,7 @@ fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             a.usage("integrator HHTExplicit $alpha <$gamma> <-updateElemDisp>");
             let force = a.positive("alpha")?;
             let gamma = a.optional_float("gamma")?.unwrap_or(0.5);
-            let update = a.flag("-updateElemDisp") || !interp.host.engine.options.compat;
+            let update = a.flag("-updateElemDisp") || !interp.host.follows(&[slips::EXPLICIT_ELEMENTS]);
             let p = AlphaParameters { inertia: 1.0, force, beta: 0.0, gamma };
             Box::new(ExplicitAlpha::new("HHTExplicit", p, update))
         }
@@ -222,7 +223,7 @@ fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
                 }
                 AlphaParameters::explicit_by_bifurcation(first, force)
             };
-            let update = a.flag("-updateElemDisp") || !interp.host.engine.options.compat;
+            let update = a.flag("-updateElemDisp") || !interp.host.follows(&[slips::EXPLICIT_ELEMENTS]);
             Box::new(ExplicitAlpha::new("HHTGeneralizedExplicit", p, update))
         }
         "GimmeMCK" | "ZZTop" => {

@@ -1,6 +1,7 @@
 //! `integrator HHT_TP` and the like: the forces of both ends of a step are weighted, by the trapezoidal rule.
 
 use crate::args::Args;
+use crate::slips;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::analysis::integrator::{
     AlphaParameters, Integrator, KrAlpha, Trapezoidal, TrapezoidalExplicit, TrapezoidalSplitting,
@@ -43,7 +44,9 @@ pub(crate) fn take(interp: &mut Tcl, a: &mut Args<'_>, word: &str) -> Result<Opt
     let p = match (name, numbers.as_slice()) {
         ("HHT_TP" | "AlphaOS_TP", &[alpha]) => AlphaParameters::second_order(1.0, alpha),
         // The manual's order is gamma, beta; OpenSees takes the two the other way round.
-        ("HHT_TP", &[alpha, beta, gamma]) if interp.host.engine.options.compat => four(1.0, alpha, beta, gamma),
+        ("HHT_TP", &[alpha, beta, gamma]) if interp.host.follows(&[slips::HHT_TP_ORDER]) => {
+            four(1.0, alpha, beta, gamma)
+        }
         ("HHT_TP", &[alpha, gamma, beta]) | ("AlphaOS_TP", &[alpha, beta, gamma]) => four(1.0, alpha, beta, gamma),
         ("HHTExplicit_TP", &[alpha]) => four(1.0, alpha, 0.0, 0.5),
         ("HHTExplicit_TP", &[alpha, gamma]) => four(1.0, alpha, 0.0, gamma),

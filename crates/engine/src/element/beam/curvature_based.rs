@@ -1,5 +1,7 @@
 //! Force-based beams whose deflections follow their curvatures: `forceBeamColumnCBDI` and `forceBeamColumnCSBDI`.
 
+mod opensees;
+
 use super::force_based::{ForceBased, INTERNAL, POLISH, REACTIONS, ROUND_OFF, of_load, row};
 use super::member::{Basic, Formulation, Member};
 use crate::element::load::ElementLoad;
@@ -7,7 +9,10 @@ use crate::element::transform::Reactions;
 use crate::element::{ElementError, ElementInput};
 use crate::material::MaterialError;
 use crate::numeric::{axpy, dot, eliminate, invert};
+use crate::rules::{Consistent, OpenSees};
 use crate::section::Resultant;
+use std::fmt;
+use std::marker::PhantomData;
 
 /// Largest number of deformations of all sections of a beam together.
 pub const MAX_DEFORMATIONS: usize = 64;
@@ -22,7 +27,7 @@ const COLUMNS: usize = MAX_DEFORMATIONS + 7;
 /// N = q₀, M = q₀ w + (x - 1) q₁ + x q₂ and V = -q₀ w' - (q₁ + q₂)/L; the basic deformations are
 /// v₀ = ∫ ε + ½ w κ - ½ w' γ, v₁ = ∫ (x - 1) κ - γ/L, v₂ = ∫ x κ - γ/L (in space likewise for bending in the other plane).
 #[derive(Clone, Debug)]
-pub struct CurvatureBased {
+pub struct CurvatureBased<R = Consistent> {
     iteration: ForceBased,
     /// n x n, by rows: deflections (over L²) of curvatures.
     deflection: Vec<f64>,
@@ -30,8 +35,41 @@ pub struct CurvatureBased {
     shear: Option<[Vec<f64>; 3]>,
     /// Element loads bend the sections between the ends: not in OpenSees' element in the plane.
     loads_inside: bool,
-    compat: bool,
+    rules: PhantomData<R>,
 }
+
+/// Rules of [`CurvatureBased`] that differ in OpenSees.
+pub trait Rules: Clone + fmt::Debug + Send + Sync + 'static {
+    /// The derivative of the axial force is part of the tangent of the P-Delta moments.
+    const WHOLE_TANGENT: bool = true;
+
+    /// Integrals that slopes of shear strains are measured from: values at the first end, or integrals up to the other end.
+    fn datum<'a>(_start: &'a [f64], mean: &'a [f64]) -> &'a [f64] {
+        mean
+    }
+
+    /// Element loads bend the sections of a beam.
+    fn loads_inside(_plane: bool) -> bool {
+        true
+    }
+
+    /// Basic forces that are tried before those from the committed state.
+    ///
+    /// # Errors
+    /// A section without a force.
+    fn first<const N: usize, const B: usize>(
+        _beam: &CurvatureBased<Self>,
+        _member: &Member<N, B>,
+        _v: &[f64; B],
+        _motion: &ElementInput<'_>,
+        _committed: &[f64],
+        _trial: &mut [f64],
+    ) -> Result<Option<Basic<B>>, MaterialError> {
+        Ok(None)
+    }
+}
+
+impl Rules for Consistent {}
 
 /// Legendre's polynomials of 2x - 1 up to degree `n`, and their first and second integrals from 0.
 fn polynomials(x: f64, n: usize) -> [Vec<f64>; 3] {
@@ -53,11 +91,20 @@ fn polynomials(x: f64, n: usize) -> [Vec<f64>; 3] {
 impl CurvatureBased {
     /// For sections at these places (fractions of the length, each its own); with the deflections of shear strains, if they are
     /// wanted. `None` where two places are the same.
-    ///
-    /// `compat` follows OpenSees: slopes of shear strains are measured from the strain at the first end, not from the mean, and
-    /// in the plane loads between the ends do not reach the sections, and with elastic sections the iterations inside the
-    /// element go on from the last trial state until little energy is left over.
-    pub fn new(iteration: ForceBased, places: &[f64], shear: bool, compat: bool, plane: bool) -> Option<Self> {
+    pub fn new(iteration: ForceBased, places: &[f64], shear: bool) -> Option<Self> {
+        Self::of(iteration, places, shear, false)
+    }
+}
+
+impl CurvatureBased<OpenSees> {
+    /// The same by the rules of OpenSees, in the plane or in space.
+    pub fn as_opensees(iteration: ForceBased, places: &[f64], shear: bool, plane: bool) -> Option<Self> {
+        Self::of(iteration, places, shear, plane)
+    }
+}
+
+impl<R: Rules> CurvatureBased<R> {
+    fn of(iteration: ForceBased, places: &[f64], shear: bool, plane: bool) -> Option<Self> {
         let n = places.len();
         let at: Vec<_> = places.iter().map(|x| polynomials(*x, n)).collect();
         let (start, end) = (polynomials(0.0, n), polynomials(1.0, n));
@@ -77,14 +124,15 @@ impl CurvatureBased {
             (0..n * n).map(|ij| entry(ij / n, ij % n)).collect()
         };
         let deflection = influence(&|i, k| at[i][2][k] - places[i] * end[2][k]);
+        let datum = R::datum(&start[0], &end[1]);
         let shear = shear.then(|| {
             [
                 influence(&|i, k| at[i][1][k] - places[i] * end[1][k]),
                 influence(&|i, k| at[i][1][k] - end[2][k]),
-                influence(&|i, k| at[i][0][k] - if compat { start[0][k] } else { end[1][k] }),
+                influence(&|i, k| at[i][0][k] - datum[k]),
             ]
         });
-        Some(Self { iteration, deflection, shear, loads_inside: !(compat && plane), compat })
+        Some(Self { iteration, deflection, shear, loads_inside: R::loads_inside(plane), rules: PhantomData })
     }
 
     /// What a unit of a deformation of section `j` adds to the factor of q₀ in a resultant of section `i` of `n`.
@@ -128,8 +176,8 @@ struct Sections<const B: usize> {
 
 impl<const B: usize> Sections<B> {
     /// With the deformations that are in a state, or with others.
-    fn new<const N: usize>(
-        beam: &CurvatureBased,
+    fn new<const N: usize, R: Rules>(
+        beam: &CurvatureBased<R>,
         member: &Member<N, B>,
         state: &[f64],
         others: Option<&Deformations>,
@@ -156,7 +204,13 @@ impl<const B: usize> Sections<B> {
         s
     }
 
-    fn influence<const N: usize>(&self, beam: &CurvatureBased, member: &Member<N, B>, a: usize, b: usize) -> f64 {
+    fn influence<const N: usize, R: Rules>(
+        &self,
+        beam: &CurvatureBased<R>,
+        member: &Member<N, B>,
+        a: usize,
+        b: usize,
+    ) -> f64 {
         let ((r, i, _), (e, j, _)) = (self.of[a], self.of[b]);
         beam.influence(member.sections.len(), (i, r), (j, e), member.length())
     }
@@ -198,7 +252,7 @@ fn carried<const N: usize, const B: usize>(member: &Member<N, B>, state: &[f64])
     all
 }
 
-impl CurvatureBased {
+impl<R: Rules> CurvatureBased<R> {
     /// Resultants that are in equilibrium with the basic forces.
     fn balanced<const B: usize>(&self, s: &Sections<B>, q: &[f64; B], load: &[f64]) -> Deformations {
         let mut balanced = [0.0; MAX_DEFORMATIONS];
@@ -335,62 +389,17 @@ impl CurvatureBased {
         }
         Ok(Some(basic))
     }
-
-    /// The basic forces as OpenSees finds them: from the last trial state on, with the stiffness that it ended with, until the
-    /// energy left over is small; then, or after the last iteration, they are taken as they are.
-    fn as_opensees<const N: usize, const B: usize>(
-        &self,
-        member: &Member<N, B>,
-        v: &[f64; B],
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-    ) -> Result<Option<Basic<B>>, MaterialError> {
-        let mut basic = Basic::read(&trial[member.head()..]);
-        let k = basic.k;
-        let mut s = Sections::new(self, member, trial, None);
-        let mut carries = carried(member, trial);
-        // What was left over at the last trial state is not made up for.
-        let last = member.own_words();
-        let mut left: [f64; B] = std::array::from_fn(|i| v[i] - trial[last + i]);
-        for _ in 0..self.iteration.max_iterations {
-            let step = k.map(|row| dot(&row, &left));
-            axpy(1.0, &step, &mut basic.q);
-            let loading = (&basic.q, motion.load);
-            // Deformations that are in equilibrium by the old stiffnesses, then by those that they have.
-            let Some(l) = self.linear(member, &s, loading, &carries, trial) else { return Ok(None) };
-            let e = std::array::from_fn(|b| s.e[b] + l.change[b]);
-            Self::update(member, &e, motion.dt, committed, trial)?;
-            s = Sections::new(self, member, trial, None);
-            let Some(l) = self.linear(member, &s, loading, &carried(member, trial), trial) else { return Ok(None) };
-            let e = std::array::from_fn(|b| s.e[b] + l.change[b]);
-            s = Sections::new(self, member, trial, Some(&e));
-            carries = self.balanced(&s, &basic.q, motion.load);
-            let Some(mut l) = self.linear(member, &s, loading, &carries, trial) else { return Ok(None) };
-            if !invert(l.f.as_flattened_mut(), B) {
-                return Ok(None);
-            }
-            basic.k = l.f;
-            let gathered = s.gathered();
-            left = std::array::from_fn(|i| v[i] - gathered[i]);
-            if dot(&left, &k.map(|row| dot(&row, &left))).abs() < self.iteration.tolerance {
-                break;
-            }
-        }
-        Ok(Some(basic))
-    }
 }
 
-impl<const N: usize, const B: usize> Formulation<N, B> for CurvatureBased {
+impl<const N: usize, const B: usize, R: Rules> Formulation<N, B> for CurvatureBased<R> {
     const CLASS: [&'static str; 2] = ["ForceBeamColumnCBDI2d", "ForceBeamColumnCBDI3d"];
     const SYMMETRIC: bool = false;
     const DEFLECTS: bool = true;
     /// Basic deformations of the last trial state.
     const WORDS: usize = B;
 
-    /// OpenSees leaves the derivative of the axial force out of P-Delta.
     fn whole_tangent(&self) -> bool {
-        !self.compat
+        R::WHOLE_TANGENT
     }
 
     fn load_len(points: usize) -> usize {
@@ -414,12 +423,9 @@ impl<const N: usize, const B: usize> Formulation<N, B> for CurvatureBased {
         trial: &mut [f64],
     ) -> Result<Basic<B>, ElementError> {
         let mut failure = None;
-        // With sections that yield OpenSees comes to the same within its tolerance.
-        let follows = self.compat && member.sections.iter().all(|s| s.section.is_linear());
-        let ways: &[usize] = if follows { &[0, 1, 10, 100] } else { &[1, 10, 100] };
-        for &parts in ways {
+        for parts in [0, 1, 10, 100] {
             let found = match parts {
-                0 => self.as_opensees(member, v, motion, committed, trial),
+                0 => R::first(self, member, v, motion, committed, trial),
                 parts => self.attempt(member, v, motion, (committed, trial), parts),
             };
             match found {

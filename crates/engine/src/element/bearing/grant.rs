@@ -1,9 +1,13 @@
 //! Shear law of `HDR`.
 
+mod opensees;
+
 use super::axial::Axial;
 use super::rubber_shear::{OWN, RubberShear, ShearStep, Shearing};
 use super::shear::{Shear, at_rest};
 use crate::probe::Probe;
+use crate::rules::Consistent;
+use std::fmt;
 
 /// Bidirectional shear law of high damping rubber.
 ///
@@ -13,16 +17,46 @@ use crate::probe::Probe;
 /// F₂ = R n - δ μ, where δ' = -b₃ δ |u'|. Scragging, the damage of long standing D_S, lowers K_S = e^(-c D_S³), and the
 /// Mullins effect, D_M, lowers K_M = c₃ + (1 - c₃) e^(-c₄ D_M³).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct GrantShear {
+pub struct GrantShear<R = Consistent> {
     /// Elastic part: a₁, a₂, a₃.
     pub a: [f64; 3],
     /// Hysteretic part: b₁, b₂, b₃.
     pub b: [f64; 3],
     /// Damage: c₁, c₂ of scragging, c₃, c₄ of the Mullins effect.
     pub c: [f64; 4],
-    /// OpenSees' tangent.
-    pub compat: bool,
+    /// Rules of the damage and of the tangent.
+    pub rules: R,
 }
+
+/// Rules of [`GrantShear`] that differ in OpenSees.
+pub trait Rules: Clone + fmt::Debug + Send + Sync {
+    /// Damage of which a trial state changes what grows: the committed one, or that of the trial before.
+    fn begin(committed: &Damage, _last: &Damage) -> Damage {
+        *committed
+    }
+
+    /// Initial stiffness of the elastic and of the hysteretic part.
+    fn initial(elastic: f64, hysteretic: f64) -> f64 {
+        elastic + hysteretic
+    }
+
+    /// Factor of the derivative of K_M, of c₃ and c₄.
+    fn fading(c3: f64, _c4: f64) -> f64 {
+        1.0 - c3
+    }
+
+    /// The bearing has moved from the committed displacement `from` to `to`, by the length `way`.
+    fn moved(_way: f64, to: &[f64; 2], from: &[f64; 2]) -> bool {
+        !at_rest(to, from)
+    }
+
+    /// The gap to the bounding circle depends on the direction of the step.
+    fn turns(gap: f64) -> bool {
+        gap > 0.0
+    }
+}
+
+impl Rules for Consistent {}
 
 crate::state_struct! {
     /// Damage of high damping rubber.
@@ -53,10 +87,16 @@ struct Growth {
     mullins: bool,
 }
 
-impl GrantShear {
+impl<R> GrantShear<R> {
+    /// The same by other rules.
+    pub fn with<T>(self, rules: T) -> GrantShear<T> {
+        GrantShear { a: self.a, b: self.b, c: self.c, rules }
+    }
+}
+
+impl<R: Rules> GrantShear<R> {
     fn growth(&self, c: &Damage, last: &Damage, size: f64, before: f64) -> Growth {
-        // What a displacement does not change keeps in OpenSees the value of the trial before.
-        let mut damage = if self.compat { *last } else { *c };
+        let mut damage = R::begin(c, last);
         if size > c.outer {
             damage.outer = size;
             damage.inner = c.inner + (size - c.outer);
@@ -79,7 +119,7 @@ impl GrantShear {
     }
 }
 
-impl RubberShear for GrantShear {
+impl<R: Rules> RubberShear for GrantShear<R> {
     type Memory = Damage;
 
     fn class(&self) -> &'static str {
@@ -89,8 +129,7 @@ impl RubberShear for GrantShear {
     fn virgin(&self) -> (Shear<2>, Damage) {
         let [a1, ..] = self.a;
         let [b1, _, b3] = self.b;
-        // OpenSees leaves the hysteretic part out of the initial stiffness.
-        let k = if self.compat { a1 } else { a1 + b1 * b3 };
+        let k = R::initial(a1, b1 * b3);
         (
             Shear { k: [[k, 0.0], [0.0, k]], ..Shear::default() },
             Damage { radius: b1, kept: [1.0; 2], fresh: 1.0, ..Damage::default() },
@@ -115,8 +154,7 @@ impl RubberShear for GrantShear {
 
         // Elastic part.
         let (left, secant) = (ks1 * km, a1 + size2 * (a2 + size2 * a3));
-        // In the derivative of K_M OpenSees has 1 - c₄ where 1 - c₃ belongs.
-        let share = if self.compat { 1.0 - c4 } else { 1.0 - c3 };
+        let share = R::fading(c3, c4);
         let loss = secant * (per_scragging * c1 * left + per_mullins * c4 * share * softening * ks1);
         let grow = 2.0 * left * (a2 + 2.0 * a3 * size2);
         let mut k = [[0.0; 2]; 2];
@@ -131,7 +169,7 @@ impl RubberShear for GrantShear {
         d.radius = b1 + ks2 * b2 * size2;
         let step = [u[0] - c.u[0], u[1] - c.u[1]];
         let way = length(step);
-        let moved = if self.compat { way > f64::EPSILON } else { !at_rest(&u, &c.u) };
+        let moved = R::moved(way, &u, &c.u);
         let n = if moved { step.map(|s| s / way) } else { [0.0; 2] };
         let toward = |radius: f64| [radius * n[0] - c.internal[0], radius * n[1] - c.internal[1]];
         let (old, new) = (toward(m.radius), toward(d.radius));
@@ -151,9 +189,9 @@ impl RubberShear for GrantShear {
         let hat: [[f64; 2]; 2] = std::array::from_fn(|i| {
             std::array::from_fn(|j| n[i] * d_radius[j] + turn * (f64::from(u8::from(i == j)) - n[i] * n[j]))
         });
-        // The gap depends on the direction of the step too, which OpenSees leaves out.
+        // The gap depends on the direction of the step too.
         let mut d_distance = n.map(|n| -d.distance * faded * b3 * n);
-        if !self.compat && gap > 0.0 {
+        if R::turns(gap) {
             let along = (old[0] * n[0] + old[1] * n[1]) / gap;
             for j in 0..2 {
                 d_distance[j] += faded * m.radius / way * (old[j] / gap - along * n[j]);

@@ -4,7 +4,7 @@
 //! the documentation of `PySimple1`, `TzSimple1` and `QzSimple1`.
 
 mod branch;
-mod iterated;
+mod opensees;
 mod py_simple1;
 mod qz_simple1;
 mod tz_simple1;
@@ -12,7 +12,7 @@ mod zone;
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 use crate::numeric::bracketed_root;
-use iterated::Step;
+use opensees::Step;
 use std::fmt;
 
 use branch::Turn;
@@ -187,7 +187,7 @@ impl<S: Soil> UniaxialLaw for SoilSpring<S> {
         let c = if c.far.tangent == 0.0 { &virgin } else { c };
         let steps = c.steps + 1.0;
         let t = if self.compat {
-            self.iterated(c, if last.steps == steps { *last } else { *c }, strain.value)
+            self.from_trial(c, if last.steps == steps { *last } else { *c }, strain.value)
         } else {
             let none = || MaterialError(format!("{} has no force at {:.6e}", S::NAME, strain.value));
             self.balanced(c, strain.value).ok_or_else(none)?

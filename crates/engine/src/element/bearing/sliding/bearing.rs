@@ -1,7 +1,7 @@
 //! A bearing between two nodes: a sliding surface beside uniaxial materials for the other directions.
 
 use super::heat::{self, Heat};
-use super::surface::{Pose, Surface};
+use super::surface::{Pose, Slide, Surface};
 use crate::element::bearing::Link;
 use crate::element::bearing::shear_bearing::{
     BASIC_FORCE, DEFORMATION, FRICTION, LOCAL_DISP, LOCAL_FORCE, MATERIAL, end_masses, probe,
@@ -13,7 +13,9 @@ use crate::element::{
 use crate::material::{Material, Slot, Strain};
 use crate::numeric::{axpy, dot, norm};
 use crate::probe::Probe;
+use crate::rules::Consistent;
 use crate::state_struct::StateStruct;
+use std::fmt;
 
 /// Kind of a sliding bearing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,18 +45,9 @@ impl Kind {
 /// Path of the responses of a surface that warms.
 const HEAT: u32 = 20;
 
-/// How OpenSees finds the answer, where it is to be followed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Substitution {
-    /// Iterations for the shear force.
-    pub rounds: usize,
-    /// Change of the shear force that ends them.
-    pub tolerance: f64,
-}
-
 /// What a sliding bearing is made with besides its surface and materials.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Setting {
+pub struct Setting<R = Consistent> {
     /// Kind.
     pub kind: Kind,
     /// Mass.
@@ -63,20 +56,104 @@ pub struct Setting {
     pub rayleigh: bool,
     /// Share of the initial stiffness that is left where the bearing lifts off, so that there is something to solve with.
     pub uplift: f64,
-    /// OpenSees' way: the iterations of its options, its tangent, and what it keeps of trial states.
-    pub compat: Option<Substitution>,
+    /// Rules of the iterations, of the tangent and of trial states.
+    pub rules: R,
 }
+
+impl<R> Setting<R> {
+    /// The same by other rules.
+    pub fn with<T>(self, rules: T) -> Setting<T> {
+        Setting { kind: self.kind, mass: self.mass, rayleigh: self.rayleigh, uplift: self.uplift, rules }
+    }
+}
+
+/// Rules of [`SlidingBearing`] that differ in OpenSees.
+pub trait Rules: Copy + fmt::Debug + PartialEq + Send + Sync + 'static {
+    /// The tangent of the P-Delta moments follows the change of the forces.
+    const MOMENTS_FOLLOW_FORCES: bool = true;
+
+    /// The heat of a surface that is found with its friction before the other forces.
+    fn heat_first(_heat: Option<&Heat>) -> Option<&Heat> {
+        None
+    }
+
+    /// Rise of a dish, its rate and its slope by the shear displacement.
+    fn rise<const S: usize>(rise: f64, slope: [f64; S], rate: &[f64]) -> (f64, f64, [f64; S]) {
+        (rise, dot(&slope, rate), slope)
+    }
+
+    /// The material of this direction is not asked under the axial force `axial`.
+    fn leaves_out<const S: usize>(_direction: usize, _axial: f64) -> bool {
+        false
+    }
+
+    /// The material of this direction goes back to its last strain after a trial state with the given force.
+    fn puts_back<const S: usize>(_kind: Kind, _direction: usize, _force: f64) -> bool {
+        false
+    }
+
+    /// Friction of the surface; `shear` is the force of the last trial state.
+    ///
+    /// # Errors
+    /// A surface without a force at this displacement.
+    fn slide<const S: usize>(self, on: &Surface, pose: &Pose<S>, _shear: [f64; S]) -> Result<Slide<S>, ElementError> {
+        on.slide(pose)
+    }
+
+    /// Plastic displacement where the step sticks: that of the committed state or of the last trial state.
+    fn stuck<const S: usize>(committed: [f64; S], _last: [f64; S]) -> [f64; S] {
+        committed
+    }
+
+    /// Add the derivatives of the shear force in direction `i`.
+    fn add_derivatives<const N: usize, const B: usize, const S: usize>(
+        bearing: &SlidingBearing<N, B, S, Self>,
+        slide: &Slide<S>,
+        i: usize,
+        out: &mut Basic<N, B>,
+    ) {
+        let (axial, axial_damping) = (out.by_disp[0], out.by_vel[0]);
+        let (k, c) = (&mut out.by_disp[1 + i], &mut out.by_vel[1 + i]);
+        for j in 0..S {
+            axpy(slide.by_u[i][j], &bearing.link.basic[1 + j], k);
+            axpy(slide.by_tilt[i][j], &bearing.tilt[j], k);
+            axpy(slide.by_rate[i][j], &bearing.link.basic[1 + j], c);
+        }
+        axpy(-slide.by_pressure[i], &axial, k);
+        axpy(-slide.by_pressure[i], &axial_damping, c);
+    }
+
+    /// Take away everything but the springs of shear where the bearing lifts off; the share `left` of the initial stiffness stays.
+    fn lift<const N: usize, const B: usize, const S: usize>(
+        bearing: &SlidingBearing<N, B, S, Self>,
+        (u, rate, left): (&[f64; B], &[f64; B], f64),
+        _last: &History<B, S>,
+        out: &mut Basic<N, B>,
+    ) -> History<B, S> {
+        for (d, slot) in bearing.springs.iter().filter(|(d, _)| !(1..=S).contains(d)) {
+            out.q[*d] = 0.0;
+            out.by_vel[*d] = [0.0; N];
+            out.by_disp[*d] = bearing.link.basic[*d].map(|r| left * slot.material.initial_tangent() * r);
+        }
+        bearing.add_initial_shear(left, out);
+        let speed = norm(&rate[1..=S]);
+        let contact = Contact { normal: 0.0, speed, mu: bearing.surface.coefficient(0.0, speed).mu };
+        History { plastic: std::array::from_fn(|i| u[1 + i]), shear: [0.0; S], contact, q: [0.0; B] }
+    }
+}
+
+impl Rules for Consistent {}
 
 /// Bearing of a sliding surface with `S` directions and uniaxial materials: `N` degrees of freedom and `B` basic directions
 /// (axial, shear, torsion, rotations). The axial material decides whether the surface is in touch: without pressure the
 /// bearing carries nothing. P-Delta moments of the axial force and the torsion of the shear force act at the node of the surface.
 #[derive(Clone, Debug)]
-pub struct SlidingBearing<const N: usize, const B: usize, const S: usize> {
+pub struct SlidingBearing<const N: usize, const B: usize, const S: usize, R = Consistent> {
     pub(super) surface: Surface,
     pub(super) link: Link<N, B>,
     /// Basic direction and material.
     pub(super) springs: Vec<(usize, Slot)>,
-    setting: Setting,
+    pub(super) setting: Setting<R>,
     /// Rows that give the rotation of the surface, tilt, from the displacements.
     pub(super) tilt: [[f64; N]; S],
     levers: Vec<Lever<N>>,
@@ -87,9 +164,9 @@ pub struct SlidingBearing<const N: usize, const B: usize, const S: usize> {
 }
 
 /// In the plane.
-pub type PlaneSlider = SlidingBearing<6, 3, 1>;
+pub type PlaneSlider<R = Consistent> = SlidingBearing<6, 3, 1, R>;
 /// In space.
-pub type SpaceSlider = SlidingBearing<12, 6, 2>;
+pub type SpaceSlider<R = Consistent> = SlidingBearing<12, 6, 2, R>;
 
 /// A moment on a node: sums of basic forces times displacements.
 #[derive(Clone, Debug)]
@@ -102,7 +179,7 @@ struct Lever<const N: usize> {
 
 /// History of a sliding bearing.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct History<const B: usize, const S: usize> {
+pub struct History<const B: usize, const S: usize> {
     /// Plastic displacement of the surface.
     pub(super) plastic: [f64; S],
     /// Force of the surface.
@@ -143,13 +220,13 @@ impl<const B: usize, const S: usize> StateStruct for History<B, S> {
 }
 
 /// Basic forces with their derivatives by the displacements and velocities of all degrees of freedom.
-pub(super) struct Basic<const N: usize, const B: usize> {
+pub struct Basic<const N: usize, const B: usize> {
     pub(super) q: [f64; B],
     pub(super) by_disp: [[f64; N]; B],
     pub(super) by_vel: [[f64; N]; B],
 }
 
-impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
+impl<const N: usize, const B: usize, const S: usize, R: Rules> SlidingBearing<N, B, S, R> {
     /// From the surface, the kinematics with the length and the place of the shear force (0 node i, 1 node j), and the
     /// materials with their tags in the order of the basic directions: axial, shear (for [`Kind::Springs`]), torsion in
     /// space, rotations.
@@ -157,7 +234,7 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
         surface: Surface,
         (link, length, shear_dist): (Link<N, B>, f64, f64),
         materials: Vec<(Material, i32)>,
-        setting: Setting,
+        setting: Setting<R>,
     ) -> Self {
         let springs = setting.kind == Kind::Springs;
         let directions = (0..B).filter(|d| springs || !(1..=S).contains(d));
@@ -185,12 +262,10 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
     fn rise(&self, u: &[f64; B], rate: &[f64; B]) -> Result<(f64, f64, [f64; S]), ElementError> {
         let Some(dish) = self.surface.dish.filter(|d| d.rises) else { return Ok((0.0, 0.0, [0.0; S])) };
         let (rise, slope) = dish.rise::<S>(std::array::from_fn(|i| u[1 + i]))?;
-        // OpenSees leaves the rate out, and the slope out of the tangent.
-        let followed = self.setting.compat.is_none();
-        Ok(if followed { (rise, dot(&slope, &rate[1..=S]), slope) } else { (rise, 0.0, [0.0; S]) })
+        Ok(R::rise(rise, slope, &rate[1..=S]))
     }
 
-    /// Basic forces at a motion. The materials are asked even where the bearing lifts off, except by OpenSees.
+    /// Basic forces at a motion. The materials are asked even where the bearing lifts off.
     fn basic(
         &self,
         motion: &ElementInput<'_>,
@@ -198,22 +273,20 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
         trial: &mut [f64],
     ) -> Result<Basic<N, B>, ElementError> {
         let (u, rate) = (self.link.deformation(motion.disp), self.link.deformation(motion.vel));
-        if let (Some(heat), true) = (&self.heat, self.setting.compat.is_some()) {
-            return self.early(heat, motion, committed, trial);
+        if let Some(heat) = R::heat_first(self.heat.as_ref()) {
+            return self.with_early_friction(heat, motion, committed, trial);
         }
         let (rise, rise_rate, slope) = self.rise(&u, &rate)?;
         let mut out = Basic { q: [0.0; B], by_disp: [[0.0; N]; B], by_vel: [[0.0; N]; B] };
-        let compat = self.setting.compat.is_some();
         for (d, slot) in &self.springs {
-            if compat && *d > S && out.q[0] >= 0.0 {
+            if R::leaves_out::<S>(*d, out.q[0]) {
                 continue;
             }
             let last = slot.strain(trial);
             let (less, less_rate) = if *d == 0 { (rise, rise_rate) } else { (0.0, 0.0) };
             let strain = Strain { value: u[*d] - less, rate: rate[*d] - less_rate, dt: motion.dt };
             let s = slot.update(committed, strain, trial)?;
-            if compat && *d == 0 && S == 1 && self.setting.kind != Kind::Springs && s.value > 0.0 {
-                // OpenSees puts the axial material back to where it was.
+            if R::puts_back::<S>(self.setting.kind, *d, s.value) {
                 slot.update(committed, Strain { value: last, rate: 0.0, dt: motion.dt }, trial)?;
             }
             out.q[*d] = s.value;
@@ -239,7 +312,7 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
             self.press(&pose, &last, &mut out)?
         } else {
             let left = self.left(u[0] - rise, committed);
-            self.lift((&u, &rate, left), &last, &mut out)
+            R::lift(self, (&u, &rate, left), &last, &mut out)
         };
         next.q = out.q;
         next.write(trial);
@@ -257,29 +330,11 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
         last: &History<B, S>,
         out: &mut Basic<N, B>,
     ) -> Result<History<B, S>, ElementError> {
-        let slide = match self.setting.compat {
-            None => self.surface.slide(pose)?,
-            Some(s) => self.surface.slide_by_substitution(pose, last.shear, s.rounds, s.tolerance)?,
-        };
-        // Where a trial has slid and the next one sticks, OpenSees keeps the plastic displacement of the one that slid.
-        let kept = if self.setting.compat.is_some() { last.plastic } else { pose.plastic };
-        let (axial, axial_damping) = (out.by_disp[0], out.by_vel[0]);
+        let slide = self.setting.rules.slide(&self.surface, pose, last.shear)?;
+        let kept = R::stuck(pose.plastic, last.plastic);
         for i in 0..S {
-            let (k, c) = (&mut out.by_disp[1 + i], &mut out.by_vel[1 + i]);
             out.q[1 + i] += slide.q[i];
-            if self.setting.compat.is_some() {
-                for j in 0..S {
-                    axpy(slide.stiffness[i][j], &self.link.basic[1 + j], k);
-                }
-                continue;
-            }
-            for j in 0..S {
-                axpy(slide.by_u[i][j], &self.link.basic[1 + j], k);
-                axpy(slide.by_tilt[i][j], &self.tilt[j], k);
-                axpy(slide.by_rate[i][j], &self.link.basic[1 + j], c);
-            }
-            axpy(-slide.by_pressure[i], &axial, k);
-            axpy(-slide.by_pressure[i], &axial_damping, c);
+            R::add_derivatives(self, &slide, i, out);
         }
         let plastic = slide.plastic.unwrap_or(kept);
         Ok(History { plastic, shear: slide.q, contact: slide.contact, q: [0.0; B] })
@@ -293,46 +348,11 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
         if gap <= 0.0 { 1.0 } else { (-axial.stress(committed) / closing.abs()).max(self.setting.uplift).min(1.0) }
     }
 
-    /// Take away what needs pressure: everything but the springs of shear. A share of the initial stiffness stays.
-    fn lift(
-        &self,
-        (u, rate, left): (&[f64; B], &[f64; B], f64),
-        last: &History<B, S>,
-        out: &mut Basic<N, B>,
-    ) -> History<B, S> {
-        let compat = self.setting.compat.is_some();
-        let springs = self.setting.kind == Kind::Springs;
-        // OpenSees leaves the initial stiffness whole in space, and in the plane where the axial material does not pull.
-        let whole = compat && (S == 2 || springs || out.q[0] == 0.0);
-        let left = match compat {
-            true if whole => 1.0,
-            true => self.setting.uplift,
-            false => left,
-        };
-        for (d, slot) in &self.springs {
-            let shears = (1..=S).contains(d);
-            if !shears {
-                out.q[*d] = 0.0;
-            }
-            if !shears && !compat {
-                out.by_vel[*d] = [0.0; N];
-            }
-            if !shears || compat {
-                out.by_disp[*d] = self.link.basic[*d].map(|r| left * slot.material.initial_tangent() * r);
-            }
-        }
+    /// Add a share of the initial stiffness of the surface.
+    pub(super) fn add_initial_shear(&self, left: f64, out: &mut Basic<N, B>) {
         for (row, basic) in out.by_disp[1..=S].iter_mut().zip(&self.link.basic[1..=S]) {
             axpy(left * self.surface.k_init, basic, row);
         }
-        if compat {
-            // The friction model keeps what it last saw; in the plane the slider does not move along where nothing pulls.
-            let stays = whole && S == 1 && !springs;
-            let plastic = if stays { last.plastic } else { std::array::from_fn(|i| u[1 + i]) };
-            return History { plastic, shear: [0.0; S], ..*last };
-        }
-        let speed = norm(&rate[1..=S]);
-        let contact = Contact { normal: 0.0, speed, mu: self.surface.coefficient(0.0, speed).mu };
-        History { plastic: std::array::from_fn(|i| u[1 + i]), shear: [0.0; S], contact, q: [0.0; B] }
     }
 }
 
@@ -360,7 +380,7 @@ fn levers<const N: usize, const S: usize>(local: &[[f64; N]; N], foot: usize, he
     all
 }
 
-impl<const N: usize, const B: usize, const S: usize> Element for SlidingBearing<N, B, S> {
+impl<const N: usize, const B: usize, const S: usize, R: Rules> Element for SlidingBearing<N, B, S, R> {
     fn class(&self) -> &'static str {
         self.setting.kind.class()[S - 1]
     }
@@ -400,7 +420,6 @@ impl<const N: usize, const B: usize, const S: usize> Element for SlidingBearing<
         for (row, &q) in self.link.basic.iter().zip(&q) {
             axpy(q, row, answer.force);
         }
-        let consistent = self.setting.compat.is_none();
         let (mut tangent, mut damping) = (answer.tangent, answer.damping);
         for (row, (by_disp, by_vel)) in self.link.basic.iter().zip(by_disp.iter().zip(&by_vel)) {
             add_product(&mut tangent, row, by_disp);
@@ -412,7 +431,7 @@ impl<const N: usize, const B: usize, const S: usize> Element for SlidingBearing<
                 let length = dot(arm, motion.disp);
                 moment += q[*basic] * length;
                 axpy(q[*basic], arm, &mut by_u);
-                if consistent {
+                if R::MOMENTS_FOLLOW_FORCES {
                     axpy(length, &by_disp[*basic], &mut by_u);
                     axpy(length, &by_vel[*basic], &mut by_v);
                 }

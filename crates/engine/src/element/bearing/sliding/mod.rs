@@ -3,10 +3,11 @@
 //! [`Surface`] is the law of the surface, [`SlidingBearing`] the element around it, [`Heat`] the friction of a surface that warms.
 
 mod bearing;
-mod early;
 mod heat;
+mod opensees;
 mod surface;
 
-pub use bearing::{Kind, PlaneSlider, Setting, SlidingBearing, SpaceSlider, Substitution};
+pub use bearing::{Kind, PlaneSlider, Setting, SlidingBearing, SpaceSlider};
 pub use heat::{Heat, HeatSetting};
+pub use opensees::Substitution;
 pub use surface::{Dish, Pose, Slide, Surface};

@@ -12,13 +12,15 @@ use crate::element::{
 };
 use crate::material::{Material, Slot, Strain, Stress};
 use crate::probe::Probe;
+use crate::rules::Consistent;
 use crate::state_struct;
 use crate::state_struct::StateStruct;
 use nalgebra::{Matrix2, Vector2};
+use std::fmt;
 
 /// What a triple friction pendulum is made with besides its chain and materials.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TripleSetting {
+pub struct TripleSetting<R = Consistent> {
     /// Weight that the first coefficients of friction are those of.
     pub weight: f64,
     /// Vertical stiffness in tension.
@@ -27,18 +29,114 @@ pub struct TripleSetting {
     pub least_normal: f64,
     /// Height, node j above node i.
     pub height: f64,
-    /// OpenSees' way, to a tolerance that is a part of the step.
-    pub compat: Option<f64>,
+    /// Rules of the iterations, of tension, of the moments and of records.
+    pub rules: R,
 }
+
+impl<R> TripleSetting<R> {
+    /// The same by other rules.
+    pub fn with<T>(self, rules: T) -> TripleSetting<T> {
+        let Self { weight, k_tension, least_normal, height, .. } = self;
+        TripleSetting { weight, k_tension, least_normal, height, rules }
+    }
+}
+
+/// Vertical motion of node j less that of node i: displacement, rate, time of the step, and the last strain of the material.
+#[derive(Clone, Copy, Debug)]
+pub struct Vertical {
+    pub(super) apart: f64,
+    pub(super) dt: f64,
+    pub(super) last: f64,
+}
+
+/// Rules of [`TriplePendulum`] that differ in OpenSees.
+pub trait Rules: Copy + fmt::Debug + PartialEq + Send + Sync + 'static {
+    /// Sign of the moments of the rotational materials at node i.
+    const MOMENT_AT_I: f64 = -1.0;
+    /// The moments are part of the tangent.
+    const MOMENTS_IN_TANGENT: bool = true;
+    /// Recorders show the local displacements, and rotations of the basic ones.
+    const SHOWS_DISPLACEMENTS: bool = true;
+    /// The element depends on the number of calls.
+    const COUNTS_CALLS: bool = false;
+    /// Rayleigh damping is part of the forces, not of the tangent.
+    const DAMPS_IN_FORCES_ONLY: bool = false;
+
+    /// Vertical force of a bearing that is lifted, where the material has the stress `s`.
+    ///
+    /// # Errors
+    /// A material without a stress at this strain.
+    fn lifted(
+        self,
+        bearing: &TriplePendulum<Self>,
+        at: Vertical,
+        s: Stress,
+        _committed: &[f64],
+        _trial: &mut [f64],
+    ) -> Result<Stress, ElementError> {
+        let k = if at.apart > 0.0 { bearing.setting.k_tension } else { s.tangent };
+        Ok(Stress { value: k * at.apart.max(0.0), tangent: k, damping: 0.0 })
+    }
+
+    /// The chain under a mean normal force.
+    ///
+    /// # Errors
+    /// A chain without a force at this displacement.
+    fn shear(
+        self,
+        bearing: &TriplePendulum<Self>,
+        (u, dt): (Vector2<f64>, f64),
+        (c, _last): (&ChainState, &ChainState),
+        load: &mut Load,
+        frictions: &[Friction; 3],
+    ) -> Result<Tension, ElementError> {
+        let mean = load.mean;
+        let t = bearing.chain.stretch(c, u, dt, |i, speed| coefficient(frictions, i, mean, speed))?;
+        (load.speed, load.mu) = (t.friction.map(|f| f.0), t.friction.map(|f| f.1));
+        Ok(t)
+    }
+
+    /// The chain under a mean normal force, with surfaces that warm.
+    ///
+    /// # Errors
+    /// A chain without a force at this displacement.
+    fn heated_shear(
+        self,
+        (bearing, heated): (&TriplePendulum<Self>, &Heated),
+        (u, step): (Vector2<f64>, Step),
+        (_before, load): (&Load, &mut Load),
+        committed: &[f64],
+        trial: &mut [f64],
+    ) -> Result<Tension, ElementError> {
+        let c = ChainState::read(committed);
+        let (committed, trial) = (&committed[HEAT..], &mut trial[HEAT..]);
+        let (warm, mean) = (Warm::read(committed), load.mean);
+        let friction = |i, speed| match mean > 0.0 {
+            true => heated.coefficient(&warm, i, mean, speed),
+            false => Coefficient::default(),
+        };
+        let t = bearing.chain.stretch(&c, u, step.dt, friction)?;
+        (load.speed, load.mu) = (t.friction.map(|f| f.0), t.friction.map(|f| f.1));
+        heated.warm(&t.state, mean, step, committed, trial);
+        Ok(t)
+    }
+
+    /// Derivative of the shear by the vertical displacement, where the vertical force is `v` and the shear `normal` times `f`.
+    fn by_vertical(v: &Stress, f: &Vector2<f64>, normal: f64, by_normal: &Vector2<f64>) -> Vector2<f64> {
+        if v.value < 0.0 { -v.tangent * (f + 0.5 * normal * by_normal) } else { Vector2::zeros() }
+    }
+}
+
+impl Rules for Consistent {}
 
 /// Triple friction pendulum between two nodes, upright along the global Z: a chain of sliding segments whose force is a part of the
 /// vertical force, and uniaxial materials for the vertical direction and the rotations about Z, X and Y.
 #[derive(Clone, Debug)]
-pub struct TriplePendulum {
-    chain: Chain,
+pub struct TriplePendulum<R = Consistent> {
+    pub(super) chain: Chain,
     surfaces: Surfaces,
-    materials: [Slot; 4],
-    setting: TripleSetting,
+    pub(super) materials: [Slot; 4],
+    pub(super) setting: TripleSetting<R>,
     state_len: usize,
 }
 
@@ -53,7 +151,7 @@ enum Surfaces {
 
 state_struct! {
     /// History besides chain, surfaces and materials.
-    struct Load {
+    pub struct Load {
         /// Normal force, positive in pressure.
         normal: f64,
         /// Mean of it over the step, which the friction follows.
@@ -81,24 +179,24 @@ struct Top {
     damping: [f64; 6],
 }
 
-impl TriplePendulum {
+impl<R: Rules> TriplePendulum<R> {
     /// From the chain, the friction models of its segments, and the materials with their tags: vertical, rotation about
     /// Z, X and Y.
     pub fn new(
         chain: Chain,
         frictions: [Friction; 3],
         materials: [(Material, i32); 4],
-        setting: TripleSetting,
+        setting: TripleSetting<R>,
     ) -> Self {
         Self::of(chain, Surfaces::Models(frictions), materials, setting)
     }
 
     /// The same with surfaces that warm.
-    pub fn heated(chain: Chain, heated: Heated, materials: [(Material, i32); 4], setting: TripleSetting) -> Self {
+    pub fn heated(chain: Chain, heated: Heated, materials: [(Material, i32); 4], setting: TripleSetting<R>) -> Self {
         Self::of(chain, Surfaces::Heated(Box::new(heated)), materials, setting)
     }
 
-    fn of(chain: Chain, surfaces: Surfaces, materials: [(Material, i32); 4], setting: TripleSetting) -> Self {
+    fn of(chain: Chain, surfaces: Surfaces, materials: [(Material, i32); 4], setting: TripleSetting<R>) -> Self {
         let mut state_len = HEAT + if matches!(surfaces, Surfaces::Heated(_)) { Heated::LEN } else { 0 };
         let materials = materials.map(|(m, tag)| {
             let slot = Slot::new(m, tag, state_len);
@@ -132,75 +230,13 @@ impl TriplePendulum {
     ) -> Result<(Stress, f64), ElementError> {
         let slot = &self.materials[0];
         let last = slot.strain(trial);
-        let mut s = slot.update(committed, Strain { value: apart, rate, dt }, trial)?;
+        let s = slot.update(committed, Strain { value: apart, rate, dt }, trial)?;
         if s.value < 0.0 {
             return Ok((s, -s.value));
         }
         let normal = self.setting.least_normal;
-        if self.setting.compat.is_none() {
-            let k = if apart > 0.0 { self.setting.k_tension } else { s.tangent };
-            return Ok((Stress { value: k * apart.max(0.0), tangent: k, damping: 0.0 }, normal));
-        }
-        // OpenSees puts the material back to where it was, and reports the least normal force.
-        let initial = slot.material.initial_tangent();
-        let pulls = s.value > initial * f64::EPSILON;
-        if pulls {
-            slot.update(committed, Strain { value: last, rate: 0.0, dt }, trial)?;
-        }
-        s.tangent = if pulls { self.setting.k_tension } else { initial };
-        Ok((Stress { value: -normal, ..s }, normal))
-    }
-
-    /// The chain under a mean normal force.
-    fn shear(
-        &self,
-        u: Vector2<f64>,
-        dt: f64,
-        (c, last): (&ChainState, &ChainState),
-        load: &mut Load,
-        frictions: &[Friction; 3],
-    ) -> Result<Tension, ElementError> {
-        let Some(tolerance) = self.setting.compat else {
-            let mean = load.mean;
-            let t = self.chain.stretch(c, u, dt, |i, speed| coefficient(frictions, i, mean, speed))?;
-            (load.speed, load.mu) = (t.friction.map(|f| f.0), t.friction.map(|f| f.1));
-            return Ok(t);
-        };
-        // OpenSees takes the speeds of the last trial.
-        load.speed = [0, 1, 2].map(|i| self.chain.segments[i].speed * last.speed[i]);
-        load.mu = [0, 1, 2].map(|i| coefficient(frictions, i, load.mean, load.speed[i]).mu);
-        Ok(as_found(self.chain.stretch_by_increments(c, u, load.mu, (tolerance, 0.01), (last.speed, dt))))
-    }
-
-    /// The chain under a mean normal force, with surfaces that warm.
-    fn heated_shear(
-        &self,
-        heated: &Heated,
-        (u, step): (Vector2<f64>, Step),
-        (before, load): (&Load, &mut Load),
-        committed: &[f64],
-        trial: &mut [f64],
-    ) -> Result<Tension, ElementError> {
-        let c = ChainState::read(committed);
-        let (committed, trial) = (&committed[HEAT..], &mut trial[HEAT..]);
-        let t = if let Some(tolerance) = self.setting.compat {
-            load.mu = heated.warm_first(before.normal, step, committed, trial);
-            let to = (tolerance, 1e-4);
-            let t = as_found(self.chain.stretch_by_increments(&c, u, load.mu, to, ([0.0; 3], 0.0)));
-            heated.slide_late((&t.state, &c), step, committed, trial);
-            t
-        } else {
-            let (warm, mean) = (Warm::read(committed), load.mean);
-            let friction = |i, speed| match mean > 0.0 {
-                true => heated.coefficient(&warm, i, mean, speed),
-                false => Coefficient::default(),
-            };
-            let t = self.chain.stretch(&c, u, step.dt, friction)?;
-            (load.speed, load.mu) = (t.friction.map(|f| f.0), t.friction.map(|f| f.1));
-            heated.warm(&t.state, mean, step, committed, trial);
-            t
-        };
-        Ok(t)
+        let at = Vertical { apart, dt, last };
+        Ok((self.setting.rules.lifted(self, at, s, committed, trial)?, normal))
     }
 
     fn top(&self, motion: &ElementInput<'_>, committed: &[f64], trial: &mut [f64]) -> Result<Top, ElementError> {
@@ -213,10 +249,10 @@ impl TriplePendulum {
         let mut load = Load { normal, mean: 0.5 * (before.normal + normal), ..Load::default() };
         let u = Vector2::new(apart[0], apart[1]);
         let t = match &self.surfaces {
-            Surfaces::Models(f) => self.shear(u, motion.dt, (&c, &last), &mut load, f)?,
+            Surfaces::Models(f) => self.setting.rules.shear(self, (u, motion.dt), (&c, &last), &mut load, f)?,
             Surfaces::Heated(heated) => {
                 let step = Step { time: motion.time, dt: motion.dt };
-                self.heated_shear(heated, (u, step), (&before, &mut load), committed, trial)?
+                self.setting.rules.heated_shear((self, heated), (u, step), (&before, &mut load), committed, trial)?
             }
         };
         let f = Vector2::from(t.state.f);
@@ -225,8 +261,7 @@ impl TriplePendulum {
         let shear = normal * f;
         let stiffness: Matrix2<f64> = normal * t.k;
         (load.across, load.along[0]) = (rows(&stiffness), v.tangent);
-        let pressed = self.setting.compat.is_none() && v.value < 0.0;
-        let by_z = if pressed { -v.tangent * (f + 0.5 * normal * t.by_normal) } else { Vector2::zeros() };
+        let by_z = R::by_vertical(&v, &f, normal, &t.by_normal);
         for i in 0..2 {
             top.force[i] = shear[i];
             top.by_apart[i][..3].copy_from_slice(&[stiffness[(i, 0)], stiffness[(i, 1)], by_z[i]]);
@@ -264,14 +299,8 @@ impl TriplePendulum {
     }
 }
 
-fn coefficient(frictions: &[Friction; 3], i: usize, normal: f64, speed: f64) -> Coefficient {
+pub(super) fn coefficient(frictions: &[Friction; 3], i: usize, normal: f64, speed: f64) -> Coefficient {
     if normal > 0.0 { frictions[i].coefficient(normal, speed) } else { Coefficient::default() }
-}
-
-/// A chain whose tangent is what the iteration ended with.
-fn as_found(state: ChainState) -> Tension {
-    let k = square(&state.whole, 0);
-    Tension { state, k, by_normal: Vector2::zeros(), friction: [(0.0, 0.0); 3] }
 }
 
 /// Add a matrix of the displacement of node j less that of node i: `sign` is that of the force on node i.
@@ -282,7 +311,7 @@ fn add_apart(matrix: &mut [f64], row: usize, col: usize, value: f64, sign: f64) 
     }
 }
 
-impl Element for TriplePendulum {
+impl<R: Rules> Element for TriplePendulum<R> {
     fn class(&self) -> &'static str {
         match self.surfaces {
             Surfaces::Models(_) => "TripleFrictionPendulum",
@@ -328,12 +357,9 @@ impl Element for TriplePendulum {
         let top = self.top(motion, committed, trial)?;
         let apart = std::array::from_fn(|i| motion.disp[6 + i] - motion.disp[i]);
         let (m, by) = self.moments(&top, &apart);
-        // OpenSees turns both nodes the same way with the rotational materials, and leaves the moments out of the tangent.
-        let compat = self.setting.compat.is_some();
-        let turn = if compat { 1.0 } else { -1.0 };
         for (i, m) in m.iter().enumerate() {
             (answer.force[i], answer.force[6 + i]) = (-top.force[i], top.force[i]);
-            answer.force[3 + i] = turn * top.force[3 + i] + 0.5 * m;
+            answer.force[3 + i] = R::MOMENT_AT_I * top.force[3 + i] + 0.5 * m;
             answer.force[9 + i] = top.force[3 + i] + 0.5 * m;
         }
         if let Some(k) = answer.tangent {
@@ -342,7 +368,7 @@ impl Element for TriplePendulum {
                     add_apart(k, i, j, top.by_apart[i][j], -1.0);
                 }
             }
-            for (i, row) in by.iter().enumerate().filter(|_| !compat) {
+            for (i, row) in by.iter().enumerate().filter(|_| R::MOMENTS_IN_TANGENT) {
                 for (j, x) in row.iter().enumerate() {
                     add_apart(k, 3 + i, j, 0.5 * x, 1.0);
                 }
@@ -356,7 +382,7 @@ impl Element for TriplePendulum {
 
     /// OpenSees' friction goes on from the speeds of the last call, its vertical material from where it was put back to.
     fn counts_calls(&self) -> bool {
-        self.setting.compat.is_some()
+        R::COUNTS_CALLS
     }
     fn last_tangent(&self, history: &[f64], tangent: &mut [f64], _: MatrixMask) {
         let load = Load::read(&history[ChainState::LEN..]);
@@ -369,7 +395,7 @@ impl Element for TriplePendulum {
     }
 
     fn damps_in_forces_only(&self) -> bool {
-        self.setting.compat.is_some()
+        R::DAMPS_IN_FORCES_ONLY
     }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {
@@ -435,17 +461,15 @@ impl Element for TriplePendulum {
         };
         let chain = ChainState::read(s.state);
         let load = Load::read(&s.state[ChainState::LEN..]);
-        let compat = self.setting.compat.is_some();
         match path[0] {
             LOCAL_FORCE => local(s.force, out),
             BASIC_FORCE => local(&s.force[6..], out),
-            // OpenSees records zeros, and no rotations.
-            LOCAL_DISP if compat => out.fill(0.0),
+            LOCAL_DISP if !R::SHOWS_DISPLACEMENTS => out.fill(0.0),
             LOCAL_DISP => local(s.disp, out),
             DEFORMATION => {
                 let apart: [f64; 6] = std::array::from_fn(|i| s.disp[6 + i] - s.disp[i]);
                 local(&apart, out);
-                if compat {
+                if !R::SHOWS_DISPLACEMENTS {
                     out[3..].fill(0.0);
                 }
             }
@@ -470,7 +494,7 @@ impl Element for TriplePendulum {
 const SEGMENTS: u32 = 20;
 const HEATING: u32 = 21;
 /// Where the words of the surfaces begin.
-const HEAT: usize = ChainState::LEN + Load::LEN;
+pub(super) const HEAT: usize = ChainState::LEN + Load::LEN;
 const HEATED_SEGMENTS: [&str; 12] =
     ["d1x", "d3x", "d5x", "d1y", "d3y", "d5y", "v1x", "v3x", "v5x", "v1y", "v3y", "v5y"];
 /// Responses: first that of the bearing with friction models alone, last that of the heated one alone.

@@ -81,7 +81,7 @@ pub struct Chain {
 }
 
 /// The force of a chain.
-pub(super) struct Tension {
+pub struct Tension {
     pub(super) state: ChainState,
     /// Stiffness.
     pub(super) k: Matrix2<f64>,

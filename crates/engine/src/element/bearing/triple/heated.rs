@@ -125,8 +125,8 @@ pub(super) const PARAMETER_NAMES: [&str; PARAMETERS] = [
 ];
 
 /// The time of a step: its domain time and how much of it has passed.
-#[derive(Clone, Copy)]
-pub(super) struct Step {
+#[derive(Clone, Copy, Debug)]
+pub struct Step {
     pub(super) time: f64,
     pub(super) dt: f64,
 }

@@ -7,11 +7,12 @@ mod chain;
 mod conduction;
 mod heated;
 pub mod history;
+mod opensees;
 mod segment;
-mod substeps;
 
 pub use bearing::{TriplePendulum, TripleSetting};
 pub use chain::{Chain, ChainState};
 pub use conduction::{Body, Conduction};
 pub use heated::{Heated, HeatedSetting, Softening};
+pub use opensees::Increments;
 pub use segment::Segment;

@@ -25,7 +25,7 @@ impl Step {
 
 impl<S: Soil> SoilSpring<S> {
     /// From a trial state of the step to another one.
-    pub(super) fn iterated(&self, c: &History, mut t: History, y: f64) -> History {
+    pub(super) fn from_trial(&self, c: &History, mut t: History, y: f64) -> History {
         let (ultimate, dy) = (self.soil.ultimate(), y - t.whole.y);
         // Where a soft branch turns into a stiff one the whole step would go astray.
         let by_force = match (t.whole.tangent * dy / ultimate).abs() {
