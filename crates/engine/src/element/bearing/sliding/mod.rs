@@ -5,6 +5,7 @@
 mod bearing;
 mod heat;
 mod opensees;
+mod rules;
 mod surface;
 
 pub use bearing::{Kind, PlaneSlider, Setting, SlidingBearing, SpaceSlider};

@@ -3,8 +3,9 @@
 //! The shear force is found by substitution. A trial state that slides leaves its plastic displacement behind. The tangent leaves out
 //! the normal force, the speed, the rise of the slider and the arms of the moments. `FPBearingPTV` has a scheme of its own.
 
-use super::bearing::{Basic, History, Kind, Rules, SlidingBearing};
+use super::bearing::{Basic, History, Kind, SlidingBearing};
 use super::heat::Heat;
+use super::rules::Rules;
 use super::surface::{Pose, Slide, Surface};
 use crate::element::friction::Contact;
 use crate::element::{ElementError, ElementInput};

@@ -8,6 +8,7 @@ mod conduction;
 mod heated;
 pub mod history;
 mod opensees;
+mod rules;
 mod segment;
 
 pub use bearing::{TriplePendulum, TripleSetting};

@@ -4,9 +4,10 @@
 //! The friction has the speeds of the last trial. Both nodes turn the same way with the rotational materials. The moments are left out
 //! of the tangent.
 
-use super::bearing::{HEAT, Load, Rules, TriplePendulum, Vertical, coefficient};
+use super::bearing::{HEAT, Load, TriplePendulum, coefficient};
 use super::chain::{Chain, ChainState, Tension, in_series, rows, square, two};
 use super::heated::{Heated, Step};
+use super::rules::{Rules, Vertical};
 use super::segment::Segment;
 use crate::element::ElementError;
 use crate::element::friction::{Coefficient, Friction};
