@@ -31,7 +31,7 @@ impl Rules for ElasticRange {
 
     /// OpenSees goes on with what the fitted functions give where they have lost their meaning.
     fn accepts(x: f64) -> bool {
-        x.is_finite()
+        x > 0.0 || x.is_finite()
     }
 
     fn elastic(&self, k: f64, t: &Head) -> (f64, f64) {
