@@ -22,7 +22,7 @@ slips! {
     "All of them hold.",
     "The model would not be that of the script.";
 
-    EIGEN_LAPACK, Command, Case("eigen_modes_frame3d"),
+    EIGEN_LAPACK, Command, Nowhere,
     "`eigen -fullGenLapack`",
     "The values are the smallest ones whatever `-findLargest` says. They are infinite where the mass has no more modes. Shapes are scaled \
      by row sums of the mass matrix.",
@@ -61,14 +61,14 @@ slips! {
     "The weighted acceleration is used.",
     "The scheme would not be that of its paper.";
 
-    CENTRAL_DIFFERENCE_START, Command, Case("integrators_sdof"),
+    CENTRAL_DIFFERENCE_START, Command, Case("trapezoidal_integrators"),
     "`integrator CentralDifference`, `CentralDifferenceAlternative`, `CentralDifferenceNoDamping`",
     "The start ignores initial velocity and acceleration. `CentralDifferenceAlternative` has the damping forces at the velocity in the \
      middle of the last step, which it reports, and reports no accelerations.",
     "Initial velocity and acceleration count. `CentralDifferenceAlternative` is `CentralDifference`.",
     "Free vibration would start wrong. Damping would be of first order in the step only.";
 
-    EXPLICIT_START, Command, Case("trapezoidal_integrators"),
+    EXPLICIT_START, Command, Nowhere,
     "`integrator ExplicitDifference`, `ExplicitBathe`",
     "They begin with the acceleration that was set, zero as a rule. `ExplicitDifference` takes the initial velocity for that half a step \
      before the start.",
@@ -81,7 +81,7 @@ slips! {
     "They are alpha, gamma, beta.",
     "This is the order of its manual and of `HHT`.";
 
-    EXPLICIT_ELEMENTS, Command, Case("kolay_ricles"),
+    EXPLICIT_ELEMENTS, Command, Nowhere,
     "`integrator HHTExplicit`, `HHTGeneralizedExplicit`, `KRAlphaExplicit` without `-updateElemDisp`",
     "Elements stay at the displacement of the equations.",
     "Elements are at the end of the step.",

@@ -24,7 +24,7 @@ slips! {
     "Strength is lost where the branch beyond the cap comes to zero, or at thetaU. Both sides have one rule. The tangent is consistent.",
     "The size of the steps would change the answer. Newton's method converges.";
 
-    HYSTERETIC_POLY_BRANCH, Command, Case("smooth_hysteresis"),
+    HYSTERETIC_POLY_BRANCH, Command, Nowhere,
     "`HystereticPoly`",
     "A branch goes on from the middle of its whole length, with the round-off of that length. The initial stiffness is ka.",
     "A branch goes on from its beginning. The initial stiffness is the tangent of the virgin material.",
@@ -37,14 +37,14 @@ slips! {
     "The springs have one force, to round-off. The tangent is consistent.",
     "The answer would depend on the step and on the iterations.";
 
-    SAWS_ENVELOPE, Command, Case("saws_walls"),
+    SAWS_ENVELOPE, Command, Nowhere,
     "`SAWS`",
     "The place where the pinched line leaves the envelope is found to a force of 1e-6. The tangent on the envelope has parts of two \
      displacements. Turns within the loop have other rules on the negative side.",
     "The place is found to round-off. The tangent is consistent. Both sides have one rule.",
     "Newton's method converges.";
 
-    MULTI_LINEAR_REST, Command, Case("multilinear_elasticbilin"),
+    MULTI_LINEAR_REST, Command, Nowhere,
     "`MultiLinear`",
     "A yielded state that is committed again at the same strain yields in compression.",
     "It rests.",
@@ -63,7 +63,7 @@ slips! {
     "The material follows the path of small steps.",
     "The size of the steps would change the answer.";
 
-    AXIAL_SP_JUMP, Command, Case("axialsp_cycles"),
+    AXIAL_SP_JUMP, Command, Nowhere,
     "`AxialSp`, `AxialSpHD`",
     "A step that jumps from cavitation past (u_cr, f_cr) stays on a line that it has left. A spring that has just begun to harden closes \
      beyond that point. A yielded spring without stiffness in tension never comes off compression.",

@@ -134,8 +134,8 @@ const INTRODUCTION: &str = "# Differences from OpenSees
 <!-- Generated from crates/opensees/src/slips: change the register, then run the test of that crate with UPDATE=1. -->
 
 `--compat opensees` gives the answers of OpenSees that the first tables list, and no others. Without the switch hysteron gives the
-answer of the equations. \"Shown by\" names a folder of `validation/opensees` or a test. A dash says that no test shows the difference
-alone.
+answer of the equations. \"Shown by\" names a folder of `validation/opensees`, whose outputs differ with the switch, or a test. A dash
+says that no test shows the difference.
 
 OpenSees accepts some scripts that mean nothing. There is no number to reproduce: hysteron refuses such a script, or warns, with the
 switch and without it. *Messages* in the [manual](../manual.md) explains them.
