@@ -41,11 +41,35 @@ def text(value):
     return repr(value) if isinstance(value, float) else str(value)
 
 
+made = [9000]  # tag of the last object that a script leaves to OpenSees
+
+
+def new_tag():
+    made[0] += 1
+    return made[0]
+
+
+def as_in_python(name, args):
+    """Two forms that OpenSees has in Tcl alone: a series by its name, and a beam by section and number of points."""
+    if name == "pattern" and len(args) > 2 and args[2] in ("Linear", "Constant"):
+        tag = new_tag()
+        ops.timeSeries(args[2], tag)
+        return [*args[:2], tag, *args[3:]]
+    if name == "element" and args[0] in RULES and len(args) > 6 and all(isinstance(a, int) for a in args[1:7]):
+        tag = new_tag()
+        ops.beamIntegration(RULES[args[0]], tag, args[5], args[4])
+        return [*args[:4], args[6], tag, *args[7:]]
+    return args
+
+
+RULES = {"forceBeamColumn": "Lobatto", "dispBeamColumn": "Legendre"}
+
+
 def command(name):
     function = getattr(ops, name)
 
     def call(*args):
-        args = words(args)
+        args = as_in_python(name, words(args))
         if name == "recorder" and args[0] in ("Drift", "EnvelopeDrift"):
             return ""
         return text(function(*args))

@@ -16,6 +16,8 @@ mod materials;
 mod model;
 #[path = "analysis/modes.rs"]
 mod modes;
+#[path = "analysis/opensees.rs"]
+mod opensees;
 #[path = "analysis/refine.rs"]
 mod refine;
 #[path = "analysis/rubber.rs"]

@@ -1,4 +1,4 @@
-//! Studies and their calibration: what is refused, what is simulated, what is found.
+//! Tests of studies and their calibration: errors, simulations, methods, results.
 
 #![cfg(unix)]
 #![allow(clippy::new_without_default, clippy::unwrap_used, missing_docs, unreachable_pub)]
@@ -18,15 +18,15 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// The study that the project comes with.
+/// Folder of the example study.
 pub fn pad() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tcl-like-inputs/pad_study")
 }
 
-/// A copy of it in a folder of its own, removed at the end.
-pub struct Place(pub PathBuf);
+/// A temporary copy of the example study, removed on drop.
+pub struct StudyFolder(pub PathBuf);
 
-impl Place {
+impl StudyFolder {
     pub fn new() -> Self {
         static COUNT: AtomicUsize = AtomicUsize::new(0);
         let n = COUNT.fetch_add(1, Ordering::Relaxed);
@@ -38,11 +38,11 @@ impl Place {
         Self(dir)
     }
 
-    /// With a piece of a file replaced.
+    /// A copy with a piece of a file replaced.
     pub fn edited(file: &str, old: &str, new: &str) -> Self {
-        let place = Self::new();
-        place.edit(file, old, new);
-        place
+        let folder = Self::new();
+        folder.edit(file, old, new);
+        folder
     }
 
     pub fn edit(&self, file: &str, old: &str, new: &str) {
@@ -56,7 +56,7 @@ impl Place {
     }
 }
 
-impl Drop for Place {
+impl Drop for StudyFolder {
     fn drop(&mut self) {
         let _ = fs::remove_dir_all(&self.0);
     }

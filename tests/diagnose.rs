@@ -2,41 +2,18 @@
 //! does not name another with certainty.
 
 #![cfg(unix)]
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, unreachable_pub)]
 
-use hysteron::analysis::Options;
-use hysteron::diagnose::{Diagnosis, Kept, Settings, Watch, diagnose, hypothesis};
-use hysteron::diagnostic::SourceMap;
-use hysteron::study::{ScriptSimulator, Study};
+#[path = "support/studies.rs"]
+mod studies;
+
+use hysteron::diagnose::{CheckpointEntry, Diagnosis, Settings, hypothesis};
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use studies::{Keeper, Noise, PAD, SHAKEN};
 
-/// A pad under imposed displacement: a spring that yields and one that does not.
-const MODEL: &str = "wipe\nmodel basic -ndm 1 -ndf 1\npset Fy 9.0\npset k 300.0\nnode 1 0.\nnode 2 0.\nfix 1 1\n\
-    uniaxialMaterial Steel01 1 $Fy 2000.0 0.0\nuniaxialMaterial Elastic 2 $k\nuniaxialMaterial Parallel 3 1 2\n\
-    element zeroLength 1 1 2 -mat 3 -dir 1\ntimeSeries Path 1 -dt $dt -filePath $motion\n\
-    pattern Plain 1 1 { sp 2 1 1.0 }\nrecorder Element -file force.out -time -ele 1 force\n\
-    constraints Transformation\ntest NormDispIncr 1e-10 30\nalgorithm Newton\nintegrator LoadControl $dt\n\
-    analysis Static\nfor {set i 1} {$i < $npts} {incr i} { if {[analyze 1] != 0} { error \"no convergence\" } }\n";
 const DT: f64 = 0.02;
-
-/// Noise of a load cell.
-struct Noise(u64);
-
-impl Noise {
-    fn next(&mut self) -> f64 {
-        let mut uniform = || {
-            self.0 ^= self.0 << 13;
-            self.0 ^= self.0 >> 7;
-            self.0 ^= self.0 << 17;
-            (self.0 >> 11) as f64 / (1u64 << 53) as f64
-        };
-        (0..12).map(|_| uniform()).sum::<f64>() - 6.0
-    }
-}
 
 /// Force of an elastic-plastic spring beside an elastic one along a path, by its own formula.
 fn pad(path: &[f64]) -> Vec<f64> {
@@ -59,13 +36,13 @@ fn concealed(name: &str, shows: impl Fn(&[f64], &[f64]) -> Vec<f64>) -> PathBuf 
 fn recorded(name: &str, shows: impl Fn(&[f64], &[f64]) -> Vec<f64>, [low, high]: [f64; 2]) -> PathBuf {
     let dir = std::env::temp_dir().join(format!("hysteron-diagnose-{name}-{}", std::process::id()));
     fs::create_dir_all(&dir).unwrap();
-    fs::write(dir.join("model.tcl"), MODEL).unwrap();
+    fs::write(dir.join("model.tcl"), PAD).unwrap();
     let mut study = "model = \"model.tcl\"\n[[parameter]]\nname = \"Fy\"\nlower = 4.0\nupper = 25.0\n\
                      [[parameter]]\nname = \"k\"\nlower = 100.0\nupper = 600.0\n"
         .to_owned();
     let growing = |t: f64| 0.006 * t * (4.0 * t).sin();
     let mixed = |t: f64| 0.03 * (2.5 * t).sin() + 0.02 * (7.0 * t).sin();
-    let mut noise = Noise(88172645463325252);
+    let mut noise = Noise::default();
     for (run, role, motion) in [("growing", "fit", &growing as &dyn Fn(f64) -> f64), ("mixed", "holdout", &mixed)] {
         let path: Vec<f64> = (0..400).map(|i| motion(DT * f64::from(i))).collect();
         let force = shows(&path, &pad(&path));
@@ -88,39 +65,18 @@ fn recorded(name: &str, shows: impl Fn(&[f64], &[f64]) -> Vec<f64>, [low, high]:
     dir
 }
 
-/// Keeps what was worked out, and stops when that is so much.
-struct Keeper {
-    told: Vec<Kept>,
-    enough: usize,
-}
-
-impl Watch for Keeper {
-    fn stage(&mut self, _: &str, _: usize, _: usize) {}
-    fn stopped(&self) -> bool {
-        self.told.len() >= self.enough
-    }
-    fn keep(&mut self, told: &[Kept]) {
-        self.told = told.to_vec();
-    }
-}
-
-fn attempt(dir: &Path, without: &[&str], earlier: Vec<Kept>, keeper: &mut Keeper) -> Result<Diagnosis, String> {
-    let text = fs::read_to_string(dir.join("model.tcl")).unwrap();
-    let mut sources = SourceMap::default();
-    let study = Arc::new(Study::load(&dir.join("study.toml"), &mut sources).unwrap());
-    let mut simulator = ScriptSimulator::new(study, Options::default(), Arc::new(AtomicBool::new(false)));
-    let opening = simulator.open(&mut sources).unwrap();
-    let settings = Settings {
-        without: without.iter().map(|w| (*w).to_owned()).collect(),
-        threads: 2,
-        earlier,
-        ..Settings::default()
-    };
-    diagnose(&simulator, &opening, &text, &settings, keeper)
+fn attempt(
+    dir: &Path,
+    without: &[&str],
+    earlier: Vec<CheckpointEntry>,
+    keeper: &mut Keeper,
+) -> Result<Diagnosis, String> {
+    let without = without.iter().map(|w| (*w).to_owned()).collect();
+    studies::attempt(dir, &Settings { without, threads: 2, earlier, ..Settings::default() }, keeper)
 }
 
 fn diagnosed(dir: &Path, without: &[&str]) -> Diagnosis {
-    attempt(dir, without, vec![], &mut Keeper { told: vec![], enough: usize::MAX }).unwrap()
+    attempt(dir, without, vec![], &mut Keeper::patient()).unwrap()
 }
 
 /// Run the repaired script by itself, as another script that sets the variables of a run and sources it.
@@ -149,16 +105,16 @@ fn nothing_is_found_where_nothing_is_missing() {
     // Interrupted, kept as a file keeps it, and gone on with: the same to the last digit, in less work.
     let mut keeper = Keeper { told: vec![], enough: 30 };
     assert_eq!(attempt(&dir, &[], vec![], &mut keeper).err().unwrap(), "interrupted");
-    let kept: Vec<Kept> = serde_json::from_str(&serde_json::to_string(&keeper.told).unwrap()).unwrap();
-    let again = attempt(&dir, &[], kept, &mut Keeper { told: vec![], enough: usize::MAX }).unwrap();
+    let kept: Vec<CheckpointEntry> = serde_json::from_str(&serde_json::to_string(&keeper.told).unwrap()).unwrap();
+    let again = attempt(&dir, &[], kept, &mut Keeper::patient()).unwrap();
     assert_eq!(serde_json::to_string(&again.outcome).unwrap(), serde_json::to_string(&d.outcome).unwrap());
     assert!(again.looks < d.looks, "{} {}", again.looks, d.looks);
 
     // What belongs to other jobs is not believed.
     let mut others = serde_json::to_value(&keeper.told).unwrap();
     others.as_array_mut().unwrap().iter_mut().skip(3).for_each(|k| k["job"] = 1.into());
-    let others: Vec<Kept> = serde_json::from_value(others).unwrap();
-    let again = attempt(&dir, &[], others, &mut Keeper { told: vec![], enough: usize::MAX }).unwrap();
+    let others: Vec<CheckpointEntry> = serde_json::from_value(others).unwrap();
+    let again = attempt(&dir, &[], others, &mut Keeper::patient()).unwrap();
     assert_eq!(serde_json::to_string(&again.outcome).unwrap(), serde_json::to_string(&d.outcome).unwrap());
     let _ = fs::remove_dir_all(dir);
 }
@@ -244,16 +200,6 @@ fn overturning_makes_loops_larger_on_one_side() {
     let _ = fs::remove_dir_all(dir);
 }
 
-/// A mass on a spring that yields, shaken; its steps are a thirtieth of its period.
-const SHAKEN: &str = "wipe\nmodel basic -ndm 1 -ndf 1\npset k 400.0\npset uy 0.02\nnode 1 0.\nnode 2 0. -mass 1.0\nfix 1 1\n\
-    uniaxialMaterial Elastic 1 [expr {0.6*$k}]\n\
-    uniaxialMaterial BoucWen 2 0.0 [expr {0.4*$k}] 1.0 [expr {0.5/$uy}] [expr {0.5/$uy}] 1.0 0.0 0.0 0.0\n\
-    uniaxialMaterial Parallel 3 1 2\nelement zeroLength 1 1 2 -mat 3 -dir 1\n\
-    timeSeries Path 1 -dt $dt -filePath $motion\npattern UniformExcitation 1 1 -accel 1\n\
-    recorder Node -file disp.out -time -node 2 -dof 1 disp\n\
-    constraints Plain\nsystem FullGeneral\ntest NormDispIncr 1e-10 30\nalgorithm Newton\nintegrator Newmark 0.5 0.25\n\
-    analysis Transient\nfor {set i 1} {$i < $npts} {incr i} { if {[analyze 1 $dt] != 0} { error \"no convergence\" } }\n";
-
 /// Step of the script under earthquakes.
 const STEP: f64 = 0.01;
 
@@ -299,7 +245,7 @@ fn shaken_study(
     for (parameter, lower, upper) in parameters {
         write!(study, "[[parameter]]\nname = \"{parameter}\"\nlower = {lower:?}\nupper = {upper:?}\n").unwrap();
     }
-    let mut noise = Noise(88172645463325252);
+    let mut noise = Noise::default();
     for (run, role, tones) in [("first", "fit", [6.0, 11.0, 17.0]), ("second", "holdout", [5.0, 13.0, 19.0])] {
         let at = |t: f64| tones.iter().map(|w| 2.0 * (w * t + w * w).sin()).sum::<f64>() * (-0.1 * t).exp();
         let ground: Vec<f64> = (0..n).map(|i| at(STEP * f64::from(i))).collect();

@@ -1,5 +1,5 @@
-//! Laws of materials and elements: tangents against finite differences, energy, equilibrium, objectivity, mirrored
-//! input, and that a law is a function of the committed state alone.
+//! Laws of materials and elements: consistent tangents, energy, equilibrium, objectivity, symmetry, and dependence on
+//! the committed state alone.
 
 #![allow(clippy::unwrap_used, unreachable_pub)]
 

@@ -1,7 +1,7 @@
-//! Arguments.
+//! Arguments of the command line. Doc comments of the fields are the help texts.
 
-use super::bearing::Test;
-use super::loops::Loops;
+use super::bearing::BearingArgs;
+use super::loops::LoopsArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -21,9 +21,9 @@ pub(super) enum Command {
     /// Run a script; recorders write to the current folder
     Run {
         #[command(flatten)]
-        switches: Switches,
+        script: ScriptArgs,
         #[command(flatten)]
-        care: Care,
+        steps: StepArgs,
         /// The script
         model: String,
         /// Words that the script finds in $argv
@@ -33,7 +33,7 @@ pub(super) enum Command {
     /// Report what is wrong with a script without running its analyses, or with a study before its calibration
     Check {
         #[command(flatten)]
-        switches: Switches,
+        script: ScriptArgs,
         /// The script, or a study (.toml), whose script is run once
         model: String,
         /// Words that the script finds in $argv
@@ -41,9 +41,9 @@ pub(super) enum Command {
         args: Vec<String>,
     },
     /// Drive a single bearing as in a testing machine, and measure its loops
-    Bearing(Test),
+    Bearing(BearingArgs),
     /// Measure the cycles in a file: secant stiffness, dissipated energy, equivalent damping
-    Loops(Loops),
+    Loops(LoopsArgs),
     /// Find the parameters of a study that follow its recordings best
     Calibrate(CalibrateArgs),
     /// Find why a model and recordings differ, and repair the model
@@ -55,9 +55,9 @@ pub(super) enum Command {
     },
 }
 
-/// What is done for steps beyond what the script says.
+/// Options of the steps of an analysis beyond those of the script.
 #[derive(Args, Debug, Default)]
-pub(super) struct Care {
+pub(super) struct StepArgs {
     /// Try other algorithms and shorter steps where a step fails
     #[arg(long)]
     pub(super) ladder: bool,
@@ -128,7 +128,7 @@ pub(super) struct DiagnoseArgs {
 }
 
 #[derive(Args, Debug)]
-pub(super) struct Switches {
+pub(super) struct ScriptArgs {
     /// Refuse what would otherwise be a warning
     #[arg(long)]
     pub(super) strict: bool,

@@ -1,14 +1,14 @@
-//! `hysteron bearing`: a bearing by itself, driven as in a testing machine.
+//! `hysteron bearing`: a test of a single bearing, as in a testing machine.
 
-use super::args::{Care, Switches};
+use super::args::{ScriptArgs, StepArgs};
 use super::console::Terminal;
 use super::files::NoFiles;
-use super::loops::Report;
-use super::progress::Bar;
+use super::loops::ReportArgs;
+use super::progress::ProgressLine;
 use super::run;
 use clap::{Args, ValueEnum};
 use hysteron::analysis::Options;
-use hysteron::measure::Split;
+use hysteron::measure::CycleDetection;
 use hysteron::opensees::files::table::Table as Columns;
 use hysteron::opensees::{Mode, Tcl};
 use hysteron::protocol::{Bearing, Motion, Protocol};
@@ -18,11 +18,11 @@ use hysteron::tcl::{OsFiles, OverlayFiles, Value};
 use std::fs;
 use std::path::Path;
 
-/// The bearing and its test.
+/// Arguments of a bearing test.
 #[derive(Args, Debug)]
-pub(super) struct Test {
+pub(super) struct BearingArgs {
     #[command(flatten)]
-    switches: Switches,
+    script_args: ScriptArgs,
     /// A script that defines the bearing as element 1 (nodes and materials too, no supports, loads or analyses); or a file of
     /// models/, whose procedure of the same name makes it
     file: String,
@@ -30,8 +30,8 @@ pub(super) struct Test {
     #[arg(long, value_name = "\"NAME ARG ...\"")]
     device: Option<String>,
     /// How the upper end moves
-    #[arg(long, short = 'm', value_enum, default_value_t = Kind::Cycles)]
-    motion: Kind,
+    #[arg(long, short = 'm', value_enum, default_value_t = MotionKind::Cycles)]
+    motion: MotionKind,
     /// Amplitudes of the displacement, one after the other
     #[arg(
         long,
@@ -59,6 +59,23 @@ pub(super) struct Test {
     /// Steps of a cycle (of a ramp as long as the largest amplitude)
     #[arg(long, default_value_t = 200)]
     steps: usize,
+    #[command(flatten)]
+    axial_load: AxialLoadArgs,
+    #[command(flatten)]
+    details: MotionArgs,
+    /// Folder of the results (else the name of the file with _test)
+    #[arg(long, short = 'o', value_name = "FOLDER")]
+    out: Option<String>,
+    /// Write the script of the test, and do not run it
+    #[arg(long)]
+    script: bool,
+    #[command(flatten)]
+    report: ReportArgs,
+}
+
+/// The axial load during a test.
+#[derive(Args, Debug)]
+struct AxialLoadArgs {
     /// Axial load, compression positive
     #[arg(long, short = 'P', value_name = "LOAD", default_value_t = 0.0, allow_negative_numbers = true)]
     axial: f64,
@@ -68,6 +85,11 @@ pub(super) struct Test {
     /// Cycles of the axial load in a cycle of the motion
     #[arg(long, value_name = "RATIO", default_value_t = 1.0)]
     axial_ratio: f64,
+}
+
+/// Details of the kinds of motion.
+#[derive(Args, Debug)]
+struct MotionArgs {
     /// Direction of cycles in degrees from x
     #[arg(long, default_value_t = 0.0, allow_negative_numbers = true)]
     angle: f64,
@@ -83,18 +105,10 @@ pub(super) struct Test {
     /// Impose velocities too: for devices that feel the rate of deformation
     #[arg(long)]
     rates: bool,
-    /// Folder of the results (else the name of the file with _test)
-    #[arg(long, short = 'o', value_name = "FOLDER")]
-    out: Option<String>,
-    /// Write the script of the test, and do not run it
-    #[arg(long)]
-    script: bool,
-    #[command(flatten)]
-    report: Report,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Kind {
+enum MotionKind {
     /// Sines of shear
     Cycles,
     /// Circles in plan
@@ -107,152 +121,157 @@ enum Kind {
     Ramps,
 }
 
-impl Test {
+impl BearingArgs {
     fn protocol(&self) -> Protocol {
         let thickness = self.report.thickness().unwrap_or(1.0);
         let strains = self.strains.iter().map(|s| s * thickness);
         Protocol {
             motion: match self.motion {
-                Kind::Cycles => Motion::Cycles { angle: self.angle },
-                Kind::Circles => Motion::Circles,
-                Kind::Eights => Motion::Eights,
-                Kind::Axial => Motion::Axial { offset: self.offset },
-                Kind::Ramps => Motion::Ramps { speed: self.speed, hold: self.hold },
+                MotionKind::Cycles => Motion::Cycles { angle: self.details.angle },
+                MotionKind::Circles => Motion::Circles,
+                MotionKind::Eights => Motion::Eights,
+                MotionKind::Axial => Motion::Axial { offset: self.details.offset },
+                MotionKind::Ramps => Motion::Ramps { speed: self.details.speed, hold: self.details.hold },
             },
             amplitudes: self.amplitudes.iter().copied().chain(strains).collect(),
             cycles: self.cycles,
             frequency: self.frequency,
             steps: self.steps,
-            axial: self.axial,
-            axial_amplitude: self.axial_amplitude,
-            axial_ratio: self.axial_ratio,
-            rates: self.rates,
+            axial: self.axial_load.axial,
+            axial_amplitude: self.axial_load.axial_amplitude,
+            axial_ratio: self.axial_load.axial_ratio,
+            rates: self.details.rates,
         }
     }
 
-    /// Find the bearing: run its file by itself, and look at what it has made.
-    fn bearing(&self) -> Result<Bearing, Failed> {
-        let settings = Settings { mode: Mode::Run, strict: self.switches.strict, options: Options::default() };
+    /// Find the bearing: run its file alone, and inspect the model.
+    fn bearing(&self) -> Result<Bearing, TestError> {
+        let settings = Settings { mode: Mode::Run, strict: self.script_args.strict, options: Options::default() };
         let files = OverlayFiles::new(Box::new(OsFiles));
-        let mut run = Run::new(settings, Box::new(Terminal::new(Bar::new())), Box::new(files), Box::new(NoFiles));
+        let mut run =
+            Run::new(settings, Box::new(Terminal::new(ProgressLine::new())), Box::new(files), Box::new(NoFiles));
         let end = run.script(&self.file, &[]);
         if !matches!(end, End::Done) {
-            run::tell_end(&end, &run.interp);
-            return Err(Failed::Told(end.status()));
+            run::print_end(&end, &run.interp);
+            return Err(TestError::Printed(end.status()));
         }
-        let mut asked = |text: &str| ask(&mut run.interp, text);
+        let mut eval = |text: &str| eval_to_text(&mut run.interp, text);
         let file = self.file.clone();
-        if asked("expr {1 in [getEleTags]}").as_deref() == Some("1") && self.device.is_none() {
+        if eval("expr {1 in [getEleTags]}").as_deref() == Some("1") && self.device.is_none() {
             let nodes: Option<Vec<i32>> =
-                asked("eleNodes 1").map(|n| n.split_whitespace().filter_map(|n| n.parse().ok()).collect());
-            let ndm = asked("getNDM").and_then(|n| n.parse().ok());
+                eval("eleNodes 1").map(|n| n.split_whitespace().filter_map(|n| n.parse().ok()).collect());
+            let ndm = eval("getNDM").and_then(|n| n.parse().ok());
             return match (nodes.as_deref(), ndm) {
                 (Some(&[lower, upper]), Some(ndm @ 2..=3)) => {
                     Ok(Bearing { file, call: None, nodes: [lower, upper], ndm })
                 }
-                _ => Err(Failed::Because(format!("element 1 of \"{file}\" does not join two nodes in plane or space"))),
+                _ => Err(TestError::Message(format!(
+                    "element 1 of \"{file}\" does not join two nodes in plane or space"
+                ))),
             };
         }
         let stem = Path::new(&self.file).file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
         let device = self.device.clone().unwrap_or(stem);
         let (name, words) = device.split_once(' ').unwrap_or((&device, ""));
-        if asked(&format!("llength [info procs {{{name}}}]")).as_deref() != Some("1") {
-            let makes = format!("\"{file}\" makes no element 1 and has no procedure \"{name}\"");
-            let there = asked("lsort [info procs]").filter(|p| !p.is_empty());
-            let there = there.map_or_else(|| "it has no procedures".into(), |p| format!("its procedures are {p}"));
-            return Err(Failed::Because(format!("{makes}: {there} (see --device)")));
+        if eval(&format!("llength [info procs {{{name}}}]")).as_deref() != Some("1") {
+            let problem = format!("\"{file}\" makes no element 1 and has no procedure \"{name}\"");
+            let procedures = eval("lsort [info procs]").filter(|p| !p.is_empty());
+            let procedures =
+                procedures.map_or_else(|| "it has no procedures".into(), |p| format!("its procedures are {p}"));
+            return Err(TestError::Message(format!("{problem}: {procedures} (see --device)")));
         }
         let call = format!("{name} 1 1 2 {words}").trim_end().to_owned();
         Ok(Bearing { file, call: Some(call), nodes: [1, 2], ndm: 3 })
     }
 
-    /// Names of the files with the results.
+    /// Folder of the results.
     fn folder(&self) -> String {
         let stem = Path::new(&self.file).file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
         self.out.clone().unwrap_or_else(|| format!("{stem}_test"))
     }
 }
 
-/// Result of a script, as text.
-fn ask(interp: &mut Tcl, text: &str) -> Option<String> {
+/// Result of a Tcl script as text.
+fn eval_to_text(interp: &mut Tcl, text: &str) -> Option<String> {
     interp.eval_str("bearing", text).ok().map(|v: Value| v.as_str().into_owned())
 }
 
-/// Why there is no test.
-enum Failed {
-    /// It has been told.
-    Told(i32),
-    Because(String),
+/// The error of a test.
+enum TestError {
+    /// The error is printed already: exit status.
+    Printed(i32),
+    /// The message to print.
+    Message(String),
 }
 
-impl From<String> for Failed {
+impl From<String> for TestError {
     fn from(message: String) -> Self {
-        Self::Because(message)
+        Self::Message(message)
     }
 }
 
-/// Carry it out; the exit status.
-pub(super) fn bearing(test: &Test) -> i32 {
-    match carry_out(test) {
-        Ok(status) | Err(Failed::Told(status)) => status,
-        Err(Failed::Because(message)) => run::print(Err(message)),
+/// Run the command; the exit status.
+pub(super) fn bearing(args: &BearingArgs) -> i32 {
+    match run_test(args) {
+        Ok(status) | Err(TestError::Printed(status)) => status,
+        Err(TestError::Message(message)) => run::print(Err(message)),
     }
 }
 
-fn carry_out(test: &Test) -> Result<i32, Failed> {
-    let (bearing, protocol) = (test.bearing()?, test.protocol());
+fn run_test(args: &BearingArgs) -> Result<i32, TestError> {
+    let (bearing, protocol) = (args.bearing()?, args.protocol());
     protocol.check(bearing.ndm)?;
-    let folder = test.folder();
+    let folder = args.folder();
     let in_folder = |name: &str| format!("{folder}/{name}");
     let cannot = |e: std::io::Error| format!("cannot write into \"{folder}\": {e}");
     fs::create_dir_all(&folder).map_err(cannot)?;
     let script = in_folder("test.tcl");
     fs::write(&script, protocol.script(&bearing, &folder)).map_err(cannot)?;
-    if test.script {
+    if args.script {
         return Ok(run::print(Ok(format!("{script}\n"))));
     }
-    let status = run::script(&test.switches, Mode::Run, &Care::default(), &script, &[]);
+    let status = run::script(&args.script_args, Mode::Run, &StepArgs::default(), &script, &[]);
     let read = |name: &str| -> Result<Columns, String> {
         let text = fs::read_to_string(in_folder(name)).map_err(|e| format!("there are no results: {e}"))?;
         Columns::parse(&text)
     };
     let (displacement, force) = (read("displacement.out")?, read("force.out")?);
-    let all: Vec<&Vec<f64>> = displacement.columns.iter().chain(force.columns.iter().skip(1)).collect();
+    let columns: Vec<&Vec<f64>> = displacement.columns.iter().chain(force.columns.iter().skip(1)).collect();
     let names: &[&'static str] = if bearing.ndm == 2 {
         &["time", "u_x", "u_y", "F_x", "F_y"]
     } else {
         &["time", "u_x", "u_y", "u_z", "F_x", "F_y", "F_z"]
     };
-    if all.len() != names.len() {
-        return Err(Failed::Because("there are no results: the test ended at once".into()));
+    if columns.len() != names.len() {
+        return Err(TestError::Message("there are no results: the test ended at once".into()));
     }
-    fs::write(in_folder("loops.csv"), csv(names, &all)).map_err(cannot)?;
-    let (u, f) = (&all[1..=bearing.ndm], &all[bearing.ndm + 1..]);
-    let table = measured(test, all[0], u, f)?;
+    fs::write(in_folder("loops.csv"), csv(names, &columns)).map_err(cannot)?;
+    let (u, f) = (&columns[1..=bearing.ndm], &columns[bearing.ndm + 1..]);
+    let table = measure(args, columns[0], u, f)?;
     fs::write(in_folder("cycles.csv"), table.csv()).map_err(cannot)?;
-    run::print(Ok(test.report.form(&table)));
+    run::print(Ok(args.report.format(&table)));
     Ok(status)
 }
 
-/// Measures and pictures of what was driven.
-fn measured(test: &Test, time: &[f64], u: &[&Vec<f64>], f: &[&Vec<f64>]) -> Result<Table, String> {
+/// Table and charts of the direction of the motion.
+fn measure(args: &BearingArgs, time: &[f64], u: &[&Vec<f64>], f: &[&Vec<f64>]) -> Result<Table, String> {
     let record = |u, f| Record { time: Some(time), u, f };
-    let svg = format!("{}/loops.svg", test.folder());
-    let split = Split::default();
-    match test.motion {
-        Kind::Circles | Kind::Eights => {
-            test.report.measure(&[record(u[0], f[0]), record(u[1], f[1])], &split, Some(&svg))
+    let svg = format!("{}/loops.svg", args.folder());
+    let detection = CycleDetection::default();
+    match args.motion {
+        MotionKind::Circles | MotionKind::Eights => {
+            args.report.measure(&[record(u[0], f[0]), record(u[1], f[1])], &detection, Some(&svg))
         }
-        Kind::Axial => {
+        MotionKind::Axial => {
             let vertical = u.len() - 1;
-            test.report.measure(&[record(u[vertical], f[vertical])], &split, Some(&svg))
+            args.report.measure(&[record(u[vertical], f[vertical])], &detection, Some(&svg))
         }
-        Kind::Cycles if test.angle != 0.0 => {
-            let (sin, cos) = test.angle.to_radians().sin_cos();
+        MotionKind::Cycles if args.details.angle != 0.0 => {
+            let (sin, cos) = args.details.angle.to_radians().sin_cos();
             let along = |v: &[&Vec<f64>]| v[0].iter().zip(v[1]).map(|(x, y)| cos * x + sin * y).collect::<Vec<f64>>();
-            test.report.measure(&[record(&along(u), &along(f))], &split, Some(&svg))
+            args.report.measure(&[record(&along(u), &along(f))], &detection, Some(&svg))
         }
-        Kind::Cycles | Kind::Ramps => test.report.measure(&[record(u[0], f[0])], &split, Some(&svg)),
+        MotionKind::Cycles | MotionKind::Ramps => args.report.measure(&[record(u[0], f[0])], &detection, Some(&svg)),
     }
 }
 

@@ -1,15 +1,15 @@
 //! `hysteron calibrate`.
 
 use super::args::{CalibrateArgs, Compat};
-use super::files::{SAVE_EVERY, place};
+use super::files::{CHECKPOINT_INTERVAL, write_atomically};
 use super::messages::Messages;
 use hysteron::analysis::Options;
 use hysteron::calibrate::{
-    Calibrated, Checkpoint, Displacements, Plan, Status, StudyProblem, Uncertainty, Watch, page, posterior, profiles,
-    search, uncertainty,
+    CalibrationResult, Checkpoint, Displacements, SearchObserver, SearchSettings, SearchStatus, StudyProblem,
+    Uncertainty, page, posterior, profiles, search, uncertainty,
 };
 use hysteron::diagnostic::{Diagnostic, Severity, SourceMap};
-use hysteron::study::{Opening, Role, ScriptSimulator, Study};
+use hysteron::study::{InitialRun, Role, ScriptSimulator, Study};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fs;
 use std::io::IsTerminal;
@@ -18,13 +18,14 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-/// Exit status where the fit failed, and where the input is wrong.
-const FAILED: i32 = 1;
-pub(super) const WRONG: i32 = 2;
-/// Where results go if nothing else is said.
+/// Exit status if the calibration failed.
+const FAILURE: i32 = 1;
+/// Exit status if the input is wrong.
+pub(super) const INPUT_ERROR: i32 = 2;
+/// Default folder of the results.
 const RESULTS: &str = "results";
 
-/// Calibrate studies one after the other; the exit status is the worst of them.
+/// Calibrate studies one after the other; the greatest exit status.
 pub(super) fn calibrate(args: &CalibrateArgs) -> i32 {
     let stop = Arc::new(AtomicBool::new(false));
     super::run::on_interrupt(&stop);
@@ -32,38 +33,38 @@ pub(super) fn calibrate(args: &CalibrateArgs) -> i32 {
         Ok(studies) => studies,
         Err(message) => {
             eprintln!("error: {message}");
-            return WRONG;
+            return INPUT_ERROR;
         }
     };
-    let several = studies.len() > 1;
+    let is_single = studies.len() == 1;
     let mut worst = 0;
-    let mut done = vec![];
+    let mut results = vec![];
     for file in &studies {
         if stop.load(Ordering::Relaxed) {
             break;
         }
-        let dir = folder(args, file, several);
-        match one(args, file, &dir, &stop) {
-            Ok(calibrated) => done.push(calibrated),
+        let dir = result_folder(args, file, is_single);
+        match calibrate_study(args, file, &dir, &stop) {
+            Ok(result) => results.push(result),
             Err(status) => worst = worst.max(status),
         }
     }
-    if several && !done.is_empty() {
-        let table = super::compare::table(&done);
+    if !is_single && !results.is_empty() {
+        let table = super::compare::table(&results);
         eprint!("\n{table}");
         let out = args.out.clone().unwrap_or_else(|| PathBuf::from(RESULTS));
-        if let Err(message) = place(&out.join("comparison.txt"), &table) {
+        if let Err(message) = write_atomically(&out.join("comparison.txt"), &table) {
             eprintln!("error: {message}");
-            worst = worst.max(FAILED);
+            worst = worst.max(FAILURE);
         }
     }
     worst
 }
 
 /// The studies of the arguments: files, and all `study.toml` in folders.
-fn studies(given: &[PathBuf]) -> Result<Vec<PathBuf>, String> {
+fn studies(paths: &[PathBuf]) -> Result<Vec<PathBuf>, String> {
     let mut out = vec![];
-    for path in given {
+    for path in paths {
         if !path.is_dir() {
             out.push(path.clone());
             continue;
@@ -88,13 +89,13 @@ fn studies(given: &[PathBuf]) -> Result<Vec<PathBuf>, String> {
     Ok(out)
 }
 
-/// Where the results of a study go: one folder, or one below it for each of several studies.
-fn folder(args: &CalibrateArgs, file: &Path, several: bool) -> PathBuf {
+/// Folder of the results of a study: that of the arguments, or one below it for each of several studies.
+fn result_folder(args: &CalibrateArgs, file: &Path, is_single: bool) -> PathBuf {
     let out = args.out.clone().unwrap_or_else(|| PathBuf::from(RESULTS));
-    if !several {
+    if is_single {
         return out;
     }
-    // a/study.toml is called a, a/b.toml is called a-b.
+    // The results of a/study.toml go to a, those of a/b.toml to a-b.
     let stem = file.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
     let parent = file.canonicalize().ok().and_then(|f| Some(f.parent()?.file_name()?.to_string_lossy().into_owned()));
     let name = match (parent, stem.as_str()) {
@@ -105,94 +106,112 @@ fn folder(args: &CalibrateArgs, file: &Path, several: bool) -> PathBuf {
     out.join(name)
 }
 
-pub(super) fn show(d: &Diagnostic, sources: &SourceMap) {
+/// Print a diagnostic with its source line.
+pub(super) fn print_diagnostic(d: &Diagnostic, sources: &SourceMap) {
     eprintln!("{}\n", Messages::new().render(d, sources));
 }
 
-/// Calibrate a study; the exit status where there is no result.
-fn one(args: &CalibrateArgs, file: &Path, dir: &Path, stop: &Arc<AtomicBool>) -> Result<Calibrated, i32> {
-    let mut sources = SourceMap::default();
-    let refused = |d: Box<Diagnostic>, sources: &SourceMap| {
-        show(&d, sources);
-        WRONG
-    };
-    let Prepared { simulator, opening, mut plan } =
-        prepare(file, args.compat, stop, &mut sources).map_err(|d| refused(d, &sources))?;
-    plan.seed = args.seed.unwrap_or(plan.seed);
-    plan.repeats = args.repeats.unwrap_or(plan.repeats);
-    if let Some(name) = &args.method {
-        plan.choose(name).map_err(|d| refused(d, &sources))?;
-    }
+/// Calibrate a study; the exit status if there is no result.
+fn calibrate_study(
+    args: &CalibrateArgs,
+    file: &Path,
+    dir: &Path,
+    stop: &Arc<AtomicBool>,
+) -> Result<CalibrationResult, i32> {
+    let PreparedStudy { simulator, initial_run, settings } = prepare_with_args(args, file, stop)?;
     let study = simulator.study().clone();
-    for w in study.warnings.iter().chain(&opening.warnings).filter(|w| w.severity != Severity::Note) {
-        show(w, &sources);
-    }
-    if let Some(why) = &opening.failure {
-        eprintln!("note: with its own values the script has no answer: {why}");
-    }
     let failed = |message: String| {
         eprintln!("error: {}: {message}", file.display());
-        FAILED
+        FAILURE
     };
     fs::create_dir_all(dir).map_err(|e| failed(format!("cannot make {}: {e}", dir.display())))?;
     let threads = args.threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
     let problem = StudyProblem::of_script(&simulator, threads).map_err(|e| failed(e.to_string()))?;
     let begun = Instant::now();
-    let saved = dir.join("checkpoint.json");
-    let at = resumed(args, &saved, &study, &opening, plan.clone()).map_err(|message| {
+    let checkpoint_path = dir.join("checkpoint.json");
+    let initial_unit_point = study.space.unit_point(&initial_run.values);
+    let start = Checkpoint::new(settings.clone(), initial_unit_point);
+    let at = if args.resume { read_checkpoint(&checkpoint_path, &start) } else { Ok(start) };
+    let at = at.map_err(|message| {
         eprintln!("error: {message}");
-        WRONG
+        INPUT_ERROR
     })?;
-    let mut bar = Bar::new(&study, saved.clone(), stop.clone());
-    let outcome = search(&problem, at, &mut bar);
-    bar.finish();
-    let stopped = outcome.stopped;
-    // What the best so far is worth is still worked out; another interrupt cuts that short too.
+    let mut progress = CalibrationProgress::new(&study, checkpoint_path.clone(), stop.clone());
+    let found = search(&problem, at, &mut progress);
+    progress.finish();
+    let stopped = found.stopped;
+    // The result so far is still evaluated. Another interrupt stops that as well.
     stop.store(false, Ordering::Relaxed);
-    let mut result = Calibrated::new(&problem, &plan, outcome, begun.elapsed().as_secs_f64()).map_err(&failed)?;
+    let wall_time = begun.elapsed().as_secs_f64();
+    let mut result = CalibrationResult::new(&problem, &settings, found, wall_time).map_err(&failed)?;
     if stopped {
         eprintln!("interrupted: the best so far is kept; --resume goes on");
     } else {
-        how_sure(args, &problem, &mut result);
-        let _ = fs::remove_file(&saved);
+        estimate_uncertainty(args, &problem, &mut result);
+        let _ = fs::remove_file(&checkpoint_path);
     }
     let runs = 0..study.runs.len();
     let displacements = runs.map(|r| simulator.displacement(r, &result.values)).collect();
-    result.measure(&displacements);
-    write(dir, &result, &opening, &displacements).map_err(&failed)?;
-    tell(&result, dir);
+    result.add_amplitudes(&displacements);
+    write(dir, &result, &initial_run, &displacements).map_err(&failed)?;
+    print_summary(&result, dir);
     if stopped {
         stop.store(true, Ordering::Relaxed);
     }
     Ok(result)
 }
 
-/// Work out what the data determine, as far as it is wanted.
-fn how_sure(args: &CalibrateArgs, problem: &StudyProblem, result: &mut Calibrated) {
-    let sure = match uncertainty(problem, &result.point) {
-        Ok(u) => u,
+/// Prepare a study with the settings of the arguments, and print its warnings; the exit status if it has errors.
+fn prepare_with_args(args: &CalibrateArgs, file: &Path, stop: &Arc<AtomicBool>) -> Result<PreparedStudy, i32> {
+    let mut sources = SourceMap::default();
+    let refused = |d: Box<Diagnostic>, sources: &SourceMap| {
+        print_diagnostic(&d, sources);
+        INPUT_ERROR
+    };
+    let prepared = prepare(file, args.compat, stop, &mut sources);
+    let mut prepared = prepared.map_err(|d| refused(d, &sources))?;
+    let settings = &mut prepared.settings;
+    settings.seed = args.seed.unwrap_or(settings.seed);
+    settings.repeats = args.repeats.unwrap_or(settings.repeats);
+    if let Some(name) = &args.method {
+        settings.set_method(name).map_err(|d| refused(d, &sources))?;
+    }
+    let warnings = prepared.simulator.study().warnings.iter().chain(&prepared.initial_run.warnings);
+    for w in warnings.filter(|w| w.severity != Severity::Note) {
+        print_diagnostic(w, &sources);
+    }
+    if let Some(error) = &prepared.initial_run.failure {
+        eprintln!("note: with its own values the script has no answer: {error}");
+    }
+    Ok(prepared)
+}
+
+/// Estimate the uncertainty of the parameters by the ways that the arguments ask for.
+fn estimate_uncertainty(args: &CalibrateArgs, problem: &StudyProblem, result: &mut CalibrationResult) {
+    let estimate = match uncertainty(problem, &result.unit_point) {
+        Ok(estimate) => estimate,
         Err(why) => {
             eprintln!("note: how sure the parameters are is not known: {why}");
             return;
         }
     };
     if args.profile {
-        result.profiles = Some(profiles(problem, &result.point, result.objective, &sure));
+        result.profiles = Some(profiles(problem, &result.unit_point, result.objective, &estimate));
     }
     if let Some(sweeps) = args.posterior {
-        match posterior(problem, &result.point, &sure, sweeps, result.plan.seed) {
+        match posterior(problem, &result.unit_point, &estimate, sweeps, result.settings.seed) {
             Ok(p) => result.posterior = Some(p),
             Err(why) => eprintln!("note: there is no posterior: {why}"),
         }
     }
-    result.uncertainty = Some(sure);
+    result.uncertainty = Some(estimate);
 }
 
-/// A study that nothing is wrong with.
-pub(super) struct Prepared {
+/// A study without errors, whose script has made its initial run.
+pub(super) struct PreparedStudy {
     pub(super) simulator: ScriptSimulator,
-    pub(super) opening: Opening,
-    plan: Plan,
+    pub(super) initial_run: InitialRun,
+    settings: SearchSettings,
 }
 
 /// Read a study, and run its script with its own values.
@@ -201,82 +220,78 @@ pub(super) fn prepare(
     compat: Option<Compat>,
     stop: &Arc<AtomicBool>,
     sources: &mut SourceMap,
-) -> Result<Prepared, Box<Diagnostic>> {
+) -> Result<PreparedStudy, Box<Diagnostic>> {
     let study = Arc::new(Study::load(file, sources)?);
-    let plan = Plan::of(&study)?;
+    let settings = SearchSettings::of(&study)?;
     let options = Options { compat: compat.is_some(), ladder: None, ..Options::default() };
     let mut simulator = ScriptSimulator::new(study, options, stop.clone());
-    let opening = simulator.open(sources)?;
-    Ok(Prepared { simulator, opening, plan })
+    let initial_run = simulator.run_initially(sources)?;
+    Ok(PreparedStudy { simulator, initial_run, settings })
 }
 
-/// Where to begin: at the start, or where an earlier calibration was stopped.
-fn resumed(
-    args: &CalibrateArgs,
-    saved: &Path,
-    study: &Study,
-    opening: &Opening,
-    plan: Plan,
-) -> Result<Checkpoint, String> {
-    let new = Checkpoint::new(plan, study.space.point(&opening.values));
-    if !args.resume {
-        return Ok(new);
-    }
-    let shown = saved.display();
-    let text = fs::read_to_string(saved).map_err(|e| format!("cannot go on: {shown}: {e}"))?;
+/// The checkpoint of an interrupted calibration that began at `start`.
+fn read_checkpoint(path: &Path, start: &Checkpoint) -> Result<Checkpoint, String> {
+    let shown = path.display();
+    let text = fs::read_to_string(path).map_err(|e| format!("cannot go on: {shown}: {e}"))?;
     let old: Checkpoint = serde_json::from_str(&text).map_err(|e| format!("cannot go on: {shown}: {e}"))?;
-    if old.plan != new.plan || old.start != new.start {
+    if old.settings != start.settings || old.initial_unit_point != start.initial_unit_point {
         return Err(format!("{shown} is of another study, or of another method or seed"));
     }
     Ok(old)
 }
 
-fn write(dir: &Path, result: &Calibrated, opening: &Opening, displacements: &Displacements) -> Result<(), String> {
+/// Write the files of the result.
+fn write(
+    dir: &Path,
+    result: &CalibrationResult,
+    initial_run: &InitialRun,
+    displacements: &Displacements,
+) -> Result<(), String> {
     let study = &result.study;
     let text = fs::read_to_string(study.folder.join(&study.model)).map_err(|e| e.to_string())?;
-    let (script, elsewhere) = result.script(&text, opening);
-    place(&dir.join("fitted.tcl"), &script)?;
-    if !elsewhere.is_empty() {
+    let (script, missing) = result.script(&text, initial_run);
+    write_atomically(&dir.join("fitted.tcl"), &script)?;
+    if !missing.is_empty() {
         eprintln!(
             "note: {} stands in no pset command of {}: fitted.tcl has not its value",
-            elsewhere.join(", "),
+            missing.join(", "),
             study.model
         );
     }
-    place(&dir.join("report.html"), &page(result, displacements))?;
-    place(&dir.join("calibration.json"), &result.json().map_err(|e| e.to_string())?)
+    write_atomically(&dir.join("report.html"), &page(result, displacements))?;
+    write_atomically(&dir.join("calibration.json"), &result.json().map_err(|e| e.to_string())?)
 }
 
-/// The result in a few lines.
-fn tell(result: &Calibrated, dir: &Path) {
+/// Print the result in a few lines.
+fn print_summary(result: &CalibrationResult, dir: &Path) {
     let study = &result.study;
     let title = if study.title.is_empty() { study.model.as_str() } else { study.title.as_str() };
     eprintln!(
         "{title}: objective {:.6}, {} evaluations, {:.1} s",
         result.objective,
-        result.outcome.evaluations(),
-        result.wall
+        result.search.evaluations(),
+        result.wall_time
     );
-    for (run, fit) in study.runs.iter().zip(&result.fits) {
+    for (run, scored) in study.runs.iter().zip(&result.scored_runs) {
         let role = if run.role == Role::Fit { "fit" } else { "holdout" };
-        match fit {
-            Ok(fit) => {
-                let dropped: usize = fit.scores.iter().map(|s| s.dropped).sum();
-                let said = if dropped > 0 {
+        match scored {
+            Ok(scored) => {
+                let dropped: usize = scored.scores.iter().map(|s| s.dropped).sum();
+                let note = if dropped > 0 {
                     format!(", {dropped} samples after the end of the analysis left out")
                 } else {
                     String::new()
                 };
-                eprintln!("  {role:8} {}: NMSE {:.6}{said}", run.name, fit.nmse(&run.observe));
+                eprintln!("  {role:8} {}: NMSE {:.6}{note}", run.name, scored.nmse(&run.observe));
             }
-            Err(why) => eprintln!("  {role:8} {}: {why}", run.name),
+            Err(error) => eprintln!("  {role:8} {}: {error}", run.name),
         }
     }
     for (i, (p, v)) in study.space.parameters.iter().zip(&result.values).enumerate() {
-        let number = study.space.free().position(|(k, _)| k == i);
-        let interval = number.and_then(|k| result.uncertainty.as_ref()?.intervals.get(k));
-        let sure = interval.map_or(String::new(), |n| format!("  ({:.6} to {:.6})", n.lower, n.upper));
-        eprintln!("  {} = {v:.6}{sure}", p.name);
+        let coordinate = study.space.free().position(|(k, _)| k == i);
+        let interval = coordinate.and_then(|k| result.uncertainty.as_ref()?.intervals.get(k));
+        let interval = interval.map_or(String::new(), |n| format!("  ({:.6} to {:.6})", n.lower, n.upper));
+        eprintln!("  {} = {v:.6}{interval}", p.name);
     }
     for name in result.at_bounds() {
         eprintln!("  note: {name} is at a bound of its range");
@@ -294,29 +309,30 @@ fn tell(result: &Calibrated, dir: &Path) {
         }
         eprintln!("  acceptance {:.2}, {:.0} independent draws", p.acceptance, p.effective_draws);
     }
-    let spread = result.spread();
-    if spread.repeats > 1 {
-        let (best, worst) = (spread.best, spread.worst);
-        eprintln!("  {} repeats: best {best:.6}, worst {worst:.6}, deviation {:.2e}", spread.repeats, spread.deviation);
+    let statistics = result.repeat_statistics();
+    if statistics.repeats > 1 {
+        let (best, worst, deviation) = (statistics.best, statistics.worst, statistics.deviation);
+        eprintln!("  {} repeats: best {best:.6}, worst {worst:.6}, deviation {deviation:.2e}", statistics.repeats);
     }
-    for (kind, n) in result.outcome.mishaps() {
-        let example = result.outcome.repeats.iter().find_map(|r| r.examples.get(kind));
-        eprintln!("  {n} points without an answer: {}", example.map_or(kind, String::as_str));
+    for (kind, n) in result.search.failures() {
+        let message = result.search.repeats.iter().find_map(|r| r.failure_messages.get(kind));
+        eprintln!("  {n} points without an answer: {}", message.map_or(kind, String::as_str));
     }
     eprintln!("  {}", dir.display());
 }
 
-/// A line at the bottom of the terminal, the checkpoint, and the interrupt.
-struct Bar {
+/// Shows the progress of a calibration, writes its checkpoints, and stops it on an interrupt.
+struct CalibrationProgress {
+    /// The progress bar; `None` if standard error is no terminal.
     bar: Option<ProgressBar>,
-    saved: PathBuf,
-    last: Instant,
+    checkpoint_path: PathBuf,
+    last_checkpoint: Instant,
     begun: Instant,
     stop: Arc<AtomicBool>,
 }
 
-impl Bar {
-    fn new(study: &Study, saved: PathBuf, stop: Arc<AtomicBool>) -> Self {
+impl CalibrationProgress {
+    fn new(study: &Study, checkpoint_path: PathBuf, stop: Arc<AtomicBool>) -> Self {
         let bar = std::io::stderr().is_terminal().then(|| {
             let bar = ProgressBar::new(1000);
             let style = ProgressStyle::with_template("{prefix} [{bar:24}] {msg}, left {eta}");
@@ -326,7 +342,7 @@ impl Bar {
             bar.set_prefix(study.title.clone());
             bar
         });
-        Self { bar, saved, last: Instant::now(), begun: Instant::now(), stop }
+        Self { bar, checkpoint_path, last_checkpoint: Instant::now(), begun: Instant::now(), stop }
     }
 
     fn finish(&self) {
@@ -336,8 +352,8 @@ impl Bar {
     }
 }
 
-impl Watch for Bar {
-    fn status(&mut self, s: &Status<'_>) {
+impl SearchObserver for CalibrationProgress {
+    fn status(&mut self, s: &SearchStatus<'_>) {
         let Some(bar) = &self.bar else { return };
         bar.set_position((1000.0 * s.progress) as u64);
         let rate = s.evaluations as f64 / self.begun.elapsed().as_secs_f64();
@@ -350,13 +366,15 @@ impl Watch for Bar {
     }
 
     fn wants_checkpoint(&self) -> bool {
-        self.last.elapsed() > SAVE_EVERY
+        self.last_checkpoint.elapsed() > CHECKPOINT_INTERVAL
     }
 
     fn checkpoint(&mut self, c: &Checkpoint) {
-        self.last = Instant::now();
-        let saved = serde_json::to_string(c).map_err(|e| e.to_string()).and_then(|t| place(&self.saved, &t));
-        if let Err(e) = saved {
+        self.last_checkpoint = Instant::now();
+        let written = serde_json::to_string(c)
+            .map_err(|e| e.to_string())
+            .and_then(|t| write_atomically(&self.checkpoint_path, &t));
+        if let Err(e) = written {
             eprintln!("warning: no checkpoint: {e}");
         }
     }

@@ -1,4 +1,4 @@
-//! Files that are written: those of recorders, and results.
+//! Files that the program writes: those of recorders, and results.
 
 use hysteron::opensees::{FileFormat, Outputs};
 use hysteron::record::{Memory, Output, RecordError, RowFile};
@@ -7,9 +7,9 @@ use std::path::Path;
 use std::time::Duration;
 
 /// Time between checkpoints.
-pub(super) const SAVE_EVERY: Duration = Duration::from_secs(5);
+pub(super) const CHECKPOINT_INTERVAL: Duration = Duration::from_secs(5);
 
-/// Files of the system.
+/// Recorder files on the disk.
 pub(super) struct SystemFiles;
 
 impl Outputs for SystemFiles {
@@ -18,7 +18,7 @@ impl Outputs for SystemFiles {
     }
 }
 
-/// A check writes nothing: results of an earlier run stay.
+/// Recorder files in memory. A check must keep the results of an earlier run.
 pub(super) struct NoFiles;
 
 impl Outputs for NoFiles {
@@ -27,9 +27,9 @@ impl Outputs for NoFiles {
     }
 }
 
-/// Write a file beside its place and put it there.
-pub(super) fn place(path: &Path, text: &str) -> Result<(), String> {
-    let beside = path.with_extension("part");
-    let done = fs::write(&beside, text).and_then(|()| fs::rename(&beside, path));
+/// Write a file under another name and rename it, so that it is complete at any time.
+pub(super) fn write_atomically(path: &Path, text: &str) -> Result<(), String> {
+    let temporary = path.with_extension("part");
+    let done = fs::write(&temporary, text).and_then(|()| fs::rename(&temporary, path));
     done.map_err(|e| format!("cannot write {}: {e}", path.display()))
 }

@@ -1,15 +1,15 @@
 //! `hysteron loops`: measures of the cycles in any two columns of a file.
 
 use clap::{Args, ValueEnum};
-use hysteron::measure::{Specimen, Split};
+use hysteron::measure::{CycleDetection, Specimen};
 use hysteron::opensees::chart::{Figure, sheet};
 use hysteron::opensees::files::table::Table as Columns;
 use hysteron::report::{Record, Table, Units, cycle_charts, cycle_table, orbit_charts, orbit_table};
 use std::fs;
 
-/// Where the loops are, and what is wanted of them.
+/// Columns of the loops, and options of the report.
 #[derive(Args, Debug)]
-pub(super) struct Loops {
+pub(super) struct LoopsArgs {
     /// File of a recorder, or CSV with or without names
     file: String,
     /// Column of the displacement (or strain), by name or number from 1; two for an orbit
@@ -31,18 +31,18 @@ pub(super) struct Loops {
     #[arg(long, value_name = "U", default_value_t = 0.0, allow_negative_numbers = true)]
     centre: f64,
     /// Cycles smaller than this part of the largest one are noise
-    #[arg(long, value_name = "PART", default_value_t = Split::default().threshold)]
+    #[arg(long, value_name = "PART", default_value_t = CycleDetection::default().threshold)]
     threshold: f64,
     /// Draw loops, energy, stiffness and damping into this file
     #[arg(long, value_name = "FILE")]
     svg: Option<String>,
     #[command(flatten)]
-    report: Report,
+    report: ReportArgs,
 }
 
-/// What is wanted of loops.
+/// Options of a report of loops.
 #[derive(Args, Debug)]
-pub(super) struct Report {
+pub(super) struct ReportArgs {
     /// Names of the units, for headings (for instance: kN mm)
     #[arg(long, num_args = 2, value_names = ["FORCE", "LENGTH"])]
     units: Option<Vec<String>>,
@@ -53,12 +53,12 @@ pub(super) struct Report {
     #[arg(long)]
     thickness: Option<f64>,
     /// Form of the table on standard output
-    #[arg(long, value_enum, default_value_t = Form::Text)]
-    table: Form,
+    #[arg(long, value_enum, default_value_t = TableFormat::Text)]
+    table: TableFormat,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Form {
+enum TableFormat {
     /// Aligned columns
     Text,
     /// Comma-separated values
@@ -67,8 +67,8 @@ enum Form {
     Json,
 }
 
-impl Report {
-    /// Thickness of the rubber, where it is given.
+impl ReportArgs {
+    /// Thickness of the rubber, if it is given.
     pub(super) fn thickness(&self) -> Option<f64> {
         self.thickness
     }
@@ -91,15 +91,20 @@ impl Report {
         }
     }
 
-    /// Measures of one direction of motion, or of two, and a picture of them into a file.
-    pub(super) fn measure(&self, records: &[Record<'_>], split: &Split, svg: Option<&str>) -> Result<Table, String> {
+    /// The table of measures of one or two directions of motion. Charts go to the file `svg`.
+    pub(super) fn measure(
+        &self,
+        records: &[Record<'_>],
+        detection: &CycleDetection,
+        svg: Option<&str>,
+    ) -> Result<Table, String> {
         let (units, specimen) = (self.units(), self.specimen()?);
         let (table, charts): (Table, Vec<Figure>) = match records {
             [x, y] => {
                 let both = [*x, *y];
-                (orbit_table(&both, [split; 2], &units), orbit_charts(&both, &units))
+                (orbit_table(&both, [detection; 2], &units), orbit_charts(&both, &units))
             }
-            [one, ..] => (cycle_table(one, split, specimen.as_ref(), &units), cycle_charts(one, split, &units)),
+            [one, ..] => (cycle_table(one, detection, specimen.as_ref(), &units), cycle_charts(one, detection, &units)),
             [] => return Err("there is nothing to measure".into()),
         };
         if let Some(file) = svg {
@@ -109,18 +114,18 @@ impl Report {
         Ok(table)
     }
 
-    /// A table in the form that is wanted.
-    pub(super) fn form(&self, table: &Table) -> String {
+    /// A table in the chosen format.
+    pub(super) fn format(&self, table: &Table) -> String {
         match self.table {
-            Form::Text => table.text(),
-            Form::Csv => table.csv(),
-            Form::Json => table.json(),
+            TableFormat::Text => table.text(),
+            TableFormat::Csv => table.csv(),
+            TableFormat::Json => table.json(),
         }
     }
 }
 
-/// Carry it out; the table.
-pub(super) fn loops(a: &Loops) -> Result<String, String> {
+/// Run the command; the text of the table.
+pub(super) fn loops(a: &LoopsArgs) -> Result<String, String> {
     if a.displacement.len() != a.force.len() {
         let (u, f) = (a.displacement.len(), a.force.len());
         return Err(format!("there are {u} columns of displacements, but {f} of forces"));
@@ -140,6 +145,6 @@ pub(super) fn loops(a: &Loops) -> Result<String, String> {
     let time = a.time.as_ref().map(|t| column(t, 1.0)).transpose()?;
     let record = |i: usize| Record { time: time.as_deref(), u: &u[i], f: &f[i] };
     let records: Vec<Record<'_>> = (0..u.len()).map(record).collect();
-    let split = Split { centre: a.centre, threshold: a.threshold };
-    Ok(a.report.form(&a.report.measure(&records, &split, a.svg.as_deref())?))
+    let detection = CycleDetection { centre: a.centre, threshold: a.threshold };
+    Ok(a.report.format(&a.report.measure(&records, &detection, a.svg.as_deref())?))
 }

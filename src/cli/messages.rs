@@ -1,11 +1,11 @@
-//! Messages: file, line, column, the word, what was expected.
+//! Rendering of diagnostics with file, line and column.
 
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use hysteron::diagnostic::{Diagnostic, Severity, SourceMap};
 use std::io::IsTerminal;
 
-/// Diagnostics as text.
+/// Renders diagnostics as text.
 pub(super) struct Messages {
     renderer: Renderer,
 }
@@ -17,7 +17,7 @@ impl Messages {
         Self { renderer: renderer.decor_style(DecorStyle::Ascii) }
     }
 
-    /// A diagnostic with the line it points at, its help, and the calls that led to it.
+    /// A diagnostic with its source line, its help, and the calls that led to it.
     pub(super) fn render(&self, d: &Diagnostic, sources: &SourceMap) -> String {
         let level = match d.severity {
             Severity::Error => Level::ERROR,

@@ -1,4 +1,4 @@
-//! The command line: arguments, messages, progress. Only here is anything printed.
+//! The command line: arguments, messages, progress. No other module prints.
 
 mod args;
 mod bearing;

@@ -1,43 +1,43 @@
-//! Progress of long analyses, on a terminal only.
+//! Progress of long analyses. It is shown on terminals only.
 
 use hysteron::opensees::Progress;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 use std::time::{Duration, Instant};
 
-/// A line at the bottom of the terminal; clones share it.
+/// The progress line at the bottom of the terminal. Clones share it.
 #[derive(Clone)]
-pub(super) struct Bar {
+pub(super) struct ProgressLine {
     bar: ProgressBar,
 }
 
-/// An analysis shorter than this shows nothing.
-const PATIENCE: Duration = Duration::from_millis(700);
+/// A shorter analysis shows no progress.
+const MIN_DURATION: Duration = Duration::from_millis(700);
 
-impl Bar {
+impl ProgressLine {
     pub(super) fn new() -> Self {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
         Self { bar }
     }
 
-    /// Write something without tearing the line.
-    pub(super) fn aside(&self, write: impl FnOnce()) {
+    /// Hide the line while `write` prints.
+    pub(super) fn suspend(&self, write: impl FnOnce()) {
         self.bar.suspend(write);
     }
 
-    /// Take the line away.
+    /// Remove the line.
     pub(super) fn clear(&self) {
         self.bar.finish_and_clear();
     }
 
-    /// Steps of an analysis.
-    pub(super) fn steps(&self) -> Steps {
-        Steps { bar: self.bar.clone(), begun: Instant::now(), shown: false, count: 0, last: Instant::now() }
+    /// A progress of the steps of an analysis that is shown in this line.
+    pub(super) fn steps(&self) -> StepProgress {
+        StepProgress { bar: self.bar.clone(), begun: Instant::now(), shown: false, count: 0, last: Instant::now() }
     }
 }
 
-/// Shows time, steps and rate of an analysis.
-pub(super) struct Steps {
+/// Shows time, number of steps and steps per second of an analysis.
+pub(super) struct StepProgress {
     bar: ProgressBar,
     begun: Instant,
     last: Instant,
@@ -45,11 +45,11 @@ pub(super) struct Steps {
     count: u64,
 }
 
-impl Steps {
+impl StepProgress {
     fn show(&mut self, end: Option<f64>) {
         self.shown = true;
-        let known = "{elapsed_precise} [{bar:30}] {msg} left {eta}";
-        let style = ProgressStyle::with_template(if end.is_some() { known } else { "{elapsed_precise} {msg}" });
+        let with_end = "{elapsed_precise} [{bar:30}] {msg} left {eta}";
+        let style = ProgressStyle::with_template(if end.is_some() { with_end } else { "{elapsed_precise} {msg}" });
         if let Ok(style) = style {
             self.bar.set_style(style.progress_chars("=> "));
         }
@@ -57,15 +57,15 @@ impl Steps {
     }
 }
 
-impl Progress for Steps {
+impl Progress for StepProgress {
     fn step(&mut self, time: f64, end: Option<f64>) {
         self.count += 1;
-        // A look at the clock takes longer than a small step: only at every 64th.
+        // Reading the clock takes longer than a small step.
         if !self.count.is_multiple_of(64) || !std::io::stderr().is_terminal() {
             return;
         }
         let now = Instant::now();
-        if now - self.last < Duration::from_millis(100) || now - self.begun < PATIENCE {
+        if now - self.last < Duration::from_millis(100) || now - self.begun < MIN_DURATION {
             return;
         }
         self.last = now;

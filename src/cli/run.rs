@@ -1,12 +1,12 @@
-//! What the sub-commands do.
+//! Dispatch of the commands, and the commands `run`, `check` and `commands`.
 
-use super::args::{Arguments, Care, Command, Switches};
+use super::args::{Arguments, Command, ScriptArgs, StepArgs};
 use super::bearing::bearing;
 use super::console::Terminal;
 use super::files::{NoFiles, SystemFiles};
 use super::loops::loops;
 use super::messages::Messages;
-use super::progress::Bar;
+use super::progress::ProgressLine;
 use clap::Parser;
 use hysteron::analysis::{Options, RecoveryStrategy};
 use hysteron::diagnostic::{Diagnostic, Severity, Span, nearest};
@@ -19,27 +19,27 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Carry out the command line; the exit status.
+/// Run the command of the command line; the exit status.
 pub(crate) fn main() -> i32 {
     match Arguments::parse().command {
-        Command::Run { switches: run, care, model, args } => script(&run, Mode::Run, &care, &model, &args),
-        Command::Check { switches: s, model, .. } if model.ends_with(".toml") => {
+        Command::Run { script: s, steps, model, args } => script(&s, Mode::Run, &steps, &model, &args),
+        Command::Check { script: s, model, .. } if model.ends_with(".toml") => {
             super::study::check(Path::new(&model), s.compat, s.strict)
         }
-        Command::Check { switches: run, model, args } => script(&run, Mode::Check, &Care::default(), &model, &args),
-        Command::Bearing(test) => bearing(&test),
+        Command::Check { script: s, model, args } => script(&s, Mode::Check, &StepArgs::default(), &model, &args),
+        Command::Bearing(args) => bearing(&args),
         Command::Calibrate(args) => super::calibrate::calibrate(&args),
         Command::Diagnose(args) => super::diagnose::run(&args),
-        Command::Loops(a) => print(loops(&a)),
+        Command::Loops(args) => print(loops(&args)),
         Command::Commands { command } => print(usages(command.as_deref())),
     }
 }
 
-/// Print what a sub-command has found out, or why it could not.
+/// Print the result of a command, or its error; the exit status.
 pub(super) fn print(result: Result<String, String>) -> i32 {
     match result {
         Ok(text) => {
-            // A reader that has gone away is no reason to complain.
+            // A closed pipe is no error.
             let _ = std::io::stdout().write_all(text.as_bytes());
             0
         }
@@ -50,7 +50,7 @@ pub(super) fn print(result: Result<String, String>) -> i32 {
     }
 }
 
-/// How commands are used: all of them, or the kinds of one.
+/// Usage of all commands, or the kinds of one.
 fn usages(command: Option<&str>) -> Result<String, String> {
     let Some(name) = command else {
         return Ok(opensees::commands().map(|c| c.usage_line() + "\n").collect());
@@ -69,36 +69,36 @@ fn usages(command: Option<&str>) -> Result<String, String> {
 }
 
 /// Run or check a script; the exit status.
-pub(super) fn script(run: &Switches, mode: Mode, care: &Care, model: &str, args: &[String]) -> i32 {
-    let bar = Bar::new();
+pub(super) fn script(script: &ScriptArgs, mode: Mode, steps: &StepArgs, model: &str, args: &[String]) -> i32 {
+    let progress = ProgressLine::new();
     let options = Options {
-        compat: run.compat.is_some(),
-        ladder: care.ladder.then(RecoveryStrategy::default),
+        compat: script.compat.is_some(),
+        ladder: steps.ladder.then(RecoveryStrategy::default),
         dense: None,
-        refine: care.refine,
+        refine: steps.refine,
     };
-    let settings = Settings { mode, strict: run.strict, options };
-    let console = Terminal::new(bar.clone());
+    let settings = Settings { mode, strict: script.strict, options };
+    let console = Terminal::new(progress.clone());
     let outputs: Box<dyn Outputs> = if mode == Mode::Run { Box::new(SystemFiles) } else { Box::new(NoFiles) };
     let files: Box<dyn Files> =
         if mode == Mode::Run { Box::new(OsFiles) } else { Box::new(OverlayFiles::new(Box::new(OsFiles))) };
     let mut run = Run::new(settings, Box::new(console), files, outputs);
-    run.interp.host.tell(Box::new(bar.steps()));
-    let aside = bar.clone();
-    let mut shown = Shown::default();
+    run.interp.host.set_progress(Box::new(progress.steps()));
+    let line = progress.clone();
+    let mut counts = WarningCounts::default();
     run.interp.host.on_warning(Box::new(move |warning, sources| {
-        if shown.wants(warning) {
-            aside.aside(|| eprintln!("{}\n", Messages::new().render(warning, sources)));
+        if counts.is_shown(warning) {
+            line.suspend(|| eprintln!("{}\n", Messages::new().render(warning, sources)));
         }
     }));
     on_interrupt(&run.interp.interrupt);
     let end = run.script(model, args);
-    bar.clear();
-    tell_end(&end, &run.interp);
-    if run.interp.host.findings.unrehearsed {
+    progress.clear();
+    print_end(&end, &run.interp);
+    if run.interp.host.check.skipped_analyses {
         eprintln!("note: the analyses were not rehearsed, since a definition was rejected");
     }
-    summarise(&run.interp);
+    print_warning_summary(&run.interp);
     let rejected = mode == Mode::Check && run.interp.warnings.iter().any(|w| w.severity == Severity::Error);
     if rejected { 2 } else { end.status() }
 }
@@ -117,22 +117,22 @@ pub(super) fn on_interrupt(flag: &Arc<AtomicBool>) {
     }
 }
 
-/// How often a warning from one place has been shown.
+/// Number of warnings from each location and label.
 #[derive(Default)]
-struct Shown(BTreeMap<(Option<(u32, u32)>, String), usize>);
+struct WarningCounts(BTreeMap<(Option<(u32, u32)>, String), usize>);
 
-impl Shown {
-    /// Warnings from one place are shown three times in full.
-    fn wants(&mut self, w: &Diagnostic) -> bool {
-        let place = w.span.map(|s: Span| (s.start, s.end));
-        let count = self.0.entry((place, w.label.clone())).or_default();
+impl WarningCounts {
+    /// Count a warning. Returns true for the first three of a location, which are shown in full.
+    fn is_shown(&mut self, w: &Diagnostic) -> bool {
+        let location = w.span.map(|s: Span| (s.start, s.end));
+        let count = self.0.entry((location, w.label.clone())).or_default();
         *count += 1;
         *count <= 3
     }
 }
 
-/// Tell how a script ended, where that is worth it.
-pub(super) fn tell_end(end: &End, interp: &Tcl) {
+/// Print the end of a script that did not just succeed.
+pub(super) fn print_end(end: &End, interp: &Tcl) {
     let messages = Messages::new();
     match end {
         End::Rejected(d) | End::Raised(d) => eprintln!("{}", messages.render(d, &interp.sources)),
@@ -147,8 +147,8 @@ pub(super) fn tell_end(end: &End, interp: &Tcl) {
     }
 }
 
-/// Everything again that was told on the way, a line each, so that nothing is overlooked.
-fn summarise(interp: &Tcl) {
+/// Print all warnings again, one line each, so that none is overlooked.
+fn print_warning_summary(interp: &Tcl) {
     let messages = Messages::new();
     let mut lines: Vec<(String, usize)> = vec![];
     for w in &interp.warnings {

@@ -1,41 +1,40 @@
 //! `hysteron check` of a study.
 
 use super::args::Compat;
-use super::calibrate::{Prepared, WRONG, prepare, show};
+use super::calibrate::{INPUT_ERROR, PreparedStudy, prepare, print_diagnostic};
 use hysteron::diagnostic::{Severity, SourceMap};
-use hysteron::study::{Role, Run, fit};
+use hysteron::study::{Role, Run, simulate_and_score};
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-/// Everything that is looked at before a calibration begins, a run of the script with its own values included; the exit
-/// status.
+/// Do all checks that come before a calibration, with a run of the script with its own values. Returns the exit status.
 pub(super) fn check(file: &Path, compat: Option<Compat>, strict: bool) -> i32 {
     let stop = Arc::new(AtomicBool::new(false));
     super::run::on_interrupt(&stop);
     let mut sources = SourceMap::default();
     let prepared = prepare(file, compat, &stop, &mut sources);
-    let Prepared { mut simulator, opening, .. } = match prepared {
+    let PreparedStudy { mut simulator, initial_run, .. } = match prepared {
         Ok(prepared) => prepared,
         Err(d) => {
-            show(&d, &sources);
-            return WRONG;
+            print_diagnostic(&d, &sources);
+            return INPUT_ERROR;
         }
     };
     let study = simulator.study().clone();
-    let warnings = study.warnings.iter().chain(&opening.warnings).filter(|w| w.severity != Severity::Note);
-    let told = warnings.inspect(|w| show(w, &sources)).count();
-    eprintln!("{}: {} of {} parameters to be found", file.display(), study.space.dimension(), opening.values.len());
-    if let Some(why) = &opening.failure {
-        eprintln!("  with its own values the script has no answer: {why}");
+    let warnings = study.warnings.iter().chain(&initial_run.warnings).filter(|w| w.severity != Severity::Note);
+    let warning_count = warnings.inspect(|w| print_diagnostic(w, &sources)).count();
+    eprintln!("{}: {} of {} parameters to be found", file.display(), study.space.dimension(), initial_run.values.len());
+    if let Some(error) = &initial_run.failure {
+        eprintln!("  with its own values the script has no answer: {error}");
     }
-    // Its own values, as far as the study leaves them alone.
-    if let Ok(values) = study.space.values(&study.space.point(&opening.values)) {
+    // The script's own values within the ranges, with fixed and tied parameters as in the study.
+    if let Ok(values) = study.space.values_at(&study.space.unit_point(&initial_run.values)) {
         for (number, run) in study.runs.iter().enumerate() {
-            match fit(&mut simulator, &study, number, &values) {
-                Ok(fit) => {
-                    eprintln!("  {}: NMSE {:.6} with the script's own values", name(run), fit.nmse(&run.observe));
-                    for (o, s) in run.observe.iter().zip(&fit.scores) {
+            match simulate_and_score(&mut simulator, &study, number, &values) {
+                Ok(scored) => {
+                    eprintln!("  {}: NMSE {:.6} with the script's own values", name(run), scored.nmse(&run.observe));
+                    for (o, s) in run.observe.iter().zip(&scored.scores) {
                         let missing = o.values.iter().filter(|x| x.is_nan()).count();
                         let (samples, dropped) = (s.samples, s.dropped);
                         eprintln!(
@@ -44,11 +43,11 @@ pub(super) fn check(file: &Path, compat: Option<Compat>, strict: bool) -> i32 {
                         );
                     }
                 }
-                Err(why) => eprintln!("  {}: {why}", name(run)),
+                Err(error) => eprintln!("  {}: {error}", name(run)),
             }
         }
     }
-    if strict && told > 0 { WRONG } else { 0 }
+    if strict && warning_count > 0 { INPUT_ERROR } else { 0 }
 }
 
 fn name(run: &Run) -> String {

@@ -81,7 +81,7 @@ fn parameters_reach_the_beam_between_hinges() {
 
 /// A parameter that the element in place of another does not have is no silent success.
 #[test]
-fn a_parameter_that_is_lost_is_told() {
+fn lost_parameter_is_reported() {
     let ran = run("model basic -ndm 1 -ndf 1; node 1 0; node 2 0; fix 1 1
         uniaxialMaterial Elastic 1 100.; uniaxialMaterial BoucWen 2 0.1 300. 1.5 40. 40. 1. 0. 0. 0.
         element zeroLength 1 1 2 -mat 1 -dir 1; parameter 1 element 1 material 1 E
@@ -115,10 +115,10 @@ fn shaken(bearing: &str, damping: &str, algorithm: &str, amendment: &str) -> Vec
 const KIKUCHI: &str = "element KikuchiBearing 1 1 2 -shape round -size 0.46 0.15 -totalHeight 0.3 -nMSS 8 -matMSS 10 \
                        -limDisp 0.01 -nMNS 8 -matMNS 21 -orient 0 0 1 1 0 0";
 
-/// An amendment that changes nothing leaves OpenSees' scheme as it is: as many calls, the tangent of the last of them, and the
-/// current tangent in place of the initial one.
+/// An amendment that changes nothing keeps OpenSees' scheme: as many updates, and the tangent of the last of them.
+/// The current tangent takes the place of the initial one.
 #[test]
-fn what_counts_its_calls_is_asked_as_often_when_amended() {
+fn amended_element_keeps_its_number_of_updates() {
     for (damping, algorithm) in [
         ("0.1 0. 0.002 0.", "Newton"),
         ("0.1 0. 0. 0.002", "NewtonLineSearch -type Bisection"),

@@ -58,10 +58,10 @@ fn one_element_shears_as_the_column_does() {
     assert_eq!(found, cantilever("forceBeamColumnCBDI", &section, axial)[0].max(found), "shear deflects more");
 }
 
-/// Uniform load on a simply supported beam-column: its ends turn by w L³/(24 E I) times 3 (tan u - u)/u³, u = (L/2)(P/(E I))^½,
-/// in the plane as in space.
+/// Uniform load on a simply supported beam-column, in the plane and in space: its ends turn by
+/// w L³/(24 E I) · 3 (tan u - u)/u³, u = (L/2) (P/(E I))^½.
 #[test]
-fn loads_between_the_ends_bend_it() {
+fn loads_between_the_ends_bend_a_column() {
     let axial = 0.5 * PI * PI * E * I / (L * L);
     let u = 0.5 * L * (axial / (E * I)).sqrt();
     let turn = 0.01 * L.powi(3) / (24.0 * E * I) * 3.0 * (u.tan() - u) / u.powi(3);

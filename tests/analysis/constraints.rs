@@ -92,7 +92,7 @@ fn chains_are_followed_to_their_end() {
 }
 
 #[test]
-fn contradictions_are_told() {
+fn contradictions_are_reported() {
     let base = "model basic -ndm 1 -ndf 1
         node 1 0; node 2 0; node 3 0
         uniaxialMaterial Elastic 1 1.0

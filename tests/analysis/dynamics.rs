@@ -90,8 +90,8 @@ fn explicit_integrators_have_their_order() {
     }
 }
 
-/// The velocity of this method is that of half a step before, so a motion that starts with an acceleration starts late by
-/// that: it is of first order for it, of second order from rest.
+/// The velocity of this method lags by half a step. A motion that starts with an acceleration starts late by that:
+/// the method is of first order for it, of second order from rest.
 #[test]
 fn explicit_method_of_kolay_and_ricles_has_its_order() {
     let from_displacement = |dt: f64| {
@@ -263,7 +263,7 @@ fn a_failed_step_leaves_the_committed_state() {
 }
 
 #[test]
-fn the_ladder_gets_over_a_step_that_fails() {
+fn recovery_solves_a_step_that_fails() {
     let text = "model basic -ndm 1 -ndf 1
         node 1 0; node 2 0 -mass 1.0
         fix 1 1
@@ -447,9 +447,9 @@ fn motion_files_are_read() {
     assert!(short.error().message.contains("9 values"), "{:?}", short.error());
 }
 
-/// The clock decides whether a motion has ended: it rounds as OpenSees' does where that is asked for. The numbers are OpenSees'.
+/// The end of a motion depends on the rounding of the time: under `--compat` as in OpenSees, whose numbers these are.
 #[test]
-fn clocks_of_steps_solved_within() {
+fn time_rounds_as_in_opensees() {
     for (integrator, algorithm, clock) in [
         ("Newmark 0.5 0.25", "Newton", 11.979999999999833),
         ("HHT 0.9", "Newton", 11.980000000000143),

@@ -1,9 +1,9 @@
-//! Materials through their commands: the bench, what recorders show, what is refused.
+//! Materials through their commands: tests of one material, recorders, refusals.
 
 use super::script::{Script, run};
 
 #[test]
-fn a_material_on_the_bench() {
+fn material_is_tested_by_itself() {
     let ran = run("uniaxialMaterial Hardening 1 200.0 2.0 0.0 20.0
         uniaxialMaterial Elastic 2 50.0 3.0
         testUniaxialMaterial 1
@@ -47,7 +47,7 @@ fn parts_of_a_material_answer_recorders() {
     }
 }
 
-/// What stands around a material shows its strain with the initial one, and hands parameters on.
+/// A wrapper shows the strain with the initial one, and passes parameters on.
 #[test]
 fn materials_around_others_show_and_change_them() {
     for around in [

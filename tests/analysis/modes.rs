@@ -82,8 +82,8 @@ fn massless_degrees_of_freedom_follow() {
     assert!(close(v[2], shape, 1e-8), "{v:?} and {shape}");
 }
 
-/// Modes of a mass of 10 on a bearing that a load beyond its strength has moved, its displacement along x, and the shape of
-/// the first mode along x and z.
+/// Modes of a mass of 10 on a bearing that a load beyond its strength has moved. Also the displacement along x, and the
+/// first mode along x and z.
 fn modes_of_a_yielded(bearing: &str, load: [f64; 2]) -> Vec<f64> {
     let [x, y] = load;
     run(&format!(
@@ -109,8 +109,8 @@ fn modes_of_a_yielded(bearing: &str, load: [f64; 2]) -> Vec<f64> {
     .numbers()
 }
 
-/// The tangent of a bearing that yields or slides is that of the step that has come there, not that of going back: along the
-/// force what is left of the stiffness, across it the strength over the way.
+/// The tangent of a bearing that yields or slides is that of loading, not of unloading. Along the force it is the
+/// stiffness after yield; across it, the strength over the displacement.
 #[test]
 fn modes_after_yielding_are_those_of_the_last_step() {
     let v = modes_of_a_yielded("elastomericBearingPlasticity 1 1 2 5000 80 0.1 0 3", [100.0, 0.0]);

@@ -51,9 +51,9 @@ fn parts_are_shorter_steps() {
     }
 }
 
-/// What cannot be divided is made as it is.
+/// A step that cannot be divided is taken whole.
 #[test]
-fn a_path_that_seeks_its_own_steps_keeps_them() {
+fn arc_length_steps_are_not_divided() {
     let script = format!(
         "{MOVED}pattern Plain 1 {{Linear}} {{ load 2 1.0 }}\nintegrator ArcLength 0.01 1.0; analysis Static; analyze 20
         puts \"[nodeDisp 2 1] [getTime]\""
@@ -62,7 +62,7 @@ fn a_path_that_seeks_its_own_steps_keeps_them() {
     assert!(close(parts[0], steps[0], 1e-9) && close(parts[1], steps[1], 1e-9), "{parts:?} {steps:?}");
 }
 
-/// Where a later part fails nothing is committed.
+/// Nothing is committed if a later part of a step fails.
 #[test]
 fn a_step_fails_as_a_whole() {
     // It carries 1.5: half of the second step is possible.
@@ -119,9 +119,9 @@ fn a_step_with_multipliers_is_tried_again() {
     }
 }
 
-/// Tests are passed closer: what a loose one leaves is seen.
+/// Refinement tightens the test: the error that a loose one leaves shows.
 #[test]
-fn tests_are_passed_closer() {
+fn refinement_tightens_the_convergence_test() {
     let left = |refine: u32| {
         let loose = MOVED.replace("test NormUnbalance 1e-11 30", "test NormUnbalance 1e-1 30");
         let script = format!(

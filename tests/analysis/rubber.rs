@@ -1,4 +1,4 @@
-//! High damping rubber through its commands: where its rate comes from, units, temperature, what is refused.
+//! High damping rubber through its commands: strain rate, units, temperature, refusals.
 
 use super::script::{Script, run};
 
@@ -25,7 +25,7 @@ fn close(a: f64, b: f64, tolerance: f64) {
 }
 
 #[test]
-fn the_rate_is_that_of_the_clock_of_the_analysis() {
+fn strain_rate_uses_the_analysis_time() {
     let wanted = "stress equilibrium overstress strain";
     let load_control = "integrator LoadControl 0.003181818181818182; analysis Static; analyze 100";
     let a = test_rig(COLD, RAMP.0, RAMP.1, load_control, wanted);
@@ -155,7 +155,7 @@ fn rubber_that_makes_no_sense_is_refused() {
     }
 }
 
-/// A bearing in space: the words after its geometry, a path of displacement in x and y over time, steps, what is wanted.
+/// A bearing in space: the words after its geometry, a path of displacement in x and y over time, steps, the response.
 fn bearing(options: &str, x: &str, y: &str, steps: usize, dt: f64, wanted: &str) -> Vec<f64> {
     let text = format!(
         "model basic -ndm 3 -ndf 6; node 1 0 0 0; node 2 0 0 0; fix 1 1 1 1 1 1 1; fix 2 0 0 0 1 1 1

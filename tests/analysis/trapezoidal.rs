@@ -9,7 +9,7 @@ fn order(error: impl Fn(f64) -> f64) -> f64 {
 }
 
 #[test]
-fn they_have_their_order() {
+fn trapezoidal_integrators_have_their_order() {
     for integrator in ["HHT_TP 0.9", "HHT_TP 0.8", "HHTGeneralized_TP 0.6", "HHTGeneralized_TP 1.1 0.8 0.4225 0.8"] {
         for zeta in [0.0, 0.05] {
             let found = order(|dt| (free_vibration(integrator, dt, 9.0, zeta) - exact(1.0, 9.0, zeta)).abs());
@@ -32,7 +32,7 @@ fn they_have_their_order() {
 }
 
 #[test]
-fn explicit_ones_have_their_order() {
+fn explicit_trapezoidal_integrators_have_their_order() {
     for (integrator, wanted, zeta) in [
         ("HHTExplicit_TP 0.9 0.6", 2.0, 0.0),
         ("HHTGeneralizedExplicit_TP 0.8 0.6", 2.0, 0.0),
@@ -51,9 +51,9 @@ fn explicit_ones_have_their_order() {
     }
 }
 
-/// Where forces are proportional to the motion, weighting forces is weighting the motion.
+/// For forces proportional to the motion, weighted forces equal forces of the weighted motion.
 #[test]
-fn a_linear_model_sees_no_difference() {
+fn refinement_leaves_a_linear_model_unchanged() {
     for (trapezoidal, other, algorithm) in [
         ("HHT_TP 0.8", "HHT 0.8", "Newton"),
         ("HHTGeneralized_TP 0.5", "HHTGeneralized 0.5", "Newton"),
@@ -102,9 +102,9 @@ fn forces_of_both_ends_of_a_step_are_weighted() {
     }
 }
 
-/// What the begin of a step leaves to it is worked out again where the analysis has been set up anew, and survives a failure.
+/// Values from the start of a step are computed again after a new setup, and survive a failure.
 #[test]
-fn the_share_of_the_last_step_is_not_lost() {
+fn forces_at_the_start_of_a_step_are_kept() {
     let motion = |between: &str| {
         let ran = run(&format!(
             "{YIELDING}integrator HHT_TP 0.7; analysis Transient; analyze 60 0.02

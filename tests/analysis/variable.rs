@@ -22,7 +22,7 @@ fn a_step_that_fails_at_once_is_shortened() {
 
 /// A mechanism fails before its first iteration, whatever the step: the smallest one ends the analysis.
 #[test]
-fn what_never_works_ends_with_the_smallest_step() {
+fn step_that_always_fails_ends_at_the_smallest_length() {
     for before in ["", "analyze 3 0.01 0.001 0.02 3;"] {
         let ran = Script::default().run(&format!(
             "model basic -ndm 1 -ndf 1; node 1 0; node 2 0 -mass 2.0; node 3 0; node 4 0; fix 1 1

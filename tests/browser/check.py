@@ -94,11 +94,14 @@ def look(browser, page, out):
 def made(engine, out):
     """Reports of the examples in the repository."""
     jobs = [
-        (["calibrate", ROOT / "tcl-like-inputs/pad_study/study.toml", "--out", out / "calibration"], out / "calibration/report.html"),
-        (["diagnose", ROOT / "validation/blind/cases/basalt/study.toml", "--out", out / "diagnosis"], out / "diagnosis/report.html"),
+        ([engine, "calibrate", ROOT / "tcl-like-inputs/pad_study/study.toml", "--out", out / "calibration"], out / "calibration/report.html"),
+        (
+            [sys.executable, ROOT / "validation/diagnosis/run.py", "--engine", engine, "--batch", "1", "--case", "basalt", "--out", out / "diagnosis"],
+            out / "diagnosis/batch-1/results/basalt/report.html",
+        ),
     ]
     for words, report in jobs:
-        subprocess.run([engine, *map(str, words)], check=True, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+        subprocess.run([*map(str, words)], check=True, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
         yield report
     for motion in ("cycles", "circles"):
         folder = out / f"bearing-{motion}"

@@ -1,23 +1,25 @@
-//! The script of a study run in memory.
+//! Tests of simulations of a study's script in memory.
 
-use super::Place;
+use super::StudyFolder;
 use hysteron::analysis::Options;
 use hysteron::calibrate::{Problem, StudyProblem};
 use hysteron::diagnostic::SourceMap;
-use hysteron::study::{Mishap, ScriptSimulator, Simulator, Study};
+use hysteron::study::{ScriptSimulator, SimulationError, Simulator, Study};
 use std::fs;
 use std::sync::Arc;
 
-fn simulator(place: &Place) -> ScriptSimulator {
-    let study = Study::load(&place.study(), &mut SourceMap::default()).unwrap();
+fn simulator(folder: &StudyFolder) -> ScriptSimulator {
+    let study = Study::load(&folder.study(), &mut SourceMap::default()).unwrap();
     ScriptSimulator::new(Arc::new(study), Options::default(), Arc::default())
 }
 
-/// The error that opening a study ends with.
-fn refused(place: &Place) -> String {
+/// The error of the initial run, with its location and help.
+fn initial_error(folder: &StudyFolder) -> String {
     let mut sources = SourceMap::default();
-    let study = Study::load(&place.study(), &mut sources).unwrap();
-    let d = ScriptSimulator::new(Arc::new(study), Options::default(), Arc::default()).open(&mut sources).unwrap_err();
+    let study = Study::load(&folder.study(), &mut sources).unwrap();
+    let d = ScriptSimulator::new(Arc::new(study), Options::default(), Arc::default())
+        .run_initially(&mut sources)
+        .unwrap_err();
     let at = d.span.map_or(String::new(), |s| sources.location(s).to_string());
     format!("{at}: {}; {}", d.message, d.help.join("; "))
 }
@@ -25,54 +27,54 @@ fn refused(place: &Place) -> String {
 const TRUTH: [f64; 3] = [2.6, 17.0, 0.21];
 
 #[test]
-fn the_truth_leaves_the_noise() {
-    let place = Place::new();
-    let mut s = simulator(&place);
-    let opening = s.open(&mut SourceMap::default()).unwrap();
-    assert_eq!(opening.values, [2.0, 20.0, 0.15]);
-    assert!(opening.failure.is_none() && opening.warnings.is_empty());
-    let before = fs::read_dir(&place.0).unwrap().count();
+fn true_parameters_leave_only_the_noise() {
+    let folder = StudyFolder::new();
+    let mut s = simulator(&folder);
+    let initial_run = s.run_initially(&mut SourceMap::default()).unwrap();
+    assert_eq!(initial_run.values, [2.0, 20.0, 0.15]);
+    assert!(initial_run.failure.is_none() && initial_run.warnings.is_empty());
+    let before = fs::read_dir(&folder.0).unwrap().count();
     let channels = s.simulate(0, &TRUTH).unwrap();
     assert_eq!(channels[0].len(), 499);
     let recorded = &s.study().runs[0].observe[0].values;
     let worst =
         channels[0].iter().zip(recorded).map(|(a, b)| (a - b).abs()).filter(|d| !d.is_nan()).fold(0.0, f64::max);
     assert!(worst < 1.2, "{worst}");
-    assert_eq!(fs::read_dir(&place.0).unwrap().count(), before, "nothing is written");
-    // Again, after other values, to the bit.
+    assert_eq!(fs::read_dir(&folder.0).unwrap().count(), before, "nothing is written");
+    // The same bits again after a run with other values.
     s.simulate(1, &[1.0, 40.0, 0.3]).unwrap();
     assert_eq!(s.simulate(0, &TRUTH).unwrap(), channels);
 }
 
-/// Before the first recorder row the channel comes from the state at the start of the analysis; after the last it ends.
+/// Before the first recorder row, the channel starts from the state at the start of the analysis.
 #[test]
-fn ends_of_a_recording() {
-    let place = Place::new();
-    place.edit("growing.csv", "0.0260,", "0.0050,1.0,0.1,21\n0.0260,");
-    place.edit("study.toml", "npts = 501", "npts = 251");
-    let mut s = simulator(&place);
+fn channels_before_the_first_and_after_the_last_recorder_row() {
+    let folder = StudyFolder::new();
+    folder.edit("growing.csv", "0.0260,", "0.0050,1.0,0.1,21\n0.0260,");
+    folder.edit("study.toml", "npts = 501", "npts = 251");
+    let mut s = simulator(&folder);
     let channels = s.simulate(0, &TRUTH).unwrap();
     let first = channels[0][0];
     let row = s.trace(0, "force.out").unwrap();
     assert!(row.has_start && row.times[0] == 0.0 && row.times[1] == 0.02);
-    // A quarter of the way from nothing to the first row.
+    // A quarter of the value of the first row.
     assert!((first - 0.25 * row.values[3 + 2]).abs() < 1e-12, "{first}");
     assert_eq!(channels[0].iter().filter(|v| v.is_nan()).count(), 250);
 }
 
-/// A gravity stage before the test: its rows are not those of the test, and the state after it is the start.
+/// The state after a gravity stage is the start of the test.
 #[test]
-fn earlier_stages_are_left_out() {
-    let place = Place::new();
+fn rows_of_earlier_stages_are_left_out() {
+    let folder = StudyFolder::new();
     let gravity = "timeSeries Linear 9\npattern Plain 9 9 {load 2 3.0}\nconstraints Transformation\nsystem ProfileSPD\n\
                    algorithm Newton\nintegrator LoadControl 0.5\nanalysis Static\nanalyze 2\nloadConst -time 0.0\n";
-    place.edit(
+    folder.edit(
         "pad.tcl",
         "timeSeries Path 1",
         &format!("recorder Element -file force.out -time -ele 1 force\n{gravity}timeSeries Path 1"),
     );
-    place.edit("pad.tcl", "recorder Element -file force.out -time -ele 1 force\nrecorder Node", "recorder Node");
-    let mut s = simulator(&place);
+    folder.edit("pad.tcl", "recorder Element -file force.out -time -ele 1 force\nrecorder Node", "recorder Node");
+    let mut s = simulator(&folder);
     s.simulate(0, &TRUTH).unwrap();
     let t = s.trace(0, "force.out").unwrap();
     assert!(t.has_start && t.times.len() == 501 && t.times[0] == 0.0, "{:?}", &t.times[..3]);
@@ -80,7 +82,7 @@ fn earlier_stages_are_left_out() {
 }
 
 #[test]
-fn what_the_script_lacks_is_an_error() {
+fn study_and_script_that_disagree_are_an_error() {
     for (file, old, new, said) in [
         ("pad.tcl", "pset alpha", "pset alfa", "pad.tcl:23"),
         (
@@ -95,43 +97,42 @@ fn what_the_script_lacks_is_an_error() {
         ("pad.tcl", "element zeroLength", "element zeroLenght", "did you mean"),
         ("pad.tcl", "integrator LoadControl $dt", "integrator LoadControl [expr {-$dt}]", "no clock"),
     ] {
-        let message = refused(&Place::edited(file, old, new));
+        let message = initial_error(&StudyFolder::edited(file, old, new));
         assert!(message.contains(said), "{new}: {message}");
     }
 }
 
-/// A run that hangs, and one without an answer, cost a bad score and are counted by their cause.
 #[test]
-fn mishaps() {
-    let place = Place::new();
-    place.edit(
+fn failed_runs_have_an_error_by_their_cause() {
+    let folder = StudyFolder::new();
+    folder.edit(
         "pad.tcl",
         "set uy",
         "if {$k0 > 4.9} {while 1 {incr forever}}\nif {$k0 > 4.5} {error \"too stiff\"}\nset uy",
     );
-    place.edit(
+    folder.edit(
         "pad.tcl",
         "element zeroLength",
         "if {$k0 < 1.1} {exit 3}\nif {$k0 < 1.2} {node 1 0.0}\nelement zeroLength",
     );
-    let mut s = simulator(&place);
-    s.open(&mut SourceMap::default()).unwrap();
-    let mut kind = |k0: f64| s.simulate(0, &[k0, 17.0, 0.2]).map_err(|m| m.kind());
+    let mut s = simulator(&folder);
+    s.run_initially(&mut SourceMap::default()).unwrap();
+    let mut kind = |k0: f64| s.simulate(0, &[k0, 17.0, 0.2]).map_err(|e| e.kind());
     assert_eq!(kind(4.95), Err("it took too long"));
     assert_eq!(kind(4.6), Err("the script raised an error"));
     assert_eq!(kind(1.05), Err("the script ended itself"));
     assert_eq!(kind(1.15), Err("a command was rejected"));
     assert!(kind(3.0).is_ok());
     let problem = StudyProblem::of_script(&s, 2).unwrap();
-    let points: Vec<Vec<f64>> = (0..12).map(|i| vec![f64::from(i) / 11.0, 0.5, 0.5]).collect();
-    let all = problem.evaluate(&points, true);
-    assert_eq!(all.iter().filter(|e| e.mishap.is_some()).count(), 3);
-    assert!(matches!(all[11].mishap, Some(Mishap::TooLong(_))));
-    for e in all.iter().filter(|e| e.mishap.is_none()) {
+    let unit_points: Vec<Vec<f64>> = (0..12).map(|i| vec![f64::from(i) / 11.0, 0.5, 0.5]).collect();
+    let all = problem.evaluate(&unit_points, true);
+    assert_eq!(all.iter().filter(|e| e.error.is_some()).count(), 3);
+    assert!(matches!(all[11].error, Some(SimulationError::TooLong(_))));
+    for e in all.iter().filter(|e| e.error.is_none()) {
         let sum: f64 = e.trial.residuals.iter().map(|r| r * r).sum();
-        assert!((sum - e.trial.score).abs() < 1e-12 * sum, "the squares of the residuals add up to the objective");
+        assert!((sum - e.trial.objective).abs() < 1e-12 * sum, "the squares of the residuals add up to the objective");
     }
-    // Any number of threads gives the same.
+    // The result does not depend on the number of threads.
     let one = StudyProblem::of_script(&s, 1).unwrap();
-    assert_eq!(one.evaluate(&points, true), all);
+    assert_eq!(one.evaluate(&unit_points, true), all);
 }

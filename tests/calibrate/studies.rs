@@ -1,13 +1,13 @@
-//! What is wrong with a study or a recording is told with its place.
+//! Tests of reading studies and recordings, and of the locations of their errors.
 
-use super::Place;
+use super::StudyFolder;
 use hysteron::diagnostic::SourceMap;
 use hysteron::study::{Role, Setting, Study};
 
-/// The error of a study: place and message with help.
-fn refused(place: &Place) -> (String, String) {
+/// The error of a study: its location, and its message with help.
+fn load_error(folder: &StudyFolder) -> (String, String) {
     let mut sources = SourceMap::default();
-    let d = Study::load(&place.study(), &mut sources).unwrap_err();
+    let d = Study::load(&folder.study(), &mut sources).unwrap_err();
     let at = d.span.map(|s| sources.location(s)).map(|l| {
         let file = l.name.rsplit('/').next().unwrap_or_default().to_owned();
         format!("{file}:{}:{}", l.line, l.column)
@@ -16,7 +16,7 @@ fn refused(place: &Place) -> (String, String) {
 }
 
 #[test]
-fn mistakes_are_told_with_their_place() {
+fn study_errors_have_their_location() {
     for (old, new, at, said) in [
         ("lower = 1.0", "lover = 1.0", "study.toml:7:1", "did you mean \"lower\""),
         ("lower = 1.0", "lower = one", "study.toml:7:9", ""),
@@ -50,17 +50,17 @@ fn mistakes_are_told_with_their_place() {
         ("lower = 1.0\nupper = 5.0", "expr = \"2*(Qd\"", "study.toml:7:8", "is no formula"),
         ("lower = 1.0\nupper = 5.0", "expr = \"Qd\"\nvalue = 2.0", "study.toml:6:9", "both a value and a formula"),
     ] {
-        let (place, message) = refused(&Place::edited("study.toml", old, new));
-        assert_eq!(place, at, "{new}: {message}");
+        let (location, message) = load_error(&StudyFolder::edited("study.toml", old, new));
+        assert_eq!(location, at, "{new}: {message}");
         assert!(message.contains(said), "{new}: {message}");
     }
-    let place = Place::new();
-    std::fs::write(place.study(), "model = \"pad.tcl\"\n[calibration]\nF = 3\n").unwrap();
-    assert!(refused(&place).1.contains("no parameter is to be found"));
+    let folder = StudyFolder::new();
+    std::fs::write(folder.study(), "model = \"pad.tcl\"\n[calibration]\nF = 3\n").unwrap();
+    assert!(load_error(&folder).1.contains("no parameter is to be found"));
 }
 
 #[test]
-fn mistakes_of_recordings() {
+fn recording_errors_have_their_location() {
     for (old, new, at, said) in [
         ("time[s]", "t[s]", "growing.csv:1:1", "expected time[s]"),
         ("time[s]", "time[ms]", "growing.csv:1:1", "expected time[s]"),
@@ -70,24 +70,24 @@ fn mistakes_of_recordings() {
         ("0.0460,", "0.0460,1.2.3", "growing.csv:3:8", "force is not a number"),
         ("0.0460,", "0.0460,7,", "growing.csv:3:1", "has 5 cells, its header 4"),
     ] {
-        let (place, message) = refused(&Place::edited("growing.csv", old, new));
-        assert_eq!(place, at, "{new}: {message}");
+        let (location, message) = load_error(&StudyFolder::edited("growing.csv", old, new));
+        assert_eq!(location, at, "{new}: {message}");
         assert!(message.contains(said), "{new}: {message}");
     }
 }
 
 #[test]
-fn a_study_is_read() {
-    let place = Place::new();
-    place.edit("study.toml", "upper = 0.4", "upper = 0.4\n[[parameter]]\nname = \"uy\"\nexpr = \"Qd/((1-alpha)*k0)\"");
-    let study = Study::load(&place.study(), &mut SourceMap::default()).unwrap();
+fn study_is_read_with_its_parameters_and_runs() {
+    let folder = StudyFolder::new();
+    folder.edit("study.toml", "upper = 0.4", "upper = 0.4\n[[parameter]]\nname = \"uy\"\nexpr = \"Qd/((1-alpha)*k0)\"");
+    let study = Study::load(&folder.study(), &mut SourceMap::default()).unwrap();
     assert_eq!(study.space.dimension(), 3);
-    let values = study.space.values(&[0.25, 0.5, 1.0]).unwrap();
+    let values = study.space.values_at(&[0.25, 0.5, 1.0]).unwrap();
     let qd = 250f64.sqrt();
     for (v, expected) in values.iter().zip([2.0, qd, 0.4, qd / 0.6 / 2.0]) {
         assert!((v - expected).abs() < 1e-12 * expected, "{values:?}");
     }
-    let back = study.space.point(&values);
+    let back = study.space.unit_point(&values);
     assert!(back.iter().zip([0.25, 0.5, 1.0]).all(|(a, b)| (a - b).abs() < 1e-12), "{back:?}");
     let run = &study.runs[0];
     assert_eq!((run.role, study.runs[1].role), (Role::Fit, Role::Holdout));

@@ -50,7 +50,7 @@ fn the_force_is_amended_and_so_is_what_recorders_show() {
     assert_eq!((code, out.as_str()), (Some(0), "11 19 6 6\n"), "{err}");
 }
 
-/// What slack or a lost strength keeps from the element is a part of the deformation that recorders show.
+/// Recorders show the whole deformation, with the part that slack or a lost strength takes up.
 #[test]
 fn the_deformation_is_that_of_the_whole() {
     for amendment in [
@@ -75,7 +75,8 @@ fn the_foot_of_a_column_yields() {
          timeSeries Linear 1\npattern Plain 1 1 { sp 2 1 0.03 }\nconstraints Transformation\n\
          test NormDispIncr 1e-10 20\nalgorithm Newton\nintegrator LoadControl 1.\nanalysis Static\nanalyze 1\n\
          puts [format %.10g [lindex [eleResponse 1 hingeRotation] 0]]\nputs [format %.10g [lindex [eleResponse 1 force] 5]]\n");
-    // Drift 0.01 = m h/(3EI) + theta, m = 6 + 400 (theta - 6/4e4); the rotation of the node against the end of the beam has the sign of m.
+    // Drift 0.01 = m h/(3EI) + theta, m = 6 + 400 (theta - 6/4e4). The rotation of the node against the end of the beam has
+    // the sign of m.
     let theta = (0.01 - (6.0 - 400.0 * 6.0 / 4e4) * 3.0 / 3e3) / (1.0 + 400.0 * 3.0 / 3e3);
     let m = 6.0 + 400.0 * (theta - 6.0 / 4e4);
     let expected = format!("{theta:.6} {m:.6}");
@@ -103,7 +104,7 @@ fn a_mass_that_is_moved_keeps_its_damping() {
     assert_ne!(decay(""), decay(beside));
 }
 
-/// What has no moment at its ends gets no hinges: a truss in space has as many degrees of freedom as a beam in the plane.
+/// An element without end moments gets no hinges. A truss in space has as many degrees of freedom as a plane beam.
 #[test]
 fn only_beams_get_hinges() {
     for (dimensions, element, message) in [
@@ -123,7 +124,7 @@ fn only_beams_get_hinges() {
 }
 
 #[test]
-fn mistakes_are_told() {
+fn mistakes_are_reported() {
     for (command, message) in [
         ("amend element 2 yielding -force 1", "there is no element 2"),
         ("amend element 1 yeilding -force 1", "did you mean \"yielding\"?"),

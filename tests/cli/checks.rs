@@ -2,9 +2,9 @@
 
 use super::{MODEL, Place};
 
-/// All mistakes are told, those of Tcl at top level too.
+/// All mistakes are reported, those of Tcl at top level too.
 #[test]
-fn goes_on() {
+fn check_goes_on_after_a_mistake() {
     let place = Place::new();
     place.write("m.tcl", format!("{MODEL}node x 0 0\nputs $nothing\nfrobnicate\nnode 1 0 0\n"));
     let (status, _, err) = place.run(&["check", "m.tcl"]);
@@ -15,7 +15,7 @@ fn goes_on() {
     assert!(err.contains("4 errors:"), "{err}");
 }
 
-/// What only follows from a mistake is not told as another one.
+/// A mistake that follows from another one is not reported.
 #[test]
 fn consequences() {
     let tail = "element truss 2 2 3 1. 2\nrecorder Element -file f.txt -ele 2 force\nnode 4 1 1 1\n\
@@ -51,7 +51,7 @@ fn usages() {
     }
 }
 
-/// What a command makes, and where to look for it.
+/// Object that a command makes, and the query that shows it.
 #[test]
 fn kinds() {
     let place = Place::new();

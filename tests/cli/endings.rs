@@ -1,4 +1,4 @@
-//! How a run ends: exit status, and what is left on the disk.
+//! End of a run: exit status, and the files left on the disk.
 
 use super::{MODEL, Place, run};
 use std::fs;
@@ -27,7 +27,7 @@ fn statuses() {
 }
 
 #[test]
-fn files_that_are_no_scripts() {
+fn file_that_is_no_script_is_refused() {
     let place = Place::new();
     place.write("bytes.tcl", b"puts \"caf\xe9 \xff\xfe\"\n");
     place.write("binary.tcl", [0u8, 159, 146, 150, 10, 0, 255]);
@@ -65,7 +65,7 @@ const YIELDING: &str = "model basic -ndm 1 -ndf 1\nnode 1 0\nnode 2 0\nfix 1 1\n
     uniaxialMaterial Steel01 1 10. 100. 0.1\nelement zeroLength 1 1 2 -mat 1 -dir 1\ntimeSeries Linear 1\n\
     pattern Plain 1 1 { load 2 1. }\nalgorithm Newton\nintegrator LoadControl 4\nanalysis Static\n";
 
-/// A step that does not converge says so; the script's own remedy goes on from the last step that did.
+/// A step that does not converge is reported. The script's own remedy starts from the last step that did.
 #[test]
 fn remedy() {
     let script = "test NormDispIncr 1e-10 2\nset codes {}\nfor {set i 0} {$i < 4} {incr i} {\n  set ok [analyze 1]\n\
@@ -130,7 +130,7 @@ fn interrupted() {
     assert!(record.lines().count() > 0 && place.names() == ["d.txt", "m.tcl"]);
 }
 
-/// What cannot be written is an error where it is asked for, or at the latest at the end.
+/// An output that cannot be written is an error at its command, or at the latest at the end.
 #[test]
 fn unwritable() {
     for (script, status, words) in [
@@ -144,7 +144,7 @@ fn unwritable() {
     }
 }
 
-/// Recorders of what is not there say so.
+/// Recorders of missing objects warn.
 #[test]
 fn recorders_of_nothing() {
     let script = format!("{MODEL}fix 3 1 1 1\nrecorder Node -file d.txt -node 2 77 -dof 1 disp\n{STATIC}analyze 1\n");
@@ -152,7 +152,7 @@ fn recorders_of_nothing() {
     assert!(status == Some(0) && err.contains("no node 77"), "{err}");
 }
 
-/// Nobody reads the output: the analysis goes on all the same.
+/// A closed output does not stop the analysis.
 #[test]
 fn closed_output() {
     use std::process::{Command, Stdio};

@@ -1,4 +1,4 @@
-//! Mistakes in `KikuchiBearing` and `multipleNormalSpring`, and what is said about them.
+//! Messages of mistakes in `KikuchiBearing` and `multipleNormalSpring`.
 
 use super::run;
 

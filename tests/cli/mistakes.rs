@@ -164,7 +164,7 @@ fn warned() {
     }
 }
 
-/// The handler `Plain` of OpenSees does less than ours: that is told, but not where OpenSees is followed.
+/// The handler `Plain` of OpenSees leaves out constraints: a warning says so, except under `--compat`.
 #[test]
 fn plain_handler() {
     let script = "rigidLink beam 1 3\nconstraints Plain\nintegrator LoadControl 1\nanalysis Static\nanalyze 1\n";

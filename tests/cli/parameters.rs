@@ -21,7 +21,7 @@ fn values_are_read_and_changed() {
 }
 
 #[test]
-fn mistakes_are_told() {
+fn mistakes_are_reported() {
     for (command, message) in [
         ("updateParameter 3 1", "there is no parameter 3"),
         ("parameter 1 node 9 mass x", "node 9"),

@@ -1,10 +1,10 @@
-//! Table 4 of the paper: which phenomena the models capture, each shown by a run (see `validation/phenomena/`).
+//! Table 4 of the paper: which phenomena the models capture, each shown by a run (see `validation/identification/phenomena/`).
 
 use super::Place;
 
 /// Numbers of an experiment by its name.
 fn shown(kind: &str) -> impl Fn(&str) -> Vec<f64> {
-    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/validation/phenomena/experiments.tcl");
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/validation/identification/phenomena/experiments.tcl");
     let (status, out, err) = Place::new().run(&["run", script, kind]);
     assert_eq!(status, Some(0), "{kind}: {err}");
     move |name| {
@@ -13,7 +13,7 @@ fn shown(kind: &str) -> impl Fn(&str) -> Vec<f64> {
     }
 }
 
-/// What must be captured is well above this, what is not captured well below it.
+/// Bound on the match: phenomena that are captured are well above it, the others well below.
 const SEEN: f64 = 0.05;
 
 #[test]

@@ -9,7 +9,7 @@ const AXES: &str = "0 0 1 1 0 0";
 
 /// The command, and words of the message.
 #[test]
-fn words_that_cannot_be_are_named() {
+fn message_names_the_wrong_word() {
     let hdr = |layers: &str, grant: &str, more: &str| format!("element HDR 1 1 2 {layers} {grant} {more}");
     let lead = |force: &str, more: &str| format!("element LeadRubberX 1 1 2 {force} {LAYERS} {more}");
     let elastomeric = |force: &str, more: &str| format!("element ElastomericX 1 1 2 {force} {LAYERS} {more}");
@@ -62,7 +62,7 @@ fn words_that_cannot_be_are_named() {
 }
 
 #[test]
-fn the_plane_is_no_place_for_them() {
+fn bearings_in_space_are_refused_in_the_plane() {
     let (status, _, err) =
         run(&format!("model BasicBuilder -ndm 2 -ndf 3\nnode 1 0 0\nnode 2 0 1\nelement HDR 1 1 2 {LAYERS} {GRANT}\n"));
     assert_eq!(status, Some(2));
@@ -70,16 +70,16 @@ fn the_plane_is_no_place_for_them() {
 }
 
 #[test]
-fn a_switch_that_is_neither_on_nor_off_is_told_of() {
+fn switch_other_than_on_or_off_is_refused() {
     let command = format!("element ElastomericX 1 1 2 9e4 0.1 {LAYERS} {AXES} 10 0.5 1 0.5 0 0 0 2");
     let (status, _, err) = run(&format!("{MODEL}{command}\n"));
     assert_eq!(status, Some(0));
     assert!(err.contains("tag1 (cavitation) is 2 and counts as 0"), "{err}");
 }
 
-/// Under more than its critical load a bearing goes on with next to no stiffness: once it is told of.
+/// Under more than its critical load a bearing has almost no stiffness. It is reported once.
 #[test]
-fn a_load_above_the_critical_one_is_told_of() {
+fn overload_is_reported() {
     let pressed = |load: &str| {
         run(&format!(
             "{MODEL}element HDR 1 1 2 {LAYERS} {GRANT}\nfix 1 1 1 1 1 1 1\nfix 2 1 1 0 1 1 1\nforeach n {{3 4}} {{ fix $n 1 1 1 1 1 1 }}\ntimeSeries Linear 1\n\

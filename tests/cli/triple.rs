@@ -9,7 +9,7 @@ const HEAT: &str = "4.44e-6 0.018 20";
 
 /// The command, and words of the message.
 #[test]
-fn words_that_cannot_be_are_named() {
+fn message_names_the_wrong_word() {
     let whole = |way: &str, size: &str, uy: &str, heat: &str, last: &str| {
         format!(
             "element TripleFrictionPendulumX 1 1 2 {way} 7 7 7 7 1 1 1 {FRICTION} {size} 900 {uy} 1 0.1 1e-6 2e4 9e3 9e3 {heat} 20 {last}"

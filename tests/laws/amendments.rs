@@ -1,6 +1,6 @@
-//! Amendments around a bearing: tangents, and what each of them is for.
+//! Modifiers of a bearing: consistent tangents, and the effect of each.
 
-use super::driver::{Alone, difference, path};
+use super::driver::{SingleElement, difference, path};
 use hysteron::element::amendment::{
     Amended, Amendment, Axial, Bristles, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Mullins,
     Overstress, PeakOriented, Pinching, Pressure, Relaxation, Share, Sides, Sliding, Slip, Stiffening, Temperature,
@@ -46,7 +46,7 @@ fn space() -> impl Element + 'static {
 
 const PART: Share = Share { stiffness: 960.0, elastic: 0.3, hysteretic: 0.8, of_strength: false };
 
-/// Softening that does not heal.
+/// Softening without healing.
 fn softening(excess: f64, strain: f64) -> Softening {
     Softening { excess, strain, power: Some(2.0), healed: 0.0, time: f64::INFINITY, preload: 0.0 }
 }
@@ -91,9 +91,9 @@ fn motion(n: usize, seed: u64, steps: usize) -> Vec<Vec<f64>> {
 }
 
 #[test]
-fn tangent_is_the_derivative_of_the_force() {
+fn tangent_matches_finite_difference() {
     for law in laws() {
-        let around = |inner: Arc<dyn Element>| Alone::new(Amended::new(inner, law.clone(), &[]).unwrap());
+        let around = |inner: Arc<dyn Element>| SingleElement::new(Amended::new(inner, law.clone(), &[]).unwrap());
         for mut e in [around(Arc::new(plane())), around(Arc::new(space()))] {
             let n = e.element.dofs();
             let (mut tested, steps) = (0, motion(n, 31, 120));
@@ -121,7 +121,7 @@ fn force(law: Arc<dyn Amendment>, history: impl Iterator<Item = f64>) -> Vec<f64
 fn force_of(shear: BoucWenShear, law: Arc<dyn Amendment>, history: impl Iterator<Item = f64>) -> Vec<f64> {
     let (axes, length) = Orientation::default().of_link(Vector3::zeros(), Vector3::new(0.0, 0.3, 0.0), true).unwrap();
     let inner = PlaneBearing::new(shear, Link::new(&axes, length, 0.5), [elastic(1e5), elastic(6e3)], 0.0, false);
-    let mut e = Alone::new(Amended::new(Arc::new(inner), law, &[]).unwrap());
+    let mut e = SingleElement::new(Amended::new(Arc::new(inner), law, &[]).unwrap());
     history
         .map(|u| {
             let f = e.force(&[0.0, 0.0, 0.0, u, 0.0, 0.0]);
@@ -140,7 +140,7 @@ fn peak(f: &[f64], cycle: usize) -> f64 {
 }
 
 #[test]
-fn each_does_what_it_is_for() {
+fn each_modifier_has_its_effect() {
     let all = Share::default();
     let plain = force(Arc::new(Temperature { softening: 0.01, at: 0.0, reference: 0.0, share: all }), cycles(0.05, 3));
 
@@ -159,8 +159,7 @@ fn each_does_what_it_is_for() {
     );
     assert!(peak(&warm, 0) > peak(&warm, 1) && peak(&warm, 1) > peak(&warm, 2));
 
-    // Where the slack is at its end the device has gone as far as it would without it by so much less; the elastic part goes
-    // all the way.
+    // At the end of the slack the device has moved less by the slack; the elastic part has the full displacement.
     let elastic = Share { stiffness: 960.0, ..all };
     for (size, growth) in [(0.02, 0.0), (0.0, 0.4)] {
         let slips = force(Arc::new(Slip { size, growth, width: 1.0, share: elastic }), cycles(0.05, 3));
@@ -169,7 +168,7 @@ fn each_does_what_it_is_for() {
             let expected = shorter[i] + 960.0 * 0.01f64.copysign(shorter[i]);
             assert!((slips[i] - expected).abs() < 1e-2 * expected.abs(), "{size}: {} {expected}", slips[i]);
         }
-        // Between, the hysteretic part stays about zero for as long as the slack is.
+        // The hysteretic part stays near zero over the length of the slack.
         let z = |i: usize| slips[i] - 960.0 * 0.05 * (std::f64::consts::TAU * i as f64 / 100.0).sin();
         let slipping = (225..275).filter(|i| z(*i).abs() < 2.0).count();
         assert!(slipping >= 8, "{slipping}");
@@ -181,7 +180,7 @@ fn each_does_what_it_is_for() {
         Arc::new(Mullins { softening: softening(0.3, 1e-6), share: all }),
         cycles(0.05, 2).map(|u| u.abs().max(0.0)),
     );
-    // Halfway up: on the first way stiffer than on the second.
+    // At half the amplitude the first loading is stiffer than the second.
     assert!((virgin[8] / plain[8] - 1.3).abs() < 1e-9);
     assert!(virgin[108] < 1.15 * plain[108]);
 
@@ -193,7 +192,7 @@ fn each_does_what_it_is_for() {
         Arc::new(Overstress { force: 10.0, speed: 1.0, power: 0.25, stiffness: 1e5 }),
         (0..2000).map(|i| 0.01 * 0.01 * i as f64),
     );
-    // A steady speed v gives the overstress F (v / v0)^n.
+    // A constant speed v gives the overstress F (v / v0)^n.
     let steady = 10.0 * (0.1f64.powf(0.25) - 0.01f64.powf(0.25));
     assert!((fast[199] - slow[1990] - steady).abs() < 1e-6, "{} {steady}", fast[199] - slow[1990]);
 
@@ -201,9 +200,9 @@ fn each_does_what_it_is_for() {
     assert!((peak(&yields, 0) - 20.0).abs() < 1e-9);
 }
 
-/// A factor on the strength makes it the bearing of that strength and of the same stiffness.
+/// A factor on the strength changes the strength and not the stiffness.
 #[test]
-fn a_weaker_bearing_is_as_stiff() {
+fn strength_factor_keeps_stiffness() {
     let untouched = || Arc::new(Temperature { softening: 0.0, at: 0.0, reference: 0.0, share: Share::default() });
     let share = Share::strength_beside(shear().k2);
     let history = || path(11, 400, 0.03).into_iter();
@@ -219,9 +218,9 @@ fn a_weaker_bearing_is_as_stiff() {
     }
 }
 
-/// A brace that is amended yields as one of a material that does.
+/// A brace with the modifier yields like one with a yielding material.
 #[test]
-fn a_brace_yields() {
+fn brace_modifier_yields_like_a_yielding_material() {
     let (modulus, area, strength, hardening) = (2.0e5, 0.3, 250.0, 0.05);
     let brace = |law: Material| {
         let options = BarOptions { area, rho: 0.0, consistent: false, rayleigh: false };
@@ -232,7 +231,7 @@ fn a_brace_yields() {
     let law = Arc::new(Yielding { force: strength * area, stiffness, hardening });
     let amended = Amended::new(Arc::new(brace(Arc::new(Elastic::new(modulus)))), law, &[]).unwrap();
     assert!((amended.initial_stiffness()[0] - stiffness).abs() < 1e-9 * stiffness);
-    let (mut amended, mut yields) = (Alone::new(amended), Alone::new(brace(Arc::new(steel))));
+    let (mut amended, mut yields) = (SingleElement::new(amended), SingleElement::new(brace(Arc::new(steel))));
     let mut largest = 0.0f64;
     for (k, u) in path(5, 60, 0.05).into_iter().enumerate() {
         let disp = [0.0, 0.0, 0.0, u, 0.3 * u, 0.1];
@@ -245,7 +244,7 @@ fn a_brace_yields() {
     assert!(largest > 0.6 * strength * area);
 }
 
-/// Steps of 0.01 s.
+/// The time step is 0.01 s.
 #[test]
 fn bristles_bend_and_slip() {
     let bristles = |breakaway, speed| Arc::new(Bristles { force: 20.0, stiffness: 2e4, breakaway, speed });
@@ -254,7 +253,7 @@ fn bristles_bend_and_slip() {
         let plain = force(Arc::new(plain), (0..400).map(path));
         force(law, (0..400).map(path)).into_iter().zip(plain).map(|(a, p)| a - p).collect::<Vec<_>>()
     };
-    // A steady speed, and back: -F + 2 F exp(-k w / F) after a way w.
+    // Constant speed, then reversal: the force is -F + 2 F exp(-k w / F) after the distance w.
     let there_and_back = |i: usize| 1e-3 * if i <= 200 { i as f64 } else { 400.0 - i as f64 };
     let f = amended(bristles(0.0, 1.0), &there_and_back);
     assert!((f[200] - 20.0).abs() < 1e-9);
@@ -262,7 +261,7 @@ fn bristles_bend_and_slip() {
         let expected = -20.0 + 40.0 * (-2e4 * way / 20.0f64).exp();
         assert!((f[i] - expected).abs() < 1e-6, "{i}: {} {expected}", f[i]);
     }
-    // Slower, Stribeck's peak: 0.1 m/s and 0.01 m/s against a speed of 0.1 m/s.
+    // Lower speed, Stribeck's peak: 0.1 m/s and 0.01 m/s against a speed of 0.1 m/s.
     for slower in [1.0, 10.0] {
         let f = amended(bristles(8.0, 0.1), &|i| 1e-3 / slower * i as f64);
         let expected = 20.0 + 8.0 * (-(1.0 / slower).powi(2)).exp();
@@ -270,9 +269,9 @@ fn bristles_bend_and_slip() {
     }
 }
 
-/// Steps of 0.01 s.
+/// The time step is 0.01 s.
 #[test]
-fn friction_smoothed_over_speed_is_that_of_the_speed() {
+fn smoothed_friction_matches_friction_at_constant_speed() {
     let ramp = |speed: f64| {
         let path = || (0..100).map(move |i| 0.01 * speed * f64::from(i));
         let plain = Temperature { softening: 0.0, at: 0.0, reference: 0.0, share: Share::default() };
@@ -284,9 +283,9 @@ fn friction_smoothed_over_speed_is_that_of_the_speed() {
     }
 }
 
-/// What relaxes after a step of the deformation falls with its times; a slow motion knows nothing of it.
+/// The force relaxes after a deformation step with its time constants; a slow motion causes no overstress.
 #[test]
-fn a_force_relaxes() {
+fn overstress_relaxes_with_its_time_constants() {
     let plain = || Temperature { softening: 0.0, at: 0.0, reference: 0.0, share: Share::default() };
     let step = || (0..300).map(|i| if i > 0 { 0.04 } else { 0.0 });
     let more = |law: Relaxation| {
@@ -308,10 +307,10 @@ fn a_force_relaxes() {
 }
 
 #[test]
-fn what_is_peak_oriented_reloads_towards_its_largest_deformation() {
+fn peak_oriented_law_reloads_towards_largest_deformation() {
     let (k, fy, b, a) = (8000.0, 30.0, 0.05, 0.4);
     let law = PeakOriented { force: fy, stiffness: k, hardening: b, unloading: a };
-    // A path with corners, in steps that pass over those of the law.
+    // A path with corners, in steps that cross those of the law.
     let corners = [0.0, 0.03, -0.03, 0.03, 0.02, 0.031];
     let path = || corners.windows(2).flat_map(|w| (1..=7).map(move |i| w[0] + (w[1] - w[0]) * f64::from(i) / 7.0));
     let plain = Temperature { softening: 0.0, at: 0.0, reference: 0.0, share: Share::default() };
@@ -319,7 +318,7 @@ fn what_is_peak_oriented_reloads_towards_its_largest_deformation() {
     let ey = fy / k;
     let envelope = |e: f64| fy + b * k * (e - ey);
     let (peak, unloading) = (envelope(0.03), k * (ey / 0.03).powf(a));
-    // Where the force is zero after a half cycle, and the lines from there.
+    // Displacement of zero force after a half cycle, and the lines from it.
     let zero = 0.03 - peak / unloading;
     let line = |e: f64, from: [f64; 2], to: [f64; 2]| from[1] + (to[1] - from[1]) * (e - from[0]) / (to[0] - from[0]);
     for (i, ((e, p), q)) in path().zip(&plain).zip(&amended).enumerate() {
@@ -338,7 +337,7 @@ fn what_is_peak_oriented_reloads_towards_its_largest_deformation() {
 }
 
 #[test]
-fn cavitation_lowers_the_next_pull() {
+fn cavitation_reduces_the_next_tension_peak() {
     let (strength, extension, damage) = (50.0, 0.0005, 0.7);
     let law = Cavitation {
         strength,
@@ -350,7 +349,7 @@ fn cavitation_lowers_the_next_pull() {
         sign: 1.0,
         share: Share::default(),
     };
-    let mut e = Alone::new(Amended::new(Arc::new(plane()), Arc::new(law), &[1]).unwrap());
+    let mut e = SingleElement::new(Amended::new(Arc::new(plane()), Arc::new(law), &[1]).unwrap());
     let (axes, _) = Orientation::default().of_link(Vector3::zeros(), Vector3::new(0.05, 0.3, 0.0), true).unwrap();
     let mut pull = |u: f64| {
         let f = e.force(&[0.0, 0.0, 0.0, u * axes[(0, 0)], u * axes[(0, 1)], 0.0]);
@@ -362,7 +361,7 @@ fn cavitation_lowers_the_next_pull() {
     let envelope = |u: f64| strength * (1.0 + 0.4 * (1.0 - (-(u - extension) / 0.001).exp()));
     assert!((first[29] - envelope(0.003)).abs() < 1e-9, "{}", first[29]);
     assert!(pull(-1e-4) < 0.0);
-    // From the strength that is left straight to where the last pull ended.
+    // A line from the residual strength to the end of the last pull.
     let second: Vec<f64> = (1..=32).map(|i| pull(way(i))).collect();
     let kept = 1.0 - damage * (1.0 - (-5.0f64).exp());
     let line =
@@ -372,7 +371,7 @@ fn cavitation_lowers_the_next_pull() {
 }
 
 #[test]
-fn a_direction_that_is_not_there_is_refused() {
+fn missing_direction_is_an_error() {
     let law = Stiffening { factor: 1.0, from: 0.0, power: 2.0 };
     let refused = Amended::new(Arc::new(plane()), Arc::new(law), &[3]).err();
     let ElementError(message) = refused.expect("the plane has no third direction");
@@ -380,7 +379,7 @@ fn a_direction_that_is_not_there_is_refused() {
 }
 
 #[test]
-fn time_that_does_not_pass_does_not_relax() {
+fn zero_time_causes_no_relaxation() {
     let law = Overstress { force: 10.0, speed: 1.0, power: 0.25, stiffness: 1e3 };
     let element = Amended::new(Arc::new(plane()), Arc::new(law), &[]).unwrap();
     let mut state = vec![0.0; element.state_len()];
@@ -388,7 +387,7 @@ fn time_that_does_not_pass_does_not_relax() {
     let mut next = state.clone();
     let (mut force, disp) = (vec![0.0; 6], [0.0, 0.0, 0.0, 0.02, 0.0, 0.0]);
     let motion =
-        ElementInput { disp: &disp, vel: &[0.0; 6], load: &[], still: false, again: false, dt: 0.0, time: 0.0 };
+        ElementInput { disp: &disp, vel: &[0.0; 6], load: &[], still: false, opensees: None, dt: 0.0, time: 0.0 };
     element
         .respond(
             &motion,

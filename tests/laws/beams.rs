@@ -1,6 +1,6 @@
-//! Beams and their transformations.
+//! Beams and their geometric transformations.
 
-use super::driver::{Alone, difference};
+use super::driver::{SingleElement, difference};
 use hysteron::element::beam::{ElasticBeam, ElasticOptions, Release};
 use hysteron::element::load::ElementLoad;
 use hysteron::element::transform::{Ends, TransformKind, TransformSpec};
@@ -15,7 +15,7 @@ fn spec(kind: TransformKind, offsets: bool) -> TransformSpec {
     TransformSpec { kind, xz: Vector3::new(0.0, 0.3, 1.0), offsets: o, by_trials: false }
 }
 
-/// Of E A, E I and G A.
+/// A section with E A, E I and G A.
 fn flat_section(ea: f64, ei: f64, gav: Option<f64>) -> ElasticSection {
     ElasticSection { e: 1.0, area: ea, iz: ei, iy: 0.0, g: 1.0, j: 0.0, shear: (gav, None) }
 }
@@ -46,9 +46,9 @@ fn some_motion(n: usize, size: f64) -> Vec<f64> {
 fn tangent_of_linear_and_corotational_beams() {
     for offsets in [false, true] {
         for (name, mut e, n) in [
-            ("linear, space", Alone::new(space(TransformKind::Linear, offsets, true, Release::None)), 12),
-            ("linear, hinge at i", Alone::new(space(TransformKind::Linear, offsets, true, Release::I)), 12),
-            ("linear, plane", Alone::new(plane(TransformKind::Linear, offsets)), 6),
+            ("linear, space", SingleElement::new(space(TransformKind::Linear, offsets, true, Release::None)), 12),
+            ("linear, hinge at i", SingleElement::new(space(TransformKind::Linear, offsets, true, Release::I)), 12),
+            ("linear, plane", SingleElement::new(plane(TransformKind::Linear, offsets)), 6),
         ] {
             let u = some_motion(n, 0.1);
             let (_, k) = e.trial(&u, &vec![0.0; n]);
@@ -58,7 +58,7 @@ fn tangent_of_linear_and_corotational_beams() {
             assert!(difference(&k, &initial) < 1e-12, "{name}");
         }
     }
-    let mut e = Alone::new(plane(TransformKind::Corotational, false));
+    let mut e = SingleElement::new(plane(TransformKind::Corotational, false));
     for size in [0.01, 0.3, 1.0] {
         let u = some_motion(6, size);
         let (_, k) = e.trial(&u, &[0.0; 6]);
@@ -66,7 +66,7 @@ fn tangent_of_linear_and_corotational_beams() {
     }
 }
 
-/// The P-Delta tangent leaves out how the axial force changes; with a given axial force it is exact.
+/// The P-Delta tangent omits the change of the axial force; it is exact for a given axial force.
 #[test]
 fn tangent_of_p_delta_under_a_given_axial_force() {
     let ends = Ends { place: LINE, disp: &[0.0; 12] };
@@ -89,11 +89,11 @@ fn tangent_of_p_delta_under_a_given_axial_force() {
     }
 }
 
-/// A rigid motion of the whole beam, small for linear ones, of any size for corotational ones.
+/// Rigid motions cause no force: small ones for linear beams, large ones for corotational beams.
 #[test]
-fn rigid_motions_are_free() {
+fn rigid_motions_cause_no_force() {
     for offsets in [false, true] {
-        let mut e = Alone::new(space(TransformKind::Linear, offsets, false, Release::None));
+        let mut e = SingleElement::new(space(TransformKind::Linear, offsets, false, Release::None));
         let turn = Vector3::new(0.01, -0.02, 0.03);
         let mut u = vec![];
         for p in [LINE.0, LINE.1] {
@@ -104,7 +104,7 @@ fn rigid_motions_are_free() {
         let scale = 5000.0;
         assert!(e.force(&u).iter().all(|f| f.abs() < 1e-10 * scale), "linear, offsets {offsets}");
     }
-    let mut e = Alone::new(plane(TransformKind::Corotational, false));
+    let mut e = SingleElement::new(plane(TransformKind::Corotational, false));
     for angle in [0.1f64, 1.0, 2.5] {
         let r = Matrix3::new(angle.cos(), -angle.sin(), 0.0, angle.sin(), angle.cos(), 0.0, 0.0, 0.0, 1.0);
         let mut u = vec![];
@@ -117,18 +117,17 @@ fn rigid_motions_are_free() {
     }
 }
 
-/// Forces and moments at the two ends balance, in the undeformed position for linear beams and in the deformed one
-/// for corotational ones.
+/// End forces and moments are in equilibrium: undeformed for linear beams, deformed for corotational beams.
 #[test]
 fn ends_are_in_equilibrium() {
-    let mut e = Alone::new(space(TransformKind::Linear, false, true, Release::None));
+    let mut e = SingleElement::new(space(TransformKind::Linear, false, true, Release::None));
     let f = e.force(&some_motion(12, 0.1));
     let part = |k: usize| Vector3::from_column_slice(&f[k..k + 3]);
     let arm = LINE.1 - LINE.0;
     assert!((part(0) + part(6)).norm() < 1e-9);
     assert!((part(3) + part(9) + arm.cross(&part(6))).norm() < 1e-8);
 
-    let mut e = Alone::new(plane(TransformKind::Corotational, false));
+    let mut e = SingleElement::new(plane(TransformKind::Corotational, false));
     let u = some_motion(6, 0.5);
     let f = e.force(&u);
     let (dx, dy) = (LINE.1.x - LINE.0.x + u[3] - u[0], LINE.1.y - LINE.0.y + u[4] - u[1]);
@@ -136,9 +135,9 @@ fn ends_are_in_equilibrium() {
     assert!((f[2] + f[5] + dx * f[4] - dy * f[3]).abs() < 1e-8);
 }
 
-/// Patch: a beam cut in two by a free node bends like the whole one (both Euler-Bernoulli and Timoshenko).
+/// A beam divided by a free node deflects like the undivided one (Euler-Bernoulli and Timoshenko).
 #[test]
-fn two_halves_are_one_whole() {
+fn two_halves_equal_the_whole_beam() {
     let ends = Ends { place: (Vector3::zeros(), Vector3::new(4.0, 0.0, 0.0)), disp: &[0.0; 6] };
     for gav in [None, Some(50.0)] {
         let straight = TransformSpec {
@@ -163,7 +162,7 @@ fn two_halves_are_one_whole() {
 }
 
 #[test]
-fn member_loads_pass_all_of_their_force_to_the_ends() {
+fn end_forces_balance_member_loads() {
     let loads = [
         ElementLoad::Distributed { span: (0.0, 1.0), y: (3.0, 3.0), z: (-2.0, -2.0), x: (1.0, 1.0) },
         ElementLoad::Distributed { span: (0.2, 0.7), y: (1.0, 4.0), z: (2.0, 0.0), x: (0.0, 2.0) },
@@ -181,7 +180,7 @@ fn member_loads_pass_all_of_their_force_to_the_ends() {
                     Vector3::new(mean(x), mean(y), mean(z))
                 }
             };
-            let mut alone = Alone::new(e);
+            let mut alone = SingleElement::new(e);
             let mut words = vec![0.0; alone.load.len()];
             alone.element.add_load(load, 1.5, &mut words).unwrap();
             alone.load = words;
@@ -192,9 +191,9 @@ fn member_loads_pass_all_of_their_force_to_the_ends() {
     }
 }
 
-/// Clamped moments of a uniform load, and of a point load at a third (Roark, table 8.1).
+/// Fixed-end moments of a uniform load, and of a point load at a third (Roark, table 8.1).
 #[test]
-fn clamped_moments_are_those_of_the_handbook() {
+fn fixed_end_moments_match_the_handbook() {
     let ends = Ends { place: (Vector3::zeros(), Vector3::new(6.0, 0.0, 0.0)), disp: &[0.0; 6] };
     let straight = TransformSpec {
         kind: TransformKind::Linear,
@@ -203,7 +202,8 @@ fn clamped_moments_are_those_of_the_handbook() {
         by_trials: false,
     };
     let section = flat_section(1000.0, 100.0, None);
-    let beam = || Alone::new(ElasticBeam::new(straight.plane(&ends).unwrap(), section, ElasticOptions::default()));
+    let beam =
+        || SingleElement::new(ElasticBeam::new(straight.plane(&ends).unwrap(), section, ElasticOptions::default()));
     for (load, mi, mj) in [
         (ElementLoad::Distributed { span: (0.0, 1.0), y: (-10.0, -10.0), z: (0.0, 0.0), x: (0.0, 0.0) }, 30.0, -30.0),
         (

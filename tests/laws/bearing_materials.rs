@@ -1,6 +1,6 @@
 //! Materials of bearings and of pounding.
 
-use super::driver::{Point, path};
+use super::driver::{MaterialPoint, path};
 use super::materials::{check_purity, check_tangent};
 use hysteron::material::{
     AxialParameters, AxialSp, AxialSpHD, COMPOUNDS, HertzDamp, HighDampingRubber, Impact, JankowskiImpact,
@@ -28,7 +28,7 @@ fn high_damping(compound: usize) -> Material {
     Arc::new(KikuchiAiken::new(rubber(compound), [0.5, 0.25]))
 }
 
-/// With loops that decay slowly: as OpenSees has them they would end short of the skeleton by a hundredth of the force.
+/// Slowly decaying loops, which in OpenSees end short of the skeleton by 1 % of the force.
 fn thin() -> Material {
     Arc::new(KikuchiAiken::new(HighDampingRubber { factors: [2.0, 0.8, 1.12], ..rubber(0) }, [1.0; 2]))
 }
@@ -47,7 +47,7 @@ fn lead() -> LeadRubber {
     })
 }
 
-/// Every law with an amplitude that takes it far into its range.
+/// Every law with an amplitude in its nonlinear range.
 fn all() -> Vec<(String, Material, f64)> {
     let hard = Some((0.2, 4.0));
     let mut all = vec![
@@ -70,7 +70,7 @@ fn symmetric() -> impl Iterator<Item = (String, Material, f64)> {
 }
 
 #[test]
-fn tangent_is_the_derivative_of_the_force() {
+fn tangent_matches_finite_difference() {
     all().into_iter().for_each(|(name, law, amplitude)| check_tangent(&name, law, amplitude));
 }
 
@@ -82,32 +82,33 @@ fn force_depends_on_the_committed_state_alone() {
 #[test]
 fn mirrored_displacement_gives_mirrored_force() {
     for (name, law, amplitude) in symmetric() {
-        let (mut p, mut q) = (Point::new(law.clone()), Point::new(law));
+        let (mut p, mut q) = (MaterialPoint::new(law.clone()), MaterialPoint::new(law));
         for u in path(5, 800, amplitude) {
-            assert_eq!(p.go(u).value, -q.go(-u).value, "{name}");
+            assert_eq!(p.advance(u).value, -q.advance(-u).value, "{name}");
         }
     }
 }
 
 #[test]
-fn initial_tangent_is_that_of_a_small_displacement() {
+fn initial_tangent_matches_small_displacement() {
     for (name, law, amplitude) in all().into_iter().filter(|m| m.0 != "impact") {
         let k = law.initial_tangent();
         let u = -1e-6 * amplitude;
-        let secant = Point::new(law).go(u).value / u;
+        let secant = MaterialPoint::new(law).advance(u).value / u;
         assert!((secant - k).abs() < 1e-9 * k, "{name}: {secant} for {k}");
     }
 }
 
-/// From any state the force is a continuous function of the displacement: else a model has states without equilibrium.
+/// The force is a continuous function of the displacement from every state; a jump would leave states without
+/// equilibrium.
 #[test]
-fn force_does_not_jump() {
+fn force_is_continuous() {
     const PARTS: usize = 64;
     for (name, law, amplitude) in all() {
-        let mut p = Point::new(law);
+        let mut p = MaterialPoint::new(law);
         let mut largest = 0.0f64;
         for u in path(29, 400, amplitude) {
-            // The steepest part of the whole range, of that part and so on: a jump stays, a slope vanishes.
+            // Repeated selection of the steepest subinterval: a jump persists, a slope vanishes.
             let (mut from, mut to, mut step) = (-amplitude, amplitude, f64::INFINITY);
             for _ in 0..7 {
                 let at = |k: usize| from + (to - from) * k as f64 / PARTS as f64;
@@ -118,32 +119,32 @@ fn force_does_not_jump() {
                 largest = forces.iter().fold(largest, |m, f| m.max(f.abs()));
             }
             assert!(step < 1e-7 * largest, "{name}: {step} of {largest} at {from}, from {u}");
-            p.go(u);
+            p.advance(u);
         }
     }
 }
 
-/// Work of one cycle from `mean` by `amplitude` up and down.
-fn cycle(p: &mut Point, mean: f64, amplitude: f64) -> f64 {
+/// Work of one cycle of `amplitude` about `mean`.
+fn cycle(p: &mut MaterialPoint, mean: f64, amplitude: f64) -> f64 {
     let n = 400;
-    let (mut last, mut at, mut work) = (p.go(mean).value, mean, 0.0);
+    let (mut last, mut at, mut work) = (p.advance(mean).value, mean, 0.0);
     for k in 1..=n {
         let u = mean + amplitude * (2.0 * PI * f64::from(k) / f64::from(n)).sin();
-        let s = p.go(u).value;
+        let s = p.advance(u).value;
         work += 0.5 * (s + last) * (u - at);
         (last, at) = (s, u);
     }
     work
 }
 
-/// Whatever came before, a cycle that is gone through again gives no energy.
+/// A repeated cycle dissipates energy after every history.
 #[test]
-fn no_energy_comes_out_of_a_closed_cycle() {
+fn closed_cycles_create_no_energy() {
     for (name, law, amplitude) in all() {
-        let mut p = Point::new(law.clone());
+        let mut p = MaterialPoint::new(law.clone());
         let walk = path(17, 600, amplitude);
         for (k, &u) in walk.iter().enumerate() {
-            p.go(u);
+            p.advance(u);
             if k % 20 == 0 {
                 let around = 0.3 * walk[(k + 300) % 600];
                 cycle(&mut p, u, around);
@@ -155,78 +156,78 @@ fn no_energy_comes_out_of_a_closed_cycle() {
     }
 }
 
-/// The force at the end of a way does not depend on how many steps it takes.
+/// The force at the end of a path does not depend on the number of steps.
 #[test]
-fn axial_springs_and_contacts_do_not_depend_on_the_step() {
+fn axial_springs_and_contacts_are_independent_of_step_size() {
     for (name, law, amplitude) in
         all().into_iter().filter(|m| !m.0.starts_with('X') && m.0 != "lead rubber" && m.0 != "little damping")
     {
-        let (mut coarse, mut fine) = (Point::new(law.clone()), Point::new(law));
+        let (mut coarse, mut fine) = (MaterialPoint::new(law.clone()), MaterialPoint::new(law));
         let mut from = 0.0;
         for to in path(23, 4000, amplitude).into_iter().step_by(40) {
             (1..=50).for_each(|k| {
-                fine.go(from + (to - from) * f64::from(k) / 50.0);
+                fine.advance(from + (to - from) * f64::from(k) / 50.0);
             });
-            let (a, b) = (coarse.go(to).value, fine.trial(to, 0.0, 0.0).value);
+            let (a, b) = (coarse.advance(to).value, fine.trial(to, 0.0, 0.0).value);
             assert!((a - b).abs() < 1e-9 * 1200.0 * amplitude, "{name} from {from} to {to}: {a} and {b}");
             from = to;
         }
     }
 }
 
-/// Loops of the amplitude X dissipate what the equivalent damping of the compound says.
+/// Loops of the amplitude X have the equivalent damping of the compound.
 #[test]
 fn loops_have_the_damping_of_the_compound() {
     // Published h_eq of X0.6 at 100 % and 200 %.
     for (gamma, heq) in [(1.0, 0.2103), (2.0, 0.1825)] {
         let device = HighDampingRubber { factors: [1.0; 3], ..rubber(0) };
         let x = gamma * HEIGHT;
-        let mut p = Point::new(Arc::new(KikuchiAiken::new(device, [1.0; 2])));
+        let mut p = MaterialPoint::new(Arc::new(KikuchiAiken::new(device, [1.0; 2])));
         cycle(&mut p, 0.0, x);
         let work = cycle(&mut p, 0.0, x);
-        let force = p.go(x).value;
+        let force = p.advance(x).value;
         let damping = work / (2.0 * PI * force * x);
         assert!((damping - heq).abs() < 0.01 * heq, "at {gamma}: {damping} for {heq}");
     }
 }
 
-/// More loops inside each other than are remembered: the force stays bounded, and the skeleton is found again.
+/// With more nested loops than the limit, the force stays bounded and the skeleton is reached again.
 #[test]
-fn loops_without_end_inside_each_other() {
+fn nested_loops_beyond_the_limit_stay_bounded() {
     let law = high_damping(0);
-    let mut p = Point::new(law.clone());
+    let mut p = MaterialPoint::new(law.clone());
     let mut x = 2.0 * HEIGHT;
-    let top = p.go(x).value;
+    let top = p.advance(x).value;
     for k in 0..300 {
         x *= -0.99;
         for part in 1..=4 {
-            let s = p.go(x * (0.5 * f64::from(part) - 1.0)).value;
+            let s = p.advance(x * (0.5 * f64::from(part) - 1.0)).value;
             assert!(s.abs() <= top, "reversal {k}: {s}");
         }
     }
-    let end = p.go(2.0 * HEIGHT).value;
+    let end = p.advance(2.0 * HEIGHT).value;
     assert!((end - top).abs() < 1e-12 * top, "{end} for {top}");
 }
 
-/// The way back to a reversal ends at the force that was left there.
+/// An inner loop closes at the force of its reversal.
 #[test]
 fn inner_loops_close() {
     for (name, law, amplitude) in symmetric() {
-        let mut p = Point::new(law);
-        p.go(amplitude);
-        p.go(-0.2 * amplitude);
-        let left = p.go(-0.5 * amplitude).value;
-        p.go(0.1 * amplitude);
-        p.go(-0.3 * amplitude);
-        p.go(0.0);
-        let back = p.go(-0.5 * amplitude * (1.0 - 1e-12)).value;
+        let mut p = MaterialPoint::new(law);
+        p.advance(amplitude);
+        p.advance(-0.2 * amplitude);
+        let left = p.advance(-0.5 * amplitude).value;
+        p.advance(0.1 * amplitude);
+        p.advance(-0.3 * amplitude);
+        p.advance(0.0);
+        let back = p.advance(-0.5 * amplitude * (1.0 - 1e-12)).value;
         assert!((back - left).abs() < 1e-9 * left.abs(), "{name}: {back} for {left}");
     }
 }
 
-/// Too much shear is refused where the fitted functions lose their meaning, before there is a NaN.
+/// Shear beyond the validity of the fitted functions is an error before a NaN occurs.
 #[test]
-fn shear_beyond_the_fit_is_refused() {
+fn shear_beyond_the_fit_is_an_error() {
     for compound in 0..COMPOUNDS.len() {
         let law = high_damping(compound);
         let mut state = vec![0.0; law.state_len()];
@@ -243,11 +244,11 @@ fn shear_beyond_the_fit_is_refused() {
 }
 
 #[test]
-fn contact_resists_the_rate() {
+fn contact_force_opposes_the_rate() {
     let hertz = HertzDamp { kh: 1e4, xi: 0.4, gap: -0.01, n: 1.5, compat: false };
     let jankowski = JankowskiImpact { kh: 1e4, xi: 0.3, mass: 20.0, gap: -0.01, n: 1.5, compat: false };
     for law in [Arc::new(hertz) as Material, Arc::new(jankowski)] {
-        let mut p = Point::new(law);
+        let mut p = MaterialPoint::new(law);
         assert_eq!(p.trial(-0.01, -2.0, 0.01).value, 0.0, "open");
         let begins = p.trial(-0.02, -2.0, 0.01);
         let elastic = -1e4 * 0.01f64.powf(1.5);

@@ -1,6 +1,6 @@
 //! Bouc-Wen bearings.
 
-use super::driver::{Alone, difference, path};
+use super::driver::{SingleElement, difference, path};
 use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::{BoucWenShear, Link, PlaneBearing, SpaceBearing};
 use hysteron::material::{Elastic, ElasticPP, Material};
@@ -16,19 +16,19 @@ fn elastic(e: f64) -> (Material, i32) {
     (Arc::new(Elastic::new(e)), 1)
 }
 
-fn plane(p: BoucWenShear, shear_dist: f64) -> Alone {
+fn plane(p: BoucWenShear, shear_dist: f64) -> SingleElement {
     let (axes, length) = Orientation::default().of_link(Vector3::zeros(), Vector3::new(0.05, 0.3, 0.0), true).unwrap();
     let moment = (Arc::new(ElasticPP::new(6000.0, 1.0, -1.0, 0.0)) as Material, 2);
-    Alone::new(PlaneBearing::new(p, Link::new(&axes, length, shear_dist), [elastic(1e5), moment], 0.0, false))
+    SingleElement::new(PlaneBearing::new(p, Link::new(&axes, length, shear_dist), [elastic(1e5), moment], 0.0, false))
 }
 
-fn space_along(p: BoucWenShear, shear_dist: f64, orientation: Orientation, line: Vector3<f64>) -> Alone {
+fn space_along(p: BoucWenShear, shear_dist: f64, orientation: Orientation, line: Vector3<f64>) -> SingleElement {
     let (axes, length) = orientation.of_link(Vector3::zeros(), line, false).unwrap();
     let materials = [elastic(1e5), elastic(900.0), elastic(6000.0), elastic(5000.0)];
-    Alone::new(SpaceBearing::new(p, Link::new(&axes, length, shear_dist), materials, 0.0, false))
+    SingleElement::new(SpaceBearing::new(p, Link::new(&axes, length, shear_dist), materials, 0.0, false))
 }
 
-fn space(p: BoucWenShear) -> Alone {
+fn space(p: BoucWenShear) -> SingleElement {
     space_along(p, 0.3, Orientation::default(), Vector3::new(0.02, -0.05, 0.3))
 }
 
@@ -42,7 +42,7 @@ fn laws() -> [(&'static str, BoucWenShear); 5] {
     ]
 }
 
-/// A wandering motion of all degrees of freedom; axial and rotations smaller.
+/// A pseudo-random motion of all degrees of freedom; axial displacements and rotations are smaller.
 fn motion(n: usize, seed: u64, steps: usize) -> Vec<Vec<f64>> {
     let per_node = n / 2;
     let size = |i: usize| match (n, i % per_node) {
@@ -55,7 +55,7 @@ fn motion(n: usize, seed: u64, steps: usize) -> Vec<Vec<f64>> {
 }
 
 #[test]
-fn tangent_is_the_derivative_of_the_force() {
+fn tangent_matches_finite_difference() {
     for (name, p) in laws() {
         for mut e in [plane(p.clone(), 0.3), space(p.clone())] {
             let n = e.element.dofs();
@@ -77,7 +77,7 @@ fn tangent_is_the_derivative_of_the_force() {
 }
 
 #[test]
-fn initial_tangent_is_that_of_a_small_motion() {
+fn initial_tangent_matches_small_motion() {
     for (_, p) in laws() {
         for mut e in [plane(p.clone(), 0.5), space(p.clone())] {
             let n = e.element.dofs();
@@ -88,7 +88,7 @@ fn initial_tangent_is_that_of_a_small_motion() {
     }
 }
 
-/// A circle with its centre moved shows that the two directions share one strength.
+/// An eccentric circular orbit shows that both directions share one strength.
 #[test]
 fn circular_orbits_show_bidirectional_coupling() {
     let p = shear(2.0, 0.5, 0.5, 0.0);
@@ -112,7 +112,7 @@ fn circular_orbits_show_bidirectional_coupling() {
 }
 
 #[test]
-fn no_energy_comes_out_of_a_closed_cycle() {
+fn closed_cycles_create_no_energy() {
     for (name, p) in laws() {
         let up = Orientation { x: Some(Vector3::z()), y: Some(Vector3::x()) };
         let mut e = space_along(p, 0.5, up, Vector3::zeros());
@@ -132,7 +132,7 @@ fn no_energy_comes_out_of_a_closed_cycle() {
 }
 
 #[test]
-fn turning_the_bearing_turns_the_force() {
+fn rotating_the_bearing_rotates_the_force() {
     let q = Rotation3::from_euler_angles(0.4, 0.9, -1.3).into_inner();
     let p = shear(2.0, 0.5, 0.5, 0.01);
     let line = Vector3::new(0.0, 0.0, 0.3);
@@ -154,7 +154,7 @@ fn turning_the_bearing_turns_the_force() {
 fn mirrored_motion_gives_mirrored_force() {
     for (name, p) in laws() {
         let (mut e, mut m) = (space(p.clone()), space(p));
-        // Mirrored in the point of origin; the axial force changes sign with it, so P-Delta does not.
+        // Point symmetry about the origin changes the sign of the axial force, so P-Delta is excluded.
         for u in motion(12, 5, 120) {
             let no_axial: Vec<f64> = u.iter().enumerate().map(|(i, x)| if i % 6 == 2 { 0.0 } else { *x }).collect();
             let back: Vec<f64> = no_axial.iter().map(|x| -x).collect();
@@ -184,13 +184,13 @@ fn force_depends_on_the_committed_state_alone() {
     }
 }
 
-/// In one direction the bearing in space is the bearing in the plane.
+/// The spatial bearing equals the plane bearing in uniaxial motion.
 #[test]
 fn space_and_plane_agree_in_one_direction() {
     for (name, p) in laws() {
         let (axes, length) =
             Orientation::default().of_link(Vector3::zeros(), Vector3::new(0.0, 0.3, 0.0), true).unwrap();
-        let mut flat = Alone::new(PlaneBearing::new(
+        let mut flat = SingleElement::new(PlaneBearing::new(
             p.clone(),
             Link::new(&axes, length, 0.5),
             [elastic(1e5), elastic(6000.0)],

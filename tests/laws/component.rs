@@ -1,6 +1,6 @@
-//! The beam between two rotational springs.
+//! Beams with two rotational end springs.
 
-use super::driver::{Alone, difference};
+use super::driver::{SingleElement, difference};
 use hysteron::element::ElementLoad;
 use hysteron::element::beam::{ComponentBeam, ComponentOptions, ElasticBeam, ElasticOptions};
 use hysteron::element::transform::{Ends, Transform, TransformKind, TransformSpec};
@@ -16,9 +16,9 @@ fn transform(kind: TransformKind) -> Arc<dyn Transform<6, 3>> {
     spec.plane(&Ends { place, disp: &[0.0; 6] }).unwrap()
 }
 
-fn beam(kind: TransformKind, springs: [Option<Material>; 2]) -> Alone {
+fn beam(kind: TransformKind, springs: [Option<Material>; 2]) -> SingleElement {
     let options = ComponentOptions { ea: 5000.0, ei: 900.0, rho: 0.0, consistent: false };
-    Alone::new(ComponentBeam::new(transform(kind), options, springs.map(|s| s.map(|s| (s, 1)))))
+    SingleElement::new(ComponentBeam::new(transform(kind), options, springs.map(|s| s.map(|s| (s, 1)))))
 }
 
 fn steel() -> [Option<Material>; 2] {
@@ -35,14 +35,14 @@ fn steel() -> [Option<Material>; 2] {
     [Some(Arc::new(curved)), Some(Arc::new(bilinear))]
 }
 
-/// End displacements that go to and fro.
+/// Alternating end displacements.
 fn motion(step: u32) -> Vec<f64> {
     let t = 0.1 * f64::from(step);
     (0..6).map(|i| 0.04 * (f64::from(i) + t * (1.0 + 0.3 * f64::from(i))).sin()).collect()
 }
 
 #[test]
-fn tangent_is_the_derivative_of_the_force() {
+fn tangent_matches_finite_difference() {
     for kind in [TransformKind::Linear, TransformKind::Corotational] {
         let mut a = beam(kind, steel());
         let load = ElementLoad::Distributed { span: (0.0, 1.0), y: (-3.0, -3.0), z: (0.0, 0.0), x: (0.5, 0.5) };
@@ -55,17 +55,18 @@ fn tangent_is_the_derivative_of_the_force() {
             close += usize::from(difference(&k, &a.difference(&u, 1e-7)) < 1e-4);
             a.commit();
         }
-        // Where the difference goes across the kink of the bilinear spring there is no derivative.
+        // There is no derivative at the kink of the bilinear spring.
         assert!(close > 55, "{kind:?}: {close}");
     }
 }
 
-/// Stiff springs leave the elastic beam; no spring is a hinge.
+/// Rigid springs give the elastic beam, and a missing spring is a hinge.
 #[test]
-fn stiff_springs_vanish_and_none_is_a_hinge() {
+fn rigid_springs_give_the_elastic_beam_and_none_a_hinge() {
     let stiff = || Some(Arc::new(Elastic::new(1e12)) as Material);
     let section = ElasticSection { e: 1000.0, area: 5.0, iz: 0.9, iy: 0.0, g: 0.0, j: 0.0, shear: (None, None) };
-    let mut whole = Alone::new(ElasticBeam::new(transform(TransformKind::Linear), section, ElasticOptions::default()));
+    let mut whole =
+        SingleElement::new(ElasticBeam::new(transform(TransformKind::Linear), section, ElasticOptions::default()));
     let u = motion(3);
     assert!(difference(&beam(TransformKind::Linear, [stiff(), stiff()]).force(&u), &whole.force(&u)) < 1e-6);
     let hinged = beam(TransformKind::Linear, [None, stiff()]).force(&u);
@@ -81,11 +82,12 @@ fn no_force_in_a_rigid_motion() {
     assert!(f.iter().all(|f| f.abs() < 1e-9), "{f:?}");
 }
 
-/// A moment all along a clamped-free beam: m L at the support, m L²/(2 EI) and m L³/(3 EI) at the tip.
+/// A distributed moment m on a cantilever: m L at the support, m L²/(2 EI) and m L³/(3 EI) at the tip.
 #[test]
-fn a_moment_all_along() {
+fn distributed_moment_matches_beam_theory() {
     let section = ElasticSection { e: 1000.0, area: 5.0, iz: 0.9, iy: 0.0, g: 0.0, j: 0.0, shear: (None, None) };
-    let mut a = Alone::new(ElasticBeam::new(transform(TransformKind::Linear), section, ElasticOptions::default()));
+    let mut a =
+        SingleElement::new(ElasticBeam::new(transform(TransformKind::Linear), section, ElasticOptions::default()));
     a.load = vec![0.0; a.element.load_len()];
     a.element.add_load(&ElementLoad::Moment { z: 2.0 }, 1.0, &mut a.load).unwrap();
     let (length, ei) = (3.0f64.hypot(1.5), 900.0);

@@ -1,6 +1,6 @@
-//! Elements that turn with their nodes: beams in space and bars.
+//! Corotational elements: spatial beams and bars.
 
-use super::driver::{Alone, difference};
+use super::driver::{SingleElement, difference};
 use hysteron::element::beam::{ElasticBeam, ElasticOptions};
 use hysteron::element::transform::{Ends, TransformKind, TransformSpec};
 use hysteron::element::{BarOptions, CorotTruss, Mass};
@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 const LINE: (Vector3<f64>, Vector3<f64>) = (Vector3::new(1.0, 2.0, 0.5), Vector3::new(4.0, 3.5, 2.5));
 
-fn beam(offsets: bool) -> Alone {
+fn beam(offsets: bool) -> SingleElement {
     let o = if offsets { (Vector3::new(0.2, 0.1, 0.3), Vector3::new(-0.1, 0.2, -0.2)) } else { Default::default() };
     let spec = TransformSpec {
         kind: TransformKind::Corotational,
@@ -21,16 +21,16 @@ fn beam(offsets: bool) -> Alone {
     };
     let transform = spec.space(&Ends { place: LINE, disp: &[0.0; 12] }).unwrap();
     let section = ElasticSection { e: 1000.0, area: 5.0, iz: 0.9, iy: 0.4, g: 100.0, j: 3.0, shear: (None, None) };
-    Alone::new(ElasticBeam::new(transform, section, ElasticOptions::default()))
+    SingleElement::new(ElasticBeam::new(transform, section, ElasticOptions::default()))
 }
 
-fn bar() -> Alone {
+fn bar() -> SingleElement {
     let options = BarOptions { area: 2.0, rho: 0.3, consistent: true, rayleigh: false };
     let line = LINE.1 - LINE.0;
-    Alone::new(CorotTruss::new(Arc::new(Elastic::new(700.0)), 1, line.as_slice(), 3, options).unwrap())
+    SingleElement::new(CorotTruss::new(Arc::new(Elastic::new(700.0)), 1, line.as_slice(), 3, options).unwrap())
 }
 
-/// Displacements of a turn of everything about an axis through the origin, and a shift.
+/// Displacements of a rigid rotation about an axis through the origin, and a translation.
 fn rigid(angle: f64, per_node: usize) -> Vec<f64> {
     let axis = Unit::new_normalize(Vector3::new(0.3, -0.5, 0.8));
     let turn = Rotation3::from_axis_angle(&axis, angle);
@@ -45,7 +45,7 @@ fn rigid(angle: f64, per_node: usize) -> Vec<f64> {
 }
 
 #[test]
-fn large_rigid_motions_are_free() {
+fn large_rigid_motions_cause_no_force() {
     for (name, mut e, per_node) in
         [("beam", beam(false), 6), ("beam with joint offsets", beam(true), 6), ("bar", bar(), 3)]
     {
@@ -57,17 +57,17 @@ fn large_rigid_motions_are_free() {
     }
 }
 
-/// The rotations count from the committed state, where an increment is a spin. The beam takes the mean of the nodes'
-/// axes for their half way, so its tangent is the less exact the more it is bent.
+/// Rotations are measured from the committed state, where an increment is a spin. The beam uses the mean of the
+/// nodes' axes as midpoint, so its tangent is less exact for larger bending.
 #[test]
-fn tangent_is_the_derivative_of_the_force() {
+fn tangent_matches_finite_difference() {
     for (name, mut e, n, tolerance) in
         [("beam", beam(false), 12, 0.01), ("beam with joint offsets", beam(true), 12, 0.01), ("bar", bar(), 6, 0.0)]
     {
         for size in [0.0, 0.02, 0.06] {
             let bent = (0..n).map(|i| size * ((i * i + 3 * i + 1) as f64 * 0.7).sin());
             let u: Vec<f64> = bent.zip(rigid(1.1, n / 2)).map(|(a, b)| a + b).collect();
-            // There in steps, since turns about different axes do not commute.
+            // Several steps, since rotations about different axes do not commute.
             for step in 1..=20 {
                 let part: Vec<f64> = u.iter().map(|x| x * f64::from(step) / 20.0).collect();
                 e.force(&part);
@@ -76,7 +76,7 @@ fn tangent_is_the_derivative_of_the_force() {
             let (_, k) = e.trial(&u, &vec![0.0; n]);
             let error = difference(&k, &e.difference(&u, 1e-5));
             assert!(error < 1e-7 + tolerance * size, "{name}, bent by {size}: {error:.1e}");
-            // Who says that it is symmetric is solved as such: a bent beam in space is not.
+            // The solver relies on the symmetry flag, and the tangent of a bent spatial beam is not symmetric.
             let entry = |i: usize, j: usize| k[i * n + j];
             let skew = (0..n * n).map(|at| (entry(at / n, at % n) - entry(at % n, at / n)).abs()).fold(0.0, f64::max);
             let largest = k.iter().fold(0.0f64, |m, x| m.max(x.abs()));
@@ -109,7 +109,7 @@ fn forces_of_a_bent_and_turned_beam_are_in_equilibrium() {
 fn bar_has_engineering_strain_and_mass() {
     let mut e = bar();
     let line = LINE.1 - LINE.0;
-    // One end moves so that the bar is 10 percent longer and points elsewhere.
+    // One end moves to make the bar 10 percent longer and to rotate it.
     let to = Vector3::new(-1.0, 0.4, 0.2).normalize() * 1.1 * line.norm();
     let mut u = vec![0.0; 6];
     u[3..].copy_from_slice((to - line).as_slice());
@@ -123,7 +123,7 @@ fn bar_has_engineering_strain_and_mass() {
 }
 
 #[test]
-fn ends_that_meet_are_an_error() {
+fn coincident_ends_are_an_error() {
     let line = LINE.1 - LINE.0;
     for (e, n) in [(beam(false), 12), (bar(), 6)] {
         let mut u = vec![0.0; n];
@@ -134,16 +134,16 @@ fn ends_that_meet_are_an_error() {
             vel: &vec![0.0; n],
             load: &e.load,
             still: false,
-            again: false,
+            opensees: None,
             dt: 0.0,
             time: 0.0,
         };
-        let answer = hysteron::element::ElementOutput {
+        let response = hysteron::element::ElementOutput {
             force: &mut force,
             tangent: None,
             damping: None,
             part: hysteron::element::MatrixMask::ALL,
         };
-        assert!(e.element.respond(&motion, &e.state, &mut next, answer).is_err());
+        assert!(e.element.respond(&motion, &e.state, &mut next, response).is_err());
     }
 }

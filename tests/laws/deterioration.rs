@@ -1,8 +1,8 @@
-//! Plastic hinges that deteriorate.
+//! Deteriorating plastic hinges and walls.
 
-use super::driver::Point;
+use super::driver::MaterialPoint;
 use super::materials::{check_purity, check_tangent};
-use hysteron::material::{Bilin, BilinSide, Deterioration, Saws, Wall};
+use hysteron::material::{Bilin, BilinSide, Deterioration, Saws, SawsParameters};
 use hysteron::rules::{Consistent, OpenSees};
 use std::sync::Arc;
 
@@ -30,9 +30,9 @@ fn close(a: f64, b: f64) {
 
 /// Peaks of full cycles of one amplitude.
 fn peaks(law: Bilin, amplitude: f64, cycles: usize) -> Vec<f64> {
-    let mut p = Point::new(Arc::new(law));
+    let mut p = MaterialPoint::new(Arc::new(law));
     let mut at = |from: f64, to: f64| -> f64 {
-        (1..=40).map(|i| p.go(from + (to - from) * f64::from(i) / 40.0).value).last().unwrap()
+        (1..=40).map(|i| p.advance(from + (to - from) * f64::from(i) / 40.0).value).last().unwrap()
     };
     let mut from = 0.0;
     (0..2 * cycles)
@@ -46,7 +46,7 @@ fn peaks(law: Bilin, amplitude: f64, cycles: usize) -> Vec<f64> {
 }
 
 #[test]
-fn tangent_and_history_are_those_of_the_step() {
+fn tangent_is_consistent_and_trials_have_no_effect() {
     for (name, capacity, n) in [("no deterioration", 0.0, 0.0), ("little", 10.0, 0.0), ("much", 1.0, 3.0)] {
         check_tangent(name, Arc::new(hinge(capacity, n, Consistent)), 0.1);
         check_purity(name, Arc::new(hinge(capacity, n, Consistent)), 0.1);
@@ -56,10 +56,10 @@ fn tangent_and_history_are_those_of_the_step() {
 
 /// Yield, cap, residual strength and fracture, on both sides.
 #[test]
-fn one_push_follows_the_backbone() {
+fn monotonic_loading_follows_the_backbone() {
     let (yielded, peak) = (0.01, 2.0 + 0.03 * KE * 0.05);
     for s in [1.0, -1.0] {
-        let mut p = Point::new(Arc::new(hinge(1.0, 0.0, Consistent)));
+        let mut p = MaterialPoint::new(Arc::new(hinge(1.0, 0.0, Consistent)));
         for (x, force) in [
             (0.005, 1.0),
             (yielded, 2.0),
@@ -69,22 +69,22 @@ fn one_push_follows_the_backbone() {
             (0.39, 0.8),
             (0.41, 0.0),
         ] {
-            close(s * p.go(s * x).value, force);
+            close(s * p.advance(s * x).value, force);
         }
-        close(p.go(0.0).value, 0.0);
+        close(p.advance(0.0).value, 0.0);
     }
 }
 
-/// Hinge and elastic member in a row follow the backbone that is given, up to the cap.
+/// Hinge and elastic member in series follow the given backbone up to the cap.
 #[test]
 fn hinge_and_member_follow_the_given_backbone() {
     let n = 10.0;
     let member = KE * (1.0 + n) / n;
-    let mut p = Point::new(Arc::new(hinge(0.0, n, Consistent)));
+    let mut p = MaterialPoint::new(Arc::new(hinge(0.0, n, Consistent)));
     let mut last = (0.0, 0.0);
     for i in 1..=50 {
         let x = 0.001 * f64::from(i);
-        let force = p.go(x).value;
+        let force = p.advance(x).value;
         let now = (x + force / member, force);
         let slope = (now.1 - last.1) / (now.0 - last.0);
         if now.1 < 2.0 {
@@ -96,9 +96,9 @@ fn hinge_and_member_follow_the_given_backbone() {
     }
 }
 
-/// Cycles take strength away, the more the less capacity there is; without a reference energy they do not.
+/// Cycles reduce the strength more for a smaller capacity, and not at all without a reference energy.
 #[test]
-fn cycles_wear_the_hinge_out() {
+fn cycles_reduce_the_hinge_strength() {
     let intact = peaks(hinge(0.0, 0.0, Consistent), 0.04, 8);
     intact[2..].iter().for_each(|&f| close(f, intact[2]));
     let [some, more] = [2.0, 1.0].map(|capacity| peaks(hinge(capacity, 0.0, Consistent), 0.04, 8));
@@ -108,46 +108,47 @@ fn cycles_wear_the_hinge_out() {
     }
 }
 
-/// A step from one side to beyond the cap of the other one takes no more than that.
+/// A step from one side beyond the cap of the other loses no additional strength.
 #[test]
-fn a_long_step_leaves_strength() {
+fn long_step_keeps_strength() {
     let drive = |compat: bool| {
         let side = BilinSide { plastic: 0.02, residual: 0.0, ..SIDE };
         let mut p = match compat {
-            true => Point::new(Arc::new(Bilin { sides: [side; 2], ..hinge(1.0, 0.0, OpenSees) })),
-            false => Point::new(Arc::new(Bilin { sides: [side; 2], ..hinge(1.0, 0.0, Consistent) })),
+            true => MaterialPoint::new(Arc::new(Bilin { sides: [side; 2], ..hinge(1.0, 0.0, OpenSees) })),
+            false => MaterialPoint::new(Arc::new(Bilin { sides: [side; 2], ..hinge(1.0, 0.0, Consistent) })),
         };
-        [0.03, -0.07, 0.03, -0.065].map(|x| p.go(x).value)[3]
+        [0.03, -0.07, 0.03, -0.065].map(|x| p.advance(x).value)[3]
     };
     assert!(drive(false) < -0.5, "{}", drive(false));
     assert!(drive(true).abs() < 1e-6, "{}", drive(true));
 }
 
-const WALL: Wall = Wall { fo: 2.0, fi: 0.3, du: 0.07, so: 200.0, r: [0.06, -0.08, 1.1, 0.02], alpha: 0.8, beta: 1.1 };
+const WALL: SawsParameters =
+    SawsParameters { fo: 2.0, fi: 0.3, du: 0.07, so: 200.0, r: [0.06, -0.08, 1.1, 0.02], alpha: 0.8, beta: 1.1 };
 
-/// One push follows (F0 + R1 S0 u)(1 - exp(-S0 u / F0)) up to DU, then a line of slope R2 S0.
+/// Monotonic loading follows (F0 + R1 S0 u)(1 - exp(-S0 u / F0)) up to DU, then a line of slope R2 S0.
 #[test]
-fn one_push_of_a_wall_follows_its_envelope() {
+fn monotonic_loading_of_a_wall_follows_its_envelope() {
     let envelope = |u: f64| (2.0 + 12.0 * u) * (1.0 - (-100.0 * u).exp());
     for s in [1.0, -1.0] {
-        let mut p = Point::new(Arc::new(Saws::new(WALL).expect("a wall that pinches")));
+        let mut p = MaterialPoint::new(Arc::new(Saws::new(WALL).expect("a wall that pinches")));
         for u in [0.005, 0.02, 0.05, 0.07] {
-            close(s * p.go(s * u).value, envelope(u));
+            close(s * p.advance(s * u).value, envelope(u));
         }
-        close(s * p.go(s * 0.1).value, envelope(0.07) - 16.0 * 0.03);
+        close(s * p.advance(s * 0.1).value, envelope(0.07) - 16.0 * 0.03);
     }
-    assert!(Saws::new(Wall { fi: 5.0, ..WALL }).is_none());
+    assert!(Saws::new(SawsParameters { fi: 5.0, ..WALL }).is_none());
 }
 
-/// Cycles of one amplitude dissipate, the later ones less.
+/// Cycles of one amplitude dissipate energy, later ones less.
 #[test]
-fn cycles_of_a_wall_pinch() {
-    let mut p = Point::new(Arc::new(Saws::new(WALL).expect("a wall that pinches")));
+fn wall_cycles_dissipate_less_when_repeated() {
+    let mut p = MaterialPoint::new(Arc::new(Saws::new(WALL).expect("a wall that pinches")));
     let mut cycle = || {
         let mut work = 0.0;
-        let (mut from, mut before) = (0.0, p.go(0.0).value);
+        let (mut from, mut before) = (0.0, p.advance(0.0).value);
         for to in (1..=200).map(|i| 0.05 * (std::f64::consts::TAU * f64::from(i) / 200.0).sin()) {
-            let force = p.go(to).value;
+            let force = p.advance(to).value;
             work += 0.5 * (force + before) * (to - from);
             (from, before) = (to, force);
         }

@@ -1,24 +1,24 @@
-//! Drives materials and elements by themselves.
+//! Drivers for single materials and elements.
 
 use hysteron::element::{Element, ElementInput, ElementOutput, MatrixMask};
 use hysteron::material::{Material, Strain, Stress};
 use std::sync::Arc;
 
-/// A material at a point.
-pub struct Point {
+/// A material with the state of one point.
+pub struct MaterialPoint {
     pub law: Material,
     state: Vec<f64>,
     next: Vec<f64>,
 }
 
-impl Point {
+impl MaterialPoint {
     pub fn new(law: Material) -> Self {
         let mut state = vec![0.0; law.state_len()];
         law.init(&mut state);
         Self { next: state.clone(), law, state }
     }
 
-    /// Stress at a trial strain; the committed state stays.
+    /// Response at a trial strain; the committed state does not change.
     pub fn trial(&mut self, strain: f64, rate: f64, dt: f64) -> Stress {
         self.law.update(&self.state, Strain { value: strain, rate, dt }, &mut self.next).unwrap()
     }
@@ -32,27 +32,34 @@ impl Point {
         self.state.copy_from_slice(&self.next);
     }
 
-    pub fn go(&mut self, strain: f64) -> Stress {
+    /// Stress at a strain that is committed; `None` if the law has none.
+    pub fn try_advance(&mut self, strain: f64) -> Option<f64> {
+        let s = self.law.update(&self.state, Strain { value: strain, rate: 0.0, dt: 0.0 }, &mut self.next).ok()?;
+        self.commit();
+        Some(s.value)
+    }
+
+    pub fn advance(&mut self, strain: f64) -> Stress {
         let s = self.trial(strain, 0.0, 0.0);
         self.commit();
         s
     }
 }
 
-/// An element by itself.
-pub struct Alone {
+/// An element without a model.
+pub struct SingleElement {
     pub element: Arc<dyn Element>,
     pub state: Vec<f64>,
     next: Vec<f64>,
     pub load: Vec<f64>,
 }
 
-impl Alone {
+impl SingleElement {
     pub fn new(element: impl Element + 'static) -> Self {
         Self::of(Arc::new(element))
     }
 
-    /// One that a script has made.
+    /// An element from a script.
     pub fn of(element: Arc<dyn Element>) -> Self {
         let mut state = vec![0.0; element.state_len()];
         element.init(&mut state);
@@ -60,26 +67,27 @@ impl Alone {
         Self { next: state.clone(), state, load, element }
     }
 
-    /// Force and tangent (by rows) at trial displacements; the committed state stays.
+    /// Force and tangent (by rows) at trial displacements; the committed state does not change.
     pub fn trial(&mut self, disp: &[f64], vel: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let n = self.element.dofs();
         let (mut force, mut tangent) = (vec![0.0; n], vec![0.0; n * n]);
-        let motion = ElementInput { disp, vel, load: &self.load, still: false, again: false, dt: 0.01, time: 1.0 };
-        let answer =
+        let motion = ElementInput { disp, vel, load: &self.load, still: false, opensees: None, dt: 0.01, time: 1.0 };
+        let response =
             ElementOutput { force: &mut force, tangent: Some(&mut tangent), damping: None, part: MatrixMask::ALL };
-        self.element.respond(&motion, &self.state, &mut self.next, answer).unwrap();
+        self.element.respond(&motion, &self.state, &mut self.next, response).unwrap();
         (force, tangent)
     }
 
-    /// A part of the tangent at trial displacements, in a matrix that held something else before.
+    /// A part of the tangent at trial displacements, in a matrix with previous content.
     pub fn part_of_tangent(&mut self, disp: &[f64], part: MatrixMask) -> Vec<f64> {
         let n = self.element.dofs();
         let (mut force, mut tangent) = (vec![0.0; n], vec![7.0; n * n]);
         part.clear(&mut tangent, n);
         let vel = vec![0.0; n];
-        let motion = ElementInput { disp, vel: &vel, load: &self.load, still: true, again: false, dt: 0.01, time: 1.0 };
-        let answer = ElementOutput { force: &mut force, tangent: Some(&mut tangent), damping: None, part };
-        self.element.respond(&motion, &self.state, &mut self.next, answer).unwrap();
+        let motion =
+            ElementInput { disp, vel: &vel, load: &self.load, still: true, opensees: None, dt: 0.01, time: 1.0 };
+        let response = ElementOutput { force: &mut force, tangent: Some(&mut tangent), damping: None, part };
+        self.element.respond(&motion, &self.state, &mut self.next, response).unwrap();
         tangent
     }
 
@@ -110,13 +118,13 @@ impl Alone {
     }
 }
 
-/// Largest difference over the largest entry.
+/// Largest difference divided by the largest absolute entry.
 pub fn difference(a: &[f64], b: &[f64]) -> f64 {
     let scale = a.iter().chain(b).fold(1e-300, |m: f64, x| m.max(x.abs()));
     a.iter().zip(b).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max) / scale
 }
 
-/// A wandering path with steps of different size: cycles, partial reversals, rests.
+/// A pseudo-random path with steps of different size: cycles, partial reversals, rests.
 pub fn path(seed: u64, n: usize, amplitude: f64) -> Vec<f64> {
     let mut x = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1;
     let mut next = || {

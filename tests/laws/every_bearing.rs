@@ -1,12 +1,12 @@
-//! What holds for every bearing, of the elements that scripts make: one table of bearings, one of checks.
+//! Properties of every bearing element in scripts: one table of bearings, and one set of checks.
 
-use super::driver::{Alone, path};
+use super::driver::{SingleElement, path};
 use super::script::run;
 use hysteron::element::{MatrixMask, Rows, Snapshot};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 const HEIGHT: f64 = 0.25;
-/// Materials and friction models that the bearings are made of. kN, m, s.
+/// Materials and friction models of the bearings. Units: kN, m, s.
 const PARTS: &str = "uniaxialMaterial Elastic 1 2e5\nuniaxialMaterial Elastic 2 300.\nuniaxialMaterial Elastic 3 500.
 uniaxialMaterial Elastic 4 400.\nuniaxialMaterial ENT 5 2e5\nuniaxialMaterial Steel01 6 60. 4000. 0.1
 uniaxialMaterial KikuchiAikenHDR 7 X0.6 4e-4 0.15 -coGHU 2. 0.8 1.12
@@ -14,13 +14,13 @@ uniaxialMaterial KikuchiAikenLRB 8 1 3e-4 0.15 0.392e6 1e-5 8.33e6 0.588e6 13.
 uniaxialMaterial AxialSp 9 6e5 1e3 -1e5 0.1 0.01 0.5\nuniaxialMaterial ElasticPP 10 6e5 0.005
 frictionModel VelDependent 1 0.03 0.08 25.\nfrictionModel Coulomb 2 0.02\nfrictionModel VelPressureDep 3 0.03 0.1 0.2 0.03 4e-4 20.\n";
 
-/// A bearing: its name, its command from the end nodes on, with @ for the axes x and y.
+/// A bearing: its name, and its command from the end nodes on, with @ for the axes x and y.
 struct Kind {
     name: &'static str,
     command: &'static str,
-    /// Three degrees of freedom a node, in the plane.
+    /// Plane element with three degrees of freedom per node.
     plane: bool,
-    /// Its axes are always the global ones.
+    /// Element with the global axes.
     fixed: bool,
 }
 
@@ -114,8 +114,8 @@ impl Kind {
         if self.plane { 6 } else { 12 }
     }
 
-    /// The bearing upright, turned by `turn`; `more` is the rest of the script.
-    fn turned(&self, turn: &Matrix3<f64>, more: &str) -> Alone {
+    /// The vertical bearing, rotated by `turn`; `more` is the rest of the script.
+    fn turned(&self, turn: &Matrix3<f64>, more: &str) -> SingleElement {
         let words = |v: Vector3<f64>| format!("{} {} {}", v.x, v.y, v.z);
         let up = if self.plane { Vector3::y() } else { Vector3::z() };
         let head = turn * up * HEIGHT;
@@ -127,14 +127,15 @@ impl Kind {
         let axes = format!("{} {}", words(turn * up), words(turn * Vector3::x()));
         let command = self.command.replace('@', &axes);
         let ran = run(&format!("{nodes}\n{PARTS}element {command}\n{more}")).done();
-        Alone::of(ran.interp.host.engine.model().elements[0].element.clone())
+        SingleElement::of(ran.interp.host.engine.model().elements[0].element.clone())
     }
 
-    fn upright(&self) -> Alone {
+    fn upright(&self) -> SingleElement {
         self.turned(&Matrix3::identity(), "")
     }
 
-    /// A wandering motion of the upper end, and a little one of the lower: sheared up to the height, lifted now and then.
+    /// A pseudo-random motion of the upper end and a smaller one of the lower end, with shear up to the height and
+    /// uplift.
     fn motion(&self, seed: u64, steps: usize) -> Vec<Vec<f64>> {
         let (n, per_node) = (self.dofs(), self.dofs() / 2);
         let up = if self.plane { 1 } else { 2 };
@@ -155,13 +156,13 @@ impl Kind {
     }
 }
 
-/// Largest difference of two matrices over the geometric mean of the virgin stiffnesses of row and column.
-fn apart(a: &[f64], b: &[f64], scale: &[f64]) -> f64 {
+/// Largest difference of two matrices, scaled by the geometric mean of the virgin stiffnesses of row and column.
+fn scaled_difference(a: &[f64], b: &[f64], scale: &[f64]) -> f64 {
     let n = scale.len();
     (0..n * n).fold(0.0, |m: f64, k| m.max((a[k] - b[k]).abs() / (scale[k / n] * scale[k % n])))
 }
 
-fn scale(e: &Alone) -> Vec<f64> {
+fn scale(e: &SingleElement) -> Vec<f64> {
     let n = e.element.dofs();
     let mut k = vec![0.0; n * n];
     e.element.initial_tangent(&mut k);
@@ -170,25 +171,25 @@ fn scale(e: &Alone) -> Vec<f64> {
     root.into_iter().map(|x| x.max(0.03 * largest)).collect()
 }
 
-/// A check of every bearing: what is wrong, for all of them at once.
+/// Applies a check to every bearing and reports all failures.
 fn each(kinds: impl Iterator<Item = &'static Kind>, check: impl Fn(&Kind) -> Result<(), String>) {
     let wrong: Vec<String> = kinds.filter_map(|k| check(k).err().map(|e| format!("{}: {e}", k.name))).collect();
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-fn must(holds: bool, otherwise: impl FnOnce() -> String) -> Result<(), String> {
+fn ensure(holds: bool, otherwise: impl FnOnce() -> String) -> Result<(), String> {
     if holds { Ok(()) } else { Err(otherwise()) }
 }
 
-/// Largest difference over the largest force.
-fn unlike(a: &[f64], b: &[f64]) -> f64 {
+/// Largest difference divided by the largest force.
+fn relative_difference(a: &[f64], b: &[f64]) -> f64 {
     let size = a.iter().fold(1.0f64, |m, x| m.max(x.abs()));
     a.iter().zip(b).fold(0.0f64, |m, (a, b)| m.max((a - b).abs())) / size
 }
 
-/// Compare tangents on a way, of which at least `wanted` states are not to be next to a kink. A slider that has lifted off
-/// is passed over: it keeps a share of its stiffness so that there is something to solve with.
-fn check_tangent(kind: &Kind, e: &mut Alone, steps: &[Vec<f64>], wanted: usize) -> Result<(), String> {
+/// Compares tangents along a path; at least `wanted` states must lie away from kinks. A lifted slider is skipped,
+/// because it keeps a share of its stiffness for the solver.
+fn check_tangent(kind: &Kind, e: &mut SingleElement, steps: &[Vec<f64>], wanted: usize) -> Result<(), String> {
     let scale = scale(e);
     let n = scale.len();
     let up = n / 2 + if kind.plane { 1 } else { 2 };
@@ -199,41 +200,41 @@ fn check_tangent(kind: &Kind, e: &mut Alone, steps: &[Vec<f64>], wanted: usize) 
         let (_, tangent) = e.trial(u, &vec![0.0; n]);
         let (near, far) = (e.difference(u, 1e-8), e.difference(u, 4e-8));
         let lifted = virgin[up * n + up] > 0.0 && near[up * n + up] == 0.0;
-        if apart(&near, &far, &scale) < 1e-5 && !lifted {
+        if scaled_difference(&near, &far, &scale) < 1e-5 && !lifted {
             tested += 1;
-            let error = apart(&tangent, &near, &scale);
-            must(error < 5e-4, || format!("step {k}: {error:.1e}"))?;
+            let error = scaled_difference(&tangent, &near, &scale);
+            ensure(error < 5e-4, || format!("step {k}: {error:.1e}"))?;
         }
         e.force(u);
         e.commit();
     }
-    must(tested >= wanted, || format!("only {tested} states to compare"))
+    ensure(tested >= wanted, || format!("only {tested} states to compare"))
 }
 
 #[test]
-fn tangent_is_the_derivative_of_the_force() {
+fn tangent_matches_finite_difference() {
     each(KINDS.iter(), |kind| check_tangent(kind, &mut kind.upright(), &kind.motion(3, 90), 40));
 }
 
-/// Any bearing can be amended, and the amended one has a consistent tangent.
+/// Every bearing accepts modifiers, and the modified bearing has a consistent tangent.
 #[test]
-fn every_bearing_can_be_amended() {
+fn every_bearing_accepts_modifiers() {
     each(KINDS.iter(), |kind| {
         let direction = if kind.name == "normal springs" { " -dir 1" } else { "" };
         for amendment in ["yielding -force 4. -hardening 0.1", "stiffening -factor 500."] {
             let mut e = kind.turned(&Matrix3::identity(), &format!("amend element 1 {amendment}{direction}"));
             let (mut plain, steps) = (kind.upright(), kind.motion(13, 40));
             let changes = steps.iter().any(|u| e.force(u) != plain.force(u));
-            must(changes, || format!("{amendment} changes nothing"))?;
+            ensure(changes, || format!("{amendment} changes nothing"))?;
             check_tangent(kind, &mut e, &steps, 10)?;
         }
         Ok(())
     });
 }
 
-/// Where only some degrees of freedom are in the equations, what is asked for is the same as in the whole tangent.
+/// A partial tangent for some degrees of freedom equals the same entries of the full tangent.
 #[test]
-fn a_part_of_the_tangent_is_as_in_the_whole() {
+fn partial_tangent_equals_the_full_tangent() {
     each(KINDS.iter(), |kind| {
         let n = kind.dofs();
         let direction = if kind.name == "normal springs" { " -dir 1" } else { "" };
@@ -250,10 +251,10 @@ fn a_part_of_the_tangent_is_as_in_the_whole() {
                 for (k, part) in part.iter_mut().enumerate().filter(|(k, _)| !wanted(k / n) || (k % n) % 2 == 0) {
                     *part = whole[k];
                 }
-                let error = apart(&part, &whole, &size);
-                // The inner nodes of Kikuchi's are found to a tolerance, from where the call before left them.
+                let error = scaled_difference(&part, &whole, &size);
+                // Kikuchi's inner nodes are solved to a tolerance from the values of the last call.
                 let enough = if kind.name.starts_with("Kikuchi") { 1e-5 } else { 1e-13 };
-                must(error < enough, || format!("{error:.1e}"))?;
+                ensure(error < enough, || format!("{error:.1e}"))?;
                 e.commit();
             }
         }
@@ -270,7 +271,7 @@ fn force_depends_on_the_committed_state_alone() {
             wild.force(&steps[(k + 20) % 60]);
             wild.force(&vec![0.0; kind.dofs()]);
             let (f, g) = (e.force(u), wild.force(u));
-            must(f == g, || format!("step {k}: {f:?} {g:?}"))?;
+            ensure(f == g, || format!("step {k}: {f:?} {g:?}"))?;
             e.commit();
             wild.commit();
         }
@@ -279,7 +280,7 @@ fn force_depends_on_the_committed_state_alone() {
 }
 
 #[test]
-fn turning_the_bearing_turns_the_force() {
+fn rotating_the_bearing_rotates_the_force() {
     let q = Rotation3::from_euler_angles(0.4, 0.9, -1.3).into_inner();
     let turn = |v: &[f64]| -> Vec<f64> {
         v.chunks(3).flat_map(|c| (q * Vector3::from_column_slice(c)).as_slice().to_vec()).collect()
@@ -287,8 +288,8 @@ fn turning_the_bearing_turns_the_force() {
     each(KINDS.iter().filter(|k| !k.plane && !k.fixed), |kind| {
         let (mut straight, mut turned) = (kind.upright(), kind.turned(&q, ""));
         for (k, u) in kind.motion(77, 60).iter().enumerate() {
-            let error = unlike(&turn(&straight.force(u)), &turned.force(&turn(u)));
-            must(error < 1e-8, || format!("step {k}: {error:.1e}"))?;
+            let error = relative_difference(&turn(&straight.force(u)), &turned.force(&turn(u)));
+            ensure(error < 1e-8, || format!("step {k}: {error:.1e}"))?;
             straight.commit();
             turned.commit();
         }
@@ -296,7 +297,7 @@ fn turning_the_bearing_turns_the_force() {
     });
 }
 
-/// Mirrored in the plane through the axis across x: displacements along x and rotations about the other axes change sign.
+/// Mirror in the plane normal to x: displacements along x and rotations about the other axes change sign.
 #[test]
 fn mirrored_motion_gives_mirrored_force() {
     each(KINDS.iter(), |kind| {
@@ -305,8 +306,8 @@ fn mirrored_motion_gives_mirrored_force() {
             |v: &[f64]| -> Vec<f64> { v.iter().enumerate().map(|(i, x)| if flips(i) { -x } else { *x }).collect() };
         let (mut e, mut m) = (kind.upright(), kind.upright());
         for (k, u) in kind.motion(5, 60).iter().enumerate() {
-            let error = unlike(&mirror(&e.force(u)), &m.force(&mirror(u)));
-            must(error < 1e-8, || format!("step {k}: {error:.1e}"))?;
+            let error = relative_difference(&mirror(&e.force(u)), &m.force(&mirror(u)));
+            ensure(error < 1e-8, || format!("step {k}: {error:.1e}"))?;
             e.commit();
             m.commit();
         }
@@ -314,9 +315,9 @@ fn mirrored_motion_gives_mirrored_force() {
     });
 }
 
-/// Whatever a pressed bearing is sheared through from rest, no more comes out of it than has been put in.
+/// The work of every shear path of a compressed bearing from rest is nonnegative.
 #[test]
-fn no_energy_comes_out_of_shear() {
+fn shear_creates_no_energy() {
     const STEPS: usize = 3000;
     let walks = [path(41, STEPS, 0.12), path(42, STEPS, 0.1)];
     each(KINDS.iter(), |kind| {
@@ -337,11 +338,11 @@ fn no_energy_comes_out_of_shear() {
             (last, at) = (f, u);
             (least, most) = (least.min(work), most.max(work));
         }
-        must(least > -2e-3 * most, || format!("{least} of {most}"))
+        ensure(least > -2e-3 * most, || format!("{least} of {most}"))
     });
 }
 
-/// Every response that has a name can be read, with as many numbers as it has columns.
+/// Every named response can be read, with one number per column.
 #[test]
 fn responses_have_values() {
     each(KINDS.iter(), |kind| {
@@ -361,7 +362,7 @@ fn responses_have_values() {
             let mut out = vec![0.0; probe.labels.len()];
             let snapshot = Snapshot { disp: &u, state: &e.state, force: &force, load: &[] };
             e.element.read(&probe.path, &snapshot, &mut out);
-            must(out.iter().all(|x| x.is_finite()), || format!("{name}: {out:?}"))?;
+            ensure(out.iter().all(|x| x.is_finite()), || format!("{name}: {out:?}"))?;
         }
         Ok(())
     });

@@ -1,15 +1,15 @@
-//! What holds for every kind of uniaxial material and of element that scripts can make: one table of each. A kind that
-//! is in neither table, nor among the bearings, fails the test.
+//! Properties of every kind of uniaxial material and element in scripts, from one table each. A kind that is in
+//! neither table, nor among the bearings, fails the test.
 
-use super::driver::{Alone, difference, path};
+use super::driver::{SingleElement, difference, path};
 use super::every_bearing;
 use super::script::run;
 use hysteron::element::{ElementInput, ElementOutput, MatrixMask};
 use hysteron::opensees::kinds;
 use nalgebra::Vector3;
 
-/// Words of a material after `uniaxialMaterial`, with @ for the tag, and the strain that takes it far into its range.
-/// Materials 11 to 13 are there for those that are made of others.
+/// Words of a material after `uniaxialMaterial`, with @ for the tag, and a strain in its nonlinear range. Materials
+/// 11 to 13 are components of others.
 const MATERIALS: &[(&str, f64)] = &[
     ("Elastic @ 200. 3. 50.", 0.1),
     ("ElasticPP @ 200. 0.01 -0.02 0.003", 0.1),
@@ -60,34 +60,34 @@ const MATERIALS: &[(&str, f64)] = &[
 const PARTS: &str = "uniaxialMaterial Steel01 11 2. 200. 0.02\nuniaxialMaterial ElasticPPGap 12 200. -2. -0.01 0.05
 uniaxialMaterial Elastic 13 150.\n";
 
-/// Seconds of a step.
+/// Duration of a step, s.
 const DT: f64 = 0.01;
 
-/// A spring of a material.
-fn spring(words: &str) -> Alone {
+/// A spring with one material.
+fn spring(words: &str) -> SingleElement {
     let words = words.replacen('@', "1", 1);
     let script = format!(
         "model basic -ndm 1 -ndf 1\nnode 1 0\nnode 2 0\n{PARTS}uniaxialMaterial {words}\nelement zeroLength 1 1 2 -mat 1 -dir 1\n"
     );
-    Alone::of(run(&script).done().interp.host.engine.model().elements[0].element.clone())
+    SingleElement::of(run(&script).done().interp.host.engine.model().elements[0].element.clone())
 }
 
-/// Force at the end of a step to `u`, and how it changes with `u` where the rate is that of the step.
-fn step(e: &mut Alone, next: &mut [f64], u: f64, from: f64) -> (f64, f64) {
+/// Force at the end of a step to `u`, and its derivative with respect to `u` at the rate of the step.
+fn step(e: &mut SingleElement, next: &mut [f64], u: f64, from: f64) -> (f64, f64) {
     let (mut force, mut tangent, mut damping) = ([0.0; 2], [0.0; 4], [0.0; 4]);
     let (disp, vel) = ([0.0, u], [0.0, (u - from) / DT]);
-    let motion = ElementInput { disp: &disp, vel: &vel, load: &[], still: false, again: false, dt: DT, time: 1.0 };
-    let answer = ElementOutput {
+    let motion = ElementInput { disp: &disp, vel: &vel, load: &[], still: false, opensees: None, dt: DT, time: 1.0 };
+    let response = ElementOutput {
         force: &mut force,
         tangent: Some(&mut tangent),
         damping: Some(&mut damping),
         part: MatrixMask::ALL,
     };
-    e.element.respond(&motion, &e.state, next, answer).unwrap();
+    e.element.respond(&motion, &e.state, next, response).unwrap();
     (force[1], tangent[3] + damping[3] / DT)
 }
 
-/// Along a wandering path with the rates of its steps; what a trial leaves behind would show in the difference.
+/// A pseudo-random path with the rates of its steps; an influence of trials would show in the difference.
 #[test]
 fn every_material_has_a_consistent_tangent() {
     let mut wrong = vec![];
@@ -104,7 +104,7 @@ fn every_material_has_a_consistent_tangent() {
             let [far_down, down, up, far_up] = [-2.0, -1.0, 1.0, 2.0].map(|n| at(u + n * h));
             let (near, far) = ((up - down) / (2.0 * h), (far_up - far_down) / (4.0 * h));
             let (force, tangent) = step(&mut e, &mut next, u, from);
-            // Kinks have no derivative; they show by differences that depend on their step.
+            // There is no derivative at kinks; differences that depend on their step size identify them.
             let scale = near.abs().max(1e-3 * force.abs() / amplitude).max(1e-5 * stiff).max(1e-9);
             if (near - far).abs() < 1e-4 * scale && (up - 2.0 * force + down).abs() < 1e-4 * h * scale {
                 tested += 1;
@@ -123,18 +123,18 @@ fn every_material_has_a_consistent_tangent() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// Nodes of an element: in a line of some length, at one place, or the corners of a quadrilateral.
+/// Nodes of an element: in a line, at one place, or at the corners of a quadrilateral.
 #[derive(Clone, Copy, PartialEq)]
 enum Shape {
-    /// What it does is uniform along it: two pieces in a row are one whole in pure extension and bending.
+    /// Uniform along its length: two elements in series equal one in extension and bending.
     Line,
-    /// Its springs are no share of its length.
+    /// Its springs do not scale with its length.
     Link,
-    Point,
+    MaterialPoint,
     Corners,
 }
 
-/// Dimensions, degrees of freedom of a node, shape, and words of an element, with @ for tag and nodes.
+/// Dimensions, degrees of freedom per node, shape, and words of an element, with @ for tag and nodes.
 const ELEMENTS: &[(usize, usize, Shape, &str)] = &[
     (2, 3, Shape::Line, "elasticBeamColumn @ 0.02 200. 0.5 1"),
     (3, 6, Shape::Line, "elasticBeamColumn @ 0.02 200. 80. 0.3 0.4 0.5 2"),
@@ -152,11 +152,11 @@ const ELEMENTS: &[(usize, usize, Shape, &str)] = &[
     (3, 3, Shape::Line, "corotTrussSection @ 21"),
     (2, 3, Shape::Link, "twoNodeLink @ -mat 11 13 11 -dir 1 2 3 -shearDist 0.3"),
     (3, 6, Shape::Link, "twoNodeLink @ -mat 11 13 11 13 11 13 -dir 1 2 3 4 5 6 -orient 0. 1. 0.5 -shearDist 0.3 0.6"),
-    (2, 3, Shape::Point, "zeroLength @ -mat 11 13 11 -dir 1 2 6 -orient 1. 2. 0. -2. 1. 0."),
-    (3, 6, Shape::Point, "zeroLength @ -mat 11 13 11 13 11 13 -dir 1 2 3 4 5 6 -orient 1. 2. 0.5 -2. 1. 0."),
-    (3, 6, Shape::Point, "CoupledZeroLength @ 1 3 11"),
-    (2, 3, Shape::Point, "zeroLengthSection @ 22"),
-    (3, 6, Shape::Point, "zeroLengthSection @ 24"),
+    (2, 3, Shape::MaterialPoint, "zeroLength @ -mat 11 13 11 -dir 1 2 6 -orient 1. 2. 0. -2. 1. 0."),
+    (3, 6, Shape::MaterialPoint, "zeroLength @ -mat 11 13 11 13 11 13 -dir 1 2 3 4 5 6 -orient 1. 2. 0.5 -2. 1. 0."),
+    (3, 6, Shape::MaterialPoint, "CoupledZeroLength @ 1 3 11"),
+    (2, 3, Shape::MaterialPoint, "zeroLengthSection @ 22"),
+    (3, 6, Shape::MaterialPoint, "zeroLengthSection @ 24"),
     (2, 3, Shape::Line, "dispBeamColumn @ 4 22 1"),
     (3, 6, Shape::Line, "dispBeamColumn @ 4 24 2"),
     (2, 3, Shape::Line, "forceBeamColumn @ 5 22 3"),
@@ -182,13 +182,13 @@ fn parts(ndm: usize) -> String {
     format!("{PARTS}section Uniaxial 21 13 P\n{more}\n")
 }
 
-/// Place of the nodes.
+/// Coordinates of the nodes.
 fn nodes(ndm: usize, shape: Shape) -> Vec<Vector3<f64>> {
     let start = Vector3::new(0.4, -0.3, if ndm == 3 { 0.7 } else { 0.0 });
     let along = if ndm == 3 { Vector3::new(1.0, 0.5, 1.0) } else { Vector3::new(0.9, 1.2, 0.0) };
     match shape {
         Shape::Line | Shape::Link => vec![start, start + along],
-        Shape::Point => vec![start, start],
+        Shape::MaterialPoint => vec![start, start],
         Shape::Corners => {
             [[0.0, 0.0], [1.1, 0.1], [1.3, 0.9], [-0.1, 0.8]].map(|[x, y]| Vector3::new(x, y, 0.0)).to_vec()
         }
@@ -204,15 +204,15 @@ fn script(ndm: usize, ndf: usize, places: &[Vector3<f64>]) -> String {
     out + &parts(ndm)
 }
 
-fn element(&(ndm, ndf, shape, words): &(usize, usize, Shape, &str)) -> (Alone, Vec<Vector3<f64>>) {
+fn element(&(ndm, ndf, shape, words): &(usize, usize, Shape, &str)) -> (SingleElement, Vec<Vector3<f64>>) {
     let places = nodes(ndm, shape);
     let tags: Vec<String> = (1..=places.len()).map(|i| i.to_string()).collect();
     let made = words.replacen('@', &format!("1 {}", tags.join(" ")), 1);
     let ran = run(&format!("{}element {made}\n", script(ndm, ndf, &places))).done();
-    (Alone::of(ran.interp.host.engine.model().elements[0].element.clone()), places)
+    (SingleElement::of(ran.interp.host.engine.model().elements[0].element.clone()), places)
 }
 
-/// Displacements of a small turn of everything by `spin` about the origin, and a shift.
+/// Displacements of a small rigid rotation `spin` about the origin, and a translation.
 fn rigid(places: &[Vector3<f64>], (ndm, ndf): (usize, usize), shift: Vector3<f64>, spin: Vector3<f64>) -> Vec<f64> {
     let spin = if ndm == 2 { Vector3::new(0.0, 0.0, spin.z) } else { spin };
     let mut u = vec![];
@@ -228,10 +228,10 @@ fn rigid(places: &[Vector3<f64>], (ndm, ndf): (usize, usize), shift: Vector3<f64
 }
 
 #[test]
-fn every_element_moves_rigidly_for_nothing() {
+fn every_element_has_no_force_in_rigid_motion() {
     for row in ELEMENTS {
         let (mut e, places) = element(row);
-        // So small that the difference between a turn and its tangent is round-off.
+        // The rotation is so small that its nonlinear part is round-off.
         let u = rigid(&places, (row.0, row.1), Vector3::new(0.3, -0.2, 0.1), Vector3::new(2e-9, -3e-9, 4e-9));
         let (force, k) = e.trial(&u, &vec![0.0; u.len()]);
         let stiff = k.iter().fold(0.0f64, |m, x| m.max(x.abs()));
@@ -239,7 +239,7 @@ fn every_element_moves_rigidly_for_nothing() {
     }
 }
 
-/// Far into yielding, from the committed state and on.
+/// Tangent at states beyond yield.
 #[test]
 fn every_element_has_a_consistent_tangent() {
     for row in ELEMENTS {
@@ -251,7 +251,8 @@ fn every_element_has_a_consistent_tangent() {
             let u: Vec<f64> = walks.iter().map(|w| w[k]).collect();
             let (_, tangent) = e.trial(&u, &vec![0.0; n]);
             let (near, far) = (e.difference(&u, 1e-7), e.difference(&u, 2e-7));
-            // Fibers that yield or turn back have no derivative; they show by differences that depend on their step.
+            // There is no derivative where fibers yield or reverse; differences that depend on their step size
+            // identify these states.
             if difference(&near, &far) < 1e-5 {
                 smooth += 1;
                 // The corotational beam in space takes the mean of the nodes' axes: see `corotational`.
@@ -266,10 +267,10 @@ fn every_element_has_a_consistent_tangent() {
     }
 }
 
-/// Two unequal pieces in a row, pulled and bent alike all along, do what one does.
+/// Two elements of unequal length in series equal one under uniform extension and bending.
 #[test]
 fn every_line_element_passes_the_patch_test() {
-    // Force-based beams end their own iterations at a tolerance: `sections` has them equal the elastic beam.
+    // The tolerance of force-based beams is too coarse here; `sections` compares them with the elastic beam.
     let direct = |words: &str| !words.starts_with("forceBeam") && !words.starts_with("beamWith");
     for &(ndm, ndf, shape, words) in ELEMENTS.iter().filter(|row| row.2 == Shape::Line && direct(row.3)) {
         let ends = nodes(ndm, shape);
@@ -279,7 +280,7 @@ fn every_line_element_passes_the_patch_test() {
             let elements: String = (1..last)
                 .map(|i| format!("element {}\n", words.replacen('@', &format!("{i} {i} {}", i + 1), 1)))
                 .collect();
-            // What bars leave free.
+            // Degrees of freedom without stiffness in bars.
             let across = match (ndm, ndf) {
                 (_, n) if words.to_lowercase().contains("truss") => {
                     let held: Vec<&str> = (0..n).map(|d| if d == 0 { "0" } else { "1" }).collect();

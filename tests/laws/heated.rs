@@ -1,6 +1,6 @@
-//! The triple friction pendulum whose surfaces warm: conduction, and the bounded memory of the heat.
+//! Triple friction pendulum with heating surfaces: conduction, and the bounded history of the heat flux.
 
-use super::driver::Alone;
+use super::driver::SingleElement;
 use super::script::run;
 use hysteron::element::Snapshot;
 use hysteron::element::bearing::triple::{Body, Conduction, history};
@@ -14,9 +14,9 @@ fn steel(body: Body, compat: bool) -> Conduction {
     Conduction { body, diffusivity: DIFFUSIVITY, conductivity: CONDUCTIVITY, compat }
 }
 
-/// Heat that comes and goes, with rests: what is remembered gives the direct convolution to a millionth.
+/// Intermittent heat flux with rests: the bounded history gives the direct convolution to 1e-6.
 #[test]
-fn bounded_history_is_the_convolution() {
+fn bounded_history_matches_the_convolution() {
     const DT: f64 = 0.01;
     let phase = |i: usize| 1.3 * DT * i as f64;
     let flux = |i: usize| if i < 40 || phase(i).sin().abs() > 0.9 { 0.0 } else { phase(i).cos().abs() };
@@ -45,9 +45,9 @@ fn bounded_history_is_the_convolution() {
     }
 }
 
-/// However long it lasts, nothing of the heat is lost, and it stays in its order of time.
+/// The history conserves the heat and its order in time over a long analysis.
 #[test]
-fn history_keeps_the_heat() {
+fn history_conserves_heat() {
     let mut words = vec![0.0; history::LEN];
     let steps = 2 * history::STEPS;
     for i in 0..steps {
@@ -60,14 +60,15 @@ fn history_keeps_the_heat() {
     assert!(history::heat(&words).all(|(t, _)| t >= 0.0 && t < steps as f64));
 }
 
-/// A plate is a half space at first, warms evenly at last, and its two series are one; OpenSees' is near.
+/// A plate behaves as a half space at first and warms uniformly at last. Its two series agree, and OpenSees' is
+/// close.
 #[test]
-fn conduction_has_its_limits() {
+fn conduction_has_half_space_and_uniform_limits() {
     let (plate, half) = (steel(Body::Plate, false), steel(Body::HalfSpace, false));
     let at = |c: &Conduction, age: f64| c.rise(THICKNESS, age * THICKNESS * THICKNESS / DIFFUSIVITY);
     let near = |a: f64, b: f64, to: f64| assert!((a - b).abs() <= to * b.abs(), "{a} {b}");
     near(at(&plate, 0.01)[0], at(&half, 0.01)[0], 1e-12);
-    // The image at the back doubles what goes through the depth of a half space.
+    // The image source at the back doubles the heat that passes the same depth of a half space.
     near(at(&plate, 0.01)[1], 2.0 * at(&half, 0.01)[1], 1e-12);
     for k in 0..2 {
         near(at(&plate, 5.0)[k], DIFFUSIVITY / (CONDUCTIVITY * THICKNESS), 1e-12);
@@ -83,8 +84,8 @@ fn conduction_has_its_limits() {
     );
 }
 
-/// Two cycles of 0.2 m, 5 s each, with `tags` for pressure, temperature and speed: largest shear in the second over the first, and the
-/// last temperatures.
+/// Two cycles of 0.2 m, 5 s each, with `tags` for pressure, temperature and speed. Returns the ratio of the largest
+/// shears, second over first, and the last temperatures.
 fn cycles(tags: &str) -> (f64, Vec<f64>) {
     let ran = run(&format!(
         "model basic -ndm 3 -ndf 6\nnode 1 0 0 0\nnode 2 0 0 0\nuniaxialMaterial Elastic 5 2e5\nuniaxialMaterial Elastic 2 300.
@@ -92,7 +93,7 @@ fn cycles(tags: &str) -> (f64, Vec<f64>) {
         300. 0.002 1. 0.1 1e-8 9549. 4244. 4244. 4.44e-6 0.018 20. 20. 1 2"
     ))
     .done();
-    let mut e = Alone::of(ran.interp.host.engine.model().elements[0].element.clone());
+    let mut e = SingleElement::of(ran.interp.host.engine.model().elements[0].element.clone());
     let mut peaks = [0.0f64; 2];
     let mut u = [0.0; 12];
     u[8] = -300.0 / 2e5;
@@ -110,18 +111,19 @@ fn cycles(tags: &str) -> (f64, Vec<f64>) {
 }
 
 #[test]
-fn sliding_warms_and_warmth_softens() {
+fn sliding_heats_and_heat_reduces_friction() {
     let (steady, cold) = cycles("0 0 1");
     let (falls, warm) = cycles("0 1 1");
     assert!((steady - 1.0).abs() < 1e-3, "{steady}");
     assert!(falls < 0.995, "{falls}");
     let rise = |t: &[f64]| t[..3].iter().map(|t| t - 20.0).sum::<f64>();
     assert!(warm[..3].iter().all(|t| *t > 20.5) && rise(&warm) < rise(&cold), "{warm:?} {cold:?}");
-    // The back of the plates stays behind the surface.
+    // The back of the plates is colder than the surface.
     assert!(warm[3] < warm[1] && warm[4] < warm[2], "{warm:?}");
 }
 
-/// A pendulum nearly flat that slides at 0.15 m/s for a second: temperature, factors of its friction, and shear at its end.
+/// A nearly flat pendulum that slides at 0.15 m/s for a second: temperature, factors of its friction, and final
+/// shear.
 fn slide(flags: [u8; 3]) -> (f64, Vec<f64>, f64) {
     let [pressure, temperature, speed] = flags;
     let ran = run(&format!(
@@ -130,7 +132,7 @@ fn slide(flags: [u8; 3]) -> (f64, Vec<f64>, f64) {
         0 0 1 1 0 0 0. 0 0. 20 1e-8 2"
     ))
     .done();
-    let mut e = Alone::of(ran.interp.host.engine.model().elements[0].element.clone());
+    let mut e = SingleElement::of(ran.interp.host.engine.model().elements[0].element.clone());
     let mut u = [0.0; 12];
     u[8] = -300.0 / 2e5;
     let mut force = vec![];
@@ -148,9 +150,9 @@ fn slide(flags: [u8; 3]) -> (f64, Vec<f64>, f64) {
     (read("temperature")[0], read("MuFactors"), force[6])
 }
 
-/// A steady flux q warms a half space by 2 q (α t/π)^½/k; the factors are those of the formulas.
+/// A constant flux q warms a half space by 2 q (α t/π)^½/k; the factors follow their formulas.
 #[test]
-fn a_pendulum_warms_by_its_friction() {
+fn pendulum_heats_by_its_friction() {
     let pressure = 300.0 / (PI * 0.04);
     let flux = 0.06 * pressure * 0.15;
     let (warm, factors, force) = slide([0, 0, 0]);
@@ -162,7 +164,7 @@ fn a_pendulum_warms_by_its_friction() {
     assert!((factors[0] - by_pressure).abs() < 1e-6, "{factors:?} {by_pressure}");
     assert!(warm > 22.0 && factors[1] < 0.99 && factors[1] > 0.97, "{warm} {factors:?}");
     assert!((force - 18.0 * factors[0] * factors[1]).abs() < 0.01, "{force}");
-    // At rest by its nodes' velocities.
+    // The nodal velocities are zero.
     let (_, factors, force) = slide([0, 0, 1]);
     assert!((force - 9.0).abs() < 0.01 && factors[2] == 0.5, "{force} {factors:?}");
 }

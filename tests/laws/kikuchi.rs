@@ -1,10 +1,10 @@
 //! Kikuchi bearings and normal springs.
 
-use super::driver::{Alone, difference, path};
+use super::driver::{SingleElement, difference, path};
 use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::{
-    Balance, Common, Distribution, KikuchiBearing, KikuchiParameters, Layout, Link, Mean, MultipleNormalSpring,
-    NormalSprings, Scheme, Shape,
+    Balance, Distribution, KikuchiBearing, KikuchiParameters, Layout, Link, Mean, MultipleNormalSpring, NormalSprings,
+    Scheme, Shape,
 };
 use hysteron::material::{
     AxialParameters, AxialSp, COMPOUNDS, Elastic, ElasticPP, HighDampingRubber, KikuchiAiken, Material, NoTension,
@@ -51,11 +51,11 @@ fn upright() -> Matrix3<f64> {
     upwards.of_link(Vector3::zeros(), Vector3::z() * HEIGHT, false).unwrap().0
 }
 
-fn bearing(p: KikuchiParameters) -> Alone {
-    Alone::new(KikuchiBearing::new(p, &upright(), &[0.0; 12], Scheme::Converged).unwrap())
+fn bearing(p: KikuchiParameters) -> SingleElement {
+    SingleElement::new(KikuchiBearing::new(p, &upright(), &[0.0; 12], Scheme::Converged).unwrap())
 }
 
-/// Bearings of every kind of spring and option.
+/// Bearings with every kind of spring and option.
 fn kinds() -> Vec<(&'static str, KikuchiParameters)> {
     let linear = || parameters(elastic(SHEAR), elastic(MODULUS));
     let yielding = || parameters(steel(6.0e4, 1.2e7, 0.1), Arc::new(ElasticPP::new(MODULUS, 1e9, -1.2e7, 0.0)));
@@ -74,7 +74,7 @@ fn kinds() -> Vec<(&'static str, KikuchiParameters)> {
     ]
 }
 
-/// A wandering motion of all degrees of freedom of a bearing under compression.
+/// A pseudo-random motion of all degrees of freedom of a bearing under compression.
 fn motion(seed: u64, steps: usize) -> Vec<[f64; 12]> {
     let size = |i: usize| [0.12, 0.12, 4e-4, 4e-3, 4e-3, 4e-3][i % 6];
     let walks: Vec<Vec<f64>> = (0..12).map(|i| path(seed + i as u64, steps, size(i))).collect();
@@ -83,7 +83,7 @@ fn motion(seed: u64, steps: usize) -> Vec<[f64; 12]> {
 }
 
 #[test]
-fn tangent_is_the_derivative_of_the_force() {
+fn tangent_matches_finite_difference() {
     for (name, p) in kinds() {
         let mut e = bearing(p);
         for (k, u) in motion(7, 24).iter().enumerate() {
@@ -100,7 +100,7 @@ fn tangent_is_the_derivative_of_the_force() {
 }
 
 #[test]
-fn virgin_tangent_is_that_at_rest() {
+fn virgin_tangent_matches_tangent_at_rest() {
     for (name, p) in kinds() {
         let mut e = bearing(p);
         let mut initial = vec![0.0; 144];
@@ -112,7 +112,7 @@ fn virgin_tangent_is_that_at_rest() {
 }
 
 #[test]
-fn a_trial_leaves_no_trace() {
+fn trials_do_not_change_the_response() {
     for (name, p) in kinds() {
         let mut e = bearing(p);
         let way = motion(3, 30);
@@ -126,12 +126,12 @@ fn a_trial_leaves_no_trace() {
 }
 
 #[test]
-fn turned_axes_turn_the_forces() {
+fn rotated_axes_rotate_the_forces() {
     let turn = Rotation3::from_euler_angles(0.4, -0.7, 1.1);
     for (name, p) in kinds() {
         let axes = upright() * turn.matrix().transpose();
         let mut plain = bearing(p.clone());
-        let mut turned = Alone::new(KikuchiBearing::new(p, &axes, &[0.0; 12], Scheme::Converged).unwrap());
+        let mut turned = SingleElement::new(KikuchiBearing::new(p, &axes, &[0.0; 12], Scheme::Converged).unwrap());
         let rotate = |x: &[f64]| -> Vec<f64> {
             x.chunks_exact(3)
                 .flat_map(|v| (turn * Vector3::new(v[0], v[1], v[2])).iter().copied().collect::<Vec<_>>())
@@ -164,7 +164,7 @@ fn mirrored_motion_gives_mirrored_forces() {
 }
 
 #[test]
-fn ends_are_in_balance() {
+fn end_forces_are_in_equilibrium() {
     for (name, p) in kinds().into_iter().filter(|(_, p)| p.tilt && p.p_delta) {
         let mut e = bearing(KikuchiParameters { shares: [0.0; 2], ..p });
         for u in motion(23, 12) {
@@ -173,7 +173,7 @@ fn ends_are_in_balance() {
             for i in [0, 1, 2, 5] {
                 assert!((f[i] + f[i + 6]).abs() < 1e-9 * size, "{name}: direction {i}");
             }
-            // Moments about i: those at the ends, the shear over the height, the axial force over the offset.
+            // Moments about i: the end moments, the shear times the height, the axial force times the offset.
             let about_y = f[4] + f[10] + HEIGHT * f[6] - f[8] * (u[6] - u[0]);
             let about_x = f[3] + f[9] - HEIGHT * f[7] + f[8] * (u[7] - u[1]);
             assert!(about_x.abs().max(about_y.abs()) < 1e-8 * size, "{name}: {about_x} {about_y}");
@@ -183,11 +183,11 @@ fn ends_are_in_balance() {
 }
 
 #[test]
-fn the_size_of_the_steps_does_not_change_the_answer() {
-    // Along a straight way, on which no spring turns back.
+fn response_is_independent_of_step_size() {
+    // A straight path on which no spring reverses.
     let end: [f64; 12] = [0.0, 0.0, 0.0, 1e-3, 0.0, 0.0, 0.22, 0.1, -1.5e-3, 0.0, 2e-3, 1e-3];
     for (name, p) in kinds() {
-        // Where the axial force does not follow the tilt or has no moment, the way is summed up in steps.
+        // The displacements are summed over the steps if the axial force does not follow the tilt or has no moment.
         let tolerance = if p.tilt == p.p_delta { 1e-7 } else { 1e-3 };
         let run = |steps: usize| {
             let mut e = bearing(p.clone());
@@ -204,7 +204,7 @@ fn the_size_of_the_steps_does_not_change_the_answer() {
 }
 
 /// Work done in a closed cycle.
-fn work(e: &mut Alone, cycle: &[[f64; 12]]) -> f64 {
+fn work(e: &mut SingleElement, cycle: &[[f64; 12]]) -> f64 {
     let mut sum = 0.0;
     let (mut u, mut f) = (cycle[0].to_vec(), e.force(&cycle[0]));
     e.commit();
@@ -243,9 +243,9 @@ fn cycles_dissipate_energy_and_create_none() {
     }
 }
 
-/// Bring the bearing to an axial force with the other displacements held, by Newton's method on the vertical motion; the
-/// residuals on the way.
-fn compress(e: &mut Alone, u: &mut [f64; 12], axial: f64) -> Vec<f64> {
+/// Brings the bearing to an axial force with the other displacements fixed, by Newton's method on the vertical
+/// motion. Returns the residuals.
+fn compress(e: &mut SingleElement, u: &mut [f64; 12], axial: f64) -> Vec<f64> {
     let mut residuals = vec![];
     for _ in 0..30 {
         let (f, k) = e.trial(u, &[0.0; 12]);
@@ -259,7 +259,7 @@ fn compress(e: &mut Alone, u: &mut [f64; 12], axial: f64) -> Vec<f64> {
 }
 
 /// Shear stiffness at constant axial force.
-fn shear_stiffness(e: &mut Alone, u: &[f64; 12]) -> f64 {
+fn shear_stiffness(e: &mut SingleElement, u: &[f64; 12]) -> f64 {
     let k = e.trial(u, &[0.0; 12]).1;
     k[6 * 12 + 6] - k[6 * 12 + 8] * k[8 * 12 + 6] / k[8 * 12 + 8]
 }
@@ -301,8 +301,8 @@ fn critical_load_is_that_of_its_springs() {
     };
     assert_eq!(told(0.98 * below), None);
     assert!((told(1.02 * below).unwrap() / below - 1.0).abs() < 0.01);
-    // Beside it Haringx' column of the same rigidities, P_e = π² (E I H/t)/H²: where the rubber is thin that load is about
-    // π/2 as large, as two springs are softer than a continuous column.
+    // Comparison with Haringx' column of equal rigidities, P_e = π² (E I H/t)/H². For thin rubber layers its load is
+    // about π/2 times as large, since two springs are softer than a continuous column.
     let (k, bending) = springs_alone();
     let (shear, euler) = (k * HEIGHT, std::f64::consts::PI.powi(2) * 0.5 * bending / HEIGHT);
     let haringx = 0.5 * (-shear + (shear * shear + 4.0 * shear * euler).sqrt());
@@ -310,14 +310,14 @@ fn critical_load_is_that_of_its_springs() {
 }
 
 #[test]
-fn shear_stiffness_sinks_with_the_load_as_koh_and_kelly_say() {
+fn shear_stiffness_under_load_matches_koh_and_kelly() {
     let (k, bending) = springs_alone();
     for part in [0.2, 0.5, 0.8] {
         let load = part * critical_load();
         let mut e = bearing(parameters(elastic(SHEAR), elastic(MODULUS)));
         let mut u = [0.0; 12];
         compress(&mut e, &mut u, -load);
-        // Links on springs: M = P (s + H θ)/2 + V H/2 at the sections, V = K s - P θ.
+        // Rigid links on springs: M = P (s + H θ)/2 + V H/2 at the sections, V = K s - P θ.
         let tilt = (0.5 * load + 0.5 * HEIGHT * k) / bending;
         let expected = (k - load * tilt) / (1.0 + HEIGHT * tilt);
         let found = shear_stiffness(&mut e, &u);
@@ -326,8 +326,8 @@ fn shear_stiffness_sinks_with_the_load_as_koh_and_kelly_say() {
 }
 
 #[test]
-fn tangent_turns_negative_where_koh_and_kelly_predict() {
-    // Normal springs without tension: the sections soften as they uplift.
+fn tangent_becomes_negative_where_koh_and_kelly_predict() {
+    // No-tension normal springs: the sections soften in uplift.
     let normal: Material = Arc::new(NoTension { e: MODULUS, a: 0.0, b: 0.0 });
     let load = 0.25 * critical_load();
     let layout = parameters(elastic(1.0), elastic(1.0)).layout;
@@ -344,7 +344,7 @@ fn tangent_turns_negative_where_koh_and_kelly_predict() {
         }
         respond(x, tilt).force[1]
     };
-    // The mechanism of links and springs, from tilt to tilt.
+    // Rigid links on springs, in increments of tilt.
     let at = |tilt: f64| {
         let s = moment(tilt) / (0.5 * load + 0.5 * HEIGHT * SHEAR);
         (s + HEIGHT * tilt, SHEAR * s - load * tilt)
@@ -365,10 +365,10 @@ fn tangent_turns_negative_where_koh_and_kelly_predict() {
     assert!((found / predicted - 1.0).abs() < 0.03, "{found} {predicted}");
 }
 
-/// A small square bearing of rubber whose loops decay slowly, in cycles under a constant load: each state has its inner
-/// equilibrium, also where a spring turns back or comes back to its skeleton, in few steps as in many.
+/// A small square bearing whose loops decay slowly, in cycles under constant load. Every state is in inner
+/// equilibrium, at reversals and returns to the skeleton too, for few and many steps.
 #[test]
-fn cycles_of_a_lightly_damped_bearing_do_not_depend_on_the_step() {
+fn cycles_of_a_lightly_damped_bearing_are_independent_of_step_size() {
     let device =
         HighDampingRubber { compound: COMPOUNDS[0].clone(), area: 0.21 * 0.21, height: 0.2, factors: [2.0, 0.8, 1.12] };
     let axial =
@@ -421,10 +421,10 @@ fn outer_iterations_converge_quadratically() {
 }
 
 #[test]
-fn scheme_of_opensees_comes_near_in_small_steps() {
+fn opensees_scheme_converges_for_small_steps() {
     let run = |scheme: Scheme, steps: usize| {
         let p = parameters(elastic(SHEAR), elastic(MODULUS));
-        let mut e = Alone::new(
+        let mut e = SingleElement::new(
             KikuchiBearing::new(KikuchiParameters { shares: [0.0; 2], ..p }, &upright(), &[0.0; 12], scheme).unwrap(),
         );
         let mut f = vec![];
@@ -432,7 +432,7 @@ fn scheme_of_opensees_comes_near_in_small_steps() {
             let part = k as f64 / steps as f64;
             let mut u = [0.0; 12];
             (u[6], u[7], u[8]) = (0.15 * part, 0.05 * part, -1e-3 * (4.0 * part).min(1.0));
-            // OpenSees' way: a step is asked for more than once.
+            // OpenSees evaluates a step more than once.
             e.force(&u);
             f = e.force(&u);
             e.commit();
@@ -440,7 +440,7 @@ fn scheme_of_opensees_comes_near_in_small_steps() {
         f
     };
     let exact = run(Scheme::Converged, 10);
-    let scheme = || Scheme::OpenSees(Balance { tolerance: 1.0, rounds: 3 }, Common::default());
+    let scheme = || Scheme::OpenSees(Balance { tolerance: 1.0, rounds: 3 });
     let (coarse, fine) = (difference(&run(scheme(), 20), &exact), difference(&run(scheme(), 400), &exact));
     assert!(fine < 2e-3 && fine < coarse, "{coarse:.1e} {fine:.1e}");
 }
@@ -458,26 +458,26 @@ fn layouts_have_the_area_and_inertia_of_the_section() {
             assert!((sum(&|i| l.z[i] * l.z[i]) / inertia - 1.0).abs() < 5e-3);
             assert!(sum(&|i| l.y[i]).abs().max(sum(&|i| l.y[i] * l.z[i]).abs()) < 1e-12);
         }
-        // The pressure sinks towards the edge, and vanishes there for every λ.
+        // The pressure decreases towards the edge and vanishes there for every λ.
         for lambda in [0.0, 5.0, 60.0, 700.0] {
             let l = Layout::new(shape, 1.0, 40, Distribution::Pressure(lambda), Mean::Springs);
             assert!(l.area.iter().all(|a| a.is_finite() && *a > -1e-9), "{shape:?} {lambda}");
             assert!((l.area.iter().sum::<f64>() / area - 1.0).abs() < 1e-12);
         }
     }
-    // Both means agree for fine springs.
+    // Both averages agree for many springs.
     let total =
         |mean| -> f64 { Layout::new(Shape::Round, 1.0, 100, Distribution::Pressure(12.0), mean).area.iter().sum() };
     assert!((total(Mean::Springs) / total(Mean::Section) - 1.0).abs() < 1e-3);
 }
 
 #[test]
-fn normal_springs_bend_as_their_section() {
+fn normal_springs_match_section_bending() {
     let layout = Layout::new(Shape::Round, 0.6, 12, Distribution::Uniform, Mean::Section);
     let link = || Link::new(&upright(), HEIGHT, 0.5);
     let make = |m: Material| {
         let springs = NormalSprings::new(m, &layout, HEIGHT, MultipleNormalSpring::HEADER);
-        Alone::new(MultipleNormalSpring::new(springs, link(), 0.0, false))
+        SingleElement::new(MultipleNormalSpring::new(springs, link(), 0.0, false))
     };
     let mut e = make(elastic(1e6));
     let mut u = [0.0; 12];

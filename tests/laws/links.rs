@@ -1,6 +1,6 @@
 //! `twoNodeLink` and `elastomericBearingPlasticity`.
 
-use super::driver::{Alone, difference, path};
+use super::driver::{SingleElement, difference, path};
 use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::{Link, PlaneBearing, PlasticShear, SpaceBearing};
 use hysteron::element::{LinkOptions, Mass, TwoNodeLink};
@@ -27,9 +27,9 @@ fn axes(ndm: usize) -> Matrix3<f64> {
 }
 
 /// A link with a spring in every direction.
-fn link(ndm: usize, per_node: usize, p_delta: Option<[f64; 4]>) -> Alone {
+fn link(ndm: usize, per_node: usize, p_delta: Option<[f64; 4]>) -> SingleElement {
     let springs = (1..=per_node).map(|d| (elastic(100.0 * d as f64), d as i32, d)).collect();
-    Alone::new(TwoNodeLink::new(springs, (ndm, per_node), axes(ndm), 1.4, &options(p_delta)).unwrap())
+    SingleElement::new(TwoNodeLink::new(springs, (ndm, per_node), axes(ndm), 1.4, &options(p_delta)).unwrap())
 }
 
 const SHAPES: [(usize, usize); 5] = [(1, 1), (2, 2), (2, 3), (3, 3), (3, 6)];
@@ -50,14 +50,13 @@ fn link_tangent() {
         e.element.initial_tangent(&mut initial);
         assert!(difference(&k, &initial) < 1e-14);
 
-        // With P-Delta the change of the axial force is left out of the tangent: the rest is the derivative under a
-        // force that hardly changes.
+        // The P-Delta tangent omits the change of the axial force, so the axial force is nearly constant here.
         let springs = vec![
             (Arc::new(ElasticPP::new(1e4, 0.005, -0.005, 0.0)) as Material, 1, 1),
             (elastic(30.0), 2, 2.min(per_node)),
         ];
         let springs = springs.into_iter().chain((3..=per_node).map(|d| (elastic(40.0), 3, d))).collect();
-        let mut e = Alone::new(
+        let mut e = SingleElement::new(
             TwoNodeLink::new(springs, (ndm, per_node), axes(ndm), 1.4, &options(Some([0.1, 0.3, 0.2, 0.4]))).unwrap(),
         );
         if per_node > 1 {
@@ -70,7 +69,7 @@ fn link_tangent() {
 }
 
 #[test]
-fn link_moves_rigidly_for_nothing() {
+fn link_has_no_force_in_rigid_motion() {
     for (ndm, per_node) in [(2, 3), (3, 6)] {
         let mut e = link(ndm, per_node, None);
         let line = axes(ndm).row(0).transpose() * 1.4;
@@ -97,7 +96,7 @@ fn link_p_delta_is_equilibrium_of_the_displaced_link() {
     for ratios in [[0.0; 4], [0.5; 4], [0.1, 0.3, 0.2, 0.4]] {
         let mut e = link(3, 6, Some(ratios));
         let line = axes(3).row(0).transpose() * 1.4;
-        // Along the link only as much as there is force from; across it freely.
+        // A small axial displacement gives the axial force; transverse displacements are arbitrary.
         let mut u = vec![0.0; 12];
         let local = Vector3::new(-0.2, 0.05, -0.08);
         u[6..9].copy_from_slice((axes(3).transpose() * local).as_slice());
@@ -106,7 +105,7 @@ fn link_p_delta_is_equilibrium_of_the_displaced_link() {
         let across = axes(3).transpose() * Vector3::new(0.0, local.y, local.z);
         let axial = axes(3).row(0).dot(&at(6, &f).transpose());
         let along = axes(3).row(0).transpose() * axial;
-        // Moments about i: forces at j on the undeformed lever, the axial force on the displaced one.
+        // Moments about i: forces at j on the undeformed lever arm, the axial force on the deformed one.
         let moment = line.cross(&at(6, &f)) + across.cross(&along) + at(3, &f) + at(9, &f);
         assert!(moment.norm() < 1e-10, "{ratios:?}: {moment:?}");
         assert!((at(0, &f) + at(6, &f)).norm() < 1e-12);
@@ -129,17 +128,17 @@ fn plastic(k3: f64) -> PlasticShear {
     PlasticShear { k0: 7200.0, qd: 40.0, k2: 800.0, k3, mu: 2.5, compat: false }
 }
 
-fn in_space(k3: f64) -> Alone {
+fn in_space(k3: f64) -> SingleElement {
     let (axes, length) =
         Orientation::default().of_link(Vector3::zeros(), Vector3::new(0.02, -0.05, 0.3), false).unwrap();
     let materials = [1e5, 900.0, 6000.0, 5000.0].map(|e| (elastic(e), 1));
-    Alone::new(SpaceBearing::new(plastic(k3), Link::new(&axes, length, 0.3), materials, 0.0, false))
+    SingleElement::new(SpaceBearing::new(plastic(k3), Link::new(&axes, length, 0.3), materials, 0.0, false))
 }
 
-fn in_plane(k3: f64) -> Alone {
+fn in_plane(k3: f64) -> SingleElement {
     let (axes, length) = Orientation::default().of_link(Vector3::zeros(), Vector3::new(0.0, 0.3, 0.0), true).unwrap();
     let materials = [1e5, 900.0].map(|e| (elastic(e), 1));
-    Alone::new(PlaneBearing::new(plastic(k3), Link::new(&axes, length, 0.3), materials, 0.0, false))
+    SingleElement::new(PlaneBearing::new(plastic(k3), Link::new(&axes, length, 0.3), materials, 0.0, false))
 }
 
 #[test]
@@ -167,7 +166,7 @@ fn plastic_bearing_tangent() {
     }
 }
 
-/// The force of the plastic part never leaves the circle, and a step around it does not depend on how it is cut.
+/// The plastic force stays on or inside the yield circle, independently of the step size along the circle.
 #[test]
 fn plastic_bearing_stays_on_its_yield_surface() {
     let mut e = in_space(0.0);

@@ -1,6 +1,6 @@
 //! Uniaxial laws.
 
-use super::driver::{Point, path};
+use super::driver::{MaterialPoint, path};
 use hysteron::material::{BoucWen, Elastic, ElasticPP, Material, Steel01, Viscous};
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ fn bouc_wen(n: f64, gamma: f64, beta: f64, delta: f64) -> Material {
     })
 }
 
-/// Every law with an amplitude of strain that takes it far into its range.
+/// Every law with a strain amplitude in its nonlinear range.
 fn all() -> Vec<(&'static str, Material, f64)> {
     vec![
         ("elastic", Arc::new(Elastic::new(200.0)) as Material, 0.1),
@@ -32,17 +32,17 @@ fn all() -> Vec<(&'static str, Material, f64)> {
     ]
 }
 
-/// The tangent is the derivative of the stress along a wandering path.
+/// Checks that the tangent is the derivative of the stress along a pseudo-random path.
 pub fn check_tangent(name: &str, law: Material, amplitude: f64) {
-    let mut p = Point::new(law);
+    let mut p = MaterialPoint::new(law);
     let mut tested = 0;
     for (k, strain) in path(7, 1200, amplitude).into_iter().enumerate() {
         let h = 1e-7 * amplitude;
         let (up, down) = (p.trial(strain + h, 0.0, 0.0).value, p.trial(strain - h, 0.0, 0.0).value);
         let (more, less) = (p.trial(strain + 2.0 * h, 0.0, 0.0).value, p.trial(strain - 2.0 * h, 0.0, 0.0).value);
-        let s = p.go(strain);
+        let s = p.advance(strain);
         let (near, far) = ((up - down) / (2.0 * h), (more - less) / (4.0 * h));
-        // Kinks have no derivative; they show by differences that depend on their step.
+        // There is no derivative at kinks; differences that depend on their step size identify them.
         if (near - far).abs() < 1e-4 * near.abs().max(1.0) && (up - 2.0 * s.value + down).abs() <= 1e-4 * h * near.abs()
         {
             tested += 1;
@@ -53,19 +53,19 @@ pub fn check_tangent(name: &str, law: Material, amplitude: f64) {
     assert!(tested > 200, "{name}: only {tested} points away from kinks");
 }
 
-/// Trials that are not committed leave nothing behind.
+/// Checks that uncommitted trials do not affect the response.
 pub fn check_purity(name: &str, law: Material, amplitude: f64) {
-    let (mut straight, mut wandering) = (Point::new(law.clone()), Point::new(law));
+    let (mut straight, mut wandering) = (MaterialPoint::new(law.clone()), MaterialPoint::new(law));
     for (k, strain) in path(3, 400, amplitude).into_iter().enumerate() {
         for other in [0.3 * amplitude, -amplitude, strain + 0.01 * amplitude] {
             wandering.trial(other, 0.0, 0.0);
         }
-        assert_eq!(straight.go(strain), wandering.go(strain), "{name}, step {k}");
+        assert_eq!(straight.advance(strain), wandering.advance(strain), "{name}, step {k}");
     }
 }
 
 #[test]
-fn tangent_is_the_derivative_of_the_stress() {
+fn tangent_matches_finite_difference() {
     all().into_iter().for_each(|(name, law, amplitude)| check_tangent(name, law, amplitude));
 }
 
@@ -75,13 +75,13 @@ fn stress_depends_on_the_committed_state_alone() {
 }
 
 #[test]
-fn no_energy_comes_out_of_a_closed_cycle() {
+fn closed_cycles_create_no_energy() {
     for (name, law, amplitude) in all() {
-        let mut p = Point::new(law);
+        let mut p = MaterialPoint::new(law);
         let (mut last, mut at, mut work) = (0.0, 0.0, 0.0);
         let mut returns = vec![];
         for strain in path(11, 4000, amplitude) {
-            let s = p.go(strain).value;
+            let s = p.advance(strain).value;
             work += 0.5 * (s + last) * (strain - at);
             (last, at) = (s, strain);
             if s.abs() < 1e-3 * amplitude {
@@ -90,7 +90,7 @@ fn no_energy_comes_out_of_a_closed_cycle() {
         }
         let scale = returns.iter().fold(1e-12f64, |m, w| m.max(w.abs()));
         assert!(work > -1e-6 * scale, "{name}: {work}");
-        // From one unloaded state to a later one work has only been put in.
+        // The work between two unloaded states is nonnegative.
         for w in returns.windows(2) {
             assert!(w[1] - w[0] > -2e-2 * scale, "{name}: {} after {}", w[1], w[0]);
         }
@@ -101,21 +101,21 @@ fn no_energy_comes_out_of_a_closed_cycle() {
 fn mirrored_strain_gives_mirrored_stress() {
     let symmetric = ["elastic", "steel, kinematic", "bouc-wen, n 1", "bouc-wen, n 2, softening"];
     for (name, law, amplitude) in all().into_iter().filter(|m| symmetric.contains(&m.0)) {
-        let (mut p, mut q) = (Point::new(law.clone()), Point::new(law));
+        let (mut p, mut q) = (MaterialPoint::new(law.clone()), MaterialPoint::new(law));
         for strain in path(5, 500, amplitude) {
-            let (a, b) = (p.go(strain).value, q.go(-strain).value);
+            let (a, b) = (p.advance(strain).value, q.advance(-strain).value);
             assert!((a + b).abs() <= 1e-12 * a.abs().max(1e-9), "{name}: {a} and {b}");
         }
     }
 }
 
 #[test]
-fn initial_tangent_is_that_of_a_small_strain() {
+fn initial_tangent_matches_small_strain() {
     for (name, law, amplitude) in all().into_iter().filter(|m| m.0 != "elastic-plastic") {
         let k = law.initial_tangent();
-        let mut p = Point::new(law);
+        let mut p = MaterialPoint::new(law);
         let strain = 1e-7 * amplitude;
-        let secant = p.go(strain).value / strain;
+        let secant = p.advance(strain).value / strain;
         assert!((secant - k).abs() < 1e-4 * k, "{name}: {secant} for {k}");
     }
 }
@@ -125,13 +125,13 @@ fn initial_tangent_is_that_of_a_small_strain() {
 fn bouc_wen_converges_with_the_step() {
     let law = bouc_wen(2.0, 30.0, 30.0, 0.005);
     let end = |substeps: usize| {
-        let mut p = Point::new(law.clone());
+        let mut p = MaterialPoint::new(law.clone());
         let mut last = 0.0;
         for target in [0.1, -0.15, 0.2, 0.0] {
             let from: f64 = last;
             for k in 1..=40 * substeps {
                 last = from + (target - from) * k as f64 / (40 * substeps) as f64;
-                p.go(last);
+                p.advance(last);
             }
         }
         p.trial(last, 0.0, 0.0).value
@@ -142,8 +142,8 @@ fn bouc_wen_converges_with_the_step() {
 }
 
 #[test]
-fn dashpot_resists_the_rate() {
-    let mut p = Point::new(Arc::new(Viscous { c: 50.0, alpha: 0.5, min_rate: 1e-11 }));
+fn dashpot_force_opposes_the_rate() {
+    let mut p = MaterialPoint::new(Arc::new(Viscous { c: 50.0, alpha: 0.5, min_rate: 1e-11 }));
     let s = p.trial(0.0, 4.0, 0.01);
     assert!((s.value - 100.0).abs() < 1e-12);
     assert!((s.damping - 12.5).abs() < 1e-12, "derivative of 50 sqrt(v) at 4");

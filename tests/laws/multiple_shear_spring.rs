@@ -1,6 +1,6 @@
 //! `multipleShearSpring`.
 
-use super::driver::{Alone, Point, difference, path};
+use super::driver::{MaterialPoint, SingleElement, difference, path};
 use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::{Link, MultipleShearSpring, ShearSprings};
 use hysteron::material::{
@@ -40,18 +40,18 @@ fn laws() -> [(&'static str, Material); 3] {
     [("steel", steel()), ("lead rubber", lead()), ("high damping rubber", high_damping())]
 }
 
-fn along(materials: Vec<(Material, usize)>, limit: Option<f64>, x: Vector3<f64>, y: Vector3<f64>) -> Alone {
+fn along(materials: Vec<(Material, usize)>, limit: Option<f64>, x: Vector3<f64>, y: Vector3<f64>) -> SingleElement {
     let (axes, length) = Orientation { x: Some(x), y: Some(y) }.of_link(Vector3::zeros(), x * 0.3, false).unwrap();
     let springs = ShearSprings::of(materials, limit, MultipleShearSpring::HEADER);
-    Alone::new(MultipleShearSpring::new(springs, Link::new(&axes, length, 0.5), 2.0).unwrap())
+    SingleElement::new(MultipleShearSpring::new(springs, Link::new(&axes, length, 0.5), 2.0).unwrap())
 }
 
-fn upright(law: &Material, n: usize, limit: Option<f64>) -> Alone {
+fn upright(law: &Material, n: usize, limit: Option<f64>) -> SingleElement {
     along(vec![(law.clone(), n)], limit, Vector3::z(), Vector3::x())
 }
 
 /// Forces of node j for a displacement of it.
-fn push(e: &mut Alone, u: Vector3<f64>) -> Vector3<f64> {
+fn push(e: &mut SingleElement, u: Vector3<f64>) -> Vector3<f64> {
     let mut all = [0.0; 12];
     all[6..9].copy_from_slice(u.as_slice());
     let f = e.force(&all);
@@ -65,7 +65,7 @@ fn orbit(seed: u64, n: usize) -> Vec<Vector3<f64>> {
 }
 
 #[test]
-fn tangent_is_the_derivative_of_the_force() {
+fn tangent_matches_finite_difference() {
     for (name, law) in laws() {
         for limit in [None, Some(0.3 * HEIGHT)] {
             let mut e = upright(&law, 8, limit);
@@ -90,7 +90,7 @@ fn tangent_is_the_derivative_of_the_force() {
 }
 
 #[test]
-fn initial_tangent_is_that_of_a_small_motion() {
+fn initial_tangent_matches_small_motion() {
     for (_, law) in laws() {
         for limit in [None, Some(0.02 * HEIGHT)] {
             let mut e = upright(&law, 6, limit);
@@ -101,15 +101,15 @@ fn initial_tangent_is_that_of_a_small_motion() {
     }
 }
 
-/// With a limit, the bundle pushed in one direction is one spring, whatever their number.
+/// With a limit, the springs in uniaxial motion equal one spring, for every number of springs.
 #[test]
-fn a_limited_bundle_is_one_spring_when_pushed() {
+fn limited_springs_equal_one_spring_in_uniaxial_motion() {
     for (name, law) in laws() {
         for n in [1, 2, 3, 8, 40] {
-            let (mut e, mut one) = (upright(&law, n, Some(0.01 * HEIGHT)), Point::new(law.clone()));
+            let (mut e, mut one) = (upright(&law, n, Some(0.01 * HEIGHT)), MaterialPoint::new(law.clone()));
             for k in 1..=60 {
                 let u = 0.05 * f64::from(k) * HEIGHT;
-                let (f, s) = (push(&mut e, Vector3::x() * u).x, one.go(u).value);
+                let (f, s) = (push(&mut e, Vector3::x() * u).x, one.advance(u).value);
                 assert!((f - s).abs() < 1e-9 * s, "{name}, {n} springs at {u}: {f} for {s}");
                 e.commit();
             }
@@ -132,10 +132,10 @@ fn force_depends_on_the_committed_state_alone() {
     }
 }
 
-/// Turned with its axes the bearing answers turned; so does the bundle when the motion turns by the angle between two
-/// springs; a mirrored motion gives mirrored forces.
+/// Rotated axes rotate the response. A motion rotated by the angle between two springs does the same, and a mirrored
+/// motion gives mirrored forces.
 #[test]
-fn law_turns_with_its_axes() {
+fn law_rotates_with_its_axes() {
     let turn = Rotation3::from_euler_angles(0.4, -0.9, 1.3);
     for (name, law) in laws() {
         let n = 8;
@@ -150,27 +150,27 @@ fn law_turns_with_its_axes() {
             assert!((spring * f - push(&mut next, spring * u)).norm() < 1e-8 * scale, "{name}, by one spring");
             let flip = |v: Vector3<f64>| Vector3::new(v.x, -v.y, v.z);
             assert!((flip(f) - push(&mut mirror, flip(u))).norm() < 1e-8 * scale, "{name}, mirrored");
-            [&mut e, &mut turned, &mut next, &mut mirror].into_iter().for_each(Alone::commit);
+            [&mut e, &mut turned, &mut next, &mut mirror].into_iter().for_each(SingleElement::commit);
         }
     }
 }
 
-/// Springs of different materials: each takes its own share.
+/// Springs of different materials each contribute their own force.
 #[test]
-fn springs_may_differ() {
+fn springs_of_different_materials_add_up() {
     let hard: Material = Arc::new(ElasticPP::new(300.0, 0.02, -0.02, 0.0));
     let mut e = along(vec![(hard.clone(), 1), (steel(), 1)], None, Vector3::z(), Vector3::x());
-    let (mut a, mut b) = (Point::new(hard), Point::new(steel()));
+    let (mut a, mut b) = (MaterialPoint::new(hard), MaterialPoint::new(steel()));
     for u in orbit(2, 200) {
         let f = push(&mut e, u);
-        assert!((f.x - a.go(u.x).value).abs() < 1e-9, "along the first spring");
-        assert!((f.y - b.go(u.y).value).abs() < 1e-9, "along the second");
+        assert!((f.x - a.advance(u.x).value).abs() < 1e-9, "along the first spring");
+        assert!((f.y - b.advance(u.y).value).abs() < 1e-9, "along the second");
         e.commit();
     }
 }
 
 #[test]
-fn orbits_dissipate() {
+fn orbits_dissipate_energy() {
     for (name, law) in laws() {
         let mut e = upright(&law, 8, Some(0.05));
         for (k, radius) in [0.3, 0.8, 1.6, 0.7].into_iter().enumerate() {
@@ -191,9 +191,9 @@ fn orbits_dissipate() {
     }
 }
 
-/// Factors are ratios of forces: springs that have none at the limit are refused.
+/// Springs without force at the limit are an error, since the factors are ratios of forces.
 #[test]
-fn springs_without_force_have_no_factors() {
+fn springs_without_force_are_an_error() {
     let slack: Material = Arc::new(Impact { k1: 300.0, k2: 100.0, delta_y: -0.01, gap: -0.1, compat: false });
     let (axes, length) = Orientation { x: Some(Vector3::z()), y: Some(Vector3::x()) }
         .of_link(Vector3::zeros(), Vector3::z(), false)

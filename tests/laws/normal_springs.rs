@@ -1,30 +1,30 @@
-//! Sections of normal springs that bend in one plane, where one spring tells of a line of them.
+//! Normal-spring sections in uniaxial bending, where one spring represents a line of springs.
 
 use hysteron::element::bearing::{Distribution, Layout, Mean, NormalSprings, Section, Shape};
 use hysteron::material::{AxialParameters, AxialSp, Material, Steel01, Viscous};
 use std::sync::Arc;
 
-/// Of a spring, m.
+/// Length of a spring, m.
 const LENGTH: f64 = 0.1;
 
 /// Springs with their committed and trial states.
-struct Alone {
+struct SectionState {
     springs: NormalSprings,
     committed: Vec<f64>,
     trial: Vec<f64>,
 }
 
-impl Alone {
+impl SectionState {
     fn new(springs: NormalSprings) -> Self {
         let mut committed = vec![f64::NAN; springs.state_len()];
         springs.init(&mut committed);
         Self { trial: committed.clone(), committed, springs }
     }
-    fn ask(&mut self, e: [f64; 3]) -> Section {
+    fn evaluate(&mut self, e: [f64; 3]) -> Section {
         self.springs.respond(&self.committed, e, [0.0; 3], 0.0, &mut self.trial).unwrap()
     }
-    fn go(&mut self, e: [f64; 3]) -> Section {
-        let s = self.ask(e);
+    fn advance(&mut self, e: [f64; 3]) -> Section {
+        let s = self.evaluate(e);
         self.springs.commit(&self.trial, &mut self.committed);
         s
     }
@@ -39,7 +39,7 @@ fn materials(compat: bool) -> [Material; 2] {
     ]
 }
 
-/// Bending about y or z, growing from cycle to cycle, under compression.
+/// Bending about y or z with increasing amplitude, under compression.
 fn bending(about: usize) -> Vec<[f64; 3]> {
     let step = |i: usize| {
         let t = i as f64 * 0.21;
@@ -50,56 +50,59 @@ fn bending(about: usize) -> Vec<[f64; 3]> {
     (1..200).map(step).collect()
 }
 
-/// Largest difference of forces, and of moments over a lever, over the largest of all.
-fn apart(a: &Section, b: &Section, size: &mut [f64; 3]) -> f64 {
+/// Largest difference of forces, and of moments divided by a lever arm, divided by the largest value.
+fn max_difference(a: &Section, b: &Section, size: &mut [f64; 3]) -> f64 {
     size.iter_mut().zip(a.force).for_each(|(s, f)| *s = s.max(f.abs()));
     let bending = size[1].max(size[2]);
     let scale = [size[0], bending, bending];
     (0..3).map(|i| (a.force[i] - b.force[i]).abs() / scale[i].max(1.0)).fold(0.0, f64::max)
 }
 
-/// Sections with lines as they are found, and the same springs that a turn across the plane, far below what can be felt, has
-/// set apart at the start.
-fn both(shape: Shape, n: usize, compat: bool, check: impl Fn(Alone, Alone, usize)) {
+/// Sections with lines, and the same springs separated by a negligible rotation about the other axis at the start.
+fn both(shape: Shape, n: usize, compat: bool, check: impl Fn(SectionState, SectionState, usize)) {
     for distribution in [Distribution::Uniform, Distribution::Pressure(12.0)] {
         let layout = Layout::new(shape, 0.6, n, distribution, Mean::Springs);
         for material in materials(compat) {
             let springs = NormalSprings::new(material, &layout, LENGTH, 0);
             let springs = if compat { springs.counting_calls() } else { springs };
             for about in [1, 2] {
-                let (mut together, mut apart) = (Alone::new(springs.clone()), Alone::new(springs.clone()));
-                // Beyond the elastic range, so that there is a history to keep.
+                let (mut together, mut max_difference) =
+                    (SectionState::new(springs.clone()), SectionState::new(springs.clone()));
+                // The history is nonvirgin beyond the elastic range.
                 let mut first = [0.0; 3];
                 first[about] = 4e-4;
-                together.go(first);
+                together.advance(first);
                 first[3 - about] = 1e-11;
-                apart.go(first);
-                check(together, apart, about);
+                max_difference.advance(first);
+                check(together, max_difference, about);
             }
         }
     }
 }
 
 #[test]
-fn a_line_of_springs_is_as_good_as_each_of_them() {
+fn line_equals_individual_springs() {
     for (shape, n) in [(Shape::Square, 9), (Shape::Square, 30), (Shape::Round, 10)] {
         for compat in [false, true] {
             both(shape, n, compat, |mut together, mut alone, about| {
                 let mut size = [0.0; 3];
                 for e in bending(about) {
-                    // Trials that go further than the step, as an iteration may.
-                    together.ask(e.map(|e| 1.3 * e));
-                    alone.ask(e.map(|e| 1.3 * e));
-                    let (a, b) = (together.go(e), alone.go(e));
-                    assert!(apart(&a, &b, &mut size) < 1e-6, "{shape:?} {n} {compat} {e:?}: {a:?} {b:?}");
+                    // Trials beyond the step, as in an iteration.
+                    together.evaluate(e.map(|e| 1.3 * e));
+                    alone.evaluate(e.map(|e| 1.3 * e));
+                    let (a, b) = (together.advance(e), alone.advance(e));
+                    assert!(max_difference(&a, &b, &mut size) < 1e-6, "{shape:?} {n} {compat} {e:?}: {a:?} {b:?}");
                 }
-                // Then across the plane: each spring goes on from what its line has been through.
+                // Then bending about the other axis: each spring continues from the history of its line.
                 for e in bending(3 - about) {
                     let other = e.map(|e| 0.5 * e);
-                    together.ask(other);
-                    alone.ask(other);
-                    let (a, b) = (together.go(e), alone.go(e));
-                    assert!(apart(&a, &b, &mut size) < 1e-6, "across: {shape:?} {n} {compat} {e:?}: {a:?} {b:?}");
+                    together.evaluate(other);
+                    alone.evaluate(other);
+                    let (a, b) = (together.advance(e), alone.advance(e));
+                    assert!(
+                        max_difference(&a, &b, &mut size) < 1e-6,
+                        "across: {shape:?} {n} {compat} {e:?}: {a:?} {b:?}"
+                    );
                 }
             });
         }
@@ -107,26 +110,26 @@ fn a_line_of_springs_is_as_good_as_each_of_them() {
 }
 
 #[test]
-fn a_failed_step_across_the_plane_leaves_the_lines() {
+fn failed_out_of_plane_step_keeps_the_lines() {
     both(Shape::Square, 12, false, |mut together, _, about| {
         for e in bending(about).into_iter().take(60) {
-            together.go(e);
+            together.advance(e);
         }
         let at = bending(about)[60];
-        let before = together.ask(at);
+        let before = together.evaluate(at);
         let mut across = at;
         across[3 - about] = 1e-3;
-        assert_ne!(together.ask(across), before);
-        // The answer is one of the committed state, whatever was tried.
-        assert_eq!(together.ask(at), before);
+        assert_ne!(together.evaluate(across), before);
+        // The response depends on the committed state alone.
+        assert_eq!(together.evaluate(at), before);
     });
 }
 
 #[test]
-fn the_tangent_of_lines_is_their_derivative_in_all_directions() {
+fn line_tangent_matches_finite_difference() {
     both(Shape::Square, 12, false, |mut together, _, about| {
         for (i, e) in bending(about).into_iter().enumerate() {
-            let s = together.ask(e);
+            let s = together.evaluate(e);
             if i % 7 == 0 {
                 for k in 0..3 {
                     let moved = |d: f64| {
@@ -135,11 +138,11 @@ fn the_tangent_of_lines_is_their_derivative_in_all_directions() {
                         e
                     };
                     let h = 1e-12;
-                    let (up, down) = (together.ask(moved(h)), together.ask(moved(-h)));
+                    let (up, down) = (together.evaluate(moved(h)), together.evaluate(moved(-h)));
                     for j in 0..3 {
                         let difference = (up.force[j] - down.force[j]) / (2.0 * h);
                         let scale = s.stiffness[j][j].abs().max(s.stiffness[k][k].abs());
-                        // A spring at a kink answers for itself.
+                        // A spring at a kink has its own tangent.
                         assert!(
                             (difference - s.stiffness[j][k]).abs() < 3e-2 * scale,
                             "{e:?} {j} {k}: {difference} {s:?}"
@@ -147,17 +150,18 @@ fn the_tangent_of_lines_is_their_derivative_in_all_directions() {
                     }
                 }
             }
-            together.go(e);
+            together.advance(e);
         }
     });
 }
 
 #[test]
-fn dampers_across_the_plane_have_their_moment() {
+fn dampers_have_an_out_of_plane_moment() {
     let layout = Layout::new(Shape::Square, 0.6, 12, Distribution::Uniform, Mean::Springs);
     let damper: Material = Arc::new(Viscous { c: 1e6, alpha: 1.0, min_rate: 1e-9 });
-    let Alone { springs, committed, mut trial } = Alone::new(NormalSprings::new(damper, &layout, LENGTH, 0));
-    // Bent about y, and just beginning to turn about z.
+    let SectionState { springs, committed, mut trial } =
+        SectionState::new(NormalSprings::new(damper, &layout, LENGTH, 0));
+    // Bending about y at the start of a rotation about z.
     let s = springs.respond(&committed, [0.0, 1e-3, 0.0], [0.0, 0.0, 0.2], 0.0, &mut trial).unwrap();
     let inertia: f64 = layout.area.iter().zip(&layout.y).map(|(a, y)| a * y * y).sum();
     assert!((s.force[2] / (1e6 * 0.2 * inertia / LENGTH) - 1.0).abs() < 1e-12, "{s:?}");

@@ -1,6 +1,6 @@
 //! The four-node quadrilateral.
 
-use super::driver::{Alone, difference};
+use super::driver::{SingleElement, difference};
 use hysteron::element::{Isotropic, Mass, Plane, Quad, QuadOptions};
 
 const STEEL: Isotropic = Isotropic { e: 1000.0, nu: 0.3, rho: 2.0 };
@@ -23,12 +23,12 @@ fn field(exx: f64, eyy: f64, g: f64, turn: f64) -> Vec<f64> {
 #[test]
 fn no_force_in_a_rigid_motion() {
     for plane in [Plane::Strain, Plane::Stress] {
-        let f = Alone::new(quad(plane)).force(&field(0.0, 0.0, 0.0, 0.02));
+        let f = SingleElement::new(quad(plane)).force(&field(0.0, 0.0, 0.0, 0.02));
         assert!(f.iter().all(|f| f.abs() < 1e-12), "{f:?}");
     }
 }
 
-/// Uniform strains are found exactly whatever the shape: the work of the forces is stress times strain times volume.
+/// Uniform strains are exact for every shape: the work of the forces is stress times strain times volume.
 #[test]
 fn patch_of_uniform_strain() {
     let area =
@@ -36,7 +36,7 @@ fn patch_of_uniform_strain() {
     for plane in [Plane::Strain, Plane::Stress] {
         let strain = [0.01, -0.004, 0.006];
         let u = field(strain[0], strain[1], strain[2], 0.0);
-        let mut a = Alone::new(quad(plane));
+        let mut a = SingleElement::new(quad(plane));
         let f = a.force(&u);
         let work: f64 = f.iter().zip(&u).map(|(f, u)| f * u).sum();
         let stress = STEEL.plane(plane).map(|row| row.iter().zip(&strain).map(|(d, e)| d * e).sum::<f64>());
@@ -54,16 +54,16 @@ fn patch_of_uniform_strain() {
     }
 }
 
-/// Body forces and pressure are in balance with what they come to, and so is the mass.
+/// Body forces, pressure and mass equal their resultants.
 #[test]
 fn loads_and_mass_add_up() {
     let options = QuadOptions { pressure: 3.0, body: [1.0, -2.0], ..OPTIONS };
     let loaded = Quad::new(&CORNERS, &STEEL, Plane::Stress, &options).unwrap();
-    let mut a = Alone::new(loaded);
+    let mut a = SingleElement::new(loaded);
     let f = a.force(&[0.0; 8]);
     let Mass::Lumped(mass) = a.element.mass() else { panic!("lumped") };
     let volume = mass.iter().sum::<f64>() / (2.0 * STEEL.rho);
-    // A pressure all round has no resultant.
+    // A pressure on all sides has no resultant.
     for (d, b) in [1.0, -2.0].into_iter().enumerate() {
         let sum: f64 = f.iter().skip(d).step_by(2).sum();
         assert!((sum + volume * b).abs() < 1e-12, "{sum}");
@@ -71,7 +71,7 @@ fn loads_and_mass_add_up() {
 }
 
 #[test]
-fn corners_the_wrong_way_round_are_refused() {
+fn clockwise_corners_are_an_error() {
     let mut corners = CORNERS;
     corners.reverse();
     assert!(Quad::new(&corners, &STEEL, Plane::Stress, &OPTIONS).is_err());

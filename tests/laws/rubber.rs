@@ -1,6 +1,6 @@
 //! High damping rubber: Table 4.1 of the thesis, relaxation, tangents, energy, heat, softening.
 
-use super::driver::{Point, path};
+use super::driver::{MaterialPoint, path};
 use hysteron::material::hdr::{Compound, Parameters, Stack, Thermal};
 use hysteron::material::{HdrRheology, Material, Mullins, Softening, Steel01};
 use std::f64::consts::PI;
@@ -14,9 +14,9 @@ fn law(name: &str, temperature: f64) -> HdrRheology {
     HdrRheology::new(compound(name), temperature)
 }
 
-/// Strain and stress at every step of a path through corners at a constant rate, `per` steps for a unit of strain.
+/// Strain and stress at every step of a path through corners at a constant rate, with `per` steps per unit strain.
 fn drive(law: HdrRheology, corners: &[f64], rate: f64, per: f64) -> Vec<(f64, f64)> {
-    let mut p = Point::new(Arc::new(law));
+    let mut p = MaterialPoint::new(Arc::new(law));
     let mut out = vec![(0.0, 0.0)];
     let mut at = 0.0f64;
     for &to in corners {
@@ -32,7 +32,7 @@ fn drive(law: HdrRheology, corners: &[f64], rate: f64, per: f64) -> Vec<(f64, f6
     out
 }
 
-/// Dissipated work D, equivalent damping h_eq and modulus G_eq of Table 4.1: the open path from the virgin state.
+/// Dissipated work D, equivalent damping h_eq and modulus G_eq of Table 4.1, on the open path from the virgin state.
 fn loop_measures(path: &[(f64, f64)]) -> [f64; 3] {
     let d: f64 = path.windows(2).map(|w| 0.5 * (w[0].1 + w[1].1) * (w[1].0 - w[0].0)).sum();
     let most = |sign: f64| path.iter().copied().max_by(|a, b| (sign * a.1).total_cmp(&(sign * b.1))).unwrap();
@@ -68,20 +68,20 @@ fn table_4_1_is_that_of_converged_integration() {
 }
 
 #[test]
-fn steps_do_not_matter() {
+fn stress_is_independent_of_step_size() {
     for (t, rate, _) in CONVERGED {
         let d = |per: f64| loop_measures(&drive(law("HDR3", t), &LOOP, rate, per))[0];
         let (coarse, fine) = (d(200.0), d(400.0));
         assert!((coarse - fine).abs() < 1e-3 * fine, "{t} degC, {rate}/s: {coarse} and {fine}");
-        // The stress at the end of a ramp is that of one step, to the tolerance of the integration.
+        // The stress at the end of a ramp equals that of one step, to the tolerance of the integration.
         let end = |per: f64| drive(law("HDR3", t), &[1.75, -0.4], rate, per).last().unwrap().1;
         assert!((end(1e-9) - end(500.0)).abs() < 1e-6, "{t} degC, {rate}/s: {} and {}", end(1e-9), end(500.0));
     }
 }
 
-/// HDR3 at -30 degC after a ramp at 5.5/s to a strain, and after holds in the given steps: overstress.
+/// Overstress of HDR3 at -30 degC after a ramp at 5.5/s to a strain, and after holds of the given steps.
 fn held(strain: f64, steps: &[f64]) -> f64 {
-    let mut p = Point::new(Arc::new(law("HDR3", -30.0)));
+    let mut p = MaterialPoint::new(Arc::new(law("HDR3", -30.0)));
     p.trial(strain, 0.0, strain / 5.5);
     p.commit();
     for &dt in steps {
@@ -91,7 +91,7 @@ fn held(strain: f64, steps: &[f64]) -> f64 {
     response(&p, "overstress")
 }
 
-fn response(p: &Point, name: &str) -> f64 {
+fn response(p: &MaterialPoint, name: &str) -> f64 {
     let probe = p.law.probe(&[name]).unwrap();
     let mut out = [0.0];
     p.law.read(&probe.path, p.state(), &mut out);
@@ -99,7 +99,7 @@ fn response(p: &Point, name: &str) -> f64 {
 }
 
 #[test]
-fn a_hold_relaxes_in_any_number_of_steps() {
+fn relaxation_is_independent_of_step_count() {
     for (strain, expected) in [(1.75, 0.3168), (1.0, 0.1336)] {
         let one = held(strain, &[1800.0]);
         assert!((one - expected).abs() < 6e-5, "{one} after the hold at {strain}");
@@ -107,9 +107,9 @@ fn a_hold_relaxes_in_any_number_of_steps() {
         let many = held(strain, &[0.6; 3000]);
         assert!((one - few).abs() < 1e-7 && (one - many).abs() < 1e-6, "{one}, {few}, {many}");
     }
-    // The slider of the overstress begins to move back at 22.17 s.
+    // The slider of the overstress reverses at 22.17 s.
     let slip = |t: f64| {
-        let mut p = Point::new(Arc::new(law("HDR3", -30.0)));
+        let mut p = MaterialPoint::new(Arc::new(law("HDR3", -30.0)));
         p.trial(1.75, 0.0, 1.75 / 5.5);
         p.commit();
         let before = p.state()[3];
@@ -121,9 +121,9 @@ fn a_hold_relaxes_in_any_number_of_steps() {
 }
 
 #[test]
-fn overstress_after_a_fast_ramp_and_what_relaxes() {
+fn overstress_after_a_fast_ramp_relaxes() {
     for (t, expected) in [(-30.0, 3.48), (-10.0, 2.09), (23.0, 1.70)] {
-        let mut p = Point::new(Arc::new(law("HDR3", t)));
+        let mut p = MaterialPoint::new(Arc::new(law("HDR3", t)));
         p.trial(1.75, 0.0, 1.75 / 5.5);
         p.commit();
         let peak = response(&p, "overstress");
@@ -139,7 +139,7 @@ fn overstress_after_a_fast_ramp_and_what_relaxes() {
     }
 }
 
-/// Laws with everything that they have, and a pace in strain per second.
+/// Laws with all options.
 fn all() -> Vec<(&'static str, Material)> {
     let softening = Softening { excess: 0.4, strain: 0.5, power: None, healed: 0.0, time: 1.0, preload: 0.0 };
     let gradual = Softening { power: Some(2.5), ..softening };
@@ -186,20 +186,20 @@ pub fn bearing() -> Stack {
     }
 }
 
-/// Times of steps from a microsecond to half an hour, as if at random.
+/// Pseudo-random time steps from a microsecond to half an hour.
 fn pace(k: usize) -> f64 {
     10f64.powf(-6.0 + 9.25 * ((k as f64 * 0.754_877_666).fract()))
 }
 
 #[test]
-fn the_tangent_is_the_derivative_of_the_stress() {
+fn tangent_matches_finite_difference() {
     for (name, law) in all() {
-        let mut p = Point::new(law);
+        let mut p = MaterialPoint::new(law);
         let (mut tested, mut worst) = (0, 0.0f64);
         for (k, strain) in path(17, 500, 2.0).into_iter().enumerate() {
             let dt = if k % 3 == 0 { pace(k) } else { 0.01 };
             let h = 2e-6;
-            let value = |p: &mut Point, x: f64| p.trial(x, 0.0, dt).value;
+            let value = |p: &mut MaterialPoint, x: f64| p.trial(x, 0.0, dt).value;
             let (up, down) = (value(&mut p, strain + h), value(&mut p, strain - h));
             let (more, less) = (value(&mut p, strain + 2.0 * h), value(&mut p, strain - 2.0 * h));
             let s = p.trial(strain, 0.0, dt);
@@ -219,7 +219,7 @@ fn the_tangent_is_the_derivative_of_the_stress() {
 fn any_history_dissipates_and_stays_finite() {
     for (name, law) in all() {
         for seed in 1..6 {
-            let mut p = Point::new(law.clone());
+            let mut p = MaterialPoint::new(law.clone());
             let mut heat = 0.0;
             for (k, strain) in path(seed, 400, 2.5).into_iter().enumerate() {
                 let dt = pace(k * seed as usize);
@@ -230,7 +230,7 @@ fn any_history_dissipates_and_stays_finite() {
                     continue;
                 }
                 let now = response(&p, "heat");
-                // Springs that cool become stiffer and take heat: that is no dissipation.
+                // Cooling springs become stiffer and absorb heat, which is not dissipation.
                 if !name.contains("heated") {
                     assert!(now >= heat - 1e-12 * now, "{name}, step {k}: {} is dissipated", now - heat);
                 }
@@ -241,14 +241,14 @@ fn any_history_dissipates_and_stays_finite() {
 }
 
 #[test]
-fn every_branch_dissipates_by_itself() {
+fn every_branch_dissipates_energy() {
     let p = |x: [f64; 10]| Compound::constant(Parameters::new(x).unwrap());
     for (name, compound) in [
         ("slider of the equilibrium", p([7.0, 0.0, 0.0, 0.4, 3.0, 0.0, 0.0, 0.0, 1.0, 0.2])),
         ("dashpot", p([0.0, 0.0, 0.0, 0.0, 3.0, 0.0, 2.0, 0.0, 1.5, 0.25])),
         ("dashpot and slider", p([0.0, 0.0, 0.0, 0.0, 3.0, 9.0, 0.5, 0.7, 1.5, 0.25])),
     ] {
-        let mut p = Point::new(Arc::new(HdrRheology::new(compound, 0.0)));
+        let mut p = MaterialPoint::new(Arc::new(HdrRheology::new(compound, 0.0)));
         let (mut heat, mut least) = (0.0, f64::INFINITY);
         for (k, strain) in path(23, 1500, 2.0).into_iter().enumerate() {
             p.trial(strain, 0.0, if k % 5 == 0 { pace(k) } else { 0.02 });
@@ -261,11 +261,11 @@ fn every_branch_dissipates_by_itself() {
     }
 }
 
-/// Work of a fine path, integrated by Simpson's rule from the middle of each step.
-fn work(p: &mut Point, strains: &[f64], dt: f64) -> f64 {
+/// Work of a fine path by Simpson's rule with the midpoint of each step.
+fn work(p: &mut MaterialPoint, strains: &[f64], dt: f64) -> f64 {
     let (mut at, mut stress, mut work) = (0.0, 0.0, 0.0);
     for &strain in strains {
-        // A step in two halves is the same step: the middle has its own stress.
+        // Two half steps equal one step, so the midpoint has a stress of the same path.
         let middle = p.trial(0.5 * (at + strain), 0.0, 0.5 * dt).value;
         let end = p.trial(strain, 0.0, dt).value;
         p.commit();
@@ -276,14 +276,14 @@ fn work(p: &mut Point, strains: &[f64], dt: f64) -> f64 {
 }
 
 #[test]
-fn work_becomes_heat_that_is_stored_or_lost() {
+fn work_equals_stored_and_lost_heat() {
     for (name, law) in all().into_iter().filter(|(name, _)| !name.contains("soft")) {
-        // The temperature of a step is that of its middle, so that a path in steps is only followed to their size.
+        // A step uses the temperature of its middle, so the accuracy of a path depends on the step size.
         let n = if name.contains("heated") { 16_000 } else { 4_000 };
         let strains: Vec<f64> = (1..=n).map(|k| 1.5 * (6.0 * f64::from(k) / f64::from(n)).sin()).collect();
         let height = if name == "force" { 1.3 } else { 1.0 };
         let strains: Vec<f64> = strains.iter().map(|s| s * height).collect();
-        let mut p = Point::new(law);
+        let mut p = MaterialPoint::new(law);
         let work = work(&mut p, &strains, 1.5 / f64::from(n));
         let [heat, elastic] = ["heat", "stored"].map(|name| response(&p, name));
         let [stored, lost] = ["heatStored", "heatLost"].map(|name| response(&p, name));
@@ -296,11 +296,11 @@ fn work_becomes_heat_that_is_stored_or_lost() {
 }
 
 #[test]
-fn heat_flows_through_the_layers() {
-    // Without plates and with the ends held at the ambient: a slab with a constant source has the parabola q h^2/(8 k).
+fn conduction_matches_slab_and_composite_solutions() {
+    // Without plates and with ambient ends, a slab with a constant source has the parabola q h^2/(8 k).
     let slab = Stack { layers: 12, steel: 0.0, plate: 0.0, film: 1e9, rubber: 2.5, ..bearing() };
     let law = |thermal| HdrRheology { thermal: Some(thermal), hold_ends: true, ..law("HDR3", 23.0) };
-    let mut p = Point::new(Arc::new(law(Thermal::stack(&slab))));
+    let mut p = MaterialPoint::new(Arc::new(law(Thermal::stack(&slab))));
     let (mut last, mut power) = (0.0, 0.0);
     for k in 1..=20_000 {
         p.trial(0.5 * (0.25 * f64::from(k)).sin(), 0.0, 0.5);
@@ -318,9 +318,10 @@ fn heat_flows_through_the_layers() {
     assert!((top - expected).abs() < 0.01 * expected, "{top} K, expected {expected}");
     let mean = response(&p, "temperature") - 23.0;
     assert!((mean - 2.0 / 3.0 * expected).abs() < 0.01 * expected, "mean {mean} K");
-    // A fast test leaves the heat in the rubber at first: then steel is heated too, and conduction meets the composite.
+    // After a fast test the heat is in the rubber; conduction then heats the steel towards the composite's
+    // temperature.
     let insulated = Stack { film: 0.0, ..bearing() };
-    let mut p = Point::new(Arc::new(law(Thermal::stack(&insulated))));
+    let mut p = MaterialPoint::new(Arc::new(law(Thermal::stack(&insulated))));
     for k in 1..=200 {
         p.trial(1.75 * (0.02 * PI * f64::from(k)).sin(), 0.0, 0.02);
         p.commit();
@@ -337,9 +338,9 @@ fn virgin_rubber_is_stiffer_once() {
     let softening = Softening { excess: 0.5, strain: 0.4, power: None, healed: 0.6, time: 3600.0, preload: 0.0 };
     let law = HdrRheology { softening: Some(softening), ..law("HDR3", 23.0) };
     let wrapped = Mullins::new((Arc::new(self::law("HDR3", 23.0)), 1), softening);
-    let mut p = Point::new(Arc::new(law.clone()));
-    let mut q = Point::new(Arc::new(wrapped));
-    let mut plain = Point::new(Arc::new(self::law("HDR3", 23.0)));
+    let mut p = MaterialPoint::new(Arc::new(law.clone()));
+    let mut q = MaterialPoint::new(Arc::new(wrapped));
+    let mut plain = MaterialPoint::new(Arc::new(self::law("HDR3", 23.0)));
     let mut ratios = vec![];
     for k in 1..=600 {
         let strain = 1.75 * (PI * f64::from(k) / 100.0).sin();
@@ -355,19 +356,19 @@ fn virgin_rubber_is_stiffer_once() {
     }
     let virgin = 1.0 + 0.5 * (-1.75 * (0.2 * PI).sin() / 0.4f64).exp();
     assert!((ratios[0] - virgin).abs() < 1e-9 && ratios[1] < 1.0064 && ratios[2] < 1.0064, "{ratios:?}");
-    // A day of rest brings most of it back; preloaded rubber has none of it.
-    let factor = |p: &Point| response(p, "factor");
+    // A day of rest recovers most of the excess; preloaded rubber has none.
+    let factor = |p: &MaterialPoint| response(p, "factor");
     let soft = factor(&p);
     p.trial(0.0, 0.0, 86400.0);
     p.commit();
     let expected = 1.0 + 0.5 * (-0.4 * 1.75f64 / 0.4).exp();
     assert!(soft < 1.007 && (factor(&p) - expected).abs() < 1e-6, "{soft}, then {}", factor(&p));
     let preloaded = HdrRheology { softening: Some(Softening { preload: 2.5, ..softening }), ..law };
-    assert!(factor(&Point::new(Arc::new(preloaded))) < 1.001);
+    assert!(factor(&MaterialPoint::new(Arc::new(preloaded))) < 1.001);
 }
 
 #[test]
-fn compounds_reach_as_far_as_their_tables() {
+fn compounds_have_the_range_of_their_tables() {
     let c = compound("HDR3");
     let p = c.at(-20.0).unwrap();
     assert!((p.c1_eq - 11.12).abs() < 1e-12 && (p.n - 0.2495).abs() < 1e-12);
@@ -379,9 +380,9 @@ fn compounds_reach_as_far_as_their_tables() {
 }
 
 #[test]
-fn beyond_the_table_is_held_or_an_error() {
+fn temperature_beyond_the_table_is_held_or_an_error() {
     let hot = |hold_ends| HdrRheology { thermal: Some(Thermal::lumped(0.01, 1e9)), hold_ends, ..law("HDR3", 23.0) };
-    let mut p = Point::new(Arc::new(hot(true)));
+    let mut p = MaterialPoint::new(Arc::new(hot(true)));
     p.trial(1.5, 0.0, 0.3);
     p.commit();
     assert!(response(&p, "temperature") > 40.0);

@@ -1,6 +1,6 @@
-//! Layered rubber bearings: `HDR`, `ElastomericX`, `LeadRubberX`.
+//! Laminated rubber bearings: `HDR`, `ElastomericX`, `LeadRubberX`.
 
-use super::driver::{Alone, difference, path};
+use super::driver::{SingleElement, difference, path};
 use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::{
     AxialLaw, GrantShear, Layers, LeadCore, Link, PI, Rubber, RubberBearing, RubberBoucWen, RubberShear,
@@ -50,21 +50,21 @@ fn bouc_wen(varies: bool, leaded: bool) -> RubberBoucWen {
     RubberBoucWen { qy, k0, rubber: rubber.shear, cd: 0.0, varies, leaded, core, heats: leaded, rules: Consistent }
 }
 
-fn along<L: RubberShear + 'static>(law: L, orientation: Orientation, line: Vector3<f64>) -> Alone {
+fn along<L: RubberShear + 'static>(law: L, orientation: Orientation, line: Vector3<f64>) -> SingleElement {
     let (axes, length) = orientation.of_link(Vector3::zeros(), line, false).unwrap();
-    Alone::new(RubberBearing::new(axial(rubber(false)), law, Link::new(&axes, length, 0.4), 0.0))
+    SingleElement::new(RubberBearing::new(axial(rubber(false)), law, Link::new(&axes, length, 0.4), 0.0))
 }
 
 fn upright() -> (Orientation, Vector3<f64>) {
     (Orientation { x: Some(Vector3::z()), y: Some(Vector3::x()) }, Vector3::new(0.0, 0.0, HEIGHT))
 }
 
-/// All laws, standing upright along the global Z.
-fn bearings() -> Vec<(&'static str, Alone)> {
+/// All laws, with the bearing axis along the global Z.
+fn bearings() -> Vec<(&'static str, SingleElement)> {
     turned(upright().0, upright().1)
 }
 
-fn turned(o: Orientation, line: Vector3<f64>) -> Vec<(&'static str, Alone)> {
+fn turned(o: Orientation, line: Vector3<f64>) -> Vec<(&'static str, SingleElement)> {
     vec![
         ("HDR", along(grant(), o, line)),
         ("ElastomericX", along(bouc_wen(true, false), o, line)),
@@ -72,8 +72,9 @@ fn turned(o: Orientation, line: Vector3<f64>) -> Vec<(&'static str, Alone)> {
     ]
 }
 
-/// A wandering motion of the upper end, sheared up to the diameter; `lift` is the reach of the vertical motion.
-fn wander(seed: u64, steps: usize, lift: f64) -> Vec<[f64; 12]> {
+/// A pseudo-random motion of the upper end, sheared up to the diameter; `lift` is the amplitude of the vertical
+/// motion.
+fn random_motion(seed: u64, steps: usize, lift: f64) -> Vec<[f64; 12]> {
     let walk = |i: u64, size: f64| path(seed + i, steps, size);
     let walks = [walk(0, 0.35), walk(1, 0.3), walk(2, lift), walk(3, 0.02), walk(4, 0.02), walk(5, 0.02)];
     (0..steps)
@@ -92,12 +93,12 @@ fn limits() -> (f64, f64) {
 }
 
 #[test]
-fn tangent_is_the_derivative_of_the_force() {
+fn tangent_matches_finite_difference() {
     let (uc, ucr) = limits();
     for (reach, pressed) in [(4.0 * uc, false), (2.0 * ucr.abs(), true)] {
         for (name, mut e) in bearings() {
             let (mut tested, mut cavitated, mut buckled) = (0, 0, 0);
-            for (k, mut u) in wander(31, 250, reach).into_iter().enumerate() {
+            for (k, mut u) in random_motion(31, 250, reach).into_iter().enumerate() {
                 if pressed {
                     u[8] = -u[8].abs();
                 }
@@ -110,7 +111,7 @@ fn tangent_is_the_derivative_of_the_force() {
                     buckled += usize::from(u[8] < 0.0 && tangent[8 * 12 + 8] < 0.01 * rubber(false).axial);
                     let error = difference(&tangent, &near);
                     assert!(error < 1e-5, "{name}, step {k}: {error:.1e}, force {force:?}");
-                    // The shear part alone, which the axial stiffness would hide.
+                    // The shear part alone, because the axial stiffness dominates the whole tangent.
                     let shear = |k: &[f64]| [k[6 * 12 + 6], k[6 * 12 + 7], k[7 * 12 + 6], k[7 * 12 + 7]];
                     let error = difference(&shear(&tangent), &shear(&near));
                     assert!(error < 1e-4, "{name}, step {k}: shear {error:.1e}");
@@ -126,7 +127,7 @@ fn tangent_is_the_derivative_of_the_force() {
 }
 
 #[test]
-fn initial_tangent_is_that_of_a_small_motion() {
+fn initial_tangent_matches_small_motion() {
     for (name, mut e) in bearings() {
         let mut k = vec![0.0; 144];
         e.element.initial_tangent(&mut k);
@@ -138,7 +139,7 @@ fn initial_tangent_is_that_of_a_small_motion() {
 #[test]
 fn force_depends_on_the_committed_state_alone() {
     for ((name, mut e), (_, mut w)) in bearings().into_iter().zip(bearings()) {
-        let steps = wander(9, 120, 0.004);
+        let steps = random_motion(9, 120, 0.004);
         for (k, u) in steps.iter().enumerate() {
             w.force(&steps[(k + 40) % 120]);
             w.force(&[0.0; 12]);
@@ -151,14 +152,14 @@ fn force_depends_on_the_committed_state_alone() {
 }
 
 #[test]
-fn turning_the_bearing_turns_the_force() {
+fn rotating_the_bearing_rotates_the_force() {
     let q = Rotation3::from_euler_angles(0.4, 0.9, -1.3).into_inner();
     let o = Orientation { x: Some(q * Vector3::z()), y: Some(q * Vector3::x()) };
     let turn = |v: &[f64]| -> Vec<f64> {
         v.chunks(3).flat_map(|c| (q * Vector3::from_column_slice(c)).as_slice().to_vec()).collect()
     };
     for ((name, mut straight), (_, mut turned)) in bearings().into_iter().zip(turned(o, q * upright().1)) {
-        for (k, u) in wander(77, 150, 0.004).iter().enumerate() {
+        for (k, u) in random_motion(77, 150, 0.004).iter().enumerate() {
             let (a, b) = (turn(&straight.force(u)), turned.force(&turn(u)));
             assert!(difference(&a, &b) < 1e-8, "{name}, step {k}");
             straight.commit();
@@ -174,7 +175,7 @@ fn mirrored_motion_gives_mirrored_force() {
         v.iter().enumerate().map(|(i, x)| if matches!(i % 6, 0 | 4 | 5) { -x } else { *x }).collect()
     };
     for ((name, mut e), (_, mut m)) in bearings().into_iter().zip(bearings()) {
-        for u in wander(5, 150, 0.004) {
+        for u in random_motion(5, 150, 0.004) {
             let (f, g) = (e.force(&u), m.force(&mirror(&u)));
             assert!(difference(&mirror(&f), &g) < 1e-13, "{name}");
             e.commit();
@@ -183,8 +184,8 @@ fn mirrored_motion_gives_mirrored_force() {
     }
 }
 
-/// Least of the work done on the upper end along a path.
-fn least_work(e: &mut Alone, path: impl IntoIterator<Item = [f64; 3]>) -> (f64, f64) {
+/// Smallest work done on the upper end along a path.
+fn min_work(e: &mut SingleElement, path: impl IntoIterator<Item = [f64; 3]>) -> (f64, f64) {
     let (mut last, mut at): ([f64; 3], Option<[f64; 3]>) = ([0.0; 3], None);
     let (mut work, mut least) = (0.0, 0.0f64);
     for p in path {
@@ -203,18 +204,18 @@ fn least_work(e: &mut Alone, path: impl IntoIterator<Item = [f64; 3]>) -> (f64, 
 }
 
 #[test]
-fn no_energy_comes_out_of_shear_at_a_constant_height() {
+fn shear_at_constant_height_creates_no_energy() {
     for seed in 0..4 {
         for (name, mut e) in bearings() {
             let xy = path(41 + seed, 4000, 0.25).into_iter().zip(path(51 + seed, 4000, 0.2));
-            let (least, work) = least_work(&mut e, xy.map(|(x, y)| [x, y, 0.0]));
+            let (least, work) = min_work(&mut e, xy.map(|(x, y)| [x, y, 0.0]));
             assert!(least > -1e-3 * work && work > 0.0, "{name}: {least} of {work}");
         }
     }
 }
 
 #[test]
-fn no_energy_comes_out_of_axial_motion_of_a_sheared_bearing() {
+fn axial_motion_of_a_sheared_bearing_creates_no_energy() {
     let (uc, ucr) = limits();
     for shear in [0.0, 0.2, 0.45] {
         for (name, mut e) in bearings() {
@@ -222,13 +223,14 @@ fn no_energy_comes_out_of_axial_motion_of_a_sheared_bearing() {
             e.commit();
             let heights = path(7, 6000, 6.0 * uc).into_iter().chain(path(8, 6000, 1.2 * ucr.abs()));
             let start = std::iter::once([shear, 0.0, 0.0]);
-            let (least, work) = least_work(&mut e, start.chain(heights.map(|z| [shear, 0.0, z])));
+            let (least, work) = min_work(&mut e, start.chain(heights.map(|z| [shear, 0.0, z])));
             assert!(least > -1e-6 * work && work > 0.0, "{name}: {least} of {work}");
         }
     }
 }
 
-/// The force of a bearing that is pulled again is less than before, up to the farthest point, where it is the same.
+/// The tensile force of a second pull is less than that of the first, up to the largest displacement, where both
+/// agree.
 #[test]
 fn cavitation_strength_degrades_with_repetition() {
     let r = rubber(false);
@@ -251,13 +253,13 @@ fn cavitation_strength_degrades_with_repetition() {
     assert!(first.iter().zip(&second).all(|(a, b)| b <= &(a * (1.0 + 1e-12))));
     assert!((first[200] - second[200]).abs() < 1e-9 * r.cavitation);
     assert!(second[60] < 0.6 * first[60] && third[60] > 0.0);
-    // F_c (1 - Φ (1 - e^(-a (u_max - u_c) / u_c))), by hand for u_max = 10 u_c
+    // F_c (1 - Φ (1 - e^(-a (u_max - u_c) / u_c))), evaluated by hand for u_max = 10 u_c.
     assert!((left(state.fcn) - (1.0 - 0.75 * (1.0 - (-9.0f64).exp()))).abs() < 1e-12);
     let fourth = pull(&mut state, 10.0 * uc);
     assert!(fourth[60] < second[60] * 2.0 && left(state.fcn) < 0.2505);
 }
 
-/// Bounds that hold at any displacement, and the critical load at none.
+/// Bounds for every displacement, and the critical load without displacement.
 #[test]
 fn critical_load_and_stiffness_fall_with_shear() {
     let r = rubber(false);
@@ -265,7 +267,7 @@ fn critical_load_and_stiffness_fall_with_shear() {
     let at = |uh: f64, u: f64| law.step(&law.virgin(), u, uh);
     let (_, ucr) = limits();
     assert!((at(0.0, 0.9999999 * ucr).next.force + r.critical).abs() < 1e-6 * r.critical);
-    // Half of the diameter overlaps by 2/3 - √3/(2π).
+    // The overlap at half the diameter is 2/3 - √3/(2π).
     let share = 2.0 / 3.0 - 3.0f64.sqrt() / (2.0 * std::f64::consts::PI);
     assert!((at(0.3, 0.0).next.fcrn + share * r.critical).abs() < 1e-12 * r.critical);
     assert_eq!(at(0.59, 0.0).next.fcrn, -0.2 * r.critical);
@@ -273,19 +275,19 @@ fn critical_load_and_stiffness_fall_with_shear() {
     let gyration = r.gyration;
     let soft = 1.0 / (1.0 + 3.0 * (0.2 / gyration).powi(2) / (PI * PI));
     assert!((at(0.2, 0.0).next.kv - soft * r.axial).abs() < 1e-12 * r.axial);
-    // Beyond it there is next to no stiffness, and the force is continuous.
+    // Beyond the critical load the stiffness is small and the force continuous.
     let beyond = at(0.3, 1.01 * ucr);
     assert!(beyond.k < 1e-3 * r.axial);
     let step = at(0.3, -share * r.critical / at(0.3, 0.0).next.kv);
     assert!((step.next.force + share * r.critical).abs() < 1e-9 * r.critical);
 }
 
-/// The answer is that of the path, not of the number of steps it is taken in.
+/// The response depends on the path and not on the number of steps.
 #[test]
-fn size_of_the_steps_does_not_change_the_axial_force() {
+fn axial_force_is_independent_of_step_size() {
     let law = axial(rubber(false));
     let (uc, ucr) = limits();
-    let go = |n: u32| {
+    let advance = |n: u32| {
         let mut state = law.virgin();
         let corners = [(0.0, 0.0), (0.1, 0.5 * ucr), (0.0, 3.0 * uc), (0.2, 0.0), (0.1, 2.0 * uc), (0.3, 0.9 * ucr)];
         let mut forces = vec![];
@@ -299,10 +301,10 @@ fn size_of_the_steps_does_not_change_the_axial_force() {
         }
         forces
     };
-    assert!(difference(&go(1), &go(1000)) < 1e-12);
+    assert!(difference(&advance(1), &advance(1000)) < 1e-12);
 }
 
-/// A circle shows that the two directions share one strength, and that the force lags behind the displacement.
+/// A circular orbit shows that both directions share one strength, and that the force lags behind the displacement.
 #[test]
 fn circular_orbits_show_bidirectional_coupling() {
     for (name, mut e) in bearings() {
@@ -326,7 +328,7 @@ fn circular_orbits_show_bidirectional_coupling() {
     }
 }
 
-/// Damping matrix: derivative of the force by the velocity.
+/// The damping matrix is the derivative of the force with respect to the velocity.
 #[test]
 fn viscous_part_is_in_the_damping_matrix() {
     let law = RubberBoucWen { cd: 3e4, ..bouc_wen(true, false) };
@@ -337,14 +339,14 @@ fn viscous_part_is_in_the_damping_matrix() {
         let (mut force, mut damping) = (vec![0.0; 12], vec![0.0; 144]);
         let mut disp = [0.0; 12];
         (disp[6], disp[8]) = (0.05, -0.001);
-        let motion = ElementInput { disp: &disp, vel, load: &[], still: false, again: false, dt: 0.01, time: 0.01 };
-        let answer = ElementOutput {
+        let motion = ElementInput { disp: &disp, vel, load: &[], still: false, opensees: None, dt: 0.01, time: 0.01 };
+        let response = ElementOutput {
             force: &mut force,
             tangent: None,
             damping: Some(&mut damping),
             part: hysteron::element::MatrixMask::ALL,
         };
-        e.element.respond(&motion, &e.state, &mut next, answer).unwrap();
+        e.element.respond(&motion, &e.state, &mut next, response).unwrap();
         (force, damping)
     };
     let (still, damping) = respond(&[0.0; 12]);
@@ -358,7 +360,7 @@ fn viscous_part_is_in_the_damping_matrix() {
     }
 }
 
-/// Lead heats by what the core dissipates where nothing flows out, and cools where nothing moves.
+/// Lead heats by the dissipated work without heat flow, and cools at rest.
 #[test]
 fn lead_heats_and_cools() {
     let core = bouc_wen(true, true).core.unwrap();
@@ -375,7 +377,7 @@ fn lead_heats_and_cools() {
     assert!(lost < rise && lost > 0.5 * rise, "{lost} of {rise}");
     let fine = (1..=30_000).fold(0.0, |r, k| core.warm(r, force, speed, f64::from(k) * 1e-4, 1e-4));
     assert!((lost - fine).abs() < 2e-3 * fine, "{lost} and {fine}");
-    // A long rest cools it, without overshooting.
+    // A long rest cools the lead without overshoot.
     let rest = core.warm(lost, force, 0.0, 1e4, 1e4);
     assert!((0.0..0.1 * lost).contains(&rest));
     assert!((LeadCore::strength(100.0) - (-0.69f64).exp()).abs() < 1e-15);

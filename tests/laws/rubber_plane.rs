@@ -1,6 +1,6 @@
-//! High damping rubber in two directions of shear.
+//! High damping rubber in two shear directions.
 
-use super::driver::{Point, path};
+use super::driver::{MaterialPoint, path};
 use super::rubber::{bearing, compound};
 use hysteron::material::hdr::{PlaneHistory, PlaneStep, Thermal};
 use hysteron::material::{HdrRheology, Softening};
@@ -15,12 +15,12 @@ fn laws() -> Vec<(&'static str, HdrRheology)> {
     vec![("cold", cold), ("heated", heated), ("heated in layers", layers), ("softened", soft)]
 }
 
-/// An orbit of strain that wanders.
+/// A pseudo-random strain orbit.
 fn orbit(seed: u64, n: usize) -> Vec<[f64; 2]> {
     path(seed, n, 1.6).into_iter().zip(path(seed + 100, n, 1.6)).map(|(x, y)| [x, y]).collect()
 }
 
-fn go(law: &HdrRheology, strains: &[[f64; 2]], dt: f64) -> Vec<PlaneStep> {
+fn advance(law: &HdrRheology, strains: &[[f64; 2]], dt: f64) -> Vec<PlaneStep> {
     let mut h = law.plane_virgin();
     let mut heat = vec![0.0; law.heat_len()];
     strains
@@ -35,13 +35,13 @@ fn go(law: &HdrRheology, strains: &[[f64; 2]], dt: f64) -> Vec<PlaneStep> {
 }
 
 #[test]
-fn a_straight_line_is_the_law_of_one_direction() {
+fn straight_path_equals_the_uniaxial_law() {
     for (name, law) in laws().into_iter().filter(|l| l.1.thermal.is_none()) {
-        let mut p = Point::new(Arc::new(law.clone()));
+        let mut p = MaterialPoint::new(Arc::new(law.clone()));
         let line = path(4, 300, 1.75);
         let (c, s) = (0.6, -0.8);
         let strains: Vec<_> = line.iter().map(|g| [c * g, s * g]).collect();
-        for (k, (g, got)) in line.iter().zip(go(&law, &strains, 0.02)).enumerate() {
+        for (k, (g, got)) in line.iter().zip(advance(&law, &strains, 0.02)).enumerate() {
             let one = p.trial(*g, 0.0, 0.02).value;
             p.commit();
             let (along, across) = (c * got.stress[0] + s * got.stress[1], c * got.stress[1] - s * got.stress[0]);
@@ -51,12 +51,12 @@ fn a_straight_line_is_the_law_of_one_direction() {
 }
 
 #[test]
-fn no_direction_is_another_than_the_rest() {
+fn law_is_isotropic() {
     for (name, law) in laws() {
         let strains = orbit(9, 200);
         let (c, s) = (0.28, 0.96);
         let turned: Vec<_> = strains.iter().map(|g| [c * g[0] - s * g[1], s * g[0] + c * g[1]]).collect();
-        for (a, b) in go(&law, &strains, 0.02).iter().zip(go(&law, &turned, 0.02)) {
+        for (a, b) in advance(&law, &strains, 0.02).iter().zip(advance(&law, &turned, 0.02)) {
             let [x, y] = a.stress;
             let error = (c * x - s * y - b.stress[0]).abs() + (s * x + c * y - b.stress[1]).abs();
             assert!(error < 1e-9, "{name}: {error}");
@@ -65,7 +65,7 @@ fn no_direction_is_another_than_the_rest() {
 }
 
 #[test]
-fn the_tangent_in_the_plane_is_the_derivative() {
+fn plane_tangent_matches_finite_difference() {
     for (name, law) in laws() {
         let strains = orbit(5, 250);
         let mut h = law.plane_virgin();
@@ -92,8 +92,8 @@ fn the_tangent_in_the_plane_is_the_derivative() {
             h = s.next;
         }
         errors.sort_by(f64::total_cmp);
-        // Where a slider begins to move in the step, the length of substeps follows the strain, and the tangent does not.
-        // Rubber that heats itself has the tangent of its temperature.
+        // If a slider begins to move in the step, the substeps depend on the strain, and the tangent omits this. The
+        // tangent of self-heating rubber is that at constant temperature.
         let allowed = if law.thermal.is_some() { 0.03 } else { 1e-3 };
         let (n, most) = (errors.len(), errors[errors.len() - 1]);
         assert!(n > 700 && errors[n * 9 / 10] < allowed && most < 0.1, "{name}: {} and {most}", errors[n * 9 / 10]);
@@ -101,11 +101,11 @@ fn the_tangent_in_the_plane_is_the_derivative() {
 }
 
 #[test]
-fn orbits_dissipate() {
+fn orbits_dissipate_energy() {
     for (name, law) in laws() {
         let strains: Vec<_> =
             (1..=3000).map(|k| 0.004 * f64::from(k)).map(|t: f64| [1.4 * t.sin(), 1.1 * (1.3 * t).sin()]).collect();
-        let steps = go(&law, &strains, 0.002);
+        let steps = advance(&law, &strains, 0.002);
         let (mut work, mut last) =
             (0.0, PlaneStep { next: PlaneHistory::default(), stress: [0.0; 2], tangent: [[0.0; 2]; 2] });
         for s in &steps {
@@ -128,10 +128,10 @@ fn orbits_dissipate() {
 }
 
 #[test]
-fn a_hold_in_the_plane_relaxes() {
+fn hold_relaxes_the_overstress() {
     let law = HdrRheology::new(compound("HDR3"), -30.0);
     let strains: Vec<_> = (1..=100).map(|k| 0.0175 * f64::from(k)).map(|g| [0.6 * g, 0.8 * g]).collect();
-    let ramp = go(&law, &strains, 1.75 / 5.5 / 100.0);
+    let ramp = advance(&law, &strains, 1.75 / 5.5 / 100.0);
     let end = law.plane_step(&ramp[99].next, &[], strains[99], 1800.0);
     let left = end.next.overstress[0].hypot(end.next.overstress[1]);
     assert!((left - 0.3168).abs() < 5e-4, "{left}");

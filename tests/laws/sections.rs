@@ -1,6 +1,6 @@
-//! Sections, quadrature along beams, and the beams made of them.
+//! Sections, quadrature along beams, and beams with these sections.
 
-use super::driver::{Alone, difference, path};
+use super::driver::{SingleElement, difference, path};
 use hysteron::element::ZeroLengthSection;
 use hysteron::element::beam::{
     DisplacementBased, ElasticBeam, ElasticOptions, FiberBeam, ForceBased, Formulation, Hinge, Rule,
@@ -61,7 +61,7 @@ fn steel() -> Material {
     })
 }
 
-/// A rectangle of 0.4 (y) by 0.2 (z), of steel or elastic, not about its centre.
+/// An eccentric rectangle of 0.4 (y) by 0.2 (z), of steel or elastic.
 fn rectangle(material: &Material, space: bool) -> SharedSection {
     let cell = |i: usize, j: usize| Fiber {
         y: 1.0 + 0.4 * ((i as f64 + 0.5) / 8.0 - 0.5),
@@ -82,28 +82,28 @@ fn stiffness(section: &SharedSection) -> Vec<f64> {
 }
 
 #[test]
-fn a_fiber_section_has_the_rigidities_of_its_areas() {
+fn fiber_section_has_the_rigidities_of_its_areas() {
     let k = stiffness(&rectangle(&(Arc::new(ElasticMaterial::new(100.0)) as Material), true));
-    // Cells count for their centres: h² - (h/n)² in place of h².
+    // Cells count at their centres: h² - (h/n)² instead of h².
     let (iz, iy) = (0.08 / 12.0 * 0.16 * (1.0 - 1.0 / 64.0), 0.08 / 12.0 * 0.04 * (1.0 - 1.0 / 16.0));
     let expected = [8.0, 0.0, 0.0, 0.0, 0.0, 100.0 * iz, 0.0, 0.0, 0.0, 0.0, 100.0 * iy, 0.0, 0.0, 0.0, 0.0, 5.0];
     assert!(difference(&k, &expected) < 1e-12, "{k:?}");
 }
 
 #[test]
-fn the_tangent_of_a_section_is_the_derivative_of_its_resultants() {
+fn section_tangent_matches_finite_difference() {
     let concrete = Concrete02 { fc: -3.0, epsc0: -0.002, fcu: -0.6, epscu: -0.006, ratio: 0.1, ft: 0.3, ets: 200.0 };
     for material in [steel(), Arc::new(concrete) as Material] {
         let shear = (Arc::new(ElasticMaterial::new(30.0)) as Material, 9, Resultant::Vy);
         let section: SharedSection = Arc::new(Aggregator::new(Some(rectangle(&material, true)), vec![shear]).unwrap());
-        let mut e = Alone::new(ZeroLengthSection::new((section, 1), (3, 6), Matrix3::identity(), true));
+        let mut e = SingleElement::new(ZeroLengthSection::new((section, 1), (3, 6), Matrix3::identity(), true));
         let mut tested = 0;
         for x in path(5, 200, 0.02) {
             let mut u = [0.0; 12];
             (u[6], u[7], u[10], u[11]) = (0.1 * x - 5e-4, 0.3 * x, 0.7 * x, x);
             let (_, k) = e.trial(&u, &[0.0; 12]);
             let (near, far) = (e.difference(&u, 1e-8), e.difference(&u, 4e-8));
-            // Kinks of the fibers have no derivative.
+            // There is no derivative at the kinks of the fibers.
             if difference(&near, &far) < 1e-6 {
                 tested += 1;
                 assert!(difference(&k, &near) < 1e-5);
@@ -119,21 +119,21 @@ fn spec(kind: TransformKind) -> TransformSpec {
     TransformSpec { kind, xz: Vector3::new(0.0, 0.3, 1.0), offsets: Default::default(), by_trials: false }
 }
 
-fn beam<F: Formulation<12, 6>>(formulation: F, section: &SharedSection, rule: &Rule, n: usize) -> Alone {
+fn beam<F: Formulation<12, 6>>(formulation: F, section: &SharedSection, rule: &Rule, n: usize) -> SingleElement {
     let transform = spec(TransformKind::Linear).space(&Ends { place: LINE, disp: &[0.0; 12] }).unwrap();
     let points = rule.points(n, transform.length()).unwrap();
     let sections = vec![(section.clone(), 1); n];
-    Alone::new(FiberBeam::<F, 12, 6>::new(formulation, transform, sections, points, (0.0, false)))
+    SingleElement::new(FiberBeam::<F, 12, 6>::new(formulation, transform, sections, points, (0.0, false)))
 }
 
-/// With elastic sections both formulations are the elastic beam; under loads on the beam the force-based one is, and the
-/// other has its end forces.
+/// With elastic sections both formulations equal the elastic beam. Under member loads the force-based one still does,
+/// and the other has its end forces.
 #[test]
-fn elastic_sections_make_the_elastic_beam() {
+fn elastic_sections_give_the_elastic_beam() {
     let section = ElasticSection { e: 1000.0, area: 5.0, iz: 0.9, iy: 0.4, g: 100.0, j: 3.0, shear: (None, None) };
     let shared: SharedSection = Arc::new(Elastic::new(section, false));
     let transform = spec(TransformKind::Linear).space(&Ends { place: LINE, disp: &[0.0; 12] }).unwrap();
-    let mut whole = Alone::new(ElasticBeam::new(transform, section, ElasticOptions::default()));
+    let mut whole = SingleElement::new(ElasticBeam::new(transform, section, ElasticOptions::default()));
     let u: Vec<f64> = (0..12).map(|i| 0.01 * f64::from(i * i + 1).sin()).collect();
     for load in [
         None,
@@ -141,7 +141,7 @@ fn elastic_sections_make_the_elastic_beam() {
         Some(ElementLoad::Distributed { span: (0.2, 0.7), y: (3.0, 5.0), z: (-2.0, 1.0), x: (1.0, 4.0) }),
         Some(ElementLoad::Point { at: 0.3, y: 5.0, z: -4.0, x: 2.0 }),
     ] {
-        // A load that begins on the way has no polynomial of the moment: many points take it nearly as it is.
+        // The moment of a partial load is no polynomial; many points integrate it closely.
         let smooth = !matches!(load, Some(ElementLoad::Point { .. } | ElementLoad::Distributed { span: (0.2, _), .. }));
         let n = if smooth { 5 } else { 100 };
         let rule = if smooth { Rule::Lobatto } else { Rule::Trapezoidal };
@@ -162,7 +162,7 @@ fn elastic_sections_make_the_elastic_beam() {
     }
 }
 
-/// The tangent follows the sections into their plastic range, and rigid motions are free.
+/// The tangent is consistent in the plastic range, and rigid motions cause no force.
 #[test]
 fn beams_yield_with_a_consistent_tangent() {
     let section = rectangle(&steel(), true);
@@ -193,7 +193,7 @@ fn beams_yield_with_a_consistent_tangent() {
     }
 }
 
-/// Curvatures of a cantilever beyond yield: the force-based beam has the moment of the end force everywhere.
+/// The force-based cantilever beyond yield has the moment of the end force at every section.
 #[test]
 fn internal_forces_of_the_force_based_beam_are_in_equilibrium() {
     let section = rectangle(&steel(), true);

@@ -1,6 +1,6 @@
-//! Friction models and the bearings that slide.
+//! Friction models and sliding bearings.
 
-use super::driver::{Alone, difference, path};
+use super::driver::{SingleElement, difference, path};
 use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::Link;
 use hysteron::element::bearing::sliding::{
@@ -37,7 +37,7 @@ fn frictions() -> [Friction; 5] {
 }
 
 #[test]
-fn coefficients_have_the_slopes_that_they_say() {
+fn friction_derivatives_match_finite_differences() {
     for law in frictions() {
         for (n, v) in [(300.0, 0.02), (900.0, 0.15), (4000.0, 0.7), (50.0, 3.0)] {
             let (c, h) = (law.coefficient(n, v), 1e-5);
@@ -51,7 +51,7 @@ fn coefficients_have_the_slopes_that_they_say() {
     }
 }
 
-/// A coefficient by points goes on in a line beyond them, but not below 0.
+/// A coefficient by points is extrapolated linearly, but not below 0.
 #[test]
 fn friction_by_points_stays_positive() {
     let law = VelDepMultiLinear::new(vec![[0.1, 0.05], [0.2, 0.04]]).unwrap();
@@ -85,7 +85,7 @@ fn space_along(
     orientation: Orientation,
     line: Vector3<f64>,
     compat: Option<Substitution>,
-) -> Alone {
+) -> SingleElement {
     let (axes, length) = orientation.of_link(Vector3::zeros(), line, false).unwrap();
     let mut materials = vec![no_tension()];
     if kind == Kind::Springs {
@@ -95,23 +95,23 @@ fn space_along(
     let link: (Link<12, 6>, f64, f64) = (Link::new(&axes, length, shear_dist), length, shear_dist);
     let surface = surface(kind, friction, true);
     match compat {
-        None => Alone::new(SpaceSlider::new(surface, link, materials, setting(kind))),
-        Some(way) => Alone::new(SpaceSlider::new(surface, link, materials, setting(kind).with(way))),
+        None => SingleElement::new(SpaceSlider::new(surface, link, materials, setting(kind))),
+        Some(way) => SingleElement::new(SpaceSlider::new(surface, link, materials, setting(kind).with(way))),
     }
 }
 
 const UP: Orientation = Orientation { x: Some(Vector3::new(0.0, 0.0, 1.0)), y: Some(Vector3::new(1.0, 0.0, 0.0)) };
 
-/// Axes along the global ones, without length: x and y shear, z axial.
-fn upright(kind: Kind, friction: &Friction) -> Alone {
+/// A bearing of zero length along the global axes: x and y shear, z axial.
+fn upright(kind: Kind, friction: &Friction) -> SingleElement {
     space_along(kind, friction, 0.0, UP, Vector3::zeros(), None)
 }
 
-fn space(kind: Kind, friction: &Friction) -> Alone {
+fn space(kind: Kind, friction: &Friction) -> SingleElement {
     space_along(kind, friction, 0.3, Orientation::default(), Vector3::new(0.02, -0.05, 0.3), None)
 }
 
-fn plane(kind: Kind, friction: &Friction) -> Alone {
+fn plane(kind: Kind, friction: &Friction) -> SingleElement {
     let (axes, length) = Orientation::default().of_link(Vector3::zeros(), Vector3::new(0.05, 0.3, 0.0), true).unwrap();
     let mut materials = vec![no_tension()];
     if kind == Kind::Springs {
@@ -120,10 +120,10 @@ fn plane(kind: Kind, friction: &Friction) -> Alone {
     materials.push(elastic(600.0));
     let link: (Link<6, 3>, f64, f64) = (Link::new(&axes, length, 0.3), length, 0.3);
     let made: PlaneSlider = SlidingBearing::new(surface(kind, friction, true), link, materials, setting(kind));
-    Alone::new(made)
+    SingleElement::new(made)
 }
 
-/// A wandering motion under a pressure that wanders too, and now and then lets go.
+/// A pseudo-random motion under varying pressure with uplift.
 fn motion(n: usize, seed: u64, steps: usize) -> Vec<Vec<f64>> {
     let per_node = n / 2;
     let up = if n == 6 { 1 } else { 2 };
@@ -142,11 +142,11 @@ fn motion(n: usize, seed: u64, steps: usize) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// Force, tangent and damping matrix at a motion.
-fn answer(e: &Alone, disp: &[f64], vel: &[f64]) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
+/// Force, tangent and damping matrix at a displacement and velocity.
+fn response(e: &SingleElement, disp: &[f64], vel: &[f64]) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
     let n = disp.len();
     let (mut f, mut k, mut c, mut next) = (vec![0.0; n], vec![0.0; n * n], vec![0.0; n * n], e.state.clone());
-    let answer = ElementOutput {
+    let response = ElementOutput {
         force: &mut f,
         tangent: Some(&mut k),
         damping: Some(&mut c),
@@ -154,17 +154,17 @@ fn answer(e: &Alone, disp: &[f64], vel: &[f64]) -> (Vec<f64>, Vec<f64>, Vec<f64>
     };
     e.element
         .respond(
-            &ElementInput { disp, vel, load: &[], still: false, again: false, dt: 0.01, time: 0.01 },
+            &ElementInput { disp, vel, load: &[], still: false, opensees: None, dt: 0.01, time: 0.01 },
             &e.state,
             &mut next,
-            answer,
+            response,
         )
         .unwrap();
     (f, k, c)
 }
 
-/// Central differences of the force by the displacements or by the velocities.
-fn slopes(e: &Alone, disp: &[f64], vel: &[f64], by_vel: bool, h: f64) -> Vec<f64> {
+/// Central differences of the force with respect to displacements or velocities.
+fn slopes(e: &SingleElement, disp: &[f64], vel: &[f64], by_vel: bool, h: f64) -> Vec<f64> {
     let n = disp.len();
     let mut out = vec![0.0; n * n];
     for j in 0..n {
@@ -175,7 +175,7 @@ fn slopes(e: &Alone, disp: &[f64], vel: &[f64], by_vel: bool, h: f64) -> Vec<f64
             } else {
                 u[j] += step
             }
-            answer(e, &u, &v).0
+            response(e, &u, &v).0
         };
         for (i, (up, down)) in at(h).iter().zip(at(-h)).enumerate() {
             out[i * n + j] = (up - down) / (2.0 * h);
@@ -187,7 +187,7 @@ fn slopes(e: &Alone, disp: &[f64], vel: &[f64], by_vel: bool, h: f64) -> Vec<f64
 const KINDS: [Kind; 3] = [Kind::Flat, Kind::Pendulum, Kind::Springs];
 
 #[test]
-fn tangents_are_the_derivatives_of_the_force() {
+fn tangents_match_finite_differences() {
     for kind in KINDS {
         for friction in frictions() {
             for mut e in [plane(kind, &friction), space(kind, &friction)] {
@@ -196,7 +196,7 @@ fn tangents_are_the_derivatives_of_the_force() {
                 let (mut tested, mut lifted, mut last) = (0, 0, steps[0].clone());
                 for (k, u) in steps.iter().enumerate() {
                     let vel: Vec<f64> = u.iter().zip(&last).map(|(u, l)| (u - l) / 0.01).collect();
-                    let (f, tangent, damping) = answer(&e, u, &vel);
+                    let (f, tangent, damping) = response(&e, u, &vel);
                     let (near, far) = (slopes(&e, u, &vel, false, 1e-8), slopes(&e, u, &vel, false, 4e-8));
                     let lifts = f.iter().all(|f| f.abs() < 100.0);
                     lifted += usize::from(lifts);
@@ -242,14 +242,14 @@ fn friction_force_stays_below_its_limit() {
     }
 }
 
-/// A pendulum on a surface nearly without friction swings with the stiffness N/R.
+/// A pendulum with very small friction has the stiffness N/R.
 #[test]
 fn pendulum_stiffness_is_the_weight_over_the_radius() {
     let friction: Friction = Arc::new(Coulomb { mu: 1e-9 });
     let mut e = space_along(Kind::Pendulum, &friction, 0.0, UP, Vector3::zeros(), None);
     for x in path(21, 60, 0.004) {
         let mut u = [0.0; 12];
-        // The slider rises as it goes; the pressure is kept.
+        // The slider rises with its displacement at constant pressure.
         u[6] = x;
         u[8] = RADIUS - (RADIUS * RADIUS - x * x).sqrt() - 9e-4;
         let f = e.force(&u);
@@ -259,9 +259,9 @@ fn pendulum_stiffness_is_the_weight_over_the_radius() {
     }
 }
 
-/// Nothing comes out of a flat surface; what a pendulum stores stays below what was put in.
+/// A flat surface returns no energy, and a pendulum at most the work done on it.
 #[test]
-fn no_energy_comes_out_of_a_closed_cycle() {
+fn closed_cycles_create_no_energy() {
     for kind in KINDS {
         for friction in frictions() {
             let mut e = upright(kind, &friction);
@@ -283,28 +283,28 @@ fn no_energy_comes_out_of_a_closed_cycle() {
 }
 
 #[test]
-fn a_lifted_bearing_carries_nothing_and_lands_without_memory() {
+fn lifted_bearing_has_no_force_and_restarts_sliding() {
     for kind in [Kind::Flat, Kind::Pendulum] {
         let mut e = upright(kind, &frictions()[0]);
-        let go = |e: &mut Alone, x: f64, z: f64| {
+        let advance = |e: &mut SingleElement, x: f64, z: f64| {
             let mut u = [0.0; 12];
             (u[6], u[8], u[10]) = (x, z, 0.01);
             let f = e.force(&u);
             e.commit();
             f
         };
-        assert!(go(&mut e, 0.1, -9e-4)[6] > 50.0);
-        assert_eq!(go(&mut e, 0.1, 0.01), vec![0.0; 12]);
-        assert_eq!(go(&mut e, -0.1, 0.02), vec![0.0; 12]);
-        // It lands where it stands: sliding has to begin anew.
-        let landed = go(&mut e, 0.001, 0.01);
+        assert!(advance(&mut e, 0.1, -9e-4)[6] > 50.0);
+        assert_eq!(advance(&mut e, 0.1, 0.01), vec![0.0; 12]);
+        assert_eq!(advance(&mut e, -0.1, 0.02), vec![0.0; 12]);
+        // The bearing lands at its present position, and sliding begins anew.
+        let landed = advance(&mut e, 0.001, 0.01);
         assert_eq!(landed, vec![0.0; 12]);
-        let f = go(&mut e, 0.001, -9e-4);
+        let f = advance(&mut e, 0.001, -9e-4);
         assert!(f[6].abs() < 1.0 && f[8] < -800.0, "{kind:?}: {f:?}");
     }
 }
 
-/// On a circle the friction force turns with the velocity and keeps its size.
+/// On a circular orbit the friction force rotates with the velocity at constant magnitude.
 #[test]
 fn circular_orbits_show_bidirectional_coupling() {
     let mut e = upright(Kind::Flat, &frictions()[0]);
@@ -325,7 +325,7 @@ fn circular_orbits_show_bidirectional_coupling() {
 }
 
 #[test]
-fn turning_the_bearing_turns_the_force() {
+fn rotating_the_bearing_rotates_the_force() {
     let q = Rotation3::from_euler_angles(0.4, 0.9, -1.3).into_inner();
     let line = Vector3::new(0.0, 0.0, 0.3);
     let given = |x: Vector3<f64>, y: Vector3<f64>| Orientation { x: Some(x), y: Some(y) };
@@ -352,7 +352,7 @@ fn mirrored_motion_gives_mirrored_force() {
         for friction in frictions() {
             let (mut e, mut m) = (upright(kind, &friction), upright(kind, &friction));
             for u in motion(12, 5, 120) {
-                // In the axis of the bearing: x and y change sign, and so do the rotations about them.
+                // A rotation by π about the bearing axis: x, y and the rotations about them change sign.
                 let back: Vec<f64> = u.iter().enumerate().map(|(i, x)| if i % 3 == 2 { *x } else { -x }).collect();
                 let (f, g) = (e.force(&u), m.force(&back));
                 let back: Vec<f64> = g.iter().enumerate().map(|(i, x)| if i % 3 == 2 { *x } else { -x }).collect();
@@ -379,7 +379,7 @@ fn force_depends_on_the_committed_state_alone() {
     }
 }
 
-/// OpenSees' iteration by substitution comes to the same force, step by step from the same state.
+/// OpenSees' fixed-point iteration gives the same force in every step from the same state.
 #[test]
 fn substitution_and_newton_agree() {
     let way = Substitution { rounds: 60, tolerance: 1e-12 };
@@ -397,7 +397,7 @@ fn substitution_and_newton_agree() {
     }
 }
 
-/// In one direction the bearing in space is the bearing in the plane.
+/// The spatial bearing equals the plane bearing in uniaxial motion.
 #[test]
 fn space_and_plane_agree_in_one_direction() {
     for kind in KINDS {
@@ -411,7 +411,8 @@ fn space_and_plane_agree_in_one_direction() {
         materials.push(elastic(500.0));
         let link: (Link<6, 3>, f64, f64) = (Link::new(&axes, length, 0.3), length, 0.3);
         let set = setting(kind);
-        let mut flat: Alone = Alone::new(PlaneSlider::new(surface(kind, friction, true), link, materials, set));
+        let mut flat: SingleElement =
+            SingleElement::new(PlaneSlider::new(surface(kind, friction, true), link, materials, set));
         let o = Orientation { x: None, y: Some(Vector3::new(-1.0, 0.0, 0.0)) };
         let mut deep = space_along(kind, friction, 0.3, o, Vector3::new(0.0, 0.3, 0.0), None);
         for x in path(13, 300, 0.1) {

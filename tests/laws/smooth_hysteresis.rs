@@ -1,6 +1,6 @@
 //! Smooth hysteresis of exponential and algebraic type.
 
-use super::driver::Point;
+use super::driver::MaterialPoint;
 use super::materials::{check_purity, check_tangent};
 use hysteron::material::{HystereticAsym, HystereticPoly, HystereticSmooth, Material};
 use std::sync::Arc;
@@ -28,24 +28,24 @@ fn all() -> Vec<(&'static str, Material, f64)> {
 }
 
 /// Forces from one strain to another in steps.
-fn walk(p: &mut Point, from: f64, to: f64, n: u32) -> Vec<f64> {
-    (1..=n).map(|i| p.go(from + (to - from) * f64::from(i) / f64::from(n)).value).collect()
+fn walk(p: &mut MaterialPoint, from: f64, to: f64, n: u32) -> Vec<f64> {
+    (1..=n).map(|i| p.advance(from + (to - from) * f64::from(i) / f64::from(n)).value).collect()
 }
 
 #[test]
-fn tangent_and_history_are_those_of_the_step() {
+fn tangent_is_consistent_and_trials_have_no_effect() {
     for (name, law, amplitude) in all() {
         check_tangent(name, law.clone(), amplitude);
         check_purity(name, law, amplitude);
     }
 }
 
-/// A branch is the same in one step and in many, since it is known from where it began.
+/// A branch depends on its first point alone, so the number of steps has no effect.
 #[test]
-fn the_size_of_the_steps_does_not_matter() {
+fn force_is_independent_of_step_size() {
     for (name, law, amplitude) in all() {
         let [coarse, fine] = [1, 60].map(|n| {
-            let mut p = Point::new(law.clone());
+            let mut p = MaterialPoint::new(law.clone());
             let turns = [0.0, amplitude, -0.6 * amplitude, 0.2 * amplitude, -amplitude, 0.0];
             turns.windows(2).map(|w| *walk(&mut p, w[0], w[1], n).last().unwrap()).collect::<Vec<f64>>()
         });
@@ -55,29 +55,29 @@ fn the_size_of_the_steps_does_not_matter() {
     }
 }
 
-/// Far away a branch is on the limit curve: f_e + k_b u and half the height of the loop.
+/// At large strain a branch is on the limit curve: f_e + k_b u plus half the height of the loop.
 #[test]
-fn a_branch_comes_to_the_limit_curve() {
+fn branch_reaches_the_limit_curve() {
     for s in [1.0, -1.0] {
         let u = s * 0.5;
         let e = |b: f64, x: f64| (b * x).exp();
         let exponential = e(9.0, u) - e(-4.0, u) - 13.0 * u + e(1.5, u) * (10.0 * u + s * 2.0);
-        let force = *walk(&mut Point::new(asym([9.0, 4.0], 1.5)), 0.0, u, 7).last().unwrap();
+        let force = *walk(&mut MaterialPoint::new(asym([9.0, 4.0], 1.5)), 0.0, u, 7).last().unwrap();
         assert!((force - exponential).abs() < 1e-9, "{force}, expected {exponential}");
-        // The height follows from the tolerance: (ka - kb) (1 - (tol / (ka - kb))^((a - 1) / a)) / (2 (a - 1)).
+        // Half the height follows from the tolerance: (ka - kb) (1 - (tol / (ka - kb))^((a - 1) / a)) / (2 (a - 1)).
         let height = 190.0 * (1.0 - (1e-12f64 / 190.0).powf(19.0 / 20.0)) / (2.0 * 19.0);
         let algebraic = 50.0 * u.powi(3) + 200.0 * u.powi(5) + 10.0 * u + s * height;
-        let far = *walk(&mut Point::new(poly(20.0, [50.0, 200.0])), 0.0, 40.0 * u, 7).last().unwrap();
+        let far = *walk(&mut MaterialPoint::new(poly(20.0, [50.0, 200.0])), 0.0, 40.0 * u, 7).last().unwrap();
         let rest = 50.0 * (40.0 * u).powi(3) + 200.0 * (40.0 * u).powi(5) + 400.0 * u;
         assert!((far - rest - (algebraic - 50.0 * u.powi(3) - 200.0 * u.powi(5) - 10.0 * u)).abs() < 1e-6);
     }
 }
 
-/// Cycles of one amplitude settle on one loop, which dissipates.
+/// Cycles of one amplitude converge to one loop that dissipates energy.
 #[test]
-fn cycles_close_and_dissipate() {
+fn cycles_close_and_dissipate_energy() {
     for (name, law, amplitude) in all() {
-        let mut p = Point::new(law);
+        let mut p = MaterialPoint::new(law);
         let mut cycle = |from: f64| {
             let mut forces = walk(&mut p, from, amplitude, 100);
             forces.extend(walk(&mut p, amplitude, -amplitude, 200));

@@ -1,6 +1,6 @@
-//! Springs between piles and soil.
+//! Soil springs of piles.
 
-use super::driver::Point;
+use super::driver::MaterialPoint;
 use super::materials::{check_purity, check_tangent};
 use hysteron::material::{
     Material, PyBackbone, PySimple1, QzBackbone, QzSimple1, Soil, SoilSpring, TzBackbone, TzSimple1,
@@ -32,19 +32,19 @@ fn all(dashpot: f64, compat: bool) -> Vec<(&'static str, Material)> {
 }
 
 /// Forces from one displacement to another in steps.
-fn walk(p: &mut Point, from: f64, to: f64, n: u32) -> Vec<f64> {
-    (1..=n).map(|i| p.go(from + (to - from) * f64::from(i) / f64::from(n)).value).collect()
+fn walk(p: &mut MaterialPoint, from: f64, to: f64, n: u32) -> Vec<f64> {
+    (1..=n).map(|i| p.advance(from + (to - from) * f64::from(i) / f64::from(n)).value).collect()
 }
 
-/// Forces at turns, in so many steps from each to the next.
+/// Forces at reversals, with `n` steps between two of them.
 fn at_turns(law: &Material, n: u32) -> Vec<f64> {
-    let mut p = Point::new(law.clone());
+    let mut p = MaterialPoint::new(law.clone());
     let turns = [0.0, 0.3, -0.5, 1.5, 0.2, 1.1, -4.0, 3.0, 6.0, 0.0, -1.0].map(|y| y * Y50);
     turns.windows(2).map(|w| walk(&mut p, w[0], w[1], n)[n as usize - 1]).collect()
 }
 
 #[test]
-fn tangent_and_history_are_those_of_the_step() {
+fn tangent_is_consistent_and_trials_have_no_effect() {
     for dashpot in [0.0, 40.0] {
         for (name, law) in all(dashpot, false) {
             check_tangent(name, law.clone(), 4.0 * Y50);
@@ -53,10 +53,10 @@ fn tangent_and_history_are_those_of_the_step() {
     }
 }
 
-/// The springs share a step as their forces ask for, however long it is; but the gap of a p-y spring widens by how far the pile has been in
-/// each step.
+/// The distribution among the springs does not depend on the size of the steps, except for the gap of a p-y spring.
+/// The gap widens with the pile's displacement in each step.
 #[test]
-fn the_size_of_the_steps_does_not_matter() {
+fn force_is_independent_of_step_size() {
     for (name, law) in all(0.0, false) {
         let (coarse, fine) = (at_turns(&law, 1), at_turns(&law, 100));
         for (a, b) in coarse.iter().zip(&fine) {
@@ -66,9 +66,9 @@ fn the_size_of_the_steps_does_not_matter() {
     }
 }
 
-/// OpenSees shares a step out in rounds, which come to the same, but for the gap within a step.
+/// OpenSees' iterations give the same force, except for the gap within a step.
 #[test]
-fn rounds_come_to_the_same() {
+fn opensees_iterations_give_the_same_force() {
     for ((name, exact), (_, rounds)) in all(0.0, false).iter().zip(&all(0.0, true)) {
         let (exact, rounds) = (at_turns(exact, 200), at_turns(rounds, 200));
         let within = if name.starts_with("p-y") { 1e-5 } else { 1e-8 };
@@ -77,56 +77,55 @@ fn rounds_come_to_the_same() {
     }
 }
 
-/// Half of the ultimate force at the displacement that is named so, and all of it in the end (Boulanger, 2003, to a twentieth).
+/// Half of the ultimate force at y50, and the ultimate force at large displacement (Boulanger, 2003, within 5 %).
 #[test]
-fn the_backbone_is_the_one_that_is_meant() {
+fn backbone_has_half_the_ultimate_force_at_y50() {
     for (name, law) in all(0.0, false) {
-        // A q-z spring bears in compression.
+        // A q-z spring carries compression.
         let s = if name.starts_with("q-z") { -1.0 } else { 1.0 };
-        let mut p = Point::new(law);
-        let half = s * p.go(s * Y50).value / ULTIMATE;
+        let mut p = MaterialPoint::new(law);
+        let half = s * p.advance(s * Y50).value / ULTIMATE;
         assert!((half - 0.5).abs() < 0.05, "{name}: {half}");
-        let far = s * p.go(s * 3000.0 * Y50).value / ULTIMATE;
+        let far = s * p.advance(s * 3000.0 * Y50).value / ULTIMATE;
         assert!(far > 0.99 && far < 1.0, "{name}: {far}");
     }
 }
 
-/// A pile that goes back through its gap is held by what is dragged along alone, and by the soil again where it was.
+/// In the gap only the drag resists the pile; the soil resists it again at its previous position.
 #[test]
-fn a_gap_is_left_behind_a_pile() {
+fn gap_forms_behind_a_pile() {
     for drag in [0.02, 0.1, 0.4] {
-        let mut p = Point::new(spring(py(PyBackbone::Clay, drag), 0.0, false));
+        let mut p = MaterialPoint::new(spring(py(PyBackbone::Clay, drag), 0.0, false));
         let there = walk(&mut p, 0.0, 8.0 * Y50, 50)[49];
         let within = walk(&mut p, 8.0 * Y50, 3.0 * Y50, 50)[49] / ULTIMATE;
         assert!(within < -0.5 * drag && within > -drag - 0.015, "{drag}: {within}");
         let again = walk(&mut p, 3.0 * Y50, 8.2 * Y50, 50)[49];
-        // What is dragged hard takes the sides of the gap along.
+        // A large drag moves the sides of the gap.
         assert!(drag > 0.1 || again > 0.98 * there, "{again} after {there}");
     }
 }
 
-/// The tip of a pile is pulled off with no more than the suction.
+/// The uplift resistance of a pile tip is the suction.
 #[test]
-fn a_tip_lifts_off() {
+fn tip_uplift_resistance_is_the_suction() {
     for suction in [0.0, 0.05] {
         let law = spring(QzSimple1::new(QzBackbone::Sand, ULTIMATE, Y50, suction), 0.0, false);
-        let mut p = Point::new(law);
+        let mut p = MaterialPoint::new(law);
         walk(&mut p, 0.0, -3.0 * Y50, 20);
         let up = walk(&mut p, -3.0 * Y50, 20.0 * Y50, 60)[59] / ULTIMATE;
         assert!(up > 0.9 * suction && up < suction + 1e-4, "{suction}: {up}");
     }
 }
 
-/// The dashpot sees the part of the displacement that the elastic spring takes: all of it where nothing yields yet, none once all
-/// yields.
+/// The dashpot follows the displacement of the far field: all of it before yield, none at the ultimate force.
 #[test]
-fn the_dashpot_is_that_of_the_far_field() {
+fn dashpot_acts_on_the_far_field() {
     let law = spring(TzSimple1::new(TzBackbone::ReeseONeill, ULTIMATE, Y50), 100.0, false);
-    let mut p = Point::new(law);
+    let mut p = MaterialPoint::new(law);
     let (slow, fast) = (p.trial(0.1 * Y50, 0.0, 0.0).value, p.trial(0.1 * Y50, 0.2, 0.0).value);
     let part = (fast - slow) / 20.0;
     assert!(part > 0.7 && part < 0.9, "{part}");
-    p.go(20.0 * Y50);
+    p.advance(20.0 * Y50);
     let (slow, fast) = (p.trial(21.0 * Y50, 0.0, 0.0).value, p.trial(21.0 * Y50, 0.2, 0.0).value);
     assert!((fast - slow) / 20.0 < 0.01, "{}", fast - slow);
 }

@@ -1,6 +1,6 @@
-//! The beam of Timoshenko. Its agreement with OpenSees is in `validation/opensees/timoshenko_*`.
+//! Timoshenko beam. Its agreement with OpenSees is in `validation/opensees/timoshenko_*`.
 
-use super::driver::{Alone, difference};
+use super::driver::{SingleElement, difference};
 use hysteron::element::beam::{ElasticBeam, ElasticOptions, TimoshenkoBeam, TimoshenkoOptions};
 use hysteron::element::load::ElementLoad;
 use hysteron::element::transform::{Ends, Transform, TransformKind, TransformSpec};
@@ -24,11 +24,11 @@ fn beam(options: TimoshenkoOptions) -> TimoshenkoBeam<12, 6> {
     TimoshenkoBeam::new(transform().frame().clone(), SECTION, options)
 }
 
-/// Without axial effects it is the elastic beam-column with shear areas, under any load.
+/// Without axial effects it equals the elastic beam-column with shear areas, under any load.
 #[test]
-fn linear_is_the_elastic_beam_with_shear() {
-    let mut a = Alone::new(beam(TimoshenkoOptions::default()));
-    let mut b = Alone::new(ElasticBeam::new(transform(), SECTION, ElasticOptions::default()));
+fn linear_beam_equals_elastic_beam_with_shear() {
+    let mut a = SingleElement::new(beam(TimoshenkoOptions::default()));
+    let mut b = SingleElement::new(ElasticBeam::new(transform(), SECTION, ElasticOptions::default()));
     let load = ElementLoad::Distributed { span: (0.2, 0.7), y: (3.0, 5.0), z: (-2.0, 1.0), x: (1.0, 4.0) };
     a.load = vec![0.0; a.element.load_len()];
     a.element.add_load(&load, 2.0, &mut a.load).unwrap();
@@ -41,7 +41,7 @@ fn linear_is_the_elastic_beam_with_shear() {
     assert!(difference(&k, &a.difference(&u, 1e-5)) < 1e-7);
 }
 
-/// A translation moves all the mass.
+/// A translation accelerates the total mass.
 #[test]
 fn masses_add_up_and_consistent_ones_are_symmetric() {
     for consistent in [false, true] {
@@ -63,11 +63,11 @@ fn masses_add_up_and_consistent_ones_are_symmetric() {
     }
 }
 
-/// Under tension T a rigid rotation θ of the beam needs no more force than its ends' turning with it: T θ across it.
+/// Under tension T a rigid rotation θ needs the transverse force T θ alone.
 #[test]
-fn tension_stiffens_by_its_geometry() {
-    let mut with = Alone::new(beam(TimoshenkoOptions { geometric: true, ..Default::default() }));
-    let mut without = Alone::new(beam(TimoshenkoOptions::default()));
+fn tension_adds_geometric_stiffness() {
+    let mut with = SingleElement::new(beam(TimoshenkoOptions { geometric: true, ..Default::default() }));
+    let mut without = SingleElement::new(beam(TimoshenkoOptions::default()));
     let axis = (LINE.1 - LINE.0).normalize();
     let across = axis.cross(&Vector3::x()).normalize();
     let turn = axis.cross(&across);

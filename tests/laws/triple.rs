@@ -1,6 +1,6 @@
-//! The triple friction pendulum, and the fibre-reinforced bearing that rolls off.
+//! Triple friction pendulum, and fibre-reinforced bearing with rollover.
 
-use super::driver::{Alone, difference, path};
+use super::driver::{SingleElement, difference, path};
 use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::triple::{Chain, Increments, Segment, TriplePendulum, TripleSetting};
 use hysteron::element::bearing::{Link, PlaneBearing, UfrpShear};
@@ -27,7 +27,7 @@ fn fast() -> [Friction; 3] {
     [0.01, 0.03, 0.05].map(|slow| Arc::new(VelDependent { slow, fast: 2.0 * slow, rate: 20.0 }) as Friction)
 }
 
-fn bearing(frictions: [Friction; 3], height: f64, compat: Option<f64>) -> Alone {
+fn bearing(frictions: [Friction; 3], height: f64, compat: Option<f64>) -> SingleElement {
     let (l1, l2, d1, d2) = (0.36, 1.25, 0.1, 0.2);
     let e = 3.0 * frictions[0].coefficient(WEIGHT, 0.0).mu / 0.001;
     let segment = |stiffness: f64, gap: f64, speed: f64| Segment { e, h: e * stiffness / (e - stiffness), gap, speed };
@@ -36,14 +36,14 @@ fn bearing(frictions: [Friction; 3], height: f64, compat: Option<f64>) -> Alone 
     let materials = [elastic(K), elastic(10.0), elastic(20.0), elastic(30.0)];
     let setting = TripleSetting { weight: WEIGHT, k_tension: 10.0, least_normal: 0.1, height, rules: Consistent };
     match compat {
-        None => Alone::new(TriplePendulum::new(chain, frictions, materials, setting)),
+        None => SingleElement::new(TriplePendulum::new(chain, frictions, materials, setting)),
         Some(tolerance) => {
-            Alone::new(TriplePendulum::new(chain, frictions, materials, setting.with(Increments(tolerance))))
+            SingleElement::new(TriplePendulum::new(chain, frictions, materials, setting.with(Increments(tolerance))))
         }
     }
 }
 
-/// Horizontal motion up to the edge and beyond, under a pressure that wanders and now and then lets go.
+/// Horizontal motion up to the displacement limit and beyond, under varying pressure with uplift.
 fn motion(seed: u64, steps: usize) -> Vec<Vec<f64>> {
     let size = |i: usize| [0.6, 0.6, 5e-4, 0.01, 0.01, 0.01][i % 6];
     let walks: Vec<Vec<f64>> = (0..12).map(|i| path(seed + i as u64, steps, 0.5 * size(i))).collect();
@@ -56,7 +56,7 @@ fn motion(seed: u64, steps: usize) -> Vec<Vec<f64>> {
         .collect()
 }
 
-fn shear(e: &mut Alone, x: f64, y: f64) -> [f64; 2] {
+fn shear(e: &mut SingleElement, x: f64, y: f64) -> [f64; 2] {
     let mut u = [0.0; 12];
     (u[6], u[7], u[8]) = (x, y, -WEIGHT / K);
     let f = e.force(&u);
@@ -65,7 +65,7 @@ fn shear(e: &mut Alone, x: f64, y: f64) -> [f64; 2] {
 }
 
 #[test]
-fn tangent_is_the_derivative_of_the_force() {
+fn tangent_matches_finite_difference() {
     for frictions in [coulomb(), fast()] {
         let mut e = bearing(frictions, 0.3, None);
         let (mut tested, mut lifted) = (0, 0);
@@ -77,7 +77,7 @@ fn tangent_is_the_derivative_of_the_force() {
                 tested += 1;
                 let error = difference(&tangent, &near);
                 assert!(error < 1e-5, "step {k}: {error:.1e}");
-                // The shear is small beside the vertical stiffness.
+                // The shear stiffness is small relative to the vertical stiffness.
                 let horizontal = |k: &[f64]| [k[78], k[79], k[80], k[90], k[91], k[92], k[126], k[127]];
                 let error = difference(&horizontal(&tangent), &horizontal(&near));
                 assert!(error < 1e-3, "step {k}: {error:.1e}, shear");
@@ -89,11 +89,12 @@ fn tangent_is_the_derivative_of_the_force() {
     }
 }
 
-/// Sliding in steps: the force at which each surface begins to move, and the stiffness between (Fenz and Constantinou, 2008).
+/// Sliding regimes: the force at which each surface begins to slide, and the stiffness between (Fenz and
+/// Constantinou, 2008).
 #[test]
-fn backbone_has_the_regimes_of_theory() {
+fn backbone_matches_theoretical_sliding_regimes() {
     let mut e = bearing(coulomb(), 0.0, None);
-    let at = |e: &mut Alone, x: f64| shear(e, x, 0.0)[0] / WEIGHT;
+    let at = |e: &mut SingleElement, x: f64| shear(e, x, 0.0)[0] / WEIGHT;
     // Inner surfaces slide at 0.02, the lower and upper outer at 0.06 and 0.10: displacements at the transitions.
     let (inner, outer) = (2.0 * 0.36, 1.25 + 0.36);
     let (x1, x2) = ((0.06 - 0.02) * inner, (0.06 - 0.02) * inner + (0.10 - 0.06) * outer);
@@ -102,7 +103,7 @@ fn backbone_has_the_regimes_of_theory() {
         let x = 0.001 * f64::from(k);
         let f = at(&mut e, x);
         let slope = (f - last.1) / (x - last.0);
-        // Away from the transitions, which the stiffness before sliding makes round.
+        // Checked away from the transitions, which the stiffness before sliding rounds.
         let near = |stiffness: f64| (slope * stiffness - 1.0).abs() < 0.05;
         if x > 0.006 && x < x1 - 0.005 {
             assert!(near(inner), "inner: {slope} at {x}");
@@ -117,7 +118,7 @@ fn backbone_has_the_regimes_of_theory() {
 }
 
 #[test]
-fn no_energy_comes_out_of_a_closed_cycle() {
+fn closed_cycles_create_no_energy() {
     for frictions in [coulomb(), fast()] {
         let mut e = bearing(frictions, 0.0, None);
         let (xs, ys) = (path(41, 3000, 0.3), path(42, 3000, 0.3));
@@ -132,9 +133,9 @@ fn no_energy_comes_out_of_a_closed_cycle() {
     }
 }
 
-/// The shear is the same in all directions, and turns with the motion.
+/// The shear law is isotropic: a rotated motion gives a rotated shear.
 #[test]
-fn turning_the_motion_turns_the_shear() {
+fn rotating_the_motion_rotates_the_shear() {
     let (mut straight, mut turned) = (bearing(fast(), 0.0, None), bearing(fast(), 0.0, None));
     let (s, c) = 0.7f64.sin_cos();
     for (x, y) in path(3, 200, 0.3).into_iter().zip(path(4, 200, 0.3)) {
@@ -156,12 +157,12 @@ fn force_depends_on_the_committed_state_alone() {
     }
 }
 
-/// OpenSees' increments come to the same shear as the steps of Newton's method; the nodes are in balance.
+/// OpenSees' increments give the shear of Newton's steps, and the nodes are in equilibrium.
 #[test]
 fn increments_and_newton_agree() {
     let (mut e, mut o) = (bearing(coulomb(), 0.3, None), bearing(coulomb(), 0.3, Some(1e-6)));
-    // OpenSees' friction grows to its own within the first step; in one direction it does not matter in how many
-    // increments a step is made.
+    // OpenSees' friction reaches its value within the first step. In one direction the number of increments has no
+    // effect.
     for (k, x) in [1e-8].into_iter().chain(path(5, 300, 0.3)).enumerate() {
         let ([a, _], [p, _]) = (shear(&mut e, x, 0.0), shear(&mut o, x, 0.0));
         assert!((a - p).abs() < 1e-2, "step {k}: {a}, {p}");
@@ -174,11 +175,17 @@ fn increments_and_newton_agree() {
     assert!((f[5] + f[11] + d[0] * f[7] - d[1] * f[6]).abs() < 1e-9, "moments about z");
 }
 
-fn rolling(c: f64) -> Alone {
+fn rolling(c: f64) -> SingleElement {
     let law =
         UfrpShear { uy: 0.005, a: [400.0, -600.0, 900.0, 50.0, 20.0], b: 8.0, c, eta: 1.5, beta: 0.3, gamma: 0.2 };
     let (axes, length) = Orientation::default().of_link(Vector3::zeros(), Vector3::new(0.05, 0.3, 0.0), true).unwrap();
-    Alone::new(PlaneBearing::new(law, Link::new(&axes, length, 0.4), [elastic(1e5), elastic(600.0)], 0.0, false))
+    SingleElement::new(PlaneBearing::new(
+        law,
+        Link::new(&axes, length, 0.4),
+        [elastic(1e5), elastic(600.0)],
+        0.0,
+        false,
+    ))
 }
 
 #[test]
@@ -202,14 +209,14 @@ fn rolling_bearing_has_consistent_tangents() {
     let (mut f, mut c, mut next) = ([0.0; 6], [0.0; 36], e.state.clone());
     let vel = [0.0, 0.0, 0.0, 0.7, 0.2, 0.1];
     let at_rest = e.force(&[0.01; 6]);
-    let answer =
+    let response =
         ElementOutput { force: &mut f, tangent: None, damping: Some(&mut c), part: hysteron::element::MatrixMask::ALL };
     e.element
         .respond(
-            &ElementInput { disp: &[0.01; 6], vel: &vel, load: &[], still: false, again: false, dt: DT, time: 1.0 },
+            &ElementInput { disp: &[0.01; 6], vel: &vel, load: &[], still: false, opensees: None, dt: DT, time: 1.0 },
             &e.state,
             &mut next,
-            answer,
+            response,
         )
         .unwrap();
     for i in 0..6 {

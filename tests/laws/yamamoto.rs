@@ -1,6 +1,6 @@
 //! `YamamotoBiaxialHDR`.
 
-use super::driver::{Alone, difference, path};
+use super::driver::{SingleElement, difference, path};
 use hysteron::element::Mass;
 use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::{Link, ShearBearing, YamamotoShear};
@@ -8,39 +8,39 @@ use nalgebra::Vector3;
 
 const HEIGHT: f64 = 0.16;
 
-fn bearing_along(x: Vector3<f64>, y: Vector3<f64>, compat: bool) -> Alone {
+fn bearing_along(x: Vector3<f64>, y: Vector3<f64>, compat: bool) -> SingleElement {
     let line = x.normalize() * 0.3;
     let (axes, length) = Orientation { x: Some(x), y: Some(y) }.of_link(Vector3::zeros(), line, false).unwrap();
-    let (link, parameters) = (Link::new(&axes, length, 0.5), ([0.7, 0.02], HEIGHT, [0.9, 1.1]));
-    let (diameters, height, factors) = parameters;
+    let link = Link::new(&axes, length, 0.5);
+    let (diameters, factors) = ([0.7, 0.02], [0.9, 1.1]);
     if compat {
-        let law = YamamotoShear::as_opensees(diameters, height, factors);
-        return Alone::new(ShearBearing::<_, 12, 6, 0, 2>::new(law, link, [], 3.0, true));
+        let law = YamamotoShear::as_opensees(diameters, HEIGHT, factors);
+        return SingleElement::new(ShearBearing::<_, 12, 6, 0, 2>::new(law, link, [], 3.0, true));
     }
-    let law = YamamotoShear::new(diameters, height, factors);
-    Alone::new(ShearBearing::<_, 12, 6, 0, 2>::new(law, link, [], 3.0, true))
+    let law = YamamotoShear::new(diameters, HEIGHT, factors);
+    SingleElement::new(ShearBearing::<_, 12, 6, 0, 2>::new(law, link, [], 3.0, true))
 }
 
-fn bearing() -> Alone {
+fn bearing() -> SingleElement {
     bearing_along(Vector3::z(), Vector3::x(), false)
 }
 
 /// Forces of node j for a displacement of it along global X and Y.
-fn push(e: &mut Alone, u: [f64; 2]) -> [f64; 2] {
+fn push(e: &mut SingleElement, u: [f64; 2]) -> [f64; 2] {
     let mut all = [0.0; 12];
     all[6..8].copy_from_slice(&u);
     let f = e.force(&all);
     [f[6], f[7]]
 }
 
-/// An orbit that wanders to about 250 % shear strain.
+/// A pseudo-random orbit to about 250 % shear strain.
 fn orbit(seed: u64, n: usize) -> Vec<[f64; 2]> {
     let amplitude = 2.5 * HEIGHT;
     path(seed, n, amplitude).into_iter().zip(path(seed + 1, n, amplitude)).map(|(x, y)| [x, y]).collect()
 }
 
 #[test]
-fn tangent_is_the_derivative_of_the_force() {
+fn tangent_matches_finite_difference() {
     let mut e = bearing();
     let walks: Vec<Vec<f64>> = (0..12).map(|i| path(40 + i, 200, if i % 6 < 3 { 0.3 } else { 0.1 })).collect();
     let mut tested = 0;
@@ -48,7 +48,7 @@ fn tangent_is_the_derivative_of_the_force() {
         let u: Vec<f64> = walks.iter().map(|w| w[k]).collect();
         let (_, tangent) = e.trial(&u, &[0.0; 12]);
         let (near, far) = (e.difference(&u, 1e-8), e.difference(&u, 4e-8));
-        // The number of inner steps grows with the length of the step.
+        // The number of substeps increases with the step.
         if difference(&near, &far) < 1e-5 {
             tested += 1;
             assert!(difference(&tangent, &near) < 1e-5, "step {k}");
@@ -60,7 +60,7 @@ fn tangent_is_the_derivative_of_the_force() {
 }
 
 #[test]
-fn initial_tangent_is_that_of_a_small_motion() {
+fn initial_tangent_matches_small_motion() {
     let mut e = bearing();
     let mut k = vec![0.0; 144];
     e.element.initial_tangent(&mut k);
@@ -68,7 +68,7 @@ fn initial_tangent_is_that_of_a_small_motion() {
 }
 
 #[test]
-fn force_does_not_depend_on_the_step() {
+fn force_is_independent_of_step_size() {
     let (mut coarse, mut fine) = (bearing(), bearing());
     let mut from = [0.0; 2];
     for to in orbit(3, 1200).into_iter().step_by(12) {
@@ -98,7 +98,7 @@ fn force_depends_on_the_committed_state_alone() {
     }
 }
 
-/// Turned axes, and a mirror: the law has no direction of its own.
+/// The law is isotropic: rotated axes and a mirrored motion.
 #[test]
 fn law_is_isotropic() {
     for compat in [false, true] {
@@ -112,13 +112,13 @@ fn law_is_isotropic() {
             let scale = f[0].hypot(f[1]).max(1e4);
             assert!((f[0] - g[0]).hypot(f[1] - g[1]) < 1e-9 * scale, "{f:?} and {g:?}");
             assert!((f[0] + m[0]).hypot(f[1] - m[1]) < 1e-9 * scale, "{f:?} and {m:?}");
-            [&mut e, &mut turned, &mut mirror].into_iter().for_each(Alone::commit);
+            [&mut e, &mut turned, &mut mirror].into_iter().for_each(SingleElement::commit);
         }
     }
 }
 
 #[test]
-fn orbits_dissipate() {
+fn orbits_dissipate_energy() {
     let mut e = bearing();
     for radius in [0.1, 0.3, 0.6, 1.2, 2.2].map(|gamma| gamma * HEIGHT) {
         for shape in [[1.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, -0.4]] {

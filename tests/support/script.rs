@@ -1,15 +1,14 @@
 //! Runs scripts in memory.
 #![allow(dead_code)]
 
-use hysteron::analysis::Options;
+use hysteron::analysis::{Options, WorkCounts};
 use hysteron::diagnostic::Diagnostic;
 use hysteron::opensees::{FileFormat, Mode, Outputs, Tcl};
 use hysteron::record::{Memory, Output, RecordError};
 use hysteron::run::{End, Run, Settings};
-use hysteron::tcl::{Files, MemoryFiles, OpenMode, Recorded};
+use hysteron::tcl::{Files, MemoryFiles, Recorded};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
-use std::io::Write;
 use std::path::Path;
 use std::rc::Rc;
 
@@ -32,6 +31,7 @@ pub struct Ran {
     pub err: String,
     pub interp: Tcl,
     pub tables: BTreeMap<String, Vec<Vec<f64>>>,
+    pub work: WorkCounts,
 }
 
 impl Ran {
@@ -77,22 +77,27 @@ impl Script {
         Self { options: Options { compat: true, ..Options::default() }, ..Self::default() }
     }
 
-    /// A file that the script may read.
-    pub fn with_file(mut self, name: &str, text: &str) -> Self {
-        let path = format!("{}/{name}", self.files.current_dir().trim_end_matches('/'));
-        let mode = OpenMode { write: true, create: true, truncate: true, ..OpenMode::default() };
-        self.files.open(&path, mode).unwrap().write_all(text.as_bytes()).unwrap();
+    /// A file that the script may read, by its path from the script's folder.
+    pub fn with_file(self, name: &str, text: &str) -> Self {
+        self.files.insert(&format!("{}/{name}", self.files.current_dir().trim_end_matches('/')), text);
         self
     }
 
     pub fn run(self, text: &str) -> Ran {
+        self.run_with(text, |_| ())
+    }
+
+    /// The same after something has been done to the interpreter.
+    pub fn run_with(self, text: &str, prepare: impl FnOnce(&mut Run)) -> Ran {
         let Self { options, mode, strict, files } = self.with_file("model.tcl", text);
         let (console, tables) = (Recorded::default(), Tables::default());
         let settings = Settings { mode, strict, options };
         let mut run = Run::new(settings, Box::new(console.clone()), Box::new(files), Box::new(tables.clone()));
+        prepare(&mut run);
         let end = run.script("model.tcl", &[]);
+        let work = run.work_counts();
         let tables = tables.0.borrow().iter().map(|(name, m)| (name.clone(), m.take())).collect();
-        Ran { end, out: console.out(), err: console.err(), interp: run.interp, tables }
+        Ran { end, out: console.out(), err: console.err(), interp: run.interp, tables, work }
     }
 }
 

@@ -1,103 +1,170 @@
 #!/usr/bin/env python3
-"""Calibrate models to real recordings, as README.md here says.
+"""Diagnoses measured recordings and writes outcome.md and a picture for each source, as README.md here says.
 
-    validation/recordings/run.py --data DIR [--out DIR] [STUDY ...] [WORD of hysteron calibrate ...]
+    validation/recordings/run.py [NAME ...] [--data DIR] [--out DIR] [--engine HYSTERON] [--threads N] [--again]
 
-HYSTERON names the binary (default target/release/hysteron).
+Results that are in OUT already are not computed again without --again.
 """
 import argparse
-import csv
+import importlib.util
 import json
 import os
+import re
 import shutil
 import subprocess
+import sys
+import tomllib
 from pathlib import Path
 
+sys.dont_write_bytecode = True
+import bench  # noqa: E402
+
 HERE = Path(__file__).resolve().parent
-BINARY = os.environ.get("HYSTERON", HERE.parent.parent / "target/release/hysteron")
 
 
-def columns(path):
-    with path.open() as f:
-        rows = list(csv.DictReader(f))
-    return {name: [float(r[name]) for r in rows] for name in rows[0]}
+def module(name):
+    spec = importlib.util.spec_from_file_location(name, HERE / name / "prepare.py")
+    found = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(found)
+    return found
 
 
-def write(folder, name, motion, head, rows):
-    (folder / f"{name}.dat").write_text("\n".join(f"{x:.9g}" for x in motion) + "\n")
-    lines = "".join(",".join(f"{x:.9g}" for x in r) + "\n" for r in rows)
-    (folder / f"{name}.csv").write_text(",".join(head) + "\n" + lines)
+def with_roles(study, holdout):
+    """The study with these runs held out and the others fitted."""
+    def role(m):
+        return f'{m[1]}{"holdout" if m[2] in holdout else "fit"}"'
+    return re.sub(r'(name\s*=\s*"([^"]+)"\s*\nrole\s*=\s*")\w+"', role, study)
 
 
-def steel(data, folder):
-    """No times: a sample a second."""
-    for name in ("example_1", "example_2"):
-        c = columns(data / f"steel-coupon-cyclic-resspylab/{name}.csv")
-        strain, stress = c["true_strain"], c["true_stress_MPa"]
-        rows = [(i, s, e) for i, (s, e) in enumerate(zip(stress, strain))][1:]
-        write(folder, name, strain, ["time[s]", "stress[MPa]", "displacement[-]"], rows)
+def diagnose(args, folder, study, out):
+    if (out / "diagnosis.json").exists() and not args.again:
+        return
+    done = subprocess.run([args.engine, "diagnose", study, "--out", out, "--verbose", "--threads", str(args.threads)], cwd=folder, capture_output=True, text=True)
+    if done.returncode:
+        raise SystemExit(f"{folder.name}, {study}: {done.stdout}{done.stderr}")
+    (out / "said.txt").write_text(done.stdout + done.stderr)
 
 
-def friction(data, folder):
-    for name in ("harmonic_0.5Hz_36lb_1in", "harmonic_1Hz_36lb_1in", "eq_36lb_KocaeliDBE"):
-        c = columns(data / f"friction-damper-backlash-brfd/{name}.csv")
-        dt = 1 / 256
-        rows = [(i * dt, f, u) for i, (f, u) in enumerate(zip(c["force_kN"], c["disp_mm"]))][1:]
-        write(folder, name, c["disp_mm"], ["time[s]", "force[kN]", "disp[mm]"], rows)
+def errors(args, folder, study, said, out):
+    """[(run, role, {channel: (recorded, before, after)})] of the fitted baseline and the repaired model."""
+    model = bench.with_values((folder / study["model"]).read_text(), said["baseline"]["parameters"])
+    repaired = (out / "corrected.tcl").read_text()
+    faults = said["corrected"].get("channels", [])
+    result = []
+    for run in study["run"]:
+        both = [bench.simulate(args.engine, folder, script, run) for script in (model, repaired)]
+        channels = {}
+        for name in (c["channel"] for c in run["observe"]):
+            t, recorded, before = both[0][name] if both[0] else (None, None, None)
+            after = None
+            if both[1]:
+                t, recorded, after = both[1][name]
+                for fault in faults:
+                    if fault["channel"] == name and fault.get("run") in (None, run["name"]):
+                        after = bench.corrected_channel(t, after, fault)
+            channels[name] = (t, recorded, before, after)
+        result.append((run, channels))
+    return result
 
 
-def mr(data, folder):
-    c = columns(data / "mr-damper-dyke-nees/ranran_50.csv")
-    dt = 0.00099834
-    for name, start in (("first", 0), ("next", 10000)):
-        u, f = (c[k][start:start + 10000] for k in ("disp_mm", "force_N"))
-        rows = [(i * dt, a, b) for i, (a, b) in enumerate(zip(f, u))][1:]
-        write(folder, name, u, ["time[s]", "force[N]", "disp[mm]"], rows)
+def leading(out):
+    """The cause with the most evidence and its lead over none: (cause, form, difference, NMSE)."""
+    found = re.findall(r"^ +(\w+) +(\S+) +log evidence +(\S+) +(.*)$", (out / "said.txt").read_text(), re.M)
+    none = next(float(e) for c, _, e, _ in found if c == "none")
+    cause, nmse, evidence, form = found[0]
+    return cause, form, float(evidence) - none, float(nmse)
 
 
-def bncs(data, folder):
-    """The strong part of each motion: half a minute before the peak of the table to two minutes."""
-    length = {}
-    for name in ("LAC100", "ICA100", "CNP100", "ICA50"):
-        c = columns(data / f"bncs-hdr-isolated-building/{name}.csv")
-        ground = c["table_acc_m_s2"]
-        peak = max(range(len(ground)), key=lambda i: abs(ground[i]))
-        start, end = max(0, peak - 3000), min(len(ground), peak + 6000)
-        names = ("disp_rel_table_level1_isolated_base_m", "abs_acc_level1_isolated_base_m_s2", "abs_acc_roof_m_s2")
-        rows = list(zip([0.01 * (i - start) for i in range(start, end)], *(c[n][start:end] for n in names)))[1:]
-        head = ["time[s]", "base_disp[m]", "base_acc[m/s2]", "roof_acc[m/s2]"]
-        write(folder, name, ground[start:end], head, rows)
-        length[name] = end - start
-    for file in folder.glob("*.toml"):
-        study = file.read_text()
-        for name, n in length.items():
-            study = study.replace(f"{{{name}}}", str(n))
-        file.write_text(study)
+def number(x):
+    return "no answer" if x is None else f"{x:.3g}"
 
 
-STUDIES = {"steel_coupon": steel, "friction_damper": friction, "mr_damper": mr, "bncs_building": bncs}
+def compact(proof, name, judged):
+    """A row a case, with what is known of it, and what the proof counts over them."""
+    rows = [f"### {name}", "", "| case | known | answer | confidence | right | most evidence, over none | fitted NMSE | held out NMSE |", "| --- | --- | --- | --- | --- | --- | --- | --- |"]
+    for variant, said, (cause, _, difference, _) in judged:
+        verdict, base, after = said["verdict"], said["baseline"], said["corrected"] or said["baseline"]
+        held = "" if base["holdout_nmse"] is None else f"{number(base['holdout_nmse'])} → {number(after['holdout_nmse'])}"
+        rows.append(f"| {variant} | {proof.known(variant)} | {' + '.join([verdict['cause'], *verdict['also']])} | {100 * verdict['confidence']:.0f} % | "
+                    f"{proof.right(variant, verdict)} | {cause}, {difference:.1f} | {number(base['fit_nmse'])} → {number(after['fit_nmse'])} | {held} |")
+    return rows + ["", *proof.count(judged), ""]
+
+
+def prove(args, name):
+    proof = module(name)
+    folder = args.out.resolve() / name
+    folder.mkdir(parents=True, exist_ok=True)
+    for file in (HERE / name).iterdir():
+        if file.suffix in (".tcl", ".toml"):
+            shutil.copy(file, folder)
+    kept = HERE / name / "recordings"
+    if args.data:
+        proof.prepare(args.data.resolve(), folder)
+        if getattr(proof, "LICENSED", False):
+            kept.mkdir(exist_ok=True)
+            for file in [*folder.glob("*.dat"), *folder.glob("*.csv")]:
+                shutil.copy(file, kept)
+    elif kept.is_dir():
+        for file in [*kept.glob("*.dat"), *kept.glob("*.csv")]:
+            shutil.copy(file, folder)
+    else:
+        print(f"{name}: its recordings are not in this repository, --data says where they are")
+        return
+    lines, judged = [], []
+    for variant, (file, holdout) in proof.VARIANTS.items():
+        source = (folder / file).read_text()
+        if holdout is not None:
+            source = with_roles(source, holdout)
+        (folder / f"{variant}.study.toml").write_text(source)
+        out = folder / variant
+        diagnose(args, folder, f"{variant}.study.toml", out)
+        said, study = json.loads((out / "diagnosis.json").read_text()), tomllib.loads(source)
+        verdict = said["verdict"]
+        others = ", ".join(f"{c['cause']} {100 * c['confidence']:.0f} %" for c in verdict["also_possible"][:3])
+        after = said["corrected"] or said["baseline"]
+        base = said["baseline"]
+        held = "" if base["holdout_nmse"] is None else f", held out {number(base['holdout_nmse'])} → {number(after['holdout_nmse'])}"
+        head = (f"Answer: **{' + '.join([verdict['cause'], *verdict['also']])}, {100 * verdict['confidence']:.0f} %** (then: {others or 'nothing'}); NMSE fitted "
+                f"{number(base['fit_nmse'])} → {number(after['fit_nmse'])}{held}")
+        print(f"{name}, {variant}: {head}", flush=True)
+        if hasattr(proof, "known"):
+            judged.append((variant, said, leading(out)))
+            continue
+        where = "; ".join(f"{m['at']} in {m['run']} ({m['channel']}): {100 * m['share']:.0f} % of the squared error in {sum(b - a for a, b in m['windows']):.3g} s, {m['regime']}"
+                          for m in said["mismatch"])
+        cause, form, difference, nmse = leading(out)
+        weighed = f"Most evidence: {cause} ({form}), {difference:.1f} in log evidence over none, NMSE {number(nmse)}." if cause != "none" else "Nothing had more evidence than none."
+        lines += [f"### {name}: {variant}", "", head, "", f"It says: {verdict['explanation']}", "", weighed, "", f"Where the baseline differs: {where or 'nowhere'}.", "", "| run | role | channel | NMSE before | after | NRMSE before | after |", "| --- | --- | --- | --- | --- | --- | --- |"]
+        panels = []
+        for run, channels in errors(args, folder, study, said, out):
+            for channel, (t, recorded, before, after) in channels.items():
+                e = [None if y is None else bench.nmse(recorded, y) for y in (before, after)]
+                r = ["" if x is None else f"{100 * x ** 0.5:.0f} %" for x in e]
+                lines.append(f"| {run['name']} | {run['role']} | {channel} | {number(e[0])} | {number(e[1])} | {r[0]} | {r[1]} |")
+                if t and hasattr(proof, "panel"):
+                    curves = {k: y for k, y in (("recorded", recorded), ("before", before), ("after", after)) if y is not None}
+                    if made := proof.panel(folder, run, channel, t, curves):
+                        panels.append((f"{run['name']} ({run['role']})", *made))
+        lines += [""]
+        if panels and variant == next(iter(proof.VARIANTS)):
+            bench.picture(HERE / name / "loops.svg", panels[:6])
+    if judged:
+        lines += compact(proof, name, judged)
+    (HERE / name / "outcome.md").write_text(f"# {name}: outcome\n\nWritten by `run.py`.\n\n" + "\n".join(lines))
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--data", type=Path, required=True)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    names = sorted(p.parent.name for p in HERE.glob("*/prepare.py"))
+    parser.add_argument("names", nargs="*", metavar="NAME", help=", ".join(names))
+    parser.add_argument("--data", type=Path, help="folder with the recordings, a folder for each source")
     parser.add_argument("--out", type=Path, default=Path("results/recordings"))
-    parser.add_argument("studies", nargs="*", default=list(STUDIES))
-    args, words = parser.parse_known_args()
-    rows = []
-    for name in args.studies:
-        folder = (args.out / name).resolve()
-        folder.mkdir(parents=True, exist_ok=True)
-        for file in (HERE / name).iterdir():
-            shutil.copy(file, folder)
-        STUDIES[name](args.data, folder)
-        for study in sorted(folder.glob("*.toml")):
-            fit = folder / "fit" / study.stem
-            subprocess.run([BINARY, "calibrate", study.name, "--out", fit, *words], cwd=folder, check=True)
-            result = json.loads((fit / "calibration.json").read_text())
-            for run in result["runs"]:
-                rows.append(f"| {name}, {study.stem} | {run['role']} | {run['name']} | {run['nmse']:.4f} |")
-    print("\n| study | role | run | NMSE |\n| --- | --- | --- | --- |\n" + "\n".join(rows))
+    parser.add_argument("--engine", default=os.environ.get("HYSTERON", "hysteron"))
+    parser.add_argument("--threads", type=int, default=os.cpu_count())
+    parser.add_argument("--again", action="store_true")
+    args = parser.parse_args()
+    for name in args.names or names:
+        prove(args, name)
 
 
 if __name__ == "__main__":

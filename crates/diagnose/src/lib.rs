@@ -1,50 +1,40 @@
-//! Diagnosis: why a model and a recording differ.
+//! Diagnosis: why a model and its recordings differ.
 //!
-//! [`diagnose`] fits the user's model, proposes what it may have left out ([`hypothesis`]), fits every proposal as an
-//! edit of the script ([`variant`], [`insertion`]) or as a fault of a channel ([`correction`]), weighs them by what they
-//! predict on blocks of time that they were not fitted to ([`evidence`]), and says which it is, or that nothing is
-//! missing, or that it does not know ([`outcome`]). Runs that are held out are looked at once, at the end.
+//! [`diagnose`] fits the user's model, proposes missing effects ([`hypothesis`]), and fits every proposal as an edit of the
+//! script or as a fault of a channel. It ranks them by their predictions for blocks of time that they were not fitted to. The
+//! verdict names the cause, or says that the model is complete or that the cause is unknown. Runs held out judge the repair at the end.
+//!
+//! Rooms, each of which uses only those before it:
+//!
+//! - `prior`: every number that the verdict depends on
+//! - `series`: elementary statistics
+//! - `inspect`: the model and its recordings before any fit
+//! - `candidate`: edits of the script and faults of channels
+//! - [`hypothesis`]: proposals, one cause a file
+//! - `residual`: structure of residuals
+//! - `fit`: fits, from many starts to few
+//! - `evidence`: likelihood, ranking, bootstrap and probabilities
+//! - `verdict`: verdict, repair and files
 
 #![forbid(unsafe_code)]
 
-pub mod anatomy;
-mod bootstrap;
-pub mod columns;
-mod conclude;
-mod conditions;
-pub mod correction;
-mod elsewhere;
-pub mod evidence;
-mod fitting;
+mod candidate;
+mod evidence;
+mod fit;
 pub mod hypothesis;
-pub mod insertion;
-mod instruments;
-pub mod locate;
-pub mod neighbours;
-pub mod next_test;
-pub mod noise;
-mod odds;
-pub mod outcome;
-mod page;
-mod pairs;
-mod pipeline;
-mod prediction;
-mod projection;
-mod recurrence;
-mod regression;
-mod repair;
-mod resume;
-mod rounds;
-mod saturation;
-pub mod scale;
-mod slow_noise;
-mod step_error;
-mod structure;
-mod surrogate;
-pub mod variant;
-mod watching;
-mod work;
+mod inspect;
+mod prior;
+mod residual;
+mod series;
+#[cfg(test)]
+mod test_support;
+mod verdict;
 
-pub use page::page;
-pub use pipeline::{Diagnosis, Settings, Watch, diagnose};
-pub use resume::{Kept, identity};
+pub use candidate::channel_fault::ChannelFault;
+pub use evidence::parametric_bootstrap::{BootstrapResult, EqualGain};
+pub use fit::checkpoint::{CheckpointEntry, identity};
+pub use fit::scheduler::ProgressMonitor;
+pub use verdict::diagnosis::{Diagnosis, RankedHypothesis, Settings, diagnose};
+pub use verdict::discriminating_test::DiscriminatingTest;
+pub use verdict::report::report;
+pub use verdict::result_file::{Baseline, Candidate, Mismatch, Outcome, RepairedModel, Verdict};

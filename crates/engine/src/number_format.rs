@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-/// How numbers are written.
+/// Format of numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Style {
     /// Significant digits, or digits after the point in scientific notation.

@@ -41,7 +41,7 @@ pub fn largest(v: &[f64]) -> f64 {
     most.into_iter().chain(tail.iter().copied()).fold(0.0, greater)
 }
 
-/// Whether all are zero; four side by side.
+/// Returns true if all are zero; compared four at a time.
 #[inline]
 pub fn all_zero(v: &[f64]) -> bool {
     let (head, tail) = v.as_chunks::<4>();
@@ -61,7 +61,7 @@ pub fn norm(a: &[f64]) -> f64 {
 #[derive(Clone, Debug, PartialEq)]
 pub struct SparseMatrix<const R: usize, const C: usize> {
     entries: Vec<Entry>,
-    /// Where each row starts and ends.
+    /// Start and end of each row.
     spans: [(u32, u32); R],
 }
 

@@ -1,4 +1,4 @@
-//! Responses that a recorder can ask an element for, by name.
+//! Responses of an element that a recorder finds by name.
 
 /// A response found by name: what its columns are called, and how its owner finds it again.
 ///
@@ -8,7 +8,7 @@
 pub struct Probe {
     /// Name of each column, as OpenSees calls them.
     pub labels: Vec<String>,
-    /// Where the owner finds the response.
+    /// Place of the response in its owner.
     pub path: Vec<u32>,
 }
 
@@ -29,7 +29,7 @@ impl Probe {
         self.labels.len()
     }
 
-    /// Whether there are no columns.
+    /// Returns true if there are no columns.
     pub fn is_empty(&self) -> bool {
         self.labels.is_empty()
     }

@@ -4,11 +4,11 @@
 
 /// A plain struct that can be kept in a slice of `f64`.
 pub trait StateStruct: Copy + Default + Send + Sync + 'static {
-    /// Number of `f64` it takes.
+    /// Number of its state variables.
     const LEN: usize;
-    /// Read from the first `LEN` words.
+    /// Read from the first `LEN` variables.
     fn read(words: &[f64]) -> Self;
-    /// Write to the first `LEN` words.
+    /// Write to the first `LEN` variables.
     fn write(&self, words: &mut [f64]);
 }
 
@@ -62,9 +62,9 @@ macro_rules! state_struct {
     };
 }
 
-/// What a field of a [`state_struct!`](crate::state_struct!) struct may be.
+/// A type of fields of a [`state_struct!`](crate::state_struct!) struct.
 pub trait Field: Sized {
-    /// Number of words.
+    /// Number of state variables.
     const LEN: usize;
     /// Read at `at` and advance.
     fn get(words: &[f64], at: &mut usize) -> Self;
@@ -98,7 +98,7 @@ impl<T: Field, const N: usize> Field for [T; N] {
     }
 }
 
-/// A struct of words inside another.
+/// A state struct inside another.
 impl<W: StateStruct> Field for W {
     const LEN: usize = W::LEN;
     #[inline]

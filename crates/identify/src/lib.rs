@@ -1,4 +1,4 @@
-//! Identification: studies, calibration, measures of hysteresis loops, and protocols of tests of a single bearing.
+//! Identification: studies, calibration, measures of hysteresis loops, and test protocols of single bearings.
 
 #![forbid(unsafe_code)]
 

@@ -1,38 +1,38 @@
-//! Tests of a single bearing: what is imposed on it, as a script that runs by itself.
+//! Test protocols of a single bearing, and the scripts that run them.
 //!
-//! The bearing is element 1. Its lower node is held; the upper one is moved, with rotations held as between the plates of a
-//! testing machine. The last direction of space is the vertical one.
+//! The bearing is element 1. Its lower node is fixed. The upper node moves without rotation, as between the plates of a
+//! testing machine. The last axis is vertical.
 
 use std::fmt::Write as _;
 
-/// How the upper node moves.
+/// Motion of the upper node.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Motion {
-    /// Sines along a direction, at this angle from x in degrees.
+    /// Sines along a horizontal direction.
     Cycles {
-        /// Angle in degrees.
+        /// Angle from x in degrees.
         angle: f64,
     },
-    /// Circles about the lower node, reached along x.
+    /// Circles about the lower node, after a ramp along x.
     Circles,
-    /// Figures of eight: a sine along x, and one of half the amplitude and twice the frequency along y.
+    /// Figures of eight: a sine along x, and a sine of half the amplitude and twice the frequency along y.
     Eights,
-    /// Axial sines, with the upper node held at this distance along x.
+    /// Axial sines at a constant lateral displacement.
     Axial {
-        /// Lateral displacement.
+        /// Displacement along x.
         offset: f64,
     },
-    /// Ramps along x to one amplitude after the other, at constant speed, each held for a time.
+    /// Ramps along x to each amplitude in turn, with a hold after each.
     Ramps {
-        /// Speed, length over time.
+        /// Speed of the ramps.
         speed: f64,
-        /// Time of a hold.
+        /// Duration of a hold.
         hold: f64,
     },
 }
 
 impl Motion {
-    /// What it is, in words.
+    /// Description for messages and headings.
     fn title(self) -> &'static str {
         match self {
             Self::Cycles { .. } => "cycles of shear",
@@ -44,35 +44,35 @@ impl Motion {
     }
 }
 
-/// A test.
+/// A test protocol.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Protocol {
-    /// How the upper node moves.
+    /// Motion of the upper node.
     pub motion: Motion,
-    /// Amplitudes, one after the other: lengths.
+    /// Amplitudes of displacement, in order.
     pub amplitudes: Vec<f64>,
-    /// Cycles of each amplitude.
+    /// Number of cycles of each amplitude.
     pub cycles: usize,
-    /// Cycles in a unit of time.
+    /// Number of cycles in a unit of time.
     pub frequency: f64,
-    /// Steps of a cycle, or of a ramp as long as the largest amplitude.
+    /// Number of steps of a cycle, or of a ramp as long as the largest amplitude.
     pub steps: usize,
     /// Axial load, compression positive.
     pub axial: f64,
-    /// Amplitude of a sine about the axial load.
+    /// Amplitude of a sine that is added to the axial load.
     pub axial_amplitude: f64,
-    /// Cycles of the axial load in a cycle of the motion.
+    /// Number of cycles of the axial load in a cycle of the motion.
     pub axial_ratio: f64,
-    /// Velocities are imposed too, in a transient analysis: for devices that feel the rate of deformation.
+    /// True to impose velocities too, in a transient analysis, for rate-dependent devices.
     pub rates: bool,
 }
 
 /// The bearing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Bearing {
-    /// The script that defines it.
+    /// Path of the script that defines it.
     pub file: String,
-    /// The call that makes element 1 between nodes 1 and 2, where the script does not make it itself.
+    /// The call that makes element 1 between nodes 1 and 2; `None` if the script itself makes it.
     pub call: Option<String>,
     /// Its nodes, the lower one first.
     pub nodes: [i32; 2],
@@ -80,20 +80,20 @@ pub struct Bearing {
     pub ndm: usize,
 }
 
-/// A straight way along x in a number of steps.
+/// Tcl procedure: a straight path along x in n steps.
 const RAMP: &str = "proc ramp {to n} {\n    global xs\n    set from [lindex $xs end]\n    \
     for {set i 1} {$i <= $n} {incr i} { place [expr {$from + ($to - $from)*$i/double($n)}] 0.0 0.0 }\n}\n";
 
-/// What a protocol cannot be.
+/// The error of a quantity that is not `good`, or not finite.
 fn check(what: &str, value: f64, good: bool, expected: &str) -> Result<(), String> {
     if good && value.is_finite() { Ok(()) } else { Err(format!("the {what} is {value}: expected {expected}")) }
 }
 
 impl Protocol {
-    /// Whether the protocol makes sense for a bearing.
+    /// Check the protocol for a bearing in `ndm` dimensions.
     ///
     /// # Errors
-    /// What does not, its value and what was expected.
+    /// A quantity is out of range, or the motion needs three dimensions. The message has the value and what was expected.
     pub fn check(&self, ndm: usize) -> Result<(), String> {
         let positive = "more than 0";
         check("number of amplitudes", self.amplitudes.len() as f64, !self.amplitudes.is_empty(), "at least 1")?;
@@ -132,15 +132,15 @@ impl Protocol {
         self.amplitudes.iter().fold(0.0, |m, a| m.max(a.abs()))
     }
 
-    /// Step of time.
-    fn step(&self) -> f64 {
+    /// Time step.
+    fn time_step(&self) -> f64 {
         match self.motion {
             Motion::Ramps { speed, .. } => self.largest() / (speed * self.steps as f64),
             _ => 1.0 / (self.frequency * self.steps as f64),
         }
     }
 
-    /// The test as a script, which writes displacements of the upper node and the forces that move it to files in a folder.
+    /// The script of the test. It writes displacements of the upper node, and the forces on it, to files in a folder.
     pub fn script(&self, bearing: &Bearing, folder: &str) -> String {
         let mut t = String::new();
         let [lower, upper] = bearing.nodes;
@@ -154,7 +154,7 @@ impl Protocol {
             let _ = writeln!(t, "source {}\n", word(&bearing.file));
         }
         let plane = bearing.ndm == 2;
-        let driven = self.driven(plane);
+        let driven = self.imposed_directions(plane);
         let held = |d: usize| if driven.contains(&d) || d == bearing.ndm { "0" } else { "1" };
         let ndf = if plane { 3 } else { 6 };
         let flags: Vec<&str> = (1..=ndf).map(held).collect();
@@ -187,8 +187,8 @@ impl Protocol {
         t
     }
 
-    /// Directions that are moved, from 1.
-    fn driven(&self, plane: bool) -> Vec<usize> {
+    /// Directions of imposed displacements, from 1.
+    fn imposed_directions(&self, plane: bool) -> Vec<usize> {
         let vertical = if plane { 2 } else { 3 };
         match self.motion {
             Motion::Cycles { angle } if angle != 0.0 => vec![1, 2],
@@ -198,6 +198,7 @@ impl Protocol {
         }
     }
 
+    /// Write the constant axial load.
     fn write_axial_load(&self, t: &mut String, bearing: &Bearing, ndf: usize) {
         let _ = writeln!(t, "# Axial load, which stays.");
         let _ = writeln!(t, "timeSeries Linear 901\npattern Plain 901 901 {{");
@@ -207,12 +208,13 @@ impl Protocol {
         t.push_str("loadConst -time 0.0\n\n");
     }
 
-    /// The path of the upper node as lists of coordinates, one a step from the state at rest on.
+    /// Write the path of the upper node as lists of coordinates, one for each step from the state at rest.
     fn write_path(&self, t: &mut String) {
         let amplitudes: Vec<String> = self.amplitudes.iter().map(f64::to_string).collect();
         let _ = writeln!(t, "# The path of the upper node: a value a step, from the state at rest on.");
         let _ = writeln!(t, "set amplitudes {{{}}}\nset cycles {}", amplitudes.join(" "), self.cycles);
-        let _ = writeln!(t, "set steps {}\nset dt {}\nset turn [expr {{2.0*acos(-1.0)}}]", self.steps, self.step());
+        let _ =
+            writeln!(t, "set steps {}\nset dt {}\nset turn [expr {{2.0*acos(-1.0)}}]", self.steps, self.time_step());
         t.push_str("set xs {0.0}; set ys {0.0}; set zs {0.0}\n");
         t.push_str("proc place {x y z} {\n    global xs ys zs\n    lappend xs $x; lappend ys $y; lappend zs $z\n}\n");
         if matches!(self.motion, Motion::Circles | Motion::Axial { .. } | Motion::Ramps { .. }) {
@@ -252,7 +254,7 @@ impl Protocol {
         }
     }
 
-    /// Patterns that move the upper node, and let the axial load go up and down.
+    /// Write the patterns of imposed displacements, and of the varying axial load.
     fn write_motion(&self, t: &mut String, bearing: &Bearing, driven: &[usize], ndf: usize) {
         let upper = bearing.nodes[1];
         let vertical = bearing.ndm;
@@ -287,13 +289,13 @@ impl Protocol {
     }
 }
 
-/// Words of a nodal load with one value in the vertical direction.
+/// Components of a nodal load with one vertical value.
 fn vertical_load(value: f64, ndm: usize, ndf: usize) -> String {
     let words: Vec<String> = (1..=ndf).map(|d| if d == ndm { value.to_string() } else { "0.0".into() }).collect();
     words.join(" ")
 }
 
-/// A name as one word of Tcl.
+/// A name quoted as one word of Tcl.
 fn word(name: &str) -> String {
     if name.contains(|c: char| c.is_whitespace() || "$[]{};\"\\".contains(c)) {
         let escaped: String = name.chars().flat_map(|c| ['\\', c]).collect();
@@ -302,7 +304,7 @@ fn word(name: &str) -> String {
     name.to_owned()
 }
 
-/// With a capital at its beginning.
+/// A text with a capital first letter.
 fn sentence(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())

@@ -5,6 +5,9 @@ use hysteron_tcl::diagnostic::{self, Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
 use std::borrow::Cow;
 
+/// Number of names that a message lists. Of longer lists it says how to print them.
+const MAX_LISTED: usize = 6;
+
 /// The words of a command that have not been taken yet.
 pub(crate) struct Args<'a> {
     call: &'a Call<'a>,
@@ -12,7 +15,7 @@ pub(crate) struct Args<'a> {
     usage: &'static str,
 }
 
-/// What a number must be.
+/// Range that a number must lie in.
 #[derive(Clone, Copy)]
 enum Sign {
     Any,
@@ -56,12 +59,12 @@ impl<'a> Args<'a> {
         self.call.from(self.at).iter()
     }
 
-    /// Whether the next word is a number.
+    /// Returns true if the next word is a number.
     pub(crate) fn at_number(&self) -> bool {
         self.call.get(self.at).is_some_and(|v| v.to_f64().is_ok())
     }
 
-    /// Whether the next word begins like an option: a minus and no number.
+    /// Returns true if the next word looks like an option: a minus that begins no number.
     pub(crate) fn at_option(&self) -> bool {
         self.peek().is_some_and(|w| w.starts_with('-')) && !self.at_number()
     }
@@ -281,22 +284,26 @@ impl<'a> Args<'a> {
         }
     }
 
-    /// An error about the last word taken, which is none of the names that may stand there.
+    /// An error about the last word taken, which is none of the `known` names.
     pub(crate) fn unknown_name(&self, what: &str, known: impl IntoIterator<Item = &'static str>) -> Exception {
-        let word = self.call.arg(self.at - 1).as_str();
-        let known: Vec<&str> = known.into_iter().collect();
-        let name = self.call.name();
-        let listed = !crate::kinds(&name).is_empty();
-        let message = format!("unknown {what} \"{word}\"");
-        let mut d = Diagnostic::error(message).at(self.last_span(), "not known");
+        self.unknown(what, &known.into_iter().collect::<Vec<_>>(), |known| format!("known: {}", known.join(" ")))
+    }
+
+    /// An error about the last word taken, which is no kind of the command's family.
+    pub(crate) fn unknown_kind(&self, family: &str, known: impl IntoIterator<Item = &'static str>) -> Exception {
+        self.unknown(family, &known.into_iter().collect::<Vec<_>>(), |known| match known.len() {
+            0..=MAX_LISTED => format!("known: {}", known.join(" ")),
+            _ => format!("\"hysteron commands {}\" lists all that are known", self.call.name()),
+        })
+    }
+
+    fn unknown(&self, what: &str, known: &[&'static str], list: impl Fn(&[&str]) -> String) -> Exception {
+        let word = self.last_word();
+        let mut d = Diagnostic::error(format!("unknown {what} \"{word}\"")).at(self.last_span(), "not known");
         if let Some(near) = diagnostic::nearest(&word, known.iter().copied()) {
             d = d.help(format!("did you mean \"{near}\"?"));
         }
-        Exception::diagnosed(d.help(if listed {
-            format!("\"hysteron commands {name}\" lists all that are known")
-        } else {
-            format!("known: {}", known.join(" "))
-        }))
+        Exception::diagnosed(d.help(list(known)))
     }
 
     /// A warning about the words that are left over, if any.

@@ -4,7 +4,7 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use std::fmt;
 
-/// How the points of a curve are shown.
+/// Marks of the points of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mark {
     /// Joined by a line.
@@ -20,7 +20,7 @@ pub struct Curve {
     pub name: String,
     /// Points.
     pub points: Vec<(f64, f64)>,
-    /// How they are shown.
+    /// Marks of the points.
     pub mark: Mark,
 }
 
@@ -29,9 +29,9 @@ pub struct Curve {
 pub struct Figure {
     /// Title; empty for none.
     pub title: String,
-    /// What is on the horizontal axis, with its unit.
+    /// Quantity on the horizontal axis, with its unit.
     pub x_label: String,
-    /// What is on the vertical axis, with its unit.
+    /// Quantity on the vertical axis, with its unit.
     pub y_label: String,
     /// The same scale on both axes.
     pub equal: bool,
@@ -67,7 +67,7 @@ const SQUARE: (u32, u32) = (560, 560);
 /// Size of a chart on a sheet: small enough that the letters are readable where a sheet of two is as wide as a page.
 const ON_SHEET: (u32, u32) = (440, 350);
 
-/// Colours that are told apart by people who confuse red and green (Wong, 2011), and in grey.
+/// Colours that stay distinct in grey and for people who confuse red and green (Wong, 2011).
 const COLOURS: [RGBColor; 6] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
@@ -206,7 +206,7 @@ pub fn sheet(charts: &[Figure], columns: usize) -> Result<String, FigureError> {
     })
 }
 
-/// What is drawn on an area of a size, as text.
+/// The drawing on an area of the given size, as the text of an SVG file.
 fn svg(
     size: (u32, u32),
     draw: impl FnOnce(&DrawingArea<SVGBackend<'_>, Shift>) -> Result<(), FigureError>,

@@ -1,26 +1,28 @@
-//! A script that is checked: mistakes are told and the script goes on, but what only follows from one is not told again.
+//! Check of a script: each mistake is reported and the script goes on. Consequences of a mistake are not reported.
 
 use crate::output::{display, figure, print, query, recorder};
-use crate::{Outcome, Tcl, commands, tell};
+use crate::{Outcome, Tcl, commands, report};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeSet;
 
-/// What a check knows of the mistakes that it has found.
+/// Mistakes that a check has found, and their consequences.
 #[derive(Debug, Default)]
-pub struct Findings {
+pub struct CheckState {
     /// A definition was rejected: the model is not the one that was meant.
     pub(crate) rejected: bool,
-    /// Messages of later commands that only follow from a mistake told before.
+    /// Messages of later commands that only follow from a mistake already reported.
     consequences: BTreeSet<String>,
     /// Analyses were passed over because a definition was rejected.
-    pub unrehearsed: bool,
+    pub skipped_analyses: bool,
+    /// A check has passed over an analysis: results that the script reads are not there.
+    pub waits_for_results: bool,
 }
 
-impl Findings {
+impl CheckState {
     /// An analysis is passed over; what its results would be asked for is not there.
     pub(crate) fn pass_over(&mut self, modes: usize) {
-        self.unrehearsed = true;
+        self.skipped_analyses = true;
         self.consequences.extend((1..=modes).map(|i| format!("there is no mode {i}")));
         if modes > 0 {
             self.consequences.insert("there are no modes to damp".into());
@@ -66,20 +68,21 @@ impl Findings {
     }
 }
 
-/// An error of Tcl at the top level of a script that is checked: it is told, and the next command looked at. An error
-/// that the script raises itself ends it, and so does one that comes of results that a check does not have.
-pub(crate) fn go_on(interp: &mut Tcl, error: Exception) -> Outcome {
+/// Handle an error of Tcl at the top level of a script: report it and go on with the next command.
+///
+/// An error that the script raises itself ends it, and so does one that comes of results that a check does not have.
+pub(crate) fn handle_error(interp: &mut Tcl, error: Exception) -> Outcome {
     match error {
-        Exception::Error(e) if !e.raised && !interp.host.rehearsed => {
-            let follows = interp.host.findings.consequences.contains(&e.diagnostic.message);
+        Exception::Error(e) if !e.raised && !interp.host.check.waits_for_results => {
+            let follows = interp.host.check.consequences.contains(&e.diagnostic.message);
             // The command was not called: what it would have defined stands before the word that is wrong.
             let place = e.diagnostic.span.map(|s| (interp.sources.text(s.source), s.start as usize));
             let before = place.as_ref().and_then(|(text, at)| text.get(..*at)).unwrap_or_default();
             let words: Vec<&str> = before.rsplit(['\n', ';']).next().unwrap_or_default().split_whitespace().collect();
-            interp.host.findings.rejected = true;
-            interp.host.findings.note(&words);
+            interp.host.check.rejected = true;
+            interp.host.check.note(&words);
             if !follows {
-                tell(interp, e.diagnostic);
+                report(interp, e.diagnostic);
             }
             Ok(Value::EMPTY)
         }
@@ -87,8 +90,8 @@ pub(crate) fn go_on(interp: &mut Tcl, error: Exception) -> Outcome {
     }
 }
 
-/// Run a command for a check: what is wrong with it is told, and the script goes on.
-pub(crate) fn checked(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+/// Run a command for a check: its mistake is reported, and the script goes on.
+pub(crate) fn run_command(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let name = call.name();
     let name = name.rsplit("::").next().unwrap_or_default();
     let Some(command) = commands().find(|c| c.name == name) else {
@@ -96,12 +99,12 @@ pub(crate) fn checked(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     };
     match (command.run)(interp, call) {
         Err(Exception::Error(e)) => {
-            let follows = interp.host.findings.consequences.contains(&e.diagnostic.message);
+            let follows = interp.host.check.consequences.contains(&e.diagnostic.message);
             let words: Vec<_> = call.args().iter().take(2).map(Value::as_str).collect();
             let words: Vec<&str> = [name].into_iter().chain(words.iter().map(AsRef::as_ref)).collect();
-            interp.host.findings.note(&words);
+            interp.host.check.note(&words);
             if !follows {
-                tell_at(interp, e.diagnostic, call);
+                report_at(interp, e.diagnostic, call);
             }
             Ok(Value::EMPTY)
         }
@@ -109,10 +112,10 @@ pub(crate) fn checked(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     }
 }
 
-/// Tell of a mistake, with the whole command as its place where it names none.
-fn tell_at(interp: &mut Tcl, mut wrong: Diagnostic, call: &Call<'_>) {
+/// Report a mistake, with the whole command as its place where it names none.
+fn report_at(interp: &mut Tcl, mut wrong: Diagnostic, call: &Call<'_>) {
     if wrong.span.is_none() {
         wrong.span = call.whole_span();
     }
-    tell(interp, wrong);
+    report(interp, wrong);
 }

@@ -1,8 +1,10 @@
 //! The OpenSees commands of a script.
 //!
-//! A command is a function of the interpreter and the call; it takes its words with [`args::Args`], which points at
-//! each that is not what it should be, and changes the [`Session`]. To add one: a function in the file of its family,
-//! and a line in the family's `COMMANDS`.
+//! A command is a function of the interpreter and the call. It takes its words with [`args::Args`], whose messages
+//! point at the word that is wrong, and changes the [`Session`].
+//!
+//! To add a command: a function in the file of its family, and a line in the family's `COMMANDS`. To add a kind of
+//! thing that a command makes: a function or a file, and a row in the family's `KINDS`.
 
 #![forbid(unsafe_code)]
 
@@ -12,6 +14,7 @@ pub mod chart;
 mod check;
 mod element;
 pub mod files;
+mod kind;
 mod load;
 mod material;
 mod model;
@@ -25,27 +28,43 @@ use args::Args;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Interp, Value};
 
-pub use check::Findings;
+pub use check::CheckState;
 pub use files::number_files::NumberFiles;
-pub use session::{FileFormat, Mode, OnWarning, Outputs, Progress, Session};
+pub use session::{FileFormat, Mode, ModelBuilder, OnWarning, Outputs, Progress, Session};
 
 /// The interpreter that the commands run in.
 pub type Tcl = Interp<Session>;
 
-/// How a command ends.
+/// Result of a command.
 type Outcome = Result<Value, Exception>;
 
 /// A command and how it is used.
 pub struct Command {
     /// Name.
     pub name: &'static str,
-    /// How it is used, in one line.
+    /// Usage in one line.
     pub usage: &'static str,
     run: fn(&mut Tcl, &Call<'_>) -> Outcome,
+    kinds: fn() -> Vec<&'static str>,
 }
 
 impl Command {
-    /// How it is used, under its own name: commands of a family may share their usage.
+    const fn new(name: &'static str, usage: &'static str, run: fn(&mut Tcl, &Call<'_>) -> Outcome) -> Self {
+        Self { name, usage, run, kinds: Vec::new }
+    }
+
+    /// The same command as one whose first word chooses a kind: the usages of the kinds.
+    const fn with_kinds(mut self, kinds: fn() -> Vec<&'static str>) -> Self {
+        self.kinds = kinds;
+        self
+    }
+
+    /// Usage of each kind of thing that the command makes; empty for a command without kinds.
+    pub fn kinds(&self) -> Vec<&'static str> {
+        (self.kinds)()
+    }
+
+    /// Usage under the command's own name. Commands of a family may share one usage.
     pub fn usage_line(&self) -> String {
         usage_as(self.name, self.usage)
     }
@@ -98,25 +117,19 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
     .flatten()
 }
 
-/// The kinds of thing that a command makes, each with its words; none where there is but one kind, or few.
+/// Usage of each kind of thing that the command makes; empty for a command without kinds.
 pub fn kinds(command: &str) -> Vec<&'static str> {
-    match command {
-        "element" => element::usages().collect(),
-        "uniaxialMaterial" => material::usages().collect(),
-        "frictionModel" => material::friction::usages().collect(),
-        "timeSeries" => load::series::usages().collect(),
-        _ => vec![],
-    }
+    commands().filter(|c| c.name == command).flat_map(Command::kinds).collect()
 }
 
-/// Make the commands known to an interpreter.
+/// Register the commands with an interpreter.
 pub fn install(interp: &mut Tcl) {
     let checks = interp.host.mode == Mode::Check;
     for c in commands() {
-        interp.register(c.name, if checks { check::checked } else { c.run });
+        interp.register(c.name, if checks { check::run_command } else { c.run });
     }
     if checks {
-        interp.on_error = Some(check::go_on);
+        interp.on_error = Some(check::handle_error);
     }
 }
 
@@ -126,20 +139,20 @@ fn warn(interp: &mut Tcl, mut warning: Diagnostic) -> Result<(), Exception> {
         warning.severity = hysteron_tcl::diagnostic::Severity::Error;
         return Err(Exception::diagnosed(warning));
     }
-    tell(interp, warning);
+    report(interp, warning);
     Ok(())
 }
 
-/// Warn that the word just taken is none of the command's options, and go on without it.
+/// Warn that the word just taken is none of the command's options, and ignore it.
 fn ignore_option(interp: &mut Tcl, args: &mut Args<'_>, known: &[&str]) -> Result<(), Exception> {
     warn(interp, args.unknown_option(known))
 }
 
-/// Warn, whether or not warnings are errors.
-fn tell(interp: &mut Tcl, warning: Diagnostic) {
+/// Report a message, whether or not warnings are errors.
+fn report(interp: &mut Tcl, warning: Diagnostic) {
     interp.warn(warning);
-    if let (Some(hear), Some(warning)) = (&mut interp.host.on_warning, interp.core.warnings.last()) {
-        hear(warning, &interp.core.sources);
+    if let (Some(handler), Some(warning)) = (&mut interp.host.warnings.handler, interp.core.warnings.last()) {
+        handler(warning, &interp.core.sources);
     }
 }
 

@@ -2,15 +2,15 @@
 
 use crate::slips;
 use crate::{Mode, Outputs, Session, Tcl};
-use hysteron_engine::analysis::{Failure, Options};
+use hysteron_engine::analysis::{Failure, Options, WorkCounts};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Console, Exception, Files, Interp, Value, Vocabulary};
 use std::cell::OnceCell;
 
-/// How a script is to be run.
+/// Settings of a run.
 #[derive(Clone, Debug)]
 pub struct Settings {
-    /// For its results, or to find what is wrong with it.
+    /// Run the script for its results, or check it.
     pub mode: Mode,
     /// Warnings are errors.
     pub strict: bool,
@@ -18,7 +18,7 @@ pub struct Settings {
     pub options: Options,
 }
 
-/// How a script ended.
+/// Outcome of a run.
 #[derive(Debug)]
 pub enum End {
     /// It came to its end.
@@ -33,7 +33,7 @@ pub enum End {
     Raised(Box<Diagnostic>),
     /// It was interrupted.
     Interrupted,
-    /// A check had seen enough: the script waits for results that only a run has. With what stopped it, if anything.
+    /// A check ended early: the script needs results that only a run has. With the error that stopped it, if any.
     Enough(Option<Box<Diagnostic>>),
 }
 
@@ -81,7 +81,7 @@ impl Run {
             interp
         };
         let mut interp = VOCABULARY.with(|known| match (mode, known.get()) {
-            (Mode::Run, Some(words)) => Interp::knowing(session, console, files, words),
+            (Mode::Run, Some(words)) => Interp::with_vocabulary(session, console, files, words),
             (Mode::Run, None) => {
                 let interp = fresh(session, console, files);
                 let _ = known.set(interp.vocabulary());
@@ -97,7 +97,7 @@ impl Run {
         Self { interp }
     }
 
-    /// Run a script; `args` become `$argv`. Recorders are finished whatever happens.
+    /// Run a script; `args` become `$argv`. Recorders are finished in any case.
     pub fn script(&mut self, path: &str, args: &[String]) -> End {
         let set = |i: &mut Tcl, name: &str, value: Value| i.set_global(name, value);
         let list = Value::list(args.iter().map(|a| Value::from(a.as_str())));
@@ -112,6 +112,11 @@ impl Run {
         }
     }
 
+    /// Counts of the work of the analyses so far.
+    pub fn work_counts(&self) -> WorkCounts {
+        self.interp.host.engine.work_counts()
+    }
+
     fn end_of(&mut self, result: Result<Value, Exception>) -> End {
         match result {
             // OpenSees ends with status 0 whatever its last analysis did.
@@ -120,7 +125,9 @@ impl Run {
             Err(Exception::Exit(status)) => End::Exit(status),
             Err(Exception::Interrupted) if self.interp.budget == Some(0) => End::Enough(None),
             Err(Exception::Interrupted) => End::Interrupted,
-            Err(Exception::Error(e)) if self.interp.host.rehearsed => End::Enough(Some(Box::new(e.diagnostic))),
+            Err(Exception::Error(e)) if self.interp.host.check.waits_for_results => {
+                End::Enough(Some(Box::new(e.diagnostic)))
+            }
             Err(Exception::Error(e)) if e.raised => End::Raised(Box::new(e.diagnostic)),
             Err(Exception::Error(e)) => End::Rejected(Box::new(e.diagnostic)),
             Err(_) => End::Done,

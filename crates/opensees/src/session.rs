@@ -1,8 +1,8 @@
-//! What the OpenSees commands of a script work on.
+//! State that the OpenSees commands of a script work on.
 
-use crate::check::Findings;
+use crate::check::CheckState;
 use crate::files::number_files::NumberFiles;
-use crate::material::Bench;
+use crate::material::MaterialTests;
 use crate::model::parameter::Parameter;
 use crate::slips::Slip;
 use hysteron_engine::analysis::algorithm::Algorithm;
@@ -19,27 +19,27 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// How a script is run.
+/// Purpose of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
-    /// For its results.
+    /// Run: compute the results.
     Run,
-    /// To find what is wrong with it: analyses are passed over.
+    /// Check: find mistakes; analyses are passed over.
     Check,
 }
 
-/// How a recorder's file is to be written.
+/// Format of a recorder's file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FileFormat {
     /// Numbers.
     pub style: Style,
-    /// How rows are laid out.
+    /// Layout of the rows.
     pub layout: Layout,
     /// Every row at once.
     pub close_on_write: bool,
 }
 
-/// Where recorders write: files, or the memory of a study.
+/// Destination of recorders: files, or the memory of a study.
 pub trait Outputs {
     /// An output by the name the script gives it, and as a path that is not relative to anything.
     ///
@@ -48,7 +48,7 @@ pub trait Outputs {
     fn create(&mut self, name: &str, path: &Path, format: FileFormat) -> Result<Box<dyn Output>, RecordError>;
 }
 
-/// What is told while an analysis runs.
+/// Receiver of the progress of an analysis.
 pub trait Progress {
     /// A step has been committed at this time; `end` is the time at which the excitation ends, where that is known.
     fn step(&mut self, time: f64, end: Option<f64>);
@@ -66,6 +66,8 @@ pub(crate) struct Parts {
     pub(crate) integrator: Option<Box<dyn Integrator>>,
     /// Print flag of the test.
     pub(crate) print: i32,
+    /// Steps of time may change their length: `analysis VariableTransient`.
+    pub(crate) variable_steps: bool,
 }
 
 /// A named set of nodes and elements.
@@ -79,7 +81,7 @@ pub(crate) struct Region {
 pub(crate) struct PlacedRecorder {
     pub(crate) recorder: Recorder,
     pub(crate) span: Option<Span>,
-    pub(crate) told: bool,
+    pub(crate) reported: bool,
 }
 
 /// The recorders of a model, and who else wants to know about steps.
@@ -99,7 +101,7 @@ impl Recorders {
     /// Add a recorder; its tag.
     pub(crate) fn add(&mut self, recorder: Recorder, span: Option<Span>) -> Tag {
         self.next += 1;
-        self.by_tag.insert(self.next, PlacedRecorder { recorder, span, told: false });
+        self.by_tag.insert(self.next, PlacedRecorder { recorder, span, reported: false });
         self.next
     }
 
@@ -116,7 +118,7 @@ impl Recorders {
     /// Finish and forget all recorders.
     pub(crate) fn finish(&mut self) -> Result<(), RecordError> {
         let all = std::mem::take(&mut self.by_tag);
-        // All of them are finished, whatever the first that cannot be.
+        // An error of one recorder must not keep the others from being finished.
         let mut result = Ok(());
         for mut r in all.into_values() {
             result = result.and(r.recorder.finish());
@@ -124,17 +126,17 @@ impl Recorders {
         result
     }
 
-    /// What recorders asked for in vain, told once each.
+    /// Warnings about responses that recorders asked for in vain, once for each recorder.
     pub(crate) fn missing(&mut self) -> Vec<Diagnostic> {
-        let tell = |r: &mut PlacedRecorder| {
+        let warning = |r: &mut PlacedRecorder| {
             let missing = &r.recorder.missing;
-            if missing.is_empty() || std::mem::replace(&mut r.told, true) {
+            if missing.is_empty() || std::mem::replace(&mut r.reported, true) {
                 return None;
             }
             let message = format!("recorder: the model has no {}", missing.join(", no "));
             Some(Diagnostic::warning(message).at(r.span, "left out of the record"))
         };
-        self.by_tag.values_mut().filter_map(tell).collect()
+        self.by_tag.values_mut().filter_map(warning).collect()
     }
 }
 
@@ -169,51 +171,77 @@ impl Recorders {
     }
 }
 
-/// What the OpenSees commands of a script work on.
+/// State of the commands that build the model.
+#[derive(Default)]
+pub struct ModelBuilder {
+    /// Materials, series, sections and the like, by tag.
+    pub definitions: Definitions,
+    /// Number of dimensions.
+    pub(crate) ndm: usize,
+    /// Degrees of freedom of a node, unless it has its own number.
+    pub(crate) ndf: usize,
+    /// The pattern that loads go into.
+    pub(crate) pattern: Option<Tag>,
+    pub(crate) regions: BTreeMap<Tag, Region>,
+    /// Fibers of the section whose body runs.
+    pub(crate) fibers: Option<Vec<Fiber>>,
+    /// Parameters that `parameter` has named, by tag.
+    pub(crate) parameters: BTreeMap<Tag, Parameter>,
+    pub(crate) material_tests: MaterialTests,
+    next_sp: Tag,
+    next_mp: Tag,
+}
+
+impl ModelBuilder {
+    /// The state after `wipe`: tags of constraints go on.
+    fn wiped(&mut self) -> Self {
+        Self { fibers: self.fibers.take(), next_sp: self.next_sp, next_mp: self.next_mp, ..Self::default() }
+    }
+}
+
+/// State of the commands that show results.
+pub(crate) struct OutputState {
+    pub(crate) recorders: Recorders,
+    pub(crate) outputs: Box<dyn Outputs>,
+    pub(crate) style: Style,
+    pub(crate) reaction_kind: ReactionKind,
+    /// Responses of elements that the script has asked for.
+    pub(crate) known: Known,
+}
+
+/// Warnings of the commands.
+#[derive(Default)]
+pub(crate) struct Warnings {
+    pub(crate) handler: Option<OnWarning>,
+    /// Warnings that are given once, by a key.
+    pub(crate) reported: BTreeMap<&'static str, usize>,
+}
+
+/// State that the OpenSees commands of a script work on.
 pub struct Session {
     /// The model with its state and analysis.
     pub engine: Engine,
-    pub(crate) definitions: Definitions,
-    pub(crate) ndm: usize,
-    pub(crate) ndf: usize,
-    pub(crate) pattern: Option<Tag>,
+    /// Definitions by tag and the state of the model builder.
+    pub builder: ModelBuilder,
     pub(crate) parts: Parts,
-    pub(crate) regions: BTreeMap<Tag, Region>,
-    pub(crate) recorders: Recorders,
-    pub(crate) outputs: Box<dyn Outputs>,
+    pub(crate) output: OutputState,
     /// Values that a study gives to parameters: they win over `pset`.
     pub parameters: BTreeMap<String, f64>,
     /// Parameters that the script has declared, with their values.
     pub declared: BTreeMap<String, f64>,
-    /// Where the value of each stands in the script.
+    /// Place of each declared value in the script.
     pub declared_at: BTreeMap<String, Span>,
-    /// How the script is run.
+    /// Purpose of the run.
     pub mode: Mode,
     /// Warnings are errors.
     pub strict: bool,
-    /// A check has passed over an analysis: results that the script reads are not there.
-    pub rehearsed: bool,
-    /// What a check has found.
-    pub findings: Findings,
-    /// Why the last `analyze` failed; none if it succeeded.
+    /// Mistakes that a check has found.
+    pub check: CheckState,
+    /// Failure of the last `analyze`; none if it succeeded.
     pub last_failure: Option<Failure>,
-    pub(crate) on_warning: Option<OnWarning>,
-    pub(crate) style: Style,
-    pub(crate) reaction_kind: ReactionKind,
-    /// Steps of time may change their length: `analysis VariableTransient`.
-    pub(crate) variable_steps: bool,
-    pub(crate) next_sp: Tag,
-    pub(crate) next_mp: Tag,
-    pub(crate) told: BTreeMap<&'static str, usize>,
-    pub(crate) bench: Bench,
-    /// Fibers of the section whose body is being run.
-    pub(crate) fibers: Option<Vec<Fiber>>,
+    pub(crate) warnings: Warnings,
     /// Files of numbers that runs of the script have read.
     pub number_files: NumberFiles,
-    /// Responses of elements that the script has asked for.
-    pub(crate) known: Known,
-    /// What `parameter` has named.
-    pub(crate) numbers: BTreeMap<Tag, Parameter>,
 }
 
 impl Session {
@@ -226,50 +254,40 @@ impl Session {
     pub fn new(options: Options, mode: Mode, strict: bool, outputs: Box<dyn Outputs>) -> Self {
         Self {
             engine: Engine::new(options),
-            definitions: Definitions::default(),
-            ndm: 0,
-            ndf: 0,
-            pattern: None,
+            builder: ModelBuilder::default(),
             parts: Parts::default(),
-            regions: BTreeMap::new(),
-            recorders: Recorders::default(),
-            outputs,
+            output: OutputState {
+                recorders: Recorders::default(),
+                outputs,
+                style: Style::default(),
+                reaction_kind: ReactionKind::Static,
+                known: Known::default(),
+            },
             parameters: BTreeMap::new(),
             declared: BTreeMap::new(),
             declared_at: BTreeMap::new(),
             mode,
             strict,
-            rehearsed: false,
-            findings: Findings::default(),
+            check: CheckState::default(),
             last_failure: None,
-            on_warning: None,
-            style: Style::default(),
-            reaction_kind: ReactionKind::Static,
-            variable_steps: false,
-            next_sp: 0,
-            next_mp: 0,
-            told: BTreeMap::new(),
-            bench: Bench::default(),
-            fibers: None,
+            warnings: Warnings::default(),
             number_files: NumberFiles::default(),
-            known: Known::default(),
-            numbers: BTreeMap::new(),
         }
     }
 
     /// Stop analyses when the flag is set.
     pub fn stop_on(&mut self, flag: Arc<AtomicBool>) {
-        self.recorders.interrupt = Some(flag);
+        self.output.recorders.interrupt = Some(flag);
     }
 
-    /// Tell about steps.
-    pub fn tell(&mut self, progress: Box<dyn Progress>) {
-        self.recorders.progress = Some(progress);
+    /// Report steps to `progress`.
+    pub fn set_progress(&mut self, progress: Box<dyn Progress>) {
+        self.output.recorders.progress = Some(progress);
     }
 
-    /// Hear of warnings when they come up.
-    pub fn on_warning(&mut self, hear: OnWarning) {
-        self.on_warning = Some(hear);
+    /// Call `handler` with each warning when it comes up.
+    pub fn on_warning(&mut self, handler: OnWarning) {
+        self.warnings.handler = Some(handler);
     }
 
     /// Finish the recorders.
@@ -277,20 +295,16 @@ impl Session {
     /// # Errors
     /// An output that cannot be written.
     pub fn finish(&mut self) -> Result<(), RecordError> {
-        self.recorders.finish()
+        self.output.recorders.finish()
     }
 
     /// Forget everything but the settings.
     pub(crate) fn wipe(&mut self) -> Result<(), RecordError> {
-        let finished = self.recorders.finish();
+        let finished = self.output.recorders.finish();
         self.engine.wipe();
-        self.definitions = Definitions::default();
-        self.bench = Bench::default();
-        self.numbers.clear();
-        self.known = Known::default();
-        (self.ndm, self.ndf, self.pattern) = (0, 0, None);
-        self.parts = Parts::default();
-        self.regions.clear();
+        self.builder = self.builder.wiped();
+        self.output.known = Known::default();
+        self.parts = Parts { variable_steps: self.parts.variable_steps, ..Parts::default() };
         finished
     }
 
@@ -301,19 +315,19 @@ impl Session {
 
     /// Number for the next single-point constraint.
     pub(crate) fn sp_tag(&mut self) -> Tag {
-        self.next_sp += 1;
-        self.next_sp - 1
+        self.builder.next_sp += 1;
+        self.builder.next_sp - 1
     }
 
     /// Number for the next multi-point constraint.
     pub(crate) fn mp_tag(&mut self) -> Tag {
-        self.next_mp += 1;
-        self.next_mp - 1
+        self.builder.next_mp += 1;
+        self.builder.next_mp - 1
     }
 
     /// A node has been removed: the numbers of those behind it have moved down.
     pub(crate) fn forget_node(&mut self, node: NodeId) {
-        for r in self.regions.values_mut() {
+        for r in self.builder.regions.values_mut() {
             r.nodes.retain(|n| *n != node);
             r.nodes.iter_mut().filter(|n| n.0 > node.0).for_each(|n| n.0 -= 1);
         }
@@ -321,7 +335,7 @@ impl Session {
 
     /// An element has been removed, likewise.
     pub(crate) fn forget_element(&mut self, element: ElementId) {
-        for r in self.regions.values_mut() {
+        for r in self.builder.regions.values_mut() {
             r.elements.retain(|e| *e != element);
             r.elements.iter_mut().filter(|e| e.0 > element.0).for_each(|e| e.0 -= 1);
         }

@@ -39,7 +39,7 @@ impl Unit {
 pub(crate) struct Script {
     pub(crate) unit: Rc<Unit>,
     pub(crate) commands: Vec<Command>,
-    /// What is wrong after the last of the commands; they are carried out first.
+    /// Error after the last of the commands, which run before it is raised.
     pub(crate) error: Option<ParseError>,
 }
 
@@ -50,18 +50,18 @@ impl Drop for Script {
     }
 }
 
-/// What a text fails to be.
+/// Syntax error of a text.
 #[derive(Clone, Debug)]
 pub(crate) struct ParseError {
     pub(crate) message: String,
-    /// Where it went wrong, for instance the brace that is not closed.
+    /// Place of the error, for instance the brace that is not closed.
     pub(crate) start: u32,
     pub(crate) end: u32,
     pub(crate) label: &'static str,
     pub(crate) help: Option<&'static str>,
 }
 
-/// Where the command of a name was found last.
+/// Cached place of the command of a name.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Found {
     /// State of the command tables then; 0: never looked.
@@ -77,7 +77,7 @@ pub(crate) struct Command {
     pub(crate) start: u32,
     pub(crate) end: u32,
     pub(crate) found: Cell<Found>,
-    /// Whether it can be carried out without a call.
+    /// True if the command can run without a call.
     pub(crate) inline: Inline,
 }
 
@@ -101,7 +101,7 @@ pub(crate) struct Word {
     pub(crate) expand: bool,
 }
 
-/// What a word is made of.
+/// Parts of a word.
 #[derive(Debug)]
 pub(crate) enum WordKind {
     Literal(Value),

@@ -8,7 +8,7 @@ use super::files::Stream;
 /// Bytes that are written only when there are this many.
 const BUFFER: usize = 16 * 1024;
 
-/// How lines end.
+/// End of line of a channel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Translation {
     Auto,
@@ -19,7 +19,7 @@ pub(crate) enum Translation {
     Binary,
 }
 
-/// How bytes and characters belong together.
+/// Encoding of characters as bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Encoding {
     Utf8,
@@ -36,7 +36,7 @@ pub(crate) enum Buffering {
     None,
 }
 
-/// Where a channel leads.
+/// Target of a channel.
 pub(crate) enum Target {
     Stdin,
     Stdout,
@@ -53,7 +53,7 @@ pub(crate) struct Channel {
     pub(crate) input_translation: Translation,
     pub(crate) output_translation: Translation,
     pub(crate) encoding: Encoding,
-    /// Whether the encoding is told as `binary`.
+    /// True if `fconfigure` reports the encoding as `binary`.
     pub(crate) binary: bool,
     pub(crate) buffering: Buffering,
     /// A byte at which reading ends.
@@ -62,7 +62,7 @@ pub(crate) struct Channel {
     input: Vec<u8>,
     /// First byte of `input` that is still to be given.
     taken: usize,
-    /// Whether the file gave all it has.
+    /// True at the end of the file.
     exhausted: bool,
     pub(crate) eof: bool,
     output: Vec<u8>,
@@ -376,7 +376,7 @@ impl Channels {
         self.open.iter().map(|(n, _)| n.as_str())
     }
 
-    /// Pass on what waits anywhere; at the end of a script errors can no longer be told.
+    /// Flush all channels. At the end of a script errors can no longer be reported.
     pub(crate) fn flush_all(&mut self) {
         for (_, channel) in &mut self.open {
             let _ = channel.flush();

@@ -30,7 +30,7 @@ pub(crate) struct Definition {
     pub(crate) imp: Imp,
 }
 
-/// What a command does.
+/// Implementation of a command.
 #[derive(Clone)]
 pub(crate) enum Imp {
     Core(CoreFn),
@@ -49,7 +49,7 @@ pub(crate) enum Imp {
 pub(crate) struct Proc {
     pub(crate) ns: NsId,
     pub(crate) params: Vec<Param>,
-    /// Whether the last parameter is `args`.
+    /// True if the last parameter is `args`.
     pub(crate) variadic: bool,
     pub(crate) body: Value,
     pub(crate) script: Rc<Script>,
@@ -62,7 +62,7 @@ pub(crate) struct Param {
     pub(crate) default: Option<Value>,
 }
 
-/// Where a call stands in a script.
+/// Places of a call's words in a script.
 #[derive(Clone, Copy)]
 pub(crate) struct Place<'a> {
     pub(crate) script: &'a Script,
@@ -109,7 +109,7 @@ impl<'a> Call<'a> {
         self.arg(0).as_str()
     }
 
-    /// How many words there are, the name included.
+    /// Number of words, the name included.
     #[allow(clippy::len_without_is_empty)]
     pub fn len(&self) -> usize {
         self.words.len()
@@ -135,12 +135,12 @@ impl<'a> Call<'a> {
         self.words.get(i..).unwrap_or_default()
     }
 
-    /// Where a word stands in the script; none where the text was built at run time.
+    /// Place of a word in the script; none for a text that was built at run time.
     pub fn span(&self, i: usize) -> Option<Span> {
         self.place.as_ref()?.word(i)
     }
 
-    /// Where the whole command stands.
+    /// Place of the whole command.
     pub fn whole_span(&self) -> Option<Span> {
         self.place.as_ref()?.whole()
     }

@@ -1,9 +1,9 @@
-//! Where the output of a script goes.
+//! Destination of a script's output.
 
 use std::cell::RefCell;
 use std::rc::Rc;
 
-/// Receives what a script writes to `stdout` and `stderr`.
+/// Receiver of the text that a script writes to `stdout` and `stderr`.
 pub trait Console {
     /// Text for `stdout`.
     fn out(&mut self, text: &str);
@@ -11,19 +11,19 @@ pub trait Console {
     fn err(&mut self, text: &str);
 }
 
-/// Keeps what is written; clones share it.
+/// A console that keeps the text. Clones share it.
 #[derive(Clone, Debug, Default)]
 pub struct Recorded {
     written: Rc<RefCell<(String, String)>>,
 }
 
 impl Recorded {
-    /// What was written to `stdout` so far.
+    /// Text written to `stdout` so far.
     pub fn out(&self) -> String {
         self.written.borrow().0.clone()
     }
 
-    /// What was written to `stderr` so far.
+    /// Text written to `stderr` so far.
     pub fn err(&self) -> String {
         self.written.borrow().1.clone()
     }

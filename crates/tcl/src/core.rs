@@ -1,4 +1,4 @@
-//! The state of an interpreter but for the host and its commands: variables, namespaces, channels, texts.
+//! State of an interpreter except the host and its commands: variables, namespaces, channels, texts.
 
 use std::cell::Cell;
 use std::collections::HashMap;
@@ -25,7 +25,7 @@ impl NsId {
     pub(crate) const GLOBAL: NsId = NsId(0);
 }
 
-/// Where names of variables are looked up.
+/// Scope of variable names.
 #[derive(Debug)]
 pub(crate) struct Frame {
     pub(crate) ns: NsId,
@@ -42,21 +42,21 @@ pub(crate) struct Frame {
 
 /// A call under way, for the chain of callers of a message.
 #[derive(Debug)]
-pub(crate) struct Site {
-    pub(crate) what: What,
+pub(crate) struct CallSite {
+    pub(crate) what: Callee,
     pub(crate) span: Option<Span>,
 }
 
-/// What was called.
+/// Callee of a call site.
 #[derive(Debug)]
-pub(crate) enum What {
+pub(crate) enum Callee {
     Proc(Text),
     Source(Text),
 }
 
-/// Everything of an interpreter but its host. An [`super::Interp`] gives access to it as if it were its own.
+/// State of an interpreter except its host. An [`Interp`](super::Interp) dereferences to it.
 pub struct Core {
-    /// Where `puts` writes.
+    /// Receiver of the output of `puts`.
     pub console: Box<dyn Console>,
     /// The files that a script sees.
     pub files: Box<dyn Files>,
@@ -66,49 +66,113 @@ pub struct Core {
     pub warnings: Vec<Diagnostic>,
     /// Set this, from any thread, to stop the script before its next command.
     pub interrupt: Arc<AtomicBool>,
-    /// How many more commands may run; no limit if `None`.
+    /// Number of commands that may still run; no limit if `None`.
     pub budget: Option<u64>,
-    pub(crate) frames: Vec<Frame>,
-    /// The frame in which names are looked up now.
-    pub(crate) active: usize,
-    pub(crate) namespaces: Vec<Namespace>,
-    pub(crate) commands: Vec<Definition>,
-    /// Changes whenever a name may mean another command; no other interpreter of the thread has had the same, but for one
-    /// with the same commands.
-    pub(crate) epoch: u32,
+    pub(crate) calls: CallStack,
+    pub(crate) table: CommandTable,
     /// Significant digits of doubles; 0: as many as it takes.
     pub(crate) precision: usize,
-    /// How many `catch` and `try` are under way.
-    pub(crate) catching: usize,
-    /// How many calls are under way, as Tcl counts them.
-    pub(crate) levels: usize,
-    /// How many scripts are under way within one another.
-    pub(crate) depth: usize,
-    /// How many commands have been run.
-    pub(crate) command_count: u64,
-    /// Whether Tcl would have compiled the script that runs now; matters to `$errorInfo` only.
-    pub(crate) compiled: bool,
-    /// The innermost command that has a place.
-    pub(crate) site: Option<Span>,
-    pub(crate) sites: Vec<Site>,
     /// State of `rand`.
     pub(crate) seed: Option<i64>,
     pub(crate) channels: Channels,
+    /// Current folder.
     pub(crate) cwd: String,
-    /// What `info script` gives, innermost last.
-    pub(crate) scripts: Vec<Value>,
     /// Files read so far: their text and its parsed form.
     pub(crate) loaded: HashMap<String, (Arc<str>, Value)>,
-    /// Packages provided, and their versions.
-    pub(crate) packages: Table<Value>,
-    /// Packages that a script could provide: name, version, script.
-    pub(crate) offered: Vec<[Value; 3]>,
+    pub(crate) packages: Packages,
+    spare: Spare,
+}
+
+/// Calls and scripts under way.
+pub(crate) struct CallStack {
+    pub(crate) frames: Vec<Frame>,
+    /// Index of the frame in which names are looked up now.
+    pub(crate) active: usize,
+    /// Number of `catch` and `try` under way.
+    pub(crate) catching: usize,
+    /// Number of calls under way, as Tcl counts them.
+    pub(crate) levels: usize,
+    /// Number of nested scripts under way.
+    pub(crate) depth: usize,
+    /// Number of commands that have run.
+    pub(crate) command_count: u64,
+    /// True if Tcl would have compiled the present script. Only `$errorInfo` depends on it.
+    pub(crate) compiled: bool,
+    /// The innermost command that has a place.
+    pub(crate) site: Option<Span>,
+    pub(crate) sites: Vec<CallSite>,
+    /// Results of `info script`, innermost last.
+    pub(crate) scripts: Vec<Value>,
     /// Words of a command to run in place of the procedure that asked for it.
     pub(crate) tailcall: Option<Vec<Value>>,
-    /// The commands `expr` and `set` of the language, which are carried out without being called.
+}
+
+impl CallStack {
+    fn new() -> Self {
+        let global =
+            Frame { ns: NsId::GLOBAL, vars: Table::default(), is_proc: false, level: 0, caller: 0, words: vec![] };
+        CallStack {
+            frames: vec![global],
+            active: 0,
+            catching: 0,
+            levels: 0,
+            depth: 0,
+            command_count: 0,
+            compiled: false,
+            site: None,
+            sites: vec![],
+            scripts: vec![],
+            tailcall: None,
+        }
+    }
+}
+
+/// Namespaces with their variables, and the commands.
+pub(crate) struct CommandTable {
+    pub(crate) namespaces: Vec<Namespace>,
+    pub(crate) commands: Vec<Definition>,
+    /// Changes whenever a name may mean another command. Other interpreters of the thread have other numbers, unless
+    /// they have the same commands.
+    pub(crate) epoch: u32,
+    /// The commands `expr` and `set` of the language, which run without being called.
     pub(crate) inlined: (Option<CmdId>, Option<CmdId>),
-    spare_words: Vec<Vec<Value>>,
-    spare_vars: Vec<Table<Slot>>,
+}
+
+impl CommandTable {
+    fn new() -> Self {
+        CommandTable {
+            namespaces: vec![Namespace::global()],
+            commands: vec![],
+            epoch: fresh_epoch(),
+            inlined: (None, None),
+        }
+    }
+
+    /// A copy whose variables are its own.
+    pub(crate) fn copied(&self) -> Self {
+        CommandTable {
+            namespaces: self.namespaces.iter().map(Namespace::copied).collect(),
+            commands: self.commands.clone(),
+            epoch: self.epoch,
+            inlined: self.inlined,
+        }
+    }
+}
+
+/// Packages of `package`.
+#[derive(Default)]
+pub(crate) struct Packages {
+    /// Packages provided, and their versions.
+    pub(crate) provided: Table<Value>,
+    /// Packages that a script could provide: name, version, script.
+    pub(crate) offered: Vec<[Value; 3]>,
+}
+
+/// Memory of finished calls, used again.
+#[derive(Default)]
+struct Spare {
+    words: Vec<Vec<Value>>,
+    vars: Vec<Table<Slot>>,
 }
 
 thread_local! {
@@ -126,12 +190,10 @@ fn fresh_epoch() -> u32 {
 impl Core {
     /// A name may mean another command from now on.
     pub(crate) fn renew_epoch(&mut self) {
-        self.epoch = fresh_epoch();
+        self.table.epoch = fresh_epoch();
     }
 
     pub(crate) fn new(console: Box<dyn Console>, files: Box<dyn Files>) -> Self {
-        let global =
-            Frame { ns: NsId::GLOBAL, vars: Table::default(), is_proc: false, level: 0, caller: 0, words: vec![] };
         let cwd = files.current_dir();
         Core {
             console,
@@ -140,37 +202,22 @@ impl Core {
             warnings: vec![],
             interrupt: Arc::default(),
             budget: None,
-            frames: vec![global],
-            active: 0,
-            namespaces: vec![Namespace::global()],
-            commands: vec![],
-            epoch: fresh_epoch(),
+            calls: CallStack::new(),
+            table: CommandTable::new(),
             precision: 0,
-            catching: 0,
-            levels: 0,
-            depth: 0,
-            command_count: 0,
-            compiled: false,
-            site: None,
-            sites: vec![],
             seed: None,
             channels: Channels::default(),
             cwd,
-            scripts: vec![],
             loaded: HashMap::new(),
-            packages: Table::default(),
-            offered: vec![],
-            tailcall: None,
-            inlined: (None, None),
-            spare_words: vec![],
-            spare_vars: vec![],
+            packages: Packages::default(),
+            spare: Spare::default(),
         }
     }
 
     /// Called before each command.
     #[inline]
     pub(crate) fn tick(&mut self) -> Result<(), Exception> {
-        self.command_count += 1;
+        self.calls.command_count += 1;
         if let Some(left) = &mut self.budget {
             match left.checked_sub(1) {
                 Some(less) => *left = less,
@@ -185,36 +232,36 @@ impl Core {
 
     /// An empty row for words, reused.
     pub(crate) fn take_words(&mut self) -> Vec<Value> {
-        self.spare_words.pop().unwrap_or_default()
+        self.spare.words.pop().unwrap_or_default()
     }
 
     pub(crate) fn give_words(&mut self, mut words: Vec<Value>) {
         words.clear();
         // A rare long command must not keep its memory for ever.
-        if words.capacity() <= 64 && self.spare_words.len() < 256 {
-            self.spare_words.push(words);
+        if words.capacity() <= 64 && self.spare.words.len() < 256 {
+            self.spare.words.push(words);
         }
     }
 
     pub(crate) fn take_vars(&mut self) -> Table<Slot> {
-        self.spare_vars.pop().unwrap_or_default()
+        self.spare.vars.pop().unwrap_or_default()
     }
 
     pub(crate) fn give_vars(&mut self, mut vars: Table<Slot>) {
         vars.clear();
-        if self.spare_vars.len() < 64 {
-            self.spare_vars.push(vars);
+        if self.spare.vars.len() < 64 {
+            self.spare.vars.push(vars);
         }
     }
 
     pub(crate) fn frame(&self) -> &Frame {
-        &self.frames[self.active]
+        &self.calls.frames[self.calls.active]
     }
 
-    /// Warn; the warning points at the command that runs if it points nowhere yet, and tells how it was reached.
+    /// Add a warning. Without a place it points at the command that runs; the callers are added.
     pub fn warn(&mut self, mut warning: Diagnostic) {
         if warning.span.is_none() {
-            warning.span = self.site;
+            warning.span = self.calls.site;
         }
         if warning.callers.is_empty() {
             warning.callers = self.callers();
@@ -224,14 +271,14 @@ impl Core {
 
     /// The calls under way, innermost first.
     pub fn callers(&self) -> Vec<Caller> {
-        let caller = |site: &Site| {
+        let caller = |site: &CallSite| {
             let what = match &site.what {
-                What::Proc(name) => format!("proc \"{}\"", &**name),
-                What::Source(path) => format!("source \"{}\"", &**path),
+                Callee::Proc(name) => format!("proc \"{}\"", &**name),
+                Callee::Source(path) => format!("source \"{}\"", &**path),
             };
             Some(Caller { what, span: site.span? })
         };
-        self.sites.iter().rev().filter_map(caller).collect()
+        self.calls.sites.iter().rev().filter_map(caller).collect()
     }
 
     /// A double as `expr` gives it: with `tcl_precision` set, its text has that many digits.

@@ -27,7 +27,7 @@ impl Span {
     }
 }
 
-/// Where a span starts, as people count: lines and columns (in characters) from 1.
+/// Start of a span: line and column, in characters, both counted from 1.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Location {
     /// Name of the source, as it was given.
@@ -67,7 +67,7 @@ impl SourceMap {
         SourceId(self.sources.len() as u32 - 1)
     }
 
-    /// What the text taken in next is going to be.
+    /// Number of the source that is added next.
     pub fn next(&self) -> SourceId {
         SourceId(self.sources.len() as u32)
     }
@@ -103,10 +103,10 @@ impl SourceMap {
     }
 }
 
-/// How bad it is.
+/// Severity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
-    /// Worth knowing; nothing is wrong.
+    /// Information; nothing is wrong.
     Note,
     /// Goes on, but the result may not be what was meant. An error under `--strict`.
     Warning,
@@ -117,7 +117,7 @@ pub enum Severity {
 /// One level of the chain of calls that led to a message: `in proc "storey", called here`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Caller {
-    /// What was called, for instance `proc "storey"`.
+    /// Callee, for instance `proc "storey"`.
     pub what: String,
     /// The call.
     pub span: Span,
@@ -126,15 +126,15 @@ pub struct Caller {
 /// A message with its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// How bad it is.
+    /// Severity.
     pub severity: Severity,
-    /// What is wrong, in one sentence without a full stop.
+    /// Description in one sentence without a full stop.
     pub message: String,
     /// The offending word.
     pub span: Option<Span>,
     /// A few words to stand under the offending word: what was expected there.
     pub label: String,
-    /// What may help: the nearest known name, the usage of the command.
+    /// Hints: the nearest known name, the usage of the command.
     pub help: Vec<String>,
     /// Calls from the innermost outwards.
     pub callers: Vec<Caller>,

@@ -98,7 +98,7 @@ impl Dict {
         Ok(Dict::from_table(table))
     }
 
-    /// From the text of a value; what is wrong with a list is told in the words for dictionaries.
+    /// From the text of a value. Errors of the list use Tcl's words for dictionaries.
     pub(crate) fn from_text(value: &Value) -> Result<Dict, Exception> {
         let items = value.to_list().map_err(|e| {
             let Exception::Error(e) = e else { return e };

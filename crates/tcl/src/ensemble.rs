@@ -9,7 +9,7 @@ use super::interp::Interp;
 use super::value::Value;
 use crate::diagnostic;
 
-/// Which of some sub-commands word 1 names or abbreviates.
+/// Index of the sub-command that word 1 names or abbreviates.
 pub(crate) fn choose_sub<'n>(
     call: &Call<'_>,
     names: impl Iterator<Item = &'n str> + Clone,
@@ -145,8 +145,8 @@ impl<H> Interp<H> {
             return Err(self.failed(e, argv, place));
         }
         let result = self.invoke_words(argv, place);
-        self.core.levels -= 1;
-        // A wrong number of words is told as the ensemble was called.
+        self.core.calls.levels -= 1;
+        // The message of a wrong number of words names the ensemble as it was called.
         result.map_err(|e| {
             e.map_error(|e| {
                 let start = format!("wrong # args: should be \"{inner}");
@@ -176,7 +176,7 @@ impl<H> Interp<H> {
             Some(id) => self.invoke_command(id, argv, place),
             None => self.invoke(argv, None),
         };
-        self.core.levels -= 1;
+        self.core.calls.levels -= 1;
         result
     }
 
@@ -193,7 +193,7 @@ impl<H> Interp<H> {
 impl Core {
     /// The ensemble behind a command, if it is one.
     pub(crate) fn ensemble_of(&self, id: CmdId) -> Option<Rc<Ensemble>> {
-        match &self.commands[self.origin_of(id).0 as usize].imp {
+        match &self.table.commands[self.origin_of(id).0 as usize].imp {
             Imp::Ensemble(e) => Some(e.clone()),
             _ => None,
         }

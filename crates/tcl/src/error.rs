@@ -1,9 +1,9 @@
-//! How a command ends when it does not simply return a value.
+//! Outcomes of a command other than a value.
 
 use super::value::Value;
 use crate::diagnostic::{Diagnostic, Span};
 
-/// What ends a command before its time.
+/// Early end of a command.
 #[derive(Debug)]
 pub enum Exception {
     /// An error.
@@ -24,14 +24,14 @@ pub enum Exception {
     Interrupted,
 }
 
-/// What a `return` with options carries.
+/// Options and value of a `return`.
 #[derive(Debug)]
 pub struct Returned {
     /// The result.
     pub value: Value,
-    /// What the command ends with once `level` procedures are left.
+    /// Return code that takes effect once `level` procedures are left.
     pub code: i32,
-    /// How many procedures are still to be left.
+    /// Number of procedures still to be left.
     pub level: usize,
     /// Further options, names and values.
     pub options: Vec<(Value, Value)>,
@@ -40,25 +40,25 @@ pub struct Returned {
 /// An error of a script.
 #[derive(Debug)]
 pub struct ScriptError {
-    /// Where and what, for people.
+    /// Message with its place in the script.
     pub diagnostic: Diagnostic,
-    /// What `catch` gives: Tcl's text for the error.
+    /// Result of `catch`: Tcl's text for the error.
     pub result: Value,
-    /// What `$errorInfo` will be: the result and the commands that were under way.
+    /// Value of `$errorInfo`: the result and the commands that were under way.
     pub error_info: String,
-    /// What `$errorCode` will be; `NONE` unless it was set.
+    /// Value of `$errorCode`; `NONE` unless it was set.
     pub error_code: Option<Value>,
-    /// Whether the script raised it itself (`error`, `throw`, `return -code error`): no command was rejected.
+    /// True if the script raised it itself (`error`, `throw`, `return -code error`): no command was rejected.
     pub raised: bool,
     /// Options of the script's own, from `return -options`.
     pub(crate) options: Vec<(Value, Value)>,
-    /// Line of the failing command in the innermost script that was told about.
+    /// Line of the failing command in the innermost script of the trace.
     pub(crate) line: usize,
-    /// Where that line is, to count lines from the start of a body.
+    /// Place of that line, to count lines from the start of a body.
     pub(crate) place: Option<Span>,
-    /// Whether place and callers are settled.
+    /// True once place and callers are final.
     pub(crate) located: bool,
-    /// Whether the command that failed is in the trace already.
+    /// True once the command that failed is in the trace.
     pub(crate) traced: bool,
 }
 
@@ -102,7 +102,7 @@ impl Exception {
         Self::error(message).with_code(Value::list(code.iter().map(|c| Value::from(*c))))
     }
 
-    /// An error told by its own diagnostic: its message is what `catch` gives.
+    /// An error with a diagnostic of its own, whose message is the result of `catch`.
     pub fn diagnosed(diagnostic: Diagnostic) -> Self {
         let result = Value::from(diagnostic.message.as_str());
         Exception::Error(ScriptError::with(diagnostic, result))
@@ -154,12 +154,12 @@ impl Exception {
             }
             let text = line(e.line);
             e.error_info.push_str(&format!("\n    ({text})"));
-            // The command around it is told next.
+            // The trace goes on with the command around it.
             e.traced = false;
         })
     }
 
-    /// What a command ends with for a code and result.
+    /// Outcome of a command for a return code and a result.
     pub(crate) fn from_code(code: i32, value: Value) -> Result<Value, Exception> {
         match code {
             0 => Ok(value),

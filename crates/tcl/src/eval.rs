@@ -14,9 +14,9 @@ use super::text::Cache;
 use super::value::{Rep, Value};
 use crate::diagnostic::Span;
 
-/// How many calls may be under way, as in Tcl.
+/// Limit of nested calls, as in Tcl.
 pub(crate) const MAX_LEVELS: usize = 1000;
-/// How many scripts may be under way within one another: a call takes several, for instance one for an `if` in it.
+/// Limit of nested scripts. A call takes several, for instance one for an `if` in it.
 const MAX_DEPTH: usize = 20_000;
 
 /// Tcl's error for calls without end.
@@ -27,10 +27,10 @@ pub(crate) fn too_deep() -> Exception {
 impl Core {
     /// Count a call; the caller subtracts it from `levels` at its end.
     pub(crate) fn enter(&mut self) -> Result<(), Exception> {
-        if self.levels >= MAX_LEVELS {
+        if self.calls.levels >= MAX_LEVELS {
             return Err(too_deep());
         }
-        self.levels += 1;
+        self.calls.levels += 1;
         Ok(())
     }
 }
@@ -70,12 +70,12 @@ impl<H> Interp<H> {
     }
 
     fn deeper<R>(&mut self, work: impl FnOnce(&mut Self) -> Result<R, Exception>) -> Result<R, Exception> {
-        if self.core.depth >= MAX_DEPTH {
+        if self.core.calls.depth >= MAX_DEPTH {
             return Err(too_deep());
         }
-        self.core.depth += 1;
+        self.core.calls.depth += 1;
         let result = stack::grow(|| work(self));
-        self.core.depth -= 1;
+        self.core.calls.depth -= 1;
         result
     }
 
@@ -88,7 +88,7 @@ impl<H> Interp<H> {
                     Some(error) => Err(interp.core.syntax_error(script, error)),
                 };
             };
-            // Results in between are let go at once: what holds a list beside its variable has the next change copy it.
+            // Drop intermediate results at once: a second owner of a list makes its next change copy it.
             for command in before {
                 interp.command_or_on(script, command)?;
             }
@@ -100,10 +100,10 @@ impl<H> Interp<H> {
         })
     }
 
-    /// Run a command; where the host wants to go on after errors at top level, it hears of them.
+    /// Run a command. An error at top level goes to the host's handler, if it has one.
     fn command_or_on(&mut self, script: &Script, command: &Command) -> Result<Value, Exception> {
         match (self.command(script, command), self.on_error) {
-            (Err(e @ Exception::Error(_)), Some(go_on)) if self.core.depth == 1 => go_on(self, e),
+            (Err(e @ Exception::Error(_)), Some(handle)) if self.core.calls.depth == 1 => handle(self, e),
             (result, _) => result,
         }
     }
@@ -113,7 +113,7 @@ impl<H> Interp<H> {
         match &command.inline {
             Inline::No => {}
             Inline::Expr(_) => {
-                if self.core.is_inlined(Place { script, command, map: None }, self.core.inlined.0)
+                if self.core.is_inlined(Place { script, command, map: None }, self.core.table.inlined.0)
                     && let Some(result) = self.expr_command(script, command)
                 {
                     return result;
@@ -121,7 +121,7 @@ impl<H> Interp<H> {
             }
             Inline::Set(name) => {
                 if let Some(word) = command.words.get(2)
-                    && self.core.is_inlined(Place { script, command, map: None }, self.core.inlined.1)
+                    && self.core.is_inlined(Place { script, command, map: None }, self.core.table.inlined.1)
                 {
                     let result = match &word.kind {
                         WordKind::Literal(v) => Ok(v.clone()),
@@ -236,16 +236,16 @@ impl<H> Interp<H> {
         argv: Vec<Value>,
         place: Option<Place<'_>>,
     ) -> Result<Value, Exception> {
-        let result = match &self.core.commands[id.0 as usize].imp {
+        let result = match &self.core.table.commands[id.0 as usize].imp {
             Imp::Core(function) => function(&mut self.core, &Call::new(&argv, place)),
             Imp::Full(number) => {
                 let function = self.functions[*number as usize];
-                let outer = self.core.site;
+                let outer = self.core.calls.site;
                 if let Some(span) = place.and_then(|p| p.whole()) {
-                    self.core.site = Some(span);
+                    self.core.calls.site = Some(span);
                 }
                 let result = function(self, &Call::new(&argv, place));
-                self.core.site = outer;
+                self.core.calls.site = outer;
                 result
             }
             Imp::Proc(proc) => {
@@ -302,7 +302,7 @@ impl<H> Interp<H> {
             return self.deeper(|interp| interp.invoke_command(id, argv, place));
         }
         let name = argv.first().map(|v| v.as_str().into_owned()).unwrap_or_default();
-        let near = if self.core.catching > 0 { None } else { self.core.nearest_command(&name) };
+        let near = if self.core.calls.catching > 0 { None } else { self.core.nearest_command(&name) };
         let code = ["TCL", "LOOKUP", "COMMAND", &name];
         let e = Exception::coded(format!("invalid command name \"{name}\""), &code);
         let e = e.at(place.and_then(|p| p.word(0)), "no such command").suggest(near);
@@ -322,10 +322,10 @@ impl Core {
         self.settle_place(e.map_error(|e| e.line = line), None)
     }
 
-    /// Whether the name of a command means a certain one of the language.
+    /// Returns true if the name of a command means the given command of the language.
     fn is_inlined(&self, place: Place<'_>, wanted: Option<CmdId>) -> bool {
         let known = place.command.found.get();
-        let id = if known.epoch == self.epoch && known.namespace == self.here().0 {
+        let id = if known.epoch == self.table.epoch && known.namespace == self.here().0 {
             Some(CmdId(known.command))
         } else {
             match place.command.words.first().map(|w| &w.kind) {
@@ -345,13 +345,13 @@ impl Core {
         });
         if let Some(p) = memory {
             let found = p.command.found.get();
-            if found.epoch == self.epoch && found.namespace == ns.0 {
+            if found.epoch == self.table.epoch && found.namespace == ns.0 {
                 return Some(CmdId(found.command));
             }
         }
         let id = self.find_command(&name.as_str())?;
         if let Some(p) = memory {
-            p.command.found.set(Found { epoch: self.epoch, namespace: ns.0, command: id.0 });
+            p.command.found.set(Found { epoch: self.table.epoch, namespace: ns.0, command: id.0 });
         }
         Some(id)
     }
@@ -375,7 +375,7 @@ impl Core {
         })
     }
 
-    /// The first time that an error passes a command: settle where it happened and how that was reached.
+    /// The first time that an error passes a command: host_result where it happened and how that was reached.
     pub(crate) fn settle_place(&self, e: Exception, place: Option<Place<'_>>) -> Exception {
         e.map_error(|e| {
             if e.located {
@@ -383,7 +383,7 @@ impl Core {
             }
             e.located = true;
             if e.diagnostic.span.is_none() {
-                e.diagnostic.span = place.and_then(|p| p.whole()).or(self.site);
+                e.diagnostic.span = place.and_then(|p| p.whole()).or(self.calls.site);
             }
             if e.diagnostic.callers.is_empty() {
                 e.diagnostic.callers = self.callers();
@@ -394,7 +394,7 @@ impl Core {
     /// Add a command to what `$errorInfo` will be.
     pub(crate) fn trace_command(&self, e: Exception, place: Option<Place<'_>>, argv: Option<&[Value]>) -> Exception {
         e.map_error(|e| {
-            if self.compiled && e.traced {
+            if self.calls.compiled && e.traced {
                 return;
             }
             e.traced = true;

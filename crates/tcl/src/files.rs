@@ -19,7 +19,7 @@ impl Stream for fs::File {
     }
 }
 
-/// How a file is to be opened.
+/// Mode in which a file is opened.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct OpenMode {
     /// For reading.
@@ -49,7 +49,7 @@ pub enum FileKind {
     Other,
 }
 
-/// What is known of a file without opening it.
+/// Metadata of a file.
 #[derive(Clone, Debug)]
 pub struct FileInfo {
     /// Of what kind it is.
@@ -64,13 +64,16 @@ pub struct FileInfo {
     pub mode: u32,
 }
 
-/// All access of a script to files. Paths are absolute, with `/` between their parts and no `.` or `..` in them.
+/// Access of a script to files.
+///
+/// Paths are absolute, with `/` between their parts and no `.` or `..` in them. Errors are those of the system: their
+/// kinds decide the text and the error code that the script sees.
 pub trait Files {
     /// The folder in which a new interpreter starts.
     fn current_dir(&self) -> String;
     /// Open a file.
     fn open(&mut self, path: &str, mode: OpenMode) -> io::Result<Box<dyn Stream>>;
-    /// What is known of a file; `follow`: of the one that a link points to.
+    /// Metadata of a file; with `follow`, of the one that a link points to.
     fn info(&self, path: &str, follow: bool) -> io::Result<FileInfo>;
     /// Names of the files in a folder, in any order.
     fn list(&self, path: &str) -> io::Result<Vec<String>>;
@@ -175,7 +178,7 @@ pub(crate) fn posix(error: &io::Error, message: impl FnOnce(&str) -> String) -> 
     Exception::coded(message(why), &["POSIX", code, why])
 }
 
-/// What went wrong with a file, in the words of the C library that Tcl uses.
+/// Error of a file, in the words of the C library that Tcl uses.
 fn reason(error: &io::Error) -> (&'static str, &'static str) {
     use io::ErrorKind as K;
     match error.kind() {

@@ -1,6 +1,6 @@
 //! Patterns of `string match`.
 
-/// Whether a text matches a pattern with `*`, `?`, `[a-z]` and backslashes.
+/// Returns true if a text matches a pattern with `*`, `?`, `[a-z]` and backslashes.
 pub(crate) fn matches(pattern: &str, text: &str) -> bool {
     if pattern == "*" {
         return true;
@@ -13,7 +13,7 @@ pub(crate) fn matches_nocase(pattern: &str, text: &str) -> bool {
     matches_from(pattern, text, true)
 }
 
-/// Whether a text has none of the characters that are special in a pattern.
+/// Returns true if a text has none of the characters that are special in a pattern.
 pub(crate) fn is_plain(pattern: &str) -> bool {
     !pattern.contains(['*', '?', '[', '\\'])
 }

@@ -6,51 +6,48 @@ use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
 use super::builtin;
-use super::command::{CmdId, CommandFn, CoreFn, Definition, Imp};
+use super::command::{CommandFn, CoreFn, Imp};
 use super::console::Console;
-use super::core::{Core, NsId, Site, What};
+use super::core::{CallSite, Callee, CommandTable, Core, NsId};
 use super::error::Exception;
 use super::files::{Files, posix};
-use super::namespace::Namespace;
 use super::origin::Origin;
 use super::proc::outside_of_loop;
 use super::text::Text;
 use super::value::Value;
 use crate::diagnostic::SourceId;
 
-/// What an interpreter does with an error at the top level of a script.
+/// Handler of an error at the top level of a script.
 pub type OnError<H> = fn(&mut Interp<H>, Exception) -> Result<Value, Exception>;
 
 /// A Tcl interpreter. The documentation of the crate has an example.
 pub struct Interp<H> {
-    /// What the commands of the host work on.
+    /// State that the commands of the host work on.
     pub host: H,
     /// Variables, files, console and warnings.
     pub core: Core,
     pub(crate) functions: Vec<CommandFn<H>>,
-    /// What to do with an error at the top level of the script: hand it back to end the script, or give a value to
+    /// Handler of errors at the top level of the script. It returns the error to end the script, or a value to
     /// go on with the next command. `None` ends the script.
     pub on_error: Option<OnError<H>>,
 }
 
-/// The commands and variables of an interpreter, for others that begin with the same: making them known takes as long as
-/// 200 steps of a bearing (`benches/README.md`).
+/// The commands and variables of an interpreter, for others that begin with the same.
+///
+/// To register a few hundred commands takes longer than many a script: a host that makes an interpreter for each run
+/// copies a vocabulary instead.
 pub struct Vocabulary<H> {
-    namespaces: Vec<Namespace>,
-    commands: Vec<Definition>,
+    table: CommandTable,
     functions: Vec<CommandFn<H>>,
-    epoch: u32,
-    inlined: (Option<CmdId>, Option<CmdId>),
 }
 
 thread_local! {
-    /// Files by path as the interpreters of this thread ran them last: the number of their source in its map, and the text
-    /// with its parsed form.
+    /// Files by path, as interpreters of this thread ran them last: the number of the source, and the parsed text.
     static PARSED: RefCell<HashMap<String, (SourceId, Value)>> = RefCell::default();
 }
 
-/// Files that are remembered.
-const MOST_PARSED: usize = 64;
+/// Number of parsed files that a thread keeps.
+const MAX_PARSED_FILES: usize = 64;
 
 impl<H> Deref for Interp<H> {
     type Target = Core;
@@ -75,26 +72,23 @@ impl<H> Interp<H> {
     }
 
     /// An interpreter with the commands and variables that another one had.
-    pub fn knowing(host: H, console: Box<dyn Console>, files: Box<dyn Files>, words: &Vocabulary<H>) -> Self {
+    pub fn with_vocabulary(
+        host: H,
+        console: Box<dyn Console>,
+        files: Box<dyn Files>,
+        vocabulary: &Vocabulary<H>,
+    ) -> Self {
         let mut core = Core::new(console, files);
-        core.namespaces = words.namespaces.iter().map(Namespace::copied).collect();
-        core.commands = words.commands.clone();
-        (core.epoch, core.inlined) = (words.epoch, words.inlined);
-        Interp { host, core, functions: words.functions.clone(), on_error: None }
+        core.table = vocabulary.table.copied();
+        Interp { host, core, functions: vocabulary.functions.clone(), on_error: None }
     }
 
     /// Its commands and variables as they are now.
     pub fn vocabulary(&self) -> Vocabulary<H> {
-        Vocabulary {
-            namespaces: self.core.namespaces.iter().map(Namespace::copied).collect(),
-            commands: self.core.commands.clone(),
-            functions: self.functions.clone(),
-            epoch: self.core.epoch,
-            inlined: self.core.inlined,
-        }
+        Vocabulary { table: self.core.table.copied(), functions: self.functions.clone() }
     }
 
-    /// Make a command of the host known; it replaces one of the same name.
+    /// Register a command of the host. It replaces one of the same name.
     pub fn register(&mut self, name: &str, function: CommandFn<H>) {
         self.functions.push(function);
         let imp = Imp::Full(self.functions.len() as u32 - 1);
@@ -113,26 +107,37 @@ impl<H> Interp<H> {
     }
 
     /// Run a script from a file, in the current namespace and with the current variables.
-    /// A `return` at its top level ends it. What waits in open files is written at the end.
+    ///
+    /// A `return` at its top level ends it. Buffers of open files are written at the end.
+    ///
+    /// # Errors
+    /// [`Exception::Error`] for a file that cannot be read and for an error of the script; [`Exception::Exit`] and
+    /// [`Exception::Interrupted`] where the script ends early.
     pub fn eval_file(&mut self, path: &str) -> Result<Value, Exception> {
         let result = self.source(path, path);
         self.core.channels.flush_all();
-        settle(result)
+        host_result(result)
     }
 
     /// Run a script from a text; messages call it by `name`.
+    ///
+    /// # Errors
+    /// As [`Interp::eval_file`].
     pub fn eval_str(&mut self, name: &str, text: &str) -> Result<Value, Exception> {
         let script = self.core.take_text(name, text);
         let result = self.top_level(&script, name);
         self.core.channels.flush_all();
-        settle(result)
+        host_result(result)
     }
 
-    /// Evaluate a body where the command stands that was given it, as `pattern … { … }` does.
+    /// Evaluate a body in the scope of the command that received it, as `pattern … { … }` does.
+    ///
+    /// # Errors
+    /// Each end of the body other than a value, `break` and `return` included. A command hands it on.
     pub fn eval_value(&mut self, body: &Value) -> Result<Value, Exception> {
-        let compiled = std::mem::replace(&mut self.core.compiled, true);
+        let compiled = std::mem::replace(&mut self.core.calls.compiled, true);
         let result = self.eval_body(body);
-        self.core.compiled = compiled;
+        self.core.calls.compiled = compiled;
         result
     }
 
@@ -143,6 +148,7 @@ impl<H> Interp<H> {
         let bytes = bytes.map_err(|e| posix(&e, |why| format!("couldn't read file \"{shown}\": {why}")))?;
         let mut text = match String::from_utf8(bytes) {
             Ok(text) => text,
+            // A text that is not UTF-8 counts as Latin-1.
             Err(e) => e.into_bytes().iter().map(|b| *b as char).collect(),
         };
         if text.contains('\r') {
@@ -166,20 +172,20 @@ impl<H> Interp<H> {
     /// Run a text that stands for itself.
     fn top_level(&mut self, script: &Value, name: &str) -> Result<Value, Exception> {
         // Tcl counts the command `source` but not the script that a program starts with.
-        let nested = !self.core.scripts.is_empty();
+        let nested = !self.core.calls.scripts.is_empty();
         if nested {
             self.core.enter()?;
         }
-        let compiled = std::mem::replace(&mut self.core.compiled, false);
-        let site = self.core.site.take();
-        self.core.sites.push(Site { what: What::Source(Text::from(name)), span: site });
-        self.core.scripts.push(Value::from(name));
+        let compiled = std::mem::replace(&mut self.core.calls.compiled, false);
+        let site = self.core.calls.site.take();
+        self.core.calls.sites.push(CallSite { what: Callee::Source(Text::from(name)), span: site });
+        self.core.calls.scripts.push(Value::from(name));
         let result = self.eval_body(script);
-        self.core.scripts.pop();
-        self.core.sites.pop();
-        self.core.site = site;
-        self.core.compiled = compiled;
-        self.core.levels -= usize::from(nested);
+        self.core.calls.scripts.pop();
+        self.core.calls.sites.pop();
+        self.core.calls.site = site;
+        self.core.calls.compiled = compiled;
+        self.core.calls.levels -= usize::from(nested);
         match result {
             Err(Exception::Return(v)) => Ok(v),
             Err(Exception::ReturnWith(r)) => super::proc::leave(*r),
@@ -192,8 +198,8 @@ impl<H> Interp<H> {
     }
 }
 
-/// What ends a script ends it; only errors and `exit` matter to the host.
-fn settle(result: Result<Value, Exception>) -> Result<Value, Exception> {
+/// Turn the end of a script into the host's result: only errors and `exit` remain.
+fn host_result(result: Result<Value, Exception>) -> Result<Value, Exception> {
     match result {
         Err(Exception::Return(v) | Exception::Other(_, v)) => Ok(v),
         Err(Exception::ReturnWith(r)) => Ok(r.value),
@@ -204,9 +210,9 @@ fn settle(result: Result<Value, Exception>) -> Result<Value, Exception> {
 }
 
 impl Core {
-    /// Take in a text as a source of its own.
-    /// A text to run, parsed if an interpreter of this thread has run the same file as its source of the same number:
-    /// calibrations run a script thousands of times.
+    /// A text to run, in its parsed form if an interpreter of this thread has run the same file.
+    ///
+    /// The file must have had the same number among the sources. A host may run a script thousands of times.
     fn parsed_before(&mut self, path: &str, name: &str, text: &str) -> Value {
         PARSED.with_borrow_mut(|parsed| {
             let source = self.sources.next();
@@ -218,7 +224,7 @@ impl Core {
                 return script.clone();
             }
             let script = self.take_text(name, text);
-            if parsed.len() >= MOST_PARSED {
+            if parsed.len() >= MAX_PARSED_FILES {
                 parsed.clear();
             }
             parsed.insert(path.to_owned(), (source, script.clone()));
@@ -226,16 +232,20 @@ impl Core {
         })
     }
 
+    /// Add a text as a source of its own.
     fn take_text(&mut self, name: &str, text: &str) -> Value {
         let source = self.sources.add(name, text);
         Value::literal(text.to_owned(), Some(Origin::whole(source)))
     }
 
-    /// Set a variable of the global namespace, where a script finds what its host tells it (`argv`, `env(HOME)`).
+    /// Set a variable of the global namespace, for instance `argv` or `env(HOME)`.
+    ///
+    /// # Errors
+    /// A scalar under the name of an array, an array under the name of a scalar, or a namespace that does not exist.
     pub fn set_global(&mut self, name: &str, value: impl Into<Value>) -> Result<(), Exception> {
-        let active = std::mem::replace(&mut self.active, 0);
+        let active = std::mem::replace(&mut self.calls.active, 0);
         let result = self.set_var(name, value);
-        self.active = active;
+        self.calls.active = active;
         result
     }
 }

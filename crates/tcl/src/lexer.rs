@@ -10,7 +10,7 @@ use super::stack;
 use super::value::Value;
 use super::vars::VarName;
 
-/// How deep brackets and parentheses may be nested in one text.
+/// Limit of nested brackets and parentheses in one text.
 pub(crate) const MAX_NESTING: usize = 1000;
 
 /// A letter, digit or underscore: what names of variables and functions are made of.
@@ -25,7 +25,7 @@ pub(crate) fn script(unit: &Rc<Unit>) -> Script {
     Script { unit: unit.clone(), commands, error }
 }
 
-/// Which substitutions `subst` makes.
+/// Substitutions that `subst` makes.
 #[derive(Clone, Copy)]
 pub(crate) struct Substitutions {
     pub(crate) backslashes: bool,
@@ -35,7 +35,7 @@ pub(crate) struct Substitutions {
 
 const ALL: Substitutions = Substitutions { backslashes: true, commands: true, variables: true };
 
-/// Where a row of parts ends.
+/// End of a row of parts.
 #[derive(Clone, Copy, PartialEq)]
 enum Stop {
     /// At a blank or the end of the command; in brackets also at the closing one.
@@ -441,7 +441,7 @@ impl<'a> Lexer<'a> {
     }
 }
 
-/// Whether a command is one of those that need no call.
+/// Returns true if a command needs no call.
 fn inline(words: &[Word]) -> Inline {
     let [Word { kind: WordKind::Literal(name), .. }, rest @ ..] = words else { return Inline::No };
     if rest.iter().any(|w| w.expand) {
@@ -454,7 +454,7 @@ fn inline(words: &[Word]) -> Inline {
     }
 }
 
-/// Whether a brace that is not closed may be due to one in a comment: `#` after a blank and `{` later on its line.
+/// Returns true if a comment may hold the brace that is not closed: `#` after a blank and `{` later on its line.
 fn brace_in_comment(text: &str) -> bool {
     let bytes = text.as_bytes();
     let mut open = false;
@@ -469,7 +469,7 @@ fn brace_in_comment(text: &str) -> bool {
     false
 }
 
-/// What `info complete` asks: whether nothing is left open at the end of the text.
+/// Result of `info complete`: true if nothing is left open at the end of the text.
 pub(crate) fn is_complete(text: &str) -> bool {
     let unit = Rc::new(Unit { text: text.into(), origin: None });
     match &script(&unit).error {

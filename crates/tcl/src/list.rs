@@ -105,14 +105,14 @@ impl Deref for List {
     }
 }
 
-/// Where the next element of a list text is.
+/// Position of the next element of a list's text.
 pub(crate) struct Element {
     /// Content, without braces or quotes.
     pub(crate) start: usize,
     pub(crate) end: usize,
-    /// Whether backslashes in it are still to be replaced.
+    /// True if backslashes in it are still to be replaced.
     pub(crate) escaped: bool,
-    /// Where the search for the one after starts.
+    /// Start of the search for the element after it.
     pub(crate) next: usize,
 }
 

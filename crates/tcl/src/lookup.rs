@@ -27,7 +27,7 @@ impl Core {
             (Trouble::NotArray | Trouble::NoNamespace, _) => &["TCL", "LOOKUP", "VARNAME", &name.text],
         };
         let e = Exception::coded(message, code);
-        if self.catching > 0 {
+        if self.calls.catching > 0 {
             return e;
         }
         match (why, index) {
@@ -85,12 +85,12 @@ impl Core {
     }
 
     fn slot_mut(&mut self, name: &VarName) -> Option<&mut Slot> {
-        let active = self.active;
+        let active = self.calls.active;
         if let Scope::Here = name.scope {
-            if self.frames[active].is_proc {
-                return self.frames[active].vars.get_hashed_mut(&name.tail, name.hash);
+            if self.calls.frames[active].is_proc {
+                return self.calls.frames[active].vars.get_hashed_mut(&name.tail, name.hash);
             }
-            let ns = self.frames[active].ns;
+            let ns = self.calls.frames[active].ns;
             let here = ns != NsId::GLOBAL && self.ns(ns).vars.get_hashed(&name.tail, name.hash).is_some();
             let ns = if here { ns } else { NsId::GLOBAL };
             return self.ns_mut(ns).vars.get_hashed_mut(&name.tail, name.hash);
@@ -101,11 +101,11 @@ impl Core {
 
     /// The slot of a variable, made if there is none; `None` where its namespace does not exist.
     pub(crate) fn slot_or_new(&mut self, name: &VarName) -> Option<&mut Slot> {
-        let active = self.active;
+        let active = self.calls.active;
         if let Scope::Here = name.scope
-            && self.frames[active].is_proc
+            && self.calls.frames[active].is_proc
         {
-            return Some(self.frames[active].vars.entry_or(&name.tail, name.hash, Slot::default));
+            return Some(self.calls.frames[active].vars.entry_or(&name.tail, name.hash, Slot::default));
         }
         let mut ns = self.scope_of(name)?;
         if let Scope::Here = name.scope
@@ -197,7 +197,7 @@ impl Core {
         result
     }
 
-    /// Remove a variable, or tell why it cannot be removed.
+    /// Remove a variable, or return the reason that forbids it.
     pub(crate) fn unset(&mut self, name: &VarName, index: Option<&str>) -> Result<(), Exception> {
         let known = index.is_none() && self.frame().is_proc && matches!(name.scope, Scope::Here);
         let done = match self.slot_mut(name) {
@@ -248,8 +248,8 @@ impl Core {
         };
         match ns {
             None => {
-                let active = self.active;
-                self.frames[active].vars.remove(&name.tail);
+                let active = self.calls.active;
+                self.calls.frames[active].vars.remove(&name.tail);
             }
             Some(ns) => {
                 self.ns_mut(ns).vars.remove(&name.tail);
@@ -282,12 +282,18 @@ impl Core {
     }
 
     /// The value of a variable by name, `name(index)` and qualified names included.
+    ///
+    /// # Errors
+    /// There is no such variable, or it is an array.
     pub fn get_var(&self, name: &str) -> Result<Value, Exception> {
         let name = VarName::parse(name);
         self.value_of(&name)
     }
 
     /// Set a variable by name.
+    ///
+    /// # Errors
+    /// A scalar under the name of an array, an array under the name of a scalar, or a namespace that does not exist.
     pub fn set_var(&mut self, name: &str, value: impl Into<Value>) -> Result<(), Exception> {
         let name = VarName::parse(name);
         self.assign(&name, value.into())

@@ -18,7 +18,7 @@ pub(crate) struct Namespace {
     pub(crate) vars: Table<Slot>,
     pub(crate) commands: Table<CmdId>,
     pub(crate) exports: Vec<Text>,
-    /// Where commands are looked up besides here and the global namespace.
+    /// Namespaces searched for commands besides this one and the global one.
     pub(crate) path: Vec<NsId>,
     pub(crate) unknown: Value,
     pub(crate) deleted: bool,
@@ -66,11 +66,11 @@ fn parts(path: &str) -> impl Iterator<Item = &str> {
 
 impl Core {
     pub(crate) fn ns(&self, id: NsId) -> &Namespace {
-        &self.namespaces[id.0 as usize]
+        &self.table.namespaces[id.0 as usize]
     }
 
     pub(crate) fn ns_mut(&mut self, id: NsId) -> &mut Namespace {
-        &mut self.namespaces[id.0 as usize]
+        &mut self.table.namespaces[id.0 as usize]
     }
 
     /// The namespace in which commands run now.
@@ -113,12 +113,12 @@ impl Core {
     }
 
     fn add_namespace(&mut self, parent: NsId, name: &str) -> NsId {
-        let id = NsId(self.namespaces.len() as u32);
+        let id = NsId(self.table.namespaces.len() as u32);
         let full = match &*self.ns(parent).full {
             "::" => format!("::{name}"),
             above => format!("{above}::{name}"),
         };
-        self.namespaces.push(Namespace::named(&full, Some(parent)));
+        self.table.namespaces.push(Namespace::named(&full, Some(parent)));
         self.ns_mut(parent).children.insert(name.into(), id);
         id
     }
@@ -144,7 +144,7 @@ impl Core {
         self.renew_epoch();
     }
 
-    /// Where a command of this name would be made: its namespace, made if needed, and the last part of the name.
+    /// Namespace of a new command of this name, created if needed, and the last part of the name.
     pub(crate) fn place_for(&mut self, name: &str) -> (NsId, Text) {
         match split_qualified(name) {
             None => (self.here(), name.into()),
@@ -171,29 +171,29 @@ impl Core {
     pub(crate) fn define(&mut self, ns: NsId, name: &Text, imp: Imp) -> CmdId {
         self.renew_epoch();
         if let Some(&old) = self.ns(ns).commands.get(name) {
-            self.commands[old.0 as usize].imp = imp;
+            self.table.commands[old.0 as usize].imp = imp;
             // No longer those of the language.
-            if self.inlined.0 == Some(old) {
-                self.inlined.0 = None;
+            if self.table.inlined.0 == Some(old) {
+                self.table.inlined.0 = None;
             }
-            if self.inlined.1 == Some(old) {
-                self.inlined.1 = None;
+            if self.table.inlined.1 == Some(old) {
+                self.table.inlined.1 = None;
             }
             return old;
         }
-        let id = CmdId(self.commands.len() as u32);
-        self.commands.push(Definition { name: name.clone(), ns, imp });
+        let id = CmdId(self.table.commands.len() as u32);
+        self.table.commands.push(Definition { name: name.clone(), ns, imp });
         self.ns_mut(ns).commands.insert(name.clone(), id);
         id
     }
 
     /// Give a command another name; what was imported from it stays imported.
     pub(crate) fn move_command(&mut self, id: CmdId, ns: NsId, tail: &Text) {
-        let Definition { name: old, ns: from, .. } = &self.commands[id.0 as usize];
+        let Definition { name: old, ns: from, .. } = &self.table.commands[id.0 as usize];
         let (old, from) = (old.clone(), *from);
         self.ns_mut(from).commands.remove(&old);
         self.ns_mut(ns).commands.insert(tail.clone(), id);
-        let definition = &mut self.commands[id.0 as usize];
+        let definition = &mut self.table.commands[id.0 as usize];
         definition.name = tail.clone();
         definition.ns = ns;
         if let Imp::Proc(proc) = &mut definition.imp
@@ -208,16 +208,16 @@ impl Core {
 
     /// Remove a command and what was imported from it.
     pub(crate) fn delete_command(&mut self, id: CmdId) {
-        let Definition { name, ns, .. } = &self.commands[id.0 as usize];
+        let Definition { name, ns, .. } = &self.table.commands[id.0 as usize];
         let (name, ns) = (name.clone(), *ns);
         if self.ns(ns).commands.get(&name) == Some(&id) {
             self.ns_mut(ns).commands.remove(&name);
         }
-        self.commands[id.0 as usize].imp = Imp::Deleted;
+        self.table.commands[id.0 as usize].imp = Imp::Deleted;
         self.renew_epoch();
-        let imports: Vec<CmdId> = (0..self.commands.len() as u32)
+        let imports: Vec<CmdId> = (0..self.table.commands.len() as u32)
             .map(CmdId)
-            .filter(|c| matches!(self.commands[c.0 as usize].imp, Imp::Import(of) if of == id))
+            .filter(|c| matches!(self.table.commands[c.0 as usize].imp, Imp::Import(of) if of == id))
             .collect();
         for import in imports {
             self.delete_command(import);
@@ -247,7 +247,7 @@ impl Core {
 
     /// The name of a command with all its qualifiers.
     pub(crate) fn full_name(&self, id: CmdId) -> String {
-        let Definition { name, ns, .. } = &self.commands[id.0 as usize];
+        let Definition { name, ns, .. } = &self.table.commands[id.0 as usize];
         self.qualified(*ns, name)
     }
 
@@ -261,7 +261,7 @@ impl Core {
 
     /// The command behind imports.
     pub(crate) fn origin_of(&self, mut id: CmdId) -> CmdId {
-        while let Imp::Import(of) = self.commands[id.0 as usize].imp {
+        while let Imp::Import(of) = self.table.commands[id.0 as usize].imp {
             id = of;
         }
         id

@@ -1,4 +1,4 @@
-//! Where a text comes from: the way from its bytes back to those of a file.
+//! Origin of a text: the map from its bytes to those of a file.
 
 use std::rc::Rc;
 

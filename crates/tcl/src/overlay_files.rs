@@ -1,4 +1,4 @@
-//! Files over other files: what is written stays in memory, the files below are only read.
+//! Files over other files: changes stay in memory, the files below are only read.
 
 use std::collections::BTreeSet;
 use std::io;
@@ -7,7 +7,7 @@ use std::time::Duration;
 use super::files::{FileInfo, FileKind, Files, OpenMode, Stream};
 use super::memory_files::{MemoryFiles, parent};
 
-/// What a script sees when it is checked: the files of the system, with its own changes to them in memory only.
+/// Files of the system, with a script's changes to them in memory only.
 pub struct OverlayFiles {
     below: Box<dyn Files>,
     above: MemoryFiles,
@@ -21,7 +21,7 @@ impl OverlayFiles {
         Self { below, above: MemoryFiles::default(), gone: BTreeSet::new() }
     }
 
-    /// Whether the file below, or a folder that it is in, has been removed.
+    /// Returns true if the file below, or a folder that holds it, has been removed.
     fn hidden(&self, path: &str) -> bool {
         let mut at = path;
         while at != "/" {

@@ -2,7 +2,7 @@
 
 use super::core::Core;
 
-/// What a path starts with if it is absolute: `/`, or on Windows a drive.
+/// Root of an absolute path: `/`, or on Windows a drive.
 fn root(path: &str) -> Option<&str> {
     if path.starts_with('/') {
         return path.get(..1);
@@ -14,7 +14,7 @@ fn root(path: &str) -> Option<&str> {
     None
 }
 
-/// Whether a path does not depend on the current folder.
+/// Returns true if a path does not depend on the current folder.
 pub(crate) fn is_absolute(path: &str) -> bool {
     root(path).is_some() || path.starts_with('~')
 }

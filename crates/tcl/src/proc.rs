@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use super::command::{Param, Place, Proc};
-use super::core::{Core, Frame, NsId, Site, What};
+use super::core::{CallSite, Callee, Core, Frame, NsId};
 use super::error::{Exception, Returned};
 use super::eval::script_of;
 use super::interp::Interp;
@@ -105,29 +105,35 @@ impl<H> Interp<H> {
         if let Err(e) = self.core.enter() {
             return Err(self.failed(e, argv, place));
         }
-        let span = place.and_then(|p| p.whole()).or(self.core.site);
+        let span = place.and_then(|p| p.whole()).or(self.core.calls.site);
         let name = argv.first().map_or_else(|| Text::from(""), Value::to_text);
-        let caller = self.core.active;
-        let frame =
-            Frame { ns: proc.ns, vars, is_proc: true, level: self.core.frames[caller].level + 1, caller, words: argv };
-        let outer_site = self.core.site;
-        self.core.sites.push(Site { what: What::Proc(name), span });
-        self.core.frames.push(frame);
-        self.core.active = self.core.frames.len() - 1;
-        let compiled = std::mem::replace(&mut self.core.compiled, true);
+        let caller = self.core.calls.active;
+        let frame = Frame {
+            ns: proc.ns,
+            vars,
+            is_proc: true,
+            level: self.core.calls.frames[caller].level + 1,
+            caller,
+            words: argv,
+        };
+        let outer_site = self.core.calls.site;
+        self.core.calls.sites.push(CallSite { what: Callee::Proc(name), span });
+        self.core.calls.frames.push(frame);
+        self.core.calls.active = self.core.calls.frames.len() - 1;
+        let compiled = std::mem::replace(&mut self.core.calls.compiled, true);
         let result = self.run(&proc.script);
-        self.core.compiled = compiled;
-        let words = match self.core.frames.pop() {
+        self.core.calls.compiled = compiled;
+        let words = match self.core.calls.frames.pop() {
             Some(frame) => {
                 self.core.give_vars(frame.vars);
                 frame.words
             }
             None => vec![],
         };
-        self.core.active = caller;
-        self.core.sites.pop();
-        self.core.site = outer_site;
-        self.core.levels -= 1;
+        self.core.calls.active = caller;
+        self.core.calls.sites.pop();
+        self.core.calls.site = outer_site;
+        self.core.calls.levels -= 1;
         let result = match result {
             Err(Exception::Return(value)) => Ok(value),
             Err(Exception::ReturnWith(returned)) => leave(*returned),
@@ -138,7 +144,7 @@ impl<H> Interp<H> {
         match result {
             Ok(value) => {
                 self.core.give_words(words);
-                match self.core.tailcall.take() {
+                match self.core.calls.tailcall.take() {
                     Some(argv) => self.eval_words(&argv),
                     None => Ok(value),
                 }
@@ -171,7 +177,7 @@ fn quoted(name: &str) -> String {
     out
 }
 
-/// What a procedure ends with, given what `return` in it asked for.
+/// Outcome of a procedure after a `return` with options.
 pub(crate) fn leave(mut returned: Returned) -> Result<Value, Exception> {
     if returned.level > 1 {
         returned.level -= 1;
@@ -180,7 +186,7 @@ pub(crate) fn leave(mut returned: Returned) -> Result<Value, Exception> {
     finish(returned)
 }
 
-/// What a command ends with once all levels are left.
+/// Outcome of a command once all levels are left.
 pub(crate) fn finish(returned: Returned) -> Result<Value, Exception> {
     let Returned { value, code, options, .. } = returned;
     let result = Exception::from_code(code, value);
@@ -246,12 +252,12 @@ impl Core {
 
     /// The frame of an absolute level.
     pub(crate) fn frame_at(&self, level: usize) -> Option<usize> {
-        let mut at = self.active;
-        while self.frames[at].level != level {
+        let mut at = self.calls.active;
+        while self.calls.frames[at].level != level {
             if at == 0 {
                 return None;
             }
-            at = self.frames[at].caller;
+            at = self.calls.frames[at].caller;
         }
         Some(at)
     }

@@ -1,5 +1,5 @@
-//! A hash table that remembers two orders: of insertion (for dictionaries) and of Tcl's own hash tables (for
-//! arrays and for the names in a namespace), so that `array names` lists in the order that tclsh does.
+//! A hash table with two orders: of insertion, for dictionaries, and of Tcl's own hash tables, for arrays and names in a
+//! namespace. `array names` therefore lists in the order of tclsh.
 
 use super::text::Text;
 

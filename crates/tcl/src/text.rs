@@ -15,14 +15,14 @@ use super::vars::VarName;
 /// A text together with what it was last understood as.
 pub(crate) struct StrObj {
     pub(super) text: String,
-    /// Where the text stands in a script.
+    /// Place of the text in a script.
     pub(super) origin: Option<Origin>,
     pub(super) cache: RefCell<Cache>,
     /// Number of characters; `u32::MAX` while it is not known.
     pub(super) chars: Cell<u32>,
 }
 
-/// What a text was last understood as.
+/// Parsed form of a text in its last use.
 #[derive(Clone, Default)]
 pub(crate) enum Cache {
     #[default]

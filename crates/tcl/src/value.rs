@@ -26,7 +26,7 @@ use super::text::{Cache, StrObj, Text};
 #[derive(Clone, Default)]
 pub struct Value(pub(crate) Rep);
 
-/// How a value is held.
+/// Representation of a value.
 #[derive(Clone, Default)]
 pub(crate) enum Rep {
     #[default]
@@ -147,7 +147,7 @@ impl Value {
         }
     }
 
-    /// Whether the text is empty.
+    /// Returns true if the text is empty.
     pub fn is_empty(&self) -> bool {
         match &self.0 {
             Rep::Empty => true,
@@ -167,7 +167,7 @@ impl Value {
         s.chars.get() as usize
     }
 
-    /// Whether every character is one byte, so that characters can be found by their byte.
+    /// Returns true if every character is one byte, so that indices of characters are those of bytes.
     pub(crate) fn is_ascii(&self) -> bool {
         match &self.0 {
             Rep::Str(s) => self.char_count() == s.text.len(),
@@ -208,7 +208,10 @@ impl Value {
         }
     }
 
-    /// The double that the text is.
+    /// The text as a double.
+    ///
+    /// # Errors
+    /// The text is no number, or not a number (`NaN`).
     pub fn to_f64(&self) -> Result<f64, Exception> {
         match &self.0 {
             Rep::Int(i) => Ok(*i as f64),
@@ -221,7 +224,10 @@ impl Value {
         }
     }
 
-    /// The integer that the text is.
+    /// The text as an integer of 64 bits.
+    ///
+    /// # Errors
+    /// The text is no integer, or needs more than 64 bits.
     pub fn to_i64(&self) -> Result<i64, Exception> {
         if let Rep::Int(i) = &self.0 {
             return Ok(*i);
@@ -270,7 +276,10 @@ impl Value {
         Exception::coded(message, &["TCL", "VALUE", "NUMBER"])
     }
 
-    /// The boolean that the text is: a number, or `true`, `yes`, `on` and so on.
+    /// The text as a boolean: a number, or `true`, `yes`, `on` and their opposites.
+    ///
+    /// # Errors
+    /// Any other text.
     pub fn to_bool(&self) -> Result<bool, Exception> {
         match self.truth() {
             Some(b) => Ok(b),
@@ -288,7 +297,10 @@ impl Value {
         }
     }
 
-    /// The elements of the list that the text is.
+    /// The text as a list.
+    ///
+    /// # Errors
+    /// A brace or quote in the text is not closed, or text follows a closed one.
     pub fn to_list(&self) -> Result<List, Exception> {
         match &self.0 {
             Rep::Empty => Ok(List::default()),
@@ -351,7 +363,7 @@ impl Value {
         }
     }
 
-    /// Whether letting go of this value may mean letting go of others within.
+    /// Returns true if dropping this value may drop others inside it.
     pub(crate) fn is_nested(&self) -> bool {
         match &self.0 {
             Rep::List(_) | Rep::Dict(_) => true,

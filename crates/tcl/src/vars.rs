@@ -21,7 +21,7 @@ pub(crate) struct VarName {
     pub(crate) element: Option<Text>,
 }
 
-/// Where a name points.
+/// Target of a variable's name.
 #[derive(Debug)]
 pub(crate) enum Scope {
     /// A plain name: where the command stands.
@@ -86,7 +86,7 @@ impl VarName {
     }
 }
 
-/// What stands under a name.
+/// Content of a name: a scalar, an array or a link.
 #[derive(Debug, Default)]
 pub(crate) enum Slot {
     #[default]

@@ -28,6 +28,7 @@ numberer Plain
 system ProfileSPD
 test NormDispIncr 1.0e-7 50
 algorithm Newton
-integrator Newmark 0.6 0.3025
+# Under imposed displacements the usual Newmark lets velocity ring from step to step; this one forgets within a few.
+integrator Newmark 1.0 1.0
 analysis Transient
 if {[analyze [expr {$npts-1}] $dt] != 0} {error "no convergence at [getTime]"}

@@ -1,43 +1,48 @@
-//! The axial load changes the lateral response.
+//! Loss of lateral stiffness under axial load.
 
-use super::{Added, Hypothesis, Proposal, Sight};
-use crate::conditions::axial_loads;
+use super::context::force_parts;
+use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
+use crate::inspect::conditions::axial_loads;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "axial_shear_interaction",
-    says: "the axial load takes lateral stiffness away (P-Delta, buckling)",
+    statement: "the axial load takes lateral stiffness away (P-Delta, buckling)",
     refuted_by: "the lateral stiffness is the same at another axial load",
-    like: &["strain_stiffening", "mullins_softening"],
+    look_alikes: &["strain_stiffening", "mullins_softening"],
     needs_clock: false,
     propose,
 };
 
-/// Compression of a group at rest, from the runs' own `axial` or from the model.
-pub(super) fn load(s: &Sight<'_>, m: &super::Moved<'_>) -> Option<(f64, String)> {
-    let carried = m.axial.and_then(|axial| s.scales.of(&m.group, axial)).map_or(0.0, |x| x.q);
+/// Axial force of a group, with the option of the amendment for it: that of the model, or the variable `axial` of the runs.
+pub(super) fn axial_force(s: &ProposalContext<'_>, m: &super::MovingGroup<'_>) -> Option<(f64, String)> {
+    let carried = m.axial_direction.and_then(|axial| s.responses.of(&m.devices, axial)).map_or(0.0, |x| x.force);
     if carried > 0.0 {
-        return Some((carried, m.axial_word()));
+        return Some((carried, m.axial_option()));
     }
     let most = axial_loads(s.study)?.into_iter().fold(0.0, f64::max);
     (most > 0.0).then(|| (most, " -load [expr {abs($axial)}]".into()))
 }
 
-fn propose(s: &Sight<'_>) -> Vec<Proposal> {
+fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
     let mut out = vec![];
-    for m in s.moved(false) {
-        let Some((p, option)) = load(s, &m) else { continue };
-        for (which, share, more) in Sight::shares(&m) {
-            let critical = || Added::log("critical", 0.5 * p, 20.0 * p, 2.0 * p);
-            let line = format!("{} -critical $hy_critical{option} {}{share}", m.amend("axial"), m.dir);
+    for m in s.moving_groups(false) {
+        let Some((force, option)) = axial_force(s, &m) else { continue };
+        for (which, share, further) in force_parts(&m) {
+            let critical = || AddedParameter::log("critical", 0.5 * force, 20.0 * force, 2.0 * force);
+            let line = format!("{} -critical $hy_critical{option} {}{share}", m.amend("axial"), m.dir_option);
             let mut added = vec![critical()];
-            added.extend(more.clone());
+            added.extend(further.clone());
             let form = format!("critical load, loss {which}");
-            out.push(Proposal::edit("axial_shear_interaction", &form, m.at(), vec![line], added));
-            let line = format!("{} -critical $hy_critical -width $hy_width{option} {}{share}", m.amend("axial"), m.dir);
-            let mut added = vec![critical(), Added::log("width", 1.1 * m.e, 20.0 * m.e, 3.0 * m.e)];
-            added.extend(more);
+            out.push(Proposal::script_edit("axial_shear_interaction", &form, m.location(), vec![line], added));
+            let line =
+                format!("{} -critical $hy_critical -width $hy_width{option} {}{share}", m.amend("axial"), m.dir_option);
+            let mut added = vec![
+                critical(),
+                AddedParameter::log("width", 1.1 * m.deformation, 20.0 * m.deformation, 3.0 * m.deformation),
+            ];
+            added.extend(further);
             let form = format!("critical load falling with the overlap, loss {which}");
-            out.push(Proposal::edit("axial_shear_interaction", &form, m.at(), vec![line], added));
+            out.push(Proposal::script_edit("axial_shear_interaction", &form, m.location(), vec![line], added));
         }
     }
     out

@@ -1,27 +1,34 @@
-//! Strength is lost with accumulated damage.
+//! Loss of strength or stiffness with accumulated damage.
 
-use super::{Added, Hypothesis, Proposal, Sight, of_strength};
+use super::context::{force_parts, strength_part};
+use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "cyclic_degradation",
-    says: "strength or stiffness is lost with accumulated damage",
+    statement: "strength or stiffness is lost with accumulated damage",
     refuted_by: "after a rest, or at a small amplitude after a large one, the strength is back",
-    like: &["self_heating", "mullins_softening"],
+    look_alikes: &["self_heating", "mullins_softening"],
     needs_clock: false,
     propose,
 };
 
-fn propose(s: &Sight<'_>) -> Vec<Proposal> {
+fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
     let mut out = vec![];
-    for m in s.moved(false) {
-        for (which, share, more) in Sight::shares(&m).into_iter().chain([of_strength(&m)]) {
-            let line = format!("{} -loss $hy_loss -energy $hy_energy {}{share}", m.amend("degradation"), m.dir);
+    for m in s.moving_groups(false) {
+        for (part_name, share, further) in force_parts(&m).into_iter().chain([strength_part(&m)]) {
+            let line = format!("{} -loss $hy_loss -energy $hy_energy {}{share}", m.amend("degradation"), m.dir_option);
             let mut added = vec![
-                Added::linear("loss", -0.5, 0.95, 0.2),
-                Added::log("energy", 0.01 * m.work, 10.0 * m.work, 0.4 * m.work),
+                AddedParameter::linear("loss", -0.5, 0.95, 0.2),
+                AddedParameter::log("energy", 0.01 * m.work, 10.0 * m.work, 0.4 * m.work),
             ];
-            added.extend(more);
-            out.push(Proposal::edit("cyclic_degradation", &format!("loss {which}"), m.at(), vec![line], added));
+            added.extend(further);
+            out.push(Proposal::script_edit(
+                "cyclic_degradation",
+                &format!("loss {part_name}"),
+                m.location(),
+                vec![line],
+                added,
+            ));
         }
     }
     out

@@ -1,91 +1,99 @@
-//! Energy loss of the structure that the damping model misses.
+//! Energy loss of the structure beyond its damping model.
 
-use super::{Added, Hypothesis, Proposal, Sight};
-use crate::anatomy::{Numbers, ROOM};
-use crate::columns::Column;
+use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
+use crate::inspect::frame_members::FrameMember;
+use crate::inspect::inventory::{Device, TAGS_PER_PURPOSE, TagPurpose};
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "damping",
-    says: "the structure loses energy that its damping model misses",
+    statement: "the structure loses energy that its damping model misses",
     refuted_by: "free vibration decays as the model says",
-    like: &["rate_dependence", "friction"],
+    look_alikes: &["rate_dependence", "friction"],
     needs_clock: false,
     propose,
 };
 
-fn propose(s: &Sight<'_>) -> Vec<Proposal> {
+fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
     let mut out = vec![];
-    if !s.anatomy.shaken {
+    if !s.inventory.base_excited {
         return out;
     }
-    for m in s.moved(true) {
+    for m in s.moving_groups(true) {
         let dashpots = |amend: &str, at: &str, forms: [&str; 2]| {
-            // From nearly friction to an orifice's.
-            let power = Added::linear("power", 0.2, 2.0, 0.6);
+            // From nearly dry friction (0.2) to an orifice (2).
+            let power = AddedParameter::linear("power", 0.2, 2.0, 0.6);
             let (linear, force) = m.dashpot(amend, "1.0");
             let (curved, _) = m.dashpot(amend, "$hy_power");
             [
-                Proposal::edit("damping", forms[0], at.into(), vec![linear], vec![force.clone()]),
-                Proposal::edit("damping", forms[1], at.into(), vec![curved], vec![force, power]),
+                Proposal::script_edit("damping", forms[0], at.into(), vec![linear], vec![force.clone()]),
+                Proposal::script_edit("damping", forms[1], at.into(), vec![curved], vec![force, power]),
             ]
         };
         let all = ["dashpots in the structure", "dashpots of a power of speed"];
-        out.extend(dashpots(&m.amend("damping"), &m.at(), all));
-        // Each with a dashpot in proportion to its stiffness, and each alone.
-        if m.group.len() > 1 {
-            let alike = |d: &super::Device| {
+        out.extend(dashpots(&m.amend("damping"), &m.location(), all));
+        // Dashpots in proportion to stiffness, and a dashpot beside each device alone.
+        if m.devices.len() > 1 {
+            let alike = |d: &Device| {
                 let k = d.directions.iter().find(|x| m.directions.contains(&x.number)).map_or(0.0, |x| x.stiffness);
-                format!("amend element {} damping -coefficient [expr {{$hy_beta*{k:.6e}}}] {}", d.tag, m.dir)
+                format!("amend element {} damping -coefficient [expr {{$hy_beta*{k:.6e}}}] {}", d.tag, m.dir_option)
             };
-            let block = m.group.iter().map(|d| alike(d)).collect();
-            let beta = m.e / m.v.max(f64::MIN_POSITIVE);
-            let added = vec![Added::log("beta", 1e-4 * beta, 3.0 * beta, 0.05 * beta)];
-            out.push(Proposal::edit("damping", "dashpots in proportion to stiffness", m.at(), block, added));
-            for d in &m.group {
+            let block = m.devices.iter().map(|d| alike(d)).collect();
+            let beta = m.deformation / m.speed.max(f64::MIN_POSITIVE);
+            let added = vec![AddedParameter::log("beta", 1e-4 * beta, 3.0 * beta, 0.05 * beta)];
+            out.push(Proposal::script_edit(
+                "damping",
+                "dashpots in proportion to stiffness",
+                m.location(),
+                block,
+                added,
+            ));
+            for d in &m.devices {
                 let alone = format!("amend element {} damping", d.tag);
-                out.extend(dashpots(&alone, &super::named(&[d]), ["dashpot", "dashpot of a power of speed"]));
+                out.extend(dashpots(&alone, &super::element_names(&[d]), ["dashpot", "dashpot of a power of speed"]));
             }
         }
     }
-    out.extend(beside_columns(s));
-    if !s.anatomy.masses.is_empty() {
-        // Dashpots between the masses and the ground: mass-proportional damping beside whatever the script has.
+    out.extend(dashpots_beside_columns(s));
+    if !s.inventory.masses.is_empty() {
+        // Dashpots between masses and ground, in addition to the damping of the script.
         let mut block = vec![];
-        for (tag, node) in (s.anatomy.free(Numbers::Regions)..).zip(&s.anatomy.masses) {
+        for (tag, node) in (s.inventory.first_tag(TagPurpose::Regions)..).zip(&s.inventory.masses) {
             block.push(format!("# mass-proportional damping of node {}", node.node));
             block.push(format!("region {tag} -node {} -rayleigh $hy_alphaM 0.0 0.0 0.0", node.node));
         }
-        let added = vec![Added::log("alphaM", 1e-3, 10.0, 0.1)];
-        out.push(Proposal::edit("damping", "mass-proportional damping", "all masses".into(), block, added));
+        let added = vec![AddedParameter::log("alphaM", 1e-3, 10.0, 0.1)];
+        out.push(Proposal::script_edit("damping", "mass-proportional damping", "all masses".into(), block, added));
     }
     out
 }
 
-/// Dashpots from storey to storey of a frame, beside its columns.
-fn beside_columns(s: &Sight<'_>) -> Option<Proposal> {
-    let columns = &s.anatomy.columns;
-    if s.anatomy.girders.is_empty() || columns.is_empty() || columns.len() > ROOM {
+/// Dashpots beside the columns of a frame, from storey to storey.
+fn dashpots_beside_columns(s: &ProposalContext<'_>) -> Option<Proposal> {
+    let columns = &s.inventory.columns;
+    if s.inventory.girders.is_empty() || columns.is_empty() || columns.len() > TAGS_PER_PURPOSE {
         return None;
     }
-    // Against the critical damping of a column that carries its part of the mass.
-    let stiffness = columns.iter().fold(0.0, |most: f64, c| most.max(3.0 * c.rotational / (c.length * c.length)));
-    let mass = s.anatomy.masses.iter().map(|m| m.mass[0]).sum::<f64>() / columns.len() as f64;
+    // Scale: the critical damping of a column under its share of the mass.
+    let stiffness =
+        columns.iter().fold(0.0, |most: f64, c| most.max(3.0 * c.rotational_stiffness / (c.length * c.length)));
+    let mass = s.inventory.masses.iter().map(|m| m.mass[0]).sum::<f64>() / columns.len() as f64;
     let critical = 2.0 * (stiffness * mass).sqrt();
     if critical <= 0.0 {
         return None;
     }
-    let first = s.anatomy.free(Numbers::Dashpots);
-    let (materials, across) = match s.anatomy.ndm {
+    let first = s.inventory.first_tag(TagPurpose::Dashpots);
+    let (materials, across) = match s.inventory.ndm {
         2 => (format!("{first}"), "-dir 2"),
         _ => (format!("{first} {first}"), "-dir 2 3 -orient 0 0 1 1 0 0"),
     };
     let mut block = vec![format!("uniaxialMaterial Viscous {first} $hy_c 1.0")];
-    let link =
-        |(c, tag): (&Column, i32)| format!("element twoNodeLink {tag} {} {} -mat {materials} {across}", c.node, c.head);
+    let link = |(c, tag): (&FrameMember, i32)| {
+        format!("element twoNodeLink {tag} {} {} -mat {materials} {across}", c.foot, c.head)
+    };
     block.extend(columns.iter().zip(first..).map(link));
-    let added = vec![Added::log("c", 1e-4 * critical, critical, 0.03 * critical)];
+    let added = vec![AddedParameter::log("c", 1e-4 * critical, critical, 0.03 * critical)];
     let tags: Vec<String> = columns.iter().map(|c| c.tag.to_string()).collect();
-    Some(Proposal::edit(
+    Some(Proposal::script_edit(
         "damping",
         "dashpots in the structure",
         format!("beside element {}", tags.join(" ")),

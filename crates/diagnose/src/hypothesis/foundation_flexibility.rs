@@ -1,102 +1,106 @@
-//! The support gives way.
+//! Flexible soil or supports below a fixed base.
 
-use super::{Added, Hypothesis, Proposal, Sight};
-use crate::anatomy::{Numbers, Support, grouped};
-use crate::conditions::amplitudes_differ;
+use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
+use crate::inspect::conditions::amplitudes_differ;
+use crate::inspect::inventory::{Support, TagPurpose, grouped};
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "foundation_flexibility",
-    says: "the soil or the support below the fixed base of the model gives way",
+    statement: "the soil or the support below the fixed base of the model gives way",
     refuted_by: "the base of the structure does not move against the free field",
-    like: &["superstructure_yielding", "damping"],
+    look_alikes: &["superstructure_yielding", "damping"],
     needs_clock: false,
     propose,
 };
 
-/// Supports that are freed alone, at most, and together.
-const ALONE: usize = 6;
-const TOGETHER: usize = 20;
-/// Stiffnesses that differ by no more than this part of the larger one are about the same (a choice).
-const SPREAD: f64 = 0.5;
+/// Supports that are freed one at a time, at most.
+const MAX_SINGLE_SUPPORTS: usize = 6;
+/// Supports that are freed together, at most.
+const MAX_JOINT_SUPPORTS: usize = 20;
+/// Difference of stiffnesses that count as similar, in parts of the larger one. A choice.
+const SIMILAR_STIFFNESS: f64 = 0.5;
 
-fn propose(s: &Sight<'_>) -> Vec<Proposal> {
+fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
     let mut out = vec![];
-    if !s.anatomy.shaken {
+    if !s.inventory.base_excited {
         return out;
     }
-    let stands = |p: &&Support| !p.elements.is_empty() && p.fixed.len() >= s.anatomy.ndm;
-    let supports: Vec<&Support> = s.anatomy.supports.iter().filter(stands).collect();
-    for support in supports.iter().take(ALONE) {
-        forms(s, &[support], &mut out);
+    let carries = |p: &&Support| !p.elements.is_empty() && p.fixed.len() >= s.inventory.ndm;
+    let supports: Vec<&Support> = s.inventory.supports.iter().filter(carries).collect();
+    for support in supports.iter().take(MAX_SINGLE_SUPPORTS) {
+        add_forms(s, &[support], &mut out);
     }
-    // Those that are held alike, together: the ends of a bridge, the columns of a frame. And of these those that carry alike: the piers
-    // of a bridge without its abutments.
+    // Supports with equal fixities together: ends of a bridge, columns of a frame. Among them those with similar stiffness:
+    // piers without abutments.
     let all = || supports.iter().copied();
-    let held = grouped(all(), |a, b| a.fixed == b.fixed);
-    let carrying = grouped(all(), |a, b| a.fixed == b.fixed && carry_alike(a, b));
-    let further = carrying.into_iter().filter(|g| !held.contains(g)).collect::<Vec<_>>();
-    for group in held.iter().chain(&further).filter(|g| (2..=TOGETHER).contains(&g.len())) {
-        forms(s, group, &mut out);
+    let equally_fixed = grouped(all(), |a, b| a.fixed == b.fixed);
+    let similar = grouped(all(), |a, b| a.fixed == b.fixed && similar_stiffness(a, b));
+    let further = similar.into_iter().filter(|g| !equally_fixed.contains(g)).collect::<Vec<_>>();
+    for group in equally_fixed.iter().chain(&further).filter(|g| (2..=MAX_JOINT_SUPPORTS).contains(&g.len())) {
+        add_forms(s, group, &mut out);
     }
     out
 }
 
-/// Whether what stands on two supports is about as stiff.
-fn carry_alike(a: &Support, b: &Support) -> bool {
-    let near = |(a, b): (&f64, &f64)| (a - b).abs() <= SPREAD * a.abs().max(b.abs());
+/// Returns true if the elements on two supports have similar stiffnesses.
+fn similar_stiffness(a: &Support, b: &Support) -> bool {
+    let near = |(a, b): (&f64, &f64)| (a - b).abs() <= SIMILAR_STIFFNESS * a.abs().max(b.abs());
     a.stiffness.iter().zip(&b.stiffness).all(near)
 }
 
-/// What a support has beside springs and dashpots.
+/// Addition to the springs and dashpots of a support.
 #[derive(Clone, Copy, PartialEq)]
-enum More {
-    Nothing,
-    /// The springs yield, at about a tenth of the largest force of the model's devices.
+enum Addition {
+    None,
+    /// Yielding of the springs, with a scale of the yield force.
     Yielding {
         force: f64,
     },
-    /// A mass of its own.
+    /// A footing with mass.
     Footing,
 }
 
-/// Springs and dashpots of the same size under some supports.
-fn forms(s: &Sight<'_>, supports: &[&Support], out: &mut Vec<Proposal>) {
-    let ndm = s.anatomy.ndm;
-    let total = s.anatomy.masses.iter().map(|m| m.mass[0]).sum::<f64>();
+/// Adds all forms of equal springs and dashpots below some supports.
+fn add_forms(s: &ProposalContext<'_>, supports: &[&Support], out: &mut Vec<Proposal>) {
+    let ndm = s.inventory.ndm;
+    let total = s.inventory.masses.iter().map(|m| m.mass[0]).sum::<f64>();
     let (first, stiffest) =
         (supports[0], |dof: usize| supports.iter().fold(0.0, |a: f64, p| a.max(p.stiffness[dof - 1])));
-    // Across the last axis, which is the vertical one; a chain along one axis has its motion there.
-    let across: Vec<usize> = (1..ndm.max(2)).filter(|d| first.fixed.contains(d) && stiffest(*d) > 0.0).collect();
-    let about: &[usize] = if ndm == 2 { &[3] } else { &[4, 5] };
-    let rocks: Vec<usize> =
-        about.iter().copied().filter(|d| first.fixed.contains(d) && first.ndf >= *d && stiffest(*d) > 0.0).collect();
+    // Horizontal directions; a chain along one axis moves along it.
+    let horizontal: Vec<usize> = (1..ndm.max(2)).filter(|d| first.fixed.contains(d) && stiffest(*d) > 0.0).collect();
+    let rotations: &[usize] = if ndm == 2 { &[3] } else { &[4, 5] };
+    let rocking: Vec<usize> = rotations
+        .iter()
+        .copied()
+        .filter(|d| first.fixed.contains(d) && first.ndf >= *d && stiffest(*d) > 0.0)
+        .collect();
     let named: Vec<String> = supports.iter().map(|p| p.node.to_string()).collect();
     let at = format!("node {}", named.join(" "));
-    let mut form = |form: &str, springs: &[(&str, &[usize])], more: More| {
+    let mut form = |form: &str, springs: &[(&str, &[usize])], addition: Addition| {
         let (mut block, mut added) = (vec![], vec![]);
         let scale = |dofs: &[usize]| dofs.iter().map(|d| stiffest(*d)).fold(0.0, f64::max);
-        for (material, (name, dofs)) in (s.anatomy.free(Numbers::Foundation)..).step_by(2).zip(springs) {
-            block.push(match more {
-                More::Yielding { .. } => {
+        for (material, (name, dofs)) in (s.inventory.first_tag(TagPurpose::Foundation)..).step_by(2).zip(springs) {
+            block.push(match addition {
+                Addition::Yielding { .. } => {
                     format!("uniaxialMaterial Steel01 {material} $hy_{name}_yield $hy_{name} $hy_{name}_hardening")
                 }
                 _ => format!("uniaxialMaterial Elastic {material} $hy_{name}"),
             });
             block.push(format!("uniaxialMaterial Viscous {} $hy_{name}_dashpot 1.0", material + 1));
-            // Against the stiffness of what stands on it: what is much stiffer is a fixed base.
+            // Scale: the stiffness of the elements above. A much stiffer spring is a fixed base.
             let scale = scale(dofs);
-            added.push(Added::log(name, 3e-3 * scale, 100.0 * scale, scale));
-            added.push(Added::log(&format!("{name}_dashpot"), 1e-5 * scale, 0.3 * scale, 3e-3 * scale));
-            if let More::Yielding { force } = more {
-                added.push(Added::log(&format!("{name}_yield"), 3e-3 * force, 10.0 * force, 0.1 * force));
-                added.push(Added::linear(&format!("{name}_hardening"), 0.0, 0.9, 0.1));
+            added.push(AddedParameter::log(name, 3e-3 * scale, 100.0 * scale, scale));
+            added.push(AddedParameter::log(&format!("{name}_dashpot"), 1e-5 * scale, 0.3 * scale, 3e-3 * scale));
+            if let Addition::Yielding { force } = addition {
+                added.push(AddedParameter::log(&format!("{name}_yield"), 3e-3 * force, 10.0 * force, 0.1 * force));
+                added.push(AddedParameter::linear(&format!("{name}_hardening"), 0.0, 0.9, 0.1));
             }
         }
-        for (support, tag) in supports.iter().zip(s.anatomy.free(Numbers::Foundation)..) {
+        for (support, tag) in supports.iter().zip(s.inventory.first_tag(TagPurpose::Foundation)..) {
             let (mut materials, mut directions) = (vec![], vec![]);
-            block.push(format!("node {tag} {}", super::coordinates(support.node, ndm)));
+            block.push(format!("node {tag} {}", super::context::node_coordinates(support.node, ndm)));
             block.push(format!("fix {tag} {}", vec!["1"; support.ndf].join(" ")));
-            for (material, (_, dofs)) in (s.anatomy.free(Numbers::Foundation)..).step_by(2).zip(springs) {
+            for (material, (_, dofs)) in (s.inventory.first_tag(TagPurpose::Foundation)..).step_by(2).zip(springs) {
                 for dof in *dofs {
                     let direction = if ndm == 2 && *dof == 3 { 6 } else { *dof };
                     block.push(format!("remove sp {} {dof}", support.node));
@@ -110,8 +114,8 @@ fn forms(s: &Sight<'_>, supports: &[&Support], out: &mut Vec<Proposal>) {
                 materials.join(" "),
                 directions.join(" ")
             ));
-            if more == More::Footing {
-                let own = s.anatomy.masses.iter().find(|m| m.node == support.node).map_or(&[][..], |m| &m.mass);
+            if addition == Addition::Footing {
+                let own = s.inventory.masses.iter().find(|m| m.node == support.node).map_or(&[][..], |m| &m.mass);
                 let mass = |i: usize| own.get(i).copied().unwrap_or(0.0);
                 let words = (0..support.ndf).map(|i| match i {
                     0 => format!("[expr {{{:e}+$hy_footing}}]", mass(0)),
@@ -120,28 +124,28 @@ fn forms(s: &Sight<'_>, supports: &[&Support], out: &mut Vec<Proposal>) {
                 block.push(format!("mass {} {}", support.node, words.collect::<Vec<_>>().join(" ")));
             }
         }
-        if more == More::Footing {
-            added.push(Added::log("footing", 1e-3 * total, total, 0.05 * total));
+        if addition == Addition::Footing {
+            added.push(AddedParameter::log("footing", 1e-3 * total, total, 0.05 * total));
         }
-        out.push(Proposal::edit("foundation_flexibility", form, at.clone(), block, added));
+        out.push(Proposal::script_edit("foundation_flexibility", form, at.clone(), block, added));
     };
-    if !across.is_empty() {
-        form("horizontal spring", &[("sway", &across)], More::Nothing);
-        // What softens with amplitude is seen where that differs, and below what does not soften itself.
-        let force = s.scales.largest_force();
-        let softens = |tag: &i32| s.anatomy.devices.iter().any(|d| d.tag == *tag && !d.linear);
+    if !horizontal.is_empty() {
+        form("horizontal spring", &[("sway", &horizontal)], Addition::None);
+        // Yielding shows where amplitudes differ, below elements that do not yield themselves.
+        let force = s.responses.largest_force();
+        let softens = |tag: &i32| s.inventory.devices.iter().any(|d| d.tag == *tag && !d.linear);
         let below = supports.iter().any(|p| p.elements.iter().any(softens));
         if force > 0.0 && !below && amplitudes_differ(s.study) {
-            form("horizontal spring that yields", &[("sway", &across)], More::Yielding { force });
+            form("horizontal spring that yields", &[("sway", &horizontal)], Addition::Yielding { force });
         }
         if total > 0.0 {
-            form("horizontal spring and a footing with mass", &[("sway", &across)], More::Footing);
+            form("horizontal spring and a footing with mass", &[("sway", &horizontal)], Addition::Footing);
         }
     }
-    if !rocks.is_empty() {
-        form("rocking spring", &[("rocking", &rocks)], More::Nothing);
+    if !rocking.is_empty() {
+        form("rocking spring", &[("rocking", &rocking)], Addition::None);
     }
-    if !across.is_empty() && !rocks.is_empty() {
-        form("horizontal and rocking spring", &[("sway", &across), ("rocking", &rocks)], More::Nothing);
+    if !horizontal.is_empty() && !rocking.is_empty() {
+        form("horizontal and rocking spring", &[("sway", &horizontal), ("rocking", &rocking)], Addition::None);
     }
 }

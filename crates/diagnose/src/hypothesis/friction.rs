@@ -1,37 +1,48 @@
-//! Coulomb friction in parallel.
+//! Coulomb friction in parallel with a device.
 
-use super::{Added, Hypothesis, Proposal, Sight};
+use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "friction",
-    says: "a Coulomb friction force acts in parallel (a slider, a guide, the rig)",
+    statement: "a Coulomb friction force acts in parallel (a slider, a guide, the rig)",
     refuted_by: "the loop of a tiny cycle is as thin as the material alone would have it",
-    like: &["rate_dependence", "damping", "sensor_gain"],
+    look_alikes: &["rate_dependence", "damping", "sensor_gain"],
     needs_clock: false,
     propose,
 };
 
-fn propose(s: &Sight<'_>) -> Vec<Proposal> {
+fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
     let mut out = vec![];
-    for m in s.moved_or_grounded() {
-        let force = || Added::log("force", 1e-3 * m.q, 0.9 * m.q, 0.05 * m.q);
-        // What bends farther before it slips is a hysteretic spring and no friction.
-        let way = || Added::log("way", 1e-4 * m.e, 0.05 * m.e, 0.01 * m.e);
-        let mut form = |form: &str, law: &str, added: Vec<Added>| {
-            out.push(Proposal::edit("friction", form, m.at(), vec![format!("{law} {}", m.dir)], added));
+    for m in s.moving_or_supported_groups() {
+        let force = || AddedParameter::log("force", 1e-3 * m.force, 0.9 * m.force, 0.05 * m.force);
+        // A larger deformation before slip is that of a hysteretic spring.
+        let elastic_slip =
+            || AddedParameter::log("way", 1e-4 * m.deformation, 0.05 * m.deformation, 0.01 * m.deformation);
+        let mut form = |form: &str, law: &str, added: Vec<AddedParameter>| {
+            out.push(Proposal::script_edit(
+                "friction",
+                form,
+                m.location(),
+                vec![format!("{law} {}", m.dir_option)],
+                added,
+            ));
         };
         let slips = |kind: &str| format!("{} -force $hy_force -stiffness [expr $hy_force/$hy_way]", m.amend(kind));
-        form("constant friction force", &slips("friction"), vec![force(), way()]);
-        form("friction force of bristles", &slips("bristles"), vec![force(), way()]);
-        if s.clock {
-            let more = [
-                Added::log("breakaway", 1e-3 * m.q, 0.9 * m.q, 0.05 * m.q),
-                Added::log("speed", 1e-3 * m.v, m.v, 0.1 * m.v),
+        form("constant friction force", &slips("friction"), vec![force(), elastic_slip()]);
+        form("friction force of bristles", &slips("bristles"), vec![force(), elastic_slip()]);
+        if s.has_clock {
+            let further = [
+                AddedParameter::log("breakaway", 1e-3 * m.force, 0.9 * m.force, 0.05 * m.force),
+                AddedParameter::log("speed", 1e-3 * m.speed, m.speed, 0.1 * m.speed),
             ];
             let law = format!("{} -breakaway $hy_breakaway -speed $hy_speed", slips("bristles"));
-            form("friction force that falls with speed", &law, [force(), way()].into_iter().chain(more).collect());
+            form(
+                "friction force that falls with speed",
+                &law,
+                [force(), elastic_slip()].into_iter().chain(further).collect(),
+            );
             let law = format!("{} -force $hy_force -speed $hy_speed", m.amend("sliding"));
-            let speed = Added::log("speed", 1e-4 * m.v, 0.1 * m.v, 0.01 * m.v);
+            let speed = AddedParameter::log("speed", 1e-4 * m.speed, 0.1 * m.speed, 0.01 * m.speed);
             form("friction force smoothed over speed", &law, vec![force(), speed]);
         }
     }

@@ -1,137 +1,148 @@
-//! A gap closes.
+//! Closing gaps: pounding, a moat wall, a stopper.
 
-use super::{Added, Device, Hypothesis, Moved, Proposal, Sight, named, tags};
-use crate::anatomy::Numbers;
-use crate::neighbours::Neighbours;
-use crate::scale::Extent;
+use super::{AddedParameter, Hypothesis, MovingGroup, Proposal, ProposalContext, element_names, element_tags};
+use crate::inspect::adjacent_structures::AdjacentNodes;
+use crate::inspect::inventory::{Device, TagPurpose};
+use crate::inspect::response::ResponseRange;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "gap_impact",
-    says: "a gap closes: pounding, a moat wall, a stopper",
+    statement: "a gap closes: pounding, a moat wall, a stopper",
     refuted_by: "the deformation passes the gap without a peak of force or acceleration",
-    like: &["strain_stiffening"],
+    look_alikes: &["strain_stiffening"],
     needs_clock: false,
     propose,
 };
 
-/// Devices of a group that are looked at each alone, at most.
-const ALONE: usize = 6;
+/// Largest number of devices in a group that get walls one at a time.
+const MAX_SINGLE_DEVICES: usize = 6;
 
-/// A wall no farther than this part of the largest deformation would never have been called a gap (a choice).
-const NEVER: f64 = 0.05;
+/// Least gap over the largest deformation; a closer wall is no gap. A choice.
+const MIN_GAP: f64 = 0.05;
 
-fn propose(s: &Sight<'_>) -> Vec<Proposal> {
+fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
     let mut out = vec![];
-    for m in s.moved_or_grounded() {
+    for m in s.moving_or_supported_groups() {
         let sides = [("walls on both sides", 0), ("wall on the positive side", 1), ("wall on the negative side", -1)];
-        let all = Way { directions: &m.directions, across: "" };
+        let all = BlockedDirections { directions: &m.directions, across: "" };
         for (form, side) in sides {
             for (law, power) in [("", 1.0), (", Hertz contact", 1.5)] {
-                out.extend(wall(s, &m, &m.group, &all, &format!("{form}{law}"), (side, power)));
+                out.extend(wall(s, &m, &m.devices, &all, &format!("{form}{law}"), (side, power)));
             }
-            // Of what moves in the plane, a wall that stands in the way of one direction.
+            // Of devices that move in the plane, a wall across one axis.
             if let [first, second] = &m.directions[..] {
                 for (direction, across) in [(first, " across the first axis"), (second, " across the second axis")] {
-                    let way = Way { directions: std::slice::from_ref(direction), across };
-                    out.extend(wall(s, &m, &m.group, &way, form, (side, 1.0)));
+                    let blocked = BlockedDirections { directions: std::slice::from_ref(direction), across };
+                    out.extend(wall(s, &m, &m.devices, &blocked, form, (side, 1.0)));
                 }
             }
         }
-        // An abutment or a neighbour is at one place.
-        for device in m.group.iter().filter(|_| (2..=ALONE).contains(&m.group.len())) {
+        // An abutment or an adjacent building is at one device.
+        for device in m.devices.iter().filter(|_| (2..=MAX_SINGLE_DEVICES).contains(&m.devices.len())) {
             for (form, side) in sides {
                 out.extend(wall(s, &m, &[device], &all, form, (side, 1.0)));
             }
         }
     }
-    for (n, pair) in s.anatomy.neighbours.iter().enumerate() {
-        out.extend(joint(s, n, pair));
+    for (n, pair) in s.inventory.adjacent.iter().enumerate() {
+        out.extend(joint_contact(s, n, pair));
     }
     out
 }
 
-/// Directions of a device that a wall stands in the way of.
-struct Way<'a> {
+/// Directions that a wall blocks.
+struct BlockedDirections<'a> {
     directions: &'a [usize],
     across: &'static str,
 }
 
-/// Parts of the largest deformation towards a wall at which it may stand: what touches it at a few peaks only moves otherwise as if there
-/// were none, and the valley is narrow (choices).
-const NEAR_THE_LARGEST: [f64; 4] = [0.97, 0.9, 0.8, 0.5];
+/// Starts of the gap over the largest deformation towards the wall. A wall touched at a few peaks leaves the motion
+/// between them unchanged, and its minimum is narrow. A choice.
+const GAP_STARTS: [f64; 4] = [0.97, 0.9, 0.8, 0.5];
 
-/// Walls beside some devices of a group that moves; none where nothing moves towards them.
+/// Walls beside devices of a group; none if no device moves towards them. The contact law is force ∝ penetration^power.
 fn wall(
-    s: &Sight<'_>,
-    m: &Moved<'_>,
+    s: &ProposalContext<'_>,
+    m: &MovingGroup<'_>,
     devices: &[&Device],
-    way: &Way<'_>,
+    blocked: &BlockedDirections<'_>,
     form: &str,
     (side, power): (i32, f64),
 ) -> Option<Proposal> {
     let line = format!(
         "amend element {} gap -at $hy_gap -stiffness $hy_wall -power {power} -damping $hy_damping -side {side} -dir {}",
-        tags(devices),
-        way.directions.iter().map(usize::to_string).collect::<Vec<_>>().join(" ")
+        element_tags(devices),
+        blocked.directions.iter().map(usize::to_string).collect::<Vec<_>>().join(" ")
     );
-    let towards = |x: Extent| match side {
-        0 => x.e,
-        1 => x.range[1],
-        _ => -x.range[0],
+    let towards = |x: ResponseRange| match side {
+        0 => x.deformation,
+        1 => x.deformation_bounds[1],
+        _ => -x.deformation_bounds[0],
     };
-    let reach = way.directions.iter().filter_map(|d| s.scales.of(devices, *d)).map(towards).fold(0.0, f64::max);
-    if reach <= NEVER * m.e {
+    let reach = blocked.directions.iter().filter_map(|d| s.responses.of(devices, *d)).map(towards).fold(0.0, f64::max);
+    if reach <= MIN_GAP * m.deformation {
         return None;
     }
-    // As stiff at a fifth of the deformation.
-    let k = m.stiffness() * (0.2 * m.e).powf(1.0 - power);
-    let gap = Added::linear("gap", NEVER * m.e, 1.1 * m.e, 0.7 * reach);
-    let gap = Added { also: NEAR_THE_LARGEST.map(|part| part * reach).into(), ..gap };
-    let added = [vec![gap], contact(k, 30.0 * k, m.v)].concat();
-    Some(Proposal::edit("gap_impact", &format!("{form}{}", way.across), named(devices), vec![line], added))
+    // Equal contact force at a penetration of a fifth of the deformation.
+    let k = m.stiffness() * (0.2 * m.deformation).powf(1.0 - power);
+    let gap = AddedParameter::linear("gap", MIN_GAP * m.deformation, 1.1 * m.deformation, 0.7 * reach);
+    let gap = AddedParameter { further_starts: GAP_STARTS.map(|part| part * reach).into(), ..gap };
+    let added = [vec![gap], contact(k, 30.0 * k, m.speed)].concat();
+    Some(Proposal::script_edit(
+        "gap_impact",
+        &format!("{form}{}", blocked.across),
+        element_names(devices),
+        vec![line],
+        added,
+    ))
 }
 
-/// Stiffness and damping of a contact beside something of stiffness k that moves with a speed; where the search for the former starts.
-fn contact(k: f64, start: f64, speed: f64) -> Vec<Added> {
-    let slowest = speed.max(1e-12);
+/// Parameters of a contact: its stiffness on the scale k with the start of its search, and its damping on the scale of 1/speed.
+fn contact(k: f64, start: f64, speed: f64) -> Vec<AddedParameter> {
+    let nonzero_speed = speed.max(1e-12);
     vec![
-        Added::log("wall", 0.5 * k, 1e4 * k, start),
-        Added::log("damping", 1e-3 / slowest, 3.0 / slowest, 0.1 / slowest),
+        AddedParameter::log("wall", 0.5 * k, 1e4 * k, start),
+        AddedParameter::log("damping", 1e-3 / nonzero_speed, 3.0 / nonzero_speed, 0.1 / nonzero_speed),
     ]
 }
 
-/// Parts of all deformations together that the joint between neighbours may be wide (choices).
-const WIDE: f64 = 2.0;
-const NARROW: f64 = 0.01;
+/// Width of a joint between adjacent structures over the sum of all deformations, largest and least. A choice.
+const MAX_JOINT_WIDTH: f64 = 2.0;
+const MIN_JOINT_WIDTH: f64 = 0.01;
+/// Starts of the width over that sum. A choice.
+const JOINT_STARTS: [f64; 4] = [0.05, 0.1, 0.4, 0.8];
 
-/// A joint between neighbours that is too narrow. Where the model does not say on which side of the first the second stands, either.
-fn joint(s: &Sight<'_>, number: usize, pair: &Neighbours) -> Vec<Proposal> {
+/// A joint between adjacent structures that closes. Nodes at one place give a proposal for either order of the structures.
+fn joint_contact(s: &ProposalContext<'_>, number: usize, pair: &AdjacentNodes) -> Vec<Proposal> {
     let lateral =
-        |d: &Device| d.directions.iter().filter(|d| d.number <= 3 && !d.upright).map(|d| d.number).collect::<Vec<_>>();
-    let of = |d| lateral(d).into_iter().filter_map(|n| s.scales.of(&[d], n));
-    let extents: Vec<Extent> = s.anatomy.devices.iter().flat_map(of).collect();
-    let reach: f64 = extents.iter().map(|x| x.e).sum();
-    let Some(most) = extents.into_iter().reduce(Extent::or).filter(|x| s.anatomy.shaken && x.e > 0.0 && x.q > 0.0)
+        |d: &Device| d.directions.iter().filter(|d| d.number <= 3 && !d.vertical).map(|d| d.number).collect::<Vec<_>>();
+    let of = |d| lateral(d).into_iter().filter_map(|n| s.responses.of(&[d], n));
+    let extents: Vec<ResponseRange> = s.inventory.devices.iter().flat_map(of).collect();
+    let reach: f64 = extents.iter().map(|x| x.deformation).sum();
+    let Some(most) = extents
+        .into_iter()
+        .reduce(ResponseRange::envelope)
+        .filter(|x| s.inventory.base_excited && x.deformation > 0.0 && x.force > 0.0)
     else {
         return vec![];
     };
-    let k = most.q / most.e;
-    let tag = s.anatomy.free(Numbers::Joints) + number as i32;
+    let k = most.force / most.deformation;
+    let tag = s.inventory.first_tag(TagPurpose::Joints) + number as i32;
     let [i, j] = pair.nodes;
-    // Of nodes that stand apart a link knows which way they come nearer.
-    let (element, sides): (_, &[i32]) = if pair.apart { ("twoNodeLink", &[-1]) } else { ("zeroLength", &[-1, 1]) };
+    // The link between separated nodes has the direction in which they approach.
+    let (element, sides): (_, &[i32]) = if pair.separated { ("twoNodeLink", &[-1]) } else { ("zeroLength", &[-1, 1]) };
     let one = |side: &i32| {
-        // The wall is that of the amendment; the spring is there to carry it.
+        // The amendment is the wall; the spring only carries it.
         let block = vec![
             format!("uniaxialMaterial Elastic {tag} {:e}", 1e-9 * k),
             format!("element {element} {tag} {i} {j} -mat {tag} -dir 1"),
             format!("amend element {tag} gap -at $hy_gap -stiffness $hy_wall -damping $hy_damping -side {side} -dir 1"),
         ];
-        let gap = Added::log("gap", NARROW * reach, WIDE * reach, 0.2 * reach);
-        let gap = Added { also: [0.05, 0.1, 0.4, 0.8].map(|part| part * reach).into(), ..gap };
-        let added = [vec![gap], contact(k, 10.0 * k, most.v)].concat();
+        let gap = AddedParameter::log("gap", MIN_JOINT_WIDTH * reach, MAX_JOINT_WIDTH * reach, 0.2 * reach);
+        let gap = AddedParameter { further_starts: JOINT_STARTS.map(|part| part * reach).into(), ..gap };
+        let added = [vec![gap], contact(k, 10.0 * k, most.speed)].concat();
         let form = if *side < 0 { "neighbours touch" } else { "neighbours touch, the second on the other side" };
-        Proposal::edit("gap_impact", form, format!("nodes {i} {j}"), block, added)
+        Proposal::script_edit("gap_impact", form, format!("nodes {i} {j}"), block, added)
     };
     sides.iter().map(one).collect()
 }

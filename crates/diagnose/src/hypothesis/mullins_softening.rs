@@ -1,40 +1,52 @@
-//! Virgin rubber is stiffer than scragged rubber.
+//! Mullins effect: virgin rubber is stiffer than scragged rubber.
 
-use super::{Added, Hypothesis, Proposal, Sight};
+use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "mullins_softening",
-    says: "virgin or recovered rubber is stiffer on its first way to a strain than on the next (Mullins, scragging)",
+    statement: "virgin or recovered rubber is stiffer on its first way to a strain than on the next (Mullins, scragging)",
     refuted_by: "the second cycle at an amplitude that was never reached before is as stiff as the first",
-    like: &["cyclic_degradation", "self_heating", "strain_stiffening"],
+    look_alikes: &["cyclic_degradation", "self_heating", "strain_stiffening"],
     needs_clock: false,
     propose,
 };
 
-fn propose(s: &Sight<'_>) -> Vec<Proposal> {
+fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
     let mut out = vec![];
-    for m in s.moved(false) {
+    for m in s.moving_groups(false) {
         let k = m.stiffness();
-        let part = || Added::linear("k", 0.05 * k, 1.2 * k, 0.6 * k);
-        // It is the network of the rubber that softens; the rest does in its own measure.
-        for (which, share, more) in [
+        let elastic = || AddedParameter::linear("k", 0.05 * k, 1.2 * k, 0.6 * k);
+        // The rubber network softens; the rest has a factor of its own.
+        for (part_name, share, further) in [
             ("of the whole force", "", vec![]),
-            ("of the hysteretic part", " -share $hy_k 0", vec![part()]),
-            ("of the elastic part", " -share $hy_k 1 0", vec![part()]),
-            ("of both parts", " -share $hy_k 1 $hy_rest", vec![part(), Added::linear("rest", 0.0, 1.5, 0.4)]),
+            ("of the hysteretic part", " -share $hy_k 0", vec![elastic()]),
+            ("of the elastic part", " -share $hy_k 1 0", vec![elastic()]),
+            (
+                "of both parts",
+                " -share $hy_k 1 $hy_rest",
+                vec![elastic(), AddedParameter::linear("rest", 0.0, 1.5, 0.4)],
+            ),
         ] {
-            let form = |form: &str, power: &str, added: Vec<Added>| {
-                let options = format!("-virgin $hy_virgin -power {power} -onset $hy_onset {}{share}", m.dir);
+            let form = |form: &str, power: &str, added: Vec<AddedParameter>| {
+                let options = format!("-virgin $hy_virgin -power {power} -onset $hy_onset {}{share}", m.dir_option);
                 let line = format!("{} {options}", m.amend("mullins"));
-                let added = added.into_iter().chain(more.clone()).collect();
-                Proposal::edit("mullins_softening", &format!("{form} {which}"), m.at(), vec![line], added)
+                let added = added.into_iter().chain(further.clone()).collect();
+                Proposal::script_edit(
+                    "mullins_softening",
+                    &format!("{form} {part_name}"),
+                    m.location(),
+                    vec![line],
+                    added,
+                )
             };
-            // Rubber loses half of its stiffness by it at most; more is damage.
-            let virgin = Added::linear("virgin", -0.3, 1.2, 0.2);
-            let onset = |start: f64| Added::log("onset", 1e-3 * m.e, 3.0 * m.e, start * m.e);
-            let back = vec![virgin.clone(), Added::linear("power", 0.2, 8.0, 2.0), onset(0.1)];
-            out.push(form("excess", "$hy_power", back));
-            // Rubber that is back at its largest strain is as stiff as virgin rubber (Ogden and Roxburgh), or the virgin path
+            // Rubber loses at most half of its stiffness by it.
+            let virgin = AddedParameter::linear("virgin", -0.3, 1.2, 0.2);
+            let onset = |start: f64| {
+                AddedParameter::log("onset", 1e-3 * m.deformation, 3.0 * m.deformation, start * m.deformation)
+            };
+            let recovering = vec![virgin.clone(), AddedParameter::linear("power", 0.2, 8.0, 2.0), onset(0.1)];
+            out.push(form("excess", "$hy_power", recovering));
+            // Rubber that is recovering at its largest strain is as stiff as virgin rubber (Ogden and Roxburgh), or the virgin path
             // itself has lost what is gone (Simo, 1987; Govindjee and Simo, 1991).
             out.push(form("excess, lost for good,", "0", vec![virgin, onset(0.4)]));
         }

@@ -1,53 +1,57 @@
-//! The force depends on the rate of strain.
+//! Dependence of the force on the rate of strain.
 
-use super::{Added, Hypothesis, Proposal, Sight};
+use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "rate_dependence",
-    says: "the force depends on how fast the device is strained: a viscous overstress",
+    statement: "the force depends on how fast the device is strained: a viscous overstress",
     refuted_by: "the same motion at a tenth of the speed gives the same force",
-    like: &["friction", "damping", "mullins_softening"],
+    look_alikes: &["friction", "damping", "mullins_softening"],
     needs_clock: true,
     propose,
 };
 
-fn propose(s: &Sight<'_>) -> Vec<Proposal> {
+fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
     let mut out = vec![];
-    // A dashpot beside what was taken as elastic is damping of the structure.
-    let of_elastic = s.anatomy.shaken && s.moved(false).is_empty();
-    for m in s.moved_or_grounded() {
-        let (at, dir, k) = (m.at(), &m.dir, m.stiffness());
-        let over = |form: &str, power: &str, more: Vec<Added>| {
+    // A dashpot beside an elastic device is damping of the structure.
+    let of_elastic = s.inventory.base_excited && s.moving_groups(false).is_empty();
+    for m in s.moving_or_supported_groups() {
+        let (location, dir, k) = (m.location(), &m.dir_option, m.stiffness());
+        let overstress = |form: &str, power: &str, more: Vec<AddedParameter>| {
             let line = format!(
                 "{} overstress -force $hy_force -speed {:.6e} -power {power} -stiffness $hy_spring {dir}",
                 m.amend(""),
-                m.v
+                m.speed
             );
             let mut added = vec![
-                Added::log("force", 1e-3 * m.q, 3.0 * m.q, 0.1 * m.q),
-                Added::log("spring", 0.05 * k, 100.0 * k, 3.0 * k),
+                AddedParameter::log("force", 1e-3 * m.force, 3.0 * m.force, 0.1 * m.force),
+                AddedParameter::log("spring", 0.05 * k, 100.0 * k, 3.0 * k),
             ];
             added.extend(more);
-            Proposal::edit("rate_dependence", form, at.clone(), vec![line], added)
+            Proposal::script_edit("rate_dependence", form, location.clone(), vec![line], added)
         };
-        out.push(over("linear overstress (Maxwell)", "1.0", vec![]));
-        out.push(over("power-law overstress", "$hy_power", vec![Added::linear("power", 0.08, 1.0, 0.3)]));
-        let relaxing = |form: &str, more: &str| {
+        out.push(overstress("linear overstress (Maxwell)", "1.0", vec![]));
+        out.push(overstress(
+            "power-law overstress",
+            "$hy_power",
+            vec![AddedParameter::linear("power", 0.08, 1.0, 0.3)],
+        ));
+        let relaxation = |form: &str, more: &str| {
             let line = format!("{} -strength $hy_strength -time $hy_time{more} {dir}", m.amend("relaxation"));
-            // From what relaxes between two samples to what hardly does during the longest run.
-            let (step, longest) = (s.sampling(), s.longest());
+            // Relaxation times from a sampling interval to the longest run.
+            let (step, longest) = (s.sampling_interval(), s.longest_run());
             let added = vec![
-                Added::log("strength", 0.01, 20.0, 0.3),
-                Added::log("time", step, longest, (step * longest).sqrt()),
+                AddedParameter::log("strength", 0.01, 20.0, 0.3),
+                AddedParameter::log("time", step, longest, (step * longest).sqrt()),
             ];
-            Proposal::edit("rate_dependence", form, at.clone(), vec![line], added)
+            Proposal::script_edit("rate_dependence", form, location.clone(), vec![line], added)
         };
-        out.push(relaxing("quasi-linear overstress, one relaxation time", ""));
-        out.push(relaxing("quasi-linear overstress, relaxation times over three decades", " -decades 3"));
+        out.push(relaxation("quasi-linear overstress, one relaxation time", ""));
+        out.push(relaxation("quasi-linear overstress, relaxation times over three decades", " -decades 3"));
         if !of_elastic {
             let (line, force) = m.dashpot(&m.amend("damping"), "$hy_power");
-            let added = vec![force, Added::linear("power", 0.1, 1.2, 1.0)];
-            out.push(Proposal::edit("rate_dependence", "dashpot", at.clone(), vec![line], added));
+            let added = vec![force, AddedParameter::linear("power", 0.1, 1.2, 1.0)];
+            out.push(Proposal::script_edit("rate_dependence", "dashpot", location.clone(), vec![line], added));
         }
     }
     out

@@ -1,37 +1,47 @@
-//! Dissipated work warms the device.
+//! Self-heating: dissipated work warms and softens a device.
 
-use super::{Added, HYSTERETIC, Hypothesis, Proposal, STRENGTH, Sight, of_strength};
+use super::context::{HYSTERETIC_PART, STRENGTH, force_parts, strength_part};
+use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "self_heating",
-    says: "dissipated work warms the device and softens it",
+    statement: "dissipated work warms the device and softens it",
     refuted_by: "after a pause long enough to cool the first cycle is as soft as the last",
-    like: &["cyclic_degradation", "mullins_softening"],
+    look_alikes: &["cyclic_degradation", "mullins_softening"],
     needs_clock: true,
     propose,
 };
 
-/// Softening per degree: only the ratio to the heat capacity can be found without a thermometer.
+/// Softening, 1/degree. Without a thermometer only its ratio to the heat capacity can be found.
 const SOFTENING: f64 = 0.01;
 
-fn propose(s: &Sight<'_>) -> Vec<Proposal> {
+fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
     let mut out = vec![];
-    for m in s.moved(false) {
-        // A rise by ten degrees over the longest run to start from.
-        let c = m.work / 10.0;
-        for (which, share, more) in Sight::shares(&m).into_iter().chain([of_strength(&m)]) {
-            let mut form = |form: &str, loss: &str, added: Vec<Added>| {
-                let options = format!("-softening {SOFTENING} -capacity $hy_capacity {loss} {}{share}", m.dir);
+    for m in s.moving_groups(false) {
+        // Start: a rise of ten degrees over the longest run.
+        let capacity = m.work / 10.0;
+        for (part_name, share, further) in force_parts(&m).into_iter().chain([strength_part(&m)]) {
+            let mut form = |form: &str, loss: &str, added: Vec<AddedParameter>| {
+                let options = format!("-softening {SOFTENING} -capacity $hy_capacity {loss} {}{share}", m.dir_option);
                 let line = format!("{} {options}", m.amend("heating"));
-                let added = added.into_iter().chain(more.clone()).collect();
-                out.push(Proposal::edit("self_heating", &format!("{form} {which}"), m.at(), vec![line], added));
+                let added = added.into_iter().chain(further.clone()).collect();
+                out.push(Proposal::script_edit(
+                    "self_heating",
+                    &format!("{form} {part_name}"),
+                    m.location(),
+                    vec![line],
+                    added,
+                ));
             };
-            let cooling = vec![Added::log("capacity", 0.02 * c, 30.0 * c, c), Added::log("cooling", 1.0, 1e5, 100.0)];
+            let cooling = vec![
+                AddedParameter::log("capacity", 0.02 * capacity, 30.0 * capacity, capacity),
+                AddedParameter::log("cooling", 1.0, 1e5, 100.0),
+            ];
             form("softening", "-cooling $hy_cooling", cooling);
-            // Lead and faces of sliding lie on bodies that take up their heat; of a face alone there is hardly any heat capacity.
-            if [HYSTERETIC, STRENGTH].contains(&which) {
-                let capacity = Added::log("capacity", 1e-3 * c, 30.0 * c, 0.3 * c);
-                let conduction = vec![capacity, Added::log("conduction", 1e-3, 1e3, 10.0)];
+            // Lead cores and sliding faces conduct heat into adjacent bodies; a face alone has hardly any heat capacity.
+            if [HYSTERETIC_PART, STRENGTH].contains(&part_name) {
+                let capacity = AddedParameter::log("capacity", 1e-3 * capacity, 30.0 * capacity, 0.3 * capacity);
+                let conduction = vec![capacity, AddedParameter::log("conduction", 1e-3, 1e3, 10.0)];
                 form("softening, heat conducted away,", "-conduction $hy_conduction", conduction);
             }
         }

@@ -1,52 +1,54 @@
-//! The structure above yields.
+//! Yielding of the structure above the base.
 
-use super::{Added, Hypothesis, Proposal, Sight};
-use crate::anatomy::{Device, Numbers, grouped};
-use crate::columns::Column;
+use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
+use crate::inspect::frame_members::FrameMember;
+use crate::inspect::inventory::{Device, TagPurpose, grouped};
 
-/// Columns on the ground that are looked at alone, and storeys, at most; springs and braces of a kind that are.
-const MOST: usize = 6;
-const FEW: usize = 12;
+/// Ground columns that yield one at a time, storeys and floors, at most.
+const MAX_LEVELS: usize = 6;
+/// Largest number of springs of one kind that yield one at a time.
+const MAX_SINGLE_SPRINGS: usize = 12;
 
-/// Parts of the largest force of the elastic model at which something that has yielded a little may have done so: the valley is narrow,
-/// for whatever yields much more or not at all moves as differently as if nothing had been found.
-const NEAR_THE_LARGEST: [f64; 5] = [0.99, 0.96, 0.83, 0.75, 0.62];
+/// Starts of the strength over the largest elastic force. The minimum of a slight yielding is narrow: a structure that yields
+/// much more, or not at all, moves quite differently.
+const STRENGTH_STARTS: [f64; 5] = [0.99, 0.96, 0.83, 0.75, 0.62];
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "superstructure_yielding",
-    says: "the structure above, taken as elastic, yields",
+    statement: "the structure above, taken as elastic, yields",
     refuted_by: "the structure comes back to where it stood, and its stiffness does not fall with the amplitude",
-    like: &["foundation_flexibility", "damping"],
+    look_alikes: &["foundation_flexibility", "damping"],
     needs_clock: false,
     propose,
 };
 
-fn propose(s: &Sight<'_>) -> Vec<Proposal> {
+fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
     let mut out = vec![];
-    for m in s.moved(true) {
-        // Each alone where they are few, and all together.
+    for m in s.moving_groups(true) {
+        // Each spring alone if there are few, and all together.
         let mut sets: Vec<Vec<&Device>> =
-            if m.group.len() <= FEW { m.group.iter().map(|d| vec![*d]).collect() } else { vec![] };
-        if m.group.len() > 1 {
-            sets.push(m.group.clone());
+            if m.devices.len() <= MAX_SINGLE_SPRINGS { m.devices.iter().map(|d| vec![*d]).collect() } else { vec![] };
+        if m.devices.len() > 1 {
+            sets.push(m.devices.clone());
         }
         for set in sets {
-            let q = m.directions.iter().filter_map(|d| s.scales.of(&set, *d)).map(|x| x.q).fold(0.0, f64::max);
-            let tags = super::tags(&set);
-            let mut form = |form: &str, law: &str, more: Vec<Added>| {
-                let line = format!("amend element {tags} {law} -force $hy_yield -hardening $hy_hardening {}", m.dir);
-                let force = Added::linear("yield", 0.03 * q, 1.2 * q, 0.9 * q);
+            let q = m.directions.iter().filter_map(|d| s.responses.of(&set, *d)).map(|x| x.force).fold(0.0, f64::max);
+            let tags = super::element_tags(&set);
+            let mut form = |form: &str, law: &str, more: Vec<AddedParameter>| {
+                let line =
+                    format!("amend element {tags} {law} -force $hy_yield -hardening $hy_hardening {}", m.dir_option);
+                let force = AddedParameter::linear("yield", 0.03 * q, 1.2 * q, 0.9 * q);
                 let mut added = vec![
-                    Added { also: NEAR_THE_LARGEST.map(|part| part * q).into(), ..force },
-                    Added::linear("hardening", 0.0, 0.6, 0.1),
+                    AddedParameter { further_starts: STRENGTH_STARTS.map(|part| part * q).into(), ..force },
+                    AddedParameter::linear("hardening", 0.0, 0.6, 0.1),
                 ];
                 added.extend(more);
-                let at = super::named(&set);
-                out.push(Proposal::edit("superstructure_yielding", form, at, vec![line], added));
+                let at = super::element_names(&set);
+                out.push(Proposal::script_edit("superstructure_yielding", form, at, vec![line], added));
             };
             form("bilinear spring", "yielding", vec![]);
-            // Concrete loses stiffness, steel does not.
-            let unloading = vec![Added::linear("unloading", 0.0, 0.6, 0.2)];
+            // Concrete loses stiffness in unloading.
+            let unloading = vec![AddedParameter::linear("unloading", 0.0, 0.6, 0.2)];
             form(
                 "spring that reloads towards its largest deformation",
                 "peakOriented -unloading $hy_unloading",
@@ -54,69 +56,69 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
             );
         }
     }
-    // The feet of columns: those on the ground each alone as well, of storeys all together. Those that a girder holds yield at the head
-    // as well, and girders at both ends.
-    let one_level = |a: &Column, b: &Column| (a.level - b.level).abs() <= 1e-6 * b.level.abs().max(1.0);
-    let levels = grouped(&s.anatomy.columns, one_level);
-    for (n, level) in levels.iter().take(MOST).enumerate() {
+    // Hinges at the feet of the columns of each storey, on the ground also one column at a time. Columns below a girder yield at
+    // the head as well, and girders at both ends.
+    let one_level = |a: &FrameMember, b: &FrameMember| (a.level - b.level).abs() <= 1e-6 * b.level.abs().max(1.0);
+    let levels = grouped(&s.inventory.columns, one_level);
+    for (n, level) in levels.iter().take(MAX_LEVELS).enumerate() {
         if n == 0 && level.len() > 1 {
-            out.extend(level.iter().take(MOST).filter_map(|column| hinges(s, &[*column], Ends::Foot)));
+            out.extend(level.iter().take(MAX_LEVELS).filter_map(|column| hinges(s, &[*column], Ends::Foot)));
         }
         out.extend(hinges(s, level, Ends::Foot));
-        let held = |c: &&Column| s.anatomy.girders.iter().any(|g| [g.node, g.head].contains(&c.head));
-        if level.iter().all(held) {
+        let below_girder = |c: &&FrameMember| s.inventory.girders.iter().any(|g| [g.foot, g.head].contains(&c.head));
+        if level.iter().all(below_girder) {
             out.extend(hinges(s, level, Ends::Both));
         }
     }
-    // Girders of all floors, and of each.
-    let girders: Vec<&Column> = s.anatomy.girders.iter().collect();
+    // Girders of all floors together, and of each floor.
+    let girders: Vec<&FrameMember> = s.inventory.girders.iter().collect();
     out.extend(hinges(s, &girders, Ends::Both));
-    let floors = grouped(&s.anatomy.girders, one_level);
+    let floors = grouped(&s.inventory.girders, one_level);
     if floors.len() > 1 {
-        out.extend(floors.iter().take(MOST).filter_map(|floor| hinges(s, floor, Ends::Both)));
+        out.extend(floors.iter().take(MAX_LEVELS).filter_map(|floor| hinges(s, floor, Ends::Both)));
     }
     out
 }
 
-/// Ends of beams at which there are hinges.
+/// Ends of beams with hinges.
 #[derive(Clone, Copy, PartialEq)]
 enum Ends {
     Foot,
     Both,
 }
 
-/// Hinges at the ends of beams, about every axis of bending, all alike.
-fn hinges(s: &Sight<'_>, columns: &[&Column], ends: Ends) -> Option<Proposal> {
-    let stiffness = columns.iter().fold(0.0, |a: f64, c| a.max(c.rotational));
-    let moment = columns.iter().filter_map(|c| s.scales.moments.get(&c.tag)).fold(0.0, |a: f64, m| a.max(*m));
+/// Equal hinges at the ends of beams, about every axis of bending; none without stiffness or moment.
+fn hinges(s: &ProposalContext<'_>, columns: &[&FrameMember], ends: Ends) -> Option<Proposal> {
+    let stiffness = columns.iter().fold(0.0, |a: f64, c| a.max(c.rotational_stiffness));
+    let moment = columns.iter().filter_map(|c| s.responses.end_moments.get(&c.tag)).fold(0.0, |a: f64, m| a.max(*m));
     if stiffness <= 0.0 || moment <= 0.0 {
         return None;
     }
-    let material = s.anatomy.free(Numbers::Hinges);
+    let material = s.inventory.first_tag(TagPurpose::Hinges);
     let mut block = vec![format!(
         "uniaxialMaterial Steel02 {material} $hy_moment $hy_rotational [expr {{$hy_plastic/$hy_rotational}}] 18.0 0.925 0.15"
     )];
-    // A column may have been drawn from its head.
-    let (up, down): (Vec<&Column>, Vec<&Column>) =
-        columns.iter().copied().partition(|c| c.end == 0 || ends == Ends::Both);
-    for (some, end) in [(up, " -end i"), (down, " -end j")] {
+    // A column may be defined from its head.
+    let (from_foot, from_head): (Vec<&FrameMember>, Vec<&FrameMember>) =
+        columns.iter().copied().partition(|c| c.foot_end == 0 || ends == Ends::Both);
+    for (members, end) in [(from_foot, " -end i"), (from_head, " -end j")] {
         let end = if ends == Ends::Both { "" } else { end };
-        if !some.is_empty() {
-            block.push(format!("amend element {} hinges -mat {material}{end}", tags(&some)));
+        if !members.is_empty() {
+            block.push(format!("amend element {} hinges -mat {material}{end}", member_tags(&members)));
         }
     }
-    // Against the moment that the elastic beams have, and their stiffness, of which the fitted model has given up some. From stiff
-    // hinges on: one as soft as its column is no start for one that yields a little.
-    let strength = Added::log("moment", 0.03 * moment, 3.0 * moment, 0.9 * moment);
+    // Scales: moment and stiffness of the elastic beams. Hinges start stiff, because the fitted model has lost some stiffness
+    // already, and a hinge as soft as its column cannot yield slightly.
+    let strength = AddedParameter::log("moment", 0.03 * moment, 3.0 * moment, 0.9 * moment);
     let added = vec![
-        Added { also: NEAR_THE_LARGEST.map(|part| part * moment).into(), ..strength },
-        Added::log("plastic", 1e-3 * stiffness, stiffness, 0.05 * stiffness),
-        Added::log("rotational", 0.05 * stiffness, 100.0 * stiffness, 30.0 * stiffness),
+        AddedParameter { further_starts: STRENGTH_STARTS.map(|part| part * moment).into(), ..strength },
+        AddedParameter::log("plastic", 1e-3 * stiffness, stiffness, 0.05 * stiffness),
+        AddedParameter::log("rotational", 0.05 * stiffness, 100.0 * stiffness, 30.0 * stiffness),
     ];
-    let at = format!("{} of element {}", if ends == Ends::Both { "both ends" } else { "foot" }, tags(columns));
-    Some(Proposal::edit("superstructure_yielding", "plastic hinge", at, block, added))
+    let at = format!("{} of element {}", if ends == Ends::Both { "both ends" } else { "foot" }, member_tags(columns));
+    Some(Proposal::script_edit("superstructure_yielding", "plastic hinge", at, block, added))
 }
 
-fn tags(columns: &[&Column]) -> String {
+fn member_tags(columns: &[&FrameMember]) -> String {
     columns.iter().map(|c| c.tag.to_string()).collect::<Vec<_>>().join(" ")
 }

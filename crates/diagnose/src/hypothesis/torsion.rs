@@ -1,37 +1,37 @@
-//! An eccentric plan turns.
+//! Torsion of a plan with an eccentric mass.
 
-use super::{Added, Hypothesis, Proposal, Sight};
-use crate::anatomy::Numbers;
+use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
+use crate::inspect::inventory::TagPurpose;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "torsion",
-    says: "the mass or the stiffness is eccentric and turns the plan",
+    statement: "the mass or the stiffness is eccentric and turns the plan",
     refuted_by: "opposite edges move alike",
-    like: &["bidirectional_coupling", "sensor_gain"],
+    look_alikes: &["bidirectional_coupling", "sensor_gain"],
     needs_clock: false,
     propose,
 };
 
-/// A mass whose radius of gyration is less than this part of the model's extent has no plan: its rotational part is a token, as frames
-/// in elevation have it (a choice; a floor has about a third).
-const TOKEN: f64 = 0.01;
+/// Least radius of gyration of a floor over the extent of the model; a floor has about a third. Frames in elevation have
+/// negligible rotational inertia. A choice.
+const MIN_GYRATION_RADIUS: f64 = 0.01;
 
-fn propose(s: &Sight<'_>) -> Vec<Proposal> {
+fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
     let mut out = vec![];
-    if !s.anatomy.shaken {
+    if !s.inventory.base_excited {
         return out;
     }
-    let ndm = s.anatomy.ndm;
-    for (n, node) in s.anatomy.masses.iter().enumerate() {
-        // In plan: two translations and the rotation about the vertical.
+    let ndm = s.inventory.ndm;
+    for (n, node) in s.inventory.masses.iter().enumerate() {
+        // A floor has two translations and the rotation about the vertical axis.
         let plan = if ndm == 2 { node.mass.len() == 3 } else { node.mass.len() == 6 };
         let turn = if ndm == 2 { 2 } else { 5 };
         if !plan || node.mass[turn] <= 0.0 || node.mass[0] <= 0.0 {
             continue;
         }
-        let tag = s.anatomy.free(Numbers::Masses) + n as i32;
+        let tag = s.inventory.first_tag(TagPurpose::Masses) + n as i32;
         let radius = (node.mass[turn] / node.mass[0]).sqrt();
-        if radius < TOKEN * s.anatomy.extent {
+        if radius < MIN_GYRATION_RADIUS * s.inventory.extent {
             continue;
         }
         let third = if ndm == 3 { format!(" [nodeCoord {} 3]", node.node) } else { String::new() };
@@ -55,11 +55,11 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
             }
             let names = [(ex, "ex"), (ey, "ey")];
             let own = names.iter().filter(|(word, _)| word.starts_with('$'));
-            let added = own.map(|(_, name)| Added::linear(name, -radius, radius, 0.05 * radius)).collect();
-            out.push(Proposal::edit("torsion", form, format!("node {}", node.node), block, added));
+            let added = own.map(|(_, name)| AddedParameter::linear(name, -radius, radius, 0.05 * radius)).collect();
+            out.push(Proposal::script_edit("torsion", form, format!("node {}", node.node), block, added));
         };
         form("eccentric mass", "$hy_ex", "$hy_ey");
-        // Along the axis that is shaken an eccentricity does little but add inertia, and leads a search for both astray.
+        // An eccentricity along the excited axis adds little but inertia, and misleads a search for both.
         form("mass eccentric along x", "$hy_ex", "0.0");
         form("mass eccentric along y", "0.0", "$hy_ey");
     }
@@ -69,23 +69,30 @@ fn propose(s: &Sight<'_>) -> Vec<Proposal> {
 #[cfg(test)]
 mod tests {
     use super::propose;
-    use crate::anatomy::{Anatomy, Mass};
-    use crate::hypothesis::Sight;
-    use crate::pairs::tests::baseline;
-    use crate::scale::Scales;
+    use crate::hypothesis::context::ProposalContext;
+    use crate::inspect::inventory::{Mass, ModelInventory};
+    use crate::inspect::response::ResponseRanges;
+    use crate::test_support::pad_study;
 
     #[test]
-    fn a_token_of_inertia_makes_no_plan() {
-        let (study, scales) = (baseline().variant.study.clone(), Scales::default());
+    fn a_negligible_rotational_inertia_makes_no_floor() {
+        let (study, responses) = (pad_study(), ResponseRanges::default());
         let proposed = |turn: f64, extent: f64| {
             let masses = vec![Mass { node: 1, mass: vec![18.0, 18.0, turn], damped: false }];
-            let mut anatomy = Anatomy::default();
-            (anatomy.ndm, anatomy.shaken, anatomy.extent, anatomy.masses) = (2, true, extent, masses);
-            propose(&Sight { anatomy: &anatomy, study: &study, scales: &scales, fits: &[], clock: true }).len()
+            let mut inventory = ModelInventory::default();
+            (inventory.ndm, inventory.base_excited, inventory.extent, inventory.masses) = (2, true, extent, masses);
+            propose(&ProposalContext {
+                inventory: &inventory,
+                study: &study,
+                responses: &responses,
+                fits: &[],
+                has_clock: true,
+            })
+            .len()
         };
         assert_eq!(proposed(18.0 * 3.0 * 3.0, 14.0), 3);
         assert_eq!(proposed(1e-6, 14.0), 0);
-        // A floor that stands on one spring has no extent but its own.
+        // A floor on one spring gives the model no extent.
         assert_eq!(proposed(18.0 * 3.0 * 3.0, 0.0), 3);
     }
 }

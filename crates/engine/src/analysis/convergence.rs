@@ -2,7 +2,7 @@
 
 use crate::numeric::{dot, norm};
 
-/// What a test measures.
+/// Quantity that a test measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measure {
     /// Norm of the correction of the displacements.
@@ -45,7 +45,7 @@ impl Measure {
     }
 }
 
-/// Which norm of a vector.
+/// Norm of a vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Norm {
     /// Largest entry.
@@ -69,7 +69,7 @@ impl Norm {
 /// A convergence test and its count.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Test {
-    /// What it measures.
+    /// Quantity that it measures.
     pub measure: Measure,
     /// Tolerance.
     pub tolerance: f64,
@@ -77,16 +77,16 @@ pub struct Test {
     pub second_tolerance: f64,
     /// Iterations allowed.
     pub max_iterations: usize,
-    /// Which norm.
+    /// Norm.
     pub norm: Norm,
     /// Go on as if converged when the iterations are used up (print flag 5 of OpenSees).
     pub accept_unconverged: bool,
-    /// How often the norm may grow before the step fails; only tests of the unbalance have it.
+    /// Number of times that the norm may grow before the step fails; only tests of the unbalance have it.
     pub max_increases: Option<usize>,
     /// A norm beyond this fails the step.
     pub max_norm: f64,
     /// To be passed with a hundredth of the tolerance, where that can be had.
-    pub closely: bool,
+    pub tightened: bool,
     /// Iterations made in this step.
     pub iteration: usize,
     /// Norms of this step, one an iteration.
@@ -97,7 +97,7 @@ pub struct Test {
     increases: usize,
 }
 
-/// What a test says.
+/// Result of a test.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TestOutcome {
     /// Passed.
@@ -123,7 +123,7 @@ impl Test {
             accept_unconverged: false,
             max_increases: None,
             max_norm: f64::MAX,
-            closely: false,
+            tightened: false,
             iteration: 0,
             norms: vec![],
             keep: true,
@@ -155,17 +155,17 @@ impl Test {
         self.norms.last().copied().unwrap_or(f64::NAN)
     }
 
-    /// Whether a correction passes whatever the unbalance after it.
+    /// Returns true if a correction passes whatever the unbalance after it.
     #[inline]
     pub fn accepts(&self, correction: &[f64]) -> bool {
         let alone = matches!(self.measure, Measure::DispIncr | Measure::DispOrUnbalance);
         alone && self.norm.of(correction) <= self.share() * self.tolerance
     }
 
-    /// Part of the tolerances that is asked for.
+    /// Part of the tolerances that is required.
     #[inline]
     fn share(&self) -> f64 {
-        if self.closely { 0.01 } else { 1.0 }
+        if self.tightened { 0.01 } else { 1.0 }
     }
 
     /// Judge an iteration by its correction and the unbalance after it.
@@ -212,9 +212,9 @@ impl Test {
             }
             _ => norm <= share * self.tolerance,
         };
-        // As close as asked for, or as close as round-off lets it come.
+        // As close as required, or as close as round-off allows.
         let ends = grown || self.iteration >= self.max_iterations;
-        if passes(self.share()) || self.closely && ends && passes(1.0) {
+        if passes(self.share()) || self.tightened && ends && passes(1.0) {
             return TestOutcome::Converged;
         }
         let too_often = self.max_increases.is_some_and(|m| self.increases >= m);

@@ -3,13 +3,14 @@
 mod stepping;
 
 use super::algorithm::Algorithm;
-use super::asking::Calls;
 use super::convergence::Test;
 use super::failure::Failure;
 use super::integrator::Integrator;
+use super::opensees::Stage;
 use super::recovery::RecoveryStrategy;
 use super::state::{State, StepStart};
-use super::system::{Coefficients, System};
+use super::system::System;
+use super::work_counts::WorkCounts;
 use super::workspace::{PrepareOptions, Workspace};
 use crate::assembly::{Handler, MpScope};
 use crate::element::{Element, Overload, Snapshot};
@@ -43,9 +44,9 @@ pub struct Setup {
 /// Settings that hold for all analyses of an engine.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// Follow OpenSees where it is known to slip.
+    /// Reproduce the known errors of OpenSees.
     pub compat: bool,
-    /// Remedies for a step that fails.
+    /// Strategy for a step that fails.
     pub ladder: Option<RecoveryStrategy>,
     /// Force a dense matrix, or a sparse one.
     pub dense: Option<bool>,
@@ -54,21 +55,21 @@ pub struct Options {
     pub refine: u32,
 }
 
-/// Who wants to know about steps.
+/// Receiver of committed steps.
 pub trait Observer {
     /// A step has been committed.
     ///
     /// # Errors
-    /// What keeps the observer from going on (a recorder that cannot write); ends the analysis.
+    /// The observer cannot go on (a recorder that cannot write); this ends the analysis.
     fn committed(&mut self, engine: &mut Engine) -> Result<(), String>;
 
-    /// Whether to stop before the next step.
+    /// Returns true to stop before the next step.
     fn interrupted(&self) -> bool {
         false
     }
 }
 
-/// Nobody.
+/// An observer that does nothing.
 pub struct Quiet;
 
 impl Observer for Quiet {
@@ -84,14 +85,14 @@ pub struct Imbalance {
     pub time: f64,
     /// Largest unbalanced force over the largest force in the model.
     pub ratio: f64,
-    /// Where, in words.
+    /// Its place in words.
     pub place: String,
     /// Steps so far that were out of balance by more than [`Imbalance::LIMIT`].
     pub steps: usize,
 }
 
 impl Imbalance {
-    /// Unbalanced forces beyond this fraction of the largest force are worth telling.
+    /// Unbalanced forces beyond this fraction of the largest force are reported.
     pub const LIMIT: f64 = 1e-2;
 }
 
@@ -104,7 +105,7 @@ pub struct Engine {
     pub(super) step_start: StepStart,
     setup: Option<Setup>,
     prepared: Option<(u64, PrepareOptions, Workspace)>,
-    /// The parts of the analysis that have not seen the prepared model yet.
+    /// The parts of the analysis have not been prepared for the model yet.
     fresh: bool,
     /// Settings.
     pub options: Options,
@@ -120,6 +121,8 @@ pub struct Engine {
     pub default_handler: Handler,
     pub(super) modes: Option<super::modes::Modes>,
     pub(super) reaction_words: Vec<f64>,
+    /// Work done with plans that have been dropped.
+    pub(super) earlier_work: WorkCounts,
 }
 
 impl Engine {
@@ -141,6 +144,7 @@ impl Engine {
             default_handler: Handler::Transformation,
             modes: None,
             reaction_words: vec![],
+            earlier_work: WorkCounts::default(),
         }
     }
 
@@ -161,12 +165,20 @@ impl Engine {
     pub fn wipe(&mut self) {
         let options = std::mem::take(&mut self.options);
         let imbalance = self.imbalance.take();
-        *self = Self { imbalance, steps: self.steps, iterations: self.iterations, ..Self::new(options) };
+        self.drop_prepared();
+        let (steps, iterations, earlier_work) = (self.steps, self.iterations, self.earlier_work);
+        *self = Self { imbalance, steps, iterations, earlier_work, ..Self::new(options) };
     }
 
     /// Forget the analysis.
     pub fn wipe_analysis(&mut self) {
         self.setup = None;
+        self.drop_prepared();
+    }
+
+    /// Drop plan and factors; the work done with them still counts.
+    fn drop_prepared(&mut self) {
+        self.earlier_work = self.work_counts();
         self.prepared = None;
     }
 
@@ -299,10 +311,10 @@ impl Engine {
         self.committed.grow(&self.model);
         self.trial.clone_from(&self.committed);
         self.fresh = true;
-        self.prepared = None;
+        self.drop_prepared();
     }
 
-    /// What a recorder reads an element's responses from.
+    /// Data of the committed state from which a recorder reads the responses of an element.
     pub fn snapshot<'a>(&'a self, id: ElementId, disp: &'a mut Vec<f64>) -> Snapshot<'a> {
         let e = &self.model.elements[id.0];
         disp.clear();
@@ -349,13 +361,13 @@ impl Engine {
         }
     }
 
-    /// Whether there is a plan for the model as it is. Asked at every step: what else follows from the handler and the
-    /// options is not worked out for it.
+    /// Returns true if there is a plan for the model as it is. Every step calls it, so that nothing else is worked out that
+    /// follows from the handler and the options.
     #[inline]
     fn is_prepared(&self, handler: &Handler) -> bool {
         let Options { compat, dense, .. } = &self.options;
-        let as_asked = |o: &PrepareOptions| o.handler == *handler && o.compat == *compat && o.dense == *dense;
-        matches!(&self.prepared, Some((revision, o, _)) if *revision == self.model.revision() && as_asked(o))
+        let matches_options = |o: &PrepareOptions| o.handler == *handler && o.compat == *compat && o.dense == *dense;
+        matches!(&self.prepared, Some((revision, o, _)) if *revision == self.model.revision() && matches_options(o))
     }
 
     /// Make sure that there is a plan for the model as it is.
@@ -377,6 +389,7 @@ impl Engine {
         let multipliers = prepared.plan.multipliers;
         self.committed.multipliers.resize(multipliers, 0.0);
         self.trial.clone_from(&self.committed);
+        self.drop_prepared();
         self.prepared = Some((self.model.revision(), options, prepared));
         self.fresh = true;
         Ok(())
@@ -396,7 +409,7 @@ impl Engine {
     /// The smallest pivot that was nearly zero: where it was, and the fraction of the stiffness that was left.
     pub fn weak_pivot(&self) -> Option<(String, f64)> {
         let (_, _, work) = self.prepared.as_ref()?;
-        let p = work.weak_pivot?;
+        let p = work.matrix.weak_pivot?;
         Some((work.plan.equation_name(&self.model, p.equation), p.ratio))
     }
 
@@ -413,22 +426,7 @@ impl Engine {
     /// The equations at the committed state, outside of a step.
     pub(super) fn system(&mut self) -> Option<System<'_>> {
         let (_, _, work) = self.prepared.as_mut()?;
-        work.updates = Calls::NONE;
-        Some(System {
-            model: &self.model,
-            old: &self.committed,
-            new: &mut self.trial,
-            work,
-            coefficients: Coefficients::default(),
-            dynamic: false,
-            elapses: false,
-            passed: None,
-            again: false,
-            moved: true,
-            asked: None,
-            still: false,
-            summed: false,
-            settled: false,
-        })
+        work.enter(Stage::Outside);
+        Some(System::new(&self.model, &self.committed, &mut self.trial, work))
     }
 }

@@ -10,7 +10,7 @@ pub enum Cause {
     NotConverged {
         /// Norm at the last iteration, as the test has it.
         norm: f64,
-        /// What the norm has to come below.
+        /// Limit of the norm.
         tolerance: f64,
         /// Iterations made.
         iterations: usize,
@@ -23,11 +23,11 @@ pub enum Cause {
     Singular,
     /// The factors of the equations do not fit into memory.
     OutOfMemory,
-    /// An element could not answer.
+    /// An element found no force.
     Element {
         /// Class and tag.
         element: String,
-        /// What it said.
+        /// Its message.
         message: String,
     },
     /// The model makes no sense to the analysis.
@@ -40,7 +40,7 @@ pub enum Cause {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Failure(Box<Details>);
 
-/// What there is to say of a failed step.
+/// Report of a failed step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Details {
     /// Why.
@@ -49,7 +49,7 @@ pub struct Details {
     pub time: f64,
     /// The degree of freedom that is worst off, in words: `node 3, dof 1`.
     pub place: Option<String>,
-    /// What `analyze` returns for it in OpenSees: -1 the model, -2 the new step, -3 the solution, -4 the commit.
+    /// Result of `analyze` in OpenSees: -1 for the model, -2 for the new step, -3 for the solution, -4 for the commit.
     pub code: i32,
 }
 

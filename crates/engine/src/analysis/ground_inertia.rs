@@ -13,12 +13,12 @@ pub(super) struct GroundInertia {
     nodes: Vec<f64>,
     /// From the masses of the elements.
     elements: Vec<f64>,
-    /// What OpenSees counts once more: empty unless its slips are wanted.
+    /// Forces that OpenSees counts once more; empty without `--compat opensees`.
     again: Vec<f64>,
-    /// What OpenSees leaves out of the reactions: the masses of elements whose forces it reports without it. Empty unless
-    /// its slips are wanted.
+    /// Forces that OpenSees leaves out of the reactions: of the masses of elements whose reported forces leave them out. Empty
+    /// without `--compat opensees`.
     left_out: Vec<f64>,
-    /// What OpenSees takes off the force that an element reports, by element: empty unless its slips are wanted.
+    /// Forces that OpenSees takes off the reported force, by element; empty without `--compat opensees`.
     reported: BTreeMap<usize, Vec<f64>>,
 }
 
@@ -51,7 +51,7 @@ pub(super) fn mass_times(model: &Model, r: &[f64], nodes_only: bool) -> Vec<f64>
 }
 
 impl GroundInertia {
-    /// For an excitation, with OpenSees' slips if they are wanted.
+    /// For an excitation; with `compat` as OpenSees counts it.
     pub(super) fn new(model: &Model, pattern: usize, excitation: &Excitation, compat: bool) -> Self {
         let mut r = vec![0.0; model.dofs()];
         for node in &model.nodes {
@@ -72,7 +72,7 @@ impl GroundInertia {
             for (&d, f) in e.dofs.iter().zip(&force) {
                 inertia.elements[d as usize] += f;
             }
-            let slip = e.element.ground_inertia_slip().filter(|_| compat);
+            let slip = e.element.opensees().ground_inertia.filter(|_| compat);
             if compat && slip.is_none() && force.iter().any(|f| *f != 0.0) {
                 inertia.left_out.resize(model.dofs(), 0.0);
                 for (&d, f) in e.dofs.iter().zip(&force) {

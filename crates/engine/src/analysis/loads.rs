@@ -42,7 +42,7 @@ impl ImposedDof {
 #[derive(Clone, Debug)]
 pub struct Loads {
     tags: Vec<Tag>,
-    /// What the load factor of each pattern comes from.
+    /// Source of the load factor of each pattern.
     drives: Vec<Drive>,
     /// Load factor (or ground acceleration) of each pattern at the last time.
     factors: Vec<f64>,

@@ -25,7 +25,7 @@ impl Engine {
         let dynamic = self.setup().is_some_and(|s| s.kind == Kind::Transient);
         let values = self.with_system(|s| {
             s.dynamic = dynamic;
-            s.coefficients = s.work.last.unwrap_or(Coefficients { k: 1.0, c: 0.0, m: 0.0 });
+            s.coefficients = s.work.matrix.coefficients.unwrap_or(Coefficients { k: 1.0, c: 0.0, m: 0.0 });
             s.apply_loads(s.old.time)?;
             s.form_unbalance(true)?;
             Ok(dense_tangent(s, TangentMix::CURRENT))
@@ -58,7 +58,7 @@ impl Engine {
 /// The tangent with all its zeros, by rows; the solver's own is left as it was.
 pub(super) fn dense_tangent(s: &mut System<'_>, mix: TangentMix) -> Vec<f64> {
     let work = &mut *s.work;
-    let solved_with = work.values.clone();
+    let solved_with = work.matrix.values.clone();
     work.assemble(s.model, s.coefficients, mix);
     work.add_modal_damping(s.coefficients.c);
     let n = work.plan.equations();
@@ -66,12 +66,12 @@ pub(super) fn dense_tangent(s: &mut System<'_>, mix: TangentMix) -> Vec<f64> {
     let mut out = vec![0.0; n * n];
     for j in 0..n {
         unit[j] = 1.0;
-        work.plan.pattern.multiply(&work.values, &unit, &mut column);
+        work.plan.pattern.multiply(&work.matrix.values, &unit, &mut column);
         unit[j] = 0.0;
         for (i, x) in column.iter().enumerate() {
             out[i * n + j] = *x;
         }
     }
-    work.values = solved_with;
+    work.matrix.values = solved_with;
     out
 }

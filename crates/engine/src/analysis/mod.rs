@@ -1,7 +1,6 @@
 //! Analyses: the state of the motion, the integrators and algorithms that advance it, and what may go wrong.
 
 pub mod algorithm;
-mod asking;
 mod convergence;
 mod engine;
 mod failure;
@@ -12,11 +11,13 @@ mod matrices;
 mod modal_damping;
 mod modal_properties;
 mod modes;
+mod opensees;
 mod reactions;
 mod recovery;
 mod state;
 mod system;
 mod two_end_residual;
+mod work_counts;
 mod workspace;
 
 pub use convergence::{Measure, Norm, Test, TestOutcome};
@@ -29,4 +30,5 @@ pub use reactions::ReactionKind;
 pub use recovery::{RecoveryStep, RecoveryStrategy};
 pub use state::State;
 pub use system::{Coefficients, System};
+pub use work_counts::WorkCounts;
 pub use workspace::{PrepareOptions, TangentMix, Workspace};

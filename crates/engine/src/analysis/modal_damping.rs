@@ -49,7 +49,7 @@ impl Workspace {
             for (i, a) in shape.iter().enumerate().filter(|(_, a)| **a != 0.0) {
                 for (j, b) in shape.iter().enumerate().filter(|(j, _)| pattern.storage != Storage::Upper || i <= *j) {
                     if let Some(at) = pattern.place(i, j) {
-                        self.values[at] += factor * damping * a * b;
+                        self.matrix.values[at] += factor * damping * a * b;
                     }
                 }
             }

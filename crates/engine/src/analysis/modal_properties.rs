@@ -1,4 +1,4 @@
-//! What share of the mass each mode moves: participation factors and effective masses.
+//! Share of the mass that each mode moves: participation factors and effective masses.
 //!
 //! Chopra, Dynamics of Structures, chapter 13; the rules for rotations and for consistent masses are those of OpenSees
 //! (`modalProperties`).

@@ -17,7 +17,7 @@ pub struct Modes {
     pub shapes: Vec<Vec<f64>>,
 }
 
-/// What the eigenvalues are of.
+/// Eigenvalue problem.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Problem {
     /// K x = λ M x.
@@ -26,14 +26,14 @@ pub enum Problem {
     Standard,
 }
 
-/// Which modes are wanted.
+/// Choice of modes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Wanted {
-    /// How many.
+    /// Their number.
     pub count: usize,
-    /// What the eigenvalues are of.
+    /// Eigenvalue problem.
     pub problem: Problem,
-    /// Those with the largest eigenvalues instead of the smallest.
+    /// Modes with the largest eigenvalues instead of the smallest.
     pub largest: bool,
     /// As OpenSees' solver `-fullGenLapack` gives them: always the smallest, with infinite values (the largest number)
     /// where the mass moves no more modes, and shapes of unit length in a mass matrix whose rows are summed up on its
@@ -55,7 +55,7 @@ pub enum ModesError {
     Failure(Failure),
     /// The tangent has no eigenvalues that could be found.
     NotFound,
-    /// There are fewer modes than were asked for: the mass moves only so many.
+    /// There are fewer modes than required: the mass moves only so many.
     TooFew {
         /// Number of modes that there are.
         available: usize,
@@ -120,7 +120,7 @@ fn as_lapack(matrices: &ElementWorkspace<'_>, pairs: &mut Vec<Pair>, count: usiz
     matrices.mass(&vec![1.0; n], &mut sums);
     for p in pairs.iter_mut() {
         let square: f64 = p.vector.iter().zip(&sums).map(|(x, m)| m * x * x).sum();
-        // Where the sums are no length, LAPACK's own: the largest entry is one.
+        // If the sums are no length, LAPACK's scale: the largest entry is one.
         let size = if square > 0.0 { square.sqrt() } else { p.vector.iter().fold(0.0f64, |m, x| m.max(x.abs())) };
         p.vector.iter_mut().for_each(|x| *x /= size);
     }
@@ -143,7 +143,7 @@ impl Engine {
         let time = state.time;
         work.assemble(model, Coefficients { k: 0.0, c: 0.0, m: 1.0 }, TangentMix::CURRENT);
         let mass = match problem {
-            Problem::Generalized => Some(work.values.clone()),
+            Problem::Generalized => Some(work.matrix.values.clone()),
             Problem::Standard => None,
         };
         work.assemble(model, Coefficients { k: 1.0, c: 0.0, m: 0.0 }, TangentMix::CURRENT);
@@ -156,7 +156,7 @@ impl Engine {
         // A body that floats is held by a very soft spring, which the eigenvalues are freed of again.
         let mut shift = 0.0;
         for attempt in 0..2 {
-            let pivots = work.solver.factor(&work.plan.pattern, &work.values);
+            let pivots = work.solver.factor(&work.plan.pattern, &work.matrix.values);
             match pivots {
                 Ok(p) if p.ratio > SINGULAR || !work.plan.handler.eliminates() => break,
                 Err(SolveError::OutOfMemory) => return Err(failure(Cause::OutOfMemory).into()),
@@ -169,12 +169,12 @@ impl Engine {
                     return Err(failure(Cause::Singular).at(place).into());
                 }
                 _ => {
-                    shift = -1e-7 * sum(&work.values) / masses;
+                    shift = -1e-7 * sum(&work.matrix.values) / masses;
                     match &mass {
-                        Some(m) => work.values.iter_mut().zip(m).for_each(|(k, m)| *k -= shift * m),
+                        Some(m) => work.matrix.values.iter_mut().zip(m).for_each(|(k, m)| *k -= shift * m),
                         None => (0..work.plan.map.equations).for_each(|e| {
                             if let Some(at) = work.plan.pattern.place(e, e) {
-                                work.values[at] -= shift;
+                                work.matrix.values[at] -= shift;
                             }
                         }),
                     }

@@ -4,7 +4,7 @@ use super::engine::Engine;
 use super::failure::Failure;
 use super::state::State;
 
-/// Which forces count in a reaction.
+/// Forces that count in a reaction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReactionKind {
     /// Resisting forces of the elements less the loads; and, as in OpenSees, mass-proportional damping of the nodes.

@@ -1,4 +1,4 @@
-//! Remedies for steps that fail, for those who ask for them: a script's own fallback must see the failure first.
+//! Recovery from steps that fail. It is off by default, since a script's own fallback must see the failure first.
 
 use super::algorithm::TangentChoice;
 use super::algorithm::{
@@ -8,7 +8,7 @@ use super::engine::{Engine, Kind, Observer};
 use super::failure::Failure;
 use super::workspace::TangentMix;
 
-/// One thing to try.
+/// One method to solve a step that has failed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RecoveryStep {
     /// Newton's method.
@@ -41,20 +41,20 @@ impl RecoveryStep {
     }
 }
 
-/// Remedies in the order in which they are tried; the first that works ends the trying, and the next step starts
+/// Methods in the order in which they are tried. The first that solves the step ends the recovery, and the next step starts
 /// with the script's own algorithm again.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RecoveryStrategy {
-    /// The rungs.
-    pub rungs: Vec<RecoveryStep>,
-    /// How often each helped.
+    /// The methods.
+    pub methods: Vec<RecoveryStep>,
+    /// Number of steps that each has recovered.
     pub helped: Vec<usize>,
 }
 
 impl RecoveryStrategy {
-    /// From the rungs.
-    pub fn new(rungs: Vec<RecoveryStep>) -> Self {
-        Self { helped: vec![0; rungs.len()], rungs }
+    /// From the methods.
+    pub fn new(methods: Vec<RecoveryStep>) -> Self {
+        Self { helped: vec![0; methods.len()], methods }
     }
 }
 
@@ -71,14 +71,14 @@ impl Default for RecoveryStrategy {
 }
 
 impl Engine {
-    /// Try the remedies on a step that failed.
-    pub(super) fn climb(&mut self, length: f64, first: Failure, observer: &mut dyn Observer) -> Result<(), Failure> {
-        let rungs = self.options.ladder.as_ref().map(|l| l.rungs.clone()).unwrap_or_default();
-        for (i, remedy) in rungs.into_iter().enumerate() {
+    /// Try the methods on a step that has failed.
+    pub(super) fn recover(&mut self, length: f64, first: Failure, observer: &mut dyn Observer) -> Result<(), Failure> {
+        let methods = self.options.ladder.as_ref().map(|l| l.methods.clone()).unwrap_or_default();
+        for (i, method) in methods.into_iter().enumerate() {
             if observer.interrupted() {
                 break;
             }
-            let done = match remedy {
+            let done = match method {
                 RecoveryStep::Halve(times) => self.halve(length, times),
                 other => self.with_algorithm(other, length),
             };
@@ -92,8 +92,8 @@ impl Engine {
         Err(first)
     }
 
-    fn with_algorithm(&mut self, remedy: RecoveryStep, length: f64) -> bool {
-        let Some(mut algorithm) = remedy.algorithm() else { return false };
+    fn with_algorithm(&mut self, method: RecoveryStep, length: f64) -> bool {
+        let Some(mut algorithm) = method.algorithm() else { return false };
         let swap = |engine: &mut Self, other: &mut Box<dyn Algorithm>| {
             engine.change_setup(|s| std::mem::swap(&mut s.algorithm, other));
         };

@@ -13,18 +13,21 @@ pub struct State {
     pub vel: Vec<f64>,
     /// Accelerations, likewise; relative to the ground under a uniform excitation.
     pub accel: Vec<f64>,
-    /// History words of all elements.
+    /// State variables of all elements.
     pub history: Vec<f64>,
     /// Resisting forces of all elements.
     pub force: Vec<f64>,
-    /// Load words of all elements.
+    /// Load variables of all elements.
     pub element_load: Vec<f64>,
     /// Forces of the constraints under the Lagrange handler.
     pub multipliers: Vec<f64>,
+    /// State variables that elements of a class share under `--compat opensees`. As static members of a class in OpenSees, they
+    /// keep the values of a step that has failed.
+    pub shared: Vec<f64>,
 }
 
-/// What the last step began from. The tangent at its end is that of the step: asked for anew from where it has come to, a
-/// bearing that slides might as well go back.
+/// State at the begin of the last step. The tangent at its end belongs to the step: evaluated from the end, a sliding
+/// bearing may as well go back.
 #[derive(Debug, Default)]
 pub(super) struct StepStart {
     history: Vec<f64>,
@@ -49,7 +52,8 @@ impl StepStart {
         self.holds = false;
     }
 
-    /// A state from which the elements answer at the committed motion as they did at the end of the last step, if that was it.
+    /// A state from which the elements have the forces of the end of the last step at the committed motion. `None` if the
+    /// committed state is not that end.
     pub(super) fn state(&self, committed: &State) -> Option<State> {
         let holds = self.holds && self.history.len() == committed.history.len();
         holds.then(|| State {
@@ -71,10 +75,18 @@ impl State {
         self.force.copy_from_slice(&other.force);
         self.element_load.copy_from_slice(&other.element_load);
         self.multipliers.copy_from_slice(&other.multipliers);
+        self.shared.copy_from_slice(&other.shared);
     }
 
-    /// Take over a trial state: as [`State::copy_from`], but for words of history that nobody reads, and for the rates of
-    /// a model that stands still.
+    /// Take over the state before a step that has failed, all but the shared state variables.
+    pub(super) fn revert_to(&mut self, start: &Self) {
+        let shared = std::mem::take(&mut self.shared);
+        self.clone_from(start);
+        self.shared = shared;
+    }
+
+    /// Take over a trial state: as [`State::copy_from`], but for unused state variables, and for the rates of a model that
+    /// stands still.
     #[inline]
     pub fn commit(&mut self, trial: &Self, model: &Model, still: bool) {
         self.time = trial.time;
@@ -87,9 +99,12 @@ impl State {
             e.element.commit(&trial.history[e.state.clone()], &mut self.history[e.state.clone()]);
         }
         self.force.copy_from_slice(&trial.force);
-        // Most models have neither, and to copy nothing takes its time too.
-        for (own, other) in [(&mut self.element_load, &trial.element_load), (&mut self.multipliers, &trial.multipliers)]
-        {
+        // Most models have none of them, and to copy nothing takes time too.
+        for (own, other) in [
+            (&mut self.element_load, &trial.element_load),
+            (&mut self.multipliers, &trial.multipliers),
+            (&mut self.shared, &trial.shared),
+        ] {
             if !other.is_empty() {
                 own.copy_from_slice(other);
             }
@@ -101,6 +116,7 @@ impl State {
         for v in [&mut self.disp, &mut self.vel, &mut self.accel] {
             v.resize(model.dofs(), 0.0);
         }
+        self.shared.resize(model.shared_len(), 0.0);
         let known = self.history.len();
         let known_force = self.force.len();
         self.history.resize(model.state_len(), 0.0);
@@ -129,12 +145,15 @@ impl State {
         }
         for e in &after.elements {
             if let Some(old) = before.element(e.tag).map(|id| &before.elements[id.0]) {
-                // An element that another has been put around keeps its history: its words come first.
+                // An element inside a new wrapper keeps its history: its state variables come first.
                 let n = e.state.len().min(old.state.len());
                 let from = &self.history[old.state.clone()];
                 next.history[e.state.clone()][..n].copy_from_slice(&from[..n]);
                 next.force[e.force.clone()].copy_from_slice(&self.force[old.force.clone()]);
                 next.element_load[e.load.clone()].copy_from_slice(&self.element_load[old.load.clone()]);
+                if e.shared.len() == old.shared.len() {
+                    next.shared[e.shared.clone()].copy_from_slice(&self.shared[old.shared.clone()]);
+                }
             }
         }
         next

@@ -1,6 +1,6 @@
 //! The equations of a step: unbalance, tangent, correction, for a trial state.
 
-mod answers;
+mod evaluation;
 
 use super::failure::{Cause, Failure};
 use super::loads::Loads;
@@ -20,7 +20,7 @@ pub struct Coefficients {
     pub m: f64,
 }
 
-/// The equations of a step, for whoever solves them: integrators and algorithms.
+/// The equations of a step, for integrators and algorithms.
 pub struct System<'a> {
     /// The model.
     pub model: &'a Model,
@@ -38,20 +38,39 @@ pub struct System<'a> {
     pub elapses: bool,
     /// The time that counts as passed for the elements where it is not that of the domain.
     pub passed: Option<f64>,
-    /// Elements that count their calls are asked once more where they were asked last.
-    pub again: bool,
     /// Displacements or element loads differ from the committed ones, or may.
     pub moved: bool,
-    /// The time that all elements have been asked at in this step, if they have: those that have not moved since are not
-    /// asked again, for the same question has the same answer.
-    pub asked: Option<f64>,
+    /// Time of the last evaluation of all elements in this step. Elements that have not moved since are not evaluated again.
+    pub evaluated_at: Option<f64>,
     /// Nothing has a velocity in this step.
     pub still: bool,
-    /// The unbalance in `work.b` is that of the answers of the elements and of the loads as they are: it is not summed again.
+    /// The unbalance in `work.b` belongs to the forces of the elements and the loads as they are: it is not summed again.
     pub summed: bool,
     /// The test is passed whatever the last correction has done to the forces: an element that it has moved by no more than
     /// round-off has not moved.
     pub settled: bool,
+}
+
+impl<'a> System<'a> {
+    /// The equations at a committed state, outside of a step.
+    #[inline]
+    pub(super) fn new(model: &'a Model, old: &'a State, new: &'a mut State, work: &'a mut Workspace) -> Self {
+        Self {
+            model,
+            old,
+            new,
+            work,
+            coefficients: Coefficients::default(),
+            dynamic: false,
+            elapses: false,
+            passed: None,
+            moved: true,
+            evaluated_at: None,
+            still: false,
+            summed: false,
+            settled: false,
+        }
+    }
 }
 
 impl System<'_> {
@@ -186,10 +205,10 @@ impl System<'_> {
         self.work.spread.fill(0.0);
     }
 
-    /// Stiffness of the elements, initial or as last answered by the choice of the last tangent, times displacements of
-    /// all degrees of freedom, as forces of the equations.
+    /// Stiffness of the elements times displacements of all degrees of freedom, as forces of the equations. The stiffness is
+    /// the initial or the last one, as in the last tangent.
     pub fn stiffness_times(&mut self, disp: &[f64], out: &mut [f64]) -> Result<(), Failure> {
-        if !self.work.tangent_is_current {
+        if !self.work.elements.is_current {
             self.respond(true)?;
         }
         self.work.stiffness_times(self.model, disp, out);
@@ -212,19 +231,19 @@ impl System<'_> {
     /// motions stay those of that time, and the clock goes on from there: it rounds otherwise, and a motion may have ended by then.
     pub fn apply_loads_at_end(&mut self, part: f64, dt: f64) -> Result<(), Failure> {
         let (solved_at, end) = (self.new.time, self.old.time + dt);
-        let compat = self.work.compat;
+        let compat = self.work.opensees.is_some();
         self.apply_loads(if compat { solved_at } else { end })?;
         self.new.time = if compat { solved_at + (1.0 - part) * dt } else { end };
         Ok(())
     }
 
-    /// The same, and ask all elements. In OpenSees no more time has passed for them than when the step was solved.
+    /// The same, and evaluate all elements. In OpenSees no more time has passed for them than when the step was solved.
     pub fn respond_at_end(&mut self, part: f64, dt: f64) -> Result<(), Failure> {
         let passed = self.new.time - self.old.time;
         self.moved = true;
         self.apply_loads_at_end(part, dt)?;
-        self.passed = self.work.compat.then_some(passed);
-        // The clock is that of this answer alone: who needs the tangent of the committed state takes it from here.
+        self.passed = self.work.opensees.is_some().then_some(passed);
+        // `passed` holds for this evaluation alone, so that it gives the committed tangent too where that is needed.
         let done = self.respond(self.work.wants_committed_tangent());
         self.passed = None;
         done
@@ -234,7 +253,7 @@ impl System<'_> {
     /// to be needed.
     #[inline]
     pub fn form_unbalance(&mut self, want_tangent: bool) -> Result<(), Failure> {
-        if self.answers_stand(want_tangent) && self.summed && !self.dynamic {
+        if self.evaluation_is_current(want_tangent) && self.summed && !self.dynamic {
             return Ok(());
         }
         self.form_unbalance_anew(want_tangent)
@@ -246,7 +265,7 @@ impl System<'_> {
             return Ok(());
         }
         self.sum_unbalance();
-        // What constraints in the equations add depends on the displacements themselves.
+        // Forces of constraints in the equations depend on the displacements themselves.
         self.summed = self.work.plan.map.links.is_empty();
         if self.work.b.iter().any(|b| !b.is_finite()) {
             let at = self.work.b.iter().position(|b| !b.is_finite()).unwrap_or(0);
@@ -291,13 +310,13 @@ impl System<'_> {
         work.condense_elements(self.model, self.new, self.dynamic, inertia);
     }
 
-    /// Whether no force is left over, not even round-off, so that the correction is zero whatever the tangent: a device on
-    /// an imposed path without other loads. Not before there has been a tangent to see a mechanism by, and not where elements
-    /// count how often they are asked.
+    /// Returns true if no force is left over, not even round-off, as of a device on an imposed path without other loads. The
+    /// correction is zero then whatever the tangent. False before the first tangent, which shows a mechanism, and where
+    /// elements depend on the number of their updates.
     #[inline]
     pub fn is_balanced(&self) -> bool {
         let work = &self.work;
-        work.solver.is_factored() && work.counting.is_empty() && work.b.iter().all(|b| *b == 0.0)
+        work.solver.is_factored() && !work.counts_updates() && work.b.iter().all(|b| *b == 0.0)
     }
 
     /// Assemble the tangent of the integrator, to be solved with once or often.
@@ -309,23 +328,23 @@ impl System<'_> {
         if !(k.is_finite() && c.is_finite() && m.is_finite()) {
             return Err(self.failure(Cause::NotFinite));
         }
-        if mix.current != 0.0 && !self.work.tangent_is_current {
+        if mix.current != 0.0 && !self.work.elements.is_current {
             self.respond(true)?;
         }
         let work = &mut *self.work;
-        work.last = Some(self.coefficients);
-        work.last_mix = mix;
+        work.matrix.coefficients = Some(self.coefficients);
+        work.matrix.mix = mix;
         work.assemble(self.model, self.coefficients, mix);
         work.add_modal_damping(self.coefficients.c);
-        if work.solver.is_factored() && work.values == work.factored {
+        if work.solver.is_factored() && work.matrix.values == work.matrix.factored {
             return Ok(());
         }
-        work.factored.copy_from_slice(&work.values);
-        let result = work.solver.prepare(&work.plan.pattern, &work.values, how);
+        work.matrix.factored.copy_from_slice(&work.matrix.values);
+        let result = work.solver.prepare(&work.plan.pattern, &work.matrix.values, how);
         self.check(result)
     }
 
-    /// Turn what a factorisation found into a failure, or remember it.
+    /// Turn the result of a factorisation into a failure, or keep its smallest pivot.
     fn check(&mut self, result: Result<Option<Pivots>, SolveError>) -> Result<(), Failure> {
         let work = &mut *self.work;
         match result {
@@ -355,7 +374,7 @@ impl System<'_> {
     /// Solve with the tangent for another right-hand side, in place.
     pub fn solve_for(&mut self, x: &mut [f64]) -> Result<(), Failure> {
         let work = &mut *self.work;
-        let result = work.solver.solve(&work.plan.pattern, &work.values, x);
+        let result = work.solver.solve(&work.plan.pattern, &work.matrix.values, x);
         self.check(result)?;
         match x.iter().position(|x| !x.is_finite()) {
             Some(at) => Err(self.failure_at(Cause::NotFinite, at)),

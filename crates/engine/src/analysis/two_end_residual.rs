@@ -2,15 +2,15 @@
 
 use super::system::System;
 
-/// Weights of the unbalance at the end of a step, and what its begin has left to it. Methods that weight *forces* so, by the
-/// trapezoidal rule, differ from those that ask the elements once at a weighted *motion* where these are nonlinear.
+/// Weights of the unbalance at the end of a step, and the contribution of its begin. Methods that weight *forces* by the
+/// trapezoidal rule differ from those that evaluate the elements once at a weighted *motion* where these are nonlinear.
 #[derive(Clone, Debug, Default)]
 pub(super) struct TwoEndResidual {
     /// Of loads, resisting forces and damping at the end of the step.
     forces: f64,
     /// Of the inertia.
     inertia: f64,
-    /// What the begin of the step adds, weights included.
+    /// Contribution of the begin of the step, weights included.
     held: Vec<f64>,
     /// Room for the unbalance that is not to be lost, and for one with whole inertia.
     kept: Vec<f64>,
@@ -27,7 +27,7 @@ impl System<'_> {
         (t.forces, t.inertia) = (forces, inertia);
     }
 
-    /// Keep the unbalance of the trial state, with weights, for the next step. The elements are not asked again.
+    /// Keep the unbalance of the trial state, with weights, for the next step. The elements are not evaluated again.
     pub fn hold_unbalance(&mut self, forces: f64, inertia: f64) {
         let mut t = self.work.two_end_residual.take().unwrap_or_default();
         // The unbalance that the step has ended with is looked at after it.
@@ -51,7 +51,7 @@ impl System<'_> {
     /// Hold the unbalance of the committed state, which no step of this integrator has ended at.
     ///
     /// # Errors
-    /// An element that does not answer.
+    /// An element finds no force.
     pub fn hold_committed(&mut self, forces: f64, inertia: f64) -> Result<(), super::failure::Failure> {
         self.apply_loads(self.old.time)?;
         self.respond(false)?;

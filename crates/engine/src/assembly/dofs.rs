@@ -1,9 +1,9 @@
-//! Which degrees of freedom are unknowns, which are imposed, and which follow others: the constraint handlers.
+//! Constraint handlers: degrees of freedom that are unknowns, that are imposed, and that follow others.
 
 use crate::model::{Model, Tag};
 use std::fmt;
 
-/// How constraints enter the equations.
+/// Method by which constraints enter the equations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Handler {
     /// Constrained degrees of freedom are taken out of the equations. OpenSees' `Plain` is this for constraints that
@@ -28,13 +28,13 @@ pub enum Handler {
 }
 
 impl Handler {
-    /// Whether constrained degrees of freedom leave the equations.
+    /// Returns true if constrained degrees of freedom leave the equations.
     pub fn eliminates(self) -> bool {
         matches!(self, Self::Plain | Self::Transformation)
     }
 }
 
-/// Which multi-point constraints count.
+/// Multi-point constraints that count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MpScope {
     /// All of them.
@@ -61,9 +61,9 @@ pub struct Imposed {
 pub struct Link {
     /// Global degrees of freedom and coefficients; the first is the constrained one, with coefficient 1.
     pub terms: Vec<(usize, f64)>,
-    /// What the value comes from; `None` for zero.
+    /// Source of the value; `None` for zero.
     pub imposed: Option<Imposed>,
-    /// Whether it is a multi-point constraint.
+    /// It is a multi-point constraint.
     pub multi: bool,
 }
 
@@ -97,11 +97,11 @@ impl fmt::Display for DofError {
 pub struct Dependent {
     /// Global degree of freedom that follows.
     pub dof: usize,
-    /// Those it follows and coefficients; never themselves dependent after it in the list.
+    /// Degrees of freedom that it follows, and coefficients; none of them is dependent after it in the list.
     pub terms: Vec<(usize, f64)>,
 }
 
-/// What becomes of each degree of freedom.
+/// Role of each degree of freedom.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DofMap {
     /// Number of equations that are motions of degrees of freedom.

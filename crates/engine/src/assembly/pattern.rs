@@ -1,6 +1,6 @@
 //! Sparsity pattern of the system matrix.
 
-/// How the matrix is kept.
+/// Storage of the matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Storage {
     /// All n x n values by rows.
@@ -16,7 +16,7 @@ pub enum Storage {
 pub struct Pattern {
     /// Number of rows.
     pub n: usize,
-    /// How the values are kept.
+    /// Storage of the values.
     pub storage: Storage,
     /// Start of each column; empty for dense storage.
     pub col_ptr: Vec<usize>,
@@ -54,7 +54,7 @@ impl Pattern {
         if self.storage == Storage::Dense { self.n * self.n } else { self.row_idx.len() }
     }
 
-    /// Whether there is nothing to keep.
+    /// Returns true if there are no entries.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }

@@ -8,7 +8,7 @@ use std::ops::Range;
 /// Below this many equations a dense matrix is faster than a sparse one (see `benches/`).
 const DENSE_LIMIT: usize = 36;
 
-/// Where the entries of one element's matrix go.
+/// Places of the entries of one element's matrix.
 #[derive(Clone, Debug, Default)]
 struct Scatter {
     /// Its part of `from` and `to`.
@@ -19,7 +19,7 @@ struct Scatter {
     forces: Range<usize>,
 }
 
-/// Where a force of an element goes: none of these for a degree of freedom that is held.
+/// Equations of a force of an element: none for a degree of freedom that is held.
 #[derive(Clone, Copy, Debug)]
 struct ForceTerm {
     /// Place among the forces of all elements.
@@ -31,7 +31,7 @@ struct ForceTerm {
 /// Numbering, pattern and scatter maps of a model under a constraint handler.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// What becomes of each degree of freedom.
+    /// Role of each degree of freedom.
     pub map: DofMap,
     /// Pattern of the matrix.
     pub pattern: Pattern,

@@ -2,7 +2,10 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-/// Why no axes could be made.
+/// Sine of the angle below which two vectors are taken as parallel.
+const MIN_SINE: f64 = 1e-12;
+
+/// Error of a construction of axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AxesError {
     /// The local x axis has no length.
@@ -12,7 +15,7 @@ pub enum AxesError {
 }
 
 impl AxesError {
-    /// In words, for a message.
+    /// Text of the error for messages.
     pub fn message(self) -> &'static str {
         match self {
             Self::NoLength => "the local x axis has no length",
@@ -21,34 +24,40 @@ impl AxesError {
     }
 }
 
-/// Rotation from global to local axes: its rows are the local x, y and z axes, where x is given and `y` lies in the
-/// local x-y plane.
+/// Rotation from global to local axes; its rows are the local x, y and z axes. The vector `x` is along the local x
+/// axis, `y` lies in the local x-y plane.
+///
+/// # Errors
+/// `x` has no length, or `y` is parallel to it.
 pub fn from_x_and_y(x: Vector3<f64>, y: Vector3<f64>) -> Result<Matrix3<f64>, AxesError> {
     if x.norm() == 0.0 {
         return Err(AxesError::NoLength);
     }
     let z = x.cross(&y);
-    if z.norm() <= 1e-12 * x.norm() * y.norm() {
+    if z.norm() <= MIN_SINE * x.norm() * y.norm() {
         return Err(AxesError::Parallel);
     }
     let y = z.cross(&x);
     Ok(Matrix3::from_rows(&[x.normalize().transpose(), y.normalize().transpose(), z.normalize().transpose()]))
 }
 
-/// The same, where `xz` lies in the local x-z plane: the convention of `geomTransf`.
+/// Rotation from global to local axes for a vector `xz` in the local x-z plane, the convention of `geomTransf`.
+///
+/// # Errors
+/// `x` has no length, or `xz` is parallel to it.
 pub fn from_x_and_xz(x: Vector3<f64>, xz: Vector3<f64>) -> Result<Matrix3<f64>, AxesError> {
     if x.norm() == 0.0 {
         return Err(AxesError::NoLength);
     }
     let y = xz.cross(&x);
-    if y.norm() <= 1e-12 * x.norm() * xz.norm() {
+    if y.norm() <= MIN_SINE * x.norm() * xz.norm() {
         return Err(AxesError::Parallel);
     }
     let z = x.cross(&y);
     Ok(Matrix3::from_rows(&[x.normalize().transpose(), y.normalize().transpose(), z.normalize().transpose()]))
 }
 
-/// Axes as the user may give them with `-orient`: `x` and `y`, or `y` alone, or nothing.
+/// Axes of the option `-orient`: `x` and `y`, `y` alone, or neither.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Orientation {
     /// Local x axis.
@@ -58,9 +67,12 @@ pub struct Orientation {
 }
 
 impl Orientation {
-    /// Rotation and length of a link from `i` to `j` (global coordinates), as OpenSees' bearings and links have it:
-    /// the line between the nodes is the local x axis unless one is given; in the plane the local y axis is then
-    /// square to it, in space it lies towards the global Y unless it is given.
+    /// Rotation to local axes and length of a link from `i` to `j` (global coordinates), by the convention of OpenSees'
+    /// bearings and links. The local x axis is `x`, by default the line between the nodes. Without `y`, the local y
+    /// axis of a `plane` model is normal to x. In space it is then in the plane of x and the global Y.
+    ///
+    /// # Errors
+    /// No x axis, or `y` parallel to it.
     pub fn of_link(&self, i: Vector3<f64>, j: Vector3<f64>, plane: bool) -> Result<(Matrix3<f64>, f64), AxesError> {
         let line = j - i;
         let length = if line.norm() > f64::EPSILON { line.norm() } else { 0.0 };

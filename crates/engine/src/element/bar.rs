@@ -1,32 +1,32 @@
-//! What axial bars have in common: material, mass and responses.
+//! Common part of axial bars: material, mass and responses.
 
 use super::{ElementTraits, Mass, Snapshot};
 use crate::material::Slot;
 use crate::probe::Probe;
 
-/// An axial bar, whatever its kinematics.
+/// Data of an axial bar with any kinematics.
 #[derive(Clone, Debug)]
 pub(super) struct Bar {
     pub(super) slot: Slot,
     pub(super) options: BarOptions,
     /// Undeformed length.
     pub(super) length: f64,
-    /// Translations of a node.
+    /// Number of translations of a node.
     pub(super) ndm: usize,
-    /// Degrees of freedom of a node.
+    /// Number of degrees of freedom of a node.
     pub(super) per_node: usize,
 }
 
-/// Constants of a bar.
+/// Properties of a bar.
 #[derive(Clone, Debug)]
 pub struct BarOptions {
     /// Cross-sectional area.
     pub area: f64,
     /// Mass per length.
     pub rho: f64,
-    /// Consistent instead of lumped mass.
+    /// Consistent mass in place of lumped mass.
     pub consistent: bool,
-    /// Take part in the Rayleigh damping of the model.
+    /// Rayleigh damping of the model applies.
     pub rayleigh: bool,
 }
 
@@ -72,7 +72,7 @@ impl Bar {
         self.options.area * self.slot.stress(state)
     }
 
-    /// Give a parameter of the bar or of its material another value; the one it had.
+    /// Sets a parameter of the bar or of its material; returns the previous value.
     pub(super) fn set_parameter(&mut self, words: &[&str], value: f64) -> Option<f64> {
         let place = match *words.first()? {
             "A" => &mut self.options.area,
@@ -92,7 +92,7 @@ impl Bar {
             }
             "basicStiffness" => Probe::new(STIFFNESS, ["K"]),
             "material" | "-material" => {
-                // `material stress` as well as `material 1 stress`.
+                // Accept `material stress` and `material 1 stress`.
                 let rest = &words[1..];
                 let rest = if rest.first().is_some_and(|w| w.parse::<i32>().is_ok()) { &rest[1..] } else { rest };
                 return Some(self.slot.probe(rest)?.inside(&[MATERIAL]));

@@ -6,16 +6,16 @@ use crate::material::{Material, Slot, Strain};
 use crate::probe::Probe;
 use std::sync::Arc;
 
-/// An axial bar that turns with its nodes; engineering strain (Lₙ - L)/L of the bar as it stands (Crisfield, 1991,
-/// section 3.3).
+/// A corotational axial bar. The engineering strain is (Lₙ - L)/L with the current length Lₙ (Crisfield, 1991, section
+/// 3.3).
 #[derive(Clone, Debug)]
 pub struct CorotTruss {
     bar: Bar,
-    /// From node i to node j, undeformed.
+    /// Undeformed vector from node i to node j.
     line: [f64; 3],
 }
 
-/// The bar as it stands.
+/// Current geometry of the bar.
 struct Chord {
     length: f64,
     /// Unit vector from i to j.
@@ -23,8 +23,8 @@ struct Chord {
 }
 
 impl CorotTruss {
-    /// A bar along `line`, from node i to node j, between nodes with `per_node` degrees of freedom, of which the first
-    /// `line.len()` are translations.
+    /// A bar along `line`, from node i to node j. Nodes have `per_node` degrees of freedom, the first `line.len()` of
+    /// which are translations.
     ///
     /// # Errors
     /// No length.
@@ -60,7 +60,7 @@ impl CorotTruss {
         Ok(Chord { length, direction: d.map(|x| x / length) })
     }
 
-    /// Add `axial` n nᵀ + `across` (1 - n nᵀ), with opposite signs between the nodes.
+    /// Adds `axial` n nᵀ + `across` (1 - n nᵀ), with opposite signs between the nodes.
     fn add_stiffness(&self, n: &[f64; 3], axial: f64, across: f64, k: &mut [f64]) {
         let size = self.dofs();
         for a in 0..self.bar.ndm {
@@ -103,7 +103,7 @@ impl Element for CorotTruss {
         motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: ElementOutput<'_>,
+        output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let chord = self.chord(motion.disp)?;
         let n = &chord.direction;
@@ -117,13 +117,13 @@ impl Element for CorotTruss {
         let area = self.bar.options.area;
         let axial = area * s.value;
         for (i, n) in n.iter().enumerate().take(self.bar.ndm) {
-            answer.force[i] -= axial * n;
-            answer.force[self.bar.per_node + i] += axial * n;
+            output.force[i] -= axial * n;
+            output.force[self.bar.per_node + i] += axial * n;
         }
-        if let Some(k) = answer.tangent {
+        if let Some(k) = output.tangent {
             self.add_stiffness(n, area * s.tangent / self.bar.length, axial / chord.length, k);
         }
-        if let Some(c) = answer.damping {
+        if let Some(c) = output.damping {
             self.add_stiffness(n, area * s.damping / self.bar.length, 0.0, c);
         }
         Ok(())
@@ -147,7 +147,7 @@ impl Element for CorotTruss {
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         match *words.first()? {
-            // As in OpenSees: the axial force alone.
+            // OpenSees reports the axial force alone.
             "localForce" | "localForces" => self.bar.probe(&["axialForce"]),
             _ => self.bar.probe(words),
         }

@@ -5,24 +5,26 @@ use crate::material::{Material, Slot, Strain};
 use crate::probe::Probe;
 use std::sync::Arc;
 
-/// A uniaxial material between two nodes at one place that is driven by the distance in a plane of two directions; the force
-/// points along the offset. The distance counts as negative where the offsets add up to less than zero.
+/// A uniaxial material between two nodes at one location. Its deformation is the length of the relative displacement in
+/// a plane of two directions; the force is along that vector. The deformation is negative if the components sum to less
+/// than 0.
 #[derive(Clone, Debug)]
 pub struct CoupledZeroLength {
     slot: Slot,
-    /// Degrees of freedom of a node that make the plane.
+    /// Degrees of freedom of a node that span the plane.
     directions: [usize; 2],
     per_node: usize,
-    /// Offset of the nodes when the element was made: it measures from there.
+    /// Relative displacement when the element was created, the zero of the deformation.
     initial: [f64; 2],
     rayleigh: bool,
-    /// The tangent of OpenSees: the spring's in both directions.
+    /// OpenSees' tangent: that of the spring in both directions.
     compat: bool,
 }
 
 impl CoupledZeroLength {
-    /// Of a material (with its tag) for two degrees of freedom, from 0, of nodes with `per_node` of them; `initial` is the
-    /// displacement of j less that of i. `compat` takes the tangent of OpenSees, which is that of the spring in both directions.
+    /// Makes the element of a material and its tag. `directions` are degrees of freedom from 0 of nodes with
+    /// `per_node`. `initial` is the displacement of j less that of i. `compat` selects OpenSees' tangent, that of the
+    /// spring in both directions.
     pub fn new(
         (material, tag): (Material, i32),
         directions: [usize; 2],
@@ -31,7 +33,7 @@ impl CoupledZeroLength {
         rayleigh: bool,
         compat: bool,
     ) -> Self {
-        // The direction of the last force comes first.
+        // The first two state variables are the direction of the last force.
         let slot = Slot::new(material, tag, 2);
         Self { slot, directions, per_node, initial: directions.map(|d| initial[d]), rayleigh, compat }
     }
@@ -40,12 +42,12 @@ impl CoupledZeroLength {
         self.directions.map(|d| field[self.per_node + d] - field[d])
     }
 
-    /// Add a stiffness in both directions.
+    /// Adds a stiffness in both directions.
     fn add_stiffness(&self, stiffness: f64, out: &mut [f64]) {
         self.add_block([[stiffness, 0.0], [0.0, stiffness]], out);
     }
 
-    /// Add a stiffness of the plane, by rows.
+    /// Adds a stiffness matrix of the plane.
     fn add_block(&self, block: [[f64; 2]; 2], out: &mut [f64]) {
         let n = 2 * self.per_node;
         for (&d, row) in self.directions.iter().zip(block) {
@@ -81,7 +83,7 @@ impl Element for CoupledZeroLength {
         motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: ElementOutput<'_>,
+        output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let rate = self.offset(motion.vel);
         let mut d = self.offset(motion.disp);
@@ -91,27 +93,27 @@ impl Element for CoupledZeroLength {
         let strain = Strain { value, rate: rate[0].hypot(rate[1]), dt: motion.dt };
         let s = self.slot.update(committed, strain, trial)?;
         let last = [committed[0], committed[1]];
-        // In the middle the force keeps the direction it had last.
+        // At zero deformation the force keeps its last direction.
         let direction = if value != 0.0 { d.map(|d| d / value) } else { last };
         let turns = value != 0.0 && s.value != 0.0;
         let unit = direction.map(|x| x * s.value.signum());
         trial[..2].copy_from_slice(&if turns { unit } else { last });
         for (at, share) in self.directions.iter().zip(direction) {
-            answer.force[*at] -= share * s.value;
-            answer.force[self.per_node + at] += share * s.value;
+            output.force[*at] -= share * s.value;
+            output.force[self.per_node + at] += share * s.value;
         }
-        if let Some(k) = answer.tangent {
+        if let Some(k) = output.tangent {
             if self.compat || value == 0.0 {
                 self.add_stiffness(s.tangent, k);
             } else {
-                // The force turns with the offset.
+                // Second term: rotation of the force with the relative displacement.
                 let (along, across) = (s.tangent, s.value / value);
                 let [x, y] = direction;
                 let mixed = (along - across) * x * y;
                 self.add_block([[along * x * x + across * y * y, mixed], [mixed, along * y * y + across * x * x]], k);
             }
         }
-        if let Some(c) = answer.damping {
+        if let Some(c) = output.damping {
             self.add_stiffness(s.damping, c);
         }
         Ok(())

@@ -1,62 +1,61 @@
-//! Loads on elements, as `eleLoad` gives them.
+//! Loads on elements (`eleLoad`).
 
 use super::ElementError;
 
-/// A load on an element, in its local axes and independent of time.
+/// A load on an element in its local axes, constant in time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ElementLoad {
-    /// Distributed over a beam from `a` to `b` (fractions of the length), linear in between; force per length along
-    /// local y, z and x, at the start and at the end.
+    /// A load per length over a part of a beam, linear from start to end.
     Distributed {
-        /// Start and end, 0 to 1.
+        /// Start and end as fractions of the length, 0 to 1.
         span: (f64, f64),
-        /// Along local y at start and end.
+        /// Force per length along local y at start and end.
         y: (f64, f64),
-        /// Along local z at start and end.
+        /// Force per length along local z at start and end.
         z: (f64, f64),
-        /// Along local x at start and end.
+        /// Force per length along local x at start and end.
         x: (f64, f64),
     },
-    /// A point force on a beam at a fraction of its length; along local y, z and x.
+    /// A point force on a beam.
     Point {
-        /// Place, 0 to 1.
+        /// Position as a fraction of the length, 0 to 1.
         at: f64,
-        /// Along local y.
+        /// Force along local y.
         y: f64,
-        /// Along local z.
+        /// Force along local z.
         z: f64,
-        /// Along local x.
+        /// Force along local x.
         x: f64,
     },
-    /// A moment per length about local z, the same all along a beam in the plane.
+    /// A uniform moment per length about local z of a beam in the plane.
     Moment {
-        /// Moment per length.
+        /// Moment per length, force.
         z: f64,
     },
 }
 
-/// What one component of a load across a beam of length L amounts to: the shears that a simple beam passes to its
-/// ends, and the moments of a clamped one.
+/// End actions of one transverse load component on a beam of length L: shears of the simple beam, moments of the
+/// clamped beam.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EndActions {
-    /// Shear at i and j, positive against the load.
+    /// Shear reactions at i and j, positive against the load.
     pub shear: (f64, f64),
-    /// Moment of the clamped beam: ∫ w x (1-x/L)² dx and ∫ w x² (1-x/L)/L dx.
+    /// Moments of the clamped beam at i and j: ∫ w x (1-x/L)² dx and ∫ w x² (1-x/L)/L dx.
     pub moment: (f64, f64),
 }
 
-/// Abscissae and weights of Gauss' rule with three points on 0 to 1, exact for a cubic times a linear load.
+/// Abscissae and weights of Gauss' rule with three points on [0, 1]. It is exact for a cubic times a linear load.
 const GAUSS: [(f64, f64); 3] =
     [(0.112_701_665_379_258_3, 5.0 / 18.0), (0.5, 8.0 / 18.0), (0.887_298_334_620_741_7, 5.0 / 18.0)];
 
 impl EndActions {
-    /// Of a force `p` at `at` (fraction of the length).
+    /// End actions of a force `p` at the fraction `at` of the length.
     pub fn point(p: f64, at: f64, length: f64) -> Self {
         let rest = 1.0 - at;
         Self { shear: (p * rest, p * at), moment: (p * length * at * rest * rest, p * length * at * at * rest) }
     }
 
-    /// Of a load per length that goes from `w.0` to `w.1` over `span` (fractions of the length).
+    /// End actions of a load per length that is linear from `w.0` to `w.1` over `span` (fractions of the length).
     pub fn distributed(w: (f64, f64), span: (f64, f64), length: f64) -> Self {
         let mut sum = Self::default();
         if w == (0.0, 0.0) {
@@ -75,17 +74,19 @@ impl EndActions {
     }
 }
 
-/// Internal forces of a simple beam at `x` under point forces along y, z and x at `at` (fractions of the length): axial
-/// force, moment about z, shear along y, moment about y, shear along z.
+/// Internal forces of a simple beam under a point force. `x` and `at` are fractions of the length. Order: axial force,
+/// moment about z, shear along y, moment about y, shear along z.
 fn internal_of_point((y, z, axial): (f64, f64, f64), at: f64, x: f64, length: f64) -> [f64; 5] {
-    // The share of the force that goes to the end beyond, and the lever from the near end.
+    // Share of the force carried by the end beyond the section, and the distance to the other end.
     let (share, lever, n) = if x <= at { (at - 1.0, x, axial) } else { (at, x - 1.0, 0.0) };
     [n, share * lever * y * length, share * y, -share * lever * z * length, -share * z]
 }
 
 impl ElementLoad {
+    /// Rejects moments along the beam for elements of this class.
+    ///
     /// # Errors
-    /// It is a moment along the beam, which elements of this class do not take.
+    /// The load is a moment along the beam.
     pub(crate) fn refuse_moment(&self, class: &str) -> Result<(), ElementError> {
         match self {
             Self::Moment { .. } => Err(ElementError(format!("{class} takes no moments along its length").into())),
@@ -93,8 +94,8 @@ impl ElementLoad {
         }
     }
 
-    /// Internal forces of a simple beam at `x` (fraction of the length) under the load: axial force, moment about z, shear
-    /// along y, moment about y, shear along z, in the signs of a section.
+    /// Internal forces of a simple beam at `x` (fraction of the length), with the signs of a section. Order: axial
+    /// force, moment about z, shear along y, moment about y, shear along z.
     pub fn internal_forces(&self, x: f64, length: f64) -> [f64; 5] {
         match *self {
             Self::Point { at, y, z, x: axial } => internal_of_point((y, z, axial), at, x, length),
@@ -118,13 +119,13 @@ impl ElementLoad {
 }
 
 impl ElementLoad {
-    /// End actions of the components along local y and z, and the axial force with its share at j.
+    /// End actions along local y and z, then the total axial force and its share at j.
     pub fn end_actions(&self, length: f64) -> (EndActions, EndActions, (f64, f64)) {
         match *self {
             Self::Point { at, y, z, x } => {
                 (EndActions::point(y, at, length), EndActions::point(z, at, length), (x, x * at))
             }
-            // Shear alone holds it: the clamped beam does not bend.
+            // A uniform moment is in equilibrium with end shears; the clamped beam has no curvature.
             Self::Moment { z } => {
                 (EndActions { shear: (-z, z), ..EndActions::default() }, EndActions::default(), (0.0, 0.0))
             }

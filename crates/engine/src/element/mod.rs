@@ -1,7 +1,7 @@
 //! Finite elements.
 //!
 //! An element is a struct of constants that implements [`Element`]. Its history lies in a slice of the model's state
-//! (see [`state_struct`](crate::state_struct)); it answers with forces and tangents for the motion of its nodes. Forces are those
+//! (see [`state_struct`](crate::state_struct)). It returns forces and tangents for the motion of its nodes. Forces are those
 //! that the nodes exert on the element, in global axes, node after node: OpenSees' "resisting force".
 //!
 //! A model with many elements of a kind calls [`Element::respond`] millions of times: it must not allocate.
@@ -16,6 +16,7 @@ mod corot_truss;
 mod coupled_zero_length;
 pub mod friction;
 pub mod load;
+mod opensees;
 mod quad;
 mod springs;
 pub mod transform;
@@ -35,6 +36,7 @@ pub use basic_row::BasicRow;
 pub use corot_truss::CorotTruss;
 pub use coupled_zero_length::CoupledZeroLength;
 pub use load::ElementLoad;
+pub use opensees::{CallDependent, OpenSeesCall, OpenSeesTraits, SharedState};
 pub use quad::{Isotropic, Plane, Quad, QuadOptions};
 pub use truss::Truss;
 pub use two_node_link::{LinkOptions, TwoNodeLink};
@@ -44,35 +46,35 @@ pub use zero_length_section::ZeroLengthSection;
 /// Largest number of degrees of freedom of an element that the buffers of the analysis are made for.
 pub const MAX_DOFS: usize = 24;
 
-/// What an element is given at a trial state.
+/// Input of an element at a trial state.
 #[derive(Clone, Copy, Debug)]
 pub struct ElementInput<'a> {
     /// Trial displacements of its degrees of freedom, node after node.
     pub disp: &'a [f64],
     /// Trial velocities, likewise.
     pub vel: &'a [f64],
-    /// Its load words, as [`Element::add_load`] has summed them.
+    /// Its load variables, as [`Element::add_load`] has summed them.
     pub load: &'a [f64],
     /// Nothing has a velocity.
     pub still: bool,
-    /// An element that counts its calls is asked once more where it was asked last.
-    pub again: bool,
+    /// Under `--compat opensees`, the call of an element that depends on the number of calls.
+    pub opensees: Option<OpenSeesCall<'a>>,
     /// Domain time since the committed state.
     pub dt: f64,
     /// Domain time (the load factor of static analyses).
     pub time: f64,
 }
 
-/// Where an element writes its answer: what is wanted has been set to zero.
+/// Output of an element: force, and matrices of which the rows and columns of `part` have been set to zero.
 #[derive(Debug)]
 pub struct ElementOutput<'a> {
     /// Resisting force, length n.
     pub force: &'a mut [f64],
-    /// Tangent stiffness n x n by rows, where it is wanted.
+    /// Tangent stiffness n x n by rows; `None` where it is not needed.
     pub tangent: Option<&'a mut [f64]>,
-    /// Damping matrix of viscous materials n x n by rows, where it is wanted.
+    /// Damping matrix of viscous materials n x n by rows; `None` where it is not needed.
     pub damping: Option<&'a mut [f64]>,
-    /// What of the matrices is wanted; what is beside it does not matter.
+    /// Rows and columns of the matrices that are read; the other entries are free.
     pub part: MatrixMask,
 }
 
@@ -109,12 +111,12 @@ impl Rows {
     /// None of them.
     pub const NONE: Self = Self(0);
 
-    /// Those that are free.
+    /// The degrees of freedom that are free.
     pub fn of(free: impl IntoIterator<Item = bool>) -> Self {
         Self(free.into_iter().take(MAX_DOFS).enumerate().fold(0, |bits, (i, free)| bits | u32::from(free) << i))
     }
 
-    /// Whether row `i` is among them.
+    /// Returns true if row `i` is among them.
     #[inline]
     pub fn has(self, i: usize) -> bool {
         self.0 >> i & 1 != 0
@@ -132,13 +134,13 @@ impl Rows {
         Self(self.0 | others.0)
     }
 
-    /// Whether the first `n` are all among them.
+    /// Returns true if the first `n` are all among them.
     #[inline]
     pub fn has_all(self, n: usize) -> bool {
         !self.0 & ((1 << n) - 1) == 0
     }
 
-    /// Those among the first `n`, in order.
+    /// The rows among the first `n`, in order.
     #[inline]
     pub fn among(self, n: usize) -> impl Iterator<Item = usize> {
         let mut left = self.0 & ((1 << n) - 1);
@@ -150,7 +152,7 @@ impl Rows {
     }
 }
 
-/// What a recorder reads an element's response from: the committed state.
+/// Committed state of an element, from which a recorder reads its responses.
 #[derive(Clone, Copy, Debug)]
 pub struct Snapshot<'a> {
     /// Displacements of its degrees of freedom.
@@ -159,7 +161,7 @@ pub struct Snapshot<'a> {
     pub state: &'a [f64],
     /// Its resisting force.
     pub force: &'a [f64],
-    /// Its load words.
+    /// Its load variables.
     pub load: &'a [f64],
 }
 
@@ -174,7 +176,7 @@ pub enum Mass {
     Consistent(Vec<f64>),
 }
 
-/// What is constant about an element's answers; the analysis saves work by it.
+/// Constant properties of an element, by which the analysis saves work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ElementTraits {
     /// The tangent never changes and the force is linear in the displacements (and the loads).
@@ -203,7 +205,7 @@ impl ElementTraits {
     }
 }
 
-/// Why an element could not answer.
+/// Reason why an element found no force.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ElementError(pub Box<str>);
 
@@ -236,14 +238,14 @@ pub trait Element: fmt::Debug + Send + Sync {
     fn class(&self) -> &'static str;
     /// Number of degrees of freedom n, all nodes together.
     fn dofs(&self) -> usize;
-    /// Number of words of history.
+    /// Number of state variables.
     fn state_len(&self) -> usize;
     /// Write the virgin state.
     fn init(&self, state: &mut [f64]);
-    /// What is constant about it.
+    /// Its constant properties.
     fn traits(&self) -> ElementTraits;
 
-    /// Force and tangent for a trial motion from the committed history; writes every word of `trial`.
+    /// Force and tangent for a trial motion from the committed history; writes every variable of `trial`.
     fn respond(
         &self,
         motion: &ElementInput<'_>,
@@ -252,65 +254,36 @@ pub trait Element: fmt::Debug + Send + Sync {
         answer: ElementOutput<'_>,
     ) -> Result<(), ElementError>;
 
-    /// Take over the history of a trial state. One with many words may leave out those that nobody reads.
+    /// Take over the history of a trial state. An element with many state variables may leave out unused ones.
     fn commit(&self, trial: &[f64], committed: &mut [f64]) {
         committed.copy_from_slice(trial);
     }
 
-    /// Whether the answer goes on with every call in a step, from what the last call left in the trial history: true only
-    /// of schemes of OpenSees' that are followed on demand. Such an element is asked as often as OpenSees asks it.
-    fn counts_calls(&self) -> bool {
-        false
+    /// Differences from its counterpart in OpenSees, for an analysis under `--compat opensees`.
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        OpenSeesTraits::default()
     }
-
-    /// Tangent of the last call, from the history that it left, for an element that counts its calls; wanted rows of n x n,
-    /// added to a zero matrix.
-    fn last_tangent(&self, _history: &[f64], _tangent: &mut [f64], _part: MatrixMask) {}
 
     /// Tangent of the virgin element, n x n by rows, added to a zero matrix.
     fn initial_tangent(&self, tangent: &mut [f64]);
-
-    /// Whether its current tangent stands for the initial one in algorithms and damping, as OpenSees has it of some elements
-    /// that count their calls. Followed on demand only.
-    fn initial_is_current(&self) -> bool {
-        false
-    }
 
     /// Mass.
     fn mass(&self) -> Mass {
         Mass::None
     }
 
-    /// Whether Rayleigh damping counts in its forces and not in its tangent, as OpenSees has it of some elements. Followed on
-    /// demand only.
-    fn damps_in_forces_only(&self) -> bool {
-        false
-    }
-
-    /// Whether OpenSees takes the committed tangent of Rayleigh damping anew at the end of every step; of some elements it keeps
-    /// the first one. Followed on demand only.
-    fn renews_damping(&self) -> bool {
-        true
-    }
-
-    /// Where OpenSees takes the inertia of its mass under a uniform ground motion off the force that it reports: how
-    /// often it counts that inertia in the equations of motion. Followed on demand only.
-    fn ground_inertia_slip(&self) -> Option<f64> {
-        None
-    }
-
     /// The element with another value of a parameter, by the words of a `parameter` command, and the value it had;
-    /// `None` where it has none of that name. The history has the same words.
+    /// `None` where it has none of that name. The state variables stay the same.
     fn with_parameter(&self, _words: &[&str], _value: f64) -> Option<(Arc<dyn Element>, f64)> {
         None
     }
 
-    /// Number of words that [`Element::add_load`] sums loads in.
+    /// Number of load variables, in which [`Element::add_load`] sums loads.
     fn load_len(&self) -> usize {
         0
     }
 
-    /// Add a load, multiplied by a factor, to the load words.
+    /// Add a load, multiplied by a factor, to the load variables.
     fn add_load(&self, _load: &ElementLoad, _factor: f64, _words: &mut [f64]) -> Result<(), ElementError> {
         Err(ElementError(format!("{} takes no element loads", self.class()).into()))
     }
@@ -327,7 +300,7 @@ pub trait Element: fmt::Debug + Send + Sync {
     }
 
     /// A response by the words of a recorder command; `None` where the element has none of that name.
-    /// The global force is common to all elements and is not asked for here.
+    /// The global force is common to all elements and is not among them.
     fn probe(&self, words: &[&str]) -> Option<Probe>;
 
     /// Names of the responses, to suggest the nearest to a misspelled one.

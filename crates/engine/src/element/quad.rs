@@ -1,6 +1,6 @@
 //! The four-node quadrilateral of plane elasticity: `quad`.
 
-use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot};
+use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot};
 use crate::numeric::axpy;
 use crate::probe::Probe;
 
@@ -15,17 +15,17 @@ pub struct Isotropic {
     pub rho: f64,
 }
 
-/// What does not vary across a plane.
+/// Plane stress or plane strain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Plane {
-    /// No strain across it.
+    /// Plane strain.
     Strain,
-    /// No stress across it.
+    /// Plane stress.
     Stress,
 }
 
 impl Isotropic {
-    /// Stresses xx, yy, xy per strain xx, yy and shear angle.
+    /// Elasticity matrix, 3 x 3: stresses xx, yy, xy for strains xx, yy and shear angle.
     pub fn plane(&self, plane: Plane) -> [[f64; 3]; 3] {
         let (e, nu) = (self.e, self.nu);
         // Plane strain is plane stress of a material with other constants (Timoshenko and Goodier, 1970, section 17).
@@ -38,38 +38,40 @@ impl Isotropic {
     }
 }
 
-/// What a quadrilateral has besides its corners and its material.
+/// Properties of a quadrilateral.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct QuadOptions {
     /// Thickness.
     pub thickness: f64,
-    /// Pressure on all sides, force per length of side.
+    /// Pressure on all sides, force/length.
     pub pressure: f64,
-    /// Mass per volume.
+    /// Density, mass/volume; 0 for that of the material.
     pub rho: f64,
     /// Force per volume along x and y.
     pub body: [f64; 2],
 }
 
-/// A bilinear isoparametric quadrilateral with 2 x 2 points of Gauss (Zienkiewicz and Taylor, 2000, section 8.3). Pressure and
-/// body forces act from the beginning, whatever the load patterns do. The mass is lumped.
+/// A bilinear isoparametric quadrilateral with 2 x 2 Gauss points and lumped mass (Zienkiewicz and Taylor, 2000,
+/// section 8.3). Pressure and body forces act from the start, independent of load patterns.
 #[derive(Clone, Debug)]
 pub struct Quad {
     stiffness: Vec<f64>,
-    /// Resisting force without displacements: that of pressure and body forces.
-    at_rest: [f64; 8],
+    /// Resisting force at zero displacement, from pressure and body forces.
+    load_force: [f64; 8],
     mass: [f64; 8],
     elasticity: [[f64; 3]; 3],
     points: [Rows; 4],
+    /// Volume of each Gauss point.
+    volumes: [f64; 4],
 }
 
-/// Strains xx, yy and the shear angle per displacement of the corners.
+/// Derivatives of the strains xx, yy and the shear angle by the displacements of the corners.
 type Rows = [[f64; 8]; 3];
 
-/// Corners and points of Gauss, against the clock.
+/// Natural coordinates of the corners, counterclockwise. Gauss points are at 1/√3 of them.
 const SIGNS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 
-/// Shape functions and their derivatives along x and y at a place in the unit square, and the area per area there.
+/// Shape functions, their derivatives by x and y, and the Jacobian determinant at natural coordinates `at`.
 fn shape(corners: &[[f64; 2]; 4], at: [f64; 2]) -> ([f64; 4], [[f64; 2]; 4], f64) {
     let n = SIGNS.map(|[x, y]| 0.25 * (1.0 + x * at[0]) * (1.0 + y * at[1]));
     let local = SIGNS.map(|[x, y]| [0.25 * x * (1.0 + y * at[1]), 0.25 * y * (1.0 + x * at[0])]);
@@ -85,10 +87,10 @@ fn shape(corners: &[[f64; 2]; 4], at: [f64; 2]) -> ([f64; 4], [[f64; 2]; 4], f64
 }
 
 impl Quad {
-    /// From its corners against the clock.
+    /// Makes an element of its corners, counterclockwise.
     ///
     /// # Errors
-    /// The corners go round with the clock, or make no convex quadrilateral.
+    /// The corners are not counterclockwise or not convex.
     pub fn new(
         corners: &[[f64; 2]; 4],
         material: &Isotropic,
@@ -100,20 +102,22 @@ impl Quad {
         }
         let mut made = Self {
             stiffness: vec![0.0; 64],
-            at_rest: [0.0; 8],
+            load_force: [0.0; 8],
             mass: [0.0; 8],
             elasticity: material.plane(plane),
             points: [[[0.0; 8]; 3]; 4],
+            volumes: [0.0; 4],
         };
         let rho = if options.rho == 0.0 { material.rho } else { options.rho };
-        for (sign, rows) in SIGNS.iter().zip(&mut made.points) {
+        for ((sign, rows), at) in SIGNS.iter().zip(&mut made.points).zip(&mut made.volumes) {
             let (n, d, det) = shape(corners, sign.map(|s| s / 3.0f64.sqrt()));
             let volume = det * options.thickness;
+            *at = volume;
             for (node, (n, [dx, dy])) in n.iter().zip(d).enumerate() {
                 let [x, y] = [2 * node, 2 * node + 1];
                 (rows[0][x], rows[1][y], rows[2][x], rows[2][y]) = (dx, dy, dy, dx);
                 for (dof, b) in [x, y].into_iter().zip(options.body) {
-                    made.at_rest[dof] -= volume * n * b;
+                    made.load_force[dof] -= volume * n * b;
                     made.mass[dof] += volume * n * rho;
                 }
             }
@@ -128,14 +132,14 @@ impl Quad {
         for (i, j) in [(0, 1), (1, 2), (2, 3), (3, 0)] {
             let half = [0, 1].map(|d| 0.5 * options.pressure * (corners[j][d] - corners[i][d]));
             for node in [i, j] {
-                made.at_rest[2 * node] -= half[1];
-                made.at_rest[2 * node + 1] += half[0];
+                made.load_force[2 * node] -= half[1];
+                made.load_force[2 * node + 1] += half[0];
             }
         }
         Ok(made)
     }
 
-    /// Strains, or stresses, of a point.
+    /// Strains or stresses xx, yy, xy of a Gauss point.
     fn at(&self, point: usize, stress: bool, disp: &[f64]) -> [f64; 3] {
         let strain = self.points[point].each_ref().map(|row| dot(row, disp));
         if stress { self.elasticity.each_ref().map(|row| dot(row, &strain)) } else { strain }
@@ -145,8 +149,8 @@ impl Quad {
 const STRESSES: u32 = 3;
 const STRAINS: u32 = 4;
 const AT_NODES: u32 = 11;
-/// Of one point.
-const POINT: u32 = 20;
+/// First response of a single Gauss point.
+const SINGLE_POINT: u32 = 20;
 
 const STRESS_NAMES: [&str; 3] = ["sigma11", "sigma22", "sigma12"];
 const STRAIN_NAMES: [&str; 3] = ["eta11", "eta22", "eta12"];
@@ -171,13 +175,16 @@ impl Element for Quad {
         m: &ElementInput<'_>,
         _: &[f64],
         _: &mut [f64],
-        answer: ElementOutput<'_>,
+        output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
-        answer.force.copy_from_slice(&self.at_rest);
-        for (f, row) in answer.force.iter_mut().zip(self.stiffness.chunks_exact(8)) {
-            *f += dot(row, m.disp);
+        output.force.copy_from_slice(&self.load_force);
+        // Forces from stresses: the round-off of stiffness times displacements would not be in equilibrium.
+        for (point, (rows, volume)) in self.points.iter().zip(&self.volumes).enumerate() {
+            for (row, stress) in rows.iter().zip(self.at(point, true, m.disp)) {
+                axpy(volume * stress, row, output.force);
+            }
         }
-        if let Some(k) = answer.tangent {
+        if let Some(k) = output.tangent {
             axpy(1.0, &self.stiffness, k);
         }
         Ok(())
@@ -191,8 +198,8 @@ impl Element for Quad {
         if self.mass.iter().all(|m| *m == 0.0) { Mass::None } else { Mass::Lumped(self.mass.to_vec()) }
     }
 
-    fn ground_inertia_slip(&self) -> Option<f64> {
-        (self.mass[0] != 0.0).then_some(1.0)
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        OpenSeesTraits { ground_inertia: (self.mass[0] != 0.0).then_some(1.0), ..OpenSeesTraits::default() }
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
@@ -204,8 +211,8 @@ impl Element for Quad {
             ["material" | "integrPoint", point, what, ..] => {
                 let point = point.parse::<u32>().ok().filter(|p| (1..=4).contains(p))? - 1;
                 match *what {
-                    "stress" | "stresses" => Probe::new(POINT + point, STRESS_NAMES),
-                    "strain" | "strains" => Probe::new(POINT + 4 + point, ["eps11", "eps22", "eps12"]),
+                    "stress" | "stresses" => Probe::new(SINGLE_POINT + point, STRESS_NAMES),
+                    "strain" | "strains" => Probe::new(SINGLE_POINT + 4 + point, ["eps11", "eps22", "eps12"]),
                     _ => return None,
                 }
             }
@@ -229,18 +236,23 @@ impl Element for Quad {
                 }
             }
             AT_NODES => {
-                // The bilinear field through the points of Gauss, taken to the corners.
-                let far = 3.0f64.sqrt();
+                // Extrapolate the bilinear field of the Gauss points to the corners.
+                let extrapolation = 3.0f64.sqrt();
                 for (corner, out) in SIGNS.iter().zip(out.chunks_exact_mut(3)) {
                     out.fill(0.0);
                     for (point, [x, y]) in SIGNS.iter().enumerate() {
-                        let share = 0.25 * (1.0 + far * x * corner[0]) * (1.0 + far * y * corner[1]);
+                        let share =
+                            0.25 * (1.0 + extrapolation * x * corner[0]) * (1.0 + extrapolation * y * corner[1]);
                         axpy(share, &self.at(point, true, s.disp), out);
                     }
                 }
             }
             kind => {
-                let (point, stress) = if kind < POINT + 4 { (kind - POINT, true) } else { (kind - POINT - 4, false) };
+                let (point, stress) = if kind < SINGLE_POINT + 4 {
+                    (kind - SINGLE_POINT, true)
+                } else {
+                    (kind - SINGLE_POINT - 4, false)
+                };
                 out.copy_from_slice(&self.at(point as usize, stress, s.disp));
             }
         }

@@ -1,11 +1,11 @@
-//! Uniaxial springs side by side: what `zeroLength` and `twoNodeLink` have in common.
+//! Common part of `zeroLength` and `twoNodeLink`: uniaxial springs in parallel.
 
 use super::{BasicRow, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot};
 use crate::material::{Material, Slot, Strain, Stress};
 use crate::probe::Probe;
 use nalgebra::Matrix3;
 
-/// Springs of an element, each with its deformation.
+/// Springs of an element, each with its own deformation.
 #[derive(Clone, Debug)]
 pub(super) struct Springs {
     springs: Vec<Spring>,
@@ -18,28 +18,28 @@ pub(super) struct Springs {
 #[derive(Clone, Debug)]
 struct Spring {
     slot: Slot,
-    /// Damper driven by the rate, if any.
+    /// Damper with the rate of deformation as its strain.
     damper: Option<Slot>,
-    /// Direction, from 1.
+    /// Direction, 1 to 6.
     direction: usize,
-    /// Deformation from the displacements of all degrees of freedom.
+    /// Derivatives of the deformation by the displacements.
     row: Vec<f64>,
-    /// The same without zeros: places and coefficients.
+    /// Nonzero entries of `row`: index and value.
     terms: Vec<(usize, f64)>,
-    /// Deformation that it measures from.
+    /// Deformation that is subtracted.
     initial: f64,
-    /// The next spring has the same deformation: its answer is added before the sum goes to the nodes.
+    /// The next spring has the same deformation: forces are summed before they go to the nodes.
     shared: bool,
 }
 
 impl Spring {
-    /// Its deformation, or the rate of it, from the motion of all degrees of freedom.
+    /// Deformation from displacements, or its rate from velocities.
     #[inline]
     fn measure(&self, motion: &[f64]) -> f64 {
         self.terms.iter().map(|&(i, r)| r * motion[i]).sum()
     }
 
-    /// Add its stiffness to a matrix of `n` degrees of freedom.
+    /// Adds its stiffness to a matrix of `n` degrees of freedom.
     #[inline]
     fn add_stiffness(&self, matrix: &mut [f64], n: usize, stiffness: f64) {
         for &(i, ri) in &self.terms {
@@ -60,8 +60,8 @@ impl Springs {
         Self { springs: vec![], axes, state_len: 0 }
     }
 
-    /// Add a spring (material, its tag) in a direction from 1 with its deformation from the displacements of all degrees
-    /// of freedom, less `initial`; and a damper driven by the rate of the deformation.
+    /// Adds a spring of a material and its tag. `row` times the displacements, less `initial`, is its deformation.
+    /// `damper` has the rate of deformation as its strain.
     pub(super) fn add(
         &mut self,
         (material, tag): (Material, i32),
@@ -95,7 +95,7 @@ impl Springs {
         self.slots().for_each(|slot| slot.init(state));
     }
 
-    /// Directions that have a spring, rising.
+    /// Directions with a spring, increasing.
     pub(super) fn directions(&self) -> Vec<usize> {
         let mut directions: Vec<usize> = self.springs.iter().map(|s| s.direction).collect();
         directions.sort_unstable();
@@ -103,8 +103,8 @@ impl Springs {
         directions
     }
 
-    /// The deformations, once for each direction, which `direction` counts from 1 to 6, of nodes with so many dimensions and
-    /// degrees of freedom.
+    /// Basic deformations, one for each direction; `direction` maps a direction to 1 to 6. `nodes` are the numbers of
+    /// dimensions and of degrees of freedom per node.
     pub(super) fn basic_rows(&self, direction: impl Fn(usize) -> usize, nodes: (usize, usize)) -> Vec<BasicRow> {
         let mut rows: Vec<BasicRow> = vec![];
         for (column, s) in self.springs.iter().enumerate() {
@@ -122,20 +122,20 @@ impl Springs {
     }
 
     pub(super) fn traits(&self) -> ElementTraits {
-        let nature = ElementTraits::of(self.slots());
+        let traits = ElementTraits::of(self.slots());
         let dampers = self.springs.iter().any(|s| s.damper.is_some());
-        ElementTraits { linear: nature.linear && !dampers, viscous: nature.viscous || dampers, ..nature }
+        ElementTraits { linear: traits.linear && !dampers, viscous: traits.viscous || dampers, ..traits }
     }
 
-    /// Add the springs' forces and tangents to `answer`.
+    /// Adds the forces and tangents of the springs to `output`.
     pub(super) fn respond(
         &self,
         motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: &mut ElementOutput<'_>,
+        output: &mut ElementOutput<'_>,
     ) -> Result<(), ElementError> {
-        // Of springs with one deformation.
+        // Sum over springs with the same deformation.
         let (mut strain, mut sum) = (None, Stress::default());
         for s in &self.springs {
             let at = *strain.get_or_insert_with(|| {
@@ -147,7 +147,7 @@ impl Springs {
             sum.tangent += stress.tangent;
             sum.damping += stress.damping;
             if let Some(d) = &s.damper {
-                // A damper's "strain" is the rate of deformation, so its tangent is the damping.
+                // The strain of a damper is a rate, so its tangent is the damping.
                 let c = d.update(committed, Strain { value: at.rate, rate: 0.0, dt: motion.dt }, trial)?;
                 sum.value += c.value;
                 sum.damping += c.tangent;
@@ -155,11 +155,11 @@ impl Springs {
             if s.shared {
                 continue;
             }
-            s.terms.iter().for_each(|&(i, r)| answer.force[i] += sum.value * r);
-            if let Some(k) = answer.tangent.as_deref_mut() {
+            s.terms.iter().for_each(|&(i, r)| output.force[i] += sum.value * r);
+            if let Some(k) = output.tangent.as_deref_mut() {
                 s.add_stiffness(k, s.row.len(), sum.tangent);
             }
-            if let Some(c) = answer.damping.as_deref_mut() {
+            if let Some(c) = output.damping.as_deref_mut() {
                 s.add_stiffness(c, s.row.len(), sum.damping);
             }
             (strain, sum) = (None, Stress::default());
@@ -173,7 +173,7 @@ impl Springs {
         }
     }
 
-    /// Give a parameter of one material, or of all that have it, another value; the one it had.
+    /// Sets a parameter of one material, or of all materials that have it; returns the previous value.
     pub(super) fn set_parameter(&mut self, words: &[&str], value: f64) -> Option<f64> {
         if let ["material", i, rest @ ..] = words {
             let i = i.parse::<usize>().ok()?.checked_sub(1)?;
@@ -182,7 +182,7 @@ impl Springs {
         self.springs.iter_mut().filter_map(|s| s.slot.set_parameter(words, value)).last()
     }
 
-    /// A response by the words of a recorder command; `force` and `deformation` begin the names of its columns.
+    /// The response for the arguments of a recorder; column names begin with `force` and `deformation`.
     pub(super) fn probe(&self, words: &[&str], force: &str, deformation: &str) -> Option<Probe> {
         let n = self.springs.len();
         let numbered = |stem: &str| (1..=n).map(|i| format!("{stem}{i}")).collect::<Vec<_>>();
@@ -211,7 +211,7 @@ impl Springs {
         })
     }
 
-    /// Value of a probe; `strain` says what of a material is the deformation of a spring.
+    /// Value of a response; `strain` gives the deformation of a spring from its material.
     pub(super) fn read(&self, path: &[u32], s: &Snapshot<'_>, strain: impl Fn(&Slot, &[f64]) -> f64, out: &mut [f64]) {
         let n = self.springs.len();
         match path[0] {

@@ -2,7 +2,8 @@
 
 use super::bar::{Bar, BarOptions};
 use super::{
-    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, add_outer, dot,
+    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
+    add_outer, dot,
 };
 use crate::material::{Material, Slot, Strain};
 use crate::probe::Probe;
@@ -12,15 +13,15 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct Truss {
     bar: Bar,
-    /// Strain from the displacements of all degrees of freedom, 1/length.
+    /// Derivatives of the strain by the displacements, 1/length.
     row: Vec<f64>,
-    /// Strain of the displacements that the nodes had when the bar was made: it measures from there.
+    /// Strain of the nodal displacements when the bar was created, which is subtracted.
     initial: f64,
 }
 
 impl Truss {
-    /// A bar along `line`, from node i to node j, between nodes with `per_node` degrees of freedom, of which the
-    /// first `line.len()` are translations; `initial` is the displacement of j less that of i, which `line` includes.
+    /// A bar along `line`, from node i to node j. Nodes have `per_node` degrees of freedom, the first `line.len()` of
+    /// which are translations. `initial` is the displacement of j less that of i, which `line` includes.
     ///
     /// # Errors
     /// No length.
@@ -47,7 +48,7 @@ impl Truss {
         Ok(Self { bar, row, initial })
     }
 
-    /// Volume of the bar: with its strains, which are of 1/length, it makes forces of stresses.
+    /// Volume A L; end forces are volume x stress x `row`.
     fn volume(&self) -> f64 {
         self.bar.options.area * self.bar.length
     }
@@ -75,7 +76,7 @@ impl Element for Truss {
         motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: ElementOutput<'_>,
+        output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let strain = Strain {
             value: dot(&self.row, motion.disp) - self.initial,
@@ -84,13 +85,13 @@ impl Element for Truss {
         };
         let s = self.bar.slot.update(committed, strain, trial)?;
         let volume = self.volume();
-        for (f, r) in answer.force.iter_mut().zip(&self.row) {
+        for (f, r) in output.force.iter_mut().zip(&self.row) {
             *f += volume * s.value * r;
         }
-        if let Some(k) = answer.tangent {
+        if let Some(k) = output.tangent {
             add_outer(k, &self.row, volume * s.tangent);
         }
-        if let Some(c) = answer.damping {
+        if let Some(c) = output.damping {
             add_outer(c, &self.row, volume * s.damping);
         }
         Ok(())
@@ -106,8 +107,8 @@ impl Element for Truss {
         vec![BasicRow::new(1, 0, &row, (self.bar.ndm, self.bar.per_node)).from_initial(self.initial * length)]
     }
 
-    fn ground_inertia_slip(&self) -> Option<f64> {
-        (self.bar.options.rho != 0.0).then_some(1.0)
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        OpenSeesTraits { ground_inertia: (self.bar.options.rho != 0.0).then_some(1.0), ..OpenSeesTraits::default() }
     }
 
     fn mass(&self) -> Mass {

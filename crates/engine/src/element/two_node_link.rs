@@ -7,14 +7,14 @@ use crate::probe::Probe;
 use nalgebra::Matrix3;
 use std::sync::Arc;
 
-/// Uniaxial springs between two nodes, each in or about a local axis, with the shear acting at a given place along the
-/// line and, where wanted, P-Delta forces of the axial spring (Schellenberg, 2008).
+/// Uniaxial springs between two nodes, along or about local axes. The shear springs act at a given position along the
+/// line. The axial force has optional P-Delta effects (Schellenberg, 2008).
 #[derive(Clone, Debug)]
 pub struct TwoNodeLink {
     springs: Springs,
     ndm: usize,
     per_node: usize,
-    /// Local displacements from global ones, n x n by rows.
+    /// Transformation from global to local displacements, n x n by rows.
     local: Vec<f64>,
     /// Global forces per unit of axial force and displacement, n x n by rows; empty without P-Delta.
     p_delta: Vec<f64>,
@@ -22,27 +22,27 @@ pub struct TwoNodeLink {
     rayleigh: bool,
 }
 
-/// What a [`TwoNodeLink`] is besides its springs.
+/// Properties of a [`TwoNodeLink`] besides its springs.
 #[derive(Clone, Debug)]
 pub struct LinkOptions {
-    /// Shares of the P-Delta moments that go to the ends as moments: about y at i and j, about z at i and j. The rest
-    /// goes as a couple of shear forces. `None` for no P-Delta.
+    /// Shares of the P-Delta moments that act as end moments: about y at i and j, about z at i and j. The rest acts as
+    /// a couple of shear forces. `None` without P-Delta.
     pub p_delta: Option<[f64; 4]>,
-    /// Place of the shear springs along y and z, as a fraction of the length from node i.
+    /// Position of the shear springs along y and z, as a fraction of the length from node i.
     pub shear_dist: [f64; 2],
-    /// Mass of the link, half at each end.
+    /// Mass, half at each end.
     pub mass: f64,
-    /// Take part in the Rayleigh damping of the model.
+    /// Rayleigh damping of the model applies.
     pub rayleigh: bool,
 }
 
 impl TwoNodeLink {
-    /// Springs (material, its tag, direction from 1) along a line of `length` between two nodes with `per_node`
-    /// degrees of freedom in `ndm` dimensions; `axes` has the local axes as rows. Directions are those of the nodes'
-    /// degrees of freedom: 3 is the rotation in the plane and along z in space.
+    /// Makes a link of springs (material, tag, direction from 1). Its two nodes are at a distance `length` and have
+    /// `per_node` degrees of freedom in `ndm` dimensions; `axes` has the local axes as rows. Directions are the degrees
+    /// of freedom of a node: 3 is the rotation in the plane, and along z in space.
     ///
     /// # Errors
-    /// A direction that the nodes have no degree of freedom for; P-Delta shears without a lever.
+    /// A direction without a degree of freedom; P-Delta shear forces at zero length.
     pub fn new(
         springs: Vec<(Material, i32, usize)>,
         (ndm, per_node): (usize, usize),
@@ -83,14 +83,14 @@ impl TwoNodeLink {
     }
 }
 
-/// Local displacements of both nodes from global ones, by rows.
+/// Transformation of both nodes' displacements from global to local axes, by rows.
 fn local_axes(axes: &Matrix3<f64>, ndm: usize, per_node: usize) -> Vec<f64> {
     let n = 2 * per_node;
     let mut local = vec![0.0; n * n];
     for node in [0, per_node] {
         for a in 0..per_node {
             for b in 0..per_node {
-                // Translations first; the one rotation of the plane is about z.
+                // The first `ndm` are translations; in the plane the rotation is about z.
                 let part = match (a / ndm, b / ndm) {
                     (0, 0) => axes[(a, b)],
                     (1, 1) if ndm == 2 => axes[(2, 2)],
@@ -104,7 +104,8 @@ fn local_axes(axes: &Matrix3<f64>, ndm: usize, per_node: usize) -> Vec<f64> {
     local
 }
 
-/// Deformation of a spring from local displacements; a shear spring turns with the end rotations through its lever.
+/// Row of a spring's deformation for local displacements. A shear spring includes the end rotations times their
+/// distances to it.
 fn basic_row(direction: usize, per_node: usize, ndm: usize, length: f64, shear_dist: [f64; 2]) -> Vec<f64> {
     let mut row = vec![0.0; 2 * per_node];
     row[direction] = -1.0;
@@ -120,8 +121,8 @@ fn basic_row(direction: usize, per_node: usize, ndm: usize, length: f64, shear_d
     row
 }
 
-/// Local P-Delta forces per unit of axial force and local displacement, by rows. Only directions that have a spring
-/// pass forces.
+/// Local P-Delta forces per unit of axial force and local displacement, by rows. Only directions with a spring transfer
+/// forces.
 fn p_delta_forces(
     directions: &[usize],
     ratios: [f64; 4],
@@ -131,7 +132,7 @@ fn p_delta_forces(
     let n = 2 * per_node;
     let mut g = vec![0.0; n * n];
     let has = |d: usize| directions.contains(&(d + 1));
-    // Shear direction, rotation that its moments turn (if the nodes have it), sign of the moment, shares at i and j.
+    // Shear direction, rotation of the moments (if the nodes have it), sign of the moment, shares at i and j.
     let mut planes = vec![];
     if ndm > 1 && has(1) {
         let rotation = if ndm == 2 { 2 } else { 5 };
@@ -203,9 +204,9 @@ impl Element for TwoNodeLink {
         self.springs.init(state);
     }
     fn traits(&self) -> ElementTraits {
-        let nature = ElementTraits { rayleigh: self.rayleigh, ..self.springs.traits() };
+        let traits = ElementTraits { rayleigh: self.rayleigh, ..self.springs.traits() };
         let p_delta = !self.p_delta.is_empty();
-        ElementTraits { linear: nature.linear && !p_delta, symmetric: !p_delta, ..nature }
+        ElementTraits { linear: traits.linear && !p_delta, symmetric: !p_delta, ..traits }
     }
 
     fn respond(
@@ -213,14 +214,15 @@ impl Element for TwoNodeLink {
         motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        mut answer: ElementOutput<'_>,
+        mut output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
-        self.springs.respond(motion, committed, trial, &mut answer)?;
+        self.springs.respond(motion, committed, trial, &mut output)?;
         if !self.p_delta.is_empty() {
             let axial = self.springs.force_in(1, trial);
-            self.add_p_delta(axial, motion.disp, answer.force);
-            // How the axial force changes is left out: Rayleigh damping on the tangent would take it for damping.
-            if let Some(k) = answer.tangent {
+            self.add_p_delta(axial, motion.disp, output.force);
+            // The derivative of the axial force is omitted: with Rayleigh damping from the tangent it would act as
+            // damping.
+            if let Some(k) = output.tangent {
                 k.iter_mut().zip(&self.p_delta).for_each(|(k, g)| *k += axial * g);
             }
         }
@@ -243,7 +245,7 @@ impl Element for TwoNodeLink {
     }
 
     fn basic_rows(&self) -> Vec<BasicRow> {
-        // The one rotation of the plane is about z.
+        // In the plane the rotation is about z.
         let direction = |d| if self.ndm == 2 && d == 3 { 6 } else { d };
         self.springs.basic_rows(direction, (self.ndm, self.per_node))
     }

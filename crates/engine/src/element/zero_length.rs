@@ -1,4 +1,4 @@
-//! Springs between two nodes at one place: `zeroLength`.
+//! Springs between two nodes at one location: `zeroLength`.
 
 use super::springs::Springs;
 use super::{BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, dot};
@@ -7,14 +7,14 @@ use crate::probe::Probe;
 use nalgebra::Matrix3;
 use std::sync::Arc;
 
-/// What damping a `zeroLength` takes besides that of its materials.
+/// Damping of a `zeroLength` besides that of its materials.
 #[derive(Clone, Debug)]
 pub enum RayleighDamping {
-    /// None: the default.
+    /// No damping: the default.
     None,
     /// The Rayleigh damping of the model (`-doRayleigh 1`).
     Model,
-    /// A material for each spring, driven by the rate of deformation (`-dampMats`).
+    /// A damper for each spring, with the rate of deformation as its strain (`-dampMats`).
     Materials(Vec<(Material, i32)>),
 }
 
@@ -28,12 +28,12 @@ pub struct ZeroLength {
 }
 
 impl ZeroLength {
-    /// Springs (material, its tag, direction 1 to 6) between two nodes with `per_node` degrees of freedom each in a
-    /// model of `ndm` dimensions; `axes` has the local axes as rows, `initial` the displacement of node j less that
-    /// of node i, length `per_node`.
+    /// Makes springs (material, tag, direction 1 to 6) between two nodes with `per_node` degrees of freedom in `ndm`
+    /// dimensions. `axes` has the local axes as rows. `initial` is the displacement of node j less that of node i,
+    /// length `per_node`.
     ///
     /// # Errors
-    /// A direction that the nodes have no degree of freedom for.
+    /// A direction without a degree of freedom.
     pub fn new(
         springs: Vec<(Material, i32, usize)>,
         ndm: usize,
@@ -62,7 +62,7 @@ fn no_direction(direction: usize, ndm: usize, per_node: usize) -> String {
     format!("direction {direction} has no degree of freedom at nodes with {per_node} in {ndm} dimensions")
 }
 
-/// Share of each degree of freedom of a node in a direction.
+/// Direction cosines of a direction for the degrees of freedom of a node; `None` without a degree of freedom for it.
 pub(super) fn direction_row(direction: usize, ndm: usize, per_node: usize, axes: &Matrix3<f64>) -> Option<Vec<f64>> {
     let mut row = vec![0.0; per_node];
     let axis = axes.row((direction - 1) % 3);
@@ -100,9 +100,9 @@ impl Element for ZeroLength {
         motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        mut answer: ElementOutput<'_>,
+        mut output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
-        self.springs.respond(motion, committed, trial, &mut answer)
+        self.springs.respond(motion, committed, trial, &mut output)
     }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {
@@ -131,7 +131,7 @@ impl Element for ZeroLength {
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
-        // As in OpenSees, what the materials say of their strain: an initial one counts.
+        // As in OpenSees, the recorded deformation is the material's strain, initial strain included.
         self.springs.read(path, s, Slot::shown_strain, out);
     }
 }

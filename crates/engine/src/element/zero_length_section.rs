@@ -1,4 +1,4 @@
-//! A section between two nodes at one place: `zeroLengthSection`.
+//! A section between two nodes at one location: `zeroLengthSection`.
 
 use super::zero_length::direction_row;
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, dot};
@@ -7,20 +7,20 @@ use crate::section::{MAX_ORDER, Resultant, SectionSlot, SharedSection};
 use nalgebra::Matrix3;
 use std::sync::Arc;
 
-/// A section whose deformations are the displacements of one node relative to the other.
+/// A section with the relative displacements of two nodes as its deformations.
 #[derive(Clone, Debug)]
 pub struct ZeroLengthSection {
     slot: SectionSlot,
     axes: Matrix3<f64>,
-    /// Deformation from the displacements of all degrees of freedom, for each resultant.
+    /// Derivatives of the deformation by the displacements, for each resultant.
     rows: Vec<Vec<f64>>,
     dofs: usize,
     rayleigh: bool,
 }
 
 impl ZeroLengthSection {
-    /// A section (with its tag) between nodes with `per_node` degrees of freedom in `ndm` dimensions; `axes` has the local
-    /// axes as rows. A resultant that the nodes have no degree of freedom for gets no deformation.
+    /// Makes the element of a section and its tag. Nodes have `per_node` degrees of freedom in `ndm` dimensions; `axes`
+    /// has the local axes as rows. A resultant without a degree of freedom has no deformation.
     pub fn new(
         (section, tag): (SharedSection, i32),
         (ndm, per_node): (usize, usize),
@@ -43,7 +43,7 @@ impl ZeroLengthSection {
         Self { slot: SectionSlot::new(section, tag, 0), axes, rows, dofs: 2 * per_node, rayleigh }
     }
 
-    /// Add Aᵀ k A for the stiffness of the section by rows.
+    /// Adds Aᵀ k A for the section stiffness k by rows.
     fn add_stiffness(&self, stiffness: &[f64], out: &mut [f64]) {
         for (a, k) in self.rows.iter().zip(stiffness.chunks_exact(self.rows.len().max(1))) {
             for (b, k) in self.rows.iter().zip(k) {
@@ -91,15 +91,15 @@ impl Element for ZeroLengthSection {
         motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: ElementOutput<'_>,
+        output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let mut e = [0.0; MAX_ORDER];
         e.iter_mut().zip(&self.rows).for_each(|(e, row)| *e = dot(row, motion.disp));
         self.slot.update(committed, &e, motion.dt, trial)?;
         for (s, row) in self.slot.resultant(trial).iter().zip(&self.rows) {
-            answer.force.iter_mut().zip(row).for_each(|(f, a)| *f += s * a);
+            output.force.iter_mut().zip(row).for_each(|(f, a)| *f += s * a);
         }
-        if let Some(tangent) = answer.tangent {
+        if let Some(tangent) = output.tangent {
             self.add_stiffness(self.slot.stiffness(trial), tangent);
         }
         Ok(())
@@ -130,7 +130,7 @@ impl Element for ZeroLengthSection {
             "yaxis" => Probe::new(X_AXIS + 1, ["x", "y", "z"]),
             "zaxis" => Probe::new(Z_AXIS, ["x", "y", "z"]),
             "section" => {
-                // `section force` as well as `section 1 force`.
+                // Accept `section force` and `section 1 force`.
                 let rest = &words[1..];
                 let rest = rest.strip_prefix(&["1"]).unwrap_or(rest);
                 return Some(self.slot.probe(rest)?.inside(&[SECTION]));

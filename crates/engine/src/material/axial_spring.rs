@@ -8,25 +8,25 @@ use crate::rules::{Consistent, OpenSees};
 use crate::state_struct::Field;
 use std::fmt;
 
-/// Parameters of an axial spring as the `AxialSp` and `AxialSpHD` commands have them. Stress over displacement: a
-/// spring of a bearing knows its share of the area, not its length.
+/// Parameters of an axial spring in the commands `AxialSp` and `AxialSpHD`. Stiffnesses are stress over displacement,
+/// since a spring of a bearing has an area but no length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxialParameters {
-    /// Stiffness in compression, σ per displacement.
+    /// Stiffness in compression, stress over displacement.
     pub sce: f64,
     /// Stress at cavitation, not negative.
     pub fty: f64,
     /// Stress at yield in compression, not positive.
     pub fcy: f64,
-    /// Stiffness in tension over `sce`, 0 to 1.
+    /// Stiffness in tension divided by `sce`, 0 to 1.
     pub bte: f64,
-    /// Stiffness after cavitation over `sce`, 0 to `bte`; equal to `bte` for a spring that does not cavitate.
+    /// Stiffness after cavitation divided by `sce`, 0 to `bte`; equal to `bte` for a spring without cavitation.
     pub bty: f64,
-    /// Stiffness after yield in compression over `sce`, 0 to 1.
+    /// Stiffness after yield in compression divided by `sce`, 0 to 1.
     pub bcy: f64,
-    /// Stress at which a cavitated spring is whole again, `fcy` to 0.
+    /// Stress at which a cavitated spring has recovered, `fcy` to 0.
     pub fcr: f64,
-    /// Hardening after cavitation (`AxialSpHD`): stiffness over `sce`, and the displacement at which it begins over
+    /// Hardening after cavitation (`AxialSpHD`): stiffness divided by `sce`, and its initial displacement divided by
     /// that at cavitation.
     pub hardening: Option<(f64, f64)>,
 }
@@ -34,10 +34,10 @@ pub struct AxialParameters {
 /// Axial spring of a multiple-shear-spring or multiple-normal-spring bearing model (Tanimoto, 2012, in OpenSees; Ishii
 /// and Kikuchi, 2019, <https://doi.org/10.1002/eqe.3132>).
 ///
-/// The skeleton is elastic in tension and compression with stiffnesses of their own, yields on both sides and, with `HD`,
-/// hardens in tension. After cavitation it unloads towards the point (u_cr, f_cr) of the elastic compression branch,
-/// where it is whole again: `AxialSp` on the straight line there, `AxialSpHD` elastically at first. After yield in
-/// compression the elastic lines are shifted along.
+/// The skeleton is elastic with different stiffnesses in tension and compression, yields on both sides and, with
+/// `HD`, hardens in tension. After cavitation the spring unloads towards the point (u_cr, f_cr) of the elastic
+/// compression branch, where it has recovered. `AxialSp` unloads on the straight line to this point, `AxialSpHD`
+/// elastically at first. Yield in compression shifts the elastic lines.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AxialSpring<const HD: bool, R = Consistent> {
     sce: f64,
@@ -89,7 +89,7 @@ pub type AxialSp<R = Consistent> = AxialSpring<false, R>;
 /// `uniaxialMaterial AxialSpHD`.
 pub type AxialSpHD<R = Consistent> = AxialSpring<true, R>;
 
-/// Where on its curves a spring is.
+/// Branch of a spring.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Branch {
     /// Elastic through the origin.
@@ -99,17 +99,17 @@ pub enum Branch {
     Cavitated,
     /// On the skeleton in compression after yield.
     Yielded,
-    /// On the line `slope` through (u_cr, f_cr), on which it closes after cavitation.
+    /// Closing after cavitation on the line `slope` through (u_cr, f_cr).
     Closing,
-    /// On the elastic line that leaves that line at `from`.
+    /// On the elastic line from the closing line at `from`.
     Reopening,
-    /// On the elastic line that leaves the skeleton in tension at `from`, above (u_cr, f_cr) all the way.
+    /// On the elastic line from the skeleton in tension at `from`, above (u_cr, f_cr) along its length.
     Relieved,
     /// On the elastic lines through zero force at `from`, after yield in compression.
     Shifted,
     /// On the skeleton in tension before cavitation, after yield in compression.
     Flowing,
-    /// On the hardening line where it does not belong: where OpenSees leaves a spring that comes down to u_cr in one step.
+    /// On the extended hardening line, as OpenSees leaves a spring that reaches u_cr in one step.
     Overlooked,
 }
 
@@ -144,9 +144,9 @@ crate::state_struct! {
         u: f64,
         /// Branch.
         branch: Branch,
-        /// Slope of the line on which it closes.
+        /// Slope of the closing line.
         slope: f64,
-        /// Displacement that the elastic line of the branch passes through.
+        /// Displacement of the first point of the branch's elastic line.
         from: f64,
     }
 }
@@ -159,7 +159,7 @@ impl<const HD: bool> AxialSpring<HD> {
 }
 
 impl<const HD: bool> AxialSpring<HD, OpenSees> {
-    /// The same by the rules of OpenSees.
+    /// As `new`, by the rules of OpenSees.
     pub fn as_opensees(p: &AxialParameters) -> Self {
         Self::of(p, OpenSees)
     }
@@ -168,7 +168,7 @@ impl<const HD: bool> AxialSpring<HD, OpenSees> {
 impl<const HD: bool, R: Rules> AxialSpring<HD, R> {
     fn of(p: &AxialParameters, rules: R) -> Self {
         let (ste, sty) = (p.bte * p.sce, p.bty * p.sce);
-        // What does not yield has its yield point out of reach.
+        // A spring without cavitation has its yield point at infinity.
         let (fty, uty, sty) = if ste > sty { (p.fty, p.fty / ste, sty) } else { (f64::MAX, f64::MAX, 0.0) };
         let (sth, uth) = p.hardening.map_or((sty, f64::MAX), |(bth, ath)| (bth * p.sce, ath * uty));
         let fth = if uth < f64::MAX { sty * (uth - uty) + fty } else { f64::MAX };
@@ -176,7 +176,7 @@ impl<const HD: bool, R: Rules> AxialSpring<HD, R> {
         Self { sce: p.sce, ste, sty, scy, sth, fty, uty, fcy: p.fcy, ucy, fcr: p.fcr, ucr, fth, uth, rules }
     }
 
-    /// Force and stiffness of the skeleton in tension, extended to the left.
+    /// Force and stiffness of the skeleton in tension, extended to smaller displacements.
     #[inline]
     fn tension(&self, u: f64) -> (f64, f64) {
         if u > self.uth {
@@ -192,7 +192,7 @@ impl<const HD: bool, R: Rules> AxialSpring<HD, R> {
         self.scy * (u - self.ucy) + self.fcy
     }
 
-    /// Force on the line on which the spring closes.
+    /// Force on the closing line.
     #[inline]
     fn closing(&self, slope: f64, u: f64) -> f64 {
         self.fcr + slope * (u - self.ucr)
@@ -210,15 +210,15 @@ impl<const HD: bool, R: Rules> AxialSpring<HD, R> {
         }
     }
 
-    /// Down from the skeleton in tension, where the force was `f` at `c.u`.
+    /// Branch of unloading from the skeleton in tension, with the force `f` at `c.u`.
     #[inline]
     fn unload(&self, c: &History, f: f64, u: f64, t: &mut History) -> Branch {
         if HD {
             if R::hardened(c.u, self.uth) && u == self.ucr {
                 return Branch::Overlooked;
             }
-            // Elastically, to the line that joins the skeleton's slope through the origin with (u_cr, f_cr); or, where
-            // the elastic line ends in compression before, along itself.
+            // The spring unloads elastically to the line from (u_cr, f_cr) to the intersection of elastic line and
+            // origin slope of the skeleton. If the elastic line meets compression first, the spring follows it.
             let end = f + self.ste * (self.ucr - c.u);
             if end >= self.fcr && !R::hardened(c.u, self.uth) {
                 t.from = c.u;
@@ -235,7 +235,7 @@ impl<const HD: bool, R: Rules> AxialSpring<HD, R> {
         self.close(t.slope, u)
     }
 
-    /// Down the line through (u_cr, f_cr), and beyond.
+    /// Branch on the closing line and beyond it.
     #[inline]
     fn close(&self, slope: f64, u: f64) -> Branch {
         let passes = || (self.fth - self.fcr - self.ste * self.uth + slope * self.ucr) / (slope - self.ste);
@@ -243,7 +243,7 @@ impl<const HD: bool, R: Rules> AxialSpring<HD, R> {
         if u > end { Branch::Closing } else { self.virgin(u) }
     }
 
-    /// On the elastic line from the skeleton at `from`, above (u_cr, f_cr).
+    /// Branch on the elastic line from the skeleton at `from`, above (u_cr, f_cr).
     #[inline]
     fn relieved(&self, from: f64, u: f64) -> Branch {
         if u > from {
@@ -255,7 +255,7 @@ impl<const HD: bool, R: Rules> AxialSpring<HD, R> {
         }
     }
 
-    /// Up from the line through (u_cr, f_cr) at `from`, or down to it again.
+    /// Branch on the elastic line from the closing line at `from`, upwards or back.
     #[inline]
     fn reopen(&self, t: &History, u: f64) -> Branch {
         if u <= t.from {
@@ -267,7 +267,7 @@ impl<const HD: bool, R: Rules> AxialSpring<HD, R> {
         }
     }
 
-    /// On the elastic lines through zero force at `zero`, between the skeletons.
+    /// Branch on the elastic lines through zero force at `zero`, between the skeletons.
     #[inline]
     fn shifted(&self, c: &History, zero: f64, u: f64) -> Branch {
         if u <= zero {
@@ -283,7 +283,7 @@ impl<const HD: bool, R: Rules> AxialSpring<HD, R> {
 
     /// Force and stiffness on a branch.
     #[inline]
-    fn answer(&self, t: &History) -> Stress {
+    fn response(&self, t: &History) -> Stress {
         let u = t.u;
         let (value, tangent) = match t.branch {
             Branch::Elastic if u <= 0.0 => (self.sce * u, self.sce),
@@ -300,7 +300,8 @@ impl<const HD: bool, R: Rules> AxialSpring<HD, R> {
         Stress { value, tangent, damping: 0.0 }
     }
 
-    /// Branch at `u` from that of `c`, where the committed force was `force`; sets where its lines begin.
+    /// Branch at `u` from the branch of `c` with the committed force `force`; sets the first points of its lines in
+    /// `t`.
     #[inline]
     fn follow(&self, c: &History, force: impl Fn() -> f64, u: f64, t: &mut History) -> Branch {
         match c.branch {
@@ -339,7 +340,7 @@ impl<const HD: bool, R: Rules> AxialSpring<HD, R> {
     #[inline]
     fn step(&self, c: &History, u: f64) -> (Stress, History) {
         let mut t = History { u, ..*c };
-        t.branch = self.follow(c, || self.answer(c).value, u, &mut t);
-        (self.answer(&t), t)
+        t.branch = self.follow(c, || self.response(c).value, u, &mut t);
+        (self.response(&t), t)
     }
 }

@@ -1,4 +1,4 @@
-//! Plastic hinges that deteriorate: the modified Ibarra-Medina-Krawinkler law with bilinear hysteresis.
+//! Deteriorating plastic hinges: the modified Ibarra-Medina-Krawinkler law with bilinear hysteresis.
 
 mod backbone;
 mod opensees;
@@ -10,17 +10,17 @@ use backbone::{Backbone, Line, meet};
 use std::cmp::Ordering;
 use std::fmt;
 
-/// Slope of what is flat. The law knows by it that a branch carries no more force.
+/// Slope of a horizontal branch; the rules recognise a branch without force by it.
 const FLAT: f64 = 1e-7;
-/// Force of a hinge that has lost its strength; where it is lost on the way, it is positive on both sides.
+/// Force of a hinge without strength, as in OpenSees; positive on both sides if the strength is lost within a step.
 const NOTHING: f64 = 1e-10;
-/// The unloading stiffness goes down to this part of the initial one.
+/// Smallest unloading stiffness divided by the initial one.
 const LEAST_UNLOADING: f64 = 0.1;
-/// A slope beyond the cap, as a part of the initial stiffness, that counts as level.
+/// Post-capping slope divided by the initial stiffness below which a branch counts as horizontal.
 const LEVEL: f64 = 1e-3;
 
-/// How one mode of deterioration follows the dissipated energy: β = (E of the excursion / E left of the reference energy)ᶜ, where the
-/// reference energy is Λ My⁺ (twice that for the unloading stiffness).
+/// Deterioration of one mode with the dissipated energy: β = (E / (E_ref - ΣE))ᶜ, with E the energy of the excursion.
+/// The reference energy E_ref is Λ My⁺, and twice that for the unloading stiffness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deterioration {
     /// Cumulative rotation capacity Λ; zero for no deterioration.
@@ -30,22 +30,25 @@ pub struct Deterioration {
 }
 
 impl Deterioration {
-    /// β for the energy of an excursion out of what is left.
+    /// β for the energy of an excursion and the remaining reference energy.
     fn beta(&self, excursion: f64, left: f64) -> f64 {
         if self.capacity == 0.0 {
             return 0.0;
         }
-        // An excursion that has given back more than it took has no power of c.
+        // The power is undefined if an excursion returned more energy than it took.
         let beta = (excursion / left).powf(self.exponent);
         if beta.is_nan() { 0.0 } else { beta }
     }
 }
 
-/// Bilinear hysteresis on a backbone with a cap, a residual strength and an ultimate deformation; strength, cap and unloading stiffness
-/// deteriorate with the dissipated energy (Ibarra, Medina and Krawinkler, 2005, <https://doi.org/10.1002/eqe.495>; Lignos and
-/// Krawinkler, 2011, <https://doi.org/10.1061/(ASCE)ST.1943-541X.0000376>). The stiffness of a hinge that stands at the end of an elastic
-/// member is n times that of the member, and its slopes are those that make member and hinge together follow the given ones (Ribeiro,
-/// Barbosa, Scott and Neves, 2015). Forces are moments and deformations rotations where it is a hinge.
+/// Bilinear hysteresis on a backbone with a cap, a residual strength and an ultimate deformation. Strength, cap and
+/// unloading stiffness deteriorate with the dissipated energy (Ibarra, Medina and Krawinkler, 2005,
+/// <https://doi.org/10.1002/eqe.495>; Lignos and Krawinkler, 2011,
+/// <https://doi.org/10.1061/(ASCE)ST.1943-541X.0000376>).
+///
+/// A hinge in series with an elastic member is (1 + n) times as stiff as the member. Its slopes are those with which
+/// member and hinge together follow the given ones (Ribeiro, Barbosa, Scott and Neves, 2015). For a hinge, forces are
+/// moments and deformations are rotations.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bilin<R = Consistent> {
     /// Elastic stiffness of the member.
@@ -58,7 +61,7 @@ pub struct Bilin<R = Consistent> {
     pub capping: Deterioration,
     /// Deterioration of the unloading stiffness.
     pub stiffness: Deterioration,
-    /// How many times stiffer than the member the hinge is, less one.
+    /// Stiffness of the hinge divided by that of the member, minus one: n.
     pub n: f64,
     /// Rules of a few turns and of the tangent.
     pub rules: R,
@@ -122,7 +125,7 @@ crate::state_struct! {
         strain: f64,
         /// Force.
         stress: f64,
-        /// Slope of the branch, of which some rules ask which it is.
+        /// Slope of the branch, by which some rules identify the branch.
         slope: f64,
         /// Tangent.
         tangent: f64,
@@ -130,31 +133,31 @@ crate::state_struct! {
         direction: f64,
         /// Unloading stiffness.
         unloading: f64,
-        /// What it was when the backbone last deteriorated.
+        /// Unloading stiffness at the last deterioration of the backbone.
         excursion_unloading: f64,
         /// Dissipated and stored energy.
         energy: f64,
-        /// That of the present excursion.
+        /// Dissipated and stored energy of the present excursion.
         excursion_energy: f64,
-        /// Product of 1 - β of the unloading stiffness.
+        /// Product of (1 - β) over the deteriorations of the unloading stiffness.
         stiffness_left: f64,
-        /// 1 where the backbone has deteriorated and not been met since.
+        /// 1 if the backbone has deteriorated and has not been reached since.
         relieved: f64,
-        /// 1 where nothing deteriorates any more.
+        /// 1 if deterioration has ended.
         settled: f64,
-        /// 1 where all strength is lost.
+        /// 1 if all strength is lost.
         lost: f64,
-        /// The two sides, each with its deformations and forces positive.
+        /// Backbones of the two sides, with positive deformations and forces.
         sides: [Backbone; 2],
     }
 }
 
-/// Where a step begins and ends, seen from the side it goes to.
+/// Start and end of a step, with the signs of the side it moves to.
 #[derive(Clone, Copy)]
 struct Step {
-    /// 1 up, -1 down.
+    /// 1 for increasing, -1 for decreasing deformation.
     sign: f64,
-    /// The side it goes to, and the other one.
+    /// Index of the side it moves to, and of the other side.
     ahead: usize,
     behind: usize,
     from: f64,
@@ -163,7 +166,7 @@ struct Step {
 }
 
 impl Step {
-    /// The line of unloading through its beginning.
+    /// Unloading line through the start of the step.
     fn line(&self, unloading: f64) -> Line {
         Line { x: self.from, y: self.force, slope: unloading }
     }
@@ -175,17 +178,17 @@ impl<R: Rules> Bilin<R> {
         self.ke * (1.0 + self.n)
     }
 
-    /// Slope ratio of the hinge for that of member and hinge together.
+    /// Slope ratio of the hinge for a slope ratio of member and hinge together.
     fn of_hinge(&self, ratio: f64) -> f64 {
         ratio / (1.0 + self.n * (1.0 - ratio))
     }
 
-    /// The converse.
+    /// Slope ratio of member and hinge together for a slope ratio of the hinge.
     fn of_member(&self, ratio: f64) -> f64 {
         ratio * (1.0 + self.n) / (1.0 + self.n * ratio)
     }
 
-    /// The virgin hinge.
+    /// The virgin state.
     fn virgin(&self) -> History {
         let k = self.k();
         let sides = self.sides.map(|side| self.virgin_side(&side));
@@ -219,7 +222,7 @@ impl<R: Rules> Bilin<R> {
         }
     }
 
-    /// Turn round at the beginning of a step.
+    /// Updates the state for a reversal at the start of a step.
     fn turn(&self, c: &History, step: &Step, t: &mut History) {
         let (k, s) = (self.k(), step);
         let behind = &mut t.sides[s.behind];
@@ -241,7 +244,7 @@ impl<R: Rules> Bilin<R> {
             if s.from < before || (s.from > before && c.slope == t.unloading) {
                 let side = &mut t.sides[s.ahead];
                 side.aim(&self.sides[s.ahead], s.line(t.unloading), k);
-                // So that a target at the first yield point is not taken for the virgin one.
+                // An offset distinguishes a target at the first yield point from the virgin one.
                 if (side.reach - yielded[s.ahead]).abs() >= 1e-10 && (side.target - yielded[s.ahead]).abs() <= 1e-10 {
                     side.target = yielded[s.ahead] - R::before_yield(s.sign);
                 }
@@ -255,13 +258,13 @@ impl<R: Rules> Bilin<R> {
         }
     }
 
-    /// Energy that unloading would give back, at a turn.
+    /// Recoverable energy at a reversal.
     fn recoverable(&self, s: &Step, t: &History) -> f64 {
         let ahead = &t.sides[s.ahead];
         if ahead.target_force > 0.0 {
             return 0.5 * s.force * s.force / t.unloading;
         }
-        // Without strength there is none, with hardening or without it.
+        // A side without strength stores no energy, with or without hardening.
         let triangle = match ahead.target_force {
             0.0 => 0.0,
             force => 0.5 * force * force / (self.k() * ahead.hardening),
@@ -270,7 +273,7 @@ impl<R: Rules> Bilin<R> {
         0.5 * forces * (ahead.target - s.from) + triangle
     }
 
-    /// Deterioration of the unloading stiffness at a turn.
+    /// Deterioration of the unloading stiffness at a reversal.
     fn soften(&self, s: &Step, spent: f64, reference: f64, recoverable: f64, t: &mut History) {
         let k = self.k();
         let level = |i: usize| (t.sides[i].cap_slope * (1.0 + self.n)).abs() < LEVEL;
@@ -288,7 +291,7 @@ impl<R: Rules> Bilin<R> {
         t.stiffness_left = left;
     }
 
-    /// Force at the end of a step and the slope of its branch, seen from the side it goes to.
+    /// Force at the end of a step and slope of its branch, with the signs of the side it moves to.
     fn advance(&self, s: &Step, c: &History, t: &mut History) -> (f64, f64) {
         let (k, x) = (self.k(), s.to);
         let rule = &self.sides[s.ahead];
@@ -345,7 +348,7 @@ impl<R: Rules> Bilin<R> {
         }
     }
 
-    /// On the backbone of a side; beyond its ultimate deformation nothing is left.
+    /// Force and slope on the backbone of a side; beyond its ultimate deformation all strength is lost.
     fn envelope(&self, side: usize, x: f64, t: &mut History) -> (f64, f64) {
         if x >= self.sides[side].ultimate {
             t.lost = 1.0;
@@ -354,7 +357,7 @@ impl<R: Rules> Bilin<R> {
         t.sides[side].at(&self.sides[side], x, self.k())
     }
 
-    /// Reload towards a backbone whose cap has come before its yield point.
+    /// Reloads towards a backbone whose cap precedes its yield point.
     fn to_cap_before_yield(&self, s: &Step, t: &mut History, elastic: (f64, f64)) -> (f64, f64) {
         let (k, x, side) = (self.k(), s.to, t.sides[s.ahead]);
         let cap = Line { x: side.cap, y: side.cap_force, slope: side.cap_slope * k };
@@ -368,7 +371,7 @@ impl<R: Rules> Bilin<R> {
         self.stop_at_zero(s, on_cap, t)
     }
 
-    /// Reload towards the hardening branch, the cap behind it and the residual strength behind that.
+    /// Reloads towards the hardening branch, the post-capping branch and the residual strength.
     fn to_cap(&self, s: &Step, c: &History, t: &mut History, elastic: (f64, f64), residual: f64) -> (f64, f64) {
         let (k, x, side) = (self.k(), s.to, t.sides[s.ahead]);
         let cap = Line { x: side.cap, y: side.cap_force, slope: side.cap_slope * k };
@@ -392,7 +395,7 @@ impl<R: Rules> Bilin<R> {
         if t.lost != 0.0 { (s.sign * NOTHING, answer.1) } else { answer }
     }
 
-    /// A branch beyond the cap ends where it comes to zero force, and with it all strength.
+    /// A post-capping branch ends at zero force, where all strength is lost.
     fn stop_at_zero(&self, s: &Step, (force, slope): (f64, f64), t: &mut History) -> (f64, f64) {
         if slope == t.unloading || force * s.force >= 0.0 || !R::may_stop(s.force) {
             return (force, slope);
@@ -402,7 +405,8 @@ impl<R: Rules> Bilin<R> {
         (0.0, FLAT)
     }
 
-    /// Deterioration of the side ahead when the force changes its sign; force, slope and deformation that the step then ends at.
+    /// Deterioration of the side ahead at a change of sign of the force. Returns force, slope and deformation at the
+    /// end of the step.
     fn deteriorate(&self, s: &Step, force: f64, t: &mut History) -> (f64, f64, f64) {
         let (k, rule) = (self.k(), &self.sides[s.ahead]);
         let reference = |d: &Deterioration| self.sides[0].strength * d.capacity;
@@ -447,7 +451,7 @@ impl<R: Rules> Bilin<R> {
         (force, slope, s.to)
     }
 
-    /// How the force of a step that ends at its target changes with the end of the step: the target moves with the energy.
+    /// Derivative of the target force with respect to the end of the step: the target moves with the energy.
     fn slope_of_target(&self, s: &Step, (force, slope): (f64, f64), before: &History, target: f64) -> f64 {
         let by_strain = 0.5 * (slope * (s.to - s.from) + force + s.force);
         let de = 1e-6 * before.excursion_energy.abs();
@@ -458,7 +462,7 @@ impl<R: Rules> Bilin<R> {
     }
 }
 
-/// The lower of the line of unloading and another, with its slope.
+/// The lower of the unloading line and another line, with its slope.
 fn lower(elastic: (f64, f64), other: (f64, f64)) -> (f64, f64) {
     let force = if elastic.0 < other.0 { elastic.0 } else { other.0 };
     (force, if (force - elastic.0).abs() < 1e-10 { elastic.1 } else { other.1 })
@@ -477,7 +481,7 @@ impl<R: Rules> UniaxialLaw for Bilin<R> {
         }
         let mut t = if virgin { self.virgin() } else { *c };
         t.strain = strain.value;
-        // A side whose cap has not been passed has its strength again.
+        // A side regains its strength if its cap has not been passed.
         let (i, x) = if strain.value > 0.0 { (0, strain.value) } else { (1, -strain.value) };
         if x < t.sides[i].end_of_cap(&self.sides[i], k) {
             (t.sides[i].exhausted, t.sides[i].level) = (0.0, 0.0);

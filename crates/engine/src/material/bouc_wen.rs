@@ -3,8 +3,11 @@
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 use crate::numeric::{bracketed_root, sign};
 
-/// σ = α k₀ ε + (1-α) k₀ z with ż = [A - |z|ⁿ (γ + β sign(ε̇ z)) ν] ε̇ / η and A, ν, η linear in the dissipated energy
-/// e = ∫ (1-α) k₀ z dε. Backward Euler over a step, solved to round-off.
+/// Maximum number of iterations for z; bisection alone needs fewer.
+const MAX_ITERATIONS: u32 = 120;
+
+/// σ = α k₀ ε + (1-α) k₀ z with ż = [A - |z|ⁿ (γ + β sign(ε̇ z)) ν] ε̇ / η. A, ν and η are linear in the dissipated
+/// energy e = ∫ (1-α) k₀ z dε. The step is integrated by backward Euler, solved to round-off.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BoucWen {
     /// Ratio of post-yield to elastic stiffness α.
@@ -36,13 +39,13 @@ crate::state_struct! {
         z: f64,
         /// Dissipated energy e.
         e: f64,
-        /// Tangent, less the initial one, so that the virgin state is zero.
+        /// Tangent minus the initial tangent, so that the virgin state is zero.
         softening: f64,
     }
 }
 
 impl BoucWen {
-    /// |z|ⁿ and n |z|ⁿ⁻¹ sign z, without the cost of `powf` for the usual exponents.
+    /// Returns |z|ⁿ and n |z|ⁿ⁻¹ sign z, without `powf` for n = 1 and n = 2.
     #[inline]
     fn power(&self, z: f64) -> (f64, f64) {
         let a = z.abs();
@@ -77,10 +80,10 @@ impl BoucWen {
         (z - c.z - phi / eta * d, 1.0 - (dphi * eta - phi * self.delta_eta * de) / (eta * eta) * d)
     }
 
-    /// z at the end of the step: the root that grows out of the committed z as the step grows from zero.
+    /// z at the end of the step: the root that continues the committed z as the step grows from zero.
     ///
-    /// Seen along the step (y = z sign d) it is the last root. Others may lie behind y_c where the law unloads steeply
-    /// (γ > β), and Newton's method from z_c would end there after a large step.
+    /// In the direction of the step (y = z sign d) it is the last root. Other roots may lie behind y_c if the law
+    /// unloads steeply (γ > β). Newton's method from z_c would converge to one of them after a large step.
     fn solve(&self, c: &History, d: f64) -> Result<f64, MaterialError> {
         let s = d.signum();
         let along = |y: f64| {
@@ -89,10 +92,11 @@ impl BoucWen {
         };
         let (mut start, mut bracket) = (s * c.z, (f64::NEG_INFINITY, f64::INFINITY));
         if start < 0.0 {
-            // The residual rises from y_c to its root, if it does not begin above zero: then z comes down from zero.
+            // The residual rises from y_c to its root unless it is positive at y_c; the root is then approached from
+            // zero.
             if along(start).0 > 0.0 { start = 0.0 } else { bracket.0 = start }
         }
-        let root = bracketed_root(along, bracket, start, c.z.abs().max(d.abs()), 120);
+        let root = bracketed_root(along, bracket, start, c.z.abs().max(d.abs()), MAX_ITERATIONS);
         root.map(|y| s * y).ok_or_else(|| {
             MaterialError(format!("BoucWen found no hysteretic displacement for a strain increment of {d:.6e}"))
         })
@@ -107,7 +111,7 @@ impl UniaxialLaw for BoucWen {
         let d = strain.value - c.strain;
         let initial = UniaxialLaw::initial_tangent(self);
         if d == 0.0 {
-            // At rest the next step may go either way: the tangent of the last one, as if it went on.
+            // The direction of the next step is unknown at rest, so the tangent of the last step is kept.
             let value = self.alpha * self.ko * strain.value + (1.0 - self.alpha) * self.ko * c.z;
             return Ok((Stress { value, tangent: initial + c.softening, damping: 0.0 }, *c));
         }

@@ -2,8 +2,9 @@
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 
-/// Parabola to the strength, a straight line to the crushing strength, and that for good; no tension. Unloading is
-/// straight, with a slope that degrades with the largest compression (Kent and Park, 1971; Karsan and Jirsa, 1969).
+/// Parabola up to the strength, a straight line to the crushing strength, and constant stress beyond; no tension.
+/// Unloading is linear, with a slope that degrades with the largest compressive strain (Kent and Park, 1971; Karsan
+/// and Jirsa, 1969).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Concrete01 {
     /// Compressive strength, negative.
@@ -23,13 +24,13 @@ crate::state_struct! {
         strain: f64,
         /// Stress.
         stress: f64,
-        /// Initial modulus less the tangent.
+        /// Initial modulus minus the tangent.
         softening: f64,
         /// Smallest strain.
         min: f64,
-        /// Strain at which unloading from there ends.
+        /// Strain of zero stress on the unloading line from the smallest strain.
         end: f64,
-        /// Initial modulus less the slope of unloading.
+        /// Initial modulus minus the unloading slope.
         unloading: f64,
     }
 }
@@ -52,7 +53,7 @@ impl Concrete01 {
         }
     }
 
-    /// End and slope of unloading from a point of the envelope.
+    /// Strain of zero stress and slope of the unloading line from a point of the envelope.
     fn unload(&self, min: f64, stress: f64) -> (f64, f64) {
         let eta = min.max(self.epscu) / self.epsc0;
         let ratio = if eta < 2.0 { 0.145 * eta * eta + 0.13 * eta } else { 0.707 * (eta - 2.0) + 0.834 };
@@ -96,7 +97,7 @@ impl UniaxialLaw for Concrete01 {
             } else {
                 (0.0, 0.0)
             };
-            // The slope of the point itself: where unloading begins on the envelope it is the new one.
+            // The unloading slope of the present step applies if unloading begins on the envelope.
             if straight > stress { (straight, modulus - t.unloading) } else { (stress, tangent) }
         };
         (t.stress, t.softening) = (value, modulus - tangent);

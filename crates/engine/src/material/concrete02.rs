@@ -2,8 +2,8 @@
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 
-/// The envelope of Kent, Scott and Park in compression, linear softening in tension, and straight branches of unloading and
-/// reloading that meet in one point (Yassin, 1994, section 2.3).
+/// The envelope of Kent, Scott and Park in compression, and linear softening in tension. The unloading and reloading
+/// branches are linear and intersect in one point (Yassin, 1994, section 2.3).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Concrete02 {
     /// Compressive strength, negative.
@@ -14,7 +14,7 @@ pub struct Concrete02 {
     pub fcu: f64,
     /// Strain at the crushing strength, negative.
     pub epscu: f64,
-    /// Slope of unloading at the crushing strain over the initial modulus.
+    /// Unloading slope at the crushing strain divided by the initial modulus.
     pub ratio: f64,
     /// Tensile strength.
     pub ft: f64,
@@ -22,8 +22,8 @@ pub struct Concrete02 {
     pub ets: f64,
 }
 
-/// Slope where there is no stress left: keeps a structure that hangs on it from being singular.
-const FLAT: f64 = 1.0e-10;
+/// Tangent of the branches with constant stress; a positive value keeps the stiffness matrix regular.
+const FLAT_TANGENT: f64 = 1.0e-10;
 
 crate::state_struct! {
     /// History of [`Concrete02`].
@@ -32,11 +32,11 @@ crate::state_struct! {
         strain: f64,
         /// Stress.
         stress: f64,
-        /// Initial modulus less the tangent.
+        /// Initial modulus minus the tangent.
         softening: f64,
         /// Smallest strain.
         min: f64,
-        /// Largest tensile strain, from where unloading ends.
+        /// Largest tensile strain, measured from the end of unloading.
         tension: f64,
     }
 }
@@ -55,7 +55,7 @@ impl Concrete02 {
             let slope = (self.fcu - self.fc) / (self.epscu - self.epsc0);
             (self.fc + slope * (eps - self.epsc0), slope)
         } else {
-            (self.fcu, FLAT)
+            (self.fcu, FLAT_TANGENT)
         }
     }
 
@@ -68,7 +68,7 @@ impl Concrete02 {
         } else if eps <= self.ft * (1.0 / self.ets + 1.0 / modulus) {
             (self.ft - self.ets * (eps - peak), -self.ets)
         } else {
-            (0.0, FLAT)
+            (0.0, FLAT_TANGENT)
         }
     }
 }
@@ -88,7 +88,7 @@ impl UniaxialLaw for Concrete02 {
             t.min = eps;
             self.compression(eps)
         } else {
-            // All branches of reloading meet in R (equations 2.31 and 2.32); slope 2.35, end of unloading 2.36.
+            // All reloading branches intersect in R (equations 2.31 and 2.32); slope 2.35, end of unloading 2.36.
             let eps_r = (self.fcu - self.ratio * modulus * self.epscu) / (modulus * (1.0 - self.ratio));
             let (sig_min, _) = self.compression(c.min);
             let slope = if c.min == 0.0 { modulus } else { (sig_min - modulus * eps_r) / (c.min - eps_r) };
@@ -104,7 +104,7 @@ impl UniaxialLaw for Concrete02 {
                     (elastic, modulus)
                 }
             } else if eps <= end + c.tension {
-                // To the largest tensile strain along a straight line, since the path is not kept (equation 2.43).
+                // Reloading to the largest tensile strain is linear, because the path is not stored (equation 2.43).
                 let slope = if c.tension == 0.0 { modulus } else { self.tension(c.tension).0 / c.tension };
                 (slope * (eps - end), slope)
             } else {

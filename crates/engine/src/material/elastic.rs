@@ -1,4 +1,4 @@
-//! Linear elastic, with another modulus in compression if wanted, and a dashpot in parallel.
+//! Linear elasticity, with an optional second modulus in compression and an optional dashpot in parallel.
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 
@@ -14,7 +14,7 @@ pub struct Elastic {
 }
 
 impl Elastic {
-    /// The same modulus in tension and compression, no damping.
+    /// Linear elasticity with one modulus and no damping.
     pub fn new(e: f64) -> Self {
         Self { e_pos: e, eta: 0.0, e_neg: e }
     }

@@ -1,15 +1,15 @@
-//! Elastic laws with several slopes.
+//! Multilinear elastic laws.
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 
-/// Elastic with two slopes on each side.
+/// Bilinear elasticity on each side.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ElasticBilin {
     /// First slope in tension and in compression.
     pub first: [f64; 2],
-    /// Second slope.
+    /// Second slope in tension and in compression.
     pub second: [f64; 2],
-    /// Size of the strain at which the slope changes.
+    /// Absolute strain at the change of slope.
     pub bend: [f64; 2],
 }
 
@@ -33,7 +33,8 @@ impl UniaxialLaw for ElasticBilin {
     }
 }
 
-/// Elastic through any number of points, the first and last slope going on, with a dashpot in parallel.
+/// Elasticity through any number of points, with a dashpot in parallel. The first and the last slope extend beyond
+/// the points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ElasticMultiLinear {
     strains: Vec<f64>,
@@ -42,7 +43,8 @@ pub struct ElasticMultiLinear {
 }
 
 impl ElasticMultiLinear {
-    /// From at least two points with rising strains, and a damping modulus. `None` where they are not that.
+    /// From at least two points with increasing strains, and a damping modulus (stress x time). `None` if the points
+    /// are invalid.
     pub fn new(strains: Vec<f64>, stresses: Vec<f64>, eta: f64) -> Option<Self> {
         let rising = strains.windows(2).all(|w| w[1] > w[0]);
         (rising && strains.len() >= 2 && strains.len() == stresses.len()).then_some(Self { strains, stresses, eta })

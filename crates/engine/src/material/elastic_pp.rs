@@ -1,8 +1,8 @@
-//! Elastic, perfectly plastic.
+//! Elastic-perfectly plastic law.
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 
-/// Elastic, perfectly plastic, with different yield strains in tension and compression and an initial strain.
+/// Elastic-perfectly plastic law with different yield strains in tension and compression and an initial strain.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ElasticPP {
     e: f64,
@@ -15,8 +15,8 @@ pub struct ElasticPP {
 }
 
 impl ElasticPP {
-    /// From the modulus, the yield strains in tension and in compression (signs are taken as read, as in OpenSees),
-    /// and the initial strain.
+    /// From the modulus, the yield strains in tension and in compression (absolute values, as in OpenSees), and the
+    /// initial strain.
     pub fn new(e: f64, eps_yp: f64, eps_yn: f64, eps_0: f64) -> Self {
         Self { e, fyp: e * eps_yp.abs(), fyn: -e * eps_yn.abs(), ezero: eps_0 }
     }
@@ -39,7 +39,7 @@ impl UniaxialLaw for ElasticPP {
         let elastic = self.e * (strain.value - self.ezero - committed.ep);
         let (excess, limit, sign) =
             if elastic >= 0.0 { (elastic - self.fyp, self.fyp, 1.0) } else { (self.fyn - elastic, self.fyn, -1.0) };
-        // A point on the yield surface is plastic, whatever the round-off.
+        // A point on the yield surface is plastic, regardless of round-off.
         if excess <= -self.e * f64::EPSILON {
             return Ok((Stress { value: elastic, tangent: self.e, damping: 0.0 }, *committed));
         }

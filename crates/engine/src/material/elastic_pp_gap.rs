@@ -1,9 +1,9 @@
-//! Elastic, perfectly plastic or hardening, behind a gap.
+//! Elastic-plastic gap spring.
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 
-/// A spring that acts in one direction only, after a gap has closed. What yields opens the gap; unless damage
-/// accumulates, a way back through the open gap closes it again.
+/// A spring that acts in one direction after a gap has closed. Plastic deformation widens the gap. Without
+/// accumulated damage, unloading through the open gap restores it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ElasticPPGap {
     /// Modulus.
@@ -14,7 +14,7 @@ pub struct ElasticPPGap {
     pub gap: f64,
     /// Hardening ratio, less than 1.
     pub eta: f64,
-    /// Whether the gap stays open.
+    /// Accumulated damage: the widened gap stays open.
     pub damage: bool,
 }
 

@@ -5,23 +5,22 @@ use crate::probe::Probe;
 use crate::state_struct::StateStruct;
 use std::sync::Arc;
 
-/// Numbers of [`Fatigue`].
+/// Parameters of [`Fatigue`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FatigueParameters {
     /// Damage at which the material fails, 0 to 1.
     pub d_max: f64,
-    /// Strain range at which one cycle is enough to fail.
+    /// Strain range at which one cycle causes failure.
     pub e0: f64,
-    /// Slope of the curve of Coffin and Manson in logarithms, negative.
+    /// Slope of the Coffin-Manson curve in logarithmic scales, negative.
     pub m: f64,
-    /// Strains at which the material fails at once.
+    /// Smallest and largest strain; the material fails if it reaches either.
     pub limits: (f64, f64),
 }
 
-/// A material that fails by low-cycle fatigue: ranges of strain are found by a rainflow count that looks at four turning
-/// points at a time, and their damage is summed as Miner does, with a life by Coffin and Manson (Uriz and Mahin, 2008). The
-/// count is brought up to date when a step ends, so that it is the next step that feels the failure. What has failed keeps
-/// 1e-8 of its stress.
+/// A material that fails by low-cycle fatigue (Uriz and Mahin, 2008). A rainflow count over four reversals finds the
+/// strain ranges. Their damage is summed by Miner's rule with the Coffin-Manson life. The count is updated at the end
+/// of a step, so that failure acts from the next step on. A failed material keeps 1e-8 of its stress.
 #[derive(Clone, Debug)]
 pub struct Fatigue {
     inner: Slot,
@@ -29,113 +28,113 @@ pub struct Fatigue {
 }
 
 crate::state_struct! {
-    /// What is known of the cycles so far.
+    /// State of the rainflow count.
     struct Cycles {
         /// 1 once the material has failed.
         failed: f64,
-        /// Damage of the ranges that are closed.
+        /// Damage of the closed ranges.
         damage: f64,
-        /// Turning points that are not yet part of a range: first, second, third, fourth. Zero stands for none.
-        turn: [f64; 4],
-        /// Range before the one in hand.
+        /// First to fourth reversal that are not yet part of a closed range; zero if there is none.
+        reversals: [f64; 4],
+        /// Strain range before the current one.
         range: f64,
-        /// Third and fourth turning points are waiting to be counted.
-        waiting: f64,
-        /// The second turning point has been found.
-        begun: f64,
-        /// 0 before the first strain.
+        /// 1 if the third and the fourth reversal are not counted yet.
+        pending: f64,
+        /// 1 after the second reversal.
+        has_second_reversal: f64,
+        /// 0 before the first strain, 1 after it.
         started: f64,
-        /// Last increment of strain that was not zero.
+        /// Last nonzero strain increment.
         slope: f64,
         /// Last strain.
         last: f64,
-        /// Cycles and range: counted in this step, and two that would be if the strain turned now.
+        /// Pairs of cycles and range: counted in this step, and two that would be counted if the strain reversed now.
         counted: [[f64; 2]; 3],
     }
 }
 
-/// Part of stress and stiffness that is left after failure.
-const LEFT: f64 = 1.0e-8;
-/// Smaller ranges do no damage.
-const NO_RANGE: f64 = 1.0e-10;
+/// Stress and stiffness of a failed material divided by those of the intact one, as in OpenSees.
+const RESIDUAL_STRENGTH_RATIO: f64 = 1.0e-8;
+/// Strain ranges below this value cause no damage.
+const MIN_STRAIN_RANGE: f64 = 1.0e-10;
 
 impl Fatigue {
-    /// Around a material with its tag.
+    /// Wraps a material, given with its tag.
     pub fn new((material, tag): (Material, i32), p: FatigueParameters) -> Self {
         Self { inner: Slot::new(material, tag, Cycles::LEN), p }
     }
 
-    /// Damage of a number of cycles of a range.
+    /// Damage of a number of cycles of one range by the Coffin-Manson life.
     fn damage(&self, cycles: f64, range: f64) -> f64 {
         cycles / (range / self.p.e0).powf(1.0 / self.p.m).abs()
     }
 
-    /// A turning point: the last strain.
-    fn turn(&self, c: &mut Cycles) {
-        let [a, b, third, _] = c.turn;
+    /// Counts a reversal at the last strain.
+    fn count_reversal(&self, c: &mut Cycles) {
+        let [a, b, third, _] = c.reversals;
         let peak = c.last;
-        if c.begun == 0.0 {
-            c.turn[1] = peak;
+        if c.has_second_reversal == 0.0 {
+            c.reversals[1] = peak;
             c.range = (peak - a).abs();
-            c.begun = 1.0;
+            c.has_second_reversal = 1.0;
             return;
         }
-        let waits = c.waiting != 0.0;
+        let waits = c.pending != 0.0;
         let range = (peak - if waits { third } else { b }).abs();
-        c.turn[if waits { 3 } else { 2 }] = peak;
+        c.reversals[if waits { 3 } else { 2 }] = peak;
         let count = |c: &mut Cycles, cycles: f64, range: f64| {
             c.damage += self.damage(cycles, range);
             c.counted[0] = [cycles, range];
         };
         match (range < c.range, waits) {
             (true, false) => {
-                c.waiting = 1.0;
+                c.pending = 1.0;
                 c.range = range;
             }
             (true, true) => {
                 count(c, 1.0, range);
-                c.turn = [a, b, 0.0, 0.0];
+                c.reversals = [a, b, 0.0, 0.0];
                 c.range = (b - a).abs();
-                c.waiting = 0.0;
+                c.pending = 0.0;
             }
             (false, true) => {
                 let inner = c.range;
                 count(c, 1.0, inner);
-                c.turn = [a, peak, 0.0, 0.0];
+                c.reversals = [a, peak, 0.0, 0.0];
                 c.range = (peak - a).abs();
-                c.waiting = 0.0;
+                c.pending = 0.0;
             }
             (false, false) => {
                 let before = c.range;
                 count(c, 0.5, before);
-                c.turn = [b, peak, 0.0, 0.0];
+                c.reversals = [b, peak, 0.0, 0.0];
                 c.range = range;
             }
         }
     }
 
-    /// Damage if the strain turned now.
-    fn would_be(&self, c: &mut Cycles, strain: f64) -> f64 {
-        let [a, b, third, fourth] = c.turn;
+    /// Total damage if the strain reversed now.
+    fn damage_if_reversed(&self, c: &mut Cycles, strain: f64) -> f64 {
+        let [a, b, third, fourth] = c.reversals;
         let open = match (b != 0.0, third != 0.0, fourth != 0.0) {
             (false, false, false) => [(0.5, (strain - a).abs()), (0.0, 0.0)],
             (true, false, false) => [(0.5, (strain - b).abs()), (0.5, c.range)],
             (true, true, false) if (a - strain).abs() > (a - b).abs() => [(0.5, (strain - a).abs()), (1.0, c.range)],
             (true, true, false) => [(0.5, (a - b).abs()), (1.0, (third - strain).abs())],
-            // A turning point at zero strain cannot be told from none.
+            // Zero marks a missing reversal, so a reversal at zero strain is treated as missing.
             _ => return c.damage,
         };
         let mut damage = c.damage;
         for ((cycles, range), counted) in open.into_iter().zip(&mut c.counted[1..]) {
-            *counted = if range < NO_RANGE { [0.0; 2] } else { [cycles, range] };
-            if range >= NO_RANGE {
+            *counted = if range < MIN_STRAIN_RANGE { [0.0; 2] } else { [cycles, range] };
+            if range >= MIN_STRAIN_RANGE {
                 damage += self.damage(cycles, range);
             }
         }
         damage
     }
 
-    /// The cycles at the end of a step.
+    /// State of the count at the end of a step.
     fn advance(&self, old: &Cycles, strain: f64, stress: f64) -> Cycles {
         let mut c = *old;
         c.counted[0] = [0.0; 2];
@@ -145,19 +144,19 @@ impl Fatigue {
             return c;
         }
         if c.started == 0.0 {
-            (c.started, c.turn, c.last, c.waiting) = (1.0, [strain, 0.0, 0.0, 0.0], strain, 0.0);
+            (c.started, c.reversals, c.last, c.pending) = (1.0, [strain, 0.0, 0.0, 0.0], strain, 0.0);
         }
         let slope = if strain == c.last { c.slope } else { strain - c.last };
         let sign = |x: f64| if x == 0.0 { 0.0 } else { x.signum() };
         if c.slope != 0.0 && sign(c.slope) != sign(slope) {
-            self.turn(&mut c);
+            self.count_reversal(&mut c);
             if c.damage >= self.p.d_max {
                 c.failed = 1.0;
             }
         }
         if c.failed == 0.0 {
-            let damage = self.would_be(&mut c, strain);
-            // What is compressed holds on, cracked or not.
+            let damage = self.damage_if_reversed(&mut c, strain);
+            // A cracked section still carries compression, so failure needs a tensile stress.
             if damage > self.p.d_max && stress > 0.0 {
                 (c.damage, c.failed) = (damage, 1.0);
             }
@@ -188,12 +187,16 @@ impl Uniaxial for Fatigue {
             self.advance(&old, strain.value, s.value)
         };
         if new.failed != 0.0 {
-            // What has failed remembers nothing more.
+            // The history of a failed material is frozen.
             next[Cycles::LEN..].copy_from_slice(&committed[Cycles::LEN..Cycles::LEN + self.inner.len()]);
         }
         new.write(next);
         Ok(if failed {
-            Stress { value: LEFT * s.value, tangent: LEFT * self.initial_tangent(), damping: 0.0 }
+            Stress {
+                value: RESIDUAL_STRENGTH_RATIO * s.value,
+                tangent: RESIDUAL_STRENGTH_RATIO * self.initial_tangent(),
+                damping: 0.0,
+            }
         } else {
             s
         })

@@ -2,7 +2,7 @@
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 
-/// Rate-independent plasticity in one dimension by return mapping (Simo and Hughes, 1998, chapter 1).
+/// One-dimensional rate-independent plasticity by return mapping (Simo and Hughes, 1998, chapter 1).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hardening {
     /// Elastic modulus.
@@ -13,7 +13,7 @@ pub struct Hardening {
     pub h_iso: f64,
     /// Kinematic hardening modulus.
     pub h_kin: f64,
-    /// As in OpenSees, an elastic trial state keeps the plastic strain of the trial state before it.
+    /// As in OpenSees, an elastic trial keeps the plastic strain of the previous trial.
     pub compat: bool,
 }
 
@@ -24,7 +24,7 @@ crate::state_struct! {
         plastic: f64,
         /// Accumulated plastic strain.
         accumulated: f64,
-        /// Steps so far, by which trial states of a step are known.
+        /// Number of steps; identifies the trial states of the current step.
         steps: f64,
     }
 }
@@ -42,7 +42,7 @@ impl UniaxialLaw for Hardening {
         let elastic = self.e * (strain.value - c.plastic);
         let relative = elastic - self.h_kin * c.plastic;
         let excess = relative.abs() - (self.sigma_y + self.h_iso * c.accumulated);
-        // A point on the yield surface is plastic, whatever the round-off.
+        // A point on the yield surface is plastic, regardless of round-off.
         if excess <= -f64::EPSILON * self.e {
             let next = if self.compat && last.steps == steps { *last } else { History { steps, ..*c } };
             return Ok((Stress { value: elastic, tangent: self.e, damping: 0.0 }, next));

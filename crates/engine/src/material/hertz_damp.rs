@@ -1,10 +1,10 @@
-//! Pounding: Hertz' contact with a damping force.
+//! Pounding: Hertz contact with a damping force.
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 
-/// Force K_h δⁿ (1 + ξ δ̇ / v₀) in compression, where δ is the depth of contact and v₀ the speed at which it began (Lankarani and
-/// Nikravesh; Muthukumar and DesRoches, 2006, <https://doi.org/10.1002/eqe.557>; Ye, Li and Zhu, 2009,
-/// <https://doi.org/10.1002/eqe.883>). Without nodal velocities there is no damping.
+/// Force K_h δⁿ (1 + ξ δ̇ / v₀) in compression, with the contact depth δ and the approach speed v₀ at first contact.
+/// There is no damping without nodal velocities. Sources: Lankarani and Nikravesh; Muthukumar and DesRoches, 2006,
+/// <https://doi.org/10.1002/eqe.557>; Ye, Li and Zhu, 2009, <https://doi.org/10.1002/eqe.883>.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HertzDamp {
     /// Contact stiffness K_h, force over displacement to the power of n.
@@ -22,9 +22,9 @@ pub struct HertzDamp {
 crate::state_struct! {
     /// History of [`HertzDamp`].
     pub struct Contact {
-        /// Damping coefficient over δⁿ, from the speed at which contact began.
+        /// Damping coefficient divided by δⁿ, from the approach speed at first contact.
         xi: f64,
-        /// 1 in contact.
+        /// 1 in contact, 0 otherwise.
         closed: f64,
     }
 }
@@ -39,7 +39,7 @@ impl UniaxialLaw for HertzDamp {
             return Ok(Default::default());
         }
         let begins = c.closed == 0.0 && strain.rate < 0.0;
-        // At the beginning the speed is that which the damping is measured by.
+        // At first contact the rate is the approach speed v₀ itself.
         let xi = if begins { self.xi * self.kh / -strain.rate } else { c.xi };
         let k = self.kh - xi * strain.rate;
         let power = depth.powf(self.n - 1.0);

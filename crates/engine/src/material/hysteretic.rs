@@ -2,23 +2,23 @@
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 
-/// Strain that is never reached.
-const FAR: f64 = 1.0e16;
-/// Slope of a horizontal branch, as a part of the elastic one: keeps a structure that hangs on it from being singular.
-const FLAT: f64 = 1.0e-9;
+/// Largest strain of an envelope, which no analysis reaches.
+const MAX_STRAIN: f64 = 1.0e16;
+/// Slope of a horizontal branch divided by the elastic slope; a positive value keeps the stiffness matrix regular.
+const FLAT_SLOPE_RATIO: f64 = 1.0e-9;
 
-/// The envelope on one side: stresses and strains of its three points, all positive, whatever the side.
+/// The envelope on one side: stresses and strains of its three points, positive on both sides.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Envelope {
     stress: [f64; 3],
     strain: [f64; 3],
     slope: [f64; 3],
-    /// Slope of unloading: the steepest of the envelope.
+    /// Unloading slope, equal to the steepest slope of the envelope.
     unloading: f64,
 }
 
 impl Envelope {
-    /// Through three points with rising strains.
+    /// An envelope through three points with increasing strains.
     pub fn new(stress: [f64; 3], strain: [f64; 3]) -> Self {
         let slope = [
             stress[0] / strain[0],
@@ -28,7 +28,7 @@ impl Envelope {
         Self { stress, strain, slope, unloading: slope[0].max(slope[1]).max(slope[2]) }
     }
 
-    /// Through two points: the third is put half-way between them.
+    /// An envelope through two points; the additional point is their midpoint.
     pub fn bilinear(stress: [f64; 2], strain: [f64; 2]) -> Self {
         let mid = |x: [f64; 2]| [x[0], 0.5 * (x[0] + x[1]), x[1]];
         Self::new(mid(stress), mid(strain))
@@ -38,7 +38,7 @@ impl Envelope {
     fn at(&self, x: f64) -> (f64, f64) {
         let (m, r, e) = (&self.stress, &self.strain, &self.slope);
         if x < 0.0 {
-            (0.0, FLAT * e[0])
+            (0.0, FLAT_SLOPE_RATIO * e[0])
         } else if x <= r[0] {
             (e[0] * x, e[0])
         } else if x <= r[1] {
@@ -46,11 +46,11 @@ impl Envelope {
         } else if x <= r[2] || e[2] > 0.0 {
             (m[1] + e[2] * (x - r[1]), e[2])
         } else {
-            (m[2], FLAT * e[0])
+            (m[2], FLAT_SLOPE_RATIO * e[0])
         }
     }
 
-    /// Strain at which a falling branch, on which the largest strain lies, has lost all stress.
+    /// Strain of zero stress on the descending branch that contains the largest strain.
     fn exhausted(&self, largest: f64) -> Option<f64> {
         let (m, r, e) = (&self.stress, &self.strain, &self.slope);
         let limit = if largest <= r[0] {
@@ -69,7 +69,7 @@ impl Envelope {
         0.5 * (r[0] * m[0] + (r[1] - r[0]) * (m[1] + m[0]) + (r[2] - r[1]) * (m[2] + m[1]))
     }
 
-    /// Factor of the unloading slope after a largest strain.
+    /// Degradation factor of the unloading slope after a largest strain.
     fn degraded(&self, largest: f64, beta: f64) -> f64 {
         let k = (largest / self.strain[0]).powf(beta);
         if k < 1.0 { 1.0 } else { 1.0 / k }
@@ -82,7 +82,7 @@ pub struct Hysteretic {
     sides: [Envelope; 2],
     pinch_x: f64,
     pinch_y: f64,
-    /// Damage by ductility and by energy.
+    /// Damage factors for ductility and for energy.
     damage: [f64; 2],
     /// Exponent of the degraded unloading stiffness.
     beta: f64,
@@ -90,8 +90,8 @@ pub struct Hysteretic {
 }
 
 impl Hysteretic {
-    /// From the envelopes in tension and compression, the pinching factors of strain and stress, the damage by
-    /// ductility and by energy, and the exponent of the unloading stiffness.
+    /// From the envelopes in tension and compression. The other arguments are the pinching factors of strain and
+    /// stress, the damage factors for ductility and energy, and the exponent of the unloading stiffness.
     pub fn new(tension: Envelope, compression: Envelope, pinch: [f64; 2], damage: [f64; 2], beta: f64) -> Self {
         let energy = tension.energy() + compression.energy();
         Self { sides: [tension, compression], pinch_x: pinch[0], pinch_y: pinch[1], damage, beta, energy }
@@ -105,26 +105,26 @@ crate::state_struct! {
         strain: f64,
         /// Stress.
         stress: f64,
-        /// Tangent, less the initial one.
+        /// Tangent minus the initial tangent.
         softening: f64,
-        /// Largest strain in tension and in compression, both positive; damage makes them larger.
+        /// Largest strain in tension and in compression, both positive, enlarged by damage.
         extreme: [f64; 2],
-        /// Strain at which the last unloading from tension and from compression came to zero stress.
+        /// Strain of zero stress after the last unloading from tension and from compression.
         unloaded: [f64; 2],
-        /// Energy.
+        /// Dissipated and stored energy per volume.
         energy: f64,
         /// 1 loading, -1 unloading, 0 virgin.
         loading: f64,
     }
 }
 
-/// Stress and tangent on a reloading line, or on the unloading one where that is lower.
+/// The response with the lower stress of an unloading and a reloading line.
 fn lower(unloading: (f64, f64), reloading: (f64, f64)) -> (f64, f64) {
     if unloading.0 < reloading.0 { unloading } else { reloading }
 }
 
 impl Hysteretic {
-    /// Go on between the extremes towards tension (`s` = 1) or, mirrored, towards compression (`s` = -1).
+    /// Response between the largest strains towards tension (`s` = 1) or, mirrored, towards compression (`s` = -1).
     fn advance(&self, c: &History, d: f64, t: &mut History, s: f64) -> (f64, f64) {
         let (ahead, behind) = if s > 0.0 { (0, 1) } else { (1, 0) };
         let (front, rear) = (&self.sides[ahead], &self.sides[behind]);
@@ -141,7 +141,7 @@ impl Hysteretic {
             }
         }
         t.loading = s;
-        t.extreme[ahead] = t.extreme[ahead].min(FAR).max(front.strain[0]);
+        t.extreme[ahead] = t.extreme[ahead].min(MAX_STRAIN).max(front.strain[0]);
         let target = t.extreme[ahead];
         let (peak, _) = front.at(target);
         let zero = s * t.unloaded[behind];
@@ -151,10 +151,10 @@ impl Hysteretic {
         let elastic = (sig_c + k_front * d, k_front);
         if x < zero {
             let sig = sig_c + k_rear * d;
-            if sig >= 0.0 { (0.0, FLAT * rear.unloading) } else { (sig, k_rear) }
+            if sig >= 0.0 { (0.0, FLAT_SLOPE_RATIO * rear.unloading) } else { (sig, k_rear) }
         } else if x < pinch {
             if x <= release {
-                (0.0, FLAT * front.unloading)
+                (0.0, FLAT_SLOPE_RATIO * front.unloading)
             } else {
                 let k = peak * self.pinch_y / (pinch - release);
                 lower(elastic, ((x - release) * k, k))

@@ -3,27 +3,27 @@
 use super::hysteretic_asym::History;
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 
-/// The algebraic law of Vaiana, Sessa, Marmo and Rosati (2019, <https://doi.org/10.1007/s11071-019-05022-5>): a branch that begins at
-/// u_c comes to the limit curve
+/// The algebraic law of Vaiana, Sessa, Marmo and Rosati (2019, <https://doi.org/10.1007/s11071-019-05022-5>). A
+/// branch that begins at u_c approaches the limit curve
 ///
 /// f = β₁ u³ + β₂ u⁵ + k_b u ± f̄
 ///
-/// by a power of its length, (x_c + |u - u_c|)^(1-a), where x_c follows from the force at u_c. The stiffness at the end of a branch, less
-/// k_b, is the tolerance; it determines f̄.
+/// by (x_c + |u - u_c|)^(1-a), where x_c follows from the force at u_c. The tolerance is the stiffness minus k_b at
+/// the end of a branch; it determines f̄.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HystereticPoly {
-    /// Stiffness at the beginning of a branch that leaves a limit curve k_a.
+    /// Stiffness k_a at the first point of a branch from a limit curve.
     pub ka: f64,
-    /// Stiffness of the limit curves at zero k_b, less than k_a.
+    /// Stiffness k_b of the limit curves at zero displacement, less than k_a.
     pub kb: f64,
     /// Exponent a, not 1.
     pub a: f64,
     /// β₁ and β₂.
     pub b: [f64; 2],
-    /// Stiffness, less k_b, at which a branch has come to the limit curve.
+    /// Stiffness minus k_b at which a branch has reached the limit curve.
     pub tolerance: f64,
-    /// As in OpenSees, the branch goes through a point that is found with the round-off of its whole length, and the initial stiffness is
-    /// k_a.
+    /// As in OpenSees, the origin of the branch carries the round-off of its whole length, and the initial stiffness
+    /// is k_a.
     pub compat: bool,
 }
 
@@ -31,8 +31,8 @@ impl HystereticPoly {
     /// OpenSees' tolerance.
     pub const TOLERANCE: f64 = 1e-20;
 
-    /// Half the length of a branch from one limit curve to the other u_0; its whole length, with that at its beginning, to the power 1 - a;
-    /// half the height of the loop.
+    /// Returns u_0, (1 + 2 u_0)^(1-a) and f̄. The length of a branch between the limit curves is 2 u_0; f̄ is half
+    /// the height of the loop.
     fn range(&self) -> [f64; 3] {
         let k = self.ka - self.kb;
         let uo = 0.5 * ((k / self.tolerance).powf(1.0 / self.a) - 1.0);
@@ -56,7 +56,7 @@ impl UniaxialLaw for HystereticPoly {
         let s = if u >= c.strain { 1.0 } else { -1.0 };
         let [uo, far, height] = self.range();
         let start = power / k * (s * (c.stress - self.elastic(c.strain).0) - height) + far;
-        // On the limit curve or, by round-off, beyond it the branch has come to its end.
+        // Round-off may put a point beyond the limit curve; the branch ends there.
         let x = start.max(0.0).powf(1.0 / power);
         let x = if self.compat {
             let origin = c.strain + s * (1.0 + 2.0 * uo) - s * x;

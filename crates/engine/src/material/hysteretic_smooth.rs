@@ -1,4 +1,4 @@
-//! Smooth hysteresis of exponential type, the same in both directions.
+//! Smooth symmetric hysteresis of exponential type.
 
 use super::hysteretic_asym::{History, HystereticAsym};
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
@@ -11,7 +11,8 @@ pub struct HystereticSmooth {
 }
 
 impl HystereticSmooth {
-    /// Stiffness at the beginning of a branch k_a and of the limit curves k_b, half the height of the loop, and β.
+    /// From the stiffnesses k_a (first point of a branch) and k_b (limit curves), half the height of the loop
+    /// (stress), and β (inverse strain).
     pub fn new(ka: f64, kb: f64, fbar: f64, beta: f64) -> Self {
         Self { law: HystereticAsym { ka, kb, fo: fbar, b: [beta; 2], gamma: 0.0 } }
     }

@@ -1,10 +1,10 @@
-//! Pounding: a bilinear approximation of Hertz' contact.
+//! Pounding: a bilinear approximation of Hertz contact.
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 
-/// Contact in compression behind a gap, with a loop that dissipates: stiff K₁ up to the yield displacement δ_y, K₂
-/// beyond; back down K₁ to the line K₂ through the contact, and along it (Muthukumar and DesRoches, 2006,
-/// <https://doi.org/10.1002/eqe.557>).
+/// Contact in compression behind a gap, with energy dissipation. The stiffness is K₁ up to the yield displacement δ_y
+/// and K₂ beyond. Unloading follows K₁ to the line of slope K₂ through the contact point, then that line. Source:
+/// Muthukumar and DesRoches, 2006, <https://doi.org/10.1002/eqe.557>.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Impact {
     /// Initial stiffness K₁.
@@ -15,8 +15,8 @@ pub struct Impact {
     pub delta_y: f64,
     /// Displacement at contact, negative or zero.
     pub gap: f64,
-    /// As in OpenSees, the step that closes the gap counts its way through the gap too; the initial tangent is K₁ though
-    /// the gap is open.
+    /// As in OpenSees, the elastic increment of the closing step includes the gap, and the initial tangent is K₁ for
+    /// an open gap.
     pub compat: bool,
 }
 

@@ -1,9 +1,9 @@
-//! Pounding: Hertz' contact, damped while it closes.
+//! Pounding: Hertz contact with damping during approach.
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 
-/// Force K_h δⁿ + 2 ξ sqrt(K_h δⁿ⁻¹ m) δ̇ in compression while the depth of contact δ grows, K_h δⁿ while it does not (Jankowski,
-/// 2005, <https://doi.org/10.1002/eqe.434>). Without nodal velocities there is no damping.
+/// Force K_h δⁿ + 2 ξ sqrt(K_h δⁿ⁻¹ m) δ̇ in compression while the contact depth δ increases. Otherwise the force is
+/// K_h δⁿ (Jankowski, 2005, <https://doi.org/10.1002/eqe.434>). There is no damping without nodal velocities.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JankowskiImpact {
     /// Contact stiffness K_h, force over displacement to the power of n.

@@ -1,4 +1,4 @@
-//! Kikuchi and Aiken's law of the shear hysteresis of rubber bearings.
+//! Shear hysteresis of rubber bearings by Kikuchi and Aiken.
 
 mod opensees;
 
@@ -10,34 +10,34 @@ use crate::state_struct::StateStruct;
 use opensees::{ElasticRange, short_decay};
 use std::fmt;
 
-/// Shear strain up to which a bearing is elastic.
+/// Elastic limit of the shear strain, as in OpenSees.
 pub(super) const ELASTIC_STRAIN: f64 = 0.05;
 
-/// Shape of the loops of a bearing that has been sheared to some amplitude.
+/// Shape of the hysteresis loops at one shear strain amplitude.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Shape {
-    /// Part u of the force at the amplitude that is hysteretic.
+    /// Hysteretic share u of the force at the amplitude.
     pub u: f64,
-    /// Part p of the elastic force that stiffens.
+    /// Stiffening share p of the elastic force.
     pub p: f64,
-    /// Exponent n of what stiffens.
+    /// Exponent n of the stiffening share.
     pub n: f64,
     /// Decay a of the hysteretic curves after a reversal.
     pub a: f64,
 }
 
-/// How the loops end.
+/// End of the first curve of a loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Loops {
-    /// In the opposite point of the skeleton: the first curve has the factor α that takes it there.
+    /// At the opposite point of the skeleton; the factor α of the first curve ensures it.
     Closed,
-    /// As in OpenSees: the first curve has α = 1 and ends short of the skeleton by 2 u F_m exp(-2 a), which the force
-    /// steps by.
+    /// As in OpenSees: the first curve has α = 1 and ends short of the skeleton. The force jumps there by 2 u F_m
+    /// exp(-2 a).
     Short,
 }
 
-/// Strain from which `above` holds instead of `below`: where they meet, no more than 2 % from `limit`.
-pub(super) fn meeting(limit: f64, below: impl Fn(f64) -> f64, above: impl Fn(f64) -> f64) -> f64 {
+/// Intersection of the formulas `below` and `above` within 2 % of `limit`, or `limit` if they do not intersect there.
+pub(super) fn intersection(limit: f64, below: impl Fn(f64) -> f64, above: impl Fn(f64) -> f64) -> f64 {
     let difference = |x: f64| above(x) - below(x);
     let (mut low, mut high) = (0.98 * limit, 1.02 * limit);
     let first = difference(low);
@@ -51,59 +51,65 @@ pub(super) fn meeting(limit: f64, below: impl Fn(f64) -> f64, above: impl Fn(f64
     high
 }
 
-/// What a kind of bearing says of its loops, by the shear strain γ of their amplitude.
+/// Loop parameters of a kind of bearing, as functions of the shear strain amplitude γ.
 pub trait Device: fmt::Debug + Clone + Send + Sync + 'static {
     /// Name in the `uniaxialMaterial` command.
     const NAME: &'static str;
 
-    /// The same with each formula of the skeleton from where it meets the one before. OpenSees changes over at a round
-    /// number next to it, where the force steps by up to 3e-4 of it.
+    /// Moves the limits between the skeleton's formulas to their intersections. OpenSees changes formulas at round
+    /// numbers near them, where the force jumps by up to 3e-4 of its value.
     fn joined(self) -> Self;
 
-    /// Total thickness of the rubber H_r.
+    /// Total thickness H_r of the rubber.
     fn height(&self) -> f64;
 
-    /// Increment of the displacement that counts as rest.
-    fn rest(&self) -> f64;
+    /// Displacement increment below which the state is kept.
+    fn min_increment(&self) -> f64;
 
     /// Force F_m at an amplitude, and its derivative with respect to the displacement.
     fn skeleton(&self, gamma: f64) -> (f64, f64);
 
-    /// Shape of the loops.
+    /// Shape of the loops at an amplitude.
     fn shape(&self, gamma: f64, loops: Loops) -> Shape;
 
-    /// b of a curve that begins at a reversal at γ, in loops with the given a.
+    /// Parameter b of a curve from a reversal at γ, for loops with the given a.
     fn bump(&self, gamma: f64, a: f64) -> f64;
 
-    /// c of the curves that b stands before.
+    /// Parameter c of the curves with a nonzero b.
     fn decay(&self) -> f64;
 }
 
-/// The law: within the largest displacement X so far, with x = d / X, the force is F₁ + F₂,
-/// F₁ = (1 - u) F_m [(1 - p) x + p xⁿ] and F₂ along a curve from the last reversal (x_r, F_2r),
-/// F₂ = F_2r ± α u F_m [2 - 2 exp(-a t) + b t exp(-c t)], t = |x - x_r|; α takes the curve to the reversal before, from
-/// where the interrupted one goes on, the first one to the opposite point of the skeleton. Beyond X the force is that of the skeleton.
+/// The law of Kikuchi and Aiken. Within the largest displacement X so far the force is F₁ + F₂, with x = d / X:
 ///
-/// Kikuchi and Aiken (1997), <https://doi.org/10.1002/(SICI)1096-9845(199702)26:2%3C215::AID-EQE640%3E3.0.CO;2-9>; the
-/// parameters and their functions of the amplitude as in OpenSees.
+/// F₁ = (1 - u) F_m [(1 - p) x + p xⁿ],
+///
+/// F₂ = F_2r ± α u F_m [2 - 2 exp(-a t) + b t exp(-c t)], t = |x - x_r|.
+///
+/// F₂ follows a curve from the last reversal (x_r, F_2r). The factor α leads the curve to the previous reversal,
+/// where the interrupted curve continues. The first curve leads to the opposite point of the skeleton. Beyond X the
+/// force is that of the skeleton.
+///
+/// Source: Kikuchi and Aiken (1997),
+/// <https://doi.org/10.1002/(SICI)1096-9845(199702)26:2%3C215::AID-EQE640%3E3.0.CO;2-9>. The parameters and their
+/// functions of the amplitude are those of OpenSees.
 #[derive(Clone, Debug)]
 pub struct KikuchiAiken<D, R = Consistent> {
     device: D,
-    /// Factors of a spring of several side by side: R_s of the displacement over R_f, and R_f of the force.
+    /// Factors of one of several parallel springs: R_s for displacement (times 1 / R_f) and R_f for force.
     rs: f64,
     rf: f64,
     /// Stiffness in the elastic range.
     elastic: f64,
-    /// Rules of the tangent and of the ends of the loops.
+    /// Rules of the tangent and of the end of the loops.
     rules: R,
 }
 
 /// Rules of [`KikuchiAiken`] that differ in OpenSees.
 pub trait Rules: Clone + fmt::Debug + Send + Sync + 'static {
-    /// How the loops end.
+    /// End of the first curve of a loop.
     const LOOPS: Loops = Loops::Closed;
 
-    /// A force of the skeleton, or a part of it, that the law goes on with.
+    /// Returns true if a force of the skeleton, or a part of it, is valid.
     fn accepts(x: f64) -> bool {
         x > 0.0
     }
@@ -118,17 +124,17 @@ pub trait Rules: Clone + fmt::Debug + Send + Sync + 'static {
         slope
     }
 
-    /// Exponent n of what stiffens.
+    /// Exponent n of the stiffening share.
     fn exponent(n: f64) -> f64 {
         n.max(1.0)
     }
 
-    /// A loop is open at this product of the distances from its ends.
+    /// Returns true for an open loop, by the product of the distances from its ends.
     fn is_open(past: f64) -> bool {
         past < 0.0
     }
 
-    /// Trace that a trial state leaves in the committed one.
+    /// Changes of the committed state by a trial state.
     fn leave_trace(_tried: &[f64], _committed: &mut [f64]) {}
 
     /// Initial tangent of a spring of stiffness `k` with the factor R_s.
@@ -144,14 +150,13 @@ pub trait Rules: Clone + fmt::Debug + Send + Sync + 'static {
 
 impl Rules for Consistent {}
 
-/// Reversals inside each other that are remembered. Where there are more, the loop that hardly differs from the one around
-/// it is taken for closed.
+/// Maximum number of nested reversals. A further reversal closes the loop that differs least from the enclosing one.
 const LEVELS: usize = 48;
 
 crate::state_struct! {
-    /// History but for the reversals.
+    /// History without the reversals.
     pub struct Head {
-        /// Displacement, times R_s / R_f.
+        /// Displacement times R_s / R_f.
         d: f64,
         /// Force.
         force: f64,
@@ -163,15 +168,15 @@ crate::state_struct! {
         sign: f64,
         /// Largest displacement X.
         max: f64,
-        /// Force F_m of the skeleton there.
+        /// Force F_m of the skeleton at X.
         fm: f64,
-        /// Number of reversals that are open.
+        /// Number of open reversals.
         depth: f64,
         u: f64,
         p: f64,
         n: f64,
         a: f64,
-        /// 1 once it has been beyond the elastic range.
+        /// 1 after a displacement beyond the elastic range.
         sheared: f64,
     }
 }
@@ -196,24 +201,24 @@ impl Head {
     }
 }
 
-/// Place of a reversal, counted from 1.
-fn place(level: usize) -> usize {
+/// Offset of a reversal, counted from 1.
+fn offset(level: usize) -> usize {
     Head::LEN + (level - 1) * Reversal::LEN
 }
 
 fn reversal(words: &[f64], level: usize) -> Reversal {
-    Reversal::read(&words[place(level)..])
+    Reversal::read(&words[offset(level)..])
 }
 
-/// Forget the two reversals that are missed least.
-fn forget(words: &mut [f64]) {
+/// Removes the pair of reversals with the smallest difference to the enclosing loop.
+fn drop_closest_pair(words: &mut [f64]) {
     let difference = |level: usize| (reversal(words, level + 1).x - reversal(words, level - 1).x).abs();
     let least = (2..LEVELS).min_by(|a, b| difference(*a).total_cmp(&difference(*b))).unwrap_or(2);
-    words.copy_within(place(least + 2)..place(LEVELS + 1), place(least));
+    words.copy_within(offset(least + 2)..offset(LEVELS + 1), offset(least));
 }
 
-/// Parameter a of a loop with equivalent damping h_eq, at most `limit`; a loop that no a is fat or thin enough for has
-/// that limit too. `range` is where OpenSees begins to look for it.
+/// Parameter a of a loop with equivalent damping h_eq, at most `limit`; equal to `limit` if no a gives this damping.
+/// `range` is the upper end of OpenSees' bisection.
 pub(super) fn decay_of_damping(heq: f64, u: f64, range: f64, limit: f64, loops: Loops) -> f64 {
     let share = std::f64::consts::PI * heq / (2.0 * u);
     match loops {
@@ -222,7 +227,7 @@ pub(super) fn decay_of_damping(heq: f64, u: f64, range: f64, limit: f64, loops: 
     }
 }
 
-/// Of a closed loop: coth a - 1 / a = π h_eq / (2u).
+/// Parameter a of a closed loop: coth a - 1 / a = π h_eq / (2u).
 fn closed_decay(share: f64, limit: f64) -> f64 {
     if !(share > 0.0 && share < 1.0) {
         return limit;
@@ -231,7 +236,7 @@ fn closed_decay(share: f64, limit: f64) -> f64 {
     bracketed_root(rises, (0.0, f64::INFINITY), 1.0 / (1.0 - share), 1.0, 100).map_or(limit, |a| a.min(limit))
 }
 
-/// b of a curve that dissipates as much as h_eq says: c² [π h_eq / u - (2 + 2 / a (exp(-2a) - 1))].
+/// Parameter b of a curve with the dissipation of h_eq: b = c² [π h_eq / u - (2 + 2 / a (exp(-2a) - 1))].
 pub(super) fn bump_of_damping(heq: f64, u: f64, a: f64, c: f64) -> f64 {
     c * c * (std::f64::consts::PI * heq / u - (2.0 + 2.0 / a * ((-2.0 * a).exp() - 1.0)))
 }
@@ -242,7 +247,7 @@ fn elastic_stiffness<D: Device>(device: &D) -> f64 {
 }
 
 impl<D: Device> KikuchiAiken<D> {
-    /// A bearing, or one of several springs side by side with the factors R_s and R_f, both 1 for a whole bearing.
+    /// A whole bearing (R_s = R_f = 1), or one of several parallel springs with the factors R_s and R_f.
     pub fn new(device: D, [rs, rf]: [f64; 2]) -> Self {
         let device = device.joined();
         let elastic = elastic_stiffness(&device);
@@ -251,7 +256,7 @@ impl<D: Device> KikuchiAiken<D> {
 }
 
 impl<D: Device> KikuchiAiken<D, ElasticRange> {
-    /// The same by the rules of OpenSees.
+    /// As `new`, by the rules of OpenSees.
     pub fn as_opensees(device: D, [rs, rf]: [f64; 2]) -> Self {
         let elastic = elastic_stiffness(&device);
         let rules = ElasticRange::of(&device, elastic);
@@ -260,7 +265,10 @@ impl<D: Device> KikuchiAiken<D, ElasticRange> {
 }
 
 impl<D: Device, R: Rules> KikuchiAiken<D, R> {
-    /// Refuse what the fitted functions give where they have lost their meaning; OpenSees goes on.
+    /// Rejects values of the fitted functions outside their range of validity; OpenSees continues with them.
+    ///
+    /// # Errors
+    /// The value is not positive, or by OpenSees' rules not finite.
     fn check(&self, x: f64, gamma: f64) -> Result<(), MaterialError> {
         if R::accepts(x) {
             return Ok(());
@@ -279,7 +287,7 @@ impl<D: Device, R: Rules> KikuchiAiken<D, R> {
         Ok((fm * sign(t.d), k))
     }
 
-    /// The part in brackets of a hysteretic curve, and its derivative.
+    /// The bracketed term of a hysteretic curve, and its derivative.
     fn curve(&self, a: f64, b: f64, t: f64) -> (f64, f64) {
         let e = (-a * t).exp();
         let (value, slope) = (2.0 - 2.0 * e, 2.0 * a * e);
@@ -291,7 +299,7 @@ impl<D: Device, R: Rules> KikuchiAiken<D, R> {
         (value + t * be, slope + be * (1.0 - c * t))
     }
 
-    /// Take down a reversal at the committed state; `next` holds the committed reversals.
+    /// Adds a reversal at the committed state; `next` holds the committed reversals.
     fn reverse(&self, c: &Head, t: &mut Head, next: &mut [f64]) -> Result<(), MaterialError> {
         let gamma = c.d.abs() / self.device.height();
         if c.depth == 0.0 {
@@ -301,11 +309,11 @@ impl<D: Device, R: Rules> KikuchiAiken<D, R> {
             let b = self.device.bump(gamma, t.a);
             let alpha = if R::LOOPS == Loops::Closed { 2.0 / self.curve(t.a, b, 2.0).0 } else { 1.0 };
             t.depth = 1.0;
-            Reversal { x: sign(c.d), q2: sign(c.d) * t.u * t.fm, b, alpha }.write(&mut next[place(1)..]);
+            Reversal { x: sign(c.d), q2: sign(c.d) * t.u * t.fm, b, alpha }.write(&mut next[offset(1)..]);
             return Ok(());
         }
         if c.depth() == LEVELS {
-            forget(next);
+            drop_closest_pair(next);
             t.depth -= 2.0;
         }
         let before = reversal(next, t.depth());
@@ -316,11 +324,11 @@ impl<D: Device, R: Rules> KikuchiAiken<D, R> {
         let ratio =
             if b == before.b { 1.0 } else { self.curve(t.a, before.b, length).0 / self.curve(t.a, b, length).0 };
         t.depth += 1.0;
-        Reversal { x, q2: c.q2, b, alpha: before.alpha * ratio }.write(&mut next[place(t.depth())..]);
+        Reversal { x, q2: c.q2, b, alpha: before.alpha * ratio }.write(&mut next[offset(t.depth())..]);
         Ok(())
     }
 
-    /// Forget the loops that have been closed at x.
+    /// Removes the loops that are closed at x.
     fn close(&self, t: &mut Head, x: f64, next: &[f64]) {
         while t.depth >= 2.0 {
             let (begin, end) = (reversal(next, t.depth()).x, reversal(next, t.depth() - 1).x);
@@ -359,21 +367,21 @@ impl<D: Device, R: Rules> Uniaxial for KikuchiAiken<D, R> {
         D::NAME
     }
     fn state_len(&self) -> usize {
-        place(LEVELS + 1)
+        offset(LEVELS + 1)
     }
     fn init(&self, state: &mut [f64]) {
         state.fill(0.0);
         Head { stiffness: self.initial_tangent(), ..Head::default() }.write(state);
     }
 
-    /// Reversals that are not open any more are left as they are: nothing reads them.
+    /// Closed reversals keep stale values, because nothing reads them.
     fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
         let c = Head::read(committed);
-        let used = place(c.depth() + 1);
+        let used = offset(c.depth() + 1);
         next[Head::LEN..used].copy_from_slice(&committed[Head::LEN..used]);
         let d = strain.value * self.rs / self.rf;
         let step = d - c.d;
-        if step.abs() < self.device.rest() {
+        if step.abs() < self.device.min_increment() {
             c.write(next);
             return Ok(Stress { value: c.force, tangent: c.stiffness, damping: 0.0 });
         }
@@ -394,7 +402,7 @@ impl<D: Device, R: Rules> Uniaxial for KikuchiAiken<D, R> {
     fn commit_all(&self, trial: &[f64], committed: &mut [f64]) {
         let points = trial.chunks_exact(self.state_len()).zip(committed.chunks_exact_mut(self.state_len()));
         for (trial, committed) in points {
-            let used = place(Head::read(trial).depth() + 1);
+            let used = offset(Head::read(trial).depth() + 1);
             committed[..used].copy_from_slice(&trial[..used]);
         }
     }

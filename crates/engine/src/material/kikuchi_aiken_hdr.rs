@@ -1,31 +1,32 @@
-//! High damping rubber in Kikuchi and Aiken's law.
+//! High damping rubber bearings in the law of Kikuchi and Aiken.
 
-use super::kikuchi_aiken::{Device, Loops, Shape, bump_of_damping, decay_of_damping, meeting};
+use super::kikuchi_aiken::{Device, Loops, Shape, bump_of_damping, decay_of_damping, intersection};
 
-/// A rubber compound by shear strain γ: fitted to tests up to γ = 4.1, in MPa.
+/// Functions of the shear strain γ for a rubber compound, fitted to tests up to γ = 4.1, in MPa.
 ///
-/// Bridgestone's compounds, with the coefficients of OpenSees' `KikuchiAikenHDR` (Ishii and Kikuchi, 2012 and 2017).
+/// The compounds are Bridgestone's, with the coefficients of OpenSees' `KikuchiAikenHDR` (Ishii and Kikuchi, 2012 and
+/// 2017).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Compound {
     /// Name in the command.
     pub name: &'static str,
-    /// Equivalent shear modulus G_eq = k γ^m below a strain: that strain, k and m.
+    /// Equivalent shear modulus G_eq = k γ^m below a limit strain: the limit, k and m.
     geq_power: [f64; 3],
-    /// G_eq above it: coefficients of 1, γ, γ², γ³.
+    /// G_eq above the limit: coefficients of 1, γ, γ², γ³.
     geq: [f64; 4],
-    /// Equivalent damping h_eq, likewise.
+    /// Equivalent damping h_eq: coefficients of 1, γ, γ², γ³.
     heq: [f64; 4],
-    /// Part of the force at the amplitude that is hysteretic, likewise.
+    /// Hysteretic share u of the force at the amplitude: coefficients of 1, γ, γ², γ³.
     u: [f64; 4],
-    /// Exponent n of the elastic part: the strain from which it is not 1, and its coefficients.
+    /// Exponent n of the elastic part: 1 below a strain, and above it coefficients of 1, γ, γ², γ³.
     n: (f64, [f64; 4]),
-    /// Strain from which a is constant and b is not zero, and that a.
+    /// Strain above which a is constant and b nonzero, and that constant a.
     a: [f64; 2],
-    /// c.
+    /// Parameter c of the curves.
     c: f64,
 }
 
-/// The compounds in the order of their numbers, from 1: each under its nominal pressure and without pressure.
+/// The compounds in the order of their numbers, from 1: each under nominal pressure and without pressure.
 pub const COMPOUNDS: [Compound; 6] = [
     Compound {
         name: "X0.6",
@@ -89,7 +90,7 @@ pub const COMPOUNDS: [Compound; 6] = [
     },
 ];
 
-/// G_eq is in MPa; the command's force comes out in N for an area in m².
+/// Conversion of MPa to Pa: the command's force is in N for an area in m².
 const MEGA: f64 = 1e6;
 
 fn cubic(c: &[f64; 4], x: f64) -> f64 {
@@ -105,7 +106,7 @@ pub struct HighDampingRubber {
     pub area: f64,
     /// Total thickness H_r of the rubber, in the unit of the displacement.
     pub height: f64,
-    /// Factors of G_eq, h_eq and u.
+    /// Factors of G_eq, h_eq and u, without unit.
     pub factors: [f64; 3],
 }
 
@@ -123,7 +124,7 @@ impl Device for HighDampingRubber {
 
     fn joined(mut self) -> Self {
         let [limit, k, m] = self.compound.geq_power;
-        self.compound.geq_power[0] = meeting(limit, |g| k * g.powf(m), |g| cubic(&self.compound.geq, g));
+        self.compound.geq_power[0] = intersection(limit, |g| k * g.powf(m), |g| cubic(&self.compound.geq, g));
         self
     }
 
@@ -131,7 +132,7 @@ impl Device for HighDampingRubber {
         self.height
     }
 
-    fn rest(&self) -> f64 {
+    fn min_increment(&self) -> f64 {
         f64::EPSILON * self.height
     }
 

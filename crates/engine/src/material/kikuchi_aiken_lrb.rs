@@ -1,18 +1,18 @@
-//! Lead rubber bearings in Kikuchi and Aiken's law.
+//! Lead rubber bearings in the law of Kikuchi and Aiken.
 
-use super::kikuchi_aiken::{Device, Loops, Shape, bump_of_damping, decay_of_damping, meeting};
+use super::kikuchi_aiken::{Device, Loops, Shape, bump_of_damping, decay_of_damping, intersection};
 use std::f64::consts::PI;
 
-/// Decay a from γ = 2 on, and at most.
+/// Largest decay a, and the constant a above γ = 2.
 const A: f64 = 26.501472;
-/// Strain from which the loops stiffen.
+/// Shear strain above which the bearing stiffens.
 const STIFFENING: f64 = 2.0;
 
-/// A lead rubber bearing: the characteristic strength Q_d and the stiffness K_d after yield vary with the shear strain
+/// A lead rubber bearing. The characteristic strength Q_d and the post-yield stiffness K_d vary with the shear strain
 /// and the temperature.
 ///
-/// Kikuchi, Nakamura and Aiken (2010), <https://doi.org/10.1002/eqe.994>; coefficients of OpenSees' `KikuchiAikenLRB`
-/// (Kikuchi, 2012).
+/// Source: Kikuchi, Nakamura and Aiken (2010), <https://doi.org/10.1002/eqe.994>. The coefficients are those of
+/// OpenSees' `KikuchiAikenLRB` (Kikuchi, 2012).
 #[derive(Clone, Debug, PartialEq)]
 pub struct LeadRubber {
     height: f64,
@@ -20,14 +20,14 @@ pub struct LeadRubber {
     qd: f64,
     kd: f64,
     ku: f64,
-    /// Strains at which the formulas of the factors of Q_d and of K_d change over.
+    /// Limit strains between the formulas of the factors of Q_d and of K_d.
     strength_limits: [f64; 2],
     stiffness_limits: [f64; 3],
 }
 
-/// Formulas of the factor of Q_d, from one limit to the next: k and m of k γ^m.
+/// Factor k γ^m of Q_d between consecutive limits: k and m.
 const STRENGTH: [[f64; 2]; 3] = [[2.036, 0.410], [1.106, 0.145], [1.0, 0.0]];
-/// The same of the factor of K_d; beyond the last limit the bearing stiffens.
+/// Factor k γ^m of K_d between consecutive limits: k and m. The bearing stiffens beyond the last limit.
 const STIFFNESS: [[f64; 2]; 3] = [[0.779, -0.43], [1.0, -0.25], [1.0, -0.12]];
 
 /// Parameters of a [`LeadRubber`] bearing.
@@ -45,9 +45,9 @@ pub struct LeadRubberParameters {
     pub lead_strength: f64,
     /// Apparent shear modulus α_p of the lead.
     pub lead_modulus: f64,
-    /// Initial stiffness over that after yield, greater than 1.
+    /// Initial stiffness divided by the post-yield stiffness, greater than 1.
     pub stiffness_ratio: f64,
-    /// Temperature, °C; the other parameters are those at 15 °C.
+    /// Temperature, °C; the other parameters are values at 15 °C.
     pub temperature: f64,
     /// Factors of K_d and Q_d.
     pub factors: [f64; 2],
@@ -76,13 +76,13 @@ impl LeadRubber {
         STIFFNESS.get(formula).map_or_else(|| stiffened(gamma), |f| power(*f, gamma))
     }
 
-    /// Q_d, K_d over its factor's, and the force at γ.
+    /// Q_d at γ, the factor of K_d, and the force at γ.
     fn at(&self, gamma: f64) -> (f64, f64, f64) {
         let (qd, factor) = (self.strength(gamma).0 * self.qd, self.stiffness(gamma).0);
         (qd, factor, qd + factor * self.kd * gamma * self.height)
     }
 
-    /// Hysteretic part u and equivalent damping, that of the bilinear loop with a factor.
+    /// Hysteretic share u, and the equivalent damping: that of the bilinear loop times a factor above γ = 2.
     fn damping(&self, gamma: f64) -> (f64, f64) {
         let (qd, factor, fm) = self.at(gamma);
         let yielded = qd / (factor * (self.ku - self.kd));
@@ -101,7 +101,7 @@ fn power([k, m]: [f64; 2], x: f64) -> (f64, f64) {
     (value, m * value / x)
 }
 
-/// Factor of K_d of a bearing that stiffens, and its derivative.
+/// Factor of K_d above γ = 2, and its derivative.
 fn stiffened(gamma: f64) -> (f64, f64) {
     let over = gamma - STIFFENING;
     (0.0482025 * over * over + 0.92019, 2.0 * 0.0482025 * over)
@@ -112,11 +112,11 @@ impl Device for LeadRubber {
 
     fn joined(mut self) -> Self {
         for (i, limit) in self.strength_limits.iter_mut().enumerate() {
-            *limit = meeting(*limit, |g| power(STRENGTH[i], g).0, |g| power(STRENGTH[i + 1], g).0);
+            *limit = intersection(*limit, |g| power(STRENGTH[i], g).0, |g| power(STRENGTH[i + 1], g).0);
         }
         for (i, limit) in self.stiffness_limits.iter_mut().enumerate() {
             let above = |g: f64| STIFFNESS.get(i + 1).map_or_else(|| stiffened(g), |f| power(*f, g)).0;
-            *limit = meeting(*limit, |g| power(STIFFNESS[i], g).0, above);
+            *limit = intersection(*limit, |g| power(STIFFNESS[i], g).0, above);
         }
         self
     }
@@ -125,7 +125,7 @@ impl Device for LeadRubber {
         self.height
     }
 
-    fn rest(&self) -> f64 {
+    fn min_increment(&self) -> f64 {
         f64::EPSILON
     }
 

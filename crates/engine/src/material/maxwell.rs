@@ -1,23 +1,22 @@
-//! Maxwell model: a spring and a linear dashpot one behind the other.
+//! Maxwell model: a spring and a linear dashpot in series.
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 
-/// Spring and dashpot in series (Kasai, Oohara and Sekiguchi, 2001): the stress relaxes with the time constant
-/// C / (Lᵅ K), exactly for half of the strain increment at the beginning of a step and half at its end.
+/// Spring and dashpot in series (Kasai, Oohara and Sekiguchi, 2001). The stress relaxes with the time constant C /
+/// (Lᵅ K). The integration is exact for half of the strain increment at the start of a step and half at its end.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Maxwell {
     /// Stiffness of the spring.
     pub k: f64,
     /// Damping coefficient.
     pub c: f64,
-    /// Velocity exponent; it acts on the length only.
+    /// Velocity exponent, applied to the length only.
     pub alpha: f64,
     /// Length of the damper.
     pub length: f64,
     /// `-returnD`: see `compat`.
     pub secant_damping: bool,
-    /// As in OpenSees, give the stiffness of the spring as the tangent and, with `-returnD`, stress over strain as the
-    /// derivative of the stress by the rate.
+    /// As in OpenSees, the tangent is the stiffness of the spring. With `-returnD` the damping is stress over strain.
     pub compat: bool,
 }
 

@@ -1,8 +1,8 @@
 //! Uniaxial materials: stress, tangent and next state for a trial strain, as pure functions of the committed state.
 //!
-//! A law is a struct of constant parameters that implements [`UniaxialLaw`]; its history is a plain struct declared
-//! with [`state_struct!`](crate::state_struct!). Whoever uses a law (a spring, a fiber) keeps the history through a [`Slot`].
-//! Stress and strain may as well be force and displacement: a law knows no units.
+//! A law is a struct of constant parameters that implements [`UniaxialLaw`]. Its history is a plain struct declared
+//! with [`state_struct!`](crate::state_struct!). The owner of a law (a spring, a fiber) stores the history through a
+//! [`Slot`]. A law has no units: stress and strain may be force and displacement.
 
 mod axial_spring;
 mod bilin;
@@ -74,7 +74,7 @@ pub use maxwell::Maxwell;
 pub use multi_linear::MultiLinear;
 pub use no_tension::NoTension;
 pub use parallel::Parallel;
-pub use saws::{Saws, Wall};
+pub use saws::{Saws, SawsParameters};
 pub use self_centering::SelfCentering;
 pub use series::{Iteration, Series};
 pub use slot::Slot;
@@ -84,21 +84,21 @@ pub use steel_brb::{BrbBranch, SteelBrb};
 pub use steel01::Steel01;
 pub use steel02::Steel02;
 pub use viscous::Viscous;
-pub use viscous_damper::{Method, ViscousDamper};
+pub use viscous_damper::{IntegrationMethod, ViscousDamper};
 pub use wrapped::{InitialState, MinMax};
 
-/// A trial strain with what rate-dependent laws need to know.
+/// A trial strain, with the rate and the time that rate-dependent laws need.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Strain {
     /// Total strain.
     pub value: f64,
-    /// Strain rate from the nodal velocities, in 1/time: zero in static analyses, as in OpenSees.
+    /// Strain rate from the nodal velocities, 1/time; zero in static analyses, as in OpenSees.
     pub rate: f64,
-    /// Domain time since the committed state; zero where no time has passed (a state determined anew).
+    /// Domain time since the committed state; zero if the state is recomputed without a step.
     pub dt: f64,
 }
 
-/// What a law answers to a trial strain.
+/// Response of a law to a trial strain.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stress {
     /// Stress, viscous part included.
@@ -120,7 +120,7 @@ pub struct Strains<'a> {
     pub dt: f64,
 }
 
-/// What many points of one material answer, a number for each.
+/// Response of many points of one material, one number for each.
 #[derive(Debug)]
 pub struct Stresses<'a> {
     /// Stresses.
@@ -131,7 +131,7 @@ pub struct Stresses<'a> {
     pub damping: &'a mut [f64],
 }
 
-/// Why a law could not answer.
+/// Reason why a law has no response.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MaterialError(pub String);
 
@@ -143,19 +143,22 @@ impl fmt::Display for MaterialError {
 
 impl std::error::Error for MaterialError {}
 
-/// A uniaxial law with a fixed number of history variables.
+/// A uniaxial law with a fixed number of state variables.
 pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {
-    /// History of one point; `default()` must be the virgin state.
+    /// History of one point; `default()` is the virgin state.
     type State: StateStruct;
 
     /// Name in the `uniaxialMaterial` command.
     const NAME: &'static str;
 
-    /// Stress and next state for a trial strain, from the committed state.
+    /// Returns the stress and the next state for a trial strain, from the committed state.
+    ///
+    /// # Errors
+    /// The law has no response at this strain.
     fn update(&self, committed: &Self::State, strain: Strain) -> Result<(Stress, Self::State), MaterialError>;
 
-    /// The same where OpenSees is followed: `last` is what the place of the next state holds, mostly the last trial state of the
-    /// step, of which some laws of OpenSees keep what a trial does not set.
+    /// As [`UniaxialLaw::update`], with the last trial state of the step in `last`. Some laws of OpenSees keep from
+    /// it the variables that a trial does not set.
     fn update_on(
         &self,
         committed: &Self::State,
@@ -168,33 +171,33 @@ pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {
     /// Tangent of the virgin material.
     fn initial_tangent(&self) -> f64;
 
-    /// Whether the stress depends on the rate of the nodal velocities, that is, whether `Stress::damping` is ever used.
+    /// Returns true if the stress depends on the rate of the nodal velocities, so that `Stress::damping` is used.
     fn is_viscous(&self) -> bool {
         false
     }
 
-    /// Whether the stress depends on the time that passes (`Strain::dt`).
+    /// Returns true if the stress depends on the elapsed time (`Strain::dt`).
     fn depends_on_time(&self) -> bool {
         false
     }
 
-    /// Whether the stress is proportional to the strain, whatever the history.
+    /// Returns true if the stress is proportional to the strain for every history.
     fn is_linear(&self) -> bool {
         false
     }
 
-    /// Strain that recorders show for a strain of the material: a law that begins with a stress counts its strain in.
+    /// Strain in recorders for a strain of the material. A law with an initial stress adds the strain of that stress.
     fn shown_strain(&self, strain: f64) -> f64 {
         strain
     }
 
-    /// Give a parameter, by the name that scripts have for it, another value; the one it had. `None` where the law has
-    /// none of that name.
+    /// Sets a parameter by its name in scripts and returns the previous value, or `None` if the law has no such
+    /// parameter.
     fn set_parameter(&mut self, _name: &str, _value: f64) -> Option<f64> {
         None
     }
 
-    /// A response of the law's own, beyond those that every material has.
+    /// Response specific to this law, in addition to those of every material.
     fn probe(&self, _words: &[&str]) -> Option<Probe> {
         None
     }
@@ -207,20 +210,26 @@ pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {
 pub trait Uniaxial: fmt::Debug + Send + Sync {
     /// Name in the `uniaxialMaterial` command.
     fn name(&self) -> &'static str;
-    /// Number of words of history.
+    /// Number of state variables.
     fn state_len(&self) -> usize;
-    /// Write the virgin state.
+    /// Writes the virgin state.
     fn init(&self, state: &mut [f64]);
-    /// Write the virgin state of `n` points that are always updated together. They take `n` times as many words as one,
-    /// and need not lie one after the other.
+    /// Writes the virgin state of `n` points that are always updated together. They take `n` times the variables of
+    /// one point, and the law chooses their layout.
     fn init_all(&self, _n: usize, state: &mut [f64]) {
         state.chunks_exact_mut(self.state_len().max(1)).for_each(|point| self.init(point));
     }
-    /// Stress for a trial strain from the committed history; writes every word of `next`.
+    /// Returns the stress for a trial strain from the committed history, and writes every variable of `next`.
+    ///
+    /// # Errors
+    /// The law has no response at this strain.
     fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError>;
 
-    /// The same for many points whose histories [`Uniaxial::init_all`] has laid out: one dynamic call for a whole bundle of
-    /// springs, in which the law is called statically.
+    /// As [`Uniaxial::update`], for many points in the layout of [`Uniaxial::init_all`]. One dynamic call serves a
+    /// whole bundle of springs, and the law is called statically inside it.
+    ///
+    /// # Errors
+    /// The law has no response at one of the strains.
     fn update_all(
         &self,
         committed: &[f64],
@@ -238,8 +247,11 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
         Ok(())
     }
 
-    /// The same for points asked by an element that counts its calls: `next` holds what the last call of this step left,
-    /// `before` the committed strains.
+    /// As [`Uniaxial::update_all`], for an element that follows the calls of OpenSees. `next` holds the last trial
+    /// state of the step, `before` the committed strains.
+    ///
+    /// # Errors
+    /// The law has no response at one of the strains.
     fn update_all_on(
         &self,
         committed: &[f64],
@@ -251,52 +263,52 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
         self.update_all(committed, strains, next, stresses)
     }
 
-    /// Take over the trial histories of points. A law with many words may leave out those that nobody reads.
+    /// Copies trial histories to committed ones. A law may skip variables that are never read.
     fn commit_all(&self, trial: &[f64], committed: &mut [f64]) {
         committed.copy_from_slice(trial);
     }
 
-    /// Copy the history of a point among `n` that [`Uniaxial::init_all`] has laid out to another place: words, number of the
-    /// point, `n`.
+    /// Copies the history of one point to another array. Each triple is the array in the layout of
+    /// [`Uniaxial::init_all`], the index of the point, and the number of points.
     fn copy_history(&self, (from, i, _): (&[f64], usize, usize), (to, j, _): (&mut [f64], usize, usize)) {
         let n = self.state_len();
         to[j * n..(j + 1) * n].copy_from_slice(&from[i * n..(i + 1) * n]);
     }
 
-    /// Tangent of virgin points whose strains are in a range, where all of them answer with stresses in proportion to their
-    /// strains and stay virgin; `None` where they do not, or where the law does not know.
+    /// Tangent of virgin points with strains in a range, if their stresses are proportional to their strains and they
+    /// stay virgin. `None` if they do not, or if the law cannot tell.
     fn virgin_tangent(&self, _range: [f64; 2]) -> Option<f64> {
         None
     }
 
-    /// Whether these histories of points, as [`Uniaxial::update_all`] has written them, are as good as virgin: a law that
-    /// always says no is asked for each point.
+    /// Returns true if all of these histories, as [`Uniaxial::update_all`] writes them, equal the virgin one. A law
+    /// that always returns false is evaluated point by point.
     fn are_virgin(&self, _state: &[f64]) -> bool {
         false
     }
 
-    /// Where OpenSees is followed: take over from a trial state into the committed one what a trial leaves behind there
-    /// although it is not committed. For springs that are only ever tried.
+    /// Copies to the committed state the variables that a trial of OpenSees changes without a commit. Used for
+    /// springs that are evaluated and never committed.
     fn leave_trace(&self, _tried: &[f64], _committed: &mut [f64]) {}
 
     /// Tangent of the virgin material.
     fn initial_tangent(&self) -> f64;
-    /// Whether `Stress::damping` is ever used.
+    /// Returns true if `Stress::damping` is used.
     fn is_viscous(&self) -> bool;
-    /// Whether the stress depends on the time that passes.
+    /// Returns true if the stress depends on the elapsed time (`Strain::dt`).
     fn depends_on_time(&self) -> bool;
-    /// Whether the stress is proportional to the strain, whatever the history.
+    /// Returns true if the stress is proportional to the strain for every history.
     fn is_linear(&self) -> bool;
-    /// Strain that recorders show for a strain of the material: a law that begins with a strain counts it in.
+    /// Strain in recorders for a strain of the material. A law with an initial strain adds it.
     fn shown_strain(&self, strain: f64, _state: &[f64]) -> f64 {
         strain
     }
-    /// The material with another value of a parameter, by the words of a `parameter` command, and the value it had;
-    /// `None` where it has none of that name. The history has the same words.
+    /// Returns the material with a new value of a parameter, named by the words of a `parameter` command, and the
+    /// previous value. `None` if it has no such parameter. The layout of the history does not change.
     fn with_parameter(&self, _words: &[&str], _value: f64) -> Option<(Material, f64)> {
         None
     }
-    /// A response of the material's own, by the words of a recorder command.
+    /// Response specific to this material, by the words of a recorder command.
     fn probe(&self, words: &[&str]) -> Option<Probe>;
     /// Value of a probe from the state.
     fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]);
@@ -346,5 +358,5 @@ impl<L: UniaxialLaw> Uniaxial for L {
     }
 }
 
-/// A material as elements hold it: the parameters are shared, the state lies elsewhere.
+/// A material as elements hold it: the parameters are shared, the state is stored by the element.
 pub type Material = Arc<dyn Uniaxial>;

@@ -1,65 +1,64 @@
-//! Multilinear plasticity after Masing.
+//! Multilinear plasticity by Masing's rule.
 
 use super::{MaterialError, Strain, Stress, Uniaxial};
 use crate::probe::Probe;
 
-/// Hysteresis with a symmetric envelope of straight lines: every branch after a reversal is the envelope at twice its
-/// size.
+/// Hysteresis with a symmetric piecewise linear envelope. Every branch after a reversal is the envelope scaled by
+/// two.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MultiLinear {
-    /// Strains and stresses at the ends of the lines.
+    /// Strains and stresses at the ends of the segments.
     points: Vec<[f64; 2]>,
-    /// Slope of each line.
+    /// Slope of each segment.
     slope: Vec<f64>,
-    /// Strain that each line covers.
-    reach: Vec<f64>,
-    /// As in OpenSees, a yielded state that is committed again at the same strain is taken for one that yielded in
-    /// compression.
+    /// Strain length of each segment.
+    length: Vec<f64>,
+    /// As in OpenSees, a yielded state that is committed again at the same strain counts as yielded in compression.
     compat: bool,
 }
 
-/// State variables before the ends of the lines.
+/// State variables before the segment ends.
 const HEADER: usize = 4;
 const STRAIN: usize = 0;
 const STRESS: usize = 1;
-/// Tangent, less the initial one.
+/// Tangent minus the initial tangent.
 const SOFTENING: usize = 2;
-/// The line on which the last step ended.
-const LINE: usize = 3;
+/// Segment at the end of the last step.
+const SEGMENT: usize = 3;
 
-/// Where the lines end now: strain in compression and in tension, stress in compression and in tension.
+/// Present end of a segment: strain in compression and in tension, stress in compression and in tension.
 type End = [f64; 4];
 
 impl MultiLinear {
-    /// From strains and stresses, both positive, the strains rising. `None` where they are not that.
+    /// From positive strains and stresses with increasing strains. `None` if the points are invalid.
     pub fn new(points: Vec<[f64; 2]>, compat: bool) -> Option<Self> {
         let good = points.first().is_some_and(|p| p[0] > 0.0) && points.windows(2).all(|w| w[1][0] > w[0][0]);
         let before = |i: usize| if i == 0 { [0.0; 2] } else { points[i - 1] };
-        let reach: Vec<f64> = points.iter().enumerate().map(|(i, p)| p[0] - before(i)[0]).collect();
-        let slope = points.iter().enumerate().map(|(i, p)| (p[1] - before(i)[1]) / reach[i]).collect();
-        good.then_some(Self { points, slope, reach, compat })
+        let length: Vec<f64> = points.iter().enumerate().map(|(i, p)| p[0] - before(i)[0]).collect();
+        let slope = points.iter().enumerate().map(|(i, p)| (p[1] - before(i)[1]) / length[i]).collect();
+        good.then_some(Self { points, slope, length, compat })
     }
 
-    /// Take the point where a step ended on a line as the end of the lines before it, on the side on which it yielded
-    /// (1 tension, 0 compression), and let the other side follow at twice the size.
-    fn move_ends(&self, ends: &mut [End], line: usize, strain: f64, stress: f64, side: usize) {
+    /// Moves the ends of the segments before `line` to the end of the step on the yielded side (1 tension, 0
+    /// compression). The ends of the other side follow at twice the segment length.
+    fn move_ends(&self, ends: &mut [End], segment: usize, strain: f64, stress: f64, side: usize) {
         let (here, there) = (side, 1 - side);
         let s = if side == 1 { -2.0 } else { 2.0 };
-        for i in 0..line {
+        for i in 0..segment {
             (ends[i][here], ends[i][2 + here]) = (strain, stress);
             let from = if i == 0 { [strain, stress] } else { [ends[i - 1][there], ends[i - 1][2 + there]] };
-            ends[i][there] = from[0] + s * self.reach[i];
-            ends[i][2 + there] = from[1] + s * self.reach[i] * self.slope[i];
+            ends[i][there] = from[0] + s * self.length[i];
+            ends[i][2 + there] = from[1] + s * self.length[i] * self.slope[i];
         }
-        for i in line.max(1)..ends.len() {
-            let covered = s * self.reach[i] + ends[i][here] - ends[i - 1][here];
+        for i in segment.max(1)..ends.len() {
+            let covered = s * self.length[i] + ends[i][here] - ends[i - 1][here];
             ends[i][there] = ends[i - 1][there] + covered;
             ends[i][2 + there] = ends[i - 1][2 + there] + (ends[i][there] - ends[i - 1][there]) * self.slope[i];
         }
     }
 }
 
-/// The words of the ends as lines of four.
+/// The state variables of the segment ends, four for each.
 fn ends(words: &mut [f64]) -> &mut [End] {
     words[HEADER..].as_chunks_mut::<4>().0
 }
@@ -83,10 +82,10 @@ impl Uniaxial for MultiLinear {
         let x = strain.value;
         let rests = (x - committed[STRAIN]).abs() < f64::EPSILON;
         if rests {
-            let line = committed[LINE] as usize;
-            if self.compat && line > 0 {
+            let segment = committed[SEGMENT] as usize;
+            if self.compat && segment > 0 {
                 let side = usize::from(x > committed[HEADER + 1]);
-                self.move_ends(ends(next), line, x, committed[STRESS], side);
+                self.move_ends(ends(next), segment, x, committed[STRESS], side);
             }
             let tangent = self.slope[0] + committed[SOFTENING];
             return Ok(Stress { value: committed[STRESS], tangent, damping: 0.0 });
@@ -94,15 +93,15 @@ impl Uniaxial for MultiLinear {
         let now = ends(next);
         let side = usize::from(x > now[0][1]);
         let s = if side == 1 { 1.0 } else { -1.0 };
-        // Beyond the last point its line goes on.
+        // The last segment extends beyond the last point.
         let found = now.iter().position(|end| s * x <= s * end[side]).unwrap_or(now.len() - 1);
-        let line = if x >= now[0][0] && x <= now[0][1] { 0 } else { found.max(usize::from(now.len() > 1)) };
-        let value = now[line][2 + side] + (x - now[line][side]) * self.slope[line];
-        if line > 0 {
-            self.move_ends(now, line, x, value, side);
+        let segment = if x >= now[0][0] && x <= now[0][1] { 0 } else { found.max(usize::from(now.len() > 1)) };
+        let value = now[segment][2 + side] + (x - now[segment][side]) * self.slope[segment];
+        if segment > 0 {
+            self.move_ends(now, segment, x, value, side);
         }
-        let tangent = self.slope[line];
-        next[..HEADER].copy_from_slice(&[x, value, tangent - self.slope[0], line as f64]);
+        let tangent = self.slope[segment];
+        next[..HEADER].copy_from_slice(&[x, value, tangent - self.slope[0], segment as f64]);
         Ok(Stress { value, tangent, damping: 0.0 })
     }
 

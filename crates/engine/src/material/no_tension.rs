@@ -1,15 +1,15 @@
-//! Elastic without tension.
+//! Elastic no-tension material.
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 
-/// σ = E ε in compression; in tension none, or a E tanh(b ε).
+/// σ = E ε in compression, and σ = a E tanh(b ε) in tension (zero for a = 0).
 #[derive(Clone, Debug, PartialEq)]
 pub struct NoTension {
     /// Modulus in compression.
     pub e: f64,
-    /// Largest stress in tension as a part of the modulus.
+    /// Largest tensile stress divided by the modulus, a.
     pub a: f64,
-    /// How fast the stress in tension grows with the strain.
+    /// Rate b of the tensile stress with the strain.
     pub b: f64,
 }
 

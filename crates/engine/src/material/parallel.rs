@@ -1,10 +1,10 @@
-//! Materials side by side.
+//! Materials in parallel.
 
 use super::{Material, MaterialError, Slot, Strain, Stress, Uniaxial};
 use crate::probe::Probe;
 use std::sync::Arc;
 
-/// Materials with the same strain; their stresses add up, each multiplied by its factor.
+/// Materials with the same strain. The stress is the sum of their stresses, each multiplied by its factor.
 #[derive(Clone, Debug)]
 pub struct Parallel {
     parts: Vec<(Slot, f64)>,
@@ -58,7 +58,7 @@ impl Uniaxial for Parallel {
     fn is_linear(&self) -> bool {
         self.laws().all(|m| m.is_linear())
     }
-    /// Of one part, or of all that have it.
+    /// Applies to one component, or to all components that have the parameter.
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
         let mut new = self.clone();
         let old = match words {

@@ -6,37 +6,38 @@ use super::{MaterialError, Strain, Stress, UniaxialLaw};
 use crate::rules::{Consistent, OpenSees};
 use std::fmt;
 
-/// Force of a wall that has failed, as a part of its displacement.
-const FAILED: f64 = 1e-8;
+/// Stiffness of a failed wall, force over displacement; the value of OpenSees.
+const FAILED_STIFFNESS: f64 = 1e-8;
 
-/// Pinched hysteresis of sheathing-to-framing connectors and of walls made with them (Folz and Filiatrault, 2001,
-/// <https://doi.org/10.1061/(ASCE)0733-9445(2001)127:4(433)>): an exponential envelope with a line that softens, unloading by r₃ S₀, a
-/// pinched line r₄ S₀ at ±F_I, and reloading that is the softer the further the wall has been.
+/// Pinched hysteresis of sheathing-to-framing connectors and of walls made with them. The envelope is exponential up
+/// to the largest force and softens linearly beyond. Unloading has the stiffness r₃ S₀, the pinched line r₄ S₀ at
+/// ±F_I. The reloading stiffness decreases with the largest displacement. Source: Folz and Filiatrault, 2001,
+/// <https://doi.org/10.1061/(ASCE)0733-9445(2001)127:4(433)>.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Wall {
-    /// Force where the asymptote of the envelope meets zero displacement F₀; force.
+pub struct SawsParameters {
+    /// Force F₀ of the envelope's asymptote at zero displacement; force.
     pub fo: f64,
-    /// Force of the pinched line at zero displacement F_I; force.
+    /// Force F_I of the pinched line at zero displacement; force.
     pub fi: f64,
-    /// Displacement at the largest force Δ_u; length.
+    /// Displacement Δ_u at the largest force; length.
     pub du: f64,
     /// Initial stiffness S₀; force over length.
     pub so: f64,
-    /// Stiffnesses as parts of S₀: asymptote, softening (negative), unloading, pinching.
+    /// Stiffnesses r₁ to r₄ divided by S₀: asymptote, softening (negative), unloading, pinching.
     pub r: [f64; 4],
-    /// Softening of the reloading stiffness α.
+    /// Exponent α of the reloading stiffness.
     pub alpha: f64,
-    /// How much further than it has been reloading takes the wall to the envelope β.
+    /// Displacement at which reloading reaches the envelope divided by the largest displacement, β.
     pub beta: f64,
 }
 
 /// Rules of [`Saws`] that differ in OpenSees. A side is given by its sign.
 pub trait Rules: Clone + fmt::Debug + Send + Sync + 'static {
-    /// Largest difference of the forces where the pinched line leaves the envelope.
+    /// Force tolerance of the intersection of pinched line and envelope.
     const TOLERANCE: f64 = 0.0;
 
     /// Slope of the curve of the envelope at `x`, where it is `slope`; at the target of reloading the force is `target.1`.
-    fn curve_slope(_wall: &Wall, _x: f64, _target: (f64, f64), slope: f64) -> f64 {
+    fn curve_slope(_wall: &SawsParameters, _x: f64, _target: (f64, f64), slope: f64) -> f64 {
         slope
     }
 
@@ -58,41 +59,46 @@ pub trait Rules: Clone + fmt::Debug + Send + Sync + 'static {
 
 impl Rules for Consistent {}
 
-/// A [`Wall`] with what follows from its parameters.
+/// The law of a [`SawsParameters`], with derived constants.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Saws<R = Consistent> {
-    wall: Wall,
+    wall: SawsParameters,
     rules: R,
-    /// Displacement at which the pinched line leaves the curve of the envelope.
+    /// Displacement at the intersection of the pinched line with the exponential envelope.
     leaves: f64,
-    /// Displacement at which nothing is left.
+    /// Displacement at which all strength is lost.
     ultimate: f64,
 }
 
-/// What the wall does.
+/// Path of the wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Path {
-    /// Nothing any more.
+    /// Failed.
     Failed,
-    /// On the envelope where it is left along itself.
+    /// On the envelope near zero, where unloading follows the loading curve.
     Virgin,
-    /// On its curve.
+    /// On the exponential part of the envelope.
     Curve,
-    /// On its line.
+    /// On the softening part of the envelope.
     Softening,
-    /// Unloading from it.
+    /// Unloading from the envelope.
     Unloading,
     /// On the pinched line of a side.
     Pinched,
-    /// From there to the envelope.
+    /// From the pinched line to the envelope.
     Reloading,
-    /// From the pinched line of a side to that of the other one.
+    /// Between the pinched lines of both sides.
     Between,
-    /// From the line of reloading to the pinched line of the other side.
+    /// From the reloading line to the pinched line of the other side.
     Back,
     /// Unloading from a side beyond zero displacement.
     Across,
 }
+
+/// Maximum number of bisections for an intersection; more than the bits of a double.
+const MAX_BISECTIONS: usize = 200;
+/// Maximum number of paths in a step.
+const MAX_PATHS: usize = 10;
 
 const PATHS: [Path; 10] = [
     Path::Virgin,
@@ -107,7 +113,7 @@ const PATHS: [Path; 10] = [
     Path::Failed,
 ];
 
-/// A path and the side that it belongs to, as kept in a word: the number of the path, negative on the negative side.
+/// A path and its side as a state variable: the number of the path, negative on the negative side.
 fn word(path: Path, s: f64) -> f64 {
     let number = PATHS.iter().position(|p| *p == path).map_or(0.0, |i| i as f64);
     s * number
@@ -119,17 +125,17 @@ fn path(word: f64) -> (Path, f64) {
 }
 
 crate::state_struct! {
-    /// One side, with its displacements and forces positive.
-    pub struct Reached {
-        /// 1 where the envelope has been followed.
+    /// History of one side, with positive displacements and forces.
+    pub struct SideHistory {
+        /// 1 if the envelope has been reached.
         yielded: f64,
         /// Displacement of the last unloading from the envelope.
         strain: f64,
-        /// Force there.
+        /// Force at that displacement.
         stress: f64,
-        /// Displacement at which reloading comes to the envelope.
+        /// Displacement at which reloading reaches the envelope.
         target: f64,
-        /// Force there.
+        /// Force at that displacement.
         target_stress: f64,
     }
 }
@@ -143,33 +149,34 @@ crate::state_struct! {
         stress: f64,
         /// Path and side.
         path: f64,
-        /// Path and side before.
+        /// Previous path and side.
         before: f64,
-        /// Displacement at which the path was left, or the last on it.
+        /// Displacement at the end of the previous path, or the last one on the path.
         turn: f64,
         /// Reloading stiffness.
         reloading: f64,
-        /// Both sides.
-        sides: [Reached; 2],
+        /// Histories of both sides.
+        sides: [SideHistory; 2],
     }
 }
 
 impl Saws {
-    /// `None` where the pinched line does not leave the envelope within twice the displacement at the largest force.
-    pub fn new(wall: Wall) -> Option<Self> {
+    /// Returns `None` if the pinched line does not meet the envelope within twice the displacement at the largest
+    /// force.
+    pub fn new(wall: SawsParameters) -> Option<Self> {
         Self::of(wall, Consistent)
     }
 }
 
 impl Saws<OpenSees> {
-    /// The same by the rules of OpenSees.
-    pub fn as_opensees(wall: Wall) -> Option<Self> {
+    /// As `new`, by the rules of OpenSees.
+    pub fn as_opensees(wall: SawsParameters) -> Option<Self> {
         Self::of(wall, OpenSees)
     }
 }
 
 impl<R: Rules> Saws<R> {
-    fn of(wall: Wall, rules: R) -> Option<Self> {
+    fn of(wall: SawsParameters, rules: R) -> Option<Self> {
         let mut made = Self { wall, rules, leaves: 0.0, ultimate: 0.0 };
         let far = 2.0 * made.wall.du;
         if made.curve(far).0 < made.pinched(far).0 {
@@ -179,7 +186,7 @@ impl<R: Rules> Saws<R> {
         Some(made)
     }
 
-    /// Force and slope of the curve of the envelope.
+    /// Force and slope of the exponential envelope.
     fn curve(&self, x: f64) -> (f64, f64) {
         let (asymptote, left) =
             (self.wall.fo + self.wall.r[0] * self.wall.so * x, (-self.wall.so * x / self.wall.fo).exp());
@@ -187,24 +194,24 @@ impl<R: Rules> Saws<R> {
         (asymptote * share, asymptote * self.wall.so / self.wall.fo * left + self.wall.r[0] * self.wall.so * share)
     }
 
-    /// Force and slope of the line behind it.
+    /// Force and slope of the softening line.
     fn softening(&self, x: f64) -> (f64, f64) {
         let slope = self.wall.r[1] * self.wall.so;
         (self.curve(self.wall.du).0 + slope * (x - self.wall.du), slope)
     }
 
-    /// The pinched line.
+    /// Force and slope of the pinched line.
     fn pinched(&self, x: f64) -> (f64, f64) {
         let slope = self.wall.r[3] * self.wall.so;
         (self.wall.fi + slope * x, slope)
     }
 
-    /// Where a line of unloading through a point meets the pinched line of the other side.
-    fn lands(&self, x: f64, force: f64) -> f64 {
+    /// Displacement at the intersection of an unloading line with the pinched line of the other side.
+    fn unloading_intersection(&self, x: f64, force: f64) -> f64 {
         (force + self.wall.fi - self.wall.r[2] * self.wall.so * x) / (self.wall.so * (self.wall.r[3] - self.wall.r[2]))
     }
 
-    /// Displacement at which nothing is left: the line of softening has come to the pinched line or to zero.
+    /// Displacement at which all strength is lost: the softening line meets the pinched line or zero.
     fn find_ultimate(&self) -> f64 {
         let fu = self.curve(self.wall.du).0;
         let slope = self.wall.r[1] * self.wall.so;
@@ -212,10 +219,10 @@ impl<R: Rules> Saws<R> {
         pinched.min(self.wall.du - fu / slope)
     }
 
-    /// Where the pinched line leaves the curve of the envelope.
+    /// Displacement at the intersection of pinched line and exponential envelope, by bisection.
     fn find_leaving(&self) -> f64 {
         let (mut low, mut high, mut middle) = (0.0, 2.0 * self.wall.du, self.wall.du);
-        for _ in 0..200 {
+        for _ in 0..MAX_BISECTIONS {
             middle = 0.5 * (low + high);
             let above = self.curve(middle).0 - self.pinched(middle).0;
             if above >= 0.0 {
@@ -230,8 +237,8 @@ impl<R: Rules> Saws<R> {
         middle
     }
 
-    /// Reloading stiffness towards a target, and where its line leaves the pinched one.
-    fn reload(&self, side: &Reached, old: f64) -> (f64, f64) {
+    /// Reloading stiffness towards a target, and displacement at the intersection of its line with the pinched line.
+    fn reload(&self, side: &SideHistory, old: f64) -> (f64, f64) {
         let slope = if side.yielded == 0.0 {
             self.wall.so
         } else if side.target != 0.0 {
@@ -239,33 +246,33 @@ impl<R: Rules> Saws<R> {
         } else {
             old
         };
-        (slope, self.meets(side, slope))
+        (slope, self.reloading_intersection(side, slope))
     }
 
-    fn meets(&self, side: &Reached, slope: f64) -> f64 {
+    fn reloading_intersection(&self, side: &SideHistory, slope: f64) -> f64 {
         (self.wall.fi - side.target_stress + slope * side.target) / (slope - self.wall.r[3] * self.wall.so)
     }
 }
 
-/// What a step has come through.
+/// Paths that a step has passed.
 #[derive(Clone, Copy, Default)]
-struct Passed {
+struct PassedPaths {
     /// The pinched line of the negative side.
     negative: bool,
     /// Unloading from the envelope.
     unloading: bool,
 }
 
-/// One step of the way through the paths.
+/// Result of one path.
 enum Next {
-    /// On to another path of a side.
+    /// Continue on another path of a side.
     To(Path, f64),
-    /// Force and slope, seen from the side; whether the displacement is kept as the last of the path.
+    /// Force and slope with the signs of the side; true if the displacement is stored as the last of the path.
     At(f64, (f64, f64), bool),
 }
 
 impl<R: Rules> Saws<R> {
-    fn follow(&self, now: (Path, f64), u: f64, passed: Passed, t: &mut History) -> Next {
+    fn follow(&self, now: (Path, f64), u: f64, passed: PassedPaths, t: &mut History) -> Next {
         let (path, side) = now;
         let sign = if u >= 0.0 { 1.0 } else { -1.0 };
         let s = match path {
@@ -277,7 +284,7 @@ impl<R: Rules> Saws<R> {
         let before = t.before;
         let unload = self.wall.r[2] * self.wall.so;
         match path {
-            Path::Failed => Next::At(s, (FAILED * x, FAILED), false),
+            Path::Failed => Next::At(s, (FAILED_STIFFNESS * x, FAILED_STIFFNESS), false),
             Path::Virgin => {
                 if x <= 1.05 * self.leaves {
                     return Next::At(s, self.curve(x), true);
@@ -289,7 +296,7 @@ impl<R: Rules> Saws<R> {
                 if path == Path::Curve && x > self.wall.du {
                     return Next::To(Path::Softening, s);
                 }
-                // A wall that comes from the other side in one step has been unloaded already.
+                // A step from the other side includes the unloading.
                 if x < if passed.unloading { turn } else { turn.abs() } {
                     return Next::To(Path::Unloading, s);
                 }
@@ -301,7 +308,7 @@ impl<R: Rules> Saws<R> {
                     at.1 = R::curve_slope(&self.wall, x, (target, target_stress), at.1);
                     target_stress = target_stress.min(self.curve(self.wall.du).0);
                 }
-                t.sides[i] = Reached { yielded: 1.0, strain: x, stress: at.0, target, target_stress };
+                t.sides[i] = SideHistory { yielded: 1.0, strain: x, stress: at.0, target, target_stress };
                 t.before = word(path, 1.0);
                 Next::At(s, at, true)
             }
@@ -311,7 +318,7 @@ impl<R: Rules> Saws<R> {
                     return Next::To(Path::Across, t.turn.signum());
                 }
                 let r = t.sides[i];
-                if x < self.lands(r.strain, r.stress) {
+                if x < self.unloading_intersection(r.strain, r.stress) {
                     return Next::To(Path::Pinched, -s);
                 }
                 let force = r.stress + unload * (x - r.strain);
@@ -324,7 +331,7 @@ impl<R: Rules> Saws<R> {
             Path::Across => {
                 let r = t.sides[i];
                 t.before = word(Path::Across, s);
-                if x <= self.lands(r.strain, r.stress) {
+                if x <= self.unloading_intersection(r.strain, r.stress) {
                     return Next::To(Path::Pinched, -s);
                 }
                 let force = r.stress + unload * (x - r.strain);
@@ -367,13 +374,13 @@ impl<R: Rules> Saws<R> {
                     self.pinched(turn).0
                 } else {
                     t.reloading = self.wall.so * (self.wall.fo / self.wall.so / r.target).powf(self.wall.alpha);
-                    if before == R::before_reloading(s) && x >= self.meets(&r, t.reloading) {
+                    if before == R::before_reloading(s) && x >= self.reloading_intersection(&r, t.reloading) {
                         t.before = word(path, s);
                         return Next::To(Path::Reloading, s);
                     }
                     r.target_stress + t.reloading * (turn - r.target)
                 };
-                if x > self.lands(turn, from) && x < turn {
+                if x > self.unloading_intersection(turn, from) && x < turn {
                     return Next::At(s, (from + unload * (x - turn), unload), false);
                 }
                 t.before = word(path, s);
@@ -399,8 +406,8 @@ impl<R: Rules> UniaxialLaw for Saws<R> {
         if u.abs() >= self.ultimate {
             t.path = word(Path::Failed, 1.0);
         }
-        let mut passed = Passed::default();
-        for _ in 0..10 {
+        let mut passed = PassedPaths::default();
+        for _ in 0..MAX_PATHS {
             let now = path(t.path);
             passed.negative |= now == (Path::Pinched, -1.0);
             passed.unloading |= now.0 == Path::Unloading;
@@ -415,12 +422,12 @@ impl<R: Rules> UniaxialLaw for Saws<R> {
                     return if finite {
                         Ok((Stress { value: t.stress, tangent, damping: 0.0 }, t))
                     } else {
-                        Err(none(u))
+                        Err(no_force_error(u))
                     };
                 }
             }
         }
-        Err(none(u))
+        Err(no_force_error(u))
     }
 
     fn initial_tangent(&self) -> f64 {
@@ -428,6 +435,6 @@ impl<R: Rules> UniaxialLaw for Saws<R> {
     }
 }
 
-fn none(u: f64) -> MaterialError {
+fn no_force_error(u: f64) -> MaterialError {
     MaterialError(format!("SAWS has no force at a displacement of {u:.6e}"))
 }

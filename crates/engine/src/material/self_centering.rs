@@ -6,7 +6,7 @@ use super::{MaterialError, Strain, Stress, UniaxialLaw};
 use crate::rules::Consistent;
 use std::fmt;
 
-/// Flag-shaped law with a fuse that slips and comes to bear (Christopoulos, Tremblay, Kim and Lacerte, 2008).
+/// Flag-shaped law with a fuse that slips and then bears (Christopoulos, Tremblay, Kim and Lacerte, 2008).
 #[derive(Clone, Debug, PartialEq)]
 pub struct SelfCentering<R = Consistent> {
     /// Initial stiffness k₁.
@@ -15,13 +15,13 @@ pub struct SelfCentering<R = Consistent> {
     pub k2: f64,
     /// Stress at activation.
     pub activation: f64,
-    /// Height of the flag as a part of the stress at activation, 0 to 1.
+    /// Height of the flag divided by the activation stress, 0 to 1.
     pub beta: f64,
     /// Strain at which the fuse slips; zero for never.
     pub slip: f64,
     /// Strain at which the fuse bears; zero for never.
     pub bearing: f64,
-    /// Stiffness when bearing, as a part of k₁.
+    /// Stiffness in bearing divided by k₁.
     pub bearing_ratio: f64,
     /// Rules of the jumps off the flag and of the slip.
     pub rules: R,
@@ -57,20 +57,20 @@ crate::state_struct! {
         strain: f64,
         /// Stress.
         stress: f64,
-        /// Tangent, less the initial one.
+        /// Tangent minus the initial tangent.
         softening: f64,
         /// Slip of the fuse.
         slip: f64,
-        /// How far the elastic range in tension and in compression has moved from where it was, both positive.
+        /// Shift of the elastic range in tension and in compression, both positive.
         moved: [f64; 2],
-        /// Steps so far, by which trial states of a step are known.
+        /// Number of steps; identifies the trial states of the current step.
         steps: f64,
     }
 }
 
 impl<R: Rules> SelfCentering<R> {
-    /// Stress and tangent on one side of zero (mirrored, if it is compression) away from the elastic part around zero.
-    /// `x` is the strain less the slip, `total` with it.
+    /// Stress and tangent on one side outside the elastic range around zero, mirrored in compression. `x` is the
+    /// strain minus the slip, `total` the strain.
     fn flag(&self, c: &History, x: f64, total: f64, d: f64, side: usize, t: &mut History) -> (f64, f64) {
         let start = self.activation / self.k1;
         let low = (1.0 - self.beta) * start;
@@ -117,7 +117,7 @@ impl<R: Rules> UniaxialLaw for SelfCentering<R> {
         let (side, s) = if x >= 0.0 { (0, 1.0) } else { (1, -1.0) };
         let elastic = s * x <= (1.0 - self.beta) * self.activation / self.k1;
         if R::COMES_BACK {
-            // What has been left has come back to where it was.
+            // A flag that is left returns to its initial position.
             t.moved[1 - side] = 0.0;
             if elastic {
                 t.moved[side] = 0.0;

@@ -1,56 +1,105 @@
-//! Materials one behind the other.
+//! Materials in series.
 
 use super::{Material, MaterialError, Slot, Strain, Stress, Uniaxial};
 use crate::probe::Probe;
 
-/// Materials with the same stress; their strains add up.
+/// Materials with the same stress. The strain is the sum of their strains.
 #[derive(Clone, Debug)]
 pub struct Series {
-    parts: Vec<Slot>,
+    components: Vec<Slot>,
     state_len: usize,
     iteration: Iteration,
 }
 
-/// How the stress that all parts share is sought.
+/// Solution method for the common stress of the components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Iteration {
-    /// Until the parts have the same stress, to round-off.
+    /// Newton's method until the component stresses agree to round-off.
     Converged,
-    /// As in OpenSees: at most so many rounds, or until the energy of the residual is less than the tolerance; what is
-    /// left over is carried into the next step.
-    Rounds(usize, f64),
+    /// As in OpenSees: a maximum number of iterations, or until the energy of the residual is less than the
+    /// tolerance. The residual is carried into the next step.
+    FixedIterations(usize, f64),
 }
 
-/// State variables before the parts.
+/// State variables before those of the components.
 const HEADER: usize = 3;
-/// Stress of the whole; the parts' stresses differ from it by what is left over.
+/// Stress of the series; the component stresses differ from it by the residual.
 const STRESS: usize = 0;
-/// Tangent, less the initial one.
+/// Tangent minus the initial tangent.
 const SOFTENING: usize = 1;
-/// Strain of the whole.
+/// Strain of the series.
 const STRAIN: usize = 2;
 
-/// Iterations of Newton's method.
-const LIMIT: usize = 30;
+/// Tolerance of the component stresses' spread, relative to the largest stress: a few thousand times the machine
+/// precision.
+const STRESS_TOLERANCE: f64 = 1e-12;
+/// Relative change of the flexibility below which a correction is linear.
+const FLEXIBILITY_TOLERANCE: f64 = 1e-9;
+/// Tolerance of a stagnating spread, relative to the stress that round-off scales with. It covers laws whose internal
+/// numbers exceed their stress.
+const ROUNDOFF_TOLERANCE: f64 = 1e-4;
+/// Number of linear corrections without improvement before a spread counts as round-off.
+const MIN_STAGNANT_ITERATIONS: u32 = 3;
+/// Maximum number of Newton iterations.
+const MAX_ITERATIONS: usize = 30;
+/// Numbers of strain increments, tried in turn until the step converges.
+const INCREMENTS: [i32; 5] = [1, 4, 16, 64, 256];
+/// Stiffness below which the flexibility is bounded by its inverse, as in OpenSees.
+const MIN_STIFFNESS: f64 = 1e-12;
 const STRAINS: u32 = 1;
-const PART: u32 = 2;
+const COMPONENT: u32 = 2;
+
+/// Spread of the component stresses after a correction.
+#[derive(Clone, Copy)]
+struct StressSpread {
+    value: f64,
+    /// True if the correction did not change the flexibility: in exact arithmetic the spread would be zero.
+    linear: bool,
+}
+
+/// Detects spreads that are round-off. If the common stress goes to zero, the component stresses keep the round-off
+/// of their larger committed values.
+struct Rounding {
+    /// Smallest spread so far.
+    smallest: f64,
+    /// Number of successive linear corrections without improvement.
+    stagnant: u32,
+}
+
+impl Rounding {
+    /// Returns true if a spread is round-off relative to the stress `rounded`.
+    fn is_roundoff(&mut self, spread: StressSpread, rounded: f64) -> bool {
+        let stagnates = spread.value >= 0.5 * self.smallest;
+        self.stagnant = if spread.value >= self.smallest && spread.linear { self.stagnant + 1 } else { 0 };
+        self.smallest = self.smallest.min(spread.value);
+        stagnates && spread.value <= STRESS_TOLERANCE * rounded
+            || self.stagnant >= MIN_STAGNANT_ITERATIONS && spread.value <= ROUNDOFF_TOLERANCE * rounded
+    }
+}
 
 impl Series {
-    /// From materials with their tags.
+    /// From materials, each with its tag.
     pub fn new(materials: Vec<(Material, i32)>, iteration: Iteration) -> Self {
-        let (parts, state_len) = Slot::pack(materials, HEADER);
-        Self { parts, state_len, iteration }
+        let (components, state_len) = Slot::pack(materials, HEADER);
+        Self { components, state_len, iteration }
     }
 
-    /// Set the strain of a part; its stress and flexibility.
-    fn set(&self, i: usize, committed: &[f64], value: f64, dt: f64, next: &mut [f64]) -> Result<Part, MaterialError> {
-        // The rate is that of the whole: that of the parts is not known.
-        let s = self.parts[i].update(committed, Strain { value, rate: 0.0, dt }, next)?;
-        Ok(Part { stress: s.value, flexibility: flexibility(s.tangent) })
+    /// Evaluates a component at a strain; returns its stress and flexibility.
+    fn set(
+        &self,
+        i: usize,
+        committed: &[f64],
+        value: f64,
+        dt: f64,
+        next: &mut [f64],
+    ) -> Result<ComponentResponse, MaterialError> {
+        // The components' rates are unknown, since only the total rate is given.
+        let s = self.components[i].update(committed, Strain { value, rate: 0.0, dt }, next)?;
+        Ok(ComponentResponse { stress: s.value, flexibility: flexibility(s.tangent) })
     }
 
-    /// The rounds of OpenSees: the parts are given the strain that would bring them to the stress of the whole.
-    fn rounds(
+    /// The iterations of OpenSees. Each component gets the strain that would give it the stress of the series.
+    fn fixed_iterations(
         &self,
         committed: &[f64],
         strain: Strain,
@@ -64,9 +113,9 @@ impl Series {
         let virgin = committed[STRAIN] == 0.0 && committed[STRESS] == 0.0 && committed[SOFTENING] == 0.0;
         for round in 0..limit {
             let (mut f, mut total) = (0.0, 0.0);
-            for (i, part) in self.parts.iter().enumerate() {
-                let start = if virgin && round == 0 { 0.0 } else { flexibility(part.tangent(next)) };
-                let own = part.strain(next) + start * (stress - part.stress(next));
+            for (i, component) in self.components.iter().enumerate() {
+                let start = if virgin && round == 0 { 0.0 } else { flexibility(component.tangent(next)) };
+                let own = component.strain(next) + start * (stress - component.stress(next));
                 let p = self.set(i, committed, own, strain.dt, next)?;
                 f += p.flexibility;
                 total += own + p.flexibility * (stress - p.stress);
@@ -81,16 +130,16 @@ impl Series {
         Ok(Stress { value: stress, tangent, damping: 0.0 })
     }
 
-    /// Newton's method for the stress that all parts share. Where a large step makes it go round in circles between the
-    /// kinks of the parts, it goes to the strain by and by; every stress is that of one step from the committed state.
+    /// Newton's method for the common stress. If a large step cycles between the kinks of the components, the strain
+    /// is applied in increments. Every component stress is still that of one step from the committed state.
     fn converge(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
-        for pieces in [1, 4, 16, 64, 256] {
+        for increments in INCREMENTS {
             next.copy_from_slice(&committed[..next.len()]);
             let start = committed[STRAIN];
             let mut found = Some(Stress { value: committed[STRESS], ..Stress::default() });
-            for k in 1..=pieces {
-                let part = f64::from(k) / f64::from(pieces);
-                let value = if k == pieces { strain.value } else { start + part * (strain.value - start) };
+            for k in 1..=increments {
+                let fraction = f64::from(k) / f64::from(increments);
+                let value = if k == increments { strain.value } else { start + fraction * (strain.value - start) };
                 let Some(before) = found else { break };
                 found = self.newton(committed, Strain { value, ..strain }, before.value, next)?;
             }
@@ -102,7 +151,17 @@ impl Series {
         Err(MaterialError(message))
     }
 
-    /// Newton's method from the parts as they are in `next`, and a stress.
+    /// Largest stress that round-off scales with: the committed stresses, and stiffness times strain.
+    fn rounded_stress(&self, committed: &[f64], next: &[f64]) -> f64 {
+        let of_component = |component: &Slot| {
+            let stiffness = component.material.initial_tangent().abs().max(component.tangent(next).abs());
+            let strain = component.strain(committed).abs().max(component.strain(next).abs());
+            component.stress(committed).abs().max(stiffness * strain)
+        };
+        self.components.iter().map(of_component).fold(0.0, f64::max)
+    }
+
+    /// Newton's method from the component states in `next` and a stress. `None` if it does not converge.
     fn newton(
         &self,
         committed: &[f64],
@@ -111,48 +170,54 @@ impl Series {
         next: &mut [f64],
     ) -> Result<Option<Stress>, MaterialError> {
         let mut scale = self.initial_tangent().abs() * strain.value.abs();
-        for _ in 0..LIMIT {
-            // Stress for which the linearised parts have the strain of the whole.
+        let mut rounding = Rounding { smallest: f64::INFINITY, stagnant: 0 };
+        for _ in 0..MAX_ITERATIONS {
+            // Stress for which the linearised components have the total strain.
             let (mut f, mut total) = (0.0, 0.0);
-            for part in &self.parts {
-                let own = flexibility(part.tangent(next));
+            for component in &self.components {
+                let own = flexibility(component.tangent(next));
                 f += own;
-                total += part.strain(next) + own * (stress - part.stress(next));
+                total += component.strain(next) + own * (stress - component.stress(next));
             }
             stress += (strain.value - total) / f;
             let (mut rest, mut softest, mut largest) = (strain.value, 0, 0.0);
-            for (i, part) in self.parts.iter().enumerate() {
-                let own = flexibility(part.tangent(next));
-                let value = part.strain(next) + own * (stress - part.stress(next));
+            for (i, component) in self.components.iter().enumerate() {
+                let own = flexibility(component.tangent(next));
+                let value = component.strain(next) + own * (stress - component.stress(next));
                 rest -= value;
                 if own.abs() > largest {
                     (softest, largest) = (i, own.abs());
                 }
                 self.set(i, committed, value, strain.dt, next)?;
             }
-            // What round-off leaves over goes to the softest part, whose stress feels it least.
-            let value = self.parts[softest].strain(next) + rest;
+            // The softest component takes the remaining strain, because its stress changes least.
+            let value = self.components[softest].strain(next) + rest;
             self.set(softest, committed, value, strain.dt, next)?;
-            let stresses = || self.parts.iter().map(|p| p.stress(next));
+            let stresses = || self.components.iter().map(|p| p.stress(next));
             let (low, high) = stresses().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), s| (l.min(s), h.max(s)));
             scale = scale.max(low.abs()).max(high.abs());
-            if high - low <= 1e-12 * scale {
-                let f: f64 = self.parts.iter().map(|p| flexibility(p.tangent(next))).sum();
-                return Ok(Some(Stress { value: self.parts[0].stress(next), tangent: flexibility(f), damping: 0.0 }));
+            let after: f64 = self.components.iter().map(|p| flexibility(p.tangent(next))).sum();
+            let spread =
+                StressSpread { value: high - low, linear: (after - f).abs() <= FLEXIBILITY_TOLERANCE * f.abs() };
+            if spread.value <= STRESS_TOLERANCE * scale
+                || rounding.is_roundoff(spread, self.rounded_stress(committed, next))
+            {
+                let value = self.components[0].stress(next);
+                return Ok(Some(Stress { value, tangent: flexibility(after), damping: 0.0 }));
             }
         }
         Ok(None)
     }
 }
 
-struct Part {
+struct ComponentResponse {
     stress: f64,
     flexibility: f64,
 }
 
-/// 1/k, bounded where k vanishes.
+/// 1/k, bounded if k vanishes.
 fn flexibility(k: f64) -> f64 {
-    if k.abs() > 1e-12 { 1.0 / k } else { 1e12_f64.copysign(k) }
+    if k.abs() > MIN_STIFFNESS { 1.0 / k } else { 1e12_f64.copysign(k) }
 }
 
 impl Uniaxial for Series {
@@ -164,7 +229,7 @@ impl Uniaxial for Series {
     }
     fn init(&self, state: &mut [f64]) {
         state[..HEADER].fill(0.0);
-        self.parts.iter().for_each(|slot| slot.init(state));
+        self.components.iter().for_each(|slot| slot.init(state));
     }
     fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
         let initial = self.initial_tangent();
@@ -175,38 +240,40 @@ impl Uniaxial for Series {
         }
         let s = match self.iteration {
             Iteration::Converged => self.converge(committed, strain, next)?,
-            Iteration::Rounds(limit, tolerance) => self.rounds(committed, strain, next, (limit, tolerance))?,
+            Iteration::FixedIterations(limit, tolerance) => {
+                self.fixed_iterations(committed, strain, next, (limit, tolerance))?
+            }
         };
         next[..HEADER].copy_from_slice(&[s.value, s.tangent - initial, strain.value]);
         Ok(s)
     }
     fn initial_tangent(&self) -> f64 {
-        let k = self.parts.iter().map(|slot| slot.material.initial_tangent());
+        let k = self.components.iter().map(|slot| slot.material.initial_tangent());
         k.reduce(|a, b| if a + b == 0.0 { 0.0 } else { a * b / (a + b) }).unwrap_or(0.0)
     }
     fn is_viscous(&self) -> bool {
         false
     }
     fn depends_on_time(&self) -> bool {
-        self.parts.iter().any(|slot| slot.material.depends_on_time())
+        self.components.iter().any(|slot| slot.material.depends_on_time())
     }
     fn is_linear(&self) -> bool {
-        self.iteration == Iteration::Converged && self.parts.iter().all(|slot| slot.material.is_linear())
+        self.iteration == Iteration::Converged && self.components.iter().all(|slot| slot.material.is_linear())
     }
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         match *words.first()? {
-            "strains" => Some(Probe::new(STRAINS, self.parts.iter().map(|_| "eps11"))),
+            "strains" => Some(Probe::new(STRAINS, self.components.iter().map(|_| "eps11"))),
             "material" | "component" => {
                 let i = words.get(1)?.parse::<usize>().ok()?.checked_sub(1)?;
-                Some(self.parts.get(i)?.probe(&words[2..])?.inside(&[PART, i as u32]))
+                Some(self.components.get(i)?.probe(&words[2..])?.inside(&[COMPONENT, i as u32]))
             }
             _ => None,
         }
     }
     fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
         match path[0] {
-            STRAINS => out.iter_mut().zip(&self.parts).for_each(|(o, slot)| *o = slot.strain(state)),
-            _ => self.parts[path[1] as usize].read(&path[2..], state, out),
+            STRAINS => out.iter_mut().zip(&self.components).for_each(|(o, slot)| *o = slot.strain(state)),
+            _ => self.components[path[1] as usize].read(&path[2..], state, out),
         }
     }
 }

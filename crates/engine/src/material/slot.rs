@@ -1,10 +1,10 @@
-//! Where an element keeps a material's state, with what recorders ask of every material.
+//! Storage of a material's state in an element, with the responses that every material has.
 
 use super::{Material, MaterialError, Strain, Stress};
 use crate::probe::Probe;
 
-/// A material at a place in its owner's state. The first words hold strain, strain rate, stress, tangent and energy,
-/// so that recorders read them whatever the law.
+/// A material at an offset in the state of its owner. The first five variables are strain, strain rate, stress,
+/// tangent and energy, so that recorders read them for every law.
 #[derive(Clone, Debug)]
 pub struct Slot {
     /// The law.
@@ -13,7 +13,7 @@ pub struct Slot {
     pub tag: i32,
     at: usize,
     len: usize,
-    /// Stiffness of a law without history whose stress is proportional to the strain: there is nothing to ask it.
+    /// Stiffness of a linear elastic law without history, which is evaluated without a dynamic call.
     linear: Option<f64>,
 }
 
@@ -24,11 +24,11 @@ const TANGENT: usize = 3;
 const ENERGY: usize = 4;
 const HEADER: usize = 5;
 
-/// First number of the path of a response that the law itself answers.
+/// First number of the path of a response specific to the law.
 const OWN: u32 = 100;
 
 impl Slot {
-    /// Place a material at word `at` of the owner's state.
+    /// Places a material at offset `at` of the owner's state.
     pub fn new(material: Material, tag: i32, at: usize) -> Self {
         let len = HEADER + material.state_len();
         let linear = Self::stiffness_of(&material);
@@ -40,7 +40,7 @@ impl Slot {
         plain.then(|| material.initial_tangent())
     }
 
-    /// Place materials one after the other from word `at`; also the first word after them.
+    /// Places materials in sequence from offset `at`; returns the offset behind them too.
     pub fn pack(materials: impl IntoIterator<Item = (Material, i32)>, mut at: usize) -> (Vec<Self>, usize) {
         let slots = materials
             .into_iter()
@@ -53,17 +53,17 @@ impl Slot {
         (slots, at)
     }
 
-    /// Number of words it takes.
+    /// Number of state variables, header included.
     pub fn len(&self) -> usize {
         self.len
     }
 
-    /// Never: there is always the header.
+    /// Always false: every slot has a header.
     pub fn is_empty(&self) -> bool {
         false
     }
 
-    /// Write the virgin state.
+    /// Writes the virgin state.
     pub fn init(&self, state: &mut [f64]) {
         let words = &mut state[self.at..self.at + self.len()];
         words[..HEADER].fill(0.0);
@@ -71,7 +71,8 @@ impl Slot {
         self.material.init(&mut words[HEADER..]);
     }
 
-    /// Write strain, stress, tangent and energy of a point at rest into the words of a slot; where the law's own begin.
+    /// Writes strain, stress, tangent and energy of a point at rest to the header. Returns the offset of the law's
+    /// own variables.
     pub fn write_header(&self, words: &mut [f64], [strain, stress, tangent, energy]: [f64; 4]) -> usize {
         let words = &mut words[self.at..];
         (words[STRAIN], words[RATE], words[STRESS], words[TANGENT], words[ENERGY]) =
@@ -79,7 +80,10 @@ impl Slot {
         self.at + HEADER
     }
 
-    /// Set the trial strain.
+    /// Evaluates the material at a trial strain.
+    ///
+    /// # Errors
+    /// The law has no response at this strain.
     #[inline(always)]
     pub fn update(&self, committed: &[f64], strain: Strain, trial: &mut [f64]) -> Result<Stress, MaterialError> {
         let (was, old) = committed[self.at..].split_at(HEADER);
@@ -99,7 +103,7 @@ impl Slot {
         Ok(s)
     }
 
-    /// Give a parameter of the material, by the words of a `parameter` command, another value; the one it had.
+    /// Sets a parameter, named by the words of a `parameter` command, and returns the previous value.
     pub fn set_parameter(&mut self, words: &[&str], value: f64) -> Option<f64> {
         let (material, old) = self.material.with_parameter(words, value)?;
         self.linear = Self::stiffness_of(&material);
@@ -112,12 +116,12 @@ impl Slot {
         state[self.at + STRAIN]
     }
 
-    /// Strain in a state as recorders show it: with the initial strain of materials that have one.
+    /// Strain in a state as reported by recorders, with the initial strain of materials that have one.
     pub fn shown_strain(&self, state: &[f64]) -> f64 {
         self.shown(self.strain(state), state)
     }
 
-    /// The same for another strain than that of the state.
+    /// Strain as reported by recorders for a given strain of the material.
     pub fn shown(&self, strain: f64, state: &[f64]) -> f64 {
         self.material.shown_strain(strain, &state[self.at + HEADER..self.at + self.len()])
     }
@@ -127,7 +131,7 @@ impl Slot {
         state[self.at + STRESS]
     }
 
-    /// Energy that has gone in per volume.
+    /// Work per volume done on the material.
     pub fn energy(&self, state: &[f64]) -> f64 {
         state[self.at + ENERGY]
     }
@@ -137,7 +141,8 @@ impl Slot {
         state[self.at + TANGENT]
     }
 
-    /// A response by the words of a recorder command: those of every material, then the law's own.
+    /// Response named by the words of a recorder command: first those of every material, then those specific to the
+    /// law.
     pub fn probe(&self, words: &[&str]) -> Option<Probe> {
         let common = match *words.first()? {
             "stress" => Probe::new(1, ["sigma11"]),
@@ -170,7 +175,7 @@ impl Slot {
         }
     }
 
-    /// Value of a probe that the law itself answers, by the law's own path.
+    /// Value of a probe specific to the law, by the law's own path.
     pub fn read_own(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
         self.material.read(path, &state[self.at + HEADER..self.at + self.len()], out);
     }

@@ -1,4 +1,4 @@
-//! Softening of virgin rubber (Mullins): in a law that has it, around one that has not, and around any bearing
+//! Softening of virgin rubber (Mullins effect): inside a law, around a law, and around any bearing
 //! (`crate::element::amendment`).
 
 use super::{Material, MaterialError, Slot, Strain, Stress, Uniaxial};
@@ -6,49 +6,49 @@ use crate::numeric::Dual;
 use crate::probe::Probe;
 use std::sync::Arc;
 
-/// How the stress of rubber falls with the largest strain that it has had, and comes back with time.
+/// Decrease of the stress of rubber with the largest strain so far, and its recovery with time.
 ///
-/// The stress is F(γₘ) times that of the softened rubber, F = 1 + R exp(-γₘ/γ₀), γₘ the largest strain so far: damage that
-/// depends on the largest strain (Simo, 1987, Computer Methods in Applied Mechanics and Engineering 60, 153-173; Miehe,
-/// 1995, European Journal of Mechanics A 14, 697-720). The first excursion to a strain is stiffer than the next, which
-/// joins it there. F only falls under load, so softening dissipates -F' ψ ≥ 0 whatever the law with its energy ψ.
+/// The stress is F(γₘ) times that of the softened rubber, with F = 1 + R exp(-γₘ/γ₀) and γₘ the largest strain so
+/// far. Such damage follows Simo (1987, Computer Methods in Applied Mechanics and Engineering 60, 153-173) and Miehe
+/// (1995, European Journal of Mechanics A 14, 697-720). The first excursion to a strain is stiffer than the next one,
+/// which joins it there. F only decreases under load, so softening dissipates -F' ψ ≥ 0 for every law with energy ψ.
 ///
-/// With a power p the way back to the virgin path is gradual (pseudo-elastic softening; Ogden and Roxburgh, 1999, Proc. R.
-/// Soc. A 455, 2861-2877, in terms of the strain): below γₘ the factor is
+/// With an exponent p the return to the virgin path is gradual (pseudo-elastic softening; Ogden and Roxburgh, 1999,
+/// Proc. R. Soc. A 455, 2861-2877, in terms of the strain). Below γₘ the factor is
 ///
 /// F = 1 + R (1 - (1 - exp(-γₘ/γ₀)) (1 - (|γ|/γₘ)ᵖ)),
 ///
-/// and 1 + R on the virgin path at all strains. Without one the step back is the limit p → ∞, and the virgin path softens.
+/// and 1 + R on the virgin path. Without p the return is the jump of the limit p → ∞, and the virgin path softens.
 ///
-/// A fraction of the softening heals: γₘ goes back to 1 less that fraction of the largest strain ever with a time constant,
-/// never below the present strain. Healing is the only way by which energy comes back.
+/// A fraction of the softening heals. With a time constant γₘ decays to (1 - fraction) times the all-time largest
+/// strain, but never below the present strain. Healing is the only source of energy in the model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Softening {
-    /// What virgin rubber is stiffer by, R.
+    /// Excess stress R of virgin rubber relative to softened rubber.
     pub excess: f64,
-    /// Strain γ₀ over which that goes.
+    /// Strain γ₀ of the exponential decay.
     pub strain: f64,
-    /// Exponent p of the way back to the virgin path; none where softened rubber stays so up to it.
+    /// Exponent p of the return to the virgin path; `None` if softened rubber stays soft up to the virgin path.
     pub power: Option<f64>,
     /// Fraction of the largest strain that heals, 0 to 1.
     pub healed: f64,
     /// Time constant of healing.
     pub time: f64,
-    /// Strain that the rubber has had before the analysis.
+    /// Largest strain before the analysis.
     pub preload: f64,
 }
 
-/// What softening remembers: γₘ as it is, and the largest strain ever.
+/// History of the softening: the present γₘ and the all-time largest strain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Peak {
-    /// γₘ, less what has healed.
+    /// γₘ after healing.
     pub now: Dual,
-    /// The largest strain ever.
+    /// All-time largest strain.
     pub ever: f64,
 }
 
 impl Softening {
-    /// Before the analysis.
+    /// History before the analysis.
     pub fn virgin(&self) -> Peak {
         Peak { now: Dual::constant(self.preload), ever: self.preload }
     }
@@ -58,20 +58,20 @@ impl Softening {
         Dual::constant(1.0) + self.excess * ((-1.0 / self.strain) * peak).exp()
     }
 
-    /// The factor at a strain of size `size`, at most γₘ.
+    /// Factor F at an absolute strain `size`, at most γₘ.
     pub fn factor_at(&self, peak: Dual, size: Dual) -> Dual {
         let one = Dual::constant(1.0);
         match self.power {
             None => self.factor(peak),
             Some(_) if size.value >= peak.value => Dual::constant(1.0 + self.excess),
             Some(p) => {
-                let left = ((-1.0 / self.strain) * peak).exp();
-                one + self.excess * (left + (one - left) * (size / peak).powf(Dual::constant(p)))
+                let decay = ((-1.0 / self.strain) * peak).exp();
+                one + self.excess * (decay + (one - decay) * (size / peak).powf(Dual::constant(p)))
             }
         }
     }
 
-    /// After a time that ends at a strain, or at the size of one.
+    /// History after `time`, at the end of which the strain (or its norm) is `strain`.
     pub fn advance(&self, old: Peak, strain: Dual, time: f64) -> Peak {
         let floor = (1.0 - self.healed) * old.ever;
         let above = old.now.value - floor;
@@ -83,21 +83,21 @@ impl Softening {
     }
 }
 
-/// Any law, softened by the largest strain.
+/// A law multiplied by the softening factor of the largest strain.
 #[derive(Clone, Debug)]
 pub struct Mullins {
     inner: Slot,
     softening: Softening,
 }
 
-/// State variables of history before those of the law inside: γₘ, the largest strain ever, the factor.
+/// State variables before those of the inner law: γₘ, the all-time largest strain, the factor.
 const PEAK: usize = 0;
 const EVER: usize = 1;
 const FACTOR: usize = 2;
 const INNER: usize = 3;
 
 impl Mullins {
-    /// From a material with its tag.
+    /// Wraps a material, given with its tag.
     pub fn new((material, tag): (Material, i32), softening: Softening) -> Self {
         Self { inner: Slot::new(material, tag, INNER), softening }
     }

@@ -1,9 +1,9 @@
-//! Bilinear steel with kinematic and, if wanted, isotropic hardening.
+//! Bilinear steel with kinematic and optional isotropic hardening.
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 
-/// Uniaxial bilinear steel: kinematic hardening, isotropic hardening by a shift of the yield envelopes that grows
-/// with the strain range (a1, a2 in compression, a3, a4 in tension; after Filippou, Popov and Bertero, 1983).
+/// Uniaxial bilinear steel with kinematic hardening. Isotropic hardening shifts the yield envelopes with the strain
+/// range: a1, a2 in compression, a3, a4 in tension (after Filippou, Popov and Bertero, 1983).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Steel01 {
     /// Yield strength.
@@ -28,9 +28,9 @@ crate::state_struct! {
         min: f64,
         /// Largest strain at a reversal.
         max: f64,
-        /// Shift of the tension envelope less one, so that the virgin state is zero.
+        /// Shift of the tension envelope minus one, so that the virgin state is zero.
         shift_p: f64,
-        /// Shift of the compression envelope less one.
+        /// Shift of the compression envelope minus one.
         shift_n: f64,
         /// 1 loading, -1 unloading, 0 virgin.
         loading: f64,

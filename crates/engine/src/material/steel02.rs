@@ -3,8 +3,8 @@
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 use crate::numeric::sign;
 
-/// Curved transitions between the elastic and the hardening asymptote (Menegotto and Pinto, 1973), with isotropic
-/// hardening by a shift of the hardening asymptote (Filippou, Popov and Bertero, 1983).
+/// Curved transitions between the elastic and the hardening asymptote (Menegotto and Pinto, 1973). Isotropic
+/// hardening shifts the hardening asymptote (Filippou, Popov and Bertero, 1983).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Steel02 {
     /// Yield strength.
@@ -17,7 +17,7 @@ pub struct Steel02 {
     pub r0: f64,
     /// Loss of sharpness with the plastic strain: cR₁ and cR₂.
     pub c_r: [f64; 2],
-    /// Isotropic hardening a1 to a4: in compression a1, a2, in tension a3, a4; a1 = a3 = 0 for none.
+    /// Isotropic hardening: a1, a2 in compression, a3, a4 in tension; a1 = a3 = 0 for none.
     pub a: [f64; 4],
     /// Stress at zero strain.
     pub sig_init: f64,
@@ -37,17 +37,17 @@ crate::state_struct! {
         loading: f64,
         /// Strain.
         strain: f64,
-        /// Stress, less that at zero strain.
+        /// Stress minus the initial stress.
         stress: f64,
         /// Largest strain at a reversal.
         max: f64,
         /// Smallest strain at a reversal.
         min: f64,
-        /// Strain that the curvature of the branch is measured from.
+        /// Reference strain of the branch's curvature.
         plastic: f64,
-        /// Strain where the asymptotes meet.
+        /// Strain at the intersection of the asymptotes.
         strain_0: f64,
-        /// Stress where the asymptotes meet.
+        /// Stress at the intersection of the asymptotes.
         stress_0: f64,
         /// Strain at the last reversal.
         strain_r: f64,
@@ -57,7 +57,7 @@ crate::state_struct! {
 }
 
 impl Steel02 {
-    /// Begin a branch that goes to tension (`s` = 1) or compression (`s` = -1) from the committed point.
+    /// Begins a branch towards tension (`s` = 1) or compression (`s` = -1) at the committed point.
     fn reverse(&self, c: &History, eps: f64, t: &mut History, s: f64) {
         let eps_y = self.fy / self.e0;
         let esh = self.b * self.e0;

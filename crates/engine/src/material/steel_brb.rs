@@ -4,33 +4,36 @@ use super::{MaterialError, Strain, Stress, UniaxialLaw};
 use crate::numeric::bracketed_root;
 use crate::probe::Probe;
 
-/// Hardening of [`SteelBrb`] in one sense of loading.
+/// Maximum number of iterations for the plastic strain; bisection alone needs fewer.
+const MAX_ITERATIONS: u32 = 200;
+
+/// Hardening of [`SteelBrb`] in one loading direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BrbBranch {
-    /// Stress at which yielding has hardened fully, stress.
+    /// Final yield stress after full isotropic hardening.
     pub yield_stress: f64,
     /// Exponent α of the transition from elastic to plastic.
     pub alpha: f64,
-    /// Kinematic hardening β, as a part of the elastic modulus.
+    /// Kinematic hardening modulus divided by the elastic modulus, β.
     pub beta: f64,
-    /// Cumulative plastic strain δ that isotropic hardening takes.
+    /// Cumulative plastic strain δ that scales isotropic hardening.
     pub delta: f64,
 }
 
-/// Steel of a buckling-restrained brace, with other hardening in tension than in compression (Zona and Dall'Asta, 2012): the
-/// plastic part of an increment of strain grows with the α-th power of the stress, less the kinematic stress β E εp, over the yield
-/// stress, which goes from σy0 to its final value as plastic strain adds up.
+/// Steel of a buckling-restrained brace, with different hardening in tension and compression (Zona and Dall'Asta,
+/// 2012). The plastic share of a strain increment is |(σ - β E εp) / σy|^α. The yield stress σy goes from σy0 to its
+/// final value with the cumulative plastic strain.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SteelBrb {
     /// Elastic modulus, stress.
     pub e: f64,
-    /// Yield stress at the beginning.
+    /// Initial yield stress σy0.
     pub yield_stress: f64,
     /// Hardening in tension.
     pub tension: BrbBranch,
     /// Hardening in compression.
     pub compression: BrbBranch,
-    /// As in OpenSees the branch in tension serves for the first increment from zero stress, whatever its sign.
+    /// As in OpenSees, the tension branch is used for the first increment from zero stress, in either direction.
     pub compat: bool,
 }
 
@@ -43,7 +46,7 @@ crate::state_struct! {
         stress: f64,
         /// Plastic strain.
         plastic: f64,
-        /// Sum of the sizes of its increments.
+        /// Cumulative absolute plastic strain.
         cumulative: f64,
         /// Energy dissipated.
         dissipated: f64,
@@ -51,8 +54,8 @@ crate::state_struct! {
 }
 
 impl SteelBrb {
-    /// Share of the plastic strain in an increment `de` that begins at `stress`, if it is `dp`, and the derivatives of the share
-    /// with respect to `dp` and `de`.
+    /// Plastic share of an increment `de` that begins at `stress`, for a plastic increment `dp`. Returns the share
+    /// and its derivatives with respect to `dp` and `de`.
     fn share(&self, b: &BrbBranch, old: &History, stress: f64, de: f64, dp: f64) -> (f64, f64, f64) {
         let above = stress + self.e * (de - dp) - b.beta * self.e * (old.plastic + dp);
         let decay = (-(old.cumulative + dp.abs()) / b.delta).exp();
@@ -66,17 +69,18 @@ impl SteelBrb {
         (ratio.abs().powf(b.alpha), by_plastic, slope * self.e / strength)
     }
 
-    /// Load from a stress that has the sign of the increment, or none.
+    /// Loads from zero stress, or from a stress with the sign of the increment. Returns the plastic increment and the
+    /// tangent.
     fn load(&self, b: &BrbBranch, old: &History, stress: f64, de: f64) -> Result<(f64, f64), MaterialError> {
-        // What is left of the increment must be plastic: rises with the plastic strain, along the increment.
+        // The residual x - share |de| increases with the plastic strain x along the increment.
         let sign = de.signum();
-        let left = |x: f64| {
+        let residual = |x: f64| {
             let (share, by_plastic, _) = self.share(b, old, stress, de, sign * x);
             (x - share * de.abs(), 1.0 - by_plastic * de)
         };
-        // All of the increment is enough, but where a yield stress that falls has left the stress above it.
-        let most = if left(de.abs()).0 >= 0.0 { de.abs() } else { f64::INFINITY };
-        let dp = bracketed_root(left, (0.0, most), 0.0, de.abs(), 200).ok_or_else(|| {
+        // The root is at most |de|, unless a falling yield stress has left the stress above it.
+        let upper = if residual(de.abs()).0 >= 0.0 { de.abs() } else { f64::INFINITY };
+        let dp = bracketed_root(residual, (0.0, upper), 0.0, de.abs(), MAX_ITERATIONS).ok_or_else(|| {
             MaterialError(format!("SteelBRB: no plastic strain found for the increment {de} of strain"))
         })?;
         let dp = sign * dp;
@@ -98,7 +102,7 @@ impl UniaxialLaw for SteelBrb {
             let new = History { strain: strain.value, stress: elastic, ..*old };
             return Ok((Stress { value: elastic, tangent: self.e, damping: 0.0 }, new));
         }
-        // Of an increment through zero stress, what comes after counts.
+        // An increment through zero stress counts from the point of zero stress.
         let (start, de) = if unloads { (0.0, de + old.stress / self.e) } else { (old.stress, de) };
         let tension = de > 0.0 || (self.compat && !unloads && start == 0.0);
         let branch = if tension { &self.tension } else { &self.compression };

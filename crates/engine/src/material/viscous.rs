@@ -2,14 +2,14 @@
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 
-/// σ = C |ε̇|^α sign ε̇. No stiffness, and no force where the nodal velocities are zero (static analyses).
+/// σ = C |ε̇|^α sign ε̇. There is no stiffness, and no force if the nodal velocities are zero (static analyses).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Viscous {
     /// Damping coefficient C.
     pub c: f64,
     /// Velocity exponent α.
     pub alpha: f64,
-    /// Rate below which the damping tangent is held, since it is infinite at zero for α < 1.
+    /// Rate below which the damping tangent is constant, since it is infinite at zero for α < 1.
     pub min_rate: f64,
 }
 
@@ -20,7 +20,7 @@ impl UniaxialLaw for Viscous {
     #[inline]
     fn update(&self, _: &(), strain: Strain) -> Result<(Stress, ()), MaterialError> {
         if self.alpha == 1.0 {
-            // What follows, to the bit, without two powers.
+            // A shortcut without powers that gives the bits of the general case.
             return Ok((Stress { value: self.c * strain.rate, tangent: 0.0, damping: self.c }, ()));
         }
         let rate = strain.rate.abs();

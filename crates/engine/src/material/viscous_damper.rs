@@ -3,8 +3,8 @@
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 use crate::numeric::Dual;
 
-/// Spring and nonlinear dashpot in series: dF/dt = K (v - |F/C|^(1/α) sign F), integrated over each step with steps
-/// that are halved until the error estimate is small (Akcelyan, Lignos and Hikino, 2018).
+/// Spring and nonlinear dashpot in series: dF/dt = K (v - |F/C|^(1/α) sign F). Each step is divided in halves until
+/// the error estimate is within the tolerances (Akcelyan, Lignos and Hikino, 2018).
 #[derive(Clone, Debug, PartialEq)]
 pub struct ViscousDamper {
     /// Stiffness K.
@@ -13,23 +13,24 @@ pub struct ViscousDamper {
     pub c: f64,
     /// Velocity exponent α.
     pub alpha: f64,
-    /// Length of the gap that opens whenever the force changes its sign.
+    /// Length of the gap that opens at every change of sign of the force.
     pub gap: f64,
-    /// How the differential equation is integrated.
-    pub method: Method,
-    /// Relative error that counts as small.
+    /// Integration method.
+    pub method: IntegrationMethod,
+    /// Relative error tolerance.
     pub relative: f64,
-    /// Absolute error that counts as small.
+    /// Absolute error tolerance, force.
     pub absolute: f64,
-    /// How often a step may be halved.
-    pub halvings: i32,
-    /// As in OpenSees, a rate of exactly zero leaves that of the step before, and there is no tangent.
+    /// Maximum number of halvings of a step.
+    pub max_halvings: i32,
+    /// As in OpenSees, a rate of exactly zero is replaced by the rate of the previous step, and the damping tangent
+    /// is zero.
     pub compat: bool,
 }
 
-/// How the differential equation of a [`ViscousDamper`] is integrated.
+/// Integration method for the differential equation of a [`ViscousDamper`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
+pub enum IntegrationMethod {
     /// Runge-Kutta of order 5 (Dormand and Prince, 1980).
     DormandPrince,
     /// Predictor and corrector of order 6 (Adams, Bashforth and Moulton).
@@ -47,17 +48,20 @@ crate::state_struct! {
         stress: f64,
         /// Rate.
         rate: f64,
-        /// Strain at which the gap in tension and in compression began; zero for none.
+        /// Strain at which the gap began, in tension and in compression; zero if there is none.
         gap: [f64; 2],
     }
 }
 
-/// Sum of numbers with weights.
+/// Smallest |F/C| in the derivative of the dashpot rate, which is infinite at zero force for α > 1.
+const MIN_FORCE_RATIO: f64 = 1e-12;
+
+/// Weighted sum.
 fn weighted(weights: &[f64], k: &[Dual]) -> Dual {
     weights.iter().zip(k).fold(Dual::default(), |sum, (w, k)| sum + *w * *k)
 }
 
-/// Places of the stages of Dormand and Prince, and their weights.
+/// Abscissae and weights of the stages of Dormand and Prince.
 const DP_PLACE: [f64; 6] = [0.0, 0.2, 0.3, 0.8, 8.0 / 9.0, 1.0];
 const DP: [&[f64]; 6] = [
     &[],
@@ -71,7 +75,7 @@ const DP_END: [f64; 6] = [35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -218
 const DP_ERROR: [f64; 7] =
     [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339200.0, 22.0 / 525.0, -1.0 / 40.0];
 
-/// Weights of the predictors and correctors of Adams, Bashforth and Moulton, the latest value first.
+/// Weights of the Adams-Bashforth predictors and the Adams-Moulton correctors, the latest value first.
 const PREDICT: [&[f64]; 6] = [
     &[1.0],
     &[1.5, -0.5],
@@ -91,57 +95,58 @@ const CORRECT: [&[f64]; 6] = [
 
 impl ViscousDamper {
     /// dF/dt at a rate and a force.
-    fn speed(&self, rate: Dual, force: Dual) -> Dual {
+    fn force_rate(&self, rate: Dual, force: Dual) -> Dual {
         let p = 1.0 / self.alpha;
         let size = force.value.abs() / self.c;
         let flow = size.powf(p).copysign(force.value);
-        // The derivative at zero force is infinite for α > 1: it is held just beside.
-        let slope = if p < 1.0 && size < 1e-12 { 1e-12 } else { size };
+        // The derivative is infinite at zero force for α > 1, so it is bounded.
+        let slope = if p < 1.0 && size < MIN_FORCE_RATIO { MIN_FORCE_RATIO } else { size };
         let slope = p * slope.powf(p - 1.0) / self.c * force.slope;
         self.k * Dual { value: rate.value - flow, slope: rate.slope - slope }
     }
 
-    /// Force after a time `h` in which the rate goes from `v0` to `v1`, and an estimate of its error.
+    /// Force after a time `h` in which the rate goes from `v0` to `v1`, with the absolute and the relative error
+    /// estimate.
     fn step(&self, v0: Dual, v1: Dual, y0: Dual, h: f64) -> (Dual, f64, f64) {
         let rate = |place: f64| place * (v1 - v0) + v0;
         match self.method {
-            Method::DormandPrince => {
+            IntegrationMethod::DormandPrince => {
                 let mut k = [Dual::default(); 7];
                 for i in 0..6 {
-                    k[i] = h * self.speed(rate(DP_PLACE[i]), y0 + weighted(DP[i], &k));
+                    k[i] = h * self.force_rate(rate(DP_PLACE[i]), y0 + weighted(DP[i], &k));
                 }
                 let y = y0 + weighted(&DP_END, &k);
-                k[6] = h * self.speed(v1, y);
+                k[6] = h * self.force_rate(v1, y);
                 let error = weighted(&DP_ERROR, &k).value;
                 (y, error, (error / y.value).abs())
             }
-            Method::AdamsBashforthMoulton => {
+            IntegrationMethod::AdamsBashforthMoulton => {
                 let h = h / 6.0;
-                // Speeds, the latest first.
+                // Force rates, the latest first.
                 let mut f = [Dual::default(); 7];
-                f[0] = self.speed(v0, y0);
+                f[0] = self.force_rate(v0, y0);
                 let (mut y, mut error) = (y0, 0.0);
                 for i in 0..6 {
                     let predicted = y + h * weighted(PREDICT[i], &f);
                     f.rotate_right(1);
-                    f[0] = self.speed(rate((i + 1) as f64 / 6.0), predicted);
+                    f[0] = self.force_rate(rate((i + 1) as f64 / 6.0), predicted);
                     y = y + h * weighted(CORRECT[i], &f);
                     error = predicted.value - y.value;
                 }
                 (y, error, (error / y.value).abs())
             }
-            Method::Rosenbrock => {
+            IntegrationMethod::Rosenbrock => {
                 let jacobian = -self.k / (self.alpha * self.c);
                 let d = 1.0 / (2.0 + std::f64::consts::SQRT_2);
                 let e32 = 6.0 + std::f64::consts::SQRT_2;
                 let w = 1.0 / (1.0 - h * d * jacobian);
                 let shift = Dual { value: h * d * self.k, slope: 0.0 };
-                let f0 = self.speed(v0, y0);
+                let f0 = self.force_rate(v0, y0);
                 let k1 = w * (f0 + shift);
-                let f1 = self.speed(rate(0.5), y0 + 0.5 * h * k1);
+                let f1 = self.force_rate(rate(0.5), y0 + 0.5 * h * k1);
                 let k2 = w * (f1 - k1) + k1;
                 let y = y0 + h * k2;
-                let f2 = self.speed(v1, y);
+                let f2 = self.force_rate(v1, y);
                 let k3 = w * (f2 - e32 * (k2 - f1) - 2.0 * (k1 - f0) + shift);
                 let error = h / 6.0 * (k1 - 2.0 * k2 + k3).value;
                 (y, error, (error / (y.value + error)).abs())
@@ -149,17 +154,17 @@ impl ViscousDamper {
         }
     }
 
-    /// Force at the end of the step, with its derivative by the rate there.
+    /// Force at the end of the step, with its derivative with respect to the final rate.
     fn integrate(&self, c: &History, end: f64, dt: f64) -> Result<Dual, MaterialError> {
         let start = Dual { value: c.rate, slope: 0.0 };
         let mut force = Dual { value: c.stress, slope: 0.0 };
         if dt <= 0.0 {
             return Ok(force);
         }
-        let smallest = 0.5f64.powi(self.halvings);
+        let smallest = 0.5f64.powi(self.max_halvings);
         let (mut part, mut done) = (1.0, 0.0);
         let at = |x: f64| Dual { value: start.value + (end - start.value) * x, slope: x };
-        // The parts are powers of a half, so that they add up to exactly one.
+        // The substeps are powers of one half, so that they sum to exactly one.
         while done < 1.0 {
             let (y, error, relative) = self.step(at(done), at(done + part), force, part * dt);
             if relative <= self.relative || error.abs() <= self.absolute || part <= smallest {
@@ -176,8 +181,8 @@ impl ViscousDamper {
         Ok(force)
     }
 
-    /// Whether a force is lost in the gap that opens when the force changes its sign.
-    fn lost(&self, c: &History, t: &mut History, force: f64) -> bool {
+    /// Returns true if the force vanishes in the gap that opens when the force changes sign.
+    fn is_in_gap(&self, c: &History, t: &mut History, force: f64) -> bool {
         let change = (t.strain - c.strain) * force.abs() / (force - c.stress).abs();
         if force > 0.0 && c.stress < 0.0 {
             t.gap = [c.strain + change, 0.0];
@@ -202,8 +207,8 @@ impl UniaxialLaw for ViscousDamper {
         let end = if self.compat && strain.rate == 0.0 { c.rate } else { strain.rate };
         let force = self.integrate(c, end, strain.dt)?;
         let mut t = History { strain: strain.value, rate: strain.rate, ..*c };
-        let lost = self.gap > 0.0 && self.lost(c, &mut t, force.value);
-        let force = if lost { Dual::default() } else { force };
+        let in_gap = self.gap > 0.0 && self.is_in_gap(c, &mut t, force.value);
+        let force = if in_gap { Dual::default() } else { force };
         t.stress = force.value;
         let damping = if self.compat || !force.slope.is_finite() { 0.0 } else { force.slope };
         Ok((Stress { value: force.value, tangent: 0.0, damping }, t))

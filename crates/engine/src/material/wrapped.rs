@@ -1,26 +1,30 @@
-//! Laws around one other material: limits of strain, and a state to begin from.
+//! Materials that wrap another one: strain limits, and an initial state.
 
 use super::{Material, MaterialError, Slot, Strain, Stress, Uniaxial};
 use crate::probe::Probe;
 use std::sync::Arc;
 
-/// A material that fails for good when its strain comes to a limit.
+/// A material that fails permanently if its strain reaches a limit.
 #[derive(Clone, Debug)]
 pub struct MinMax {
     inner: Slot,
     min: f64,
     max: f64,
-    /// As in OpenSees, recorders show the strain before the failure ever after.
+    /// As in OpenSees, recorders keep reporting the strain before the failure.
     compat: bool,
 }
 
-/// Whether it has failed; the material is behind.
+/// 1 if the material has failed; its own variables follow.
 const FAILED: usize = 0;
-/// Tangent of a failed material, as a part of the initial one: keeps a structure that hangs on it from being singular.
-const FLAT: f64 = 1.0e-8;
+/// Tangent of a failed material divided by the initial tangent; a positive value keeps the stiffness matrix regular.
+const FAILED_TANGENT_RATIO: f64 = 1.0e-8;
+/// Tolerance of the initial stress, relative to the stress, or absolute for a stress of zero.
+const STRESS_TOLERANCE: f64 = 1e-12;
+/// Maximum number of Newton iterations for the initial strain.
+const MAX_ITERATIONS: usize = 100;
 
 impl MinMax {
-    /// From a material with its tag and the limits of its strain.
+    /// From a material, given with its tag, and its strain limits.
     pub fn new((material, tag): (Material, i32), min: f64, max: f64, compat: bool) -> Self {
         Self { inner: Slot::new(material, tag, 1), min, max, compat }
     }
@@ -41,7 +45,7 @@ impl Uniaxial for MinMax {
         if committed[FAILED] != 0.0 || strain.value >= self.max || strain.value <= self.min {
             next.copy_from_slice(&committed[..next.len()]);
             next[FAILED] = 1.0;
-            return Ok(Stress { value: 0.0, tangent: FLAT * self.initial_tangent(), damping: 0.0 });
+            return Ok(Stress { value: 0.0, tangent: FAILED_TANGENT_RATIO * self.initial_tangent(), damping: 0.0 });
         }
         next[FAILED] = 0.0;
         self.inner.update(committed, strain, next)
@@ -83,7 +87,7 @@ impl Uniaxial for MinMax {
     }
 }
 
-/// A material that has a strain to begin with, at zero strain of the whole.
+/// A material with an initial strain at zero total strain.
 #[derive(Clone, Debug)]
 pub struct InitialState {
     name: &'static str,
@@ -92,25 +96,25 @@ pub struct InitialState {
 }
 
 impl InitialState {
-    /// `InitStrainMaterial`: the initial strain is given.
+    /// `InitStrainMaterial`: a given initial strain.
     ///
     /// # Errors
-    /// The material has no stress there.
+    /// The material has no stress at this strain.
     pub fn strain((material, tag): (Material, i32), strain: f64) -> Result<Self, MaterialError> {
         let law = Self { name: "InitStrainMaterial", inner: Slot::new(material, tag, 0), strain };
         law.begin(strain).map(|_| law)
     }
 
-    /// `InitStressMaterial`: the initial stress is given, and the strain is found by Newton's method.
+    /// `InitStressMaterial`: a given initial stress, whose strain is found by Newton's method.
     ///
     /// # Errors
     /// No strain has this stress.
     pub fn stress((material, tag): (Material, i32), stress: f64) -> Result<Self, MaterialError> {
         let tangent = material.initial_tangent();
         let mut law = Self { name: "InitStressMaterial", inner: Slot::new(material, tag, 0), strain: 0.0 };
-        let tolerance = if stress == 0.0 { 1e-12 } else { 1e-12 * stress.abs() };
+        let tolerance = if stress == 0.0 { STRESS_TOLERANCE } else { STRESS_TOLERANCE * stress.abs() };
         let (mut missing, mut slope) = (stress, tangent);
-        for _ in 0..100 {
+        for _ in 0..MAX_ITERATIONS {
             law.strain += missing / slope;
             if !law.strain.is_finite() {
                 break;
@@ -124,7 +128,7 @@ impl InitialState {
         Err(MaterialError(format!("the material has no strain with a stress of {stress}")))
     }
 
-    /// State of the material, and its stress, at a strain straight from rest.
+    /// State and stress of the material after one step from rest to a strain.
     fn begin(&self, value: f64) -> Result<(Vec<f64>, Stress), MaterialError> {
         let mut rest = vec![0.0; self.inner.len()];
         self.inner.init(&mut rest);
@@ -143,9 +147,9 @@ impl Uniaxial for InitialState {
     }
     fn init(&self, state: &mut [f64]) {
         self.inner.init(state);
-        // That this succeeds has been seen when the material was made.
-        if let Ok((begun, _)) = self.begin(self.strain) {
-            state[..begun.len()].copy_from_slice(&begun);
+        // The constructor has evaluated the same step successfully.
+        if let Ok((initial, _)) = self.begin(self.strain) {
+            state[..initial.len()].copy_from_slice(&initial);
         }
     }
     fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {

@@ -37,7 +37,7 @@ impl MultiPoint {
         self.retained_dofs.iter().copied().zip(self.matrix[i * n..(i + 1) * n].iter().copied())
     }
 
-    /// Whether every constrained degree of freedom is equal to one retained degree of freedom.
+    /// Returns true if every constrained degree of freedom is equal to one retained degree of freedom.
     pub fn is_identity(&self) -> bool {
         (0..self.constrained_dofs.len()).all(|i| {
             let mut nonzero = self.row(i).filter(|(_, c)| *c != 0.0);

@@ -19,7 +19,7 @@ impl Rayleigh {
         Self { beta_k: self.beta_k + self.beta_k0, beta_k0: 0.0, ..self }
     }
 
-    /// Whether there is no damping.
+    /// Returns true if there is no damping.
     pub fn is_zero(&self) -> bool {
         *self == Self::default()
     }

@@ -3,7 +3,6 @@
 use super::Tag;
 use crate::element::Isotropic;
 use crate::element::beam::Rule;
-use crate::element::bearing::Common;
 use crate::element::friction::Friction;
 use crate::element::transform::TransformSpec;
 use crate::material::Material;
@@ -14,7 +13,7 @@ use std::collections::BTreeMap;
 /// Things of one kind by tag.
 #[derive(Clone, Debug)]
 pub struct Registry<T> {
-    /// What the things are called in messages.
+    /// Name of the objects in messages.
     pub kind: &'static str,
     things: BTreeMap<Tag, T>,
 }
@@ -74,8 +73,6 @@ pub struct Definitions {
     pub integrations: Registry<Integration>,
     /// `geomTransf`.
     pub transforms: Registry<TransformSpec>,
-    /// What Kikuchi bearings have in common where OpenSees is followed.
-    pub kikuchi: Common,
 }
 
 impl Default for Definitions {
@@ -88,7 +85,6 @@ impl Default for Definitions {
             sections: Registry::new("section"),
             integrations: Registry::new("beam integration"),
             transforms: Registry::new("geometric transformation"),
-            kikuchi: Common::default(),
         }
     }
 }

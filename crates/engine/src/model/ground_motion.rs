@@ -18,8 +18,8 @@ pub enum GroundMotion {
 }
 
 impl GroundMotion {
-    /// From series of displacement, velocity and acceleration. What is missing follows with steps of `dt`: integrals
-    /// by the trapezoidal rule, derivatives (where `derive` asks for them) by differences. `None` where no series is
+    /// From series of displacement, velocity and acceleration. A series that is missing follows with steps of `dt`: integrals
+    /// by the trapezoidal rule, derivatives (with `derive`) by differences. `None` where no series is
     /// given.
     pub fn from_series(series: [Option<Series>; 3], dt: f64, factor: f64, derive: bool) -> Option<Self> {
         let [mut disp, mut vel, mut accel] = series;

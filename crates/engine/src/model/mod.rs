@@ -1,4 +1,4 @@
-//! What is analysed: nodes, elements, constraints, loads, damping. No state of the motion lies here.
+//! The model: nodes, elements, constraints, loads, damping. It holds no state of the motion.
 
 mod constraint;
 mod damping;
@@ -16,12 +16,12 @@ pub use modal_damping::ModalDamping;
 pub use node::Node;
 pub use pattern::{Drive, Excitation, Ground, NodalLoad, Pattern, PatternKind, SupportMotion};
 
-use crate::element::Element;
+use crate::element::{CallDependent, Element};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Tag of a thing in the script.
+/// Tag of an object in the script.
 pub type Tag = i32;
 
 /// Place of a node in [`Model::nodes`].
@@ -45,12 +45,14 @@ pub struct ElementEntry {
     pub rayleigh: Rayleigh,
     /// Global degrees of freedom, node after node.
     pub dofs: Vec<u32>,
-    /// Its words in the history of the model.
+    /// Its state variables in the history of the model.
     pub state: Range<usize>,
     /// Its resisting force among all.
     pub force: Range<usize>,
-    /// Its words among the loads of all elements.
+    /// Its load variables among those of all elements.
     pub load: Range<usize>,
+    /// State variables that it shares with the elements of its class.
+    pub shared: Range<usize>,
 }
 
 /// Nodes, elements, constraints and loads.
@@ -76,6 +78,8 @@ pub struct Model {
     state_len: usize,
     force_len: usize,
     load_len: usize,
+    /// Shared state variables by class and number.
+    shared: BTreeMap<(&'static str, usize), Range<usize>>,
 }
 
 impl Model {
@@ -88,7 +92,7 @@ impl Model {
     pub fn dofs(&self) -> usize {
         self.dofs
     }
-    /// Number of words of history of all elements.
+    /// Number of state variables of all elements.
     pub fn state_len(&self) -> usize {
         self.state_len
     }
@@ -96,9 +100,13 @@ impl Model {
     pub fn force_len(&self) -> usize {
         self.force_len
     }
-    /// Number of load words of all elements.
+    /// Number of load variables of all elements.
     pub fn load_len(&self) -> usize {
         self.load_len
+    }
+    /// Number of state variables that elements share, all classes together.
+    pub fn shared_len(&self) -> usize {
+        self.shared.values().map(|range| range.end).max().unwrap_or(0)
     }
 
     /// Number of the last change.
@@ -133,6 +141,7 @@ impl Model {
             state: 0..0,
             force: 0..0,
             load: 0..0,
+            shared: 0..0,
             element,
         };
         self.place(&mut entry);
@@ -142,7 +151,7 @@ impl Model {
         id
     }
 
-    /// Give an element its words behind those of the elements before it.
+    /// Give an element its variables behind those of the elements before it.
     fn place(&mut self, e: &mut ElementEntry) {
         let take = |end: &mut usize, n: usize| {
             *end += n;
@@ -151,6 +160,11 @@ impl Model {
         e.state = take(&mut self.state_len, e.element.state_len());
         e.force = take(&mut self.force_len, e.element.dofs());
         e.load = take(&mut self.load_len, e.element.load_len());
+        let shared = e.element.opensees().calls.map_or(0, CallDependent::shared_len);
+        if shared > 0 {
+            let end = self.shared_len();
+            e.shared = self.shared.entry((e.element.class(), shared)).or_insert(end..end + shared).clone();
+        }
     }
 
     /// The node with a tag.
@@ -178,7 +192,7 @@ impl Model {
         self.element_of.values().copied()
     }
 
-    /// Put another element in the place of one, between the same nodes. The words of the others move.
+    /// Put another element in the place of one, between the same nodes. The variables of the others move.
     pub fn replace_element(&mut self, id: ElementId, element: Arc<dyn Element>) {
         debug_assert_eq!(self.elements[id.0].dofs.len(), element.dofs());
         self.elements[id.0].element = element;
@@ -186,15 +200,16 @@ impl Model {
         self.touch();
     }
 
-    /// Give all elements their words anew.
+    /// Give all elements their variables anew.
     fn place_elements(&mut self) {
         (self.state_len, self.force_len, self.load_len) = (0, 0, 0);
+        self.shared.clear();
         let mut elements = std::mem::take(&mut self.elements);
         elements.iter_mut().for_each(|e| self.place(e));
         self.elements = elements;
     }
 
-    /// Remove an element. The words of the others move: see [`Model::elements`] for where to.
+    /// Remove an element. The variables of the others move to the places in [`Model::elements`].
     pub fn remove_element(&mut self, id: ElementId) {
         self.elements.remove(id.0);
         self.place_elements();

@@ -5,8 +5,8 @@
 pub struct ModalDamping {
     /// 2 ζ ω and the shape over all degrees of freedom, by mode.
     pub modes: Vec<(f64, Vec<f64>)>,
-    /// Whether it counts in the tangent too, and not in the forces alone.
+    /// It counts in the tangent too, and not in the forces alone.
     pub in_tangent: bool,
-    /// Whether only lumped masses of nodes count, as in OpenSees.
+    /// Only lumped masses of nodes count, as in OpenSees.
     pub nodes_only: bool,
 }

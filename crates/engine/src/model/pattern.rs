@@ -36,7 +36,7 @@ pub struct SupportMotion {
     pub value: f64,
     /// Does not follow the series.
     pub constant: bool,
-    /// Displacement that the value is added to: zero unless asked for.
+    /// Displacement that the value is added to; zero by default.
     pub initial: f64,
     /// Number by which OpenSees' `remove sp` knows it.
     pub tag: Tag,
@@ -57,7 +57,7 @@ pub struct Excitation {
     pub initial_velocity: f64,
 }
 
-/// What drives a pattern.
+/// Kind of a pattern.
 #[derive(Clone, Debug)]
 pub enum PatternKind {
     /// Loads times a series and a constant factor.
@@ -73,7 +73,7 @@ pub enum PatternKind {
     MultipleSupport(BTreeMap<Tag, GroundMotion>),
 }
 
-/// What the load factor of a pattern comes from.
+/// Source of the load factor of a pattern.
 #[derive(Clone, Debug)]
 pub enum Drive {
     /// It stays what it is.
@@ -105,7 +105,7 @@ impl Drive {
 /// A load pattern.
 #[derive(Clone, Debug)]
 pub struct Pattern {
-    /// What drives it.
+    /// Its kind.
     pub kind: PatternKind,
     /// Forces on nodes.
     pub nodal_loads: Vec<NodalLoad>,
@@ -123,7 +123,7 @@ impl Pattern {
         Self { kind, nodal_loads: vec![], motions: vec![], element_loads: vec![], held: None }
     }
 
-    /// Whether there is more in it than imposed motions.
+    /// Returns true if there is more in it than imposed motions.
     pub fn has_loads(&self) -> bool {
         let inertia = matches!(self.kind, PatternKind::Uniform(_));
         inertia || !self.nodal_loads.is_empty() || !self.element_loads.is_empty()
@@ -134,7 +134,7 @@ impl Pattern {
         self.drive().factor(time)
     }
 
-    /// What its load factor comes from, on its own.
+    /// Source of its load factor.
     pub fn drive(&self) -> Drive {
         match (&self.kind, self.held) {
             (PatternKind::Plain { .. }, Some(factor)) => Drive::Held(factor),

@@ -19,7 +19,7 @@ pub struct ElementResponse {
     disp: Vec<f64>,
 }
 
-/// Responses that have been asked for by name, since loops ask for the same ones again and again.
+/// Responses that have been found by name, since loops use the same ones again and again.
 #[derive(Debug, Default)]
 pub struct Known {
     /// Of the model that they belong to.
@@ -73,7 +73,7 @@ impl Response {
         }
     }
 
-    /// Append the answer of an element in the committed state; `disp` is for its displacements.
+    /// Append the response of an element in the committed state; `disp` is a buffer for its displacements.
     fn append(&self, engine: &Engine, id: ElementId, disp: &mut Vec<f64>, out: &mut Vec<f64>) {
         match self {
             Self::Force(_) => engine.element_force(id, out),
@@ -111,7 +111,7 @@ impl ElementResponse {
         FORCE[..4].iter().copied().chain(own.iter().copied())
     }
 
-    /// Whether an element has a response of that name.
+    /// Returns true if an element has a response of that name.
     pub fn is_known(engine: &Engine, id: ElementId, words: &[&str]) -> bool {
         words.first().is_some_and(|w| FORCE.contains(w)) || engine.model().elements[id.0].element.probe(words).is_some()
     }

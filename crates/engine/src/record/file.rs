@@ -8,17 +8,17 @@ use crate::number_format::Style;
 use std::fmt;
 use std::path::Path;
 
-/// What the rows of a file look like.
+/// Format of the rows of a file.
 pub(super) trait Form: fmt::Debug + Send {
-    /// What the columns belong to, as long as no row has been written.
+    /// Groups of the columns, as long as no row has been written.
     fn describe(&mut self, _groups: &[Group]) {}
-    /// What stands before the first row.
+    /// Text before the first row.
     fn head(&self) -> &[u8] {
         b""
     }
     /// Append a row.
     fn row(&self, row: &[f64], to: &mut Vec<u8>);
-    /// What stands after the last row.
+    /// Text after the last row.
     fn tail(&self) -> &[u8] {
         b""
     }
@@ -55,7 +55,7 @@ impl RowFile {
 
 impl Output for RowFile {
     fn describe(&mut self, groups: &[Group]) -> Result<(), RecordError> {
-        // A file has one head: columns that change with the model later on are not told.
+        // A file has one head, which does not follow columns that change with the model later on.
         if !self.begun {
             self.form.describe(groups);
         }

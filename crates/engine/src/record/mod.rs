@@ -1,4 +1,4 @@
-//! Recorders: what is written down after each step.
+//! Recorders: responses that are written after each step.
 //!
 //! A recorder is a [`Source`] of rows and an [`Output`] that takes them, either as they come or as their envelope.
 
@@ -24,7 +24,7 @@ pub use file::RowFile;
 pub use node::{NodeQuantity, NodeResponse};
 pub use output::{Group, Layout, Memory, Output, Separator};
 
-/// Why a recorder cannot go on.
+/// Reason why a recorder cannot go on.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RecordError(pub String);
 
@@ -42,10 +42,10 @@ impl From<std::io::Error> for RecordError {
     }
 }
 
-/// Where rows come from.
+/// Source of rows.
 pub trait Source: fmt::Debug + Send {
     /// Find what is to be recorded in the model as it is now; called before the first row and after every change of
-    /// the model. What is not there is left out, and told in `missing`.
+    /// the model. Responses that are not there are left out, and named in `missing`.
     ///
     /// # Errors
     /// A response that an element does not have.
@@ -54,17 +54,17 @@ pub trait Source: fmt::Debug + Send {
     /// Names of the columns.
     fn labels(&self) -> Vec<String>;
 
-    /// What the columns belong to, in their order.
+    /// Groups of the columns, in their order.
     fn groups(&self, engine: &Engine) -> Vec<Group>;
 
     /// Append the row of the committed state.
     ///
     /// # Errors
-    /// What keeps it from being worked out.
+    /// A response cannot be worked out.
     fn row(&mut self, engine: &mut Engine, row: &mut Vec<f64>) -> Result<(), RecordError>;
 }
 
-/// What becomes of the rows.
+/// Use of the rows.
 #[derive(Debug)]
 enum Keep {
     /// All of them.
@@ -73,14 +73,14 @@ enum Keep {
     Envelope(Envelope),
 }
 
-/// Which rows, and how.
+/// Rows that are recorded.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cadence {
     /// Write the time before the columns (`-time`).
     pub time: bool,
     /// Least time between rows; zero records every step (`-dT`).
     pub dt: f64,
-    /// How much earlier, as a fraction of `dt`, a row may come for round-off (`-rTolDt`).
+    /// Tolerance for round-off, as a fraction of `dt`: a row may come earlier by it (`-rTolDt`).
     pub tolerance: f64,
 }
 
@@ -94,7 +94,7 @@ pub struct Recorder {
     next: f64,
     found: Option<u64>,
     row: Vec<f64>,
-    /// What was asked for and is not in the model.
+    /// Responses that are not in the model.
     pub missing: Vec<String>,
 }
 
@@ -141,10 +141,10 @@ impl Recorder {
         Ok(())
     }
 
-    /// An analysis starts from the committed state: tell it to an output that wants to know.
+    /// An analysis starts from the committed state: pass it to an output that takes it.
     pub fn start(&mut self, engine: &mut Engine) {
         let time = engine.state().time;
-        // What is not known before the first step is left out.
+        // A response that is not known before the first step is left out.
         if self.output.wants_start(time) && self.find(engine).and_then(|()| self.fill(engine)).is_ok() {
             self.output.start(time, &self.row);
         }
@@ -162,7 +162,7 @@ impl Recorder {
         self.output.describe(&self.all_groups(engine))
     }
 
-    /// The row of the committed state, with the time where it is asked for.
+    /// The row of the committed state, with the time where it is recorded.
     #[inline]
     fn fill(&mut self, engine: &mut Engine) -> Result<(), RecordError> {
         self.row.clear();

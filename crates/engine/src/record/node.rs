@@ -5,7 +5,7 @@ use crate::analysis::{Engine, ReactionKind};
 use crate::model::Tag;
 use crate::series::Series;
 
-/// What is recorded of a node.
+/// Recorded quantity of a node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NodeQuantity {
     /// Displacement.
@@ -54,7 +54,7 @@ impl NodeQuantity {
         })
     }
 
-    /// What the columns of the degrees of freedom are called in OpenSees' XML files, before the number.
+    /// Name of the columns of the degrees of freedom in OpenSees' XML files, before the number.
     fn symbol(self) -> String {
         match self {
             Self::Disp | Self::DispNorm => "D".to_owned(),

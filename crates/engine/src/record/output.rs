@@ -1,4 +1,4 @@
-//! Where rows go.
+//! Outputs of rows.
 
 use super::RecordError;
 use std::fmt;
@@ -13,7 +13,7 @@ pub trait Output: fmt::Debug + Send {
     fn begin(&mut self, _labels: &[String]) -> Result<(), RecordError> {
         Ok(())
     }
-    /// What the columns of the rows that follow belong to; called after [`Output::begin`].
+    /// Groups of the columns of the rows that follow; called after [`Output::begin`].
     ///
     /// # Errors
     /// It cannot be written.
@@ -25,7 +25,7 @@ pub trait Output: fmt::Debug + Send {
     /// # Errors
     /// It cannot be written.
     fn row(&mut self, row: &[f64]) -> Result<(), RecordError>;
-    /// Whether it wants to know the state that an analysis starts from, at this time, which is no row.
+    /// Returns true if it takes the state that an analysis starts from, at this time, which is no row.
     fn wants_start(&self, _time: f64) -> bool {
         false
     }
@@ -40,7 +40,7 @@ pub trait Output: fmt::Debug + Send {
     fn restart(&mut self) -> Result<(), RecordError> {
         Ok(())
     }
-    /// Whether rows must be visible to others at once (`-closeOnWrite`).
+    /// Rows must be visible to others at once (`-closeOnWrite`).
     fn wants_every_row(&self) -> bool {
         false
     }
@@ -66,17 +66,17 @@ pub(super) const TIME_OUTPUT: &str = "TimeOutput";
 /// Columns that belong to one node, element or pair of nodes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Group {
-    /// What they belong to, as OpenSees' XML files name it: `NodeOutput`, `ElementOutput`, ...
+    /// Kind of their owner, as OpenSees' XML files name it: `NodeOutput`, `ElementOutput`, ...
     pub name: &'static str,
-    /// Which: attributes and their values.
+    /// Attributes of the owner, and their values.
     pub attributes: Vec<(&'static str, String)>,
-    /// Coordinates of a node; histories tell them, envelopes do not.
+    /// Coordinates of a node; they are in the heads of histories, and not in those of envelopes.
     pub place: Option<[f64; 3]>,
     /// Names of the columns.
     pub columns: Vec<String>,
 }
 
-/// How a file of rows is laid out.
+/// Layout of a file of rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layout {
     /// A line of text a row.
@@ -87,7 +87,7 @@ pub enum Layout {
     Binary,
 }
 
-/// What stands between the numbers of a row.
+/// Separator between the numbers of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Separator {
     /// A space, as OpenSees' `-file`.

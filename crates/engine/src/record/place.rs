@@ -37,12 +37,12 @@ impl PlacedFile {
         RecordError(format!("cannot write {}: {e}", self.place.display()))
     }
 
-    /// Whether rows go to the file's place at once.
+    /// Rows go to the file's place at once.
     pub(super) fn at_once(&self) -> bool {
         self.close_on_write
     }
 
-    /// Whether more can be written.
+    /// Returns true if more can be written.
     pub(super) fn is_open(&self) -> bool {
         self.writer.is_some()
     }

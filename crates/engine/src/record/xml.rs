@@ -1,4 +1,4 @@
-//! XML files that tell what their columns are.
+//! XML files with a description of their columns.
 
 use super::file::Form;
 use super::output::{Group, TIME, TIME_OUTPUT};
@@ -9,7 +9,7 @@ const HEAD: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n <OpenSees\n  \
     xmlns:xsi = \"http://www.w3.org/2001/XMLSchema-instance\"\n  xsi:noNamespaceSchemaLocation = \
     \"http://OpenSees.berkeley.edu/xml-schema/xmlns/OpenSees.xsd\">\n";
 
-/// What stands before the rows.
+/// Text before the rows.
 const DATA: &str = "    <Data>\n";
 
 /// OpenSees' `-xml`: an element of XML for each node or element with the names of its columns, and then the rows as text.

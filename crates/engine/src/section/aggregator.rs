@@ -1,11 +1,11 @@
-//! Sections put together from uniaxial materials.
+//! Sections composed of uniaxial materials.
 
 use super::{MAX_ORDER, Resultant, Section, SharedSection};
 use crate::material::{Material, MaterialError, Slot, Strain};
 use crate::probe::Probe;
 use std::sync::Arc;
 
-/// A section with more resultants, each with an uncoupled uniaxial material of its own, or only such resultants.
+/// An optional base section with additional resultants, each with an uncoupled uniaxial material.
 #[derive(Clone, Debug)]
 pub struct Aggregator {
     base: Option<SharedSection>,
@@ -18,10 +18,10 @@ const BASE: u32 = 1;
 const ADDITION: u32 = 2;
 
 impl Aggregator {
-    /// From materials (with their tags) and the resultants they are for, and a section to add them to.
+    /// From materials with their tags and resultants, and an optional base section.
     ///
     /// # Errors
-    /// There are more resultants than there is room for.
+    /// The section has more than [`MAX_ORDER`] resultants.
     pub fn new(base: Option<SharedSection>, additions: Vec<(Material, i32, Resultant)>) -> Result<Self, MaterialError> {
         let mut resultants = base.as_ref().map_or(vec![], |s| s.resultants().to_vec());
         resultants.extend(additions.iter().map(|a| a.2));
@@ -33,12 +33,12 @@ impl Aggregator {
         Ok(Self { base, additions, resultants, state_len })
     }
 
-    /// Number of resultants of the section that they are added to.
+    /// Number of resultants of the base section.
     fn base_order(&self) -> usize {
         self.resultants.len() - self.additions.len()
     }
 
-    /// Copy the matrix of the base section, n x n, into the upper left corner.
+    /// Copies the n x n matrix of the base section into the upper left corner of `k`.
     fn spread(&self, small: &[f64], k: &mut [f64]) {
         let (n, order) = (self.base_order(), self.resultants.len());
         for (i, row) in small.chunks_exact(n.max(1)).take(n).enumerate() {

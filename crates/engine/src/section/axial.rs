@@ -1,20 +1,20 @@
-//! A section that is only stretched: what a bar makes of it.
+//! Axial behaviour of a section, for bars.
 
 use super::{MAX_ORDER, Resultant, SectionSlot, SharedSection};
 use crate::material::{Material, MaterialError, Strain, Stress, Uniaxial};
 use crate::probe::Probe;
 use std::sync::Arc;
 
-/// The axial force of a section against its elongation, the other deformations being zero.
+/// Axial force of a section as a function of its elongation, with the other deformations zero.
 #[derive(Clone, Debug)]
 pub struct Axial {
     slot: SectionSlot,
-    /// Place of the axial force among the resultants.
+    /// Index of the axial force among the resultants.
     at: usize,
 }
 
 impl Axial {
-    /// Of a section with its tag; `None` if it has no axial force.
+    /// From a section with its tag; `None` if it has no axial force.
     pub fn new(section: SharedSection, tag: i32) -> Option<Self> {
         let at = section.resultants().iter().position(|r| *r == Resultant::P)?;
         Some(Self { slot: SectionSlot::new(section, tag, 0), at })

@@ -4,7 +4,7 @@ use super::{Resultant, Section, SharedSection};
 use crate::material::MaterialError;
 use std::sync::Arc;
 
-/// An elastic cross-section; what the plane has no use for is zero.
+/// Properties of an elastic cross-section; those unused in a plane model are zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ElasticSection {
     /// Elastic modulus.
@@ -24,7 +24,7 @@ pub struct ElasticSection {
 }
 
 impl ElasticSection {
-    /// A number by the name that a script has for it. A section rigid in shear gets a shear area when it is asked for.
+    /// Property by its name in scripts. A section rigid in shear gets a shear area of zero when one is requested.
     pub fn parameter(&mut self, name: &str) -> Option<&mut f64> {
         Some(match name {
             "E" => &mut self.e,
@@ -46,7 +46,7 @@ impl ElasticSection {
     }
 }
 
-/// An elastic section with the resultants that its numbers call for.
+/// An elastic section with the resultants of its properties.
 #[derive(Clone, Debug)]
 pub struct Elastic {
     section: ElasticSection,
@@ -54,7 +54,7 @@ pub struct Elastic {
 }
 
 impl Elastic {
-    /// In the plane or in space; shear areas bring shear forces.
+    /// For a plane or a spatial model; shear areas add shear forces.
     pub fn new(section: ElasticSection, plane: bool) -> Self {
         let shear = section.shear != (None, None);
         let resultants = match (plane, shear) {

@@ -6,7 +6,7 @@ use crate::probe::Probe;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// A fiber before it is part of a section: its place, its area, its material with its tag.
+/// Input of one fiber: coordinates, area, and material with its tag.
 #[derive(Clone, Debug)]
 pub struct Fiber {
     /// Local y.
@@ -19,51 +19,51 @@ pub struct Fiber {
     pub material: (Material, i32),
 }
 
-/// Fibers whose strains are those of a plane section: ε₀ - y κ_z + z κ_y, with y and z from the centroid of the areas.
-/// In space the torsion is uncoupled.
+/// Fibers with the strains of a plane section: ε = ε₀ - y κ_z + z κ_y, with y and z from the centroid of the areas.
+/// Torsion is uncoupled in space.
 ///
-/// Its history is, quantity by quantity, strain, stress, tangent and energy of all fibers, then the words of their laws, run
-/// after run, then those of the torsion.
+/// The history holds strain, stress, tangent and energy of all fibers, one quantity after the other. The variables of
+/// the laws follow, run after run, and then those of the torsion.
 #[derive(Clone, Debug)]
 pub struct FiberSection {
-    fibers: Vec<Placed>,
-    runs: Vec<Run>,
+    fibers: Vec<PlacedFiber>,
+    runs: Vec<FiberRun>,
     torsion: Option<Slot>,
-    /// Place that bending is about.
+    /// Reference point of bending, y and z.
     centroid: (f64, f64),
     state_len: usize,
 }
 
 #[derive(Clone, Debug)]
-struct Placed {
+struct PlacedFiber {
     y: f64,
     z: f64,
     area: f64,
-    /// Shares of its strain in the deformations P, Mz and My.
-    shares: [f64; 3],
-    /// Run that it is in.
+    /// Derivatives of the strain with respect to the deformations P, Mz and My.
+    strain_gradient: [f64; 3],
+    /// Index of the run.
     run: usize,
 }
 
-/// Fibers one after the other of the same material: one dynamic call for all of them.
+/// Consecutive fibers of the same material, evaluated in one dynamic call.
 #[derive(Clone, Debug)]
-struct Run {
-    /// The material, as one fiber alone would keep it.
+struct FiberRun {
+    /// The material with the slot of a single fiber.
     slot: Slot,
-    /// The fibers.
+    /// Range of fibers.
     fibers: Range<usize>,
-    /// First of the words of their laws.
+    /// Offset of the laws' state variables.
     at: usize,
 }
 
-/// Fibers of a run at most.
-const LONGEST: usize = 128;
-/// As in OpenSees, fibers know no rate of strain.
-const NO_RATE: [f64; LONGEST] = [0.0; LONGEST];
-/// State variables of a fiber before those of its law.
-const KEPT: usize = 4;
+/// Maximum number of fibers of a run; sizes a buffer on the stack.
+const MAX_RUN_LENGTH: usize = 128;
+/// Strain rates of fibers; zero, as in OpenSees.
+const NO_RATE: [f64; MAX_RUN_LENGTH] = [0.0; MAX_RUN_LENGTH];
+/// State variables of a fiber in front of those of its law.
+const FIBER_HEADER: usize = 4;
 
-/// The parts of a history.
+/// Slices of a history.
 struct Parts<T> {
     strain: T,
     stress: T,
@@ -93,21 +93,21 @@ impl<'a> Parts<&'a mut [f64]> {
     }
 }
 
-impl Run {
-    /// Place of the words of its laws.
+impl FiberRun {
+    /// Range of the laws' state variables.
     fn words(&self) -> Range<usize> {
         self.at..self.at + self.fibers.len() * self.slot.material.state_len()
     }
 }
 
-impl Placed {
-    /// Add its force and its stiffness.
+impl PlacedFiber {
+    /// Adds the fiber's force and stiffness.
     #[inline]
     fn add<const M: usize>(&self, stress: f64, tangent: f64, force: &mut [f64; M], stiffness: &mut [[f64; M]; M]) {
         for i in 0..M {
-            force[i] += self.shares[i] * stress * self.area;
-            let row = tangent * self.area * self.shares[i];
-            (0..M).for_each(|j| stiffness[i][j] += row * self.shares[j]);
+            force[i] += self.strain_gradient[i] * stress * self.area;
+            let row = tangent * self.area * self.strain_gradient[i];
+            (0..M).for_each(|j| stiffness[i][j] += row * self.strain_gradient[j]);
         }
     }
 }
@@ -122,37 +122,39 @@ const PLANE: [Resultant; 2] = [Resultant::P, Resultant::Mz];
 const SPACE: [Resultant; 4] = [Resultant::P, Resultant::Mz, Resultant::My, Resultant::T];
 
 impl FiberSection {
-    /// From its fibers; in space with a material for the torsion (and its tag). Bending is about the centroid of the
-    /// areas, or with `origin` about the origin of the coordinates.
+    /// From fibers, and in space a material for the torsion with its tag. Bending is about the centroid of the areas,
+    /// or with `origin` about the origin of the coordinates.
     pub fn new(fibers: Vec<Fiber>, torsion: Option<(Material, i32)>, origin: bool) -> Self {
         let area: f64 = fibers.iter().map(|f| f.area).sum();
         let mean = |x: fn(&Fiber) -> f64| fibers.iter().map(|f| f.area * x(f)).sum::<f64>() / area;
         let centroid = if origin || area == 0.0 { (0.0, 0.0) } else { (mean(|f| f.y), mean(|f| f.z)) };
-        let mut runs: Vec<Run> = vec![];
+        let mut runs: Vec<FiberRun> = vec![];
         let mut at = 0;
         let mut placed = vec![];
         for (i, f) in fibers.into_iter().enumerate() {
             let (material, tag) = f.material;
             match runs.last_mut() {
                 Some(r)
-                    if r.fibers.len() < LONGEST && r.slot.tag == tag && Arc::ptr_eq(&r.slot.material, &material) =>
+                    if r.fibers.len() < MAX_RUN_LENGTH
+                        && r.slot.tag == tag
+                        && Arc::ptr_eq(&r.slot.material, &material) =>
                 {
                     r.fibers.end = i + 1;
                 }
-                _ => runs.push(Run { slot: Slot::new(material, tag, 0), fibers: i..i + 1, at }),
+                _ => runs.push(FiberRun { slot: Slot::new(material, tag, 0), fibers: i..i + 1, at }),
             }
             at = runs.last().map_or(0, |r| r.words().end);
-            let shares = [1.0, -(f.y - centroid.0), f.z - centroid.1];
-            placed.push(Placed { y: f.y, z: f.z, area: f.area, shares, run: runs.len() - 1 });
+            let strain_gradient = [1.0, -(f.y - centroid.0), f.z - centroid.1];
+            placed.push(PlacedFiber { y: f.y, z: f.z, area: f.area, strain_gradient, run: runs.len() - 1 });
         }
-        at += KEPT * placed.len();
+        at += FIBER_HEADER * placed.len();
         let torsion = torsion.map(|(material, tag)| Slot::new(material, tag, at));
         let state_len = at + torsion.as_ref().map_or(0, Slot::len);
         Self { fibers: placed, runs, torsion, centroid, state_len }
     }
 
-    /// Set the trial strains of the fibers, `M` deformations of the section being theirs, and add up stresses and tangents.
-    fn gather<const M: usize>(
+    /// Evaluates the fibers at `M` section deformations and integrates stresses and tangents.
+    fn integrate<const M: usize>(
         &self,
         committed: &[f64],
         e: &[f64],
@@ -164,18 +166,18 @@ impl FiberSection {
         let (old, new) = (Parts::of(committed, self.fibers.len()), Parts::of_mut(next, self.fibers.len()));
         let mut damping = NO_RATE;
         for run in &self.runs {
-            let (these, words) = (run.fibers.clone(), run.words());
-            for (value, f) in new.strain[these.clone()].iter_mut().zip(&self.fibers[these.clone()]) {
-                *value = (0..M).map(|i| f.shares[i] * e[i]).sum();
+            let (range, words) = (run.fibers.clone(), run.words());
+            for (value, f) in new.strain[range.clone()].iter_mut().zip(&self.fibers[range.clone()]) {
+                *value = (0..M).map(|i| f.strain_gradient[i] * e[i]).sum();
             }
-            let n = these.len();
-            let strains = Strains { value: &new.strain[these.clone()], rate: &NO_RATE[..n], dt };
-            let mut answer = Stresses {
-                value: &mut new.stress[these.clone()],
-                tangent: &mut new.tangent[these],
+            let n = range.len();
+            let strains = Strains { value: &new.strain[range.clone()], rate: &NO_RATE[..n], dt };
+            let mut stresses = Stresses {
+                value: &mut new.stress[range.clone()],
+                tangent: &mut new.tangent[range],
                 damping: &mut damping[..n],
             };
-            run.slot.material.update_all(&old.laws[words.clone()], &strains, &mut new.laws[words], &mut answer)?;
+            run.slot.material.update_all(&old.laws[words.clone()], &strains, &mut new.laws[words], &mut stresses)?;
         }
         let (mut force, mut stiffness) = ([0.0; M], [[0.0; M]; M]);
         for (i, f) in self.fibers.iter().enumerate() {
@@ -189,7 +191,7 @@ impl FiberSection {
         Ok(())
     }
 
-    /// Stiffness of the virgin fibers.
+    /// Adds up the stiffness of the virgin fibers.
     fn virgin<const M: usize>(&self, k: &mut [f64]) {
         let (mut force, mut stiffness) = ([0.0; M], [[0.0; M]; M]);
         for f in &self.fibers {
@@ -200,7 +202,8 @@ impl FiberSection {
         stiffness.iter().zip(k.chunks_exact_mut(n)).for_each(|(row, k)| k[..M].copy_from_slice(row));
     }
 
-    /// The fiber that the words of a recorder mean, and the words after them: its number, or a place, and a material.
+    /// Fiber selected by the words of a recorder, and the words after them. The selection is an index, or coordinates
+    /// with an optional material tag.
     fn find<'a, 'b>(&self, words: &'a [&'b str]) -> Option<(usize, &'a [&'b str])> {
         let number = |w: &str| w.parse::<f64>().ok();
         let y = number(words.first()?)?;
@@ -211,9 +214,10 @@ impl FiberSection {
             Some(tag) => (Some(tag), &words[3..]),
             None => (None, &words[2..]),
         };
-        // In the plane a fiber has no z to be far from.
-        let distance = |f: &Placed| (f.y - y).powi(2) + if self.torsion.is_some() { (f.z - z).powi(2) } else { 0.0 };
-        let has_tag = |f: &Placed| tag.is_none_or(|t| self.runs[f.run].slot.tag == t);
+        // The z coordinate does not count in a plane section.
+        let distance =
+            |f: &PlacedFiber| (f.y - y).powi(2) + if self.torsion.is_some() { (f.z - z).powi(2) } else { 0.0 };
+        let has_tag = |f: &PlacedFiber| tag.is_none_or(|t| self.runs[f.run].slot.tag == t);
         let candidates = self.fibers.iter().enumerate().filter(|(_, f)| has_tag(f));
         let nearest = candidates.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1)))?;
         Some((nearest.0, rest))
@@ -224,12 +228,13 @@ impl FiberSection {
         self.runs.iter().map(|r| &r.slot).chain(&self.torsion)
     }
 
-    /// Value of a probe of a fiber: its words as one alone would keep them.
+    /// Value of a probe of a fiber, through the state layout of a single fiber.
     fn read_fiber(&self, i: usize, path: &[u32], state: &[f64], out: &mut [f64]) {
         let (parts, run) = (Parts::of(state, self.fibers.len()), &self.runs[self.fibers[i].run]);
         let mut words = vec![0.0; run.slot.len()];
         let header =
             run.slot.write_header(&mut words, [parts.strain[i], parts.stress[i], parts.tangent[i], parts.energy[i]]);
+        // A run stores histories in the layout of the material, which only the material can copy.
         let from = (&parts.laws[run.words()], i - run.fibers.start, run.fibers.len());
         run.slot.material.copy_history(from, (&mut words[header..], 0, 1));
         run.slot.read(path, &words, out);
@@ -271,8 +276,8 @@ impl Section for FiberSection {
         s: &mut [f64],
         k: &mut [f64],
     ) -> Result<(), MaterialError> {
-        let Some(torsion) = &self.torsion else { return self.gather::<2>(committed, e, dt, next, (s, k)) };
-        self.gather::<3>(committed, e, dt, next, (&mut *s, &mut *k))?;
+        let Some(torsion) = &self.torsion else { return self.integrate::<2>(committed, e, dt, next, (s, k)) };
+        self.integrate::<3>(committed, e, dt, next, (&mut *s, &mut *k))?;
         let stress = torsion.update(committed, Strain { value: e[3], rate: 0.0, dt }, next)?;
         (s[3], k[15]) = (stress.value, stress.tangent);
         Ok(())
@@ -284,7 +289,7 @@ impl Section for FiberSection {
         k[15] = torsion.material.initial_tangent();
     }
 
-    /// Of one material, by its tag, or of all that have it.
+    /// Applies to one material by its tag, or to all that have the parameter.
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(SharedSection, f64)> {
         let mut new = self.clone();
         let (tag, rest) = match words {

@@ -1,8 +1,8 @@
-//! Cross-sections of beams: stress resultants and their tangent for the deformations of a section, as pure functions of
-//! the committed state.
+//! Cross-sections of beams: stress resultants and tangent for section deformations, as pure functions of the
+//! committed state.
 //!
-//! A section is a struct of constants that implements [`Section`]; whoever uses one (a point of a beam, a hinge) keeps
-//! its history through a [`SectionSlot`].
+//! A section is a struct of constants that implements [`Section`]. Its owner (an integration point of a beam, a
+//! hinge) stores the history through a [`SectionSlot`].
 
 mod aggregator;
 mod axial;
@@ -21,10 +21,10 @@ pub use elastic::{Elastic, ElasticSection};
 pub use fiber::{Fiber, FiberSection};
 pub use slot::SectionSlot;
 
-/// Largest number of resultants that buffers are made for.
+/// Maximum number of resultants of a section; sizes the buffers.
 pub const MAX_ORDER: usize = 8;
 
-/// A stress resultant, which works on a deformation.
+/// A stress resultant and its work-conjugate deformation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Resultant {
     /// Axial force.
@@ -42,10 +42,10 @@ pub enum Resultant {
 }
 
 impl Resultant {
-    /// All of them.
+    /// All resultants.
     pub const ALL: [Self; 6] = [Self::P, Self::Mz, Self::Vy, Self::My, Self::Vz, Self::T];
 
-    /// Its name in scripts and records.
+    /// Name in scripts and records.
     pub fn name(self) -> &'static str {
         match self {
             Self::P => "P",
@@ -57,7 +57,7 @@ impl Resultant {
         }
     }
 
-    /// Name of the deformation that it works on.
+    /// Name of the work-conjugate deformation.
     pub fn deformation(self) -> &'static str {
         match self {
             Self::P => "eps",
@@ -69,7 +69,7 @@ impl Resultant {
         }
     }
 
-    /// OpenSees' number for it.
+    /// Number in OpenSees' `code` response.
     pub fn code(self) -> f64 {
         match self {
             Self::Mz => 1.0,
@@ -84,21 +84,24 @@ impl Resultant {
 
 /// A cross-section.
 pub trait Section: fmt::Debug + Send + Sync {
-    /// OpenSees' name of the class.
+    /// Class name in OpenSees.
     fn class(&self) -> &'static str;
-    /// Its resultants, in the order of its deformations; [`MAX_ORDER`] at most.
+    /// Resultants in the order of the deformations, at most [`MAX_ORDER`].
     fn resultants(&self) -> &[Resultant];
-    /// Number of words of history.
+    /// Number of state variables.
     fn state_len(&self) -> usize;
-    /// Write the virgin state.
+    /// Writes the virgin state.
     fn init(&self, state: &mut [f64]);
-    /// Whether resultants are proportional to deformations, whatever the history.
+    /// Returns true if the resultants are proportional to the deformations for every history.
     fn is_linear(&self) -> bool;
-    /// Whether they depend on the time that passes.
+    /// Returns true if the resultants depend on the elapsed time.
     fn depends_on_time(&self) -> bool;
 
-    /// Resultants `s` and tangent `k` (by rows) for the deformations `e` from the committed history; writes every word of
-    /// `next`. `s` and `k` have been set to zero.
+    /// Computes resultants `s` (length n) and tangent `k` (n x n by rows) for the deformations `e`, and writes every
+    /// variable of `next`. The caller sets `s` and `k` to zero. `dt` is the domain time since the committed state.
+    ///
+    /// # Errors
+    /// A material has no response at these deformations.
     fn update(
         &self,
         committed: &[f64],
@@ -109,21 +112,21 @@ pub trait Section: fmt::Debug + Send + Sync {
         k: &mut [f64],
     ) -> Result<(), MaterialError>;
 
-    /// Tangent of the virgin section by rows, added to a zero matrix.
+    /// Writes the tangent of the virgin section (n x n by rows) to a zero matrix.
     fn initial_stiffness(&self, k: &mut [f64]);
 
-    /// The section as an elastic one, where it is.
+    /// The elastic section, or `None` for another kind.
     fn elastic(&self) -> Option<ElasticSection> {
         None
     }
 
-    /// The section with another value of a parameter, by the words of a `parameter` command, and the value it had;
-    /// `None` where it has none of that name. The history has the same words.
+    /// Returns the section with a new value of a parameter, named by the words of a `parameter` command, and the
+    /// previous value. `None` if it has no such parameter. The layout of the history does not change.
     fn with_parameter(&self, _words: &[&str], _value: f64) -> Option<(SharedSection, f64)> {
         None
     }
 
-    /// A response of the section's own, by the words of a recorder command.
+    /// Response specific to this section, by the words of a recorder command.
     fn probe(&self, _words: &[&str]) -> Option<Probe> {
         None
     }
@@ -131,5 +134,5 @@ pub trait Section: fmt::Debug + Send + Sync {
     fn read(&self, _path: &[u32], _state: &[f64], _out: &mut [f64]) {}
 }
 
-/// A section as elements hold it: the parameters are shared, the state lies elsewhere.
+/// A section as elements hold it: the parameters are shared, the state is stored by the element.
 pub type SharedSection = Arc<dyn Section>;

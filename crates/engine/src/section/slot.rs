@@ -1,12 +1,12 @@
-//! Where an element keeps a section's state, with what recorders ask of every section.
+//! Storage of a section's state in an element, with the responses that every section has.
 
 use super::{MAX_ORDER, Resultant, SharedSection};
 use crate::material::MaterialError;
 use crate::numeric::invert;
 use crate::probe::Probe;
 
-/// A section at a place in its owner's state. The first words hold deformations, resultants and tangent, so that whoever
-/// needs them reads them whatever the section.
+/// A section at an offset in the state of its owner. The state begins with deformations (n), resultants (n) and
+/// tangent (n x n by rows), so that they are read alike for every section.
 #[derive(Clone, Debug)]
 pub struct SectionSlot {
     /// The section.
@@ -20,27 +20,27 @@ pub struct SectionSlot {
 
 const DEFORMATION: u32 = 1;
 const FORCE: u32 = 2;
-const BOTH: u32 = 4;
+const FORCE_AND_DEFORMATION: u32 = 4;
 const STIFFNESS: u32 = 12;
 const FLEXIBILITY: u32 = 13;
 const CODE: u32 = 14;
-/// First number of the path of a response that the section itself answers.
+/// First number of the path of a response specific to the section.
 const OWN: u32 = 100;
 
 impl SectionSlot {
-    /// Place a section at word `at` of the owner's state.
+    /// Places a section at offset `at` of the owner's state.
     pub fn new(section: SharedSection, tag: i32, at: usize) -> Self {
         let order = section.resultants().len();
         let len = order * (2 + order) + section.state_len();
         Self { section, tag, at, order, len }
     }
 
-    /// Number of words it takes.
+    /// Number of state variables, header included.
     pub fn len(&self) -> usize {
         self.len
     }
 
-    /// Never: there are always deformations.
+    /// Always false: every section has deformations.
     pub fn is_empty(&self) -> bool {
         false
     }
@@ -49,12 +49,12 @@ impl SectionSlot {
         self.order * (2 + self.order)
     }
 
-    /// Its resultants.
+    /// Resultants in the order of the deformations.
     pub fn resultants(&self) -> &[Resultant] {
         self.section.resultants()
     }
 
-    /// Write the virgin state.
+    /// Writes the virgin state.
     pub fn init(&self, state: &mut [f64]) {
         let (head, own) = state[self.at..self.at + self.len()].split_at_mut(self.header());
         head.fill(0.0);
@@ -67,12 +67,15 @@ impl SectionSlot {
         &state[self.at..self.at + self.header()]
     }
 
-    /// The same, to go on from others; not the history.
+    /// Deformations, resultants and tangent for overwriting; excludes the history.
     pub fn response_mut<'a>(&self, state: &'a mut [f64]) -> &'a mut [f64] {
         &mut state[self.at..self.at + self.header()]
     }
 
-    /// Set the trial deformations.
+    /// Evaluates the section at trial deformations `e`.
+    ///
+    /// # Errors
+    /// A material has no response at these deformations.
     pub fn update(&self, committed: &[f64], e: &[f64], dt: f64, trial: &mut [f64]) -> Result<(), MaterialError> {
         let end = self.at + self.len();
         let (head, next) = trial[self.at..end].split_at_mut(self.header());
@@ -93,12 +96,12 @@ impl SectionSlot {
         &state[self.at + self.order..self.at + 2 * self.order]
     }
 
-    /// Tangent in a state, by rows.
+    /// Tangent in a state, n x n by rows.
     pub fn stiffness<'a>(&self, state: &'a [f64]) -> &'a [f64] {
         &state[self.at + 2 * self.order..self.at + self.header()]
     }
 
-    /// Inverse of a stiffness of the section, by rows.
+    /// Inverse of a section stiffness, n x n by rows.
     ///
     /// # Errors
     /// The stiffness is singular.
@@ -111,14 +114,15 @@ impl SectionSlot {
         Err(MaterialError(format!("section {} has no stiffness left", self.tag)))
     }
 
-    /// Give a parameter of the section, by the words of a `parameter` command, another value; the one it had.
+    /// Sets a parameter, named by the words of a `parameter` command, and returns the previous value.
     pub fn set_parameter(&mut self, words: &[&str], value: f64) -> Option<f64> {
         let (section, old) = self.section.with_parameter(words, value)?;
         self.section = section;
         Some(old)
     }
 
-    /// A response by the words of a recorder command: those of every section, then the section's own.
+    /// Response named by the words of a recorder command: first those of every section, then those specific to the
+    /// section.
     pub fn probe(&self, words: &[&str]) -> Option<Probe> {
         let forces = || self.resultants().iter().map(|r| r.name());
         let deformations = || self.resultants().iter().map(|r| r.deformation());
@@ -126,7 +130,7 @@ impl SectionSlot {
         Some(match *words.first()? {
             "force" | "forces" => Probe::new(FORCE, forces()),
             "deformation" | "deformations" => Probe::new(DEFORMATION, deformations()),
-            "forceAndDeformation" => Probe::new(BOTH, deformations().chain(forces())),
+            "forceAndDeformation" => Probe::new(FORCE_AND_DEFORMATION, deformations().chain(forces())),
             "stiffness" => Probe::new(STIFFNESS, square("k")),
             "flexibility" => Probe::new(FLEXIBILITY, square("f")),
             "code" => Probe::new(CODE, forces()),
@@ -139,7 +143,7 @@ impl SectionSlot {
         match path[0] {
             DEFORMATION => out.copy_from_slice(self.deformation(state)),
             FORCE => out.copy_from_slice(self.resultant(state)),
-            BOTH => {
+            FORCE_AND_DEFORMATION => {
                 out[..self.order].copy_from_slice(self.deformation(state));
                 out[self.order..].copy_from_slice(self.resultant(state));
             }

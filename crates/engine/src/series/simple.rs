@@ -29,7 +29,7 @@ impl TimeSeries for Linear {
     }
 }
 
-/// What the periodic series share: they are zero outside `start` to `end`.
+/// Common part of the periodic series: they are zero outside `start` to `end`.
 #[derive(Clone, Debug)]
 pub struct Wave {
     /// Start.

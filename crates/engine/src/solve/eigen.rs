@@ -10,7 +10,7 @@ use nalgebra::{Complex, DMatrix, DVector, SymmetricEigen};
 pub trait Pencil {
     /// Number of equations.
     fn len(&self) -> usize;
-    /// Whether there are no equations.
+    /// Returns true if there are no equations.
     fn is_empty(&self) -> bool {
         self.len() == 0
     }

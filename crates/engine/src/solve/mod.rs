@@ -21,7 +21,7 @@ pub const SINGULAR: f64 = 1e-14;
 /// A pivot of this fraction means that few digits of the solution are left.
 pub const NEARLY_SINGULAR: f64 = 1e-11;
 
-/// What a factorisation found out about the matrix.
+/// Result of a factorisation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pivots {
     /// Equation with the smallest pivot relative to its diagonal.
@@ -56,7 +56,7 @@ pub enum SolveError {
     OutOfMemory,
 }
 
-/// How often a matrix is going to be solved with.
+/// Number of solutions with a matrix that are expected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Use {
     /// Once: old factors may do, if the matrix has changed little.
@@ -65,7 +65,7 @@ pub enum Use {
     Often,
 }
 
-/// What there is to solve with.
+/// Factors of the last matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Factors {
     None,
@@ -96,7 +96,7 @@ enum Kind {
 }
 
 impl Solver {
-    /// For a pattern; `indefinite` asks for row exchanges, which systems with Lagrange multipliers need.
+    /// For a pattern; `indefinite` allows row exchanges, which systems with Lagrange multipliers need.
     ///
     /// # Errors
     /// Not enough memory.
@@ -152,7 +152,7 @@ impl Solver {
         Ok(pivots)
     }
 
-    /// Whether there are factors.
+    /// Returns true if there are factors.
     pub fn is_factored(&self) -> bool {
         self.factors != Factors::None
     }

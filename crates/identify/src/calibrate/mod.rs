@@ -1,28 +1,31 @@
-//! Calibration: the parameters of a model that follow recordings best, how sure they are, and how good that is.
+//! Calibration: the parameters of a model that follow recordings best, their uncertainty, and the error that is left.
 //!
-//! A [`Problem`] gives the score of points of the unit cube; that of a study is [`StudyProblem`]. [`search`] looks for
-//! the best point with the method that a [`Plan`] names; [`Uncertainty`] says what the data determine.
+//! A [`Problem`] evaluates the objective at points of the unit cube; [`StudyProblem`] is that of a study. [`search`] looks
+//! for the least objective with the method of the [`SearchSettings`]. [`Uncertainty`], [`Profile`] and [`Posterior`] are
+//! three estimates of the uncertainty of the parameters.
 
-mod amplitude;
+mod amplitude_groups;
 mod method;
 mod page;
-mod plan;
 mod posterior;
 mod problem;
 mod profile;
 mod result;
+mod result_file;
 mod search;
+mod settings;
 mod uncertainty;
 
-pub use amplitude::{Amplitude, amplitudes};
+pub use amplitude_groups::{AmplitudeGroup, amplitude_groups};
 pub use method::{
-    CmaEs, Crossover, Differential, Evolution, LevenbergMarquardt, Method, Search, Shade, Trial, Variant,
+    CmaEs, Crossover, DifferentialEvolution, EvolutionSettings, LevenbergMarquardt, Method, MethodState, Shade,
+    ShadeVariant, Trial,
 };
 pub use page::page;
-pub use plan::{Plan, Strategy};
 pub use posterior::{Posterior, Quantiles, posterior};
-pub use problem::{Evaluated, Problem, StudyProblem};
+pub use problem::{Evaluation, Problem, StudyProblem};
 pub use profile::{Profile, profiles};
-pub use result::{Calibrated, Displacements, Spread};
-pub use search::{Checkpoint, Outcome, Repeat, Silent, Status, Watch, search};
-pub use uncertainty::{Alone, Interval, Uncertainty, autocorrelation_time, uncertainty};
+pub use result::{CalibrationResult, Displacements, RepeatStatistics};
+pub use search::{Checkpoint, NoObserver, Repeat, SearchObserver, SearchResult, SearchStatus, search};
+pub use settings::{SearchMethod, SearchSettings};
+pub use uncertainty::{Interval, RunUncertainty, Uncertainty, autocorrelation_time, uncertainty};

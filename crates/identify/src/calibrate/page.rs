@@ -1,15 +1,15 @@
-//! The report of a calibration: one file of HTML with its pictures in it.
+//! Report of a calibration: one HTML file with all pictures in it.
 
-use super::amplitude::Amplitude;
-use super::result::{Calibrated, Displacements, role_name};
+use super::amplitude_groups::AmplitudeGroup;
+use super::result::{CalibrationResult, Displacements, role_name};
 use super::uncertainty::Uncertainty;
 use crate::report::html::{self, escaped, labelled, line, number, picture, table};
-use crate::study::{Fit, Observe, Role, Run, Source};
+use crate::study::{ObservedChannel, ParameterKind, Role, Run, Score, ScoredRun};
 use hysteron_opensees::chart::{Curve, Figure, Mark};
 use std::fmt::Write as _;
 
-/// The report.
-pub fn page(result: &Calibrated, displacements: &Displacements) -> String {
+/// The text of the report.
+pub fn page(result: &CalibrationResult, displacements: &Displacements) -> String {
     let study = &result.study;
     let title = if study.title.is_empty() { &study.model } else { &study.title };
     let mut out = html::head(&format!("Calibration: {title}"));
@@ -17,37 +17,37 @@ pub fn page(result: &Calibrated, displacements: &Displacements) -> String {
         out,
         "<p>Objective (mean NMSE of the fitted channels) <b>{}</b>, {} evaluations in {:.1} s with {}{}, seed {}.</p>",
         number(result.objective),
-        result.outcome.evaluations(),
-        result.wall,
-        result.plan.strategy.name(),
-        if result.plan.polish { " and a least-squares polish" } else { "" },
-        result.plan.seed
+        result.search.evaluations(),
+        result.wall_time,
+        result.settings.method.name(),
+        if result.settings.polish { " and a least-squares polish" } else { "" },
+        result.settings.seed
     );
     parameters(&mut out, result);
     runs(&mut out, result);
-    for (i, ((run, fit), u)) in study.runs.iter().zip(&result.fits).zip(displacements).enumerate() {
-        if let Ok(fit) = fit {
-            pictures(&mut out, run, fit, u.as_ref(), result.amplitudes.get(i).map_or(&[], Vec::as_slice));
+    for (i, ((run, scored), u)) in study.runs.iter().zip(&result.scored_runs).zip(displacements).enumerate() {
+        if let Ok(scored) = scored {
+            run_charts(&mut out, run, scored, u.as_ref(), result.amplitudes.get(i).map_or(&[], Vec::as_slice));
         }
     }
-    search(&mut out, result);
-    sureness(&mut out, result);
+    convergence(&mut out, result);
+    uncertainty(&mut out, result);
     html::end(out)
 }
 
-fn parameters(out: &mut String, result: &Calibrated) {
+fn parameters(out: &mut String, result: &CalibrationResult) {
     let space = &result.study.space;
     out.push_str("<h2>Parameters</h2>\n");
     let intervals = result.uncertainty.iter().flat_map(|u| &u.intervals);
     let rows = space.parameters.iter().zip(&result.values).map(|(p, v)| {
         let interval = intervals.clone().find(|i| i.name == p.name);
-        let sure = interval.map_or(String::new(), |i| format!("{} to {}", number(i.lower), number(i.upper)));
-        let from = match &p.source {
-            Source::Free(r) => format!("{} to {}", number(r.lower), number(r.upper)),
-            Source::Fixed(_) => "fixed".into(),
-            Source::Tied { text, .. } => format!("= {text}"),
+        let interval = interval.map_or(String::new(), |i| format!("{} to {}", number(i.lower), number(i.upper)));
+        let range = match &p.kind {
+            ParameterKind::Free(r) => format!("{} to {}", number(r.lower), number(r.upper)),
+            ParameterKind::Fixed(_) => "fixed".into(),
+            ParameterKind::Tied { text, .. } => format!("= {text}"),
         };
-        vec![p.name.clone(), number(*v), sure, from]
+        vec![p.name.clone(), number(*v), interval, range]
     });
     table(out, &["parameter", "value", "95 % interval", "range"], rows);
     let notes = result.uncertainty.iter().flat_map(Uncertainty::notes);
@@ -57,19 +57,19 @@ fn parameters(out: &mut String, result: &Calibrated) {
     }
 }
 
-fn runs(out: &mut String, result: &Calibrated) {
+fn runs(out: &mut String, result: &CalibrationResult) {
     out.push_str("<h2>Runs</h2>\n");
-    let rows = result.study.runs.iter().zip(&result.fits).flat_map(|(run, fit)| {
+    let rows = result.study.runs.iter().zip(&result.scored_runs).flat_map(|(run, scored)| {
         let role = role_name(run.role).to_owned();
-        match fit {
-            Err(why) => vec![vec![run.name.clone(), role, why.to_string()]],
-            Ok(fit) => {
-                let row = |(o, s): (&Observe, &crate::study::Score)| {
+        match scored {
+            Err(error) => vec![vec![run.name.clone(), role, error.to_string()]],
+            Ok(scored) => {
+                let row = |(o, s): (&ObservedChannel, &Score)| {
                     let missing = o.values.iter().filter(|v| v.is_nan()).count();
                     let counts = [s.samples, s.dropped, missing].map(|n| n.to_string());
                     [vec![run.name.clone(), role.clone(), o.channel.clone(), number(s.nmse)], counts.to_vec()].concat()
                 };
-                run.observe.iter().zip(&fit.scores).map(row).collect()
+                run.observe.iter().zip(&scored.scores).map(row).collect()
             }
         }
     });
@@ -79,27 +79,27 @@ fn runs(out: &mut String, result: &Calibrated) {
     }
 }
 
-fn pictures(
+fn run_charts(
     out: &mut String,
     run: &Run,
-    fit: &Fit,
+    scored: &ScoredRun,
     displacement: Option<&(String, Vec<f64>)>,
-    amplitudes: &[Vec<Amplitude>],
+    amplitudes: &[Vec<AmplitudeGroup>],
 ) {
     let _ = writeln!(out, "<h2>{} ({})</h2>", escaped(&run.name), role_name(run.role));
     let t = &run.recording.times;
-    for (k, (o, simulated)) in run.observe.iter().zip(&fit.channels).enumerate() {
+    for (k, (o, simulated)) in run.observe.iter().zip(&scored.channels).enumerate() {
         let over = |x: &[f64], y: &[f64]| -> Vec<(f64, f64)> {
             x.iter().copied().zip(y.iter().copied()).filter(|p| !p.0.is_nan() && !p.1.is_nan()).collect()
         };
         let y_label = labelled(&o.channel, &o.unit);
-        let place = if o.at.is_empty() { String::new() } else { format!(", {}", o.at) };
+        let location = if o.at.is_empty() { String::new() } else { format!(", {}", o.at) };
         let loops = displacement.filter(|_| o.is_resistance());
         if let Some((name, u)) = loops {
             picture(
                 out,
                 &Figure {
-                    title: format!("Loops{place}"),
+                    title: format!("Loops{location}"),
                     x_label: name.clone(),
                     y_label: y_label.clone(),
                     curves: vec![line("recorded", over(u, &o.values)), line("simulated", over(u, simulated))],
@@ -110,7 +110,7 @@ fn pictures(
         picture(
             out,
             &Figure {
-                title: format!("{}{place}", o.channel),
+                title: format!("{}{location}", o.channel),
                 x_label: "time [s]".into(),
                 y_label: y_label.clone(),
                 curves: vec![line("recorded", over(t, &o.values)), line("simulated", over(t, simulated))],
@@ -121,7 +121,7 @@ fn pictures(
         picture(
             out,
             &Figure {
-                title: format!("Simulated less recorded{place}"),
+                title: format!("Simulated less recorded{location}"),
                 x_label: "time [s]".into(),
                 y_label,
                 curves: vec![line("", over(t, &residual))],
@@ -129,26 +129,26 @@ fn pictures(
             },
         );
         if let Some((name, _)) = loops {
-            by_amplitude(out, name, amplitudes.get(k).map_or(&[], Vec::as_slice));
+            amplitude_errors(out, name, amplitudes.get(k).map_or(&[], Vec::as_slice));
         }
     }
 }
 
-fn by_amplitude(out: &mut String, name: &str, all: &[Amplitude]) {
-    if all.is_empty() {
+fn amplitude_errors(out: &mut String, name: &str, groups: &[AmplitudeGroup]) {
+    if groups.is_empty() {
         return;
     }
-    let percent = |pair: [f64; 2]| format!("{:+.1} %", 100.0 * Amplitude::error(pair));
-    let rows = all.iter().map(|a| {
+    let percent = |pair: [f64; 2]| format!("{:+.1} %", 100.0 * AmplitudeGroup::error(pair));
+    let rows = groups.iter().map(|a| {
         let measures = [a.stiffness, a.energy, a.damping].into_iter();
         let cells = measures.flat_map(|m| [number(m[0]), percent(m)]);
         [number(a.amplitude), a.cycles.to_string()].into_iter().chain(cells).collect()
     });
     table(out, &["amplitude", "cycles", "K recorded", "error", "E recorded", "error", "ξ recorded", "error"], rows);
-    let curve = |label: &str, of: fn(&Amplitude) -> [f64; 2]| {
-        line(label, all.iter().map(|a| (a.amplitude, 100.0 * Amplitude::error(of(a)))).collect())
+    let curve = |label: &str, of: fn(&AmplitudeGroup) -> [f64; 2]| {
+        line(label, groups.iter().map(|a| (a.amplitude, 100.0 * AmplitudeGroup::error(of(a)))).collect())
     };
-    if all.len() > 1 {
+    if groups.len() > 1 {
         picture(
             out,
             &Figure {
@@ -166,11 +166,11 @@ fn by_amplitude(out: &mut String, name: &str, all: &[Amplitude]) {
     }
 }
 
-fn search(out: &mut String, result: &Calibrated) {
+fn convergence(out: &mut String, result: &CalibrationResult) {
     out.push_str("<h2>Search</h2>\n");
-    let repeats = &result.outcome.repeats;
+    let repeats = &result.search.repeats;
     let curves = repeats.iter().map(|r| {
-        // Steps: the best stays until it is beaten.
+        // A step function: the least objective is constant between improvements.
         let mut points = vec![];
         for (n, s) in &r.history {
             if let Some((_, last)) = points.last().copied() {
@@ -191,22 +191,22 @@ fn search(out: &mut String, result: &Calibrated) {
             ..Figure::default()
         },
     );
-    let s = result.spread();
+    let s = result.repeat_statistics();
     if s.repeats > 1 {
         let row = vec![s.repeats.to_string(), number(s.best), number(s.worst), number(s.mean), number(s.deviation)];
         table(out, &["repeats", "best", "worst", "mean", "deviation"], [row]);
     }
-    let mishaps = result.outcome.mishaps();
-    if !mishaps.is_empty() {
-        let rows = mishaps.iter().map(|(kind, n)| {
-            let example = repeats.iter().find_map(|r| r.examples.get(*kind)).map_or("", String::as_str);
-            vec![(*kind).to_owned(), n.to_string(), example.to_owned()]
+    let failures = result.search.failures();
+    if !failures.is_empty() {
+        let rows = failures.iter().map(|(kind, n)| {
+            let message = repeats.iter().find_map(|r| r.failure_messages.get(*kind)).map_or("", String::as_str);
+            vec![(*kind).to_owned(), n.to_string(), message.to_owned()]
         });
         table(out, &["points without an answer", "count", "for instance"], rows);
     }
 }
 
-fn sureness(out: &mut String, result: &Calibrated) {
+fn uncertainty(out: &mut String, result: &CalibrationResult) {
     let Some(u) = &result.uncertainty else { return };
     out.push_str("<h2>How sure the parameters are</h2>\n");
     let _ = writeln!(

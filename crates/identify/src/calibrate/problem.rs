@@ -1,32 +1,35 @@
-//! What is to be made least.
+//! The objective of a calibration.
 
 use super::method::Trial;
-use crate::study::{Crew, Fit, Mishap, Role, ScriptSimulator, Simulator, Study, fit, objective};
+use crate::study::{
+    Role, ScoredRun, ScriptSimulator, SimulationError, Simulator, Study, WorkerPool, objective, simulate_and_score,
+};
+use std::cell::Cell;
 use std::sync::Arc;
 
-/// What a point came to, and why, if it came to nothing.
+/// Result of a unit point.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Evaluated {
-    /// Score and residuals.
+pub struct Evaluation {
+    /// Objective and residuals.
     pub trial: Trial,
-    /// Why there is no score.
-    pub mishap: Option<Mishap>,
+    /// The error, if the objective is [`Trial::FAILED`].
+    pub error: Option<SimulationError>,
 }
 
-impl Evaluated {
-    /// A point without an answer.
-    pub fn failed(mishap: Mishap) -> Self {
-        Self { trial: Trial { score: Trial::FAILED, residuals: vec![] }, mishap: Some(mishap) }
+impl Evaluation {
+    /// The evaluation of a point where the model has no response.
+    pub fn failed(error: SimulationError) -> Self {
+        Self { trial: Trial { objective: Trial::FAILED, residuals: vec![] }, error: Some(error) }
     }
 }
 
-/// A function on the unit cube.
+/// An objective on the unit cube.
 pub trait Problem {
     /// Number of coordinates.
     fn dimension(&self) -> usize;
 
-    /// What some points come to, in their order; with residuals where they are wanted.
-    fn evaluate(&self, points: &[Vec<f64>], residuals: bool) -> Vec<Evaluated>;
+    /// Evaluate unit points, with residuals if they are needed. Results are in the order of the points.
+    fn evaluate(&self, unit_points: &[Vec<f64>], needs_residuals: bool) -> Vec<Evaluation>;
 }
 
 /// A run to simulate with values of all parameters.
@@ -35,34 +38,47 @@ struct Job {
     values: Arc<[f64]>,
 }
 
-/// The parameters of a study that follow its recordings.
+thread_local! {
+    /// The simulator of a worker thread. Values of a script cannot be sent to other threads, so it lives in one.
+    /// The threads of a pool serve one [`StudyProblem`] only.
+    static SIMULATOR: Cell<Option<Box<dyn Simulator>>> = const { Cell::new(None) };
+}
+
+/// The objective of a study: the mean NMSE of the fitted channels.
 pub struct StudyProblem {
     study: Arc<Study>,
-    crew: Crew<Job, Result<Fit, Mishap>>,
+    pool: WorkerPool,
+    make_simulator: Box<dyn Fn() -> Box<dyn Simulator> + Send + Sync>,
+}
+
+impl Drop for StudyProblem {
+    fn drop(&mut self) {
+        // The threads of a pool end some time after it, and would keep their simulators until then.
+        self.pool.run_in_each_thread(|| drop(SIMULATOR.take()));
+    }
 }
 
 impl StudyProblem {
-    /// With a simulator for each of some threads.
+    /// A problem with a pool of `threads` threads, each with a simulator of its own.
     ///
     /// # Errors
     /// A thread could not be started.
     pub fn new<S: Simulator + 'static>(
         study: Arc<Study>,
         threads: usize,
-        make: impl Fn() -> S + Clone + Send + 'static,
+        make_simulator: impl Fn() -> S + Send + Sync + 'static,
     ) -> std::io::Result<Self> {
-        let of = study.clone();
-        let work = move |s: &mut S, job: Job| fit(s, &of, job.run, &job.values);
-        Ok(Self { crew: Crew::new(threads, make, work)?, study })
+        let make_simulator = Box::new(move || Box::new(make_simulator()) as Box<dyn Simulator>);
+        Ok(Self { study, pool: WorkerPool::new(threads)?, make_simulator })
     }
 
-    /// The study's own script as the model; the simulator has been opened.
+    /// A problem whose model is the script of the study. The simulator has made its initial run.
     ///
     /// # Errors
     /// A thread could not be started.
     pub fn of_script(simulator: &ScriptSimulator, threads: usize) -> std::io::Result<Self> {
-        let blueprint = simulator.blueprint();
-        Self::new(simulator.study().clone(), threads, move || blueprint.simulator())
+        let factory = simulator.factory();
+        Self::new(simulator.study().clone(), threads, move || factory.simulator())
     }
 
     /// The study.
@@ -70,30 +86,42 @@ impl StudyProblem {
         &self.study
     }
 
-    /// Runs with some values of all parameters.
-    pub fn fits(&self, runs: &[usize], values: &[f64]) -> Vec<Result<Fit, Mishap>> {
+    /// Simulate and score runs in parallel. Results are in the order of the jobs.
+    fn run(&self, jobs: impl IntoIterator<Item = Job>) -> impl Iterator<Item = Result<ScoredRun, SimulationError>> {
+        let results = self.pool.run(jobs, |job: Job| {
+            // A simulator whose run panics is not put back, so the next job gets a new one.
+            let mut simulator = SIMULATOR.take().unwrap_or_else(|| (self.make_simulator)());
+            let result = simulate_and_score(&mut *simulator, &self.study, job.run, &job.values);
+            SIMULATOR.set(Some(simulator));
+            result
+        });
+        results.into_iter().map(|r| r.unwrap_or(Err(SimulationError::Defect)))
+    }
+
+    /// Simulate and score runs of the study with values of all parameters.
+    pub fn scored_runs(&self, runs: &[usize], values: &[f64]) -> Vec<Result<ScoredRun, SimulationError>> {
         let values: Arc<[f64]> = values.into();
-        let answers = self.crew.run(runs.iter().map(|r| Job { run: *r, values: values.clone() }));
-        answers.into_iter().map(|a| a.unwrap_or(Err(Mishap::Defect))).collect()
+        self.run(runs.iter().map(|r| Job { run: *r, values: values.clone() })).collect()
     }
 
     fn fitted_runs(&self) -> Vec<usize> {
         self.study.runs_of(Role::Fit).map(|(i, _)| i).collect()
     }
 
-    /// Differences of all channels over their scales, such that their squares add up to the objective.
-    pub fn residuals(&self, fits: &[&Fit]) -> Vec<f64> {
+    /// Scaled differences of all fitted channels, whose sum of squares is the objective.
+    pub fn residuals(&self, scored: &[&ScoredRun]) -> Vec<f64> {
         let runs: Vec<usize> = self.fitted_runs();
         let channels: usize = runs.iter().map(|r| self.study.runs[*r].observe.len()).sum();
-        let mut out = vec![];
-        for (run, fit) in runs.iter().zip(fits) {
-            for ((o, s), simulated) in self.study.runs[*run].observe.iter().zip(&fit.scores).zip(&fit.channels) {
+        let mut residuals = vec![];
+        for (run, scored_run) in runs.iter().zip(scored) {
+            let observed = self.study.runs[*run].observe.iter();
+            for ((o, s), simulated) in observed.zip(&scored_run.scores).zip(&scored_run.channels) {
                 let scale = (o.weight / (s.samples as f64 * o.variance * channels as f64)).sqrt();
-                let pairs = simulated.iter().zip(&o.values).filter(|(n, e)| !n.is_nan() && !e.is_nan());
-                out.extend(pairs.map(|(num, exp)| scale * (num - exp)));
+                let pairs = simulated.iter().zip(&o.values).filter(|(y, v)| !y.is_nan() && !v.is_nan());
+                residuals.extend(pairs.map(|(y, v)| scale * (y - v)));
             }
         }
-        out
+        residuals
     }
 }
 
@@ -102,26 +130,27 @@ impl Problem for StudyProblem {
         self.study.space.dimension()
     }
 
-    fn evaluate(&self, points: &[Vec<f64>], residuals: bool) -> Vec<Evaluated> {
+    fn evaluate(&self, unit_points: &[Vec<f64>], needs_residuals: bool) -> Vec<Evaluation> {
         let runs = self.fitted_runs();
-        let values: Vec<_> = points.iter().map(|p| self.study.space.values(p).map(Arc::<[f64]>::from)).collect();
+        let values: Vec<_> =
+            unit_points.iter().map(|p| self.study.space.values_at(p).map(Arc::<[f64]>::from)).collect();
         let jobs = values.iter().flatten().flat_map(|v| runs.iter().map(|r| Job { run: *r, values: v.clone() }));
-        let mut answers = self.crew.run(jobs).into_iter();
-        let evaluated = values.iter().map(|v| {
-            if let Err(outside) = v {
-                return Evaluated::failed(Mishap::Outside(outside.to_string()));
+        let mut results = self.run(jobs);
+        let evaluations = values.iter().map(|v| {
+            if let Err(e) = v {
+                return Evaluation::failed(SimulationError::OutOfRange(e.to_string()));
             }
-            let fits: Vec<Result<Fit, Mishap>> =
-                (0..runs.len()).map(|_| answers.next().flatten().unwrap_or(Err(Mishap::Defect))).collect();
-            let good: Result<Vec<&Fit>, Mishap> = fits.iter().map(|f| f.as_ref().map_err(Mishap::clone)).collect();
-            match good {
-                Err(mishap) => Evaluated::failed(mishap),
-                Ok(fits) => {
-                    let residuals = if residuals { self.residuals(&fits) } else { vec![] };
-                    Evaluated { trial: Trial { score: objective(&self.study, &fits), residuals }, mishap: None }
+            let scored: Vec<Result<ScoredRun, SimulationError>> = results.by_ref().take(runs.len()).collect();
+            let scored: Result<Vec<&ScoredRun>, SimulationError> =
+                scored.iter().map(|r| r.as_ref().map_err(SimulationError::clone)).collect();
+            match scored {
+                Err(error) => Evaluation::failed(error),
+                Ok(scored) => {
+                    let residuals = if needs_residuals { self.residuals(&scored) } else { vec![] };
+                    Evaluation { trial: Trial { objective: objective(&self.study, &scored), residuals }, error: None }
                 }
             }
         });
-        evaluated.collect()
+        evaluations.collect()
     }
 }

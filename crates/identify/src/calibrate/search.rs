@@ -1,115 +1,115 @@
-//! The search from its start, or from a checkpoint, to its end.
+//! The search, from its start or from a checkpoint to its end.
 
-use super::method::{Search, Trial};
-use super::plan::Plan;
-use super::problem::{Evaluated, Problem};
-use crate::study::Mishap;
+use super::method::{MethodState, Trial};
+use super::problem::{Evaluation, Problem};
+use super::settings::SearchSettings;
+use crate::study::SimulationError;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// What one repeat of the search has found.
+/// Result of one repeat of the search.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Repeat {
     /// Its seed.
     pub seed: u64,
-    /// The best point.
-    pub best: Vec<f64>,
-    /// Its score.
-    pub score: f64,
-    /// Points evaluated.
+    /// The best unit point.
+    pub unit_point: Vec<f64>,
+    /// Its objective.
+    pub objective: f64,
+    /// Number of evaluations.
     pub evaluations: usize,
-    /// Evaluations and best score, whenever that has changed.
+    /// Number of evaluations and least objective, at each improvement.
     pub history: Vec<(usize, f64)>,
-    /// Points without an answer, by the kind of mishap.
-    pub mishaps: BTreeMap<String, usize>,
-    /// The last mishap of each kind, told.
-    pub examples: BTreeMap<String, String>,
+    /// Number of failed evaluations, by the kind of error.
+    pub failures: BTreeMap<String, usize>,
+    /// Message of the last error of each kind.
+    pub failure_messages: BTreeMap<String, String>,
 }
 
-/// Where a search stands, between two askings.
+/// State of a search between two evaluations.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Checkpoint {
-    /// What is being done; a checkpoint fits no other plan.
-    pub plan: Plan,
-    /// Where it began.
-    pub start: Vec<f64>,
+    /// Settings of the search.
+    pub settings: SearchSettings,
+    /// Unit point of the script's own values.
+    pub initial_unit_point: Vec<f64>,
     /// Repeats that have ended.
     pub done: Vec<Repeat>,
-    /// The repeat under way.
+    /// The current repeat.
     pub current: Repeat,
-    /// Which of its searches is under way, and how many times it has asked.
+    /// Index of its stage.
     pub stage: usize,
-    /// Askings of this search.
+    /// Number of evaluated generations of the stage.
     pub generation: usize,
-    /// The search.
-    pub search: Search,
+    /// The method of the stage.
+    pub method: MethodState,
 }
 
-/// How the search is getting on.
+/// Progress of a search.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Status<'a> {
-    /// Repeats that have ended, and all of them.
+pub struct SearchStatus<'a> {
+    /// Number of repeats that have ended, and of all repeats.
     pub repeat: (usize, usize),
-    /// What is being done, in a word.
+    /// Name of the current method.
     pub stage: &'a str,
-    /// Askings of this search.
+    /// Number of evaluated generations of the stage.
     pub generation: usize,
-    /// Points evaluated in this repeat.
+    /// Number of evaluations of the repeat.
     pub evaluations: usize,
-    /// Best score of this repeat.
+    /// Least objective of the repeat.
     pub best: f64,
-    /// Greatest less least score of the population.
+    /// Greatest less least objective of the population.
     pub spread: f64,
-    /// How much of all that is to be done is done.
+    /// Share of the whole search that is done.
     pub progress: f64,
 }
 
-/// Who wants to know how the search is getting on.
-pub trait Watch {
-    /// Points have been evaluated.
-    fn status(&mut self, _: &Status<'_>) {}
-    /// Whether a checkpoint is wanted now.
+/// Receives progress and checkpoints of a search, and can stop it.
+pub trait SearchObserver {
+    /// Called after each evaluated generation.
+    fn status(&mut self, _: &SearchStatus<'_>) {}
+    /// Returns true to receive a checkpoint now.
     fn wants_checkpoint(&self) -> bool {
         false
     }
-    /// A checkpoint, where one was wanted, or the search was stopped.
+    /// Called with a checkpoint if one is wanted, or if the search was stopped.
     fn checkpoint(&mut self, _: &Checkpoint) {}
-    /// Whether to stop.
+    /// Returns true to stop the search.
     fn stopped(&self) -> bool {
         false
     }
 }
 
-/// Nobody.
-pub struct Silent;
+/// An observer that ignores the progress.
+pub struct NoObserver;
 
-impl Watch for Silent {}
+impl SearchObserver for NoObserver {}
 
-/// What a search has found.
+/// Result of a search.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Outcome {
-    /// The repeats, the last of which is not complete if it was stopped.
+pub struct SearchResult {
+    /// The repeats. The last one is incomplete if the search was stopped.
     pub repeats: Vec<Repeat>,
-    /// It was stopped.
+    /// True if the observer stopped the search.
     pub stopped: bool,
 }
 
-impl Outcome {
-    /// The best repeat; none where nothing has been evaluated.
+impl SearchResult {
+    /// The repeat with the least objective; `None` if all evaluations failed.
     pub fn best(&self) -> Option<&Repeat> {
-        let found = self.repeats.iter().filter(|r| r.score < Trial::FAILED);
-        found.min_by(|a, b| a.score.total_cmp(&b.score))
+        let successful = self.repeats.iter().filter(|r| r.objective < Trial::FAILED);
+        successful.min_by(|a, b| a.objective.total_cmp(&b.objective))
     }
 
-    /// Points evaluated in all repeats.
+    /// Number of evaluations of all repeats.
     pub fn evaluations(&self) -> usize {
         self.repeats.iter().map(|r| r.evaluations).sum()
     }
 
-    /// Points without an answer, by the kind of mishap.
-    pub fn mishaps(&self) -> BTreeMap<&str, usize> {
+    /// Number of failed evaluations of all repeats, by the kind of error.
+    pub fn failures(&self) -> BTreeMap<&str, usize> {
         let mut all = BTreeMap::new();
-        for (kind, n) in self.repeats.iter().flat_map(|r| &r.mishaps) {
+        for (kind, n) in self.repeats.iter().flat_map(|r| &r.failures) {
             *all.entry(kind.as_str()).or_default() += n;
         }
         all
@@ -117,103 +117,106 @@ impl Outcome {
 }
 
 impl Checkpoint {
-    /// Before anything is done.
-    pub fn new(plan: Plan, start: Vec<f64>) -> Self {
-        let search = plan.search(0, 0, &start, &start);
-        let current = fresh(&plan, 0, &start);
-        Self { plan, start, done: vec![], current, stage: 0, generation: 0, search }
+    /// The state before the first evaluation. `initial_unit_point` has the script's own values.
+    pub fn new(settings: SearchSettings, initial_unit_point: Vec<f64>) -> Self {
+        let method = settings.method_state(0, 0, &initial_unit_point, &initial_unit_point);
+        let current = new_repeat(&settings, 0, &initial_unit_point);
+        Self { settings, initial_unit_point, done: vec![], current, stage: 0, generation: 0, method }
     }
 
-    /// Go on to the next search, or the next repeat; `false` where there is none.
+    /// Go on to the next stage, or to the next repeat. Returns false at the end of the search.
     fn advance(&mut self) -> bool {
         self.stage += 1;
         self.generation = 0;
-        if self.stage >= self.plan.stages() {
-            let next = fresh(&self.plan, self.done.len() + 1, &self.start);
+        if self.stage >= self.settings.stages() {
+            let next = new_repeat(&self.settings, self.done.len() + 1, &self.initial_unit_point);
             self.done.push(std::mem::replace(&mut self.current, next));
             self.stage = 0;
-            if self.done.len() >= self.plan.repeats {
+            if self.done.len() >= self.settings.repeats {
                 return false;
             }
         }
-        self.search = self.plan.search(self.done.len(), self.stage, &self.start, &self.current.best);
+        self.method =
+            self.settings.method_state(self.done.len(), self.stage, &self.initial_unit_point, &self.current.unit_point);
         true
     }
 
-    /// What points came to.
-    fn take(&mut self, points: &[Vec<f64>], evaluated: &[Evaluated]) {
-        let now = &mut self.current;
-        for (point, e) in points.iter().zip(evaluated) {
-            now.evaluations += 1;
-            if let Some(m) = &e.mishap {
-                *now.mishaps.entry(m.kind().to_owned()).or_default() += 1;
-                now.examples.insert(m.kind().to_owned(), m.to_string());
+    /// Add evaluations to the current repeat.
+    fn add(&mut self, unit_points: &[Vec<f64>], evaluations: &[Evaluation]) {
+        let repeat = &mut self.current;
+        for (unit_point, e) in unit_points.iter().zip(evaluations) {
+            repeat.evaluations += 1;
+            if let Some(error) = &e.error {
+                *repeat.failures.entry(error.kind().to_owned()).or_default() += 1;
+                repeat.failure_messages.insert(error.kind().to_owned(), error.to_string());
             }
-            if e.trial.score < now.score {
-                now.score = e.trial.score;
-                now.best.clone_from(point);
-                now.history.push((now.evaluations, now.score));
+            if e.trial.objective < repeat.objective {
+                repeat.objective = e.trial.objective;
+                repeat.unit_point.clone_from(unit_point);
+                repeat.history.push((repeat.evaluations, repeat.objective));
             }
         }
     }
 
-    fn status(&mut self) -> Status<'static> {
-        let stages = self.plan.stages() as f64;
-        let method = self.search.method();
-        let here = (self.stage as f64 + method.progress().clamp(0.0, 1.0)) / stages;
-        let polishing = matches!(self.search, Search::LevenbergMarquardt(_));
-        Status {
-            repeat: (self.done.len(), self.plan.repeats),
-            stage: if polishing { "least squares" } else { self.plan.strategy.name() },
+    fn status(&mut self) -> SearchStatus<'static> {
+        let stages = self.settings.stages() as f64;
+        let method = self.method.method();
+        let repeat_progress = (self.stage as f64 + method.progress().clamp(0.0, 1.0)) / stages;
+        let spread = method.spread();
+        let is_least_squares = matches!(self.method, MethodState::LevenbergMarquardt(_));
+        SearchStatus {
+            repeat: (self.done.len(), self.settings.repeats),
+            stage: if is_least_squares { "least squares" } else { self.settings.method.name() },
             generation: self.generation,
             evaluations: self.current.evaluations,
-            best: self.current.score,
-            spread: self.search.method().spread(),
-            progress: (self.done.len() as f64 + here) / self.plan.repeats as f64,
+            best: self.current.objective,
+            spread,
+            progress: (self.done.len() as f64 + repeat_progress) / self.settings.repeats as f64,
         }
     }
 }
 
-fn fresh(plan: &Plan, repeat: usize, start: &[f64]) -> Repeat {
+fn new_repeat(settings: &SearchSettings, repeat: usize, initial_unit_point: &[f64]) -> Repeat {
     Repeat {
-        seed: plan.seed.wrapping_add(repeat as u64),
-        best: start.to_vec(),
-        score: Trial::FAILED,
+        seed: settings.seed.wrapping_add(repeat as u64),
+        unit_point: initial_unit_point.to_vec(),
+        objective: Trial::FAILED,
         evaluations: 0,
         history: vec![],
-        mishaps: BTreeMap::new(),
-        examples: BTreeMap::new(),
+        failures: BTreeMap::new(),
+        failure_messages: BTreeMap::new(),
     }
 }
 
-/// Go on from a checkpoint to the end, or until the watch stops it.
-pub fn search(problem: &dyn Problem, mut at: Checkpoint, watch: &mut dyn Watch) -> Outcome {
+/// Continue from a checkpoint to the end, or until the observer stops the search.
+pub fn search(problem: &dyn Problem, mut at: Checkpoint, observer: &mut dyn SearchObserver) -> SearchResult {
     loop {
-        let before = at.search.clone();
-        let method = at.search.method();
-        let points = method.ask();
-        if points.is_empty() {
+        let before = at.method.clone();
+        let method = at.method.method();
+        let unit_points = method.ask();
+        if unit_points.is_empty() {
             if at.advance() {
                 continue;
             }
-            return Outcome { repeats: at.done, stopped: false };
+            return SearchResult { repeats: at.done, stopped: false };
         }
-        let evaluated = if watch.stopped() { vec![] } else { problem.evaluate(&points, method.wants_residuals()) };
-        if watch.stopped() || evaluated.iter().any(|e| e.mishap == Some(Mishap::Interrupted)) {
-            // What was asked for last is asked for again when the search goes on.
-            at.search = before;
-            watch.checkpoint(&at);
+        let evaluations =
+            if observer.stopped() { vec![] } else { problem.evaluate(&unit_points, method.needs_residuals()) };
+        if observer.stopped() || evaluations.iter().any(|e| e.error == Some(SimulationError::Interrupted)) {
+            // The checkpoint asks for the same points again.
+            at.method = before;
+            observer.checkpoint(&at);
             let mut repeats = at.done;
             repeats.push(at.current);
-            return Outcome { repeats, stopped: true };
+            return SearchResult { repeats, stopped: true };
         }
-        at.take(&points, &evaluated);
-        let trials: Vec<Trial> = evaluated.into_iter().map(|e| e.trial).collect();
-        at.search.method().tell(&points, &trials);
+        at.add(&unit_points, &evaluations);
+        let trials: Vec<Trial> = evaluations.into_iter().map(|e| e.trial).collect();
+        at.method.method().tell(&unit_points, &trials);
         at.generation += 1;
-        watch.status(&at.status());
-        if watch.wants_checkpoint() {
-            watch.checkpoint(&at);
+        observer.status(&at.status());
+        if observer.wants_checkpoint() {
+            observer.checkpoint(&at);
         }
     }
 }

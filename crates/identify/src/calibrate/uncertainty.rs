@@ -1,83 +1,88 @@
-//! How sure the parameters are, from the curvature of the objective at its least.
+//! Uncertainty of the parameters from the curvature of the objective at its minimum.
 //!
-//! The parameters minimise Σ w_c |r_c|², r_c the differences of channel c. Their covariance is that of this estimator under
-//! noise of standard deviation σ_c whose autocorrelation makes n_c samples worth n_c/τ_c:
+//! The parameters minimise Σ w_c |r_c|² with the differences r_c of channel c. The noise of channel c has the standard
+//! deviation σ_c, and its autocorrelation leaves n_c/τ_c independent samples of n_c. The covariance of the estimator is
 //!
 //! C = H⁻¹ (Σ w_c² σ_c² τ_c J_cᵀJ_c) H⁻¹,  H = Σ w_c J_cᵀJ_c  (the "sandwich"; White, 1982),
 //!
-//! with σ_c² the mean square of r_c and τ_c = 1 + 2 Σ ρ_k its integrated autocorrelation, summed while adjacent pairs are
-//! positive (Geyer, 1992). Where the model cannot follow the data the differences are no noise, and the intervals tell
-//! how well the data fix the best fit, not how near that is to the truth.
+//! with σ_c² the mean square of r_c and the integrated autocorrelation τ_c = 1 + 2 Σ ρ_k, summed while adjacent pairs are
+//! positive (Geyer, 1992). If the model cannot follow the data, the differences are no noise. The intervals then show how
+//! well the data determine the best fit, not its distance from the truth.
 
 use super::problem::{Problem, StudyProblem};
-use crate::study::{Fit, Range, Role, Scale};
+use crate::study::{ParameterRange, Role, Scale, ScoredRun};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use serde::Serialize;
 
-/// Interval of a parameter.
+/// Confidence interval of a parameter.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Interval {
     /// Name.
     pub name: String,
     /// Best value.
     pub value: f64,
-    /// Ends of the 95 % confidence interval, within the bounds.
+    /// Lower end of the 95 % confidence interval, within the bounds.
     pub lower: f64,
-    /// Upper end.
+    /// Upper end of the 95 % confidence interval, within the bounds.
     pub upper: f64,
-    /// Standard error in sides of the unit cube: the range of the study is 1.
-    pub relative: f64,
+    /// Standard error of the unit coordinate, in sides of the cube.
+    #[serde(rename = "relative")]
+    pub standard_error: f64,
 }
 
-/// What the data determine.
+/// Uncertainty of the free parameters.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Uncertainty {
     /// Intervals of the free parameters.
     pub intervals: Vec<Interval>,
-    /// Correlations of the free parameters, row by row.
+    /// Correlation matrix of the free parameters, by rows.
     pub correlation: Vec<Vec<f64>>,
-    /// Samples of all channels, and what they are worth given their autocorrelation.
+    /// Number of samples of all channels.
     pub samples: f64,
-    /// Independent samples.
+    /// Number of independent samples.
     pub effective_samples: f64,
-    /// What the data do not determine, in sentences; empty if they determine everything.
+    /// Sentences about parameters that the data do not determine.
     pub undetermined: Vec<String>,
-    /// What each run to be fitted determines by itself, where there are several.
-    pub alone: Vec<Alone>,
+    /// Uncertainty from each fitted run alone; empty for a single run.
+    #[serde(rename = "alone")]
+    pub by_run: Vec<RunUncertainty>,
 }
 
 impl Uncertainty {
-    /// What the data, and each run by itself, do not determine, in sentences.
+    /// Sentences about parameters that the data, or single runs, do not determine.
     pub fn notes(&self) -> Vec<String> {
-        let blind = self.alone.iter().filter(|a| !a.undetermined.is_empty());
-        let blind = blind.map(|a| format!("{} alone does not determine {}", a.run, a.undetermined.join(", ")));
-        self.undetermined.iter().cloned().chain(blind).collect()
+        let incomplete = self.by_run.iter().filter(|r| !r.undetermined.is_empty());
+        let of_runs = incomplete.map(|r| format!("{} alone does not determine {}", r.run, r.undetermined.join(", ")));
+        self.undetermined.iter().cloned().chain(of_runs).collect()
     }
 }
 
-/// What a run would determine if it were the only one.
+/// Uncertainty of the free parameters if a run were the only one.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Alone {
-    /// Its name.
+pub struct RunUncertainty {
+    /// Name of the run.
     pub run: String,
-    /// Standard errors of the free parameters, in sides of the unit cube.
-    pub relative: Vec<f64>,
-    /// The parameters that it does not determine.
+    /// Standard errors of the unit coordinates, in sides of the cube.
+    #[serde(rename = "relative")]
+    pub standard_errors: Vec<f64>,
+    /// Names of the parameters that the run does not determine.
     pub undetermined: Vec<String>,
 }
 
 /// Two-sided 95 % point of the normal distribution.
 const Z95: f64 = 1.959_963_985;
-/// Step of the differences, in sides of the cube.
-const STEP: f64 = 1e-4;
-/// Correlation from which two parameters stand for each other.
-const TIED: f64 = 0.95;
-/// Curvature of a direction without influence, over the largest of a coordinate.
-const WEAK: f64 = 1e-9;
-/// Standard error, in sides of the cube, from which a parameter is not determined: its interval is its range.
-const WIDE: f64 = 0.25;
+/// Step of the central differences, in sides of the cube.
+const DIFFERENCE_STEP: f64 = 1e-4;
+/// Two parameters with a larger correlation are determined together only.
+const MAX_CORRELATION: f64 = 0.95;
+/// A direction with a smaller curvature, relative to the largest of a coordinate, has no influence.
+const MIN_RELATIVE_CURVATURE: f64 = 1e-9;
+/// A parameter takes part in a direction from this component of the unit eigenvector.
+const MIN_COMPONENT: f64 = 0.1;
+/// A parameter with a larger standard error, in sides of the cube, is not determined: its interval is its range.
+const MAX_STANDARD_ERROR: f64 = 0.25;
 
-/// Integrated autocorrelation of some differences, in samples.
+/// Integrated autocorrelation time of a series, in samples.
 pub fn autocorrelation_time(r: &[f64]) -> f64 {
     let n = r.len();
     let mean = r.iter().sum::<f64>() / n as f64;
@@ -99,185 +104,217 @@ pub fn autocorrelation_time(r: &[f64]) -> f64 {
     (2.0 * sum - 1.0).clamp(1.0, n as f64 / 2.0)
 }
 
-/// Curvature of the objective, and the noise in its slope: H, and the middle of the sandwich.
+/// Curvature of the objective: H, and the middle matrix of the sandwich.
 struct Curvature {
     hessian: DMatrix<f64>,
     middle: DMatrix<f64>,
-    /// Independent samples.
-    effective: f64,
+    effective_samples: f64,
 }
 
-/// What a curvature determines.
-struct Known {
-    /// Standard errors in sides of the cube.
-    error: Vec<f64>,
+/// Covariance of the unit coordinates.
+struct Covariance {
+    /// Standard errors, in sides of the cube; 1 for parameters of a direction without influence.
+    standard_errors: Vec<f64>,
     correlation: Vec<Vec<f64>>,
-    /// Parameters that each direction without influence moves.
-    idle: Vec<Vec<usize>>,
+    /// Indices of the parameters in each direction without influence.
+    null_directions: Vec<Vec<usize>>,
 }
 
-impl Known {
-    /// Whether a parameter has the whole range for its interval.
-    fn is_open(&self, i: usize) -> bool {
-        self.idle.iter().any(|d| d.contains(&i))
+impl Covariance {
+    /// Returns true if a parameter takes part in a direction without influence.
+    fn is_undetermined(&self, i: usize) -> bool {
+        self.null_directions.iter().any(|d| d.contains(&i))
     }
 }
 
 impl Curvature {
     fn new(n: usize) -> Self {
-        Self { hessian: DMatrix::zeros(n, n), middle: DMatrix::zeros(n, n), effective: 0.0 }
+        Self { hessian: DMatrix::zeros(n, n), middle: DMatrix::zeros(n, n), effective_samples: 0.0 }
     }
 
-    /// Add a channel: its differences, which carry the weights already, and their derivatives.
-    fn add(&mut self, r: &[f64], j: &DMatrix<f64>) {
+    /// Add the residuals `r` of a channel, with weights, and their derivatives `j` by the unit coordinates.
+    fn add_channel(&mut self, r: &[f64], j: &DMatrix<f64>) {
         let n = r.len() as f64;
         let tau = autocorrelation_time(r);
-        let noise = r.iter().map(|x| x * x).sum::<f64>() / n;
+        let variance = r.iter().map(|x| x * x).sum::<f64>() / n;
         let jj = j.transpose() * j;
-        self.middle += &jj * (noise * tau);
+        self.middle += &jj * (variance * tau);
         self.hessian += jj;
-        self.effective += n / tau;
+        self.effective_samples += n / tau;
     }
 
-    fn join(&mut self, other: &Self) {
+    fn add(&mut self, other: &Self) {
         self.hessian += &other.hessian;
         self.middle += &other.middle;
-        self.effective += other.effective;
+        self.effective_samples += other.effective_samples;
     }
 
-    /// What it determines; `None` where nothing has an influence. A direction without influence is left out of the
-    /// covariance.
-    fn known(self) -> Option<Known> {
+    /// The covariance, without the directions that have no influence; `None` if no parameter has one.
+    fn covariance(self) -> Option<Covariance> {
         let n = self.hessian.nrows();
         let largest = self.hessian.diagonal().max();
         if largest <= 0.0 {
             return None;
         }
         let eigen = SymmetricEigen::new(self.hessian);
-        let is_weak = |k: usize| eigen.eigenvalues[k] <= WEAK * largest;
-        let moved = |k: usize| (0..n).filter(|i| eigen.eigenvectors[(*i, k)].abs() > 0.1).collect();
-        let idle = (0..n).filter(|k| is_weak(*k)).map(moved).collect();
-        let mut known = Known { error: vec![1.0; n], correlation: vec![vec![0.0; n]; n], idle };
-        let kept = DVector::from_fn(n, |k, _| if is_weak(k) { 0.0 } else { 1.0 / eigen.eigenvalues[k] });
-        let inverse = &eigen.eigenvectors * DMatrix::from_diagonal(&kept) * eigen.eigenvectors.transpose();
-        let covariance = &inverse * self.middle * &inverse;
-        let deviation = |i: usize| covariance[(i, i)].max(0.0).sqrt();
+        let is_null = |k: usize| eigen.eigenvalues[k] <= MIN_RELATIVE_CURVATURE * largest;
+        let members = |k: usize| (0..n).filter(|i| eigen.eigenvectors[(*i, k)].abs() > MIN_COMPONENT).collect();
+        let null_directions = (0..n).filter(|k| is_null(*k)).map(members).collect();
+        let mut covariance =
+            Covariance { standard_errors: vec![1.0; n], correlation: vec![vec![0.0; n]; n], null_directions };
+        let inverses = DVector::from_fn(n, |k, _| if is_null(k) { 0.0 } else { 1.0 / eigen.eigenvalues[k] });
+        let inverse = &eigen.eigenvectors * DMatrix::from_diagonal(&inverses) * eigen.eigenvectors.transpose();
+        let matrix = &inverse * self.middle * &inverse;
+        let deviation = |i: usize| matrix[(i, i)].max(0.0).sqrt();
         for i in 0..n {
-            known.correlation[i][i] = 1.0;
-            if known.is_open(i) {
+            covariance.correlation[i][i] = 1.0;
+            if covariance.is_undetermined(i) {
                 continue;
             }
-            known.error[i] = deviation(i);
-            for k in (0..i).filter(|k| !known.is_open(*k)).collect::<Vec<_>>() {
+            covariance.standard_errors[i] = deviation(i);
+            for k in (0..i).filter(|k| !covariance.is_undetermined(*k)).collect::<Vec<_>>() {
                 let product = deviation(i) * deviation(k);
                 if product > 0.0 {
-                    let rho = (covariance[(i, k)] / product).clamp(-1.0, 1.0);
-                    (known.correlation[i][k], known.correlation[k][i]) = (rho, rho);
+                    let rho = (matrix[(i, k)] / product).clamp(-1.0, 1.0);
+                    (covariance.correlation[i][k], covariance.correlation[k][i]) = (rho, rho);
                 }
             }
         }
-        Some(known)
+        Some(covariance)
     }
 }
 
-/// Work out what the data determine at the best point.
+/// Residuals at a unit point, and their derivatives by each unit coordinate.
+struct Linearization {
+    residuals: Vec<f64>,
+    columns: Vec<Vec<f64>>,
+}
+
+impl Linearization {
+    /// Central differences about a unit point; one-sided at a bound of the cube.
+    fn new(problem: &StudyProblem, unit_point: &[f64]) -> Result<Self, String> {
+        let n = unit_point.len();
+        let moved = |i: usize, h: f64| {
+            let mut p = unit_point.to_vec();
+            p[i] = (p[i] + h).clamp(0.0, 1.0);
+            p
+        };
+        let mut unit_points = vec![unit_point.to_vec()];
+        unit_points.extend((0..n).flat_map(|i| [moved(i, DIFFERENCE_STEP), moved(i, -DIFFERENCE_STEP)]));
+        let evaluations = problem.evaluate(&unit_points, true);
+        if let Some(error) = evaluations.iter().find_map(|e| e.error.as_ref()) {
+            return Err(format!("beside the best point there is no answer: {error}"));
+        }
+        let residuals = |k: usize| -> &Vec<f64> { &evaluations[k].trial.residuals };
+        if (0..evaluations.len()).any(|k| residuals(k).len() != residuals(0).len()) {
+            return Err("beside the best point the analysis ends at another time".into());
+        }
+        let derivative = |i: usize| {
+            let (up, down) = (1 + 2 * i, 2 + 2 * i);
+            let h = unit_points[up][i] - unit_points[down][i];
+            residuals(up).iter().zip(residuals(down)).map(|(a, b)| (a - b) / h).collect()
+        };
+        Ok(Self { residuals: residuals(0).clone(), columns: (0..n).map(derivative).collect() })
+    }
+
+    /// The curvature of each run, whose residuals follow each other in the order of `scored`.
+    fn curvatures(&self, scored: &[ScoredRun]) -> Vec<Curvature> {
+        let n = self.columns.len();
+        let mut start = 0;
+        let of_run = |run: &ScoredRun| {
+            let mut curvature = Curvature::new(n);
+            for score in &run.scores {
+                let end = start + score.samples;
+                let j = DMatrix::from_fn(score.samples, n, |row, col| self.columns[col][start + row]);
+                curvature.add_channel(&self.residuals[start..end], &j);
+                start = end;
+            }
+            curvature
+        };
+        scored.iter().map(of_run).collect()
+    }
+}
+
+/// Estimate the uncertainty of the free parameters at the best unit point.
 ///
 /// # Errors
-/// A point beside the best has no answer, or nothing has an influence.
-pub fn uncertainty(problem: &StudyProblem, point: &[f64]) -> Result<Uncertainty, String> {
+/// A point beside the best one has no response, or no parameter has an influence.
+pub fn uncertainty(problem: &StudyProblem, unit_point: &[f64]) -> Result<Uncertainty, String> {
     let study = problem.study().clone();
-    let n = point.len();
-    let moved = |i: usize, h: f64| {
-        let mut p = point.to_vec();
-        p[i] = (p[i] + h).clamp(0.0, 1.0);
-        p
-    };
-    let mut points = vec![point.to_vec()];
-    points.extend((0..n).flat_map(|i| [moved(i, STEP), moved(i, -STEP)]));
-    let evaluated = problem.evaluate(&points, true);
-    if let Some(m) = evaluated.iter().find_map(|e| e.mishap.as_ref()) {
-        return Err(format!("beside the best point there is no answer: {m}"));
-    }
-    let r = &evaluated[0].trial.residuals;
-    if evaluated.iter().any(|e| e.trial.residuals.len() != r.len()) {
-        return Err("beside the best point the analysis ends at another time".into());
-    }
-    let columns: Vec<Vec<f64>> = (0..n)
-        .map(|i| {
-            let (up, down) = (1 + 2 * i, 2 + 2 * i);
-            let h = points[up][i] - points[down][i];
-            let pairs = evaluated[up].trial.residuals.iter().zip(&evaluated[down].trial.residuals);
-            pairs.map(|(a, b)| (a - b) / h).collect()
-        })
-        .collect();
-    let values = study.space.values(point).map_err(|o| o.to_string())?;
+    let n = unit_point.len();
+    let linearization = Linearization::new(problem, unit_point)?;
+    let values = study.space.values_at(unit_point).map_err(|e| e.to_string())?;
     let runs: Vec<usize> = study.runs_of(Role::Fit).map(|(i, _)| i).collect();
-    let fits = problem.fits(&runs, &values);
-    let fits: Vec<&Fit> = fits.iter().flatten().collect();
-    let mut all = Curvature::new(n);
-    let mut by_run = vec![];
-    let mut start = 0;
-    for ((_, run), fit) in study.runs_of(Role::Fit).zip(&fits) {
-        let mut alone = Curvature::new(n);
-        for score in &fit.scores {
-            let end = start + score.samples;
-            let j = DMatrix::from_fn(score.samples, n, |row, col| columns[col][start + row]);
-            alone.add(&r[start..end], &j);
-            start = end;
-        }
-        all.join(&alone);
-        by_run.push((run.name.clone(), alone));
-    }
-    let effective = all.effective;
-    let Some(known) = all.known() else {
+    let scored: Vec<ScoredRun> = problem.scored_runs(&runs, &values).into_iter().flatten().collect();
+    let curvatures = linearization.curvatures(&scored);
+    let mut total = Curvature::new(n);
+    curvatures.iter().for_each(|c| total.add(c));
+    let effective_samples = total.effective_samples;
+    let Some(covariance) = total.covariance() else {
         return Err("no parameter has an influence on what was recorded".into());
     };
-    let free: Vec<(&str, &Range)> =
-        study.space.free().map(|(i, range)| (study.space.parameters[i].name.as_str(), range)).collect();
-    let mut undetermined: Vec<String> = vec![];
-    for direction in &known.idle {
-        let names: Vec<&str> = direction.iter().map(|i| free[*i].0).collect();
-        undetermined.push(match &names[..] {
+    let free = study.space.free_names().zip(study.space.free());
+    let intervals: Vec<Interval> = free
+        .zip(unit_point)
+        .zip(&covariance.standard_errors)
+        .map(|(((name, (_, range)), x), error)| interval(name, range, *x, *error))
+        .collect();
+    let undetermined = undetermined(&intervals, &covariance);
+    // For a single run this would repeat the result of all runs.
+    let by_run = if curvatures.len() > 1 { curvatures } else { vec![] };
+    let by_run = study.runs_of(Role::Fit).zip(by_run).map(|((_, run), curvature)| {
+        let standard_errors = curvature.covariance().map_or_else(|| vec![1.0; n], |c| c.standard_errors);
+        let undetermined = study.space.free_names().zip(&standard_errors).filter(|(_, e)| **e > MAX_STANDARD_ERROR);
+        let undetermined = undetermined.map(|(name, _)| name.to_owned()).collect();
+        RunUncertainty { run: run.name.clone(), standard_errors, undetermined }
+    });
+    Ok(Uncertainty {
+        by_run: by_run.collect(),
+        intervals,
+        correlation: covariance.correlation,
+        samples: linearization.residuals.len() as f64,
+        effective_samples,
+        undetermined,
+    })
+}
+
+/// Sentences about parameters that all data together do not determine.
+fn undetermined(intervals: &[Interval], covariance: &Covariance) -> Vec<String> {
+    let mut sentences: Vec<String> = vec![];
+    for direction in &covariance.null_directions {
+        let names: Vec<&str> = direction.iter().map(|i| intervals[*i].name.as_str()).collect();
+        sentences.push(match &names[..] {
             [one] => format!("{one} has no influence on what was recorded"),
             several => format!("only a combination of {} has an influence on what was recorded", several.join(", ")),
         });
     }
-    let intervals: Vec<Interval> =
-        free.iter().enumerate().map(|(i, f)| interval(f, point[i], known.error[i])).collect();
     for (i, interval) in intervals.iter().enumerate() {
         let name = &interval.name;
-        if interval.relative > WIDE && !known.is_open(i) {
-            undetermined
-                .push(format!("{name} is not determined: its interval is as wide as half of its range or more"));
+        if interval.standard_error > MAX_STANDARD_ERROR && !covariance.is_undetermined(i) {
+            sentences.push(format!("{name} is not determined: its interval is as wide as half of its range or more"));
         }
-        for ((other, _), rho) in free.iter().zip(&known.correlation[i]).take(i) {
-            if rho.abs() > TIED {
-                undetermined
+        for (other, rho) in intervals.iter().zip(&covariance.correlation[i]).take(i) {
+            if rho.abs() > MAX_CORRELATION {
+                let other = &other.name;
+                sentences
                     .push(format!("{other} and {name} are determined together only: their correlation is {rho:.3}"));
             }
         }
     }
-    // A study of one run has said it already.
-    let by_run = if by_run.len() > 1 { by_run } else { vec![] };
-    let alone = by_run.into_iter().map(|(run, curvature)| {
-        let error = curvature.known().map_or_else(|| vec![1.0; n], |k| k.error);
-        let undetermined = free.iter().zip(&error).filter(|(_, e)| **e > WIDE).map(|(f, _)| f.0.to_owned()).collect();
-        Alone { run, relative: error, undetermined }
-    });
-    let alone = alone.collect();
-    let (correlation, samples) = (known.correlation, r.len() as f64);
-    Ok(Uncertainty { intervals, correlation, samples, effective_samples: effective, undetermined, alone })
+    sentences
 }
 
-/// The interval of a parameter from its standard error in sides of the cube; for a logarithmic scale that of its logarithm.
-fn interval((name, range): &(&str, &Range), place: f64, error: f64) -> Interval {
-    let value = range.value(place);
-    let at = |side: f64| match range.scale {
-        Scale::Linear => value + side * Z95 * error * range.slope(place),
-        Scale::Log => value * (side * Z95 * error * range.slope(place) / value).exp(),
+/// The interval of a parameter from the standard error of its unit coordinate. On a logarithmic scale it is the interval
+/// of the logarithm.
+fn interval(name: &str, range: &ParameterRange, unit_coordinate: f64, standard_error: f64) -> Interval {
+    let value = range.value(unit_coordinate);
+    let end = |side: f64| match range.scale {
+        Scale::Linear => value + side * Z95 * standard_error * range.slope(unit_coordinate),
+        Scale::Log => value * (side * Z95 * standard_error * range.slope(unit_coordinate) / value).exp(),
     };
-    let inside = |x: f64| x.clamp(range.lower, range.upper);
-    Interval { name: (*name).to_owned(), value, lower: inside(at(-1.0)), upper: inside(at(1.0)), relative: error }
+    let clamped = |x: f64| x.clamp(range.lower, range.upper);
+    let (lower, upper) = (clamped(end(-1.0)), clamped(end(1.0)));
+    Interval { name: name.to_owned(), value, lower, upper, standard_error }
 }
 
 #[cfg(test)]
@@ -285,7 +322,7 @@ mod tests {
     use super::autocorrelation_time;
 
     #[test]
-    fn autocorrelation_of_known_noise() {
+    fn autocorrelation_time_of_autoregressive_noise() {
         // First-order autoregressive noise with coefficient a has τ = (1 + a)/(1 - a).
         let mut state = 12345u64;
         let mut uniform = || {

@@ -1,65 +1,64 @@
-//! Where the cycles of a record begin and end.
+//! Detection of cycles in a record.
 
 use std::ops::Range;
 
-/// On which sides of the centre a cycle went.
+/// Sides of the centre that a cycle reaches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sides {
-    /// On both, one after the other.
+    /// Both sides, one after the other.
     Both,
-    /// Above only: out and back.
+    /// Above the centre only.
     Above,
-    /// Below only.
+    /// Below the centre only.
     Below,
 }
 
-/// A cycle: out to one side, to the other, and back to the centre; or out to one side and back, where the other side does
-/// not follow.
+/// A cycle: from the centre to one side, to the other side and back. A one-sided cycle returns without the other side.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cycle {
-    /// Its samples, both ends included; the last one is the first one of the next cycle.
+    /// Samples of the cycle, both ends included. The last one is the first one of the next cycle.
     pub samples: Range<usize>,
-    /// On which sides it went.
+    /// Sides that it reaches.
     pub sides: Sides,
-    /// Whether it begins and ends at the centre: a record may begin or end within a cycle.
+    /// True if it begins and ends at the centre. A record may begin or end within a cycle.
     pub complete: bool,
 }
 
-/// How a record is split into cycles.
+/// Parameters of the detection of cycles.
 ///
-/// A cycle ends where the displacement goes through the centre. Only what leaves the centre by more than the threshold counts,
-/// so noise about the centre, and holds there, make no cycles; noise elsewhere does not matter.
+/// A cycle ends where the displacement passes the centre. An excursion counts if it exceeds the threshold, so that noise
+/// and holds about the centre make no cycles.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Split {
+pub struct CycleDetection {
     /// Centre of the cycles, in the unit of the displacement.
     pub centre: f64,
-    /// Distance from the centre that counts, over the largest in the record: smaller cycles are noise.
+    /// Least amplitude of a cycle, as a share of the largest displacement from the centre. Smaller ones are noise.
     pub threshold: f64,
 }
 
-impl Default for Split {
+impl Default for CycleDetection {
     fn default() -> Self {
         Self { centre: 0.0, threshold: 0.02 }
     }
 }
 
-/// A stay on one side of the centre, beyond the threshold at least once.
+/// Samples on one side of the centre, at least one of them beyond the threshold.
 struct Excursion {
     above: bool,
-    /// Last sample before it that is not on its side; none where the record begins within.
+    /// Last sample before it on the other side or at the centre; `None` if the record begins within the excursion.
     start: Option<usize>,
     /// Last sample beyond the threshold.
     last: usize,
 }
 
-impl Split {
+impl CycleDetection {
     /// The cycles of a record of displacements, in order.
     pub fn cycles(&self, u: &[f64]) -> Vec<Cycle> {
         let excursions = self.excursions(u);
         let mut cycles = vec![];
         let mut at = 0;
         while let Some(first) = excursions.get(at) {
-            // What the record begins within is a part of a cycle, and no half of the next.
+            // An excursion that the record begins within is the end of a cycle.
             let second = excursions.get(at + 1).filter(|e| e.above != first.above && first.start.is_some());
             let last = second.unwrap_or(first);
             at += 1 + usize::from(second.is_some());
@@ -80,30 +79,31 @@ impl Split {
         cycles
     }
 
-    /// Distance from the centre that counts.
-    fn reach(&self, u: &[f64]) -> f64 {
+    /// Least distance from the centre of an excursion.
+    fn min_distance(&self, u: &[f64]) -> f64 {
         self.threshold * u.iter().map(|u| (u - self.centre).abs()).fold(0.0, f64::max)
     }
 
     fn excursions(&self, u: &[f64]) -> Vec<Excursion> {
-        let reach = self.reach(u);
-        // Round-off is on no side.
-        let touch = 1e-6 * reach;
+        let min_distance = self.min_distance(u);
+        // Round-off about the centre is on neither side.
+        let round_off = 1e-6 * min_distance;
         let mut all: Vec<Excursion> = vec![];
         // Last samples that are not above the centre, not below it, and close to it.
         let (mut not_above, mut not_below, mut close) = (None, None, None);
         for (i, x) in u.iter().map(|u| u - self.centre).enumerate() {
-            if x <= touch {
+            if x <= round_off {
                 not_above = Some(i);
             }
-            if x >= -touch {
+            if x >= -round_off {
                 not_below = Some(i);
             }
             // Half of the threshold, so that noise about the threshold makes no excursions.
-            if x.abs() <= 0.5 * reach || i == 0 && (x.abs() <= reach || one_step_away(x, u.get(1), self.centre)) {
+            let is_close_start = || i == 0 && (x.abs() <= min_distance || one_step_away(x, u.get(1), self.centre));
+            if x.abs() <= 0.5 * min_distance || is_close_start() {
                 close = Some(i);
             }
-            if x.abs() <= reach || x.is_nan() {
+            if x.abs() <= min_distance || x.is_nan() {
                 continue;
             }
             let above = x > 0.0;
@@ -118,19 +118,19 @@ impl Split {
         all
     }
 
-    /// The first sample after the last excursion that is back at the centre, or the last one if it is near it.
+    /// The first sample at the centre after the last excursion, or the last sample if it is close to the centre.
     fn return_to_centre(&self, u: &[f64], last: &Excursion) -> Option<usize> {
         let back = |x: f64| if last.above { x <= 0.0 } else { x >= 0.0 };
         let crossed = (last.last..u.len()).find(|&i| back(u[i] - self.centre));
         let end = u.len().checked_sub(1)?;
         let x = u[end] - self.centre;
-        let near = x.abs() <= self.reach(u) || end > 0 && one_step_away(x, u.get(end - 1), self.centre);
+        let near = x.abs() <= self.min_distance(u) || end > 0 && one_step_away(x, u.get(end - 1), self.centre);
         crossed.or_else(|| near.then_some(end))
     }
 }
 
-/// Whether a record that begins (or ends) at distance `x` with `next` beside it would have had the centre one step further:
-/// recorders leave out the row at rest.
+/// Returns true if a record that begins or ends at the distance `x` from the centre lacks only the sample at the centre.
+/// Recorders leave out the row at rest. `next` is the sample beside.
 fn one_step_away(x: f64, next: Option<&f64>, centre: f64) -> bool {
     next.is_some_and(|n| {
         let step = n - centre - x;
@@ -140,10 +140,10 @@ fn one_step_away(x: f64, next: Option<&f64>, centre: f64) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{Sides, Split};
+    use super::{CycleDetection, Sides};
     use std::f64::consts::TAU;
 
-    /// A sine whose amplitude grows from cycle to cycle.
+    /// Sine cycles of given amplitudes, with `steps` samples each.
     fn growing(amplitudes: &[f64], steps: usize) -> Vec<f64> {
         let wave = |i: usize| (TAU * i as f64 / steps as f64).sin();
         let mut u: Vec<f64> = amplitudes.iter().flat_map(|a| (0..steps).map(move |i| a * wave(i))).collect();
@@ -151,17 +151,17 @@ mod tests {
         u
     }
 
-    /// Noise of a fixed sequence, between -1 and 1.
+    /// Deterministic noise between -1 and 1.
     fn noise(i: usize) -> f64 {
         ((i as f64 * 12.9898).sin() * 43758.5453).fract()
     }
 
     #[test]
-    fn growing_amplitudes_with_noise() {
+    fn cycles_of_growing_amplitudes_with_noise() {
         let amplitudes = [0.15, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6];
         for level in [0.0, 0.005] {
             let u: Vec<f64> = growing(&amplitudes, 314).iter().enumerate().map(|(i, u)| u + level * noise(i)).collect();
-            let cycles = Split::default().cycles(&u);
+            let cycles = CycleDetection::default().cycles(&u);
             assert_eq!(cycles.len(), amplitudes.len(), "noise {level}");
             for (k, (c, a)) in cycles.iter().zip(amplitudes).enumerate() {
                 assert!(c.complete && c.sides == Sides::Both);
@@ -174,29 +174,29 @@ mod tests {
     }
 
     #[test]
-    fn parts_of_cycles_at_the_ends() {
+    fn incomplete_cycles_at_the_ends_of_a_record() {
         // A cosine begins at its peak and ends there.
         let u: Vec<f64> = (0..=300).map(|i| (TAU * i as f64 / 100.0).cos()).collect();
-        let cycles = Split::default().cycles(&u);
+        let cycles = CycleDetection::default().cycles(&u);
         let seen: Vec<_> = cycles.iter().map(|c| (c.sides, c.complete)).collect();
         let both = |complete| (Sides::Both, complete);
         assert_eq!(seen, [(Sides::Above, false), both(true), both(true), both(false)]);
         // A recorder leaves out the row at rest.
         let u: Vec<f64> = (1..100).map(|i| (TAU * f64::from(i) / 50.0).sin()).collect();
-        assert!(Split::default().cycles(&u).iter().all(|c| c.complete && c.sides == Sides::Both));
+        assert!(CycleDetection::default().cycles(&u).iter().all(|c| c.complete && c.sides == Sides::Both));
     }
 
     #[test]
-    fn cycles_on_one_side_and_holds() {
+    fn one_sided_cycles_with_holds() {
         let mut u = vec![];
         for a in [1.0, 2.0] {
             u.extend((0..10).map(|i| a * f64::from(i) / 10.0));
             u.extend(std::iter::repeat_n(a, 5));
             u.extend((0..10).rev().map(|i| a * f64::from(i) / 10.0));
-            // A sensor that does not come back quite to zero.
+            // The sensor does not return quite to zero.
             u.extend(std::iter::repeat_n(0.005, 7));
         }
-        let cycles = Split::default().cycles(&u);
+        let cycles = CycleDetection::default().cycles(&u);
         assert!(cycles.iter().all(|c| c.sides == Sides::Above && c.complete));
         assert_eq!(cycles.len(), 2);
         // The hold at the centre belongs to the cycle before it.
@@ -204,11 +204,11 @@ mod tests {
     }
 
     #[test]
-    fn a_centre_of_its_own_and_nothing_at_all() {
+    fn shifted_centre_and_records_without_cycles() {
         let u: Vec<f64> = growing(&[0.1, 0.2], 100).iter().map(|u| u - 3.0).collect();
-        assert_eq!(Split { centre: -3.0, ..Split::default() }.cycles(&u).len(), 2);
+        assert_eq!(CycleDetection { centre: -3.0, ..CycleDetection::default() }.cycles(&u).len(), 2);
         for none in [&[][..], &[0.0; 5][..], &[f64::NAN; 3][..]] {
-            assert!(Split::default().cycles(none).is_empty());
+            assert!(CycleDetection::default().cycles(none).is_empty());
         }
     }
 }

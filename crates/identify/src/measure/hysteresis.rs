@@ -1,8 +1,8 @@
-//! Measures of one loop.
+//! Measures of one hysteresis loop.
 
 use std::f64::consts::TAU;
 
-/// Work of a force along a path up to each sample: W = ∫ F du by the trapezoidal rule, zero at the first one.
+/// Work up to each sample, W = ∫ F du, by the trapezoidal rule. It is zero at the first sample.
 pub fn work(u: &[f64], f: &[f64]) -> Vec<f64> {
     let mut sum = 0.0;
     let steps = u.windows(2).zip(f.windows(2)).map(|(u, f)| {
@@ -27,13 +27,12 @@ pub struct Loop {
     pub u_at_f_max: f64,
     /// Displacement at the smallest force.
     pub u_at_f_min: f64,
-    /// Dissipated energy E: the area that the loop encloses, force times displacement. A loop that is left open by a sample
-    /// or so is closed by a straight line.
+    /// Dissipated energy E: the enclosed area. A straight line closes an open loop.
     pub energy: f64,
 }
 
 impl Loop {
-    /// The loop of the samples of one cycle. Zeros where there are none.
+    /// The loop of the samples of one cycle; all zeros without samples.
     pub fn of(u: &[f64], f: &[f64]) -> Self {
         let n = u.len().min(f.len());
         let (Some((&u0, &f0)), Some((&u1, &f1))) = (u.first().zip(f.first()), u[..n].last().zip(f[..n].last())) else {
@@ -55,29 +54,29 @@ impl Loop {
         l
     }
 
-    /// Amplitude u: half of the range of the displacement.
+    /// Amplitude u: half of the displacement range.
     pub fn amplitude(&self) -> f64 {
         0.5 * (self.u_max - self.u_min)
     }
 
-    /// Secant stiffness K = (F_max - F_min)/(u_max - u_min), the effective lateral stiffness of Table 10 of the paper. Zero
-    /// where nothing has moved.
+    /// Secant stiffness K = (F_max - F_min)/(u_max - u_min), the effective lateral stiffness of Table 10 of the paper. It is
+    /// zero without a displacement.
     pub fn stiffness(&self) -> f64 {
         ratio(self.f_max - self.f_min, self.u_max - self.u_min)
     }
 
-    /// Equivalent viscous damping ξ = E/(2π K u²), as in Table 10 of the paper. Zero where nothing has moved.
+    /// Equivalent viscous damping ξ = E/(2π K u²) (Table 10 of the paper). It is zero without a displacement.
     pub fn damping(&self) -> f64 {
         ratio(self.energy, TAU * self.stiffness() * self.amplitude().powi(2))
     }
 }
 
-/// Rubber that is sheared.
+/// A rubber specimen in shear.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Specimen {
     /// Area A.
     pub area: f64,
-    /// Thickness of all rubber layers together T_r.
+    /// Total thickness of the rubber layers T_r.
     pub thickness: f64,
 }
 
@@ -88,15 +87,15 @@ pub struct ShearLoop {
     pub strain: f64,
     /// Energy loss per cycle and volume D = ∮ τ dγ.
     pub loss: f64,
-    /// Equivalent shear modulus G_eq = (τ_max - τ_min)/(γ_max - γ_min), the strains being those at the extreme stresses
-    /// (Eq 4.2 of the thesis).
+    /// Equivalent shear modulus G_eq = (τ_max - τ_min)/(γ_max - γ_min), with the strains at the extreme stresses (Eq 4.2 of
+    /// the thesis).
     pub modulus: f64,
     /// Equivalent damping ratio h_eq = D/(2π W) (Eq 4.1 of the thesis), with W = G_eq γ², which is twice the elastic energy.
     pub damping: f64,
 }
 
 impl Specimen {
-    /// Stresses and strains in place of forces and displacements.
+    /// Measures in stresses and strains of a loop in forces and displacements.
     pub fn shear(&self, l: &Loop) -> ShearLoop {
         let strain = l.amplitude() / self.thickness;
         let loss = l.energy / (self.area * self.thickness);
@@ -105,7 +104,7 @@ impl Specimen {
     }
 }
 
-/// A quotient, zero where there is nothing to divide by.
+/// a/b, or zero for b = 0.
 pub(super) fn ratio(a: f64, b: f64) -> f64 {
     if b == 0.0 { 0.0 } else { a / b }
 }
@@ -116,7 +115,7 @@ mod tests {
     use std::f64::consts::{PI, TAU};
 
     #[test]
-    fn a_bilinear_loop() {
+    fn measures_of_bilinear_loop() {
         // Elastic 10 up to 1, then 2: ±3 gives a parallelogram of area 4 q (u - u_y) with q = 0.8.
         let u = [-3.0, -2.8, 3.0, 2.8, -3.0];
         let q = 0.8;
@@ -130,9 +129,9 @@ mod tests {
     }
 
     #[test]
-    fn stresses_of_an_ellipse() {
-        // F = k u + c u̇ on a specimen: D = π c u² / volume, the same damping in forces and in stresses but for
-        // the strain at which the stress is greatest.
+    fn shear_measures_of_ellipse() {
+        // F = k u + c u̇ on a specimen: D = π c u² / volume. The damping in stresses differs from that in forces by the
+        // strain at the greatest stress.
         let n = 4000;
         let phase: Vec<f64> = (0..=n).map(|i| TAU * f64::from(i) / f64::from(n)).collect();
         let u: Vec<f64> = phase.iter().map(|p| 0.05 * p.sin()).collect();
@@ -147,7 +146,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing() {
+    fn measures_without_samples_or_motion_are_zero() {
         assert_eq!(Loop::of(&[], &[]), Loop::default());
         let still = Loop::of(&[1.0; 3], &[2.0; 3]);
         assert_eq!((still.stiffness(), still.damping()), (0.0, 0.0));

@@ -1,4 +1,4 @@
-//! Pages of HTML that need nothing beside them: pictures are in the text.
+//! Self-contained HTML pages with their charts.
 
 use hysteron_opensees::chart::{Curve, Figure, Mark};
 use std::fmt::Write as _;
@@ -11,24 +11,24 @@ const STYLE: &str = "body{font:15px/1.5 system-ui,sans-serif;max-width:1000px;ma
     .bar{display:inline-block;height:.8em;background:#0072b2}pre{background:#f6f6f6;padding:.7em;overflow-x:auto}\
     ins{background:#dff3df;text-decoration:none}del{background:#fbe3e3}";
 
-/// A text with the characters that mean something in HTML replaced.
+/// A text with the special characters of HTML replaced.
 pub fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// A number with the digits that are read.
+/// A number with five significant digits.
 pub fn number(x: f64) -> String {
     let mut out = String::new();
     hysteron_engine::number_format::Style { precision: 5, scientific: false }.push(x, &mut out);
     out
 }
 
-/// A table with the words of its head.
+/// Append a table with a head row.
 pub fn table(out: &mut String, head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) {
     out.push_str("<table>\n");
     let rows: Vec<Vec<String>> = rows.into_iter().collect();
     let is_number = |c: &String| c.trim_end_matches([' ', '%']).parse::<f64>().is_ok();
-    // Numbers stand below each other, and their head above them.
+    // Columns of numbers are aligned to the right, with their heads.
     let of_numbers: Vec<bool> = (0..head.len()).map(|k| rows.iter().any(|r| r.get(k).is_some_and(is_number))).collect();
     let mut line = |tag: &str, cells: &mut dyn Iterator<Item = &str>| {
         out.push_str("<tr>");
@@ -45,7 +45,7 @@ pub fn table(out: &mut String, head: &[&str], rows: impl IntoIterator<Item = Vec
     out.push_str("</table>\n");
 }
 
-/// A picture, if there is something to draw.
+/// Append a chart. One without points is left out.
 pub fn picture(out: &mut String, figure: &Figure) {
     if let Ok(svg) = figure.svg() {
         let _ = writeln!(out, "<figure>{svg}</figure>");
@@ -57,12 +57,12 @@ pub fn line(name: &str, points: Vec<(f64, f64)>) -> Curve {
     Curve { name: name.to_owned(), points, mark: Mark::Line }
 }
 
-/// A name with its unit.
+/// A name with its unit in brackets.
 pub fn labelled(name: &str, unit: &str) -> String {
     if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") }
 }
 
-/// The beginning of a page, with its title as the first heading.
+/// The beginning of a page, with its title as heading.
 pub fn head(title: &str) -> String {
     let title = escaped(title);
     format!(
@@ -71,7 +71,7 @@ pub fn head(title: &str) -> String {
     )
 }
 
-/// The page with its end.
+/// A page with its end.
 pub fn end(mut page: String) -> String {
     page.push_str("</body></html>\n");
     page

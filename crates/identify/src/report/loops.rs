@@ -1,20 +1,20 @@
-//! Reports of hysteresis loops: a table of the measures of each cycle, and a picture.
+//! Reports of hysteresis loops: a table of the measures of each cycle, and charts.
 
 use super::table::{Cell, Table};
-use crate::measure::{Cycle, Loop, Sides, Specimen, Split, orbits, work};
+use crate::measure::{Cycle, CycleDetection, Loop, Sides, Specimen, orbits, work};
 use hysteron_opensees::chart::{Curve, Figure, Mark};
 
-/// Names of units, which are only written down; empty for none.
+/// Names of units for headings; empty for none.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Units {
-    /// Of forces.
+    /// Unit of force.
     pub force: String,
-    /// Of lengths.
+    /// Unit of length.
     pub length: String,
 }
 
 impl Units {
-    fn per(&self) -> String {
+    fn stiffness(&self) -> String {
         self.joined("/")
     }
     fn energy(&self) -> String {
@@ -31,7 +31,7 @@ impl Units {
 /// A record of one direction of motion.
 #[derive(Clone, Copy, Debug)]
 pub struct Record<'a> {
-    /// Times; none where only the order is known.
+    /// Times; `None` if only the order of the samples is known.
     pub time: Option<&'a [f64]>,
     /// Displacements.
     pub u: &'a [f64],
@@ -40,7 +40,7 @@ pub struct Record<'a> {
 }
 
 impl Record<'_> {
-    /// Time of a sample, or its number.
+    /// Time of a sample, or its index without times.
     fn at(&self, sample: usize) -> f64 {
         self.time.and_then(|t| t.get(sample)).copied().unwrap_or(sample as f64)
     }
@@ -50,8 +50,8 @@ impl Record<'_> {
     }
 }
 
-/// What a cycle is that is no whole one.
-fn part(c: &Cycle) -> Cell {
+/// Remark on a cycle that is incomplete or one-sided.
+fn remark(c: &Cycle) -> Cell {
     Cell::Word(match (c.complete, c.sides) {
         (false, _) => "incomplete",
         (true, Sides::Both) => "",
@@ -60,11 +60,11 @@ fn part(c: &Cycle) -> Cell {
     })
 }
 
-/// Measures of each cycle of a record: amplitude, extreme forces, secant stiffness K, dissipated energy E, equivalent
-/// damping ξ, and the energy dissipated since the beginning (the work of the force, at the end of the cycle). With a specimen also shear
-/// strain γ, modulus G_eq, loss D and damping h_eq.
-pub fn cycle_table(r: &Record<'_>, split: &Split, specimen: Option<&Specimen>, units: &Units) -> Table {
-    let (stiffness, energy) = (units.per(), units.energy());
+/// Measures of each cycle of a record: amplitude, extreme forces, secant stiffness K, dissipated energy E and equivalent
+/// damping ξ. `E_total` is the work of the force from the beginning to the end of the cycle. A specimen adds shear strain
+/// γ, modulus G_eq, loss D and damping h_eq.
+pub fn cycle_table(r: &Record<'_>, detection: &CycleDetection, specimen: Option<&Specimen>, units: &Units) -> Table {
+    let (stiffness, energy) = (units.stiffness(), units.energy());
     let time = if r.time.is_some() { "" } else { "sample" };
     let mut table = Table::new([
         ("cycle", ""),
@@ -83,7 +83,7 @@ pub fn cycle_table(r: &Record<'_>, split: &Split, specimen: Option<&Specimen>, u
         table.columns.extend(Table::new([("gamma", ""), ("G_eq", ""), ("D", ""), ("h_eq", "")]).columns);
     }
     let total = work(r.u, r.f);
-    for (i, c) in split.cycles(r.u).iter().enumerate() {
+    for (i, c) in detection.cycles(r.u).iter().enumerate() {
         let l = Loop::of(&r.u[c.samples.clone()], &r.f[c.samples.clone()]);
         let last = c.samples.end - 1;
         let mut row: Vec<Cell> =
@@ -92,7 +92,7 @@ pub fn cycle_table(r: &Record<'_>, split: &Split, specimen: Option<&Specimen>, u
                 .chain([l.energy, l.damping(), total[last]])
                 .map(Cell::from)
                 .collect();
-        row.push(part(c));
+        row.push(remark(c));
         if let Some(s) = specimen.map(|s| s.shear(&l)) {
             row.extend([s.strain, s.modulus, s.loss, s.damping].map(Cell::from));
         }
@@ -101,9 +101,9 @@ pub fn cycle_table(r: &Record<'_>, split: &Split, specimen: Option<&Specimen>, u
     table
 }
 
-/// Measures of each round of an orbit, from its two directions.
-pub fn orbit_table(directions: &[Record<'_>; 2], split: [&Split; 2], units: &Units) -> Table {
-    let (stiffness, energy) = (units.per(), units.energy());
+/// Measures of each round of an orbit in two directions.
+pub fn orbit_table(directions: &[Record<'_>; 2], detection: [&CycleDetection; 2], units: &Units) -> Table {
+    let (stiffness, energy) = (units.stiffness(), units.energy());
     let time = if directions[0].time.is_some() { "" } else { "sample" };
     let mut table = Table::new([
         ("round", ""),
@@ -119,7 +119,7 @@ pub fn orbit_table(directions: &[Record<'_>; 2], split: [&Split; 2], units: &Uni
         ("xi", ""),
         ("part", ""),
     ]);
-    let rounds = orbits(directions.map(|r| r.u), directions.map(|r| r.f), split);
+    let rounds = orbits(directions.map(|r| r.u), directions.map(|r| r.f), detection);
     for (i, o) in rounds.iter().enumerate() {
         let [x, y] = &o.directions;
         let span = [o.cycle.samples.start, o.cycle.samples.end - 1].map(|s| directions[0].at(s));
@@ -128,7 +128,7 @@ pub fn orbit_table(directions: &[Record<'_>; 2], split: [&Split; 2], units: &Uni
             .chain([x.stiffness(), y.stiffness(), o.energy(), o.damping()])
             .map(Cell::from)
             .collect();
-        row.push(part(&o.cycle));
+        row.push(remark(&o.cycle));
         table.rows.push(row);
     }
     table
@@ -144,19 +144,18 @@ fn chart(title: &str, x: (&str, &str), y: (&str, &str), points: Vec<(f64, f64)>,
     }
 }
 
-/// The loops, and secant stiffness, dissipated energy and equivalent damping over the amplitude of the whole cycles (Fig 8 of
-/// the paper).
-pub fn cycle_charts(r: &Record<'_>, split: &Split, units: &Units) -> Vec<Figure> {
+/// Charts of the loops, and of energy, stiffness and damping over the amplitude of complete cycles (Fig 8 of the paper).
+pub fn cycle_charts(r: &Record<'_>, detection: &CycleDetection, units: &Units) -> Vec<Figure> {
     let displacement = ("Displacement u", units.length.as_str());
     let amplitude = ("Amplitude of u", units.length.as_str());
-    let loops: Vec<Loop> = split
+    let loops: Vec<Loop> = detection
         .cycles(r.u)
         .iter()
         .filter(|c| c.complete)
         .map(|c| Loop::of(&r.u[c.samples.clone()], &r.f[c.samples.clone()]))
         .collect();
     let over = |of: &dyn Fn(&Loop) -> f64| loops.iter().map(|l| (l.amplitude(), of(l))).collect::<Vec<_>>();
-    let (stiffness, energy) = (units.per(), units.energy());
+    let (stiffness, energy) = (units.stiffness(), units.energy());
     let mut charts = vec![chart("Loops", displacement, ("Force F", &units.force), r.points(), Mark::Line)];
     if !loops.is_empty() {
         charts.extend([
@@ -168,7 +167,7 @@ pub fn cycle_charts(r: &Record<'_>, split: &Split, units: &Units) -> Vec<Figure>
     charts
 }
 
-/// Orbits of displacement and force, and the loops of both directions.
+/// Charts of the orbits of displacement and force, and of the loops of both directions.
 pub fn orbit_charts(directions: &[Record<'_>; 2], units: &Units) -> Vec<Figure> {
     let [x, y] = directions;
     let pairs = |a: &[f64], b: &[f64]| a.iter().copied().zip(b.iter().copied()).collect::<Vec<_>>();

@@ -1,4 +1,4 @@
-//! Tables and pictures of results.
+//! Tables and charts of results.
 
 pub mod html;
 mod loops;

@@ -1,4 +1,4 @@
-//! Tables of results: for the eye, as CSV and as JSON.
+//! Tables of results as aligned text, CSV and JSON.
 
 use hysteron_engine::number_format::Style;
 use serde_json::{Map, Value, json};
@@ -13,7 +13,7 @@ pub struct Column {
     pub unit: String,
 }
 
-/// What stands in a table.
+/// A cell of a table.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
     /// A number.
@@ -38,19 +38,19 @@ pub struct Table {
 }
 
 impl Table {
-    /// A table without rows, from names and units.
+    /// A table without rows, from names and units of its columns.
     pub fn new<const N: usize>(columns: [(&'static str, &str); N]) -> Self {
         let columns = columns.map(|(name, unit)| Column { name, unit: unit.to_owned() });
         Self { columns: columns.into(), rows: vec![] }
     }
 
-    /// In aligned columns, with units below the names and numbers of five digits.
+    /// The table as aligned text, with units below the names and five significant digits.
     pub fn text(&self) -> String {
         let heads = [
             self.columns.iter().map(|c| c.name.to_owned()).collect::<Vec<_>>(),
             self.columns.iter().map(|c| c.unit.clone()).collect(),
         ];
-        let rows = self.rows.iter().map(|r| r.iter().map(short).collect());
+        let rows = self.rows.iter().map(|r| r.iter().map(rounded).collect());
         let lines: Vec<Vec<String>> =
             heads.into_iter().filter(|h| h.iter().any(|w| !w.is_empty())).chain(rows).collect();
         let widths: Vec<usize> = (0..self.columns.len())
@@ -68,17 +68,17 @@ impl Table {
         out
     }
 
-    /// As CSV, with one line of names (and units in brackets) and numbers that lose nothing.
+    /// The table as CSV, with one head line of names and units in brackets. Numbers keep all digits.
     pub fn csv(&self) -> String {
         let head = self.columns.iter().map(|c| match c.unit.as_str() {
             "" => c.name.to_owned(),
             unit => format!("{} [{unit}]", c.name),
         });
-        let rows = self.rows.iter().map(|r| r.iter().map(whole).collect::<Vec<_>>());
+        let rows = self.rows.iter().map(|r| r.iter().map(exact).collect::<Vec<_>>());
         std::iter::once(head.collect::<Vec<_>>()).chain(rows).map(|r| r.join(",") + "\n").collect()
     }
 
-    /// As a JSON array with an object for each row.
+    /// The table as a JSON array with one object for each row.
     pub fn json(&self) -> String {
         let value = |c: &Cell| match c {
             Cell::Number(x) => json!(x),
@@ -93,8 +93,8 @@ impl Table {
     }
 }
 
-/// With five digits.
-fn short(c: &Cell) -> String {
+/// A cell with five significant digits.
+fn rounded(c: &Cell) -> String {
     match c {
         Cell::Number(x) => {
             let mut text = String::new();
@@ -105,8 +105,8 @@ fn short(c: &Cell) -> String {
     }
 }
 
-/// With as many digits as it takes to read the same number again.
-fn whole(c: &Cell) -> String {
+/// A cell with all digits: reading it gives the same number.
+fn exact(c: &Cell) -> String {
     match c {
         Cell::Number(x) if *x == 0.0 || (1e-5..1e15).contains(&x.abs()) => x.to_string(),
         Cell::Number(x) => format!("{x:e}"),
@@ -119,7 +119,7 @@ mod tests {
     use super::{Cell, Table};
 
     #[test]
-    fn forms() {
+    fn text_csv_and_json_of_a_table() {
         let mut t = Table::new([("cycle", ""), ("K", "kN/m"), ("part", "")]);
         t.rows = vec![
             vec![1.0.into(), (1.0 / 3.0).into(), Cell::Word("")],

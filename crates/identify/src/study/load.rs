@@ -1,48 +1,48 @@
-//! What a study means: its file checked, its recordings read.
+//! Reading a study: its file is checked, and its recordings are read.
 
-use super::file::{ObserveTable, ParameterTable, RunTable, StudyFile};
-use super::parameter::{Parameter, Range, Scale, Source, Space};
+use super::parameter::{Parameter, ParameterKind, ParameterRange, ParameterSpace, Scale};
 use super::recording::Recording;
-use super::run::{Observe, Role, Run, Setting};
+use super::run::{ObservedChannel, Role, Run, Setting};
+use super::study_file::{ObserveTable, ParameterTable, RunTable, StudyFile};
 use exmex::Express as _;
 use hysteron_tcl::diagnostic::{Diagnostic, SourceId, SourceMap, Span, nearest};
 use std::fs;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 
-/// A study: a script, its parameters, and the runs that were recorded.
+/// A study: a script, its parameters, and the recorded runs.
 #[derive(Clone, Debug)]
 pub struct Study {
-    /// What it is about; empty for none.
+    /// Title; empty for none.
     pub title: String,
-    /// The folder of its file, an absolute path: relative paths are relative to it.
+    /// Absolute path of the folder of its file. Relative paths start from it.
     pub folder: PathBuf,
-    /// The file of the study, as it was given.
+    /// Path of the file of the study, as given by the user.
     pub file: PathBuf,
-    /// The script, relative to the folder.
+    /// Path of the script, relative to the folder.
     pub model: String,
     /// The parameters.
-    pub space: Space,
+    pub space: ParameterSpace,
     /// The runs, in the order of the file.
     pub runs: Vec<Run>,
-    /// How the parameters are to be found.
-    pub calibration: Calibration,
+    /// Options of the calibration.
+    pub calibration: CalibrationOptions,
     /// Limits of the laboratory.
     pub rig: Option<Rig>,
-    /// Where the name of each parameter stands, for messages.
-    pub(super) names: Vec<Span>,
-    /// What is odd, without being wrong.
+    /// Location of the name of each parameter, for messages.
+    pub(super) name_spans: Vec<Span>,
+    /// Warnings about the study and its recordings.
     pub warnings: Vec<Diagnostic>,
 }
 
-/// How the parameters are to be found, as far as the study says.
+/// Options of the calibration; `None` where the study leaves the default.
 #[derive(Clone, Debug, Default)]
-pub struct Calibration {
-    /// Name of the method and where it stands.
+pub struct CalibrationOptions {
+    /// Name of the method, and its location in the file.
     pub method: Option<(String, Span)>,
-    /// Members of the population.
+    /// Size of the population.
     pub population: Option<usize>,
-    /// Generations.
+    /// Number of generations.
     pub generations: Option<usize>,
     /// Mutation constant F.
     pub f: Option<f64>,
@@ -50,17 +50,17 @@ pub struct Calibration {
     pub cr: Option<f64>,
     /// Seed of the random numbers.
     pub seed: Option<u64>,
-    /// How often it is done, each time with another seed.
+    /// Number of searches, each with another seed.
     pub repeats: Option<usize>,
-    /// Most evaluations.
+    /// Greatest number of evaluations.
     pub evaluations: Option<usize>,
-    /// Whether the best is improved by least squares at the end.
+    /// Least squares start from the best point at the end.
     pub polish: Option<bool>,
-    /// Most seconds that a run may take.
+    /// Greatest time of a run, in s.
     pub time_limit: Option<f64>,
 }
 
-/// Limits of the laboratory, in the script's units.
+/// Limits of the test rig, in the units of the script.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rig {
     /// Greatest displacement.
@@ -73,54 +73,54 @@ pub struct Rig {
     pub temperature: Option<[f64; 2]>,
 }
 
-/// Why a study is refused; the texts that the message points into are in the [`SourceMap`] given.
-pub type Rejected = Box<Diagnostic>;
+/// The error of a study. The texts that its message points into are in the [`SourceMap`] of the call.
+pub type StudyError = Box<Diagnostic>;
 
-/// Where the words of the file are.
-struct Places {
+/// Locations in the file of the study, for messages.
+struct SourceSpans {
     source: SourceId,
 }
 
-impl Places {
+impl SourceSpans {
     fn span<T>(&self, s: &Spanned<T>) -> Span {
         let range = s.span();
         Span { source: self.source, start: range.start as u32, end: range.end as u32 }
     }
 
-    fn refuse<T>(&self, s: &Spanned<T>, message: impl Into<String>, label: impl Into<String>) -> Rejected {
+    fn error<T>(&self, s: &Spanned<T>, message: impl Into<String>, label: impl Into<String>) -> StudyError {
         Box::new(Diagnostic::error(message).at(Some(self.span(s)), label))
     }
 
-    /// A finite number within a range; the range is told as it is given.
+    /// A finite number that passes the check `good`. The message says what was `expected`.
     fn number(
         &self,
         what: &str,
         s: &Spanned<f64>,
         good: impl Fn(f64) -> bool,
         expected: &str,
-    ) -> Result<f64, Rejected> {
+    ) -> Result<f64, StudyError> {
         let x = *s.get_ref();
-        if x.is_finite() && good(x) { Ok(x) } else { Err(self.refuse(s, format!("{what} is {x}"), expected)) }
+        if x.is_finite() && good(x) { Ok(x) } else { Err(self.error(s, format!("{what} is {x}"), expected)) }
     }
 
-    fn count(&self, what: &str, s: &Option<Spanned<i64>>, least: i64) -> Result<Option<usize>, Rejected> {
+    fn count(&self, what: &str, s: &Option<Spanned<i64>>, least: i64) -> Result<Option<usize>, StudyError> {
         let Some(s) = s else { return Ok(None) };
         match usize::try_from(*s.get_ref()) {
             Ok(n) if n as i64 >= least => Ok(Some(n)),
             _ => {
                 let message = format!("{what} is {}", s.get_ref());
-                Err(self.refuse(s, message, format!("expected a whole number not less than {least}")))
+                Err(self.error(s, message, format!("expected a whole number not less than {least}")))
             }
         }
     }
 
-    /// A word that must be one of several.
-    fn choice<'a>(&self, what: &str, s: &Spanned<String>, known: &[&'a str]) -> Result<&'a str, Rejected> {
+    /// One of several known words.
+    fn choice<'a>(&self, what: &str, s: &Spanned<String>, known: &[&'a str]) -> Result<&'a str, StudyError> {
         let word = s.get_ref();
         if let Some(k) = known.iter().find(|k| *k == word) {
             return Ok(k);
         }
-        let mut d = self.refuse(s, format!("unknown {what} \"{word}\""), format!("expected {}", known.join(" or ")));
+        let mut d = self.error(s, format!("unknown {what} \"{word}\""), format!("expected {}", known.join(" or ")));
         if let Some(near) = nearest(word, known.iter().copied()) {
             d.help.push(format!("did you mean \"{near}\"?"));
         }
@@ -132,24 +132,24 @@ impl Study {
     /// Read a study and its recordings. Texts that messages point into are added to `sources`.
     ///
     /// # Errors
-    /// What is wrong, with its place.
-    pub fn load(file: &Path, sources: &mut SourceMap) -> Result<Self, Rejected> {
+    /// The study or a recording cannot be read, or has a mistake. The message has its location.
+    pub fn load(file: &Path, sources: &mut SourceMap) -> Result<Self, StudyError> {
         let shown = file.display();
         let unreadable = |e: std::io::Error| Box::new(Diagnostic::error(format!("cannot read {shown}: {e}")));
         let text = fs::read_to_string(file).map_err(unreadable)?;
         let folder = file.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let folder = folder.canonicalize().map_err(unreadable)?;
         let source = sources.add(&shown.to_string(), &text);
-        let parsed: StudyFile = toml::from_str(&text).map_err(|e| syntax(&e, source))?;
-        let places = Places { source };
-        let (parameters, names) = parameters(&places, &parsed.parameter)?;
-        let space = Space::new(parameters).map_err(|cyclic| {
+        let parsed: StudyFile = toml::from_str(&text).map_err(|e| syntax_error(&e, source))?;
+        let spans = SourceSpans { source };
+        let (parameters, name_spans) = read_parameters(&spans, &parsed.parameter)?;
+        let space = ParameterSpace::new(parameters).map_err(|cyclic| {
             let name = &parsed.parameter[cyclic].get_ref().name;
-            places.refuse(name, format!("the formula of {} depends on itself", name.get_ref()), "tied in a circle")
+            spans.error(name, format!("the formula of {} depends on itself", name.get_ref()), "tied in a circle")
         })?;
         if space.dimension() == 0 {
             let message = "no parameter is to be found: none has bounds";
-            return Err(Box::new(Diagnostic::error(message).at(Some(places.span(&parsed.model)), "in this study")));
+            return Err(Box::new(Diagnostic::error(message).at(Some(spans.span(&parsed.model)), "in this study")));
         }
         let mut warnings = vec![];
         let mut runs: Vec<Run> = vec![];
@@ -158,17 +158,17 @@ impl Study {
             let name = &table.get_ref().name;
             if known.contains(&name.get_ref().as_str()) {
                 let message = format!("there are two runs named \"{}\"", name.get_ref());
-                return Err(places.refuse(name, message, "expected another name"));
+                return Err(spans.error(name, message, "expected another name"));
             }
-            runs.push(run(&places, &folder, table, &space, sources, &mut warnings)?);
+            runs.push(read_run(&spans, &folder, table, &space, sources, &mut warnings)?);
         }
         if !runs.iter().any(|r| r.role == Role::Fit) {
             let message = "no run has the role \"fit\"";
-            return Err(Box::new(Diagnostic::error(message).at(Some(places.span(&parsed.model)), "in this study")));
+            return Err(Box::new(Diagnostic::error(message).at(Some(spans.span(&parsed.model)), "in this study")));
         }
         let model = parsed.model.get_ref().clone();
         if !folder.join(&model).is_file() {
-            return Err(places.refuse(&parsed.model, format!("there is no script {model}"), "expected a file"));
+            return Err(spans.error(&parsed.model, format!("there is no script {model}"), "expected a file"));
         }
         Ok(Self {
             title: parsed.title.clone().unwrap_or_default(),
@@ -177,14 +177,14 @@ impl Study {
             model,
             space,
             runs,
-            calibration: calibration(&places, &parsed)?,
-            rig: rig(&places, &parsed)?,
-            names,
+            calibration: read_calibration_options(&spans, &parsed)?,
+            rig: read_rig(&spans, &parsed)?,
+            name_spans,
             warnings,
         })
     }
 
-    /// Absolute path of a file that the study or its script names relative to the study's folder.
+    /// Absolute path of a file that the study or its script names relative to the folder of the study.
     pub fn absolute(&self, file: &str) -> String {
         match file.starts_with('/') {
             true => file.to_owned(),
@@ -192,19 +192,19 @@ impl Study {
         }
     }
 
-    /// The runs of a role, with their numbers.
+    /// Index and run for all runs of a role.
     pub fn runs_of(&self, role: Role) -> impl Iterator<Item = (usize, &Run)> {
         self.runs.iter().enumerate().filter(move |(_, r)| r.role == role)
     }
 
-    /// The folder as scripts write paths.
+    /// The folder with the separators of Tcl.
     pub(super) fn folder_text(&self) -> String {
         self.folder.to_string_lossy().replace('\\', "/")
     }
 }
 
-/// An error of the reader of TOML, with the nearest name where one is unknown.
-fn syntax(e: &toml::de::Error, source: SourceId) -> Rejected {
+/// The message for an error of the TOML parser. Unknown keys come with the nearest known one.
+fn syntax_error(e: &toml::de::Error, source: SourceId) -> StudyError {
     let message = e.message().trim();
     let span = e.span().map(|r| Span { source, start: r.start as u32, end: r.end as u32 });
     let mut quoted = message.split('`').skip(1).step_by(2);
@@ -221,65 +221,71 @@ fn syntax(e: &toml::de::Error, source: SourceId) -> Rejected {
     Box::new(d)
 }
 
-fn parameters(places: &Places, tables: &[Spanned<ParameterTable>]) -> Result<(Vec<Parameter>, Vec<Span>), Rejected> {
-    let all: Vec<&str> = tables.iter().map(|t| t.get_ref().name.get_ref().as_str()).collect();
-    let mut out: Vec<Parameter> = vec![];
+/// Parameters of the study, and locations of their names.
+fn read_parameters(
+    spans: &SourceSpans,
+    tables: &[Spanned<ParameterTable>],
+) -> Result<(Vec<Parameter>, Vec<Span>), StudyError> {
+    let names: Vec<&str> = tables.iter().map(|t| t.get_ref().name.get_ref().as_str()).collect();
+    let mut parameters: Vec<Parameter> = vec![];
     for table in tables {
         let t = table.get_ref();
         let name = t.name.get_ref().clone();
-        if out.iter().any(|p| p.name == name) {
-            return Err(places.refuse(
-                &t.name,
-                format!("there are two parameters \"{name}\""),
-                "expected another name",
-            ));
+        if parameters.iter().any(|p| p.name == name) {
+            return Err(spans.error(&t.name, format!("there are two parameters \"{name}\""), "expected another name"));
         }
-        let given = [t.value.is_some(), t.expr.is_some()].iter().filter(|g| **g).count();
-        let source = match (&t.value, &t.expr) {
-            _ if given > 1 => {
-                return Err(places.refuse(&t.name, format!("{name} has both a value and a formula"), "expected one"));
+        let kind = match (&t.value, &t.expr) {
+            (Some(_), Some(_)) => {
+                return Err(spans.error(&t.name, format!("{name} has both a value and a formula"), "expected one"));
             }
-            (Some(value), _) => Source::Fixed(places.number(&name, value, |_| true, "expected a number")?),
-            (_, Some(formula)) => tied(places, t, formula, &all)?,
-            (None, None) => Source::Free(range(places, t)?),
+            (Some(value), None) => ParameterKind::Fixed(spans.number(&name, value, |_| true, "expected a number")?),
+            (None, Some(formula)) => read_tied(spans, t, formula, &names)?,
+            (None, None) => ParameterKind::Free(read_range(spans, t)?),
         };
-        out.push(Parameter { name, source });
+        parameters.push(Parameter { name, kind });
     }
-    Ok((out, tables.iter().map(|t| places.span(&t.get_ref().name)).collect()))
+    Ok((parameters, tables.iter().map(|t| spans.span(&t.get_ref().name)).collect()))
 }
 
-fn range(places: &Places, t: &ParameterTable) -> Result<Range, Rejected> {
+/// Range of a free parameter.
+fn read_range(spans: &SourceSpans, t: &ParameterTable) -> Result<ParameterRange, StudyError> {
     let name = t.name.get_ref();
     let (Some(lower), Some(upper)) = (&t.lower, &t.upper) else {
         let missing = if t.lower.is_none() { "lower" } else { "upper" };
         let message = format!("parameter {name} has no {missing} bound");
-        return Err(places.refuse(&t.name, message, "expected lower and upper, or value, or expr"));
+        return Err(spans.error(&t.name, message, "expected lower and upper, or value, or expr"));
     };
     let scale = match &t.scale {
-        Some(s) if places.choice("scale", s, &["linear", "log"])? == "log" => Scale::Log,
+        Some(s) if spans.choice("scale", s, &["linear", "log"])? == "log" => Scale::Log,
         _ => Scale::Linear,
     };
-    let low = places.number(&format!("the lower bound of {name}"), lower, |_| true, "expected a number")?;
+    let low = spans.number(&format!("the lower bound of {name}"), lower, |_| true, "expected a number")?;
     let above = format!("expected more than the lower bound, {low}");
-    let high = places.number(&format!("the upper bound of {name}"), upper, |x| x > low, &above)?;
+    let high = spans.number(&format!("the upper bound of {name}"), upper, |x| x > low, &above)?;
     if scale == Scale::Log && low <= 0.0 {
         let message = format!("the lower bound of {name} is {low}");
-        return Err(places.refuse(lower, message, "expected more than 0, since the scale is logarithmic"));
+        return Err(spans.error(lower, message, "expected more than 0, since the scale is logarithmic"));
     }
-    Ok(Range { lower: low, upper: high, scale })
+    Ok(ParameterRange { lower: low, upper: high, scale })
 }
 
-fn tied(places: &Places, t: &ParameterTable, formula: &Spanned<String>, all: &[&str]) -> Result<Source, Rejected> {
+/// Formula of a tied parameter.
+fn read_tied(
+    spans: &SourceSpans,
+    t: &ParameterTable,
+    formula: &Spanned<String>,
+    names: &[&str],
+) -> Result<ParameterKind, StudyError> {
     let text = formula.get_ref();
-    let wrong = |why: String| places.refuse(formula, why, "expected a formula such as 0.5*a/b");
+    let wrong = |why: String| spans.error(formula, why, "expected a formula such as 0.5*a/b");
     let parsed = exmex::parse::<f64>(text).map_err(|e| wrong(format!("\"{text}\" is no formula: {e}")))?;
-    let mut of = vec![];
+    let mut arguments = vec![];
     for name in parsed.var_names() {
-        match all.iter().position(|a| a == name) {
-            Some(i) => of.push(i),
+        match names.iter().position(|n| n == name) {
+            Some(i) => arguments.push(i),
             None => {
-                let mut d = places.refuse(formula, format!("there is no parameter {name}"), "expected a parameter");
-                if let Some(near) = nearest(name, all.iter().copied()) {
+                let mut d = spans.error(formula, format!("there is no parameter {name}"), "expected a parameter");
+                if let Some(near) = nearest(name, names.iter().copied()) {
                     d.help.push(format!("did you mean \"{near}\"?"));
                 }
                 return Err(d);
@@ -288,44 +294,46 @@ fn tied(places: &Places, t: &ParameterTable, formula: &Spanned<String>, all: &[&
     }
     let lower = t.lower.as_ref().map_or(f64::NEG_INFINITY, |l| *l.get_ref());
     let upper = t.upper.as_ref().map_or(f64::INFINITY, |u| *u.get_ref());
-    Ok(Source::Tied { text: text.clone(), formula: Box::new(parsed), of, within: (lower, upper) })
+    Ok(ParameterKind::Tied { text: text.clone(), formula: Box::new(parsed), arguments, bounds: (lower, upper) })
 }
 
-fn run(
-    places: &Places,
+/// A run with its recording.
+fn read_run(
+    spans: &SourceSpans,
     folder: &Path,
     table: &Spanned<RunTable>,
-    space: &Space,
+    space: &ParameterSpace,
     sources: &mut SourceMap,
     warnings: &mut Vec<Diagnostic>,
-) -> Result<Run, Rejected> {
+) -> Result<Run, StudyError> {
     let t = table.get_ref();
     let name = t.name.get_ref().clone();
     let role = match &t.role {
-        Some(r) if places.choice("role", r, &["fit", "holdout"])? == "holdout" => Role::Holdout,
+        Some(r) if spans.choice("role", r, &["fit", "holdout"])? == "holdout" => Role::Holdout,
         _ => Role::Fit,
     };
     let mut set = vec![];
     for (key, value) in &t.set {
         if space.parameters.iter().any(|p| p.name == *key.get_ref()) {
             let message = format!("{} is set in run \"{name}\" and is a parameter", key.get_ref());
-            return Err(places.refuse(key, message, "expected in one place only"));
+            return Err(spans.error(key, message, "expected in one place only"));
         }
-        set.push((key.get_ref().clone(), setting(places, value)?));
+        set.push((key.get_ref().clone(), read_setting(spans, value)?));
     }
     let path = t.recording.get_ref();
     let text = fs::read_to_string(folder.join(path))
-        .map_err(|e| places.refuse(&t.recording, format!("cannot read {path}: {e}"), "expected a file"))?;
+        .map_err(|e| spans.error(&t.recording, format!("cannot read {path}: {e}"), "expected a file"))?;
     let recording = Recording::parse(path, &text, sources)?;
     if t.observe.is_empty() {
-        return Err(places.refuse(&t.name, format!("run \"{name}\" observes nothing"), "expected a [[run.observe]]"));
+        return Err(spans.error(&t.name, format!("run \"{name}\" observes nothing"), "expected a [[run.observe]]"));
     }
-    let observe = t.observe.iter().map(|o| observe(places, o.get_ref(), &recording, path, warnings));
+    let observe = t.observe.iter().map(|o| read_channel(spans, o.get_ref(), &recording, path, warnings));
     Ok(Run { role, set, observe: observe.collect::<Result<_, _>>()?, recording, name })
 }
 
-fn setting(places: &Places, value: &Spanned<toml::Value>) -> Result<Setting, Rejected> {
-    let wrong = || places.refuse(value, "a Tcl variable cannot be set to this", "expected a text, a number or a list");
+/// Value of a variable that a run sets.
+fn read_setting(spans: &SourceSpans, value: &Spanned<toml::Value>) -> Result<Setting, StudyError> {
+    let wrong = || spans.error(value, "a Tcl variable cannot be set to this", "expected a text, a number or a list");
     let text = |v: &toml::Value| match v {
         toml::Value::String(s) => Some(s.clone()),
         toml::Value::Integer(i) => Some(i.to_string()),
@@ -343,17 +351,18 @@ fn setting(places: &Places, value: &Spanned<toml::Value>) -> Result<Setting, Rej
     })
 }
 
-fn observe(
-    places: &Places,
+/// An observed channel with its samples.
+fn read_channel(
+    spans: &SourceSpans,
     o: &ObserveTable,
     recording: &Recording,
     path: &str,
     warnings: &mut Vec<Diagnostic>,
-) -> Result<Observe, Rejected> {
+) -> Result<ObservedChannel, StudyError> {
     let channel = o.channel.get_ref();
     let Some(column) = recording.column(channel) else {
         let known: Vec<&str> = recording.columns.iter().map(|c| c.name.as_str()).collect();
-        let mut d = places.refuse(&o.channel, format!("{path} has no column {channel}"), "expected a column of it");
+        let mut d = spans.error(&o.channel, format!("{path} has no column {channel}"), "expected a column of it");
         match nearest(channel, known.iter().copied()) {
             Some(near) => d.help.push(format!("did you mean \"{near}\"?")),
             None => d.help.push(format!("it has {}", known.join(", "))),
@@ -361,25 +370,25 @@ fn observe(
         return Err(d);
     };
     let weight = match &o.weight {
-        Some(w) => places.number("the weight", w, |x| x >= 0.0, "expected a number not less than 0")?,
+        Some(w) => spans.number("the weight", w, |x| x >= 0.0, "expected a number not less than 0")?,
         None => 1.0,
     };
     let at = usize::try_from(*o.column.get_ref())
-        .map_err(|_| places.refuse(&o.column, format!("the column is {}", o.column.get_ref()), "expected 0, 1, ..."))?;
-    let there: Vec<f64> = column.values.iter().copied().filter(|v| !v.is_nan()).collect();
-    let n = there.len() as f64;
-    let mean = there.iter().sum::<f64>() / n;
-    let variance = there.iter().map(|v| (v - mean) * (v - mean)).sum::<f64>() / n;
-    if there.len() < 2 || variance == 0.0 {
-        let message = format!("{channel} of {path} never changes ({} samples)", there.len());
-        return Err(places.refuse(&o.channel, message, "expected a channel with a variance"));
+        .map_err(|_| spans.error(&o.column, format!("the column is {}", o.column.get_ref()), "expected 0, 1, ..."))?;
+    let present: Vec<f64> = column.values.iter().copied().filter(|v| !v.is_nan()).collect();
+    let n = present.len() as f64;
+    let mean = present.iter().sum::<f64>() / n;
+    let variance = present.iter().map(|v| (v - mean) * (v - mean)).sum::<f64>() / n;
+    if present.len() < 2 || variance == 0.0 {
+        let message = format!("{channel} of {path} never changes ({} samples)", present.len());
+        return Err(spans.error(&o.channel, message, "expected a channel with a variance"));
     }
-    let missing = column.values.len() - there.len();
+    let missing = column.values.len() - present.len();
     if missing > 0 {
         let message = format!("{missing} of {} samples of {channel} in {path} are missing", column.values.len());
-        warnings.push(Diagnostic::warning(message).at(Some(places.span(&o.channel)), "left out"));
+        warnings.push(Diagnostic::warning(message).at(Some(spans.span(&o.channel)), "left out"));
     }
-    Ok(Observe {
+    Ok(ObservedChannel {
         channel: channel.clone(),
         unit: column.unit.clone(),
         output: o.output.get_ref().clone(),
@@ -391,35 +400,37 @@ fn observe(
     })
 }
 
-fn calibration(places: &Places, file: &StudyFile) -> Result<Calibration, Rejected> {
+/// The table `[calibration]`.
+fn read_calibration_options(spans: &SourceSpans, file: &StudyFile) -> Result<CalibrationOptions, StudyError> {
     let c = &file.calibration;
     let optional = |what: &str, s: &Option<Spanned<f64>>, good: fn(f64) -> bool, expected: &str| {
-        s.as_ref().map(|s| places.number(what, s, good, expected)).transpose()
+        s.as_ref().map(|s| spans.number(what, s, good, expected)).transpose()
     };
-    Ok(Calibration {
-        method: c.method.as_ref().map(|m| (m.get_ref().clone(), places.span(m))),
-        population: places.count("the population", &c.population, 4)?,
-        generations: places.count("the number of generations", &c.generations, 1)?,
+    Ok(CalibrationOptions {
+        method: c.method.as_ref().map(|m| (m.get_ref().clone(), spans.span(m))),
+        population: spans.count("the population", &c.population, 4)?,
+        generations: spans.count("the number of generations", &c.generations, 1)?,
         f: optional("F", &c.f, |x| x > 0.0 && x <= 2.0, "expected a number greater than 0, not more than 2")?,
         cr: optional("CR", &c.cr, |x| (0.0..=1.0).contains(&x), "expected a number from 0 to 1")?,
-        seed: places.count("the seed", &c.seed, 0)?.map(|n| n as u64),
-        repeats: places.count("the number of repeats", &c.repeats, 1)?,
-        evaluations: places.count("the number of evaluations", &c.evaluations, 1)?,
+        seed: spans.count("the seed", &c.seed, 0)?.map(|n| n as u64),
+        repeats: spans.count("the number of repeats", &c.repeats, 1)?,
+        evaluations: spans.count("the number of evaluations", &c.evaluations, 1)?,
         polish: c.polish,
         time_limit: optional("the limit of time", &c.time_limit, |x| x > 0.0, "expected seconds, more than 0")?,
     })
 }
 
-fn rig(places: &Places, file: &StudyFile) -> Result<Option<Rig>, Rejected> {
+/// The table `[rig]`.
+fn read_rig(spans: &SourceSpans, file: &StudyFile) -> Result<Option<Rig>, StudyError> {
     let Some(r) = &file.rig else { return Ok(None) };
     let positive = |what: &str, s: &Option<Spanned<f64>>| {
-        s.as_ref().map(|s| places.number(what, s, |x| x > 0.0, "expected a number greater than 0")).transpose()
+        s.as_ref().map(|s| spans.number(what, s, |x| x > 0.0, "expected a number greater than 0")).transpose()
     };
     if let Some(t) = &r.temperature {
         let [low, high] = *t.get_ref();
         if !(low <= high && low > -273.15 && high.is_finite()) {
             let message = format!("the temperatures of the rig are {low} and {high}");
-            return Err(places.refuse(t, message, "expected the lowest and the highest, in °C"));
+            return Err(spans.error(t, message, "expected the lowest and the highest, in °C"));
         }
     }
     Ok(Some(Rig {

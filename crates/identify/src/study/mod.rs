@@ -1,27 +1,37 @@
-//! Studies: a script, the recordings that it is to follow, and the parameters that are to be found.
+//! Studies: a script, its parameters, and the recordings that the model is compared with.
 //!
-//! [`Study::load`] reads `study.toml` and its recordings. A [`Simulator`] gives what the model says at the times of a
-//! recording; [`ScriptSimulator`] is the one that runs the script, in this process and without touching the disk, and a
-//! [`Crew`] keeps one of them in each thread. [`score`] compares the two.
+//! [`Study::load`] reads `study.toml` and its recordings. A [`Simulator`] gives the response of the model at the times of
+//! a recording. [`ScriptSimulator`] runs the script in this process without writing to the disk. [`score`] compares
+//! simulated and recorded channels. A [`WorkerPool`] runs several simulations at a time.
+//!
+//! # Parameters
+//! A [`Parameter`] has the name and the range of its `[[parameter]]` in `study.toml`. The free parameters of a
+//! [`ParameterSpace`] span a unit cube. Two representations are used throughout, each with one name:
+//! - `values`: physical values of all parameters, in the order of the study;
+//! - `unit_point`: coordinates of the free parameters in the unit cube, in the order of the study.
+//!
+//! [`ParameterSpace::values_at`] and [`ParameterSpace::unit_point`] convert between them.
 
-mod crew;
-mod file;
-mod files;
+mod cached_files;
+mod initial_run;
 mod load;
 mod parameter;
 mod recording;
 mod run;
 mod score;
-mod script;
+mod script_simulator;
 mod simulator;
+mod study_file;
 mod trace;
+mod worker_pool;
 
-pub use crew::Crew;
-pub use load::{Calibration, Rejected, Rig, Study};
-pub use parameter::{Outside, Parameter, Range, Scale, Source, Space};
+pub use initial_run::{InitialRun, RunLimits};
+pub use load::{CalibrationOptions, Rig, Study, StudyError};
+pub use parameter::{OutOfRange, Parameter, ParameterKind, ParameterRange, ParameterSpace, Scale};
 pub use recording::{Column, Recording};
-pub use run::{Observe, Role, Run, Setting};
-pub use score::{Fit, Score, fit, objective, score};
-pub use script::{Blueprint, Limits, Opening, ScriptSimulator};
-pub use simulator::{Mishap, Simulator};
+pub use run::{ObservedChannel, Role, Run, Setting};
+pub use score::{Score, ScoredRun, objective, score, simulate_and_score};
+pub use script_simulator::{ScriptSimulator, SimulatorFactory};
+pub use simulator::{SimulationError, Simulator};
 pub use trace::Trace;
+pub use worker_pool::WorkerPool;

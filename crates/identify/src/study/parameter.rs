@@ -1,137 +1,143 @@
-//! Parameters of a study, and the way from a point of the unit cube to their values.
+//! Parameters of a study, and the mapping between the unit cube and their physical values.
 
 use exmex::prelude::*;
 use std::fmt;
 
-/// How a parameter is spread over its range.
+/// Scale on which a parameter is spread over its range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scale {
-    /// Evenly.
+    /// Uniform in the value.
     Linear,
-    /// Its logarithm evenly.
+    /// Uniform in the logarithm of the value.
     Log,
 }
 
-/// What a parameter may be.
+/// Range of a free parameter. The prior is uniform over it on its scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Range {
+pub struct ParameterRange {
     /// Least value.
     pub lower: f64,
     /// Greatest value.
     pub upper: f64,
-    /// How it is spread in between.
+    /// Scale between the bounds.
     pub scale: Scale,
 }
 
-impl Range {
-    /// The value at a place from 0 (least) to 1 (greatest).
-    pub fn value(&self, place: f64) -> f64 {
+impl ParameterRange {
+    /// The value at a unit coordinate, from 0 at the lower to 1 at the upper bound.
+    pub fn value(&self, unit_coordinate: f64) -> f64 {
         let x = match self.scale {
-            Scale::Linear => self.lower + (self.upper - self.lower) * place,
-            Scale::Log => self.lower * (self.upper / self.lower).powf(place),
+            Scale::Linear => self.lower + (self.upper - self.lower) * unit_coordinate,
+            Scale::Log => self.lower * (self.upper / self.lower).powf(unit_coordinate),
         };
         x.clamp(self.lower, self.upper)
     }
 
-    /// The place of a value; beyond 0 and 1 outside of the range.
-    pub fn place(&self, value: f64) -> f64 {
+    /// The unit coordinate of a value. Values outside of the range have coordinates below 0 or above 1.
+    pub fn unit_coordinate(&self, value: f64) -> f64 {
         match self.scale {
             Scale::Linear => (value - self.lower) / (self.upper - self.lower),
             Scale::Log => (value / self.lower).ln() / (self.upper / self.lower).ln(),
         }
     }
 
-    /// Derivative of the value with respect to the place.
-    pub fn slope(&self, place: f64) -> f64 {
+    /// Derivative of the value with respect to the unit coordinate.
+    pub fn slope(&self, unit_coordinate: f64) -> f64 {
         match self.scale {
             Scale::Linear => self.upper - self.lower,
-            Scale::Log => self.value(place) * (self.upper / self.lower).ln(),
+            Scale::Log => self.value(unit_coordinate) * (self.upper / self.lower).ln(),
         }
     }
 }
 
-/// Where the value of a parameter comes from.
+/// Origin of the value of a parameter.
 #[derive(Clone, Debug)]
-pub enum Source {
-    /// It is to be found.
-    Free(Range),
-    /// It is given.
+pub enum ParameterKind {
+    /// The value is identified within a range.
+    Free(ParameterRange),
+    /// The value is a constant of the study.
     Fixed(f64),
-    /// It follows from others.
+    /// The value is a formula of other parameters.
     Tied {
         /// The formula as it was written.
         text: String,
-        /// The formula.
+        /// The parsed formula.
         formula: Box<FlatEx<f64>>,
-        /// The parameters that it takes, in its order, by their number.
-        of: Vec<usize>,
-        /// Least and greatest value that it may come to.
-        within: (f64, f64),
+        /// Indices of the parameters in the formula, in its order.
+        arguments: Vec<usize>,
+        /// Least and greatest allowed value.
+        bounds: (f64, f64),
     },
 }
 
 /// A parameter of a script.
 #[derive(Clone, Debug)]
 pub struct Parameter {
-    /// Its name in the script: `pset NAME VALUE`.
+    /// Name in the script: `pset NAME VALUE`.
     pub name: String,
-    /// Where its value comes from.
-    pub source: Source,
+    /// Origin of its value.
+    pub kind: ParameterKind,
 }
 
-/// A tied parameter has no value, or one outside of its range.
+/// The error of a tied parameter whose formula gives no number, or one outside of its range.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Outside {
-    /// Its name.
+pub struct OutOfRange {
+    /// Name of the parameter.
     pub name: String,
-    /// What its formula gives.
+    /// Value of its formula.
     pub value: f64,
 }
 
-impl fmt::Display for Outside {
+impl fmt::Display for OutOfRange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} comes to {}, outside of its range", self.name, self.value)
     }
 }
 
-/// All parameters of a study. The free ones span a unit cube, in which they are sought.
+/// All parameters of a study. The free ones span a unit cube.
 #[derive(Clone, Debug, Default)]
-pub struct Space {
-    /// In the order of the study.
+pub struct ParameterSpace {
+    /// Parameters in the order of the study.
     pub parameters: Vec<Parameter>,
-    /// Numbers of the tied ones, each after those that it takes.
-    order: Vec<usize>,
+    /// Indices of the tied parameters, each after its arguments.
+    tied_order: Vec<usize>,
 }
 
-impl Space {
-    /// Put parameters in order.
+impl ParameterSpace {
+    /// A space of parameters.
     ///
     /// # Errors
-    /// The number of a tied parameter that depends on itself.
+    /// The index of a tied parameter that depends on itself.
     pub fn new(parameters: Vec<Parameter>) -> Result<Self, usize> {
-        let mut known: Vec<bool> = parameters.iter().map(|p| !matches!(p.source, Source::Tied { .. })).collect();
-        let mut order = vec![];
+        let mut is_evaluated: Vec<bool> =
+            parameters.iter().map(|p| !matches!(p.kind, ParameterKind::Tied { .. })).collect();
+        let mut tied_order = vec![];
         loop {
-            let ready = |i: usize| match &parameters[i].source {
-                Source::Tied { of, .. } => !known[i] && of.iter().all(|j| known[*j]),
+            let is_ready = |i: usize| match &parameters[i].kind {
+                ParameterKind::Tied { arguments, .. } => !is_evaluated[i] && arguments.iter().all(|j| is_evaluated[*j]),
                 _ => false,
             };
-            let Some(next) = (0..parameters.len()).find(|i| ready(*i)) else { break };
-            known[next] = true;
-            order.push(next);
+            let Some(next) = (0..parameters.len()).find(|i| is_ready(*i)) else { break };
+            is_evaluated[next] = true;
+            tied_order.push(next);
         }
-        match known.iter().position(|k| !k) {
+        match is_evaluated.iter().position(|e| !e) {
             Some(cyclic) => Err(cyclic),
-            None => Ok(Self { parameters, order }),
+            None => Ok(Self { parameters, tied_order }),
         }
     }
 
-    /// The free parameters: number and range.
-    pub fn free(&self) -> impl Iterator<Item = (usize, &Range)> + Clone {
-        self.parameters.iter().enumerate().filter_map(|(i, p)| match &p.source {
-            Source::Free(range) => Some((i, range)),
+    /// The free parameters: index and range.
+    pub fn free(&self) -> impl Iterator<Item = (usize, &ParameterRange)> + Clone {
+        self.parameters.iter().enumerate().filter_map(|(i, p)| match &p.kind {
+            ParameterKind::Free(range) => Some((i, range)),
             _ => None,
         })
+    }
+
+    /// Names of the free parameters.
+    pub fn free_names(&self) -> impl Iterator<Item = &str> + Clone {
+        self.free().map(|(i, _)| self.parameters[i].name.as_str())
     }
 
     /// Number of free parameters.
@@ -139,44 +145,38 @@ impl Space {
         self.free().count()
     }
 
-    /// Name of the free parameter of a number.
-    pub fn free_name(&self, number: usize) -> &str {
-        self.free().nth(number).map_or("", |(i, _)| &self.parameters[i].name)
-    }
-
     /// Values of all parameters at a point of the unit cube.
     ///
     /// # Errors
-    /// A tied parameter comes to no number, or to one outside of its range.
-    pub fn values(&self, point: &[f64]) -> Result<Vec<f64>, Outside> {
+    /// The formula of a tied parameter gives no number, or one outside of its range.
+    pub fn values_at(&self, unit_point: &[f64]) -> Result<Vec<f64>, OutOfRange> {
         let mut values = vec![0.0; self.parameters.len()];
-        for ((i, range), place) in self.free().zip(point) {
-            values[i] = range.value(*place);
+        for ((i, range), unit_coordinate) in self.free().zip(unit_point) {
+            values[i] = range.value(*unit_coordinate);
         }
         for (v, p) in values.iter_mut().zip(&self.parameters) {
-            if let Source::Fixed(x) = p.source {
+            if let ParameterKind::Fixed(x) = p.kind {
                 *v = x;
             }
         }
-        for i in &self.order {
-            let Source::Tied { formula, of, within, .. } = &self.parameters[*i].source else { continue };
-            let taken: Vec<f64> = of.iter().map(|j| values[*j]).collect();
-            let value = formula.eval(&taken).unwrap_or(f64::NAN);
-            if !(within.0..=within.1).contains(&value) || !value.is_finite() {
-                return Err(Outside { name: self.parameters[*i].name.clone(), value });
+        for i in &self.tied_order {
+            let ParameterKind::Tied { formula, arguments, bounds, .. } = &self.parameters[*i].kind else { continue };
+            let arguments: Vec<f64> = arguments.iter().map(|j| values[*j]).collect();
+            let value = formula.eval(&arguments).unwrap_or(f64::NAN);
+            if !(bounds.0..=bounds.1).contains(&value) || !value.is_finite() {
+                return Err(OutOfRange { name: self.parameters[*i].name.clone(), value });
             }
             values[*i] = value;
         }
         Ok(values)
     }
 
-    /// The point of the unit cube where the free parameters have these values (of all parameters), moved to its surface
-    /// where they are outside of their ranges.
-    pub fn point(&self, values: &[f64]) -> Vec<f64> {
-        let place = |(i, range): (usize, &Range)| {
-            let place = range.place(values[i]);
-            if place.is_finite() { place.clamp(0.0, 1.0) } else { 0.5 }
+    /// The point of the unit cube for values of all parameters. Values outside of a range are moved to its bound.
+    pub fn unit_point(&self, values: &[f64]) -> Vec<f64> {
+        let unit_coordinate = |(i, range): (usize, &ParameterRange)| {
+            let x = range.unit_coordinate(values[i]);
+            if x.is_finite() { x.clamp(0.0, 1.0) } else { 0.5 }
         };
-        self.free().map(place).collect()
+        self.free().map(unit_coordinate).collect()
     }
 }

@@ -1,26 +1,26 @@
-//! A recorded run of a study: what is set before the script, what was measured, what is compared.
+//! A recorded run of a study.
 
 use super::recording::Recording;
 
-/// What a run is for.
+/// Use of a run in the study.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
-    /// The parameters are fitted to it.
+    /// The parameters are calibrated with it.
     Fit,
-    /// Only to judge the result.
+    /// It validates the result only.
     Holdout,
 }
 
-/// A variable that is set before the script.
+/// Value of a Tcl variable that is set before the script runs.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Setting {
-    /// A text.
+    /// Text.
     Text(String),
-    /// A whole number.
+    /// Integer.
     Whole(i64),
-    /// A number.
+    /// Real number.
     Number(f64),
-    /// A list of texts.
+    /// List of texts.
     List(Vec<String>),
 }
 
@@ -29,18 +29,18 @@ pub enum Setting {
 pub struct Run {
     /// Name.
     pub name: String,
-    /// What it is for.
+    /// Use of the run.
     pub role: Role,
-    /// Variables that are set before the script.
+    /// Variables that are set before the script runs.
     pub set: Vec<(String, Setting)>,
-    /// What was measured, all columns.
+    /// All measured channels.
     pub recording: Recording,
-    /// The channels that the model is compared with.
-    pub observe: Vec<Observe>,
+    /// The channels that the model is compared with: `[[run.observe]]`.
+    pub observe: Vec<ObservedChannel>,
 }
 
 impl Run {
-    /// A variable that is set before the script, as a text.
+    /// The value of a variable of [`Run::set`] as a text.
     pub fn text(&self, name: &str) -> Option<String> {
         let (_, value) = self.set.iter().find(|(n, _)| n == name)?;
         Some(match value {
@@ -51,45 +51,46 @@ impl Run {
         })
     }
 
-    /// The same, as a number.
+    /// The value of a variable of [`Run::set`] as a number.
     pub fn number(&self, name: &str) -> Option<f64> {
         self.text(name)?.parse().ok()
     }
 }
 
-/// A recorded channel and where the model has it.
+/// A recorded channel and the recorder column of the model that is compared with it.
 #[derive(Clone, Debug)]
-pub struct Observe {
-    /// Column of the recording.
+pub struct ObservedChannel {
+    /// Name of the column of the recording.
     pub channel: String,
-    /// Its unit.
+    /// Unit of the channel.
     pub unit: String,
-    /// A recorder's file.
+    /// File of a recorder of the script.
     pub output: String,
     /// Column of that file, from 0.
     pub column: usize,
-    /// What the channel hangs on, in words; empty for none.
+    /// Location of the sensor, in words; empty for none.
     pub at: String,
-    /// Multiplies the NMSE in the objective.
+    /// Weight of the NMSE of this channel in the objective.
     pub weight: f64,
-    /// The samples, as many as times of the recording; NaN where one is missing.
+    /// Samples, one for each time of the recording; NaN where one is missing.
     pub values: Vec<f64>,
-    /// Their variance, about their mean and over their number.
+    /// Population variance of the samples.
     pub variance: f64,
 }
 
-/// Units of forces, and of stresses.
-const FORCES: [&str; 6] = ["N", "kN", "MN", "lbf", "kip", "kips"];
-const STRESSES: [&str; 4] = ["Pa", "kPa", "MPa", "ksi"];
+/// Units of force.
+const FORCE_UNITS: [&str; 6] = ["N", "kN", "MN", "lbf", "kip", "kips"];
+/// Units of stress.
+const STRESS_UNITS: [&str; 4] = ["Pa", "kPa", "MPa", "ksi"];
 
-impl Observe {
-    /// Whether it is a force, by its unit.
+impl ObservedChannel {
+    /// Returns true if the unit of the channel is a unit of force.
     pub fn is_force(&self) -> bool {
-        FORCES.contains(&self.unit.as_str())
+        FORCE_UNITS.contains(&self.unit.as_str())
     }
 
-    /// Whether it is what a displacement is resisted with, by its unit or its name: loops are drawn of it.
+    /// Returns true if the channel is a resisting force or stress, by its unit or its name. Reports draw its hysteresis loops.
     pub fn is_resistance(&self) -> bool {
-        self.is_force() || STRESSES.contains(&self.unit.as_str()) || self.channel.contains("force")
+        self.is_force() || STRESS_UNITS.contains(&self.unit.as_str()) || self.channel.contains("force")
     }
 }

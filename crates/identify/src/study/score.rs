@@ -1,45 +1,45 @@
-//! How well a model follows a recording.
+//! Comparison of a simulated run with its recording.
 
 use super::load::Study;
-use super::run::{Observe, Role};
-use super::simulator::{Mishap, Simulator};
+use super::run::{ObservedChannel, Role};
+use super::simulator::{SimulationError, Simulator};
 
-/// How well a channel is followed.
+/// Error of a simulated channel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Score {
-    /// Mean squared error over the variance of the recorded channel (Eq 7 of the paper), a fraction.
+    /// Normalised mean squared error: mean squared error over the variance of the recorded channel (Eq 7 of the paper).
     pub nmse: f64,
-    /// Samples compared.
+    /// Number of samples compared.
     pub samples: usize,
-    /// Samples left out because the analysis had ended.
+    /// Number of samples left out because the analysis had ended.
     pub dropped: usize,
 }
 
-/// A run as the model has it, and how well it follows the recording.
+/// A simulated run with the scores of its channels.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Fit {
-    /// Simulated channels at the times of the recording; NaN where the analysis had ended.
+pub struct ScoredRun {
+    /// Simulated channels at the times of the recording; NaN after the end of the analysis.
     pub channels: Vec<Vec<f64>>,
-    /// Their scores.
+    /// Scores of the channels, in the same order.
     pub scores: Vec<Score>,
 }
 
-impl Fit {
-    /// Mean over the channels of the NMSE of each, times its weight.
-    pub fn nmse(&self, observed: &[Observe]) -> f64 {
+impl ScoredRun {
+    /// Weighted mean of the NMSE: Σ weight × NMSE over the number of channels.
+    pub fn nmse(&self, observed: &[ObservedChannel]) -> f64 {
         let sum: f64 = self.scores.iter().zip(observed).map(|(s, o)| o.weight * s.nmse).sum();
         sum / self.scores.len() as f64
     }
 }
 
 /// Compare a simulated channel with the recorded one. Missing samples are left out.
-pub fn score(simulated: &[f64], observed: &Observe) -> Score {
+pub fn score(simulated: &[f64], observed: &ObservedChannel) -> Score {
     let (mut sum, mut samples, mut dropped) = (0.0, 0usize, 0);
-    for (num, exp) in simulated.iter().zip(&observed.values).filter(|(_, exp)| !exp.is_nan()) {
-        if num.is_nan() {
+    for (y, v) in simulated.iter().zip(&observed.values).filter(|(_, v)| !v.is_nan()) {
+        if y.is_nan() {
             dropped += 1;
         } else {
-            sum += (num - exp) * (num - exp);
+            sum += (y - v) * (y - v);
             samples += 1;
         }
     }
@@ -49,30 +49,35 @@ pub fn score(simulated: &[f64], observed: &Observe) -> Score {
 /// Simulate a run and compare it with its recording.
 ///
 /// # Errors
-/// The model has no answer, or none that can be compared.
-pub fn fit(simulator: &mut dyn Simulator, study: &Study, run: usize, values: &[f64]) -> Result<Fit, Mishap> {
+/// The simulation fails, ends before the first sample of a channel, or has a score that is not finite.
+pub fn simulate_and_score(
+    simulator: &mut dyn Simulator,
+    study: &Study,
+    run: usize,
+    values: &[f64],
+) -> Result<ScoredRun, SimulationError> {
     let channels = simulator.simulate(run, values)?;
     let run = &study.runs[run];
     let scores: Vec<Score> = channels.iter().zip(&run.observe).map(|(c, o)| score(c, o)).collect();
     for (s, o) in scores.iter().zip(&run.observe) {
         if s.samples == 0 {
             let message = format!("the analysis ends before the first sample of {} in {}", o.channel, run.name);
-            return Err(Mishap::NoOutput(message));
+            return Err(SimulationError::NoOutput(message));
         }
         if !s.nmse.is_finite() {
-            return Err(Mishap::NotFinite(format!("{} in {}", o.channel, run.name)));
+            return Err(SimulationError::NotFinite(format!("{} in {}", o.channel, run.name)));
         }
     }
-    Ok(Fit { channels, scores })
+    Ok(ScoredRun { channels, scores })
 }
 
-/// Mean over all channels of all runs of the role `fit`, of the NMSE of each times its weight. `fits` are those of these
-/// runs, in the order of the study.
-pub fn objective(study: &Study, fits: &[&Fit]) -> f64 {
+/// Objective of the calibration: mean of weight × NMSE over all channels of all runs with the role `fit`.
+/// `scored` are these runs in the order of the study.
+pub fn objective(study: &Study, scored: &[&ScoredRun]) -> f64 {
     let runs = study.runs.iter().filter(|r| r.role == Role::Fit);
     let (mut sum, mut count) = (0.0, 0);
-    for (run, fit) in runs.zip(fits) {
-        for (o, s) in run.observe.iter().zip(&fit.scores) {
+    for (run, scored_run) in runs.zip(scored) {
+        for (o, s) in run.observe.iter().zip(&scored_run.scores) {
             sum += o.weight * s.nmse;
             count += 1;
         }

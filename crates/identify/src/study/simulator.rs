@@ -1,44 +1,44 @@
-//! What a calibration knows of a model: numbers in, numbers out.
+//! The interface between a model and its calibration: values of parameters in, channels out.
 
 use std::fmt;
 
 /// A model of the runs of a study.
 pub trait Simulator {
     /// The observed channels of a run, in the order of the study, at the times of its recording; NaN after the end of
-    /// the analysis. `values` are those of all parameters, in the order of the study.
+    /// the analysis. `values` are the values of all parameters.
     ///
     /// # Errors
-    /// Why there is no answer.
-    fn simulate(&mut self, run: usize, values: &[f64]) -> Result<Vec<Vec<f64>>, Mishap>;
+    /// The model has no response for these values.
+    fn simulate(&mut self, run: usize, values: &[f64]) -> Result<Vec<Vec<f64>>, SimulationError>;
 }
 
-/// Why the model has no answer for some values of its parameters.
+/// The cause of a failed simulation.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Mishap {
+pub enum SimulationError {
     /// The analysis failed.
     Failed(String),
-    /// The script rejected the values: what it said.
+    /// A command of the script was rejected: its message.
     Rejected(String),
-    /// The script ended with an error of its own.
+    /// The script raised an error of its own: its message.
     Raised(String),
-    /// The script ended itself with a status other than 0.
+    /// The script exited with a status other than 0.
     Exit(i32),
-    /// It took too long: what was used up.
+    /// The run reached a limit: its name.
     TooLong(&'static str),
-    /// An observed output was not written, or has not the column.
+    /// An observed output was not written, or lacks the column.
     NoOutput(String),
     /// An observed output has numbers that are not finite.
     NotFinite(String),
     /// A tied parameter is outside of its range.
-    Outside(String),
+    OutOfRange(String),
     /// The user interrupted.
     Interrupted,
-    /// A defect of this program.
+    /// A panic in this program.
     Defect,
 }
 
-impl Mishap {
-    /// What kind of mishap it is, to count them.
+impl SimulationError {
+    /// A text for the kind of error, to count errors by.
     pub fn kind(&self) -> &'static str {
         match self {
             Self::Failed(_) => "the analysis failed",
@@ -48,18 +48,18 @@ impl Mishap {
             Self::TooLong(_) => "it took too long",
             Self::NoOutput(_) => "an output is missing",
             Self::NotFinite(_) => "an output is not finite",
-            Self::Outside(_) => "a tied parameter was outside of its range",
+            Self::OutOfRange(_) => "a tied parameter was outside of its range",
             Self::Interrupted => "interrupted",
             Self::Defect => "a defect of this program",
         }
     }
 }
 
-impl fmt::Display for Mishap {
+impl fmt::Display for SimulationError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Failed(why) | Self::Rejected(why) | Self::Raised(why) => write!(f, "{}: {why}", self.kind()),
-            Self::NoOutput(which) | Self::NotFinite(which) | Self::Outside(which) => {
+            Self::NoOutput(which) | Self::NotFinite(which) | Self::OutOfRange(which) => {
                 write!(f, "{}: {which}", self.kind())
             }
             Self::Exit(status) => write!(f, "the script ended itself with status {status}"),
@@ -69,4 +69,4 @@ impl fmt::Display for Mishap {
     }
 }
 
-impl std::error::Error for Mishap {}
+impl std::error::Error for SimulationError {}

@@ -1,4 +1,4 @@
-//! What a recorder of a script wrote, kept as numbers.
+//! Recorder output in memory.
 
 use hysteron_engine::record::{Output, RecordError};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -6,15 +6,15 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 /// The rows of a recorder, with their times.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Trace {
-    /// Domain time of each row. The first row is the state that the analysis started from, where that is known.
+    /// Domain time of each row. The first row is the state at the start of the analysis, if it is known.
     pub times: Vec<f64>,
-    /// Numbers in a row.
+    /// Number of columns.
     pub width: usize,
-    /// The rows, one after the other.
+    /// Values, row by row.
     pub values: Vec<f64>,
-    /// The first row is the state at the start: the recorder did not write it.
+    /// True if the first row is the state at the start, which the recorder itself did not write.
     pub has_start: bool,
-    /// The time went back, or stood, within an analysis: it is no clock (that of DisplacementControl is the load factor).
+    /// True if the time did not increase within an analysis. The pseudo-time of DisplacementControl is the load factor.
     pub no_clock: bool,
 }
 
@@ -29,14 +29,14 @@ impl Trace {
         self.values.extend_from_slice(row);
     }
 
-    /// Forget the rows, keeping their memory.
+    /// Remove the rows, keeping their memory.
     fn clear(&mut self) {
         self.times.clear();
         self.values.clear();
         (self.has_start, self.no_clock) = (false, false);
     }
 
-    /// A column at given times, increasing: linear between the rows, the first row before it, NaN after the last.
+    /// A column at increasing times: linear between rows, the first row before it, NaN after the last row.
     pub fn sample(&self, column: usize, times: &[f64]) -> Vec<f64> {
         let value = |row: usize| self.values[row * self.width + column];
         let mut row = 0;
@@ -57,25 +57,25 @@ impl Trace {
         if self.times.is_empty() || column >= self.width {
             return vec![f64::NAN; times.len()];
         }
-        // A last sample at the end of the analysis, but for round-off, is within it.
+        // Round-off must not put a last sample beyond the end of the analysis.
         let end = self.times[self.times.len() - 1];
         let close = 1e-9 * end.abs().max(1e-9);
         times.iter().map(|t| if *t > end && *t - end <= close { end } else { *t }).map(at).collect()
     }
 }
 
-/// Where a recorder writes that is observed. Clones share the rows: the one that writes has them to itself until it is
-/// finished or dropped, so that a row takes no lock.
+/// Output of an observed recorder. Clones share its trace. The clone that writes owns the trace until it is finished or
+/// dropped, so that writing a row takes no lock.
 #[derive(Debug, Default)]
 pub(super) struct TraceOutput {
     shared: Arc<Mutex<Trace>>,
-    own: Option<Trace>,
+    writing: Option<Trace>,
     time: f64,
 }
 
 impl Clone for TraceOutput {
     fn clone(&self) -> Self {
-        Self { shared: self.shared.clone(), own: None, time: self.time }
+        Self { shared: self.shared.clone(), writing: None, time: self.time }
     }
 }
 
@@ -84,26 +84,26 @@ impl TraceOutput {
         self.shared.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Forget the rows.
+    /// Remove the rows.
     pub(super) fn clear(&self) {
         self.shared().clear();
     }
 
-    /// Look at the rows.
-    pub(super) fn with<R>(&self, look: impl FnOnce(&Trace) -> R) -> R {
-        look(&self.shared())
+    /// Apply a function to the trace.
+    pub(super) fn with<R>(&self, f: impl FnOnce(&Trace) -> R) -> R {
+        f(&self.shared())
     }
 
-    /// The rows, to write to.
-    fn own(&mut self) -> &mut Trace {
-        let Self { shared, own, .. } = self;
-        own.get_or_insert_with(|| std::mem::take(&mut *shared.lock().unwrap_or_else(PoisonError::into_inner)))
+    /// The trace to write to, taken from the shared place at first.
+    fn writing(&mut self) -> &mut Trace {
+        let Self { shared, writing, .. } = self;
+        writing.get_or_insert_with(|| std::mem::take(&mut *shared.lock().unwrap_or_else(PoisonError::into_inner)))
     }
 
-    /// Give back the rows.
+    /// Put the trace back to the shared place.
     fn share(&mut self) {
-        if let Some(own) = self.own.take() {
-            *self.shared() = own;
+        if let Some(trace) = self.writing.take() {
+            *self.shared() = trace;
         }
     }
 }
@@ -116,13 +116,13 @@ impl Drop for TraceOutput {
 
 impl Output for TraceOutput {
     fn wants_start(&self, time: f64) -> bool {
-        let outlived = |t: &Trace| t.times.last().is_none_or(|last| time < *last);
-        self.own.as_ref().map_or_else(|| self.with(outlived), outlived)
+        let is_reset = |t: &Trace| t.times.last().is_none_or(|last| time < *last);
+        self.writing.as_ref().map_or_else(|| self.with(is_reset), is_reset)
     }
 
     fn start(&mut self, time: f64, row: &[f64]) {
-        // The clock was set back: what came before belongs to an earlier stage.
-        let t = self.own();
+        // The time was reset, so earlier rows belong to an earlier stage.
+        let t = self.writing();
         t.clear();
         t.push(time, row);
         t.has_start = true;
@@ -134,7 +134,7 @@ impl Output for TraceOutput {
 
     fn row(&mut self, row: &[f64]) -> Result<(), RecordError> {
         let time = self.time;
-        self.own().push(time, row);
+        self.writing().push(time, row);
         Ok(())
     }
 
@@ -144,7 +144,7 @@ impl Output for TraceOutput {
     }
 }
 
-/// Where a recorder writes that nobody observes.
+/// Output of a recorder that is not observed. It keeps nothing.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Unobserved;
 
@@ -163,7 +163,7 @@ mod tests {
     use super::Trace;
 
     #[test]
-    fn sampled_between_rows_and_never_beyond_the_last() {
+    fn sample_interpolates_between_rows_and_is_nan_after_the_last() {
         let t = Trace {
             times: vec![0.0, 1.0, 3.0],
             width: 2,

@@ -1,7 +1,7 @@
 //! `algorithm`.
 
 use crate::args::Args;
-use crate::{Command, Outcome, Tcl, ignore_option, warn};
+use crate::{Command, Outcome, Tcl, ignore_option, kind, warn};
 use hysteron_engine::analysis::TangentMix;
 use hysteron_engine::analysis::algorithm::{
     Algorithm, ExpressNewton, LineSearch, Linear, ModifiedNewton, Newton, NewtonLineSearch, SearchKind, TangentChoice,
@@ -10,7 +10,8 @@ use hysteron_engine::analysis::algorithm::{
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
-pub(crate) const COMMANDS: &[Command] = &[Command { name: "algorithm", usage: ALGORITHM, run: algorithm }];
+pub(crate) const COMMANDS: &[Command] =
+    &[Command::new("algorithm", ALGORITHM, algorithm).with_kinds(|| kind::usages(KINDS))];
 
 const ALGORITHM: &str = "algorithm Linear | Newton | ModifiedNewton | NewtonLineSearch | KrylovNewton | SecantNewton | \
                          BFGS | Broyden | ... <options>";
@@ -45,55 +46,90 @@ fn mix(choice: TangentChoice) -> TangentMix {
     }
 }
 
-const ALGORITHMS: [&str; 11] = [
-    "Linear",
-    "Newton",
-    "ModifiedNewton",
-    "NewtonLineSearch",
-    "KrylovNewton",
-    "MillerNewton",
-    "SecantNewton",
-    "PeriodicNewton",
-    "BFGS",
-    "Broyden",
-    "ExpressNewton",
+type Made = Result<Box<dyn Algorithm>, Exception>;
+
+/// A kind of algorithm, made from the words after its name.
+type Kind = kind::Kind<fn(&mut Tcl, &mut Args<'_>) -> Made>;
+
+const KINDS: &[Kind] = &[
+    Kind {
+        names: &["Linear"],
+        usage: "algorithm Linear <-initial | -secant> <-factorOnce>",
+        make: |interp, a| {
+            let (choice, once) = tangent(interp, a)?;
+            Ok(Box::new(Linear::new(mix(choice), once)))
+        },
+    },
+    Kind {
+        names: &["Newton"],
+        usage: "algorithm Newton <-initial | -initialThenCurrent | -Hall <$initial $current>>",
+        make: |interp, a| Ok(Box::new(Newton::new(tangent(interp, a)?.0))),
+    },
+    Kind {
+        names: &["ModifiedNewton"],
+        usage: "algorithm ModifiedNewton <-initial | -Hall <$initial $current>> <-factorOnce>",
+        make: |interp, a| {
+            let (choice, once) = tangent(interp, a)?;
+            Ok(Box::new(ModifiedNewton::new(mix(choice), once)))
+        },
+    },
+    Kind {
+        names: &["NewtonLineSearch"],
+        usage: "algorithm NewtonLineSearch <-type InitialInterpolated|Bisection|Secant|RegulaFalsi> <-tol $tolerance> \
+                <-maxIter $n> <-minEta $eta> <-maxEta $eta>",
+        make: line_search,
+    },
+    // Miller's acceleration is that of the Krylov subspace (Carlson and Miller, 1998).
+    Kind {
+        names: &["KrylovNewton", "MillerNewton"],
+        usage: "algorithm KrylovNewton <-increment $tangent> <-iterate $tangent> <-maxDim $n> <-factorOnce>",
+        make: krylov,
+    },
+    Kind {
+        names: &["SecantNewton"],
+        usage: "algorithm SecantNewton <-increment $tangent> <-iterate $tangent> <-maxDim $n> <-numTerms $n> \
+                <-cutOut $R1 $R2>",
+        make: |interp, a| secant(interp, a, false),
+    },
+    Kind {
+        names: &["PeriodicNewton"],
+        usage: "algorithm PeriodicNewton <-increment $tangent> <-iterate $tangent> <-maxDim $n>",
+        make: |interp, a| secant(interp, a, true),
+    },
+    // In OpenSees an accelerated method that does not accelerate.
+    Kind {
+        names: &["RaphsonNewton"],
+        usage: "algorithm RaphsonNewton <-increment $tangent> <-iterate $tangent>",
+        make: raphson,
+    },
+    Kind {
+        names: &["BFGS"],
+        usage: "algorithm BFGS <-initial> <-count $corrections>",
+        make: |interp, a| quasi_newton(interp, a).map(|(mix, count)| bfgs(mix, count)),
+    },
+    Kind {
+        names: &["Broyden"],
+        usage: "algorithm Broyden <-initial> <-count $corrections>",
+        make: |interp, a| quasi_newton(interp, a).map(|(mix, count)| broyden(mix, count)),
+    },
+    Kind {
+        names: &["ExpressNewton"],
+        usage: "algorithm ExpressNewton <$corrections> <$factor> <-initialTangent | -currentTangent> <-factorOnce>",
+        make: express,
+    },
 ];
+
+fn raphson(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+    let Tangents { increment, iterate, .. } = accelerated(interp, a, false)?.tangents;
+    let iterate = iterate.unwrap_or(increment);
+    let same = iterate == increment;
+    Ok(Box::new(Newton::new(if same { TangentChoice::Always(iterate) } else { TangentChoice::InitialThenCurrent })))
+}
 
 fn algorithm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, ALGORITHM);
-    let made: Box<dyn Algorithm> = match a.word("kind of algorithm")?.as_ref() {
-        "Linear" => {
-            let (choice, once) = tangent(interp, &mut a)?;
-            Box::new(Linear::new(mix(choice), once))
-        }
-        "Newton" => Box::new(Newton::new(tangent(interp, &mut a)?.0)),
-        "ModifiedNewton" => {
-            let (choice, once) = tangent(interp, &mut a)?;
-            Box::new(ModifiedNewton::new(mix(choice), once))
-        }
-        "NewtonLineSearch" => line_search(interp, &mut a)?,
-        // Miller's acceleration is that of the Krylov subspace (Carlson and Miller, 1998).
-        "KrylovNewton" | "MillerNewton" => krylov(interp, &mut a)?,
-        "SecantNewton" => secant(interp, &mut a, false)?,
-        "PeriodicNewton" => secant(interp, &mut a, true)?,
-        // Newton's method, in OpenSees as an accelerated method that does not accelerate.
-        "RaphsonNewton" => {
-            let Tangents { increment, iterate, .. } = accelerated(interp, &mut a, false)?.tangents;
-            let iterate = iterate.unwrap_or(increment);
-            let same = iterate == increment;
-            Box::new(Newton::new(if same { TangentChoice::Always(iterate) } else { TangentChoice::InitialThenCurrent }))
-        }
-        "BFGS" => {
-            let (mix, count) = quasi_newton(interp, &mut a)?;
-            bfgs(mix, count)
-        }
-        "Broyden" => {
-            let (mix, count) = quasi_newton(interp, &mut a)?;
-            broyden(mix, count)
-        }
-        "ExpressNewton" => express(interp, &mut a)?,
-        _ => return Err(a.unknown_name("algorithm", ALGORITHMS)),
-    };
+    let kind = kind::take(&mut a, "kind of algorithm", "algorithm", KINDS.iter())?;
+    let made = (kind.make)(interp, &mut a)?;
     // A setup takes its own; the parts keep none, so that `analysis` finds the one of the setup.
     if interp.host.engine.setup().is_some() {
         interp.host.engine.change_setup(|s| s.algorithm = made);
@@ -103,7 +139,7 @@ fn algorithm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     Ok(Value::EMPTY)
 }
 
-fn line_search(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Box<dyn Algorithm>, Exception> {
+fn line_search(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
     let mut search = LineSearch::new(SearchKind::InitialInterpolated);
     // The old form: a number is the tolerance.
     if let Some(tolerance) = a.optional_float("tolerance of the line search")? {
@@ -185,15 +221,13 @@ fn accelerated(interp: &mut Tcl, a: &mut Args<'_>, secant: bool) -> Result<Accel
     Ok(o)
 }
 
-fn krylov(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Box<dyn Algorithm>, Exception> {
-    a.usage("algorithm KrylovNewton <-increment $tangent> <-iterate $tangent> <-maxDim $n> <-factorOnce>");
+fn krylov(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
     let o = accelerated(interp, a, false)?;
     Ok(krylov_newton(o.tangents))
 }
 
 /// `SecantNewton`, and with `periodic` the same without its terms.
-fn secant(interp: &mut Tcl, a: &mut Args<'_>, periodic: bool) -> Result<Box<dyn Algorithm>, Exception> {
-    a.usage("algorithm SecantNewton <-increment $tangent> <-iterate $tangent> <-maxDim $n> <-numTerms $n> <-cutOut $R1 $R2>");
+fn secant(interp: &mut Tcl, a: &mut Args<'_>, periodic: bool) -> Made {
     let o = accelerated(interp, a, !periodic)?;
     let terms = if periodic { 0 } else { o.terms };
     Ok(secant_newton(o.tangents, terms, o.cut_out))
@@ -201,7 +235,6 @@ fn secant(interp: &mut Tcl, a: &mut Args<'_>, periodic: bool) -> Result<Box<dyn 
 
 /// Tangent and count of `BFGS` and `Broyden`.
 fn quasi_newton(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(TangentMix, usize), Exception> {
-    a.usage("algorithm BFGS | Broyden <-initial> <-count $corrections>");
     let (mut mix, mut count) = (TangentMix::CURRENT, 10);
     while let Some(option) = a.option() {
         match option.as_ref() {
@@ -217,8 +250,7 @@ fn quasi_newton(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(TangentMix, usize
     Ok((mix, count))
 }
 
-fn express(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Box<dyn Algorithm>, Exception> {
-    a.usage("algorithm ExpressNewton <$corrections> <$factor> <-initialTangent | -currentTangent> <-factorOnce>");
+fn express(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
     let corrections = if a.at_number() { a.count("number of corrections")? } else { 2 };
     let factor = if a.at_number() { a.positive("factor of the stiffness")? } else { 1.0 };
     let (mut initial, mut once) = (false, false);

@@ -3,7 +3,7 @@
 use crate::args::Args;
 use crate::session::{Mode, Parts};
 use crate::slips;
-use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
+use crate::{Command, Outcome, Tcl, finish, ignore_option, kind, warn};
 use hysteron_engine::analysis::algorithm::{Algorithm, Newton, TangentChoice};
 use hysteron_engine::analysis::integrator::Form;
 use hysteron_engine::analysis::integrator::{Adaptive, Integrator, LoadControl, Newmark};
@@ -16,14 +16,14 @@ use hysteron_tcl::diagnostic::{Diagnostic, Severity, Span};
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command { name: "analysis", usage: ANALYSIS, run: analysis },
-    Command { name: "analyze", usage: ANALYZE, run: analyze },
-    Command { name: "eigen", usage: EIGEN, run: eigen },
-    Command { name: "wipeAnalysis", usage: "wipeAnalysis", run: wipe_analysis },
-    Command { name: "reset", usage: "reset", run: reset },
-    Command { name: "revertToStart", usage: "revertToStart", run: reset },
-    Command { name: "initialize", usage: "initialize", run: |_, _| Ok(Value::EMPTY) },
-    Command { name: "ladder", usage: LADDER, run: ladder },
+    Command::new("analysis", ANALYSIS, analysis).with_kinds(|| kind::usages(KINDS)),
+    Command::new("analyze", ANALYZE, analyze),
+    Command::new("eigen", EIGEN, eigen),
+    Command::new("wipeAnalysis", "wipeAnalysis", wipe_analysis),
+    Command::new("reset", "reset", reset),
+    Command::new("revertToStart", "revertToStart", reset),
+    Command::new("initialize", "initialize", |_, _| Ok(Value::EMPTY)),
+    Command::new("ladder", LADDER, ladder),
 ];
 
 const ANALYSIS: &str = "analysis Static | Transient | VariableTransient";
@@ -32,24 +32,40 @@ const ANALYZE: &str = "analyze $steps (static), analyze $steps $dt (transient) o
 const EIGEN: &str = "eigen <$solver> <-generalized | -standard> <-findLargest> $count";
 const LADDER: &str = "ladder on | off: try other algorithms and shorter steps before a step fails";
 
+/// A kind of analysis. `variable`: steps of time may change their length.
+#[derive(Clone, Copy)]
+struct AnalysisKind {
+    kind: Kind,
+    variable: bool,
+}
+
+const KINDS: &[kind::Kind<AnalysisKind>] = &[
+    kind::Kind {
+        names: &["Static"],
+        usage: "analysis Static",
+        make: AnalysisKind { kind: Kind::Static, variable: false },
+    },
+    kind::Kind {
+        names: &["Transient"],
+        usage: "analysis Transient",
+        make: AnalysisKind { kind: Kind::Transient, variable: false },
+    },
+    kind::Kind {
+        names: &["VariableTransient", "VariableTimeStepTransient", "TransientWithVariableTimeStep"],
+        usage: "analysis VariableTransient",
+        make: AnalysisKind { kind: Kind::Transient, variable: true },
+    },
+];
+
 fn analysis(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, ANALYSIS);
-    let mut variable = false;
-    let kind = match a.word("kind of analysis")?.as_ref() {
-        "Static" => Kind::Static,
-        "Transient" => Kind::Transient,
-        "VariableTransient" | "VariableTimeStepTransient" | "TransientWithVariableTimeStep" => {
-            variable = true;
-            Kind::Transient
-        }
-        _ => return Err(a.unknown_name("analysis", ["Static", "Transient", "VariableTransient"])),
-    };
+    let AnalysisKind { kind, variable } = kind::take(&mut a, "kind of analysis", "analysis", KINDS.iter())?.make;
     // `-numSublevels` and the like: substepping is asked for with `ladder`.
     finish(interp, &a)?;
     let session = &mut interp.host;
     let old = session.engine.take_setup();
     let parts = std::mem::take(&mut session.parts);
-    let Parts { handler, test, algorithm, integrator, print } = parts;
+    let Parts { handler, test, algorithm, integrator, print, .. } = parts;
     // Parts that were given for an analysis serve the next one too, unless new ones are given.
     let (old_algorithm, old_integrator, old_test, old_handler) = match old {
         Some(s) => (Some(s.algorithm), Some(s.integrator), Some(s.test), Some(s.handler)),
@@ -64,10 +80,15 @@ fn analysis(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let algorithm = algorithm.or(old_algorithm).unwrap_or_else(default_algorithm);
     let test = test.or(old_test).unwrap_or_else(|| Test::new(Measure::Unbalance, 1e-6, 25));
     let handler = handler.or(old_handler).unwrap_or(Handler::Plain);
-    session.recorders.print = print;
-    session.parts =
-        Parts { handler: Some(handler), test: Some(test.clone()), integrator: kept, print, algorithm: None };
-    session.variable_steps = variable;
+    session.output.recorders.print = print;
+    session.parts = Parts {
+        handler: Some(handler),
+        test: Some(test.clone()),
+        integrator: kept,
+        print,
+        algorithm: None,
+        variable_steps: variable,
+    };
     session.engine.set_up(Setup { kind, handler, algorithm, integrator, test });
     Ok(Value::EMPTY)
 }
@@ -102,7 +123,7 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         Kind::Transient => a.not_negative("step of time dt")?,
         Kind::Static => 0.0,
     };
-    let lengths = if interp.host.variable_steps && a.left() > 0 { Some(step_lengths(&mut a)?) } else { None };
+    let lengths = if interp.host.parts.variable_steps && a.left() > 0 { Some(step_lengths(&mut a)?) } else { None };
     if kind == Kind::Transient {
         finish(interp, &a)?;
     }
@@ -110,35 +131,35 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     warn_of_pseudo_time(interp, call.span(0))?;
     let session = &mut interp.host;
     let done = match session.mode {
-        // Whatever an analysis of another model than was meant would say is no news.
-        Mode::Check if session.findings.rejected => {
-            session.rehearsed = true;
-            session.findings.pass_over(0);
+        // Messages of an analysis of a wrong model follow from the mistake in the model.
+        Mode::Check if session.check.rejected => {
+            session.check.waits_for_results = true;
+            session.check.pass_over(0);
             Ok(())
         }
         Mode::Check => {
-            session.rehearsed = true;
+            session.check.waits_for_results = true;
             session.engine.rehearse(steps as usize, dt)
         }
         Mode::Run => {
-            session.recorders.print = session.parts.print;
-            session.recorders.end = session.engine.excitation_end();
+            session.output.recorders.print = session.parts.print;
+            session.output.recorders.end = session.engine.excitation_end();
             let (engine, steps) = (&mut session.engine, steps as usize);
-            session.recorders.start(engine);
+            session.output.recorders.start(engine);
             match lengths {
-                Some(lengths) => engine.analyze_variable(steps, dt, lengths, &mut session.recorders),
-                None => engine.analyze(steps, dt, &mut session.recorders),
+                Some(lengths) => engine.analyze_variable(steps, dt, lengths, &mut session.output.recorders),
+                None => engine.analyze(steps, dt, &mut session.output.recorders),
             }
         }
     };
-    let printed = std::mem::take(&mut interp.host.recorders.printed);
+    let printed = std::mem::take(&mut interp.host.output.recorders.printed);
     if !printed.is_empty() {
         crate::print_error(interp, &printed);
     }
-    for missing in interp.host.recorders.missing() {
+    for missing in interp.host.output.recorders.missing() {
         warn(interp, missing)?;
     }
-    tell_doubts(interp, call.span(0))?;
+    warn_of_numerics(interp, call.span(0))?;
     match done {
         Ok(()) => {
             interp.host.last_failure = None;
@@ -146,7 +167,7 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         }
         Err(failure) if failure.cause == Cause::Interrupted => Err(Exception::Interrupted),
         Err(failure) => {
-            let mut d = told(&failure, call.span(0));
+            let mut d = failure_message(&failure, call.span(0));
             // A check has found what a run would stumble over. In a run the script sees the code; it may have a
             // remedy, so `--strict` makes no error of it.
             if interp.host.mode == Mode::Check {
@@ -154,7 +175,7 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             }
             let code = failure.code;
             interp.host.last_failure = Some(failure);
-            crate::tell(interp, d);
+            crate::report(interp, d);
             Ok(Value::from(i64::from(code)))
         }
     }
@@ -173,7 +194,7 @@ fn step_lengths(a: &mut Args<'_>) -> Result<Adaptive, Exception> {
 /// Warn, once, of constraints that OpenSees' `Plain` handler does not follow and ours does.
 fn warn_of_plain(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
     let engine = &interp.host.engine;
-    let told = interp.host.told.contains_key("plain");
+    let told = interp.host.warnings.reported.contains_key("plain");
     if told
         || interp.host.follows(&[slips::PLAIN_IMPOSED, slips::PLAIN_CONSTRAINTS])
         || !engine.setup().is_some_and(|s| s.handler == Handler::Plain)
@@ -187,14 +208,14 @@ fn warn_of_plain(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> 
     let tied = model.multi_points.iter().find(|m| !m.is_identity());
     let tied = tied.map(|m| format!("the constraint of node {} to node {}", name(m.constrained), name(m.retained)));
     let Some(what) = moved.or(tied) else { return Ok(()) };
-    interp.host.told.insert("plain", 1);
+    interp.host.warnings.reported.insert("plain", 1);
     let message = format!("OpenSees' handler Plain leaves out {what}; here it is followed");
     warn(interp, Diagnostic::warning(message).at(span, "expected \"constraints Transformation\" before this"))
 }
 
 /// Warn, once, of laws that depend on time in an analysis whose steps are ruled by something else.
 fn warn_of_pseudo_time(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
-    if interp.host.told.contains_key("pseudo-time") {
+    if interp.host.warnings.reported.contains_key("pseudo-time") {
         return Ok(());
     }
     let engine = &interp.host.engine;
@@ -202,14 +223,14 @@ fn warn_of_pseudo_time(interp: &mut Tcl, span: Option<Span>) -> Result<(), Excep
     let Some(e) = engine.model().elements.iter().find(|e| e.element.traits().elapses) else { return Ok(()) };
     let what = format!("{} {}", e.element.class(), e.tag);
     let name = integrator.name();
-    interp.host.told.insert("pseudo-time", 1);
+    interp.host.warnings.reported.insert("pseudo-time", 1);
     let message = format!("no time passes under {name}: the dashpots of {what} stay where they are");
     let d = Diagnostic::warning(message).at(span, "expected LoadControl, whose load factor is the time");
     warn(interp, d.help("an imposed displacement (sp) over a Path series goes at the rate of that path"))
 }
 
 /// A failure as a message.
-fn told(failure: &Failure, span: Option<Span>) -> Diagnostic {
+fn failure_message(failure: &Failure, span: Option<Span>) -> Diagnostic {
     let d = Diagnostic::warning(failure.to_string()).at(span, format!("returns {}", failure.code));
     match &failure.cause {
         Cause::NotConverged { .. } => {
@@ -222,17 +243,17 @@ fn told(failure: &Failure, span: Option<Span>) -> Diagnostic {
 
 /// Warn, once each, of steps that were out of balance though they counted as converged, and of equations that are
 /// nearly singular.
-fn tell_doubts(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
+fn warn_of_numerics(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
     let session = &mut interp.host;
-    let weak = if session.told.contains_key("pivot") { None } else { session.engine.weak_pivot() };
+    let weak = if session.warnings.reported.contains_key("pivot") { None } else { session.engine.weak_pivot() };
     if let Some((place, ratio)) = weak {
-        session.told.insert("pivot", 1);
+        session.warnings.reported.insert("pivot", 1);
         let message =
             format!("the equations are nearly singular at {place}: {ratio:.1e} of the stiffness is left there");
         warn(interp, Diagnostic::warning(message).at(span, "few digits of the results are right"))?;
     }
     let session = &mut interp.host;
-    let told = session.told.contains_key("balance");
+    let told = session.warnings.reported.contains_key("balance");
     if let Some(i) = session.engine.imbalance.as_ref().filter(|_| !told) {
         let message = format!(
             "a step counted as converged though the forces are out of balance: {:.1} % of the largest force \
@@ -241,18 +262,19 @@ fn tell_doubts(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
             i.time,
             i.place
         );
-        session.told.insert("balance", 1);
+        session.warnings.reported.insert("balance", 1);
         warn(interp, Diagnostic::warning(message).at(span, "a tighter test, or one of the unbalance, shows it"))?;
     }
-    tell_overload(interp, span);
+    report_overload(interp, span);
     Ok(())
 }
 
-/// Tell once of a bearing under more than its critical load. It may be what the script is about: no error, even where
-/// warnings are.
-fn tell_overload(interp: &mut Tcl, span: Option<Span>) {
+/// Report once a bearing under more than its critical load.
+///
+/// The script may study exactly this, so that it is no error, even where warnings are.
+fn report_overload(interp: &mut Tcl, span: Option<Span>) {
     let session = &mut interp.host;
-    if session.mode == Mode::Check || session.told.contains_key("overload") {
+    if session.mode == Mode::Check || session.warnings.reported.contains_key("overload") {
         return;
     }
     let Some((e, Overload { load, critical })) = session.engine.overload() else { return };
@@ -261,8 +283,8 @@ fn tell_overload(interp: &mut Tcl, span: Option<Span>) {
         e.element.class(),
         e.tag
     );
-    session.told.insert("overload", 1);
-    crate::tell(interp, Diagnostic::warning(message).at(span, "it has buckled"));
+    session.warnings.reported.insert("overload", 1);
+    crate::report(interp, Diagnostic::warning(message).at(span, "it has buckled"));
 }
 
 const SOLVERS: &[&str] = &[
@@ -298,9 +320,9 @@ fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     }
     let count = a.count("number of modes")?;
     let span = a.last_span();
-    if interp.host.mode == Mode::Check && interp.host.findings.rejected {
-        interp.host.rehearsed = true;
-        interp.host.findings.pass_over(count);
+    if interp.host.mode == Mode::Check && interp.host.check.rejected {
+        interp.host.check.waits_for_results = true;
+        interp.host.check.pass_over(count);
         return Ok(Value::list((0..count).map(|_| Value::from(1.0))));
     }
     lapack &= interp.host.follows(&[slips::EIGEN_LAPACK]);
@@ -330,7 +352,7 @@ fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 fn wipe_analysis(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     finish(interp, &Args::new(call, "wipeAnalysis"))?;
     interp.host.engine.wipe_analysis();
-    interp.host.parts = Parts::default();
+    interp.host.parts = Parts { variable_steps: interp.host.parts.variable_steps, ..Parts::default() };
     Ok(Value::EMPTY)
 }
 

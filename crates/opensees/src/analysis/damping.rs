@@ -8,10 +8,10 @@ use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command { name: "rayleigh", usage: RAYLEIGH, run: rayleigh },
-    Command { name: "region", usage: REGION, run: region },
-    Command { name: "setElementRayleighDampingFactors", usage: FACTORS, run: element_factors },
-    Command { name: "setElementRayleighFactors", usage: FACTORS, run: element_factors },
+    Command::new("rayleigh", RAYLEIGH, rayleigh),
+    Command::new("region", REGION, region),
+    Command::new("setElementRayleighDampingFactors", FACTORS, element_factors),
+    Command::new("setElementRayleighFactors", FACTORS, element_factors),
 ];
 
 const RAYLEIGH: &str = "rayleigh $alphaM $betaK $betaK0 $betaKc";
@@ -120,6 +120,6 @@ fn region(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             region.nodes.iter().for_each(|n| m.nodes[n.0].alpha_m = r.alpha_m);
         });
     }
-    interp.host.regions.insert(tag, region);
+    interp.host.builder.regions.insert(tag, region);
     Ok(Value::EMPTY)
 }

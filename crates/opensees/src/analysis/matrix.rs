@@ -7,10 +7,8 @@ use hysteron_engine::number_format::Style;
 use hysteron_tcl::{Call, OpenMode, Value};
 use std::io::Write as _;
 
-pub(crate) const COMMANDS: &[Command] = &[
-    Command { name: "printA", usage: PRINT_A, run: print_a },
-    Command { name: "printB", usage: PRINT_B, run: print_b },
-];
+pub(crate) const COMMANDS: &[Command] =
+    &[Command::new("printA", PRINT_A, print_a), Command::new("printB", PRINT_B, print_b)];
 
 const PRINT_A: &str = "printA <-file $file> <-ret>";
 const PRINT_B: &str = "printB <-file $file> <-ret>";

@@ -3,10 +3,8 @@
 pub(crate) mod algorithm;
 pub(crate) mod analyze;
 pub(crate) mod damping;
-pub(crate) mod hybrid_integrator;
 pub(crate) mod integrator;
 pub(crate) mod matrix;
 pub(crate) mod modal_damping;
 pub(crate) mod modal_properties;
 pub(crate) mod solution;
-pub(crate) mod trapezoidal_integrator;

@@ -8,8 +8,8 @@ use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command { name: "modalDamping", usage: USAGE, run: |i, c| modal_damping(i, c, true) },
-    Command { name: "modalDampingQ", usage: USAGE, run: |i, c| modal_damping(i, c, false) },
+    Command::new("modalDamping", USAGE, |i, c| modal_damping(i, c, true)),
+    Command::new("modalDampingQ", USAGE, |i, c| modal_damping(i, c, false)),
 ];
 
 const USAGE: &str = "modalDamping $ratio | $ratio1 $ratio2 ...: damping ratios of the modes that eigen has found";

@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 use std::fmt::Write as _;
 use std::io::Write as _;
 
-pub(crate) const COMMANDS: &[Command] = &[Command { name: "modalProperties", usage: USAGE, run: modal_properties }];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("modalProperties", USAGE, modal_properties)];
 
 const USAGE: &str = "modalProperties <-print> <-file $file> <-unorm> <-return>";
 

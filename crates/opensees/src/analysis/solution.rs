@@ -1,16 +1,17 @@
 //! The parts of an analysis: `constraints numberer system test`.
 
 use crate::args::Args;
+use crate::kind::{self, Kind};
 use crate::{Command, Outcome, Tcl, finish};
 use hysteron_engine::analysis::{Measure, Norm, Test};
 use hysteron_engine::assembly::Handler;
-use hysteron_tcl::{Call, Value};
+use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command { name: "constraints", usage: CONSTRAINTS, run: constraints },
-    Command { name: "numberer", usage: NUMBERER, run: numberer },
-    Command { name: "system", usage: SYSTEM, run: system },
-    Command { name: "test", usage: TEST, run: test },
+    Command::new("constraints", CONSTRAINTS, constraints).with_kinds(|| kind::usages(HANDLERS)),
+    Command::new("numberer", NUMBERER, numberer).with_kinds(|| kind::usages(NUMBERERS)),
+    Command::new("system", SYSTEM, system).with_kinds(|| kind::usages(SYSTEMS)),
+    Command::new("test", TEST, test).with_kinds(|| kind::usages(TESTS)),
 ];
 
 const CONSTRAINTS: &str = "constraints Plain | Transformation | Penalty $alphaS $alphaM | Lagrange <$alphaS $alphaM>";
@@ -18,99 +19,125 @@ const NUMBERER: &str = "numberer Plain | RCM | AMD";
 const SYSTEM: &str = "system BandGeneral | BandSPD | ProfileSPD | SparseGeneral | UmfPack | FullGeneral | ...";
 const TEST: &str = "test $kind $tolerance $maxIterations <$printFlag> <$norm>";
 
+type MakeHandler = fn(&mut Args<'_>) -> Result<Handler, Exception>;
+
+const HANDLERS: &[Kind<MakeHandler>] = &[
+    Kind { names: &["Plain"], usage: "constraints Plain", make: |_| Ok(Handler::Plain) },
+    // `Auto` chooses penalties; eliminating is exact and as general.
+    Kind { names: &["Transformation", "Auto"], usage: "constraints Transformation", make: transformation },
+    Kind { names: &["Penalty"], usage: "constraints Penalty $alphaS $alphaM", make: penalty },
+    Kind { names: &["Lagrange"], usage: "constraints Lagrange <$alphaS $alphaM>", make: lagrange },
+];
+
+fn transformation(a: &mut Args<'_>) -> Result<Handler, Exception> {
+    while a.option().is_some() {}
+    Ok(Handler::Transformation)
+}
+
+fn penalty(a: &mut Args<'_>) -> Result<Handler, Exception> {
+    let single = a.positive("penalty alphaS of single-point constraints")?;
+    Ok(Handler::Penalty { single, multi: a.positive("penalty alphaM of multi-point constraints")? })
+}
+
+fn lagrange(a: &mut Args<'_>) -> Result<Handler, Exception> {
+    let single = a.optional_float("factor alphaS")?.unwrap_or(1.0);
+    Ok(Handler::Lagrange { single, multi: a.optional_float("factor alphaM")?.unwrap_or(1.0) })
+}
+
 fn constraints(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, CONSTRAINTS);
-    let handler = match a.word("kind of constraint handler")?.as_ref() {
-        "Plain" => Handler::Plain,
-        // `Auto` chooses penalties; eliminating is exact and as general.
-        "Transformation" | "Auto" => {
-            while a.option().is_some() {}
-            Handler::Transformation
-        }
-        "Penalty" => Handler::Penalty {
-            single: a.positive("penalty alphaS of single-point constraints")?,
-            multi: a.positive("penalty alphaM of multi-point constraints")?,
-        },
-        "Lagrange" => {
-            let single = a.optional_float("factor alphaS")?.unwrap_or(1.0);
-            Handler::Lagrange { single, multi: a.optional_float("factor alphaM")?.unwrap_or(1.0) }
-        }
-        _ => {
-            return Err(
-                a.unknown_name("constraint handler", ["Plain", "Transformation", "Penalty", "Lagrange", "Auto"])
-            );
-        }
-    };
+    let kind = kind::take(&mut a, "kind of constraint handler", "constraint handler", HANDLERS.iter())?;
+    let handler = (kind.make)(&mut a)?;
     finish(interp, &a)?;
     interp.host.parts.handler = Some(handler);
     interp.host.engine.change_setup(|s| s.handler = handler);
     Ok(Value::EMPTY)
 }
 
+const NUMBERERS: &[Kind<()>] = &[
+    Kind { names: &["Plain", "ParallelPlain"], usage: "numberer Plain", make: () },
+    Kind { names: &["RCM", "ParallelRCM"], usage: "numberer RCM", make: () },
+    Kind { names: &["AMD"], usage: "numberer AMD", make: () },
+];
+
 /// The numbering is our own: it fits the solver.
 fn numberer(_: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, NUMBERER);
-    let known = ["Plain", "RCM", "AMD", "ParallelPlain", "ParallelRCM"];
-    if !known.contains(&a.word("kind of numberer")?.as_ref()) {
-        return Err(a.unknown_name("numberer", known));
-    }
+    kind::take(&mut a, "kind of numberer", "numberer", NUMBERERS.iter())?;
     Ok(Value::EMPTY)
 }
+
+const SYSTEMS: &[Kind<()>] = &[
+    Kind { names: &["BandGeneral", "BandGEN", "BandGen"], usage: "system BandGeneral", make: () },
+    Kind { names: &["BandSPD"], usage: "system BandSPD", make: () },
+    Kind { names: &["ProfileSPD", "SProfileSPD", "ParallelProfileSPD"], usage: "system ProfileSPD", make: () },
+    Kind { names: &["SparseGeneral", "SparseGEN", "SuperLU", "Sparse"], usage: "system SparseGeneral", make: () },
+    Kind { names: &["SparseSPD", "SparseSYM"], usage: "system SparseSPD", make: () },
+    Kind { names: &["UmfPack", "Umfpack"], usage: "system UmfPack", make: () },
+    Kind { names: &["FullGeneral", "FullGen"], usage: "system FullGeneral", make: () },
+    Kind { names: &["Diagonal", "MPIDiagonal"], usage: "system Diagonal", make: () },
+    Kind { names: &["Mumps"], usage: "system Mumps", make: () },
+    Kind { names: &["Petsc"], usage: "system Petsc", make: () },
+    Kind { names: &["Itpack"], usage: "system Itpack", make: () },
+    Kind { names: &["CuSP"], usage: "system CuSP", make: () },
+    Kind { names: &["PFEM"], usage: "system PFEM", make: () },
+];
 
 /// The solver is our own: it fits the size and the symmetry of the equations.
 fn system(_: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, SYSTEM);
-    let known = [
-        "BandGeneral",
-        "BandGEN",
-        "BandGen",
-        "BandSPD",
-        "ProfileSPD",
-        "SProfileSPD",
-        "ParallelProfileSPD",
-        "SparseGeneral",
-        "SparseGEN",
-        "SuperLU",
-        "SparseSPD",
-        "SparseSYM",
-        "Sparse",
-        "UmfPack",
-        "Umfpack",
-        "FullGeneral",
-        "FullGen",
-        "Diagonal",
-        "MPIDiagonal",
-        "Mumps",
-        "Petsc",
-        "Itpack",
-        "CuSP",
-        "PFEM",
-    ];
-    if !known.contains(&a.word("kind of system")?.as_ref()) {
-        return Err(a.unknown_name("system of equations", known));
-    }
+    kind::take(&mut a, "kind of system", "system of equations", SYSTEMS.iter())?;
     Ok(Value::EMPTY)
 }
 
-const TESTS: [(&str, Measure); 10] = [
-    ("NormDispIncr", Measure::DispIncr),
-    ("NormUnbalance", Measure::Unbalance),
-    ("EnergyIncr", Measure::Energy),
-    ("RelativeNormDispIncr", Measure::RelativeDispIncr),
-    ("RelativeNormUnbalance", Measure::RelativeUnbalance),
-    ("RelativeEnergyIncr", Measure::RelativeEnergy),
-    ("RelativeTotalNormDispIncr", Measure::RelativeTotalDispIncr),
-    ("FixedNumIter", Measure::FixedIterations),
-    ("NormDispAndUnbalance", Measure::DispAndUnbalance),
-    ("NormDispOrUnbalance", Measure::DispOrUnbalance),
+const fn test_of(names: &'static [&'static str], usage: &'static str, make: Measure) -> Kind<Measure> {
+    Kind { names, usage, make }
+}
+
+const TESTS: &[Kind<Measure>] = &[
+    test_of(&["NormDispIncr"], "test NormDispIncr $tolerance $maxIterations <$printFlag> <$norm>", Measure::DispIncr),
+    test_of(
+        &["NormUnbalance"],
+        "test NormUnbalance $tolerance $maxIterations <$printFlag> <$norm>",
+        Measure::Unbalance,
+    ),
+    test_of(&["EnergyIncr"], "test EnergyIncr $tolerance $maxIterations <$printFlag> <$norm>", Measure::Energy),
+    test_of(
+        &["RelativeNormDispIncr"],
+        "test RelativeNormDispIncr $tolerance $maxIterations <$printFlag> <$norm>",
+        Measure::RelativeDispIncr,
+    ),
+    test_of(
+        &["RelativeNormUnbalance"],
+        "test RelativeNormUnbalance $tolerance $maxIterations <$printFlag> <$norm>",
+        Measure::RelativeUnbalance,
+    ),
+    test_of(
+        &["RelativeEnergyIncr"],
+        "test RelativeEnergyIncr $tolerance $maxIterations <$printFlag> <$norm>",
+        Measure::RelativeEnergy,
+    ),
+    test_of(
+        &["RelativeTotalNormDispIncr"],
+        "test RelativeTotalNormDispIncr $tolerance $maxIterations <$printFlag> <$norm>",
+        Measure::RelativeTotalDispIncr,
+    ),
+    test_of(&["FixedNumIter"], "test FixedNumIter $iterations <$printFlag> <$norm>", Measure::FixedIterations),
+    test_of(
+        &["NormDispAndUnbalance"],
+        "test NormDispAndUnbalance $tolDisp $tolUnbalance $maxIterations <$printFlag> <$norm>",
+        Measure::DispAndUnbalance,
+    ),
+    test_of(
+        &["NormDispOrUnbalance"],
+        "test NormDispOrUnbalance $tolDisp $tolUnbalance $maxIterations <$printFlag> <$norm>",
+        Measure::DispOrUnbalance,
+    ),
 ];
 
 fn test(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, TEST);
-    let name = a.word("kind of test")?;
-    let Some((_, measure)) = TESTS.iter().find(|t| t.0 == name) else {
-        return Err(a.unknown_name("convergence test", TESTS.map(|t| t.0)));
-    };
+    let measure = &kind::take(&mut a, "kind of test", "convergence test", TESTS.iter())?.make;
     let two = matches!(measure, Measure::DispAndUnbalance | Measure::DispOrUnbalance);
     let tolerance = if *measure == Measure::FixedIterations { 0.0 } else { a.not_negative("tolerance")? };
     let second = if two { a.not_negative("tolerance of the unbalance")? } else { tolerance };

@@ -18,13 +18,13 @@ use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-pub(crate) const COMMANDS: &[Command] = &[Command { name: "amend", usage: USAGE, run: amend }];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("amend", USAGE, amend)];
 
 const USAGE: &str = "amend element $tag <$tag ...> $kind -option $value ... <-dir $dir1 <$dir2>> <-axial $dir | -axialSeries $ts> <-share $k $elastic <$rest> | -strengthBeside $k> | \
                      amend element $tag <$tag ...> hinges -mat $mat <-end i|j> | \
                      amend node $tag dampedAs $other";
 
-/// What a number of an option must be.
+/// Range that the number of an option must lie in.
 #[derive(Clone, Copy)]
 enum Range {
     Any,
@@ -373,23 +373,23 @@ fn amend(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     Ok(Value::EMPTY)
 }
 
-/// Whether a law knows of a strength that the element loses.
+/// Returns true if a law has a strength that the element loses.
 fn weakens(law: &dyn Amendment) -> bool {
     let mut virgin = vec![0.0; law.state_len()];
     law.init(&mut virgin);
     law.weakening(&virgin).is_some()
 }
 
-/// What stands behind the kind of an amendment.
+/// Words after the kind of an amendment.
 struct Words {
     numbers: Numbers,
     share: Share,
     directions: Vec<usize>,
-    /// Where the axial force comes from, if not from the first direction.
+    /// Source of the axial force, if it is not the first direction.
     axial: Option<Compression>,
 }
 
-/// Where the axial force comes from.
+/// Source of the axial force.
 enum Compression {
     /// From what the element carries in a direction.
     Direction(usize),

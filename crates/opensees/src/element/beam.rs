@@ -1,6 +1,6 @@
 //! `element elasticBeamColumn` and `ModElasticBeam2d`.
 
-use super::{Ends, Kind};
+use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::Element;
@@ -16,13 +16,13 @@ pub(super) const ELASTIC: Kind = Kind {
     usage: "element elasticBeamColumn $tag $i $j $A $E $Iz <$G $Avy> $transf (in the plane) or \
             $A $E $G $J $Iy $Iz <$Avy $Avz> $transf (in space) or $section $transf <-mass $m> <-cMass> <-release $code> \
             <-releasez $code> <-releasey $code>",
-    make,
+    make: Make::TwoNodes(make),
 };
 
 pub(super) const MODIFIED: Kind = Kind {
     names: &["ModElasticBeam2d", "modElasticBeam2d", "ModElasticBeam", "modElasticBeam"],
     usage: "element ModElasticBeam2d $tag $i $j $A $E $Iz $K11 $K33 $K44 $transf <-rho $m> <-cMass>",
-    make: make_modified,
+    make: Make::TwoNodes(make_modified),
 };
 
 const OPTIONS: &[&str] = &["-mass", "-cMass", "-lMass", "-release", "-releasez", "-releasey"];
@@ -54,7 +54,7 @@ fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElasticOptions, Excepti
     Ok(o)
 }
 
-/// Numbers before the options: OpenSees tells the forms of the command apart by how many there are.
+/// Numbers before the options. OpenSees distinguishes the forms of the command by their count.
 pub(super) fn numbers_ahead(a: &Args<'_>) -> usize {
     a.ahead().take_while(|v| v.to_f64().is_ok()).count()
 }
@@ -92,7 +92,7 @@ pub(super) fn elastic_part(section: &SharedSection) -> ElasticSection {
 /// The section of the beam: by its tag, or number after number.
 fn section(interp: &Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSection, Exception> {
     match (ndm, numbers_ahead(a)) {
-        (_, 2) => Ok(elastic_part(&a.of(&interp.host.definitions.sections)?.0)),
+        (_, 2) => Ok(elastic_part(&a.of(&interp.host.builder.definitions.sections)?.0)),
         (2, n) => {
             let (area, e) = (a.positive("cross-sectional area A")?, a.positive("elastic modulus E")?);
             let iz = a.positive("second moment of area Iz")?;
@@ -123,7 +123,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         return Err(ends.wrong(a, "3 degrees of freedom in 2 or 6 in 3 dimensions"));
     }
     let s = section(interp, a, ends.ndm)?;
-    let (spec, _) = a.of(&interp.host.definitions.transforms)?;
+    let (spec, _) = a.of(&interp.host.builder.definitions.transforms)?;
     let place = a.last_span();
     let o = options(interp, a)?;
     let stand = transform::Ends { place: ends.place, disp: &ends.disp };
@@ -142,7 +142,7 @@ fn make_modified(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<
     let (area, e) = (a.positive("cross-sectional area A")?, a.positive("elastic modulus E")?);
     let iz = a.positive("second moment of area Iz")?;
     let factors = [a.positive("factor K11")?, a.positive("factor K33")?, a.float("factor K44")?];
-    let (spec, _) = a.of(&interp.host.definitions.transforms)?;
+    let (spec, _) = a.of(&interp.host.builder.definitions.transforms)?;
     let place = a.last_span();
     let mut o = ElasticOptions::default();
     while let Some(option) = a.option() {

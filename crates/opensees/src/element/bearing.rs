@@ -1,6 +1,6 @@
 //! `element elastomericBearingBoucWen`, `elastomericBearingPlasticity` and `elastomericBearingUFRP`.
 
-use super::{Ends, Kind, orientation};
+use super::{Ends, Kind, Make, orientation};
 use crate::args::Args;
 use crate::slips;
 use crate::{Tcl, ignore_option};
@@ -19,24 +19,24 @@ pub(super) const BOUC_WEN: Kind = Kind {
     usage: "element elastomericBearingBoucWen $tag $i $j $kInit $qd $alpha1 $alpha2 $mu $eta $beta $gamma -P $mat \
             <-T $mat -My $mat> -Mz $mat <-orient <$x1 $x2 $x3> $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> \
             <-mass $m> <-iter $maxIter $tol>",
-    make,
+    make: Make::TwoNodes(make),
 };
 
 pub(super) const PLASTICITY: Kind = Kind {
     names: &["elastomericBearingPlasticity", "ElastomericBearingPlasticity", "elastomericBearing"],
     usage: "element elastomericBearingPlasticity $tag $i $j $kInit $qd $alpha1 $alpha2 $mu -P $mat <-T $mat -My $mat> \
             -Mz $mat <-orient <$x1 $x2 $x3> $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> <-mass $m>",
-    make: make_plastic,
+    make: Make::TwoNodes(make_plastic),
 };
 
 pub(super) const UFRP: Kind = Kind {
     names: &["elastomericBearingUFRP"],
     usage: "element elastomericBearingUFRP $tag $i $j $uy $a1 $a2 $a3 $a4 $a5 $b $c $eta $beta $gamma -P $mat -Mz $mat \
             <-orient $x1 $x2 $x3 $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> <-mass $m> <-iter $maxIter $tol>",
-    make: make_ufrp,
+    make: Make::TwoNodes(make_ufrp),
 };
 
-/// Where a bearing stands.
+/// Position and axes of a bearing.
 pub(super) struct Placement {
     pub(super) orientation: Orientation,
     /// Place of `-orient`.
@@ -68,7 +68,7 @@ impl Placement {
     }
 }
 
-/// What the bearings of this family have in common besides their law.
+/// Options that the bearings of this family share.
 struct Common {
     materials: Vec<(Material, i32)>,
     place: Placement,
@@ -89,7 +89,7 @@ pub(super) fn materials(interp: &Tcl, a: &mut Args<'_>, wanted: &[&str]) -> Resu
             let message = format!("expected the option {option} with a material, found \"{found}\"");
             return Err(a.refuse(message, format!("expected {option} here: the order is {}", wanted.join(" "))));
         }
-        materials.push(a.of(&interp.host.definitions.materials)?);
+        materials.push(a.of(&interp.host.builder.definitions.materials)?);
     }
     Ok(materials)
 }

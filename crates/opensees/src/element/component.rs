@@ -1,7 +1,7 @@
 //! `element componentElement2d`.
 
 use super::beam::no_transform;
-use super::{Ends, Kind};
+use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::Element;
@@ -15,7 +15,7 @@ pub(super) const COMPONENT: Kind = Kind {
     names: &["componentElement2d", "componentElement", "ComponentElement2d"],
     usage: "element componentElement2d $tag $i $j $A $E $I $transf $materialI $materialJ | -stiffness $kI $kJ <-rho $m> \
             <-cMass>",
-    make,
+    make: Make::TwoNodes(make),
 };
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
@@ -25,13 +25,13 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     }
     let (area, e) = (a.positive("cross-sectional area A")?, a.positive("elastic modulus E")?);
     let i = a.positive("second moment of area I")?;
-    let (spec, _) = a.of(&interp.host.definitions.transforms)?;
+    let (spec, _) = a.of(&interp.host.builder.definitions.transforms)?;
     let place = a.last_span();
     let springs = if a.flag("-stiffness") || a.flag("-k") {
         let k = [a.not_negative("stiffness kI (0: a hinge)")?, a.not_negative("stiffness kJ (0: a hinge)")?];
         k.map(|k| (k > 0.0).then(|| (Arc::new(Elastic::new(k)) as hysteron_engine::material::Material, 0)))
     } else {
-        let materials = &interp.host.definitions.materials;
+        let materials = &interp.host.builder.definitions.materials;
         [Some(a.of(materials)?), Some(a.of(materials)?)]
     };
     let mut options = ComponentOptions { ea: e * area, ei: e * i, rho: 0.0, consistent: false };

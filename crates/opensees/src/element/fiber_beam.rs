@@ -1,7 +1,7 @@
 //! `element dispBeamColumn`, `forceBeamColumn`, `nonlinearBeamColumn` and `beamWithHinges`.
 
 use super::beam::{Place, no_transform, numbers_ahead};
-use super::{Ends, Kind};
+use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::section::beam_integration::{integration, simple};
 use crate::slips;
@@ -20,14 +20,14 @@ pub(super) const DISPLACEMENT: Kind = Kind {
     names: &["dispBeamColumn", "DispBeamColumn"],
     usage: "element dispBeamColumn $tag $i $j $transf $integration <-mass $m> <-cMass> or \
             $tag $i $j $n $section $transf <-mass $m> <-cMass> <-integration $rule>",
-    make: make_displacement,
+    make: Make::TwoNodes(make_displacement),
 };
 
 pub(super) const FORCE: Kind = Kind {
     names: &["forceBeamColumn", "ForceBeamColumn", "nonlinearBeamColumn", "NonlinearBeamColumn"],
     usage: "element forceBeamColumn $tag $i $j $transf $integration <-mass $m> <-iter $maxIter $tol> or \
             $tag $i $j $n $section|-sections $section1 ... $transf <-mass $m> <-iter $maxIter $tol> <-integration $rule>",
-    make: make_force,
+    make: Make::TwoNodes(make_force),
 };
 
 pub(super) const CURVATURE: Kind = Kind {
@@ -35,20 +35,20 @@ pub(super) const CURVATURE: Kind = Kind {
     usage: "element forceBeamColumnCBDI $tag $i $j $transf $integration <-mass $m> <-iter $maxIter $tol> \
             <-shear> or $tag $i $j $n $section|-sections $section1 ... $transf <-mass $m> <-iter $maxIter $tol> \
             <-integration $rule>",
-    make: make_curvature,
+    make: Make::TwoNodes(make_curvature),
 };
 
 pub(super) const CURVATURE_SHEAR: Kind = Kind {
     names: &["forceBeamColumnCSBDI"],
     usage: "element forceBeamColumnCSBDI as forceBeamColumnCBDI with -shear",
-    make: make_curvature_shear,
+    make: Make::TwoNodes(make_curvature_shear),
 };
 
 pub(super) const WITH_HINGES: Kind = Kind {
     names: &["beamWithHinges", "BeamWithHinges"],
     usage: "element beamWithHinges $tag $i $j $secI $lpI $secJ $lpJ $E $A $Iz <$Iy $G $J> $transf <-mass $m> \
             <-iter $maxIter $tol>",
-    make: make_with_hinges,
+    make: Make::TwoNodes(make_with_hinges),
 };
 
 /// A beam as its words describe it.
@@ -126,27 +126,28 @@ fn take(
         // The number of points and `-sections`, or with one section for all of them.
         (3.., _) => {
             let n = a.count("number of integration points")?;
-            let section = a.of(&interp.host.definitions.sections)?;
-            let (transform, _) = a.of(&interp.host.definitions.transforms)?;
+            let section = a.of(&interp.host.builder.definitions.sections)?;
+            let (transform, _) = a.of(&interp.host.builder.definitions.transforms)?;
             (transform, a.last_span(), None, Some((default, vec![section; n])))
         }
         (1, _) if a.ahead().nth(1).is_some_and(|v| v.as_str() == "-sections") => {
             let n = a.count("number of integration points")?;
             a.flag("-sections");
-            let sections: Vec<_> = (0..n).map(|_| a.of(&interp.host.definitions.sections)).collect::<Result<_, _>>()?;
-            let (transform, _) = a.of(&interp.host.definitions.transforms)?;
+            let sections: Vec<_> =
+                (0..n).map(|_| a.of(&interp.host.builder.definitions.sections)).collect::<Result<_, _>>()?;
+            let (transform, _) = a.of(&interp.host.builder.definitions.transforms)?;
             (transform, a.last_span(), None, Some((default, sections)))
         }
         // A rule in words, after the transformation.
         (_, false) => {
-            let (transform, _) = a.of(&interp.host.definitions.transforms)?;
+            let (transform, _) = a.of(&interp.host.builder.definitions.transforms)?;
             let at = a.last_span();
             (transform, at, Some(a.value("integration")?), None)
         }
         _ => {
-            let (transform, _) = a.of(&interp.host.definitions.transforms)?;
+            let (transform, _) = a.of(&interp.host.builder.definitions.transforms)?;
             let at = a.last_span();
-            let (found, _) = a.of(&interp.host.definitions.integrations)?;
+            let (found, _) = a.of(&interp.host.builder.definitions.integrations)?;
             (transform, at, None, Some((found.rule, found.sections)))
         }
     };
@@ -259,9 +260,9 @@ fn deformable(a: &Args<'_>, sections: &[(SharedSection, i32)], ndm: usize, at: P
 fn make_with_hinges(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
     check(a, ends)?;
-    let section_i = a.of(&interp.host.definitions.sections)?;
+    let section_i = a.of(&interp.host.builder.definitions.sections)?;
     let lp_i = a.not_negative("length of the hinge lpI")?;
-    let section_j = a.of(&interp.host.definitions.sections)?;
+    let section_j = a.of(&interp.host.builder.definitions.sections)?;
     let lp_j = a.not_negative("length of the hinge lpJ")?;
     let (e, area) = (a.positive("elastic modulus E")?, a.positive("cross-sectional area A")?);
     let iz = a.positive("second moment of area Iz")?;
@@ -270,7 +271,7 @@ fn make_with_hinges(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<A
         s.iy = a.positive("second moment of area Iy")?;
         (s.g, s.j) = (a.positive("shear modulus G")?, a.positive("torsion constant J")?);
     }
-    let (transform, _) = a.of(&interp.host.definitions.transforms)?;
+    let (transform, _) = a.of(&interp.host.builder.definitions.transforms)?;
     let transform_at = a.last_span();
     let (mut rho, mut force_based) = (0.0, follower(interp));
     while let Some(option) = a.option() {

@@ -1,8 +1,8 @@
 //! `element FPBearingPTV`.
 
-use super::Ends;
 use super::bearing::{Placement, shear_dist};
 use super::heated_triple::{UNITS, one_of};
+use super::{Ends, Make};
 use crate::Tcl;
 use crate::args::Args;
 use crate::model::transform::vector;
@@ -21,7 +21,7 @@ pub(super) const HEATED_PENDULUM: super::Kind = super::Kind {
     usage: "element FPBearingPTV $tag $i $j $MuRef $IsPressureDependent $pRef $isTemperatureDependent $Diffusivity \
             $Conductivity $IsVelocityDependent $rateParameter $ReffectiveFP $Radius_Contact $kInitial $theMaterialA \
             $theMaterialB $theMaterialC $theMaterialD $x1 $x2 $x3 $y1 $y2 $y3 $shearDist $doRayleigh $mass $iter $tol $unit",
-    make,
+    make: Make::TwoNodes(make),
 };
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
@@ -41,7 +41,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let dish = Dish { radius: a.positive("effective radius ReffectiveFP")?, rises: false };
     let radius = a.positive("radius of contact Radius_Contact")?;
     let k_init = a.positive("initial stiffness kInitial")?;
-    let known = &interp.host.definitions.materials;
+    let known = &interp.host.builder.definitions.materials;
     let materials = vec![a.of(known)?, a.of(known)?, a.of(known)?, a.of(known)?];
     let mut place = Placement::at_nodes(nodes);
     let x = vector(a, 3, "local x axis")?;

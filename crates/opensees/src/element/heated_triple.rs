@@ -1,7 +1,7 @@
 //! `element TripleFrictionPendulumX`.
 
 use super::triple::{lengths, stiffness};
-use super::{Ends, Kind};
+use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::slips;
 use crate::{Tcl, warn};
@@ -20,7 +20,7 @@ pub(super) const TRIPLE_X: Kind = Kind {
     usage: "element TripleFrictionPendulumX $tag $i $j $tagT $tagT2 $vertMatTag $rotZMatTag $rotXMatTag $rotYMatTag \
             $tagPres $tagTemp $tagVel $mu1 $mu2 $mu3 $L1 $L2 $L3 $d1 $d2 $d3 $b1 $b2 $b3 $t2 $t3 $W $uy $kvt $minFv $tol \
             $refPres1 $refPres2 $refPres3 $Diffusivity $Conductivity $Temperature0 $rateParam $kTmodel $unit",
-    make,
+    make: Make::TwoNodes(make),
 };
 
 /// MPa per unit of pressure and m per unit of length, of the units 1 to 8: N m, kN m, N mm, kN mm, lb in, kip in, lb ft, kip ft.
@@ -53,7 +53,7 @@ fn three(a: &mut Args<'_>, what: [&str; 3]) -> Result<[f64; 3], Exception> {
 /// The vertical material and those of the rotations about Z, X and Y, from the tag of the conduction on. OpenSees starts a word early: it
 /// takes the tag of the conduction for that of the vertical material, and leaves the last one out.
 fn materials(interp: &Tcl, a: &mut Args<'_>) -> Result<(Body, [(Material, i32); 4]), Exception> {
-    let known = &interp.host.definitions.materials;
+    let known = &interp.host.builder.definitions.materials;
     let tag = one_of(a, "conduction tagT2 (1 half space, 2 plate)", 1..=2)?;
     let body = if tag == 1 { Body::HalfSpace } else { Body::Plate };
     let compat = interp.host.follows(&[slips::TRIPLE_X_MATERIALS]);

@@ -1,4 +1,4 @@
-//! What `amend` changes of how nodes and elements hang together.
+//! Amendments of the joints between nodes and elements.
 
 use crate::args::Args;
 use crate::model::nodes::node_of;
@@ -8,8 +8,9 @@ use hysteron_engine::model::ElementId;
 use hysteron_tcl::Value;
 use std::sync::Arc;
 
-/// `amend node $tag dampedAs $other`: a node that takes over the mass of another one takes over its mass-proportional damping as well, for
-/// `rayleigh` reaches only the nodes that there are.
+/// `amend node $tag dampedAs $other`: a node takes over the mass-proportional damping of another one.
+///
+/// A node that takes over a mass needs it, since `rayleigh` reaches only the nodes that exist.
 pub(crate) fn damped_as(interp: &mut Tcl, a: &mut Args<'_>) -> Outcome {
     let node = node_of(interp, a, "tag of the node")?;
     if a.word("kind of amendment")? != "dampedAs" {
@@ -26,7 +27,7 @@ pub(crate) fn hinge(interp: &mut Tcl, a: &mut Args<'_>, elements: &[ElementId]) 
     let (mut material, mut ends) = (None, &[0, 1][..]);
     while let Some(word) = a.option() {
         match word.as_ref() {
-            "-mat" => material = Some(a.of(&interp.host.definitions.materials)?.0),
+            "-mat" => material = Some(a.of(&interp.host.builder.definitions.materials)?.0),
             "-end" => {
                 ends = match a.word("end with a hinge")?.as_ref() {
                     "i" => &[0],
@@ -45,7 +46,7 @@ pub(crate) fn hinge(interp: &mut Tcl, a: &mut Args<'_>, elements: &[ElementId]) 
     for id in elements {
         let model = interp.host.engine.model();
         let entry = &model.elements[id.0];
-        // A truss in space has as many degrees of freedom as a beam in the plane: the nodes tell them apart.
+        // A truss in space has as many degrees of freedom as a beam in the plane. The dimensions of the nodes differ.
         let ends_of = match entry.nodes[..] {
             [i, j] => {
                 Some([&model.nodes[i.0], &model.nodes[j.0]]).filter(|n| n.iter().all(|n| n.ndf == 3 * (n.ndm() - 1)))

@@ -1,7 +1,7 @@
 //! `element KikuchiBearing`.
 
 use super::multiple_springs::{Orient, distribution, divisions, once, option_missing, shape};
-use super::{Ends, Kind, refused};
+use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
 use crate::slips;
 use crate::{Tcl, ignore_option, warn};
@@ -20,7 +20,7 @@ pub(super) const KIKUCHI: Kind = Kind {
             -nMSS $nMSS -matMSS $mat <-limDisp $limDisp> -nMNS $nMNS -matMNS $mat <-lambda $lambda> \
             <-orient <$x1 $x2 $x3> $yp1 $yp2 $yp3> <-mass $m> <-noPDInput> <-noTilt> <-adjustPDOutput $ci $cj> \
             <-doBalance $limFo $limFi $nIter>",
-    make,
+    make: Make::TwoNodes(make),
 };
 
 const NAME: &str = "KikuchiBearing";
@@ -101,12 +101,12 @@ fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Options, Exception> {
             }
             "-totalHeight" => keep!(height, option, a.positive("total height of the bearing")?),
             "-nMSS" => keep!(shear_springs, option, divisions(a, "number nMSS of shear springs")?),
-            "-matMSS" => keep!(shear, option, a.of(&interp.host.definitions.materials)?.0),
+            "-matMSS" => keep!(shear, option, a.of(&interp.host.builder.definitions.materials)?.0),
             "-limDisp" => keep!(limit, option, limit(a)?),
             "-nMNS" => {
                 keep!(normal_springs, option, divisions(a, "number nMNS of normal springs across the section")?)
             }
-            "-matMNS" => keep!(normal, option, a.of(&interp.host.definitions.materials)?.0),
+            "-matMNS" => keep!(normal, option, a.of(&interp.host.builder.definitions.materials)?.0),
             "-lambda" => keep!(lambda, option, distribution(a)?),
             "-orient" => {
                 let mut orient = Orient::default();
@@ -174,10 +174,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         slips::KIKUCHI_FIRST_STIFFNESS,
         slips::KIKUCHI_INITIAL,
     ]) {
-        true => Scheme::OpenSees(
-            o.balance.unwrap_or(Balance { tolerance: 0.0, rounds: 0 }),
-            interp.host.definitions.kikuchi.clone(),
-        ),
+        true => Scheme::OpenSees(o.balance.unwrap_or(Balance { tolerance: 0.0, rounds: 0 })),
         false => Scheme::Converged,
     };
     let parameters = KikuchiParameters {

@@ -26,7 +26,7 @@ mod zero_length_section;
 
 use crate::args::Args;
 use crate::model::nodes::{need_model, node_of};
-use crate::{Command, Outcome, Tcl, finish};
+use crate::{Command, Outcome, Tcl, finish, kind};
 use hysteron_engine::element::axes::Orientation;
 use hysteron_engine::element::{Element, ElementError};
 use hysteron_engine::model::NodeId;
@@ -35,16 +35,23 @@ use nalgebra::Vector3;
 use std::sync::Arc;
 
 pub(crate) const COMMANDS: &[Command] =
-    &[Command { name: "element", usage: "element $kind $tag $iNode $jNode ...", run: element }];
+    &[Command::new("element", "element $kind $tag $iNode $jNode ...", element).with_kinds(|| kind::usages(KINDS))];
 
-type Make = fn(&mut Tcl, &mut Args<'_>, &Ends) -> Result<Arc<dyn Element>, Exception>;
+/// Makes an element between two nodes that are already known.
+type MakeBetween = fn(&mut Tcl, &mut Args<'_>, &Ends) -> Result<Arc<dyn Element>, Exception>;
+/// Makes an element and names its nodes.
+type MakeAnywhere = fn(&mut Tcl, &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception>;
 
-/// A kind of element between two nodes, and how it is made from the words after its nodes.
-struct Kind {
-    names: &'static [&'static str],
-    usage: &'static str,
-    make: Make,
+/// Function that makes a kind of element.
+enum Make {
+    /// Between two nodes, from the words after them.
+    TwoNodes(MakeBetween),
+    /// From the words after the tag, which name the nodes.
+    AnyNodes(MakeAnywhere),
 }
+
+/// A kind of element.
+type Kind = kind::Kind<Make>;
 
 const KINDS: &[Kind] = &[
     beam::ELASTIC,
@@ -81,12 +88,8 @@ const KINDS: &[Kind] = &[
     fiber_beam::CURVATURE,
     fiber_beam::CURVATURE_SHEAR,
     fiber_beam::WITH_HINGES,
+    quad::QUAD,
 ];
-
-/// How the kinds are used.
-pub(crate) fn usages() -> impl Iterator<Item = &'static str> {
-    KINDS.iter().map(|k| k.usage).chain([quad::USAGE])
-}
 
 /// The two nodes of an element.
 struct Ends {
@@ -135,24 +138,17 @@ impl Ends {
 fn element(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     need_model(interp, call)?;
     let mut a = Args::new(call, "element $kind $tag $iNode $jNode ...");
-    let name = a.word("kind of element")?;
-    let kind = KINDS.iter().find(|k| k.names.contains(&name.as_ref()));
-    let usage = kind.map(|k| k.usage).or_else(|| quad::NAMES.contains(&name.as_ref()).then_some(quad::USAGE));
-    let Some(usage) = usage else {
-        let names = KINDS.iter().flat_map(|k| k.names.iter().copied());
-        return Err(a.unknown_name("element", names.chain(quad::NAMES)));
-    };
-    a.usage(usage);
+    let kind = kind::take(&mut a, "kind of element", "element", KINDS.iter())?;
     let tag = a.int("tag of the element")?;
     if interp.host.engine.model().element(tag).is_some() {
         return Err(a.refuse(format!("there is an element {tag} already"), "expected a new tag"));
     }
-    let (nodes, made) = match kind {
-        Some(kind) => {
+    let (nodes, made) = match &kind.make {
+        Make::TwoNodes(make) => {
             let ends = Ends::take(interp, &mut a)?;
-            (ends.nodes.to_vec(), (kind.make)(interp, &mut a, &ends)?)
+            (ends.nodes.to_vec(), make(interp, &mut a, &ends)?)
         }
-        None => quad::make(interp, &mut a)?,
+        Make::AnyNodes(make) => make(interp, &mut a)?,
     };
     finish(interp, &a)?;
     interp.host.engine.add_element(tag, nodes, made);

@@ -1,7 +1,7 @@
 //! `element multipleNormalSpring`.
 
 use super::multiple_springs::{Orient, distribution, divisions, once, option_missing, shape};
-use super::{Ends, Kind};
+use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::slips;
 use crate::{Tcl, ignore_option};
@@ -14,7 +14,7 @@ pub(super) const MULTIPLE_NORMAL_SPRING: Kind = Kind {
     names: &["multipleNormalSpring"],
     usage: "element multipleNormalSpring $tag $i $j $nDivide -mat $mat -shape round|square -size $size \
             <-lambda $lambda> <-orient <$x1 $x2 $x3> $yp1 $yp2 $yp3> <-mass $m>",
-    make,
+    make: Make::TwoNodes(make),
 };
 
 const NAME: &str = "multipleNormalSpring";
@@ -33,7 +33,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         match option.as_ref() {
             "-mat" => {
                 once(a, &material, "-mat")?;
-                material = Some(a.of(&interp.host.definitions.materials)?.0);
+                material = Some(a.of(&interp.host.builder.definitions.materials)?.0);
             }
             "-shape" => {
                 once(a, &outline, "-shape")?;

@@ -1,7 +1,7 @@
 //! `element multipleShearSpring`.
 
 use super::multiple_springs::{Orient, divisions, once, option_missing};
-use super::{Ends, Kind, refused};
+use super::{Ends, Kind, Make, refused};
 use crate::Tcl;
 use crate::args::Args;
 use crate::slips;
@@ -14,7 +14,7 @@ pub(super) const MULTIPLE_SHEAR_SPRING: Kind = Kind {
     names: &["multipleShearSpring", "MSS"],
     usage: "element multipleShearSpring $tag $i $j $nSpring -mat $mat | -nMat $mat1 ... <-lim $dsp> \
             <-orient <$x1 $x2 $x3> $yp1 $yp2 $yp3> <-mass $m>",
-    make,
+    make: Make::TwoNodes(make),
 };
 
 const NAME: &str = "multipleShearSpring";
@@ -33,7 +33,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         match option.as_ref() {
             "-mat" | "-nMat" => {
                 once(a, &materials, "-mat or -nMat")?;
-                let known = &interp.host.definitions.materials;
+                let known = &interp.host.builder.definitions.materials;
                 materials = Some(if option == "-mat" {
                     vec![(a.of(known)?.0, n)]
                 } else {

@@ -1,4 +1,4 @@
-//! What the bearings made of many springs have in common: shape, distribution, numbers of springs, local axes, options.
+//! Words that the bearings made of many springs share: shape, distribution, numbers of springs, local axes, options.
 
 use super::{Ends, orientation};
 use crate::args::Args;

@@ -1,6 +1,6 @@
 //! `element quad`.
 
-use super::refused;
+use super::{Kind, Make, refused};
 use crate::Tcl;
 use crate::args::Args;
 use crate::model::nodes::node_of;
@@ -9,12 +9,13 @@ use hysteron_engine::model::NodeId;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
-pub(super) const NAMES: [&str; 3] = ["quad", "stdQuad", "FourNodeQuad"];
+pub(super) const QUAD: Kind = Kind {
+    names: &["quad", "stdQuad", "FourNodeQuad"],
+    usage: "element quad $tag $i $j $k $l $thickness PlaneStrain|PlaneStress $material <$pressure $rho $bx $by>",
+    make: Make::AnyNodes(make),
+};
 
-pub(super) const USAGE: &str =
-    "element quad $tag $i $j $k $l $thickness PlaneStrain|PlaneStress $material <$pressure $rho $bx $by>";
-
-pub(super) fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
+fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
     let (mut nodes, mut corners) = (vec![], [[0.0; 2]; 4]);
     for corner in &mut corners {
         let id = node_of(interp, a, "tag of a corner's node")?;
@@ -33,7 +34,7 @@ pub(super) fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, A
         "PlaneStress" | "PlaneStress2D" => Plane::Stress,
         _ => return Err(a.unknown_name("kind of plane", ["PlaneStrain", "PlaneStress"])),
     };
-    let (material, _) = a.of(&interp.host.definitions.nd_materials)?;
+    let (material, _) = a.of(&interp.host.builder.definitions.nd_materials)?;
     if plane == Plane::Strain && material.nu == 0.5 {
         return Err(a.refuse("Poisson's ratio of the material is 0.5", "expected less than 0.5 in plane strain"));
     }

@@ -1,7 +1,7 @@
 //! `element HDRRheologyBearing`.
 
 use super::rubber_bearing::{Common, in_space, layers};
-use super::{Ends, Kind};
+use super::{Ends, Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
 use crate::material::rheology;
@@ -19,7 +19,7 @@ pub(super) const RHEOLOGY: Kind = Kind {
             <-conduction $layers $tRubber $tSteel $tPlate $kRubber $cRubber $kSteel $cSteel $film> <-ambient $T> <-mullins $excess $strain <-heal $fraction $time> <-preload $strain>> <-axial kumar|linear> <-pDelta on|off> \
             <-orient $x1 $x2 $x3 $y1 $y2 $y3> <-kc $kc> <-PhiM $PhiM> <-ac $ac> <-shearDist $sDratio> <-mass $m> \
             <-cover $tc>",
-    make,
+    make: Make::TwoNodes(make),
 };
 
 const OPTIONS: &[&str] = &[

@@ -1,6 +1,6 @@
 //! `element HDR`, `ElastomericX` and `LeadRubberX`.
 
-use super::{Ends, Kind};
+use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::model::transform::vector;
 use crate::slips;
@@ -20,24 +20,24 @@ pub(super) const HDR: Kind = Kind {
     names: &["HDR"],
     usage: "element HDR $tag $i $j $Gr $Kbulk $D1 $D2 $ts $tr $n $a1 $a2 $a3 $b1 $b2 $b3 $c1 $c2 $c3 $c4 \
             <$x1 $x2 $x3 $y1 $y2 $y3 <$kc <$PhiM <$ac <$sDratio <$m <$tc>>>>>>>",
-    make: make_hdr,
+    make: Make::TwoNodes(make_hdr),
 };
 
 pub(super) const ELASTOMERIC_X: Kind = Kind {
     names: &["ElastomericX"],
     usage: "element ElastomericX $tag $i $j $Fy $alpha $Gr $Kbulk $D1 $D2 $ts $tr $n \
             <$x1 $x2 $x3 $y1 $y2 $y3 <$kc <$PhiM <$ac <$sDratio <$m <$cd <$tc <$tag1 ... $tag4>>>>>>>>",
-    make: make_elastomeric,
+    make: Make::TwoNodes(make_elastomeric),
 };
 
 pub(super) const LEAD_RUBBER_X: Kind = Kind {
     names: &["LeadRubberX"],
     usage: "element LeadRubberX $tag $i $j $Fy $alpha $Gr $Kbulk $D1 $D2 $ts $tr $n <$x1 $x2 $x3 $y1 $y2 $y3 \
             <$kc <$PhiM <$ac $sDratio $m $cd <$tc <$qL $cL $kS $aS <$tag1 ... $tag5>>>>>>>",
-    make: make_leaded,
+    make: Make::TwoNodes(make_leaded),
 };
 
-/// What the bearings of this family have in common, with OpenSees' defaults.
+/// Options that the bearings of this family share, with OpenSees' defaults.
 pub(super) struct Common {
     orientation: Orientation,
     orient_at: Option<Span>,
@@ -53,7 +53,7 @@ pub(super) struct Common {
 impl Common {
     pub(super) fn new(nodes: Option<Span>) -> Self {
         Self {
-            // The local y axis of a bearing that is not told is opposite to the global X.
+            // Without -orient the local y axis is opposite to the global X.
             orientation: Orientation { x: None, y: Some(-Vector3::x()) },
             orient_at: nodes,
             kc: 10.0,
@@ -181,7 +181,7 @@ fn nothing_left(a: &Args<'_>) -> Result<(), Exception> {
     }
 }
 
-/// Whether numbers can be G, K, D1, D2, ts, tr, n of a bearing.
+/// Returns true if the numbers can be G, K, D1, D2, ts, tr, n of a bearing.
 fn can_be_layers(v: &[f64]) -> bool {
     matches!(v, [g, k, d1, d2, ts, tr, n, ..]
         if *g > 0.0 && *k > 0.0 && *d1 >= 0.0 && d2 > d1 && (0.0..*d2).contains(ts) && (0.0..*d2).contains(tr)

@@ -1,7 +1,7 @@
 //! `element flatSliderBearing`, `singleFPBearing` and `RJWatsonEqsBearing`.
 
 use super::bearing::{Placement, materials};
-use super::{Ends, orientation};
+use super::{Ends, Make, orientation};
 use crate::args::Args;
 use crate::slips;
 use crate::{Tcl, ignore_option};
@@ -17,7 +17,7 @@ pub(super) const FLAT: super::Kind = super::Kind {
     names: &["flatSliderBearing"],
     usage: "element flatSliderBearing $tag $i $j $frnMdlTag $kInit -P $mat <-T $mat -My $mat> -Mz $mat \
             <-orient <$x1 $x2 $x3> $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> <-mass $m> <-iter $maxIter $tol>",
-    make: |interp, a, ends| make(interp, a, ends, Kind::Flat),
+    make: Make::TwoNodes(|interp, a, ends| make(interp, a, ends, Kind::Flat)),
 };
 
 pub(super) const PENDULUM: super::Kind = super::Kind {
@@ -25,7 +25,7 @@ pub(super) const PENDULUM: super::Kind = super::Kind {
     usage: "element singleFPBearing $tag $i $j $frnMdlTag $Reff $kInit -P $mat <-T $mat -My $mat> -Mz $mat \
             <-orient <$x1 $x2 $x3> $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> <-inclVertDisp> <-mass $m> \
             <-iter $maxIter $tol> <-kFactUplift $kFact>",
-    make: |interp, a, ends| make(interp, a, ends, Kind::Pendulum),
+    make: Make::TwoNodes(|interp, a, ends| make(interp, a, ends, Kind::Pendulum)),
 };
 
 pub(super) const RJ_WATSON: super::Kind = super::Kind {
@@ -33,14 +33,14 @@ pub(super) const RJ_WATSON: super::Kind = super::Kind {
     usage: "element RJWatsonEqsBearing $tag $i $j $frnMdlTag $kInit -P $mat -Vy $mat <-Vz $mat -T $mat -My $mat> \
             -Mz $mat <-orient <$x1 $x2 $x3> $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> <-mass $m> \
             <-iter $maxIter $tol> <-kFactUplift $kFact>",
-    make: |interp, a, ends| make(interp, a, ends, Kind::Springs),
+    make: Make::TwoNodes(|interp, a, ends| make(interp, a, ends, Kind::Springs)),
 };
 
 const OPTIONS: &[&str] = &["-orient", "-shearDist", "-doRayleigh", "-mass", "-iter", "-kFactUplift", "-inclVertDisp"];
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, kind: Kind) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
-    let (friction, _) = a.of(&interp.host.definitions.frictions)?;
+    let (friction, _) = a.of(&interp.host.builder.definitions.frictions)?;
     let mut dish = match kind {
         Kind::Pendulum => Some(Dish { radius: a.positive("effective radius Reff")?, rises: false }),
         _ => None,

@@ -1,7 +1,7 @@
 //! `element ElasticTimoshenkoBeam`.
 
 use super::beam::{elastic_part, no_transform, numbers_ahead};
-use super::{Ends, Kind};
+use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::Element;
@@ -16,13 +16,13 @@ pub(super) const TIMOSHENKO: Kind = Kind {
     names: &["ElasticTimoshenkoBeam", "elasticTimoshenkoBeam"],
     usage: "element ElasticTimoshenkoBeam $tag $i $j $E $G $A $Iz $Avy $transf (in the plane) or \
             $E $G $A $J $Iy $Iz $Avy $Avz $transf (in space) or $section $transf <-mass $m> <-cMass> <-geomNonlinear>",
-    make,
+    make: Make::TwoNodes(make),
 };
 
 /// The section of the beam: by its tag, or number after number.
 fn section(interp: &Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSection, Exception> {
     if numbers_ahead(a) == 2 {
-        let (section, tag) = a.of(&interp.host.definitions.sections)?;
+        let (section, tag) = a.of(&interp.host.builder.definitions.sections)?;
         let mut s = elastic_part(&section);
         if s.g == 0.0 {
             return Err(a.refuse(
@@ -53,7 +53,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         return Err(ends.wrong(a, "3 degrees of freedom in 2 or 6 in 3 dimensions"));
     }
     let s = section(interp, a, ends.ndm)?;
-    let (spec, tag) = a.of(&interp.host.definitions.transforms)?;
+    let (spec, tag) = a.of(&interp.host.builder.definitions.transforms)?;
     let place = a.last_span();
     if spec.offsets != (Vector3::zeros(), Vector3::zeros()) {
         return Err(a.refuse(

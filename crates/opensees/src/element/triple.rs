@@ -1,6 +1,6 @@
 //! `element TripleFrictionPendulum`.
 
-use super::{Ends, Kind};
+use super::{Ends, Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
 use crate::slips;
@@ -17,7 +17,7 @@ pub(super) const TRIPLE: Kind = Kind {
     names: &["TripleFrictionPendulum"],
     usage: "element TripleFrictionPendulum $tag $i $j $frnTag1 $frnTag2 $frnTag3 $vertMatTag $rotZMatTag $rotXMatTag \
             $rotYMatTag $L1 $L2 $L3 $d1 $d2 $d3 $W $uy $kvt $minFv $tol",
-    make,
+    make: Make::TwoNodes(make),
 };
 
 /// Effective radii and displacement limits of the inner, lower and upper surfaces.
@@ -69,7 +69,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     if (ends.ndm, ends.ndf) != (3, 6) {
         return Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions"));
     }
-    let definitions = &interp.host.definitions;
+    let definitions = &interp.host.builder.definitions;
     let mut friction = || a.of(&definitions.frictions).map(|(f, _)| f);
     let frictions: [Friction; 3] = [friction()?, friction()?, friction()?];
     let mut material = || a.of(&definitions.materials);

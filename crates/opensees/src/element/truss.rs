@@ -1,7 +1,7 @@
 //! `element truss` and `corotTruss`.
 
 use super::beam::numbers_ahead;
-use super::{Ends, Kind, refused};
+use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::{BarOptions, CorotTruss, Element, Truss};
@@ -13,25 +13,25 @@ use std::sync::Arc;
 pub(super) const TRUSS: Kind = Kind {
     names: &["truss", "Truss"],
     usage: "element truss $tag $i $j $A $matTag <-rho $rho> <-cMass $flag> <-doRayleigh $flag> <-useInitialDisp $flag>",
-    make,
+    make: Make::TwoNodes(make),
 };
 
 pub(super) const COROT_TRUSS: Kind = Kind {
     names: &["corotTruss", "CorotTruss"],
     usage: "element corotTruss $tag $i $j $A $matTag <-rho $rho> <-cMass $flag> <-doRayleigh $flag>",
-    make: make_corot,
+    make: Make::TwoNodes(make_corot),
 };
 
 pub(super) const TRUSS_SECTION: Kind = Kind {
     names: &["trussSection", "TrussSection"],
     usage: "element trussSection $tag $i $j $section <-rho $rho> <-cMass $flag> <-doRayleigh $flag>",
-    make,
+    make: Make::TwoNodes(make),
 };
 
 pub(super) const COROT_TRUSS_SECTION: Kind = Kind {
     names: &["corotTrussSection", "CorotTrussSection"],
     usage: "element corotTrussSection $tag $i $j $section <-rho $rho> <-cMass $flag> <-doRayleigh $flag>",
-    make: make_corot,
+    make: Make::TwoNodes(make_corot),
 };
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
@@ -56,14 +56,14 @@ fn make_corot(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn
 /// Area and material, or, with one number instead of two, a section whose axial force is the bar's.
 fn axial(interp: &Tcl, a: &mut Args<'_>) -> Result<(f64, Material, i32), Exception> {
     if numbers_ahead(a) == 1 {
-        let (section, tag) = a.of(&interp.host.definitions.sections)?;
+        let (section, tag) = a.of(&interp.host.builder.definitions.sections)?;
         let Some(axial) = Axial::new(section, tag) else {
             return Err(a.refuse(format!("section {tag} has no axial force"), "expected a section with P"));
         };
         return Ok((1.0, Arc::new(axial), tag));
     }
     let area = a.positive("cross-sectional area A")?;
-    let (material, tag) = a.of(&interp.host.definitions.materials)?;
+    let (material, tag) = a.of(&interp.host.builder.definitions.materials)?;
     Ok((area, material, tag))
 }
 

@@ -1,6 +1,6 @@
 //! `element twoNodeLink`.
 
-use super::{Ends, Kind, refused};
+use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
 use crate::model::transform::vector;
 use crate::{Tcl, ignore_option, warn};
@@ -15,7 +15,7 @@ pub(super) const TWO_NODE_LINK: Kind = Kind {
     names: &["twoNodeLink"],
     usage: "element twoNodeLink $tag $i $j -mat $mat1 ... -dir $dir1 ... <-orient <$x1 $x2 $x3> $yp1 $yp2 $yp3> \
             <-pDelta <$My1 $My2> $Mz1 $Mz2> <-shearDist $sDy <$sDz>> <-doRayleigh> <-mass $m>",
-    make,
+    make: Make::TwoNodes(make),
 };
 
 const OPTIONS: &[&str] = &["-mat", "-dir", "-orient", "-pDelta", "-shearDist", "-doRayleigh", "-mass"];
@@ -33,7 +33,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         match option.as_ref() {
             "-mat" => {
                 while mats.is_empty() || a.at_number() {
-                    mats.push(a.of(&interp.host.definitions.materials)?);
+                    mats.push(a.of(&interp.host.builder.definitions.materials)?);
                 }
             }
             "-dir" | "-dof" => {

@@ -1,7 +1,7 @@
 //! `element YamamotoBiaxialHDR`.
 
 use super::multiple_springs::Orient;
-use super::{Ends, Kind};
+use super::{Ends, Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
 use crate::slips;
@@ -14,7 +14,7 @@ pub(super) const YAMAMOTO: Kind = Kind {
     names: &["YamamotoBiaxialHDR"],
     usage: "element YamamotoBiaxialHDR $tag $i $j $tp $dDo $dDi $hr <-coRS $cr $cs> <-orient <$x1 $x2 $x3> $y1 $y2 $y3> \
             <-mass $m>",
-    make,
+    make: Make::TwoNodes(make),
 };
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {

@@ -1,6 +1,6 @@
 //! `element zeroLength`.
 
-use super::{Ends, Kind, refused};
+use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
 use crate::model::transform::vector;
 use crate::slips;
@@ -17,21 +17,21 @@ pub(super) const ZERO_LENGTH: Kind = Kind {
     names: &["zeroLength"],
     usage: "element zeroLength $tag $i $j -mat $mat1 ... -dir $dir1 ... <-doRayleigh <$flag>> \
             <-dampMats $mat1 ...> <-orient $x1 $x2 $x3 $yp1 $yp2 $yp3>",
-    make,
+    make: Make::TwoNodes(make),
 };
 
 pub(super) const COUPLED: Kind = Kind {
     names: &["CoupledZeroLength", "coupledZeroLength", "ZeroLengthCoupled"],
     usage: "element CoupledZeroLength $tag $i $j $dir1 $dir2 $mat <$doRayleigh>",
-    make: make_coupled,
+    make: Make::TwoNodes(make_coupled),
 };
 
 const OPTIONS: &[&str] = &["-mat", "-dir", "-doRayleigh", "-dampMats", "-orient"];
 
 fn materials(interp: &Tcl, a: &mut Args<'_>) -> Result<Vec<(Material, i32)>, Exception> {
-    let mut out = vec![a.of(&interp.host.definitions.materials)?];
+    let mut out = vec![a.of(&interp.host.builder.definitions.materials)?];
     while a.at_number() {
-        out.push(a.of(&interp.host.definitions.materials)?);
+        out.push(a.of(&interp.host.builder.definitions.materials)?);
     }
     Ok(out)
 }
@@ -102,7 +102,7 @@ fn make_coupled(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<d
     if directions[0] == directions[1] {
         return Err(a.refuse("both directions are the same", "expected another direction"));
     }
-    let material = a.of(&interp.host.definitions.materials)?;
+    let material = a.of(&interp.host.builder.definitions.materials)?;
     let rayleigh = a.optional_int("flag")?.is_some_and(|flag| flag == 1);
     let compat = interp.host.follows(&[slips::COUPLED_ZERO_LENGTH]);
     Ok(Arc::new(CoupledZeroLength::new(material, directions, ends.ndf, &ends.initial(), rayleigh, compat)))

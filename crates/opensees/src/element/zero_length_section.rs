@@ -1,6 +1,6 @@
 //! `element zeroLengthSection`.
 
-use super::{Ends, Kind};
+use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::model::transform::vector;
 use crate::{Tcl, ignore_option};
@@ -13,14 +13,14 @@ use std::sync::Arc;
 pub(super) const ZERO_LENGTH_SECTION: Kind = Kind {
     names: &["zeroLengthSection", "ZeroLengthSection"],
     usage: "element zeroLengthSection $tag $i $j $section <-orient $x1 $x2 $x3 $yp1 $yp2 $yp3> <-doRayleigh $flag>",
-    make,
+    make: Make::TwoNodes(make),
 };
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     if !matches!((ends.ndm, ends.ndf), (2, 3) | (3, 6)) {
         return Err(ends.wrong(a, "3 degrees of freedom in 2 or 6 in 3 dimensions"));
     }
-    let section = a.of(&interp.host.definitions.sections)?;
+    let section = a.of(&interp.host.builder.definitions.sections)?;
     let (mut x, mut y, mut rayleigh) = (Vector3::x(), Vector3::y(), true);
     let mut orient = a.last_span();
     while let Some(option) = a.option() {

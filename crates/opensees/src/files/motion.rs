@@ -12,7 +12,7 @@ pub struct Motion {
 /// Read a motion: the kind of file is seen from its header.
 ///
 /// # Errors
-/// What is wrong with the file.
+/// Description of the fault in the file.
 pub fn parse(text: &str) -> Result<Motion, String> {
     let lines: Vec<&str> = text.lines().collect();
     let lower = |l: &str| l.to_ascii_lowercase();

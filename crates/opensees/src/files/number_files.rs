@@ -3,13 +3,14 @@
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// What files of nothing but numbers hold. Clones share it, so that runs of the same script, in any number of threads, make
-/// numbers of a record once. A file is known again by its whole text.
+/// Numbers of files that hold nothing else. A file is recognized by its whole text.
+///
+/// Clones share the numbers: runs of the same script, in any number of threads, parse a record once.
 #[derive(Clone, Debug, Default)]
-pub struct NumberFiles(Arc<Mutex<HashMap<String, Known>>>);
+pub struct NumberFiles(Arc<Mutex<HashMap<String, CachedFile>>>);
 
 #[derive(Clone, Debug)]
-struct Known {
+struct CachedFile {
     text: Arc<str>,
     values: Arc<[f64]>,
 }
@@ -23,7 +24,7 @@ impl NumberFiles {
 
     /// Remember the numbers of a file.
     pub(crate) fn remember(&self, name: &str, text: &str, values: &[f64]) {
-        let known = Known { text: text.into(), values: values.into() };
+        let known = CachedFile { text: text.into(), values: values.into() };
         self.0.lock().unwrap_or_else(PoisonError::into_inner).insert(name.to_owned(), known);
     }
 }

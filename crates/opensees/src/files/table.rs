@@ -10,8 +10,9 @@ pub struct Table {
 }
 
 impl Table {
-    /// Read a table. Numbers stand between spaces, tabs, commas or semicolons; lines that begin with `#` or `%` and empty
-    /// ones do not count, and the first line may give names.
+    /// Read a table. Spaces, tabs, commas or semicolons separate the numbers.
+    ///
+    /// Empty lines, and lines that begin with `#` or `%`, are skipped. The first line may give names.
     ///
     /// # Errors
     /// The line with something else than a number, or with another number of columns than those before it.

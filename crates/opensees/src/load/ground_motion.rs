@@ -1,4 +1,4 @@
-//! `pattern MultipleSupport` and what is in it.
+//! `pattern MultipleSupport` and its motions.
 
 use crate::args::Args;
 use crate::load::series::series_of;
@@ -11,12 +11,11 @@ use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeMap;
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command { name: "groundMotion", usage: GROUND, run: ground_motion },
-    Command { name: "imposedMotion", usage: IMPOSED, run: imposed_motion },
-    Command { name: "imposedSupportMotion", usage: IMPOSED, run: imposed_motion },
+    Command::new("groundMotion", GROUND, ground_motion),
+    Command::new("imposedMotion", IMPOSED, imposed_motion),
+    Command::new("imposedSupportMotion", IMPOSED, imposed_motion),
 ];
 
-pub(crate) const PATTERN: &str = "pattern MultipleSupport $tag { groundMotion ... imposedMotion ... }";
 const GROUND: &str = "groundMotion $tag Plain <-accel $series> <-vel $series> <-disp $series> <-int Trapezoidal> \
                       <-dtInt $dt> <-fact $factor> | groundMotion $tag Interpolated $motion ... -fact $factor ...";
 const IMPOSED: &str = "imposedMotion $node $dof $groundMotion <-other>";
@@ -25,12 +24,12 @@ const IMPOSED: &str = "imposedMotion $node $dof $groundMotion <-other>";
 pub(crate) fn multiple_support(interp: &mut Tcl, tag: Tag, mut a: Args<'_>) -> Outcome {
     let pattern = Pattern::new(PatternKind::MultipleSupport(BTreeMap::new()));
     interp.host.engine.change_model(|m| m.patterns.insert(tag, pattern));
-    let before = interp.host.pattern.replace(tag);
+    let before = interp.host.builder.pattern.replace(tag);
     if a.left() > 0 {
         let body = a.value("motions")?;
         finish(interp, &a)?;
         let done = interp.eval_value(&body);
-        interp.host.pattern = before;
+        interp.host.builder.pattern = before;
         done?;
     }
     Ok(Value::EMPTY)
@@ -39,7 +38,7 @@ pub(crate) fn multiple_support(interp: &mut Tcl, tag: Tag, mut a: Args<'_>) -> O
 /// The motions of the pattern that is being read.
 fn motions<'a>(interp: &'a Tcl, a: &Args<'_>) -> Result<(Tag, &'a BTreeMap<Tag, GroundMotion>), Exception> {
     let model = interp.host.engine.model();
-    let current = interp.host.pattern.and_then(|tag| Some((tag, &model.patterns.get(&tag)?.kind)));
+    let current = interp.host.builder.pattern.and_then(|tag| Some((tag, &model.patterns.get(&tag)?.kind)));
     match current {
         Some((tag, PatternKind::MultipleSupport(motions))) => Ok((tag, motions)),
         _ => Err(a.refuse_at(
@@ -100,7 +99,7 @@ fn plain(interp: &mut Tcl, a: &mut Args<'_>) -> Result<GroundMotion, Exception> 
             _ => ignore_option(interp, a, &["-accel", "-vel", "-disp", "-int", "-dtInt", "-fact"])?,
         }
     }
-    // OpenSees integrates what is missing, but differentiates nothing: supports that move by displacements have no velocity.
+    // OpenSees integrates missing histories, but differentiates none: supports given displacements have no velocity.
     let derive = !interp.host.follows(&[slips::GROUND_MOTION_RATES]);
     no_series(GroundMotion::from_series(series, dt, factor, derive), a, kind)
 }

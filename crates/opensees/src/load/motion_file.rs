@@ -7,7 +7,7 @@ use hysteron_engine::series::Path;
 use hysteron_tcl::{Call, Value};
 use std::sync::Arc;
 
-pub(crate) const COMMANDS: &[Command] = &[Command { name: "motionFile", usage: USAGE, run: motion_file }];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("motionFile", USAGE, motion_file)];
 
 const USAGE: &str = "lassign [motionFile $series $file <-factor $c> <-dt $dt> <-useLast>] dt npts: PEER AT2, CSMIP V2, or \
                      one column of values, or two of times and values; a time series in the unit of the file";
@@ -36,7 +36,7 @@ fn motion_file(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     };
     let count = m.values.len();
     let series = Arc::new(Path { values: m.values, dt, factor, use_last, start: 0.0 });
-    if !interp.host.definitions.series.add(tag, series) {
+    if !interp.host.builder.definitions.series.add(tag, series) {
         return Err(a.refuse_at(tag_span, format!("there is a time series {tag} already"), "expected a new tag"));
     }
     Ok(Value::list([Value::from(dt), Value::from(count as i64)]))

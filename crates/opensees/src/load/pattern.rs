@@ -1,10 +1,10 @@
-//! Load patterns and what is in them.
+//! Load patterns and their loads.
 
 use super::ground_motion;
 use crate::args::Args;
 use crate::load::series::series_of;
 use crate::model::nodes::{need_model, node_of};
-use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
+use crate::{Command, Outcome, Tcl, finish, ignore_option, kind, warn};
 use hysteron_engine::element::ElementLoad;
 use hysteron_engine::model::{ElementId, Excitation, NodalLoad, Pattern, PatternKind, SupportMotion, Tag};
 use hysteron_engine::series::Constant;
@@ -13,16 +13,15 @@ use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command { name: "pattern", usage: PLAIN, run: pattern },
-    Command { name: "load", usage: LOAD, run: load },
-    Command { name: "sp", usage: SP, run: sp },
-    Command { name: "eleLoad", usage: ELE_LOAD, run: ele_load },
-    Command { name: "loadConst", usage: LOAD_CONST, run: load_const },
-    Command { name: "setTime", usage: SET_TIME, run: set_time },
+    Command::new("pattern", PLAIN, pattern).with_kinds(|| kind::usages(KINDS)),
+    Command::new("load", LOAD, load),
+    Command::new("sp", SP, sp),
+    Command::new("eleLoad", ELE_LOAD, ele_load),
+    Command::new("loadConst", LOAD_CONST, load_const),
+    Command::new("setTime", SET_TIME, set_time),
 ];
 
 const PLAIN: &str = "pattern Plain $tag $series <-fact $factor> { load ... sp ... eleLoad ... }";
-const UNIFORM: &str = "pattern UniformExcitation $tag $direction -accel $series <-vel0 $v> <-fact $factor>";
 const LOAD: &str = "load $node $f1 <$f2 ...> <-const> <-pattern $tag>";
 const SP: &str = "sp $node $dof $value <-const> <-subtractInit> <-pattern $tag>";
 const ELE_LOAD: &str = "eleLoad -ele $tag ... | -range $first $last -type -beamUniform ... | -beamUniformMoment $mz | \
@@ -30,23 +29,29 @@ const ELE_LOAD: &str = "eleLoad -ele $tag ... | -range $first $last -type -beamU
 const LOAD_CONST: &str = "loadConst <-time $time>";
 const SET_TIME: &str = "setTime $time";
 
+/// A kind of load pattern, added to the model by the words after its tag.
+type Kind = kind::Kind<fn(&mut Tcl, Tag, Args<'_>) -> Outcome>;
+
+const KINDS: &[Kind] = &[
+    Kind { names: &["Plain", "LoadPattern"], usage: PLAIN, make: plain },
+    Kind {
+        names: &["UniformExcitation", "UniformSupport", "EarthquakePattern"],
+        usage: "pattern UniformExcitation $tag $direction -accel $series <-vel0 $v> <-fact $factor>",
+        make: uniform,
+    },
+    Kind {
+        names: &["MultipleSupport", "MultiSupport"],
+        usage: "pattern MultipleSupport $tag { groundMotion ... imposedMotion ... }",
+        make: ground_motion::multiple_support,
+    },
+];
+
 fn pattern(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     need_model(interp, call)?;
     let mut a = Args::new(call, PLAIN);
-    let kind = a.word("kind of pattern")?;
-    match kind.as_ref() {
-        "Plain" | "LoadPattern" => plain(interp, a),
-        "UniformExcitation" | "UniformSupport" | "EarthquakePattern" => {
-            a.usage(UNIFORM);
-            uniform(interp, a)
-        }
-        "MultipleSupport" | "MultiSupport" => {
-            a.usage(ground_motion::PATTERN);
-            let tag = new_tag(interp, &mut a)?;
-            ground_motion::multiple_support(interp, tag, a)
-        }
-        _ => Err(a.unknown_name("load pattern", ["Plain", "UniformExcitation", "MultipleSupport"])),
-    }
+    let kind = kind::take(&mut a, "kind of pattern", "load pattern", KINDS.iter())?;
+    let tag = new_tag(interp, &mut a)?;
+    (kind.make)(interp, tag, a)
 }
 
 fn new_tag(interp: &Tcl, a: &mut Args<'_>) -> Result<Tag, Exception> {
@@ -57,8 +62,7 @@ fn new_tag(interp: &Tcl, a: &mut Args<'_>) -> Result<Tag, Exception> {
     Ok(tag)
 }
 
-fn plain(interp: &mut Tcl, mut a: Args<'_>) -> Outcome {
-    let tag = new_tag(interp, &mut a)?;
+fn plain(interp: &mut Tcl, tag: Tag, mut a: Args<'_>) -> Outcome {
     let series = series_of(interp, &mut a)?;
     let mut factor = 1.0;
     while a.at_option() {
@@ -70,21 +74,20 @@ fn plain(interp: &mut Tcl, mut a: Args<'_>) -> Outcome {
     }
     let pattern = Pattern::new(PatternKind::Plain { series, factor });
     interp.host.engine.change_model(|m| m.patterns.insert(tag, pattern));
-    interp.host.pattern = Some(tag);
+    interp.host.builder.pattern = Some(tag);
     if a.left() > 0 {
         let body = a.value("loads")?;
         finish(interp, &a)?;
-        let before = interp.host.pattern.replace(tag);
+        let before = interp.host.builder.pattern.replace(tag);
         let done = interp.eval_value(&body);
-        interp.host.pattern = before;
+        interp.host.builder.pattern = before;
         done?;
     }
     Ok(Value::EMPTY)
 }
 
-fn uniform(interp: &mut Tcl, mut a: Args<'_>) -> Outcome {
-    let tag = new_tag(interp, &mut a)?;
-    let limit = [1, 3, 6][interp.host.ndm - 1];
+fn uniform(interp: &mut Tcl, tag: Tag, mut a: Args<'_>) -> Outcome {
+    let limit = [1, 3, 6][interp.host.builder.ndm - 1];
     let direction = a.dof("direction", limit)?;
     let mut excitation =
         Excitation { direction, accel: Arc::new(Constant { factor: 0.0 }), influence: 1.0, initial_velocity: 0.0 };
@@ -124,7 +127,7 @@ fn uniform(interp: &mut Tcl, mut a: Args<'_>) -> Outcome {
 
 /// The pattern that a load goes into: the one whose body is being read, or the one named by `-pattern`.
 fn current(interp: &Tcl, a: &Args<'_>, named: Option<Tag>) -> Result<Tag, Exception> {
-    match named.or(interp.host.pattern) {
+    match named.or(interp.host.builder.pattern) {
         Some(tag) if interp.host.engine.model().patterns.contains_key(&tag) => Ok(tag),
         Some(tag) => Err(a.refuse(format!("there is no load pattern {tag}"), "expected the tag of a pattern")),
         None => Err(a.refuse_at(None, "there is no load pattern to put this in", "expected inside a pattern")),
@@ -215,9 +218,9 @@ fn ele_load(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
                 elements.extend(within.filter_map(|t| model.element(t)).map(|id| (id, a.last_span())));
             }
             "-type" => {}
-            "-beamUniform" | "beamUniform" => given = Some(beam_uniform(&mut a, interp.host.ndm)?),
-            "-beamUniformMoment" | "beamUniformMoment" => given = Some(beam_moment(&mut a, interp.host.ndm)?),
-            "-beamPoint" | "beamPoint" => given = Some(beam_point(&mut a, interp.host.ndm)?),
+            "-beamUniform" | "beamUniform" => given = Some(beam_uniform(&mut a, interp.host.builder.ndm)?),
+            "-beamUniformMoment" | "beamUniformMoment" => given = Some(beam_moment(&mut a, interp.host.builder.ndm)?),
+            "-beamPoint" | "beamPoint" => given = Some(beam_point(&mut a, interp.host.builder.ndm)?),
             "-pattern" => drop(a.int("tag of the pattern")?),
             _ if given.is_none() => {
                 return Err(a.unknown_name(

@@ -1,21 +1,17 @@
 //! `timeSeries`.
 
 use crate::args::Args;
-use crate::{Command, Outcome, Tcl, ignore_option, warn};
+use crate::{Command, Outcome, Tcl, ignore_option, kind, warn};
 use hysteron_engine::series::{Constant, Linear, Path, PathTimes, Pulse, Rectangular, Series, Triangle, Trig, Wave};
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
 pub(crate) const COMMANDS: &[Command] =
-    &[Command { name: "timeSeries", usage: "timeSeries $kind $tag ...", run: time_series }];
+    &[Command::new("timeSeries", "timeSeries $kind $tag ...", time_series).with_kinds(|| kind::usages(KINDS))];
 
-/// A kind of series and how it is made from the words after its tag.
-struct Kind {
-    names: &'static [&'static str],
-    usage: &'static str,
-    make: fn(&mut Tcl, &mut Args<'_>) -> Result<Series, Exception>,
-}
+/// A kind of series, made from the words after its tag.
+type Kind = kind::Kind<fn(&mut Tcl, &mut Args<'_>) -> Result<Series, Exception>>;
 
 const WAVE: &str = "timeSeries Trig|Triangle $tag $tStart $tEnd $period <-factor $c> <-shift $shift> <-zeroShift $z>";
 
@@ -42,36 +38,26 @@ const KINDS: &[Kind] = &[
     },
 ];
 
-/// How the kinds are used.
-pub(crate) fn usages() -> impl Iterator<Item = &'static str> {
-    KINDS.iter().map(|k| k.usage)
-}
-
 fn time_series(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "timeSeries $kind $tag ...");
-    let kind = kind(&mut a)?;
+    let kind = take_kind(&mut a)?;
     let tag = a.int("tag of the time series")?;
     let span = a.last_span();
     let series = (kind.make)(interp, &mut a)?;
-    if !interp.host.definitions.series.add(tag, series) {
+    if !interp.host.builder.definitions.series.add(tag, series) {
         return Err(a.refuse_at(span, format!("there is a time series {tag} already"), "expected a new tag"));
     }
     Ok(Value::EMPTY)
 }
 
-fn kind(a: &mut Args<'_>) -> Result<&'static Kind, Exception> {
-    let name = a.word("kind of time series")?;
-    let Some(kind) = KINDS.iter().find(|k| k.names.contains(&name.as_ref())) else {
-        return Err(a.unknown_name("time series", KINDS.iter().map(|k| k.names[0])));
-    };
-    a.usage(kind.usage);
-    Ok(kind)
+fn take_kind(a: &mut Args<'_>) -> Result<&'static Kind, Exception> {
+    kind::take(a, "kind of time series", "time series", KINDS.iter())
 }
 
 /// A series by its tag, or given in place: a name (`Linear`) or a list (`{Series -dt 0.01 -filePath gm.txt}`).
 pub(crate) fn series_of(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
     if a.at_number() {
-        return a.of(&interp.host.definitions.series).map(|(s, _)| s);
+        return a.of(&interp.host.builder.definitions.series).map(|(s, _)| s);
     }
     let value = a.value("time series")?;
     let list = value.to_list().map_err(|_| a.refuse("not a time series", "expected a tag, a name or a list"))?;
@@ -79,7 +65,7 @@ pub(crate) fn series_of(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Ex
     words.extend(list.iter().cloned());
     let inner = Call::of(&words);
     let mut b = Args::new(&inner, "a time series in place: {Series -dt $dt -filePath $file -factor $c}");
-    let kind = kind(&mut b)?;
+    let kind = take_kind(&mut b)?;
     (kind.make)(interp, &mut b)
 }
 
@@ -242,7 +228,7 @@ fn file(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Vec<f64>, Exception> {
         match word.parse::<f64>() {
             Ok(x) if x.is_finite() => out.push(x),
             _ => {
-                not_a_number(interp, &name, &text, word, out.len(), span)?;
+                report_non_number(interp, &name, &text, word, out.len(), span)?;
                 return Ok(out);
             }
         }
@@ -251,9 +237,10 @@ fn file(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Vec<f64>, Exception> {
     Ok(out)
 }
 
-/// A file holds something else than numbers: nothing can be made of it where it begins so; where it ends so, OpenSees
-/// leaves the rest out without a word.
-fn not_a_number(
+/// Report a word of a file that is no number: an error at the start of the file, else a warning.
+///
+/// OpenSees leaves out the rest of the file without a message.
+fn report_non_number(
     interp: &mut Tcl,
     name: &str,
     text: &str,

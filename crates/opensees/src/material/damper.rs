@@ -4,7 +4,7 @@ use super::Kind;
 use crate::args::Args;
 use crate::slips;
 use crate::{Tcl, warn};
-use hysteron_engine::material::{Material, Maxwell, Method, Viscous, ViscousDamper};
+use hysteron_engine::material::{IntegrationMethod, Material, Maxwell, Viscous, ViscousDamper};
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
@@ -51,13 +51,13 @@ fn viscous_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
     let c = a.positive("damping coefficient C")?;
     let alpha = exponent(a)?;
     let gap = a.optional_float("length of the gap LGap")?.unwrap_or(0.0);
-    let method = Method::DormandPrince;
-    let mut law = ViscousDamper { k, c, alpha, gap, method, relative: 1e-6, absolute: 1e-10, halvings: 15, compat };
+    let method = IntegrationMethod::DormandPrince;
+    let mut law = ViscousDamper { k, c, alpha, gap, method, relative: 1e-6, absolute: 1e-10, max_halvings: 15, compat };
     if a.left() > 0 {
         law.method = match a.int("number of the method NM")? {
-            1 => Method::DormandPrince,
-            2 => Method::AdamsBashforthMoulton,
-            3 => Method::Rosenbrock,
+            1 => IntegrationMethod::DormandPrince,
+            2 => IntegrationMethod::AdamsBashforthMoulton,
+            3 => IntegrationMethod::Rosenbrock,
             n => {
                 let label = "expected 1 (Dormand-Prince), 2 (Adams-Bashforth-Moulton) or 3 (Rosenbrock)";
                 return Err(a.refuse(format!("there is no method {n}"), label));
@@ -65,9 +65,9 @@ fn viscous_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
         };
         law.relative = a.not_negative("relative tolerance relTol")?;
         law.absolute = a.not_negative("absolute tolerance absTol")?;
-        law.halvings = a.int("largest number of halvings maxHalf")?;
-        if !(0..=20).contains(&law.halvings) {
-            return Err(a.refuse(format!("maxHalf is {}", law.halvings), "expected maxHalf, 0 to 20"));
+        law.max_halvings = a.int("largest number of halvings maxHalf")?;
+        if !(0..=20).contains(&law.max_halvings) {
+            return Err(a.refuse(format!("maxHalf is {}", law.max_halvings), "expected maxHalf, 0 to 20"));
         }
     }
     Ok(Arc::new(law))

@@ -2,7 +2,7 @@
 
 use crate::args::Args;
 use crate::model::nodes::need_model;
-use crate::{Command, Outcome, Tcl, finish, warn};
+use crate::{Command, Outcome, Tcl, finish, kind, warn};
 use hysteron_engine::element::friction::{
     Coulomb, Friction, VelDepMultiLinear, VelDependent, VelNormalFrcDep, VelPressureDep,
 };
@@ -12,14 +12,11 @@ use std::sync::Arc;
 
 const USAGE: &str = "frictionModel $kind $tag ...";
 
-pub(crate) const COMMANDS: &[Command] = &[Command { name: "frictionModel", usage: USAGE, run: friction_model }];
+pub(crate) const COMMANDS: &[Command] =
+    &[Command::new("frictionModel", USAGE, friction_model).with_kinds(|| kind::usages(KINDS))];
 
-/// A kind of friction model, and how it is made from the words after its tag.
-struct Kind {
-    names: &'static [&'static str],
-    usage: &'static str,
-    make: fn(&mut Tcl, &mut Args<'_>) -> Result<Friction, Exception>,
-}
+/// A kind of friction model, made from the words after its tag.
+type Kind = kind::Kind<fn(&mut Tcl, &mut Args<'_>) -> Result<Friction, Exception>>;
 
 const KINDS: &[Kind] = &[
     Kind { names: &["Coulomb", "Constant"], usage: "frictionModel Coulomb $tag $mu", make: coulomb },
@@ -45,24 +42,15 @@ const KINDS: &[Kind] = &[
     },
 ];
 
-/// How the kinds are used.
-pub(crate) fn usages() -> impl Iterator<Item = &'static str> {
-    KINDS.iter().map(|k| k.usage)
-}
-
 fn friction_model(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     need_model(interp, call)?;
     let mut a = Args::new(call, USAGE);
-    let name = a.word("kind of friction model")?;
-    let Some(kind) = KINDS.iter().find(|k| k.names.contains(&name.as_ref())) else {
-        return Err(a.unknown_name("friction model", KINDS.iter().flat_map(|k| k.names.iter().copied())));
-    };
-    a.usage(kind.usage);
+    let kind = kind::take(&mut a, "kind of friction model", "friction model", KINDS.iter())?;
     let tag = a.int("tag of the friction model")?;
     let span = a.last_span();
     let made = (kind.make)(interp, &mut a)?;
     finish(interp, &a)?;
-    if !interp.host.definitions.frictions.add(tag, made) {
+    if !interp.host.builder.definitions.frictions.add(tag, made) {
         return Err(a.refuse_at(span, format!("there is a friction model {tag} already"), "expected a new tag"));
     }
     Ok(Value::EMPTY)

@@ -5,7 +5,7 @@ use crate::args::Args;
 use crate::slips;
 use crate::{Tcl, warn};
 use hysteron_engine::material::{
-    Bilin, BilinSide, BoucWen, Deterioration, Envelope, Hysteretic, Material, Saws, SelfCentering, Wall,
+    Bilin, BilinSide, BoucWen, Deterioration, Envelope, Hysteretic, Material, Saws, SawsParameters, SelfCentering,
 };
 use hysteron_engine::rules::{Consistent, OpenSees};
 use hysteron_tcl::Exception;
@@ -195,7 +195,7 @@ fn saws(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     }
     let alpha = a.not_negative("softening alpha of the reloading stiffness")?;
     let beta = a.positive("growth beta of the displacement")?;
-    let wall = Wall { fo, fi, du, so, r: [r1, r2, r3, r4], alpha, beta };
+    let wall = SawsParameters { fo, fi, du, so, r: [r1, r2, r3, r4], alpha, beta };
     let law = match interp.host.follows(&[slips::SAWS_ENVELOPE]) {
         true => Saws::as_opensees(wall).map(|w| Arc::new(w) as Material),
         false => Saws::new(wall).map(|w| Arc::new(w) as Material),

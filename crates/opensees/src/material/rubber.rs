@@ -240,7 +240,7 @@ fn preload(a: &mut Args<'_>, softening: Option<&mut Softening>) -> Result<(), Ex
 }
 
 fn mullins(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let inner = a.of(&interp.host.definitions.materials)?;
+    let inner = a.of(&interp.host.builder.definitions.materials)?;
     let mut law = softening(a)?;
     while let Some(option) = a.option() {
         match option.as_ref() {

@@ -68,8 +68,8 @@ fn qz_simple1(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
     let qult = a.positive("ultimate resistance qult")?;
     let z50 = a.positive("displacement Z50 at half of the ultimate resistance")?;
     let suction = optional(a, "suction, the resistance in uplift as a part of the ultimate one")?;
-    if suction > QzSimple1::MOST_SUCTION {
-        let message = format!("the suction {suction} is more than {}, which is taken", QzSimple1::MOST_SUCTION);
+    if suction > QzSimple1::MAX_SUCTION_RATIO {
+        let message = format!("the suction {suction} is more than {}, which is taken", QzSimple1::MAX_SUCTION_RATIO);
         warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected at most a tenth"))?;
     }
     let dashpot = optional(a, "dashpot coefficient c")?;

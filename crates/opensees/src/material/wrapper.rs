@@ -47,9 +47,9 @@ pub(super) const KINDS: &[Kind] = &[
 
 /// The tags of at least one material.
 fn materials(interp: &Tcl, a: &mut Args<'_>) -> Result<Vec<(Material, i32)>, Exception> {
-    let mut all = vec![a.of(&interp.host.definitions.materials)?];
+    let mut all = vec![a.of(&interp.host.builder.definitions.materials)?];
     while a.left() > 0 && !a.at_option() {
-        all.push(a.of(&interp.host.definitions.materials)?);
+        all.push(a.of(&interp.host.builder.definitions.materials)?);
     }
     Ok(all)
 }
@@ -85,12 +85,12 @@ fn series(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         }
     }
     let compat = interp.host.follows(&[slips::SERIES_ROUND]);
-    let iteration = if compat { Iteration::Rounds(rounds, tolerance) } else { Iteration::Converged };
+    let iteration = if compat { Iteration::FixedIterations(rounds, tolerance) } else { Iteration::Converged };
     Ok(Arc::new(Series::new(all, iteration)))
 }
 
 fn min_max(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let inner = a.of(&interp.host.definitions.materials)?;
+    let inner = a.of(&interp.host.builder.definitions.materials)?;
     let (mut min, mut max) = (-1e16, 1e16);
     while let Some(option) = a.option() {
         match option.as_ref() {
@@ -107,7 +107,7 @@ fn min_max(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
 }
 
 fn fatigue(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let inner = a.of(&interp.host.definitions.materials)?;
+    let inner = a.of(&interp.host.builder.definitions.materials)?;
     // Wide-flange braces of steel (Uriz and Mahin, 2008).
     let mut p = FatigueParameters { d_max: 1.0, e0: 0.191, m: -0.458, limits: (-1e16, 1e16) };
     while let Some(option) = a.option() {
@@ -140,13 +140,13 @@ fn fatigue(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
 }
 
 fn init_strain(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let inner = a.of(&interp.host.definitions.materials)?;
+    let inner = a.of(&interp.host.builder.definitions.materials)?;
     let strain = a.float("initial strain")?;
     begun(a, InitialState::strain(inner, strain), "expected a strain that the material can have")
 }
 
 fn init_stress(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let inner = a.of(&interp.host.definitions.materials)?;
+    let inner = a.of(&interp.host.builder.definitions.materials)?;
     let stress = a.float("initial stress")?;
     begun(a, InitialState::stress(inner, stress), "expected a stress that the material can have")
 }

@@ -5,7 +5,7 @@ use crate::model::nodes::need_model;
 use crate::{Command, Outcome, Tcl, finish};
 use hysteron_tcl::{Call, Exception, Value};
 
-pub(crate) const COMMANDS: &[Command] = &[Command { name: "block2D", usage: USAGE, run: block2d }];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("block2D", USAGE, block2d)];
 
 const USAGE: &str =
     "block2D $nx $ny $firstNode $firstElement $kind {arguments} <-numEleNodes 4> {1 $x1 $y1 <$z1> 2 $x2 ...}";
@@ -14,7 +14,7 @@ const USAGE: &str =
 const PLACES: [[f64; 2]; 9] =
     [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, 0.0]];
 
-/// What stands in for a point that is not given: the mean of these.
+/// Points whose mean replaces a point that is not given.
 const MEANS: [(usize, &[usize]); 5] = [(4, &[0, 1]), (5, &[1, 2]), (6, &[2, 3]), (7, &[3, 0]), (8, &[0, 1, 2, 3])];
 
 /// Lagrange's parabola through -1, 0 and 1 that is 1 at `at`.
@@ -55,7 +55,7 @@ fn points(a: &mut Args<'_>, ndm: usize) -> Result<[Vec<f64>; 9], Exception> {
 fn block2d(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     need_model(interp, call)?;
     let mut a = Args::new(call, USAGE);
-    let ndm = interp.host.ndm;
+    let ndm = interp.host.builder.ndm;
     if ndm < 2 {
         return Err(a.refuse_at(call.span(0), "block2D: the model has one dimension", "expected 2 or 3"));
     }

@@ -7,13 +7,13 @@ use hysteron_engine::model::{Fix, MultiPoint, NodeId};
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command { name: "fix", usage: FIX, run: fix },
-    Command { name: "fixX", usage: FIX_LEVEL, run: |i, c| fix_level(i, c, 0) },
-    Command { name: "fixY", usage: FIX_LEVEL, run: |i, c| fix_level(i, c, 1) },
-    Command { name: "fixZ", usage: FIX_LEVEL, run: |i, c| fix_level(i, c, 2) },
-    Command { name: "equalDOF", usage: EQUAL, run: equal_dof },
-    Command { name: "rigidDiaphragm", usage: DIAPHRAGM, run: rigid_diaphragm },
-    Command { name: "rigidLink", usage: LINK, run: rigid_link },
+    Command::new("fix", FIX, fix),
+    Command::new("fixX", FIX_LEVEL, |i, c| fix_level(i, c, 0)),
+    Command::new("fixY", FIX_LEVEL, |i, c| fix_level(i, c, 1)),
+    Command::new("fixZ", FIX_LEVEL, |i, c| fix_level(i, c, 2)),
+    Command::new("equalDOF", EQUAL, equal_dof),
+    Command::new("rigidDiaphragm", DIAPHRAGM, rigid_diaphragm),
+    Command::new("rigidLink", LINK, rigid_link),
 ];
 
 const FIX: &str = "fix $node $flag1 <$flag2 ...> (1 held, 0 free)";
@@ -107,7 +107,7 @@ fn equal_dof(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 
 fn rigid_diaphragm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, DIAPHRAGM);
-    let ndm = interp.host.ndm;
+    let ndm = interp.host.builder.ndm;
     let normal = a.dof("direction perpendicular to the diaphragm", 3)?;
     let retained = node_of(interp, &mut a, "tag of the retained node")?;
     if ndm != 3 || interp.host.engine.model().nodes[retained.0].ndf != 6 {

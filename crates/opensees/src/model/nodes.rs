@@ -7,12 +7,12 @@ use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command { name: "wipe", usage: "wipe", run: wipe },
-    Command { name: "model", usage: MODEL, run: model },
-    Command { name: "node", usage: NODE, run: node },
-    Command { name: "mass", usage: MASS, run: mass },
-    Command { name: "pset", usage: PSET, run: pset },
-    Command { name: "setNodeCoord", usage: SET_COORD, run: set_node_coord },
+    Command::new("wipe", "wipe", wipe),
+    Command::new("model", MODEL, model),
+    Command::new("node", NODE, node),
+    Command::new("mass", MASS, mass),
+    Command::new("pset", PSET, pset),
+    Command::new("setNodeCoord", SET_COORD, set_node_coord),
 ];
 
 const MODEL: &str = "model BasicBuilder -ndm $ndm <-ndf $ndf>";
@@ -55,14 +55,14 @@ fn model(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let Some(ndm) = ndm else {
         return Err(a.refuse_at(call.span(0), "model: the number of dimensions is missing", "expected -ndm 1, 2 or 3"));
     };
-    interp.host.ndm = ndm;
-    interp.host.ndf = ndf.unwrap_or(ndm * (ndm + 1) / 2);
+    interp.host.builder.ndm = ndm;
+    interp.host.builder.ndf = ndf.unwrap_or(ndm * (ndm + 1) / 2);
     Ok(Value::EMPTY)
 }
 
 /// The command can only be used after `model`.
 pub(crate) fn need_model(interp: &Tcl, call: &Call<'_>) -> Result<(), Exception> {
-    if interp.host.ndm > 0 {
+    if interp.host.builder.ndm > 0 {
         return Ok(());
     }
     let d = Diagnostic::error(format!("{}: there is no model yet", call.name()))
@@ -78,10 +78,10 @@ fn node(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if interp.host.engine.model().node(tag).is_some() {
         return Err(a.refuse(format!("there is a node {tag} already"), "expected a new tag"));
     }
-    let ndm = interp.host.ndm;
+    let ndm = interp.host.builder.ndm;
     let coords = (0..ndm).map(|i| a.float(["x coordinate", "y coordinate", "z coordinate"][i]));
     let coords = coords.collect::<Result<Vec<f64>, _>>()?;
-    let mut ndf = interp.host.ndf;
+    let mut ndf = interp.host.builder.ndf;
     let (mut mass, mut disp, mut vel) = (None, None, None);
     while let Some(option) = a.option() {
         match option.as_ref() {

@@ -8,12 +8,12 @@ use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command { name: "parameter", usage: PARAMETER, run: parameter },
-    Command { name: "addToParameter", usage: ADD, run: add_to_parameter },
-    Command { name: "updateParameter", usage: UPDATE, run: update_parameter },
-    Command { name: "getParamValue", usage: "getParamValue $tag", run: value_of },
-    Command { name: "getParamTags", usage: "getParamTags", run: tags },
-    Command { name: "setParameter", usage: SET, run: set_parameter },
+    Command::new("parameter", PARAMETER, parameter),
+    Command::new("addToParameter", ADD, add_to_parameter),
+    Command::new("updateParameter", UPDATE, update_parameter),
+    Command::new("getParamValue", "getParamValue $tag", value_of),
+    Command::new("getParamTags", "getParamTags", tags),
+    Command::new("setParameter", SET, set_parameter),
 ];
 
 const PARAMETER: &str = "parameter $tag <$value> | <node $node mass x|y|z|xy|xyz> | <node $node disp $dof> \
@@ -40,7 +40,7 @@ enum Place {
     Element { element: Tag, words: Vec<String> },
 }
 
-/// A number, and where in the model it stands. Places are kept by tag: what is removed is no longer changed.
+/// A number of the model with its places. Places are kept by tag: a removed object is no longer changed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Parameter {
     value: f64,
@@ -94,7 +94,7 @@ fn of_elements(interp: &mut Tcl, a: &mut Args<'_>, elements: &[Tag]) -> Result<V
     Ok(places)
 }
 
-/// Where a parameter stands, from the words that say so.
+/// Place of a parameter in the model, from the words that name it.
 fn places(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Vec<Place>, Exception> {
     match a.peek().as_deref() {
         Some("element") => {
@@ -108,7 +108,7 @@ fn places(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Vec<Place>, Exception> {
         Some("region") => {
             a.word("region")?;
             let tag = a.int("tag of the region")?;
-            let Some(region) = interp.host.regions.get(&tag) else {
+            let Some(region) = interp.host.builder.regions.get(&tag) else {
                 return Err(a.refuse(format!("there is no region {tag}"), "expected the tag of a region"));
             };
             let model = interp.host.engine.model();
@@ -156,7 +156,7 @@ fn place(interp: &Tcl, a: &mut Args<'_>) -> Result<Place, Exception> {
     }
 }
 
-/// What stands at a place now.
+/// Present value at a place.
 fn read(interp: &Tcl, place: &Place) -> Option<f64> {
     let engine = &interp.host.engine;
     let model = engine.model();
@@ -169,7 +169,7 @@ fn read(interp: &Tcl, place: &Place) -> Option<f64> {
         Place::Element { element, words } => {
             let words: Vec<&str> = words.iter().map(String::as_str).collect();
             let element = &model.elements[model.element(*element)?.0].element;
-            // What it had, told by the change; the changed element is let go.
+            // The change reports the old value; the changed copy of the element is dropped.
             element.with_parameter(&words, 1.0).map(|(_, value)| value)
         }
         Place::Factor { pattern } => Some(model.patterns.get(pattern)?.factor(engine.state().time)),
@@ -214,7 +214,7 @@ fn write(interp: &mut Tcl, place: &Place, value: f64) {
 fn parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, PARAMETER);
     let tag = a.int("tag of the parameter")?;
-    if interp.host.numbers.contains_key(&tag) {
+    if interp.host.builder.parameters.contains_key(&tag) {
         return Err(a.refuse(format!("there is a parameter {tag} already"), "expected a new tag"));
     }
     let mut new = Parameter::default();
@@ -225,17 +225,17 @@ fn parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         new.value = new.places.first().and_then(|p| read(interp, p)).unwrap_or(0.0);
     }
     finish(interp, &a)?;
-    interp.host.numbers.insert(tag, new);
+    interp.host.builder.parameters.insert(tag, new);
     Ok(Value::from(i64::from(tag)))
 }
 
 /// Tag of a parameter that is there.
 fn known(interp: &Tcl, a: &mut Args<'_>) -> Result<Tag, Exception> {
     let tag = a.int("tag of the parameter")?;
-    if interp.host.numbers.contains_key(&tag) {
+    if interp.host.builder.parameters.contains_key(&tag) {
         return Ok(tag);
     }
-    let tags: Vec<String> = interp.host.numbers.keys().map(ToString::to_string).collect();
+    let tags: Vec<String> = interp.host.builder.parameters.keys().map(ToString::to_string).collect();
     let there = if tags.is_empty() { "none has been defined".to_owned() } else { tags.join(" ") };
     Err(a.refuse(format!("there is no parameter {tag}"), format!("defined: {there}")))
 }
@@ -246,7 +246,7 @@ fn add_to_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let places = places(interp, &mut a)?;
     finish(interp, &a)?;
     let value = places.first().and_then(|p| read(interp, p));
-    if let Some(p) = interp.host.numbers.get_mut(&tag) {
+    if let Some(p) = interp.host.builder.parameters.get_mut(&tag) {
         p.places.extend(places);
         p.value = value.unwrap_or(p.value);
     }
@@ -277,10 +277,10 @@ fn update_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let value = a.float("value")?;
     let span = a.last_span();
     finish(interp, &a)?;
-    let places = interp.host.numbers.get(&tag).map(|p| p.places.clone()).unwrap_or_default();
+    let places = interp.host.builder.parameters.get(&tag).map(|p| p.places.clone()).unwrap_or_default();
     refuse_meaningless(&a, span, value, &places)?;
     places.iter().for_each(|p| write(interp, p, value));
-    if let Some(p) = interp.host.numbers.get_mut(&tag) {
+    if let Some(p) = interp.host.builder.parameters.get_mut(&tag) {
         p.value = value;
     }
     // An element that has been removed is no news; one that a script has put in its place may have other parameters.
@@ -300,14 +300,14 @@ fn value_of(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "getParamValue $tag");
     let tag = known(interp, &mut a)?;
     finish(interp, &a)?;
-    let Some(p) = interp.host.numbers.get(&tag) else { return Ok(Value::EMPTY) };
+    let Some(p) = interp.host.builder.parameters.get(&tag) else { return Ok(Value::EMPTY) };
     // Results are read anew; what a script has set is as it was set.
     let result = p.places.iter().find(|p| matches!(p, Place::Disp { .. } | Place::Factor { .. }));
     Ok(Value::from(result.and_then(|place| read(interp, place)).unwrap_or(p.value)))
 }
 
 fn tags(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
-    Ok(Value::list(interp.host.numbers.keys().map(|t| Value::from(i64::from(*t)))))
+    Ok(Value::list(interp.host.builder.parameters.keys().map(|t| Value::from(i64::from(*t)))))
 }
 
 fn set_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {

@@ -5,7 +5,7 @@ use crate::model::nodes::node_of;
 use crate::{Command, Outcome, Tcl, finish};
 use hysteron_tcl::{Call, Value};
 
-pub(crate) const COMMANDS: &[Command] = &[Command { name: "remove", usage: USAGE, run: remove }];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("remove", USAGE, remove)];
 
 const USAGE: &str = "remove loadPattern $tag | recorders | recorder $tag | element $tag | node $tag | \
                      sp $tag | sp $node $dof <$pattern> | mp $tag | material $tag | timeSeries $tag | parameter $tag";
@@ -20,12 +20,12 @@ fn remove(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             }
         }
         "recorders" => {
-            let finished = interp.host.recorders.finish();
+            let finished = interp.host.output.recorders.finish();
             finished.map_err(|e| a.refuse(e.to_string(), ""))?;
         }
         "recorder" => {
             let tag = a.int("tag of the recorder")?;
-            match interp.host.recorders.by_tag.remove(&tag) {
+            match interp.host.output.recorders.by_tag.remove(&tag) {
                 Some(mut r) => r.recorder.finish().map_err(|e| a.refuse(e.to_string(), ""))?,
                 None => return Err(a.refuse(format!("there is no recorder {tag}"), "expected the tag of a recorder")),
             }
@@ -65,17 +65,17 @@ fn remove(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         }
         "material" | "uniaxialMaterial" => {
             let tag = a.int("tag of the material")?;
-            interp.host.definitions.materials.remove(tag);
+            interp.host.builder.definitions.materials.remove(tag);
         }
         "parameter" => {
             let tag = a.int("tag of the parameter")?;
-            if interp.host.numbers.remove(&tag).is_none() {
+            if interp.host.builder.parameters.remove(&tag).is_none() {
                 return Err(a.refuse(format!("there is no parameter {tag}"), "expected the tag of a parameter"));
             }
         }
         "timeSeries" => {
             let tag = a.int("tag of the time series")?;
-            interp.host.definitions.series.remove(tag);
+            interp.host.builder.definitions.series.remove(tag);
         }
         _ => {
             let known = [

@@ -3,28 +3,41 @@
 use crate::args::Args;
 use crate::model::nodes::need_model;
 use crate::slips;
-use crate::{Command, Outcome, Tcl, ignore_option};
+use crate::{Command, Outcome, Tcl, ignore_option, kind};
 use hysteron_engine::element::transform::{TransformKind, TransformSpec};
 use hysteron_tcl::{Call, Exception, Value};
 use nalgebra::Vector3;
 
-pub(crate) const COMMANDS: &[Command] = &[Command { name: "geomTransf", usage: USAGE, run: geom_transf }];
+pub(crate) const COMMANDS: &[Command] =
+    &[Command::new("geomTransf", USAGE, geom_transf).with_kinds(|| kind::usages(KINDS))];
 
 const USAGE: &str = "geomTransf Linear|PDelta|Corotational $tag <$x $y $z of a vector in the local x-z plane, in space> \
                      <-jntOffset $dxi $dyi <$dzi> $dxj $dyj <$dzj>>";
 
+const KINDS: &[kind::Kind<TransformKind>] = &[
+    kind::Kind { names: &["Linear"], usage: USAGE_LINEAR, make: TransformKind::Linear },
+    kind::Kind { names: &["PDelta", "LinearWithPDelta"], usage: USAGE_PDELTA, make: TransformKind::PDelta },
+    kind::Kind {
+        names: &["Corotational", "Corotational2d", "Corotational3d"],
+        usage: USAGE_COROTATIONAL,
+        make: TransformKind::Corotational,
+    },
+];
+
+const USAGE_LINEAR: &str = "geomTransf Linear $tag <$x $y $z of a vector in the local x-z plane, in space> \
+                            <-jntOffset $dxi $dyi <$dzi> $dxj $dyj <$dzj>>";
+const USAGE_PDELTA: &str = "geomTransf PDelta $tag <$x $y $z of a vector in the local x-z plane, in space> \
+                            <-jntOffset $dxi $dyi <$dzi> $dxj $dyj <$dzj>>";
+const USAGE_COROTATIONAL: &str = "geomTransf Corotational $tag <$x $y $z of a vector in the local x-z plane, in space> \
+                                  <-jntOffset $dxi $dyi <$dzi> $dxj $dyj <$dzj>>";
+
 fn geom_transf(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     need_model(interp, call)?;
     let mut a = Args::new(call, USAGE);
-    let kind = match a.word("kind of transformation")?.as_ref() {
-        "Linear" => TransformKind::Linear,
-        "PDelta" | "LinearWithPDelta" => TransformKind::PDelta,
-        "Corotational" | "Corotational2d" | "Corotational3d" => TransformKind::Corotational,
-        _ => return Err(a.unknown_name("geometric transformation", ["Linear", "PDelta", "Corotational"])),
-    };
+    let kind = kind::take(&mut a, "kind of transformation", "geometric transformation", KINDS.iter())?;
     let tag = a.int("tag of the transformation")?;
     let span = a.last_span();
-    let ndm = interp.host.ndm;
+    let ndm = interp.host.builder.ndm;
     let mut xz = Vector3::zeros();
     if ndm == 3 {
         // Some scripts name the vector.
@@ -43,8 +56,9 @@ fn geom_transf(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             _ => ignore_option(interp, &mut a, &["-jntOffset"])?,
         }
     }
-    let transform = TransformSpec { kind, xz, offsets, by_trials: interp.host.follows(&[slips::COROTATIONAL_TRIALS]) };
-    if !interp.host.definitions.transforms.add(tag, transform) {
+    let transform =
+        TransformSpec { kind: kind.make, xz, offsets, by_trials: interp.host.follows(&[slips::COROTATIONAL_TRIALS]) };
+    if !interp.host.builder.definitions.transforms.add(tag, transform) {
         let message = format!("there is a geometric transformation {tag} already");
         return Err(a.refuse_at(span, message, "expected a new tag"));
     }

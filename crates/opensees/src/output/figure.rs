@@ -7,10 +7,8 @@ use crate::{Command, Outcome, Tcl, read_text, warn};
 use hysteron_tcl::{Call, Exception, Value};
 use std::io::Write as _;
 
-pub(crate) const COMMANDS: &[Command] = &[
-    Command { name: "columns", usage: COLUMNS, run: columns },
-    Command { name: "figure", usage: FIGURE, run: figure },
-];
+pub(crate) const COMMANDS: &[Command] =
+    &[Command::new("columns", COLUMNS, columns), Command::new("figure", FIGURE, figure)];
 
 const COLUMNS: &str = "columns $file: the columns of a table of numbers, a list of lists";
 const FIGURE: &str = "figure $file.svg -title $text -x $label -y $label <-xrange $low $high> <-yrange $low $high> <-equal> \

@@ -8,11 +8,11 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::io::Write as _;
 
-pub(crate) const COMMANDS: &[Command] = &[Command { name: "print", usage: PRINT, run: print }];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("print", PRINT, print)];
 
 const PRINT: &str = "print <-file $file> <-JSON> <-node <-flag $n> <$tag ...>> <-ele <-flag $n> <$tag ...>>";
 
-/// What is printed, in what form, and where to.
+/// Things to print, their form and the file they go to.
 #[derive(Default)]
 struct Wanted {
     file: Option<String>,

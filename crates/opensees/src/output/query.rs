@@ -1,4 +1,4 @@
-//! What a script may ask: responses of nodes and elements, time, tags; and what it may set by hand.
+//! Queries of a script: responses of nodes and elements, time, tags. Commands that set them by hand.
 
 use crate::args::Args;
 use crate::model::nodes::node_of;
@@ -16,55 +16,51 @@ const DOF: &str = "degree of freedom";
 const RESPONSE: &str = "eleResponse $element $response ...";
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command { name: "nodeDisp", usage: NODE, run: |i, c| node_field(i, c, |s| &s.disp) },
-    Command { name: "nodeVel", usage: NODE, run: |i, c| node_field(i, c, |s| &s.vel) },
-    Command { name: "nodeAccel", usage: NODE, run: |i, c| node_field(i, c, |s| &s.accel) },
-    Command { name: "nodeReaction", usage: NODE, run: node_reaction },
-    Command { name: "nodeUnbalance", usage: NODE, run: node_unbalance },
-    Command { name: "nodeCoord", usage: "nodeCoord $node <$direction>", run: node_coord },
-    Command { name: "nodeMass", usage: NODE, run: node_mass },
-    Command { name: "nodeEigenvector", usage: "nodeEigenvector $node $mode <$dof>", run: node_eigenvector },
-    Command { name: "reactions", usage: "reactions <-dynamic> <-rayleigh>", run: reactions },
-    Command { name: "setNodeDisp", usage: SET, run: |i, c| set_node(i, c, |s| &mut s.disp) },
-    Command { name: "setNodeVel", usage: SET, run: |i, c| set_node(i, c, |s| &mut s.vel) },
-    Command { name: "setNodeAccel", usage: SET, run: |i, c| set_node(i, c, |s| &mut s.accel) },
-    Command { name: "setNodeMass", usage: "setNodeMass $node $dof $mass", run: set_mass },
-    Command { name: "eleResponse", usage: RESPONSE, run: ele_response },
-    Command { name: "eleForce", usage: "eleForce $element <$dof>", run: |i, c| named(i, c, "force") },
-    Command { name: "localForce", usage: "localForce $element <$dof>", run: |i, c| named(i, c, "localForce") },
-    Command { name: "sectionForce", usage: OF_SECTION, run: |i, c| of_section(i, c, "force") },
-    Command { name: "sectionDeformation", usage: OF_SECTION, run: |i, c| of_section(i, c, "deformation") },
-    Command { name: "sectionStiffness", usage: OF_SECTION, run: |i, c| of_section(i, c, "stiffness") },
-    Command { name: "sectionFlexibility", usage: OF_SECTION, run: |i, c| of_section(i, c, "flexibility") },
-    Command { name: "sectionLocation", usage: ALONG, run: |i, c| along(i, c, "integrationPoints") },
-    Command { name: "sectionWeight", usage: ALONG, run: |i, c| along(i, c, "integrationWeights") },
-    Command { name: "sectionTag", usage: ALONG, run: |i, c| along(i, c, "sectionTags") },
-    Command { name: "basicForce", usage: "basicForce $element <$dof>", run: |i, c| named(i, c, "basicForce") },
-    Command {
-        name: "basicDeformation",
-        usage: "basicDeformation $element <$dof>",
-        run: |i, c| named(i, c, "basicDeformation"),
-    },
-    Command { name: "eleNodes", usage: "eleNodes $element", run: ele_nodes },
-    Command { name: "eleType", usage: "eleType $element", run: ele_type },
-    Command { name: "getTime", usage: "getTime", run: |i, _| Ok(Value::from(i.host.engine.state().time)) },
-    Command { name: "getLoadFactor", usage: "getLoadFactor $pattern", run: load_factor },
-    Command { name: "getNodeTags", usage: "getNodeTags", run: node_tags },
-    Command { name: "getEleTags", usage: "getEleTags", run: ele_tags },
-    Command { name: "nodeBounds", usage: "nodeBounds", run: node_bounds },
+    Command::new("nodeDisp", NODE, |i, c| node_field(i, c, |s| &s.disp)),
+    Command::new("nodeVel", NODE, |i, c| node_field(i, c, |s| &s.vel)),
+    Command::new("nodeAccel", NODE, |i, c| node_field(i, c, |s| &s.accel)),
+    Command::new("nodeReaction", NODE, node_reaction),
+    Command::new("nodeUnbalance", NODE, node_unbalance),
+    Command::new("nodeCoord", "nodeCoord $node <$direction>", node_coord),
+    Command::new("nodeMass", NODE, node_mass),
+    Command::new("nodeEigenvector", "nodeEigenvector $node $mode <$dof>", node_eigenvector),
+    Command::new("reactions", "reactions <-dynamic> <-rayleigh>", reactions),
+    Command::new("setNodeDisp", SET, |i, c| set_node(i, c, |s| &mut s.disp)),
+    Command::new("setNodeVel", SET, |i, c| set_node(i, c, |s| &mut s.vel)),
+    Command::new("setNodeAccel", SET, |i, c| set_node(i, c, |s| &mut s.accel)),
+    Command::new("setNodeMass", "setNodeMass $node $dof $mass", set_mass),
+    Command::new("eleResponse", RESPONSE, ele_response),
+    Command::new("eleForce", "eleForce $element <$dof>", |i, c| named(i, c, "force")),
+    Command::new("localForce", "localForce $element <$dof>", |i, c| named(i, c, "localForce")),
+    Command::new("sectionForce", OF_SECTION, |i, c| of_section(i, c, "force")),
+    Command::new("sectionDeformation", OF_SECTION, |i, c| of_section(i, c, "deformation")),
+    Command::new("sectionStiffness", OF_SECTION, |i, c| of_section(i, c, "stiffness")),
+    Command::new("sectionFlexibility", OF_SECTION, |i, c| of_section(i, c, "flexibility")),
+    Command::new("sectionLocation", ALONG, |i, c| along(i, c, "integrationPoints")),
+    Command::new("sectionWeight", ALONG, |i, c| along(i, c, "integrationWeights")),
+    Command::new("sectionTag", ALONG, |i, c| along(i, c, "sectionTags")),
+    Command::new("basicForce", "basicForce $element <$dof>", |i, c| named(i, c, "basicForce")),
+    Command::new("basicDeformation", "basicDeformation $element <$dof>", |i, c| named(i, c, "basicDeformation")),
+    Command::new("eleNodes", "eleNodes $element", ele_nodes),
+    Command::new("eleType", "eleType $element", ele_type),
+    Command::new("getTime", "getTime", |i, _| Ok(Value::from(i.host.engine.state().time))),
+    Command::new("getLoadFactor", "getLoadFactor $pattern", load_factor),
+    Command::new("getNodeTags", "getNodeTags", node_tags),
+    Command::new("getEleTags", "getEleTags", ele_tags),
+    Command::new("nodeBounds", "nodeBounds", node_bounds),
     // Scripts that may be run in parallel ask how many they are: this one is alone.
-    Command { name: "getPID", usage: "getPID", run: |_, _| Ok(Value::from(0i64)) },
-    Command { name: "getNP", usage: "getNP", run: |_, _| Ok(Value::from(1i64)) },
-    Command { name: "getNDM", usage: "getNDM", run: |i, _| Ok(Value::from(i.host.ndm as i64)) },
-    Command { name: "getNDF", usage: "getNDF <$node>", run: ndf },
-    Command { name: "nodeDOFs", usage: "nodeDOFs $node", run: node_dofs },
-    Command { name: "systemSize", usage: "systemSize", run: system_size },
-    Command { name: "testIter", usage: "testIter", run: iterations },
-    Command { name: "numIter", usage: "numIter", run: iterations },
-    Command { name: "testNorm", usage: "testNorm", run: norms },
-    Command { name: "testNorms", usage: "testNorms", run: norms },
-    Command { name: "numFact", usage: "numFact", run: factorizations },
-    Command { name: "version", usage: "version", run: |_, _| Ok(Value::from(env!("CARGO_PKG_VERSION"))) },
+    Command::new("getPID", "getPID", |_, _| Ok(Value::from(0i64))),
+    Command::new("getNP", "getNP", |_, _| Ok(Value::from(1i64))),
+    Command::new("getNDM", "getNDM", |i, _| Ok(Value::from(i.host.builder.ndm as i64))),
+    Command::new("getNDF", "getNDF <$node>", ndf),
+    Command::new("nodeDOFs", "nodeDOFs $node", node_dofs),
+    Command::new("systemSize", "systemSize", system_size),
+    Command::new("testIter", "testIter", iterations),
+    Command::new("numIter", "numIter", iterations),
+    Command::new("testNorm", "testNorm", norms),
+    Command::new("testNorms", "testNorms", norms),
+    Command::new("numFact", "numFact", factorizations),
+    Command::new("version", "version", |_, _| Ok(Value::from(env!("CARGO_PKG_VERSION")))),
 ];
 
 fn list(values: &[f64]) -> Value {
@@ -107,7 +103,7 @@ fn failed(call: &Call<'_>, f: &Failure) -> Exception {
 fn node_reaction(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, NODE);
     let node = node_of(interp, &mut a, "tag of the node")?;
-    let kind = interp.host.reaction_kind;
+    let kind = interp.host.output.reaction_kind;
     let mut all = vec![];
     interp.host.engine.reactions(kind, &mut all).map_err(|f| failed(call, &f))?;
     let values = of_node(interp, node, &all);
@@ -123,16 +119,16 @@ fn node_unbalance(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     pick(interp, &mut a, &values, DOF)
 }
 
-/// Which reactions `nodeReaction` gives: they are always those of the present state.
+/// Set the kind of reactions that `nodeReaction` gives. They always belong to the present state.
 fn reactions(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "reactions <-dynamic> <-rayleigh>");
-    interp.host.reaction_kind = ReactionKind::Static;
+    interp.host.output.reaction_kind = ReactionKind::Static;
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-dynamic" | "-incInertia" | "-dynamical" | "-Dynamic" => {
-                interp.host.reaction_kind = ReactionKind::Dynamic;
+                interp.host.output.reaction_kind = ReactionKind::Dynamic;
             }
-            "-rayleigh" | "-Rayleigh" => interp.host.reaction_kind = ReactionKind::Rayleigh,
+            "-rayleigh" | "-Rayleigh" => interp.host.output.reaction_kind = ReactionKind::Rayleigh,
             _ => ignore_option(interp, &mut a, &["-dynamic", "-rayleigh"])?,
         }
     }
@@ -205,7 +201,7 @@ fn element_of(interp: &Tcl, a: &mut Args<'_>) -> Result<ElementId, Exception> {
 
 fn evaluate(interp: &mut Tcl, id: ElementId, words: &[&str]) -> Option<Vec<f64>> {
     let session = &mut interp.host;
-    ElementResponse::evaluate(&session.engine, id, words, &mut session.known)
+    ElementResponse::evaluate(&session.engine, id, words, &mut session.output.known)
 }
 
 fn ele_response(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
@@ -253,7 +249,7 @@ fn of_section(interp: &mut Tcl, call: &Call<'_>, what: &str) -> Outcome {
     pick(interp, &mut a, &values, "number of the value")
 }
 
-/// What a beam says of its sections, or of one of them.
+/// Response of a beam's sections, or of one of them.
 fn along(interp: &mut Tcl, call: &Call<'_>, what: &str) -> Outcome {
     let mut a = Args::new(call, ALONG);
     let id = element_of(interp, &mut a)?;
@@ -322,7 +318,7 @@ fn node_bounds(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
 fn ndf(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "getNDF <$node>");
     if a.left() == 0 {
-        return Ok(Value::from(interp.host.ndf as i64));
+        return Ok(Value::from(interp.host.builder.ndf as i64));
     }
     let node = node_of(interp, &mut a, "tag of the node")?;
     Ok(Value::from(interp.host.engine.model().nodes[node.0].ndf as i64))

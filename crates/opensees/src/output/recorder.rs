@@ -2,7 +2,7 @@
 
 use crate::args::Args;
 use crate::session::{FileFormat, Mode};
-use crate::{Command, Outcome, Tcl, ignore_option, warn};
+use crate::{Command, Outcome, Tcl, ignore_option, kind, warn};
 use hysteron_engine::model::Tag;
 use hysteron_engine::number_format::Style;
 use hysteron_engine::record::{
@@ -13,16 +13,57 @@ use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, FileKind, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command { name: "recorder", usage: "recorder $kind -file $file ...", run: recorder },
-    Command { name: "record", usage: "record", run: record },
-    Command { name: "setPrecision", usage: "setPrecision $digits", run: set_precision },
+    Command::new("recorder", "recorder $kind -file $file ...", recorder).with_kinds(|| kind::usages(KINDS)),
+    Command::new("record", "record", record),
+    Command::new("setPrecision", "setPrecision $digits", set_precision),
 ];
 
-const NODE: &str = "recorder Node -file|-csv|-xml|-binary $file <-time> <-precision $n> <-dT $dt> <-closeOnWrite> <-timeSeries $tag ...> \
-                    -node $tag ... | -nodeRange $first $last | -region $tag -dof $dof ... $response";
-const ELEMENT: &str = "recorder Element -file|-csv|-xml|-binary $file <-time> <-precision $n> <-dT $dt> <-closeOnWrite> \
-                       -ele $tag ... | -eleRange $first $last | -region $tag <-dof $column ...> $response ...";
-const DRIFT: &str = "recorder Drift -file $file <-time> -iNode $tag ... -jNode $tag ... -dof $dof -perpDirn $direction";
+/// A kind of recorder, added to the session by the words after its name.
+type Kind = kind::Kind<fn(&mut Tcl, &Call<'_>, Args<'_>) -> Outcome>;
+
+const KINDS: &[Kind] = &[
+    Kind {
+        names: &["Node"],
+        usage: "recorder Node -file|-csv|-xml|-binary $file <-time> <-precision $n> <-dT $dt> <-closeOnWrite> \
+                <-timeSeries $tag ...> -node $tag ... | -nodeRange $first $last | -region $tag -dof $dof ... $response",
+        make: |interp, call, a| node(interp, call, a, false),
+    },
+    Kind {
+        names: &["EnvelopeNode"],
+        usage: "recorder EnvelopeNode -file $file <-time> -node $tag ... | -nodeRange $first $last | -region $tag \
+                -dof $dof ... $response",
+        make: |interp, call, a| node(interp, call, a, true),
+    },
+    Kind {
+        names: &["Element"],
+        usage: "recorder Element -file|-csv|-xml|-binary $file <-time> <-precision $n> <-dT $dt> <-closeOnWrite> \
+                -ele $tag ... | -eleRange $first $last | -region $tag <-dof $column ...> $response ...",
+        make: |interp, call, a| element(interp, call, a, false),
+    },
+    Kind {
+        names: &["EnvelopeElement"],
+        usage: "recorder EnvelopeElement -file $file <-time> -ele $tag ... | -eleRange $first $last | -region $tag \
+                <-dof $column ...> $response ...",
+        make: |interp, call, a| element(interp, call, a, true),
+    },
+    Kind {
+        names: &["Drift", "DriftRecorder"],
+        usage: "recorder Drift -file $file <-time> -iNode $tag ... -jNode $tag ... -dof $dof -perpDirn $direction",
+        make: |interp, call, a| drift(interp, call, a, false),
+    },
+    Kind {
+        names: &["EnvelopeDrift"],
+        usage: "recorder EnvelopeDrift -file $file <-time> -iNode $tag ... -jNode $tag ... -dof $dof \
+                -perpDirn $direction",
+        make: |interp, call, a| drift(interp, call, a, true),
+    },
+    // Windows of OpenSees.
+    Kind {
+        names: &["display", "plot", "plotDifferent", "increments"],
+        usage: "recorder display ...",
+        make: |_, _, _| Ok(Value::from(-1i64)),
+    },
+];
 
 /// The options that all recorders share.
 #[derive(Default)]
@@ -40,7 +81,7 @@ const COMMON: &[&str] =
 impl Common {
     fn new(interp: &Tcl) -> Self {
         Self {
-            style: Some(interp.host.style),
+            style: Some(interp.host.output.style),
             cadence: Cadence { tolerance: 1e-5, ..Cadence::default() },
             ..Self::default()
         }
@@ -102,7 +143,7 @@ impl Common {
                 {
                     return Err(Exception::diagnosed(d));
                 }
-                let made = interp.host.outputs.create(name, path.as_ref(), format);
+                let made = interp.host.output.outputs.create(name, path.as_ref(), format);
                 made.map_err(|e| {
                     let other = || Diagnostic::error(e.to_string()).at(*span, "cannot write here");
                     Exception::diagnosed(no_folder(interp).unwrap_or_else(other))
@@ -119,7 +160,7 @@ impl Common {
         } else {
             Recorder::history(source, output, self.cadence)
         };
-        Ok(Value::from(i64::from(interp.host.recorders.add(recorder, call.whole_span()))))
+        Ok(Value::from(i64::from(interp.host.output.recorders.add(recorder, call.whole_span()))))
     }
 }
 
@@ -138,27 +179,14 @@ impl Output for Nowhere {
 
 fn recorder(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "recorder $kind -file $file ...");
-    let kind = a.word("kind of recorder")?;
-    match kind.as_ref() {
-        "Node" => node(interp, call, a, false),
-        "EnvelopeNode" => node(interp, call, a, true),
-        "Element" => element(interp, call, a, false),
-        "EnvelopeElement" => element(interp, call, a, true),
-        "Drift" | "DriftRecorder" => drift(interp, call, a, false),
-        "EnvelopeDrift" => drift(interp, call, a, true),
-        // Windows of OpenSees.
-        "display" | "plot" | "plotDifferent" | "increments" => Ok(Value::from(-1i64)),
-        _ => {
-            let known = ["Node", "EnvelopeNode", "Element", "EnvelopeElement", "Drift", "EnvelopeDrift", "display"];
-            Err(a.unknown_name("recorder", known))
-        }
-    }
+    let kind = kind::take(&mut a, "kind of recorder", "recorder", KINDS.iter())?;
+    (kind.make)(interp, call, a)
 }
 
 /// Tags of a region's nodes or elements.
 fn region(interp: &Tcl, a: &mut Args<'_>, nodes: bool) -> Result<Vec<Tag>, Exception> {
     let tag = a.int("tag of a region")?;
-    let Some(r) = interp.host.regions.get(&tag) else {
+    let Some(r) = interp.host.builder.regions.get(&tag) else {
         return Err(a.refuse(format!("there is no region {tag}"), "expected the tag of a region"));
     };
     let model = interp.host.engine.model();
@@ -188,7 +216,6 @@ fn dofs(a: &mut Args<'_>) -> Result<Vec<usize>, Exception> {
 }
 
 fn node(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, envelope: bool) -> Outcome {
-    a.usage(NODE);
     let mut common = Common::new(interp);
     let (mut nodes, mut columns, mut series): (Option<Vec<Tag>>, _, Vec<Option<Series>>) = (None, vec![], vec![]);
     let mut response: Option<(String, Option<Span>)> = None;
@@ -216,7 +243,7 @@ fn node(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, envelope: bool) -> O
                         a.option();
                         None
                     } else {
-                        Some(a.of(&interp.host.definitions.series)?.0)
+                        Some(a.of(&interp.host.builder.definitions.series)?.0)
                     });
                 }
             }
@@ -252,7 +279,6 @@ fn node(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, envelope: bool) -> O
 }
 
 fn element(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, envelope: bool) -> Outcome {
-    a.usage(ELEMENT);
     let mut common = Common::new(interp);
     let (mut elements, mut columns, mut words): (Option<Vec<Tag>>, _, Vec<String>) = (None, vec![], vec![]);
     let mut named = None;
@@ -318,7 +344,6 @@ fn check_response(
 }
 
 fn drift(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, envelope: bool) -> Outcome {
-    a.usage(DRIFT);
     let mut common = Common::new(interp);
     let (mut i, mut j, mut dof, mut across) = (vec![], vec![], None, None);
     while let Some(option) = a.option() {
@@ -353,13 +378,13 @@ fn drift(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, envelope: bool) -> 
 
 fn record(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let session = &mut interp.host;
-    let done = session.recorders.record(&mut session.engine);
+    let done = session.output.recorders.record(&mut session.engine);
     done.map_err(|e| call.error_at(0, e.to_string(), ""))?;
     Ok(Value::EMPTY)
 }
 
 fn set_precision(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "setPrecision $digits");
-    interp.host.style.precision = a.count("number of digits")?;
+    interp.host.output.style.precision = a.count("number of digits")?;
     Ok(Value::EMPTY)
 }

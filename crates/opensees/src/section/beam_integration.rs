@@ -1,70 +1,137 @@
 //! `beamIntegration`, and the rules of quadrature that elements name.
 
 use crate::args::Args;
-use crate::{Command, Outcome, Tcl, finish};
+use crate::{Command, Outcome, Tcl, finish, kind};
 use hysteron_engine::element::beam::{Hinge, Rule};
 use hysteron_engine::model::Integration;
 use hysteron_tcl::{Call, Exception, Value};
 
-pub(crate) const COMMANDS: &[Command] = &[Command { name: "beamIntegration", usage: USAGE, run: beam_integration }];
+pub(crate) const COMMANDS: &[Command] =
+    &[Command::new("beamIntegration", USAGE, beam_integration).with_kinds(|| kind::usages(KINDS))];
 
 const USAGE: &str = "beamIntegration Lobatto|Legendre|Radau|NewtonCotes|Trapezoidal|CompositeSimpson $tag $section $n | \
                      HingeRadau|HingeRadauTwo|HingeMidpoint|HingeEndpoint $tag $secI $lpI $secJ $lpJ $secE | \
                      UserDefined|FixedLocation|LowOrder|MidDistance $tag $n $sections ... $places ... <$weights ...>";
 
-const NAMES: [&str; 14] = [
-    "Lobatto",
-    "Legendre",
-    "Radau",
-    "NewtonCotes",
-    "Trapezoidal",
-    "CompositeSimpson",
-    "HingeRadau",
-    "HingeRadauTwo",
-    "HingeMidpoint",
-    "HingeEndpoint",
-    "UserDefined",
-    "FixedLocation",
-    "LowOrder",
-    "MidDistance",
+/// Family of the rules that take the same numbers.
+enum Family {
+    /// The same number of points for any length, without numbers of its own.
+    Simple(fn() -> Rule),
+    /// Two hinges of given lengths with an elastic interior.
+    Hinges(Hinge),
+    /// Points at given places, with the weights of some or all of them.
+    Located(fn(Vec<f64>, Vec<f64>, usize) -> Option<Rule>),
+}
+
+type Kind = kind::Kind<Family>;
+
+const KINDS: &[Kind] = &[
+    Kind {
+        names: &["Lobatto"],
+        usage: "beamIntegration Lobatto $tag $section $n | $tag $n $sections ...",
+        make: Family::Simple(|| Rule::Lobatto),
+    },
+    Kind {
+        names: &["Legendre"],
+        usage: "beamIntegration Legendre $tag $section $n | $tag $n $sections ...",
+        make: Family::Simple(|| Rule::Legendre),
+    },
+    Kind {
+        names: &["Radau"],
+        usage: "beamIntegration Radau $tag $section $n | $tag $n $sections ...",
+        make: Family::Simple(|| Rule::Radau),
+    },
+    Kind {
+        names: &["NewtonCotes"],
+        usage: "beamIntegration NewtonCotes $tag $section $n | $tag $n $sections ...",
+        make: Family::Simple(|| Rule::NewtonCotes),
+    },
+    Kind {
+        names: &["Trapezoidal"],
+        usage: "beamIntegration Trapezoidal $tag $section $n | $tag $n $sections ...",
+        make: Family::Simple(|| Rule::Trapezoidal),
+    },
+    Kind {
+        names: &["CompositeSimpson", "Simpson"],
+        usage: "beamIntegration CompositeSimpson $tag $section $n | $tag $n $sections ...",
+        make: Family::Simple(|| Rule::Simpson),
+    },
+    Kind {
+        names: &["HingeRadau"],
+        usage: "beamIntegration HingeRadau $tag $secI $lpI $secJ $lpJ $secE",
+        make: Family::Hinges(Hinge::Radau),
+    },
+    Kind {
+        names: &["HingeRadauTwo"],
+        usage: "beamIntegration HingeRadauTwo $tag $secI $lpI $secJ $lpJ $secE",
+        make: Family::Hinges(Hinge::RadauTwo),
+    },
+    Kind {
+        names: &["HingeMidpoint"],
+        usage: "beamIntegration HingeMidpoint $tag $secI $lpI $secJ $lpJ $secE",
+        make: Family::Hinges(Hinge::Midpoint),
+    },
+    Kind {
+        names: &["HingeEndpoint"],
+        usage: "beamIntegration HingeEndpoint $tag $secI $lpI $secJ $lpJ $secE",
+        make: Family::Hinges(Hinge::Endpoint),
+    },
+    Kind {
+        names: &["UserDefined"],
+        usage: "beamIntegration UserDefined $tag $n $sections ... $places ... $weights ...",
+        make: Family::Located(|places, weights, n| (weights.len() == n).then_some(Rule::Given(places, weights))),
+    },
+    Kind {
+        names: &["FixedLocation"],
+        usage: "beamIntegration FixedLocation $tag $n $sections ... $places ...",
+        make: Family::Located(|places, weights, _| weights.is_empty().then_some(Rule::Located(places, weights))),
+    },
+    Kind {
+        names: &["LowOrder"],
+        usage: "beamIntegration LowOrder $tag $n $sections ... $places ... <$weights ...>",
+        make: Family::Located(|places, weights, n| (weights.len() <= n).then_some(Rule::Located(places, weights))),
+    },
+    Kind {
+        names: &["MidDistance"],
+        usage: "beamIntegration MidDistance $tag $n $sections ... $places ...",
+        make: Family::Located(|places, weights, _| weights.is_empty().then_some(Rule::MidDistance(places))),
+    },
 ];
 
 fn beam_integration(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, USAGE);
-    let name = a.word("kind of integration")?.into_owned();
-    if !NAMES.contains(&name.as_str()) && simple(&name).is_none() {
-        return Err(a.unknown_name("beam integration", NAMES));
-    }
+    kind::take(&mut a, "kind of integration", "beam integration", KINDS.iter())?;
+    let name = a.last_word();
     let tag = a.int("tag of the integration")?;
     let span = a.last_span();
     let numbers = a.floats("number")?;
     finish(interp, &a)?;
     let made = integration(interp, &a, &name, &numbers)?;
-    if !interp.host.definitions.integrations.add(tag, made) {
+    if !interp.host.builder.definitions.integrations.add(tag, made) {
         return Err(a.refuse_at(span, format!("there is a beam integration {tag} already"), "expected a new tag"));
     }
     Ok(Value::EMPTY)
 }
 
-/// A rule without numbers of its own.
-pub(crate) fn simple(name: &str) -> Option<Rule> {
-    Some(match name {
-        "Lobatto" => Rule::Lobatto,
-        "Legendre" => Rule::Legendre,
-        "Radau" => Rule::Radau,
-        "NewtonCotes" => Rule::NewtonCotes,
-        "Trapezoidal" => Rule::Trapezoidal,
-        "Simpson" | "CompositeSimpson" => Rule::Simpson,
-        _ => return None,
-    })
+/// Kind of integration of this name.
+fn kind_of(name: &str) -> Option<&'static Kind> {
+    KINDS.iter().find(|k| k.names.contains(&name))
 }
 
-/// A rule by its name, with its sections, from the numbers after the tag.
+/// A rule without numbers of its own.
+pub(crate) fn simple(name: &str) -> Option<Rule> {
+    match &kind_of(name)?.make {
+        Family::Simple(rule) => Some(rule()),
+        _ => None,
+    }
+}
+
+/// The rule of this name with its sections, made from the numbers after the tag.
 pub(crate) fn integration(interp: &Tcl, a: &Args<'_>, name: &str, numbers: &[f64]) -> Result<Integration, Exception> {
     let wrong = |message: String| a.refuse(message, "expected as below");
     let section = |tag: f64| {
         let tag = tag as i32;
-        let found = interp.host.definitions.sections.get(tag).map(|s| (s.clone(), tag));
+        let found = interp.host.builder.definitions.sections.get(tag).map(|s| (s.clone(), tag));
         found.ok_or_else(|| wrong(format!("{name}: there is no section {tag}")))
     };
     let few = || wrong(format!("{name}: {} numbers are too few", numbers.len()));
@@ -75,52 +142,49 @@ pub(crate) fn integration(interp: &Tcl, a: &Args<'_>, name: &str, numbers: &[f64
             Err(wrong(format!("{name}: {x} is no number of sections, 1 to 100")))
         }
     };
-    if let Some(rule) = simple(name) {
-        let sections = match numbers {
-            [tag, n] => vec![section(*tag)?; count(*n)?],
-            [n, tags @ ..] if tags.len() == count(*n)? => tags.iter().map(|t| section(*t)).collect::<Result<_, _>>()?,
-            _ => return Err(few()),
-        };
-        if rule.points(sections.len(), 1.0).is_none() {
-            return Err(wrong(format!("{name} has no rule with {} points", sections.len())));
+    match kind_of(name).map(|k| &k.make) {
+        None => Err(wrong(format!("unknown rule of integration \"{name}\""))),
+        Some(Family::Simple(rule)) => {
+            let rule = rule();
+            let sections = match numbers {
+                [tag, n] => vec![section(*tag)?; count(*n)?],
+                [n, tags @ ..] if tags.len() == count(*n)? => {
+                    tags.iter().map(|t| section(*t)).collect::<Result<_, _>>()?
+                }
+                _ => return Err(few()),
+            };
+            if rule.points(sections.len(), 1.0).is_none() {
+                return Err(wrong(format!("{name} has no rule with {} points", sections.len())));
+            }
+            Ok(Integration { rule, sections })
         }
-        return Ok(Integration { rule, sections });
-    }
-    let hinge = match name {
-        "HingeRadau" => Some(Hinge::Radau),
-        "HingeRadauTwo" => Some(Hinge::RadauTwo),
-        "HingeMidpoint" => Some(Hinge::Midpoint),
-        "HingeEndpoint" => Some(Hinge::Endpoint),
-        _ => None,
-    };
-    if let Some(hinge) = hinge {
-        let [i, lp_i, j, lp_j, e] = *numbers else { return Err(few()) };
-        if lp_i < 0.0 || lp_j < 0.0 {
-            return Err(wrong(format!("{name}: the lengths of the hinges are {lp_i} and {lp_j}")));
+        Some(Family::Hinges(hinge)) => {
+            let [i, lp_i, j, lp_j, e] = *numbers else { return Err(few()) };
+            if lp_i < 0.0 || lp_j < 0.0 {
+                return Err(wrong(format!("{name}: the lengths of the hinges are {lp_i} and {lp_j}")));
+            }
+            let all = [section(i)?, section(j)?, section(e)?];
+            let sections = hinge.sections().iter().map(|s| all[*s].clone()).collect();
+            Ok(Integration { rule: Rule::Hinges(*hinge, lp_i, lp_j), sections })
         }
-        let all = [section(i)?, section(j)?, section(e)?];
-        let sections = hinge.sections().iter().map(|s| all[*s].clone()).collect();
-        return Ok(Integration { rule: Rule::Hinges(hinge, lp_i, lp_j), sections });
+        Some(Family::Located(rule)) => {
+            let [n, rest @ ..] = numbers else { return Err(few()) };
+            let n = count(*n)?;
+            if rest.len() < 2 * n {
+                return Err(few());
+            }
+            let sections = rest[..n].iter().map(|t| section(*t)).collect::<Result<_, _>>()?;
+            let (places, weights) = (rest[n..2 * n].to_vec(), rest[2 * n..].to_vec());
+            if let Some(x) = places.iter().find(|x| !(0.0..=1.0).contains(*x)) {
+                return Err(wrong(format!("{name}: the place {x} is no fraction of the length, 0 to 1")));
+            }
+            let given = weights.len();
+            let rule =
+                rule(places, weights, n).ok_or_else(|| wrong(format!("{name}: {given} weights for {n} sections")))?;
+            if rule.points(n, 1.0).is_none() {
+                return Err(wrong(format!("{name}: the places give no weights")));
+            }
+            Ok(Integration { rule, sections })
+        }
     }
-    let [n, rest @ ..] = numbers else { return Err(few()) };
-    let n = count(*n)?;
-    if rest.len() < 2 * n {
-        return Err(few());
-    }
-    let sections = rest[..n].iter().map(|t| section(*t)).collect::<Result<_, _>>()?;
-    let (places, weights) = (rest[n..2 * n].to_vec(), rest[2 * n..].to_vec());
-    if let Some(x) = places.iter().find(|x| !(0.0..=1.0).contains(*x)) {
-        return Err(wrong(format!("{name}: the place {x} is no fraction of the length, 0 to 1")));
-    }
-    let rule = match name {
-        "UserDefined" if weights.len() == n => Rule::Given(places, weights),
-        "FixedLocation" if weights.is_empty() => Rule::Located(places, vec![]),
-        "LowOrder" if weights.len() <= n => Rule::Located(places, weights),
-        "MidDistance" if weights.is_empty() => Rule::MidDistance(places),
-        _ => return Err(wrong(format!("{name}: {} weights for {n} sections", weights.len()))),
-    };
-    if rule.points(n, 1.0).is_none() {
-        return Err(wrong(format!("{name}: the places give no weights")));
-    }
-    Ok(Integration { rule, sections })
 }

@@ -6,11 +6,8 @@ use hysteron_engine::material::Material;
 use hysteron_engine::section::Fiber;
 use hysteron_tcl::{Call, Exception, Value};
 
-pub(crate) const COMMANDS: &[Command] = &[
-    Command { name: "fiber", usage: FIBER, run: fiber },
-    Command { name: "patch", usage: PATCH, run: patch },
-    Command { name: "layer", usage: LAYER, run: layer },
-];
+pub(crate) const COMMANDS: &[Command] =
+    &[Command::new("fiber", FIBER, fiber), Command::new("patch", PATCH, patch), Command::new("layer", LAYER, layer)];
 
 const FIBER: &str = "fiber $y $z $area $material";
 const PATCH: &str = "patch quad $material $nIJ $nJK $yI $zI $yJ $zJ $yK $zK $yL $zL | rect $material $nY $nZ $yI $zI $yK $zK | \
@@ -26,7 +23,7 @@ fn add(
     made: impl IntoIterator<Item = ([f64; 2], f64)>,
 ) -> Result<(), Exception> {
     finish(interp, a)?;
-    let Some(fibers) = &mut interp.host.fibers else {
+    let Some(fibers) = &mut interp.host.builder.fibers else {
         return Err(a.refuse("there is no fiber section to add to", "expected to be in the body of section Fiber"));
     };
     for ([y, z], area) in made {
@@ -43,7 +40,7 @@ fn fiber(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, FIBER);
     let place = [a.float("y of the fiber")?, a.float("z of the fiber")?];
     let area = a.positive("area of the fiber")?;
-    let material = a.of(&interp.host.definitions.materials)?;
+    let material = a.of(&interp.host.builder.definitions.materials)?;
     add(interp, &a, material, [(place, area)])?;
     Ok(Value::EMPTY)
 }
@@ -59,7 +56,7 @@ fn patch(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if !known.contains(&kind.as_ref()) {
         return Err(a.unknown_name("patch", known));
     }
-    let material = a.of(&interp.host.definitions.materials)?;
+    let material = a.of(&interp.host.builder.definitions.materials)?;
     let (n, m) = (a.count("number of divisions")?, a.count("number of divisions across")?);
     let fibers = match kind.as_ref() {
         "rect" | "rectangular" => {
@@ -148,7 +145,7 @@ fn layer(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if !known.contains(&kind.as_ref()) {
         return Err(a.unknown_name("layer", known));
     }
-    let material = a.of(&interp.host.definitions.materials)?;
+    let material = a.of(&interp.host.builder.definitions.materials)?;
     let n = a.count("number of bars")?;
     let area = a.positive("area of a bar")?;
     let places: Vec<[f64; 2]> = if kind == "straight" {

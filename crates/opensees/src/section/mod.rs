@@ -5,38 +5,51 @@ pub(crate) mod fiber;
 
 use crate::args::Args;
 use crate::model::nodes::need_model;
-use crate::{Command, Outcome, Tcl, finish, ignore_option};
+use crate::{Command, Outcome, Tcl, finish, ignore_option, kind};
 use hysteron_engine::material::Elastic as ElasticMaterial;
 use hysteron_engine::model::Tag;
 use hysteron_engine::section::{Aggregator, Elastic, ElasticSection, FiberSection, Resultant, SharedSection};
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
-pub(crate) const COMMANDS: &[Command] = &[Command { name: "section", usage: SECTION, run: section }];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("section", SECTION, section).with_kinds(|| kind::usages(KINDS))];
 
 const SECTION: &str = "section Elastic|Fiber|Aggregator|Uniaxial $tag ...";
-const ELASTIC: &str = "section Elastic $tag $E $A $Iz <$G $alphaY> (in the plane) or \
-                       $E $A $Iz $Iy $G $J <$alphaY $alphaZ> (in space)";
-const FIBER: &str = "section Fiber $tag <-GJ $GJ | -torsion $material> <-noCentroid> {fibers}";
-const AGGREGATOR: &str = "section Aggregator $tag $material1 P|Mz|Vy|My|Vz|T <$material2 ...> <-section $section>";
-const UNIAXIAL: &str = "section Uniaxial $tag $material P|Mz|Vy|My|Vz|T";
 
-const KINDS: [&str; 4] = ["Elastic", "Fiber", "Aggregator", "Uniaxial"];
+/// A kind of section, made from the words after its tag.
+type Kind = kind::Kind<fn(&mut Tcl, &mut Args<'_>) -> Result<SharedSection, Exception>>;
+
+const KINDS: &[Kind] = &[
+    Kind {
+        names: &["Elastic", "ElasticSection", "elastic"],
+        usage: "section Elastic $tag $E $A $Iz <$G $alphaY> (in the plane) or $E $A $Iz $Iy $G $J <$alphaY $alphaZ> \
+                (in space)",
+        make: elastic,
+    },
+    Kind {
+        names: &["Fiber", "fiberSec", "FiberSection", "fiber"],
+        usage: "section Fiber $tag <-GJ $GJ | -torsion $material> <-noCentroid> {fibers}",
+        make: fibers,
+    },
+    Kind {
+        names: &["Aggregator", "AddDeformation"],
+        usage: "section Aggregator $tag $material1 P|Mz|Vy|My|Vz|T <$material2 ...> <-section $section>",
+        make: aggregator,
+    },
+    Kind {
+        names: &["Uniaxial", "Generic1D", "Generic1d"],
+        usage: "section Uniaxial $tag $material P|Mz|Vy|My|Vz|T",
+        make: uniaxial,
+    },
+];
 
 fn section(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     need_model(interp, call)?;
     let mut a = Args::new(call, SECTION);
-    let kind = a.word("kind of section")?;
-    let make = match kind.as_ref() {
-        "Elastic" | "ElasticSection" | "elastic" => elastic,
-        "Fiber" | "fiberSec" | "FiberSection" | "fiber" => fibers,
-        "Aggregator" | "AddDeformation" => aggregator,
-        "Uniaxial" | "Generic1D" | "Generic1d" => uniaxial,
-        _ => return Err(a.unknown_name("section", KINDS)),
-    };
+    let kind = kind::take(&mut a, "kind of section", "section", KINDS.iter())?;
     let tag = a.int("tag of the section")?;
     let span = a.last_span();
-    let made = make(interp, &mut a)?;
+    let made = (kind.make)(interp, &mut a)?;
     finish(interp, &a)?;
     add(interp, &a, tag, made, span)
 }
@@ -48,18 +61,17 @@ fn add(
     made: SharedSection,
     span: Option<hysteron_tcl::diagnostic::Span>,
 ) -> Outcome {
-    if !interp.host.definitions.sections.add(tag, made) {
+    if !interp.host.builder.definitions.sections.add(tag, made) {
         return Err(a.refuse_at(span, format!("there is a section {tag} already"), "expected a new tag"));
     }
     Ok(Value::EMPTY)
 }
 
 fn elastic(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
-    a.usage(ELASTIC);
     let (e, area) = (a.positive("elastic modulus E")?, a.positive("cross-sectional area A")?);
     let iz = a.positive("second moment of area Iz")?;
     let mut s = ElasticSection { e, area, iz, iy: 0.0, g: 0.0, j: 0.0, shear: (None, None) };
-    let plane = interp.host.ndm != 3;
+    let plane = interp.host.builder.ndm != 3;
     if !plane {
         s.iy = a.positive("second moment of area Iy")?;
         s.g = a.positive("shear modulus G")?;
@@ -76,7 +88,6 @@ fn elastic(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exceptio
 }
 
 fn fibers(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
-    a.usage(FIBER);
     let span = a.last_span();
     let (mut torsion, mut origin) = (None, false);
     while a.at_option() && a.left() > 1 {
@@ -86,24 +97,24 @@ fn fibers(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception
                     Arc::new(ElasticMaterial::new(a.positive("torsional rigidity GJ")?));
                 torsion = Some((material, 0));
             }
-            "-torsion" => torsion = Some(a.of(&interp.host.definitions.materials)?),
+            "-torsion" => torsion = Some(a.of(&interp.host.builder.definitions.materials)?),
             "-noCentroid" => origin = true,
             _ => ignore_option(interp, a, &["-GJ", "-torsion", "-noCentroid"])?,
         }
     }
-    if interp.host.ndm == 3 && torsion.is_none() {
+    if interp.host.builder.ndm == 3 && torsion.is_none() {
         let message = "a fiber section in space needs a torsional stiffness";
         return Err(a.refuse_at(span, message, "expected -GJ or -torsion after the tag"));
     }
     let body = a.value("body with the fibers")?;
-    let outer = interp.host.fibers.replace(vec![]);
+    let outer = interp.host.builder.fibers.replace(vec![]);
     let done = interp.eval_value(&body);
-    let fibers = std::mem::replace(&mut interp.host.fibers, outer).unwrap_or_default();
+    let fibers = std::mem::replace(&mut interp.host.builder.fibers, outer).unwrap_or_default();
     done?;
     if fibers.iter().map(|f| f.area).sum::<f64>() <= 0.0 {
         return Err(a.refuse_at(span, "the section has no area", "expected patches, layers or fibers in its body"));
     }
-    let torsion = torsion.filter(|_| interp.host.ndm == 3);
+    let torsion = torsion.filter(|_| interp.host.builder.ndm == 3);
     Ok(Arc::new(FiberSection::new(fibers, torsion, origin)))
 }
 
@@ -114,15 +125,14 @@ fn resultant(a: &mut Args<'_>) -> Result<Resultant, Exception> {
 }
 
 fn aggregator(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
-    a.usage(AGGREGATOR);
     let span = a.last_span();
     let (mut base, mut additions) = (None, vec![]);
     while a.left() > 0 {
         if a.flag("-section") {
-            base = Some(a.of(&interp.host.definitions.sections)?.0);
+            base = Some(a.of(&interp.host.builder.definitions.sections)?.0);
             continue;
         }
-        let (material, tag) = a.of(&interp.host.definitions.materials)?;
+        let (material, tag) = a.of(&interp.host.builder.definitions.materials)?;
         additions.push((material, tag, resultant(a)?));
     }
     if additions.is_empty() {
@@ -133,8 +143,7 @@ fn aggregator(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Excep
 }
 
 fn uniaxial(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
-    a.usage(UNIAXIAL);
-    let (material, tag) = a.of(&interp.host.definitions.materials)?;
+    let (material, tag) = a.of(&interp.host.builder.definitions.materials)?;
     let addition = (material, tag, resultant(a)?);
     let made = Aggregator::new(None, vec![addition]).map_err(|e| a.refuse(e.0, ""))?;
     Ok(Arc::new(made))

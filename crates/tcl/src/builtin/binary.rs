@@ -14,7 +14,7 @@ const SUBS: &[(&str, CoreFn)] = &[("decode", decode), ("encode", encode), ("form
 /// More than this at once is refused.
 const MAX_BYTES: usize = 1 << 28;
 
-/// How many.
+/// Number of items.
 #[derive(Clone, Copy, PartialEq)]
 enum Count {
     One,

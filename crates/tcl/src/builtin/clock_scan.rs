@@ -11,7 +11,7 @@ use crate::core::Core;
 use crate::error::Exception;
 use crate::value::Value;
 
-/// What a text says of a time; what it does not say comes from the base.
+/// Parts of a time that a text names. The others come from the base time.
 #[derive(Default)]
 struct Fields {
     year: Option<i16>,
@@ -48,7 +48,7 @@ pub(super) fn scan(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     let seconds = match &o.format {
         Some(format) => {
             let fields = by_format(&text, &format.as_str())?;
-            fields.settle(at_base, &o.zone, true).ok_or_else(no_match)?
+            fields.resolve(at_base, &o.zone, true).ok_or_else(no_match)?
         }
         None => free_form(&text, at_base, base, &o.zone).ok_or_else(|| refuse(&text).at(call.span(2), ""))?,
     };
@@ -61,7 +61,7 @@ fn to_seconds(time: DateTime, zone: &TimeZone) -> Option<i64> {
 
 impl Fields {
     /// The time in seconds. `midnight`: a date without a time of day means its start.
-    fn settle(self, base: DateTime, zone: &TimeZone, midnight: bool) -> Option<i64> {
+    fn resolve(self, base: DateTime, zone: &TimeZone, midnight: bool) -> Option<i64> {
         if let Some(seconds) = self.seconds {
             return Some(seconds);
         }
@@ -215,7 +215,7 @@ fn free_form(text: &str, base: DateTime, base_seconds: i64, zone: &TimeZone) -> 
     }
     let timed = fields.hour.is_some();
     let used = fields.zone.clone().unwrap_or_else(|| zone.clone());
-    let start = if dated || timed { fields.settle(base, zone, true)? } else { base_seconds };
+    let start = if dated || timed { fields.resolve(base, zone, true)? } else { base_seconds };
     let shifted = local(start, &used).ok()?.time.checked_add(shift).ok()?;
     to_seconds(shifted, &used)
 }

@@ -49,25 +49,25 @@ impl<H> Interp<H> {
 
     /// Run a body; errors in a text that was put together at run time point at the word that it came from.
     fn body_from(&mut self, call: &Call<'_>, word: usize, body: &Value) -> Result<Value, Exception> {
-        let outer = self.core.site;
+        let outer = self.core.calls.site;
         if body.origin().is_none()
             && let Some(span) = call.span(word)
         {
-            self.core.site = Some(span);
+            self.core.calls.site = Some(span);
         }
-        let compiled = std::mem::replace(&mut self.core.compiled, true);
+        let compiled = std::mem::replace(&mut self.core.calls.compiled, true);
         let result = self.eval_body(body);
-        self.core.compiled = compiled;
+        self.core.calls.compiled = compiled;
         let result = result.map_err(|e| self.core.settle_place(e, None));
-        self.core.site = outer;
+        self.core.calls.site = outer;
         result
     }
 
     /// As [`Interp::body`], for the parsed form of a body that runs often.
     pub(crate) fn body_again(&mut self, script: &Script, body: &Value, what: &str) -> Result<Value, Exception> {
-        let compiled = std::mem::replace(&mut self.core.compiled, true);
+        let compiled = std::mem::replace(&mut self.core.calls.compiled, true);
         let result = self.run(script);
-        self.core.compiled = compiled;
+        self.core.calls.compiled = compiled;
         result.map_err(|e| self.core.trace_body(e, body, what))
     }
 }
@@ -76,7 +76,7 @@ impl crate::core::Core {
     /// Tell in `$errorInfo` in which body an error happened, where Tcl would.
     fn trace_body(&self, e: Exception, body: &Value, what: &str) -> Exception {
         let Exception::Error(e) = e else { return e };
-        if self.compiled {
+        if self.calls.compiled {
             return Exception::Error(e);
         }
         self.trace_always(Exception::Error(e), body, what)
@@ -103,7 +103,7 @@ fn eval<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception> 
     interp.core.enter()?;
     let body = concat(call, 1);
     let result = interp.dynamic(call, 1, &body, "\"eval\" body");
-    interp.core.levels -= 1;
+    interp.core.calls.levels -= 1;
     result
 }
 
@@ -292,10 +292,10 @@ fn uplevel<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exceptio
     }
     interp.core.enter()?;
     let body = concat(call, from);
-    let active = std::mem::replace(&mut interp.core.active, frame);
+    let active = std::mem::replace(&mut interp.core.calls.active, frame);
     let result = interp.dynamic(call, from, &body, "\"uplevel\" body");
-    interp.core.active = active;
-    interp.core.levels -= 1;
+    interp.core.calls.active = active;
+    interp.core.calls.levels -= 1;
     result
 }
 

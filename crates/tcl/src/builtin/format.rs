@@ -53,7 +53,7 @@ fn number(s: &str) -> IResult<&str, i64> {
     take_while1(|c: char| c.is_ascii_digit()).map(|d: &str| d.parse().unwrap_or(i64::MAX)).parse(s)
 }
 
-/// What follows a `%`.
+/// Specifier after a `%`.
 fn spec(s: &str) -> IResult<&str, Spec> {
     let amount = |s| alt((char('*').map(|_| Amount::Star), number.map(Amount::Number))).parse(s);
     let (s, position) = opt(terminated(number, char('$'))).parse(s)?;

@@ -201,7 +201,7 @@ fn step(core: &Core, dir: &str, part: &str, last: bool, o: &Options, next: &mut 
     }
 }
 
-/// Whether a file is there and of one of the types asked for.
+/// Returns true if a file exists and has one of the given types.
 fn fits(core: &Core, path: &str, types: &[String]) -> bool {
     let full = core.absolute(path);
     let Ok(info) = core.files.info(&full, true).or_else(|_| core.files.info(&full, false)) else { return false };

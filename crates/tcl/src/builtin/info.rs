@@ -26,7 +26,7 @@ const SUBS: &[(&str, CoreFn)] = &[
     ("class", |_, call| unsupported(call)),
     ("cmdcount", |core, call| {
         call.expect(2..=2, "info cmdcount")?;
-        Ok(Value::from(i64::try_from(core.command_count).unwrap_or(i64::MAX)))
+        Ok(Value::from(i64::try_from(core.calls.command_count).unwrap_or(i64::MAX)))
     }),
     ("commands", commands_sub),
     ("complete", |_, call| {
@@ -88,7 +88,7 @@ fn unsupported(call: &Call<'_>) -> Result<Value, Exception> {
 fn proc_named(core: &Core, call: &Call<'_>) -> Result<std::rc::Rc<Proc>, Exception> {
     let name = call.arg(2).as_str();
     let id = core.find_command(&name).map(|id| core.origin_of(id));
-    match id.map(|id| &core.commands[id.0 as usize].imp) {
+    match id.map(|id| &core.table.commands[id.0 as usize].imp) {
         Some(Imp::Proc(proc)) => Ok(proc.clone()),
         _ => {
             let message = format!("\"{name}\" isn't a procedure");
@@ -165,7 +165,8 @@ fn procs(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     let pattern = call.get(2).map(Value::as_str);
     let core = &*core;
     let here = core.here();
-    let is_proc = |id: crate::command::CmdId| matches!(core.commands[core.origin_of(id).0 as usize].imp, Imp::Proc(_));
+    let is_proc =
+        |id: crate::command::CmdId| matches!(core.table.commands[core.origin_of(id).0 as usize].imp, Imp::Proc(_));
     // Unlike commands, procedures of the global namespace are not listed elsewhere.
     qualified_names(core, pattern.as_deref(), |ns| {
         if ns == NsId::GLOBAL && here != ns && pattern.as_ref().is_none_or(|p| !p.contains("::")) {
@@ -230,35 +231,35 @@ fn level(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     };
     let target = usize::try_from(absolute).ok().filter(|l| *l > 0).ok_or_else(bad)?;
     let frame = core.frame_at(target).ok_or_else(bad)?;
-    Ok(Value::list(core.frames[frame].words.iter().cloned()))
+    Ok(Value::list(core.calls.frames[frame].words.iter().cloned()))
 }
 
 fn script(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(2..=3, "info script ?filename?")?;
     if let Some(name) = call.get(2) {
-        if let Some(current) = core.scripts.last_mut() {
+        if let Some(current) = core.calls.scripts.last_mut() {
             *current = name.clone();
         }
         return Ok(name.clone());
     }
-    Ok(core.scripts.last().cloned().unwrap_or_default())
+    Ok(core.calls.scripts.last().cloned().unwrap_or_default())
 }
 
 /// The place of the command in its file, as far as it is known.
 fn frame(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(2..=3, "info frame ?number?")?;
     if call.len() == 2 {
-        return Ok(Value::from(core.frames.len()));
+        return Ok(Value::from(core.calls.frames.len()));
     }
     let number = call.arg(2).to_i64()?;
-    let depth = core.frames.len() as i64;
+    let depth = core.calls.frames.len() as i64;
     if number > depth || number <= -depth {
         let message = format!("bad level \"{number}\"");
         let code = ["TCL", "LOOKUP", "LEVEL", &number.to_string()];
         return Err(Exception::coded(message, &code).at(call.span(2), ""));
     }
     let mut pairs = vec![];
-    match call.whole_span().or(core.site) {
+    match call.whole_span().or(core.calls.site) {
         Some(span) => {
             let location = core.sources.location(span);
             pairs.extend([Value::from("type"), Value::from("source")]);

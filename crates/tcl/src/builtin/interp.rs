@@ -38,7 +38,7 @@ fn interp(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     match NAMES[call.choose(1, "option", &NAMES, false)?] {
         "alias" if here(2) => alias(core, call),
         "aliases" if here(2) => {
-            let all = core.commands.iter().filter(|c| matches!(c.imp, Imp::Alias(_)));
+            let all = core.table.commands.iter().filter(|c| matches!(c.imp, Imp::Alias(_)));
             Ok(Value::list(all.map(|c| c.name.to_value())))
         }
         "children" | "slaves" if here(2) => Ok(Value::EMPTY),
@@ -57,13 +57,13 @@ fn alias(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(4.., usage)?;
     let name = call.arg(3).as_str();
     let path = format!("::{}", name.trim_start_matches(':'));
-    let known = core.find_command(&path).filter(|id| matches!(core.commands[id.0 as usize].imp, Imp::Alias(_)));
+    let known = core.find_command(&path).filter(|id| matches!(core.table.commands[id.0 as usize].imp, Imp::Alias(_)));
     let missing = || {
         let code = ["TCL", "LOOKUP", "ALIAS", &name];
         Exception::coded(format!("alias \"{name}\" not found"), &code).at(call.span(3), "")
     };
     if call.len() == 4 {
-        return match known.map(|id| &core.commands[id.0 as usize].imp) {
+        return match known.map(|id| &core.table.commands[id.0 as usize].imp) {
             Some(Imp::Alias(words)) => Ok(Value::list(words.iter().cloned())),
             _ => Ok(Value::EMPTY),
         };

@@ -19,7 +19,7 @@ pub(crate) fn commands<H>() -> [(&'static str, CommandFn<H>); 4] {
     ]
 }
 
-/// Whether a loop goes on after its body has ended like this.
+/// Returns true if a loop continues after this result of its body.
 fn goes_on(result: Result<Value, Exception>) -> Result<bool, Exception> {
     match result {
         Ok(_) | Err(Exception::Continue) => Ok(true),

@@ -30,7 +30,7 @@ const OPTIONS: [&str; 12] = [
     "-unique",
 ];
 
-/// How elements are compared.
+/// Comparison of elements.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Kind {
     Ascii,
@@ -40,7 +40,7 @@ pub(crate) enum Kind {
     Command,
 }
 
-/// What is compared of an element, made ready.
+/// Key of an element, converted for the comparison.
 pub(crate) enum Key {
     Text(String),
     Integer(i64),

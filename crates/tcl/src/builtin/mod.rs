@@ -31,7 +31,7 @@ mod string_is;
 mod subst;
 mod switch;
 mod time;
-mod trying;
+mod try_catch;
 mod var;
 
 use super::command::{CommandFn, CoreFn, Imp};
@@ -81,7 +81,7 @@ pub(crate) fn install<H>(interp: &mut Interp<H>) {
         &subst::commands(),
         &switch::commands(),
         &time::commands(),
-        &trying::commands(),
+        &try_catch::commands(),
     ];
     for (name, function) in full.into_iter().flatten() {
         interp.register(name, *function);
@@ -90,7 +90,7 @@ pub(crate) fn install<H>(interp: &mut Interp<H>) {
     for name in func::names() {
         interp.core.define(ns, &name.into(), Imp::Core(func::command));
     }
-    interp.core.inlined = (interp.core.find_command("expr"), interp.core.find_command("set"));
+    interp.core.table.inlined = (interp.core.find_command("expr"), interp.core.find_command("set"));
 }
 
 /// The variables that Tcl begins with.

@@ -63,19 +63,19 @@ fn namespace<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Except
 impl<H> Interp<H> {
     /// Run something with the names of a namespace.
     pub(crate) fn in_namespace<R>(&mut self, ns: NsId, words: Vec<Value>, work: impl FnOnce(&mut Self) -> R) -> R {
-        let caller = self.core.active;
-        self.core.frames.push(Frame {
+        let caller = self.core.calls.active;
+        self.core.calls.frames.push(Frame {
             ns,
             vars: Table::default(),
             is_proc: false,
-            level: self.core.frames[caller].level + 1,
+            level: self.core.calls.frames[caller].level + 1,
             caller,
             words,
         });
-        self.core.active = self.core.frames.len() - 1;
+        self.core.calls.active = self.core.calls.frames.len() - 1;
         let result = work(self);
-        self.core.frames.pop();
-        self.core.active = caller;
+        self.core.calls.frames.pop();
+        self.core.calls.active = caller;
         result
     }
 }
@@ -92,7 +92,7 @@ fn run_in<H>(interp: &mut Interp<H>, call: &Call<'_>, ns: NsId, body: &Value, wh
     let what = format!("in namespace {what} \"{}\" script", &*full);
     let words = call.from(0).to_vec();
     let result = interp.in_namespace(ns, words, |interp| interp.dynamic(call, 3, body, &what));
-    interp.core.levels -= 1;
+    interp.core.calls.levels -= 1;
     result
 }
 
@@ -178,11 +178,10 @@ fn import(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     let here = core.here();
     let mut patterns = call.from(2);
     if patterns.is_empty() {
-        let imported = core
-            .ns(here)
-            .commands
-            .iter_hashed()
-            .filter(|(_, id)| matches!(core.commands.get(id.0 as usize).map(|d| &d.imp), Some(Imp::Import(_))));
+        let imported =
+            core.ns(here).commands.iter_hashed().filter(|(_, id)| {
+                matches!(core.table.commands.get(id.0 as usize).map(|d| &d.imp), Some(Imp::Import(_)))
+            });
         return Ok(Value::list(imported.map(|(name, _)| name.to_value())));
     }
     let force = patterns.first().is_some_and(|p| p.as_str() == "-force");
@@ -221,7 +220,7 @@ fn import(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
             .collect();
         for (name, id) in found {
             if let Some(&old) = core.ns(here).commands.get(&name) {
-                if matches!(core.commands[old.0 as usize].imp, Imp::Import(of) if of == id) {
+                if matches!(core.table.commands[old.0 as usize].imp, Imp::Import(of) if of == id) {
                     continue;
                 }
                 if !force {
@@ -253,9 +252,9 @@ fn forget(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
             .ns(here)
             .commands
             .iter()
-            .filter(|(name, id)| match core.commands[id.0 as usize].imp {
+            .filter(|(name, id)| match core.table.commands[id.0 as usize].imp {
                 Imp::Import(of) => {
-                    glob::matches(tail, name) && from.is_none_or(|ns| core.commands[of.0 as usize].ns == ns)
+                    glob::matches(tail, name) && from.is_none_or(|ns| core.table.commands[of.0 as usize].ns == ns)
                 }
                 _ => false,
             })
@@ -439,7 +438,7 @@ fn configure_ensemble(core: &mut Core, call: &Call<'_>) -> Result<Value, Excepti
         let option = call.choose(i, "option", &ENSEMBLE_OPTIONS, false)?;
         set_option(core, call, i, option, &mut made)?;
     }
-    core.commands[id.0 as usize].imp = Imp::Ensemble(Rc::new(made));
+    core.table.commands[id.0 as usize].imp = Imp::Ensemble(Rc::new(made));
     Ok(Value::EMPTY)
 }
 

@@ -79,7 +79,7 @@ fn one(_: &mut Core, call: &Call<'_>, op: Unary, usage: &str) -> Result<Value, E
     }
 }
 
-/// Whether a relation holds between all neighbours.
+/// Returns true if a relation holds between all neighbours.
 fn chain(core: &mut Core, call: &Call<'_>, op: Binary) -> Result<Value, Exception> {
     for pair in call.args().windows(2) {
         if let [a, b] = pair

@@ -32,7 +32,7 @@ fn package<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exceptio
     match NAMES[call.choose(1, "option", &NAMES, false)?] {
         "forget" => {
             for name in call.from(2) {
-                core.packages.remove(&name.as_str());
+                core.packages.provided.remove(&name.as_str());
             }
             Ok(Value::EMPTY)
         }
@@ -40,23 +40,26 @@ fn package<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exceptio
             call.expect(4..=5, "package ifneeded package version ?script?")?;
             version_numbers(call.arg(3))?;
             let (name, version) = (call.arg(2).clone(), call.arg(3).clone());
-            let known = core.offered.iter().position(|o| o[0] == name && o[1] == version);
+            let known = core.packages.offered.iter().position(|o| o[0] == name && o[1] == version);
             match (call.get(4), known) {
-                (None, known) => Ok(known.map(|at| core.offered[at][2].clone()).unwrap_or_default()),
+                (None, known) => Ok(known.map(|at| core.packages.offered[at][2].clone()).unwrap_or_default()),
                 (Some(script), known) => {
                     if let Some(at) = known {
-                        core.offered.remove(at);
+                        core.packages.offered.remove(at);
                     }
-                    core.offered.push([name, version, script.clone()]);
+                    core.packages.offered.push([name, version, script.clone()]);
                     Ok(Value::EMPTY)
                 }
             }
         }
         "names" => {
             call.expect(2..=2, "package names")?;
-            let offered: Vec<Value> = core.offered.iter().map(|o| o[0].clone()).collect();
+            let offered: Vec<Value> = core.packages.offered.iter().map(|o| o[0].clone()).collect();
             Ok(Value::list(
-                [Value::from("Tcl")].into_iter().chain(core.packages.iter().map(|(k, _)| k.to_value())).chain(offered),
+                [Value::from("Tcl")]
+                    .into_iter()
+                    .chain(core.packages.provided.iter().map(|(k, _)| k.to_value()))
+                    .chain(offered),
             ))
         }
         "prefer" => Ok(Value::from("stable")),
@@ -67,7 +70,7 @@ fn package<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exceptio
                 None => Ok(provided(core, &call.arg(2).as_str()).unwrap_or_default()),
                 Some(version) => {
                     version_numbers(version)?;
-                    core.packages.insert(call.arg(2).to_text(), version.clone());
+                    core.packages.provided.insert(call.arg(2).to_text(), version.clone());
                     Ok(Value::EMPTY)
                 }
             }
@@ -84,7 +87,7 @@ fn package<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exceptio
         }
         "versions" => {
             call.expect(3..=3, "package versions package")?;
-            let of = core.offered.iter().filter(|o| o[0] == *call.arg(2)).map(|o| o[1].clone());
+            let of = core.packages.offered.iter().filter(|o| o[0] == *call.arg(2)).map(|o| o[1].clone());
             Ok(Value::list(of))
         }
         _ => {
@@ -98,7 +101,7 @@ fn provided(core: &Core, name: &str) -> Option<Value> {
     if name == "Tcl" {
         return Some(Value::from(super::PATCH_LEVEL));
     }
-    core.packages.get(name).cloned()
+    core.packages.provided.get(name).cloned()
 }
 
 /// `8.6.1`, `8.6b2`: numbers to compare; alpha and beta come before the release.
@@ -132,7 +135,7 @@ fn version_numbers(version: &Value) -> Result<Vec<i64>, Exception> {
     Ok(numbers)
 }
 
-/// Whether a version is at least one that is asked for, and of the same major version.
+/// Returns true if a version is at least the required one and has the same major version.
 fn satisfies(version: &Value, requirements: &[Value]) -> Result<bool, Exception> {
     let have = version_numbers(version)?;
     let mut fits = requirements.is_empty();
@@ -162,7 +165,7 @@ fn offer<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<(), Exception> {
         return Ok(());
     }
     let mut best: Option<(Vec<i64>, Value)> = None;
-    for [package, version, script] in &interp.core.offered {
+    for [package, version, script] in &interp.core.packages.offered {
         let fits = if exact {
             version_numbers(version)? == version_numbers(call.arg(at + 1))?
         } else {

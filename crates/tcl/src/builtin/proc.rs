@@ -76,7 +76,7 @@ fn rename<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception
     let core = &mut interp.core;
     let Some(id) = core.find_command(&old) else {
         let doing = if new.is_empty() { "delete" } else { "rename" };
-        let near = if core.catching > 0 { None } else { core.nearest_command(&old) };
+        let near = if core.calls.catching > 0 { None } else { core.nearest_command(&old) };
         let message = format!("can't {doing} \"{old}\": command doesn't exist");
         let e = Exception::coded(message, &["TCL", "LOOKUP", "COMMAND", &old]);
         return Err(e.at(call.span(1), "no such command").suggest(near));
@@ -99,6 +99,6 @@ fn tailcall<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Excepti
         let message = "tailcall can only be called from a proc, lambda or method";
         return Err(Exception::coded(message, &["TCL", "TAILCALL", "ILLEGAL"]));
     }
-    interp.core.tailcall = Some(call.args().to_vec());
+    interp.core.calls.tailcall = Some(call.args().to_vec());
     Err(Exception::Return(Value::EMPTY))
 }

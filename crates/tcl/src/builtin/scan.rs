@@ -60,18 +60,18 @@ fn digits(s: &str) -> IResult<&str, usize> {
     take_while1(|c: char| c.is_ascii_digit()).map(|d: &str| d.parse().unwrap_or(usize::MAX)).parse(s)
 }
 
-/// What follows a `%`.
+/// Specifier after a `%`.
 struct Modifiers {
     skip: bool,
     position: Option<usize>,
     width: usize,
     size: Size,
-    /// Whether a size was given.
+    /// True if a size was given.
     sized: bool,
     conversion: char,
 }
 
-/// What follows a `%`, up to the conversion character.
+/// Specifier after a `%`, up to the conversion character.
 fn modifiers(s: &str) -> IResult<&str, Modifiers> {
     let (s, star) = opt(char('*')).parse(s)?;
     let (s, position) = opt(terminated(digits, char('$'))).parse(s)?;
@@ -297,7 +297,7 @@ fn scan(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
 }
 
 impl Field {
-    /// What the field takes from the start of a text: how many bytes, and their value. None: nothing fits.
+    /// Number of bytes that the field takes from the start of a text, and their value. None if nothing fits.
     fn take(&self, text: &str) -> Result<Option<(usize, Value)>, Exception> {
         let limited = match self.width {
             0 => text,

@@ -249,7 +249,7 @@ fn map(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     Ok(Value::from(out))
 }
 
-/// How many bytes at the start of a text are a word, but for the case.
+/// Length in bytes of a word at the start of a text, whatever its case.
 fn starts_nocase(text: &str, word: &str) -> Option<usize> {
     let mut length = 0;
     let mut chars = text.chars();
@@ -312,7 +312,7 @@ fn totitle(call: &Call<'_>) -> Result<Value, Exception> {
     Ok(Value::from(before + &head + &chars.as_str().to_lowercase() + &after))
 }
 
-/// What `string trim` takes away unless told otherwise.
+/// Characters that `string trim` removes by default.
 fn is_blank(c: char) -> bool {
     c.is_whitespace() || matches!(c, '\0' | '\u{180e}' | '\u{200b}' | '\u{2060}' | '\u{feff}')
 }

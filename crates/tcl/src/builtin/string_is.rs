@@ -128,7 +128,7 @@ enum Fit {
     TooLarge,
 }
 
-/// Where a text stops to be a number of a kind; -1 where it is one but too large.
+/// Index at which a text ceases to be a number of a kind; -1 if it is one but too large.
 fn number_failure(text: &str, fit: impl Fn(&Number) -> Fit) -> Option<i64> {
     if let Some(n) = number::parse(text) {
         match fit(&n) {

@@ -177,9 +177,9 @@ impl Core {
         frame: usize,
         name: &VarName,
     ) -> Result<Rc<std::cell::RefCell<Slot>>, Exception> {
-        let active = std::mem::replace(&mut self.active, frame);
+        let active = std::mem::replace(&mut self.calls.active, frame);
         let result = self.shared(name);
-        self.active = active;
+        self.calls.active = active;
         result.map_err(|why| self.var_error("access", name, name.element.as_deref(), why))
     }
 

@@ -14,14 +14,14 @@ use super::{Binary, Unary};
 /// Shifting further than this would make integers that take minutes to write.
 const MAX_SHIFT: u64 = 1 << 27;
 
-/// Which operand is at fault.
+/// Operand at fault.
 #[derive(Clone, Copy)]
 pub(crate) enum Side {
     Left,
     Right,
 }
 
-/// What went wrong with an operation.
+/// Error of an operation.
 pub(crate) struct Fault {
     pub(crate) side: Side,
     pub(crate) error: Exception,

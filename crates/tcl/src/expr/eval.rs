@@ -140,7 +140,7 @@ impl<H> Interp<H> {
     fn function(&mut self, function: &Function, args: Vec<Value>) -> Result<Value, Exception> {
         let found = function.found.get();
         let ns = self.core.here();
-        if found.epoch == self.core.epoch && found.namespace == ns.0 && found.command == u32::MAX {
+        if found.epoch == self.core.table.epoch && found.namespace == ns.0 && found.command == u32::MAX {
             return func::call(&mut self.core, &function.name, &args);
         }
         let local = format!("tcl::mathfunc::{}", function.name);
@@ -149,7 +149,7 @@ impl<H> Interp<H> {
             .find_command_from(ns, &local)
             .or_else(|| self.core.find_command_from(NsId::GLOBAL, &local))
             .map(|id| self.core.origin_of(id));
-        let own = match id.map(|id| (id, &self.core.commands[id.0 as usize].imp)) {
+        let own = match id.map(|id| (id, &self.core.table.commands[id.0 as usize].imp)) {
             Some((_, Imp::Core(f))) if std::ptr::fn_addr_eq(*f, func::command as super::super::command::CoreFn) => None,
             Some((id, _)) => Some(id),
             None if self.core.find_command("::unknown").is_some() => {
@@ -170,7 +170,7 @@ impl<H> Interp<H> {
         match own {
             Some(id) => self.call_function(id, &local, args),
             None => {
-                let found = Found { epoch: self.core.epoch, namespace: ns.0, command: u32::MAX };
+                let found = Found { epoch: self.core.table.epoch, namespace: ns.0, command: u32::MAX };
                 function.found.set(found);
                 func::call(&mut self.core, &function.name, &args)
             }

@@ -217,7 +217,7 @@ fn extreme(args: &[Value], greatest: bool) -> Result<Value, Exception> {
     Ok(best.map(Value::from).unwrap_or_default())
 }
 
-/// Where `rand` starts without `srand`: Tcl takes the clock, but a study must come out the same every time.
+/// Seed of `rand` without `srand`. Tcl takes the clock, but a run must be repeatable.
 const FIRST_SEED: i64 = 20_240_101;
 
 impl Core {

@@ -128,7 +128,7 @@ impl Binary {
     }
 }
 
-/// What is wrong with an expression.
+/// Error in an expression.
 #[derive(Debug)]
 pub(crate) struct ExprError {
     /// Tcl's message with all its lines, and where it points.

@@ -19,7 +19,7 @@ const MARK: &str = "_@_";
 /// An operator that still lacks its right operand.
 struct Pending {
     lexeme: Lexeme,
-    /// Where the text of the whole operation starts.
+    /// Start of the text of the whole operation.
     start: u32,
     operator: (u32, u32),
     /// The jump to be completed, for operators that evaluate only one side.
@@ -47,7 +47,7 @@ pub(super) struct Parser<'a> {
     names: Vec<&'a str>,
     complete: Option<Operand>,
     open: usize,
-    /// How many operands are handed in, so far; none outside of templates.
+    /// Number of operands handed in so far; none outside of templates.
     slots: Option<usize>,
 }
 

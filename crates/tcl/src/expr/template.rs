@@ -1,7 +1,7 @@
-//! `expr $a*$b`, not braced: what is substituted becomes part of the text of the expression, which Tcl parses anew each time.
+//! `expr $a*$b`, not braced: the values become part of the text of the expression, which Tcl parses anew each time.
 //!
-//! Where everything substituted is a number that stands between operators, the outcome is that of the expression with
-//! the numbers in these places, which is compiled once. In all other cases the text is put together and parsed.
+//! If every value is a number between operators, the expression is compiled once, with operands in these places. In
+//! all other cases the text is put together and parsed.
 
 use std::rc::Rc;
 
@@ -79,7 +79,7 @@ fn compile(text: &str) -> Option<Expr> {
     parse::Parser::template(&unit).parse().ok()
 }
 
-/// Whether a value is a number and nothing else, blanks included.
+/// Returns true if a value is a number and nothing else, blanks included.
 fn is_number(value: &Value) -> bool {
     match &value.0 {
         Rep::Int(_) => true,

@@ -1,9 +1,9 @@
 //! Tcl's regular expressions on top of other engines.
 //!
 //! A pattern is translated to the syntax of `regex-automata`, or of `fancy-regex` where it has back references or
-//! lookahead. Tcl looks for the leftmost match and, there, for the longest one (or the shortest, if the first quantifier is a
-//! lazy one), while these engines take what the pattern tries first; so the end of a match is settled by a second
-//! automaton that sees all ways to match. What is not exactly as in Tcl:
+//! lookahead. Tcl looks for the leftmost match and, there, for the longest one, or for the shortest if the first
+//! quantifier is lazy. These engines take the match that the pattern tries first. A second automaton, which sees all ways
+//! to match, therefore decides the end of a match. Differences from Tcl:
 //!
 //! - Within a match, parentheses take what the pattern tries first: `(a|ab)(bc|c)` on `abc` gives `a bc`, not `ab c`.
 //! - With back references or lookahead, the match too is what the pattern tries first.
@@ -43,7 +43,7 @@ pub(crate) struct Flags {
 pub(crate) struct Regex {
     flags: Flags,
     engine: Engine,
-    /// Whether a search must not see what is before its start.
+    /// True if a search must not look at the text before its start.
     anchored: bool,
     /// Number of capturing parentheses.
     pub(crate) groups: usize,

@@ -10,13 +10,13 @@ use crate::error::Exception;
 pub(super) struct Translated {
     pub(super) text: String,
     pub(super) groups: usize,
-    /// Whether it has what only the backtracking engine can do.
+    /// True if only the backtracking engine can match it.
     pub(super) fancy: bool,
-    /// Whether the longest of the matches is wanted, or the shortest.
+    /// True for the longest of the matches, false for the shortest.
     pub(super) longest: bool,
-    /// Whether there is only one way to match from a given place.
+    /// True if there is only one way to match from a given place.
     pub(super) simple: bool,
-    /// Whether it has `\A`, which matches where the search starts.
+    /// True if it has `\A`, which matches at the start of the search.
     pub(super) anchored: bool,
 }
 
@@ -137,7 +137,7 @@ pub(super) struct Translator<'a> {
     anchored: bool,
 }
 
-/// Whether something prefers to match long (or short); `None`: it has no choice.
+/// Preference for a long match (true) or a short one (false); `None` without a choice.
 pub(super) type Preference = Option<bool>;
 
 impl Translator<'_> {
@@ -437,6 +437,6 @@ impl Translator<'_> {
 pub(super) struct Atom {
     pub(super) preference: Preference,
     pub(super) repeatable: bool,
-    /// Whether a quantifier needs parentheses around it.
+    /// Returns true if a quantifier needs parentheses around it.
     pub(super) wrap: bool,
 }

@@ -1,4 +1,4 @@
-//! What a host sees of the interpreter.
+//! Interface between interpreter and host.
 
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Interp, MemoryFiles, Recorded, Value};

@@ -1,5 +1,5 @@
-//! What the accelerated methods share: modified Newton whose corrections are bettered by what the last ones have told, with
-//! a new tangent now and then.
+//! Common part of the accelerated methods: modified Newton with corrections that are improved by the last residuals, and
+//! with a new tangent now and then.
 
 use super::{Algorithm, Iteration};
 use crate::analysis::failure::Failure;
@@ -8,7 +8,7 @@ use crate::analysis::workspace::TangentMix;
 use crate::solve::Use;
 use std::fmt;
 
-/// How corrections are accelerated.
+/// Rule that accelerates corrections.
 pub(super) trait Accelerator: fmt::Debug + Send {
     /// Name in the `algorithm` command.
     fn name(&self) -> &'static str;
@@ -16,7 +16,7 @@ pub(super) trait Accelerator: fmt::Debug + Send {
     fn prepare(&mut self, n: usize, wanted: usize) -> usize;
     /// Better the k-th correction since the tangent, `x`, which the residual called for.
     fn accelerate(&mut self, k: usize, x: &mut [f64], residual: &[f64]);
-    /// Whether the test of a transient analysis sees the correction as it was before it was accelerated.
+    /// Returns true if the test of a transient analysis sees the correction before its acceleration.
     fn hides_from_test(&self) -> bool {
         false
     }

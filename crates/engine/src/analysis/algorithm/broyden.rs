@@ -7,8 +7,8 @@ use crate::analysis::system::System;
 use crate::analysis::workspace::TangentMix;
 use crate::numeric::{axpy, dot};
 
-/// `algorithm Broyden` (Broyden, 1965, the first method): the inverse of the tangent changes as little as the last
-/// correction asks for, and need not be symmetric.
+/// `algorithm Broyden` (Broyden, 1965, the first method): the smallest change of the inverse of the tangent that agrees with
+/// the last correction. The inverse need not be symmetric.
 #[derive(Debug, Default)]
 struct Broyden {
     /// H₊ v = H v + u (s · H v), one u for each correction.

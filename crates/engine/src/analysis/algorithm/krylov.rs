@@ -13,7 +13,7 @@ pub fn krylov_newton(tangents: Tangents) -> Box<dyn Algorithm> {
 struct Krylov {
     /// Corrections so far, and one place more.
     v: Vec<Vec<f64>>,
-    /// What the residual lost by them.
+    /// Decrease of the residual by each of them.
     av: Vec<Vec<f64>>,
     /// Orthonormal basis of `av`.
     q: Vec<Vec<f64>>,

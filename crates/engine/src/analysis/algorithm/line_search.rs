@@ -6,7 +6,7 @@ use crate::analysis::failure::Failure;
 use crate::numeric::dot;
 use crate::solve::Use;
 
-/// How the length is searched for.
+/// Method of the search for the length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SearchKind {
     /// Interpolation from the first two lengths (Crisfield, 1991, section 9.2).
@@ -22,7 +22,7 @@ pub enum SearchKind {
 /// Parameters of a search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineSearch {
-    /// How.
+    /// Method.
     pub kind: SearchKind,
     /// Wanted ratio of the work of the unbalance on the correction, after to before.
     pub tolerance: f64,
@@ -64,14 +64,14 @@ impl NewtonLineSearch {
         x.iter_mut().zip(&self.direction).for_each(|(x, d)| *x = (to - from) * d);
         self.update(it)?;
         // OpenSees has here the other sign than at lengths 0 and 1.
-        let sign = if it.system.work.compat { -1.0 } else { 1.0 };
+        let sign = if it.system.work.opensees.is_some() { -1.0 } else { 1.0 };
         Ok(sign * self.work(it))
     }
 
-    /// Move, and ask for the unbalance there. Where the integrator adds to the correction, as those that find the load factor do,
+    /// Move, and evaluate the unbalance there. Where the integrator adds to the correction, as those that find the load factor do,
     /// OpenSees goes on along what it has moved by.
     fn update(&mut self, it: &mut Iteration<'_, '_>) -> Result<(), Failure> {
-        let follows = it.system.work.compat;
+        let follows = it.system.work.opensees.is_some();
         if follows {
             self.asked.clear();
             self.asked.extend_from_slice(&it.system.work.x);
@@ -110,7 +110,7 @@ impl NewtonLineSearch {
         let first = (s1 / s0).abs();
         let (mut eta, mut s, mut ratio) = (1.0, s1, first);
         for _ in 0..self.search.max_iterations {
-            // Where the search makes it worse the whole correction is taken.
+            // The whole correction is taken where the search makes it worse.
             let next = if ratio > first { 1.0 } else { self.limit(eta * s0 / (s0 - s)) };
             if next == eta {
                 break;

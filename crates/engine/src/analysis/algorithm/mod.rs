@@ -14,6 +14,7 @@ mod secant_newton;
 use super::convergence::{Test, TestOutcome};
 use super::failure::{Cause, Failure};
 use super::integrator::Integrator;
+use super::opensees::Stage;
 use super::system::System;
 use super::workspace::TangentMix;
 use std::fmt;
@@ -28,7 +29,7 @@ pub use linear::Linear;
 pub use newton::{ModifiedNewton, Newton};
 pub use secant_newton::secant_newton;
 
-/// What an algorithm works on during a step.
+/// Equations, integrator and test of a step, for an algorithm.
 pub struct Iteration<'a, 'b> {
     /// The equations.
     pub system: &'a mut System<'b>,
@@ -43,7 +44,7 @@ impl Iteration<'_, '_> {
     #[inline]
     pub fn update(&mut self) -> Result<(), Failure> {
         self.system.moved = true;
-        self.system.work.updates = self.system.work.asking.update;
+        self.system.work.enter(Stage::Correction);
         self.system.work.progress = (self.test.iteration + 1, self.test.max_iterations.max(1));
         let mut x = std::mem::take(&mut self.system.work.x);
         let result = self.integrator.update(self.system, &mut x);
@@ -103,7 +104,7 @@ pub trait Algorithm: fmt::Debug + Send {
     fn solve(&mut self, it: &mut Iteration<'_, '_>) -> Result<usize, Failure>;
 }
 
-/// Which tangent the iterations of a step use.
+/// Tangent of the iterations of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TangentChoice {
     /// One mix for all iterations.

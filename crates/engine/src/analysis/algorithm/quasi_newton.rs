@@ -1,5 +1,5 @@
-//! What the quasi-Newton methods share: corrections with a matrix that learns from the residuals, and now and then a new
-//! tangent to begin with.
+//! Common part of the quasi-Newton methods: the residuals update the matrix of the corrections, which starts anew from a
+//! tangent now and then.
 
 use super::{Algorithm, Iteration};
 use crate::analysis::convergence::TestOutcome;
@@ -9,7 +9,7 @@ use crate::analysis::workspace::TangentMix;
 use crate::solve::Use;
 use std::fmt;
 
-/// How a quasi-Newton method learns.
+/// Update of a quasi-Newton method.
 pub(super) trait Update: fmt::Debug + Send {
     /// Name in the `algorithm` command.
     fn name(&self) -> &'static str;

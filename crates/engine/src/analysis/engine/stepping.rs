@@ -2,11 +2,10 @@
 
 use super::{Engine, Imbalance, Kind, Observer, Setup};
 use crate::analysis::algorithm::Iteration;
-use crate::analysis::asking::{Asking, Calls};
 use crate::analysis::failure::Cause;
 use crate::analysis::failure::Failure;
 use crate::analysis::integrator::Adaptive;
-use crate::analysis::system::Coefficients;
+use crate::analysis::opensees::Stage;
 use crate::analysis::system::System;
 use crate::analysis::workspace::TangentMix;
 use crate::numeric::{all_zero, largest};
@@ -26,7 +25,7 @@ impl Engine {
             }
             let length = self.length(dt);
             let done = match self.step_in_parts(length) {
-                Err(failure) if self.options.ladder.is_some() => self.climb(length, failure, observer),
+                Err(failure) if self.options.ladder.is_some() => self.recover(length, failure, observer),
                 done => done,
             };
             if let Err(failure) = done {
@@ -86,20 +85,10 @@ impl Engine {
         let length = self.length(dt);
         let (Some(setup), Some((_, _, work))) = (&mut self.setup, &mut self.prepared) else { return Ok(()) };
         let mut system = System {
-            model: &self.model,
-            old: &self.committed,
-            new: &mut self.trial,
-            coefficients: Coefficients::default(),
             dynamic: setup.kind == Kind::Transient,
             elapses: setup.integrator.elapses(),
-            passed: None,
-            again: false,
             moved: false,
-            asked: None,
-            still: false,
-            summed: false,
-            settled: false,
-            work,
+            ..System::new(&self.model, &self.committed, &mut self.trial, work)
         };
         if self.fresh {
             prepare(&mut system, setup)?;
@@ -125,7 +114,7 @@ impl Engine {
         if self.setup.as_ref().is_some_and(|s| s.kind == Kind::Static) { 1.0 } else { dt }
     }
 
-    /// One step of the script, in the parts that [`Options::refine`](super::Options) asks for where it can be divided.
+    /// One step of the script, in the number of parts of [`Options::refine`](super::Options) where it can be divided.
     #[inline]
     pub(in crate::analysis) fn step_in_parts(&mut self, length: f64) -> Result<(), Failure> {
         let divides = self.setup.as_ref().is_some_and(|s| s.integrator.divides());
@@ -140,7 +129,7 @@ impl Engine {
         let start = self.committed.clone();
         for _ in 0..parts {
             if let Err(failure) = self.step(length / f64::from(parts)) {
-                self.change_state(|s, _| s.clone_from(&start));
+                self.change_state(|s, _| s.revert_to(&start));
                 return Err(failure);
             }
         }
@@ -159,23 +148,15 @@ impl Engine {
         let (Some(setup), Some((_, _, work))) = (&mut self.setup, &mut self.prepared) else {
             unreachable!("prepared above")
         };
+        let still = setup.kind == Kind::Static && !work.loads.moves && all_zero(&self.committed.vel);
         let mut system = System {
-            model: &self.model,
-            old: &self.committed,
-            new: &mut self.trial,
-            coefficients: Coefficients::default(),
             dynamic: setup.kind == Kind::Transient,
             elapses: setup.integrator.elapses(),
-            passed: None,
-            again: false,
             moved: false,
-            asked: None,
-            still: setup.kind == Kind::Static && !work.loads.moves && all_zero(&self.committed.vel),
-            summed: false,
-            settled: false,
-            work,
+            still,
+            ..System::new(&self.model, &self.committed, &mut self.trial, work)
         };
-        setup.test.closely = self.options.refine > 1;
+        setup.test.tightened = self.options.refine > 1;
         let result = advance(&mut system, setup, self.fresh, length);
         match result {
             Ok(iterations) => {
@@ -192,6 +173,7 @@ impl Engine {
             }
             Err(failure) => {
                 system.work.loads.invalidate();
+                self.committed.shared.copy_from_slice(&self.trial.shared);
                 self.trial.copy_from(&self.committed);
                 Err(failure)
             }
@@ -202,7 +184,7 @@ impl Engine {
 /// Make integrator and algorithm ready for a model, or an integrator, that is new.
 fn prepare(system: &mut System<'_>, setup: &mut Setup) -> Result<(), Failure> {
     system.work.two_end_residual = None;
-    system.work.multiplies = setup.integrator.multiplies_tangents();
+    system.work.elements.multiplies = setup.integrator.multiplies_tangents();
     setup.integrator.prepare(system)?;
     setup.algorithm.prepare(system);
     Ok(())
@@ -210,30 +192,28 @@ fn prepare(system: &mut System<'_>, setup: &mut Setup) -> Result<(), Failure> {
 
 /// Begin, solve and end a step.
 fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64) -> Result<usize, Failure> {
-    // Nobody else asks for it.
-    if !system.work.counting.is_empty() {
-        system.work.asking = Asking::new(setup.kind, setup.integrator.name(), setup.handler);
+    if let Some(counts) = &mut system.work.opensees {
+        counts.set_schedule(setup.kind, setup.integrator.name(), setup.handler);
     }
     if fresh {
-        system.work.updates = system.work.asking.prepare;
+        system.work.enter(Stage::Preparation);
         prepare(system, setup)?;
-        system.work.updates = Calls::NONE;
-        system.work.tangent_is_current = false;
+        system.work.enter(Stage::Outside);
+        system.work.elements.is_current = false;
         if system.work.wants_committed_tangent() {
             system.respond(true)?;
             system.work.commit_tangents(true);
         }
     }
     setup.integrator.begin(system, length)?;
-    system.work.updates = system.work.asking.begin;
+    system.work.enter(Stage::Begin);
     let mut iteration = Iteration { system, integrator: setup.integrator.as_mut(), test: &mut setup.test };
     let iterations = setup.algorithm.solve(&mut iteration)?;
-    // Integrators that answer at another time than the end of the step ask once more.
-    system.work.updates = Calls::ONCE;
+    system.work.enter(Stage::End);
     setup.integrator.commit(system, iterations).map_err(|f| f.with_code(-4))?;
-    system.work.updates = Calls::NONE;
+    system.work.enter(Stage::Outside);
     if system.work.wants_committed_tangent() {
-        if !system.work.tangent_is_current {
+        if !system.work.elements.is_current {
             system.respond(true)?;
         }
         system.work.commit_tangents(false);
@@ -241,11 +221,11 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64)
     Ok(iterations)
 }
 
-/// Remember a step that counted as converged though forces were left over.
+/// Keep the imbalance of a step that counted as converged though forces were left over.
 #[inline]
 fn note_imbalance(system: &System<'_>, worst: &mut Option<Imbalance>) {
     let unbalanced = largest(&system.work.b);
-    // Mostly one of the first forces is large enough to see that there is nothing to tell.
+    // Mostly one of the first forces is large enough to show that there is nothing to report.
     let dwarfs = |f: &f64| Imbalance::LIMIT * f.abs() >= unbalanced;
     if unbalanced != 0.0 && !system.new.force.iter().any(dwarfs) && !system.work.loads.nodal.iter().any(dwarfs) {
         measure_imbalance(system, unbalanced, worst);

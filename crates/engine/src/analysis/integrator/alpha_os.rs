@@ -5,10 +5,10 @@ use super::{AlphaParameters, Integrator};
 use crate::analysis::failure::Failure;
 use crate::analysis::system::{Coefficients, System};
 
-/// `integrator AlphaOS` and `AlphaOSGeneralized` (Combescure and Pegon, 1997): the elements are asked at a predicted
-/// displacement, and a linear stiffness corrects it once; inertia, stiffness and damping count at fractions of the step.
+/// `integrator AlphaOS` and `AlphaOSGeneralized` (Combescure and Pegon, 1997): the elements are evaluated at a predicted
+/// displacement, and a linear stiffness corrects it once. Inertia, stiffness and damping count at fractions of the step.
 ///
-/// As in OpenSees the elements stay at the predicted displacement unless they are told of the corrected one.
+/// As in OpenSees the elements stay at the predicted displacement unless they are updated with the corrected one.
 #[derive(Clone, Debug)]
 pub struct AlphaOs {
     name: &'static str,

@@ -21,7 +21,7 @@ pub struct ArcLength {
     step_factor: f64,
     /// Growth of the load factor in the last committed step: the next begins in the same sense.
     last_factor: f64,
-    /// Whether corrections keep to the plane through the first point (Riks, 1979) instead of to the sphere.
+    /// Corrections keep to the plane through the first point (Riks, 1979) instead of to the sphere.
     plane: bool,
 }
 

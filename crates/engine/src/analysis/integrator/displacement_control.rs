@@ -15,7 +15,7 @@ pub struct DisplacementControl {
     step: f64,
     adaptive: Adaptive,
     last_iterations: usize,
-    /// Which stiffness predicts.
+    /// Stiffness of the prediction.
     mix: TangentMix,
     /// Load factor of the trial state.
     factor: f64,

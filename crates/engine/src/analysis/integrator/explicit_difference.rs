@@ -19,7 +19,7 @@ pub struct ExplicitDifference {
     fresh: bool,
     /// Velocities half a step before the committed state.
     middle: Vec<f64>,
-    /// Those of the step at hand.
+    /// Values of the current step.
     next: Vec<f64>,
     /// Accelerations of the committed state.
     accel: Vec<f64>,

@@ -9,7 +9,7 @@ use crate::solve::Use;
 /// are held they are those that they have.
 ///
 /// # Errors
-/// A mass matrix without an inverse, or an element that does not answer.
+/// The mass matrix has no inverse, or an element finds no force.
 pub(super) fn balanced_acceleration(s: &mut System<'_>, accel: &mut [f64]) -> Result<(), Failure> {
     s.coefficients = Coefficients { k: 0.0, c: 0.0, m: 1.0 };
     s.apply_loads(s.old.time)?;

@@ -77,7 +77,7 @@ impl Integrator for FixedIterations {
     }
 
     fn commit(&mut self, s: &mut System<'_>, iterations: usize) -> Result<(), Failure> {
-        s.form_tangent(s.work.last_mix, Use::Once)?;
+        s.form_tangent(s.work.matrix.mix, Use::Once)?;
         self.correction.copy_from_slice(&s.work.b);
         s.solve_for(&mut self.correction)?;
         self.inner.update(s, &mut self.correction)?;

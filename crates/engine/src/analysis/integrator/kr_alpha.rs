@@ -59,7 +59,7 @@ impl KrAlpha {
         Self { trapezoidal: true, ..Self::new(rho, true) }
     }
 
-    /// Where the elements are asked, in parts of the step.
+    /// Time of the evaluation of the elements, in parts of the step.
     fn place(&self) -> f64 {
         if self.trapezoidal { 1.0 } else { self.p.force }
     }

@@ -61,7 +61,7 @@ pub use trapezoidal_splitting::TrapezoidalSplitting;
 pub use trbdf2::trbdf2;
 pub use trbdf3::trbdf3;
 
-/// How a step advances.
+/// Rule by which a step advances.
 ///
 /// The calls of a step are `begin`, then `update` for each correction, then `commit`; a step that fails ends without
 /// `commit`, and the next `begin` finds the committed state again.
@@ -69,32 +69,32 @@ pub trait Integrator: fmt::Debug + Send {
     /// Name in the `integrator` command.
     fn name(&self) -> &'static str;
 
-    /// Whether it serves `analysis Static`.
+    /// Returns true if it serves `analysis Static`.
     fn is_static(&self) -> bool {
         false
     }
 
-    /// Whether domain time is time: it is not where the step is ruled by something else than time.
+    /// Returns true if domain time is time: it is not where something else than time determines the step.
     fn elapses(&self) -> bool {
         true
     }
 
-    /// Whether the unbalance of a solved step is an error of equilibrium: it is not for explicit methods.
+    /// Returns true if the unbalance of a solved step is an error of equilibrium: it is not for explicit methods.
     fn balances(&self) -> bool {
         true
     }
 
-    /// Whether [`Integrator::update`] does no more than to add the correction to the trial motion, times its coefficients.
+    /// Returns true if [`Integrator::update`] only adds the correction, times its coefficients, to the trial motion.
     fn only_adds(&self) -> bool {
         false
     }
 
-    /// Whether the tangents of the elements are multiplied with displacements that are in no equation.
+    /// Returns true if the tangents of the elements are multiplied with displacements that are in no equation.
     fn multiplies_tangents(&self) -> bool {
         false
     }
 
-    /// Whether a step can be made in parts, by giving `begin` parts of its length.
+    /// Returns true if a step can be made in parts, by giving `begin` parts of its length.
     fn divides(&self) -> bool {
         !self.is_static()
     }

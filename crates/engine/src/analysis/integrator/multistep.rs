@@ -1,5 +1,5 @@
-//! What the linear multistep methods share: the motion at the end of a step follows from the unknown displacement and
-//! from what it was at the ends of the steps before.
+//! Common part of the linear multistep methods: the motion at the end of a step follows from the unknown displacement and
+//! from the motion at the ends of the steps before.
 
 use super::Integrator;
 use crate::analysis::failure::Failure;
@@ -53,7 +53,7 @@ impl Formula {
 pub(super) trait Method: fmt::Debug + Send {
     /// Name in the `integrator` command.
     fn name(&self) -> &'static str;
-    /// What a step of length `dt` does that comes after `past` steps of that length.
+    /// Formula of a step of length `dt` after `past` steps of that length.
     fn formula(&self, past: usize, dt: f64) -> Formula;
 }
 

@@ -4,7 +4,7 @@ use super::Integrator;
 use crate::analysis::failure::Failure;
 use crate::analysis::system::{Coefficients, System};
 
-/// What the equations are solved for.
+/// Unknown of the equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// Displacements.
@@ -30,7 +30,7 @@ impl Newmark {
         Self { gamma, beta, form, c: Coefficients::default() }
     }
 
-    /// What a unit of the unknown adds to displacement, velocity and acceleration.
+    /// Displacement, velocity and acceleration per unit of the unknown.
     pub(super) fn coefficients(gamma: f64, beta: f64, form: Form, dt: f64) -> Coefficients {
         match form {
             Form::Displacement => Coefficients { k: 1.0, c: gamma / (beta * dt), m: 1.0 / (beta * dt * dt) },

@@ -1,4 +1,4 @@
-//! What integrators that rule the load factor share: the load that the factor multiplies, and the displacement under it.
+//! Load that a load factor multiplies, and the displacement under it: shared by integrators that determine the load factor.
 
 use crate::analysis::failure::{Cause, Failure};
 use crate::analysis::system::{Coefficients, System};

@@ -4,7 +4,7 @@ use super::Integrator;
 use crate::analysis::failure::Failure;
 use crate::analysis::system::System;
 
-/// How corrections are kept small.
+/// Measure that keeps corrections small.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Restraint {
     /// Each is multiplied by a factor.

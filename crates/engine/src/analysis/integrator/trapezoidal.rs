@@ -7,7 +7,7 @@ use crate::analysis::system::{Coefficients, System};
 
 /// `integrator HHT_TP` and `HHTGeneralized_TP`: the methods of Hilber, Hughes and Taylor (1977) and of Chung and Hulbert
 /// (1993) with their weights on the forces at both ends of a step, αf F(u, v) at its end and (1 - αf) F at its begin, where
-/// [`Hht`](super::Hht) and [`GeneralizedAlpha`](super::GeneralizedAlpha) ask for the force F once, at the weighted motion
+/// [`Hht`](super::Hht) and [`GeneralizedAlpha`](super::GeneralizedAlpha) evaluate the force F once, at the weighted motion
 /// (for the two see Erlicher, Bonaventura and Bursi, 2002). Linear models see no difference; elements see ends of steps only.
 #[derive(Debug)]
 pub struct Trapezoidal {

@@ -6,7 +6,7 @@ use crate::analysis::failure::Failure;
 use crate::analysis::system::{Coefficients, System};
 
 /// `integrator HHTExplicit_TP` and `HHTGeneralizedExplicit_TP`: as [`ExplicitAlpha`](super::ExplicitAlpha), but the elements are
-/// asked at the displacement predicted for the end of the step, and their forces there and at its begin are weighted.
+/// evaluated at the displacement predicted for the end of the step, and their forces there and at its begin are weighted.
 #[derive(Clone, Debug)]
 pub struct TrapezoidalExplicit {
     name: &'static str,

@@ -7,10 +7,10 @@ use crate::analysis::failure::Failure;
 use crate::analysis::system::{Coefficients, System};
 
 /// `integrator AlphaOS_TP` and `AlphaOSGeneralized_TP` (Combescure and Pegon, 1997): as [`AlphaOs`](super::AlphaOs), but the
-/// elements are asked at the displacement predicted for the end of the step, and their forces there and at its begin are
+/// elements are evaluated at the displacement predicted for the end of the step, and their forces there and at its begin are
 /// weighted. A linear stiffness makes up for what lies between prediction and correction.
 ///
-/// As in OpenSees the elements stay at the predicted displacement unless they are told of the corrected one.
+/// As in OpenSees the elements stay at the predicted displacement unless they are updated with the corrected one.
 #[derive(Clone, Debug)]
 pub struct TrapezoidalSplitting {
     name: &'static str,

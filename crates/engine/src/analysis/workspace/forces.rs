@@ -9,14 +9,14 @@ use crate::numeric::dot;
 impl Workspace {
     /// Subtract the forces of the elements from `full`: resisting forces, and with `dynamic` damping and inertia.
     pub(in crate::analysis) fn subtract_elements(&mut self, model: &Model, state: &State, dynamic: bool) {
-        for (e, m) in model.elements.iter().zip(&self.matrices) {
+        for (e, m) in model.elements.iter().zip(&self.elements.entries) {
             let force = &state.force[e.force.clone()];
             for (&d, f) in e.dofs.iter().zip(force) {
                 self.full[d as usize] -= f;
             }
             if dynamic && m.is_dynamic {
                 let mut f = [0.0; MAX_DOFS];
-                self.add_dynamic_force(&e.dofs, m, &m.rayleigh, state, 1.0, &mut f);
+                self.add_dynamic_force(&e.dofs, m, &m.rayleigh.forces, state, 1.0, &mut f);
                 for (&d, f) in e.dofs.iter().zip(&f) {
                     self.full[d as usize] -= f;
                 }
@@ -32,9 +32,11 @@ impl Workspace {
         if !dynamic {
             return;
         }
-        for (i, (e, m)) in model.elements.iter().zip(&self.matrices).enumerate().filter(|(_, (_, m))| m.is_dynamic) {
+        for (i, (e, m)) in
+            model.elements.iter().zip(&self.elements.entries).enumerate().filter(|(_, (_, m))| m.is_dynamic)
+        {
             let mut f = [0.0; MAX_DOFS];
-            self.add_dynamic_force(&e.dofs, m, &m.rayleigh, state, inertia, &mut f);
+            self.add_dynamic_force(&e.dofs, m, &m.rayleigh.forces, state, inertia, &mut f);
             self.plan.subtract_force(i, e.force.start, &f, &mut self.b);
         }
     }
@@ -64,31 +66,32 @@ impl Workspace {
         };
         let range = m.at..m.at + n * n;
         if m.linear {
-            add(&self.tangent[range], r.beta_k + r.beta_k0 + r.beta_kc, &v[..n]);
+            add(&self.elements.tangent[range], r.beta_k + r.beta_k0 + r.beta_kc, &v[..n]);
         } else {
-            add(&self.tangent[range.clone()], r.beta_k, &v[..n]);
+            add(&self.elements.tangent[range.clone()], r.beta_k, &v[..n]);
             if r.beta_k0 != 0.0 {
-                add(&self.initial[range.clone()], r.beta_k0, &v[..n]);
+                add(&self.elements.initial[range.clone()], r.beta_k0, &v[..n]);
             }
             if r.beta_kc != 0.0 {
-                add(&self.committed[range], r.beta_kc, &v[..n]);
+                add(&self.elements.committed[range], r.beta_kc, &v[..n]);
             }
         }
         match m.mass {
             MassPlace::None => {}
             MassPlace::Lumped(at) => {
-                out.iter_mut().zip(&self.mass[at..at + n]).zip(&a).for_each(|((o, m), a)| *o += m * a);
+                out.iter_mut().zip(&self.elements.mass[at..at + n]).zip(&a).for_each(|((o, m), a)| *o += m * a);
             }
-            MassPlace::Consistent(at) => add(&self.mass[at..at + n * n], 1.0, &a[..n]),
+            MassPlace::Consistent(at) => add(&self.elements.mass[at..at + n * n], 1.0, &a[..n]),
         }
     }
 
     /// Subtract the Rayleigh damping forces of the elements from `full`.
     pub(in crate::analysis) fn subtract_damping(&mut self, model: &Model, state: &State) {
-        for (e, m) in model.elements.iter().zip(&self.matrices).filter(|(_, m)| !m.reported.is_zero()) {
+        for (e, m) in model.elements.iter().zip(&self.elements.entries).filter(|(_, m)| !m.rayleigh.reported.is_zero())
+        {
             let mut f = [0.0; MAX_DOFS];
             // Inertia is no part of a report of damping.
-            self.add_dynamic_force(&e.dofs, m, &m.reported, state, 0.0, &mut f);
+            self.add_dynamic_force(&e.dofs, m, &m.rayleigh.reported, state, 0.0, &mut f);
             for (&d, f) in e.dofs.iter().zip(&f) {
                 self.full[d as usize] -= f;
             }

@@ -1,56 +1,58 @@
-//! The element around an element.
+//! An element with an amended force.
 
 use super::slack::ForceAndTangent;
 use super::{AmendedForce, Amendment, DeformationState, Pair, Slack, SlackShare};
 use crate::element::{
-    BasicRow, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, MAX_DOFS, Mass,
-    MatrixMask, Overload, Snapshot, dot,
+    BasicRow, CallDependent, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, MAX_DOFS,
+    Mass, MatrixMask, OpenSeesTraits, Overload, SharedState, Snapshot, dot,
 };
 use crate::probe::Probe;
 use crate::series::Series;
 use std::sync::Arc;
 
-/// An element whose force in one direction, or in two together, is amended.
+/// An element whose force is amended in one direction, or in two coupled directions.
 ///
-/// With the rows a of its basic deformations e = a·u, the element's force in direction i is q_i = t_i·f, where t_i is
-/// the part of a_i at node j. The amended force is f + Σ a_i (q'_i - q_i), so that moments of a shear force follow it.
+/// Basic deformations are e = a·u with the rows a. The element's force in direction i is q_i = t_i·f, where t_i is the
+/// part of a_i at node j. The amended force is f + Σ a_i (q'_i - q_i). Moments of a shear force therefore change with
+/// that shear force.
 ///
-/// With [`Slack`] the element is asked at the deformation that the slack leaves to it: its other forces, the moments of the
-/// axial force among them, are those of that shorter deformation.
+/// With [`Slack`] the element is evaluated at e - s, the deformation without the slack. All of its forces, moments of
+/// the axial force included, are those at e - s.
 ///
-/// An element that counts its calls has the tangent of its last call kept in the history, n x n behind the law's words. Slack
-/// asks such an element several times in a call.
+/// An element that counts its calls keeps the tangent of its last call among the state variables: n x n, after those of
+/// the law. With slack such an element is evaluated several times in a call.
 #[derive(Clone, Debug)]
 pub struct Amended {
     inner: Arc<dyn Element>,
     law: Arc<dyn Amendment>,
     rows: Vec<BasicRow>,
     axial: Compression,
-    /// State variables of the element's own history.
+    /// Number of state variables of the element.
     inner_len: usize,
-    /// Where the element finds its basic forces and deformations: those are to be amended when they are read.
+    /// Probe paths of the element's basic forces and deformations, which are amended when they are read.
     basic_force: Option<Vec<u32>>,
     deformation: Option<Vec<u32>>,
 }
 
-/// Where the compression comes from that a law goes by.
+/// Source of the axial compression that a law depends on.
 #[derive(Clone, Debug)]
 enum Compression {
-    /// There is none.
+    /// No compression.
     None,
-    /// From the force of the element in a direction.
+    /// Compression from the element's force in a direction.
     Force(BasicRow),
-    /// From a history, such as a load cell's.
+    /// Compression as a function of time, such as the record of a load cell.
     History(Series),
 }
 
-/// State variables before those of the law: committed deformation, what was added to the force, and what has been withheld of the deformation.
-const HEADER: usize = 6;
-const WITHHELD: usize = 4;
-/// Behind two directions.
-const AXIAL: usize = 2;
+/// Number of state variables before those of the law: committed deformation, force that was added, withheld
+/// deformation; two of each.
+const HEADER_LEN: usize = 6;
+const WITHHELD_AT: usize = 4;
+/// Row of the axial force among those of the two directions.
+const AXIAL_ROW: usize = 2;
 
-/// Why a direction cannot be amended.
+/// The error for a direction that cannot be amended.
 fn no_direction(inner: &dyn Element, direction: usize, has: &[BasicRow]) -> ElementError {
     let known: Vec<String> = has.iter().map(|r| r.direction.to_string()).collect();
     let known = if known.is_empty() { "none that can be amended".into() } else { known.join(" ") };
@@ -58,16 +60,16 @@ fn no_direction(inner: &dyn Element, direction: usize, has: &[BasicRow]) -> Elem
 }
 
 impl Amended {
-    /// Around an element, in one or two of its directions; without any, in all directions of shear that it has.
+    /// Amends an element in one or two of its directions; without `directions`, in all of its shear directions.
     ///
     /// # Errors
-    /// A direction that the element does not have; more than two.
+    /// A direction that the element does not have; more than two directions.
     pub fn new(inner: Arc<dyn Element>, law: Arc<dyn Amendment>, directions: &[usize]) -> Result<Self, ElementError> {
         let has = inner.basic_rows();
         let find = |direction: usize| has.iter().find(|r| r.direction == direction);
         let shear: Vec<usize>;
         let chosen = if directions.is_empty() {
-            // Of a spring along its axis alone there is nothing else to amend.
+            // An element without shear directions is amended along its axis.
             shear = [2, 3].into_iter().filter(|d| find(*d).is_some()).collect();
             if shear.is_empty() { &[1][..] } else { &shear }
         } else {
@@ -85,8 +87,8 @@ impl Amended {
         Ok(Self { law, rows, axial, inner_len: inner.state_len(), basic_force, deformation, inner })
     }
 
-    /// The same with another direction that carries the axial force than the first: of springs along global axes the
-    /// vertical one.
+    /// Takes the axial force from another direction than the first, for example the vertical one of springs along
+    /// global axes.
     ///
     /// # Errors
     /// A direction that the element does not have, or that is amended.
@@ -100,13 +102,13 @@ impl Amended {
         Ok(Self { axial: Compression::Force(row), ..self })
     }
 
-    /// The same with a compression that is a function of time, whatever the element carries.
+    /// Takes the compression from a function of time instead of the element's axial force.
     #[must_use]
     pub fn with_axial_history(self, compression: Series) -> Self {
         Self { axial: Compression::History(compression), ..self }
     }
 
-    /// Stiffness of the virgin element in each of its amended directions.
+    /// Initial stiffness of the element in each amended direction, force per deformation.
     pub fn initial_stiffness(&self) -> Pair {
         let n = self.inner.dofs();
         let mut k = vec![0.0; n * n];
@@ -120,7 +122,7 @@ impl Amended {
         out
     }
 
-    fn demand(&self, motion: &ElementInput<'_>, force: &[f64], before: Pair) -> DeformationState {
+    fn deformation_state(&self, motion: &ElementInput<'_>, force: &[f64], before: Pair) -> DeformationState {
         let mut d = DeformationState { before, dt: motion.dt, ..DeformationState::default() };
         for (i, row) in self.rows.iter().enumerate() {
             d.e[i] = row.deformation(motion.disp);
@@ -134,7 +136,7 @@ impl Amended {
         d
     }
 
-    /// Change the tangent of the element into that of the amended force.
+    /// Turns the tangent of the element into that of the amended force.
     fn add_tangent(&self, v: &AmendedForce, tangent: &mut [f64]) {
         let n = self.inner.dofs();
         // Rows of the element's tangent that belong to q_1, q_2 and the axial force.
@@ -143,7 +145,7 @@ impl Amended {
             row.force_by_disp(tangent, &mut out[..n]);
         }
         if let Compression::Force(row) = &self.axial {
-            row.force_by_disp(tangent, &mut by_u[AXIAL][..n]);
+            row.force_by_disp(tangent, &mut by_u[AXIAL_ROW][..n]);
         }
         for (i, row) in self.rows.iter().enumerate() {
             let mut change = [0.0; MAX_DOFS];
@@ -152,7 +154,7 @@ impl Amended {
                     let unit = f64::from(u8::from(i == j));
                     *change += (v.by_force[i][j] - unit) * by_u[c] + v.by_deformation[i][j] * other.row[c];
                 }
-                *change -= v.by_axial[i] * by_u[AXIAL][c];
+                *change -= v.by_axial[i] * by_u[AXIAL_ROW][c];
             }
             for (t, a) in tangent.chunks_exact_mut(n).zip(&row.row) {
                 t.iter_mut().zip(&change[..n]).for_each(|(t, c)| *t += a * c);
@@ -160,8 +162,8 @@ impl Amended {
         }
     }
 
-    /// Displacements with so much of the deformations taken off at node j.
-    fn behind(&self, disp: &[f64], by: Pair) -> [f64; MAX_DOFS] {
+    /// Displacements with the deformations `by` subtracted at node j.
+    fn element_displacements(&self, disp: &[f64], by: Pair) -> [f64; MAX_DOFS] {
         let mut out = [0.0; MAX_DOFS];
         out[..disp.len()].copy_from_slice(disp);
         for (row, s) in self.rows.iter().zip(by) {
@@ -170,7 +172,8 @@ impl Amended {
         out
     }
 
-    /// The tangent by displacements of which the element gets so much less, in the amended directions.
+    /// Multiplies the tangent by ∂(element displacements)/∂u, if the element gets 1 - `part` of the amended
+    /// deformations.
     fn withhold(&self, part: f64, tangent: &mut [f64]) {
         for row in tangent.chunks_exact_mut(self.inner.dofs()) {
             let by: Pair = std::array::from_fn(|i| self.rows.get(i).map_or(0.0, |r| part * dot(row, r.at_j())));
@@ -180,7 +183,7 @@ impl Amended {
         }
     }
 
-    /// Derivatives of the forces in the amended directions by their deformations.
+    /// Derivatives of the forces in the amended directions with respect to their deformations.
     fn by_deformation(&self, tangent: &[f64]) -> [Pair; 2] {
         let n = self.inner.dofs();
         let mut out = [[0.0; 2]; 2];
@@ -194,8 +197,8 @@ impl Amended {
         out
     }
 
-    /// What slack takes of the deformations of a trial state.
-    fn settle(
+    /// The slack deformation s of a trial state, with derivatives.
+    fn solve_slack(
         &self,
         slack: &Slack,
         motion: &ElementInput<'_>,
@@ -205,32 +208,38 @@ impl Amended {
         let n = self.inner.dofs();
         let mut e = [0.0; 2];
         e.iter_mut().zip(&self.rows).for_each(|(e, row)| *e = row.deformation(motion.disp));
-        slack.settle(e, |by| -> Result<ForceAndTangent, ElementError> {
+        slack.solve(e, |by| -> Result<ForceAndTangent, ElementError> {
             let (mut force, mut tangent) = ([0.0; MAX_DOFS], [0.0; MAX_DOFS * MAX_DOFS]);
-            let disp = self.behind(motion.disp, by);
-            let mut answer = ElementOutput {
+            let disp = self.element_displacements(motion.disp, by);
+            let mut output = ElementOutput {
                 force: &mut force[..n],
                 tangent: Some(&mut tangent[..n * n]),
                 damping: None,
                 part: MatrixMask::ALL,
             };
-            self.ask(&ElementInput { disp: &disp[..n], ..*motion }, old, new, &mut answer)?;
+            self.respond_inner(&ElementInput { disp: &disp[..n], ..*motion }, old, new, &mut output)?;
             let mut q = [0.0; 2];
             q.iter_mut().zip(&self.rows).for_each(|(q, row)| *q = row.force(&force[..n]));
             Ok((q, self.by_deformation(&tangent[..n * n])))
         })
     }
 
-    /// What the tangent of the amended force leaves out where slack takes a part of the displacements of node j: forces that
-    /// are not those of the amended directions, such as moments of the axial force, by what is taken in each, and what is
-    /// taken by the displacements.
-    fn shifts(&self, slack: &Slack, taken: &SlackShare, tangent: &[f64]) -> [([f64; MAX_DOFS], [f64; MAX_DOFS]); 2] {
+    /// Terms that the tangent of the amended force lacks if slack takes a part of the displacements of node j.
+    ///
+    /// For each direction: derivatives of the other end forces, such as moments of the axial force, by the slack s;
+    /// then ∂s/∂u.
+    fn shifts(
+        &self,
+        slack: &Slack,
+        slack_share: &SlackShare,
+        tangent: &[f64],
+    ) -> [([f64; MAX_DOFS], [f64; MAX_DOFS]); 2] {
         let n = self.inner.dofs();
         let k = self.by_deformation(tangent);
         let mut by_u = [[0.0; MAX_DOFS]; 2];
         for (row, out) in self.rows.iter().zip(&mut by_u) {
             row.force_by_disp(tangent, &mut out[..n]);
-            // Of the hysteretic part alone.
+            // Slack depends on the hysteretic part alone.
             out.iter_mut().zip(&row.row).for_each(|(d, a)| *d -= slack.stiffness * a);
         }
         let mut out = [([0.0; MAX_DOFS], [0.0; MAX_DOFS]); 2];
@@ -240,7 +249,7 @@ impl Amended {
             }
             for (j, other) in self.rows.iter().enumerate() {
                 by_shift.iter_mut().zip(&other.row).for_each(|(f, a)| *f -= a * k[j][i]);
-                let follows = taken.flexibility[i] * taken.follows[i][j];
+                let follows = slack_share.flexibility[i] * slack_share.follows[i][j];
                 shift.iter_mut().zip(&by_u[j]).for_each(|(s, d)| *s += follows * d);
             }
         }
@@ -248,37 +257,38 @@ impl Amended {
     }
 
     fn law_at(&self) -> usize {
-        self.inner_len + HEADER
+        self.inner_len + HEADER_LEN
     }
 
-    /// First word of the kept tangent.
+    /// Index of the first entry of the stored tangent.
     fn tangent_at(&self) -> usize {
         self.law_at() + self.law.state_len()
     }
 
-    /// State variables of the kept tangent: none unless the element counts its calls.
+    /// Number of state variables for the stored tangent: 0 unless the element counts its calls.
     fn tangent_len(&self) -> usize {
-        if self.inner.counts_calls() { self.inner.dofs().pow(2) } else { 0 }
+        if self.inner.opensees().calls.is_some() { self.inner.dofs().pow(2) } else { 0 }
     }
 
-    /// Force and tangent of the element itself at these displacements.
-    fn ask(
+    /// Force and tangent of the element at the displacements of `motion`.
+    fn respond_inner(
         &self,
         motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: &mut ElementOutput<'_>,
+        output: &mut ElementOutput<'_>,
     ) -> Result<(), ElementError> {
-        let counts = self.inner.counts_calls();
+        let calls = self.inner.opensees().calls;
         let own = ElementOutput {
-            force: &mut *answer.force,
-            tangent: answer.tangent.as_deref_mut().filter(|_| !counts),
-            damping: answer.damping.as_deref_mut(),
+            force: &mut *output.force,
+            tangent: output.tangent.as_deref_mut().filter(|_| calls.is_none()),
+            damping: output.damping.as_deref_mut(),
             part: MatrixMask::ALL,
         };
         self.inner.respond(motion, committed, trial, own)?;
-        if let Some(tangent) = answer.tangent.as_deref_mut().filter(|_| counts) {
-            self.inner.last_tangent(trial, tangent, MatrixMask::ALL);
+        if let (Some(calls), Some(tangent)) = (calls, output.tangent.as_deref_mut()) {
+            let shared = motion.opensees.map_or(&[] as &SharedState, |call| call.shared);
+            calls.last_tangent(trial, shared, tangent, MatrixMask::ALL);
         }
         Ok(())
     }
@@ -289,53 +299,60 @@ impl Amended {
         motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        mut answer: ElementOutput<'_>,
+        mut output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
-        // All of the element's tangent is read here.
-        if let Some(tangent) = answer.tangent.as_deref_mut() {
+        // The correction below reads every entry of the tangent.
+        if let Some(tangent) = output.tangent.as_deref_mut() {
             tangent.fill(0.0);
         }
-        let (old, kept) = committed.split_at(self.inner_len);
+        let (old, own_committed) = committed.split_at(self.inner_len);
         let (new, next) = trial.split_at_mut(self.inner_len);
-        let words = HEADER..HEADER + self.law.state_len();
-        let before = [kept[0], kept[1]];
-        let slack = self.law.slack(&kept[words.clone()]);
-        let weakening = self.law.weakening(&kept[words.clone()]).filter(|_| slack.is_none());
-        let taken = slack.as_ref().map(|slack| self.settle(slack, motion, old, new)).transpose()?.unwrap_or_default();
-        let mut withheld = taken.by;
+        let law_range = HEADER_LEN..HEADER_LEN + self.law.state_len();
+        let before = [own_committed[0], own_committed[1]];
+        let slack = self.law.slack(&own_committed[law_range.clone()]);
+        let weakening = self.law.weakening(&own_committed[law_range.clone()]).filter(|_| slack.is_none());
+        let slack_share =
+            slack.as_ref().map(|slack| self.solve_slack(slack, motion, old, new)).transpose()?.unwrap_or_default();
+        let mut withheld = slack_share.by;
         if let Some(w) = weakening {
             for (i, (row, by)) in self.rows.iter().zip(&mut withheld).enumerate() {
-                *by = kept[WITHHELD + i] + w.withheld() * (row.deformation(motion.disp) - before[i]);
+                *by = own_committed[WITHHELD_AT + i] + w.withheld_part() * (row.deformation(motion.disp) - before[i]);
             }
         }
-        let disp = self.behind(motion.disp, withheld);
-        self.ask(&ElementInput { disp: &disp[..motion.disp.len()], ..*motion }, old, new, &mut answer)?;
-        let demand = DeformationState { slack: taken, ..self.demand(motion, answer.force, before) };
+        let disp = self.element_displacements(motion.disp, withheld);
+        self.respond_inner(&ElementInput { disp: &disp[..motion.disp.len()], ..*motion }, old, new, &mut output)?;
+        let deformation_state =
+            DeformationState { slack: slack_share, ..self.deformation_state(motion, output.force, before) };
         let v = match weakening {
             Some(w) => {
-                if let Some(tangent) = answer.tangent.as_deref_mut() {
-                    self.withhold(w.withheld(), tangent);
+                if let Some(tangent) = output.tangent.as_deref_mut() {
+                    self.withhold(w.withheld_part(), tangent);
                 }
-                // The law sees the elastic part at the whole deformation.
-                let seen =
-                    DeformationState { q: std::array::from_fn(|i| demand.q[i] + w.stiffness * withheld[i]), ..demand };
-                let mut v = self.law.amend(&kept[words.clone()], &seen, &mut next[words.clone()])?;
+                // The law gets the elastic part at the total deformation.
+                let at_total = DeformationState {
+                    q: std::array::from_fn(|i| deformation_state.q[i] + w.stiffness * withheld[i]),
+                    ..deformation_state
+                };
+                let mut v =
+                    self.law.amend(&own_committed[law_range.clone()], &at_total, &mut next[law_range.clone()])?;
                 for (by_e, by_q) in v.by_deformation.iter_mut().zip(&v.by_force) {
-                    by_e.iter_mut().zip(by_q).for_each(|(e, q)| *e += q * w.stiffness * w.withheld());
+                    by_e.iter_mut().zip(by_q).for_each(|(e, q)| *e += q * w.stiffness * w.withheld_part());
                 }
                 v
             }
-            None => self.law.amend(&kept[words.clone()], &demand, &mut next[words.clone()])?,
+            None => {
+                self.law.amend(&own_committed[law_range.clone()], &deformation_state, &mut next[law_range.clone()])?
+            }
         };
-        next[..2].copy_from_slice(&demand.e);
-        next[WITHHELD..HEADER].copy_from_slice(&withheld);
+        next[..2].copy_from_slice(&deformation_state.e);
+        next[WITHHELD_AT..HEADER_LEN].copy_from_slice(&withheld);
         for (i, row) in self.rows.iter().enumerate() {
-            let added = v.q[i] - demand.q[i];
+            let added = v.q[i] - deformation_state.q[i];
             next[2 + i] = added;
-            answer.force.iter_mut().zip(&row.row).for_each(|(f, a)| *f += added * a);
+            output.force.iter_mut().zip(&row.row).for_each(|(f, a)| *f += added * a);
         }
-        if let Some(tangent) = answer.tangent {
-            let shifts = slack.map(|slack| self.shifts(&slack, &demand.slack, tangent));
+        if let Some(tangent) = output.tangent {
+            let shifts = slack.map(|slack| self.shifts(&slack, &deformation_state.slack, tangent));
             self.add_tangent(&v, tangent);
             for (by_shift, shift) in shifts.iter().flatten() {
                 for (t, f) in tangent.chunks_exact_mut(self.inner.dofs()).zip(by_shift) {
@@ -344,6 +361,15 @@ impl Amended {
             }
         }
         Ok(())
+    }
+}
+
+impl CallDependent for Amended {
+    fn shared_len(&self) -> usize {
+        self.inner.opensees().calls.map_or(0, CallDependent::shared_len)
+    }
+    fn last_tangent(&self, history: &[f64], _: &SharedState, tangent: &mut [f64], _: MatrixMask) {
+        tangent.copy_from_slice(&history[self.tangent_at()..]);
     }
 }
 
@@ -379,19 +405,19 @@ impl Element for Amended {
         motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: ElementOutput<'_>,
+        output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
-        if !self.inner.counts_calls() {
-            return self.respond_amended(motion, committed, trial, answer);
+        if self.inner.opensees().calls.is_none() {
+            return self.respond_amended(motion, committed, trial, output);
         }
         let mut tangent = [0.0; MAX_DOFS * MAX_DOFS];
         let tangent = &mut tangent[..self.tangent_len()];
-        let ElementOutput { force, tangent: wanted, damping, part } = answer;
-        let kept = ElementOutput { force, tangent: Some(&mut *tangent), damping, part };
-        self.respond_amended(motion, committed, trial, kept)?;
+        let ElementOutput { force, tangent: tangent_out, damping, part } = output;
+        let stored = ElementOutput { force, tangent: Some(&mut *tangent), damping, part };
+        self.respond_amended(motion, committed, trial, stored)?;
         trial[self.tangent_at()..].copy_from_slice(tangent);
-        if let Some(wanted) = wanted {
-            wanted.copy_from_slice(tangent);
+        if let Some(tangent_out) = tangent_out {
+            tangent_out.copy_from_slice(tangent);
         }
         Ok(())
     }
@@ -401,19 +427,13 @@ impl Element for Amended {
         self.inner.commit(&trial[..self.inner_len], own);
         rest.copy_from_slice(&trial[self.inner_len..]);
     }
-    fn counts_calls(&self) -> bool {
-        self.inner.counts_calls()
-    }
-    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], _: MatrixMask) {
-        tangent.copy_from_slice(&history[self.tangent_at()..]);
-    }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.inner.initial_tangent(tangent);
         let mut next = vec![0.0; self.law.state_len()];
         let mut virgin = next.clone();
         self.law.init(&mut virgin);
-        // What has lost strength is as stiff as before.
+        // Loss of strength does not change the initial stiffness.
         if self.law.weakening(&virgin).is_some() {
             return;
         }
@@ -423,31 +443,21 @@ impl Element for Amended {
         }
     }
 
-    fn initial_is_current(&self) -> bool {
-        self.inner.initial_is_current()
-    }
     fn mass(&self) -> Mass {
         self.inner.mass()
     }
     fn overload(&self, history: &[f64]) -> Option<Overload> {
         self.inner.overload(&history[..self.inner_len])
     }
-    fn damps_in_forces_only(&self) -> bool {
-        self.inner.damps_in_forces_only()
-    }
-
-    fn renews_damping(&self) -> bool {
-        self.inner.renews_damping()
-    }
-
-    fn ground_inertia_slip(&self) -> Option<f64> {
-        self.inner.ground_inertia_slip()
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        let inner = self.inner.opensees();
+        OpenSeesTraits { calls: inner.calls.map(|_| self as &dyn CallDependent), ..inner }
     }
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
         let (inner, old) = self.inner.with_parameter(words, value)?;
         let mut new = Self { inner, ..self.clone() };
         let stiffness = new.initial_stiffness()[0];
-        // A law made for the old stiffness would leave the difference in parallel.
+        // A law with the previous stiffness would leave the difference in parallel.
         if stiffness != self.initial_stiffness()[0]
             && let Some(law) = self.law.with_stiffness(stiffness)
         {
@@ -465,7 +475,7 @@ impl Element for Amended {
         self.inner.basic_rows()
     }
 
-    // The same paths as the element's own, so that recorders made before the amendment go on.
+    // Paths equal those of the element, so recorders from before the amendment stay valid.
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         self.inner.probe(words)
     }
@@ -483,9 +493,9 @@ impl Element for Amended {
                 out[row.column] += own[2 + i];
             }
         }
-        // The deformation is that of the whole, of which the element itself may have had less or more.
+        // The total deformation is recorded; that of the element itself differs by the withheld part.
         if self.deformation.as_deref() == Some(path) {
-            for (i, row) in self.rows.iter().enumerate().filter(|(i, _)| own[WITHHELD + i] != 0.0) {
+            for (i, row) in self.rows.iter().enumerate().filter(|(i, _)| own[WITHHELD_AT + i] != 0.0) {
                 out[row.column] = own[i];
             }
         }

@@ -3,67 +3,73 @@
 use super::{AmendedForce, AmendmentLaw, DeformationState, Share};
 use crate::element::ElementError;
 
-/// Tension of a direction follows an envelope beyond the cavitation strength F_c, reached at the extension u_c,
+/// In tension the force of a direction has an envelope beyond the cavitation strength F_c, which is reached at the
+/// extension u_c,
 ///
-/// F = F_c (1 + rise (1 - exp(-(u - u_c) / reach))),
+/// F = F_c (1 + rise (1 - exp(-(u - u_c) / reach))).
 ///
-/// and each larger extension lowers the strength of the next pull, F_cn = F_c (1 - φ) at u_cn = u_c (1 - φ) with
-/// φ = φ_max (1 - exp(-a (u_max - u_c) / u_c)); from there it goes straight to the envelope at u_max: Kumar, Whittaker
-/// and Constantinou, Earthquake Eng. Struct. Dyn. 43 (2014), with `rise` for their 1 / (k T_r) and `reach` for 1 / k.
+/// Damage φ = φ_max (1 - exp(-a (u_max - u_c) / u_c)) grows with the largest extension u_max. The strength of the next
+/// tensile cycle is F_cn = F_c (1 - φ), at the extension u_cn = u_c (1 - φ). From there the force is linear up to the
+/// envelope at u_max. Source: Kumar, Whittaker and Constantinou, Earthquake Eng. Struct. Dyn. 43 (2014), with `rise`
+/// for their 1 / (k T_r) and `reach` for 1 / k.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cavitation {
     /// Cavitation strength F_c.
     pub strength: f64,
-    /// Extension u_c at which it is reached first.
+    /// Extension u_c at the cavitation strength.
     pub extension: f64,
-    /// Part φ_max of the strength that is lost in the end.
+    /// Largest damage φ_max, as a part of the strength.
     pub damage: f64,
-    /// Rate a of the loss.
+    /// Rate a of the damage.
     pub rate: f64,
-    /// What the envelope gains far beyond u_c, as a part of F_c.
+    /// Increase of the envelope from u_c to infinity, as a part of F_c.
     pub rise: f64,
-    /// Extension over which it gains 63 % of that.
+    /// Extension over which the envelope gains 63 % of `rise`.
     pub reach: f64,
-    /// Sign of the deformation that is tension.
+    /// Sign of a tensile deformation.
     pub sign: f64,
-    /// The limit concerns the elastic part, where there is one; otherwise the whole force.
+    /// Split of the force: the strength limits the elastic part if there is one, otherwise the whole force.
     pub share: Share,
 }
 
 impl Cavitation {
-    /// The envelope and its slope.
+    /// Envelope and its slope at the extension `u`.
     fn envelope(&self, u: f64) -> (f64, f64) {
-        let left = (-(u - self.extension).max(0.0) / self.reach).exp();
-        let slope = if u > self.extension { self.strength * self.rise * left / self.reach } else { 0.0 };
-        (self.strength * (1.0 + self.rise * (1.0 - left)), slope)
+        let decay = (-(u - self.extension).max(0.0) / self.reach).exp();
+        let slope = if u > self.extension { self.strength * self.rise * decay / self.reach } else { 0.0 };
+        (self.strength * (1.0 + self.rise * (1.0 - decay)), slope)
     }
 
-    /// Limit of the tension at an extension, and its slope, after a largest one.
+    /// Largest tensile force at the extension `u`, and its slope, after the extension `largest`.
     fn limit(&self, u: f64, largest: f64) -> (f64, f64) {
         if u >= largest || largest <= self.extension {
             return self.envelope(u);
         }
-        let past = (largest - self.extension) / self.extension;
-        let kept = 1.0 - self.damage * (1.0 - (-self.rate * past).exp());
-        let (from, to) = (kept * self.extension, self.envelope(largest).0);
-        let slope = (to - kept * self.strength) / (largest - from);
-        if u > from { (kept * self.strength + slope * (u - from), slope) } else { (f64::INFINITY, 0.0) }
+        let beyond_cavitation = (largest - self.extension) / self.extension;
+        let strength_ratio = 1.0 - self.damage * (1.0 - (-self.rate * beyond_cavitation).exp());
+        let (from, to) = (strength_ratio * self.extension, self.envelope(largest).0);
+        let slope = (to - strength_ratio * self.strength) / (largest - from);
+        if u > from { (strength_ratio * self.strength + slope * (u - from), slope) } else { (f64::INFINITY, 0.0) }
     }
 }
 
 crate::state_struct! {
-    /// History.
-    pub struct Cavities {
+    /// State variables.
+    pub struct CavitationState {
         /// Largest extension so far.
         largest: f64,
     }
 }
 
 impl AmendmentLaw for Cavitation {
-    type State = Cavities;
+    type State = CavitationState;
     const NAME: &'static str = "cavitation";
 
-    fn amend(&self, committed: &Cavities, d: &DeformationState) -> Result<(AmendedForce, Cavities), ElementError> {
+    fn amend(
+        &self,
+        committed: &CavitationState,
+        d: &DeformationState,
+    ) -> Result<(AmendedForce, CavitationState), ElementError> {
         let u = self.sign * d.e[0];
         let (limit, slope) = self.limit(u, committed.largest);
         let mut v = AmendedForce::unchanged(d.q);
@@ -78,6 +84,6 @@ impl AmendmentLaw for Cavitation {
             v.by_force[0][0] = 0.0;
             v.by_deformation[0][0] = slope;
         }
-        Ok((v, Cavities { largest: committed.largest.max(u) }))
+        Ok((v, CavitationState { largest: committed.largest.max(u) }))
     }
 }

@@ -4,11 +4,11 @@ use super::{AmendedForce, AmendmentLaw, DeformationState};
 use crate::element::ElementError;
 use crate::element::bearing::{BoucWenShear, Shear, ShearLaw};
 
-/// The law of `elastomericBearingBoucWen` in both directions at once, in the place of springs that do not know of each
-/// other: Park, Wen and Ang, Earthquake Eng. Struct. Dyn. 14 (1986). The force of the element is not used.
+/// The law of `elastomericBearingBoucWen` in both directions, in place of two uncoupled springs. The force of the
+/// element is not used. Source: Park, Wen and Ang, Earthquake Eng. Struct. Dyn. 14 (1986).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Coupling {
-    /// The law.
+    /// The Bouc-Wen law.
     pub law: BoucWenShear,
 }
 

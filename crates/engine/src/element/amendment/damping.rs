@@ -3,8 +3,8 @@
 use super::{AmendedForce, AmendmentLaw, DeformationState};
 use crate::element::ElementError;
 
-/// A dashpot f = c |ė|ⁿ sign(ė) in each direction, with the rate of the deformation over domain time, in static
-/// analyses too. Where no time passes there is no force.
+/// A dashpot f = c |ė|ⁿ sign(ė) in each direction. The rate ė is Δe over the increment of domain time, in static
+/// analyses too. The force is 0 if no time passes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Damping {
     /// Coefficient c.
@@ -13,9 +13,9 @@ pub struct Damping {
     pub power: f64,
 }
 
-/// Half width of the band of rates in which the dashpot is linear, length over time: a power below 1 has no slope at
-/// rest.
-const STILL: f64 = 1e-9;
+/// Half width of the band of rates with a linear dashpot, length/time. Exponents below 1 have an infinite slope at zero
+/// rate.
+const LINEAR_RATE: f64 = 1e-9;
 
 impl AmendmentLaw for Damping {
     type State = ();
@@ -28,11 +28,11 @@ impl AmendmentLaw for Damping {
         }
         for (i, de) in d.increment().into_iter().enumerate() {
             let rate = de / d.dt;
-            // Linear within a narrow band, so that there is a slope at rest.
-            let speed = rate.abs().max(STILL);
+            // The linear band keeps the slope finite at zero rate.
+            let speed = rate.abs().max(LINEAR_RATE);
             let secant = self.coefficient * speed.powf(self.power - 1.0);
             v.q[i] += secant * rate;
-            let slope = if rate.abs() > STILL { self.power * secant } else { secant };
+            let slope = if rate.abs() > LINEAR_RATE { self.power * secant } else { secant };
             v.by_deformation[i][i] = slope / d.dt;
         }
         Ok((v, ()))

@@ -1,31 +1,34 @@
-//! Coulomb friction in parallel: a slider, a guide, a rig.
+//! Coulomb friction in parallel, such as that of a guide or a test rig.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState, Pair};
 use crate::element::ElementError;
 
-/// An elastic-plastic force of the size F along the motion, f = k (e - e_s) within |f| ≤ F: the regularised Coulomb law,
-/// isotropic in two directions.
+/// f = k (e - e_s) with |f| ≤ F: Coulomb's law regularised as elastic-plastic, isotropic in two directions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Friction {
     /// Friction force F.
     pub force: f64,
-    /// Stiffness k before it slips.
+    /// Stiffness k before sliding.
     pub stiffness: f64,
 }
 
 crate::state_struct! {
-    /// History.
-    pub struct Grip {
+    /// State variables.
+    pub struct FrictionState {
         /// Friction force f.
         force: [f64; 2],
     }
 }
 
 impl AmendmentLaw for Friction {
-    type State = Grip;
+    type State = FrictionState;
     const NAME: &'static str = "friction";
 
-    fn amend(&self, committed: &Grip, d: &DeformationState) -> Result<(AmendedForce, Grip), ElementError> {
+    fn amend(
+        &self,
+        committed: &FrictionState,
+        d: &DeformationState,
+    ) -> Result<(AmendedForce, FrictionState), ElementError> {
         let de = d.increment();
         let trial: Pair = std::array::from_fn(|i| committed.force[i] + self.stiffness * de[i]);
         let size = trial[0].hypot(trial[1]);
@@ -43,6 +46,6 @@ impl AmendmentLaw for Friction {
                 };
             }
         }
-        Ok((v, Grip { force }))
+        Ok((v, FrictionState { force }))
     }
 }

@@ -1,38 +1,39 @@
-//! Closing of a gap: pounding, a moat wall, a stopper.
+//! Contact after a gap closes: pounding, moat wall, stopper.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState};
 use crate::element::ElementError;
 
-/// Contact beyond the deformation `at`, in each direction on its own: f = k d^p (1 + c ḋ) with the penetration d and
-/// its rate over domain time, never pulling: the law of Hunt and Crossley, J. Appl. Mech. 42 (1975), with p = 1.5 for
-/// Hertz' contact.
+/// Contact beyond the deformation `at`, separately in each direction: f = k d^p (1 + c ḋ) ≥ 0 with the penetration d.
+/// The rate ḋ is Δd over the increment of domain time.
+///
+/// The law is that of Hunt and Crossley, J. Appl. Mech. 42 (1975); p = 1.5 for Hertz' contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gap {
-    /// Deformation at which contact begins, on either side.
+    /// Deformation at which contact begins, for either sign.
     pub at: f64,
-    /// Contact stiffness k, force per penetration to the power p.
+    /// Contact stiffness k, force/length^p.
     pub stiffness: f64,
     /// Exponent p, at least 1.
     pub power: f64,
-    /// Damping c, time per length.
+    /// Damping c, time/length.
     pub damping: f64,
-    /// Sides that have a wall.
+    /// Sides with a wall.
     pub sides: Sides,
 }
 
-/// Where the walls are.
+/// Sides with a wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sides {
-    /// On both.
+    /// Both signs of the deformation.
     Both,
-    /// Where the deformation is positive.
+    /// Positive deformation.
     Positive,
-    /// Where it is negative.
+    /// Negative deformation.
     Negative,
 }
 
 impl Gap {
-    /// Contact force against a wall on the positive side, and its derivative.
+    /// Contact force of a wall on the positive side, and its derivative with respect to `e`.
     fn contact(&self, e: f64, before: f64, dt: f64) -> (f64, f64) {
         let d = e - self.at;
         if d <= 0.0 {

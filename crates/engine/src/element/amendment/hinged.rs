@@ -2,67 +2,70 @@
 
 use crate::element::{
     BasicRow, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, MatrixMask,
-    Overload, Snapshot, dot,
+    OpenSeesTraits, Overload, Snapshot, dot,
 };
 use crate::material::{Material, Strain};
 use crate::probe::Probe;
 use nalgebra::{Matrix4, SVector, Vector3};
 use std::sync::Arc;
 
-/// A beam whose ends turn against its nodes by the law of a uniaxial material, moment over rotation: the one-component model of
-/// Giberson (Journal of the Structural Division ASCE 95 (1969) 137).
+/// A beam with plastic hinges at its ends. A uniaxial material gives the moment of a hinge for its rotation. The
+/// one-component model is that of Giberson (Journal of the Structural Division ASCE 95 (1969) 137).
 ///
-/// Each end has a hinge about each axis normal to the chord at rest. With its rotation θ, the beam is asked at the rotation of the node
-/// less θ, and its moment is that of the material at θ. The hinges are settled within the element, and their rotations condensed from
-/// its tangent: the equations of the model are not more than without them, and hinges much stiffer than the beam do no harm.
+/// Each end has a hinge about each axis normal to the undeformed chord. With the hinge rotation θ the end of the beam
+/// rotates by the node's rotation less θ. Equilibrium M_beam = M_hinge(θ) is solved inside the element, and θ is
+/// condensed from the tangent. The model gets no further equations, and stiff hinges cause no ill-conditioning.
 #[derive(Clone, Debug)]
 pub struct Hinged {
     inner: Arc<dyn Element>,
     material: Material,
     hinges: Vec<Hinge>,
-    /// State variables of the element's own history, and of a hinge: its rotation, then those of the material.
+    /// State variables of the element, and of one hinge: its rotation, then those of the material.
     inner_len: usize,
     hinge_len: usize,
-    /// Moments within this are the same: it goes with the stiffness of the beam.
-    close: f64,
+    /// Tolerance of a moment, from the stiffness of the beam; force x length.
+    moment_tolerance: f64,
 }
 
 #[derive(Clone, Debug)]
 struct Hinge {
-    /// Unit rotation of the node about its axis, over all degrees of freedom.
+    /// Unit rotation of the node about the hinge axis; one entry per degree of freedom.
     row: Vec<f64>,
-    /// Name of its rotation.
+    /// Column name of the hinge rotation.
     label: String,
 }
 
 /// Degrees of freedom of a beam in space.
 const SPACE: usize = 12;
-/// Hinges at most: about two axes at both ends.
-const MOST: usize = 4;
-/// Rotation by which the larger stiffness of beam and hinge tells what moments are the same.
-const CLOSE: f64 = 1e-15;
-/// Rounds in which the moments of a beam are followed that is not linear.
-const ROUNDS: usize = 30;
-/// Steps of Newton's method for all hinges at once; then sweeps from hinge to hinge, with so many steps in each.
-const TOGETHER: usize = 8;
-const SWEEPS: usize = 200;
-const STEPS: usize = 100;
-/// Part of a moment that rounding may have.
-const SAME: f64 = 1e-12;
-/// Path of the rotations: the element's own begin with small numbers.
+/// Largest number of hinges: two axes at both ends.
+const MAX_HINGES: usize = 4;
+/// Rotation (rad) that, times the larger stiffness of beam and hinge, is the tolerance of moments.
+const ROTATION_TOLERANCE: f64 = 1e-15;
+/// Largest number of linearisations of a nonlinear beam.
+const MAX_LINEARIZATIONS: usize = 30;
+/// Largest number of Newton steps for all hinges at once, then of Gauss-Seidel sweeps, then of steps for one hinge in a
+/// sweep.
+const MAX_NEWTON_STEPS: usize = 8;
+const MAX_SWEEPS: usize = 200;
+const MAX_HINGE_STEPS: usize = 100;
+/// Relative round-off of a moment.
+const ROUND_OFF: f64 = 1e-12;
+/// Smallest horizontal component of a unit chord that is not vertical.
+const MIN_HORIZONTAL: f64 = 1e-6;
+/// Probe path of the hinge rotations. Paths of the element itself begin with small numbers.
 const ROTATIONS: u32 = u32::MAX;
 
-/// A number for each hinge.
-type Each = SVector<f64, MOST>;
+/// One value per hinge.
+type PerHinge = SVector<f64, MAX_HINGES>;
 
-/// What the hinges answer to their rotations.
+/// Moments and tangents of the hinges at given rotations.
 #[derive(Clone, Copy)]
 struct HingeMoments {
-    moment: Each,
-    tangent: Each,
+    moment: PerHinge,
+    tangent: PerHinge,
 }
 
-/// Histories of the hinges of a step: committed, and where the next ones go.
+/// State variables of the hinges in a step: committed and trial.
 struct Histories<'a> {
     old: &'a [f64],
     next: &'a mut [f64],
@@ -70,12 +73,12 @@ struct Histories<'a> {
 }
 
 impl Hinged {
-    /// With hinges at some of the ends (0 for node i, 1 for node j) of a beam along a chord, whose length does not matter. Its nodes have
-    /// three degrees of freedom in the plane, six in space. The material gives the moment (force times length) for the rotation in
-    /// radians.
+    /// Adds hinges at some of the `ends` of a beam: 0 for node i, 1 for node j. The chord is a vector along the beam of
+    /// any length. Nodes have three degrees of freedom in the plane, six in space. The material gives the moment (force
+    /// x length) for the rotation (rad).
     ///
     /// # Errors
-    /// An element that is no beam, or has an end without moment. A material that depends on the rate, which a hinge does not know.
+    /// An element that is no beam or has no moment at an end. A material that depends on the strain rate.
     pub fn new(
         inner: Arc<dyn Element>,
         chord: Vector3<f64>,
@@ -87,7 +90,7 @@ impl Hinged {
         if !inner.basic_rows().is_empty() {
             return Err(ElementError(format!("{class} is amended by direction, and has no hinges").into()));
         }
-        if inner.counts_calls() {
+        if inner.opensees().calls.is_some() && !inner.traits().linear {
             let message = format!("{class} follows OpenSees call by call, which hinges would disturb");
             return Err(ElementError(message.into()));
         }
@@ -111,10 +114,10 @@ impl Hinged {
         };
         let hinges = ends.iter().flat_map(|end| axes.iter().enumerate().map(move |a| hinge(*end, a))).collect();
         let (inner_len, hinge_len) = (inner.state_len(), 1 + material.state_len());
-        Self { inner, material, hinges, inner_len, hinge_len, close: 0.0 }.scaled()
+        Self { inner, material, hinges, inner_len, hinge_len, moment_tolerance: 0.0 }.scaled()
     }
 
-    /// The same with the tolerance of moments that belongs to the stiffness of the beam.
+    /// Sets the tolerance of moments from the stiffness of the beam.
     fn scaled(mut self) -> Result<Self, ElementError> {
         let mut stiffness = vec![0.0; self.inner.dofs().pow(2)];
         self.inner.initial_tangent(&mut stiffness);
@@ -124,12 +127,12 @@ impl Hinged {
             let class = self.inner.class();
             return Err(ElementError(format!("{class} carries no moment at an end that shall have a hinge").into()));
         }
-        self.close = CLOSE * own.max().max(self.material.initial_tangent().abs());
+        self.moment_tolerance = ROTATION_TOLERANCE * own.max().max(self.material.initial_tangent().abs());
         Ok(self)
     }
 
-    /// Displacements behind the hinges.
-    fn behind(&self, disp: &[f64], rotations: &Each) -> [f64; SPACE] {
+    /// Displacements of the beam's ends: node displacements less hinge rotations.
+    fn beam_displacements(&self, disp: &[f64], rotations: &PerHinge) -> [f64; SPACE] {
         let mut out = [0.0; SPACE];
         out[..disp.len()].copy_from_slice(disp);
         for (hinge, by) in self.hinges.iter().zip(rotations) {
@@ -138,14 +141,14 @@ impl Hinged {
         out
     }
 
-    /// Rotations in the histories of the hinges.
-    fn rotations(&self, words: &[f64]) -> Each {
-        let mut out = Each::zeros();
-        out.iter_mut().zip(words.chunks_exact(self.hinge_len)).for_each(|(out, words)| *out = words[0]);
+    /// Hinge rotations from the state variables.
+    fn rotations(&self, state: &[f64]) -> PerHinge {
+        let mut out = PerHinge::zeros();
+        out.iter_mut().zip(state.chunks_exact(self.hinge_len)).for_each(|(out, hinge)| *out = hinge[0]);
         out
     }
 
-    /// Stiffness of the beam against the rotations of its hinges; 1 on the diagonal of those that are not there.
+    /// Stiffness of the beam for the rotations of its hinges, with 1 on the diagonal of missing hinges.
     fn stiffness(&self, tangent: &[f64]) -> Matrix4<f64> {
         let n = self.inner.dofs();
         let mut out = Matrix4::identity();
@@ -157,63 +160,65 @@ impl Hinged {
         out
     }
 
-    /// Moment and tangent of one hinge at a rotation, with its next history.
-    fn ask(&self, i: usize, rotation: f64, h: &mut Histories<'_>) -> Result<(f64, f64), ElementError> {
-        let words = i * self.hinge_len..(i + 1) * self.hinge_len;
-        let (old, next) = (&h.old[words.clone()], &mut h.next[words]);
+    /// Moment and tangent of hinge `i` at a rotation; writes its trial state variables.
+    fn hinge_response(&self, i: usize, rotation: f64, h: &mut Histories<'_>) -> Result<(f64, f64), ElementError> {
+        let range = i * self.hinge_len..(i + 1) * self.hinge_len;
+        let (old, next) = (&h.old[range.clone()], &mut h.next[range]);
         next[0] = rotation;
         let s = self.material.update(&old[1..], Strain { value: rotation, rate: 0.0, dt: h.dt }, &mut next[1..])?;
         Ok((s.value, s.tangent))
     }
 
-    fn ask_all(&self, rotations: &Each, h: &mut Histories<'_>) -> Result<HingeMoments, ElementError> {
-        let mut out = HingeMoments { moment: Each::zeros(), tangent: Each::zeros() };
+    fn hinge_responses(&self, rotations: &PerHinge, h: &mut Histories<'_>) -> Result<HingeMoments, ElementError> {
+        let mut out = HingeMoments { moment: PerHinge::zeros(), tangent: PerHinge::zeros() };
         for i in 0..self.hinges.len() {
-            (out.moment[i], out.tangent[i]) = self.ask(i, rotations[i], h)?;
+            (out.moment[i], out.tangent[i]) = self.hinge_response(i, rotations[i], h)?;
         }
         Ok(out)
     }
 
-    /// Rotations at which the moments of the hinges are those of the beam: `moments` at the rotations `from`, from there by the
-    /// stiffness `k`. Newton's method; where it does not get there, hinge after hinge until nothing moves (Gauss and Seidel).
-    fn settle(
+    /// Hinge rotations with equal moments of hinges and beam. The beam is linearised: `moments` at the rotations
+    /// `from`, with the stiffness `k`.
+    ///
+    /// Newton's method comes first. If it does not converge, the hinges are solved one after the other (Gauss-Seidel).
+    fn solve(
         &self,
         k: &Matrix4<f64>,
-        moments: &Each,
-        from: &Each,
+        moments: &PerHinge,
+        from: &PerHinge,
         h: &mut Histories<'_>,
-    ) -> Result<Each, ElementError> {
-        let mut now = *from;
-        let enough = self.close + SAME * moments.amax();
-        for _ in 0..TOGETHER {
-            let said = self.ask_all(&now, h)?;
-            let over = moments - k * (now - from) - said.moment;
-            if over.rows(0, self.hinges.len()).amax() <= enough {
-                return Ok(now);
+    ) -> Result<PerHinge, ElementError> {
+        let mut theta = *from;
+        let tolerance = self.moment_tolerance + ROUND_OFF * moments.amax();
+        for _ in 0..MAX_NEWTON_STEPS {
+            let hinges_now = self.hinge_responses(&theta, h)?;
+            let residual = moments - k * (theta - from) - hinges_now.moment;
+            if residual.rows(0, self.hinges.len()).amax() <= tolerance {
+                return Ok(theta);
             }
             let mut with_hinges = *k;
-            (0..self.hinges.len()).for_each(|i| with_hinges[(i, i)] += said.tangent[i]);
+            (0..self.hinges.len()).for_each(|i| with_hinges[(i, i)] += hinges_now.tangent[i]);
             let Some(flexibility) = with_hinges.try_inverse() else { break };
-            now += flexibility * over;
+            theta += flexibility * residual;
         }
-        now = *from;
-        for _ in 0..SWEEPS {
-            let before = now;
+        theta = *from;
+        for _ in 0..MAX_SWEEPS {
+            let before = theta;
             for i in 0..self.hinges.len() {
-                let others = (k.row(i) * (now - from))[0] - k[(i, i)] * (now[i] - from[i]);
-                now[i] = self.settle_one(i, (moments[i] - others, from[i], k[(i, i)]), now[i], h)?;
+                let others = (k.row(i) * (theta - from))[0] - k[(i, i)] * (theta[i] - from[i]);
+                theta[i] = self.solve_hinge(i, (moments[i] - others, from[i], k[(i, i)]), theta[i], h)?;
             }
-            let moved = k.diagonal().component_mul(&(now - before));
-            if moved.amax() <= enough {
-                return Ok(now);
+            let moment_change = k.diagonal().component_mul(&(theta - before));
+            if moment_change.amax() <= tolerance {
+                return Ok(theta);
             }
         }
         Err(ElementError("its hinges find no equilibrium in this step".into()))
     }
 
-    /// The rotation of one hinge, where the others stay, under a moment (at a rotation) that falls with the stiffness of the beam: what
-    /// is over falls with the rotation, so that Newton's steps can be kept between bounds.
-    fn settle_one(
+    /// Rotation of one hinge at fixed rotations of the others. The residual falls monotonically with the rotation, so
+    /// Newton steps are safeguarded by a bracket.
+    fn solve_hinge(
         &self,
         i: usize,
         (moment, at, k): (f64, f64, f64),
@@ -221,37 +226,37 @@ impl Hinged {
         h: &mut Histories<'_>,
     ) -> Result<f64, ElementError> {
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-        let mut now = start;
-        for _ in 0..STEPS {
-            let (own, tangent) = self.ask(i, now, h)?;
-            let over = moment - k * (now - at) - own;
-            if over.abs() <= self.close + SAME * own.abs() {
+        let mut theta = start;
+        for _ in 0..MAX_HINGE_STEPS {
+            let (own, tangent) = self.hinge_response(i, theta, h)?;
+            let residual = moment - k * (theta - at) - own;
+            if residual.abs() <= self.moment_tolerance + ROUND_OFF * own.abs() {
                 break;
             }
-            if over > 0.0 {
-                low = now
+            if residual > 0.0 {
+                low = theta
             } else {
-                high = now
+                high = theta
             }
-            let next = now + over / (k + tangent);
-            now = if next > low && next < high { next } else { 0.5 * (low + high) };
-            if !now.is_finite() {
+            let next = theta + residual / (k + tangent);
+            theta = if next > low && next < high { next } else { 0.5 * (low + high) };
+            if !theta.is_finite() {
                 return Err(ElementError("the material of a hinge softens faster than the beam unloads".into()));
             }
-            if now == low || now == high {
+            if theta == low || theta == high {
                 break;
             }
         }
-        Ok(now)
+        Ok(theta)
     }
 
-    /// Take from the tangent what the hinges give way.
-    fn condense(&self, tangent: &mut [f64], of_hinges: &Each) {
+    /// Condenses the hinge rotations out of the tangent.
+    fn condense(&self, tangent: &mut [f64], of_hinges: &PerHinge) {
         let n = self.inner.dofs();
-        let mut among = self.stiffness(tangent);
-        (0..self.hinges.len()).for_each(|i| among[(i, i)] += of_hinges[i]);
-        let Some(flexibility) = among.try_inverse() else { return };
-        let (mut by_hinge, mut by_disp) = ([[0.0; MOST]; SPACE], [[0.0; SPACE]; MOST]);
+        let mut hinge_stiffness = self.stiffness(tangent);
+        (0..self.hinges.len()).for_each(|i| hinge_stiffness[(i, i)] += of_hinges[i]);
+        let Some(flexibility) = hinge_stiffness.try_inverse() else { return };
+        let (mut by_hinge, mut by_disp) = ([[0.0; MAX_HINGES]; SPACE], [[0.0; SPACE]; MAX_HINGES]);
         for (h, hinge) in self.hinges.iter().enumerate() {
             for (i, k) in tangent.chunks_exact(n).enumerate() {
                 by_hinge[i][h] = dot(k, &hinge.row);
@@ -260,17 +265,17 @@ impl Hinged {
         }
         for (row, by_hinge) in tangent.chunks_exact_mut(n).zip(&by_hinge) {
             for (h, by_disp) in by_disp.iter().enumerate().take(self.hinges.len()) {
-                let gives: f64 = (0..MOST).map(|g| by_hinge[g] * flexibility[(g, h)]).sum();
-                row.iter_mut().zip(by_disp).for_each(|(k, d)| *k -= gives * d);
+                let condensed: f64 = (0..MAX_HINGES).map(|g| by_hinge[g] * flexibility[(g, h)]).sum();
+                row.iter_mut().zip(by_disp).for_each(|(k, d)| *k -= condensed * d);
             }
         }
     }
 }
 
-/// Two axes normal to a chord: the one that lies, about which it bends in the vertical plane, and the other.
+/// The two axes normal to a chord: the horizontal one, for bending in the vertical plane, and the other.
 fn normal_to(chord: &Vector3<f64>) -> [Vector3<f64>; 2] {
-    let lying = chord.cross(&Vector3::z());
-    let first = if lying.norm() > 1e-6 { lying.normalize() } else { Vector3::x() };
+    let horizontal = chord.cross(&Vector3::z());
+    let first = if horizontal.norm() > MIN_HORIZONTAL { horizontal.normalize() } else { Vector3::x() };
     [first, chord.cross(&first)]
 }
 
@@ -288,9 +293,9 @@ impl Element for Hinged {
     fn init(&self, state: &mut [f64]) {
         let (own, hinges) = state.split_at_mut(self.inner_len);
         self.inner.init(own);
-        for words in hinges.chunks_exact_mut(self.hinge_len) {
-            words[0] = 0.0;
-            self.material.init(&mut words[1..]);
+        for hinge in hinges.chunks_exact_mut(self.hinge_len) {
+            hinge[0] = 0.0;
+            self.material.init(&mut hinge[1..]);
         }
     }
     fn traits(&self) -> ElementTraits {
@@ -303,41 +308,41 @@ impl Element for Hinged {
         motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        mut answer: ElementOutput<'_>,
+        mut output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let n = self.dofs();
-        let (old, kept) = committed.split_at(self.inner_len);
+        let (old, hinge_states) = committed.split_at(self.inner_len);
         let (new, next) = trial.split_at_mut(self.inner_len);
-        let mut rotations = self.rotations(kept);
-        let mut histories = Histories { old: kept, next, dt: motion.dt };
+        let mut rotations = self.rotations(hinge_states);
+        let mut histories = Histories { old: hinge_states, next, dt: motion.dt };
         let mut own = [0.0; SPACE * SPACE];
-        for _ in 0..ROUNDS {
-            answer.force.fill(0.0);
-            if let Some(damping) = answer.damping.as_deref_mut() {
+        for _ in 0..MAX_LINEARIZATIONS {
+            output.force.fill(0.0);
+            if let Some(damping) = output.damping.as_deref_mut() {
                 damping.fill(0.0);
             }
             let tangent = &mut own[..n * n];
             tangent.fill(0.0);
-            let disp = self.behind(motion.disp, &rotations);
+            let disp = self.beam_displacements(motion.disp, &rotations);
             let asked = ElementOutput {
-                force: &mut *answer.force,
+                force: &mut *output.force,
                 tangent: Some(&mut *tangent),
-                damping: answer.damping.as_deref_mut(),
+                damping: output.damping.as_deref_mut(),
                 part: MatrixMask::ALL,
             };
             self.inner.respond(&ElementInput { disp: &disp[..n], ..*motion }, old, new, asked)?;
-            let mut moments = Each::zeros();
-            moments.iter_mut().zip(&self.hinges).for_each(|(m, hinge)| *m = dot(&hinge.row, answer.force));
-            let said = self.ask_all(&rotations, &mut histories)?;
-            let size = moments.amax() + said.moment.amax();
-            if (moments - said.moment).amax() <= 10.0 * self.close + SAME * size {
-                if let Some(out) = answer.tangent {
-                    self.condense(tangent, &said.tangent);
+            let mut moments = PerHinge::zeros();
+            moments.iter_mut().zip(&self.hinges).for_each(|(m, hinge)| *m = dot(&hinge.row, output.force));
+            let hinges_now = self.hinge_responses(&rotations, &mut histories)?;
+            let size = moments.amax() + hinges_now.moment.amax();
+            if (moments - hinges_now.moment).amax() <= 10.0 * self.moment_tolerance + ROUND_OFF * size {
+                if let Some(out) = output.tangent {
+                    self.condense(tangent, &hinges_now.tangent);
                     out.copy_from_slice(tangent);
                 }
                 return Ok(());
             }
-            rotations = self.settle(&self.stiffness(tangent), &moments, &rotations, &mut histories)?;
+            rotations = self.solve(&self.stiffness(tangent), &moments, &rotations, &mut histories)?;
         }
         Err(ElementError("its hinges find no equilibrium in this step".into()))
     }
@@ -347,18 +352,9 @@ impl Element for Hinged {
         self.inner.commit(&trial[..self.inner_len], own);
         hinges.copy_from_slice(&trial[self.inner_len..]);
     }
-    // An element that counts its calls is refused: there is no tangent of a last call.
-    fn counts_calls(&self) -> bool {
-        false
-    }
-    fn last_tangent(&self, _: &[f64], _: &mut [f64], _: MatrixMask) {}
-
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.inner.initial_tangent(tangent);
-        self.condense(tangent, &Each::repeat(self.material.initial_tangent()));
-    }
-    fn initial_is_current(&self) -> bool {
-        self.inner.initial_is_current()
+        self.condense(tangent, &PerHinge::repeat(self.material.initial_tangent()));
     }
     fn mass(&self) -> Mass {
         self.inner.mass()
@@ -366,14 +362,10 @@ impl Element for Hinged {
     fn overload(&self, history: &[f64]) -> Option<Overload> {
         self.inner.overload(&history[..self.inner_len])
     }
-    fn damps_in_forces_only(&self) -> bool {
-        self.inner.damps_in_forces_only()
-    }
-    fn renews_damping(&self) -> bool {
-        self.inner.renews_damping()
-    }
-    fn ground_inertia_slip(&self) -> Option<f64> {
-        self.inner.ground_inertia_slip()
+    // None of them depends on the number of calls: such an element is refused.
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        // An inner element that depends on the number of calls is linear here, and is evaluated like any other.
+        OpenSeesTraits { calls: None, ..self.inner.opensees() }
     }
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
         let (inner, old) = self.inner.with_parameter(words, value)?;
@@ -386,11 +378,11 @@ impl Element for Hinged {
     fn load_len(&self) -> usize {
         self.inner.load_len()
     }
-    fn add_load(&self, load: &ElementLoad, factor: f64, words: &mut [f64]) -> Result<(), ElementError> {
-        self.inner.add_load(load, factor, words)
+    fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
+        self.inner.add_load(load, factor, sums)
     }
 
-    // The same paths as the element's own, so that recorders made before the hinges go on.
+    // Paths equal those of the element, so recorders from before the hinges stay valid.
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         match words {
             ["hingeRotation"] => Some(Probe::new(ROTATIONS, self.hinges.iter().map(|h| h.label.clone()))),
@@ -404,12 +396,12 @@ impl Element for Hinged {
         self.inner.force_labels()
     }
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
-        let (state, turned) = s.state.split_at(self.inner_len);
-        let rotations = self.rotations(turned);
+        let (state, hinge_states) = s.state.split_at(self.inner_len);
+        let rotations = self.rotations(hinge_states);
         if path == [ROTATIONS] {
             return out.copy_from_slice(&rotations.as_slice()[..out.len()]);
         }
-        let disp = self.behind(s.disp, &rotations);
+        let disp = self.beam_displacements(s.disp, &rotations);
         self.inner.read(path, &Snapshot { state, disp: &disp[..s.disp.len()], ..*s }, out);
     }
 }

@@ -1,9 +1,9 @@
-//! Laws that change what an element answers: physics that its own law leaves out.
+//! Amendments: laws that change the force of an element, for physics that its own law lacks.
 //!
-//! An [`Amended`] element asks the element that it stands around, and hands force and deformation of one direction,
-//! or of two that act together, to an amendment. So softening, heating or pinching can be added to any spring or
-//! bearing of an existing script, whatever its law. An amendment is a pure function of its committed history, one
-//! file each; [`Share`] says which part of the force it concerns.
+//! [`Amended`] evaluates the element, then passes force and deformation of one direction, or of two coupled ones, to an
+//! [`Amendment`]. Softening, heating or pinching can thus be added to any spring or bearing of a script. An amendment
+//! is a pure function of its committed state variables. Each law has a file of its own. [`Share`] selects the part of
+//! the force that a law changes.
 
 mod amended;
 mod axial;
@@ -60,28 +60,28 @@ pub use stiffening::Stiffening;
 pub use temperature::Temperature;
 pub use yielding::Yielding;
 
-/// Two directions; the second is zero where only one is amended.
+/// Values in two directions; the second is 0 if only one direction is amended.
 pub type Pair = [f64; 2];
 
-/// What an amendment is given.
+/// Input of an amendment at a trial state.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct DeformationState {
     /// Trial deformation.
     pub e: Pair,
     /// Committed deformation.
     pub before: Pair,
-    /// Force of the element as it stands.
+    /// Force of the unamended element.
     pub q: Pair,
-    /// Its axial force, compression positive.
+    /// Axial force of the element, positive in compression.
     pub axial: f64,
     /// Domain time since the committed state.
     pub dt: f64,
-    /// What the slack of the law has taken of the deformation: the force is that of the rest.
+    /// Slack of the law: `q` is the force at the deformation less the slack.
     pub slack: SlackShare,
 }
 
 impl DeformationState {
-    /// |e|.
+    /// Size of the deformation |e|.
     pub fn amplitude(&self) -> f64 {
         self.e[0].hypot(self.e[1])
     }
@@ -98,57 +98,60 @@ impl DeformationState {
     }
 }
 
-/// What an amendment answers: the force, and its derivatives.
+/// Response of an amendment: the force and its derivatives.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AmendedForce {
     /// Amended force.
     pub q: Pair,
-    /// d(amended force)/d(force of the element), by rows.
+    /// ∂q'/∂q by rows, for the amended force q' and the element's force q.
     pub by_force: [Pair; 2],
-    /// d(amended force)/d(deformation) at constant force of the element.
+    /// ∂q'/∂e at constant q, by rows.
     pub by_deformation: [Pair; 2],
-    /// d(amended force)/d(axial force).
+    /// ∂q'/∂(axial force).
     pub by_axial: Pair,
 }
 
 impl AmendedForce {
-    /// The force as it is.
+    /// The unamended force `q` with its derivatives.
     pub fn unchanged(q: Pair) -> Self {
         Self { q, by_force: [[1.0, 0.0], [0.0, 1.0]], ..Self::default() }
     }
 }
 
-/// A law of amendment with a fixed number of history variables.
+/// An amendment with state variables of a fixed number.
 pub trait AmendmentLaw: fmt::Debug + Send + Sync + 'static {
-    /// History; `default()` must be the virgin state.
+    /// State variables; `default()` must be the virgin state.
     type State: StateStruct;
 
     /// Name in the `amend` command.
     const NAME: &'static str;
 
-    /// Amended force and next history.
+    /// Amended force and trial state variables.
+    ///
+    /// # Errors
+    /// The law's equation has no solution for the step.
     fn amend(
         &self,
         committed: &Self::State,
         demand: &DeformationState,
     ) -> Result<(AmendedForce, Self::State), ElementError>;
 
-    /// Slack that the element does not get of its deformation.
+    /// Slack in series with the element.
     fn slack(&self, _committed: &Self::State) -> Option<Slack> {
         None
     }
 
-    /// Strength that the element has lost.
+    /// Loss of strength of the element, at the committed state.
     fn weakening(&self, _committed: &Self::State) -> Option<Weakening> {
         None
     }
 
-    /// Whether the force depends on the time that passes.
+    /// Returns true if the force depends on the increment of time.
     fn depends_on_time(&self) -> bool {
         false
     }
 
-    /// The law for another stiffness of the element; `None` if it does not use that stiffness.
+    /// The law for another stiffness of the element; `None` if the law does not use that stiffness.
     fn with_stiffness(&self, _stiffness: f64) -> Option<Self>
     where
         Self: Sized,
@@ -157,28 +160,31 @@ pub trait AmendmentLaw: fmt::Debug + Send + Sync + 'static {
     }
 }
 
-/// A law of amendment of any kind.
+/// An amendment of any kind.
 pub trait Amendment: fmt::Debug + Send + Sync {
     /// Name in the `amend` command.
     fn name(&self) -> &'static str;
-    /// Number of words of history.
+    /// Number of state variables.
     fn state_len(&self) -> usize;
-    /// Write the virgin state.
+    /// Writes the virgin state variables.
     fn init(&self, state: &mut [f64]);
-    /// Amended force; writes every word of `next`.
+    /// Amended force; writes all entries of `next`.
+    ///
+    /// # Errors
+    /// The law's equation has no solution for the step.
     fn amend(
         &self,
         committed: &[f64],
         demand: &DeformationState,
         next: &mut [f64],
     ) -> Result<AmendedForce, ElementError>;
-    /// Slack that the element does not get of its deformation.
+    /// Slack in series with the element.
     fn slack(&self, committed: &[f64]) -> Option<Slack>;
-    /// Strength that the element has lost.
+    /// Loss of strength of the element, at the committed state.
     fn weakening(&self, committed: &[f64]) -> Option<Weakening>;
-    /// Whether the force depends on the time that passes.
+    /// Returns true if the force depends on the increment of time.
     fn depends_on_time(&self) -> bool;
-    /// The law for another stiffness of the element; `None` if it does not use that stiffness.
+    /// The law for another stiffness of the element; `None` if the law does not use that stiffness.
     fn with_stiffness(&self, stiffness: f64) -> Option<Arc<dyn Amendment>>;
 }
 

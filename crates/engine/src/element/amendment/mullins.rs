@@ -1,41 +1,45 @@
-//! Mullins softening (scragging): rubber is stiffer on its first way to a strain than on the next.
+//! Mullins softening (scragging): rubber is stiffer at first loading to a strain than at reloading.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState, Share};
 use crate::element::ElementError;
 use crate::material::{Peak, Softening};
 use crate::numeric::Dual;
 
-/// The softening of the material `Mullins` by the size of the deformation, around an element. The parameters of a model
-/// are usually those of the scragged state; the virgin path is stiffer.
+/// The softening of the material `Mullins` around an element, as a function of |e|. Parameters of a model usually
+/// belong to the scragged state; first loading is stiffer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mullins {
-    /// The law, with deformations for strains.
+    /// The law, with deformations in place of strains.
     pub softening: Softening,
-    /// What it acts on.
+    /// Parts of the force that the law multiplies.
     pub share: Share,
 }
 
 crate::state_struct! {
-    /// History.
-    pub struct Memory {
-        /// Largest deformation so far, less what has healed.
+    /// State variables.
+    pub struct MullinsState {
+        /// Largest deformation, less the recovered part.
         largest: f64,
-        /// Largest deformation ever.
+        /// Largest deformation without recovery.
         ever: f64,
     }
 }
 
 impl AmendmentLaw for Mullins {
-    type State = Memory;
+    type State = MullinsState;
     const NAME: &'static str = "mullins";
 
-    fn amend(&self, committed: &Memory, d: &DeformationState) -> Result<(AmendedForce, Memory), ElementError> {
+    fn amend(
+        &self,
+        committed: &MullinsState,
+        d: &DeformationState,
+    ) -> Result<(AmendedForce, MullinsState), ElementError> {
         let size = Dual { value: d.amplitude(), slope: 1.0 };
         let old = Peak { now: Dual::constant(committed.largest), ever: committed.ever };
         let peak = self.softening.advance(old, size, d.dt.abs());
         let factor = self.softening.factor_at(peak.now, size);
         let slopes = d.radial().map(|n| factor.slope * n);
-        let memory = Memory { largest: peak.now.value, ever: peak.ever };
+        let memory = MullinsState { largest: peak.now.value, ever: peak.ever };
         Ok((self.share.scale(d, factor.value, slopes, 0.0), memory))
     }
 

@@ -1,12 +1,14 @@
-//! A member taken as elastic yields, and reloads towards its largest deformation, as reinforced concrete does.
+//! Yielding of an elastic member with peak-oriented reloading, as in reinforced concrete.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState};
 use crate::element::ElementError;
 
-/// Elastic with stiffness k up to the yield force F_y, then b k; unloading with k (e_y/e_max)^a, where e_max is the largest
-/// deformation on the side that it comes from; where the force has passed zero, towards the largest deformation on the side
-/// that it goes to. Clough and Johnston (2nd Japan Earthquake Engineering Symposium, 1966) for a = 0, with the unloading stiffness of
-/// Takeda, Sozen and Nielsen (J. Struct. Div. 96, 1970). The force k e of the element is replaced, each direction by itself.
+/// Stiffness k up to the yield force F_y, then b k. The unloading stiffness is k (e_y/e_max)^a, where e_max is the
+/// largest deformation on the side of unloading. After the force has changed its sign, reloading aims at the largest
+/// deformation on the other side. The law replaces the force k e of the element, separately in each direction.
+///
+/// Sources: Clough and Johnston (2nd Japan Earthquake Engineering Symposium, 1966) for a = 0; unloading stiffness by
+/// Takeda, Sozen and Nielsen (J. Struct. Div. 96, 1970).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PeakOriented {
     /// Yield force F_y.
@@ -20,67 +22,76 @@ pub struct PeakOriented {
 }
 
 crate::state_struct! {
-    /// History.
-    pub struct Reached {
-        /// Force in the place of k e.
+    /// State variables.
+    pub struct PeakOrientedState {
+        /// Force that replaces k e.
         force: [f64; 2],
-        /// Largest deformation so far.
-        most: [f64; 2],
-        /// Smallest one.
-        least: [f64; 2],
+        /// Largest deformation.
+        peak: [f64; 2],
+        /// Smallest deformation.
+        trough: [f64; 2],
     }
 }
 
 impl PeakOriented {
-    /// Deformation e_y at which it yields.
-    fn yields_at(&self) -> f64 {
+    /// Yield deformation e_y.
+    fn yield_deformation(&self) -> f64 {
         self.force / self.stiffness
     }
 
-    /// Force on the virgin path beyond e_y.
+    /// Force at first loading beyond e_y.
     fn envelope(&self, e: f64) -> f64 {
-        self.force + self.hardening * self.stiffness * (e - self.yields_at())
+        self.force + self.hardening * self.stiffness * (e - self.yield_deformation())
     }
 
-    /// Force and its derivative at a larger deformation `e`, from `start` with the force `f`; `most` is the largest
-    /// deformation so far, `behind` the distance of the largest on the other side.
-    fn onward(&self, e: f64, start: f64, f: f64, most: f64, behind: f64) -> (f64, f64) {
+    /// Force and its derivative at a larger deformation `e`, from `start` with the force `f`. `peak` is the largest
+    /// deformation so far, `opposite` the size of the largest one of the other sign.
+    fn reload(&self, e: f64, start: f64, f: f64, peak: f64, opposite: f64) -> (f64, f64) {
         let k = self.stiffness;
         let (mut x, mut y) = (start, f);
         if y < 0.0 {
-            let unloading = k * (self.yields_at() / behind.max(self.yields_at())).powf(self.unloading);
+            let unloading =
+                k * (self.yield_deformation() / opposite.max(self.yield_deformation())).powf(self.unloading);
             let zero = x - y / unloading;
             if e <= zero {
                 return (y + unloading * (e - x), unloading);
             }
             (x, y) = (zero, 0.0);
         }
-        let top = most.max(self.yields_at());
-        let secant = if top > x { (self.envelope(top) - y) / (top - x) } else { k };
+        let target = peak.max(self.yield_deformation());
+        let secant = if target > x { (self.envelope(target) - y) / (target - x) } else { k };
         let slope = secant.min(k);
-        let along = y + slope * (e - x);
-        // Not stiffer than elastic, where the largest deformation is near.
-        if e >= top && along >= self.envelope(e) { (self.envelope(e), self.hardening * k) } else { (along, slope) }
+        let reloading = y + slope * (e - x);
+        // The reloading stiffness is at most k, also close to the peak.
+        if e >= target && reloading >= self.envelope(e) {
+            (self.envelope(e), self.hardening * k)
+        } else {
+            (reloading, slope)
+        }
     }
 }
 
 impl AmendmentLaw for PeakOriented {
-    type State = Reached;
+    type State = PeakOrientedState;
     const NAME: &'static str = "peakOriented";
 
-    fn amend(&self, c: &Reached, d: &DeformationState) -> Result<(AmendedForce, Reached), ElementError> {
+    fn amend(
+        &self,
+        c: &PeakOrientedState,
+        d: &DeformationState,
+    ) -> Result<(AmendedForce, PeakOrientedState), ElementError> {
         let (mut v, mut next) = (AmendedForce::unchanged(d.q), *c);
         for i in 0..2 {
             let (e, before) = (d.e[i], d.before[i]);
             let (force, slope) = if e >= before {
-                self.onward(e, before, c.force[i], c.most[i], -c.least[i])
+                self.reload(e, before, c.force[i], c.peak[i], -c.trough[i])
             } else {
-                let (force, slope) = self.onward(-e, -before, -c.force[i], -c.least[i], c.most[i]);
+                let (force, slope) = self.reload(-e, -before, -c.force[i], -c.trough[i], c.peak[i]);
                 (-force, slope)
             };
             v.q[i] += force - self.stiffness * e;
             v.by_deformation[i][i] = slope - self.stiffness;
-            (next.force[i], next.most[i], next.least[i]) = (force, c.most[i].max(e), c.least[i].min(e));
+            (next.force[i], next.peak[i], next.trough[i]) = (force, c.peak[i].max(e), c.trough[i].min(e));
         }
         Ok((v, next))
     }

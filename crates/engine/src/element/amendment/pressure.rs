@@ -1,22 +1,22 @@
-//! Strength that follows the axial force, as that of a slider does.
+//! Strength proportional to a power of the axial force, as of a slider.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState, Share};
 use crate::element::ElementError;
 
-/// s = (P / P₀)ᵖ with the compression P = N + c e of the element; no force is left in tension. With the hysteretic part alone
-/// ([`Share`]) and p = 1 this is Coulomb's law for the strength. c is what the overturning that goes with the lateral motion adds to
-/// the axial force N of the model.
+/// s = (P / P₀)ᵖ with the compression P = N + c e; s = 0 in tension. With the hysteretic part alone ([`Share`]) and p =
+/// 1, the strength obeys Coulomb's law. The term c e is the axial force from overturning, which N, the axial force of
+/// the model, may lack.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pressure {
-    /// Compression P₀ that the parameters of the element belong to.
+    /// Compression P₀ for which the parameters of the element were identified.
     pub reference: f64,
     /// Exponent p.
     pub power: f64,
-    /// Compression c per deformation of the first direction, which the model does not have.
+    /// Axial force c per deformation of the first direction, from overturning.
     pub lever: f64,
-    /// Compression, where the model does not carry it: `None` for the axial force of the element.
+    /// Prescribed compression N; `None` for the axial force of the element.
     pub load: Option<f64>,
-    /// What it acts on.
+    /// Parts of the force that s multiplies.
     pub share: Share,
 }
 

@@ -3,14 +3,14 @@
 use super::{AmendedForce, AmendmentLaw, DeformationState, Pair};
 use crate::element::ElementError;
 
-/// Coulomb's law with no force at rest, f = F v / √(|v|² + v₀²), isotropic in two directions: as drags of lubricated guides are
-/// recorded, and as many programs smooth a sign. The rate is that of the deformation over domain time, in static analyses too;
-/// where no time passes there is no force.
+/// Coulomb friction f = F v / √(|v|² + v₀²), isotropic in two directions; 0 at zero speed. This is a usual
+/// regularisation of the sign function, and the drag of lubricated guides. The velocity is Δe over the increment of
+/// domain time, in static analyses too; the force is 0 if no time passes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sliding {
     /// Friction force F of a fast motion.
     pub force: f64,
-    /// Speed v₀ at which it is F/√2.
+    /// Speed v₀ at which the force is F/√2.
     pub speed: f64,
 }
 

@@ -3,51 +3,51 @@
 use super::{AmendedForce, AmendmentLaw, DeformationState, Pair, Share, Slack};
 use crate::element::ElementError;
 
-/// The hysteretic part z = q - k e runs through slack where it passes zero: beside its own deformation it takes s(z), the
-/// slip-lock element in series of Baber and Noori, J. Eng. Mech. 111 (1985), so that q' = q(e - s) + k s. Slack is
-/// `size` and a part of the largest deformation so far; `width` is the force within which it is run through.
+/// The hysteretic part z = q - k e has slack s(z) in series: q' = q(e - s) + k s. The slip-lock element in series is
+/// that of Baber and Noori, J. Eng. Mech. 111 (1985). The slack is `size` plus `growth` times the largest deformation;
+/// `width` is its force scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slip {
-    /// Deformation between the two ends of the slack.
+    /// Slack deformation of the virgin element.
     pub size: f64,
-    /// More of it for each deformation that has been reached.
+    /// Increase of the slack per unit of the largest deformation.
     pub growth: f64,
-    /// Hysteretic force within which it slips.
+    /// Hysteretic force within which slip occurs.
     pub width: f64,
-    /// The elastic part, which does not slip.
+    /// Split of the force; the elastic part has no slip.
     pub share: Share,
 }
 
 crate::state_struct! {
-    /// History.
-    pub struct Slipped {
+    /// State variables.
+    pub struct SlipState {
         /// Largest deformation so far.
         largest: f64,
-        /// Slack that is taken up in each direction.
-        taken: [f64; 2],
+        /// Slack deformation in each direction.
+        slip: [f64; 2],
     }
 }
 
 impl AmendmentLaw for Slip {
-    type State = Slipped;
+    type State = SlipState;
     const NAME: &'static str = "slip";
 
-    fn slack(&self, committed: &Slipped) -> Option<Slack> {
+    fn slack(&self, committed: &SlipState) -> Option<Slack> {
         let size = self.size + self.growth * committed.largest;
-        Some(Slack { size, width: self.width, stiffness: self.share.stiffness, taken: committed.taken })
+        Some(Slack { size, width: self.width, stiffness: self.share.stiffness, committed: committed.slip })
     }
 
-    fn amend(&self, committed: &Slipped, d: &DeformationState) -> Result<(AmendedForce, Slipped), ElementError> {
+    fn amend(&self, committed: &SlipState, d: &DeformationState) -> Result<(AmendedForce, SlipState), ElementError> {
         let k = self.share.stiffness;
-        let taken = d.slack.by;
+        let slip = d.slack.by;
         let m = d.slack.follows;
         let unit = |i: usize, j: usize| f64::from(u8::from(i == j));
         let v = AmendedForce {
-            q: std::array::from_fn(|i| d.q[i] + k * taken[i]),
+            q: std::array::from_fn(|i| d.q[i] + k * slip[i]),
             by_force: m,
             by_deformation: std::array::from_fn(|i| -> Pair { std::array::from_fn(|j| k * (unit(i, j) - m[i][j])) }),
             ..AmendedForce::default()
         };
-        Ok((v, Slipped { largest: committed.largest.max(d.amplitude()), taken }))
+        Ok((v, SlipState { largest: committed.largest.max(d.amplitude()), slip }))
     }
 }

@@ -3,13 +3,13 @@
 use super::{AmendedForce, AmendmentLaw, DeformationState, Pair};
 use crate::element::ElementError;
 
-/// An elastic force in parallel: factor (|e| - from)ᵖ beyond the deformation `from`, along e. Filled rubber stiffens
-/// so when its chains come to their limit.
+/// An elastic force in parallel: factor (|e| - from)ᵖ along e, if |e| > `from`. Filled rubber stiffens by the finite
+/// extensibility of its chains.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stiffening {
-    /// Force at one unit of deformation beyond `from`.
+    /// Force at a deformation of `from` plus one unit of length.
     pub factor: f64,
-    /// Deformation where it begins.
+    /// Deformation at which stiffening begins.
     pub from: f64,
     /// Exponent p, at least 1.
     pub power: f64,
@@ -32,7 +32,7 @@ impl AmendmentLaw for Stiffening {
     }
 }
 
-/// Add a force along the deformation with the slope d(force)/d|e|.
+/// Adds a force along the deformation of size r, with the slope d(force)/d|e|.
 fn add_radial(mut v: AmendedForce, n: Pair, force: f64, slope: f64, r: f64) -> AmendedForce {
     for i in 0..2 {
         v.q[i] += force * n[i];

@@ -1,20 +1,20 @@
-//! Another temperature than the one that the parameters were found at.
+//! Temperature that differs from the reference temperature of the parameters.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState, Share, Weakening};
 use crate::element::ElementError;
 
-/// s = exp(-b (T - T₀)): stiffness and strength of rubber and lead fall about exponentially with the temperature
-/// (the form of the temperature factors of the AASHTO guide specifications, and of Kalpakidis and Constantinou,
-/// J. Struct. Eng. 135 (2009), for lead).
+/// s = exp(-b (T - T₀)). Stiffness and strength of rubber and lead fall about exponentially with the temperature. The
+/// form is that of the temperature factors of the AASHTO guide specifications. For lead it is also that of Kalpakidis
+/// and Constantinou, J. Struct. Eng. 135 (2009).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Temperature {
-    /// Softening b per degree.
+    /// Coefficient b, 1/temperature.
     pub softening: f64,
-    /// Temperature T of the test.
+    /// Temperature T.
     pub at: f64,
-    /// Temperature T₀ that the parameters of the element belong to.
+    /// Reference temperature T₀ of the element's parameters.
     pub reference: f64,
-    /// What it acts on.
+    /// Parts of the force that s multiplies.
     pub share: Share,
 }
 

@@ -9,22 +9,21 @@ use crate::material::{Slot, Strain};
 use crate::probe::Probe;
 use std::sync::Arc;
 
-/// Numbers of a component beam.
+/// Properties of a component beam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ComponentOptions {
-    /// Axial rigidity E A.
+    /// Axial rigidity E A, force.
     pub ea: f64,
-    /// Flexural rigidity E I.
+    /// Flexural rigidity E I, force x length².
     pub ei: f64,
     /// Mass per length.
     pub rho: f64,
-    /// Consistent instead of lumped mass.
+    /// Consistent mass in place of lumped mass.
     pub consistent: bool,
 }
 
-/// An elastic beam in the plane with a rotational spring at either end, between the node and the beam. The rotations of the
-/// beam's own ends are unknowns inside the element, found so that the moments of springs and beam agree. An end without a
-/// spring is a hinge.
+/// An elastic beam in the plane with a rotational spring between each node and the beam's end. The rotations of the
+/// beam's ends are internal unknowns, from equilibrium of springs and beam. An end without a spring is a hinge.
 #[derive(Clone, Debug)]
 pub struct ComponentBeam {
     transform: Arc<dyn Transform<6, 3>>,
@@ -33,15 +32,17 @@ pub struct ComponentBeam {
     len: usize,
 }
 
-/// State variables of the rotations of the beam's ends.
-const INSIDE: usize = 2;
-/// Iterations for the rotations inside.
-const ITERATIONS: usize = 50;
+/// Number of state variables for the rotations of the beam's ends.
+const INNER_ROTATIONS: usize = 2;
+/// Largest number of iterations for the internal rotations.
+const MAX_ITERATIONS: usize = 50;
+/// Tolerance of a step of the internal rotations, as a part of the largest rotation: round-off.
+const RELATIVE_TOLERANCE: f64 = 1e-15;
 
-/// Springs turn from left to right along the beam: the one at i counts the beam's end less the node, that at j the other way.
-const SENSE: [f64; 2] = [1.0, -1.0];
+/// Signs of the spring deformations: the end of the beam less the node at i, the opposite at j.
+const SIGN: [f64; 2] = [1.0, -1.0];
 
-/// What the springs and the beam between them come to.
+/// Response of the springs with the beam between them.
 #[derive(Clone, Copy, Debug, Default)]
 struct Ends {
     /// Moments at the nodes.
@@ -50,13 +51,13 @@ struct Ends {
 }
 
 impl ComponentBeam {
-    /// From its geometry, its numbers and the springs at i and j.
+    /// Makes the beam from its geometry, its properties and the springs at i and j with their tags.
     pub fn new(
         transform: Arc<dyn Transform<6, 3>>,
         options: ComponentOptions,
         springs: [Option<(crate::material::Material, i32)>; 2],
     ) -> Self {
-        let mut at = INSIDE;
+        let mut at = INNER_ROTATIONS;
         let springs = springs.map(|s| {
             s.map(|(material, tag)| {
                 let slot = Slot::new(material, tag, at);
@@ -71,52 +72,57 @@ impl ComponentBeam {
         [Bending { ei: self.options.ei, gav: None, release: Release::None }; 2]
     }
 
-    /// 2 E I/L, in which the beam's end moments are 2 θi + θj and θi + 2 θj.
-    fn beam(&self) -> f64 {
+    /// 2 E I/L; the end moments of the beam are this times 2 θi + θj and θi + 2 θj.
+    fn twice_ei_over_l(&self) -> f64 {
         2.0 * self.options.ei / self.transform.length()
     }
 
-    /// Rotations inside that take up moments `left` there, with spring stiffnesses `k`.
-    fn take_up(&self, k: [f64; 2], left: [f64; 2]) -> [f64; 2] {
-        let beam = self.beam();
+    /// Internal rotations that balance the moments `residual`, with spring stiffnesses `k`.
+    fn balancing_rotations(&self, k: [f64; 2], residual: [f64; 2]) -> [f64; 2] {
+        let beam = self.twice_ei_over_l();
         let (a, b) = (k[0] + 2.0 * beam, k[1] + 2.0 * beam);
         let determinant = a * b - beam * beam;
-        [(b * left[0] - beam * left[1]) / determinant, (a * left[1] - beam * left[0]) / determinant]
+        [(b * residual[0] - beam * residual[1]) / determinant, (a * residual[1] - beam * residual[0]) / determinant]
     }
 
-    /// Moments left out of balance inside, of the springs, the beam and the clamped moments of loads.
-    fn left(&self, spring: [f64; 2], inside: [f64; 2], clamped: [f64; 2]) -> [f64; 2] {
-        let beam = self.beam();
+    /// Internal residual moments of the springs, the beam and the clamped-end moments of loads.
+    fn residual(&self, spring: [f64; 2], inner: [f64; 2], clamped: [f64; 2]) -> [f64; 2] {
+        let beam = self.twice_ei_over_l();
         [
-            spring[0] + beam * (2.0 * inside[0] + inside[1]) + clamped[0],
-            spring[1] + beam * (inside[0] + 2.0 * inside[1]) + clamped[1],
+            spring[0] + beam * (2.0 * inner[0] + inner[1]) + clamped[0],
+            spring[1] + beam * (inner[0] + 2.0 * inner[1]) + clamped[1],
         ]
     }
 
-    /// Condense the rotations inside out of the stiffnesses and moments of the springs; what is left out of balance inside goes
-    /// to the nodes.
-    fn condense(&self, k: [f64; 2], spring: [f64; 2], left: [f64; 2]) -> Ends {
-        let inside = self.take_up(k, left);
-        let [of_i, of_j] = [self.take_up(k, [k[0], 0.0]), self.take_up(k, [0.0, k[1]])];
+    /// Condenses the internal rotations out of stiffnesses and moments of the springs. The residual moments go to the
+    /// nodes.
+    fn condense(&self, k: [f64; 2], spring: [f64; 2], residual: [f64; 2]) -> Ends {
+        let inner = self.balancing_rotations(k, residual);
+        let [of_i, of_j] = [self.balancing_rotations(k, [k[0], 0.0]), self.balancing_rotations(k, [0.0, k[1]])];
         Ends {
-            moment: [0, 1].map(|i| k[i] * inside[i] - spring[i]),
+            moment: [0, 1].map(|i| k[i] * inner[i] - spring[i]),
             stiffness: [[k[0] * (1.0 - of_i[0]), -k[0] * of_j[0]], [-k[1] * of_i[1], k[1] * (1.0 - of_j[1])]],
         }
     }
 
-    /// A number of each spring in a state.
+    /// A value of each spring in a state; 0 without a spring.
     fn springs(&self, get: fn(&Slot, &[f64]) -> f64, state: &[f64]) -> [f64; 2] {
         self.springs.each_ref().map(|s| s.as_ref().map_or(0.0, |s| get(s, state)))
     }
 
-    /// Moments of the springs in a state, in the sense of rotations of the beam's ends.
+    /// Moments of the springs in a state, positive as the rotations of the beam's ends.
     fn moments(&self, state: &[f64]) -> [f64; 2] {
         let stress = self.springs(Slot::stress, state);
-        [0, 1].map(|i| SENSE[i] * stress[i])
+        [0, 1].map(|i| SIGN[i] * stress[i])
     }
 
-    /// Moments and stiffness at the nodes, for their rotations and the clamped moments of loads: Newton's method for the
-    /// rotations inside, from what the committed stiffnesses predict, with half steps where a spring bends sharply.
+    /// Moments and stiffness at the nodes for their rotations and the clamped-end moments of loads.
+    ///
+    /// Newton's method for the internal rotations starts from a prediction with the committed stiffnesses. A step is
+    /// halved while the residual grows.
+    ///
+    /// # Errors
+    /// Errors of the materials.
     fn solve(
         &self,
         rotation: [f64; 2],
@@ -126,36 +132,36 @@ impl ComponentBeam {
     ) -> Result<Ends, ElementError> {
         let start = [committed[0], committed[1]];
         let (k, strain) = (self.springs(Slot::tangent, committed), self.springs(Slot::strain, committed));
-        let mut left = self.left(self.moments(committed), start, clamped);
+        let mut residual = self.residual(self.moments(committed), start, clamped);
         for i in [0, 1] {
-            left[i] -= k[i] * (rotation[i] - start[i] + SENSE[i] * strain[i]);
+            residual[i] -= k[i] * (rotation[i] - start[i] + SIGN[i] * strain[i]);
         }
-        let step = self.take_up(k, left);
-        let (mut inside, mut step) = ([start[0] - step[0], start[1] - step[1]], step);
-        let (mut ends, mut least) = (Ends::default(), f64::INFINITY);
+        let step = self.balancing_rotations(k, residual);
+        let (mut inner, mut step) = ([start[0] - step[0], start[1] - step[1]], step);
+        let (mut ends, mut min_norm) = (Ends::default(), f64::INFINITY);
         let size = rotation[0].abs().max(rotation[1].abs()).max(start[0].abs()).max(start[1].abs());
-        for _ in 0..ITERATIONS {
+        for _ in 0..MAX_ITERATIONS {
             for (i, spring) in self.springs.iter().enumerate() {
                 if let Some(slot) = spring {
-                    let value = SENSE[i] * (inside[i] - rotation[i]);
+                    let value = SIGN[i] * (inner[i] - rotation[i]);
                     slot.update(committed, Strain { value, rate: 0.0, dt }, trial)?;
                 }
             }
-            trial[..INSIDE].copy_from_slice(&inside);
+            trial[..INNER_ROTATIONS].copy_from_slice(&inner);
             let k = self.springs(Slot::tangent, trial);
             let spring = self.moments(trial);
-            let left = self.left(spring, inside, clamped);
-            ends = self.condense(k, spring, left);
-            let norm = left[0].hypot(left[1]);
-            if norm > least {
+            let residual = self.residual(spring, inner, clamped);
+            ends = self.condense(k, spring, residual);
+            let norm = residual[0].hypot(residual[1]);
+            if norm > min_norm {
                 step = step.map(|x| 0.5 * x);
-                inside = [inside[0] + step[0], inside[1] + step[1]];
+                inner = [inner[0] + step[0], inner[1] + step[1]];
             } else {
-                least = norm;
-                step = self.take_up(k, left);
-                inside = [inside[0] - step[0], inside[1] - step[1]];
+                min_norm = norm;
+                step = self.balancing_rotations(k, residual);
+                inner = [inner[0] - step[0], inner[1] - step[1]];
             }
-            if step[0].abs().max(step[1].abs()) <= 1e-15 * size {
+            if step[0].abs().max(step[1].abs()) <= RELATIVE_TOLERANCE * size {
                 break;
             }
         }
@@ -167,11 +173,11 @@ impl ComponentBeam {
         [[self.options.ea / self.transform.length(), 0.0, 0.0], [0.0, ii, ij], [0.0, ji, jj]]
     }
 
-    /// Moments at the nodes and stiffness in a state that has been found.
+    /// Moments at the nodes and stiffness in a converged state.
     fn ends(&self, state: &[f64], load: &[f64]) -> Ends {
         let spring = self.moments(state);
-        let left = self.left(spring, [state[0], state[1]], [load[1], load[2]]);
-        self.condense(self.springs(Slot::tangent, state), spring, left)
+        let residual = self.residual(spring, [state[0], state[1]], [load[1], load[2]]);
+        self.condense(self.springs(Slot::tangent, state), spring, residual)
     }
 
     fn basic_force(&self, s: &Snapshot<'_>) -> [f64; 3] {
@@ -203,7 +209,7 @@ impl Element for ComponentBeam {
         self.len
     }
     fn init(&self, state: &mut [f64]) {
-        state[..INSIDE].fill(0.0);
+        state[..INNER_ROTATIONS].fill(0.0);
         self.springs.iter().flatten().for_each(|s| s.init(state));
     }
     fn traits(&self) -> ElementTraits {
@@ -221,15 +227,15 @@ impl Element for ComponentBeam {
         m: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: ElementOutput<'_>,
+        output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         self.transform.advance(m.disp, committed, trial)?;
         let v = self.transform.deformation(m.disp, trial);
         let ends = self.solve([v[1], v[2]], [m.load[1], m.load[2]], m.dt, (committed, trial))?;
         let axial = self.options.ea / self.transform.length() * v[0] + m.load[0];
         let q = [axial, ends.moment[0], ends.moment[1]];
-        self.transform.add_force(m.disp, trial, &q, &Self::reactions(m.load), answer.force);
-        if let Some(k) = answer.tangent {
+        self.transform.add_force(m.disp, trial, &q, &Self::reactions(m.load), output.force);
+        if let Some(k) = output.tangent {
             self.transform.add_tangent(m.disp, trial, &self.basic_stiffness(&ends), &q, k);
         }
         Ok(())
@@ -256,9 +262,9 @@ impl Element for ComponentBeam {
         3 + 5
     }
 
-    fn add_load(&self, load: &ElementLoad, factor: f64, words: &mut [f64]) -> Result<(), ElementError> {
+    fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
         load.refuse_moment(self.class())?;
-        add_clamped_load::<3>(load, factor, &self.bending(), self.transform.length(), words);
+        add_clamped_load::<3>(load, factor, &self.bending(), self.transform.length(), sums);
         Ok(())
     }
 

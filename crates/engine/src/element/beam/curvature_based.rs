@@ -1,8 +1,8 @@
-//! Force-based beams whose deflections follow their curvatures: `forceBeamColumnCBDI` and `forceBeamColumnCSBDI`.
+//! Force-based beams with curvature-based deflections: `forceBeamColumnCBDI` and `forceBeamColumnCSBDI`.
 
 mod opensees;
 
-use super::force_based::{ForceBased, INTERNAL, POLISH, REACTIONS, ROUND_OFF, of_load, row};
+use super::force_based::{ForceBased, INTERNAL, MAX_EXTRA_ITERATIONS, REACTIONS, ROUND_OFF, of_load, row};
 use super::member::{Basic, Formulation, Member};
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
@@ -14,49 +14,51 @@ use crate::section::Resultant;
 use std::fmt;
 use std::marker::PhantomData;
 
-/// Largest number of deformations of all sections of a beam together.
+/// Largest total number of section deformations of a beam.
 pub const MAX_DEFORMATIONS: usize = 64;
-/// Columns of the equations inside the element: deformations, what is missing, and a column for each basic force.
+/// Columns of the internal equations: section deformations, residuals, and one for each basic force.
 const COLUMNS: usize = MAX_DEFORMATIONS + 7;
 
-/// Internal forces are in equilibrium with the basic forces on the deflected beam, so that one element has the P-δ of its
-/// chord. Deflections are the double integral of the polynomial through the curvatures of the sections (curvature-based displacement
-/// interpolation, Neuenhofer and Filippou, 1998), with shear also the integral of the shear strains (De Souza, 2000).
+/// A force-based beam with equilibrium in the deflected configuration, so that one element has the P-δ effect of its
+/// chord. Deflections are the double integral of the polynomial through the section curvatures (curvature-based
+/// displacement interpolation, Neuenhofer and Filippou, 1998). With shear, they include the integral of the shear
+/// strains (De Souza, 2000).
 ///
-/// With the deflection w between the chord and the beam, positive as the curvature κ = w'' makes it, a section carries
-/// N = q₀, M = q₀ w + (x - 1) q₁ + x q₂ and V = -q₀ w' - (q₁ + q₂)/L; the basic deformations are
-/// v₀ = ∫ ε + ½ w κ - ½ w' γ, v₁ = ∫ (x - 1) κ - γ/L, v₂ = ∫ x κ - γ/L (in space likewise for bending in the other plane).
+/// The deflection w from the chord to the beam has the sign of the curvature κ = w''. Section forces are N = q₀, M = q₀
+/// w + (x - 1) q₁ + x q₂ and V = -q₀ w' - (q₁ + q₂)/L. Basic deformations are v₀ = ∫ ε + ½ w κ - ½ w' γ, v₁ = ∫ (x - 1)
+/// κ - γ/L and v₂ = ∫ x κ - γ/L. In space the same holds for bending in the other plane.
 #[derive(Clone, Debug)]
 pub struct CurvatureBased<R = Consistent> {
     iteration: ForceBased,
-    /// n x n, by rows: deflections (over L²) of curvatures.
+    /// Deflections (over L²) per curvature, n x n by rows.
     deflection: Vec<f64>,
-    /// With shear: deflections (over L) of shear strains, slopes (over L) of curvatures, slopes of shear strains.
+    /// With shear, n x n each: deflections (over L) per shear strain, slopes (over L) per curvature, slopes per shear
+    /// strain.
     shear: Option<[Vec<f64>; 3]>,
-    /// Element loads bend the sections between the ends: not in OpenSees' element in the plane.
+    /// Element loads act on the sections; in OpenSees' plane element they do not.
     loads_inside: bool,
     rules: PhantomData<R>,
 }
 
 /// Rules of [`CurvatureBased`] that differ in OpenSees.
 pub trait Rules: Clone + fmt::Debug + Send + Sync + 'static {
-    /// The derivative of the axial force is part of the tangent of the P-Delta moments.
+    /// The tangent of the P-Delta moments includes the derivative of the axial force.
     const WHOLE_TANGENT: bool = true;
 
-    /// Integrals that slopes of shear strains are measured from: values at the first end, or integrals up to the other end.
+    /// Reference of the slopes from shear strains: the polynomials at the first end, or their means over the length.
     fn datum<'a>(_start: &'a [f64], mean: &'a [f64]) -> &'a [f64] {
         mean
     }
 
-    /// Element loads bend the sections of a beam.
+    /// Returns true if element loads act on the sections.
     fn loads_inside(_plane: bool) -> bool {
         true
     }
 
-    /// Basic forces that are tried before those from the committed state.
+    /// Basic forces of an attempt before the iterations from the committed state.
     ///
     /// # Errors
-    /// A section without a force.
+    /// A section without a force at its deformation.
     fn first<const N: usize, const B: usize>(
         _beam: &CurvatureBased<Self>,
         _member: &Member<N, B>,
@@ -71,7 +73,7 @@ pub trait Rules: Clone + fmt::Debug + Send + Sync + 'static {
 
 impl Rules for Consistent {}
 
-/// Legendre's polynomials of 2x - 1 up to degree `n`, and their first and second integrals from 0.
+/// Legendre polynomials of 2x - 1 up to degree `n`, and their first and second integrals from 0.
 fn polynomials(x: f64, n: usize) -> [Vec<f64>; 3] {
     let t = 2.0 * x - 1.0;
     let mut p = vec![1.0, t];
@@ -89,15 +91,15 @@ fn polynomials(x: f64, n: usize) -> [Vec<f64>; 3] {
 }
 
 impl CurvatureBased {
-    /// For sections at these places (fractions of the length, each its own); with the deflections of shear strains, if they are
-    /// wanted. `None` where two places are the same.
+    /// Makes the formulation for sections at distinct `places` (fractions of the length); `shear` adds the deflections
+    /// from shear strains. `None` if two places coincide.
     pub fn new(iteration: ForceBased, places: &[f64], shear: bool) -> Option<Self> {
         Self::of(iteration, places, shear, false)
     }
 }
 
 impl CurvatureBased<OpenSees> {
-    /// The same by the rules of OpenSees, in the plane or in space.
+    /// As `new`, by the rules of OpenSees, in the plane or in space.
     pub fn as_opensees(iteration: ForceBased, places: &[f64], shear: bool, plane: bool) -> Option<Self> {
         Self::of(iteration, places, shear, plane)
     }
@@ -108,7 +110,7 @@ impl<R: Rules> CurvatureBased<R> {
         let n = places.len();
         let at: Vec<_> = places.iter().map(|x| polynomials(*x, n)).collect();
         let (start, end) = (polynomials(0.0, n), polynomials(1.0, n));
-        // Values of the polynomials at the places, whose inverse gives coefficients.
+        // Values of the polynomials at the places; the inverse gives the coefficients.
         let mut values = vec![[0.0; COLUMNS]; n];
         for (row, p) in values.iter_mut().zip(&at) {
             row[..n].copy_from_slice(&p[0][..n]);
@@ -135,7 +137,7 @@ impl<R: Rules> CurvatureBased<R> {
         Some(Self { iteration, deflection, shear, loads_inside: R::loads_inside(plane), rules: PhantomData })
     }
 
-    /// What a unit of a deformation of section `j` adds to the factor of q₀ in a resultant of section `i` of `n`.
+    /// Derivative of the factor of q₀ in a resultant of section `i` of `n` by a deformation of section `j`.
     fn influence(&self, n: usize, (i, r): (usize, Resultant), (j, e): (usize, Resultant), length: f64) -> f64 {
         use Resultant::{My, Mz, Vy, Vz};
         let at = i * n + j;
@@ -149,33 +151,33 @@ impl<R: Rules> CurvatureBased<R> {
     }
 }
 
-/// A resultant at `x` of the straight beam from the basic forces: shear works with the slope of the deflection.
+/// A resultant at `x` of the straight beam from the basic forces. Shear is conjugate to the slope of the deflection.
 fn straight_row<const B: usize>(resultant: Resultant, x: f64, length: f64) -> [f64; B] {
     let row = row(resultant, x, length);
     row.map(|r| sense(resultant) * r)
 }
 
-/// Shear has the other sign than in the force-based beam without deflections.
+/// Sign of a resultant; that of shear is opposite to the force-based beam without deflections.
 fn sense(resultant: Resultant) -> f64 {
     if matches!(resultant, Resultant::Vy | Resultant::Vz) { -1.0 } else { 1.0 }
 }
 
 type Deformations = [f64; MAX_DEFORMATIONS];
 
-/// The sections of a beam with their deformations one after the other.
+/// Deformations of all sections of a beam, in one vector.
 struct Sections<const B: usize> {
     /// Number of deformations.
     size: usize,
-    /// Resultant, section, and what the section counts, of each.
+    /// Resultant, section and weight of each deformation.
     of: [(Resultant, usize, f64); MAX_DEFORMATIONS],
-    /// Deformations, and the factors of q₀ in the resultants.
+    /// Deformations, and factors of q₀ in the resultants.
     e: Deformations,
     d: Deformations,
     rows: [[f64; B]; MAX_DEFORMATIONS],
 }
 
 impl<const B: usize> Sections<B> {
-    /// With the deformations that are in a state, or with others.
+    /// Reads the deformations from a state, or takes `others`.
     fn new<const N: usize, R: Rules>(
         beam: &CurvatureBased<R>,
         member: &Member<N, B>,
@@ -215,8 +217,8 @@ impl<const B: usize> Sections<B> {
         beam.influence(member.sections.len(), (i, r), (j, e), member.length())
     }
 
-    /// Basic deformations.
-    fn gathered(&self) -> [f64; B] {
+    /// Basic deformations from the section deformations.
+    fn basic_deformations(&self) -> [f64; B] {
         let mut v = [0.0; B];
         for a in 0..self.size {
             let weight = self.of[a].2;
@@ -227,21 +229,21 @@ impl<const B: usize> Sections<B> {
     }
 }
 
-/// What equilibrium of all sections says about a change of their deformations, for basic forces that are given.
+/// Linearised equilibrium of all sections at given basic forces.
 struct Linear<const B: usize> {
     /// Change of the deformations.
     change: Deformations,
-    /// What a unit of each basic force would add to it.
+    /// Derivative of the change by each basic force.
     per_force: [[f64; B]; MAX_DEFORMATIONS],
-    /// Forces that are missing.
-    missing: Deformations,
-    /// Flexibility of the basic system, and the change of the basic deformations.
+    /// Residual resultants.
+    residual: Deformations,
+    /// Flexibility of the basic system, and change of the basic deformations.
     f: [[f64; B]; B],
     v: [f64; B],
 }
 
-/// Resultants of all sections in a state, one after the other.
-fn carried<const N: usize, const B: usize>(member: &Member<N, B>, state: &[f64]) -> Deformations {
+/// Resultants of all sections in a state, in one vector.
+fn resultants<const N: usize, const B: usize>(member: &Member<N, B>, state: &[f64]) -> Deformations {
     let mut all = [0.0; MAX_DEFORMATIONS];
     let mut at = 0;
     for (section, ..) in member.along() {
@@ -253,33 +255,33 @@ fn carried<const N: usize, const B: usize>(member: &Member<N, B>, state: &[f64])
 }
 
 impl<R: Rules> CurvatureBased<R> {
-    /// Resultants that are in equilibrium with the basic forces.
-    fn balanced<const B: usize>(&self, s: &Sections<B>, q: &[f64; B], load: &[f64]) -> Deformations {
-        let mut balanced = [0.0; MAX_DEFORMATIONS];
-        for (row, out) in balanced[..s.size].iter_mut().enumerate() {
+    /// Resultants in equilibrium with the basic forces.
+    fn equilibrium_resultants<const B: usize>(&self, s: &Sections<B>, q: &[f64; B], load: &[f64]) -> Deformations {
+        let mut equilibrium_resultants = [0.0; MAX_DEFORMATIONS];
+        for (row, out) in equilibrium_resultants[..s.size].iter_mut().enumerate() {
             let (r, i, _) = s.of[row];
             let internal = &load[REACTIONS + i * INTERNAL..REACTIONS + (i + 1) * INTERNAL];
             let inside = if self.loads_inside { sense(r) * of_load(r, internal) } else { 0.0 };
             *out = dot(&s.rows[row], q) + q[0] * s.d[row] + inside;
         }
-        balanced
+        equilibrium_resultants
     }
 
-    /// Linearise equilibrium of sections that carry `carried` with the stiffnesses in a state. `None` where they have no
-    /// stiffness left.
+    /// Linearises equilibrium of sections with the resultants `resultants` and the stiffnesses of a state. `None` if the
+    /// matrix is singular.
     fn linear<const N: usize, const B: usize>(
         &self,
         member: &Member<N, B>,
         s: &Sections<B>,
         (q, load): (&[f64; B], &[f64]),
-        carried: &Deformations,
+        resultants: &Deformations,
         trial: &[f64],
     ) -> Option<Linear<B>> {
         let m = s.size;
         let mut a = [[0.0; COLUMNS]; MAX_DEFORMATIONS];
-        let mut missing = self.balanced(s, q, load);
-        missing.iter_mut().zip(carried).for_each(|(x, s)| *x -= s);
-        // Work of v₀ that changes with the deformations: what they do to the deflections counts too.
+        let mut residual = self.equilibrium_resultants(s, q, load);
+        residual.iter_mut().zip(resultants).for_each(|(x, s)| *x -= s);
+        // Derivative of v₀ by the deformations, deflections included.
         let mut work = [0.0; MAX_DEFORMATIONS];
         let mut at = 0;
         for (section, ..) in member.along() {
@@ -293,7 +295,7 @@ impl<R: Rules> CurvatureBased<R> {
                 }
                 work[row] += 0.5 * s.of[row].2 * s.d[row];
                 a[row][at..at + n].iter_mut().zip(&section.stiffness(trial)[k * n..]).for_each(|(a, k)| *a += k);
-                a[row][m] = missing[row];
+                a[row][m] = residual[row];
                 a[row][m + 1..m + 1 + B].copy_from_slice(&s.rows[row]);
                 a[row][m + 1] += s.d[row];
             }
@@ -305,7 +307,7 @@ impl<R: Rules> CurvatureBased<R> {
         let mut l = Linear {
             change: [0.0; MAX_DEFORMATIONS],
             per_force: [[0.0; B]; MAX_DEFORMATIONS],
-            missing,
+            residual,
             f: [[0.0; B]; B],
             v: [0.0; B],
         };
@@ -320,7 +322,7 @@ impl<R: Rules> CurvatureBased<R> {
         Some(l)
     }
 
-    /// Give the sections deformations.
+    /// Updates the sections with deformations.
     fn update<const N: usize, const B: usize>(
         member: &Member<N, B>,
         e: &Deformations,
@@ -336,8 +338,8 @@ impl<R: Rules> CurvatureBased<R> {
         Ok(())
     }
 
-    /// Find the basic forces for deformations that come in so many parts, from the committed state on, by Newton's method for
-    /// all sections and the basic forces at once. `None` if they are not found.
+    /// Basic forces for deformations `v` in `parts` equal increments from the committed state. Newton's method solves
+    /// for all section deformations and basic forces at once. `None` without convergence.
     fn attempt<const N: usize, const B: usize>(
         &self,
         member: &Member<N, B>,
@@ -349,35 +351,38 @@ impl<R: Rules> CurvatureBased<R> {
         let body = member.body();
         trial[body..].copy_from_slice(&committed[body..]);
         let mut basic = Basic::read(&committed[member.head()..]);
-        let start = Sections::new(self, member, committed, None).gathered();
+        let start = Sections::new(self, member, committed, None).basic_deformations();
         for part in 1..=parts {
             let share = part as f64 / parts as f64;
-            let (mut iteration, mut polished) = (0, 0);
+            let (mut iteration, mut extra_iterations) = (0, 0);
             loop {
                 let s = Sections::new(self, member, trial, None);
                 let loading = (&basic.q, motion.load);
-                let Some(mut l) = self.linear(member, &s, loading, &carried(member, trial), trial) else {
+                let Some(mut l) = self.linear(member, &s, loading, &resultants(member, trial), trial) else {
                     return Ok(None);
                 };
                 if !invert(l.f.as_flattened_mut(), B) {
                     return Ok(None);
                 }
-                let gathered = s.gathered();
-                let gap: [f64; B] = std::array::from_fn(|i| start[i] + share * (v[i] - start[i]) - gathered[i]);
-                let left: [f64; B] = std::array::from_fn(|i| gap[i] - l.v[i]);
-                let step = l.f.map(|row| dot(&row, &left));
+                let basic_deformations = s.basic_deformations();
+                let gap: [f64; B] =
+                    std::array::from_fn(|i| start[i] + share * (v[i] - start[i]) - basic_deformations[i]);
+                let remaining: [f64; B] = std::array::from_fn(|i| gap[i] - l.v[i]);
+                let step = l.f.map(|row| dot(&row, &remaining));
                 axpy(1.0, &step, &mut basic.q);
                 basic.k = l.f;
                 let (mut e, mut energy) = (s.e, dot(&step, &gap).abs());
                 for (b, e) in e[..s.size].iter_mut().enumerate() {
                     let change = l.change[b] + dot(&step, &l.per_force[b]);
                     *e += change;
-                    energy += (s.of[b].2 * change * l.missing[b]).abs();
+                    energy += (s.of[b].2 * change * l.residual[b]).abs();
                 }
-                let enough = energy <= self.iteration.tolerance;
-                polished += usize::from(enough);
+                let within_tolerance = energy <= self.iteration.tolerance;
+                extra_iterations += usize::from(within_tolerance);
                 let last = iteration == self.iteration.max_iterations;
-                if enough && (energy <= ROUND_OFF * dot(&basic.q, v).abs() || polished > POLISH || last) {
+                if within_tolerance
+                    && (energy <= ROUND_OFF * dot(&basic.q, v).abs() || extra_iterations > MAX_EXTRA_ITERATIONS || last)
+                {
                     break;
                 }
                 if last || !energy.is_finite() {
@@ -395,8 +400,8 @@ impl<const N: usize, const B: usize, R: Rules> Formulation<N, B> for CurvatureBa
     const CLASS: [&'static str; 2] = ["ForceBeamColumnCBDI2d", "ForceBeamColumnCBDI3d"];
     const SYMMETRIC: bool = false;
     const DEFLECTS: bool = true;
-    /// Basic deformations of the last trial state.
-    const WORDS: usize = B;
+    /// State variables: basic deformations of the last trial state.
+    const STATE_LEN: usize = B;
 
     fn whole_tangent(&self) -> bool {
         R::WHOLE_TANGENT
@@ -406,8 +411,8 @@ impl<const N: usize, const B: usize, R: Rules> Formulation<N, B> for CurvatureBa
         <ForceBased as Formulation<N, B>>::load_len(points)
     }
 
-    fn add_load(member: &Member<N, B>, load: &ElementLoad, factor: f64, words: &mut [f64]) {
-        <ForceBased as Formulation<N, B>>::add_load(member, load, factor, words);
+    fn add_load(member: &Member<N, B>, load: &ElementLoad, factor: f64, sums: &mut [f64]) {
+        <ForceBased as Formulation<N, B>>::add_load(member, load, factor, sums);
     }
 
     fn reactions(load: &[f64]) -> Reactions {

@@ -8,12 +8,12 @@ use crate::element::{ElementError, ElementInput};
 use crate::numeric::{dot, invert};
 use crate::section::{MAX_ORDER, Resultant};
 
-/// Deflections are cubic and elongations linear along the beam, so that curvatures are linear.
+/// A beam with cubic deflections and linear axial displacements: curvatures are linear, axial strain is constant.
 #[derive(Clone, Copy, Debug)]
 pub struct DisplacementBased;
 
-/// Deformation of a section at `x` (fraction of the length) that goes with a resultant, from the basic deformations. The
-/// shape has no shear deformation.
+/// Derivatives of the section deformation at `x` (fraction of the length) that is conjugate to a resultant, by the
+/// basic deformations. There is no shear deformation.
 fn row<const B: usize>(resultant: Resultant, x: f64, length: f64) -> [f64; B] {
     let mut row = [0.0; B];
     match resultant {
@@ -29,7 +29,7 @@ fn row<const B: usize>(resultant: Resultant, x: f64, length: f64) -> [f64; B] {
     row
 }
 
-/// Add wᵢ L aᵀ k a for the stiffness of a section by rows.
+/// Adds wᵢ L aᵀ k a for the section stiffness k by rows.
 fn add_section<const B: usize>(rows: &[[f64; B]], k: &[f64], weight: f64, kb: &mut [[f64; B]; B]) {
     for (a, k) in rows.iter().zip(k.chunks_exact(rows.len().max(1))) {
         for (b, k) in rows.iter().zip(k) {
@@ -47,9 +47,9 @@ impl<const N: usize, const B: usize> Formulation<N, B> for DisplacementBased {
         B + 5
     }
 
-    fn add_load(member: &Member<N, B>, load: &ElementLoad, factor: f64, words: &mut [f64]) {
+    fn add_load(member: &Member<N, B>, load: &ElementLoad, factor: f64, sums: &mut [f64]) {
         let rigid = Bending { ei: 1.0, gav: None, release: Release::None };
-        add_clamped_load::<B>(load, factor, &[rigid; 2], member.length(), words);
+        add_clamped_load::<B>(load, factor, &[rigid; 2], member.length(), sums);
     }
 
     fn reactions(load: &[f64]) -> Reactions {

@@ -3,40 +3,41 @@
 use crate::element::load::{ElementLoad, EndActions};
 use crate::element::transform::{Frame, Reactions, Transform};
 use crate::element::{
-    Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot, frame_force_labels,
+    Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
+    frame_force_labels,
 };
 use crate::numeric::axpy;
 use crate::probe::Probe;
 use crate::section::ElasticSection;
 use std::sync::Arc;
 
-/// Moment hinges at the ends of a beam.
+/// Moment releases at the ends of a beam.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Release {
-    /// None.
+    /// No release.
     #[default]
     None,
     /// At node i.
     I,
     /// At node j.
     J,
-    /// At both.
+    /// At both ends.
     Both,
 }
 
 /// Bending about one axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bending {
-    /// Flexural rigidity E I.
+    /// Flexural rigidity E I, force x length².
     pub ei: f64,
-    /// Shear rigidity G A_v; `None` for a beam rigid in shear.
+    /// Shear rigidity G A_v, force; `None` for a beam without shear deformation.
     pub gav: Option<f64>,
-    /// Hinges.
+    /// Moment releases.
     pub release: Release,
 }
 
 impl Bending {
-    /// About z and about y.
+    /// Bending about z and about y.
     pub(super) fn of(section: &ElasticSection, release: (Release, Release)) -> [Self; 2] {
         let (y, z) = section.shear_rigidity();
         [
@@ -63,8 +64,8 @@ impl Bending {
         }
     }
 
-    /// Moments at the clamped or hinged ends under a load across the beam, positive like the end rotations for a load
-    /// along the positive axis and rotations that go with it (i, then j).
+    /// Moments at the clamped or released ends i and j under a transverse load. They have the sign of the end
+    /// rotations, for a load along the positive axis and rotations of positive slope.
     pub(super) fn end_moments(&self, actions: &EndActions, length: f64) -> (f64, f64) {
         let phi = self.phi(length);
         let (mi, mj) = (-actions.moment.0, actions.moment.1);
@@ -80,7 +81,7 @@ impl Bending {
     }
 }
 
-/// Stiffness of the basic system with `B` deformations of a beam of a length.
+/// Stiffness of the basic system with `B` deformations for a beam of the given length.
 pub(super) fn basic_stiffness<const B: usize>(
     section: &ElasticSection,
     bending: &[Bending; 2],
@@ -99,14 +100,14 @@ pub(super) fn basic_stiffness<const B: usize>(
     kb
 }
 
-/// What an elastic beam has besides section and geometry.
+/// Properties of an elastic beam besides section and geometry.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ElasticOptions {
-    /// Hinges about z and about y.
+    /// Releases about z and about y.
     pub release: (Release, Release),
     /// Mass per length.
     pub rho: f64,
-    /// Consistent instead of lumped mass.
+    /// Consistent mass in place of lumped mass.
     pub consistent: bool,
 }
 
@@ -116,18 +117,17 @@ pub struct ElasticBeam<const N: usize, const B: usize> {
     transform: Arc<dyn Transform<N, B>>,
     section: ElasticSection,
     options: ElasticOptions,
-    /// Factors of E I/L of a modified beam in the plane.
+    /// Factors K11, K33, K44 of E I/L of a modified beam in the plane.
     modified: Option<[f64; 3]>,
     /// Basic stiffness.
     kb: [[f64; B]; B],
     /// Bending about z and, in space, about y.
     bending: [Bending; 2],
-    /// Global matrices, where they do not change with the displacements.
+    /// Global matrices of the tangent, if they are independent of the displacements.
     constant: Option<Box<Constant<N>>>,
 }
 
-/// What is constant about an elastic beam under small displacements: worth keeping, since most elements of a building
-/// are such beams.
+/// Parts of the tangent of an elastic beam for small displacements.
 #[derive(Clone, Debug)]
 struct Constant<const N: usize> {
     stiffness: [[f64; N]; N],
@@ -152,11 +152,19 @@ impl<const N: usize> Constant<N> {
         let geometric = (!transform.is_linear()).then(|| matrix(&[[0.0; B]; B], &pull));
         Some(Box::new(Self { stiffness, geometric }))
     }
+
+    /// Adds the tangent for an axial force.
+    fn add_tangent(&self, axial: f64, tangent: &mut [f64]) {
+        axpy(1.0, self.stiffness.as_flattened(), tangent);
+        if let Some(g) = &self.geometric {
+            axpy(axial, g.as_flattened(), tangent);
+        }
+    }
 }
 
 impl ElasticBeam<6, 3> {
-    /// With the factors K11, K33 and K44 of E I/L for the stiffness of the end rotations i, j and of one with the other,
-    /// in place of 4, 4 and 2 (Zareian and Medina, 2010). Member loads act as on an unmodified beam.
+    /// Replaces the factors 4, 4 and 2 of E I/L in the end rotation stiffness by K11, K33 and K44 (Zareian and Medina,
+    /// 2010). They belong to i, to j and to their coupling. Member loads act as on an unmodified beam.
     pub fn modified(
         transform: Arc<dyn Transform<6, 3>>,
         section: ElasticSection,
@@ -168,13 +176,13 @@ impl ElasticBeam<6, 3> {
 }
 
 impl<const N: usize, const B: usize> ElasticBeam<N, B> {
-    /// From its geometry and its section.
+    /// Makes the beam from its geometry, its section and its options.
     pub fn new(transform: Arc<dyn Transform<N, B>>, section: ElasticSection, options: ElasticOptions) -> Self {
         let bending = Bending::of(&section, options.release);
         Self { transform, section, options, modified: None, kb: [[0.0; B]; B], bending, constant: None }.rebuilt()
     }
 
-    /// With the matrices that go with its numbers.
+    /// Computes the matrices for the current properties.
     fn rebuilt(mut self) -> Self {
         let length = self.transform.length();
         self.bending = Bending::of(&self.section, self.options.release);
@@ -188,43 +196,11 @@ impl<const N: usize, const B: usize> ElasticBeam<N, B> {
         self
     }
 
-    /// Force and tangent from the constant matrices.
-    fn respond_small(&self, c: &Constant<N>, m: &ElementInput<'_>, answer: ElementOutput<'_>) {
-        let frame = self.frame();
-        let u = frame.since_made(m.disp);
-        // The matrices are symmetric: rows serve as columns.
-        for (row, u) in c.stiffness.iter().zip(&u) {
-            axpy(*u, row, answer.force);
-        }
-        if m.load.iter().any(|l| *l != 0.0) {
-            let mut q = [0.0; B];
-            q.copy_from_slice(&m.load[..B]);
-            frame.add_basic_force(&q, answer.force);
-            frame.add_reactions(&Self::reactions(m.load), answer.force);
-        }
-        let axial = m.load[0] + self.kb[0][0] * dot(&frame.basic[0], &u);
-        if let Some(g) = &c.geometric {
-            for (row, u) in g.iter().zip(&u) {
-                axpy(axial * u, row, answer.force);
-            }
-        }
-        if let Some(tangent) = answer.tangent {
-            for (t, k) in tangent.iter_mut().zip(c.stiffness.iter().flatten()) {
-                *t += k;
-            }
-            if let Some(g) = &c.geometric {
-                for (t, g) in tangent.iter_mut().zip(g.iter().flatten()) {
-                    *t += axial * g;
-                }
-            }
-        }
-    }
-
     fn frame(&self) -> &Frame<N, B> {
         self.transform.frame()
     }
 
-    /// Basic forces: stiffness times deformations, and the fixed-end forces of member loads.
+    /// Basic forces: stiffness times deformations plus fixed-end forces of member loads.
     #[inline]
     fn basic_force(&self, disp: &[f64], state: &[f64], load: &[f64]) -> [f64; B] {
         let v = self.transform.deformation(disp, state);
@@ -240,8 +216,8 @@ impl<const N: usize, const B: usize> ElasticBeam<N, B> {
     }
 }
 
-/// Local consistent mass matrix (Przemieniecki, 1968, section 11.4, rigid in shear) of a beam with a mass per
-/// length and a polar radius of gyration squared.
+/// Local consistent mass matrix without shear deformation (Przemieniecki, 1968, section 11.4). `rho` is mass per
+/// length, `gyration` the square of the polar radius of gyration.
 pub(super) fn consistent_mass<const N: usize>(l: f64, rho: f64, gyration: f64) -> [[f64; N]; N] {
     let m = rho * l / 420.0;
     let mut out = [[0.0; N]; N];
@@ -258,7 +234,7 @@ pub(super) fn consistent_mass<const N: usize>(l: f64, rho: f64, gyration: f64) -
             pair(at, at + half, 70.0 * factor);
         }
     }
-    // Deflection, rotation, and the sign with which they go together.
+    // Deflection, rotation, and the sign of their coupling.
     let planes: &[(usize, usize, f64)] = if N == 6 { &[(1, 2, 1.0)] } else { &[(1, 5, 1.0), (2, 4, -1.0)] };
     for &(v, r, s) in planes {
         let (v2, r2) = (v + half, r + half);
@@ -276,7 +252,7 @@ pub(super) fn consistent_mass<const N: usize>(l: f64, rho: f64, gyration: f64) -
     out
 }
 
-/// Diagonal of the lumped mass of a beam: half at each end, translations only.
+/// Diagonal of the lumped mass: half at each end, translations only.
 pub(super) fn lumped_mass<const N: usize>(total: f64) -> Vec<f64> {
     let mut m = vec![0.0; N];
     for node in m.chunks_exact_mut(N / 2) {
@@ -285,17 +261,17 @@ pub(super) fn lumped_mass<const N: usize>(total: f64) -> Vec<f64> {
     m
 }
 
-/// Add a load, multiplied by a factor, to the load words of a clamped beam: its basic forces, and the reactions of the
-/// simple beam.
+/// Adds a load times a factor to the load sums of a clamped beam: its basic forces, then the reactions of the simple
+/// beam.
 pub(super) fn add_clamped_load<const B: usize>(
     load: &ElementLoad,
     factor: f64,
     bending: &[Bending; 2],
     length: f64,
-    words: &mut [f64],
+    sums: &mut [f64],
 ) {
     let (y, z, (axial, axial_j)) = load.end_actions(length);
-    let (q0, p0) = words.split_at_mut(B);
+    let (q0, p0) = sums.split_at_mut(B);
     q0[0] -= factor * axial_j;
     p0[0] -= factor * axial;
     // A load along z bends about y, with the opposite sign.
@@ -341,17 +317,17 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
         m: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: ElementOutput<'_>,
+        output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
-        if let Some(c) = &self.constant {
-            self.respond_small(c, m, answer);
-            return Ok(());
-        }
         self.transform.advance(m.disp, committed, trial)?;
+        // Forces from deformations: the round-off of stiffness times displacements is not in equilibrium. A stiff beam
+        // that moves with a soft structure would load it.
         let q = self.basic_force(m.disp, trial, m.load);
-        self.transform.add_force(m.disp, trial, &q, &Self::reactions(m.load), answer.force);
-        if let Some(tangent) = answer.tangent {
-            self.transform.add_tangent(m.disp, trial, &self.kb, &q, tangent);
+        self.transform.add_force(m.disp, trial, &q, &Self::reactions(m.load), output.force);
+        match (output.tangent, &self.constant) {
+            (Some(tangent), Some(c)) => c.add_tangent(q[0], tangent),
+            (Some(tangent), None) => self.transform.add_tangent(m.disp, trial, &self.kb, &q, tangent),
+            (None, _) => {}
         }
         Ok(())
     }
@@ -360,8 +336,9 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
         self.frame().add_basic_stiffness(&self.kb, tangent);
     }
 
-    fn ground_inertia_slip(&self) -> Option<f64> {
-        (self.options.rho != 0.0).then_some(if N == 6 { 2.0 } else { 1.0 })
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        let ground_inertia = (self.options.rho != 0.0).then_some(if N == 6 { 2.0 } else { 1.0 });
+        OpenSeesTraits { ground_inertia, ..OpenSeesTraits::default() }
     }
 
     fn mass(&self) -> Mass {
@@ -394,11 +371,11 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
         B + 5
     }
 
-    fn add_load(&self, load: &ElementLoad, factor: f64, words: &mut [f64]) -> Result<(), ElementError> {
+    fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
         if N == 12 {
             load.refuse_moment(self.class())?;
         }
-        add_clamped_load::<B>(load, factor, &self.bending, self.transform.length(), words);
+        add_clamped_load::<B>(load, factor, &self.bending, self.transform.length(), sums);
         Ok(())
     }
 

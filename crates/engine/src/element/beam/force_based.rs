@@ -8,19 +8,19 @@ use crate::material::MaterialError;
 use crate::numeric::{axpy, dot, invert};
 use crate::section::{MAX_ORDER, Resultant, SectionSlot};
 
-/// Internal forces are in equilibrium with the basic forces and the loads on the beam; the deformations of the sections add
-/// up to the basic ones (Spacone, Filippou and Taucer, 1996; Neuenhofer and Filippou, 1997).
+/// Internal forces are in equilibrium with the basic forces and the loads on the beam. Basic deformations are the
+/// weighted integral of the section deformations (Spacone, Filippou and Taucer, 1996; Neuenhofer and Filippou, 1997).
 #[derive(Clone, Copy, Debug)]
 pub struct ForceBased {
-    /// Largest number of iterations inside the element.
+    /// Largest number of internal iterations.
     pub max_iterations: usize,
-    /// Energy of the deformations that may be left over.
+    /// Tolerance of the residual energy.
     pub tolerance: f64,
-    /// How often OpenSees may cut a step into parts.
+    /// Largest number of subdivisions of a step by OpenSees.
     pub parts: u32,
-    /// Into how many parts it does.
+    /// Factor of each subdivision.
     pub factor: f64,
-    /// OpenSees is followed, whose answers go on from the last trial state.
+    /// OpenSees' scheme: iterations continue from the last trial state.
     pub compat: bool,
 }
 
@@ -30,27 +30,27 @@ impl Default for ForceBased {
     }
 }
 
-/// Energy left over, as a part of that of the basic system, which is round-off.
+/// Residual energy that is round-off, as a part of the energy of the basic system.
 pub(super) const ROUND_OFF: f64 = 1e-22;
-/// Iterations that are spent on round-off at most.
-pub(super) const POLISH: usize = 3;
+/// Largest number of iterations beyond the tolerance, towards round-off.
+pub(super) const MAX_EXTRA_ITERATIONS: usize = 3;
 
-/// State variables of the loads: reactions, and the internal forces of the simple beam at each section.
+/// Numbers of load sums: reactions, and internal forces of the simple beam at each section.
 pub(super) const REACTIONS: usize = 5;
 pub(super) const INTERNAL: usize = 5;
 
-/// Which flexibility turns missing forces of a section into deformations.
+/// Section flexibility in the correction of the deformations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Correction {
-    /// The current one.
+    /// Current flexibility.
     Current,
-    /// The initial one in the first iteration, the current one after it.
+    /// Initial flexibility in the first iteration, then the current one.
     InitialFirst,
-    /// The initial one: it never runs away, but takes its time.
+    /// Initial flexibility: slow but stable.
     Initial,
 }
 
-/// What is tried one after the other: parts that the step is cut into, and how sections are corrected.
+/// Attempts in order: number of increments, and section flexibility.
 const ATTEMPTS: [(usize, Correction); 9] = [
     (1, Correction::Current),
     (1, Correction::Initial),
@@ -63,7 +63,7 @@ const ATTEMPTS: [(usize, Correction); 9] = [
     (100, Correction::InitialFirst),
 ];
 
-/// A resultant at `x` (fraction of the length) from the basic forces.
+/// Derivatives of a resultant at `x` (fraction of the length) by the basic forces.
 pub(super) fn row<const B: usize>(resultant: Resultant, x: f64, length: f64) -> [f64; B] {
     let mut row = [0.0; B];
     match (resultant, bending_at(resultant)) {
@@ -81,7 +81,7 @@ pub(super) fn row<const B: usize>(resultant: Resultant, x: f64, length: f64) -> 
     row
 }
 
-/// A section in an iteration: its interpolation, its flexibility, and the deformations that go with the basic forces.
+/// A section in an iteration: its interpolation, its flexibility, and its deformations for the basic forces.
 pub(super) struct Point<const B: usize> {
     rows: [[f64; B]; MAX_ORDER],
     flexibility: [f64; MAX_ORDER * MAX_ORDER],
@@ -89,7 +89,7 @@ pub(super) struct Point<const B: usize> {
 }
 
 impl<const B: usize> Point<B> {
-    /// `internal` are the internal forces of the simple beam there.
+    /// Evaluates a section; `internal` are the internal forces of the simple beam at its position.
     pub(super) fn new(
         section: &SectionSlot,
         (x, length): (f64, f64),
@@ -108,18 +108,18 @@ impl<const B: usize> Point<B> {
         } else {
             section.flexibility(section.stiffness(trial), &mut p.flexibility)?;
         }
-        let mut missing = [0.0; MAX_ORDER];
+        let mut residual = [0.0; MAX_ORDER];
         for (i, (r, s)) in section.resultants().iter().zip(section.resultant(trial)).enumerate() {
             p.rows[i] = row(*r, x, length);
-            missing[i] = dot(&p.rows[i], q) + of_load(*r, internal) - s;
+            residual[i] = dot(&p.rows[i], q) + of_load(*r, internal) - s;
         }
         for (i, e) in section.deformation(trial).iter().enumerate() {
-            p.e[i] = e + dot(&p.flexibility[i * n..(i + 1) * n], &missing[..n]);
+            p.e[i] = e + dot(&p.flexibility[i * n..(i + 1) * n], &residual[..n]);
         }
         Ok(p)
     }
 
-    /// Add aᵀ f a and aᵀ e, times the weight.
+    /// Adds weight x aᵀ f a to the flexibility and weight x aᵀ e to the basic deformations.
     pub(super) fn add(&self, n: usize, weight: f64, f: &mut [[f64; B]; B], v: &mut [f64; B]) {
         for (i, a) in self.rows[..n].iter().enumerate() {
             axpy(weight * self.e[i], a, v);
@@ -131,12 +131,12 @@ impl<const B: usize> Point<B> {
     }
 }
 
-/// Internal forces of the simple beam at a section, of the load words of the beam.
+/// Internal forces of the simple beam at a section, from the load sums of the beam.
 pub(super) fn internal_forces(load: &[f64], section: usize) -> &[f64] {
     &load[REACTIONS + section * INTERNAL..REACTIONS + (section + 1) * INTERNAL]
 }
 
-/// The internal force of the simple beam that belongs to a resultant.
+/// Internal force of the simple beam for a resultant.
 pub(super) fn of_load(resultant: Resultant, internal: &[f64]) -> f64 {
     match resultant {
         Resultant::P => internal[0],
@@ -149,8 +149,7 @@ pub(super) fn of_load(resultant: Resultant, internal: &[f64]) -> f64 {
 }
 
 impl ForceBased {
-    /// Find the basic forces for deformations that come in so many parts, from the committed state on. `None` if they are
-    /// not found.
+    /// Basic forces for deformations `v` in equal increments from the committed state. `None` without convergence.
     fn attempt<const N: usize, const B: usize>(
         &self,
         member: &Member<N, B>,
@@ -160,11 +159,11 @@ impl ForceBased {
         (parts, correction): (usize, Correction),
     ) -> Result<Option<Basic<B>>, MaterialError> {
         let body = member.body();
-        // The histories are written with the first trial; where it takes none they are those of the committed state.
+        // State variables are written by the first update; without one they are those of the committed state.
         member
             .along()
             .for_each(|(section, ..)| section.response_mut(trial).copy_from_slice(section.response(committed)));
-        let mut tried = false;
+        let mut updated = false;
         let mut basic = Basic::read(&committed[member.head()..]);
         let length = member.length();
         let mut start = [0.0; B];
@@ -176,25 +175,30 @@ impl ForceBased {
         let limit = self.max_iterations * if correction == Correction::Initial { 10 } else { 1 };
         for part in 1..=parts {
             let share = part as f64 / parts as f64;
-            let (mut iteration, mut polished) = (0, 0);
+            let (mut iteration, mut extra_iterations) = (0, 0);
             loop {
-                let (mut f, mut gathered) = ([[0.0; B]; B], [0.0; B]);
+                let (mut f, mut basic_deformations) = ([[0.0; B]; B], [0.0; B]);
                 for (i, (section, x, weight)) in member.along().enumerate() {
                     let p = Point::new(section, (x, length), &basic.q, internal_forces(motion.load, i), trial, false)?;
-                    p.add(section.resultants().len(), weight, &mut f, &mut gathered);
+                    p.add(section.resultants().len(), weight, &mut f, &mut basic_deformations);
                 }
                 if !invert(f.as_flattened_mut(), B) {
                     return Ok(None);
                 }
-                let missing: [f64; B] = std::array::from_fn(|i| start[i] + share * (v[i] - start[i]) - gathered[i]);
-                let step = f.map(|row| dot(&row, &missing));
+                let residual: [f64; B] =
+                    std::array::from_fn(|i| start[i] + share * (v[i] - start[i]) - basic_deformations[i]);
+                let step = f.map(|row| dot(&row, &residual));
                 axpy(1.0, &step, &mut basic.q);
                 basic.k = f;
-                let energy = dot(&step, &missing).abs();
-                // To round-off where that is near: what is left over shows in the forces of the sections.
-                let enough = energy <= self.tolerance;
-                polished += usize::from(enough);
-                if enough && (energy <= ROUND_OFF * dot(&basic.q, v).abs() || polished > POLISH || iteration == limit) {
+                let energy = dot(&step, &residual).abs();
+                // Iterate on towards round-off: the residual enters the forces of the sections.
+                let within_tolerance = energy <= self.tolerance;
+                extra_iterations += usize::from(within_tolerance);
+                if within_tolerance
+                    && (energy <= ROUND_OFF * dot(&basic.q, v).abs()
+                        || extra_iterations > MAX_EXTRA_ITERATIONS
+                        || iteration == limit)
+                {
                     break;
                 }
                 if iteration == limit || !energy.is_finite() {
@@ -211,16 +215,16 @@ impl ForceBased {
                         Point::new(section, (x, length), &basic.q, internal_forces(motion.load, i), trial, initial)?;
                     section.update(committed, &p.e, motion.dt, trial)?;
                 }
-                tried = true;
+                updated = true;
             }
         }
-        if !tried {
+        if !updated {
             trial[body..].copy_from_slice(&committed[body..]);
         }
         Ok(Some(basic))
     }
 
-    /// Flexibility of the virgin beam, and the deformations that loads on it cause with no basic forces.
+    /// Flexibility of the virgin beam, and its basic deformations from loads at zero basic forces.
     fn initial_flexibility<const N: usize, const B: usize>(
         member: &Member<N, B>,
         load: &[f64],
@@ -251,9 +255,9 @@ impl ForceBased {
 
 impl<const N: usize, const B: usize> Formulation<N, B> for ForceBased {
     const CLASS: [&'static str; 2] = ["ForceBeamColumn2d", "ForceBeamColumn3d"];
-    const WORDS: usize = Trace::<N, B>::LEN;
+    const STATE_LEN: usize = Trace::<N, B>::LEN;
 
-    fn goes_on(&self) -> bool {
+    fn continues_from_last_trial(&self) -> bool {
         self.compat
     }
 
@@ -261,13 +265,13 @@ impl<const N: usize, const B: usize> Formulation<N, B> for ForceBased {
         REACTIONS + INTERNAL * points
     }
 
-    fn add_load(member: &Member<N, B>, load: &ElementLoad, factor: f64, words: &mut [f64]) {
+    fn add_load(member: &Member<N, B>, load: &ElementLoad, factor: f64, sums: &mut [f64]) {
         let length = member.length();
-        let (reactions, internal) = words.split_at_mut(REACTIONS);
+        let (reactions, internal) = sums.split_at_mut(REACTIONS);
         let (y, z, (axial, _)) = load.end_actions(length);
         axpy(-factor, &[axial, y.shear.0, y.shear.1, z.shear.0, z.shear.1], reactions);
-        for (x, words) in member.points.0.iter().zip(internal.chunks_exact_mut(INTERNAL)) {
-            axpy(factor, &load.internal_forces(*x, length), words);
+        for (x, sums) in member.points.0.iter().zip(internal.chunks_exact_mut(INTERNAL)) {
+            axpy(factor, &load.internal_forces(*x, length), sums);
         }
     }
 
@@ -301,7 +305,7 @@ impl<const N: usize, const B: usize> Formulation<N, B> for ForceBased {
 
     fn initial_stiffness(member: &Member<N, B>) -> [[f64; B]; B] {
         let (mut f, _) = Self::initial_flexibility(member, &[]);
-        // What cannot deform has been refused when the element was made.
+        // A singular flexibility was refused when the element was created.
         if invert(f.as_flattened_mut(), B) { f } else { [[0.0; B]; B] }
     }
 

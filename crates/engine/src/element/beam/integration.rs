@@ -1,42 +1,43 @@
-//! Quadrature along a beam: where its sections are, and how much they count (`beamIntegration`).
+//! Integration along a beam: positions and weights of its sections (`beamIntegration`).
 
 use crate::numeric::invert;
 
-/// A rule of quadrature.
+/// An integration rule.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Rule {
-    /// Gauss and Lobatto: both ends among the points.
+    /// Gauss-Lobatto: both ends are points.
     Lobatto,
-    /// Gauss and Legendre: no end among the points.
+    /// Gauss-Legendre: no end is a point.
     Legendre,
-    /// Gauss and Radau: end i among the points.
+    /// Gauss-Radau: end i is a point.
     Radau,
-    /// Newton and Cotes: points at equal distances, weights of the interpolating polynomial.
+    /// Newton-Cotes: equidistant points, weights of the interpolating polynomial.
     NewtonCotes,
-    /// Trapezoids between points at equal distances.
+    /// Trapezoidal rule with equidistant points.
     Trapezoidal,
-    /// Simpson's rule over pairs of intervals between points at equal distances.
+    /// Simpson's rule with equidistant points.
     Simpson,
     /// Points and weights as fractions of the length.
     Given(Vec<f64>, Vec<f64>),
-    /// Points as fractions of the length; the first weights, if any, are given, the others integrate polynomials.
+    /// Points as fractions of the length, and the first weights, if any. The other weights integrate polynomials
+    /// exactly.
     Located(Vec<f64>, Vec<f64>),
-    /// Points as fractions of the length; each counts for what lies nearer to it than to its neighbours.
+    /// Points as fractions of the length; each has the part of the length that is closer to it than to its neighbours.
     MidDistance(Vec<f64>),
-    /// Hinges of given lengths at i and j, with two points of Gauss between them.
+    /// Hinges of given lengths at i and j, with two Gauss points between them.
     Hinges(Hinge, f64, f64),
 }
 
-/// How a plastic hinge is integrated (Scott and Fenves, 2006).
+/// Integration rule of a plastic hinge (Scott and Fenves, 2006).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Hinge {
-    /// Radau's two points over four times the length, which gives the end point the length of the hinge.
+    /// Radau's two points over four hinge lengths: the end point has the weight of the hinge length.
     Radau,
-    /// Radau's two points over the length.
+    /// Radau's two points over the hinge length.
     RadauTwo,
-    /// The point in the middle.
+    /// The midpoint.
     Midpoint,
-    /// The point at the end.
+    /// The end point.
     Endpoint,
 }
 
@@ -44,7 +45,8 @@ pub enum Hinge {
 pub type Points = (Vec<f64>, Vec<f64>);
 
 impl Rule {
-    /// Points and weights for `n` sections of a beam of a length. `None` where the rule has no such number of points.
+    /// Points and weights for `n` sections of a beam of the given length. `None` if the rule has no such number of
+    /// points.
     pub fn points(&self, n: usize, length: f64) -> Option<Points> {
         let (x, w) = match self {
             Self::Legendre => gauss(n, &[]),
@@ -73,14 +75,14 @@ impl Rule {
             Self::Hinges(hinge, i, j) => return Some(hinge.points(i / length, j / length)),
             _ => return None,
         };
-        // From -1 to 1 to the length.
+        // Map [-1, 1] to [0, 1].
         Some((x.iter().map(|x| 0.5 * (x + 1.0)).collect(), w.iter().map(|w| 0.5 * w).collect()))
     }
 }
 
 impl Hinge {
     fn points(self, i: f64, j: f64) -> Points {
-        // Distances of the points from their end, and their weights, over the length of the hinge; what it takes up.
+        // Per hinge length: distances of the points from the end, their weights, and the extent of the hinge.
         let (places, weights, reach): (&[f64], &[f64], f64) = match self {
             Self::Radau => (&[0.0, 8.0 / 3.0], &[1.0, 3.0], 4.0),
             Self::RadauTwo => (&[0.0, 2.0 / 3.0], &[0.25, 0.75], 1.0),
@@ -99,10 +101,10 @@ impl Hinge {
         (x, w)
     }
 
-    /// Which section each point has: 0 that of hinge i, 1 that of hinge j, 2 that between.
+    /// Section of each point: 0 for hinge i, 1 for hinge j, 2 for the interior.
     pub fn sections(self) -> &'static [usize] {
         match self {
-            // As in OpenSees, only the end points of the longer rule have the hinge's section.
+            // As in OpenSees, only the end points of the longer rule have the hinge section.
             Self::Radau => &[0, 2, 2, 2, 2, 1],
             Self::RadauTwo => &[0, 0, 2, 2, 1, 1],
             Self::Midpoint | Self::Endpoint => &[0, 2, 2, 1],
@@ -123,11 +125,11 @@ fn legendre(n: usize, x: f64) -> (f64, f64) {
     (p, n as f64 * (last - x * p) / (1.0 - x * x))
 }
 
-/// Gauss' rule on -1 to 1 with `n` points, of which `fixed` are given ends: the others are the roots of the polynomial of
-/// degree n - fixed that is orthogonal with the weight of the ends, found between the roots of lower degree.
+/// Gauss' rule on [-1, 1] with `n` points, of which `fixed` are prescribed ends. The others are the roots of the
+/// polynomial of degree n - fixed that is orthogonal with the weight of the ends.
 fn gauss(n: usize, fixed: &[f64]) -> Points {
     let value = |x: f64| {
-        // Up to a factor that does not vanish inside: P_n, (P_{n-1} + P_n)/(1 + x), P'_{n-1}.
+        // Polynomials up to a factor without roots inside: P_n, (P_{n-1} + P_n)/(1 + x), P'_{n-1}.
         match fixed.len() {
             0 => legendre(n, x).0,
             1 => legendre(n - 1, x).0 + legendre(n, x).0,
@@ -136,7 +138,8 @@ fn gauss(n: usize, fixed: &[f64]) -> Points {
     };
     let free = n.saturating_sub(fixed.len());
     let mut x: Vec<f64> = fixed.iter().copied().filter(|x| *x < 0.0).collect();
-    // Roots crowd towards the ends like those of Chebyshev: a grid in the angle has one sign change for each of them.
+    // Roots cluster at the ends like those of Chebyshev polynomials: on a grid in the angle each has its own sign
+    // change.
     let grid = 64 * n.max(1);
     let place = |i: usize| -(std::f64::consts::PI * (i as f64 + 0.5) / grid as f64).cos();
     let mut found = 0;
@@ -164,15 +167,15 @@ fn gauss(n: usize, fixed: &[f64]) -> Points {
     (x, w)
 }
 
-/// Legendre polynomial, at the ends too.
+/// Legendre polynomial, ends included.
 fn legendre_at(n: usize, x: f64) -> f64 {
     if x.abs() < 1.0 { legendre(n, x).0 } else { x.powi(n as i32) }
 }
 
-/// Weights on 0 to 1 such that polynomials are integrated, the first of them given.
+/// Weights on [0, 1] that integrate polynomials exactly, with the first weights given.
 fn polynomial_weights(x: &[f64], given: &[f64]) -> Option<Vec<f64>> {
     let free = x.len().checked_sub(given.len()).filter(|n| *n <= 16)?;
-    // About the middle, where powers differ most.
+    // Powers about the middle are better conditioned.
     let power = |x: f64, i: usize| (2.0 * x - 1.0).powi(i as i32);
     let integral = |i: usize| if i.is_multiple_of(2) { 1.0 / (i + 1) as f64 } else { 0.0 };
     let mut w = given.to_vec();
@@ -180,13 +183,13 @@ fn polynomial_weights(x: &[f64], given: &[f64]) -> Option<Vec<f64>> {
     if !invert(&mut matrix, free) {
         return None;
     }
-    let taken = |i: usize| x.iter().zip(given).map(|(x, w)| power(*x, i) * w).sum::<f64>();
-    let rest: Vec<f64> = (0..free).map(|i| integral(i) - taken(i)).collect();
+    let given_part = |i: usize| x.iter().zip(given).map(|(x, w)| power(*x, i) * w).sum::<f64>();
+    let rest: Vec<f64> = (0..free).map(|i| integral(i) - given_part(i)).collect();
     w.extend(matrix.chunks_exact(free.max(1)).map(|row| row.iter().zip(&rest).map(|(m, r)| m * r).sum::<f64>()));
     Some(w)
 }
 
-/// Weights by the distances to the middles between neighbours.
+/// Weights from the midpoints between neighbours.
 fn mid_distances(x: &[f64]) -> Vec<f64> {
     let before =
         |p: f64| x.iter().copied().filter(|q| *q < p).fold(None, |m: Option<f64>, q| Some(m.map_or(q, |m| m.max(q))));

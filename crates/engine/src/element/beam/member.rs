@@ -1,9 +1,10 @@
-//! Beams with sections along their length: what the two formulations have in common.
+//! Beams with sections along their length: common part of the formulations.
 
 use crate::element::load::ElementLoad;
 use crate::element::transform::{Reactions, Transform};
 use crate::element::{
-    Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask, Snapshot, frame_force_labels,
+    CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask, OpenSeesTraits,
+    SharedState, Snapshot, frame_force_labels,
 };
 use crate::probe::Probe;
 use crate::section::{Resultant, SectionSlot, SharedSection};
@@ -12,35 +13,39 @@ use std::sync::Arc;
 
 use super::elastic::{BASIC_DEFORMATIONS, BASIC_FORCES, consistent_mass, lumped_mass};
 
-/// How the sections of a beam hang together with its basic system of `B` deformations.
+/// Relation between the sections of a beam and its basic system of `B` deformations.
 pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send + Sync + 'static {
-    /// OpenSees' names of the class in the plane and in space.
+    /// OpenSees' class names in the plane and in space.
     const CLASS: [&'static str; 2];
     /// The stiffness of the basic system is symmetric.
     const SYMMETRIC: bool = true;
-    /// Sections feel the deflection of the beam between its ends, so that forces are not proportional to deformations.
+    /// Sections depend on the deflection of the beam between its ends: forces are not proportional to deformations.
     const DEFLECTS: bool = false;
-    /// State variables of its own, behind those of the sections.
-    const WORDS: usize = 0;
+    /// Number of state variables of the formulation, after those of the sections.
+    const STATE_LEN: usize = 0;
 
-    /// The tangent is to be the whole derivative of the forces, though the transformation be unsymmetric then.
+    /// Returns true if the tangent is the complete derivative of the forces, symmetric or not.
     fn whole_tangent(&self) -> bool {
         false
     }
 
-    /// OpenSees is followed, whose answers go on from the last trial state: the own words are [`Trace`], and calls count.
-    fn goes_on(&self) -> bool {
+    /// Returns true for OpenSees' scheme, which continues from the last trial state. The state variables of the
+    /// formulation are then [`Trace`], and the element counts its calls.
+    fn continues_from_last_trial(&self) -> bool {
         false
     }
 
-    /// Number of words that loads are summed in, for so many sections.
+    /// Number of load sums for `points` sections.
     fn load_len(points: usize) -> usize;
-    /// Add a load, multiplied by a factor, to the load words.
-    fn add_load(member: &Member<N, B>, load: &ElementLoad, factor: f64, words: &mut [f64]);
+    /// Adds a load times a factor to the load sums.
+    fn add_load(member: &Member<N, B>, load: &ElementLoad, factor: f64, sums: &mut [f64]);
     /// End reactions of the simple beam under the loads.
     fn reactions(load: &[f64]) -> Reactions;
 
-    /// Forces and stiffness of the basic system for its deformations `v`; writes the words of the sections.
+    /// Forces and stiffness of the basic system for its deformations `v`; writes the state variables of the sections.
+    ///
+    /// # Errors
+    /// Errors of the sections; no convergence.
     fn respond(
         &self,
         member: &Member<N, B>,
@@ -52,7 +57,7 @@ pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send
 
     /// Stiffness of the basic system of the virgin beam.
     fn initial_stiffness(member: &Member<N, B>) -> [[f64; B]; B];
-    /// Deformations that the virgin beam would have under basic forces and loads.
+    /// Basic deformations of the virgin beam for basic forces and loads.
     fn elastic_deformation(member: &Member<N, B>, q: &[f64; B], load: &[f64]) -> [f64; B];
 }
 
@@ -68,25 +73,25 @@ pub struct Basic<const B: usize> {
 impl<const B: usize> Basic<B> {
     const LEN: usize = B + B * B;
 
-    pub(super) fn read(words: &[f64]) -> Self {
+    pub(super) fn read(state: &[f64]) -> Self {
         let mut basic = Self { q: [0.0; B], k: [[0.0; B]; B] };
-        basic.q.copy_from_slice(&words[..B]);
-        basic.k.as_flattened_mut().copy_from_slice(&words[B..Self::LEN]);
+        basic.q.copy_from_slice(&state[..B]);
+        basic.k.as_flattened_mut().copy_from_slice(&state[B..Self::LEN]);
         basic
     }
 
-    fn write(&self, words: &mut [f64]) {
-        words[..B].copy_from_slice(&self.q);
-        words[B..Self::LEN].copy_from_slice(self.k.as_flattened());
+    fn write(&self, state: &mut [f64]) {
+        state[..B].copy_from_slice(&self.q);
+        state[B..Self::LEN].copy_from_slice(self.k.as_flattened());
     }
 }
 
-/// Own words of a beam that goes on from its last trial state.
+/// State variables of a beam that continues from its last trial state.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Trace<const N: usize, const B: usize> {
-    /// Deformations of that state.
+    /// Basic deformations of that state.
     pub v: [f64; B],
-    /// What they had changed by.
+    /// Increment of the basic deformations that led to it.
     pub dv: [f64; B],
     /// Displacements of that state.
     pub disp: [f64; N],
@@ -95,29 +100,29 @@ pub(super) struct Trace<const N: usize, const B: usize> {
 impl<const N: usize, const B: usize> Trace<N, B> {
     pub(super) const LEN: usize = 2 * B + N;
 
-    pub(super) fn read(words: &[f64]) -> Self {
+    pub(super) fn read(state: &[f64]) -> Self {
         let mut trace = Self { v: [0.0; B], dv: [0.0; B], disp: [0.0; N] };
-        trace.v.copy_from_slice(&words[..B]);
-        trace.dv.copy_from_slice(&words[B..2 * B]);
-        trace.disp.copy_from_slice(&words[2 * B..Self::LEN]);
+        trace.v.copy_from_slice(&state[..B]);
+        trace.dv.copy_from_slice(&state[B..2 * B]);
+        trace.disp.copy_from_slice(&state[2 * B..Self::LEN]);
         trace
     }
 
-    pub(super) fn write(&self, words: &mut [f64]) {
-        words[..B].copy_from_slice(&self.v);
-        words[B..2 * B].copy_from_slice(&self.dv);
-        words[2 * B..Self::LEN].copy_from_slice(&self.disp);
+    pub(super) fn write(&self, state: &mut [f64]) {
+        state[..B].copy_from_slice(&self.v);
+        state[B..2 * B].copy_from_slice(&self.dv);
+        state[2 * B..Self::LEN].copy_from_slice(&self.disp);
     }
 }
 
-/// Geometry, sections and mass of a beam. Its words are those of the transformation, basic forces and stiffness, and those
-/// of the sections.
+/// Geometry, sections and mass of a beam. State variables are those of the transformation, basic forces and stiffness,
+/// those of the sections, and those of the formulation.
 #[derive(Clone, Debug)]
 pub struct Member<const N: usize, const B: usize> {
     transform: Arc<dyn Transform<N, B>>,
     /// Sections along the beam.
     pub(super) sections: Vec<SectionSlot>,
-    /// Places of the sections, and what they count, as fractions of the length.
+    /// Positions and weights of the sections, as fractions of the length.
     pub(super) points: (Vec<f64>, Vec<f64>),
     rho: f64,
     consistent: bool,
@@ -130,42 +135,42 @@ impl<const N: usize, const B: usize> Member<N, B> {
         self.transform.length()
     }
 
-    /// Whether displacements are small.
+    /// Returns true for a transformation with small displacements.
     pub(super) fn is_small(&self) -> bool {
         self.transform.is_small()
     }
 
-    /// First word of basic forces and stiffness, which those of the transformation come before.
+    /// Index of basic forces and stiffness, after the state variables of the transformation.
     pub(super) fn head(&self) -> usize {
         self.transform.state_len()
     }
 
-    /// First word of the sections.
+    /// Index of the first state variable of the sections.
     pub(super) fn body(&self) -> usize {
         self.head() + Basic::<B>::LEN
     }
 
-    /// First of the words of the formulation, which come last.
+    /// Index of the first state variable of the formulation.
     pub(super) fn own_words(&self) -> usize {
         self.own
     }
 
-    /// Deformations, resultants and tangents of the sections in a state, one after the other.
+    /// Deformations, resultants and tangents of the sections in a state, in one vector.
     pub(super) fn responses(&self, state: &[f64]) -> Vec<f64> {
         self.sections.iter().flat_map(|s| s.response(state)).copied().collect()
     }
 
-    /// Put them back, and leave the histories as they are.
+    /// Restores them without a change of the other state variables.
     pub(super) fn set_responses(&self, mut responses: &[f64], state: &mut [f64]) {
         for section in &self.sections {
-            let words = section.response_mut(state);
-            let (own, rest) = responses.split_at(words.len());
-            words.copy_from_slice(own);
+            let response = section.response_mut(state);
+            let (own, rest) = responses.split_at(response.len());
+            response.copy_from_slice(own);
             responses = rest;
         }
     }
 
-    /// Sections with their places and what they count, as lengths.
+    /// Sections with their position as a fraction and their weight as a length.
     pub(super) fn along(&self) -> impl Iterator<Item = (&SectionSlot, f64, f64)> {
         let length = self.length();
         let places = self.points.0.iter().zip(&self.points.1);
@@ -173,7 +178,7 @@ impl<const N: usize, const B: usize> Member<N, B> {
     }
 }
 
-/// A beam with `N` degrees of freedom and `B` basic deformations whose response comes of its sections.
+/// A beam with `N` degrees of freedom and `B` basic deformations that integrates its sections.
 #[derive(Clone, Debug)]
 pub struct FiberBeam<F, const N: usize, const B: usize> {
     member: Member<N, B>,
@@ -181,8 +186,8 @@ pub struct FiberBeam<F, const N: usize, const B: usize> {
 }
 
 impl<F: Formulation<N, B>, const N: usize, const B: usize> FiberBeam<F, N, B> {
-    /// From its geometry; sections (with their tags), their places and weights as fractions of the length; mass per length,
-    /// lumped or consistent.
+    /// Makes the beam from its geometry; sections with tags, positions and weights as fractions of the length; mass per
+    /// length, lumped or consistent.
     pub fn new(
         formulation: F,
         transform: Arc<dyn Transform<N, B>>,
@@ -197,7 +202,7 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> FiberBeam<F, N, B> {
             slot
         };
         let sections = sections.into_iter().map(place).collect();
-        let state_len = at + F::WORDS;
+        let state_len = at + F::STATE_LEN;
         Self { member: Member { transform, sections, points, rho, consistent, own: at, state_len }, formulation }
     }
 }
@@ -212,6 +217,23 @@ const TAGS: u32 = 12;
 const STIFFNESS: u32 = 19;
 const SECTION: u32 = 30;
 const ALL_SECTIONS: u32 = 31;
+
+impl<F: Formulation<N, B>, const N: usize, const B: usize> CallDependent for FiberBeam<F, N, B> {
+    fn last_tangent(&self, history: &[f64], _: &SharedState, tangent: &mut [f64], _: MatrixMask) {
+        let m = &self.member;
+        let disp = Trace::<N, B>::read(&history[m.own..]).disp;
+        let basic = Basic::read(&history[m.head()..]);
+        m.transform.add_tangent(&disp, &history[..m.head()], &basic.k, &basic.q, tangent);
+    }
+    /// The reactions follow the loads at once, the basic forces with the next call.
+    fn last_force(&self, history: &[f64], load: &[f64], force: &mut [f64]) {
+        let m = &self.member;
+        let disp = Trace::<N, B>::read(&history[m.own..]).disp;
+        let basic = Basic::<B>::read(&history[m.head()..]);
+        force.fill(0.0);
+        m.transform.add_force(&disp, &history[..m.head()], &basic.q, &F::reactions(load), force);
+    }
+}
 
 impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam<F, N, B> {
     fn class(&self) -> &'static str {
@@ -245,7 +267,7 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
         motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
-        answer: ElementOutput<'_>,
+        output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let m = &self.member;
         let head = m.head();
@@ -254,8 +276,8 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
         let basic = self.formulation.respond(m, &v, motion, committed, trial)?;
         basic.write(&mut trial[head..]);
         let p0 = F::reactions(motion.load);
-        m.transform.add_force(motion.disp, &trial[..head], &basic.q, &p0, answer.force);
-        if let Some(tangent) = answer.tangent {
+        m.transform.add_force(motion.disp, &trial[..head], &basic.q, &p0, output.force);
+        if let Some(tangent) = output.tangent {
             m.transform.add_tangent(motion.disp, &trial[..head], &basic.k, &basic.q, tangent);
             if self.formulation.whole_tangent() {
                 m.transform.add_unsymmetric_tangent(motion.disp, &basic.k, tangent);
@@ -264,23 +286,17 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
         Ok(())
     }
 
-    fn counts_calls(&self) -> bool {
-        // Elastic sections come to the same however often they are asked.
-        self.formulation.goes_on() && !self.traits().linear
-    }
-    fn last_tangent(&self, history: &[f64], tangent: &mut [f64], _: MatrixMask) {
-        let m = &self.member;
-        let disp = Trace::<N, B>::read(&history[m.own..]).disp;
-        let basic = Basic::read(&history[m.head()..]);
-        m.transform.add_tangent(&disp, &history[..m.head()], &basic.k, &basic.q, tangent);
-    }
-
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.member.transform.frame().add_basic_stiffness(&F::initial_stiffness(&self.member), tangent);
     }
 
-    fn ground_inertia_slip(&self) -> Option<f64> {
-        (self.member.rho != 0.0).then_some(1.0)
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        let depends = self.formulation.continues_from_last_trial();
+        OpenSeesTraits {
+            calls: depends.then_some(self as &dyn CallDependent),
+            ground_inertia: (self.member.rho != 0.0).then_some(1.0),
+            ..OpenSeesTraits::default()
+        }
     }
 
     fn mass(&self) -> Mass {
@@ -313,11 +329,11 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
         F::load_len(self.member.sections.len())
     }
 
-    fn add_load(&self, load: &ElementLoad, factor: f64, words: &mut [f64]) -> Result<(), ElementError> {
+    fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
         if N == 12 {
             load.refuse_moment(self.class())?;
         }
-        F::add_load(&self.member, load, factor, words);
+        F::add_load(&self.member, load, factor, sums);
         Ok(())
     }
 
@@ -394,7 +410,7 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
             TAGS => out.iter_mut().zip(&m.sections).for_each(|(o, s)| *o = f64::from(s.tag)),
             SECTION => m.sections[path[1] as usize].read(&path[2..], s.state, out),
             _ => {
-                // For each section the number of its columns, the length of its path, and its path.
+                // Path of each section: number of columns, path length, path.
                 let (mut path, mut out) = (&path[1..], out);
                 for section in &m.sections {
                     let (columns, end) = (path[0] as usize, 2 + path[1] as usize);
@@ -408,7 +424,7 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
 }
 
 impl<F: Formulation<N, B>, const N: usize, const B: usize> FiberBeam<F, N, B> {
-    /// A response of one section, by its number, or of all of them.
+    /// A response of one section, by its number, or of all sections.
     fn section_probe(&self, words: &[&str]) -> Option<Probe> {
         let sections = &self.member.sections;
         if let Ok(number) = words.first()?.parse::<usize>() {
@@ -426,14 +442,14 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> FiberBeam<F, N, B> {
     }
 }
 
-/// Set the coefficient of a basic quantity that the plane may not have.
+/// Sets the coefficient of a basic quantity, if the basic system has it.
 pub(super) fn set<const B: usize>(row: &mut [f64; B], at: usize, value: f64) {
     if let Some(x) = row.get_mut(at) {
         *x = value;
     }
 }
 
-/// Basic deformations or forces that go with bending: about z, shear along y, about y, shear along z.
+/// Index of the basic pair of bending about z, shear along y, bending about y, or shear along z.
 pub(super) fn bending_at(resultant: Resultant) -> Option<usize> {
     match resultant {
         Resultant::Mz | Resultant::Vy => Some(1),

@@ -40,7 +40,7 @@ impl ForceBased {
         let mut basic = Basic::read(&trial[member.head()..]);
         let mut left: [f64; B] = std::array::from_fn(|i| v[i] - trace.v[i]);
         // The nodes still have the increment that they had at the last call.
-        if motion.again && member.is_small() {
+        if motion.opensees.is_some_and(|c| c.repeated) && member.is_small() {
             left = trace.dv;
         }
         let mut disp = [0.0; N];

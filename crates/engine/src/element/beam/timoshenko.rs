@@ -1,20 +1,20 @@
-//! The elastic beam of Timoshenko: `ElasticTimoshenkoBeam`.
+//! The elastic Timoshenko beam: `ElasticTimoshenkoBeam`.
 
 use super::elastic::{basic_stiffness, lumped_mass};
 use super::{Bending, Release};
 use crate::element::transform::{Frame, Reactions};
 use crate::element::{
-    Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, Snapshot, dot,
-    frame_force_labels,
+    Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
+    dot, frame_force_labels,
 };
 use crate::numeric::axpy;
 use crate::probe::Probe;
 use crate::section::ElasticSection;
 use std::sync::Arc;
 
-/// An elastic beam with shear deformations under small displacements, with `N` degrees of freedom and `B` basic
-/// deformations. Stiffness, consistent mass and geometric stiffness come of the same interpolation, that of the beam
-/// of Timoshenko under end forces (Friedman and Kosmatka, 1993).
+/// An elastic beam with shear deformation for small displacements, with `N` degrees of freedom and `B` basic
+/// deformations. Stiffness, consistent mass and geometric stiffness use the interpolation of the Timoshenko beam under
+/// end forces (Friedman and Kosmatka, 1993).
 #[derive(Debug)]
 pub struct TimoshenkoBeam<const N: usize, const B: usize> {
     frame: Frame<N, B>,
@@ -23,33 +23,34 @@ pub struct TimoshenkoBeam<const N: usize, const B: usize> {
     bending: [Bending; 2],
     /// Basic stiffness.
     kb: [[f64; B]; B],
-    /// Global stiffness, by rows.
+    /// Global stiffness, N x N by rows.
     stiffness: Vec<f64>,
     geometric: Option<Box<Geometric<N>>>,
     mass: Mass,
 }
 
-/// Stiffness of the geometry per unit of axial force.
+/// Geometric stiffness per unit of axial force.
 #[derive(Debug)]
 struct Geometric<const N: usize> {
     local: [[f64; N]; N],
     global: Vec<f64>,
 }
 
-/// What a Timoshenko beam may have besides its stiffness.
+/// Properties of a Timoshenko beam besides its stiffness.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TimoshenkoOptions {
     /// Mass per length.
     pub rho: f64,
-    /// Consistent mass matrix, the rotary inertia of the section included, in place of a lumped one.
+    /// Consistent mass matrix with the rotary inertia of the section, in place of a lumped one.
     pub consistent: bool,
-    /// Stiffness of the geometry under the axial force.
+    /// Geometric stiffness of the axial force.
     pub geometric: bool,
 }
 
-/// Entries of a symmetric local matrix in a plane of bending: deflection of an end with itself and with that of the
-/// other end, rotation likewise, and the deflection at i with the rotations at i and at j. At j the last two have the
-/// opposite sign.
+/// Entries of a symmetric local matrix in a plane of bending.
+///
+/// The first two are deflection with itself and with that of the other end, the next two the same for the rotation.
+/// Then follows deflection at i with the rotations at i and j. At j the last two have the opposite sign.
 struct PlaneTerms {
     vv: [f64; 2],
     rr: [f64; 2],
@@ -57,7 +58,7 @@ struct PlaneTerms {
 }
 
 impl<const N: usize, const B: usize> TimoshenkoBeam<N, B> {
-    /// From its geometry and its section.
+    /// Makes the beam from its geometry, its section and its options.
     pub fn new(frame: Frame<N, B>, section: ElasticSection, options: TimoshenkoOptions) -> Self {
         let bending = Bending::of(&section, (Release::None, Release::None));
         let kb = basic_stiffness(&section, &bending, frame.length);
@@ -83,7 +84,7 @@ impl<const N: usize, const B: usize> TimoshenkoBeam<N, B> {
     }
 }
 
-/// Deflection, rotation, the sign with which they go together, and the bending they belong to.
+/// Deflection, rotation, the sign of their coupling, and the bending they belong to.
 fn planes<const N: usize>(bending: &[Bending; 2]) -> impl Iterator<Item = (usize, usize, f64, &Bending)> {
     let in_plane = [(1, 2, 1.0, &bending[0])];
     let in_space = [(1, 5, 1.0, &bending[0]), (2, 4, -1.0, &bending[1])];
@@ -110,7 +111,7 @@ fn add_plane<const N: usize>(out: &mut [[f64; N]; N], (v, r, sign): (usize, usiz
     pair(v2, r, -sign * t.vr[1]);
 }
 
-/// Local stiffness of the geometry for a unit of tension.
+/// Local geometric stiffness for a unit tension.
 fn geometric_stiffness<const N: usize>(l: f64, bending: &[Bending; 2]) -> [[f64; N]; N] {
     let mut out = [[0.0; N]; N];
     for (v, r, sign, b) in planes::<N>(bending) {
@@ -124,7 +125,7 @@ fn geometric_stiffness<const N: usize>(l: f64, bending: &[Bending; 2]) -> [[f64;
     out
 }
 
-/// Local consistent mass: of the section's translation and rotation.
+/// Local consistent mass of translation and rotation of the section.
 fn consistent_mass<const N: usize>(l: f64, bending: &[Bending; 2], s: &ElasticSection, rho: f64) -> [[f64; N]; N] {
     let mut out = [[0.0; N]; N];
     let half = N / 2;
@@ -180,27 +181,27 @@ impl<const N: usize, const B: usize> Element for TimoshenkoBeam<N, B> {
         }
     }
 
-    /// The derivative of the axial force with the displacements is left out of the tangent, as with P-Delta.
+    /// The tangent omits the derivative of the axial force by the displacements, as with P-Delta.
     fn respond(
         &self,
         m: &ElementInput<'_>,
         _: &[f64],
         _: &mut [f64],
-        answer: ElementOutput<'_>,
+        output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let q = self.basic_force(m.disp);
-        self.frame.add_basic_force(&q, answer.force);
+        self.frame.add_basic_force(&q, output.force);
         for (row, load) in self.frame.local.iter().zip(m.load) {
             if *load != 0.0 {
-                axpy(*load, row, answer.force);
+                axpy(*load, row, output.force);
             }
         }
         if let Some(g) = &self.geometric {
-            for (f, row) in answer.force.iter_mut().zip(g.global.chunks_exact(N)) {
+            for (f, row) in output.force.iter_mut().zip(g.global.chunks_exact(N)) {
                 *f += q[0] * dot(row, m.disp);
             }
         }
-        if let Some(tangent) = answer.tangent {
+        if let Some(tangent) = output.tangent {
             axpy(1.0, &self.stiffness, tangent);
             if let Some(g) = &self.geometric {
                 axpy(q[0], &g.global, tangent);
@@ -217,8 +218,8 @@ impl<const N: usize, const B: usize> Element for TimoshenkoBeam<N, B> {
         self.mass.clone()
     }
 
-    fn ground_inertia_slip(&self) -> Option<f64> {
-        (self.mass != Mass::None).then_some(2.0)
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        OpenSeesTraits { ground_inertia: (self.mass != Mass::None).then_some(2.0), ..OpenSeesTraits::default() }
     }
 
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
@@ -227,12 +228,12 @@ impl<const N: usize, const B: usize> Element for TimoshenkoBeam<N, B> {
         Some((Arc::new(Self::new(self.frame.clone(), section, self.options)), old))
     }
 
-    /// Local end forces of the clamped beam.
+    /// Load sums: local end forces of the clamped beam.
     fn load_len(&self) -> usize {
         N
     }
 
-    fn add_load(&self, load: &ElementLoad, factor: f64, words: &mut [f64]) -> Result<(), ElementError> {
+    fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
         load.refuse_moment(self.class())?;
         let length = self.frame.length;
         let (y, z, (axial, axial_j)) = load.end_actions(length);
@@ -250,7 +251,7 @@ impl<const N: usize, const B: usize> Element for TimoshenkoBeam<N, B> {
         }
         let mut local = [0.0; N];
         self.frame.local_force(&q, &p0, &mut local);
-        axpy(factor, &local, words);
+        axpy(factor, &local, sums);
         Ok(())
     }
 

@@ -1,53 +1,32 @@
-//! Bearings of seismic isolation: two-node elements that join a shear law to axial and rotational materials.
+//! Seismic isolation bearings: two-node elements of a shear law with axial and rotational materials.
 //!
-//! To add one of this family: a [`ShearLaw`] in a file of its own. [`ShearBearing`] is the element around it.
-//! A [`RubberShear`] stands beside the axial law of layered rubber, in a [`RubberBearing`].
+//! A new bearing of this family is a [`ShearLaw`] in a file of its own, with [`ShearBearing`] as the element. A
+//! [`RubberShear`] is combined with the axial law of layered rubber in a [`RubberBearing`].
 
-mod axial;
-mod bouc_wen;
-mod grant;
-mod kikuchi;
-mod lead;
-mod link;
-mod multiple_normal_spring;
-mod multiple_shear_spring;
-mod normal_layout;
-mod normal_springs;
-mod overlap;
-mod plasticity;
-mod responses;
-mod rheology;
-mod rubber;
-mod rubber_bearing;
-mod rubber_bouc_wen;
-mod rubber_shear;
-mod shear;
-mod shear_bearing;
-mod shear_springs;
-pub mod sliding;
-pub mod triple;
-mod ufrp;
-mod yamamoto;
+mod elements;
+mod kinematics;
+mod laws;
 
-pub use axial::{Axial, AxialLaw, AxialStep};
-pub use bouc_wen::BoucWenShear;
-pub use grant::{Damage, GrantShear};
-pub use kikuchi::{Balance, Common, KikuchiBearing, KikuchiParameters, Scheme};
-pub use lead::LeadCore;
-pub use link::Link;
-pub use multiple_normal_spring::MultipleNormalSpring;
-pub use multiple_shear_spring::MultipleShearSpring;
-pub use normal_layout::{Distribution, Layout, MAX_LAMBDA, Mean, Shape};
-pub use normal_springs::{NormalSprings, Section};
-pub use overlap::overlap;
-pub use plasticity::PlasticShear;
-pub use rheology::RheologyShear;
-pub use rubber::{Layers, PI, Rubber};
-pub use rubber_bearing::RubberBearing;
-pub use rubber_bouc_wen::{RubberBoucWen, Warmth};
-pub use rubber_shear::{RubberShear, ShearStep, Shearing};
-pub use shear::{Shear, ShearLaw};
-pub use shear_bearing::{PlaneBearing, ShearBearing, SpaceBearing};
-pub use shear_springs::{Bundle, Factors, ShearSprings};
-pub use ufrp::UfrpShear;
-pub use yamamoto::YamamotoShear;
+pub use elements::kikuchi::{Balance, KikuchiBearing, KikuchiParameters, Scheme};
+pub use elements::multiple_normal_spring::MultipleNormalSpring;
+pub use elements::multiple_shear_spring::MultipleShearSpring;
+pub use elements::rubber_bearing::RubberBearing;
+pub use elements::shear_bearing::{PlaneBearing, ShearBearing, SpaceBearing};
+pub use elements::{sliding, triple};
+pub use kinematics::link::Link;
+pub use kinematics::overlap::overlap;
+pub use laws::axial::{Axial, AxialLaw, AxialStep};
+pub use laws::bouc_wen::BoucWenShear;
+pub use laws::grant::{Damage, GrantShear};
+pub use laws::lead::LeadCore;
+pub use laws::normal_layout::{Distribution, Layout, MAX_LAMBDA, Mean, Shape};
+pub use laws::normal_springs::{NormalSprings, Section};
+pub use laws::plasticity::PlasticShear;
+pub use laws::rheology::RheologyShear;
+pub use laws::rubber::{Layers, PI, Rubber};
+pub use laws::rubber_bouc_wen::{RubberBoucWen, Warmth};
+pub use laws::rubber_shear::{RubberShear, ShearInput, ShearStep};
+pub use laws::shear::{Shear, ShearLaw};
+pub use laws::shear_springs::{Bundle, Factors, ShearSprings};
+pub use laws::ufrp::UfrpShear;
+pub use laws::yamamoto::YamamotoShear;

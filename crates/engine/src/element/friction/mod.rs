@@ -1,6 +1,6 @@
-//! Friction models: the coefficient of friction of a sliding surface under a normal force, at a speed.
+//! Friction models: coefficient of friction of a sliding surface as a function of normal force and speed.
 //!
-//! To add one: a [`FrictionLaw`] in a file of its own.
+//! A new model is a [`FrictionLaw`] in a file of its own.
 
 mod coulomb;
 mod vel_dep_multi_linear;
@@ -19,7 +19,7 @@ pub use vel_dependent::VelDependent;
 pub use vel_normal_frc_dep::VelNormalFrcDep;
 pub use vel_pressure_dep::VelPressureDep;
 
-/// A coefficient of friction with its derivatives.
+/// Coefficient of friction with derivatives.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Coefficient {
     /// Coefficient of friction μ.
@@ -31,44 +31,43 @@ pub struct Coefficient {
 }
 
 impl Coefficient {
-    /// A coefficient that changes with the speed v between a slow and a fast one:
-    /// μ = μ_fast - (μ_fast - μ_slow) exp(-r |v|), each given with its derivative by the normal force. Constantinou,
-    /// Mokha and Reinhorn (1990).
+    /// μ = μ_fast - (μ_fast - μ_slow) exp(-r |v|) for the speed v. `slow`, `fast` and `rate` are a value and its
+    /// derivative by the normal force. Source: Constantinou, Mokha and Reinhorn (1990).
     fn between(slow: [f64; 2], fast: [f64; 2], rate: [f64; 2], speed: f64) -> Self {
         let v = speed.abs();
-        let left = (-rate[0] * v).exp();
-        let gap = (fast[0] - slow[0]) * left;
+        let decay = (-rate[0] * v).exp();
+        let speed_term = (fast[0] - slow[0]) * decay;
         Self {
-            mu: fast[0] - gap,
-            by_normal: fast[1] - (fast[1] - slow[1]) * left + rate[1] * v * gap,
-            by_speed: rate[0] * gap,
+            mu: fast[0] - speed_term,
+            by_normal: fast[1] - (fast[1] - slow[1]) * decay + rate[1] * v * speed_term,
+            by_speed: rate[0] * speed_term,
         }
     }
 }
 
 /// A friction model.
 pub trait FrictionLaw: fmt::Debug + Send + Sync {
-    /// OpenSees' name.
+    /// OpenSees' name of the model.
     fn name(&self) -> &'static str;
 
-    /// Coefficient under a normal force greater than 0 (pressure is positive) at a speed not less than 0.
+    /// Coefficient for a normal force > 0 (positive in compression) and a speed ≥ 0.
     fn coefficient(&self, normal: f64, speed: f64) -> Coefficient;
 
-    /// Whether the coefficient changes with the speed.
+    /// Returns true if the coefficient depends on the speed.
     fn depends_on_speed(&self) -> bool {
         true
     }
 }
 
-/// A friction model as elements hold it.
+/// Shared friction model of an element.
 pub type Friction = Arc<dyn FrictionLaw>;
 
 state_struct! {
-    /// What a sliding surface last saw, for recorders.
+    /// Last contact state of a sliding surface, for recorders.
     pub struct Contact {
-        /// Normal force, positive in pressure.
+        /// Normal force, positive in compression.
         normal: f64,
-        /// Speed.
+        /// Speed, length/time.
         speed: f64,
         /// Coefficient of friction.
         mu: f64,
@@ -76,7 +75,7 @@ state_struct! {
 }
 
 impl Contact {
-    /// The response of a friction model by the words after `frictionModel`.
+    /// The response for the arguments after `frictionModel`; `None` for an unknown name.
     pub fn probe(words: &[&str]) -> Option<Probe> {
         Some(match *words.first()? {
             "normalForce" | "N" | "normalFrc" => Probe::new(1, ["N"]),
@@ -87,7 +86,7 @@ impl Contact {
         })
     }
 
-    /// Value of a probe.
+    /// Value of the response `id`.
     pub fn value(&self, id: u32) -> f64 {
         match id {
             1 => self.normal,

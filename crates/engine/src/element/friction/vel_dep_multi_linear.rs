@@ -2,16 +2,17 @@
 
 use super::{Coefficient, FrictionLaw};
 
-/// A coefficient given by points of speed, between which it is linear. Before the first and beyond the last point the
-/// line goes on, as in OpenSees, but never below 0.
+/// A coefficient that is piecewise linear in the speed. It is extrapolated linearly on both sides, as in OpenSees, but
+/// never below 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VelDepMultiLinear {
-    /// Speed and coefficient of each point; two at least, speeds rising.
+    /// Speed and coefficient of at least two points, with increasing speeds.
     points: Vec<[f64; 2]>,
 }
 
 impl VelDepMultiLinear {
-    /// From points of speed and coefficient; `None` unless there are two at least and the speeds rise.
+    /// Makes the model of points of speed and coefficient; `None` for fewer than two points or speeds that do not
+    /// increase.
     pub fn new(points: Vec<[f64; 2]>) -> Option<Self> {
         let rising = points.len() >= 2 && points.windows(2).all(|w| w[0][0] < w[1][0]);
         rising.then_some(Self { points })

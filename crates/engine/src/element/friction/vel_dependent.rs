@@ -2,15 +2,15 @@
 
 use super::{Coefficient, FrictionLaw};
 
-/// A coefficient that changes with the speed v: μ = μ_fast - (μ_fast - μ_slow) exp(-r |v|). Constantinou, Mokha and
-/// Reinhorn (1990).
+/// A coefficient that depends on the speed v: μ = μ_fast - (μ_fast - μ_slow) exp(-r |v|). Source: Constantinou, Mokha
+/// and Reinhorn (1990).
 #[derive(Clone, Debug, PartialEq)]
 pub struct VelDependent {
-    /// Coefficient at rest μ_slow.
+    /// Coefficient at zero speed μ_slow.
     pub slow: f64,
     /// Coefficient at high speed μ_fast.
     pub fast: f64,
-    /// Rate of the transition r, in time/length.
+    /// Rate r, time/length.
     pub rate: f64,
 }
 

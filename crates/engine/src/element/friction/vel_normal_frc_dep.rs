@@ -2,8 +2,8 @@
 
 use super::{Coefficient, FrictionLaw};
 
-/// A coefficient that changes with the speed between powers of the normal force, μ_slow = a_slow N^(n_slow-1) and
-/// μ_fast = a_fast N^(n_fast-1), at the rate α₀ + α₁ N + α₂ N².
+/// A coefficient that depends on speed and normal force N: μ_slow = a_slow N^(n_slow-1), μ_fast = a_fast N^(n_fast-1),
+/// and the rate r = α₀ + α₁ N + α₂ N².
 #[derive(Clone, Debug, PartialEq)]
 pub struct VelNormalFrcDep {
     /// Factor of the slow friction force a_slow.
@@ -14,7 +14,7 @@ pub struct VelNormalFrcDep {
     pub a_fast: f64,
     /// Exponent of the fast friction force n_fast.
     pub n_fast: f64,
-    /// Rate of the transition with the speed: α₀, α₁, α₂.
+    /// Coefficients α₀, α₁, α₂ of the rate; r has the unit time/length.
     pub alpha: [f64; 3],
     /// Largest coefficient as a multiple of the fast one.
     pub max_factor: f64,

@@ -2,21 +2,21 @@
 
 use super::{Coefficient, FrictionLaw};
 
-/// A coefficient that changes with the speed, and at high speed with the pressure N/A:
-/// μ_fast = μ_fast0 - Δμ tanh(α N/A). Constantinou et al. (1996).
+/// A coefficient that depends on the speed and, at high speed, on the pressure N/A: μ_fast = μ_fast0 - Δμ tanh(α N/A).
+/// Source: Constantinou et al. (1996).
 #[derive(Clone, Debug, PartialEq)]
 pub struct VelPressureDep {
-    /// Coefficient at rest μ_slow.
+    /// Coefficient at zero speed μ_slow.
     pub slow: f64,
-    /// Coefficient at high speed without pressure μ_fast0.
+    /// Coefficient at high speed and zero pressure μ_fast0.
     pub fast: f64,
     /// Nominal contact area A.
     pub area: f64,
-    /// Loss of the fast coefficient under high pressure Δμ.
+    /// Decrease Δμ of μ_fast at high pressure.
     pub delta: f64,
-    /// How fast it is lost with the pressure α, in 1/pressure.
+    /// Coefficient α of the pressure, 1/pressure.
     pub alpha: f64,
-    /// Rate of the transition with the speed r, in time/length.
+    /// Rate r of the speed, time/length.
     pub rate: f64,
 }
 

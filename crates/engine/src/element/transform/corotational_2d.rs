@@ -1,9 +1,9 @@
-//! Large displacements in the plane (Crisfield, 1991, chapter 7; Filippou and Fenves, 2004).
+//! Corotational transformation in the plane (Crisfield, 1991, chapter 7; Filippou and Fenves, 2004).
 
 use super::{Frame, Reactions, Transform};
 use crate::element::{ElementError, add_outer, dot};
 
-/// Corotational transformation in the plane: the basic system turns with the chord.
+/// Corotational transformation in the plane: the basic system rotates with the chord.
 #[derive(Clone, Debug)]
 pub struct Corotational2d(pub Frame<6, 3>);
 
@@ -11,7 +11,7 @@ pub struct Corotational2d(pub Frame<6, 3>);
 struct Chord {
     /// Length.
     length: f64,
-    /// Direction in local axes.
+    /// Direction cosine and sine in local axes.
     cos: f64,
     sin: f64,
     /// Local displacements.
@@ -27,7 +27,7 @@ impl Corotational2d {
         Chord { length, cos: dx / length, sin: dy / length, local }
     }
 
-    /// Change of the basic deformations with the local displacements.
+    /// Derivatives of the basic deformations by the local displacements.
     fn basic_of_local(c: &Chord) -> [[f64; 6]; 3] {
         let (s, o) = (c.sin / c.length, c.cos / c.length);
         let turn = [-s, o, 0.0, s, -o, 0.0];
@@ -37,7 +37,7 @@ impl Corotational2d {
         rows
     }
 
-    /// Global components of a local row.
+    /// Global components of a row in local axes.
     fn global(&self, row: &[f64; 6]) -> [f64; 6] {
         let mut out = [0.0; 6];
         for (x, t) in row.iter().zip(&self.0.local) {
@@ -58,13 +58,13 @@ impl Transform<6, 3> for Corotational2d {
         false
     }
     fn advance(&self, disp: &[f64], _: &[f64], _: &mut [f64]) -> Result<(), ElementError> {
-        // The comparison also fails for what is not a number.
+        // Negated comparison, so that NaN is an error.
         if self.chord(disp).length > 0.0 { Ok(()) } else { Err(ElementError("the ends of the beam have met".into())) }
     }
     fn deformation(&self, disp: &[f64], _: &[f64]) -> [f64; 3] {
         let c = self.chord(disp);
-        let turned = c.sin.atan2(c.cos);
-        [c.length - self.0.length, c.local[2] - turned, c.local[5] - turned]
+        let chord_rotation = c.sin.atan2(c.cos);
+        [c.length - self.0.length, c.local[2] - chord_rotation, c.local[5] - chord_rotation]
     }
     /// Member loads keep the direction of the undeformed beam, as in OpenSees.
     fn add_force(&self, disp: &[f64], _: &[f64], q: &[f64; 3], p0: &Reactions, force: &mut [f64]) {
@@ -84,7 +84,7 @@ impl Transform<6, 3> for Corotational2d {
                 }
             }
         }
-        // r: elongation, z: across; geometric stiffness N/L z zᵀ + (M1 + M2)/L² (r zᵀ + z rᵀ)
+        // With r for elongation and z across, the geometric stiffness is N/L z zᵀ + (M1 + M2)/L² (r zᵀ + z rᵀ).
         let r = rows[0];
         let z = self.global(&[c.sin, -c.cos, 0.0, -c.sin, c.cos, 0.0]);
         add_outer(tangent, &z, q[0] / c.length);

@@ -12,36 +12,37 @@ pub struct Frame<const N: usize, const B: usize> {
     pub length: f64,
     /// Local axes as rows.
     pub axes: Matrix3<f64>,
-    /// Local displacements of the faces of the joints from the global ones of the nodes.
+    /// Transformation from global nodal displacements to local displacements of the joint faces.
     pub local: [[f64; N]; N],
-    /// Basic deformations from the global displacements.
+    /// Derivatives of the basic deformations by the global displacements.
     pub basic: [[f64; N]; B],
-    /// Displacements of the nodes when the beam was made.
+    /// Displacements of the nodes when the beam was created.
     pub initial: [f64; N],
 }
 
-/// Which local displacements the reactions go with: axial at i, y at i and j, z at i and j.
+/// Local displacements conjugate to the reactions: axial at i, y at i and j, z at i and j.
 fn reaction_rows(n: usize) -> &'static [usize] {
     if n == 6 { &[0, 1, 4] } else { &[0, 1, 7, 2, 8] }
 }
 
 impl Frame<6, 3> {
-    /// Of a beam in the plane; offsets in global axes from node i and node j.
+    /// Geometry of a beam in the plane. `offsets` are the joint offsets at node i and node j in global axes.
     ///
     /// # Errors
     /// No length.
     pub fn plane(ends: &Ends<'_>, offsets: &(Vector3<f64>, Vector3<f64>)) -> Result<Self, AxesError> {
         let mut initial = [0.0; 6];
         initial.copy_from_slice(ends.disp);
-        let moved = |k: usize| Vector3::new(initial[k], initial[k + 1], 0.0);
-        let line = (ends.place.1 + moved(3) + offsets.1) - (ends.place.0 + moved(0) + offsets.0);
+        let initial_translation = |k: usize| Vector3::new(initial[k], initial[k + 1], 0.0);
+        let line =
+            (ends.place.1 + initial_translation(3) + offsets.1) - (ends.place.0 + initial_translation(0) + offsets.0);
         let axes = axes::from_x_and_y(line, Vector3::new(-line.y, line.x, 0.0))?;
         let mut local = [[0.0; 6]; 6];
         for (at, offset) in [(0, &offsets.0), (3, &offsets.1)] {
             for a in 0..2 {
                 local[at + a][at] = axes[(a, 0)];
                 local[at + a][at + 1] = axes[(a, 1)];
-                // A rotation moves the face of the joint by θ x offset.
+                // Displacement of a joint face by the nodal rotation: θ x offset.
                 local[at + a][at + 2] = axes[(a, 1)] * offset.x - axes[(a, 0)] * offset.y;
             }
             local[at + 2][at + 2] = 1.0;
@@ -63,15 +64,16 @@ impl Frame<6, 3> {
 }
 
 impl Frame<12, 6> {
-    /// Of a beam in space; `xz` lies in the local x-z plane.
+    /// Geometry of a beam in space. `xz` lies in the local x-z plane.
     ///
     /// # Errors
-    /// No length, or `xz` along the beam.
+    /// No length, or `xz` parallel to the beam.
     pub fn space(ends: &Ends<'_>, offsets: &(Vector3<f64>, Vector3<f64>), xz: Vector3<f64>) -> Result<Self, AxesError> {
         let mut initial = [0.0; 12];
         initial.copy_from_slice(ends.disp);
-        let moved = |k: usize| Vector3::new(initial[k], initial[k + 1], initial[k + 2]);
-        let line = (ends.place.1 + moved(6) + offsets.1) - (ends.place.0 + moved(0) + offsets.0);
+        let initial_translation = |k: usize| Vector3::new(initial[k], initial[k + 1], initial[k + 2]);
+        let line =
+            (ends.place.1 + initial_translation(6) + offsets.1) - (ends.place.0 + initial_translation(0) + offsets.0);
         let axes = axes::from_x_and_xz(line, xz)?;
         let mut local = [[0.0; 12]; 12];
         for (at, offset) in [(0, &offsets.0), (6, &offsets.1)] {
@@ -89,7 +91,7 @@ impl Frame<12, 6> {
         let mut from_local = [[0.0; 12]; 6];
         from_local[0][0] = -1.0;
         from_local[0][6] = 1.0;
-        // Rotations about z go with v/L, those about y with -w/L.
+        // Chord rotation: v/L for rotations about z, -w/L for those about y.
         for (row, rotation, shift, sign) in [(1, 5, 1, 1.0), (2, 11, 1, 1.0), (3, 4, 2, -1.0), (4, 10, 2, -1.0)] {
             from_local[row][rotation] = 1.0;
             from_local[row][shift] += sign / length;
@@ -101,7 +103,7 @@ impl Frame<12, 6> {
     }
 }
 
-/// a b
+/// Matrix product a b.
 fn product<const N: usize, const B: usize>(a: &[[f64; N]; B], b: &[[f64; N]; N]) -> [[f64; N]; B] {
     let mut c = [[0.0; N]; B];
     for (row, out) in a.iter().zip(&mut c) {
@@ -115,7 +117,7 @@ fn product<const N: usize, const B: usize>(a: &[[f64; N]; B], b: &[[f64; N]; N])
 }
 
 impl<const N: usize, const B: usize> Frame<N, B> {
-    /// Displacements since the beam was made.
+    /// Displacements since the creation of the beam.
     #[inline]
     pub fn since_made(&self, disp: &[f64]) -> [f64; N] {
         let mut u = [0.0; N];
@@ -132,7 +134,7 @@ impl<const N: usize, const B: usize> Frame<N, B> {
         self.basic.each_ref().map(|row| dot(row, &u))
     }
 
-    /// Add Aᵀ q.
+    /// Adds Aᵀ q with A = `basic`.
     #[inline]
     pub fn add_basic_force(&self, q: &[f64; B], force: &mut [f64]) {
         for (row, q) in self.basic.iter().zip(q) {
@@ -140,7 +142,7 @@ impl<const N: usize, const B: usize> Frame<N, B> {
         }
     }
 
-    /// Add the reactions to member loads.
+    /// Adds the reactions to member loads.
     #[inline]
     pub fn add_reactions(&self, p0: &Reactions, force: &mut [f64]) {
         for (&at, p) in reaction_rows(N).iter().zip(p0) {
@@ -150,7 +152,7 @@ impl<const N: usize, const B: usize> Frame<N, B> {
         }
     }
 
-    /// Add Aᵀ k A.
+    /// Adds Aᵀ k A with A = `basic`.
     pub fn add_basic_stiffness(&self, k: &[[f64; B]; B], tangent: &mut [f64]) {
         let ka = k.map(|row| {
             let mut out = [0.0; N];
@@ -170,7 +172,7 @@ impl<const N: usize, const B: usize> Frame<N, B> {
         }
     }
 
-    /// Rows whose product with the displacements is the offset of end i from end j across the beam, along y and z.
+    /// Rows of the relative displacement of end i to end j, along local y and z.
     #[inline]
     pub fn across(&self) -> impl Iterator<Item = [f64; N]> + '_ {
         let pairs: &[(usize, usize)] = if N == 6 { &[(1, 4)] } else { &[(1, 7), (2, 8)] };
@@ -181,7 +183,7 @@ impl<const N: usize, const B: usize> Frame<N, B> {
         })
     }
 
-    /// Local end forces of basic forces and reactions, without second-order terms, as beams report them.
+    /// Local end forces from basic forces and reactions, without second-order terms, as recorded.
     pub fn local_force(&self, q: &[f64; B], p0: &Reactions, out: &mut [f64]) {
         let l = self.length;
         if N == 6 {

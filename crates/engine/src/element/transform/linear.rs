@@ -30,7 +30,8 @@ impl<const N: usize, const B: usize> Transform<N, B> for Linear<N, B> {
     }
 }
 
-/// Small displacements, and the axial force N pulls the ends apart across the beam: shear N Δ / L.
+/// Small displacements with the P-Delta effect: the axial force N adds the shear N Δ / L for the relative displacement
+/// Δ of the ends.
 #[derive(Clone, Debug)]
 pub struct PDelta<const N: usize, const B: usize>(pub Frame<N, B>);
 
@@ -49,12 +50,12 @@ impl<const N: usize, const B: usize> Transform<N, B> for PDelta<N, B> {
         self.0.add_reactions(p0, force);
         let u = self.0.since_made(disp);
         for row in self.0.across() {
-            let pull = q[0] / self.0.length * dot(&row, &u);
-            force.iter_mut().zip(&row).for_each(|(f, r)| *f += pull * r);
+            let shear = q[0] / self.0.length * dot(&row, &u);
+            force.iter_mut().zip(&row).for_each(|(f, r)| *f += shear * r);
         }
     }
-    /// The derivative of the axial force with the displacements is left out, as is usual: it would make the
-    /// stiffness unsymmetric, and is small where P-Delta is meant to be used. Beams that are unsymmetric anyway add it.
+    /// The derivative of the axial force by the displacements is usually omitted: it would make the stiffness
+    /// unsymmetric and is small. Elements with an unsymmetric tangent add it.
     fn add_tangent(&self, _: &[f64], _: &[f64], kb: &[[f64; B]; B], q: &[f64; B], tangent: &mut [f64]) {
         self.0.add_basic_stiffness(kb, tangent);
         for row in self.0.across() {

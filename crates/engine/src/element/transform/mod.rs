@@ -1,8 +1,8 @@
-//! Coordinate transformations of beams: from the displacements of the nodes to the deformations of the basic system,
-//! and from basic forces and stiffness back (`geomTransf`).
+//! Coordinate transformations of beams (`geomTransf`): from nodal displacements to basic deformations, and from basic
+//! forces and stiffness to nodal ones.
 //!
-//! The basic system of a beam in the plane has an elongation and two end rotations; in space an elongation, the end
-//! rotations about z (i, j), those about y (i, j), and the twist.
+//! Basic deformations in the plane are the elongation and two end rotations. In space they are the elongation, the end
+//! rotations about z (i, j) and about y (i, j), and the twist.
 
 mod corotational_2d;
 mod corotational_3d;
@@ -20,51 +20,50 @@ pub use corotational_3d::Corotational3d;
 pub use frame::Frame;
 pub use linear::{Linear, PDelta};
 
-/// End reactions of a simple beam under member loads, in local axes: axial at i, y at i and j, z at i and j.
+/// End reactions of a simple beam to member loads in local axes: axial at i, y at i and j, z at i and j.
 pub type Reactions = [f64; 5];
 
 /// A transformation for beams with `N` degrees of freedom and `B` basic deformations.
 pub trait Transform<const N: usize, const B: usize>: fmt::Debug + Send + Sync {
-    /// Undeformed length between the joints' faces.
+    /// Undeformed length between the joint faces.
     fn length(&self) -> f64;
-    /// Whether force and stiffness do not depend on the displacements.
+    /// Returns true if force and stiffness are independent of the displacements.
     fn is_linear(&self) -> bool;
-    /// Whether displacements are small: deformations are linear in them, and the stiffness of the geometry is
+    /// Returns true for small displacements: deformations are linear in them, and the geometric stiffness is
     /// proportional to the axial force.
     fn is_small(&self) -> bool {
         true
     }
-    /// Whether the stiffness is symmetric: where large rotations in space meet moments it is not.
+    /// Returns true if the stiffness is symmetric. With large rotations and moments in space it is not.
     fn is_symmetric(&self) -> bool {
         true
     }
-    /// Number of words of history: that of large rotations in space.
+    /// Number of state variables; 0 except for large rotations in space.
     fn state_len(&self) -> usize {
         0
     }
-    /// Write the virgin state.
+    /// Writes the virgin state variables.
     fn init(&self, _state: &mut [f64]) {}
-    /// Write the history at trial displacements, which the other methods are given; must come first.
+    /// Writes the state variables for trial displacements. The other methods use them, so it must be called first.
     ///
     /// # Errors
-    /// The ends have met.
+    /// The ends coincide.
     fn advance(&self, _disp: &[f64], _committed: &[f64], _trial: &mut [f64]) -> Result<(), ElementError> {
         Ok(())
     }
-    /// Basic deformations of global displacements (those at the making of the element included).
+    /// Basic deformations for global displacements, which include those at the creation of the element.
     fn deformation(&self, disp: &[f64], state: &[f64]) -> [f64; B];
-    /// Add the global forces of the basic forces `q` and the reactions `p0`.
+    /// Adds the global forces of the basic forces `q` and the reactions `p0`.
     fn add_force(&self, disp: &[f64], state: &[f64], q: &[f64; B], p0: &Reactions, force: &mut [f64]);
-    /// Add the global stiffness of the basic stiffness `kb`, that of the geometry included.
+    /// Adds the global stiffness of the basic stiffness `kb`, with the geometric stiffness.
     fn add_tangent(&self, disp: &[f64], state: &[f64], kb: &[[f64; B]; B], q: &[f64; B], tangent: &mut [f64]);
-    /// Add what [`Transform::add_tangent`] leaves out of the derivative of the forces to keep it symmetric: nothing, where
-    /// it is the whole derivative.
+    /// Adds the unsymmetric terms that [`Transform::add_tangent`] omits from the derivative of the forces, if any.
     fn add_unsymmetric_tangent(&self, _disp: &[f64], _kb: &[[f64; B]; B], _tangent: &mut [f64]) {}
     /// Undeformed geometry, for masses and local forces.
     fn frame(&self) -> &Frame<N, B>;
 }
 
-/// Which transformation.
+/// Kind of a transformation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TransformKind {
     /// Small displacements.
@@ -75,20 +74,20 @@ pub enum TransformKind {
     Corotational,
 }
 
-/// A transformation as `geomTransf` defines it: what an element needs to make its own.
+/// Definition of a transformation by `geomTransf`, from which an element makes its own.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TransformSpec {
-    /// Which one.
+    /// Kind.
     pub kind: TransformKind,
-    /// A vector in the local x-z plane; only in space.
+    /// A vector in the local x-z plane; used in space only.
     pub xz: Vector3<f64>,
-    /// Rigid joint offsets from node i and from node j, in global axes.
+    /// Rigid joint offsets at node i and node j, in global axes.
     pub offsets: (Vector3<f64>, Vector3<f64>),
-    /// As in OpenSees, large rotations in space are the sum of those of all trial states instead of those of all steps.
+    /// As in OpenSees, large rotations in space are summed over trial states instead of steps.
     pub by_trials: bool,
 }
 
-/// Where a beam stands: coordinates of its nodes, and their displacements when it is made (it measures from there).
+/// Ends of a beam: coordinates of its nodes, and their displacements when it is created, which are subtracted.
 #[derive(Clone, Copy, Debug)]
 pub struct Ends<'a> {
     /// Coordinates of i and j.
@@ -98,7 +97,7 @@ pub struct Ends<'a> {
 }
 
 impl TransformSpec {
-    /// For a beam in the plane.
+    /// Makes the transformation of a beam in the plane.
     ///
     /// # Errors
     /// No length between the ends.
@@ -111,10 +110,10 @@ impl TransformSpec {
         })
     }
 
-    /// For a beam in space.
+    /// Makes the transformation of a beam in space.
     ///
     /// # Errors
-    /// No length between the ends, or a vector `xz` along the beam.
+    /// No length between the ends, or `xz` parallel to the beam.
     pub fn space(&self, ends: &Ends<'_>) -> Result<Arc<dyn Transform<12, 6>>, AxesError> {
         let frame = Frame::space(ends, &self.offsets, self.xz)?;
         Ok(match self.kind {

@@ -1,12 +1,12 @@
-//! Axial springs side by side.
+//! Axial springs in parallel.
 
 use super::{AxialSpring, Branch, History, Rules};
 use crate::material::{MaterialError, Strain, Strains, Stress, Stresses, Uniaxial};
 use crate::probe::Probe;
 use crate::state_struct::{Field, StateStruct};
 
-/// History of spring `i` of `n`. Those of a bundle lie quantity by quantity: so it is
-/// quick to see whether all of them are still elastic.
+/// History of spring `i` of `n`. A bundle stores one quantity after the other, so that the test for all-elastic
+/// springs is fast.
 #[inline]
 fn read(words: &[f64], i: usize, n: usize) -> History {
     let (u, slope, from) = (words[i], words[i + 2 * n], words[i + 3 * n]);
@@ -89,10 +89,10 @@ impl<const HD: bool, R: Rules> Uniaxial for AxialSpring<HD, R> {
         }
     }
 
-    /// An elastic spring remembers nothing.
+    /// An elastic spring has no history.
     fn are_virgin(&self, state: &[f64]) -> bool {
         let n = state.len() / <History as StateStruct>::LEN;
-        // Bits of all together, which the compiler makes of neighbouring numbers at once: elastic is zero.
+        // The bitwise OR of all branches vectorizes, and the elastic branch is zero.
         state[n..2 * n].iter().fold(0, |any, b| any | b.to_bits()) == 0
     }
 

@@ -1,8 +1,8 @@
 //! `AxialSp` and `AxialSpHD` by OpenSees' rules.
 //!
-//! A step that jumps from cavitation to compression ends on a branch that it has left. A spring that has just begun to harden closes
-//! beyond (u_cr, f_cr) or stays on the hardening line. A spring without stiffness in tension does not come off compression once it has
-//! yielded.
+//! A step from cavitation to compression ends on a branch that it has left. A spring that has just begun to harden
+//! closes beyond (u_cr, f_cr) or stays on the hardening line. A spring without stiffness in tension does not leave
+//! compression after yield.
 
 use super::{AxialSpring, Branch, History, Rules};
 use crate::material::Stress;
@@ -33,14 +33,14 @@ impl Rules for OpenSees {
 }
 
 impl<const HD: bool, R: Rules> AxialSpring<HD, R> {
-    /// Response and next history where the spring goes on from the branch of the last call, whether or not it was
-    /// committed, and takes only displacement and force from the committed state. `slope` is then where a shifted spring
-    /// yields again.
+    /// As `step`, but as in OpenSees, where the branch continues from the last call, committed or not. Only
+    /// displacement and force come from the committed state. `slope` then holds the displacement at which a shifted
+    /// spring yields again.
     #[inline]
     pub(super) fn step_on(&self, c: &History, last: &History, u: f64) -> (Stress, History) {
         let from = History { u: c.u, ..*last };
         let mut t = History { u, ..from };
-        let next = self.follow(&from, || self.answer(c).value, u, &mut t);
+        let next = self.follow(&from, || self.response(c).value, u, &mut t);
         t.branch = match (from.branch, next) {
             (Branch::Shifted, _) if u <= from.slope => Branch::Yielded,
             (Branch::Shifted, Branch::Yielded) => Branch::Shifted,
@@ -53,6 +53,6 @@ impl<const HD: bool, R: Rules> AxialSpring<HD, R> {
             }
             _ => {}
         }
-        (self.answer(&t), t)
+        (self.response(&t), t)
     }
 }

@@ -1,22 +1,22 @@
-//! Backbone of a deteriorating hinge, on one side.
+//! Backbone of a deteriorating hinge on one side.
 
 use super::FLAT;
 
-/// Slope of the residual strength, where lines are cut with it.
+/// Slope of the residual branch in intersections, as in OpenSees.
 const RESIDUAL_SLOPE: f64 = 1e-10;
 
-/// Backbone of [`Bilin`](super::Bilin) on one side; all numbers are positive on both.
+/// Backbone of [`Bilin`](super::Bilin) on one side; all values are positive on both sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BilinSide {
     /// Yield strength My.
     pub strength: f64,
-    /// Hardening αs, as a part of the elastic stiffness.
+    /// Hardening ratio αs: hardening stiffness over elastic stiffness.
     pub hardening: f64,
-    /// Plastic deformation up to the cap θp.
+    /// Plastic deformation θp up to the cap.
     pub plastic: f64,
-    /// Deformation from the cap down to zero strength θpc.
+    /// Deformation θpc from the cap to zero strength.
     pub post_capping: f64,
-    /// Residual strength κ, as a part of My.
+    /// Residual strength κ divided by My.
     pub residual: f64,
     /// Ultimate deformation θu, at which all strength is lost.
     pub ultimate: f64,
@@ -32,75 +32,75 @@ pub struct Line {
     pub slope: f64,
 }
 
-/// Where two lines meet.
+/// Intersection of two lines.
 pub(super) fn meet(a: &Line, b: &Line) -> (f64, f64) {
     let x = (-b.slope * b.x + b.y + a.slope * a.x - a.y) / (a.slope - b.slope);
     (x, a.slope * x - a.slope * a.x + a.y)
 }
 
 crate::state_struct! {
-    /// A backbone as it has deteriorated, and what the hinge does on its way to it.
+    /// A deteriorated backbone, and the present path towards it.
     pub struct Backbone {
         /// Yield strength.
         strength: f64,
-        /// Hardening, as a part of the stiffness of the hinge.
+        /// Hardening ratio of the hinge.
         hardening: f64,
-        /// Slope beyond the cap, as a part of it, negative.
+        /// Post-capping slope divided by the stiffness of the hinge, negative.
         cap_slope: f64,
-        /// What it was at first.
+        /// Initial value of `cap_slope`.
         first_cap_slope: f64,
         /// Deformation at the cap.
         cap: f64,
         /// Force at the cap.
         cap_force: f64,
-        /// Force where the line beyond the cap meets zero deformation.
+        /// Force of the post-capping line at zero deformation.
         cap_intercept: f64,
-        /// Largest deformation so far, or that to be reached next.
+        /// Largest deformation so far, or the next one to be reached.
         reach: f64,
-        /// Deformation of the last turn on the backbone.
+        /// Deformation of the last reversal on the backbone.
         limit: f64,
-        /// Force there.
+        /// Force at that deformation.
         limit_force: f64,
-        /// Deformation at which the line of unloading from the other side meets the backbone.
+        /// Deformation at the intersection of the backbone with the unloading line from the other side.
         target: f64,
-        /// Force there.
+        /// Force at that deformation.
         target_force: f64,
-        /// The target on hardening branch and cap alone.
+        /// Target on the hardening and the post-capping branch alone.
         target_backbone: f64,
-        /// Deformation at which hardening comes to the force of the last turn.
+        /// Deformation at which hardening reaches the force of the last reversal.
         level_end: f64,
-        /// 1 where there is residual strength only.
+        /// 1 if only the residual strength remains.
         exhausted: f64,
-        /// 1 where the last step was level.
+        /// 1 if the last step was horizontal.
         level: f64,
-        /// Deformation at which the hardening branch of the other side, drawn on, has no force.
+        /// Deformation at which the extended hardening branch of the other side has zero force.
         resume: f64,
     }
 }
 
 impl Backbone {
-    /// The hardening branch where it begins.
+    /// The hardening line through the yield point.
     fn hardening_line(&self, k: f64) -> Line {
         Line { x: self.strength / k, y: self.strength, slope: k * self.hardening }
     }
 
-    /// The line beyond the cap, through its intercept.
+    /// The post-capping line through its intercept.
     fn cap_line(&self, k: f64) -> Line {
         Line { x: 0.0, y: self.cap_intercept, slope: self.cap_slope * k }
     }
 
-    /// Deformation at which the line beyond the cap, from its intercept, comes down to the residual strength.
+    /// Deformation at which the post-capping line reaches the residual strength.
     pub fn end_of_cap(&self, rule: &BilinSide, k: f64) -> f64 {
         (rule.residual * rule.strength - self.cap_intercept) / (self.cap_slope * k)
     }
 
-    /// How far behind zero the hardening branch, drawn back, comes to zero force.
+    /// Distance behind zero at which the extended hardening line has zero force.
     pub fn hardening_from(&self, k: f64) -> f64 {
         let line = self.hardening_line(k);
         -(line.slope * line.x - line.y) / line.slope
     }
 
-    /// Force on the hardening branch from the target, and its slope.
+    /// Force and slope on the hardening branch from the target.
     pub fn harden(&self, x: f64, k: f64) -> (f64, f64) {
         let slope = k * self.hardening;
         (self.target_force + slope * (x - self.target), slope)
@@ -130,7 +130,7 @@ impl Backbone {
         }
     }
 
-    /// Find where a line of unloading from the other side meets the backbone.
+    /// Sets the target to the intersection of an unloading line from the other side with the backbone.
     pub fn aim(&mut self, rule: &BilinSide, from: Line, k: f64) {
         let residual = rule.residual * self.strength;
         let end = self.cap + (residual - self.cap_force) / (self.cap_slope * k);
@@ -156,7 +156,8 @@ impl Backbone {
         }
     }
 
-    /// Deformation at which the line beyond the cap, or zero force behind it, meets the hardening branch of the other side, drawn on.
+    /// Deformation at the intersection of the post-capping line, or of zero force behind it, with the extended
+    /// hardening branch of the other side.
     pub fn bound(&self, other: &Backbone, k: f64) -> f64 {
         let end = self.cap - self.cap_force / (self.cap_slope * k);
         let line = other.hardening_line(k);
@@ -166,7 +167,7 @@ impl Backbone {
         if by_cap > by_end { by_cap } else { by_end }
     }
 
-    /// Put the cap where the line beyond it, with the slope that it had at first, meets what comes before it.
+    /// Moves the cap to the intersection of the post-capping line, with its initial slope, and the branch before it.
     pub fn move_cap(&mut self, k: f64) {
         let (line, first) = (self.hardening_line(k), self.first_cap_slope * k);
         let elastic = self.cap_intercept / (k - first);

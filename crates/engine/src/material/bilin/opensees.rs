@@ -1,8 +1,8 @@
 //! `Bilin` by OpenSees' rules.
 //!
-//! The tangent of a step in which the backbone deteriorates is that of the deteriorated backbone at its limit. A step from one side to
-//! beyond the cap of the other one may lose all strength or have none. The unloading stiffness deteriorates by other rules on the
-//! positive side than on the negative one. A jump to the residual strength needs no way.
+//! The tangent of a step in which the backbone deteriorates is that of the deteriorated backbone at its limit. A step
+//! from one side beyond the cap of the other may lose all strength or have none. The unloading stiffness deteriorates by
+//! different rules on the two sides. A jump to the residual strength needs no path.
 
 use super::{FLAT, Rules, lower};
 use crate::rules::OpenSees;

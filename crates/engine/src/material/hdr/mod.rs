@@ -16,37 +16,37 @@ pub use parameters::{Compound, NAMES, OutOfRange, Parameters};
 pub use plane::{PlaneHistory, PlaneStep};
 pub use thermal::{Stack, Thermal};
 
-/// Rheology model of high damping rubber bearings: an elasto-plastic and a nonlinear elastic branch, which make the
-/// equilibrium stress, and an elasto-plastic part in series with a nonlinear dashpot, which makes the overstress (D. A.
+/// Rheology model of high damping rubber bearings. An elasto-plastic and a nonlinear elastic branch give the
+/// equilibrium stress. An elasto-plastic part in series with a nonlinear dashpot gives the overstress. Source: D. A.
 /// Nguyen, A rheology model of high damping rubber bearings for seismic analysis at room and low temperatures,
-/// dissertation, Eqs 3.1 to 3.13; symbols as there).
+/// dissertation, Eqs 3.1 to 3.13, with its symbols.
 ///
-/// The strain goes at a constant rate through the time of a step. Where no time passes the dashpot does not move, the
-/// limit of a very fast step.
+/// The strain rate is constant over a step. In a step without time the dashpot does not move, which is the limit of a
+/// very fast step.
 ///
-/// With [`Thermal`] the work that is not stored in the springs heats the rubber, and the parameters are those at the
-/// temperature in the middle of the step, found together with the stress. The first law holds by construction: work done
-/// is elastic energy, heat in the bearing, and heat lost.
+/// With [`Thermal`], the work that the springs do not store heats the rubber. The parameters are those at the
+/// temperature in the middle of the step, solved together with the stress. The first law of thermodynamics holds by
+/// construction: work = elastic energy + heat in the bearing + heat lost.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HdrRheology {
-    /// Parameters over temperature.
+    /// Parameters as functions of the temperature.
     pub compound: Compound,
-    /// Temperature of the surroundings, and of the rubber to begin with.
+    /// Temperature of the surroundings, and initial temperature of the rubber.
     pub ambient: f64,
     /// Self-heating.
     pub thermal: Option<Thermal>,
-    /// Whether rubber that is hotter or colder than the table of the compound keeps the parameters of its end.
+    /// If true, a temperature outside the table of the compound uses the parameters of the nearest end.
     pub hold_ends: bool,
     /// Softening of virgin rubber.
     pub softening: Option<Softening>,
-    /// Area A of the bearing: force is A τ. One for a law of stress.
+    /// Area A of the bearing: force is A τ; 1 for a law of stress.
     pub area: f64,
-    /// Height h of the rubber: displacement is h γ. One for a law of strain.
+    /// Height h of the rubber: displacement is h γ; 1 for a law of strain.
     pub height: f64,
 }
 
 crate::state_struct! {
-    /// History of [`HdrRheology`]; the amplitudes of heat flow are behind it.
+    /// History of [`HdrRheology`]; the modal amplitudes of heat flow follow it.
     pub struct History {
         /// Shear strain γ.
         strain: f64,
@@ -60,11 +60,11 @@ crate::state_struct! {
         temperature: f64,
         /// Elastic energy per volume.
         stored: f64,
-        /// Heat that has arisen per volume.
+        /// Generated heat per volume.
         heat: f64,
-        /// Strain that softening goes by.
+        /// Strain γₘ of the softening.
         peak: f64,
-        /// Largest strain ever.
+        /// All-time largest strain.
         ever: f64,
         /// Equilibrium stress τ_e.
         equilibrium: f64,
@@ -73,9 +73,9 @@ crate::state_struct! {
     }
 }
 
-/// A state with its derivatives by the strain at the end of the step.
+/// A state with its derivatives with respect to the strain at the end of the step.
 #[derive(Clone, Copy, Debug)]
-struct Point {
+struct TrialState {
     strain: Dual,
     slip_eq: Dual,
     gamma_b: Dual,
@@ -86,7 +86,7 @@ struct Point {
     peak: Peak,
 }
 
-impl Point {
+impl TrialState {
     fn new(h: &History) -> Self {
         Self {
             strain: Dual::constant(h.strain),
@@ -118,14 +118,14 @@ impl Branches {
     }
 
     /// Equilibrium stress (Eqs 3.4, 3.5, 3.7) and overstress (Eq 3.9).
-    fn stress(&self, p: &Point) -> (Dual, Dual) {
+    fn stress(&self, p: &TrialState) -> (Dual, Dual) {
         let power = self.c3 * p.strain.abs().powf(self.m);
         let spring = self.c2 * p.strain + if p.strain.value < 0.0 { -power } else { power };
         (self.c1 * (p.strain - p.slip_eq) + spring, self.overstress.stress(p.gamma_b, p.slip_oe))
     }
 
     /// Elastic energy per volume.
-    fn stored(&self, p: &Point) -> Dual {
+    fn stored(&self, p: &TrialState) -> Dual {
         let one = Dual::constant(1.0);
         let elastic = p.strain - p.slip_eq;
         let power = self.c3 / (self.m + one) * p.strain.abs().powf(self.m + one);
@@ -135,12 +135,14 @@ impl Branches {
     }
 }
 
-/// A rise of the temperature in one go that is followed with one set of parameters, in degrees.
-const STEP_OF_TEMPERATURE: f64 = 1.0;
-/// Parts that a step is cut in at most to follow the temperature.
-const MOST_PARTS: f64 = 64.0;
-/// Rounds in which temperature and stress are found together.
-const MOST_ROUNDS: usize = 30;
+/// Temperature rise that one set of parameters may cover, in degrees.
+const MAX_TEMPERATURE_RISE: f64 = 1.0;
+/// Maximum number of substeps that follow the temperature.
+const MAX_SUBSTEPS: f64 = 64.0;
+/// Maximum number of iterations for temperature and stress.
+const MAX_ITERATIONS: usize = 30;
+/// Tolerance of temperature and its derivative in the iterations, relative to 1 + |temperature|.
+const TEMPERATURE_TOLERANCE: f64 = 1e-11;
 
 impl HdrRheology {
     /// A law of stress and strain for a compound at a temperature, without self-heating or softening.
@@ -149,8 +151,14 @@ impl HdrRheology {
         Self { compound, ambient, thermal, hold_ends: false, softening, area: 1.0, height: 1.0 }
     }
 
-    /// The strains after a time at constant parameters; and when the heat arises, as the time about which it does.
-    fn mechanics(&self, old: &Point, law: &Branches, strain: Dual, time: f64) -> Result<(Point, f64), MaterialError> {
+    /// Strains after `time` at constant parameters, and the centroid of the heat generation in time.
+    fn mechanics(
+        &self,
+        old: &TrialState,
+        law: &Branches,
+        strain: Dual,
+        time: f64,
+    ) -> Result<(TrialState, f64), MaterialError> {
         let mut slip_eq = old.slip_eq;
         let trial = law.c1 * (strain - slip_eq);
         if trial.value.abs() > law.tau_cr.value && law.c1.value > 0.0 {
@@ -158,9 +166,9 @@ impl HdrRheology {
         }
         let sliding = law.tau_cr * (slip_eq - old.slip_eq).abs();
         let flow = law.overstress.flow((old.gamma_b, old.slip_oe), strain - old.strain, time)?;
-        // Springs that have become softer with the temperature give energy away.
+        // Springs release energy if the temperature lowers their stiffness.
         let before = law.stored(old);
-        let mut new = Point { strain, slip_eq, gamma_b: flow.b, slip_oe: flow.slip, ..*old };
+        let mut new = TrialState { strain, slip_eq, gamma_b: flow.b, slip_oe: flow.slip, ..*old };
         new.stored = law.stored(&new);
         new.heat = old.stored - before + sliding + flow.heat;
         let whole = sliding.value + flow.heat.value;
@@ -176,12 +184,18 @@ impl HdrRheology {
         Ok(self.compound.held(temperature))
     }
 
-    /// A part of a step.
-    fn part(&self, old: &Point, strain: Dual, time: f64, modes: &mut [f64]) -> Result<Point, MaterialError> {
+    /// One substep.
+    fn substep(
+        &self,
+        old: &TrialState,
+        strain: Dual,
+        time: f64,
+        modes: &mut [f64],
+    ) -> Result<TrialState, MaterialError> {
         let peak = self.softening.map_or(old.peak, |s| s.advance(old.peak, strain, time));
         let (before, after) = (self.factor(old.peak), self.factor(peak));
         let mut end = old.temperature;
-        let mut rounds = 0;
+        let mut iterations = 0;
         loop {
             let law = Branches::new(self.parameters(0.5 * (old.temperature + end))?);
             let (mut new, centre) = self.mechanics(old, &law, strain, time)?;
@@ -191,7 +205,7 @@ impl HdrRheology {
                 new.stored = stored;
             }
             if self.softening.is_some() {
-                // Heat counts as much as stress does; and what softening takes from the springs is heat.
+                // The factor scales heat as it scales stress; softening turns stored energy into heat.
                 let (lost, energy) = (before - after, 0.5 * (old.stored + new.stored));
                 new.heat = 0.5 * (before + after) * new.heat;
                 if lost.value > 0.0 {
@@ -206,67 +220,68 @@ impl HdrRheology {
                 None => end,
             };
             let change = (found.value - end.value).abs() + (found.slope - end.slope).abs();
-            rounds += 1;
-            if change <= 1e-11 * (1.0 + end.value.abs()) || rounds == MOST_ROUNDS {
+            iterations += 1;
+            // The slope is part of the criterion, because the tangent needs a converged derivative.
+            if change <= TEMPERATURE_TOLERANCE * (1.0 + end.value.abs()) || iterations == MAX_ITERATIONS {
                 if let Some(thermal) = &self.thermal {
                     thermal.advance(modes, new.heat.value, centre, time);
                 }
                 let heat = old.heat + new.heat;
-                return Ok(Point { temperature: found, heat, peak, ..new });
+                return Ok(TrialState { temperature: found, heat, peak, ..new });
             }
             end = found;
         }
     }
 
-    /// A step in so many parts; the point, and the largest change of the temperature in a part.
-    fn parts(
+    /// A step in `parts` substeps. Returns the state and the largest temperature change of a substep.
+    fn integrate(
         &self,
-        old: &Point,
+        old: &TrialState,
         strain: Dual,
         time: f64,
-        parts: f64,
+        substeps: f64,
         modes: &mut [f64],
-    ) -> Result<(Point, f64), MaterialError> {
-        let (mut point, mut most) = (*old, 0.0f64);
-        for i in 1..=parts as usize {
-            let share = i as f64 / parts;
+    ) -> Result<(TrialState, f64), MaterialError> {
+        let (mut point, mut largest_rise) = (*old, 0.0f64);
+        for i in 1..=substeps as usize {
+            let share = i as f64 / substeps;
             let to = (1.0 - share) * old.strain + share * strain;
-            let next = self.part(&point, to, time / parts, modes)?;
-            most = most.max((next.temperature.value - point.temperature.value).abs());
+            let next = self.substep(&point, to, time / substeps, modes)?;
+            largest_rise = largest_rise.max((next.temperature.value - point.temperature.value).abs());
             point = next;
         }
-        Ok((point, most))
+        Ok((point, largest_rise))
     }
 
-    /// Factor of softening on all stresses.
+    /// Softening factor on all stresses.
     fn factor(&self, peak: Peak) -> Dual {
         self.softening.map_or(Dual::constant(1.0), |s| s.factor(peak.now))
     }
 
-    /// Number of layers in which the temperature is known.
+    /// Number of cells with a temperature.
     pub fn heat_cells(&self) -> usize {
         self.thermal.as_ref().map_or(1, Thermal::cells)
     }
 
-    /// Heat in the bearing per volume of rubber, from the amplitudes of heat flow.
+    /// Heat in the bearing per volume of rubber, from the modal amplitudes.
     pub fn heat_content(&self, amplitudes: &[f64]) -> f64 {
         self.thermal.as_ref().map_or(0.0, |t| t.content(amplitudes))
     }
 
-    /// Temperatures through the height, from the mean rise of that of the rubber and the amplitudes of heat flow.
+    /// Temperatures through the height, from the mean temperature rise of the rubber and the modal amplitudes.
     pub fn temperatures(&self, rise: f64, amplitudes: &[f64], out: &mut [f64]) {
         for (i, o) in out.iter_mut().enumerate() {
             *o = self.ambient + self.thermal.as_ref().map_or(rise, |t| t.layer(amplitudes, i));
         }
     }
 
-    /// Work per volume as the work of force and displacement.
+    /// Factor from work per volume to work of force and displacement.
     fn volume(&self) -> f64 {
         self.area * self.height
     }
 }
 
-/// Number of a response, with the name of its column.
+/// Names of the responses with their numbers in a probe's path.
 const RESPONSES: [(&str, u32); 8] = [
     ("temperature", 0),
     ("equilibrium", 1),
@@ -293,19 +308,19 @@ impl Uniaxial for HdrRheology {
         History { temperature: self.ambient, peak, ever: peak, ..History::default() }.write(state);
     }
     fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
-        let old = Point::new(&History::read(committed));
+        let old = TrialState::new(&History::read(committed));
         let gamma = Dual { value: strain.value / self.height, slope: 1.0 };
-        // A load that is taken off by negative steps of LoadControl takes its time too.
+        // Negative steps of LoadControl remove a load, and they take time too.
         let time = strain.dt.abs();
-        let mut parts = 1.0;
+        let mut substeps = 1.0;
         let (words, modes) = next.split_at_mut(History::LEN);
         let point = loop {
             modes.copy_from_slice(&committed[History::LEN..History::LEN + modes.len()]);
-            let (point, rise) = self.parts(&old, gamma, time, parts, modes)?;
-            if rise <= STEP_OF_TEMPERATURE || parts >= MOST_PARTS {
+            let (point, rise) = self.integrate(&old, gamma, time, substeps, modes)?;
+            if rise <= MAX_TEMPERATURE_RISE || substeps >= MAX_SUBSTEPS {
                 break point;
             }
-            parts = (parts * rise / STEP_OF_TEMPERATURE).ceil().clamp(2.0 * parts, MOST_PARTS);
+            substeps = (substeps * rise / MAX_TEMPERATURE_RISE).ceil().clamp(2.0 * substeps, MAX_SUBSTEPS);
         };
         let (equilibrium, overstress) = Branches::new(self.parameters(point.temperature)?).stress(&point);
         let factor = self.factor(point.peak);

@@ -1,16 +1,18 @@
 //! The overstress branch: an elasto-plastic part in series with a nonlinear dashpot (Eqs 3.9 to 3.13).
 //!
-//! At a constant strain rate r the stress x of the branch follows one scalar equation, x' = K (r - f(x)), where
-//! f(x) = sign(x) |x/a|^(1/n) is the rate of the dashpot and K is C₁ + C₂ while the slider sticks and C₂ while it moves.
-//! The equation is autonomous and its right side falls, so x goes one way, towards a |r|ⁿ, and at most one event comes
-//! in a step: the slider begins to move, at a strain of the elasto-plastic part that is known in advance. Between events
-//! the equation is integrated by an L-stable diagonally implicit method of order 4 in substeps whose size follows an
-//! embedded error estimate (Hairer and Wanner, Solving Ordinary Differential Equations II, Table IV.6.5).
+//! At a constant strain rate r the stress x of the branch follows one scalar equation, x' = K (r - f(x)). The dashpot
+//! rate is f(x) = sign(x) |x/a|^(1/n). K is C₁ + C₂ while the slider sticks, and C₂ while it slides.
+//!
+//! The equation is autonomous and its right side decreases with x, so x approaches a |r|ⁿ monotonically. At most one
+//! event occurs in a step: the slider begins to slide at a strain of the elasto-plastic part that is known in
+//! advance. Between events an L-stable diagonally implicit Runge-Kutta method of order 4 integrates the equation. The
+//! substeps follow its embedded error estimate (Hairer and Wanner, Solving Ordinary Differential Equations II, Table
+//! IV.6.5).
 
 use crate::material::MaterialError;
 use crate::numeric::{Dual, sign};
 
-/// Parameters of the branch, with the derivatives that come from the temperature.
+/// Parameters of the branch, with their derivatives from the temperature.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Branch {
     pub(super) c1: Dual,
@@ -20,7 +22,7 @@ pub(super) struct Branch {
     pub(super) n: Dual,
 }
 
-/// What a step of the branch comes to.
+/// Result of a step of the branch.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Flow {
     /// Strain γ_b of the elasto-plastic part.
@@ -29,11 +31,11 @@ pub(super) struct Flow {
     pub(super) slip: Dual,
     /// Work dissipated in slider and dashpot, per volume.
     pub(super) heat: Dual,
-    /// Time integral of the dissipated power times the time since the beginning of the step.
+    /// Time integral of dissipated power times time since the start of the step.
     pub(super) moment: f64,
 }
 
-/// Stages of the method: weights by rows, the last of them also those of the solution.
+/// Butcher matrix of the method; its last row gives the solution.
 const A: [[f64; 5]; 5] = [
     [GAMMA, 0.0, 0.0, 0.0, 0.0],
     [0.5, GAMMA, 0.0, 0.0, 0.0],
@@ -42,18 +44,23 @@ const A: [[f64; 5]; 5] = [
     [25.0 / 24.0, -49.0 / 48.0, 125.0 / 16.0, -85.0 / 12.0, GAMMA],
 ];
 const GAMMA: f64 = 0.25;
-/// Places of the stages in the substep.
-const PLACE: [f64; 5] = [0.25, 0.75, 11.0 / 20.0, 0.5, 1.0];
-/// Solution less the embedded one of order 3.
+/// Abscissae of the stages.
+const ABSCISSAE: [f64; 5] = [0.25, 0.75, 11.0 / 20.0, 0.5, 1.0];
+/// Weights of the solution minus those of the embedded solution of order 3.
 const ERROR: [f64; 5] = [-3.0 / 16.0, -27.0 / 32.0, 25.0 / 32.0, 0.0, 0.25];
-/// Error of a substep that is accepted, relative to the stress.
+/// Accepted error of a substep, relative to the stress.
 const TOLERANCE: f64 = 1e-8;
-/// Stress below which errors count as if it were this part of a.
-const FLOOR: f64 = 1e-2;
-/// No history needs as many; beyond it numbers are meaningless.
-const MOST_SUBSTEPS: usize = 20_000;
+/// Smallest reference stress of the error, divided by a.
+const STRESS_FLOOR_RATIO: f64 = 1e-2;
+/// Maximum number of Newton iterations of a stage.
+const MAX_NEWTON_ITERATIONS: usize = 100;
+/// Maximum number of iterations for the sliding event; the first half may use Newton's method.
+const MAX_EVENT_ITERATIONS: usize = 60;
+/// Maximum number of substeps; exceeded only by invalid numbers.
+const MAX_SUBSTEPS: usize = 20_000;
 
-/// A substep: strain of the elasto-plastic part, rate at its end, error of the stress, dissipation.
+/// A substep: strain of the elasto-plastic part, its rate at the end, error of the stress, dissipated work and its
+/// moment in time.
 struct Substep {
     b: Dual,
     speed: f64,
@@ -63,22 +70,23 @@ struct Substep {
 }
 
 impl Branch {
-    /// Stress for strains of elasto-plastic part and slider.
+    /// Stress for the strains of elasto-plastic part and slider.
     pub(super) fn stress(&self, b: Dual, slip: Dual) -> Dual {
         self.c1 * (b - slip) + self.c2 * b
     }
 
-    /// Elastic energy.
+    /// Elastic energy per volume.
     pub(super) fn stored(&self, b: Dual, slip: Dual) -> Dual {
         0.5 * (self.c1 * (b - slip) * (b - slip) + self.c2 * b * b)
     }
 
-    /// Strain rate of the dashpot for a stress that is not negative.
+    /// Strain rate of the dashpot for a nonnegative stress.
     fn rate(&self, stress: Dual, p: Dual) -> Dual {
         (stress / self.a).powf(p)
     }
 
-    /// Root z of z + β f(z) = x for numbers that are not negative: Newton's method from the right, where it is monotone.
+    /// Root z of z + β f(z) = x for nonnegative numbers, by Newton's method from above, where it converges
+    /// monotonically.
     fn solve(&self, x: Dual, beta: Dual, p: Dual) -> Dual {
         if x.value <= 0.0 {
             return x;
@@ -89,7 +97,7 @@ impl Branch {
         let (x0, beta0, a, exponent) = (x.value, beta.value, self.a.value, p.value);
         let mut z = x0.min(a * (x0 / beta0).powf(self.n.value));
         let mut slope = 1.0;
-        for _ in 0..100 {
+        for _ in 0..MAX_NEWTON_ITERATIONS {
             let f = (z / a).powf(exponent);
             slope = 1.0 + beta0 * exponent * f / z;
             let correction = (z + beta0 * f - x0) / slope;
@@ -98,12 +106,12 @@ impl Branch {
                 break;
             }
         }
-        // The last correction, made with derivatives, gives that of the root.
+        // One more correction with derivatives gives the derivative of the root.
         let z = Dual::constant(z.max(0.0));
         z - (1.0 / slope) * (z + beta * self.rate(z, p) - x)
     }
 
-    /// A substep of length `h` from a strain `b` with stress `x`, stiffness `k` and total strain rate `r`.
+    /// A substep of length `h` from strain `b` and stress `x`, with stiffness `k` and total strain rate `r`.
     fn substep(&self, (b, x): (Dual, Dual), k: Dual, r: Dual, h: Dual, p: Dual) -> Substep {
         let mut rates = [Dual::default(); 5];
         let (mut heat, mut moment, mut error) = (Dual::default(), 0.0, 0.0);
@@ -116,7 +124,7 @@ impl Branch {
             rates[i] = r - if known.value < 0.0 { -flow } else { flow };
             let power = size * flow;
             heat = heat + A[4][i] * (h * power);
-            moment += A[4][i] * PLACE[i] * power.value;
+            moment += A[4][i] * ABSCISSAE[i] * power.value;
             error += ERROR[i] * rates[i].value;
             end = b + h * (sum + GAMMA * rates[i]);
         }
@@ -124,12 +132,16 @@ impl Branch {
         Substep { b: end, speed: rates[4].value, error, heat, moment: moment * h.value * h.value }
     }
 
-    /// The branch after a strain increment at constant rate in a time, from strains of elasto-plastic part and slider.
+    /// Response to a strain increment at constant rate over `time`, from the strains of elasto-plastic part and
+    /// slider.
+    ///
+    /// # Errors
+    /// The substeps do not reach the end of the step.
     pub(super) fn flow(&self, (b, slip): (Dual, Dual), increment: Dual, time: f64) -> Result<Flow, MaterialError> {
         let mut out = Flow { b, slip, ..Flow::default() };
         self.return_to_yield(&mut out);
         if time <= 0.0 {
-            // No time: the dashpot does not move.
+            // The dashpot does not move in a step without time.
             out.b = out.b + increment;
             self.return_to_yield(&mut out);
             return Ok(out);
@@ -144,32 +156,32 @@ impl Branch {
         let room = way * (limit.value - out.b.value);
         let strength = if yields { self.tau_cr.value / self.c1.value } else { 0.0 };
         let mut sliding = !yields || way != 0.0 && room <= 1e-13 * (strength + limit.value.abs());
-        let mut left = Dual::constant(time);
-        let mut gone = 0.0;
+        let mut remaining = Dual::constant(time);
+        let mut elapsed = 0.0;
         let mut h = self.first_guess(x.value, r.value, p.value, sliding).min(time);
-        for _ in 0..MOST_SUBSTEPS {
+        for _ in 0..MAX_SUBSTEPS {
             let k = if sliding { self.c2 } else { self.c1 + self.c2 };
             let from = (out.b, self.stress(out.b, out.slip));
-            let last = h >= left.value * (1.0 - 1e-12);
-            let mut taken = if last { left } else { Dual::constant(h) };
-            let mut s = self.substep(from, k, r, taken, p);
-            let allowed = TOLERANCE * (from.1.value.abs() + FLOOR * self.a.value);
+            let last = h >= remaining.value * (1.0 - 1e-12);
+            let mut length = if last { remaining } else { Dual::constant(h) };
+            let mut s = self.substep(from, k, r, length, p);
+            let allowed = TOLERANCE * (from.1.value.abs() + STRESS_FLOOR_RATIO * self.a.value);
             let ratio = s.error / allowed;
             if ratio > 1.0 {
-                h = taken.value * (0.9 * ratio.powf(-0.25)).clamp(0.1, 0.9);
+                h = length.value * (0.9 * ratio.powf(-0.25)).clamp(0.1, 0.9);
                 continue;
             }
             let event = !sliding && way != 0.0 && way * (s.b.value - limit.value) > 0.0;
             if event {
-                taken = self.arrival(from, k, r, p, (limit, taken.value));
-                s = self.substep(from, k, r, taken, p);
+                length = self.arrival(from, k, r, p, (limit, length.value));
+                s = self.substep(from, k, r, length, p);
             }
             out.heat = out.heat + s.heat;
-            out.moment += s.moment + gone * s.heat.value;
+            out.moment += s.moment + elapsed * s.heat.value;
             if sliding && yields {
                 let slid = s.b - out.b;
                 out.heat = out.heat + self.tau_cr * slid.abs();
-                out.moment += (gone + 0.5 * taken.value) * self.tau_cr.value * slid.value.abs();
+                out.moment += (elapsed + 0.5 * length.value) * self.tau_cr.value * slid.value.abs();
                 out.slip = out.slip + slid;
             }
             out.b = if event { limit } else { s.b };
@@ -177,22 +189,22 @@ impl Branch {
                 break;
             }
             sliding |= event;
-            left = left - taken;
-            gone += taken.value;
-            if last && !event || left.value <= 1e-14 * time {
+            remaining = remaining - length;
+            elapsed += length.value;
+            if last && !event || remaining.value <= 1e-14 * time {
                 return Ok(out);
             }
             let growth = if ratio > 0.0 { (0.9 * ratio.powf(-0.25)).clamp(0.3, 5.0) } else { 5.0 };
-            h = (taken.value.max(h) * growth).min(left.value);
+            h = (length.value.max(h) * growth).min(remaining.value);
         }
         Err(MaterialError(format!("HDRRheology found no overstress at a strain rate of {:.6e}", r.value)))
     }
 
-    /// Length of a substep, at most `longest`, at whose end the strain of the elasto-plastic part is `limit`.
+    /// Length of a substep, at most `longest`, at the end of which the strain of the elasto-plastic part is `limit`.
     fn arrival(&self, from: (Dual, Dual), k: Dual, r: Dual, p: Dual, (limit, longest): (Dual, f64)) -> Dual {
         let (mut lo, mut hi) = (0.0, longest);
         let mut h = Dual::constant(0.5 * longest);
-        for i in 0..60 {
+        for i in 0..MAX_EVENT_ITERATIONS {
             let s = self.substep(from, k, r, h, p);
             let missing = limit - s.b;
             let ahead = missing.value * (limit.value - from.0.value) > 0.0;
@@ -201,16 +213,17 @@ impl Branch {
             } else {
                 hi = h.value
             }
+            // The strain is monotone in the substep, so bisection safeguards Newton's method.
             let next = h.value + missing.value / s.speed;
             if (next - h.value).abs() <= 1e-13 * longest {
                 return Dual { value: next.clamp(0.0, longest), slope: missing.slope / s.speed };
             }
-            h.value = if next > lo && next < hi && i < 30 { next } else { 0.5 * (lo + hi) };
+            h.value = if next > lo && next < hi && i < MAX_EVENT_ITERATIONS / 2 { next } else { 0.5 * (lo + hi) };
         }
         h
     }
 
-    /// A first length of a substep: a part of the time in which the branch relaxes.
+    /// First substep: a fraction of the relaxation time of the branch.
     fn first_guess(&self, x: f64, r: f64, p: f64, sliding: bool) -> f64 {
         let k = if sliding { self.c2.value } else { self.c1.value + self.c2.value };
         let a = self.a.value;
@@ -219,7 +232,7 @@ impl Branch {
         0.2 / (k * slope(steady.max(x.abs() / a))).max(f64::MIN_POSITIVE)
     }
 
-    /// Let the slider move where its stress is above that at which it does.
+    /// Moves the slider if its stress exceeds the sliding stress.
     fn return_to_yield(&self, out: &mut Flow) {
         if self.c1.value <= 0.0 {
             return;

@@ -1,26 +1,26 @@
-//! Parameters of the rheology model, and how they depend on temperature.
+//! Parameters of the rheology model and their dependence on temperature.
 
 use crate::numeric::Dual;
 use std::fmt;
 
-/// Parameters of the rheology model at one temperature, stresses in any unit, strain rates in 1/time.
+/// Parameters of the rheology model at one temperature; stresses in any unit, strain rates in 1/time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters {
     /// Stiffness C₁⁽ᴱᑫ⁾ of the spring in series with the slider (Eq 3.5).
     pub c1_eq: f64,
     /// Stiffness C₂⁽ᴱᑫ⁾ of the nonlinear spring (Eq 3.7).
     pub c2_eq: f64,
-    /// Coefficient C₃⁽ᴱᑫ⁾ of its power term (Eq 3.7).
+    /// Coefficient C₃⁽ᴱᑫ⁾ of the spring's power term (Eq 3.7).
     pub c3_eq: f64,
-    /// Stress τcr⁽ᴱᑫ⁾ at which the slider moves (Eq 3.6).
+    /// Sliding stress τcr⁽ᴱᑫ⁾ of the slider (Eq 3.6).
     pub tau_cr_eq: f64,
     /// Exponent m of the power term (Eq 3.7).
     pub m: f64,
     /// Stiffness C₁⁽ᴼᴱ⁾ of the overstress spring in series with its slider (Eq 3.10).
     pub c1_oe: f64,
-    /// Stiffness C₂⁽ᴼᴱ⁾ of the overstress spring beside them (Eq 3.12).
+    /// Stiffness C₂⁽ᴼᴱ⁾ of the overstress spring in parallel with them (Eq 3.12).
     pub c2_oe: f64,
-    /// Stress τcr⁽ᴼᴱ⁾ at which that slider moves (Eq 3.11).
+    /// Sliding stress τcr⁽ᴼᴱ⁾ of the overstress slider (Eq 3.11).
     pub tau_cr_oe: f64,
     /// Stress a of the dashpot at a strain rate of one (Eq 3.13).
     pub a: f64,
@@ -28,7 +28,7 @@ pub struct Parameters {
     pub n: f64,
 }
 
-/// Names of the parameters as the command takes them, with the smallest value each may have and whether it may have it.
+/// Names of the parameters in the command, with the lower bound of each; true if the bound itself is valid.
 pub const NAMES: [(&str, f64, bool); 10] = [
     ("C1eq", 0.0, true),
     ("C2eq", 0.0, true),
@@ -46,12 +46,12 @@ impl Parameters {
     /// From numbers in the order of [`NAMES`].
     ///
     /// # Errors
-    /// The place of the number that is out of its range, and what is expected there.
+    /// Index of the first number outside its range, and the expected range.
     pub fn new(p: [f64; 10]) -> Result<Self, (usize, String)> {
-        for (i, (&x, (name, least, may))) in p.iter().zip(NAMES).enumerate() {
-            if !(x > least || may && x == least) || !x.is_finite() {
-                let range = if may { "not less than" } else { "greater than" };
-                return Err((i, format!("expected {name}, a number {range} {least}")));
+        for (i, (&x, (name, lower, inclusive))) in p.iter().zip(NAMES).enumerate() {
+            if !(x > lower || inclusive && x == lower) || !x.is_finite() {
+                let range = if inclusive { "not less than" } else { "greater than" };
+                return Err((i, format!("expected {name}, a number {range} {lower}")));
             }
         }
         let [c1_eq, c2_eq, c3_eq, tau_cr_eq, m, c1_oe, c2_oe, tau_cr_oe, a, n] = p;
@@ -67,7 +67,7 @@ impl Parameters {
         [c1_eq, c2_eq, c3_eq, tau_cr_eq, m, c1_oe, c2_oe, tau_cr_oe, a, n]
     }
 
-    /// Tangent of the virgin material at infinite rate: every spring in parallel.
+    /// Tangent of the virgin material at infinite rate: the sum of all springs.
     pub fn initial_tangent(&self) -> f64 {
         let power = if self.m == 1.0 { self.c3_eq } else { 0.0 };
         let spring = |c: f64, slider: f64| if slider > 0.0 { c } else { 0.0 };
@@ -75,14 +75,14 @@ impl Parameters {
     }
 }
 
-/// Parameters of a rubber compound over temperature, linear in between.
+/// Parameters of a rubber compound as piecewise linear functions of the temperature.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Compound {
-    /// Temperatures, rising, with the parameters there; at least one.
+    /// Increasing temperatures with their parameters; at least one row.
     rows: Vec<(f64, Parameters)>,
 }
 
-/// Why a temperature has no parameters.
+/// Error for a temperature outside the table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OutOfRange {
     /// The temperature.
@@ -98,28 +98,28 @@ impl fmt::Display for OutOfRange {
     }
 }
 
-/// Tables that come with the program: compound and text of its file in `models/compounds/`.
+/// Built-in tables: name of the compound and text of its file in `models/compounds/`.
 const BUILT_IN: [(&str, &str); 2] = [
     ("HDR2", include_str!("../../../../../models/compounds/HDR2.txt")),
     ("HDR3", include_str!("../../../../../models/compounds/HDR3.txt")),
 ];
 
 impl Compound {
-    /// Names of the compounds that come with the program.
+    /// Names of the built-in compounds.
     pub fn names() -> impl Iterator<Item = &'static str> {
         BUILT_IN.iter().map(|(name, _)| *name)
     }
 
-    /// Text of the table of a compound that comes with the program.
+    /// Text of the table of a built-in compound.
     pub fn built_in(name: &str) -> Option<&'static str> {
         BUILT_IN.iter().find(|(n, _)| *n == name).map(|(_, text)| *text)
     }
 
-    /// From a table with a row for each temperature: the temperature, then the parameters in the order of [`NAMES`].
-    /// A line that begins with `#` is a comment.
+    /// Reads a table with one row per temperature: the temperature, then the parameters in the order of [`NAMES`]. A
+    /// line that begins with `#` is a comment.
     ///
     /// # Errors
-    /// What is wrong with the table, with the number of the line.
+    /// A description of the first invalid line, with its number.
     pub fn parse(text: &str) -> Result<Self, String> {
         let mut rows: Vec<(f64, Parameters)> = vec![];
         for (i, line) in text.lines().enumerate().filter(|(_, l)| !l.trim().is_empty() && !l.starts_with('#')) {
@@ -140,12 +140,12 @@ impl Compound {
         if rows.is_empty() { Err("there is no row of parameters".into()) } else { Ok(Self { rows }) }
     }
 
-    /// The same parameters at every temperature.
+    /// A compound with the same parameters at every temperature.
     pub fn constant(p: Parameters) -> Self {
         Self { rows: vec![(0.0, p)] }
     }
 
-    /// The same compound with other parameters: each row changed by a function.
+    /// The compound with every row changed by a function.
     #[must_use]
     pub fn map(&self, change: impl Fn(&Parameters) -> Parameters) -> Self {
         Self { rows: self.rows.iter().map(|(t, p)| (*t, change(p))).collect() }
@@ -162,7 +162,7 @@ impl Compound {
     /// Parameters at a temperature inside the table.
     ///
     /// # Errors
-    /// The table does not reach there: nothing is extrapolated.
+    /// The temperature is outside the table; nothing is extrapolated.
     pub fn at(&self, temperature: f64) -> Result<Parameters, OutOfRange> {
         let range = self.range();
         if !(range.0..=range.1).contains(&temperature) {
@@ -173,7 +173,7 @@ impl Compound {
         Ok(Parameters { c1_eq, c2_eq, c3_eq, tau_cr_eq, m, c1_oe, c2_oe, tau_cr_oe, a, n })
     }
 
-    /// Parameters at a temperature, in the order of [`NAMES`]; beyond the ends of the table those of its end.
+    /// Parameters at a temperature, in the order of [`NAMES`]; constant beyond the ends of the table.
     pub(super) fn held(&self, temperature: Dual) -> [Dual; 10] {
         let above = self.rows.partition_point(|(t, _)| *t <= temperature.value);
         let end = |i: usize| self.rows[i].1.numbers().map(Dual::constant);

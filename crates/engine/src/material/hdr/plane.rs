@@ -1,12 +1,11 @@
-//! The rheology in two directions of shear.
+//! The rheology in two shear directions.
 //!
-//! Every part is its own in the plane: springs act along their strain, the sliders have round yield surfaces, the dashpot
-//! flows along its stress. On a straight line this is the law of one direction to the tolerance of the integration, and it
-//! is the same in all directions. (A fan of laws of one direction, as in a multiple shear spring, is neither: the sum over
-//! a fan of sliders and power laws is another law, which would have to be identified anew, and it knows the directions of
-//! its springs.)
+//! Every part is isotropic in the plane. Springs act along their strain, the sliders have circular yield surfaces,
+//! and the dashpot flows along its stress. On a straight path the law equals the uniaxial one to the tolerance of the
+//! integration. A fan of uniaxial laws, as in a multiple shear spring, would be a different law with its own
+//! identification. It would also depend on the spring directions.
 
-use super::{HdrRheology, MOST_ROUNDS, Thermal};
+use super::{HdrRheology, MAX_ITERATIONS, Thermal};
 use crate::numeric::Dual;
 use nalgebra::{Matrix2, Vector2};
 
@@ -19,17 +18,17 @@ crate::state_struct! {
         slip_eq: [f64; 2],
         /// Strain of the elasto-plastic part of the overstress branch.
         gamma_b: [f64; 2],
-        /// Strain of its slider.
+        /// Strain of the overstress slider.
         slip_oe: [f64; 2],
         /// Mean temperature of the rubber above the surroundings.
         rise: f64,
         /// Elastic energy per volume.
         stored: f64,
-        /// Heat that has arisen per volume.
+        /// Generated heat per volume.
         heat: f64,
-        /// Strain that softening goes by.
+        /// Strain γₘ of the softening.
         peak: f64,
-        /// Largest strain ever.
+        /// All-time largest strain.
         ever: f64,
         /// Equilibrium stress.
         equilibrium: [f64; 2],
@@ -38,42 +37,43 @@ crate::state_struct! {
     }
 }
 
-/// What the law answers in the plane.
+/// Response of the law in the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlaneStep {
     /// The next history.
     pub next: PlaneHistory,
     /// Stress.
     pub stress: [f64; 2],
-    /// Derivative of the stress by the strain, at the temperature of the step.
+    /// Derivative of the stress with respect to the strain, at the temperature of the step.
     pub tangent: [[f64; 2]; 2],
 }
 
 type V = Vector2<f64>;
 type M = Matrix2<f64>;
 
-/// A vector with its derivative by the strain at the end of the step.
+/// A vector with its derivative with respect to the strain at the end of the step.
 #[derive(Clone, Copy)]
-struct Carried {
+struct VectorWithDerivative {
     value: V,
     slope: M,
 }
 
-impl Carried {
+impl VectorWithDerivative {
     fn constant(value: [f64; 2]) -> Self {
         Self { value: V::from(value), slope: M::zeros() }
     }
 }
 
-/// Spring and slider with a round yield surface in series: stress c (b - s), at most `limit`.
+/// Spring and slider with a circular yield surface in series: stress c (b - s), at most `limit`.
 #[derive(Clone, Copy)]
-struct Yielding {
+struct ElastoPlastic {
     c: f64,
     limit: f64,
 }
 
-impl Yielding {
-    /// Stress for a strain `b` and a slip `s` from before, and its derivative by b (by s it is the opposite).
+impl ElastoPlastic {
+    /// Stress for a strain `b` and a previous slip `s`, and its derivative with respect to b. The derivative with
+    /// respect to s is the negative.
     fn stress(&self, b: V, s: V) -> (V, M) {
         let trial = self.c * (b - s);
         let size = trial.norm();
@@ -85,39 +85,45 @@ impl Yielding {
         (self.limit * n, self.c * self.limit / size * along)
     }
 
-    /// Slip after that, and the work that it takes.
-    fn slip(&self, b: Carried, s: Carried) -> (Carried, f64) {
+    /// Slip after the return to the yield surface, and its dissipated work.
+    fn slip(&self, b: VectorWithDerivative, s: VectorWithDerivative) -> (VectorWithDerivative, f64) {
         if self.c <= 0.0 {
             return (b, 0.0);
         }
         let (stress, k) = self.stress(b.value, s.value);
         let value = b.value - stress / self.c;
         let slope = b.slope - k * (b.slope - s.slope) / self.c;
-        (Carried { value, slope }, stress.dot(&(value - s.value)))
+        (VectorWithDerivative { value, slope }, stress.dot(&(value - s.value)))
     }
 }
 
 /// The overstress branch at one temperature.
 struct Branch {
-    part: Yielding,
+    part: ElastoPlastic,
     c2: f64,
     a: f64,
     p: f64,
 }
 
-/// Strains of the branch, and the work that it has dissipated.
+/// Strains of the branch, and its dissipated work.
 #[derive(Clone, Copy)]
 struct Flow {
-    b: Carried,
-    s: Carried,
+    b: VectorWithDerivative,
+    s: VectorWithDerivative,
     heat: f64,
 }
 
-/// Difference between a substep and its two halves that is accepted, relative to the stress. Their extrapolation is better
-/// by the ratio of the substep to the time of relaxation.
+/// Accepted difference between a substep and its two halves, relative to the stress. Their extrapolation is more
+/// accurate by the ratio of substep to relaxation time.
 const TOLERANCE: f64 = 1e-5;
-const FLOOR: f64 = 1e-2;
-const MOST_SUBSTEPS: usize = 20_000;
+/// Smallest reference stress of the error, divided by a.
+const STRESS_FLOOR_RATIO: f64 = 1e-2;
+/// Maximum number of substeps; exceeded only by invalid numbers.
+const MAX_SUBSTEPS: usize = 20_000;
+/// Tolerance of the temperature in the iterations, degrees.
+const TEMPERATURE_TOLERANCE: f64 = 1e-9;
+/// Maximum number of Newton iterations of a substep.
+const MAX_NEWTON_ITERATIONS: usize = 60;
 
 impl Branch {
     fn stress(&self, b: V, s: V) -> (V, M) {
@@ -125,7 +131,7 @@ impl Branch {
         (stress + self.c2 * b, k + self.c2 * M::identity())
     }
 
-    /// Strain rate of the dashpot, and its derivative by the stress.
+    /// Strain rate of the dashpot, and its derivative with respect to the stress.
     fn rate(&self, x: V) -> (V, M) {
         let size = x.norm();
         if size == 0.0 {
@@ -137,29 +143,30 @@ impl Branch {
         (f * n, f / size * (M::identity() + (self.p - 1.0) * n * n.transpose()))
     }
 
-    /// A substep of backward Euler; `None` where no strain is found.
-    fn euler(&self, from: Flow, r: &Carried, h: f64) -> Option<Flow> {
+    /// A substep of backward Euler; `None` if Newton's method does not converge.
+    fn euler(&self, from: Flow, r: &VectorWithDerivative, h: f64) -> Option<Flow> {
         let known = from.b.value + h * r.value;
-        let miss = |b: V| {
+        let residual = |b: V| {
             let (x, k) = self.stress(b, from.s.value);
             let (g, gx) = self.rate(x);
             (b - known + h * g, h * gx * k, x, g, gx)
         };
         let scale = known.norm().max(from.b.value.norm()).max(1e-12);
         let mut b = from.b.value;
-        let mut now = miss(b);
-        for _ in 0..60 {
+        let mut now = residual(b);
+        for _ in 0..MAX_NEWTON_ITERATIONS {
             let inverse = (M::identity() + now.1).try_inverse()?;
             let step = inverse * now.0;
             let size = now.0.norm();
             let mut share = 1.0;
             loop {
                 let next = b - share * step;
-                let then = miss(next);
+                let then = residual(next);
                 if then.0.norm() <= (1.0 - 1e-4 * share) * size || size <= 1e-14 * scale || share < 1e-6 {
                     (b, now) = (next, then);
                     break;
                 }
+                // Armijo's rule of sufficient decrease guards the kink of the yield surface.
                 share *= 0.5;
             }
             if now.0.norm() <= 1e-13 * scale {
@@ -167,7 +174,7 @@ impl Branch {
                 let gx = now.4;
                 let inverse = (M::identity() + h * gx * (k + self.c2 * M::identity())).try_inverse()?;
                 let slope = inverse * (from.b.slope + h * r.slope + h * gx * k * from.s.slope);
-                let b = Carried { value: b, slope };
+                let b = VectorWithDerivative { value: b, slope };
                 let (s, slid) = self.part.slip(b, from.s);
                 return Some(Flow { b, s, heat: from.heat + slid + h * now.2.dot(&now.3) });
             }
@@ -175,24 +182,24 @@ impl Branch {
         None
     }
 
-    /// The branch after a strain increment at a constant rate in a time.
+    /// Response of the branch to a strain increment at constant rate over `time`.
     fn flow(&self, b: [f64; 2], s: [f64; 2], increment: V, time: f64) -> Flow {
-        let mut at = Flow { b: Carried::constant(b), s: Carried::constant(s), heat: 0.0 };
+        let mut at = Flow { b: VectorWithDerivative::constant(b), s: VectorWithDerivative::constant(s), heat: 0.0 };
         let slipped = |f: &mut Flow| {
             let (s, heat) = self.part.slip(f.b, f.s);
             (f.s, f.heat) = (s, f.heat + heat);
         };
         slipped(&mut at);
         if time <= 0.0 {
-            at.b = Carried { value: at.b.value + increment, slope: M::identity() };
+            at.b = VectorWithDerivative { value: at.b.value + increment, slope: M::identity() };
             slipped(&mut at);
             return at;
         }
-        let r = Carried { value: increment / time, slope: M::identity() / time };
+        let r = VectorWithDerivative { value: increment / time, slope: M::identity() / time };
         let stiffness = self.part.c + self.c2;
-        let (mut left, mut h) = (time, time);
-        for _ in 0..MOST_SUBSTEPS {
-            h = h.min(left);
+        let (mut remaining, mut h) = (time, time);
+        for _ in 0..MAX_SUBSTEPS {
+            h = h.min(remaining);
             let halves = self.euler(at, &r, 0.5 * h).and_then(|half| self.euler(half, &r, 0.5 * h));
             let (Some(fine), Some(coarse)) = (halves, self.euler(at, &r, h)) else {
                 h *= 0.25;
@@ -200,18 +207,20 @@ impl Branch {
             };
             let size = self.stress(fine.b.value, fine.s.value).0.norm();
             let error = stiffness * (fine.b.value - coarse.b.value).norm();
-            let ratio = error / (TOLERANCE * (size + FLOOR * self.a));
+            let ratio = error / (TOLERANCE * (size + STRESS_FLOOR_RATIO * self.a));
             if ratio > 1.0 && h > 1e-12 * time {
                 h *= (0.9 / ratio.sqrt()).clamp(0.1, 0.8);
                 continue;
             }
-            let twice =
-                |f: Carried, c: Carried| Carried { value: 2.0 * f.value - c.value, slope: 2.0 * f.slope - c.slope };
+            let twice = |f: VectorWithDerivative, c: VectorWithDerivative| VectorWithDerivative {
+                value: 2.0 * f.value - c.value,
+                slope: 2.0 * f.slope - c.slope,
+            };
             let heat = (2.0 * fine.heat - coarse.heat).max(at.heat);
             at = Flow { b: twice(fine.b, coarse.b), s: twice(fine.s, coarse.s), heat };
             slipped(&mut at);
-            left -= h;
-            if left <= 1e-14 * time {
+            remaining -= h;
+            if remaining <= 1e-14 * time {
                 break;
             }
             h *= if ratio > 0.0 { (0.9 / ratio.sqrt()).clamp(0.3, 4.0) } else { 4.0 };
@@ -222,7 +231,7 @@ impl Branch {
 
 /// The law at one temperature.
 struct Law {
-    part: Yielding,
+    part: ElastoPlastic,
     c2: f64,
     c3: f64,
     m: f64,
@@ -231,8 +240,10 @@ struct Law {
 
 impl Law {
     fn new([c1, c2, c3, tau_cr, m, c1_oe, c2_oe, tau_cr_oe, a, n]: [Dual; 10]) -> Self {
-        let part =
-            |c: Dual, limit: Dual| Yielding { c: if limit.value > 0.0 { c.value } else { 0.0 }, limit: limit.value };
+        let part = |c: Dual, limit: Dual| ElastoPlastic {
+            c: if limit.value > 0.0 { c.value } else { 0.0 },
+            limit: limit.value,
+        };
         let branch = Branch { part: part(c1_oe, tau_cr_oe), c2: c2_oe.value, a: a.value, p: 1.0 / n.value };
         Self { part: part(c1, tau_cr), c2: c2.value, c3: c3.value, m: m.value, branch }
     }
@@ -258,18 +269,23 @@ impl Law {
             + 0.5 * (self.branch.part.c * (b - t).norm_squared() + self.branch.c2 * b.norm_squared())
     }
 
-    /// A step: history, equilibrium stress and overstress with their derivatives, and the heat.
-    fn step(&self, c: &PlaneHistory, strain: V, time: f64) -> (PlaneHistory, Carried, Carried, f64) {
-        let given = c.stored - self.stored(c);
-        let here = Carried { value: strain, slope: M::identity() };
+    /// A step. Returns history, equilibrium stress and overstress with their derivatives, and the heat.
+    fn step(
+        &self,
+        c: &PlaneHistory,
+        strain: V,
+        time: f64,
+    ) -> (PlaneHistory, VectorWithDerivative, VectorWithDerivative, f64) {
+        let released = c.stored - self.stored(c);
+        let here = VectorWithDerivative { value: strain, slope: M::identity() };
         let (tau_ep, k_ep) = self.part.stress(strain, V::from(c.slip_eq));
-        let (slip_eq, slid) = self.part.slip(here, Carried::constant(c.slip_eq));
+        let (slip_eq, slid) = self.part.slip(here, VectorWithDerivative::constant(c.slip_eq));
         let (tau_ee, k_ee) = self.spring(strain);
         let flow = self.branch.flow(c.gamma_b, c.slip_oe, strain - V::from(c.strain), time);
         let (x, k) = self.branch.part.stress(flow.b.value, flow.s.value);
         let slope = k * (flow.b.slope - flow.s.slope) + self.branch.c2 * flow.b.slope;
-        let overstress = Carried { value: x + self.branch.c2 * flow.b.value, slope };
-        let equilibrium = Carried { value: tau_ep + tau_ee, slope: k_ep + k_ee };
+        let overstress = VectorWithDerivative { value: x + self.branch.c2 * flow.b.value, slope };
+        let equilibrium = VectorWithDerivative { value: tau_ep + tau_ee, slope: k_ep + k_ee };
         let mut next = PlaneHistory {
             strain: strain.into(),
             slip_eq: slip_eq.value.into(),
@@ -278,7 +294,7 @@ impl Law {
             ..*c
         };
         next.stored = self.stored(&next);
-        (next, equilibrium, overstress, given + slid + flow.heat)
+        (next, equilibrium, overstress, released + slid + flow.heat)
     }
 }
 
@@ -289,25 +305,25 @@ impl HdrRheology {
         PlaneHistory { peak, ever: peak, ..PlaneHistory::default() }
     }
 
-    /// Tangent of the virgin law, the same in all directions.
+    /// Tangent of the virgin law, equal in all directions.
     pub fn plane_stiffness(&self) -> f64 {
         super::Uniaxial::initial_tangent(self) * self.height / self.area
     }
 
-    /// Number of amplitudes of heat flow.
+    /// Number of modal amplitudes of heat flow.
     pub fn heat_len(&self) -> usize {
         self.thermal.as_ref().map_or(0, Thermal::len)
     }
 
-    /// Let the heat of a step flow: the amplitudes of heat flow after a time from `c` to `next`.
+    /// Advances the modal amplitudes by `time`, with the heat generated between the histories `c` and `next`.
     pub fn plane_flow(&self, c: &PlaneHistory, next: &PlaneHistory, time: f64, amplitudes: &mut [f64]) {
         if let Some(thermal) = &self.thermal {
             thermal.advance(amplitudes, next.heat - c.heat, 0.5 * time.abs(), time.abs());
         }
     }
 
-    /// Stress for a strain in the plane after a time, from the committed history and amplitudes of heat flow. Heat arises
-    /// evenly over the step, and beyond the table of the compound its end is held.
+    /// Stress for a strain in the plane after `time`, from the committed history and modal amplitudes. The heat is
+    /// generated uniformly over the step. Parameters are constant beyond the table of the compound.
     pub fn plane_step(&self, c: &PlaneHistory, amplitudes: &[f64], strain: [f64; 2], time: f64) -> PlaneStep {
         let (g, time) = (V::from(strain), time.abs());
         let before = super::Peak { now: Dual::constant(c.peak), ever: c.ever };
@@ -315,7 +331,7 @@ impl HdrRheology {
         let peak = self.softening.map_or(before, |s| s.advance(before, Dual { value: size, slope: 1.0 }, time));
         let (old_factor, factor) = (self.factor(before).value, self.factor(peak));
         let mut rise = c.rise;
-        let mut rounds = 0;
+        let mut iterations = 0;
         let (mut next, equilibrium, overstress) = loop {
             let temperature = Dual::constant(self.ambient + 0.5 * (c.rise + rise));
             let law = Law::new(self.compound.held(temperature));
@@ -323,8 +339,8 @@ impl HdrRheology {
             let softened = (old_factor - factor.value).max(0.0) * 0.5 * (c.stored + next.stored);
             let heat = 0.5 * (old_factor + factor.value) * work + softened;
             let found = self.thermal.as_ref().map_or(c.rise, |t| t.after(amplitudes, heat, 0.5 * time, time).0);
-            rounds += 1;
-            if (found - rise).abs() <= 1e-9 || rounds == MOST_ROUNDS {
+            iterations += 1;
+            if (found - rise).abs() <= TEMPERATURE_TOLERANCE || iterations == MAX_ITERATIONS {
                 break (PlaneHistory { rise: found, heat: c.heat + heat, ..next }, equilibrium, overstress);
             }
             rise = found;

@@ -1,27 +1,28 @@
-//! Self-heating: what the temperature of the rubber does with the dissipated work.
+//! Self-heating: temperature of the rubber under dissipated work.
 //!
-//! Heat conduction through the height of a bearing is a linear system, C θ' + G θ = s D', with θ the temperature above the
-//! surroundings and D' the dissipated power per volume of rubber. In its eigenvectors it falls apart into single equations
-//! that are solved exactly for a power that is constant over a time, so that any step is stable. A lump of rubber that
-//! loses heat is one such equation.
+//! Heat conduction through the height of a bearing is a linear system: C θ' + G θ = s D'. The temperature above the
+//! surroundings is θ, the dissipated power per volume of rubber D'. Its eigenvectors decouple the system into scalar
+//! equations. Their solution is exact for constant power, so that every step size is stable. Lumped rubber that loses
+//! heat is one such equation.
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
-/// One eigenvector of heat flow, scaled so that its amplitude is its share of the mean temperature of the rubber.
+/// One eigenvector of heat flow, scaled so that its amplitude is its contribution to the mean temperature of the
+/// rubber.
 #[derive(Clone, Debug, PartialEq)]
 struct Mode {
-    /// Rate λ of its decay, 1/time.
+    /// Decay rate λ, 1/time.
     rate: f64,
-    /// Rise of its amplitude with the dissipated work per volume of rubber.
+    /// Rise of the amplitude per dissipated work per volume of rubber.
     rise: f64,
-    /// Heat in it per amplitude and volume of rubber.
+    /// Heat content per amplitude and per volume of rubber.
     content: f64,
-    /// Temperature of each layer of the mesh per amplitude.
+    /// Temperature of each cell of the mesh per amplitude.
     shape: Vec<f64>,
 }
 
 impl Mode {
-    /// Amplitude after a time, and its derivative by the heat, as [`Thermal::after`] has it.
+    /// Amplitude after `time`, and its derivative with respect to the heat; arguments as in [`Thermal::after`].
     fn after(&self, amplitude: f64, heat: f64, centre: f64, time: f64) -> (f64, f64) {
         let half = centre.min(time - centre).max(0.0);
         let wait = self.rate * (time - centre - half).max(0.0);
@@ -30,14 +31,15 @@ impl Mode {
     }
 }
 
-/// How the rubber is heated by the work that it dissipates, and how it cools.
+/// Heating of the rubber by dissipated work, and its cooling.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Thermal {
     modes: Vec<Mode>,
     cells: usize,
 }
 
-/// Layers of a laminated bearing, from plate to plate; lengths, conductivities and heat capacities in consistent units.
+/// Layers of a laminated bearing between its end plates; lengths, conductivities and heat capacities in consistent
+/// units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stack {
     /// Number of layers of rubber.
@@ -52,23 +54,27 @@ pub struct Stack {
     pub rubber_properties: (f64, f64),
     /// Thermal conductivity and heat capacity per volume of steel.
     pub steel_properties: (f64, f64),
-    /// Heat that goes from an end plate to the surroundings per area, time and difference of temperature.
+    /// Heat transfer coefficient of an end plate: heat per area, time and temperature difference.
     pub film: f64,
 }
 
-/// Cells of a layer of rubber and of an end plate.
+/// Number of cells of a rubber layer and of an end plate.
 const CELLS: (usize, usize) = (4, 2);
 
+/// Smallest share of a mode in the heating; smaller shares are round-off.
+const MIN_MODE_SHARE: f64 = 1e-12;
+
 impl Thermal {
-    /// All of the rubber at one temperature: heat capacity per volume of rubber, time constant of cooling.
+    /// Uniform temperature of the rubber, from the heat capacity per volume of rubber and the time constant of
+    /// cooling.
     pub fn lumped(capacity: f64, cooling_time: f64) -> Self {
         let mode = Mode { rate: 1.0 / cooling_time, rise: 1.0 / capacity, content: capacity, shape: vec![1.0] };
         Self { modes: vec![mode], cells: 1 }
     }
 
-    /// Conduction through the height of a bearing.
+    /// One-dimensional conduction through the height of a bearing.
     pub fn stack(s: &Stack) -> Self {
-        // Thickness, conductivity, heat capacity, whether heat arises there.
+        // Thickness, conductivity, heat capacity, and true for a heat source.
         let mut cells: Vec<(f64, f64, f64, bool)> = vec![];
         let ((rubber, plate), (k_r, c_r), (k_s, c_s)) = (CELLS, s.rubber_properties, s.steel_properties);
         let end =
@@ -108,8 +114,8 @@ impl Thermal {
             let v = eigen.eigenvectors.column(k);
             let gain: f64 = (0..n).map(|i| v[i] / root[i] * source[i]).sum();
             let rise = gain * gain / height;
-            // Half of the shapes are odd about the middle and are never heated.
-            if rise * c_r > 1e-12 {
+            // Half of the modes are antisymmetric about mid-height and are never heated.
+            if rise * c_r > MIN_MODE_SHARE {
                 let shape: Vec<f64> = (0..n).map(|i| v[i] / root[i] * height / gain).collect();
                 let content = shape.iter().zip(&capacity).map(|(x, c)| x * c).sum::<f64>() / height;
                 modes.push(Mode { rate: rate.max(0.0), rise, content, shape });
@@ -118,18 +124,18 @@ impl Thermal {
         Self { modes, cells: n }
     }
 
-    /// Number of words of history: an amplitude for each mode.
+    /// Number of state variables: one amplitude per mode.
     pub(super) fn len(&self) -> usize {
         self.modes.len()
     }
 
-    /// Number of layers of the mesh.
+    /// Number of cells of the mesh.
     pub(super) fn cells(&self) -> usize {
         self.cells
     }
 
-    /// Mean temperature of the rubber above the surroundings after a time in which heat arises evenly in a span that has
-    /// its centre at `centre`; what it rises for each unit of heat; and how much of fresh heat would be left.
+    /// Mean temperature rise of the rubber after `time`, its derivative with respect to the heat, and the remaining
+    /// fraction of the present rise. Heat is generated uniformly in the longest interval centred at `centre`.
     pub(super) fn after(&self, amplitudes: &[f64], heat: f64, centre: f64, time: f64) -> (f64, f64, f64) {
         let (mut mean, mut slope, mut left, mut whole) = (0.0, 0.0, 0.0, 0.0);
         for (a, m) in amplitudes.iter().zip(&self.modes) {
@@ -142,17 +148,17 @@ impl Thermal {
         (mean, slope, left / whole)
     }
 
-    /// Let that time pass.
+    /// Advances the amplitudes by `time`; arguments as in [`Thermal::after`].
     pub(super) fn advance(&self, amplitudes: &mut [f64], heat: f64, centre: f64, time: f64) {
         amplitudes.iter_mut().zip(&self.modes).for_each(|(a, m)| *a = m.after(*a, heat, centre, time).0);
     }
 
-    /// Heat in bearing, steel included, per volume of rubber.
+    /// Heat in the bearing, steel included, per volume of rubber.
     pub(super) fn content(&self, amplitudes: &[f64]) -> f64 {
         amplitudes.iter().zip(&self.modes).map(|(a, m)| a * m.content).sum()
     }
 
-    /// Temperature above the surroundings in a layer of the mesh.
+    /// Temperature above the surroundings in a cell of the mesh.
     pub(super) fn layer(&self, amplitudes: &[f64], cell: usize) -> f64 {
         amplitudes.iter().zip(&self.modes).map(|(a, m)| a * m.shape[cell]).sum()
     }

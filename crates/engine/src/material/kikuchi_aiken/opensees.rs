@@ -1,8 +1,8 @@
 //! `KikuchiAikenHDR` and `KikuchiAikenLRB` by OpenSees' rules.
 //!
-//! The tangent on the skeleton is none. The elastic range comes back a little softer. The force steps where a loop meets the skeleton
-//! and where the formulas of the skeleton meet. The parameter a has a coarse tolerance. A loop that closes to the last bit stays open.
-//! The initial tangent has no factor R_s.
+//! The tangent on the skeleton is not the derivative of the force. The return through the elastic range is softer. The
+//! force jumps where loops or formulas meet the skeleton. The parameter a has a coarse tolerance, a loop closed to the
+//! last bit stays open, and the initial tangent omits R_s.
 
 use super::{Device, ELASTIC_STRAIN, Head, Loops, Rules, Shape};
 use crate::numeric::bracketed_root;
@@ -11,14 +11,14 @@ use crate::state_struct::StateStruct;
 /// OpenSees' rules, with the numbers of the elastic range.
 #[derive(Clone, Copy, Debug)]
 pub struct ElasticRange {
-    /// Force on the way back over that on the way out.
+    /// Force of the return divided by that of the outward path.
     back: f64,
-    /// Stiffness that is reported by a bearing that has been tried beyond it.
+    /// Reported stiffness after a trial beyond the range.
     tried: f64,
 }
 
 impl ElasticRange {
-    /// Of a bearing with this stiffness.
+    /// Makes the rules for a bearing with this elastic stiffness.
     pub(super) fn of<D: Device>(device: &D, elastic: f64) -> Self {
         let Shape { u, a, .. } = device.shape(ELASTIC_STRAIN, Loops::Short);
         let end = (-2.0 * a).exp();
@@ -29,7 +29,7 @@ impl ElasticRange {
 impl Rules for ElasticRange {
     const LOOPS: Loops = Loops::Short;
 
-    /// OpenSees goes on with what the fitted functions give where they have lost their meaning.
+    /// OpenSees continues with values of the fitted functions outside their range of validity.
     fn accepts(x: f64) -> bool {
         x > 0.0 || x.is_finite()
     }
@@ -65,8 +65,8 @@ impl Rules for ElasticRange {
     }
 }
 
-/// Of a loop that ends short of the skeleton: (1 - exp(-2a)) / a = 1 - π h_eq / (2u), where OpenSees' bisection from
-/// `range` ends.
+/// Parameter a of a loop that ends short of the skeleton: (1 - exp(-2a)) / a = 1 - π h_eq / (2u). Returns the end of
+/// OpenSees' bisection from `range`.
 pub(super) fn short_decay(target: f64, range: f64, limit: f64) -> f64 {
     const TOLERANCE: f64 = 1e-6;
     if !(target > 0.0 && target < 2.0) {
@@ -83,7 +83,7 @@ pub(super) fn short_decay(target: f64, range: f64, limit: f64) -> f64 {
     };
     let Some(root) = bracketed_root(falls, (0.0, f64::INFINITY), 1.0 / target, 1.0, 100) else { return limit };
     let slope = side(root).1;
-    // Where the bisection goes, and where its tolerance ends it, is known from the root.
+    // The root determines the path of the bisection and its end, without evaluating it at every step.
     let (mut low, mut high) = (0.0, range);
     for _ in 0..100 {
         let a = 0.5 * (low + high);

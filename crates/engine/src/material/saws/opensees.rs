@@ -1,15 +1,15 @@
 //! `SAWS` by OpenSees' rules.
 //!
-//! The place where the pinched line leaves the envelope is found to a force of 1e-6. The tangent of the envelope has parts of another
-//! displacement. The negative side has other rules in a few turns within the loop.
+//! The intersection of pinched line and envelope has a force tolerance of 1e-6. The envelope's tangent is that of
+//! another displacement. A few reversals inside the loop have different rules on the negative side.
 
-use super::{Path, Rules, Wall, word};
+use super::{Path, Rules, SawsParameters, word};
 use crate::rules::OpenSees;
 
 impl Rules for OpenSees {
     const TOLERANCE: f64 = 1e-6;
 
-    fn curve_slope(wall: &Wall, x: f64, (target, force): (f64, f64), _: f64) -> f64 {
+    fn curve_slope(wall: &SawsParameters, x: f64, (target, force): (f64, f64), _: f64) -> f64 {
         let (asymptote, left) = (wall.fo + wall.r[0] * wall.so * target, (-wall.so * x / wall.fo).exp());
         let share = force / asymptote;
         asymptote * wall.so / wall.fo * left + wall.r[0] * wall.so * share

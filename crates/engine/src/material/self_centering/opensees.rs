@@ -1,7 +1,7 @@
 //! `SelfCentering` by OpenSees' rules.
 //!
-//! A flag remembers where it was left when a step jumps from it to the elastic part around zero, or a trial state was on it. A step that
-//! begins to slip slips as a whole. Slip does not change the tangent.
+//! A flag keeps its shift after a jump to the elastic range around zero, or after a trial on it. A step that begins to
+//! slip slips as a whole. Slip does not change the tangent.
 
 use super::{History, Rules};
 use crate::rules::OpenSees;

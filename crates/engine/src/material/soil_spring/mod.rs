@@ -1,7 +1,8 @@
-//! Springs between piles and soil: three springs in series, of which one yields, one may open, and one is elastic with a dashpot.
+//! Soil springs of piles: a plastic near field, a gap, and an elastic far field with a dashpot, in series.
 //!
-//! Boulanger, Curras, Kutter, Wilson and Abghari (1999), <https://doi.org/10.1061/(ASCE)1090-0241(1999)125:9(750)>; Boulanger (2003),
-//! the documentation of `PySimple1`, `TzSimple1` and `QzSimple1`.
+//! Sources: Boulanger, Curras, Kutter, Wilson and Abghari (1999),
+//! <https://doi.org/10.1061/(ASCE)1090-0241(1999)125:9(750)>; Boulanger (2003), the documentation of `PySimple1`,
+//! `TzSimple1` and `QzSimple1`.
 
 mod branch;
 mod opensees;
@@ -12,24 +13,24 @@ mod zone;
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 use crate::numeric::bracketed_root;
-use opensees::Step;
+use opensees::SpringIncrement;
 use std::fmt;
 
-use branch::Turn;
+use branch::Reversal;
 pub use py_simple1::{PyBackbone, PySimple1};
 pub use qz_simple1::{QzBackbone, QzSimple1};
 pub use tz_simple1::{TzBackbone, TzSimple1};
 
-/// What counts as nothing, as a part of the ultimate force.
+/// Force tolerance divided by the ultimate force, as in OpenSees.
 const TOLERANCE: f64 = 1e-12;
-/// Forces that are tried at most until the displacements of the springs add up.
-const ROUNDS_AT_MOST: u32 = 300;
-/// The least damping, as a part of the stiffness of the far field.
-const LEAST_DAMPING: f64 = 1e-12;
+/// Maximum number of iterations for the common force.
+const MAX_ITERATIONS: u32 = 300;
+/// Smallest damping divided by the stiffness of the far field.
+const MIN_DAMPING_RATIO: f64 = 1e-12;
 
 crate::state_struct! {
-    /// A spring.
-    pub struct Part {
+    /// State of one spring.
+    pub struct SpringState {
         /// Displacement.
         y: f64,
         /// Force.
@@ -40,27 +41,27 @@ crate::state_struct! {
 }
 
 crate::state_struct! {
-    /// The spring that yields.
-    pub struct Near {
-        /// It.
-        spring: Part,
-        /// Where it turned: the bounds of the elastic zone, the one at greater forces first, or the last turn alone.
-        turns: [Turn; 2],
-        /// Half the height of the elastic zone, as a part of the ultimate force.
+    /// State of the plastic near-field spring.
+    pub struct NearField {
+        /// The spring.
+        spring: SpringState,
+        /// Bounds of the elastic zone, the one at the greater force first; or the last reversal alone.
+        reversals: [Reversal; 2],
+        /// Half the height of the elastic zone divided by the ultimate force.
         elastic: f64,
     }
 }
 
 crate::state_struct! {
-    /// The spring that opens, of two in parallel.
+    /// State of the gap: closure and drag in parallel.
     pub struct Gap {
-        /// It.
-        spring: Part,
-        /// What is dragged along in it.
-        dragged: Part,
-        /// Where that turned.
-        turn: Turn,
-        /// Displacements at which it is closed to the left and to the right.
+        /// The spring.
+        spring: SpringState,
+        /// The drag spring.
+        drag_spring: SpringState,
+        /// Last reversal of the drag spring.
+        reversal: Reversal,
+        /// Displacements at which the gap closes, left and right.
         closed: [f64; 2],
     }
 }
@@ -68,67 +69,68 @@ crate::state_struct! {
 crate::state_struct! {
     /// History of [`SoilSpring`].
     pub struct History {
-        /// All of it.
-        whole: Part,
-        /// The spring that yields.
-        near: Near,
-        /// The spring that opens.
+        /// The series of springs.
+        total: SpringState,
+        /// The plastic near-field spring.
+        near: NearField,
+        /// The gap.
         gap: Gap,
-        /// The elastic spring.
-        far: Part,
-        /// Steps so far, by which trial states of a step are known.
+        /// The elastic far-field spring.
+        far: SpringState,
+        /// Number of steps; identifies the trial states of the current step.
         steps: f64,
     }
 }
 
-/// What the kinds of springs differ in.
+/// Properties that distinguish p-y, t-z and q-z springs.
 pub trait Soil: Clone + fmt::Debug + Send + Sync + 'static {
     /// Name in the `uniaxialMaterial` command.
     const NAME: &'static str;
-    /// The force on the springs never exceeds the ultimate one while it is distributed.
+    /// True if the iterations of OpenSees bound the force by the ultimate force.
     const BOUNDED: bool;
 
     /// Ultimate force.
-    fn ultimate(&self) -> f64;
-    /// Displacement at half of it.
+    fn ultimate_force(&self) -> f64;
+    /// Displacement at half the ultimate force.
     fn y50(&self) -> f64;
-    /// Stiffness of the elastic spring.
-    fn far(&self) -> f64;
-    /// The other two before anything has happened. A rigid one has an infinite tangent.
-    fn virgin(&self) -> (Near, Gap);
-    /// The spring that yields, from its committed state to a force.
-    fn yields(&self, c: &Near, p: f64) -> Near;
-    /// The spring that opens, from its committed state to a force, where the one that yields stands; and by how much it moves with that.
-    fn opens(&self, c: &Gap, near: f64, p: f64) -> (Gap, f64);
-    /// The spring that yields goes on from a trial state, as in OpenSees.
-    fn yields_on(&self, c: &Near, t: &mut Near, step: Step);
-    /// The spring that opens goes on from a trial state, as in OpenSees, where the one that yields stands.
-    fn opens_on(&self, c: &Gap, t: &mut Gap, near: f64, step: Step);
+    /// Stiffness of the far-field spring.
+    fn far_stiffness(&self) -> f64;
+    /// Virgin near field and gap. A rigid spring has an infinite tangent.
+    fn virgin(&self) -> (NearField, Gap);
+    /// Near field at the force `p`, from its committed state.
+    fn near_field_at(&self, c: &NearField, p: f64) -> NearField;
+    /// Gap at the force `p`, from its committed state, for a near-field displacement `near`; and the derivative of
+    /// its displacement with respect to `near`.
+    fn gap_at(&self, c: &Gap, near: f64, p: f64) -> (Gap, f64);
+    /// Advances the trial state of the near field by a step, as in OpenSees.
+    fn advance_near_field(&self, c: &NearField, t: &mut NearField, step: SpringIncrement);
+    /// Advances the trial state of the gap by a step, as in OpenSees, for a near-field displacement `near`.
+    fn advance_gap(&self, c: &Gap, t: &mut Gap, near: f64, step: SpringIncrement);
 }
 
-/// Three springs in series, with a dashpot beside the elastic one.
+/// Three springs in series, with a dashpot in parallel with the far field.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SoilSpring<S> {
-    /// What kind of soil.
+    /// The soil.
     pub soil: S,
-    /// Coefficient of the dashpot.
+    /// Dashpot coefficient, force over velocity.
     pub dashpot: f64,
-    /// As in OpenSees: the force is distributed step by step from the trial state before, so often and no oftener, and the tangent does not
-    /// know how the share of the dashpot changes.
+    /// As in OpenSees: a bounded number of iterations distributes the force from the last trial state. The tangent
+    /// omits the change of the dashpot's share.
     pub compat: bool,
 }
 
-/// The force that is nearer to zero than a limit.
-fn below(p: f64, limit: f64) -> f64 {
+/// The force bounded by `limit` minus the tolerance.
+fn bounded(p: f64, limit: f64) -> f64 {
     if p.abs() >= (1.0 - TOLERANCE) * limit { (1.0 - TOLERANCE) * limit.copysign(p) } else { p }
 }
 
 impl<S: Soil> SoilSpring<S> {
     fn virgin(&self) -> History {
         let (near, gap) = self.soil.virgin();
-        let far = Part { tangent: self.soil.far(), ..Part::default() };
+        let far = SpringState { tangent: self.soil.far_stiffness(), ..SpringState::default() };
         let mut h = History { near, gap, far, ..History::default() };
-        h.whole.tangent = Self::tangent(&h);
+        h.total.tangent = Self::tangent(&h);
         h
     }
 
@@ -136,12 +138,12 @@ impl<S: Soil> SoilSpring<S> {
         1.0 / (1.0 / h.gap.spring.tangent + 1.0 / h.near.spring.tangent + 1.0 / h.far.tangent)
     }
 
-    /// The springs at one force whose displacements add up to `y`.
+    /// State of the springs at the common force whose displacements sum to `y`.
     fn balanced(&self, c: &History, y: f64) -> Option<History> {
-        let far = self.soil.far();
+        let far = self.soil.far_stiffness();
         let at = |p: f64| {
-            let near = self.soil.yields(&c.near, p);
-            let (gap, follows) = self.soil.opens(&c.gap, near.spring.y, p);
+            let near = self.soil.near_field_at(&c.near, p);
+            let (gap, follows) = self.soil.gap_at(&c.gap, near.spring.y, p);
             let slope = (1.0 + follows) / near.spring.tangent + 1.0 / gap.spring.tangent + 1.0 / far;
             (near, gap, slope)
         };
@@ -149,28 +151,28 @@ impl<S: Soil> SoilSpring<S> {
             let (near, gap, slope) = at(p);
             (near.spring.y + gap.spring.y + p / far - y, slope)
         };
-        let limit = (1.0 - TOLERANCE) * self.soil.ultimate();
+        let limit = (1.0 - TOLERANCE) * self.soil.ultimate_force();
         let p = if beyond(limit).0 <= 0.0 {
             limit
         } else if beyond(-limit).0 >= 0.0 {
             -limit
         } else {
-            bracketed_root(beyond, (-limit, limit), c.whole.p, limit, ROUNDS_AT_MOST)?
+            bracketed_root(beyond, (-limit, limit), c.total.p, limit, MAX_ITERATIONS)?
         };
         let (near, gap, slope) = at(p);
-        let whole = Part { y, p, tangent: 1.0 / slope };
-        Some(History { whole, near, gap, far: Part { y: p / far, p, tangent: far }, steps: c.steps })
+        let total = SpringState { y, p, tangent: 1.0 / slope };
+        Some(History { total, near, gap, far: SpringState { y: p / far, p, tangent: far }, steps: c.steps })
     }
 
-    /// Part of the step that the elastic spring takes, and how it changes with the step.
-    fn of_far_field(c: &History, t: &History) -> (f64, f64) {
-        let dy = t.whole.y - c.whole.y;
+    /// Share of the far field in the displacement increment, and its derivative with respect to the increment.
+    fn far_field_share(c: &History, t: &History) -> (f64, f64) {
+        let dy = t.total.y - c.total.y;
         if dy == 0.0 {
-            return (t.whole.tangent / t.far.tangent, 0.0);
+            return (t.total.tangent / t.far.tangent, 0.0);
         }
         let part = (t.far.y - c.far.y) / dy;
         let inside = (0.0..=1.0).contains(&part);
-        (part.clamp(0.0, 1.0), if inside { (t.whole.tangent / t.far.tangent - part) / dy } else { 0.0 })
+        (part.clamp(0.0, 1.0), if inside { (t.total.tangent / t.far.tangent - part) / dy } else { 0.0 })
     }
 }
 
@@ -187,18 +189,18 @@ impl<S: Soil> UniaxialLaw for SoilSpring<S> {
         let c = if c.far.tangent == 0.0 { &virgin } else { c };
         let steps = c.steps + 1.0;
         let t = if self.compat {
-            self.from_trial(c, if last.steps == steps { *last } else { *c }, strain.value)
+            self.iterated(c, if last.steps == steps { *last } else { *c }, strain.value)
         } else {
             let none = || MaterialError(format!("{} has no force at {:.6e}", S::NAME, strain.value));
             self.balanced(c, strain.value).ok_or_else(none)?
         };
         let t = History { steps, ..t };
-        let (part, more) = Self::of_far_field(c, &t);
-        let force = t.whole.p + self.dashpot * strain.rate * part;
-        let limited = below(force, self.soil.ultimate());
-        let damping = if limited == force { (self.dashpot * part).max(LEAST_DAMPING * t.far.tangent) } else { 0.0 };
+        let (part, more) = Self::far_field_share(c, &t);
+        let force = t.total.p + self.dashpot * strain.rate * part;
+        let limited = bounded(force, self.soil.ultimate_force());
+        let damping = if limited == force { (self.dashpot * part).max(MIN_DAMPING_RATIO * t.far.tangent) } else { 0.0 };
         let exact = !self.compat && limited == force;
-        let tangent = t.whole.tangent + if exact { self.dashpot * strain.rate * more } else { 0.0 };
+        let tangent = t.total.tangent + if exact { self.dashpot * strain.rate * more } else { 0.0 };
         if !force.is_finite() || !tangent.is_finite() {
             return Err(MaterialError(format!("{} has no force at {:.6e}", S::NAME, strain.value)));
         }
@@ -206,7 +208,7 @@ impl<S: Soil> UniaxialLaw for SoilSpring<S> {
     }
 
     fn initial_tangent(&self) -> f64 {
-        self.virgin().whole.tangent
+        self.virgin().total.tangent
     }
 
     fn is_viscous(&self) -> bool {

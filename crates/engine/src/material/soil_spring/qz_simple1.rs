@@ -1,20 +1,21 @@
-//! End bearing of a pile, which lifts off the soil.
+//! End bearing of a pile with uplift (q-z spring).
 
-use super::branch::{Branch, Turn};
-use super::zone::{Grows, Zone};
-use super::{Gap, Near, Part, ROUNDS_AT_MOST, Soil, Step, TOLERANCE};
+use super::branch::{Branch, Reversal};
+use super::zone::{Zone, ZoneGrowth};
+use super::{Gap, MAX_ITERATIONS, NearField, Soil, SpringIncrement, SpringState, TOLERANCE};
 use crate::numeric::bracketed_root;
 
-/// Tolerances below which a step is elastic.
+/// Elastic limit of a step in multiples of the force tolerance, as in OpenSees.
 const ELASTIC: f64 = 3.0;
-/// The elastic zone grows up to this part of the ultimate force.
-const MOST_ELASTIC: f64 = 0.7;
-/// Stiffness of the closed gap and of the open one, by the ultimate force over the displacement at half of it, and that of the virgin one.
+/// Largest height of the elastic zone divided by the ultimate force, as in OpenSees.
+const MAX_ELASTIC_RATIO: f64 = 0.7;
+/// Stiffness of the closed, the open and the virgin gap, in multiples of ultimate force over `z50`; values of
+/// OpenSees.
 const CLOSED: f64 = 1000.0;
 const OPEN: f64 = 1e-6;
 const VIRGIN: f64 = 100.0;
 
-/// QzBackbone of a q-z spring.
+/// Backbone of a q-z spring.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum QzBackbone {
     /// Drilled shafts in clay (Reese and O'Neill, 1987).
@@ -34,12 +35,13 @@ pub struct QzSimple1 {
 }
 
 impl QzSimple1 {
-    /// Suction at the most, as a part of the ultimate resistance.
-    pub const MOST_SUCTION: f64 = 0.1;
+    /// Largest suction divided by the ultimate resistance.
+    pub const MAX_SUCTION_RATIO: f64 = 0.1;
 
-    /// Ultimate resistance, displacement at half of it, and resistance in uplift as a part of it.
+    /// From the ultimate resistance, the displacement at half of it, and the uplift resistance divided by the
+    /// ultimate resistance.
     pub fn new(backbone: QzBackbone, qult: f64, z50: f64, suction: f64) -> Self {
-        let suction = suction.clamp(TOLERANCE, Self::MOST_SUCTION);
+        let suction = suction.clamp(TOLERANCE, Self::MAX_SUCTION_RATIO);
         let branch = |curve| Branch::new(curve, 1e-4 * qult / z50, qult, ELASTIC);
         let (reference, n, elastic) = match backbone {
             QzBackbone::Clay => (0.35 * z50, 1.2, 0.2),
@@ -49,7 +51,7 @@ impl QzSimple1 {
             branch: branch([qult, reference, n]),
             rigid: 1e4 * qult / z50,
             elastic,
-            grows: Grows::UpTo(MOST_ELASTIC),
+            grows: ZoneGrowth::UpTo(MAX_ELASTIC_RATIO),
             y50: z50,
         };
         Self { backbone, qult, z50, near, suction: branch([suction * qult, 0.5 * z50, 1.0]) }
@@ -64,7 +66,7 @@ impl Soil for QzSimple1 {
     const NAME: &'static str = "QzSimple1";
     const BOUNDED: bool = true;
 
-    fn ultimate(&self) -> f64 {
+    fn ultimate_force(&self) -> f64 {
         self.qult
     }
 
@@ -72,55 +74,55 @@ impl Soil for QzSimple1 {
         self.z50
     }
 
-    fn far(&self) -> f64 {
+    fn far_stiffness(&self) -> f64 {
         self.stiffness(match self.backbone {
             QzBackbone::Clay => 0.525,
             QzBackbone::Sand => 1.39,
         })
     }
 
-    fn virgin(&self) -> (Near, Gap) {
-        let dragged = Part { tangent: self.suction.initial(), ..Part::default() };
-        let spring = Part { tangent: self.stiffness(VIRGIN) + dragged.tangent, ..Part::default() };
-        (self.near.virgin(), Gap { spring, dragged, turn: Turn::default(), closed: [0.0; 2] })
+    fn virgin(&self) -> (NearField, Gap) {
+        let drag_spring = SpringState { tangent: self.suction.initial(), ..SpringState::default() };
+        let spring = SpringState { tangent: self.stiffness(VIRGIN) + drag_spring.tangent, ..SpringState::default() };
+        (self.near.virgin(), Gap { spring, drag_spring, reversal: Reversal::default(), closed: [0.0; 2] })
     }
 
-    fn yields(&self, c: &Near, p: f64) -> Near {
-        self.near.to(c, p)
+    fn near_field_at(&self, c: &NearField, p: f64) -> NearField {
+        self.near.step_to_force(c, p)
     }
 
-    fn opens(&self, c: &Gap, _: f64, p: f64) -> (Gap, f64) {
+    fn gap_at(&self, c: &Gap, _: f64, p: f64) -> (Gap, f64) {
         let mut t = *c;
         let at = |y: f64, t: &mut Gap| {
-            t.turn = c.turn;
-            let s = if y >= c.dragged.y { 1.0 } else { -1.0 };
-            self.suction.turn_round(&c.dragged, &mut t.turn, s);
+            t.reversal = c.reversal;
+            let s = if y >= c.drag_spring.y { 1.0 } else { -1.0 };
+            self.suction.detect_reversal(&c.drag_spring, &mut t.reversal, s);
             let k = self.stiffness(if y <= 0.0 { CLOSED } else { OPEN });
-            let (p, tangent) = self.suction.on(&t.turn, s, y);
-            t.dragged = Part { y, p, tangent };
+            let (p, tangent) = self.suction.at_displacement(&t.reversal, s, y);
+            t.drag_spring = SpringState { y, p, tangent };
             (k * y + p, k + tangent)
         };
         let excess = |y: f64| {
             let (force, tangent) = at(y, &mut t);
             (force - p, tangent)
         };
-        // The suction is within its bounds.
+        // The bounds follow from the largest suction in either direction.
         let ends = [(p - self.suction.limit).min(0.0), (p + self.suction.limit).max(0.0)];
         let ends = (ends[0] / self.stiffness(CLOSED), ends[1] / self.stiffness(OPEN));
-        let y = bracketed_root(excess, ends, c.spring.y.clamp(ends.0, ends.1), self.z50, ROUNDS_AT_MOST);
+        let y = bracketed_root(excess, ends, c.spring.y.clamp(ends.0, ends.1), self.z50, MAX_ITERATIONS);
         let y = y.unwrap_or(f64::NAN);
         let (_, tangent) = at(y, &mut t);
-        t.spring = Part { y, p, tangent };
+        t.spring = SpringState { y, p, tangent };
         (t, 0.0)
     }
 
-    fn yields_on(&self, c: &Near, t: &mut Near, step: Step) {
-        self.near.go_on(c, t, step);
+    fn advance_near_field(&self, c: &NearField, t: &mut NearField, step: SpringIncrement) {
+        self.near.advance(c, t, step);
     }
 
-    fn opens_on(&self, c: &Gap, t: &mut Gap, _: f64, step: Step) {
+    fn advance_gap(&self, c: &Gap, t: &mut Gap, _: f64, step: SpringIncrement) {
         let from = t.spring.y;
-        // To where it opens or closes first.
+        // A step that crosses the contact point first stops there.
         let dy = match from + step.dy {
             y if from > 0.0 && y < -TOLERANCE => -TOLERANCE - from,
             y if from < 0.0 && y > TOLERANCE => TOLERANCE - from,
@@ -128,7 +130,7 @@ impl Soil for QzSimple1 {
         };
         let y = from + dy;
         let k = self.stiffness(if y <= 0.0 { CLOSED } else { OPEN });
-        self.suction.go_on((&c.dragged, &c.turn), (&mut t.dragged, &mut t.turn), dy);
-        t.spring = Part { y, p: k * y + t.dragged.p, tangent: k + t.dragged.tangent };
+        self.suction.advance((&c.drag_spring, &c.reversal), (&mut t.drag_spring, &mut t.reversal), dy);
+        t.spring = SpringState { y, p: k * y + t.drag_spring.p, tangent: k + t.drag_spring.tangent };
     }
 }

@@ -1,12 +1,12 @@
-//! Friction along the shaft of a pile.
+//! Shaft friction of a pile (t-z spring).
 
 use super::branch::Branch;
-use super::{Gap, Near, Part, Soil, Step};
+use super::{Gap, NearField, Soil, SpringIncrement, SpringState};
 
-/// Tolerances below which a step is elastic.
+/// Elastic limit of a step in multiples of the force tolerance, as in OpenSees.
 const ELASTIC: f64 = 10.0;
 
-/// TzBackbone of a t-z spring.
+/// Backbone of a t-z spring.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TzBackbone {
     /// Reese and O'Neill (1987).
@@ -25,7 +25,7 @@ pub struct TzSimple1 {
 }
 
 impl TzSimple1 {
-    /// Ultimate resistance and displacement at half of it.
+    /// From the ultimate resistance and the displacement at half of it.
     pub fn new(backbone: TzBackbone, tult: f64, z50: f64) -> Self {
         let (reference, n) = match backbone {
             TzBackbone::ReeseONeill => (0.5 * z50, 1.5),
@@ -39,7 +39,7 @@ impl Soil for TzSimple1 {
     const NAME: &'static str = "TzSimple1";
     const BOUNDED: bool = true;
 
-    fn ultimate(&self) -> f64 {
+    fn ultimate_force(&self) -> f64 {
         self.tult
     }
 
@@ -47,7 +47,7 @@ impl Soil for TzSimple1 {
         self.z50
     }
 
-    fn far(&self) -> f64 {
+    fn far_stiffness(&self) -> f64 {
         let part = match self.backbone {
             TzBackbone::ReeseONeill => 0.70791,
             TzBackbone::Mosher => 2.0504,
@@ -55,25 +55,25 @@ impl Soil for TzSimple1 {
         part * self.tult / self.z50
     }
 
-    fn virgin(&self) -> (Near, Gap) {
-        let rigid = Part { tangent: f64::INFINITY, ..Part::default() };
-        let spring = Part { tangent: self.near.initial(), ..Part::default() };
-        (Near { spring, ..Near::default() }, Gap { spring: rigid, ..Gap::default() })
+    fn virgin(&self) -> (NearField, Gap) {
+        let rigid = SpringState { tangent: f64::INFINITY, ..SpringState::default() };
+        let spring = SpringState { tangent: self.near.initial(), ..SpringState::default() };
+        (NearField { spring, ..NearField::default() }, Gap { spring: rigid, ..Gap::default() })
     }
 
-    fn yields(&self, c: &Near, p: f64) -> Near {
+    fn near_field_at(&self, c: &NearField, p: f64) -> NearField {
         let mut t = *c;
-        t.spring = self.near.to(&c.spring, &mut t.turns[0], p);
+        t.spring = self.near.step_to_force(&c.spring, &mut t.reversals[0], p);
         t
     }
 
-    fn opens(&self, c: &Gap, _: f64, _: f64) -> (Gap, f64) {
+    fn gap_at(&self, c: &Gap, _: f64, _: f64) -> (Gap, f64) {
         (*c, 0.0)
     }
 
-    fn yields_on(&self, c: &Near, t: &mut Near, step: Step) {
-        self.near.go_on((&c.spring, &c.turns[0]), (&mut t.spring, &mut t.turns[0]), step.steady());
+    fn advance_near_field(&self, c: &NearField, t: &mut NearField, step: SpringIncrement) {
+        self.near.advance((&c.spring, &c.reversals[0]), (&mut t.spring, &mut t.reversals[0]), step.steady());
     }
 
-    fn opens_on(&self, _: &Gap, _: &mut Gap, _: f64, _: Step) {}
+    fn advance_gap(&self, _: &Gap, _: &mut Gap, _: f64, _: SpringIncrement) {}
 }

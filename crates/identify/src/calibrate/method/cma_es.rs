@@ -1,95 +1,112 @@
-//! Evolution strategy with adaptation of the covariance matrix (Hansen, "The CMA Evolution Strategy: A Tutorial", 2016),
-//! started again with twice the population when it gets stuck (Auger and Hansen, 2005).
+//! Evolution strategy with covariance matrix adaptation (Hansen, "The CMA Evolution Strategy: A Tutorial", 2016). It
+//! restarts with twice the population when it stagnates (Auger and Hansen, 2005).
 
-use super::{Method, Trial, anywhere, normal, spread_of};
+use super::{Method, Trial, objective_spread, random_point, standard_normal};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use rand::SeedableRng as _;
 use rand_pcg::Pcg32;
 use serde::{Deserialize, Serialize};
 
-/// CMA-ES. Points outside of the cube are evaluated where they are reflected into it.
+/// CMA-ES. Samples outside of the cube are reflected into it for evaluation.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct CmaEs {
     dimension: usize,
+    /// Greatest number of evaluations, and the number so far.
     budget: usize,
     used: usize,
     rng: Pcg32,
-    /// Points of a generation λ.
+    /// Population size λ.
     population: usize,
+    distribution: Distribution,
+    generation: usize,
+    /// Samples of the current generation, not reflected.
+    samples: Vec<Vec<f64>>,
+    objectives: Vec<f64>,
+    /// Least objective of each generation since the last restart.
+    best_objectives: Vec<f64>,
+}
+
+/// The normal distribution N(m, σ² C), with its evolution paths.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+struct Distribution {
     mean: Vec<f64>,
-    sigma: f64,
+    /// Step size σ.
+    step_size: f64,
     /// Covariance matrix C, by columns.
     covariance: Vec<f64>,
-    path_c: Vec<f64>,
-    path_s: Vec<f64>,
-    /// C = B D² Bᵀ: B by columns, and D.
-    axes: Vec<f64>,
-    lengths: Vec<f64>,
-    generation: usize,
-    /// The generation asked for, before it was reflected.
-    asked: Vec<Vec<f64>>,
-    scores: Vec<f64>,
-    /// Best scores of the last generations.
-    recent: Vec<f64>,
+    /// Evolution path of the covariance matrix.
+    covariance_path: Vec<f64>,
+    /// Evolution path of the step size.
+    step_size_path: Vec<f64>,
+    /// C = B D² Bᵀ: B by columns.
+    eigenvectors: Vec<f64>,
+    /// C = B D² Bᵀ: diagonal of D.
+    deviations: Vec<f64>,
 }
 
 /// First step size, in sides of the cube.
-const SIGMA: f64 = 0.3;
-/// A generation whose best has not changed by more than this fraction over the last ones is stuck.
-const STUCK: f64 = 1e-10;
+const INITIAL_STEP_SIZE: f64 = 0.3;
+/// A search stagnates if its best objective changes by less than this fraction over the last generations.
+const STAGNATION_TOLERANCE: f64 = 1e-10;
+
+impl Distribution {
+    /// The distribution with C = 1.
+    fn isotropic(mean: Vec<f64>) -> Self {
+        let n = mean.len();
+        let unit = DMatrix::<f64>::identity(n, n);
+        Self {
+            mean,
+            step_size: INITIAL_STEP_SIZE,
+            covariance: unit.as_slice().to_vec(),
+            covariance_path: vec![0.0; n],
+            step_size_path: vec![0.0; n],
+            eigenvectors: unit.as_slice().to_vec(),
+            deviations: vec![1.0; n],
+        }
+    }
+}
 
 impl CmaEs {
-    /// A search in some dimensions with a number of evaluations, from the middle of the cube.
+    /// A search with at most `budget` evaluations, from the middle of the cube.
     pub fn new(dimension: usize, budget: usize, population: Option<usize>, seed: u64) -> Self {
-        let usual = 4 + (3.0 * (dimension as f64).ln()) as usize;
-        let mut new = Self {
+        let default_population = 4 + (3.0 * (dimension as f64).ln()) as usize;
+        Self {
             dimension,
             budget,
             used: 0,
             rng: Pcg32::seed_from_u64(seed),
-            population: population.unwrap_or(usual).max(4),
-            mean: vec![0.5; dimension],
-            sigma: SIGMA,
-            covariance: vec![],
-            path_c: vec![],
-            path_s: vec![],
-            axes: vec![],
-            lengths: vec![],
+            population: population.unwrap_or(default_population).max(4),
+            distribution: Distribution::isotropic(vec![0.5; dimension]),
             generation: 0,
-            asked: vec![],
-            scores: vec![],
-            recent: vec![],
-        };
-        new.restart();
-        new
+            samples: vec![],
+            objectives: vec![],
+            best_objectives: vec![],
+        }
     }
 
-    /// A round distribution about the mean.
+    /// Start again from a random mean, with twice the population.
     fn restart(&mut self) {
-        let n = self.dimension;
-        let unit = DMatrix::<f64>::identity(n, n);
-        self.sigma = SIGMA;
-        self.covariance = unit.as_slice().to_vec();
-        self.axes = unit.as_slice().to_vec();
-        self.lengths = vec![1.0; n];
-        self.path_c = vec![0.0; n];
-        self.path_s = vec![0.0; n];
+        self.population *= 2;
+        self.distribution = Distribution::isotropic(random_point(&mut self.rng, self.dimension));
         self.generation = 0;
-        self.recent.clear();
+        self.best_objectives.clear();
     }
 
-    fn is_stuck(&self) -> bool {
+    /// Returns true if the objective does not change any more, or the distribution has degenerated.
+    fn stagnates(&self) -> bool {
         let window = 10 + (30 * self.dimension).div_ceil(self.population);
-        let tail = &self.recent[self.recent.len().saturating_sub(window)..];
-        let least = tail.iter().fold(f64::INFINITY, |m, s| m.min(*s));
-        let flat = tail.len() == window && spread_of(tail) <= STUCK * least.abs();
-        let longest = self.lengths.iter().fold(0.0f64, |m, d| m.max(*d));
-        let shortest = self.lengths.iter().fold(f64::INFINITY, |m, d| m.min(*d));
-        flat || self.sigma * longest < 1e-9 || longest > 1e7 * shortest || !self.sigma.is_finite()
+        let last = &self.best_objectives[self.best_objectives.len().saturating_sub(window)..];
+        let least = last.iter().fold(f64::INFINITY, |m, s| m.min(*s));
+        let is_flat = last.len() == window && objective_spread(last) <= STAGNATION_TOLERANCE * least.abs();
+        let Distribution { step_size, deviations, .. } = &self.distribution;
+        let longest = deviations.iter().fold(0.0f64, |m, d| m.max(*d));
+        let shortest = deviations.iter().fold(f64::INFINITY, |m, d| m.min(*d));
+        is_flat || step_size * longest < 1e-9 || longest > 1e7 * shortest || !step_size.is_finite()
     }
 
-    /// Move the distribution towards the better half of a generation.
-    fn adapt(&mut self, order: &[usize]) {
+    /// Update the distribution with the better half of a generation; `ranking` has its indices from the best.
+    /// Symbols and equations are those of the tutorial.
+    fn update_distribution(&mut self, ranking: &[usize]) {
         let n = self.dimension;
         let nf = n as f64;
         let mu = self.population / 2;
@@ -105,42 +122,43 @@ impl CmaEs {
         let damping = 1.0 + 2.0 * (((mu_eff - 1.0) / (nf + 1.0)).sqrt() - 1.0).max(0.0) + c_s;
         let expected = nf.sqrt() * (1.0 - 1.0 / (4.0 * nf) + 1.0 / (21.0 * nf * nf));
 
-        let steps: Vec<DVector<f64>> = order[..mu]
+        let d = &mut self.distribution;
+        let steps: Vec<DVector<f64>> = ranking[..mu]
             .iter()
             .map(|i| {
-                DVector::from_iterator(n, self.asked[*i].iter().zip(&self.mean).map(|(x, m)| (x - m) / self.sigma))
+                DVector::from_iterator(n, self.samples[*i].iter().zip(&d.mean).map(|(x, m)| (x - m) / d.step_size))
             })
             .collect();
         let step = steps.iter().zip(&weights).fold(DVector::zeros(n), |sum: DVector<f64>, (y, w)| sum + y * *w);
-        for (m, s) in self.mean.iter_mut().zip(step.iter()) {
-            *m += self.sigma * s;
+        for (m, s) in d.mean.iter_mut().zip(step.iter()) {
+            *m += d.step_size * s;
         }
-        let axes = DMatrix::from_column_slice(n, n, &self.axes);
-        let mut white = axes.transpose() * &step;
-        white.iter_mut().zip(&self.lengths).for_each(|(w, d)| *w /= d);
-        let white = &axes * white;
+        let eigenvectors = DMatrix::from_column_slice(n, n, &d.eigenvectors);
+        let mut white = eigenvectors.transpose() * &step;
+        white.iter_mut().zip(&d.deviations).for_each(|(w, d)| *w /= d);
+        let white = &eigenvectors * white;
         let path_s =
-            DVector::from_column_slice(&self.path_s) * (1.0 - c_s) + white * (c_s * (2.0 - c_s) * mu_eff).sqrt();
+            DVector::from_column_slice(&d.step_size_path) * (1.0 - c_s) + white * (c_s * (2.0 - c_s) * mu_eff).sqrt();
         self.generation += 1;
         let fade = 1.0 - (1.0 - c_s).powi(2 * self.generation as i32);
-        let moves = path_s.norm() / fade.sqrt() < (1.4 + 2.0 / (nf + 1.0)) * expected;
-        let h = f64::from(u8::from(moves));
-        let path_c =
-            DVector::from_column_slice(&self.path_c) * (1.0 - c_c) + step * (h * (c_c * (2.0 - c_c) * mu_eff).sqrt());
-        let mut c = DMatrix::from_column_slice(n, n, &self.covariance);
+        let is_moderate = path_s.norm() / fade.sqrt() < (1.4 + 2.0 / (nf + 1.0)) * expected;
+        let h = f64::from(u8::from(is_moderate));
+        let path_c = DVector::from_column_slice(&d.covariance_path) * (1.0 - c_c)
+            + step * (h * (c_c * (2.0 - c_c) * mu_eff).sqrt());
+        let mut c = DMatrix::from_column_slice(n, n, &d.covariance);
         c *= 1.0 - c_1 - c_mu + (1.0 - h) * c_1 * c_c * (2.0 - c_c);
         c += &path_c * path_c.transpose() * c_1;
         for (y, w) in steps.iter().zip(&weights) {
             c += y * y.transpose() * (c_mu * w);
         }
-        self.sigma *= ((path_s.norm() / expected - 1.0) * c_s / damping).exp();
+        d.step_size *= ((path_s.norm() / expected - 1.0) * c_s / damping).exp();
         let c = (&c + c.transpose()) * 0.5;
-        self.covariance = c.as_slice().to_vec();
+        d.covariance = c.as_slice().to_vec();
         let eigen = SymmetricEigen::new(c);
-        self.lengths = eigen.eigenvalues.iter().map(|l| l.max(1e-30).sqrt()).collect();
-        self.axes = eigen.eigenvectors.as_slice().to_vec();
-        self.path_s = path_s.as_slice().to_vec();
-        self.path_c = path_c.as_slice().to_vec();
+        d.deviations = eigen.eigenvalues.iter().map(|l| l.max(1e-30).sqrt()).collect();
+        d.eigenvectors = eigen.eigenvectors.as_slice().to_vec();
+        d.step_size_path = path_s.as_slice().to_vec();
+        d.covariance_path = path_c.as_slice().to_vec();
     }
 }
 
@@ -155,33 +173,32 @@ impl Method for CmaEs {
         if self.used >= self.budget {
             return vec![];
         }
-        if self.is_stuck() {
-            self.population *= 2;
-            self.mean = anywhere(&mut self.rng, self.dimension);
+        if self.stagnates() {
             self.restart();
         }
         let n = self.dimension;
-        let axes = DMatrix::from_column_slice(n, n, &self.axes);
-        self.asked.clear();
+        let Distribution { mean, step_size, eigenvectors, deviations, .. } = &self.distribution;
+        let eigenvectors = DMatrix::from_column_slice(n, n, eigenvectors);
+        self.samples.clear();
         for _ in 0..self.population {
-            let z = DVector::from_iterator(n, self.lengths.iter().map(|d| d * normal(&mut self.rng)));
-            let y = &axes * z;
-            self.asked.push(self.mean.iter().zip(y.iter()).map(|(m, y)| m + self.sigma * y).collect());
+            let z = DVector::from_iterator(n, deviations.iter().map(|d| d * standard_normal(&mut self.rng)));
+            let y = &eigenvectors * z;
+            self.samples.push(mean.iter().zip(y.iter()).map(|(m, y)| m + step_size * y).collect());
         }
-        self.asked.iter().map(|p| p.iter().map(|x| reflected(*x)).collect()).collect()
+        self.samples.iter().map(|p| p.iter().map(|x| reflected(*x)).collect()).collect()
     }
 
-    fn tell(&mut self, points: &[Vec<f64>], trials: &[Trial]) {
-        self.used += points.len();
-        self.scores = trials.iter().map(|t| t.score).collect();
-        let mut order: Vec<usize> = (0..points.len()).collect();
-        order.sort_by(|a, b| self.scores[*a].total_cmp(&self.scores[*b]));
-        self.recent.push(self.scores[order[0]]);
-        self.adapt(&order);
+    fn tell(&mut self, unit_points: &[Vec<f64>], trials: &[Trial]) {
+        self.used += unit_points.len();
+        self.objectives = trials.iter().map(|t| t.objective).collect();
+        let mut ranking: Vec<usize> = (0..unit_points.len()).collect();
+        ranking.sort_by(|a, b| self.objectives[*a].total_cmp(&self.objectives[*b]));
+        self.best_objectives.push(self.objectives[ranking[0]]);
+        self.update_distribution(&ranking);
     }
 
     fn spread(&self) -> f64 {
-        spread_of(&self.scores)
+        objective_spread(&self.objectives)
     }
 
     fn progress(&self) -> f64 {

@@ -1,119 +1,119 @@
-//! Least squares by Levenberg and Marquardt within the unit cube.
+//! Least squares by the method of Levenberg and Marquardt within the unit cube.
 //!
-//! Made here because derivatives and trial steps are asked for all at once, for all threads to work on, and because of
-//! the sides of the cube; the crates for it take one point after the other and know no bounds.
+//! It asks for all derivatives, and for several trial steps, at a time, so that all threads work. It keeps the bounds of
+//! the cube. Published crates evaluate one point after the other and have no bounds.
 
-use super::{Method, Trial, spread_of};
+use super::{Method, Trial, objective_spread};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
-/// What is asked for next.
+/// The points that are asked for next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 enum Phase {
-    /// The point that it starts from.
+    /// The starting point.
     Start,
-    /// A step along each coordinate, for the derivatives.
+    /// Points beside the current one, for derivatives by differences.
     Derivatives,
-    /// Steps with several factors of damping.
+    /// Trial steps, one for each damping factor.
     Steps,
-    /// Nothing.
+    /// No points: the search has ended.
     Ended,
 }
 
-/// Levenberg and Marquardt's method with derivatives by differences and several factors of damping tried at once.
-/// Coordinates at a side of the cube that the gradient pushes against are held there.
+/// The method of Levenberg and Marquardt, with derivatives by differences and several damping factors at a time.
+/// A coordinate at a bound of the cube is fixed there if the descent direction leaves the cube.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct LevenbergMarquardt {
     phase: Phase,
-    point: Vec<f64>,
-    score: f64,
+    unit_point: Vec<f64>,
+    objective: f64,
     residuals: Vec<f64>,
-    /// Step of the differences, and that of each coordinate with its sign.
-    width: f64,
-    steps: Vec<f64>,
-    /// JᵀJ by columns, and Jᵀr.
-    normal: Vec<f64>,
+    /// Step of the differences, in sides of the cube, and that of each coordinate with its sign.
+    difference_step: f64,
+    difference_steps: Vec<f64>,
+    /// Normal matrix JᵀJ by columns, and gradient Jᵀr.
+    normal_matrix: Vec<f64>,
     gradient: Vec<f64>,
     damping: f64,
-    /// Factors on the damping that are tried at once.
-    factors: Vec<f64>,
-    /// An improvement by less than this fraction is the last one.
-    enough: f64,
+    /// Factors on the damping that are tried at a time.
+    damping_factors: Vec<f64>,
+    /// The search ends after an iteration with a smaller relative improvement.
+    min_relative_gain: f64,
     budget: usize,
     used: usize,
-    last: Vec<f64>,
+    last_objectives: Vec<f64>,
 }
 
-/// Factors on the damping that are tried at once.
-const FACTORS: [f64; 4] = [1e-2, 1.0, 1e2, 1e4];
-/// Where steps are tried one by one, the damping is divided by this after each that led down, and multiplied after each
-/// that did not.
-const EASE: f64 = 8.0;
-/// Damping at which there is no way down any more.
-const HOPELESS: f64 = 1e10;
-/// An improvement by less than this fraction is the last one.
-const ENOUGH: f64 = 1e-9;
+/// Factors on the damping that are tried at a time.
+const DAMPING_FACTORS: [f64; 4] = [1e-2, 1.0, 1e2, 1e4];
+/// With single steps, a successful step divides the damping by this. A failed one multiplies it by the square.
+const SINGLE_STEP_FACTOR: f64 = 8.0;
+/// The search ends above this damping: no step reduces the objective.
+const MAX_DAMPING: f64 = 1e10;
+/// Default of the least relative improvement of an iteration.
+const MIN_RELATIVE_GAIN: f64 = 1e-9;
 
 impl LevenbergMarquardt {
-    /// Step of the differences, in sides of the cube: large against the tolerances of an analysis, small against the
-    /// curvature of a loop.
-    pub const STEP: f64 = 1e-5;
+    /// Default step of the differences, in sides of the cube: large against the tolerances of an analysis, small against
+    /// the curvature of a loop.
+    pub const DIFFERENCE_STEP: f64 = 1e-5;
 
-    /// From a point, with at most this many evaluations.
+    /// A search from a unit point, with at most `budget` evaluations.
     pub fn new(start: &[f64], budget: usize) -> Self {
         Self {
             phase: Phase::Start,
-            point: start.to_vec(),
-            score: Trial::FAILED,
+            unit_point: start.to_vec(),
+            objective: Trial::FAILED,
             residuals: vec![],
-            width: Self::STEP,
-            steps: vec![],
-            normal: vec![],
+            difference_step: Self::DIFFERENCE_STEP,
+            difference_steps: vec![],
+            normal_matrix: vec![],
             gradient: vec![],
             damping: 1e-2,
-            factors: FACTORS.to_vec(),
-            enough: ENOUGH,
+            damping_factors: DAMPING_FACTORS.to_vec(),
+            min_relative_gain: MIN_RELATIVE_GAIN,
             budget,
             used: 0,
-            last: vec![],
+            last_objectives: vec![],
         }
     }
 
-    /// One step at a time: fewer evaluations where there is but one thread to make them. An improvement by less than a
-    /// fraction `enough` is the last one.
+    /// Try one step at a time, which takes fewer evaluations on one thread. The search ends after an iteration with a
+    /// relative improvement below `min_relative_gain`.
     #[must_use]
-    pub fn one_by_one(mut self, enough: f64) -> Self {
-        self.factors = vec![1.0];
-        self.enough = enough;
+    pub fn with_single_steps(mut self, min_relative_gain: f64) -> Self {
+        self.damping_factors = vec![1.0];
+        self.min_relative_gain = min_relative_gain;
         self
     }
 
-    /// With differences over steps so wide, in sides of the cube: where the objective is rough, narrow ones tell its ripples.
+    /// Set the step of the differences, in sides of the cube. A rough objective needs a wide one.
     #[must_use]
-    pub fn with_steps(mut self, width: f64) -> Self {
-        self.width = width;
+    pub fn with_difference_step(mut self, difference_step: f64) -> Self {
+        self.difference_step = difference_step;
         self
     }
 
-    /// The step to take with a factor of damping; coordinates that would leave the cube stop at its side.
-    fn step(&self, damping: f64) -> Option<Vec<f64>> {
-        let n = self.point.len();
-        let a = DMatrix::from_column_slice(n, n, &self.normal);
-        // At a side, and downhill is outside.
-        let held = |i: usize| {
-            (self.point[i] <= 0.0 && self.gradient[i] > 0.0) || (self.point[i] >= 1.0 && self.gradient[i] < 0.0)
+    /// The point after a step with a damping, clamped to the cube; `None` if the equations have no finite solution.
+    fn damped_step(&self, damping: f64) -> Option<Vec<f64>> {
+        let n = self.unit_point.len();
+        let a = DMatrix::from_column_slice(n, n, &self.normal_matrix);
+        // At a bound, with the descent direction out of the cube.
+        let is_fixed = |i: usize| {
+            let (x, slope) = (self.unit_point[i], self.gradient[i]);
+            (x <= 0.0 && slope > 0.0) || (x >= 1.0 && slope < 0.0)
         };
-        let free: Vec<usize> = (0..n).filter(|i| !held(*i)).collect();
+        let free: Vec<usize> = (0..n).filter(|i| !is_fixed(*i)).collect();
         let m = free.len();
         let largest = a.diagonal().max();
         let matrix = DMatrix::from_fn(m, m, |i, j| {
             let x = a[(free[i], free[j])];
-            // A coordinate that nothing depends on is damped all the same.
+            // A coordinate without influence would make the matrix singular.
             if i == j { x + damping * x.max(1e-12 * largest) } else { x }
         });
         let right = DVector::from_iterator(m, free.iter().map(|i| -self.gradient[*i]));
         let step = matrix.cholesky()?.solve(&right);
-        let mut next = self.point.clone();
+        let mut next = self.unit_point.clone();
         for (i, s) in free.iter().zip(step.iter()) {
             next[*i] = (next[*i] + s).clamp(0.0, 1.0);
         }
@@ -121,19 +121,19 @@ impl LevenbergMarquardt {
     }
 
     fn take_derivatives(&mut self, trials: &[Trial]) {
-        let n = self.point.len();
+        let n = self.unit_point.len();
         let columns: Vec<Option<Vec<f64>>> = trials
             .iter()
-            .zip(&self.steps)
+            .zip(&self.difference_steps)
             .map(|(t, h)| {
-                let same = t.residuals.len() == self.residuals.len();
-                same.then(|| t.residuals.iter().zip(&self.residuals).map(|(a, b)| (a - b) / h).collect())
+                let is_comparable = t.residuals.len() == self.residuals.len();
+                is_comparable.then(|| t.residuals.iter().zip(&self.residuals).map(|(a, b)| (a - b) / h).collect())
             })
             .collect();
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
-        let zero = vec![];
-        let column = |i: usize| columns[i].as_ref().unwrap_or(&zero);
-        self.normal = (0..n * n).map(|k| dot(column(k / n), column(k % n))).collect();
+        let no_influence = vec![];
+        let column = |i: usize| columns[i].as_ref().unwrap_or(&no_influence);
+        self.normal_matrix = (0..n * n).map(|k| dot(column(k / n), column(k % n))).collect();
         self.gradient = (0..n).map(|i| dot(column(i), &self.residuals)).collect();
     }
 }
@@ -144,18 +144,20 @@ impl Method for LevenbergMarquardt {
             self.phase = Phase::Ended;
         }
         match self.phase {
-            Phase::Start => vec![self.point.clone()],
+            Phase::Start => vec![self.unit_point.clone()],
             Phase::Derivatives => {
-                self.steps = self.point.iter().map(|x| if *x > 0.5 { -self.width } else { self.width }).collect();
+                let signed = |x: &f64| if *x > 0.5 { -self.difference_step } else { self.difference_step };
+                self.difference_steps = self.unit_point.iter().map(signed).collect();
                 let moved = |i: usize| {
-                    let mut p = self.point.clone();
-                    p[i] += self.steps[i];
+                    let mut p = self.unit_point.clone();
+                    p[i] += self.difference_steps[i];
                     p
                 };
-                (0..self.point.len()).map(moved).collect()
+                (0..self.unit_point.len()).map(moved).collect()
             }
             Phase::Steps => {
-                let next: Vec<Vec<f64>> = self.factors.iter().filter_map(|f| self.step(self.damping * f)).collect();
+                let next: Vec<Vec<f64>> =
+                    self.damping_factors.iter().filter_map(|f| self.damped_step(self.damping * f)).collect();
                 if next.is_empty() {
                     self.phase = Phase::Ended;
                 }
@@ -165,11 +167,11 @@ impl Method for LevenbergMarquardt {
         }
     }
 
-    fn tell(&mut self, points: &[Vec<f64>], trials: &[Trial]) {
-        self.used += points.len();
+    fn tell(&mut self, unit_points: &[Vec<f64>], trials: &[Trial]) {
+        self.used += unit_points.len();
         match self.phase {
             Phase::Start => {
-                self.score = trials[0].score;
+                self.objective = trials[0].objective;
                 self.residuals.clone_from(&trials[0].residuals);
                 self.phase = if self.residuals.is_empty() { Phase::Ended } else { Phase::Derivatives };
             }
@@ -178,23 +180,25 @@ impl Method for LevenbergMarquardt {
                 self.phase = Phase::Steps;
             }
             Phase::Steps => {
-                self.last = trials.iter().map(|t| t.score).collect();
-                let best = (0..trials.len()).min_by(|a, b| trials[*a].score.total_cmp(&trials[*b].score)).unwrap_or(0);
-                let gain = self.score - trials[best].score;
+                self.last_objectives = trials.iter().map(|t| t.objective).collect();
+                let best =
+                    (0..trials.len()).min_by(|a, b| trials[*a].objective.total_cmp(&trials[*b].objective)).unwrap_or(0);
+                let gain = self.objective - trials[best].objective;
                 if gain > 0.0 {
-                    let enough = gain <= self.enough * self.score;
-                    self.point.clone_from(&points[best]);
-                    self.score = trials[best].score;
+                    let has_converged = gain <= self.min_relative_gain * self.objective;
+                    self.unit_point.clone_from(&unit_points[best]);
+                    self.objective = trials[best].objective;
                     self.residuals.clone_from(&trials[best].residuals);
-                    // The factors cannot be told from fewer points than there are of them; it does no harm.
-                    let factor = self.factors[best.min(self.factors.len() - 1)];
-                    let factor = if self.factors.len() == 1 { 1.0 / EASE } else { factor };
+                    // A factor without a step shifts the indices of those behind it, which does no harm.
+                    let factor = self.damping_factors[best.min(self.damping_factors.len() - 1)];
+                    let factor = if self.damping_factors.len() == 1 { 1.0 / SINGLE_STEP_FACTOR } else { factor };
                     self.damping = (self.damping * factor).max(1e-12);
-                    self.phase = if enough { Phase::Ended } else { Phase::Derivatives };
+                    self.phase = if has_converged { Phase::Ended } else { Phase::Derivatives };
                 } else {
-                    let most = self.factors.iter().fold(0.0f64, |a, b| a.max(*b));
-                    self.damping *= if self.factors.len() == 1 { EASE * EASE } else { 10.0 * most };
-                    if self.damping > HOPELESS {
+                    let largest = self.damping_factors.iter().fold(0.0f64, |a, b| a.max(*b));
+                    let is_single = self.damping_factors.len() == 1;
+                    self.damping *= if is_single { SINGLE_STEP_FACTOR * SINGLE_STEP_FACTOR } else { 10.0 * largest };
+                    if self.damping > MAX_DAMPING {
                         self.phase = Phase::Ended;
                     }
                 }
@@ -204,10 +208,10 @@ impl Method for LevenbergMarquardt {
     }
 
     fn spread(&self) -> f64 {
-        spread_of(&self.last)
+        objective_spread(&self.last_objectives)
     }
 
-    fn wants_residuals(&self) -> bool {
+    fn needs_residuals(&self) -> bool {
         true
     }
 
@@ -220,8 +224,8 @@ impl Method for LevenbergMarquardt {
 mod tests {
     use super::{LevenbergMarquardt, Method as _, Trial};
 
-    /// Where a search ends whose objective is a parabola with ripples.
-    fn found(mut search: LevenbergMarquardt) -> f64 {
+    /// Minimum found for a parabola with ripples, whose least value is at 0.3.
+    fn minimum(mut search: LevenbergMarquardt) -> f64 {
         let residual = |x: f64| vec![x - 0.3 + 2e-3 * (1e5 * x).sin(), 0.01];
         let mut best = (f64::INFINITY, 0.0);
         loop {
@@ -231,12 +235,12 @@ mod tests {
             }
             let trial = |p: &Vec<f64>| {
                 let residuals = residual(p[0]);
-                Trial { score: residuals.iter().map(|r| r * r).sum(), residuals }
+                Trial { objective: residuals.iter().map(|r| r * r).sum(), residuals }
             };
             let trials: Vec<Trial> = points.iter().map(trial).collect();
             for (p, t) in points.iter().zip(&trials) {
-                if t.score < best.0 {
-                    best = (t.score, p[0]);
+                if t.objective < best.0 {
+                    best = (t.objective, p[0]);
                 }
             }
             search.tell(&points, &trials);
@@ -244,9 +248,9 @@ mod tests {
     }
 
     #[test]
-    fn wide_differences_see_beyond_ripples() {
-        let search = || LevenbergMarquardt::new(&[0.8], 60).one_by_one(1e-3);
-        assert!((found(search()) - 0.3).abs() > 0.1);
-        assert!((found(search().with_steps(1e-2)) - 0.3).abs() < 0.01);
+    fn wide_difference_step_ignores_ripples() {
+        let search = || LevenbergMarquardt::new(&[0.8], 60).with_single_steps(1e-3);
+        assert!((minimum(search()) - 0.3).abs() > 0.1);
+        assert!((minimum(search().with_difference_step(1e-2)) - 0.3).abs() < 0.01);
     }
 }

@@ -1,11 +1,11 @@
-//! Methods that look for the least value of a function on the unit cube.
+//! Methods that minimise an objective on the unit cube.
 //!
-//! A [`Method`] is asked for points and told what they came to; it never evaluates anything itself, so the points of one
-//! asking can be worked out in any order and by any number of threads with the same result. What a method knows is data,
-//! random numbers included: written into a checkpoint and read back, it goes on as if nothing had happened.
+//! A [`Method`] asks for evaluations of trial points and is told their results. It evaluates nothing itself, so the points
+//! of one call can be evaluated in any order and by any number of threads. Its state, random numbers included, goes into
+//! checkpoints, and the search continues from one to the same bits.
 
 mod cma_es;
-mod de;
+mod differential_evolution;
 mod levenberg_marquardt;
 mod shade;
 
@@ -14,62 +14,62 @@ use rand_pcg::Pcg32;
 use serde::{Deserialize, Serialize};
 
 pub use cma_es::CmaEs;
-pub use de::{Crossover, Differential, Evolution};
+pub use differential_evolution::{Crossover, DifferentialEvolution, EvolutionSettings};
 pub use levenberg_marquardt::LevenbergMarquardt;
-pub use shade::{Shade, Variant};
+pub use shade::{Shade, ShadeVariant};
 
-/// What a point came to.
+/// Result of a trial point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trial {
-    /// Value of the function: the least is sought. [`Trial::FAILED`] where there is none.
-    pub score: f64,
-    /// Numbers whose squares add up to the score, if the method wants them and there are any.
+    /// Objective, which is minimised; [`Trial::FAILED`] if the model has no response.
+    pub objective: f64,
+    /// Residuals whose sum of squares is the objective; empty if the method does not need them.
     pub residuals: Vec<f64>,
 }
 
 impl Trial {
-    /// Score of a point at which the model has no answer: worse than any other, and yet a number.
+    /// Objective of a point where the model has no response: worse than any other, and finite.
     pub const FAILED: f64 = f64::MAX;
 }
 
-/// Looks for the least value of a function on the unit cube.
+/// A minimisation method on the unit cube.
 pub trait Method {
-    /// The points to evaluate next; none when it has ended.
+    /// The unit points to evaluate next; empty at the end of the search.
     fn ask(&mut self) -> Vec<Vec<f64>>;
 
-    /// What the points asked for came to, in their order.
-    fn tell(&mut self, points: &[Vec<f64>], trials: &[Trial]);
+    /// Take the results of the points of the last [`Method::ask`], in their order.
+    fn tell(&mut self, unit_points: &[Vec<f64>], trials: &[Trial]);
 
-    /// Greatest less least score of the points that it works with.
+    /// Greatest less least objective of the current points.
     fn spread(&self) -> f64;
 
-    /// Whether it needs the residuals of a trial.
-    fn wants_residuals(&self) -> bool {
+    /// Returns true if the method needs the residuals of a trial.
+    fn needs_residuals(&self) -> bool {
         false
     }
 
-    /// How much of its way it has gone, from 0 to 1, where that is known.
+    /// Share of the budget that is used, from 0 to 1.
     fn progress(&self) -> f64;
 }
 
-/// A method that can be written into a checkpoint.
+/// State of a method in a checkpoint.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub enum Search {
+pub enum MethodState {
     /// Differential evolution.
-    Evolution(Evolution),
-    /// Differential evolution that adapts itself.
+    DifferentialEvolution(DifferentialEvolution),
+    /// Adaptive differential evolution.
     Shade(Shade),
-    /// Evolution of a normal distribution.
+    /// Evolution strategy with covariance matrix adaptation.
     CmaEs(CmaEs),
-    /// Least squares from one point.
+    /// Least squares from one starting point.
     LevenbergMarquardt(LevenbergMarquardt),
 }
 
-impl Search {
-    /// The method behind it.
+impl MethodState {
+    /// The method.
     pub fn method(&mut self) -> &mut dyn Method {
         match self {
-            Self::Evolution(m) => m,
+            Self::DifferentialEvolution(m) => m,
             Self::Shade(m) => m,
             Self::CmaEs(m) => m,
             Self::LevenbergMarquardt(m) => m,
@@ -77,21 +77,21 @@ impl Search {
     }
 }
 
-/// A point anywhere in the unit cube.
-fn anywhere(rng: &mut Pcg32, dimension: usize) -> Vec<f64> {
+/// A point from the uniform distribution over the unit cube.
+fn random_point(rng: &mut Pcg32, dimension: usize) -> Vec<f64> {
     (0..dimension).map(|_| rng.random::<f64>()).collect()
 }
 
-/// Greatest less least of some scores, failed ones left out.
-fn spread_of(scores: &[f64]) -> f64 {
-    let good = || scores.iter().filter(|s| **s < Trial::FAILED);
-    let most = good().fold(f64::NEG_INFINITY, |m, s| m.max(*s));
-    let least = good().fold(f64::INFINITY, |m, s| m.min(*s));
-    (most - least).max(0.0)
+/// Greatest less least objective, failed points left out.
+fn objective_spread(objectives: &[f64]) -> f64 {
+    let successful = || objectives.iter().filter(|s| **s < Trial::FAILED);
+    let greatest = successful().fold(f64::NEG_INFINITY, |m, s| m.max(*s));
+    let least = successful().fold(f64::INFINITY, |m, s| m.min(*s));
+    (greatest - least).max(0.0)
 }
 
-/// A coordinate that a mutation has put outside: half way from where it came to the side that it went through.
-fn inside(mutant: f64, from: f64) -> f64 {
+/// The coordinate of a mutant. One outside of the cube is put half way between the coordinate `from` and the bound.
+fn halfway_to_bound(mutant: f64, from: f64) -> f64 {
     match mutant {
         x if x < 0.0 => 0.5 * from,
         x if x > 1.0 => 0.5 * (1.0 + from),
@@ -99,8 +99,8 @@ fn inside(mutant: f64, from: f64) -> f64 {
     }
 }
 
-/// A normally distributed number, by the polar method (Marsaglia and Bray, 1964).
-pub(super) fn normal(rng: &mut Pcg32) -> f64 {
+/// A standard normal number, by the polar method (Marsaglia and Bray, 1964).
+pub(super) fn standard_normal(rng: &mut Pcg32) -> f64 {
     loop {
         let (u, v) = (2.0 * rng.random::<f64>() - 1.0, 2.0 * rng.random::<f64>() - 1.0);
         let s = u * u + v * v;

@@ -1,0 +1,125 @@
+//! A proposal: an edit of the script or a fault of a channel, with its parameters.
+
+use super::channel_fault::ChannelFault;
+use hysteron_identify::study::{ParameterRange, Scale};
+use std::fmt;
+use std::sync::Arc;
+
+/// A parameter that a proposal adds to the study.
+#[derive(Clone, Debug)]
+pub(crate) struct AddedParameter {
+    /// Name in the script.
+    pub(crate) name: String,
+    /// ParameterRange of the search.
+    pub(crate) range: ParameterRange,
+    /// Start of the search.
+    pub(crate) start: f64,
+    /// Further values that are tried while the other parameters stay at their start, because evenly spread points would
+    /// miss narrow minima.
+    pub(crate) further_starts: Vec<f64>,
+    /// True if the parameter belongs to a channel fault, which the script does not contain.
+    pub(crate) of_channel_fault: bool,
+}
+
+impl AddedParameter {
+    /// A parameter on a linear scale.
+    pub(crate) fn linear(name: &str, lower: f64, upper: f64, start: f64) -> Self {
+        Self::new(name, ParameterRange { lower, upper, scale: Scale::Linear }, start)
+    }
+
+    /// A parameter on a logarithmic scale.
+    pub(crate) fn log(name: &str, lower: f64, upper: f64, start: f64) -> Self {
+        Self::new(name, ParameterRange { lower, upper, scale: Scale::Log }, start)
+    }
+
+    fn new(name: &str, range: ParameterRange, start: f64) -> Self {
+        Self { name: format!("hy_{name}"), range, start, further_starts: vec![], of_channel_fault: false }
+    }
+}
+
+/// Channel faults as a function of the values of the added parameters.
+pub(crate) type FaultModel = Arc<dyn Fn(&[f64]) -> Vec<ChannelFault> + Send + Sync>;
+
+/// An edit of the script, or a fault of a channel.
+#[derive(Clone)]
+pub(crate) struct Proposal {
+    /// Cause of the effect.
+    pub(crate) cause: &'static str,
+    /// Cause of a second effect.
+    pub(crate) second_cause: Option<&'static str>,
+    /// Form of the effect, in words.
+    pub(crate) form: String,
+    /// Part of the model or channel that it changes, in words.
+    pub(crate) location: String,
+    /// Commands, without the declarations of the parameters.
+    pub(crate) commands: Vec<String>,
+    /// Added parameters.
+    pub(crate) parameters: Vec<AddedParameter>,
+    /// Faults of channels.
+    pub(crate) fault_model: Option<FaultModel>,
+    /// True if the effect follows from geometry, not from a form of law. Its residual must not recur along the stroke.
+    pub(crate) geometric: bool,
+    /// True if the recording shows the effect by itself, whatever the model.
+    pub(crate) visible_in_recording: bool,
+}
+
+impl fmt::Debug for Proposal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} ({}) at {}: {:?} {:?}", self.cause, self.form, self.location, self.commands, self.parameters)
+    }
+}
+
+impl Proposal {
+    /// An edit of the script.
+    pub(crate) fn script_edit(
+        cause: &'static str,
+        form: &str,
+        location: String,
+        commands: Vec<String>,
+        parameters: Vec<AddedParameter>,
+    ) -> Self {
+        Self {
+            cause,
+            second_cause: None,
+            form: form.into(),
+            location,
+            commands,
+            parameters,
+            fault_model: None,
+            geometric: false,
+            visible_in_recording: false,
+        }
+    }
+
+    /// Both effects together. Parameters of the second get the prefix `hy2_`.
+    pub(crate) fn combined_with(&self, second: &Self) -> Self {
+        let renamed = |text: &str| text.replace("hy_", "hy2_");
+        let mut both = self.clone();
+        both.geometric &= second.geometric;
+        both.visible_in_recording |= second.visible_in_recording;
+        both.second_cause = Some(second.cause);
+        both.form = format!("{}; {}", self.form, second.form);
+        both.commands.extend(second.commands.iter().map(|l| renamed(l)));
+        let parameters = second.parameters.iter();
+        both.parameters.extend(parameters.map(|a| AddedParameter { name: renamed(&a.name), ..a.clone() }));
+        let n = self.parameters.len();
+        both.fault_model = match (self.fault_model.clone(), second.fault_model.clone()) {
+            (None, None) => None,
+            (first, second) => Some(Arc::new(move |values: &[f64]| {
+                let (a, b) = values.split_at(n);
+                let faults = |f: &Option<FaultModel>, v: &[f64]| f.as_ref().map_or_else(Vec::new, |f| f(v));
+                let mut all = faults(&first, a);
+                all.extend(faults(&second, b));
+                all
+            })),
+        };
+        both
+    }
+
+    /// The commands, preceded by declarations of the parameters at `values`.
+    pub(crate) fn declared_commands(&self, values: &[f64]) -> Vec<String> {
+        let of_the_model = self.parameters.iter().zip(values).filter(|(a, _)| !a.of_channel_fault);
+        let declarations = of_the_model.map(|(a, v)| format!("pset {} {v:?}", a.name));
+        declarations.chain(self.commands.iter().cloned()).collect()
+    }
+}

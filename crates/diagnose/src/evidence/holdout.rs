@@ -1,0 +1,194 @@
+//! Judgement of a repair by the runs held out, which can only lower its confidence.
+
+use crate::prior::{
+    FAILED_SHARE, KEPT_IF_CONTRADICTED, KEPT_IF_WORSENED, MIN_HOLDOUT_SIGNAL_RATIO, PREDICTED_SHARE, WORSENED_RATIO,
+};
+use hysteron_identify::study::{ObservedChannel, Role, ScoredRun, Study};
+use std::collections::BTreeMap;
+
+/// Judgement of a repair.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum HoldoutJudgement {
+    /// Nothing speaks against it.
+    Accepted,
+    /// It removes this share of the reducible error, less than [`PREDICTED_SHARE`].
+    PartlyPredicted(f64),
+    /// The runs do not improve.
+    Contradicted,
+    /// The runs get much worse, or have no result.
+    Worsened,
+}
+
+impl HoldoutJudgement {
+    /// Part of the confidence that is kept.
+    pub(crate) fn kept_confidence(self) -> f64 {
+        match self {
+            Self::Accepted => 1.0,
+            Self::PartlyPredicted(share) => {
+                let part = ((share - FAILED_SHARE) / (PREDICTED_SHARE - FAILED_SHARE)).clamp(0.0, 1.0);
+                KEPT_IF_CONTRADICTED + (1.0 - KEPT_IF_CONTRADICTED) * part
+            }
+            Self::Contradicted => KEPT_IF_CONTRADICTED,
+            Self::Worsened => KEPT_IF_WORSENED,
+        }
+    }
+
+    /// Returns true if the runs refute the repair.
+    pub(crate) fn refutes(self) -> bool {
+        matches!(self, Self::Contradicted | Self::Worsened)
+    }
+
+    /// The judgement in words; empty if the repair is accepted.
+    pub(crate) fn description(self) -> String {
+        match self {
+            Self::Accepted => String::new(),
+            Self::PartlyPredicted(share) => {
+                format!(
+                    " Of what is wrong in the runs held out the repair takes away no more than {:.0} %.",
+                    100.0 * share
+                )
+            }
+            Self::Contradicted => " The runs held out contradict the repair: they get no better by it.".into(),
+            Self::Worsened => {
+                " The runs held out contradict the repair: they get much worse by it, or have no answer.".into()
+            }
+        }
+    }
+}
+
+/// A repair to be judged, with the model's channels in all runs before and after it.
+pub(crate) struct Repair<'a> {
+    /// Channels before; `None` for a run without a result.
+    pub(crate) before: &'a [Option<ScoredRun>],
+    /// Channels after.
+    pub(crate) after: &'a [Option<ScoredRun>],
+    /// Structured share of its residual in the fitted runs; the rest is noise.
+    pub(crate) structured_share: f64,
+    /// True if the repair affects runs held out. One that does not still moves the user's parameters.
+    pub(crate) affects_holdout: bool,
+    /// True if the recordings show its effect by themselves. The runs held out need not contain the effect.
+    pub(crate) visible_in_recording: bool,
+}
+
+/// Judges a repair by the runs held out.
+pub(crate) fn judge(study: &Study, repair: &Repair<'_>) -> HoldoutJudgement {
+    let (before, after) = match (holdout_nmse(study, repair.before), holdout_nmse(study, repair.after)) {
+        (Some(before), Some(after)) => (before, after),
+        (Some(_), None) => return HoldoutJudgement::Worsened,
+        (None, _) => return HoldoutJudgement::Accepted,
+    };
+    if after > WORSENED_RATIO * before {
+        return HoldoutJudgement::Worsened;
+    }
+    let unchanged = !repair.visible_in_recording && after == before;
+    if repair.affects_holdout && (after > before || unchanged) {
+        return HoldoutJudgement::Contradicted;
+    }
+    let noise = (1.0 - repair.structured_share) * expected_holdout_nmse(study, repair.after);
+    if !repair.affects_holdout || repair.visible_in_recording || before < MIN_HOLDOUT_SIGNAL_RATIO * noise {
+        return HoldoutJudgement::Accepted;
+    }
+    match (before - after) / (before - noise) {
+        share if share < PREDICTED_SHARE => HoldoutJudgement::PartlyPredicted(share),
+        _ => HoldoutJudgement::Accepted,
+    }
+}
+
+/// Mean NMSE of the runs held out; none if there are none, or if one has no result.
+pub(crate) fn holdout_nmse(study: &Study, fits: &[Option<ScoredRun>]) -> Option<f64> {
+    let held: Vec<f64> =
+        study.runs_of(Role::Holdout).map(|(i, r)| Some(fits[i].as_ref()?.nmse(&r.observe))).collect::<Option<_>>()?;
+    (!held.is_empty()).then(|| held.iter().sum::<f64>() / held.len() as f64)
+}
+
+/// NMSE of a channel over fitted runs.
+#[derive(Default)]
+struct FittedError {
+    /// Sum of NMSE.
+    nmse: f64,
+    /// Sum of mean squares, in the channel's unit.
+    square: f64,
+    /// Number of runs.
+    runs: f64,
+}
+
+/// NMSE of the runs held out with the error of the fitted ones.
+///
+/// Each channel has the same share of its variance or the same error in its unit, whichever is larger: sensors have noise of one
+/// size, machines have more noise under more load.
+fn expected_holdout_nmse(study: &Study, fits: &[Option<ScoredRun>]) -> f64 {
+    let mut of_channel: BTreeMap<&str, FittedError> = BTreeMap::new();
+    for (i, run) in study.runs_of(Role::Fit) {
+        let Some(fit) = &fits[i] else { continue };
+        for (o, s) in run.observe.iter().zip(&fit.scores) {
+            let error = of_channel.entry(&o.channel).or_default();
+            error.nmse += s.nmse;
+            error.square += s.nmse * o.variance;
+            error.runs += 1.0;
+        }
+    }
+    let (sum, runs) = of_channel.values().fold((0.0, 0.0), |(sum, runs), e| (sum + e.nmse, runs + e.runs));
+    let expected = |o: &ObservedChannel| {
+        let fitted = of_channel.get(o.channel.as_str());
+        let own = fitted.map(|e| (e.nmse / e.runs).max(e.square / e.runs / o.variance));
+        o.weight * own.unwrap_or(sum / f64::max(runs, 1.0))
+    };
+    let held: Vec<f64> = study
+        .runs_of(Role::Holdout)
+        .map(|(_, r)| r.observe.iter().map(expected).sum::<f64>() / r.observe.len() as f64)
+        .collect();
+    held.iter().sum::<f64>() / held.len().max(1) as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{HoldoutJudgement, Repair, judge};
+    use crate::test_support::pad_study;
+    use hysteron_identify::study::{Role, Score, ScoredRun, Study};
+
+    /// Fits with a NMSE of the fitted runs and of those held out; none without a result.
+    fn with_nmse(study: &Study, fit: f64, held: Option<f64>) -> Vec<Option<ScoredRun>> {
+        let of = |role| if role == Role::Fit { Some(fit) } else { held };
+        let scores = |n: usize, nmse| vec![Score { nmse, samples: 100, dropped: 0 }; n];
+        study
+            .runs
+            .iter()
+            .map(|r| Some(ScoredRun { channels: vec![], scores: scores(r.observe.len(), of(r.role)?) }))
+            .collect()
+    }
+
+    fn judged(before: f64, after: Option<f64>, affects_holdout: bool, visible_in_recording: bool) -> HoldoutJudgement {
+        let s = pad_study();
+        let (before, after) = (with_nmse(&s, 0.5, Some(before)), with_nmse(&s, 1e-3, after));
+        let repair =
+            Repair { before: &before, after: &after, structured_share: 0.0, affects_holdout, visible_in_recording };
+        judge(&s, &repair)
+    }
+
+    #[test]
+    fn confidence_falls_with_the_predicted_share() {
+        assert_eq!(judged(0.5, Some(1e-3), true, false), HoldoutJudgement::Accepted);
+        assert_eq!(judged(0.5, Some(0.6), true, false), HoldoutJudgement::Contradicted);
+        assert_eq!(judged(0.5, Some(0.5), true, false), HoldoutJudgement::Contradicted);
+        assert_eq!(judged(0.5, Some(0.8), true, false), HoldoutJudgement::Worsened);
+        assert_eq!(judged(0.5, None, true, false), HoldoutJudgement::Worsened);
+        let keeps: Vec<f64> =
+            (0..10).map(|i| judged(0.5, Some(0.055 * f64::from(i)), true, false).kept_confidence()).collect();
+        assert!(keeps.windows(2).all(|w| w[1] <= w[0]) && keeps[0] == 1.0 && keeps[9] == 0.6, "{keeps:?}");
+        let half = judged(0.5, Some(0.25), true, false);
+        assert!(
+            matches!(half, HoldoutJudgement::PartlyPredicted(_)) && (0.65..0.75).contains(&half.kept_confidence()),
+            "{half:?}"
+        );
+        assert!(half.description().contains("50 %"), "{}", half.description());
+    }
+
+    /// A fault of one run may not worsen others. A visible effect need not improve them. The noise hides small effects.
+    #[test]
+    fn runs_without_the_effect_do_not_judge_it() {
+        assert_eq!(judged(0.5, Some(0.55), false, false), HoldoutJudgement::Accepted);
+        assert_eq!(judged(0.5, Some(0.8), false, false), HoldoutJudgement::Worsened);
+        assert_eq!(judged(0.5, Some(0.4), true, true), HoldoutJudgement::Accepted);
+        assert_eq!(judged(0.00115, Some(0.0011), true, false), HoldoutJudgement::Accepted);
+    }
+}

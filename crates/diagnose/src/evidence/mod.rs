@@ -1,0 +1,15 @@
+//! Evidence of recordings for fitted hypotheses.
+//!
+//! - [`likelihood`]: log evidence from whitened held-out residuals
+//! - [`ranking`]: prior odds, and the order of hypotheses
+//! - [`parametric_bootstrap`]: gains on simulated recordings of a known cause
+//! - [`probabilities`]: probabilities of causes, of `none` and of `unknown`
+//! - [`holdout`]: the judgement of runs held out
+//!
+//! All constants stand in `prior.rs`.
+
+pub(crate) mod holdout;
+pub(crate) mod likelihood;
+pub(crate) mod parametric_bootstrap;
+pub(crate) mod probabilities;
+pub(crate) mod ranking;

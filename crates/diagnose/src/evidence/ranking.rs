@@ -1,0 +1,108 @@
+//! Prior odds of hypotheses, and their order by log evidence.
+
+use super::likelihood::NoiseModel;
+use super::parametric_bootstrap::{BootstrapResult, Competitor, parametric_bootstrap};
+use crate::fit::fitted::FittedHypothesis;
+use crate::fit::linearized::LinearizedFit;
+use crate::fit::scheduler::Scheduler;
+use crate::inspect::conditions::conditions_differ;
+use crate::prior::{
+    COMPLETE_MODEL_LOG_ODDS, EQUAL_FORM_LOG_EVIDENCE, ONE_EFFECT_LOG_ODDS, RANGE_FAULT_IN_ALL_RUNS_LOG_ODDS,
+};
+use std::collections::BTreeSet;
+
+/// Sets the log evidence of hypotheses from their held-out residuals, and sorts them: best first.
+///
+/// The noise is that of the hypothesis with the best score.
+///
+/// # Errors
+/// No hypothesis has held-out residuals.
+pub(crate) fn rank(all: &mut [FittedHypothesis]) -> Result<(), String> {
+    let tested = all.iter().filter(|e| e.held_out.is_some());
+    let best = tested.min_by(|a, b| a.score().total_cmp(&b.score())).and_then(|e| e.held_out.as_ref());
+    let noise = NoiseModel::of(best.ok_or("no explanation could be tested on samples that it was not fitted to")?);
+    for e in all.iter_mut() {
+        let posterior = |r| prior_log_odds(e) + noise.log_evidence(r, e.variant.dimension());
+        e.log_evidence = e.held_out.as_ref().map_or(f64::NEG_INFINITY, posterior);
+    }
+    all.sort_by(|a, b| b.log_evidence.total_cmp(&a.log_evidence));
+    central_form_first(all);
+    Ok(())
+}
+
+/// Moves the form with the most central user parameters to the front, among those that equal the first.
+///
+/// Nothing else may show in which of two runs a range is wrong.
+fn central_form_first(all: &mut [FittedHypothesis]) {
+    let Some(first) = all.first() else { return };
+    let distance = |e: &FittedHypothesis| {
+        e.variant.own_coordinates(&e.fitted.point).iter().map(|x| (x - 0.5) * (x - 0.5)).sum::<f64>()
+    };
+    let equal = all.iter().enumerate().filter(|(_, e)| equal_forms(e, first));
+    let central = equal.min_by(|(_, a), (_, b)| distance(a).total_cmp(&distance(b))).map(|(n, _)| n);
+    if let Some(n) = central {
+        all[..=n].rotate_right(1);
+    }
+}
+
+/// Returns true if both have one cause, and evidence within [`EQUAL_FORM_LOG_EVIDENCE`].
+pub(crate) fn equal_forms(one: &FittedHypothesis, other: &FittedHypothesis) -> bool {
+    let causes = |e: &FittedHypothesis| (e.cause(), e.second_cause());
+    causes(one) == causes(other) && (one.log_evidence - other.log_evidence).abs() < EQUAL_FORM_LOG_EVIDENCE
+}
+
+/// Log odds of a hypothesis before the fit, nats.
+fn prior_log_odds(e: &FittedHypothesis) -> f64 {
+    let of_causes = match (e.cause(), e.second_cause()) {
+        ("none", _) => COMPLETE_MODEL_LOG_ODDS,
+        (_, Some(_)) => -ONE_EFFECT_LOG_ODDS,
+        _ => 0.0,
+    };
+    let coincidence = e.variant.visible_log_odds() == 0.0
+        && e.variant.has_range_fault_in_one_run()
+        && conditions_differ(&e.variant.study);
+    of_causes + e.variant.direct_log_odds() - if coincidence { RANGE_FAULT_IN_ALL_RUNS_LOG_ODDS } else { 0.0 }
+}
+
+/// Bootstrap of the ranked hypotheses, and of the best forms of other causes. `None` if the recording itself shows the first
+/// cause, which no noise does.
+pub(crate) fn bootstrap_ranking(
+    scheduler: &mut Scheduler<'_>,
+    ranked: &[FittedHypothesis],
+    best_forms: &[FittedHypothesis],
+) -> Result<Option<BootstrapResult>, String> {
+    if ranked[0].variant.visible_log_odds() > 0.0 {
+        return Ok(None);
+    }
+    let known: BTreeSet<&str> = ranked.iter().map(FittedHypothesis::cause).collect();
+    let further = best_forms.iter().filter(|e| !known.contains(e.cause()));
+    let all: Vec<&FittedHypothesis> = ranked.iter().chain(further).collect();
+    let linearized = scheduler.linearize("recordings as they might have been", &all)?;
+    let competitor = |(e, fit): (&&FittedHypothesis, Option<LinearizedFit>)| {
+        let point = e.fitted.point.clone();
+        Some(Competitor { cause: e.cause(), prior_log_odds: prior_log_odds(e), point, fit: fit? })
+    };
+    let competitors: Vec<Competitor> = all.iter().zip(linearized).filter_map(competitor).collect();
+    let first_takes_part = competitors.first().is_some_and(|c| c.cause == ranked[0].cause());
+    Ok(if first_takes_part { parametric_bootstrap(&competitors) } else { None })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::central_form_first;
+    use crate::test_support::hypotheses;
+
+    #[test]
+    fn among_equal_forms_the_central_one_comes_first() {
+        let order = |of: &[(&'static str, f64, f64)]| {
+            let mut all = hypotheses(of);
+            central_form_first(&mut all);
+            all.iter().map(|e| (e.cause(), e.log_evidence)).collect::<Vec<_>>()
+        };
+        let equal = order(&[("friction", 9.0, 0.1), ("damping", 8.9, 0.5), ("friction", 8.8, 0.4)]);
+        assert_eq!(equal, [("friction", 8.8), ("friction", 9.0), ("damping", 8.9)]);
+        // A form with less evidence stays behind, wherever its parameters are.
+        let worse = order(&[("friction", 9.0, 0.1), ("friction", 8.0, 0.5)]);
+        assert_eq!(worse, [("friction", 9.0), ("friction", 8.0)]);
+    }
+}

@@ -1,0 +1,75 @@
+//! Fit of the user's model.
+
+use super::fitted::FittedHypothesis;
+use super::job::{FittedModel, Job};
+use super::scheduler::Scheduler;
+use super::search_settings::{
+    BASELINE_ITERATIONS, BOUND_DISTANCE, LAST_ITERATIONS, MIN_WIDER_STEP_GAIN, POOR_NMSE, POOR_NMSE_AT_BOUND,
+    WIDER_DIFFERENCE_STEPS, WIDER_STEP_STARTS,
+};
+use crate::candidate::variant::Variant;
+use hysteron_identify::calibrate::LevenbergMarquardt;
+use hysteron_identify::study::InitialRun;
+use std::sync::Arc;
+
+const STAGE: &str = "the model as it is";
+
+/// Starts of the baseline in n coordinates besides the user's values: the middle of the cube, and four vertices of a smaller one.
+fn baseline_starts(n: usize) -> Vec<Vec<f64>> {
+    let vertex = |k: usize| (0..n).map(|i| if (i + k) % 2 == k / 2 { 0.2 } else { 0.8 }).collect();
+    std::iter::once(vec![0.5; n]).chain((0..4).map(vertex)).collect()
+}
+
+/// The user's model fitted from several starts. The step of differences that fits best is kept for all later jobs.
+///
+/// # Errors
+/// The model has no result for any values, or the user cancelled.
+pub(crate) fn fit_baseline(
+    scheduler: &mut Scheduler<'_>,
+    initial_run: &InitialRun,
+    text: &str,
+) -> Result<FittedHypothesis, String> {
+    let variant = Arc::new(Variant::baseline(&scheduler.study, text));
+    let mut starts = vec![scheduler.study.space.unit_point(&initial_run.values)];
+    starts.extend(baseline_starts(variant.dimension()));
+    let jobs = starts.into_iter().map(|s| Job::search(&variant, s, BASELINE_ITERATIONS)).collect();
+    let mut sorted: Vec<FittedModel> = scheduler.fit(STAGE, jobs)?.into_iter().flatten().collect();
+    sorted.sort_by(|a, b| a.objective.total_cmp(&b.objective));
+    let precise = |f: &FittedModel| Job::search(&variant, f.point.clone(), LAST_ITERATIONS);
+    let first = scheduler.fit(STAGE, sorted.first().map(precise).into_iter().collect())?.pop().flatten();
+    let first = first.ok_or("the model has no answer for any values of its parameters")?;
+    let mut best = (LevenbergMarquardt::DIFFERENCE_STEP, first.clone());
+    sorted[0] = first;
+    for step in WIDER_DIFFERENCE_STEPS {
+        scheduler.set_difference_step(step);
+        let fits = scheduler.fit(STAGE, sorted.iter().take(WIDER_STEP_STARTS).map(precise).collect())?;
+        let better = fits.into_iter().flatten().min_by(|a, b| a.objective.total_cmp(&b.objective));
+        if let Some(f) = better.filter(|f| f.objective < (1.0 - MIN_WIDER_STEP_GAIN) * best.1.objective) {
+            best = (step, f);
+        }
+    }
+    scheduler.set_difference_step(best.0);
+    Ok(FittedHypothesis::new(variant, best.1))
+}
+
+/// Returns true if a baseline leaves too much to trust its parameters: a large error, or a smaller one with a parameter at a
+/// bound, which then compensates for a missing effect.
+pub(crate) fn is_poor(baseline: &FittedHypothesis) -> bool {
+    let at_bound = |p: &f64| *p < BOUND_DISTANCE || *p > 1.0 - BOUND_DISTANCE;
+    let nmse = baseline.fitted.objective;
+    nmse > POOR_NMSE || nmse > POOR_NMSE_AT_BOUND && baseline.fitted.point.iter().any(at_bound)
+}
+
+/// The baseline fitted again with the present step length.
+///
+/// # Errors
+/// The model has no result, or the user cancelled.
+pub(crate) fn refit_baseline(
+    scheduler: &mut Scheduler<'_>,
+    baseline: &FittedHypothesis,
+) -> Result<FittedHypothesis, String> {
+    let job = Job::search(&baseline.variant, baseline.fitted.point.clone(), LAST_ITERATIONS);
+    let fitted = scheduler.fit(STAGE, vec![job])?.pop().flatten();
+    let fitted = fitted.ok_or("the model has no answer with shorter steps")?;
+    Ok(FittedHypothesis::new(baseline.variant.clone(), fitted))
+}

@@ -1,0 +1,288 @@
+//! Parts of a model that may lack physics.
+
+use super::adjacent_structures::{AdjacentNodes, adjacent_nodes};
+use super::frame_members::{FrameMember, columns, girders};
+use hysteron_engine::analysis::Engine;
+use hysteron_engine::element::{BasicRow, Element, ElementInput, ElementOutput, MatrixMask};
+use hysteron_engine::model::{Model, PatternKind};
+
+/// A spring or bearing whose law an amendment can change.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Device {
+    /// Tag of the element.
+    pub(crate) tag: i32,
+    /// Class of the element.
+    pub(crate) class: &'static str,
+    /// Tags of its nodes.
+    pub(crate) nodes: [i32; 2],
+    /// Directions with a stiffness.
+    pub(crate) directions: Vec<Direction>,
+    /// True if the law is linear elastic, with or without a dashpot.
+    pub(crate) linear: bool,
+    /// True if the force depends on the rate of deformation.
+    pub(crate) viscous: bool,
+}
+
+/// A direction of a device.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Direction {
+    /// Number, 1 to 6.
+    pub(crate) number: usize,
+    /// Column of the responses `deformation` and `basicForce`.
+    pub(crate) column: usize,
+    /// Initial stiffness.
+    pub(crate) stiffness: f64,
+    /// True if the direction is along the last axis of the model, which is vertical except in plan.
+    pub(crate) vertical: bool,
+}
+
+/// A fixed node.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Support {
+    /// Tag of the node.
+    pub(crate) node: i32,
+    /// Fixed degrees of freedom, from 1.
+    pub(crate) fixed: Vec<usize>,
+    /// Number of degrees of freedom of the node.
+    pub(crate) ndf: usize,
+    /// Tags of the connected elements.
+    pub(crate) elements: Vec<i32>,
+    /// Initial stiffness of these elements in each degree of freedom.
+    pub(crate) stiffness: Vec<f64>,
+}
+
+/// A node with mass.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Mass {
+    /// Tag of the node.
+    pub(crate) node: i32,
+    /// Mass in each degree of freedom.
+    pub(crate) mass: Vec<f64>,
+    /// True if the node has mass-proportional damping before further commands run.
+    pub(crate) damped: bool,
+}
+
+/// Parts of a model.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct ModelInventory {
+    /// Dimensions of the model.
+    pub(crate) ndm: usize,
+    /// Springs and bearings.
+    pub(crate) devices: Vec<Device>,
+    /// Tags of elastic beams.
+    pub(crate) beams: Vec<i32>,
+    /// Columns among these beams, the lowest first.
+    pub(crate) columns: Vec<FrameMember>,
+    /// Girders among these beams.
+    pub(crate) girders: Vec<FrameMember>,
+    /// Fixed nodes.
+    pub(crate) supports: Vec<Support>,
+    /// Nodes with mass.
+    pub(crate) masses: Vec<Mass>,
+    /// Nodes of structures that could collide.
+    pub(crate) adjacent: Vec<AdjacentNodes>,
+    /// True if the ground is excited; false if motions of nodes are imposed.
+    pub(crate) base_excited: bool,
+    /// Diagonal of the box around all nodes, length.
+    pub(crate) extent: f64,
+    /// First tag above those of all nodes and elements.
+    first_free_tag: i32,
+}
+
+/// Purpose of added nodes, elements and materials.
+///
+/// Each purpose has tags of its own, so that two proposals can share a script.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum TagPurpose {
+    /// Springs and dashpots below supports.
+    Foundation,
+    /// Materials of plastic hinges.
+    Hinges,
+    /// Nodes of eccentric masses.
+    Masses,
+    /// Damping regions.
+    Regions,
+    /// Dashpots beside columns.
+    Dashpots,
+    /// Contact elements between adjacent structures.
+    Joints,
+}
+
+/// Prefixes of the classes of elastic beams.
+const ELASTIC_BEAM_CLASSES: [&str; 3] = ["ElasticBeam", "ModElasticBeam", "ElasticTimoshenkoBeam"];
+
+/// Number of tags that each purpose has at least.
+pub(crate) const TAGS_PER_PURPOSE: usize = 100;
+
+impl ModelInventory {
+    /// The first free tag of a purpose.
+    pub(crate) fn first_tag(&self, purpose: TagPurpose) -> i32 {
+        self.first_free_tag
+            + match purpose {
+                TagPurpose::Foundation => 0,
+                TagPurpose::Hinges => 500,
+                TagPurpose::Masses => 600,
+                TagPurpose::Regions => 700,
+                TagPurpose::Dashpots => 800,
+                TagPurpose::Joints => 900,
+            }
+    }
+
+    /// Inventory of the model that an engine holds.
+    pub(crate) fn from_engine(engine: &Engine) -> Self {
+        let model = engine.model();
+        let tag = |id: hysteron_engine::model::NodeId| model.nodes[id.0].tag;
+        let mut out = Self { ndm: model.nodes.first().map_or(0, |n| n.ndm()), ..Self::default() };
+        for e in &model.elements {
+            let [i, j] = e.nodes[..] else { continue };
+            let nodes = [tag(i), tag(j)];
+            let rows = e.element.basic_rows();
+            let traits = e.element.traits();
+            if rows.is_empty() {
+                // Large displacements and P-Delta change the geometry, not the law.
+                let elastic_law = ELASTIC_BEAM_CLASSES.iter().any(|class| e.element.class().starts_with(class));
+                if (traits.linear || elastic_law) && e.dofs.len() >= 6 {
+                    out.beams.push(e.tag);
+                }
+                continue;
+            }
+            let n = e.element.dofs();
+            let mut tangent = vec![0.0; n * n];
+            e.element.initial_tangent(&mut tangent);
+            let directions = rows
+                .iter()
+                .map(|r| direction(r, &tangent, model.nodes[i.0].ndm()))
+                .filter(|d| d.stiffness > 0.0)
+                .collect();
+            out.devices.push(Device {
+                tag: e.tag,
+                class: e.element.class(),
+                nodes,
+                directions,
+                linear: traits.linear || is_elastic(e.element.as_ref(), &rows),
+                viscous: traits.viscous,
+            });
+        }
+        for (k, node) in model.nodes.iter().enumerate() {
+            let fixed: Vec<usize> = model.fixes.iter().filter(|f| f.node.0 == k).map(|f| f.dof + 1).collect();
+            if !fixed.is_empty() {
+                let connected = model.elements.iter().filter(|e| e.nodes.iter().any(|n| n.0 == k)).map(|e| e.tag);
+                let (elements, stiffness) = (connected.collect(), stiffness_at(model, k, node.ndf));
+                out.supports.push(Support { node: node.tag, fixed, ndf: node.ndf, elements, stiffness });
+            }
+            if node.mass.iter().any(|m| *m > 0.0) {
+                out.masses.push(Mass { node: node.tag, mass: node.mass.clone(), damped: node.alpha_m != 0.0 });
+            }
+        }
+        out.columns = columns(model, &out.beams);
+        out.girders = girders(model, &out.beams);
+        out.adjacent = adjacent_nodes(model, &out.devices);
+        out.base_excited = is_base_excited(model);
+        out.extent = extent(model);
+        let largest = model.node_tags().chain(model.element_tags()).max().unwrap_or(0);
+        out.first_free_tag = (largest + 1).max(MIN_ADDED_TAG);
+        out
+    }
+
+    /// Devices on supports, grouped by class and number of directions.
+    pub(crate) fn ground_supported_groups(&self) -> Vec<Vec<&Device>> {
+        let on_support = |d: &&Device| {
+            !d.directions.is_empty()
+                && self.supports.iter().any(|s| d.nodes.contains(&s.node) && s.fixed.len() >= self.ndm)
+        };
+        grouped(self.devices.iter().filter(on_support), of_one_kind)
+    }
+
+    /// Devices with a linear law, or those without, grouped by class and number of directions.
+    pub(crate) fn device_groups(&self, linear: bool) -> Vec<Vec<&Device>> {
+        let devices = self.devices.iter().filter(|d| d.linear == linear && !d.directions.is_empty());
+        grouped(devices, of_one_kind)
+    }
+}
+
+fn of_one_kind(a: &Device, b: &Device) -> bool {
+    a.class == b.class && a.directions.len() == b.directions.len()
+}
+
+/// Groups whose members are alike to their first member, in the order of the input.
+pub(crate) fn grouped<'a, T>(all: impl IntoIterator<Item = &'a T>, alike: impl Fn(&T, &T) -> bool) -> Vec<Vec<&'a T>> {
+    let mut groups: Vec<Vec<&T>> = vec![];
+    for one in all {
+        match groups.iter_mut().find(|g| alike(g[0], one)) {
+            Some(g) => g.push(one),
+            None => groups.push(vec![one]),
+        }
+    }
+    groups
+}
+
+/// Returns true if a pattern excites the ground.
+pub(crate) fn is_base_excited(model: &Model) -> bool {
+    model.patterns.values().any(|p| !matches!(p.kind, PatternKind::Plain { .. }))
+}
+
+/// Diagonal of the box around all nodes.
+fn extent(model: &Model) -> f64 {
+    let places = || model.nodes.iter().map(|n| n.place());
+    let corner = |choose: fn(f64, f64) -> f64| places().reduce(|a, b| a.zip_map(&b, choose));
+    corner(f64::max).zip(corner(f64::min)).map_or(0.0, |(high, low)| (high - low).norm())
+}
+
+/// Diagonal of the initial stiffness of all elements at a node.
+fn stiffness_at(model: &Model, node: usize, ndf: usize) -> Vec<f64> {
+    let mut sum = vec![0.0; ndf];
+    for e in &model.elements {
+        let Some(end) = e.nodes.iter().position(|n| n.0 == node) else { continue };
+        let (n, dofs_per_node) = (e.element.dofs(), e.element.dofs() / e.nodes.len());
+        let mut tangent = vec![0.0; n * n];
+        e.element.initial_tangent(&mut tangent);
+        for (dof, sum) in sum.iter_mut().enumerate().take(dofs_per_node) {
+            let i = end * dofs_per_node + dof;
+            *sum += tangent[i * n + i];
+        }
+    }
+    sum
+}
+
+/// A direction with its stiffness uᵀ K u, where u is the unit deformation at the second node.
+fn direction(row: &BasicRow, tangent: &[f64], ndm: usize) -> Direction {
+    let unit = row.at_j();
+    let n = unit.len();
+    let product = |k: &[f64]| k.iter().zip(unit).map(|(a, b)| a * b).sum::<f64>();
+    let stiffness = tangent.chunks_exact(n).zip(unit).map(|(k, u)| u * product(k)).sum();
+    // A chain along one axis has no height.
+    let vertical = ndm > 1 && unit.get(n / 2 + ndm - 1).is_some_and(|u| u.abs() > MIN_VERTICAL_COMPONENT);
+    Direction { number: row.direction, column: row.column, stiffness, vertical }
+}
+
+/// Component along the last axis from which a direction is vertical.
+const MIN_VERTICAL_COMPONENT: f64 = 0.7;
+/// Least tag of an added node, element or material; it leaves the tags of later commands free.
+const MIN_ADDED_TAG: i32 = 900_000;
+
+/// Returns true if the force of an element is proportional to its deformation at every tested size.
+///
+/// The element is deformed at rest, because laws do not state their linearity.
+fn is_elastic(element: &dyn Element, rows: &[BasicRow]) -> bool {
+    let n = element.dofs();
+    let mut state = vec![0.0; element.state_len()];
+    element.init(&mut state);
+    let (rest, load) = (vec![0.0; n], vec![0.0; element.load_len()]);
+    let mut next = state.clone();
+    rows.iter().all(|row| {
+        let mut stiffness = |size: f64| {
+            let disp: Vec<f64> = row.at_j().iter().map(|u| size * u).collect();
+            let motion =
+                ElementInput { disp: &disp, vel: &rest, load: &load, still: true, opensees: None, dt: 0.0, time: 0.0 };
+            let mut force = vec![0.0; n];
+            let answer = ElementOutput { force: &mut force, tangent: None, damping: None, part: MatrixMask::ALL };
+            element.respond(&motion, &state, &mut next, answer).ok()?;
+            Some(row.force(&force) / size)
+        };
+        let small = stiffness(1e-6);
+        [1e-3, 1.0, -1.0, 1e3].iter().all(|size| match (small, stiffness(*size)) {
+            (Some(a), Some(b)) => (a - b).abs() <= 1e-6 * a.abs(),
+            _ => false,
+        })
+    })
+}

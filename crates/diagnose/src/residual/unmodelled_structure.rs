@@ -1,0 +1,270 @@
+//! Structure that a fit leaves in the residuals of all channels.
+
+use super::autoregressive::{burg, whiten};
+use super::bursts::burst_share;
+use super::motion_regressors::motion_regressors;
+use super::recurrence::StrokeCells;
+use super::regression::explained_share;
+use super::spectral_lines::line_share;
+use super::surrogates::{follows_motion, recurs_along, silent_share, unsteady_share};
+use crate::inspect::response::ResponseRanges;
+use crate::prior::{
+    BURST_NOISE_ORDER, CHANNEL_SHIFTS, MIN_CONSTANT_VARIANCE, NEGLIGIBLE_RESIDUAL, REGRESSION_DEVICES, RESIDUAL_SHIFTS,
+    SAMPLES_PER_REGRESSOR, SINGULAR_VARIANCE_FIT, STRUCTURE_BLOCKS, STRUCTURE_NOISE_ORDER, STRUCTURE_POINTS,
+    VARIANCE_FIT_STEPS,
+};
+use crate::series::{averaged, power};
+use hysteron_identify::study::{ObservedChannel, Role, Run, ScoredRun, Study};
+
+/// Structure of a residual that no steady noise has.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct UnmodelledStructure {
+    /// Largest structured share of the residual power of a channel; 0 without structure.
+    pub(crate) share: f64,
+    /// Kind of structure and channel, in words.
+    pub(crate) description: String,
+}
+
+impl UnmodelledStructure {
+    /// Keeps the larger share; of equal ones the first.
+    fn consider(&mut self, share: f64, description: String) {
+        if share > self.share {
+            *self = Self { share, description };
+        }
+    }
+}
+
+/// A run with its residuals and the motion of its devices.
+struct RunResiduals<'a> {
+    run: &'a Run,
+    fit: &'a ScoredRun,
+    /// Residuals of the channels at all samples.
+    residuals: Vec<Vec<f64>>,
+    /// The same, averaged to at most [`STRUCTURE_POINTS`] points.
+    averaged: Vec<Vec<f64>>,
+    motion: Vec<Vec<f64>>,
+    strokes: Vec<StrokeCells>,
+}
+
+/// Structure that a model leaves in the fitted runs. `fits` are these runs, in their order.
+///
+/// A law of another form leaves a residual that recurs along the stroke, and silence where nothing moves. Both count only for
+/// the `complete_model`, which should leave noise alone.
+pub(crate) fn unmodelled_structure(
+    study: &Study,
+    responses: &ResponseRanges,
+    fits: &[ScoredRun],
+    complete_model: bool,
+) -> UnmodelledStructure {
+    let mut found = UnmodelledStructure::default();
+    for ((number, run), fit) in study.runs_of(Role::Fit).zip(fits) {
+        let residuals = residuals(run, fit);
+        let averaged = residuals.iter().map(|r| averaged(r, STRUCTURE_POINTS)).collect();
+        let motion = motion_regressors(responses, number);
+        let run = RunResiduals { run, fit, residuals, averaged, motion, strokes: strokes(responses, number) };
+        for channel in 0..run.run.observe.len().min(fit.channels.len()) {
+            run.channel_structure(channel, complete_model, &mut found);
+        }
+    }
+    found
+}
+
+impl RunResiduals<'_> {
+    /// Adds the structure of one channel.
+    fn channel_structure(&self, channel: usize, complete_model: bool, found: &mut UnmodelledStructure) {
+        let (observe, residual) = (&self.run.observe[channel], &self.residuals[channel]);
+        let simulated: Vec<f64> = self.fit.channels[channel].iter().map(|y| finite_or_zero(*y)).collect();
+        let points = &self.averaged[channel];
+        let noise = burg(points, STRUCTURE_NOISE_ORDER);
+        let weight = significance(residual, observe);
+        let name = &observe.channel;
+        let mut consider = |share: f64, description: String| found.consider(weight * share, description);
+        consider(
+            self.motion_share(&simulated, points, &noise),
+            format!("part of the residual of {name} follows the motion"),
+        );
+        let recurrence =
+            if complete_model { StrokeCells::recurrence_along_stroke } else { StrokeCells::recurrence_within_stroke };
+        consider(recurs_along(points, &self.strokes, recurrence), recurrence_description(observe));
+        // Sensor noise may grow with the reading, which is neither silence nor unsteadiness.
+        let steady = if complete_model {
+            variance_normalised(points, &averaged(&simulated, STRUCTURE_POINTS))
+        } else {
+            points.clone()
+        };
+        if complete_model {
+            consider(
+                silent_share(&steady),
+                format!("the residual of {name} is silent at some times, as no steady noise"),
+            );
+        }
+        let (line, frequency) = line_share(residual, &simulated);
+        let times = &self.run.recording.times;
+        let rate = (times.len() - 1) as f64 / (times[times.len() - 1] - times[0]);
+        consider(line, format!("the residual of {name} has a line at {:.3} Hz", frequency * rate));
+        let burst = burst_share(&innovations(residual), &innovations(&simulated));
+        consider(burst, format!("the residual of {name} comes in bursts"));
+        consider(unsteady_share(&steady), format!("the residual of {name} is louder at some times than steady noise"));
+        let common = common_share(&self.averaged, channel, &noise);
+        consider(common, format!("the residual of {name} moves with those of other channels"));
+    }
+
+    /// Share of a residual that the motion and the channel itself predict, in innovations or beyond surrogates.
+    fn motion_share(&self, simulated: &[f64], points: &[f64], noise: &[f64]) -> f64 {
+        let columns: Vec<Vec<f64>> = CHANNEL_SHIFTS
+            .iter()
+            .map(|s| shifted(simulated, *s))
+            .chain(self.motion.iter().cloned())
+            .take(points.len() / SAMPLES_PER_REGRESSOR)
+            .map(|c| averaged(&c, STRUCTURE_POINTS))
+            .collect();
+        // Slow noise correlates with every slow regressor, so that both sides are whitened. Whitening hides smooth effects in
+        // white noise, so that surrogates of the plain residual are compared as well.
+        let whitened: Vec<Vec<f64>> = columns.iter().map(|c| whiten(c, noise)).collect();
+        let predicted = explained_share(&whiten(points, noise), &whitened, STRUCTURE_BLOCKS);
+        predicted.max(follows_motion(points, columns, STRUCTURE_BLOCKS))
+    }
+}
+
+/// A residual divided by the standard deviation of noise with the variance a + b y² at a channel reading y.
+///
+/// Reweighted least squares on the squared residual give the most likely a and b that are not negative.
+fn variance_normalised(residual: &[f64], channel: &[f64]) -> Vec<f64> {
+    let (mean, size) = (power(residual), power(channel));
+    if mean <= 0.0 || size <= 0.0 {
+        return residual.to_vec();
+    }
+    let squares: Vec<f64> = channel.iter().map(|y| y * y / size).collect();
+    let (mut a, mut b) = (mean, 0.0);
+    for _ in 0..VARIANCE_FIT_STEPS {
+        let (mut normal, mut gradient) = ([[0.0; 2]; 2], [0.0; 2]);
+        for (r, g) in residual.iter().zip(&squares) {
+            let w = (a + b * g).powi(-2);
+            normal = [[normal[0][0] + w, normal[0][1] + w * g], [normal[1][0] + w * g, normal[1][1] + w * g * g]];
+            gradient = [gradient[0] + w * r * r, gradient[1] + w * g * r * r];
+        }
+        let [[aa, ab], [_, bb]] = normal;
+        let determinant = aa * bb - ab * ab;
+        if determinant <= SINGULAR_VARIANCE_FIT * aa * bb {
+            break;
+        }
+        a = (bb * gradient[0] - ab * gradient[1]) / determinant;
+        b = (aa * gradient[1] - ab * gradient[0]) / determinant;
+        if b < 0.0 {
+            (a, b) = (gradient[0] / aa, 0.0);
+        } else if a < MIN_CONSTANT_VARIANCE * mean {
+            a = MIN_CONSTANT_VARIANCE * mean;
+            b = ((gradient[1] - ab * a) / bb).max(0.0);
+        }
+    }
+    residual.iter().zip(&squares).map(|(r, g)| r / (a + b * g).sqrt()).collect()
+}
+
+/// Residual that recurs along the stroke, however slowly it changes there.
+pub(crate) fn recurring_structure(
+    study: &Study,
+    responses: &ResponseRanges,
+    fits: &[ScoredRun],
+) -> UnmodelledStructure {
+    let mut found = UnmodelledStructure::default();
+    for ((number, run), fit) in study.runs_of(Role::Fit).zip(fits) {
+        let strokes = strokes(responses, number);
+        for (r, o) in residuals(run, fit).iter().zip(&run.observe) {
+            let points = averaged(r, STRUCTURE_POINTS);
+            let share = recurs_along(&points, &strokes, StrokeCells::recurrence_along_stroke);
+            found.consider(significance(r, o) * share, recurrence_description(o));
+        }
+    }
+    found
+}
+
+fn recurrence_description(channel: &ObservedChannel) -> String {
+    format!("the residual of {} comes again wherever the deformation does", channel.channel)
+}
+
+/// Residuals of the channels of a run; missing samples are 0.
+fn residuals(run: &Run, fit: &ScoredRun) -> Vec<Vec<f64>> {
+    let of =
+        |(o, y): (&ObservedChannel, &Vec<f64>)| y.iter().zip(&o.values).map(|(y, v)| finite_or_zero(y - v)).collect();
+    run.observe.iter().zip(&fit.channels).map(of).collect()
+}
+
+/// Cells along the strokes of the devices in a run.
+fn strokes(responses: &ResponseRanges, run: usize) -> Vec<StrokeCells> {
+    let moving = responses.histories.iter().filter(|((r, _, _), _)| *r == run).take(REGRESSION_DEVICES);
+    moving.map(|(_, h)| StrokeCells::new(&averaged(&h.deformation, STRUCTURE_POINTS), STRUCTURE_BLOCKS)).collect()
+}
+
+/// Weight of a channel, at most 1: small where the residual is negligible against the channel.
+fn significance(residual: &[f64], channel: &ObservedChannel) -> f64 {
+    (power(residual) / channel.variance / NEGLIGIBLE_RESIDUAL).min(1.0)
+}
+
+fn finite_or_zero(x: f64) -> f64 {
+    if x.is_finite() { x } else { 0.0 }
+}
+
+/// Innovations of a series under noise of order [`BURST_NOISE_ORDER`].
+fn innovations(x: &[f64]) -> Vec<f64> {
+    whiten(x, &burg(x, BURST_NOISE_ORDER))
+}
+
+/// Share of a channel's residual that the residuals of the other channels predict, as an amplitude.
+///
+/// Sensors have independent noise, while a missing force moves all channels. Noise hides part of a common effect, and the
+/// square root compensates for it; independent noise predicts nothing in any block.
+fn common_share(residuals: &[Vec<f64>], channel: usize, noise: &[f64]) -> f64 {
+    let target = &residuals[channel];
+    let others = || residuals.iter().enumerate().filter(|(c, x)| *c != channel && x.len() == target.len());
+    // As many as the samples allow, the smallest shifts first.
+    let columns: Vec<Vec<f64>> = RESIDUAL_SHIFTS
+        .iter()
+        .flat_map(|by| others().map(|(_, x)| whiten(&shifted(x, *by), noise)))
+        .take(target.len() / SAMPLES_PER_REGRESSOR)
+        .collect();
+    explained_share(&whiten(target, noise), &columns, STRUCTURE_BLOCKS).sqrt()
+}
+
+/// A series shifted by some samples and divided by its largest absolute value; its ends repeat.
+fn shifted(x: &[f64], by: isize) -> Vec<f64> {
+    let top = x.iter().fold(0.0f64, |m, x| m.max(x.abs())).max(f64::MIN_POSITIVE);
+    let n = x.len() as isize;
+    (0..n).map(|t| x[(t + by).clamp(0, n - 1) as usize] / top).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{common_share, silent_share, unsteady_share, variance_normalised};
+    use crate::test_support::white_noise;
+
+    #[test]
+    fn independent_sensor_noise_has_no_common_share() {
+        let own: Vec<Vec<f64>> = (1..4).map(|seed| white_noise(seed, 900)).collect();
+        assert!((0..3).all(|c| common_share(&own, c, &[]) < 0.05));
+        // A force that moves all channels, each a sample later.
+        let force = white_noise(9, 910);
+        let moved: Vec<Vec<f64>> =
+            (0..3).map(|c| own[c].iter().zip(&force[c..]).map(|(o, f)| o + f).collect()).collect();
+        assert!((0..3).all(|c| common_share(&moved, c, &[]) > 0.5));
+        assert!(common_share(&moved[..1], 0, &[]) == 0.0);
+    }
+
+    /// Noise that grows with the reading is neither silent nor unsteady; an event of its own is.
+    #[test]
+    fn noise_may_grow_with_the_reading() {
+        let n = 1200;
+        let channel: Vec<f64> = (0..n).map(|t| (t as f64 / n as f64) * (0.05 * t as f64).sin()).collect();
+        let mut flagged = 0;
+        for seed in 1..20 {
+            let grows: Vec<f64> =
+                white_noise(seed, n).iter().zip(&channel).map(|(x, y)| x * (0.1f64 + y * y).sqrt()).collect();
+            let steady = variance_normalised(&grows, &channel);
+            assert!(silent_share(&grows) > 0.3, "{seed} {}", silent_share(&grows));
+            flagged += usize::from(silent_share(&steady).max(unsteady_share(&steady)) > 0.05);
+            let rung = |t: usize| if t % 500 > 400 { 8.0 * (0.4 * t as f64).sin() } else { 0.0 };
+            let struck: Vec<f64> = white_noise(seed, n).iter().enumerate().map(|(t, x)| x + rung(t)).collect();
+            assert!(silent_share(&variance_normalised(&struck, &channel)) > 0.3);
+        }
+        assert!(flagged < 3, "{flagged}");
+    }
+}

@@ -1,0 +1,64 @@
+//! Studies, hypotheses and noise for unit tests.
+
+use crate::candidate::proposal::{AddedParameter, Proposal};
+use crate::candidate::variant::Variant;
+use crate::fit::fitted::FittedHypothesis;
+use crate::fit::job::FittedModel;
+use crate::inspect::insertion::InsertionPoint;
+use hysteron_identify::study::Study;
+use hysteron_tcl::diagnostic::SourceMap;
+use std::path::Path;
+use std::sync::Arc;
+
+/// The study of a pad under imposed displacement that the repository ships.
+pub(crate) fn pad_study() -> Study {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tcl-like-inputs/pad_study/study.toml");
+    Study::load(&file, &mut SourceMap::default()).expect("a study")
+}
+
+/// A variant at the middle of the user's parameters, with coordinates of the added ones.
+pub(crate) fn fitted_at(variant: Variant, added: &[f64]) -> FittedHypothesis {
+    let own = variant.dimension() - added.len();
+    let point = [&vec![0.5; own][..], added].concat();
+    let values = variant.study.space.values_at(&point).expect("values");
+    FittedHypothesis::new(Arc::new(variant), FittedModel { point, values, objective: 1.0, fits: vec![] })
+}
+
+/// The baseline of that study at the middle of its parameters.
+pub(crate) fn baseline() -> FittedHypothesis {
+    fitted_at(Variant::baseline(&Arc::new(pad_study()), "analyze 1\n"), &[])
+}
+
+/// An edit of the script with parameters from 0 to 1.
+pub(crate) fn script_edit(cause: &'static str, names: &[&str]) -> Proposal {
+    let parameters = names.iter().map(|n| AddedParameter::linear(n, 0.0, 1.0, 0.5)).collect();
+    let commands = names.iter().map(|n| format!("{n} $hy_{n}")).collect();
+    Proposal::script_edit(cause, cause, "element 1".into(), commands, parameters)
+}
+
+/// Hypotheses by cause, log evidence and coordinate of all the user's parameters.
+pub(crate) fn hypotheses(of: &[(&'static str, f64, f64)]) -> Vec<FittedHypothesis> {
+    let baseline = baseline();
+    let own = baseline.variant.dimension();
+    let one = |(cause, log_evidence, coordinate): &(&'static str, f64, f64)| {
+        let proposal = script_edit(cause, &["x"]);
+        let variant = baseline.variant.with_proposal(&InsertionPoint::At(0), &proposal).expect("a variant");
+        let mut e = fitted_at(variant, &[0.5]);
+        e.fitted.point[..own].fill(*coordinate);
+        e.log_evidence = *log_evidence;
+        e
+    };
+    of.iter().map(one).collect()
+}
+
+/// White noise of variance one: sums of twelve uniform numbers.
+pub(crate) fn white_noise(seed: u64, n: usize) -> Vec<f64> {
+    let mut x = 88172645463325252u64 ^ (seed << 32);
+    let mut uniform = || {
+        x ^= x << 13;
+        x ^= x >> 7;
+        x ^= x << 17;
+        (x >> 11) as f64 / (1u64 << 53) as f64
+    };
+    (0..n).map(|_| (0..12).map(|_| uniform()).sum::<f64>() - 6.0).collect()
+}

@@ -1,0 +1,344 @@
+//! From ranked hypotheses to the verdict and the repaired model.
+
+use super::diagnosis::{Diagnosis, RankedHypothesis};
+use super::discriminating_test::discriminating_test;
+use super::explanation::{explanation, observation};
+use super::mismatch::{find_windows, regime};
+use super::result_file::{Baseline, Candidate, Mismatch, Outcome, RepairedModel, Verdict};
+use crate::candidate::channel_fault::ChannelFault;
+use crate::candidate::repaired_script::repaired_script;
+use crate::candidate::variant::Variant;
+use crate::evidence::holdout::{self, HoldoutJudgement, holdout_nmse, judge};
+use crate::evidence::parametric_bootstrap::BootstrapResult;
+use crate::evidence::probabilities::{CauseProbabilities, CauseValues};
+use crate::evidence::ranking::equal_forms;
+use crate::fit::fitted::FittedHypothesis;
+use crate::fit::halton_points::points_around;
+use crate::fit::job::{FittedModel, Job};
+use crate::fit::scheduler::Scheduler;
+use crate::fit::search_settings::LAST_ITERATIONS;
+use crate::fit::step_error::StepError;
+use crate::inspect::insertion::InsertionPoint;
+use crate::inspect::response::ResponseRanges;
+use crate::prior::{MIN_REPAIR_GAIN, MIN_REPORTED_PROBABILITY};
+use hysteron_identify::study::{
+    InitialRun, ParameterSpace, Role, ScoredRun, ScriptSimulator, Study, simulate_and_score,
+};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// Basis of the conclusion besides the ranking.
+pub(super) struct ConclusionContext<'a> {
+    pub(super) study: &'a Arc<Study>,
+    pub(super) simulator: &'a ScriptSimulator,
+    pub(super) initial_run: &'a InitialRun,
+    pub(super) text: &'a str,
+    pub(super) point: &'a InsertionPoint,
+    pub(super) responses: &'a ResponseRanges,
+    /// True if motions of nodes are imposed, false if the ground moves.
+    pub(super) imposed_motion: bool,
+    pub(super) step_error: StepError,
+    /// Causes left out because the recordings have no clock.
+    pub(super) causes_without_clock: Vec<&'static str>,
+    /// True if the baseline is poor and the runs are too long for a global search.
+    pub(super) global_search_too_long: bool,
+    pub(super) bootstrap: Option<BootstrapResult>,
+}
+
+/// A repaired model.
+struct Repair {
+    /// Hypothesis of the repair.
+    hypothesis: FittedHypothesis,
+    /// Its optimum with the steps of the script.
+    fitted: FittedModel,
+    /// Channels of all runs; none for a run without a result.
+    fits: Vec<Option<ScoredRun>>,
+    judgement: HoldoutJudgement,
+}
+
+/// Cause with the highest probability after the judgement of its repair.
+struct JudgedVerdict {
+    cause: &'static str,
+    repair: Repair,
+    /// Cause of the nearest repair if none is written, because it has no name and worsens the runs held out.
+    refused: Option<&'static str>,
+}
+
+/// Diagnosis from ranked hypotheses, best first.
+///
+/// `baseline` is fitted with the steps of the script, `ranked` with steps as short as necessary.
+pub(super) fn conclude(
+    scheduler: &mut Scheduler<'_>,
+    c: &ConclusionContext<'_>,
+    baseline: &FittedHypothesis,
+    ranked: &[FittedHypothesis],
+) -> Result<Diagnosis, String> {
+    let study = c.study;
+    let mut causes = CauseProbabilities::of(study, c.responses, baseline, ranked, c.bootstrap.as_ref());
+    let baseline_fits = fits_of_all_runs(c, &baseline.variant, &baseline.fitted.values);
+    // The repaired model keeps the steps of the script.
+    scheduler.set_step_parts(1);
+    let mut verdict_judge = VerdictJudge { scheduler, c, baseline, ranked, baseline_fits: &baseline_fits };
+    let verdict = verdict_judge.verdict(&mut causes)?;
+    let repair = &verdict.repair;
+    // The verdict and its strongest competitor, each as fitted.
+    let competitor = ranked.iter().find(|e| e.cause() != repair.hypothesis.cause() && e.cause() != "none");
+    let observation = observation(verdict.cause, competitor.map(FittedHypothesis::cause));
+    let next_test = competitor.filter(|_| repair.hypothesis.cause() != "none").and_then(|other| {
+        discriminating_test(&c.simulator.factory(), study, c.imposed_motion, [&repair.hypothesis, other])
+    });
+    let named_repair = Some(&repair.fits).filter(|_| !matches!(verdict.cause, "none" | "unknown"));
+    let outcome = Outcome {
+        baseline: Baseline {
+            fit_nmse: baseline.fitted.objective,
+            holdout_nmse: holdout_nmse(study, &baseline_fits),
+            parameters: values_by_name(&study.space, &baseline.fitted.values),
+        },
+        mismatch: mismatches(c, &baseline_fits, named_repair),
+        verdict: verdict_in_words(c, baseline, ranked, &causes, &verdict),
+        corrected: RepairedModel {
+            script: "corrected.tcl".into(),
+            parameters: values_by_name(&repair.hypothesis.variant.study.space, &repair.fitted.values),
+            fit_nmse: repair.fitted.objective,
+            holdout_nmse: holdout_nmse(study, &repair.fits),
+            channels: repair.hypothesis.variant.channel_faults(&repair.fitted.values),
+        },
+        unexplained_share: remaining_share(baseline, repair).min(1.0),
+        bootstrap: c.bootstrap.clone(),
+        next_test: match &next_test {
+            Some(t) => format!("{}; {observation}", t.description),
+            None => observation,
+        },
+    };
+    let values = &repair.fitted.values;
+    let script = repaired_script(c.text, &c.initial_run.value_spans, c.point, &repair.hypothesis.variant, values);
+    Ok(Diagnosis {
+        outcome,
+        repaired_script: script,
+        ranking: ranked.iter().map(ranked_hypothesis).collect(),
+        displacements: displacements(c, &baseline.fitted.values),
+        repaired_fits: verdict.repair.fits,
+        baseline_fits,
+        next_test,
+        evaluations: scheduler.evaluations(),
+        structured_share: causes.structure.share,
+        structure: causes.structure.description,
+    })
+}
+
+/// Finds the verdict by repairing the most probable cause until its repair stands.
+struct VerdictJudge<'a, 'b> {
+    scheduler: &'a mut Scheduler<'b>,
+    c: &'a ConclusionContext<'a>,
+    baseline: &'a FittedHypothesis,
+    ranked: &'a [FittedHypothesis],
+    baseline_fits: &'a [Option<ScoredRun>],
+}
+
+impl VerdictJudge<'_, '_> {
+    /// Repairs the most probable cause. If the runs held out lower its probability, the next most probable one follows.
+    fn verdict(&mut self, causes: &mut CauseProbabilities) -> Result<JudgedVerdict, String> {
+        let structured_share = causes.structure.share;
+        let log_evidence_of_none = causes.log_evidence_of_none;
+        let mut repairs: Vec<(&'static str, Repair)> = vec![];
+        let cause = loop {
+            let cause = causes.probabilities[0].0;
+            // Even for `unknown` the nearest repair is written.
+            if repairs.iter().any(|(known, _)| *known == cause) || cause == "unknown" && !repairs.is_empty() {
+                break cause;
+            }
+            let repair = self.best_repair(cause, log_evidence_of_none, structured_share)?;
+            move_to_unknown(&mut causes.probabilities, repair.judgement.kept_confidence());
+            repairs.push((cause, repair));
+        };
+        let index = repairs.iter().position(|(known, _)| *known == cause).unwrap_or(0);
+        let (repaired_cause, repair) = repairs.swap_remove(index);
+        if cause == "unknown" && repair.judgement.refutes() {
+            let nearest = if repaired_cause == "unknown" { self.ranked[0].cause() } else { repaired_cause };
+            let repair = self.repair(self.baseline.clone(), structured_share)?;
+            return Ok(JudgedVerdict { cause, repair, refused: Some(nearest) });
+        }
+        Ok(JudgedVerdict { cause, repair, refused: None })
+    }
+
+    /// Repair by the best form of a cause, or by its second form if the runs held out refute the first alone.
+    fn best_repair(&mut self, cause: &str, log_evidence_of_none: f64, structured_share: f64) -> Result<Repair, String> {
+        let best = &self.ranked[0];
+        let hypothesis = match cause {
+            "none" => self.baseline,
+            "unknown" if best.log_evidence < log_evidence_of_none + MIN_REPAIR_GAIN => self.baseline,
+            "unknown" => best,
+            _ => self.ranked.iter().find(|e| e.cause() == cause).unwrap_or(best),
+        };
+        let repair = self.repair(hypothesis.clone(), structured_share)?;
+        let supported = |e: &&FittedHypothesis| e.cause() == cause && e.log_evidence > log_evidence_of_none;
+        let second_form = self.ranked.iter().filter(supported).nth(1).filter(|_| repair.judgement.refutes());
+        if let Some(form) = second_form {
+            let second = self.repair(form.clone(), structured_share)?;
+            if !second.judgement.refutes() {
+                return Ok(second);
+            }
+        }
+        Ok(repair)
+    }
+
+    /// The last search, from the optimum of a hypothesis and from points around it, and the judgement of the runs held out.
+    ///
+    /// These runs are evaluated here for the first time.
+    fn repair(&mut self, hypothesis: FittedHypothesis, structured_share: f64) -> Result<Repair, String> {
+        let (c, study) = (self.c, self.c.study);
+        let variant = &hypothesis.variant;
+        let starts = points_around(&hypothesis.fitted.point);
+        let jobs = starts.into_iter().map(|start| Job::search(variant, start, LAST_ITERATIONS)).collect();
+        let refined = self.scheduler.fit("the repaired model", jobs)?.into_iter().flatten();
+        let known = Some(hypothesis.fitted.clone()).filter(|_| c.step_error.parts == 1);
+        let fitted = known.into_iter().chain(refined).min_by(|a, b| a.objective.total_cmp(&b.objective));
+        let fitted = fitted.ok_or("the repaired model has no answer with the steps of the script")?;
+        let fits = fits_of_all_runs(c, variant, &fitted.values);
+        self.scheduler.check_cancelled()?;
+        let in_holdout = |f: &ChannelFault| {
+            f.run.as_ref().is_none_or(|name| study.runs_of(Role::Holdout).any(|(_, r)| r.name == *name))
+        };
+        let affects_holdout = variant.edits_script() || variant.channel_faults(&fitted.values).iter().any(in_holdout);
+        let repair = holdout::Repair {
+            before: self.baseline_fits,
+            after: &fits,
+            structured_share,
+            affects_holdout,
+            visible_in_recording: variant.visible_log_odds() > 0.0,
+        };
+        // The user's model claims nothing.
+        let judgement = if hypothesis.cause() == "none" { HoldoutJudgement::Accepted } else { judge(study, &repair) };
+        Ok(Repair { hypothesis, fitted, fits, judgement })
+    }
+}
+
+/// Moves the part of the first cause's probability that is not kept to `unknown`, and sorts again.
+fn move_to_unknown(probabilities: &mut CauseValues, kept: f64) {
+    let unknown = probabilities.iter().position(|(cause, _)| kept < 1.0 && *cause == "unknown");
+    if let Some(n) = unknown {
+        let amount = (1.0 - kept) * probabilities[0].1;
+        probabilities[0].1 -= amount;
+        probabilities[n].1 += amount;
+        probabilities.sort_by(|a, b| b.1.total_cmp(&a.1));
+    }
+}
+
+/// Share of the baseline's squared error that a repair leaves.
+fn remaining_share(baseline: &FittedHypothesis, repair: &Repair) -> f64 {
+    let before = baseline.fitted.objective;
+    if before > 0.0 { repair.fitted.objective / before } else { 1.0 }
+}
+
+/// Verdict with its explanation and the other possible causes.
+fn verdict_in_words(
+    c: &ConclusionContext<'_>,
+    baseline: &FittedHypothesis,
+    ranked: &[FittedHypothesis],
+    causes: &CauseProbabilities,
+    verdict: &JudgedVerdict,
+) -> Verdict {
+    let (cause, repair) = (verdict.cause, &verdict.repair);
+    let hypothesis = &repair.hypothesis;
+    let second_causes: Vec<&str> = hypothesis.second_cause().into_iter().filter(|_| cause != "unknown").collect();
+    let share = remaining_share(baseline, repair);
+    let mut text = explanation(cause, hypothesis, &second_causes, &causes.structure.description, share);
+    text += &c.step_error.description();
+    if let Some(b) = c.bootstrap.as_ref().filter(|b| b.cause == cause) {
+        text += &b.description();
+    }
+    let other_form =
+        |e: &&FittedHypothesis| equal_forms(e, hypothesis) && !Arc::ptr_eq(&e.variant, &hypothesis.variant);
+    if let Some(p) = ranked.iter().find(other_form).and_then(|e| e.variant.proposal.as_ref()) {
+        text += &format!(" Another form explains as much: {}, {}.", p.location, p.form);
+    }
+    if !c.causes_without_clock.is_empty() {
+        text += &format!(
+            " The times of the recordings count samples: {} need a clock and were left out (--clock takes them for seconds).",
+            c.causes_without_clock.join(" and ")
+        );
+    }
+    if c.global_search_too_long {
+        text += " The fitted model leaves much, and the fitted runs are too long to search for every effect far from its values: fewer of them, or \
+                 fewer samples, may tell more.";
+    }
+    text += &repair.judgement.description();
+    if let Some(nearest) = verdict.refused {
+        text += &format!(" No repair is written: the nearest, {nearest}, makes the runs held out no better.");
+    }
+    let others = causes.probabilities.iter().skip(1).filter(|(_, p)| *p > MIN_REPORTED_PROBABILITY);
+    Verdict {
+        cause: cause.into(),
+        confidence: causes.probabilities[0].1,
+        also: second_causes.iter().map(|a| (*a).to_owned()).collect(),
+        also_possible: others.map(|(cause, p)| Candidate { cause: (*cause).into(), confidence: *p }).collect(),
+        explanation: text,
+    }
+}
+
+fn ranked_hypothesis(e: &FittedHypothesis) -> RankedHypothesis {
+    let proposal = e.variant.proposal.as_ref();
+    RankedHypothesis {
+        cause: e.cause(),
+        form: proposal.map_or_else(String::new, |p| p.form.clone()),
+        location: proposal.map_or_else(String::new, |p| p.location.clone()),
+        objective: e.fitted.objective,
+        log_evidence: e.log_evidence,
+    }
+}
+
+fn values_by_name(space: &ParameterSpace, values: &[f64]) -> BTreeMap<String, f64> {
+    space.parameters.iter().map(|p| p.name.clone()).zip(values.iter().copied()).collect()
+}
+
+/// Displacement of each run with its name: recorded, or simulated for the most deformed device under an imposed motion.
+fn displacements(c: &ConclusionContext<'_>, values: &[f64]) -> Vec<Option<(String, Vec<f64>)>> {
+    let simulated = |r: usize| -> Option<(String, Vec<f64>)> {
+        let of_run = c.responses.histories.iter().filter(|((run, ..), _)| *run == r && c.imposed_motion);
+        let largest = of_run.max_by(|a, b| a.1.range().deformation.total_cmp(&b.1.range().deformation));
+        let ((_, tag, _), h) = largest?;
+        (h.deformation.len() == c.study.runs[r].recording.times.len())
+            .then(|| (format!("deformation of element {tag}, simulated"), h.deformation.clone()))
+    };
+    let of_run = |r: usize| c.simulator.displacement(r, values).or_else(|| simulated(r));
+    (0..c.study.runs.len()).map(of_run).collect()
+}
+
+/// Channels of a variant in all runs with the steps of the script; `None` for a run without a result.
+fn fits_of_all_runs(c: &ConclusionContext<'_>, variant: &Arc<Variant>, values: &[f64]) -> Vec<Option<ScoredRun>> {
+    let mut simulator = variant.simulator(&c.simulator.factory());
+    (0..c.study.runs.len()).map(|r| simulate_and_score(&mut simulator, c.study, r, values).ok()).collect()
+}
+
+/// Errors of the baseline in the fitted runs, the largest NMSE first. A named repair separates the effect from the noise.
+fn mismatches(
+    c: &ConclusionContext<'_>,
+    baseline_fits: &[Option<ScoredRun>],
+    repaired_fits: Option<&Vec<Option<ScoredRun>>>,
+) -> Vec<Mismatch> {
+    let mut all: Vec<(f64, Mismatch)> = vec![];
+    for (number, run) in c.study.runs_of(Role::Fit) {
+        let Some(f) = &baseline_fits[number] else { continue };
+        let first_history = c.responses.histories.iter().find(|((r, _, _), _)| *r == number);
+        let motion = first_history.map(|(_, h)| h.deformation.clone());
+        let repaired = repaired_fits.and_then(|r| r[number].as_ref());
+        for (channel, ((o, y), s)) in run.observe.iter().zip(&f.channels).zip(&f.scores).enumerate() {
+            let times = &run.recording.times;
+            let difference = |from: &[f64]| -> Vec<f64> { y.iter().zip(from).map(|(y, v)| y - v).collect() };
+            let effect = repaired.map(|r| difference(&r.channels[channel]));
+            let found = find_windows(times, &difference(&o.values), effect.as_deref());
+            let regime = regime(times, &found, motion.as_ref().unwrap_or(&o.values));
+            let mismatch = Mismatch {
+                run: run.name.clone(),
+                channel: o.channel.clone(),
+                at: o.at.clone(),
+                windows: found.windows,
+                share: found.share,
+                regime,
+            };
+            all.push((s.nmse, mismatch));
+        }
+    }
+    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    all.into_iter().map(|(_, m)| m).collect()
+}

@@ -1,0 +1,162 @@
+//! The way from a study to its diagnosis.
+
+use super::conclusion::{ConclusionContext, conclude};
+use super::discriminating_test::DiscriminatingTest;
+use super::result_file::Outcome;
+use crate::candidate::proposal::Proposal;
+use crate::evidence::probabilities::leaves_structure;
+use crate::evidence::ranking::{bootstrap_ranking, rank};
+use crate::fit::baseline::{fit_baseline, is_poor, refit_baseline};
+use crate::fit::checkpoint::CheckpointEntry;
+use crate::fit::evaluator_pool::EvaluatorPool;
+use crate::fit::fitted::FittedHypothesis;
+use crate::fit::global_search::is_affordable;
+use crate::fit::refit_competitors::refit_competitors;
+use crate::fit::scheduler::{ProgressMonitor, Scheduler};
+use crate::fit::screening::{FirstRound, best_forms, of_first_causes};
+use crate::fit::search_settings::{FINALIST_CAUSES, SECOND_ROUND_ITERATIONS};
+use crate::fit::step_error::step_error;
+use crate::fit::two_effect_search::two_effect_search;
+use crate::hypothesis::{self, context::ProposalContext};
+use crate::inspect::conditions::lacks_clock;
+use crate::inspect::probe::{inspect_model, record_responses};
+use crate::residual::drift::drift_may_be_noise;
+use hysteron_identify::calibrate::Displacements;
+use hysteron_identify::study::{InitialRun, ScoredRun, ScriptSimulator, Study};
+
+/// Settings of a diagnosis.
+#[derive(Clone, Debug, Default)]
+pub struct Settings {
+    /// Causes to be left out of the library.
+    pub excluded_causes: Vec<String>,
+    /// True if times that count by one are seconds, not numbers of samples.
+    pub counted_times_are_seconds: bool,
+    /// Number of threads.
+    pub threads: usize,
+    /// Entries of an interrupted diagnosis of the same study and library.
+    pub checkpoint: Vec<CheckpointEntry>,
+}
+
+/// Result of a diagnosis.
+pub struct Diagnosis {
+    /// Content of the result file.
+    pub outcome: Outcome,
+    /// Text of the repaired script.
+    pub repaired_script: String,
+    /// All ranked hypotheses, best first.
+    pub ranking: Vec<RankedHypothesis>,
+    /// Observed channels of the baseline, by run; none for a run without a result.
+    pub baseline_fits: Vec<Option<ScoredRun>>,
+    /// Observed channels of the repaired model, by run.
+    pub repaired_fits: Vec<Option<ScoredRun>>,
+    /// Displacements over which forces are plotted, by run.
+    pub displacements: Displacements,
+    /// Recommended test; none if the motions of the study allow none.
+    pub next_test: Option<DiscriminatingTest>,
+    /// Number of points at which the fitted runs were evaluated.
+    pub evaluations: usize,
+    /// Structured share of the residual of the best hypothesis.
+    pub structured_share: f64,
+    /// Kind of that structure, in words.
+    pub structure: String,
+}
+
+/// A ranked hypothesis.
+#[derive(Clone, Debug)]
+pub struct RankedHypothesis {
+    /// Its cause; `none` for the user's model.
+    pub cause: &'static str,
+    /// Its form, in words.
+    pub form: String,
+    /// Part of the model or channel that it changes, in words.
+    pub location: String,
+    /// Mean NMSE over fitted channels and runs.
+    pub objective: f64,
+    /// Log evidence from held-out samples, with prior odds, nats.
+    pub log_evidence: f64,
+}
+
+/// Returns false if the drift of a hypothesis may be slow noise.
+fn drift_is_significant(study: &Study, e: &FittedHypothesis) -> bool {
+    !drift_may_be_noise(study, &e.variant.channel_faults(&e.fitted.values), &e.fitted.fits)
+}
+
+/// Diagnoses a study whose script has been opened. `text` is the script.
+///
+/// # Errors
+/// The model has no result at any values, the script makes no analysis, or the user cancelled.
+pub fn diagnose(
+    simulator: &ScriptSimulator,
+    initial_run: &InitialRun,
+    text: &str,
+    settings: &Settings,
+    monitor: &mut dyn ProgressMonitor,
+) -> Result<Diagnosis, String> {
+    let study = simulator.study().clone();
+    let factory = simulator.factory();
+    let pool = EvaluatorPool::new(factory.clone(), settings.threads).map_err(|e| e.to_string())?;
+    let mut scheduler = Scheduler::new(study.clone(), pool, monitor, settings.checkpoint.clone());
+    let baseline = fit_baseline(&mut scheduler, initial_run, text)?;
+
+    // A poor fit says little of stiffnesses; the user's own values say more.
+    let poor = is_poor(&baseline);
+    let values = if poor { initial_run.values.clone() } else { baseline.fitted.values.clone() };
+    let Some((point, inventory)) = inspect_model(&factory, &study, text, &values) else {
+        return Err("the script makes no analysis".into());
+    };
+    let responses = record_responses(&factory, &study, text, &values, &point, &inventory);
+    let has_clock = settings.counted_times_are_seconds || inventory.base_excited || !lacks_clock(&study);
+    let context = ProposalContext {
+        inventory: &inventory,
+        study: &study,
+        responses: &responses,
+        fits: &baseline.fitted.fits,
+        has_clock,
+    };
+    let library = hypothesis::ALL.iter().filter(|h| !settings.excluded_causes.iter().any(|w| w == h.cause));
+    let (without_clock, library): (Vec<_>, Vec<_>) = library.partition(|h| !has_clock && h.needs_clock);
+    let proposals: Vec<Proposal> = library.iter().flat_map(|h| h.proposals(&context)).collect();
+
+    let edits = proposals.iter().filter(|p| !p.commands.is_empty()).count();
+    let global = poor && is_affordable(&study, edits);
+    let first_round = FirstRound { baseline: &baseline, initial_run, point: &point, proposals: &proposals, global };
+    let mut singles = first_round.fit(&mut scheduler)?;
+    refit_competitors(&mut scheduler, &baseline, &mut singles)?;
+    let finalists = best_forms(&singles);
+    let best = singles.first().filter(|e| e.score() < baseline.score());
+    let step_error = step_error(&mut scheduler, &baseline, best)?;
+    scheduler.set_step_parts(step_error.parts);
+    let baseline_of_script = baseline.clone();
+    let baseline = if step_error.parts > 1 { refit_baseline(&mut scheduler, &baseline)? } else { baseline };
+
+    let second_round = of_first_causes(&finalists, FINALIST_CAUSES);
+    let mut ranked = scheduler.refine("the likeliest of them", second_round, SECOND_ROUND_ITERATIONS)?;
+    ranked.push(baseline.clone());
+    ranked.retain(|e| drift_is_significant(&study, e));
+    scheduler.hold_out("what it predicts", &mut ranked)?;
+    rank(&mut ranked)?;
+    // A complete model lacks no two effects. Where no single effect gains anything, two together may.
+    if ranked[0].cause() != "none" || leaves_structure(&study, &responses, &ranked[0]) {
+        let mut pairs = two_effect_search(&mut scheduler, &baseline, &ranked, &singles, &point)?;
+        pairs.retain(|e| drift_is_significant(&study, e));
+        if !pairs.is_empty() {
+            ranked.extend(pairs);
+            rank(&mut ranked)?;
+        }
+    }
+    let bootstrap = bootstrap_ranking(&mut scheduler, &ranked, &finalists)?;
+    let context = ConclusionContext {
+        study: &study,
+        simulator,
+        initial_run,
+        text,
+        point: &point,
+        responses: &responses,
+        imposed_motion: !inventory.base_excited,
+        step_error,
+        causes_without_clock: without_clock.iter().map(|h| h.cause).collect(),
+        global_search_too_long: poor && !global,
+        bootstrap,
+    };
+    conclude(&mut scheduler, &context, &baseline_of_script, &ranked)
+}

@@ -1,0 +1,94 @@
+//! `diagnosis.json`. Field names are those of the file.
+
+use crate::candidate::channel_fault::ChannelFault;
+use crate::evidence::parametric_bootstrap::BootstrapResult;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// Content of the file.
+#[derive(Clone, Debug, Serialize)]
+pub struct Outcome {
+    /// The user's model, fitted by least squares.
+    pub baseline: Baseline,
+    /// Channels in which it differs from the recordings, the largest error first.
+    pub mismatch: Vec<Mismatch>,
+    /// The verdict.
+    pub verdict: Verdict,
+    /// The repaired model.
+    pub corrected: RepairedModel,
+    /// Share of the baseline's squared error that the repaired model leaves.
+    pub unexplained_share: f64,
+    /// Ranking on simulated recordings whose cause is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bootstrap: Option<BootstrapResult>,
+    /// Recommended next test, in words.
+    pub next_test: String,
+}
+
+/// The fitted user's model.
+#[derive(Clone, Debug, Serialize)]
+pub struct Baseline {
+    /// Mean NMSE over fitted channels and runs.
+    pub fit_nmse: f64,
+    /// Mean NMSE over runs held out; none without such runs.
+    pub holdout_nmse: Option<f64>,
+    /// Fitted values by parameter.
+    pub parameters: BTreeMap<String, f64>,
+}
+
+/// Error of the baseline in one channel of a run.
+#[derive(Clone, Debug, Serialize)]
+pub struct Mismatch {
+    /// Name of the run.
+    pub run: String,
+    /// Column of the recording.
+    pub channel: String,
+    /// Place of the sensor.
+    pub at: String,
+    /// Windows of the recording with most of the error, s.
+    pub windows: Vec<[f64; 2]>,
+    /// Share of the squared error within them.
+    pub share: f64,
+    /// The motion within them, in words.
+    pub regime: String,
+}
+
+/// A cause with its probability.
+#[derive(Clone, Debug, Serialize)]
+pub struct Candidate {
+    /// The cause.
+    pub cause: String,
+    /// Its probability.
+    pub confidence: f64,
+}
+
+/// The most probable cause.
+#[derive(Clone, Debug, Serialize)]
+pub struct Verdict {
+    /// The cause; `none` for a complete model, `unknown` for a cause outside the library.
+    pub cause: String,
+    /// Its probability.
+    pub confidence: f64,
+    /// Cause of a second effect.
+    pub also: Vec<String>,
+    /// Other possible causes, the most probable first.
+    pub also_possible: Vec<Candidate>,
+    /// The verdict in words.
+    pub explanation: String,
+}
+
+/// The repaired model.
+#[derive(Clone, Debug, Serialize)]
+pub struct RepairedModel {
+    /// File of its script.
+    pub script: String,
+    /// Values of the user's and the added parameters.
+    pub parameters: BTreeMap<String, f64>,
+    /// Mean NMSE over fitted channels and runs.
+    pub fit_nmse: f64,
+    /// Mean NMSE over runs held out; none without such runs.
+    pub holdout_nmse: Option<f64>,
+    /// Faults of channels.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub channels: Vec<ChannelFault>,
+}

@@ -1,0 +1,195 @@
+//! Evaluation of the elements: none is evaluated twice at the same motion.
+
+use super::{Cause, Failure, System};
+use crate::analysis::opensees::{CountedElement, Updates};
+use crate::element::{ElementError, ElementInput, ElementOutput, MAX_DOFS, OpenSeesCall};
+use std::cell::Cell;
+
+/// Velocities where nothing moves.
+static AT_REST: [f64; MAX_DOFS] = [0.0; MAX_DOFS];
+
+/// Displacements that differ by no more than this fraction differ by the round-off of a correction.
+const ROUND_OFF: f64 = 2.0 * f64::EPSILON;
+
+/// Displacements that are compared at once.
+const SIDE_BY_SIDE: usize = 6;
+
+impl System<'_> {
+    /// Evaluate the forces of all elements, and their tangents with `want_tangent`.
+    #[inline]
+    pub fn respond(&mut self, want_tangent: bool) -> Result<(), Failure> {
+        if self.evaluation_is_current(want_tangent) {
+            return Ok(());
+        }
+        self.evaluate(want_tangent)
+    }
+
+    /// Returns true if an evaluation would repeat the last one.
+    #[inline]
+    pub(super) fn evaluation_is_current(&self, want_tangent: bool) -> bool {
+        let tangents = (want_tangent || self.work.elements.residual_needs_tangent) && !self.work.elements.is_current;
+        self.evaluated_at == Some(self.new.time) && !tangents && !self.work.counts_updates() && self.no_node_has_moved()
+    }
+
+    fn evaluate(&mut self, want_tangent: bool) -> Result<(), Failure> {
+        let passed = self.passed.unwrap_or(self.new.time - self.old.time);
+        let dt = if self.elapses { passed } else { 0.0 };
+        let want_tangent = want_tangent || self.work.elements.residual_needs_tangent;
+        // Without motion, the forces of the committed state are still there, but for those that depend on rates.
+        let tangents = want_tangent && !self.work.elements.is_current;
+        let all = self.moved || tangents;
+        let evaluated_before = self.evaluated_at.take() == Some(self.new.time) && !tangents;
+        let mut evaluated = false;
+        for i in 0..self.model.elements.len() {
+            let m = &self.work.elements.entries[i];
+            if (all || m.rates) && !m.counts_calls && !(evaluated_before && self.has_not_moved(i)) {
+                self.respond_one(i, want_tangent, dt, None)?;
+                evaluated = true;
+            }
+        }
+        if self.work.counts_updates() {
+            self.respond_counted(dt)?;
+        }
+        let work = &mut *self.work;
+        work.elements.is_current = want_tangent || (work.elements.is_current && !(all && evaluated));
+        self.summed &= !evaluated && !work.counts_updates();
+        if all {
+            self.evaluated_at = Some(self.new.time);
+            work.evaluated.disp.copy_from_slice(&self.new.disp);
+        }
+        Ok(())
+    }
+
+    /// Returns true if no node has moved since the last evaluation and no element has loads of its own. It is the common end
+    /// of a step, found without a loop over the elements.
+    #[inline]
+    fn no_node_has_moved(&self) -> bool {
+        let slack = if self.settled { ROUND_OFF } else { 0.0 };
+        let near = |all: bool, (new, old): (&f64, &f64)| all & ((new - old).abs() <= slack * old.abs());
+        if !self.still || !self.new.element_load.is_empty() {
+            return false;
+        }
+        // The compiler makes one vector operation of each chunk.
+        let (new, new_left) = self.new.disp.as_chunks::<SIDE_BY_SIDE>();
+        let (old, old_left) = self.work.evaluated.disp.as_chunks::<SIDE_BY_SIDE>();
+        let few = |(new, old): (&[f64; SIDE_BY_SIDE], &[f64; SIDE_BY_SIDE])| new.iter().zip(old).fold(true, near);
+        new.iter().zip(old).all(few) && new_left.iter().zip(old_left).fold(true, near)
+    }
+
+    /// Returns true if an element has no loads of its own and has not moved since its last evaluation.
+    fn has_not_moved(&self, i: usize) -> bool {
+        let (e, at) = (&self.model.elements[i], self.work.elements.entries[i].motion);
+        let (disp, vel) = self.work.evaluated.elements[at..at + 2 * e.dofs.len()].split_at(e.dofs.len());
+        let slack = if self.settled { ROUND_OFF } else { 0.0 };
+        let same = |new: &[f64], old: &[f64]| {
+            let near = |(d, old): (&u32, &f64)| (new[*d as usize] - old).abs() <= slack * old.abs();
+            e.dofs.iter().zip(old).all(near)
+        };
+        e.load.is_empty() && same(&self.new.disp, disp) && (self.still || same(&self.new.vel, vel))
+    }
+
+    /// Evaluate the elements that depend on the number of calls as often as OpenSees does, then their tangents.
+    fn respond_counted(&mut self, dt: f64) -> Result<(), Failure> {
+        let Some(mut counts) = self.work.opensees.take() else { return Ok(()) };
+        let updates = std::mem::take(&mut counts.due);
+        let result = self.update_counted(&counts.elements, updates, dt);
+        for counted in &counts.elements {
+            if updates.all == 0 && (updates.constrained == 0 || !counted.constrained) {
+                self.take_last_force(counted.index);
+            }
+            self.take_last_tangent(counted.index);
+        }
+        self.work.opensees = Some(counts);
+        result
+    }
+
+    fn update_counted(&mut self, elements: &[CountedElement], updates: Updates, dt: f64) -> Result<(), Failure> {
+        for round in 0..updates.constrained + updates.all {
+            for counted in elements {
+                let first = if counted.constrained { 0 } else { updates.constrained };
+                if round >= first {
+                    let call = (round > first, counted.last_of_class);
+                    self.respond_one(counted.index, false, dt, Some(call))?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Bring the force of an element that was not called up to date with its loads.
+    fn take_last_force(&mut self, i: usize) {
+        let e = &self.model.elements[i];
+        if let Some(calls) = e.element.opensees().calls {
+            let load = &self.new.element_load[e.load.clone()];
+            calls.last_force(&self.new.history[e.state.clone()], load, &mut self.new.force[e.force.clone()]);
+        }
+    }
+
+    fn take_last_tangent(&mut self, i: usize) {
+        let e = &self.model.elements[i];
+        let m = &self.work.elements.entries[i];
+        let part = self.work.part(m);
+        let k = &mut self.work.elements.tangent[m.at..m.at + e.dofs.len().pow(2)];
+        k.fill(0.0);
+        if let Some(calls) = e.element.opensees().calls {
+            let shared = Cell::from_mut(&mut self.new.shared[e.shared.clone()]).as_slice_of_cells();
+            calls.last_tangent(&self.new.history[e.state.clone()], shared, k, part);
+        }
+    }
+
+    /// Evaluate an element. For one that depends on the number of calls, `counted` holds the first fields of its
+    /// [`OpenSeesCall`].
+    #[inline]
+    fn respond_one(
+        &mut self,
+        i: usize,
+        want_tangent: bool,
+        dt: f64,
+        counted: Option<(bool, bool)>,
+    ) -> Result<(), Failure> {
+        let (e, work) = (&self.model.elements[i], &mut *self.work);
+        work.element_calls += 1;
+        let m = &work.elements.entries[i];
+        let part = work.part(m);
+        let n = e.dofs.len();
+        let (disp, vel) = work.evaluated.elements[m.motion..m.motion + 2 * n].split_at_mut(n);
+        e.dofs.iter().zip(&mut *disp).for_each(|(&d, u)| *u = self.new.disp[d as usize]);
+        if !self.still {
+            e.dofs.iter().zip(&mut *vel).for_each(|(&d, v)| *v = self.new.vel[d as usize]);
+        }
+        let force = &mut self.new.force[e.force.clone()];
+        force.fill(0.0);
+        let tangent = if want_tangent && !m.linear {
+            let k = &mut work.elements.tangent[m.at..m.at + n * n];
+            part.clear(k, n);
+            Some(k)
+        } else {
+            None
+        };
+        let damping = m.damping.map(|at| {
+            let c = &mut work.elements.damping[at..at + n * n];
+            c.fill(0.0);
+            c
+        });
+        let load = &self.new.element_load[e.load.clone()];
+        let vel = if self.still { &AT_REST[..n] } else { &*vel };
+        let time = self.passed.map_or(self.new.time, |passed| self.old.time + passed);
+        let shared = &mut self.new.shared;
+        let opensees = counted.map(|(repeated, last_of_class)| {
+            let shared = Cell::from_mut(&mut shared[e.shared.clone()]).as_slice_of_cells();
+            OpenSeesCall { repeated, last_of_class, shared }
+        });
+        let motion = ElementInput { disp, vel, load, still: self.still, opensees, dt, time };
+        let answer = ElementOutput { force, tangent, damping, part };
+        let committed = &self.old.history[e.state.clone()];
+        let trial = &mut self.new.history[e.state.clone()];
+        e.element.respond(&motion, committed, trial, answer).map_err(|error| self.element_failed(i, error))
+    }
+
+    #[cold]
+    fn element_failed(&self, i: usize, error: ElementError) -> Failure {
+        let e = &self.model.elements[i];
+        let element = format!("{} {}", e.element.class(), e.tag);
+        self.failure(Cause::Element { element, message: error.0.into() })
+    }
+}

@@ -1,0 +1,9 @@
+//! Bearing elements between two nodes.
+
+pub(in crate::element::bearing) mod kikuchi;
+pub(in crate::element::bearing) mod multiple_normal_spring;
+pub(in crate::element::bearing) mod multiple_shear_spring;
+pub(in crate::element::bearing) mod rubber_bearing;
+pub(in crate::element::bearing) mod shear_bearing;
+pub mod sliding;
+pub mod triple;

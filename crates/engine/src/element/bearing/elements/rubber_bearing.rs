@@ -1,0 +1,188 @@
+//! `HDR`, `ElastomericX`, `LeadRubberX`: a shear law with the axial law of layered rubber bearings.
+
+use crate::element::bearing::elements::shear_bearing::{
+    BASIC_FORCE, BASIC_STIFFNESS, DEFORMATION, HYSTERETIC, LOCAL_DISP, LOCAL_FORCE, end_masses, probe,
+};
+use crate::element::bearing::kinematics::link::Link;
+use crate::element::bearing::laws::axial::{Axial, AxialLaw};
+use crate::element::bearing::laws::rubber_shear::{RubberShear, ShearInput};
+use crate::element::bearing::laws::shear::Shear;
+use crate::element::{
+    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Overload, Snapshot,
+    frame_force_labels,
+};
+use crate::probe::Probe;
+use crate::state_struct::StateStruct;
+
+/// A layered rubber bearing in space: axial force, shear in two directions, linear torsion and rotations.
+#[derive(Clone, Debug)]
+pub struct RubberBearing<L> {
+    axial: AxialLaw,
+    shear: L,
+    link: Link<12, 6>,
+    mass: f64,
+}
+
+const SHEAR_AT: usize = Axial::LEN;
+const MEMORY_AT: usize = SHEAR_AT + Shear::<2>::LEN;
+
+impl<L: RubberShear> RubberBearing<L> {
+    /// Index of the state variables after the memory of the shear law.
+    const TAIL_AT: usize = MEMORY_AT + L::Memory::LEN;
+
+    /// Makes the bearing of its laws, its kinematics and its mass.
+    pub fn new(axial: AxialLaw, shear: L, link: Link<12, 6>, mass: f64) -> Self {
+        Self { axial, shear, link, mass }
+    }
+
+    /// Stiffnesses of torsion, rotation about y and rotation about z.
+    fn rotations(&self) -> [f64; 3] {
+        [self.axial.rubber.torsion, self.axial.rubber.rotation, self.axial.rubber.rotation]
+    }
+}
+
+impl<L: RubberShear + 'static> Element for RubberBearing<L> {
+    fn class(&self) -> &'static str {
+        self.shear.class()
+    }
+    fn dofs(&self) -> usize {
+        12
+    }
+    fn state_len(&self) -> usize {
+        Self::TAIL_AT + self.shear.tail_len()
+    }
+    fn init(&self, state: &mut [f64]) {
+        let (shear, memory) = self.shear.virgin();
+        self.axial.virgin().write(state);
+        shear.write(&mut state[SHEAR_AT..]);
+        memory.write(&mut state[MEMORY_AT..]);
+        state[Self::TAIL_AT..].fill(0.0);
+    }
+    fn traits(&self) -> ElementTraits {
+        ElementTraits {
+            linear: false,
+            symmetric: false,
+            viscous: self.shear.is_viscous(),
+            elapses: self.shear.depends_on_time(),
+            rayleigh: false,
+        }
+    }
+
+    fn respond(
+        &self,
+        motion: &ElementInput<'_>,
+        committed: &[f64],
+        trial: &mut [f64],
+        output: ElementOutput<'_>,
+    ) -> Result<(), ElementError> {
+        let local = self.link.local_motion(motion.disp);
+        let u = self.link.deformation_of(&local);
+        let lateral = [u[1], u[2]];
+        let rate = if self.shear.is_viscous() || self.shear.depends_on_time() {
+            let rate = self.link.deformation(motion.vel);
+            [rate[1], rate[2]]
+        } else {
+            [0.0; 2]
+        };
+        let size = (u[1] * u[1] + u[2] * u[2]).sqrt();
+        let axial = self.axial.step(&Axial::read(committed), u[0], size);
+        let tail = &committed[Self::TAIL_AT..];
+        let at = ShearInput { u: lateral, size, rate, dt: motion.dt, time: motion.time, axial: &axial, tail };
+        let (c, m) = (Shear::read(&committed[SHEAR_AT..]), L::Memory::read(&committed[MEMORY_AT..]));
+        let s = self.shear.step(&c, &m, &L::Memory::read(&trial[MEMORY_AT..]), &at);
+        axial.next.write(trial);
+        s.shear.write(&mut trial[SHEAR_AT..]);
+        s.memory.write(&mut trial[MEMORY_AT..]);
+        trial[Self::TAIL_AT..].copy_from_slice(tail);
+        self.shear.advance(&m, &s.memory, motion.dt, &mut trial[Self::TAIL_AT..]);
+
+        let mut q = [axial.next.force, s.shear.q[0], s.shear.q[1], 0.0, 0.0, 0.0];
+        let rotations = self.rotations();
+        for i in 0..3 {
+            q[3 + i] = rotations[i] * u[3 + i];
+        }
+        self.link.add_force(&q, &local, output.force);
+        if let Some(tangent) = output.tangent {
+            let mut k = [[0.0; 6]; 6];
+            k[0][0] = axial.k;
+            for i in 0..2 {
+                if size > 0.0 {
+                    k[0][1 + i] = axial.k_shear * lateral[i] / size;
+                }
+                k[1 + i][0] = s.k_axial[i];
+                k[1 + i][1..3].copy_from_slice(&s.shear.k[i]);
+            }
+            for i in 0..3 {
+                k[3 + i][3 + i] = rotations[i];
+            }
+            self.link.add_tangent(&k, &q, motion.disp, tangent, output.part);
+        }
+        if let Some(damping) = output.damping.filter(|_| s.damping != 0.0) {
+            let mut c = [[0.0; 6]; 6];
+            (c[1][1], c[2][2]) = (s.damping, s.damping);
+            self.link.add_basic_part(&c, damping, output.part);
+        }
+        Ok(())
+    }
+
+    fn initial_tangent(&self, tangent: &mut [f64]) {
+        let mut k = [[0.0; 6]; 6];
+        k[0][0] = self.axial.rubber.axial;
+        let shear = self.shear.virgin().0.k;
+        let rotations = self.rotations();
+        for i in 0..2 {
+            k[1 + i][1..3].copy_from_slice(&shear[i]);
+        }
+        for i in 0..3 {
+            k[3 + i][3 + i] = rotations[i];
+        }
+        self.link.add_basic(&k, tangent);
+    }
+
+    fn mass(&self) -> Mass {
+        end_masses(self.mass, 6, 3)
+    }
+
+    fn overload(&self, history: &[f64]) -> Option<Overload> {
+        let Axial { force, fcrn, .. } = Axial::read(history);
+        (self.axial.buckles && force < fcrn).then_some(Overload { load: -force, critical: -fcrn })
+    }
+
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        self.link.basic_rows()
+    }
+
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        self.shear.probe(words).or_else(|| probe::<2>(words).filter(|p| p.path != [HYSTERETIC]))
+    }
+
+    fn probe_names(&self) -> &'static [&'static str] {
+        self.shear.probe_names()
+    }
+
+    fn force_labels(&self) -> Vec<String> {
+        frame_force_labels(12)
+    }
+
+    fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
+        let axial = Axial::read(s.state);
+        let shear = Shear::<2>::read(&s.state[SHEAR_AT..]);
+        match path[0] {
+            LOCAL_FORCE => self.link.local_force(s.force, out),
+            LOCAL_DISP => self.link.local_force(s.disp, out),
+            DEFORMATION => out.copy_from_slice(&self.link.deformation(s.disp)),
+            BASIC_FORCE => {
+                let u = self.link.deformation(s.disp);
+                out[..3].copy_from_slice(&[axial.force, shear.q[0], shear.q[1]]);
+                for (i, k) in self.rotations().into_iter().enumerate() {
+                    out[3 + i] = k * u[3 + i];
+                }
+            }
+            BASIC_STIFFNESS => out.copy_from_slice(shear.k.as_flattened()),
+            id => {
+                let memory = L::Memory::read(&s.state[MEMORY_AT..]);
+                self.shear.read(id, &shear, &memory, &s.state[Self::TAIL_AT..], &axial, out);
+            }
+        }
+    }
+}

@@ -1,0 +1,277 @@
+//! Kinematics of two-node bearings: basic deformations, and P-Delta moments of the axial force.
+
+use crate::element::{BasicRow, MatrixMask, dot};
+use crate::numeric::SparseMatrix;
+use nalgebra::Matrix3;
+
+/// Linear kinematics of a two-node bearing with `N` degrees of freedom and `B` basic deformations.
+///
+/// Basic deformations in the plane (`N` = 6, `B` = 3) are axial, shear and rotation. In space (`N` = 12, `B` = 6) they
+/// are axial, shear y, shear z, torsion, rotation y and rotation z, in local axes. The shear force acts at `shear_dist`
+/// times the length from node i. The axial force times the offset is a moment, half of which acts at each end, as in
+/// OpenSees.
+#[derive(Clone, Debug)]
+pub struct Link<const N: usize, const B: usize> {
+    /// Derivatives of the basic deformations by the global displacements.
+    pub basic: [[f64; N]; B],
+    /// Transformation from global to local displacements.
+    pub local: [[f64; N]; N],
+    /// Local axes by rows.
+    axes: [[f64; 3]; 3],
+    /// Distances from node i to the shear force, and from there to node j.
+    arms: [f64; 2],
+    /// `basic` transposed, without its zeros.
+    columns: SparseMatrix<N, B>,
+    /// Global forces per unit of axial force and displacement, for the tangent; `None` without P-Delta moments.
+    p_delta: Option<SparseMatrix<N, N>>,
+    /// The tangent includes the derivative of the axial force in the P-Delta moments.
+    axial_derivative: bool,
+}
+
+/// Displacements of a link in local axes; components out of a plane are 0.
+#[derive(Clone, Copy, Debug)]
+pub struct LocalMotion {
+    /// Displacement of node j relative to node i.
+    offset: [f64; 3],
+    /// Rotations of node i and of node j.
+    ends: [[f64; 3]; 2],
+}
+
+/// End forces of a link in local axes.
+struct EndForces {
+    /// Force on node j, and its opposite on node i.
+    force: [f64; 3],
+    /// Moments on node i and on node j.
+    moments: [[f64; 3]; 2],
+}
+
+impl<const N: usize, const B: usize> Link<N, B> {
+    const PLANE: bool = N == 6;
+    /// Indices of the basic deformations among the six in space.
+    const DIRECTIONS: [usize; B] = {
+        let mut all = [0; B];
+        let mut i = 0;
+        while i < B {
+            all[i] = if B == 3 && i == 2 { 5 } else { i };
+            i += 1;
+        }
+        all
+    };
+
+    /// Makes the kinematics from the rotation to local axes and the length. `shear_dist` is the position of the shear
+    /// force: 0 for node i, 1 for node j.
+    pub fn new(axes: &Matrix3<f64>, length: f64, shear_dist: f64) -> Self {
+        let arms = [shear_dist * length, (1.0 - shear_dist) * length];
+        let axes: [[f64; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| axes[(i, j)]));
+        let (basic, local) = ([[0.0; N]; B], [[0.0; N]; N]);
+        let none = SparseMatrix::new(&[[0.0; B]; N]);
+        let mut link = Self { basic, local, axes, arms, columns: none, p_delta: None, axial_derivative: true };
+        let mut p_delta = [[0.0; N]; N];
+        for column in 0..N {
+            let unit: [f64; N] = std::array::from_fn(|i| if i == column { 1.0 } else { 0.0 });
+            let moments = EndForces { force: [0.0; 3], moments: link.p_delta_levers(&link.local_motion(&unit)) };
+            let mut force = [0.0; N];
+            link.add_end_forces(&moments, &mut force);
+            force.iter().zip(&mut p_delta).for_each(|(f, row)| row[column] = *f);
+            link.deformation(&unit).iter().zip(&mut link.basic).for_each(|(u, row)| row[column] = *u);
+        }
+        let per_node = N / 2;
+        // Rotate translations and, in space, rotations; in the plane only the sign of a rotation may change.
+        let blocks: &[(usize, usize, usize)] =
+            if Self::PLANE { &[(0, 0, 2), (2, 2, 1)] } else { &[(0, 0, 3), (3, 0, 3)] };
+        for (node, &(at, axis, size)) in
+            [0, per_node].into_iter().flat_map(|node| blocks.iter().map(move |b| (node, b)))
+        {
+            for a in 0..size {
+                for b in 0..size {
+                    link.local[node + at + a][node + at + b] = axes[axis + a][axis + b];
+                }
+            }
+        }
+        link.columns = SparseMatrix::new(&link.basic).transposed();
+        link.p_delta = Some(SparseMatrix::new(&p_delta));
+        link
+    }
+
+    /// Removes the P-Delta moments.
+    pub fn first_order(mut self) -> Self {
+        self.p_delta = None;
+        self
+    }
+
+    /// With `constant`, the tangent of the P-Delta moments is that at constant axial force, as in OpenSees.
+    pub fn under_given_force(self, constant: bool) -> Self {
+        Self { axial_derivative: !constant, ..self }
+    }
+
+    /// Local displacements (or velocities) from global ones.
+    #[inline]
+    pub fn local_motion(&self, disp: &[f64]) -> LocalMotion {
+        let (u, a) = (&disp[..N], &self.axes);
+        if Self::PLANE {
+            let offset = [u[3] - u[0], u[4] - u[1], 0.0];
+            LocalMotion { offset: to_local(a, offset), ends: [[0.0, 0.0, a[2][2] * u[2]], [0.0, 0.0, a[2][2] * u[5]]] }
+        } else {
+            let offset = [u[6] - u[0], u[7] - u[1], u[8] - u[2]];
+            LocalMotion {
+                offset: to_local(a, offset),
+                ends: [to_local(a, [u[3], u[4], u[5]]), to_local(a, [u[9], u[10], u[11]])],
+            }
+        }
+    }
+
+    /// Adds end forces to the global forces.
+    #[inline]
+    fn add_end_forces(&self, local: &EndForces, force: &mut [f64]) {
+        let (f, a) = (&mut force[..N], &self.axes);
+        let global_force = to_global(a, local.force);
+        let add = |f: &mut [f64], sign: f64, v: &[f64]| f.iter_mut().zip(v).for_each(|(f, v)| *f += sign * v);
+        if Self::PLANE {
+            add(&mut f[..2], -1.0, &global_force);
+            add(&mut f[3..5], 1.0, &global_force);
+            f[2] += a[2][2] * local.moments[0][2];
+            f[5] += a[2][2] * local.moments[1][2];
+        } else {
+            add(&mut f[..3], -1.0, &global_force);
+            add(&mut f[3..6], 1.0, &to_global(a, local.moments[0]));
+            add(&mut f[6..9], 1.0, &global_force);
+            add(&mut f[9..12], 1.0, &to_global(a, local.moments[1]));
+        }
+    }
+
+    /// End forces of the basic forces `q`, without P-Delta moments.
+    #[inline]
+    fn end_forces(&self, q: &[f64; B]) -> EndForces {
+        let [i, j] = self.arms;
+        let mut all = [0.0; 6];
+        Self::DIRECTIONS.iter().zip(q).for_each(|(d, q)| all[*d] = *q);
+        let [n, vy, vz, t, my, mz] = all;
+        EndForces { force: [n, vy, vz], moments: [[-t, i * vz - my, -i * vy - mz], [t, j * vz + my, mz - j * vy]] }
+    }
+
+    /// P-Delta moments at the ends per unit of axial force.
+    #[inline]
+    fn p_delta_levers(&self, u: &LocalMotion) -> [[f64; 3]; 2] {
+        let ([i, j], [start, end]) = (self.arms, &u.ends);
+        // Half of the offset at each end, plus the difference from the end rotations.
+        let half = [-0.5 * u.offset[2], 0.5 * u.offset[1]];
+        let from_rotations = [0.5 * (i * start[1] - j * end[1]), 0.5 * (i * start[2] - j * end[2])];
+        [
+            [0.0, half[0] + from_rotations[0], half[1] + from_rotations[1]],
+            [0.0, half[0] - from_rotations[0], half[1] - from_rotations[1]],
+        ]
+    }
+
+    /// Basic deformations (or their rates) from global displacements (or velocities).
+    #[inline]
+    pub fn deformation(&self, disp: &[f64]) -> [f64; B] {
+        self.deformation_of(&self.local_motion(disp))
+    }
+
+    /// Basic deformations from local displacements.
+    #[inline]
+    pub fn deformation_of(&self, motion: &LocalMotion) -> [f64; B] {
+        let ([i, j], LocalMotion { offset, ends: [start, end] }) = (self.arms, motion);
+        let all = [
+            offset[0],
+            offset[1] - i * start[2] - j * end[2],
+            offset[2] + i * start[1] + j * end[1],
+            end[0] - start[0],
+            end[1] - start[1],
+            end[2] - start[2],
+        ];
+        Self::DIRECTIONS.map(|d| all[d])
+    }
+
+    /// Adds the global forces of the basic forces `q`, without P-Delta moments.
+    #[inline]
+    pub fn add_basic_force(&self, q: &[f64; B], force: &mut [f64]) {
+        self.add_end_forces(&self.end_forces(q), force);
+    }
+
+    /// Adds the global forces of the basic forces `q`, with P-Delta moments.
+    #[inline]
+    pub fn add_force(&self, q: &[f64; B], motion: &LocalMotion, force: &mut [f64]) {
+        let mut local = self.end_forces(q);
+        if self.p_delta.is_some() {
+            let p_delta_levers = self.p_delta_levers(motion);
+            for (moment, lever) in local.moments.as_flattened_mut().iter_mut().zip(p_delta_levers.as_flattened()) {
+                *moment += q[0] * lever;
+            }
+        }
+        self.add_end_forces(&local, force);
+    }
+
+    /// Adds the masked part of the consistent tangent of [`Link::add_force`] for the basic stiffness `k`.
+    pub fn add_tangent(&self, k: &[[f64; B]; B], q: &[f64; B], disp: &[f64], tangent: &mut [f64], part: MatrixMask) {
+        self.add_basic_part(k, tangent, part);
+        let Some(p_delta) = &self.p_delta else { return };
+        let moments = || part.rows.among(N).map(|i| (i, p_delta.row(i))).filter(|(_, row)| !row.is_empty());
+        if moments().next().is_none() {
+            return;
+        }
+        // The moments are proportional to the axial force.
+        let mut axial = [0.0; N];
+        self.add_basic_force(&k[0], &mut axial);
+        for (i, row) in moments() {
+            let to = &mut tangent[i * N..(i + 1) * N];
+            row.iter().for_each(|e| to[e.column] += q[0] * e.value);
+            if !self.axial_derivative {
+                continue;
+            }
+            let lever: f64 = row.iter().map(|e| e.value * disp[e.column]).sum();
+            to.iter_mut().zip(&axial).for_each(|(t, a)| *t += lever * a);
+        }
+    }
+
+    /// Adds Aᵀ k A for a basic matrix `k`.
+    pub fn add_basic(&self, k: &[[f64; B]; B], tangent: &mut [f64]) {
+        self.add_basic_part(k, tangent, MatrixMask::ALL);
+    }
+
+    /// Adds the masked part of Aᵀ k A for a basic matrix `k`.
+    pub fn add_basic_part(&self, k: &[[f64; B]; B], tangent: &mut [f64], part: MatrixMask) {
+        let whole = part.columns.has_all(N);
+        for i in part.rows.among(N) {
+            // Derivatives of the force i by the basic deformations.
+            let mut by_basic = [0.0; B];
+            for e in self.columns.row(i) {
+                by_basic.iter_mut().zip(&k[e.column]).for_each(|(by, k)| *by += e.value * k);
+            }
+            let to = &mut tangent[i * N..(i + 1) * N];
+            if whole {
+                self.add_basic_force(&by_basic, to);
+                continue;
+            }
+            for j in part.columns.among(N) {
+                to[j] += self.columns.row(j).iter().fold(0.0, |sum, e| sum + e.value * by_basic[e.column]);
+            }
+        }
+    }
+
+    /// Basic deformations by direction, in the order of the basic forces.
+    pub fn basic_rows(&self) -> Vec<BasicRow> {
+        let (ndm, directions): (usize, &[usize]) = if N == 6 { (2, &[1, 2, 6]) } else { (3, &[1, 2, 3, 4, 5, 6]) };
+        let rows = directions.iter().zip(&self.basic).enumerate();
+        rows.map(|(column, (d, row))| BasicRow::new(*d, column, row, (ndm, N / 2))).collect()
+    }
+
+    /// Local end forces from global ones, P-Delta moments included.
+    pub fn local_force(&self, global: &[f64], out: &mut [f64]) {
+        for (o, row) in out.iter_mut().zip(&self.local) {
+            *o = dot(row, global);
+        }
+    }
+}
+
+/// Components of a global vector along local axes.
+#[inline]
+fn to_local(axes: &[[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
+    axes.map(|a| a[0] * v[0] + a[1] * v[1] + a[2] * v[2])
+}
+
+/// Components of a local vector along global axes.
+#[inline]
+fn to_global(axes: &[[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|i| axes[0][i] * v[0] + axes[1][i] * v[1] + axes[2][i] * v[2])
+}

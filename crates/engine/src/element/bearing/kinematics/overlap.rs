@@ -1,0 +1,33 @@
+//! Overlap area of the two end plates of a sheared round bearing.
+
+use std::f64::consts::PI;
+
+/// Ratio of the overlap area of two equal circles to their area, and its derivative by `x`, the distance of the centres
+/// in diameters. The ratio is (Δ - sin Δ) / π with Δ = 2 acos x.
+#[inline]
+pub fn overlap(x: f64) -> (f64, f64) {
+    if x >= 1.0 {
+        return (0.0, 0.0);
+    }
+    // sin Δ = 2 sin(Δ/2) cos(Δ/2)
+    let chord = (1.0 - x * x).sqrt();
+    (2.0 * (x.acos() - x * chord) / PI, -4.0 * chord / PI)
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::overlap;
+
+    #[test]
+    fn overlap_shrinks_from_all_to_nothing() {
+        assert_eq!(overlap(0.0).0, 1.0);
+        assert_eq!(overlap(1.0).0, 0.0);
+        assert_eq!(overlap(1.5), (0.0, 0.0));
+        // At half a diameter: 2/3 - √3/(2π).
+        assert!((overlap(0.5).0 - (2.0 / 3.0 - 3.0f64.sqrt() / (2.0 * std::f64::consts::PI))).abs() < 1e-15);
+        let (h, x) = (1e-6, 0.37);
+        let slope = (overlap(x + h).0 - overlap(x - h).0) / (2.0 * h);
+        assert!((overlap(x).1 - slope).abs() < 1e-8);
+    }
+}

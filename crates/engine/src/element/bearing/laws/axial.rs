@@ -1,0 +1,201 @@
+//! Axial law of layered rubber bearings: cavitation with damage in tension, buckling in compression, both as functions
+//! of the shear displacement.
+
+use crate::element::bearing::kinematics::overlap::overlap;
+use crate::element::bearing::laws::rubber::{PI, Rubber};
+
+/// Least ratio of the critical load to that at zero shear displacement.
+const MIN_CRITICAL_RATIO: f64 = 0.2;
+/// Ratio of the axial stiffness after buckling to the initial one.
+const BUCKLED_STIFFNESS_RATIO: f64 = 1e-4;
+
+/// Axial law of `HDR`, `ElastomericX` and `LeadRubberX`.
+///
+/// Source: Kumar, Whittaker and Constantinou (2014). At the shear displacement u_h the stiffness is K_v = K_v0 / (1 +
+/// 3/π² (u_h/r)²). The critical load is P_cr times the overlap of the ends, at least 0.2 P_cr. Beyond cavitation at u_c
+/// = F_c/K_v the tensile force is F_c (1 + (1 - e^(-k_c (u-u_c))) / (T_r k_c)).
+///
+/// After a largest displacement u_max the strength is F_c (1 - Φ_max (1 - e^(-a_c (u_max-u_c)/u_c))). Reloading is
+/// linear from that strength to the force at u_max.
+///
+/// OpenSees uses the shear displacement of the last step for K_v, u_c and P_cr. Without `compat` it is that of the step
+/// itself, so that the response is independent of the step size.
+///
+/// The force depends on the shear displacement, but the shear force does not depend on the axial one. A cycle that
+/// compresses a sheared bearing, straightens and unloads it gains energy. Cycles at constant shear displacement or
+/// constant axial force do not.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxialLaw {
+    /// Properties of the bearing.
+    pub rubber: Rubber,
+    /// Cavitation parameter k_c.
+    pub kc: f64,
+    /// Largest damage Φ_max.
+    pub phi: f64,
+    /// Rate a_c of the damage.
+    pub ac: f64,
+    /// Cavitation is active.
+    pub cavitates: bool,
+    /// Buckling is active, at a load that depends on the shear displacement.
+    pub buckles: bool,
+    /// The stiffness depends on the shear displacement.
+    pub softens: bool,
+    /// OpenSees' scheme.
+    pub compat: bool,
+}
+
+crate::state_struct! {
+    /// Committed axial state.
+    pub struct Axial {
+        /// Force, tension positive.
+        force: f64,
+        /// Stiffness K_v.
+        kv: f64,
+        /// Displacement u_c at first cavitation.
+        uc: f64,
+        /// Current cavitation strength.
+        fcn: f64,
+        /// Largest tensile displacement u_max.
+        umax: f64,
+        /// Critical load, negative.
+        fcrn: f64,
+        /// Critical load of smallest size so far, negative.
+        fcrmin: f64,
+    }
+}
+
+/// Axial response to a displacement.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxialStep {
+    /// Trial state.
+    pub next: Axial,
+    /// ∂N/∂u.
+    pub k: f64,
+    /// ∂N/∂u_h.
+    pub k_shear: f64,
+    /// Critical load of the step, negative.
+    pub critical: f64,
+    /// Derivative of the critical load by u_h.
+    pub d_critical: f64,
+}
+
+/// Properties at a shear displacement, with derivatives.
+struct Sheared {
+    kv: f64,
+    dkv: f64,
+    fcrn: f64,
+    dfcrn: f64,
+}
+
+impl AxialLaw {
+    /// Virgin state.
+    pub fn virgin(&self) -> Axial {
+        let Rubber { axial, cavitation, critical, .. } = self.rubber;
+        let uc = cavitation / axial;
+        Axial { force: 0.0, kv: axial, uc, fcn: cavitation, umax: uc, fcrn: -critical, fcrmin: -critical }
+    }
+
+    fn sheared(&self, uh: f64) -> Sheared {
+        let r = &self.rubber;
+        let (mut kv, mut dkv) = (r.axial, 0.0);
+        if self.softens {
+            let a = 3.0 / (PI * PI) / (r.gyration * r.gyration);
+            let soft = 1.0 / (1.0 + a * uh * uh);
+            kv *= soft;
+            dkv = -2.0 * a * uh * soft * kv;
+        }
+        let (mut fcrn, mut dfcrn) = (-r.critical, 0.0);
+        if self.buckles {
+            let (mut share, slope) = overlap(uh / r.diameter);
+            if self.compat {
+                // OpenSees' area contains its rounded π.
+                share *= std::f64::consts::PI / PI;
+            }
+            if share < MIN_CRITICAL_RATIO {
+                fcrn *= MIN_CRITICAL_RATIO;
+            } else {
+                dfcrn = fcrn * slope / r.diameter;
+                fcrn *= share;
+            }
+        }
+        Sheared { kv, dkv, fcrn, dfcrn }
+    }
+
+    /// Force at first loading beyond cavitation, and its slope.
+    #[inline]
+    fn backbone(&self, beyond: f64) -> (f64, f64) {
+        let Rubber { cavitation, thickness, .. } = self.rubber;
+        let e = (-self.kc * beyond).exp();
+        (cavitation * (1.0 + (1.0 - e) / (thickness * self.kc)), cavitation / thickness * e)
+    }
+
+    /// Cavitation strength after a largest displacement `umax`.
+    fn strength(&self, umax: f64, uc: f64) -> f64 {
+        self.rubber.cavitation * (1.0 - self.phi * (1.0 - (-self.ac * (umax - uc) / uc).exp()))
+    }
+
+    /// Response to the axial displacement `u` (tension positive) at the shear displacement `uh`.
+    #[inline]
+    pub fn step(&self, c: &Axial, u: f64, uh: f64) -> AxialStep {
+        if self.compat { self.lagging_step(c, u, uh) } else { self.consistent_step(c, u, uh) }
+    }
+
+    fn consistent_step(&self, c: &Axial, u: f64, uh: f64) -> AxialStep {
+        let s = self.sheared(uh);
+        let uc = self.rubber.cavitation / s.kv;
+        let duc = -uc * s.dkv / s.kv;
+        let mut next = Axial { kv: s.kv, uc, fcrn: s.fcrn, fcrmin: c.fcrmin.max(s.fcrn), ..*c };
+        let (k, k_shear);
+        if self.buckles && u <= s.fcrn / s.kv {
+            k = self.rubber.axial * BUCKLED_STIFFNESS_RATIO;
+            next.force = s.fcrn + k * (u - s.fcrn / s.kv);
+            k_shear = s.dfcrn - k * (s.dfcrn - s.fcrn * s.dkv / s.kv) / s.kv;
+        } else if !self.cavitates || u * s.kv <= c.fcn {
+            k = s.kv;
+            next.force = k * u;
+            k_shear = s.dkv * u;
+        } else if u < c.umax.max(uc) {
+            // After cavitation at another shear displacement, the target of reloading is at least u_c.
+            let (target, dtarget) = if c.umax > uc { (c.umax, 0.0) } else { (uc, duc) };
+            let (top, slope) = self.backbone(target - uc);
+            let (start, dstart) = (c.fcn / s.kv, -c.fcn / s.kv * s.dkv / s.kv);
+            k = (top - c.fcn) / (target - start);
+            next.force = c.fcn + k * (u - start);
+            let dk = (slope * (dtarget - duc) - k * (dtarget - dstart)) / (target - start);
+            k_shear = dk * (u - start) - k * dstart;
+        } else {
+            (next.force, k) = self.backbone(u - uc);
+            k_shear = -k * duc;
+            next.umax = u;
+            next.fcn = c.fcn.min(self.strength(u, uc));
+        }
+        AxialStep { next, k, k_shear, critical: s.fcrn, d_critical: s.dfcrn }
+    }
+
+    fn lagging_step(&self, c: &Axial, u: f64, uh: f64) -> AxialStep {
+        let start = c.fcn / c.kv;
+        let (force, k);
+        if self.buckles && u <= c.fcrn / c.kv {
+            k = self.rubber.axial * BUCKLED_STIFFNESS_RATIO;
+            force = c.fcrmin + k * (u - c.fcrn / c.kv);
+        } else if !self.cavitates || u <= start {
+            k = c.kv;
+            force = k * u;
+        } else if u < c.umax {
+            k = (self.backbone(c.umax - c.uc).0 - c.fcn) / (c.umax - start);
+            force = c.fcn + k * (u - start);
+        } else {
+            (force, k) = self.backbone(u - c.uc);
+        }
+        let s = self.sheared(uh);
+        let mut next = Axial { force, kv: s.kv, fcrn: s.fcrn, fcrmin: c.fcrmin.max(s.fcrn), ..*c };
+        if self.softens && uh > f64::EPSILON {
+            next.uc = self.rubber.cavitation / s.kv;
+        }
+        if self.cavitates && u > c.umax {
+            next.umax = u;
+            next.fcn = self.strength(u, next.uc);
+        }
+        AxialStep { next, k, k_shear: 0.0, critical: c.fcrn, d_critical: 0.0 }
+    }
+}

@@ -1,0 +1,101 @@
+//! Shear laws of bearings: the trait, and the common state variables.
+
+use crate::element::bearing::elements::shear_bearing::end_masses;
+use crate::element::{ElementError, Mass};
+use crate::state_struct::StateStruct;
+use std::fmt;
+
+/// State variables of a law with `S` shear directions, which recorders read.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shear<const S: usize> {
+    /// Displacement.
+    pub u: [f64; S],
+    /// Internal variable of the law: hysteretic parameter, plastic displacement.
+    pub internal: [f64; S],
+    /// Force.
+    pub q: [f64; S],
+    /// Consistent stiffness.
+    pub k: [[f64; S]; S],
+}
+
+impl<const S: usize> Default for Shear<S> {
+    fn default() -> Self {
+        Self { u: [0.0; S], internal: [0.0; S], q: [0.0; S], k: [[0.0; S]; S] }
+    }
+}
+
+impl<const S: usize> StateStruct for Shear<S> {
+    const LEN: usize = 3 * S + S * S;
+
+    #[inline]
+    fn read(state: &[f64]) -> Self {
+        let state = &state[..Self::LEN];
+        let vector = |at: usize| std::array::from_fn(|i| state[at + i]);
+        Self { u: vector(0), internal: vector(S), q: vector(2 * S), k: std::array::from_fn(|i| vector((3 + i) * S)) }
+    }
+
+    #[inline]
+    fn write(&self, state: &mut [f64]) {
+        let rows = [&self.u, &self.internal, &self.q].into_iter().chain(&self.k);
+        for (to, from) in state[..Self::LEN].chunks_exact_mut(S).zip(rows) {
+            to.copy_from_slice(from);
+        }
+    }
+}
+
+/// A shear law with `S` coupled directions: 1 in the plane, 2 in space.
+pub trait ShearLaw<const S: usize>: Clone + fmt::Debug + Send + Sync {
+    /// OpenSees' class names in the plane and in space.
+    const CLASS: [&'static str; 2];
+    /// True if recorders show the internal variable as the hysteretic parameter.
+    const HYSTERETIC: bool;
+    /// True if OpenSees subtracts the inertia of the bearing's mass under a uniform ground motion from the reported
+    /// force.
+    const REPORTS_INERTIA: bool = false;
+    /// True if OpenSees updates the committed tangent of Rayleigh damping at the end of every step.
+    const RENEWS_DAMPING: bool = true;
+
+    /// Damping coefficient of a dashpot in parallel, in each direction.
+    fn dashpot(&self) -> f64 {
+        0.0
+    }
+
+    /// Virgin state, with the initial stiffness.
+    fn virgin(&self) -> Shear<S>;
+
+    /// Trial state at a displacement, from the committed state.
+    ///
+    /// # Errors
+    /// The equation of the law has no solution for the step.
+    fn step(&self, committed: &Shear<S>, u: [f64; S]) -> Result<Shear<S>, ElementError>;
+
+    /// Copies into the trial state the variables of the last trial that OpenSees does not reset; used only to follow
+    /// OpenSees.
+    fn leave_trace(&self, _committed: &Shear<S>, _last: &Shear<S>, _next: &mut Shear<S>) {}
+
+    /// Mass of the bearing: half at each end.
+    fn masses(&self, mass: f64) -> Mass {
+        end_masses(mass, 3 * S, S + 1)
+    }
+}
+
+/// Relative difference of displacements that is round-off.
+const ROUND_OFF: f64 = 8.0 * f64::EPSILON;
+
+/// Returns true if the increment is round-off. The tangent is then that of continued loading, as at the end of the last
+/// step. Equilibrium corrections and rotations of axes by round-off are no unloading.
+#[inline]
+pub(in crate::element::bearing) fn at_rest<const S: usize>(u: &[f64; S], committed: &[f64; S]) -> bool {
+    let size = u.iter().fold(0.0, |m: f64, u| m.max(u.abs()));
+    u.iter().zip(committed).all(|(u, c)| (u - c).abs() <= ROUND_OFF * size)
+}
+
+/// Force and stiffness of the hardening springs of one direction, k₂ u + k₃ sign(u) |u|^μ.
+#[inline]
+pub(in crate::element::bearing) fn hardening(k2: f64, k3: f64, mu: f64, u: f64) -> (f64, f64) {
+    if k3 == 0.0 {
+        return (k2 * u, k2);
+    }
+    let p = u.abs().powf(mu - 1.0);
+    (k2 * u + k3 * p * u, k2 + k3 * mu * p)
+}

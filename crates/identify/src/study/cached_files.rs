@@ -1,0 +1,125 @@
+//! Read-only files for the script of a study. Each is read from the disk once.
+
+use hysteron_tcl::{FileInfo, FileKind, Files, OpenMode, OsFiles, Stream};
+use std::collections::HashMap;
+use std::io::{self, Cursor, Read, Seek, SeekFrom, Write};
+use std::sync::{Arc, Mutex};
+use std::time::Duration;
+
+/// Contents of files by path. Clones share them.
+#[derive(Clone, Debug, Default)]
+pub(super) struct FileContents(Arc<Mutex<HashMap<String, Arc<[u8]>>>>);
+
+impl FileContents {
+    /// A copy with another text for one file.
+    pub(super) fn with_text(&self, path: &str, text: &str) -> Self {
+        let mut texts = self.0.lock().map_or_else(|e| e.into_inner().clone(), |k| k.clone());
+        texts.insert(path.to_owned(), text.as_bytes().into());
+        Self(Arc::new(Mutex::new(texts)))
+    }
+}
+
+/// Files of the system, kept in memory once they are read. Writing is refused: an overlay takes what a script writes.
+pub(super) struct CachedFiles {
+    folder: String,
+    contents: FileContents,
+}
+
+impl CachedFiles {
+    /// Files with `folder` as the current folder.
+    pub(super) fn new(folder: &str, contents: &FileContents) -> Self {
+        Self { folder: folder.to_owned(), contents: contents.clone() }
+    }
+
+    fn content(&self, path: &str) -> io::Result<Arc<[u8]>> {
+        let mut texts = self.contents.0.lock().map_err(|_| io::Error::from(io::ErrorKind::Other))?;
+        if let Some(content) = texts.get(path) {
+            return Ok(content.clone());
+        }
+        let content: Arc<[u8]> = OsFiles.read(path)?.into();
+        texts.insert(path.to_owned(), content.clone());
+        Ok(content)
+    }
+}
+
+fn read_only<T>() -> io::Result<T> {
+    Err(io::ErrorKind::PermissionDenied.into())
+}
+
+impl Files for CachedFiles {
+    fn current_dir(&self) -> String {
+        self.folder.clone()
+    }
+
+    fn open(&mut self, path: &str, mode: OpenMode) -> io::Result<Box<dyn Stream>> {
+        if mode.write {
+            return read_only();
+        }
+        Ok(Box::new(ReadStream(Cursor::new(self.content(path)?))))
+    }
+
+    fn info(&self, path: &str, follow: bool) -> io::Result<FileInfo> {
+        OsFiles.info(path, follow).or_else(|e| {
+            // A replaced text may have no file on the disk.
+            let texts = self.contents.0.lock().map_err(|_| io::Error::from(io::ErrorKind::Other))?;
+            let size = texts.get(path).ok_or(e)?.len() as u64;
+            let epoch = Duration::ZERO;
+            Ok(FileInfo { kind: FileKind::File, size, modified: epoch, accessed: epoch, mode: 0o444 })
+        })
+    }
+
+    fn list(&self, path: &str) -> io::Result<Vec<String>> {
+        OsFiles.list(path)
+    }
+
+    fn make_dir(&mut self, _: &str) -> io::Result<()> {
+        read_only()
+    }
+
+    fn remove(&mut self, _: &str) -> io::Result<()> {
+        read_only()
+    }
+
+    fn rename(&mut self, _: &str, _: &str) -> io::Result<()> {
+        read_only()
+    }
+
+    fn set_modified(&mut self, _: &str, _: Duration) -> io::Result<()> {
+        read_only()
+    }
+}
+
+/// A stream that reads a cached file.
+struct ReadStream(Cursor<Arc<[u8]>>);
+
+impl Read for ReadStream {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        self.0.read(buffer)
+    }
+
+    fn read_to_end(&mut self, out: &mut Vec<u8>) -> io::Result<usize> {
+        self.0.read_to_end(out)
+    }
+}
+
+impl Write for ReadStream {
+    fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+        read_only()
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+impl Seek for ReadStream {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        self.0.seek(to)
+    }
+}
+
+impl Stream for ReadStream {
+    fn set_len(&mut self, _: u64) -> io::Result<()> {
+        read_only()
+    }
+}

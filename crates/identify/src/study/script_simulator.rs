@@ -1,0 +1,421 @@
+//! The simulator that runs the script of a study in this process, with its recorders in memory.
+
+use super::cached_files::{CachedFiles, FileContents};
+use super::initial_run::{InitialRun, RunLimits};
+use super::load::{Study, StudyError};
+use super::run::{ObservedChannel, Setting};
+use super::simulator::{SimulationError, Simulator};
+use super::trace::{Trace, TraceOutput, Unobserved};
+use hysteron_engine::analysis::{Cause, Engine, Failure, Options};
+use hysteron_engine::record::{Output, RecordError};
+use hysteron_opensees::run::{End, Run as ScriptRun, Settings};
+use hysteron_opensees::{FileFormat, Mode, NumberFiles, Outputs, Progress};
+use hysteron_tcl::diagnostic::{Diagnostic, SourceMap, Span, nearest};
+use hysteron_tcl::{Console, OverlayFiles, Value};
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
+
+/// Runs the script of a study.
+pub struct ScriptSimulator {
+    study: Arc<Study>,
+    options: Options,
+    limits: Vec<RunLimits>,
+    contents: FileContents,
+    numbers: NumberFiles,
+    stop: Arc<AtomicBool>,
+    /// The outputs of the observed channels, by run: path and trace.
+    outputs: Vec<Vec<(String, TraceOutput)>>,
+}
+
+/// Makes simulators of a study. It can be sent to other threads, unlike the simulators.
+#[derive(Clone)]
+pub struct SimulatorFactory {
+    study: Arc<Study>,
+    options: Options,
+    limits: Vec<RunLimits>,
+    contents: FileContents,
+    numbers: NumberFiles,
+    stop: Arc<AtomicBool>,
+}
+
+impl SimulatorFactory {
+    /// A simulator of the study.
+    pub fn simulator(&self) -> ScriptSimulator {
+        self.with_contents(self.study.clone(), self.contents.clone())
+    }
+
+    /// A simulator of another study with the same runs, whose script is `text`.
+    pub fn simulator_of_script(&self, study: Arc<Study>, text: &str) -> ScriptSimulator {
+        let contents = self.contents.with_text(&study.absolute(&study.model), text);
+        self.with_contents(study, contents)
+    }
+
+    fn with_contents(&self, study: Arc<Study>, contents: FileContents) -> ScriptSimulator {
+        let simulator = ScriptSimulator::new(study, self.options.clone(), self.stop.clone());
+        ScriptSimulator { limits: self.limits.clone(), contents, numbers: self.numbers.clone(), ..simulator }
+    }
+
+    /// A factory with another text for one file of the study.
+    #[must_use]
+    pub fn with_file(&self, file: &str, text: &str) -> Self {
+        Self { contents: self.contents.with_text(&self.study.absolute(file), text), ..self.clone() }
+    }
+
+    /// Divide each step of the script into `parts` steps.
+    pub fn refine(&mut self, parts: u32) {
+        self.options.refine = parts;
+    }
+}
+
+/// A console that prints nothing.
+struct Silent;
+
+impl Console for Silent {
+    fn out(&mut self, _: &str) {}
+    fn err(&mut self, _: &str) {}
+}
+
+/// Traces of recorders that are not observed, by the file name in the script.
+type UnobservedTraces = Arc<Mutex<Vec<(String, TraceOutput)>>>;
+
+/// Outputs of a run: observed ones in memory, the others in memory if they are wanted.
+struct RunOutputs {
+    observed: Vec<(String, TraceOutput)>,
+    others: Option<UnobservedTraces>,
+}
+
+impl Outputs for RunOutputs {
+    fn create(&mut self, name: &str, path: &Path, _: FileFormat) -> Result<Box<dyn Output>, RecordError> {
+        if let Some((_, trace)) = self.observed.iter().find(|(p, _)| Path::new(p) == path) {
+            trace.clear();
+            return Ok(Box::new(trace.clone()));
+        }
+        let Some(Ok(mut others)) = self.others.as_ref().map(|o| o.lock()) else { return Ok(Box::new(Unobserved)) };
+        let trace = TraceOutput::default();
+        others.retain(|(n, _)| n != name);
+        others.push((name.to_owned(), trace.clone()));
+        Ok(Box::new(trace))
+    }
+}
+
+/// Interrupts a run that exceeds its limits, or whose result is not wanted any more.
+struct LimitWatch {
+    interrupt: Arc<AtomicBool>,
+    stop: Arc<AtomicBool>,
+    steps: u64,
+    limits: RunLimits,
+    begun: Instant,
+}
+
+impl Progress for LimitWatch {
+    fn step(&mut self, _: f64, _: Option<f64>) {
+        self.steps += 1;
+        // Reading the clock takes longer than a small step.
+        let reads_clock = self.steps.is_multiple_of(64);
+        if self.steps > self.limits.steps
+            || reads_clock && (self.stop.load(Ordering::Relaxed) || self.begun.elapsed() > self.limits.time)
+        {
+            self.interrupt.store(true, Ordering::Relaxed);
+        }
+    }
+}
+
+/// A run of the script that has ended.
+struct EndedRun {
+    script: ScriptRun,
+    end: End,
+    time: Duration,
+}
+
+impl EndedRun {
+    /// Values that `pset` commands of the script gave to parameters.
+    fn declared(&self) -> &BTreeMap<String, f64> {
+        &self.script.interp.host.declared
+    }
+}
+
+impl ScriptSimulator {
+    /// A simulator of a study. Its runs end when `stop` is set.
+    pub fn new(study: Arc<Study>, options: Options, stop: Arc<AtomicBool>) -> Self {
+        let path = |output: &str| study.absolute(output);
+        let outputs = study.runs.iter().map(|r| {
+            let mut traces: BTreeMap<String, TraceOutput> = BTreeMap::new();
+            for o in &r.observe {
+                traces.entry(path(&o.output)).or_default();
+            }
+            // One for each channel: channels of one file share its trace.
+            r.observe.iter().map(|o| (path(&o.output), traces.entry(path(&o.output)).or_default().clone())).collect()
+        });
+        let limits = vec![RunLimits::UNKNOWN; study.runs.len()];
+        let (contents, numbers) = (FileContents::default(), NumberFiles::default());
+        Self { outputs: outputs.collect(), study, options, limits, contents, numbers, stop }
+    }
+
+    /// A factory of simulators with the same study, limits and cached files.
+    pub fn factory(&self) -> SimulatorFactory {
+        SimulatorFactory {
+            study: self.study.clone(),
+            options: self.options.clone(),
+            limits: self.limits.clone(),
+            contents: self.contents.clone(),
+            numbers: self.numbers.clone(),
+            stop: self.stop.clone(),
+        }
+    }
+
+    /// The study.
+    pub fn study(&self) -> &Arc<Study> {
+        &self.study
+    }
+
+    /// Run the script, which may be the beginning of one, and inspect the model at its end.
+    pub fn inspect_model<R>(&self, run: usize, values: &[f64], inspect: impl FnOnce(&Engine) -> R) -> R {
+        inspect(&self.run(run, Some(values), None).script.interp.host.engine)
+    }
+
+    /// Run the script with `values` of the parameters, or with its own values.
+    fn run(&self, run: usize, values: Option<&[f64]>, others: Option<UnobservedTraces>) -> EndedRun {
+        let spec = &self.study.runs[run];
+        let settings = Settings { mode: Mode::Run, strict: false, options: self.options.clone() };
+        let files = OverlayFiles::new(Box::new(CachedFiles::new(&self.study.folder_text(), &self.contents)));
+        let outputs = RunOutputs { observed: self.outputs[run].clone(), others };
+        self.outputs[run].iter().for_each(|(_, t)| t.clear());
+        let mut script = ScriptRun::new(settings, Box::new(Silent), Box::new(files), Box::new(outputs));
+        let begun = Instant::now();
+        let limits = self.limits[run];
+        let interrupt = script.interp.interrupt.clone();
+        let watch = LimitWatch { interrupt, stop: self.stop.clone(), steps: 0, limits, begun };
+        script.interp.host.set_progress(Box::new(watch));
+        script.interp.host.number_files = self.numbers.clone();
+        script.interp.budget = Some(limits.commands);
+        if let Some(values) = values {
+            let named = self.study.space.parameters.iter().zip(values);
+            script.interp.host.parameters = named.map(|(p, v)| (p.name.clone(), *v)).collect();
+        }
+        let set = spec.set.iter().try_for_each(|(name, value)| script.interp.set_global(name, tcl_value(value)));
+        let end = match set {
+            Ok(()) => script.script(&self.study.model, &[]),
+            Err(_) => End::Rejected(Box::new(Diagnostic::error("a variable of this run cannot be set"))),
+        };
+        EndedRun { script, end, time: begun.elapsed() }
+    }
+
+    /// The error of a run that has ended, if it failed.
+    fn error(&self, ended: &EndedRun, run: usize) -> Option<SimulationError> {
+        let interp = &ended.script.interp;
+        let text = |d: &Diagnostic| match d.span {
+            Some(span) => format!("{}: {}", interp.sources.location(span), d.message),
+            None => d.message.clone(),
+        };
+        Some(match &ended.end {
+            End::Done | End::Exit(0) => match &interp.host.last_failure {
+                Some(failure) => analysis_error(failure),
+                None => return None,
+            },
+            End::Failed(failure) => analysis_error(failure),
+            End::Exit(status) => SimulationError::Exit(*status),
+            // Scripts raise errors after a failed analysis: the analysis is the cause.
+            End::Raised(d) => match &interp.host.last_failure {
+                Some(failure) => analysis_error(failure),
+                None => SimulationError::Raised(text(d)),
+            },
+            End::Rejected(d) => SimulationError::Rejected(text(d)),
+            End::Interrupted | End::Enough(_) if self.stop.load(Ordering::Relaxed) => SimulationError::Interrupted,
+            End::Interrupted | End::Enough(_) => SimulationError::TooLong(match interp.budget {
+                Some(0) => "the commands that it may run",
+                _ if ended.time > self.limits[run].time => "the time that it may take",
+                _ => "the steps that it may make",
+            }),
+        })
+    }
+
+    /// The observed channels of the last run at the times of the recording.
+    fn channels(&self, run: usize) -> Result<Vec<Vec<f64>>, SimulationError> {
+        let spec = &self.study.runs[run];
+        let channel = |(o, (_, output)): (&ObservedChannel, &(String, TraceOutput))| {
+            output.with(|trace| {
+                let missing = |why: String| Err(SimulationError::NoOutput(format!("{} {why}", o.output)));
+                if trace.times.is_empty() {
+                    return missing("has no rows".into());
+                }
+                if o.column >= trace.width {
+                    return missing(format!("has {} columns, and none of number {}", trace.width, o.column));
+                }
+                if trace.no_clock {
+                    return missing("has times that do not increase: the analysis has no clock".into());
+                }
+                let column = trace.values.iter().skip(o.column).step_by(trace.width);
+                if column.clone().any(|v| !v.is_finite()) {
+                    return Err(SimulationError::NotFinite(format!("{} column {}", o.output, o.column)));
+                }
+                Ok(trace.sample(o.column, &spec.recording.times))
+            })
+        };
+        spec.observe.iter().zip(&self.outputs[run]).map(channel).collect()
+    }
+
+    /// The trace of an observed output in the last simulation of a run, by its name in the study.
+    pub fn trace(&self, run: usize, output: &str) -> Option<Trace> {
+        let at = self.study.runs[run].observe.iter().position(|o| o.output == output)?;
+        Some(self.outputs[run][at].1.with(Trace::clone))
+    }
+
+    /// The displacement that forces of a run are plotted over: its label, and samples at the times of the recording.
+    ///
+    /// A recorded displacement is preferred. Otherwise it is column 1 of the first unobserved recorder whose file name
+    /// contains `disp`.
+    pub fn displacement(&self, run: usize, values: &[f64]) -> Option<(String, Vec<f64>)> {
+        let recording = &self.study.runs[run].recording;
+        let is_length = |unit: &str| ["m", "mm", "cm", "in", "ft"].contains(&unit);
+        let recorded = recording.columns.iter().find(|c| is_length(&c.unit) || c.name.starts_with("disp"));
+        if let Some(c) = recorded {
+            return Some((format!("{} [{}]", c.name, c.unit), c.values.clone()));
+        }
+        let others = UnobservedTraces::default();
+        self.run(run, Some(values), Some(others.clone()));
+        let others = others.lock().ok()?;
+        let (name, trace) = others.iter().find(|(name, _)| name.contains("disp"))?;
+        let column = |t: &Trace| (t.width > 1).then(|| t.sample(1, &recording.times));
+        Some((format!("{name}, column 1, simulated"), trace.with(column)?))
+    }
+
+    /// Run the script with its own values, and set the limits of the runs that follow. If it fails with them, it runs with
+    /// the values in the middle of the ranges.
+    ///
+    /// # Errors
+    /// The script is rejected, never declares a parameter of the study, or does not write an observed output. Texts that
+    /// the message points into are added to `sources`.
+    pub fn run_initially(&mut self, sources: &mut SourceMap) -> Result<InitialRun, StudyError> {
+        let study = self.study.clone();
+        let mut initial = InitialRun {
+            values: vec![f64::NAN; study.space.parameters.len()],
+            value_spans: vec![None; study.space.parameters.len()],
+            warnings: vec![],
+            failure: None,
+            limits: vec![],
+        };
+        let time_limit = study.calibration.time_limit.map(Duration::from_secs_f64);
+        if let Some(time) = time_limit {
+            self.limits.iter_mut().for_each(|l| l.time = time);
+        }
+        for (number, spec) in study.runs.iter().enumerate() {
+            let (EndedRun { script, end, time }, error) = self.first_run(number, &mut initial);
+            let interp = &script.interp;
+            if let End::Rejected(d) = end {
+                return Err(with_sources_moved(&interp.sources, sources, *d, &spec.name));
+            }
+            check_declared(&study, &interp.host.declared)?;
+            if error.is_none()
+                && let Err(e) = self.channels(number)
+            {
+                return Err(Box::new(Diagnostic::error(format!("run \"{}\": {e}", spec.name))));
+            }
+            for (value_span, p) in initial.value_spans.iter_mut().zip(&study.space.parameters) {
+                let span = interp.host.declared_at.get(&p.name);
+                let span = span.filter(|s| *interp.sources.name(s.source) == *study.model);
+                *value_span = span.map(|s| (s.start as usize, s.end as usize)).or(*value_span);
+            }
+            for w in &interp.warnings {
+                let w = *with_sources_moved(&interp.sources, sources, w.clone(), &spec.name);
+                if !initial.warnings.iter().any(|o| o.message == w.message) {
+                    initial.warnings.push(w);
+                }
+            }
+            let commands = RunLimits::UNKNOWN.commands - interp.budget.unwrap_or(0);
+            let mut limits = RunLimits::from_first_run(commands, interp.host.engine.steps, 20 * time);
+            limits.time = time_limit.unwrap_or(limits.time);
+            self.limits[number] = limits;
+        }
+        initial.limits.clone_from(&self.limits);
+        Ok(initial)
+    }
+
+    /// One run with the script's own values, or with those in the middle of the ranges if it fails; its error.
+    fn first_run(&self, number: usize, initial: &mut InitialRun) -> (EndedRun, Option<SimulationError>) {
+        let ended = self.run(number, None, None);
+        take_declared_values(&self.study, ended.declared(), &mut initial.values);
+        let error = self.error(&ended, number);
+        let space = &self.study.space;
+        let (Some(error), Ok(middle)) = (&error, space.values_at(&vec![0.5; space.dimension()])) else {
+            return (ended, error);
+        };
+        let is_interrupted = *error == SimulationError::Interrupted;
+        if initial.failure.is_none() {
+            initial.failure = Some(error.clone());
+        }
+        if is_interrupted {
+            return (ended, None);
+        }
+        let ended = self.run(number, Some(&middle), None);
+        let error = self.error(&ended, number);
+        (ended, error)
+    }
+}
+
+/// Take the declared values of the parameters.
+fn take_declared_values(study: &Study, declared: &BTreeMap<String, f64>, values: &mut [f64]) {
+    for (v, p) in values.iter_mut().zip(&study.space.parameters) {
+        if let Some(x) = declared.get(&p.name) {
+            *v = *x;
+        }
+    }
+}
+
+/// Check that the script has declared all parameters.
+fn check_declared(study: &Study, declared: &BTreeMap<String, f64>) -> Result<(), StudyError> {
+    for (p, span) in study.space.parameters.iter().zip(&study.name_spans) {
+        if !declared.contains_key(&p.name) {
+            let message = format!("{} never declares the parameter {}", study.model, p.name);
+            let mut d = Diagnostic::error(message).at(Some(*span), "expected the name of a pset command");
+            if let Some(near) = nearest(&p.name, declared.keys().map(String::as_str)) {
+                d = d.help(format!("did you mean \"{near}\"?"));
+            }
+            return Err(Box::new(d));
+        }
+    }
+    Ok(())
+}
+
+fn analysis_error(failure: &Failure) -> SimulationError {
+    match failure.cause {
+        Cause::Interrupted => SimulationError::Interrupted,
+        _ => SimulationError::Failed(failure.to_string()),
+    }
+}
+
+fn tcl_value(setting: &Setting) -> Value {
+    match setting {
+        Setting::Text(s) => Value::from(s.as_str()),
+        Setting::Whole(i) => Value::from(*i),
+        Setting::Number(x) => Value::from(*x),
+        Setting::List(words) => Value::list(words.iter().map(|w| Value::from(w.as_str()))),
+    }
+}
+
+/// A message about a script, with the texts that it points into moved to another source map.
+fn with_sources_moved(from: &SourceMap, to: &mut SourceMap, mut d: Diagnostic, run: &str) -> StudyError {
+    let mut shift = |span: &mut Span| {
+        let (name, text) = (from.name(span.source), from.text(span.source));
+        span.source = to.find(&name, &text).unwrap_or_else(|| to.add(&name, &text));
+    };
+    d.span.iter_mut().for_each(&mut shift);
+    d.callers.iter_mut().for_each(|c| shift(&mut c.span));
+    d.help.push(format!("in run \"{run}\""));
+    Box::new(d)
+}
+
+impl Simulator for ScriptSimulator {
+    fn simulate(&mut self, run: usize, values: &[f64]) -> Result<Vec<Vec<f64>>, SimulationError> {
+        if self.stop.load(Ordering::Relaxed) {
+            return Err(SimulationError::Interrupted);
+        }
+        let ended = self.run(run, Some(values), None);
+        match self.error(&ended, run) {
+            Some(error) => Err(error),
+            None => self.channels(run),
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! Implicit integrators of transient analyses.
+
+use super::{Kind, Made, alpha_parameters};
+use crate::args::Args;
+use crate::slips;
+use crate::{Tcl, ignore_option, warn};
+use hysteron_engine::analysis::Coefficients;
+use hysteron_engine::analysis::integrator::{
+    AlphaParameters, Collocation, Form, GeneralizedAlpha, GimmeMck, Hht, Newmark, backward_euler, houbolt, park_lms3,
+    trbdf2, trbdf3,
+};
+use hysteron_tcl::Exception;
+use hysteron_tcl::diagnostic::Diagnostic;
+
+pub(super) const KINDS: &[Kind] = &[
+    Kind { names: &["Newmark"], usage: "integrator Newmark $gamma $beta <-form D|V|A>", make: newmark },
+    Kind {
+        names: &["Newmark1"],
+        usage: "integrator Newmark1 $gamma $beta <$alphaM $betaK $betaK0 $betaKc>",
+        make: newmark1,
+    },
+    Kind { names: &["HHT"], usage: "integrator HHT $alpha <$gamma $beta>", make: hht },
+    Kind {
+        names: &["HHTGeneralized"],
+        usage: "integrator HHTGeneralized $rhoInf | $alphaI $alphaF $beta $gamma",
+        make: hht_generalized,
+    },
+    Kind {
+        names: &["GeneralizedAlpha"],
+        usage: "integrator GeneralizedAlpha $alphaM $alphaF <$beta $gamma>",
+        make: generalized_alpha,
+    },
+    Kind { names: &["Collocation"], usage: "integrator Collocation $theta <$beta $gamma>", make: collocation },
+    Kind { names: &["WilsonTheta"], usage: "integrator WilsonTheta $theta", make: wilson_theta },
+    Kind { names: &["TRBDF2", "Bathe"], usage: "integrator TRBDF2", make: |_, _| Ok(trbdf2()) },
+    Kind { names: &["TRBDF3", "Bathe3"], usage: "integrator TRBDF3", make: |_, _| Ok(trbdf3()) },
+    Kind { names: &["Houbolt"], usage: "integrator Houbolt", make: |_, _| Ok(houbolt()) },
+    Kind { names: &["ParkLMS3"], usage: "integrator ParkLMS3", make: |_, _| Ok(park_lms3()) },
+    Kind {
+        names: &["BackwardEuler"],
+        usage: "integrator BackwardEuler <0 | 1>",
+        make: |_, a| Ok(backward_euler(a.optional_int("option")? == Some(1))),
+    },
+    Kind { names: &["GimmeMCK", "ZZTop"], usage: "integrator GimmeMCK $m $c $k", make: gimme_mck },
+];
+
+fn newmark(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+    let gamma = a.positive("gamma")?;
+    let at = a.last_span();
+    let beta = a.not_negative("beta")?;
+    let span = a.last_span();
+    if gamma < 0.5 {
+        let mut d = Diagnostic::warning(format!("Newmark: gamma is {gamma}, so that the motion grows by itself"));
+        if beta >= 0.5 {
+            d = d.help("gamma comes first, then beta: are they the wrong way round?");
+        }
+        warn(interp, d.at(at, "expected gamma, at least 0.5"))?;
+    }
+    let mut form = Form::Displacement;
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-form" => {
+                form = match a.word("form: D, V or A")?.as_ref() {
+                    "D" | "d" => Form::Displacement,
+                    "V" | "v" => Form::Velocity,
+                    "A" | "a" => Form::Acceleration,
+                    _ => return Err(a.unknown_name("form of Newmark's method", ["D", "V", "A"])),
+                };
+            }
+            _ => ignore_option(interp, a, &["-form"])?,
+        }
+    }
+    if beta == 0.0 && form != Form::Acceleration {
+        return Err(a.refuse_at(span, "beta is 0: the method is explicit", "expected -form A with it"));
+    }
+    Ok(Box::new(Newmark::new(gamma, beta, form)))
+}
+
+fn newmark1(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+    let (gamma, beta) = (a.positive("gamma")?, a.positive("beta")?);
+    super::rayleigh(interp, a)?;
+    Ok(Box::new(Newmark::new(gamma, beta, Form::Displacement)))
+}
+
+fn hht(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+    let alpha = a.positive("alpha")?;
+    let good = (2.0 / 3.0 - 1e-3..=1.0).contains(&alpha);
+    if !good {
+        let message = format!("HHT: alpha is {alpha}, so that the method is not stable whatever the step");
+        let help = "here alpha is 1 less what the paper calls minus alpha: 1 is Newmark's method";
+        let d = Diagnostic::warning(message).at(a.last_span(), "expected 2/3 to 1").help(help);
+        warn(interp, d)?;
+    }
+    Ok(match a.optional_float("gamma")? {
+        Some(gamma) => Box::new(Hht::new(alpha, gamma, a.positive("beta")?)),
+        None => Box::new(Hht::second_order(alpha)),
+    })
+}
+
+fn hht_generalized(_: &mut Tcl, a: &mut Args<'_>) -> Made {
+    let first = a.not_negative("spectral radius rhoInf, or alphaI")?;
+    let p = if a.left() == 0 {
+        AlphaParameters::spectral(first)
+    } else {
+        alpha_parameters(first, a.positive("alphaF")?, a.positive("beta")?, a.positive("gamma")?)
+    };
+    Ok(Box::new(GeneralizedAlpha::new("HHTGeneralized", p, false)))
+}
+
+fn generalized_alpha(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+    let (inertia, force) = (a.positive("alphaM")?, a.positive("alphaF")?);
+    let p = if a.left() == 0 {
+        AlphaParameters::second_order(inertia, force)
+    } else {
+        alpha_parameters(inertia, force, a.positive("beta")?, a.positive("gamma")?)
+    };
+    Ok(Box::new(GeneralizedAlpha::new("GeneralizedAlpha", p, interp.host.follows(&[slips::GENERALIZED_ALPHA]))))
+}
+
+/// Take the collocation point θ, in steps. Warn where the method is not stable for every step.
+fn collocation_point(interp: &mut Tcl, a: &mut Args<'_>, least: f64) -> Result<f64, Exception> {
+    let theta = a.positive("theta")?;
+    if theta < least {
+        let message = format!("theta is {theta}, so that the method is not stable whatever the step");
+        warn(interp, Diagnostic::warning(message).at(a.last_span(), format!("expected at least {least}")))?;
+    }
+    Ok(theta)
+}
+
+fn collocation(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+    let theta = collocation_point(interp, a, 1.0)?;
+    Ok(Box::new(match a.optional_float("beta")? {
+        Some(beta) if beta > 0.0 => Collocation::new(theta, beta, a.positive("gamma")?),
+        Some(beta) => return Err(a.refuse(format!("beta is {beta}"), "expected a number greater than 0")),
+        None => Collocation::stable(theta),
+    }))
+}
+
+/// Smallest θ for which Wilson's method is stable for every step.
+const WILSON_STABLE_THETA: f64 = 1.37;
+
+fn wilson_theta(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+    Ok(Box::new(Collocation::wilson(collocation_point(interp, a, WILSON_STABLE_THETA)?)))
+}
+
+fn gimme_mck(_: &mut Tcl, a: &mut Args<'_>) -> Made {
+    let (m, c) = (a.float("share of the mass")?, a.float("share of the damping")?);
+    Ok(Box::new(GimmeMck(Coefficients { k: a.float("share of the stiffness")?, c, m })))
+}

@@ -1,0 +1,84 @@
+//! Integrators of static analyses: control of loads, of a displacement, and of the length of the path.
+
+use super::{Kind, Made};
+use crate::Tcl;
+use crate::args::Args;
+use crate::model::nodes::node_of;
+use hysteron_engine::analysis::TangentMix;
+use hysteron_engine::analysis::integrator::{
+    Adaptive, ArcLength, DisplacementControl, LoadControl, MinUnbalDispNorm, Sense,
+};
+use hysteron_tcl::Exception;
+
+pub(super) const KINDS: &[Kind] = &[
+    Kind {
+        names: &["LoadControl"],
+        usage: "integrator LoadControl $increment <$iterations $min $max>",
+        make: load_control,
+    },
+    Kind {
+        names: &["DisplacementControl"],
+        usage: "integrator DisplacementControl $node $dof $increment <$iterations $min $max>",
+        make: displacement_control,
+    },
+    Kind { names: &["ArcLength"], usage: "integrator ArcLength $length <$alpha>", make: arc_length },
+    Kind { names: &["ArcLength1"], usage: "integrator ArcLength1 $length <$alpha>", make: linearised_arc_length },
+    Kind {
+        names: &["MinUnbalDispNorm"],
+        usage: "integrator MinUnbalDispNorm $increment <$iterations $min $max> <-determinant>",
+        make: min_unbal_disp_norm,
+    },
+];
+
+/// Take the numbers after the step: iterations wanted, smallest and largest step.
+fn adaptive(a: &mut Args<'_>, step: f64) -> Result<Adaptive, Exception> {
+    let Some(desired) = a.optional_int("number of iterations wanted")? else { return Ok(Adaptive::fixed(step)) };
+    if desired < 1 {
+        return Err(a.refuse(format!("the number of iterations wanted is {desired}"), "expected at least 1"));
+    }
+    let min = a.optional_float("smallest step")?.unwrap_or(step);
+    let max = a.optional_float("largest step")?.unwrap_or(step);
+    Ok(Adaptive { desired_iterations: desired as usize, min, max })
+}
+
+fn load_control(_: &mut Tcl, a: &mut Args<'_>) -> Made {
+    let step = a.float("increment of the load factor")?;
+    Ok(Box::new(LoadControl::new(step, adaptive(a, step)?)))
+}
+
+fn displacement_control(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+    let node = node_of(interp, a, "tag of the node")?;
+    let (ndf, offset) = {
+        let n = &interp.host.engine.model().nodes[node.0];
+        (n.ndf, n.offset)
+    };
+    let dof = a.dof("degree of freedom", ndf)?;
+    let step = a.float("increment of the displacement")?;
+    let adaptive = adaptive(a, step)?;
+    let mix = if a.flag("-initial") { TangentMix::INITIAL } else { TangentMix::CURRENT };
+    Ok(Box::new(DisplacementControl::new(offset + dof, step, adaptive, mix)))
+}
+
+/// Take the arc length and the weight of the load factor.
+fn arc(a: &mut Args<'_>) -> Result<(f64, f64), Exception> {
+    let length = a.positive("arc length")?;
+    Ok((length, a.optional_float("weight alpha of the load factor")?.unwrap_or(1.0)))
+}
+
+fn arc_length(_: &mut Tcl, a: &mut Args<'_>) -> Made {
+    let (length, alpha) = arc(a)?;
+    Ok(Box::new(ArcLength::new(length, alpha)))
+}
+
+fn linearised_arc_length(_: &mut Tcl, a: &mut Args<'_>) -> Made {
+    let (length, alpha) = arc(a)?;
+    Ok(Box::new(ArcLength::linearised(length, alpha)))
+}
+
+fn min_unbal_disp_norm(_: &mut Tcl, a: &mut Args<'_>) -> Made {
+    let increment = a.float("first increment of the load factor")?;
+    let adaptive = adaptive(a, increment)?;
+    let by_stiffness = a.flag("-determinant") || a.flag("-det");
+    let sense = if by_stiffness { Sense::Stiffness } else { Sense::LastStep };
+    Ok(Box::new(MinUnbalDispNorm::new(increment, adaptive, sense)))
+}

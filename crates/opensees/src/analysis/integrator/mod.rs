@@ -1,0 +1,53 @@
+//! `integrator`.
+
+mod explicit;
+mod hybrid;
+mod implicit;
+mod load_stepping;
+mod trapezoidal;
+
+use crate::args::Args;
+use crate::{Command, Outcome, Tcl, finish, kind};
+use hysteron_engine::analysis::integrator::{AlphaParameters, Integrator};
+use hysteron_tcl::{Call, Exception, Value};
+
+pub(crate) const COMMANDS: &[Command] = &[Command::new("integrator", INTEGRATOR, integrator)
+    .with_kinds(|| FAMILIES.iter().flat_map(|kinds| kind::usages(kinds)).collect())];
+
+const INTEGRATOR: &str = "integrator LoadControl | DisplacementControl | ArcLength | Newmark | HHT | ... <options>";
+
+type Made = Result<Box<dyn Integrator>, Exception>;
+
+/// A kind of integrator, made from the words after its name.
+type Kind = kind::Kind<fn(&mut Tcl, &mut Args<'_>) -> Made>;
+
+const FAMILIES: &[&[Kind]] =
+    &[load_stepping::KINDS, implicit::KINDS, explicit::KINDS, hybrid::KINDS, trapezoidal::KINDS];
+
+fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, INTEGRATOR);
+    let kind = kind::take(&mut a, "kind of integrator", "integrator", FAMILIES.iter().copied().flatten())?;
+    let made = (kind.make)(interp, &mut a)?;
+    finish(interp, &a)?;
+    let is_static = made.is_static();
+    let fits = interp.host.engine.setup().is_some_and(|s| s.integrator.is_static() == is_static);
+    if fits {
+        interp.host.engine.change_setup(|s| s.integrator = made);
+    } else {
+        interp.host.parts.integrator = Some(made);
+    }
+    Ok(Value::EMPTY)
+}
+
+/// Take the factors of Rayleigh damping that may end the command: they count as the command `rayleigh`.
+fn rayleigh(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(), Exception> {
+    if a.at_number() {
+        crate::analysis::damping::set_rayleigh(interp, a)?;
+    }
+    Ok(())
+}
+
+/// Parameters of a method with the equation of motion at fractions of the step.
+fn alpha_parameters(inertia: f64, force: f64, beta: f64, gamma: f64) -> AlphaParameters {
+    AlphaParameters { inertia, force, beta, gamma }
+}

@@ -1,0 +1,36 @@
+//! Tables of the kinds of a family: one row a kind.
+
+use crate::args::Args;
+use hysteron_tcl::Exception;
+
+/// A kind of a family, for instance `Steel01` of `uniaxialMaterial`: one row of the family's table.
+pub(crate) struct Kind<F> {
+    /// Names of the kind, the preferred one first.
+    pub(crate) names: &'static [&'static str],
+    /// Usage of the family's command with this kind.
+    pub(crate) usage: &'static str,
+    /// The kind itself, or the function that makes it from the words after its name.
+    pub(crate) make: F,
+}
+
+/// Usage of each kind of a table.
+pub(crate) fn usages<F: 'static>(kinds: &'static [Kind<F>]) -> Vec<&'static str> {
+    kinds.iter().map(|k| k.usage).collect()
+}
+
+/// Take the name of a kind, and set the usage of that kind for the messages to come.
+///
+/// `what` names the word, `family` the thing that is made.
+pub(crate) fn take<F: 'static>(
+    args: &mut Args<'_>,
+    what: &str,
+    family: &str,
+    kinds: impl Iterator<Item = &'static Kind<F>> + Clone,
+) -> Result<&'static Kind<F>, Exception> {
+    let name = args.word(what)?;
+    let Some(kind) = kinds.clone().find(|k| k.names.contains(&name.as_ref())) else {
+        return Err(args.unknown_kind(family, kinds.flat_map(|k| k.names.iter().copied())));
+    };
+    args.usage(kind.usage);
+    Ok(kind)
+}

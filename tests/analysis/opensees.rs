@@ -1,0 +1,44 @@
+//! State variables that exist under `--compat opensees` only.
+
+use crate::script::Script;
+use hysteron::analysis::Quiet;
+
+/// Two Kikuchi bearings side by side under an axial load; the second one is stiffer, so that the order of them matters.
+const BEARINGS: &str = "model BasicBuilder -ndm 3 -ndf 6
+    node 1 0 0 0; node 2 0 0 0.4; node 3 2 0 0; node 4 2 0 0.4
+    fix 1 1 1 1 1 1 1; fix 3 1 1 1 1 1 1; fix 2 0 0 0 1 1 1; fix 4 0 0 0 1 1 1
+    uniaxialMaterial KikuchiAikenLRB 1 1 0.5027 0.16 0.40e6 0.0201 8.33e6 0.588e6 13.0
+    uniaxialMaterial AxialSp 2 1.3e9 2.0e6 -100.0e6 1.0 0.1 0.5 0.0
+    uniaxialMaterial Elastic 3 4e6
+    element KikuchiBearing 1 1 2 -shape round -size 0.8 0.16 -totalHeight 0.4 -nMSS 8 -matMSS 1 -limDisp 0.05 -nMNS 10 -matMNS 2 -orient 0 0 1 0 1 0
+    element KikuchiBearing 2 3 4 -shape round -size 0.8 0.16 -totalHeight 0.4 -nMSS 8 -matMSS 3 -limDisp 0.05 -nMNS 10 -matMNS 2 -orient 0 0 1 0 1 0
+    timeSeries Linear 1
+    pattern Plain 1 1 { load 2 0 0 -4e6 0 0 0; load 4 0 0 -2e6 0 0 0 }
+    constraints Transformation; numberer RCM; system FullGeneral; test NormDispIncr 1e-8 60; algorithm Newton
+    integrator LoadControl 0.1; analysis Static
+    analyze 10
+    loadConst -time 0.0
+    pattern Plain 2 1 { load 2 2e4 1e4 0 0 0 0; load 4 5e4 0 0 0 0 0 }
+    integrator LoadControl 0.2";
+
+/// A checkpoint holds what Kikuchi bearings share: the same steps from it have the same bits.
+#[test]
+fn checkpoint_holds_what_bearings_share() {
+    let mut ran = Script::compat().run(BEARINGS).done();
+    let engine = &mut ran.interp.host.engine;
+    engine.analyze(3, 0.0, &mut Quiet).unwrap();
+    let kept = engine.checkpoint();
+    assert!(kept.shared.iter().any(|x| *x != 0.0));
+    engine.analyze(4, 0.0, &mut Quiet).unwrap();
+    let end = engine.state().clone();
+    engine.restore(&kept);
+    assert_eq!(*engine.state(), kept);
+    engine.analyze(4, 0.0, &mut Quiet).unwrap();
+    assert_eq!(*engine.state(), end);
+
+    // The second bearing leaves what the first one takes its geometry from.
+    engine.restore(&kept);
+    engine.change_state(|s, _| s.shared.fill(0.0));
+    engine.analyze(4, 0.0, &mut Quiet).unwrap();
+    assert_ne!(engine.state().disp, end.disp);
+}

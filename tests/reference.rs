@@ -1,0 +1,129 @@
+//! The pages of `docs/reference/commands` are what the commands say of themselves. After a change of a command,
+//! `HYSTERON_WRITE=1 cargo test --release --test reference` writes them anew.
+
+#![allow(clippy::unwrap_used, clippy::print_stdout, unreachable_pub)]
+
+#[path = "reference/page.rs"]
+mod page;
+#[path = "reference/probe.rs"]
+mod probe;
+#[path = "support/script.rs"]
+mod script;
+#[path = "reference/usage.rs"]
+mod usage;
+#[path = "reference/words.rs"]
+mod words;
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::thread;
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/reference/commands")
+}
+
+#[test]
+fn the_pages_are_those_of_the_commands() {
+    let write = std::env::var_os("HYSTERON_WRITE").is_some();
+    let (mut stale, mut blank) = (vec![], vec![]);
+    let texts: Vec<(String, page::Blanks)> = thread::scope(|scope| {
+        let all: Vec<_> = page::PAGES.iter().map(|page| scope.spawn(|| page::text(page))).collect();
+        all.into_iter().map(|t| t.join().unwrap()).collect()
+    });
+    for (page, (text, blanks)) in page::PAGES.iter().zip(texts) {
+        let path = folder().join(format!("{}.md", page.name));
+        blank.extend(blanks);
+        if write {
+            fs::create_dir_all(folder()).unwrap();
+            fs::write(&path, &text).unwrap();
+        } else if fs::read_to_string(&path).unwrap_or_default() != text {
+            stale.push(page.name);
+        }
+    }
+    assert!(blank.is_empty(), "tests/reference/*.txt lack\n{}", blank.join("\n"));
+    assert!(stale.is_empty(), "HYSTERON_WRITE=1 cargo test --release --test reference writes {stale:?} anew");
+}
+
+#[test]
+fn every_command_has_one_page() {
+    let mut wrong = vec![];
+    for c in hysteron::opensees::commands() {
+        let pages: Vec<&str> = page::PAGES.iter().filter(|p| p.names().any(|n| n == c.name)).map(|p| p.name).collect();
+        if pages.len() != 1 {
+            wrong.push(format!("{}: {pages:?}", c.name));
+        }
+    }
+    let known: Vec<&str> = hysteron::opensees::commands().map(|c| c.name).collect();
+    let gone = page::PAGES.iter().flat_map(page::Page::names).filter(|c| !known.contains(c));
+    wrong.extend(gone.map(|c| format!("{c}: no command")));
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn what_is_told_is_of_commands_that_there_are() {
+    let known: Vec<&str> = hysteron::opensees::commands().map(|c| c.name).collect();
+    let gone: Vec<&str> = words::scopes().filter(|s| *s != "*" && !known.contains(s)).collect();
+    assert!(gone.is_empty(), "tests/reference/*.txt tell of {gone:?}");
+}
+
+/// Output of the program, of both streams.
+fn printed(args: &[&str], dir: &Path) -> String {
+    let done = Command::new(env!("CARGO_BIN_EXE_hysteron")).args(args).current_dir(dir).output().unwrap();
+    String::from_utf8_lossy(&[done.stdout, done.stderr].concat()).into_owned()
+}
+
+fn page_of(name: &str) -> String {
+    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/reference").join(name)).unwrap()
+}
+
+/// Options `--name` of a text.
+fn options(text: &str) -> BTreeSet<String> {
+    let word = |c: char| c.is_ascii_lowercase() || c == '-';
+    let after = text.split("--").skip(1).map(|rest| rest.chars().take_while(|c| word(*c)).collect::<String>());
+    after.filter(|o| o.len() > 1).collect()
+}
+
+#[test]
+fn every_option_of_the_command_line_is_told() {
+    let page = page_of("command-line.md");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let list = printed(&["--help"], root);
+    let list = list.split("Commands:").nth(1).unwrap().split("Options:").next().unwrap();
+    let names: Vec<&str> = list.lines().filter_map(|l| l.split_whitespace().next()).filter(|n| *n != "help").collect();
+    assert!(names.len() >= 7, "{names:?}");
+    for name in names {
+        let section = page.split(&format!("\n## {name}\n")).nth(1).unwrap_or_else(|| panic!("{name} has no section"));
+        let told = options(section.split("\n## ").next().unwrap());
+        let mut known = options(&printed(&[name, "--help"], root));
+        known.remove("help");
+        let missing: Vec<_> = known.difference(&told).collect();
+        assert!(missing.is_empty(), "{name}: {missing:?} are not told");
+        let gone: Vec<_> = told.difference(&known).filter(|o| *o != "help").collect();
+        assert!(gone.is_empty(), "{name}: {gone:?} are told and not known");
+    }
+}
+
+#[test]
+fn every_key_of_a_study_is_told() {
+    let page = page_of("study.md");
+    let dir = std::env::temp_dir().join(format!("hysteron-keys-{}", std::process::id()));
+    fs::create_dir_all(&dir).unwrap();
+    let tables = ["", "[[parameter]]", "[[run]]", "[[run]]\n[[run.observe]]", "[calibration]", "[rig]"];
+    let mut keys = BTreeSet::new();
+    for table in tables {
+        fs::write(dir.join("study.toml"), format!("{table}\nwrong = 1\n")).unwrap();
+        let said = printed(&["check", "study.toml"], &dir);
+        let known = said.split("expected one of ").nth(1).unwrap_or_else(|| panic!("{table}: {said}"));
+        keys.extend(known.lines().next().unwrap_or_default().split(", ").map(|k| k.trim().to_owned()));
+    }
+    fs::remove_dir_all(dir).unwrap();
+    assert!(keys.len() >= 30, "{keys:?}");
+    let told = |k: &&String| {
+        let shown = [format!("`{k}`"), format!("`[[{k}]]`"), format!("`[{k}]`"), format!("`[[run.{k}]]`")];
+        shown.iter().any(|s| page.contains(s))
+    };
+    let missing: Vec<&String> = keys.iter().filter(|k| !told(k)).collect();
+    assert!(missing.is_empty(), "{missing:?} are not told");
+}

@@ -1,0 +1,277 @@
+//! Pages of the reference: commands by family, each with its usage and a table of its arguments.
+
+use super::probe::{self, MODELS, Meaning, Meanings, Said, Walk};
+use super::usage::{self, MatrixMask, Row};
+use super::words;
+use hysteron::opensees::{Command, commands, kinds};
+use std::fmt::Write as _;
+
+/// A page.
+pub struct Page {
+    pub name: &'static str,
+    pub title: &'static str,
+    /// What stands before the commands.
+    pub intro: &'static str,
+    /// Names, separated by blanks.
+    pub commands: &'static str,
+}
+
+impl Page {
+    /// Names of its commands.
+    pub fn names(&self) -> impl Iterator<Item = &'static str> {
+        self.commands.split_whitespace()
+    }
+}
+
+pub use words::PAGES;
+
+/// Arguments that no command explains by itself and [`words::MEANINGS`] does not either.
+pub type Blanks = Vec<String>;
+
+/// The text of a page, and what is missing in it.
+pub fn text(page: &Page) -> (String, Blanks) {
+    let mut out =
+        format!("# {}\n\n<!-- Written by tests/reference.rs from the commands themselves. -->\n\n", page.title);
+    if !page.intro.is_empty() {
+        let _ = writeln!(out, "{}\n", page.intro);
+    }
+    let mut blanks = vec![];
+    let mut left: Vec<&Command> = page.names().filter_map(|n| commands().find(|c| c.name == n)).collect();
+    let idle: Vec<&Command> = left.iter().copied().filter(|c| words::about(c.name) == Some(words::IDLE)).collect();
+    left.retain(|c| words::about(c.name) != Some(words::IDLE));
+    while let Some(first) = left.first().copied() {
+        let alike: Vec<&Command> = left.iter().copied().filter(|c| c.usage == first.usage).collect();
+        left.retain(|c| c.usage != first.usage);
+        let names: Vec<String> = alike.iter().map(|c| format!("`{}`", c.name)).collect();
+        let _ = writeln!(out, "## {}\n", names.join(", "));
+        about(&mut out, &alike.iter().map(|c| c.name).collect::<Vec<_>>(), &mut blanks);
+        command(&mut out, first, &mut blanks);
+    }
+    if !idle.is_empty() {
+        let names: Vec<String> = idle.iter().map(|c| format!("`{}`", c.name)).collect();
+        let _ = writeln!(out, "## Without effect\n\nThese are accepted and do nothing: {}.", names.join(", "));
+    }
+    (out.trim_end().to_owned() + "\n", blanks)
+}
+
+/// One sentence about each command that shares a heading.
+fn about(out: &mut String, names: &[&str], blanks: &mut Blanks) {
+    let mut said: Vec<&str> = vec![];
+    for name in names {
+        match words::about(name) {
+            Some(text) if !said.contains(&text) => said.push(text),
+            Some(_) => {}
+            None => blanks.push(format!("about\t{name}")),
+        }
+    }
+    if !said.is_empty() {
+        let _ = writeln!(out, "{}\n", said.join(" "));
+    }
+}
+
+fn command(out: &mut String, c: &Command, blanks: &mut Blanks) {
+    if c.name == "amend" {
+        return amend(out, c, blanks);
+    }
+    let mut kinds = kinds_of(c.name);
+    // `eleLoad` knows options, not kinds.
+    kinds.retain(|k| !k.0.starts_with('-'));
+    // Kinds that have a usage of their own get a heading each, the others a line.
+    let bare = |usage: &str| usage == c.usage_line() || !usage.contains(['$', '<']);
+    let own: Vec<&(String, String)> = kinds.iter().filter(|k| !bare(&k.1)).collect();
+    if own.is_empty() || !names_kinds(c.usage) {
+        usage_of(out, &c.usage_line(), blanks);
+    } else {
+        let _ = writeln!(out, "```tcl\n{}\n```\n", c.usage_line());
+    }
+    let listed: Vec<&str> = kinds.iter().filter(|k| bare(&k.1)).map(|k| k.0.as_str()).collect();
+    list(out, c.name, &listed);
+    let mut done: Vec<&str> = vec![];
+    for (_, usage) in &own {
+        if done.contains(&usage.as_str()) {
+            continue;
+        }
+        done.push(usage);
+        let names: Vec<&str> = own.iter().filter(|k| k.1 == *usage).map(|k| k.0.as_str()).collect();
+        let heading: Vec<String> = names.iter().map(|n| format!("`{} {n}`", c.name)).collect();
+        let _ = writeln!(out, "### {}\n", heading.join(", "));
+        let full: Vec<String> = names.iter().map(|n| format!("{} {n}", c.name)).collect();
+        about(out, &full.iter().map(String::as_str).collect::<Vec<_>>(), blanks);
+        usage_of(out, usage, blanks);
+    }
+}
+
+/// True if a usage only says that kinds follow.
+fn names_kinds(usage: &str) -> bool {
+    usage.contains("$kind") || usage.ends_with("...") || usage.contains("... <options>")
+}
+
+/// Names of kinds without arguments of their own, with what they are where that is known.
+fn list(out: &mut String, command: &str, names: &[&str]) {
+    let about = |name: &str| words::about(&format!("{command} {name}"));
+    if names.is_empty() {
+        return;
+    }
+    if names.iter().any(|n| about(n).is_some()) {
+        out.push_str("| kind | |\n| --- | --- |\n");
+        for name in names {
+            let _ = writeln!(out, "| `{name}` | {} |", about(name).unwrap_or_default());
+        }
+        out.push('\n');
+    } else {
+        let names: Vec<String> = names.iter().map(|n| format!("`{n}`")).collect();
+        let _ = writeln!(out, "Known names: {}.\n", names.join(", "));
+    }
+}
+
+/// The kinds of a command, each with its usage.
+fn kinds_of(command: &str) -> Vec<(String, String)> {
+    let name_in = |usage: &str| usage.split(' ').nth(1).unwrap_or_default().to_owned();
+    let listed = kinds(command);
+    if !listed.is_empty() {
+        return listed.into_iter().map(|u| (name_in(u), u.to_owned())).collect();
+    }
+    let words = |kind: &str| vec![command.to_owned(), kind.to_owned()];
+    let (_, names) = probe::help(MODELS[0], &words("wrong!"));
+    names
+        .into_iter()
+        .map(|name| {
+            let usage = probe::help(MODELS[0], &words(&name)).0;
+            // The usage of the command as a whole says nothing of this kind.
+            let own = usage.filter(|u| u.contains(&name));
+            let usage = own.unwrap_or_else(|| format!("{command} {name}"));
+            (name, usage)
+        })
+        .collect()
+}
+
+/// A usage and the table of its arguments.
+fn usage_of(out: &mut String, usage: &str, blanks: &mut Blanks) {
+    let _ = writeln!(out, "```tcl\n{usage}\n```\n");
+    let parts = usage::parse(usage);
+    let mut rows = usage::rows(&parts);
+    if let Some(first) = usage.split(' ').nth(1).filter(|w| w.contains('|')) {
+        // The kind itself, where one usage serves several.
+        rows.retain(|r| r.shown != first);
+    }
+    if rows.is_empty() {
+        return;
+    }
+    let found = meanings(usage, &parts);
+    out.push_str("| argument | meaning | value |\n| --- | --- | --- |\n");
+    let mut before: Option<String> = None;
+    for row in rows {
+        let (what, value) = match more_of(before.as_deref(), &row) {
+            true => ("more of the same".to_owned(), String::new()),
+            false => explained(usage, &row, &found, blanks),
+        };
+        before = row.arguments.last().cloned();
+        let shown = if row.optional { format!("<{}>", row.shown) } else { row.shown.clone() };
+        let _ = writeln!(out, "| `{}` | {} | {} |", shown.replace('|', "\\|"), what.replace('|', "\\|"), value);
+    }
+    out.push('\n');
+}
+
+/// True for `$dof2 ...` after `$dof1`.
+fn more_of(before: Option<&str>, row: &Row) -> bool {
+    let stem = |name: &str, end: char| name.strip_suffix(end).map(str::to_owned);
+    let (Some(before), [name]) = (before, row.arguments.as_slice()) else { return false };
+    row.shown.ends_with("...")
+        && row.option.is_empty()
+        && stem(before, '1').is_some()
+        && stem(before, '1') == stem(name, '2')
+}
+
+/// Meaning and value of a row: what the words of the project say, else what the command says.
+fn explained(usage: &str, row: &Row, found: &Meanings, blanks: &mut Blanks) -> (String, String) {
+    let head: Vec<&str> = usage::command(usage).split(' ').take(2).collect();
+    let name = row.arguments.first().map_or("", String::as_str);
+    if let Some(text) = words::meaning(&head, &row.option, name) {
+        let value = found.get(&(row.option.clone(), name.to_owned())).map(|m| m.value.clone());
+        return (text.to_owned(), value.unwrap_or_default());
+    }
+    let of = |name: &String| found.get(&(row.option.clone(), name.clone())).cloned();
+    let known: Vec<Meaning> = row.arguments.iter().filter_map(of).collect();
+    if row.arguments.is_empty() || known.len() < row.arguments.len() {
+        blanks.push(format!("{}\t{}\t{name}", head.join(" "), row.option));
+    }
+    let mut whats: Vec<String> = known.iter().map(|m| m.what.clone()).collect();
+    whats.dedup();
+    let mut values: Vec<String> = known.iter().map(|m| m.value.clone()).filter(|v| !v.is_empty()).collect();
+    values.dedup();
+    (whats.join("; "), values.join("; "))
+}
+
+/// What the command says of its arguments: in the model where it says most.
+fn meanings(usage: &str, parts: &[MatrixMask]) -> Meanings {
+    let head = usage::command(usage).split(' ').next().unwrap_or_default().to_owned();
+    let forms: Vec<&[MatrixMask]> = parts.split(|p| *p == MatrixMask::Either).collect();
+    let mut all = Meanings::new();
+    let wanted: usize = usage::rows(parts).iter().map(|r| r.arguments.len()).sum();
+    for model in MODELS {
+        if all.len() >= wanted {
+            break;
+        }
+        let mut prefixes: Vec<Vec<MatrixMask>> = vec![vec![]];
+        for form in &forms {
+            let mut best = Meanings::new();
+            for prefix in &prefixes {
+                let mut walk = Walk::new(model, vec![head.clone()]);
+                walk.take(&[prefix.as_slice(), form].concat());
+                let names = parts_names(parts);
+                walk.found.retain(|(_, name), m| !is_of_another(&m.what, name, &names));
+                if walk.found.len() > best.len() {
+                    best = walk.found;
+                }
+            }
+            // A later form may go on from any place of the first.
+            if prefixes.len() == 1 {
+                prefixes = (0..=form.len()).map(|n| form[..n].to_vec()).collect();
+            }
+            for (key, meaning) in best {
+                all.entry(key).or_insert(meaning);
+            }
+        }
+    }
+    all
+}
+
+fn parts_names(parts: &[MatrixMask]) -> Vec<String> {
+    usage::rows(parts).into_iter().flat_map(|r| r.arguments).collect()
+}
+
+/// True if a meaning ends with the symbol of another argument: in this model the form has another order.
+fn is_of_another(what: &str, name: &str, names: &[String]) -> bool {
+    let last = what.rsplit(' ').next().unwrap_or_default();
+    let symbol = last.len() <= 2 || last.contains(|c: char| c.is_ascii_digit() || c.is_ascii_uppercase());
+    symbol && last != name && names.iter().any(|n| n == last)
+}
+
+/// `amend`: its kinds have options only, of which it says itself which it needs.
+fn amend(out: &mut String, c: &Command, blanks: &mut Blanks) {
+    usage_of(out, &c.usage_line(), blanks);
+    let words =
+        |more: &[&str]| ["amend", "element", "1"].iter().chain(more).map(|w| (*w).to_owned()).collect::<Vec<_>>();
+    let (_, names) = probe::help(MODELS[0], &words(&["wrong!"]));
+    for name in names.iter().filter(|n| *n != "hinges") {
+        let (_, options) = probe::help(MODELS[0], &words(&[name, "-wrong!"]));
+        let common = ["-axial", "-axialSeries", "-dir", "-share", "-strengthBeside"];
+        let own: Vec<&String> = options.iter().filter(|o| !common.contains(&o.as_str())).collect();
+        let _ = writeln!(out, "### `amend element ... {name}`\n");
+        about(out, &[&format!("amend {name}")], blanks);
+        out.push_str("| option | meaning | value |\n| --- | --- | --- |\n");
+        for option in &own {
+            let mut others = words(&[name]);
+            for o in own.iter().filter(|o| o != &option) {
+                others.extend([(*o).clone(), "0.5".to_owned()]);
+            }
+            let needed = matches!(probe::say(MODELS[0], &others), Said::Refused(m, _) if m.contains("is missing"));
+            let mut walk = Walk::new(MODELS[0], words(&[name]));
+            walk.take(&[MatrixMask::Word((*option).clone()), MatrixMask::Argument("value".into())]);
+            let m = walk.found.into_values().next().unwrap_or_default();
+            let shown = if needed { format!("{option} $value") } else { format!("<{option} $value>") };
+            let _ = writeln!(out, "| `{shown}` | {} | {} |", m.what, m.value);
+        }
+        out.push('\n');
+    }
+}

@@ -1,0 +1,101 @@
+//! What the commands do not say of themselves.
+
+use super::page::Page;
+
+/// One sentence about each command and kind: `name<TAB>text`.
+const ABOUT: &str = include_str!("about.txt");
+
+/// Meanings of arguments: `command kind<TAB>option<TAB>argument<TAB>text`, with `*` for any command.
+const MEANINGS: &str = include_str!("meanings.txt");
+
+/// What is said of a command that does nothing.
+pub const IDLE: &str = "Accepted without effect.";
+
+fn lines(text: &'static str) -> impl Iterator<Item = Vec<&'static str>> {
+    text.lines().filter(|l| !l.is_empty() && !l.starts_with('#')).map(|l| l.split('\t').collect())
+}
+
+/// The sentence about a command or kind.
+pub fn about(name: &str) -> Option<&'static str> {
+    lines(ABOUT).find(|l| l[0] == name).and_then(|l| l.get(1).copied())
+}
+
+/// The meaning of an argument of a command: its own line, that of the command, that of any.
+pub fn meaning(head: &[&str], option: &str, argument: &str) -> Option<&'static str> {
+    let of = |scope: &str| {
+        let here = |l: &Vec<&str>| l.len() == 4 && l[0] == scope && l[1] == option && l[2] == argument;
+        lines(MEANINGS).find(here).map(|l| l[3])
+    };
+    of(&head.join(" ")).or_else(|| of(head.first().copied().unwrap_or_default())).or_else(|| of("*"))
+}
+
+/// The commands that the texts are about.
+pub fn scopes() -> impl Iterator<Item = &'static str> {
+    lines(ABOUT).chain(lines(MEANINGS)).filter_map(|l| l[0].split(' ').next())
+}
+
+/// The pages, in the order of the book.
+pub const PAGES: &[Page] = &[
+    Page {
+        name: "model",
+        title: "Model",
+        intro: "Nodes, masses, supports, constraints between nodes, damping and parameters.",
+        commands: "wipe model node mass setNodeCoord block2D fix fixX fixY fixZ equalDOF rigidDiaphragm \
+                   rigidLink rayleigh region setElementRayleighDampingFactors setElementRayleighFactors \
+                   modalDamping modalDampingQ parameter addToParameter updateParameter setParameter \
+                   getParamValue getParamTags remove domainChange",
+    },
+    Page {
+        name: "material",
+        title: "Materials",
+        intro: "Uniaxial laws, laws of friction, and the commands that try a law by itself.",
+        commands: "uniaxialMaterial nDMaterial frictionModel testUniaxialMaterial setStrain getStrain getStress \
+                   getTangent getDampTangent",
+    },
+    Page {
+        name: "element",
+        title: "Elements",
+        intro: "Springs, links, trusses, beams and bearings.",
+        commands: "element geomTransf beamIntegration",
+    },
+    Page {
+        name: "section",
+        title: "Sections",
+        intro: "Cross-sections of beams.",
+        commands: "section fiber patch layer",
+    },
+    Page {
+        name: "load",
+        title: "Loads and ground motions",
+        intro: "Time series, patterns of loads, and motions of supports.",
+        commands: "timeSeries pattern load sp eleLoad groundMotion imposedMotion imposedSupportMotion loadConst \
+                   setTime",
+    },
+    Page {
+        name: "analysis",
+        title: "Analysis",
+        intro: "The parts of an analysis, its steps, and modes.",
+        commands: "constraints numberer system test algorithm integrator analysis analyze eigen modalProperties \
+                   reset revertToStart wipeAnalysis initialize numFact numIter testIter testNorm testNorms \
+                   systemSize printA printB",
+    },
+    Page {
+        name: "output",
+        title: "Output and queries",
+        intro: "Recorders, and commands that return a result to the script.",
+        commands: "recorder record setPrecision print nodeDisp nodeVel nodeAccel nodeReaction nodeUnbalance \
+                   nodeMass nodeCoord nodeEigenvector nodeDOFs nodeBounds reactions setNodeDisp setNodeVel \
+                   setNodeAccel setNodeMass eleResponse eleForce localForce basicForce basicDeformation \
+                   eleNodes eleType sectionForce sectionDeformation sectionStiffness sectionFlexibility \
+                   sectionLocation sectionWeight sectionTag getTime getLoadFactor getNodeTags getEleTags getNDM \
+                   getNDF getPID getNP version prp vrp vup vpn viewWindow plane port projection fill display \
+                   plot logFile logCommands setMaxOpenFiles start stop",
+    },
+    Page {
+        name: "hysteron",
+        title: "Commands of hysteron's own",
+        intro: "Commands that OpenSees does not have. [High damping rubber](material.md) has laws of its own under \
+                `uniaxialMaterial` and `element`.",
+        commands: "pset ladder columns motionFile figure amend",
+    },
+];

@@ -1,0 +1,124 @@
+//! Uniaxial materials that count how often they are asked, in the place of those that a script defines.
+
+use hysteron::material::{Material, MaterialError, Strain, Strains, Stress, Stresses, Uniaxial};
+use hysteron::opensees::Tcl;
+use hysteron::probe::Probe;
+use hysteron::run::Run;
+use hysteron::tcl::{Call, Exception, Value};
+use std::cell::Cell;
+use std::sync::Arc;
+
+thread_local! {
+    /// Trial strains that laws of this thread were asked for.
+    static CALLS: Cell<u64> = const { Cell::new(0) };
+}
+
+/// Calls of laws by this thread since the last time, one for each point of a bundle.
+pub fn take_calls() -> u64 {
+    CALLS.take()
+}
+
+fn count(calls: usize) {
+    CALLS.set(CALLS.get() + calls as u64);
+}
+
+/// Let every `uniaxialMaterial` of a script count its calls.
+pub fn count_laws(run: &mut Run) {
+    run.interp.register("countCallsOf", count_calls_of);
+    let prelude = "rename uniaxialMaterial uncountedMaterial\n\
+                   proc uniaxialMaterial {args} {uplevel 1 uncountedMaterial $args; countCallsOf [lindex $args 1]}";
+    run.interp.eval_str("prelude.tcl", prelude).unwrap();
+}
+
+fn count_calls_of(interp: &mut Tcl, call: &Call<'_>) -> Result<Value, Exception> {
+    let tag: i32 = call.arg(1).as_str().parse().unwrap();
+    let materials = &mut interp.host.builder.definitions.materials;
+    let material = materials.remove(tag).unwrap();
+    assert!(materials.add(tag, Arc::new(Counted(material))));
+    Ok(Value::from(""))
+}
+
+/// A material that counts its calls; all else is that of the material inside.
+#[derive(Debug)]
+struct Counted(Material);
+
+impl Uniaxial for Counted {
+    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+        count(1);
+        self.0.update(committed, strain, next)
+    }
+    fn update_all(
+        &self,
+        committed: &[f64],
+        strains: &Strains<'_>,
+        next: &mut [f64],
+        stresses: &mut Stresses<'_>,
+    ) -> Result<(), MaterialError> {
+        count(strains.value.len());
+        self.0.update_all(committed, strains, next, stresses)
+    }
+    fn update_all_on(
+        &self,
+        committed: &[f64],
+        before: &[f64],
+        strains: &Strains<'_>,
+        next: &mut [f64],
+        stresses: &mut Stresses<'_>,
+    ) -> Result<(), MaterialError> {
+        count(strains.value.len());
+        self.0.update_all_on(committed, before, strains, next, stresses)
+    }
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
+        let (material, old) = self.0.with_parameter(words, value)?;
+        Some((Arc::new(Self(material)), old))
+    }
+
+    fn name(&self) -> &'static str {
+        self.0.name()
+    }
+    fn state_len(&self) -> usize {
+        self.0.state_len()
+    }
+    fn init(&self, state: &mut [f64]) {
+        self.0.init(state);
+    }
+    fn init_all(&self, n: usize, state: &mut [f64]) {
+        self.0.init_all(n, state);
+    }
+    fn commit_all(&self, trial: &[f64], committed: &mut [f64]) {
+        self.0.commit_all(trial, committed);
+    }
+    fn copy_history(&self, from: (&[f64], usize, usize), to: (&mut [f64], usize, usize)) {
+        self.0.copy_history(from, to);
+    }
+    fn virgin_tangent(&self, range: [f64; 2]) -> Option<f64> {
+        self.0.virgin_tangent(range)
+    }
+    fn are_virgin(&self, state: &[f64]) -> bool {
+        self.0.are_virgin(state)
+    }
+    fn leave_trace(&self, tried: &[f64], committed: &mut [f64]) {
+        self.0.leave_trace(tried, committed);
+    }
+    fn initial_tangent(&self) -> f64 {
+        self.0.initial_tangent()
+    }
+    fn is_viscous(&self) -> bool {
+        self.0.is_viscous()
+    }
+    fn depends_on_time(&self) -> bool {
+        self.0.depends_on_time()
+    }
+    fn is_linear(&self) -> bool {
+        self.0.is_linear()
+    }
+    fn shown_strain(&self, strain: f64, state: &[f64]) -> f64 {
+        self.0.shown_strain(strain, state)
+    }
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        self.0.probe(words)
+    }
+    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
+        self.0.read(path, state, out);
+    }
+}

@@ -1,0 +1,1 @@
+"""Cases of the sealed batches that can be made again, one module a batch."""
