@@ -72,7 +72,11 @@ fn attempt(
     keeper: &mut Keeper,
 ) -> Result<Diagnosis, String> {
     let without = without.iter().map(|w| (*w).to_owned()).collect();
-    studies::attempt(dir, &Settings { without, threads: 2, earlier, ..Settings::default() }, keeper)
+    studies::attempt(
+        dir,
+        &Settings { excluded_causes: without, threads: 2, checkpoint: earlier, ..Settings::default() },
+        keeper,
+    )
 }
 
 fn diagnosed(dir: &Path, without: &[&str]) -> Diagnosis {
@@ -81,7 +85,7 @@ fn diagnosed(dir: &Path, without: &[&str]) -> Diagnosis {
 
 /// Run the repaired script by itself, as another script that sets the variables of a run and sources it.
 fn runs_by_itself(dir: &Path, d: &Diagnosis) {
-    fs::write(dir.join("corrected.tcl"), &d.script).unwrap();
+    fs::write(dir.join("corrected.tcl"), &d.repaired_script).unwrap();
     let around = format!("set motion growing.dat\nset dt {DT}\nset npts 400\nsource corrected.tcl\n");
     fs::write(dir.join("around.tcl"), around).unwrap();
     let done = std::process::Command::new(env!("CARGO_BIN_EXE_hysteron"))
@@ -89,7 +93,7 @@ fn runs_by_itself(dir: &Path, d: &Diagnosis) {
         .current_dir(dir)
         .output()
         .unwrap();
-    assert!(done.status.success(), "{}\n{}", String::from_utf8_lossy(&done.stderr), d.script);
+    assert!(done.status.success(), "{}\n{}", String::from_utf8_lossy(&done.stderr), d.repaired_script);
     let force = fs::read_to_string(dir.join("force.out")).unwrap();
     assert_eq!(force.lines().count(), 399);
 }
@@ -108,7 +112,7 @@ fn nothing_is_found_where_nothing_is_missing() {
     let kept: Vec<CheckpointEntry> = serde_json::from_str(&serde_json::to_string(&keeper.told).unwrap()).unwrap();
     let again = attempt(&dir, &[], kept, &mut Keeper::patient()).unwrap();
     assert_eq!(serde_json::to_string(&again.outcome).unwrap(), serde_json::to_string(&d.outcome).unwrap());
-    assert!(again.looks < d.looks, "{} {}", again.looks, d.looks);
+    assert!(again.evaluations < d.evaluations, "{} {}", again.evaluations, d.evaluations);
 
     // What belongs to other jobs is not believed.
     let mut others = serde_json::to_value(&keeper.told).unwrap();
@@ -133,7 +137,7 @@ fn a_stop_is_found_and_what_it_explains_is_not_explained_without_it() {
     let (before, after) = (o.baseline.holdout_nmse.unwrap(), o.corrected.holdout_nmse.unwrap());
     assert!(after < 0.1 * before, "{before} {after}");
     assert!(o.mismatch[0].regime.contains("large deformation") || o.mismatch[0].regime.contains("first time"));
-    assert!(d.script.contains("amend element 1 "), "{}", d.script);
+    assert!(d.repaired_script.contains("amend element 1 "), "{}", d.repaired_script);
     runs_by_itself(&dir, &d);
 
     // The test that tells it from its rival is there to be run, within the stroke of the tests before.
@@ -164,7 +168,7 @@ fn a_late_channel_is_told_from_physics() {
     let lag = d.outcome.corrected.channels[0].lag_s;
     assert!((lag - 3.0 * DT).abs() < 0.2 * DT, "{lag}");
     // The script needs no repair, and so keeps its text but for the parameters.
-    assert!(!d.script.contains("amend"));
+    assert!(!d.repaired_script.contains("amend"));
     let _ = fs::remove_dir_all(dir);
 }
 
@@ -366,7 +370,7 @@ fn the_ground_may_move_after_the_weight_and_dampers_stand_between_floors() {
     let o = &d.outcome;
     assert_eq!(o.verdict.cause, "damping", "{:?}", o.verdict);
     assert!(o.corrected.fit_nmse < 0.2 * o.baseline.fit_nmse, "{o:?}");
-    assert!(d.weighed.iter().any(|w| w.at == "beside element 1 2"), "{:?}", d.weighed);
+    assert!(d.ranking.iter().any(|w| w.location == "beside element 1 2"), "{:?}", d.ranking);
     let _ = fs::remove_dir_all(dir);
 }
 
@@ -402,9 +406,9 @@ fn a_recording_without_a_clock_tells_no_rates() {
 fn the_page_of_causes_is_that_of_the_library() {
     let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/reference/causes.md")).unwrap();
     for h in hypothesis::ALL {
-        let row = format!("| `{}` | {} | {} |", h.cause, h.says, h.refuted_by);
+        let row = format!("| `{}` | {} | {} |", h.cause, h.statement, h.refuted_by);
         assert!(page.contains(&row), "{row}");
-        let like: Vec<String> = h.like.iter().map(|cause| format!("`{cause}`")).collect();
+        let like: Vec<String> = h.look_alikes.iter().map(|cause| format!("`{cause}`")).collect();
         let like = if like.is_empty() { "none".to_owned() } else { like.join(", ") };
         assert!(page.contains(&format!("| `{}` | {like} |\n", h.cause)), "look-alikes of {}", h.cause);
     }

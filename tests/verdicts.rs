@@ -100,7 +100,8 @@ const STUDIES: &[Named] = &[
 /// Cause with a second one beside it, and confidence, %.
 fn verdict(name: &str, study: &Concealed) -> (String, f64) {
     let without = WITHOUT.iter().filter(|(of, _)| *of == name).flat_map(|(_, causes)| *causes);
-    let settings = Settings { without: without.map(|c| (*c).to_owned()).collect(), threads: 1, ..Settings::default() };
+    let settings =
+        Settings { excluded_causes: without.map(|c| (*c).to_owned()).collect(), threads: 1, ..Settings::default() };
     let dir = study.write(&format!("verdict-{}", name.replace([' ', ','], "-")));
     let found = studies::attempt(&dir, &settings, &mut Keeper::patient());
     let _ = fs::remove_dir_all(dir);

@@ -14,7 +14,7 @@ const BEARINGS: &str = "model BasicBuilder -ndm 3 -ndf 6
     element KikuchiBearing 2 3 4 -shape round -size 0.8 0.16 -totalHeight 0.4 -nMSS 8 -matMSS 3 -limDisp 0.05 -nMNS 10 -matMNS 2 -orient 0 0 1 0 1 0
     timeSeries Linear 1
     pattern Plain 1 1 { load 2 0 0 -4e6 0 0 0; load 4 0 0 -2e6 0 0 0 }
-    constraints Transformation; numberer RCM; system FullGeneral; test NormDispIncr 1e-8 60; algorithm Newton
+    constraints Transformation; numberer RCM; system FullGeneral; test FixedNumIter 6; algorithm Newton
     integrator LoadControl 0.1; analysis Static
     analyze 10
     loadConst -time 0.0

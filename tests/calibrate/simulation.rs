@@ -7,6 +7,7 @@ use hysteron::diagnostic::SourceMap;
 use hysteron::study::{ScriptSimulator, SimulationError, Simulator, Study};
 use std::fs;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 fn simulator(folder: &StudyFolder) -> ScriptSimulator {
     let study = Study::load(&folder.study(), &mut SourceMap::default()).unwrap();
@@ -135,4 +136,49 @@ fn failed_runs_have_an_error_by_their_cause() {
     // The result does not depend on the number of threads.
     let one = StudyProblem::of_script(&s, 1).unwrap();
     assert_eq!(one.evaluate(&unit_points, true), all);
+}
+
+#[test]
+fn simulators_end_with_their_problem_and_are_replaced_after_a_panic() {
+    static LIVE: AtomicUsize = AtomicUsize::new(0);
+
+    struct Counted(usize);
+
+    impl Counted {
+        fn new(samples: usize) -> Self {
+            LIVE.fetch_add(1, Ordering::SeqCst);
+            Self(samples)
+        }
+    }
+
+    impl Drop for Counted {
+        fn drop(&mut self) {
+            LIVE.fetch_sub(1, Ordering::SeqCst);
+        }
+    }
+
+    impl Simulator for Counted {
+        fn simulate(&mut self, _: usize, values: &[f64]) -> Result<Vec<Vec<f64>>, SimulationError> {
+            if values[0] > 4.9 {
+                std::panic::resume_unwind(Box::new("a defect"));
+            }
+            Ok(vec![vec![0.0; self.0]])
+        }
+    }
+
+    let folder = StudyFolder::new();
+    let study = Arc::new(Study::load(&folder.study(), &mut SourceMap::default()).unwrap());
+    let samples = study.runs[0].recording.times.len();
+    let problem = StudyProblem::new(study, 2, move || Counted::new(samples)).unwrap();
+    let mut unit_points = vec![vec![0.5; 3]; 9];
+    unit_points[4][0] = 1.0;
+    for _ in 0..2 {
+        let evaluations = problem.evaluate(&unit_points, false);
+        for (i, e) in evaluations.iter().enumerate() {
+            assert_eq!(e.error, (i == 4).then_some(SimulationError::Defect), "{i}");
+        }
+    }
+    assert!(LIVE.load(Ordering::SeqCst) <= 2, "one simulator for each thread");
+    drop(problem);
+    assert_eq!(LIVE.load(Ordering::SeqCst), 0);
 }

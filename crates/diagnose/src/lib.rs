@@ -1,6 +1,6 @@
 //! Diagnosis: why a model and its recordings differ.
 //!
-//! [`diagnose`] fits the user's model, proposes missing effects ([`hypothesis`]), and fits every proposal as an edit of the
+//! [`diagnose`] fits the user's model and proposes missing effects ([`hypothesis`]). It fits every proposal as an edit of the
 //! script or as a fault of a channel. It ranks them by their predictions for blocks of time that they were not fitted to. The
 //! verdict names the cause, or says that the model is complete or that the cause is unknown. Runs held out judge the repair at the end.
 //!

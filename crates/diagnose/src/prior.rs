@@ -78,7 +78,7 @@ pub(crate) const NAMED_ERROR_SHARE: f64 = 0.05;
 /// The same of the verdicts `none` and `unknown`. Of 16 later verdicts given 80 to 90 % all but one were right.
 pub(crate) const UNNAMED_ERROR_SHARE: f64 = 0.15;
 /// Further share of wrong names per unit of structured residual. Of 395 names 97 % were right without structure, 93 % up
-/// to two fifths, 92 % up to three fifths, and seven of nine beyond; with the truth removed half the names left a third or
+/// to two fifths, 92 % up to three fifths, and seven of nine beyond. With the truth removed, half the names left a third or
 /// more. The value follows if the library lacks the cause in one case of five.
 pub(crate) const STRUCTURED_ERROR_SHARE: f64 = 0.4;
 /// Part of a doubt that goes to causes that look alike; the rest goes to `unknown`. A choice.

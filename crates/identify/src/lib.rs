@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 
 pub mod calibrate;
+pub mod fourier;
 pub mod measure;
 pub mod protocol;
 pub mod report;

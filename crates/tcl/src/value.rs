@@ -1,12 +1,11 @@
 //! Values: everything is a string, and yet numbers, lists and dictionaries are kept as such until their text is asked for.
 
+use num_bigint::BigInt;
+use num_traits::ToPrimitive as _;
 use std::borrow::Cow;
 use std::cell::{Cell, OnceCell, RefCell};
 use std::fmt;
 use std::rc::Rc;
-
-use num_bigint::BigInt;
-use num_traits::ToPrimitive as _;
 
 use super::dict::{Dict, DictObj};
 use super::error::Exception;
@@ -277,7 +276,6 @@ impl Value {
     }
 
     /// The text as a boolean: a number, or `true`, `yes`, `on` and their opposites.
-    ///
     /// # Errors
     /// Any other text.
     pub fn to_bool(&self) -> Result<bool, Exception> {

@@ -114,8 +114,8 @@ struct FittedError {
 
 /// NMSE of the runs held out with the error of the fitted ones.
 ///
-/// Each channel has the same share of its variance or the same error in its unit, whichever is larger: sensors have noise of one
-/// size, machines have more noise under more load.
+/// Each channel has the same share of its variance or the same error in its unit, whichever is larger. Sensors have noise of
+/// one size; machines have more noise under more load.
 fn expected_holdout_nmse(study: &Study, fits: &[Option<ScoredRun>]) -> f64 {
     let mut of_channel: BTreeMap<&str, FittedError> = BTreeMap::new();
     for (i, run) in study.runs_of(Role::Fit) {

@@ -8,7 +8,7 @@
 //!   largest root is [`MAX_NOISE_ROOT`], because an effect may be slow as well.
 //! - A channel counts as N₁ = [`EFFECTIVE_SAMPLES`] samples. C channels see one motion, and count as N = √C N₁ together.
 //!
-//! With the mean squares E_c of the whitened residuals, a hypothesis with k parameters has the log evidence
+//! A hypothesis with k parameters and mean squares E_c of its whitened residuals has the log evidence
 //!
 //! -½ Σ_c N_c ln E_c - ½ k ln N,  N_c = N / C
 //!

@@ -6,7 +6,7 @@
 //! fitted to each of them and ranked.
 //!
 //! Fits are linear in their parameters near the optimum, so that only their derivatives need analyses. The ranking uses
-//! residuals of the fit, on the real recording too, instead of held-out residuals: without a block of samples, parameters
+//! residuals of the fit, on the real recording too, instead of held-out residuals. Without a block of samples, parameters
 //! move further than derivatives are valid.
 
 use super::likelihood::NoiseModel;
@@ -167,7 +167,7 @@ impl Bootstrap<'_> {
     /// Returns true if a recording simulated by `truth` counts.
     ///
     /// A recording of the first cause counts if that cause has the most evidence. A recording of another cause counts if the
-    /// first gains as much over it as in the real recording; one of `none`, if any cause does.
+    /// first gains as much over it as in the real recording. A recording of `none` counts if any cause does.
     fn counts(&self, truth: &str, log_evidence: &[f64]) -> bool {
         let equal_gain =
             |of: &dyn Fn(&str) -> bool| self.gain(log_evidence, of, truth) >= self.gain(&self.log_evidence, of, truth);

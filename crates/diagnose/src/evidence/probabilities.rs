@@ -54,8 +54,8 @@ impl BestFit {
         self.log_evidence.max(self.log_evidence_of_none) + structure_log_evidence(self.structured_share, cost)
     }
 
-    /// Cost of `unknown` against a named cause. It rises with the explained share and with the gain, but the gain of a law that
-    /// explains little counts nothing: it may bend to a foreign effect.
+    /// Cost of `unknown` against a named cause. It rises with the explained share and with the gain. The gain of a law that explains
+    /// little counts nothing, because the law may bend to a foreign effect.
     fn cost_over_named(&self) -> f64 {
         let gain = self.log_evidence - self.log_evidence_of_none;
         let part = self.explained_share / MIN_EXPLAINED_SHARE;
@@ -144,10 +144,10 @@ fn cause_probabilities(
 
 /// Reduces the evidence of the first cause against other named causes.
 ///
-/// The likelihood gets the power `LOOK_ALIKE_POWER` between look-alikes: only the form of their laws separates them, and nature
-/// need not have it. It gets the power 1 - s g for a structured share s of the residual, since the evidence takes the residual for noise
-/// (Miller and Dunson 2019, J. Am. Stat. Assoc. 114, 1113-1125). Here g is the gain of the other cause over that of the first:
-/// a cause without a gain is no competitor.
+/// The likelihood gets the power [`LOOK_ALIKE_POWER`] between look-alikes: only the form of their laws separates them, and
+/// nature need not have it. It gets the power 1 - s g for a structured share s of the residual, which the evidence takes for
+/// noise (Miller and Dunson 2019, J. Am. Stat. Assoc. 114, 1113-1125). Here g is the gain of the other cause over that of the
+/// first. A cause without a gain is no competitor.
 fn temper_evidence(causes: &mut CauseValues, structured_share: f64, log_evidence_of_none: f64) {
     let (first, most) = causes[0];
     if !is_named(first) {
@@ -164,7 +164,7 @@ fn temper_evidence(causes: &mut CauseValues, structured_share: f64, log_evidence
 /// Bounds the evidence of the first cause over causes whose own recordings give it an equal gain.
 ///
 /// The first cause keeps a lead of [`MIN_BOOTSTRAP_LEAD`], as the gain still supports it. The share of causes without a gain over
-/// `none` goes to `unknown`: the gain of the first decides little, and the recording does not show them.
+/// `none` goes to `unknown`. The gain of the first decides little there, and the recording does not show them.
 fn bound_by_bootstrap(causes: &mut CauseValues, log_evidence_of_none: f64, bootstrap: Option<&BootstrapResult>) {
     let (first, most) = causes[0];
     let Some(b) = bootstrap.filter(|b| b.cause == first && first != "none") else { return };
@@ -201,8 +201,9 @@ fn doubt_first_cause(causes: &[(&'static str, f64)], p: &mut [f64]) {
     others.iter().for_each(|i| p[*i] += LOOK_ALIKE_DOUBT_PART * amount / others.len() as f64);
 }
 
-/// Moves a share of every named cause to `unknown` if the first is named and its residual has structure: the true law is then
-/// none of the library.
+/// Moves a share of every named cause to `unknown` if the first is named and its residual has structure.
+///
+/// The structure shows that the true law may be none of the library.
 fn doubt_library(causes: &[(&'static str, f64)], structured_share: f64, p: &mut [f64]) {
     let unknown = causes.iter().position(|c| c.0 == "unknown").filter(|_| is_named(causes[0].0));
     let Some(unknown) = unknown else { return };

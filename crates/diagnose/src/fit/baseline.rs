@@ -52,8 +52,9 @@ pub(crate) fn fit_baseline(
     Ok(FittedHypothesis::new(variant, best.1))
 }
 
-/// Returns true if a baseline leaves too much to trust its parameters: a large error, or a smaller one with a parameter at a
-/// bound, which then compensates for a missing effect.
+/// Returns true if the error of a baseline is too large to trust its parameters.
+///
+/// A smaller error suffices if a parameter is at a bound, where it compensates for a missing effect.
 pub(crate) fn is_poor(baseline: &FittedHypothesis) -> bool {
     let at_bound = |p: &f64| *p < BOUND_DISTANCE || *p > 1.0 - BOUND_DISTANCE;
     let nmse = baseline.fitted.objective;

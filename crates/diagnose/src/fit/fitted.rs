@@ -5,8 +5,9 @@ use crate::candidate::variant::Variant;
 use crate::prior::EFFECTIVE_SAMPLES;
 use std::sync::Arc;
 
-/// Score of a fit for sorting, the less the better: ln(objective) + (k ln N - 2 log odds) / N with k parameters and N
-/// independent samples. Minus N/2 times the score is an approximate log evidence.
+/// Score of a fit for sorting, the less the better: ln(objective) + (k ln N - 2 log odds) / N.
+///
+/// It has k parameters and N = [`EFFECTIVE_SAMPLES`]. The score times -N/2 is an approximate log evidence (Schwarz 1978).
 pub(crate) fn penalised_score(objective: f64, dimension: usize, log_odds: f64) -> f64 {
     objective.ln() + (dimension as f64 * EFFECTIVE_SAMPLES.ln() - 2.0 * log_odds) / EFFECTIVE_SAMPLES
 }

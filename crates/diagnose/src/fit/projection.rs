@@ -1,8 +1,8 @@
 //! Prediction of how the user's parameters follow an added effect.
 //!
-//! A proposal is first evaluated at fixed user parameters. With the QR factors of their derivatives, J = Q R, the residual r
-//! loses its part Q Qᵀ r if they follow, and they move by -R⁻¹ Qᵀ r. No further analysis is needed: the score test of Rao (1948,
-//! Proc. Camb. Phil. Soc. 44, 50-57) at a finite size of the effect.
+//! A proposal is first evaluated at fixed user parameters, which have the derivatives J = Q R. If they follow, the residual r
+//! loses its part Q Qᵀ r, and they move by -R⁻¹ Qᵀ r. No further analysis is needed. This is the score test (Rao 1948, Proc.
+//! Camb. Phil. Soc. 44, 50-57) at a finite size of the effect.
 
 use super::search_settings::{MAX_PROJECTED_STEP, PROJECTION_DAMPING};
 use nalgebra::{DMatrix, DVector};

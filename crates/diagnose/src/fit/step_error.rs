@@ -1,8 +1,8 @@
 //! Error of the time steps, below which nothing is diagnosed.
 //!
 //! The error of long steps follows the motion and looks like physics. The baseline and the best hypothesis are therefore run
-//! with halved steps. If that moves a channel by more than a small share of its residual, hypotheses are ranked with steps
-//! divided until the remaining error is small. Steps stay as they are if their division worsens the fit, as where a motion was
+//! with halved steps. If that moves a channel by more than a small share of its residual, the ranking uses divided steps. The
+//! division goes on until the remaining error is small. Steps stay as they are if their division worsens the fit, as where a motion was
 //! sampled no finer. The repaired model is always reported with the steps of the script.
 
 use super::fitted::FittedHypothesis;

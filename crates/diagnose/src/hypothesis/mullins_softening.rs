@@ -46,8 +46,8 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
             };
             let recovering = vec![virgin.clone(), AddedParameter::linear("power", 0.2, 8.0, 2.0), onset(0.1)];
             out.push(form("excess", "$hy_power", recovering));
-            // Rubber that is recovering at its largest strain is as stiff as virgin rubber (Ogden and Roxburgh), or the virgin path
-            // itself has lost what is gone (Simo, 1987; Govindjee and Simo, 1991).
+            // Back at its largest strain, rubber is as stiff as virgin rubber (Ogden and Roxburgh 1999).
+            // Or the virgin path itself has softened (Simo 1987; Govindjee and Simo 1991).
             out.push(form("excess, lost for good,", "0", vec![virgin, onset(0.4)]));
         }
     }

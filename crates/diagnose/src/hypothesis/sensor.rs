@@ -125,17 +125,20 @@ fn lag(s: &ProposalContext<'_>) -> Vec<Proposal> {
 /// Points of the polyline that a wandering zero follows in each run.
 pub(crate) const DRIFT_KNOTS: usize = 6;
 
+/// Divisor of the record that gives the ends in which no jump is sought.
+const JUMP_MARGIN_DIVISOR: usize = 50;
+
 /// Jump of a residual's mean, in parts of its length: the split with the least sum of squares about both means.
 fn jump_position(residual: &[f64]) -> f64 {
     let r: Vec<f64> = residual.iter().map(|x| if x.is_finite() { *x } else { 0.0 }).collect();
     let n = r.len();
     let total: f64 = r.iter().sum();
     let (mut sum, mut best) = (0.0, (0.0, 0.5));
-    for (i, x) in r.iter().enumerate().take(n - n / 50).skip(1) {
+    for (i, x) in r.iter().enumerate().take(n - n / JUMP_MARGIN_DIVISOR).skip(1) {
         sum += x;
         let (left, right) = ((i + 1) as f64, (n - i - 1) as f64);
         let gain = sum * sum / left + (total - sum) * (total - sum) / right;
-        if i > n / 50 && gain > best.0 {
+        if i > n / JUMP_MARGIN_DIVISOR && gain > best.0 {
             best = (gain, left / n as f64);
         }
     }

@@ -260,6 +260,13 @@ const MIN_VERTICAL_COMPONENT: f64 = 0.7;
 /// Least tag of an added node, element or material; it leaves the tags of later commands free.
 const MIN_ADDED_TAG: i32 = 900_000;
 
+/// Deformations at which proportionality is tested, length or angle, against [`SMALLEST_DEFORMATION`].
+const TESTED_DEFORMATIONS: [f64; 4] = [1e-3, 1.0, -1.0, 1e3];
+/// Deformation that gives the initial stiffness.
+const SMALLEST_DEFORMATION: f64 = 1e-6;
+/// Relative difference of stiffnesses that counts as none.
+const EQUAL_STIFFNESS: f64 = 1e-6;
+
 /// Returns true if the force of an element is proportional to its deformation at every tested size.
 ///
 /// The element is deformed at rest, because laws do not state their linearity.
@@ -279,9 +286,9 @@ fn is_elastic(element: &dyn Element, rows: &[BasicRow]) -> bool {
             element.respond(&motion, &state, &mut next, answer).ok()?;
             Some(row.force(&force) / size)
         };
-        let small = stiffness(1e-6);
-        [1e-3, 1.0, -1.0, 1e3].iter().all(|size| match (small, stiffness(*size)) {
-            (Some(a), Some(b)) => (a - b).abs() <= 1e-6 * a.abs(),
+        let initial = stiffness(SMALLEST_DEFORMATION);
+        TESTED_DEFORMATIONS.iter().all(|size| match (initial, stiffness(*size)) {
+            (Some(a), Some(b)) => (a - b).abs() <= EQUAL_STIFFNESS * a.abs(),
             _ => false,
         })
     })

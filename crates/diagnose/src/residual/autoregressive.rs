@@ -1,12 +1,15 @@
 //! Autoregressive noise x_t = Σ_k a_k x_{t-k} + ε_t.
 
+/// Samples per coefficient that a series needs at least.
+const SAMPLES_PER_COEFFICIENT: usize = 3;
+
 /// Coefficients a_1, ..., a_order by Burg's method (Burg 1967, 37th Meeting of the Society of Exploration Geophysicists).
 /// The process is stable for every series. A short series gives fewer coefficients.
 pub(crate) fn burg(x: &[f64], order: usize) -> Vec<f64> {
     let n = x.len();
     let mut a: Vec<f64> = vec![];
     let (mut forward, mut backward) = (x.to_vec(), x.to_vec());
-    for m in 0..order.min(n.saturating_sub(2) / 3) {
+    for m in 0..order.min(n.saturating_sub(2) / SAMPLES_PER_COEFFICIENT) {
         let (mut product, mut power) = (0.0, 0.0);
         for t in m + 1..n {
             product += forward[t] * backward[t - 1];

@@ -1,8 +1,8 @@
 //! Test of a channel's drift against slow noise.
 //!
 //! A drifting zero follows slow noise as well, so that a line, a jump or a polyline removes much of every noisy recording. A
-//! drift is accepted if it removes much more of the residual than of surrogates with the same spectrum, or if the mean of
-//! the residual is further from zero than that of such noise.
+//! drift is accepted if it removes much more of the residual than of surrogates with the same spectrum. It is also accepted
+//! if the mean of the residual is further from zero than that of such noise.
 
 use super::surrogates::Surrogates;
 use crate::candidate::channel_fault::ChannelFault;

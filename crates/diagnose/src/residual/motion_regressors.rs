@@ -17,8 +17,10 @@ fn speeds(h: &ResponseHistory) -> Vec<f64> {
     (0..h.times.len()).map(at).collect()
 }
 
-/// Functions of a device's motion in two directions: the components of the direction of the velocity, which friction and
-/// yielding follow, and the force in each direction times the deformation in the other.
+/// Functions of a device's motion in two directions.
+///
+/// The first two are the components of the direction of the velocity, which friction and yielding follow. The others are the
+/// force in each direction times the deformation in the other.
 fn biaxial_regressors(one: &ResponseHistory, two: &ResponseHistory) -> [Vec<f64>; 4] {
     let (a, b) = (speeds(one), speeds(two));
     let along = |v: &[f64]| {

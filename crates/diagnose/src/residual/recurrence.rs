@@ -1,8 +1,8 @@
 //! Forces that recur wherever a device has the same deformation.
 //!
 //! The error of another form of law changes slowly along the stroke, and smooth functions of the motion describe it. A force
-//! that changes within the stroke (teeth, joints, a rough track) needs cells: the mean residual of a cell at other times
-//! predicts the residual there, and does so better than the mean of a coarse cell.
+//! that changes within the stroke (teeth, joints, a rough track) needs cells. The mean residual of a fine cell at other times
+//! predicts the residual there better than the mean of a coarse cell.
 
 use crate::prior::{COARSE_STROKE_CELLS, FINE_STROKE_CELLS, SAMPLES_PER_CELL};
 

@@ -4,8 +4,7 @@ use crate::prior::{
     LINE_BAND, LINE_POWER_RATIO, LINE_SKIRT, MAX_SPECTRUM_SAMPLES, MIN_LINE_BAND, MIN_LINE_CYCLES, MIN_SPECTRUM_SAMPLES,
 };
 use crate::series::median;
-use rustfft::FftPlanner;
-use rustfft::num_complex::Complex;
+use hysteron_identify::fourier::{Complex, forward};
 
 /// Share of the power of a series in lines of its spectrum, and the frequency of the strongest line in cycles per sample.
 ///
@@ -30,7 +29,7 @@ pub(crate) fn line_share(x: &[f64], model: &[f64]) -> (f64, f64) {
     }
     let (mut share, mut strongest) = (0.0, (0.0, 0.0));
     for (i, p) in spectrum.iter().enumerate().skip(MIN_LINE_CYCLES) {
-        // A line stands above an octave on both sides and above its close band: broad noise falls with frequency, and
+        // A line stands above an octave on both sides and above its close band. Broad noise falls with frequency, and
         // narrow-band noise stands above its octave.
         let octave_width = (i / 2).max(MIN_LINE_BAND);
         let band = octave_width.min(LINE_BAND);
@@ -54,7 +53,7 @@ pub(crate) fn line_share(x: &[f64], model: &[f64]) -> (f64, f64) {
 /// |DFT|² at the frequencies from 0 to below one half per sample.
 fn periodogram(x: &[f64]) -> Vec<f64> {
     let mut buffer: Vec<Complex<f64>> = x.iter().map(|x| Complex { re: *x, im: 0.0 }).collect();
-    FftPlanner::new().plan_fft_forward(buffer.len()).process(&mut buffer);
+    forward(buffer.len()).process(&mut buffer);
     buffer[..x.len() / 2].iter().map(Complex::norm_sqr).collect()
 }
 

@@ -1,7 +1,7 @@
 //! Tests of a residual against steady noise of its spectrum.
 //!
 //! Sensor noise is steady, white or coloured, and independent of the motion. A missing effect follows the motion or acts at
-//! some times only. Surrogates show how much of that steady noise does by chance: series with the amplitudes of the residual's
+//! some times only. Surrogates show how much of that steady noise does by chance. They have the amplitudes of the residual's
 //! Fourier transform and random phases (Theiler et al. 1992, Physica D 58, 77-94).
 
 use super::recurrence::StrokeCells;
@@ -10,10 +10,9 @@ use crate::prior::{
     MIN_STEADINESS_SAMPLES, QUIETEST_DIVISOR, STEADINESS_STRETCHES, SURROGATE_Z, SURROGATES, TAPER_DIVISOR,
 };
 use crate::series::power;
+use hysteron_identify::fourier::{Complex, Fft, forward, inverse};
 use rand::{RngExt as _, SeedableRng as _};
 use rand_pcg::Pcg32;
-use rustfft::num_complex::Complex;
-use rustfft::{Fft, FftPlanner};
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
@@ -114,13 +113,12 @@ impl Surrogates {
 
     /// Surrogates with phases of their own for each seed.
     pub(crate) fn with_seed(x: &[f64], seed: u64) -> Self {
-        let mut planner = FftPlanner::new();
         let mut buffer: Vec<Complex<f64>> = x.iter().map(|x| Complex { re: *x, im: 0.0 }).collect();
-        planner.plan_fft_forward(x.len()).process(&mut buffer);
+        forward(x.len()).process(&mut buffer);
         // Seeded by the length, so that a diagnosis repeats to the bit.
         Self {
             amplitudes: buffer.iter().map(|c| c.norm() / x.len() as f64).collect(),
-            inverse: planner.plan_fft_inverse(x.len()),
+            inverse: inverse(x.len()),
             random: Pcg32::seed_from_u64(x.len() as u64 + (seed << 32)),
         }
     }

@@ -1,8 +1,9 @@
 //! The discriminating test: the motion within the limits of the rig that best separates two hypotheses.
 //!
 //! Motions are variations of those of the study: smaller and larger, slower and faster, twice with a pause. Both hypotheses
-//! simulate each. If their channels differ by D² times the mean square of the noise, N independent samples identify the right
-//! one with probability Φ(√(N D²) / 2): the likelihood ratio test of two simple hypotheses, with N as in the evidence.
+//! simulate each, and their channels differ by D² times the mean square of the noise. The likelihood ratio test of two simple
+//! hypotheses then identifies the right one with probability Φ(√(N D²) / 2). N is the number of independent samples in the
+//! evidence.
 
 use crate::fit::fitted::FittedHypothesis;
 use crate::prior::EFFECTIVE_SAMPLES;

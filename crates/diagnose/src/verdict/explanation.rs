@@ -5,8 +5,8 @@ use crate::hypothesis;
 
 /// Explanation of a verdict.
 ///
-/// `repair` is the hypothesis of the repaired model, `second_causes` those of further effects, `structure` the structure that
-/// remains, and `remaining_share` the share of the squared error that the repaired model leaves.
+/// `repair` is the hypothesis of the repaired model, and `second_causes` are those of further effects. `structure` describes the
+/// remaining structure. `remaining_share` is the share of the squared error that the repaired model leaves.
 pub(super) fn explanation(
     verdict: &str,
     repair: &FittedHypothesis,

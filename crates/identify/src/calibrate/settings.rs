@@ -35,7 +35,7 @@ impl SearchMethod {
         ("least-squares", Self::LeastSquares),
     ];
 
-    /// The default: the best one in the comparison of `docs/calibration.md`.
+    /// The default: the quickest of the methods that search the whole ranges, on the problems of `benches/README.md`.
     pub const DEFAULT: Self = Self::CmaEs;
 
     /// Name of the method in a study.

@@ -89,7 +89,7 @@ impl ObservedChannel {
         FORCE_UNITS.contains(&self.unit.as_str())
     }
 
-    /// Returns true if the channel is a resisting force or stress, by its unit or its name. Reports draw its hysteresis loops.
+    /// Returns true if the channel is a resisting force or stress, by its unit or its name. Reports draw its loops.
     pub fn is_resistance(&self) -> bool {
         self.is_force() || STRESS_UNITS.contains(&self.unit.as_str()) || self.channel.contains("force")
     }

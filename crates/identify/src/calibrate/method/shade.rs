@@ -155,8 +155,8 @@ impl Shade {
         u
     }
 
-    /// Put the weighted Lehmer means of successful F and CR into the memory. `successes` are F, CR and the improvement of the
-    /// objective, which is the weight.
+    /// Put the weighted Lehmer means of successful F and CR into the memory. `successes` are F, CR and the improvement
+    /// of the objective, which is the weight.
     fn update_memory(&mut self, successes: &[(f64, f64, f64)]) {
         let total: f64 = successes.iter().map(|w| w.2).sum();
         if successes.is_empty() || total <= 0.0 || !total.is_finite() {
