@@ -50,7 +50,7 @@
 
 pub use hysteron_diagnose as diagnose;
 pub use hysteron_engine::{
-    analysis, assembly, element, material, model, number_format, numeric, probe, record, section, series, solve,
+    analysis, assembly, element, material, model, number_format, numeric, probe, record, rules, section, series, solve,
     state_struct,
 };
 pub use hysteron_identify::{calibrate, measure, protocol, report, study};

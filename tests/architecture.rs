@@ -16,6 +16,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "numeric",
             "number_format",
             "probe",
+            "rules",
             "series",
             "material",
             "section",
@@ -138,6 +139,32 @@ fn wrappers_of_elements_forward_every_method() {
     }
     assert!(wrappers >= 2, "only {wrappers} found");
     assert!(wrong.is_empty(), "{HELD} is missing in\n{}", wrong.join("\n"));
+}
+
+/// Lines outside `opensees*.rs` and the commands that may decide by the flag `compat`.
+const MAX_DECISIONS: usize = 45;
+
+/// OpenSees' rules are in `opensees.rs` of the folder of a law, and the commands choose them. A line counts as a decision if it has the
+/// word `compat` and a condition.
+#[test]
+fn decisions_about_slips_are_few() {
+    const CONDITIONS: [&str; 10] =
+        ["if ", "match ", "&&", "||", "!", "is_some()", "is_none()", "then", "filter", "let Some"];
+    let word = |line: &str| line.split(|c: char| !(c.is_alphanumeric() || c == '_')).any(|w| w == "compat");
+    let mut found = vec![];
+    for name in ["tcl", "engine", "identify", "diagnose"] {
+        for (path, text) in sources(&format!("crates/{name}/src")) {
+            if path.file_name().unwrap().to_str().unwrap().starts_with("opensees") {
+                continue;
+            }
+            for (i, line) in text.lines().enumerate().filter(|(_, l)| !l.trim_start().starts_with("//")) {
+                if word(line) && CONDITIONS.iter().any(|c| line.contains(c)) {
+                    found.push(format!("{}:{}: {}", path.display(), i + 1, line.trim()));
+                }
+            }
+        }
+    }
+    assert!(found.len() <= MAX_DECISIONS, "{} of {MAX_DECISIONS}\n{}", found.len(), found.join("\n"));
 }
 
 #[test]

@@ -15,8 +15,8 @@ const HEIGHT: f64 = 0.15;
 
 fn axial(p: AxialParameters) -> Material {
     match p.hardening {
-        Some(_) => Arc::new(AxialSpHD::new(&p, false)),
-        None => Arc::new(AxialSp::new(&p, false)),
+        Some(_) => Arc::new(AxialSpHD::new(&p)),
+        None => Arc::new(AxialSp::new(&p)),
     }
 }
 
@@ -25,12 +25,12 @@ fn rubber(compound: usize) -> HighDampingRubber {
 }
 
 fn high_damping(compound: usize) -> Material {
-    Arc::new(KikuchiAiken::new(rubber(compound), [0.5, 0.25], false))
+    Arc::new(KikuchiAiken::new(rubber(compound), [0.5, 0.25]))
 }
 
 /// Slowly decaying loops, which in OpenSees end short of the skeleton by 1 % of the force.
 fn thin() -> Material {
-    Arc::new(KikuchiAiken::new(HighDampingRubber { factors: [2.0, 0.8, 1.12], ..rubber(0) }, [1.0; 2], false))
+    Arc::new(KikuchiAiken::new(HighDampingRubber { factors: [2.0, 0.8, 1.12], ..rubber(0) }, [1.0; 2]))
 }
 
 fn lead() -> LeadRubber {
@@ -56,7 +56,7 @@ fn all() -> Vec<(String, Material, f64)> {
         ("axial, hardening".to_owned(), axial(AxialParameters { hardening: hard, ..AXIAL }), 0.06),
         ("axial, closing at 0".to_owned(), axial(AxialParameters { fcr: 0.0, hardening: hard, ..AXIAL }), 0.06),
         ("little damping".to_owned(), thin(), 2.0 * HEIGHT),
-        ("lead rubber".to_owned(), Arc::new(KikuchiAiken::new(lead(), [1.0; 2], false)) as Material, 2.6 * HEIGHT),
+        ("lead rubber".to_owned(), Arc::new(KikuchiAiken::new(lead(), [1.0; 2])) as Material, 2.6 * HEIGHT),
         ("impact".to_owned(), Arc::new(Impact { k1: 4e4, k2: 9e3, delta_y: -0.003, gap: -0.01, compat: false }), 0.04),
     ];
     for (i, c) in COMPOUNDS.iter().enumerate() {
@@ -182,7 +182,7 @@ fn loops_have_the_damping_of_the_compound() {
     for (gamma, heq) in [(1.0, 0.2103), (2.0, 0.1825)] {
         let device = HighDampingRubber { factors: [1.0; 3], ..rubber(0) };
         let x = gamma * HEIGHT;
-        let mut p = MaterialPoint::new(Arc::new(KikuchiAiken::new(device, [1.0; 2], false)));
+        let mut p = MaterialPoint::new(Arc::new(KikuchiAiken::new(device, [1.0; 2])));
         cycle(&mut p, 0.0, x);
         let work = cycle(&mut p, 0.0, x);
         let force = p.advance(x).value;

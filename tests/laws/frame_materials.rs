@@ -7,6 +7,7 @@ use hysteron::material::{
     Fatigue, FatigueParameters, Hardening, Hysteretic, InitialState, IntegrationMethod, Iteration, Material, Maxwell,
     MinMax, MultiLinear, NoTension, Parallel, SelfCentering, Series, Steel01, Steel02, SteelBrb, ViscousDamper,
 };
+use hysteron::rules::{Consistent, OpenSees};
 use std::sync::Arc;
 
 fn steel02(a: [f64; 4], sig_init: f64) -> Material {
@@ -40,7 +41,11 @@ fn multi_linear() -> Material {
 }
 
 fn self_centering(compat: bool) -> Material {
-    Arc::new(SelfCentering {
+    if compat { Arc::new(flag(OpenSees)) } else { Arc::new(flag(Consistent)) }
+}
+
+fn flag<R>(rules: R) -> SelfCentering<R> {
+    SelfCentering {
         k1: 200.0,
         k2: 10.0,
         activation: 2.0,
@@ -48,8 +53,8 @@ fn self_centering(compat: bool) -> Material {
         slip: 0.06,
         bearing: 0.09,
         bearing_ratio: 0.4,
-        compat,
-    })
+        rules,
+    }
 }
 
 fn gap(fy: f64, gap: f64, damage: bool) -> Material {

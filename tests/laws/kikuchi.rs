@@ -379,7 +379,7 @@ fn cycles_of_a_lightly_damped_bearing_are_independent_of_step_size() {
         rubber: 0.2,
         height: 0.21,
         layout: Layout::new(Shape::Square, 0.21, 8, Distribution::Uniform, Mean::Springs),
-        ..parameters(Arc::new(KikuchiAiken::new(device, [1.0; 2], false)), Arc::new(AxialSp::new(&axial, false)))
+        ..parameters(Arc::new(KikuchiAiken::new(device, [1.0; 2])), Arc::new(AxialSp::new(&axial)))
     };
     let run = |steps: u32| {
         let (mut e, mut u, mut from, mut forces) = (bearing(parameters.clone()), [0.0; 12], 0.0, vec![]);

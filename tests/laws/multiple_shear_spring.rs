@@ -28,12 +28,12 @@ fn lead() -> Material {
         temperature: 15.0,
         factors: [1.0; 2],
     });
-    Arc::new(KikuchiAiken::new(device, [1.0; 2], false))
+    Arc::new(KikuchiAiken::new(device, [1.0; 2]))
 }
 
 fn high_damping() -> Material {
     let device = HighDampingRubber { compound: COMPOUNDS[0].clone(), area: 0.4e-3, height: HEIGHT, factors: [1.0; 3] };
-    Arc::new(KikuchiAiken::new(device, [1.0; 2], false))
+    Arc::new(KikuchiAiken::new(device, [1.0; 2]))
 }
 
 fn laws() -> [(&'static str, Material); 3] {
@@ -43,7 +43,7 @@ fn laws() -> [(&'static str, Material); 3] {
 fn along(materials: Vec<(Material, usize)>, limit: Option<f64>, x: Vector3<f64>, y: Vector3<f64>) -> SingleElement {
     let (axes, length) = Orientation { x: Some(x), y: Some(y) }.of_link(Vector3::zeros(), x * 0.3, false).unwrap();
     let springs = ShearSprings::of(materials, limit, MultipleShearSpring::HEADER);
-    SingleElement::new(MultipleShearSpring::new(springs, Link::new(&axes, length, 0.5), 2.0, false).unwrap())
+    SingleElement::new(MultipleShearSpring::new(springs, Link::new(&axes, length, 0.5), 2.0).unwrap())
 }
 
 fn upright(law: &Material, n: usize, limit: Option<f64>) -> SingleElement {
@@ -199,5 +199,5 @@ fn springs_without_force_are_an_error() {
         .of_link(Vector3::zeros(), Vector3::z(), false)
         .unwrap();
     let springs = ShearSprings::new(slack, 4, Some(0.05), MultipleShearSpring::HEADER);
-    assert!(MultipleShearSpring::new(springs, Link::new(&axes, length, 0.5), 0.0, false).is_err());
+    assert!(MultipleShearSpring::new(springs, Link::new(&axes, length, 0.5), 0.0).is_err());
 }

@@ -34,7 +34,7 @@ fn materials(compat: bool) -> [Material; 2] {
     let cavitating =
         AxialParameters { sce: 1.2e9, fty: 1e6, fcy: -1e7, bte: 0.1, bty: 0.01, bcy: 0.5, fcr: 0.0, hardening: None };
     [
-        Arc::new(AxialSp::new(&cavitating, compat)),
+        if compat { Arc::new(AxialSp::as_opensees(&cavitating)) } else { Arc::new(AxialSp::new(&cavitating)) },
         Arc::new(Steel01 { fy: 1e6, e0: 1e9, b: 0.05, a: Steel01::NO_ISOTROPIC }),
     ]
 }

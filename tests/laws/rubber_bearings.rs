@@ -6,6 +6,7 @@ use hysteron::element::bearing::{
     AxialLaw, GrantShear, Layers, LeadCore, Link, PI, Rubber, RubberBearing, RubberBoucWen, RubberShear,
 };
 use hysteron::element::{ElementInput, ElementOutput};
+use hysteron::rules::Consistent;
 use nalgebra::{Rotation3, Vector3};
 
 const HEIGHT: f64 = 0.25;
@@ -30,7 +31,7 @@ fn axial(rubber: Rubber) -> AxialLaw {
 }
 
 fn grant() -> GrantShear {
-    GrantShear { a: [1.1e6, -6e6, 9e7], b: [1.8e4, 4e5, 60.0], c: [4.0, 1.5, 0.75, 3.0], compat: false }
+    GrantShear { a: [1.1e6, -6e6, 9e7], b: [1.8e4, 4e5, 60.0], c: [4.0, 1.5, 0.75, 3.0], rules: Consistent }
 }
 
 fn bouc_wen(varies: bool, leaded: bool) -> RubberBoucWen {
@@ -46,7 +47,7 @@ fn bouc_wen(varies: bool, leaded: bool) -> RubberBoucWen {
         diffusivity: 1.41e-5,
     });
     let (qy, k0) = (9e4, 9.0 * rubber.shear);
-    RubberBoucWen { qy, k0, rubber: rubber.shear, cd: 0.0, varies, leaded, core, heats: leaded, compat: false }
+    RubberBoucWen { qy, k0, rubber: rubber.shear, cd: 0.0, varies, leaded, core, heats: leaded, rules: Consistent }
 }
 
 fn along<L: RubberShear + 'static>(law: L, orientation: Orientation, line: Vector3<f64>) -> SingleElement {

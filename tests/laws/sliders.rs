@@ -11,6 +11,7 @@ use hysteron::element::friction::{
 };
 use hysteron::element::{ElementInput, ElementOutput};
 use hysteron::material::{Elastic, Material, NoTension};
+use hysteron::rules::Consistent;
 use nalgebra::{Rotation3, Vector3};
 use std::sync::Arc;
 
@@ -68,8 +69,8 @@ fn no_tension() -> (Material, i32) {
     (Arc::new(NoTension { e: AXIAL, a: 0.0, b: 1.0 }), 1)
 }
 
-fn setting(kind: Kind, compat: Option<Substitution>) -> Setting {
-    Setting { kind, mass: 0.0, rayleigh: false, uplift: 1e-6, compat }
+fn setting(kind: Kind) -> Setting {
+    Setting { kind, mass: 0.0, rayleigh: false, uplift: 1e-6, rules: Consistent }
 }
 
 fn surface(kind: Kind, friction: &Friction, rises: bool) -> Surface {
@@ -92,8 +93,11 @@ fn space_along(
     }
     materials.extend([elastic(900.0), elastic(600.0), elastic(500.0)]);
     let link: (Link<12, 6>, f64, f64) = (Link::new(&axes, length, shear_dist), length, shear_dist);
-    let made: SpaceSlider = SlidingBearing::new(surface(kind, friction, true), link, materials, setting(kind, compat));
-    SingleElement::new(made)
+    let surface = surface(kind, friction, true);
+    match compat {
+        None => SingleElement::new(SpaceSlider::new(surface, link, materials, setting(kind))),
+        Some(way) => SingleElement::new(SpaceSlider::new(surface, link, materials, setting(kind).with(way))),
+    }
 }
 
 const UP: Orientation = Orientation { x: Some(Vector3::new(0.0, 0.0, 1.0)), y: Some(Vector3::new(1.0, 0.0, 0.0)) };
@@ -115,7 +119,7 @@ fn plane(kind: Kind, friction: &Friction) -> SingleElement {
     }
     materials.push(elastic(600.0));
     let link: (Link<6, 3>, f64, f64) = (Link::new(&axes, length, 0.3), length, 0.3);
-    let made: PlaneSlider = SlidingBearing::new(surface(kind, friction, true), link, materials, setting(kind, None));
+    let made: PlaneSlider = SlidingBearing::new(surface(kind, friction, true), link, materials, setting(kind));
     SingleElement::new(made)
 }
 
@@ -406,7 +410,7 @@ fn space_and_plane_agree_in_one_direction() {
         }
         materials.push(elastic(500.0));
         let link: (Link<6, 3>, f64, f64) = (Link::new(&axes, length, 0.3), length, 0.3);
-        let set = setting(kind, None);
+        let set = setting(kind);
         let mut flat: SingleElement =
             SingleElement::new(PlaneSlider::new(surface(kind, friction, true), link, materials, set));
         let o = Orientation { x: None, y: Some(Vector3::new(-1.0, 0.0, 0.0)) };

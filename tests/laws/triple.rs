@@ -2,11 +2,12 @@
 
 use super::driver::{SingleElement, difference, path};
 use hysteron::element::axes::Orientation;
-use hysteron::element::bearing::triple::{Chain, Segment, TriplePendulum, TripleSetting};
+use hysteron::element::bearing::triple::{Chain, Increments, Segment, TriplePendulum, TripleSetting};
 use hysteron::element::bearing::{Link, PlaneBearing, UfrpShear};
 use hysteron::element::friction::{Coulomb, Friction, VelDependent};
 use hysteron::element::{ElementInput, ElementOutput};
 use hysteron::material::{Elastic, Material};
+use hysteron::rules::Consistent;
 use nalgebra::Vector3;
 use std::sync::Arc;
 
@@ -33,8 +34,13 @@ fn bearing(frictions: [Friction; 3], height: f64, compat: Option<f64>) -> Single
     let outer = segment(1.0 / (l2 - l1), d2 * (1.0 - l1 / l2), l2 / (l2 - l1));
     let chain = Chain { segments: [segment(0.5 / l1, 2.0 * (l1 / l2 * d2 + d1), 0.5), outer, outer] };
     let materials = [elastic(K), elastic(10.0), elastic(20.0), elastic(30.0)];
-    let setting = TripleSetting { weight: WEIGHT, k_tension: 10.0, least_normal: 0.1, height, compat };
-    SingleElement::new(TriplePendulum::new(chain, frictions, materials, setting))
+    let setting = TripleSetting { weight: WEIGHT, k_tension: 10.0, least_normal: 0.1, height, rules: Consistent };
+    match compat {
+        None => SingleElement::new(TriplePendulum::new(chain, frictions, materials, setting)),
+        Some(tolerance) => {
+            SingleElement::new(TriplePendulum::new(chain, frictions, materials, setting.with(Increments(tolerance))))
+        }
+    }
 }
 
 /// Horizontal motion up to the displacement limit and beyond, under varying pressure with uplift.

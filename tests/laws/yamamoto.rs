@@ -9,10 +9,16 @@ use nalgebra::Vector3;
 const HEIGHT: f64 = 0.16;
 
 fn bearing_along(x: Vector3<f64>, y: Vector3<f64>, compat: bool) -> SingleElement {
-    let law = YamamotoShear::new([0.7, 0.02], HEIGHT, [0.9, 1.1], compat);
     let line = x.normalize() * 0.3;
     let (axes, length) = Orientation { x: Some(x), y: Some(y) }.of_link(Vector3::zeros(), line, false).unwrap();
-    SingleElement::new(ShearBearing::<_, 12, 6, 0, 2>::new(law, Link::new(&axes, length, 0.5), [], 3.0, true))
+    let link = Link::new(&axes, length, 0.5);
+    let (diameters, factors) = ([0.7, 0.02], [0.9, 1.1]);
+    if compat {
+        let law = YamamotoShear::as_opensees(diameters, HEIGHT, factors);
+        return SingleElement::new(ShearBearing::<_, 12, 6, 0, 2>::new(law, link, [], 3.0, true));
+    }
+    let law = YamamotoShear::new(diameters, HEIGHT, factors);
+    SingleElement::new(ShearBearing::<_, 12, 6, 0, 2>::new(law, link, [], 3.0, true))
 }
 
 fn bearing() -> SingleElement {

@@ -19,6 +19,7 @@ pub mod number_format;
 pub mod numeric;
 pub mod probe;
 pub mod record;
+pub mod rules;
 pub mod section;
 pub mod series;
 pub mod solve;

@@ -22,6 +22,7 @@ mod output;
 pub mod run;
 mod section;
 mod session;
+pub mod slips;
 
 use args::Args;
 use hysteron_tcl::diagnostic::Diagnostic;

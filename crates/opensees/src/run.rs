@@ -1,5 +1,6 @@
 //! A script from its file to its outcome.
 
+use crate::slips;
 use crate::{Mode, Outputs, Session, Tcl};
 use hysteron_engine::analysis::{Failure, Options, WorkCounts};
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -119,7 +120,7 @@ impl Run {
     fn end_of(&mut self, result: Result<Value, Exception>) -> End {
         match result {
             // OpenSees ends with status 0 whatever its last analysis did.
-            Ok(_) if self.interp.host.engine.options.compat => End::Done,
+            Ok(_) if self.interp.host.follows(&[slips::EXIT_STATUS]) => End::Done,
             Ok(_) => self.interp.host.last_failure.take().map_or(End::Done, End::Failed),
             Err(Exception::Exit(status)) => End::Exit(status),
             Err(Exception::Interrupted) if self.interp.budget == Some(0) => End::Enough(None),

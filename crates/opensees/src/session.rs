@@ -4,6 +4,7 @@ use crate::check::CheckState;
 use crate::files::number_files::NumberFiles;
 use crate::material::MaterialTests;
 use crate::model::parameter::Parameter;
+use crate::slips::Slip;
 use hysteron_engine::analysis::algorithm::Algorithm;
 use hysteron_engine::analysis::integrator::Integrator;
 use hysteron_engine::analysis::{Engine, Failure, Kind, Observer, Options, ReactionKind, Test};
@@ -244,6 +245,11 @@ pub struct Session {
 }
 
 impl Session {
+    /// Returns true if OpenSees' answer is wanted where these slips differ from it.
+    pub fn follows(&self, slips: &[Slip]) -> bool {
+        self.engine.options.compat && slips.iter().all(Slip::is_followed)
+    }
+
     /// A session whose recorders write to `outputs`.
     pub fn new(options: Options, mode: Mode, strict: bool, outputs: Box<dyn Outputs>) -> Self {
         Self {

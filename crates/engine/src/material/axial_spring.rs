@@ -1,9 +1,12 @@
 //! Axial springs of laminated rubber bearings: cavitation in tension, yielding in compression.
 
 mod bundle;
+mod opensees;
 
 use super::Stress;
+use crate::rules::{Consistent, OpenSees};
 use crate::state_struct::Field;
+use std::fmt;
 
 /// Parameters of an axial spring in the commands `AxialSp` and `AxialSpHD`. Stiffnesses are stress over displacement,
 /// since a spring of a bearing has an area but no length.
@@ -36,7 +39,7 @@ pub struct AxialParameters {
 /// compression branch, where it has recovered. `AxialSp` unloads on the straight line to this point, `AxialSpHD`
 /// elastically at first. Yield in compression shifts the elastic lines.
 #[derive(Clone, Debug, PartialEq)]
-pub struct AxialSpring<const HD: bool> {
+pub struct AxialSpring<const HD: bool, R = Consistent> {
     sce: f64,
     ste: f64,
     sty: f64,
@@ -50,17 +53,45 @@ pub struct AxialSpring<const HD: bool> {
     ucr: f64,
     fth: f64,
     uth: f64,
-    compat: bool,
+    rules: R,
 }
 
+/// Rules of [`AxialSpring`] that differ in OpenSees.
+pub trait Rules: Clone + fmt::Debug + Send + Sync + 'static {
+    /// The spring goes on from the branch of its last trial state.
+    const FOLLOWS_TRIALS: bool = false;
+
+    /// A spring that unloads from `u` has hardened beyond `uth` and keeps no elastic line above (u_cr, f_cr).
+    fn hardened(_u: f64, _uth: f64) -> bool {
+        false
+    }
+
+    /// Branch of a spring that comes from cavitation to `u` in one step, where it is not found by the lines on the way.
+    fn jump(_u: f64, _ucr: f64, _ucy: f64) -> Option<Branch> {
+        None
+    }
+
+    /// Displacement at which the line of closing ends; `passes` is where it meets the elastic line from the hardening point at `uth`.
+    fn end_of_closing(ucr: f64, _uth: f64, _passes: impl FnOnce() -> f64) -> f64 {
+        ucr
+    }
+
+    /// A spring with the stiffness `ste` in tension never comes off compression after it has yielded.
+    fn stays_compressed(_ste: f64) -> bool {
+        false
+    }
+}
+
+impl Rules for Consistent {}
+
 /// `uniaxialMaterial AxialSp`.
-pub type AxialSp = AxialSpring<false>;
+pub type AxialSp<R = Consistent> = AxialSpring<false, R>;
 /// `uniaxialMaterial AxialSpHD`.
-pub type AxialSpHD = AxialSpring<true>;
+pub type AxialSpHD<R = Consistent> = AxialSpring<true, R>;
 
 /// Branch of a spring.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-enum Branch {
+pub enum Branch {
     /// Elastic through the origin.
     #[default]
     Elastic,
@@ -121,17 +152,28 @@ crate::state_struct! {
 }
 
 impl<const HD: bool> AxialSpring<HD> {
-    /// From the parameters. With `compat` the spring deviates as in OpenSees. A step from cavitation to compression
-    /// ends where it does there. A spring that has just begun to harden closes beyond (u_cr, f_cr) or misses this
-    /// point. A spring without stiffness in tension does not leave compression after yield.
-    pub fn new(p: &AxialParameters, compat: bool) -> Self {
+    /// From the parameters.
+    pub fn new(p: &AxialParameters) -> Self {
+        Self::of(p, Consistent)
+    }
+}
+
+impl<const HD: bool> AxialSpring<HD, OpenSees> {
+    /// As `new`, by the rules of OpenSees.
+    pub fn as_opensees(p: &AxialParameters) -> Self {
+        Self::of(p, OpenSees)
+    }
+}
+
+impl<const HD: bool, R: Rules> AxialSpring<HD, R> {
+    fn of(p: &AxialParameters, rules: R) -> Self {
         let (ste, sty) = (p.bte * p.sce, p.bty * p.sce);
         // A spring without cavitation has its yield point at infinity.
         let (fty, uty, sty) = if ste > sty { (p.fty, p.fty / ste, sty) } else { (f64::MAX, f64::MAX, 0.0) };
         let (sth, uth) = p.hardening.map_or((sty, f64::MAX), |(bth, ath)| (bth * p.sce, ath * uty));
         let fth = if uth < f64::MAX { sty * (uth - uty) + fty } else { f64::MAX };
         let (scy, ucy, ucr) = (p.bcy * p.sce, p.fcy / p.sce, p.fcr / p.sce);
-        Self { sce: p.sce, ste, sty, scy, sth, fty, uty, fcy: p.fcy, ucy, fcr: p.fcr, ucr, fth, uth, compat }
+        Self { sce: p.sce, ste, sty, scy, sth, fty, uty, fcy: p.fcy, ucy, fcr: p.fcr, ucr, fth, uth, rules }
     }
 
     /// Force and stiffness of the skeleton in tension, extended to smaller displacements.
@@ -172,13 +214,13 @@ impl<const HD: bool> AxialSpring<HD> {
     #[inline]
     fn unload(&self, c: &History, f: f64, u: f64, t: &mut History) -> Branch {
         if HD {
-            if self.compat && c.u > self.uth && u == self.ucr {
+            if R::hardened(c.u, self.uth) && u == self.ucr {
                 return Branch::Overlooked;
             }
             // The spring unloads elastically to the line from (u_cr, f_cr) to the intersection of elastic line and
             // origin slope of the skeleton. If the elastic line meets compression first, the spring follows it.
             let end = f + self.ste * (self.ucr - c.u);
-            if end >= self.fcr && !(self.compat && c.u > self.uth) {
+            if end >= self.fcr && !R::hardened(c.u, self.uth) {
                 t.from = c.u;
                 return self.relieved(t.from, u);
             }
@@ -186,8 +228,8 @@ impl<const HD: bool> AxialSpring<HD> {
             t.slope = (self.fcr - self.sty * t.from) / (self.ucr - t.from);
             return if u >= t.from { Branch::Reopening } else { self.close(t.slope, u) };
         }
-        if self.compat && u <= self.ucr {
-            return if u > self.ucy { Branch::Yielded } else { Branch::Cavitated };
+        if let Some(branch) = R::jump(u, self.ucr, self.ucy) {
+            return branch;
         }
         t.slope = (self.fcr - f) / (self.ucr - c.u);
         self.close(t.slope, u)
@@ -196,12 +238,8 @@ impl<const HD: bool> AxialSpring<HD> {
     /// Branch on the closing line and beyond it.
     #[inline]
     fn close(&self, slope: f64, u: f64) -> Branch {
-        let mut end = self.ucr;
-        if self.compat && self.uth < f64::MAX {
-            // OpenSees first tests the elastic line from the hardening point.
-            let pass = (self.fth - self.fcr - self.ste * self.uth + slope * self.ucr) / (slope - self.ste);
-            end = end.min(pass);
-        }
+        let passes = || (self.fth - self.fcr - self.ste * self.uth + slope * self.ucr) / (slope - self.ste);
+        let end = R::end_of_closing(self.ucr, self.uth, passes);
         if u > end { Branch::Closing } else { self.virgin(u) }
     }
 
@@ -234,7 +272,7 @@ impl<const HD: bool> AxialSpring<HD> {
     fn shifted(&self, c: &History, zero: f64, u: f64) -> Branch {
         if u <= zero {
             if self.sce * (u - zero) <= self.compression(u) { Branch::Yielded } else { Branch::Shifted }
-        } else if self.compat && self.ste == 0.0 {
+        } else if R::stays_compressed(self.ste) {
             c.branch
         } else if self.ste * (u - zero) > self.tension(u).0 {
             if u > self.uty { Branch::Cavitated } else { Branch::Flowing }
@@ -256,8 +294,7 @@ impl<const HD: bool> AxialSpring<HD> {
             Branch::Closing => (self.closing(t.slope, u), t.slope),
             Branch::Reopening => (self.closing(t.slope, t.from) + self.ste * (u - t.from), self.ste),
             Branch::Relieved => (self.tension(t.from).0 + self.ste * (u - t.from), self.ste),
-            // OpenSees' spring without stiffness in tension never reaches the tension side of the line.
-            Branch::Shifted if u <= t.from || (self.compat && self.ste == 0.0) => (self.sce * (u - t.from), self.sce),
+            Branch::Shifted if u <= t.from || R::stays_compressed(self.ste) => (self.sce * (u - t.from), self.sce),
             Branch::Shifted => (self.ste * (u - t.from), self.ste),
         };
         Stress { value, tangent, damping: 0.0 }
@@ -304,29 +341,6 @@ impl<const HD: bool> AxialSpring<HD> {
     fn step(&self, c: &History, u: f64) -> (Stress, History) {
         let mut t = History { u, ..*c };
         t.branch = self.follow(c, || self.response(c).value, u, &mut t);
-        (self.response(&t), t)
-    }
-
-    /// As `step`, but as in OpenSees, where the branch continues from the last call, committed or not. Only
-    /// displacement and force come from the committed state. `slope` then holds the displacement at which a shifted
-    /// spring yields again.
-    #[inline]
-    fn step_on(&self, c: &History, last: &History, u: f64) -> (Stress, History) {
-        let from = History { u: c.u, ..*last };
-        let mut t = History { u, ..from };
-        let next = self.follow(&from, || self.response(c).value, u, &mut t);
-        t.branch = match (from.branch, next) {
-            (Branch::Shifted, _) if u <= from.slope => Branch::Yielded,
-            (Branch::Shifted, Branch::Yielded) => Branch::Shifted,
-            _ => next,
-        };
-        match from.branch {
-            Branch::Yielded if u > c.u => t.slope = c.u,
-            Branch::Flowing if u < c.u => {
-                t.slope = (self.sce * t.from - self.scy * self.ucy + self.fcy) / (self.sce - self.scy);
-            }
-            _ => {}
-        }
         (self.response(&t), t)
     }
 }

@@ -1,11 +1,14 @@
 //! Deteriorating plastic hinges: the modified Ibarra-Medina-Krawinkler law with bilinear hysteresis.
 
 mod backbone;
+mod opensees;
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::rules::Consistent;
 pub use backbone::BilinSide;
 use backbone::{Backbone, Line, meet};
 use std::cmp::Ordering;
+use std::fmt;
 
 /// Slope of a horizontal branch; the rules recognise a branch without force by it.
 const FLAT: f64 = 1e-7;
@@ -47,7 +50,7 @@ impl Deterioration {
 /// member and hinge together follow the given ones (Ribeiro, Barbosa, Scott and Neves, 2015). For a hinge, forces are
 /// moments and deformations are rotations.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Bilin {
+pub struct Bilin<R = Consistent> {
     /// Elastic stiffness of the member.
     pub ke: f64,
     /// Backbones for positive and negative deformations.
@@ -60,12 +63,60 @@ pub struct Bilin {
     pub stiffness: Deterioration,
     /// Stiffness of the hinge divided by that of the member, minus one: n.
     pub n: f64,
-    /// As in OpenSees: the tangent of a step in which the backbone deteriorates is that of the deteriorated backbone
-    /// at its limit. A step from one side beyond the cap of the other may lose all strength or have none. The
-    /// unloading stiffness deteriorates by different rules on the two sides. A jump to the residual strength needs no
-    /// path.
-    pub compat: bool,
+    /// Rules of a few turns and of the tangent.
+    pub rules: R,
 }
+
+/// Rules of [`Bilin`] that differ in OpenSees. A side is given by the sign of the step that goes to it.
+pub trait Rules: Clone + fmt::Debug + Send + Sync + 'static {
+    /// A side that breaks at its residual strength leaves the other side its strength.
+    const SPARES_RESIDUAL: bool = false;
+    /// The target of a step moves with the energy that the step dissipates.
+    const MOVES_TARGET: bool = true;
+
+    /// Distance of a target before the first yield point.
+    fn before_yield(_sign: f64) -> f64 {
+        1e-9
+    }
+
+    /// Sum of the forces, and of the target force of the side behind, whose half is the mean force of unloading: `force` at the turn,
+    /// `ahead` and `behind` at the targets.
+    fn unloading_forces(_sign: f64, force: f64, ahead: f64, _behind: f64) -> f64 {
+        force + ahead
+    }
+
+    /// The unloading stiffness stays as it is: where nothing deteriorates any more, or a branch beyond a cap is level.
+    fn keeps_stiffness(_sign: f64, settled: bool, _level: impl Fn(usize) -> bool) -> bool {
+        settled
+    }
+
+    /// A step to `x` may be on the branches before the cap, which the line from the target meets at `meets`.
+    fn before_cap(_x: f64, _meets: impl FnOnce() -> f64) -> bool {
+        true
+    }
+
+    /// Force and slope at the residual strength.
+    fn residual(elastic: (f64, f64), residual: f64) -> (f64, f64) {
+        lower(elastic, (residual, -FLAT))
+    }
+
+    /// The lower of the line of unloading and another.
+    fn lower(_sign: f64, elastic: (f64, f64), other: (f64, f64)) -> (f64, f64) {
+        lower(elastic, other)
+    }
+
+    /// A branch beyond the cap may come to zero force in a step that begins at this force.
+    fn may_stop(force: f64) -> bool {
+        force >= 0.0
+    }
+
+    /// Tangent of a step, of the slope of its branch after the deterioration and before.
+    fn tangent(_after: f64, before: f64) -> f64 {
+        before
+    }
+}
+
+impl Rules for Consistent {}
 
 crate::state_struct! {
     /// History of [`Bilin`].
@@ -121,7 +172,7 @@ impl Step {
     }
 }
 
-impl Bilin {
+impl<R: Rules> Bilin<R> {
     /// Stiffness of the hinge.
     fn k(&self) -> f64 {
         self.ke * (1.0 + self.n)
@@ -195,8 +246,7 @@ impl Bilin {
                 side.aim(&self.sides[s.ahead], s.line(t.unloading), k);
                 // An offset distinguishes a target at the first yield point from the virgin one.
                 if (side.reach - yielded[s.ahead]).abs() >= 1e-10 && (side.target - yielded[s.ahead]).abs() <= 1e-10 {
-                    let back = if self.compat && s.sign < 0.0 { -1e-9 } else { 1e-9 };
-                    side.target = yielded[s.ahead] - back;
+                    side.target = yielded[s.ahead] - R::before_yield(s.sign);
                 }
             }
         }
@@ -219,19 +269,16 @@ impl Bilin {
             0.0 => 0.0,
             force => 0.5 * force * force / (self.k() * ahead.hardening),
         };
-        if self.compat && s.sign < 0.0 {
-            return 0.5 * (t.sides[s.behind].target_force - s.force) * (ahead.target - s.from) + triangle;
-        }
-        0.5 * (s.force + ahead.target_force) * (ahead.target - s.from) + triangle
+        let forces = R::unloading_forces(s.sign, s.force, ahead.target_force, t.sides[s.behind].target_force);
+        0.5 * forces * (ahead.target - s.from) + triangle
     }
 
     /// Deterioration of the unloading stiffness at a reversal.
     fn soften(&self, s: &Step, spent: f64, reference: f64, recoverable: f64, t: &mut History) {
         let k = self.k();
         let level = |i: usize| (t.sides[i].cap_slope * (1.0 + self.n)).abs() < LEVEL;
-        let odd = self.compat && s.sign > 0.0;
         let inside = s.to >= -t.sides[s.behind].target;
-        if inside || (if odd { level(0) || level(1) } else { t.settled != 0.0 }) {
+        if inside || R::keeps_stiffness(s.sign, t.settled != 0.0, level) {
             return;
         }
         let mut beta = self.stiffness.beta(t.excursion_energy - recoverable, reference - spent);
@@ -252,11 +299,10 @@ impl Bilin {
         let residual = rule.residual * rule.strength;
         let elastic = (s.force + t.unloading * (x - s.from), t.unloading);
         let (no_ahead, no_behind) = (ahead.exhausted != 0.0, behind.exhausted != 0.0);
-        // In OpenSees, fracture at the residual strength does not affect the other side.
         let at_residual = no_ahead && (no_behind || x > ahead.target);
         if x >= rule.ultimate || (t.lost != 0.0 && !(no_ahead && no_behind)) {
             t.settled = 1.0;
-            if !(at_residual && self.compat) {
+            if !(at_residual && R::SPARES_RESIDUAL) {
                 t.lost = 1.0;
             }
             (NOTHING, FLAT)
@@ -319,9 +365,9 @@ impl Bilin {
         let (by_hardening, by_unloading) = (from(k * side.hardening), from(t.unloading));
         let (end, end_force) = if by_hardening.0 > by_unloading.0 { by_hardening } else { by_unloading };
         if x <= end {
-            return if x <= side.target { elastic } else { self.lower(s, elastic, side.harden(x, k)) };
+            return if x <= side.target { elastic } else { R::lower(s.sign, elastic, side.harden(x, k)) };
         }
-        let on_cap = self.lower(s, elastic, (end_force + cap.slope * (x - end), cap.slope));
+        let on_cap = R::lower(s.sign, elastic, (end_force + cap.slope * (x - end), cap.slope));
         self.stop_at_zero(s, on_cap, t)
     }
 
@@ -330,7 +376,7 @@ impl Bilin {
         let (k, x, side) = (self.k(), s.to, t.sides[s.ahead]);
         let cap = Line { x: side.cap, y: side.cap_force, slope: side.cap_slope * k };
         let target = Line { x: side.target, y: side.target_force, slope: k * side.hardening };
-        let known = !self.compat || x <= meet(&target, &cap).0;
+        let known = R::before_cap(x, || meet(&target, &cap).0);
         let answer = if known && x <= side.target {
             elastic
         } else if known && x <= side.cap {
@@ -343,23 +389,15 @@ impl Bilin {
         };
         let answer = if x <= side.cap + (residual - side.cap_force) / cap.slope {
             answer
-        } else if self.compat {
-            (residual, -FLAT)
         } else {
-            lower(elastic, (residual, -FLAT))
+            R::residual(elastic, residual)
         };
         if t.lost != 0.0 { (s.sign * NOTHING, answer.1) } else { answer }
     }
 
-    /// [`lower`]; OpenSees takes the slope of the second line on the positive side.
-    fn lower(&self, s: &Step, elastic: (f64, f64), other: (f64, f64)) -> (f64, f64) {
-        let least = lower(elastic, other);
-        if self.compat && s.sign > 0.0 { (least.0, other.1) } else { least }
-    }
-
     /// A post-capping branch ends at zero force, where all strength is lost.
     fn stop_at_zero(&self, s: &Step, (force, slope): (f64, f64), t: &mut History) -> (f64, f64) {
-        if slope == t.unloading || force * s.force >= 0.0 || (s.force < 0.0 && !self.compat) {
+        if slope == t.unloading || force * s.force >= 0.0 || !R::may_stop(s.force) {
             return (force, slope);
         }
         t.sides[if s.force > 0.0 { s.ahead } else { s.behind }].exhausted = 1.0;
@@ -430,7 +468,7 @@ fn lower(elastic: (f64, f64), other: (f64, f64)) -> (f64, f64) {
     (force, if (force - elastic.0).abs() < 1e-10 { elastic.1 } else { other.1 })
 }
 
-impl UniaxialLaw for Bilin {
+impl<R: Rules> UniaxialLaw for Bilin<R> {
     type State = History;
     const NAME: &'static str = "Bilin";
 
@@ -472,14 +510,14 @@ impl UniaxialLaw for Bilin {
                 if t.settled == 0.0 {
                     let before = t;
                     answer = self.deteriorate(&s, force, &mut t);
-                    if answer.0 != force && !self.compat {
+                    if answer.0 != force && R::MOVES_TARGET {
                         slope = self.slope_of_target(&s, (force, slope), &before, answer.0);
                     }
                 }
             }
         }
         let value = sign * answer.0;
-        let tangent = if self.compat { answer.1 } else { slope };
+        let tangent = R::tangent(answer.1, slope);
         if !(value.is_finite() && tangent.is_finite() && t.energy.is_finite() && t.unloading.is_finite()) {
             return Err(MaterialError(format!("Bilin has no force at a deformation of {:.6e}", strain.value)));
         }

@@ -1,9 +1,13 @@
 //! Shear hysteresis of rubber bearings by Kikuchi and Aiken.
 
+mod opensees;
+
 use super::{MaterialError, Strain, Stress, Uniaxial};
 use crate::numeric::{bracketed_root, sign};
 use crate::probe::Probe;
+use crate::rules::Consistent;
 use crate::state_struct::StateStruct;
+use opensees::{ElasticRange, short_decay};
 use std::fmt;
 
 /// Elastic limit of the shear strain, as in OpenSees.
@@ -89,34 +93,69 @@ pub trait Device: fmt::Debug + Clone + Send + Sync + 'static {
 /// <https://doi.org/10.1002/(SICI)1096-9845(199702)26:2%3C215::AID-EQE640%3E3.0.CO;2-9>. The parameters and their
 /// functions of the amplitude are those of OpenSees.
 #[derive(Clone, Debug)]
-pub struct KikuchiAiken<D> {
+pub struct KikuchiAiken<D, R = Consistent> {
     device: D,
     /// Factors of one of several parallel springs: R_s for displacement (times 1 / R_f) and R_f for force.
     rs: f64,
     rf: f64,
     /// Stiffness in the elastic range.
     elastic: f64,
-    /// As in OpenSees: the tangent on the skeleton, a softer return through the elastic range, and force jumps where
-    /// loops or formulas meet the skeleton. Further, a has a coarse tolerance, a loop closed to the last bit stays
-    /// open, and the initial tangent omits R_s.
-    compat: Option<Compat>,
+    /// Rules of the tangent and of the end of the loops.
+    rules: R,
 }
 
-/// Constants that reproduce OpenSees' numbers.
-#[derive(Clone, Copy, Debug)]
-struct Compat {
-    /// Force of the return divided by that of the outward path, in the elastic range.
-    back: f64,
-    /// Reported stiffness in the elastic range after a trial beyond it.
-    tried: f64,
+/// Rules of [`KikuchiAiken`] that differ in OpenSees.
+pub trait Rules: Clone + fmt::Debug + Send + Sync + 'static {
+    /// End of the first curve of a loop.
+    const LOOPS: Loops = Loops::Closed;
+
+    /// Returns true if a force of the skeleton, or a part of it, is valid.
+    fn accepts(x: f64) -> bool {
+        x > 0.0
+    }
+
+    /// Force and stiffness in the elastic range of stiffness `k`.
+    fn elastic(&self, k: f64, t: &Head) -> (f64, f64) {
+        (k * t.d, k)
+    }
+
+    /// Stiffness on the skeleton at the shear strain γ, of which `slope` is the derivative of the force.
+    fn on_skeleton<D: Device>(_device: &D, _gamma: f64, _t: &Head, _force: f64, slope: f64) -> f64 {
+        slope
+    }
+
+    /// Exponent n of the stiffening share.
+    fn exponent(n: f64) -> f64 {
+        n.max(1.0)
+    }
+
+    /// Returns true for an open loop, by the product of the distances from its ends.
+    fn is_open(past: f64) -> bool {
+        past < 0.0
+    }
+
+    /// Changes of the committed state by a trial state.
+    fn leave_trace(_tried: &[f64], _committed: &mut [f64]) {}
+
+    /// Initial tangent of a spring of stiffness `k` with the factor R_s.
+    fn initial_tangent(k: f64, rs: f64) -> f64 {
+        k * rs
+    }
+
+    /// Displacement that recorders show, with the factors R_s and R_f.
+    fn shown_strain(strain: f64, _factors: [f64; 2]) -> f64 {
+        strain
+    }
 }
+
+impl Rules for Consistent {}
 
 /// Maximum number of nested reversals. A further reversal closes the loop that differs least from the enclosing one.
 const LEVELS: usize = 48;
 
 crate::state_struct! {
     /// History without the reversals.
-    struct Head {
+    pub struct Head {
         /// Displacement times R_s / R_f.
         d: f64,
         /// Force.
@@ -197,90 +236,53 @@ fn closed_decay(share: f64, limit: f64) -> f64 {
     bracketed_root(rises, (0.0, f64::INFINITY), 1.0 / (1.0 - share), 1.0, 100).map_or(limit, |a| a.min(limit))
 }
 
-/// Parameter a of a loop that ends short of the skeleton: (1 - exp(-2a)) / a = 1 - π h_eq / (2u). Returns the end of
-/// OpenSees' bisection from `range`.
-fn short_decay(target: f64, range: f64, limit: f64) -> f64 {
-    const TOLERANCE: f64 = 1e-6;
-    if !(target > 0.0 && target < 2.0) {
-        return limit;
-    }
-    // Left side and its derivative.
-    let side = |a: f64| {
-        let e = (-2.0 * a).exp();
-        ((1.0 - e) / a, ((2.0 * a + 1.0) * e - 1.0) / (a * a))
-    };
-    let falls = |a: f64| {
-        let (value, slope) = side(a);
-        (target - value, -slope)
-    };
-    let Some(root) = bracketed_root(falls, (0.0, f64::INFINITY), 1.0 / target, 1.0, 100) else { return limit };
-    let slope = side(root).1;
-    // The root determines the path of the bisection and its end, without evaluating it at every step.
-    let (mut low, mut high) = (0.0, range);
-    for _ in 0..100 {
-        let a = 0.5 * (low + high);
-        let near = (slope * (a - root)).abs() < 2.0 * TOLERANCE * target;
-        if near && ((side(a).0 - target) / target).abs() < TOLERANCE {
-            return a.min(limit);
-        }
-        if a > root {
-            high = a;
-        } else {
-            low = a;
-            if low > limit {
-                return limit;
-            }
-        }
-    }
-    low.min(limit)
-}
-
 /// Parameter b of a curve with the dissipation of h_eq: b = c² [π h_eq / u - (2 + 2 / a (exp(-2a) - 1))].
 pub(super) fn bump_of_damping(heq: f64, u: f64, a: f64, c: f64) -> f64 {
     c * c * (std::f64::consts::PI * heq / u - (2.0 + 2.0 / a * ((-2.0 * a).exp() - 1.0)))
 }
 
+/// Stiffness in the elastic range.
+fn elastic_stiffness<D: Device>(device: &D) -> f64 {
+    device.skeleton(ELASTIC_STRAIN).0 / (ELASTIC_STRAIN * device.height())
+}
+
 impl<D: Device> KikuchiAiken<D> {
     /// A whole bearing (R_s = R_f = 1), or one of several parallel springs with the factors R_s and R_f.
-    pub fn new(device: D, [rs, rf]: [f64; 2], compat: bool) -> Self {
-        let device = if compat { device } else { device.joined() };
-        let elastic = device.skeleton(ELASTIC_STRAIN).0 / (ELASTIC_STRAIN * device.height());
-        let compat = compat.then(|| {
-            let Shape { u, a, .. } = device.shape(ELASTIC_STRAIN, Loops::Short);
-            let end = (-2.0 * a).exp();
-            Compat { back: 1.0 - 2.0 * u * end, tried: elastic * (1.0 - u + u * 2.0 * a * end) }
-        });
-        Self { device, rs, rf, elastic, compat }
+    pub fn new(device: D, [rs, rf]: [f64; 2]) -> Self {
+        let device = device.joined();
+        let elastic = elastic_stiffness(&device);
+        Self { device, rs, rf, elastic, rules: Consistent }
     }
+}
 
+impl<D: Device> KikuchiAiken<D, ElasticRange> {
+    /// As `new`, by the rules of OpenSees.
+    pub fn as_opensees(device: D, [rs, rf]: [f64; 2]) -> Self {
+        let elastic = elastic_stiffness(&device);
+        let rules = ElasticRange::of(&device, elastic);
+        Self { device, rs, rf, elastic, rules }
+    }
+}
+
+impl<D: Device, R: Rules> KikuchiAiken<D, R> {
     /// Rejects values of the fitted functions outside their range of validity; OpenSees continues with them.
     ///
     /// # Errors
-    /// The value is not positive, or with `compat` not finite.
+    /// The value is not positive, or by OpenSees' rules not finite.
     fn check(&self, x: f64, gamma: f64) -> Result<(), MaterialError> {
-        if x > 0.0 || (self.compat.is_some() && x.is_finite()) {
+        if R::accepts(x) {
             return Ok(());
         }
         let name = D::NAME;
         Err(MaterialError(format!("{name}: the shear strain {gamma:.3} is far beyond what the law was fitted to, 4.1")))
     }
 
-    /// Force and stiffness in the elastic range.
-    fn elastic(&self, t: &Head) -> (f64, f64) {
-        let Some(compat) = self.compat else { return (self.elastic * t.d, self.elastic) };
-        let back = if t.d * t.sign < 0.0 { compat.back } else { 1.0 };
-        (self.elastic * t.d * back, if t.sheared == 0.0 { self.elastic } else { compat.tried })
-    }
-
     /// Force and stiffness on the skeleton.
     fn skeleton(&self, t: &mut Head) -> Result<(f64, f64), MaterialError> {
         let gamma = t.max / self.device.height();
-        let (fm, mut k) = self.device.skeleton(gamma);
+        let (fm, k) = self.device.skeleton(gamma);
         self.check(fm, gamma)?;
-        if self.compat.is_some() {
-            let Shape { u, p, n, a } = self.device.shape(gamma, Loops::Short);
-            k = fm / t.max * ((1.0 - u) * (1.0 - p + p * n) + u * 2.0 * a * (-2.0 * a).exp());
-        }
+        let k = R::on_skeleton(&self.device, gamma, t, fm, k);
         t.fm = fm;
         Ok((fm * sign(t.d), k))
     }
@@ -301,15 +303,11 @@ impl<D: Device> KikuchiAiken<D> {
     fn reverse(&self, c: &Head, t: &mut Head, next: &mut [f64]) -> Result<(), MaterialError> {
         let gamma = c.d.abs() / self.device.height();
         if c.depth == 0.0 {
-            let loops = if self.compat.is_some() { Loops::Short } else { Loops::Closed };
-            let shape = self.device.shape(gamma, loops);
+            let shape = self.device.shape(gamma, R::LOOPS);
             self.check(shape.u, gamma)?;
-            (t.u, t.p, t.n, t.a) = (shape.u, shape.p, shape.n, shape.a);
-            if self.compat.is_none() {
-                t.n = t.n.max(1.0);
-            }
+            (t.u, t.p, t.n, t.a) = (shape.u, shape.p, R::exponent(shape.n), shape.a);
             let b = self.device.bump(gamma, t.a);
-            let alpha = if loops == Loops::Closed { 2.0 / self.curve(t.a, b, 2.0).0 } else { 1.0 };
+            let alpha = if R::LOOPS == Loops::Closed { 2.0 / self.curve(t.a, b, 2.0).0 } else { 1.0 };
             t.depth = 1.0;
             Reversal { x: sign(c.d), q2: sign(c.d) * t.u * t.fm, b, alpha }.write(&mut next[offset(1)..]);
             return Ok(());
@@ -335,7 +333,7 @@ impl<D: Device> KikuchiAiken<D> {
         while t.depth >= 2.0 {
             let (begin, end) = (reversal(next, t.depth()).x, reversal(next, t.depth() - 1).x);
             let past = (x - begin) * (x - end);
-            if past < 0.0 || (past == 0.0 && self.compat.is_some()) {
+            if R::is_open(past) {
                 break;
             }
             t.depth -= 1.0;
@@ -364,7 +362,7 @@ impl<D: Device> KikuchiAiken<D> {
     }
 }
 
-impl<D: Device> Uniaxial for KikuchiAiken<D> {
+impl<D: Device, R: Rules> Uniaxial for KikuchiAiken<D, R> {
     fn name(&self) -> &'static str {
         D::NAME
     }
@@ -389,7 +387,7 @@ impl<D: Device> Uniaxial for KikuchiAiken<D> {
         }
         let mut t = Head { d, sign: sign(step), max: c.max.max(d.abs()), ..c };
         let (force, stiffness) = if t.max <= ELASTIC_STRAIN * self.device.height() {
-            self.elastic(&t)
+            self.rules.elastic(self.elastic, &t)
         } else if d.abs() == t.max {
             (t.depth, t.sheared) = (0.0, 1.0);
             self.skeleton(&mut t)?
@@ -410,13 +408,11 @@ impl<D: Device> Uniaxial for KikuchiAiken<D> {
     }
 
     fn leave_trace(&self, tried: &[f64], committed: &mut [f64]) {
-        if self.compat.is_some() {
-            Head { sheared: Head::read(tried).sheared, ..Head::read(committed) }.write(committed);
-        }
+        R::leave_trace(tried, committed);
     }
 
     fn initial_tangent(&self) -> f64 {
-        if self.compat.is_some() { self.elastic } else { self.elastic * self.rs }
+        R::initial_tangent(self.elastic, self.rs)
     }
     fn is_viscous(&self) -> bool {
         false
@@ -427,9 +423,8 @@ impl<D: Device> Uniaxial for KikuchiAiken<D> {
     fn is_linear(&self) -> bool {
         false
     }
-    /// OpenSees reports the displacement with the factor R_s / R_f.
     fn shown_strain(&self, strain: f64, _: &[f64]) -> f64 {
-        if self.compat.is_some() { strain * self.rs / self.rf } else { strain }
+        R::shown_strain(strain, [self.rs, self.rf])
     }
     fn probe(&self, _: &[&str]) -> Option<Probe> {
         None

@@ -1,6 +1,10 @@
 //! Nailed wood shear walls.
 
+mod opensees;
+
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::rules::{Consistent, OpenSees};
+use std::fmt;
 
 /// Stiffness of a failed wall, force over displacement; the value of OpenSees.
 const FAILED_STIFFNESS: f64 = 1e-8;
@@ -25,16 +29,41 @@ pub struct SawsParameters {
     pub alpha: f64,
     /// Displacement at which reloading reaches the envelope divided by the largest displacement, β.
     pub beta: f64,
-    /// As in OpenSees: the intersection of pinched line and envelope has a force tolerance of 1e-6, and the
-    /// envelope's tangent is that of another displacement. A few reversals inside the loop have different rules on
-    /// the negative side.
-    pub compat: bool,
 }
+
+/// Rules of [`Saws`] that differ in OpenSees. A side is given by its sign.
+pub trait Rules: Clone + fmt::Debug + Send + Sync + 'static {
+    /// Force tolerance of the intersection of pinched line and envelope.
+    const TOLERANCE: f64 = 0.0;
+
+    /// Slope of the curve of the envelope at `x`, where it is `slope`; at the target of reloading the force is `target.1`.
+    fn curve_slope(_wall: &SawsParameters, _x: f64, _target: (f64, f64), slope: f64) -> f64 {
+        slope
+    }
+
+    /// Displacement at which the pinched line of a side leaves the curve; true if the step has passed the pinched line of the negative side.
+    fn leaves(leaves: f64, _s: f64, _passed: bool) -> f64 {
+        leaves
+    }
+
+    /// The way to the envelope begins on the pinched line; `fresh` for a side that has not been on the envelope.
+    fn keeps_pinched(_s: f64, _fresh: bool) -> bool {
+        true
+    }
+
+    /// Path before the one from which reloading goes on.
+    fn before_reloading(s: f64) -> f64 {
+        word(Path::Pinched, s)
+    }
+}
+
+impl Rules for Consistent {}
 
 /// The law of a [`SawsParameters`], with derived constants.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Saws {
+pub struct Saws<R = Consistent> {
     wall: SawsParameters,
+    rules: R,
     /// Displacement at the intersection of the pinched line with the exponential envelope.
     leaves: f64,
     /// Displacement at which all strength is lost.
@@ -135,7 +164,20 @@ impl Saws {
     /// Returns `None` if the pinched line does not meet the envelope within twice the displacement at the largest
     /// force.
     pub fn new(wall: SawsParameters) -> Option<Self> {
-        let mut made = Self { wall, leaves: 0.0, ultimate: 0.0 };
+        Self::of(wall, Consistent)
+    }
+}
+
+impl Saws<OpenSees> {
+    /// As `new`, by the rules of OpenSees.
+    pub fn as_opensees(wall: SawsParameters) -> Option<Self> {
+        Self::of(wall, OpenSees)
+    }
+}
+
+impl<R: Rules> Saws<R> {
+    fn of(wall: SawsParameters, rules: R) -> Option<Self> {
+        let mut made = Self { wall, rules, leaves: 0.0, ultimate: 0.0 };
         let far = 2.0 * made.wall.du;
         if made.curve(far).0 < made.pinched(far).0 {
             return None;
@@ -179,7 +221,6 @@ impl Saws {
 
     /// Displacement at the intersection of pinched line and exponential envelope, by bisection.
     fn find_leaving(&self) -> f64 {
-        let tolerance = if self.wall.compat { 1e-6 } else { 0.0 };
         let (mut low, mut high, mut middle) = (0.0, 2.0 * self.wall.du, self.wall.du);
         for _ in 0..MAX_BISECTIONS {
             middle = 0.5 * (low + high);
@@ -189,7 +230,7 @@ impl Saws {
             } else {
                 low = middle;
             }
-            if above.abs() <= tolerance || middle == low && middle == high {
+            if above.abs() <= R::TOLERANCE || middle == low && middle == high {
                 break;
             }
         }
@@ -230,7 +271,7 @@ enum Next {
     At(f64, (f64, f64), bool),
 }
 
-impl Saws {
+impl<R: Rules> Saws<R> {
     fn follow(&self, now: (Path, f64), u: f64, passed: PassedPaths, t: &mut History) -> Next {
         let (path, side) = now;
         let sign = if u >= 0.0 { 1.0 } else { -1.0 };
@@ -264,15 +305,7 @@ impl Saws {
                 let target = self.wall.beta * x;
                 let (mut target_stress, _) = on(target);
                 if path == Path::Curve {
-                    if self.wall.compat {
-                        let there = self.curve(target);
-                        let (asymptote, left) = (
-                            self.wall.fo + self.wall.r[0] * self.wall.so * target,
-                            (-self.wall.so * x / self.wall.fo).exp(),
-                        );
-                        let share = there.0 / asymptote;
-                        at.1 = asymptote * self.wall.so / self.wall.fo * left + self.wall.r[0] * self.wall.so * share;
-                    }
+                    at.1 = R::curve_slope(&self.wall, x, (target, target_stress), at.1);
                     target_stress = target_stress.min(self.curve(self.wall.du).0);
                 }
                 t.sides[i] = SideHistory { yielded: 1.0, strain: x, stress: at.0, target, target_stress };
@@ -313,14 +346,13 @@ impl Saws {
                 }
                 let (slope, end) = self.reload(&t.sides[i], t.reloading);
                 t.reloading = slope;
-                let odd = self.wall.compat && s > 0.0 && passed.negative;
-                let near = if odd { -self.leaves } else { self.leaves };
+                let near = R::leaves(self.leaves, s, passed.negative);
                 if x <= near || (t.sides[i].yielded != 0.0 && x <= end) {
                     t.before = word(Path::Pinched, s);
                     return Next::At(s, self.pinched(x), true);
                 }
                 let fresh = t.sides[i].yielded == 0.0;
-                if fresh || s > 0.0 || !self.wall.compat {
+                if R::keeps_pinched(s, fresh) {
                     t.before = word(Path::Pinched, s);
                 }
                 Next::To(if fresh { Path::Virgin } else { Path::Reloading }, s)
@@ -342,9 +374,7 @@ impl Saws {
                     self.pinched(turn).0
                 } else {
                     t.reloading = self.wall.so * (self.wall.fo / self.wall.so / r.target).powf(self.wall.alpha);
-                    let other =
-                        if self.wall.compat && s < 0.0 { word(Path::Unloading, 1.0) } else { word(Path::Pinched, s) };
-                    if before == other && x >= self.reloading_intersection(&r, t.reloading) {
+                    if before == R::before_reloading(s) && x >= self.reloading_intersection(&r, t.reloading) {
                         t.before = word(path, s);
                         return Next::To(Path::Reloading, s);
                     }
@@ -366,7 +396,7 @@ impl Saws {
     }
 }
 
-impl UniaxialLaw for Saws {
+impl<R: Rules> UniaxialLaw for Saws<R> {
     type State = History;
     const NAME: &'static str = "SAWS";
 

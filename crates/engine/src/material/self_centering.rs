@@ -1,10 +1,14 @@
 //! Flag-shaped hysteresis of self-centring braces.
 
+mod opensees;
+
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::rules::Consistent;
+use std::fmt;
 
 /// Flag-shaped law with a fuse that slips and then bears (Christopoulos, Tremblay, Kim and Lacerte, 2008).
 #[derive(Clone, Debug, PartialEq)]
-pub struct SelfCentering {
+pub struct SelfCentering<R = Consistent> {
     /// Initial stiffness k₁.
     pub k1: f64,
     /// Stiffness after activation k₂.
@@ -19,10 +23,32 @@ pub struct SelfCentering {
     pub bearing: f64,
     /// Stiffness in bearing divided by k₁.
     pub bearing_ratio: f64,
-    /// As in OpenSees, a flag keeps its shift after a jump to the elastic range around zero, or after a trial on it.
-    /// A step that begins to slip slips as a whole, and slip does not change the tangent.
-    pub compat: bool,
+    /// Rules of the jumps off the flag and of the slip.
+    pub rules: R,
 }
+
+/// Rules of [`SelfCentering`] that differ in OpenSees.
+pub trait Rules: Clone + fmt::Debug + Send + Sync + 'static {
+    /// The elastic range that a step has left comes back to where it was.
+    const COMES_BACK: bool = true;
+
+    /// History that a trial state begins with; `steps` counts its step.
+    fn begin(committed: &History, _last: &History, steps: f64) -> History {
+        History { steps, ..*committed }
+    }
+
+    /// Change of the slip in a step of `d` that goes `beyond` the strain of the slip.
+    fn slip(d: f64, beyond: f64) -> f64 {
+        beyond.copysign(d)
+    }
+
+    /// How far the elastic range has moved while the fuse slips, and the tangent: `moved` and `tangent` are those before the step.
+    fn slipping(_moved: f64, _tangent: f64, to: f64) -> (f64, f64) {
+        (to, 0.0)
+    }
+}
+
+impl Rules for Consistent {}
 
 crate::state_struct! {
     /// History of [`SelfCentering`].
@@ -42,7 +68,7 @@ crate::state_struct! {
     }
 }
 
-impl SelfCentering {
+impl<R: Rules> SelfCentering<R> {
     /// Stress and tangent on one side outside the elastic range around zero, mirrored in compression. `x` is the
     /// strain minus the slip, `total` the strain.
     fn flag(&self, c: &History, x: f64, total: f64, d: f64, side: usize, t: &mut History) -> (f64, f64) {
@@ -55,13 +81,10 @@ impl SelfCentering {
             let k = self.bearing_ratio * self.k1;
             (on_line(held) + (total - self.bearing) * k, k)
         } else if self.slip != 0.0 && x > self.slip {
-            if self.compat {
-                t.slip = c.slip + d;
-                return (on_line(self.slip), self.k1 + t.softening);
-            }
-            t.slip = c.slip + (x - self.slip).copysign(d);
-            t.moved[side] = self.slip - start;
-            (on_line(self.slip), 0.0)
+            t.slip = c.slip + R::slip(d, x - self.slip);
+            let (moved, tangent) = R::slipping(t.moved[side], self.k1 + t.softening, self.slip - start);
+            t.moved[side] = moved;
+            (on_line(self.slip), tangent)
         } else if x > start + moved {
             t.moved[side] = x - start;
             (on_line(x), self.k2)
@@ -74,7 +97,7 @@ impl SelfCentering {
     }
 }
 
-impl UniaxialLaw for SelfCentering {
+impl<R: Rules> UniaxialLaw for SelfCentering<R> {
     type State = History;
     const NAME: &'static str = "SelfCentering";
 
@@ -85,7 +108,7 @@ impl UniaxialLaw for SelfCentering {
     fn update_on(&self, c: &History, last: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
         let d = strain.value - c.strain;
         let steps = c.steps + 1.0;
-        let mut t = if self.compat && last.steps == steps { *last } else { History { steps, ..*c } };
+        let mut t = R::begin(c, last, steps);
         if d.abs() < f64::EPSILON {
             return Ok((Stress { value: t.stress, tangent: self.k1 + t.softening, damping: 0.0 }, t));
         }
@@ -93,7 +116,7 @@ impl UniaxialLaw for SelfCentering {
         let x = strain.value - c.slip;
         let (side, s) = if x >= 0.0 { (0, 1.0) } else { (1, -1.0) };
         let elastic = s * x <= (1.0 - self.beta) * self.activation / self.k1;
-        if !self.compat {
+        if R::COMES_BACK {
             // A flag that is left returns to its initial position.
             t.moved[1 - side] = 0.0;
             if elastic {

@@ -2,6 +2,7 @@
 
 use crate::args::Args;
 use crate::session::{Mode, Parts};
+use crate::slips;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, kind, warn};
 use hysteron_engine::analysis::algorithm::{Algorithm, Newton, TangentChoice};
 use hysteron_engine::analysis::integrator::Form;
@@ -194,7 +195,10 @@ fn step_lengths(a: &mut Args<'_>) -> Result<Adaptive, Exception> {
 fn warn_of_plain(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
     let engine = &interp.host.engine;
     let told = interp.host.warnings.reported.contains_key("plain");
-    if told || engine.options.compat || !engine.setup().is_some_and(|s| s.handler == Handler::Plain) {
+    if told
+        || interp.host.follows(&[slips::PLAIN_IMPOSED, slips::PLAIN_CONSTRAINTS])
+        || !engine.setup().is_some_and(|s| s.handler == Handler::Plain)
+    {
         return Ok(());
     }
     let model = engine.model();
@@ -321,11 +325,11 @@ fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         interp.host.check.pass_over(count);
         return Ok(Value::list((0..count).map(|_| Value::from(1.0))));
     }
+    lapack &= interp.host.follows(&[slips::EIGEN_LAPACK]);
     let engine = &mut interp.host.engine;
     if let Some(handler) = interp.host.parts.handler {
         engine.default_handler = handler;
     }
-    lapack &= engine.options.compat;
     match engine.find_modes(Wanted { count, problem, largest, lapack }) {
         Ok(modes) => {
             let lambda = modes.lambda.clone();

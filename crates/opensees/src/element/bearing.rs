@@ -2,6 +2,7 @@
 
 use super::{Ends, Kind, Make, orientation};
 use crate::args::Args;
+use crate::slips;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::axes::Orientation;
@@ -107,7 +108,7 @@ pub(super) fn shear_dist(a: &mut Args<'_>) -> Result<f64, Exception> {
 fn common(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, nodes: Option<Span>) -> Result<Common, Exception> {
     let wanted: &[&str] = if ends.ndm == 2 { &["-P", "-Mz"] } else { &["-P", "-T", "-My", "-Mz"] };
     let materials = materials(interp, a, wanted)?;
-    let (place, compat) = (Placement::at_nodes(nodes), interp.host.engine.options.compat);
+    let (place, compat) = (Placement::at_nodes(nodes), interp.host.follows(&[slips::P_DELTA_TANGENT]));
     let mut c = Common { materials, place, shear_dist: 0.5, rayleigh: false, mass: 0.0, compat };
     while let Some(option) = a.option() {
         match option.as_ref() {
@@ -158,7 +159,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         eta,
         beta,
         gamma,
-        compat: interp.host.engine.options.compat,
+        compat: interp.host.follows(&[slips::BOUC_WEN_TANGENT]),
     };
     around(a, shear, c, ends)
 }
@@ -186,7 +187,7 @@ fn make_plastic(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<d
     let alpha2 = a.float("post-yield stiffness ratio alpha2 of the nonlinear hardening")?;
     let mu = hardening_exponent(a, alpha2)?;
     let c = common(interp, a, ends, nodes)?;
-    let compat = interp.host.engine.options.compat;
+    let compat = interp.host.follows(&[slips::PLASTICITY_TRIAL]);
     let shear = PlasticShear { k0: (1.0 - alpha1) * k_init, qd, k2: alpha1 * k_init, k3: alpha2 * k_init, mu, compat };
     around(a, shear, c, ends)
 }

@@ -4,6 +4,7 @@ use super::beam::{Place, no_transform, numbers_ahead};
 use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::section::beam_integration::{integration, simple};
+use crate::slips;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::beam::{
@@ -87,16 +88,19 @@ fn make_deflected(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, shear: bool) 
     let nodes = a.last_span();
     let words = take(interp, a, ends, Rule::Lobatto, Some(shear))?;
     let (iteration, shear) = (words.force_based, words.shear);
-    let (compat, plane) = (interp.host.engine.options.compat, ends.ndm == 2);
+    let (compat, plane) = (interp.host.follows(&[slips::DEFLECTED_BEAM]), ends.ndm == 2);
     let size: usize = words.integration.sections.iter().map(|(s, _)| s.resultants().len()).sum();
     if size > MAX_DEFORMATIONS {
         let message = format!("the sections have {size} deformations together");
         return Err(a.refuse_at(nodes, message, format!("expected {MAX_DEFORMATIONS} at most: fewer sections")));
     }
-    let formulation = |places: &[f64]| {
-        let made = CurvatureBased::new(iteration, places, shear, compat, plane);
-        made.ok_or_else(|| a.refuse_at(nodes, "two sections are at the same place", "expected another integration"))
-    };
+    let refusal = || a.refuse_at(nodes, "two sections are at the same place", "expected another integration");
+    if compat {
+        let formulation =
+            |places: &[f64]| CurvatureBased::as_opensees(iteration, places, shear, plane).ok_or_else(refusal);
+        return build(formulation, a, words, ends, nodes);
+    }
+    let formulation = |places: &[f64]| CurvatureBased::new(iteration, places, shear).ok_or_else(refusal);
     build(formulation, a, words, ends, nodes)
 }
 
@@ -186,7 +190,7 @@ fn take(
 
 /// A force-based beam as the run wants it.
 fn follower(interp: &Tcl) -> ForceBased {
-    ForceBased { compat: interp.host.engine.options.compat, ..ForceBased::default() }
+    ForceBased { compat: interp.host.follows(&[slips::FORCE_BEAM_TRIALS]), ..ForceBased::default() }
 }
 
 fn iterations(a: &mut Args<'_>, force_based: &mut ForceBased) -> Result<(), Exception> {

@@ -6,11 +6,13 @@ use super::{Ends, Make};
 use crate::Tcl;
 use crate::args::Args;
 use crate::model::transform::vector;
+use crate::slips;
 use hysteron_engine::element::Element;
 use hysteron_engine::element::axes::Orientation;
 use hysteron_engine::element::bearing::sliding::{
     Dish, Heat, HeatSetting, Kind, Setting, SpaceSlider, Substitution, Surface,
 };
+use hysteron_engine::rules::Consistent;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
@@ -27,7 +29,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     if (ends.ndm, ends.ndf) != (3, 6) {
         return Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions"));
     }
-    let compat = interp.host.engine.options.compat;
+    let compat = interp.host.follows(&[slips::PTV_HEAT, slips::PTV_FORCE, slips::PTV_TENSION]);
     let on = |a: &mut Args<'_>, what: &str| Ok::<bool, Exception>(one_of(a, what, 0..=1)? == 1);
     let mu = a.positive("reference coefficient of friction MuRef")?;
     let by_pressure = on(a, "dependence on pressure")?;
@@ -62,9 +64,12 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         conduction,
         compat,
     });
-    let compat = compat.then_some(substitution);
-    let setting = Setting { kind: Kind::Heated, mass, rayleigh, uplift: 1e-6, compat };
+    let setting = Setting { kind: Kind::Heated, mass, rayleigh, uplift: 1e-6, rules: Consistent };
     let surface = Surface { friction: Arc::new(heat), k_init, dish: Some(dish) };
     let (link, length) = place.link(a, ends, shear_dist)?;
-    Ok(Arc::new(SpaceSlider::new(surface, (link, length, shear_dist), materials, setting).warming(heat)))
+    let link = (link, length, shear_dist);
+    Ok(match compat {
+        true => Arc::new(SpaceSlider::new(surface, link, materials, setting.with(substitution)).warming(heat)),
+        false => Arc::new(SpaceSlider::new(surface, link, materials, setting).warming(heat)),
+    })
 }

@@ -3,12 +3,14 @@
 use super::triple::{lengths, stiffness};
 use super::{Ends, Kind, Make};
 use crate::args::Args;
+use crate::slips;
 use crate::{Tcl, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::triple::{
-    Body, Conduction, Heated, HeatedSetting, Softening, TriplePendulum, TripleSetting,
+    Body, Conduction, Heated, HeatedSetting, Increments, Softening, TriplePendulum, TripleSetting,
 };
 use hysteron_engine::material::Material;
+use hysteron_engine::rules::Consistent;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
@@ -54,7 +56,7 @@ fn materials(interp: &Tcl, a: &mut Args<'_>) -> Result<(Body, [(Material, i32); 
     let known = &interp.host.builder.definitions.materials;
     let tag = one_of(a, "conduction tagT2 (1 half space, 2 plate)", 1..=2)?;
     let body = if tag == 1 { Body::HalfSpace } else { Body::Plate };
-    let compat = interp.host.engine.options.compat;
+    let compat = interp.host.follows(&[slips::TRIPLE_X_MATERIALS]);
     let early = match known.get(tag) {
         Some(material) => (material.clone(), tag),
         None if compat => {
@@ -74,7 +76,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     if (ends.ndm, ends.ndf) != (3, 6) {
         return Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions"));
     }
-    let compat = interp.host.engine.options.compat;
+    let compat = interp.host.follows(&[slips::TRIPLE_X_HEAT, slips::TRIPLE_X_CONDUCTION, slips::TRIPLE_X_FORCE]);
     if one_of(a, "way tagT to the displacements of the surfaces", 0..=1)? == 0 {
         let d = Diagnostic::warning(
             "TripleFrictionPendulumX: the displacements of the surfaces, and with them speeds and heat, are those of the series \
@@ -132,6 +134,9 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let inner = whole - d[1] * (1.0 - l[0] / l[1]) - d[2] * (1.0 - l[0] / l[2]);
     let chain = super::triple::chain(e, &l, &d, inner);
     let height = ends.place.1.z - ends.place.0.z;
-    let setting = TripleSetting { weight, k_tension, least_normal, height, compat: compat.then_some(tolerance) };
-    Ok(Arc::new(TriplePendulum::heated(chain, heated, materials, setting)))
+    let setting = TripleSetting { weight, k_tension, least_normal, height, rules: Consistent };
+    Ok(match compat {
+        true => Arc::new(TriplePendulum::heated(chain, heated, materials, setting.with(Increments(tolerance)))),
+        false => Arc::new(TriplePendulum::heated(chain, heated, materials, setting)),
+    })
 }

@@ -3,6 +3,7 @@
 use super::multiple_springs::{Orient, distribution, divisions, once, option_missing, shape};
 use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
+use crate::slips;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::{
@@ -164,7 +165,15 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     if o.limit.is_none() && shear_springs > 2 {
         warn_unscaled(interp, nodes, shear_springs)?;
     }
-    let scheme = match interp.host.engine.options.compat {
+    let scheme = match interp.host.follows(&[
+        slips::KIKUCHI_ITERATION,
+        slips::KIKUCHI_SHARED,
+        slips::KIKUCHI_OFFSET,
+        slips::KIKUCHI_TILT,
+        slips::KIKUCHI_LIMIT,
+        slips::KIKUCHI_FIRST_STIFFNESS,
+        slips::KIKUCHI_INITIAL,
+    ]) {
         true => Scheme::OpenSees(o.balance.unwrap_or(Balance { tolerance: 0.0, rounds: 0 })),
         false => Scheme::Converged,
     };

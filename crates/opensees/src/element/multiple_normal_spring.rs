@@ -3,6 +3,7 @@
 use super::multiple_springs::{Orient, distribution, divisions, once, option_missing, shape};
 use super::{Ends, Kind, Make};
 use crate::args::Args;
+use crate::slips;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::{Distribution, Layout, Link, Mean, MultipleNormalSpring, NormalSprings};
@@ -57,7 +58,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         let message = format!("{NAME}: its nodes are at one place");
         return Err(a.refuse_at(nodes, message, "expected nodes at a distance: it is the length of the springs"));
     }
-    let compat = interp.host.engine.options.compat;
+    let compat = interp.host.follows(&[slips::NORMAL_SPRINGS_COMMIT, slips::NORMAL_SPRINGS_AXIAL_SP]);
     let mut layout = Layout::new(outline, size, n, lambda, Mean::Section);
     if compat {
         // OpenSees counts y the other way round, which shows as it commits only some of the springs.

@@ -4,6 +4,7 @@ use super::multiple_springs::{Orient, divisions, once, option_missing};
 use super::{Ends, Kind, Make, refused};
 use crate::Tcl;
 use crate::args::Args;
+use crate::slips;
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::{Link, MultipleShearSpring, ShearSprings};
 use hysteron_tcl::Exception;
@@ -52,7 +53,10 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let materials = materials.ok_or_else(|| option_missing(a, last, NAME, "-mat", "the tag of a material"))?;
     let (axes, length) = orient.axes(a, ends, nodes)?;
     let springs = ShearSprings::of(materials, limit, MultipleShearSpring::HEADER);
-    let compat = interp.host.engine.options.compat;
-    let element = MultipleShearSpring::new(springs, Link::new(&axes, length, 0.5), mass, compat);
-    Ok(Arc::new(element.map_err(|e| refused(a, limit_at, e))?))
+    let link = Link::new(&axes, length, 0.5);
+    let element = match interp.host.follows(&[slips::SHEAR_SPRINGS_LIMIT]) {
+        true => MultipleShearSpring::as_opensees(springs, link, mass).map(|e| Arc::new(e) as Arc<dyn Element>),
+        false => MultipleShearSpring::new(springs, link, mass).map(|e| Arc::new(e) as Arc<dyn Element>),
+    };
+    element.map_err(|e| refused(a, limit_at, e))
 }

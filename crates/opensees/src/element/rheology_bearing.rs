@@ -5,6 +5,7 @@ use super::{Ends, Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
 use crate::material::rheology;
+use crate::slips;
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::{RheologyShear, RubberBearing};
 use hysteron_engine::material::HdrRheology;
@@ -82,7 +83,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     layers.cover = c.cover;
     let rubber = layers.bearing();
     let law = HdrRheology { area: rubber.area, height: rubber.thickness, ..law };
-    let axial = c.axial(rubber, [varies; 3], interp.host.engine.options.compat);
+    let axial = c.axial(rubber, [varies; 3], interp.host.follows(&[slips::RUBBER_LAG]));
     let shear = RheologyShear { law };
     let link = c.link(a, ends)?;
     let link = if p_delta { link } else { link.first_order() };

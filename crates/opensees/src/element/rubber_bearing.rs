@@ -3,12 +3,14 @@
 use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::model::transform::vector;
+use crate::slips;
 use crate::{Tcl, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::axes::Orientation;
 use hysteron_engine::element::bearing::{
-    AxialLaw, GrantShear, Layers, LeadCore, Link, PI, Rubber, RubberBearing, RubberBoucWen,
+    AxialLaw, GrantShear, Layers, LeadCore, Link, PI, Rubber, RubberBearing, RubberBoucWen, RubberShear,
 };
+use hysteron_engine::rules::{Consistent, OpenSees};
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use nalgebra::Vector3;
@@ -232,10 +234,20 @@ fn make_hdr(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn E
     }
     nothing_left(a)?;
     layers.cover = c.cover;
-    let compat = interp.host.engine.options.compat;
-    let shear = GrantShear { a: elastic, b: hysteretic, c: damage, compat };
+    let compat = interp.host.follows(&[
+        slips::P_DELTA_TANGENT,
+        slips::RUBBER_LAG,
+        slips::RUBBER_TENSION,
+        slips::RUBBER_COMPRESSION,
+        slips::HDR_TRIAL,
+    ]);
+    let shear = GrantShear { a: elastic, b: hysteretic, c: damage, rules: Consistent };
     let axial = c.axial(layers.bearing(), [true; 3], compat);
-    Ok(Arc::new(RubberBearing::new(axial, shear, c.link(a, ends)?.under_given_force(compat), c.mass)))
+    let link = c.link(a, ends)?.under_given_force(compat);
+    Ok(match compat {
+        true => around(axial, shear.with(OpenSees), link, c.mass),
+        false => around(axial, shear, link, c.mass),
+    })
 }
 
 /// Yield force and the ratio of stiffnesses after and before yielding.
@@ -294,7 +306,13 @@ fn make_elastomeric(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<A
         switches(interp, a, ["cavitation", "critical load", "shear stiffness", "axial stiffness"])?;
     nothing_left(a)?;
     layers.cover = c.cover;
-    let compat = interp.host.engine.options.compat;
+    let compat = interp.host.follows(&[
+        slips::P_DELTA_TANGENT,
+        slips::RUBBER_LAG,
+        slips::RUBBER_TENSION,
+        slips::RUBBER_COMPRESSION,
+        slips::RUBBER_REST,
+    ]);
     let rubber = layers.bearing();
     let shear = RubberBoucWen {
         qy,
@@ -305,10 +323,14 @@ fn make_elastomeric(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<A
         leaded: false,
         core: None,
         heats: false,
-        compat,
+        rules: Consistent,
     };
     let axial = c.axial(rubber, [cavitates, buckles, softens], compat);
-    Ok(Arc::new(RubberBearing::new(axial, shear, c.link(a, ends)?.under_given_force(compat), c.mass)))
+    let link = c.link(a, ends)?.under_given_force(compat);
+    Ok(match compat {
+        true => around(axial, shear.with(OpenSees), link, c.mass),
+        false => around(axial, shear, link, c.mass),
+    })
 }
 
 fn make_leaded(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
@@ -351,7 +373,14 @@ fn make_leaded(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dy
     }
     nothing_left(a)?;
     layers.cover = c.cover;
-    let compat = interp.host.engine.options.compat;
+    let compat = interp.host.follows(&[
+        slips::P_DELTA_TANGENT,
+        slips::RUBBER_LAG,
+        slips::RUBBER_TENSION,
+        slips::RUBBER_COMPRESSION,
+        slips::RUBBER_REST,
+        slips::LEAD_HEATING,
+    ]);
     let rubber = layers.bearing();
     let radius = 0.5 * layers.inner;
     let core = (radius > 0.0).then(|| LeadCore {
@@ -365,7 +394,17 @@ fn make_leaded(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dy
         diffusivity,
     });
     let k0 = (1.0 / alpha - 1.0) * rubber.shear;
-    let shear = RubberBoucWen { qy, k0, rubber: rubber.shear, cd: c.cd, varies, leaded: true, core, heats, compat };
+    let shear =
+        RubberBoucWen { qy, k0, rubber: rubber.shear, cd: c.cd, varies, leaded: true, core, heats, rules: Consistent };
     let axial = c.axial(rubber, [cavitates, buckles, softens], compat);
-    Ok(Arc::new(RubberBearing::new(axial, shear, c.link(a, ends)?.under_given_force(compat), c.mass)))
+    let link = c.link(a, ends)?.under_given_force(compat);
+    Ok(match compat {
+        true => around(axial, shear.with(OpenSees), link, c.mass),
+        false => around(axial, shear, link, c.mass),
+    })
+}
+
+/// The bearing of an axial law and a shear law.
+fn around<L: RubberShear + 'static>(axial: AxialLaw, shear: L, link: Link<12, 6>, mass: f64) -> Arc<dyn Element> {
+    Arc::new(RubberBearing::new(axial, shear, link, mass))
 }

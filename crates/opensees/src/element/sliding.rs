@@ -3,11 +3,13 @@
 use super::bearing::{Placement, materials};
 use super::{Ends, Make, orientation};
 use crate::args::Args;
+use crate::slips;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::sliding::{
     Dish, Kind, PlaneSlider, Setting, SpaceSlider, Substitution, Surface,
 };
+use hysteron_engine::rules::Consistent;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
@@ -53,10 +55,11 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, kind: Kind) -> Result<A
     let materials = materials(interp, a, wanted)?;
     let mut place = Placement::at_nodes(nodes);
     let mut substitution = Substitution { rounds: 25, tolerance: 1e-12 };
-    let compat = interp.host.engine.options.compat;
+    let compat =
+        interp.host.follows(&[slips::SLIDER_FORCE, slips::SLIDER_TRIAL, slips::SLIDER_TANGENT, slips::SLIDER_UPLIFT]);
     // OpenSees gives the flat slider no share of its own.
     let uplift = if compat && kind == Kind::Flat { f64::EPSILON } else { 1e-6 };
-    let mut setting = Setting { kind, mass: 0.0, rayleigh: false, uplift, compat: None };
+    let mut setting = Setting { kind, mass: 0.0, rayleigh: false, uplift, rules: Consistent };
     let mut shear_dist = 0.0;
     let known = match kind {
         Kind::Flat => &OPTIONS[..5],
@@ -85,16 +88,23 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, kind: Kind) -> Result<A
             _ => ignore_option(interp, a, known)?,
         }
     }
-    setting.compat = compat.then_some(substitution);
     let surface = Surface { friction, k_init, dish };
     match (ends.ndm, ends.ndf) {
         (2, 3) => {
             let (link, length) = place.link(a, ends, shear_dist)?;
-            Ok(Arc::new(PlaneSlider::new(surface, (link, length, shear_dist), materials, setting)))
+            let link = (link, length, shear_dist);
+            Ok(match compat {
+                true => Arc::new(PlaneSlider::new(surface, link, materials, setting.with(substitution))),
+                false => Arc::new(PlaneSlider::new(surface, link, materials, setting)),
+            })
         }
         (3, 6) => {
             let (link, length) = place.link(a, ends, shear_dist)?;
-            Ok(Arc::new(SpaceSlider::new(surface, (link, length, shear_dist), materials, setting)))
+            let link = (link, length, shear_dist);
+            Ok(match compat {
+                true => Arc::new(SpaceSlider::new(surface, link, materials, setting.with(substitution))),
+                false => Arc::new(SpaceSlider::new(surface, link, materials, setting)),
+            })
         }
         _ => Err(ends.wrong(a, "3 degrees of freedom in 2 or 6 in 3 dimensions")),
     }

@@ -3,10 +3,12 @@
 use super::{Ends, Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
+use crate::slips;
 use hysteron_engine::element::Element;
-use hysteron_engine::element::bearing::triple::{Chain, Segment, TriplePendulum, TripleSetting};
+use hysteron_engine::element::bearing::triple::{Chain, Increments, Segment, TriplePendulum, TripleSetting};
 use hysteron_engine::element::friction::Friction;
 use hysteron_engine::material::Material;
+use hysteron_engine::rules::Consistent;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Span;
 use std::sync::Arc;
@@ -81,7 +83,17 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let tolerance = a.positive("tolerance tol")?;
     let chain = chain(e, &l, &d, 2.0 * (l[0] / l[2] * d[2] + d[0]));
     let height = ends.place.1.z - ends.place.0.z;
-    let compat = interp.host.engine.options.compat.then_some(tolerance);
-    let setting = TripleSetting { weight, k_tension, least_normal, height, compat };
-    Ok(Arc::new(TriplePendulum::new(chain, frictions, materials, setting)))
+    let slips = [
+        slips::TRIPLE_FRICTION,
+        slips::TRIPLE_FORCE,
+        slips::TRIPLE_TENSION,
+        slips::TRIPLE_MOMENTS,
+        slips::TRIPLE_TANGENT,
+        slips::TRIPLE_RAYLEIGH,
+    ];
+    let setting = TripleSetting { weight, k_tension, least_normal, height, rules: Consistent };
+    Ok(match interp.host.follows(&slips) {
+        true => Arc::new(TriplePendulum::new(chain, frictions, materials, setting.with(Increments(tolerance)))),
+        false => Arc::new(TriplePendulum::new(chain, frictions, materials, setting)),
+    })
 }

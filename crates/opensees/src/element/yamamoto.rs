@@ -4,8 +4,9 @@ use super::multiple_springs::Orient;
 use super::{Ends, Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
+use crate::slips;
 use hysteron_engine::element::Element;
-use hysteron_engine::element::bearing::{Link, ShearBearing, YamamotoShear};
+use hysteron_engine::element::bearing::{Link, ShearBearing, ShearLaw, YamamotoShear};
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
@@ -42,8 +43,14 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         }
     }
     let (axes, length) = orient.axes(a, ends, nodes)?;
-    let law = YamamotoShear::new([outer, inner], height, factors, interp.host.engine.options.compat);
-    // No springs besides the shear: nothing resists axial force, torsion and bending.
-    let bearing = ShearBearing::<_, 12, 6, 0, 2>::new(law, Link::new(&axes, length, 0.5), [], mass, true);
-    Ok(Arc::new(bearing))
+    let link = Link::new(&axes, length, 0.5);
+    Ok(match interp.host.follows(&[slips::YAMAMOTO_EULER]) {
+        true => around(YamamotoShear::as_opensees([outer, inner], height, factors), link, mass),
+        false => around(YamamotoShear::new([outer, inner], height, factors), link, mass),
+    })
+}
+
+/// The bearing of a shear law. Nothing resists axial force, torsion and bending.
+fn around<L: ShearLaw<2> + 'static>(law: L, link: Link<12, 6>, mass: f64) -> Arc<dyn Element> {
+    Arc::new(ShearBearing::<_, 12, 6, 0, 2>::new(law, link, [], mass, true))
 }

@@ -3,6 +3,7 @@
 use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
 use crate::model::transform::vector;
+use crate::slips;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::element::axes::{self, Orientation};
 use hysteron_engine::element::{CoupledZeroLength, Element, RayleighDamping, ZeroLength};
@@ -103,6 +104,6 @@ fn make_coupled(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<d
     }
     let material = a.of(&interp.host.builder.definitions.materials)?;
     let rayleigh = a.optional_int("flag")?.is_some_and(|flag| flag == 1);
-    let compat = interp.host.engine.options.compat;
+    let compat = interp.host.follows(&[slips::COUPLED_ZERO_LENGTH]);
     Ok(Arc::new(CoupledZeroLength::new(material, directions, ends.ndf, &ends.initial(), rayleigh, compat)))
 }

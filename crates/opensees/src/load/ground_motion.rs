@@ -3,6 +3,7 @@
 use crate::args::Args;
 use crate::load::series::series_of;
 use crate::model::nodes::node_of;
+use crate::slips;
 use crate::{Command, Outcome, Tcl, finish, ignore_option};
 use hysteron_engine::model::{Ground, GroundMotion, Pattern, PatternKind, SupportMotion, Tag};
 use hysteron_tcl::diagnostic::Span;
@@ -99,7 +100,7 @@ fn plain(interp: &mut Tcl, a: &mut Args<'_>) -> Result<GroundMotion, Exception> 
         }
     }
     // OpenSees integrates missing histories, but differentiates none: supports given displacements have no velocity.
-    let derive = !interp.host.engine.options.compat;
+    let derive = !interp.host.follows(&[slips::GROUND_MOTION_RATES]);
     no_series(GroundMotion::from_series(series, dt, factor, derive), a, kind)
 }
 

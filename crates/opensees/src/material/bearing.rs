@@ -3,9 +3,10 @@
 use super::Kind;
 use crate::Tcl;
 use crate::args::Args;
+use crate::slips;
 use hysteron_engine::material::{
-    AxialParameters, AxialSp, AxialSpHD, COMPOUNDS, HighDampingRubber, KikuchiAiken, LeadRubber, LeadRubberParameters,
-    Material,
+    AxialParameters, AxialSp, AxialSpHD, COMPOUNDS, Device, HighDampingRubber, KikuchiAiken, LeadRubber,
+    LeadRubberParameters, Material,
 };
 use hysteron_tcl::Exception;
 use std::sync::Arc;
@@ -76,7 +77,10 @@ fn axial_sp(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     p.bty = within(a, CAVITATED, 0.0, [0.0, p.bte], "0 to bte")?;
     p.bcy = within(a, YIELDED, 0.0, [0.0, 1.0], RATIO)?;
     p.fcr = closing_stress(a, p.fcy)?;
-    Ok(Arc::new(AxialSp::new(&p, interp.host.engine.options.compat)))
+    Ok(match interp.host.follows(&[slips::AXIAL_SP_JUMP]) {
+        true => Arc::new(AxialSp::as_opensees(&p)),
+        false => Arc::new(AxialSp::new(&p)),
+    })
 }
 
 fn axial_sp_hd(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -98,7 +102,10 @@ fn axial_sp_hd(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception
     let at = "displacement ath at which hardening begins, over that at cavitation";
     let ath = within(a, at, 1.0, [1.0, f64::INFINITY], "a ratio")?;
     p.hardening = (p.bty < p.bte).then_some((bth, ath));
-    Ok(Arc::new(AxialSpHD::new(&p, interp.host.engine.options.compat)))
+    Ok(match interp.host.follows(&[slips::AXIAL_SP_JUMP]) {
+        true => Arc::new(AxialSpHD::as_opensees(&p)),
+        false => Arc::new(AxialSpHD::new(&p)),
+    })
 }
 
 /// A factor, where 0 stands for 1.
@@ -110,6 +117,15 @@ fn factor(a: &mut Args<'_>, what: &str) -> Result<f64, Exception> {
 /// R_s and R_f of a spring of several side by side.
 fn spring_factors(a: &mut Args<'_>) -> Result<[f64; 2], Exception> {
     Ok([factor(a, "factor rs of the stiffness")?, factor(a, "factor rf of the force")?])
+}
+
+/// The law of a device, by the rules of the mode.
+fn kikuchi_aiken<D: Device>(interp: &Tcl, device: D, springs: [f64; 2]) -> Material {
+    let slips = [slips::KIKUCHI_AIKEN_TANGENT, slips::KIKUCHI_AIKEN_STEPS, slips::KIKUCHI_AIKEN_FACTORS];
+    match interp.host.follows(&slips) {
+        true => Arc::new(KikuchiAiken::as_opensees(device, springs)),
+        false => Arc::new(KikuchiAiken::new(device, springs)),
+    }
 }
 
 fn kikuchi_aiken_hdr(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -138,7 +154,7 @@ fn kikuchi_aiken_hdr(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exc
         }
     }
     let rubber = HighDampingRubber { compound: compound.clone(), area, height, factors };
-    Ok(Arc::new(KikuchiAiken::new(rubber, springs, interp.host.engine.options.compat)))
+    Ok(kikuchi_aiken(interp, rubber, springs))
 }
 
 fn kikuchi_aiken_lrb(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -170,5 +186,5 @@ fn kikuchi_aiken_lrb(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exc
             _ => return Err(a.unknown_name("option", ["-T", "-coKQ", "-coMSS"])),
         }
     }
-    Ok(Arc::new(KikuchiAiken::new(LeadRubber::new(&p), springs, interp.host.engine.options.compat)))
+    Ok(kikuchi_aiken(interp, LeadRubber::new(&p), springs))
 }

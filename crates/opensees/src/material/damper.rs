@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::slips;
 use crate::{Tcl, warn};
 use hysteron_engine::material::{IntegrationMethod, Material, Maxwell, Viscous, ViscousDamper};
 use hysteron_tcl::Exception;
@@ -45,7 +46,7 @@ fn exponent(a: &mut Args<'_>) -> Result<f64, Exception> {
 }
 
 fn viscous_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let compat = interp.host.engine.options.compat;
+    let compat = interp.host.follows(&[slips::DAMPER_TANGENT]);
     let k = a.positive("stiffness K")?;
     let c = a.positive("damping coefficient C")?;
     let alpha = exponent(a)?;
@@ -73,7 +74,7 @@ fn viscous_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
 }
 
 fn maxwell(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let compat = interp.host.engine.options.compat;
+    let compat = interp.host.follows(&[slips::DAMPER_TANGENT]);
     let k = a.positive("stiffness K")?;
     let c = a.positive("damping coefficient C")?;
     let alpha = exponent(a)?;

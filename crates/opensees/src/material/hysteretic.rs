@@ -2,10 +2,12 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::slips;
 use crate::{Tcl, warn};
 use hysteron_engine::material::{
     Bilin, BilinSide, BoucWen, Deterioration, Envelope, Hysteretic, Material, Saws, SawsParameters, SelfCentering,
 };
+use hysteron_engine::rules::{Consistent, OpenSees};
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
@@ -94,8 +96,10 @@ fn bilin(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         ultimate: ultimate[i],
         rate: rate[i],
     });
-    let compat = interp.host.engine.options.compat;
-    Ok(Arc::new(Bilin { ke, sides, strength, capping, stiffness, n, compat }))
+    if interp.host.follows(&[slips::BILIN_DETERIORATION]) {
+        return Ok(Arc::new(Bilin { ke, sides, strength, capping, stiffness, n, rules: OpenSees }));
+    }
+    Ok(Arc::new(Bilin { ke, sides, strength, capping, stiffness, n, rules: Consistent }))
 }
 
 fn bouc_wen(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -165,8 +169,11 @@ fn self_centering(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
     let slip = a.optional_float("strain at slip epsSlip")?.unwrap_or(0.0);
     let bearing = a.optional_float("strain at bearing epsBear")?.unwrap_or(0.0);
     let bearing_ratio = a.optional_float("ratio of bearing stiffness rBear")?.unwrap_or(0.0);
-    let compat = interp.host.engine.options.compat;
-    Ok(Arc::new(SelfCentering { k1, k2, activation, beta, slip, bearing, bearing_ratio, compat }))
+    if interp.host.follows(&[slips::SELF_CENTERING_JUMP]) {
+        let rules = OpenSees;
+        return Ok(Arc::new(SelfCentering { k1, k2, activation, beta, slip, bearing, bearing_ratio, rules }));
+    }
+    Ok(Arc::new(SelfCentering { k1, k2, activation, beta, slip, bearing, bearing_ratio, rules: Consistent }))
 }
 
 fn saws(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -188,11 +195,13 @@ fn saws(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     }
     let alpha = a.not_negative("softening alpha of the reloading stiffness")?;
     let beta = a.positive("growth beta of the displacement")?;
-    let compat = interp.host.engine.options.compat;
-    let wall = SawsParameters { fo, fi, du, so, r: [r1, r2, r3, r4], alpha, beta, compat };
-    let law = Saws::new(wall).ok_or_else(|| {
+    let wall = SawsParameters { fo, fi, du, so, r: [r1, r2, r3, r4], alpha, beta };
+    let law = match interp.host.follows(&[slips::SAWS_ENVELOPE]) {
+        true => Saws::as_opensees(wall).map(|w| Arc::new(w) as Material),
+        false => Saws::new(wall).map(|w| Arc::new(w) as Material),
+    };
+    law.ok_or_else(|| {
         let message = "SAWS: the pinched line FI + R4 S0 u does not meet the envelope";
         a.refuse(message, "expected less FI or R4, so that it does before 2 DU")
-    })?;
-    Ok(Arc::new(law))
+    })
 }

@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::slips;
 use crate::{Tcl, warn};
 use hysteron_engine::material::{HertzDamp, Impact, JankowskiImpact, Material};
 use hysteron_tcl::Exception;
@@ -46,7 +47,7 @@ fn impact(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     }
     let delta_y = compressive(interp, a, "yield displacement deltaY")?;
     let gap = compressive(interp, a, GAP)?;
-    Ok(Arc::new(Impact { k1, k2, delta_y, gap, compat: interp.host.engine.options.compat }))
+    Ok(Arc::new(Impact { k1, k2, delta_y, gap, compat: interp.host.follows(&[slips::IMPACT_GAP]) }))
 }
 
 fn exponent(a: &mut Args<'_>) -> Result<f64, Exception> {
@@ -62,7 +63,7 @@ fn hertz_damp(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
     let xi = a.not_negative("normalised damping coefficient xiNorm")?;
     let gap = compressive(interp, a, GAP)?;
     let n = exponent(a)?;
-    Ok(Arc::new(HertzDamp { kh, xi, gap, n, compat: interp.host.engine.options.compat }))
+    Ok(Arc::new(HertzDamp { kh, xi, gap, n, compat: interp.host.follows(&[slips::IMPACT_TANGENT]) }))
 }
 
 fn jankowski(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -71,5 +72,5 @@ fn jankowski(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
     let mass = a.not_negative("effective mass mEff")?;
     let gap = compressive(interp, a, GAP)?;
     let n = exponent(a)?;
-    Ok(Arc::new(JankowskiImpact { kh, xi, mass, gap, n, compat: interp.host.engine.options.compat }))
+    Ok(Arc::new(JankowskiImpact { kh, xi, mass, gap, n, compat: interp.host.follows(&[slips::IMPACT_TANGENT]) }))
 }

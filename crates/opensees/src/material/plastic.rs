@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::slips;
 use crate::{Tcl, warn};
 use hysteron_engine::material::{BrbBranch, Hardening, Material, MultiLinear, Steel01, Steel02, SteelBrb};
 use hysteron_tcl::Exception;
@@ -93,7 +94,7 @@ fn steel_brb(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
     let (tension, compression) = (branch("T")?, branch("C")?);
     // Found to round-off here.
     a.optional_float("tolerance")?;
-    let compat = interp.host.engine.options.compat;
+    let compat = interp.host.follows(&[slips::STEEL_BRB_FIRST]);
     Ok(Arc::new(SteelBrb { e, yield_stress, tension, compression, compat }))
 }
 
@@ -110,7 +111,7 @@ fn hardening(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
         let message = "Hardening: the viscosity is ignored, as in OpenSees";
         warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected 0 or nothing"))?;
     }
-    Ok(Arc::new(Hardening { e, sigma_y, h_iso, h_kin, compat: interp.host.engine.options.compat }))
+    Ok(Arc::new(Hardening { e, sigma_y, h_iso, h_kin, compat: interp.host.follows(&[slips::HARDENING_TRIAL]) }))
 }
 
 fn multi_linear(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -124,7 +125,7 @@ fn multi_linear(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exceptio
             return Err(a.refuse(message, "expected a strain greater than that of the point before"));
         }
     }
-    let compat = interp.host.engine.options.compat;
+    let compat = interp.host.follows(&[slips::MULTI_LINEAR_REST]);
     let law = MultiLinear::new(points, compat)
         .ok_or_else(|| a.refuse("MultiLinear has no points", "expected pairs of strain and stress"))?;
     Ok(Arc::new(law))

@@ -3,6 +3,7 @@
 use super::Kind;
 use crate::Tcl;
 use crate::args::Args;
+use crate::slips;
 use hysteron_engine::material::{HystereticAsym, HystereticPoly, HystereticSmooth, Material};
 use hysteron_tcl::Exception;
 use std::sync::Arc;
@@ -68,6 +69,6 @@ fn poly(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         0 => HystereticPoly::TOLERANCE,
         _ => a.positive("tolerance tol")?,
     };
-    let compat = interp.host.engine.options.compat;
+    let compat = interp.host.follows(&[slips::HYSTERETIC_POLY_BRANCH]);
     Ok(Arc::new(HystereticPoly { ka, kb, a: exponent, b, tolerance, compat }))
 }

@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::slips;
 use crate::{Tcl, warn};
 use hysteron_engine::material::{
     Material, PyBackbone, PySimple1, QzBackbone, QzSimple1, SoilSpring, TzBackbone, TzSimple1,
@@ -47,7 +48,7 @@ fn py_simple1(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
     let y50 = a.positive("displacement Y50 at half of the ultimate resistance")?;
     let drag = a.not_negative("drag resistance Cd within a gap, as a part of the ultimate one")?;
     let dashpot = optional(a, "dashpot coefficient c")?;
-    let compat = interp.host.engine.options.compat;
+    let compat = interp.host.follows(&[slips::SOIL_SPRING_ROUNDS]);
     Ok(Arc::new(SoilSpring { soil: PySimple1::new(kind, pult, y50, drag), dashpot, compat }))
 }
 
@@ -57,7 +58,7 @@ fn tz_simple1(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
     let tult = a.positive("ultimate resistance tult")?;
     let z50 = a.positive("displacement z50 at half of the ultimate resistance")?;
     let dashpot = optional(a, "dashpot coefficient c")?;
-    let compat = interp.host.engine.options.compat;
+    let compat = interp.host.follows(&[slips::SOIL_SPRING_ROUNDS]);
     Ok(Arc::new(SoilSpring { soil: TzSimple1::new(kind, tult, z50), dashpot, compat }))
 }
 
@@ -72,6 +73,6 @@ fn qz_simple1(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
         warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected at most a tenth"))?;
     }
     let dashpot = optional(a, "dashpot coefficient c")?;
-    let compat = interp.host.engine.options.compat;
+    let compat = interp.host.follows(&[slips::SOIL_SPRING_ROUNDS]);
     Ok(Arc::new(SoilSpring { soil: QzSimple1::new(kind, qult, z50, suction), dashpot, compat }))
 }

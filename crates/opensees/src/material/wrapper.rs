@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::slips;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::material::{
     Fatigue, FatigueParameters, InitialState, Iteration, Material, MaterialError, MinMax, Parallel, Series,
@@ -83,7 +84,7 @@ fn series(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
             _ => ignore_option(interp, a, &["-iter"])?,
         }
     }
-    let compat = interp.host.engine.options.compat;
+    let compat = interp.host.follows(&[slips::SERIES_ROUND]);
     let iteration = if compat { Iteration::FixedIterations(rounds, tolerance) } else { Iteration::Converged };
     Ok(Arc::new(Series::new(all, iteration)))
 }
@@ -101,7 +102,7 @@ fn min_max(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     if min >= max {
         return Err(a.refuse(format!("no strain lies between {min} and {max}"), "expected -min less than -max"));
     }
-    let compat = interp.host.engine.options.compat;
+    let compat = interp.host.follows(&[slips::MIN_MAX_STRAIN]);
     Ok(Arc::new(MinMax::new(inner, min, max, compat)))
 }
 

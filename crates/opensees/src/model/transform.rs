@@ -2,6 +2,7 @@
 
 use crate::args::Args;
 use crate::model::nodes::need_model;
+use crate::slips;
 use crate::{Command, Outcome, Tcl, ignore_option, kind};
 use hysteron_engine::element::transform::{TransformKind, TransformSpec};
 use hysteron_tcl::{Call, Exception, Value};
@@ -55,7 +56,8 @@ fn geom_transf(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             _ => ignore_option(interp, &mut a, &["-jntOffset"])?,
         }
     }
-    let transform = TransformSpec { kind: kind.make, xz, offsets, by_trials: interp.host.engine.options.compat };
+    let transform =
+        TransformSpec { kind: kind.make, xz, offsets, by_trials: interp.host.follows(&[slips::COROTATIONAL_TRIALS]) };
     if !interp.host.builder.definitions.transforms.add(tag, transform) {
         let message = format!("there is a geometric transformation {tag} already");
         return Err(a.refuse_at(span, message, "expected a new tag"));

@@ -2,6 +2,7 @@
 
 use crate::args::Args;
 use crate::model::nodes::node_of;
+use crate::slips;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
 use hysteron_engine::analysis::{Failure, ReactionKind, State};
 use hysteron_engine::model::{ElementId, NodeId};
@@ -340,10 +341,8 @@ fn system_size(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
 }
 
 fn iterations(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
-    let engine = &interp.host.engine;
-    let tests = engine.setup().map_or(0, |s| s.test.iteration);
-    // OpenSees counts one more test where the last has failed.
-    let more = usize::from(engine.options.compat && interp.host.last_failure.is_some());
+    let tests = interp.host.engine.setup().map_or(0, |s| s.test.iteration);
+    let more = usize::from(interp.host.follows(&[slips::FAILED_TEST]) && interp.host.last_failure.is_some());
     Ok(Value::from((tests + more) as i64))
 }
 

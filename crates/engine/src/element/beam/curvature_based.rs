@@ -1,5 +1,7 @@
 //! Force-based beams with curvature-based deflections: `forceBeamColumnCBDI` and `forceBeamColumnCSBDI`.
 
+mod opensees;
+
 use super::force_based::{ForceBased, INTERNAL, MAX_EXTRA_ITERATIONS, REACTIONS, ROUND_OFF, of_load, row};
 use super::member::{Basic, Formulation, Member};
 use crate::element::load::ElementLoad;
@@ -7,7 +9,10 @@ use crate::element::transform::Reactions;
 use crate::element::{ElementError, ElementInput};
 use crate::material::MaterialError;
 use crate::numeric::{axpy, dot, eliminate, invert};
+use crate::rules::{Consistent, OpenSees};
 use crate::section::Resultant;
+use std::fmt;
+use std::marker::PhantomData;
 
 /// Largest total number of section deformations of a beam.
 pub const MAX_DEFORMATIONS: usize = 64;
@@ -23,7 +28,7 @@ const COLUMNS: usize = MAX_DEFORMATIONS + 7;
 /// w + (x - 1) q₁ + x q₂ and V = -q₀ w' - (q₁ + q₂)/L. Basic deformations are v₀ = ∫ ε + ½ w κ - ½ w' γ, v₁ = ∫ (x - 1)
 /// κ - γ/L and v₂ = ∫ x κ - γ/L. In space the same holds for bending in the other plane.
 #[derive(Clone, Debug)]
-pub struct CurvatureBased {
+pub struct CurvatureBased<R = Consistent> {
     iteration: ForceBased,
     /// Deflections (over L²) per curvature, n x n by rows.
     deflection: Vec<f64>,
@@ -32,8 +37,41 @@ pub struct CurvatureBased {
     shear: Option<[Vec<f64>; 3]>,
     /// Element loads act on the sections; in OpenSees' plane element they do not.
     loads_inside: bool,
-    compat: bool,
+    rules: PhantomData<R>,
 }
+
+/// Rules of [`CurvatureBased`] that differ in OpenSees.
+pub trait Rules: Clone + fmt::Debug + Send + Sync + 'static {
+    /// The tangent of the P-Delta moments includes the derivative of the axial force.
+    const WHOLE_TANGENT: bool = true;
+
+    /// Reference of the slopes from shear strains: the polynomials at the first end, or their means over the length.
+    fn datum<'a>(_start: &'a [f64], mean: &'a [f64]) -> &'a [f64] {
+        mean
+    }
+
+    /// Returns true if element loads act on the sections.
+    fn loads_inside(_plane: bool) -> bool {
+        true
+    }
+
+    /// Basic forces of an attempt before the iterations from the committed state.
+    ///
+    /// # Errors
+    /// A section without a force at its deformation.
+    fn first<const N: usize, const B: usize>(
+        _beam: &CurvatureBased<Self>,
+        _member: &Member<N, B>,
+        _v: &[f64; B],
+        _motion: &ElementInput<'_>,
+        _committed: &[f64],
+        _trial: &mut [f64],
+    ) -> Result<Option<Basic<B>>, MaterialError> {
+        Ok(None)
+    }
+}
+
+impl Rules for Consistent {}
 
 /// Legendre polynomials of 2x - 1 up to degree `n`, and their first and second integrals from 0.
 fn polynomials(x: f64, n: usize) -> [Vec<f64>; 3] {
@@ -55,11 +93,20 @@ fn polynomials(x: f64, n: usize) -> [Vec<f64>; 3] {
 impl CurvatureBased {
     /// Makes the formulation for sections at distinct `places` (fractions of the length); `shear` adds the deflections
     /// from shear strains. `None` if two places coincide.
-    ///
-    /// `compat` follows OpenSees. Slopes from shear strains are relative to the strain at the first end, not to the
-    /// mean. In the plane, element loads do not act on the sections. With elastic sections the internal iterations
-    /// continue from the last trial state until the residual energy is small.
-    pub fn new(iteration: ForceBased, places: &[f64], shear: bool, compat: bool, plane: bool) -> Option<Self> {
+    pub fn new(iteration: ForceBased, places: &[f64], shear: bool) -> Option<Self> {
+        Self::of(iteration, places, shear, false)
+    }
+}
+
+impl CurvatureBased<OpenSees> {
+    /// As `new`, by the rules of OpenSees, in the plane or in space.
+    pub fn as_opensees(iteration: ForceBased, places: &[f64], shear: bool, plane: bool) -> Option<Self> {
+        Self::of(iteration, places, shear, plane)
+    }
+}
+
+impl<R: Rules> CurvatureBased<R> {
+    fn of(iteration: ForceBased, places: &[f64], shear: bool, plane: bool) -> Option<Self> {
         let n = places.len();
         let at: Vec<_> = places.iter().map(|x| polynomials(*x, n)).collect();
         let (start, end) = (polynomials(0.0, n), polynomials(1.0, n));
@@ -79,14 +126,15 @@ impl CurvatureBased {
             (0..n * n).map(|ij| entry(ij / n, ij % n)).collect()
         };
         let deflection = influence(&|i, k| at[i][2][k] - places[i] * end[2][k]);
+        let datum = R::datum(&start[0], &end[1]);
         let shear = shear.then(|| {
             [
                 influence(&|i, k| at[i][1][k] - places[i] * end[1][k]),
                 influence(&|i, k| at[i][1][k] - end[2][k]),
-                influence(&|i, k| at[i][0][k] - if compat { start[0][k] } else { end[1][k] }),
+                influence(&|i, k| at[i][0][k] - datum[k]),
             ]
         });
-        Some(Self { iteration, deflection, shear, loads_inside: !(compat && plane), compat })
+        Some(Self { iteration, deflection, shear, loads_inside: R::loads_inside(plane), rules: PhantomData })
     }
 
     /// Derivative of the factor of q₀ in a resultant of section `i` of `n` by a deformation of section `j`.
@@ -130,8 +178,8 @@ struct Sections<const B: usize> {
 
 impl<const B: usize> Sections<B> {
     /// Reads the deformations from a state, or takes `others`.
-    fn new<const N: usize>(
-        beam: &CurvatureBased,
+    fn new<const N: usize, R: Rules>(
+        beam: &CurvatureBased<R>,
         member: &Member<N, B>,
         state: &[f64],
         others: Option<&Deformations>,
@@ -158,7 +206,13 @@ impl<const B: usize> Sections<B> {
         s
     }
 
-    fn influence<const N: usize>(&self, beam: &CurvatureBased, member: &Member<N, B>, a: usize, b: usize) -> f64 {
+    fn influence<const N: usize, R: Rules>(
+        &self,
+        beam: &CurvatureBased<R>,
+        member: &Member<N, B>,
+        a: usize,
+        b: usize,
+    ) -> f64 {
         let ((r, i, _), (e, j, _)) = (self.of[a], self.of[b]);
         beam.influence(member.sections.len(), (i, r), (j, e), member.length())
     }
@@ -200,7 +254,7 @@ fn resultants<const N: usize, const B: usize>(member: &Member<N, B>, state: &[f6
     all
 }
 
-impl CurvatureBased {
+impl<R: Rules> CurvatureBased<R> {
     /// Resultants in equilibrium with the basic forces.
     fn equilibrium_resultants<const B: usize>(&self, s: &Sections<B>, q: &[f64; B], load: &[f64]) -> Deformations {
         let mut equilibrium_resultants = [0.0; MAX_DEFORMATIONS];
@@ -340,62 +394,17 @@ impl CurvatureBased {
         }
         Ok(Some(basic))
     }
-
-    /// Basic forces by OpenSees' scheme. It starts from the last trial state and its stiffness, and iterates until the
-    /// residual energy is small. Without convergence the last iterate is returned.
-    fn as_opensees<const N: usize, const B: usize>(
-        &self,
-        member: &Member<N, B>,
-        v: &[f64; B],
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-    ) -> Result<Option<Basic<B>>, MaterialError> {
-        let mut basic = Basic::read(&trial[member.head()..]);
-        let k = basic.k;
-        let mut s = Sections::new(self, member, trial, None);
-        let mut current = resultants(member, trial);
-        // OpenSees does not correct the residual of the last trial state.
-        let last = member.own_words();
-        let mut remaining: [f64; B] = std::array::from_fn(|i| v[i] - trial[last + i]);
-        for _ in 0..self.iteration.max_iterations {
-            let step = k.map(|row| dot(&row, &remaining));
-            axpy(1.0, &step, &mut basic.q);
-            let loading = (&basic.q, motion.load);
-            // Section deformations in equilibrium, first with the old stiffnesses, then with the current ones.
-            let Some(l) = self.linear(member, &s, loading, &current, trial) else { return Ok(None) };
-            let e = std::array::from_fn(|b| s.e[b] + l.change[b]);
-            Self::update(member, &e, motion.dt, committed, trial)?;
-            s = Sections::new(self, member, trial, None);
-            let Some(l) = self.linear(member, &s, loading, &resultants(member, trial), trial) else { return Ok(None) };
-            let e = std::array::from_fn(|b| s.e[b] + l.change[b]);
-            s = Sections::new(self, member, trial, Some(&e));
-            current = self.equilibrium_resultants(&s, &basic.q, motion.load);
-            let Some(mut l) = self.linear(member, &s, loading, &current, trial) else { return Ok(None) };
-            if !invert(l.f.as_flattened_mut(), B) {
-                return Ok(None);
-            }
-            basic.k = l.f;
-            let basic_deformations = s.basic_deformations();
-            remaining = std::array::from_fn(|i| v[i] - basic_deformations[i]);
-            if dot(&remaining, &k.map(|row| dot(&row, &remaining))).abs() < self.iteration.tolerance {
-                break;
-            }
-        }
-        Ok(Some(basic))
-    }
 }
 
-impl<const N: usize, const B: usize> Formulation<N, B> for CurvatureBased {
+impl<const N: usize, const B: usize, R: Rules> Formulation<N, B> for CurvatureBased<R> {
     const CLASS: [&'static str; 2] = ["ForceBeamColumnCBDI2d", "ForceBeamColumnCBDI3d"];
     const SYMMETRIC: bool = false;
     const DEFLECTS: bool = true;
     /// State variables: basic deformations of the last trial state.
     const STATE_LEN: usize = B;
 
-    /// OpenSees omits the derivative of the axial force from P-Delta.
     fn whole_tangent(&self) -> bool {
-        !self.compat
+        R::WHOLE_TANGENT
     }
 
     fn load_len(points: usize) -> usize {
@@ -419,12 +428,9 @@ impl<const N: usize, const B: usize> Formulation<N, B> for CurvatureBased {
         trial: &mut [f64],
     ) -> Result<Basic<B>, ElementError> {
         let mut failure = None;
-        // With inelastic sections OpenSees converges to the same result within its tolerance.
-        let follows = self.compat && member.sections.iter().all(|s| s.section.is_linear());
-        let attempts: &[usize] = if follows { &[0, 1, 10, 100] } else { &[1, 10, 100] };
-        for &parts in attempts {
+        for parts in [0, 1, 10, 100] {
             let found = match parts {
-                0 => self.as_opensees(member, v, motion, committed, trial),
+                0 => R::first(self, member, v, motion, committed, trial),
                 parts => self.attempt(member, v, motion, (committed, trial), parts),
             };
             match found {

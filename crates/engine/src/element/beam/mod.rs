@@ -5,9 +5,9 @@ mod curvature_based;
 mod displacement_based;
 mod elastic;
 mod force_based;
-mod force_by_trials;
 mod integration;
 mod member;
+mod opensees;
 mod timoshenko;
 
 pub use component::{ComponentBeam, ComponentOptions};

@@ -1,6 +1,6 @@
 //! Axial springs in parallel.
 
-use super::{AxialSpring, Branch, History};
+use super::{AxialSpring, Branch, History, Rules};
 use crate::material::{MaterialError, Strain, Strains, Stress, Stresses, Uniaxial};
 use crate::probe::Probe;
 use crate::state_struct::{Field, StateStruct};
@@ -19,7 +19,7 @@ fn write(t: &History, words: &mut [f64], i: usize, n: usize) {
     (words[i], words[i + 2 * n], words[i + 3 * n]) = (t.u, t.slope, t.from);
 }
 
-impl<const HD: bool> Uniaxial for AxialSpring<HD> {
+impl<const HD: bool, R: Rules> Uniaxial for AxialSpring<HD, R> {
     fn name(&self) -> &'static str {
         if HD { "AxialSpHD" } else { "AxialSp" }
     }
@@ -62,7 +62,7 @@ impl<const HD: bool> Uniaxial for AxialSpring<HD> {
         next: &mut [f64],
         stresses: &mut Stresses<'_>,
     ) -> Result<(), MaterialError> {
-        if !self.compat {
+        if !R::FOLLOWS_TRIALS {
             return self.update_all(committed, strains, next, stresses);
         }
         let n = strains.value.len();

@@ -3,6 +3,7 @@
 use super::{Kind, Made, alpha_parameters};
 use crate::Tcl;
 use crate::args::Args;
+use crate::slips;
 use hysteron_engine::analysis::integrator::{
     AlphaParameters, CentralDifference, CentralDifferenceAlternative, ExplicitAlpha, ExplicitBathe, ExplicitDifference,
     KrAlpha,
@@ -27,7 +28,7 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["ExplicitDifference", "Explicitdifference"],
         usage: "integrator ExplicitDifference",
-        make: |interp, _| Ok(Box::new(ExplicitDifference::new(interp.host.engine.options.compat))),
+        make: |interp, _| Ok(Box::new(ExplicitDifference::new(interp.host.follows(&[slips::EXPLICIT_START])))),
     },
     Kind { names: &["ExplicitBathe"], usage: "integrator ExplicitBathe $p", make: explicit_bathe },
     Kind { names: &["NewmarkExplicit"], usage: "integrator NewmarkExplicit $gamma", make: newmark_explicit },
@@ -51,11 +52,11 @@ pub(super) const KINDS: &[Kind] = &[
 /// Older scripts give factors of Rayleigh damping here.
 fn central_difference(interp: &mut Tcl, a: &mut Args<'_>, name: &'static str, damped: bool) -> Made {
     super::rayleigh(interp, a)?;
-    Ok(Box::new(CentralDifference::new(name, damped, interp.host.engine.options.compat)))
+    Ok(Box::new(CentralDifference::new(name, damped, interp.host.follows(&[slips::CENTRAL_DIFFERENCE_START]))))
 }
 
 fn central_difference_alternative(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
-    if interp.host.engine.options.compat {
+    if interp.host.follows(&[slips::CENTRAL_DIFFERENCE_START]) {
         super::rayleigh(interp, a)?;
         return Ok(Box::new(CentralDifferenceAlternative::default()));
     }
@@ -69,7 +70,7 @@ fn explicit_bathe(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
     }
     // 1 makes OpenSees print the longest stable step.
     a.optional_int("0 or 1")?;
-    Ok(Box::new(ExplicitBathe::new(p, interp.host.engine.options.compat)))
+    Ok(Box::new(ExplicitBathe::new(p, interp.host.follows(&[slips::EXPLICIT_START]))))
 }
 
 fn newmark_explicit(_: &mut Tcl, a: &mut Args<'_>) -> Made {
@@ -79,7 +80,7 @@ fn newmark_explicit(_: &mut Tcl, a: &mut Args<'_>) -> Made {
 
 /// Take the flag by which OpenSees updates the elements' displacements. It is always set without `--compat`.
 fn updates_elements(interp: &Tcl, a: &mut Args<'_>) -> bool {
-    a.flag("-updateElemDisp") || !interp.host.engine.options.compat
+    a.flag("-updateElemDisp") || !interp.host.follows(&[slips::EXPLICIT_ELEMENTS])
 }
 
 fn hht_explicit(interp: &mut Tcl, a: &mut Args<'_>) -> Made {

@@ -2,6 +2,7 @@
 
 use super::{Kind, Made, alpha_parameters};
 use crate::args::Args;
+use crate::slips;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::analysis::Coefficients;
 use hysteron_engine::analysis::integrator::{
@@ -113,7 +114,7 @@ fn generalized_alpha(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
     } else {
         alpha_parameters(inertia, force, a.positive("beta")?, a.positive("gamma")?)
     };
-    Ok(Box::new(GeneralizedAlpha::new("GeneralizedAlpha", p, interp.host.engine.options.compat)))
+    Ok(Box::new(GeneralizedAlpha::new("GeneralizedAlpha", p, interp.host.follows(&[slips::GENERALIZED_ALPHA]))))
 }
 
 /// Take the collocation point θ, in steps. Warn where the method is not stable for every step.

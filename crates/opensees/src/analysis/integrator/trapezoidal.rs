@@ -2,6 +2,7 @@
 
 use super::{Kind, Made, alpha_parameters};
 use crate::args::Args;
+use crate::slips;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::analysis::integrator::{
     AlphaParameters, KrAlpha, Trapezoidal, TrapezoidalExplicit, TrapezoidalSplitting,
@@ -84,7 +85,9 @@ fn hht(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
     let p = match numbers[..] {
         [alpha] => AlphaParameters::second_order(1.0, alpha),
         // The manual's order is gamma, beta; OpenSees takes the two the other way round.
-        [alpha, beta, gamma] if interp.host.engine.options.compat => alpha_parameters(1.0, alpha, beta, gamma),
+        [alpha, beta, gamma] if interp.host.follows(&[slips::HHT_TP_ORDER]) => {
+            alpha_parameters(1.0, alpha, beta, gamma)
+        }
         [alpha, gamma, beta] => alpha_parameters(1.0, alpha, beta, gamma),
         _ => return Err(wrong_number(a, NAME, &numbers)),
     };

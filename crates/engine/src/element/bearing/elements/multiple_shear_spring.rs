@@ -1,5 +1,7 @@
 //! Shear springs between two nodes: `multipleShearSpring`.
 
+mod opensees;
+
 use crate::element::bearing::elements::shear_bearing::end_masses;
 use crate::element::bearing::kinematics::link::Link;
 use crate::element::bearing::kinematics::responses::{NAMES, Response};
@@ -9,8 +11,11 @@ use crate::element::{
     frame_force_labels,
 };
 use crate::probe::Probe;
+use crate::rules::{Consistent, OpenSees};
 use crate::state_struct;
 use crate::state_struct::StateStruct;
+use std::fmt;
+use std::marker::PhantomData;
 
 state_struct! {
     /// Recorded shear forces.
@@ -23,14 +28,33 @@ state_struct! {
 /// Shear springs in all directions normal to the line between two nodes, at its middle. There is no axial force,
 /// torsion or bending (Wada and Hirose, 1989).
 #[derive(Clone, Debug)]
-pub struct MultipleShearSpring {
+pub struct MultipleShearSpring<R = Consistent> {
     springs: ShearSprings,
     link: Link<12, 6>,
     mass: f64,
     initial: [[f64; 2]; 2],
-    /// OpenSees' stiffness: multiplied by a factor of its own instead of the derivative of the force.
-    compat: bool,
+    rules: PhantomData<R>,
 }
+
+/// Rules of [`MultipleShearSpring`] that differ in OpenSees.
+pub trait Rules: Clone + fmt::Debug + Send + Sync + 'static {
+    /// Factor of the stiffness.
+    fn scale(factors: &Factors) -> f64 {
+        factors.force
+    }
+
+    /// Derivative of the factor of the forces by the size of the displacement, which the stiffness follows.
+    fn slope(factors: &Factors) -> f64 {
+        factors.slope
+    }
+
+    /// The tangent is symmetric; springs may have a limit.
+    fn symmetric(limited: bool) -> bool {
+        !limited
+    }
+}
+
+impl Rules for Consistent {}
 
 impl MultipleShearSpring {
     /// Number of state variables before those of the springs.
@@ -40,23 +64,39 @@ impl MultipleShearSpring {
     ///
     /// # Errors
     /// Springs without a force at their limit.
-    pub fn new(springs: ShearSprings, link: Link<12, 6>, mass: f64, compat: bool) -> Result<Self, ElementError> {
-        let mut state = vec![0.0; Self::HEADER + springs.state_len()];
+    pub fn new(springs: ShearSprings, link: Link<12, 6>, mass: f64) -> Result<Self, ElementError> {
+        Self::of(springs, link, mass)
+    }
+}
+
+impl MultipleShearSpring<OpenSees> {
+    /// As `new`, by the rules of OpenSees.
+    ///
+    /// # Errors
+    /// Springs without a force at their limit.
+    pub fn as_opensees(springs: ShearSprings, link: Link<12, 6>, mass: f64) -> Result<Self, ElementError> {
+        Self::of(springs, link, mass)
+    }
+}
+
+impl<R: Rules> MultipleShearSpring<R> {
+    fn of(springs: ShearSprings, link: Link<12, 6>, mass: f64) -> Result<Self, ElementError> {
+        let mut state = vec![0.0; MultipleShearSpring::HEADER + springs.state_len()];
         springs.init(&mut state);
         let factors = springs.factors(0.0, &state.clone(), &mut state)?;
-        let scale = if compat { factors.stiffness } else { factors.force };
+        let scale = R::scale(&factors);
         let initial = springs.initial_stiffness().map(|row| row.map(|k| scale * k));
-        Ok(Self { springs, link, mass, initial, compat })
+        Ok(Self { springs, link, mass, initial, rules: PhantomData })
     }
 
     /// Stiffness of the bundle with its factors, at a displacement `u` of length `size`.
     fn stiffness(&self, bundle: &Bundle, factors: &Factors, u: [f64; 2], size: f64) -> [[f64; 2]; 2] {
-        let scale = if self.compat { factors.stiffness } else { factors.force };
+        let (scale, slope) = (R::scale(factors), R::slope(factors));
         let mut k = bundle.stiffness.map(|row| row.map(|k| scale * k));
-        if !self.compat && factors.slope != 0.0 {
+        if slope != 0.0 {
             for (row, f) in k.iter_mut().zip(bundle.force) {
                 for (k, u) in row.iter_mut().zip(u) {
-                    *k += f * factors.slope * u / size;
+                    *k += f * slope * u / size;
                 }
             }
         }
@@ -78,7 +118,7 @@ fn basic([y, z]: [f64; 2]) -> [f64; 6] {
     [0.0, y, z, 0.0, 0.0, 0.0]
 }
 
-impl Element for MultipleShearSpring {
+impl<R: Rules> Element for MultipleShearSpring<R> {
     fn class(&self) -> &'static str {
         "MultipleShearSpring"
     }
@@ -86,7 +126,7 @@ impl Element for MultipleShearSpring {
         12
     }
     fn state_len(&self) -> usize {
-        Self::HEADER + self.springs.state_len()
+        MultipleShearSpring::HEADER + self.springs.state_len()
     }
     fn init(&self, state: &mut [f64]) {
         Forces::default().write(state);
@@ -96,7 +136,7 @@ impl Element for MultipleShearSpring {
         let any = |is: fn(&crate::material::Material) -> bool| self.springs.materials().any(is);
         ElementTraits {
             linear: false,
-            symmetric: self.compat || !self.springs.is_limited(),
+            symmetric: R::symmetric(self.springs.is_limited()),
             viscous: any(|m| m.is_viscous()),
             elapses: any(|m| m.depends_on_time()),
             rayleigh: true,

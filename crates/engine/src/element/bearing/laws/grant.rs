@@ -1,9 +1,13 @@
 //! Shear law of `HDR`.
 
+mod opensees;
+
 use crate::element::bearing::laws::axial::Axial;
 use crate::element::bearing::laws::rubber_shear::{OWN, RubberShear, ShearInput, ShearStep};
 use crate::element::bearing::laws::shear::{Shear, at_rest};
 use crate::probe::Probe;
+use crate::rules::Consistent;
+use std::fmt;
 
 /// Bidirectional shear law of high damping rubber.
 ///
@@ -15,16 +19,46 @@ use crate::probe::Probe;
 /// Scragging, the long-term damage D_S, lowers K_S = e^(-c D_S³). The Mullins damage D_M lowers K_M = c₃ + (1 - c₃)
 /// e^(-c₄ D_M³).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct GrantShear {
+pub struct GrantShear<R = Consistent> {
     /// Coefficients a₁, a₂, a₃ of the elastic part.
     pub a: [f64; 3],
     /// Coefficients b₁, b₂, b₃ of the hysteretic part.
     pub b: [f64; 3],
     /// Coefficients of the damage: c₁, c₂ of scragging, c₃, c₄ of the Mullins effect.
     pub c: [f64; 4],
-    /// OpenSees' tangent.
-    pub compat: bool,
+    /// Rules of the damage and of the tangent.
+    pub rules: R,
 }
+
+/// Rules of [`GrantShear`] that differ in OpenSees.
+pub trait Rules: Clone + fmt::Debug + Send + Sync {
+    /// Damage of which a trial state changes what grows: the committed one, or that of the trial before.
+    fn begin(committed: &Damage, _last: &Damage) -> Damage {
+        *committed
+    }
+
+    /// Initial stiffness of the elastic and of the hysteretic part.
+    fn initial(elastic: f64, hysteretic: f64) -> f64 {
+        elastic + hysteretic
+    }
+
+    /// Factor of the derivative of K_M, of c₃ and c₄.
+    fn mullins_slope(c3: f64, _c4: f64) -> f64 {
+        1.0 - c3
+    }
+
+    /// The bearing has moved from the committed displacement `from` to `to`, by the length `way`.
+    fn moved(_way: f64, to: &[f64; 2], from: &[f64; 2]) -> bool {
+        !at_rest(to, from)
+    }
+
+    /// The gap to the bounding circle depends on the direction of the step.
+    fn turns(gap: f64) -> bool {
+        gap > 0.0
+    }
+}
+
+impl Rules for Consistent {}
 
 crate::state_struct! {
     /// State variables of high damping rubber.
@@ -55,10 +89,16 @@ struct Growth {
     mullins: bool,
 }
 
-impl GrantShear {
+impl<R> GrantShear<R> {
+    /// The same by other rules.
+    pub fn with<T>(self, rules: T) -> GrantShear<T> {
+        GrantShear { a: self.a, b: self.b, c: self.c, rules }
+    }
+}
+
+impl<R: Rules> GrantShear<R> {
     fn growth(&self, c: &Damage, last: &Damage, size: f64, before: f64) -> Growth {
-        // In OpenSees, variables that a displacement does not change keep the value of the last trial.
-        let mut damage = if self.compat { *last } else { *c };
+        let mut damage = R::begin(c, last);
         if size > c.outer {
             damage.outer = size;
             damage.inner = c.inner + (size - c.outer);
@@ -81,7 +121,7 @@ impl GrantShear {
     }
 }
 
-impl RubberShear for GrantShear {
+impl<R: Rules> RubberShear for GrantShear<R> {
     type Memory = Damage;
 
     fn class(&self) -> &'static str {
@@ -91,8 +131,7 @@ impl RubberShear for GrantShear {
     fn virgin(&self) -> (Shear<2>, Damage) {
         let [a1, ..] = self.a;
         let [b1, _, b3] = self.b;
-        // OpenSees omits the hysteretic part in the initial stiffness.
-        let k = if self.compat { a1 } else { a1 + b1 * b3 };
+        let k = R::initial(a1, b1 * b3);
         (
             Shear { k: [[k, 0.0], [0.0, k]], ..Shear::default() },
             Damage { radius: b1, scragging_factors: [1.0; 2], mullins_factor: 1.0, ..Damage::default() },
@@ -117,8 +156,7 @@ impl RubberShear for GrantShear {
 
         // Elastic part.
         let (elastic_factor, secant) = (ks1 * km, a1 + size2 * (a2 + size2 * a3));
-        // In the derivative of K_M OpenSees has 1 - c₄ instead of 1 - c₃.
-        let share = if self.compat { 1.0 - c4 } else { 1.0 - c3 };
+        let share = R::mullins_slope(c3, c4);
         let loss = secant * (per_scragging * c1 * elastic_factor + per_mullins * c4 * share * mullins_decay * ks1);
         let stiffening = 2.0 * elastic_factor * (a2 + 2.0 * a3 * size2);
         let mut k = [[0.0; 2]; 2];
@@ -133,7 +171,7 @@ impl RubberShear for GrantShear {
         d.radius = b1 + ks2 * b2 * size2;
         let step = [u[0] - c.u[0], u[1] - c.u[1]];
         let way = length(step);
-        let moved = if self.compat { way > f64::EPSILON } else { !at_rest(&u, &c.u) };
+        let moved = R::moved(way, &u, &c.u);
         let n = if moved { step.map(|s| s / way) } else { [0.0; 2] };
         let toward = |radius: f64| [radius * n[0] - c.internal[0], radius * n[1] - c.internal[1]];
         let (old, new) = (toward(m.radius), toward(d.radius));
@@ -153,9 +191,9 @@ impl RubberShear for GrantShear {
         let hat: [[f64; 2]; 2] = std::array::from_fn(|i| {
             std::array::from_fn(|j| n[i] * d_radius[j] + turn * (f64::from(u8::from(i == j)) - n[i] * n[j]))
         });
-        // δ depends on the direction of the step, which OpenSees omits.
+        // δ depends on the direction of the step.
         let mut d_distance = n.map(|n| -d.distance * decayed * b3 * n);
-        if !self.compat && gap > 0.0 {
+        if R::turns(gap) {
             let along = (old[0] * n[0] + old[1] * n[1]) / gap;
             for j in 0..2 {
                 d_distance[j] += decayed * m.radius / way * (old[j] / gap - along * n[j]);

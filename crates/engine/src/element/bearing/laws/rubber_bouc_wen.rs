@@ -1,10 +1,14 @@
 //! Shear law of `ElastomericX` and `LeadRubberX`.
 
-use crate::element::bearing::laws::axial::Axial;
+mod opensees;
+
+use crate::element::bearing::laws::axial::{Axial, AxialStep};
 use crate::element::bearing::laws::lead::LeadCore;
 use crate::element::bearing::laws::rubber_shear::{OWN, RubberShear, ShearInput, ShearStep};
 use crate::element::bearing::laws::shear::{Shear, at_rest};
 use crate::probe::Probe;
+use crate::rules::Consistent;
+use std::fmt;
 
 /// Loop shape parameters of ż = (k₀/q_y) [u̇ - z (z₁u̇₁ (β + γ sign(z₁u̇₁)) + z₂u̇₂ (β + γ sign(z₂u̇₂)))].
 const BETA: f64 = 0.1;
@@ -17,7 +21,7 @@ const GAMMA: f64 = 0.9;
 /// (2014). The rubber stiffness decreases with the axial force, k_e = (G A / T_r) (1 - (N/P_cr)²), and the yield force
 /// with the temperature of a lead core. Backward Euler; the yield force is that at the committed temperature.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RubberBoucWen {
+pub struct RubberBoucWen<R = Consistent> {
     /// Yield force at zero temperature rise.
     pub qy: f64,
     /// Initial stiffness of the hysteretic part k₀ = (1/α - 1) G A / T_r.
@@ -34,8 +38,76 @@ pub struct RubberBoucWen {
     pub core: Option<LeadCore>,
     /// Heating of the core lowers the yield force.
     pub heats: bool,
-    /// OpenSees' scheme and tangent.
-    pub compat: bool,
+    /// Rules of the heating, of the rubber under axial force and of the tangent.
+    pub rules: R,
+}
+
+/// Force and tangent of a step on their way.
+#[derive(Clone, Copy, Debug)]
+pub struct Trial {
+    /// Force.
+    q: [f64; 2],
+    /// Stiffness by rows.
+    k: [[f64; 2]; 2],
+    /// ∂q by the axial displacement.
+    k_axial: [f64; 2],
+    /// ∂q by the rate.
+    damping: f64,
+}
+
+/// Rules of [`RubberBoucWen`] that differ in OpenSees.
+pub trait Rules: Copy + fmt::Debug + Send + Sync {
+    /// Rise of temperature at the end of a step. `z` is that of the committed state and of the trial state, `qy` the yield force.
+    fn warm(core: &LeadCore, m: &Warmth, [_, z]: [[f64; 2]; 2], at: &ShearInput<'_>) -> f64 {
+        core.warm(m.rise, m.qy * length(z), length(at.rate), at.time, at.dt)
+    }
+
+    /// ∂z/∂d for an increment `d` over the yield displacement; `exact` is the derivative of the step.
+    fn hysteretic_tangent(_z: [f64; 2], _d: [f64; 2], exact: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+        exact
+    }
+
+    /// Stiffness of the rubber in a step: that of its axial force, or the one that was kept from the step before.
+    fn rubber(_kept: f64, now: f64) -> f64 {
+        now
+    }
+
+    /// Stiffness of the rubber that is kept for the next step.
+    fn keep(_law: &RubberBoucWen<Self>, _axial: &AxialStep, now: f64) -> f64 {
+        now
+    }
+
+    /// Complete the force and the tangent of a step from the committed state `c`, with the ratio N/P_cr and the derivative by it of the
+    /// part of the stiffness that is left.
+    fn complete(
+        law: &RubberBoucWen<Self>,
+        _moved: bool,
+        _c: &Shear<2>,
+        at: &ShearInput<'_>,
+        (ratio, d_left): (f64, f64),
+        t: &mut Trial,
+    ) {
+        if d_left == 0.0 {
+            return;
+        }
+        let axial = at.axial;
+        let slope = law.rubber * d_left / axial.critical;
+        t.k_axial = at.u.map(|u| u * slope * axial.k);
+        if at.size > 0.0 {
+            let by_size = slope * (axial.k_shear - ratio * axial.d_critical);
+            for i in 0..2 {
+                for j in 0..2 {
+                    t.k[i][j] += at.u[i] * by_size * at.u[j] / at.size;
+                }
+            }
+        }
+    }
+}
+
+impl Rules for Consistent {}
+
+fn length(v: [f64; 2]) -> f64 {
+    (v[0] * v[0] + v[1] * v[1]).sqrt()
 }
 
 crate::state_struct! {
@@ -78,16 +150,15 @@ fn hysteresis(zc: [f64; 2], d: [f64; 2]) -> ([f64; 2], [[f64; 2]; 2]) {
     (w.map(|w| t * w), dz)
 }
 
-/// OpenSees' ∂z/∂d: along the increment, with a constant ratio of its components.
-fn rate_tangent(z: [f64; 2], d: [f64; 2]) -> [[f64; 2]; 2] {
-    let slope = [share(z[0] * d[0]).1, share(z[1] * d[1]).1];
-    let (r12, r21) = if d[0] * d[1] == 0.0 { (0.0, 0.0) } else { (d[0] / d[1], d[1] / d[0]) };
-    let first = z[0] * slope[0] + z[1] * slope[1] * r21;
-    let second = z[0] * slope[0] * r12 + z[1] * slope[1];
-    [[1.0 - z[0] * first, r12 - z[0] * second], [r21 - z[1] * first, 1.0 - z[1] * second]]
+impl<R> RubberBoucWen<R> {
+    /// The same law with other rules.
+    pub fn with<T>(self, rules: T) -> RubberBoucWen<T> {
+        let Self { qy, k0, rubber, cd, varies, leaded, core, heats, .. } = self;
+        RubberBoucWen { qy, k0, rubber, cd, varies, leaded, core, heats, rules }
+    }
 }
 
-impl RubberBoucWen {
+impl<R: Rules> RubberBoucWen<R> {
     /// Ratio of the rubber stiffness to that without axial force, and its derivative by N/P_cr.
     #[inline]
     fn left(&self, ratio: f64) -> (f64, f64) {
@@ -97,21 +168,12 @@ impl RubberBoucWen {
     /// Temperature rise and yield force for the next step.
     fn warm(&self, c: &Shear<2>, m: &Warmth, z: [f64; 2], at: &ShearInput<'_>) -> (f64, f64) {
         let Some(core) = &self.core else { return (m.rise, m.qy) };
-        let length = |v: [f64; 2]| (v[0] * v[0] + v[1] * v[1]).sqrt();
-        let speed = length(at.rate);
-        let rise = if self.compat {
-            // Without a time step OpenSees counts from the last time, or from 0 after the domain time was set back.
-            let since = if at.time < m.time { 0.0 } else { m.time };
-            let passed = if at.dt > 0.0 { at.dt } else { at.time - since };
-            core.warm_as_opensees(m.rise, m.qy * length(c.internal), speed, at.time, passed)
-        } else {
-            core.warm(m.rise, m.qy * length(z), speed, at.time, at.dt)
-        };
+        let rise = R::warm(core, m, [c.internal, z], at);
         (rise, if self.heats { self.qy * LeadCore::strength(rise) } else { self.qy })
     }
 }
 
-impl RubberShear for RubberBoucWen {
+impl<R: Rules> RubberShear for RubberBoucWen<R> {
     type Memory = Warmth;
 
     fn class(&self) -> &'static str {
@@ -138,43 +200,20 @@ impl RubberShear for RubberBoucWen {
         if moved {
             let d = step.map(|s| s * scale);
             (z, dz) = hysteresis(c.internal, d);
-            if self.compat {
-                dz = rate_tangent(z, d);
-            }
-            dz = dz.map(|row| row.map(|x| x * scale));
+            dz = R::hysteretic_tangent(z, d, dz).map(|row| row.map(|x| x * scale));
         }
-        // Like its axial law, OpenSees uses the axial force of the last step.
         let axial = at.axial;
         let ratio = axial.next.force / axial.critical;
         let (left, d_left) = self.left(ratio);
-        let ke = if self.compat { m.ke } else { self.rubber * left };
-        let mut k: [[f64; 2]; 2] =
+        let ke = R::rubber(m.ke, self.rubber * left);
+        let k: [[f64; 2]; 2] =
             std::array::from_fn(|i| std::array::from_fn(|j| qy * dz[i][j] + if i == j { ke } else { 0.0 }));
-        let mut q = std::array::from_fn(|i| self.cd * at.rate[i] + qy * z[i] + ke * u[i]);
-        let mut k_axial = [0.0; 2];
-        let mut damping = self.cd;
-        if self.compat {
-            damping = 0.0;
-            if !moved {
-                // OpenSees keeps force and tangent for a bitwise equal displacement.
-                (q, k) = (c.q, c.k);
-            } else if self.cd > 0.0 && at.dt > 0.0 {
-                (0..2).for_each(|i| k[i][i] += self.cd / at.dt);
-            }
-        } else if d_left != 0.0 {
-            let slope = self.rubber * d_left / axial.critical;
-            k_axial = u.map(|u| u * slope * axial.k);
-            if at.size > 0.0 {
-                let by_size = slope * (axial.k_shear - ratio * axial.d_critical);
-                for i in 0..2 {
-                    for j in 0..2 {
-                        k[i][j] += u[i] * by_size * u[j] / at.size;
-                    }
-                }
-            }
-        }
+        let q = std::array::from_fn(|i| self.cd * at.rate[i] + qy * z[i] + ke * u[i]);
+        let mut t = Trial { q, k, k_axial: [0.0; 2], damping: self.cd };
+        R::complete(self, moved, c, at, (ratio, d_left), &mut t);
+        let Trial { q, k, k_axial, damping } = t;
         let (rise, next_qy) = self.warm(c, m, z, at);
-        let next_ke = if self.compat { self.rubber * self.left(axial.next.force / axial.next.fcrn).0 } else { ke };
+        let next_ke = R::keep(self, axial, ke);
         let memory =
             Warmth { dz: [dz[0][0], dz[0][1], dz[1][0], dz[1][1]], ke: next_ke, qy: next_qy, rise, time: at.time };
         ShearStep { shear: Shear { u, internal: z, q, k }, memory, k_axial, damping }

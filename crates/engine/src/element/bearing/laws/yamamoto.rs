@@ -1,9 +1,13 @@
 //! Shear law of `YamamotoBiaxialHDR`.
 
+mod opensees;
+
 use crate::element::bearing::elements::shear_bearing::end_masses;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw};
 use crate::element::{ElementError, Mass};
+use crate::rules::{Consistent, OpenSees};
 use std::f64::consts::PI;
+use std::fmt;
 
 /// Exponent n of the evolution of Q.
 const EXPONENT: f64 = 0.7;
@@ -20,7 +24,7 @@ const STEP: f64 = 0.05;
 /// Source: Yamamoto, Minewaki, Yoneda and Higashino (2012), <https://doi.org/10.1002/eqe.1161>, with the coefficients
 /// of Bridgestone's X0.6R in OpenSees.
 #[derive(Clone, Debug, PartialEq)]
-pub struct YamamotoShear {
+pub struct YamamotoShear<R = Consistent> {
     /// Area A of the rubber, m² for forces in N.
     pub area: f64,
     /// Total thickness H_r of the rubber.
@@ -29,18 +33,49 @@ pub struct YamamotoShear {
     pub cr: f64,
     /// Factor c_s of τ_s.
     pub cs: f64,
-    /// OpenSees' scheme: one forward Euler step for Q, always the initial stiffness, and the mass of node j at the
-    /// rotations of node i.
-    pub compat: bool,
+    rules: R,
 }
 
+/// Rules of [`YamamotoShear`] that differ in OpenSees.
+pub trait Rules: Clone + fmt::Debug + Send + Sync {
+    /// Q after an increment of displacement, of `length` over α, from `start` with its rate.
+    fn integrate(start: Evolution, length: f64, rate: impl Fn(Evolution) -> Evolution) -> Evolution {
+        runge_kutta(start, length, rate)
+    }
+
+    /// Returns true if the stiffness is always the initial one.
+    fn keeps_stiffness() -> bool {
+        false
+    }
+
+    /// Masses of the ends.
+    fn masses(masses: Mass) -> Mass {
+        masses
+    }
+}
+
+impl Rules for Consistent {}
+
 /// Q and its derivatives by the increment of displacement, by rows.
-type Evolution = ([f64; 2], [[f64; 2]; 2]);
+pub(super) type Evolution = ([f64; 2], [[f64; 2]; 2]);
 
 impl YamamotoShear {
     /// Makes the law of a rubber ring with outer and inner diameter.
-    pub fn new([outer, inner]: [f64; 2], height: f64, [cr, cs]: [f64; 2], compat: bool) -> Self {
-        Self { area: PI / 4.0 * (outer * outer - inner * inner), height, cr, cs, compat }
+    pub fn new(diameters: [f64; 2], height: f64, factors: [f64; 2]) -> Self {
+        Self::of(diameters, height, factors, Consistent)
+    }
+}
+
+impl YamamotoShear<OpenSees> {
+    /// As `new`, by the rules of OpenSees.
+    pub fn as_opensees(diameters: [f64; 2], height: f64, factors: [f64; 2]) -> Self {
+        Self::of(diameters, height, factors, OpenSees)
+    }
+}
+
+impl<R: Rules> YamamotoShear<R> {
+    fn of([outer, inner]: [f64; 2], height: f64, [cr, cs]: [f64; 2], rules: R) -> Self {
+        Self { area: PI / 4.0 * (outer * outer - inner * inner), height, cr, cs, rules }
     }
 
     /// |Q|ⁿ Q/|Q| and its derivatives.
@@ -55,8 +90,8 @@ impl YamamotoShear {
         (q.map(|q| power * q), [[slope(0, 0), slope(0, 1)], [slope(1, 0), slope(1, 1)]])
     }
 
-    /// Q after an increment `d` of displacement over α: forward Euler with `compat`, else Runge-Kutta in short steps.
-    fn evolve(&self, q: [f64; 2], d: [f64; 2]) -> Evolution {
+    /// Q after an increment `d` of displacement over α.
+    fn evolve(q: [f64; 2], d: [f64; 2]) -> Evolution {
         let length = d[0].hypot(d[1]);
         if length < f64::EPSILON {
             return (q, [[1.0, 0.0], [0.0, 1.0]]);
@@ -74,23 +109,7 @@ impl YamamotoShear {
             });
             (value, slope)
         };
-        let start = (q, [[0.0; 2]; 2]);
-        if self.compat {
-            return along(start, rate(start), 1.0);
-        }
-        let steps = (length / STEP).ceil();
-        let h = 1.0 / steps;
-        let mut at = start;
-        for _ in 0..steps as usize {
-            let k1 = rate(at);
-            let k2 = rate(along(at, k1, 0.5 * h));
-            let k3 = rate(along(at, k2, 0.5 * h));
-            let k4 = rate(along(at, k3, h));
-            for (k, weight) in [(k1, 1.0), (k2, 2.0), (k3, 2.0), (k4, 1.0)] {
-                at = along(at, k, weight * h / 6.0);
-            }
-        }
-        at
+        R::integrate((q, [[0.0; 2]; 2]), length, rate)
     }
 
     /// A τ_r and A τ_s, each with its derivative by γ.
@@ -110,13 +129,30 @@ impl YamamotoShear {
     }
 }
 
+/// Runge-Kutta method in short steps.
+fn runge_kutta(start: Evolution, length: f64, rate: impl Fn(Evolution) -> Evolution) -> Evolution {
+    let steps = (length / STEP).ceil();
+    let h = 1.0 / steps;
+    let mut at = start;
+    for _ in 0..steps as usize {
+        let k1 = rate(at);
+        let k2 = rate(along(at, k1, 0.5 * h));
+        let k3 = rate(along(at, k2, 0.5 * h));
+        let k4 = rate(along(at, k3, h));
+        for (k, weight) in [(k1, 1.0), (k2, 2.0), (k3, 2.0), (k4, 1.0)] {
+            at = along(at, k, weight * h / 6.0);
+        }
+    }
+    at
+}
+
 /// A step of size `h` from a state of Q at a rate.
 fn along((q, dq): Evolution, (rate, slope): Evolution, h: f64) -> Evolution {
     let value = std::array::from_fn(|i| q[i] + h * rate[i]);
     (value, std::array::from_fn(|i| std::array::from_fn(|j| dq[i][j] + h * slope[i][j])))
 }
 
-impl ShearLaw<2> for YamamotoShear {
+impl<R: Rules> ShearLaw<2> for YamamotoShear<R> {
     const CLASS: [&'static str; 2] = ["YamamotoBiaxialHDR"; 2];
     const HYSTERETIC: bool = false;
     const REPORTS_INERTIA: bool = true;
@@ -132,13 +168,13 @@ impl ShearLaw<2> for YamamotoShear {
             return Ok(*c);
         }
         let alpha = ALPHA * self.height;
-        let (internal, dq) = self.evolve(c.internal, std::array::from_fn(|i| (u[i] - c.u[i]) / alpha));
+        let (internal, dq) = Self::evolve(c.internal, std::array::from_fn(|i| (u[i] - c.u[i]) / alpha));
         let size = u[0].hypot(u[1]);
         let gamma = size / self.height;
         let [(fr, kr), (fs, ks)] = self.skeleton(gamma);
         let n = if size > 0.0 { u.map(|u| u / size) } else { [0.0; 2] };
         let q = std::array::from_fn(|i| fr * n[i] + fs * internal[i]);
-        if self.compat {
+        if R::keeps_stiffness() {
             return Ok(Shear { u, internal, q, k: self.virgin().k });
         }
         // F_r / |u|, which is constant at small strains.
@@ -154,13 +190,6 @@ impl ShearLaw<2> for YamamotoShear {
     }
 
     fn masses(&self, mass: f64) -> Mass {
-        match end_masses(mass, 6, 3) {
-            Mass::Lumped(mut m) if self.compat => {
-                m.copy_within(6..9, 3);
-                m[6..9].fill(0.0);
-                Mass::Lumped(m)
-            }
-            masses => masses,
-        }
+        R::masses(end_masses(mass, 6, 3))
     }
 }

@@ -1,6 +1,7 @@
 //! A bearing between two nodes: a sliding surface with uniaxial materials for the other directions.
 
 use super::heat::{self, Heat};
+use super::rules::Rules;
 use super::surface::{Pose, Surface};
 use crate::element::bearing::Link;
 use crate::element::bearing::elements::shear_bearing::{
@@ -11,8 +12,9 @@ use crate::element::{
     BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, frame_force_labels,
 };
 use crate::material::{Material, Slot, Strain};
-use crate::numeric::{axpy, dot, norm};
+use crate::numeric::{axpy, dot};
 use crate::probe::Probe;
+use crate::rules::Consistent;
 use crate::state_struct::StateStruct;
 
 /// Kind of a sliding bearing.
@@ -43,18 +45,9 @@ impl Kind {
 /// First response of a surface with frictional heating.
 const HEAT: u32 = 20;
 
-/// OpenSees' iteration for the shear force, by substitution.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Substitution {
-    /// Largest number of iterations.
-    pub rounds: usize,
-    /// Tolerance of the change of the shear force.
-    pub tolerance: f64,
-}
-
 /// Properties of a sliding bearing besides its surface and materials.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Setting {
+pub struct Setting<R = Consistent> {
     /// Kind.
     pub kind: Kind,
     /// Mass, half at each end.
@@ -63,21 +56,27 @@ pub struct Setting {
     pub rayleigh: bool,
     /// Share of the initial stiffness that remains in uplift, so that the tangent is regular.
     pub uplift: f64,
-    /// OpenSees' scheme: the iterations of its options, its tangent, and its state between trials; `None` for the
-    /// consistent law.
-    pub compat: Option<Substitution>,
+    /// Rules of the iterations, of the tangent and of trial states.
+    pub rules: R,
+}
+
+impl<R> Setting<R> {
+    /// The same properties with other rules.
+    pub fn with<T>(self, rules: T) -> Setting<T> {
+        Setting { kind: self.kind, mass: self.mass, rayleigh: self.rayleigh, uplift: self.uplift, rules }
+    }
 }
 
 /// A bearing with a sliding surface in `S` directions and uniaxial materials. It has `N` degrees of freedom and `B`
 /// basic directions (axial, shear, torsion, rotations). In tension the surface carries no force. P-Delta moments of the
 /// axial force and the torsion of the shear force act at the node of the surface.
 #[derive(Clone, Debug)]
-pub struct SlidingBearing<const N: usize, const B: usize, const S: usize> {
+pub struct SlidingBearing<const N: usize, const B: usize, const S: usize, R = Consistent> {
     pub(super) surface: Surface,
     pub(super) link: Link<N, B>,
     /// Basic directions with their materials.
     pub(super) springs: Vec<(usize, Slot)>,
-    setting: Setting,
+    pub(super) setting: Setting<R>,
     /// Rows of the rotation of the surface about its two axes, by the displacements.
     pub(super) tilt: [[f64; N]; S],
     levers: Vec<Lever<N>>,
@@ -88,9 +87,9 @@ pub struct SlidingBearing<const N: usize, const B: usize, const S: usize> {
 }
 
 /// A sliding bearing in the plane.
-pub type PlaneSlider = SlidingBearing<6, 3, 1>;
+pub type PlaneSlider<R = Consistent> = SlidingBearing<6, 3, 1, R>;
 /// A sliding bearing in space.
-pub type SpaceSlider = SlidingBearing<12, 6, 2>;
+pub type SpaceSlider<R = Consistent> = SlidingBearing<12, 6, 2, R>;
 
 /// A moment on a node: the sum of basic forces times displacements.
 #[derive(Clone, Debug)]
@@ -103,7 +102,7 @@ struct Lever<const N: usize> {
 
 /// State variables of a sliding bearing.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct History<const B: usize, const S: usize> {
+pub struct History<const B: usize, const S: usize> {
     /// Plastic displacement of the surface.
     pub(super) plastic: [f64; S],
     /// Force of the surface.
@@ -144,13 +143,13 @@ impl<const B: usize, const S: usize> StateStruct for History<B, S> {
 }
 
 /// Basic forces with their derivatives by displacements and velocities of all degrees of freedom.
-pub(super) struct Basic<const N: usize, const B: usize> {
+pub struct Basic<const N: usize, const B: usize> {
     pub(super) q: [f64; B],
     pub(super) by_disp: [[f64; N]; B],
     pub(super) by_vel: [[f64; N]; B],
 }
 
-impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
+impl<const N: usize, const B: usize, const S: usize, R: Rules> SlidingBearing<N, B, S, R> {
     /// Makes the bearing of its surface, its kinematics and its materials with tags. The kinematics have the length and
     /// the position of the shear force (0 for node i, 1 for node j). Materials are in the order of the basic
     /// directions: axial, shear (for [`Kind::Springs`]), torsion in space, rotations.
@@ -158,7 +157,7 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
         surface: Surface,
         (link, length, shear_dist): (Link<N, B>, f64, f64),
         materials: Vec<(Material, i32)>,
-        setting: Setting,
+        setting: Setting<R>,
     ) -> Self {
         let springs = setting.kind == Kind::Springs;
         let directions = (0..B).filter(|d| springs || !(1..=S).contains(d));
@@ -186,9 +185,7 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
     fn rise(&self, u: &[f64; B], rate: &[f64; B]) -> Result<(f64, f64, [f64; S]), ElementError> {
         let Some(dish) = self.surface.dish.filter(|d| d.rises) else { return Ok((0.0, 0.0, [0.0; S])) };
         let (rise, slope) = dish.rise::<S>(std::array::from_fn(|i| u[1 + i]))?;
-        // OpenSees omits the rate, and omits the slope in the tangent.
-        let followed = self.setting.compat.is_none();
-        Ok(if followed { (rise, dot(&slope, &rate[1..=S]), slope) } else { (rise, 0.0, [0.0; S]) })
+        Ok(R::rise(rise, slope, &rate[1..=S]))
     }
 
     /// Basic forces at a trial state. Materials are evaluated in uplift too, except by OpenSees.
@@ -199,22 +196,20 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
         trial: &mut [f64],
     ) -> Result<Basic<N, B>, ElementError> {
         let (u, rate) = (self.link.deformation(motion.disp), self.link.deformation(motion.vel));
-        if let (Some(heat), true) = (&self.heat, self.setting.compat.is_some()) {
-            return self.early(heat, motion, committed, trial);
+        if let Some(heat) = R::heat_first(self.heat.as_ref()) {
+            return self.with_early_friction(heat, motion, committed, trial);
         }
         let (rise, rise_rate, slope) = self.rise(&u, &rate)?;
         let mut out = Basic { q: [0.0; B], by_disp: [[0.0; N]; B], by_vel: [[0.0; N]; B] };
-        let compat = self.setting.compat.is_some();
         for (d, slot) in &self.springs {
-            if compat && *d > S && out.q[0] >= 0.0 {
+            if R::leaves_out::<S>(*d, out.q[0]) {
                 continue;
             }
             let last = slot.strain(trial);
             let (less, less_rate) = if *d == 0 { (rise, rise_rate) } else { (0.0, 0.0) };
             let strain = Strain { value: u[*d] - less, rate: rate[*d] - less_rate, dt: motion.dt };
             let s = slot.update(committed, strain, trial)?;
-            if compat && *d == 0 && S == 1 && self.setting.kind != Kind::Springs && s.value > 0.0 {
-                // OpenSees restores the committed strain of the axial material.
+            if R::puts_back::<S>(self.setting.kind, *d, s.value) {
                 slot.update(committed, Strain { value: last, rate: 0.0, dt: motion.dt }, trial)?;
             }
             out.q[*d] = s.value;
@@ -240,7 +235,7 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
             self.press(&pose, &last, &mut out)?
         } else {
             let left = self.left(u[0] - rise, committed);
-            self.lift((&u, &rate, left), &last, &mut out)
+            R::lift(self, (&u, &rate, left), &last, &mut out)
         };
         next.q = out.q;
         next.write(trial);
@@ -258,29 +253,11 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
         last: &History<B, S>,
         out: &mut Basic<N, B>,
     ) -> Result<History<B, S>, ElementError> {
-        let slide = match self.setting.compat {
-            None => self.surface.slide(pose)?,
-            Some(s) => self.surface.slide_by_substitution(pose, last.shear, s.rounds, s.tolerance)?,
-        };
-        // If a trial slid and the next one sticks, OpenSees keeps the plastic displacement of the first.
-        let kept = if self.setting.compat.is_some() { last.plastic } else { pose.plastic };
-        let (axial, axial_damping) = (out.by_disp[0], out.by_vel[0]);
+        let slide = self.setting.rules.slide(&self.surface, pose, last.shear)?;
+        let kept = R::stuck(pose.plastic, last.plastic);
         for i in 0..S {
-            let (k, c) = (&mut out.by_disp[1 + i], &mut out.by_vel[1 + i]);
             out.q[1 + i] += slide.q[i];
-            if self.setting.compat.is_some() {
-                for j in 0..S {
-                    axpy(slide.stiffness[i][j], &self.link.basic[1 + j], k);
-                }
-                continue;
-            }
-            for j in 0..S {
-                axpy(slide.by_u[i][j], &self.link.basic[1 + j], k);
-                axpy(slide.by_tilt[i][j], &self.tilt[j], k);
-                axpy(slide.by_rate[i][j], &self.link.basic[1 + j], c);
-            }
-            axpy(-slide.by_pressure[i], &axial, k);
-            axpy(-slide.by_pressure[i], &axial_damping, c);
+            R::add_derivatives(self, &slide, i, out);
         }
         let plastic = slide.plastic.unwrap_or(kept);
         Ok(History { plastic, shear: slide.q, contact: slide.contact, q: [0.0; B] })
@@ -294,46 +271,11 @@ impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
         if gap <= 0.0 { 1.0 } else { (-axial.stress(committed) / closing.abs()).max(self.setting.uplift).min(1.0) }
     }
 
-    /// Removes the forces that need contact: all but the shear springs. A share of the initial stiffness remains.
-    fn lift(
-        &self,
-        (u, rate, left): (&[f64; B], &[f64; B], f64),
-        last: &History<B, S>,
-        out: &mut Basic<N, B>,
-    ) -> History<B, S> {
-        let compat = self.setting.compat.is_some();
-        let springs = self.setting.kind == Kind::Springs;
-        // OpenSees keeps the full initial stiffness in space, and in the plane if the axial material is not in tension.
-        let whole = compat && (S == 2 || springs || out.q[0] == 0.0);
-        let left = match compat {
-            true if whole => 1.0,
-            true => self.setting.uplift,
-            false => left,
-        };
-        for (d, slot) in &self.springs {
-            let shears = (1..=S).contains(d);
-            if !shears {
-                out.q[*d] = 0.0;
-            }
-            if !shears && !compat {
-                out.by_vel[*d] = [0.0; N];
-            }
-            if !shears || compat {
-                out.by_disp[*d] = self.link.basic[*d].map(|r| left * slot.material.initial_tangent() * r);
-            }
-        }
+    /// Adds a share of the initial stiffness of the surface.
+    pub(super) fn add_initial_shear(&self, left: f64, out: &mut Basic<N, B>) {
         for (row, basic) in out.by_disp[1..=S].iter_mut().zip(&self.link.basic[1..=S]) {
             axpy(left * self.surface.k_init, basic, row);
         }
-        if compat {
-            // The friction model keeps its last contact state. In the plane the slider does not move without tension.
-            let stays = whole && S == 1 && !springs;
-            let plastic = if stays { last.plastic } else { std::array::from_fn(|i| u[1 + i]) };
-            return History { plastic, shear: [0.0; S], ..*last };
-        }
-        let speed = norm(&rate[1..=S]);
-        let contact = Contact { normal: 0.0, speed, mu: self.surface.coefficient(0.0, speed).mu };
-        History { plastic: std::array::from_fn(|i| u[1 + i]), shear: [0.0; S], contact, q: [0.0; B] }
     }
 }
 
@@ -361,7 +303,7 @@ fn levers<const N: usize, const S: usize>(local: &[[f64; N]; N], foot: usize, he
     all
 }
 
-impl<const N: usize, const B: usize, const S: usize> Element for SlidingBearing<N, B, S> {
+impl<const N: usize, const B: usize, const S: usize, R: Rules> Element for SlidingBearing<N, B, S, R> {
     fn class(&self) -> &'static str {
         self.setting.kind.class()[S - 1]
     }
@@ -401,7 +343,6 @@ impl<const N: usize, const B: usize, const S: usize> Element for SlidingBearing<
         for (row, &q) in self.link.basic.iter().zip(&q) {
             axpy(q, row, output.force);
         }
-        let consistent = self.setting.compat.is_none();
         let (mut tangent, mut damping) = (output.tangent, output.damping);
         for (row, (by_disp, by_vel)) in self.link.basic.iter().zip(by_disp.iter().zip(&by_vel)) {
             add_product(&mut tangent, row, by_disp);
@@ -413,7 +354,7 @@ impl<const N: usize, const B: usize, const S: usize> Element for SlidingBearing<
                 let length = dot(arm, motion.disp);
                 moment += q[*basic] * length;
                 axpy(q[*basic], arm, &mut by_u);
-                if consistent {
+                if R::MOMENTS_FOLLOW_FORCES {
                     axpy(length, &by_disp[*basic], &mut by_u);
                     axpy(length, &by_vel[*basic], &mut by_v);
                 }

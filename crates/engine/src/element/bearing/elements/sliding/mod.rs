@@ -4,10 +4,12 @@
 //! heating.
 
 mod bearing;
-mod early;
 mod heat;
+mod opensees;
+mod rules;
 mod surface;
 
-pub use bearing::{Kind, PlaneSlider, Setting, SlidingBearing, SpaceSlider, Substitution};
+pub use bearing::{Kind, PlaneSlider, Setting, SlidingBearing, SpaceSlider};
 pub use heat::{Heat, HeatSetting};
+pub use opensees::Substitution;
 pub use surface::{Dish, Pose, Slide, Surface};

@@ -1,7 +1,8 @@
 //! The element of the triple friction pendulum: vertical force, moments, responses.
 
-use super::chain::{Chain, ChainForce, ChainState, rows, square};
+use super::chain::{Chain, ChainState, rows, square};
 use super::heated::{Heated, PARAMETER_NAMES, PARAMETERS, Step, ThermalState};
+use super::rules::{Rules, Vertical};
 use crate::element::bearing::elements::shear_bearing::{
     BASIC_FORCE, DEFORMATION, FRICTION, LOCAL_DISP, LOCAL_FORCE, MATERIAL, probe,
 };
@@ -12,13 +13,14 @@ use crate::element::{
 };
 use crate::material::{Material, Slot, Strain, Stress};
 use crate::probe::Probe;
+use crate::rules::Consistent;
 use crate::state_struct;
 use crate::state_struct::StateStruct;
 use nalgebra::{Matrix2, Vector2};
 
 /// Properties of a triple friction pendulum besides its chain and materials.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TripleSetting {
+pub struct TripleSetting<R = Consistent> {
     /// Weight for the initial coefficients of friction.
     pub weight: f64,
     /// Vertical stiffness in tension.
@@ -27,19 +29,27 @@ pub struct TripleSetting {
     pub least_normal: f64,
     /// Height of node j above node i.
     pub height: f64,
-    /// OpenSees' scheme with its relative tolerance; `None` for the consistent law.
-    pub compat: Option<f64>,
+    /// Rules of the iterations, of tension, of the moments and of records.
+    pub rules: R,
+}
+
+impl<R> TripleSetting<R> {
+    /// The same properties with other rules.
+    pub fn with<T>(self, rules: T) -> TripleSetting<T> {
+        let Self { weight, k_tension, least_normal, height, .. } = self;
+        TripleSetting { weight, k_tension, least_normal, height, rules }
+    }
 }
 
 /// A triple friction pendulum between two nodes, with its axis along the global Z. The shear force of a chain of
 /// sliding segments is proportional to the normal force. Uniaxial materials act in the vertical direction and for the
 /// rotations about Z, X and Y.
 #[derive(Clone, Debug)]
-pub struct TriplePendulum {
-    chain: Chain,
+pub struct TriplePendulum<R = Consistent> {
+    pub(super) chain: Chain,
     surfaces: Surfaces,
-    materials: [Slot; 4],
-    setting: TripleSetting,
+    pub(super) materials: [Slot; 4],
+    pub(super) setting: TripleSetting<R>,
     state_len: usize,
 }
 
@@ -54,7 +64,7 @@ enum Surfaces {
 
 state_struct! {
     /// State variables besides those of chain and surfaces.
-    struct Load {
+    pub struct Load {
         /// Normal force, positive in compression.
         normal: f64,
         /// Mean normal force of the step, for the friction.
@@ -82,24 +92,24 @@ struct Top {
     damping: [f64; 6],
 }
 
-impl TriplePendulum {
+impl<R: Rules> TriplePendulum<R> {
     /// Makes the bearing of its chain, the friction models of its segments, and its materials with tags: vertical,
     /// rotations about Z, X and Y.
     pub fn new(
         chain: Chain,
         frictions: [Friction; 3],
         materials: [(Material, i32); 4],
-        setting: TripleSetting,
+        setting: TripleSetting<R>,
     ) -> Self {
         Self::of(chain, Surfaces::Models(frictions), materials, setting)
     }
 
     /// Makes the bearing with frictional heating.
-    pub fn heated(chain: Chain, heated: Heated, materials: [(Material, i32); 4], setting: TripleSetting) -> Self {
+    pub fn heated(chain: Chain, heated: Heated, materials: [(Material, i32); 4], setting: TripleSetting<R>) -> Self {
         Self::of(chain, Surfaces::Heated(Box::new(heated)), materials, setting)
     }
 
-    fn of(chain: Chain, surfaces: Surfaces, materials: [(Material, i32); 4], setting: TripleSetting) -> Self {
+    fn of(chain: Chain, surfaces: Surfaces, materials: [(Material, i32); 4], setting: TripleSetting<R>) -> Self {
         let mut state_len = HEAT + if matches!(surfaces, Surfaces::Heated(_)) { Heated::LEN } else { 0 };
         let materials = materials.map(|(m, tag)| {
             let slot = Slot::new(m, tag, state_len);
@@ -133,75 +143,13 @@ impl TriplePendulum {
     ) -> Result<(Stress, f64), ElementError> {
         let slot = &self.materials[0];
         let last = slot.strain(trial);
-        let mut s = slot.update(committed, Strain { value: apart, rate, dt }, trial)?;
+        let s = slot.update(committed, Strain { value: apart, rate, dt }, trial)?;
         if s.value < 0.0 {
             return Ok((s, -s.value));
         }
         let normal = self.setting.least_normal;
-        if self.setting.compat.is_none() {
-            let k = if apart > 0.0 { self.setting.k_tension } else { s.tangent };
-            return Ok((Stress { value: k * apart.max(0.0), tangent: k, damping: 0.0 }, normal));
-        }
-        // OpenSees restores the committed strain of the material, and reports the least normal force.
-        let initial = slot.material.initial_tangent();
-        let pulls = s.value > initial * f64::EPSILON;
-        if pulls {
-            slot.update(committed, Strain { value: last, rate: 0.0, dt }, trial)?;
-        }
-        s.tangent = if pulls { self.setting.k_tension } else { initial };
-        Ok((Stress { value: -normal, ..s }, normal))
-    }
-
-    /// Shear force of the chain at a mean normal force.
-    fn shear(
-        &self,
-        u: Vector2<f64>,
-        dt: f64,
-        (c, last): (&ChainState, &ChainState),
-        load: &mut Load,
-        frictions: &[Friction; 3],
-    ) -> Result<ChainForce, ElementError> {
-        let Some(tolerance) = self.setting.compat else {
-            let mean = load.mean;
-            let t = self.chain.stretch(c, u, dt, |i, speed| coefficient(frictions, i, mean, speed))?;
-            (load.speed, load.mu) = (t.friction.map(|f| f.0), t.friction.map(|f| f.1));
-            return Ok(t);
-        };
-        // OpenSees uses the speeds of the last trial.
-        load.speed = [0, 1, 2].map(|i| self.chain.segments[i].speed * last.speed[i]);
-        load.mu = [0, 1, 2].map(|i| coefficient(frictions, i, load.mean, load.speed[i]).mu);
-        Ok(as_found(self.chain.stretch_by_increments(c, u, load.mu, (tolerance, 0.01), (last.speed, dt))))
-    }
-
-    /// Shear force of the chain at a mean normal force, with frictional heating.
-    fn heated_shear(
-        &self,
-        heated: &Heated,
-        (u, step): (Vector2<f64>, Step),
-        (before, load): (&Load, &mut Load),
-        committed: &[f64],
-        trial: &mut [f64],
-    ) -> Result<ChainForce, ElementError> {
-        let c = ChainState::read(committed);
-        let (committed, trial) = (&committed[HEAT..], &mut trial[HEAT..]);
-        let t = if let Some(tolerance) = self.setting.compat {
-            load.mu = heated.warm_first(before.normal, step, committed, trial);
-            let to = (tolerance, 1e-4);
-            let t = as_found(self.chain.stretch_by_increments(&c, u, load.mu, to, ([0.0; 3], 0.0)));
-            heated.slide_late((&t.state, &c), step, committed, trial);
-            t
-        } else {
-            let (warm, mean) = (ThermalState::read(committed), load.mean);
-            let friction = |i, speed| match mean > 0.0 {
-                true => heated.coefficient(&warm, i, mean, speed),
-                false => Coefficient::default(),
-            };
-            let t = self.chain.stretch(&c, u, step.dt, friction)?;
-            (load.speed, load.mu) = (t.friction.map(|f| f.0), t.friction.map(|f| f.1));
-            heated.warm(&t.state, mean, step, committed, trial);
-            t
-        };
-        Ok(t)
+        let at = Vertical { apart, dt, last };
+        Ok((self.setting.rules.lifted(self, at, s, committed, trial)?, normal))
     }
 
     fn top(&self, motion: &ElementInput<'_>, committed: &[f64], trial: &mut [f64]) -> Result<Top, ElementError> {
@@ -214,10 +162,10 @@ impl TriplePendulum {
         let mut load = Load { normal, mean: 0.5 * (before.normal + normal), ..Load::default() };
         let u = Vector2::new(apart[0], apart[1]);
         let t = match &self.surfaces {
-            Surfaces::Models(f) => self.shear(u, motion.dt, (&c, &last), &mut load, f)?,
+            Surfaces::Models(f) => self.setting.rules.shear(self, (u, motion.dt), (&c, &last), &mut load, f)?,
             Surfaces::Heated(heated) => {
                 let step = Step { time: motion.time, dt: motion.dt };
-                self.heated_shear(heated, (u, step), (&before, &mut load), committed, trial)?
+                self.setting.rules.heated_shear((self, heated), (u, step), (&before, &mut load), committed, trial)?
             }
         };
         let f = Vector2::from(t.state.f);
@@ -226,8 +174,7 @@ impl TriplePendulum {
         let shear = normal * f;
         let stiffness: Matrix2<f64> = normal * t.k;
         (load.across, load.along[0]) = (rows(&stiffness), v.tangent);
-        let pressed = self.setting.compat.is_none() && v.value < 0.0;
-        let by_z = if pressed { -v.tangent * (f + 0.5 * normal * t.by_normal) } else { Vector2::zeros() };
+        let by_z = R::by_vertical(&v, &f, normal, &t.by_normal);
         for i in 0..2 {
             top.force[i] = shear[i];
             top.by_apart[i][..3].copy_from_slice(&[stiffness[(i, 0)], stiffness[(i, 1)], by_z[i]]);
@@ -264,14 +211,8 @@ impl TriplePendulum {
     }
 }
 
-fn coefficient(frictions: &[Friction; 3], i: usize, normal: f64, speed: f64) -> Coefficient {
+pub(super) fn coefficient(frictions: &[Friction; 3], i: usize, normal: f64, speed: f64) -> Coefficient {
     if normal > 0.0 { frictions[i].coefficient(normal, speed) } else { Coefficient::default() }
-}
-
-/// The force of a chain with the tangent of its last iteration.
-fn as_found(state: ChainState) -> ChainForce {
-    let k = square(&state.whole, 0);
-    ChainForce { state, k, by_normal: Vector2::zeros(), friction: [(0.0, 0.0); 3] }
 }
 
 /// Adds an entry of a matrix by the relative displacement; `sign` is that of the force on node i.
@@ -282,7 +223,7 @@ fn add_apart(matrix: &mut [f64], row: usize, col: usize, value: f64, sign: f64) 
     }
 }
 
-impl Element for TriplePendulum {
+impl<R: Rules> Element for TriplePendulum<R> {
     fn class(&self) -> &'static str {
         match self.surfaces {
             Surfaces::Models(_) => "TripleFrictionPendulum",
@@ -328,12 +269,9 @@ impl Element for TriplePendulum {
         let top = self.top(motion, committed, trial)?;
         let apart = std::array::from_fn(|i| motion.disp[6 + i] - motion.disp[i]);
         let (m, by) = self.moments(&top, &apart);
-        // OpenSees gives both nodes the same sign of the rotational moments, and omits the moments in the tangent.
-        let compat = self.setting.compat.is_some();
-        let turn = if compat { 1.0 } else { -1.0 };
         for (i, m) in m.iter().enumerate() {
             (output.force[i], output.force[6 + i]) = (-top.force[i], top.force[i]);
-            output.force[3 + i] = turn * top.force[3 + i] + 0.5 * m;
+            output.force[3 + i] = R::MOMENT_AT_I * top.force[3 + i] + 0.5 * m;
             output.force[9 + i] = top.force[3 + i] + 0.5 * m;
         }
         if let Some(k) = output.tangent {
@@ -342,7 +280,7 @@ impl Element for TriplePendulum {
                     add_apart(k, i, j, top.by_apart[i][j], -1.0);
                 }
             }
-            for (i, row) in by.iter().enumerate().filter(|_| !compat) {
+            for (i, row) in by.iter().enumerate().filter(|_| R::MOMENTS_IN_TANGENT) {
                 for (j, x) in row.iter().enumerate() {
                     add_apart(k, 3 + i, j, 0.5 * x, 1.0);
                 }
@@ -355,10 +293,9 @@ impl Element for TriplePendulum {
     }
 
     fn opensees(&self) -> OpenSeesTraits<'_> {
-        let compat = self.setting.compat.is_some();
         OpenSeesTraits {
-            calls: compat.then_some(self as &dyn CallDependent),
-            damps_in_forces_only: compat,
+            calls: R::CALL_DEPENDENT.then_some(self as &dyn CallDependent),
+            damps_in_forces_only: R::DAMPS_IN_FORCES_ONLY,
             ..OpenSeesTraits::default()
         }
     }
@@ -426,17 +363,15 @@ impl Element for TriplePendulum {
         };
         let chain = ChainState::read(s.state);
         let load = Load::read(&s.state[ChainState::LEN..]);
-        let compat = self.setting.compat.is_some();
         match path[0] {
             LOCAL_FORCE => local(s.force, out),
             BASIC_FORCE => local(&s.force[6..], out),
-            // OpenSees records zeros, and no rotations.
-            LOCAL_DISP if compat => out.fill(0.0),
+            LOCAL_DISP if !R::SHOWS_DISPLACEMENTS => out.fill(0.0),
             LOCAL_DISP => local(s.disp, out),
             DEFORMATION => {
                 let apart: [f64; 6] = std::array::from_fn(|i| s.disp[6 + i] - s.disp[i]);
                 local(&apart, out);
-                if compat {
+                if !R::SHOWS_DISPLACEMENTS {
                     out[3..].fill(0.0);
                 }
             }
@@ -459,7 +394,7 @@ impl Element for TriplePendulum {
 }
 
 /// OpenSees' friction starts from the speeds of the last call, its vertical material from its restored state.
-impl CallDependent for TriplePendulum {
+impl<R: Rules> CallDependent for TriplePendulum<R> {
     fn last_tangent(&self, history: &[f64], _: &SharedState, tangent: &mut [f64], _: MatrixMask) {
         let load = Load::read(&history[ChainState::LEN..]);
         for (i, k) in load.across.iter().enumerate() {
@@ -474,7 +409,7 @@ impl CallDependent for TriplePendulum {
 const SEGMENTS: u32 = 20;
 const HEATING: u32 = 21;
 /// Index of the state variables of the surfaces.
-const HEAT: usize = ChainState::LEN + Load::LEN;
+pub(super) const HEAT: usize = ChainState::LEN + Load::LEN;
 const HEATED_SEGMENTS: [&str; 12] =
     ["d1x", "d3x", "d5x", "d1y", "d3y", "d5y", "v1x", "v3x", "v5x", "v1y", "v3y", "v5y"];
 /// Responses: the first exists with friction models alone, the last with heating alone.

@@ -81,7 +81,7 @@ pub struct Chain {
 }
 
 /// Force of a chain with derivatives.
-pub(super) struct ChainForce {
+pub struct ChainForce {
     pub(super) state: ChainState,
     /// Stiffness.
     pub(super) k: Matrix2<f64>,

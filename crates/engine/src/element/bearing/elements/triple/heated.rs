@@ -126,8 +126,8 @@ pub(super) const PARAMETER_NAMES: [&str; PARAMETERS] = [
 ];
 
 /// Domain time of a step, and its increment.
-#[derive(Clone, Copy)]
-pub(super) struct Step {
+#[derive(Clone, Copy, Debug)]
+pub struct Step {
     pub(super) time: f64,
     pub(super) dt: f64,
 }

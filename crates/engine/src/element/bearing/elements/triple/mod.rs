@@ -7,11 +7,13 @@ mod chain;
 mod conduction;
 mod heated;
 pub mod history;
+mod opensees;
+mod rules;
 mod segment;
-mod substeps;
 
 pub use bearing::{TriplePendulum, TripleSetting};
 pub use chain::{Chain, ChainState};
 pub use conduction::{Body, Conduction};
 pub use heated::{Heated, HeatedSetting, Softening};
+pub use opensees::Increments;
 pub use segment::Segment;

@@ -1,15 +1,96 @@
-//! OpenSees' way to the force of a chain: increments from the committed force to a relative tolerance, halved where they
-//! do not converge. Followed on demand only.
+//! Triple friction pendulums by OpenSees' rules.
+//!
+//! Increments from the committed force give the force of the chain to a relative tolerance; they are halved without
+//! convergence. The friction has the speeds of the last trial. Both nodes have the same sign of the rotational moments.
+//! The tangent omits the moments.
 
-use super::chain::{Chain, ChainState, in_series, rows, square, two};
+use super::bearing::{HEAT, Load, TriplePendulum, coefficient};
+use super::chain::{Chain, ChainForce, ChainState, in_series, rows, square, two};
+use super::heated::{Heated, Step};
+use super::rules::{Rules, Vertical};
 use super::segment::Segment;
-use crate::element::friction::Coefficient;
+use crate::element::ElementError;
+use crate::element::friction::{Coefficient, Friction};
+use crate::material::{Strain, Stress};
+use crate::state_struct::StateStruct;
 use nalgebra::{Matrix2, Vector2};
 
 /// Iterations for a segment, and for the chain.
 const ROUNDS: usize = 20;
 /// How often a step may be halved.
 const HALVINGS: i32 = 7;
+
+/// OpenSees' rules, with the tolerance of the command relative to the step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Increments(pub f64);
+
+impl Rules for Increments {
+    const MOMENT_AT_I: f64 = 1.0;
+    const MOMENTS_IN_TANGENT: bool = false;
+    const SHOWS_DISPLACEMENTS: bool = false;
+    const CALL_DEPENDENT: bool = true;
+    const DAMPS_IN_FORCES_ONLY: bool = true;
+
+    /// OpenSees restores the last strain of the material, and reports the least normal force.
+    fn lifted(
+        self,
+        bearing: &TriplePendulum<Self>,
+        at: Vertical,
+        mut s: Stress,
+        committed: &[f64],
+        trial: &mut [f64],
+    ) -> Result<Stress, ElementError> {
+        let slot = &bearing.materials[0];
+        let initial = slot.material.initial_tangent();
+        let pulls = s.value > initial * f64::EPSILON;
+        if pulls {
+            slot.update(committed, Strain { value: at.last, rate: 0.0, dt: at.dt }, trial)?;
+        }
+        s.tangent = if pulls { bearing.setting.k_tension } else { initial };
+        Ok(Stress { value: -bearing.setting.least_normal, ..s })
+    }
+
+    fn shear(
+        self,
+        bearing: &TriplePendulum<Self>,
+        (u, dt): (Vector2<f64>, f64),
+        (c, last): (&ChainState, &ChainState),
+        load: &mut Load,
+        frictions: &[Friction; 3],
+    ) -> Result<ChainForce, ElementError> {
+        let chain = &bearing.chain;
+        load.speed = [0, 1, 2].map(|i| chain.segments[i].speed * last.speed[i]);
+        load.mu = [0, 1, 2].map(|i| coefficient(frictions, i, load.mean, load.speed[i]).mu);
+        Ok(as_found(chain.stretch_by_increments(c, u, load.mu, (self.0, 0.01), (last.speed, dt))))
+    }
+
+    fn heated_shear(
+        self,
+        (bearing, heated): (&TriplePendulum<Self>, &Heated),
+        (u, step): (Vector2<f64>, Step),
+        (before, load): (&Load, &mut Load),
+        committed: &[f64],
+        trial: &mut [f64],
+    ) -> Result<ChainForce, ElementError> {
+        let c = ChainState::read(committed);
+        let (committed, trial) = (&committed[HEAT..], &mut trial[HEAT..]);
+        load.mu = heated.warm_first(before.normal, step, committed, trial);
+        let chain = &bearing.chain;
+        let t = as_found(chain.stretch_by_increments(&c, u, load.mu, (self.0, 1e-4), ([0.0; 3], 0.0)));
+        heated.slide_late((&t.state, &c), step, committed, trial);
+        Ok(t)
+    }
+
+    fn by_vertical(_: &Stress, _: &Vector2<f64>, _: f64, _: &Vector2<f64>) -> Vector2<f64> {
+        Vector2::zeros()
+    }
+}
+
+/// The force of a chain with the tangent of its last iteration.
+fn as_found(state: ChainState) -> ChainForce {
+    let k = square(&state.whole, 0);
+    ChainForce { state, k, by_normal: Vector2::zeros(), friction: [(0.0, 0.0); 3] }
+}
 
 /// A state on the way.
 #[derive(Clone)]

@@ -1,7 +1,12 @@
-//! `FPBearingPTV` as OpenSees has it.
+//! Sliding bearings by OpenSees' rules.
+//!
+//! Substitution gives the shear force. The plastic displacement of a trial state that slides is kept. The tangent omits
+//! the normal force, the speed, the rise of the slider and the arms of the moments. `FPBearingPTV` has its own scheme.
 
-use super::bearing::{Basic, History, SlidingBearing};
+use super::bearing::{Basic, History, Kind, SlidingBearing};
 use super::heat::Heat;
+use super::rules::Rules;
+use super::surface::{Pose, Slide, Surface};
 use crate::element::friction::Contact;
 use crate::element::{ElementError, ElementInput};
 use crate::material::Strain;
@@ -12,11 +17,85 @@ use crate::state_struct::StateStruct;
 const UPLIFT: f64 = 1e-6;
 const PUSH: f64 = 1e-4;
 
-impl<const N: usize, const B: usize, const S: usize> SlidingBearing<N, B, S> {
+/// OpenSees' rules, with the iterations of the command's options.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Substitution {
+    /// Largest number of iterations for the shear force.
+    pub rounds: usize,
+    /// Tolerance of the change of the shear force.
+    pub tolerance: f64,
+}
+
+impl Rules for Substitution {
+    const MOMENTS_FOLLOW_FORCES: bool = false;
+
+    fn heat_first(heat: Option<&Heat>) -> Option<&Heat> {
+        heat
+    }
+
+    /// OpenSees omits the rate, and omits the slope in the tangent.
+    fn rise<const S: usize>(rise: f64, _: [f64; S], _: &[f64]) -> (f64, f64, [f64; S]) {
+        (rise, 0.0, [0.0; S])
+    }
+
+    fn leaves_out<const S: usize>(direction: usize, axial: f64) -> bool {
+        direction > S && axial >= 0.0
+    }
+
+    /// In the plane OpenSees restores the last strain of the axial material.
+    fn puts_back<const S: usize>(kind: Kind, direction: usize, force: f64) -> bool {
+        direction == 0 && S == 1 && kind != Kind::Springs && force > 0.0
+    }
+
+    fn slide<const S: usize>(self, on: &Surface, pose: &Pose<S>, shear: [f64; S]) -> Result<Slide<S>, ElementError> {
+        on.slide_by_substitution(pose, shear, self.rounds, self.tolerance)
+    }
+
+    /// If a trial slid and the next one sticks, OpenSees keeps the plastic displacement of the first.
+    fn stuck<const S: usize>(_: [f64; S], last: [f64; S]) -> [f64; S] {
+        last
+    }
+
+    fn add_derivatives<const N: usize, const B: usize, const S: usize>(
+        bearing: &SlidingBearing<N, B, S, Self>,
+        slide: &Slide<S>,
+        i: usize,
+        out: &mut Basic<N, B>,
+    ) {
+        for j in 0..S {
+            axpy(slide.stiffness[i][j], &bearing.link.basic[1 + j], &mut out.by_disp[1 + i]);
+        }
+    }
+
+    /// OpenSees keeps the full initial stiffness in space, and in the plane if the axial material is not in tension. The
+    /// friction model keeps its last contact state. In the plane the slider does not move without tension.
+    fn lift<const N: usize, const B: usize, const S: usize>(
+        bearing: &SlidingBearing<N, B, S, Self>,
+        (u, _, _): (&[f64; B], &[f64; B], f64),
+        last: &History<B, S>,
+        out: &mut Basic<N, B>,
+    ) -> History<B, S> {
+        let springs = bearing.setting.kind == Kind::Springs;
+        let whole = S == 2 || springs || out.q[0] == 0.0;
+        let left = if whole { 1.0 } else { bearing.setting.uplift };
+        for (d, slot) in &bearing.springs {
+            if !(1..=S).contains(d) {
+                out.q[*d] = 0.0;
+            }
+            out.by_disp[*d] = bearing.link.basic[*d].map(|r| left * slot.material.initial_tangent() * r);
+        }
+        bearing.add_initial_shear(left, out);
+        let stays = whole && S == 1 && !springs;
+        let plastic = if stays { last.plastic } else { std::array::from_fn(|i| u[1 + i]) };
+        History { plastic, shear: [0.0; S], ..*last }
+    }
+}
+
+impl<const N: usize, const B: usize, const S: usize, R: Rules> SlidingBearing<N, B, S, R> {
     /// Basic forces with the coefficient of friction of the first trial state of the step, under the axial force without the slope of the
     /// surface, and with a tangent of OpenSees' own. Under tension a ten-thousandth of it pushes. Where all displacements of the nodes are
     /// at rest, as in static analyses, the material of the rotation about z stays where it was made.
-    pub(super) fn early(
+    pub(super) fn with_early_friction(
         &self,
         heat: &Heat,
         motion: &ElementInput<'_>,

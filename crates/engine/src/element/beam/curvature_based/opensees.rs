@@ -1,0 +1,80 @@
+//! `forceBeamColumnCBDI` and `forceBeamColumnCSBDI` by OpenSees' rules.
+
+use super::{Basic, CurvatureBased, Member, Rules, Sections, resultants};
+use crate::element::ElementInput;
+use crate::material::MaterialError;
+use crate::numeric::{axpy, dot, invert};
+use crate::rules::OpenSees;
+
+impl Rules for OpenSees {
+    const WHOLE_TANGENT: bool = false;
+
+    fn datum<'a>(start: &'a [f64], _: &'a [f64]) -> &'a [f64] {
+        start
+    }
+
+    fn loads_inside(plane: bool) -> bool {
+        !plane
+    }
+
+    /// With inelastic sections OpenSees converges to the same result within its tolerance.
+    fn first<const N: usize, const B: usize>(
+        beam: &CurvatureBased<Self>,
+        member: &Member<N, B>,
+        v: &[f64; B],
+        motion: &ElementInput<'_>,
+        committed: &[f64],
+        trial: &mut [f64],
+    ) -> Result<Option<Basic<B>>, MaterialError> {
+        if member.sections.iter().all(|s| s.section.is_linear()) {
+            return beam.iterate_from_trial(member, v, motion, committed, trial);
+        }
+        Ok(None)
+    }
+}
+
+impl CurvatureBased<OpenSees> {
+    /// Basic forces by OpenSees' scheme. It starts from the last trial state and its stiffness, and iterates until the
+    /// residual energy is small. Without convergence the last iterate is returned.
+    fn iterate_from_trial<const N: usize, const B: usize>(
+        &self,
+        member: &Member<N, B>,
+        v: &[f64; B],
+        motion: &ElementInput<'_>,
+        committed: &[f64],
+        trial: &mut [f64],
+    ) -> Result<Option<Basic<B>>, MaterialError> {
+        let mut basic = Basic::read(&trial[member.head()..]);
+        let k = basic.k;
+        let mut s = Sections::new(self, member, trial, None);
+        let mut current = resultants(member, trial);
+        // OpenSees does not correct the residual of the last trial state.
+        let last = member.own_words();
+        let mut remaining: [f64; B] = std::array::from_fn(|i| v[i] - trial[last + i]);
+        for _ in 0..self.iteration.max_iterations {
+            let step = k.map(|row| dot(&row, &remaining));
+            axpy(1.0, &step, &mut basic.q);
+            let loading = (&basic.q, motion.load);
+            // Section deformations in equilibrium, first with the old stiffnesses, then with the current ones.
+            let Some(l) = self.linear(member, &s, loading, &current, trial) else { return Ok(None) };
+            let e = std::array::from_fn(|b| s.e[b] + l.change[b]);
+            Self::update(member, &e, motion.dt, committed, trial)?;
+            s = Sections::new(self, member, trial, None);
+            let Some(l) = self.linear(member, &s, loading, &resultants(member, trial), trial) else { return Ok(None) };
+            let e = std::array::from_fn(|b| s.e[b] + l.change[b]);
+            s = Sections::new(self, member, trial, Some(&e));
+            current = self.equilibrium_resultants(&s, &basic.q, motion.load);
+            let Some(mut l) = self.linear(member, &s, loading, &current, trial) else { return Ok(None) };
+            if !invert(l.f.as_flattened_mut(), B) {
+                return Ok(None);
+            }
+            basic.k = l.f;
+            let basic_deformations = s.basic_deformations();
+            remaining = std::array::from_fn(|i| v[i] - basic_deformations[i]);
+            if dot(&remaining, &k.map(|row| dot(&row, &remaining))).abs() < self.iteration.tolerance {
+                break;
+            }
+        }
+        Ok(Some(basic))
+    }
+}

@@ -1,0 +1,168 @@
+//! Constraints, integrators, algorithms and damping.
+
+use super::Shown::{Case, Nowhere, Test};
+use super::{Slip, differs, refused, slips};
+
+slips! {
+    PLAIN_IMPOSED, Command, Test("tests/analysis/constraints.rs", "plain_holds_imposed_motions_only_when_told_to"),
+    "`constraints Plain` with an `sp` that is not zero",
+    "The value is ignored: the degree of freedom is held at zero.",
+    "The value is imposed.",
+    "The script says so. A result for another motion is wrong.";
+
+    PLAIN_CONSTRAINTS, Command, Test("tests/cli/mistakes.rs", "plain_handler"),
+    "`constraints Plain` with a multi-point constraint other than equality",
+    "The constraint is ignored.",
+    "The constraint holds.",
+    "The model would not be that of the script.";
+
+    TRANSFORMATION_FIRST, Analysis, Nowhere,
+    "`constraints Transformation` with several multi-point constraints on one constrained node",
+    "Only the first one holds.",
+    "All of them hold.",
+    "The model would not be that of the script.";
+
+    EIGEN_LAPACK, Command, Nowhere,
+    "`eigen -fullGenLapack`",
+    "The values are the smallest ones whatever `-findLargest` says. They are infinite where the mass has no more modes. Shapes are scaled \
+     by row sums of the mass matrix.",
+    "As the other solvers.",
+    "Shapes of two solvers should agree.";
+
+    ELEMENT_CLOCKS, Analysis, Case("triple_rayleigh_lead_hht"),
+    "`HHT`, `HHTGeneralized`, `GeneralizedAlpha`: laws that depend on time (`ViscousDamper`, heating)",
+    "At the end of a step as much time has passed for them as at its inner time.",
+    "The time of the step has passed.",
+    "Their clocks would lose a part of every step.";
+
+    LINE_SEARCH_SIGN, Analysis, Case("kikuchi_rayleigh_linesearch"),
+    "`algorithm NewtonLineSearch`",
+    "The work of the unbalance changes its sign with the first search. The search goes on along the correction and the part that the \
+     integrator added to it. An answer that depends on the iterations shows it.",
+    "There is one sign and one direction.",
+    "The search would not search.";
+
+    INNER_TIME_LOADS, Analysis, Case("integrators_imposed_motion"),
+    "Integrators that solve a step at another time than its end (`HHT` and its relatives, `Collocation`, `AlphaOS`, `KRAlphaExplicit`)",
+    "Loads, imposed motions and reported inertia at the end of a step are those of that time.",
+    "They are those of the end.",
+    "Supports would stand where they are not.";
+
+    INNER_TIME_CLOCK, Analysis, Case("integrators_imposed_motion"),
+    "The same integrators: domain time",
+    "It goes on from the inner time by the rest of the step, and rounds so. A motion that ends with the analysis may have ended in its \
+     last step.",
+    "It goes on from the beginning of the step by all of it.",
+    "The sum rounds less.";
+
+    GENERALIZED_ALPHA, Command, Case("integrators_sdof"),
+    "`integrator GeneralizedAlpha`",
+    "After a correction the full acceleration stands where the weighted one belongs.",
+    "The weighted acceleration is used.",
+    "The scheme would not be that of its paper.";
+
+    CENTRAL_DIFFERENCE_START, Command, Case("trapezoidal_integrators"),
+    "`integrator CentralDifference`, `CentralDifferenceAlternative`, `CentralDifferenceNoDamping`",
+    "The start ignores initial velocity and acceleration. `CentralDifferenceAlternative` has the damping forces at the velocity in the \
+     middle of the last step, which it reports, and reports no accelerations.",
+    "Initial velocity and acceleration count. `CentralDifferenceAlternative` is `CentralDifference`.",
+    "Free vibration would start wrong. Damping would be of first order in the step only.";
+
+    EXPLICIT_START, Command, Nowhere,
+    "`integrator ExplicitDifference`, `ExplicitBathe`",
+    "They begin with the acceleration that was set, zero as a rule. `ExplicitDifference` takes the initial velocity for that half a step \
+     before the start.",
+    "They begin with the acceleration of equilibrium, and half a step back from the initial velocity.",
+    "A motion that starts with a force would start late.";
+
+    HHT_TP_ORDER, Command, Case("trapezoidal_integrators"),
+    "`integrator HHT_TP` with three numbers",
+    "They are alpha, beta, gamma.",
+    "They are alpha, gamma, beta.",
+    "This is the order of its manual and of `HHT`.";
+
+    EXPLICIT_ELEMENTS, Command, Nowhere,
+    "`integrator HHTExplicit`, `HHTGeneralizedExplicit`, `KRAlphaExplicit` without `-updateElemDisp`",
+    "Elements stay at the displacement of the equations.",
+    "Elements are at the end of the step.",
+    "Recorders would show forces of another time.";
+
+    MODAL_DAMPING_MASSES, Command, Nowhere,
+    "`modalDamping`",
+    "Only the masses of nodes count.",
+    "All masses count.",
+    "Modes have the mass of elements too.";
+
+    GROUND_MOTION_RATES, Command, Case("multisupport_rates"),
+    "`groundMotion Plain` with `-disp` without `-vel`, or `-vel` without `-accel`",
+    "Velocity and acceleration that are not given are zero.",
+    "They are derivatives, by central differences.",
+    "Damping proportional to the stiffness would resist the ground.";
+}
+
+/// Other differences.
+pub(super) const OTHERS: &[Slip] = &[
+    differs(
+        "`eigen` without `-fullGenLapack`, tangents that are not symmetric (bearings with P-Delta moments, friction that follows the axial \
+         force)",
+        "The method of ARPACK for symmetric matrices finds other values: 1e-5 apart for rubber and sliders at rest, far off where they \
+         slide. They depend on the vector that it starts from. Damping that a script makes of them differs as much.",
+        "The values are those of the tangent. They agree with those of `-fullGenLapack` to 1e-9. Of a complex pair the real part is given.",
+    ),
+    differs(
+        "`constraints Transformation`: chains of multi-point constraints",
+        "The motions are wrong.",
+        "The chain is followed.",
+    ),
+    differs("`constraints Lagrange` with multi-point constraints", "openseespy 3.7.1 stops.", "They hold."),
+    differs(
+        "`fix` on a node that has moved",
+        "`constraints Transformation` snaps it back to zero.",
+        "It is held in its place, as by `Plain` in both programs.",
+    ),
+    differs(
+        "`setNodeVel`, `setNodeAccel` between two `analyze`",
+        "Integrators keep copies and do not see them.",
+        "They count.",
+    ),
+    differs(
+        "`integrator ArcLength1`",
+        "openseespy 3.7.1 takes a denominator without α² Δλ and with s² times the sum of the unit displacements. Steps are longer or shorter \
+         than the script says.",
+        "The correction keeps the constraint to first order, as in the source of OpenSees.",
+    ),
+    differs(
+        "`CollocationHSIncrReduct`, `CollocationHSIncrLimit`",
+        "Elements stay at the place of collocation.",
+        "Elements are at the end of the step.",
+    ),
+    differs(
+        "`KRAlphaExplicit` with a banded or sparse system",
+        "Of the effective mass, which is full, the pattern of the system has room for a part.",
+        "All of it counts, as in OpenSees with `FullGeneral`.",
+    ),
+    differs(
+        "`modalDamping` with `HHT` and its relatives",
+        "The velocity is that of the end of the step. All other forces are those within it.",
+        "The velocity is that within the step.",
+    ),
+    differs("`remove sp $node $dof $pattern`", "The motion of a pattern stays.", "The motion is gone."),
+    differs(
+        "`eigen` after a static analysis with `constraints Transformation`",
+        "Elements at constrained nodes may be asked once more before, at rest. Their tangents are then those at rest.",
+        "Elements are not asked again.",
+    ),
+    differs(
+        "`groundMotion -accel` or `-vel` with a series of `-useLast`",
+        "openseespy 3.7.1 has no integral. Integrals end at zero with the series.",
+        "They stay at the last value, as in later versions.",
+    ),
+    differs("`CentralDifferenceNoDamping`", "It reports no accelerations.", "It reports accelerations."),
+    differs(
+        "Integrators of the trapezoidal rule (`HHT_TP` and the like): unbalance at the start",
+        "The loads are those that were applied last. Those of a pattern that is new and not zero at the start do not count. With \
+         `modalDamping` damping forces count whole at both ends of a step.",
+        "The loads are those of the start.",
+    ),
+    refused("`setParameter` without `-ele`, `-eleRange` or `-node`", "It does nothing.", "It is refused."),
+];

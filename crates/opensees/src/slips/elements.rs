@@ -1,0 +1,88 @@
+//! Beams, trusses and links.
+
+use super::Shown::{Case, Nowhere};
+use super::{Slip, differs, slips};
+
+slips! {
+    COROTATIONAL_TRIALS, Command, Case("force_beams_space_pushed"),
+    "`geomTransf Corotational` in space: large rotations of the nodes",
+    "They are the sum of those of all trial states.",
+    "They are the sum of those of all steps.",
+    "They would depend on the iterations.";
+
+    FORCE_BEAM_TRIALS, Command, Case("force_beams_shaken"),
+    "`forceBeamColumn`, `nonlinearBeamColumn`, `beamWithHinges`",
+    "The element goes on from the last trial state until an energy of 1e-12 (`-iter`) is left. A step that does not converge is tried with \
+     the initial flexibility, then cut into parts (`-subdivide`), then given up.",
+    "The element goes on from the committed state to round-off, in up to a hundred parts.",
+    "The answer would depend on the iterations.";
+
+    DEFLECTED_BEAM, Command, Case("deflected_beams"),
+    "`forceBeamColumnCBDI`, `forceBeamColumnCSBDI`",
+    "The element goes on from the last trial state until an energy of 1e-12 (`-iter`) is left, and stops after ten iterations. The switch \
+     follows this with elastic sections; others agree to the tolerance. In the plane loads between the ends do not reach the sections. \
+     Slopes of shear strains are measured from the strain at node i.",
+    "The element goes on from the committed state to round-off. Loads reach the sections. Slopes are measured from the mean, as the \
+     deflections are.",
+    "The answer would depend on the iterations, and equilibrium would be lost along the beam.";
+
+    COUPLED_ZERO_LENGTH, Command, Nowhere,
+    "`CoupledZeroLength`",
+    "The tangent is that of the spring in both directions.",
+    "The tangent is the derivative of the force, which turns with the offset.",
+    "Newton's method converges.";
+
+    GROUND_INERTIA_TWICE, Analysis, Case("timoshenko_plane"),
+    "`elasticBeamColumn` with `-mass` in the plane, `ElasticTimoshenkoBeam` with `-mass`: `UniformExcitation`",
+    "The inertia force of the ground motion on the mass of the element counts twice.",
+    "It counts once.",
+    "OpenSees subtracts the load in the resisting force and where it adds the inertia.";
+
+    GROUND_INERTIA_REPORTED, Analysis, Case("timoshenko_space"),
+    "`elasticBeamColumn`, `ElasticTimoshenkoBeam`, `dispBeamColumn`, `forceBeamColumn`, `truss` with mass under `UniformExcitation`: \
+     reported `force`",
+    "It is the resisting force plus mass times ground acceleration.",
+    "It is the resisting force.",
+    "An end force is no inertia.";
+}
+
+/// Other differences.
+pub(super) const OTHERS: &[Slip] = &[
+    differs(
+        "`eleLoad` on an `elasticBeamColumn` with releases",
+        "openseespy 3.7.1 takes the end moments of the clamped beam for partial loads, and in space for point loads. A moment is left at a \
+         released end.",
+        "The moment there is zero, as in later versions.",
+    ),
+    differs(
+        "`eleLoad -type -beamUniform` with a start and an end, and only some values at the end",
+        "openseespy takes zero for those that are left out. In space openseespy 3.7.1 takes no notice of values at the end.",
+        "Those left out are the values at the start, as in the Tcl interpreter. In space they hold, as in later versions.",
+    ),
+    differs("`ElasticTimoshenkoBeam`: element loads", "Uniform loads count, others are lost.", "All loads count."),
+    super::refused(
+        "`ElasticTimoshenkoBeam` with joint offsets, or with a section without G",
+        "The offsets change the length and not the axes. G is 1.",
+        "Both are refused.",
+    ),
+    differs(
+        "`geomTransf Corotational` with `-jntOffset`",
+        "openseespy 3.7.1 takes no notice of the offsets in space, and does not converge in the plane.",
+        "The offsets count.",
+    ),
+    differs(
+        "`forceBeamColumn` after a step that failed",
+        "The first call of the next step has the sections as they were.",
+        "The first call is like any other.",
+    ),
+    differs(
+        "`rayleigh` with the initial stiffness and `geomTransf Corotational` in space",
+        "The initial stiffness turns with the beam.",
+        "It stays as it was.",
+    ),
+    differs(
+        "`beamIntegration CompositeSimpson` with other than three points",
+        "The weights do not add up to the length.",
+        "The rule is that of Simpson.",
+    ),
+];

@@ -1,0 +1,184 @@
+//! Uniaxial materials.
+
+use super::Shown::{Case, Nowhere, Test};
+use super::{Slip, differs, refused, slips};
+
+slips! {
+    HARDENING_TRIAL, Command, Test("tests/laws/frame_materials.rs", "hardening_of_opensees_keeps_the_plastic_strain_of_a_trial"),
+    "`Hardening`",
+    "An elastic trial state keeps the plastic strain of the trial state before it, and commits it.",
+    "A trial state has its own plastic strain.",
+    "An iterate that overshoots would leave plastic strain.";
+
+    STEEL_BRB_FIRST, Command, Case("steelbrb_cyclic"),
+    "`SteelBRB`",
+    "The first increment from zero stress takes the parameters of tension, whatever its sign.",
+    "It takes the parameters of its sign.",
+    "A brace may be compressed first.";
+
+    BILIN_DETERIORATION, Command, Case("bilin_hinges"),
+    "`Bilin`",
+    "A step that crosses zero force and ends beyond the cap of the other side loses all strength. The force jumps to the residual \
+     strength. The unloading stiffness stops to deteriorate by other rules on the positive side than on the negative one. Where the \
+     backbone deteriorates, the tangent is a slope of the new backbone.",
+    "Strength is lost where the branch beyond the cap comes to zero, or at thetaU. Both sides have one rule. The tangent is consistent.",
+    "The size of the steps would change the answer. Newton's method converges.";
+
+    HYSTERETIC_POLY_BRANCH, Command, Nowhere,
+    "`HystereticPoly`",
+    "A branch goes on from the middle of its whole length, with the round-off of that length. The initial stiffness is ka.",
+    "A branch goes on from its beginning. The initial stiffness is the tangent of the virgin material.",
+    "With the default tolerance and a below 3 the force shows the round-off.";
+
+    SOIL_SPRING_ROUNDS, Command, Case("soil_springs"),
+    "`PySimple1`, `TzSimple1`, `QzSimple1`",
+    "The force is shared out among the springs in at most 19 rounds from the trial state before. A misfit that is left after them stays. \
+     The tangent has a floor and leaves out the share of the dashpot.",
+    "The springs have one force, to round-off. The tangent is consistent.",
+    "The answer would depend on the step and on the iterations.";
+
+    SAWS_ENVELOPE, Command, Nowhere,
+    "`SAWS`",
+    "The place where the pinched line leaves the envelope is found to a force of 1e-6. The tangent on the envelope has parts of two \
+     displacements. Turns within the loop have other rules on the negative side.",
+    "The place is found to round-off. The tangent is consistent. Both sides have one rule.",
+    "Newton's method converges.";
+
+    MULTI_LINEAR_REST, Command, Nowhere,
+    "`MultiLinear`",
+    "A yielded state that is committed again at the same strain yields in compression.",
+    "It rests.",
+    "Nothing has moved.";
+
+    SERIES_ROUND, Command, Case("parallel_series_minmax"),
+    "`Series`",
+    "The inner iteration has one round. The residual goes on to the next step.",
+    "The iteration goes on to round-off.",
+    "The parts would not carry one force.";
+
+    SELF_CENTERING_JUMP, Command, Case("selfcentering"),
+    "`SelfCentering`",
+    "A step that jumps off the flag leaves stale limits. So does a trial state on the flag, such as that of the inner time of HHT. Slip \
+     keeps the old tangent.",
+    "The material follows the path of small steps.",
+    "The size of the steps would change the answer.";
+
+    AXIAL_SP_JUMP, Command, Nowhere,
+    "`AxialSp`, `AxialSpHD`",
+    "A step that jumps from cavitation past (u_cr, f_cr) stays on a line that it has left. A spring that has just begun to harden closes \
+     beyond that point. A yielded spring without stiffness in tension never comes off compression.",
+    "The material follows the path of small steps.",
+    "The size of the steps would change the answer.";
+
+    KIKUCHI_AIKEN_TANGENT, Command, Case("kikuchi_hdr_x06"),
+    "`KikuchiAikenHDR`, `KikuchiAikenLRB`: tangent and loops",
+    "The tangent on the skeleton is none. The parameter a is found to 1e-6. A loop that closes to the last bit stays open. In the elastic \
+     range the way back loses some 1e-6 of the force.",
+    "The tangent is consistent. The parameter a is found to round-off. A closed loop is forgotten. The elastic range is elastic.",
+    "Newton's method converges. Cycles of one amplitude do not pile up.";
+
+    KIKUCHI_AIKEN_STEPS, Command, Case("kikuchi_lrb"),
+    "`KikuchiAikenHDR`, `KikuchiAikenLRB`: steps of the force",
+    "The force steps by 2 u F_m exp(-2a) where a loop comes back to the skeleton: 1e-6 of it for the compounds as they are, 1e-2 with \
+     little damping. It steps by up to 3e-4 where one formula of the skeleton follows another.",
+    "A factor takes the loop to the skeleton, and the parameter a keeps its equivalent damping. The formulas change over where they meet.",
+    "There is no equilibrium at a step of the force. `KikuchiBearing` found none.";
+
+    KIKUCHI_AIKEN_FACTORS, Command, Case("kikuchi_lrb"),
+    "`KikuchiAikenHDR`, `KikuchiAikenLRB` with `-coMSS`",
+    "Recorders show the displacement times rs/rf. The initial tangent lacks rs.",
+    "Recorders show the displacement. The initial tangent is the tangent at rest.",
+    "";
+
+    IMPACT_GAP, Command, Nowhere,
+    "`ImpactMaterial`",
+    "The step that closes the gap counts its way through the gap. The initial tangent is K1 though the gap is open.",
+    "Contact begins at the gap.",
+    "The size of the steps would change the answer.";
+
+    IMPACT_TANGENT, Command, Nowhere,
+    "`HertzDamp`, `JankowskiImpact`",
+    "The tangent has the wrong sign. There is no tangent of the damping.",
+    "Both tangents are consistent.",
+    "Newton's method converges.";
+
+    MIN_MAX_STRAIN, Command, Case("parallel_series_minmax"),
+    "`MinMax`",
+    "Recorders show a frozen strain after the failure.",
+    "Recorders show the strain.",
+    "The strain goes on with the nodes.";
+
+    DAMPER_TANGENT, Command, Case("viscous_transient"),
+    "`ViscousDamper`, `Maxwell`",
+    "There is no tangent of the damping. A rate of zero keeps the last rate. The tangent of `Maxwell` is K.",
+    "The tangents are consistent. A rate of zero is a rate.",
+    "Newton's method converges.";
+}
+
+/// Other differences.
+pub(super) const OTHERS: &[Slip] = &[
+    differs(
+        "`Fatigue`, the step of the failure",
+        "The reported stress is that after the failure, although equilibrium was found before it.",
+        "The reported stress is that of the equilibrium.",
+    ),
+    differs("`BoucWen` at rest", "The reported tangent is that of unloading.", "The reported tangent is the last one."),
+    differs(
+        "`AxialSp`, `AxialSpHD`, `KikuchiAikenHDR`, `KikuchiAikenLRB`, `HertzDamp`: trial states that are not committed",
+        "They leave traces: the branch, the largest strain with its parameters, the speed of impact. An iteration that overshoots changes \
+         what comes after it.",
+        "A law depends on the committed state alone. Results agree to the last digit where no iteration overshoots.",
+    ),
+    differs(
+        "`KikuchiAikenHDR`, `KikuchiAikenLRB`: reversals inside each other",
+        "Any number is kept.",
+        "48 are kept. Of more loops, the one that hardly differs from the loop around it counts as closed.",
+    ),
+    differs(
+        "`Bilin` with an exponent c other than 1",
+        "An excursion that gives back more energy than it took has no power of c: the hinge is elastic from there on or has no force. The \
+         same happens where a side without hardening has lost all strength.",
+        "Such an excursion does not deteriorate the hinge.",
+    ),
+    differs(
+        "`HystereticSmooth`, `HystereticAsym`, `HystereticPoly`: a force that round-off puts beyond the limit curve",
+        "There is no number.",
+        "The branch goes on.",
+    ),
+    differs(
+        "`HystereticSmooth`, `HystereticAsym`: initial stiffness",
+        "openseespy 3.7.1 takes off 2 beta and 2 (b1 + b2).",
+        "It is that of the virgin material, as in later versions.",
+    ),
+    differs(
+        "`HystereticPoly` with a below 1 and a small tolerance",
+        "The force is round-off.",
+        "The force is that of the branch.",
+    ),
+    differs(
+        "`PySimple1`, `TzSimple1`, `QzSimple1` where 19 rounds are not enough",
+        "The force depends on the number of calls in the step.",
+        "The calls of a `zeroLength` element are not counted: 6e-5 of the largest force where an imposed displacement is asked twice.",
+    ),
+    differs(
+        "`PySimple1`, `TzSimple1`, `QzSimple1` with a dashpot: recorders",
+        "A recorder asks once more after the commit. The share of the dashpot is then that of the tangents.",
+        "The recorded force is that of equilibrium. Displacements are the same.",
+    ),
+    refused("`QzSimple1`: suction", "It is at most 0.1, without a word.", "It is at most 0.1, with a warning."),
+    differs(
+        "`SAWS`: a step from one side to beyond the farthest point on the other",
+        "No path is found, and the last force stays.",
+        "The force is that of the envelope.",
+    ),
+    differs(
+        "`AxialSp`, `AxialSpHD` with `bty` equal to `bte`",
+        "The force is NaN after a yield in compression.",
+        "The spring does not cavitate.",
+    ),
+    differs(
+        "`KikuchiAikenLRB` with loops that no a is thin enough for",
+        "openseespy 3.7.1 hangs.",
+        "The parameter a has its limit.",
+    ),
+];

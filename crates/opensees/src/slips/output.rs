@@ -1,0 +1,44 @@
+//! Recorders, reactions and the exit status.
+
+use super::Shown::{Case, Nowhere};
+use super::{Slip, differs, slips};
+
+slips! {
+    INCR_DISP, Analysis, Case("truss2d_loadcontrol"),
+    "`recorder Node ... incrDisp`",
+    "The record is zero.",
+    "The record is the displacement less that of the last row.",
+    "OpenSees clears the field before it is recorded.";
+
+    REACTIONS_RAYLEIGH, Analysis, Nowhere,
+    "`reactions -rayleigh`, recorder `rayleighForces`",
+    "The damping of elements with `-doRayleigh` off counts.",
+    "The damping that acts counts.",
+    "OpenSees asks no element if it takes part.";
+
+    FAILED_TEST, Command, Nowhere,
+    "`testIter` after a step that failed",
+    "One more test is counted.",
+    "The tests that were made are counted.",
+    "";
+
+    EXIT_STATUS, Command, Nowhere,
+    "Exit status where the last `analyze` failed and the script went on to its end",
+    "It is 0.",
+    "It is 1, with a message.",
+    "A batch must see it.";
+}
+
+/// Other differences.
+pub(super) const OTHERS: &[Slip] = &[
+    differs(
+        "Elements that an integrator leaves behind (`AlphaOS` without `-updateElemDisp`, `...HSFixedNumIter`)",
+        "Elastic beams show the force at the displacement of the nodes, other elements that at which they were asked.",
+        "All elements show the force of the equations.",
+    ),
+    differs(
+        "`printA`, `printB`",
+        "They depend on the numberer and on the system.",
+        "Equations have the order of rising tags of the nodes, as by `numberer Plain`. The matrix is there whatever the system.",
+    ),
+];
