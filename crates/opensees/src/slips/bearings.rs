@@ -202,7 +202,7 @@ slips! {
     "Each call is one Newton step, with the springs of the last call and the geometry of the last step. `-doBalance` corrects them when a \
      step is committed.",
     "They are in balance to round-off at every trial state, with a consistent tangent. `-doBalance` has nothing left to do.",
-    "The answer would depend on the number of calls and on the size of the steps: see [kikuchi.md](../../validation/kikuchi.md).";
+    "The answer would depend on the number of calls and on the size of the steps: see [kikuchi.md](../../validation/opensees/kikuchi.md).";
 
     KIKUCHI_SHARED, Command, Case("building_kikuchi"),
     "`KikuchiBearing`: several in a model",
