@@ -96,6 +96,15 @@ impl Imbalance {
     pub const LIMIT: f64 = 1e-2;
 }
 
+/// Results between steps that scripts ask for.
+#[derive(Debug, Default)]
+pub(super) struct Results {
+    /// Modes of the last `eigen`.
+    pub modes: Option<super::modes::Modes>,
+    /// Buffer of the last `reactions`.
+    pub reaction_words: Vec<f64>,
+}
+
 /// A model, its state, and the steps that advance it.
 #[derive(Debug)]
 pub struct Engine {
@@ -119,8 +128,7 @@ pub struct Engine {
     pub failure: Option<Failure>,
     /// Constraint handler where no analysis is set up (for modes and reactions).
     pub default_handler: Handler,
-    pub(super) modes: Option<super::modes::Modes>,
-    pub(super) reaction_words: Vec<f64>,
+    pub(super) results: Results,
     /// Work done with plans that have been dropped.
     pub(super) earlier_work: WorkCounts,
 }
@@ -142,8 +150,7 @@ impl Engine {
             iterations: 0,
             failure: None,
             default_handler: Handler::Transformation,
-            modes: None,
-            reaction_words: vec![],
+            results: Results::default(),
             earlier_work: WorkCounts::default(),
         }
     }

@@ -207,12 +207,12 @@ impl Engine {
             full
         });
         let modes = Modes { lambda: pairs.iter().map(|p| p.lambda + shift).collect(), shapes: shapes.collect() };
-        Ok(self.modes.insert(modes))
+        Ok(self.results.modes.insert(modes))
     }
 
     /// The modes found last.
     pub fn modes(&self) -> Option<&Modes> {
-        self.modes.as_ref()
+        self.results.modes.as_ref()
     }
 
     /// Tangents of all elements in the committed state: those of the step that has come to it.

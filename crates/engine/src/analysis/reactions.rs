@@ -25,10 +25,10 @@ impl Engine {
         let handler = self.handler();
         self.prepare(handler)?;
         // The state is read while the work vectors are written.
-        let mut words = std::mem::take(&mut self.reaction_words);
+        let mut words = std::mem::take(&mut self.results.reaction_words);
         words.clone_from(&self.state().element_load);
         let result = self.sum_reactions(kind, &mut words, out);
-        self.reaction_words = words;
+        self.results.reaction_words = words;
         result
     }
 

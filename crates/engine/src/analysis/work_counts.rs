@@ -23,7 +23,7 @@ impl Engine {
         let mut counts = WorkCounts { steps: self.steps, iterations: self.iterations, ..self.earlier_work };
         if let Some(prepared) = self.prepared() {
             counts.factorizations += prepared.solver.factorizations;
-            counts.element_calls += prepared.element_calls;
+            counts.element_calls += prepared.evaluated.calls;
         }
         counts
     }

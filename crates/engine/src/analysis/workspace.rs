@@ -138,6 +138,8 @@ pub(super) struct EvaluatedMotion {
     pub elements: Vec<f64>,
     /// Displacements of all degrees of freedom.
     pub disp: Vec<f64>,
+    /// State determinations of elements so far.
+    pub calls: u64,
 }
 
 /// Data and buffers of an analysis between two changes of the model.
@@ -155,8 +157,6 @@ pub struct Workspace {
     pub x: Vec<f64>,
     /// A vector over all degrees of freedom, zero between uses.
     pub spread: Vec<f64>,
-    /// State determinations of elements so far.
-    pub element_calls: u64,
     /// Forces on all degrees of freedom.
     pub(super) full: Vec<f64>,
     pub(super) matrix: EquationMatrix,
@@ -273,10 +273,9 @@ impl Workspace {
             full: vec![0.0; model.dofs()],
             matrix: EquationMatrix::new(len),
             elements,
-            evaluated: EvaluatedMotion { elements: vec![0.0; motions], disp: vec![0.0; model.dofs()] },
+            evaluated: EvaluatedMotion { elements: vec![0.0; motions], disp: vec![0.0; model.dofs()], calls: 0 },
             progress: (0, 1),
             two_end_residual: None,
-            element_calls: 0,
             damped_modes: DampedModes::new(model, |full, own| plan.map.condense(full, own), plan.map.equations),
             opensees: options.compat.then(|| UpdateCounts::new(model, &constrained)),
             plan,

@@ -175,6 +175,22 @@ impl Saws<OpenSees> {
     }
 }
 
+/// A trial displacement on a path of the law.
+#[derive(Clone, Copy)]
+struct Position {
+    path: Path,
+    /// Sign of the side.
+    s: f64,
+    /// Index of the side.
+    i: usize,
+    /// Displacement towards the side.
+    x: f64,
+    /// Displacement of the last reversal towards the side.
+    turn: f64,
+    /// Path before this one, as a state variable.
+    before: f64,
+}
+
 impl<R: Rules> Saws<R> {
     fn of(wall: SawsParameters, rules: R) -> Option<Self> {
         let mut made = Self { wall, rules, leaves: 0.0, ultimate: 0.0 };
@@ -282,7 +298,8 @@ impl<R: Rules> Saws<R> {
         let i = usize::from(s < 0.0);
         let (x, turn) = (s * u, s * t.turn);
         let before = t.before;
-        let unload = self.wall.r[2] * self.wall.so;
+        let unload = self.unloading_stiffness();
+        let at = Position { path, s, i, x, turn, before };
         match path {
             Path::Failed => Next::At(s, (FAILED_STIFFNESS * x, FAILED_STIFFNESS), false),
             Path::Virgin => {
@@ -292,26 +309,7 @@ impl<R: Rules> Saws<R> {
                 t.before = word(Path::Virgin, 1.0);
                 Next::To(Path::Curve, s)
             }
-            Path::Curve | Path::Softening => {
-                if path == Path::Curve && x > self.wall.du {
-                    return Next::To(Path::Softening, s);
-                }
-                // A step from the other side includes the unloading.
-                if x < if passed.unloading { turn } else { turn.abs() } {
-                    return Next::To(Path::Unloading, s);
-                }
-                let on = |x: f64| if path == Path::Curve { self.curve(x) } else { self.softening(x) };
-                let mut at = on(x);
-                let target = self.wall.beta * x;
-                let (mut target_stress, _) = on(target);
-                if path == Path::Curve {
-                    at.1 = R::curve_slope(&self.wall, x, (target, target_stress), at.1);
-                    target_stress = target_stress.min(self.curve(self.wall.du).0);
-                }
-                t.sides[i] = SideHistory { yielded: 1.0, strain: x, stress: at.0, target, target_stress };
-                t.before = word(path, 1.0);
-                Next::At(s, at, true)
-            }
+            Path::Curve | Path::Softening => self.follow_envelope(&at, passed, t),
             Path::Unloading => {
                 if t.turn * u <= 0.0 && t.turn != 0.0 && (t.turn > 0.0 || u >= 0.0) {
                     t.before = word(Path::Unloading, 1.0);
@@ -340,23 +338,7 @@ impl<R: Rules> Saws<R> {
                 }
                 Next::At(s, (force, unload), true)
             }
-            Path::Pinched => {
-                if before == word(Path::Pinched, s) && x < turn {
-                    return Next::To(Path::Between, s);
-                }
-                let (slope, end) = self.reload(&t.sides[i], t.reloading);
-                t.reloading = slope;
-                let near = R::leaves(self.leaves, s, passed.negative);
-                if x <= near || (t.sides[i].yielded != 0.0 && x <= end) {
-                    t.before = word(Path::Pinched, s);
-                    return Next::At(s, self.pinched(x), true);
-                }
-                let fresh = t.sides[i].yielded == 0.0;
-                if R::keeps_pinched(s, fresh) {
-                    t.before = word(Path::Pinched, s);
-                }
-                Next::To(if fresh { Path::Virgin } else { Path::Reloading }, s)
-            }
+            Path::Pinched => self.follow_pinched(&at, passed, t),
             Path::Reloading => {
                 if before == word(Path::Reloading, s) && x < turn {
                     return Next::To(Path::Back, s);
@@ -368,30 +350,83 @@ impl<R: Rules> Saws<R> {
                 t.before = word(Path::Reloading, s);
                 Next::At(s, (r.target_stress + t.reloading * (x - r.target), t.reloading), true)
             }
-            Path::Between | Path::Back => {
-                let r = t.sides[i];
-                let from = if path == Path::Between {
-                    self.pinched(turn).0
-                } else {
-                    t.reloading = self.wall.so * (self.wall.fo / self.wall.so / r.target).powf(self.wall.alpha);
-                    if before == R::before_reloading(s) && x >= self.reloading_intersection(&r, t.reloading) {
-                        t.before = word(path, s);
-                        return Next::To(Path::Reloading, s);
-                    }
-                    r.target_stress + t.reloading * (turn - r.target)
-                };
-                if x > self.unloading_intersection(turn, from) && x < turn {
-                    return Next::At(s, (from + unload * (x - turn), unload), false);
-                }
+            Path::Between | Path::Back => self.follow_inner(&at, t),
+        }
+    }
+
+    /// Stiffness of unloading from the envelope, and between two pinched lines.
+    fn unloading_stiffness(&self) -> f64 {
+        self.wall.r[2] * self.wall.so
+    }
+
+    /// The envelope, before and after its peak.
+    fn follow_envelope(&self, at: &Position, passed: PassedPaths, t: &mut History) -> Next {
+        let Position { path, s, i, x, turn, .. } = *at;
+        if path == Path::Curve && x > self.wall.du {
+            return Next::To(Path::Softening, s);
+        }
+        // A step from the other side includes the unloading.
+        if x < if passed.unloading { turn } else { turn.abs() } {
+            return Next::To(Path::Unloading, s);
+        }
+        let on = |x: f64| if path == Path::Curve { self.curve(x) } else { self.softening(x) };
+        let mut at = on(x);
+        let target = self.wall.beta * x;
+        let (mut target_stress, _) = on(target);
+        if path == Path::Curve {
+            at.1 = R::curve_slope(&self.wall, x, (target, target_stress), at.1);
+            target_stress = target_stress.min(self.curve(self.wall.du).0);
+        }
+        t.sides[i] = SideHistory { yielded: 1.0, strain: x, stress: at.0, target, target_stress };
+        t.before = word(path, 1.0);
+        Next::At(s, at, true)
+    }
+
+    /// The pinched line through the intercept.
+    fn follow_pinched(&self, at: &Position, passed: PassedPaths, t: &mut History) -> Next {
+        let Position { s, i, x, turn, before, .. } = *at;
+        if before == word(Path::Pinched, s) && x < turn {
+            return Next::To(Path::Between, s);
+        }
+        let (slope, end) = self.reload(&t.sides[i], t.reloading);
+        t.reloading = slope;
+        let near = R::leaves(self.leaves, s, passed.negative);
+        if x <= near || (t.sides[i].yielded != 0.0 && x <= end) {
+            t.before = word(Path::Pinched, s);
+            return Next::At(s, self.pinched(x), true);
+        }
+        let fresh = t.sides[i].yielded == 0.0;
+        if R::keeps_pinched(s, fresh) {
+            t.before = word(Path::Pinched, s);
+        }
+        Next::To(if fresh { Path::Virgin } else { Path::Reloading }, s)
+    }
+
+    /// Unloading from a pinched or a reloading line, and the way back to it.
+    fn follow_inner(&self, at: &Position, t: &mut History) -> Next {
+        let Position { path, s, i, x, turn, before } = *at;
+        let unload = self.unloading_stiffness();
+        let r = t.sides[i];
+        let from = if path == Path::Between {
+            self.pinched(turn).0
+        } else {
+            t.reloading = self.wall.so * (self.wall.fo / self.wall.so / r.target).powf(self.wall.alpha);
+            if before == R::before_reloading(s) && x >= self.reloading_intersection(&r, t.reloading) {
                 t.before = word(path, s);
-                if x < turn {
-                    Next::To(Path::Pinched, -s)
-                } else if path == Path::Between {
-                    Next::To(Path::Pinched, s)
-                } else {
-                    Next::To(if s < 0.0 && x >= r.target { Path::Curve } else { Path::Reloading }, s)
-                }
+                return Next::To(Path::Reloading, s);
             }
+            r.target_stress + t.reloading * (turn - r.target)
+        };
+        if x > self.unloading_intersection(turn, from) && x < turn {
+            return Next::At(s, (from + unload * (x - turn), unload), false);
+        }
+        t.before = word(path, s);
+        if x < turn {
+            Next::To(Path::Pinched, -s)
+        } else if path == Path::Between {
+            Next::To(Path::Pinched, s)
+        } else {
+            Next::To(if s < 0.0 && x >= r.target { Path::Curve } else { Path::Reloading }, s)
         }
     }
 }

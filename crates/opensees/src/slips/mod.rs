@@ -138,7 +138,7 @@ answer of the equations. \"Shown by\" names a folder of `validation/opensees`, w
 says that no test shows the difference.
 
 OpenSees accepts some scripts that mean nothing. There is no number to reproduce: hysteron refuses such a script, or warns, with the
-switch and without it. *Messages* in the [manual](commands/index.md) explains them.
+switch and without it. [Conventions](conventions.md#messages) explains the messages.
 
 Solvers and iterations differ in round-off. The cases of `validation/opensees` show agreement to the tolerances in their files.
 ";

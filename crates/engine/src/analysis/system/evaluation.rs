@@ -148,7 +148,7 @@ impl System<'_> {
         counted: Option<(bool, bool)>,
     ) -> Result<(), Failure> {
         let (e, work) = (&self.model.elements[i], &mut *self.work);
-        work.element_calls += 1;
+        work.evaluated.calls += 1;
         let m = &work.elements.entries[i];
         let part = work.part(m);
         let n = e.dofs.len();
