@@ -5,8 +5,8 @@
 //! - [`explanation`]: the verdict in words
 //! - [`mismatch`]: windows of time in which the model differs
 //! - [`discriminating_test`]: the test that best separates the verdict from its strongest competitor
-//! - [`result_file`]: `diagnosis.json`
-//! - [`report`]: `report.html`
+//! - [`result_file`]: the file `diagnosis.json`
+//! - [`report`]: the file `report.html`
 
 pub(crate) mod conclusion;
 pub(crate) mod diagnosis;
