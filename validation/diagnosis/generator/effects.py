@@ -1,7 +1,7 @@
 """Effects concealed in a device: each changes or adds to the forces of the law that the analyst has.
 
 An effect has a strength s from 0 (absent) to about 1 (as strong as it is plausible) and keeps its other parameters,
-drawn from its seed, as s varies. Its formulas are on purpose not those of `src/element/amendment`.
+drawn from its seed, as s varies. Its formulas are on purpose not those of `crates/engine/src/element/amendment`.
 """
 
 import math
