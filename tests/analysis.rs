@@ -33,7 +33,7 @@ mod trapezoidal;
 #[path = "analysis/variable.rs"]
 mod variable;
 
-/// Whether two numbers agree to a fraction of the larger.
+/// Returns true if two numbers agree to a fraction of the larger.
 #[must_use]
 fn close(a: f64, b: f64, tolerance: f64) -> bool {
     (a - b).abs() <= tolerance * a.abs().max(b.abs())

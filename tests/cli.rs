@@ -1,4 +1,4 @@
-//! What an engineer sees who makes a mistake: message, place, exit status, and what is left on the disk.
+//! Output for an engineer who makes a mistake: message, place, exit status, and what is left on the disk.
 
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, clippy::new_without_default, unreachable_pub)]

@@ -189,7 +189,7 @@ fn annotated_inputs() {
     }
 }
 
-/// What is checked against the thesis on high damping rubber: a script there ends with an error where a check fails.
+/// The scripts of the thesis on high damping rubber: each ends with an error if one of its checks fails.
 #[test]
 fn thesis() {
     for script in scripts("validation/identification/thesis") {
@@ -207,7 +207,7 @@ fn thesis() {
     }
 }
 
-/// What the first command of the README promises.
+/// The first command of the README writes the files that the README names.
 #[test]
 fn isolated_building_prints_its_peaks_and_draws_them() {
     let work = workplace("building");

@@ -1,4 +1,4 @@
-//! What the diagnosis says of small studies whose truth is known: every cause of its library, recordings with nothing
+//! Verdicts of small studies whose truth is known: every cause of its library, recordings with nothing
 //! missing, and such as no cause explains.
 //!
 //! The table pins what it says today, right or wrong, so that no verdict changes unseen. Where a change is meant, the test
@@ -37,7 +37,7 @@ const FAR: f64 = 4.0;
 /// Causes that are left out of the library for a study: what is missing there has no name.
 const WITHOUT: &[(&str, &[&str])] = &[("pinching unnamed", &["pinching"])];
 
-/// What the diagnosis says today.
+/// Pinned verdicts.
 const TABLE: &[Row] = &[
     ("slow noise", "none", "none", 80),
     ("two storeys", "none", "none", 80),
@@ -67,7 +67,7 @@ const TABLE: &[Row] = &[
     ("late stop", "gap_impact + sensor_lag", "sensor_lag + gap_impact", 95),
 ];
 
-/// How the studies are made.
+/// Functions that make the studies.
 const STUDIES: &[Named] = &[
     ("slow noise", imposed::slow_noise),
     ("two storeys", shaken::two_storeys),

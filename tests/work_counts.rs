@@ -1,6 +1,6 @@
 //! Work of shipped models, pinned: a change that costs one more factorisation fails.
 //!
-//! Where a change of the counts is meant, look at the table that the test writes beside the old one
+//! After an intended change of the counts, look at the table that the test writes beside the old one
 //! (`tests/snapshots/work_counts.snap.new`) and rename it, or run the test with `INSTA_UPDATE=always`.
 //!
 //! All equations are dense here. Sparse factors come from faer, whose kernels depend on the processor, and with them the

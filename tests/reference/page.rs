@@ -10,7 +10,7 @@ use std::fmt::Write as _;
 pub struct Page {
     pub name: &'static str,
     pub title: &'static str,
-    /// What stands before the commands.
+    /// Text before the commands.
     pub intro: &'static str,
     /// Names, separated by blanks.
     pub commands: &'static str,
@@ -202,7 +202,7 @@ fn explained(usage: &str, row: &Row, found: &Meanings, blanks: &mut Blanks) -> (
     (whats.join("; "), values.join("; "))
 }
 
-/// What the command says of its arguments: in the model where it says most.
+/// Explanations of the arguments by the command, from the model in which it gives most of them.
 fn meanings(usage: &str, parts: &[MatrixMask]) -> Meanings {
     let head = usage::command(usage).split(' ').next().unwrap_or_default().to_owned();
     let forms: Vec<&[MatrixMask]> = parts.split(|p| *p == MatrixMask::Either).collect();

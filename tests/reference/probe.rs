@@ -7,7 +7,7 @@ use hysteron::run::End;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-/// What a command says to its words.
+/// Response of a command to its words.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Said {
     /// A word is missing; its meaning.
@@ -71,7 +71,7 @@ const WORDS: &[&str] = &[
     "{}",
 ];
 
-/// What the words of a command are said to, after a model.
+/// Models after which the words of a command are tried.
 pub fn say(model: &str, words: &[String]) -> Said {
     thread_local! {
         static ANSWERS: RefCell<BTreeMap<(String, Vec<String>), Said>> = const { RefCell::new(BTreeMap::new()) };

@@ -1,4 +1,4 @@
-//! What the commands do not say of themselves.
+//! Texts that the commands do not contain.
 
 use super::page::Page;
 
@@ -8,7 +8,7 @@ const ABOUT: &str = include_str!("about.txt");
 /// Meanings of arguments: `command kind<TAB>option<TAB>argument<TAB>text`, with `*` for any command.
 const MEANINGS: &str = include_str!("meanings.txt");
 
-/// What is said of a command that does nothing.
+/// Text of a command that does nothing.
 pub const IDLE: &str = "Accepted without effect.";
 
 fn lines(text: &'static str) -> impl Iterator<Item = Vec<&'static str>> {

@@ -50,7 +50,7 @@ impl Noise {
     }
 }
 
-/// Where the model has what a channel records.
+/// Place in the model of the quantity that a channel records.
 pub struct Channel {
     /// Its name.
     pub name: &'static str,

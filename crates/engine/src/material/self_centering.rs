@@ -42,7 +42,7 @@ pub trait Rules: Clone + fmt::Debug + Send + Sync + 'static {
         beyond.copysign(d)
     }
 
-    /// How far the elastic range has moved while the fuse slips, and the tangent: `moved` and `tangent` are those before the step.
+    /// Shift of the elastic range while the fuse slips, and the tangent. `moved` and `tangent` are the values before the step.
     fn slipping(_moved: f64, _tangent: f64, to: f64) -> (f64, f64) {
         (to, 0.0)
     }

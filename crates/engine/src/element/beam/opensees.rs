@@ -7,7 +7,7 @@ use crate::element::ElementInput;
 use crate::material::MaterialError;
 use crate::numeric::{axpy, dot, invert, norm};
 
-/// Which flexibility of the sections turns missing forces into deformations.
+/// Choice of the section flexibility that turns unbalanced section forces into deformations.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Flexibility {
     Current,
@@ -15,7 +15,7 @@ enum Flexibility {
     InitialFirst,
 }
 
-/// What is tried one after the other, with the iterations that it may take over those of the command.
+/// Iteration schemes in the order of their use, each with its number of iterations beyond those of the command.
 const WAYS: [(Flexibility, usize); 3] =
     [(Flexibility::Current, 1), (Flexibility::Initial, 10), (Flexibility::InitialFirst, 1)];
 

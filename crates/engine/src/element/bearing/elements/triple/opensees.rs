@@ -17,7 +17,7 @@ use nalgebra::{Matrix2, Vector2};
 
 /// Iterations for a segment, and for the chain.
 const ROUNDS: usize = 20;
-/// How often a step may be halved.
+/// Largest number of halvings of a step.
 const HALVINGS: i32 = 7;
 
 /// OpenSees' rules, with the tolerance of the command relative to the step.
