@@ -1,10 +1,12 @@
 //! An element with an amended force.
 
+mod opensees;
+
 use super::slack::ForceAndTangent;
 use super::{AmendedForce, Amendment, DeformationState, Pair, Slack, SlackShare};
 use crate::element::{
     BasicRow, CallDependent, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, MAX_DOFS,
-    Mass, MatrixMask, OpenSeesTraits, Overload, SharedState, Snapshot, dot,
+    Mass, MatrixMask, OpenSeesTraits, Overload, Snapshot, dot,
 };
 use crate::probe::Probe;
 use crate::series::Series;
@@ -260,39 +262,6 @@ impl Amended {
         self.inner_len + HEADER_LEN
     }
 
-    /// Index of the first entry of the stored tangent.
-    fn tangent_at(&self) -> usize {
-        self.law_at() + self.law.state_len()
-    }
-
-    /// Number of state variables for the stored tangent: 0 unless the element counts its calls.
-    fn tangent_len(&self) -> usize {
-        if self.inner.opensees().calls.is_some() { self.inner.dofs().pow(2) } else { 0 }
-    }
-
-    /// Force and tangent of the element at the displacements of `motion`.
-    fn respond_inner(
-        &self,
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        output: &mut ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
-        let calls = self.inner.opensees().calls;
-        let own = ElementOutput {
-            force: &mut *output.force,
-            tangent: output.tangent.as_deref_mut().filter(|_| calls.is_none()),
-            damping: output.damping.as_deref_mut(),
-            part: MatrixMask::ALL,
-        };
-        self.inner.respond(motion, committed, trial, own)?;
-        if let (Some(calls), Some(tangent)) = (calls, output.tangent.as_deref_mut()) {
-            let shared = motion.opensees.map_or(&[] as &SharedState, |call| call.shared);
-            calls.last_tangent(trial, shared, tangent, MatrixMask::ALL);
-        }
-        Ok(())
-    }
-
     /// Force and tangent of the amended element.
     fn respond_amended(
         &self,
@@ -361,15 +330,6 @@ impl Amended {
             }
         }
         Ok(())
-    }
-}
-
-impl CallDependent for Amended {
-    fn shared_len(&self) -> usize {
-        self.inner.opensees().calls.map_or(0, CallDependent::shared_len)
-    }
-    fn last_tangent(&self, history: &[f64], _: &SharedState, tangent: &mut [f64], _: MatrixMask) {
-        tangent.copy_from_slice(&history[self.tangent_at()..]);
     }
 }
 
