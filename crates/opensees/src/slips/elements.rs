@@ -19,8 +19,9 @@ slips! {
 
     DEFLECTED_BEAM, Command, Case("deflected_beams"),
     "`forceBeamColumnCBDI`, `forceBeamColumnCSBDI`",
-    "The element goes on from the last trial state until an energy of 1e-12 (`-iter`) is left, and stops after ten iterations. The switch \
-     follows this with elastic sections; others agree to the tolerance. In the plane loads between the ends do not reach the sections. \
+    "The element goes on from the last trial state until an energy of 1e-12 (`-iter`) is left, and stops after ten iterations. A call \
+     without an increment of the deformations and without loads leaves it as it was. The switch follows this with elastic sections; others \
+     agree to the tolerance. In the plane loads between the ends do not reach the sections. \
      Slopes of shear strains are measured from the strain at node i.",
     "The element goes on from the committed state to round-off. Loads reach the sections. Slopes are measured from the mean, as the \
      deflections are.",

@@ -3,7 +3,7 @@
 mod opensees;
 
 use super::force_based::{ForceBased, INTERNAL, MAX_EXTRA_ITERATIONS, REACTIONS, ROUND_OFF, of_load, row};
-use super::member::{Basic, Formulation, Member};
+use super::member::{Basic, Formulation, Member, Trace};
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
 use crate::element::{ElementError, ElementInput};
@@ -44,6 +44,8 @@ pub struct CurvatureBased<R = Consistent> {
 pub trait Rules: Clone + fmt::Debug + Send + Sync + 'static {
     /// The tangent of the P-Delta moments includes the derivative of the axial force.
     const WHOLE_TANGENT: bool = true;
+    /// The state determination starts from the last trial state, so that its result depends on the number of calls.
+    const CALL_DEPENDENT: bool = false;
 
     /// Reference of the slopes from shear strains: the polynomials at the first end, or their means over the length.
     fn datum<'a>(_start: &'a [f64], mean: &'a [f64]) -> &'a [f64] {
@@ -55,14 +57,14 @@ pub trait Rules: Clone + fmt::Debug + Send + Sync + 'static {
         true
     }
 
-    /// Basic forces of an attempt before the iterations from the committed state.
+    /// Basic forces of an attempt from the last trial state, before the iterations from the committed state.
     ///
     /// # Errors
     /// A section without a force at its deformation.
     fn first<const N: usize, const B: usize>(
         _beam: &CurvatureBased<Self>,
         _member: &Member<N, B>,
-        _v: &[f64; B],
+        _trace: &Trace<N, B>,
         _motion: &ElementInput<'_>,
         _committed: &[f64],
         _trial: &mut [f64],
@@ -400,8 +402,11 @@ impl<const N: usize, const B: usize, R: Rules> Formulation<N, B> for CurvatureBa
     const CLASS: [&'static str; 2] = ["ForceBeamColumnCBDI2d", "ForceBeamColumnCBDI3d"];
     const SYMMETRIC: bool = false;
     const DEFLECTS: bool = true;
-    /// State variables: basic deformations of the last trial state.
-    const STATE_LEN: usize = B;
+    const STATE_LEN: usize = if R::CALL_DEPENDENT { Trace::<N, B>::LEN } else { 0 };
+
+    fn continues_from_last_trial(&self) -> bool {
+        R::CALL_DEPENDENT
+    }
 
     fn whole_tangent(&self) -> bool {
         R::WHOLE_TANGENT
@@ -428,15 +433,18 @@ impl<const N: usize, const B: usize, R: Rules> Formulation<N, B> for CurvatureBa
         trial: &mut [f64],
     ) -> Result<Basic<B>, ElementError> {
         let mut failure = None;
+        let trace = R::CALL_DEPENDENT.then(|| Trace::next(member, v, motion, trial));
         for parts in [0, 1, 10, 100] {
-            let found = match parts {
-                0 => R::first(self, member, v, motion, committed, trial),
-                parts => self.attempt(member, v, motion, (committed, trial), parts),
+            let found = match (parts, &trace) {
+                (0, None) => continue,
+                (0, Some(trace)) => R::first(self, member, trace, motion, committed, trial),
+                (parts, _) => self.attempt(member, v, motion, (committed, trial), parts),
             };
             match found {
                 Ok(Some(basic)) if basic.q.iter().all(|q| q.is_finite()) => {
-                    let last = member.own_words();
-                    trial[last..last + B].copy_from_slice(v);
+                    if let Some(trace) = &trace {
+                        trace.write(&mut trial[member.own_words()..]);
+                    }
                     return Ok(basic);
                 }
                 Ok(_) => {}

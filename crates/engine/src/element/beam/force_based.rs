@@ -290,7 +290,7 @@ impl<const N: usize, const B: usize> Formulation<N, B> for ForceBased {
         let not_found =
             || ElementError("the deformations of the sections do not come to add up to those of the beam".into());
         if self.compat {
-            return self.go_on(member, v, motion, committed, trial)?.ok_or_else(not_found);
+            return self.iterate_from_trial(member, v, motion, committed, trial)?.ok_or_else(not_found);
         }
         let mut failure = None;
         for attempt in ATTEMPTS {

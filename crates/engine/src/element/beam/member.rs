@@ -6,6 +6,7 @@ use crate::element::{
     CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask, OpenSeesTraits,
     SharedState, Snapshot, frame_force_labels,
 };
+use crate::numeric::norm;
 use crate::probe::Probe;
 use crate::section::{Resultant, SectionSlot, SharedSection};
 use std::fmt;
@@ -88,7 +89,7 @@ impl<const B: usize> Basic<B> {
 
 /// State variables of a beam that continues from its last trial state.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Trace<const N: usize, const B: usize> {
+pub struct Trace<const N: usize, const B: usize> {
     /// Basic deformations of that state.
     pub v: [f64; B],
     /// Increment of the basic deformations that led to it.
@@ -106,6 +107,23 @@ impl<const N: usize, const B: usize> Trace<N, B> {
         trace.dv.copy_from_slice(&state[B..2 * B]);
         trace.disp.copy_from_slice(&state[2 * B..Self::LEN]);
         trace
+    }
+
+    /// The trace of a trial state with the basic deformations `v`, from the last trial state in `trial`.
+    pub(super) fn next(member: &Member<N, B>, v: &[f64; B], motion: &ElementInput<'_>, trial: &[f64]) -> Self {
+        let last = Self::read(&trial[member.own_words()..]);
+        let mut next = Self { v: *v, dv: std::array::from_fn(|i| v[i] - last.v[i]), disp: [0.0; N] };
+        // In a repeated call the nodes still have the increment of the call before.
+        if motion.opensees.is_some_and(|c| c.repeated) && member.is_small() {
+            next.dv = last.dv;
+        }
+        next.disp.copy_from_slice(motion.disp);
+        next
+    }
+
+    /// Returns true if OpenSees skips the state determination: no increment, and no element loads.
+    pub(super) fn is_at_rest(&self, motion: &ElementInput<'_>) -> bool {
+        norm(&self.dv) <= f64::EPSILON && motion.load.iter().all(|p| *p == 0.0)
     }
 
     pub(super) fn write(&self, state: &mut [f64]) {

@@ -1,5 +1,7 @@
-//! OpenSees' way to the forces of the force-based beam: from the last trial state on, until the energy left over is small;
-//! what does not converge is tried with the initial flexibility of the sections, then in smaller parts. Followed on demand only.
+//! State determination of the force-based beam by OpenSees' scheme, under `--compat opensees` only.
+//!
+//! The iteration starts from the last trial state and ends at a small residual energy. Without convergence it is repeated
+//! with the initial flexibility of the sections, and then with smaller increments.
 
 use super::force_based::{ForceBased, Point, internal_forces};
 use super::member::{Basic, Member, Trace};
@@ -15,19 +17,19 @@ enum Flexibility {
     InitialFirst,
 }
 
-/// Iteration schemes in the order of their use, each with its number of iterations beyond those of the command.
-const WAYS: [(Flexibility, usize); 3] =
+/// Iteration schemes in the order of their use. Each takes a multiple of the iterations of the command.
+const SCHEMES: [(Flexibility, usize); 3] =
     [(Flexibility::Current, 1), (Flexibility::Initial, 10), (Flexibility::InitialFirst, 1)];
 
-/// Parts of a step that may be found one after the other. OpenSees has no end to them.
-const PARTS: usize = 1000;
+/// Largest number of increments that a step is divided into. OpenSees has no limit.
+const MAX_INCREMENTS: usize = 1000;
 
 impl ForceBased {
-    /// Basic forces for deformations `v`, from the last trial state on. `None` if they are not found.
+    /// Basic forces for deformations `v`, from the last trial state. `None` without convergence.
     ///
     /// # Errors
-    /// A section that has no answer, where nothing else was found either.
-    pub(super) fn go_on<const N: usize, const B: usize>(
+    /// A section without a force, if no scheme converges.
+    pub(super) fn iterate_from_trial<const N: usize, const B: usize>(
         &self,
         member: &Member<N, B>,
         v: &[f64; B],
@@ -35,29 +37,22 @@ impl ForceBased {
         committed: &[f64],
         trial: &mut [f64],
     ) -> Result<Option<Basic<B>>, MaterialError> {
-        let words = member.own_words()..;
-        let trace = Trace::<N, B>::read(&trial[words.clone()]);
         let mut basic = Basic::read(&trial[member.head()..]);
-        let mut left: [f64; B] = std::array::from_fn(|i| v[i] - trace.v[i]);
-        // The nodes still have the increment that they had at the last call.
-        if motion.opensees.is_some_and(|c| c.repeated) && member.is_small() {
-            left = trace.dv;
-        }
-        let mut disp = [0.0; N];
-        disp.copy_from_slice(motion.disp);
-        Trace { v: *v, dv: left, disp }.write(&mut trial[words]);
-        if norm(&left) <= f64::EPSILON && motion.load.iter().all(|p| *p == 0.0) {
+        let trace = Trace::next(member, v, motion, trial);
+        trace.write(&mut trial[member.own_words()..]);
+        if trace.is_at_rest(motion) {
             return Ok(Some(basic));
         }
-        let (mut from, mut part, mut cuts) = (std::array::from_fn(|i| v[i] - left[i]), left, 0);
+        let mut remaining = trace.dv;
+        let (mut from, mut increment, mut reductions) = (std::array::from_fn(|i| v[i] - remaining[i]), remaining, 0);
         let mut sections = member.responses(trial);
         let (mut failure, mut done) = (None, 0);
-        while cuts < self.parts && done < PARTS {
-            let to = std::array::from_fn(|i| from[i] + part[i]);
+        while reductions < self.parts && done < MAX_INCREMENTS {
+            let to = std::array::from_fn(|i| from[i] + increment[i]);
             let mut found = None;
-            for way in WAYS {
+            for scheme in SCHEMES {
                 member.set_responses(&sections, trial);
-                match self.iterate(member, (&basic, &part, &to), way, motion, (committed, trial)) {
+                match self.iterate(member, (&basic, &increment, &to), scheme, motion, (committed, trial)) {
                     Ok(None) => {}
                     Ok(converged) => {
                         found = converged;
@@ -67,33 +62,33 @@ impl ForceBased {
                 }
             }
             let Some(converged) = found else {
-                part.iter_mut().for_each(|d| *d /= self.factor);
-                cuts += 1;
+                increment.iter_mut().for_each(|d| *d /= self.factor);
+                reductions += 1;
                 continue;
             };
             basic = converged;
-            left.iter_mut().zip(&part).for_each(|(left, part)| *left -= part);
-            if norm(&left) <= f64::EPSILON {
+            remaining.iter_mut().zip(&increment).for_each(|(remaining, increment)| *remaining -= increment);
+            if norm(&remaining) <= f64::EPSILON {
                 return Ok(Some(basic));
             }
-            (from, part, cuts, done) = (to, left, 0, done + 1);
+            (from, increment, reductions, done) = (to, remaining, 0, done + 1);
             sections = member.responses(trial);
         }
         failure.map_or(Ok(None), Err)
     }
 
-    /// Iterate over a part of the deformations, to `to`.
+    /// Iterates over an increment of the deformations that ends at `to`.
     fn iterate<const N: usize, const B: usize>(
         &self,
         member: &Member<N, B>,
-        (from, part, to): (&Basic<B>, &[f64; B], &[f64; B]),
+        (from, increment, to): (&Basic<B>, &[f64; B], &[f64; B]),
         (flexibility, times): (Flexibility, usize),
         motion: &ElementInput<'_>,
         (committed, trial): (&[f64], &mut [f64]),
     ) -> Result<Option<Basic<B>>, MaterialError> {
         let length = member.length();
         let mut basic = *from;
-        let first = from.k.map(|row| dot(&row, part));
+        let first = from.k.map(|row| dot(&row, increment));
         axpy(1.0, &first, &mut basic.q);
         for iteration in 0..times * self.max_iterations {
             let initial = match flexibility {

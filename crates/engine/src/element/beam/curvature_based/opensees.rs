@@ -1,6 +1,6 @@
 //! `forceBeamColumnCBDI` and `forceBeamColumnCSBDI` by OpenSees' rules.
 
-use super::{Basic, CurvatureBased, Member, Rules, Sections, resultants};
+use super::{Basic, CurvatureBased, Member, Rules, Sections, Trace, resultants};
 use crate::element::ElementInput;
 use crate::material::MaterialError;
 use crate::numeric::{axpy, dot, invert};
@@ -8,6 +8,7 @@ use crate::rules::OpenSees;
 
 impl Rules for OpenSees {
     const WHOLE_TANGENT: bool = false;
+    const CALL_DEPENDENT: bool = true;
 
     fn datum<'a>(start: &'a [f64], _: &'a [f64]) -> &'a [f64] {
         start
@@ -21,13 +22,16 @@ impl Rules for OpenSees {
     fn first<const N: usize, const B: usize>(
         beam: &CurvatureBased<Self>,
         member: &Member<N, B>,
-        v: &[f64; B],
+        trace: &Trace<N, B>,
         motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
     ) -> Result<Option<Basic<B>>, MaterialError> {
+        if trace.is_at_rest(motion) {
+            return Ok(Some(Basic::read(&trial[member.head()..])));
+        }
         if member.sections.iter().all(|s| s.section.is_linear()) {
-            return beam.iterate_from_trial(member, v, motion, committed, trial);
+            return beam.iterate_from_trial(member, trace, motion, committed, trial);
         }
         Ok(None)
     }
@@ -39,7 +43,7 @@ impl CurvatureBased<OpenSees> {
     fn iterate_from_trial<const N: usize, const B: usize>(
         &self,
         member: &Member<N, B>,
-        v: &[f64; B],
+        Trace { v, dv, .. }: &Trace<N, B>,
         motion: &ElementInput<'_>,
         committed: &[f64],
         trial: &mut [f64],
@@ -49,8 +53,7 @@ impl CurvatureBased<OpenSees> {
         let mut s = Sections::new(self, member, trial, None);
         let mut current = resultants(member, trial);
         // OpenSees does not correct the residual of the last trial state.
-        let last = member.own_words();
-        let mut remaining: [f64; B] = std::array::from_fn(|i| v[i] - trial[last + i]);
+        let mut remaining = *dv;
         for _ in 0..self.iteration.max_iterations {
             let step = k.map(|row| dot(&row, &remaining));
             axpy(1.0, &step, &mut basic.q);
