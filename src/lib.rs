@@ -53,6 +53,6 @@ pub use hysteron_engine::{
     analysis, assembly, element, material, model, number_format, numeric, probe, record, rules, section, series, solve,
     state_struct,
 };
-pub use hysteron_identify::{calibrate, measure, protocol, report, study};
+pub use hysteron_identify::{calibrate, measure, preflight, protocol, report, study};
 pub use hysteron_opensees::{self as opensees, run};
 pub use hysteron_tcl::{self as tcl, diagnostic};

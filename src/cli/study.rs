@@ -3,7 +3,7 @@
 use super::args::Compat;
 use super::calibrate::{INPUT_ERROR, PreparedStudy, prepare, print_diagnostic};
 use hysteron::diagnostic::{Severity, SourceMap};
-use hysteron::study::{Role, Run, simulate_and_score};
+use hysteron::preflight::{preflight, section};
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -14,7 +14,7 @@ pub(super) fn check(file: &Path, compat: Option<Compat>, strict: bool) -> i32 {
     super::run::on_interrupt(&stop);
     let mut sources = SourceMap::default();
     let prepared = prepare(file, compat, &stop, &mut sources);
-    let PreparedStudy { mut simulator, initial_run, .. } = match prepared {
+    let PreparedStudy { simulator, initial_run, .. } = match prepared {
         Ok(prepared) => prepared,
         Err(d) => {
             print_diagnostic(&d, &sources);
@@ -28,28 +28,18 @@ pub(super) fn check(file: &Path, compat: Option<Compat>, strict: bool) -> i32 {
     if let Some(error) = &initial_run.failure {
         eprintln!("  with its own values the script has no answer: {error}");
     }
-    // The script's own values within the ranges, with fixed and tied parameters as in the study.
-    if let Ok(values) = study.space.values_at(&study.space.unit_point(&initial_run.values)) {
-        for (number, run) in study.runs.iter().enumerate() {
-            match simulate_and_score(&mut simulator, &study, number, &values) {
-                Ok(scored) => {
-                    eprintln!("  {}: NMSE {:.6} with the script's own values", name(run), scored.nmse(&run.observe));
-                    for (o, s) in run.observe.iter().zip(&scored.scores) {
-                        let missing = o.values.iter().filter(|x| x.is_nan()).count();
-                        let (samples, dropped) = (s.samples, s.dropped);
-                        eprintln!(
-                            "    {}: {samples} samples compared, {missing} missing, {dropped} after the analysis",
-                            o.channel
-                        );
-                    }
-                }
-                Err(error) => eprintln!("  {}: {error}", name(run)),
+    match preflight(&simulator, &initial_run, threads()) {
+        Ok(result) => {
+            println!("{}", section(&result, &study));
+            for f in &result.findings {
+                println!("{}: {}\n  {}", if f.is_hard { "error" } else { "warning" }, f.message, f.help);
             }
         }
+        Err(e) => eprintln!("error: {e}"),
     }
     if strict && warning_count > 0 { INPUT_ERROR } else { 0 }
 }
 
-fn name(run: &Run) -> String {
-    format!("{} {}", if run.role == Role::Fit { "fit" } else { "holdout" }, run.name)
+fn threads() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from)
 }

@@ -5,6 +5,7 @@
 pub mod calibrate;
 pub mod fourier;
 pub mod measure;
+pub mod preflight;
 pub mod protocol;
 pub mod report;
 pub mod study;

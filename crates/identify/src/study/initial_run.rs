@@ -22,9 +22,20 @@ impl RunLimits {
     /// Least limit of time.
     const MIN_TIME: Duration = Duration::from_secs(60);
 
+    /// Commands, and steps, of a run over those of the first run.
+    const MARGIN: u64 = 50;
+    /// Steps that a run may take beyond those.
+    const MORE_STEPS: u64 = 1_000;
+
     /// Limits from the commands and steps of the first run. Values that converge badly take more of both, but not 50 times.
     pub(super) fn from_first_run(commands: u64, steps: u64, time: Duration) -> Self {
-        Self { commands: 50 * commands + 10_000, steps: 50 * steps + 1_000, time: time.max(Self::MIN_TIME) }
+        let (commands, steps) = (Self::MARGIN * commands + 10_000, Self::MARGIN * steps + Self::MORE_STEPS);
+        Self { commands, steps, time: time.max(Self::MIN_TIME) }
+    }
+
+    /// Steps of the first run.
+    pub(crate) fn first_steps(&self) -> u64 {
+        self.steps.saturating_sub(Self::MORE_STEPS) / Self::MARGIN
     }
 }
 

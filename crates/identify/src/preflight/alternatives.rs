@@ -1,0 +1,290 @@
+//! Faults of a channel that explain it where the model as it is does not.
+
+use super::compare::Moments;
+use super::lag::LagScan;
+use super::motions::ImposedMotions;
+use super::unit_ratio::{UnitRatio, is_power_of_ten, may_be_acceleration, ratios};
+use super::{Finding, FindingKind};
+use crate::study::{ObservedChannel, Run};
+
+/// Largest error with a fault, over the error without one.
+const MAX_ERROR_RATIO: f64 = 0.25;
+/// The same for a factor, if the simulation has another size than the recording at all points.
+const MAX_SCALED_ERROR_RATIO: f64 = 0.6;
+/// Factor between sizes that the ranges of the parameters do not explain.
+const MIN_SIZE_RATIO: f64 = 2.2;
+/// A gain of a sensor is smaller.
+const MIN_HARD_GAIN: f64 = 5.0;
+/// The same for a fault that does not stop a diagnosis.
+const MAX_SOFT_ERROR_RATIO: f64 = 0.15;
+/// Largest NMSE with a fault.
+const MAX_NMSE: f64 = 0.5;
+/// A simpler fault is preferred to one whose error is not smaller than this part of its own.
+const PREFERENCE: f64 = 0.6;
+/// A ratio of metric units is preferred to another one whose error is not smaller than this part of its own.
+const METRIC_PREFERENCE: f64 = 0.3;
+/// Shortest delay that is no property of a sensor, in sampling intervals.
+const MIN_HARD_LAG: f64 = 40.0;
+/// Shortest delay that is worth a word, in sampling intervals.
+const MIN_LAG: f64 = 3.0;
+
+/// A fault of a channel.
+#[derive(Clone, Copy, Debug)]
+enum Fault {
+    Sign,
+    /// Ratio of units, and 1 or -1.
+    Unit(UnitRatio, f64),
+    /// Any other factor.
+    Gain,
+    /// Index of the other channel.
+    Swapped(usize),
+    /// Sign of the ground acceleration that is added to the simulated one.
+    Ground(f64),
+    /// Delay of the recorded channel, s.
+    Lag(f64),
+}
+
+/// A fault with the least error over all points.
+#[derive(Clone, Copy, Debug)]
+struct Explanation {
+    fault: Fault,
+    nmse: f64,
+    /// Least-squares factor about the means, and correlation, at the point of that error.
+    factor: f64,
+    correlation: f64,
+}
+
+/// Faults of the channels of a run.
+pub(super) struct ChannelFaults<'a> {
+    run: &'a Run,
+    /// Simulated channels by point.
+    responses: &'a [&'a [Vec<f64>]],
+    motions: &'a ImposedMotions,
+}
+
+impl<'a> ChannelFaults<'a> {
+    pub(super) fn new(run: &'a Run, responses: &'a [&'a [Vec<f64>]], motions: &'a ImposedMotions) -> Self {
+        Self { run, responses, motions }
+    }
+
+    /// One finding at most for each channel.
+    pub(super) fn findings(&self) -> Vec<Finding> {
+        let finding = |(k, o): (usize, &ObservedChannel)| {
+            let without = self.least(k, |m| m.nmse(1.0));
+            let explained = self.explanation(k, without).map(|e| self.finding(o, &e));
+            explained.or_else(|| (without > 1.0).then(|| self.unexplained(o, without)))
+        };
+        self.run.observe.iter().enumerate().filter_map(finding).collect()
+    }
+
+    /// The simplest fault among those that explain a channel.
+    fn explanation(&self, k: usize, without: f64) -> Option<Explanation> {
+        let all = self.explanations(k);
+        // A simulation that is much too small has an NMSE of 1, whatever its shape. Its factor shows the unit.
+        let is_another_size = self.least(k, |m| m.line()[0].abs().ln().abs()) > MIN_SIZE_RATIO.ln();
+        let explains = |e: &Explanation| {
+            let share = match e.fault {
+                Fault::Unit(..) | Fault::Gain if is_another_size => MAX_SCALED_ERROR_RATIO,
+                Fault::Gain => 0.0,
+                _ => MAX_ERROR_RATIO,
+            };
+            e.nmse <= (share * without).min(MAX_NMSE)
+        };
+        let all: Vec<Explanation> = all.into_iter().filter(explains).collect();
+        let least = all.iter().map(|e| e.nmse).fold(f64::INFINITY, f64::min);
+        let simplest = all.into_iter().find(|e| PREFERENCE * e.nmse <= least)?;
+        let is_hard = self.is_hard(&simplest);
+        (is_hard || simplest.nmse <= MAX_SOFT_ERROR_RATIO * without).then_some(simplest)
+    }
+
+    /// Returns false for the delays and gains of sensors, which a diagnosis finds by itself.
+    fn is_hard(&self, e: &Explanation) -> bool {
+        match e.fault {
+            Fault::Lag(seconds) => seconds.abs() >= MIN_HARD_LAG * self.interval(),
+            Fault::Gain => e.factor.abs().ln().abs() >= MIN_HARD_GAIN.ln(),
+            _ => true,
+        }
+    }
+
+    /// Least value over all points.
+    fn least(&self, k: usize, of: impl Fn(&Moments) -> f64) -> f64 {
+        let values = &self.run.observe[k].values;
+        self.responses.iter().map(|y| of(&Moments::new(values, &y[k]))).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The best explanation of each kind, the simplest kind first.
+    fn explanations(&self, k: usize) -> Vec<Explanation> {
+        let o = &self.run.observe[k];
+        let moments: Vec<Moments> = self.responses.iter().map(|y| Moments::new(&o.values, &y[k])).collect();
+        let scaled = |fault: Fault, factor: f64| best(fault, moments.iter().map(|m| (m.nmse(factor), *m)));
+        let mut out = vec![scaled(Fault::Sign, -1.0)];
+        let units = ratios(&o.unit, &o.channel);
+        let units = units.iter().flat_map(|r| [1.0, -1.0].map(|sign| scaled(Fault::Unit(*r, sign), sign * r.factor)));
+        let (metric, other): (Vec<_>, Vec<_>) =
+            units.flatten().partition(|e| matches!(e.fault, Fault::Unit(r, _) if is_power_of_ten(r.factor)));
+        let least = |all: Vec<Explanation>| all.into_iter().min_by(|a, b| a.nmse.total_cmp(&b.nmse));
+        out.push(match (least(metric), least(other)) {
+            (Some(m), Some(o)) if o.nmse < METRIC_PREFERENCE * m.nmse => Some(o),
+            (Some(m), _) => Some(m),
+            (None, o) => o,
+        });
+        let with_factor = moments.iter().map(|m| (m.nmse(m.line()[0]), *m));
+        out.push(best(Fault::Gain, with_factor));
+        out.extend((0..self.run.observe.len()).filter(|j| *j != k).map(|j| self.swapped(k, j)));
+        if may_be_acceleration(&o.unit, &o.channel) {
+            for ground in self.motions.accelerations() {
+                for sign in [1.0, -1.0] {
+                    let sums = self.responses.iter().map(|y| {
+                        let sum: Vec<f64> = y[k].iter().zip(ground).map(|(y, g)| y + sign * g).collect();
+                        let m = Moments::new(&o.values, &sum);
+                        (m.nmse(1.0), m)
+                    });
+                    out.push(best(Fault::Ground(sign), sums));
+                }
+            }
+        }
+        out.push(self.late(k));
+        out.into_iter().flatten().collect()
+    }
+
+    /// The exchange of two channels, with the larger of their errors.
+    fn swapped(&self, k: usize, j: usize) -> Option<Explanation> {
+        let [a, b] = [k, j].map(|i| &self.run.observe[i].values);
+        let errors = self.responses.iter().map(|y| {
+            let (here, there) = (Moments::new(a, &y[j]), Moments::new(b, &y[k]));
+            (here.nmse(1.0).max(there.nmse(1.0)), here)
+        });
+        let other = self.least(j, |m| m.nmse(1.0));
+        best(Fault::Swapped(j), errors).filter(|e| e.nmse <= MAX_ERROR_RATIO * other)
+    }
+
+    /// A delay of the channel.
+    fn late(&self, k: usize) -> Option<Explanation> {
+        let o = &self.run.observe[k];
+        let times = &self.run.recording.times;
+        let scans = self.responses.iter().filter_map(|y| {
+            let lag = LagScan::new(times, &o.values, &y[k])?.best();
+            Some((lag, Moments::new(&o.values, &y[k])))
+        });
+        let (lag, m) = scans.min_by(|a, b| a.0.nmse.total_cmp(&b.0.nmse))?;
+        let [factor, _] = m.line();
+        let fault = Fault::Lag(lag.seconds);
+        let is_visible = lag.seconds.abs() >= MIN_LAG * self.interval();
+        is_visible.then(|| Explanation { fault, nmse: lag.nmse, factor, correlation: m.correlation() })
+    }
+
+    /// Mean sampling interval, s.
+    fn interval(&self) -> f64 {
+        let t = &self.run.recording.times;
+        (t[t.len() - 1] - t[0]) / (t.len() - 1) as f64
+    }
+
+    /// The finding that no point of the ranges explains a channel.
+    fn unexplained(&self, o: &ObservedChannel, nmse: f64) -> Finding {
+        Finding {
+            kind: FindingKind::Unexplained,
+            is_hard: false,
+            channel: o.channel.clone(),
+            runs: vec![self.run.name.clone()],
+            factor: None,
+            lag_s: None,
+            message: format!("NMSE {nmse:.2} or more within the ranges: the mean of the channel explains it better"),
+            help: "check output, column and ranges".into(),
+        }
+    }
+
+    fn finding(&self, o: &ObservedChannel, e: &Explanation) -> Finding {
+        let observed = "in its [[run.observe]]";
+        let mut finding = Finding {
+            kind: FindingKind::Sign,
+            is_hard: self.is_hard(e),
+            channel: o.channel.clone(),
+            runs: vec![self.run.name.clone()],
+            factor: None,
+            lag_s: None,
+            message: String::new(),
+            help: String::new(),
+        };
+        match e.fault {
+            Fault::Sign => {
+                finding.factor = Some(e.factor);
+                finding.message = format!(
+                    "recorded = {:.3} x simulated, correlation {:.2}: is the sign turned?",
+                    e.factor, e.correlation
+                );
+                finding.help = format!("factor = -1 {observed} turns it");
+            }
+            Fault::Unit(ratio, sign) => {
+                finding.kind = FindingKind::Unit;
+                finding.factor = Some(sign * ratio.factor);
+                let turned = if sign < 0.0 { ", and the sign turned" } else { "" };
+                finding.message = format!(
+                    "recorded = {} x simulated, correlation {:.2}: {} for {}{turned}?",
+                    significant(e.factor),
+                    e.correlation,
+                    ratio.recorded,
+                    ratio.model
+                );
+                finding.help = format!("factor = {} {observed} converts it", significant(sign / ratio.factor));
+            }
+            Fault::Gain => {
+                finding.kind = FindingKind::Unit;
+                finding.factor = Some(e.factor);
+                finding.message = format!(
+                    "recorded = {} x simulated, correlation {:.2}: another unit or another gain?",
+                    significant(e.factor),
+                    e.correlation
+                );
+                finding.help = format!("factor = {} {observed} removes it", significant(1.0 / e.factor));
+            }
+            Fault::Swapped(j) => {
+                let other = &self.run.observe[j].channel;
+                finding.kind = FindingKind::Swapped;
+                finding.message =
+                    format!("recorded is what the model has for {other}, and the reverse: are they exchanged?");
+                finding.help = "exchange the names of the two channels in the study".into();
+            }
+            Fault::Ground(sign) => {
+                finding.kind = FindingKind::Acceleration;
+                let [recorded, model] = if sign > 0.0 { ["absolute", "relative"] } else { ["relative", "absolute"] };
+                let operator = if sign > 0.0 { "+" } else { "-" };
+                finding.message = format!(
+                    "recorded = simulated {operator} ground acceleration: the recorded acceleration is {recorded}, \
+                     that of the recorder {model}"
+                );
+                finding.help = "recorder Node with -timeSeries TAG records absolute accelerations".into();
+            }
+            Fault::Lag(seconds) => {
+                finding.kind = FindingKind::Lag;
+                finding.lag_s = Some(seconds);
+                let late = if seconds > 0.0 { "late" } else { "early" };
+                finding.message = format!("recorded is {} s {late}: a trigger offset?", significant(seconds.abs()));
+                finding.help = format!("shift = {} {observed} moves it", significant(-seconds));
+            }
+        }
+        finding
+    }
+}
+
+/// The explanation by a fault at the point with the least error.
+fn best(fault: Fault, errors: impl Iterator<Item = (f64, Moments)>) -> Option<Explanation> {
+    let (nmse, m) = errors.filter(|e| e.0.is_finite()).min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let [factor, _] = m.line();
+    Some(Explanation { fault, nmse, factor, correlation: m.correlation() })
+}
+
+/// A number with three significant digits.
+pub(super) fn significant(x: f64) -> String {
+    if x == 0.0 || !x.is_finite() {
+        return format!("{x}");
+    }
+    let digits = 2 - x.abs().log10().floor() as i32;
+    if (0..=8).contains(&digits) {
+        let text = format!("{x:.*}", digits as usize);
+        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    } else if (-6..0).contains(&digits) {
+        format!("{x:.0}")
+    } else {
+        format!("{x:.2e}")
+    }
+}
