@@ -63,6 +63,17 @@ fn channels_before_the_first_and_after_the_last_recorder_row() {
     assert_eq!(channels[0].iter().filter(|v| v.is_nan()).count(), 250);
 }
 
+/// A channel with a shift is the model's response that much later.
+#[test]
+fn shifted_channel_is_compared_with_the_response_at_the_shifted_time() {
+    let mut plain = simulator(&StudyFolder::new());
+    let mut shifted = simulator(&StudyFolder::edited("study.toml", "column  = 2", "column  = 2\nshift = 0.04"));
+    let (a, b) = (plain.simulate(0, &TRUTH).unwrap(), shifted.simulate(0, &TRUTH).unwrap());
+    // Two samples of 0.02 s.
+    assert!(a[0][2..].iter().zip(&b[0]).all(|(x, y)| (x - y).abs() < 1e-9), "{:?} {:?}", &a[0][..5], &b[0][..5]);
+    assert!(b[0][b[0].len() - 1].is_nan() && a[0].iter().all(|y| y.is_finite()));
+}
+
 /// The state after a gravity stage is the start of the test.
 #[test]
 fn rows_of_earlier_stages_are_left_out() {

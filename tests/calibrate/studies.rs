@@ -49,6 +49,26 @@ fn study_errors_have_their_location() {
         ("lower = 1.0\nupper = 5.0", "expr = \"2*k0\"", "study.toml:6:9", "depends on itself"),
         ("lower = 1.0\nupper = 5.0", "expr = \"2*(Qd\"", "study.toml:7:8", "is no formula"),
         ("lower = 1.0\nupper = 5.0", "expr = \"Qd\"\nvalue = 2.0", "study.toml:6:9", "both a value and a formula"),
+        (
+            "column  = 2",
+            "column  = 2\nfactor = 0.0",
+            "study.toml:31:10",
+            "the factor is 0; expected a number other than 0",
+        ),
+        ("column  = 2", "column  = 2\nfactor = inf", "study.toml:31:10", "the factor is inf"),
+        ("column  = 2", "column  = 2\nshift = nan", "study.toml:31:9", "the shift is NaN"),
+        (
+            "column  = 2",
+            "column  = 2\nunit = \"kNn\"",
+            "study.toml:31:8",
+            "unknown unit \"kNn\"; expected the unit of the output; did you mean \"kN\"?",
+        ),
+        (
+            "column  = 2",
+            "column  = 2\nunit = \"mm\"",
+            "study.toml:31:8",
+            "force of growing.csv is a force in kN, and mm is a length; expected a unit of force",
+        ),
     ] {
         let (location, message) = load_error(&StudyFolder::edited("study.toml", old, new));
         assert_eq!(location, at, "{new}: {message}");
@@ -97,4 +117,45 @@ fn study_is_read_with_its_parameters_and_runs() {
     assert_eq!((o.unit.as_str(), o.values.iter().filter(|v| v.is_nan()).count()), ("kN", 3));
     assert_eq!(study.warnings.len(), 1);
     assert_eq!(run.recording.column("temperature").unwrap().unit, "degC");
+}
+
+/// Samples, variance and unit of the first channel of the first run.
+fn first_channel(folder: &StudyFolder) -> (Vec<f64>, f64, String) {
+    let study = Study::load(&folder.study(), &mut SourceMap::default()).unwrap();
+    let o = &study.runs[0].observe[0];
+    (o.values.iter().copied().filter(|v| !v.is_nan()).collect(), o.variance, o.unit.clone())
+}
+
+#[test]
+fn channels_are_converted_by_unit_factor_and_offset() {
+    let (recorded, variance, unit) = first_channel(&StudyFolder::new());
+    assert_eq!(unit, "kN");
+    for (keys, factor, offset, unit) in [
+        ("unit = \"kN\"", 1.0, 0.0, "kN"),
+        ("unit = \"N\"", 1e3, 0.0, "N"),
+        ("unit = \"kip\"\nfactor = -1.0", -1.0 / 4.4482216152605, 0.0, "kip"),
+        ("factor = -1\noffset = 2.5", -1.0, 2.5, "kN"),
+        ("factor = 1000.0", 1e3, 0.0, "N"),
+        ("factor = 1.07", 1.07, 0.0, "kN"),
+        ("factor = 1.0\noffset = 0\nshift = 0.0", 1.0, 0.0, "kN"),
+    ] {
+        let folder = StudyFolder::edited("study.toml", "column  = 2", &format!("column  = 2\n{keys}"));
+        let (values, v, u) = first_channel(&folder);
+        let close = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b.abs().max(1e-3);
+        assert!(values.iter().zip(&recorded).all(|(a, x)| close(*a, factor * x + offset)), "{keys}");
+        assert!((v / (factor * factor * variance) - 1.0).abs() < 1e-9, "{keys}: {v}");
+        assert_eq!(u, unit, "{keys}");
+        if factor == 1.0 {
+            assert_eq!((&values, v), (&recorded, variance), "{keys}: the same bits");
+        }
+    }
+    // The unit of the header is stated alone: nothing is converted.
+    let folder = StudyFolder::edited("study.toml", "column  = 2", "column  = 2\nunit = \"N\"");
+    folder.edit("growing.csv", "force[kN]", "force");
+    assert_eq!(first_channel(&folder), (recorded, variance, "N".into()));
+    // A unit of the header that is not known cannot be converted.
+    folder.edit("growing.csv", "force", "force[V]");
+    let (at, message) = load_error(&folder);
+    assert_eq!(at, "study.toml:31:8");
+    assert!(message.contains("the unit of force in growing.csv is not known: \"V\""), "{message}");
 }

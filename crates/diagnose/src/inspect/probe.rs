@@ -64,6 +64,7 @@ impl Recorders {
             column,
             at: String::new(),
             weight: 1.0,
+            shift: 0.0,
             values: vec![],
             variance: 1.0,
         }));

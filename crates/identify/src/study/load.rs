@@ -1,9 +1,11 @@
 //! Reading a study: its file is checked, and its recordings are read.
 
+use super::channel::read_channel;
 use super::parameter::{Parameter, ParameterKind, ParameterRange, ParameterSpace, Scale};
 use super::recording::Recording;
-use super::run::{ObservedChannel, Role, Run, Setting};
-use super::study_file::{ObserveTable, ParameterTable, RunTable, StudyFile};
+use super::run::{Role, Run, Setting};
+use super::source_spans::SourceSpans;
+use super::study_file::{ParameterTable, RunTable, StudyFile};
 use exmex::Express as _;
 use hysteron_tcl::diagnostic::{Diagnostic, SourceId, SourceMap, Span, nearest};
 use std::fs;
@@ -76,58 +78,6 @@ pub struct Rig {
 /// The error of a study. The texts that its message points into are in the [`SourceMap`] of the call.
 pub type StudyError = Box<Diagnostic>;
 
-/// Locations in the file of the study, for messages.
-struct SourceSpans {
-    source: SourceId,
-}
-
-impl SourceSpans {
-    fn span<T>(&self, s: &Spanned<T>) -> Span {
-        let range = s.span();
-        Span { source: self.source, start: range.start as u32, end: range.end as u32 }
-    }
-
-    fn error<T>(&self, s: &Spanned<T>, message: impl Into<String>, label: impl Into<String>) -> StudyError {
-        Box::new(Diagnostic::error(message).at(Some(self.span(s)), label))
-    }
-
-    /// A finite number that passes the check `good`. The message says what was `expected`.
-    fn number(
-        &self,
-        what: &str,
-        s: &Spanned<f64>,
-        good: impl Fn(f64) -> bool,
-        expected: &str,
-    ) -> Result<f64, StudyError> {
-        let x = *s.get_ref();
-        if x.is_finite() && good(x) { Ok(x) } else { Err(self.error(s, format!("{what} is {x}"), expected)) }
-    }
-
-    fn count(&self, what: &str, s: &Option<Spanned<i64>>, least: i64) -> Result<Option<usize>, StudyError> {
-        let Some(s) = s else { return Ok(None) };
-        match usize::try_from(*s.get_ref()) {
-            Ok(n) if n as i64 >= least => Ok(Some(n)),
-            _ => {
-                let message = format!("{what} is {}", s.get_ref());
-                Err(self.error(s, message, format!("expected a whole number not less than {least}")))
-            }
-        }
-    }
-
-    /// One of several known words.
-    fn choice<'a>(&self, what: &str, s: &Spanned<String>, known: &[&'a str]) -> Result<&'a str, StudyError> {
-        let word = s.get_ref();
-        if let Some(k) = known.iter().find(|k| *k == word) {
-            return Ok(k);
-        }
-        let mut d = self.error(s, format!("unknown {what} \"{word}\""), format!("expected {}", known.join(" or ")));
-        if let Some(near) = nearest(word, known.iter().copied()) {
-            d.help.push(format!("did you mean \"{near}\"?"));
-        }
-        Err(d)
-    }
-}
-
 impl Study {
     /// Read a study and its recordings. Texts that messages point into are added to `sources`.
     ///
@@ -141,7 +91,7 @@ impl Study {
         let folder = folder.canonicalize().map_err(unreadable)?;
         let source = sources.add(&shown.to_string(), &text);
         let parsed: StudyFile = toml::from_str(&text).map_err(|e| syntax_error(&e, source))?;
-        let spans = SourceSpans { source };
+        let spans = SourceSpans::new(source);
         let (parameters, name_spans) = read_parameters(&spans, &parsed.parameter)?;
         let space = ParameterSpace::new(parameters).map_err(|cyclic| {
             let name = &parsed.parameter[cyclic].get_ref().name;
@@ -348,55 +298,6 @@ fn read_setting(spans: &SourceSpans, value: &Spanned<toml::Value>) -> Result<Set
         toml::Value::Boolean(b) => Setting::Whole(i64::from(*b)),
         toml::Value::Array(list) => Setting::List(list.iter().map(text).collect::<Option<_>>().ok_or_else(wrong)?),
         _ => return Err(wrong()),
-    })
-}
-
-/// An observed channel with its samples.
-fn read_channel(
-    spans: &SourceSpans,
-    o: &ObserveTable,
-    recording: &Recording,
-    path: &str,
-    warnings: &mut Vec<Diagnostic>,
-) -> Result<ObservedChannel, StudyError> {
-    let channel = o.channel.get_ref();
-    let Some(column) = recording.column(channel) else {
-        let known: Vec<&str> = recording.columns.iter().map(|c| c.name.as_str()).collect();
-        let mut d = spans.error(&o.channel, format!("{path} has no column {channel}"), "expected a column of it");
-        match nearest(channel, known.iter().copied()) {
-            Some(near) => d.help.push(format!("did you mean \"{near}\"?")),
-            None => d.help.push(format!("it has {}", known.join(", "))),
-        }
-        return Err(d);
-    };
-    let weight = match &o.weight {
-        Some(w) => spans.number("the weight", w, |x| x >= 0.0, "expected a number not less than 0")?,
-        None => 1.0,
-    };
-    let at = usize::try_from(*o.column.get_ref())
-        .map_err(|_| spans.error(&o.column, format!("the column is {}", o.column.get_ref()), "expected 0, 1, ..."))?;
-    let present: Vec<f64> = column.values.iter().copied().filter(|v| !v.is_nan()).collect();
-    let n = present.len() as f64;
-    let mean = present.iter().sum::<f64>() / n;
-    let variance = present.iter().map(|v| (v - mean) * (v - mean)).sum::<f64>() / n;
-    if present.len() < 2 || variance == 0.0 {
-        let message = format!("{channel} of {path} never changes ({} samples)", present.len());
-        return Err(spans.error(&o.channel, message, "expected a channel with a variance"));
-    }
-    let missing = column.values.len() - present.len();
-    if missing > 0 {
-        let message = format!("{missing} of {} samples of {channel} in {path} are missing", column.values.len());
-        warnings.push(Diagnostic::warning(message).at(Some(spans.span(&o.channel)), "left out"));
-    }
-    Ok(ObservedChannel {
-        channel: channel.clone(),
-        unit: column.unit.clone(),
-        output: o.output.get_ref().clone(),
-        column: at,
-        at: o.at.clone().unwrap_or_default(),
-        weight,
-        values: column.values.clone(),
-        variance,
     })
 }
 

@@ -13,6 +13,7 @@
 //! [`ParameterSpace::values_at`] and [`ParameterSpace::unit_point`] convert between them.
 
 mod cached_files;
+mod channel;
 mod initial_run;
 mod load;
 mod parameter;
@@ -21,8 +22,10 @@ mod run;
 mod score;
 mod script_simulator;
 mod simulator;
+mod source_spans;
 mod study_file;
 mod trace;
+pub mod unit;
 mod worker_pool;
 
 pub use initial_run::{InitialRun, RunLimits};

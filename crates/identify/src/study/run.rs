@@ -62,7 +62,7 @@ impl Run {
 pub struct ObservedChannel {
     /// Name of the column of the recording.
     pub channel: String,
-    /// Unit of the channel.
+    /// Unit of the samples; empty if it is not known.
     pub unit: String,
     /// File of a recorder of the script.
     pub output: String,
@@ -72,9 +72,12 @@ pub struct ObservedChannel {
     pub at: String,
     /// Weight of the NMSE of this channel in the objective.
     pub weight: f64,
-    /// Samples, one for each time of the recording; NaN where one is missing.
+    /// Shift in s: a sample at the recorded time t is compared with the model at t + shift.
+    pub shift: f64,
+    /// Samples as they are compared with the model: converted to the unit of its output, times the factor, plus the
+    /// offset. One for each time of the recording; NaN where one is missing.
     pub values: Vec<f64>,
-    /// Population variance of the samples.
+    /// Population variance of these samples.
     pub variance: f64,
 }
 

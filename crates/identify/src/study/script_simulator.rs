@@ -251,7 +251,11 @@ impl ScriptSimulator {
                 if column.clone().any(|v| !v.is_finite()) {
                     return Err(SimulationError::NotFinite(format!("{} column {}", o.output, o.column)));
                 }
-                Ok(trace.sample(o.column, &spec.recording.times))
+                let times = &spec.recording.times;
+                Ok(match o.shift == 0.0 {
+                    true => trace.sample(o.column, times),
+                    false => trace.sample(o.column, &times.iter().map(|t| t + o.shift).collect::<Vec<_>>()),
+                })
             })
         };
         spec.observe.iter().zip(&self.outputs[run]).map(channel).collect()
@@ -272,7 +276,10 @@ impl ScriptSimulator {
         let is_length = |unit: &str| ["m", "mm", "cm", "in", "ft"].contains(&unit);
         let recorded = recording.columns.iter().find(|c| is_length(&c.unit) || c.name.starts_with("disp"));
         if let Some(c) = recorded {
-            return Some((format!("{} [{}]", c.name, c.unit), c.values.clone()));
+            // The sign and the unit of the model, as the forces have.
+            let observed = self.study.runs[run].observe.iter().find(|o| o.channel == c.name);
+            let (unit, values) = observed.map_or((&c.unit, &c.values), |o| (&o.unit, &o.values));
+            return Some((format!("{} [{unit}]", c.name), values.clone()));
         }
         let others = UnobservedTraces::default();
         self.run(run, Some(values), Some(others.clone()));

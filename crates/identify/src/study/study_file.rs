@@ -49,6 +49,10 @@ pub(super) struct ObserveTable {
     pub(super) column: Spanned<i64>,
     pub(super) at: Option<String>,
     pub(super) weight: Option<Spanned<f64>>,
+    pub(super) factor: Option<Spanned<f64>>,
+    pub(super) offset: Option<Spanned<f64>>,
+    pub(super) shift: Option<Spanned<f64>>,
+    pub(super) unit: Option<Spanned<String>>,
 }
 
 #[derive(Debug, Default, Deserialize)]
