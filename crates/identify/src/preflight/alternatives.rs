@@ -3,7 +3,7 @@
 use super::compare::Moments;
 use super::lag::LagScan;
 use super::motions::ImposedMotions;
-use super::unit_ratio::{UnitRatio, is_power_of_ten, may_be_acceleration, ratios};
+use super::unit_ratio::{UnitRatio, may_be_acceleration, ratios};
 use super::{Finding, FindingKind};
 use crate::study::{ObservedChannel, Run};
 
@@ -21,10 +21,10 @@ const MAX_SOFT_ERROR_RATIO: f64 = 0.15;
 const MAX_NMSE: f64 = 0.5;
 /// A simpler fault is preferred to one whose error is not smaller than this part of its own.
 const PREFERENCE: f64 = 0.6;
-/// A ratio of metric units is preferred to another one whose error is not smaller than this part of its own.
-const METRIC_PREFERENCE: f64 = 0.3;
+/// A ratio with the unit of the header is preferred to another one whose error is not smaller than this part of its own.
+const UNIT_PREFERENCE: f64 = 0.8;
 /// Shortest delay that is no property of a sensor, in sampling intervals.
-const MIN_HARD_LAG: f64 = 40.0;
+const MIN_HARD_LAG: f64 = 32.0;
 /// Shortest delay that is worth a word, in sampling intervals.
 const MIN_LAG: f64 = 3.0;
 
@@ -90,9 +90,10 @@ impl<'a> ChannelFaults<'a> {
             };
             e.nmse <= (share * without).min(MAX_NMSE)
         };
-        let all: Vec<Explanation> = all.into_iter().filter(explains).collect();
-        let least = all.iter().map(|e| e.nmse).fold(f64::INFINITY, f64::min);
-        let simplest = all.into_iter().find(|e| PREFERENCE * e.nmse <= least)?;
+        let (gains, named): (Vec<_>, Vec<_>) =
+            all.into_iter().filter(explains).partition(|e| matches!(e.fault, Fault::Gain));
+        let least = named.iter().map(|e| e.nmse).fold(f64::INFINITY, f64::min);
+        let simplest = named.into_iter().find(|e| PREFERENCE * e.nmse <= least).or(gains.first().copied())?;
         let is_hard = self.is_hard(&simplest);
         (is_hard || simplest.nmse <= MAX_SOFT_ERROR_RATIO * without).then_some(simplest)
     }
@@ -120,14 +121,10 @@ impl<'a> ChannelFaults<'a> {
         let mut out = vec![scaled(Fault::Sign, -1.0)];
         let units = ratios(&o.unit, &o.channel);
         let units = units.iter().flat_map(|r| [1.0, -1.0].map(|sign| scaled(Fault::Unit(*r, sign), sign * r.factor)));
-        let (metric, other): (Vec<_>, Vec<_>) =
-            units.flatten().partition(|e| matches!(e.fault, Fault::Unit(r, _) if is_power_of_ten(r.factor)));
-        let least = |all: Vec<Explanation>| all.into_iter().min_by(|a, b| a.nmse.total_cmp(&b.nmse));
-        out.push(match (least(metric), least(other)) {
-            (Some(m), Some(o)) if o.nmse < METRIC_PREFERENCE * m.nmse => Some(o),
-            (Some(m), _) => Some(m),
-            (None, o) => o,
-        });
+        // Nearly equal ratios, such as 1000 and 980.7, are told apart by the header alone.
+        let units: Vec<Explanation> = units.flatten().collect();
+        let least = units.iter().map(|e| e.nmse).fold(f64::INFINITY, f64::min);
+        out.push(units.into_iter().find(|e| UNIT_PREFERENCE * e.nmse <= least));
         let with_factor = moments.iter().map(|m| (m.nmse(m.line()[0]), *m));
         out.push(best(Fault::Gain, with_factor));
         out.extend((0..self.run.observe.len()).filter(|j| *j != k).map(|j| self.swapped(k, j)));

@@ -6,8 +6,10 @@ use crate::fourier::{Complex, forward, inverse};
 const MAX_GRID: usize = 8192;
 /// Largest delay, over the length of the record.
 const MAX_LAG: f64 = 0.2;
-/// A smaller delay is preferred to one whose error is no more than this part smaller.
+/// A shorter delay is preferred to one whose error is no more than this part smaller.
 const TOLERANCE: f64 = 0.05;
+/// A shorter delay is preferred if it leaves no more than this part of the error without a delay.
+const SUFFICIENT: f64 = 0.25;
 
 /// Sums of two series over their common samples, for each delay of a uniform grid.
 pub(super) struct LagScan {
@@ -104,13 +106,15 @@ impl LagScan {
         })
     }
 
-    /// The local minimum at the shortest delay whose error is close to the least one; refined by a parabola.
+    /// The local minimum at the shortest delay whose error is close to the least one, or much less than that without a
+    /// delay; refined by a parabola.
     fn shortest(&self, errors: &[f64]) -> (f64, f64) {
         let least = errors.iter().copied().fold(f64::INFINITY, f64::min);
         let zero = errors.len() / 2;
         let is_minimum =
             |i: usize| (i == 0 || errors[i] <= errors[i - 1]) && (i + 1 == errors.len() || errors[i] <= errors[i + 1]);
-        let near = (0..errors.len()).filter(|i| errors[*i] <= least * (1.0 + TOLERANCE) + 1e-12 && is_minimum(*i));
+        let limit = (least * (1.0 + TOLERANCE) + 1e-12).max(SUFFICIENT * errors[zero]);
+        let near = (0..errors.len()).filter(|i| errors[*i] <= limit && is_minimum(*i));
         let at = near.min_by_key(|i| i.abs_diff(zero)).unwrap_or(zero);
         let mut lag = self.lags[at] as f64;
         if at > 0 && at + 1 < errors.len() {

@@ -1,24 +1,80 @@
 //! Ratios of the units that a channel and a model may be in.
 
-/// Units of one kind: name, and size in the first of them.
-type Kind = &'static [(&'static str, f64)];
+use crate::study::unit::{Quantity, Unit, unit};
 
-const LENGTHS: Kind = &[("m", 1.0), ("cm", 0.01), ("mm", 0.001), ("in", 0.0254), ("ft", 0.3048)];
-const SPEEDS: Kind = &[("m/s", 1.0), ("cm/s", 0.01), ("mm/s", 0.001), ("in/s", 0.0254)];
-const ACCELERATIONS: Kind =
-    &[("m/s2", 1.0), ("g", 9.80665), ("cm/s2", 0.01), ("in/s2", 0.0254), ("mm/s2", 0.001), ("ft/s2", 0.3048)];
-const FORCES: Kind = &[
-    ("N", 1.0),
-    ("kN", 1e3),
-    ("MN", 1e6),
-    ("lbf", 4.448_221_615),
-    ("kip", 4448.221_615),
-    ("kgf", 9.80665),
-    ("tonf", 9806.65),
+/// Units that are taken for one another.
+struct Confusion {
+    quantity: Quantity,
+    /// Words in the names of channels of the quantity.
+    words: &'static [&'static str],
+    /// Pairs of units, the commonest first.
+    pairs: &'static [(&'static str, &'static str)],
+}
+
+const CONFUSIONS: [Confusion; 5] = [
+    Confusion {
+        quantity: Quantity::Force,
+        words: &["force", "shear"],
+        pairs: &[
+            ("N", "kN"),
+            ("N", "MN"),
+            ("kN", "MN"),
+            ("kip", "kN"),
+            ("lbf", "N"),
+            ("kip", "N"),
+            ("lbf", "kip"),
+            ("kgf", "N"),
+            ("tonf", "kN"),
+            ("tonf", "N"),
+            ("kgf", "kN"),
+        ],
+    },
+    Confusion {
+        quantity: Quantity::Length,
+        words: &["disp", "drift"],
+        pairs: &[
+            ("mm", "m"),
+            ("cm", "m"),
+            ("mm", "cm"),
+            ("in", "m"),
+            ("mm", "in"),
+            ("cm", "in"),
+            ("ft", "m"),
+            ("in", "ft"),
+        ],
+    },
+    Confusion {
+        quantity: Quantity::Acceleration,
+        words: &["acc"],
+        pairs: &[
+            ("g", "m/s2"),
+            ("cm/s2", "g"),
+            ("in/s2", "g"),
+            ("cm/s2", "m/s2"),
+            ("mm/s2", "m/s2"),
+            ("in/s2", "m/s2"),
+            ("ft/s2", "m/s2"),
+        ],
+    },
+    Confusion {
+        quantity: Quantity::Velocity,
+        words: &["vel"],
+        pairs: &[("mm/s", "m/s"), ("cm/s", "m/s"), ("in/s", "m/s")],
+    },
+    Confusion {
+        quantity: Quantity::Stress,
+        words: &["stress"],
+        pairs: &[
+            ("Pa", "kPa"),
+            ("kPa", "MPa"),
+            ("Pa", "MPa"),
+            ("MPa", "GPa"),
+            ("ksi", "MPa"),
+            ("psi", "ksi"),
+            ("psi", "kPa"),
+        ],
+    },
 ];
-const STRESSES: Kind =
-    &[("Pa", 1.0), ("kPa", 1e3), ("MPa", 1e6), ("GPa", 1e9), ("psi", 6894.757), ("ksi", 6_894_757.0)];
-const KINDS: [Kind; 5] = [FORCES, LENGTHS, ACCELERATIONS, SPEEDS, STRESSES];
 
 /// Ratios nearer to 1 than this are left to the parameters and to the gain of a sensor.
 const MIN_RATIO: f64 = 2.2;
@@ -34,50 +90,33 @@ pub(super) struct UnitRatio {
     pub(super) model: &'static str,
 }
 
-/// Returns the kind of quantity of a unit or a name of a channel, as an index.
-fn kind(unit: &str, channel: &str) -> Option<usize> {
-    let by_unit = KINDS.iter().position(|k| k.iter().any(|(name, _)| *name == unit));
+/// Quantity of a channel, by its unit or its name.
+fn quantity(unit_name: &str, channel: &str) -> Option<Quantity> {
     let name = channel.to_lowercase();
-    by_unit.or_else(|| {
-        let begins = [("force", 0), ("shear", 0), ("disp", 1), ("drift", 1), ("acc", 2), ("vel", 3), ("stress", 4)];
-        begins.iter().find(|(word, _)| name.contains(word)).map(|(_, k)| *k)
-    })
+    let by_name = || CONFUSIONS.iter().find(|c| c.words.iter().any(|w| name.contains(w))).map(|c| c.quantity);
+    unit(unit_name).map(|u| u.quantity).or_else(by_name)
 }
 
 /// Returns true if a channel may be an acceleration.
-pub(super) fn may_be_acceleration(unit: &str, channel: &str) -> bool {
-    kind(unit, channel).is_none_or(|k| k == 2)
+pub(super) fn may_be_acceleration(unit_name: &str, channel: &str) -> bool {
+    quantity(unit_name, channel).is_none_or(|q| q == Quantity::Acceleration)
 }
 
-/// All ratios of the units of a channel, those within the metric system first. The header may be wrong, so its unit only
-/// chooses among the names of a ratio.
-pub(super) fn ratios(unit: &str, channel: &str) -> Vec<UnitRatio> {
-    let kinds: Vec<Kind> = kind(unit, channel).map_or(KINDS.to_vec(), |k| vec![KINDS[k]]);
-    let mut out: Vec<UnitRatio> = vec![];
-    let names_header = |r: &UnitRatio| r.recorded == unit || r.model == unit;
-    for k in kinds {
-        for (recorded, size) in k {
-            for (model, model_size) in k.iter().filter(|(name, _)| name != recorded) {
-                let ratio = UnitRatio { factor: model_size / size, recorded, model };
-                if ratio.factor.ln().abs() < MIN_RATIO.ln() {
-                    continue;
-                }
-                match out.iter_mut().find(|r| (r.factor / ratio.factor).ln().abs() < 1e-3) {
-                    Some(known) if names_header(&ratio) && !names_header(known) => *known = ratio,
-                    Some(_) => {}
-                    None => out.push(ratio),
-                }
-            }
-        }
-    }
-    out.sort_by_key(|r| !is_power_of_ten(r.factor));
+/// Ratios of units that a channel may be taken for, those with the unit of its header first, then the commonest.
+pub(super) fn ratios(unit_name: &str, channel: &str) -> Vec<UnitRatio> {
+    let header = unit(unit_name);
+    let of_channel = quantity(unit_name, channel);
+    let confusions = CONFUSIONS.iter().filter(|c| of_channel.is_none_or(|q| q == c.quantity));
+    let pairs = confusions.flat_map(|c| c.pairs).filter_map(|(a, b)| Some((unit(a)?, unit(b)?)));
+    let ratio = |recorded: &Unit, model: &Unit| UnitRatio {
+        factor: model.factor / recorded.factor,
+        recorded: recorded.name,
+        model: model.name,
+    };
+    let both = pairs.flat_map(|(a, b)| [ratio(&a, &b), ratio(&b, &a)]);
+    let mut out: Vec<UnitRatio> = both.filter(|r| r.factor.ln().abs() > MIN_RATIO.ln()).collect();
+    out.sort_by_key(|r| !header.is_some_and(|h| r.recorded == h.name || r.model == h.name));
     out
-}
-
-/// Returns true for the ratios of metric units.
-pub(super) fn is_power_of_ten(factor: f64) -> bool {
-    let log = factor.abs().log10();
-    (log - log.round()).abs() < 1e-9
 }
 
 #[cfg(test)]
