@@ -119,6 +119,9 @@ pub(super) struct DiagnoseArgs {
     /// Times that count by one are seconds, and not the numbers of samples
     #[arg(long)]
     pub(super) clock: bool,
+    /// Begin although a channel seems to have the wrong sign, unit, clock or place
+    #[arg(long)]
+    pub(super) as_recorded: bool,
     /// Show all explanations that were weighed
     #[arg(long)]
     pub(super) verbose: bool,

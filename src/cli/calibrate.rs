@@ -3,6 +3,7 @@
 use super::args::{CalibrateArgs, Compat};
 use super::files::{CHECKPOINT_INTERVAL, write_atomically};
 use super::messages::Messages;
+use super::preflight::{check_channels, threads};
 use hysteron::analysis::Options;
 use hysteron::calibrate::{
     CalibrationResult, Checkpoint, Displacements, SearchObserver, SearchSettings, SearchStatus, StudyProblem,
@@ -19,7 +20,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 /// Exit status if the calibration failed.
-const FAILURE: i32 = 1;
+pub(super) const FAILURE: i32 = 1;
 /// Exit status if the input is wrong.
 pub(super) const INPUT_ERROR: i32 = 2;
 /// Default folder of the results.
@@ -125,7 +126,8 @@ fn calibrate_study(
         FAILURE
     };
     fs::create_dir_all(dir).map_err(|e| failed(format!("cannot make {}: {e}", dir.display())))?;
-    let threads = args.threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
+    let threads = threads(args.threads);
+    let checked = check_channels(&simulator, &initial_run, threads, false).map_err(|e| failed(e.to_string()))?;
     let problem = StudyProblem::of_script(&simulator, threads).map_err(|e| failed(e.to_string()))?;
     let begun = Instant::now();
     let checkpoint_path = dir.join("checkpoint.json");
@@ -144,6 +146,7 @@ fn calibrate_study(
     stop.store(false, Ordering::Relaxed);
     let wall_time = begun.elapsed().as_secs_f64();
     let mut result = CalibrationResult::new(&problem, &settings, found, wall_time).map_err(&failed)?;
+    result.preflight = Some(checked);
     if stopped {
         eprintln!("interrupted: the best so far is kept; --resume goes on");
     } else {

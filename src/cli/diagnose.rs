@@ -3,6 +3,7 @@
 use super::args::DiagnoseArgs;
 use super::files::{CHECKPOINT_INTERVAL, write_atomically};
 use super::messages::Messages;
+use super::preflight::{check_channels, threads};
 use hysteron::analysis::Options;
 use hysteron::diagnose::{
     CheckpointEntry, Diagnosis, ProgressMonitor, Settings, diagnose, hypothesis, identity, report,
@@ -50,23 +51,38 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
     for w in study.warnings.iter().chain(&initial_run.warnings).filter(|w| w.severity != Severity::Note) {
         show(w, &sources);
     }
+    let checked = match check_channels(&simulator, &initial_run, threads(args.threads), !args.as_recorded) {
+        Ok(checked) => checked,
+        Err(e) => {
+            eprintln!("error: {e}");
+            return FAILED_STATUS;
+        }
+    };
+    if checked.has_hard_findings() && !args.as_recorded {
+        eprintln!(
+            "no diagnosis: it would take this for physics. Mend the study, or take it as it is with --as-recorded"
+        );
+        return WRONG_INPUT_STATUS;
+    }
     let dir = args.out.clone().unwrap_or_else(|| "results".into());
     let saved = dir.join(CHECKPOINT_FILE);
     let found = fs::read_to_string(study.folder.join(&study.model)).map_err(|e| e.to_string()).and_then(|text| {
         let identity = identity(&simulator, &initial_run, &text, &args.without);
         let checkpoint = if args.resume { read_checkpoint(&saved, identity)? } else { vec![] };
         fs::create_dir_all(&dir).map_err(|e| format!("cannot make {}: {e}", dir.display()))?;
-        let threads = args.threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
         let settings = Settings {
             excluded_causes: args.without.clone(),
             counted_times_are_seconds: args.clock,
-            threads,
+            threads: threads(args.threads),
             checkpoint,
         };
         let mut monitor = ConsoleMonitor::new(stop.clone(), saved.clone(), identity);
         let found = diagnose(&simulator, &initial_run, &text, &settings, &mut monitor);
         monitor.bar.finish_and_clear();
-        found.map(|d| (report(&d, &study, &text), d))
+        found.map(|mut d| {
+            d.outcome.preflight = Some(checked);
+            (report(&d, &study, &text), d)
+        })
     });
     match found.and_then(|(report, d)| write(&dir, &d, &report).map(|()| d)) {
         Ok(d) => {

@@ -9,6 +9,7 @@ mod diagnose;
 mod files;
 mod loops;
 mod messages;
+mod preflight;
 mod progress;
 mod run;
 mod study;

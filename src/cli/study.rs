@@ -1,9 +1,10 @@
 //! `hysteron check` of a study.
 
 use super::args::Compat;
-use super::calibrate::{INPUT_ERROR, PreparedStudy, prepare, print_diagnostic};
+use super::calibrate::{FAILURE, INPUT_ERROR, PreparedStudy, prepare, print_diagnostic};
+use super::preflight::{check_channels, threads};
 use hysteron::diagnostic::{Severity, SourceMap};
-use hysteron::preflight::{preflight, section};
+use hysteron::preflight::section;
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -28,18 +29,16 @@ pub(super) fn check(file: &Path, compat: Option<Compat>, strict: bool) -> i32 {
     if let Some(error) = &initial_run.failure {
         eprintln!("  with its own values the script has no answer: {error}");
     }
-    match preflight(&simulator, &initial_run, threads()) {
-        Ok(result) => {
-            println!("{}", section(&result, &study));
-            for f in &result.findings {
-                println!("{}: {}\n  {}", if f.is_hard { "error" } else { "warning" }, f.message, f.help);
-            }
+    let checked = match check_channels(&simulator, &initial_run, threads(None), true) {
+        Ok(checked) => checked,
+        Err(e) => {
+            eprintln!("error: {e}");
+            return FAILURE;
         }
-        Err(e) => eprintln!("error: {e}"),
+    };
+    print!("{}", section(&checked, &study));
+    if checked.has_hard_findings() || strict && (warning_count > 0 || !checked.findings.is_empty()) {
+        return INPUT_ERROR;
     }
-    if strict && warning_count > 0 { INPUT_ERROR } else { 0 }
-}
-
-fn threads() -> usize {
-    std::thread::available_parallelism().map_or(1, usize::from)
+    0
 }

@@ -80,14 +80,43 @@ fn extremes(s: &ProposalContext<'_>, channel: &str, run: Option<&str>) -> [f64; 
     values.filter(|x| x.is_finite()).fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(*x), b.max(*x)])
 }
 
+/// Largest factor of a gain that is set wrongly, and the reciprocal of the least. Other units make larger ones.
+const MAX_GAIN: f64 = 5.0;
+/// Least absolute correlation with which a recorded and a simulated channel show another sign or unit.
+const MIN_UNIT_CORRELATION: f64 = 0.5;
+
+/// Sign and size of the gain that is sought: 1, unless the baseline shows another sign or unit.
+fn gain_scale(s: &ProposalContext<'_>, channel: &str, run: Option<&str>) -> f64 {
+    let (mut vy, mut yy, mut vv) = (0.0, 0.0, 0.0);
+    for (r, fit) in s.study.runs.iter().filter(|r| r.role == Role::Fit).zip(s.fits) {
+        let Some(c) = r.observe.iter().position(|x| x.channel == channel) else { continue };
+        if run.is_some_and(|name| r.name != name) {
+            continue;
+        }
+        let pairs = r.observe[c].values.iter().zip(&fit.channels[c]);
+        for (v, y) in pairs.filter(|(v, y)| v.is_finite() && y.is_finite()) {
+            vy += v * y;
+            yy += y * y;
+            vv += v * v;
+        }
+    }
+    let factor = vy / yy;
+    let is_shown = vy.abs() > MIN_UNIT_CORRELATION * (yy * vv).sqrt() && factor.is_finite();
+    let is_usual = (1.0 / MAX_GAIN..=MAX_GAIN).contains(&factor);
+    if is_shown && !is_usual { factor } else { 1.0 }
+}
+
 fn gain(s: &ProposalContext<'_>) -> Vec<Proposal> {
     let mut out = vec![];
     let mut one = |channel: &str, run: Option<&str>| {
         let (name, of) = (channel.to_owned(), run.map(str::to_owned));
+        let scale = gain_scale(s, channel, run);
         let faults: FaultModel =
-            Arc::new(move |v| vec![ChannelFault { gain: v[0], ..ChannelFault::none(&name, of.as_deref()) }]);
+            Arc::new(move |v| vec![ChannelFault { gain: scale * v[0], ..ChannelFault::none(&name, of.as_deref()) }]);
         let form = run.map_or("one factor".into(), |r| format!("one factor in {r}"));
-        out.push(proposal("sensor_gain", &form, channel, vec![AddedParameter::log("gain", 0.2, 5.0, 0.98)], faults));
+        let form = if scale < 0.0 { format!("{form}, with the other sign") } else { form };
+        let added = vec![AddedParameter::log("gain", 1.0 / MAX_GAIN, MAX_GAIN, 0.98)];
+        out.push(proposal("sensor_gain", &form, channel, added, faults));
     };
     for o in channels(s) {
         // With a single channel a gain equals a stiffness of the model.

@@ -105,6 +105,7 @@ pub(super) fn conclude(
         },
         unexplained_share: remaining_share(baseline, repair).min(1.0),
         bootstrap: c.bootstrap.clone(),
+        preflight: None,
         next_test: match &next_test {
             Some(t) => format!("{}; {observation}", t.description),
             None => observation,

@@ -3,6 +3,7 @@
 use crate::evidence::parametric_bootstrap::{EqualGain, percent};
 use crate::verdict::diagnosis::Diagnosis;
 use hysteron_identify::calibrate::{AmplitudeGroup, amplitude_groups};
+use hysteron_identify::preflight::Preflight;
 use hysteron_identify::report::html::{self, escaped, labelled, line, number, picture, table};
 use hysteron_identify::study::{Role, ScoredRun, Study};
 use hysteron_opensees::chart::Figure;
@@ -22,6 +23,7 @@ pub fn report(d: &Diagnosis, study: &Study, text: &str) -> String {
         100.0 * v.confidence,
         escaped(&v.explanation)
     );
+    out.extend(d.outcome.preflight.iter().map(Preflight::html));
     errors(&mut out, d, study);
     evidence(&mut out, d);
     mismatch_table(&mut out, d);

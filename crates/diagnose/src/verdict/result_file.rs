@@ -2,6 +2,7 @@
 
 use crate::candidate::channel_fault::ChannelFault;
 use crate::evidence::parametric_bootstrap::BootstrapResult;
+use hysteron_identify::preflight::Preflight;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -23,6 +24,9 @@ pub struct Outcome {
     pub bootstrap: Option<BootstrapResult>,
     /// Recommended next test, in words.
     pub next_test: String,
+    /// Checks of the channels before the fit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub preflight: Option<Preflight>,
 }
 
 /// The fitted user's model.

@@ -3,6 +3,7 @@
 use super::amplitude_groups::AmplitudeGroup;
 use super::result::{CalibrationResult, Displacements, role_name};
 use super::uncertainty::Uncertainty;
+use crate::preflight::Preflight;
 use crate::report::html::{self, escaped, labelled, line, number, picture, table};
 use crate::study::{ObservedChannel, ParameterKind, Role, Run, Score, ScoredRun};
 use hysteron_opensees::chart::{Curve, Figure, Mark};
@@ -23,6 +24,7 @@ pub fn page(result: &CalibrationResult, displacements: &Displacements) -> String
         if result.settings.polish { " and a least-squares polish" } else { "" },
         result.settings.seed
     );
+    out.extend(result.preflight.iter().map(Preflight::html));
     parameters(&mut out, result);
     runs(&mut out, result);
     for (i, ((run, scored), u)) in study.runs.iter().zip(&result.scored_runs).zip(displacements).enumerate() {

@@ -7,6 +7,7 @@ use super::profile::Profile;
 use super::search::SearchResult;
 use super::settings::SearchSettings;
 use super::uncertainty::Uncertainty;
+use crate::preflight::Preflight;
 use crate::study::{InitialRun, ObservedChannel, Role, Run, ScoredRun, SimulationError, Study, objective};
 use serde::Serialize;
 use std::sync::Arc;
@@ -38,6 +39,8 @@ pub struct CalibrationResult {
     pub posterior: Option<Posterior>,
     /// Errors by amplitude, by run and channel; empty for channels without loops.
     pub amplitudes: Vec<Vec<Vec<AmplitudeGroup>>>,
+    /// Checks of the channels before the fit, if they were made.
+    pub preflight: Option<Preflight>,
 }
 
 /// The displacement that forces are plotted over, by run: its label, and samples at the times of the recording.
@@ -81,6 +84,7 @@ impl CalibrationResult {
             profiles: None,
             posterior: None,
             amplitudes: vec![],
+            preflight: None,
         })
     }
 

@@ -6,6 +6,7 @@ use super::profile::Profile;
 use super::result::{CalibrationResult, RepeatStatistics, role_name};
 use super::search::Repeat;
 use super::uncertainty::Uncertainty;
+use crate::preflight::Preflight;
 use crate::study::Role;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -25,6 +26,8 @@ struct ResultFile<'a> {
     profiles: Option<&'a [Profile]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     posterior: Option<&'a Posterior>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    preflight: Option<&'a Preflight>,
 }
 
 #[derive(Serialize)]
@@ -103,6 +106,7 @@ impl CalibrationResult {
             uncertainty: self.uncertainty.as_ref(),
             profiles: self.profiles.as_deref(),
             posterior: self.posterior.as_ref(),
+            preflight: self.preflight.as_ref(),
         };
         Ok(serde_json::to_string_pretty(&file)? + "\n")
     }

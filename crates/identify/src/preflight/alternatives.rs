@@ -83,12 +83,15 @@ impl<'a> ChannelFaults<'a> {
         // A simulation that is much too small has an NMSE of 1, whatever its shape. Its factor shows the unit.
         let is_another_size = self.least(k, |m| m.line()[0].abs().ln().abs()) > MIN_SIZE_RATIO.ln();
         let explains = |e: &Explanation| {
-            let share = match e.fault {
-                Fault::Unit(..) | Fault::Gain if is_another_size => MAX_SCALED_ERROR_RATIO,
+            // A small ratio is also one of a response to other parameters.
+            let is_small = e.factor.abs().ln().abs() < MIN_HARD_GAIN.ln();
+            let limit = match e.fault {
+                Fault::Unit(..) | Fault::Gain if is_another_size && is_small => MAX_ERROR_RATIO * without.min(1.0),
+                Fault::Unit(..) | Fault::Gain if is_another_size => MAX_SCALED_ERROR_RATIO * without,
                 Fault::Gain => 0.0,
-                _ => MAX_ERROR_RATIO,
+                _ => MAX_ERROR_RATIO * without,
             };
-            e.nmse <= (share * without).min(MAX_NMSE)
+            e.nmse <= limit.min(MAX_NMSE)
         };
         let (gains, named): (Vec<_>, Vec<_>) =
             all.into_iter().filter(explains).partition(|e| matches!(e.fault, Fault::Gain));

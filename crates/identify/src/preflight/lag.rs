@@ -8,8 +8,10 @@ const MAX_GRID: usize = 8192;
 const MAX_LAG: f64 = 0.2;
 /// A shorter delay is preferred to one whose error is no more than this part smaller.
 const TOLERANCE: f64 = 0.05;
-/// A shorter delay is preferred if it leaves no more than this part of the error without a delay.
+/// A shorter delay is preferred if it leaves no more than this part of the error without a delay, and no more than
+/// `MAX_EXCESS` times the least error.
 const SUFFICIENT: f64 = 0.25;
+const MAX_EXCESS: f64 = 2.5;
 
 /// Sums of two series over their common samples, for each delay of a uniform grid.
 pub(super) struct LagScan {
@@ -113,7 +115,7 @@ impl LagScan {
         let zero = errors.len() / 2;
         let is_minimum =
             |i: usize| (i == 0 || errors[i] <= errors[i - 1]) && (i + 1 == errors.len() || errors[i] <= errors[i + 1]);
-        let limit = (least * (1.0 + TOLERANCE) + 1e-12).max(SUFFICIENT * errors[zero]);
+        let limit = (least * (1.0 + TOLERANCE) + 1e-12).max((SUFFICIENT * errors[zero]).min(MAX_EXCESS * least));
         let near = (0..errors.len()).filter(|i| errors[*i] <= limit && is_minimum(*i));
         let at = near.min_by_key(|i| i.abs_diff(zero)).unwrap_or(zero);
         let mut lag = self.lags[at] as f64;

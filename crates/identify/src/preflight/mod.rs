@@ -12,7 +12,7 @@ mod points;
 mod text;
 mod unit_ratio;
 
-pub use text::{finding_lines, section};
+pub use text::section;
 
 use crate::report::html;
 use crate::study::{InitialRun, ScriptSimulator, SimulatorFactory};

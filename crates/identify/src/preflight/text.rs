@@ -1,7 +1,8 @@
 //! Findings in words.
 
-use super::{ChannelCheck, Finding, Preflight};
+use super::{ChannelCheck, Finding, FindingKind, Preflight};
 use crate::study::{Role, Study};
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 /// Factors of one fault agree between runs to this part.
@@ -27,6 +28,21 @@ pub(super) fn merged(findings: Vec<Finding>, study: &Study) -> Vec<Finding> {
             None => out.push(f),
         }
     }
+    // One fault explains a channel in all runs. Where runs disagree, the most of them are right.
+    let of_channel = |f: &Finding| f.kind <= FindingKind::Acceleration;
+    let most: BTreeMap<String, usize> = out.iter().filter(|f| of_channel(f)).fold(BTreeMap::new(), |mut most, f| {
+        let n: &mut usize = most.entry(f.channel.clone()).or_default();
+        *n = (*n).max(f.runs.len());
+        most
+    });
+    let mut is_taken: Vec<String> = vec![];
+    out.retain(|f| {
+        let is_first = f.runs.len() == most.get(&f.channel).copied().unwrap_or(0) && !is_taken.contains(&f.channel);
+        if of_channel(f) && is_first {
+            is_taken.push(f.channel.clone());
+        }
+        !of_channel(f) || is_first
+    });
     for f in &mut out {
         let with_channel = study.runs.iter().filter(|r| r.recording.column(&f.channel).is_some()).count();
         let is_everywhere = f.runs.len() == with_channel && with_channel > 1;
@@ -37,12 +53,7 @@ pub(super) fn merged(findings: Vec<Finding>, study: &Study) -> Vec<Finding> {
     out
 }
 
-/// One line for each finding.
-pub fn finding_lines(preflight: &Preflight) -> Vec<String> {
-    preflight.findings.iter().map(|f| format!("{} ({})", f.message, f.help)).collect()
-}
-
-/// Comparisons of all channels as a table, then the findings.
+/// Comparisons of all channels as a table.
 pub fn section(preflight: &Preflight, study: &Study) -> String {
     let mut out = String::new();
     let columns = ["role", "run", "channel", "samples", "NMSE", "r", "factor", "offset", "lag [s]"];

@@ -1,0 +1,26 @@
+//! Findings of the checks before a fit.
+
+use super::messages::Messages;
+use hysteron::diagnostic::{Diagnostic, SourceMap};
+use hysteron::preflight::{Preflight, preflight};
+use hysteron::study::{InitialRun, ScriptSimulator};
+
+/// Number of threads: that of the arguments, or that of the processors.
+pub(super) fn threads(given: Option<usize>) -> usize {
+    given.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from))
+}
+
+/// Check the channels of a study and print the findings on standard error. Hard ones are errors if `hard_is_error`.
+pub(super) fn check_channels(
+    simulator: &ScriptSimulator,
+    initial_run: &InitialRun,
+    threads: usize,
+    hard_is_error: bool,
+) -> std::io::Result<Preflight> {
+    let result = preflight(simulator, initial_run, threads)?;
+    for f in &result.findings {
+        let kind = if f.is_hard && hard_is_error { Diagnostic::error } else { Diagnostic::warning };
+        eprintln!("{}\n", Messages::new().render(&kind(f.message.clone()).help(f.help.clone()), &SourceMap::default()));
+    }
+    Ok(result)
+}
