@@ -11,7 +11,7 @@ const TOLERANCE: f64 = 0.05;
 /// A shorter delay is preferred if it leaves no more than this part of the error without a delay, and no more than
 /// `MAX_EXCESS` times the least error.
 const SUFFICIENT: f64 = 0.25;
-const MAX_EXCESS: f64 = 2.5;
+const MAX_EXCESS: f64 = 4.0;
 
 /// Sums of two series over their common samples, for each delay of a uniform grid.
 pub(super) struct LagScan {
