@@ -80,10 +80,11 @@ fn about_kind(command: Option<&str>, name: &str) -> String {
         texts.push(match (section(&full), section(c)) {
             (Some(s), _) => render(&s, kind.usage),
             (None, Some(family)) => {
-                let row =
-                    family.lines.iter().filter_map(|l| cells(l)).find(|row| row[0] == format!("`{}`", kind.names[0]));
-                let meaning = row.and_then(|row| row.get(1).map(|m| indented(&plain(m)))).unwrap_or_default();
-                format!("{}\n{}", wrapped(kind.usage, 0, 4), blank_before(&meaning))
+                let mut rows = family.lines.iter().filter_map(|l| cells(l));
+                let own = rows.find(|row| row[0] == format!("`{}`", kind.names[0])).and_then(|row| row.get(1).cloned());
+                let text = own.or_else(|| family.lines.iter().find(|l| !l.is_empty()).map(|l| (*l).to_owned()));
+                let text = text.map(|t| indented(&plain(&t))).unwrap_or_default();
+                format!("{}\n{}", wrapped(kind.usage, 0, 4), blank_before(&text))
             }
             (None, None) => format!("{}\n", kind.usage),
         });
