@@ -16,7 +16,7 @@ const EXAMPLES: [(&str, &str); 7] = [
     hysteron run model.tcl 0.35 elcentro.dat
   Go on with other algorithms and shorter steps where a step fails.
     hysteron run --ladder model.tcl
-  Make each step in four parts. What changes in the results is the error of the steps.
+  Make each step in four parts: what changes is the error of the steps.
     hysteron run --refine 4 model.tcl",
     ),
     (
@@ -53,7 +53,7 @@ const EXAMPLES: [(&str, &str); 7] = [
   See that a study is sound, then fit its parameters.
     hysteron check study.toml
     hysteron calibrate study.toml --out results
-  Three searches with other random numbers, and intervals that hold far from the optimum too.
+  Three searches with other random numbers, and intervals by profile likelihood.
     hysteron calibrate study.toml --repeats 3 --profile
   Go on after Ctrl-C.
     hysteron calibrate study.toml --resume",
@@ -74,7 +74,7 @@ const EXAMPLES: [(&str, &str); 7] = [
   All commands, and the kinds of elements.
     hysteron commands
     hysteron commands element
-  Arguments and recorder responses of one kind; its command where several have the name.
+  Arguments and recorder responses of a kind, with its command if need be.
     hysteron commands Steel02
     hysteron commands section Elastic",
     ),

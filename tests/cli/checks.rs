@@ -82,6 +82,26 @@ fn kinds() {
     assert!(err.contains("did you mean \"zeroLength\"?") && err.contains("\"hysteron commands element\""), "{err}");
 }
 
+/// Completions and manual pages are those of the commands, and each command has examples.
+#[test]
+fn shells_and_manual() {
+    let place = Place::new();
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let (status, out, _) = place.run(&["completions", shell]);
+        assert!(status == Some(0) && ["calibrate", "refine", "without"].iter().all(|w| out.contains(w)), "{shell}");
+    }
+    let (status, _, err) = place.run(&["man", "pages"]);
+    assert_eq!(status, Some(0), "{err}");
+    for name in ["run", "check", "bearing", "loops", "calibrate", "diagnose", "commands"] {
+        let page = std::fs::read_to_string(place.0.join(format!("pages/hysteron-{name}.1"))).unwrap();
+        let (_, help, _) = place.run(&[name, "--help"]);
+        let examples: Vec<&str> = help.lines().skip_while(|l| *l != "Examples:").skip(1).collect();
+        assert!(examples.iter().any(|l| l.starts_with(&format!("    hysteron {name}"))), "{help}");
+        assert!(examples.iter().all(|l| l.chars().count() <= 80), "{help}");
+        assert!(page.contains(".TH hysteron-") && page.contains("Examples:"), "{page}");
+    }
+}
+
 /// The script sees what it has written; the disk does not.
 #[test]
 fn writes_nothing() {
