@@ -7,6 +7,8 @@
 mod page;
 #[path = "reference/probe.rs"]
 mod probe;
+#[path = "reference/response.rs"]
+mod response;
 #[path = "support/script.rs"]
 mod script;
 #[path = "reference/usage.rs"]

@@ -156,6 +156,11 @@ fn a_first_diagnosis() {
 }
 
 #[test]
+fn a_shaken_building() {
+    assert_eq!(follow("building.md"), 5);
+}
+
+#[test]
 fn an_output_that_differs_is_seen() {
     assert_eq!(missing("peak ... mm\n", "peak 3 mm\n"), None);
     assert_eq!(missing("a\n...\nc\n", "a\nb\nc\n"), None);

@@ -48,10 +48,23 @@ pub(super) enum Command {
     Calibrate(CalibrateArgs),
     /// Find why a model and recordings differ, and repair the model
     Diagnose(DiagnoseArgs),
-    /// List the commands of OpenSees that scripts may use
+    /// Show the commands of OpenSees that scripts may use, with their arguments
     Commands {
-        /// The kinds that this command makes: element, uniaxialMaterial, timeSeries
-        command: Option<String>,
+        /// A command (element lists its kinds), or a kind (Steel02); with both, the kind of that command
+        #[arg(num_args = 0..=2)]
+        names: Vec<String>,
+    },
+    /// Print the completion script of a shell
+    #[command(hide = true)]
+    Completions {
+        /// The shell
+        shell: clap_complete::Shell,
+    },
+    /// Write the manual pages
+    #[command(hide = true)]
+    Man {
+        /// Their folder
+        folder: PathBuf,
     },
 }
 
@@ -95,7 +108,7 @@ pub(super) struct CalibrateArgs {
     /// Go on where an interrupted calibration was stopped
     #[arg(long)]
     pub(super) resume: bool,
-    /// Follow another program where it is known to slip
+    /// Reproduce known errors of another program
     #[arg(long, value_enum, value_name = "PROGRAM")]
     pub(super) compat: Option<Compat>,
 }
@@ -125,7 +138,7 @@ pub(super) struct DiagnoseArgs {
     /// Show all explanations that were weighed
     #[arg(long)]
     pub(super) verbose: bool,
-    /// Follow another program where it is known to slip
+    /// Reproduce known errors of another program
     #[arg(long, value_enum, value_name = "PROGRAM")]
     pub(super) compat: Option<Compat>,
 }
@@ -135,7 +148,7 @@ pub(super) struct ScriptArgs {
     /// Refuse what would otherwise be a warning
     #[arg(long)]
     pub(super) strict: bool,
-    /// Follow another program where it is known to slip
+    /// Reproduce known errors of another program
     #[arg(long, value_enum, value_name = "PROGRAM")]
     pub(super) compat: Option<Compat>,
 }

@@ -3,10 +3,12 @@
 mod args;
 mod bearing;
 mod calibrate;
+mod commands;
 mod compare;
 mod console;
 mod diagnose;
 mod files;
+mod help;
 mod loops;
 mod messages;
 mod preflight;

@@ -1,16 +1,17 @@
-//! Dispatch of the commands, and the commands `run`, `check` and `commands`.
+//! Dispatch of the commands, and the commands `run` and `check`.
 
 use super::args::{Arguments, Command, ScriptArgs, StepArgs};
 use super::bearing::bearing;
 use super::console::Terminal;
 use super::files::{NoFiles, SystemFiles};
+use super::help;
 use super::loops::loops;
 use super::messages::Messages;
 use super::progress::ProgressLine;
-use clap::Parser;
+use clap::FromArgMatches as _;
 use hysteron::analysis::{Options, RecoveryStrategy};
-use hysteron::diagnostic::{Diagnostic, Severity, Span, nearest};
-use hysteron::opensees::{self, Mode, Outputs, Tcl};
+use hysteron::diagnostic::{Diagnostic, Severity, Span};
+use hysteron::opensees::{Mode, Outputs, Tcl};
 use hysteron::run::{End, Run, Settings};
 use hysteron::tcl::{Files, OsFiles, OverlayFiles};
 use std::collections::BTreeMap;
@@ -21,7 +22,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Run the command of the command line; the exit status.
 pub(crate) fn main() -> i32 {
-    match Arguments::parse().command {
+    let arguments = Arguments::from_arg_matches(&help::command().get_matches()).unwrap_or_else(|e| e.exit());
+    match arguments.command {
         Command::Run { script: s, steps, model, args } => script(&s, Mode::Run, &steps, &model, &args),
         Command::Check { script: s, model, .. } if model.ends_with(".toml") => {
             super::study::check(Path::new(&model), s.compat, s.strict)
@@ -31,7 +33,9 @@ pub(crate) fn main() -> i32 {
         Command::Calibrate(args) => super::calibrate::calibrate(&args),
         Command::Diagnose(args) => super::diagnose::run(&args),
         Command::Loops(args) => print(loops(&args)),
-        Command::Commands { command } => print(usages(command.as_deref())),
+        Command::Commands { names } => print(super::commands::usages(&names)),
+        Command::Completions { shell } => print(Ok(help::completions(shell))),
+        Command::Man { folder } => print(help::man(&folder)),
     }
 }
 
@@ -47,24 +51,6 @@ pub(super) fn print(result: Result<String, String>) -> i32 {
             eprintln!("error: {message}");
             2
         }
-    }
-}
-
-/// Usage of all commands, or the kinds of one.
-fn usages(command: Option<&str>) -> Result<String, String> {
-    let Some(name) = command else {
-        return Ok(opensees::commands().map(|c| c.usage_line() + "\n").collect());
-    };
-    let kinds: String = opensees::kinds(name).iter().map(|k| format!("{k}\n")).collect();
-    if !kinds.is_empty() {
-        return Ok(kinds);
-    }
-    match opensees::commands().find(|c| c.name == name) {
-        Some(c) => Ok(c.usage_line() + "\n"),
-        None => Err(match nearest(name, opensees::commands().map(|c| c.name)) {
-            Some(near) => format!("there is no command \"{name}\": did you mean \"{near}\"?"),
-            None => format!("there is no command \"{name}\""),
-        }),
     }
 }
 

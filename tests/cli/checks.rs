@@ -58,12 +58,48 @@ fn kinds() {
     let (status, out, _) = place.run(&["commands", "element"]);
     assert!(status == Some(0) && out.lines().all(|l| l.starts_with("element ")) && out.contains("zeroLength"), "{out}");
     let (_, out, _) = place.run(&["commands", "nodeVel"]);
-    assert_eq!(out, "nodeVel $node <$dof>\n");
+    assert!(out.starts_with("nodeVel $node <$dof>\n\n") && out.contains("$node   "), "{out}");
     let (status, _, err) = place.run(&["commands", "nodeVell"]);
     assert!(status == Some(2) && err.contains("did you mean \"nodeVel\"?"), "{err}");
+    let (_, out, _) = place.run(&["commands", "Steel02"]);
+    assert!(out.starts_with("uniaxialMaterial Steel02 $tag $Fy"), "{out}");
+    assert!(out.contains("$Fy ") && out.contains("Recorders take: stress, strain, tangent"), "{out}");
+    assert!(out.lines().all(|l| l.chars().count() <= 80), "{out}");
+    let (_, other, _) = place.run(&["commands", "uniaxialMaterial", "Steel02"]);
+    assert_eq!(out, other);
+    // A second name of a kind; a name of two commands; a kind of an amendment.
+    assert!(place.run(&["commands", "nonlinearBeamColumn"]).1.starts_with("element forceBeamColumn "));
+    let (_, both, _) = place.run(&["commands", "Elastic"]);
+    assert!(
+        ["uniaxialMaterial Elastic", "section Elastic"].iter().all(|u| both.lines().any(|l| l.starts_with(u))),
+        "{both}"
+    );
+    assert!(place.run(&["commands", "mullins"]).1.contains("-onset"));
+    let (status, _, err) = place.run(&["commands", "steel02"]);
+    assert!(status == Some(2) && err.contains("did you mean \"Steel02\"?"), "{err}");
     place.write("m.tcl", "model basic -ndm 2 -ndf 3\nelement zeroLenght 1 1 2\n");
     let (_, _, err) = place.run(&["run", "m.tcl"]);
     assert!(err.contains("did you mean \"zeroLength\"?") && err.contains("\"hysteron commands element\""), "{err}");
+}
+
+/// Completions and manual pages are those of the commands, and each command has examples.
+#[test]
+fn shells_and_manual() {
+    let place = Place::new();
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let (status, out, _) = place.run(&["completions", shell]);
+        assert!(status == Some(0) && ["calibrate", "refine", "without"].iter().all(|w| out.contains(w)), "{shell}");
+    }
+    let (status, _, err) = place.run(&["man", "pages"]);
+    assert_eq!(status, Some(0), "{err}");
+    for name in ["run", "check", "bearing", "loops", "calibrate", "diagnose", "commands"] {
+        let page = std::fs::read_to_string(place.0.join(format!("pages/hysteron-{name}.1"))).unwrap();
+        let (_, help, _) = place.run(&[name, "--help"]);
+        let examples: Vec<&str> = help.lines().skip_while(|l| *l != "Examples:").skip(1).collect();
+        assert!(examples.iter().any(|l| l.starts_with(&format!("    hysteron {name}"))), "{help}");
+        assert!(examples.iter().all(|l| l.chars().count() <= 80), "{help}");
+        assert!(page.contains(".TH hysteron-") && page.contains("Examples:"), "{page}");
+    }
 }
 
 /// The script sees what it has written; the disk does not.

@@ -1,6 +1,7 @@
 //! Pages of the reference: commands by family, each with its usage and a table of its arguments.
 
 use super::probe::{self, MODELS, Meaning, Meanings, Said, Walk};
+use super::response;
 use super::usage::{self, MatrixMask, Row};
 use super::words;
 use hysteron::opensees::{Command, commands, kinds};
@@ -75,29 +76,50 @@ fn command(out: &mut String, c: &Command, blanks: &mut Blanks) {
     }
     let mut kinds = kinds_of(c.name);
     // `eleLoad` knows options, not kinds.
-    kinds.retain(|k| !k.0.starts_with('-'));
+    kinds.retain(|k| !k.name().starts_with('-'));
     // Kinds that have a usage of their own get a heading each, the others a line.
     let bare = |usage: &str| usage == c.usage_line() || !usage.contains(['$', '<']);
-    let own: Vec<&(String, String)> = kinds.iter().filter(|k| !bare(&k.1)).collect();
+    let own: Vec<&Kind> = kinds.iter().filter(|k| !bare(&k.usage)).collect();
     if own.is_empty() || !names_kinds(c.usage) {
         usage_of(out, &c.usage_line(), blanks);
     } else {
         let _ = writeln!(out, "```tcl\n{}\n```\n", c.usage_line());
     }
-    let listed: Vec<&str> = kinds.iter().filter(|k| bare(&k.1)).map(|k| k.0.as_str()).collect();
+    let listed: Vec<&str> = kinds.iter().filter(|k| bare(&k.usage)).map(Kind::name).collect();
     list(out, c.name, &listed);
     let mut done: Vec<&str> = vec![];
-    for (_, usage) in &own {
+    for Kind { usage, .. } in &own {
         if done.contains(&usage.as_str()) {
             continue;
         }
         done.push(usage);
-        let names: Vec<&str> = own.iter().filter(|k| k.1 == *usage).map(|k| k.0.as_str()).collect();
-        let heading: Vec<String> = names.iter().map(|n| format!("`{} {n}`", c.name)).collect();
+        let alike: Vec<&Kind> = own.iter().copied().filter(|k| k.usage == *usage).collect();
+        let full: Vec<String> = alike.iter().map(|k| format!("{} {}", c.name, k.name())).collect();
+        let heading: Vec<String> = full.iter().map(|n| format!("`{n}`")).collect();
         let _ = writeln!(out, "### {}\n", heading.join(", "));
-        let full: Vec<String> = names.iter().map(|n| format!("{} {n}", c.name)).collect();
         about(out, &full.iter().map(String::as_str).collect::<Vec<_>>(), blanks);
         usage_of(out, usage, blanks);
+        other_names(out, &alike);
+        responses(out, c.name, usage, blanks);
+    }
+}
+
+/// The names under which a kind is known too.
+fn other_names(out: &mut String, kinds: &[&Kind]) {
+    for kind in kinds.iter().filter(|k| k.names.len() > 1) {
+        let names: Vec<String> = kind.names[1..].iter().map(|n| format!("`{n}`")).collect();
+        let _ = writeln!(out, "Other names of `{}`: {}.\n", kind.name(), names.join(", "));
+    }
+}
+
+/// The responses of a kind that recorders take.
+fn responses(out: &mut String, command: &str, usage: &str, blanks: &mut Blanks) {
+    let Some(names) = response::of(command, usage) else { return };
+    let names: Vec<String> = names.iter().map(|n| format!("`{n}`")).collect();
+    if names.is_empty() {
+        blanks.push(format!("example\t{}", usage.split(' ').take(2).collect::<Vec<_>>().join(" ")));
+    } else {
+        let _ = writeln!(out, "Recorders take: {}.\n", names.join(", "));
     }
 }
 
@@ -124,12 +146,25 @@ fn list(out: &mut String, command: &str, names: &[&str]) {
     }
 }
 
+/// A kind that a command makes.
+struct Kind {
+    /// The preferred name first.
+    names: Vec<String>,
+    usage: String,
+}
+
+impl Kind {
+    fn name(&self) -> &str {
+        &self.names[0]
+    }
+}
+
 /// The kinds of a command, each with its usage.
-fn kinds_of(command: &str) -> Vec<(String, String)> {
-    let name_in = |usage: &str| usage.split(' ').nth(1).unwrap_or_default().to_owned();
+fn kinds_of(command: &str) -> Vec<Kind> {
     let listed = kinds(command);
     if !listed.is_empty() {
-        return listed.into_iter().map(|u| (name_in(u), u.to_owned())).collect();
+        let owned = |names: &[&str]| names.iter().map(|n| (*n).to_owned()).collect();
+        return listed.into_iter().map(|k| Kind { names: owned(k.names), usage: k.usage.to_owned() }).collect();
     }
     let words = |kind: &str| vec![command.to_owned(), kind.to_owned()];
     let (_, names) = probe::help(MODELS[0], &words("wrong!"));
@@ -140,7 +175,7 @@ fn kinds_of(command: &str) -> Vec<(String, String)> {
             // The usage of the command as a whole says nothing of this kind.
             let own = usage.filter(|u| u.contains(&name));
             let usage = own.unwrap_or_else(|| format!("{command} {name}"));
-            (name, usage)
+            Kind { names: vec![name], usage }
         })
         .collect()
 }

@@ -85,7 +85,8 @@ pub fn say(model: &str, words: &[String]) -> Said {
     said
 }
 
-fn run(model: &str, words: &[String]) -> Ran {
+/// The model after the words of a command.
+pub fn run(model: &str, words: &[String]) -> Ran {
     Script::default().run(&format!("{model}\n{PARTS}\n{}\n", words.join(" ")))
 }
 
@@ -100,6 +101,11 @@ fn said(ran: &Ran) -> Said {
         }
         _ => Said::Taken,
     }
+}
+
+/// True if the model was not made to its end.
+pub fn ended_with_error(ran: &Ran) -> bool {
+    matches!(ran.end, End::Rejected(_) | End::Raised(_))
 }
 
 /// The usage that a command shows for these words, and the names that may stand in the place of the last one.
@@ -126,7 +132,8 @@ pub type Meanings = BTreeMap<(String, String), Meaning>;
 /// Goes through the words of a usage, and keeps what the command says of each.
 pub struct Walk<'a> {
     model: &'a str,
-    words: Vec<String>,
+    /// Words taken so far.
+    pub words: Vec<String>,
     option: String,
     pub found: Meanings,
 }

@@ -2,7 +2,7 @@
 
 use super::page::Page;
 
-/// One sentence about each command and kind: `name<TAB>text`.
+/// One sentence about each command and kind, and where it is needed a call that makes one: `name<TAB>text<TAB>call`.
 const ABOUT: &str = include_str!("about.txt");
 
 /// Meanings of arguments: `command kind<TAB>option<TAB>argument<TAB>text`, with `*` for any command.
@@ -27,6 +27,12 @@ pub fn meaning(head: &[&str], option: &str, argument: &str) -> Option<&'static s
         lines(MEANINGS).find(here).map(|l| l[3])
     };
     of(&head.join(" ")).or_else(|| of(head.first().copied().unwrap_or_default())).or_else(|| of("*"))
+}
+
+/// Words of a command that make a thing of a kind, where its usage alone does not lead there.
+pub fn example(head: &[&str]) -> Option<&'static str> {
+    let head = head.join(" ");
+    lines(ABOUT).find(|l| l[0] == head).and_then(|l| l.get(2).copied())
 }
 
 /// The commands that the texts are about.

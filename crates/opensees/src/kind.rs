@@ -13,9 +13,25 @@ pub(crate) struct Kind<F> {
     pub(crate) make: F,
 }
 
-/// Usage of each kind of a table.
-pub(crate) fn usages<F: 'static>(kinds: &'static [Kind<F>]) -> Vec<&'static str> {
-    kinds.iter().map(|k| k.usage).collect()
+/// Names and usage of a kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct KindUsage {
+    /// Names of the kind, the preferred one first.
+    pub names: &'static [&'static str],
+    /// Usage of the family's command with this kind.
+    pub usage: &'static str,
+}
+
+impl<F> Kind<F> {
+    /// Names and usage.
+    pub(crate) fn described(&self) -> KindUsage {
+        KindUsage { names: self.names, usage: self.usage }
+    }
+}
+
+/// Names and usage of each kind of a table.
+pub(crate) fn usages<F: 'static>(kinds: &'static [Kind<F>]) -> Vec<KindUsage> {
+    kinds.iter().map(Kind::described).collect()
 }
 
 /// Take the name of a kind, and set the usage of that kind for the messages to come.

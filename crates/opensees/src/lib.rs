@@ -30,6 +30,7 @@ use hysteron_tcl::{Call, Exception, Interp, Value};
 
 pub use check::CheckState;
 pub use files::number_files::NumberFiles;
+pub use kind::KindUsage;
 pub use session::{FileFormat, Mode, ModelBuilder, OnWarning, Outputs, Progress, Session};
 
 /// The interpreter that the commands run in.
@@ -45,7 +46,7 @@ pub struct Command {
     /// Usage in one line.
     pub usage: &'static str,
     run: fn(&mut Tcl, &Call<'_>) -> Outcome,
-    kinds: fn() -> Vec<&'static str>,
+    kinds: fn() -> Vec<KindUsage>,
 }
 
 impl Command {
@@ -54,13 +55,13 @@ impl Command {
     }
 
     /// The same command as one whose first word chooses a kind: the usages of the kinds.
-    const fn with_kinds(mut self, kinds: fn() -> Vec<&'static str>) -> Self {
+    const fn with_kinds(mut self, kinds: fn() -> Vec<KindUsage>) -> Self {
         self.kinds = kinds;
         self
     }
 
-    /// Usage of each kind of thing that the command makes; empty for a command without kinds.
-    pub fn kinds(&self) -> Vec<&'static str> {
+    /// Names and usage of each kind of thing that the command makes; empty for a command without kinds.
+    pub fn kinds(&self) -> Vec<KindUsage> {
         (self.kinds)()
     }
 
@@ -117,8 +118,8 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
     .flatten()
 }
 
-/// Usage of each kind of thing that the command makes; empty for a command without kinds.
-pub fn kinds(command: &str) -> Vec<&'static str> {
+/// Names and usage of each kind of thing that the command makes; empty for a command without kinds.
+pub fn kinds(command: &str) -> Vec<KindUsage> {
     commands().filter(|c| c.name == command).flat_map(Command::kinds).collect()
 }
 

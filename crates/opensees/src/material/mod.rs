@@ -25,7 +25,7 @@ pub(crate) use rubber::rheology;
 
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("uniaxialMaterial", "uniaxialMaterial $kind $tag ...", uniaxial_material)
-        .with_kinds(|| kinds().map(|k| k.usage).collect()),
+        .with_kinds(|| kinds().map(kind::Kind::described).collect()),
     Command::new("testUniaxialMaterial", "testUniaxialMaterial $tag", material_test::test),
     Command::new("setStrain", material_test::SET_STRAIN, material_test::set_strain),
     Command::new("getStrain", "getStrain", material_test::get),

@@ -1,0 +1,108 @@
+//! Help texts with examples, completions of shells and manual pages.
+
+use super::args::Arguments;
+use clap::{Command, CommandFactory};
+use clap_complete::Shell;
+use std::path::Path;
+
+/// Examples of each command: what one does, and below it the command line.
+const EXAMPLES: [(&str, &str); 7] = [
+    (
+        "run",
+        "Examples:
+  Run a script. Its recorders write to the current folder.
+    hysteron run model.tcl
+  The same with two words for the script, which finds them in $argv.
+    hysteron run model.tcl 0.35 elcentro.dat
+  Go on with other algorithms and shorter steps where a step fails.
+    hysteron run --ladder model.tcl
+  Make each step in four parts: what changes is the error of the steps.
+    hysteron run --refine 4 model.tcl",
+    ),
+    (
+        "check",
+        "Examples:
+  Report every mistake of a script. No step is made and no file is written.
+    hysteron check model.tcl
+  The same for a study, its script and its recordings.
+    hysteron check study.toml
+  Fail if there is a warning, for instance before a long batch.
+    hysteron check --strict model.tcl",
+    ),
+    (
+        "bearing",
+        "Examples:
+  Three cycles each at 30 and 60 mm under 170 kN, for a device in N and m.
+    hysteron bearing models/rr_frb_kikuchi.tcl --amplitudes 0.03,0.06 --axial 170e3
+  A bearing of your own: nodes, materials and element 1, without supports and loads.
+    hysteron bearing bearing.tcl --amplitudes 0.05 --cycles 5 --units kN m
+  Write the test as a script and do not run it.
+    hysteron bearing bearing.tcl --amplitudes 0.05 --script",
+    ),
+    (
+        "loops",
+        "Examples:
+  Displacement in column 2 and force in column 3 of a recorder file.
+    hysteron loops loop.out -u 2 -f 3
+  Columns by name, the loops as a picture, the table as CSV.
+    hysteron loops test.csv -u disp -f force --svg loops.svg --table csv",
+    ),
+    (
+        "calibrate",
+        "Examples:
+  See that a study is sound, then fit its parameters.
+    hysteron check study.toml
+    hysteron calibrate study.toml --out results
+  Three searches with other random numbers, and intervals by profile likelihood.
+    hysteron calibrate study.toml --repeats 3 --profile
+  Go on after Ctrl-C.
+    hysteron calibrate study.toml --resume",
+    ),
+    (
+        "diagnose",
+        "Examples:
+  Find what the model of a study lacks. The repaired script is results/corrected.tcl.
+    hysteron diagnose study.toml --out results
+  The same without one of the causes.
+    hysteron diagnose study.toml --without gap_impact
+  All explanations with their evidence.
+    hysteron diagnose study.toml --verbose",
+    ),
+    (
+        "commands",
+        "Examples:
+  All commands, and the kinds of elements.
+    hysteron commands
+    hysteron commands element
+  Arguments and recorder responses of a kind, with its command if need be.
+    hysteron commands Steel02
+    hysteron commands section Elastic",
+    ),
+];
+
+/// The command line with its examples.
+pub(super) fn command() -> Command {
+    let command =
+        Arguments::command().after_help("\"hysteron COMMAND --help\" shows options and examples of a command.");
+    EXAMPLES.iter().fold(command, |command, (name, text)| command.mut_subcommand(name, |c| c.after_help(*text)))
+}
+
+/// The completion script of a shell.
+pub(super) fn completions(shell: Shell) -> String {
+    let mut text = vec![];
+    clap_complete::generate(shell, &mut command(), "hysteron", &mut text);
+    String::from_utf8_lossy(&text).into_owned()
+}
+
+/// Writes `hysteron.1` and a page for each command into a folder, which is made where there is none.
+///
+/// # Errors
+///
+/// A message if a file cannot be written.
+pub(super) fn man(folder: &Path) -> Result<String, String> {
+    let failed = |e: std::io::Error| format!("{}: {e}", folder.display());
+    std::fs::create_dir_all(folder).map_err(failed)?;
+    let command = command().disable_help_subcommand(true);
+    clap_mangen::generate_to(command, folder).map_err(failed)?;
+    Ok(String::new())
+}
