@@ -3,14 +3,18 @@
 mod args;
 mod bearing;
 mod calibrate;
+mod calibration_summary;
 mod compare;
 mod console;
 mod diagnose;
 mod files;
 mod loops;
 mod messages;
+mod output_folder;
 mod progress;
 mod run;
+mod script_check;
+mod signals;
 mod study;
 
 pub(crate) use run::main;
