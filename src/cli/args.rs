@@ -8,7 +8,7 @@ use std::path::PathBuf;
 /// Structural analysis of buildings and bridges on seismic isolation.
 ///
 /// Runs OpenSees Tcl scripts. Exit status: 0 done; 1 the analysis failed, or the script raised an error of its own;
-/// 2 the input is wrong.
+/// 2 the input is wrong; 130 interrupted by Ctrl-C or SIGTERM.
 #[derive(Parser, Debug)]
 #[command(name = "hysteron", version, max_term_width = 100)]
 pub(super) struct Arguments {
@@ -24,22 +24,17 @@ pub(super) enum Command {
         script: ScriptArgs,
         #[command(flatten)]
         steps: StepArgs,
+        /// Write what the script writes with relative paths into this folder
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
         /// The script
         model: String,
-        /// Words that the script finds in $argv
-        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        /// Words that the script finds in $argv; behind "--" if they begin with a dash and are no numbers
+        #[arg(allow_negative_numbers = true)]
         args: Vec<String>,
     },
     /// Report what is wrong with a script without running its analyses, or with a study before its calibration
-    Check {
-        #[command(flatten)]
-        script: ScriptArgs,
-        /// The script, or a study (.toml), whose script is run once
-        model: String,
-        /// Words that the script finds in $argv
-        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
-        args: Vec<String>,
-    },
+    Check(CheckArgs),
     /// Drive a single bearing as in a testing machine, and measure its loops
     Bearing(BearingArgs),
     /// Measure the cycles in a file: secant stiffness, dissipated energy, equivalent damping
@@ -80,6 +75,23 @@ pub(super) struct StepArgs {
 }
 
 #[derive(Args, Debug)]
+pub(super) struct CheckArgs {
+    #[command(flatten)]
+    pub(super) script: ScriptArgs,
+    /// Print what the script prints, to standard error. It is discarded otherwise, since a check has no results
+    #[arg(long)]
+    pub(super) show_output: bool,
+    /// Print the result as JSON on standard output
+    #[arg(long)]
+    pub(super) json: bool,
+    /// The script, or a study (.toml), whose script is run once
+    pub(super) model: String,
+    /// Words that the script finds in $argv; behind "--" if they begin with a dash and are no numbers
+    #[arg(allow_negative_numbers = true)]
+    pub(super) args: Vec<String>,
+}
+
+#[derive(Args, Debug)]
 pub(super) struct CalibrateArgs {
     /// Studies, or folders with files study.toml
     #[arg(required = true)]
@@ -108,6 +120,9 @@ pub(super) struct CalibrateArgs {
     /// Go on where an interrupted calibration was stopped
     #[arg(long)]
     pub(super) resume: bool,
+    /// Print the results as JSON on standard output
+    #[arg(long)]
+    pub(super) json: bool,
     /// Reproduce known errors of another program
     #[arg(long, value_enum, value_name = "PROGRAM")]
     pub(super) compat: Option<Compat>,

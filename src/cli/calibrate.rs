@@ -1,16 +1,18 @@
 //! `hysteron calibrate`.
 
 use super::args::{CalibrateArgs, Compat};
+use super::calibration_summary::{plan, replaced, summary};
 use super::files::{CHECKPOINT_INTERVAL, write_atomically};
 use super::messages::Messages;
 use super::preflight::{check_channels, threads};
+use super::signals::{INTERRUPTED, on_interrupt};
 use hysteron::analysis::Options;
 use hysteron::calibrate::{
-    CalibrationResult, Checkpoint, Displacements, SearchObserver, SearchSettings, SearchStatus, StudyProblem,
-    Uncertainty, page, posterior, profiles, search, uncertainty,
+    CalibrationResult, Checkpoint, Displacements, SearchObserver, SearchSettings, SearchStatus, StudyProblem, page,
+    posterior, profiles, search, uncertainty,
 };
 use hysteron::diagnostic::{Diagnostic, Severity, SourceMap};
-use hysteron::study::{InitialRun, Role, ScriptSimulator, Study};
+use hysteron::study::{InitialRun, ScriptSimulator, Study};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fs;
 use std::io::IsTerminal;
@@ -29,7 +31,7 @@ const RESULTS: &str = "results";
 /// Calibrate studies one after the other; the greatest exit status.
 pub(super) fn calibrate(args: &CalibrateArgs) -> i32 {
     let stop = Arc::new(AtomicBool::new(false));
-    super::run::on_interrupt(&stop);
+    on_interrupt(&stop);
     let studies = match studies(&args.studies) {
         Ok(studies) => studies,
         Err(message) => {
@@ -38,28 +40,70 @@ pub(super) fn calibrate(args: &CalibrateArgs) -> i32 {
         }
     };
     let is_single = studies.len() == 1;
+    let studies = with_folders(args, studies);
+    eprint!("{}", plan(&studies));
     let mut worst = 0;
     let mut results = vec![];
-    for file in &studies {
+    for (file, dir) in &studies {
         if stop.load(Ordering::Relaxed) {
             break;
         }
-        let dir = result_folder(args, file, is_single);
-        match calibrate_study(args, file, &dir, &stop) {
-            Ok(result) => results.push(result),
+        match calibrate_study(args, file, dir, &stop) {
+            Ok(result) => {
+                if !args.json {
+                    print!("{}", summary(&result, dir));
+                }
+                results.push(result);
+            }
             Err(status) => worst = worst.max(status),
         }
     }
+    if args.json {
+        worst = worst.max(print_json(&results, is_single));
+    }
     if !is_single && !results.is_empty() {
         let table = super::compare::table(&results);
-        eprint!("\n{table}");
+        if !args.json {
+            print!("\n{table}");
+        }
         let out = args.out.clone().unwrap_or_else(|| PathBuf::from(RESULTS));
         if let Err(message) = write_atomically(&out.join("comparison.txt"), &table) {
             eprintln!("error: {message}");
             worst = worst.max(FAILURE);
         }
     }
-    worst
+    if stop.load(Ordering::Relaxed) { INTERRUPTED } else { worst }
+}
+
+/// Print the results as JSON: that of a single study, or a list. Returns the exit status.
+fn print_json(results: &[CalibrationResult], is_single: bool) -> i32 {
+    let texts: Result<Vec<String>, _> = results.iter().map(CalibrationResult::json).collect();
+    match (texts, is_single) {
+        (Err(e), _) => {
+            eprintln!("error: the result cannot be written as JSON: {e}");
+            return FAILURE;
+        }
+        (Ok(texts), true) => print!("{}", texts.concat()),
+        (Ok(texts), false) => {
+            let texts: Vec<&str> = texts.iter().map(|t| t.trim_end()).collect();
+            println!("[{}]", texts.join(",\n"));
+        }
+    }
+    0
+}
+
+/// The studies with the folders of their results. No two have the same.
+fn with_folders(args: &CalibrateArgs, studies: Vec<PathBuf>) -> Vec<(PathBuf, PathBuf)> {
+    let is_single = studies.len() == 1;
+    let mut out: Vec<(PathBuf, PathBuf)> = vec![];
+    for file in studies {
+        let first = result_folder(args, &file, is_single);
+        let numbered = (2..).map(|n| PathBuf::from(format!("{}-{n}", first.display())));
+        let mut all = std::iter::once(first.clone()).chain(numbered);
+        let dir = all.find(|d| out.iter().all(|(_, taken)| taken != d)).unwrap_or(first.clone());
+        out.push((file, dir));
+    }
+    out
 }
 
 /// The studies of the arguments: files, and all `study.toml` in folders.
@@ -125,6 +169,9 @@ fn calibrate_study(
         eprintln!("error: {}: {message}", file.display());
         FAILURE
     };
+    for note in replaced(dir, &study) {
+        eprintln!("note: {note}");
+    }
     fs::create_dir_all(dir).map_err(|e| failed(format!("cannot make {}: {e}", dir.display())))?;
     let threads = threads(args.threads);
     let checked = check_channels(&simulator, &initial_run, threads, false).map_err(|e| failed(e.to_string()))?;
@@ -157,7 +204,6 @@ fn calibrate_study(
     let displacements = runs.map(|r| simulator.displacement(r, &result.values)).collect();
     result.add_amplitudes(&displacements);
     write(dir, &result, &initial_run, &displacements).map_err(&failed)?;
-    print_summary(&result, dir);
     if stopped {
         stop.store(true, Ordering::Relaxed);
     }
@@ -263,65 +309,6 @@ fn write(
     }
     write_atomically(&dir.join("report.html"), &page(result, displacements))?;
     write_atomically(&dir.join("calibration.json"), &result.json().map_err(|e| e.to_string())?)
-}
-
-/// Print the result in a few lines.
-fn print_summary(result: &CalibrationResult, dir: &Path) {
-    let study = &result.study;
-    let title = if study.title.is_empty() { study.model.as_str() } else { study.title.as_str() };
-    eprintln!(
-        "{title}: objective {:.6}, {} evaluations, {:.1} s",
-        result.objective,
-        result.search.evaluations(),
-        result.wall_time
-    );
-    for (run, scored) in study.runs.iter().zip(&result.scored_runs) {
-        let role = if run.role == Role::Fit { "fit" } else { "holdout" };
-        match scored {
-            Ok(scored) => {
-                let dropped: usize = scored.scores.iter().map(|s| s.dropped).sum();
-                let note = if dropped > 0 {
-                    format!(", {dropped} samples after the end of the analysis left out")
-                } else {
-                    String::new()
-                };
-                eprintln!("  {role:8} {}: NMSE {:.6}{note}", run.name, scored.nmse(&run.observe));
-            }
-            Err(error) => eprintln!("  {role:8} {}: {error}", run.name),
-        }
-    }
-    for (i, (p, v)) in study.space.parameters.iter().zip(&result.values).enumerate() {
-        let coordinate = study.space.free().position(|(k, _)| k == i);
-        let interval = coordinate.and_then(|k| result.uncertainty.as_ref()?.intervals.get(k));
-        let interval = interval.map_or(String::new(), |n| format!("  ({:.6} to {:.6})", n.lower, n.upper));
-        eprintln!("  {} = {v:.6}{interval}", p.name);
-    }
-    for name in result.at_bounds() {
-        eprintln!("  note: {name} is at a bound of its range");
-    }
-    for line in result.uncertainty.iter().flat_map(Uncertainty::notes) {
-        eprintln!("  note: {line}");
-    }
-    for p in result.profiles.iter().flatten() {
-        let end = |e: Option<f64>| e.map_or("open".into(), |x| format!("{x:.6}"));
-        eprintln!("  profile of {}: {} to {}", p.name, end(p.lower), end(p.upper));
-    }
-    if let Some(p) = &result.posterior {
-        for q in &p.quantiles {
-            eprintln!("  posterior of {}: {:.6} ({:.6} to {:.6})", q.name, q.median, q.lower, q.upper);
-        }
-        eprintln!("  acceptance {:.2}, {:.0} independent draws", p.acceptance, p.effective_draws);
-    }
-    let statistics = result.repeat_statistics();
-    if statistics.repeats > 1 {
-        let (best, worst, deviation) = (statistics.best, statistics.worst, statistics.deviation);
-        eprintln!("  {} repeats: best {best:.6}, worst {worst:.6}, deviation {deviation:.2e}", statistics.repeats);
-    }
-    for (kind, n) in result.search.failures() {
-        let message = result.search.repeats.iter().find_map(|r| r.failure_messages.get(kind));
-        eprintln!("  {n} points without an answer: {}", message.map_or(kind, String::as_str));
-    }
-    eprintln!("  {}", dir.display());
 }
 
 /// Shows the progress of a calibration, writes its checkpoints, and stops it on an interrupt.

@@ -31,3 +31,43 @@ impl Console for Terminal {
         });
     }
 }
+
+/// Discards what a script prints.
+pub(super) struct NoOutput;
+
+impl Console for NoOutput {
+    fn out(&mut self, _: &str) {}
+
+    fn err(&mut self, _: &str) {}
+}
+
+/// Prints what a script prints to standard error, each line behind the name of the script.
+pub(super) struct PrefixedOutput {
+    prefix: String,
+    /// The current line has begun.
+    in_line: bool,
+}
+
+impl PrefixedOutput {
+    pub(super) fn new(script: &str) -> Self {
+        Self { prefix: format!("{script} prints: "), in_line: false }
+    }
+
+    fn print(&mut self, text: &str) {
+        for line in text.split_inclusive('\n') {
+            let prefix = if self.in_line { "" } else { &self.prefix };
+            eprint!("{prefix}{line}");
+            self.in_line = !line.ends_with('\n');
+        }
+    }
+}
+
+impl Console for PrefixedOutput {
+    fn out(&mut self, text: &str) {
+        self.print(text);
+    }
+
+    fn err(&mut self, text: &str) {
+        self.print(text);
+    }
+}

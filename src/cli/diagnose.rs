@@ -4,6 +4,7 @@ use super::args::DiagnoseArgs;
 use super::files::{CHECKPOINT_INTERVAL, write_atomically};
 use super::messages::Messages;
 use super::preflight::{check_channels, threads};
+use super::signals::{INTERRUPTED, on_interrupt};
 use hysteron::analysis::Options;
 use hysteron::diagnose::{
     CheckpointEntry, Diagnosis, ProgressMonitor, Settings, diagnose, hypothesis, identity, report,
@@ -26,7 +27,7 @@ const WRONG_INPUT_STATUS: i32 = 2;
 /// Diagnoses a study, writes its files and returns the exit status.
 pub(super) fn run(args: &DiagnoseArgs) -> i32 {
     let stop = Arc::new(AtomicBool::new(false));
-    super::run::on_interrupt(&stop);
+    on_interrupt(&stop);
     for cause in &args.without {
         if hypothesis::of(cause).is_none() {
             let known = || hypothesis::ALL.iter().map(|h| h.cause);
@@ -93,10 +94,13 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
         }
         Err(message) => {
             eprintln!("error: {}: {message}", args.study.display());
-            if stop.load(Ordering::Relaxed) && saved.exists() {
+            if !stop.load(Ordering::Relaxed) {
+                return FAILED_STATUS;
+            }
+            if saved.exists() {
                 eprintln!("what was worked out is kept; --resume goes on");
             }
-            FAILED_STATUS
+            INTERRUPTED
         }
     }
 }

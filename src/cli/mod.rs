@@ -3,6 +3,7 @@
 mod args;
 mod bearing;
 mod calibrate;
+mod calibration_summary;
 mod commands;
 mod compare;
 mod console;
@@ -11,9 +12,12 @@ mod files;
 mod help;
 mod loops;
 mod messages;
+mod output_folder;
 mod preflight;
 mod progress;
 mod run;
+mod script_check;
+mod signals;
 mod study;
 
 pub(crate) use run::main;

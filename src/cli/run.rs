@@ -1,34 +1,36 @@
 //! Dispatch of the commands, and the commands `run` and `check`.
 
-use super::args::{Arguments, Command, ScriptArgs, StepArgs};
+use super::args::{Arguments, CheckArgs, Command, ScriptArgs, StepArgs};
 use super::bearing::bearing;
-use super::console::Terminal;
+use super::calibrate::INPUT_ERROR;
+use super::console::{NoOutput, PrefixedOutput, Terminal};
 use super::files::{NoFiles, SystemFiles};
 use super::help;
 use super::loops::loops;
 use super::messages::Messages;
+use super::output_folder::OutputFolder;
 use super::progress::ProgressLine;
+use super::script_check::{self, print_summary};
+use super::signals::on_interrupt;
 use clap::FromArgMatches as _;
 use hysteron::analysis::{Options, RecoveryStrategy};
 use hysteron::diagnostic::{Diagnostic, Severity, Span};
 use hysteron::opensees::{Mode, Outputs, Tcl};
 use hysteron::run::{End, Run, Settings};
-use hysteron::tcl::{Files, OsFiles, OverlayFiles};
+use hysteron::tcl::{Console, Files, OsFiles, OverlayFiles};
 use std::collections::BTreeMap;
 use std::io::Write as _;
 use std::path::Path;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Run the command of the command line; the exit status.
 pub(crate) fn main() -> i32 {
     let arguments = Arguments::from_arg_matches(&help::command().get_matches()).unwrap_or_else(|e| e.exit());
     match arguments.command {
-        Command::Run { script: s, steps, model, args } => script(&s, Mode::Run, &steps, &model, &args),
-        Command::Check { script: s, model, .. } if model.ends_with(".toml") => {
-            super::study::check(Path::new(&model), s.compat, s.strict)
+        Command::Run { script: s, steps, out, model, args } => run(&s, &steps, out.as_deref(), &model, &args),
+        Command::Check(args) if args.model.ends_with(".toml") => {
+            super::study::check(Path::new(&args.model), args.script.compat, args.script.strict, args.json)
         }
-        Command::Check { script: s, model, args } => script(&s, Mode::Check, &StepArgs::default(), &model, &args),
+        Command::Check(args) => check(&args),
         Command::Bearing(args) => bearing(&args),
         Command::Calibrate(args) => super::calibrate::calibrate(&args),
         Command::Diagnose(args) => super::diagnose::run(&args),
@@ -54,22 +56,68 @@ pub(super) fn print(result: Result<String, String>) -> i32 {
     }
 }
 
-/// Run or check a script; the exit status.
-pub(super) fn script(script: &ScriptArgs, mode: Mode, steps: &StepArgs, model: &str, args: &[String]) -> i32 {
+/// Run a script; the exit status.
+pub(super) fn run(script: &ScriptArgs, steps: &StepArgs, out: Option<&Path>, model: &str, args: &[String]) -> i32 {
     let progress = ProgressLine::new();
+    let (files, outputs): (Box<dyn Files>, Box<dyn Outputs>) = match out.map(OutputFolder::new) {
+        None => (Box::new(OsFiles), Box::new(SystemFiles)),
+        Some(Ok(folder)) => (Box::new(folder.clone()), Box::new(folder)),
+        Some(Err(e)) => {
+            eprintln!("error: cannot make {}: {e}", out.unwrap_or(Path::new("")).display());
+            return INPUT_ERROR;
+        }
+    };
+    let console = Terminal::new(progress.clone());
+    let mut run = Run::new(settings(script, steps, Mode::Run), Box::new(console), files, outputs);
+    run.interp.host.set_progress(Box::new(progress.steps()));
+    let end = execute(&mut run, &progress, model, args);
+    print_summary(&run.interp);
+    end.status()
+}
+
+/// Check a script; the exit status.
+fn check(args: &CheckArgs) -> i32 {
+    let progress = ProgressLine::new();
+    // Numbers that the script prints are not the results of an analysis.
+    let console: Box<dyn Console> =
+        if args.show_output { Box::new(PrefixedOutput::new(&args.model)) } else { Box::new(NoOutput) };
+    let files = OverlayFiles::new(Box::new(OsFiles));
+    let settings = settings(&args.script, &StepArgs::default(), Mode::Check);
+    let mut run = Run::new(settings, console, Box::new(files), Box::new(NoFiles));
+    let end = execute(&mut run, &progress, &args.model, &args.args);
+    if run.interp.host.check.skipped_analyses {
+        eprintln!("note: the analyses were not rehearsed, since a definition was rejected");
+    }
+    print_summary(&run.interp);
+    let is_rejected = run.interp.warnings.iter().any(|w| w.severity == Severity::Error);
+    let status = if is_rejected { INPUT_ERROR } else { end.status() };
+    if args.json {
+        let last = match &end {
+            End::Rejected(d) | End::Raised(d) => Some(&**d),
+            _ => None,
+        };
+        return print(Ok(script_check::json(&args.model, &run.interp, last))).max(status);
+    }
+    if status == 0 {
+        let warnings = run.interp.warnings.len();
+        let found = if warnings == 0 { "no mistakes".into() } else { format!("no errors, {warnings} warnings") };
+        return print(Ok(format!("{}: {found}\n", args.model)));
+    }
+    status
+}
+
+fn settings(script: &ScriptArgs, steps: &StepArgs, mode: Mode) -> Settings {
     let options = Options {
         compat: script.compat.is_some(),
         ladder: steps.ladder.then(RecoveryStrategy::default),
         dense: None,
         refine: steps.refine,
     };
-    let settings = Settings { mode, strict: script.strict, options };
-    let console = Terminal::new(progress.clone());
-    let outputs: Box<dyn Outputs> = if mode == Mode::Run { Box::new(SystemFiles) } else { Box::new(NoFiles) };
-    let files: Box<dyn Files> =
-        if mode == Mode::Run { Box::new(OsFiles) } else { Box::new(OverlayFiles::new(Box::new(OsFiles))) };
-    let mut run = Run::new(settings, Box::new(console), files, outputs);
-    run.interp.host.set_progress(Box::new(progress.steps()));
+    Settings { mode, strict: script.strict, options }
+}
+
+/// Run or check a script, and print its messages.
+fn execute(run: &mut Run, progress: &ProgressLine, model: &str, args: &[String]) -> End {
     let line = progress.clone();
     let mut counts = WarningCounts::default();
     run.interp.host.on_warning(Box::new(move |warning, sources| {
@@ -81,26 +129,7 @@ pub(super) fn script(script: &ScriptArgs, mode: Mode, steps: &StepArgs, model: &
     let end = run.script(model, args);
     progress.clear();
     print_end(&end, &run.interp);
-    if run.interp.host.check.skipped_analyses {
-        eprintln!("note: the analyses were not rehearsed, since a definition was rejected");
-    }
-    print_warning_summary(&run.interp);
-    let rejected = mode == Mode::Check && run.interp.warnings.iter().any(|w| w.severity == Severity::Error);
-    if rejected { 2 } else { end.status() }
-}
-
-/// Set a flag when the user interrupts; a second interrupt ends the program at once.
-pub(super) fn on_interrupt(flag: &Arc<AtomicBool>) {
-    let flag = flag.clone();
-    let handled = ctrlc::set_handler(move || {
-        if flag.swap(true, Ordering::Relaxed) {
-            #[expect(clippy::exit, reason = "the first interrupt was not enough")]
-            std::process::exit(130);
-        }
-    });
-    if let Err(e) = handled {
-        eprintln!("note: interrupts are not caught: {e}");
-    }
+    end
 }
 
 /// Number of warnings from each location and label.
@@ -130,34 +159,5 @@ pub(super) fn print_end(end: &End, interp: &Tcl) {
             eprintln!("note: the check ends where the script needs results of the analysis: {place}");
         }
         End::Done | End::Exit(_) => {}
-    }
-}
-
-/// Print all warnings again, one line each, so that none is overlooked.
-fn print_warning_summary(interp: &Tcl) {
-    let messages = Messages::new();
-    let mut lines: Vec<(String, usize)> = vec![];
-    for w in &interp.warnings {
-        let kind = if w.severity == Severity::Error { "error" } else { "warning" };
-        let line = format!("{kind}: {}", messages.line(w, &interp.sources));
-        match lines.iter_mut().find(|(l, _)| *l == line) {
-            Some((_, n)) => *n += 1,
-            None => lines.push((line, 1)),
-        }
-    }
-    if lines.is_empty() {
-        return;
-    }
-    let count = |severity| interp.warnings.iter().filter(|w| w.severity == severity).count();
-    let plural = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
-    let totals = [(count(Severity::Error), "error"), (count(Severity::Warning), "warning")];
-    let totals: Vec<String> = totals.iter().filter(|t| t.0 > 0).map(|t| plural(t.0, t.1)).collect();
-    eprintln!("{}:", totals.join(", "));
-    for (line, n) in lines.iter().take(30) {
-        let times = if *n > 1 { format!(" ({n} times)") } else { String::new() };
-        eprintln!("  {line}{times}");
-    }
-    if lines.len() > 30 {
-        eprintln!("  ... and {} more", lines.len() - 30);
     }
 }

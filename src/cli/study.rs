@@ -3,32 +3,49 @@
 use super::args::Compat;
 use super::calibrate::{FAILURE, INPUT_ERROR, PreparedStudy, prepare, print_diagnostic};
 use super::preflight::{check_channels, threads};
+use super::script_check::MessageTable;
+use super::signals::{INTERRUPTED, on_interrupt};
 use hysteron::diagnostic::{Severity, SourceMap};
-use hysteron::preflight::section;
+use hysteron::preflight::{Preflight, section};
+use serde::Serialize;
 use std::path::Path;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Result of the check of a study.
+#[derive(Serialize)]
+struct CheckTable<'a> {
+    study: String,
+    title: &'a str,
+    /// Number of free parameters, and of all.
+    free: usize,
+    parameters: usize,
+    /// The error of the script with its own values, if it has no answer.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    failure: Option<String>,
+    preflight: &'a Preflight,
+    messages: Vec<MessageTable<'a>>,
+}
 
 /// Do all checks that come before a calibration, with a run of the script with its own values. Returns the exit status.
-pub(super) fn check(file: &Path, compat: Option<Compat>, strict: bool) -> i32 {
+pub(super) fn check(file: &Path, compat: Option<Compat>, strict: bool, json: bool) -> i32 {
     let stop = Arc::new(AtomicBool::new(false));
-    super::run::on_interrupt(&stop);
+    on_interrupt(&stop);
     let mut sources = SourceMap::default();
     let prepared = prepare(file, compat, &stop, &mut sources);
     let PreparedStudy { simulator, initial_run, .. } = match prepared {
         Ok(prepared) => prepared,
         Err(d) => {
             print_diagnostic(&d, &sources);
-            return INPUT_ERROR;
+            if json {
+                print_json(&serde_json::json!({ "study": file, "messages": [MessageTable::new(&d, &sources)] }));
+            }
+            return if stop.load(Ordering::Relaxed) { INTERRUPTED } else { INPUT_ERROR };
         }
     };
     let study = simulator.study().clone();
     let warnings = study.warnings.iter().chain(&initial_run.warnings).filter(|w| w.severity != Severity::Note);
-    let warning_count = warnings.inspect(|w| print_diagnostic(w, &sources)).count();
-    eprintln!("{}: {} of {} parameters to be found", file.display(), study.space.dimension(), initial_run.values.len());
-    if let Some(error) = &initial_run.failure {
-        eprintln!("  with its own values the script has no answer: {error}");
-    }
+    let warnings: Vec<_> = warnings.inspect(|w| print_diagnostic(w, &sources)).collect();
     let checked = match check_channels(&simulator, &initial_run, threads(None), true) {
         Ok(checked) => checked,
         Err(e) => {
@@ -36,9 +53,28 @@ pub(super) fn check(file: &Path, compat: Option<Compat>, strict: bool) -> i32 {
             return FAILURE;
         }
     };
-    print!("{}", section(&checked, &study));
-    if checked.has_hard_findings() || strict && (warning_count > 0 || !checked.findings.is_empty()) {
-        return INPUT_ERROR;
+    let table = CheckTable {
+        study: file.display().to_string(),
+        title: &study.title,
+        free: study.space.dimension(),
+        parameters: initial_run.values.len(),
+        failure: initial_run.failure.as_ref().map(ToString::to_string),
+        preflight: &checked,
+        messages: warnings.iter().map(|w| MessageTable::new(w, &sources)).collect(),
+    };
+    if json {
+        print_json(&table);
+    } else {
+        println!("{}: {} of {} parameters to be found", table.study, table.free, table.parameters);
+        print!("{}", section(&checked, &study));
     }
-    0
+    if stop.load(Ordering::Relaxed) {
+        return INTERRUPTED;
+    }
+    let is_refused = strict && !(warnings.is_empty() && checked.findings.is_empty());
+    if checked.has_hard_findings() || is_refused { INPUT_ERROR } else { 0 }
+}
+
+fn print_json(table: &impl Serialize) {
+    println!("{}", serde_json::to_string_pretty(table).unwrap_or_default());
 }

@@ -4,17 +4,24 @@ use super::StudyFolder;
 use std::fs;
 use std::process::Command;
 
+/// Exit status, and what is printed to both streams.
 fn calibrate(folder: &StudyFolder, args: &[&str]) -> (Option<i32>, String) {
+    let (status, out, err) = streams(folder, args);
+    (status, out + &err)
+}
+
+/// Exit status, standard output, standard error.
+fn streams(folder: &StudyFolder, args: &[&str]) -> (Option<i32>, String, String) {
     let output = Command::new(env!("CARGO_BIN_EXE_hysteron"))
         .arg("calibrate")
         .args(args)
         .current_dir(&folder.0)
         .output()
         .unwrap();
-    let err = String::from_utf8_lossy(&output.stderr).into_owned();
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    let (out, err) = (text(&output.stdout), text(&output.stderr));
     assert!(!err.contains("panicked"), "{err}");
-    assert!(output.stdout.is_empty(), "messages go to standard error");
-    (output.status.code(), err)
+    (output.status.code(), out, err)
 }
 
 fn json(folder: &StudyFolder, path: &str) -> serde_json::Value {
@@ -149,7 +156,8 @@ fn check_of_a_study_reports_errors_and_writes_nothing() {
     let check = || {
         let mut command = Command::new(env!("CARGO_BIN_EXE_hysteron"));
         let output = command.args(["check", "study.toml"]).current_dir(&folder.0).output().unwrap();
-        (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+        let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+        (output.status.code(), text(&output.stdout) + &text(&output.stderr))
     };
     let files = || fs::read_dir(&folder.0).unwrap().count();
     let before = files();
@@ -161,4 +169,84 @@ fn check_of_a_study_reports_errors_and_writes_nothing() {
     folder.edit("study.toml", "force.out", "forse.out");
     let (status, err) = check();
     assert!(status == Some(2) && err.contains("forse.out has no rows"), "{err}");
+}
+
+/// The plan is told before the search, the result stands on standard output, and what is replaced is named.
+#[test]
+fn plan_result_and_replaced_results() {
+    let folder = StudyFolder::new();
+    folder.edit("study.toml", "[[run]]", "[calibration]\nevaluations = 40\n[[run]]");
+    let (status, out, err) = streams(&folder, &["."]);
+    assert_eq!(status, Some(0), "{err}");
+    assert!(err.contains("1 run fitted, 1 held out; 3 free: k0, Qd, alpha; cma-es; results go to results"), "{err}");
+    assert!(out.contains("rubber pad, cyclic shear: objective") && !err.contains("objective"), "{out}{err}");
+    // The same study again: no word. Another one: a note.
+    let (_, _, err) = streams(&folder, &["study.toml"]);
+    assert!(!err.contains("replaced"), "{err}");
+    folder.edit("study.toml", "rubber pad, cyclic shear", "another pad");
+    let (_, _, err) = streams(&folder, &["study.toml"]);
+    assert!(err.contains("results holds the result of another study \"rubber pad, cyclic shear\""), "{err}");
+    // The result for other programs.
+    let (_, out, _) = streams(&folder, &["study.toml", "--json"]);
+    let found: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(found, json(&folder, "results/calibration.json"));
+    let (_, out, _) = streams(&folder, &["study.toml", "study.toml", "--json"]);
+    let found: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(found.as_array().unwrap().len(), 2);
+    let folders: Vec<bool> = ["", "-2"]
+        .iter()
+        .map(|n| {
+            folder
+                .0
+                .join(format!("results/{}{n}/calibration.json", folder.0.file_name().unwrap().to_str().unwrap()))
+                .exists()
+        })
+        .collect();
+    assert_eq!(folders, [true, true], "each has a folder of its own");
+}
+
+/// A complete model is judged sound, and its search says that it has converged.
+#[test]
+fn complete_model_is_judged_sound() {
+    let folder = StudyFolder::new();
+    let (status, out, err) = streams(&folder, &["study.toml", "--out", "out"]);
+    assert_eq!(status, Some(0), "{err}");
+    assert!(out.contains("the residual looks like noise") && out.contains("(converged)"), "{out}");
+    let found = json(&folder, "out/calibration.json");
+    assert_eq!((&found["judgement"]["explained"], &found["judgement"]["widening"]), (&true.into(), &1.0.into()));
+    assert_eq!(found["stopped_because"], "converged");
+    assert!(found["evaluations"].as_u64().unwrap() < 700, "{}", found["evaluations"]);
+    assert!(found["uncertainty"]["intervals"][0].get("from_noise").is_none());
+}
+
+/// A force that the model lacks: it is said, and the intervals reach the truth.
+#[test]
+fn missing_physics_widens_the_intervals() {
+    let folder = StudyFolder::new();
+    for name in ["growing", "random"] {
+        let text = fs::read_to_string(folder.0.join(format!("{name}.csv"))).unwrap();
+        let mut before: Option<(f64, f64)> = None;
+        // Columns: time, force, displacement, temperature. A missing force stays missing.
+        let damped = text.lines().map(|line| {
+            let cells: Vec<&str> = line.split(',').collect();
+            let (Ok(t), Ok(u)) = (cells[0].parse::<f64>(), cells[2].parse::<f64>()) else { return line.to_owned() };
+            let speed = before.map_or(0.0, |(t0, u0)| (u - u0) / (t - t0));
+            before = Some((t, u));
+            let force = cells[1].parse::<f64>().map_or(String::new(), |f| (f + 0.06 * speed).to_string());
+            format!("{t},{force},{u},{}", cells[3])
+        });
+        let damped: Vec<String> = damped.collect();
+        fs::write(folder.0.join(format!("{name}.csv")), damped.join("\n") + "\n").unwrap();
+    }
+    let (status, out, err) = streams(&folder, &["study.toml", "--out", "out"]);
+    assert_eq!(status, Some(0), "{err}");
+    assert!(out.contains("the residual is no noise") && out.contains("hysteron diagnose"), "{out}");
+    let found = json(&folder, "out/calibration.json");
+    assert_eq!(found["judgement"]["explained"], false);
+    for (interval, truth) in found["uncertainty"]["intervals"].as_array().unwrap().iter().zip([2.6, 17.0, 0.21]) {
+        let end = |v: &serde_json::Value| v.as_f64().unwrap();
+        let (narrow, wide) = (&interval["from_noise"], [end(&interval["lower"]), end(&interval["upper"])]);
+        assert!(wide[0] < end(&narrow[0]) && wide[1] > end(&narrow[1]), "{interval}");
+        assert!((wide[0]..=wide[1]).contains(&truth), "{interval}");
+    }
 }

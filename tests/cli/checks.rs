@@ -114,10 +114,70 @@ fn writes_nothing() {
         recorder Node -file out/deep/d.txt -node 1 -dof 1 disp\n\
         figure out/f.svg -title t -x x -y y -line l {0 1} {0 1}\n";
     place.write("m.tcl", format!("{MODEL}{script}"));
-    let (status, out, err) = place.run(&["check", "m.tcl"]);
-    assert_eq!((status, out.trim(), err.as_str()), (Some(0), "0 b.txt", ""));
+    let (status, out, err) = place.run(&["check", "--show-output", "m.tcl"]);
+    assert_eq!((status, out.as_str(), err.as_str()), (Some(0), "m.tcl: no mistakes\n", "m.tcl prints: 0 b.txt\n"));
     assert_eq!(place.names(), ["m.tcl", "old.txt"]);
     assert_eq!(std::fs::read_to_string(place.0.join("m.tcl")).unwrap(), format!("{MODEL}{script}"));
+}
+
+/// What a script prints is no result of a check.
+#[test]
+fn output_of_the_script_is_discarded() {
+    let place = Place::new();
+    place.write("m.tcl", format!("{MODEL}puts [nodeDisp 2 1]\nputs stderr words\n"));
+    let (status, out, err) = place.run(&["check", "m.tcl"]);
+    assert_eq!((status, out.as_str(), err.as_str()), (Some(0), "m.tcl: no mistakes\n", ""));
+    place.write("m.tcl", format!("{MODEL}node x 0 0\n"));
+    let (status, out, _) = place.run(&["check", "--json", "m.tcl"]);
+    let found: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!((status, &found["errors"], &found["messages"][0]["line"]), (Some(2), &1.into(), &11.into()), "{found}");
+}
+
+/// Nodes and elements that a recorder names and the model does not have, with the place of the tag. They may be defined
+/// after the recorder.
+#[test]
+fn recorders_of_what_is_not_there() {
+    let place = Place::new();
+    let recorders = "recorder Element -file a.out -ele 1 77 force\nrecorder Node -file b.out -node 2 99 -dof 1 disp\n\
+        recorder Drift -file c.out -iNode 1 -jNode 98 -dof 1 -perpDirn 2\nrecorder Node -file d.out -nodeRange 50 60 -dof 1 disp\n\
+        region 5 -node 1 97\nrecorder Node -file e.out -node 8 -dof 1 disp\nnode 8 5 5\n";
+    for analysis in ["", "fix 3 1 1 1\nfix 8 1 1 1\nanalysis Static\nanalyze 1\n", "wipe\n"] {
+        place.write("m.tcl", format!("{MODEL}{recorders}{analysis}"));
+        let (status, _, err) = place.run(&["check", "m.tcl"]);
+        assert_eq!(status, Some(0), "{err}");
+        for line in [
+            "m.tcl:11:38: recorder: the model has no element 77",
+            "m.tcl:12:36: recorder: the model has no node 99",
+            "m.tcl:13:44: recorder: the model has no node 98",
+            "m.tcl:14:40: recorder: no node from 50 to 60 has been defined",
+            "m.tcl:15:1: region 5: the model has no node 97",
+            "5 warnings:",
+        ] {
+            assert!(err.contains(line), "{line} after {analysis}: {err}");
+        }
+        assert_eq!(place.run(&["check", "--strict", "m.tcl"]).0, Some(2));
+    }
+}
+
+/// Errors that follow from others are counted.
+#[test]
+fn errors_that_follow_are_counted() {
+    let place = Place::new();
+    let uses = "element truss 2 1 2 1. 5\nelement truss 3 1 2 1. 5\nrecorder Element -file a.out -ele 2 force\n";
+    for (mistake, count) in [
+        ("uniaxialMaterial Steel02 5 x 1 1", 3),
+        ("uniaxialMateral Steel02 5 1 1 1", 3),
+        ("proc build {} {\n  puts $nothing\n  uniaxialMaterial Elastic 5 1\n}\nbuild", 3),
+        ("source nothing.tcl", 3),
+    ] {
+        place.write("m.tcl", format!("{MODEL}{mistake}\n{uses}"));
+        let (status, _, err) = place.run(&["check", "m.tcl"]);
+        assert_eq!(status, Some(2));
+        assert!(
+            err.contains("1 error:") && err.contains(&format!("{count} further errors follow")),
+            "{mistake}: {err}"
+        );
+    }
 }
 
 /// A script that waits for what only a run has.

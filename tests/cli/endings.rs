@@ -168,3 +168,67 @@ fn closed_output() {
     assert_eq!(child.wait().unwrap().code(), Some(0));
     assert!(place.0.join("done").exists());
 }
+
+/// Options stand on both sides of the script; a misspelled one is an error. Words behind `--` are the script's.
+#[test]
+fn options_after_the_script() {
+    let place = Place::new();
+    place.write("m.tcl", "puts $argv\n");
+    for (words, printed) in [
+        (&["a", "-0.5", "-1e3"][..], "a -0.5 -1e3\n"),
+        (&["a", "--strict", "b"], "a b\n"),
+        (&["--", "--strict", "-x"], "--strict -x\n"),
+        (&["--ladder", "a", "--", "-y"], "a -y\n"),
+    ] {
+        let (status, out, err) = place.run(&[&["run", "m.tcl"], words].concat());
+        assert_eq!((status, out.as_str()), (Some(0), printed), "{err}");
+    }
+    for command in ["run", "check"] {
+        let (status, out, err) = place.run(&[command, "m.tcl", "--stric"]);
+        assert!(status == Some(2) && out.is_empty() && err.contains("--stric") && err.contains("'--strict'"), "{err}");
+    }
+}
+
+/// What a script writes goes into the folder of `--out`; what it reads is found where it was.
+#[test]
+fn outputs_in_a_folder() {
+    let place = Place::new();
+    place.write("motion.txt", "0 1 2\n");
+    place.write("log.txt", "old\n");
+    place.write("old.out", "kept");
+    let script = "file mkdir res\nset f [open motion.txt]; puts [gets $f]; close $f\n\
+        set f [open log.txt a]; puts $f new; close $f\nset f [open res/log.txt w]; puts $f deep; close $f\n\
+        set f [open log.txt]; puts [read -nonewline $f]; close $f\nfile delete old.out\n\
+        puts \"[file exists old.out] [lsort [glob *]]\"\nfile rename res/log.txt res/moved.txt\n\
+        recorder Node -file res/d.out -node 2 -dof 1 disp\nrecorder Node -file e.out -node 2 -dof 1 disp\n";
+    place
+        .write("m.tcl", format!("{MODEL}fix 3 1 1 1\n{script}{STATIC}analyze 2\nwipe\nputs [file exists res/d.out]\n"));
+    for _ in 0..2 {
+        let (status, out, err) = place.run(&["run", "m.tcl", "--out", "out/deep"]);
+        assert_eq!(status, Some(0), "{err}");
+        assert_eq!(out, "0 1 2\nold\nnew\n0 log.txt m.tcl motion.txt out res\n1\n");
+        assert_eq!(place.names(), ["log.txt", "m.tcl", "motion.txt", "old.out", "out"]);
+        let there = |name: &str| fs::read_to_string(place.0.join("out/deep").join(name)).unwrap();
+        assert_eq!((there("log.txt").as_str(), there("res/moved.txt").as_str()), ("old\nnew\n", "deep\n"));
+        assert_eq!((there("res/d.out").lines().count(), there("e.out").lines().count()), (2, 2));
+        assert_eq!(fs::read_to_string(place.0.join("log.txt")).unwrap(), "old\n");
+    }
+}
+
+/// SIGTERM ends a run like Ctrl-C: with status 130 and the rows recorded so far.
+#[test]
+fn termination() {
+    let place = Place::new();
+    place.write("m.tcl", "puts ready\nflush stdout\nwhile {1} {}\n");
+    let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_hysteron"))
+        .args(["run", "m.tcl"])
+        .current_dir(&place.0)
+        .stdout(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut ready = [0u8; 5];
+    std::io::Read::read_exact(child.stdout.as_mut().unwrap(), &mut ready).unwrap();
+    let killed = std::process::Command::new("kill").arg(child.id().to_string()).status().unwrap();
+    assert!(killed.success());
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+}

@@ -195,12 +195,18 @@ impl<'a> Args<'a> {
 
     /// All whole numbers up to the next word that is none; a word that is a list of them counts as its elements.
     pub(crate) fn ints(&mut self) -> Vec<i32> {
+        self.placed_ints().into_iter().map(|(i, _)| i).collect()
+    }
+
+    /// The same with the place of each.
+    pub(crate) fn placed_ints(&mut self) -> Vec<(i32, Option<Span>)> {
         let mut out = vec![];
         while let Some(value) = self.call.get(self.at) {
+            let span = self.call.span(self.at);
             if let Some(i) = as_int(value) {
-                out.push(i);
+                out.push((i, span));
             } else if let Some(list) = value.to_list().ok().filter(|l| l.len() > 1) {
-                let all: Option<Vec<i32>> = list.iter().map(as_int).collect();
+                let all: Option<Vec<_>> = list.iter().map(|v| Some((as_int(v)?, span))).collect();
                 match all {
                     Some(all) => out.extend(all),
                     None => break,

@@ -1,8 +1,10 @@
 //! Check of a script: each mistake is reported and the script goes on. Consequences of a mistake are not reported.
 
+use crate::analysis::analyze::warn_of_missing;
 use crate::output::{display, figure, print, query, recorder};
+use crate::session::Mode;
 use crate::{Outcome, Tcl, commands, report};
-use hysteron_tcl::diagnostic::Diagnostic;
+use hysteron_tcl::diagnostic::{Diagnostic, nearest};
 use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeSet;
 
@@ -13,13 +15,41 @@ pub struct CheckState {
     pub(crate) rejected: bool,
     /// Messages of later commands that only follow from a mistake already reported.
     consequences: BTreeSet<String>,
+    /// A procedure or a file was left at a mistake: what the rest of it would have defined is not there.
+    left_early: bool,
+    /// Number of errors that were held back because they only follow from one already reported.
+    pub held_back: usize,
     /// Analyses were passed over because a definition was rejected.
     pub skipped_analyses: bool,
     /// A check has passed over an analysis: results that the script reads are not there.
     pub waits_for_results: bool,
 }
 
+/// Commands that define something by a tag: the kind in messages, and the position of the tag.
+const DEFINITIONS: [(&str, &str, usize); 11] = [
+    ("node", "node", 1),
+    ("region", "region", 1),
+    ("groundMotion", "ground motion", 1),
+    ("uniaxialMaterial", "uniaxial material", 2),
+    ("nDMaterial", "material of continua", 2),
+    ("frictionModel", "friction model", 2),
+    ("section", "section", 2),
+    ("beamIntegration", "beam integration", 2),
+    ("geomTransf", "geometric transformation", 2),
+    ("timeSeries", "time series", 2),
+    ("element", "element", 2),
+];
+
 impl CheckState {
+    /// Returns true if a message only follows from a mistake already reported, and counts it.
+    pub(crate) fn holds_back(&mut self, message: &str) -> bool {
+        let missing = || message.strip_prefix("there is no ").unwrap_or_default();
+        let of_rest = self.left_early && DEFINITIONS.iter().any(|d| missing().starts_with(&format!("{} ", d.1)));
+        let held_back = of_rest || self.consequences.contains(message);
+        self.held_back += usize::from(held_back);
+        held_back
+    }
+
     /// An analysis is passed over; what its results would be asked for is not there.
     pub(crate) fn pass_over(&mut self, modes: usize) {
         self.skipped_analyses = true;
@@ -34,15 +64,10 @@ impl CheckState {
         let name = words.first().copied().unwrap_or_default();
         let looks = [recorder::COMMANDS, query::COMMANDS, print::COMMANDS, display::COMMANDS, figure::COMMANDS];
         self.rejected |= !looks.into_iter().flatten().any(|c| c.name == name);
+        let known = || commands().map(|c| c.name);
+        // A misspelled command would have defined what the nearest one does.
+        let name = if known().any(|c| c == name) { name } else { nearest(name, known()).unwrap_or(name) };
         let (kind, at) = match name {
-            "node" => ("node", 1),
-            "region" => ("region", 1),
-            "groundMotion" => ("ground motion", 1),
-            "uniaxialMaterial" => ("uniaxial material", 2),
-            "section" => ("section", 2),
-            "geomTransf" => ("geometric transformation", 2),
-            "timeSeries" => ("time series", 2),
-            "element" => ("element", 2),
             "set" => {
                 let variable = words.get(1).copied().unwrap_or_default();
                 self.consequences.insert(format!("can't read \"{variable}\": no such variable"));
@@ -57,10 +82,13 @@ impl CheckState {
                 return;
             }
             "model" => {
-                self.consequences.extend(commands().map(|c| format!("{}: there is no model yet", c.name)));
+                self.consequences.extend(known().map(|c| format!("{c}: there is no model yet")));
                 return;
             }
-            _ => return,
+            _ => match DEFINITIONS.iter().find(|d| d.0 == name) {
+                Some((_, kind, at)) => (*kind, *at),
+                None => return,
+            },
         };
         if let Some(tag) = words.get(at).and_then(|w| w.parse::<i32>().ok()) {
             self.consequences.insert(format!("there is no {kind} {tag}"));
@@ -74,19 +102,31 @@ impl CheckState {
 pub(crate) fn handle_error(interp: &mut Tcl, error: Exception) -> Outcome {
     match error {
         Exception::Error(e) if !e.raised && !interp.host.check.waits_for_results => {
-            let follows = interp.host.check.consequences.contains(&e.diagnostic.message);
-            // The command was not called: what it would have defined stands before the word that is wrong.
+            let held_back = interp.host.check.holds_back(&e.diagnostic.message);
+            // The command was not called: what it would have defined stands in the line of the word that is wrong.
             let place = e.diagnostic.span.map(|s| (interp.sources.text(s.source), s.start as usize));
-            let before = place.as_ref().and_then(|(text, at)| text.get(..*at)).unwrap_or_default();
-            let words: Vec<&str> = before.rsplit(['\n', ';']).next().unwrap_or_default().split_whitespace().collect();
-            interp.host.check.rejected = true;
-            interp.host.check.note(&words);
-            if !follows {
+            let split = place.as_ref().and_then(|(text, at)| text.split_at_checked(*at)).unwrap_or_default();
+            let before = split.0.rsplit(['\n', ';']).next().unwrap_or_default();
+            let line = format!("{before}{}", split.1.split(['\n', ';']).next().unwrap_or_default());
+            let check = &mut interp.host.check;
+            check.rejected = true;
+            check.left_early |= !e.diagnostic.callers.is_empty() || line.trim_start().starts_with("source ");
+            check.note(&line.split_whitespace().collect::<Vec<_>>());
+            if !held_back {
                 report(interp, e.diagnostic);
             }
             Ok(Value::EMPTY)
         }
         other => Err(other),
+    }
+}
+
+/// End of a script or of its model: a check warns of what recorders ask for in vain, though no analysis may follow.
+pub(crate) fn finish(interp: &mut Tcl) {
+    if interp.host.mode == Mode::Check
+        && let Err(Exception::Error(e)) = warn_of_missing(interp)
+    {
+        report(interp, e.diagnostic);
     }
 }
 
@@ -99,11 +139,11 @@ pub(crate) fn run_command(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     };
     match (command.run)(interp, call) {
         Err(Exception::Error(e)) => {
-            let follows = interp.host.check.consequences.contains(&e.diagnostic.message);
+            let held_back = interp.host.check.holds_back(&e.diagnostic.message);
             let words: Vec<_> = call.args().iter().take(2).map(Value::as_str).collect();
             let words: Vec<&str> = [name].into_iter().chain(words.iter().map(AsRef::as_ref)).collect();
             interp.host.check.note(&words);
-            if !follows {
+            if !held_back {
                 report_at(interp, e.diagnostic, call);
             }
             Ok(Value::EMPTY)

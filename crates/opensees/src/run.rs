@@ -106,6 +106,7 @@ impl Run {
             .and_then(|_| set(&mut self.interp, "argv", list));
         let result = known.and_then(|_| self.interp.eval_file(path));
         let end = self.end_of(result);
+        crate::check::finish(&mut self.interp);
         match (self.interp.host.finish(), end) {
             (Err(e), End::Done | End::Failed(_)) => End::Raised(Box::new(Diagnostic::error(e.to_string()))),
             (_, end) => end,

@@ -81,6 +81,8 @@ pub(crate) struct Region {
 pub(crate) struct PlacedRecorder {
     pub(crate) recorder: Recorder,
     pub(crate) span: Option<Span>,
+    /// Places of the tags that the command names, by the words of a message: "node 3".
+    pub(crate) tags: BTreeMap<String, Span>,
     pub(crate) reported: bool,
 }
 
@@ -99,10 +101,15 @@ pub(crate) struct Recorders {
 
 impl Recorders {
     /// Add a recorder; its tag.
-    pub(crate) fn add(&mut self, recorder: Recorder, span: Option<Span>) -> Tag {
+    pub(crate) fn add(&mut self, recorder: Recorder, span: Option<Span>, tags: BTreeMap<String, Span>) -> Tag {
         self.next += 1;
-        self.by_tag.insert(self.next, PlacedRecorder { recorder, span, reported: false });
+        self.by_tag.insert(self.next, PlacedRecorder { recorder, span, tags, reported: false });
         self.next
+    }
+
+    /// Look up what is to be recorded in the model as it is now, as the first row of a run would.
+    pub(crate) fn look_up(&mut self, engine: &Engine) {
+        self.by_tag.values_mut().filter(|r| !r.reported).for_each(|r| r.recorder.look_up(engine));
     }
 
     /// Record the committed state.
@@ -126,17 +133,21 @@ impl Recorders {
         result
     }
 
-    /// Warnings about responses that recorders asked for in vain, once for each recorder.
-    pub(crate) fn missing(&mut self) -> Vec<Diagnostic> {
-        let warning = |r: &mut PlacedRecorder| {
-            let missing = &r.recorder.missing;
-            if missing.is_empty() || std::mem::replace(&mut r.reported, true) {
+    /// Warnings about responses that recorders asked for in vain, once for each recorder. What `held_back` tells of
+    /// is left out.
+    pub(crate) fn missing(&mut self, mut held_back: impl FnMut(&str) -> bool) -> Vec<Diagnostic> {
+        let mut warning = |r: &mut PlacedRecorder| {
+            if r.recorder.missing.is_empty() || std::mem::replace(&mut r.reported, true) {
                 return None;
             }
+            let missing = r.recorder.missing.iter().filter(|m| !held_back(m));
+            let missing: Vec<&str> = missing.map(String::as_str).collect();
+            let first = missing.first()?;
+            let place = r.tags.get(*first).copied().or(r.span);
             let message = format!("recorder: the model has no {}", missing.join(", no "));
-            Some(Diagnostic::warning(message).at(r.span, "left out of the record"))
+            Some(Diagnostic::warning(message).at(place, "left out of the record"))
         };
-        self.by_tag.values_mut().filter_map(warning).collect()
+        self.by_tag.values_mut().filter_map(&mut warning).collect()
     }
 }
 

@@ -150,6 +150,13 @@ impl Recorder {
         }
     }
 
+    /// Look up what is to be recorded without recording it: `missing` names what is not in the model.
+    pub fn look_up(&mut self, engine: &Engine) {
+        self.missing.clear();
+        // A response that an element does not have is in `missing` as well, or found with the first row.
+        let _ = self.source.find(engine, &mut self.missing);
+    }
+
     /// Find what is to be recorded, if the model has changed.
     fn find(&mut self, engine: &Engine) -> Result<(), RecordError> {
         if self.found == Some(engine.model().revision()) {

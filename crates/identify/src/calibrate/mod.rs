@@ -5,6 +5,8 @@
 //! three estimates of the uncertainty of the parameters.
 
 mod amplitude_groups;
+mod digits;
+mod judgement;
 mod method;
 mod page;
 mod posterior;
@@ -14,9 +16,12 @@ mod result;
 mod result_file;
 mod search;
 mod settings;
+mod structure;
 mod uncertainty;
 
 pub use amplitude_groups::{AmplitudeGroup, amplitude_groups};
+pub use digits::{significant, with_half_width};
+pub use judgement::{HoldoutRatio, Judgement, StructuredChannel};
 pub use method::{
     CmaEs, Crossover, DifferentialEvolution, EvolutionSettings, LevenbergMarquardt, Method, MethodState, Shade,
     ShadeVariant, Trial,
@@ -26,6 +31,8 @@ pub use posterior::{Posterior, Quantiles, posterior};
 pub use problem::{Evaluation, Problem, StudyProblem};
 pub use profile::{Profile, profiles};
 pub use result::{CalibrationResult, Displacements, RepeatStatistics};
-pub use search::{Checkpoint, NoObserver, Repeat, SearchObserver, SearchResult, SearchStatus, search};
+pub use search::{
+    Checkpoint, NoObserver, Repeat, SearchObserver, SearchResult, SearchStatus, Stage, StopReason, search,
+};
 pub use settings::{SearchMethod, SearchSettings};
 pub use uncertainty::{Interval, RunUncertainty, Uncertainty, autocorrelation_time, uncertainty};

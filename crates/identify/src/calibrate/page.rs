@@ -2,7 +2,7 @@
 
 use super::amplitude_groups::AmplitudeGroup;
 use super::result::{CalibrationResult, Displacements, role_name};
-use super::uncertainty::Uncertainty;
+use super::uncertainty::{Interval, Uncertainty};
 use crate::preflight::Preflight;
 use crate::report::html::{self, escaped, labelled, line, number, picture, table};
 use crate::study::{ObservedChannel, ParameterKind, Role, Run, Score, ScoredRun};
@@ -16,13 +16,14 @@ pub fn page(result: &CalibrationResult, displacements: &Displacements) -> String
     let mut out = html::head(&format!("Calibration: {title}"));
     let _ = writeln!(
         out,
-        "<p>Objective (mean NMSE of the fitted channels) <b>{}</b>, {} evaluations in {:.1} s with {}{}, seed {}.</p>",
+        "<p>Objective (mean NMSE of the fitted channels) <b>{}</b>, {} evaluations in {:.1} s with {}{}, seed {}; {}.</p>",
         number(result.objective),
         result.search.evaluations(),
         result.wall_time,
         result.settings.method.name(),
         if result.settings.polish { " and a least-squares polish" } else { "" },
-        result.settings.seed
+        result.settings.seed,
+        result.search.stopped_because().words()
     );
     out.extend(result.preflight.iter().map(Preflight::html));
     parameters(&mut out, result);
@@ -43,18 +44,21 @@ fn parameters(out: &mut String, result: &CalibrationResult) {
     let intervals = result.uncertainty.iter().flat_map(|u| &u.intervals);
     let rows = space.parameters.iter().zip(&result.values).map(|(p, v)| {
         let interval = intervals.clone().find(|i| i.name == p.name);
-        let interval = interval.map_or(String::new(), |i| format!("{} to {}", number(i.lower), number(i.upper)));
+        let shown = interval.map(Interval::shown);
+        let value = shown.as_ref().map_or_else(|| number(*v), |s| s[0].clone());
+        let interval = shown.map_or(String::new(), |[_, lower, upper]| format!("{lower} to {upper}"));
         let range = match &p.kind {
             ParameterKind::Free(r) => format!("{} to {}", number(r.lower), number(r.upper)),
             ParameterKind::Fixed(_) => "fixed".into(),
             ParameterKind::Tied { text, .. } => format!("= {text}"),
         };
-        vec![p.name.clone(), number(*v), interval, range]
+        vec![p.name.clone(), value, interval, range]
     });
     table(out, &["parameter", "value", "95 % interval", "range"], rows);
     let notes = result.uncertainty.iter().flat_map(Uncertainty::notes);
     let bounds = result.at_bounds().into_iter().map(|n| format!("{n} is at a bound of its range"));
-    for note in notes.chain(bounds) {
+    let judgement = result.uncertainty.iter().flat_map(|u| u.judgement.sentences.clone());
+    for note in notes.chain(bounds).chain(judgement) {
         let _ = writeln!(out, "<p class=\"note\">{}</p>", escaped(&note));
     }
 }
@@ -214,8 +218,7 @@ fn uncertainty(out: &mut String, result: &CalibrationResult) {
     let _ = writeln!(
         out,
         "<p>From the curvature at the best point, {:.0} samples being worth {:.0} independent ones for their \
-         autocorrelation. Where the model cannot follow the data, this is how well they fix the best fit, not how near it \
-         is to the truth.</p>",
+         autocorrelation. Profiles and the posterior take the residual for noise.</p>",
         u.samples, u.effective_samples
     );
     let names: Vec<&str> = u.intervals.iter().map(|i| i.name.as_str()).collect();

@@ -1,10 +1,11 @@
 //! The result file `calibration.json`.
 
 use super::amplitude_groups::AmplitudeGroup;
+use super::judgement::Judgement;
 use super::posterior::Posterior;
 use super::profile::Profile;
 use super::result::{CalibrationResult, RepeatStatistics, role_name};
-use super::search::Repeat;
+use super::search::{Repeat, StopReason};
 use super::uncertainty::Uncertainty;
 use crate::preflight::Preflight;
 use crate::study::Role;
@@ -13,6 +14,7 @@ use std::collections::BTreeMap;
 
 #[derive(Serialize)]
 struct ResultFile<'a> {
+    title: &'a str,
     parameters: BTreeMap<&'a str, f64>,
     objective: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -22,6 +24,8 @@ struct ResultFile<'a> {
     search: SearchTable<'a>,
     #[serde(skip_serializing_if = "Option::is_none")]
     uncertainty: Option<&'a Uncertainty>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    judgement: Option<&'a Judgement>,
     #[serde(skip_serializing_if = "Option::is_none")]
     profiles: Option<&'a [Profile]>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -37,6 +41,7 @@ struct SearchTable<'a> {
     seed: u64,
     method: &'a str,
     polish: bool,
+    stopped_because: StopReason,
     interrupted: bool,
     /// Number of failed evaluations, by the kind of error.
     failures: BTreeMap<&'a str, usize>,
@@ -75,6 +80,7 @@ struct RepeatTable<'a> {
     seed: u64,
     objective: f64,
     evaluations: usize,
+    stopped_because: StopReason,
     parameters: BTreeMap<&'a str, f64>,
     /// Number of evaluations and least objective, at each improvement.
     history: &'a [(usize, f64)],
@@ -87,6 +93,7 @@ impl CalibrationResult {
     /// The result cannot be written as JSON.
     pub fn json(&self) -> Result<String, serde_json::Error> {
         let file = ResultFile {
+            title: &self.study.title,
             parameters: self.by_name(&self.values),
             objective: self.objective,
             holdout: self.nmse(Role::Holdout),
@@ -97,6 +104,7 @@ impl CalibrationResult {
                 seed: self.settings.seed,
                 method: self.settings.method.name(),
                 polish: self.settings.polish,
+                stopped_because: self.search.stopped_because(),
                 interrupted: self.search.stopped,
                 failures: self.search.failures(),
                 at_bound: self.at_bounds(),
@@ -104,6 +112,7 @@ impl CalibrationResult {
                 spread: self.repeat_statistics(),
             },
             uncertainty: self.uncertainty.as_ref(),
+            judgement: self.uncertainty.as_ref().map(|u| &u.judgement),
             profiles: self.profiles.as_deref(),
             posterior: self.posterior.as_ref(),
             preflight: self.preflight.as_ref(),
@@ -143,6 +152,7 @@ impl CalibrationResult {
             seed: repeat.seed,
             objective: repeat.objective,
             evaluations: repeat.evaluations,
+            stopped_because: repeat.stopped_because,
             parameters: self.by_name(&values),
             history: &repeat.history,
         }

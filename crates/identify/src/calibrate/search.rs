@@ -2,10 +2,67 @@
 
 use super::method::{MethodState, Trial};
 use super::problem::{Evaluation, Problem};
-use super::settings::SearchSettings;
+use super::settings::{SearchMethod, SearchSettings};
 use crate::study::SimulationError;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+
+/// Reason why a search ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum StopReason {
+    /// Further searching found nothing better.
+    #[serde(rename = "converged")]
+    Converged,
+    /// The evaluations of the method were used.
+    #[serde(rename = "evaluations used")]
+    EvaluationsUsed,
+    /// All starting points of least squares were used, and led to several minima.
+    #[serde(rename = "starting points used")]
+    StartingPointsUsed,
+    /// The user interrupted it.
+    #[serde(rename = "interrupted")]
+    Interrupted,
+}
+
+impl StopReason {
+    /// The reason in a few words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Converged => "converged",
+            Self::EvaluationsUsed => "evaluations used",
+            Self::StartingPointsUsed => "starting points used",
+            Self::Interrupted => "interrupted",
+        }
+    }
+}
+
+/// Part of a repeat of the search.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Stage {
+    /// The method of the settings.
+    Search,
+    /// Least squares from a starting point.
+    Start(usize),
+    /// Least squares from the best point.
+    Polish,
+    /// Least squares from a random point, after a polish that converged: they may find a better minimum.
+    Confirmation(usize),
+    /// An evolution strategy with restarts, which uses the remaining evaluations.
+    Restarts,
+    /// Least squares from the best point, at the end.
+    LastPolish,
+}
+
+/// Least squares stop to start over when so many starts have led to the least objective.
+const STARTS_TO_BEST: usize = 3;
+/// Number of random starts of least squares that confirm what an evolution strategy has found.
+const CONFIRMATIONS: usize = 2;
+/// Objectives that differ by less, relative to the smaller, are those of one minimum ...
+const SAME_OBJECTIVE: f64 = 1e-4;
+/// ... or if both are smaller than this.
+const ZERO_OBJECTIVE: f64 = 1e-12;
+/// A worse fit is not taken for the best one without restarts.
+const MAX_CONFIRMED_OBJECTIVE: f64 = 0.2;
 
 /// Result of one repeat of the search.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -24,6 +81,8 @@ pub struct Repeat {
     pub failures: BTreeMap<String, usize>,
     /// Message of the last error of each kind.
     pub failure_messages: BTreeMap<String, String>,
+    /// Reason why it ended.
+    pub stopped_because: StopReason,
 }
 
 /// State of a search between two evaluations.
@@ -37,8 +96,12 @@ pub struct Checkpoint {
     pub done: Vec<Repeat>,
     /// The current repeat.
     pub current: Repeat,
-    /// Index of its stage.
-    pub stage: usize,
+    /// Its stage.
+    pub stage: Stage,
+    /// Objectives in which its finished stages of least squares have ended.
+    pub minima: Vec<f64>,
+    /// Its first stage has converged.
+    pub first_has_converged: bool,
     /// Number of evaluated generations of the stage.
     pub generation: usize,
     /// The method of the stage.
@@ -101,6 +164,15 @@ impl SearchResult {
         successful.min_by(|a, b| a.objective.total_cmp(&b.objective))
     }
 
+    /// Reason why the best repeat ended.
+    pub fn stopped_because(&self) -> StopReason {
+        match self.best() {
+            _ if self.stopped => StopReason::Interrupted,
+            Some(repeat) => repeat.stopped_because,
+            None => StopReason::EvaluationsUsed,
+        }
+    }
+
     /// Number of evaluations of all repeats.
     pub fn evaluations(&self) -> usize {
         self.repeats.iter().map(|r| r.evaluations).sum()
@@ -119,26 +191,88 @@ impl SearchResult {
 impl Checkpoint {
     /// The state before the first evaluation. `initial_unit_point` has the script's own values.
     pub fn new(settings: SearchSettings, initial_unit_point: Vec<f64>) -> Self {
-        let method = settings.method_state(0, 0, &initial_unit_point, &initial_unit_point);
+        let stage = settings.first_stage();
+        let method = settings.method_state(0, stage, &initial_unit_point, (&initial_unit_point, 0));
         let current = new_repeat(&settings, 0, &initial_unit_point);
-        Self { settings, initial_unit_point, done: vec![], current, stage: 0, generation: 0, method }
+        Self {
+            settings,
+            initial_unit_point,
+            done: vec![],
+            current,
+            stage,
+            minima: vec![],
+            first_has_converged: false,
+            generation: 0,
+            method,
+        }
     }
 
     /// Go on to the next stage, or to the next repeat. Returns false at the end of the search.
     fn advance(&mut self) -> bool {
-        self.stage += 1;
-        self.generation = 0;
-        if self.stage >= self.settings.stages() {
-            let next = new_repeat(&self.settings, self.done.len() + 1, &self.initial_unit_point);
-            self.done.push(std::mem::replace(&mut self.current, next));
-            self.stage = 0;
-            if self.done.len() >= self.settings.repeats {
-                return false;
-            }
+        let has_converged = self.method.method().has_converged();
+        if let MethodState::LevenbergMarquardt(m) = &self.method {
+            self.minima.push(m.reached().1);
         }
-        self.method =
-            self.settings.method_state(self.done.len(), self.stage, &self.initial_unit_point, &self.current.unit_point);
+        if self.stage == Stage::Search {
+            self.first_has_converged = has_converged;
+        }
+        self.stage = match self.next_stage(has_converged) {
+            Ok(stage) => stage,
+            Err(reason) => {
+                self.current.stopped_because = reason;
+                let next = new_repeat(&self.settings, self.done.len() + 1, &self.initial_unit_point);
+                self.done.push(std::mem::replace(&mut self.current, next));
+                self.minima.clear();
+                if self.done.len() >= self.settings.repeats {
+                    return false;
+                }
+                self.settings.first_stage()
+            }
+        };
+        self.generation = 0;
+        let best = (&self.current.unit_point[..], self.current.evaluations);
+        self.method = self.settings.method_state(self.done.len(), self.stage, &self.initial_unit_point, best);
         true
+    }
+
+    /// The stage after the current one, or the reason why the repeat ends.
+    fn next_stage(&self, has_converged: bool) -> Result<Stage, StopReason> {
+        let reason = |converged: bool| if converged { StopReason::Converged } else { StopReason::EvaluationsUsed };
+        let is_evolution_strategy = self.settings.method == SearchMethod::CmaEs;
+        let used_up = self.current.evaluations >= self.settings.budget(self.initial_unit_point.len());
+        let restarts = if used_up { Err(StopReason::EvaluationsUsed) } else { Ok(Stage::Restarts) };
+        match self.stage {
+            Stage::Search if self.settings.polish => Ok(Stage::Polish),
+            Stage::Search => Err(reason(has_converged)),
+            Stage::Start(k) if k + 1 < self.settings.starting_points() && !self.is_found_again() => {
+                Ok(Stage::Start(k + 1))
+            }
+            Stage::Start(_) => Ok(Stage::LastPolish),
+            Stage::Polish if !is_evolution_strategy => Err(reason(self.first_has_converged)),
+            Stage::Polish => {
+                let is_confirmed = self.first_has_converged && has_converged;
+                let fits = self.current.objective <= MAX_CONFIRMED_OBJECTIVE;
+                if is_confirmed && fits { Ok(Stage::Confirmation(0)) } else { restarts }
+            }
+            // The first minimum is that of the polish.
+            Stage::Confirmation(k) => match (self.minima.first(), self.minima.last()) {
+                (Some(first), Some(last)) if last < first && !is_same(*first, *last) => restarts,
+                _ if k + 1 < CONFIRMATIONS => Ok(Stage::Confirmation(k + 1)),
+                _ => Err(StopReason::Converged),
+            },
+            Stage::Restarts => Ok(Stage::LastPolish),
+            Stage::LastPolish if is_evolution_strategy => Err(StopReason::EvaluationsUsed),
+            Stage::LastPolish if self.settings.starting_points() == 1 => Err(reason(has_converged)),
+            Stage::LastPolish if self.is_found_again() => Err(StopReason::Converged),
+            Stage::LastPolish => Err(StopReason::StartingPointsUsed),
+        }
+    }
+
+    /// Returns true if enough starts of least squares have led to the least objective.
+    fn is_found_again(&self) -> bool {
+        let starts = self.minima.iter().take(self.settings.starting_points());
+        let least = starts.clone().fold(Trial::FAILED, |m, s| m.min(*s));
+        least < Trial::FAILED && starts.filter(|s| is_same(least, **s)).count() >= STARTS_TO_BEST
     }
 
     /// Add evaluations to the current repeat.
@@ -159,10 +293,10 @@ impl Checkpoint {
     }
 
     fn status(&mut self) -> SearchStatus<'static> {
-        let stages = self.settings.stages() as f64;
-        let method = self.method.method();
-        let repeat_progress = (self.stage as f64 + method.progress().clamp(0.0, 1.0)) / stages;
-        let spread = method.spread();
+        let dimension = self.initial_unit_point.len();
+        let greatest = self.settings.budget(dimension) + SearchSettings::polish_budget(dimension);
+        let repeat_progress = (self.current.evaluations as f64 / greatest as f64).min(1.0);
+        let spread = self.method.method().spread();
         let is_least_squares = matches!(self.method, MethodState::LevenbergMarquardt(_));
         SearchStatus {
             repeat: (self.done.len(), self.settings.repeats),
@@ -176,6 +310,11 @@ impl Checkpoint {
     }
 }
 
+/// Returns true if two objectives are those of one minimum.
+fn is_same(a: f64, b: f64) -> bool {
+    (a - b).abs() <= SAME_OBJECTIVE * a.min(b) || a.max(b) < ZERO_OBJECTIVE
+}
+
 fn new_repeat(settings: &SearchSettings, repeat: usize, initial_unit_point: &[f64]) -> Repeat {
     Repeat {
         seed: settings.seed.wrapping_add(repeat as u64),
@@ -185,6 +324,7 @@ fn new_repeat(settings: &SearchSettings, repeat: usize, initial_unit_point: &[f6
         history: vec![],
         failures: BTreeMap::new(),
         failure_messages: BTreeMap::new(),
+        stopped_because: StopReason::Interrupted,
     }
 }
 

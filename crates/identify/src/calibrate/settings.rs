@@ -3,6 +3,7 @@
 use super::method::{
     CmaEs, Crossover, DifferentialEvolution, EvolutionSettings, LevenbergMarquardt, MethodState, Shade, ShadeVariant,
 };
+use super::search::Stage;
 use crate::study::{Study, StudyError};
 use hysteron_tcl::diagnostic::{Diagnostic, Span, nearest};
 use serde::{Deserialize, Serialize};
@@ -151,52 +152,76 @@ impl SearchSettings {
         self.population.unwrap_or(50)
     }
 
-    /// Number of consecutive stages of a repeat.
-    pub(super) fn stages(&self) -> usize {
-        self.starting_points() + usize::from(self.polish && self.method != SearchMethod::LeastSquares)
+    /// Number of starting points of least squares.
+    pub(super) fn starting_points(&self) -> usize {
+        self.population.unwrap_or(10)
     }
 
-    /// Number of starting points of least squares. Other methods start once.
-    fn starting_points(&self) -> usize {
-        if self.method == SearchMethod::LeastSquares { self.population.unwrap_or(10) } else { 1 }
+    /// Stage in which a repeat begins.
+    pub(super) fn first_stage(&self) -> Stage {
+        if self.method == SearchMethod::LeastSquares { Stage::Start(0) } else { Stage::Search }
     }
 
-    /// The method of a stage of a repeat. `initial` is the unit point of the script's own values, `best` the best unit point
-    /// of the repeat so far.
-    pub(super) fn method_state(&self, repeat: usize, stage: usize, initial: &[f64], best: &[f64]) -> MethodState {
+    /// The method of a stage of a repeat. `initial` is the unit point of the script's own values; `best` is the best unit
+    /// point of the repeat so far, and `used` the number of its evaluations.
+    pub(super) fn method_state(
+        &self,
+        repeat: usize,
+        stage: Stage,
+        initial: &[f64],
+        (best, used): (&[f64], usize),
+    ) -> MethodState {
         let n = initial.len();
         let seed = self.seed.wrapping_add(repeat as u64);
         let budget = self.budget(n);
         let shade = |variant| MethodState::Shade(Shade::new(variant, n, budget, self.population, seed));
-        if stage >= self.starting_points() {
-            return MethodState::LevenbergMarquardt(LevenbergMarquardt::new(best, Self::polish_budget(n)));
-        }
         let evolution = |crossover| {
             let (population, generations) = (self.evolution_population(), self.generations);
             let settings = EvolutionSettings { population, generations, f: self.f, cr: self.cr, crossover };
             MethodState::DifferentialEvolution(DifferentialEvolution::new(settings, n, seed))
         };
-        match self.method {
-            SearchMethod::DifferentialEvolution => evolution(Crossover::Forced),
-            SearchMethod::DifferentialEvolutionAsPrinted => evolution(Crossover::AsPrinted),
-            SearchMethod::LShade => shade(ShadeVariant::LShade),
-            SearchMethod::Jso => shade(ShadeVariant::Jso),
-            SearchMethod::CmaEs => MethodState::CmaEs(CmaEs::new(n, budget, self.population, seed)),
-            SearchMethod::LeastSquares => {
-                let from = if stage == 0 && repeat == 0 { initial.to_vec() } else { random_start(n, seed, stage) };
-                MethodState::LevenbergMarquardt(LevenbergMarquardt::new(
-                    &from,
-                    (budget / self.starting_points()).max(8 * n),
-                ))
+        let least_squares = |from: &[f64], budget: usize, min_relative_gain: f64| {
+            let search = LevenbergMarquardt::new(from, budget).with_single_steps(min_relative_gain);
+            MethodState::LevenbergMarquardt(search.with_promised_gain())
+        };
+        let start_budget = (budget / self.starting_points()).max(8 * n);
+        match (stage, self.method) {
+            (Stage::Start(0), _) if repeat == 0 => least_squares(initial, start_budget, START_GAIN),
+            (Stage::Start(k), _) => least_squares(&random_start(n, seed, k), start_budget, START_GAIN),
+            (Stage::Polish | Stage::LastPolish, _) => least_squares(best, Self::polish_budget(n), POLISH_GAIN),
+            // Other random starts than those of the method `least-squares`.
+            (Stage::Confirmation(k), _) => {
+                least_squares(&random_start(n, seed, usize::MAX - k), (10 * (n + 2)).max(budget / 10), START_GAIN)
+            }
+            (Stage::Restarts, _) => {
+                let population = 2 * CmaEs::population(n, self.population);
+                let left = budget.saturating_sub(used);
+                MethodState::CmaEs(CmaEs::new(n, left, Some(population), seed.wrapping_add(RESTART_SEED)))
+            }
+            (Stage::Search, SearchMethod::DifferentialEvolution) => evolution(Crossover::Forced),
+            (Stage::Search, SearchMethod::DifferentialEvolutionAsPrinted) => evolution(Crossover::AsPrinted),
+            (Stage::Search, SearchMethod::LShade) => shade(ShadeVariant::LShade),
+            (Stage::Search, SearchMethod::Jso) => shade(ShadeVariant::Jso),
+            (Stage::Search, SearchMethod::CmaEs | SearchMethod::LeastSquares) => {
+                let search = CmaEs::new(n, budget, self.population, seed);
+                // Without least squares nothing confirms what a single descent has found.
+                MethodState::CmaEs(if self.polish { search.with_single_descent() } else { search })
             }
         }
     }
 
     /// Evaluations of least squares at the end of a search.
-    fn polish_budget(dimension: usize) -> usize {
+    pub(super) fn polish_budget(dimension: usize) -> usize {
         40 * (dimension + 4)
     }
 }
+
+/// Relative improvement of the objective below which least squares from a starting point end: the best of them is polished.
+const START_GAIN: f64 = 1e-6;
+/// The same of the polish.
+const POLISH_GAIN: f64 = 1e-9;
+/// Added to the seed where an evolution strategy restarts after a confirmation that failed.
+const RESTART_SEED: u64 = 0x9E37_79B9;
 
 /// A random unit point for a stage of a repeat.
 fn random_start(dimension: usize, seed: u64, stage: usize) -> Vec<f64> {

@@ -6,9 +6,11 @@
 //! C = H⁻¹ (Σ w_c² σ_c² τ_c J_cᵀJ_c) H⁻¹,  H = Σ w_c J_cᵀJ_c  (the "sandwich"; White, 1982),
 //!
 //! with σ_c² the mean square of r_c and the integrated autocorrelation τ_c = 1 + 2 Σ ρ_k, summed while adjacent pairs are
-//! positive (Geyer, 1992). If the model cannot follow the data, the differences are no noise. The intervals then show how
-//! well the data determine the best fit, not its distance from the truth.
+//! positive (Geyer, 1992). If the model cannot follow the data, the differences are no noise. [`Judgement`] finds that, and
+//! the covariance is widened by the discrepancy.
 
+use super::digits::with_half_width;
+use super::judgement::{Discrepancy, Judgement, judge};
 use super::problem::{Problem, StudyProblem};
 use crate::study::{ParameterRange, Role, Scale, ScoredRun};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
@@ -25,9 +27,20 @@ pub struct Interval {
     pub lower: f64,
     /// Upper end of the 95 % confidence interval, within the bounds.
     pub upper: f64,
+    /// The interval before it was widened by the discrepancy between model and recordings; `None` if there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub from_noise: Option<[f64; 2]>,
     /// Standard error of the unit coordinate, in sides of the cube.
     #[serde(rename = "relative")]
     pub standard_error: f64,
+}
+
+impl Interval {
+    /// Value, lower and upper end with as many digits as the half width of the interval supports.
+    pub fn shown(&self) -> [String; 3] {
+        let half_width = 0.5 * (self.upper - self.lower);
+        [self.value, self.lower, self.upper].map(|x| with_half_width(x, half_width))
+    }
 }
 
 /// Uncertainty of the free parameters.
@@ -46,6 +59,9 @@ pub struct Uncertainty {
     /// Uncertainty from each fitted run alone; empty for a single run.
     #[serde(rename = "alone")]
     pub by_run: Vec<RunUncertainty>,
+    /// Judgement of the residual. The intervals are widened by it.
+    #[serde(skip)]
+    pub judgement: Judgement,
 }
 
 impl Uncertainty {
@@ -143,6 +159,12 @@ impl Curvature {
         self.effective_samples += n / tau;
     }
 
+    /// Add a discrepancy to the covariance: Cov = q C + s² H⁻¹.
+    fn with_discrepancy(&self, d: Discrepancy) -> Self {
+        let middle = &self.middle * d.factor + &self.hessian * d.energy;
+        Self { hessian: self.hessian.clone(), middle, effective_samples: self.effective_samples }
+    }
+
     fn add(&mut self, other: &Self) {
         self.hessian += &other.hessian;
         self.middle += &other.middle;
@@ -218,7 +240,7 @@ impl Linearization {
     }
 
     /// The curvature of each run, whose residuals follow each other in the order of `scored`.
-    fn curvatures(&self, scored: &[ScoredRun]) -> Vec<Curvature> {
+    fn curvatures<'a>(&self, scored: impl Iterator<Item = &'a ScoredRun>) -> Vec<Curvature> {
         let n = self.columns.len();
         let mut start = 0;
         let of_run = |run: &ScoredRun| {
@@ -231,7 +253,7 @@ impl Linearization {
             }
             curvature
         };
-        scored.iter().map(of_run).collect()
+        scored.map(of_run).collect()
     }
 }
 
@@ -244,21 +266,30 @@ pub fn uncertainty(problem: &StudyProblem, unit_point: &[f64]) -> Result<Uncerta
     let n = unit_point.len();
     let linearization = Linearization::new(problem, unit_point)?;
     let values = study.space.values_at(unit_point).map_err(|e| e.to_string())?;
-    let runs: Vec<usize> = study.runs_of(Role::Fit).map(|(i, _)| i).collect();
-    let scored: Vec<ScoredRun> = problem.scored_runs(&runs, &values).into_iter().flatten().collect();
-    let curvatures = linearization.curvatures(&scored);
+    let runs: Vec<usize> = (0..study.runs.len()).collect();
+    let scored: Vec<Option<ScoredRun>> = problem.scored_runs(&runs, &values).into_iter().map(Result::ok).collect();
+    let fitted = study.runs_of(Role::Fit).filter_map(|(i, _)| scored[i].as_ref());
+    let curvatures = linearization.curvatures(fitted);
     let mut total = Curvature::new(n);
     curvatures.iter().for_each(|c| total.add(c));
     let effective_samples = total.effective_samples;
-    let Some(covariance) = total.covariance() else {
-        return Err("no parameter has an influence on what was recorded".into());
+    let (mut judgement, discrepancy) = judge(&study, &scored, &linearization.residuals, &linearization.columns);
+    let no_influence = || "no parameter has an influence on what was recorded".to_owned();
+    let covariance = total.with_discrepancy(discrepancy).covariance().ok_or_else(no_influence)?;
+    let from_noise = total.covariance().ok_or_else(no_influence)?;
+    let free = || study.space.free_names().zip(study.space.free()).zip(unit_point);
+    let intervals_with = |errors: &[f64]| -> Vec<Interval> {
+        let all = free().zip(errors).map(|(((name, (_, range)), x), error)| interval(name, range, *x, *error));
+        all.collect()
     };
-    let free = study.space.free_names().zip(study.space.free());
-    let intervals: Vec<Interval> = free
-        .zip(unit_point)
-        .zip(&covariance.standard_errors)
-        .map(|(((name, (_, range)), x), error)| interval(name, range, *x, *error))
-        .collect();
+    let mut intervals = intervals_with(&covariance.standard_errors);
+    if !judgement.explained {
+        for (wide, narrow) in intervals.iter_mut().zip(intervals_with(&from_noise.standard_errors)) {
+            wide.from_noise = Some([narrow.lower, narrow.upper]);
+        }
+    }
+    let widenings = covariance.standard_errors.iter().zip(&from_noise.standard_errors).map(|(w, n)| w / n);
+    judgement.conclude(widenings.filter(|w| w.is_finite()).fold(1.0, f64::max));
     let undetermined = undetermined(&intervals, &covariance);
     // For a single run this would repeat the result of all runs.
     let by_run = if curvatures.len() > 1 { curvatures } else { vec![] };
@@ -275,6 +306,7 @@ pub fn uncertainty(problem: &StudyProblem, unit_point: &[f64]) -> Result<Uncerta
         samples: linearization.residuals.len() as f64,
         effective_samples,
         undetermined,
+        judgement,
     })
 }
 
@@ -314,7 +346,7 @@ fn interval(name: &str, range: &ParameterRange, unit_coordinate: f64, standard_e
     };
     let clamped = |x: f64| x.clamp(range.lower, range.upper);
     let (lower, upper) = (clamped(end(-1.0)), clamped(end(1.0)));
-    Interval { name: name.to_owned(), value, lower, upper, standard_error }
+    Interval { name: name.to_owned(), value, lower, upper, from_noise: None, standard_error }
 }
 
 #[cfg(test)]

@@ -99,11 +99,23 @@ pub struct Finding {
     pub help: String,
 }
 
+/// A run without a response.
+#[derive(Clone, Debug, Serialize)]
+pub struct RunFailure {
+    /// Name of the run.
+    pub run: String,
+    /// The error.
+    pub message: String,
+}
+
 /// Result of the checks of a study.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Preflight {
     /// Comparisons, by run and channel. A run whose script fails with its own values has none.
     pub channels: Vec<ChannelCheck>,
+    /// Runs in which the script fails with its own values.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub failures: Vec<RunFailure>,
     /// Findings, the hard ones first.
     pub findings: Vec<Finding>,
 }
@@ -139,7 +151,10 @@ pub fn preflight(simulator: &ScriptSimulator, initial_run: &InitialRun, threads:
     let mut result = Preflight::default();
     for (number, run) in study.runs.iter().enumerate() {
         let own = points.own(number);
-        if let Some(simulated) = own {
+        if let Err(error) = own {
+            result.failures.push(RunFailure { run: run.name.clone(), message: error.to_string() });
+        }
+        if let Ok(simulated) = own {
             let displacement = simulator.displacement(number, &points.own_values);
             let u = displacement.as_ref().map(|(_, u)| u.as_slice());
             result.channels.extend(run.observe.iter().zip(simulated).map(|(o, y)| compare::channel(run, o, y, u)));

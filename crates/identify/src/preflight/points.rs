@@ -26,8 +26,8 @@ impl PointSettings {
     }
 }
 
-/// Simulated channels of a run at a point; `None` without a response.
-type Response = Option<Vec<Vec<f64>>>;
+/// Simulated channels of a run at a point.
+type Response = Result<Vec<Vec<f64>>, SimulationError>;
 
 /// Simulated channels at all points.
 pub(super) struct SimulatedPoints {
@@ -57,22 +57,23 @@ impl SimulatedPoints {
         let runs = study.runs.len();
         let pool = WorkerPool::new(threads)?;
         let jobs = values.iter().flat_map(|v| (0..runs).map(move |r| (r, v)));
-        let simulate = |(run, v): (usize, &Vec<f64>)| -> Result<Vec<Vec<f64>>, SimulationError> {
-            factory.simulator().simulate(run, v)
-        };
-        let mut results = pool.run(jobs, simulate).into_iter().map(|r| r.and_then(Result::ok));
+        let simulate = |(run, v): (usize, &Vec<f64>)| -> Response { factory.simulator().simulate(run, v) };
+        let mut results = pool.run(jobs, simulate).into_iter().map(|r| r.unwrap_or(Err(SimulationError::Defect)));
         let responses = values.iter().map(|_| results.by_ref().take(runs).collect()).collect();
         Ok(Self { own_values: own, responses })
     }
 
     /// Channels of a run with the script's own values.
-    pub(super) fn own(&self, run: usize) -> Option<&[Vec<f64>]> {
+    ///
+    /// # Errors
+    /// The script has no response.
+    pub(super) fn own(&self, run: usize) -> Result<&[Vec<f64>], &SimulationError> {
         self.responses[0][run].as_deref()
     }
 
     /// Channels of a run at all points with a response.
     pub(super) fn of_run(&self, run: usize) -> Vec<&[Vec<f64>]> {
-        self.responses.iter().filter_map(|p| p[run].as_deref()).collect()
+        self.responses.iter().filter_map(|p| p[run].as_deref().ok()).collect()
     }
 }
 

@@ -84,5 +84,8 @@ pub fn section(preflight: &Preflight, study: &Study) -> String {
         let cells = cells.map(|(k, (c, w))| if k < 3 { format!("{c:w$}") } else { format!("{c:>w$}") });
         let _ = writeln!(out, "  {}", cells.collect::<Vec<_>>().join("  ").trim_end());
     }
+    for f in &preflight.failures {
+        let _ = writeln!(out, "  {}: {}", f.run, f.message);
+    }
     out
 }

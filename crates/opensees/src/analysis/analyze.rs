@@ -1,7 +1,7 @@
 //! Analyses: `analysis analyze eigen` and what goes with them.
 
 use crate::args::Args;
-use crate::session::{Mode, Parts};
+use crate::session::{Mode, Parts, Session};
 use crate::slips;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, kind, warn};
 use hysteron_engine::analysis::algorithm::{Algorithm, Newton, TangentChoice};
@@ -156,9 +156,7 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if !printed.is_empty() {
         crate::print_error(interp, &printed);
     }
-    for missing in interp.host.output.recorders.missing() {
-        warn(interp, missing)?;
-    }
+    warn_of_missing(interp)?;
     warn_of_numerics(interp, call.span(0))?;
     match done {
         Ok(()) => {
@@ -179,6 +177,16 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             Ok(Value::from(i64::from(code)))
         }
     }
+}
+
+/// Warn of nodes, elements and responses that recorders ask for in vain. In a check, recorders look them up here.
+pub(crate) fn warn_of_missing(interp: &mut Tcl) -> Result<(), Exception> {
+    let Session { engine, output, check, mode, .. } = &mut interp.host;
+    if *mode == Mode::Check {
+        output.recorders.look_up(engine);
+    }
+    let missing = output.recorders.missing(|what| check.holds_back(&format!("there is no {what}")));
+    missing.into_iter().try_for_each(|m| warn(interp, m))
 }
 
 /// Smallest and largest step of time, and the iterations that a step should take.

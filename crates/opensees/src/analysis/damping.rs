@@ -80,22 +80,30 @@ fn region(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let tag = a.int("tag of the region")?;
     let mut region = Region::default();
     let mut damping = None;
+    let mut absent: Vec<String> = vec![];
     while let Some(option) = a.option() {
         let option = option.as_ref();
+        let is_range = option.ends_with("Range");
         match option {
             "-ele" | "-eleOnly" | "-element" | "-eleRange" | "-eleOnlyRange" => {
-                let tags = chosen(&mut a, option.ends_with("Range"))?;
+                let tags = chosen(&mut a, is_range)?;
                 let model = interp.host.engine.model();
                 let ids: Vec<ElementId> = tags.iter().filter_map(|t| model.element(*t)).collect();
+                absent.extend(
+                    tags.iter().filter(|t| !is_range && model.element(**t).is_none()).map(|t| format!("element {t}")),
+                );
                 if !option.starts_with("-eleOnly") {
                     region.nodes.extend(ids.iter().flat_map(|id| model.elements[id.0].nodes.iter().copied()));
                 }
                 region.elements.extend(ids);
             }
             "-node" | "-nodeOnly" | "-nodeRange" | "-nodeOnlyRange" => {
-                let tags = chosen(&mut a, option.ends_with("Range"))?;
+                let tags = chosen(&mut a, is_range)?;
                 let model = interp.host.engine.model();
                 let ids: Vec<NodeId> = tags.iter().filter_map(|t| model.node(*t)).collect();
+                absent.extend(
+                    tags.iter().filter(|t| !is_range && model.node(**t).is_none()).map(|t| format!("node {t}")),
+                );
                 if !option.starts_with("-nodeOnly") {
                     // Elements all of whose nodes are in the region.
                     let inside = |e: &&hysteron_engine::model::ElementEntry| e.nodes.iter().all(|n| ids.contains(n));
@@ -110,6 +118,11 @@ fn region(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
                 ignore_option(interp, &mut a, &known)?;
             }
         }
+    }
+    absent.retain(|what| !interp.host.check.holds_back(&format!("there is no {what}")));
+    if !absent.is_empty() {
+        let message = format!("region {tag}: the model has no {}", absent.join(", no "));
+        warn(interp, Diagnostic::warning(message).at(call.whole_span(), "left out of the region"))?;
     }
     // In the order in which they are met, as recorders show them.
     let mut seen = std::collections::BTreeSet::new();

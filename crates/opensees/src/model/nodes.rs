@@ -33,6 +33,7 @@ pub(crate) fn node_of(interp: &Tcl, args: &mut Args<'_>, what: &str) -> Result<N
 }
 
 fn wipe(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    crate::check::finish(interp);
     let finished = interp.host.wipe();
     finished.map_err(|e| call.error_at(0, e.to_string(), "a recorder could not be finished"))?;
     Ok(Value::EMPTY)

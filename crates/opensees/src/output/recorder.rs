@@ -11,6 +11,7 @@ use hysteron_engine::record::{
 use hysteron_engine::series::Series;
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, FileKind, Value};
+use std::collections::BTreeMap;
 
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("recorder", "recorder $kind -file $file ...", recorder).with_kinds(|| kind::usages(KINDS)),
@@ -73,6 +74,8 @@ struct Common {
     layout: Option<Layout>,
     close_on_write: bool,
     cadence: Cadence,
+    /// Places of the tags of nodes and elements, for messages.
+    tags: BTreeMap<String, Span>,
 }
 
 const COMMON: &[&str] =
@@ -113,6 +116,15 @@ impl Common {
             _ => return Ok(false),
         }
         Ok(true)
+    }
+
+    /// Take tags of nodes or elements.
+    fn take_tags(&mut self, what: &str, a: &mut Args<'_>) -> Vec<Tag> {
+        let placed = a.placed_ints();
+        for (tag, span) in &placed {
+            self.tags.extend(span.map(|s| (format!("{what} {tag}"), s)));
+        }
+        placed.into_iter().map(|(tag, _)| tag).collect()
     }
 
     /// Open the output and add the recorder; its tag.
@@ -160,7 +172,7 @@ impl Common {
         } else {
             Recorder::history(source, output, self.cadence)
         };
-        Ok(Value::from(i64::from(interp.host.output.recorders.add(recorder, call.whole_span()))))
+        Ok(Value::from(i64::from(interp.host.output.recorders.add(recorder, call.whole_span(), self.tags))))
     }
 }
 
@@ -197,10 +209,17 @@ fn region(interp: &Tcl, a: &mut Args<'_>, nodes: bool) -> Result<Vec<Tag>, Excep
     })
 }
 
-/// Tags within a range that are there when the recorder is made.
-fn range(a: &mut Args<'_>, there: impl Iterator<Item = Tag>) -> Result<Vec<Tag>, Exception> {
-    let (first, last) = (a.int("first tag")?, a.int("last tag")?);
-    Ok(there.filter(|t| (first.min(last)..=first.max(last)).contains(t)).collect())
+/// Tags within a range that are there when the recorder is made, with a warning where there is none.
+fn range(interp: &mut Tcl, a: &mut Args<'_>, what: &str, there: Vec<Tag>) -> Result<Vec<Tag>, Exception> {
+    let first = a.int("first tag")?;
+    let span = a.last_span();
+    let last = a.int("last tag")?;
+    let found: Vec<Tag> = there.into_iter().filter(|t| (first.min(last)..=first.max(last)).contains(t)).collect();
+    if found.is_empty() && !interp.host.check.holds_back(&format!("there is no {what} {first}")) {
+        let message = format!("recorder: no {what} from {first} to {last} has been defined");
+        warn(interp, Diagnostic::warning(message).at(span, "nothing is recorded"))?;
+    }
+    Ok(found)
 }
 
 /// Degrees of freedom or columns, counted from 0.
@@ -228,11 +247,11 @@ fn node(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, envelope: bool) -> O
                 if a.flag("all") {
                     continue;
                 }
-                nodes.get_or_insert_default().extend(a.ints());
+                nodes.get_or_insert_default().extend(common.take_tags("node", &mut a));
             }
             "-nodeRange" => {
                 let there: Vec<Tag> = interp.host.engine.model().node_tags().collect();
-                nodes.get_or_insert_default().extend(range(&mut a, there.into_iter())?);
+                nodes.get_or_insert_default().extend(range(interp, &mut a, "node", there)?);
             }
             "-region" => nodes.get_or_insert_default().extend(region(interp, &mut a, true)?),
             "-dof" | "-dofs" => columns = dofs(&mut a)?,
@@ -291,11 +310,11 @@ fn element(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, envelope: bool) -
                 if a.flag("all") {
                     continue;
                 }
-                elements.get_or_insert_default().extend(a.ints());
+                elements.get_or_insert_default().extend(common.take_tags("element", &mut a));
             }
             "-eleRange" => {
                 let there: Vec<Tag> = interp.host.engine.model().element_tags().collect();
-                elements.get_or_insert_default().extend(range(&mut a, there.into_iter())?);
+                elements.get_or_insert_default().extend(range(interp, &mut a, "element", there)?);
             }
             "-region" => elements.get_or_insert_default().extend(region(interp, &mut a, false)?),
             "-dof" | "-dofs" => columns = dofs(&mut a)?,
@@ -351,8 +370,8 @@ fn drift(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, envelope: bool) -> 
             continue;
         }
         match option.as_ref() {
-            "-iNode" | "-iNodes" => i = a.ints(),
-            "-jNode" | "-jNodes" => j = a.ints(),
+            "-iNode" | "-iNodes" => i = common.take_tags("node", &mut a),
+            "-jNode" | "-jNodes" => j = common.take_tags("node", &mut a),
             "-dof" => dof = Some(a.dof("degree of freedom", 6)?),
             "-perpDirn" | "-perpDirection" => across = Some(a.dof("perpendicular direction", 3)?),
             _ => {

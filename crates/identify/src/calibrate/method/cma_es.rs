@@ -24,6 +24,8 @@ pub struct CmaEs {
     objectives: Vec<f64>,
     /// Least objective of each generation since the last restart.
     best_objectives: Vec<f64>,
+    /// The search ends where its first descent has settled, and does not restart.
+    is_single_descent: bool,
 }
 
 /// The normal distribution N(m, σ² C), with its evolution paths.
@@ -48,6 +50,12 @@ struct Distribution {
 const INITIAL_STEP_SIZE: f64 = 0.3;
 /// A search stagnates if its best objective changes by less than this fraction over the last generations.
 const STAGNATION_TOLERANCE: f64 = 1e-10;
+/// A descent has settled if the objectives of a generation differ by less than this fraction of the least one ...
+const SETTLED_SPREAD: f64 = 0.05;
+/// ... or if its distribution is narrower than this, in sides of the cube: least squares then find the minimum.
+const SETTLED_WIDTH: f64 = 0.01;
+/// Fewer generations do not settle a descent.
+const MIN_GENERATIONS: usize = 10;
 
 impl Distribution {
     /// The distribution with C = 1.
@@ -69,19 +77,42 @@ impl Distribution {
 impl CmaEs {
     /// A search with at most `budget` evaluations, from the middle of the cube.
     pub fn new(dimension: usize, budget: usize, population: Option<usize>, seed: u64) -> Self {
-        let default_population = 4 + (3.0 * (dimension as f64).ln()) as usize;
         Self {
             dimension,
             budget,
             used: 0,
             rng: Pcg32::seed_from_u64(seed),
-            population: population.unwrap_or(default_population).max(4),
+            population: Self::population(dimension, population),
             distribution: Distribution::isotropic(vec![0.5; dimension]),
             generation: 0,
             samples: vec![],
             objectives: vec![],
             best_objectives: vec![],
+            is_single_descent: false,
         }
+    }
+
+    /// Population size λ, by default 4 + 3 ln n.
+    pub fn population(dimension: usize, population: Option<usize>) -> usize {
+        population.unwrap_or(4 + (3.0 * (dimension as f64).ln()) as usize).max(4)
+    }
+
+    /// End the search where its first descent has settled.
+    #[must_use]
+    pub fn with_single_descent(mut self) -> Self {
+        self.is_single_descent = true;
+        self
+    }
+
+    /// Returns true if the descent has settled: objective and spread are below their tolerances.
+    fn has_settled(&self) -> bool {
+        let least = self.objectives.iter().fold(Trial::FAILED, |m, s| m.min(*s));
+        if self.best_objectives.len() < MIN_GENERATIONS || least >= Trial::FAILED {
+            return false;
+        }
+        let Distribution { step_size, deviations, .. } = &self.distribution;
+        let longest = deviations.iter().fold(0.0f64, |m, d| m.max(*d));
+        objective_spread(&self.objectives) <= SETTLED_SPREAD * least || step_size * longest < SETTLED_WIDTH
     }
 
     /// Start again from a random mean, with twice the population.
@@ -170,7 +201,7 @@ fn reflected(x: f64) -> f64 {
 
 impl Method for CmaEs {
     fn ask(&mut self) -> Vec<Vec<f64>> {
-        if self.used >= self.budget {
+        if self.used >= self.budget || self.has_converged() {
             return vec![];
         }
         if self.stagnates() {
@@ -203,5 +234,9 @@ impl Method for CmaEs {
 
     fn progress(&self) -> f64 {
         self.used as f64 / self.budget as f64
+    }
+
+    fn has_converged(&self) -> bool {
+        self.is_single_descent && (self.has_settled() || self.stagnates())
     }
 }

@@ -39,6 +39,9 @@ pub struct LevenbergMarquardt {
     damping_factors: Vec<f64>,
     /// The search ends after an iteration with a smaller relative improvement.
     min_relative_gain: f64,
+    /// The search also ends before a step that promises a smaller relative improvement.
+    checks_promised_gain: bool,
+    has_converged: bool,
     budget: usize,
     used: usize,
     last_objectives: Vec<f64>,
@@ -72,6 +75,8 @@ impl LevenbergMarquardt {
             damping: 1e-2,
             damping_factors: DAMPING_FACTORS.to_vec(),
             min_relative_gain: MIN_RELATIVE_GAIN,
+            checks_promised_gain: false,
+            has_converged: false,
             budget,
             used: 0,
             last_objectives: vec![],
@@ -85,6 +90,18 @@ impl LevenbergMarquardt {
         self.damping_factors = vec![1.0];
         self.min_relative_gain = min_relative_gain;
         self
+    }
+
+    /// End before a step whose improvement, by the linear model of the residuals, is below the least one.
+    #[must_use]
+    pub fn with_promised_gain(mut self) -> Self {
+        self.checks_promised_gain = true;
+        self
+    }
+
+    /// The point that has been reached, and its objective.
+    pub fn reached(&self) -> (&[f64], f64) {
+        (&self.unit_point, self.objective)
     }
 
     /// Set the step of the differences, in sides of the cube. A rough objective needs a wide one.
@@ -118,6 +135,15 @@ impl LevenbergMarquardt {
             next[*i] = (next[*i] + s).clamp(0.0, 1.0);
         }
         next.iter().all(|x| x.is_finite()).then_some(next)
+    }
+
+    /// Improvement of the objective at a point, by the linear model of the residuals: -2 gᵀs - sᵀAs with the step s.
+    fn promised_gain(&self, next: &[f64]) -> f64 {
+        let n = self.unit_point.len();
+        let step: Vec<f64> = next.iter().zip(&self.unit_point).map(|(a, b)| a - b).collect();
+        let slope: f64 = self.gradient.iter().zip(&step).map(|(g, s)| g * s).sum();
+        let curvature: f64 = (0..n * n).map(|k| self.normal_matrix[k] * step[k / n] * step[k % n]).sum();
+        -2.0 * slope - curvature
     }
 
     fn take_derivatives(&mut self, trials: &[Trial]) {
@@ -158,8 +184,12 @@ impl Method for LevenbergMarquardt {
             Phase::Steps => {
                 let next: Vec<Vec<f64>> =
                     self.damping_factors.iter().filter_map(|f| self.damped_step(self.damping * f)).collect();
-                if next.is_empty() {
+                let least = self.min_relative_gain * self.objective;
+                let promises_too_little = |p: &Vec<f64>| self.promised_gain(p) <= least;
+                self.has_converged = self.checks_promised_gain && next.iter().all(promises_too_little);
+                if self.has_converged || next.is_empty() {
                     self.phase = Phase::Ended;
+                    return vec![];
                 }
                 next
             }
@@ -185,7 +215,7 @@ impl Method for LevenbergMarquardt {
                     (0..trials.len()).min_by(|a, b| trials[*a].objective.total_cmp(&trials[*b].objective)).unwrap_or(0);
                 let gain = self.objective - trials[best].objective;
                 if gain > 0.0 {
-                    let has_converged = gain <= self.min_relative_gain * self.objective;
+                    self.has_converged = gain <= self.min_relative_gain * self.objective;
                     self.unit_point.clone_from(&unit_points[best]);
                     self.objective = trials[best].objective;
                     self.residuals.clone_from(&trials[best].residuals);
@@ -193,12 +223,13 @@ impl Method for LevenbergMarquardt {
                     let factor = self.damping_factors[best.min(self.damping_factors.len() - 1)];
                     let factor = if self.damping_factors.len() == 1 { 1.0 / SINGLE_STEP_FACTOR } else { factor };
                     self.damping = (self.damping * factor).max(1e-12);
-                    self.phase = if has_converged { Phase::Ended } else { Phase::Derivatives };
+                    self.phase = if self.has_converged { Phase::Ended } else { Phase::Derivatives };
                 } else {
                     let largest = self.damping_factors.iter().fold(0.0f64, |a, b| a.max(*b));
                     let is_single = self.damping_factors.len() == 1;
                     self.damping *= if is_single { SINGLE_STEP_FACTOR * SINGLE_STEP_FACTOR } else { 10.0 * largest };
                     if self.damping > MAX_DAMPING {
+                        self.has_converged = true;
                         self.phase = Phase::Ended;
                     }
                 }
@@ -217,6 +248,10 @@ impl Method for LevenbergMarquardt {
 
     fn progress(&self) -> f64 {
         self.used as f64 / self.budget as f64
+    }
+
+    fn has_converged(&self) -> bool {
+        self.has_converged
     }
 }
 

@@ -50,6 +50,11 @@ pub trait Method {
 
     /// Share of the budget that is used, from 0 to 1.
     fn progress(&self) -> f64;
+
+    /// Returns true if the search has ended because it has converged, and not because its budget is used.
+    fn has_converged(&self) -> bool {
+        false
+    }
 }
 
 /// State of a method in a checkpoint.

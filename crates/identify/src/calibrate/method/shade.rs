@@ -216,7 +216,7 @@ impl Method for Shade {
             return self.members.clone();
         }
         // Mutation cannot leave a point that all members share.
-        if self.used >= self.budget || self.members.iter().all(|m| *m == self.members[0]) {
+        if self.used >= self.budget || self.has_converged() {
             return vec![];
         }
         let ranking = self.ranking();
@@ -262,5 +262,9 @@ impl Method for Shade {
 
     fn progress(&self) -> f64 {
         self.used_share()
+    }
+
+    fn has_converged(&self) -> bool {
+        self.members.iter().all(|m| *m == self.members[0])
     }
 }

@@ -1,0 +1,235 @@
+//! Judgement of a calibration: can the residual be noise, and are held-out runs predicted as well as fitted ones?
+//!
+//! If not, physics is missing or a channel is wrong, and intervals from noise alone are too narrow. They are widened by the
+//! discrepancy, with a simple form of the prior of Kennedy and O'Hagan (2001): see [`Discrepancy`].
+
+use super::digits::significant;
+use super::structure::{ComparedChannel, structured_share};
+use super::uncertainty::autocorrelation_time;
+use crate::study::{Role, ScoredRun, Study};
+use rand::{RngExt as _, SeedableRng as _};
+use rand_pcg::Pcg32;
+use serde::Serialize;
+
+/// A channel whose residual follows the motion.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct StructuredChannel {
+    /// Name of the run.
+    pub run: String,
+    /// Name of the channel.
+    pub channel: String,
+    /// Share of its squared error that follows the motion.
+    pub share: f64,
+}
+
+/// Error of the held-out runs over that of the fitted ones.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct HoldoutRatio {
+    /// Ratio of the mean square errors, or that of the NMSEs if it is smaller.
+    pub ratio: f64,
+    /// Lower end of its 95 % interval.
+    pub lower: f64,
+    /// Upper end of its 95 % interval.
+    pub upper: f64,
+}
+
+/// Judgement of a calibration.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Judgement {
+    /// The model explains the recordings as far as can be told: the residual is noise, and held-out runs are no worse.
+    pub explained: bool,
+    /// Channels whose residual follows the motion, the largest part of the squared error first.
+    pub structured: Vec<StructuredChannel>,
+    /// Share of the squared error of all fitted channels that follows the motion.
+    pub structured_share: f64,
+    /// Comparison of held-out with fitted runs, where there are both.
+    pub holdout: Option<HoldoutRatio>,
+    /// Greatest factor by which a standard error was widened.
+    pub widening: f64,
+    /// The judgement in words.
+    pub sentences: Vec<String>,
+}
+
+/// A discrepancy between model and truth, as the covariance takes it.
+///
+/// With the residuals r of the objective, their derivatives J and H = JᵀJ, a discrepancy δ moves the estimate by H⁻¹Jᵀδ.
+/// The part of δ along J cannot be seen. A priori it is as large in each direction as all that is seen, s² = Σ δ²: then
+///
+/// Cov = q C + s² H⁻¹
+///
+/// with the covariance C from noise, and the ratio q ≥ 1 of held-out to fitted errors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Discrepancy {
+    /// Squared sum s² of the scaled residuals that follows the motion.
+    pub(super) energy: f64,
+    /// Factor q.
+    pub(super) factor: f64,
+}
+
+/// A smaller NMSE is that of rounded numbers: no recording is as good.
+const MIN_NMSE: f64 = 1e-6;
+/// Draws of the block bootstrap.
+const DRAWS: usize = 400;
+/// Length of its blocks in autocorrelation times.
+const BLOCK_TIMES: f64 = 3.0;
+
+/// Judge the residuals of a calibration. `residuals` and their derivatives `columns` are those of the objective, `scored`
+/// the runs of the study with the calibrated values, `None` for one without a response.
+pub(super) fn judge(
+    study: &Study,
+    scored: &[Option<ScoredRun>],
+    residuals: &[f64],
+    columns: &[Vec<f64>],
+) -> (Judgement, Discrepancy) {
+    let mut energies: Vec<(f64, StructuredChannel)> = vec![];
+    let mut start = 0;
+    for (i, run) in study.runs_of(Role::Fit) {
+        let Some(scored) = &scored[i] else { continue };
+        for ((o, s), simulated) in run.observe.iter().zip(&scored.scores).zip(&scored.channels) {
+            let range = start..start + s.samples;
+            start = range.end;
+            let kept = |k: &usize| !simulated[*k].is_nan() && !o.values[*k].is_nan();
+            let kept: Vec<usize> = (0..simulated.len()).filter(kept).collect();
+            let at_kept = |x: &[f64]| -> Vec<f64> { kept.iter().map(|k| x[*k]).collect() };
+            let derivatives: Vec<&[f64]> = columns.iter().map(|c| &c[range.clone()]).collect();
+            let channel = ComparedChannel {
+                times: &at_kept(&run.recording.times),
+                simulated: &at_kept(simulated),
+                residual: &residuals[range.clone()],
+                derivatives: &derivatives,
+            };
+            let share = if s.nmse > MIN_NMSE { structured_share(&channel) } else { 0.0 };
+            if share > 0.0 {
+                let energy = share * residuals[range].iter().map(|r| r * r).sum::<f64>();
+                let channel = StructuredChannel { run: run.name.clone(), channel: o.channel.clone(), share };
+                energies.push((energy, channel));
+            }
+        }
+    }
+    energies.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let energy: f64 = energies.iter().map(|e| e.0).sum();
+    let total: f64 = residuals.iter().map(|r| r * r).sum();
+    let holdout = holdout_ratio(study, scored);
+    let factor = holdout.map_or(1.0, |h| if h.lower > 1.0 { h.ratio } else { 1.0 });
+    let judgement = Judgement {
+        explained: energy == 0.0 && factor == 1.0,
+        structured: energies.into_iter().map(|e| e.1).collect(),
+        structured_share: if total > 0.0 { energy / total } else { 0.0 },
+        holdout,
+        widening: 1.0,
+        sentences: vec![],
+    };
+    (judgement, Discrepancy { energy, factor })
+}
+
+impl Judgement {
+    /// Set the greatest factor by which a standard error was widened, and put the judgement into words.
+    pub(super) fn conclude(&mut self, widening: f64) {
+        self.widening = widening;
+        let percent = |x: f64| format!("{:.0} %", 100.0 * x);
+        if let Some(first) = self.structured.first() {
+            let others = match self.structured.len() - 1 {
+                0 => String::new(),
+                n => format!(" ({n} more channel{} likewise)", if n == 1 { "" } else { "s" }),
+            };
+            self.sentences.push(format!(
+                "the residual is no noise: {} of the squared error of {} in {} follows the motion{others}",
+                percent(first.share),
+                first.channel,
+                first.run
+            ));
+        }
+        if let Some(h) = self.holdout.filter(|h| h.lower > 1.0) {
+            self.sentences.push(format!(
+                "held-out runs are predicted worse than fitted ones: {} times the mean square error (95 %: {} to {})",
+                significant(h.ratio, 2),
+                significant(h.lower, 2),
+                significant(h.upper, 2)
+            ));
+        }
+        self.sentences.push(if self.explained {
+            "nothing speaks against the model: the residual looks like noise".into()
+        } else {
+            format!(
+                "physics is missing or a channel is wrong; from noise alone the intervals would be too narrow, and are \
+                 widened up to {} times; \"hysteron diagnose\" looks for the cause",
+                significant(widening, 2)
+            )
+        });
+    }
+}
+
+/// Squared errors of a channel in blocks of which each is about independent: sum and number of samples.
+struct Blocks {
+    role: Role,
+    channel: String,
+    variance: f64,
+    blocks: Vec<(f64, f64)>,
+}
+
+/// The squared errors of all channels of all runs.
+fn squared_errors(study: &Study, scored: &[Option<ScoredRun>]) -> Vec<Blocks> {
+    let mut all = vec![];
+    for (run, scored) in study.runs.iter().zip(scored) {
+        for (o, simulated) in run.observe.iter().zip(scored.iter().flat_map(|s| &s.channels)) {
+            let errors: Vec<f64> =
+                simulated.iter().zip(&o.values).map(|(y, v)| y - v).filter(|e| !e.is_nan()).collect();
+            let n = errors.len();
+            let length = (BLOCK_TIMES * autocorrelation_time(&errors)).clamp(4.0, (n / 10).max(4) as f64) as usize;
+            let sum = |b: &[f64]| (b.iter().map(|e| e * e).sum(), b.len() as f64);
+            let blocks = errors.chunks(length).map(sum).collect();
+            all.push(Blocks { role: run.role, channel: o.channel.clone(), variance: o.variance, blocks });
+        }
+    }
+    all
+}
+
+/// Error of held-out over that of fitted runs, with a 95 % interval by a bootstrap of blocks (Künsch, 1989). `None` without
+/// held-out runs, or if the error is nothing.
+fn holdout_ratio(study: &Study, scored: &[Option<ScoredRun>]) -> Option<HoldoutRatio> {
+    let all = squared_errors(study, scored);
+    let has = |role| all.iter().any(|b| b.role == role);
+    if !has(Role::Fit) || !has(Role::Holdout) || all.iter().any(|b| b.blocks.is_empty()) {
+        return None;
+    }
+    let found = ratio(&all, &all.iter().map(|b| mean_of(&b.blocks)).collect::<Vec<_>>());
+    let mut rng = Pcg32::seed_from_u64(1);
+    let mut draws: Vec<f64> = vec![];
+    for _ in 0..DRAWS {
+        let drawn: Vec<f64> = all
+            .iter()
+            .map(|b| {
+                let n = b.blocks.len();
+                mean_of(&(0..n).map(|_| b.blocks[rng.random_range(0..n)]).collect::<Vec<_>>())
+            })
+            .collect();
+        draws.push(ratio(&all, &drawn));
+    }
+    draws.sort_by(f64::total_cmp);
+    let quantile = |p: f64| draws[(p * (DRAWS - 1) as f64).round() as usize];
+    let result = HoldoutRatio { ratio: found, lower: quantile(0.025), upper: quantile(0.975) };
+    [result.ratio, result.lower, result.upper].iter().all(|x| x.is_finite()).then_some(result)
+}
+
+fn mean_of(blocks: &[(f64, f64)]) -> f64 {
+    let (sum, count) = blocks.iter().fold((0.0, 0.0), |(s, c), b| (s + b.0, c + b.1));
+    sum / count
+}
+
+/// Ratio of held-out to fitted errors, given the mean square error of each channel of each run.
+///
+/// The NMSE of weak motions is larger for the same noise, and noise that grows with the motion has a larger mean square error
+/// in strong ones. What is worse by both measures is worse.
+fn ratio(all: &[Blocks], means: &[f64]) -> f64 {
+    let mean = |role: Role, f: &dyn Fn(usize) -> Option<f64>| {
+        let values: Vec<f64> = (0..all.len()).filter(|i| all[*i].role == role).filter_map(f).collect();
+        values.iter().sum::<f64>() / values.len() as f64
+    };
+    let nmse = |i: usize| Some(means[i] / all[i].variance);
+    let by_nmse = mean(Role::Holdout, &nmse) / mean(Role::Fit, &nmse);
+    // Mean square errors are compared among channels of one name.
+    let of_fitted = |name: &str| mean(Role::Fit, &|k| (all[k].channel == name).then(|| means[k]));
+    let relative = |i: usize| Some(means[i] / of_fitted(&all[i].channel)).filter(|x| x.is_finite());
+    let by_mean_square = mean(Role::Holdout, &relative);
+    if by_mean_square.is_finite() { by_nmse.min(by_mean_square) } else { by_nmse }
+}

@@ -1,0 +1,105 @@
+//! Summary of the messages of a script, and the result of `hysteron check` for other programs.
+
+use super::messages::Messages;
+use hysteron::diagnostic::{Diagnostic, Severity, SourceMap};
+use hysteron::opensees::Tcl;
+use serde::Serialize;
+
+/// A message with its place.
+#[derive(Serialize)]
+pub(super) struct MessageTable<'a> {
+    severity: &'static str,
+    message: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    file: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    line: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    column: Option<usize>,
+    /// Words under the place: what was expected there.
+    label: &'a str,
+    help: &'a [String],
+}
+
+impl<'a> MessageTable<'a> {
+    pub(super) fn new(d: &'a Diagnostic, sources: &SourceMap) -> Self {
+        let location = d.span.map(|s| sources.location(s));
+        Self {
+            severity: match d.severity {
+                Severity::Error => "error",
+                Severity::Warning => "warning",
+                Severity::Note => "note",
+            },
+            message: &d.message,
+            file: location.as_ref().map(|l| l.name.to_string()),
+            line: location.as_ref().map(|l| l.line),
+            column: location.as_ref().map(|l| l.column),
+            label: &d.label,
+            help: &d.help,
+        }
+    }
+}
+
+/// Result of the check of a script.
+#[derive(Serialize)]
+struct ScriptTable<'a> {
+    script: &'a str,
+    errors: usize,
+    warnings: usize,
+    /// Errors that only follow from others, and are left out.
+    held_back: usize,
+    /// The analyses were rehearsed, as far as the script has some.
+    analyses_rehearsed: bool,
+    messages: Vec<MessageTable<'a>>,
+}
+
+fn count(interp: &Tcl, severity: Severity) -> usize {
+    interp.warnings.iter().filter(|w| w.severity == severity).count()
+}
+
+/// The result of a check as JSON. `end` is the error that ended the script, if any.
+pub(super) fn json(script: &str, interp: &Tcl, end: Option<&Diagnostic>) -> String {
+    let all = interp.warnings.iter().chain(end);
+    let table = ScriptTable {
+        script,
+        errors: count(interp, Severity::Error) + usize::from(end.is_some()),
+        warnings: count(interp, Severity::Warning),
+        held_back: interp.host.check.held_back,
+        analyses_rehearsed: !interp.host.check.skipped_analyses,
+        messages: all.map(|d| MessageTable::new(d, &interp.sources)).collect(),
+    };
+    serde_json::to_string_pretty(&table).unwrap_or_default() + "\n"
+}
+
+/// Print all warnings again, one line each, so that none is overlooked.
+pub(super) fn print_summary(interp: &Tcl) {
+    let messages = Messages::new();
+    let mut lines: Vec<(String, usize)> = vec![];
+    for w in &interp.warnings {
+        let kind = if w.severity == Severity::Error { "error" } else { "warning" };
+        let line = format!("{kind}: {}", messages.line(w, &interp.sources));
+        match lines.iter_mut().find(|(l, _)| *l == line) {
+            Some((_, n)) => *n += 1,
+            None => lines.push((line, 1)),
+        }
+    }
+    if lines.is_empty() {
+        return;
+    }
+    let plural = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
+    let totals = [(count(interp, Severity::Error), "error"), (count(interp, Severity::Warning), "warning")];
+    let totals: Vec<String> = totals.iter().filter(|t| t.0 > 0).map(|t| plural(t.0, t.1)).collect();
+    eprintln!("{}:", totals.join(", "));
+    for (line, n) in lines.iter().take(30) {
+        let times = if *n > 1 { format!(" ({n} times)") } else { String::new() };
+        eprintln!("  {line}{times}");
+    }
+    if lines.len() > 30 {
+        eprintln!("  ... and {} more", lines.len() - 30);
+    }
+    match interp.host.check.held_back {
+        0 => {}
+        1 => eprintln!("1 further error follows from these"),
+        n => eprintln!("{n} further errors follow from these"),
+    }
+}
