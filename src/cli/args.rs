@@ -119,9 +119,12 @@ pub(super) struct DiagnoseArgs {
     /// Times that count by one are seconds, and not the numbers of samples
     #[arg(long)]
     pub(super) clock: bool,
-    /// Show all explanations that were weighed
+    /// Show the statistics: probabilities, bootstrap, and all explanations that were weighed
     #[arg(long)]
     pub(super) verbose: bool,
+    /// Print diagnosis.json in place of the summary
+    #[arg(long, conflicts_with = "verbose")]
+    pub(super) json: bool,
     /// Follow another program where it is known to slip
     #[arg(long, value_enum, value_name = "PROGRAM")]
     pub(super) compat: Option<Compat>,

@@ -1,7 +1,7 @@
 //! `hysteron calibrate`.
 
 use super::args::{CalibrateArgs, Compat};
-use super::files::{CHECKPOINT_INTERVAL, write_atomically};
+use super::files::{CHECKPOINT_INTERVAL, note_replaced, write_atomically};
 use super::messages::Messages;
 use hysteron::analysis::Options;
 use hysteron::calibrate::{
@@ -249,6 +249,7 @@ fn write(
 ) -> Result<(), String> {
     let study = &result.study;
     let text = fs::read_to_string(study.folder.join(&study.model)).map_err(|e| e.to_string())?;
+    note_replaced(dir, "calibration.json", if study.title.is_empty() { &study.model } else { &study.title });
     let (script, missing) = result.script(&text, initial_run);
     write_atomically(&dir.join("fitted.tcl"), &script)?;
     if !missing.is_empty() {
