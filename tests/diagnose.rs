@@ -96,13 +96,41 @@ fn runs_by_itself(dir: &Path, d: &Diagnosis) {
     assert_eq!(force.lines().count(), 399);
 }
 
+/// The command prints its result, and says on standard error how far it is and what it replaces.
+fn results_go_to_standard_output(dir: &Path) {
+    fs::create_dir_all(dir.join("out")).unwrap();
+    fs::write(dir.join("out/diagnosis.json"), "{\"study\": \"another pad\"}").unwrap();
+    let diagnose = |option: &str| {
+        let words = ["diagnose", "study.toml", "--out", "out", option];
+        let done =
+            std::process::Command::new(env!("CARGO_BIN_EXE_hysteron")).args(words).current_dir(dir).output().unwrap();
+        let [out, err] = [done.stdout, done.stderr].map(|bytes| String::from_utf8(bytes).unwrap());
+        assert!(done.status.success(), "{err}");
+        (out, err)
+    };
+    let (out, err) = diagnose("--json");
+    assert_eq!(out, fs::read_to_string(dir.join("out/diagnosis.json")).unwrap());
+    for line in ["1 of 7: fitting your model", "note: replaces the result of another pad in out"] {
+        assert!(err.lines().any(|l| l == line), "{err}");
+    }
+    // The same study again, in words for readers.
+    let (out, err) = diagnose("--threads=2");
+    assert!(out.starts_with("Your model explains the recordings (none).\n\nHow sure  "), "{out}");
+    assert!(out.lines().all(|l| l.chars().count() <= 80) && !out.contains("log evidence"), "{out}");
+    assert!(!err.contains("note: replaces"), "{err}");
+}
+
 #[test]
 fn nothing_is_found_where_nothing_is_missing() {
     let dir = concealed("none", |_, f| f.to_vec());
     let d = diagnosed(&dir, &[]);
     assert_eq!(d.outcome.verdict.cause, "none", "{:?}", d.outcome.verdict);
     assert!(d.outcome.verdict.confidence > 0.5);
+    let summary = &d.outcome.verdict.summary;
+    assert_eq!(summary.what, "Your model explains the recordings (none).");
+    assert!(summary.what_next.is_empty() && summary.location.is_empty(), "{}", summary.text(80));
     runs_by_itself(&dir, &d);
+    results_go_to_standard_output(&dir);
 
     // Interrupted, saved and resumed: the same to the last digit with fewer evaluations.
     let mut recorder = CheckpointRecorder { entries: vec![], max_entries: 30 };
@@ -135,6 +163,16 @@ fn a_stop_is_found_and_what_it_explains_is_not_explained_without_it() {
     assert!((0.95..=1.0 + 1e-9).contains(&sum));
     let (before, after) = (o.baseline.holdout_nmse.unwrap(), o.corrected.holdout_nmse.unwrap());
     assert!(after < 0.1 * before, "{before} {after}");
+    let summary = &o.verdict.summary;
+    assert!(summary.what.contains(&format!("({})", o.verdict.cause)), "{}", summary.what);
+    assert_eq!((&summary.places[0].elements[..], summary.places[0].level.as_str()), (&[1][..], "at the base"));
+    let text = summary.text(80);
+    assert!(text.lines().count() <= 20 && text.lines().all(|l| l.chars().count() <= 80), "{text}");
+    if let Some(gap) = summary.sizes.iter().find(|s| s.name == "hy_gap") {
+        let [lower, upper] = gap.interval.unwrap();
+        assert!(lower < 0.0301 && upper > 0.0299 && upper - lower < 0.002, "{gap:?}");
+        assert!(gap.text.starts_with("gap 30") && gap.text.contains(" ± "), "{gap:?}");
+    }
     assert!(o.mismatch[0].regime.contains("large deformation") || o.mismatch[0].regime.contains("first time"));
     assert!(d.repaired_script.contains("amend element 1 "), "{}", d.repaired_script);
     runs_by_itself(&dir, &d);
@@ -166,6 +204,8 @@ fn a_late_channel_is_told_from_physics() {
     assert_eq!(d.outcome.verdict.cause, "sensor_lag", "{:?}", d.outcome.verdict);
     let lag = d.outcome.corrected.channels[0].lag_s;
     assert!((lag - 3.0 * DT).abs() < 0.2 * DT, "{lag}");
+    let what = &d.outcome.verdict.summary.what;
+    assert!(what.starts_with("The channel force is late by ") && what.ends_with(" ms earlier (sensor_lag)."), "{what}");
     // The script needs no repair, and so keeps its text but for the parameters.
     assert!(!d.repaired_script.contains("amend"));
     let _ = fs::remove_dir_all(dir);
@@ -316,8 +356,17 @@ fn what_yields_a_little_is_found_just_below_the_largest_force() {
     let largest = |ground: &[f64]| 300.0 * yielded(ground, 1e9).iter().fold(0.0f64, |m, u| m.max(u.abs()));
     let moves = |ground: &[f64]| yielded(ground, 0.85 * largest(ground));
     let dir = shaken_study("yielding", ELASTIC, [("k", 150.0, 600.0), ("c", 0.2, 6.0)], moves);
-    let o = diagnosed(&dir, &[]).outcome;
+    let d = diagnosed(&dir, &[]);
+    let o = &d.outcome;
     assert_eq!(o.verdict.cause, "superstructure_yielding", "{:?}", o.verdict);
+    // Nobody orders a stronger earthquake.
+    assert!(
+        !o.next_test.contains("times as large") && d.next_test.iter().all(|t| t.script.is_empty()),
+        "{}",
+        o.next_test
+    );
+    let next = o.verdict.summary.what_next.join("; ");
+    assert!(next.contains("inspect element 1 for cracks"), "{next}");
     assert!(o.corrected.fit_nmse < 2e-3 && o.baseline.fit_nmse > 5e-3, "{o:?}");
     let _ = fs::remove_dir_all(dir);
 }

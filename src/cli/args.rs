@@ -150,9 +150,12 @@ pub(super) struct DiagnoseArgs {
     /// Begin although a channel seems to have the wrong sign, unit, clock or place
     #[arg(long)]
     pub(super) as_recorded: bool,
-    /// Show all explanations that were weighed
+    /// Show the statistics: probabilities, bootstrap, and all explanations that were weighed
     #[arg(long)]
     pub(super) verbose: bool,
+    /// Print diagnosis.json in place of the summary
+    #[arg(long, conflicts_with = "verbose")]
+    pub(super) json: bool,
     /// Reproduce known errors of another program
     #[arg(long, value_enum, value_name = "PROGRAM")]
     pub(super) compat: Option<Compat>,

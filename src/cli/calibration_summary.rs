@@ -48,9 +48,10 @@ pub(super) fn replaced(dir: &Path, study: &Study) -> Vec<String> {
         let old_runs = old["runs"].as_array().map(Vec::as_slice).unwrap_or_default();
         let same_runs =
             old_runs.iter().map(|r| r["name"].as_str()).eq(study.runs.iter().map(|r| Some(r.name.as_str())));
-        let title = old["title"].as_str();
-        if !same_parameters || !same_runs || title.is_some_and(|t| t != study.title) {
-            let name = title.filter(|t| !t.is_empty()).map_or(String::new(), |t| format!(" \"{t}\""));
+        let name = old["study"].as_str();
+        let own_name = if study.title.is_empty() { &study.model } else { &study.title };
+        if !same_parameters || !same_runs || name.is_some_and(|n| n != own_name) {
+            let name = name.map_or(String::new(), |n| format!(" \"{n}\""));
             notes.push(format!("{} holds the result of another study{name}: it is replaced", dir.display()));
         }
     }

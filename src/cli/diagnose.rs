@@ -1,9 +1,10 @@
 //! `hysteron diagnose`.
 
 use super::args::DiagnoseArgs;
-use super::files::{CHECKPOINT_INTERVAL, write_atomically};
+use super::files::{CHECKPOINT_INTERVAL, note_replaced, write_atomically};
 use super::messages::Messages;
 use super::preflight::{check_channels, threads};
+use super::progress::PhaseProgress;
 use super::signals::{INTERRUPTED, on_interrupt};
 use hysteron::analysis::Options;
 use hysteron::diagnose::{
@@ -11,7 +12,6 @@ use hysteron::diagnose::{
 };
 use hysteron::diagnostic::{Diagnostic, Severity, SourceMap, nearest};
 use hysteron::study::{InitialRun, ScriptSimulator, Study};
-use indicatif::{ProgressBar, ProgressStyle};
 use serde::{Deserialize, Serialize};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -79,7 +79,7 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
         };
         let mut monitor = ConsoleMonitor::new(stop.clone(), saved.clone(), identity);
         let found = diagnose(&simulator, &initial_run, &text, &settings, &mut monitor);
-        monitor.bar.finish_and_clear();
+        monitor.progress.clear();
         found.map(|mut d| {
             d.outcome.preflight = Some(checked);
             (report(&d, &study, &text), d)
@@ -88,8 +88,8 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
     match found.and_then(|(report, d)| write(&dir, &d, &report).map(|()| d)) {
         Ok(d) => {
             let _ = fs::remove_file(&saved);
-            print_verdict(&d, args.verbose);
-            eprintln!("written to {}", dir.display());
+            print_verdict(&d, args);
+            eprintln!("report.html, corrected.tcl and diagnosis.json are in {}", dir.display());
             0
         }
         Err(message) => {
@@ -117,6 +117,8 @@ fn prepare(
     Ok((simulator, initial_run))
 }
 
+/// File of the result.
+const RESULT_FILE: &str = "diagnosis.json";
 /// File of an interrupted diagnosis.
 const CHECKPOINT_FILE: &str = "diagnosis-checkpoint.json";
 
@@ -141,23 +143,41 @@ fn read_checkpoint(saved: &Path, identity: u64) -> Result<Vec<CheckpointEntry>, 
 
 /// Writes the files of a diagnosis.
 fn write(dir: &Path, d: &Diagnosis, report: &str) -> Result<(), String> {
+    note_replaced(dir, RESULT_FILE, &d.outcome.study);
     write_atomically(&dir.join("corrected.tcl"), &d.repaired_script)?;
     write_atomically(&dir.join("report.html"), report)?;
     for (name, motion) in d.next_test.iter().flat_map(|t| &t.motions) {
         write_atomically(&dir.join(name), motion)?;
     }
-    if let Some(test) = &d.next_test {
+    if let Some(test) = d.next_test.iter().find(|t| !t.script.is_empty()) {
         write_atomically(&dir.join("next_test.tcl"), &test.script)?;
     }
-    let json = serde_json::to_string_pretty(&d.outcome).map_err(|e| e.to_string())?;
-    write_atomically(&dir.join("diagnosis.json"), &(json + "\n"))
+    write_atomically(&dir.join(RESULT_FILE), &json(d)?)
 }
 
-/// Prints the verdict, the errors and, if `verbose`, the ranking.
-fn print_verdict(d: &Diagnosis, verbose: bool) {
+/// Content of the result file.
+fn json(d: &Diagnosis) -> Result<String, String> {
+    serde_json::to_string_pretty(&d.outcome).map(|text| text + "\n").map_err(|e| e.to_string())
+}
+
+/// Width of the summary in letters.
+const SUMMARY_WIDTH: usize = 80;
+
+/// Prints the result: the summary, with the statistics if they are wanted, or the content of the result file.
+fn print_verdict(d: &Diagnosis, args: &DiagnoseArgs) {
+    match json(d).ok().filter(|_| args.json) {
+        Some(json) => print!("{json}"),
+        None => print!("{}", d.outcome.verdict.summary.text(SUMMARY_WIDTH)),
+    }
+    if args.verbose {
+        print_statistics(d);
+    }
+}
+
+/// Prints explanation, probabilities, errors and ranking.
+fn print_statistics(d: &Diagnosis) {
     let v = &d.outcome.verdict;
-    let also = if v.also.is_empty() { String::new() } else { format!(" and {}", v.also.join(", ")) };
-    println!("{}{also} ({:.0} %): {}", v.cause, 100.0 * v.confidence, v.explanation);
+    println!("\n{} ({:.1} %): {}", v.cause, 100.0 * v.confidence, v.explanation);
     for other in &v.also_possible {
         println!("  also possible: {} ({:.1} %)", other.cause, 100.0 * other.confidence);
     }
@@ -170,23 +190,21 @@ fn print_verdict(d: &Diagnosis, verbose: bool) {
         shown(b.holdout_nmse),
         shown(c.holdout_nmse)
     );
-    if verbose {
-        println!("the fitted runs were looked at for {} sets of values", d.evaluations);
-        if d.structured_share > 0.0 {
-            println!("{:.2} of what the best leaves has structure: {}", d.structured_share, d.structure);
-        }
-        for w in &d.ranking {
-            println!(
-                "  {:26} {:.4e}  log evidence {:8.2}  {} ({})",
-                w.cause, w.objective, w.log_evidence, w.location, w.form
-            );
-        }
+    println!("the fitted runs were looked at for {} sets of values", d.evaluations);
+    if d.structured_share > 0.0 {
+        println!("{:.2} of what the best leaves has structure: {}", d.structured_share, d.structure);
+    }
+    for w in &d.ranking {
+        println!(
+            "  {:26} {:.4e}  log evidence {:8.2}  {} ({})",
+            w.cause, w.objective, w.log_evidence, w.location, w.form
+        );
     }
 }
 
 /// Progress on standard error, checkpoints, and interruption.
 struct ConsoleMonitor {
-    bar: ProgressBar,
+    progress: PhaseProgress,
     stop: Arc<AtomicBool>,
     saved: PathBuf,
     identity: u64,
@@ -195,18 +213,14 @@ struct ConsoleMonitor {
 
 impl ConsoleMonitor {
     fn new(stop: Arc<AtomicBool>, saved: PathBuf, identity: u64) -> Self {
-        let bar = ProgressBar::new(1);
-        let style = ProgressStyle::with_template("{msg} [{bar:30}] {pos}/{len} {per_sec}, {eta} left");
-        let bar = bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-        Self { bar, stop, saved, identity, last_save: Instant::now() }
+        let progress = PhaseProgress::new();
+        Self { progress, stop, saved, identity, last_save: Instant::now() }
     }
 }
 
 impl ProgressMonitor for ConsoleMonitor {
     fn stage(&mut self, name: &str, done: usize, total: usize) {
-        self.bar.set_message(name.to_owned());
-        self.bar.set_length(total as u64);
-        self.bar.set_position(done as u64);
+        self.progress.stage(name, done, total);
     }
 
     fn is_cancelled(&self) -> bool {
@@ -221,7 +235,7 @@ impl ProgressMonitor for ConsoleMonitor {
         let checkpoint = Checkpoint { identity: self.identity, entries: entries.to_vec() };
         let text = serde_json::to_string(&checkpoint).map_err(|e| e.to_string());
         if let Err(message) = text.and_then(|text| write_atomically(&self.saved, &text)) {
-            self.bar.suspend(|| eprintln!("warning: no checkpoint: {message}"));
+            self.progress.suspend(|| eprintln!("warning: no checkpoint: {message}"));
         }
     }
 }

@@ -33,3 +33,13 @@ pub(super) fn write_atomically(path: &Path, text: &str) -> Result<(), String> {
     let done = fs::write(&temporary, text).and_then(|()| fs::rename(&temporary, path));
     done.map_err(|e| format!("cannot write {}: {e}", path.display()))
 }
+
+/// Print a note if a file of results in a folder is that of another study than `study`, or does not say of which.
+pub(super) fn note_replaced(dir: &Path, file: &str, study: &str) {
+    let Ok(text) = fs::read_to_string(dir.join(file)) else { return };
+    let earlier = serde_json::from_str::<serde_json::Value>(&text).ok();
+    let earlier = earlier.as_ref().and_then(|v| v.get("study")?.as_str());
+    if earlier != Some(study) {
+        eprintln!("note: replaces the result of {} in {}", earlier.unwrap_or("another study"), dir.display());
+    }
+}

@@ -36,5 +36,8 @@ pub use fit::checkpoint::{CheckpointEntry, identity};
 pub use fit::scheduler::ProgressMonitor;
 pub use verdict::diagnosis::{Diagnosis, RankedHypothesis, Settings, diagnose};
 pub use verdict::discriminating_test::DiscriminatingTest;
+pub use verdict::place::{NodePlace, Place};
+pub use verdict::quantity::EffectSize;
 pub use verdict::report::report;
 pub use verdict::result_file::{Baseline, Candidate, Mismatch, Outcome, RepairedModel, Verdict};
+pub use verdict::summary::Summary;

@@ -51,6 +51,8 @@ pub(crate) struct Proposal {
     pub(crate) form: String,
     /// Part of the model or channel that it changes, in words.
     pub(crate) location: String,
+    /// The same of a second effect; empty without one.
+    pub(crate) second_location: String,
     /// Commands, without the declarations of the parameters.
     pub(crate) commands: Vec<String>,
     /// Added parameters.
@@ -83,6 +85,7 @@ impl Proposal {
             second_cause: None,
             form: form.into(),
             location,
+            second_location: String::new(),
             commands,
             parameters,
             fault_model: None,
@@ -98,6 +101,7 @@ impl Proposal {
         both.geometric &= second.geometric;
         both.visible_in_recording |= second.visible_in_recording;
         both.second_cause = Some(second.cause);
+        both.second_location.clone_from(&second.location);
         both.form = format!("{}; {}", self.form, second.form);
         both.commands.extend(second.commands.iter().map(|l| renamed(l)));
         let parameters = second.parameters.iter();

@@ -4,7 +4,8 @@ use super::adjacent_structures::{AdjacentNodes, adjacent_nodes};
 use super::frame_members::{FrameMember, columns, girders};
 use hysteron_engine::analysis::Engine;
 use hysteron_engine::element::{BasicRow, Element, ElementInput, ElementOutput, MatrixMask};
-use hysteron_engine::model::{Model, PatternKind};
+use hysteron_engine::model::{Model, NodeId, PatternKind};
+use std::collections::BTreeMap;
 
 /// A spring or bearing whose law an amendment can change.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,6 +35,8 @@ pub(crate) struct Direction {
     pub(crate) stiffness: f64,
     /// True if the direction is along the last axis of the model, which is vertical except in plan.
     pub(crate) vertical: bool,
+    /// Components along the global axes of a unit deformation; 0 for rotations.
+    pub(crate) axis: [f64; 3],
 }
 
 /// A fixed node.
@@ -85,6 +88,10 @@ pub(crate) struct ModelInventory {
     pub(crate) base_excited: bool,
     /// Diagonal of the box around all nodes, length.
     pub(crate) extent: f64,
+    /// Coordinates of all nodes by tag, length.
+    pub(crate) coordinates: BTreeMap<i32, Vec<f64>>,
+    /// Tags of the nodes of all elements by tag.
+    pub(crate) element_nodes: BTreeMap<i32, Vec<i32>>,
     /// First tag above those of all nodes and elements.
     first_free_tag: i32,
 }
@@ -131,7 +138,7 @@ impl ModelInventory {
     /// Inventory of the model that an engine holds.
     pub(crate) fn from_engine(engine: &Engine) -> Self {
         let model = engine.model();
-        let tag = |id: hysteron_engine::model::NodeId| model.nodes[id.0].tag;
+        let tag = |id: NodeId| model.nodes[id.0].tag;
         let mut out = Self { ndm: model.nodes.first().map_or(0, |n| n.ndm()), ..Self::default() };
         for e in &model.elements {
             let [i, j] = e.nodes[..] else { continue };
@@ -179,6 +186,10 @@ impl ModelInventory {
         out.adjacent = adjacent_nodes(model, &out.devices);
         out.base_excited = is_base_excited(model);
         out.extent = extent(model);
+        out.coordinates =
+            model.nodes.iter().map(|n| (n.tag, n.place().iter().copied().take(n.ndm()).collect())).collect();
+        let tags_of = |nodes: &[NodeId]| nodes.iter().map(|n| tag(*n)).collect();
+        out.element_nodes = model.elements.iter().map(|e| (e.tag, tags_of(&e.nodes))).collect();
         let largest = model.node_tags().chain(model.element_tags()).max().unwrap_or(0);
         out.first_free_tag = (largest + 1).max(MIN_ADDED_TAG);
         out
@@ -252,7 +263,10 @@ fn direction(row: &BasicRow, tangent: &[f64], ndm: usize) -> Direction {
     let stiffness = tangent.chunks_exact(n).zip(unit).map(|(k, u)| u * product(k)).sum();
     // A chain along one axis has no height.
     let vertical = ndm > 1 && unit.get(n / 2 + ndm - 1).is_some_and(|u| u.abs() > MIN_VERTICAL_COMPONENT);
-    Direction { number: row.direction, column: row.column, stiffness, vertical }
+    let component =
+        |i: usize| if i < ndm && row.direction <= 3 { unit.get(n / 2 + i).copied().unwrap_or(0.0) } else { 0.0 };
+    let axis = [0, 1, 2].map(component);
+    Direction { number: row.direction, column: row.column, stiffness, vertical, axis }
 }
 
 /// Component along the last axis from which a direction is vertical.

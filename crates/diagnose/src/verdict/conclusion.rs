@@ -5,6 +5,7 @@ use super::discriminating_test::discriminating_test;
 use super::explanation::{explanation, observation};
 use super::mismatch::{find_windows, regime};
 use super::result_file::{Baseline, Candidate, Mismatch, Outcome, RepairedModel, Verdict};
+use super::summary::{Summary, SummaryContext, summary};
 use crate::candidate::channel_fault::ChannelFault;
 use crate::candidate::repaired_script::repaired_script;
 use crate::candidate::variant::Variant;
@@ -19,8 +20,10 @@ use crate::fit::scheduler::Scheduler;
 use crate::fit::search_settings::LAST_ITERATIONS;
 use crate::fit::step_error::StepError;
 use crate::inspect::insertion::InsertionPoint;
+use crate::inspect::inventory::ModelInventory;
 use crate::inspect::response::ResponseRanges;
-use crate::prior::{MIN_REPAIR_GAIN, MIN_REPORTED_PROBABILITY};
+use crate::prior::{MIN_REPAIR_GAIN, MIN_REPORTED_PROBABILITY, NEGLIGIBLE_STEP_ERROR};
+use hysteron_identify::calibrate::{StudyProblem, Uncertainty, uncertainty};
 use hysteron_identify::study::{
     InitialRun, ParameterSpace, Role, ScoredRun, ScriptSimulator, Study, simulate_and_score,
 };
@@ -43,6 +46,10 @@ pub(super) struct ConclusionContext<'a> {
     /// True if the baseline is poor and the runs are too long for a global search.
     pub(super) global_search_too_long: bool,
     pub(super) bootstrap: Option<BootstrapResult>,
+    pub(super) inventory: &'a ModelInventory,
+    /// Numbers of forms and causes that were tried.
+    pub(super) tried: (usize, usize),
+    pub(super) threads: usize,
 }
 
 /// A repaired model.
@@ -88,21 +95,46 @@ pub(super) fn conclude(
         discriminating_test(&c.simulator.factory(), study, c.imposed_motion, [&repair.hypothesis, other])
     });
     let named_repair = Some(&repair.fits).filter(|_| !matches!(verdict.cause, "none" | "unknown"));
+    let baseline_result = Baseline {
+        fit_nmse: baseline.fitted.objective,
+        holdout_nmse: holdout_nmse(study, &baseline_fits),
+        parameters: values_by_name(&study.space, &baseline.fitted.values),
+    };
+    let mismatch = mismatches(c, &baseline_fits, named_repair);
+    let corrected = RepairedModel {
+        script: "corrected.tcl".into(),
+        parameters: values_by_name(&repair.hypothesis.variant.study.space, &repair.fitted.values),
+        fit_nmse: repair.fitted.objective,
+        holdout_nmse: holdout_nmse(study, &repair.fits),
+        channels: repair.hypothesis.variant.channel_faults(&repair.fitted.values),
+    };
+    let mut in_words = verdict_in_words(c, baseline, ranked, &causes, &verdict);
+    let uncertainty = if named_repair.is_some() { uncertainty_of(c, repair) } else { None };
+    scheduler.check_cancelled()?;
+    in_words.summary = summary(&SummaryContext {
+        study,
+        script: c.text,
+        inventory: c.inventory,
+        verdict: (verdict.cause, in_words.confidence),
+        also_possible: &in_words.also_possible,
+        variant: &repair.hypothesis.variant,
+        values: &repair.fitted.values,
+        uncertainty: uncertainty.as_ref(),
+        baseline: &baseline_result,
+        corrected: &corrected,
+        mismatch: &mismatch,
+        tried: c.tried,
+        structure: &causes.structure.description,
+        step_error: &c.step_error,
+        script_steps: script_steps(c, &baseline.fitted.values),
+        test: next_test.as_ref().map_or("", |t| &t.description),
+    });
     let outcome = Outcome {
-        baseline: Baseline {
-            fit_nmse: baseline.fitted.objective,
-            holdout_nmse: holdout_nmse(study, &baseline_fits),
-            parameters: values_by_name(&study.space, &baseline.fitted.values),
-        },
-        mismatch: mismatches(c, &baseline_fits, named_repair),
-        verdict: verdict_in_words(c, baseline, ranked, &causes, &verdict),
-        corrected: RepairedModel {
-            script: "corrected.tcl".into(),
-            parameters: values_by_name(&repair.hypothesis.variant.study.space, &repair.fitted.values),
-            fit_nmse: repair.fitted.objective,
-            holdout_nmse: holdout_nmse(study, &repair.fits),
-            channels: repair.hypothesis.variant.channel_faults(&repair.fitted.values),
-        },
+        study: if study.title.is_empty() { study.model.clone() } else { study.title.clone() },
+        baseline: baseline_result,
+        mismatch,
+        verdict: in_words,
+        corrected,
         unexplained_share: remaining_share(baseline, repair).min(1.0),
         bootstrap: c.bootstrap.clone(),
         preflight: None,
@@ -125,6 +157,21 @@ pub(super) fn conclude(
         structured_share: causes.structure.share,
         structure: causes.structure.description,
     })
+}
+
+/// Intervals of the repaired model's parameters; `None` if points beside the optimum have no result.
+fn uncertainty_of(c: &ConclusionContext<'_>, repair: &Repair) -> Option<Uncertainty> {
+    let (factory, variant) = (c.simulator.factory(), repair.hypothesis.variant.clone());
+    let study = variant.study.clone();
+    let problem = StudyProblem::new(study, c.threads.max(1), move || variant.simulator(&factory)).ok()?;
+    uncertainty(&problem, &repair.fitted.point).ok()
+}
+
+/// Steps that the script makes in the first fitted run, counted only if their error matters.
+fn script_steps(c: &ConclusionContext<'_>, values: &[f64]) -> Option<usize> {
+    let (first, _) = c.study.runs_of(Role::Fit).next().filter(|_| c.step_error.share > NEGLIGIBLE_STEP_ERROR)?;
+    let simulator = c.simulator.factory().simulator_of_script(c.study.clone(), c.text);
+    usize::try_from(simulator.inspect_model(first, values, |e| e.steps)).ok()
 }
 
 /// Finds the verdict by repairing the most probable cause until its repair stands.
@@ -274,6 +321,7 @@ fn verdict_in_words(
         also: second_causes.iter().map(|a| (*a).to_owned()).collect(),
         also_possible: others.map(|(cause, p)| Candidate { cause: (*cause).into(), confidence: *p }).collect(),
         explanation: text,
+        summary: Summary::default(),
     }
 }
 

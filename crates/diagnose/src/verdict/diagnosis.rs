@@ -115,6 +115,7 @@ pub fn diagnose(
     };
     let library = hypothesis::ALL.iter().filter(|h| !settings.excluded_causes.iter().any(|w| w == h.cause));
     let (without_clock, library): (Vec<_>, Vec<_>) = library.partition(|h| !has_clock && h.needs_clock);
+    let causes_tried = library.len();
     let proposals: Vec<Proposal> = library.iter().flat_map(|h| h.proposals(&context)).collect();
 
     let edits = proposals.iter().filter(|p| !p.commands.is_empty()).count();
@@ -157,6 +158,9 @@ pub fn diagnose(
         causes_without_clock: without_clock.iter().map(|h| h.cause).collect(),
         global_search_too_long: poor && !global,
         bootstrap,
+        inventory: &inventory,
+        tried: (proposals.len(), causes_tried),
+        threads: settings.threads,
     };
     conclude(&mut scheduler, &context, &baseline_of_script, &ranked)
 }

@@ -20,9 +20,9 @@ pub struct DiscriminatingTest {
     pub description: String,
     /// Probability that it identifies the right hypothesis.
     pub power: f64,
-    /// Names and contents of its motion files.
+    /// Names and contents of its motion files; empty for a recording at hand.
     pub motions: Vec<(String, String)>,
-    /// Script that simulates it with the repaired model.
+    /// Script that simulates it with the repaired model; empty for a recording at hand.
     pub script: String,
 }
 
@@ -76,9 +76,14 @@ impl Variation {
         ]
     };
 
-    /// True if a ground motion allows it: such a motion can only be scaled.
+    /// True if a shaking table allows it: a ground motion can only be scaled.
     fn only_scales(self) -> bool {
         self.time == 1.0 && !self.twice
+    }
+
+    /// True if it is the motion as it is: nobody repeats an earthquake at another size.
+    fn changes_nothing(self) -> bool {
+        self.size == 1.0 && self.only_scales()
     }
 
     fn of_motion(self, values: &[f64]) -> Vec<f64> {
@@ -157,7 +162,8 @@ struct VariedRun<'a> {
 
 /// The test that best separates two hypotheses, the first of which is the repaired model.
 ///
-/// `imposed` is true if the motion is that of the device, so that the limits of the rig apply; false for ground motions.
+/// `imposed` is true if the motion is that of the device, so that the limits of the rig apply; false for ground motions. Those
+/// of a study without a rig are earthquakes: the best of the recordings at hand is named.
 /// `None` if no motion of the study is a file of numbers, or none can be simulated.
 pub(super) fn discriminating_test(
     factory: &SimulatorFactory,
@@ -168,13 +174,18 @@ pub(super) fn discriminating_test(
     let noise = noise_of(study, pair[0])?;
     let runs: Vec<(&Run, Motions)> = study.runs.iter().map(|r| (r, motions(study, r))).collect();
     let limits = Limits::of(study.rig.as_ref(), &runs);
+    let recorded_earthquakes = !imposed && study.rig.is_none();
     let mut best: Option<(f64, VariedRun<'_>)> = None;
     for (run, own) in runs.iter().filter(|(_, m)| !m.is_empty()) {
         let Some(dt) = run.number(STEP_VARIABLE) else { continue };
         for variation in Variation::ALL {
             let motions: Motions = own.iter().map(|(n, v)| (n.clone(), variation.of_motion(v))).collect();
             let test = VariedRun { run, variation, motions, dt: dt * variation.time };
-            let allowed = if imposed { limits.allow(run, &test.motions, variation) } else { variation.only_scales() };
+            let allowed = match (imposed, recorded_earthquakes) {
+                (true, _) => limits.allow(run, &test.motions, variation),
+                (false, true) => variation.changes_nothing(),
+                (false, false) => variation.only_scales(),
+            };
             if !allowed {
                 continue;
             }
@@ -187,14 +198,13 @@ pub(super) fn discriminating_test(
     let (separation, test) = best?;
     // Φ(x) = erfc(-x/√2) / 2.
     let power = 0.5 * libm::erfc(-(EFFECTIVE_SAMPLES * separation / 8.0).sqrt());
-    let description = format!(
-        "run {} {}: tells {} from {} with an expected power of {:.0} %",
-        test.run.name,
-        test.variation.description(),
-        pair[0].cause(),
-        pair[1].cause(),
-        100.0 * power
-    );
+    let [first, second] = [pair[0].cause(), pair[1].cause()];
+    let separated = format!("tells {first} from {second} with an expected power of {:.0} %", 100.0 * power);
+    if recorded_earthquakes {
+        let description = format!("of the recordings at hand, look at run {} first: it {separated}", test.run.name);
+        return Some(DiscriminatingTest { description, power, motions: vec![], script: String::new() });
+    }
+    let description = format!("run {} {}: {separated}", test.run.name, test.variation.description());
     let motions = test.motions.iter().map(|(n, v)| (motion_file(n), file_content(v))).collect();
     let script = test.script(&description);
     Some(DiscriminatingTest { description, power, motions, script })

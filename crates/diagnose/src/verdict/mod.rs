@@ -3,15 +3,20 @@
 //! - [`diagnosis`]: the way from a study to its diagnosis
 //! - [`conclusion`]: from ranked hypotheses to the verdict and the repair
 //! - [`explanation`]: the verdict in words
+//! - [`summary`]: the verdict for readers without statistics, from place, sizes and advice
 //! - [`mismatch`]: windows of time in which the model differs
 //! - [`discriminating_test`]: the test that best separates the verdict from its strongest competitor
 //! - `result_file`: `diagnosis.json`
 //! - `report`: `report.html`
 
+mod advice;
 pub(crate) mod conclusion;
 pub(crate) mod diagnosis;
 pub(crate) mod discriminating_test;
 pub(crate) mod explanation;
 pub(crate) mod mismatch;
+pub(crate) mod place;
+pub(crate) mod quantity;
 pub(crate) mod report;
 pub(crate) mod result_file;
+pub(crate) mod summary;

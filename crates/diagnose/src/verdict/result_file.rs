@@ -1,5 +1,6 @@
 //! `diagnosis.json`. Field names are those of the file.
 
+use super::summary::Summary;
 use crate::candidate::channel_fault::ChannelFault;
 use crate::evidence::parametric_bootstrap::BootstrapResult;
 use hysteron_identify::preflight::Preflight;
@@ -9,6 +10,8 @@ use std::collections::BTreeMap;
 /// Content of the file.
 #[derive(Clone, Debug, Serialize)]
 pub struct Outcome {
+    /// Title of the study, or its script if it has none.
+    pub study: String,
     /// The user's model, fitted by least squares.
     pub baseline: Baseline,
     /// Channels in which it differs from the recordings, the largest error first.
@@ -77,8 +80,10 @@ pub struct Verdict {
     pub also: Vec<String>,
     /// Other possible causes, the most probable first.
     pub also_possible: Vec<Candidate>,
-    /// The verdict in words.
+    /// The verdict in words, for readers who know the statistics.
     pub explanation: String,
+    /// The verdict in words, part by part.
+    pub summary: Summary,
 }
 
 /// The repaired model.

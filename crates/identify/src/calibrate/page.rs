@@ -6,7 +6,7 @@ use super::uncertainty::{Interval, Uncertainty};
 use crate::preflight::Preflight;
 use crate::report::html::{self, escaped, labelled, line, number, picture, table};
 use crate::study::{ObservedChannel, ParameterKind, Role, Run, Score, ScoredRun};
-use hysteron_opensees::chart::{Curve, Figure, Mark};
+use hysteron_opensees::chart::{Bars, Curve, Figure, Mark, spans_decades};
 use std::fmt::Write as _;
 
 /// The text of the report.
@@ -14,18 +14,10 @@ pub fn page(result: &CalibrationResult, displacements: &Displacements) -> String
     let study = &result.study;
     let title = if study.title.is_empty() { &study.model } else { &study.title };
     let mut out = html::head(&format!("Calibration: {title}"));
-    let _ = writeln!(
-        out,
-        "<p>Objective (mean NMSE of the fitted channels) <b>{}</b>, {} evaluations in {:.1} s with {}{}, seed {}; {}.</p>",
-        number(result.objective),
-        result.search.evaluations(),
-        result.wall_time,
-        result.settings.method.name(),
-        if result.settings.polish { " and a least-squares polish" } else { "" },
-        result.settings.seed,
-        result.search.stopped_because().words()
-    );
+    html::summary(&mut out, &first_sentence(result), &summary_parts(result));
     out.extend(result.preflight.iter().map(Preflight::html));
+    error_bars(&mut out, result);
+    worst_channel(&mut out, result);
     parameters(&mut out, result);
     runs(&mut out, result);
     for (i, ((run, scored), u)) in study.runs.iter().zip(&result.scored_runs).zip(displacements).enumerate() {
@@ -36,6 +28,88 @@ pub fn page(result: &CalibrationResult, displacements: &Displacements) -> String
     convergence(&mut out, result);
     uncertainty(&mut out, result);
     html::end(out)
+}
+
+/// The errors in one sentence.
+fn first_sentence(result: &CalibrationResult) -> String {
+    let share = |nmse: f64| format!("{} %", number((1e4 * nmse).round() / 100.0));
+    let held_out =
+        result.nmse(Role::Holdout).map_or_else(String::new, |h| format!(", and {} of those held out", share(h)));
+    format!("The model misses {} of the variance of the fitted recordings{held_out}.", share(result.objective))
+}
+
+/// Parameters with their intervals, and the search.
+fn summary_parts(result: &CalibrationResult) -> Vec<(&'static str, String)> {
+    let values = result.study.space.parameters.iter().zip(&result.values).map(|(p, v)| {
+        let interval = result.uncertainty.iter().flat_map(|u| &u.intervals).find(|i| i.name == p.name);
+        let interval = interval.map_or_else(String::new, |i| format!(" ({} to {})", number(i.lower), number(i.upper)));
+        format!("{} = {}{interval}", p.name, number(*v))
+    });
+    let settings = &result.settings;
+    let search = format!(
+        "Objective (mean NMSE of the fitted channels) {}, {} evaluations in {:.1} s with {}{}, seed {}; {}.",
+        number(result.objective),
+        result.search.evaluations(),
+        result.wall_time,
+        settings.method.name(),
+        if settings.polish { " and a least-squares polish" } else { "" },
+        settings.seed,
+        result.search.stopped_because().words()
+    );
+    vec![("Values", values.collect::<Vec<_>>().join(", ")), ("Search", search)]
+}
+
+/// Errors of all channels, as bars: fitted runs and runs held out.
+fn error_bars(out: &mut String, result: &CalibrationResult) {
+    let (mut names, mut fitted, mut held_out) = (vec![], vec![], vec![]);
+    for (run, scored) in result.study.runs.iter().zip(&result.scored_runs) {
+        for (k, o) in run.observe.iter().enumerate() {
+            let nmse = scored.as_ref().map_or(f64::NAN, |s| s.scores[k].nmse);
+            names.push(format!("{}, {}", o.channel, run.name));
+            let is_fitted = run.role == Role::Fit;
+            fitted.push(if is_fitted { nmse } else { f64::NAN });
+            held_out.push(if is_fitted { f64::NAN } else { nmse });
+        }
+    }
+    let mut series = vec![("fitted".to_owned(), fitted)];
+    if held_out.iter().any(|x| x.is_finite()) {
+        series.push(("held out".into(), held_out));
+    }
+    let label = "NMSE: squared error over the variance of the recording".into();
+    html::bars(out, &Bars { title: "Error of each channel".into(), label, names, series });
+}
+
+/// The channel with the largest error over time.
+fn worst_channel(out: &mut String, result: &CalibrationResult) {
+    let runs = result.study.runs.iter().zip(&result.scored_runs).filter_map(|(r, s)| Some((r, s.as_ref().ok()?)));
+    let channels = runs.flat_map(|(run, scored)| (0..run.observe.len()).map(move |k| (run, scored, k)));
+    let error = |c: &(&Run, &ScoredRun, usize)| c.1.scores[c.2].nmse;
+    if let Some((run, scored, k)) = channels.max_by(|a, b| error(a).total_cmp(&error(b))) {
+        let mut figure = history(run, scored, k);
+        figure.title = format!("Largest error: {}, run {}", figure.title, run.name);
+        picture(out, &figure);
+    }
+}
+
+fn location(o: &ObservedChannel) -> String {
+    if o.at.is_empty() { String::new() } else { format!(", {}", o.at) }
+}
+
+fn over(x: &[f64], y: &[f64]) -> Vec<(f64, f64)> {
+    x.iter().copied().zip(y.iter().copied()).filter(|p| p.0.is_finite() && p.1.is_finite()).collect()
+}
+
+/// A channel over time, recorded and simulated.
+fn history(run: &Run, scored: &ScoredRun, channel: usize) -> Figure {
+    let (o, t) = (&run.observe[channel], &run.recording.times);
+    let simulated = line("simulated", over(t, &scored.channels[channel]));
+    Figure {
+        title: format!("{}{}", o.channel, location(o)),
+        x_label: "time [s]".into(),
+        y_label: labelled(&o.channel, &o.unit),
+        curves: vec![html::recorded(over(t, &o.values)), simulated],
+        ..Figure::default()
+    }
 }
 
 fn parameters(out: &mut String, result: &CalibrationResult) {
@@ -95,45 +169,32 @@ fn run_charts(
     let _ = writeln!(out, "<h2>{} ({})</h2>", escaped(&run.name), role_name(run.role));
     let t = &run.recording.times;
     for (k, (o, simulated)) in run.observe.iter().zip(&scored.channels).enumerate() {
-        let over = |x: &[f64], y: &[f64]| -> Vec<(f64, f64)> {
-            x.iter().copied().zip(y.iter().copied()).filter(|p| !p.0.is_nan() && !p.1.is_nan()).collect()
-        };
         let y_label = labelled(&o.channel, &o.unit);
-        let location = if o.at.is_empty() { String::new() } else { format!(", {}", o.at) };
         let loops = displacement.filter(|_| o.is_resistance());
         if let Some((name, u)) = loops {
-            picture(
-                out,
-                &Figure {
-                    title: format!("Loops{location}"),
-                    x_label: name.clone(),
-                    y_label: y_label.clone(),
-                    curves: vec![line("recorded", over(u, &o.values)), line("simulated", over(u, simulated))],
-                    ..Figure::default()
-                },
-            );
-        }
-        picture(
-            out,
-            &Figure {
-                title: format!("{}{location}", o.channel),
-                x_label: "time [s]".into(),
+            let figure = Figure {
+                title: format!("Loops{}", location(o)),
+                x_label: name.clone(),
                 y_label: y_label.clone(),
-                curves: vec![line("recorded", over(t, &o.values)), line("simulated", over(t, simulated))],
+                curves: vec![html::recorded(over(u, &o.values)), line("simulated", over(u, simulated))],
                 ..Figure::default()
-            },
-        );
+            };
+            picture(out, &figure);
+        }
+        picture(out, &history(run, scored, k));
         let residual: Vec<f64> = simulated.iter().zip(&o.values).map(|(a, b)| a - b).collect();
-        picture(
-            out,
-            &Figure {
-                title: format!("Simulated less recorded{location}"),
-                x_label: "time [s]".into(),
-                y_label,
-                curves: vec![line("", over(t, &residual))],
-                ..Figure::default()
-            },
-        );
+        let figure = Figure {
+            title: format!("Simulated less recorded{}", location(o)),
+            x_label: "time [s]".into(),
+            y_label: y_label.clone(),
+            curves: vec![line("", over(t, &residual))],
+            ..Figure::default()
+        };
+        picture(out, &figure);
+        html::open_details(out, &format!("{}: simulated over recorded", o.channel));
+        let title = format!("{}{}", o.channel, location(o));
+        picture(out, &html::scatter(&title, &y_label, &o.values, &[("simulated", simulated)]));
+        html::close_details(out);
         if let Some((name, _)) = loops {
             amplitude_errors(out, name, amplitudes.get(k).map_or(&[], Vec::as_slice));
         }
@@ -182,21 +243,21 @@ fn convergence(out: &mut String, result: &CalibrationResult) {
             if let Some((_, last)) = points.last().copied() {
                 points.push((*n as f64, last));
             }
-            points.push((*n as f64, s.log10()));
+            points.push((*n as f64, *s));
         }
         points.extend(points.last().copied().map(|(_, s)| (r.evaluations as f64, s)));
         line(&if repeats.len() < 7 { format!("seed {}", r.seed) } else { String::new() }, points)
     });
-    picture(
-        out,
-        &Figure {
-            title: "Convergence".into(),
-            x_label: "evaluations".into(),
-            y_label: "log10 of the best objective".into(),
-            curves: curves.collect(),
-            ..Figure::default()
-        },
-    );
+    let curves: Vec<Curve> = curves.collect();
+    let figure = Figure {
+        title: "Convergence".into(),
+        x_label: "evaluations".into(),
+        y_label: "best objective".into(),
+        log_y: spans_decades(curves.iter().flat_map(|c| &c.points).map(|p| p.1)),
+        curves,
+        ..Figure::default()
+    };
+    picture(out, &figure);
     let s = result.repeat_statistics();
     if s.repeats > 1 {
         let row = vec![s.repeats.to_string(), number(s.best), number(s.worst), number(s.mean), number(s.deviation)];

@@ -14,7 +14,8 @@ use std::collections::BTreeMap;
 
 #[derive(Serialize)]
 struct ResultFile<'a> {
-    title: &'a str,
+    /// Title of the study, or its script without one.
+    study: &'a str,
     parameters: BTreeMap<&'a str, f64>,
     objective: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -92,8 +93,9 @@ impl CalibrationResult {
     /// # Errors
     /// The result cannot be written as JSON.
     pub fn json(&self) -> Result<String, serde_json::Error> {
+        let study = &self.study;
         let file = ResultFile {
-            title: &self.study.title,
+            study: if study.title.is_empty() { &study.model } else { &study.title },
             parameters: self.by_name(&self.values),
             objective: self.objective,
             holdout: self.nmse(Role::Holdout),

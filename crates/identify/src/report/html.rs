@@ -1,15 +1,25 @@
 //! Self-contained HTML pages with their charts.
 
-use hysteron_opensees::chart::{Curve, Figure, Mark};
+use hysteron_opensees::chart::{Bars, Curve, Figure, Mark};
 use std::fmt::Write as _;
 
 const STYLE: &str = "body{font:15px/1.5 system-ui,sans-serif;max-width:1000px;margin:2em auto;padding:0 1em;color:#222}\
-    table{border-collapse:collapse;margin:1em 0}td,th{padding:.25em .8em;border-bottom:1px solid #ddd;text-align:left}\
-    .n{text-align:right}@media print,(max-width:800px){td,th{padding:.2em .35em;font-size:.85em}}svg{max-width:100%;height:auto}h2{margin-top:2em}\
+    table{border-collapse:collapse;margin:1em 0;max-width:100%}td,th{padding:.25em .8em;border-bottom:1px solid #ddd;text-align:left;overflow-wrap:anywhere}\
+    .n{text-align:right}svg{max-width:100%;height:auto}h2{margin-top:2em}figure{margin:1em 0}\
+    @media (max-width:800px){td,th{padding:.2em .35em;font-size:.85em}}\
     .note{background:#fff6e0;padding:.5em 1em;border-left:4px solid #e69f00}\
-    .verdict{font-size:1.15em;background:#eef4fb;padding:.7em 1em;border-left:4px solid #0072b2}\
+    .verdict{background:#eef4fb;padding:.4em 1em .7em;border-left:4px solid #0072b2}.verdict p{font-size:1.15em;font-weight:600;margin:.4em 0}\
+    dl{display:grid;grid-template-columns:5.5em 1fr;gap:.25em 1em;margin:.5em 0}dt{font-weight:600}dd{margin:0}\
+    summary{cursor:pointer;font-weight:600}\
     .bar{display:inline-block;height:.8em;background:#0072b2}pre{background:#f6f6f6;padding:.7em;overflow-x:auto}\
-    ins{background:#dff3df;text-decoration:none}del{background:#fbe3e3}";
+    ins{background:#dff3df;text-decoration:none}del{background:#fbe3e3}\
+    @media print{@page{margin:13mm}body{margin:0;max-width:none;padding:0;font-size:12px}pre{white-space:pre-wrap;overflow-wrap:anywhere}\
+    td,th{padding:.15em .3em;font-size:.82em}h1,h2,h3,summary{break-after:avoid}figure,tr,dl,.verdict{break-inside:avoid}\
+    details::details-content{content-visibility:visible;block-size:auto}}";
+
+/// Closed parts are printed too.
+const SCRIPT: &str =
+    "addEventListener('beforeprint',()=>document.querySelectorAll('details').forEach(d=>{d.open=true}))";
 
 /// A text with the special characters of HTML replaced.
 pub fn escaped(text: &str) -> String {
@@ -57,6 +67,61 @@ pub fn line(name: &str, points: Vec<(f64, f64)>) -> Curve {
     Curve { name: name.to_owned(), points, mark: Mark::Line }
 }
 
+/// A recording: a wide line beneath the simulations.
+pub fn recorded(points: Vec<(f64, f64)>) -> Curve {
+    Curve { name: "recorded".into(), points, mark: Mark::Wide }
+}
+
+/// Append a chart of bars. One without values is left out.
+pub fn bars(out: &mut String, bars: &Bars) {
+    if let Ok(svg) = bars.svg() {
+        let _ = writeln!(out, "<figure>{svg}</figure>");
+    }
+}
+
+/// Points of a scatter, at most.
+const MAX_SCATTER: usize = 700;
+
+/// Simulated over recorded samples, each model with a name. On the diagonal both are equal.
+pub fn scatter(title: &str, label: &str, recorded: &[f64], simulated: &[(&str, &[f64])]) -> Figure {
+    let every = recorded.len().div_ceil(MAX_SCATTER).max(1);
+    let known = |y: &[f64]| -> Vec<(f64, f64)> {
+        let pairs = recorded.iter().copied().zip(y.iter().copied()).step_by(every);
+        pairs.filter(|p| p.0.is_finite() && p.1.is_finite()).collect()
+    };
+    let finite = recorded.iter().filter(|x| x.is_finite());
+    let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(*x), b.max(*x)));
+    let equal = Curve { name: "equal".into(), points: vec![(low, low), (high, high)], mark: Mark::Wide };
+    let dots = simulated.iter().map(|(name, y)| Curve { name: (*name).into(), points: known(y), mark: Mark::Dots });
+    Figure {
+        title: title.into(),
+        x_label: format!("recorded {label}"),
+        y_label: format!("simulated {label}"),
+        equal: true,
+        curves: std::iter::once(equal).chain(dots).collect(),
+        ..Figure::default()
+    }
+}
+
+/// Append a first sentence, and parts with their headings.
+pub fn summary(out: &mut String, first: &str, parts: &[(&str, String)]) {
+    let _ = writeln!(out, "<div class=\"verdict\"><p>{}</p>\n<dl>", escaped(first));
+    for (heading, text) in parts {
+        let _ = writeln!(out, "<dt>{heading}</dt><dd>{}</dd>", escaped(text));
+    }
+    out.push_str("</dl></div>\n");
+}
+
+/// Begin a part that is closed on the screen; [`close_details`] ends it.
+pub fn open_details(out: &mut String, heading: &str) {
+    let _ = writeln!(out, "<details><summary>{}</summary>", escaped(heading));
+}
+
+/// End a part that is closed on the screen.
+pub fn close_details(out: &mut String) {
+    out.push_str("</details>\n");
+}
+
 /// A name with its unit in brackets.
 pub fn labelled(name: &str, unit: &str) -> String {
     if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") }
@@ -66,7 +131,7 @@ pub fn labelled(name: &str, unit: &str) -> String {
 pub fn head(title: &str) -> String {
     let title = escaped(title);
     format!(
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{title}</title><style>{STYLE}</style></head>\n\
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{title}</title><style>{STYLE}</style><script>{SCRIPT}</script></head>\n\
          <body>\n<h1>{title}</h1>\n"
     )
 }

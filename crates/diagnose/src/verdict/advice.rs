@@ -1,0 +1,194 @@
+//! Next steps that can be taken: at a building with its recordings, or with a specimen in a test rig.
+
+use super::quantity::duration;
+use crate::fit::step_error::StepError;
+use crate::prior::NEGLIGIBLE_STEP_ERROR;
+use hysteron_identify::study::{Role, Run, Study};
+
+/// Measurement that shows a cause.
+struct Measurement {
+    cause: &'static str,
+    /// At a building or bridge, whose earthquakes cannot be chosen.
+    building: &'static str,
+    /// In a test rig, whose motion can.
+    rig: &'static str,
+}
+
+const fn of(cause: &'static str, building: &'static str, rig: &'static str) -> Measurement {
+    Measurement { cause, building, rig }
+}
+
+/// Measurements of all causes; `{place}` stands for the place of the effect.
+const MEASUREMENTS: &[Measurement] = &[
+    of(
+        "rate_dependence",
+        "test a device like {place} in a rig at two speeds: the faster loop must be the larger one",
+        "repeat a run at a tenth of its speed: the force must fall",
+    ),
+    of(
+        "self_heating",
+        "put a thermometer on {place}: its strength must fall while it warms during strong shaking",
+        "put a thermometer on {place}, and repeat a run after it has cooled: the first cycle must be strong again",
+    ),
+    of(
+        "ambient_temperature",
+        "record the temperature at {place} with every earthquake",
+        "record the temperature of {place}, and repeat one run at the temperature of the model",
+    ),
+    of(
+        "mullins_softening",
+        "compare earthquakes before and after the strongest one: {place} must be softer after it",
+        "drive the same cycles twice without a rest: the second time must be softer",
+    ),
+    of(
+        "cyclic_degradation",
+        "inspect {place} for damage, and compare a small earthquake before the strong one with one after it",
+        "drive small cycles before and after the strong ones: {place} must stay weaker after them",
+    ),
+    of(
+        "strain_stiffening",
+        "record the displacement across {place}: its stiffness must rise at the largest ones",
+        "drive one cycle to the largest displacement that the rig allows: the stiffness must rise",
+    ),
+    of(
+        "axial_shear_interaction",
+        "compute or measure the axial load of {place}: the lateral stiffness must fall as it grows",
+        "repeat a run at another axial load: the lateral stiffness must change",
+    ),
+    of(
+        "varying_axial_load",
+        "record the vertical force of {place}, or vertical accelerations on both sides of the structure",
+        "record the axial force of {place} during the run",
+    ),
+    of(
+        "cavitation",
+        "record the vertical displacement across {place}: it must lift",
+        "pull twice to the same extension: the second pull must be weaker",
+    ),
+    of(
+        "bidirectional_coupling",
+        "record both horizontal displacements across {place}",
+        "drive one direction alone: its loops must be larger than in a motion of both",
+    ),
+    of(
+        "friction",
+        "record the displacement across {place} in small earthquakes: it must stick at each reversal",
+        "drive a tiny, slow cycle: the loop must be as high as twice the friction force",
+    ),
+    of(
+        "gap_impact",
+        "measure the clearance at {place}, and put an accelerometer beside it: contact shows as short peaks",
+        "measure the clearance at {place}, and drive slowly to it: the force must rise there",
+    ),
+    of(
+        "foundation_flexibility",
+        "put one accelerometer on the foundation at {place} and one on free ground: they must differ",
+        "record the displacement of the support at {place}",
+    ),
+    of(
+        "superstructure_yielding",
+        "inspect {place} for cracks and a permanent drift, and record the drift there",
+        "record the deformation at {place}: it must keep a permanent part",
+    ),
+    of(
+        "damping",
+        "record small vibrations after a shock or in wind, and compare their decay with that of the model",
+        "record a free vibration, and compare its decay with that of the model",
+    ),
+    of(
+        "torsion",
+        "put two accelerometers of one direction on opposite edges of the floor of {place}: they must differ",
+        "record opposite edges of the floor of {place}: they must differ",
+    ),
+    of(
+        "pinching",
+        "record the displacement across {place}: the loops must be thin near zero",
+        "drive small cycles after large ones: their force must be small",
+    ),
+    of(
+        "sensor_gain",
+        "check the factor of this channel in the settings of the recorder, or put a second instrument beside it",
+        "check the factor of this channel in the settings of the recorder, or calibrate it with a known load",
+    ),
+    of(
+        "sensor_lag",
+        "check clocks and filters of the recorder, or tap on two instruments at once and compare the times",
+        "check clocks and filters of the recorder, or tap on two instruments at once and compare the times",
+    ),
+    of(
+        "sensor_drift",
+        "compare the zero of this channel before and after the earthquake",
+        "record the zero of this channel before and after a run without motion",
+    ),
+    of(
+        "sensor_clipping",
+        "look for flat peaks in the recording, and choose a larger range of the recorder",
+        "look for flat peaks in the recording, and repeat the run with a larger range",
+    ),
+];
+
+/// Measurement that shows a cause, in words.
+pub(super) fn measurement(cause: &str, place: &str, building: bool) -> Option<String> {
+    let m = MEASUREMENTS.iter().find(|m| m.cause == cause)?;
+    let text = if building { m.building } else { m.rig };
+    Some(text.replace("{place}", if place.is_empty() { "the device" } else { place }))
+}
+
+/// Step of the script that a smaller error needs, in words; none if the error is negligible.
+pub(super) fn shorter_step(error: &StepError, study: &Study, steps: Option<usize>) -> Option<String> {
+    if error.share <= NEGLIGIBLE_STEP_ERROR {
+        return None;
+    }
+    let parts = error.parts.max(2);
+    let run = study.runs.iter().find(|r| r.role == Role::Fit)?;
+    Some(match script_step(run, steps) {
+        Some(step) => format!(
+            "run the script with steps of {} instead of {}: the present ones add an error of their own",
+            duration(step / f64::from(parts)),
+            duration(step)
+        ),
+        None => format!("divide the steps of the script by {parts}: the present ones add an error of their own"),
+    })
+}
+
+/// Tolerance of a number of steps that belong to loads before the motion.
+const STEP_TOLERANCE: f64 = 0.05;
+
+/// Time step of a script that makes `steps` steps in a run: its `dt`, or a whole part of it.
+fn script_step(run: &Run, steps: Option<usize>) -> Option<f64> {
+    let times = &run.recording.times;
+    let dt = run.number("dt").filter(|dt| *dt > 0.0)?;
+    let mean = (times.last()? - times.first()?) / steps.filter(|n| *n > 0)? as f64;
+    let parts = (dt / mean).round().max(1.0);
+    ((mean * parts / dt - 1.0).abs() < STEP_TOLERANCE).then_some(dt / parts)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{MEASUREMENTS, measurement, script_step};
+    use crate::hypothesis;
+    use crate::test_support::pad_study;
+    use hysteron_identify::study::Setting;
+
+    #[test]
+    fn every_cause_has_a_measurement() {
+        let causes: Vec<&str> = hypothesis::ALL.iter().map(|h| h.cause).collect();
+        assert_eq!(MEASUREMENTS.iter().map(|m| m.cause).collect::<Vec<_>>(), causes);
+        let text = measurement("gap_impact", "element 4", true).expect("a measurement");
+        assert!(text.starts_with("measure the clearance at element 4, "), "{text}");
+        // Nobody orders an earthquake.
+        for m in MEASUREMENTS {
+            assert!(!m.building.contains("drive") && !m.building.contains("repeat"), "{}", m.cause);
+        }
+    }
+
+    #[test]
+    fn the_step_is_a_whole_part_of_that_of_the_motion() {
+        let mut run = pad_study().runs[0].clone();
+        run.set = vec![("dt".into(), Setting::Number(0.01))];
+        run.recording.times = (0..2201).map(|i| 0.01 * f64::from(i)).collect();
+        assert_eq!(script_step(&run, Some(8810)), Some(0.0025));
+        assert_eq!(script_step(&run, Some(2200)), Some(0.01));
+        assert_eq!(script_step(&run, Some(1400)), None);
+    }
+}

@@ -1,0 +1,262 @@
+//! Place of an effect: elements or nodes with their coordinates, directions, and the level in the structure.
+
+use super::quantity::{Units, digits};
+use crate::candidate::variant::Variant;
+use crate::inspect::inventory::ModelInventory;
+use hysteron_identify::study::Study;
+use serde::Serialize;
+
+/// Place of an effect.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Place {
+    /// Tags of the elements that it changes.
+    pub elements: Vec<i32>,
+    /// Nodes of these elements, or the changed nodes themselves.
+    pub nodes: Vec<NodePlace>,
+    /// Directions along the global axes, in words.
+    pub directions: Vec<String>,
+    /// Level in the structure, in words; empty if the heights of the nodes do not tell it.
+    pub level: String,
+    /// Name of the channel at fault; empty if the model is.
+    pub channel: String,
+}
+
+/// A node with its coordinates.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct NodePlace {
+    /// Tag.
+    pub tag: i32,
+    /// Coordinates, in the script's unit of length.
+    pub coordinates: Vec<f64>,
+}
+
+/// Nodes that a sentence lists, at most.
+const MAX_LISTED: usize = 4;
+/// Component of a unit vector from which a direction counts as that of an axis.
+const MIN_AXIS_COMPONENT: f64 = 0.99;
+/// Difference of heights that counts as none, in parts of the model's height.
+const EQUAL_HEIGHT: f64 = 0.01;
+
+/// Places of a variant's effects, with the location of each in the words of its proposal: the first effect, and the second.
+pub(super) fn places(variant: &Variant, inventory: &ModelInventory) -> Vec<(String, Place)> {
+    let Some(p) = &variant.proposal else { return vec![] };
+    // Commands of the second effect have parameters with another prefix.
+    let of_second = |c: &&String| c.contains("hy2_");
+    let of = |location: &str, second: bool| {
+        let commands: Vec<&str> =
+            p.commands.iter().filter(|c| of_second(c) == second || !c.contains("hy")).map(String::as_str).collect();
+        (location.to_owned(), place(location, &commands, inventory))
+    };
+    let mut out = vec![of(&p.location, false)];
+    if p.second_cause.is_some() {
+        out.push(of(&p.second_location, true));
+    }
+    out
+}
+
+/// Numbers that follow one of some words in a text.
+fn tags_after(text: &str, names: [&str; 2]) -> Vec<i32> {
+    let after = text.split_whitespace().skip_while(|w| !names.contains(w)).skip(1);
+    after.map_while(|w| w.trim_end_matches([',', ';']).parse().ok()).collect()
+}
+
+fn place(location: &str, commands: &[&str], inventory: &ModelInventory) -> Place {
+    if let Some(channel) = location.strip_prefix("channel ") {
+        return Place { channel: channel.into(), ..Place::default() };
+    }
+    let elements = tags_after(location, ["element", "elements"]);
+    let mut tags = tags_after(location, ["node", "nodes"]);
+    for e in &elements {
+        for n in inventory.element_nodes.get(e).into_iter().flatten() {
+            if !tags.contains(n) {
+                tags.push(*n);
+            }
+        }
+    }
+    let node = |tag: &i32| Some(NodePlace { tag: *tag, coordinates: inventory.coordinates.get(tag)?.clone() });
+    let nodes: Vec<NodePlace> = tags.iter().filter_map(node).collect();
+    Place {
+        directions: directions(&elements, commands, inventory),
+        level: level(&elements, &nodes, inventory),
+        elements,
+        nodes,
+        channel: String::new(),
+    }
+}
+
+/// Global directions of the option `-dir` of the commands that amend elements.
+fn directions(elements: &[i32], commands: &[&str], inventory: &ModelInventory) -> Vec<String> {
+    let mut out: Vec<String> = vec![];
+    let Some(device) = inventory.devices.iter().find(|d| elements.contains(&d.tag)) else { return out };
+    for command in commands.iter().filter(|c| c.starts_with("amend element")) {
+        for number in tags_after(command, ["-dir", "-dir"]) {
+            let Some(d) = device.directions.iter().find(|d| d.number == number as usize) else { continue };
+            let name = if d.number > 3 { "rotation".to_owned() } else { direction_name(d.axis, inventory) };
+            if !out.contains(&name) {
+                out.push(name);
+            }
+        }
+    }
+    out
+}
+
+/// A direction along the global axes.
+fn direction_name(axis: [f64; 3], inventory: &ModelInventory) -> String {
+    let names = ["X", "Y", "Z"];
+    let along = (0..3).find(|i| axis[*i].abs() > MIN_AXIS_COMPONENT);
+    let vertical = vertical_axis(inventory);
+    match (along, vertical) {
+        (Some(i), _) if inventory.ndm == 1 => format!("direction {}", names[i]),
+        (Some(i), Some(v)) => format!("{} {}", if i == v { "vertical" } else { "horizontal" }, names[i]),
+        (Some(i), None) => format!("horizontal {}", names[i]),
+        (None, _) => {
+            let angle = axis[1].atan2(axis[0]).to_degrees();
+            let horizontal = vertical.is_none_or(|v| axis[v].abs() < 1.0 - MIN_AXIS_COMPONENT);
+            if horizontal { format!("horizontal, {} degrees from X", digits(angle, 2)) } else { "inclined".into() }
+        }
+    }
+}
+
+/// Index of the vertical axis: the last one. None for a plan, in which supports reach as far as the free nodes.
+fn vertical_axis(inventory: &ModelInventory) -> Option<usize> {
+    let axis = inventory.ndm.checked_sub(1).filter(|n| *n > 0)?;
+    if axis == 2 {
+        return Some(axis);
+    }
+    let heights = |fixed: bool| {
+        let of = move |tag: &i32| inventory.supports.iter().any(|s| s.node == *tag && s.fixed.len() >= 2) == fixed;
+        inventory.coordinates.iter().filter(move |(tag, _)| of(tag)).map(move |(_, x)| x[axis])
+    };
+    let (supports, free) =
+        (heights(true).fold(f64::NEG_INFINITY, f64::max), heights(false).fold(f64::NEG_INFINITY, f64::max));
+    (supports < free).then_some(axis)
+}
+
+/// Level of elements or nodes: a storey between two floors, a floor, or the base.
+fn level(elements: &[i32], nodes: &[NodePlace], inventory: &ModelInventory) -> String {
+    let is_support = |tag: i32| inventory.supports.iter().any(|s| s.node == tag && s.fixed.len() >= inventory.ndm);
+    let at_base = || {
+        let touches = |e: &i32| inventory.element_nodes.get(e).is_some_and(|n| n.iter().any(|n| is_support(*n)));
+        if elements.is_empty() { nodes.iter().all(|n| is_support(n.tag)) } else { elements.iter().all(touches) }
+    };
+    if nodes.is_empty() {
+        return String::new();
+    }
+    let Some(axis) = vertical_axis(inventory) else {
+        return if at_base() { "at the base".into() } else { String::new() };
+    };
+    let height_of = |tag: i32| inventory.coordinates.get(&tag).map(|x| x[axis]);
+    let (low, high) = range(inventory.coordinates.values().map(|x| x[axis]));
+    let equal = |a: f64, b: f64| (a - b).abs() <= EQUAL_HEIGHT * (high - low).max(f64::MIN_POSITIVE);
+    // Floors are the heights of masses above the lowest node.
+    let mut floors = vec![low];
+    let mut heights: Vec<f64> = inventory.masses.iter().filter_map(|m| height_of(m.node)).collect();
+    heights.sort_by(f64::total_cmp);
+    for h in heights {
+        if floors.last().is_some_and(|f| !equal(*f, h)) {
+            floors.push(h);
+        }
+    }
+    let (bottom, top) = range(nodes.iter().map(|n| n.coordinates[axis]));
+    let of = floors.len() - 1;
+    let reached = floors.iter().position(|f| *f > top || equal(*f, top)).unwrap_or(of);
+    if equal(bottom, top) {
+        return match reached {
+            _ if at_base() => "at the base".into(),
+            0 => "at the base".into(),
+            n if of > 1 => format!("floor {n} of {of}"),
+            _ => String::new(),
+        };
+    }
+    let begun = floors.iter().rposition(|f| *f < bottom || equal(*f, bottom)).unwrap_or(0);
+    match reached {
+        _ if of < 2 => String::new(),
+        n if n == begun + 1 => format!("storey {n} of {of}"),
+        n => format!("storeys {} to {n} of {of}", begun + 1),
+    }
+}
+
+fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)))
+}
+
+impl Place {
+    /// The place in words. `location` is that of the proposal.
+    pub(super) fn description(&self, location: &str, study: &Study, units: &Units) -> String {
+        if !self.channel.is_empty() {
+            let observed = study.runs.iter().flat_map(|r| &r.observe).find(|o| o.channel == self.channel);
+            let at = observed.map_or("", |o| o.at.as_str());
+            return if at.is_empty() { location.to_owned() } else { format!("{location} ({at})") };
+        }
+        let mut parts = vec![location.to_owned()];
+        if !self.level.is_empty() {
+            parts.push(self.level.clone());
+        }
+        let mut coordinates: Vec<String> = vec![];
+        for n in &self.nodes {
+            let text: Vec<String> = n.coordinates.iter().map(|x| digits(*x, 4)).collect();
+            coordinates.push(format!("({})", text.join(", ")));
+        }
+        let tags: Vec<String> = self.nodes.iter().map(|n| n.tag.to_string()).collect();
+        let unit = if units.length.is_empty() { String::new() } else { format!(" {}", units.length) };
+        let same = coordinates.windows(2).all(|w| w[0] == w[1]);
+        // Nodes of a chain often stand at one place.
+        let chain = same && self.nodes.iter().all(|n| n.coordinates.len() == 1);
+        let named = self.elements.is_empty();
+        match (coordinates.len(), same) {
+            (0, _) => {}
+            _ if chain && !named => parts.push(format!("nodes {}", tags.join(" and "))),
+            _ if chain => {}
+            (1, _) if named => parts.push(format!("at {}{unit}", coordinates[0])),
+            (n, true) if n <= MAX_LISTED => {
+                let nodes = if named { String::new() } else { format!("nodes {} ", tags.join(" and ")) };
+                parts.push(format!("{nodes}at {}{unit}", coordinates[0]));
+            }
+            (n, _) if n <= MAX_LISTED => {
+                let each: Vec<String> = tags.iter().zip(&coordinates).map(|(t, x)| format!("{t} at {x}")).collect();
+                parts.push(format!("{} {}{unit}", if n == 1 { "node" } else { "nodes" }, each.join(" and ")));
+            }
+            (n, _) => parts.push(format!("{n} nodes from {} to {}{unit}", coordinates[0], coordinates[n - 1])),
+        }
+        if !self.directions.is_empty() {
+            parts.push(self.directions.join(" and "));
+        }
+        parts.join("; ")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{level, place};
+    use crate::inspect::probe::tests::inventory_of;
+
+    /// Two storeys in elevation on a bearing.
+    const BUILDING: &str = "model basic -ndm 2 -ndf 3\nforeach {n y} {1 0. 2 0. 3 3.5 4 7.} {node $n 2. $y}\nfix 1 1 1 1\n\
+        foreach n {2 3 4} {mass $n 1. 1. 0.}\nuniaxialMaterial Elastic 1 1e3\n\
+        element zeroLength 1 1 2 -mat 1 1 1 -dir 1 2 6\ngeomTransf Linear 1\n\
+        foreach {e i j} {2 2 3 3 3 4} {element elasticBeamColumn $e $i $j 1. 1e3 1. 1}\n\
+        timeSeries Constant 2\npattern UniformExcitation 2 1 -accel 2\nconstraints Plain\nsystem FullGeneral\n\
+        algorithm Linear\nintegrator Newmark 0.5 0.25\nanalysis Transient\nanalyze 2 0.01\n";
+
+    #[test]
+    fn elements_have_nodes_directions_and_storeys() {
+        let inventory = inventory_of(BUILDING);
+        let wall = place("element 1", &["amend element 1 gap -at $hy_gap -dir 1"], &inventory);
+        assert_eq!((wall.directions, wall.level.as_str()), (vec!["horizontal X".to_owned()], "at the base"));
+        let tags: Vec<i32> = wall.nodes.iter().map(|n| n.tag).collect();
+        assert_eq!((tags, &wall.nodes[1].coordinates), (vec![1, 2], &vec![2.0, 0.0]));
+        let lift = place("element 1", &["amend element 1 cavitation -dir 2"], &inventory);
+        assert_eq!(lift.directions, ["vertical Y"]);
+        let column = place("foot of element 3", &[], &inventory);
+        assert_eq!((column.elements, column.level.as_str()), (vec![3], "storey 2 of 2"));
+        let mass = place("node 4", &[], &inventory);
+        assert_eq!(mass.level, "floor 2 of 2");
+        assert_eq!(level(&[2, 3], &place("elements 2 3", &[], &inventory).nodes, &inventory), "storeys 1 to 2 of 2");
+    }
+
+    #[test]
+    fn a_channel_is_a_place() {
+        let inventory = inventory_of(BUILDING);
+        assert_eq!(place("channel roof acc", &[], &inventory).channel, "roof acc");
+    }
+}

@@ -1,0 +1,354 @@
+//! Sizes of an effect in words: names and units of added parameters, with digits that follow the interval.
+
+use hysteron_identify::calibrate::Interval;
+use hysteron_identify::study::Study;
+use serde::Serialize;
+
+/// Size of an added parameter.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct EffectSize {
+    /// Name of the parameter in the script.
+    pub name: String,
+    /// The quantity in words.
+    pub quantity: String,
+    /// Fitted value in the units of the script.
+    pub value: f64,
+    /// Ends of the 95 % interval; none if it could not be estimated.
+    pub interval: Option<[f64; 2]>,
+    /// Unit of the value; empty if it is not known, or for a number without one.
+    pub unit: String,
+    /// Quantity, value, interval and unit in words.
+    pub text: String,
+    /// True if the recordings determine it well enough to be named first.
+    pub determined: bool,
+}
+
+/// Units of the script; an empty one is not known.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Units {
+    /// Unit of length.
+    pub(super) length: String,
+    /// Unit of force.
+    pub(super) force: String,
+}
+
+/// Units of length.
+const LENGTHS: [&str; 5] = ["m", "mm", "cm", "in", "ft"];
+/// Units of force.
+const FORCES: [&str; 6] = ["N", "kN", "MN", "lbf", "kip", "kips"];
+
+impl Units {
+    /// Units of the observed channels. A comment of the script such as `# units: N, m, s` gives those that no channel has,
+    /// unless it contradicts one.
+    pub(super) fn of(study: &Study, script: &str) -> Self {
+        let first_of = |known: &[&str], units: &[&str]| {
+            units.iter().find(|u| known.contains(u)).map_or_else(String::new, |u| (*u).to_owned())
+        };
+        let observed: Vec<&str> = study.runs.iter().flat_map(|r| &r.observe).map(|o| o.unit.as_str()).collect();
+        // An acceleration in m/s2 shows the length as well.
+        let lengths: Vec<&str> = observed.iter().map(|u| u.split_once("/s").map_or(*u, |(length, _)| length)).collect();
+        let mut units = Self { length: first_of(&LENGTHS, &lengths), force: first_of(&FORCES, &observed) };
+        let mut comments = script.lines().filter(|l| l.trim_start().starts_with('#'));
+        let comment = comments.find(|l| l.to_lowercase().contains("units")).unwrap_or("");
+        let words: Vec<&str> = comment.split([' ', ',', ';', ':', '\t']).collect();
+        let (length, force) = (first_of(&LENGTHS, &words), first_of(&FORCES, &words));
+        let agrees =
+            (units.length.is_empty() || units.length == length) && (units.force.is_empty() || units.force == force);
+        if agrees && !length.is_empty() && !force.is_empty() {
+            units = Self { length, force };
+        }
+        units
+    }
+
+    /// Units in which a quantity is shown, each with the factor on the value, ascending; none if the unit is not known.
+    fn scales(&self, of: Dimension) -> Vec<(f64, String)> {
+        let forces: &[(f64, &str)] = match self.force.as_str() {
+            "N" => &[(1.0, "N"), (1e-3, "kN"), (1e-6, "MN")],
+            "kN" => &[(1e3, "N"), (1.0, "kN"), (1e-3, "MN")],
+            "MN" => &[(1e3, "kN"), (1.0, "MN")],
+            "" => &[],
+            other => &[(1.0, other)],
+        };
+        let length = self.length.as_str();
+        let per_length = |after: &str| -> Vec<(f64, String)> {
+            let known = forces.iter().filter(|_| !length.is_empty());
+            known.map(|(factor, force)| (*factor, format!("{force}{}", after.replace('L', length)))).collect()
+        };
+        let one = |unit: &str| vec![(1.0, unit.replace('L', length))];
+        match of {
+            Dimension::Length if length == "m" => vec![(1e3, "mm".into()), (1.0, "m".into())],
+            Dimension::Length | Dimension::Speed if length.is_empty() => vec![],
+            Dimension::Length => one("L"),
+            Dimension::Speed => one("L/s"),
+            Dimension::Force => per_length(""),
+            Dimension::Stiffness => per_length("/L"),
+            Dimension::Dashpot => per_length(" s/L"),
+            Dimension::Moment | Dimension::Energy => per_length(" L"),
+            Dimension::RotationalStiffness => per_length(" L/rad"),
+            Dimension::RotationalDashpot => per_length(" L s/rad"),
+            Dimension::Time => vec![(1e3, "ms".into()), (1.0, "s".into())],
+            Dimension::Rate => one("1/s"),
+            Dimension::PerDegree => vec![(100.0, "%/degree".into())],
+            Dimension::Ratio | Dimension::Unnamed => vec![],
+        }
+    }
+}
+
+/// Dimension of a parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Dimension {
+    Length,
+    Speed,
+    Force,
+    Stiffness,
+    Dashpot,
+    Moment,
+    Energy,
+    RotationalStiffness,
+    RotationalDashpot,
+    Time,
+    Rate,
+    PerDegree,
+    /// A number without unit.
+    Ratio,
+    /// A unit that depends on the law.
+    Unnamed,
+}
+
+/// Names of the parameters of causes, in words, with their dimensions. Of one name the row of the cause comes first.
+const QUANTITIES: &[(&str, &str, &str, Dimension)] = {
+    use Dimension::{
+        Dashpot, Energy, Force, Length, Moment, PerDegree, Rate, Ratio, RotationalDashpot, RotationalStiffness, Speed,
+        Stiffness, Time, Unnamed,
+    };
+    &[
+        ("gap_impact", "gap", "gap", Length),
+        ("gap_impact", "wall", "stiffness of the wall", Stiffness),
+        ("gap_impact", "damping", "damping of the contact", Unnamed),
+        ("friction", "force", "friction force", Force),
+        ("friction", "way", "elastic slip", Length),
+        ("friction", "breakaway", "breakaway force", Force),
+        ("friction", "speed", "speed of the transition", Speed),
+        ("rate_dependence", "force", "viscous force at the largest speed", Force),
+        ("rate_dependence", "spring", "stiffness in series", Stiffness),
+        ("rate_dependence", "strength", "strength of the relaxation", Ratio),
+        ("rate_dependence", "time", "relaxation time", Time),
+        ("self_heating", "capacity", "work per degree, at a softening of 1 %/degree", Energy),
+        ("self_heating", "cooling", "cooling time", Time),
+        ("self_heating", "conduction", "conduction", Unnamed),
+        ("ambient_temperature", "b", "softening", PerDegree),
+        ("mullins_softening", "virgin", "excess of the virgin stiffness", Ratio),
+        ("mullins_softening", "onset", "deformation at the onset", Length),
+        ("mullins_softening", "rest", "factor of the rest", Ratio),
+        ("cyclic_degradation", "loss", "largest loss", Ratio),
+        ("cyclic_degradation", "energy", "work that causes it", Energy),
+        ("strain_stiffening", "factor", "factor", Unnamed),
+        ("strain_stiffening", "from", "onset", Length),
+        ("axial_shear_interaction", "critical", "critical load", Force),
+        ("axial_shear_interaction", "width", "width of the overlap", Length),
+        ("varying_axial_load", "reference", "reference load", Force),
+        ("varying_axial_load", "lever", "axial force per lateral deformation", Stiffness),
+        ("cavitation", "strength", "cavitation force", Force),
+        ("cavitation", "damage", "largest damage", Ratio),
+        ("cavitation", "rise", "rise of the force", Ratio),
+        ("cavitation", "reach", "extension of the rise", Length),
+        ("bidirectional_coupling", "stiffness", "initial stiffness", Stiffness),
+        ("bidirectional_coupling", "strength", "strength", Force),
+        ("bidirectional_coupling", "alpha", "hardening ratio", Ratio),
+        ("bidirectional_coupling", "eta", "exponent of the transition", Ratio),
+        ("foundation_flexibility", "sway", "horizontal stiffness", Stiffness),
+        ("foundation_flexibility", "sway_dashpot", "horizontal damping", Dashpot),
+        ("foundation_flexibility", "rocking", "rocking stiffness", RotationalStiffness),
+        ("foundation_flexibility", "rocking_dashpot", "rocking damping", RotationalDashpot),
+        ("foundation_flexibility", "sway_yield", "yield force", Force),
+        ("foundation_flexibility", "sway_hardening", "hardening ratio", Ratio),
+        ("foundation_flexibility", "footing", "mass of the footing", Unnamed),
+        ("superstructure_yielding", "yield", "yield force", Force),
+        ("superstructure_yielding", "moment", "yield moment", Moment),
+        ("superstructure_yielding", "plastic", "stiffness after yielding", RotationalStiffness),
+        ("superstructure_yielding", "rotational", "initial stiffness of the hinge", RotationalStiffness),
+        ("superstructure_yielding", "unloading", "exponent of unloading", Ratio),
+        ("damping", "force", "damping force at the largest speed", Force),
+        ("damping", "beta", "damping per stiffness", Time),
+        ("damping", "alphaM", "damping per mass", Rate),
+        ("damping", "c", "dashpot", Dashpot),
+        ("torsion", "ex", "eccentricity along X", Length),
+        ("torsion", "ey", "eccentricity along Y", Length),
+        ("pinching", "size", "slip", Length),
+        ("pinching", "growth", "slip per deformation", Ratio),
+        ("pinching", "depth", "depth", Ratio),
+        ("pinching", "onset", "onset", Length),
+        ("pinching", "width", "width", Unnamed),
+        ("sensor_gain", "gain", "factor on the true value", Ratio),
+        ("sensor_lag", "lag", "delay", Time),
+        ("", "hardening", "hardening ratio", Ratio),
+        ("", "k", "elastic stiffness", Stiffness),
+        ("", "elastic", "factor of the elastic part", Ratio),
+        ("", "power", "exponent", Ratio),
+    ]
+};
+
+/// A standard error above this, in sides of the unit cube, leaves a parameter undetermined. As in the notes of a calibration.
+const MAX_STANDARD_ERROR: f64 = 0.25;
+/// Ratio of the two sides of an interval up to which it is written with one number after ±.
+const MAX_ASYMMETRY: f64 = 1.5;
+/// Smallest half width of an interval that is written, in parts of the value.
+const MIN_HALF_WIDTH: f64 = 1e-3;
+
+/// Size of the added parameter `name` of a cause. None for parameters of channels that a sentence about the channel contains.
+pub(super) fn effect_size(
+    cause: &str,
+    name: &str,
+    value: f64,
+    interval: Option<&Interval>,
+    units: &Units,
+) -> Option<EffectSize> {
+    let (_, plain) = name.split_once('_')?;
+    let row = QUANTITIES.iter().find(|(of, n, ..)| *n == plain && (*of == cause || of.is_empty()));
+    if row.is_none() && cause.starts_with("sensor_") {
+        return None;
+    }
+    let (quantity, dimension) =
+        row.map_or((plain, Dimension::Unnamed), |(_, _, words, dimension)| (*words, *dimension));
+    let scales = units.scales(dimension);
+    let fits = |(factor, _): &&(f64, String)| (value * factor).abs() >= 1.0;
+    let (factor, unit) = scales.iter().rfind(fits).or(scales.first()).cloned().unwrap_or((1.0, String::new()));
+    let determined = interval.filter(|i| i.standard_error <= MAX_STANDARD_ERROR);
+    let mut number = match (interval, determined) {
+        (_, Some(i)) => with_interval(factor * value, [factor * i.lower, factor * i.upper], &unit),
+        (Some(_), None) => {
+            format!("about {} (the recordings hardly determine it)", with_unit(&digits(factor * value, 2), &unit))
+        }
+        (None, None) => with_unit(&digits(factor * value, 3), &unit),
+    };
+    if unit.is_empty() && dimension != Dimension::Ratio {
+        number += " in the script's units";
+    }
+    let own = scales.iter().find(|(factor, _)| *factor == 1.0).map_or_else(String::new, |(_, unit)| unit.clone());
+    Some(EffectSize {
+        name: name.into(),
+        quantity: quantity.into(),
+        value,
+        interval: interval.map(|i| [i.lower, i.upper]),
+        unit: own,
+        text: format!("{quantity} {number}"),
+        determined: interval.is_none_or(|i| i.standard_error <= MAX_STANDARD_ERROR && is_narrow(i)),
+    })
+}
+
+/// Width of an interval over its value up to which it is narrow.
+const MAX_RELATIVE_WIDTH: f64 = 2.0;
+
+fn is_narrow(i: &Interval) -> bool {
+    i.upper - i.lower <= MAX_RELATIVE_WIDTH * i.value.abs()
+}
+
+fn with_unit(number: &str, unit: &str) -> String {
+    if unit.is_empty() { number.to_owned() } else { format!("{number} {unit}") }
+}
+
+/// A value with its interval: `130 mm ± 2`, or both ends where the interval is lopsided.
+fn with_interval(value: f64, [lower, upper]: [f64; 2], unit: &str) -> String {
+    let (below, above) = (value - lower, upper - value);
+    let half = (0.5 * (upper - lower)).max(MIN_HALF_WIDTH * value.abs());
+    let lopsided = below.max(above) > MAX_ASYMMETRY * below.min(above).max(0.3 * MIN_HALF_WIDTH * value.abs());
+    // Large and small numbers without a unit have a power of ten.
+    let power = if (1e-3..1e5).contains(&value.abs()) || value == 0.0 { 0 } else { value.abs().log10().floor() as i32 };
+    let (scale, suffix) = (10f64.powi(-power), if power == 0 { String::new() } else { format!("e{power}") });
+    let decimals = decimals_of(scale * half);
+    let shown = |x: f64| rounded(scale * x, decimals) + &suffix;
+    if lopsided {
+        format!("{} ({} to {})", with_unit(&shown(value), unit), shown(lower), shown(upper))
+    } else {
+        format!("{} ± {}", with_unit(&shown(value), unit), shown(half))
+    }
+}
+
+/// Decimals that show an uncertainty with one digit, or with two if the first is a one; negative for whole tens.
+fn decimals_of(uncertainty: f64) -> i32 {
+    if uncertainty <= 0.0 || !uncertainty.is_finite() {
+        return 3;
+    }
+    let exponent = uncertainty.log10().floor() as i32;
+    let first = uncertainty / 10f64.powi(exponent);
+    if first < 1.95 { 1 - exponent } else { -exponent }
+}
+
+/// A number with some decimals; whole tens and more for negative ones.
+pub(super) fn rounded(x: f64, decimals: i32) -> String {
+    let scale = 10f64.powi(decimals);
+    let text = if decimals > 8 || x.abs() >= 1e7 {
+        format!("{x:.1e}")
+    } else {
+        format!("{:.*}", decimals.max(0) as usize, (x * scale).round() / scale)
+    };
+    if text.trim_start_matches('-').chars().all(|c| c == '0' || c == '.') {
+        text.trim_start_matches('-').to_owned()
+    } else {
+        text
+    }
+}
+
+/// A number with some significant digits.
+pub(super) fn digits(x: f64, count: i32) -> String {
+    if x == 0.0 || !x.is_finite() {
+        return format!("{x}");
+    }
+    let text = rounded(x, count - 1 - x.abs().log10().floor() as i32);
+    let trimmed = if text.contains('.') && !text.contains('e') {
+        text.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        &text
+    };
+    trimmed.to_owned()
+}
+
+/// A time in ms below one second, else in s.
+pub(super) fn duration(seconds: f64) -> String {
+    if seconds.abs() < 1.0 { format!("{} ms", digits(1e3 * seconds, 3)) } else { format!("{} s", digits(seconds, 3)) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Units, digits, duration, effect_size};
+    use hysteron_identify::calibrate::Interval;
+
+    fn size(cause: &str, name: &str, value: f64, [lower, upper]: [f64; 2], units: &Units) -> String {
+        let interval = Interval { name: name.into(), value, lower, upper, standard_error: 0.01, from_noise: None };
+        effect_size(cause, name, value, Some(&interval), units).expect("a size").text
+    }
+
+    #[test]
+    fn sizes_have_units_and_digits_of_their_intervals() {
+        let units = Units { length: "m".into(), force: "N".into() };
+        assert_eq!(size("gap_impact", "hy_gap", 0.1304, [0.1284, 0.1324], &units), "gap 130 mm ± 2");
+        assert_eq!(size("gap_impact", "hy_gap", 0.1304, [0.1304, 0.1304], &units), "gap 130.4 mm ± 0.13");
+        let wall = size("gap_impact", "hy2_wall", 5.43e7, [4.9e7, 6.2e7], &units);
+        assert_eq!(wall, "stiffness of the wall 54 MN/m ± 7");
+        let wall = size("gap_impact", "hy_wall", 5.43e7, [4.9e7, 8.2e7], &units);
+        assert_eq!(wall, "stiffness of the wall 54 MN/m (49 to 82)");
+        let unknown = Units::default();
+        let wall = size("gap_impact", "hy_wall", 5.43e7, [5.3e7, 5.56e7], &unknown);
+        assert_eq!(wall, "stiffness of the wall 5.43e7 ± 0.13e7 in the script's units");
+        assert_eq!(size("sensor_lag", "hy_lag", -0.0107, [-0.0112, -0.0102], &unknown), "delay -10.7 ms ± 0.5");
+        assert_eq!(
+            size("sensor_gain", "hy_gain", 0.65, [0.648, 0.652], &unknown),
+            "factor on the true value 0.650 ± 0.002"
+        );
+    }
+
+    #[test]
+    fn an_undetermined_size_is_called_so() {
+        let units = Units { length: "m".into(), force: "kN".into() };
+        let interval =
+            Interval { name: String::new(), value: 4.7, lower: 1.0, upper: 9.0, standard_error: 0.4, from_noise: None };
+        let text = effect_size("friction", "hy_force", 4.7, Some(&interval), &units).expect("a size").text;
+        assert_eq!(text, "friction force about 4.7 kN (the recordings hardly determine it)");
+    }
+
+    #[test]
+    fn numbers_keep_their_digits() {
+        assert_eq!([digits(0.00178, 2), digits(1234.0, 2), digits(-0.5, 3)], ["0.0018", "1200", "-0.5"]);
+        assert_eq!([duration(0.00125), duration(2.5)], ["1.25 ms", "2.5 s"]);
+    }
+}

@@ -1,0 +1,479 @@
+//! The verdict for readers without statistics: one template of the terminal, the report and the result file.
+
+use super::advice::{measurement, shorter_step};
+use super::place::{Place, places};
+use super::quantity::{EffectSize, Units, digits, duration, effect_size};
+use super::result_file::{Baseline, Candidate, Mismatch, RepairedModel};
+use crate::candidate::channel_fault::ChannelFault;
+use crate::candidate::variant::Variant;
+use crate::fit::step_error::StepError;
+use crate::hypothesis;
+use crate::inspect::inventory::ModelInventory;
+use hysteron_identify::calibrate::Uncertainty;
+use hysteron_identify::study::Study;
+use serde::Serialize;
+use std::fmt::Write as _;
+
+/// The verdict in words, part by part. A part that does not apply is empty.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Summary {
+    /// The missing effect in plain words, with the name of its cause in parentheses.
+    pub what: String,
+    /// Place of the effect, and the time at which the recordings show it.
+    #[serde(rename = "where")]
+    pub location: String,
+    /// Sizes of the effect, with units and 95 % intervals where they are known.
+    pub how_big: String,
+    /// Probability, and its meaning.
+    pub how_sure: String,
+    /// Other causes with their probabilities.
+    pub what_else: String,
+    /// Errors before and after the repair.
+    pub gain: String,
+    /// Next steps, the most useful first.
+    pub what_next: Vec<String>,
+    /// Places of the effects.
+    pub places: Vec<Place>,
+    /// Sizes of the effects.
+    pub sizes: Vec<EffectSize>,
+}
+
+/// Basis of a summary.
+pub(super) struct SummaryContext<'a> {
+    pub(super) study: &'a Study,
+    pub(super) script: &'a str,
+    pub(super) inventory: &'a ModelInventory,
+    /// The verdict, its probability, and the other causes.
+    pub(super) verdict: (&'a str, f64),
+    pub(super) also_possible: &'a [Candidate],
+    /// Variant of the repair, its values, and their uncertainty.
+    pub(super) variant: &'a Variant,
+    pub(super) values: &'a [f64],
+    pub(super) uncertainty: Option<&'a Uncertainty>,
+    pub(super) baseline: &'a Baseline,
+    pub(super) corrected: &'a RepairedModel,
+    pub(super) mismatch: &'a [Mismatch],
+    /// Numbers of forms and causes that were tried.
+    pub(super) tried: (usize, usize),
+    /// Structure of the rest, in words; empty for none.
+    pub(super) structure: &'a str,
+    pub(super) step_error: &'a StepError,
+    /// Number of steps that the script makes in the first run, if it was counted.
+    pub(super) script_steps: Option<usize>,
+    /// Recommended test or recording, in words; empty for none.
+    pub(super) test: &'a str,
+}
+
+impl SummaryContext<'_> {
+    /// True if earthquakes excite the structure, and no rig could repeat them.
+    fn is_building(&self) -> bool {
+        self.inventory.base_excited && self.study.rig.is_none()
+    }
+}
+
+/// The summary of a verdict.
+pub(super) fn summary(c: &SummaryContext<'_>) -> Summary {
+    match c.verdict.0 {
+        "none" => of_none(c),
+        "unknown" => of_unknown(c),
+        _ => of_cause(c),
+    }
+}
+
+fn of_none(c: &SummaryContext<'_>) -> Summary {
+    let after =
+        c.baseline.holdout_nmse.map_or_else(String::new, |h| format!(", and {} of the runs held out", variance(h)));
+    Summary {
+        what: "Your model explains the recordings (none).".into(),
+        how_sure: format!("{}: what it leaves looks like noise. {}", percent(c.verdict.1), others(c)),
+        gain: format!("The fitted model misses {} of the fitted runs{after}.", variance(c.baseline.fit_nmse)),
+        ..Summary::default()
+    }
+}
+
+fn of_unknown(c: &SummaryContext<'_>) -> Summary {
+    let what = if c.structure.is_empty() {
+        "The recordings do not decide between noise and a missing effect (unknown)."
+    } else {
+        "Something is missing that no effect of the library explains (unknown)."
+    };
+    let mut location = where_it_shows(c);
+    if !c.structure.is_empty() {
+        let _ = write!(location, " Structure of the rest: {}.", c.structure);
+    }
+    let (forms, causes) = c.tried;
+    let mut tried = format!("{forms} forms of {causes} causes were tried.");
+    if let Some(h) = hypothesis::of(c.variant.cause()) {
+        let share = c.corrected.fit_nmse / c.baseline.fit_nmse.max(f64::MIN_POSITIVE);
+        let place = c.variant.proposal.as_ref().map_or("", |p| p.location.as_str());
+        let _ = write!(tried, " The nearest, {} at {place}, leaves {} of the squared error.", h.cause, percent(share));
+    }
+    let channel = c.mismatch.first().map_or_else(|| "the channel with the largest error".to_owned(), channel_in_words);
+    let mut next = steps(c);
+    next.push(if c.is_building() {
+        format!(
+            "see whether another recording at hand has the same error, and put a second instrument beside {channel}"
+        )
+    } else {
+        "repeat a run unchanged: what repeats is missing in the model, what does not is noise".into()
+    });
+    next.push(
+        "record what may matter and is not recorded: temperature, axial force, both horizontal directions".into(),
+    );
+    Summary {
+        what: what.into(),
+        location,
+        how_big: format!("The fitted model misses {} of the fitted runs. {tried}", variance(c.baseline.fit_nmse)),
+        how_sure: format!("{}: {}", percent(c.verdict.1), meaning(c.verdict.1)),
+        what_else: others(c),
+        gain: String::new(),
+        what_next: next,
+        ..Summary::default()
+    }
+}
+
+fn of_cause(c: &SummaryContext<'_>) -> Summary {
+    let units = Units::of(c.study, c.script);
+    let places = places(c.variant, c.inventory);
+    let described: Vec<String> = places.iter().map(|(location, p)| p.description(location, c.study, &units)).collect();
+    let sizes = sizes(c, &units);
+    // What the recordings hardly determine is left to the list of sizes.
+    let named = |determined: bool| sizes.iter().filter(move |s| s.determined || !determined).map(|s| s.text.clone());
+    let mut in_words: Vec<String> = named(true).collect();
+    if in_words.is_empty() {
+        in_words = named(false).collect();
+    }
+    let place = places.first().map_or("", |(location, _)| location.as_str());
+    let mut next = steps(c);
+    if !c.test.is_empty() {
+        next.push(c.test.to_owned());
+    }
+    next.extend(measurement(c.verdict.0, place, c.is_building()));
+    Summary {
+        what: what(c),
+        location: format!("{}. {}", capitalised(&described.join("; and ")), where_it_shows(c)),
+        how_big: in_words.join(", "),
+        how_sure: format!("{}: {}", percent(c.verdict.1), meaning(c.verdict.1)),
+        what_else: others(c),
+        gain: gain(c),
+        what_next: next,
+        places: places.into_iter().map(|(_, place)| place).collect(),
+        sizes,
+    }
+}
+
+/// The effect in words with the names of its causes, and the form of its model.
+fn what(c: &SummaryContext<'_>) -> String {
+    let causes = std::iter::once(c.verdict.0).chain(c.variant.second_cause());
+    let sentences: Vec<String> = causes
+        .map(|cause| {
+            let faults: Vec<String> = c
+                .corrected
+                .channels
+                .iter()
+                .filter(|f| cause_of(f) == Some(cause))
+                .take(2)
+                .map(|f| fault_in_words(f, unit_of(c.study, &f.channel)))
+                .collect();
+            let statement = hypothesis::of(cause).map_or(cause, |h| h.statement);
+            let words = if faults.is_empty() { statement.to_owned() } else { faults.join("; ") };
+            format!("{words} ({cause})")
+        })
+        .collect();
+    let form = c.variant.proposal.as_ref().filter(|_| c.variant.edits_script()).map(|p| p.form.as_str());
+    let form = form.map_or_else(String::new, |f| format!(" It is modelled as: {f}."));
+    format!("{}.{form}", capitalised(&sentences.join(". Also: ")))
+}
+
+/// Cause that a fault of a channel stands for; `None` for no fault.
+fn cause_of(f: &ChannelFault) -> Option<&'static str> {
+    let of = [
+        (f.gain != 1.0, "sensor_gain"),
+        (f.lag_s != 0.0, "sensor_lag"),
+        (!f.drift.is_empty(), "sensor_drift"),
+        (f.clip.is_some(), "sensor_clipping"),
+    ];
+    of.into_iter().find(|(is, _)| *is).map(|(_, cause)| cause)
+}
+
+fn unit_of<'a>(study: &'a Study, channel: &str) -> &'a str {
+    let observed = study.runs.iter().flat_map(|r| &r.observe).find(|o| o.channel == channel);
+    observed.map_or("", |o| o.unit.as_str())
+}
+
+/// A level is open if it is this many times as far from zero as the other.
+const OPEN_LEVEL: f64 = 5.0;
+/// Time between two points of a drift from which it is a slope, s.
+const SLOPE_LENGTH: f64 = 9e3;
+
+/// A fault of a channel as a sentence with its correction.
+pub(super) fn fault_in_words(f: &ChannelFault, unit: &str) -> String {
+    let in_run = f.run.as_ref().map_or_else(String::new, |r| format!(" in run {r}"));
+    let channel = format!("the channel {}{in_run}", f.channel);
+    let value = |x: f64| if unit.is_empty() { digits(x, 3) } else { format!("{} {unit}", digits(x, 3)) };
+    if f.gain != 1.0 {
+        let size = f.gain.abs();
+        let sign = if f.gain < 0.0 { "with the sign turned" } else { "" };
+        let factor = match size {
+            g if (g - 1.0).abs() < 5e-4 => String::new(),
+            g if g > 1.0 => format!("{} times too large", digits(g, 4)),
+            g => format!("{} times too small", digits(1.0 / g, 3)),
+        };
+        let and = if sign.is_empty() || factor.is_empty() { "" } else { " and " };
+        return format!("{channel} is recorded {sign}{and}{factor}: divide it by {}", digits(f.gain, 4));
+    }
+    if f.lag_s != 0.0 {
+        let size = duration(f.lag_s.abs());
+        let (is, shift) = if f.lag_s > 0.0 { ("late", "earlier") } else { ("early", "later") };
+        return format!("{channel} is {is} by {size}: shift it {size} {shift}");
+    }
+    if let Some([low, high]) = f.clip {
+        let levels = match (low.abs(), high.abs()) {
+            (l, h) if l > OPEN_LEVEL * h => format!("above {}", value(high)),
+            (l, h) if h > OPEN_LEVEL * l => format!("below {}", value(low)),
+            _ => format!("beyond {} and {}", value(low), value(high)),
+        };
+        return format!("{channel} shows nothing {levels}: leave the samples at that level out");
+    }
+    match f.drift[..] {
+        [a, b] if b[0] - a[0] > SLOPE_LENGTH => {
+            let slope = (b[1] - a[1]) / (b[0] - a[0]);
+            format!("{channel} drifts by {} per second, from {} at time 0: take it off", value(slope), value(a[1]))
+        }
+        [a, b] => format!("{channel} jumps by {} at {}: take it off", value(b[1] - a[1]), duration(a[0])),
+        _ => {
+            let (low, high) = f.drift.iter().fold((0.0f64, 0.0f64), |(a, b), p| (a.min(p[1]), b.max(p[1])));
+            format!("the zero of {channel} wanders between {} and {}", value(low), value(high))
+        }
+    }
+}
+
+/// Sizes of the added parameters, of the first effect and then of the second.
+fn sizes(c: &SummaryContext<'_>, units: &Units) -> Vec<EffectSize> {
+    let Some(p) = &c.variant.proposal else { return vec![] };
+    let added = c.variant.split(c.values).1;
+    let size = |(a, value): (&crate::candidate::proposal::AddedParameter, &f64)| {
+        let cause = if a.name.starts_with("hy2_") { p.second_cause.unwrap_or(p.cause) } else { p.cause };
+        let interval = c.uncertainty.and_then(|u| u.intervals.iter().find(|i| i.name == a.name));
+        effect_size(cause, &a.name, *value, interval, units)
+    };
+    p.parameters.iter().zip(added).filter_map(size).collect()
+}
+
+/// Steps that come before any measurement: a shorter time step.
+fn steps(c: &SummaryContext<'_>) -> Vec<String> {
+    shorter_step(c.step_error, c.study, c.script_steps).into_iter().collect()
+}
+
+fn channel_in_words(m: &Mismatch) -> String {
+    if m.at.is_empty() { m.channel.clone() } else { format!("{} ({})", m.channel, m.at) }
+}
+
+/// Windows that a sentence lists, at most.
+const MAX_WINDOWS: usize = 2;
+
+/// Channel, run and time with the largest error of the user's model.
+fn where_it_shows(c: &SummaryContext<'_>) -> String {
+    let Some(m) = c.mismatch.first() else { return String::new() };
+    let length = |w: &&[f64; 2]| w[1] - w[0];
+    let mut windows: Vec<&[f64; 2]> = m.windows.iter().collect();
+    windows.sort_by(|a, b| length(b).total_cmp(&length(a)));
+    windows.truncate(MAX_WINDOWS);
+    windows.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let windows: Vec<String> =
+        windows.iter().map(|w| format!("{} to {} s", digits(w[0], 3), digits(w[1], 3))).collect();
+    let at = if windows.is_empty() { String::new() } else { format!(" at {}", windows.join(" and ")) };
+    format!("It shows most in {} of run {}{at}, {}.", channel_in_words(m), m.run, m.regime)
+}
+
+/// A share in per cent for readers: whole numbers, with more digits below one per cent.
+fn percent(share: f64) -> String {
+    let p = 100.0 * share;
+    match p {
+        p if p > 99.0 && p < 100.0 => "more than 99 %".into(),
+        p if p >= 1.0 => format!("{p:.0} %"),
+        p => format!("{} %", digits(p, 2)),
+    }
+}
+
+/// An NMSE as a share of the recorded variance.
+fn variance(nmse: f64) -> String {
+    let p = 100.0 * nmse;
+    format!("{} % of the variance", if p >= 10.0 { format!("{p:.0}") } else { digits(p, 2) })
+}
+
+/// Meaning of a probability. A verdict that is written as 95 % counts as nearly certain.
+fn meaning(p: f64) -> &'static str {
+    if p >= 0.945 {
+        "nearly certain among the causes that the library knows."
+    } else if p >= 0.8 {
+        "well supported; one in five to twenty of such verdicts may be wrong."
+    } else if p >= 0.5 {
+        "the best guess; another cause remains possible."
+    } else {
+        "a weak guess; do not rely on it without a further recording."
+    }
+}
+
+/// Other causes that are listed, at most.
+const MAX_OTHERS: usize = 3;
+/// Least probability of another cause that is listed.
+const MIN_LISTED: f64 = 0.005;
+
+/// Other possible causes with their probabilities, as a sentence; empty for none.
+fn others(c: &SummaryContext<'_>) -> String {
+    let name = |cause: &str| match cause {
+        "none" => "nothing is missing (none)".to_owned(),
+        "unknown" => "something outside the library (unknown)".to_owned(),
+        cause => cause.to_owned(),
+    };
+    let listed = c.also_possible.iter().filter(|o| o.confidence >= MIN_LISTED).take(MAX_OTHERS);
+    let listed: Vec<String> = listed.map(|o| format!("{} {}", name(&o.cause), percent(o.confidence))).collect();
+    if listed.is_empty() { String::new() } else { format!("Possible as well: {}.", listed.join(", ")) }
+}
+
+/// Errors before and after the repair.
+fn gain(c: &SummaryContext<'_>) -> String {
+    let (b, r) = (c.baseline, c.corrected);
+    let change = |before: f64, after: f64| {
+        let first = variance(before).replace(" of the variance", "");
+        format!("from {first} to {} (NMSE {} to {})", variance(after), digits(before, 2), digits(after, 2))
+    };
+    match b.holdout_nmse.zip(r.holdout_nmse) {
+        Some((before, after)) => format!(
+            "The error of the runs held out {} {}; that of the fitted runs from {} to {}.",
+            verb(before, after),
+            change(before, after),
+            digits(b.fit_nmse, 2),
+            digits(r.fit_nmse, 2)
+        ),
+        None => format!(
+            "The error of the fitted runs {} {}. No run was held out to check it.",
+            verb(b.fit_nmse, r.fit_nmse),
+            change(b.fit_nmse, r.fit_nmse)
+        ),
+    }
+}
+
+fn verb(before: f64, after: f64) -> &'static str {
+    if after < before { "falls" } else { "rises" }
+}
+
+fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+impl Summary {
+    /// Parts that apply, each with its heading, after [`Summary::what`].
+    pub fn parts(&self) -> Vec<(&'static str, String)> {
+        let next = match &self.what_next[..] {
+            [one] => format!("{}.", capitalised(one)),
+            several => {
+                let numbered = several.iter().enumerate().map(|(i, s)| format!("({}) {}.", i + 1, capitalised(s)));
+                numbered.collect::<Vec<_>>().join(" ")
+            }
+        };
+        let big = if self.how_big.ends_with('.') || self.how_big.is_empty() {
+            self.how_big.clone()
+        } else {
+            format!("{}.", capitalised(&self.how_big))
+        };
+        let all = [
+            ("Where", self.location.clone()),
+            ("How big", big),
+            ("How sure", self.how_sure.clone()),
+            ("Or else", self.what_else.clone()),
+            (if self.what_next.is_empty() { "Error" } else { "Gain" }, self.gain.clone()),
+            ("Next", next),
+        ];
+        all.into_iter().filter(|(_, text)| !text.is_empty()).collect()
+    }
+
+    /// The whole template as lines of at most `width` letters.
+    pub fn text(&self, width: usize) -> String {
+        let mut out = wrapped(&self.what, width, 0);
+        out.push('\n');
+        for (heading, text) in self.parts() {
+            let lines = wrapped(&text, width, HEADING_WIDTH);
+            let _ = write!(out, "{heading:<HEADING_WIDTH$}{}", lines.trim_start());
+        }
+        out
+    }
+}
+
+/// Width of the column of headings.
+const HEADING_WIDTH: usize = 10;
+
+/// A text in lines of at most `width` letters that begin with `indent` spaces. A number keeps its unit on its line.
+fn wrapped(text: &str, width: usize, indent: usize) -> String {
+    let (mut out, mut line) = (String::new(), String::new());
+    let words: Vec<&str> = text.split(' ').filter(|w| !w.is_empty()).collect();
+    let binds = |a: &str, b: &str| {
+        a.ends_with(|c: char| c.is_ascii_digit()) && b.chars().next().is_some_and(|c| "%±".contains(c)) || a == "±"
+    };
+    let mut begin = 0;
+    while begin < words.len() {
+        let mut end = begin + 1;
+        while end < words.len() && binds(words[end - 1], words[end]) {
+            end += 1;
+        }
+        let word = words[begin..end].join(" ");
+        if !line.is_empty() && indent + line.chars().count() + 1 + word.chars().count() > width {
+            let _ = writeln!(out, "{:indent$}{line}", "");
+            line.clear();
+        }
+        if !line.is_empty() {
+            line.push(' ');
+        }
+        line += &word;
+        begin = end;
+    }
+    let _ = writeln!(out, "{:indent$}{line}", "");
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Summary, fault_in_words, wrapped};
+    use crate::candidate::channel_fault::ChannelFault;
+
+    fn fault(change: impl FnOnce(&mut ChannelFault)) -> String {
+        let mut f = ChannelFault::none("force", None);
+        change(&mut f);
+        fault_in_words(&f, "kN")
+    }
+
+    #[test]
+    fn faults_of_sensors_state_their_correction() {
+        assert_eq!(fault(|f| f.gain = 1.05), "the channel force is recorded 1.05 times too large: divide it by 1.05");
+        assert_eq!(fault(|f| f.gain = 0.65), "the channel force is recorded 1.54 times too small: divide it by 0.65");
+        assert_eq!(fault(|f| f.gain = -1.0), "the channel force is recorded with the sign turned: divide it by -1");
+        let both = "the channel force is recorded with the sign turned and 1.2 times too large: divide it by -1.2";
+        assert_eq!(fault(|f| f.gain = -1.2), both);
+        assert_eq!(fault(|f| f.lag_s = 0.02), "the channel force is late by 20 ms: shift it 20 ms earlier");
+        assert_eq!(fault(|f| f.lag_s = -0.0107), "the channel force is early by 10.7 ms: shift it 10.7 ms later");
+        let clipped = "the channel force shows nothing above 20 kN: leave the samples at that level out";
+        assert_eq!(fault(|f| f.clip = Some([-200.0, 20.0])), clipped);
+        let jump = "the channel force in run a jumps by 0.6 kN at 13.2 s: take it off";
+        let in_run = |f: &mut ChannelFault| (f.run, f.drift) = (Some("a".into()), vec![[13.2, 0.0], [13.21, 0.6]]);
+        assert_eq!(fault(in_run), jump);
+        let slope = "the channel force drifts by 0.02 kN per second, from -1 kN at time 0: take it off";
+        assert_eq!(fault(|f| f.drift = vec![[0.0, -1.0], [1e4, 199.0]]), slope);
+    }
+
+    #[test]
+    fn lines_are_no_longer_than_the_width() {
+        let text = wrapped("gap 130 mm ± 2, stiffness of the wall 54 MN/m ± 3", 24, 4);
+        assert_eq!(text, "    gap 130 mm ± 2,\n    stiffness of the\n    wall 54 MN/m ± 3\n");
+        assert!(text.lines().all(|l| l.chars().count() <= 24));
+    }
+
+    #[test]
+    fn parts_that_do_not_apply_are_left_out() {
+        let s = Summary { what: "A.".into(), how_sure: "90 %: b.".into(), gain: "c.".into(), ..Summary::default() };
+        assert_eq!(s.text(80), "A.\n\nHow sure  90 %: b.\nError     c.\n");
+        let s = Summary { what_next: vec!["look".into(), "measure".into()], ..s };
+        assert!(s.text(80).ends_with("Gain      c.\nNext      (1) Look. (2) Measure.\n"), "{}", s.text(80));
+    }
+}
