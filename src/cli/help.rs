@@ -33,8 +33,8 @@ const EXAMPLES: [(&str, &str); 7] = [
         "bearing",
         "Examples:
   Three cycles each at 30 and 60 mm under 170 kN, for a device in N and m.
-    hysteron bearing models/rr_frb_kikuchi.tcl --amplitudes 0.03,0.06 --axial 170e3
-  A bearing of your own: nodes, materials and element 1, without supports and loads.
+    hysteron bearing models/rr_frb_kikuchi.tcl -a 0.03,0.06 --axial 170e3
+  A bearing of your own: nodes, materials and element 1, without supports.
     hysteron bearing bearing.tcl --amplitudes 0.05 --cycles 5 --units kN m
   Write the test as a script and do not run it.
     hysteron bearing bearing.tcl --amplitudes 0.05 --script",
@@ -61,7 +61,7 @@ const EXAMPLES: [(&str, &str); 7] = [
     (
         "diagnose",
         "Examples:
-  Find what the model of a study lacks. The repaired script is results/corrected.tcl.
+  Find what the model of a study lacks, and write results/corrected.tcl.
     hysteron diagnose study.toml --out results
   The same without one of the causes.
     hysteron diagnose study.toml --without gap_impact
