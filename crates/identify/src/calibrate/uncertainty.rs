@@ -273,10 +273,12 @@ pub fn uncertainty(problem: &StudyProblem, unit_point: &[f64]) -> Result<Uncerta
     let mut total = Curvature::new(n);
     curvatures.iter().for_each(|c| total.add(c));
     let effective_samples = total.effective_samples;
-    let (mut judgement, discrepancy) = judge(&study, &scored, &linearization.residuals, &linearization.columns);
     let no_influence = || "no parameter has an influence on what was recorded".to_owned();
+    let from_noise = total.with_discrepancy(Discrepancy::NONE).covariance().ok_or_else(no_influence)?;
+    let of_parameters = prediction_errors(problem, unit_point, &from_noise);
+    let (mut judgement, discrepancy) =
+        judge(&study, &scored, &linearization.residuals, &linearization.columns, &of_parameters);
     let covariance = total.with_discrepancy(discrepancy).covariance().ok_or_else(no_influence)?;
-    let from_noise = total.covariance().ok_or_else(no_influence)?;
     let free = || study.space.free_names().zip(study.space.free()).zip(unit_point);
     let intervals_with = |errors: &[f64]| -> Vec<Interval> {
         let all = free().zip(errors).map(|(((name, (_, range)), x), error)| interval(name, range, *x, *error));
@@ -308,6 +310,47 @@ pub fn uncertainty(problem: &StudyProblem, unit_point: &[f64]) -> Result<Uncerta
         undetermined,
         judgement,
     })
+}
+
+/// Mean square error of each channel of each held-out run that comes of the uncertain parameters: the mean of jᵀCj over its
+/// samples, with their derivatives j. Zero for fitted runs, and where it is not known.
+fn prediction_errors(problem: &StudyProblem, unit_point: &[f64], covariance: &Covariance) -> Vec<Vec<f64>> {
+    let study = problem.study();
+    let runs: Vec<usize> = study.runs_of(Role::Holdout).map(|(i, _)| i).collect();
+    let mut errors: Vec<Vec<f64>> = study.runs.iter().map(|r| vec![0.0; r.observe.len()]).collect();
+    if runs.is_empty() {
+        return errors;
+    }
+    let simulated = |i: usize, h: f64| -> Option<(f64, Vec<ScoredRun>)> {
+        let mut p = unit_point.to_vec();
+        p[i] = (p[i] + h).clamp(0.0, 1.0);
+        let values = study.space.values_at(&p).ok()?;
+        Some((p[i], problem.scored_runs(&runs, &values).into_iter().collect::<Result<_, _>>().ok()?))
+    };
+    let determined: Vec<usize> = (0..unit_point.len()).filter(|i| !covariance.is_undetermined(*i)).collect();
+    let pair = |i: &usize| Some((simulated(*i, DIFFERENCE_STEP)?, simulated(*i, -DIFFERENCE_STEP)?));
+    let Some(pairs) = determined.iter().map(pair).collect::<Option<Vec<_>>>() else { return errors };
+    for (k, run) in runs.iter().enumerate() {
+        for (c, o) in study.runs[*run].observe.iter().enumerate() {
+            let (mut sum, mut count) = (0.0, 0.0);
+            for t in (0..o.values.len()).filter(|t| !o.values[*t].is_nan()) {
+                let slope = |((x, up), (y, down)): &((f64, Vec<ScoredRun>), (f64, Vec<ScoredRun>))| {
+                    (up[k].channels[c][t] - down[k].channels[c][t]) / (x - y)
+                };
+                // Derivatives by parameters in units of their standard errors.
+                let scaled = pairs.iter().zip(&determined).map(|(p, i)| slope(p) * covariance.standard_errors[*i]);
+                let j: Vec<f64> = scaled.collect();
+                let rho = |a: usize, b: usize| covariance.correlation[determined[a]][determined[b]];
+                let all = (0..j.len()).flat_map(|a| (0..j.len()).map(move |b| (a, b)));
+                let variance: f64 = all.map(|(a, b)| j[a] * j[b] * rho(a, b)).sum();
+                if variance.is_finite() {
+                    (sum, count) = (sum + variance, count + 1.0);
+                }
+            }
+            errors[*run][c] = if count > 0.0 { sum / count } else { 0.0 };
+        }
+    }
+    errors
 }
 
 /// Sentences about parameters that all data together do not determine.
