@@ -4,7 +4,7 @@
 //! discrepancy, with a simple form of the prior of Kennedy and O'Hagan (2001): see [`Discrepancy`].
 
 use super::digits::significant;
-use super::structure::{ComparedChannel, structured_share};
+use super::structure::{ComparedChannel, structured_share, without};
 use super::uncertainty::autocorrelation_time;
 use crate::study::{Role, Run, ScoredRun, Study};
 use rand::{RngExt as _, SeedableRng as _};
@@ -76,6 +76,15 @@ pub(super) struct Discrepancy {
     pub(super) factor: f64,
 }
 
+/// Influence of the uncertain parameters on a channel of a held-out run.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Influence {
+    /// Mean square error of the prediction that comes of the parameters.
+    pub(super) mean_square: f64,
+    /// Derivatives by the parameters at the times of the recording.
+    pub(super) columns: Vec<Vec<f64>>,
+}
+
 impl Discrepancy {
     /// No discrepancy.
     pub(super) const NONE: Self = Self { energy: 0.0, factor: 1.0 };
@@ -92,14 +101,14 @@ const DRAWS: usize = 400;
 const BLOCK_TIMES: f64 = 3.0;
 
 /// Judge the residuals of a calibration. `residuals` and their derivatives `columns` are those of the objective, `scored`
-/// the runs of the study with the calibrated values, `None` for one without a response. `of_parameters` are the mean square
-/// errors, by run and channel, that come of the uncertain parameters.
+/// the runs of the study with the calibrated values, `None` for one without a response. `influences` are those of the
+/// uncertain parameters by run and channel.
 pub(super) fn judge(
     study: &Study,
     scored: &[Option<ScoredRun>],
     residuals: &[f64],
     columns: &[Vec<f64>],
-    of_parameters: &[Vec<f64>],
+    influences: &[Vec<Influence>],
 ) -> (Judgement, Discrepancy) {
     let mut energies: Vec<(f64, StructuredChannel)> = vec![];
     let mut start = 0;
@@ -109,7 +118,7 @@ pub(super) fn judge(
             let range = start..start + s.samples;
             start = range.end;
             let derivatives: Vec<&[f64]> = columns.iter().map(|c| &c[range.clone()]).collect();
-            let share = share(run, scored, c, &derivatives);
+            let share = share(run, scored, c, &derivatives, &Influence::default());
             if share > 0.0 {
                 let energy = share * residuals[range].iter().map(|r| r * r).sum::<f64>();
                 let channel = StructuredChannel { run: run.name.clone(), channel: o.channel.clone(), share };
@@ -120,7 +129,7 @@ pub(super) fn judge(
     energies.sort_by(|a, b| b.0.total_cmp(&a.0));
     let energy = energies.iter().fold(0.0, |sum, e| sum + e.0);
     let total: f64 = residuals.iter().map(|r| r * r).sum();
-    let holdout = holdout_ratio(study, scored, of_parameters);
+    let holdout = holdout_ratio(study, scored, influences);
     let factor = holdout.filter(HoldoutRatio::is_worse).map_or(1.0, |h| h.ratio);
     let judgement = Judgement {
         explained: energy == 0.0 && factor == 1.0,
@@ -133,8 +142,9 @@ pub(super) fn judge(
     (judgement, Discrepancy { energy, factor })
 }
 
-/// Share of the squared error of a channel that follows the motion.
-fn share(run: &Run, scored: &ScoredRun, channel: usize, derivatives: &[&[f64]]) -> f64 {
+/// Share of the squared error of a channel that follows the motion. What the uncertain parameters explain is taken out of the
+/// residual before.
+fn share(run: &Run, scored: &ScoredRun, channel: usize, derivatives: &[&[f64]], influence: &Influence) -> f64 {
     let (o, simulated) = (&run.observe[channel], &scored.channels[channel]);
     if scored.scores[channel].nmse <= MIN_NMSE {
         return 0.0;
@@ -142,10 +152,11 @@ fn share(run: &Run, scored: &ScoredRun, channel: usize, derivatives: &[&[f64]]) 
     let kept = |k: &usize| !simulated[*k].is_nan() && !o.values[*k].is_nan();
     let kept: Vec<usize> = (0..simulated.len()).filter(kept).collect();
     let at_kept = |x: &dyn Fn(usize) -> f64| -> Vec<f64> { kept.iter().map(|k| x(*k)).collect() };
+    let columns = influence.columns.iter().map(|x| at_kept(&|k| x[k])).collect();
     structured_share(&ComparedChannel {
         times: &at_kept(&|k| run.recording.times[k]),
         simulated: &at_kept(&|k| simulated[k]),
-        residual: &at_kept(&|k| simulated[k] - o.values[k]),
+        residual: &without(at_kept(&|k| simulated[k] - o.values[k]), columns),
         derivatives,
     })
 }
@@ -207,18 +218,19 @@ impl Blocks {
 }
 
 /// The squared errors of all channels of all runs.
-fn squared_errors(study: &Study, scored: &[Option<ScoredRun>], of_parameters: &[Vec<f64>]) -> Vec<Blocks> {
+fn squared_errors(study: &Study, scored: &[Option<ScoredRun>], influences: &[Vec<Influence>]) -> Vec<Blocks> {
     let mut all = vec![];
-    for ((run, scored), errors_of_parameters) in study.runs.iter().zip(scored).zip(of_parameters) {
+    for ((run, scored), influences) in study.runs.iter().zip(scored).zip(influences) {
         let simulated = scored.iter().flat_map(|s| &s.channels);
-        for ((o, simulated), error) in run.observe.iter().zip(simulated).zip(errors_of_parameters) {
+        for ((o, simulated), influence) in run.observe.iter().zip(simulated).zip(influences) {
             let errors: Vec<f64> =
                 simulated.iter().zip(&o.values).map(|(y, v)| y - v).filter(|e| !e.is_nan()).collect();
             let n = errors.len();
             let length = (BLOCK_TIMES * autocorrelation_time(&errors)).clamp(4.0, (n / 10).max(4) as f64) as usize;
             let sum = |b: &[f64]| (b.iter().map(|e| e * e).sum(), b.len() as f64);
             let blocks = errors.chunks(length).map(sum).collect();
-            let (channel, variance, allowance) = (o.channel.clone(), o.variance, PREDICTION_LIMIT * error);
+            let (channel, variance, allowance) =
+                (o.channel.clone(), o.variance, PREDICTION_LIMIT * influence.mean_square);
             all.push(Blocks { role: run.role, channel, variance, blocks, allowance });
         }
     }
@@ -227,8 +239,8 @@ fn squared_errors(study: &Study, scored: &[Option<ScoredRun>], of_parameters: &[
 
 /// Error of held-out over that of fitted runs, with a 95 % interval by a bootstrap of blocks (Künsch, 1989). `None` without
 /// held-out runs, or if the error is nothing.
-fn holdout_ratio(study: &Study, scored: &[Option<ScoredRun>], of_parameters: &[Vec<f64>]) -> Option<HoldoutRatio> {
-    let all = squared_errors(study, scored, of_parameters);
+fn holdout_ratio(study: &Study, scored: &[Option<ScoredRun>], influences: &[Vec<Influence>]) -> Option<HoldoutRatio> {
+    let all = squared_errors(study, scored, influences);
     let has = |role| all.iter().any(|b| b.role == role);
     if !has(Role::Fit) || !has(Role::Holdout) || all.iter().any(|b| b.blocks.is_empty()) {
         return None;
@@ -245,8 +257,10 @@ fn holdout_ratio(study: &Study, scored: &[Option<ScoredRun>], of_parameters: &[V
     }
     draws.sort_by(f64::total_cmp);
     let quantile = |p: f64| draws[(p * (DRAWS - 1) as f64).round() as usize];
-    let held_out = study.runs_of(Role::Holdout).filter_map(|(i, run)| Some((run, scored[i].as_ref()?)));
-    let structured = held_out.into_iter().any(|(run, s)| (0..run.observe.len()).any(|c| share(run, s, c, &[]) > 0.0));
+    let held_out = study.runs_of(Role::Holdout).filter_map(|(i, run)| Some((i, run, scored[i].as_ref()?)));
+    let structured = held_out
+        .into_iter()
+        .any(|(i, run, s)| (0..run.observe.len()).any(|c| share(run, s, c, &[], &influences[i][c]) > 0.0));
     let result = HoldoutRatio { ratio: found, lower: quantile(0.025), upper: quantile(0.975), structured };
     [result.ratio, result.lower, result.upper].iter().all(|x| x.is_finite()).then_some(result)
 }

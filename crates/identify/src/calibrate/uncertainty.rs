@@ -10,7 +10,7 @@
 //! the covariance is widened by the discrepancy.
 
 use super::digits::with_half_width;
-use super::judgement::{Discrepancy, Judgement, judge};
+use super::judgement::{Discrepancy, Influence, Judgement, judge};
 use super::problem::{Problem, StudyProblem};
 use crate::study::{ParameterRange, Role, Scale, ScoredRun};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
@@ -275,9 +275,9 @@ pub fn uncertainty(problem: &StudyProblem, unit_point: &[f64]) -> Result<Uncerta
     let effective_samples = total.effective_samples;
     let no_influence = || "no parameter has an influence on what was recorded".to_owned();
     let from_noise = total.with_discrepancy(Discrepancy::NONE).covariance().ok_or_else(no_influence)?;
-    let of_parameters = prediction_errors(problem, unit_point, &from_noise);
+    let influences = influences(problem, unit_point, &from_noise);
     let (mut judgement, discrepancy) =
-        judge(&study, &scored, &linearization.residuals, &linearization.columns, &of_parameters);
+        judge(&study, &scored, &linearization.residuals, &linearization.columns, &influences);
     let covariance = total.with_discrepancy(discrepancy).covariance().ok_or_else(no_influence)?;
     let free = || study.space.free_names().zip(study.space.free()).zip(unit_point);
     let intervals_with = |errors: &[f64]| -> Vec<Interval> {
@@ -312,14 +312,15 @@ pub fn uncertainty(problem: &StudyProblem, unit_point: &[f64]) -> Result<Uncerta
     })
 }
 
-/// Mean square error of each channel of each held-out run that comes of the uncertain parameters: the mean of jᵀCj over its
-/// samples, with their derivatives j. Zero for fitted runs, and where it is not known.
-fn prediction_errors(problem: &StudyProblem, unit_point: &[f64], covariance: &Covariance) -> Vec<Vec<f64>> {
+/// Influence of the uncertain parameters on each channel of each held-out run: derivatives j by the determined parameters in
+/// units of their standard errors, and the mean of jᵀCj over the samples. Empty for fitted runs, and where it is not known.
+fn influences(problem: &StudyProblem, unit_point: &[f64], covariance: &Covariance) -> Vec<Vec<Influence>> {
     let study = problem.study();
     let runs: Vec<usize> = study.runs_of(Role::Holdout).map(|(i, _)| i).collect();
-    let mut errors: Vec<Vec<f64>> = study.runs.iter().map(|r| vec![0.0; r.observe.len()]).collect();
+    let mut influences: Vec<Vec<Influence>> =
+        study.runs.iter().map(|r| vec![Influence::default(); r.observe.len()]).collect();
     if runs.is_empty() {
-        return errors;
+        return influences;
     }
     let simulated = |i: usize, h: f64| -> Option<(f64, Vec<ScoredRun>)> {
         let mut p = unit_point.to_vec();
@@ -329,28 +330,29 @@ fn prediction_errors(problem: &StudyProblem, unit_point: &[f64], covariance: &Co
     };
     let determined: Vec<usize> = (0..unit_point.len()).filter(|i| !covariance.is_undetermined(*i)).collect();
     let pair = |i: &usize| Some((simulated(*i, DIFFERENCE_STEP)?, simulated(*i, -DIFFERENCE_STEP)?));
-    let Some(pairs) = determined.iter().map(pair).collect::<Option<Vec<_>>>() else { return errors };
+    let Some(pairs) = determined.iter().map(pair).collect::<Option<Vec<_>>>() else { return influences };
+    let correlation = |a: usize, b: usize| covariance.correlation[determined[a]][determined[b]];
     for (k, run) in runs.iter().enumerate() {
         for (c, o) in study.runs[*run].observe.iter().enumerate() {
-            let (mut sum, mut count) = (0.0, 0.0);
-            for t in (0..o.values.len()).filter(|t| !o.values[*t].is_nan()) {
-                let slope = |((x, up), (y, down)): &((f64, Vec<ScoredRun>), (f64, Vec<ScoredRun>))| {
-                    (up[k].channels[c][t] - down[k].channels[c][t]) / (x - y)
-                };
-                // Derivatives by parameters in units of their standard errors.
-                let scaled = pairs.iter().zip(&determined).map(|(p, i)| slope(p) * covariance.standard_errors[*i]);
-                let j: Vec<f64> = scaled.collect();
-                let rho = |a: usize, b: usize| covariance.correlation[determined[a]][determined[b]];
-                let all = (0..j.len()).flat_map(|a| (0..j.len()).map(move |b| (a, b)));
-                let variance: f64 = all.map(|(a, b)| j[a] * j[b] * rho(a, b)).sum();
-                if variance.is_finite() {
-                    (sum, count) = (sum + variance, count + 1.0);
+            let column = |(((x, up), (y, down)), i): (&((f64, Vec<ScoredRun>), (f64, Vec<ScoredRun>)), &usize)| {
+                let scale = covariance.standard_errors[*i] / (x - y);
+                let ends = up[k].channels[c].iter().zip(&down[k].channels[c]);
+                // After the end of one of the analyses there is no derivative.
+                ends.map(|(a, b)| Some(scale * (a - b)).filter(|d| d.is_finite()).unwrap_or(0.0)).collect()
+            };
+            let columns: Vec<Vec<f64>> = pairs.iter().zip(&determined).map(column).collect();
+            let kept: Vec<usize> = (0..o.values.len()).filter(|t| !o.values[*t].is_nan()).collect();
+            let product = |a: &[f64], b: &[f64]| kept.iter().map(|t| a[*t] * b[*t]).sum::<f64>();
+            let mut sum = 0.0;
+            for (a, first) in columns.iter().enumerate() {
+                for (b, second) in columns.iter().enumerate() {
+                    sum += correlation(a, b) * product(first, second);
                 }
             }
-            errors[*run][c] = if count > 0.0 { sum / count } else { 0.0 };
+            influences[*run][c] = Influence { mean_square: sum / kept.len().max(1) as f64, columns };
         }
     }
-    errors
+    influences
 }
 
 /// Sentences about parameters that all data together do not determine.
