@@ -22,7 +22,7 @@ METHODS = ["de/rand/1/bin", "de/rand/1/bin/printed", "l-shade", "jso", "cma-es",
 def repeats(study, method, seeds):
     with tempfile.TemporaryDirectory() as out:
         command = [BINARY, "calibrate", study, "--method", method, "--repeats", str(seeds), "--out", out]
-        subprocess.run(command, check=True, stderr=subprocess.DEVNULL)
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         return json.loads((Path(out) / "calibration.json").read_text())["repeats"]
 
 

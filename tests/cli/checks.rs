@@ -146,10 +146,10 @@ fn recorders_of_what_is_not_there() {
         let (status, _, err) = place.run(&["check", "m.tcl"]);
         assert_eq!(status, Some(0), "{err}");
         for line in [
-            "m.tcl:11:38: recorder: the model has no element 77",
-            "m.tcl:12:36: recorder: the model has no node 99",
+            "m.tcl:11:37: recorder: the model has no element 77",
+            "m.tcl:12:35: recorder: the model has no node 99",
             "m.tcl:13:44: recorder: the model has no node 98",
-            "m.tcl:14:40: recorder: no node from 50 to 60 has been defined",
+            "m.tcl:14:38: recorder: no node from 50 to 60 has been defined",
             "m.tcl:15:1: region 5: the model has no node 97",
             "5 warnings:",
         ] {

@@ -60,13 +60,13 @@ impl CheckState {
     }
 
     /// A command was rejected: what it would have defined will be missed.
-    fn note(&mut self, words: &[&str]) {
+    /// A command that is not known would have defined what the nearest one does.
+    fn note(&mut self, words: &[&str], is_known: bool) {
         let name = words.first().copied().unwrap_or_default();
         let looks = [recorder::COMMANDS, query::COMMANDS, print::COMMANDS, display::COMMANDS, figure::COMMANDS];
         self.rejected |= !looks.into_iter().flatten().any(|c| c.name == name);
         let known = || commands().map(|c| c.name);
-        // A misspelled command would have defined what the nearest one does.
-        let name = if known().any(|c| c == name) { name } else { nearest(name, known()).unwrap_or(name) };
+        let name = if is_known { name } else { nearest(name, known()).unwrap_or(name) };
         let (kind, at) = match name {
             "set" => {
                 let variable = words.get(1).copied().unwrap_or_default();
@@ -111,7 +111,8 @@ pub(crate) fn handle_error(interp: &mut Tcl, error: Exception) -> Outcome {
             let check = &mut interp.host.check;
             check.rejected = true;
             check.left_early |= !e.diagnostic.callers.is_empty() || line.trim_start().starts_with("source ");
-            check.note(&line.split_whitespace().collect::<Vec<_>>());
+            let is_known = !e.diagnostic.message.starts_with("invalid command name");
+            check.note(&line.split_whitespace().collect::<Vec<_>>(), is_known);
             if !held_back {
                 report(interp, e.diagnostic);
             }
@@ -142,7 +143,7 @@ pub(crate) fn run_command(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             let held_back = interp.host.check.holds_back(&e.diagnostic.message);
             let words: Vec<_> = call.args().iter().take(2).map(Value::as_str).collect();
             let words: Vec<&str> = [name].into_iter().chain(words.iter().map(AsRef::as_ref)).collect();
-            interp.host.check.note(&words);
+            interp.host.check.note(&words, true);
             if !held_back {
                 report_at(interp, e.diagnostic, call);
             }

@@ -4,9 +4,9 @@
 //! discrepancy, with a simple form of the prior of Kennedy and O'Hagan (2001): see [`Discrepancy`].
 
 use super::digits::significant;
-use super::structure::{ComparedChannel, structured_share};
+use super::structure::{ComparedChannel, structured_share, without};
 use super::uncertainty::autocorrelation_time;
-use crate::study::{Role, ScoredRun, Study};
+use crate::study::{Role, Run, ScoredRun, Study};
 use rand::{RngExt as _, SeedableRng as _};
 use rand_pcg::Pcg32;
 use serde::Serialize;
@@ -25,12 +25,22 @@ pub struct StructuredChannel {
 /// Error of the held-out runs over that of the fitted ones.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct HoldoutRatio {
-    /// Ratio of the mean square errors, or that of the NMSEs if it is smaller.
+    /// Ratio of the mean square errors, or that of the NMSEs if it is smaller. What the uncertain parameters explain is left
+    /// out.
     pub ratio: f64,
     /// Lower end of its 95 % interval.
     pub lower: f64,
     /// Upper end of its 95 % interval.
     pub upper: f64,
+    /// The residual of a held-out channel follows the motion. Without that a larger error is larger noise.
+    pub structured: bool,
+}
+
+impl HoldoutRatio {
+    /// Returns true if held-out runs are worse than fitted ones for another reason than noise.
+    pub fn is_worse(&self) -> bool {
+        self.lower > 1.0 && self.structured
+    }
 }
 
 /// Judgement of a calibration.
@@ -66,6 +76,23 @@ pub(super) struct Discrepancy {
     pub(super) factor: f64,
 }
 
+/// Influence of the uncertain parameters on a channel of a held-out run.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Influence {
+    /// Mean square error of the prediction that comes of the parameters.
+    pub(super) mean_square: f64,
+    /// Derivatives by the parameters at the times of the recording.
+    pub(super) columns: Vec<Vec<f64>>,
+}
+
+impl Discrepancy {
+    /// No discrepancy.
+    pub(super) const NONE: Self = Self { energy: 0.0, factor: 1.0 };
+}
+
+/// Squared errors of a prediction from uncertain parameters are at most so many times their mean: the 95 % point of χ² with
+/// one degree of freedom.
+const PREDICTION_LIMIT: f64 = 3.84;
 /// A smaller NMSE is that of rounded numbers: no recording is as good.
 const MIN_NMSE: f64 = 1e-6;
 /// Draws of the block bootstrap.
@@ -74,31 +101,24 @@ const DRAWS: usize = 400;
 const BLOCK_TIMES: f64 = 3.0;
 
 /// Judge the residuals of a calibration. `residuals` and their derivatives `columns` are those of the objective, `scored`
-/// the runs of the study with the calibrated values, `None` for one without a response.
+/// the runs of the study with the calibrated values, `None` for one without a response. `influences` are those of the
+/// uncertain parameters by run and channel.
 pub(super) fn judge(
     study: &Study,
     scored: &[Option<ScoredRun>],
     residuals: &[f64],
     columns: &[Vec<f64>],
+    influences: &[Vec<Influence>],
 ) -> (Judgement, Discrepancy) {
     let mut energies: Vec<(f64, StructuredChannel)> = vec![];
     let mut start = 0;
     for (i, run) in study.runs_of(Role::Fit) {
         let Some(scored) = &scored[i] else { continue };
-        for ((o, s), simulated) in run.observe.iter().zip(&scored.scores).zip(&scored.channels) {
+        for (c, (o, s)) in run.observe.iter().zip(&scored.scores).enumerate() {
             let range = start..start + s.samples;
             start = range.end;
-            let kept = |k: &usize| !simulated[*k].is_nan() && !o.values[*k].is_nan();
-            let kept: Vec<usize> = (0..simulated.len()).filter(kept).collect();
-            let at_kept = |x: &[f64]| -> Vec<f64> { kept.iter().map(|k| x[*k]).collect() };
             let derivatives: Vec<&[f64]> = columns.iter().map(|c| &c[range.clone()]).collect();
-            let channel = ComparedChannel {
-                times: &at_kept(&run.recording.times),
-                simulated: &at_kept(simulated),
-                residual: &residuals[range.clone()],
-                derivatives: &derivatives,
-            };
-            let share = if s.nmse > MIN_NMSE { structured_share(&channel) } else { 0.0 };
+            let share = share(run, scored, c, &derivatives, &Influence::default());
             if share > 0.0 {
                 let energy = share * residuals[range].iter().map(|r| r * r).sum::<f64>();
                 let channel = StructuredChannel { run: run.name.clone(), channel: o.channel.clone(), share };
@@ -107,19 +127,38 @@ pub(super) fn judge(
         }
     }
     energies.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let energy: f64 = energies.iter().map(|e| e.0).sum();
+    let energy = energies.iter().fold(0.0, |sum, e| sum + e.0);
     let total: f64 = residuals.iter().map(|r| r * r).sum();
-    let holdout = holdout_ratio(study, scored);
-    let factor = holdout.map_or(1.0, |h| if h.lower > 1.0 { h.ratio } else { 1.0 });
+    let holdout = holdout_ratio(study, scored, influences);
+    let factor = holdout.filter(HoldoutRatio::is_worse).map_or(1.0, |h| h.ratio);
     let judgement = Judgement {
         explained: energy == 0.0 && factor == 1.0,
         structured: energies.into_iter().map(|e| e.1).collect(),
-        structured_share: if total > 0.0 { energy / total } else { 0.0 },
+        structured_share: if energy > 0.0 { energy / total } else { 0.0 },
         holdout,
         widening: 1.0,
         sentences: vec![],
     };
     (judgement, Discrepancy { energy, factor })
+}
+
+/// Share of the squared error of a channel that follows the motion. What the uncertain parameters explain is taken out of the
+/// residual before.
+fn share(run: &Run, scored: &ScoredRun, channel: usize, derivatives: &[&[f64]], influence: &Influence) -> f64 {
+    let (o, simulated) = (&run.observe[channel], &scored.channels[channel]);
+    if scored.scores[channel].nmse <= MIN_NMSE {
+        return 0.0;
+    }
+    let kept = |k: &usize| !simulated[*k].is_nan() && !o.values[*k].is_nan();
+    let kept: Vec<usize> = (0..simulated.len()).filter(kept).collect();
+    let at_kept = |x: &dyn Fn(usize) -> f64| -> Vec<f64> { kept.iter().map(|k| x(*k)).collect() };
+    let columns = influence.columns.iter().map(|x| at_kept(&|k| x[k])).collect();
+    structured_share(&ComparedChannel {
+        times: &at_kept(&|k| run.recording.times[k]),
+        simulated: &at_kept(&|k| simulated[k]),
+        residual: &without(at_kept(&|k| simulated[k] - o.values[k]), columns),
+        derivatives,
+    })
 }
 
 impl Judgement {
@@ -139,9 +178,10 @@ impl Judgement {
                 first.run
             ));
         }
-        if let Some(h) = self.holdout.filter(|h| h.lower > 1.0) {
+        if let Some(h) = self.holdout.filter(HoldoutRatio::is_worse) {
             self.sentences.push(format!(
-                "held-out runs are predicted worse than fitted ones: {} times the mean square error (95 %: {} to {})",
+                "held-out runs are predicted worse than the uncertain parameters explain: {} times the mean square error of \
+                 the fitted ones (95 %: {} to {})",
                 significant(h.ratio, 2),
                 significant(h.lower, 2),
                 significant(h.upper, 2)
@@ -165,20 +205,33 @@ struct Blocks {
     channel: String,
     variance: f64,
     blocks: Vec<(f64, f64)>,
+    /// Part of the mean square error that the uncertain parameters explain.
+    allowance: f64,
+}
+
+impl Blocks {
+    /// Mean square error of some of the blocks, less the allowance.
+    fn mean_of(&self, blocks: impl Iterator<Item = usize>) -> f64 {
+        let (sum, count) = blocks.map(|k| self.blocks[k]).fold((0.0, 0.0), |(s, c), b| (s + b.0, c + b.1));
+        (sum / count - self.allowance).max(0.0)
+    }
 }
 
 /// The squared errors of all channels of all runs.
-fn squared_errors(study: &Study, scored: &[Option<ScoredRun>]) -> Vec<Blocks> {
+fn squared_errors(study: &Study, scored: &[Option<ScoredRun>], influences: &[Vec<Influence>]) -> Vec<Blocks> {
     let mut all = vec![];
-    for (run, scored) in study.runs.iter().zip(scored) {
-        for (o, simulated) in run.observe.iter().zip(scored.iter().flat_map(|s| &s.channels)) {
+    for ((run, scored), influences) in study.runs.iter().zip(scored).zip(influences) {
+        let simulated = scored.iter().flat_map(|s| &s.channels);
+        for ((o, simulated), influence) in run.observe.iter().zip(simulated).zip(influences) {
             let errors: Vec<f64> =
                 simulated.iter().zip(&o.values).map(|(y, v)| y - v).filter(|e| !e.is_nan()).collect();
             let n = errors.len();
             let length = (BLOCK_TIMES * autocorrelation_time(&errors)).clamp(4.0, (n / 10).max(4) as f64) as usize;
             let sum = |b: &[f64]| (b.iter().map(|e| e * e).sum(), b.len() as f64);
             let blocks = errors.chunks(length).map(sum).collect();
-            all.push(Blocks { role: run.role, channel: o.channel.clone(), variance: o.variance, blocks });
+            let (channel, variance, allowance) =
+                (o.channel.clone(), o.variance, PREDICTION_LIMIT * influence.mean_square);
+            all.push(Blocks { role: run.role, channel, variance, blocks, allowance });
         }
     }
     all
@@ -186,34 +239,30 @@ fn squared_errors(study: &Study, scored: &[Option<ScoredRun>]) -> Vec<Blocks> {
 
 /// Error of held-out over that of fitted runs, with a 95 % interval by a bootstrap of blocks (Künsch, 1989). `None` without
 /// held-out runs, or if the error is nothing.
-fn holdout_ratio(study: &Study, scored: &[Option<ScoredRun>]) -> Option<HoldoutRatio> {
-    let all = squared_errors(study, scored);
+fn holdout_ratio(study: &Study, scored: &[Option<ScoredRun>], influences: &[Vec<Influence>]) -> Option<HoldoutRatio> {
+    let all = squared_errors(study, scored, influences);
     let has = |role| all.iter().any(|b| b.role == role);
     if !has(Role::Fit) || !has(Role::Holdout) || all.iter().any(|b| b.blocks.is_empty()) {
         return None;
     }
-    let found = ratio(&all, &all.iter().map(|b| mean_of(&b.blocks)).collect::<Vec<_>>());
+    let found = ratio(&all, &all.iter().map(|b| b.mean_of(0..b.blocks.len())).collect::<Vec<_>>());
     let mut rng = Pcg32::seed_from_u64(1);
     let mut draws: Vec<f64> = vec![];
     for _ in 0..DRAWS {
-        let drawn: Vec<f64> = all
-            .iter()
-            .map(|b| {
-                let n = b.blocks.len();
-                mean_of(&(0..n).map(|_| b.blocks[rng.random_range(0..n)]).collect::<Vec<_>>())
-            })
-            .collect();
-        draws.push(ratio(&all, &drawn));
+        let drawn = all.iter().map(|b| {
+            let n = b.blocks.len();
+            b.mean_of((0..n).map(|_| rng.random_range(0..n)))
+        });
+        draws.push(ratio(&all, &drawn.collect::<Vec<_>>()));
     }
     draws.sort_by(f64::total_cmp);
     let quantile = |p: f64| draws[(p * (DRAWS - 1) as f64).round() as usize];
-    let result = HoldoutRatio { ratio: found, lower: quantile(0.025), upper: quantile(0.975) };
+    let held_out = study.runs_of(Role::Holdout).filter_map(|(i, run)| Some((i, run, scored[i].as_ref()?)));
+    let structured = held_out
+        .into_iter()
+        .any(|(i, run, s)| (0..run.observe.len()).any(|c| share(run, s, c, &[], &influences[i][c]) > 0.0));
+    let result = HoldoutRatio { ratio: found, lower: quantile(0.025), upper: quantile(0.975), structured };
     [result.ratio, result.lower, result.upper].iter().all(|x| x.is_finite()).then_some(result)
-}
-
-fn mean_of(blocks: &[(f64, f64)]) -> f64 {
-    let (sum, count) = blocks.iter().fold((0.0, 0.0), |(s, c), b| (s + b.0, c + b.1));
-    sum / count
 }
 
 /// Ratio of held-out to fitted errors, given the mean square error of each channel of each run.

@@ -62,7 +62,7 @@ const SAME_OBJECTIVE: f64 = 1e-4;
 /// ... or if both are smaller than this.
 const ZERO_OBJECTIVE: f64 = 1e-12;
 /// A worse fit is not taken for the best one without restarts.
-const MAX_CONFIRMED_OBJECTIVE: f64 = 0.2;
+const MAX_CONFIRMED_OBJECTIVE: f64 = 0.05;
 
 /// Result of one repeat of the search.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -76,6 +76,15 @@ pub(super) fn structured_share(channel: &ComparedChannel<'_>) -> f64 {
     if share >= MIN_SHARE && of_noise.iter().all(|x| found > *x) { share.min(1.0) } else { 0.0 }
 }
 
+/// A residual without its projection onto some columns.
+pub(super) fn without(mut residual: Vec<f64>, columns: Vec<Vec<f64>>) -> Vec<f64> {
+    for b in orthonormal(columns) {
+        let p: f64 = residual.iter().zip(&b).map(|(x, b)| x * b).sum();
+        residual.iter_mut().zip(&b).for_each(|(x, b)| *x -= p * b);
+    }
+    residual
+}
+
 /// Functions of the response y, its rate v, and their history: the greatest |y| so far (m), and the path so far (w).
 fn functions(channel: &ComparedChannel<'_>) -> Vec<Vec<f64>> {
     let y = scaled(channel.simulated.to_vec());

@@ -10,7 +10,7 @@
 //! the covariance is widened by the discrepancy.
 
 use super::digits::with_half_width;
-use super::judgement::{Discrepancy, Judgement, judge};
+use super::judgement::{Discrepancy, Influence, Judgement, judge};
 use super::problem::{Problem, StudyProblem};
 use crate::study::{ParameterRange, Role, Scale, ScoredRun};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
@@ -273,10 +273,12 @@ pub fn uncertainty(problem: &StudyProblem, unit_point: &[f64]) -> Result<Uncerta
     let mut total = Curvature::new(n);
     curvatures.iter().for_each(|c| total.add(c));
     let effective_samples = total.effective_samples;
-    let (mut judgement, discrepancy) = judge(&study, &scored, &linearization.residuals, &linearization.columns);
     let no_influence = || "no parameter has an influence on what was recorded".to_owned();
+    let from_noise = total.with_discrepancy(Discrepancy::NONE).covariance().ok_or_else(no_influence)?;
+    let influences = influences(problem, unit_point, &from_noise);
+    let (mut judgement, discrepancy) =
+        judge(&study, &scored, &linearization.residuals, &linearization.columns, &influences);
     let covariance = total.with_discrepancy(discrepancy).covariance().ok_or_else(no_influence)?;
-    let from_noise = total.covariance().ok_or_else(no_influence)?;
     let free = || study.space.free_names().zip(study.space.free()).zip(unit_point);
     let intervals_with = |errors: &[f64]| -> Vec<Interval> {
         let all = free().zip(errors).map(|(((name, (_, range)), x), error)| interval(name, range, *x, *error));
@@ -308,6 +310,49 @@ pub fn uncertainty(problem: &StudyProblem, unit_point: &[f64]) -> Result<Uncerta
         undetermined,
         judgement,
     })
+}
+
+/// Influence of the uncertain parameters on each channel of each held-out run: derivatives j by the determined parameters in
+/// units of their standard errors, and the mean of jᵀCj over the samples. Empty for fitted runs, and where it is not known.
+fn influences(problem: &StudyProblem, unit_point: &[f64], covariance: &Covariance) -> Vec<Vec<Influence>> {
+    let study = problem.study();
+    let runs: Vec<usize> = study.runs_of(Role::Holdout).map(|(i, _)| i).collect();
+    let mut influences: Vec<Vec<Influence>> =
+        study.runs.iter().map(|r| vec![Influence::default(); r.observe.len()]).collect();
+    if runs.is_empty() {
+        return influences;
+    }
+    let simulated = |i: usize, h: f64| -> Option<(f64, Vec<ScoredRun>)> {
+        let mut p = unit_point.to_vec();
+        p[i] = (p[i] + h).clamp(0.0, 1.0);
+        let values = study.space.values_at(&p).ok()?;
+        Some((p[i], problem.scored_runs(&runs, &values).into_iter().collect::<Result<_, _>>().ok()?))
+    };
+    let determined: Vec<usize> = (0..unit_point.len()).filter(|i| !covariance.is_undetermined(*i)).collect();
+    let pair = |i: &usize| Some((simulated(*i, DIFFERENCE_STEP)?, simulated(*i, -DIFFERENCE_STEP)?));
+    let Some(pairs) = determined.iter().map(pair).collect::<Option<Vec<_>>>() else { return influences };
+    let correlation = |a: usize, b: usize| covariance.correlation[determined[a]][determined[b]];
+    for (k, run) in runs.iter().enumerate() {
+        for (c, o) in study.runs[*run].observe.iter().enumerate() {
+            let column = |(((x, up), (y, down)), i): (&((f64, Vec<ScoredRun>), (f64, Vec<ScoredRun>)), &usize)| {
+                let scale = covariance.standard_errors[*i] / (x - y);
+                let ends = up[k].channels[c].iter().zip(&down[k].channels[c]);
+                // After the end of one of the analyses there is no derivative.
+                ends.map(|(a, b)| Some(scale * (a - b)).filter(|d| d.is_finite()).unwrap_or(0.0)).collect()
+            };
+            let columns: Vec<Vec<f64>> = pairs.iter().zip(&determined).map(column).collect();
+            let kept: Vec<usize> = (0..o.values.len()).filter(|t| !o.values[*t].is_nan()).collect();
+            let product = |a: &[f64], b: &[f64]| kept.iter().map(|t| a[*t] * b[*t]).sum::<f64>();
+            let mut sum = 0.0;
+            for (a, first) in columns.iter().enumerate() {
+                for (b, second) in columns.iter().enumerate() {
+                    sum += correlation(a, b) * product(first, second);
+                }
+            }
+            influences[*run][c] = Influence { mean_square: sum / kept.len().max(1) as f64, columns };
+        }
+    }
+    influences
 }
 
 /// Sentences about parameters that all data together do not determine.

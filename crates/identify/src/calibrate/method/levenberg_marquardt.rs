@@ -53,6 +53,10 @@ const DAMPING_FACTORS: [f64; 4] = [1e-2, 1.0, 1e2, 1e4];
 const SINGLE_STEP_FACTOR: f64 = 8.0;
 /// The search ends above this damping: no step reduces the objective.
 const MAX_DAMPING: f64 = 1e10;
+/// Damping of a step that shows what an undamped one would gain.
+const NEARLY_UNDAMPED: f64 = 1e-6;
+/// Above this damping a small improvement is no sign of convergence.
+const MAX_TELLING_DAMPING: f64 = 1.0;
 /// Default of the least relative improvement of an iteration.
 const MIN_RELATIVE_GAIN: f64 = 1e-9;
 
@@ -146,6 +150,14 @@ impl LevenbergMarquardt {
         -2.0 * slope - curvature
     }
 
+    /// Returns true if the nearly undamped step promises less than the least improvement. One that is cut at a bound
+    /// promises little, though another step may gain much.
+    fn promises_too_little(&self) -> bool {
+        let Some(next) = self.damped_step(NEARLY_UNDAMPED) else { return false };
+        let is_cut = next.iter().zip(&self.unit_point).any(|(a, b)| a != b && (*a <= 0.0 || *a >= 1.0));
+        !is_cut && self.promised_gain(&next) <= self.min_relative_gain * self.objective
+    }
+
     fn take_derivatives(&mut self, trials: &[Trial]) {
         let n = self.unit_point.len();
         let columns: Vec<Option<Vec<f64>>> = trials
@@ -184,9 +196,7 @@ impl Method for LevenbergMarquardt {
             Phase::Steps => {
                 let next: Vec<Vec<f64>> =
                     self.damping_factors.iter().filter_map(|f| self.damped_step(self.damping * f)).collect();
-                let least = self.min_relative_gain * self.objective;
-                let promises_too_little = |p: &Vec<f64>| self.promised_gain(p) <= least;
-                self.has_converged = self.checks_promised_gain && next.iter().all(promises_too_little);
+                self.has_converged = self.checks_promised_gain && self.promises_too_little();
                 if self.has_converged || next.is_empty() {
                     self.phase = Phase::Ended;
                     return vec![];
@@ -215,7 +225,9 @@ impl Method for LevenbergMarquardt {
                     (0..trials.len()).min_by(|a, b| trials[*a].objective.total_cmp(&trials[*b].objective)).unwrap_or(0);
                 let gain = self.objective - trials[best].objective;
                 if gain > 0.0 {
-                    self.has_converged = gain <= self.min_relative_gain * self.objective;
+                    // A strongly damped step gains little anywhere.
+                    let is_telling = !self.checks_promised_gain || self.damping <= MAX_TELLING_DAMPING;
+                    self.has_converged = is_telling && gain <= self.min_relative_gain * self.objective;
                     self.unit_point.clone_from(&unit_points[best]);
                     self.objective = trials[best].objective;
                     self.residuals.clone_from(&trials[best].residuals);
@@ -280,6 +292,27 @@ mod tests {
             }
             search.tell(&points, &trials);
         }
+    }
+
+    /// A curved valley with its end on the edge of the cube: a search that ends early has not reached it.
+    #[test]
+    fn promised_gain_does_not_end_a_search_early() {
+        let mut search = LevenbergMarquardt::new(&[0.05, 0.95], 400).with_single_steps(1e-9).with_promised_gain();
+        loop {
+            let points = search.ask();
+            if points.is_empty() {
+                break;
+            }
+            let trial = |p: &Vec<f64>| {
+                let residuals = vec![20.0 * (p[1] - p[0] * p[0]), 1.2 - p[0], 0.1];
+                Trial { objective: residuals.iter().map(|r| r * r).sum(), residuals }
+            };
+            let trials: Vec<Trial> = points.iter().map(trial).collect();
+            search.tell(&points, &trials);
+        }
+        let (reached, objective) = search.reached();
+        assert!((reached[0] - 1.0).abs() < 1e-6 && (objective - 0.05).abs() < 1e-6, "{reached:?} {objective}");
+        assert!(search.has_converged());
     }
 
     #[test]
