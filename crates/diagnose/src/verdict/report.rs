@@ -161,7 +161,7 @@ impl Page<'_> {
             }
             let mut figure = self.history(run, k);
             picture(out, &figure);
-            let grey = if figure.shaded.is_empty() { "" } else { "; most of the squared error lies in the grey" };
+            let grey = if figure.shaded.is_empty() { "" } else { " (grey: most of the error)" };
             figure.title = format!("{}: simulated less recorded{}{grey}", o.channel, place(o));
             let less = |y: &[f64]| y.iter().zip(&o.values).map(|(y, v)| y - v).collect::<Vec<f64>>();
             figure.curves = models.iter().map(|(name, y)| line(name, over(&r.recording.times, &less(y)))).collect();

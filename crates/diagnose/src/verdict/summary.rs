@@ -85,7 +85,8 @@ fn of_none(c: &SummaryContext<'_>) -> Summary {
         c.baseline.holdout_nmse.map_or_else(String::new, |h| format!(", and {} of the runs held out", variance(h)));
     Summary {
         what: "Your model explains the recordings (none).".into(),
-        how_sure: format!("{}: what it leaves looks like noise. {}", percent(c.verdict.1), others(c)),
+        how_sure: format!("{}: what it leaves looks like noise.", percent(c.verdict.1)),
+        what_else: others(c),
         gain: format!("The fitted model misses {} of the fitted runs{after}.", variance(c.baseline.fit_nmse)),
         ..Summary::default()
     }
@@ -318,18 +319,22 @@ fn meaning(p: f64) -> &'static str {
 /// Other causes that are listed, at most.
 const MAX_OTHERS: usize = 3;
 /// Least probability of another cause that is listed.
-const MIN_LISTED: f64 = 0.005;
+const MIN_LISTED: f64 = 0.01;
 
-/// Other possible causes with their probabilities, as a sentence; empty for none.
+/// Other possible causes with their probabilities and the beginning of their statements; empty for none.
 fn others(c: &SummaryContext<'_>) -> String {
-    let name = |cause: &str| match cause {
-        "none" => "nothing is missing (none)".to_owned(),
-        "unknown" => "something outside the library (unknown)".to_owned(),
-        cause => cause.to_owned(),
+    let words = |cause: &str| match cause {
+        "none" => "nothing is missing".to_owned(),
+        "unknown" => "something outside the library".to_owned(),
+        cause => {
+            let statement = hypothesis::of(cause).map_or("", |h| h.statement);
+            statement.split([':', '(', ';', ',']).next().unwrap_or_default().trim().to_owned()
+        }
     };
     let listed = c.also_possible.iter().filter(|o| o.confidence >= MIN_LISTED).take(MAX_OTHERS);
-    let listed: Vec<String> = listed.map(|o| format!("{} {}", name(&o.cause), percent(o.confidence))).collect();
-    if listed.is_empty() { String::new() } else { format!("Possible as well: {}.", listed.join(", ")) }
+    let listed: Vec<String> =
+        listed.map(|o| format!("{} {} ({})", o.cause, percent(o.confidence), words(&o.cause))).collect();
+    if listed.is_empty() { String::new() } else { format!("{}.", listed.join(", ")) }
 }
 
 /// Errors before and after the repair.

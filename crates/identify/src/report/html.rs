@@ -4,7 +4,7 @@ use hysteron_opensees::chart::{Bars, Curve, Figure, Mark};
 use std::fmt::Write as _;
 
 const STYLE: &str = "body{font:15px/1.5 system-ui,sans-serif;max-width:1000px;margin:2em auto;padding:0 1em;color:#222}\
-    table{border-collapse:collapse;margin:1em 0;max-width:100%}td,th{padding:.25em .8em;border-bottom:1px solid #ddd;text-align:left;overflow-wrap:anywhere}\
+    table{border-collapse:collapse;margin:1em 0;max-width:100%}td,th{padding:.25em .8em;border-bottom:1px solid #ddd;text-align:left;overflow-wrap:break-word}\
     .n{text-align:right}svg{max-width:100%;height:auto}h2{margin-top:2em}figure{margin:1em 0}\
     @media (max-width:800px){td,th{padding:.2em .35em;font-size:.85em}}\
     .note{background:#fff6e0;padding:.5em 1em;border-left:4px solid #e69f00}\
@@ -107,7 +107,7 @@ pub fn scatter(title: &str, label: &str, recorded: &[f64], simulated: &[(&str, &
 pub fn summary(out: &mut String, first: &str, parts: &[(&str, String)]) {
     let _ = writeln!(out, "<div class=\"verdict\"><p>{}</p>\n<dl>", escaped(first));
     for (heading, text) in parts {
-        let _ = writeln!(out, "<dt>{heading}</dt><dd>{}</dd>", escaped(text));
+        let _ = writeln!(out, "<dt>{heading}</dt><dd>{}</dd>", escaped(text).replace(" %", "&nbsp;%"));
     }
     out.push_str("</dl></div>\n");
 }

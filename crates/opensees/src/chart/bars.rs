@@ -41,7 +41,7 @@ impl Bars {
         let bottom = top + group * self.names.len() as f64;
         let axis = Axis::new(ends, (left, WIDTH - 70.0), log);
         let mut out = Svg::new(WIDTH, bottom + 50.0);
-        out.title(&self.title, left);
+        out.title(&self.title, left, WIDTH);
         out.legend(
             self.series.iter().enumerate().map(|(k, (name, _))| (name.as_str(), COLOURS[k % COLOURS.len()])),
             left,

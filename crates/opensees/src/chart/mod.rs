@@ -160,7 +160,7 @@ impl Figure {
         let margin = 50.0;
         let rows = Svg::new(0.0, 0.0).legend(named(), margin, 0.0, size.0 - RIGHT);
         let plot = self.plot(size, if has_legend { rows + LEGEND_ROW + 4.0 } else { 0.0 })?;
-        out.title(&self.title, margin);
+        out.title(&self.title, margin, size.0 - RIGHT);
         if has_legend {
             out.legend(named(), margin, ABOVE + 8.0, size.0 - RIGHT);
         }

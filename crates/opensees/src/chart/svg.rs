@@ -50,12 +50,14 @@ impl Svg {
         self.out.push_str("</g>\n");
     }
 
-    pub(super) fn title(&mut self, text: &str, left: f64) {
+    /// A title between two pixels, with smaller letters if it is too long for them.
+    pub(super) fn title(&mut self, text: &str, left: f64, right: f64) {
         if !text.is_empty() {
-            let text = escaped(text);
+            let fitting = TITLE_LETTERS * (right - left) / text_width(text, TITLE_LETTERS);
+            let (height, text) = (fitting.clamp(SMALL_LETTERS, TITLE_LETTERS), escaped(text));
             let _ = writeln!(
                 self.out,
-                "<text x=\"{left:.2}\" y=\"20\" font-size=\"{TITLE_LETTERS}\" font-weight=\"600\">{text}</text>"
+                "<text x=\"{left:.2}\" y=\"20\" font-size=\"{height:.1}\" font-weight=\"600\">{text}</text>"
             );
         }
     }
