@@ -1,7 +1,7 @@
 //! `hysteron calibrate`.
 
 use super::args::{CalibrateArgs, Compat};
-use super::files::{CHECKPOINT_INTERVAL, write_atomically};
+use super::files::{CHECKPOINT_INTERVAL, write_atomically, write_channels};
 use super::messages::Messages;
 use hysteron::analysis::Options;
 use hysteron::calibrate::{
@@ -9,7 +9,7 @@ use hysteron::calibrate::{
     Uncertainty, page, posterior, profiles, search, uncertainty,
 };
 use hysteron::diagnostic::{Diagnostic, Severity, SourceMap};
-use hysteron::study::{InitialRun, Role, ScriptSimulator, Study};
+use hysteron::study::{InitialRun, Role, ScriptSimulator, Study, standalone_script};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fs;
 use std::io::IsTerminal;
@@ -153,7 +153,7 @@ fn calibrate_study(
     let runs = 0..study.runs.len();
     let displacements = runs.map(|r| simulator.displacement(r, &result.values)).collect();
     result.add_amplitudes(&displacements);
-    write(dir, &result, &initial_run, &displacements).map_err(&failed)?;
+    write(dir, &simulator, &result, &initial_run, &displacements).map_err(&failed)?;
     print_summary(&result, dir);
     if stopped {
         stop.store(true, Ordering::Relaxed);
@@ -243,6 +243,7 @@ fn read_checkpoint(path: &Path, start: &Checkpoint) -> Result<Checkpoint, String
 /// Write the files of the result.
 fn write(
     dir: &Path,
+    simulator: &ScriptSimulator,
     result: &CalibrationResult,
     initial_run: &InitialRun,
     displacements: &Displacements,
@@ -250,7 +251,7 @@ fn write(
     let study = &result.study;
     let text = fs::read_to_string(study.folder.join(&study.model)).map_err(|e| e.to_string())?;
     let (script, missing) = result.script(&text, initial_run);
-    write_atomically(&dir.join("fitted.tcl"), &script)?;
+    write_atomically(&dir.join("fitted.tcl"), &standalone_script(simulator, dir, &script))?;
     if !missing.is_empty() {
         eprintln!(
             "note: {} stands in no pset command of {}: fitted.tcl has not its value",
@@ -258,6 +259,8 @@ fn write(
             study.model
         );
     }
+    let simulated = result.scored_runs.iter().map(|r| r.as_ref().ok()).collect();
+    write_channels(dir, study, &[("simulated", simulated)])?;
     write_atomically(&dir.join("report.html"), &page(result, displacements))?;
     write_atomically(&dir.join("calibration.json"), &result.json().map_err(|e| e.to_string())?)
 }

@@ -106,6 +106,8 @@ pub(crate) enum TagPurpose {
     Dashpots,
     /// Contact elements between adjacent structures.
     Joints,
+    /// Materials and elements of a repair in OpenSees' standard commands.
+    StandardForms,
 }
 
 /// Prefixes of the classes of elastic beams.
@@ -125,6 +127,7 @@ impl ModelInventory {
                 TagPurpose::Regions => 700,
                 TagPurpose::Dashpots => 800,
                 TagPurpose::Joints => 900,
+                TagPurpose::StandardForms => 1000,
             }
     }
 
