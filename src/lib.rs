@@ -8,6 +8,10 @@
 //! the right hand. Axial strain and force are positive in tension. End forces of an element are those that the nodes
 //! exert on it; accelerations under a uniform excitation are relative to the ground.
 //!
+//! # Examples
+//! `examples/run_script.rs` runs a script and takes out what its recorders write, `examples/calibrate_study.rs` calibrates
+//! a study, `examples/diagnose_study.rs` diagnoses one.
+//!
 //! # A script in memory
 //! ```
 //! use hysteron::analysis::Options;
@@ -49,10 +53,10 @@
 #![forbid(unsafe_code)]
 
 pub use hysteron_diagnose as diagnose;
-pub use hysteron_engine::{
-    analysis, assembly, element, material, model, number_format, numeric, probe, record, rules, section, series, solve,
-    state_struct,
-};
+pub use hysteron_engine::{analysis, element, material, model, probe, record, rules, section, series, state_struct};
+// Parts of the engine that no program needs.
+#[doc(hidden)]
+pub use hysteron_engine::{assembly, number_format, numeric, solve};
 pub use hysteron_identify::{calibrate, measure, preflight, protocol, report, study};
 pub use hysteron_opensees::{self as opensees, run};
 pub use hysteron_tcl::{self as tcl, diagnostic};

@@ -28,7 +28,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "record",
         ],
     ),
-    ("identify", &["fourier", "measure", "protocol", "report", "study", "preflight", "calibrate"]),
+    ("identify", &["fourier", "measure", "protocol", "study", "report", "preflight", "calibrate"]),
     (
         "diagnose",
         &[

@@ -3,6 +3,9 @@
 #![cfg(unix)]
 #![allow(clippy::new_without_default, clippy::unwrap_used, missing_docs, unreachable_pub)]
 
+#[allow(dead_code)]
+#[path = "../examples/calibrate_study.rs"]
+mod calibrate_study;
 #[path = "calibrate/command.rs"]
 mod command;
 #[path = "calibrate/interrupt.rs"]

@@ -10,6 +10,7 @@ mod preflight;
 mod studies;
 
 use hysteron::diagnose::{CheckpointEntry, Diagnosis, Settings, hypothesis};
+use hysteron::study::standalone_script;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -94,6 +95,24 @@ fn runs_by_itself(dir: &Path, d: &Diagnosis) {
     assert!(done.status.success(), "{}\n{}", String::from_utf8_lossy(&done.stderr), d.repaired_script);
     let force = fs::read_to_string(dir.join("force.out")).unwrap();
     assert_eq!(force.lines().count(), 399);
+
+    // Its head finds the motion from the folder of the results, and sets the variables of the first fitted run.
+    let results = dir.join("results");
+    fs::create_dir_all(&results).unwrap();
+    let simulator = studies::opened(dir).0;
+    let mut scripts = vec![("corrected.tcl", Some(&d.repaired_script))];
+    scripts.push(("corrected_opensees.tcl", d.opensees_script.as_ref()));
+    for (name, text) in scripts.into_iter().filter_map(|(name, text)| Some((name, text?))) {
+        fs::write(results.join(name), standalone_script(&simulator, &results, text)).unwrap();
+        let done = std::process::Command::new(env!("CARGO_BIN_EXE_hysteron"))
+            .args(["run", name])
+            .current_dir(&results)
+            .output()
+            .unwrap();
+        assert!(done.status.success(), "{name}: {}", String::from_utf8_lossy(&done.stderr));
+        assert_eq!(fs::read_to_string(results.join("force.out")).unwrap().lines().count(), 399);
+        fs::remove_file(results.join("force.out")).unwrap();
+    }
 }
 
 /// The command prints its result, and says on standard error how far it is and what it replaces.

@@ -2,7 +2,7 @@
 
 use super::args::{CalibrateArgs, Compat};
 use super::calibration_summary::{plan, replaced, summary};
-use super::files::{CHECKPOINT_INTERVAL, write_atomically};
+use super::files::{CHECKPOINT_INTERVAL, write_atomically, write_channels};
 use super::messages::Messages;
 use super::preflight::{check_channels, threads};
 use super::signals::{INTERRUPTED, on_interrupt};
@@ -12,7 +12,7 @@ use hysteron::calibrate::{
     posterior, profiles, search, uncertainty,
 };
 use hysteron::diagnostic::{Diagnostic, Severity, SourceMap};
-use hysteron::study::{InitialRun, ScriptSimulator, Study};
+use hysteron::study::{InitialRun, ScriptSimulator, Study, standalone_script};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fs;
 use std::io::IsTerminal;
@@ -203,7 +203,7 @@ fn calibrate_study(
     let runs = 0..study.runs.len();
     let displacements = runs.map(|r| simulator.displacement(r, &result.values)).collect();
     result.add_amplitudes(&displacements);
-    write(dir, &result, &initial_run, &displacements).map_err(&failed)?;
+    write(dir, &simulator, &result, &initial_run, &displacements).map_err(&failed)?;
     if stopped {
         stop.store(true, Ordering::Relaxed);
     }
@@ -292,6 +292,7 @@ fn read_checkpoint(path: &Path, start: &Checkpoint) -> Result<Checkpoint, String
 /// Write the files of the result.
 fn write(
     dir: &Path,
+    simulator: &ScriptSimulator,
     result: &CalibrationResult,
     initial_run: &InitialRun,
     displacements: &Displacements,
@@ -299,7 +300,7 @@ fn write(
     let study = &result.study;
     let text = fs::read_to_string(study.folder.join(&study.model)).map_err(|e| e.to_string())?;
     let (script, missing) = result.script(&text, initial_run);
-    write_atomically(&dir.join("fitted.tcl"), &script)?;
+    write_atomically(&dir.join("fitted.tcl"), &standalone_script(simulator, dir, &script))?;
     if !missing.is_empty() {
         eprintln!(
             "note: {} stands in no pset command of {}: fitted.tcl has not its value",
@@ -307,6 +308,8 @@ fn write(
             study.model
         );
     }
+    let simulated = result.scored_runs.iter().map(|r| r.as_ref().ok()).collect();
+    write_channels(dir, study, &[("simulated", simulated)])?;
     write_atomically(&dir.join("report.html"), &page(result, displacements))?;
     write_atomically(&dir.join("calibration.json"), &result.json().map_err(|e| e.to_string())?)
 }

@@ -1,7 +1,7 @@
 //! `hysteron diagnose`.
 
 use super::args::DiagnoseArgs;
-use super::files::{CHECKPOINT_INTERVAL, note_replaced, write_atomically};
+use super::files::{CHECKPOINT_INTERVAL, note_replaced, write_atomically, write_channels};
 use super::messages::Messages;
 use super::preflight::{check_channels, threads};
 use super::progress::PhaseProgress;
@@ -11,7 +11,7 @@ use hysteron::diagnose::{
     CheckpointEntry, Diagnosis, ProgressMonitor, Settings, diagnose, hypothesis, identity, report,
 };
 use hysteron::diagnostic::{Diagnostic, Severity, SourceMap, nearest};
-use hysteron::study::{InitialRun, ScriptSimulator, Study};
+use hysteron::study::{InitialRun, ScriptSimulator, Study, standalone_script};
 use serde::{Deserialize, Serialize};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -85,7 +85,7 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
             (report(&d, &study, &text), d)
         })
     });
-    match found.and_then(|(report, d)| write(&dir, &d, &report).map(|()| d)) {
+    match found.and_then(|(report, d)| write(&dir, &simulator, &d, &report).map(|()| d)) {
         Ok(d) => {
             let _ = fs::remove_file(&saved);
             print_verdict(&d, args);
@@ -142,9 +142,18 @@ fn read_checkpoint(saved: &Path, identity: u64) -> Result<Vec<CheckpointEntry>, 
 }
 
 /// Writes the files of a diagnosis.
-fn write(dir: &Path, d: &Diagnosis, report: &str) -> Result<(), String> {
+fn write(dir: &Path, simulator: &ScriptSimulator, d: &Diagnosis, report: &str) -> Result<(), String> {
     note_replaced(dir, RESULT_FILE, &d.outcome.study);
-    write_atomically(&dir.join("corrected.tcl"), &d.repaired_script)?;
+    write_atomically(&dir.join("corrected.tcl"), &standalone_script(simulator, dir, &d.repaired_script))?;
+    let opensees = dir.join("corrected_opensees.tcl");
+    match &d.opensees_script {
+        Some(text) => write_atomically(&opensees, &standalone_script(simulator, dir, text))?,
+        // That of an earlier diagnosis would be another model's.
+        None => drop(fs::remove_file(&opensees)),
+    }
+    let models = [("simulated", &d.baseline_fits), ("repaired", &d.repaired_fits)];
+    let models = models.map(|(name, runs)| (name, runs.iter().map(Option::as_ref).collect()));
+    write_channels(dir, simulator.study(), &models)?;
     write_atomically(&dir.join("report.html"), report)?;
     for (name, motion) in d.next_test.iter().flat_map(|t| &t.motions) {
         write_atomically(&dir.join(name), motion)?;
@@ -190,6 +199,9 @@ fn print_statistics(d: &Diagnosis) {
         shown(b.holdout_nmse),
         shown(c.holdout_nmse)
     );
+    if let Some(reason) = &c.opensees_reason {
+        println!("no script in OpenSees' own commands: {reason}");
+    }
     println!("the fitted runs were looked at for {} sets of values", d.evaluations);
     if d.structured_share > 0.0 {
         println!("{:.2} of what the best leaves has structure: {}", d.structured_share, d.structure);

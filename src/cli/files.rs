@@ -2,6 +2,8 @@
 
 use hysteron::opensees::{FileFormat, Outputs};
 use hysteron::record::{Memory, Output, RecordError, RowFile};
+use hysteron::report::{NamedResponses, channel_files};
+use hysteron::study::Study;
 use std::fs;
 use std::path::Path;
 use std::time::Duration;
@@ -25,6 +27,13 @@ impl Outputs for NoFiles {
     fn create(&mut self, _: &str, _: &Path, _: FileFormat) -> Result<Box<dyn Output>, RecordError> {
         Ok(Box::new(Memory::default()))
     }
+}
+
+/// Write the files of the channels into a folder of their own.
+pub(super) fn write_channels(dir: &Path, study: &Study, models: &[NamedResponses<'_>]) -> Result<(), String> {
+    let folder = dir.join("channels");
+    fs::create_dir_all(&folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
+    channel_files(study, models).iter().try_for_each(|(name, text)| write_atomically(&folder.join(name), text))
 }
 
 /// Write a file under another name and rename it, so that it is complete at any time.

@@ -28,6 +28,25 @@ fn json(folder: &StudyFolder, path: &str) -> serde_json::Value {
     serde_json::from_str(&fs::read_to_string(folder.0.join(path)).unwrap()).unwrap()
 }
 
+/// A script of the results runs from its own folder and from that of the study, with variables of its own and with
+/// those of another script, and writes its recorders into the current folder.
+fn runs_from_either_folder(folder: &StudyFolder, script: &str) {
+    let around = format!("set motion random.dat\nset dt 0.02\nset npts 401\nsource {script}\n");
+    fs::write(folder.0.join("around.tcl"), around).unwrap();
+    let (results, name) = script.split_once('/').unwrap();
+    let forces = [(results, name), (".", script), (".", "around.tcl")].map(|(from, script)| {
+        let from = folder.0.join(from);
+        let done =
+            Command::new(env!("CARGO_BIN_EXE_hysteron")).args(["run", script]).current_dir(&from).output().unwrap();
+        assert!(done.status.success(), "{script}: {}", String::from_utf8_lossy(&done.stderr));
+        let force = fs::read_to_string(from.join("force.out")).unwrap();
+        fs::remove_file(from.join("force.out")).unwrap();
+        force
+    });
+    assert_eq!(forces[0], forces[1]);
+    assert_eq!((forces[0].lines().count(), forces[2].lines().count()), (500, 400));
+}
+
 #[test]
 fn calibration_finds_the_true_parameters() {
     let folder = StudyFolder::new();
@@ -52,6 +71,16 @@ fn calibration_finds_the_true_parameters() {
     let script = fs::read_to_string(folder.0.join("out/fitted.tcl")).unwrap();
     let k0 = found["parameters"]["k0"].as_f64().unwrap();
     assert!(script.contains(&format!("pset k0    {k0:?}\n")), "{script}");
+    runs_from_either_folder(&folder, "out/fitted.tcl");
+    let channels = fs::read_to_string(folder.0.join("out/channels/growing.csv")).unwrap();
+    let mut rows = channels.lines();
+    assert_eq!(rows.next(), Some("time[s],force_recorded[kN],force_simulated[kN],force_residual[kN]"));
+    let numbers = |row: &str| row.split(',').map(|x| x.parse().unwrap_or(f64::NAN)).collect::<Vec<f64>>();
+    let rows: Vec<Vec<f64>> = rows.map(numbers).collect();
+    assert_eq!(rows.len(), 499);
+    assert_eq!(rows.iter().filter(|r| r[1].is_nan() && r[3].is_nan()).count(), 3, "missing samples are empty");
+    assert!(rows.iter().all(|r| r[1].is_nan() || (r[2] - r[1] - r[3]).abs() < 1e-9));
+    assert!(folder.0.join("out/channels/random.csv").exists());
     // The result does not depend on the number of threads.
     let (status, _) = calibrate(&folder, &["study.toml", "--out", "again", "--threads", "1"]);
     assert_eq!(status, Some(0));
@@ -248,5 +277,19 @@ fn missing_physics_widens_the_intervals() {
         let (narrow, wide) = (&interval["from_noise"], [end(&interval["lower"]), end(&interval["upper"])]);
         assert!(wide[0] < end(&narrow[0]) && wide[1] > end(&narrow[1]), "{interval}");
         assert!((wide[0]..=wide[1]).contains(&truth), "{interval}");
+    }
+}
+
+/// The example of the library does what `hysteron calibrate` does.
+#[test]
+fn the_example_calibrates_a_study() {
+    let folder = StudyFolder::new();
+    let result = super::calibrate_study::calibrated(&folder.0.join("study.toml")).unwrap();
+    let intervals = &result.uncertainty.as_ref().unwrap().intervals;
+    for ((name, truth), (value, interval)) in
+        [("k0", 2.6), ("Qd", 17.0), ("alpha", 0.21)].iter().zip(result.values.iter().zip(intervals))
+    {
+        assert!(interval.name == *name && interval.lower < *value && *value < interval.upper, "{interval:?}");
+        assert!((value - truth).abs() < 0.05 * truth, "{name} = {value}");
     }
 }

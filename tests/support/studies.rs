@@ -4,7 +4,7 @@
 use hysteron::analysis::Options;
 use hysteron::diagnose::{CheckpointEntry, Diagnosis, ProgressMonitor, Settings, diagnose};
 use hysteron::diagnostic::SourceMap;
-use hysteron::study::{ScriptSimulator, Study};
+use hysteron::study::{InitialRun, ScriptSimulator, Study};
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -146,12 +146,18 @@ impl ProgressMonitor for CheckpointRecorder {
     }
 }
 
-/// Diagnose the study in a folder.
-pub fn attempt(dir: &Path, settings: &Settings, recorder: &mut CheckpointRecorder) -> Result<Diagnosis, String> {
-    let text = fs::read_to_string(dir.join("model.tcl")).unwrap();
+/// The study in a folder, after its first run.
+pub fn opened(dir: &Path) -> (ScriptSimulator, InitialRun) {
     let mut sources = SourceMap::default();
     let study = Arc::new(Study::load(&dir.join("study.toml"), &mut sources).unwrap());
     let mut simulator = ScriptSimulator::new(study, Options::default(), Arc::new(AtomicBool::new(false)));
     let initial_run = simulator.run_initially(&mut sources).unwrap();
+    (simulator, initial_run)
+}
+
+/// Diagnose the study in a folder.
+pub fn attempt(dir: &Path, settings: &Settings, recorder: &mut CheckpointRecorder) -> Result<Diagnosis, String> {
+    let text = fs::read_to_string(dir.join("model.tcl")).unwrap();
+    let (simulator, initial_run) = opened(dir);
     diagnose(&simulator, &initial_run, &text, settings, recorder)
 }

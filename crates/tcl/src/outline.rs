@@ -13,6 +13,8 @@ pub struct TopLevel {
     pub end: usize,
     /// Its first word as it is written.
     pub name: String,
+    /// First byte of each word, and the byte after its last.
+    pub words: Vec<(usize, usize)>,
 }
 
 /// The commands of the outermost level, up to the first that cannot be parsed.
@@ -21,7 +23,8 @@ pub fn top_level(text: &str) -> Vec<TopLevel> {
     let script = lexer::script(&unit);
     let command = |c: &super::ast::Command| {
         let name = c.words.first().map_or("", |w| unit.slice(w.start, w.end));
-        TopLevel { start: c.start as usize, end: c.end as usize, name: name.to_owned() }
+        let words = c.words.iter().map(|w| (w.start as usize, w.end as usize)).collect();
+        TopLevel { start: c.start as usize, end: c.end as usize, name: name.to_owned(), words }
     };
     script.commands.iter().map(command).collect()
 }

@@ -113,6 +113,8 @@ pub(crate) enum TagPurpose {
     Dashpots,
     /// Contact elements between adjacent structures.
     Joints,
+    /// Materials and elements of a repair in OpenSees' standard commands.
+    StandardForms,
 }
 
 /// Prefixes of the classes of elastic beams.
@@ -132,6 +134,7 @@ impl ModelInventory {
                 TagPurpose::Regions => 700,
                 TagPurpose::Dashpots => 800,
                 TagPurpose::Joints => 900,
+                TagPurpose::StandardForms => 1000,
             }
     }
 

@@ -7,6 +7,7 @@ use super::mismatch::{find_windows, regime};
 use super::result_file::{Baseline, Candidate, Mismatch, Outcome, RepairedModel, Verdict};
 use super::summary::{Summary, SummaryContext, summary};
 use crate::candidate::channel_fault::ChannelFault;
+use crate::candidate::opensees_form::{RepairedModelScript, opensees_script};
 use crate::candidate::repaired_script::repaired_script;
 use crate::candidate::variant::Variant;
 use crate::evidence::holdout::{self, HoldoutJudgement, holdout_nmse, judge};
@@ -95,6 +96,17 @@ pub(super) fn conclude(
         discriminating_test(&c.simulator.factory(), study, c.imposed_motion, [&repair.hypothesis, other])
     });
     let named_repair = Some(&repair.fits).filter(|_| !matches!(verdict.cause, "none" | "unknown"));
+    let values = &repair.fitted.values;
+    let script = repaired_script(c.text, &c.initial_run.value_spans, c.point, &repair.hypothesis.variant, values);
+    let opensees = opensees_script(&RepairedModelScript {
+        simulator: c.simulator,
+        text: c.text,
+        point: c.point,
+        repaired: &script,
+        values: repair.hypothesis.variant.split(values).0,
+        responses: c.responses,
+        fits: &repair.fits,
+    });
     let baseline_result = Baseline {
         fit_nmse: baseline.fitted.objective,
         holdout_nmse: holdout_nmse(study, &baseline_fits),
@@ -103,6 +115,8 @@ pub(super) fn conclude(
     let mismatch = mismatches(c, &baseline_fits, named_repair);
     let corrected = RepairedModel {
         script: "corrected.tcl".into(),
+        opensees: opensees.is_ok().then(|| "corrected_opensees.tcl".into()),
+        opensees_reason: opensees.as_ref().err().cloned(),
         parameters: values_by_name(&repair.hypothesis.variant.study.space, &repair.fitted.values),
         fit_nmse: repair.fitted.objective,
         holdout_nmse: holdout_nmse(study, &repair.fits),
@@ -143,11 +157,10 @@ pub(super) fn conclude(
             None => observation,
         },
     };
-    let values = &repair.fitted.values;
-    let script = repaired_script(c.text, &c.initial_run.value_spans, c.point, &repair.hypothesis.variant, values);
     Ok(Diagnosis {
         outcome,
         repaired_script: script,
+        opensees_script: opensees.ok(),
         ranking: ranked.iter().map(ranked_hypothesis).collect(),
         displacements: displacements(c, &baseline.fitted.values),
         repaired_fits: verdict.repair.fits,

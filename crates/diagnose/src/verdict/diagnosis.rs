@@ -43,6 +43,8 @@ pub struct Diagnosis {
     pub outcome: Outcome,
     /// Text of the repaired script.
     pub repaired_script: String,
+    /// The same in OpenSees' standard commands; none if they cannot say the same.
+    pub opensees_script: Option<String>,
     /// All ranked hypotheses, best first.
     pub ranking: Vec<RankedHypothesis>,
     /// Observed channels of the baseline, by run; none for a run without a result.

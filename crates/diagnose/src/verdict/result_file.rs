@@ -91,6 +91,11 @@ pub struct Verdict {
 pub struct RepairedModel {
     /// File of its script.
     pub script: String,
+    /// File of the same script in OpenSees' standard commands; none if they cannot say the same.
+    pub opensees: Option<String>,
+    /// Reason why there is no such file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub opensees_reason: Option<String>,
     /// Values of the user's and the added parameters.
     pub parameters: BTreeMap<String, f64>,
     /// Mean NMSE over fitted channels and runs.

@@ -1,8 +1,10 @@
 //! Tables and charts of results.
 
+mod channels;
 pub mod html;
 mod loops;
 mod table;
 
+pub use channels::{NamedResponses, channel_files};
 pub use loops::{Record, Units, cycle_charts, cycle_table, orbit_charts, orbit_table};
 pub use table::{Cell, Column, Table};

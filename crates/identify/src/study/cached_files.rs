@@ -17,6 +17,15 @@ impl FileContents {
         texts.insert(path.to_owned(), text.as_bytes().into());
         Self(Arc::new(Mutex::new(texts)))
     }
+
+    /// Paths and texts, in the order of the paths.
+    pub(super) fn texts(&self) -> Vec<(String, String)> {
+        let texts = self.0.lock().map_or_else(|e| e.into_inner().clone(), |k| k.clone());
+        let texts = texts.iter().map(|(path, bytes)| (path.clone(), String::from_utf8_lossy(bytes).into_owned()));
+        let mut texts: Vec<_> = texts.collect();
+        texts.sort();
+        texts
+    }
 }
 
 /// Files of the system, kept in memory once they are read. Writing is refused: an overlay takes what a script writes.

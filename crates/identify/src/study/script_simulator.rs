@@ -171,6 +171,11 @@ impl ScriptSimulator {
         &self.study
     }
 
+    /// Files that the scripts of this simulator and its factory have read: absolute paths and texts, in the order of the paths.
+    pub fn files_read(&self) -> Vec<(String, String)> {
+        self.contents.texts()
+    }
+
     /// Run the script, which may be the beginning of one, and inspect the model at its end.
     pub fn inspect_model<R>(&self, run: usize, values: &[f64], inspect: impl FnOnce(&Engine) -> R) -> R {
         inspect(&self.run(run, Some(values), None).script.interp.host.engine)
@@ -393,7 +398,7 @@ fn analysis_error(failure: &Failure) -> SimulationError {
     }
 }
 
-fn tcl_value(setting: &Setting) -> Value {
+pub(super) fn tcl_value(setting: &Setting) -> Value {
     match setting {
         Setting::Text(s) => Value::from(s.as_str()),
         Setting::Whole(i) => Value::from(*i),

@@ -1,5 +1,5 @@
 //! Files of numbers: tables, ground motions.
 
-pub mod motion;
-pub mod number_files;
+pub(crate) mod motion;
+pub(crate) mod number_files;
 pub mod table;
