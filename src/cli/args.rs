@@ -2,6 +2,7 @@
 
 use super::bearing::BearingArgs;
 use super::loops::LoopsArgs;
+use super::study::InitArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -44,6 +45,8 @@ pub(super) enum Command {
     Bearing(BearingArgs),
     /// Measure the cycles in a file: secant stiffness, dissipated energy, equivalent damping
     Loops(LoopsArgs),
+    /// Write a first study for a script and recordings, with comments on how sure it is
+    Init(InitArgs),
     /// Find the parameters of a study that follow its recordings best
     Calibrate(CalibrateArgs),
     /// Find why a model and recordings differ, and repair the model

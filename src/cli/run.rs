@@ -28,6 +28,7 @@ pub(crate) fn main() -> i32 {
         }
         Command::Check { script: s, model, args } => script(&s, Mode::Check, &StepArgs::default(), &model, &args),
         Command::Bearing(args) => bearing(&args),
+        Command::Init(args) => super::study::init(&args),
         Command::Calibrate(args) => super::calibrate::calibrate(&args),
         Command::Diagnose(args) => super::diagnose::run(&args),
         Command::Loops(args) => print(loops(&args)),
