@@ -31,6 +31,8 @@ mod recorders;
 mod rubber;
 #[path = "cli/rubber_bearings.rs"]
 mod rubber_bearings;
+#[path = "cli/studies.rs"]
+mod studies;
 #[path = "cli/triple.rs"]
 mod triple;
 

@@ -1,6 +1,7 @@
 //! Arguments of the command line. Doc comments of the fields are the help texts.
 
 use super::bearing::BearingArgs;
+use super::init::InitArgs;
 use super::loops::LoopsArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -39,6 +40,8 @@ pub(super) enum Command {
     Bearing(BearingArgs),
     /// Measure the cycles in a file: secant stiffness, dissipated energy, equivalent damping
     Loops(LoopsArgs),
+    /// Write a first study for a script and recordings, with comments on how sure it is
+    Init(InitArgs),
     /// Find the parameters of a study that follow its recordings best
     Calibrate(CalibrateArgs),
     /// Find why a model and recordings differ, and repair the model

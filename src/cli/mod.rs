@@ -10,6 +10,7 @@ mod console;
 mod diagnose;
 mod files;
 mod help;
+mod init;
 mod loops;
 mod messages;
 mod output_folder;

@@ -32,6 +32,7 @@ pub(crate) fn main() -> i32 {
         }
         Command::Check(args) => check(&args),
         Command::Bearing(args) => bearing(&args),
+        Command::Init(args) => super::init::init(&args),
         Command::Calibrate(args) => super::calibrate::calibrate(&args),
         Command::Diagnose(args) => super::diagnose::run(&args),
         Command::Loops(args) => print(loops(&args)),

@@ -46,6 +46,8 @@ pub(super) fn check(file: &Path, compat: Option<Compat>, strict: bool, json: boo
     let study = simulator.study().clone();
     let warnings = study.warnings.iter().chain(&initial_run.warnings).filter(|w| w.severity != Severity::Note);
     let warnings: Vec<_> = warnings.inspect(|w| print_diagnostic(w, &sources)).collect();
+    // Notes about the study itself; those of the script belong to its run.
+    study.warnings.iter().filter(|w| w.severity == Severity::Note).for_each(|n| print_diagnostic(n, &sources));
     let checked = match check_channels(&simulator, &initial_run, threads(None), true) {
         Ok(checked) => checked,
         Err(e) => {

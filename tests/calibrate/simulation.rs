@@ -66,8 +66,8 @@ fn channels_before_the_first_and_after_the_last_recorder_row() {
 /// A channel with a shift is the model's response that much later.
 #[test]
 fn shifted_channel_is_compared_with_the_response_at_the_shifted_time() {
-    let mut plain = simulator(&StudyFolder::new());
-    let mut shifted = simulator(&StudyFolder::edited("study.toml", "column  = 2", "column  = 2\nshift = 0.04"));
+    let folders = [StudyFolder::new(), StudyFolder::edited("study.toml", "column  = 2", "column  = 2\nshift = 0.04")];
+    let [mut plain, mut shifted] = folders.each_ref().map(simulator);
     let (a, b) = (plain.simulate(0, &TRUTH).unwrap(), shifted.simulate(0, &TRUTH).unwrap());
     // Two samples of 0.02 s.
     assert!(a[0][2..].iter().zip(&b[0]).all(|(x, y)| (x - y).abs() < 1e-9), "{:?} {:?}", &a[0][..5], &b[0][..5]);

@@ -3,6 +3,9 @@
 use super::StudyFolder;
 use hysteron::diagnostic::SourceMap;
 use hysteron::study::{Role, Setting, Study};
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 /// The error of a study: its location, and its message with help.
 fn load_error(folder: &StudyFolder) -> (String, String) {
@@ -75,15 +78,15 @@ fn study_errors_have_their_location() {
         assert!(message.contains(said), "{new}: {message}");
     }
     let folder = StudyFolder::new();
-    std::fs::write(folder.study(), "model = \"pad.tcl\"\n[calibration]\nF = 3\n").unwrap();
+    fs::write(folder.study(), "model = \"pad.tcl\"\n[calibration]\nF = 3\n").unwrap();
     assert!(load_error(&folder).1.contains("no parameter is to be found"));
 }
 
 #[test]
 fn recording_errors_have_their_location() {
     for (old, new, at, said) in [
-        ("time[s]", "t[s]", "growing.csv:1:1", "expected time[s]"),
-        ("time[s]", "time[ms]", "growing.csv:1:1", "expected time[s]"),
+        ("time[s]", "x[s]", "growing.csv:1:1", "expected time[s]"),
+        ("time[s]", "time[kN]", "growing.csv:1:1", "expected time[s]"),
         ("disp[mm]", "force[N]", "growing.csv:1:19", "has no name of its own"),
         ("0.0260,", "O.0260,", "growing.csv:2:1", "the time is not a number"),
         ("0.0460,", "0.0260,", "growing.csv:3:1", "the time goes from 0.026 to 0.026"),
@@ -158,4 +161,72 @@ fn channels_are_converted_by_unit_factor_and_offset() {
     let (at, message) = load_error(&folder);
     assert_eq!(at, "study.toml:31:8");
     assert!(message.contains("the unit of force in growing.csv is not known: \"V\""), "{message}");
+}
+
+/// Tables of a study: header in the file, and definition in the schema; empty for the top level.
+const TABLES: [(&str, &str); 6] = [
+    ("", ""),
+    ("[[parameter]]", "parameter"),
+    ("[[run]]", "run"),
+    ("[[run.observe]]", "observe"),
+    ("[calibration]", "calibration"),
+    ("[rig]", "rig"),
+];
+
+/// Keys of a table in the schema for editors.
+fn schema_keys(definition: &str) -> BTreeSet<String> {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/reference/study.schema.json");
+    let schema: serde_json::Value = serde_json::from_str(&fs::read_to_string(file).unwrap()).unwrap();
+    let table = if definition.is_empty() { &schema } else { &schema["definitions"][definition] };
+    table["properties"].as_object().unwrap().keys().cloned().collect()
+}
+
+#[test]
+fn schema_for_editors_has_the_keys_of_the_reader() {
+    for (header, definition) in TABLES {
+        let folder = StudyFolder::new();
+        let text = fs::read_to_string(folder.study()).unwrap() + "\n[calibration]\n[rig]\n";
+        let at = if header.is_empty() { 0 } else { text.find(&format!("{header}\n")).unwrap() + header.len() + 1 };
+        fs::write(folder.study(), format!("{}zzzzzz = 1\n{}", &text[..at], &text[at..])).unwrap();
+        let (_, message) = load_error(&folder);
+        let (_, known) = message.split_once("expected one of ").unwrap();
+        let known: BTreeSet<String> = known.split(';').next().unwrap().split(", ").map(str::to_owned).collect();
+        assert_eq!(known, schema_keys(definition), "{header}");
+    }
+}
+
+/// Studies of the repository below a folder.
+fn studies_below(folder: PathBuf, found: &mut Vec<PathBuf>) {
+    for path in fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()) {
+        if path.is_dir() {
+            studies_below(path, found);
+        } else if path.extension().is_some_and(|e| e == "toml") {
+            found.push(path);
+        }
+    }
+}
+
+#[test]
+fn studies_of_the_repository_have_keys_of_the_schema() {
+    let mut files = vec![];
+    for folder in ["tcl-like-inputs", "validation", "benches"] {
+        studies_below(Path::new(env!("CARGO_MANIFEST_DIR")).join(folder), &mut files);
+    }
+    let mut studies = 0;
+    for file in files {
+        let text = fs::read_to_string(&file).unwrap();
+        if !text.lines().any(|l| l.starts_with("model ")) {
+            continue;
+        }
+        studies += 1;
+        let mut known = schema_keys("");
+        for line in text.lines() {
+            if let Some((_, definition)) = TABLES.iter().skip(1).find(|(header, _)| line.trim() == *header) {
+                known = schema_keys(definition);
+            } else if let Some((key, _)) = line.split_once('=').filter(|_| line.starts_with(char::is_alphabetic)) {
+                assert!(known.contains(key.trim()), "{}: {line}", file.display());
+            }
+        }
+    }
+    assert!(studies >= 20, "only {studies} found");
 }

@@ -13,6 +13,7 @@ use hysteron_engine::model::{Definitions, ElementId, NodeId, Tag};
 use hysteron_engine::number_format::Style;
 use hysteron_engine::record::{Known, Layout, Output, RecordError, Recorder};
 use hysteron_engine::section::Fiber;
+use hysteron_tcl::Watch;
 use hysteron_tcl::diagnostic::{Diagnostic, SourceMap, Span};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -242,6 +243,8 @@ pub struct Session {
     pub declared: BTreeMap<String, f64>,
     /// Place of each declared value in the script.
     pub declared_at: BTreeMap<String, Span>,
+    /// Watches of the variables of declared parameters; `None` if they are not watched.
+    pub watches: Option<BTreeMap<String, Watch>>,
     /// Purpose of the run.
     pub mode: Mode,
     /// Warnings are errors.
@@ -277,6 +280,7 @@ impl Session {
             parameters: BTreeMap::new(),
             declared: BTreeMap::new(),
             declared_at: BTreeMap::new(),
+            watches: None,
             mode,
             strict,
             check: CheckState::default(),

@@ -72,6 +72,11 @@ impl SourceMap {
         SourceId(self.sources.len() as u32)
     }
 
+    /// All texts, in the order in which they were added.
+    pub fn texts(&self) -> impl Iterator<Item = &str> {
+        self.sources.iter().map(|s| &*s.text)
+    }
+
     /// A text that is there under a name.
     pub fn find(&self, name: &str, text: &str) -> Option<SourceId> {
         let same = |s: &Source| &*s.name == name && &*s.text == text;

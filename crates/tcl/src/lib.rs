@@ -47,3 +47,4 @@ pub use self::memory_files::MemoryFiles;
 pub use self::outline::{TopLevel, top_level};
 pub use self::overlay_files::OverlayFiles;
 pub use self::value::Value;
+pub use self::vars::Watch;

@@ -7,7 +7,7 @@ use super::error::Exception;
 use super::table::Table;
 use super::text::Text;
 use super::value::Value;
-use super::vars::{Scope, Slot, Trouble, VarName, put, take};
+use super::vars::{Scope, Slot, Trouble, VarName, Watch, WatchedSlot, put, take};
 use crate::diagnostic;
 
 impl Core {
@@ -25,6 +25,7 @@ impl Core {
             (Trouble::IsArray, _) => &["TCL", "WRITE", "VARNAME"],
             (Trouble::NotArray, "array set") => &["TCL", "WRITE", "ARRAY"],
             (Trouble::NotArray | Trouble::NoNamespace, _) => &["TCL", "LOOKUP", "VARNAME", &name.text],
+            (Trouble::Unread, _) => &["TCL", "WRITE", "VARNAME"],
         };
         let e = Exception::coded(message, code);
         if self.calls.catching > 0 {
@@ -297,6 +298,21 @@ impl Core {
     pub fn set_var(&mut self, name: &str, value: impl Into<Value>) -> Result<(), Exception> {
         let name = VarName::parse(name);
         self.assign(&name, value.into())
+    }
+
+    /// Note the first use of a scalar that is there: setting it before it is read becomes an error. `None` if there is no
+    /// such scalar.
+    pub fn watch_var(&mut self, name: &str) -> Option<Watch> {
+        let name = VarName::parse(name);
+        let slot = self.slot_mut(&name).filter(|_| name.element.is_none())?;
+        slot.with_mut(|slot| {
+            let watch = Watch::default();
+            let scalar = matches!(slot, Slot::Scalar(_));
+            scalar.then(|| {
+                *slot = Slot::Watched(Box::new(WatchedSlot { slot: std::mem::take(slot), watch: watch.clone() }));
+                watch
+            })
+        })
     }
 
     /// `tcl_precision` has been set: take it over, or refuse it.

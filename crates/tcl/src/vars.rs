@@ -1,6 +1,6 @@
 //! Variables: their names, and what stands under them.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
 use super::table::{self, Table};
@@ -97,6 +97,51 @@ pub(crate) enum Slot {
     Shared(Rc<RefCell<Slot>>),
     /// One of the other names.
     Link(Rc<RefCell<Slot>>),
+    /// A scalar whose first use is noted.
+    Watched(Box<WatchedSlot>),
+}
+
+/// A scalar that must be read before it is set again.
+#[derive(Debug)]
+pub(crate) struct WatchedSlot {
+    pub(crate) slot: Slot,
+    pub(crate) watch: Watch,
+}
+
+/// What has happened first to a watched variable.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum FirstUse {
+    #[default]
+    None,
+    Read,
+    Set,
+}
+
+/// The first use of a variable after it was watched. Clones share it.
+#[derive(Clone, Debug, Default)]
+pub struct Watch(Rc<Cell<FirstUse>>);
+
+impl Watch {
+    /// Returns true if the variable was read, or asked for by `info exists`.
+    pub fn was_read(&self) -> bool {
+        self.0.get() == FirstUse::Read
+    }
+
+    /// Returns true if the script tried to set the variable before it read it, which is an error.
+    pub fn was_overwritten(&self) -> bool {
+        self.0.get() == FirstUse::Set
+    }
+
+    /// Allow the variable to be set.
+    pub fn release(&self) {
+        self.0.set(FirstUse::Read);
+    }
+
+    fn note(&self, first: FirstUse) {
+        if self.0.get() == FirstUse::None {
+            self.0.set(first);
+        }
+    }
 }
 
 impl Clone for Slot {
@@ -107,6 +152,7 @@ impl Clone for Slot {
             Self::Scalar(value) => Self::Scalar(value.clone()),
             Self::Array(elements) => Self::Array(elements.clone()),
             Self::Shared(variable) | Self::Link(variable) => variable.borrow().clone(),
+            Self::Watched(watched) => watched.slot.clone(),
         }
     }
 }
@@ -115,8 +161,20 @@ impl Slot {
     /// Look at the variable itself.
     pub(crate) fn with<R>(&self, f: impl FnOnce(&Slot) -> R) -> R {
         match self {
-            Slot::Shared(s) | Slot::Link(s) => f(&s.borrow()),
-            slot => f(slot),
+            Slot::Shared(s) | Slot::Link(s) => f(s.borrow().read()),
+            slot => f(slot.read()),
+        }
+    }
+
+    /// The content of a watched variable, whose reading is noted; any other as it is.
+    #[inline]
+    fn read(&self) -> &Slot {
+        match self {
+            Slot::Watched(watched) => {
+                watched.watch.note(FirstUse::Read);
+                &watched.slot
+            }
+            slot => slot,
         }
     }
 
@@ -160,6 +218,8 @@ pub(crate) enum Trouble {
     NotArray,
     NoNamespace,
     DanglingLink,
+    /// A watched variable that has not been read.
+    Unread,
 }
 
 impl Trouble {
@@ -171,6 +231,7 @@ impl Trouble {
             Trouble::NotArray => "variable isn't array",
             Trouble::NoNamespace => "parent namespace doesn't exist",
             Trouble::DanglingLink => "upvar refers to variable in deleted namespace",
+            Trouble::Unread => "it was given a value that has not been read",
         }
     }
 }
@@ -197,6 +258,15 @@ pub(super) fn put(slot: &mut Slot, index: Option<&Text>, value: Value) -> Result
         }
         (Slot::Array(_), None) => Err(Trouble::IsArray),
         (Slot::Scalar(_), Some(_)) => Err(Trouble::NotArray),
+        (Slot::Watched(watched), _) => {
+            watched.watch.note(FirstUse::Set);
+            if watched.watch.was_overwritten() {
+                return Err(Trouble::Unread);
+            }
+            // After its first use it is a variable like others.
+            *slot = std::mem::take(&mut watched.slot);
+            put(slot, index, value)
+        }
         (Slot::Shared(_) | Slot::Link(_), _) => Err(Trouble::DanglingLink),
     }
 }
@@ -213,6 +283,10 @@ pub(super) fn take(slot: &mut Slot, index: Option<&Text>) -> Result<Value, Troub
         },
         (Slot::Array(_), None) => Err(Trouble::IsArray),
         (Slot::Scalar(_), Some(_)) => Err(Trouble::NotArray),
+        (Slot::Watched(watched), _) => {
+            watched.watch.note(FirstUse::Read);
+            take(&mut watched.slot, index)
+        }
         _ => Err(Trouble::Undefined),
     }
 }

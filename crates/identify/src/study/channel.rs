@@ -3,8 +3,7 @@
 use super::load::StudyError;
 use super::recording::{Column, Recording};
 use super::run::ObservedChannel;
-use super::source_spans::SourceSpans;
-use super::study_file::ObserveTable;
+use super::study_file::{ObserveTable, SourceSpans};
 use super::unit::{self, Unit};
 use hysteron_tcl::diagnostic::{Diagnostic, nearest};
 use toml::Spanned;
@@ -65,7 +64,7 @@ pub(super) fn read_channel(
         warnings.push(Diagnostic::warning(message).at(Some(spans.span(&o.channel)), "left out"));
     }
     Ok(ObservedChannel {
-        channel: channel.clone(),
+        channel: column.name.clone(),
         unit,
         output: o.output.get_ref().clone(),
         column: at,

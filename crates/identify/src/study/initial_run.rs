@@ -1,7 +1,13 @@
 //! The first run of a script, with its own values of the parameters.
 
+use super::checks::{insensitive_parameters, outside_bounds};
+use super::load::{Study, StudyError};
+use super::script_errors::{SetUses, explain, output_error, time_columns};
+use super::script_simulator::{EndedRun, RunMode, ScriptSimulator};
 use super::simulator::SimulationError;
-use hysteron_tcl::diagnostic::Diagnostic;
+use hysteron_opensees::run::End;
+use hysteron_tcl::diagnostic::{Diagnostic, SourceMap, Span, nearest};
+use std::collections::BTreeMap;
 use std::time::Duration;
 
 /// Limits of one run of a script. Commands and steps give the same limit on any machine; the time is the last resort.
@@ -52,4 +58,125 @@ pub struct InitialRun {
     pub failure: Option<SimulationError>,
     /// Limits of the runs that follow, by run of the study.
     pub limits: Vec<RunLimits>,
+}
+
+impl ScriptSimulator {
+    /// Run the script with its own values, and set the limits of the runs that follow. If it fails with them, it runs with
+    /// the values in the middle of the ranges.
+    ///
+    /// Warnings tell of values outside of their bounds, and of parameters that no observed channel depends on.
+    ///
+    /// # Errors
+    /// The script is rejected, never declares a parameter of the study, does not use a variable that a run sets, or does
+    /// not write an observed output. Texts that the message points into are added to `sources`.
+    pub fn run_initially(&mut self, sources: &mut SourceMap) -> Result<InitialRun, StudyError> {
+        let study = self.study.clone();
+        let mut initial = InitialRun {
+            values: vec![f64::NAN; study.space.parameters.len()],
+            value_spans: vec![None; study.space.parameters.len()],
+            warnings: vec![],
+            failure: None,
+            limits: vec![],
+        };
+        let time_limit = study.calibration.time_limit.map(Duration::from_secs_f64);
+        if let Some(time) = time_limit {
+            self.limits.iter_mut().for_each(|l| l.time = time);
+        }
+        let mut uses = SetUses::default();
+        for (number, spec) in study.runs.iter().enumerate() {
+            let (ended, error) = self.first_run(number, &mut initial);
+            if let End::Rejected(d) = &ended.end {
+                let d = explain(&study, number, &ended, d, sources);
+                return Err(with_sources_moved(&ended.script.interp.sources, sources, d, &spec.name));
+            }
+            check_declared(&study, &ended.script.interp.host.declared)?;
+            uses.add(&study, number, &ended);
+            if error.is_none() && self.channels(number).is_err() {
+                return Err(output_error(self, number, &ended));
+            }
+            initial.warnings.extend(time_columns(self, number));
+            let interp = &ended.script.interp;
+            for (value_span, p) in initial.value_spans.iter_mut().zip(&study.space.parameters) {
+                let span = interp.host.declared_at.get(&p.name);
+                let span = span.filter(|s| *interp.sources.name(s.source) == *study.model);
+                *value_span = span.map(|s| (s.start as usize, s.end as usize)).or(*value_span);
+            }
+            for w in &interp.warnings {
+                let w = *with_sources_moved(&interp.sources, sources, w.clone(), &spec.name);
+                if !initial.warnings.iter().any(|o| o.message == w.message) {
+                    initial.warnings.push(w);
+                }
+            }
+            let commands = RunLimits::UNKNOWN.commands - interp.budget.unwrap_or(0);
+            let mut limits = RunLimits::from_first_run(commands, interp.host.engine.steps, 20 * ended.time);
+            limits.time = time_limit.unwrap_or(limits.time);
+            self.limits[number] = limits;
+        }
+        initial.limits.clone_from(&self.limits);
+        uses.check(&study)?;
+        initial.warnings.extend(outside_bounds(&study, &initial.values));
+        let insensitive = insensitive_parameters(self, &initial.values);
+        initial.warnings.extend(insensitive);
+        Ok(initial)
+    }
+
+    /// One run with the script's own values, or with those in the middle of the ranges if it fails; its error.
+    fn first_run(&self, number: usize, initial: &mut InitialRun) -> (EndedRun, Option<SimulationError>) {
+        let watched = || RunMode { watched: true, ..RunMode::default() };
+        let ended = self.run(number, None, watched());
+        take_declared_values(&self.study, &ended.script.interp.host.declared, &mut initial.values);
+        let error = self.error(&ended, number);
+        let space = &self.study.space;
+        let (Some(error), Ok(middle)) = (&error, space.values_at(&vec![0.5; space.dimension()])) else {
+            return (ended, error);
+        };
+        let is_interrupted = *error == SimulationError::Interrupted;
+        if initial.failure.is_none() {
+            initial.failure = Some(error.clone());
+        }
+        if is_interrupted {
+            return (ended, None);
+        }
+        let ended = self.run(number, Some(&middle), watched());
+        let error = self.error(&ended, number);
+        (ended, error)
+    }
+}
+
+/// Take the declared values of the parameters.
+fn take_declared_values(study: &Study, declared: &BTreeMap<String, f64>, values: &mut [f64]) {
+    for (v, p) in values.iter_mut().zip(&study.space.parameters) {
+        if let Some(x) = declared.get(&p.name) {
+            *v = *x;
+        }
+    }
+}
+
+/// Check that the script has declared all parameters.
+fn check_declared(study: &Study, declared: &BTreeMap<String, f64>) -> Result<(), StudyError> {
+    for (p, span) in study.space.parameters.iter().zip(&study.spans.names) {
+        if !declared.contains_key(&p.name) {
+            let message = format!("{} never declares the parameter {}", study.model, p.name);
+            let mut d = Diagnostic::error(message).at(Some(*span), "expected the name of a pset command");
+            if let Some(near) = nearest(&p.name, declared.keys().map(String::as_str)) {
+                d = d.help(format!("did you mean \"{near}\"?"));
+            } else if declared.is_empty() {
+                d = d.help(format!("declare it in the script: pset {} VALUE", p.name));
+            }
+            return Err(Box::new(d));
+        }
+    }
+    Ok(())
+}
+
+/// A message about a script, with the texts that it points into moved to another source map.
+fn with_sources_moved(from: &SourceMap, to: &mut SourceMap, mut d: Diagnostic, run: &str) -> StudyError {
+    let mut shift = |span: &mut Span| {
+        let (name, text) = (from.name(span.source), from.text(span.source));
+        span.source = to.find(&name, &text).unwrap_or_else(|| to.add(&name, &text));
+    };
+    d.span.iter_mut().for_each(&mut shift);
+    d.callers.iter_mut().for_each(|c| shift(&mut c.span));
+    d.help.push(format!("in run \"{run}\""));
+    Box::new(d)
 }

@@ -1,11 +1,11 @@
 //! Reading a study: its file is checked, and its recordings are read.
 
 use super::channel::read_channel;
+use super::checks;
 use super::parameter::{Parameter, ParameterKind, ParameterRange, ParameterSpace, Scale};
 use super::recording::Recording;
 use super::run::{Role, Run, Setting};
-use super::source_spans::SourceSpans;
-use super::study_file::{ParameterTable, RunTable, StudyFile};
+use super::study_file::{ParameterTable, RunTable, SourceSpans, StudyFile, StudySpans};
 use exmex::Express as _;
 use hysteron_tcl::diagnostic::{Diagnostic, SourceId, SourceMap, Span, nearest};
 use std::fs;
@@ -31,8 +31,8 @@ pub struct Study {
     pub calibration: CalibrationOptions,
     /// Limits of the laboratory.
     pub rig: Option<Rig>,
-    /// Location of the name of each parameter, for messages.
-    pub(super) name_spans: Vec<Span>,
+    /// Locations of its words, for messages.
+    pub(super) spans: StudySpans,
     /// Warnings about the study and its recordings.
     pub warnings: Vec<Diagnostic>,
 }
@@ -92,7 +92,7 @@ impl Study {
         let source = sources.add(&shown.to_string(), &text);
         let parsed: StudyFile = toml::from_str(&text).map_err(|e| syntax_error(&e, source))?;
         let spans = SourceSpans::new(source);
-        let (parameters, name_spans) = read_parameters(&spans, &parsed.parameter)?;
+        let parameters = read_parameters(&spans, &parsed.parameter)?;
         let space = ParameterSpace::new(parameters).map_err(|cyclic| {
             let name = &parsed.parameter[cyclic].get_ref().name;
             spans.error(name, format!("the formula of {} depends on itself", name.get_ref()), "tied in a circle")
@@ -116,6 +116,7 @@ impl Study {
             let message = "no run has the role \"fit\"";
             return Err(Box::new(Diagnostic::error(message).at(Some(spans.span(&parsed.model)), "in this study")));
         }
+        warnings.extend(checks::check_runs(&runs, space.dimension(), spans.span(&parsed.model))?);
         let model = parsed.model.get_ref().clone();
         if !folder.join(&model).is_file() {
             return Err(spans.error(&parsed.model, format!("there is no script {model}"), "expected a file"));
@@ -129,7 +130,7 @@ impl Study {
             runs,
             calibration: read_calibration_options(&spans, &parsed)?,
             rig: read_rig(&spans, &parsed)?,
-            name_spans,
+            spans: StudySpans::new(&spans, &parsed),
             warnings,
         })
     }
@@ -171,11 +172,8 @@ fn syntax_error(e: &toml::de::Error, source: SourceId) -> StudyError {
     Box::new(d)
 }
 
-/// Parameters of the study, and locations of their names.
-fn read_parameters(
-    spans: &SourceSpans,
-    tables: &[Spanned<ParameterTable>],
-) -> Result<(Vec<Parameter>, Vec<Span>), StudyError> {
+/// Parameters of the study.
+fn read_parameters(spans: &SourceSpans, tables: &[Spanned<ParameterTable>]) -> Result<Vec<Parameter>, StudyError> {
     let names: Vec<&str> = tables.iter().map(|t| t.get_ref().name.get_ref().as_str()).collect();
     let mut parameters: Vec<Parameter> = vec![];
     for table in tables {
@@ -194,7 +192,7 @@ fn read_parameters(
         };
         parameters.push(Parameter { name, kind });
     }
-    Ok((parameters, tables.iter().map(|t| spans.span(&t.get_ref().name)).collect()))
+    Ok(parameters)
 }
 
 /// Range of a free parameter.
@@ -271,9 +269,14 @@ fn read_run(
         set.push((key.get_ref().clone(), read_setting(spans, value)?));
     }
     let path = t.recording.get_ref();
-    let text = fs::read_to_string(folder.join(path))
+    let bytes = fs::read(folder.join(path))
         .map_err(|e| spans.error(&t.recording, format!("cannot read {path}: {e}"), "expected a file"))?;
-    let recording = Recording::parse(path, &text, sources)?;
+    let recording = Recording::read(path, &bytes, sources).map_err(|mut d| {
+        if d.span.is_none() {
+            (d.span, d.label) = (Some(spans.span(&t.recording)), "expected comma-separated values".into());
+        }
+        d
+    })?;
     if t.observe.is_empty() {
         return Err(spans.error(&t.name, format!("run \"{name}\" observes nothing"), "expected a [[run.observe]]"));
     }

@@ -14,21 +14,24 @@
 
 mod cached_files;
 mod channel;
+mod checks;
+mod draft;
 mod initial_run;
 mod load;
 mod parameter;
 mod recording;
 mod run;
 mod score;
+mod script_errors;
 mod script_simulator;
 mod simulator;
-mod source_spans;
 mod standalone;
 mod study_file;
 mod trace;
 pub mod unit;
 mod worker_pool;
 
+pub use draft::draft_study;
 pub use initial_run::{InitialRun, RunLimits};
 pub use load::{CalibrationOptions, Rig, Study, StudyError};
 pub use parameter::{OutOfRange, Parameter, ParameterKind, ParameterRange, ParameterSpace, Scale};

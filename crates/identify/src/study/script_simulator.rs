@@ -1,8 +1,8 @@
 //! The simulator that runs the script of a study in this process, with its recorders in memory.
 
 use super::cached_files::{CachedFiles, FileContents};
-use super::initial_run::{InitialRun, RunLimits};
-use super::load::{Study, StudyError};
+use super::initial_run::RunLimits;
+use super::load::Study;
 use super::run::{ObservedChannel, Setting};
 use super::simulator::{SimulationError, Simulator};
 use super::trace::{Trace, TraceOutput, Unobserved};
@@ -10,8 +10,8 @@ use hysteron_engine::analysis::{Cause, Engine, Failure, Options};
 use hysteron_engine::record::{Output, RecordError};
 use hysteron_opensees::run::{End, Run as ScriptRun, Settings};
 use hysteron_opensees::{FileFormat, Mode, NumberFiles, Outputs, Progress};
-use hysteron_tcl::diagnostic::{Diagnostic, SourceMap, Span, nearest};
-use hysteron_tcl::{Console, OverlayFiles, Value};
+use hysteron_tcl::diagnostic::Diagnostic;
+use hysteron_tcl::{Console, OverlayFiles, Value, Watch};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -20,14 +20,14 @@ use std::time::{Duration, Instant};
 
 /// Runs the script of a study.
 pub struct ScriptSimulator {
-    study: Arc<Study>,
+    pub(super) study: Arc<Study>,
     options: Options,
-    limits: Vec<RunLimits>,
+    pub(super) limits: Vec<RunLimits>,
     contents: FileContents,
     numbers: NumberFiles,
     stop: Arc<AtomicBool>,
     /// The outputs of the observed channels, by run: path and trace.
-    outputs: Vec<Vec<(String, TraceOutput)>>,
+    pub(super) outputs: Vec<Vec<(String, TraceOutput)>>,
 }
 
 /// Makes simulators of a study. It can be sent to other threads, unlike the simulators.
@@ -79,16 +79,23 @@ impl Console for Silent {
 }
 
 /// Traces of recorders that are not observed, by the file name in the script.
-type UnobservedTraces = Arc<Mutex<Vec<(String, TraceOutput)>>>;
+pub(super) type UnobservedTraces = Arc<Mutex<Vec<(String, TraceOutput)>>>;
+
+/// Names of the files of all recorders of a run, as the script has them, with their absolute paths.
+pub(super) type RecorderFiles = Arc<Mutex<Vec<(String, String)>>>;
 
 /// Outputs of a run: observed ones in memory, the others in memory if they are wanted.
 struct RunOutputs {
     observed: Vec<(String, TraceOutput)>,
     others: Option<UnobservedTraces>,
+    files: RecorderFiles,
 }
 
 impl Outputs for RunOutputs {
     fn create(&mut self, name: &str, path: &Path, _: FileFormat) -> Result<Box<dyn Output>, RecordError> {
+        if let Ok(mut files) = self.files.lock() {
+            files.push((name.to_owned(), path.to_string_lossy().into_owned()));
+        }
         if let Some((_, trace)) = self.observed.iter().find(|(p, _)| Path::new(p) == path) {
             trace.clear();
             return Ok(Box::new(trace.clone()));
@@ -124,17 +131,23 @@ impl Progress for LimitWatch {
 }
 
 /// A run of the script that has ended.
-struct EndedRun {
-    script: ScriptRun,
-    end: End,
-    time: Duration,
+pub(super) struct EndedRun {
+    pub(super) script: ScriptRun,
+    pub(super) end: End,
+    pub(super) time: Duration,
+    /// Files of its recorders.
+    pub(super) files: RecorderFiles,
+    /// First uses of the variables that the run sets, in a watched run.
+    pub(super) set_watches: Vec<Option<Watch>>,
 }
 
-impl EndedRun {
-    /// Values that `pset` commands of the script gave to parameters.
-    fn declared(&self) -> &BTreeMap<String, f64> {
-        &self.script.interp.host.declared
-    }
+/// How a run is made besides the values of its parameters.
+#[derive(Default)]
+pub(super) struct RunMode {
+    /// Keep the outputs that are not observed.
+    pub(super) others: Option<UnobservedTraces>,
+    /// Note the first use of the variables that the study sets.
+    pub(super) watched: bool,
 }
 
 impl ScriptSimulator {
@@ -178,15 +191,17 @@ impl ScriptSimulator {
 
     /// Run the script, which may be the beginning of one, and inspect the model at its end.
     pub fn inspect_model<R>(&self, run: usize, values: &[f64], inspect: impl FnOnce(&Engine) -> R) -> R {
-        inspect(&self.run(run, Some(values), None).script.interp.host.engine)
+        inspect(&self.run(run, Some(values), RunMode::default()).script.interp.host.engine)
     }
 
     /// Run the script with `values` of the parameters, or with its own values.
-    fn run(&self, run: usize, values: Option<&[f64]>, others: Option<UnobservedTraces>) -> EndedRun {
+    pub(super) fn run(&self, run: usize, values: Option<&[f64]>, mode: RunMode) -> EndedRun {
+        let RunMode { others, watched } = mode;
         let spec = &self.study.runs[run];
         let settings = Settings { mode: Mode::Run, strict: false, options: self.options.clone() };
         let files = OverlayFiles::new(Box::new(CachedFiles::new(&self.study.folder_text(), &self.contents)));
-        let outputs = RunOutputs { observed: self.outputs[run].clone(), others };
+        let recorders = RecorderFiles::default();
+        let outputs = RunOutputs { observed: self.outputs[run].clone(), others, files: recorders.clone() };
         self.outputs[run].iter().for_each(|(_, t)| t.clear());
         let mut script = ScriptRun::new(settings, Box::new(Silent), Box::new(files), Box::new(outputs));
         let begun = Instant::now();
@@ -201,15 +216,20 @@ impl ScriptSimulator {
             script.interp.host.parameters = named.map(|(p, v)| (p.name.clone(), *v)).collect();
         }
         let set = spec.set.iter().try_for_each(|(name, value)| script.interp.set_global(name, tcl_value(value)));
+        let mut set_watches = vec![];
+        if watched {
+            set_watches.extend(spec.set.iter().map(|(name, _)| script.interp.watch_var(name)));
+            script.interp.host.watches = Some(BTreeMap::new());
+        }
         let end = match set {
             Ok(()) => script.script(&self.study.model, &[]),
             Err(_) => End::Rejected(Box::new(Diagnostic::error("a variable of this run cannot be set"))),
         };
-        EndedRun { script, end, time: begun.elapsed() }
+        EndedRun { script, end, time: begun.elapsed(), files: recorders, set_watches }
     }
 
     /// The error of a run that has ended, if it failed.
-    fn error(&self, ended: &EndedRun, run: usize) -> Option<SimulationError> {
+    pub(super) fn error(&self, ended: &EndedRun, run: usize) -> Option<SimulationError> {
         let interp = &ended.script.interp;
         let text = |d: &Diagnostic| match d.span {
             Some(span) => format!("{}: {}", interp.sources.location(span), d.message),
@@ -238,7 +258,7 @@ impl ScriptSimulator {
     }
 
     /// The observed channels of the last run at the times of the recording.
-    fn channels(&self, run: usize) -> Result<Vec<Vec<f64>>, SimulationError> {
+    pub(super) fn channels(&self, run: usize) -> Result<Vec<Vec<f64>>, SimulationError> {
         let spec = &self.study.runs[run];
         let channel = |(o, (_, output)): (&ObservedChannel, &(String, TraceOutput))| {
             output.with(|trace| {
@@ -287,108 +307,12 @@ impl ScriptSimulator {
             return Some((format!("{} [{unit}]", c.name), values.clone()));
         }
         let others = UnobservedTraces::default();
-        self.run(run, Some(values), Some(others.clone()));
+        self.run(run, Some(values), RunMode { others: Some(others.clone()), watched: false });
         let others = others.lock().ok()?;
         let (name, trace) = others.iter().find(|(name, _)| name.contains("disp"))?;
         let column = |t: &Trace| (t.width > 1).then(|| t.sample(1, &recording.times));
         Some((format!("{name}, column 1, simulated"), trace.with(column)?))
     }
-
-    /// Run the script with its own values, and set the limits of the runs that follow. If it fails with them, it runs with
-    /// the values in the middle of the ranges.
-    ///
-    /// # Errors
-    /// The script is rejected, never declares a parameter of the study, or does not write an observed output. Texts that
-    /// the message points into are added to `sources`.
-    pub fn run_initially(&mut self, sources: &mut SourceMap) -> Result<InitialRun, StudyError> {
-        let study = self.study.clone();
-        let mut initial = InitialRun {
-            values: vec![f64::NAN; study.space.parameters.len()],
-            value_spans: vec![None; study.space.parameters.len()],
-            warnings: vec![],
-            failure: None,
-            limits: vec![],
-        };
-        let time_limit = study.calibration.time_limit.map(Duration::from_secs_f64);
-        if let Some(time) = time_limit {
-            self.limits.iter_mut().for_each(|l| l.time = time);
-        }
-        for (number, spec) in study.runs.iter().enumerate() {
-            let (EndedRun { script, end, time }, error) = self.first_run(number, &mut initial);
-            let interp = &script.interp;
-            if let End::Rejected(d) = end {
-                return Err(with_sources_moved(&interp.sources, sources, *d, &spec.name));
-            }
-            check_declared(&study, &interp.host.declared)?;
-            if error.is_none()
-                && let Err(e) = self.channels(number)
-            {
-                return Err(Box::new(Diagnostic::error(format!("run \"{}\": {e}", spec.name))));
-            }
-            for (value_span, p) in initial.value_spans.iter_mut().zip(&study.space.parameters) {
-                let span = interp.host.declared_at.get(&p.name);
-                let span = span.filter(|s| *interp.sources.name(s.source) == *study.model);
-                *value_span = span.map(|s| (s.start as usize, s.end as usize)).or(*value_span);
-            }
-            for w in &interp.warnings {
-                let w = *with_sources_moved(&interp.sources, sources, w.clone(), &spec.name);
-                if !initial.warnings.iter().any(|o| o.message == w.message) {
-                    initial.warnings.push(w);
-                }
-            }
-            let commands = RunLimits::UNKNOWN.commands - interp.budget.unwrap_or(0);
-            let mut limits = RunLimits::from_first_run(commands, interp.host.engine.steps, 20 * time);
-            limits.time = time_limit.unwrap_or(limits.time);
-            self.limits[number] = limits;
-        }
-        initial.limits.clone_from(&self.limits);
-        Ok(initial)
-    }
-
-    /// One run with the script's own values, or with those in the middle of the ranges if it fails; its error.
-    fn first_run(&self, number: usize, initial: &mut InitialRun) -> (EndedRun, Option<SimulationError>) {
-        let ended = self.run(number, None, None);
-        take_declared_values(&self.study, ended.declared(), &mut initial.values);
-        let error = self.error(&ended, number);
-        let space = &self.study.space;
-        let (Some(error), Ok(middle)) = (&error, space.values_at(&vec![0.5; space.dimension()])) else {
-            return (ended, error);
-        };
-        let is_interrupted = *error == SimulationError::Interrupted;
-        if initial.failure.is_none() {
-            initial.failure = Some(error.clone());
-        }
-        if is_interrupted {
-            return (ended, None);
-        }
-        let ended = self.run(number, Some(&middle), None);
-        let error = self.error(&ended, number);
-        (ended, error)
-    }
-}
-
-/// Take the declared values of the parameters.
-fn take_declared_values(study: &Study, declared: &BTreeMap<String, f64>, values: &mut [f64]) {
-    for (v, p) in values.iter_mut().zip(&study.space.parameters) {
-        if let Some(x) = declared.get(&p.name) {
-            *v = *x;
-        }
-    }
-}
-
-/// Check that the script has declared all parameters.
-fn check_declared(study: &Study, declared: &BTreeMap<String, f64>) -> Result<(), StudyError> {
-    for (p, span) in study.space.parameters.iter().zip(&study.name_spans) {
-        if !declared.contains_key(&p.name) {
-            let message = format!("{} never declares the parameter {}", study.model, p.name);
-            let mut d = Diagnostic::error(message).at(Some(*span), "expected the name of a pset command");
-            if let Some(near) = nearest(&p.name, declared.keys().map(String::as_str)) {
-                d = d.help(format!("did you mean \"{near}\"?"));
-            }
-            return Err(Box::new(d));
-        }
-    }
-    Ok(())
 }
 
 fn analysis_error(failure: &Failure) -> SimulationError {
@@ -407,24 +331,12 @@ pub(super) fn tcl_value(setting: &Setting) -> Value {
     }
 }
 
-/// A message about a script, with the texts that it points into moved to another source map.
-fn with_sources_moved(from: &SourceMap, to: &mut SourceMap, mut d: Diagnostic, run: &str) -> StudyError {
-    let mut shift = |span: &mut Span| {
-        let (name, text) = (from.name(span.source), from.text(span.source));
-        span.source = to.find(&name, &text).unwrap_or_else(|| to.add(&name, &text));
-    };
-    d.span.iter_mut().for_each(&mut shift);
-    d.callers.iter_mut().for_each(|c| shift(&mut c.span));
-    d.help.push(format!("in run \"{run}\""));
-    Box::new(d)
-}
-
 impl Simulator for ScriptSimulator {
     fn simulate(&mut self, run: usize, values: &[f64]) -> Result<Vec<Vec<f64>>, SimulationError> {
         if self.stop.load(Ordering::Relaxed) {
             return Err(SimulationError::Interrupted);
         }
-        let ended = self.run(run, Some(values), None);
+        let ended = self.run(run, Some(values), RunMode::default());
         match self.error(&ended, run) {
             Some(error) => Err(error),
             None => self.channels(run),

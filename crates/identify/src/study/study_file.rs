@@ -1,5 +1,7 @@
-//! The tables of `study.toml` as they are written. [`super::load`] checks them.
+//! The tables of `study.toml` as they are written, and the locations of their values. [`super::load`] checks them.
 
+use super::load::StudyError;
+use hysteron_tcl::diagnostic::{Diagnostic, SourceId, Span, nearest};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use toml::Spanned;
@@ -79,4 +81,108 @@ pub(super) struct RigTable {
     pub(super) speed: Option<Spanned<f64>>,
     pub(super) force: Option<Spanned<f64>>,
     pub(super) temperature: Option<Spanned<[f64; 2]>>,
+}
+
+/// Locations in the file of the study, for messages.
+pub(super) struct SourceSpans {
+    source: SourceId,
+}
+
+impl SourceSpans {
+    /// Locations in a text.
+    pub(super) fn new(source: SourceId) -> Self {
+        Self { source }
+    }
+
+    /// The location of a value.
+    pub(super) fn span<T>(&self, s: &Spanned<T>) -> Span {
+        let range = s.span();
+        Span { source: self.source, start: range.start as u32, end: range.end as u32 }
+    }
+
+    /// An error at a value.
+    pub(super) fn error<T>(&self, s: &Spanned<T>, message: impl Into<String>, label: impl Into<String>) -> StudyError {
+        Box::new(Diagnostic::error(message).at(Some(self.span(s)), label))
+    }
+
+    /// A finite number that passes the check `good`. The message says what was `expected`.
+    pub(super) fn number(
+        &self,
+        what: &str,
+        s: &Spanned<f64>,
+        good: impl Fn(f64) -> bool,
+        expected: &str,
+    ) -> Result<f64, StudyError> {
+        let x = *s.get_ref();
+        if x.is_finite() && good(x) { Ok(x) } else { Err(self.error(s, format!("{what} is {x}"), expected)) }
+    }
+
+    /// A whole number that is at least `least`.
+    pub(super) fn count(&self, what: &str, s: &Option<Spanned<i64>>, least: i64) -> Result<Option<usize>, StudyError> {
+        let Some(s) = s else { return Ok(None) };
+        match usize::try_from(*s.get_ref()) {
+            Ok(n) if n as i64 >= least => Ok(Some(n)),
+            _ => {
+                let message = format!("{what} is {}", s.get_ref());
+                Err(self.error(s, message, format!("expected a whole number not less than {least}")))
+            }
+        }
+    }
+
+    /// One of several known words.
+    pub(super) fn choice<'a>(&self, what: &str, s: &Spanned<String>, known: &[&'a str]) -> Result<&'a str, StudyError> {
+        let word = s.get_ref();
+        if let Some(k) = known.iter().find(|k| *k == word) {
+            return Ok(k);
+        }
+        let mut d = self.error(s, format!("unknown {what} \"{word}\""), format!("expected {}", known.join(" or ")));
+        if let Some(near) = nearest(word, known.iter().copied()) {
+            d.help.push(format!("did you mean \"{near}\"?"));
+        }
+        Err(d)
+    }
+}
+
+/// Locations of the words of a study that messages about its runs point at.
+#[derive(Clone, Debug, Default)]
+pub(super) struct StudySpans {
+    /// Names of the parameters.
+    pub(super) names: Vec<Span>,
+    /// Names in `set`, by run.
+    set: Vec<Vec<Span>>,
+    /// Observed channels, by run.
+    channels: Vec<Vec<ChannelSpans>>,
+}
+
+/// Locations of the words of a `[[run.observe]]`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ChannelSpans {
+    pub(super) output: Span,
+    pub(super) column: Span,
+}
+
+impl StudySpans {
+    /// The locations of a file.
+    pub(super) fn new(spans: &SourceSpans, file: &StudyFile) -> Self {
+        let runs = || file.run.iter().map(Spanned::get_ref);
+        let channel = |o: &Spanned<ObserveTable>| {
+            let o = o.get_ref();
+            ChannelSpans { output: spans.span(&o.output), column: spans.span(&o.column) }
+        };
+        Self {
+            names: file.parameter.iter().map(|p| spans.span(&p.get_ref().name)).collect(),
+            set: runs().map(|r| r.set.keys().map(|k| spans.span(k)).collect()).collect(),
+            channels: runs().map(|r| r.observe.iter().map(channel).collect()).collect(),
+        }
+    }
+
+    /// The name of a variable in the `set` of a run.
+    pub(super) fn set(&self, run: usize, number: usize) -> Option<Span> {
+        self.set.get(run)?.get(number).copied()
+    }
+
+    /// An observed channel of a run. Studies that are made of others may observe other channels.
+    pub(super) fn channel(&self, run: usize, number: usize) -> Option<ChannelSpans> {
+        self.channels.get(run)?.get(number).copied()
+    }
 }

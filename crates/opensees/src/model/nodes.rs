@@ -1,9 +1,9 @@
 //! The model and its nodes.
 
 use crate::args::Args;
-use crate::{Command, Outcome, Tcl, finish, ignore_option};
+use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
 use hysteron_engine::model::NodeId;
-use hysteron_tcl::diagnostic::Diagnostic;
+use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
@@ -134,10 +134,9 @@ fn pset(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, PSET);
     let name = a.word("name of the parameter")?.into_owned();
     let value = a.value("value of the parameter")?;
-    if let Some(span) = a.last_span() {
-        interp.host.declared_at.insert(name.clone(), span);
-    }
+    let earlier = a.last_span().and_then(|span| interp.host.declared_at.insert(name.clone(), span));
     finish(interp, &a)?;
+    warn_of_two_values(interp, &name, &value, earlier)?;
     let value = match interp.host.parameters.get(&name) {
         Some(x) => Value::from(*x),
         None => value,
@@ -145,8 +144,32 @@ fn pset(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if let Ok(x) = value.to_f64() {
         interp.host.declared.insert(name.clone(), x);
     }
+    let Some(mut watches) = interp.host.watches.take() else {
+        interp.set_var(&name, value.clone())?;
+        return Ok(value);
+    };
+    // A second declaration is no mistake; a plain `set` is.
+    watches.get(&name).iter().for_each(|watch| watch.release());
     interp.set_var(&name, value.clone())?;
+    watches.extend(interp.watch_var(&name).map(|watch| (name, watch)));
+    interp.host.watches = Some(watches);
     Ok(value)
+}
+
+/// Warn of a parameter that is declared again with another value, where declarations are watched. A study gives both one
+/// value.
+fn warn_of_two_values(interp: &mut Tcl, name: &str, value: &Value, earlier: Option<Span>) -> Result<(), Exception> {
+    let (Some(earlier), true) = (earlier, interp.host.watches.is_some()) else { return Ok(()) };
+    let (Some(first), Ok(second)) = (interp.host.declared.get(name).copied(), value.to_f64()) else { return Ok(()) };
+    // With the values of a study the second one cannot be compared with the first.
+    if first != second && interp.host.parameters.is_empty() {
+        let place = interp.sources.location(earlier);
+        let span = interp.host.declared_at.get(name).copied();
+        let message = format!("the parameter {name} is declared as {second}, and as {first} before");
+        let warning = Diagnostic::warning(message).at(span, "a study gives both the same value");
+        warn(interp, warning.help(format!("{place} declares it first")))?;
+    }
+    Ok(())
 }
 
 fn set_node_coord(interp: &mut Tcl, call: &Call<'_>) -> Outcome {

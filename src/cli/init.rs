@@ -1,0 +1,52 @@
+//! `hysteron init`.
+
+use super::calibrate::{FAILURE, INPUT_ERROR, print_diagnostic};
+use super::files::write_atomically;
+use super::signals::{INTERRUPTED, on_interrupt};
+use clap::Args;
+use hysteron::diagnostic::SourceMap;
+use hysteron::study::draft_study;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Name of the study beside the script.
+const STUDY: &str = "study.toml";
+
+#[derive(Args, Debug)]
+pub(super) struct InitArgs {
+    /// The script
+    model: PathBuf,
+    /// Recordings, each of one run
+    #[arg(required = true)]
+    recordings: Vec<PathBuf>,
+    /// File of the study; study.toml beside the script if it is not given
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+/// Write a first study of a script and recordings; the exit status.
+pub(super) fn init(args: &InitArgs) -> i32 {
+    let beside = |p: &Path| p.parent().filter(|f| !f.as_os_str().is_empty()).map_or(PathBuf::from("."), Path::to_owned);
+    let out = args.out.clone().unwrap_or_else(|| args.model.with_file_name(STUDY));
+    if out.exists() {
+        eprintln!("error: {} exists already; give another file with --out", out.display());
+        return INPUT_ERROR;
+    }
+    let stop = Arc::new(AtomicBool::new(false));
+    on_interrupt(&stop);
+    let mut sources = SourceMap::default();
+    let text = match draft_study(&args.model, &args.recordings, &beside(&out), &stop, &mut sources) {
+        Ok(text) => text,
+        Err(d) => {
+            print_diagnostic(&d, &sources);
+            return if stop.load(Ordering::Relaxed) { INTERRUPTED } else { INPUT_ERROR };
+        }
+    };
+    if let Err(message) = write_atomically(&out, &text) {
+        eprintln!("error: {message}");
+        return FAILURE;
+    }
+    eprintln!("written to {0}\nread its comments, then: hysteron check {0}", out.display());
+    0
+}
