@@ -131,7 +131,12 @@ try() {
     tar -xzf "$out/hysteron-$version-$native.tar.gz" -C "$place/unpacked"
     home=$(cd "$place/unpacked/hysteron-$version-$native" && pwd)
     (cd "$place/empty" && env -i PATH=/usr/bin:/bin "$home/hysteron" run "$home/tcl-like-inputs/isolated_building.tcl")
-    ldd "$home/hysteron" 2>&1 || true
+    case $(ldd "$home/hysteron" 2>&1 || true) in
+    *"statically linked"* | *"not a dynamic executable"*) echo "the binary is static" ;;
+    *)
+        echo "the binary is not static" >&2
+        exit 1 ;;
+    esac
     rm -rf "$place"
 }
 
