@@ -203,11 +203,11 @@ pub(crate) fn opensees_script(r: &RepairedModelScript<'_>) -> Result<String, Str
         match r.difference(&text) {
             Ok(Difference { ratio, place }) => {
                 if best.as_ref().is_none_or(|(b, _)| ratio < *b) {
-                    reason = format!("in OpenSees' commands {place}");
+                    reason = place;
                     best = Some((ratio, text));
                 }
             }
-            Err(e) => reason = format!("in OpenSees' commands it does not run: {e}"),
+            Err(e) => reason = format!("in its standard form it does not run: {e}"),
         }
     }
     match best {
