@@ -279,7 +279,7 @@ fn draft_of_a_study_passes_the_check() {
     for piece in [
         "name  = \"k\"\nlower = 1.0      # 2.0 in the script\nupper = 4.0",
         "name  = \"Fy\"\nlower = 1.25",
-        "set       = { motion = \"test.dat\" }",
+        "set       = { motion = \"test.dat\" }\n# The file has the name of the recording.",
         "# The script takes motion too: own.dat in it.",
         "output  = \"force.out\"",
         "at      = \"element 1 force\"",
@@ -304,6 +304,17 @@ fn draft_without_parameters_lists_candidates() {
     assert_eq!(status, Some(0), "{said}");
     let text = std::fs::read_to_string(place.0.join("drafts.toml")).unwrap();
     for piece in ["#   pset k 2.0      in the script", "#   name  = \"Fy\"\n#   lower = 1.25\n#   upper = 5.0"] {
+        assert!(text.contains(piece), "no {piece} in\n{text}");
+    }
+    // Values that the script has not are guessed from the recording and the file with its name.
+    edit(&place, "model.tcl", "if {![info exists motion]} {set motion own.dat}", "");
+    edit(&place, "model.tcl", "-dt 1.0", "-dt $dt");
+    edit(&place, "model.tcl", "analyze 20", "analyze [expr {$npts-1}]");
+    let (status, _, said) = place.run(&["init", "model.tcl", "test.csv", "--out", "guessed.toml"]);
+    assert_eq!(status, Some(0), "{said}");
+    let text = std::fs::read_to_string(place.0.join("guessed.toml")).unwrap();
+    let set = "set       = { dt = 1.0, motion = \"test.dat\", npts = 21 }";
+    for piece in [set, "# A GUESS, since", "output  = \"force.out\""] {
         assert!(text.contains(piece), "no {piece} in\n{text}");
     }
     let (status, _, said) = place.run(&["init", "model.tcl", "missing.csv", "--out", "other.toml"]);

@@ -25,6 +25,9 @@ use std::time::Duration;
 /// Longest time of a run of the script.
 const MAX_TIME: Duration = Duration::from_secs(60);
 
+/// Extensions of files that a motion may be in.
+const MOTION_FILES: [&str; 4] = ["dat", "txt", "at2", "th"];
+
 /// A recording of the draft with what its run of the script shows.
 struct DraftRun {
     name: String,
@@ -33,6 +36,8 @@ struct DraftRun {
     recording: Recording,
     /// Variables that the run sets.
     set: Vec<(String, String)>,
+    /// Variables of these that were guessed, since the script has no values of them.
+    guessed: Vec<String>,
     /// The reason why the run of the script has no outputs.
     failure: Option<String>,
     /// A match for each column of the recording.
@@ -79,7 +84,7 @@ pub fn draft_study(
         let taken = |name: &str| runs.iter().any(|r| r.name == name);
         let name = (1..).map(|n| if n == 1 { stem.clone() } else { format!("{stem}-{n}") }).find(|n| !taken(n));
         let (name, path) = (name.unwrap_or(stem), relative(path)?);
-        runs.push(DraftRun { name, path, recording, set: vec![], failure: None, matches: vec![] });
+        runs.push(DraftRun { name, path, recording, set: vec![], guessed: vec![], failure: None, matches: vec![] });
     }
     let mut draft = Draft { folder, model, outline, stop: stop.clone(), values: ScriptValues::default() };
     // The first run shows the script's own values of the variables that a run may set.
@@ -87,6 +92,11 @@ pub fn draft_study(
     for number in 0..runs.len() {
         runs[number].set = draft.settings(&runs[number]);
         if number > 0 || !runs[number].set.is_empty() {
+            draft.run(&mut runs, number);
+        }
+        while let Some((name, value)) = draft.missing_variable(&runs[number]) {
+            runs[number].guessed.push(name.clone());
+            runs[number].set.push((name, value));
             draft.run(&mut runs, number);
         }
     }
@@ -114,6 +124,37 @@ impl Draft {
             is_there.then(|| (name.clone(), file.to_string_lossy().replace('\\', "/")))
         };
         self.outline.optional.iter().filter_map(of_recording).collect()
+    }
+
+    /// The variable that the script needs and has not, with a guess of its value. `None` if there is none to be guessed.
+    fn missing_variable(&self, run: &DraftRun) -> Option<(String, String)> {
+        let (_, rest) = run.failure.as_ref()?.split_once("can't read \"")?;
+        let (name, _) = rest.split_once("\": no such variable")?;
+        if run.set.iter().any(|(n, _)| n == name) {
+            return None;
+        }
+        let recording = Path::new(&run.path);
+        let is_motion = |p: &PathBuf| {
+            let extension = p.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+            MOTION_FILES.contains(&extension.as_str()) && self.folder.join(p).is_file()
+        };
+        let motion = MOTION_FILES.map(|e| recording.with_extension(e)).into_iter().find(is_motion);
+        let lower = name.to_lowercase();
+        let times = &run.recording.times;
+        let value = if ["motion", "record", "file", "path", "gm", "accel"].iter().any(|w| lower.contains(w)) {
+            motion?.to_string_lossy().replace('\\', "/")
+        } else if lower == "dt" {
+            let mut steps: Vec<f64> = times.windows(2).map(|t| t[1] - t[0]).collect();
+            steps.sort_by(f64::total_cmp);
+            // Times with jitter are of a round step.
+            format!("{:?}", format!("{:.1e}", steps[steps.len() / 2]).parse::<f64>().ok()?)
+        } else if ["npts", "nsteps", "nstep", "steps", "n"].contains(&lower.as_str()) {
+            let numbers = motion.and_then(|m| fs::read_to_string(self.folder.join(m)).ok());
+            numbers.map_or(times.len(), |text| text.split_whitespace().count()).to_string()
+        } else {
+            return None;
+        };
+        Some((name.to_owned(), value))
     }
 
     /// Run the script for a recording, and match the columns of the recording with its outputs.

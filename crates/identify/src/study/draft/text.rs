@@ -131,8 +131,15 @@ fn write_run(out: &mut String, draft: &Draft, run: &DraftRun, is_last: bool) {
 /// The variables that a run sets, and those that it could.
 fn write_set(out: &mut String, draft: &Draft, run: &DraftRun) {
     if !run.set.is_empty() {
-        let pairs: Vec<String> = run.set.iter().map(|(n, v)| format!("{n} = {}", quoted(v))).collect();
-        let _ = writeln!(out, "set       = {{ {} }}      # the file with the name of the recording", pairs.join(", "));
+        let shown = |v: &str| if v.parse::<f64>().is_ok() { v.to_owned() } else { quoted(v) };
+        let pairs: Vec<String> = run.set.iter().map(|(n, v)| format!("{n} = {}", shown(v))).collect();
+        let _ = writeln!(out, "set       = {{ {} }}", pairs.join(", "));
+        if run.set.len() > run.guessed.len() {
+            out.push_str("# The file has the name of the recording.\n");
+        }
+        if !run.guessed.is_empty() {
+            let _ = writeln!(out, "# A GUESS, since the script has no value: {}.", run.guessed.join(", "));
+        }
     }
     let others = draft.outline.optional.iter().filter(|o| !run.set.iter().any(|(n, _)| n == *o));
     for name in others {
