@@ -312,6 +312,12 @@ pub fn uncertainty(problem: &StudyProblem, unit_point: &[f64]) -> Result<Uncerta
     })
 }
 
+/// Runs with one unit coordinate moved.
+struct MovedRuns {
+    unit_coordinate: f64,
+    runs: Vec<ScoredRun>,
+}
+
 /// Influence of the uncertain parameters on each channel of each held-out run: derivatives j by the determined parameters in
 /// units of their standard errors, and the mean of jᵀCj over the samples. Empty for fitted runs, and where it is not known.
 fn influences(problem: &StudyProblem, unit_point: &[f64], covariance: &Covariance) -> Vec<Vec<Influence>> {
@@ -322,21 +328,22 @@ fn influences(problem: &StudyProblem, unit_point: &[f64], covariance: &Covarianc
     if runs.is_empty() {
         return influences;
     }
-    let simulated = |i: usize, h: f64| -> Option<(f64, Vec<ScoredRun>)> {
+    let simulated = |i: usize, h: f64| -> Option<MovedRuns> {
         let mut p = unit_point.to_vec();
         p[i] = (p[i] + h).clamp(0.0, 1.0);
         let values = study.space.values_at(&p).ok()?;
-        Some((p[i], problem.scored_runs(&runs, &values).into_iter().collect::<Result<_, _>>().ok()?))
+        let runs = problem.scored_runs(&runs, &values).into_iter().collect::<Result<_, _>>().ok()?;
+        Some(MovedRuns { unit_coordinate: p[i], runs })
     };
     let determined: Vec<usize> = (0..unit_point.len()).filter(|i| !covariance.is_undetermined(*i)).collect();
-    let pair = |i: &usize| Some((simulated(*i, DIFFERENCE_STEP)?, simulated(*i, -DIFFERENCE_STEP)?));
+    let pair = |i: &usize| Some([simulated(*i, DIFFERENCE_STEP)?, simulated(*i, -DIFFERENCE_STEP)?]);
     let Some(pairs) = determined.iter().map(pair).collect::<Option<Vec<_>>>() else { return influences };
     let correlation = |a: usize, b: usize| covariance.correlation[determined[a]][determined[b]];
     for (k, run) in runs.iter().enumerate() {
         for (c, o) in study.runs[*run].observe.iter().enumerate() {
-            let column = |(((x, up), (y, down)), i): (&((f64, Vec<ScoredRun>), (f64, Vec<ScoredRun>)), &usize)| {
-                let scale = covariance.standard_errors[*i] / (x - y);
-                let ends = up[k].channels[c].iter().zip(&down[k].channels[c]);
+            let column = |([up, down], i): (&[MovedRuns; 2], &usize)| {
+                let scale = covariance.standard_errors[*i] / (up.unit_coordinate - down.unit_coordinate);
+                let ends = up.runs[k].channels[c].iter().zip(&down.runs[k].channels[c]);
                 // After the end of one of the analyses there is no derivative.
                 ends.map(|(a, b)| Some(scale * (a - b)).filter(|d| d.is_finite()).unwrap_or(0.0)).collect()
             };
