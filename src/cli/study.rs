@@ -67,7 +67,10 @@ pub(super) fn check(file: &Path, compat: Option<Compat>, strict: bool, json: boo
     if json {
         print_json(&table);
     } else {
-        println!("{}: {} of {} parameters to be found", table.study, table.free, table.parameters);
+        println!(
+            "{}: {} of {} parameters to be found; with the script's own values:",
+            table.study, table.free, table.parameters
+        );
         print!("{}", section(&checked, &study));
     }
     if stop.load(Ordering::Relaxed) {

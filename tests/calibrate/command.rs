@@ -192,7 +192,7 @@ fn check_of_a_study_reports_errors_and_writes_nothing() {
     let before = files();
     let (status, err) = check();
     assert_eq!(status, Some(0), "{err}");
-    assert!(err.contains("3 of 3 parameters to be found") && err.contains("3 missing"), "{err}");
+    assert!(err.contains("3 of 3 parameters to be found") && err.contains("3 of 499 samples of force"), "{err}");
     assert!(err.contains("with the script's own values"), "{err}");
     assert_eq!(files(), before);
     folder.edit("study.toml", "force.out", "forse.out");

@@ -54,8 +54,8 @@ fn place() -> Place {
 }
 
 fn check(place: &Place) -> (Option<i32>, String) {
-    let (status, _, said) = place.run(&["check", "study.toml"]);
-    (status, said)
+    let (status, table, said) = place.run(&["check", "study.toml"]);
+    (status, table + &said)
 }
 
 /// Edit a file, check the study, and look at status, place and words.
@@ -289,7 +289,7 @@ fn draft_of_a_study_passes_the_check() {
     ] {
         assert!(text.contains(piece), "no {piece} in\n{text}");
     }
-    expect(&place, 0, &text, "", &["2 of 2 parameters", "fit test: NMSE"]);
+    expect(&place, 0, &text, "", &["2 of 2 parameters", "fit      test    force"]);
     let (status, _, said) = place.run(&["init", "model.tcl", "test.csv"]);
     assert!(status == Some(2) && said.contains("study.toml exists already"), "{said}");
     assert_eq!(std::fs::read_to_string(place.0.join("study.toml")).unwrap(), text);
