@@ -113,6 +113,10 @@ fn mistakes_in_the_study_have_their_place() {
     case("column = 2", "column = 2\nunit = \"mm\"", "22:8", &["a force in kN, and mm is a length", "right column"]);
     case("{ motion", "{ k = 1.0, motion", "16:9", &["k is set in run \"test\" and is a parameter"]);
     case("{ motion", "{ moton", "16:9", &["never reads the variable moton", "did you mean \"motion\""]);
+    // A condition of the test that the script does not need.
+    let other = place();
+    edit(&other, "study.toml", "{ motion", "{ T = 38.0, motion");
+    expect(&other, 0, "", "study.toml:16:9", &["warning: model.tcl never reads the variable T"]);
     case("\"held\"", "\"test\"", "24:8", &["two runs named \"test\""]);
     case(
         "output = \"force.out\"",

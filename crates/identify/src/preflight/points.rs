@@ -6,7 +6,7 @@ use crate::study::{InitialRun, SimulationError, Simulator as _, SimulatorFactory
 /// Largest number of points beside the script's own values.
 const MAX_POINTS: usize = 16;
 /// Number of steps times elements that the points may take together.
-const MAX_WORK: u64 = 20_000_000;
+const MAX_WORK: u64 = 5_000_000;
 /// Prime bases of the Halton sequence, one a coordinate.
 const BASES: [usize; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
 

@@ -113,7 +113,7 @@ impl ScriptSimulator {
             self.limits[number] = limits;
         }
         initial.limits.clone_from(&self.limits);
-        uses.check(&study)?;
+        initial.warnings.extend(uses.check(&study)?);
         initial.warnings.extend(outside_bounds(&study, &initial.values));
         let insensitive = insensitive_parameters(self, &initial.values);
         initial.warnings.extend(insensitive);

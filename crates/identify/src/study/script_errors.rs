@@ -11,6 +11,8 @@ use std::collections::BTreeSet;
 
 /// Variables that the diagnosis reads from the study, so that a script need not.
 const CONTEXT: [&str; 1] = ["axial"];
+/// A shorter name is no misspelling of another.
+const MIN_TYPO_LENGTH: usize = 3;
 
 /// Uses of the variables that the runs of a study set.
 #[derive(Default)]
@@ -42,18 +44,31 @@ impl SetUses {
         }
     }
 
-    /// Check that every variable is read in some run that sets it.
-    pub(super) fn check(&self, study: &Study) -> Result<(), StudyError> {
+    /// Check that every variable is read in some run that sets it. Returns warnings about conditions of a test that the
+    /// script does not need.
+    ///
+    /// # Errors
+    /// A name that no run reads resembles one that the script reads and the run does not set.
+    pub(super) fn check(&self, study: &Study) -> Result<Vec<Diagnostic>, StudyError> {
         let name = |(run, i): &(usize, usize)| study.runs[*run].set[*i].0.as_str();
         let is_unused = |at: &&(usize, usize)| !self.read.contains(name(at)) && !CONTEXT.contains(&name(at));
-        let Some(at) = self.unread.iter().find(is_unused) else { return Ok(()) };
-        let message = format!("{} never reads the variable {}", study.model, name(at));
-        let mut d = Diagnostic::error(message).at(study.spans.set(at.0, at.1), "expected a variable that it reads");
-        let others = self.known.iter().map(String::as_str).filter(|k| *k != name(at));
-        if let Some(near) = nearest(name(at), others) {
-            d = d.help(format!("did you mean \"{near}\"?"));
+        let mut warnings: Vec<Diagnostic> = vec![];
+        for at in self.unread.iter().filter(is_unused) {
+            let message = format!("{} never reads the variable {}", study.model, name(at));
+            let span = study.spans.set(at.0, at.1);
+            let is_set = |k: &str| study.runs[at.0].set.iter().any(|(n, _)| n == k);
+            let others = self.known.iter().map(String::as_str).filter(|k| !is_set(k));
+            // Any letter resembles any other.
+            let near = nearest(name(at), others).filter(|_| name(at).len() >= MIN_TYPO_LENGTH);
+            if let Some(near) = near {
+                let d = Diagnostic::error(message).at(span, "expected a variable that it reads");
+                return Err(Box::new(d.help(format!("did you mean \"{near}\"?"))));
+            }
+            if !warnings.iter().any(|w| w.message == message) {
+                warnings.push(Diagnostic::warning(message).at(span, "changes nothing"));
+            }
         }
-        Err(Box::new(d))
+        Ok(warnings)
     }
 }
 
