@@ -3,7 +3,7 @@
 //! A hypothesis inspects the model and proposes edits of the script, with parameters of their own, or faults of channels.
 //! The proposals of a cause are different forms of it; the best of them represents the cause.
 //!
-//! A new hypothesis is a file with a function, and a line in [`ALL`]. [`context`] holds what proposals are made from.
+//! A new hypothesis is a file with a function, and a line in [`ALL`]. `context` holds what proposals are made from.
 
 mod ambient_temperature;
 mod axial_shear_interaction;
