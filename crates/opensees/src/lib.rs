@@ -1,6 +1,6 @@
 //! The OpenSees commands of a script.
 //!
-//! A command is a function of the interpreter and the call. It takes its words with [`args::Args`], whose messages
+//! A command is a function of the interpreter and the call. It takes its words with `args::Args`, whose messages
 //! point at the word that is wrong, and changes the [`Session`].
 //!
 //! To add a command: a function in the file of its family, and a line in the family's `COMMANDS`. To add a kind of

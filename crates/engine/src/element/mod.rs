@@ -1,7 +1,7 @@
 //! Finite elements.
 //!
 //! An element is a struct of constants that implements [`Element`]. Its history lies in a slice of the model's state
-//! (see [`state_struct`](crate::state_struct)). It returns forces and tangents for the motion of its nodes. Forces are those
+//! (see [`state_struct`](crate::state_struct!)). It returns forces and tangents for the motion of its nodes. Forces are those
 //! that the nodes exert on the element, in global axes, node after node: OpenSees' "resisting force".
 //!
 //! A model with many elements of a kind calls [`Element::respond`] millions of times: it must not allocate.

@@ -31,7 +31,7 @@ pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send
     }
 
     /// Returns true for OpenSees' scheme, which continues from the last trial state. The state variables of the
-    /// formulation are then [`Trace`], and the element counts its calls.
+    /// formulation are then `Trace`, and the element counts its calls.
     fn continues_from_last_trial(&self) -> bool {
         false
     }
