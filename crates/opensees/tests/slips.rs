@@ -32,7 +32,7 @@ fn named_tests_exist() {
         match s.shown {
             Shown::Case(case) => {
                 assert!(
-                    root().join("validation/opensees").join(case).join("case.json").is_file(),
+                    root().join("validation/opensees").join(case).join("model.tcl").is_file(),
                     "{}: {case}",
                     s.name
                 );
