@@ -28,7 +28,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "record",
         ],
     ),
-    ("identify", &["fourier", "measure", "protocol", "study", "report", "preflight", "calibrate"]),
+    ("identify", &["fourier", "halton", "measure", "protocol", "study", "report", "preflight", "calibrate"]),
     (
         "diagnose",
         &[

@@ -7,7 +7,7 @@ use serde_json::Value;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-/// What a calibration is about to do: the studies, their runs and free parameters, and where the results go.
+/// Plan of a calibration: the studies, their runs and free parameters, and where the results go.
 pub(super) fn plan(studies: &[(PathBuf, PathBuf)]) -> String {
     let mut out = match studies {
         [_] => String::new(),

@@ -175,3 +175,28 @@ fn samples_after_the_analysis_and_equal_channels_are_told() {
     });
     assert!(found.iter().any(|f| f.kind == FindingKind::Duplicate && f.message.contains("same samples as disp")));
 }
+
+#[test]
+fn a_turned_sign_is_a_gain_of_the_sensor_and_no_physics() {
+    let dir = super::concealed("sign", |_, f| f.iter().map(|f| -f).collect());
+    let command = |more: &[&str]| {
+        let study = dir.join("study.toml");
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_hysteron"));
+        command.arg("diagnose").arg(study).arg("--out").arg(dir.join("results")).args(more).output().unwrap()
+    };
+    let refused = command(&[]);
+    let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert_eq!(refused.status.code(), Some(2), "{said}");
+    assert!(said.contains("is the sign turned?") && said.contains("factor = -1"), "{said}");
+    assert!(!dir.join("results").exists());
+
+    let done = command(&["--as-recorded"]);
+    assert_eq!(done.status.code(), Some(0), "{}", String::from_utf8_lossy(&done.stderr));
+    let text = std::fs::read_to_string(dir.join("results/diagnosis.json")).unwrap();
+    let result: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(result["verdict"]["cause"], "sensor_gain", "{text}");
+    let gain = result["corrected"]["channels"][0]["gain"].as_f64().unwrap();
+    assert!((gain + 1.0).abs() < 0.05, "{gain}");
+    assert_eq!(result["preflight"]["findings"][0]["kind"], "sign");
+    let _ = std::fs::remove_dir_all(dir);
+}

@@ -4,6 +4,7 @@
 
 pub mod calibrate;
 pub mod fourier;
+pub mod halton;
 pub mod measure;
 pub mod preflight;
 pub mod protocol;

@@ -108,7 +108,7 @@ pub(crate) struct WatchedSlot {
     pub(crate) watch: Watch,
 }
 
-/// What has happened first to a watched variable.
+/// First use of a watched variable.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum FirstUse {
     #[default]

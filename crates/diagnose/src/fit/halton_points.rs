@@ -1,31 +1,18 @@
 //! Evenly spread start points.
 
 use super::search_settings::{LAST_SEARCH_SIDE, LAST_SEARCH_STARTS};
-
-/// Prime bases, one a coordinate.
-const BASES: [usize; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
-
-/// Element i of the van der Corput sequence in a base.
-fn radical_inverse(mut i: usize, base: usize) -> f64 {
-    let (mut out, mut digit) = (0.0, 1.0 / base as f64);
-    while i > 0 {
-        out += (i % base) as f64 * digit;
-        i /= base;
-        digit /= base as f64;
-    }
-    out
-}
+use hysteron_identify::halton::{MAX_COORDINATES, halton};
 
 /// A start and `per_parameter` (n + 1) points of a Halton sequence (Halton 1960, Numer. Math. 2, 84-90) in the last n
 /// coordinates, from index `first` on. The first coordinates stay at the start.
 pub(crate) fn halton_points(start: &[f64], first: usize, per_parameter: usize) -> Vec<Vec<f64>> {
     let n = start.len() - first;
     let point = |i: usize| -> Vec<f64> {
-        let at = |k: usize| if k < BASES.len() { radical_inverse(i, BASES[k]) } else { start[first + k] };
+        let at = |k: usize| halton(i, k).unwrap_or(start[first + k]);
         start[..first].iter().copied().chain((0..n).map(at)).collect()
     };
     // Random points of many coordinates are of no use; a wandering zero, which has them, starts at zero.
-    let further = if n > BASES.len() { 0 } else { per_parameter * (n + 1) };
+    let further = if n > MAX_COORDINATES { 0 } else { per_parameter * (n + 1) };
     std::iter::once(start.to_vec()).chain((1..=further).map(point)).collect()
 }
 

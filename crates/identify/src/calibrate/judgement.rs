@@ -3,9 +3,9 @@
 //! If not, physics is missing or a channel is wrong, and intervals from noise alone are too narrow. They are widened by the
 //! discrepancy, with a simple form of the prior of Kennedy and O'Hagan (2001): see [`Discrepancy`].
 
-use super::digits::significant;
 use super::structure::{ComparedChannel, structured_share, without};
 use super::uncertainty::autocorrelation_time;
+use crate::report::significant;
 use crate::study::{Role, Run, ScoredRun, Study};
 use rand::{RngExt as _, SeedableRng as _};
 use rand_pcg::Pcg32;

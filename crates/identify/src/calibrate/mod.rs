@@ -5,7 +5,6 @@
 //! three estimates of the uncertainty of the parameters.
 
 mod amplitude_groups;
-mod digits;
 mod judgement;
 mod method;
 mod page;
@@ -19,8 +18,8 @@ mod settings;
 mod structure;
 mod uncertainty;
 
+pub use crate::report::{significant, with_half_width};
 pub use amplitude_groups::{AmplitudeGroup, amplitude_groups};
-pub use digits::{significant, with_half_width};
 pub use judgement::{HoldoutRatio, Judgement, StructuredChannel};
 pub use method::{
     CmaEs, Crossover, DifferentialEvolution, EvolutionSettings, LevenbergMarquardt, Method, MethodState, Shade,

@@ -9,9 +9,9 @@
 //! positive (Geyer, 1992). If the model cannot follow the data, the differences are no noise. [`Judgement`] finds that, and
 //! the covariance is widened by the discrepancy.
 
-use super::digits::with_half_width;
 use super::judgement::{Discrepancy, Influence, Judgement, judge};
 use super::problem::{Problem, StudyProblem};
+use crate::report::with_half_width;
 use crate::study::{ParameterRange, Role, Scale, ScoredRun};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use serde::Serialize;

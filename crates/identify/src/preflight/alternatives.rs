@@ -5,6 +5,7 @@ use super::lag::LagScan;
 use super::motions::ImposedMotions;
 use super::unit_ratio::{UnitRatio, may_be_acceleration, ratios};
 use super::{Finding, FindingKind};
+use crate::report::significant;
 use crate::study::{ObservedChannel, Run};
 
 /// Largest error with a fault, over the error without one.
@@ -27,6 +28,9 @@ const UNIT_PREFERENCE: f64 = 0.8;
 const MIN_HARD_LAG: f64 = 32.0;
 /// Shortest delay that is worth a word, in sampling intervals.
 const MIN_LAG: f64 = 3.0;
+
+/// Digits of a ratio of units in a study.
+const FACTOR_DIGITS: usize = 8;
 
 /// A fault of a channel.
 #[derive(Clone, Copy, Debug)]
@@ -220,22 +224,23 @@ impl<'a> ChannelFaults<'a> {
                 let turned = if sign < 0.0 { ", and the sign turned" } else { "" };
                 finding.message = format!(
                     "recorded = {} x simulated, correlation {:.2}: {} for {}{turned}?",
-                    significant(e.factor),
+                    significant(e.factor, 3),
                     e.correlation,
                     ratio.recorded,
                     ratio.model
                 );
-                finding.help = format!("factor = {} {observed} converts it", significant(sign / ratio.factor));
+                finding.help =
+                    format!("factor = {} {observed} converts it", significant(sign / ratio.factor, FACTOR_DIGITS));
             }
             Fault::Gain => {
                 finding.kind = FindingKind::Unit;
                 finding.factor = Some(e.factor);
                 finding.message = format!(
                     "recorded = {} x simulated, correlation {:.2}: another unit or another gain?",
-                    significant(e.factor),
+                    significant(e.factor, 3),
                     e.correlation
                 );
-                finding.help = format!("factor = {} {observed} removes it", significant(1.0 / e.factor));
+                finding.help = format!("factor = {} {observed} removes it", significant(1.0 / e.factor, 3));
             }
             Fault::Swapped(j) => {
                 let other = &self.run.observe[j].channel;
@@ -258,8 +263,8 @@ impl<'a> ChannelFaults<'a> {
                 finding.kind = FindingKind::Lag;
                 finding.lag_s = Some(seconds);
                 let late = if seconds > 0.0 { "late" } else { "early" };
-                finding.message = format!("recorded is {} s {late}: a trigger offset?", significant(seconds.abs()));
-                finding.help = format!("shift = {} {observed} moves it", significant(-seconds));
+                finding.message = format!("recorded is {} s {late}: a trigger offset?", significant(seconds.abs(), 3));
+                finding.help = format!("shift = {} {observed} moves it", significant(-seconds, 3));
             }
         }
         finding
@@ -271,20 +276,4 @@ fn best(fault: Fault, errors: impl Iterator<Item = (f64, Moments)>) -> Option<Ex
     let (nmse, m) = errors.filter(|e| e.0.is_finite()).min_by(|a, b| a.0.total_cmp(&b.0))?;
     let [factor, _] = m.line();
     Some(Explanation { fault, nmse, factor, correlation: m.correlation() })
-}
-
-/// A number with three significant digits.
-pub(super) fn significant(x: f64) -> String {
-    if x == 0.0 || !x.is_finite() {
-        return format!("{x}");
-    }
-    let digits = 2 - x.abs().log10().floor() as i32;
-    if (0..=8).contains(&digits) {
-        let text = format!("{x:.*}", digits as usize);
-        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
-    } else if (-6..0).contains(&digits) {
-        format!("{x:.0}")
-    } else {
-        format!("{x:.2e}")
-    }
 }

@@ -1,10 +1,10 @@
 //! Motions that a model imposes, and those that were recorded.
 
-use super::alternatives::significant;
 use super::compare::Moments;
 use super::lag::LagScan;
 use super::unit_ratio::{may_be_acceleration, ratios};
 use super::{Finding, FindingKind};
+use crate::report::significant;
 use crate::study::{Column, InitialRun, Run, ScriptSimulator};
 use hysteron_engine::model::{Model, PatternKind};
 
@@ -107,7 +107,7 @@ pub(super) fn findings(run: &Run, imposed: &ImposedMotions) -> Vec<Finding> {
                 ratios(&column.unit, &column.name).iter().find(|u| (u.factor / factor).ln().abs() < 0.05)
             {
                 let message =
-                    format!("recorded = {} x imposed motion: {} for {}?", significant(factor), u.recorded, u.model);
+                    format!("recorded = {} x imposed motion: {} for {}?", significant(factor, 3), u.recorded, u.model);
                 out.push(Finding { factor: Some(factor), ..finding(FindingKind::Input, message) });
             }
             continue;
@@ -122,7 +122,7 @@ pub(super) fn findings(run: &Run, imposed: &ImposedMotions) -> Vec<Finding> {
             Some((lag, r)) if r >= SAME_MOTION => {
                 is_any_seen = true;
                 let when = if lag > 0.0 { "late" } else { "early" };
-                let message = format!("recorded is {} s {when} against the imposed motion", significant(lag.abs()));
+                let message = format!("recorded is {} s {when} against the imposed motion", significant(lag.abs(), 3));
                 out.push(Finding { lag_s: Some(lag), ..finding(FindingKind::Lag, message) });
             }
             _ => differing.push(finding(

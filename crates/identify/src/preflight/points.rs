@@ -1,14 +1,13 @@
 //! Simulations at points that are spread over the ranges of the parameters.
 
 use super::motions::ImposedMotions;
+use crate::halton::halton;
 use crate::study::{InitialRun, SimulationError, Simulator as _, SimulatorFactory, Study, WorkerPool};
 
 /// Largest number of points beside the script's own values.
 const MAX_POINTS: usize = 16;
 /// Number of steps times elements that the points may take together.
 const MAX_WORK: u64 = 5_000_000;
-/// Prime bases of the Halton sequence, one a coordinate.
-const BASES: [usize; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
 
 /// Number of points of a study.
 #[derive(Clone, Copy, Debug)]
@@ -48,7 +47,8 @@ impl SimulatedPoints {
     ) -> std::io::Result<Self> {
         let space = &study.space;
         let n = space.dimension();
-        let unit_points = (1..=settings.count).map(|i| halton_point(i, n));
+        let unit_points =
+            (1..=settings.count).map(|i| (0..n).map(|k| halton(i, k).unwrap_or(0.5)).collect::<Vec<f64>>());
         let spread = unit_points.filter_map(|p| space.values_at(&p).ok());
         // Fixed and tied parameters as in the study, free ones as in the script.
         let own =
@@ -75,18 +75,4 @@ impl SimulatedPoints {
     pub(super) fn of_run(&self, run: usize) -> Vec<&[Vec<f64>]> {
         self.responses.iter().filter_map(|p| p[run].as_deref().ok()).collect()
     }
-}
-
-/// Point `i` of a Halton sequence (Halton 1960, Numer. Math. 2, 84-90) in `n` coordinates; 0.5 beyond its bases.
-fn halton_point(i: usize, n: usize) -> Vec<f64> {
-    let radical_inverse = |base: usize| {
-        let (mut rest, mut out, mut digit) = (i, 0.0, 1.0 / base as f64);
-        while rest > 0 {
-            out += (rest % base) as f64 * digit;
-            rest /= base;
-            digit /= base as f64;
-        }
-        out
-    };
-    (0..n).map(|k| BASES.get(k).map_or(0.5, |b| radical_inverse(*b))).collect()
 }

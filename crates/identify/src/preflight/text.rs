@@ -1,6 +1,7 @@
 //! Findings in words.
 
 use super::{ChannelCheck, Finding, FindingKind, Preflight};
+use crate::report::significant;
 use crate::study::{Role, Study};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -70,9 +71,9 @@ pub fn section(preflight: &Preflight, study: &Study) -> String {
             after,
             format!("{:.4}", c.nmse),
             format!("{:.3}", c.correlation),
-            super::alternatives::significant(c.factor),
-            super::alternatives::significant(c.offset),
-            super::alternatives::significant(c.lag_s),
+            significant(c.factor, 3),
+            significant(c.offset, 3),
+            significant(c.lag_s, 3),
         ]
     };
     let mut rows = vec![columns.map(str::to_owned)];

@@ -8,7 +8,7 @@ use super::unit::{self, Unit};
 use hysteron_tcl::diagnostic::{Diagnostic, nearest};
 use toml::Spanned;
 
-/// How a recorded sample becomes a sample of the model's output.
+/// Conversion of a recorded sample to the unit of the model's output.
 struct Conversion {
     factor: f64,
     offset: f64,

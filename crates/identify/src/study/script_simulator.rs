@@ -141,7 +141,7 @@ pub(super) struct EndedRun {
     pub(super) set_watches: Vec<Option<Watch>>,
 }
 
-/// How a run is made besides the values of its parameters.
+/// Settings of a run besides the values of its parameters.
 #[derive(Default)]
 pub(super) struct RunMode {
     /// Keep the outputs that are not observed.

@@ -26,7 +26,7 @@ pub(super) struct Candidate<'a> {
 pub(super) struct Match {
     pub(super) file: String,
     pub(super) column: usize,
-    /// What the recorder records, in its words.
+    /// Response that the recorder records, in its words.
     pub(super) place: String,
     /// Correlation of the script's own run with the recording; NaN if there is none.
     pub(super) correlation: f64,

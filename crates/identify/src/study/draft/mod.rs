@@ -220,7 +220,7 @@ struct NumberVariable {
     value: f64,
 }
 
-/// What the text of a script shows without running it.
+/// Content of a script that its text shows without a run.
 struct ScriptOutline {
     /// Variables that a study may set: `info exists NAME`.
     optional: Vec<String>,

@@ -163,7 +163,7 @@ fn varies(column: &Column) -> bool {
     present.next().is_some_and(|first| present.any(|v| v != first))
 }
 
-/// How sure a match is.
+/// Certainty of a match, in words.
 fn certainty(m: &Match) -> String {
     let name = if m.by_name { "the names agree" } else { "the names do not tell" };
     match m.correlation.is_nan() {
@@ -189,7 +189,7 @@ fn write_channel(out: &mut String, column: &Column, m: &Match) {
     }
 }
 
-/// What to write where nothing could be matched.
+/// Advice where nothing could be matched.
 fn write_missing(out: &mut String, run: &DraftRun) {
     out.push_str("\n# No output of the script could be matched. A recorder with -file and -time is needed; then:\n");
     let name = run.recording.columns.first().map_or("force", |c| &c.name);

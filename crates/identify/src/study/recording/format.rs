@@ -14,7 +14,7 @@ const SAMPLE: usize = 256;
 /// Text of UTF-8, UTF-16 or Windows-1252 without its byte order mark.
 ///
 /// # Errors
-/// What the file is instead, and what to save.
+/// Kind of the file instead, and the format to save.
 pub(super) fn decode(bytes: &[u8]) -> Result<String, (String, &'static str)> {
     const CSV: &str = "save it as CSV UTF-8, with the numbers in the first sheet";
     if bytes.starts_with(b"PK\x03\x04") {
