@@ -31,7 +31,10 @@ mod test_support;
 mod verdict;
 
 pub use candidate::channel_fault::ChannelFault;
+pub use evidence::holdout::HeldOutErrors;
 pub use evidence::parametric_bootstrap::{BootstrapResult, EqualGain};
+pub use evidence::verdict_evidence::{HypothesisEvidence, RepairEvidence, VerdictEvidence};
+pub use evidence::verdict_model;
 pub use fit::checkpoint::{CheckpointEntry, identity};
 pub use fit::scheduler::ProgressMonitor;
 pub use verdict::diagnosis::{Diagnosis, RankedHypothesis, Settings, diagnose};

@@ -4,6 +4,7 @@ use crate::prior::{
     FAILED_SHARE, KEPT_IF_CONTRADICTED, KEPT_IF_WORSENED, MIN_HOLDOUT_SIGNAL_RATIO, PREDICTED_SHARE, WORSENED_RATIO,
 };
 use hysteron_identify::study::{ObservedChannel, Role, ScoredRun, Study};
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// Judgement of a repair.
@@ -68,6 +69,26 @@ pub(crate) struct Repair<'a> {
     pub(crate) affects_holdout: bool,
     /// True if the recordings show its effect by themselves. The runs held out need not contain the effect.
     pub(crate) visible_in_recording: bool,
+}
+
+/// Errors of the runs held out, mean NMSE.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub struct HeldOutErrors {
+    /// Error of the user's model; none without a result.
+    pub before: Option<f64>,
+    /// Error of the repaired model.
+    pub after: Option<f64>,
+    /// Error that the noise of the fitted runs would leave.
+    pub noise: f64,
+}
+
+impl HeldOutErrors {
+    /// Errors of a repair; `None` without runs held out.
+    pub(crate) fn of(study: &Study, repair: &Repair<'_>) -> Option<Self> {
+        let noise = (1.0 - repair.structured_share) * expected_holdout_nmse(study, repair.after);
+        study.runs_of(Role::Holdout).next()?;
+        Some(Self { before: holdout_nmse(study, repair.before), after: holdout_nmse(study, repair.after), noise })
+    }
 }
 
 /// Judges a repair by the runs held out.

@@ -5,6 +5,9 @@
 //! - [`parametric_bootstrap`]: gains on simulated recordings of a known cause
 //! - [`probabilities`]: probabilities of causes, of `none` and of `unknown`
 //! - [`holdout`]: the judgement of runs held out
+//! - [`verdict_evidence`]: everything that the verdict weighs, as it is written down
+//! - [`verdict_model`]: probabilities from that evidence
+//! - `verdict_weights`: the fitted weights
 //!
 //! All constants stand in `prior.rs`.
 
@@ -13,3 +16,6 @@ pub(crate) mod likelihood;
 pub(crate) mod parametric_bootstrap;
 pub(crate) mod probabilities;
 pub(crate) mod ranking;
+pub(crate) mod verdict_evidence;
+pub mod verdict_model;
+mod verdict_weights;

@@ -69,6 +69,13 @@ impl BootstrapResult {
         Some(prior_log_odds + if p < (-1.0f64).exp() { -(-p * p.ln()).ln() - 1.0 } else { 0.0 })
     }
 
+    /// Share of a cause's own recordings in which the first cause gains as much over it; none if it was not drawn often
+    /// enough to count.
+    pub(crate) fn equal_gain(&self, other: &str) -> Option<f64> {
+        let listed = || self.not_told_apart.iter().find(|s| s.cause == other).map(|s| s.share);
+        self.chance.filter(|_| other == "none").or_else(listed)
+    }
+
     /// The result in words; empty if the cause is `none`.
     pub(crate) fn description(&self) -> String {
         let Some(chance) = self.chance else { return String::new() };

@@ -23,6 +23,10 @@ pub(crate) struct CauseProbabilities {
     pub(crate) probabilities: CauseValues,
     /// Structure that the best hypothesis leaves.
     pub(crate) structure: UnmodelledStructure,
+    /// Structure that the user's model leaves.
+    pub(crate) structure_before: UnmodelledStructure,
+    /// Share of the explainable misfit that the best hypothesis takes away.
+    pub(crate) explained_share: f64,
     /// Log evidence of the user's model, nats; -∞ if it was not ranked.
     pub(crate) log_evidence_of_none: f64,
 }
@@ -97,7 +101,9 @@ impl CauseProbabilities {
         }
         let named = best.cause() != "none";
         let mut structure = unmodelled_structure(study, responses, &best.fitted.fits, !named);
-        let before = total_nmse(study, &none.unwrap_or(baseline).fitted.fits);
+        let unrepaired = &none.unwrap_or(baseline).fitted.fits;
+        let structure_before = unmodelled_structure(study, responses, unrepaired, true);
+        let before = total_nmse(study, unrepaired);
         let after = total_nmse(study, &best.fitted.fits);
         let noise = after * (1.0 - structure.share);
         let explained_share = if before > noise { ((before - after) / (before - noise)).clamp(0.0, 1.0) } else { 1.0 };
@@ -114,13 +120,13 @@ impl CauseProbabilities {
             if recurring.share > 0.0 && of_recurring > unknown {
                 unknown = of_recurring;
                 let share = structure.share.max(recurring.share);
-                structure = UnmodelledStructure { share, description: recurring.description };
+                structure = UnmodelledStructure { share, description: recurring.description, ..structure };
             }
         }
         causes.push(("unknown", unknown));
         let doubted_share = if best.variant.visible_log_odds() > 0.0 { 0.0 } else { structure.share };
         let probabilities = cause_probabilities(causes, doubted_share, log_evidence_of_none, bootstrap);
-        Self { probabilities, structure, log_evidence_of_none }
+        Self { probabilities, structure, structure_before, explained_share, log_evidence_of_none }
     }
 }
 

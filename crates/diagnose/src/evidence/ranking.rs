@@ -52,7 +52,7 @@ pub(crate) fn equal_forms(one: &FittedHypothesis, other: &FittedHypothesis) -> b
 }
 
 /// Log odds of a hypothesis before the fit, nats.
-fn prior_log_odds(e: &FittedHypothesis) -> f64 {
+pub(crate) fn prior_log_odds(e: &FittedHypothesis) -> f64 {
     let of_causes = match (e.cause(), e.second_cause()) {
         ("none", _) => COMPLETE_MODEL_LOG_ODDS,
         (_, Some(_)) => -ONE_EFFECT_LOG_ODDS,

@@ -15,6 +15,7 @@ use crate::prior::{
 };
 use crate::series::{averaged, power};
 use hysteron_identify::study::{ObservedChannel, Role, Run, ScoredRun, Study};
+use std::collections::BTreeMap;
 
 /// Structure of a residual that no steady noise has.
 #[derive(Clone, Debug, Default)]
@@ -23,13 +24,20 @@ pub(crate) struct UnmodelledStructure {
     pub(crate) share: f64,
     /// Kind of structure and channel, in words.
     pub(crate) description: String,
+    /// Largest share of each kind over the channels; kinds without structure are left out.
+    pub(crate) by_kind: BTreeMap<&'static str, f64>,
 }
 
 impl UnmodelledStructure {
     /// Keeps the larger share; of equal ones the first.
-    fn consider(&mut self, share: f64, description: String) {
+    fn consider(&mut self, kind: &'static str, share: f64, description: String) {
+        if share > 0.0 {
+            let largest = self.by_kind.entry(kind).or_default();
+            *largest = largest.max(share);
+        }
         if share > self.share {
-            *self = Self { share, description };
+            self.share = share;
+            self.description = description;
         }
     }
 }
@@ -78,14 +86,15 @@ impl RunResiduals<'_> {
         let noise = burg(points, STRUCTURE_NOISE_ORDER);
         let weight = significance(residual, observe);
         let name = &observe.channel;
-        let mut consider = |share: f64, description: String| found.consider(weight * share, description);
+        let mut consider = |kind, share: f64, description: String| found.consider(kind, weight * share, description);
         consider(
+            "motion",
             self.motion_share(&simulated, points, &noise),
             format!("part of the residual of {name} follows the motion"),
         );
         let recurrence =
             if complete_model { StrokeCells::recurrence_along_stroke } else { StrokeCells::recurrence_within_stroke };
-        consider(recurs_along(points, &self.strokes, recurrence), recurrence_description(observe));
+        consider("recurrence", recurs_along(points, &self.strokes, recurrence), recurrence_description(observe));
         // Sensor noise may grow with the reading, which is neither silence nor unsteadiness.
         let steady = if complete_model {
             variance_normalised(points, &averaged(&simulated, STRUCTURE_POINTS))
@@ -94,6 +103,7 @@ impl RunResiduals<'_> {
         };
         if complete_model {
             consider(
+                "silence",
                 silent_share(&steady),
                 format!("the residual of {name} is silent at some times, as no steady noise"),
             );
@@ -101,12 +111,16 @@ impl RunResiduals<'_> {
         let (line, frequency) = line_share(residual, &simulated);
         let times = &self.run.recording.times;
         let rate = (times.len() - 1) as f64 / (times[times.len() - 1] - times[0]);
-        consider(line, format!("the residual of {name} has a line at {:.3} Hz", frequency * rate));
+        consider("line", line, format!("the residual of {name} has a line at {:.3} Hz", frequency * rate));
         let burst = burst_share(&innovations(residual), &innovations(&simulated));
-        consider(burst, format!("the residual of {name} comes in bursts"));
-        consider(unsteady_share(&steady), format!("the residual of {name} is louder at some times than steady noise"));
+        consider("bursts", burst, format!("the residual of {name} comes in bursts"));
+        consider(
+            "unsteady",
+            unsteady_share(&steady),
+            format!("the residual of {name} is louder at some times than steady noise"),
+        );
         let common = common_share(&self.averaged, channel, &noise);
-        consider(common, format!("the residual of {name} moves with those of other channels"));
+        consider("common", common, format!("the residual of {name} moves with those of other channels"));
     }
 
     /// Share of a residual that the motion and the channel itself predict, in innovations or beyond surrogates.
@@ -172,7 +186,7 @@ pub(crate) fn recurring_structure(
         for (r, o) in residuals(run, fit).iter().zip(&run.observe) {
             let points = averaged(r, STRUCTURE_POINTS);
             let share = recurs_along(&points, &strokes, StrokeCells::recurrence_along_stroke);
-            found.consider(significance(r, o) * share, recurrence_description(o));
+            found.consider("recurrence", significance(r, o) * share, recurrence_description(o));
         }
     }
     found

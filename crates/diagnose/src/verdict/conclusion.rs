@@ -10,10 +10,11 @@ use crate::candidate::channel_fault::ChannelFault;
 use crate::candidate::opensees_form::{RepairedModelScript, opensees_script};
 use crate::candidate::repaired_script::repaired_script;
 use crate::candidate::variant::Variant;
-use crate::evidence::holdout::{self, HoldoutJudgement, holdout_nmse, judge};
+use crate::evidence::holdout::{self, HeldOutErrors, HoldoutJudgement, holdout_nmse, judge};
 use crate::evidence::parametric_bootstrap::BootstrapResult;
 use crate::evidence::probabilities::{CauseProbabilities, CauseValues};
-use crate::evidence::ranking::equal_forms;
+use crate::evidence::ranking::{equal_forms, prior_log_odds};
+use crate::evidence::verdict_evidence::{RepairEvidence, VerdictEvidence};
 use crate::fit::fitted::FittedHypothesis;
 use crate::fit::halton_points::points_around;
 use crate::fit::job::{FittedModel, Job};
@@ -62,6 +63,16 @@ struct Repair {
     /// Channels of all runs; none for a run without a result.
     fits: Vec<Option<ScoredRun>>,
     judgement: HoldoutJudgement,
+    /// Errors of the runs held out.
+    errors: Option<HeldOutErrors>,
+}
+
+impl Repair {
+    /// What the runs held out say of it.
+    fn evidence(&self) -> RepairEvidence {
+        let (cause, also) = (self.hypothesis.cause(), self.hypothesis.second_cause());
+        RepairEvidence { cause: cause.into(), also: also.map(Into::into), errors: self.errors }
+    }
 }
 
 /// Cause with the highest probability after the judgement of its repair.
@@ -70,6 +81,8 @@ struct JudgedVerdict {
     repair: Repair,
     /// Cause of the nearest repair if none is written, because it has no name and worsens the runs held out.
     refused: Option<&'static str>,
+    /// Every repair that was judged.
+    judged: Vec<RepairEvidence>,
 }
 
 /// Diagnosis from ranked hypotheses, best first.
@@ -86,8 +99,10 @@ pub(super) fn conclude(
     let baseline_fits = fits_of_all_runs(c, &baseline.variant, &baseline.fitted.values);
     // The repaired model keeps the steps of the script.
     scheduler.set_step_parts(1);
+    let mut evidence = VerdictEvidence::of(ranked, &causes, c.bootstrap.as_ref(), prior_log_odds);
     let mut verdict_judge = VerdictJudge { scheduler, c, baseline, ranked, baseline_fits: &baseline_fits };
     let verdict = verdict_judge.verdict(&mut causes)?;
+    evidence.judged.clone_from(&verdict.judged);
     let repair = &verdict.repair;
     // The verdict and its strongest competitor, each as fitted.
     let competitor = ranked.iter().find(|e| e.cause() != repair.hypothesis.cause() && e.cause() != "none");
@@ -151,6 +166,7 @@ pub(super) fn conclude(
         corrected,
         unexplained_share: remaining_share(baseline, repair).min(1.0),
         bootstrap: c.bootstrap.clone(),
+        evidence,
         preflight: None,
         next_test: match &next_test {
             Some(t) => format!("{}; {observation}", t.description),
@@ -202,6 +218,7 @@ impl VerdictJudge<'_, '_> {
         let structured_share = causes.structure.share;
         let log_evidence_of_none = causes.log_evidence_of_none;
         let mut repairs: Vec<(&'static str, Repair)> = vec![];
+        let mut judged = vec![];
         let cause = loop {
             let cause = causes.probabilities[0].0;
             // Even for `unknown` the nearest repair is written.
@@ -210,6 +227,7 @@ impl VerdictJudge<'_, '_> {
             }
             let repair = self.best_repair(cause, log_evidence_of_none, structured_share)?;
             move_to_unknown(&mut causes.probabilities, repair.judgement.kept_confidence());
+            judged.push(repair.evidence());
             repairs.push((cause, repair));
         };
         let index = repairs.iter().position(|(known, _)| *known == cause).unwrap_or(0);
@@ -217,9 +235,9 @@ impl VerdictJudge<'_, '_> {
         if cause == "unknown" && repair.judgement.refutes() {
             let nearest = if repaired_cause == "unknown" { self.ranked[0].cause() } else { repaired_cause };
             let repair = self.repair(self.baseline.clone(), structured_share)?;
-            return Ok(JudgedVerdict { cause, repair, refused: Some(nearest) });
+            return Ok(JudgedVerdict { cause, repair, refused: Some(nearest), judged });
         }
-        Ok(JudgedVerdict { cause, repair, refused: None })
+        Ok(JudgedVerdict { cause, repair, refused: None, judged })
     }
 
     /// Repair by the best form of a cause, or by its second form if the runs held out refute the first alone.
@@ -270,7 +288,8 @@ impl VerdictJudge<'_, '_> {
         };
         // The user's model claims nothing.
         let judgement = if hypothesis.cause() == "none" { HoldoutJudgement::Accepted } else { judge(study, &repair) };
-        Ok(Repair { hypothesis, fitted, fits, judgement })
+        let errors = HeldOutErrors::of(study, &repair);
+        Ok(Repair { hypothesis, fitted, fits, judgement, errors })
     }
 }
 

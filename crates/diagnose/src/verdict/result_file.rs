@@ -3,6 +3,7 @@
 use super::summary::Summary;
 use crate::candidate::channel_fault::ChannelFault;
 use crate::evidence::parametric_bootstrap::BootstrapResult;
+use crate::evidence::verdict_evidence::VerdictEvidence;
 use hysteron_identify::preflight::Preflight;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -25,6 +26,8 @@ pub struct Outcome {
     /// Ranking on simulated recordings whose cause is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bootstrap: Option<BootstrapResult>,
+    /// Numbers that the verdict weighs.
+    pub evidence: VerdictEvidence,
     /// Recommended next test, in words.
     pub next_test: String,
     /// Checks of the channels before the fit.

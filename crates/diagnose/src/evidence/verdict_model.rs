@@ -1,0 +1,238 @@
+//! From evidence to probabilities: a multinomial logistic model that is fitted to cases with a known truth.
+//!
+//! Candidates of a case are the causes with a fitted hypothesis, `none` and `unknown`. Candidate i has features xᵢ and the
+//! probability exp(w·xᵢ) / Σⱼ exp(w·xⱼ) (conditional logit, McFadden 1974). The weights w stand in `verdict_weights.rs`. The
+//! example `fit_verdict` of this crate makes that file.
+//!
+//! Features have scales of the order of one. Log likelihoods are those of held-out samples, nats.
+
+use super::verdict_evidence::{HypothesisEvidence, VerdictEvidence};
+use super::verdict_weights::WEIGHTS;
+use std::collections::BTreeMap;
+
+/// Number of features.
+pub const FEATURE_COUNT: usize = 33;
+
+/// Names of the features, in their order.
+pub const FEATURES: [&str; FEATURE_COUNT] = [
+    // of a named cause
+    "named",
+    "gain",
+    "loss",
+    "gap",
+    "ln_gap",
+    "ln_gap_of_look_alike",
+    "pair",
+    "at_bound",
+    "visible",
+    "auxiliary",
+    "equal_gain",
+    "channel_fault",
+    "coincidence",
+    "predicted",
+    "worsened",
+    // of `none`
+    "none",
+    "none_first",
+    "ln_chance",
+    "none_structure",
+    // of `unknown`
+    "unknown",
+    "unknown_gain",
+    "unknown_unexplained",
+    "unknown_remaining",
+    "unknown_structure",
+    "unknown_structure_unexplained",
+    "unknown_structure_without_cause",
+    "unknown_motion",
+    "unknown_recurrence",
+    "unknown_line",
+    "unknown_bursts",
+    "unknown_unsteady",
+    "unknown_common",
+    "unknown_visible",
+];
+
+/// Largest gap that counts, nats.
+const MAX_GAP: f64 = 30.0;
+/// Scale of gaps and losses, nats.
+const GAP_SCALE: f64 = 10.0;
+/// Log odds from which a hypothesis is visible in the recording itself, nats; auxiliary channels give less.
+const MIN_VISIBLE_LOG_ODDS: f64 = 10.0;
+/// Scale of log odds from auxiliary channels, nats.
+const AUXILIARY_SCALE: f64 = 4.0;
+/// Prior log odds below which a fault in one of several runs is a coincidence, beside those of pairs, nats.
+const COINCIDENCE_LOG_ODDS: f64 = -7.0;
+/// Largest structured share of a residual that counts.
+const MAX_STRUCTURE: f64 = 0.9;
+/// Ratio of held-out error and noise below which held-out runs cannot judge.
+const MIN_SIGNAL_RATIO: f64 = 1.25;
+
+/// A candidate with its features.
+#[derive(Clone, Debug)]
+pub struct CandidateFeatures {
+    /// The cause, `none` or `unknown`.
+    pub cause: String,
+    /// Features in the order of [`FEATURES`].
+    pub x: [f64; FEATURE_COUNT],
+}
+
+/// Features under construction, by name.
+struct Features(BTreeMap<&'static str, f64>);
+
+impl Features {
+    fn of(values: &[(&'static str, f64)]) -> Self {
+        Self(values.iter().copied().collect())
+    }
+
+    fn candidate(&self, cause: &str) -> CandidateFeatures {
+        CandidateFeatures { cause: cause.into(), x: FEATURES.map(|name| self.0.get(name).copied().unwrap_or(0.0)) }
+    }
+}
+
+/// 1 for true, 0 for false.
+fn flag(condition: bool) -> f64 {
+    f64::from(u8::from(condition))
+}
+
+/// -½ ln(1 - s) of the largest structured share s.
+fn structure(shares: &BTreeMap<String, f64>) -> f64 {
+    let largest = shares.values().fold(0.0f64, |m, s| m.max(*s));
+    -0.5 * (1.0 - largest.min(MAX_STRUCTURE)).ln()
+}
+
+/// Evidence of a case, with what all its candidates refer to.
+struct Case<'a> {
+    evidence: &'a VerdictEvidence,
+    /// Log likelihood of the user's model.
+    of_none: f64,
+    /// Largest log likelihood of a cause.
+    best: f64,
+}
+
+/// Returns the best hypothesis of each cause, in the order of the evidence.
+fn best_of_causes(evidence: &VerdictEvidence) -> Vec<&HypothesisEvidence> {
+    let mut best: Vec<&HypothesisEvidence> = vec![];
+    for h in evidence.hypotheses.iter().filter(|h| h.cause != "none") {
+        if best.iter().all(|known| known.cause != h.cause) {
+            best.push(h);
+        }
+    }
+    best
+}
+
+/// Candidates of a case with their features; `none` and `unknown` come last.
+pub fn candidates(evidence: &VerdictEvidence) -> Vec<CandidateFeatures> {
+    let named = best_of_causes(evidence);
+    let of_none =
+        evidence.hypotheses.iter().find(|h| h.cause == "none").map_or(f64::NEG_INFINITY, |h| h.log_likelihood);
+    let best = named.iter().map(|h| h.log_likelihood).fold(f64::NEG_INFINITY, f64::max);
+    let case = Case { evidence, of_none, best };
+    let mut all: Vec<CandidateFeatures> = named.iter().map(|h| case.named(h)).collect();
+    all.extend([case.none(), case.unknown()]);
+    all
+}
+
+impl Case<'_> {
+    /// Gain of the best cause over the user's model, nats.
+    fn gain(&self) -> f64 {
+        if self.best.is_finite() { (self.best - self.of_none).min(1e3) } else { 0.0 }
+    }
+
+    /// Share of the reducible held-out error that the repair of a cause removes, and logarithm of its ratio after and
+    /// before; none without a judgement.
+    fn judged(&self, cause: &str) -> Option<(f64, f64)> {
+        let judged = self.evidence.judged.iter().find(|r| r.cause == cause)?;
+        let errors = judged.errors?;
+        let before = errors.before?;
+        let Some(after) = errors.after else { return Some((-1.0, 1.0)) };
+        let removed = if before > MIN_SIGNAL_RATIO * errors.noise {
+            ((before - after) / (before - errors.noise)).clamp(-1.0, 1.0)
+        } else {
+            0.0
+        };
+        Some((removed, (after / before).ln().clamp(0.0, 2.0)))
+    }
+
+    fn named(&self, h: &HypothesisEvidence) -> CandidateFeatures {
+        let gain = (h.log_likelihood - self.of_none).min(1e3);
+        let gap = (self.best - h.log_likelihood).clamp(0.0, MAX_GAP);
+        let visible = h.direct_log_odds > MIN_VISIBLE_LOG_ODDS;
+        let pair = h.also.is_some();
+        let coincidence = h.prior_log_odds - h.direct_log_odds < COINCIDENCE_LOG_ODDS;
+        let (removed, worsened) = self.judged(&h.cause).unwrap_or((0.0, 0.0));
+        let first = gap == 0.0;
+        Features::of(&[
+            ("named", 1.0),
+            ("gain", gain.max(0.0).ln_1p()),
+            ("loss", (-gain).clamp(0.0, GAP_SCALE) / GAP_SCALE),
+            ("gap", gap / GAP_SCALE),
+            ("ln_gap", gap.ln_1p()),
+            ("ln_gap_of_look_alike", if h.looks_like_first { gap.ln_1p() } else { 0.0 }),
+            ("pair", flag(pair)),
+            ("at_bound", flag(h.parameters_at_bound > 0)),
+            ("visible", flag(visible)),
+            ("auxiliary", if visible { 0.0 } else { h.direct_log_odds / AUXILIARY_SCALE }),
+            ("equal_gain", if first { 0.0 } else { h.equal_gain.unwrap_or(0.0) }),
+            ("channel_fault", flag(h.channel_fault)),
+            ("coincidence", flag(coincidence)),
+            ("predicted", if visible { 0.0 } else { removed }),
+            ("worsened", worsened),
+        ])
+        .candidate(&h.cause)
+    }
+
+    fn none(&self) -> CandidateFeatures {
+        let of_none = self.evidence.hypotheses.iter().find(|h| h.cause == "none");
+        let chance = of_none.and_then(|h| h.equal_gain).unwrap_or(1.0);
+        Features::of(&[
+            ("none", 1.0),
+            ("none_first", flag(self.gain() <= 0.0)),
+            ("ln_chance", chance.ln()),
+            ("none_structure", structure(&self.evidence.structure_before)),
+        ])
+        .candidate("none")
+    }
+
+    fn unknown(&self) -> CandidateFeatures {
+        let e = self.evidence;
+        let named = e.hypotheses.first().is_some_and(|h| h.cause != "none");
+        let visible = e.hypotheses.first().is_some_and(|h| h.direct_log_odds > MIN_VISIBLE_LOG_ODDS);
+        let after = structure(&e.structure_after);
+        let unexplained = if named { 1.0 - e.explained_share } else { 1.0 };
+        let remaining = e.hypotheses.first().map_or(1.0, |h| (h.nmse / e.nmse_before).clamp(0.0, 1.0));
+        let kind = |name: &str| e.structure_after.get(name).copied().unwrap_or(0.0);
+        Features::of(&[
+            ("unknown", 1.0),
+            ("unknown_gain", self.gain().max(0.0).ln_1p()),
+            ("unknown_unexplained", unexplained),
+            ("unknown_remaining", remaining),
+            ("unknown_structure", if named { after } else { 0.0 }),
+            ("unknown_structure_unexplained", if named { after * unexplained } else { 0.0 }),
+            ("unknown_structure_without_cause", if named { 0.0 } else { structure(&e.structure_before) }),
+            ("unknown_motion", kind("motion")),
+            ("unknown_recurrence", kind("recurrence")),
+            ("unknown_line", kind("line")),
+            ("unknown_bursts", kind("bursts")),
+            ("unknown_unsteady", kind("unsteady").max(kind("silence"))),
+            ("unknown_common", kind("common")),
+            ("unknown_visible", flag(visible)),
+        ])
+        .candidate("unknown")
+    }
+}
+
+/// Probabilities of candidates under weights in the order of [`FEATURES`].
+pub fn probabilities(candidates: &[CandidateFeatures], weights: &[f64; FEATURE_COUNT]) -> Vec<f64> {
+    let score = |c: &CandidateFeatures| c.x.iter().zip(weights).map(|(x, w)| x * w).sum::<f64>();
+    super::likelihood::normalised_probabilities(&candidates.iter().map(score).collect::<Vec<_>>())
+}
+
+/// Probabilities of the causes, of `none` and of `unknown`, the most probable first.
+pub fn cause_probabilities(evidence: &VerdictEvidence) -> Vec<(String, f64)> {
+    let all = candidates(evidence);
+    let p = probabilities(&all, &WEIGHTS);
+    let mut out: Vec<(String, f64)> = all.into_iter().map(|c| c.cause).zip(p).collect();
+    out.sort_by(|a, b| b.1.total_cmp(&a.1));
+    out
+}

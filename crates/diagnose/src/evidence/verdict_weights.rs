@@ -1,0 +1,6 @@
+//! Weights of the verdict's features. The example `fit_verdict` writes this file.
+
+use super::verdict_model::FEATURE_COUNT;
+
+/// Weights in the order of [`super::verdict_model::FEATURES`].
+pub(crate) const WEIGHTS: [f64; FEATURE_COUNT] = [0.0; FEATURE_COUNT];
