@@ -1,13 +1,18 @@
 //! Fits the weights of the verdict to cases with a known truth, and tests them on authors that the fit has not seen.
 //!
-//!     cargo run --release -p hysteron-diagnose --example fit_verdict -- CASES.jsonl PREDICTIONS.csv [WEIGHTS.rs]
+//!     cargo run --release -p hysteron-diagnose --example fit_verdict -- CASES.jsonl PREDICTIONS.csv FEATURES.csv [WEIGHTS.rs]
 //!
 //! Each line of the first file is a case: `case`, `group` (author, or family of models), `right` (causes that are right) and
-//! `evidence` of its `diagnosis.json`. A group is predicted by weights that were fitted to all others. `PREDICTIONS.csv`
-//! gets the probabilities of that prediction. `WEIGHTS.rs` gets the weights fitted to all groups.
+//! `evidence` of its `diagnosis.json`. A group is predicted by weights that were fitted to all others.
+//!
+//! - `PREDICTIONS.csv` gets the probabilities of that prediction.
+//! - `FEATURES.csv` gets the weights, and what becomes of the prediction without each feature in turn.
+//! - `WEIGHTS.rs` gets the weights fitted to all groups.
 
-use hysteron_diagnose::VerdictEvidence;
-use hysteron_diagnose::verdict_model::{CandidateFeatures, FEATURE_COUNT, FEATURES, candidates, probabilities};
+use hysteron_diagnose::verdict_model::{
+    CandidateFeatures, FEATURE_COUNT, FEATURES, candidates, pair_gain, probabilities,
+};
+use hysteron_diagnose::{HypothesisEvidence, VerdictEvidence};
 use nalgebra::{SMatrix, SVector};
 use serde::Deserialize;
 use std::collections::BTreeSet;
@@ -41,6 +46,8 @@ struct Case {
     right: Vec<bool>,
     /// True if the right cause is a candidate.
     answerable: bool,
+    /// Pairs whose first effect is right: ln(1 + gain), and whether the second effect is right as well.
+    pairs: Vec<(f64, bool)>,
 }
 
 impl Case {
@@ -49,7 +56,13 @@ impl Case {
         let right: Vec<bool> = all.iter().map(|c| line.right.contains(&c.cause)).collect();
         let answerable = right.contains(&true);
         let right = if answerable { right } else { all.iter().map(|c| c.cause == "unknown").collect() };
-        Self { name: line.case, group: line.group, candidates: all, right, answerable }
+        let e = &line.evidence;
+        let pair = |h: &HypothesisEvidence| {
+            let also = h.also.as_ref().filter(|_| line.right.contains(&h.cause))?;
+            Some((pair_gain(e, h).ln_1p(), line.right.contains(also)))
+        };
+        let pairs = e.hypotheses.iter().filter_map(pair).collect();
+        Self { name: line.case, group: line.group, candidates: all, right, answerable, pairs }
     }
 
     fn probabilities(&self, w: &Weights) -> Vec<f64> {
@@ -79,13 +92,21 @@ impl Case {
 }
 
 /// Weights with the largest sum of log scores less the ridge's half square, by damped Newton steps.
-fn fit(cases: &[&Case], ridge: f64) -> Weights {
+///
+/// The weight of one feature may be held at zero.
+fn fit(cases: &[&Case], ridge: f64, without: Option<usize>) -> Weights {
     let objective = |w: &Weights| cases.iter().map(|c| c.log_score(w)).sum::<f64>() - 0.5 * ridge * w.norm_squared();
     let mut w = Weights::zeros();
     let mut value = objective(&w);
     for _ in 0..STEPS {
         let (mut gradient, mut hessian) = (-w * ridge, Hessian::identity() * ridge);
         cases.iter().for_each(|c| c.derivatives(&w, &mut gradient, &mut hessian));
+        if let Some(k) = without {
+            gradient[k] = 0.0;
+            hessian.fill_row(k, 0.0);
+            hessian.fill_column(k, 0.0);
+            hessian[(k, k)] = 1.0;
+        }
         let Some(step) = hessian.cholesky().map(|h| h.solve(&gradient)) else { break };
         let tried = (0..12).map(|k| w + step * 0.5f64.powi(k)).map(|w| (objective(&w), w));
         let Some((better, at)) = tried.into_iter().find(|(v, _)| *v > value) else { break };
@@ -99,59 +120,113 @@ fn fit(cases: &[&Case], ridge: f64) -> Weights {
 }
 
 /// Weights for each group, fitted to all others.
-fn cross_validated(cases: &[Case], ridge: f64) -> Vec<(String, Weights)> {
+fn cross_validated(cases: &[Case], ridge: f64, without: Option<usize>) -> Vec<(String, Weights)> {
     let groups: BTreeSet<&String> = cases.iter().map(|c| &c.group).collect();
-    let without = |g: &String| fit(&cases.iter().filter(|c| c.group != *g).collect::<Vec<_>>(), ridge);
-    groups.into_iter().map(|g| (g.clone(), without(g))).collect()
+    let of_others = |g: &String| fit(&cases.iter().filter(|c| c.group != *g).collect::<Vec<_>>(), ridge, without);
+    groups.into_iter().map(|g| (g.clone(), of_others(g))).collect()
 }
 
-fn weights_of<'a>(all: &'a [(String, Weights)], case: &Case) -> Option<&'a Weights> {
-    all.iter().find(|(g, _)| *g == case.group).map(|(_, w)| w)
+/// Cases predicted by weights that their group has not seen.
+struct Predictions<'a> {
+    cases: &'a [Case],
+    by_group: Vec<(String, Weights)>,
+}
+
+impl<'a> Predictions<'a> {
+    fn of(cases: &'a [Case], ridge: f64, without: Option<usize>) -> Self {
+        Self { cases, by_group: cross_validated(cases, ridge, without) }
+    }
+
+    fn weights(&self, case: &Case) -> Weights {
+        self.by_group.iter().find(|(g, _)| *g == case.group).map_or_else(Weights::zeros, |(_, w)| *w)
+    }
+
+    /// Mean log score.
+    fn score(&self) -> f64 {
+        self.cases.iter().map(|c| c.log_score(&self.weights(c))).sum::<f64>() / self.cases.len() as f64
+    }
+
+    /// Index of the most probable candidate of each case, with its probability.
+    fn answers(&self) -> Vec<(usize, f64)> {
+        let first = |c: &Case| {
+            let p = c.probabilities(&self.weights(c));
+            let first = (0..p.len()).max_by(|a, b| p[*a].total_cmp(&p[*b])).unwrap_or(0);
+            (first, p[first])
+        };
+        self.cases.iter().map(first).collect()
+    }
+
+    fn table(&self) -> Result<String, std::fmt::Error> {
+        let mut table = "case,group,answer,probability,right,probability_of_right,answerable\n".to_owned();
+        for (c, (first, p)) in self.cases.iter().zip(self.answers()) {
+            let right = u8::from(c.right[first] && c.answerable);
+            let (answer, of_right) = (&c.candidates[first].cause, c.log_score(&self.weights(c)).exp());
+            let answerable = u8::from(c.answerable);
+            writeln!(table, "{},{},{answer},{p:.4},{right},{of_right:.4},{answerable}", c.name, c.group)?;
+        }
+        Ok(table)
+    }
+}
+
+/// The weights, with the score and the changed answers without each feature.
+fn feature_table(cases: &[Case], ridge: f64, weights: &Weights) -> Result<String, std::fmt::Error> {
+    let all = Predictions::of(cases, ridge, None);
+    let (score, answers) = (all.score(), all.answers());
+    let mut table = "feature,weight,score_lost_without,answers_changed_without\n".to_owned();
+    for (k, name) in FEATURES.iter().enumerate() {
+        let without = Predictions::of(cases, ridge, Some(k));
+        let changed = without.answers().iter().zip(&answers).filter(|(a, b)| a.0 != b.0).count();
+        writeln!(table, "{name},{:.4},{:.5},{changed}", weights[k], score - without.score())?;
+    }
+    Ok(table)
+}
+
+/// Constant and slope of the log odds of a second effect, by damped Newton steps with a small ridge.
+fn fit_pairs(cases: &[Case]) -> [f64; 2] {
+    let mut w = nalgebra::Vector2::zeros();
+    for _ in 0..STEPS {
+        let mut gradient = -0.1 * w;
+        let mut hessian = nalgebra::Matrix2::identity() * 0.1;
+        for (x, present) in cases.iter().flat_map(|c| &c.pairs) {
+            let x = nalgebra::Vector2::new(1.0, *x);
+            let p = 1.0 / (1.0 + (-w.dot(&x)).exp());
+            gradient += x * (f64::from(u8::from(*present)) - p);
+            hessian += x * x.transpose() * p * (1.0 - p);
+        }
+        let Some(step) = hessian.cholesky().map(|h| h.solve(&gradient)) else { break };
+        w += step * (1.0 / step.norm().max(1.0));
+    }
+    [w[0], w[1]]
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let [input, predictions, rest @ ..] = &arguments[..] else {
-        return Err("expected CASES.jsonl PREDICTIONS.csv [WEIGHTS.rs]".into());
+    let [input, predictions, features, rest @ ..] = &arguments[..] else {
+        return Err("expected CASES.jsonl PREDICTIONS.csv FEATURES.csv [WEIGHTS.rs]".into());
     };
     let text = std::fs::read_to_string(input)?;
     let lines = text.lines().map(serde_json::from_str).collect::<Result<Vec<Line>, _>>()?;
     let cases: Vec<Case> = lines.into_iter().map(Case::of).collect();
-    let mut best: Option<(f64, f64, Vec<(String, Weights)>)> = None;
+    let mut best: Option<(f64, Predictions<'_>)> = None;
     for ridge in RIDGES {
-        let by_group = cross_validated(&cases, ridge);
-        let score: f64 = cases.iter().filter_map(|c| Some(c.log_score(weights_of(&by_group, c)?))).sum();
-        println!("ridge {ridge}: mean log score {:.4} on unseen groups", score / cases.len() as f64);
-        if best.as_ref().is_none_or(|b| score > b.0) {
-            best = Some((score, ridge, by_group));
+        let p = Predictions::of(&cases, ridge, None);
+        println!("ridge {ridge}: mean log score {:.4} on unseen groups", p.score());
+        if best.as_ref().is_none_or(|(_, b)| p.score() > b.score()) {
+            best = Some((ridge, p));
         }
     }
-    let (_, ridge, by_group) = best.ok_or("no cases")?;
-    let mut table = "case,group,answer,probability,right,probability_of_right,answerable\n".to_owned();
-    for c in &cases {
-        let p = c.probabilities(weights_of(&by_group, c).ok_or("a case without a group")?);
-        let first = (0..p.len()).max_by(|a, b| p[*a].total_cmp(&p[*b])).ok_or("a case without candidates")?;
-        let of_right: f64 = p.iter().zip(&c.right).filter(|(_, r)| **r).map(|(p, _)| p).sum();
-        let right = u8::from(c.right[first] && c.answerable);
-        let answer = &c.candidates[first].cause;
-        writeln!(
-            table,
-            "{},{},{answer},{:.4},{right},{of_right:.4},{}",
-            c.name,
-            c.group,
-            p[first],
-            u8::from(c.answerable)
-        )?;
-    }
-    std::fs::write(predictions, table)?;
-    if let [weights] = rest {
-        std::fs::write(weights, source(&fit(&cases.iter().collect::<Vec<_>>(), ridge), cases.len(), ridge)?)?;
+    let (ridge, best) = best.ok_or("no cases")?;
+    std::fs::write(predictions, best.table()?)?;
+    let weights = fit(&cases.iter().collect::<Vec<_>>(), ridge, None);
+    std::fs::write(features, feature_table(&cases, ridge, &weights)?)?;
+    if let [file] = rest {
+        std::fs::write(file, source(&weights, fit_pairs(&cases), cases.len(), ridge)?)?;
     }
     Ok(())
 }
 
 /// Source text of the weights.
-fn source(w: &Weights, cases: usize, ridge: f64) -> Result<String, std::fmt::Error> {
+fn source(w: &Weights, pairs: [f64; 2], cases: usize, ridge: f64) -> Result<String, std::fmt::Error> {
     let mut text = format!(
         "//! Weights of the verdict's features. The example `fit_verdict` writes this file.\n//!\n\
          //! They are fitted to {cases} cases, with a ridge of {ridge}.\n\n\
@@ -162,6 +237,8 @@ fn source(w: &Weights, cases: usize, ridge: f64) -> Result<String, std::fmt::Err
     for (name, w) in FEATURES.iter().zip(w.iter()) {
         writeln!(text, "    {w:.4}, // {name}")?;
     }
-    text += "];\n";
+    text += "];\n\n\
+             /// Constant and weight of ln(1 + gain) in the log odds that the second effect of a pair is present if the first is.\n";
+    writeln!(text, "pub(crate) const PAIR_WEIGHTS: [f64; 2] = [{:.4}, {:.4}];", pairs[0], pairs[1])?;
     Ok(text)
 }

@@ -37,6 +37,7 @@ pub use evidence::verdict_evidence::{HypothesisEvidence, RepairEvidence, Verdict
 pub use evidence::verdict_model;
 pub use fit::checkpoint::{CheckpointEntry, identity};
 pub use fit::scheduler::ProgressMonitor;
+pub use prior::PriorNumber;
 pub use verdict::diagnosis::{Diagnosis, RankedHypothesis, Settings, diagnose};
 pub use verdict::discriminating_test::DiscriminatingTest;
 pub use verdict::place::{NodePlace, Place};

@@ -3,7 +3,6 @@
 //! - [`likelihood`]: log evidence from whitened held-out residuals
 //! - [`ranking`]: prior odds, and the order of hypotheses
 //! - [`parametric_bootstrap`]: gains on simulated recordings of a known cause
-//! - [`probabilities`]: probabilities of causes, of `none` and of `unknown`
 //! - [`holdout`]: the judgement of runs held out
 //! - [`verdict_evidence`]: everything that the verdict weighs, as it is written down
 //! - [`verdict_model`]: probabilities from that evidence
@@ -14,7 +13,6 @@
 pub(crate) mod holdout;
 pub(crate) mod likelihood;
 pub(crate) mod parametric_bootstrap;
-pub(crate) mod probabilities;
 pub(crate) mod ranking;
 pub(crate) mod verdict_evidence;
 pub mod verdict_model;

@@ -5,11 +5,14 @@
 
 use super::holdout::HeldOutErrors;
 use super::parametric_bootstrap::BootstrapResult;
-use super::probabilities::CauseProbabilities;
+use super::ranking::prior_log_odds;
 use crate::fit::fitted::FittedHypothesis;
 use crate::fit::search_settings::BOUND_DISTANCE;
 use crate::hypothesis;
-use crate::residual::unmodelled_structure::UnmodelledStructure;
+use crate::inspect::response::ResponseRanges;
+use crate::residual::unmodelled_structure::{UnmodelledStructure, recurring_structure, unmodelled_structure};
+use crate::series::power;
+use hysteron_identify::study::{Role, ScoredRun, Study};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -89,52 +92,101 @@ fn by_kind(structure: &UnmodelledStructure) -> BTreeMap<String, f64> {
     structure.by_kind.iter().map(|(kind, share)| ((*kind).to_owned(), *share)).collect()
 }
 
+/// Ranked hypotheses of one diagnosis, best first, with what they were fitted to.
+pub(crate) struct RankedStudy<'a> {
+    pub(crate) study: &'a Study,
+    pub(crate) responses: &'a ResponseRanges,
+    /// The fitted user's model.
+    pub(crate) baseline: &'a FittedHypothesis,
+    pub(crate) ranked: &'a [FittedHypothesis],
+    pub(crate) bootstrap: Option<&'a BootstrapResult>,
+}
+
 impl VerdictEvidence {
-    /// Evidence of ranked hypotheses, best first, before any repair is judged.
-    ///
-    /// `prior_log_odds` gives the log odds of a hypothesis before the fit.
-    pub(crate) fn of(
-        ranked: &[FittedHypothesis],
-        causes: &CauseProbabilities,
-        bootstrap: Option<&BootstrapResult>,
-        prior_log_odds: impl Fn(&FittedHypothesis) -> f64,
-    ) -> Self {
-        let mut hypotheses: Vec<HypothesisEvidence> = vec![];
-        for e in ranked {
-            let (cause, also) = (e.cause(), e.second_cause());
-            if hypotheses.iter().any(|h| (h.cause.as_str(), h.also.as_deref()) == (cause, also)) {
-                continue;
-            }
-            let own = e.variant.own_coordinates(&e.fitted.point);
-            let added = &e.fitted.point[own.len()..];
-            let prior_log_odds = prior_log_odds(e);
-            hypotheses.push(HypothesisEvidence {
-                cause: cause.into(),
-                also: also.map(Into::into),
-                log_likelihood: e.log_evidence - prior_log_odds,
-                prior_log_odds,
-                direct_log_odds: e.variant.direct_log_odds(),
-                nmse: e.fitted.objective,
-                parameters: added.len(),
-                parameters_at_bound: at_bound(added),
-                user_parameters_at_bound: at_bound(own),
-                equal_gain: bootstrap.and_then(|b| b.equal_gain(cause)),
-                looks_like_first: hypothesis::look_alike(ranked[0].cause(), cause),
-                channel_fault: e.variant.is_channel_fault(),
-            });
-        }
-        let baseline = ranked.iter().find(|e| e.cause() == "none");
-        let fits = &ranked[0].fitted.fits;
-        Self {
-            hypotheses,
-            structure_before: by_kind(&causes.structure_before),
-            structure_after: by_kind(&causes.structure),
-            explained_share: causes.explained_share,
-            nmse_before: baseline.map_or(f64::NAN, |e| e.fitted.objective),
-            user_parameters_at_bound: baseline.map_or(0, |e| at_bound(&e.fitted.point)),
+    /// Evidence before any repair is judged, and the structure that the first hypothesis leaves.
+    pub(crate) fn of(of: &RankedStudy<'_>) -> (Self, UnmodelledStructure) {
+        let (study, ranked, first) = (of.study, of.ranked, &of.ranked[0]);
+        let baseline = ranked.iter().find(|e| e.cause() == "none").unwrap_or(of.baseline);
+        let before = unmodelled_structure(study, of.responses, &baseline.fitted.fits, true);
+        let after = structure_left(of);
+        let [nmse_before, nmse_after] = [baseline, first].map(|e| total_nmse(study, &e.fitted.fits));
+        let noise = nmse_after * (1.0 - after.share);
+        let explainable = nmse_before - noise;
+        let fits = &first.fitted.fits;
+        let evidence = Self {
+            hypotheses: hypotheses(ranked, of.bootstrap),
+            structure_before: by_kind(&before),
+            structure_after: by_kind(&after),
+            explained_share: if explainable > 0.0 {
+                ((nmse_before - nmse_after) / explainable).clamp(0.0, 1.0)
+            } else {
+                1.0
+            },
+            nmse_before: baseline.fitted.objective,
+            user_parameters_at_bound: at_bound(&baseline.fitted.point),
             fitted_runs: fits.len(),
             channels: fits.iter().map(|f| f.channels.len()).sum(),
             judged: vec![],
-        }
+        };
+        (evidence, after)
     }
+
+    /// Log likelihood of the user's model; -∞ if it was not ranked.
+    pub(crate) fn log_likelihood_of_none(&self) -> f64 {
+        self.hypotheses.iter().find(|h| h.cause == "none").map_or(f64::NEG_INFINITY, |h| h.log_likelihood)
+    }
+}
+
+/// Structure that the first hypothesis leaves.
+///
+/// A geometric effect has no wrong form of law that could leave a residual along the stroke, so that such a residual counts.
+fn structure_left(of: &RankedStudy<'_>) -> UnmodelledStructure {
+    let first = &of.ranked[0];
+    let fits = &first.fitted.fits;
+    let mut left = unmodelled_structure(of.study, of.responses, fits, first.cause() == "none");
+    if first.variant.proposal.as_ref().is_some_and(|p| p.geometric) {
+        left.join(recurring_structure(of.study, of.responses, fits));
+    }
+    left
+}
+
+/// The best form of each cause and of each pair of causes, in the order of the ranking.
+fn hypotheses(ranked: &[FittedHypothesis], bootstrap: Option<&BootstrapResult>) -> Vec<HypothesisEvidence> {
+    let mut out: Vec<HypothesisEvidence> = vec![];
+    for e in ranked.iter().filter(|e| e.log_evidence.is_finite()) {
+        let (cause, also) = (e.cause(), e.second_cause());
+        if out.iter().any(|h| (h.cause.as_str(), h.also.as_deref()) == (cause, also)) {
+            continue;
+        }
+        let own = e.variant.own_coordinates(&e.fitted.point);
+        let added = &e.fitted.point[own.len()..];
+        let prior_log_odds = prior_log_odds(e);
+        out.push(HypothesisEvidence {
+            cause: cause.into(),
+            also: also.map(Into::into),
+            log_likelihood: e.log_evidence - prior_log_odds,
+            prior_log_odds,
+            direct_log_odds: e.variant.direct_log_odds(),
+            nmse: e.fitted.objective,
+            parameters: added.len(),
+            parameters_at_bound: at_bound(added),
+            user_parameters_at_bound: at_bound(own),
+            equal_gain: bootstrap.and_then(|b| b.equal_gain(cause)),
+            looks_like_first: hypothesis::look_alike(ranked[0].cause(), cause),
+            channel_fault: e.variant.is_channel_fault(),
+        });
+    }
+    out
+}
+
+/// Sum of the NMSE of all fitted channels.
+fn total_nmse(study: &Study, fits: &[ScoredRun]) -> f64 {
+    let runs = study.runs.iter().filter(|r| r.role == Role::Fit);
+    let channels = runs.zip(fits).flat_map(|(r, f)| r.observe.iter().zip(&f.channels));
+    channels
+        .map(|(o, y)| {
+            let r: Vec<f64> = y.iter().zip(&o.values).map(|(y, v)| y - v).filter(|d| d.is_finite()).collect();
+            power(&r) / o.variance
+        })
+        .sum()
 }

@@ -6,8 +6,10 @@
 //!
 //! Features have scales of the order of one. Log likelihoods are those of held-out samples, nats.
 
+use super::likelihood::normalised_probabilities;
 use super::verdict_evidence::{HypothesisEvidence, VerdictEvidence};
-use super::verdict_weights::WEIGHTS;
+use super::verdict_weights::{PAIR_WEIGHTS, WEIGHTS};
+use crate::hypothesis;
 use std::collections::BTreeMap;
 
 /// Number of features.
@@ -52,6 +54,9 @@ pub const FEATURES: [&str; FEATURE_COUNT] = [
     "unknown_common",
     "unknown_visible",
 ];
+
+/// Names of what the log odds of a second effect depend on.
+const PAIR_FEATURES: [&str; 2] = ["second_effect", "second_effect_gain"];
 
 /// Largest gap that counts, nats.
 const MAX_GAP: f64 = 30.0;
@@ -225,14 +230,74 @@ impl Case<'_> {
 /// Probabilities of candidates under weights in the order of [`FEATURES`].
 pub fn probabilities(candidates: &[CandidateFeatures], weights: &[f64; FEATURE_COUNT]) -> Vec<f64> {
     let score = |c: &CandidateFeatures| c.x.iter().zip(weights).map(|(x, w)| x * w).sum::<f64>();
-    super::likelihood::normalised_probabilities(&candidates.iter().map(score).collect::<Vec<_>>())
+    normalised_probabilities(&candidates.iter().map(score).collect::<Vec<_>>())
+}
+
+/// The fitted weights by feature.
+pub(crate) fn weights() -> BTreeMap<&'static str, f64> {
+    FEATURES.into_iter().zip(WEIGHTS).chain(PAIR_FEATURES.into_iter().zip(PAIR_WEIGHTS)).collect()
 }
 
 /// Probabilities of the causes, of `none` and of `unknown`, the most probable first.
-pub fn cause_probabilities(evidence: &VerdictEvidence) -> Vec<(String, f64)> {
+pub(crate) fn cause_probabilities(evidence: &VerdictEvidence) -> CauseProbabilities {
     let all = candidates(evidence);
     let p = probabilities(&all, &WEIGHTS);
-    let mut out: Vec<(String, f64)> = all.into_iter().map(|c| c.cause).zip(p).collect();
-    out.sort_by(|a, b| b.1.total_cmp(&a.1));
-    out
+    sorted(all.iter().map(|c| known_cause(&c.cause)).zip(p).collect())
+}
+
+/// Probabilities of the causes and of `none` by Bayes' rule from log evidences alone, the most probable first.
+///
+/// The log evidence is Schwarz' approximation of Laplace's, with the prior odds. It takes one of the hypotheses for true.
+pub(crate) fn bayes_probabilities(evidence: &VerdictEvidence) -> CauseProbabilities {
+    let none = evidence.hypotheses.iter().filter(|h| h.cause == "none");
+    let all: Vec<&HypothesisEvidence> = best_of_causes(evidence).into_iter().chain(none).collect();
+    let log_evidence: Vec<f64> = all.iter().map(|h| h.log_likelihood + h.prior_log_odds).collect();
+    sorted(all.iter().map(|h| known_cause(&h.cause)).zip(normalised_probabilities(&log_evidence)).collect())
+}
+
+/// Gain of a pair over the better of its effects alone, nats.
+pub fn pair_gain(evidence: &VerdictEvidence, pair: &HypothesisEvidence) -> f64 {
+    let part =
+        |h: &&HypothesisEvidence| h.also.is_none() && (h.cause == pair.cause || Some(&h.cause) == pair.also.as_ref());
+    let alone = evidence.hypotheses.iter().filter(part).map(|h| h.log_likelihood).fold(f64::NEG_INFINITY, f64::max);
+    (pair.log_likelihood - alone.max(evidence.log_likelihood_of_none())).clamp(0.0, 1e3)
+}
+
+/// Probability that the second effect of a pair is present if the first is.
+fn second_effect_probability(evidence: &VerdictEvidence, pair: &HypothesisEvidence) -> f64 {
+    let [constant, of_gain] = PAIR_WEIGHTS;
+    1.0 / (1.0 + (-constant - of_gain * pair_gain(evidence, pair).ln_1p()).exp())
+}
+
+/// Probability that each effect is present, alone or beside another, the most probable first.
+///
+/// `causes` are the probabilities of the first effects. The second effect of a pair is present with a probability of its own.
+pub(crate) fn effect_probabilities(evidence: &VerdictEvidence, causes: &CauseProbabilities) -> CauseProbabilities {
+    let mut present: BTreeMap<&'static str, f64> = BTreeMap::new();
+    for h in best_of_causes(evidence) {
+        let cause = known_cause(&h.cause);
+        let p = causes.iter().find(|(c, _)| *c == cause).map_or(0.0, |(_, p)| *p);
+        *present.entry(cause).or_default() += p;
+        if let Some(also) = &h.also {
+            *present.entry(known_cause(also)).or_default() += p * second_effect_probability(evidence, h);
+        }
+    }
+    sorted(present.into_iter().map(|(cause, p)| (cause, p.min(1.0))).collect())
+}
+
+/// Causes with a probability each.
+pub(crate) type CauseProbabilities = Vec<(&'static str, f64)>;
+
+fn sorted(mut all: CauseProbabilities) -> CauseProbabilities {
+    all.sort_by(|a, b| b.1.total_cmp(&a.1));
+    all
+}
+
+/// The static name of a cause, of `none` or of `unknown`.
+fn known_cause(name: &str) -> &'static str {
+    match hypothesis::of(name) {
+        Some(h) => h.cause,
+        None if name == "none" => "none",
+        None => "unknown",
+    }
 }

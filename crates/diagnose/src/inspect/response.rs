@@ -90,6 +90,12 @@ impl ResponseRanges {
         forces.fold(0.0, f64::max)
     }
 
+    /// Range of the device and run with the most work in a translation.
+    pub(crate) fn largest_work(&self) -> Option<ResponseRange> {
+        let ranges = self.histories.iter().filter(|((_, _, d), _)| *d <= 3).map(|(_, h)| h.range());
+        ranges.max_by(|a, b| a.work.total_cmp(&b.work))
+    }
+
     /// Envelope over devices and runs in a direction; none where no device has it.
     pub(crate) fn of(&self, devices: &[&Device], direction: usize) -> Option<ResponseRange> {
         let members =

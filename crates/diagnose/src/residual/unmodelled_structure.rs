@@ -29,6 +29,13 @@ pub(crate) struct UnmodelledStructure {
 }
 
 impl UnmodelledStructure {
+    /// Adds other structure of the same residuals.
+    pub(crate) fn join(&mut self, other: Self) {
+        for (kind, share) in other.by_kind {
+            self.consider(kind, share, other.description.clone());
+        }
+    }
+
     /// Keeps the larger share; of equal ones the first.
     fn consider(&mut self, kind: &'static str, share: f64, description: String) {
         if share > 0.0 {

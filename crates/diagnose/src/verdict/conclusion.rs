@@ -12,9 +12,11 @@ use crate::candidate::repaired_script::repaired_script;
 use crate::candidate::variant::Variant;
 use crate::evidence::holdout::{self, HeldOutErrors, HoldoutJudgement, holdout_nmse, judge};
 use crate::evidence::parametric_bootstrap::BootstrapResult;
-use crate::evidence::probabilities::{CauseProbabilities, CauseValues};
-use crate::evidence::ranking::{equal_forms, prior_log_odds};
-use crate::evidence::verdict_evidence::{RepairEvidence, VerdictEvidence};
+use crate::evidence::ranking::equal_forms;
+use crate::evidence::verdict_evidence::{RankedStudy, RepairEvidence, VerdictEvidence};
+use crate::evidence::verdict_model::{
+    self, CauseProbabilities, bayes_probabilities, cause_probabilities, effect_probabilities,
+};
 use crate::fit::fitted::FittedHypothesis;
 use crate::fit::halton_points::points_around;
 use crate::fit::job::{FittedModel, Job};
@@ -24,7 +26,7 @@ use crate::fit::step_error::StepError;
 use crate::inspect::insertion::InsertionPoint;
 use crate::inspect::inventory::ModelInventory;
 use crate::inspect::response::ResponseRanges;
-use crate::prior::{MIN_REPAIR_GAIN, MIN_REPORTED_PROBABILITY, NEGLIGIBLE_STEP_ERROR};
+use crate::prior::{self, COMPLETE_MODEL_LOG_ODDS, MIN_REPAIR_GAIN, MIN_REPORTED_PROBABILITY, NEGLIGIBLE_STEP_ERROR};
 use hysteron_identify::calibrate::{StudyProblem, Uncertainty, uncertainty};
 use hysteron_identify::study::{
     InitialRun, ParameterSpace, Role, ScoredRun, ScriptSimulator, Study, simulate_and_score,
@@ -81,8 +83,8 @@ struct JudgedVerdict {
     repair: Repair,
     /// Cause of the nearest repair if none is written, because it has no name and worsens the runs held out.
     refused: Option<&'static str>,
-    /// Every repair that was judged.
-    judged: Vec<RepairEvidence>,
+    /// Causes, `none` and `unknown`, the most probable first.
+    probabilities: CauseProbabilities,
 }
 
 /// Diagnosis from ranked hypotheses, best first.
@@ -95,14 +97,25 @@ pub(super) fn conclude(
     ranked: &[FittedHypothesis],
 ) -> Result<Diagnosis, String> {
     let study = c.study;
-    let mut causes = CauseProbabilities::of(study, c.responses, baseline, ranked, c.bootstrap.as_ref());
+    let (mut evidence, structure) = VerdictEvidence::of(&RankedStudy {
+        study,
+        responses: c.responses,
+        baseline,
+        ranked,
+        bootstrap: c.bootstrap.as_ref(),
+    });
     let baseline_fits = fits_of_all_runs(c, &baseline.variant, &baseline.fitted.values);
     // The repaired model keeps the steps of the script.
     scheduler.set_step_parts(1);
-    let mut evidence = VerdictEvidence::of(ranked, &causes, c.bootstrap.as_ref(), prior_log_odds);
-    let mut verdict_judge = VerdictJudge { scheduler, c, baseline, ranked, baseline_fits: &baseline_fits };
-    let verdict = verdict_judge.verdict(&mut causes)?;
-    evidence.judged.clone_from(&verdict.judged);
+    let mut verdict_judge = VerdictJudge {
+        scheduler,
+        c,
+        baseline,
+        ranked,
+        baseline_fits: &baseline_fits,
+        structured_share: structure.share,
+    };
+    let verdict = verdict_judge.verdict(&mut evidence)?;
     let repair = &verdict.repair;
     // The verdict and its strongest competitor, each as fitted.
     let competitor = ranked.iter().find(|e| e.cause() != repair.hypothesis.cause() && e.cause() != "none");
@@ -137,7 +150,7 @@ pub(super) fn conclude(
         holdout_nmse: holdout_nmse(study, &repair.fits),
         channels: repair.hypothesis.variant.channel_faults(&repair.fitted.values),
     };
-    let mut in_words = verdict_in_words(c, baseline, ranked, &causes, &verdict);
+    let mut in_words = verdict_in_words(c, baseline, ranked, &structure.description, &evidence, &verdict);
     let uncertainty = if named_repair.is_some() { uncertainty_of(c, repair) } else { None };
     scheduler.check_cancelled()?;
     in_words.summary = summary(&SummaryContext {
@@ -153,9 +166,10 @@ pub(super) fn conclude(
         corrected: &corrected,
         mismatch: &mismatch,
         tried: c.tried,
-        structure: &causes.structure.description,
+        structure: &structure.description,
         step_error: &c.step_error,
         script_steps: script_steps(c, &baseline.fitted.values),
+        largest_work: c.responses.largest_work(),
         test: next_test.as_ref().map_or("", |t| &t.description),
     });
     let outcome = Outcome {
@@ -167,6 +181,8 @@ pub(super) fn conclude(
         unexplained_share: remaining_share(baseline, repair).min(1.0),
         bootstrap: c.bootstrap.clone(),
         evidence,
+        prior: prior::numbers(),
+        weights: verdict_model::weights(),
         preflight: None,
         next_test: match &next_test {
             Some(t) => format!("{}; {observation}", t.description),
@@ -183,8 +199,8 @@ pub(super) fn conclude(
         baseline_fits,
         next_test,
         evaluations: scheduler.evaluations(),
-        structured_share: causes.structure.share,
-        structure: causes.structure.description,
+        structured_share: structure.share,
+        structure: structure.description,
     })
 }
 
@@ -210,50 +226,50 @@ struct VerdictJudge<'a, 'b> {
     baseline: &'a FittedHypothesis,
     ranked: &'a [FittedHypothesis],
     baseline_fits: &'a [Option<ScoredRun>],
+    /// Structured share of the residual that the first hypothesis leaves.
+    structured_share: f64,
 }
 
 impl VerdictJudge<'_, '_> {
     /// Repairs the most probable cause. If the runs held out lower its probability, the next most probable one follows.
-    fn verdict(&mut self, causes: &mut CauseProbabilities) -> Result<JudgedVerdict, String> {
-        let structured_share = causes.structure.share;
-        let log_evidence_of_none = causes.log_evidence_of_none;
+    fn verdict(&mut self, evidence: &mut VerdictEvidence) -> Result<JudgedVerdict, String> {
         let mut repairs: Vec<(&'static str, Repair)> = vec![];
-        let mut judged = vec![];
-        let cause = loop {
-            let cause = causes.probabilities[0].0;
+        let (cause, probabilities) = loop {
+            let probabilities = cause_probabilities(evidence);
+            let cause = probabilities[0].0;
             // Even for `unknown` the nearest repair is written.
             if repairs.iter().any(|(known, _)| *known == cause) || cause == "unknown" && !repairs.is_empty() {
-                break cause;
+                break (cause, probabilities);
             }
-            let repair = self.best_repair(cause, log_evidence_of_none, structured_share)?;
-            move_to_unknown(&mut causes.probabilities, repair.judgement.kept_confidence());
-            judged.push(repair.evidence());
+            let repair = self.best_repair(cause, evidence.log_likelihood_of_none())?;
+            evidence.judged.push(repair.evidence());
             repairs.push((cause, repair));
         };
         let index = repairs.iter().position(|(known, _)| *known == cause).unwrap_or(0);
         let (repaired_cause, repair) = repairs.swap_remove(index);
         if cause == "unknown" && repair.judgement.refutes() {
             let nearest = if repaired_cause == "unknown" { self.ranked[0].cause() } else { repaired_cause };
-            let repair = self.repair(self.baseline.clone(), structured_share)?;
-            return Ok(JudgedVerdict { cause, repair, refused: Some(nearest), judged });
+            let repair = self.repair(self.baseline.clone())?;
+            return Ok(JudgedVerdict { cause, repair, refused: Some(nearest), probabilities });
         }
-        Ok(JudgedVerdict { cause, repair, refused: None, judged })
+        Ok(JudgedVerdict { cause, repair, refused: None, probabilities })
     }
 
     /// Repair by the best form of a cause, or by its second form if the runs held out refute the first alone.
-    fn best_repair(&mut self, cause: &str, log_evidence_of_none: f64, structured_share: f64) -> Result<Repair, String> {
+    fn best_repair(&mut self, cause: &str, log_likelihood_of_none: f64) -> Result<Repair, String> {
         let best = &self.ranked[0];
+        let log_evidence_of_none = log_likelihood_of_none + COMPLETE_MODEL_LOG_ODDS;
         let hypothesis = match cause {
             "none" => self.baseline,
             "unknown" if best.log_evidence < log_evidence_of_none + MIN_REPAIR_GAIN => self.baseline,
             "unknown" => best,
             _ => self.ranked.iter().find(|e| e.cause() == cause).unwrap_or(best),
         };
-        let repair = self.repair(hypothesis.clone(), structured_share)?;
+        let repair = self.repair(hypothesis.clone())?;
         let supported = |e: &&FittedHypothesis| e.cause() == cause && e.log_evidence > log_evidence_of_none;
         let second_form = self.ranked.iter().filter(supported).nth(1).filter(|_| repair.judgement.refutes());
         if let Some(form) = second_form {
-            let second = self.repair(form.clone(), structured_share)?;
+            let second = self.repair(form.clone())?;
             if !second.judgement.refutes() {
                 return Ok(second);
             }
@@ -264,7 +280,7 @@ impl VerdictJudge<'_, '_> {
     /// The last search, from the optimum of a hypothesis and from points around it, and the judgement of the runs held out.
     ///
     /// These runs are evaluated here for the first time.
-    fn repair(&mut self, hypothesis: FittedHypothesis, structured_share: f64) -> Result<Repair, String> {
+    fn repair(&mut self, hypothesis: FittedHypothesis) -> Result<Repair, String> {
         let (c, study) = (self.c, self.c.study);
         let variant = &hypothesis.variant;
         let starts = points_around(&hypothesis.fitted.point);
@@ -282,7 +298,7 @@ impl VerdictJudge<'_, '_> {
         let repair = holdout::Repair {
             before: self.baseline_fits,
             after: &fits,
-            structured_share,
+            structured_share: self.structured_share,
             affects_holdout,
             visible_in_recording: variant.visible_log_odds() > 0.0,
         };
@@ -290,17 +306,6 @@ impl VerdictJudge<'_, '_> {
         let judgement = if hypothesis.cause() == "none" { HoldoutJudgement::Accepted } else { judge(study, &repair) };
         let errors = HeldOutErrors::of(study, &repair);
         Ok(Repair { hypothesis, fitted, fits, judgement, errors })
-    }
-}
-
-/// Moves the part of the first cause's probability that is not kept to `unknown`, and sorts again.
-fn move_to_unknown(probabilities: &mut CauseValues, kept: f64) {
-    let unknown = probabilities.iter().position(|(cause, _)| kept < 1.0 && *cause == "unknown");
-    if let Some(n) = unknown {
-        let amount = (1.0 - kept) * probabilities[0].1;
-        probabilities[0].1 -= amount;
-        probabilities[n].1 += amount;
-        probabilities.sort_by(|a, b| b.1.total_cmp(&a.1));
     }
 }
 
@@ -315,14 +320,15 @@ fn verdict_in_words(
     c: &ConclusionContext<'_>,
     baseline: &FittedHypothesis,
     ranked: &[FittedHypothesis],
-    causes: &CauseProbabilities,
+    structure: &str,
+    evidence: &VerdictEvidence,
     verdict: &JudgedVerdict,
 ) -> Verdict {
     let (cause, repair) = (verdict.cause, &verdict.repair);
     let hypothesis = &repair.hypothesis;
     let second_causes: Vec<&str> = hypothesis.second_cause().into_iter().filter(|_| cause != "unknown").collect();
     let share = remaining_share(baseline, repair);
-    let mut text = explanation(cause, hypothesis, &second_causes, &causes.structure.description, share);
+    let mut text = explanation(cause, hypothesis, &second_causes, structure, share);
     text += &c.step_error.description();
     if let Some(b) = c.bootstrap.as_ref().filter(|b| b.cause == cause) {
         text += &b.description();
@@ -346,12 +352,24 @@ fn verdict_in_words(
     if let Some(nearest) = verdict.refused {
         text += &format!(" No repair is written: the nearest, {nearest}, makes the runs held out no better.");
     }
-    let others = causes.probabilities.iter().skip(1).filter(|(_, p)| *p > MIN_REPORTED_PROBABILITY);
+    let candidate = |(cause, p): &(&str, f64)| Candidate { cause: (*cause).into(), confidence: *p };
+    let bayes = bayes_probabilities(evidence).first().map_or(("none", 1.0), |first| *first);
+    if bayes.0 != cause {
+        text += &format!(
+            " Bayes' rule with the log evidences alone, which takes one of the fitted hypotheses for true, would say {} ({:.1} %).",
+            bayes.0,
+            100.0 * bayes.1
+        );
+    }
+    let effects = effect_probabilities(evidence, &verdict.probabilities);
+    let others = verdict.probabilities.iter().skip(1).filter(|(_, p)| *p > MIN_REPORTED_PROBABILITY);
     Verdict {
         cause: cause.into(),
-        confidence: causes.probabilities[0].1,
+        confidence: verdict.probabilities[0].1,
         also: second_causes.iter().map(|a| (*a).to_owned()).collect(),
-        also_possible: others.map(|(cause, p)| Candidate { cause: (*cause).into(), confidence: *p }).collect(),
+        also_possible: others.map(candidate).collect(),
+        effects: effects.iter().filter(|(_, p)| *p > MIN_REPORTED_PROBABILITY).map(candidate).collect(),
+        bayes: candidate(&bayes),
         explanation: text,
         summary: Summary::default(),
     }

@@ -4,7 +4,6 @@ use super::conclusion::{ConclusionContext, conclude};
 use super::discriminating_test::DiscriminatingTest;
 use super::result_file::Outcome;
 use crate::candidate::proposal::Proposal;
-use crate::evidence::probabilities::leaves_structure;
 use crate::evidence::ranking::{bootstrap_ranking, rank};
 use crate::fit::baseline::{fit_baseline, is_poor, refit_baseline};
 use crate::fit::checkpoint::CheckpointEntry;
@@ -20,7 +19,9 @@ use crate::fit::two_effect_search::two_effect_search;
 use crate::hypothesis::{self, context::ProposalContext};
 use crate::inspect::conditions::lacks_clock;
 use crate::inspect::probe::{inspect_model, record_responses};
+use crate::prior::MIN_STRUCTURE_FOR_PAIRS;
 use crate::residual::drift::drift_may_be_noise;
+use crate::residual::unmodelled_structure::unmodelled_structure;
 use hysteron_identify::calibrate::Displacements;
 use hysteron_identify::study::{InitialRun, ScoredRun, ScriptSimulator, Study};
 
@@ -139,7 +140,8 @@ pub fn diagnose(
     scheduler.hold_out("what it predicts", &mut ranked)?;
     rank(&mut ranked)?;
     // A complete model lacks no two effects. Where no single effect gains anything, two together may.
-    if ranked[0].cause() != "none" || leaves_structure(&study, &responses, &ranked[0]) {
+    let left = || unmodelled_structure(&study, &responses, &ranked[0].fitted.fits, true).share;
+    if ranked[0].cause() != "none" || left() > MIN_STRUCTURE_FOR_PAIRS {
         let mut pairs = two_effect_search(&mut scheduler, &baseline, &ranked, &singles, &point)?;
         pairs.retain(|e| drift_is_significant(&study, e));
         if !pairs.is_empty() {

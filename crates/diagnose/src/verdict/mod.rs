@@ -4,6 +4,7 @@
 //! - [`conclusion`]: from ranked hypotheses to the verdict and the repair
 //! - [`explanation`]: the verdict in words
 //! - [`summary`]: the verdict for readers without statistics, from place, sizes and advice
+//! - `plausibility`: balances and published ranges
 //! - [`mismatch`]: windows of time in which the model differs
 //! - [`discriminating_test`]: the test that best separates the verdict from its strongest competitor
 //! - `result_file`: `diagnosis.json`
@@ -16,6 +17,7 @@ pub(crate) mod discriminating_test;
 pub(crate) mod explanation;
 pub(crate) mod mismatch;
 pub(crate) mod place;
+mod plausibility;
 pub(crate) mod quantity;
 pub(crate) mod report;
 pub(crate) mod result_file;

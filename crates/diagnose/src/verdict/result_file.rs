@@ -4,6 +4,7 @@ use super::summary::Summary;
 use crate::candidate::channel_fault::ChannelFault;
 use crate::evidence::parametric_bootstrap::BootstrapResult;
 use crate::evidence::verdict_evidence::VerdictEvidence;
+use crate::prior::PriorNumber;
 use hysteron_identify::preflight::Preflight;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -28,6 +29,10 @@ pub struct Outcome {
     pub bootstrap: Option<BootstrapResult>,
     /// Numbers that the verdict weighs.
     pub evidence: VerdictEvidence,
+    /// Numbers that the verdict depends on, besides the fitted weights.
+    pub prior: BTreeMap<&'static str, PriorNumber>,
+    /// Fitted weights of the evidence, by feature.
+    pub weights: BTreeMap<&'static str, f64>,
     /// Recommended next test, in words.
     pub next_test: String,
     /// Checks of the channels before the fit.
@@ -83,6 +88,10 @@ pub struct Verdict {
     pub also: Vec<String>,
     /// Other possible causes, the most probable first.
     pub also_possible: Vec<Candidate>,
+    /// Probability that each effect is present, alone or beside another, the most probable first.
+    pub effects: Vec<Candidate>,
+    /// The most probable cause by Bayes' rule from the log evidences alone. That rule takes one of the hypotheses for true.
+    pub bayes: Candidate,
     /// The verdict in words, for readers who know the statistics.
     pub explanation: String,
     /// The verdict in words, part by part.

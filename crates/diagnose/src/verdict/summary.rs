@@ -2,6 +2,7 @@
 
 use super::advice::{measurement, shorter_step};
 use super::place::{Place, places};
+use super::plausibility::{contradictions, parameters_that_leave_bounds};
 use super::quantity::{EffectSize, Units, digits, duration, effect_size};
 use super::result_file::{Baseline, Candidate, Mismatch, RepairedModel};
 use crate::candidate::channel_fault::ChannelFault;
@@ -9,6 +10,7 @@ use crate::candidate::variant::Variant;
 use crate::fit::step_error::StepError;
 use crate::hypothesis;
 use crate::inspect::inventory::ModelInventory;
+use crate::inspect::response::ResponseRange;
 use hysteron_identify::calibrate::Uncertainty;
 use hysteron_identify::study::Study;
 use serde::Serialize;
@@ -30,6 +32,8 @@ pub struct Summary {
     pub what_else: String,
     /// Errors before and after the repair.
     pub gain: String,
+    /// Balances and published ranges that contradict the repair, and parameters of the user that leave their bounds by it.
+    pub checks: Vec<String>,
     /// Next steps, the most useful first.
     pub what_next: Vec<String>,
     /// Places of the effects.
@@ -60,6 +64,8 @@ pub(super) struct SummaryContext<'a> {
     pub(super) step_error: &'a StepError,
     /// Number of steps that the script makes in the first run, if it was counted.
     pub(super) script_steps: Option<usize>,
+    /// Range of the device that does the most work, over all fitted runs; none without devices.
+    pub(super) largest_work: Option<ResponseRange>,
     /// Recommended test or recording, in words; empty for none.
     pub(super) test: &'a str,
 }
@@ -157,6 +163,7 @@ fn of_cause(c: &SummaryContext<'_>) -> Summary {
         how_sure: format!("{}: {}", percent(c.verdict.1), meaning(c.verdict.1)),
         what_else: others(c),
         gain: gain(c),
+        checks: contradictions(c).into_iter().chain(parameters_that_leave_bounds(c)).collect(),
         what_next: next,
         places: places.into_iter().map(|(_, place)| place).collect(),
         sizes,
@@ -384,9 +391,11 @@ impl Summary {
         } else {
             format!("{}.", capitalised(&self.how_big))
         };
+        let checks: Vec<String> = self.checks.iter().map(|s| format!("{}.", capitalised(s))).collect();
         let all = [
             ("Where", self.location.clone()),
             ("How big", big),
+            ("Check", checks.join(" ")),
             ("How sure", self.how_sure.clone()),
             ("Or else", self.what_else.clone()),
             (if self.what_next.is_empty() { "Error" } else { "Gain" }, self.gain.clone()),

@@ -1,0 +1,179 @@
+//! Checks of a repair by balances and by published ranges.
+//!
+//! A fit may use an effect for something else that falls or grows in the same way. Heat, mass and geometry then contradict
+//! it, or its sizes are none that such devices have.
+
+use super::quantity::digits;
+use super::summary::SummaryContext;
+use crate::candidate::proposal::AddedParameter;
+use crate::fit::search_settings::BOUND_DISTANCE;
+use crate::inspect::response::ResponseRange;
+
+/// Range in which published values of a parameter lie.
+struct PublishedRange {
+    cause: &'static str,
+    /// Name of the parameter without its prefix.
+    parameter: &'static str,
+    /// The quantity, in words.
+    quantity: &'static str,
+    lower: f64,
+    upper: f64,
+    /// The range in words, with its source.
+    words: &'static str,
+}
+
+/// Published ranges of parameters whose unit is known.
+const PUBLISHED: &[PublishedRange] = &[
+    PublishedRange {
+        cause: "self_heating",
+        parameter: "cooling",
+        quantity: "the cooling time, s",
+        lower: 10.0,
+        upper: f64::INFINITY,
+        words: "lead cores keep their heat for tens of seconds, rubber for hours (Kalpakidis and Constantinou 2009, J. Struct. Eng. 135, \
+                1440-1449)",
+    },
+    PublishedRange {
+        cause: "ambient_temperature",
+        parameter: "b",
+        quantity: "the softening per degree",
+        lower: 0.0,
+        upper: 0.03,
+        words: "bearings lose 0.2 to 3 % a degree (Constantinou et al. 2007, MCEER-07-0012)",
+    },
+    PublishedRange {
+        cause: "mullins_softening",
+        parameter: "virgin",
+        quantity: "the excess of the virgin stiffness",
+        lower: 0.0,
+        upper: 1.5,
+        words: "unscragged bearings are at most 2.5 times as stiff as scragged ones (Thompson et al. 2000, 12th World Conf. Earthq. Eng.)",
+    },
+];
+
+/// Steepest published softening of rubber, 1/degree (source as for `ambient_temperature`, rounded up).
+const STEEPEST_SOFTENING: f64 = 0.015;
+/// Softening of the amendment, to which its heat capacity refers, 1/degree.
+const ASSUMED_SOFTENING: f64 = 0.01;
+/// Largest ratio of shear modulus and heat capacity of rubber, degrees: 1.5 MPa over 1.9 MJ/(m³ degree).
+const MODULUS_OVER_HEAT_CAPACITY: f64 = 0.8;
+/// Largest shear strain of a bearing.
+const LARGEST_SHEAR_STRAIN: f64 = 3.0;
+
+/// Contradictions of a repair, each a sentence; none if nothing speaks against it.
+pub(super) fn contradictions(c: &SummaryContext<'_>) -> Vec<String> {
+    let mut out: Vec<String> =
+        added(c).into_iter().filter_map(|(cause, name, x)| outside_published(cause, name, x)).collect();
+    out.extend(heat_balance(c));
+    out.extend(eccentricity(c));
+    out.extend(footing_mass(c));
+    out
+}
+
+/// Parameters of the user that leave their bounds by the repair, each a sentence.
+///
+/// A parameter at a bound makes up for what the model lacks.
+pub(super) fn parameters_that_leave_bounds(c: &SummaryContext<'_>) -> Vec<String> {
+    let space = &c.study.space;
+    let moved = space.free().filter_map(|(i, range)| {
+        let name = &space.parameters[i].name;
+        let at_bound = |x: f64| {
+            let coordinate = range.unit_coordinate(x);
+            !(BOUND_DISTANCE..=1.0 - BOUND_DISTANCE).contains(&coordinate)
+        };
+        let (before, after) = (*c.baseline.parameters.get(name)?, *c.corrected.parameters.get(name)?);
+        (at_bound(before) && !at_bound(after)).then(|| {
+            let [before, after] = [before, after].map(|x| digits(x, 3));
+            format!("your parameter {name} was at its bound {before} without the repair, and is {after} with it")
+        })
+    });
+    moved.collect()
+}
+
+/// Added parameters with their cause, plain name and value.
+fn added<'a>(c: &'a SummaryContext<'_>) -> Vec<(&'static str, &'a str, f64)> {
+    let Some(p) = &c.variant.proposal else { return vec![] };
+    let values = c.variant.split(c.values).1;
+    let named = |(a, x): (&'a AddedParameter, &f64)| {
+        let (prefix, name) = a.name.split_once('_')?;
+        let cause = if prefix == "hy2" { p.second_cause.unwrap_or(p.cause) } else { p.cause };
+        Some((cause, name, *x))
+    };
+    p.parameters.iter().zip(values).filter_map(named).collect()
+}
+
+fn value_of(c: &SummaryContext<'_>, cause: &str, name: &str) -> Option<f64> {
+    added(c).into_iter().find(|(of, n, _)| (*of, *n) == (cause, name)).map(|(.., x)| x)
+}
+
+fn outside_published(cause: &str, name: &str, x: f64) -> Option<String> {
+    let p = PUBLISHED.iter().find(|p| (p.cause, p.parameter) == (cause, name))?;
+    let outside = x < p.lower || x > p.upper;
+    outside.then(|| format!("{}, {}, is none that such devices have: {}", p.quantity, digits(x, 2), p.words))
+}
+
+/// Largest rise of temperature that the work of a device can cause in rubber, degrees.
+///
+/// The volume of rubber that shears by d at a force F is at least F d / (G γ²) for the largest modulus G and strain γ. The work
+/// W heats it by at most W G γ² / (F d ρc). Steel and conduction take further heat.
+fn largest_rise(r: &ResponseRange) -> f64 {
+    MODULUS_OVER_HEAT_CAPACITY * LARGEST_SHEAR_STRAIN.powi(2) * r.work / (r.force * r.deformation)
+}
+
+/// The rise of temperature that a softening of the whole force needs, against the largest possible one.
+fn heat_balance(c: &SummaryContext<'_>) -> Option<String> {
+    // Forms with conduction stand for lead cores and sliding faces, which become much hotter.
+    let (capacity, _) = value_of(c, "self_heating", "capacity").zip(value_of(c, "self_heating", "cooling"))?;
+    let range = c.largest_work?;
+    let needed = ASSUMED_SOFTENING / STEEPEST_SOFTENING * range.work / capacity;
+    let possible = largest_rise(&range);
+    (needed > possible).then(|| {
+        format!(
+            "the heating needs a rise of at least {needed:.0} degrees, and the work that is done can warm rubber by {possible:.0} degrees at most: \
+             something else falls with the work"
+        )
+    })
+}
+
+/// An eccentricity beyond the half of the model's extent.
+fn eccentricity(c: &SummaryContext<'_>) -> Option<String> {
+    let half = 0.5 * c.inventory.extent;
+    let far = ["ex", "ey"].into_iter().find(|n| value_of(c, "torsion", n).is_some_and(|e| e.abs() > half))?;
+    Some(format!("the eccentricity {far} puts the mass outside the model"))
+}
+
+/// A footing that is heavier than everything above it.
+fn footing_mass(c: &SummaryContext<'_>) -> Option<String> {
+    let footing = value_of(c, "foundation_flexibility", "footing")?;
+    let above: f64 = c.inventory.masses.iter().filter_map(|m| m.mass.first()).sum();
+    (footing > above).then(|| "the footing has more mass than everything above it".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{largest_rise, outside_published};
+    use crate::inspect::response::ResponseRange;
+
+    #[test]
+    fn a_cooling_time_of_seconds_is_called_out() {
+        assert!(
+            outside_published("self_heating", "cooling", 5.0)
+                .is_some_and(|t| t.contains("cooling time, s, 5, is none"))
+        );
+        assert!(outside_published("self_heating", "cooling", 600.0).is_none());
+        assert!(outside_published("gap_impact", "gap", 5.0).is_none());
+    }
+
+    /// A full cycle at an equivalent damping ratio of 20 % does the work 2π 0.2 F d, and warms rubber at three times its
+    /// thickness by less than ten degrees.
+    #[test]
+    fn a_cycle_warms_rubber_by_some_degrees() {
+        let cycle = ResponseRange {
+            force: 100.0,
+            deformation: 0.2,
+            work: 0.4 * std::f64::consts::PI * 20.0,
+            ..ResponseRange::default()
+        };
+        assert!((8.0..10.0).contains(&largest_rise(&cycle)), "{}", largest_rise(&cycle));
+    }
+}
