@@ -35,6 +35,9 @@ pub struct VerdictEvidence {
     pub fitted_runs: usize,
     /// Number of fitted channels, over all runs.
     pub channels: usize,
+    /// Causes left out because runs held out had refuted their repair.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub left_out: Vec<String>,
     /// Repairs that the runs held out have judged.
     pub judged: Vec<RepairEvidence>,
 }
@@ -100,6 +103,8 @@ pub(crate) struct RankedStudy<'a> {
     pub(crate) baseline: &'a FittedHypothesis,
     pub(crate) ranked: &'a [FittedHypothesis],
     pub(crate) bootstrap: Option<&'a BootstrapResult>,
+    /// Causes left out because runs held out had refuted their repair.
+    pub(crate) left_out: &'a [&'static str],
 }
 
 impl VerdictEvidence {
@@ -126,6 +131,7 @@ impl VerdictEvidence {
             user_parameters_at_bound: at_bound(&baseline.fitted.point),
             fitted_runs: fits.len(),
             channels: fits.iter().map(|f| f.channels.len()).sum(),
+            left_out: of.left_out.iter().map(|c| (*c).to_owned()).collect(),
             judged: vec![],
         };
         (evidence, after)

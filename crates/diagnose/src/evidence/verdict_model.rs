@@ -100,10 +100,10 @@ fn flag(condition: bool) -> f64 {
     f64::from(u8::from(condition))
 }
 
-/// -½ ln(1 - s) of the largest structured share s.
+/// -2 ln(1 - s) of the largest structured share s.
 fn structure(shares: &BTreeMap<String, f64>) -> f64 {
     let largest = shares.values().fold(0.0f64, |m, s| m.max(*s));
-    -0.5 * (1.0 - largest.min(MAX_STRUCTURE)).ln()
+    -2.0 * (1.0 - largest.min(MAX_STRUCTURE)).ln()
 }
 
 /// Evidence of a case, with what all its candidates refer to.

@@ -117,3 +117,6 @@ pub(crate) const MIN_EXPECTED_PAIR_GAIN: f64 = -1.0;
 pub(crate) const LAST_SEARCH_STARTS: usize = 3;
 /// Side of the cube around the fitted point in which they lie, coordinates.
 pub(crate) const LAST_SEARCH_SIDE: f64 = 0.1;
+
+/// Searches without a cause whose repair the runs held out have refuted, at most.
+pub(crate) const MAX_RESTARTS: usize = 2;

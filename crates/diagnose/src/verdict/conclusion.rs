@@ -49,11 +49,21 @@ pub(super) struct ConclusionContext<'a> {
     pub(super) causes_without_clock: Vec<&'static str>,
     /// True if the baseline is poor and the runs are too long for a global search.
     pub(super) global_search_too_long: bool,
-    pub(super) bootstrap: Option<BootstrapResult>,
     pub(super) inventory: &'a ModelInventory,
     /// Numbers of forms and causes that were tried.
     pub(super) tried: (usize, usize),
     pub(super) threads: usize,
+}
+
+/// Hypotheses to conclude from.
+pub(super) struct Ranking<'a> {
+    /// The user's model, fitted with the steps of the script.
+    pub(super) baseline: &'a FittedHypothesis,
+    /// Best first, with steps as short as necessary.
+    pub(super) ranked: &'a [FittedHypothesis],
+    pub(super) bootstrap: Option<BootstrapResult>,
+    /// Causes left out because runs held out had refuted their repair.
+    pub(super) left_out: &'a [&'static str],
 }
 
 /// A repaired model.
@@ -83,26 +93,27 @@ struct JudgedVerdict {
     repair: Repair,
     /// Cause of the nearest repair if none is written, because it has no name and worsens the runs held out.
     refused: Option<&'static str>,
+    /// Cause to leave out of a further search: a faulty channel if the refused repair has one, because it bends to anything.
+    refuted: Option<&'static str>,
     /// Causes, `none` and `unknown`, the most probable first.
     probabilities: CauseProbabilities,
 }
 
-/// Diagnosis from ranked hypotheses, best first.
-///
-/// `baseline` is fitted with the steps of the script, `ranked` with steps as short as necessary.
+/// Diagnosis from ranked hypotheses.
 pub(super) fn conclude(
     scheduler: &mut Scheduler<'_>,
     c: &ConclusionContext<'_>,
-    baseline: &FittedHypothesis,
-    ranked: &[FittedHypothesis],
+    ranking: &Ranking<'_>,
 ) -> Result<Diagnosis, String> {
+    let Ranking { baseline, ranked, bootstrap, left_out } = ranking;
     let study = c.study;
     let (mut evidence, structure) = VerdictEvidence::of(&RankedStudy {
         study,
         responses: c.responses,
         baseline,
         ranked,
-        bootstrap: c.bootstrap.as_ref(),
+        bootstrap: bootstrap.as_ref(),
+        left_out,
     });
     let baseline_fits = fits_of_all_runs(c, &baseline.variant, &baseline.fitted.values);
     // The repaired model keeps the steps of the script.
@@ -150,7 +161,7 @@ pub(super) fn conclude(
         holdout_nmse: holdout_nmse(study, &repair.fits),
         channels: repair.hypothesis.variant.channel_faults(&repair.fitted.values),
     };
-    let mut in_words = verdict_in_words(c, baseline, ranked, &structure.description, &evidence, &verdict);
+    let mut in_words = verdict_in_words(c, ranking, &structure.description, &evidence, &verdict);
     let uncertainty = if named_repair.is_some() { uncertainty_of(c, repair) } else { None };
     scheduler.check_cancelled()?;
     in_words.summary = summary(&SummaryContext {
@@ -179,7 +190,7 @@ pub(super) fn conclude(
         verdict: in_words,
         corrected,
         unexplained_share: remaining_share(baseline, repair).min(1.0),
-        bootstrap: c.bootstrap.clone(),
+        bootstrap: bootstrap.clone(),
         evidence,
         prior: prior::numbers(),
         weights: verdict_model::weights(),
@@ -201,6 +212,7 @@ pub(super) fn conclude(
         evaluations: scheduler.evaluations(),
         structured_share: structure.share,
         structure: structure.description,
+        refuted: verdict.refuted,
     })
 }
 
@@ -249,10 +261,13 @@ impl VerdictJudge<'_, '_> {
         let (repaired_cause, repair) = repairs.swap_remove(index);
         if cause == "unknown" && repair.judgement.refutes() {
             let nearest = if repaired_cause == "unknown" { self.ranked[0].cause() } else { repaired_cause };
+            let second = repair.hypothesis.second_cause().filter(|c| c.starts_with("sensor_"));
+            let refuted = second.unwrap_or(repair.hypothesis.cause());
+            let refuted = Some(refuted).filter(|c| *c != "none");
             let repair = self.repair(self.baseline.clone())?;
-            return Ok(JudgedVerdict { cause, repair, refused: Some(nearest), probabilities });
+            return Ok(JudgedVerdict { cause, repair, refused: Some(nearest), refuted, probabilities });
         }
-        Ok(JudgedVerdict { cause, repair, refused: None, probabilities })
+        Ok(JudgedVerdict { cause, repair, refused: None, refuted: None, probabilities })
     }
 
     /// Repair by the best form of a cause, or by its second form if the runs held out refute the first alone.
@@ -318,19 +333,19 @@ fn remaining_share(baseline: &FittedHypothesis, repair: &Repair) -> f64 {
 /// Verdict with its explanation and the other possible causes.
 fn verdict_in_words(
     c: &ConclusionContext<'_>,
-    baseline: &FittedHypothesis,
-    ranked: &[FittedHypothesis],
+    ranking: &Ranking<'_>,
     structure: &str,
     evidence: &VerdictEvidence,
     verdict: &JudgedVerdict,
 ) -> Verdict {
     let (cause, repair) = (verdict.cause, &verdict.repair);
+    let Ranking { baseline, ranked, bootstrap, left_out } = ranking;
     let hypothesis = &repair.hypothesis;
     let second_causes: Vec<&str> = hypothesis.second_cause().into_iter().filter(|_| cause != "unknown").collect();
     let share = remaining_share(baseline, repair);
     let mut text = explanation(cause, hypothesis, &second_causes, structure, share);
     text += &c.step_error.description();
-    if let Some(b) = c.bootstrap.as_ref().filter(|b| b.cause == cause) {
+    if let Some(b) = bootstrap.as_ref().filter(|b| b.cause == cause) {
         text += &b.description();
     }
     let other_form =
@@ -349,6 +364,12 @@ fn verdict_in_words(
                  fewer samples, may tell more.";
     }
     text += &repair.judgement.description();
+    if !left_out.is_empty() {
+        text += &format!(
+            " The runs held out refuted {} before, so that the search began again without.",
+            left_out.join(" and ")
+        );
+    }
     if let Some(nearest) = verdict.refused {
         text += &format!(" No repair is written: the nearest, {nearest}, makes the runs held out no better.");
     }

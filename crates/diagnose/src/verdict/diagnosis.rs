@@ -1,6 +1,6 @@
 //! The way from a study to its diagnosis.
 
-use super::conclusion::{ConclusionContext, conclude};
+use super::conclusion::{ConclusionContext, Ranking, conclude};
 use super::discriminating_test::DiscriminatingTest;
 use super::result_file::Outcome;
 use crate::candidate::proposal::Proposal;
@@ -13,7 +13,7 @@ use crate::fit::global_search::is_affordable;
 use crate::fit::refit_competitors::refit_competitors;
 use crate::fit::scheduler::{ProgressMonitor, Scheduler};
 use crate::fit::screening::{FirstRound, best_forms, of_first_causes};
-use crate::fit::search_settings::{FINALIST_CAUSES, SECOND_ROUND_ITERATIONS};
+use crate::fit::search_settings::{FINALIST_CAUSES, MAX_RESTARTS, SECOND_ROUND_ITERATIONS};
 use crate::fit::step_error::step_error;
 use crate::fit::two_effect_search::two_effect_search;
 use crate::hypothesis::{self, context::ProposalContext};
@@ -62,6 +62,8 @@ pub struct Diagnosis {
     pub structured_share: f64,
     /// Kind of that structure, in words.
     pub structure: String,
+    /// Cause of the best repair if the runs held out refute it and nothing else is named.
+    pub(super) refuted: Option<&'static str>,
 }
 
 /// A ranked hypothesis.
@@ -126,30 +128,11 @@ pub fn diagnose(
     let first_round = FirstRound { baseline: &baseline, initial_run, point: &point, proposals: &proposals, global };
     let mut singles = first_round.fit(&mut scheduler)?;
     refit_competitors(&mut scheduler, &baseline, &mut singles)?;
-    let finalists = best_forms(&singles);
     let best = singles.first().filter(|e| e.score() < baseline.score());
     let step_error = step_error(&mut scheduler, &baseline, best)?;
     scheduler.set_step_parts(step_error.parts);
     let baseline_of_script = baseline.clone();
     let baseline = if step_error.parts > 1 { refit_baseline(&mut scheduler, &baseline)? } else { baseline };
-
-    let second_round = of_first_causes(&finalists, FINALIST_CAUSES);
-    let mut ranked = scheduler.refine("the likeliest of them", second_round, SECOND_ROUND_ITERATIONS)?;
-    ranked.push(baseline.clone());
-    ranked.retain(|e| drift_is_significant(&study, e));
-    scheduler.hold_out("what it predicts", &mut ranked)?;
-    rank(&mut ranked)?;
-    // A complete model lacks no two effects. Where no single effect gains anything, two together may.
-    let left = || unmodelled_structure(&study, &responses, &ranked[0].fitted.fits, true).share;
-    if ranked[0].cause() != "none" || left() > MIN_STRUCTURE_FOR_PAIRS {
-        let mut pairs = two_effect_search(&mut scheduler, &baseline, &ranked, &singles, &point)?;
-        pairs.retain(|e| drift_is_significant(&study, e));
-        if !pairs.is_empty() {
-            ranked.extend(pairs);
-            rank(&mut ranked)?;
-        }
-    }
-    let bootstrap = bootstrap_ranking(&mut scheduler, &ranked, &finalists)?;
     let context = ConclusionContext {
         study: &study,
         simulator,
@@ -161,10 +144,71 @@ pub fn diagnose(
         step_error,
         causes_without_clock: without_clock.iter().map(|h| h.cause).collect(),
         global_search_too_long: poor && !global,
-        bootstrap,
         inventory: &inventory,
         tried: (proposals.len(), causes_tried),
         threads: settings.threads,
     };
-    conclude(&mut scheduler, &context, &baseline_of_script, &ranked)
+    let search = SecondSearch { context: &context, baseline: &baseline, baseline_of_script: &baseline_of_script };
+    search.until_not_refuted(&mut scheduler, singles)
+}
+
+/// From fitted single effects to the verdict.
+struct SecondSearch<'a> {
+    context: &'a ConclusionContext<'a>,
+    baseline: &'a FittedHypothesis,
+    /// The baseline with the steps of the script.
+    baseline_of_script: &'a FittedHypothesis,
+}
+
+impl SecondSearch<'_> {
+    /// Concludes from all single effects. If the runs held out refute the best repair and nothing else is named, the search
+    /// starts again without its cause, as a flexible wrong cause may hide a right one. What is named then must not be refuted.
+    fn until_not_refuted(
+        &self,
+        scheduler: &mut Scheduler<'_>,
+        mut singles: Vec<FittedHypothesis>,
+    ) -> Result<Diagnosis, String> {
+        let mut left_out: Vec<&'static str> = vec![];
+        let mut first: Option<Diagnosis> = None;
+        loop {
+            let d = self.conclusion(scheduler, &singles, &left_out)?;
+            let Some(refuted) = d.refuted.filter(|_| left_out.len() < MAX_RESTARTS) else {
+                let named = !matches!(d.outcome.verdict.cause.as_str(), "none" | "unknown");
+                return Ok(first.filter(|_| !named).unwrap_or(d));
+            };
+            first.get_or_insert(d);
+            left_out.push(refuted);
+            singles.retain(|e| e.cause() != refuted);
+        }
+    }
+
+    /// Refines, ranks, pairs and judges single effects, the best first.
+    fn conclusion(
+        &self,
+        scheduler: &mut Scheduler<'_>,
+        singles: &[FittedHypothesis],
+        left_out: &[&'static str],
+    ) -> Result<Diagnosis, String> {
+        let (c, baseline) = (self.context, self.baseline);
+        scheduler.set_step_parts(c.step_error.parts);
+        let finalists = best_forms(singles);
+        let second_round = of_first_causes(&finalists, FINALIST_CAUSES);
+        let mut ranked = scheduler.refine("the likeliest of them", second_round, SECOND_ROUND_ITERATIONS)?;
+        ranked.push(baseline.clone());
+        ranked.retain(|e| drift_is_significant(c.study, e));
+        scheduler.hold_out("what it predicts", &mut ranked)?;
+        rank(&mut ranked)?;
+        // A complete model lacks no two effects. Where no single effect gains anything, two together may.
+        let left = || unmodelled_structure(c.study, c.responses, &ranked[0].fitted.fits, true).share;
+        if ranked[0].cause() != "none" || left() > MIN_STRUCTURE_FOR_PAIRS {
+            let mut pairs = two_effect_search(scheduler, baseline, &ranked, singles, c.point)?;
+            pairs.retain(|e| drift_is_significant(c.study, e));
+            if !pairs.is_empty() {
+                ranked.extend(pairs);
+                rank(&mut ranked)?;
+            }
+        }
+        let bootstrap = bootstrap_ranking(scheduler, &ranked, &finalists)?;
+        conclude(scheduler, c, &Ranking { baseline: self.baseline_of_script, ranked: &ranked, bootstrap, left_out })
+    }
 }

@@ -75,7 +75,7 @@ impl<'a> ChannelFaults<'a> {
     pub(super) fn findings(&self) -> Vec<Finding> {
         let finding = |(k, o): (usize, &ObservedChannel)| {
             let without = self.least(k, |m| m.nmse(1.0));
-            let explained = self.explanation(k, without).map(|e| self.finding(o, &e));
+            let explained = self.explanation(k, without).map(|e| self.finding(k, o, &e));
             explained.or_else(|| (without > 1.0).then(|| self.unexplained(o, without)))
         };
         self.run.observe.iter().enumerate().filter_map(finding).collect()
@@ -101,17 +101,29 @@ impl<'a> ChannelFaults<'a> {
             all.into_iter().filter(explains).partition(|e| matches!(e.fault, Fault::Gain));
         let least = named.iter().map(|e| e.nmse).fold(f64::INFINITY, f64::min);
         let simplest = named.into_iter().find(|e| PREFERENCE * e.nmse <= least).or(gains.first().copied())?;
-        let is_hard = self.is_hard(&simplest);
+        let is_hard = self.is_hard(k, &simplest);
         (is_hard || simplest.nmse <= MAX_SOFT_ERROR_RATIO * without).then_some(simplest)
     }
 
     /// Returns false for the delays and gains of sensors, which a diagnosis finds by itself.
-    fn is_hard(&self, e: &Explanation) -> bool {
+    ///
+    /// A viscous force is early by up to a quarter of a cycle, so that such a lead may be physics.
+    fn is_hard(&self, k: usize, e: &Explanation) -> bool {
         match e.fault {
+            Fault::Lag(seconds) if seconds < 0.0 && -seconds <= 0.25 * self.mean_period(k) => false,
             Fault::Lag(seconds) => seconds.abs() >= MIN_HARD_LAG * self.interval(),
             Fault::Gain => e.factor.abs().ln().abs() >= MIN_HARD_GAIN.ln(),
             _ => true,
         }
+    }
+
+    /// Mean period of the recorded channel about its mean, s; infinite if it does not come back.
+    fn mean_period(&self, k: usize) -> f64 {
+        let values: Vec<f64> = self.run.observe[k].values.iter().copied().filter(|v| v.is_finite()).collect();
+        let mean = values.iter().sum::<f64>() / values.len() as f64;
+        let crossings = values.windows(2).filter(|w| (w[0] - mean) * (w[1] - mean) < 0.0).count();
+        let times = &self.run.recording.times;
+        2.0 * (times[times.len() - 1] - times[0]) / crossings as f64
     }
 
     /// Least value over all points.
@@ -197,11 +209,11 @@ impl<'a> ChannelFaults<'a> {
         }
     }
 
-    fn finding(&self, o: &ObservedChannel, e: &Explanation) -> Finding {
+    fn finding(&self, k: usize, o: &ObservedChannel, e: &Explanation) -> Finding {
         let observed = "in its [[run.observe]]";
         let mut finding = Finding {
             kind: FindingKind::Sign,
-            is_hard: self.is_hard(e),
+            is_hard: self.is_hard(k, e),
             channel: o.channel.clone(),
             runs: vec![self.run.name.clone()],
             factor: None,
