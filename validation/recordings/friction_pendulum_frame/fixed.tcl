@@ -3,9 +3,9 @@
 wipe
 model basic -ndm 1 -ndf 1
 
-pset k1   4000.0  ;# stiffness of the first storey over the mass of a level, 1/s2
-pset k2   3000.0  ;# of the second
-pset k3   2000.0  ;# of the third
+pset k1   400.0   ;# stiffness of the first storey over the mass of a level, 1/s2
+pset k2   400.0   ;# of the second
+pset k3   400.0   ;# of the third
 pset beta 0.002   ;# damping per stiffness, s
 
 for {set i 1} {$i <= 4} {incr i} {node $i 0.0}
