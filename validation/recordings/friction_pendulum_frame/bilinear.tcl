@@ -6,10 +6,10 @@ model basic -ndm 1 -ndf 1
 pset Fy 80.0   ;# yield force of the bearings over the mass of a level, in/s2
 pset k0 2000.0 ;# their initial stiffness, 1/s2
 pset b  0.03   ;# stiffness after yielding over the initial one
-set k1 K1
-set k2 K2
-set k3 K3
-set beta BETA
+set k1 499.0
+set k2 330.0
+set k3 262.0
+set beta 0.0075
 
 for {set i 1} {$i <= 5} {incr i} {node $i 0.0}
 fix 1 1

@@ -5,10 +5,10 @@ model basic -ndm 1 -ndf 1
 
 pset kb 60.0   ;# stiffness of the bearings over the mass of a level, 1/s2
 pset cb 4.0    ;# their damping over that mass, 1/s
-set k1 K1
-set k2 K2
-set k3 K3
-set beta BETA
+set k1 499.0
+set k2 330.0
+set k3 262.0
+set beta 0.0075
 
 for {set i 1} {$i <= 5} {incr i} {node $i 0.0}
 fix 1 1

@@ -301,3 +301,118 @@ fn known_cause(name: &str) -> &'static str {
         None => "unknown",
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{FEATURES, bayes_probabilities, candidates, cause_probabilities, effect_probabilities, pair_gain};
+    use crate::evidence::holdout::HeldOutErrors;
+    use crate::evidence::verdict_evidence::{HypothesisEvidence, RepairEvidence, VerdictEvidence};
+
+    fn hypothesis(cause: &str, also: Option<&str>, log_likelihood: f64) -> HypothesisEvidence {
+        HypothesisEvidence {
+            cause: cause.into(),
+            also: also.map(Into::into),
+            log_likelihood,
+            prior_log_odds: 0.0,
+            direct_log_odds: 0.0,
+            nmse: 1e-3,
+            parameters: 2,
+            parameters_at_bound: 0,
+            user_parameters_at_bound: 0,
+            equal_gain: None,
+            looks_like_first: false,
+            channel_fault: cause.starts_with("sensor_"),
+        }
+    }
+
+    /// Evidence of causes by their gain over a model that leaves ten per cent.
+    fn evidence(gains: &[(&str, Option<&str>, f64)]) -> VerdictEvidence {
+        let mut hypotheses: Vec<HypothesisEvidence> =
+            gains.iter().map(|(cause, also, gain)| hypothesis(cause, *also, 100.0 + gain)).collect();
+        hypotheses.push(HypothesisEvidence { nmse: 0.1, ..hypothesis("none", None, 100.0) });
+        VerdictEvidence {
+            hypotheses,
+            structure_before: [("motion".to_owned(), 0.6)].into(),
+            structure_after: [].into(),
+            explained_share: 1.0,
+            nmse_before: 0.1,
+            user_parameters_at_bound: 0,
+            fitted_runs: 1,
+            channels: 1,
+            left_out: vec![],
+            judged: vec![],
+        }
+    }
+
+    fn probability(of: &[(&'static str, f64)], cause: &str) -> f64 {
+        of.iter().find(|(c, _)| *c == cause).map_or(0.0, |(_, p)| *p)
+    }
+
+    #[test]
+    fn a_large_gain_names_a_cause() {
+        let p = cause_probabilities(&evidence(&[("friction", None, 60.0), ("damping", None, 10.0)]));
+        assert!(p[0].0 == "friction" && p[0].1 > 0.6, "{p:?}");
+        assert!((p.iter().map(|(_, p)| p).sum::<f64>() - 1.0).abs() < 1e-12);
+    }
+
+    /// Runs held out that get better raise the probability of a repair, and runs that do not lower it beside them.
+    #[test]
+    fn runs_held_out_weigh() {
+        let judged = |after: f64| {
+            let mut e = evidence(&[("friction", None, 20.0), ("damping", None, 15.0)]);
+            let errors = HeldOutErrors { before: Some(0.1), after: Some(after), noise: 1e-3 };
+            e.judged.push(RepairEvidence { cause: "friction".into(), also: None, errors: Some(errors) });
+            probability(&cause_probabilities(&e), "friction")
+        };
+        let before = probability(
+            &cause_probabilities(&evidence(&[("friction", None, 20.0), ("damping", None, 15.0)])),
+            "friction",
+        );
+        assert!(judged(1e-3) > before && before > judged(0.15), "{} {before} {}", judged(1e-3), judged(0.15));
+    }
+
+    /// Structure that a complete model leaves speaks for `unknown`, and none of it for `none`.
+    #[test]
+    fn structure_without_a_cause_is_unknown() {
+        let of = |share: f64| {
+            let mut e = evidence(&[("friction", None, -2.0)]);
+            e.hypotheses.rotate_right(1);
+            for structure in [&mut e.structure_before, &mut e.structure_after] {
+                *structure = [("bursts".to_owned(), share)].into();
+            }
+            cause_probabilities(&e)
+        };
+        assert_eq!(of(0.0)[0].0, "none");
+        assert!(probability(&of(0.9), "unknown") > probability(&of(0.0), "unknown"));
+        assert_eq!(of(0.9)[0].0, "unknown");
+    }
+
+    #[test]
+    fn effects_are_summed_over_pairs() {
+        let e =
+            evidence(&[("friction", Some("gap_impact"), 80.0), ("friction", None, 50.0), ("gap_impact", None, 5.0)]);
+        assert_eq!(pair_gain(&e, &e.hypotheses[0]), 30.0);
+        let causes = cause_probabilities(&e);
+        let effects = effect_probabilities(&e, &causes);
+        let (alone, present) = (probability(&causes, "gap_impact"), probability(&effects, "gap_impact"));
+        assert!(present > alone && present <= 1.0, "{causes:?} {effects:?}");
+    }
+
+    #[test]
+    fn bayes_rule_knows_no_unknown() {
+        let p = bayes_probabilities(&evidence(&[("friction", None, 3.0)]));
+        assert_eq!(p.iter().map(|(c, _)| *c).collect::<Vec<_>>(), ["friction", "none"]);
+        assert!((p[0].1 - 1.0 / (1.0 + (-3.0f64).exp())).abs() < 1e-12);
+    }
+
+    #[test]
+    fn every_feature_has_a_name_of_its_own() {
+        let mut names = FEATURES.to_vec();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), FEATURES.len());
+        let all = candidates(&evidence(&[("friction", None, 3.0)]));
+        assert_eq!(all.iter().map(|c| c.cause.as_str()).collect::<Vec<_>>(), ["friction", "none", "unknown"]);
+        assert!(all.iter().flat_map(|c| c.x).all(f64::is_finite));
+    }
+}
