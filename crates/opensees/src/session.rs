@@ -84,6 +84,8 @@ pub(crate) struct PlacedRecorder {
     pub(crate) span: Option<Span>,
     /// Places of the tags that the command names, by the words of a message: "node 3".
     pub(crate) tags: BTreeMap<String, Span>,
+    /// Path of its file.
+    pub(crate) path: Option<String>,
     pub(crate) reported: bool,
 }
 
@@ -102,10 +104,16 @@ pub(crate) struct Recorders {
 
 impl Recorders {
     /// Add a recorder; its tag.
-    pub(crate) fn add(&mut self, recorder: Recorder, span: Option<Span>, tags: BTreeMap<String, Span>) -> Tag {
+    pub(crate) fn add(&mut self, placed: PlacedRecorder) -> Tag {
         self.next += 1;
-        self.by_tag.insert(self.next, PlacedRecorder { recorder, span, tags, reported: false });
+        self.by_tag.insert(self.next, placed);
         self.next
+    }
+
+    /// Finish and forget the recorder of a file; `None` if there is none.
+    pub(crate) fn finish_file(&mut self, path: &str) -> Option<Result<(), RecordError>> {
+        let tag = *self.by_tag.iter().find(|(_, r)| r.path.as_deref() == Some(path))?.0;
+        self.by_tag.remove(&tag).map(|mut r| r.recorder.finish())
     }
 
     /// Look up what is to be recorded in the model as it is now, as the first row of a run would.

@@ -3,7 +3,7 @@
 use crate::args::Args;
 use crate::session::{Mode, Parts, Session};
 use crate::slips;
-use crate::{Command, Outcome, Tcl, finish, ignore_option, kind, warn};
+use crate::{Command, Outcome, Tcl, finish, kind, warn};
 use hysteron_engine::analysis::algorithm::{Algorithm, Newton, TangentChoice};
 use hysteron_engine::analysis::integrator::Form;
 use hysteron_engine::analysis::integrator::{Adaptive, Integrator, LoadControl, Newmark};
@@ -107,11 +107,10 @@ fn default_algorithm() -> Box<dyn Algorithm> {
 fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, ANALYZE);
     let Some(kind) = interp.host.kind() else {
-        return Err(a.refuse_at(
-            call.span(0),
-            "analyze: there is no analysis",
-            "expected a command \"analysis\" before",
-        ));
+        // OpenSees warns, and goes on.
+        let d = Diagnostic::warning("analyze: there is no analysis").help(format!("usage: {ANALYZE}"));
+        warn(interp, d.at(call.span(0), "expected a command \"analysis\" before: returns -1"))?;
+        return Ok(Value::from(-1i64));
     };
     let steps = a.int("number of steps")?;
     if steps < 0 {
@@ -323,7 +322,10 @@ fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             "generalized" | "frequency" => problem = Problem::Generalized,
             "standard" => problem = Problem::Standard,
             "findLargest" => largest = true,
-            _ => ignore_option(interp, &mut a, SOLVERS)?,
+            _ => {
+                let d = Diagnostic::warning(format!("eigen: \"{}\" is not an option and is ignored", a.last_word()));
+                warn(interp, d.at(a.last_span(), format!("expected one of {}", SOLVERS.join(" "))))?;
+            }
         }
     }
     let count = a.count("number of modes")?;

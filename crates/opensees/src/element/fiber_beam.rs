@@ -5,7 +5,7 @@ use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::section::beam_integration::{integration, simple};
 use crate::slips;
-use crate::{Tcl, ignore_option};
+use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::beam::{
     CurvatureBased, DisplacementBased, FiberBeam, ForceBased, Formulation, Hinge, MAX_DEFORMATIONS, Rule,
@@ -13,6 +13,7 @@ use hysteron_engine::element::beam::{
 use hysteron_engine::element::transform::{self, TransformSpec};
 use hysteron_engine::model::Integration;
 use hysteron_engine::section::{Elastic, ElasticSection, Resultant, SharedSection};
+use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Exception, Value};
 use std::sync::Arc;
 
@@ -142,7 +143,13 @@ fn take(
         (_, false) => {
             let (transform, _) = a.of(&interp.host.builder.definitions.transforms)?;
             let at = a.last_span();
-            (transform, at, Some(a.value("integration")?), None)
+            let mut words = vec![a.value("integration")?.clone()];
+            // Without quotes the numbers are words of their own.
+            while words[0].to_list().is_ok_and(|l| l.len() == 1) && a.at_number() {
+                words.push(a.value("number of the integration")?.clone());
+            }
+            let value = if words.len() == 1 { words.remove(0) } else { Value::list(words) };
+            (transform, at, Some(value), None)
         }
         _ => {
             let (transform, _) = a.of(&interp.host.builder.definitions.transforms)?;
@@ -171,7 +178,12 @@ fn take(
                 force_based.factor = a.float("factor of a subdivision")?.max(1.0);
             }
             "-integration" => {
-                let name = a.word("rule of integration")?;
+                let words = a.word("rule of integration")?;
+                let name = words.split_whitespace().next().unwrap_or_default().to_owned();
+                if name.len() < words.trim().len() {
+                    let d = Diagnostic::warning(format!("-integration takes the name {name} alone"));
+                    warn(interp, d.at(a.last_span(), "what follows the name is ignored"))?;
+                }
                 let Some(found) = simple(&name) else {
                     return Err(a.unknown_name("rule of integration", ["Lobatto", "Legendre", "Radau", "NewtonCotes"]));
                 };

@@ -2,8 +2,9 @@
 
 use crate::args::Args;
 use crate::model::nodes::node_of;
-use crate::{Command, Outcome, Tcl, finish};
+use crate::{Command, Outcome, Tcl, finish, warn};
 use hysteron_engine::model::{Fix, MultiPoint, NodeId};
+use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
@@ -111,8 +112,9 @@ fn rigid_diaphragm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let normal = a.dof("direction perpendicular to the diaphragm", 3)?;
     let retained = node_of(interp, &mut a, "tag of the retained node")?;
     if ndm != 3 || interp.host.engine.model().nodes[retained.0].ndf != 6 {
-        let message = "rigidDiaphragm needs a model with 3 dimensions and 6 degrees of freedom a node";
-        return Err(a.refuse_at(call.span(0), message, "not in this model"));
+        let message = "rigidDiaphragm is ignored: it needs a model with 3 dimensions and 6 degrees of freedom a node";
+        warn(interp, Diagnostic::warning(message).at(call.span(0), "nothing is joined in this model"))?;
+        return Ok(Value::EMPTY);
     }
     // The two directions in the plane, and the rotation about its normal.
     let (p, q) = [(1, 2), (2, 0), (0, 1)][normal];

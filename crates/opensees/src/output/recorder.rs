@@ -1,7 +1,7 @@
 //! `recorder` and `record`.
 
 use crate::args::Args;
-use crate::session::{FileFormat, Mode};
+use crate::session::{FileFormat, Mode, PlacedRecorder};
 use crate::{Command, Outcome, Tcl, ignore_option, kind, warn};
 use hysteron_engine::model::Tag;
 use hysteron_engine::number_format::Style;
@@ -143,23 +143,15 @@ impl Common {
                     let d = Diagnostic::error(format!("cannot write {path}: it is a folder"));
                     return Err(Exception::diagnosed(d.at(*span, "cannot write here")));
                 }
-                let folder = path.rsplit_once('/').map_or("/", |(f, _)| if f.is_empty() { "/" } else { f });
-                let no_folder = |interp: &Tcl| {
-                    let named = name.rsplit_once('/').map_or(folder, |(f, _)| f);
-                    let d = Diagnostic::error(format!("cannot write {name}: there is no folder {named}"));
-                    let help = format!("make it before, with \"file mkdir {named}\"");
-                    (!is_folder(interp, folder)).then(|| d.at(*span, "cannot write here").help(help))
-                };
-                if interp.host.mode == Mode::Check
-                    && let Some(d) = no_folder(interp)
-                {
-                    return Err(Exception::diagnosed(d));
+                make_missing_folder(interp, name, &path, *span)?;
+                if let Some(finished) = interp.host.output.recorders.finish_file(&path) {
+                    // OpenSees lets both write, and mixes their rows.
+                    finished.map_err(|e| Exception::diagnosed(Diagnostic::error(e.to_string()).at(*span, "")))?;
+                    let d = Diagnostic::warning(format!("another recorder writes {name}: its rows are lost"));
+                    warn(interp, d.at(*span, "expected a file of its own"))?;
                 }
                 let made = interp.host.output.outputs.create(name, path.as_ref(), format);
-                made.map_err(|e| {
-                    let other = || Diagnostic::error(e.to_string()).at(*span, "cannot write here");
-                    Exception::diagnosed(no_folder(interp).unwrap_or_else(other))
-                })?
+                made.map_err(|e| Exception::diagnosed(Diagnostic::error(e.to_string()).at(*span, "cannot write here")))?
             }
             None => {
                 let d = Diagnostic::warning("recorder: there is no file, so nothing is kept");
@@ -172,8 +164,39 @@ impl Common {
         } else {
             Recorder::history(source, output, self.cadence)
         };
-        Ok(Value::from(i64::from(interp.host.output.recorders.add(recorder, call.whole_span(), self.tags))))
+        let path = self.file.as_ref().map(|(name, _)| interp.absolute(name));
+        let placed = PlacedRecorder { recorder, span: call.whole_span(), tags: self.tags, path, reported: false };
+        Ok(Value::from(i64::from(interp.host.output.recorders.add(placed))))
     }
+}
+
+/// Make the folder of a recorder's file, with a warning. OpenSees goes on without the file.
+fn make_missing_folder(interp: &mut Tcl, name: &str, path: &str, span: Option<Span>) -> Result<(), Exception> {
+    let is_folder = |interp: &Tcl, p: &str| interp.files.info(p, true).is_ok_and(|i| i.kind == FileKind::Directory);
+    let folder = path.rsplit_once('/').map_or("/", |(f, _)| if f.is_empty() { "/" } else { f });
+    if is_folder(interp, folder) {
+        return Ok(());
+    }
+    let named = name.rsplit_once('/').map_or(folder, |(f, _)| f).to_owned();
+    let d = Diagnostic::warning(format!("there is no folder {named}; it is made"));
+    let help = format!("OpenSees would keep nothing: make it before, with \"file mkdir {named}\"");
+    warn(interp, d.at(span, "cannot write here otherwise").help(help))?;
+    if interp.host.mode == Mode::Check {
+        return Ok(());
+    }
+    let ends = folder.match_indices('/').map(|(i, _)| i).filter(|i| *i > 0).chain([folder.len()]);
+    for end in ends {
+        let part = &folder[..end];
+        if !is_folder(interp, part) {
+            interp.files.make_dir(part).map_err(|e| {
+                let d = Diagnostic::error(format!(
+                    "cannot write {name}: there is no folder {named}, and it cannot be made: {e}"
+                ));
+                Exception::diagnosed(d.at(span, "cannot write here"))
+            })?;
+        }
+    }
+    Ok(())
 }
 
 /// An output that keeps nothing.

@@ -1,9 +1,10 @@
 //! `fiber`, `patch` and `layer`: what the body of `section Fiber` is made of.
 
 use crate::args::Args;
-use crate::{Command, Outcome, Tcl, finish};
+use crate::{Command, Outcome, Tcl, finish, warn};
 use hysteron_engine::material::Material;
 use hysteron_engine::section::Fiber;
+use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] =
@@ -39,8 +40,14 @@ fn add(
 fn fiber(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, FIBER);
     let place = [a.float("y of the fiber")?, a.float("z of the fiber")?];
-    let area = a.positive("area of the fiber")?;
+    let area = a.not_negative("area of the fiber")?;
+    let at = a.last_span();
     let material = a.of(&interp.host.builder.definitions.materials)?;
+    if area == 0.0 {
+        // OpenSees integrates it with no effect.
+        warn(interp, Diagnostic::warning("the fiber has no area, and is left out").at(at, "expected more than 0"))?;
+        return Ok(Value::EMPTY);
+    }
     add(interp, &a, material, [(place, area)])?;
     Ok(Value::EMPTY)
 }
@@ -69,14 +76,28 @@ fn patch(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         }
         "circ" | "circular" => {
             let centre = point(&mut a, "centre")?;
-            let (inner, outer) = (a.not_negative("inner radius")?, a.positive("outer radius")?);
-            if inner >= outer {
+            let (mut inner, mut outer) = (a.not_negative("inner radius")?, a.not_negative("outer radius")?);
+            let radii_at = a.last_span();
+            if inner == outer {
                 return Err(a.refuse(format!("the outer radius {outer} is not greater than the inner one"), ""));
             }
-            let angles = match a.optional_float("first angle")? {
+            let mut angles = match a.optional_float("first angle")? {
                 Some(first) => [first, a.float("last angle")?],
                 None => [0.0, 360.0],
             };
+            if inner > outer && angles[0] > angles[1] {
+                // Both turned round give the same fibers in OpenSees.
+                let d = Diagnostic::warning("the radii and the angles of the patch are both turned round");
+                warn(interp, d.at(radii_at, "expected the inner radius before the outer one"))?;
+                std::mem::swap(&mut inner, &mut outer);
+                angles.reverse();
+            } else if inner > outer {
+                return Err(a.refuse_at(
+                    radii_at,
+                    format!("the outer radius {outer} is not greater than the inner one"),
+                    "",
+                ));
+            }
             ring(centre, [inner, outer], angles.map(f64::to_radians), n, m)
         }
         _ => {

@@ -5,10 +5,11 @@ pub(crate) mod fiber;
 
 use crate::args::Args;
 use crate::model::nodes::need_model;
-use crate::{Command, Outcome, Tcl, finish, ignore_option, kind};
+use crate::{Command, Outcome, Tcl, finish, ignore_option, kind, warn};
 use hysteron_engine::material::Elastic as ElasticMaterial;
 use hysteron_engine::model::Tag;
 use hysteron_engine::section::{Aggregator, Elastic, ElasticSection, FiberSection, Resultant, SharedSection};
+use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
@@ -93,8 +94,12 @@ fn fibers(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception
     while a.at_option() && a.left() > 1 {
         match a.option().as_deref().unwrap_or_default() {
             "-GJ" => {
-                let material: hysteron_engine::material::Material =
-                    Arc::new(ElasticMaterial::new(a.positive("torsional rigidity GJ")?));
+                let gj = a.not_negative("torsional rigidity GJ")?;
+                if gj == 0.0 {
+                    let d = Diagnostic::warning("the section has no torsional stiffness");
+                    warn(interp, d.at(a.last_span(), "expected more than 0"))?;
+                }
+                let material: hysteron_engine::material::Material = Arc::new(ElasticMaterial::new(gj));
                 torsion = Some((material, 0));
             }
             "-torsion" => torsion = Some(a.of(&interp.host.builder.definitions.materials)?),
