@@ -48,11 +48,9 @@ const REFUSED: &[(&str, usize, &[&str])] = &[
     ("integrator Newmrk 0.5 0.25", 12, &["did you mean \"Newmark\"?"]),
     ("test NormDispIncr 1e-6 0", 24, &["at least 1"]),
     ("analysis Statik", 10, &["did you mean \"Static\"?"]),
-    ("analyze 1", 1, &["there is no analysis"]),
     ("analysis Static; analyze -1", 26, &["the number of steps is -1"]),
     ("analysis Transient; analyze 1 0", 31, &["greater than 0"]),
     ("recorder Nod -file a.txt -node 1 -dof 1 disp", 10, &["did you mean \"Node\"?"]),
-    ("recorder Node -file no/such/a.txt -node 1 -dof 1 disp", 21, &["cannot write"]),
     ("pattern Plain x 1 {}", 0, &["\"x\""]),
     ("pattern UniformExcitation 2 1", 0, &["no acceleration"]),
     ("pattern UniformExcitation 2 9 -accel 1", 29, &["1 to 3"]),
@@ -121,6 +119,11 @@ const REFUSED: &[(&str, usize, &[&str])] = &[
     ("proc f {} { f }; f", 0, &["too many nested evaluations"]),
 ];
 
+const TWO_RECORDERS: &str =
+    "recorder Node -file a.txt -node 1 -dof 1 disp; recorder Node -file a.txt -node 1 -dof 2 disp";
+const RULE_WITH_NUMBERS: &str = "section Fiber 1 { fiber 0 0 1 1 }; geomTransf Linear 7; \
+     element forceBeamColumn 7 1 2 3 1 7 -integration \"Lobatto 1 5\"";
+
 #[test]
 fn refused() {
     let line = MODEL.lines().count() + 1;
@@ -153,6 +156,15 @@ fn warned() {
         ("timeSeries Rectangular 2 5 1", "greater than 5"),
         ("rayleigh -0.1 0 0 0", "by mass is negative"),
         ("integrator Newmark 0.25 0.5", "the wrong way round"),
+        ("analyze 1", "there is no analysis"),
+        ("recorder Node -file no/such/a.txt -node 1 -dof 1 disp", "there is no folder no/such; it is made"),
+        ("rigidDiaphragm 2 1 3", "rigidDiaphragm is ignored"),
+        ("fix 3 1 1 1; mass 2 1 1 0; eigen -wrong 1", "\"-wrong\" is not an option and is ignored"),
+        ("section Fiber 1 { fiber 0 0 0 1; fiber 0.1 0 1 1 }", "the fiber has no area"),
+        ("section Fiber 1 { patch circ 1 8 2 0 0 2 1 360 0 }", "both turned round"),
+        ("section Fiber 1 -GJ 0 { fiber 0 0 1 1 }", "no torsional stiffness"),
+        (TWO_RECORDERS, "another recorder writes a.txt"),
+        (RULE_WITH_NUMBERS, "takes the name Lobatto alone"),
     ] {
         let place = Place::new();
         place.write("m.tcl", format!("{MODEL}{mistake}\nputs end\n"));
