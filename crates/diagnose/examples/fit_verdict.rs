@@ -23,6 +23,27 @@ type Hessian = SMatrix<f64, FEATURE_COUNT, FEATURE_COUNT>;
 
 /// Ridges that cross-validation chooses from.
 const RIDGES: [f64; 6] = [0.1, 0.3, 1.0, 3.0, 10.0, 30.0];
+/// Features whose weight cannot be negative: more of them speaks for the candidate.
+const POSITIVE: [&str; 15] = [
+    "gain",
+    "ln_gap_of_look_alike",
+    "visible",
+    "auxiliary",
+    "equal_gain",
+    "predicted",
+    "none_first",
+    "ln_chance",
+    "unknown_remaining",
+    "unknown_structure",
+    "unknown_structure_unexplained",
+    "unknown_structure_without_cause",
+    "unknown_motion",
+    "unknown_recurrence",
+    "unknown_line",
+];
+/// Features whose weight cannot be positive.
+const NEGATIVE: [&str; 4] = ["ln_gap", "at_bound", "coincidence", "none_structure"];
+
 /// Largest number of Newton steps.
 const STEPS: usize = 60;
 /// Gain in the objective below which the fit ends.
@@ -91,17 +112,36 @@ impl Case {
     }
 }
 
-/// Weights with the largest sum of log scores less the ridge's half square, by damped Newton steps.
+/// Returns true if a weight has a sign that its feature cannot have.
+fn has_wrong_sign(k: usize, weight: f64) -> bool {
+    POSITIVE.contains(&FEATURES[k]) && weight < 0.0 || NEGATIVE.contains(&FEATURES[k]) && weight > 0.0
+}
+
+/// Weights with the largest sum of log scores less the ridge's half square. One feature may be left out.
 ///
-/// The weight of one feature may be held at zero.
+/// Weights of the wrong sign are held at zero, the worst first, until none is left.
 fn fit(cases: &[&Case], ridge: f64, without: Option<usize>) -> Weights {
+    let mut held = [false; FEATURE_COUNT];
+    without.into_iter().for_each(|k| held[k] = true);
+    loop {
+        let w = fit_free(cases, ridge, &held);
+        let wrong = (0..FEATURE_COUNT).filter(|k| has_wrong_sign(*k, w[*k]));
+        match wrong.max_by(|a, b| w[*a].abs().total_cmp(&w[*b].abs())) {
+            Some(k) => held[k] = true,
+            None => return w,
+        }
+    }
+}
+
+/// The same with some weights held at zero, by damped Newton steps.
+fn fit_free(cases: &[&Case], ridge: f64, held: &[bool; FEATURE_COUNT]) -> Weights {
     let objective = |w: &Weights| cases.iter().map(|c| c.log_score(w)).sum::<f64>() - 0.5 * ridge * w.norm_squared();
     let mut w = Weights::zeros();
     let mut value = objective(&w);
     for _ in 0..STEPS {
         let (mut gradient, mut hessian) = (-w * ridge, Hessian::identity() * ridge);
         cases.iter().for_each(|c| c.derivatives(&w, &mut gradient, &mut hessian));
-        if let Some(k) = without {
+        for k in (0..FEATURE_COUNT).filter(|k| held[*k]) {
             gradient[k] = 0.0;
             hessian.fill_row(k, 0.0);
             hessian.fill_column(k, 0.0);
@@ -230,12 +270,11 @@ fn source(w: &Weights, pairs: [f64; 2], cases: usize, ridge: f64) -> Result<Stri
     let mut text = format!(
         "//! Weights of the verdict's features. The example `fit_verdict` writes this file.\n//!\n\
          //! They are fitted to {cases} cases, with a ridge of {ridge}.\n\n\
-         use super::verdict_model::FEATURE_COUNT;\n\n\
-         /// Weights in the order of [`super::verdict_model::FEATURES`].\n\
-         pub(crate) const WEIGHTS: [f64; FEATURE_COUNT] = [\n"
+         /// Weights by feature. Features without a line weigh nothing.\n\
+         pub(crate) const WEIGHTS: &[(&str, f64)] = &[\n"
     );
     for (name, w) in FEATURES.iter().zip(w.iter()) {
-        writeln!(text, "    {w:.4}, // {name}")?;
+        writeln!(text, "    (\"{name}\", {w:.4}),")?;
     }
     text += "];\n\n\
              /// Constant and weight of ln(1 + gain) in the log odds that the second effect of a pair is present if the first is.\n";

@@ -13,15 +13,13 @@ use crate::hypothesis;
 use std::collections::BTreeMap;
 
 /// Number of features.
-pub const FEATURE_COUNT: usize = 33;
+pub const FEATURE_COUNT: usize = 27;
 
 /// Names of the features, in their order.
 pub const FEATURES: [&str; FEATURE_COUNT] = [
     // of a named cause
     "named",
     "gain",
-    "loss",
-    "gap",
     "ln_gap",
     "ln_gap_of_look_alike",
     "pair",
@@ -32,7 +30,6 @@ pub const FEATURES: [&str; FEATURE_COUNT] = [
     "channel_fault",
     "coincidence",
     "predicted",
-    "worsened",
     // of `none`
     "none",
     "none_first",
@@ -41,7 +38,6 @@ pub const FEATURES: [&str; FEATURE_COUNT] = [
     // of `unknown`
     "unknown",
     "unknown_gain",
-    "unknown_unexplained",
     "unknown_remaining",
     "unknown_structure",
     "unknown_structure_unexplained",
@@ -49,8 +45,6 @@ pub const FEATURES: [&str; FEATURE_COUNT] = [
     "unknown_motion",
     "unknown_recurrence",
     "unknown_line",
-    "unknown_bursts",
-    "unknown_unsteady",
     "unknown_common",
     "unknown_visible",
 ];
@@ -60,8 +54,6 @@ const PAIR_FEATURES: [&str; 2] = ["second_effect", "second_effect_gain"];
 
 /// Largest gap that counts, nats.
 const MAX_GAP: f64 = 30.0;
-/// Scale of gaps and losses, nats.
-const GAP_SCALE: f64 = 10.0;
 /// Log odds from which a hypothesis is visible in the recording itself, nats; auxiliary channels give less.
 const MIN_VISIBLE_LOG_ODDS: f64 = 10.0;
 /// Scale of log odds from auxiliary channels, nats.
@@ -144,19 +136,13 @@ impl Case<'_> {
         if self.best.is_finite() { (self.best - self.of_none).min(1e3) } else { 0.0 }
     }
 
-    /// Share of the reducible held-out error that the repair of a cause removes, and logarithm of its ratio after and
-    /// before; none without a judgement.
-    fn judged(&self, cause: &str) -> Option<(f64, f64)> {
-        let judged = self.evidence.judged.iter().find(|r| r.cause == cause)?;
-        let errors = judged.errors?;
+    /// Share of the reducible held-out error that the repair of a cause removes, from -1 to 1; none without a judgement.
+    fn judged(&self, cause: &str) -> Option<f64> {
+        let errors = self.evidence.judged.iter().find(|r| r.cause == cause)?.errors?;
         let before = errors.before?;
-        let Some(after) = errors.after else { return Some((-1.0, 1.0)) };
-        let removed = if before > MIN_SIGNAL_RATIO * errors.noise {
-            ((before - after) / (before - errors.noise)).clamp(-1.0, 1.0)
-        } else {
-            0.0
-        };
-        Some((removed, (after / before).ln().clamp(0.0, 2.0)))
+        let Some(after) = errors.after else { return Some(-1.0) };
+        let judges = before > MIN_SIGNAL_RATIO * errors.noise;
+        Some(if judges { ((before - after) / (before - errors.noise)).clamp(-1.0, 1.0) } else { 0.0 })
     }
 
     fn named(&self, h: &HypothesisEvidence) -> CandidateFeatures {
@@ -165,13 +151,11 @@ impl Case<'_> {
         let visible = h.direct_log_odds > MIN_VISIBLE_LOG_ODDS;
         let pair = h.also.is_some();
         let coincidence = h.prior_log_odds - h.direct_log_odds < COINCIDENCE_LOG_ODDS;
-        let (removed, worsened) = self.judged(&h.cause).unwrap_or((0.0, 0.0));
+        let removed = self.judged(&h.cause).unwrap_or(0.0);
         let first = gap == 0.0;
         Features::of(&[
             ("named", 1.0),
             ("gain", gain.max(0.0).ln_1p()),
-            ("loss", (-gain).clamp(0.0, GAP_SCALE) / GAP_SCALE),
-            ("gap", gap / GAP_SCALE),
             ("ln_gap", gap.ln_1p()),
             ("ln_gap_of_look_alike", if h.looks_like_first { gap.ln_1p() } else { 0.0 }),
             ("pair", flag(pair)),
@@ -182,7 +166,6 @@ impl Case<'_> {
             ("channel_fault", flag(h.channel_fault)),
             ("coincidence", flag(coincidence)),
             ("predicted", if visible { 0.0 } else { removed }),
-            ("worsened", worsened),
         ])
         .candidate(&h.cause)
     }
@@ -210,7 +193,6 @@ impl Case<'_> {
         Features::of(&[
             ("unknown", 1.0),
             ("unknown_gain", self.gain().max(0.0).ln_1p()),
-            ("unknown_unexplained", unexplained),
             ("unknown_remaining", remaining),
             ("unknown_structure", if named { after } else { 0.0 }),
             ("unknown_structure_unexplained", if named { after * unexplained } else { 0.0 }),
@@ -218,8 +200,6 @@ impl Case<'_> {
             ("unknown_motion", kind("motion")),
             ("unknown_recurrence", kind("recurrence")),
             ("unknown_line", kind("line")),
-            ("unknown_bursts", kind("bursts")),
-            ("unknown_unsteady", kind("unsteady").max(kind("silence"))),
             ("unknown_common", kind("common")),
             ("unknown_visible", flag(visible)),
         ])
@@ -233,15 +213,20 @@ pub fn probabilities(candidates: &[CandidateFeatures], weights: &[f64; FEATURE_C
     normalised_probabilities(&candidates.iter().map(score).collect::<Vec<_>>())
 }
 
+/// The fitted weights in the order of [`FEATURES`].
+fn fitted_weights() -> [f64; FEATURE_COUNT] {
+    FEATURES.map(|name| WEIGHTS.iter().find(|(n, _)| *n == name).map_or(0.0, |(_, w)| *w))
+}
+
 /// The fitted weights by feature.
 pub(crate) fn weights() -> BTreeMap<&'static str, f64> {
-    FEATURES.into_iter().zip(WEIGHTS).chain(PAIR_FEATURES.into_iter().zip(PAIR_WEIGHTS)).collect()
+    FEATURES.into_iter().zip(fitted_weights()).chain(PAIR_FEATURES.into_iter().zip(PAIR_WEIGHTS)).collect()
 }
 
 /// Probabilities of the causes, of `none` and of `unknown`, the most probable first.
 pub(crate) fn cause_probabilities(evidence: &VerdictEvidence) -> CauseProbabilities {
     let all = candidates(evidence);
-    let p = probabilities(&all, &WEIGHTS);
+    let p = probabilities(&all, &fitted_weights());
     sorted(all.iter().map(|c| known_cause(&c.cause)).zip(p).collect())
 }
 

@@ -1,45 +1,42 @@
 //! Weights of the verdict's features. The example `fit_verdict` writes this file.
 //!
-//! They are fitted to 53 cases, with a ridge of 0.3.
+//! They are fitted to 96 cases, with a ridge of 0.3.
 
-use super::verdict_model::FEATURE_COUNT;
-
-/// Weights in the order of [`super::verdict_model::FEATURES`].
-pub(crate) const WEIGHTS: [f64; FEATURE_COUNT] = [
-    -0.9419, // named
-    2.0796,  // gain
-    -0.4565, // loss
-    0.1392,  // gap
-    -1.0432, // ln_gap
-    0.8829,  // ln_gap_of_look_alike
-    -1.2403, // pair
-    -1.3066, // at_bound
-    0.0000,  // visible
-    0.0071,  // auxiliary
-    0.3345,  // equal_gain
-    -0.9285, // channel_fault
-    -0.0327, // coincidence
-    2.2316,  // predicted
-    -0.0929, // worsened
-    0.7188,  // none
-    2.0631,  // none_first
-    0.4204,  // ln_chance
-    -0.8265, // none_structure
-    0.2231,  // unknown
-    0.4944,  // unknown_gain
-    -0.5506, // unknown_unexplained
-    -0.0286, // unknown_remaining
-    1.5412,  // unknown_structure
-    0.3537,  // unknown_structure_unexplained
-    1.0700,  // unknown_structure_without_cause
-    0.7143,  // unknown_motion
-    0.0429,  // unknown_recurrence
-    0.0339,  // unknown_line
-    0.3676,  // unknown_bursts
-    -0.0502, // unknown_unsteady
-    0.0996,  // unknown_common
-    0.0000,  // unknown_visible
+/// Weights by feature. Features without a line weigh nothing.
+pub(crate) const WEIGHTS: &[(&str, f64)] = &[
+    ("named", -0.9189),
+    ("gain", 1.6847),
+    ("loss", -0.4775),
+    ("ln_gap", -1.3183),
+    ("ln_gap_of_look_alike", 0.9472),
+    ("pair", -2.0761),
+    ("at_bound", -1.2892),
+    ("visible", 0.0000),
+    ("auxiliary", 0.0573),
+    ("equal_gain", 0.5876),
+    ("channel_fault", -0.6257),
+    ("coincidence", -0.9130),
+    ("predicted", 1.0015),
+    ("worsened", 0.0000),
+    ("none", 0.9283),
+    ("none_first", 2.4923),
+    ("ln_chance", 0.7194),
+    ("none_structure", -0.9162),
+    ("unknown", -0.0094),
+    ("unknown_gain", 0.0478),
+    ("unknown_unexplained", 0.0000),
+    ("unknown_remaining", 0.3436),
+    ("unknown_structure", 0.8434),
+    ("unknown_structure_unexplained", 0.6362),
+    ("unknown_structure_without_cause", 1.2262),
+    ("unknown_motion", 1.6669),
+    ("unknown_recurrence", 0.4772),
+    ("unknown_line", 0.1532),
+    ("unknown_bursts", 0.0000),
+    ("unknown_unsteady", 0.0000),
+    ("unknown_common", 0.3290),
+    ("unknown_visible", 0.0000),
 ];
 
 /// Constant and weight of ln(1 + gain) in the log odds that the second effect of a pair is present if the first is.
-pub(crate) const PAIR_WEIGHTS: [f64; 2] = [-3.3878, 0.8134];
+pub(crate) const PAIR_WEIGHTS: [f64; 2] = [-4.0073, 1.0928];
