@@ -122,6 +122,9 @@ prior! {
     /// Reducible share of the held-out error that a repair removes if it predicts them. Of 16 names that removed less, but
     /// some, 13 were right; of 8 with the truth taken out of the library, none.
     PREDICTED_SHARE: f64 = 0.8, "share";
+    /// Reducible share of the held-out error that a repair must remove if a repeated search has found it. A choice: runs that
+    /// have refuted one repair select the next.
+    MIN_REPEATED_SHARE: f64 = 0.5, "share";
     /// Ratio of held-out NMSE and noise below which held-out runs cannot judge. A choice.
     MIN_HOLDOUT_SIGNAL_RATIO: f64 = 1.25, "ratio";
 

@@ -119,4 +119,4 @@ pub(crate) const LAST_SEARCH_STARTS: usize = 3;
 pub(crate) const LAST_SEARCH_SIDE: f64 = 0.1;
 
 /// Searches without a cause whose repair the runs held out have refuted, at most.
-pub(crate) const MAX_RESTARTS: usize = 2;
+pub(crate) const MAX_RESTARTS: usize = 3;

@@ -26,7 +26,9 @@ use crate::fit::step_error::StepError;
 use crate::inspect::insertion::InsertionPoint;
 use crate::inspect::inventory::ModelInventory;
 use crate::inspect::response::ResponseRanges;
-use crate::prior::{self, COMPLETE_MODEL_LOG_ODDS, MIN_REPAIR_GAIN, MIN_REPORTED_PROBABILITY, NEGLIGIBLE_STEP_ERROR};
+use crate::prior::{
+    self, COMPLETE_MODEL_LOG_ODDS, MIN_REPAIR_GAIN, MIN_REPEATED_SHARE, MIN_REPORTED_PROBABILITY, NEGLIGIBLE_STEP_ERROR,
+};
 use hysteron_identify::calibrate::{StudyProblem, Uncertainty, uncertainty};
 use hysteron_identify::study::{
     InitialRun, ParameterSpace, Role, ScoredRun, ScriptSimulator, Study, simulate_and_score,
@@ -80,6 +82,12 @@ struct Repair {
 }
 
 impl Repair {
+    /// Its cause, or that of a faulty channel beside it, which bends to anything.
+    fn most_flexible_cause(&self) -> &'static str {
+        let second = self.hypothesis.second_cause().filter(|c| c.starts_with("sensor_"));
+        second.unwrap_or(self.hypothesis.cause())
+    }
+
     /// What the runs held out say of it.
     fn evidence(&self) -> RepairEvidence {
         let (cause, also) = (self.hypothesis.cause(), self.hypothesis.second_cause());
@@ -93,7 +101,7 @@ struct JudgedVerdict {
     repair: Repair,
     /// Cause of the nearest repair if none is written, because it has no name and worsens the runs held out.
     refused: Option<&'static str>,
-    /// Cause to leave out of a further search: a faulty channel if the refused repair has one, because it bends to anything.
+    /// Cause to leave out of a further search.
     refuted: Option<&'static str>,
     /// Causes, `none` and `unknown`, the most probable first.
     probabilities: CauseProbabilities,
@@ -261,13 +269,13 @@ impl VerdictJudge<'_, '_> {
         let (repaired_cause, repair) = repairs.swap_remove(index);
         if cause == "unknown" && repair.judgement.refutes() {
             let nearest = if repaired_cause == "unknown" { self.ranked[0].cause() } else { repaired_cause };
-            let second = repair.hypothesis.second_cause().filter(|c| c.starts_with("sensor_"));
-            let refuted = second.unwrap_or(repair.hypothesis.cause());
-            let refuted = Some(refuted).filter(|c| *c != "none");
+            let refuted = Some(repair.most_flexible_cause()).filter(|c| *c != "none");
             let repair = self.repair(self.baseline.clone())?;
             return Ok(JudgedVerdict { cause, repair, refused: Some(nearest), refuted, probabilities });
         }
-        Ok(JudgedVerdict { cause, repair, refused: None, refuted: None, probabilities })
+        let hardly = matches!(repair.judgement, HoldoutJudgement::PartlyPredicted(share) if share < MIN_REPEATED_SHARE);
+        let refuted = Some(repair.most_flexible_cause()).filter(|_| hardly && !evidence.left_out.is_empty());
+        Ok(JudgedVerdict { cause, repair, refused: None, refuted, probabilities })
     }
 
     /// Repair by the best form of a cause, or by its second form if the runs held out refute the first alone.

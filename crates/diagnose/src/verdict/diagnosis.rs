@@ -62,7 +62,8 @@ pub struct Diagnosis {
     pub structured_share: f64,
     /// Kind of that structure, in words.
     pub structure: String,
-    /// Cause of the best repair if the runs held out refute it and nothing else is named.
+    /// Cause of the best repair if the runs held out refute it and nothing else is named, or if a repeated search has
+    /// found it and they hardly support it.
     pub(super) refuted: Option<&'static str>,
 }
 
@@ -162,7 +163,7 @@ struct SecondSearch<'a> {
 
 impl SecondSearch<'_> {
     /// Concludes from all single effects. If the runs held out refute the best repair and nothing else is named, the search
-    /// starts again without its cause, as a flexible wrong cause may hide a right one. What is named then must not be refuted.
+    /// starts again without its cause, as a flexible wrong cause may hide a right one. What is named then must predict them.
     fn until_not_refuted(
         &self,
         scheduler: &mut Scheduler<'_>,
@@ -173,8 +174,8 @@ impl SecondSearch<'_> {
         loop {
             let d = self.conclusion(scheduler, &singles, &left_out)?;
             let Some(refuted) = d.refuted.filter(|_| left_out.len() < MAX_RESTARTS) else {
-                let named = !matches!(d.outcome.verdict.cause.as_str(), "none" | "unknown");
-                return Ok(first.filter(|_| !named).unwrap_or(d));
+                let stands = d.refuted.is_none() && !matches!(d.outcome.verdict.cause.as_str(), "none" | "unknown");
+                return Ok(first.filter(|_| !stands).unwrap_or(d));
             };
             first.get_or_insert(d);
             left_out.push(refuted);
