@@ -2,7 +2,11 @@
 
 use super::driver::MaterialPoint;
 use super::materials::{check_purity, check_tangent};
-use hysteron::material::{Bilin, BilinSide, Deterioration, Saws, SawsParameters};
+use hysteron::material::{
+    Bilin, BilinSide, BondSp01, Concrete04, Damage, Deterioration, HyperbolicGap, ImkBilin, ImkDeterioration,
+    ImkPeakOriented, ImkPinching, ImkSide, Material, ModImkPeakOriented, ModImkPinching, Pinching, Pinching4,
+    Pinching4Parameters, Pinching4Side, PinchingPoint, Saws, SawsParameters, UvcUniaxial,
+};
 use hysteron::rules::{Consistent, OpenSees};
 use std::sync::Arc;
 
@@ -156,4 +160,147 @@ fn wall_cycles_dissipate_less_when_repeated() {
     };
     let [first, second, third] = [cycle(), cycle(), cycle()];
     assert!(first > second && second >= third && third > 0.0, "{first} {second} {third}");
+}
+
+/// Envelope through (0.01, 2), (0.02, 3), (0.05, 3) and (0.09, 1).
+fn pinching4(rate: f64) -> Pinching4Parameters {
+    let side = Pinching4Side {
+        stress: [2.0, 3.0, 3.0, 1.0],
+        strain: [0.01, 0.02, 0.05, 0.09],
+        reloading_strain: 0.5,
+        reloading_stress: 0.3,
+        unloading_stress: 0.05,
+    };
+    let damage = Damage { rate: [rate, rate], exponent: [1.0, 1.0], limit: 0.8 };
+    let energy = 10.0;
+    let [stiffness, reloading, strength] = [damage; 3];
+    Pinching4Parameters { sides: [side; 2], stiffness, reloading, strength, energy, by_cycles: false }
+}
+
+const IMK_SIDE: ImkSide =
+    ImkSide { plastic: 0.05, post_capping: 0.2, ultimate: 0.4, strength: 2.0, peak: 1.15, residual: 0.4, rate: 1.0 };
+
+fn imk_bilin(capacity: f64) -> ImkBilin {
+    let mode = ImkDeterioration { capacity, exponent: 1.0 };
+    let rules = Consistent;
+    ImkBilin { ke: KE, sides: [IMK_SIDE; 2], strength: mode, capping: mode, stiffness: mode, rules }
+}
+
+fn imk_peak_oriented(capacity: f64) -> ImkPeakOriented {
+    let mode = ImkDeterioration { capacity, exponent: 1.0 };
+    let [strength, capping, reloading, stiffness] = [mode; 4];
+    ImkPeakOriented { ke: KE, sides: [IMK_SIDE; 2], strength, capping, reloading, stiffness, rules: Consistent }
+}
+
+fn mod_imk(capacity: f64) -> ModImkPeakOriented {
+    let mode = Deterioration { capacity, exponent: 1.0 };
+    let [strength, capping, reloading, stiffness] = [mode; 4];
+    ModImkPeakOriented { ke: KE, sides: [SIDE; 2], strength, capping, reloading, stiffness, n: 0.0, rules: Consistent }
+}
+
+/// Hinges of the Ibarra-Medina-Krawinkler family with a capacity Λ.
+fn hinges(capacity: f64) -> [Material; 5] {
+    let (pinching, end) =
+        (Pinching { force: 0.4, deformation: 0.6 }, PinchingPoint { force: [0.4; 2], deformation: 0.3 });
+    [
+        Arc::new(imk_bilin(capacity)),
+        Arc::new(imk_peak_oriented(capacity)),
+        Arc::new(ImkPinching { hinge: imk_peak_oriented(capacity), pinching }),
+        Arc::new(mod_imk(capacity)),
+        Arc::new(ModImkPinching { hinge: mod_imk(capacity), pinching: end }),
+    ]
+}
+
+fn uvc() -> UvcUniaxial {
+    let backstresses = vec![[20.0, 40.0], [4.0, 5.0]];
+    UvcUniaxial { e: KE, fy: 2.0, q_inf: 0.5, b: 10.0, d_inf: 0.3, a: 100.0, backstresses, rules: Consistent }
+}
+
+#[test]
+fn trials_have_no_effect() {
+    let others: [Material; 5] = [
+        Arc::new(Pinching4::new(pinching4(0.3))),
+        Arc::new(Concrete04 { fc: -3.0, epsc0: -0.03, epscu: -0.08, ec0: KE, ft: 0.3, etu: 0.02, beta: 0.1 }),
+        Arc::new(BondSp01 { fy: 60.0, sy: 0.02, fu: 90.0, su: 0.6, b: 0.4, r: 0.7, rules: Consistent }),
+        Arc::new(HyperbolicGap { kmax: KE, kur: KE, rf: 0.7, fult: -3.0, gap: -0.02, rules: Consistent }),
+        Arc::new(uvc()),
+    ];
+    for law in hinges(5.0).into_iter().chain(others) {
+        check_purity(law.name(), law, 0.1);
+    }
+}
+
+/// Yield, cap, residual strength and fracture of the backbones, on both sides.
+#[test]
+fn monotonic_loading_of_the_family_follows_the_backbone() {
+    for law in hinges(10.0) {
+        let peak = 2.3;
+        for s in [1.0, -1.0] {
+            let mut p = MaterialPoint::new(law.clone());
+            for (x, force) in
+                [(0.005, 1.0), (0.01, 2.0), (0.06, peak), (0.06 + 0.1, 0.5 * peak), (0.3, 0.8), (0.39, 0.8)]
+            {
+                close(s * p.advance(s * x).value, force);
+            }
+            p.advance(s * 0.41);
+            close(p.advance(s * 0.42).value, 0.0);
+        }
+    }
+}
+
+#[test]
+fn monotonic_loading_follows_the_four_points() {
+    for s in [1.0, -1.0] {
+        let mut p = MaterialPoint::new(Arc::new(Pinching4::new(pinching4(0.0))));
+        for (x, stress) in [(0.01, 2.0), (0.02, 3.0), (0.035, 3.0), (0.05, 3.0), (0.07, 2.0), (0.09, 1.0)] {
+            close(s * p.advance(s * x).value, stress);
+        }
+    }
+}
+
+/// Cycles of one amplitude lose strength with damage or a small capacity, and none without.
+#[test]
+fn cycles_lose_strength() {
+    let last = |law: Material| {
+        let mut p = MaterialPoint::new(law);
+        let mut first = 0.0;
+        let mut force = 0.0;
+        for cycle in 0..6 {
+            for i in 1..=80 {
+                force = p.advance(0.04 * (std::f64::consts::TAU * f64::from(i) / 80.0).sin()).value;
+                if i == 20 {
+                    first = if cycle == 0 { force } else { first };
+                    force = force.max(p.trial(0.04, 0.0, 0.0).value);
+                    if cycle == 5 {
+                        return force / first;
+                    }
+                }
+            }
+        }
+        force
+    };
+    for (intact, worn) in hinges(1e6).into_iter().zip(hinges(2.0)) {
+        let (name, kept, left) = (intact.name(), last(intact), last(worn));
+        assert!(kept > 0.99 && left < 0.95 * kept, "{name}: {kept} and {left}");
+    }
+    let [kept, left] = [0.0, 0.3].map(|rate| last(Arc::new(Pinching4::new(pinching4(rate)))));
+    assert!(kept > 0.99 && left < 0.95, "{kept} and {left}");
+}
+
+/// The stress under monotonic loading is that of the integrated equations at the plastic strain of the point.
+#[test]
+fn structural_steel_follows_its_integrated_equations() {
+    for s in [1.0, -1.0] {
+        let mut p = MaterialPoint::new(Arc::new(uvc()));
+        for i in 1..=30 {
+            let strain = 0.005 * f64::from(i);
+            let stress = s * p.advance(s * strain).value;
+            let plastic = strain - stress / KE;
+            let grown = |size: f64, rate: f64| size * (1.0 - (-rate * plastic).exp());
+            let expected =
+                2.0 + grown(0.5, 10.0) - grown(0.3, 100.0) + grown(20.0 / 40.0, 40.0) + grown(4.0 / 5.0, 5.0);
+            let yielded = strain > 0.01;
+            close(stress, if yielded { expected } else { KE * strain });
+        }
+    }
 }

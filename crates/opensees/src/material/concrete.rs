@@ -3,7 +3,7 @@
 use super::Kind;
 use crate::args::Args;
 use crate::{Tcl, warn};
-use hysteron_engine::material::{Concrete01, Concrete02, Material};
+use hysteron_engine::material::{Concrete01, Concrete02, Concrete04, Material};
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
@@ -19,15 +19,17 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial Concrete02 $tag $fpc $epsc0 $fpcu $epscu <$lambda $ft $Ets>",
         make: concrete02,
     },
+    Kind {
+        names: &["Concrete04"],
+        usage: "uniaxialMaterial Concrete04 $tag $fpc $epsc0 $epscu $Ec0 <$ft $etu <$beta>>",
+        make: concrete04,
+    },
 ];
 
 /// Strength, its strain, crushing strength, its strain: all in compression, whatever their signs.
 fn compression(interp: &mut Tcl, a: &mut Args<'_>) -> Result<[f64; 4], Exception> {
-    let mut other_than_zero = |what: &str| match a.float(what)? {
-        0.0 => Err(a.refuse(format!("the {what} is 0"), "expected a number less than 0")),
-        x => Ok(-x.abs()),
-    };
-    let (fc, epsc0) = (other_than_zero("compressive strength fpc")?, other_than_zero("strain at the strength epsc0")?);
+    let fc = -compressive(a, "compressive strength fpc")?;
+    let epsc0 = -compressive(a, "strain at the strength epsc0")?;
     let fcu = -a.float("crushing strength fpcu")?.abs();
     let epscu = -a.float("strain at the crushing strength epscu")?.abs();
     if epscu >= epsc0 {
@@ -60,4 +62,39 @@ fn concrete02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
         }
     }
     Ok(Arc::new(Concrete02 { fc, epsc0, fcu, epscu, ratio, ft, ets }))
+}
+
+/// Stress at the ultimate tensile strain divided by the tensile strength, where it is left out.
+const TENSION_LEFT: f64 = 0.1;
+
+fn concrete04(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let fc = -compressive(a, "compressive strength fpc")?;
+    let epsc0 = -compressive(a, "strain at the strength epsc0")?;
+    let epscu = -compressive(a, "crushing strain epscu")?;
+    if epscu > epsc0 {
+        let d = Diagnostic::warning(format!("the crushing strain {epscu} is not beyond that of the strength, {epsc0}"));
+        warn(interp, d.at(a.last_span(), "expected a larger strain"))?;
+    }
+    let ec0 = a.positive("initial modulus Ec0")?;
+    let (mut ft, mut etu, mut beta) = (0.0, 0.0, TENSION_LEFT);
+    if a.left() > 0 {
+        ft = a.float("tensile strength ft")?;
+        if ft < 0.0 {
+            let d =
+                Diagnostic::warning(format!("the tensile strength ft is {ft}: there is no tension, as in OpenSees"));
+            warn(interp, d.at(a.last_span(), "expected 0 or more"))?;
+            ft = 0.0;
+        }
+        etu = a.float("ultimate strain in tension etu")?;
+        beta = a.optional_float("share beta of the tensile strength at the ultimate strain")?.unwrap_or(beta);
+    }
+    Ok(Arc::new(Concrete04 { fc, epsc0, epscu, ec0, ft, etu, beta }))
+}
+
+/// A number other than zero that stands for compression, whatever its sign.
+fn compressive(a: &mut Args<'_>, what: &str) -> Result<f64, Exception> {
+    match a.float(what)? {
+        0.0 => Err(a.refuse(format!("the {what} is 0"), "expected a number less than 0")),
+        x => Ok(x.abs()),
+    }
 }

@@ -4,7 +4,7 @@ use super::Kind;
 use crate::args::Args;
 use crate::{Tcl, warn};
 use hysteron_engine::material::{
-    Elastic, ElasticBilin, ElasticMultiLinear, ElasticPP, ElasticPPGap, Material, NoTension,
+    Elastic, ElasticBilin, ElasticMultiLinear, ElasticPP, ElasticPPGap, HookGap, Material, NoTension,
 };
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -22,6 +22,7 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial ElasticPPGap $tag $E $Fy $gap <$eta> <damage>",
         make: elastic_pp_gap,
     },
+    Kind { names: &["HookGap"], usage: "uniaxialMaterial HookGap $tag $E $gap <$gapP>", make: hook_gap },
     Kind { names: &["ENT"], usage: "uniaxialMaterial ENT $tag $E <$a> <$b>", make: no_tension },
     Kind {
         names: &["ElasticBilin", "ElasticBilinear"],
@@ -79,6 +80,14 @@ fn elastic_pp(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
     let compression = compression.unwrap_or(-tension);
     let initial = a.optional_float("initial strain eps0")?.unwrap_or(0.0);
     Ok(Arc::new(ElasticPP::new(e, tension, compression, initial)))
+}
+
+fn hook_gap(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let e = modulus(interp, a)?;
+    // One gap is that of both senses; of two the first is that in compression, with either sign.
+    let first = a.float("gap")?;
+    let second = a.optional_float("gap in tension")?.unwrap_or(first);
+    Ok(Arc::new(HookGap { e, gap: [-first.abs(), second] }))
 }
 
 fn elastic_pp_gap(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {

@@ -5,7 +5,8 @@ use crate::args::Args;
 use crate::slips;
 use crate::{Tcl, warn};
 use hysteron_engine::material::{
-    Bilin, BilinSide, BoucWen, Deterioration, Envelope, Hysteretic, Material, Saws, SawsParameters, SelfCentering,
+    Bilin, BilinSide, BoucWen, Deterioration, Envelope, Hysteretic, Material, ModImkPeakOriented, ModImkPinching,
+    PinchingPoint, Saws, SawsParameters, SelfCentering,
 };
 use hysteron_engine::rules::{Consistent, OpenSees};
 use hysteron_tcl::Exception;
@@ -14,11 +15,25 @@ use std::sync::Arc;
 
 pub(super) const KINDS: &[Kind] = &[
     Kind {
-        names: &["Bilin"],
+        names: &["Bilin", "BilinMaterial"],
         usage: "uniaxialMaterial Bilin $tag $Ke $AsPos $AsNeg $MyPos $MyNeg $LambdaS $LambdaC $LambdaA $LambdaK \
                 $cS $cC $cA $cK $thetaPPos $thetaPNeg $thetaPCPos $thetaPCNeg $resPos $resNeg $thetaUPos $thetaUNeg \
                 $DPos $DNeg <$nFactor>",
         make: bilin,
+    },
+    Kind {
+        names: &["ModIMKPeakOriented"],
+        usage: "uniaxialMaterial ModIMKPeakOriented $tag $Ke $AsPos $AsNeg $MyPos $MyNeg $LambdaS $LambdaC $LambdaA \
+                $LambdaK $cS $cC $cA $cK $thetaPPos $thetaPNeg $thetaPCPos $thetaPCNeg $resPos $resNeg $thetaUPos \
+                $thetaUNeg $DPos $DNeg <$nFactor>",
+        make: mod_imk_peak_oriented,
+    },
+    Kind {
+        names: &["ModIMKPinching"],
+        usage: "uniaxialMaterial ModIMKPinching $tag $Ke $AsPos $AsNeg $MyPos $MyNeg $FprPos $FprNeg $APinch $LambdaS \
+                $LambdaC $LambdaA $LambdaK $cS $cC $cA $cK $thetaPPos $thetaPNeg $thetaPCPos $thetaPCNeg $resPos $resNeg \
+                $thetaUPos $thetaUNeg $DPos $DNeg <$nFactor>",
+        make: mod_imk_pinching,
     },
     Kind {
         names: &["BoucWen"],
@@ -52,7 +67,18 @@ fn both<'a>(
     Ok([take(a, &format!("{what} on the positive side"))?, take(a, &format!("{what} on the negative side"))?])
 }
 
-fn bilin(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+/// Parameters of a hinge of the modified Ibarra-Medina-Krawinkler laws.
+struct Hinge {
+    ke: f64,
+    sides: [BilinSide; 2],
+    /// Deterioration of strength, strength beyond the cap, reloading stiffness and unloading stiffness.
+    modes: [Deterioration; 4],
+    n: f64,
+    /// End of pinching.
+    pinching: PinchingPoint,
+}
+
+fn hinge(a: &mut Args<'_>, pinched: bool) -> Result<Hinge, Exception> {
     let ke = a.positive("elastic stiffness Ke")?;
     let hardening = both(a, "hardening ratio As", Args::float)?;
     if let Some(ratio) = hardening.into_iter().find(|r| *r >= 1.0) {
@@ -63,18 +89,19 @@ fn bilin(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     if negative >= 0.0 {
         return Err(a.refuse(format!("the yield strength on the negative side is {negative}"), "expected it negative"));
     }
-    let modes = ["strength", "strength beyond the cap", "accelerated stiffness", "unloading stiffness"];
-    let mut capacity = [0.0; 4];
-    for (value, mode) in capacity.iter_mut().zip(modes) {
-        *value = a.not_negative(&format!("cumulative rotation capacity Lambda of the {mode}"))?;
+    let mut pinching = PinchingPoint { force: [1.0; 2], deformation: 0.0 };
+    if pinched {
+        pinching.force = both(a, "share Fpr of the largest force at the end of pinching", Args::float)?;
+        pinching.deformation = a.float("share APinch of the permanent deformation at the end of pinching")?;
     }
-    let mut exponent = [0.0; 4];
-    for (value, mode) in exponent.iter_mut().zip(modes) {
-        *value = a.not_negative(&format!("rate of deterioration c of the {mode}"))?;
+    let names = ["strength", "strength beyond the cap", "accelerated stiffness", "unloading stiffness"];
+    let mut modes = [Deterioration { capacity: 0.0, exponent: 1.0 }; 4];
+    for (mode, name) in modes.iter_mut().zip(names) {
+        mode.capacity = a.not_negative(&format!("cumulative rotation capacity Lambda of the {name}"))?;
     }
-    // That of the accelerated stiffness has no part in bilinear hysteresis.
-    let [strength, capping, _, stiffness] =
-        [0, 1, 2, 3].map(|i| Deterioration { capacity: capacity[i], exponent: exponent[i] });
+    for (mode, name) in modes.iter_mut().zip(names) {
+        mode.exponent = a.not_negative(&format!("rate of deterioration c of the {name}"))?;
+    }
     let plastic = both(a, "plastic rotation up to the cap thetaP", Args::not_negative)?;
     let post_capping = both(a, "rotation beyond the cap thetaPC", Args::positive)?;
     let residual = both(a, "residual strength ratio", Args::not_negative)?;
@@ -96,10 +123,39 @@ fn bilin(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         ultimate: ultimate[i],
         rate: rate[i],
     });
+    Ok(Hinge { ke, sides, modes, n, pinching })
+}
+
+fn bilin(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    // The deterioration of the accelerated stiffness has no part in bilinear hysteresis.
+    let Hinge { ke, sides, modes: [strength, capping, _, stiffness], n, .. } = hinge(a, false)?;
     if interp.host.follows(&[slips::BILIN_DETERIORATION]) {
         return Ok(Arc::new(Bilin { ke, sides, strength, capping, stiffness, n, rules: OpenSees }));
     }
     Ok(Arc::new(Bilin { ke, sides, strength, capping, stiffness, n, rules: Consistent }))
+}
+
+/// The hinge of `ModIMKPeakOriented` and `ModIMKPinching`.
+fn mod_imk(a: &mut Args<'_>, pinched: bool) -> Result<(ModImkPeakOriented, PinchingPoint), Exception> {
+    let Hinge { ke, sides, modes: [strength, capping, reloading, stiffness], n, pinching } = hinge(a, pinched)?;
+    let rules = Consistent;
+    Ok((ModImkPeakOriented { ke, sides, strength, capping, reloading, stiffness, n, rules }, pinching))
+}
+
+fn mod_imk_peak_oriented(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let (hinge, _) = mod_imk(a, false)?;
+    if interp.host.follows(&[slips::MOD_IMK_DETERIORATION]) {
+        return Ok(Arc::new(hinge.with(OpenSees)));
+    }
+    Ok(Arc::new(hinge))
+}
+
+fn mod_imk_pinching(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let (hinge, pinching) = mod_imk(a, true)?;
+    if interp.host.follows(&[slips::MOD_IMK_DETERIORATION]) {
+        return Ok(Arc::new(ModImkPinching { hinge: hinge.with(OpenSees), pinching }));
+    }
+    Ok(Arc::new(ModImkPinching { hinge, pinching }))
 }
 
 fn bouc_wen(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {

@@ -3,6 +3,7 @@
 mod bearing;
 mod concrete;
 mod damper;
+mod deteriorating;
 mod elastic;
 pub(crate) mod friction;
 mod hysteretic;
@@ -44,6 +45,7 @@ fn kinds() -> impl Iterator<Item = &'static Kind> + Clone {
         plastic::KINDS,
         concrete::KINDS,
         hysteretic::KINDS,
+        deteriorating::KINDS,
         smooth::KINDS,
         soil::KINDS,
         damper::KINDS,

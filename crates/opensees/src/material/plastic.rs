@@ -4,7 +4,10 @@ use super::Kind;
 use crate::args::Args;
 use crate::slips;
 use crate::{Tcl, warn};
-use hysteron_engine::material::{BrbBranch, Hardening, Material, MultiLinear, Steel01, Steel02, SteelBrb};
+use hysteron_engine::material::{
+    BondSp01, BrbBranch, Hardening, MAX_BACKSTRESSES, Material, MultiLinear, Steel01, Steel02, SteelBrb, UvcUniaxial,
+};
+use hysteron_engine::rules::{Consistent, OpenSees};
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
@@ -31,6 +34,16 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["MultiLinear"],
         usage: "uniaxialMaterial MultiLinear $tag $u1 $f1 <$u2 $f2 ...>",
         make: multi_linear,
+    },
+    Kind {
+        names: &["UVCuniaxial"],
+        usage: "uniaxialMaterial UVCuniaxial $tag $E $fy $QInf $b $DInf $a $N $C1 $gamma1 <$C2 $gamma2 ...>",
+        make: uvc_uniaxial,
+    },
+    Kind {
+        names: &["Bond_SP01", "Bond"],
+        usage: "uniaxialMaterial Bond_SP01 $tag $fy $sy $fu $su $b $R <$Cd $db $fc $la>",
+        make: bond_sp01,
     },
 ];
 
@@ -129,4 +142,57 @@ fn multi_linear(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exceptio
     let law = MultiLinear::new(points, compat)
         .ok_or_else(|| a.refuse("MultiLinear has no points", "expected pairs of strain and stress"))?;
     Ok(Arc::new(law))
+}
+
+fn uvc_uniaxial(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let e = a.positive("elastic modulus E")?;
+    let fy = a.positive("initial yield stress fy")?;
+    let q_inf = a.float("growth QInf of the yield stress")?;
+    let b = a.float("rate b of the growth")?;
+    let d_inf = a.float("decrease DInf of the yield stress")?;
+    let rate = a.float("rate a of the decrease")?;
+    let n = a.int("number of backstresses N")?;
+    if !(0..=MAX_BACKSTRESSES as i32).contains(&n) {
+        return Err(a.refuse(format!("there are {n} backstresses"), format!("expected 0 to {MAX_BACKSTRESSES}")));
+    }
+    let mut backstresses = vec![];
+    for i in 1..=n {
+        backstresses.push([
+            a.float(&format!("modulus C{i} of a backstress"))?,
+            a.not_negative(&format!("rate gamma{i} of a backstress"))?,
+        ]);
+    }
+    if interp.host.follows(&[slips::UVC_RETURN]) {
+        return Ok(Arc::new(UvcUniaxial { e, fy, q_inf, b, d_inf, a: rate, backstresses, rules: OpenSees }));
+    }
+    Ok(Arc::new(UvcUniaxial { e, fy, q_inf, b, d_inf, a: rate, backstresses, rules: Consistent }))
+}
+
+/// Yield strength, ksi, and yield slip, in, from which on the units cannot be those of the law.
+const LARGEST_BAR: [f64; 2] = [1000.0, 1.0];
+
+fn bond_sp01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let fy = a.positive("yield strength fy of the bar")?;
+    let sy = a.positive("slip sy at the yield strength")?;
+    if fy >= LARGEST_BAR[0] || sy >= LARGEST_BAR[1] {
+        let message = "Bond_SP01: the first reversal goes to a slip of 0.00405 in, whatever the units";
+        warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected ksi and in"))?;
+    }
+    let fu = a.positive("ultimate strength fu of the bar")?;
+    let su = a.float("slip su at the ultimate strength")?;
+    if su <= sy {
+        return Err(
+            a.refuse(format!("the ultimate slip su is {su}"), format!("expected more than the yield slip, {sy}"))
+        );
+    }
+    let b = a.positive("initial hardening ratio b")?;
+    let r = a.positive("pinching factor R")?;
+    for what in ["damage factor Cd", "bar diameter db", "concrete strength fc", "anchorage length la"] {
+        // Without effect in OpenSees.
+        a.optional_float(what)?;
+    }
+    if interp.host.follows(&[slips::BOND_SLIP_TANGENT]) {
+        return Ok(Arc::new(BondSp01 { fy, sy, fu, su, b, r, rules: OpenSees }));
+    }
+    Ok(Arc::new(BondSp01 { fy, sy, fu, su, b, r, rules: Consistent }))
 }

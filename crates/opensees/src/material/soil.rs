@@ -5,8 +5,9 @@ use crate::args::Args;
 use crate::slips;
 use crate::{Tcl, warn};
 use hysteron_engine::material::{
-    Material, PyBackbone, PySimple1, QzBackbone, QzSimple1, SoilSpring, TzBackbone, TzSimple1,
+    HyperbolicGap, Material, PyBackbone, PySimple1, QzBackbone, QzSimple1, SoilSpring, TzBackbone, TzSimple1,
 };
+use hysteron_engine::rules::{Consistent, OpenSees};
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
@@ -22,6 +23,11 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["QzSimple1"],
         usage: "uniaxialMaterial QzSimple1 $tag $qzType $qult $Z50 <$suction> <$c>",
         make: qz_simple1,
+    },
+    Kind {
+        names: &["HyperbolicGapMaterial"],
+        usage: "uniaxialMaterial HyperbolicGapMaterial $tag $Kmax $Kur $Rf $Fult $gap",
+        make: hyperbolic_gap,
     },
 ];
 
@@ -75,4 +81,38 @@ fn qz_simple1(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
     let dashpot = optional(a, "dashpot coefficient c")?;
     let compat = interp.host.follows(&[slips::SOIL_SPRING_ROUNDS]);
     Ok(Arc::new(SoilSpring { soil: QzSimple1::new(kind, qult, z50, suction), dashpot, compat }))
+}
+
+/// Displacement at which the ultimate force is reached if the initial stiffness is zero.
+const STIFFNESS_DISPLACEMENT: f64 = 0.002;
+
+/// A number that is negative in compression; OpenSees turns the sign of a positive one.
+fn negative(interp: &mut Tcl, a: &mut Args<'_>, what: &str) -> Result<f64, Exception> {
+    let x = a.float(what)?;
+    if x > 0.0 {
+        let d = Diagnostic::warning(format!("the {what} is {x}: it is taken as {}", -x));
+        warn(interp, d.at(a.last_span(), "expected a number less than 0"))?;
+    }
+    Ok(-x.abs())
+}
+
+fn hyperbolic_gap(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let mut kmax = a.not_negative("initial stiffness Kmax")?;
+    let place = a.last_span();
+    let kur = a.positive("stiffness Kur of unloading and reloading")?;
+    let rf = a.float("failure ratio Rf")?;
+    let fult = negative(interp, a, "ultimate force Fult")?;
+    if fult == 0.0 {
+        return Err(a.refuse("the ultimate force Fult is 0", "expected a number less than 0"));
+    }
+    if kmax == 0.0 {
+        kmax = -fult / STIFFNESS_DISPLACEMENT;
+        let d = Diagnostic::warning(format!("the initial stiffness Kmax is 0: it is taken as Fult / 0.002, {kmax}"));
+        warn(interp, d.at(place, "expected a number greater than 0"))?;
+    }
+    let gap = negative(interp, a, "gap")?;
+    if interp.host.follows(&[slips::HYPERBOLIC_GAP_TRIALS]) {
+        return Ok(Arc::new(HyperbolicGap { kmax, kur, rf, fult, gap, rules: OpenSees }));
+    }
+    Ok(Arc::new(HyperbolicGap { kmax, kur, rf, fult, gap, rules: Consistent }))
 }

@@ -24,6 +24,46 @@ slips! {
     "Strength is lost where the branch beyond the cap comes to zero, or at thetaU. Both sides have one rule. The tangent is consistent.",
     "The size of the steps would change the answer. Newton's method converges.";
 
+    PINCHING_TRIALS, Command, Case("frame_hysteresis"),
+    "`Pinching4`",
+    "The damage that a trial state applies at a reversal stays for the rest of the step and is committed. A segment without slope takes \
+     the line of another one. The sides differ in the start of reloading without uForce, and in the path of a start softer than its secant.",
+    "A trial state has its own damage. A level segment is level. Both sides have the rules of the positive one.",
+    "An iterate that overshoots would change the damage.";
+
+    MOD_IMK_DETERIORATION, Command, Nowhere,
+    "`ModIMKPeakOriented`, `ModIMKPinching`",
+    "With LambdaC of 0 the strength beyond the cap is lost at the first deterioration. A pinched hinge that has not yielded on the \
+     positive side keeps its unloading stiffness in reversals to the negative side. The tangent counts as one of damping too, without a \
+     force.",
+    "With LambdaC of 0 the strength beyond the cap does not deteriorate. Both sides have one rule. There is no damping.",
+    "The manual says that 0 stands for no deterioration. Newton's method converges.";
+
+    IMK_TANGENT, Command, Nowhere,
+    "`IMKBilin`, `IMKPeakOriented`, `IMKPinching`",
+    "The tangent is the secant of the step.",
+    "The tangent is that of the branch.",
+    "Newton's method converges.";
+
+    BOND_SLIP_TANGENT, Command, Nowhere,
+    "`Bond_SP01`",
+    "The tangent leaves out the height of a branch and the change of its exponent.",
+    "The tangent is consistent.",
+    "Newton's method converges.";
+
+    UVC_RETURN, Command, Nowhere,
+    "`UVCuniaxial`",
+    "A step across zero stress ends there, if the backstress is greater than the yield stress. The yield function has an absolute \
+     tolerance of 1e-9.",
+    "The return mapping goes on to round-off.",
+    "The stress would be inside the yield surface.";
+
+    HYPERBOLIC_GAP_TRIALS, Command, Nowhere,
+    "`HyperbolicGapMaterial`",
+    "The smallest displacement of a trial state stays for the rest of the step and is committed.",
+    "A trial state has its own smallest displacement.",
+    "An iterate that overshoots would change the answer.";
+
     HYSTERETIC_POLY_BRANCH, Command, Nowhere,
     "`HystereticPoly`",
     "A branch goes on from the middle of its whole length, with the round-off of that length. The initial stiffness is ka.",
@@ -135,10 +175,36 @@ pub(super) const OTHERS: &[Slip] = &[
         "48 are kept. Of more loops, the one that hardly differs from the loop around it counts as closed.",
     ),
     differs(
+        "`ModIMKPeakOriented`, `ModIMKPinching` with an exponent c other than 1",
+        "An excursion that gives back more energy than it took has no power of c: the hinge has no force.",
+        "Such an excursion does not deteriorate the hinge.",
+    ),
+    differs(
         "`Bilin` with an exponent c other than 1",
         "An excursion that gives back more energy than it took has no power of c: the hinge is elastic from there on or has no force. The \
          same happens where a side without hardening has lost all strength.",
         "Such an excursion does not deteriorate the hinge.",
+    ),
+    differs(
+        "`IMKBilin`, `IMKPeakOriented`, `IMKPinching` with an exponent c other than 1",
+        "An excursion that gives back more energy than it took, or more energy than the capacity, has no power of c: the hinge has no force \
+         or stays elastic.",
+        "Such an excursion does not deteriorate the hinge.",
+    ),
+    differs(
+        "`Bond_SP01` with a first step of one trial",
+        "The slip of friction on the other side is lost. After a yield the first reversal has no stress.",
+        "It is stored.",
+    ),
+    differs(
+        "`UVCuniaxial` at rest after a plastic step",
+        "The tangent is the plastic or the elastic one, by round-off.",
+        "As in OpenSees, with other round-off.",
+    ),
+    differs(
+        "`Pinching4`: exponents of the damage far below 1",
+        "The energy of the elastic range is round-off; its power is not.",
+        "As in OpenSees, with other round-off.",
     ),
     differs(
         "`HystereticSmooth`, `HystereticAsym`, `HystereticPoly`: a force that round-off puts beyond the limit curve",

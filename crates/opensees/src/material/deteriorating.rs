@@ -1,0 +1,192 @@
+//! Materials whose strength and stiffness deteriorate with cycles.
+
+use super::Kind;
+use crate::args::Args;
+use crate::slips;
+use crate::{Tcl, warn};
+use hysteron_engine::material::{
+    Damage, ImkBilin, ImkDeterioration, ImkPeakOriented, ImkPinching, ImkSide, Material, Pinching, Pinching4,
+    Pinching4Parameters, Pinching4Side,
+};
+use hysteron_engine::rules::{Consistent, OpenSees};
+use hysteron_tcl::Exception;
+use hysteron_tcl::diagnostic::Diagnostic;
+use std::sync::Arc;
+
+pub(super) const KINDS: &[Kind] = &[
+    Kind {
+        names: &["Pinching4"],
+        usage: "uniaxialMaterial Pinching4 $tag $f1p $d1p $f2p $d2p $f3p $d3p $f4p $d4p \
+                <$f1n $d1n $f2n $d2n $f3n $d3n $f4n $d4n> $rDispP $rForceP $uForceP <$rDispN $rForceN $uForceN> \
+                $gK1 $gK2 $gK3 $gK4 $gKLim $gD1 $gD2 $gD3 $gD4 $gDLim $gF1 $gF2 $gF3 $gF4 $gFLim $gE $dmgType",
+        make: pinching4,
+    },
+    Kind {
+        names: &["IMKBilin"],
+        usage: "uniaxialMaterial IMKBilin $tag $Ke $dpPos $dpcPos $duPos $FyPos $FmaxFyPos $FresFyPos \
+                $dpNeg $dpcNeg $duNeg $FyNeg $FmaxFyNeg $FresFyNeg $LambdaS $LambdaC $LambdaK $cS $cC $cK $DPos $DNeg",
+        make: imk_bilin,
+    },
+    Kind {
+        names: &["IMKPeakOriented"],
+        usage: "uniaxialMaterial IMKPeakOriented $tag $Ke $dpPos $dpcPos $duPos $FyPos $FmaxFyPos $FresFyPos \
+                $dpNeg $dpcNeg $duNeg $FyNeg $FmaxFyNeg $FresFyNeg $LambdaS $LambdaC $LambdaA $LambdaK \
+                $cS $cC $cA $cK $DPos $DNeg",
+        make: imk_peak_oriented,
+    },
+    Kind {
+        names: &["IMKPinching"],
+        usage: "uniaxialMaterial IMKPinching $tag $Ke $dpPos $dpcPos $duPos $FyPos $FmaxFyPos $FresFyPos \
+                $dpNeg $dpcNeg $duNeg $FyNeg $FmaxFyNeg $FresFyNeg $LambdaS $LambdaC $LambdaA $LambdaK \
+                $cS $cC $cA $cK $DPos $DNeg $kappaF $kappaD",
+        make: imk_pinching,
+    },
+];
+
+/// Words of `Pinching4` with one envelope for both sides.
+const SYMMETRIC_WORDS: usize = 28;
+
+/// Names of the damage by energy and by cycles.
+const BY_ENERGY: [&str; 4] = ["energy", "Energy", "DamageEnergy", "damageEnergy"];
+const BY_CYCLES: [&str; 4] = ["cycle", "Cycle", "DamageCycle", "damageCycle"];
+
+/// Stresses and strains of an envelope; `s` is the sign of its strains.
+fn four_points(interp: &mut Tcl, a: &mut Args<'_>, s: f64) -> Result<[[f64; 4]; 2], Exception> {
+    let side = if s > 0.0 { "positive" } else { "negative" };
+    let mut points = [[0.0; 4]; 2];
+    for i in 0..4 {
+        points[0][i] = s * a.float(&format!("stress {} on the {side} side", i + 1))?;
+        points[1][i] = s * a.float(&format!("strain {} on the {side} side", i + 1))?;
+        let (strain, before) = (points[1][i], if i == 0 { 0.0 } else { points[1][i - 1] });
+        if strain <= 0.0 {
+            let message = format!("strain {} on the {side} side is {}", i + 1, s * strain);
+            return Err(a.refuse(message, format!("expected a {side} strain")));
+        }
+        if strain <= before {
+            let message = format!("strain {} on the {side} side is not beyond strain {i}", i + 1);
+            warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected strains that go away from zero"))?;
+        }
+    }
+    Ok(points)
+}
+
+/// Reloading and unloading of a side.
+fn pinching(a: &mut Args<'_>, side: &str) -> Result<[f64; 3], Exception> {
+    Ok([
+        a.float(&format!("share of the largest strain at the begin of reloading on the {side} side"))?,
+        a.float(&format!("share of the stress at the begin of reloading on the {side} side"))?,
+        a.float(&format!("share of the strength at the end of unloading on the {side} side"))?,
+    ])
+}
+
+fn damage(a: &mut Args<'_>, what: &str) -> Result<Damage, Exception> {
+    let mut number = |name: &str| a.float(&format!("{name} of the damage of the {what}"));
+    let rate = [number("coefficient 1")?, number("coefficient 2")?];
+    let exponent = [number("exponent 3")?, number("exponent 4")?];
+    Ok(Damage { rate, exponent, limit: number("limit")? })
+}
+
+fn pinching4(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let symmetric = a.left() <= SYMMETRIC_WORDS;
+    let positive = four_points(interp, a, 1.0)?;
+    let negative = if symmetric { positive } else { four_points(interp, a, -1.0)? };
+    let forward = pinching(a, "positive")?;
+    let backward = if symmetric { forward } else { pinching(a, "negative")? };
+    let side = |[stress, strain]: [[f64; 4]; 2], [reloading_strain, reloading_stress, unloading_stress]: [f64; 3]| {
+        Pinching4Side { stress, strain, reloading_strain, reloading_stress, unloading_stress }
+    };
+    let sides = [side(positive, forward), side(negative, backward)];
+    let [stiffness, reloading, strength] =
+        [damage(a, "unloading stiffness")?, damage(a, "reloading strain")?, damage(a, "strength")?];
+    let energy = a.float("energy capacity gE divided by the energy under monotonic loading")?;
+    let word = a.word("damage by energy or cycle")?;
+    let by_cycles = BY_CYCLES.contains(&word.as_ref());
+    if !by_cycles && !BY_ENERGY.contains(&word.as_ref()) {
+        return Err(a.refuse(format!("the kind of damage is \"{word}\""), "expected energy or cycle"));
+    }
+    let given = Pinching4Parameters { sides, stiffness, reloading, strength, energy, by_cycles };
+    Ok(match interp.host.follows(&[slips::PINCHING_TRIALS]) {
+        true => Arc::new(Pinching4::as_opensees(given)),
+        false => Arc::new(Pinching4::new(given)),
+    })
+}
+
+/// Elastic stiffness and both backbones, without their rates of deterioration.
+fn backbones(a: &mut Args<'_>) -> Result<(f64, [ImkSide; 2]), Exception> {
+    let ke = a.positive("elastic stiffness Ke")?;
+    let mut side = |name: &str| -> Result<ImkSide, Exception> {
+        // OpenSees takes the negative side with either sign.
+        let either = name == "negative";
+        let mut positive = |what: &str| -> Result<f64, Exception> {
+            let what = format!("{what} on the {name} side");
+            let x = if either { a.float(&what)?.abs() } else { a.float(&what)? };
+            if x > 0.0 { Ok(x) } else { Err(a.refuse(format!("{what} is {x}"), "expected a number greater than 0")) }
+        };
+        let plastic = positive("deformation dp up to the cap")?;
+        let post_capping = positive("deformation dpc beyond the cap")?;
+        let ultimate = positive("ultimate deformation du")?;
+        let strength = positive("yield strength Fy")?;
+        let peak = a.positive(&format!("ratio FmaxFy of the largest strength on the {name} side"))?;
+        let residual = a.not_negative(&format!("ratio FresFy of the residual strength on the {name} side"))?;
+        Ok(ImkSide { plastic, post_capping, ultimate, strength, peak, residual, rate: 1.0 })
+    };
+    let sides = [side("positive")?, side("negative")?];
+    Ok((ke, sides))
+}
+
+/// Capacities and rates of the modes of deterioration, and the rates of both sides.
+fn deterioration<const N: usize>(
+    a: &mut Args<'_>,
+    modes: [&str; N],
+    sides: &mut [ImkSide; 2],
+) -> Result<[ImkDeterioration; N], Exception> {
+    let mut out = [ImkDeterioration { capacity: 0.0, exponent: 1.0 }; N];
+    for (mode, name) in out.iter_mut().zip(modes) {
+        mode.capacity = a.float(&format!("cumulative deformation capacity Lambda of the {name}"))?;
+    }
+    for (mode, name) in out.iter_mut().zip(modes) {
+        mode.exponent = a.float(&format!("rate of deterioration c of the {name}"))?;
+    }
+    for (side, name) in sides.iter_mut().zip(["positive", "negative"]) {
+        side.rate = a.not_negative(&format!("rate of cyclic deterioration D on the {name} side"))?;
+    }
+    Ok(out)
+}
+
+fn imk_bilin(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let (ke, mut sides) = backbones(a)?;
+    let modes = ["strength", "strength beyond the cap", "unloading stiffness"];
+    let [strength, capping, stiffness] = deterioration(a, modes, &mut sides)?;
+    if interp.host.follows(&[slips::IMK_TANGENT]) {
+        return Ok(Arc::new(ImkBilin { ke, sides, strength, capping, stiffness, rules: OpenSees }));
+    }
+    Ok(Arc::new(ImkBilin { ke, sides, strength, capping, stiffness, rules: Consistent }))
+}
+
+/// The hinge of `IMKPeakOriented` and `IMKPinching`.
+fn peak_oriented(a: &mut Args<'_>) -> Result<ImkPeakOriented, Exception> {
+    let (ke, mut sides) = backbones(a)?;
+    let modes = ["strength", "strength beyond the cap", "reloading stiffness", "unloading stiffness"];
+    let [strength, capping, reloading, stiffness] = deterioration(a, modes, &mut sides)?;
+    Ok(ImkPeakOriented { ke, sides, strength, capping, reloading, stiffness, rules: Consistent })
+}
+
+fn imk_peak_oriented(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let hinge = peak_oriented(a)?;
+    if interp.host.follows(&[slips::IMK_TANGENT]) {
+        return Ok(Arc::new(hinge.with(OpenSees)));
+    }
+    Ok(Arc::new(hinge))
+}
+
+fn imk_pinching(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let hinge = peak_oriented(a)?;
+    let pinching = Pinching {
+        force: a.float("ratio kappaF of the force at the end of pinching")?,
+        deformation: a.float("ratio kappaD of the deformation at the end of pinching")?,
+    };
+    if interp.host.follows(&[slips::IMK_TANGENT]) {
+        return Ok(Arc::new(ImkPinching { hinge: hinge.with(OpenSees), pinching }));
+    }
+    Ok(Arc::new(ImkPinching { hinge, pinching }))
+}
