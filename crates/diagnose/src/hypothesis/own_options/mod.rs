@@ -53,8 +53,6 @@ pub(super) struct OwnParameter {
 enum Unit {
     /// As it is written.
     One,
-    /// Over the work of the device in the run with most of it.
-    PerWork,
     /// Times its largest deformation.
     Deformation,
 }
@@ -71,7 +69,6 @@ impl OwnParameter {
     fn added(&self, group: &MovingGroup<'_>) -> AddedParameter {
         let scale = match self.unit {
             Unit::One => 1.0,
-            Unit::PerWork => 1.0 / group.work,
             Unit::Deformation => group.deformation,
         };
         let make = if self.logarithmic { AddedParameter::log } else { AddedParameter::linear };

@@ -122,24 +122,6 @@ pub(super) const OWN_OPTIONS: &[OwnOption] = &[
         ..NONE
     },
     OwnOption {
-        kinds: &["BoucWen"],
-        cause: "cyclic_degradation",
-        form: "degradation of the law",
-        lengths: &[12],
-        replaced: &[
-            (9, Some(0.0), "$::hy_deltaA"),
-            (10, Some(0.0), "$::hy_deltaNu"),
-            (11, Some(0.0), "$::hy_deltaEta"),
-        ],
-        parameters: &[
-            OwnParameter::linear("deltaA", 0.0, 1.0, 0.05, Unit::PerWork),
-            OwnParameter::linear("deltaNu", 0.0, 4.0, 0.2, Unit::PerWork),
-            OwnParameter::linear("deltaEta", 0.0, 4.0, 0.2, Unit::PerWork),
-        ],
-        source: "Baber and Noori (1985)",
-        ..NONE
-    },
-    OwnOption {
         kinds: &["Hysteretic"],
         cause: "pinching",
         form: "pinching of the law",
