@@ -131,3 +131,44 @@ fn amended_element_keeps_its_number_of_updates() {
         assert!(apart <= 1e-9 * most, "{algorithm}, damping {damping}: {apart:e} of {most:e}");
     }
 }
+
+/// Forces and stresses below an amended element are those after the amendment, deformations and strains the total ones.
+#[test]
+fn responses_inside_an_element_are_amended() {
+    let recorded = |element: &str, amendment: &str, words: &str| {
+        let ran = run(&format!(
+            "model basic -ndm 1 -ndf 1; node 1 0; node 2 4; node 3 0; fix 1 1
+            uniaxialMaterial Elastic 1 100.; {element}
+            amend element 1 {amendment}
+            timeSeries Linear 1; pattern Plain 1 1 {{ sp [lindex [eleNodes 1] 1] 1 0.02 }}
+            recorder Element -file asked.out -ele 1 {words}; recorder Element -file force.out -ele 1 force
+            constraints Transformation; numberer Plain; system FullGeneral; test NormUnbalance 1e-10 50; algorithm Newton
+            integrator LoadControl 0.5; analysis Static; analyze 2"
+        ));
+        assert!(ran.warnings().is_empty(), "{:?}", ran.warnings());
+        let last = |file: &str| ran.tables[file].last().cloned().unwrap_or_default();
+        (last("asked.out"), last("force.out")[1])
+    };
+    let spring = "fix 2 1; element zeroLength 1 1 3 -mat 1 -dir 1";
+    let truss = "fix 3 1; element truss 1 1 2 5. 1";
+    let stiffer = "stiffening -factor 400. -from 0.01 -power 1.";
+    // 100 x 0.02 of the spring, and 400 x 0.01 beside it.
+    for words in ["material 1 stress", "basicForce", "force"] {
+        let (asked, force) = recorded(spring, stiffer, words);
+        assert!(close(*asked.last().unwrap(), 6.0, 1e-9) && close(force, 6.0, 1e-9), "{words}: {asked:?}, {force}");
+    }
+    let (asked, _) = recorded(spring, stiffer, "material 1 stressStrain");
+    assert!(close(asked[0], 6.0, 1e-9) && close(asked[1], 0.02, 1e-9), "{asked:?}");
+    let (asked, _) = recorded(spring, stiffer, "defoANDforce");
+    assert!(close(asked[0], 0.02, 1e-9) && close(asked[1], 6.0, 1e-9), "{asked:?}");
+    // The force of the truss is its stress times 5; its strain is a quarter of the deformation.
+    for words in ["material stress", "material 1 stress", "stress"] {
+        let (asked, force) = recorded(truss, stiffer, words);
+        assert!(close(force, 6.5, 1e-9) && close(asked[0], 6.5 / 5.0, 1e-9), "{words}: {asked:?}, {force}");
+    }
+    let (asked, force) = recorded(truss, stiffer, "localForce");
+    assert!(close(asked[0], -force, 1e-12) && close(asked[1], force, 1e-12), "{asked:?}");
+    // Slip in series is a part of the recorded strain, not of the spring's own.
+    let (asked, force) = recorded(spring, "slip -size 0.01 -width 0.1", "material 1 stressStrain");
+    assert!(close(asked[1], 0.02, 1e-9) && force < 1.9 && close(asked[0], force, 1e-9), "{asked:?}, {force}");
+}

@@ -43,5 +43,5 @@ pub use verdict::discriminating_test::DiscriminatingTest;
 pub use verdict::place::{NodePlace, Place};
 pub use verdict::quantity::EffectSize;
 pub use verdict::report::report;
-pub use verdict::result_file::{Baseline, Candidate, Mismatch, Outcome, RepairedModel, Verdict};
+pub use verdict::result_file::{Baseline, Candidate, Mismatch, Outcome, RepairedModel, UnmovedChannel, Verdict};
 pub use verdict::summary::Summary;

@@ -1,6 +1,7 @@
 //! A proposal: an edit of the script or a fault of a channel, with its parameters.
 
 use super::channel_fault::ChannelFault;
+use crate::inspect::insertion::InsertionPoint;
 use hysteron_identify::study::{ParameterRange, Scale};
 use std::fmt;
 use std::sync::Arc;
@@ -40,6 +41,17 @@ impl AddedParameter {
 /// Channel faults as a function of the values of the added parameters.
 pub(crate) type FaultModel = Arc<dyn Fn(&[f64]) -> Vec<ChannelFault> + Send + Sync>;
 
+/// Replacement of a byte range of the user's script.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct TextEdit {
+    /// First byte.
+    pub(crate) start: usize,
+    /// Byte after the last.
+    pub(crate) end: usize,
+    /// New text.
+    pub(crate) text: String,
+}
+
 /// An edit of the script, or a fault of a channel.
 #[derive(Clone)]
 pub(crate) struct Proposal {
@@ -55,6 +67,10 @@ pub(crate) struct Proposal {
     pub(crate) second_location: String,
     /// Commands, without the declarations of the parameters.
     pub(crate) commands: Vec<String>,
+    /// Edits of the commands of devices.
+    pub(crate) option_edits: Vec<TextEdit>,
+    /// First byte of the command in front of which parameters are declared; none if the added commands declare them.
+    pub(crate) declared_at: Option<usize>,
     /// Added parameters.
     pub(crate) parameters: Vec<AddedParameter>,
     /// Faults of channels.
@@ -87,6 +103,8 @@ impl Proposal {
             location,
             second_location: String::new(),
             commands,
+            option_edits: vec![],
+            declared_at: None,
             parameters,
             fault_model: None,
             geometric: false,
@@ -104,6 +122,9 @@ impl Proposal {
         both.second_location.clone_from(&second.location);
         both.form = format!("{}; {}", self.form, second.form);
         both.commands.extend(second.commands.iter().map(|l| renamed(l)));
+        let edits = second.option_edits.iter();
+        both.option_edits.extend(edits.map(|e| TextEdit { text: renamed(&e.text), ..e.clone() }));
+        both.declared_at = self.declared_at.into_iter().chain(second.declared_at).min();
         let parameters = second.parameters.iter();
         both.parameters.extend(parameters.map(|a| AddedParameter { name: renamed(&a.name), ..a.clone() }));
         let n = self.parameters.len();
@@ -120,10 +141,29 @@ impl Proposal {
         both
     }
 
-    /// The commands, preceded by declarations of the parameters at `values`.
-    pub(crate) fn declared_commands(&self, values: &[f64]) -> Vec<String> {
+    /// Returns true if the proposal changes the script, not only its channels.
+    pub(crate) fn edits_script(&self) -> bool {
+        !self.commands.is_empty() || !self.option_edits.is_empty()
+    }
+
+    /// Returns false if two edits change the same words, or if commands inside a procedure need parameters from outside.
+    pub(crate) fn is_consistent(&self, point: &InsertionPoint) -> bool {
+        let mut edits: Vec<&TextEdit> = self.option_edits.iter().collect();
+        edits.sort_by_key(|e| (e.start, e.end));
+        let apart = edits.windows(2).all(|w| w[0].end <= w[1].start);
+        let deferred = *point == InsertionPoint::FirstAnalyze;
+        apart && (self.declared_at.is_none() || self.commands.is_empty() || !deferred)
+    }
+
+    /// Declarations of the parameters at `values`.
+    pub(crate) fn declarations(&self, values: &[f64]) -> Vec<String> {
         let of_the_model = self.parameters.iter().zip(values).filter(|(a, _)| !a.of_channel_fault);
-        let declarations = of_the_model.map(|(a, v)| format!("pset {} {v:?}", a.name));
-        declarations.chain(self.commands.iter().cloned()).collect()
+        of_the_model.map(|(a, v)| format!("pset {} {v:?}", a.name)).collect()
+    }
+
+    /// The commands, preceded by declarations unless these stand before the command of a device.
+    pub(crate) fn inserted_commands(&self, values: &[f64]) -> Vec<String> {
+        let declarations = if self.declared_at.is_some() { vec![] } else { self.declarations(values) };
+        declarations.into_iter().chain(self.commands.iter().cloned()).collect()
     }
 }

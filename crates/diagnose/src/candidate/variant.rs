@@ -2,8 +2,9 @@
 
 use super::channel_fault::ChannelFault;
 use super::proposal::Proposal;
+use super::repaired_script::edited_script;
 use crate::inspect::auxiliary_channels::auxiliary_log_odds;
-use crate::inspect::insertion::{InsertionPoint, insert};
+use crate::inspect::insertion::InsertionPoint;
 use crate::prior::VISIBLE_FAULT_LOG_ODDS;
 use hysteron_identify::study::{
     Parameter, ParameterKind, ParameterSpace, Role, ScriptSimulator, SimulationError, Simulator, SimulatorFactory,
@@ -33,17 +34,21 @@ impl Variant {
         Self { study: study.clone(), text: text.into(), proposal: None, own_parameters, auxiliary_log_odds: 0.0 }
     }
 
-    /// The study with a proposal. `None` if a parameter of the study has the name of an added one.
+    /// The study with a proposal. `None` if a parameter of the study has the name of an added one, or if its edits do not
+    /// go together.
     pub(crate) fn with_proposal(&self, point: &InsertionPoint, proposal: &Proposal) -> Option<Self> {
+        if !proposal.is_consistent(point) {
+            return None;
+        }
         let mut parameters = self.study.space.parameters[..self.own_parameters].to_vec();
         for a in &proposal.parameters {
             parameters.push(Parameter { name: a.name.clone(), kind: ParameterKind::Free(a.range) });
         }
         let values: Vec<f64> = proposal.parameters.iter().map(|a| a.start).collect();
-        let text: Arc<str> = if proposal.commands.is_empty() {
-            self.text.clone()
+        let text: Arc<str> = if proposal.edits_script() {
+            edited_script(&self.text, point, Some(proposal), &values, vec![]).into()
         } else {
-            insert(&self.text, point, &proposal.declared_commands(&values)).into()
+            self.text.clone()
         };
         let mut study = (*self.study).clone();
         study.space = ParameterSpace::new(parameters).ok()?;
@@ -76,7 +81,7 @@ impl Variant {
 
     /// Returns true if the proposal changes the script, not only its channels.
     pub(crate) fn edits_script(&self) -> bool {
-        self.proposal.as_ref().is_some_and(|p| !p.commands.is_empty())
+        self.proposal.as_ref().is_some_and(Proposal::edits_script)
     }
 
     /// Number of free parameters.

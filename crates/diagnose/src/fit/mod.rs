@@ -16,6 +16,7 @@
 //! - [`refit_competitors`]: repeated searches for look-alikes of the best hypothesis
 //! - [`two_effect_search`]: pairs of effects
 //! - [`step_error`]: error of the time steps
+//! - [`unmoved_channels`]: channels that no proposal changes
 
 pub(crate) mod alternative_forms;
 pub(crate) mod baseline;
@@ -34,3 +35,4 @@ pub(crate) mod screening;
 pub(crate) mod search_settings;
 pub(crate) mod step_error;
 pub(crate) mod two_effect_search;
+pub(crate) mod unmoved_channels;

@@ -18,6 +18,10 @@ pub(crate) struct ProposalContext<'a> {
     pub(crate) fits: &'a [ScoredRun],
     /// True if the times of the recordings are those of a clock, false if they count samples.
     pub(crate) has_clock: bool,
+    /// Text of the script.
+    pub(crate) text: &'a str,
+    /// Byte up to which its commands make the model.
+    pub(crate) model_end: usize,
 }
 
 /// Tags of devices, separated by spaces.

@@ -4,6 +4,7 @@
 //! The proposals of a cause are different forms of it; the best of them represents the cause.
 //!
 //! A new hypothesis is a file with a function, and a line in [`ALL`]. `context` holds what proposals are made from.
+//! `own_options` has the forms that switch on what a law has itself.
 
 mod ambient_temperature;
 mod axial_shear_interaction;
@@ -16,6 +17,7 @@ mod foundation_flexibility;
 mod friction;
 mod gap_impact;
 mod mullins_softening;
+mod own_options;
 mod pinching;
 mod rate_dependence;
 mod self_heating;
@@ -71,7 +73,9 @@ pub const ALL: &[Hypothesis] = &[
 impl Hypothesis {
     /// The proposals for a study.
     pub(crate) fn proposals(&self, context: &ProposalContext<'_>) -> Vec<Proposal> {
-        (self.propose)(context)
+        let mut out = (self.propose)(context);
+        out.extend(own_options::proposals(self.cause, context));
+        out
     }
 }
 

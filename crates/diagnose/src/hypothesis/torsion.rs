@@ -87,6 +87,8 @@ mod tests {
                 responses: &responses,
                 fits: &[],
                 has_clock: true,
+                text: "",
+                model_end: 0,
             })
             .len()
         };

@@ -14,6 +14,16 @@ pub(crate) enum InsertionPoint {
     FirstAnalyze,
 }
 
+impl InsertionPoint {
+    /// Byte of the text, if the model exists there.
+    pub(crate) fn byte(&self) -> Option<usize> {
+        match self {
+            Self::At(byte) => Some(*byte),
+            Self::FirstAnalyze => None,
+        }
+    }
+}
+
 /// The insertion point before a top-level command.
 ///
 /// `first_step` is the index of the command that makes the first step. `model_exists` is true if earlier commands have

@@ -4,8 +4,9 @@ use super::diagnosis::{Diagnosis, RankedHypothesis};
 use super::discriminating_test::discriminating_test;
 use super::explanation::{explanation, observation};
 use super::mismatch::{find_windows, regime};
-use super::result_file::{Baseline, Candidate, Mismatch, Outcome, RepairedModel, Verdict};
+use super::result_file::{Baseline, Candidate, Mismatch, Outcome, RepairedModel, UnmovedChannel, Verdict};
 use super::summary::{Summary, SummaryContext, summary};
+use super::unmoved::unmoved_in_words;
 use crate::candidate::channel_fault::ChannelFault;
 use crate::candidate::opensees_form::{RepairedModelScript, opensees_script};
 use crate::candidate::repaired_script::repaired_script;
@@ -31,7 +32,7 @@ use crate::prior::{
 };
 use hysteron_identify::calibrate::{StudyProblem, Uncertainty, uncertainty};
 use hysteron_identify::study::{
-    InitialRun, ParameterSpace, Role, ScoredRun, ScriptSimulator, Study, simulate_and_score,
+    InitialRun, ObservedChannel, ParameterSpace, Role, ScoredRun, ScriptSimulator, Study, simulate_and_score,
 };
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -55,6 +56,8 @@ pub(super) struct ConclusionContext<'a> {
     /// Numbers of forms and causes that were tried.
     pub(super) tried: (usize, usize),
     pub(super) threads: usize,
+    /// Channels that no edit of the script changes.
+    pub(super) unmoved_channels: &'a [ObservedChannel],
 }
 
 /// Hypotheses to conclude from.
@@ -191,6 +194,8 @@ pub(super) fn conclude(
         largest_work: c.responses.largest_work(),
         test: next_test.as_ref().map_or("", |t| &t.description),
     });
+    let unmoved_channels = unmoved_in_words(c.unmoved_channels, c.text);
+    in_words.summary.what_next.splice(0..0, unmoved_channels.iter().map(UnmovedChannel::advice));
     let outcome = Outcome {
         study: if study.title.is_empty() { study.model.clone() } else { study.title.clone() },
         baseline: baseline_result,
@@ -199,6 +204,7 @@ pub(super) fn conclude(
         corrected,
         unexplained_share: remaining_share(baseline, repair).min(1.0),
         bootstrap: bootstrap.clone(),
+        unmoved_channels,
         evidence,
         prior: prior::numbers(),
         weights: verdict_model::weights(),

@@ -16,6 +16,7 @@ use crate::fit::screening::{FirstRound, best_forms, of_first_causes};
 use crate::fit::search_settings::{FINALIST_CAUSES, MAX_RESTARTS, SECOND_ROUND_ITERATIONS};
 use crate::fit::step_error::step_error;
 use crate::fit::two_effect_search::two_effect_search;
+use crate::fit::unmoved_channels::unmoved_channels;
 use crate::hypothesis::{self, context::ProposalContext};
 use crate::inspect::conditions::lacks_clock;
 use crate::inspect::probe::{inspect_model, record_responses};
@@ -118,16 +119,19 @@ pub fn diagnose(
         responses: &responses,
         fits: &baseline.fitted.fits,
         has_clock,
+        text,
+        model_end: point.byte().unwrap_or(text.len()),
     };
     let library = hypothesis::ALL.iter().filter(|h| !settings.excluded_causes.iter().any(|w| w == h.cause));
     let (without_clock, library): (Vec<_>, Vec<_>) = library.partition(|h| !has_clock && h.needs_clock);
     let causes_tried = library.len();
     let proposals: Vec<Proposal> = library.iter().flat_map(|h| h.proposals(&context)).collect();
 
-    let edits = proposals.iter().filter(|p| !p.commands.is_empty()).count();
+    let edits = proposals.iter().filter(|p| p.edits_script()).count();
     let global = poor && is_affordable(&study, edits);
     let first_round = FirstRound { baseline: &baseline, initial_run, point: &point, proposals: &proposals, global };
     let mut singles = first_round.fit(&mut scheduler)?;
+    let unmoved_channels = unmoved_channels(&mut scheduler, &baseline, &point, &proposals)?;
     refit_competitors(&mut scheduler, &baseline, &mut singles)?;
     let best = singles.first().filter(|e| e.score() < baseline.score());
     let step_error = step_error(&mut scheduler, &baseline, best)?;
@@ -148,6 +152,7 @@ pub fn diagnose(
         inventory: &inventory,
         tried: (proposals.len(), causes_tried),
         threads: settings.threads,
+        unmoved_channels: &unmoved_channels,
     };
     let search = SecondSearch { context: &context, baseline: &baseline, baseline_of_script: &baseline_of_script };
     search.until_not_refuted(&mut scheduler, singles)

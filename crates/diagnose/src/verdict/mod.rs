@@ -22,3 +22,4 @@ pub(crate) mod quantity;
 pub(crate) mod report;
 pub(crate) mod result_file;
 pub(crate) mod summary;
+mod unmoved;

@@ -35,9 +35,21 @@ pub struct Outcome {
     pub weights: BTreeMap<&'static str, f64>,
     /// Recommended next test, in words.
     pub next_test: String,
+    /// Channels that no edit of the script changes, so that nothing can be learned from them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub unmoved_channels: Vec<UnmovedChannel>,
     /// Checks of the channels before the fit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub preflight: Option<Preflight>,
+}
+
+/// A channel with an error that no edit of the script changes.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct UnmovedChannel {
+    /// Column of the recording.
+    pub channel: String,
+    /// Recommended recorder, in words.
+    pub record_instead: String,
 }
 
 /// The fitted user's model.

@@ -2,6 +2,17 @@
 
 use super::dot;
 
+/// A material that carries the force of one direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RowMaterial {
+    /// Number in the response `material $number`, from 1.
+    pub number: usize,
+    /// Force per stress.
+    pub area: f64,
+    /// Deformation per strain.
+    pub length: f64,
+}
+
 /// One basic deformation of an element with linear kinematics.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BasicRow {
@@ -13,6 +24,8 @@ pub struct BasicRow {
     pub row: Vec<f64>,
     /// Deformation when the element was created.
     pub initial: f64,
+    /// The material that carries the force of this direction, if there is one.
+    pub material: Option<RowMaterial>,
     /// Entries of `row` that belong to the direction itself at node j. Their product with the end forces is the basic
     /// force.
     at_j: Vec<f64>,
@@ -28,12 +41,17 @@ impl BasicRow {
                 *to = *from;
             }
         }
-        Self { direction, column, row: row.to_vec(), initial: 0.0, at_j }
+        Self { direction, column, row: row.to_vec(), initial: 0.0, material: None, at_j }
     }
 
     /// Subtracts a deformation from when the element was created.
     pub fn from_initial(self, initial: f64) -> Self {
         Self { initial, ..self }
+    }
+
+    /// Names the material that carries the force, by its number from 1, with force per stress and deformation per strain.
+    pub fn of_material(self, number: usize, area: f64, length: f64) -> Self {
+        Self { material: Some(RowMaterial { number, area, length }), ..self }
     }
 
     /// Deformation for displacements of length n.

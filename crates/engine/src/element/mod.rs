@@ -32,7 +32,7 @@ use std::fmt;
 use std::sync::Arc;
 
 pub use bar::BarOptions;
-pub use basic_row::BasicRow;
+pub use basic_row::{BasicRow, RowMaterial};
 pub use corot_truss::CorotTruss;
 pub use coupled_zero_length::CoupledZeroLength;
 pub use load::ElementLoad;

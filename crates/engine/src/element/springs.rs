@@ -110,7 +110,8 @@ impl Springs {
         for (column, s) in self.springs.iter().enumerate() {
             let direction = direction(s.direction);
             if rows.iter().all(|r| r.direction != direction) {
-                rows.push(BasicRow::new(direction, column, &s.row, nodes).from_initial(s.initial));
+                let row = BasicRow::new(direction, column, &s.row, nodes).from_initial(s.initial);
+                rows.push(row.of_material(column + 1, 1.0, 1.0));
             }
         }
         rows

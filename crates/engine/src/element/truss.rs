@@ -104,7 +104,8 @@ impl Element for Truss {
     fn basic_rows(&self) -> Vec<BasicRow> {
         let length = self.bar.length;
         let row: Vec<f64> = self.row.iter().map(|r| r * length).collect();
-        vec![BasicRow::new(1, 0, &row, (self.bar.ndm, self.bar.per_node)).from_initial(self.initial * length)]
+        let row = BasicRow::new(1, 0, &row, (self.bar.ndm, self.bar.per_node)).from_initial(self.initial * length);
+        vec![row.of_material(1, self.bar.options.area, length)]
     }
 
     fn opensees(&self) -> OpenSeesTraits<'_> {

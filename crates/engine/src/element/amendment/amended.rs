@@ -1,6 +1,7 @@
 //! An element with an amended force.
 
 mod opensees;
+mod responses;
 
 use super::slack::ForceAndTangent;
 use super::{AmendedForce, Amendment, DeformationState, Pair, Slack, SlackShare};
@@ -10,6 +11,7 @@ use crate::element::{
 };
 use crate::probe::Probe;
 use crate::series::Series;
+use responses::AmendedResponse;
 use std::sync::Arc;
 
 /// An element whose force is amended in one direction, or in two coupled directions.
@@ -31,9 +33,8 @@ pub struct Amended {
     axial: Compression,
     /// Number of state variables of the element.
     inner_len: usize,
-    /// Probe paths of the element's basic forces and deformations, which are amended when they are read.
-    basic_force: Option<Vec<u32>>,
-    deformation: Option<Vec<u32>>,
+    /// Responses of the element that are amended when they are read.
+    responses: Vec<AmendedResponse>,
 }
 
 /// Source of the axial compression that a law depends on.
@@ -85,8 +86,8 @@ impl Amended {
             return Err(ElementError("at most two directions are amended together".into()));
         }
         let axial = find(1).filter(|_| !chosen.contains(&1)).cloned().map_or(Compression::None, Compression::Force);
-        let [basic_force, deformation] = ["basicForce", "deformation"].map(|what| inner.probe(&[what]).map(|p| p.path));
-        Ok(Self { law, rows, axial, inner_len: inner.state_len(), basic_force, deformation, inner })
+        let responses = responses::amended(inner.as_ref(), &rows);
+        Ok(Self { law, rows, axial, inner_len: inner.state_len(), responses, inner })
     }
 
     /// Takes the axial force from another direction than the first, for example the vertical one of springs along
@@ -416,6 +417,13 @@ impl Element for Amended {
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
         let (inner, old) = self.inner.with_parameter(words, value)?;
         let mut new = Self { inner, ..self.clone() };
+        let has = new.inner.basic_rows();
+        for row in &mut new.rows {
+            if let Some(renewed) = has.iter().find(|r| r.direction == row.direction) {
+                row.clone_from(renewed);
+            }
+        }
+        new.responses = responses::amended(new.inner.as_ref(), &new.rows);
         let stiffness = new.initial_stiffness()[0];
         // A law with the previous stiffness would leave the difference in parallel.
         if stiffness != self.initial_stiffness()[0]
@@ -448,16 +456,8 @@ impl Element for Amended {
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
         let (state, own) = s.state.split_at(self.inner_len);
         self.inner.read(path, &Snapshot { state, ..*s }, out);
-        if self.basic_force.as_deref() == Some(path) {
-            for (i, row) in self.rows.iter().enumerate() {
-                out[row.column] += own[2 + i];
-            }
-        }
-        // The total deformation is recorded; that of the element itself differs by the withheld part.
-        if self.deformation.as_deref() == Some(path) {
-            for (i, row) in self.rows.iter().enumerate().filter(|(i, _)| own[WITHHELD_AT + i] != 0.0) {
-                out[row.column] = own[i];
-            }
+        if let Some(response) = self.responses.iter().find(|r| r.path == path) {
+            response.amend(own, out);
         }
     }
 }

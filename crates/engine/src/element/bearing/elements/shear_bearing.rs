@@ -3,8 +3,8 @@
 use crate::element::bearing::kinematics::link::Link;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw};
 use crate::element::{
-    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
-    frame_force_labels,
+    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, RowMaterial,
+    Snapshot, frame_force_labels,
 };
 use crate::material::{Material, Slot, Strain};
 use crate::probe::Probe;
@@ -133,7 +133,7 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
     }
 
     fn basic_rows(&self) -> Vec<BasicRow> {
-        self.link.basic_rows()
+        with_materials(self.link.basic_rows(), self.springs().map(|(column, _)| column))
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
@@ -167,6 +167,18 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
             _ => self.materials[path[1] as usize].read(&path[2..], s.state, out),
         }
     }
+}
+
+/// Basic rows with the materials that alone carry a force; `columns` has one for each material.
+pub(in crate::element::bearing) fn with_materials(
+    rows: Vec<BasicRow>,
+    columns: impl Iterator<Item = usize>,
+) -> Vec<BasicRow> {
+    let mut rows = rows;
+    for (i, column) in columns.enumerate() {
+        rows[column].material = Some(RowMaterial { number: i + 1, area: 1.0, length: 1.0 });
+    }
+    rows
 }
 
 fn diagonal<const B: usize>(values: [f64; B]) -> [[f64; B]; B] {

@@ -5,7 +5,7 @@ use super::rules::Rules;
 use super::surface::{Pose, Surface};
 use crate::element::bearing::Link;
 use crate::element::bearing::elements::shear_bearing::{
-    BASIC_FORCE, DEFORMATION, FRICTION, LOCAL_DISP, LOCAL_FORCE, MATERIAL, end_masses, probe,
+    BASIC_FORCE, DEFORMATION, FRICTION, LOCAL_DISP, LOCAL_FORCE, MATERIAL, end_masses, probe, with_materials,
 };
 use crate::element::friction::Contact;
 use crate::element::{
@@ -378,7 +378,10 @@ impl<const N: usize, const B: usize, const S: usize, R: Rules> Element for Slidi
     }
 
     fn basic_rows(&self) -> Vec<BasicRow> {
-        self.link.basic_rows()
+        let mut rows = with_materials(self.link.basic_rows(), self.springs.iter().map(|(column, _)| *column));
+        // The surface carries a part of the shear forces.
+        rows[1..=S].iter_mut().for_each(|row| row.material = None);
+        rows
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {

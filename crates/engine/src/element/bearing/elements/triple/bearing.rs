@@ -4,7 +4,7 @@ use super::chain::{Chain, ChainState, rows, square};
 use super::heated::{Heated, PARAMETER_NAMES, PARAMETERS, Step, ThermalState};
 use super::rules::{Rules, Vertical};
 use crate::element::bearing::elements::shear_bearing::{
-    BASIC_FORCE, DEFORMATION, FRICTION, LOCAL_DISP, LOCAL_FORCE, MATERIAL, probe,
+    BASIC_FORCE, DEFORMATION, FRICTION, LOCAL_DISP, LOCAL_FORCE, MATERIAL, probe, with_materials,
 };
 use crate::element::friction::{Coefficient, Contact, Friction};
 use crate::element::{
@@ -316,7 +316,9 @@ impl<R: Rules> Element for TriplePendulum<R> {
             (row[dof], row[6 + dof]) = (-1.0, 1.0);
             row
         };
-        LOCAL.into_iter().enumerate().map(|(k, dof)| BasicRow::new(k + 1, k, &apart(dof), (3, 6))).collect()
+        let rows = LOCAL.into_iter().enumerate().map(|(k, dof)| BasicRow::new(k + 1, k, &apart(dof), (3, 6)));
+        let columns = DIRECTIONS.into_iter().filter_map(|d| LOCAL.iter().position(|dof| *dof == d));
+        with_materials(rows.collect(), columns)
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
