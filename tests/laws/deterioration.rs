@@ -25,7 +25,7 @@ const SIDE: BilinSide = BilinSide {
 
 fn hinge<R>(capacity: f64, n: f64, rules: R) -> Bilin<R> {
     let mode = Deterioration { capacity, exponent: 1.0 };
-    Bilin { ke: KE, sides: [SIDE; 2], strength: mode, capping: mode, stiffness: mode, n, rules }
+    Bilin { ke: KE, sides: [SIDE; 2], strength: mode, capping: mode, stiffness: mode, n, steady_cap: false, rules }
 }
 
 fn close(a: f64, b: f64) {

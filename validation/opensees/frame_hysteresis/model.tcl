@@ -17,6 +17,7 @@ uniaxialMaterial HyperbolicGapMaterial 9 20300. 18000. 0.7 -326. -0.0254
 uniaxialMaterial Pinching4 11 12. 0.01 15. 0.03 15. 0.05 9. 0.09 0.6 0.35 0. 0.2 0.1 0.5 0.8 0.7 0.1 0.1 0.5 1. 0.4 0.1 0.1 1. 1. 0.3 10. energy
 uniaxialMaterial ModIMKPeakOriented 12 1000. 0.03 0.02 12. -11. 2. 1.6 3. 2.4 1. 1. 1. 1. 0.03 0.04 0.12 0.15 0.3 0.2 0.3 0.25 1. 0.9
 uniaxialMaterial ModIMKPinching 13 1000. 0.03 0.02 12. -11. 0.4 0.5 0.3 2. 1.6 3. 2.4 1. 1. 1. 1. 0.03 0.04 0.12 0.15 0.3 0.2 0.3 0.25 1. 0.9 4.
+uniaxialMaterial Bilin02 15 1000. 0.03 0.02 12. -11. 2. 1.6 0. 2.4 1. 1. 1. 1. 0.03 0.04 0.12 0.15 0.3 0.2 0.3 0.25 1. 0.9
 uniaxialMaterial HookGap 14 1000. -0.02 0.03
 uniaxialMaterial UVCuniaxial 10 200000. 355. 110. 11. 75. 250. 2 18000. 150. 2800. 20.
 # name, amplitude of the spring alone, and stiffness of the spring in series
@@ -33,6 +34,7 @@ set springs {
     11 pinching4_level 0.08 0
     12 mod_imk_peak 0.1 4000
     13 mod_imk_pinching 0.1 20000
+    15 bilin02 0.1 4000
     14 hook_gap 0.1 4000
     10 uvc 0.02 800000
 }

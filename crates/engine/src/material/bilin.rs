@@ -64,6 +64,8 @@ pub struct Bilin<R = Consistent> {
     pub stiffness: Deterioration,
     /// Stiffness of the hinge divided by that of the member, minus one: n.
     pub n: f64,
+    /// The slope beyond the cap does not deteriorate, as in `Bilin02`.
+    pub steady_cap: bool,
     /// Rules of a few turns and of the tangent.
     pub rules: R,
 }
@@ -382,7 +384,7 @@ impl<R: Rules> Bilin<R> {
             (side.strength, side.hardening) = (residual, 1e-4);
             (side.cap_intercept, side.cap_slope) = (residual, -1e-6);
             t.settled = 1.0;
-        } else {
+        } else if !self.steady_cap {
             let kept = ((residual - side.strength) / (residual - rule.strength)).abs();
             side.cap_slope = self.of_hinge(self.of_member(side.first_cap_slope) * kept);
             if side.cap_slope >= 0.0 {

@@ -22,6 +22,13 @@ pub(super) const KINDS: &[Kind] = &[
         make: bilin,
     },
     Kind {
+        names: &["Bilin02"],
+        usage: "uniaxialMaterial Bilin02 $tag $Ke $AsPos $AsNeg $MyPos $MyNeg $LambdaS $LambdaC $LambdaA $LambdaK \
+                $cS $cC $cA $cK $thetaPPos $thetaPNeg $thetaPCPos $thetaPCNeg $resPos $resNeg $thetaUPos $thetaUNeg \
+                $DPos $DNeg <$nFactor>",
+        make: bilin02,
+    },
+    Kind {
         names: &["ModIMKPeakOriented"],
         usage: "uniaxialMaterial ModIMKPeakOriented $tag $Ke $AsPos $AsNeg $MyPos $MyNeg $LambdaS $LambdaC $LambdaA \
                 $LambdaK $cS $cC $cA $cK $thetaPPos $thetaPNeg $thetaPCPos $thetaPCNeg $resPos $resNeg $thetaUPos \
@@ -127,12 +134,20 @@ fn hinge(a: &mut Args<'_>, pinched: bool) -> Result<Hinge, Exception> {
 }
 
 fn bilin(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    bilinear(interp, a, false)
+}
+
+fn bilin02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    bilinear(interp, a, true)
+}
+
+fn bilinear(interp: &mut Tcl, a: &mut Args<'_>, steady_cap: bool) -> Result<Material, Exception> {
     // The deterioration of the accelerated stiffness has no part in bilinear hysteresis.
     let Hinge { ke, sides, modes: [strength, capping, _, stiffness], n, .. } = hinge(a, false)?;
     if interp.host.follows(&[slips::BILIN_DETERIORATION]) {
-        return Ok(Arc::new(Bilin { ke, sides, strength, capping, stiffness, n, rules: OpenSees }));
+        return Ok(Arc::new(Bilin { ke, sides, strength, capping, stiffness, n, steady_cap, rules: OpenSees }));
     }
-    Ok(Arc::new(Bilin { ke, sides, strength, capping, stiffness, n, rules: Consistent }))
+    Ok(Arc::new(Bilin { ke, sides, strength, capping, stiffness, n, steady_cap, rules: Consistent }))
 }
 
 /// The hinge of `ModIMKPeakOriented` and `ModIMKPinching`.

@@ -17,7 +17,7 @@ slips! {
     "A brace may be compressed first.";
 
     BILIN_DETERIORATION, Command, Case("bilin_hinges"),
-    "`Bilin`",
+    "`Bilin`, `Bilin02`",
     "A step that crosses zero force and ends beyond the cap of the other side loses all strength. The force jumps to the residual \
      strength. The unloading stiffness stops to deteriorate by other rules on the positive side than on the negative one. Where the \
      backbone deteriorates, the tangent is a slope of the new backbone.",
@@ -180,7 +180,7 @@ pub(super) const OTHERS: &[Slip] = &[
         "Such an excursion does not deteriorate the hinge.",
     ),
     differs(
-        "`Bilin` with an exponent c other than 1",
+        "`Bilin`, `Bilin02` with an exponent c other than 1",
         "An excursion that gives back more energy than it took has no power of c: the hinge is elastic from there on or has no force. The \
          same happens where a side without hardening has lost all strength.",
         "Such an excursion does not deteriorate the hinge.",
