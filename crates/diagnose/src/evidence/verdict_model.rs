@@ -10,6 +10,7 @@ use super::likelihood::normalised_probabilities;
 use super::verdict_evidence::{HypothesisEvidence, VerdictEvidence};
 use super::verdict_weights::{PAIR_WEIGHTS, WEIGHTS};
 use crate::hypothesis;
+use crate::prior::LAPSE_SHARE;
 use std::collections::BTreeMap;
 
 /// Number of features.
@@ -226,7 +227,8 @@ pub(crate) fn weights() -> BTreeMap<&'static str, f64> {
 /// Probabilities of the causes, of `none` and of `unknown`, the most probable first.
 pub(crate) fn cause_probabilities(evidence: &VerdictEvidence) -> CauseProbabilities {
     let all = candidates(evidence);
-    let p = probabilities(&all, &fitted_weights());
+    let equal = LAPSE_SHARE / all.len() as f64;
+    let p = probabilities(&all, &fitted_weights()).into_iter().map(|p| (1.0 - LAPSE_SHARE) * p + equal);
     sorted(all.iter().map(|c| known_cause(&c.cause)).zip(p).collect())
 }
 
