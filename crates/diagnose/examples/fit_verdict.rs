@@ -2,8 +2,8 @@
 //!
 //!     cargo run --release -p hysteron-diagnose --example fit_verdict -- CASES.jsonl PREDICTIONS.csv FEATURES.csv [WEIGHTS.rs]
 //!
-//! Each line of the first file is a case: `case`, `group` (author, or family of models), `right` (causes that are right) and
-//! `evidence` of its `diagnosis.json`. A group is predicted by weights that were fitted to all others.
+//! Each line of the first file is a case: `case`, `group` (author, or family of models), `right` (causes that are right),
+//! `weight` (1 by default) and `evidence` of its `diagnosis.json`. A group is predicted by weights that were fitted to all others.
 //!
 //! - `PREDICTIONS.csv` gets the probabilities of that prediction.
 //! - `FEATURES.csv` gets the weights, and what becomes of the prediction without each feature in turn.
@@ -24,7 +24,7 @@ type Hessian = SMatrix<f64, FEATURE_COUNT, FEATURE_COUNT>;
 /// Ridges that cross-validation chooses from.
 const RIDGES: [f64; 6] = [0.1, 0.3, 1.0, 3.0, 10.0, 30.0];
 /// Features whose weight cannot be negative: more of them speaks for the candidate.
-const POSITIVE: [&str; 15] = [
+const POSITIVE: [&str; 16] = [
     "gain",
     "ln_gap_of_look_alike",
     "visible",
@@ -34,6 +34,7 @@ const POSITIVE: [&str; 15] = [
     "none_first",
     "ln_chance",
     "unknown_remaining",
+    "unknown_held_out",
     "unknown_structure",
     "unknown_structure_unexplained",
     "unknown_structure_without_cause",
@@ -55,13 +56,21 @@ struct Line {
     case: String,
     group: String,
     right: Vec<String>,
+    /// Weight of the case.
+    #[serde(default = "one")]
+    weight: f64,
     evidence: VerdictEvidence,
+}
+
+fn one() -> f64 {
+    1.0
 }
 
 /// A case with the features of its candidates.
 struct Case {
     name: String,
     group: String,
+    weight: f64,
     candidates: Vec<CandidateFeatures>,
     /// Candidates that are right; `unknown` if the right cause is no candidate.
     right: Vec<bool>,
@@ -83,7 +92,7 @@ impl Case {
             Some((pair_gain(e, h).ln_1p(), line.right.contains(also)))
         };
         let pairs = e.hypotheses.iter().filter_map(pair).collect();
-        Self { name: line.case, group: line.group, candidates: all, right, answerable, pairs }
+        Self { name: line.case, group: line.group, weight: line.weight, candidates: all, right, answerable, pairs }
     }
 
     fn probabilities(&self, w: &Weights) -> Vec<f64> {
@@ -104,11 +113,11 @@ impl Case {
         for (i, c) in self.candidates.iter().enumerate() {
             let x = Weights::from_row_slice(&c.x);
             let target = if self.right[i] { p[i] / of_right.max(f64::MIN_POSITIVE) } else { 0.0 };
-            *gradient += x * (target - p[i]);
-            *hessian += x * x.transpose() * p[i];
+            *gradient += x * (target - p[i]) * self.weight;
+            *hessian += x * x.transpose() * p[i] * self.weight;
             mean += x * p[i];
         }
-        *hessian -= mean * mean.transpose();
+        *hessian -= mean * mean.transpose() * self.weight;
     }
 }
 
@@ -135,7 +144,8 @@ fn fit(cases: &[&Case], ridge: f64, without: Option<usize>) -> Weights {
 
 /// The same with some weights held at zero, by damped Newton steps.
 fn fit_free(cases: &[&Case], ridge: f64, held: &[bool; FEATURE_COUNT]) -> Weights {
-    let objective = |w: &Weights| cases.iter().map(|c| c.log_score(w)).sum::<f64>() - 0.5 * ridge * w.norm_squared();
+    let objective =
+        |w: &Weights| cases.iter().map(|c| c.weight * c.log_score(w)).sum::<f64>() - 0.5 * ridge * w.norm_squared();
     let mut w = Weights::zeros();
     let mut value = objective(&w);
     for _ in 0..STEPS {
@@ -183,7 +193,8 @@ impl<'a> Predictions<'a> {
 
     /// Mean log score.
     fn score(&self) -> f64 {
-        self.cases.iter().map(|c| c.log_score(&self.weights(c))).sum::<f64>() / self.cases.len() as f64
+        let weight: f64 = self.cases.iter().map(|c| c.weight).sum();
+        self.cases.iter().map(|c| c.weight * c.log_score(&self.weights(c))).sum::<f64>() / weight
     }
 
     /// Index of the most probable candidate of each case, with its probability.

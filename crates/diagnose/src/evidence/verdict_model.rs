@@ -14,7 +14,7 @@ use crate::prior::LAPSE_SHARE;
 use std::collections::BTreeMap;
 
 /// Number of features.
-pub const FEATURE_COUNT: usize = 27;
+pub const FEATURE_COUNT: usize = 28;
 
 /// Names of the features, in their order.
 pub const FEATURES: [&str; FEATURE_COUNT] = [
@@ -40,6 +40,7 @@ pub const FEATURES: [&str; FEATURE_COUNT] = [
     "unknown",
     "unknown_gain",
     "unknown_remaining",
+    "unknown_held_out",
     "unknown_structure",
     "unknown_structure_unexplained",
     "unknown_structure_without_cause",
@@ -65,6 +66,9 @@ const COINCIDENCE_LOG_ODDS: f64 = -7.0;
 const MAX_STRUCTURE: f64 = 0.9;
 /// Ratio of held-out error and noise below which held-out runs cannot judge.
 const MIN_SIGNAL_RATIO: f64 = 1.25;
+
+/// Largest logarithm of a held-out error over the noise that counts.
+const MAX_HELD_OUT: f64 = 3.0;
 
 /// A candidate with its features.
 #[derive(Clone, Debug)]
@@ -146,6 +150,14 @@ impl Case<'_> {
         Some(if judges { ((before - after) / (before - errors.noise)).clamp(-1.0, 1.0) } else { 0.0 })
     }
 
+    /// ln(after / noise) of the held-out error that the repair of the first cause leaves; 0 within the noise.
+    fn left_of_held_out(&self) -> f64 {
+        let first = self.evidence.hypotheses.iter().find(|h| h.cause != "none");
+        let judged = first.and_then(|h| self.evidence.judged.iter().find(|r| r.cause == h.cause));
+        let errors = judged.and_then(|r| r.errors).and_then(|e| Some((e.after?, e.noise)));
+        errors.map_or(0.0, |(after, noise)| (after / noise).ln().clamp(0.0, MAX_HELD_OUT))
+    }
+
     fn named(&self, h: &HypothesisEvidence) -> CandidateFeatures {
         let gain = (h.log_likelihood - self.of_none).min(1e3);
         let gap = (self.best - h.log_likelihood).clamp(0.0, MAX_GAP);
@@ -195,6 +207,7 @@ impl Case<'_> {
             ("unknown", 1.0),
             ("unknown_gain", self.gain().max(0.0).ln_1p()),
             ("unknown_remaining", remaining),
+            ("unknown_held_out", self.left_of_held_out()),
             ("unknown_structure", if named { after } else { 0.0 }),
             ("unknown_structure_unexplained", if named { after * unexplained } else { 0.0 }),
             ("unknown_structure_without_cause", if named { 0.0 } else { structure(&e.structure_before) }),
