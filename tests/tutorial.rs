@@ -122,6 +122,9 @@ fn follow(name: &str) -> usize {
     commands
 }
 
+/// Tables whose keys are names of parameters, numbers, features or mishaps.
+const NAMED_BY_DATA: [&str; 6] = ["parameters", "failures", "prior", "weights", "structure_before", "structure_after"];
+
 /// Keys of a result file that a page does not tell of; names of parameters and of mishaps are the study's own.
 fn untold(value: &serde_json::Value, page: &str, out: &mut Vec<String>) {
     match value {
@@ -130,7 +133,7 @@ fn untold(value: &serde_json::Value, page: &str, out: &mut Vec<String>) {
                 if ![format!("`{key}`"), format!(".{key}`")].iter().any(|k| page.contains(k)) {
                     out.push(key.clone());
                 }
-                if key != "parameters" && key != "failures" {
+                if !NAMED_BY_DATA.contains(&key.as_str()) {
                     untold(inner, page, out);
                 }
             }

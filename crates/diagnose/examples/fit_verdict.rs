@@ -9,6 +9,8 @@
 //! - `FEATURES.csv` gets the weights, and what becomes of the prediction without each feature in turn.
 //! - `WEIGHTS.rs` gets the weights fitted to all groups.
 
+#![expect(clippy::print_stdout, reason = "a program on the terminal")]
+
 use hysteron_diagnose::verdict_model::{
     CandidateFeatures, FEATURE_COUNT, FEATURES, candidates, pair_gain, probabilities,
 };

@@ -84,7 +84,7 @@ impl OwnOption {
         let suits = self.kinds.contains(&words.get(1)?.text)
             && (self.lengths.is_empty() || self.lengths.contains(&words.len()))
             && self.needs.iter().all(has)
-            && !self.without.iter().any(|option| has(&option));
+            && !self.without.iter().any(has);
         if !suits {
             return None;
         }
