@@ -46,7 +46,6 @@ def generated():
         "trials.md": trial_tables.markdown(trials, here("builds.csv")),
         "trials.svg": trial_tables.curves(trials),
         "trials_confusion.svg": trial_tables.confusion(trials),
-        "calibration.svg": trial_tables.calibration(trials),
     }
 
 

@@ -142,20 +142,6 @@ def curves(t):
     return p.svg()
 
 
-def calibration(t):
-    p = Picture(460, 380)
-    x, y, w, h = 60, 40, 370, 280
-    axes(p, x, y, w, h, "Confidence against frequency", [(v / 100, f"{v}") for v in range(0, 101, 20)], "confidence told, %", "right, %")
-    p.line(x, y + h, x + w, y, "#57606a", 1.0, "4 3")
-    groups = []
-    for a, b in zip(CONFIDENCES, CONFIDENCES[1:]):
-        inside = [r for r in t.rows if a <= float(r["confidence"]) < b]
-        if inside:
-            groups.append((sum(float(r["confidence"]) for r in inside) / len(inside), sum(int(r["right"]) for r in inside), len(inside)))
-    bars(p, x, y, w, h, groups)
-    return p.svg()
-
-
 def confusion(t):
     rows = [r for r in t.rows if not r["effect_over_noise"] or size(r) >= CLEAR]
     return matrix([(r["cause"], r["verdict"]) for r in rows if not r["also"]],

@@ -1,1 +1,0 @@
-"""A study with something concealed, from a seed."""
