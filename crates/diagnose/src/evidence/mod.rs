@@ -8,7 +8,7 @@
 //! - [`verdict_model`]: probabilities from that evidence
 //! - `verdict_weights`: the fitted weights
 //!
-//! All constants stand in `prior.rs`.
+//! Constants stand in `prior.rs`; scales of features stand beside them.
 
 pub(crate) mod holdout;
 pub(crate) mod likelihood;

@@ -10,7 +10,7 @@ use super::likelihood::normalised_probabilities;
 use super::verdict_evidence::{HypothesisEvidence, VerdictEvidence};
 use super::verdict_weights::{PAIR_WEIGHTS, WEIGHTS};
 use crate::hypothesis;
-use crate::prior::LAPSE_SHARE;
+use crate::prior::{LAPSE_SHARE, MIN_HOLDOUT_SIGNAL_RATIO};
 use std::collections::BTreeMap;
 
 /// Number of features.
@@ -64,8 +64,6 @@ const AUXILIARY_SCALE: f64 = 4.0;
 const COINCIDENCE_LOG_ODDS: f64 = -7.0;
 /// Largest structured share of a residual that counts.
 const MAX_STRUCTURE: f64 = 0.9;
-/// Ratio of held-out error and noise below which held-out runs cannot judge.
-const MIN_SIGNAL_RATIO: f64 = 1.25;
 
 /// Largest logarithm of a held-out error over the noise that counts.
 const MAX_HELD_OUT: f64 = 3.0;
@@ -146,7 +144,7 @@ impl Case<'_> {
         let errors = self.evidence.judged.iter().find(|r| r.cause == cause)?.errors?;
         let before = errors.before?;
         let Some(after) = errors.after else { return Some(-1.0) };
-        let judges = before > MIN_SIGNAL_RATIO * errors.noise;
+        let judges = before > MIN_HOLDOUT_SIGNAL_RATIO * errors.noise;
         Some(if judges { ((before - after) / (before - errors.noise)).clamp(-1.0, 1.0) } else { 0.0 })
     }
 
