@@ -67,23 +67,12 @@ pub(super) fn contradictions(c: &SummaryContext<'_>) -> Vec<String> {
     out.extend(heat_balance(c));
     out.extend(eccentricity(c));
     out.extend(footing_mass(c));
-    out.extend(added_at_bounds(c));
     out
 }
 
 /// Returns true if a coordinate of the unit interval is at an end.
 fn is_at_bound(coordinate: f64) -> bool {
     !(BOUND_DISTANCE..=1.0 - BOUND_DISTANCE).contains(&coordinate)
-}
-
-/// Added parameters at an end of the range that was searched, each a sentence.
-fn added_at_bounds(c: &SummaryContext<'_>) -> Vec<String> {
-    let Some(p) = &c.variant.proposal else { return vec![] };
-    let values = c.variant.split(c.values).1;
-    let at_bound = p.parameters.iter().zip(values).filter(|(a, x)| is_at_bound(a.range.unit_coordinate(**x)));
-    at_bound
-        .map(|(a, x)| format!("{} is at an end of the range that was searched, {}", a.name, digits(*x, 3)))
-        .collect()
 }
 
 /// Parameters of the user that leave their bounds by the repair, each a sentence.
