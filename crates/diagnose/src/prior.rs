@@ -17,7 +17,7 @@ pub struct PriorNumber {
     pub value: Vec<f64>,
     /// Unit; `share` for parts of one, `count` for whole numbers without a unit.
     pub unit: &'static str,
-    /// What it does and where it comes from.
+    /// Its effect and its source, in words.
     pub meaning: String,
 }
 

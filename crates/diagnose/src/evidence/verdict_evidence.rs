@@ -7,7 +7,7 @@ use super::holdout::HeldOutErrors;
 use super::parametric_bootstrap::BootstrapResult;
 use super::ranking::prior_log_odds;
 use crate::fit::fitted::FittedHypothesis;
-use crate::fit::search_settings::BOUND_DISTANCE;
+use crate::fit::search_settings::is_at_bound;
 use crate::hypothesis;
 use crate::inspect::response::ResponseRanges;
 use crate::residual::unmodelled_structure::{UnmodelledStructure, recurring_structure, unmodelled_structure};
@@ -60,7 +60,7 @@ pub struct HypothesisEvidence {
     pub nmse: f64,
     /// Number of parameters that it adds.
     pub parameters: usize,
-    /// Those of them at a bound.
+    /// Number of added parameters at a bound.
     pub parameters_at_bound: usize,
     /// The user's parameters at a bound.
     pub user_parameters_at_bound: usize,
@@ -88,7 +88,7 @@ pub struct RepairEvidence {
 
 /// Returns the number of coordinates at an end of the unit interval.
 fn at_bound(coordinates: &[f64]) -> usize {
-    coordinates.iter().filter(|p| **p < BOUND_DISTANCE || **p > 1.0 - BOUND_DISTANCE).count()
+    coordinates.iter().filter(|p| is_at_bound(**p)).count()
 }
 
 fn by_kind(structure: &UnmodelledStructure) -> BTreeMap<String, f64> {

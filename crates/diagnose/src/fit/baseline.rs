@@ -4,8 +4,8 @@ use super::fitted::FittedHypothesis;
 use super::job::{FittedModel, Job};
 use super::scheduler::Scheduler;
 use super::search_settings::{
-    BASELINE_ITERATIONS, BOUND_DISTANCE, LAST_ITERATIONS, MIN_WIDER_STEP_GAIN, POOR_NMSE, POOR_NMSE_AT_BOUND,
-    WIDER_DIFFERENCE_STEPS, WIDER_STEP_STARTS,
+    BASELINE_ITERATIONS, LAST_ITERATIONS, MIN_WIDER_STEP_GAIN, POOR_NMSE, POOR_NMSE_AT_BOUND, WIDER_DIFFERENCE_STEPS,
+    WIDER_STEP_STARTS, is_at_bound,
 };
 use crate::candidate::variant::Variant;
 use hysteron_identify::calibrate::LevenbergMarquardt;
@@ -56,9 +56,8 @@ pub(crate) fn fit_baseline(
 ///
 /// A smaller error suffices if a parameter is at a bound, where it compensates for a missing effect.
 pub(crate) fn is_poor(baseline: &FittedHypothesis) -> bool {
-    let at_bound = |p: &f64| *p < BOUND_DISTANCE || *p > 1.0 - BOUND_DISTANCE;
     let nmse = baseline.fitted.objective;
-    nmse > POOR_NMSE || nmse > POOR_NMSE_AT_BOUND && baseline.fitted.point.iter().any(at_bound)
+    nmse > POOR_NMSE || nmse > POOR_NMSE_AT_BOUND && baseline.fitted.point.iter().any(|p| is_at_bound(*p))
 }
 
 /// The baseline fitted again with the present step length.

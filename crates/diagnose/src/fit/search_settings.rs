@@ -47,7 +47,12 @@ pub(crate) const POOR_NMSE: f64 = 0.2;
 /// The same where a parameter is at a bound.
 pub(crate) const POOR_NMSE_AT_BOUND: f64 = 0.02;
 /// Distance from a bound that counts as none, coordinates.
-pub(crate) const BOUND_DISTANCE: f64 = 1e-3;
+const BOUND_DISTANCE: f64 = 1e-3;
+
+/// Returns true if a coordinate of the unit interval is at an end.
+pub(crate) fn is_at_bound(coordinate: f64) -> bool {
+    !(BOUND_DISTANCE..=1.0 - BOUND_DISTANCE).contains(&coordinate)
+}
 
 // ---- screening and first round ----
 

@@ -91,7 +91,7 @@ impl Repair {
         second.unwrap_or(self.hypothesis.cause())
     }
 
-    /// What the runs held out say of it.
+    /// Errors of the runs held out, with its causes.
     fn evidence(&self) -> RepairEvidence {
         let (cause, also) = (self.hypothesis.cause(), self.hypothesis.second_cause());
         RepairEvidence { cause: cause.into(), also: also.map(Into::into), errors: self.errors }

@@ -6,7 +6,7 @@
 use super::quantity::digits;
 use super::summary::SummaryContext;
 use crate::candidate::proposal::AddedParameter;
-use crate::fit::search_settings::BOUND_DISTANCE;
+use crate::fit::search_settings::is_at_bound;
 use crate::inspect::response::ResponseRange;
 
 /// Range in which published values of a parameter lie.
@@ -38,7 +38,7 @@ const PUBLISHED: &[PublishedRange] = &[
         parameter: "b",
         quantity: "the softening per degree",
         lower: 0.0,
-        upper: 0.03,
+        upper: STEEPEST_SOFTENING,
         words: "bearings lose 0.2 to 3 % a degree (Constantinou et al. 2007, MCEER-07-0012)",
     },
     PublishedRange {
@@ -51,8 +51,8 @@ const PUBLISHED: &[PublishedRange] = &[
     },
 ];
 
-/// Steepest published softening of rubber, 1/degree (source as for `ambient_temperature`, rounded up).
-const STEEPEST_SOFTENING: f64 = 0.015;
+/// Steepest published softening of rubber, 1/degree (source as for `ambient_temperature`).
+const STEEPEST_SOFTENING: f64 = 0.03;
 /// Softening of the amendment, to which its heat capacity refers, 1/degree.
 const ASSUMED_SOFTENING: f64 = 0.01;
 /// Largest ratio of shear modulus and heat capacity of rubber, degrees: 1.5 MPa over 1.9 MJ/(m³ degree).
@@ -68,11 +68,6 @@ pub(super) fn contradictions(c: &SummaryContext<'_>) -> Vec<String> {
     out.extend(eccentricity(c));
     out.extend(footing_mass(c));
     out
-}
-
-/// Returns true if a coordinate of the unit interval is at an end.
-fn is_at_bound(coordinate: f64) -> bool {
-    !(BOUND_DISTANCE..=1.0 - BOUND_DISTANCE).contains(&coordinate)
 }
 
 /// Parameters of the user that leave their bounds by the repair, each a sentence.

@@ -1,8 +1,11 @@
 //! Deteriorating plastic hinges: the modified Ibarra-Medina-Krawinkler laws with peak-oriented and pinched hysteresis (Ibarra, Medina
 //! and Krawinkler, 2005, <https://doi.org/10.1002/eqe.495>; Lignos and Krawinkler, 2012).
 
+mod envelope;
+
 use super::{BilinSide, Deterioration, MaterialError, Strain, Stress, UniaxialLaw};
 use crate::rules::{Consistent, OpenSees};
+use envelope::Envelope;
 use std::fmt;
 
 /// Slope of a horizontal branch.
@@ -134,49 +137,6 @@ crate::state_struct! {
         excursion: f64,
         /// Backbones.
         sides: [Backbone; 2],
-    }
-}
-
-/// Slopes and strengths of an envelope, with positive deformations and forces.
-#[derive(Clone, Copy)]
-struct Envelope {
-    stiffness: f64,
-    strength: f64,
-    hardening: f64,
-    softening: f64,
-    cap: f64,
-}
-
-impl Envelope {
-    /// Force and slope.
-    fn at(&self, rule: &BilinSide, x: f64) -> (f64, f64) {
-        let (k, yields) = (self.stiffness, self.strength / self.stiffness);
-        if x >= rule.ultimate {
-            return (NOTHING, FLAT);
-        } else if x < 0.0 {
-            return (0.0, FLAT);
-        }
-        let hardens = yields <= self.cap;
-        let peak = if hardens { self.strength + self.hardening * k * (self.cap - yields) } else { k * self.cap };
-        let residual = rule.residual * if hardens { rule.strength } else { peak };
-        let end = self.cap + (residual - peak) / (self.softening * k);
-        if x <= yields.min(self.cap) {
-            (k * x, k)
-        } else if x <= self.cap {
-            (self.strength + self.hardening * k * (x - yields), self.hardening * k)
-        } else if x <= end {
-            (peak + self.softening * k * (x - self.cap), self.softening * k)
-        } else {
-            (residual + x * FLAT, FLAT)
-        }
-    }
-
-    /// Deformation at the cap for a force at zero deformation on the line beyond it.
-    fn cap_for(&self, intercept: f64) -> f64 {
-        let (k, hardening) = (self.stiffness, self.hardening * self.stiffness);
-        let elastic = intercept / (k - self.softening * k);
-        let hard = (intercept + hardening * self.strength / k - self.strength) / (hardening - self.softening * k);
-        elastic.max(hard)
     }
 }
 
