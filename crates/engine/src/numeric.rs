@@ -1,6 +1,7 @@
 //! Small numerical tools that several laws share.
 
 mod dual;
+pub(crate) mod elementary;
 
 pub use dual::Dual;
 

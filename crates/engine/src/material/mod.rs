@@ -31,6 +31,7 @@ mod jankowski_impact;
 mod kikuchi_aiken;
 mod kikuchi_aiken_hdr;
 mod kikuchi_aiken_lrb;
+mod lanes;
 mod maxwell;
 mod mod_imk;
 mod multi_linear;
@@ -173,6 +174,20 @@ pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {
     /// The law has no response at this strain.
     fn update(&self, committed: &Self::State, strain: Strain) -> Result<(Stress, Self::State), MaterialError>;
 
+    /// [`Uniaxial::update_all`] of this law. A law overrides it that evaluates many points by vector instructions.
+    ///
+    /// # Errors
+    /// The law has no response at one of the strains.
+    fn update_points(
+        &self,
+        committed: &[f64],
+        strains: &Strains<'_>,
+        next: &mut [f64],
+        stresses: &mut Stresses<'_>,
+    ) -> Result<(), MaterialError> {
+        update_each(self, committed, strains, next, stresses)
+    }
+
     /// As [`UniaxialLaw::update`], with the last trial state of the step in `last`. Some laws of OpenSees keep from
     /// it the variables that a trial does not set.
     fn update_on(
@@ -222,6 +237,24 @@ pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {
     fn read(&self, _path: &[u32], _state: &Self::State, _out: &mut [f64]) {}
 }
 
+/// Evaluates points one after the other.
+fn update_each<U: Uniaxial + ?Sized>(
+    material: &U,
+    committed: &[f64],
+    strains: &Strains<'_>,
+    next: &mut [f64],
+    stresses: &mut Stresses<'_>,
+) -> Result<(), MaterialError> {
+    let n = material.state_len();
+    for (i, (&value, &rate)) in strains.value.iter().zip(strains.rate).enumerate() {
+        let words = i * n..(i + 1) * n;
+        let strain = Strain { value, rate, dt: strains.dt };
+        let s = material.update(&committed[words.clone()], strain, &mut next[words])?;
+        (stresses.value[i], stresses.tangent[i], stresses.damping[i]) = (s.value, s.tangent, s.damping);
+    }
+    Ok(())
+}
+
 /// A uniaxial material of any kind.
 pub trait Uniaxial: fmt::Debug + Send + Sync {
     /// Name in the `uniaxialMaterial` command.
@@ -253,14 +286,7 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
         next: &mut [f64],
         stresses: &mut Stresses<'_>,
     ) -> Result<(), MaterialError> {
-        let n = self.state_len();
-        for (i, (&value, &rate)) in strains.value.iter().zip(strains.rate).enumerate() {
-            let words = i * n..(i + 1) * n;
-            let strain = Strain { value, rate, dt: strains.dt };
-            let s = self.update(&committed[words.clone()], strain, &mut next[words])?;
-            (stresses.value[i], stresses.tangent[i], stresses.damping[i]) = (s.value, s.tangent, s.damping);
-        }
-        Ok(())
+        update_each(self, committed, strains, next, stresses)
     }
 
     /// As [`Uniaxial::update_all`], for an element that follows the calls of OpenSees. `next` holds the last trial
@@ -345,6 +371,15 @@ impl<L: UniaxialLaw> Uniaxial for L {
         let (stress, state) = self.update_on(&L::State::read(committed), &L::State::read(next), strain)?;
         state.write(next);
         Ok(stress)
+    }
+    fn update_all(
+        &self,
+        committed: &[f64],
+        strains: &Strains<'_>,
+        next: &mut [f64],
+        stresses: &mut Stresses<'_>,
+    ) -> Result<(), MaterialError> {
+        self.update_points(committed, strains, next, stresses)
     }
     fn initial_tangent(&self) -> f64 {
         UniaxialLaw::initial_tangent(self)

@@ -1,7 +1,10 @@
 //! Steel of Giuffrè, Menegotto and Pinto with isotropic hardening.
 
-use super::{MaterialError, Strain, Stress, UniaxialLaw};
+use super::lanes::{BLOCK, Lanes, in_lanes};
+use super::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
+use crate::numeric::elementary::{exp, ln, power};
 use crate::numeric::sign;
+use crate::state_struct::StateStruct;
 
 /// Curved transitions between the elastic and the hardening asymptote (Menegotto and Pinto, 1973). Isotropic
 /// hardening shifts the hardening asymptote (Filippou, Popov and Bertero, 1983).
@@ -80,41 +83,174 @@ impl Steel02 {
     }
 }
 
+impl Steel02 {
+    /// History on the branch of a strain, with the committed stress. `None` for a virgin point at rest.
+    #[inline]
+    fn branch(&self, c: &History, strain: f64) -> Option<History> {
+        let eps_y = self.fy / self.e0;
+        let initial = self.sig_init / self.e0;
+        let (eps, before) = (strain + initial, c.strain + initial);
+        let d = eps - before;
+        let mut t = *c;
+        t.strain = strain;
+        if c.loading == 0.0 {
+            if d.abs() < 10.0 * f64::EPSILON {
+                return None;
+            }
+            let s = sign(d);
+            t = History { loading: s, strain, max: eps_y, min: -eps_y, ..*c };
+            (t.strain_0, t.stress_0, t.plastic) = (s * eps_y, s * self.fy, s * eps_y);
+        } else if c.loading * d < 0.0 {
+            self.reverse(c, before, &mut t, sign(d));
+        }
+        Some(t)
+    }
+
+    fn checked(&self, strain: f64, value: f64, tangent: f64) -> Result<(), MaterialError> {
+        if value.is_finite() && tangent.is_finite() {
+            return Ok(());
+        }
+        Err(MaterialError(format!("Steel02 has no stress at a strain of {strain:.6e}")))
+    }
+}
+
+/// Branch of a point and its strain: all that the stress depends on.
+#[derive(Clone, Copy)]
+struct Curve {
+    /// Strain with that of the initial stress.
+    strain: f64,
+    /// As in [`History`].
+    plastic: f64,
+    strain_0: f64,
+    stress_0: f64,
+    strain_r: f64,
+    stress_r: f64,
+}
+
+impl Curve {
+    /// In the place of a virgin point, whose response is not taken from a curve.
+    const AT_REST: Self =
+        Self { strain: 0.0, plastic: 0.0, strain_0: 1.0, stress_0: 0.0, strain_r: 0.0, stress_r: 0.0 };
+
+    #[inline]
+    fn of(law: &Steel02, t: &History) -> Self {
+        let (strain, plastic) = (t.strain + law.sig_init / law.e0, t.plastic);
+        Self { strain, plastic, strain_0: t.strain_0, stress_0: t.stress_0, strain_r: t.strain_r, stress_r: t.stress_r }
+    }
+
+    /// Stress and tangent.
+    #[inline(always)]
+    fn response(&self, law: &Steel02) -> (f64, f64) {
+        let xi = ((self.plastic - self.strain_0) / (law.fy / law.e0)).abs();
+        let sharpness = law.r0 * (1.0 - law.c_r[0] * xi / (law.c_r[1] + xi));
+        let (length, rise) = (self.strain_0 - self.strain_r, self.stress_0 - self.stress_r);
+        let ratio = (self.strain - self.strain_r) / length;
+        let sum = 1.0 + power(ratio.abs(), sharpness);
+        let curved = (1.0 - law.b) * exp(-ln(sum) / sharpness);
+        (self.stress_r + rise * ratio * (law.b + curved), rise / length * (law.b + curved / sum))
+    }
+}
+
+/// Curves of a block of points and their responses, one quantity after the other.
+struct Curves<'a> {
+    law: &'a Steel02,
+    strain: [f64; BLOCK],
+    plastic: [f64; BLOCK],
+    strain_0: [f64; BLOCK],
+    stress_0: [f64; BLOCK],
+    strain_r: [f64; BLOCK],
+    stress_r: [f64; BLOCK],
+    value: [f64; BLOCK],
+    tangent: [f64; BLOCK],
+}
+
+impl<'a> Curves<'a> {
+    fn new(law: &'a Steel02) -> Self {
+        let (zeros, ones) = ([0.0; BLOCK], [1.0; BLOCK]);
+        Self {
+            law,
+            strain: zeros,
+            plastic: zeros,
+            strain_0: ones,
+            stress_0: zeros,
+            strain_r: zeros,
+            stress_r: zeros,
+            value: zeros,
+            tangent: zeros,
+        }
+    }
+
+    #[inline]
+    fn set(&mut self, i: usize, c: Curve) {
+        (self.strain[i], self.plastic[i]) = (c.strain, c.plastic);
+        (self.strain_0[i], self.stress_0[i]) = (c.strain_0, c.stress_0);
+        (self.strain_r[i], self.stress_r[i]) = (c.strain_r, c.stress_r);
+    }
+}
+
+impl Lanes for Curves<'_> {
+    #[inline(always)]
+    fn evaluate(&mut self) {
+        let law = self.law.clone();
+        for i in 0..BLOCK {
+            let curve = Curve {
+                strain: self.strain[i],
+                plastic: self.plastic[i],
+                strain_0: self.strain_0[i],
+                stress_0: self.stress_0[i],
+                strain_r: self.strain_r[i],
+                stress_r: self.stress_r[i],
+            };
+            (self.value[i], self.tangent[i]) = curve.response(&law);
+        }
+    }
+}
+
 impl UniaxialLaw for Steel02 {
     type State = History;
     const NAME: &'static str = "Steel02";
 
     fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
-        let eps_y = self.fy / self.e0;
-        let initial = self.sig_init / self.e0;
-        let (eps, before) = (strain.value + initial, c.strain + initial);
-        let d = eps - before;
-        let mut t = *c;
-        t.strain = strain.value;
-        if c.loading == 0.0 {
-            if d.abs() < 10.0 * f64::EPSILON {
-                let stress = Stress { value: self.sig_init, tangent: self.e0, damping: 0.0 };
-                return Ok((stress, *c));
-            }
-            let s = sign(d);
-            t = History { loading: s, strain: strain.value, max: eps_y, min: -eps_y, ..*c };
-            (t.strain_0, t.stress_0, t.plastic) = (s * eps_y, s * self.fy, s * eps_y);
-        } else if c.loading * d < 0.0 {
-            self.reverse(c, before, &mut t, sign(d));
-        }
-        let xi = ((t.plastic - t.strain_0) / eps_y).abs();
-        let r = self.r0 * (1.0 - self.c_r[0] * xi / (self.c_r[1] + xi));
-        let ratio = (eps - t.strain_r) / (t.strain_0 - t.strain_r);
-        let sum = 1.0 + ratio.abs().powf(r);
-        let root = sum.powf(1.0 / r);
-        let rise = t.stress_0 - t.stress_r;
-        let value = t.stress_r + rise * (self.b * ratio + (1.0 - self.b) * ratio / root);
-        let tangent = rise / (t.strain_0 - t.strain_r) * (self.b + (1.0 - self.b) / (sum * root));
-        if !(value.is_finite() && tangent.is_finite()) {
-            return Err(MaterialError(format!("Steel02 has no stress at a strain of {:.6e}", strain.value)));
-        }
+        let Some(mut t) = self.branch(c, strain.value) else {
+            return Ok((Stress { value: self.sig_init, tangent: self.e0, damping: 0.0 }, *c));
+        };
+        let (value, tangent) = Curve::of(self, &t).response(self);
         t.stress = value - self.sig_init;
+        self.checked(strain.value, value, tangent)?;
         Ok((Stress { value, tangent, damping: 0.0 }, t))
+    }
+
+    fn update_points(
+        &self,
+        committed: &[f64],
+        strains: &Strains<'_>,
+        next: &mut [f64],
+        stresses: &mut Stresses<'_>,
+    ) -> Result<(), MaterialError> {
+        let mut curves = Curves::new(self);
+        let blocks = committed.chunks(BLOCK * History::LEN).zip(next.chunks_mut(BLOCK * History::LEN));
+        for (block, (committed, next)) in blocks.enumerate() {
+            let points = block * BLOCK..strains.value.len().min((block + 1) * BLOCK);
+            let histories = committed.chunks_exact(History::LEN).zip(next.chunks_exact_mut(History::LEN));
+            for (i, ((c, t), eps)) in histories.zip(&strains.value[points.clone()]).enumerate() {
+                let c = History::read(c);
+                let branch = self.branch(&c, *eps);
+                branch.unwrap_or(c).write(t);
+                curves.set(i, branch.map_or(Curve::AT_REST, |t| Curve::of(self, &t)));
+            }
+            in_lanes(&mut curves);
+            for (i, (point, t)) in points.zip(next.chunks_exact_mut(History::LEN)).enumerate() {
+                let (mut value, mut tangent) = (curves.value[i], curves.tangent[i]);
+                if t[0] == 0.0 {
+                    (value, tangent) = (self.sig_init, self.e0);
+                } else {
+                    t[2] = value - self.sig_init;
+                    self.checked(strains.value[point], value, tangent)?;
+                }
+                (stresses.value[point], stresses.tangent[point], stresses.damping[point]) = (value, tangent, 0.0);
+            }
+        }
+        Ok(())
     }
 
     fn set_parameter(&mut self, name: &str, value: f64) -> Option<f64> {
@@ -141,5 +277,48 @@ impl UniaxialLaw for Steel02 {
 
     fn shown_strain(&self, strain: f64) -> f64 {
         strain + self.sig_init / self.e0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::material::Uniaxial;
+
+    #[test]
+    fn many_points_have_the_bits_of_single_ones() {
+        let law = Steel02 {
+            fy: 420.0,
+            e0: 2e5,
+            b: 0.01,
+            r0: 18.0,
+            c_r: [0.925, 0.15],
+            a: [0.02, 5.0, 0.03, 4.0],
+            sig_init: 30.0,
+        };
+        const POINTS: usize = 37;
+        const LEN: usize = History::LEN;
+        let mut single = vec![0.0; POINTS * LEN];
+        law.init_all(POINTS, &mut single);
+        let mut many = single.clone();
+        for step in 0..200 {
+            let strains: Vec<f64> = (0..POINTS)
+                .map(|i| if i == 5 { 0.0 } else { 0.012 * (0.11 * step as f64).sin() * (0.2 + i as f64 / 20.0) })
+                .collect();
+            let (mut value, mut tangent, mut damping) = (vec![0.0; POINTS], vec![0.0; POINTS], vec![1.0; POINTS]);
+            let mut next = many.clone();
+            let mut stresses = Stresses { value: &mut value, tangent: &mut tangent, damping: &mut damping };
+            let trial = Strains { value: &strains, rate: &strains, dt: 0.0 };
+            law.update_all(&many, &trial, &mut next, &mut stresses).expect("a finite stress");
+            many = next;
+            for i in 0..POINTS {
+                let words = i * LEN..(i + 1) * LEN;
+                let committed = single[words.clone()].to_vec();
+                let strain = Strain { value: strains[i], rate: 0.0, dt: 0.0 };
+                let s = Uniaxial::update(&law, &committed, strain, &mut single[words]).expect("a finite stress");
+                assert_eq!((s.value, s.tangent, 0.0), (value[i], tangent[i], damping[i]), "step {step}, point {i}");
+            }
+            assert_eq!(single, many);
+        }
     }
 }

@@ -1,0 +1,83 @@
+//! Exponential and logarithm for lanes of vector instructions.
+//!
+//! The functions have no branches and no calls, so that the compiler evaluates several numbers at once. They use no
+//! fused operations: every processor gives the same bits. Reductions and coefficients are those of fdlibm (Sun
+//! Microsystems, 1993: `e_log.c`, `e_exp.c`); the errors are below two units in the last place.
+
+const LN_2_HIGH: f64 = 6.931_471_803_691_238_164_90e-1;
+const LN_2_LOW: f64 = 1.908_214_929_270_587_700_02e-10;
+/// Bits of the largest fraction below the root of two, which bounds the reduced argument of the logarithm.
+const ROOT_2_BITS: u64 = 0x3FE6_A09E_667F_3BCD;
+/// 2⁵² + 2⁵¹: added to a number, it leaves the nearest integer in the last bits.
+const INTEGER_MAGIC: f64 = 6_755_399_441_055_744.0;
+/// Argument beyond which the exponential is taken at the limit itself.
+const EXP_LIMIT: f64 = 708.0;
+
+/// Natural logarithm of a positive normal number.
+#[inline(always)]
+pub(crate) fn ln(x: f64) -> f64 {
+    // x = 2^k (1 + f), with 1 + f between √½ and √2.
+    let shifted = x.to_bits().wrapping_sub(ROOT_2_BITS);
+    let exponent = (shifted as i64) >> 52;
+    let fraction = f64::from_bits(x.to_bits().wrapping_sub((exponent as u64) << 52));
+    let k = f64::from_bits((INTEGER_MAGIC.to_bits() as i64).wrapping_add(exponent) as u64) - INTEGER_MAGIC;
+    let f = fraction - 1.0;
+    let s = f / (2.0 + f);
+    let z = s * s;
+    let w = z * z;
+    let even =
+        w * (3.999_999_999_940_941_908e-1 + w * (2.222_219_843_214_978_396e-1 + w * 1.531_383_769_920_937_332e-1));
+    let odd = z
+        * (6.666_666_666_666_735_130e-1
+            + w * (2.857_142_874_366_239_149e-1
+                + w * (1.818_357_216_161_805_012e-1 + w * 1.479_819_860_511_658_591e-1)));
+    let half_square = 0.5 * f * f;
+    k * LN_2_HIGH - ((half_square - (s * (half_square + (even + odd)) + k * LN_2_LOW)) - f)
+}
+
+/// Exponential; arguments beyond ±708 count as ±708.
+#[inline(always)]
+pub(crate) fn exp(x: f64) -> f64 {
+    let x = if x > EXP_LIMIT { EXP_LIMIT } else { x };
+    let x = if x < -EXP_LIMIT { -EXP_LIMIT } else { x };
+    let rounded = x * std::f64::consts::LOG2_E + INTEGER_MAGIC;
+    let k = rounded - INTEGER_MAGIC;
+    let (high, low) = (x - k * LN_2_HIGH, k * LN_2_LOW);
+    let r = high - low;
+    let t = r * r;
+    let c = r - t
+        * (1.666_666_666_666_660_190_37e-1
+            + t * (-2.777_777_777_701_559_338_42e-3
+                + t * (6.613_756_321_437_934_361_17e-5
+                    + t * (-1.653_390_220_546_525_153_90e-6 + t * 4.138_136_797_057_238_460_39e-8))));
+    let y = 1.0 - ((low - (r * c) / (2.0 - c)) - high);
+    f64::from_bits(y.to_bits().wrapping_add(rounded.to_bits() << 52))
+}
+
+/// Power of a non-negative normal number or zero, with a positive exponent.
+#[inline(always)]
+pub(crate) fn power(x: f64, exponent: f64) -> f64 {
+    if x == 0.0 { 0.0 } else { exp(exponent * ln(x)) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{exp, ln, power};
+
+    #[test]
+    fn they_agree_with_the_standard_library() {
+        for i in 1..200_000 {
+            let x = 1e-8 * 1.0002_f64.powi(i);
+            assert!((ln(x) - x.ln()).abs() <= 4.5e-16 * x.ln().abs().max(1e-3), "ln {x}");
+            let y = (f64::from(i) - 1e5) * 7e-3;
+            assert!((exp(y) - y.exp()).abs() <= 4.5e-16 * y.exp(), "exp {y}");
+            let r = 0.5 + 1e-4 * f64::from(i);
+            let base = 0.2 + 1e-5 * f64::from(i);
+            let exact = base.powf(r);
+            assert!((power(base, r) - exact).abs() <= 5e-15 * exact, "{base} to {r}");
+        }
+        assert_eq!(power(0.0, 3.0), 0.0);
+        assert_eq!(exp(0.0), 1.0);
+        assert_eq!(ln(1.0), 0.0);
+    }
+}
