@@ -4,8 +4,8 @@
 //! fused operations: every processor gives the same bits. Reductions and coefficients are those of fdlibm (Sun
 //! Microsystems, 1993: `e_log.c`, `e_exp.c`); the errors are below two units in the last place.
 
-const LN_2_HIGH: f64 = 6.931_471_803_691_238_164_90e-1;
-const LN_2_LOW: f64 = 1.908_214_929_270_587_700_02e-10;
+const LN_2_HIGH: f64 = 6.931_471_803_691_238e-1;
+const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
 /// Bits of the largest fraction below the root of two, which bounds the reduced argument of the logarithm.
 const ROOT_2_BITS: u64 = 0x3FE6_A09E_667F_3BCD;
 /// 2⁵² + 2⁵¹: added to a number, it leaves the nearest integer in the last bits.
@@ -25,12 +25,10 @@ pub(crate) fn ln(x: f64) -> f64 {
     let s = f / (2.0 + f);
     let z = s * s;
     let w = z * z;
-    let even =
-        w * (3.999_999_999_940_941_908e-1 + w * (2.222_219_843_214_978_396e-1 + w * 1.531_383_769_920_937_332e-1));
+    let even = w * (3.999_999_999_940_942e-1 + w * (2.222_219_843_214_978_4e-1 + w * 1.531_383_769_920_937_3e-1));
     let odd = z
-        * (6.666_666_666_666_735_130e-1
-            + w * (2.857_142_874_366_239_149e-1
-                + w * (1.818_357_216_161_805_012e-1 + w * 1.479_819_860_511_658_591e-1)));
+        * (6.666_666_666_666_735e-1
+            + w * (2.857_142_874_366_239e-1 + w * (1.818_357_216_161_805e-1 + w * 1.479_819_860_511_658_6e-1)));
     let half_square = 0.5 * f * f;
     k * LN_2_HIGH - ((half_square - (s * (half_square + (even + odd)) + k * LN_2_LOW)) - f)
 }
@@ -46,10 +44,9 @@ pub(crate) fn exp(x: f64) -> f64 {
     let r = high - low;
     let t = r * r;
     let c = r - t
-        * (1.666_666_666_666_660_190_37e-1
-            + t * (-2.777_777_777_701_559_338_42e-3
-                + t * (6.613_756_321_437_934_361_17e-5
-                    + t * (-1.653_390_220_546_525_153_90e-6 + t * 4.138_136_797_057_238_460_39e-8))));
+        * (1.666_666_666_666_660_2e-1
+            + t * (-2.777_777_777_701_559_3e-3
+                + t * (6.613_756_321_437_934e-5 + t * (-1.653_390_220_546_525_2e-6 + t * 4.138_136_797_057_238_5e-8))));
     let y = 1.0 - ((low - (r * c) / (2.0 - c)) - high);
     f64::from_bits(y.to_bits().wrapping_add(rounded.to_bits() << 52))
 }
