@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes each number of the verdict's prior neutral in turn, and counts the verdicts that change.
 
-    python3 validation/diagnosis/ablation.py [--each 1] [--only NAME ...] [--threads N] [--out DIR]
+    python3 validation/diagnosis/ablation.py [--each 1] [--skip SEED ...] [--only NAME ...] [--threads N] [--out DIR]
 
 A copy of the source reads its numbers from the environment and is built once. The cases are the quickest trials of each cause in trials.csv, made again
 of their seeds. Rows go to ablation.csv; numbers that have a row are not tried again, so that a run goes on where it was stopped. A number takes some
@@ -166,11 +166,12 @@ def tried():
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--each", type=int, default=1, help="trials of each cause")
+    parser.add_argument("--skip", nargs="*", type=int, default=[], help="seeds to leave out, as those that take minutes")
     parser.add_argument("--only", nargs="*", help="these numbers alone")
     parser.add_argument("--threads", type=int, default=os.cpu_count())
     parser.add_argument("--out", default=os.path.join(ROOT, "results", "ablation"))
     args = parser.parse_args()
-    studies = list(cases(args))
+    studies = [(seed, folder) for seed, folder in cases(args) if seed not in args.skip]
     engine, source = built(args.out)
     usual = answers(engine, studies, os.path.join(args.out, "usual"), args.threads)
     done = tried()
