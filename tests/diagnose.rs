@@ -8,6 +8,8 @@
 mod own_options;
 #[path = "diagnose/preflight.rs"]
 mod preflight;
+#[path = "diagnose/whole_laws.rs"]
+mod whole_laws;
 #[path = "support/studies.rs"]
 mod studies;
 
