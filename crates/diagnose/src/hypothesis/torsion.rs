@@ -87,6 +87,7 @@ mod tests {
                 responses: &responses,
                 fits: &[],
                 has_clock: true,
+                law_may_differ: false,
                 text: "",
                 model_end: 0,
             })

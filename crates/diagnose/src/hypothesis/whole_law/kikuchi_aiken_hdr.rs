@@ -1,7 +1,7 @@
 //! High damping rubber by Kikuchi and Aiken: stiffness and damping are functions of the largest strain so far.
 //!
-//! Below the strain [`STIFFENS`] the equivalent stiffness falls with the strain, so that rubber is stiffer on its first way
-//! to a strain. Above it the rubber stiffens. The two ranges are forms of two causes.
+//! Up to the strain [`STIFFENS`] the equivalent stiffness falls with the strain, so that rubber is stiffer on its first way
+//! to a strain than on the next. Above it the rubber stiffens. The two ranges are forms of two causes.
 
 use super::{LAWS_OF_RUBBER, LawParameter, LawUnit, Phenomenon, Replaces, WholeLaw};
 
@@ -11,8 +11,8 @@ const SOURCE: &str = "Kikuchi and Aiken (1997); coefficients of the compound: Is
 const STRAINS: &str = "bearings are designed for strains up to 2.5, and tested up to 4 (Kikuchi and Aiken 1997)";
 const COMPOUNDS: &str = "the equivalent damping of high damping rubber is 0.08 to 0.24 (Naeim and Kelly 1999)";
 
-/// Shear strain above which the compound stiffens.
-const STIFFENS: f64 = 1.15;
+/// Shear strain at which the equivalent modulus of the compound is least.
+const STIFFENS: f64 = 2.0;
 /// Area for a unit of force at a strain of about one: its stress is 0.68e6 there.
 const AREA: f64 = 1.0 / 0.68e6;
 
@@ -50,7 +50,7 @@ pub(super) const STIFFENING: WholeLaw = WholeLaw {
     form: "high damping rubber by Kikuchi and Aiken in the place of the law",
     replaces: REPLACES,
     command: COMMAND,
-    parameters: &[area(), height(2.0, [1.0, 4.0]), damping(), share()],
+    parameters: &[area(), height(2.6, [STIFFENS, 4.0]), damping(), share()],
     phenomena: &[Phenomenon { name: "stiffening at large strain", neutral: &[("height", 1.0 / STIFFENS)] }],
     basis: "stiffness that falls with the largest strain so far, and loops whose damping depends on it",
     source: SOURCE,

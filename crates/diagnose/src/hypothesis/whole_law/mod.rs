@@ -7,6 +7,7 @@
 //! A new law is a file with a [`WholeLaw`], and a line in [`LAWS`]. `sites` finds the commands that a law can replace.
 //! One group of devices is considered, that with the most work, and only where the user's law leaves structure.
 
+mod friction_with_pressure;
 mod friction_with_speed;
 mod hdr_rheology;
 mod kikuchi_aiken_hdr;
@@ -16,7 +17,7 @@ mod sites;
 use super::context::{MovingGroup, ProposalContext};
 use super::device_commands::device_commands;
 use super::{AddedParameter, Proposal};
-use crate::candidate::proposal::{Switch, WholeLawParts};
+use crate::candidate::proposal::{Switch, TextEdit, WholeLawParts};
 use crate::inspect::inventory::TagPurpose;
 use sites::Site;
 
@@ -28,8 +29,8 @@ struct WholeLaw {
     form: &'static str,
     /// Devices whose law it can replace.
     replaces: Replaces,
-    /// Kind and further words of its command. `{tag}` is the tag, `{old}` the last word of a replaced command, and
-    /// parameters are `$::hy_name`.
+    /// Kind and further words of its command. `{tag}` is the tag, `{old}` the last word of a replaced command, `{axial}`
+    /// the axial force at rest, and parameters are `$::hy_name`.
     command: &'static str,
     /// Parameters that are fitted together.
     parameters: &'static [LawParameter],
@@ -50,6 +51,9 @@ enum Replaces {
     /// Friction of these kinds at a slider.
     Friction(&'static [&'static str]),
 }
+
+/// Place of the axial force at rest in a command.
+const AXIAL: &str = "{axial}";
 
 /// Materials that stand for a rubber bearing in scripts.
 const LAWS_OF_RUBBER: &[&str] = &["Elastic", "Steel01", "Hardening", "BoucWen", "KikuchiAikenLRB"];
@@ -119,6 +123,7 @@ const LAWS: &[&WholeLaw] = &[
     &hdr_rheology::LAW,
     &pinched_hysteretic::LAW,
     &friction_with_speed::LAW,
+    &friction_with_pressure::LAW,
 ];
 
 impl WholeLaw {
@@ -133,16 +138,23 @@ impl WholeLaw {
         self.phenomena.iter().map(switch).collect()
     }
 
-    /// The law at some commands of the script.
-    fn proposal(&self, group: &MovingGroup<'_>, site: Site) -> Proposal {
+    /// The law at some commands of the script; `None` if it needs an axial force and there is none.
+    fn proposal(&self, group: &MovingGroup<'_>, site: Site, axial: Option<f64>) -> Option<Proposal> {
+        let edit = |e: TextEdit| -> Option<TextEdit> {
+            if !e.text.contains(AXIAL) {
+                return Some(e);
+            }
+            Some(TextEdit { text: e.text.replace(AXIAL, &format!("{:.6e}", axial?)), ..e })
+        };
+        let option_edits = site.edits.into_iter().map(edit).collect::<Option<_>>()?;
         let parameters = self.parameters.iter().map(|p| p.added(group)).collect();
         let proposal = Proposal::script_edit(self.cause, self.form, group.location(), vec![], parameters);
-        Proposal {
-            option_edits: site.edits,
+        Some(Proposal {
+            option_edits,
             declared_at: Some(site.first),
             whole_law: Some(WholeLawParts { switches: self.switches(group), basis: self.basis }),
             ..proposal
-        }
+        })
     }
 }
 
@@ -158,7 +170,9 @@ pub(super) fn proposals(cause: &'static str, s: &ProposalContext<'_>) -> Vec<Pro
     };
     let commands = device_commands(s.text, s.model_end);
     let first_tag = s.inventory.first_tag(TagPurpose::WholeLaws);
-    laws().filter_map(|law| Some(law.proposal(group, sites::find(law, group, &commands, first_tag)?))).collect()
+    let at_rest = |d: usize| Some(s.responses.of(&group.devices, d)?.initial_force).filter(|n| *n > 0.0);
+    let axial = group.axial_direction.and_then(at_rest);
+    laws().filter_map(|law| law.proposal(group, sites::find(law, group, &commands, first_tag)?, axial)).collect()
 }
 
 #[cfg(test)]

@@ -194,3 +194,85 @@ fn frictions(
     let found: Vec<_> = tags.iter().map(suits).collect::<Option<_>>()?;
     (!found.is_empty()).then_some(found)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{LAWS, WholeLaw};
+    use super::find;
+    use crate::hypothesis::context::MovingGroup;
+    use crate::hypothesis::device_commands::device_commands;
+    use crate::inspect::inventory::Device;
+
+    /// The script after a law has taken the place of that of element 1, which moves in some directions.
+    fn edited(law: &WholeLaw, text: &str, directions: &[usize]) -> Option<String> {
+        let device = Device { tag: 1, class: "", nodes: [1, 2], directions: vec![], linear: false, viscous: false };
+        let group = MovingGroup {
+            devices: vec![&device],
+            dir_option: String::new(),
+            directions: directions.into(),
+            axial_direction: None,
+            deformation: 1.0,
+            force: 1.0,
+            speed: 1.0,
+            work: 1.0,
+        };
+        let mut edits = find(law, &group, &device_commands(text, text.len()), 900)?.edits;
+        edits.sort_by_key(|e| std::cmp::Reverse(e.start));
+        let mut out = text.to_owned();
+        edits.iter().for_each(|e| out.replace_range(e.start..e.end, &e.text));
+        Some(out)
+    }
+
+    fn law(start: &str) -> &'static WholeLaw {
+        LAWS.iter().find(|law| law.command.starts_with(start)).expect("a law")
+    }
+
+    fn command(start: &str, tag: &str) -> String {
+        law(start).command.replace("{tag}", tag)
+    }
+
+    #[test]
+    fn materials_of_the_shear_direction_are_replaced() {
+        let springs = "uniaxialMaterial Steel01 1 $Fy $k 0.1\nuniaxialMaterial Elastic 2 5.0\n";
+        let sum = format!("{springs}uniaxialMaterial Parallel 3 1 2 ;# rubber\nelement zeroLength 1 1 2 -mat 3 -dir 1\n");
+        let rubber = sum.replace("Parallel 3 1 2", &command("HDRRheology", "3"));
+        assert_eq!(edited(law("HDRRheology"), &sum, &[1]), Some(rubber));
+        // A spring or a dashpot beside the hysteretic material stays.
+        let beside = format!("{springs}element twoNodeLink 1 1 2 -mat 2 1 2 -dir 1 2 2 -orient 0 1 0\n");
+        let kept = beside.replace("Steel01 1 $Fy $k 0.1", &command("Hysteretic", "1"));
+        assert_eq!(edited(law("Hysteretic"), &beside, &[2]), Some(kept));
+        // Another element has the material, or the kind is none of the law's.
+        let shared = format!("{springs}element zeroLength 1 1 2 -mat 1 -dir 1\nelement zeroLength 2 2 3 -mat 1 -dir 1\n");
+        assert_eq!(edited(law("HDRRheology"), &shared, &[1]), None);
+        let steel = "uniaxialMaterial Steel02 1 1 2 0.1 18 0.9 0.1\nelement zeroLength 1 1 2 -mat 1 -dir 1\n";
+        assert_eq!(edited(law("HDRRheology"), steel, &[1]), None);
+    }
+
+    #[test]
+    fn bearings_become_links_with_their_other_materials() {
+        let bearing = |rest: &str| format!("element elastomericBearingBoucWen {rest}\n");
+        let plane = bearing("1 1 2 $k $q 0.1 0.0 2.0 1.0 0.5 0.5 -P 7 -Mz 8 -orient 0 1 0 -1 0 0");
+        let link = format!(
+            "uniaxialMaterial {}\nelement twoNodeLink 1 1 2 -mat 7 900 8 -dir 1 2 3 -orient 0 1 0 -1 0 0\n",
+            command("HDRRheology", "900")
+        );
+        assert_eq!(edited(law("HDRRheology"), &plane, &[2]), Some(link));
+        let space = bearing("$e 1 2 $k $q 0.1 0.0 2.0 1.0 0.5 0.5 -P 7 -T 6 -My 8 -Mz 9");
+        let tag = "[expr {900+$e}]";
+        let link = format!(
+            "uniaxialMaterial {}\nelement twoNodeLink $e 1 2 -mat 7 {tag} {tag} 6 8 9 -dir 1 2 3 4 5 6\n",
+            command("HDRRheology", tag)
+        );
+        assert_eq!(edited(law("HDRRheology"), &space, &[2]), Some(link));
+        // Two directions would need a coupled law.
+        assert_eq!(edited(law("HDRRheology"), &space, &[2, 3]), None);
+    }
+
+    #[test]
+    fn friction_keeps_its_coefficient() {
+        let text = "frictionModel Coulomb 4 $mu\nelement flatSliderBearing 1 1 2 4 1e6 -P 1 -Mz 2\n";
+        let fast = text.replace("Coulomb 4 $mu", "VelDependent 4 [expr {$::hy_slow*($mu)}] $mu $::hy_rate");
+        assert_eq!(edited(law("VelDependent"), text, &[2]), Some(fast));
+        assert_eq!(edited(law("VelDependent"), &text.replace("Coulomb", "VelNormalFrcDep"), &[2]), None);
+    }
+}
