@@ -160,6 +160,11 @@ impl Variant {
         single && (a.cause, &a.location) == (b.cause, &b.location) && a.parameters.len() > b.parameters.len() && same
     }
 
+    /// Returns true if the law of a device is replaced.
+    pub(crate) fn is_whole_law(&self) -> bool {
+        self.proposal.as_ref().is_some_and(|p| p.whole_law.is_some())
+    }
+
     /// Returns true if a channel is at fault, not the model.
     pub(crate) fn is_channel_fault(&self) -> bool {
         self.proposal.is_some() && !self.edits_script()

@@ -18,8 +18,6 @@ pub(crate) struct ProposalContext<'a> {
     pub(crate) fits: &'a [ScoredRun],
     /// True if the times of the recordings are those of a clock, false if they count samples.
     pub(crate) has_clock: bool,
-    /// True if what the baseline leaves has so much structure that the law of a device may be another one.
-    pub(crate) law_may_differ: bool,
     /// Text of the script.
     pub(crate) text: &'a str,
     /// Byte up to which its commands make the model.

@@ -77,8 +77,12 @@ impl Hypothesis {
     pub(crate) fn proposals(&self, context: &ProposalContext<'_>) -> Vec<Proposal> {
         let mut out = (self.propose)(context);
         out.extend(own_options::proposals(self.cause, context));
-        out.extend(whole_law::proposals(self.cause, context));
         out
+    }
+
+    /// Proposals that replace the law of a device by another. The responses are best those of the fitted baseline.
+    pub(crate) fn whole_laws(&self, context: &ProposalContext<'_>) -> Vec<Proposal> {
+        whole_law::proposals(self.cause, context)
     }
 }
 

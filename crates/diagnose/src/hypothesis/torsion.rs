@@ -87,7 +87,6 @@ mod tests {
                 responses: &responses,
                 fits: &[],
                 has_clock: true,
-                law_may_differ: false,
                 text: "",
                 model_end: 0,
             })

@@ -120,16 +120,22 @@ pub fn diagnose(
         responses: &responses,
         fits: &baseline.fitted.fits,
         has_clock,
-        law_may_differ: unmodelled_structure(&study, &responses, &baseline.fitted.fits, true).share
-            > MIN_STRUCTURE_FOR_WHOLE_LAWS,
         text,
         model_end: point.byte().unwrap_or(text.len()),
     };
     let library = hypothesis::ALL.iter().filter(|h| !settings.excluded_causes.iter().any(|w| w == h.cause));
     let (without_clock, library): (Vec<_>, Vec<_>) = library.partition(|h| !has_clock && h.needs_clock);
     let causes_tried = library.len();
-    let proposals: Vec<Proposal> = library.iter().flat_map(|h| h.proposals(&context)).collect();
-    let proposals = with_unread_parameters(&mut scheduler, &baseline, &point, proposals)?;
+    let mut proposals: Vec<Proposal> = library.iter().flat_map(|h| h.proposals(&context)).collect();
+    let structure = unmodelled_structure(&study, &responses, &baseline.fitted.fits, true);
+    if structure.share > MIN_STRUCTURE_FOR_WHOLE_LAWS {
+        // The strain of a law follows from the deformation, which the fitted baseline knows best.
+        let of_baseline = || record_responses(&factory, &study, text, &baseline.fitted.values, &point, &inventory);
+        let fitted_responses = poor.then(of_baseline);
+        let context = ProposalContext { responses: fitted_responses.as_ref().unwrap_or(&responses), ..context };
+        let laws = library.iter().flat_map(|h| h.whole_laws(&context)).collect();
+        proposals.extend(with_unread_parameters(&mut scheduler, &baseline, &point, laws)?);
+    }
 
     let edits = proposals.iter().filter(|p| p.edits_script()).count();
     let global = poor && is_affordable(&study, edits);

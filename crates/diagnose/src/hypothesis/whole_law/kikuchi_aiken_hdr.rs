@@ -1,7 +1,8 @@
 //! High damping rubber by Kikuchi and Aiken: stiffness and damping are functions of the largest strain so far.
 //!
 //! Up to the strain [`STIFFENS`] the equivalent stiffness falls with the strain, so that rubber is stiffer on its first way
-//! to a strain than on the next. Above it the rubber stiffens. The two ranges are forms of two causes.
+//! to a strain than on the next. Above it the rubber stiffens. The two ranges are forms of two causes. They overlap a little,
+//! because the largest strain is known from the user's model alone.
 
 use super::{LAWS_OF_RUBBER, LawParameter, LawUnit, Phenomenon, Replaces, WholeLaw};
 
@@ -13,12 +14,10 @@ const COMPOUNDS: &str = "the equivalent damping of high damping rubber is 0.08 t
 
 /// Shear strain at which the equivalent modulus of the compound is least.
 const STIFFENS: f64 = 2.0;
-/// Area for a unit of force at a strain of about one: its stress is 0.68e6 there.
-const AREA: f64 = 1.0 / 0.68e6;
-
-/// The area takes up the scale of the force; its bounds follow no source, since the baseline's force may be off.
-const fn area() -> LawParameter {
-    LawParameter::log("area", AREA, [0.1 * AREA, 10.0 * AREA], LawUnit::Force, "the force of the user's device")
+/// Area for a unit of force at a stress of the compound. The bounds follow no source, since the baseline's force may be off.
+const fn area(stress: f64) -> LawParameter {
+    let area = 1.0 / stress;
+    LawParameter::log("area", area, [0.2 * area, 5.0 * area], LawUnit::Force, "the force of the user's device")
 }
 
 const fn damping() -> LawParameter {
@@ -39,7 +38,7 @@ pub(super) const SOFTENING: WholeLaw = WholeLaw {
     form: "high damping rubber by Kikuchi and Aiken in the place of the law",
     replaces: REPLACES,
     command: COMMAND,
-    parameters: &[area(), height(0.8, [0.15, STIFFENS]), damping(), share()],
+    parameters: &[area(0.89e6), height(1.5, [0.15, 1.15 * STIFFENS]), damping(), share()],
     phenomena: &[],
     basis: "stiffness that falls with the largest strain so far, and loops whose damping depends on it",
     source: SOURCE,
@@ -50,7 +49,7 @@ pub(super) const STIFFENING: WholeLaw = WholeLaw {
     form: "high damping rubber by Kikuchi and Aiken in the place of the law",
     replaces: REPLACES,
     command: COMMAND,
-    parameters: &[area(), height(2.6, [STIFFENS, 4.0]), damping(), share()],
+    parameters: &[area(1.53e6), height(2.6, [STIFFENS, 4.0]), damping(), share()],
     phenomena: &[Phenomenon { name: "stiffening at large strain", neutral: &[("height", 1.0 / STIFFENS)] }],
     basis: "stiffness that falls with the largest strain so far, and loops whose damping depends on it",
     source: SOURCE,

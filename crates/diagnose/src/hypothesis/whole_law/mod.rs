@@ -5,7 +5,7 @@
 //! for many effects. After the fit, [`Phenomenon`]s are switched off one at a time to see which of them did the work.
 //!
 //! A new law is a file with a [`WholeLaw`], and a line in [`LAWS`]. `sites` finds the commands that a law can replace.
-//! One group of devices is considered, that with the most work, and only where the user's law leaves structure.
+//! One group of devices is considered, that with the most work.
 
 mod friction_with_pressure;
 mod friction_with_speed;
@@ -161,7 +161,7 @@ impl WholeLaw {
 /// Forms of a cause that replace the law of the devices with the most work.
 pub(super) fn proposals(cause: &'static str, s: &ProposalContext<'_>) -> Vec<Proposal> {
     let laws = || LAWS.iter().filter(|law| law.cause == cause);
-    if !s.law_may_differ || laws().next().is_none() {
+    if laws().next().is_none() {
         return vec![];
     }
     let groups = s.moving_groups(false);
