@@ -8,10 +8,10 @@
 mod own_options;
 #[path = "diagnose/preflight.rs"]
 mod preflight;
-#[path = "diagnose/whole_laws.rs"]
-mod whole_laws;
 #[path = "support/studies.rs"]
 mod studies;
+#[path = "diagnose/whole_laws.rs"]
+mod whole_laws;
 
 use hysteron::diagnose::{CheckpointEntry, Diagnosis, Settings, hypothesis};
 use hysteron::study::standalone_script;

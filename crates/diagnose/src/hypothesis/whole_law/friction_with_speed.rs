@@ -11,7 +11,13 @@ pub(super) const LAW: WholeLaw = WholeLaw {
     command: "VelDependent {tag} [expr {$::hy_slow*({old})}] {old} $::hy_rate",
     parameters: &[
         LawParameter::linear("slow", 0.5, [0.1, 1.0], LawUnit::One, TESTS),
-        LawParameter::log("rate", 10.0, [1.0, 300.0], LawUnit::PerSpeed, "20 to 100 s/m (Constantinou and others 1990)"),
+        LawParameter::log(
+            "rate",
+            10.0,
+            [1.0, 300.0],
+            LawUnit::PerSpeed,
+            "20 to 100 s/m (Constantinou and others 1990)",
+        ),
     ],
     phenomena: &[Phenomenon { name: "growth with the speed", neutral: &[("slow", 1.0)] }],
     basis: "a constant coefficient",

@@ -8,7 +8,8 @@ use super::{LAWS_OF_RUBBER, LawParameter, LawUnit, Phenomenon, Replaces, WholeLa
 const ABSENT: f64 = 1e-3;
 /// Stress of the compound at a strain of one and some rate.
 const AREA: f64 = 1.0 / 2.0;
-const COMPOUNDS: &str = "Nguyen, dissertation, Tables 3.1 and 3.2: HDR2 and HDR3 at -30 to 23 degrees differ by factors up to 3";
+const COMPOUNDS: &str =
+    "Nguyen, dissertation, Tables 3.1 and 3.2: HDR2 and HDR3 at -30 to 23 degrees differ by factors up to 3";
 
 pub(super) const LAW: WholeLaw = WholeLaw {
     cause: "rate_dependence",

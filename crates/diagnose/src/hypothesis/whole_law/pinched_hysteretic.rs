@@ -20,11 +20,23 @@ pub(super) const LAW: WholeLaw = WholeLaw {
     parameters: &[
         LawParameter::log("strength", 0.6, [0.1, 1.5], LawUnit::Force, "the force of the user's device"),
         LawParameter::log("yield", 0.1, [0.01, 1.0], LawUnit::Deformation, "the deformation of the user's device"),
-        LawParameter::linear("hardening", 0.5, [0.0, 4.0], LawUnit::One, "stiffness after yield up to 0.44 of the first"),
+        LawParameter::linear(
+            "hardening",
+            0.5,
+            [0.0, 4.0],
+            LawUnit::One,
+            "stiffness after yield up to 0.44 of the first",
+        ),
         LawParameter::linear("pinchX", 0.6, [0.1, 1.0], LawUnit::One, MANUAL),
         LawParameter::linear("pinchY", 0.4, [0.05, 1.0], LawUnit::One, MANUAL),
         LawParameter::linear("damage", 0.01, [0.0, 0.2], LawUnit::One, MANUAL),
-        LawParameter::linear("unloading", 0.2, [0.0, 0.8], LawUnit::One, "0.5 and less (Takeda, Sozen and Nielsen 1970)"),
+        LawParameter::linear(
+            "unloading",
+            0.2,
+            [0.0, 0.8],
+            LawUnit::One,
+            "0.5 and less (Takeda, Sozen and Nielsen 1970)",
+        ),
     ],
     phenomena: &[
         Phenomenon { name: "pinching", neutral: &[("pinchX", 1.0), ("pinchY", 1.0)] },

@@ -234,7 +234,8 @@ mod tests {
     #[test]
     fn materials_of_the_shear_direction_are_replaced() {
         let springs = "uniaxialMaterial Steel01 1 $Fy $k 0.1\nuniaxialMaterial Elastic 2 5.0\n";
-        let sum = format!("{springs}uniaxialMaterial Parallel 3 1 2 ;# rubber\nelement zeroLength 1 1 2 -mat 3 -dir 1\n");
+        let sum =
+            format!("{springs}uniaxialMaterial Parallel 3 1 2 ;# rubber\nelement zeroLength 1 1 2 -mat 3 -dir 1\n");
         let rubber = sum.replace("Parallel 3 1 2", &command("HDRRheology", "3"));
         assert_eq!(edited(law("HDRRheology"), &sum, &[1]), Some(rubber));
         // A spring or a dashpot beside the hysteretic material stays.
@@ -242,7 +243,8 @@ mod tests {
         let kept = beside.replace("Steel01 1 $Fy $k 0.1", &command("Hysteretic", "1"));
         assert_eq!(edited(law("Hysteretic"), &beside, &[2]), Some(kept));
         // Another element has the material, or the kind is none of the law's.
-        let shared = format!("{springs}element zeroLength 1 1 2 -mat 1 -dir 1\nelement zeroLength 2 2 3 -mat 1 -dir 1\n");
+        let shared =
+            format!("{springs}element zeroLength 1 1 2 -mat 1 -dir 1\nelement zeroLength 2 2 3 -mat 1 -dir 1\n");
         assert_eq!(edited(law("HDRRheology"), &shared, &[1]), None);
         let steel = "uniaxialMaterial Steel02 1 1 2 0.1 18 0.9 0.1\nelement zeroLength 1 1 2 -mat 1 -dir 1\n";
         assert_eq!(edited(law("HDRRheology"), steel, &[1]), None);
