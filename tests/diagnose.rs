@@ -10,6 +10,8 @@ mod own_options;
 mod preflight;
 #[path = "support/studies.rs"]
 mod studies;
+#[path = "diagnose/whole_laws.rs"]
+mod whole_laws;
 
 use hysteron::diagnose::{CheckpointEntry, Diagnosis, Settings, hypothesis};
 use hysteron::study::standalone_script;

@@ -118,6 +118,8 @@ prior! {
     /// Structured share of the residual of the user's model above which two effects are sought although no single one gains. A
     /// choice.
     MIN_STRUCTURE_FOR_PAIRS: f64 = 0.18, "1";
+    /// Structured share of the residual of the user's model above which whole laws may replace that of a device. A choice.
+    MIN_STRUCTURE_FOR_WHOLE_LAWS: f64 = 0.18, "1";
     /// Least probability with which another cause is reported. A choice.
     MIN_REPORTED_PROBABILITY: f64 = 0.005, "share";
 

@@ -52,6 +52,24 @@ pub(crate) struct TextEdit {
     pub(crate) text: String,
 }
 
+/// A phenomenon of a whole law, and the values of parameters at which it is absent.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Switch {
+    /// The phenomenon, in words.
+    pub(crate) phenomenon: &'static str,
+    /// Names of parameters with the values that switch it off.
+    pub(crate) neutral: Vec<(String, f64)>,
+}
+
+/// A law in the place of that of a device.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct WholeLawParts {
+    /// Phenomena that can be switched off.
+    pub(crate) switches: Vec<Switch>,
+    /// Behaviour that is left without them, in words.
+    pub(crate) basis: &'static str,
+}
+
 /// An edit of the script, or a fault of a channel.
 #[derive(Clone)]
 pub(crate) struct Proposal {
@@ -75,6 +93,10 @@ pub(crate) struct Proposal {
     pub(crate) parameters: Vec<AddedParameter>,
     /// Faults of channels.
     pub(crate) fault_model: Option<FaultModel>,
+    /// Parts of the law that replaces that of a device; none for other effects.
+    pub(crate) whole_law: Option<WholeLawParts>,
+    /// The user's parameters that the replaced law alone has read, by their index in the study.
+    pub(crate) unread: Vec<usize>,
     /// True if the effect follows from geometry, not from a form of law. Its residual must not recur along the stroke.
     pub(crate) geometric: bool,
     /// True if the recording shows the effect by itself, whatever the model.
@@ -107,6 +129,8 @@ impl Proposal {
             declared_at: None,
             parameters,
             fault_model: None,
+            whole_law: None,
+            unread: vec![],
             geometric: false,
             visible_in_recording: false,
         }
@@ -124,6 +148,15 @@ impl Proposal {
         both.commands.extend(second.commands.iter().map(|l| renamed(l)));
         let edits = second.option_edits.iter();
         both.option_edits.extend(edits.map(|e| TextEdit { text: renamed(&e.text), ..e.clone() }));
+        both.unread.extend(second.unread.iter().filter(|i| !self.unread.contains(i)));
+        both.whole_law = match (self.whole_law.clone(), second.whole_law.clone()) {
+            (None, Some(mut parts)) => {
+                let names = parts.switches.iter_mut().flat_map(|s| &mut s.neutral);
+                names.for_each(|(name, _)| *name = renamed(name));
+                Some(parts)
+            }
+            (first, _) => first,
+        };
         both.declared_at = self.declared_at.into_iter().chain(second.declared_at).min();
         let parameters = second.parameters.iter();
         both.parameters.extend(parameters.map(|a| AddedParameter { name: renamed(&a.name), ..a.clone() }));
@@ -139,6 +172,18 @@ impl Proposal {
             })),
         };
         both
+    }
+
+    /// The proposal without a phenomenon: its parameters have their neutral values and are none of the fit.
+    pub(crate) fn without(&self, switch: &Switch) -> Self {
+        let mut out = self.clone();
+        for (name, value) in &switch.neutral {
+            let value = format!("{value:?}");
+            let texts = out.option_edits.iter_mut().map(|e| &mut e.text).chain(&mut out.commands);
+            texts.for_each(|t| *t = with_constant(t, name, &value));
+        }
+        out.parameters.retain(|a| switch.neutral.iter().all(|(name, _)| *name != a.name));
+        out
     }
 
     /// Returns true if the proposal changes the script, not only its channels.
@@ -165,5 +210,40 @@ impl Proposal {
     pub(crate) fn inserted_commands(&self, values: &[f64]) -> Vec<String> {
         let declarations = if self.declared_at.is_some() { vec![] } else { self.declarations(values) };
         declarations.into_iter().chain(self.commands.iter().cloned()).collect()
+    }
+}
+
+/// A text in which a number stands in the place of a global variable.
+fn with_constant(text: &str, name: &str, value: &str) -> String {
+    let mut out = String::new();
+    let mut rest = text;
+    let variable = format!("$::{name}");
+    while let Some(at) = rest.find(&variable) {
+        let (before, after) = (&rest[..at], &rest[at + variable.len()..]);
+        let whole = !after.starts_with(|c: char| c.is_alphanumeric() || c == '_');
+        out += before;
+        out += if whole { value } else { &variable };
+        rest = after;
+    }
+    out + rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Switch, with_constant};
+    use crate::test_support::script_edit;
+
+    #[test]
+    fn a_constant_replaces_a_variable_of_this_name_alone() {
+        let text = "Law 1 $::hy_a [expr {2*$::hy_a}] $::hy_ab $::hy_b";
+        assert_eq!(with_constant(text, "hy_a", "0.5"), "Law 1 0.5 [expr {2*0.5}] $::hy_ab $::hy_b");
+    }
+
+    #[test]
+    fn a_phenomenon_that_is_switched_off_has_no_parameters() {
+        let switch = Switch { phenomenon: "one", neutral: vec![("hy_one".into(), 0.0)] };
+        let without = script_edit("friction", &["one", "two"]).without(&switch);
+        let names: Vec<&str> = without.parameters.iter().map(|a| a.name.as_str()).collect();
+        assert_eq!(names, ["hy_two"]);
     }
 }

@@ -89,6 +89,18 @@ impl Variant {
         self.study.space.dimension()
     }
 
+    /// Number of free parameters that the model depends on: those of the fit without the unread ones.
+    pub(crate) fn counted_parameters(&self) -> usize {
+        self.dimension() - self.unread_coordinates().len()
+    }
+
+    /// Coordinates of the user's parameters that the model does not depend on, because their law is replaced.
+    pub(crate) fn unread_coordinates(&self) -> Vec<usize> {
+        let unread = self.proposal.as_ref().map_or(&[][..], |p| &p.unread);
+        let coordinates = self.study.space.free().enumerate();
+        coordinates.filter(|(_, (index, _))| unread.contains(index)).map(|(coordinate, _)| coordinate).collect()
+    }
+
     /// Start of a search in the unit cube: the first parameters at the given values, the others at their proposed start.
     pub(crate) fn start(&self, given: &[f64]) -> Vec<f64> {
         self.study.space.unit_point(&self.start_values(given))
@@ -148,6 +160,11 @@ impl Variant {
         single && (a.cause, &a.location) == (b.cause, &b.location) && a.parameters.len() > b.parameters.len() && same
     }
 
+    /// Returns true if the law of a device is replaced.
+    pub(crate) fn is_whole_law(&self) -> bool {
+        self.proposal.as_ref().is_some_and(|p| p.whole_law.is_some())
+    }
+
     /// Returns true if a channel is at fault, not the model.
     pub(crate) fn is_channel_fault(&self) -> bool {
         self.proposal.is_some() && !self.edits_script()
@@ -182,15 +199,16 @@ impl Variant {
         VariantSimulator { variant: self.clone(), script, last: vec![None; self.study.runs.len()] }
     }
 
-    /// Values of the parameters that the script contains.
+    /// Values of the parameters that the response depends on.
     fn script_values(&self, values: &[f64]) -> Vec<f64> {
-        let added = self.proposal.iter().flat_map(|p| &p.parameters).map(|a| a.of_channel_fault);
-        let of_channel_fault = std::iter::repeat_n(false, self.own_parameters).chain(added);
-        values.iter().zip(of_channel_fault).filter(|(_, fault)| !fault).map(|(v, _)| *v).collect()
+        let proposal = self.proposal.as_ref();
+        let own = (0..self.own_parameters).map(|i| proposal.is_some_and(|p| p.unread.contains(&i)));
+        let added = proposal.into_iter().flat_map(|p| &p.parameters).map(|a| a.of_channel_fault);
+        values.iter().zip(own.chain(added)).filter(|(_, left_out)| !left_out).map(|(v, _)| *v).collect()
     }
 }
 
-/// Last response of a run: the values of the script's parameters, and its channels.
+/// Last response of a run: the values that it depends on, and its channels.
 type LastResponse = Option<(Vec<f64>, Vec<Vec<f64>>)>;
 
 /// Simulates the recorded channels of a variant.

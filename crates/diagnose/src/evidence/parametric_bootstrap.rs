@@ -26,6 +26,8 @@ pub(crate) struct Competitor {
     pub(crate) prior_log_odds: f64,
     /// Its optimum in the unit cube.
     pub(crate) point: Vec<f64>,
+    /// Number of parameters that the model depends on.
+    pub(crate) parameters: usize,
     /// The linearized fit there.
     pub(crate) fit: LinearizedFit,
 }
@@ -101,7 +103,7 @@ impl<'a> LinearCompetitor<'a> {
     }
 
     fn dimension(&self) -> usize {
-        self.competitor.point.len()
+        self.competitor.parameters
     }
 
     /// Residual of a recording after a linear fit, from its residual at the optimum of the real recording.
@@ -253,6 +255,7 @@ mod tests {
             cause,
             prior_log_odds,
             point: vec![0.5; shapes.len()],
+            parameters: shapes.len(),
             fit: LinearizedFit::new(left.as_slice(), &j, &[n]),
         }
     }

@@ -22,7 +22,7 @@ pub(crate) fn rank(all: &mut [FittedHypothesis]) -> Result<(), String> {
     let best = tested.min_by(|a, b| a.score().total_cmp(&b.score())).and_then(|e| e.held_out.as_ref());
     let noise = NoiseModel::of(best.ok_or("no explanation could be tested on samples that it was not fitted to")?);
     for e in all.iter_mut() {
-        let posterior = |r| prior_log_odds(e) + noise.log_evidence(r, e.variant.dimension());
+        let posterior = |r| prior_log_odds(e) + noise.log_evidence(r, e.variant.counted_parameters());
         e.log_evidence = e.held_out.as_ref().map_or(f64::NEG_INFINITY, posterior);
     }
     all.sort_by(|a, b| b.log_evidence.total_cmp(&a.log_evidence));
@@ -79,8 +79,8 @@ pub(crate) fn bootstrap_ranking(
     let all: Vec<&FittedHypothesis> = ranked.iter().chain(further).collect();
     let linearized = scheduler.linearize("recordings as they might have been", &all)?;
     let competitor = |(e, fit): (&&FittedHypothesis, Option<LinearizedFit>)| {
-        let point = e.fitted.point.clone();
-        Some(Competitor { cause: e.cause(), prior_log_odds: prior_log_odds(e), point, fit: fit? })
+        let (point, parameters) = (e.fitted.point.clone(), e.variant.counted_parameters());
+        Some(Competitor { cause: e.cause(), prior_log_odds: prior_log_odds(e), point, parameters, fit: fit? })
     };
     let competitors: Vec<Competitor> = all.iter().zip(linearized).filter_map(competitor).collect();
     let first_takes_part = competitors.first().is_some_and(|c| c.cause == ranked[0].cause());

@@ -166,6 +166,8 @@ fn hypotheses(ranked: &[FittedHypothesis], bootstrap: Option<&BootstrapResult>) 
         }
         let own = e.variant.own_coordinates(&e.fitted.point);
         let added = &e.fitted.point[own.len()..];
+        let unread = e.variant.unread_coordinates();
+        let read = own.iter().enumerate().filter(|(i, _)| !unread.contains(i)).map(|(_, x)| *x).collect::<Vec<_>>();
         let prior_log_odds = prior_log_odds(e);
         out.push(HypothesisEvidence {
             cause: cause.into(),
@@ -176,7 +178,7 @@ fn hypotheses(ranked: &[FittedHypothesis], bootstrap: Option<&BootstrapResult>) 
             nmse: e.fitted.objective,
             parameters: added.len(),
             parameters_at_bound: at_bound(added),
-            user_parameters_at_bound: at_bound(own),
+            user_parameters_at_bound: at_bound(&read),
             equal_gain: bootstrap.and_then(|b| b.equal_gain(cause)),
             looks_like_first: hypothesis::look_alike(ranked[0].cause(), cause),
             channel_fault: e.variant.is_channel_fault(),

@@ -48,7 +48,7 @@ impl FittedHypothesis {
 
     /// Its [`penalised_score`].
     pub(crate) fn score(&self) -> f64 {
-        penalised_score(self.fitted.objective, self.variant.dimension(), self.variant.direct_log_odds())
+        penalised_score(self.fitted.objective, self.variant.counted_parameters(), self.variant.direct_log_odds())
     }
 }
 
@@ -71,6 +71,6 @@ pub(crate) struct ScreenedHypothesis {
 impl ScreenedHypothesis {
     /// Its expected [`penalised_score`].
     pub(crate) fn score(&self) -> f64 {
-        penalised_score(self.expected_objective, self.variant.dimension(), self.variant.direct_log_odds())
+        penalised_score(self.expected_objective, self.variant.counted_parameters(), self.variant.direct_log_odds())
     }
 }

@@ -17,6 +17,8 @@
 //! - [`two_effect_search`]: pairs of effects
 //! - [`step_error`]: error of the time steps
 //! - [`unmoved_channels`]: channels that no proposal changes
+//! - [`unread_parameters`]: the user's parameters that a whole law does not read
+//! - [`phenomena`]: phenomena of a whole law, switched off one at a time
 
 pub(crate) mod alternative_forms;
 pub(crate) mod baseline;
@@ -28,6 +30,7 @@ pub(crate) mod global_search;
 pub(crate) mod halton_points;
 pub(crate) mod job;
 pub(crate) mod linearized;
+pub(crate) mod phenomena;
 pub(crate) mod projection;
 pub(crate) mod refit_competitors;
 pub(crate) mod scheduler;
@@ -36,3 +39,4 @@ pub(crate) mod search_settings;
 pub(crate) mod step_error;
 pub(crate) mod two_effect_search;
 pub(crate) mod unmoved_channels;
+pub(crate) mod unread_parameters;

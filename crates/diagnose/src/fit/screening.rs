@@ -120,6 +120,8 @@ impl FirstRound<'_> {
             match *form {
                 1 => ranked.push(s),
                 2..=FORMS_PER_CAUSE => next_forms.push(s),
+                // A whole law is far from the user's, so that screening at a few points says little of it.
+                _ if s.variant.is_whole_law() => next_forms.push(s),
                 _ => further_forms.push(s),
             }
         }

@@ -4,7 +4,7 @@
 //! The proposals of a cause are different forms of it; the best of them represents the cause.
 //!
 //! A new hypothesis is a file with a function, and a line in [`ALL`]. `context` holds what proposals are made from.
-//! `own_options` has the forms that switch on what a law has itself.
+//! `own_options` has the forms that switch on what a law has itself, `whole_law` those that replace a law by another.
 
 mod ambient_temperature;
 mod axial_shear_interaction;
@@ -13,6 +13,7 @@ mod cavitation;
 pub(crate) mod context;
 mod cyclic_degradation;
 mod damping;
+mod device_commands;
 mod foundation_flexibility;
 mod friction;
 mod gap_impact;
@@ -26,6 +27,7 @@ mod strain_stiffening;
 mod superstructure_yielding;
 mod torsion;
 mod varying_axial_load;
+mod whole_law;
 
 use crate::candidate::proposal::{AddedParameter, Proposal};
 use context::{MovingGroup, ProposalContext, element_names, element_tags};
@@ -76,6 +78,11 @@ impl Hypothesis {
         let mut out = (self.propose)(context);
         out.extend(own_options::proposals(self.cause, context));
         out
+    }
+
+    /// Proposals that replace the law of a device by another. The responses are best those of the fitted baseline.
+    pub(crate) fn whole_laws(&self, context: &ProposalContext<'_>) -> Vec<Proposal> {
+        whole_law::proposals(self.cause, context)
     }
 }
 

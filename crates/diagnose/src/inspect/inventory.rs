@@ -115,6 +115,8 @@ pub(crate) enum TagPurpose {
     Joints,
     /// Materials and elements of a repair in OpenSees' standard commands.
     StandardForms,
+    /// Materials of whole laws.
+    WholeLaws,
 }
 
 /// Prefixes of the classes of elastic beams.
@@ -135,6 +137,7 @@ impl ModelInventory {
                 TagPurpose::Dashpots => 800,
                 TagPurpose::Joints => 900,
                 TagPurpose::StandardForms => 1000,
+                TagPurpose::WholeLaws => 5000,
             }
     }
 

@@ -21,6 +21,7 @@ use crate::evidence::verdict_model::{
 use crate::fit::fitted::FittedHypothesis;
 use crate::fit::halton_points::points_around;
 use crate::fit::job::{FittedModel, Job};
+use crate::fit::phenomena::phenomenon_shares;
 use crate::fit::scheduler::Scheduler;
 use crate::fit::search_settings::LAST_ITERATIONS;
 use crate::fit::step_error::StepError;
@@ -173,6 +174,10 @@ pub(super) fn conclude(
         channels: repair.hypothesis.variant.channel_faults(&repair.fitted.values),
     };
     let mut in_words = verdict_in_words(c, ranking, &structure.description, &evidence, &verdict);
+    let repaired = FittedHypothesis { fitted: verdict.repair.fitted.clone(), ..repair.hypothesis.clone() };
+    if let Some(shares) = phenomenon_shares(scheduler, baseline, c.point, &repaired)? {
+        in_words.explanation += &shares.description();
+    }
     let uncertainty = if named_repair.is_some() { uncertainty_of(c, repair) } else { None };
     scheduler.check_cancelled()?;
     in_words.summary = summary(&SummaryContext {

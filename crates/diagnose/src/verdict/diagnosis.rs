@@ -17,10 +17,11 @@ use crate::fit::search_settings::{FINALIST_CAUSES, MAX_RESTARTS, SECOND_ROUND_IT
 use crate::fit::step_error::step_error;
 use crate::fit::two_effect_search::two_effect_search;
 use crate::fit::unmoved_channels::unmoved_channels;
+use crate::fit::unread_parameters::with_unread_parameters;
 use crate::hypothesis::{self, context::ProposalContext};
 use crate::inspect::conditions::lacks_clock;
 use crate::inspect::probe::{inspect_model, record_responses};
-use crate::prior::MIN_STRUCTURE_FOR_PAIRS;
+use crate::prior::{MIN_STRUCTURE_FOR_PAIRS, MIN_STRUCTURE_FOR_WHOLE_LAWS};
 use crate::residual::drift::drift_may_be_noise;
 use crate::residual::unmodelled_structure::unmodelled_structure;
 use hysteron_identify::calibrate::Displacements;
@@ -125,7 +126,16 @@ pub fn diagnose(
     let library = hypothesis::ALL.iter().filter(|h| !settings.excluded_causes.iter().any(|w| w == h.cause));
     let (without_clock, library): (Vec<_>, Vec<_>) = library.partition(|h| !has_clock && h.needs_clock);
     let causes_tried = library.len();
-    let proposals: Vec<Proposal> = library.iter().flat_map(|h| h.proposals(&context)).collect();
+    let mut proposals: Vec<Proposal> = library.iter().flat_map(|h| h.proposals(&context)).collect();
+    let structure = unmodelled_structure(&study, &responses, &baseline.fitted.fits, true);
+    if structure.share > MIN_STRUCTURE_FOR_WHOLE_LAWS {
+        // The strain of a law follows from the deformation, which the fitted baseline knows best.
+        let of_baseline = || record_responses(&factory, &study, text, &baseline.fitted.values, &point, &inventory);
+        let fitted_responses = poor.then(of_baseline);
+        let context = ProposalContext { responses: fitted_responses.as_ref().unwrap_or(&responses), ..context };
+        let laws = library.iter().flat_map(|h| h.whole_laws(&context)).collect();
+        proposals.extend(with_unread_parameters(&mut scheduler, &baseline, &point, laws)?);
+    }
 
     let edits = proposals.iter().filter(|p| p.edits_script()).count();
     let global = poor && is_affordable(&study, edits);

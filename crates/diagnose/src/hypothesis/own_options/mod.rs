@@ -3,13 +3,12 @@
 //! The words of the command are edited in the script. A command in a loop or a procedure makes several devices, and they
 //! all change. A new form is a row in [`table`].
 
-mod commands;
 mod table;
 
 use super::context::{MovingGroup, ProposalContext};
+use super::device_commands::{DeviceCommand, device_commands};
 use super::{AddedParameter, Proposal};
 use crate::candidate::proposal::TextEdit;
-use commands::{DeviceCommand, device_commands};
 use table::OWN_OPTIONS;
 
 /// A form of an effect by options of a command. Words count from that of the command itself, from 0.
@@ -55,6 +54,8 @@ enum Unit {
     One,
     /// Times its largest deformation.
     Deformation,
+    /// Over its work.
+    PerWork,
 }
 
 impl OwnParameter {
@@ -70,6 +71,7 @@ impl OwnParameter {
         let scale = match self.unit {
             Unit::One => 1.0,
             Unit::Deformation => group.deformation,
+            Unit::PerWork => 1.0 / group.work,
         };
         let make = if self.logarithmic { AddedParameter::log } else { AddedParameter::linear };
         make(self.name, scale * self.range[0], scale * self.range[1], scale * self.start)
@@ -134,9 +136,9 @@ pub(super) fn proposals(cause: &'static str, s: &ProposalContext<'_>) -> Vec<Pro
 
 #[cfg(test)]
 mod tests {
-    use super::commands::device_commands;
     use super::table::OWN_OPTIONS;
     use crate::hypothesis;
+    use crate::hypothesis::device_commands::device_commands;
 
     /// The script after the first form of a cause; `None` if no command takes it.
     fn edited(cause: &str, text: &str) -> Option<String> {

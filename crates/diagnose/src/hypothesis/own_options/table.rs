@@ -36,6 +36,12 @@ const DAMAGE: [OwnParameter; 2] = [
     OwnParameter::linear("damageEnergy", 0.0, 0.2, 0.01, Unit::One),
 ];
 
+/// Words of `BoucWen`, with and without tolerance and number of iterations.
+const BOUC_WEN: &[usize] = &[12, 13, 14];
+/// Losses over the work of the run with most of it. The hysteretic energy is less than that work, and Ao stays positive.
+const DELTA_NU: OwnParameter = OwnParameter::linear("deltaNu", 0.0, 5.0, 0.3, Unit::PerWork);
+const DELTA_ETA: OwnParameter = OwnParameter::linear("deltaEta", 0.0, 5.0, 0.3, Unit::PerWork);
+
 /// All rows. The unit of ranges is that of the field's sources; `Unit` scales them to the devices of a study.
 pub(super) const OWN_OPTIONS: &[OwnOption] = &[
     OwnOption {
@@ -168,6 +174,26 @@ pub(super) const OWN_OPTIONS: &[OwnOption] = &[
         replaced: &[(8, Some(0.0), "$::hy_lambda"), (9, Some(0.0), "$::hy_lambda")],
         parameters: &[OwnParameter::log("lambda", 1.0, 1e3, 20.0, Unit::Deformation)],
         source: "Lignos and Krawinkler (2011)",
+        ..NONE
+    },
+    OwnOption {
+        kinds: &["BoucWen"],
+        cause: "cyclic_degradation",
+        form: "loss of strength and of stiffness of the law",
+        lengths: BOUC_WEN,
+        replaced: &[(10, Some(0.0), "$::hy_deltaNu"), (11, Some(0.0), "$::hy_deltaEta")],
+        parameters: &[DELTA_NU, DELTA_ETA],
+        source: "Baber and Wen (1981)",
+        ..NONE
+    },
+    OwnOption {
+        kinds: &["BoucWen"],
+        cause: "cyclic_degradation",
+        form: "loss of the hysteretic force of the law",
+        lengths: BOUC_WEN,
+        replaced: &[(9, Some(0.0), "$::hy_deltaA")],
+        parameters: &[OwnParameter::linear("deltaA", 0.0, 0.9, 0.2, Unit::PerWork)],
+        source: "Baber and Wen (1981)",
         ..NONE
     },
 ];

@@ -1,4 +1,4 @@
-//! Commands of a script that make devices or their materials, at any depth.
+//! Commands of a script that make devices, their materials or their friction, at any depth.
 
 use hysteron_tcl::top_level;
 
@@ -18,7 +18,7 @@ pub(super) struct Word<'a> {
 }
 
 /// Names of commands that make devices.
-const COMMANDS: [&str; 2] = ["element", "uniaxialMaterial"];
+const COMMANDS: [&str; 3] = ["element", "uniaxialMaterial", "frictionModel"];
 /// Depth of braces that is searched.
 const MAX_DEPTH: usize = 8;
 
