@@ -50,17 +50,28 @@ enum Correction {
     Initial,
 }
 
-/// Attempts in order: number of increments, and section flexibility.
-const ATTEMPTS: [(usize, Correction); 9] = [
-    (1, Correction::Current),
-    (1, Correction::Initial),
-    (1, Correction::InitialFirst),
-    (10, Correction::Current),
-    (10, Correction::Initial),
-    (10, Correction::InitialFirst),
-    (100, Correction::Current),
-    (100, Correction::Initial),
-    (100, Correction::InitialFirst),
+/// Section state from which an attempt starts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Start {
+    /// The last trial of the step. It is near the solution as soon as the step has been iterated once. The solution
+    /// is the same to round-off, because each update begins with the committed history.
+    LastTrial,
+    /// The committed state.
+    Committed,
+}
+
+/// Attempts in order: start, number of increments, and section flexibility.
+const ATTEMPTS: [(Start, usize, Correction); 10] = [
+    (Start::LastTrial, 1, Correction::Current),
+    (Start::Committed, 1, Correction::Current),
+    (Start::Committed, 1, Correction::Initial),
+    (Start::Committed, 1, Correction::InitialFirst),
+    (Start::Committed, 10, Correction::Current),
+    (Start::Committed, 10, Correction::Initial),
+    (Start::Committed, 10, Correction::InitialFirst),
+    (Start::Committed, 100, Correction::Current),
+    (Start::Committed, 100, Correction::Initial),
+    (Start::Committed, 100, Correction::InitialFirst),
 ];
 
 /// Derivatives of a resultant at `x` (fraction of the length) by the basic forces.
@@ -81,26 +92,32 @@ pub(super) fn row<const B: usize>(resultant: Resultant, x: f64, length: f64) -> 
     row
 }
 
-/// A section in an iteration: its interpolation, its flexibility, and its deformations for the basic forces.
+/// A section in an iteration: its interpolation, flexibility, deformations and resultants in a state.
 pub(super) struct Point<const B: usize> {
     rows: [[f64; B]; MAX_ORDER],
     flexibility: [f64; MAX_ORDER * MAX_ORDER],
-    pub(super) e: [f64; MAX_ORDER],
+    e: [f64; MAX_ORDER],
+    s: [f64; MAX_ORDER],
 }
 
 impl<const B: usize> Point<B> {
-    /// Evaluates a section; `internal` are the internal forces of the simple beam at its position.
+    /// Reads a section from a state. The flexibility is that of the virgin section if `initial`.
+    ///
+    /// # Errors
+    /// The stiffness is singular.
     pub(super) fn new(
         section: &SectionSlot,
         (x, length): (f64, f64),
-        q: &[f64; B],
-        internal: &[f64],
         trial: &[f64],
         initial: bool,
     ) -> Result<Self, MaterialError> {
         let n = section.resultants().len();
-        let mut p =
-            Self { rows: [[0.0; B]; MAX_ORDER], flexibility: [0.0; MAX_ORDER * MAX_ORDER], e: [0.0; MAX_ORDER] };
+        let mut p = Self {
+            rows: [[0.0; B]; MAX_ORDER],
+            flexibility: [0.0; MAX_ORDER * MAX_ORDER],
+            e: [0.0; MAX_ORDER],
+            s: [0.0; MAX_ORDER],
+        };
         if initial {
             let mut k = [0.0; MAX_ORDER * MAX_ORDER];
             section.section.initial_stiffness(&mut k[..n * n]);
@@ -108,21 +125,33 @@ impl<const B: usize> Point<B> {
         } else {
             section.flexibility(section.stiffness(trial), &mut p.flexibility)?;
         }
-        let mut residual = [0.0; MAX_ORDER];
-        for (i, (r, s)) in section.resultants().iter().zip(section.resultant(trial)).enumerate() {
-            p.rows[i] = row(*r, x, length);
-            residual[i] = dot(&p.rows[i], q) + of_load(*r, internal) - s;
+        for (rows, r) in p.rows.iter_mut().zip(section.resultants()) {
+            *rows = row(*r, x, length);
         }
-        for (i, e) in section.deformation(trial).iter().enumerate() {
-            p.e[i] = e + dot(&p.flexibility[i * n..(i + 1) * n], &residual[..n]);
-        }
+        p.e[..n].copy_from_slice(section.deformation(trial));
+        p.s[..n].copy_from_slice(section.resultant(trial));
         Ok(p)
     }
 
+    /// Deformations for the basic forces `q`, linear from the state; `internal` are the internal forces of the simple
+    /// beam at the section.
+    pub(super) fn deformations(&self, resultants: &[Resultant], q: &[f64; B], internal: &[f64]) -> [f64; MAX_ORDER] {
+        let n = resultants.len();
+        let mut residual = [0.0; MAX_ORDER];
+        for (i, r) in resultants.iter().enumerate() {
+            residual[i] = dot(&self.rows[i], q) + of_load(*r, internal) - self.s[i];
+        }
+        let mut e = self.e;
+        for (i, e) in e[..n].iter_mut().enumerate() {
+            *e += dot(&self.flexibility[i * n..(i + 1) * n], &residual[..n]);
+        }
+        e
+    }
+
     /// Adds weight x aᵀ f a to the flexibility and weight x aᵀ e to the basic deformations.
-    pub(super) fn add(&self, n: usize, weight: f64, f: &mut [[f64; B]; B], v: &mut [f64; B]) {
+    pub(super) fn add(&self, n: usize, weight: f64, e: &[f64], f: &mut [[f64; B]; B], v: &mut [f64; B]) {
         for (i, a) in self.rows[..n].iter().enumerate() {
-            axpy(weight * self.e[i], a, v);
+            axpy(weight * e[i], a, v);
             for (j, b) in self.rows[..n].iter().enumerate() {
                 let fij = weight * self.flexibility[i * n + j];
                 f.iter_mut().zip(a).for_each(|(row, a)| axpy(fij * a, b, row));
@@ -156,15 +185,17 @@ impl ForceBased {
         v: &[f64; B],
         motion: &ElementInput<'_>,
         (committed, trial): (&[f64], &mut [f64]),
-        (parts, correction): (usize, Correction),
+        (from, parts, correction): (Start, usize, Correction),
     ) -> Result<Option<Basic<B>>, MaterialError> {
         let body = member.body();
-        // State variables are written by the first update; without one they are those of the committed state.
-        member
-            .along()
-            .for_each(|(section, ..)| section.response_mut(trial).copy_from_slice(section.response(committed)));
-        let mut updated = false;
-        let mut basic = Basic::read(&committed[member.head()..]);
+        let mut updated = from == Start::LastTrial;
+        let mut basic = Basic::read(if updated { &trial[member.head()..] } else { &committed[member.head()..] });
+        if !updated {
+            // State variables are written by the first update; without one they are those of the committed state.
+            member
+                .along()
+                .for_each(|(section, ..)| section.response_mut(trial).copy_from_slice(section.response(committed)));
+        }
         let length = member.length();
         let mut start = [0.0; B];
         for (section, x, weight) in member.along() {
@@ -173,14 +204,18 @@ impl ForceBased {
             }
         }
         let limit = self.max_iterations * if correction == Correction::Initial { 10 } else { 1 };
+        let read = |(section, x, _): (&SectionSlot, f64, f64), trial: &[f64]| {
+            Point::<B>::new(section, (x, length), trial, false)
+        };
+        let mut points = member.along().map(|s| read(s, trial)).collect::<Result<Vec<_>, _>>()?;
         for part in 1..=parts {
             let share = part as f64 / parts as f64;
             let (mut iteration, mut extra_iterations) = (0, 0);
             loop {
                 let (mut f, mut basic_deformations) = ([[0.0; B]; B], [0.0; B]);
-                for (i, (section, x, weight)) in member.along().enumerate() {
-                    let p = Point::new(section, (x, length), &basic.q, internal_forces(motion.load, i), trial, false)?;
-                    p.add(section.resultants().len(), weight, &mut f, &mut basic_deformations);
+                for (i, ((section, _, weight), p)) in member.along().zip(&points).enumerate() {
+                    let e = p.deformations(section.resultants(), &basic.q, internal_forces(motion.load, i));
+                    p.add(section.resultants().len(), weight, &e, &mut f, &mut basic_deformations);
                 }
                 if !invert(f.as_flattened_mut(), B) {
                     return Ok(None);
@@ -210,10 +245,14 @@ impl ForceBased {
                     Correction::InitialFirst => iteration == 1,
                     Correction::Initial => true,
                 };
-                for (i, (section, x, _)) in member.along().enumerate() {
-                    let p =
-                        Point::new(section, (x, length), &basic.q, internal_forces(motion.load, i), trial, initial)?;
-                    section.update(committed, &p.e, motion.dt, trial)?;
+                for (i, (along, point)) in member.along().zip(&mut points).enumerate() {
+                    let (section, x, _) = along;
+                    if initial {
+                        *point = Point::new(section, (x, length), trial, true)?;
+                    }
+                    let e = point.deformations(section.resultants(), &basic.q, internal_forces(motion.load, i));
+                    section.update(committed, &e, motion.dt, trial)?;
+                    *point = read(along, trial)?;
                 }
                 updated = true;
             }
@@ -234,8 +273,12 @@ impl ForceBased {
             let n = section.resultants().len();
             let mut k = [0.0; MAX_ORDER * MAX_ORDER];
             section.section.initial_stiffness(&mut k[..n * n]);
-            let mut p =
-                Point { rows: [[0.0; B]; MAX_ORDER], flexibility: [0.0; MAX_ORDER * MAX_ORDER], e: [0.0; MAX_ORDER] };
+            let mut p = Point {
+                rows: [[0.0; B]; MAX_ORDER],
+                flexibility: [0.0; MAX_ORDER * MAX_ORDER],
+                e: [0.0; MAX_ORDER],
+                s: [0.0; MAX_ORDER],
+            };
             if section.flexibility(&k, &mut p.flexibility).is_err() {
                 continue;
             }
@@ -247,7 +290,7 @@ impl ForceBased {
             for j in 0..n {
                 p.e[j] = dot(&p.flexibility[j * n..(j + 1) * n], &s[..n]);
             }
-            p.add(n, weight, &mut f, &mut v);
+            p.add(n, weight, &p.e, &mut f, &mut v);
         }
         (f, v)
     }

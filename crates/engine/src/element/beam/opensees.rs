@@ -90,6 +90,10 @@ impl ForceBased {
         let mut basic = *from;
         let first = from.k.map(|row| dot(&row, increment));
         axpy(1.0, &first, &mut basic.q);
+        let mut points = Vec::with_capacity(member.sections.len());
+        for (section, x, _) in member.along() {
+            points.push(Point::new(section, (x, length), trial, flexibility != Flexibility::Current)?);
+        }
         for iteration in 0..times * self.max_iterations {
             let initial = match flexibility {
                 Flexibility::Current => false,
@@ -97,12 +101,16 @@ impl ForceBased {
                 Flexibility::InitialFirst => iteration == 0,
             };
             let (mut f, mut gathered) = ([[0.0; B]; B], [0.0; B]);
-            for (i, (section, x, weight)) in member.along().enumerate() {
-                let internal = internal_forces(motion.load, i);
-                let wanted = Point::new(section, (x, length), &basic.q, internal, trial, initial)?;
-                section.update(committed, &wanted.e, motion.dt, trial)?;
-                let p = Point::new(section, (x, length), &basic.q, internal, trial, false)?;
-                p.add(section.resultants().len(), weight, &mut f, &mut gathered);
+            for (i, ((section, x, weight), point)) in member.along().zip(&mut points).enumerate() {
+                let (internal, resultants) = (internal_forces(motion.load, i), section.resultants());
+                if initial && iteration > 0 {
+                    *point = Point::new(section, (x, length), trial, true)?;
+                }
+                let wanted = point.deformations(resultants, &basic.q, internal);
+                section.update(committed, &wanted, motion.dt, trial)?;
+                *point = Point::new(section, (x, length), trial, false)?;
+                let e = point.deformations(resultants, &basic.q, internal);
+                point.add(resultants.len(), weight, &e, &mut f, &mut gathered);
             }
             if !invert(f.as_flattened_mut(), B) {
                 return Ok(None);
