@@ -26,6 +26,8 @@ SCRIPTS = [
     "validation/opensees/building_boucwen/model.tcl",
     "validation/opensees/timing_frame_5k_dof/model.tcl",
     "benches/bridge.tcl",
+    "benches/steel_frame.tcl",
+    "benches/concrete_frame.tcl",
 ]
 # Bearings of benches/bearings.tcl: cycles of the two runs, and how far their forces may be apart.
 BEARINGS = {"boucwen": (20, 620, 1e-6), "hdr": (20, 320, 1e-4), "kikuchi": (2, 22, 1e-4)}

@@ -73,6 +73,7 @@ impl UniaxialLaw for Concrete01 {
     type State = History;
     const NAME: &'static str = "Concrete01";
 
+    #[inline]
     fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
         let eps = strain.value;
         let modulus = self.modulus();

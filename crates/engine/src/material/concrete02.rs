@@ -77,6 +77,7 @@ impl UniaxialLaw for Concrete02 {
     type State = History;
     const NAME: &'static str = "Concrete02";
 
+    #[inline]
     fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
         let (eps, modulus) = (strain.value, self.modulus());
         let step = eps - c.strain;

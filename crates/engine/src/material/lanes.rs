@@ -5,6 +5,8 @@
 
 use pulp::{Arch, NullaryFnOnce};
 
+/// Numbers that the widest instructions take. The number of points of a loop is a multiple of it.
+pub(crate) const LANES: usize = 4;
 /// Points of a block.
 pub(crate) const BLOCK: usize = 16;
 

@@ -1,6 +1,6 @@
 //! Steel of Giuffrè, Menegotto and Pinto with isotropic hardening.
 
-use super::lanes::{BLOCK, Lanes, in_lanes};
+use super::lanes::{BLOCK, LANES, Lanes, in_lanes};
 use super::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
 use crate::numeric::elementary::{exp, ln, power};
 use crate::numeric::sign;
@@ -154,6 +154,8 @@ impl Curve {
 /// Curves of a block of points and their responses, one quantity after the other.
 struct Curves<'a> {
     law: &'a Steel02,
+    /// Points that are evaluated.
+    len: usize,
     strain: [f64; BLOCK],
     plastic: [f64; BLOCK],
     strain_0: [f64; BLOCK],
@@ -169,6 +171,7 @@ impl<'a> Curves<'a> {
         let (zeros, ones) = ([0.0; BLOCK], [1.0; BLOCK]);
         Self {
             law,
+            len: BLOCK,
             strain: zeros,
             plastic: zeros,
             strain_0: ones,
@@ -192,7 +195,7 @@ impl Lanes for Curves<'_> {
     #[inline(always)]
     fn evaluate(&mut self) {
         let law = self.law.clone();
-        for i in 0..BLOCK {
+        for i in 0..self.len.min(BLOCK) {
             let curve = Curve {
                 strain: self.strain[i],
                 plastic: self.plastic[i],
@@ -238,6 +241,7 @@ impl UniaxialLaw for Steel02 {
                 branch.unwrap_or(c).write(t);
                 curves.set(i, branch.map_or(Curve::AT_REST, |t| Curve::of(self, &t)));
             }
+            curves.len = points.len().next_multiple_of(LANES);
             in_lanes(&mut curves);
             for (i, (point, t)) in points.zip(next.chunks_exact_mut(History::LEN)).enumerate() {
                 let (mut value, mut tangent) = (curves.value[i], curves.tangent[i]);
