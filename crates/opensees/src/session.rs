@@ -194,6 +194,8 @@ impl Recorders {
 /// State of the commands that build the model.
 #[derive(Default)]
 pub struct ModelBuilder {
+    /// Time for which the loads were applied last, where a command has set another time since.
+    pub(crate) loads_time: Option<f64>,
     /// Materials, series, sections and the like, by tag.
     pub definitions: Definitions,
     /// Number of dimensions.

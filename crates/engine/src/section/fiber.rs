@@ -29,6 +29,8 @@ pub struct FiberSection {
     fibers: Vec<PlacedFiber>,
     runs: Vec<FiberRun>,
     torsion: Option<Slot>,
+    /// Bending about both axes.
+    biaxial: bool,
     /// Reference point of bending, y and z.
     centroid: (f64, f64),
     state_len: usize,
@@ -150,7 +152,13 @@ impl FiberSection {
         at += FIBER_HEADER * placed.len();
         let torsion = torsion.map(|(material, tag)| Slot::new(material, tag, at));
         let state_len = at + torsion.as_ref().map_or(0, Slot::len);
-        Self { fibers: placed, runs, torsion, centroid, state_len }
+        let biaxial = torsion.is_some();
+        Self { fibers: placed, runs, torsion, biaxial, centroid, state_len }
+    }
+
+    /// The section bent about both axes, also without torsion.
+    pub fn bent_about_both_axes(self) -> Self {
+        Self { biaxial: true, ..self }
     }
 
     /// Evaluates the fibers at `M` section deformations and integrates stresses and tangents.
@@ -216,7 +224,7 @@ impl FiberSection {
         };
         // The z coordinate does not count in a plane section.
         let distance =
-            |f: &PlacedFiber| (f.y - y).powi(2) + if self.torsion.is_some() { (f.z - z).powi(2) } else { 0.0 };
+            |f: &PlacedFiber| (f.y - y).powi(2) + if self.biaxial { (f.z - z).powi(2) } else { 0.0 };
         let has_tag = |f: &PlacedFiber| tag.is_none_or(|t| self.runs[f.run].slot.tag == t);
         let candidates = self.fibers.iter().enumerate().filter(|(_, f)| has_tag(f));
         let nearest = candidates.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1)))?;
@@ -243,10 +251,14 @@ impl FiberSection {
 
 impl Section for FiberSection {
     fn class(&self) -> &'static str {
-        if self.torsion.is_some() { "FiberSection3d" } else { "FiberSection2d" }
+        if self.biaxial { "FiberSection3d" } else { "FiberSection2d" }
     }
     fn resultants(&self) -> &[Resultant] {
-        if self.torsion.is_some() { &SPACE } else { &PLANE }
+        match (self.biaxial, &self.torsion) {
+            (false, _) => &PLANE,
+            (true, None) => &SPACE[..3],
+            (true, Some(_)) => &SPACE,
+        }
     }
     fn state_len(&self) -> usize {
         self.state_len
@@ -276,17 +288,25 @@ impl Section for FiberSection {
         s: &mut [f64],
         k: &mut [f64],
     ) -> Result<(), MaterialError> {
-        let Some(torsion) = &self.torsion else { return self.integrate::<2>(committed, e, dt, next, (s, k)) };
+        if !self.biaxial {
+            return self.integrate::<2>(committed, e, dt, next, (s, k));
+        }
         self.integrate::<3>(committed, e, dt, next, (&mut *s, &mut *k))?;
-        let stress = torsion.update(committed, Strain { value: e[3], rate: 0.0, dt }, next)?;
-        (s[3], k[15]) = (stress.value, stress.tangent);
+        if let Some(torsion) = &self.torsion {
+            let stress = torsion.update(committed, Strain { value: e[3], rate: 0.0, dt }, next)?;
+            (s[3], k[15]) = (stress.value, stress.tangent);
+        }
         Ok(())
     }
 
     fn initial_stiffness(&self, k: &mut [f64]) {
-        let Some(torsion) = &self.torsion else { return self.virgin::<2>(k) };
+        if !self.biaxial {
+            return self.virgin::<2>(k);
+        }
         self.virgin::<3>(k);
-        k[15] = torsion.material.initial_tangent();
+        if let Some(torsion) = &self.torsion {
+            k[15] = torsion.material.initial_tangent();
+        }
     }
 
     /// Applies to one material by its tag, or to all that have the parameter.

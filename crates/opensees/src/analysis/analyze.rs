@@ -22,7 +22,7 @@ pub(crate) const COMMANDS: &[Command] = &[
     Command::new("wipeAnalysis", "wipeAnalysis", wipe_analysis),
     Command::new("reset", "reset", reset),
     Command::new("revertToStart", "revertToStart", reset),
-    Command::new("initialize", "initialize", |_, _| Ok(Value::EMPTY)),
+    Command::new("initialize", "initialize", initialize),
     Command::new("ladder", LADDER, ladder),
 ];
 
@@ -31,6 +31,16 @@ const ANALYZE: &str = "analyze $steps (static), analyze $steps $dt (transient) o
                        analyze $steps $dt $dtMin $dtMax $iterations (variable transient)";
 const EIGEN: &str = "eigen <$solver> <-generalized | -standard> <-findLargest> $count";
 const LADDER: &str = "ladder on | off: try other algorithms and shorter steps before a step fails";
+
+/// Commits the model as it is where there is an analysis, so that recorders write a row.
+fn initialize(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let session = &mut interp.host;
+    if session.kind().is_some() {
+        let done = session.output.recorders.record(&mut session.engine);
+        done.map_err(|e| call.error_at(0, e.to_string(), ""))?;
+    }
+    Ok(Value::EMPTY)
+}
 
 /// A kind of analysis. `variable`: steps of time may change their length.
 #[derive(Clone, Copy)]
@@ -129,6 +139,7 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     warn_of_plain(interp, call.span(0))?;
     warn_of_pseudo_time(interp, call.span(0))?;
     let session = &mut interp.host;
+    session.builder.loads_time = None;
     let done = match session.mode {
         // Messages of an analysis of a wrong model follow from the mistake in the model.
         Mode::Check if session.check.rejected => {
@@ -367,6 +378,7 @@ fn wipe_analysis(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 }
 
 fn reset(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
+    interp.host.builder.loads_time = None;
     interp.host.engine.reset();
     Ok(Value::EMPTY)
 }

@@ -239,7 +239,7 @@ where
     let wrong = |e| no_transform(a, w.transform_at, nodes, e);
     let mass = (w.rho, w.consistent);
     let sections = w.integration.sections;
-    deformable(a, &sections, ends.ndm, nodes)?;
+    deformable(a, &sections, (ends.ndm, <F as Formulation<12, 6>>::NEEDS_TORSION), nodes)?;
     let points = |length: f64| {
         let found = w.integration.rule.points(sections.len(), length);
         let good = found.filter(|(x, w)| x.iter().chain(w).all(|x| x.is_finite()));
@@ -258,8 +258,14 @@ where
 }
 
 /// Refuse sections that leave the beam without a stiffness.
-fn deformable(a: &Args<'_>, sections: &[(SharedSection, i32)], ndm: usize, at: Place) -> Result<(), Exception> {
-    let needed = &[Resultant::P, Resultant::Mz, Resultant::My, Resultant::T][..if ndm == 2 { 2 } else { 4 }];
+fn deformable(
+    a: &Args<'_>,
+    sections: &[(SharedSection, i32)],
+    (ndm, torsion): (usize, bool),
+    at: Place,
+) -> Result<(), Exception> {
+    let count = if ndm == 2 { 2 } else { 3 + usize::from(torsion) };
+    let needed = &[Resultant::P, Resultant::Mz, Resultant::My, Resultant::T][..count];
     for (section, tag) in sections {
         if let Some(r) = needed.iter().find(|r| !section.resultants().contains(r)) {
             let message = format!("section {tag} has no {}, which the beam needs", r.name());

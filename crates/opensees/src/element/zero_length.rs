@@ -82,7 +82,13 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
             "expected -mat and their tags after this",
         ));
     }
-    if mats.len() != dirs.len() {
+    if mats.len() < dirs.len() {
+        let message = format!("zeroLength: {} materials but {} directions: the others stay free", mats.len(), dirs.len());
+        let d = Diagnostic::warning(message).at(dirs[mats.len()].1, "expected a direction for each material");
+        warn(interp, d)?;
+        dirs.truncate(mats.len());
+    }
+    if mats.len() > dirs.len() {
         let message = format!("zeroLength: {} materials but {} directions", mats.len(), dirs.len());
         return Err(a.refuse_at(dirs.last().map_or(span, |d| d.1), message, "expected a direction for each material"));
     }

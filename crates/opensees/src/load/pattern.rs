@@ -297,8 +297,10 @@ fn load_const(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             _ => ignore_option(interp, &mut a, &["-time"])?,
         }
     }
+    // Loads stay as an analysis has applied them, whatever the time has been set to since.
+    let applied = interp.host.builder.loads_time.take();
     let engine = &mut interp.host.engine;
-    let now = engine.state().time;
+    let now = applied.unwrap_or(engine.state().time);
     engine.change_model(|m| m.patterns.values_mut().for_each(|p| p.hold(now)));
     if let Some(t) = time {
         engine.set_time(t);
@@ -310,6 +312,8 @@ fn set_time(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, SET_TIME);
     let time = a.float("time")?;
     finish(interp, &a)?;
-    interp.host.engine.set_time(time);
+    let session = &mut interp.host;
+    session.builder.loads_time.get_or_insert(session.engine.state().time);
+    session.engine.set_time(time);
     Ok(Value::EMPTY)
 }

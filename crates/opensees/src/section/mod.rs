@@ -107,9 +107,11 @@ fn fibers(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception
             _ => ignore_option(interp, a, &["-GJ", "-torsion", "-noCentroid"])?,
         }
     }
-    if interp.host.builder.ndm == 3 && torsion.is_none() {
-        let message = "a fiber section in space needs a torsional stiffness";
-        return Err(a.refuse_at(span, message, "expected -GJ or -torsion after the tag"));
+    let space = interp.host.builder.ndm == 3;
+    if space && torsion.is_none() {
+        // OpenSees 2 knew no torsion of fiber sections; OpenSees 3 refuses such a section.
+        let d = Diagnostic::warning("a fiber section in space without a torsional stiffness");
+        warn(interp, d.at(span, "expected -GJ or -torsion after the tag, or an Aggregator with T around it"))?;
     }
     let body = a.value("body with the fibers")?;
     let outer = interp.host.builder.fibers.replace(vec![]);
@@ -119,8 +121,8 @@ fn fibers(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception
     if fibers.iter().map(|f| f.area).sum::<f64>() <= 0.0 {
         return Err(a.refuse_at(span, "the section has no area", "expected patches, layers or fibers in its body"));
     }
-    let torsion = torsion.filter(|_| interp.host.builder.ndm == 3);
-    Ok(Arc::new(FiberSection::new(fibers, torsion, origin)))
+    let made = FiberSection::new(fibers, torsion.filter(|_| space), origin);
+    Ok(Arc::new(if space { made.bent_about_both_axes() } else { made }))
 }
 
 fn resultant(a: &mut Args<'_>) -> Result<Resultant, Exception> {

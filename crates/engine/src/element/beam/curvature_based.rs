@@ -402,6 +402,7 @@ impl<const N: usize, const B: usize, R: Rules> Formulation<N, B> for CurvatureBa
     const CLASS: [&'static str; 2] = ["ForceBeamColumnCBDI2d", "ForceBeamColumnCBDI3d"];
     const SYMMETRIC: bool = false;
     const DEFLECTS: bool = true;
+    const NEEDS_TORSION: bool = true;
     const STATE_LEN: usize = if R::CALL_DEPENDENT { Trace::<N, B>::LEN } else { 0 };
 
     fn continues_from_last_trial(&self) -> bool {

@@ -92,6 +92,24 @@ pub(super) fn row<const B: usize>(resultant: Resultant, x: f64, length: f64) -> 
     row
 }
 
+/// Torsional flexibility L/GJ of a beam in space of sections without torsion, as in OpenSees.
+const NEARLY_RIGID: f64 = 1e-10;
+
+/// Adds the torsion of a beam in space whose sections have none to the flexibility and to the basic deformations.
+pub(super) fn add_torsion<const N: usize, const B: usize>(
+    member: &Member<N, B>,
+    q: &[f64; B],
+    f: &mut [[f64; B]; B],
+    v: &mut [f64; B],
+) {
+    if let (Some(row), Some(q)) = (f.get_mut(5), q.get(5))
+        && !member.along().any(|(section, ..)| section.resultants().contains(&Resultant::T))
+    {
+        set(row, 5, NEARLY_RIGID);
+        set(v, 5, NEARLY_RIGID * q);
+    }
+}
+
 /// A section in an iteration: its interpolation, flexibility, deformations and resultants in a state.
 pub(super) struct Point<const B: usize> {
     rows: [[f64; B]; MAX_ORDER],
@@ -217,6 +235,7 @@ impl ForceBased {
                     let e = p.deformations(section.resultants(), &basic.q, internal_forces(motion.load, i));
                     p.add(section.resultants().len(), weight, &e, &mut f, &mut basic_deformations);
                 }
+                add_torsion(member, &basic.q, &mut f, &mut basic_deformations);
                 if !invert(f.as_flattened_mut(), B) {
                     return Ok(None);
                 }
@@ -292,6 +311,7 @@ impl ForceBased {
             }
             p.add(n, weight, &p.e, &mut f, &mut v);
         }
+        add_torsion(member, &[0.0; B], &mut f, &mut v);
         (f, v)
     }
 }

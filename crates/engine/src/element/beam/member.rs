@@ -22,6 +22,8 @@ pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send
     const SYMMETRIC: bool = true;
     /// Sections depend on the deflection of the beam between its ends: forces are not proportional to deformations.
     const DEFLECTS: bool = false;
+    /// In space the sections need a torque.
+    const NEEDS_TORSION: bool = false;
     /// Number of state variables of the formulation, after those of the sections.
     const STATE_LEN: usize = 0;
 

@@ -3,7 +3,7 @@
 //! The iteration starts from the last trial state and ends at a small residual energy. Without convergence it is repeated
 //! with the initial flexibility of the sections, and then with smaller increments.
 
-use super::force_based::{ForceBased, Point, internal_forces};
+use super::force_based::{ForceBased, Point, add_torsion, internal_forces};
 use super::member::{Basic, Member, Trace};
 use crate::element::ElementInput;
 use crate::material::MaterialError;
@@ -112,6 +112,7 @@ impl ForceBased {
                 let e = point.deformations(resultants, &basic.q, internal);
                 point.add(resultants.len(), weight, &e, &mut f, &mut gathered);
             }
+            add_torsion(member, &basic.q, &mut f, &mut gathered);
             if !invert(f.as_flattened_mut(), B) {
                 return Ok(None);
             }
