@@ -25,9 +25,10 @@ from collections import Counter
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-# Words of models outside hysteron's scope: soil plasticity, fluids, fire, reliability, parallel runs, optimisation.
+# Words of models outside hysteron's scope: soil plasticity, fluids, fire, reliability, parallel runs, optimisation; and of
+# materials whose source is not public.
 OUT_OF_SCOPE = re.compile(
-    r"PressureDepend|PressureIndepend|MultiYield|ManzariDafalias|PM4Sand|PM4Silt|CamClay|DruckerPrager|quadUP|QuadUP|brickUP|BrickUP"
+    r"PlaneStressUserMaterial|PressureDepend|PressureIndepend|MultiYield|ManzariDafalias|PM4Sand|PM4Silt|CamClay|DruckerPrager|quadUP|QuadUP|brickUP|BrickUP"
     r"|SSPquadUP|SSPbrickUP|updateMaterialStage|PFEM|FluidSolid|Thermal|thermal|randomVariable|reliability|performanceFunction"
     r"|\bgetPID\b|\bgetNP\b|DomainReduction|\bPML|Penalty2D|TruncatedDP|AcousticMedium|A[VC]3D|WheelRail|AbsorbingBoundary|Lysmer|OpenFresco|expElement|expControl|BeamContact|SimpleContact|Contact3D|ZeroLengthContact|database\s|sensitivity"
 )
@@ -35,7 +36,7 @@ BUILDS = re.compile(r"^\s*(model\s+\w|element\s+\w)", re.M)
 ANALYSES = re.compile(r"\banalyze\b|\beigen\b")
 SOURCES = re.compile(r"\bsource\s+(?:-encoding\s+\S+\s+)?[\"{]?([^\s\"};\]]+)")
 # Share of the peak of a file below which a column is round-off.
-NOISE_OF_FILE = 1e-6
+NOISE_OF_FILE = 1e-5
 TIMES = re.compile(r"warning|failure|error|second|elapsed|duration|time|clock|date|\bms\b|\bmin\b", re.I)
 
 

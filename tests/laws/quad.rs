@@ -1,7 +1,8 @@
 //! The four-node quadrilateral.
 
 use super::driver::{SingleElement, difference};
-use hysteron::element::{Isotropic, Mass, Plane, Quad, QuadOptions};
+use hysteron::element::{Mass, Quad, QuadOptions};
+use hysteron::material::{Isotropic, Plane};
 
 const STEEL: Isotropic = Isotropic { e: 1000.0, nu: 0.3, rho: 2.0 };
 /// An irregular quadrilateral.

@@ -1,12 +1,12 @@
 //! Named things that elements and patterns are made from: materials, series, transformations.
 
 use super::Tag;
-use crate::element::Isotropic;
 use crate::element::beam::Rule;
 use crate::element::friction::Friction;
 use crate::element::transform::TransformSpec;
-use crate::material::Material;
+use crate::material::{Isotropic, Material};
 use crate::section::SharedSection;
+use crate::section::plate::{SharedPlateMaterial, SharedPlateSection};
 use crate::series::Series;
 use std::collections::BTreeMap;
 
@@ -56,19 +56,30 @@ pub struct Integration {
     pub sections: Vec<(SharedSection, Tag)>,
 }
 
+/// A material of continua.
+#[derive(Clone, Debug)]
+pub enum NdMaterial {
+    /// Isotropic elasticity.
+    Isotropic(Isotropic),
+    /// A material of the layers of a plate.
+    Plate(SharedPlateMaterial),
+}
+
 /// Everything that has been defined by tag.
 #[derive(Clone, Debug)]
 pub struct Definitions {
     /// `uniaxialMaterial`.
     pub materials: Registry<Material>,
     /// `nDMaterial`.
-    pub nd_materials: Registry<Isotropic>,
+    pub nd_materials: Registry<NdMaterial>,
     /// `frictionModel`.
     pub frictions: Registry<Friction>,
     /// `timeSeries`.
     pub series: Registry<Series>,
     /// `section`.
     pub sections: Registry<SharedSection>,
+    /// `section` of plates and shells.
+    pub plates: Registry<SharedPlateSection>,
     /// `beamIntegration`.
     pub integrations: Registry<Integration>,
     /// `geomTransf`.
@@ -83,6 +94,7 @@ impl Default for Definitions {
             frictions: Registry::new("friction model"),
             series: Registry::new("time series"),
             sections: Registry::new("section"),
+            plates: Registry::new("section of plates"),
             integrations: Registry::new("beam integration"),
             transforms: Registry::new("geometric transformation"),
         }

@@ -223,8 +223,7 @@ impl FiberSection {
             None => (None, &words[2..]),
         };
         // The z coordinate does not count in a plane section.
-        let distance =
-            |f: &PlacedFiber| (f.y - y).powi(2) + if self.biaxial { (f.z - z).powi(2) } else { 0.0 };
+        let distance = |f: &PlacedFiber| (f.y - y).powi(2) + if self.biaxial { (f.z - z).powi(2) } else { 0.0 };
         let has_tag = |f: &PlacedFiber| tag.is_none_or(|t| self.runs[f.run].slot.tag == t);
         let candidates = self.fibers.iter().enumerate().filter(|(_, f)| has_tag(f));
         let nearest = candidates.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1)))?;

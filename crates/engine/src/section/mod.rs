@@ -8,6 +8,7 @@ mod aggregator;
 mod axial;
 mod elastic;
 mod fiber;
+pub mod plate;
 mod slot;
 
 use crate::material::MaterialError;

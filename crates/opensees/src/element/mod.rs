@@ -3,6 +3,7 @@
 pub(crate) mod amend;
 mod beam;
 mod bearing;
+mod brick;
 mod component;
 mod fiber_beam;
 mod heated_pendulum;
@@ -15,6 +16,7 @@ mod multiple_springs;
 mod quad;
 mod rheology_bearing;
 mod rubber_bearing;
+mod shell;
 mod sliding;
 mod timoshenko;
 mod triple;
@@ -89,6 +91,10 @@ const KINDS: &[Kind] = &[
     fiber_beam::CURVATURE_SHEAR,
     fiber_beam::WITH_HINGES,
     quad::QUAD,
+    brick::BRICK,
+    shell::MITC4,
+    shell::DKGQ,
+    shell::DKGT,
 ];
 
 /// The two nodes of an element.

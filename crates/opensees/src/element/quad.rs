@@ -4,8 +4,9 @@ use super::{Kind, Make, refused};
 use crate::Tcl;
 use crate::args::Args;
 use crate::model::nodes::node_of;
-use hysteron_engine::element::{Element, Plane, Quad, QuadOptions};
-use hysteron_engine::model::NodeId;
+use hysteron_engine::element::{Element, Quad, QuadOptions};
+use hysteron_engine::material::{Isotropic, Plane};
+use hysteron_engine::model::{NdMaterial, NodeId};
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
@@ -14,6 +15,16 @@ pub(super) const QUAD: Kind = Kind {
     usage: "element quad $tag $i $j $k $l $thickness PlaneStrain|PlaneStress $material <$pressure $rho $bx $by>",
     make: Make::AnyNodes(make),
 };
+
+/// An elastic material of continua.
+pub(super) fn isotropic(interp: &Tcl, a: &mut Args<'_>) -> Result<Isotropic, Exception> {
+    match a.of(&interp.host.builder.definitions.nd_materials)? {
+        (NdMaterial::Isotropic(material), _) => Ok(material),
+        (NdMaterial::Plate(_), tag) => {
+            Err(a.refuse(format!("material {tag} is one of plates"), "expected an ElasticIsotropic material"))
+        }
+    }
+}
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
     let (mut nodes, mut corners) = (vec![], [[0.0; 2]; 4]);
@@ -34,7 +45,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Elem
         "PlaneStress" | "PlaneStress2D" => Plane::Stress,
         _ => return Err(a.unknown_name("kind of plane", ["PlaneStrain", "PlaneStress"])),
     };
-    let (material, _) = a.of(&interp.host.builder.definitions.nd_materials)?;
+    let material = isotropic(interp, a)?;
     if plane == Plane::Strain && material.nu == 0.5 {
         return Err(a.refuse("Poisson's ratio of the material is 0.5", "expected less than 0.5 in plane strain"));
     }

@@ -83,7 +83,8 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         ));
     }
     if mats.len() < dirs.len() {
-        let message = format!("zeroLength: {} materials but {} directions: the others stay free", mats.len(), dirs.len());
+        let message =
+            format!("zeroLength: {} materials but {} directions: the others stay free", mats.len(), dirs.len());
         let d = Diagnostic::warning(message).at(dirs[mats.len()].1, "expected a direction for each material");
         warn(interp, d)?;
         dirs.truncate(mats.len());

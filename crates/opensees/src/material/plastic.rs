@@ -5,7 +5,8 @@ use crate::args::Args;
 use crate::slips;
 use crate::{Tcl, warn};
 use hysteron_engine::material::{
-    BondSp01, BrbBranch, Hardening, MAX_BACKSTRESSES, Material, MultiLinear, Steel01, Steel02, SteelBrb, UvcUniaxial,
+    BondSp01, BrbBranch, Hardening, MAX_BACKSTRESSES, Material, MultiLinear, Steel01, Steel02, SteelBrb, SteelMpf,
+    UvcUniaxial,
 };
 use hysteron_engine::rules::{Consistent, OpenSees};
 use hysteron_tcl::Exception;
@@ -24,6 +25,11 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial SteelBRB $tag $E $sigmaY0 $sigmaYT $alphaT $betaT $deltaT $sigmaYC $alphaC $betaC $deltaC \
                 <$tol>",
         make: steel_brb,
+    },
+    Kind {
+        names: &["SteelMPF"],
+        usage: "uniaxialMaterial SteelMPF $tag $fyp $fyn $E0 $bp $bn $R0 $cR1 $cR2 <$a1 $a2 $a3 $a4>",
+        make: steel_mpf,
     },
     Kind {
         names: &["Hardening"],
@@ -195,4 +201,27 @@ fn bond_sp01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
         return Ok(Arc::new(BondSp01 { fy, sy, fu, su, b, r, rules: OpenSees }));
     }
     Ok(Arc::new(BondSp01 { fy, sy, fu, su, b, r, rules: Consistent }))
+}
+
+fn steel_mpf(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let fy = [a.positive("yield strength in tension fyp")?, a.positive("yield strength in compression fyn")?];
+    let e = a.positive("elastic modulus E0")?;
+    let mut b = [0.0; 2];
+    for (b, side) in b.iter_mut().zip(["tension bp", "compression bn"]) {
+        *b = a.float(&format!("hardening ratio in {side}"))?;
+        if *b >= 1.0 {
+            return Err(a.refuse(format!("the hardening ratio is {b}"), "expected less than 1"));
+        }
+    }
+    let r0 = a.positive("exponent of the first loading R0")?;
+    let cr1 = a.float("loss of the exponent cR1")?;
+    let cr2 = a.positive("plastic strain of half the loss cR2")?;
+    let mut shift = [(0.0, 1.0); 2];
+    if a.left() > 0 {
+        for (shift, (share, first)) in shift.iter_mut().rev().zip([("a1", "a2"), ("a3", "a4")]) {
+            *shift =
+                (a.float(&format!("isotropic hardening {share}"))?, a.float(&format!("isotropic hardening {first}"))?);
+        }
+    }
+    Ok(Arc::new(SteelMpf { fy, e, b, r0, cr1, cr2, shift }))
 }

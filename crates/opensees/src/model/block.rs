@@ -1,11 +1,26 @@
-//! `block2D`: a mesh of quadrilaterals.
+//! `block2D` and `block3D`: meshes of quadrilaterals and of bricks.
 
 use crate::args::Args;
 use crate::model::nodes::need_model;
 use crate::{Command, Outcome, Tcl, finish};
 use hysteron_tcl::{Call, Exception, Value};
 
-pub(crate) const COMMANDS: &[Command] = &[Command::new("block2D", USAGE, block2d)];
+pub(crate) const COMMANDS: &[Command] =
+    &[Command::new("block2D", USAGE, block2d), Command::new("block3D", USAGE_3D, block3d)];
+
+const USAGE_3D: &str = "block3D $nx $ny $nz $firstNode $firstElement $kind {arguments} {1 $x1 $y1 $z1 2 $x2 ... 8 ...}";
+
+/// Corners of a block in space by their place in the unit cube.
+const CORNERS: [[f64; 3]; 8] = [
+    [0.0, 0.0, 0.0],
+    [1.0, 0.0, 0.0],
+    [1.0, 1.0, 0.0],
+    [0.0, 1.0, 0.0],
+    [0.0, 0.0, 1.0],
+    [1.0, 0.0, 1.0],
+    [1.0, 1.0, 1.0],
+    [0.0, 1.0, 1.0],
+];
 
 const USAGE: &str =
     "block2D $nx $ny $firstNode $firstElement $kind {arguments} <-numEleNodes 4> {1 $x1 $y1 <$z1> 2 $x2 ...}";
@@ -87,6 +102,67 @@ fn block2d(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             let number = i64::from(element) + (i + j * nx) as i64;
             interp.eval_value(&Value::from(format!("element {kind} {number} {corners} {arguments}")))?;
         }
+    }
+    Ok(Value::EMPTY)
+}
+
+/// The corners of a block in space.
+fn corners(a: &mut Args<'_>) -> Result<[[f64; 3]; 8], Exception> {
+    let given = a.value("corners of the block")?;
+    let list = given.to_list()?;
+    let mut corners = [None; 8];
+    for words in list.chunks(4) {
+        let numbers: Result<Vec<f64>, _> = words.iter().map(Value::to_f64).collect();
+        match numbers.as_deref() {
+            Ok(&[corner, x, y, z]) if (1.0..=8.0).contains(&corner) && corner.fract() == 0.0 => {
+                corners[corner as usize - 1] = Some([x, y, z]);
+            }
+            _ => {
+                let words: Vec<_> = words.iter().map(Value::as_str).collect();
+                let message = format!("\"{}\" is no corner of a block", words.join(" "));
+                return Err(a.refuse(message, "expected a number 1 to 8 and 3 coordinates"));
+            }
+        }
+    }
+    if let Some(missing) = corners.iter().position(Option::is_none) {
+        return Err(a.refuse(format!("corner {} of the block is missing", missing + 1), "expected the corners 1 to 8"));
+    }
+    Ok(corners.map(Option::unwrap_or_default))
+}
+
+fn block3d(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    need_model(interp, call)?;
+    let mut a = Args::new(call, USAGE_3D);
+    if interp.host.builder.ndm != 3 {
+        return Err(a.refuse_at(call.span(0), "block3D: the model is not in space", "expected 3 dimensions"));
+    }
+    let mut count = [0; 3];
+    for (n, name) in count.iter_mut().zip(["along 1-2", "along 2-3", "along 1-5"]) {
+        *n = a.count(&format!("number of elements {name}"))?;
+    }
+    let [nx, ny, nz] = count;
+    let (node, element) = (a.int("tag of the first node")?, a.int("tag of the first element")?);
+    let kind = a.word("kind of element")?.into_owned();
+    let arguments = a.word("arguments of the elements after their nodes")?.into_owned();
+    let corners = corners(&mut a)?;
+    finish(interp, &a)?;
+    let tag = |i: usize, j: usize, k: usize| i64::from(node) + (i + (nx + 1) * (j + k * (ny + 1))) as i64;
+    let grid =
+        |n: [usize; 3]| (0..n[2]).flat_map(move |k| (0..n[1]).flat_map(move |j| (0..n[0]).map(move |i| [i, j, k])));
+    for [i, j, k] in grid(count.map(|n| n + 1)) {
+        let at = [i as f64 / nx as f64, j as f64 / ny as f64, k as f64 / nz as f64];
+        let mut words = vec![Value::from("node"), Value::from(tag(i, j, k))];
+        words.extend((0..3).map(|d| {
+            let share =
+                |c: &[f64; 3]| c.iter().zip(at).map(|(c, x)| if *c == 0.0 { 1.0 - x } else { x }).product::<f64>();
+            Value::from(CORNERS.iter().zip(&corners).map(|(c, x)| share(c) * x[d]).sum::<f64>())
+        }));
+        interp.eval_value(&Value::list(words))?;
+    }
+    for (number, [i, j, k]) in grid(count).enumerate() {
+        let nodes = CORNERS.map(|c| tag(i + c[0] as usize, j + c[1] as usize, k + c[2] as usize).to_string()).join(" ");
+        let number = i64::from(element) + number as i64;
+        interp.eval_value(&Value::from(format!("element {kind} {number} {nodes} {arguments}")))?;
     }
     Ok(Value::EMPTY)
 }

@@ -2,12 +2,13 @@
 
 pub(crate) mod beam_integration;
 pub(crate) mod fiber;
+mod plate;
 
 use crate::args::Args;
 use crate::model::nodes::need_model;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, kind, warn};
 use hysteron_engine::material::Elastic as ElasticMaterial;
-use hysteron_engine::model::Tag;
+use hysteron_engine::section::plate::SharedPlateSection;
 use hysteron_engine::section::{Aggregator, Elastic, ElasticSection, FiberSection, Resultant, SharedSection};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
@@ -15,33 +16,45 @@ use std::sync::Arc;
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("section", SECTION, section).with_kinds(|| kind::usages(KINDS))];
 
-const SECTION: &str = "section Elastic|Fiber|Aggregator|Uniaxial $tag ...";
+const SECTION: &str = "section $kind $tag ...";
 
-/// A kind of section, made from the words after its tag.
-type Kind = kind::Kind<fn(&mut Tcl, &mut Args<'_>) -> Result<SharedSection, Exception>>;
+/// Maker of a section from the words after its tag.
+#[derive(Clone, Copy)]
+enum Make {
+    /// Of beams.
+    Beam(fn(&mut Tcl, &mut Args<'_>) -> Result<SharedSection, Exception>),
+    /// Of plates and shells.
+    Plate(fn(&mut Tcl, &mut Args<'_>) -> Result<SharedPlateSection, Exception>),
+}
+
+/// A kind of section.
+type Kind = kind::Kind<Make>;
 
 const KINDS: &[Kind] = &[
     Kind {
         names: &["Elastic", "ElasticSection", "elastic"],
         usage: "section Elastic $tag $E $A $Iz <$G $alphaY> (in the plane) or $E $A $Iz $Iy $G $J <$alphaY $alphaZ> \
                 (in space)",
-        make: elastic,
+        make: Make::Beam(elastic),
     },
     Kind {
         names: &["Fiber", "fiberSec", "FiberSection", "fiber"],
         usage: "section Fiber $tag <-GJ $GJ | -torsion $material> <-noCentroid> {fibers}",
-        make: fibers,
+        make: Make::Beam(fibers),
     },
     Kind {
         names: &["Aggregator", "AddDeformation"],
         usage: "section Aggregator $tag $material1 P|Mz|Vy|My|Vz|T <$material2 ...> <-section $section>",
-        make: aggregator,
+        make: Make::Beam(aggregator),
     },
     Kind {
         names: &["Uniaxial", "Generic1D", "Generic1d"],
         usage: "section Uniaxial $tag $material P|Mz|Vy|My|Vz|T",
-        make: uniaxial,
+        make: Make::Beam(uniaxial),
     },
+    plate::ELASTIC,
+    plate::UNIFORM,
+    plate::LAYERED,
 ];
 
 fn section(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
@@ -50,19 +63,19 @@ fn section(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let kind = kind::take(&mut a, "kind of section", "section", KINDS.iter())?;
     let tag = a.int("tag of the section")?;
     let span = a.last_span();
-    let made = (kind.make)(interp, &mut a)?;
-    finish(interp, &a)?;
-    add(interp, &a, tag, made, span)
-}
-
-fn add(
-    interp: &mut Tcl,
-    a: &Args<'_>,
-    tag: Tag,
-    made: SharedSection,
-    span: Option<hysteron_tcl::diagnostic::Span>,
-) -> Outcome {
-    if !interp.host.builder.definitions.sections.add(tag, made) {
+    let added = match kind.make {
+        Make::Beam(make) => {
+            let made = make(interp, &mut a)?;
+            finish(interp, &a)?;
+            interp.host.builder.definitions.sections.add(tag, made)
+        }
+        Make::Plate(make) => {
+            let made = make(interp, &mut a)?;
+            finish(interp, &a)?;
+            interp.host.builder.definitions.plates.add(tag, made)
+        }
+    };
+    if !added {
         return Err(a.refuse_at(span, format!("there is a section {tag} already"), "expected a new tag"));
     }
     Ok(Value::EMPTY)

@@ -1,0 +1,228 @@
+//! The eight-node brick of elasticity: `stdBrick`.
+
+use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot};
+use crate::material::Isotropic;
+use crate::numeric::axpy;
+use crate::probe::Probe;
+use nalgebra::{Matrix3, Vector3};
+
+const NODES: usize = 8;
+const DOFS: usize = 3 * NODES;
+const STRESSES: usize = 6;
+
+/// Derivatives of the strains 11, 22, 33, 12, 23, 31 by the displacements of the corners; shears are angles.
+type Rows = [[f64; DOFS]; STRESSES];
+
+/// Natural coordinates of the corners.
+const SIGNS: [[f64; 3]; NODES] = [
+    [-1.0, -1.0, -1.0],
+    [1.0, -1.0, -1.0],
+    [1.0, 1.0, -1.0],
+    [-1.0, 1.0, -1.0],
+    [-1.0, -1.0, 1.0],
+    [1.0, -1.0, 1.0],
+    [1.0, 1.0, 1.0],
+    [-1.0, 1.0, 1.0],
+];
+
+/// Options of a brick.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BrickOptions {
+    /// Force per volume along the axes; it acts from the start, independent of load patterns.
+    pub body: [f64; 3],
+    /// The mass is lumped at the corners.
+    pub lumped: bool,
+}
+
+/// A trilinear isoparametric brick with 2 x 2 x 2 Gauss points (Zienkiewicz and Taylor, 2000, section 8.12).
+#[derive(Clone, Debug)]
+pub struct Brick {
+    stiffness: Vec<f64>,
+    load_force: [f64; DOFS],
+    mass: Mass,
+    elasticity: [[f64; STRESSES]; STRESSES],
+    points: Vec<(Rows, f64)>,
+}
+
+/// Values of the shape functions, their derivatives by the axes, and the Jacobian determinant.
+fn shape(corners: &[Vector3<f64>; NODES], at: [f64; 3]) -> ([f64; NODES], [Vector3<f64>; NODES], f64) {
+    let factor = |s: &[f64; 3], d: usize| 1.0 + s[d] * at[d];
+    let values = SIGNS.map(|s| 0.125 * factor(&s, 0) * factor(&s, 1) * factor(&s, 2));
+    let local = SIGNS.map(|s| {
+        0.125
+            * Vector3::new(
+                s[0] * factor(&s, 1) * factor(&s, 2),
+                s[1] * factor(&s, 0) * factor(&s, 2),
+                s[2] * factor(&s, 0) * factor(&s, 1),
+            )
+    });
+    let jacobian: Matrix3<f64> = local.iter().zip(corners).map(|(d, x)| d * x.transpose()).sum();
+    let inverse = jacobian.try_inverse().unwrap_or_else(Matrix3::zeros);
+    (values, local.map(|d| inverse * d), jacobian.determinant())
+}
+
+impl Brick {
+    /// Makes a brick of its corners: the first four against the clock, seen from the other four.
+    ///
+    /// # Errors
+    /// The corners do not make a convex brick of positive volume.
+    pub fn new(
+        corners: &[Vector3<f64>; NODES],
+        material: &Isotropic,
+        options: &BrickOptions,
+    ) -> Result<Self, ElementError> {
+        let (shear, bulk) = (0.5 * material.e / (1.0 + material.nu), material.e / 3.0 / (1.0 - 2.0 * material.nu));
+        let mut elasticity = [[0.0; STRESSES]; STRESSES];
+        for (i, row) in elasticity.iter_mut().enumerate() {
+            if i < 3 {
+                row[..3].fill(bulk - 2.0 / 3.0 * shear);
+                row[i] += 2.0 * shear;
+            } else {
+                row[i] = shear;
+            }
+        }
+        let mut made = Self {
+            stiffness: vec![0.0; DOFS * DOFS],
+            load_force: [0.0; DOFS],
+            mass: Mass::None,
+            elasticity,
+            points: vec![],
+        };
+        let (mut lumped, mut consistent) = (vec![0.0; DOFS], vec![0.0; DOFS * DOFS]);
+        let root = 3.0f64.sqrt().recip();
+        for at in 0..NODES {
+            let sign = |bit: usize| if at >> bit & 1 == 1 { root } else { -root };
+            let (n, d, volume) = shape(corners, [sign(2), sign(1), sign(0)]);
+            if volume <= 0.0 {
+                return Err(ElementError("the corners do not make a convex brick".into()));
+            }
+            let mut rows = [[0.0; DOFS]; STRESSES];
+            for (node, (n, d)) in n.iter().zip(&d).enumerate() {
+                let [x, y, z] = [3 * node, 3 * node + 1, 3 * node + 2];
+                (rows[0][x], rows[1][y], rows[2][z]) = (d.x, d.y, d.z);
+                (rows[3][x], rows[3][y], rows[4][y], rows[4][z], rows[5][x], rows[5][z]) =
+                    (d.y, d.x, d.z, d.y, d.z, d.x);
+                for (dof, b) in [x, y, z].into_iter().zip(options.body) {
+                    made.load_force[dof] -= volume * n * b;
+                    lumped[dof] += volume * n * material.rho;
+                }
+            }
+            for i in 0..DOFS {
+                for j in (i % 3..DOFS).step_by(3) {
+                    consistent[i * DOFS + j] += volume * material.rho * n[i / 3] * n[j / 3];
+                }
+            }
+            for (a, d) in rows.iter().zip(&made.elasticity) {
+                for (b, d) in rows.iter().zip(d).filter(|(_, d)| **d != 0.0) {
+                    for (i, a) in a.iter().enumerate() {
+                        axpy(volume * d * a, b, &mut made.stiffness[DOFS * i..DOFS * (i + 1)]);
+                    }
+                }
+            }
+            made.points.push((rows, volume));
+        }
+        if material.rho != 0.0 {
+            made.mass = if options.lumped { Mass::Lumped(lumped) } else { Mass::Consistent(consistent) };
+        }
+        Ok(made)
+    }
+
+    /// Strains or stresses of a Gauss point.
+    fn at(&self, rows: &Rows, stress: bool, disp: &[f64]) -> [f64; STRESSES] {
+        let strain = rows.each_ref().map(|row| dot(row, disp));
+        if stress { self.elasticity.each_ref().map(|row| dot(row, &strain)) } else { strain }
+    }
+}
+
+const ALL_STRESSES: u32 = 3;
+const ALL_STRAINS: u32 = 4;
+/// First response of a single Gauss point: stresses and then strains.
+const SINGLE_POINT: u32 = 20;
+const STRESS_NAMES: [&str; STRESSES] = ["sigma11", "sigma22", "sigma33", "sigma12", "sigma23", "sigma13"];
+const STRAIN_NAMES: [&str; STRESSES] = ["eps11", "eps22", "eps33", "eps12", "eps23", "eps13"];
+
+impl Element for Brick {
+    fn class(&self) -> &'static str {
+        "Brick"
+    }
+    fn dofs(&self) -> usize {
+        DOFS
+    }
+    fn state_len(&self) -> usize {
+        0
+    }
+    fn init(&self, _: &mut [f64]) {}
+    fn traits(&self) -> ElementTraits {
+        ElementTraits { linear: true, symmetric: true, viscous: false, elapses: false, rayleigh: true }
+    }
+
+    fn respond(
+        &self,
+        m: &ElementInput<'_>,
+        _: &[f64],
+        _: &mut [f64],
+        output: ElementOutput<'_>,
+    ) -> Result<(), ElementError> {
+        output.force.copy_from_slice(&self.load_force);
+        for (rows, volume) in &self.points {
+            for (row, stress) in rows.iter().zip(self.at(rows, true, m.disp)) {
+                axpy(volume * stress, row, output.force);
+            }
+        }
+        if let Some(k) = output.tangent {
+            axpy(1.0, &self.stiffness, k);
+        }
+        Ok(())
+    }
+
+    fn initial_tangent(&self, tangent: &mut [f64]) {
+        axpy(1.0, &self.stiffness, tangent);
+    }
+
+    fn mass(&self) -> Mass {
+        self.mass.clone()
+    }
+
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        OpenSeesTraits { ground_inertia: (self.mass != Mass::None).then_some(1.0), ..OpenSeesTraits::default() }
+    }
+
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        let all = |names: [&'static str; STRESSES]| (0..NODES).flat_map(move |_| names);
+        Some(match words {
+            ["stress" | "stresses", ..] => Probe::new(ALL_STRESSES, all(STRESS_NAMES)),
+            ["strain" | "strains", ..] => Probe::new(ALL_STRAINS, all(STRAIN_NAMES)),
+            ["material" | "integrPoint", point, what, ..] => {
+                let point = point.parse::<u32>().ok().filter(|p| (1..=NODES as u32).contains(p))? - 1;
+                match *what {
+                    "stress" | "stresses" => Probe::new(SINGLE_POINT + 2 * point, STRESS_NAMES),
+                    "strain" | "strains" => Probe::new(SINGLE_POINT + 2 * point + 1, STRAIN_NAMES),
+                    _ => return None,
+                }
+            }
+            _ => return None,
+        })
+    }
+
+    fn probe_names(&self) -> &'static [&'static str] {
+        &["stresses", "strains", "material"]
+    }
+
+    fn force_labels(&self) -> Vec<String> {
+        (1..=NODES).flat_map(|node| [1, 2, 3].map(|i| format!("P{i}_{node}"))).collect()
+    }
+
+    fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
+        match path[0] {
+            kind @ (ALL_STRESSES | ALL_STRAINS) => {
+                for ((rows, _), out) in self.points.iter().zip(out.chunks_exact_mut(STRESSES)) {
+                    out.copy_from_slice(&self.at(rows, kind == ALL_STRESSES, s.disp));
+                }
+            }
+            kind => {
+                let (point, stress) = ((kind - SINGLE_POINT) / 2, (kind - SINGLE_POINT).is_multiple_of(2));
+                out.copy_from_slice(&self.at(&self.points[point as usize].0, stress, s.disp));
+            }
+        }
+    }
+}

@@ -1,0 +1,317 @@
+//! Plates of layers, and the materials of a layer.
+
+use super::{PLATE_ORDER, PlateSection, PlateTangent, SHEAR_FACTOR};
+use crate::material::{Isotropic, Material, MaterialError, Plane, Slot, Strain};
+use std::fmt;
+use std::sync::Arc;
+
+/// Number of stresses of a layer.
+const STRESSES: usize = 5;
+
+/// Strains or stresses of a layer: 11, 22, 12, 23, 31. The stress 33 is zero.
+type Stresses = [f64; STRESSES];
+
+/// A material without stress across the plate.
+pub trait PlateMaterial: fmt::Debug + Send + Sync {
+    /// Number of state variables.
+    fn state_len(&self) -> usize;
+    /// Writes the virgin state.
+    fn init(&self, state: &mut [f64]);
+    /// Returns true if stresses are proportional to strains for every history.
+    fn is_linear(&self) -> bool;
+    /// Mass per volume.
+    fn density(&self) -> f64;
+
+    /// Stresses and their derivatives by the strains `e`; writes every variable of `next`.
+    ///
+    /// # Errors
+    /// There is no stress at these strains.
+    fn update(
+        &self,
+        committed: &[f64],
+        e: &Stresses,
+        dt: f64,
+        next: &mut [f64],
+    ) -> Result<(Stresses, [Stresses; STRESSES]), MaterialError>;
+
+    /// Derivatives of the stresses in the virgin state.
+    fn initial_tangent(&self) -> [Stresses; STRESSES];
+}
+
+/// A material of layers as sections hold it.
+pub type SharedPlateMaterial = Arc<dyn PlateMaterial>;
+
+impl PlateMaterial for Isotropic {
+    fn state_len(&self) -> usize {
+        0
+    }
+    fn init(&self, _: &mut [f64]) {}
+    fn is_linear(&self) -> bool {
+        true
+    }
+    fn density(&self) -> f64 {
+        self.rho
+    }
+
+    fn update(
+        &self,
+        _: &[f64],
+        e: &Stresses,
+        _: f64,
+        _: &mut [f64],
+    ) -> Result<(Stresses, [Stresses; STRESSES]), MaterialError> {
+        let k = self.initial_tangent();
+        Ok((k.map(|row| row.iter().zip(e).map(|(k, e)| k * e).sum()), k))
+    }
+
+    fn initial_tangent(&self) -> [Stresses; STRESSES] {
+        let plane = self.plane(Plane::Stress);
+        let mut k = [[0.0; STRESSES]; STRESSES];
+        for (k, row) in k.iter_mut().zip(&plane) {
+            k[..3].copy_from_slice(row);
+        }
+        (k[3][3], k[4][4]) = (plane[2][2], plane[2][2]);
+        k
+    }
+}
+
+/// Bars in one direction, smeared over a layer.
+#[derive(Clone, Debug)]
+pub struct PlateRebar {
+    bar: Slot,
+    /// Derivatives of the strain of the bars by the strains of the layer.
+    direction: Stresses,
+}
+
+impl PlateRebar {
+    /// Bars of a material with its tag, at an angle to axis 1 in degrees.
+    pub fn new(material: Material, tag: i32, degrees: f64) -> Self {
+        let (s, c) = match degrees {
+            0.0 => (0.0, 1.0),
+            90.0 => (1.0, 0.0),
+            _ => degrees.to_radians().sin_cos(),
+        };
+        Self { bar: Slot::new(material, tag, 0), direction: [c * c, s * s, c * s, 0.0, 0.0] }
+    }
+
+    fn tangent(&self, slope: f64) -> [Stresses; STRESSES] {
+        self.direction.map(|a| self.direction.map(|b| slope * a * b))
+    }
+}
+
+impl PlateMaterial for PlateRebar {
+    fn state_len(&self) -> usize {
+        self.bar.len()
+    }
+    fn init(&self, state: &mut [f64]) {
+        self.bar.init(state);
+    }
+    fn is_linear(&self) -> bool {
+        self.bar.material.is_linear()
+    }
+    fn density(&self) -> f64 {
+        0.0
+    }
+
+    fn update(
+        &self,
+        committed: &[f64],
+        e: &Stresses,
+        dt: f64,
+        next: &mut [f64],
+    ) -> Result<(Stresses, [Stresses; STRESSES]), MaterialError> {
+        let value = self.direction.iter().zip(e).map(|(a, e)| a * e).sum();
+        let stress = self.bar.update(committed, Strain { value, rate: 0.0, dt }, next)?;
+        Ok((self.direction.map(|a| a * stress.value), self.tangent(stress.tangent)))
+    }
+
+    fn initial_tangent(&self) -> [Stresses; STRESSES] {
+        self.tangent(self.bar.material.initial_tangent())
+    }
+}
+
+/// A membrane with an elastic shear rigidity across the plate.
+#[derive(Clone, Debug)]
+pub struct PlateFromPlaneStress {
+    /// Material of the membrane; its stresses 23 and 31 do not count.
+    pub membrane: SharedPlateMaterial,
+    /// Shear modulus across the plate.
+    pub shear: f64,
+}
+
+impl PlateFromPlaneStress {
+    fn with_shear(&self, mut tangent: [Stresses; STRESSES]) -> [Stresses; STRESSES] {
+        for i in 3..STRESSES {
+            tangent[i] = [0.0; STRESSES];
+            tangent.iter_mut().for_each(|row| row[i] = 0.0);
+            tangent[i][i] = self.shear;
+        }
+        tangent
+    }
+}
+
+impl PlateMaterial for PlateFromPlaneStress {
+    fn state_len(&self) -> usize {
+        self.membrane.state_len()
+    }
+    fn init(&self, state: &mut [f64]) {
+        self.membrane.init(state);
+    }
+    fn is_linear(&self) -> bool {
+        self.membrane.is_linear()
+    }
+    fn density(&self) -> f64 {
+        self.membrane.density()
+    }
+
+    fn update(
+        &self,
+        committed: &[f64],
+        e: &Stresses,
+        dt: f64,
+        next: &mut [f64],
+    ) -> Result<(Stresses, [Stresses; STRESSES]), MaterialError> {
+        let plane = [e[0], e[1], e[2], 0.0, 0.0];
+        let (mut stress, tangent) = self.membrane.update(committed, &plane, dt, next)?;
+        (stress[3], stress[4]) = (self.shear * e[3], self.shear * e[4]);
+        Ok((stress, self.with_shear(tangent)))
+    }
+
+    fn initial_tangent(&self) -> [Stresses; STRESSES] {
+        self.with_shear(self.membrane.initial_tangent())
+    }
+}
+
+/// A layer, or a point of integration across the thickness.
+#[derive(Clone, Debug)]
+pub struct Layer {
+    /// Material.
+    pub material: SharedPlateMaterial,
+    /// Height of its centre above the middle of the plate.
+    pub z: f64,
+    /// Thickness.
+    pub thickness: f64,
+}
+
+/// A plate of layers in plane stress, each with the strain of its centre.
+#[derive(Clone, Debug)]
+pub struct LayeredPlate {
+    layers: Vec<Layer>,
+    /// Square root of the shear factor.
+    root: f64,
+}
+
+impl LayeredPlate {
+    /// Layers from the bottom up by material and thickness. Shear stresses across the plate are uniform.
+    pub fn stacked(layers: impl IntoIterator<Item = (SharedPlateMaterial, f64)>) -> Self {
+        let mut top = 0.0;
+        let mut layers: Vec<Layer> = layers
+            .into_iter()
+            .map(|(material, thickness)| {
+                top += thickness;
+                Layer { material, z: top - 0.5 * thickness, thickness }
+            })
+            .collect();
+        layers.iter_mut().for_each(|l| l.z -= 0.5 * top);
+        Self { layers, root: 1.0 }
+    }
+
+    /// One material with five points of Lobatto or of Gauss across the thickness.
+    pub fn uniform(material: &SharedPlateMaterial, thickness: f64, gauss: bool) -> Self {
+        // Abscissae and weights of rules of five points (Abramowitz and Stegun, 1964, tables 25.4 and 25.6).
+        let ([x1, x2], [w0, w1, w2]) = if gauss {
+            (
+                [0.538_469_310_105_683, 0.906_179_845_938_664],
+                [0.568_888_888_888_889, 0.478_628_670_499_366, 0.236_926_885_056_189],
+            )
+        } else {
+            ([(3.0f64 / 7.0).sqrt(), 1.0], [32.0 / 45.0, 49.0 / 90.0, 0.1])
+        };
+        let half = 0.5 * thickness;
+        let points = [(-x2, w2), (-x1, w1), (0.0, w0), (x1, w1), (x2, w2)];
+        let layers =
+            points.map(|(x, w)| Layer { material: Arc::clone(material), z: half * x, thickness: half * w }).to_vec();
+        Self { layers, root: SHEAR_FACTOR.sqrt() }
+    }
+}
+
+/// Adds a layer to resultants and tangent.
+fn add(
+    (layer, root): (&Layer, f64),
+    (stress, tangent): (&Stresses, &[Stresses; STRESSES]),
+    s: &mut [f64; PLATE_ORDER],
+    k: &mut PlateTangent,
+) {
+    let (z, t) = (layer.z, layer.thickness);
+    // Shares of a stress in the resultants, and of a deformation in the strain: 31 is q1, 23 is q2.
+    let shares = |i: usize| match i {
+        0..3 => [(i, 1.0, 1.0), (i + 3, z, -z)],
+        3 => [(7, root, root), (7, 0.0, 0.0)],
+        _ => [(6, root, root), (6, 0.0, 0.0)],
+    };
+    for (i, (stress, row)) in stress.iter().zip(tangent).enumerate() {
+        for (to, force, _) in shares(i) {
+            s[to] += force * stress * t;
+            for (j, slope) in row.iter().enumerate() {
+                for (by, _, strain) in shares(j) {
+                    k[to][by] += force * strain * slope * t;
+                }
+            }
+        }
+    }
+}
+
+impl PlateSection for LayeredPlate {
+    fn state_len(&self) -> usize {
+        self.layers.iter().map(|l| l.material.state_len()).sum()
+    }
+    fn init(&self, state: &mut [f64]) {
+        let mut rest = state;
+        for layer in &self.layers {
+            let (own, next) = rest.split_at_mut(layer.material.state_len());
+            layer.material.init(own);
+            rest = next;
+        }
+    }
+    fn is_linear(&self) -> bool {
+        self.layers.iter().all(|l| l.material.is_linear())
+    }
+    fn mass(&self) -> f64 {
+        self.layers.iter().map(|l| l.material.density() * l.thickness).sum()
+    }
+
+    fn update(
+        &self,
+        committed: &[f64],
+        e: &[f64; PLATE_ORDER],
+        dt: f64,
+        next: &mut [f64],
+        s: &mut [f64; PLATE_ORDER],
+        k: &mut PlateTangent,
+    ) -> Result<(), MaterialError> {
+        let (root, mut at) = (self.root, 0);
+        for layer in &self.layers {
+            let z = layer.z;
+            let strain = [e[0] - z * e[3], e[1] - z * e[4], e[2] - z * e[5], root * e[7], root * e[6]];
+            let own = at..at + layer.material.state_len();
+            let (stress, tangent) =
+                layer.material.update(&committed[own.clone()], &strain, dt, &mut next[own.clone()])?;
+            add((layer, root), (&stress, &tangent), s, k);
+            at = own.end;
+        }
+        Ok(())
+    }
+
+    fn initial_stiffness(&self) -> PlateTangent {
+        let mut k = [[0.0; PLATE_ORDER]; PLATE_ORDER];
+        for layer in &self.layers {
+            add(
+                (layer, self.root),
+                (&[0.0; STRESSES], &layer.material.initial_tangent()),
+                &mut [0.0; PLATE_ORDER],
+                &mut k,
+            );
+        }
+        k
+    }
+}

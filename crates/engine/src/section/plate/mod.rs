@@ -1,0 +1,120 @@
+//! Cross-sections of plates and shells: stress resultants for deformations of the middle surface.
+//!
+//! Deformations are the membrane strains ε11, ε22, γ12, the curvatures κ11, κ22, 2κ12 and the shear angles γ13, γ23. The
+//! strain at height z is ε - z κ. Resultants are the forces p11, p22, p12 and moments m11, m22, m12 per length with
+//! m = ∫ z σ dz, and the shear forces q1, q2. The work per area is therefore p ε - m κ + q γ.
+
+mod layered;
+
+use crate::material::MaterialError;
+use std::fmt;
+use std::sync::Arc;
+
+pub use layered::{Layer, LayeredPlate, PlateFromPlaneStress, PlateMaterial, PlateRebar, SharedPlateMaterial};
+
+/// Number of resultants.
+pub const PLATE_ORDER: usize = 8;
+/// Names of the resultants.
+pub const PLATE_RESULTANTS: [&str; PLATE_ORDER] = ["p11", "p22", "p12", "m11", "m22", "m12", "q1", "q2"];
+/// Names of the deformations.
+pub const PLATE_DEFORMATIONS: [&str; PLATE_ORDER] =
+    ["eps11", "eps22", "gamma12", "theta11", "theta22", "theta33", "gamma13", "gamma23"];
+/// Ratio of the shear rigidity to that of uniform shear stress (Reissner, 1945).
+const SHEAR_FACTOR: f64 = 5.0 / 6.0;
+
+/// Derivatives of the resultants by the deformations.
+pub type PlateTangent = [[f64; PLATE_ORDER]; PLATE_ORDER];
+
+/// A section of a plate.
+pub trait PlateSection: fmt::Debug + Send + Sync {
+    /// Number of state variables.
+    fn state_len(&self) -> usize;
+    /// Writes the virgin state.
+    fn init(&self, state: &mut [f64]);
+    /// Returns true if the resultants are proportional to the deformations for every history.
+    fn is_linear(&self) -> bool;
+    /// Mass per area.
+    fn mass(&self) -> f64;
+
+    /// Adds resultants and tangent for the deformations `e` to `s` and `k`, and writes every variable of `next`.
+    ///
+    /// # Errors
+    /// A material has no response at these deformations.
+    fn update(
+        &self,
+        committed: &[f64],
+        e: &[f64; PLATE_ORDER],
+        dt: f64,
+        next: &mut [f64],
+        s: &mut [f64; PLATE_ORDER],
+        k: &mut PlateTangent,
+    ) -> Result<(), MaterialError>;
+
+    /// Tangent of the virgin section.
+    fn initial_stiffness(&self) -> PlateTangent;
+}
+
+/// A section as elements hold it.
+pub type SharedPlateSection = Arc<dyn PlateSection>;
+
+/// An isotropic elastic plate with shear deformation (Reissner, 1945; Mindlin, 1951).
+#[derive(Clone, Debug, PartialEq)]
+pub struct ElasticPlate {
+    /// Modulus of elasticity of the membrane.
+    pub e: f64,
+    /// Poisson's ratio.
+    pub nu: f64,
+    /// Thickness.
+    pub thickness: f64,
+    /// Mass per volume.
+    pub rho: f64,
+    /// Modulus of elasticity in bending and transverse shear, divided by that of the membrane.
+    pub bending_ratio: f64,
+}
+
+impl PlateSection for ElasticPlate {
+    fn state_len(&self) -> usize {
+        0
+    }
+    fn init(&self, _: &mut [f64]) {}
+    fn is_linear(&self) -> bool {
+        true
+    }
+    fn mass(&self) -> f64 {
+        self.rho * self.thickness
+    }
+
+    fn update(
+        &self,
+        _: &[f64],
+        e: &[f64; PLATE_ORDER],
+        _: f64,
+        _: &mut [f64],
+        s: &mut [f64; PLATE_ORDER],
+        k: &mut PlateTangent,
+    ) -> Result<(), MaterialError> {
+        let stiffness = self.initial_stiffness();
+        for ((s, row), k) in s.iter_mut().zip(&stiffness).zip(k) {
+            *s += row.iter().zip(e).map(|(k, e)| k * e).sum::<f64>();
+            k.iter_mut().zip(row).for_each(|(k, added)| *k += added);
+        }
+        Ok(())
+    }
+
+    fn initial_stiffness(&self) -> PlateTangent {
+        let (nu, h) = (self.nu, self.thickness);
+        let membrane = self.e * h / (1.0 - nu * nu);
+        let shear = 0.5 * self.e * h / (1.0 + nu);
+        let bending = self.bending_ratio * membrane * h * h / 12.0;
+        let mut k = [[0.0; PLATE_ORDER]; PLATE_ORDER];
+        for (at, d) in [(0, membrane), (3, -bending)] {
+            (k[at][at], k[at + 1][at + 1]) = (d, d);
+            (k[at][at + 1], k[at + 1][at]) = (nu * d, nu * d);
+        }
+        (k[2][2], k[5][5]) = (shear, -0.5 * bending * (1.0 - nu));
+        for row in [6, 7] {
+            k[row][row] = SHEAR_FACTOR * self.bending_ratio * shear;
+        }
+        k
+    }
+}

@@ -1,0 +1,44 @@
+//! `element stdBrick`.
+
+use super::quad::isotropic;
+use super::{Kind, Make, refused};
+use crate::Tcl;
+use crate::args::Args;
+use crate::model::nodes::node_of;
+use hysteron_engine::element::{Brick, BrickOptions, Element};
+use hysteron_engine::model::NodeId;
+use hysteron_tcl::Exception;
+use nalgebra::Vector3;
+use std::sync::Arc;
+
+pub(super) const BRICK: Kind = Kind {
+    names: &["stdBrick", "Brick", "brick"],
+    usage: "element stdBrick $tag $n1 $n2 $n3 $n4 $n5 $n6 $n7 $n8 $material <$b1 $b2 $b3> <-lumped>",
+    make: Make::AnyNodes(make),
+};
+
+fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
+    let (mut nodes, mut corners) = (vec![], [Vector3::zeros(); 8]);
+    for corner in &mut corners {
+        let id = node_of(interp, a, "tag of a corner's node")?;
+        let node = &interp.host.engine.model().nodes[id.0];
+        if (node.ndm(), node.ndf) != (3, 3) {
+            let message = format!("node {} has {} degrees of freedom in {} dimensions", node.tag, node.ndf, node.ndm());
+            return Err(a.refuse(message, "expected 3 degrees of freedom in 3 dimensions"));
+        }
+        *corner = node.place();
+        nodes.push(id);
+    }
+    let place = a.last_span();
+    let material = isotropic(interp, a)?;
+    if material.nu == 0.5 {
+        return Err(a.refuse("Poisson's ratio of the material is 0.5", "expected less than 0.5 in a brick"));
+    }
+    let mut options = BrickOptions::default();
+    for (b, name) in options.body.iter_mut().zip(["body force b1", "body force b2", "body force b3"]) {
+        *b = a.optional_float(name)?.unwrap_or(0.0);
+    }
+    options.lumped = a.flag("-lumped");
+    let made = Brick::new(&corners, &material, &options).map_err(|e| refused(a, place, e))?;
+    Ok((nodes, Arc::new(made)))
+}
