@@ -107,6 +107,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         analysis::analyze::COMMANDS,
         output::recorder::COMMANDS,
         output::query::COMMANDS,
+        output::inventory::COMMANDS,
         output::print::COMMANDS,
         analysis::matrix::COMMANDS,
         model::remove::COMMANDS,

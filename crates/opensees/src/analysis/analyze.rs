@@ -316,6 +316,9 @@ const SOLVERS: &[&str] = &[
     "-findLargest",
 ];
 
+/// Share of the largest eigenvalue that is round-off.
+const ROUND_OFF: f64 = 1e-18;
+
 fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, EIGEN);
     let (mut problem, mut largest, mut lapack) = (Problem::Generalized, false, false);
@@ -353,7 +356,10 @@ fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     }
     match engine.find_modes(Wanted { count, problem, largest, lapack }) {
         Ok(modes) => {
-            let lambda = modes.lambda.clone();
+            let mut lambda = modes.lambda.clone();
+            // Degrees of freedom without stiffness leave round-off, of either sign.
+            let top = lambda.iter().filter(|l| **l < f64::MAX).fold(0.0f64, |m, l| m.max(l.abs()));
+            lambda.iter_mut().filter(|l| l.abs() < ROUND_OFF * top).for_each(|l| *l = 0.0);
             if lapack && largest {
                 let d = Diagnostic::warning("eigen: -fullGenLapack takes no notice of -findLargest in OpenSees");
                 warn(interp, d.at(call.span(0), "the smallest eigenvalues are given"))?;

@@ -8,7 +8,8 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::io::Write as _;
 
-pub(crate) const COMMANDS: &[Command] = &[Command::new("print", PRINT, print)];
+pub(crate) const COMMANDS: &[Command] =
+    &[Command::new("print", PRINT, print), Command::new("printModel", PRINT, print)];
 
 const PRINT: &str = "print <-file $file> <-JSON> <-node <-flag $n> <$tag ...>> <-ele <-flag $n> <$tag ...>>";
 

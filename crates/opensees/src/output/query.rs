@@ -41,6 +41,7 @@ pub(crate) const COMMANDS: &[Command] = &[
     Command::new("sectionTag", ALONG, |i, c| along(i, c, "sectionTags")),
     Command::new("basicForce", "basicForce $element <$dof>", |i, c| named(i, c, "basicForce")),
     Command::new("basicDeformation", "basicDeformation $element <$dof>", |i, c| named(i, c, "basicDeformation")),
+    Command::new("basicStiffness", "basicStiffness $element", |i, c| named(i, c, "basicStiffness")),
     Command::new("eleNodes", "eleNodes $element", ele_nodes),
     Command::new("eleType", "eleType $element", ele_type),
     Command::new("getTime", "getTime", |i, _| Ok(Value::from(i.host.engine.state().time))),

@@ -104,7 +104,8 @@ fn elastic(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exceptio
 fn fibers(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
     let span = a.last_span();
     let (mut torsion, mut origin) = (None, false);
-    while a.at_option() && a.left() > 1 {
+    // The words before the body that are no options, such as a shear centre, go unused in OpenSees.
+    while a.left() > 1 {
         match a.option().as_deref().unwrap_or_default() {
             "-GJ" => {
                 let gj = a.not_negative("torsional rigidity GJ")?;

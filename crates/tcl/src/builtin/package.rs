@@ -1,4 +1,5 @@
-//! `package`. Nothing is searched for: there is Tcl itself and what a script provides.
+//! `package`. Nothing is searched for: there is Tcl itself, what a script provides, and the part of tcllib that scripts of
+//! models use.
 
 use std::cmp::Ordering;
 
@@ -11,6 +12,12 @@ use crate::value::Value;
 pub(crate) fn commands<H>() -> [(&'static str, CommandFn<H>); 1] {
     [("package", package)]
 }
+
+/// Packages of tcllib by name, version and script.
+const LIBRARY: [[&str; 3]; 2] = [
+    ["math::statistics", "1.0", include_str!("library/statistics.tcl")],
+    ["math::linearalgebra", "1.1", include_str!("library/linear_algebra.tcl")],
+];
 
 const NAMES: [&str; 11] = [
     "forget",
@@ -178,10 +185,12 @@ fn offer<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<(), Exception> {
             }
         }
     }
-    if let Some((_, script)) = best {
-        interp.eval_value(&script)?;
+    let library = LIBRARY.iter().find(|[known, ..]| *known == name.as_str());
+    match (best, library) {
+        (Some((_, script)), _) => interp.eval_value(&script).map(drop),
+        (None, Some([_, _, script])) => interp.eval_value(&Value::from(*script)).map(drop),
+        (None, None) => Ok(()),
     }
-    Ok(())
 }
 
 fn require(core: &mut Core, call: &Call<'_>, present: bool) -> Result<Value, Exception> {

@@ -1,5 +1,6 @@
 //! `set`, `unset`, `incr`, `append`, `lappend`, and names for variables elsewhere.
 
+use crate::diagnostic::Diagnostic;
 use std::rc::Rc;
 
 use num_bigint::BigInt;
@@ -267,7 +268,16 @@ fn variable(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     Ok(Value::EMPTY)
 }
 
-fn trace(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
-    let message = "trace: variables and commands cannot be watched here";
+/// Watching of executions changes no result and is passed over; that of variables may.
+fn trace(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
+    let words: Vec<_> = call.args().iter().skip(1).take(2).map(Value::as_str).collect();
+    if let [_, kind] = &words[..]
+        && matches!(kind.as_ref(), "execution" | "command")
+    {
+        let warning = Diagnostic::warning("trace: commands are not watched here: it is ignored");
+        core.warn(warning.at(call.span(0), "not supported"));
+        return Ok(Value::EMPTY);
+    }
+    let message = "trace: variables cannot be watched here";
     Err(call.error_at(0, message, "not supported"))
 }

@@ -1,0 +1,96 @@
+//! Queries of what a model consists of: patterns, constraints and the responses of nodes by number.
+
+use crate::args::Args;
+use crate::model::nodes::node_of;
+use crate::{Command, Outcome, Tcl, finish};
+use hysteron_engine::model::{Model, NodeId};
+use hysteron_tcl::{Call, Value};
+use std::collections::BTreeSet;
+
+const RESPONSE: &str = "nodeResponse $node $dof $response (1 displacement, 2 velocity, 3 acceleration)";
+
+pub(crate) const COMMANDS: &[Command] = &[
+    Command::new("getNumElements", "getNumElements", |i, _| {
+        Ok(Value::from(i.host.engine.model().elements.len() as i64))
+    }),
+    Command::new("getPatterns", "getPatterns", |i, _| Ok(tags(i.host.engine.model().patterns.keys().copied()))),
+    Command::new("getFixedNodes", "getFixedNodes", |i, _| {
+        let model = i.host.engine.model();
+        Ok(nodes(model, model.fixes.iter().map(|f| f.node)))
+    }),
+    Command::new("getFixedDOFs", "getFixedDOFs $node", fixed_dofs),
+    Command::new("getConstrainedNodes", "getConstrainedNodes <$retained>", |i, c| joined(i, c, true)),
+    Command::new("getRetainedNodes", "getRetainedNodes <$constrained>", |i, c| joined(i, c, false)),
+    Command::new("getConstrainedDOFs", "getConstrainedDOFs $node <$retained>", |i, c| joined_dofs(i, c, true)),
+    Command::new("getRetainedDOFs", "getRetainedDOFs $node <$constrained>", |i, c| joined_dofs(i, c, false)),
+    Command::new("nodeResponse", RESPONSE, node_response),
+];
+
+fn tags(tags: impl IntoIterator<Item = i32>) -> Value {
+    Value::list(tags.into_iter().map(|t| Value::from(i64::from(t))))
+}
+
+/// Tags of nodes, each once and rising.
+fn nodes(model: &Model, ids: impl Iterator<Item = NodeId>) -> Value {
+    tags(ids.map(|id| model.nodes[id.0].tag).collect::<BTreeSet<_>>())
+}
+
+/// Degrees of freedom from 1 on, each once and rising.
+fn dofs(dofs: impl Iterator<Item = usize>) -> Value {
+    Value::list(dofs.collect::<BTreeSet<_>>().into_iter().map(|d| Value::from(d as i64 + 1)))
+}
+
+fn fixed_dofs(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "getFixedDOFs $node");
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    finish(interp, &a)?;
+    let fixes = interp.host.engine.model().fixes.iter();
+    Ok(dofs(fixes.filter(|f| f.node == node).map(|f| f.dof)))
+}
+
+/// Nodes that follow others, or those that lead; of all constraints, or of those with one node on the other side.
+fn joined(interp: &mut Tcl, call: &Call<'_>, following: bool) -> Outcome {
+    let mut a = Args::new(call, "getConstrainedNodes <$node>");
+    let other = if a.left() > 0 { Some(node_of(interp, &mut a, "tag of the node on the other side")?) } else { None };
+    finish(interp, &a)?;
+    let model = interp.host.engine.model();
+    let pairs = model
+        .multi_points
+        .iter()
+        .map(|m| if following { (m.constrained, m.retained) } else { (m.retained, m.constrained) });
+    Ok(nodes(model, pairs.filter(|(_, o)| other.is_none_or(|other| *o == other)).map(|(own, _)| own)))
+}
+
+/// Degrees of freedom of a node that follow others, or that lead.
+fn joined_dofs(interp: &mut Tcl, call: &Call<'_>, following: bool) -> Outcome {
+    let mut a = Args::new(call, "getConstrainedDOFs $node <$other>");
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    let other = if a.left() > 0 { Some(node_of(interp, &mut a, "tag of the node on the other side")?) } else { None };
+    finish(interp, &a)?;
+    let found = interp.host.engine.model().multi_points.iter().filter_map(|m| {
+        let (own, across, dofs) = if following {
+            (m.constrained, m.retained, &m.constrained_dofs)
+        } else {
+            (m.retained, m.constrained, &m.retained_dofs)
+        };
+        (own == node && other.is_none_or(|other| across == other)).then_some(dofs)
+    });
+    Ok(dofs(found.flatten().copied()))
+}
+
+fn node_response(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, RESPONSE);
+    let node = node_of(interp, &mut a, "tag of the node")?;
+    let ndf = interp.host.engine.model().nodes[node.0].ndf;
+    let dof = a.dof("degree of freedom", ndf)?;
+    let kind = a.int("number of the response")?;
+    let engine = &interp.host.engine;
+    let field = match kind {
+        1 => &engine.state().disp,
+        2 => &engine.state().vel,
+        3 => &engine.state().accel,
+        _ => return Err(a.refuse(format!("there is no response {kind} of a node"), "expected 1, 2 or 3")),
+    };
+    let at = engine.model().nodes[node.0].dofs().nth(dof).unwrap_or_default();
+    Ok(Value::from(field[at]))
+}
