@@ -37,7 +37,15 @@ ANALYSES = re.compile(r"\banalyze\b|\beigen\b")
 SOURCES = re.compile(r"\bsource\s+(?:-encoding\s+\S+\s+)?[\"{]?([^\s\"};\]]+)")
 # Share of the peak of a file below which a column is round-off.
 NOISE_OF_FILE = 1e-5
+# Files that are no results.
+NO_RESULTS = (".log", ".tcl", ".html", ".svg", ".json")
 TIMES = re.compile(r"warning|failure|error|second|elapsed|duration|time|clock|date|\bms\b|\bmin\b", re.I)
+
+
+# Lines of the command `print`, which OpenSees writes to its error stream.
+OF_PRINT = re.compile(r"\s*(Node:|Element:|Coordinates|Disps|Velocities|commitAccels|unbalanced|Mass|Eigenvectors|ID\s*:)")
+# Names of files of mode shapes and participation factors.
+OF_MODES = re.compile(r"eig|mode|modal|phi", re.I)
 
 
 def text_of(path):
@@ -110,8 +118,11 @@ def table(data):
     return rows
 
 
-def apart(want, got, tolerance):
-    """Greatest difference of two tables as a share of the column's peak, and its column; None if their shapes differ."""
+def apart(want, got, modes=False):
+    """Greatest difference of two tables as a share of the column's peak, and its column; None if their shapes differ.
+
+    The sign of a mode is arbitrary: with `modes` that of each number is free.
+    """
     if len(want) != len(got) or any(len(a) != len(b) for a, b in zip(want, got)):
         return None
     width = max(map(len, want), default=0)
@@ -122,22 +133,24 @@ def apart(want, got, tolerance):
         for c, (x, y) in enumerate(zip(a, b)):
             if x == y or (x != x and y != y):
                 continue
-            share = abs(x - y) / max(peaks[c], floor, 1e-30)
+            distance = min(abs(x - y), abs(x + y)) if modes else abs(x - y)
+            share = distance / max(peaks[c], floor, 1e-30)
             if not share < worst[0]:
                 worst = (share if share == share else float("inf"), c)
     return worst
 
 
 def printed(text):
-    return table("\n".join(line for line in text.splitlines() if not TIMES.search(line)))
+    """Numbers that a script prints, without times, messages and what `print` shows of nodes and elements."""
+    return table("\n".join(line for line in text.splitlines() if not TIMES.search(line) and not OF_PRINT.match(line)))
 
 
-def compare(want, got, tolerance):
+def compare(want, got, tolerance, modes=False):
     """Empty if the outputs agree, else the first difference."""
     names = sorted(set(want[3]) | set(got[3]))
     numbers = 0
     for name in names:
-        if name.lower().endswith((".log", ".tcl", ".html", ".svg", ".json")):
+        if name.lower().endswith(NO_RESULTS):
             continue
         if name not in got[3]:
             if table(want[3][name].decode("utf-8", "replace")):
@@ -149,13 +162,13 @@ def compare(want, got, tolerance):
             continue
         a, b = (table(side[3][name].decode("utf-8", "replace")) for side in (want, got))
         numbers += len(a)
-        worst = apart(a, b, tolerance)
+        worst = apart(a, b, modes and bool(OF_MODES.search(name)))
         if worst is None:
             return f"{name}: {len(a)} rows of {len(a[0]) if a else 0}, not {len(b)} of {len(b[0]) if b else 0}"
         if worst[0] > tolerance:
             return f"{name}: column {worst[1] + 1} by {worst[0]:.2g} of its peak"
     if numbers == 0:
-        worst = apart(printed(want[1]), printed(got[1]), tolerance)
+        worst = apart(printed(want[1]), printed(got[1]), modes)
         if worst is None:
             return "printed numbers: not as many"
         if worst[0] > tolerance:
@@ -164,7 +177,8 @@ def compare(want, got, tolerance):
 
 
 def has_numbers(result):
-    return any(table(d.decode("utf-8", "replace")) for d in result[3].values()) or bool(printed(result[1]))
+    files = (data for name, data in result[3].items() if not name.lower().endswith(NO_RESULTS))
+    return any(table(d.decode("utf-8", "replace")) for d in files) or bool(printed(result[1]))
 
 
 def reference(options, index, script, text):
@@ -190,7 +204,7 @@ def judge(options, repository, script):
         if result[0] == 0 and has_numbers(result):
             wants.append(result)
             continue
-        detail = "timeout" if result[0] == "timeout" else (result[2].strip().splitlines() or ["no numbers"])[-1][:160]
+        detail = "timeout" if result[0] == "timeout" else (result[2].strip().splitlines() or ["no numbers"])[0][:160]
     if not wants:
         return (*head, "OpenSees fails", detail)
     got = run(options.hysteron, script, text, 2 * options.limit)
@@ -201,8 +215,9 @@ def judge(options, repository, script):
         return (*head, "refused", first)
     if got[0] != 0:
         return (*head, "refused", f"status {got[0]}: " + next((l for l in got[2].splitlines() if l.startswith("error")), got[2][-160:]))
-    differences = [compare(want, got, options.tolerance) for want in wants]
-    return (*head, "equal", "") if "" in differences else (*head, "differs", differences[0])
+    modes = bool(re.search(r"\beigen\b", text))
+    differences = [compare(want, got, options.tolerance, modes) for want in wants]
+    return (*head, "equal", "") if "" in differences else (*head, "differs", min(differences, key=len))
 
 
 def main():

@@ -21,6 +21,10 @@ const MATERIALS: &[(&str, f64)] = &[
     ("Steel01 @ 2. 200. 0.02 0.05 5. 0.05 5.", 0.1),
     ("Steel02 @ 2. 200. 0.02 18. 0.925 0.15 0.05 5. 0.03 4. 0.8", 0.1),
     ("SteelBRB @ 200. 2. 3. 1.2 0.02 0.05 3.5 2.5 0.03 0.05", 0.1),
+    ("SteelMPF @ 2. 1.8 200. 0.02 0.03 18. 0.925 0.15 0.01 5. 0.02 4.", 0.1),
+    ("ReinforcingSteel @ 60. 90. 29000. 700. 0.008 0.1 -CMFatigue 0.26 0.506 0.389 -IsoHard 4.3 0.01", 0.04),
+    ("ReinforcingSteel @ 60. 90. 29000. 700. 0.008 0.1 -GABuck 6. 1. 0.4 0.5", 0.04),
+    ("ReinforcingSteel @ 60. 90. 29000. 700. 0.008 0.1 -DMBuck 6. 1.", 0.04),
     ("Hardening @ 200. 2. 10. 20.", 0.1),
     ("MultiLinear @ 0.005 1. 0.02 2. 0.06 2.5", 0.1),
     ("Concrete01 @ -30. -0.002 -6. -0.005", 0.006),
@@ -154,7 +158,7 @@ fn every_material_has_a_consistent_tangent() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// Nodes of an element: in a line, at one place, or at the corners of a quadrilateral.
+/// Nodes of an element: in a line, at one place, or at the corners of a quadrilateral, a triangle or a brick.
 #[derive(Clone, Copy, PartialEq)]
 enum Shape {
     /// Uniform along its length: two elements in series equal one in extension and bending.
@@ -163,6 +167,8 @@ enum Shape {
     Link,
     MaterialPoint,
     Corners,
+    Triangle,
+    Brick,
 }
 
 /// Dimensions, degrees of freedom per node, shape, and words of an element, with @ for tag and nodes.
@@ -199,6 +205,11 @@ const ELEMENTS: &[(usize, usize, Shape, &str)] = &[
     (3, 6, Shape::Link, "forceBeamColumnCBDI @ 4 24 6"),
     (2, 3, Shape::Line, "beamWithHinges @ 22 0.1 22 0.1 200. 0.06 0.00045 1"),
     (2, 2, Shape::Corners, "quad @ 0.3 PlaneStrain 31"),
+    (3, 6, Shape::Corners, "ShellMITC4 @ 42"),
+    (3, 6, Shape::Corners, "ShellMITC4 @ 43"),
+    (3, 6, Shape::Corners, "ShellDKGQ @ 43"),
+    (3, 6, Shape::Triangle, "ShellDKGT @ 43"),
+    (3, 3, Shape::Brick, "stdBrick @ 31"),
 ];
 
 fn parts(ndm: usize) -> String {
@@ -208,6 +219,9 @@ fn parts(ndm: usize) -> String {
         section Aggregator 23 13 Vy -section 22"
     } else {
         "geomTransf Linear 2 0 0 1\ngeomTransf Corotational 4 0 0 1\ngeomTransf PDelta 6 0 0 1
+        nDMaterial ElasticIsotropic 31 200. 0.3\nnDMaterial PlateFiber 32 31\nnDMaterial PlateRebar 33 11 30.
+        nDMaterial PlateFromPlaneStress 34 31 50.
+        section PlateFiber 42 32 0.2\nsection LayeredShell 43 4 32 0.1 33 0.01 34 0.1 33 0.02
         section Fiber 24 -GJ 50. { patch rect 11 6 4 -0.15 -0.1 0.15 0.1 }"
     };
     format!("{PARTS}section Uniaxial 21 13 P\n{more}\n")
@@ -220,8 +234,17 @@ fn nodes(ndm: usize, shape: Shape) -> Vec<Vector3<f64>> {
     match shape {
         Shape::Line | Shape::Link => vec![start, start + along],
         Shape::MaterialPoint => vec![start, start],
-        Shape::Corners => {
-            [[0.0, 0.0], [1.1, 0.1], [1.3, 0.9], [-0.1, 0.8]].map(|[x, y]| Vector3::new(x, y, 0.0)).to_vec()
+        Shape::Corners | Shape::Triangle => {
+            let count = if shape == Shape::Triangle { 3 } else { 4 };
+            let corners = [[0.0, 0.0], [1.1, 0.1], [1.3, 0.9], [-0.1, 0.8]];
+            // In space the plane of the corners is oblique.
+            let height = |x: f64, y: f64| if ndm == 3 { 0.3 * x - 0.4 * y + 0.2 } else { 0.0 };
+            corners[..count].iter().map(|&[x, y]| Vector3::new(x, y, height(x, y))).collect()
+        }
+        Shape::Brick => {
+            let corners = [[0.0, 0.0], [1.1, 0.1], [1.3, 0.9], [-0.1, 0.8]];
+            let layer = |z: f64| corners.map(|[x, y]| Vector3::new(x + 0.1 * z, y - 0.2 * z, z + 0.1 * x)).to_vec();
+            [layer(0.0), layer(0.9)].concat()
         }
     }
 }

@@ -3,10 +3,10 @@
 use super::Kind;
 use crate::args::Args;
 use crate::slips;
-use crate::{Tcl, warn};
+use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::material::{
-    BondSp01, BrbBranch, Hardening, MAX_BACKSTRESSES, Material, MultiLinear, Steel01, Steel02, SteelBrb, SteelMpf,
-    UvcUniaxial,
+    BarFatigue, BondSp01, BrbBranch, Buckling, Hardening, MAX_BACKSTRESSES, Material, MultiLinear, ReinforcingSteel,
+    Steel01, Steel02, SteelBrb, SteelMpf, UvcUniaxial,
 };
 use hysteron_engine::rules::{Consistent, OpenSees};
 use hysteron_tcl::Exception;
@@ -30,6 +30,12 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["SteelMPF"],
         usage: "uniaxialMaterial SteelMPF $tag $fyp $fyn $E0 $bp $bn $R0 $cR1 $cR2 <$a1 $a2 $a3 $a4>",
         make: steel_mpf,
+    },
+    Kind {
+        names: &["ReinforcingSteel"],
+        usage: "uniaxialMaterial ReinforcingSteel $tag $fy $fu $Es $Esh $esh $eult <-GABuck $lsr $beta $r $gamma | \
+                -DMBuck $lsr $alpha> <-CMFatigue $Cf $alpha $Cd> <-IsoHard $a1 $limit> <-MPCurveParams $R1 $R2 $R3>",
+        make: reinforcing_steel,
     },
     Kind {
         names: &["Hardening"],
@@ -224,4 +230,51 @@ fn steel_mpf(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         }
     }
     Ok(Arc::new(SteelMpf { fy, e, b, r0, cr1, cr2, shift }))
+}
+
+fn reinforcing_steel(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let (fy, fu) = (a.positive("yield strength fy")?, a.positive("ultimate strength fu")?);
+    if fu <= fy {
+        return Err(a.refuse(format!("the ultimate strength fu is {fu}"), format!("expected more than fy, {fy}")));
+    }
+    let (es, esh) = (a.positive("elastic modulus Es")?, a.positive("tangent of hardening Esh")?);
+    let (eps_sh, eps_ult) = (a.positive("strain of hardening esh")?, a.positive("ultimate strain eult")?);
+    if eps_sh <= fy / es || eps_ult <= eps_sh {
+        return Err(a.refuse(
+            format!("the strains of yield, hardening and ultimate stress are {}, {eps_sh}, {eps_ult}", fy / es),
+            "expected rising strains",
+        ));
+    }
+    let (mut buckling, mut fatigue) = (Buckling::None, None);
+    let (mut curve, mut hardening) = ([1.0 / 3.0, 18.0, 4.0], [0.0, 0.01]);
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-GABuck" => {
+                let slenderness = a.not_negative("slenderness lsr")?;
+                a.float("amplification beta")?;
+                let reduction = a.float("buckling reduction r")?.clamp(0.0, 1.0);
+                buckling = Buckling::Gomes { slenderness, reduction, pivot: a.float("buckling constant gamma")? };
+            }
+            "-DMBuck" => {
+                let slenderness = a.not_negative("slenderness lsr")?;
+                let alpha = a.optional_float("adjustment alpha")?.unwrap_or(1.0);
+                if !(0.75..=1.0).contains(&alpha) {
+                    return Err(a.refuse(format!("the adjustment alpha is {alpha}"), "expected 0.75 to 1"));
+                }
+                buckling = Buckling::Dhakal { slenderness, alpha };
+            }
+            "-CMFatigue" => {
+                let (cf, alpha) = (a.not_negative("ductility constant Cf")?, a.float("fatigue exponent alpha")?);
+                let cd = a.not_negative("strength reduction constant Cd")?;
+                fatigue = (cf != 0.0 && alpha != 0.0).then_some(BarFatigue { cf, alpha, cd });
+            }
+            "-IsoHard" => {
+                let rate = a.optional_float("hardening constant a1")?.unwrap_or(4.3);
+                hardening = [rate, a.optional_float("least share of the plateau")?.unwrap_or(0.01)];
+            }
+            "-MPCurveParams" => curve = [a.float("constant R1")?, a.float("constant R2")?, a.float("constant R3")?],
+            _ => ignore_option(interp, a, &["-GABuck", "-DMBuck", "-CMFatigue", "-IsoHard", "-MPCurveParams"])?,
+        }
+    }
+    Ok(Arc::new(ReinforcingSteel { fy, fu, es, esh, eps_sh, eps_ult, buckling, fatigue, curve, hardening }))
 }
