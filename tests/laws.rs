@@ -39,6 +39,8 @@ mod materials;
 mod multiple_shear_spring;
 #[path = "laws/normal_springs.rs"]
 mod normal_springs;
+#[path = "laws/plates.rs"]
+mod plates;
 #[path = "laws/quad.rs"]
 mod quad;
 #[path = "laws/rubber.rs"]

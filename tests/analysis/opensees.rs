@@ -42,3 +42,27 @@ fn checkpoint_holds_what_bearings_share() {
     engine.analyze(4, 0.0, &mut Quiet).unwrap();
     assert_ne!(engine.state().disp, end.disp);
 }
+
+/// A bar beside a mass point that nothing holds: the point stands still if nothing pushes it.
+#[test]
+fn an_unloaded_mechanism_stands_still() {
+    let bars = |push: &str, script: Script| {
+        script.run(&format!(
+            "model basic -ndm 2 -ndf 2
+            node 1 0 0; node 2 1 0; node 3 2 0.5; fix 1 1 1
+            uniaxialMaterial Elastic 1 50.
+            element truss 1 1 2 2. 1
+            fix 2 0 1
+            timeSeries Linear 1
+            pattern Plain 1 1 {{ load 2 3. 0.; load 3 {push} 0. }}
+            constraints Plain; numberer Plain; system BandGeneral; test NormUnbalance 1e-8 5; algorithm Newton
+            integrator LoadControl 1.; analysis Static
+            puts [analyze 1]; puts [nodeDisp 2 1]; puts [nodeDisp 3]"
+        ))
+    };
+    let ran = bars("0.", Script::compat()).done();
+    assert_eq!(ran.numbers(), [0.0, 0.03, 0.0, 0.0]);
+    assert!(ran.warnings().iter().any(|w| w.message.contains("node 3")), "{:?}", ran.warnings());
+    assert_eq!(bars("1.", Script::compat()).done().numbers()[0], -3.0);
+    assert_eq!(bars("0.", Script::default()).done().numbers()[0], -3.0);
+}

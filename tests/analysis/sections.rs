@@ -103,3 +103,24 @@ fn the_equations_are_shown() {
     assert!(n[..9].iter().zip(&expected).all(|(a, b)| close(*a, *b, 1e-12)), "{n:?}");
     assert_eq!(n[9..], [3.0, 3.0, 0.0, 0.0, 0.0, 3.0, 0.0, 0.0, 0.0, 0.5]);
 }
+
+/// A fiber section in space without torsion: the force-based beam twists as stiffly as in OpenSees.
+#[test]
+fn force_based_beam_of_sections_without_torsion() {
+    let ran = run("model basic -ndm 3 -ndf 6
+        node 1 0 0 0; node 2 0 0 3; fix 1 1 1 1 1 1 1
+        uniaxialMaterial Elastic 1 200.
+        section Fiber 1 { patch rect 1 10 10 -0.5 -0.5 0.5 0.5 }
+        section Fiber 2 0.1 0.2 -GJ 40. { patch rect 1 10 10 -0.5 -0.5 0.5 0.5 }
+        geomTransf Linear 1 1 0 0
+        element forceBeamColumn 1 1 2 5 1 1
+        timeSeries Linear 1
+        pattern Plain 1 1 { load 2 0 0 6. 0 0 0.01 }
+        constraints Plain; numberer RCM; system BandGeneral; test NormUnbalance 1e-9 10; algorithm Newton
+        integrator LoadControl 1.; analysis Static
+        puts [analyze 1]; puts [nodeDisp 2]");
+    let u = ran.numbers();
+    assert!(close(u[3], 6.0 * 3.0 / 200.0, 1e-9) && close(u[6], 1e-12, 1e-9), "{u:?}");
+    let first = "a fiber section in space without a torsional stiffness";
+    assert!(ran.warnings().iter().any(|w| w.message.contains(first)), "{:?}", ran.warnings());
+}

@@ -456,3 +456,29 @@ fn stiff_arms_do_not_load_the_structure_by_round_off() {
         }
     }
 }
+
+/// Loads stay as an analysis has applied them, although the time is set back before they are made constant.
+#[test]
+fn loads_are_held_as_they_were_applied() {
+    let push = |hold: &str| {
+        run(&format!(
+            "model basic -ndm 1 -ndf 1
+            node 1 0; node 2 1; fix 1 1
+            uniaxialMaterial Elastic 1 100.
+            element truss 1 1 2 1. 1
+            timeSeries Linear 1
+            pattern Plain 1 1 {{ load 2 5. }}
+            constraints Plain; numberer Plain; system BandGeneral; test NormUnbalance 1e-9 5; algorithm Newton
+            integrator LoadControl 0.5; analysis Static
+            analyze 2
+            {hold}
+            pattern Plain 2 1 {{ load 2 2. }}
+            analyze 1
+            puts [nodeDisp 2 1]; puts [getTime]"
+        ))
+        .numbers()
+    };
+    assert_eq!(push("loadConst -time 0.0"), [0.06, 0.5]);
+    assert_eq!(push("setTime 0.0; loadConst"), [0.06, 0.5]);
+    assert_eq!(push("setTime 2.0; setTime 0.0; loadConst"), [0.06, 0.5]);
+}

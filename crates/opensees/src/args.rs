@@ -1,5 +1,6 @@
 //! The words of an OpenSees command, taken one after the other with a message for each that is not what it should be.
 
+use crate::elsewhere;
 use hysteron_engine::model::{Registry, Tag};
 use hysteron_tcl::diagnostic::{self, Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
@@ -305,7 +306,8 @@ impl<'a> Args<'a> {
 
     fn unknown(&self, what: &str, known: &[&'static str], list: impl Fn(&[&str]) -> String) -> Exception {
         let word = self.last_word();
-        let mut d = Diagnostic::error(format!("unknown {what} \"{word}\"")).at(self.last_span(), "not known");
+        let label = elsewhere::kind(&self.call.name(), &word).unwrap_or("not known");
+        let mut d = Diagnostic::error(format!("unknown {what} \"{word}\"")).at(self.last_span(), label);
         if let Some(near) = diagnostic::nearest(&word, known.iter().copied()) {
             d = d.help(format!("did you mean \"{near}\"?"));
         }

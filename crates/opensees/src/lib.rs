@@ -13,6 +13,7 @@ mod args;
 pub mod chart;
 mod check;
 mod element;
+mod elsewhere;
 pub mod files;
 mod kind;
 mod load;

@@ -1,5 +1,6 @@
 //! A script from its file to its outcome.
 
+use crate::elsewhere;
 use crate::slips;
 use crate::{Mode, Outputs, Session, Tcl};
 use hysteron_engine::analysis::{Failure, Options, WorkCounts};
@@ -89,6 +90,7 @@ impl Run {
             }
             (Mode::Check, _) => fresh(session, console, files),
         });
+        interp.elsewhere = elsewhere::command;
         if mode == Mode::Check {
             interp.budget = Some(CHECK_BUDGET);
         }

@@ -64,6 +64,8 @@ pub struct Core {
     pub sources: SourceMap,
     /// Warnings in the order in which they came up.
     pub warnings: Vec<Diagnostic>,
+    /// Returns the label of the message about an unknown command that another program knows.
+    pub elsewhere: fn(&str) -> Option<&'static str>,
     /// Set this, from any thread, to stop the script before its next command.
     pub interrupt: Arc<AtomicBool>,
     /// Number of commands that may still run; no limit if `None`.
@@ -200,6 +202,7 @@ impl Core {
             files,
             sources: SourceMap::default(),
             warnings: vec![],
+            elsewhere: |_| None,
             interrupt: Arc::default(),
             budget: None,
             calls: CallStack::new(),

@@ -305,7 +305,8 @@ impl<H> Interp<H> {
         let near = if self.core.calls.catching > 0 { None } else { self.core.nearest_command(&name) };
         let code = ["TCL", "LOOKUP", "COMMAND", &name];
         let e = Exception::coded(format!("invalid command name \"{name}\""), &code);
-        let e = e.at(place.and_then(|p| p.word(0)), "no such command").suggest(near);
+        let label = (self.core.elsewhere)(&name).unwrap_or("no such command");
+        let e = e.at(place.and_then(|p| p.word(0)), label).suggest(near);
         Err(self.failed(e, argv, place))
     }
 }

@@ -341,7 +341,41 @@ impl System<'_> {
         }
         work.matrix.factored.copy_from_slice(&work.matrix.values);
         let result = work.solver.prepare(&work.plan.pattern, &work.matrix.values, how);
+        let result = if work.opensees.is_some() { self.past_mechanisms(result) } else { result };
         self.check(result)
+    }
+
+    /// Stiffens the tangent where an equation that carries no load has no pivot. The residual does not change, so that a load
+    /// on the mechanism lets no iteration converge.
+    fn past_mechanisms(
+        &mut self,
+        mut result: Result<Option<Pivots>, SolveError>,
+    ) -> Result<Option<Pivots>, SolveError> {
+        /// Share of the largest unbalance that is no load.
+        const NO_LOAD: f64 = 1e-8;
+        let work = &mut *self.work;
+        if !work.plan.handler.eliminates() {
+            return result;
+        }
+        let largest = |values: &[f64]| values.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        let (unloaded, stiffness) = (NO_LOAD * largest(&work.b), largest(&work.matrix.values));
+        let mut stiffened = vec![];
+        for _ in 0..work.plan.pattern.n {
+            let equation = match &result {
+                Err(SolveError::Singular { equation }) => *equation,
+                Ok(Some(p)) if p.ratio <= SINGULAR => p.equation,
+                _ => return result,
+            };
+            let place = work.plan.pattern.place(equation, equation);
+            let (Some(place), true) = (place, work.b[equation].abs() <= unloaded) else { return result };
+            work.note_pivot(Pivots { equation, ratio: 0.0 });
+            if stiffened.is_empty() {
+                stiffened.clone_from(&work.matrix.values);
+            }
+            stiffened[place] += stiffness;
+            result = work.solver.factor(&work.plan.pattern, &stiffened).map(Some);
+        }
+        result
     }
 
     /// Turn the result of a factorisation into a failure, or keep its smallest pivot.

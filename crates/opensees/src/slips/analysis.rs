@@ -16,6 +16,12 @@ slips! {
     "The constraint holds.",
     "The model would not be that of the script.";
 
+    MECHANISMS, Analysis, Test("tests/analysis/mechanisms.rs", "an_unloaded_mechanism_stands_still"),
+    "A mechanism that carries no load",
+    "The analysis goes on; the mechanism stands still, up to round-off.",
+    "The step fails, and the message names the degree of freedom without stiffness.",
+    "A mechanism is mostly a mistake, and its round-off may grow.";
+
     TRANSFORMATION_FIRST, Analysis, Nowhere,
     "`constraints Transformation` with several multi-point constraints on one constrained node",
     "Only the first one holds.",

@@ -1,0 +1,44 @@
+//! Names of OpenSees that are not known here: a script that uses one is right, and its message says so.
+
+/// Families and their names, a line each.
+const NAMES: &str = include_str!("opensees_names.txt");
+
+/// Label of a message about a name of OpenSees.
+const LABEL: &str = "OpenSees has it, hysteron does not yet";
+
+/// Returns true if OpenSees has a kind or a command of this name.
+fn has(family: &str, name: &str) -> bool {
+    let of = NAMES.lines().find_map(|line| line.strip_prefix(family)?.strip_prefix(':'));
+    of.is_some_and(|names| names.split(' ').any(|n| n == name))
+}
+
+/// The label for a kind of a family, named by its command, that OpenSees alone has.
+pub(crate) fn kind(command: &str, name: &str) -> Option<&'static str> {
+    has(command, name).then_some(LABEL)
+}
+
+/// The label for a command that OpenSees alone has.
+pub(crate) fn command(name: &str) -> Option<&'static str> {
+    has("command", name).then_some(LABEL)
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn names_of_opensees_are_told_from_mistakes() {
+        assert!(super::kind("uniaxialMaterial", "ConcreteCM").is_some());
+        assert!(super::kind("uniaxialMaterial", "Concrete").is_none());
+        assert!(super::kind("section", "ConcreteCM").is_none());
+        assert!(super::command("ShallowFoundationGen").is_some() && super::command("analyse").is_none());
+    }
+
+    #[test]
+    fn every_name_is_missing_here() {
+        for line in super::NAMES.lines().filter(|l| !l.starts_with("command")) {
+            let (family, names) = line.split_once(": ").unwrap();
+            let known: Vec<&str> = crate::kinds(family).iter().flat_map(|k| k.names.iter().copied()).collect();
+            let both: Vec<&str> = names.split(' ').filter(|n| known.contains(n)).collect();
+            assert!(!known.is_empty() && both.is_empty(), "{both:?}");
+        }
+    }
+}
