@@ -25,16 +25,22 @@ from collections import Counter
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-# Words of models outside hysteron's scope: soil plasticity, fluids, fire, reliability, parallel runs, optimisation; and of
-# materials whose source is not public.
-OUT_OF_SCOPE = re.compile(
-    r"PlaneStressUserMaterial|PressureDepend|PressureIndepend|MultiYield|ManzariDafalias|PM4Sand|PM4Silt|CamClay|DruckerPrager|quadUP|QuadUP|brickUP|BrickUP"
-    r"|SSPquadUP|SSPbrickUP|updateMaterialStage|PFEM|FluidSolid|Thermal|thermal|randomVariable|reliability|performanceFunction"
-    r"|\bgetPID\b|\bgetNP\b|DomainReduction|\bPML|Penalty2D|TruncatedDP|AcousticMedium|A[VC]3D|WheelRail|AbsorbingBoundary|Lysmer|OpenFresco|expElement|expControl|BeamContact|SimpleContact|Contact3D|ZeroLengthContact|database\s|sensitivity"
-)
+# Words of scripts outside hysteron's scope: soil plasticity, fluids, fire, reliability, parallel runs, hybrid tests, contact;
+# materials whose source is not public; packages with compiled code, and commands of programs other than OpenSees.
+OUT_OF_SCOPE = re.compile("|".join([
+    "PressureDepend|PressureIndepend|MultiYield|ManzariDafalias|PM4Sand|PM4Silt|CamClay|DruckerPrager|TruncatedDP",
+    "[qQ]uadUP|[bB]rickUP|updateMaterialStage|DomainReduction|AbsorbingBoundary|Lysmer|\\bPML",
+    "PFEM|FluidSolid|AcousticMedium|A[VC]3D|[tT]hermal|randomVariable|reliability|performanceFunction|sensitivity",
+    "\\bgetPID\\b|\\bgetNP\\b|OpenFresco|expElement|expControl|database\\s",
+    "BeamContact|SimpleContact|Contact3D|ZeroLengthContact|WheelRail|Penalty2D",
+    "PlaneStressUserMaterial|loadPackage|SumElementForcesRecorder|ElementSumRecorder",
+    "^\\s*(pragma|export)\\s",
+]), re.M)
 BUILDS = re.compile(r"^\s*(model\s+\w|element\s+\w)", re.M)
 ANALYSES = re.compile(r"\banalyze\b|\beigen\b")
 SOURCES = re.compile(r"\bsource\s+(?:-encoding\s+\S+\s+)?[\"{]?([^\s\"};\]]+)")
+# Outcomes of the scripts that count.
+OUTCOMES = ("equal", "differs", "refused", "timeout")
 # Share of the peak of a file below which a column is round-off.
 NOISE_OF_FILE = 1e-5
 # Files that are no results.
@@ -214,7 +220,7 @@ def judge(options, repository, script):
         first = next((line for line in got[2].splitlines() if line.startswith("error")), got[2].strip()[:160])
         return (*head, "refused", first)
     if got[0] != 0:
-        return (*head, "refused", f"status {got[0]}: " + next((l for l in got[2].splitlines() if l.startswith("error")), got[2][-160:]))
+        return (*head, "refused", f"status {got[0]}: {got[2].strip()[:160]}")
     modes = bool(re.search(r"\beigen\b", text))
     differences = [compare(want, got, options.tolerance, modes) for want in wants]
     return (*head, "equal", "") if "" in differences else (*head, "differs", min(differences, key=len))
@@ -231,7 +237,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--only", default="", help="a regular expression for REPOSITORY/SCRIPT")
     parser.add_argument("--cache", type=Path)
-    parser.add_argument("--csv", type=Path, help="table of every script")
+    parser.add_argument("--csv", type=Path, help="table of the outcomes by repository")
     options = parser.parse_args()
     options.hysteron = [*shlex.split(options.hysteron), "run", "--compat", "opensees"]
     options.folder = options.folder.resolve()
@@ -251,13 +257,15 @@ def main():
     if options.csv:
         with options.csv.open("w", newline="") as out:
             writer = csv.writer(out, lineterminator="\n")
-            writer.writerow(["repository", "script", "outcome", "detail"])
-            writer.writerows(rows)
+            writer.writerow(["repository", *OUTCOMES, "OpenSees fails"])
+            for name in sorted({row[0] for row in rows}):
+                of = Counter(row[2] for row in rows if row[0] == name)
+                writer.writerow([name, *(of[outcome] for outcome in (*OUTCOMES, "OpenSees fails"))])
     counts = Counter(row[2] for row in rows)
     counted = [row for row in rows if row[2] != "OpenSees fails"]
     print(f"{len(counted)} scripts of {len({row[0] for row in counted})} repositories count; "
           f"OpenSees fails in {counts['OpenSees fails']}; {outside} are out of scope")
-    for outcome in ("equal", "differs", "refused", "timeout"):
+    for outcome in OUTCOMES:
         print(f"{outcome}: {counts[outcome]} ({100 * counts[outcome] / max(1, len(counted)):.0f} %)")
 
 

@@ -66,3 +66,28 @@ fn an_unloaded_mechanism_stands_still() {
     assert_eq!(bars("1.", Script::compat()).done().numbers()[0], -3.0);
     assert_eq!(bars("0.", Script::default()).done().numbers()[0], -3.0);
 }
+
+/// Under Transformation OpenSees controls the retained node of a rigid link, as openseespy 3.7.1 does.
+#[test]
+fn control_of_a_constrained_node() {
+    let push = |script: Script| {
+        script
+            .run(
+                "model basic -ndm 2 -ndf 3
+                node 1 0 0; node 2 0 3; node 3 2 4; fix 1 1 1 1
+                geomTransf Linear 1
+                element elasticBeamColumn 1 1 2 1. 1000. 0.2 1
+                rigidLink beam 2 3
+                timeSeries Linear 1
+                pattern Plain 1 1 { load 3 1. -2. 0. }
+                constraints Transformation; numberer RCM; system BandGeneral; test NormDispIncr 1e-10 5; algorithm Newton
+                integrator DisplacementControl 3 1 0.01; analysis Static
+                analyze 1
+                puts [nodeDisp 2 1]; puts [nodeDisp 3 1]",
+            )
+            .done()
+            .numbers()
+    };
+    let (compat, own) = (push(Script::compat()), push(Script::default()));
+    assert!((compat[0] - 0.01).abs() < 1e-12 && (own[1] - 0.01).abs() < 1e-12, "{compat:?} {own:?}");
+}

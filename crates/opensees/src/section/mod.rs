@@ -3,6 +3,7 @@
 pub(crate) mod beam_integration;
 pub(crate) mod fiber;
 mod plate;
+mod shapes;
 
 use crate::args::Args;
 use crate::model::nodes::need_model;
@@ -52,6 +53,9 @@ const KINDS: &[Kind] = &[
         usage: "section Uniaxial $tag $material P|Mz|Vy|My|Vz|T",
         make: Make::Beam(uniaxial),
     },
+    shapes::WIDE_FLANGE,
+    shapes::RECTANGULAR_CONCRETE,
+    shapes::CIRCULAR_CONCRETE,
     plate::ELASTIC,
     plate::UNIFORM,
     plate::LAYERED,
@@ -123,9 +127,7 @@ fn fibers(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception
     }
     let space = interp.host.builder.ndm == 3;
     if space && torsion.is_none() {
-        // OpenSees 2 knew no torsion of fiber sections; OpenSees 3 refuses such a section.
-        let d = Diagnostic::warning("a fiber section in space without a torsional stiffness");
-        warn(interp, d.at(span, "expected -GJ or -torsion after the tag, or an Aggregator with T around it"))?;
+        warn_of_torsion(interp, span)?;
     }
     let body = a.value("body with the fibers")?;
     let outer = interp.host.builder.fibers.replace(vec![]);
@@ -137,6 +139,12 @@ fn fibers(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception
     }
     let made = FiberSection::new(fibers, torsion.filter(|_| space), origin);
     Ok(Arc::new(if space { made.bent_about_both_axes() } else { made }))
+}
+
+/// OpenSees 2 knew no torsion of fiber sections; OpenSees 3 refuses one without.
+fn warn_of_torsion(interp: &mut Tcl, span: Option<hysteron_tcl::diagnostic::Span>) -> Result<(), Exception> {
+    let d = Diagnostic::warning("a fiber section in space without a torsional stiffness");
+    warn(interp, d.at(span, "expected -GJ or -torsion after the tag, or an Aggregator with T around it"))
 }
 
 fn resultant(a: &mut Args<'_>) -> Result<Resultant, Exception> {

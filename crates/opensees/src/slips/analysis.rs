@@ -16,7 +16,13 @@ slips! {
     "The constraint holds.",
     "The model would not be that of the script.";
 
-    MECHANISMS, Analysis, Test("tests/analysis/mechanisms.rs", "an_unloaded_mechanism_stands_still"),
+    CONTROLLED_CONSTRAINED, Analysis, Test("tests/analysis/opensees.rs", "control_of_a_constrained_node"),
+    "`integrator DisplacementControl` of a constrained node under `constraints Transformation`",
+    "The number of the degree of freedom counts those of the node that are free, and then those of the retained node.",
+    "The degree of freedom of the node moves by the increment.",
+    "Another displacement would be controlled.";
+
+    MECHANISMS, Analysis, Test("tests/analysis/opensees.rs", "an_unloaded_mechanism_stands_still"),
     "A mechanism that carries no load",
     "The analysis goes on; the mechanism stands still, up to round-off.",
     "The step fails, and the message names the degree of freedom without stiffness.",

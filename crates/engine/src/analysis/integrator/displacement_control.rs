@@ -4,6 +4,8 @@ use super::{Adaptive, Integrator};
 use crate::analysis::failure::{Cause, Failure};
 use crate::analysis::system::{Coefficients, System};
 use crate::analysis::workspace::TangentMix;
+use crate::assembly::Handler;
+use crate::model::Model;
 use crate::solve::Use;
 
 /// `integrator DisplacementControl`: one degree of freedom moves by a given increment, the load factor follows
@@ -74,6 +76,18 @@ impl DisplacementControl {
     }
 }
 
+/// Degree of freedom that OpenSees controls instead of one of a constrained node: its number counts those of the node that
+/// are free, and then those of the retained node.
+fn transformed(model: &Model, dof: usize) -> usize {
+    let Some(node) = model.nodes.iter().position(|n| n.dofs().contains(&dof)) else { return dof };
+    let Some(link) = model.multi_points.iter().find(|m| m.constrained.0 == node) else { return dof };
+    let own = model.nodes[node].dofs();
+    let local = dof - own.start;
+    let free = own.clone().filter(|d| !link.constrained_dofs.contains(&(d - own.start)));
+    let retained = model.nodes[link.retained.0].dofs();
+    free.chain(link.retained_dofs.iter().map(|d| retained.start + d)).nth(local).unwrap_or(dof)
+}
+
 impl Integrator for DisplacementControl {
     fn name(&self) -> &'static str {
         "DisplacementControl"
@@ -92,7 +106,12 @@ impl Integrator for DisplacementControl {
         let n = s.work.b.len();
         self.reference.resize(n, 0.0);
         self.unit.resize(n, 0.0);
-        self.control = s.work.plan.map.terms(self.dof).iter().map(|&(e, c)| (e as usize, c)).collect();
+        let dof = if s.work.opensees.is_some() && s.work.plan.handler == Handler::Transformation {
+            transformed(s.model, self.dof)
+        } else {
+            self.dof
+        };
+        self.control = s.work.plan.map.terms(dof).iter().map(|&(e, c)| (e as usize, c)).collect();
         if self.control.is_empty() {
             let message =
                 format!("DisplacementControl: {} is held and cannot be controlled", s.model.dof_name(self.dof));

@@ -1,0 +1,154 @@
+//! Fiber sections by the dimensions of their shape.
+
+use super::{Kind, Make, warn_of_torsion};
+use crate::Tcl;
+use crate::args::Args;
+use hysteron_engine::material::{Elastic, Material};
+use hysteron_engine::section::{Fiber, FiberSection, SharedSection};
+use hysteron_tcl::Exception;
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+pub(super) const WIDE_FLANGE: Kind = Kind {
+    names: &["WFSection2d", "WSection2d"],
+    usage: "section WFSection2d $tag $material $d $tw $bf $tf $nfdw $nftf <$nfbf $nftw> <-GJ $GJ>",
+    make: Make::Beam(wide_flange),
+};
+
+pub(super) const RECTANGULAR_CONCRETE: Kind = Kind {
+    names: &["RCSection2d"],
+    usage: "section RCSection2d $tag $core $cover $steel $d $b $coverDepth $Atop $Abottom $Aside $nfcore $nfcover $nfs",
+    make: Make::Beam(rectangular_concrete),
+};
+
+pub(super) const CIRCULAR_CONCRETE: Kind = Kind {
+    names: &["RCCircularSection"],
+    usage: "section RCCircularSection $tag $core $cover $steel $d $coverDepth $As $nRingsCore $nRingsCover $nWedges $nSteel \
+            <-GJ $GJ | -torsion $material>",
+    make: Make::Beam(circular_concrete),
+};
+
+/// A uniaxial material with its tag.
+type Tagged = (Material, i32);
+
+fn material(interp: &Tcl, a: &mut Args<'_>) -> Result<Tagged, Exception> {
+    a.of(&interp.host.builder.definitions.materials)
+}
+
+/// Strips of equal depth from a height down.
+fn strips(top: f64, depth: f64, count: usize) -> impl Iterator<Item = f64> {
+    let strip = depth / count as f64;
+    (0..count).map(move |i| top - strip * (i as f64 + 0.5))
+}
+
+/// The section of fibers, with what is left of the words.
+fn finished(interp: &mut Tcl, a: &mut Args<'_>, fibers: Vec<Fiber>) -> Result<SharedSection, Exception> {
+    let mut torsion = None;
+    if a.flag("-GJ") {
+        let law: Material = Arc::new(Elastic::new(a.not_negative("torsional rigidity GJ")?));
+        torsion = Some((law, 0));
+    } else if a.flag("-torsion") {
+        torsion = Some(material(interp, a)?);
+    }
+    let space = interp.host.builder.ndm == 3;
+    if space && torsion.is_none() {
+        warn_of_torsion(interp, a.last_span())?;
+    }
+    let made = FiberSection::new(fibers, torsion.filter(|_| space), false);
+    Ok(Arc::new(if space { made.bent_about_both_axes() } else { made }))
+}
+
+fn wide_flange(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
+    let steel = material(interp, a)?;
+    let (d, tw) = (a.positive("depth d")?, a.positive("thickness of the web tw")?);
+    let (bf, tf) = (a.positive("width of the flanges bf")?, a.positive("thickness of the flanges tf")?);
+    let dw = d - 2.0 * tf;
+    if dw <= 0.0 {
+        return Err(a.refuse(format!("the flanges are {tf} thick and the section is {d} deep"), "expected less"));
+    }
+    let (in_web, in_flange) = (a.count("fibers of the web nfdw")?, a.count("fibers of a flange nftf")?);
+    let mut across = 1;
+    if a.at_number() {
+        across = a.count("fibers across a flange nfbf")?;
+        a.count("fibers across the web nftw")?;
+    }
+    let mut fibers = vec![];
+    let mut add = |y, z, area| fibers.push(Fiber { y, z, area, material: steel.clone() });
+    let area = bf * tf / (in_flange * across) as f64;
+    for z in strips(0.5 * bf, bf, across) {
+        strips(0.5 * d, tf, in_flange).for_each(|y| {
+            add(y, z, area);
+            add(-y, z, area);
+        });
+    }
+    strips(0.5 * dw, dw, in_web).for_each(|y| add(y, 0.0, dw * tw / in_web as f64));
+    finished(interp, a, fibers)
+}
+
+/// Materials of core, cover and bars.
+fn concrete(interp: &Tcl, a: &mut Args<'_>) -> Result<[Tagged; 3], Exception> {
+    Ok([material(interp, a)?, material(interp, a)?, material(interp, a)?])
+}
+
+fn rectangular_concrete(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
+    let [core, cover, steel] = concrete(interp, a)?;
+    let (d, b) = (a.positive("depth d")?, a.positive("width b")?);
+    let depth = a.positive("depth of the cover")?;
+    let (inner, width) = (d - 2.0 * depth, b - 2.0 * depth);
+    if inner <= 0.0 || width <= 0.0 {
+        return Err(a.refuse(format!("the cover of {depth} leaves no core"), "expected less"));
+    }
+    let [top, bottom, side] = [
+        a.not_negative("area of a top bar Atop")?,
+        a.not_negative("area of a bottom bar Abottom")?,
+        a.not_negative("area of a side bar Aside")?,
+    ];
+    let (in_core, in_cover) = (a.count("fibers of the core nfcore")?, a.count("fibers of the cover nfcover")?);
+    let bars = a.count("bars of a layer nfs")?;
+    let mut fibers = vec![];
+    let mut add = |y, area, material: &Tagged| fibers.push(Fiber { y, z: 0.0, area, material: material.clone() });
+    for (of, wide) in [(&core, width), (&cover, 2.0 * depth)] {
+        strips(0.5 * inner, inner, in_core).for_each(|y| add(y, wide * inner / in_core as f64, of));
+    }
+    for sign in [1.0, -1.0] {
+        strips(0.5 * d, depth, in_cover).for_each(|y| add(sign * y, b * depth / in_cover as f64, &cover));
+    }
+    add(0.5 * inner, bars as f64 * top, &steel);
+    add(-0.5 * inner, bars as f64 * bottom, &steel);
+    for i in 1..bars.saturating_sub(1) {
+        add(inner * (i as f64 / (bars - 1) as f64 - 0.5), 2.0 * side, &steel);
+    }
+    finished(interp, a, fibers)
+}
+
+fn circular_concrete(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
+    let [core, cover, steel] = concrete(interp, a)?;
+    let (d, depth) = (a.positive("diameter d")?, a.positive("depth of the cover")?);
+    let radius = 0.5 * d - depth;
+    if radius <= 0.0 {
+        return Err(a.refuse(format!("the cover of {depth} leaves no core"), "expected less"));
+    }
+    let bar = a.not_negative("area of a bar As")?;
+    let [rings_core, rings_cover] = [a.count("rings of the core")?, a.count("rings of the cover")?];
+    let (wedges, bars) = (a.count("number of wedges")?, a.count("number of bars")?);
+    let mut fibers = vec![];
+    let mut ring = |at: f64, area: f64, count: usize, material: &Tagged| {
+        for i in 0..count {
+            let (z, y) = ((2 * i + 1) as f64 * PI / count as f64).sin_cos();
+            fibers.push(Fiber { y: at * y, z: at * z, area, material: material.clone() });
+        }
+    };
+    let half = PI / wedges as f64;
+    for (from, to, rings, of) in [(0.0, radius, rings_core, &core), (radius, 0.5 * d, rings_cover, &cover)] {
+        let step = (to - from) / rings as f64;
+        for i in 0..rings {
+            let (inner, outer) = (from + step * i as f64, from + step * (i + 1) as f64);
+            let area = half * (outer * outer - inner * inner);
+            // Centroid of a part of a ring.
+            let at = 2.0 / 3.0 * half.sin() * (outer.powi(3) - inner.powi(3)) / area;
+            ring(at, area, wedges, of);
+        }
+    }
+    ring(radius, bar, bars, &steel);
+    finished(interp, a, fibers)
+}
