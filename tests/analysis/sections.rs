@@ -124,3 +124,46 @@ fn force_based_beam_of_sections_without_torsion() {
     let first = "a fiber section in space without a torsional stiffness";
     assert!(ran.warnings().iter().any(|w| w.message.contains(first)), "{:?}", ran.warnings());
 }
+
+/// Sections by their dimensions have the area and the second moments of their shapes, strip by strip.
+#[test]
+fn sections_by_dimensions() {
+    // Deformations under a unit force and a unit moment: 1/EA and 1/EI.
+    let flexibility = |ndm: usize, section: &str| {
+        let (ndf, place, free) = if ndm == 2 { (3, "0 0", "0 1 0") } else { (6, "0 0 0", "0 1 1 1 0 0") };
+        let moment = if ndm == 2 { "1. 0 1." } else { "1. 0 0 0 1. 1." };
+        run(&format!(
+            "model basic -ndm {ndm} -ndf {ndf}
+            node 1 {place}; node 2 {place}; fix 1 {held}; fix 2 {free}
+            uniaxialMaterial Elastic 1 10.; uniaxialMaterial Elastic 2 7.; uniaxialMaterial Elastic 3 200.
+            section {section}
+            element zeroLengthSection 1 1 2 1
+            timeSeries Linear 1
+            pattern Plain 1 1 {{ load 2 {moment} }}
+            constraints Plain; numberer Plain; system BandGeneral; test NormUnbalance 1e-9 5; algorithm Newton
+            integrator LoadControl 1.; analysis Static
+            analyze 1
+            puts [nodeDisp 2]",
+            held = vec!["1"; ndf].join(" ")
+        ))
+        .numbers()
+    };
+    let strip =
+        |depth: f64, width: f64, y: f64, n: f64| width * (depth.powi(3) / 12.0 * (1.0 - 1.0 / (n * n)) + depth * y * y);
+    let u = flexibility(2, "WFSection2d 1 1 10. 0.5 6. 0.8 20 4");
+    let area = 2.0 * 6.0 * 0.8 + 8.4 * 0.5;
+    let inertia = 2.0 * strip(0.8, 6.0, 4.6, 4.0) + strip(8.4, 0.5, 0.0, 20.0);
+    assert!(close(u[0], 0.1 / area, 1e-9) && close(u[2], 0.1 / inertia, 1e-9), "{u:?}");
+    let u = flexibility(2, "RCSection2d 1 1 2 3 20. 12. 2. 0.5 0.5 0.3 16 4 3");
+    let area = 10.0 * 16.0 * 8.0 + 7.0 * (20.0 * 12.0 - 16.0 * 8.0) + 200.0 * (3.0 * 1.0 + 0.6);
+    let inertia = 10.0 * strip(16.0, 8.0, 0.0, 16.0)
+        + 7.0 * (strip(16.0, 4.0, 0.0, 16.0) + 2.0 * strip(2.0, 12.0, 9.0, 4.0))
+        + 200.0 * 3.0 * 64.0;
+    assert!(close(u[0], 1.0 / area, 1e-9) && close(u[2], 1.0 / inertia, 1e-9), "{u:?}");
+    let u = flexibility(3, "RCCircularSection 1 1 2 3 20. 2. 0.5 40 10 60 8 -GJ 1e3");
+    let circle = |r: f64| (std::f64::consts::PI * r * r, std::f64::consts::PI * r.powi(4) / 4.0);
+    let ((core, core_2), (all, all_2)) = (circle(8.0), circle(10.0));
+    let area = 10.0 * core + 7.0 * (all - core) + 200.0 * 4.0;
+    let inertia = 10.0 * core_2 + 7.0 * (all_2 - core_2) + 200.0 * 4.0 * 64.0 / 2.0;
+    assert!(close(u[0], 1.0 / area, 1e-9) && close(u[5], 1.0 / inertia, 2e-3) && close(u[4], u[5], 1e-9), "{u:?}");
+}

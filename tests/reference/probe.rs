@@ -28,7 +28,7 @@ parameter 1";
 
 const SPACE: &str = "model basic -ndm 3 -ndf 6
 node 1 0 0 0; node 2 0 0 1; node 3 1 0 0; node 4 1 0 1; fix 1 1 1 1 1 1 1
-geomTransf Linear 1 1 0 0; section Elastic 1 1. 1. 1. 1. 1. 1.
+geomTransf Linear 1 1 0 0; section Elastic 1 1. 1. 1. 1. 1. 1.; section ElasticMembranePlateSection 1 1. 0.2 1.
 uniaxialMaterial Elastic 9 1.; element zeroLength 1 1 2 -mat 9 9 9 9 9 9 -dir 1 2 3 4 5 6; mass 2 1 1 1 1 1 1";
 
 const PLANE: &str = "model basic -ndm 2 -ndf 3
@@ -40,8 +40,12 @@ const FLAT: &str = "model basic -ndm 2 -ndf 2
 node 1 0 0; node 2 1 0; node 3 1 1; node 4 0 1; fix 1 1 1
 section Elastic 1 1. 1. 1.; uniaxialMaterial Elastic 9 1.; element zeroLength 1 1 2 -mat 9 9 -dir 1 2; mass 2 1 1";
 
+const SOLID: &str = "model basic -ndm 3 -ndf 3
+node 1 0 0 0; node 2 1 0 0; node 3 1 1 0; node 4 0 1 0; node 5 0 0 1; node 6 1 0 1; node 7 1 1 1; node 8 0 1 1; fix 1 1 1 1
+section Elastic 1 1. 1. 1. 1. 1. 1.; uniaxialMaterial Elastic 9 1.; element zeroLength 1 1 2 -mat 9 9 -dir 1 2; mass 2 1 1 1";
+
 /// The models in which a command is tried.
-pub const MODELS: [&str; 3] = [SPACE, PLANE, FLAT];
+pub const MODELS: [&str; 4] = [SPACE, PLANE, FLAT, SOLID];
 
 /// Words that may be right where one is wanted, the likeliest first.
 const WORDS: &[&str] = &[

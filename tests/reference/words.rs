@@ -46,7 +46,7 @@ pub const PAGES: &[Page] = &[
         name: "model",
         title: "Model",
         intro: "Nodes, masses, supports, constraints between nodes, damping and parameters.",
-        commands: "wipe model node mass setNodeCoord block2D fix fixX fixY fixZ equalDOF rigidDiaphragm \
+        commands: "wipe model node mass setNodeCoord block2D block3D fix fixX fixY fixZ equalDOF rigidDiaphragm \
                    rigidLink rayleigh region setElementRayleighDampingFactors setElementRayleighFactors \
                    modalDamping modalDampingQ parameter addToParameter updateParameter setParameter \
                    getParamValue getParamTags remove domainChange",
@@ -89,9 +89,11 @@ pub const PAGES: &[Page] = &[
         name: "output",
         title: "Output and queries",
         intro: "Recorders, and commands that return a result to the script.",
-        commands: "recorder record setPrecision print nodeDisp nodeVel nodeAccel nodeReaction nodeUnbalance \
+        commands: "recorder record setPrecision print printModel nodeDisp nodeVel nodeAccel nodeReaction nodeUnbalance \
                    nodeMass nodeCoord nodeEigenvector nodeDOFs nodeBounds reactions setNodeDisp setNodeVel \
                    setNodeAccel setNodeMass eleResponse eleForce localForce basicForce basicDeformation \
+                   basicStiffness nodeResponse getNumElements getPatterns getFixedNodes getFixedDOFs \
+                   getConstrainedNodes getConstrainedDOFs getRetainedNodes getRetainedDOFs \
                    eleNodes eleType sectionForce sectionDeformation sectionStiffness sectionFlexibility \
                    sectionLocation sectionWeight sectionTag getTime getLoadFactor getNodeTags getEleTags getNDM \
                    getNDF getPID getNP version prp vrp vup vpn viewWindow plane port projection fill display \
