@@ -137,3 +137,41 @@ fn a_block_of_quadrilaterals_stretches_evenly() {
     assert!(close(found[1], -0.25 * 6.0 * 2.0 / 1000.0, 1e-9));
     assert_eq!(found[2], 12.0);
 }
+
+/// Statistics and linear algebra by tcllib's names; values of a 3 x 3 system and of the normal distribution.
+#[test]
+fn packages_of_tcllib() {
+    let n = run("package require math::statistics; package require math::linearalgebra 1.0
+        puts [math::statistics::mean {1 2 {} 6}]; puts [math::statistics::stdev {1 2 6}]
+        puts [math::statistics::cdf-normal 1 2 4.92]; puts [math::statistics::Inverse-cdf-normal 0 1 0.975]
+        puts [llength [math::statistics::random-normal 0 1 5]]
+        set m [math::linearalgebra::mkMatrix 3 3 1.0]
+        math::linearalgebra::setelem m 0 0 4.0; math::linearalgebra::setrow m 2 {2 0 5}; math::linearalgebra::setcol m 1 {1 3 0}
+        puts [math::linearalgebra::getelem $m 1 2]; puts [math::linearalgebra::det $m]
+        puts [math::linearalgebra::matmul $m [math::linearalgebra::solvePGauss $m {7 14 21}]]")
+    .numbers();
+    let expected = [3.0, 7f64.sqrt(), 0.975_002_104_851_780_1, 1.959_963_984_540_054, 5.0, 1.0, 51.0, 7.0, 14.0, 21.0];
+    assert!(n.len() == expected.len() && n.iter().zip(expected).all(|(n, e)| close(*n, e, 1e-12)), "{n:?}");
+}
+
+/// A trace of executions changes no result and is passed over with a warning.
+#[test]
+fn traces_of_executions_are_passed_over() {
+    let ran = run("proc tell {args} { puts 1 }
+        trace add execution analyze enter tell
+        puts 2");
+    assert_eq!(ran.numbers(), [2.0]);
+    assert!(ran.warnings()[0].message.contains("trace"), "{:?}", ran.warnings());
+}
+
+/// Who is joined to whom, and what is held.
+#[test]
+fn constraints_are_listed() {
+    let ran = run("model basic -ndm 2 -ndf 3
+        node 1 0 0; node 2 0 3; node 3 2 4; node 4 2 4
+        fix 1 1 1 0; fix 4 0 0 1
+        rigidLink beam 2 3; equalDOF 3 4 1 2
+        puts [getFixedNodes]; puts [getFixedDOFs 1]; puts [getConstrainedNodes]; puts [getConstrainedNodes 3]
+        puts [getRetainedNodes]; puts [getConstrainedDOFs 4]; puts [getRetainedDOFs 2]; puts [getNumElements]");
+    assert_eq!(ran.numbers(), [1., 4., 1., 2., 3., 4., 4., 2., 3., 1., 2., 1., 2., 3., 0.]);
+}

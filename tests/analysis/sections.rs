@@ -61,7 +61,6 @@ fn sections_are_refused_with_a_reason() {
     let start = "model basic -ndm 3 -ndf 6\nnode 1 0 0 0\nnode 2 0 0 3\nuniaxialMaterial Elastic 1 2e8\n\
                  geomTransf Linear 1 1 0 0\nsection Elastic 9 2e8 0.1 1e-3 1e-3 8e7 1e-3\n";
     for (line, message) in [
-        ("section Fiber 1 { patch rect 1 2 2 -1 -1 1 1 }", "torsional stiffness"),
         ("section Fiber 1 -GJ 1e3 { }", "no area"),
         ("section Fiber 1 -GJ 1e3 { patch quad 1 2 2 -1 -1 -1 1 1 1 1 -1 }", "has an area of"),
         ("section Fiber 1 -GJ 1e3 { patch circle 1 2 2 0 0 0 1 }", "unknown patch"),

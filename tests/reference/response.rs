@@ -52,13 +52,14 @@ const SECTION: &[&str] = &[
 
 /// Responses by the usage of a kind, `None` for a command whose kinds have none. Empty if no thing of the kind could be made.
 pub fn of(command: &str, usage: &str) -> Option<Vec<&'static str>> {
-    let (around, known): (&str, &[&str]) = match command {
-        "element" => ("", &[]),
-        "uniaxialMaterial" => ("\nelement zeroLength 77 1 2 -mat @ -dir 1", MATERIAL),
-        "section" => ("\nelement zeroLengthSection 77 1 2 @", SECTION),
+    let (around, known): (&[&str], &[&str]) = match command {
+        "element" => (&[""], &[]),
+        "uniaxialMaterial" => (&["\nelement zeroLength 77 1 2 -mat @ -dir 1"], MATERIAL),
+        // A section of beams, or one of plates.
+        "section" => (&["\nelement zeroLengthSection 77 1 2 @", "\nelement ShellDKGT 77 1 3 4 @"], SECTION),
         _ => return None,
     };
-    for model in MODELS {
+    for (model, around) in MODELS.iter().flat_map(|model| around.iter().map(move |around| (*model, *around))) {
         for words in examples(model, usage) {
             let around = around.replace('@', words.get(2).map_or("", String::as_str));
             let full = [words.join(" "), around].concat();
@@ -74,7 +75,10 @@ pub fn of(command: &str, usage: &str) -> Option<Vec<&'static str>> {
                 "element" => ElementResponse::names(engine, id)
                     .filter(|n| !matches!(*n, "forces" | "globalForce" | "globalForces"))
                     .collect(),
-                "section" => known.iter().copied().filter(|n| is_known(&["section", n, "1", "stress"])).collect(),
+                "section" => {
+                    let of_point = |n: &str| is_known(&["section", n, "1", "stress"]) || is_known(&["section", "1", n]);
+                    known.iter().copied().filter(|n| of_point(n)).collect()
+                }
                 _ => {
                     let of_part = |n: &str| is_known(&["material", "1", n, "1", "stress"]);
                     known.iter().copied().filter(|n| is_known(&["material", "1", n]) || of_part(n)).collect()

@@ -119,13 +119,19 @@ impl ReinforcingSteel {
         self.fatigue.map_or(0.0, |f| (plastic / f.cf).powf(1.0 / f.alpha))
     }
 
-    /// Share of the strength that is left at a fatigue damage; negative for a failed bar.
-    fn strength(&self, damage: f64) -> f64 {
+    /// Derivative of the damage by the plastic half cycle.
+    fn damage_slope(&self, plastic: f64) -> f64 {
+        self.fatigue.map_or(0.0, |f| (plastic / f.cf).powf(1.0 / f.alpha) / (f.alpha * plastic))
+    }
+
+    /// Share of the strength that is left at a fatigue damage, negative for a failed bar; its derivative.
+    fn strength(&self, damage: f64) -> (f64, f64) {
         /// Damage beyond that of failure over which the strength is lost.
         const FAILURE: f64 = 0.04;
-        let Some(f) = self.fatigue else { return 1.0 };
+        let Some(f) = self.fatigue else { return (1.0, 0.0) };
         let slope = if f.cd == 0.0 { 0.0 } else { (f.cf / f.cd).powf(1.0 / f.alpha) };
-        1.0 - slope * damage - (damage - 1.0).max(0.0) / FAILURE
+        let over = damage - 1.0;
+        (1.0 - slope * damage - over.max(0.0) / FAILURE, -slope - if over > 0.0 { 1.0 / FAILURE } else { 0.0 })
     }
 }
 
@@ -142,16 +148,17 @@ impl UniaxialLaw for ReinforcingSteel {
         let (e, initial) = (strain.value.ln_1p(), self.yields().2);
         let mut t = *c;
         let failed = c.failed != 0.0;
+        let mut damage_slope = 0.0;
         if e != c.strain && !failed {
             if c.branch == 0.0 && e != 0.0 {
                 t.branch = if e > 0.0 { 1.0 } else { 2.0 };
             }
             let mut path = Path::new(self, c, t, e);
             path.follow();
-            t = path.finish();
+            (t, damage_slope) = path.finish();
         }
         t.strain = e;
-        let strength = self.strength(t.damage);
+        let (strength, by_damage) = self.strength(t.damage);
         if failed || strength < 0.0 {
             (t.failed, t.branch) = (1.0, -1.0);
             return Ok((Stress { value: 0.0, tangent: 0.0, damping: 0.0 }, t));
@@ -161,7 +168,7 @@ impl UniaxialLaw for ReinforcingSteel {
         let (value, tangent) = self.buckling.apply(&backbone, &mut t, unbuckled);
         let engineering = Stress {
             value: value * strength / e.exp(),
-            tangent: (tangent - t.stress) * strength / (2.0 * e).exp(),
+            tangent: ((tangent - value) * strength + value * by_damage * damage_slope) / (2.0 * e).exp(),
             damping: 0.0,
         };
         Ok((engineering, t))

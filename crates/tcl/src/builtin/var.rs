@@ -270,7 +270,7 @@ fn variable(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
 
 /// Watching of executions changes no result and is passed over; that of variables may.
 fn trace(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
-    let words: Vec<_> = call.args().iter().skip(1).take(2).map(Value::as_str).collect();
+    let words: Vec<_> = call.args().iter().take(2).map(Value::as_str).collect();
     if let [_, kind] = &words[..]
         && matches!(kind.as_ref(), "execution" | "command")
     {

@@ -23,13 +23,16 @@ pub(super) struct Path<'a> {
     backbone: Backbone,
     exchanged: bool,
     tangent: f64,
+    /// Derivative of the fatigue damage by the strain.
+    damage_slope: f64,
 }
 
 impl<'a> Path<'a> {
     pub(super) fn new(bar: &'a ReinforcingSteel, c: &History, t: History, e: f64) -> Self {
         let backbone = Backbone::new(bar, c.shortened);
         let tangent = backbone.modulus + c.softening;
-        let mut made = Self { bar, c: *c, t, e, curve: Curve::default(), backbone, exchanged: false, tangent };
+        let mut made =
+            Self { bar, c: *c, t, e, curve: Curve::default(), backbone, exchanged: false, tangent, damage_slope: 0.0 };
         if t.branch % 2.0 == 0.0 {
             made.exchange();
         }
@@ -39,8 +42,8 @@ impl<'a> Path<'a> {
         made
     }
 
-    /// The trial state with tension and compression in place.
-    pub(super) fn finish(mut self) -> History {
+    /// The trial state with tension and compression in place, and the derivative of its fatigue damage by the strain.
+    pub(super) fn finish(mut self) -> (History, f64) {
         if self.branch() > 2 {
             self.t.curves[Self::level(self.branch())] = self.curve;
         }
@@ -48,7 +51,7 @@ impl<'a> Path<'a> {
             self.exchange();
         }
         self.t.softening = self.tangent - self.backbone.modulus;
-        self.t
+        (self.t, self.damage_slope)
     }
 
     fn exchange(&mut self) {
@@ -56,6 +59,7 @@ impl<'a> Path<'a> {
         self.t = self.t.mirrored();
         self.curve = self.curve.mirrored();
         self.e = -self.e;
+        self.damage_slope = -self.damage_slope;
         self.exchanged = !self.exchanged;
     }
 
@@ -127,14 +131,20 @@ impl<'a> Path<'a> {
         self.backbone = Backbone::new(self.bar, self.t.shortened);
     }
 
-    /// Replaces the plastic half cycle of a level.
+    /// Replaces the plastic half cycle of a level by that of a strain and a stress from the begin of the cycle on.
     fn count(&mut self, taken: usize, given: Option<usize>, strain: f64, stress: f64) {
-        let plastic = (strain.abs() - (stress / self.backbone.modulus).abs()).max(0.0);
+        let modulus = self.backbone.modulus;
+        let plastic = (strain.abs() - (stress / modulus).abs()).max(0.0);
         let old = self.t.plastic[taken];
         self.t.damage += self.bar.damage(plastic) - self.bar.damage(old);
         self.t.accumulated += plastic - old;
         if let Some(level) = given {
             self.t.plastic[level] = plastic;
+            self.damage_slope = if plastic > 0.0 {
+                self.bar.damage_slope(plastic) * (strain.signum() - stress.signum() * self.tangent / modulus)
+            } else {
+                0.0
+            };
         }
     }
 
@@ -233,7 +243,7 @@ impl<'a> Path<'a> {
             self.envelope();
         } else {
             self.on_curve();
-            let (strain, stress) = (self.t.farthest[0] - self.e, self.curve.fa - self.t.stress);
+            let (strain, stress) = (self.e - self.t.farthest[0], self.t.stress - self.curve.fa);
             self.count(2, Some(2), strain, stress);
         }
     }
