@@ -2,7 +2,7 @@
 //! International Journal for Numerical Methods in Engineering 15, 1771-1812; Batoz and Ben Tahar, 1982, ibid. 18,
 //! 1655-1677), and a membrane whose sides bend by the drilling rotations (Allman, 1984, Computers and Structures 19, 1-8).
 
-use super::mitc4::{SIGNS, bilinear};
+use super::mitc4::{Bilinear, SIGNS, bilinear};
 use super::{Geometry, MAX, Point};
 use crate::section::plate::PLATE_ORDER;
 
@@ -38,10 +38,10 @@ fn triangle(x: &[[f64; 2]], (l, weight): ([f64; 3], f64)) -> Shapes {
         middles: [[0.0; 2]; 4],
         area: 0.5 * weight * double,
     };
-    for i in 0..3 {
+    for (i, l) in l.iter().enumerate() {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
         s.gradients[i] = [(x[j][1] - x[k][1]) / double, (x[k][0] - x[j][0]) / double];
-        s.corners[i] = s.gradients[i].map(|g| (4.0 * l[i] - 1.0) * g);
+        s.corners[i] = s.gradients[i].map(|g| (4.0 * l - 1.0) * g);
     }
     for i in 0..3 {
         let j = (i + 1) % 3;
@@ -52,7 +52,7 @@ fn triangle(x: &[[f64; 2]], (l, weight): ([f64; 3], f64)) -> Shapes {
 
 /// Shape functions of a quadrilateral at natural coordinates: the quadratic ones are those of eight nodes.
 fn quadrilateral(x: &[[f64; 2]], at: [f64; 2]) -> Shapes {
-    let (linear, gradients, [[a, b], [c, d]], det) = bilinear(x, at);
+    let Bilinear { shape: linear, gradients, tangents: [[a, b], [c, d]], area: det } = bilinear(x, at);
     let [xi, eta] = at;
     let global = |[x, y]: Gradient| [(d * x - b * y) / det, (a * y - c * x) / det];
     let corners = SIGNS.map(|[s, t]| {

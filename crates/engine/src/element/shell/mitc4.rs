@@ -11,9 +11,20 @@ pub(super) const SIGNS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], 
 /// Sides along which the shear strain is tied: first and last corner, direction, and the side's other coordinate.
 const SIDES: [(usize, usize, usize, f64); 4] = [(0, 1, 0, -1.0), (3, 2, 0, 1.0), (0, 3, 1, -1.0), (1, 2, 1, 1.0)];
 
-/// Bilinear shape functions, their derivatives by the axes of the plane, the derivatives of the place by the natural
-/// coordinates, and the Jacobian determinant.
-pub(super) fn bilinear(corners: &[[f64; 2]], [xi, eta]: [f64; 2]) -> ([f64; 4], [[f64; 2]; 4], [[f64; 2]; 2], f64) {
+/// Bilinear shape functions at natural coordinates.
+pub(super) struct Bilinear {
+    /// Values.
+    pub(super) shape: [f64; 4],
+    /// Derivatives by the axes of the plane.
+    pub(super) gradients: [[f64; 2]; 4],
+    /// Derivatives of the place by the natural coordinates.
+    pub(super) tangents: [[f64; 2]; 2],
+    /// Jacobian determinant.
+    pub(super) area: f64,
+}
+
+/// Shape functions of a quadrilateral at natural coordinates.
+pub(super) fn bilinear(corners: &[[f64; 2]], [xi, eta]: [f64; 2]) -> Bilinear {
     let shape = SIGNS.map(|[s, t]| 0.25 * (1.0 + s * xi) * (1.0 + t * eta));
     let local = SIGNS.map(|[s, t]| [0.25 * s * (1.0 + t * eta), 0.25 * t * (1.0 + s * xi)]);
     let mut tangents = [[0.0; 2]; 2];
@@ -24,8 +35,8 @@ pub(super) fn bilinear(corners: &[[f64; 2]], [xi, eta]: [f64; 2]) -> ([f64; 4], 
     }
     let [[a, b], [c, d]] = tangents;
     let det = a * d - b * c;
-    let global = local.map(|[x, y]| [(d * x - b * y) / det, (a * y - c * x) / det]);
-    (shape, global, tangents, det)
+    let gradients = local.map(|[x, y]| [(d * x - b * y) / det, (a * y - c * x) / det]);
+    Bilinear { shape, gradients, tangents, area: det }
 }
 
 /// Gauss points of a quadrilateral.
@@ -33,16 +44,15 @@ pub(super) fn points(geometry: &Geometry) -> Vec<Point> {
     let corners = &geometry.corners;
     let root = 3.0f64.sqrt();
     // The directions of the natural axes are those at the centre at all points.
-    let (.., centre, _) = bilinear(corners, [0.0, 0.0]);
-    let [first, second] = centre.map(|[x, y]| {
+    let [first, second] = bilinear(corners, [0.0, 0.0]).tangents.map(|[x, y]| {
         let length = x.hypot(y);
         [x / length, y / length]
     });
     let mut all = vec![];
     for at in SIGNS.map(|s| s.map(|s| s / root)) {
-        let (shape, derivatives, tangents, det) = bilinear(corners, at);
+        let Bilinear { shape, gradients, tangents, area: det } = bilinear(corners, at);
         let mut p = Point { rows: [[0.0; MAX]; PLATE_ORDER], drilling: [0.0; MAX], area: det, shape };
-        for (node, (n, [x, y])) in shape.iter().zip(derivatives).enumerate() {
+        for (node, (n, [x, y])) in shape.iter().zip(gradients).enumerate() {
             let (u, v) = ((0, false), (1, false));
             for (row, dof, value) in [(0, u, x), (1, v, y), (2, u, y), (2, v, x)] {
                 geometry.add(&mut p.rows[row], node, dof, value);

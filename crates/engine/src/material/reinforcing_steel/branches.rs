@@ -81,7 +81,7 @@ impl<'a> Path<'a> {
         match self.branch() {
             0 => {}
             1 | 2 => self.envelope(),
-            3 => self.to_other_envelope(),
+            3 => self.across_to_envelope(),
             5 => self.back_to_envelope(),
             7 => self.first_transition(),
             b if b % 4 == 1 => self.second_transition(),
@@ -203,7 +203,7 @@ impl<'a> Path<'a> {
         self.curve = self.between([from, f, slope], [to, fb, kb], true).through();
         self.t.plastic[2] = 0.0;
         self.t.branch = 3.0;
-        self.to_other_envelope();
+        self.across_to_envelope();
     }
 
     fn turn_on_plateau(&mut self) {
@@ -220,11 +220,11 @@ impl<'a> Path<'a> {
         self.curve = self.between([from, f, slope], to, true).with_sound_slopes();
         self.t.plastic[2] = 0.0;
         self.t.branch = 3.0;
-        self.to_other_envelope();
+        self.across_to_envelope();
     }
 
     /// Branch 3.
-    fn to_other_envelope(&mut self) {
+    fn across_to_envelope(&mut self) {
         if self.e > self.c.strain {
             let (from, b) = (self.c.strain, self.backbone);
             self.t.largest[1] = self.t.largest[1].max(-(from + self.t.origin[1]));
@@ -317,7 +317,7 @@ impl<'a> Path<'a> {
             let (from, present) = (self.curve.ea, (self.curve.eb, self.curve.fb));
             self.between_envelopes(from, present);
             self.t.branch = 3.0;
-            self.to_other_envelope();
+            self.across_to_envelope();
         } else {
             self.on_curve();
             self.count_part(4);
