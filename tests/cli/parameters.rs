@@ -32,7 +32,6 @@ fn mistakes_are_reported() {
         ("parameter 1 element 7 E", "there is no element 7"),
         ("parameter 1 element 1 E\nupdateParameter 1 -2", "E is -2"),
         ("parameter 1 region 7 E", "there is no region 7"),
-        ("remove parameter 4", "there is no parameter 4"),
     ] {
         let (code, _, err) = run(&format!("{SPRING}{command}\n"));
         assert!(code != Some(0) && err.contains(message), "{command}: {err}");

@@ -2,13 +2,19 @@
 
 use crate::args::Args;
 use crate::model::nodes::node_of;
-use crate::{Command, Outcome, Tcl, finish};
-use hysteron_tcl::{Call, Value};
+use crate::{Command, Outcome, Tcl, finish, warn};
+use hysteron_tcl::diagnostic::Diagnostic;
+use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("remove", USAGE, remove)];
 
 const USAGE: &str = "remove loadPattern $tag | recorders | recorder $tag | element $tag | node $tag | \
                      sp $tag | sp $node $dof <$pattern> | mp $tag | material $tag | timeSeries $tag | parameter $tag";
+
+/// Warns that there is nothing to remove. OpenSees passes it over, and scripts remove in case there is something.
+fn absent(interp: &mut Tcl, a: &Args<'_>, message: String) -> Result<(), Exception> {
+    warn(interp, Diagnostic::warning(message).at(a.last_span(), "nothing is removed"))
+}
 
 fn remove(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, USAGE);
@@ -16,7 +22,7 @@ fn remove(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         "loadPattern" | "pattern" => {
             let tag = a.int("tag of the pattern")?;
             if interp.host.engine.change_model(|m| m.patterns.remove(&tag)).is_none() {
-                return Err(a.refuse(format!("there is no load pattern {tag}"), "expected the tag of a pattern"));
+                absent(interp, &a, format!("there is no load pattern {tag}"))?;
             }
         }
         "recorders" => {
@@ -33,19 +39,26 @@ fn remove(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         }
         "element" | "ele" => {
             let tag = a.int("tag of the element")?;
-            let Some(id) = interp.host.engine.model().element(tag) else {
-                return Err(a.refuse(format!("there is no element {tag}"), "expected the tag of an element"));
-            };
-            interp.host.engine.remove_element(id);
-            interp.host.forget_element(id);
+            match interp.host.engine.model().element(tag) {
+                Some(id) => {
+                    interp.host.engine.remove_element(id);
+                    interp.host.forget_element(id);
+                }
+                None => absent(interp, &a, format!("there is no element {tag}"))?,
+            }
         }
         "node" => {
-            let node = node_of(interp, &mut a, "tag of the node")?;
-            if let Err(element) = interp.host.engine.remove_node(node) {
-                let message = format!("the node belongs to element {element}");
-                return Err(a.refuse(message, "expected a node without elements"));
+            let tag = a.int("tag of the node")?;
+            match interp.host.engine.model().node(tag) {
+                Some(node) => {
+                    if let Err(element) = interp.host.engine.remove_node(node) {
+                        let message = format!("the node belongs to element {element}");
+                        return Err(a.refuse(message, "expected a node without elements"));
+                    }
+                    interp.host.forget_node(node);
+                }
+                None => absent(interp, &a, format!("there is no node {tag}"))?,
             }
-            interp.host.forget_node(node);
         }
         "sp" | "SPconstraint" | "SPConstraint" => return remove_sp(interp, &mut a),
         "mp" | "MPconstraint" => {
@@ -61,7 +74,7 @@ fn remove(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             });
             if removed == 0 {
                 let message = format!("there is no multi-point constraint of node {tag}, nor one with this number");
-                return Err(a.refuse(message, "expected a constrained node"));
+                absent(interp, &a, message)?;
             }
         }
         "material" | "uniaxialMaterial" => {
@@ -71,7 +84,7 @@ fn remove(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         "parameter" => {
             let tag = a.int("tag of the parameter")?;
             if interp.host.builder.parameters.remove(&tag).is_none() {
-                return Err(a.refuse(format!("there is no parameter {tag}"), "expected the tag of a parameter"));
+                absent(interp, &a, format!("there is no parameter {tag}"))?;
             }
         }
         "timeSeries" => {
@@ -127,7 +140,7 @@ fn remove_sp(interp: &mut Tcl, a: &mut Args<'_>) -> Outcome {
         })
     };
     if removed == 0 {
-        return Err(a.refuse("there is no such constraint", "expected a constraint of the model"));
+        absent(interp, a, "there is no such constraint".into())?;
     }
     finish(interp, a)?;
     Ok(Value::EMPTY)
