@@ -9,6 +9,9 @@ use std::borrow::Cow;
 /// Number of names that a message lists. Of longer lists it says how to print them.
 const MAX_LISTED: usize = 6;
 
+/// Largest number of fibers, bars, sections or elements that one command makes.
+const MAX_PARTS: usize = 1_000_000;
+
 /// The words of a command that have not been taken yet.
 pub(crate) struct Args<'a> {
     call: &'a Call<'a>,
@@ -226,6 +229,21 @@ impl<'a> Args<'a> {
             i if i >= 1 => Ok(i as usize),
             i => Err(self.refuse(format!("{what} is {i}"), format!("expected the {what}, at least 1"))),
         }
+    }
+
+    /// Counts whose product is the number of parts that a command makes: at least 1 each, and at most [`MAX_PARTS`] together,
+    /// since a slip of some zeros would take all memory.
+    pub(crate) fn parts<const N: usize>(&mut self, what: [&str; N]) -> Result<[usize; N], Exception> {
+        let (mut counts, mut parts) = ([1; N], 1_usize);
+        for (count, what) in counts.iter_mut().zip(what) {
+            *count = self.count(what)?;
+            parts = parts.saturating_mul(*count);
+            if parts > MAX_PARTS {
+                let message = format!("{parts} parts are more than one command can make");
+                return Err(self.refuse(message, format!("expected at most {MAX_PARTS} in all")));
+            }
+        }
+        Ok(counts)
     }
 
     /// A degree of freedom or direction, 1 to `limit`; counted from 0 in the result.

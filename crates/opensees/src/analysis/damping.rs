@@ -67,10 +67,13 @@ fn element_factors(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 }
 
 /// Tags as a list, or as the first and the last of a range.
-fn chosen(a: &mut Args<'_>, range: bool) -> Result<Vec<i32>, Exception> {
+fn chosen(a: &mut Args<'_>, range: bool, there: impl Iterator<Item = i32>) -> Result<Vec<i32>, Exception> {
     if range {
         let (first, last) = (a.int("first tag")?, a.int("last tag")?);
-        return Ok((first.min(last)..=first.max(last)).collect());
+        // Scripts write 1 to some billions for all.
+        let mut found: Vec<i32> = there.filter(|tag| (first.min(last)..=first.max(last)).contains(tag)).collect();
+        found.sort_unstable();
+        return Ok(found);
     }
     Ok(a.ints())
 }
@@ -86,24 +89,20 @@ fn region(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         let is_range = option.ends_with("Range");
         match option {
             "-ele" | "-eleOnly" | "-element" | "-eleRange" | "-eleOnlyRange" => {
-                let tags = chosen(&mut a, is_range)?;
                 let model = interp.host.engine.model();
+                let tags = chosen(&mut a, is_range, model.element_tags())?;
                 let ids: Vec<ElementId> = tags.iter().filter_map(|t| model.element(*t)).collect();
-                absent.extend(
-                    tags.iter().filter(|t| !is_range && model.element(**t).is_none()).map(|t| format!("element {t}")),
-                );
+                absent.extend(tags.iter().filter(|t| model.element(**t).is_none()).map(|t| format!("element {t}")));
                 if !option.starts_with("-eleOnly") {
                     region.nodes.extend(ids.iter().flat_map(|id| model.elements[id.0].nodes.iter().copied()));
                 }
                 region.elements.extend(ids);
             }
             "-node" | "-nodeOnly" | "-nodeRange" | "-nodeOnlyRange" => {
-                let tags = chosen(&mut a, is_range)?;
                 let model = interp.host.engine.model();
+                let tags = chosen(&mut a, is_range, model.node_tags())?;
                 let ids: Vec<NodeId> = tags.iter().filter_map(|t| model.node(*t)).collect();
-                absent.extend(
-                    tags.iter().filter(|t| !is_range && model.node(**t).is_none()).map(|t| format!("node {t}")),
-                );
+                absent.extend(tags.iter().filter(|t| model.node(**t).is_none()).map(|t| format!("node {t}")));
                 if !option.starts_with("-nodeOnly") {
                     // Elements all of whose nodes are in the region.
                     let inside = |e: &&hysteron_engine::model::ElementEntry| e.nodes.iter().all(|n| ids.contains(n));

@@ -126,13 +126,13 @@ fn take(
     let (transform, transform_at, integration_words, mut rule) = match (numbers_ahead(a), second_is_number) {
         // The number of points and `-sections`, or with one section for all of them.
         (3.., _) => {
-            let n = a.count("number of integration points")?;
+            let [n] = a.parts(["number of integration points"])?;
             let section = a.of(&interp.host.builder.definitions.sections)?;
             let (transform, _) = a.of(&interp.host.builder.definitions.transforms)?;
             (transform, a.last_span(), None, Some((default, vec![section; n])))
         }
         (1, _) if a.ahead().nth(1).is_some_and(|v| v.as_str() == "-sections") => {
-            let n = a.count("number of integration points")?;
+            let [n] = a.parts(["number of integration points"])?;
             a.flag("-sections");
             let sections: Vec<_> =
                 (0..n).map(|_| a.of(&interp.host.builder.definitions.sections)).collect::<Result<_, _>>()?;

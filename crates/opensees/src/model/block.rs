@@ -74,7 +74,7 @@ fn block2d(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if ndm < 2 {
         return Err(a.refuse_at(call.span(0), "block2D: the model has one dimension", "expected 2 or 3"));
     }
-    let (nx, ny) = (a.count("number of elements along 1-2")?, a.count("number of elements along 2-3")?);
+    let [nx, ny] = a.parts(["number of elements along 1-2", "number of elements along 2-3"])?;
     let (node, element) = (a.int("tag of the first node")?, a.int("tag of the first element")?);
     let kind = a.word("kind of element")?.into_owned();
     let arguments = a.word("arguments of the elements after their nodes")?.into_owned();
@@ -136,10 +136,8 @@ fn block3d(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if interp.host.builder.ndm != 3 {
         return Err(a.refuse_at(call.span(0), "block3D: the model is not in space", "expected 3 dimensions"));
     }
-    let mut count = [0; 3];
-    for (n, name) in count.iter_mut().zip(["along 1-2", "along 2-3", "along 1-5"]) {
-        *n = a.count(&format!("number of elements {name}"))?;
-    }
+    let what = ["number of elements along 1-2", "number of elements along 2-3", "number of elements along 1-5"];
+    let count = a.parts(what)?;
     let [nx, ny, nz] = count;
     let (node, element) = (a.int("tag of the first node")?, a.int("tag of the first element")?);
     let kind = a.word("kind of element")?.into_owned();

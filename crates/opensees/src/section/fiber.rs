@@ -64,7 +64,7 @@ fn patch(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         return Err(a.unknown_name("patch", known));
     }
     let material = a.of(&interp.host.builder.definitions.materials)?;
-    let (n, m) = (a.count("number of divisions")?, a.count("number of divisions across")?);
+    let [n, m] = a.parts(["number of divisions", "number of divisions across"])?;
     let fibers = match kind.as_ref() {
         "rect" | "rectangular" => {
             let ([y1, mut z1], [y2, mut z2]) = (point(&mut a, "first corner")?, point(&mut a, "opposite corner")?);
@@ -167,7 +167,7 @@ fn layer(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         return Err(a.unknown_name("layer", known));
     }
     let material = a.of(&interp.host.builder.definitions.materials)?;
-    let n = a.count("number of bars")?;
+    let [n] = a.parts(["number of bars"])?;
     let area = a.positive("area of a bar")?;
     let places: Vec<[f64; 2]> = if kind == "straight" {
         let (first, last) = (point(&mut a, "first bar")?, point(&mut a, "last bar")?);

@@ -66,7 +66,7 @@ fn wide_flange(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exce
     if dw <= 0.0 {
         return Err(a.refuse(format!("the flanges are {tf} thick and the section is {d} deep"), "expected less"));
     }
-    let (in_web, in_flange) = (a.count("fibers of the web nfdw")?, a.count("fibers of a flange nftf")?);
+    let [in_web, in_flange] = a.parts(["fibers of the web nfdw", "fibers of a flange nftf"])?;
     let mut across = 1;
     if a.at_number() {
         across = a.count("fibers across a flange nfbf")?;
@@ -103,8 +103,8 @@ fn rectangular_concrete(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSect
         a.not_negative("area of a bottom bar Abottom")?,
         a.not_negative("area of a side bar Aside")?,
     ];
-    let (in_core, in_cover) = (a.count("fibers of the core nfcore")?, a.count("fibers of the cover nfcover")?);
-    let bars = a.count("bars of a layer nfs")?;
+    let [in_core, in_cover, bars] =
+        a.parts(["fibers of the core nfcore", "fibers of the cover nfcover", "bars of a layer nfs"])?;
     let mut fibers = vec![];
     let mut add = |y, area, material: &Tagged| fibers.push(Fiber { y, z: 0.0, area, material: material.clone() });
     for (of, wide) in [(&core, width), (&cover, 2.0 * depth)] {
@@ -129,8 +129,8 @@ fn circular_concrete(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection
         return Err(a.refuse(format!("the cover of {depth} leaves no core"), "expected less"));
     }
     let bar = a.not_negative("area of a bar As")?;
-    let [rings_core, rings_cover] = [a.count("rings of the core")?, a.count("rings of the cover")?];
-    let (wedges, bars) = (a.count("number of wedges")?, a.count("number of bars")?);
+    let [rings_core, rings_cover, wedges] = a.parts(["rings of the core", "rings of the cover", "number of wedges"])?;
+    let [bars] = a.parts(["number of bars"])?;
     let mut fibers = vec![];
     let mut ring = |at: f64, area: f64, count: usize, material: &Tagged| {
         for i in 0..count {
