@@ -96,6 +96,8 @@ const REFUSED: &[(&str, usize, &[&str])] = &[
     ("section Fiber 1 { patch rect 1 40000 40000 0 0 1 1 }", 38, &["1600000000 parts", "at most 1000000"]),
     ("section Fiber 1 { layer straight 1 2000000000 0.1 0 0 1 1 }", 36, &["at most 1000000"]),
     ("block2D 100000 100000 10 10 quad {1 PlaneStrain 1} {1 0 0 2 1 0 3 1 1 4 0 1}", 16, &["at most 1000000"]),
+    ("algorithm BFGS 2000000000", 16, &["at most 1000"]),
+    ("algorithm Broyden -count 1001", 26, &["at most 1000"]),
     ("remove elment 1", 8, &["did you mean \"element\"?"]),
     ("eleResponse 1 forc", 15, &["known: "]),
     ("eleForce 9", 10, &["there is no element 9"]),

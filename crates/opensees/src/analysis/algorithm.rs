@@ -233,6 +233,9 @@ fn secant(interp: &mut Tcl, a: &mut Args<'_>, periodic: bool) -> Made {
     Ok(secant_newton(o.tangents, terms, o.cut_out))
 }
 
+/// Largest number of corrections of `BFGS` and `Broyden` with one tangent. Each keeps two vectors of the model.
+const MAX_CORRECTIONS: usize = 1000;
+
 /// Tangent and count of `BFGS` and `Broyden`.
 fn quasi_newton(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(TangentMix, usize), Exception> {
     let (mut mix, mut count) = (TangentMix::CURRENT, 10);
@@ -246,6 +249,10 @@ fn quasi_newton(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(TangentMix, usize
             _ if a.last_word().parse::<usize>().is_ok_and(|n| n > 0) => count = a.last_word().parse().unwrap_or(count),
             _ => ignore_option(interp, a, &["-initial", "-count"])?,
         }
+    }
+    if count > MAX_CORRECTIONS {
+        let message = format!("{count} corrections with one tangent take too much memory");
+        return Err(a.refuse(message, format!("expected at most {MAX_CORRECTIONS}")));
     }
     Ok((mix, count))
 }
