@@ -196,7 +196,8 @@ pub(super) fn of_load(resultant: Resultant, internal: &[f64]) -> f64 {
 }
 
 impl ForceBased {
-    /// Basic forces for deformations `v` in equal increments from the committed state. `None` without convergence.
+    /// Basic forces for deformations `v`: from the last trial, or in equal increments from the committed state. `None` without
+    /// convergence.
     fn attempt<const N: usize, const B: usize>(
         &self,
         member: &Member<N, B>,
@@ -206,6 +207,7 @@ impl ForceBased {
         (from, parts, correction): (Start, usize, Correction),
     ) -> Result<Option<Basic<B>>, MaterialError> {
         let body = member.body();
+        // The last trial has written every state variable already.
         let mut updated = from == Start::LastTrial;
         let mut basic = Basic::read(if updated { &trial[member.head()..] } else { &committed[member.head()..] });
         if !updated {
