@@ -40,6 +40,8 @@ def element_right(truth, answer):
     places = (answer["verdict"].get("summary") or {}).get("places")
     if not at or not places or truth["cause"] in NO_CAUSE:
         return None
+    if any(word in at for word in ("storey", "level", "floor")):
+        return None  # the number is not a tag
     wanted = {w for w in at.replace(",", " ").split() if w.isdigit()}
     if not wanted:
         return None
