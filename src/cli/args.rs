@@ -28,6 +28,10 @@ pub(super) enum Command {
         /// Write what the script writes with relative paths into this folder
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
+        /// Print the balance of energy at the end: input, kinetic, damping by source, work by class of element, error. With a
+        /// file, write its history there as CSV
+        #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true)]
+        balance: Option<Option<PathBuf>>,
         /// The script
         model: String,
         /// Words that the script finds in $argv; behind "--" if they begin with a dash and are no numbers

@@ -1,6 +1,7 @@
 //! The command line: arguments, messages, progress. No other module prints.
 
 mod args;
+mod balance;
 mod bearing;
 mod calibrate;
 mod calibration_summary;

@@ -1,6 +1,7 @@
 //! Dispatch of the commands, and the commands `run` and `check`.
 
 use super::args::{Arguments, CheckArgs, Command, ScriptArgs, StepArgs};
+use super::balance;
 use super::bearing::bearing;
 use super::calibrate::INPUT_ERROR;
 use super::console::{NoOutput, PrefixedOutput, Terminal};
@@ -26,7 +27,9 @@ use std::path::Path;
 pub(crate) fn main() -> i32 {
     let arguments = Arguments::from_arg_matches(&help::command().get_matches()).unwrap_or_else(|e| e.exit());
     match arguments.command {
-        Command::Run { script: s, steps, out, model, args } => run(&s, &steps, out.as_deref(), &model, &args),
+        Command::Run { script: s, steps, out, balance, model, args } => {
+            run(&s, &steps, out.as_deref(), balance.as_ref().map(Option::as_deref), &model, &args)
+        }
         Command::Check(args) if args.model.ends_with(".toml") => {
             super::study::check(Path::new(&args.model), args.script.compat, args.script.strict, args.json)
         }
@@ -57,8 +60,15 @@ pub(super) fn print(result: Result<String, String>) -> i32 {
     }
 }
 
-/// Run a script; the exit status.
-pub(super) fn run(script: &ScriptArgs, steps: &StepArgs, out: Option<&Path>, model: &str, args: &[String]) -> i32 {
+/// Run a script; the exit status. With `balance`, print the balance of energy, and write its history where a file is named.
+pub(super) fn run(
+    script: &ScriptArgs,
+    steps: &StepArgs,
+    out: Option<&Path>,
+    balance: Option<Option<&Path>>,
+    model: &str,
+    args: &[String],
+) -> i32 {
     let progress = ProgressLine::new();
     let (files, outputs): (Box<dyn Files>, Box<dyn Outputs>) = match out.map(OutputFolder::new) {
         None => (Box::new(OsFiles), Box::new(SystemFiles)),
@@ -71,9 +81,18 @@ pub(super) fn run(script: &ScriptArgs, steps: &StepArgs, out: Option<&Path>, mod
     let console = Terminal::new(progress.clone());
     let mut run = Run::new(settings(script, steps, Mode::Run), Box::new(console), files, outputs);
     run.interp.host.set_progress(Box::new(progress.steps()));
+    if let Some(history) = balance {
+        run.interp.host.balance_energy(history.is_some());
+    }
     let end = execute(&mut run, &progress, model, args);
     print_summary(&run.interp);
-    end.status()
+    match run.interp.host.balances().map_or(Ok(()), |b| balance::print(b, balance.flatten())) {
+        Ok(()) => end.status(),
+        Err(message) => {
+            eprintln!("error: {message}");
+            end.status().max(1)
+        }
+    }
 }
 
 /// Check a script; the exit status.

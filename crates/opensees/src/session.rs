@@ -4,6 +4,7 @@ use crate::check::CheckState;
 use crate::files::number_files::NumberFiles;
 use crate::material::MaterialTests;
 use crate::model::parameter::Parameter;
+use crate::output::Balances;
 use crate::slips::Slip;
 use hysteron_engine::analysis::algorithm::Algorithm;
 use hysteron_engine::analysis::integrator::Integrator;
@@ -97,6 +98,8 @@ pub(crate) struct Recorders {
     pub(crate) interrupt: Option<Arc<AtomicBool>>,
     pub(crate) progress: Option<Box<dyn Progress>>,
     pub(crate) end: Option<f64>,
+    /// Balances of energy, where they are asked for.
+    pub(crate) balances: Option<Box<Balances>>,
     /// Norms of the iterations, to be printed.
     pub(crate) printed: String,
     pub(crate) print: i32,
@@ -128,6 +131,9 @@ impl Recorders {
 
     /// An analysis starts from the committed state.
     pub(crate) fn start(&mut self, engine: &mut Engine) {
+        if let Some(balances) = &mut self.balances {
+            balances.start(engine);
+        }
         self.by_tag.values_mut().for_each(|r| r.recorder.start(engine));
     }
 
@@ -163,6 +169,9 @@ impl Recorders {
 impl Observer for Recorders {
     fn committed(&mut self, engine: &mut Engine) -> Result<(), String> {
         self.record(engine).map_err(|e| e.to_string())?;
+        if let Some(balances) = &mut self.balances {
+            balances.step(engine)?;
+        }
         if self.print != 0 {
             self.note_iterations(engine);
         }
@@ -310,6 +319,16 @@ impl Session {
         self.output.recorders.progress = Some(progress);
     }
 
+    /// Sum the energies of the analyses, with their history if `history`.
+    pub fn balance_energy(&mut self, history: bool) {
+        self.output.recorders.balances = Some(Box::new(Balances::new(history)));
+    }
+
+    /// Balances of energy, where they are asked for.
+    pub fn balances(&self) -> Option<&Balances> {
+        self.output.recorders.balances.as_deref()
+    }
+
     /// Call `handler` with each warning when it comes up.
     pub fn on_warning(&mut self, handler: OnWarning) {
         self.warnings.handler = Some(handler);
@@ -326,6 +345,9 @@ impl Session {
     /// Forget everything but the settings.
     pub(crate) fn wipe(&mut self) -> Result<(), RecordError> {
         let finished = self.output.recorders.finish();
+        if let Some(balances) = &mut self.output.recorders.balances {
+            balances.next_model();
+        }
         self.engine.wipe();
         self.builder = self.builder.wiped();
         self.output.known = Known::default();

@@ -2,6 +2,7 @@
 
 pub mod algorithm;
 mod convergence;
+mod energy;
 mod engine;
 mod failure;
 mod ground_inertia;
@@ -21,6 +22,7 @@ mod work_counts;
 mod workspace;
 
 pub use convergence::{Measure, Norm, Test, TestOutcome};
+pub use energy::{ClassEnergy, Energies, EnergyBalance};
 pub use engine::{Engine, Imbalance, Kind, Observer, Options, Quiet, Setup};
 pub use failure::{Cause, Failure};
 pub use matrices::Equations;

@@ -1,8 +1,11 @@
 //! Recorders, queries and pictures.
 
+mod balance;
 pub(crate) mod display;
 pub(crate) mod figure;
 pub(crate) mod inventory;
 pub(crate) mod print;
 pub(crate) mod query;
 pub(crate) mod recorder;
+
+pub use balance::Balances;

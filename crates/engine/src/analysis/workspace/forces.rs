@@ -98,6 +98,15 @@ impl Workspace {
         }
     }
 
+    /// Rayleigh damping forces of all elements that take part in the equations, laid out as `State::force`.
+    pub(in crate::analysis) fn damping_forces(&self, model: &Model, state: &State, out: &mut [f64]) {
+        for (e, m) in model.elements.iter().zip(&self.elements.entries).filter(|(_, m)| m.is_dynamic) {
+            let mut f = [0.0; MAX_DOFS];
+            self.add_dynamic_force(&e.dofs, m, &m.rayleigh.forces, state, 0.0, &mut f);
+            out[e.force.clone()].copy_from_slice(&f[..e.force.len()]);
+        }
+    }
+
     /// Subtract the mass-proportional damping of the nodes from `full`.
     pub(in crate::analysis) fn subtract_nodal_damping(&mut self, state: &State) {
         for &(dof, mass, alpha_m) in &self.nodal {
