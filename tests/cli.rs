@@ -11,6 +11,8 @@ mod bearing;
 mod checks;
 #[path = "cli/endings.rs"]
 mod endings;
+#[path = "cli/evidence.rs"]
+mod evidence;
 #[path = "cli/kikuchi.rs"]
 mod kikuchi;
 #[path = "cli/loops.rs"]

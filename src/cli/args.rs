@@ -32,6 +32,10 @@ pub(super) enum Command {
         /// file, write its history there as CSV
         #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true)]
         balance: Option<Option<PathBuf>>,
+        /// Write a page for a reviewer: hashes of the inputs, what verifies the kinds used, error of the steps, energy, warnings.
+        /// The script is run once more with half the steps
+        #[arg(long, value_name = "FILE.html")]
+        review: Option<PathBuf>,
         /// The script
         model: String,
         /// Words that the script finds in $argv; behind "--" if they begin with a dash and are no numbers

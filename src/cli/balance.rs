@@ -11,9 +11,9 @@ pub(super) fn print(balances: &Balances, history: Option<&Path>) -> Result<(), S
     if models.is_empty() {
         eprintln!("note: no analysis was made, so that there is no balance of energy");
     }
-    for (i, (energies, error)) in models.iter().enumerate() {
+    for (i, model) in models.iter().enumerate() {
         let number = if models.len() > 1 { format!(" of model {}", i + 1) } else { String::new() };
-        eprint!("energy{number} (force x length, relative to the ground)\n{}", table(energies, *error));
+        eprint!("energy{number} (force x length, relative to the ground)\n{}", table(&model.energies, model.error));
     }
     history.map_or(Ok(()), |path| write_atomically(path, &balances.csv()))
 }

@@ -230,7 +230,7 @@ fn run_test(args: &BearingArgs) -> Result<i32, TestError> {
     if args.script {
         return Ok(run::print(Ok(format!("{script}\n"))));
     }
-    let status = run::run(&args.script_args, &StepArgs::default(), None, None, &script, &[]);
+    let status = run::run(&args.script_args, &StepArgs::default(), None, &run::Evidence::default(), &script, &[]);
     let read = |name: &str| -> Result<Columns, String> {
         let text = fs::read_to_string(in_folder(name)).map_err(|e| format!("there are no results: {e}"))?;
         Columns::parse(&text)

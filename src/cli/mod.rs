@@ -17,6 +17,7 @@ mod messages;
 mod output_folder;
 mod preflight;
 mod progress;
+mod review;
 mod run;
 mod script_check;
 mod signals;

@@ -5,12 +5,13 @@ use super::balance;
 use super::bearing::bearing;
 use super::calibrate::INPUT_ERROR;
 use super::console::{NoOutput, PrefixedOutput, Terminal};
-use super::files::{NoFiles, SystemFiles};
+use super::files::{NoFiles, SystemFiles, write_atomically};
 use super::help;
 use super::loops::loops;
 use super::messages::Messages;
 use super::output_folder::OutputFolder;
 use super::progress::ProgressLine;
+use super::review::{Inputs, Page, Peak, Peaks, ReadFiles, WithPeaks};
 use super::script_check::{self, print_summary};
 use super::signals::on_interrupt;
 use clap::FromArgMatches as _;
@@ -27,8 +28,9 @@ use std::path::Path;
 pub(crate) fn main() -> i32 {
     let arguments = Arguments::from_arg_matches(&help::command().get_matches()).unwrap_or_else(|e| e.exit());
     match arguments.command {
-        Command::Run { script: s, steps, out, balance, model, args } => {
-            run(&s, &steps, out.as_deref(), balance.as_ref().map(Option::as_deref), &model, &args)
+        Command::Run { script: s, steps, out, balance, review, model, args } => {
+            let evidence = Evidence { balance: balance.as_ref().map(Option::as_deref), review: review.as_deref() };
+            run(&s, &steps, out.as_deref(), &evidence, &model, &args)
         }
         Command::Check(args) if args.model.ends_with(".toml") => {
             super::study::check(Path::new(&args.model), args.script.compat, args.script.strict, args.json)
@@ -60,17 +62,26 @@ pub(super) fn print(result: Result<String, String>) -> i32 {
     }
 }
 
-/// Run a script; the exit status. With `balance`, print the balance of energy, and write its history where a file is named.
+/// Evidence that is wanted beside the results of a run.
+#[derive(Default)]
+pub(super) struct Evidence<'a> {
+    /// Print the balance of energy, and write its history where a file is named.
+    pub(super) balance: Option<Option<&'a Path>>,
+    /// Write a page for a reviewer.
+    pub(super) review: Option<&'a Path>,
+}
+
+/// Run a script; the exit status.
 pub(super) fn run(
     script: &ScriptArgs,
     steps: &StepArgs,
     out: Option<&Path>,
-    balance: Option<Option<&Path>>,
+    evidence: &Evidence<'_>,
     model: &str,
     args: &[String],
 ) -> i32 {
     let progress = ProgressLine::new();
-    let (files, outputs): (Box<dyn Files>, Box<dyn Outputs>) = match out.map(OutputFolder::new) {
+    let (mut files, mut outputs): (Box<dyn Files>, Box<dyn Outputs>) = match out.map(OutputFolder::new) {
         None => (Box::new(OsFiles), Box::new(SystemFiles)),
         Some(Ok(folder)) => (Box::new(folder.clone()), Box::new(folder)),
         Some(Err(e)) => {
@@ -78,21 +89,78 @@ pub(super) fn run(
             return INPUT_ERROR;
         }
     };
+    let (inputs, peaks) = (Inputs::default(), Peaks::default());
+    if evidence.review.is_some() {
+        files = Box::new(ReadFiles::new(files, inputs.clone()));
+        outputs = Box::new(WithPeaks::new(outputs, peaks.clone(), inputs.clone()));
+    }
     let console = Terminal::new(progress.clone());
     let mut run = Run::new(settings(script, steps, Mode::Run), Box::new(console), files, outputs);
     run.interp.host.set_progress(Box::new(progress.steps()));
-    if let Some(history) = balance {
-        run.interp.host.balance_energy(history.is_some());
+    if evidence.balance.is_some() || evidence.review.is_some() {
+        run.interp.host.balance_energy(evidence.balance.flatten().is_some());
     }
     let end = execute(&mut run, &progress, model, args);
     print_summary(&run.interp);
-    match run.interp.host.balances().map_or(Ok(()), |b| balance::print(b, balance.flatten())) {
+    let history = evidence.balance.flatten();
+    let mut written = match run.interp.host.balances().filter(|_| evidence.balance.is_some()) {
+        Some(balances) => balance::print(balances, history),
+        None => Ok(()),
+    };
+    if let Some(path) = evidence.review {
+        let refined =
+            matches!(end, End::Done | End::Exit(0)).then(|| refined_peaks(script, steps, model, args)).flatten();
+        let options = options_in_words(script, steps);
+        let (peaks, refined) = (peaks.take(), refined.as_ref());
+        let page = Page { model, options, end: &end, interp: &run.interp, inputs: &inputs, peaks: &peaks, refined };
+        written = written.and(write_atomically(path, &page.html()));
+    }
+    match written {
         Ok(()) => end.status(),
         Err(message) => {
             eprintln!("error: {message}");
             end.status().max(1)
         }
     }
+}
+
+/// Peaks of the recorders with half the steps, from a run in a folder of its own; `None` if it does not come to its end.
+fn refined_peaks(
+    script: &ScriptArgs,
+    steps: &StepArgs,
+    model: &str,
+    args: &[String],
+) -> Option<BTreeMap<String, Vec<Peak>>> {
+    let scratch = std::env::temp_dir().join(format!("hysteron-review-{}", std::process::id()));
+    let folder = OutputFolder::new(&scratch).ok()?;
+    let peaks = Peaks::default();
+    let steps = StepArgs { refine: 2 * steps.refine.max(1), ..*steps };
+    let outputs = Box::new(WithPeaks::new(Box::new(folder.clone()), peaks.clone(), Inputs::default()));
+    let mut run = Run::new(settings(script, &steps, Mode::Run), Box::new(NoOutput), Box::new(folder), outputs);
+    let progress = ProgressLine::new();
+    run.interp.host.set_progress(Box::new(progress.steps()));
+    on_interrupt(&run.interp.interrupt);
+    let end = run.script(model, args);
+    progress.clear();
+    let _ = std::fs::remove_dir_all(&scratch);
+    if matches!(end, End::Done | End::Exit(0)) {
+        return Some(peaks.take());
+    }
+    eprintln!("note: the run with half the steps did not come to its end: the review has no error of the steps");
+    None
+}
+
+/// Options that change the numbers of a run.
+fn options_in_words(script: &ScriptArgs, steps: &StepArgs) -> String {
+    let refine = format!("--refine {}", steps.refine);
+    let all = [
+        (script.compat.is_some(), "--compat opensees"),
+        (script.strict, "--strict"),
+        (steps.ladder, "--ladder"),
+        (steps.refine > 1, refine.as_str()),
+    ];
+    let given: Vec<&str> = all.into_iter().filter(|(is, _)| *is).map(|(_, word)| word).collect();
+    given.join(" ")
 }
 
 /// Check a script; the exit status.

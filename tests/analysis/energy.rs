@@ -8,8 +8,8 @@ use hysteron::analysis::Energies;
 fn balance(text: &str) -> (Energies, f64) {
     let ran = Script::default().run_with(text, |run| run.interp.host.balance_energy(false)).done();
     let models = ran.interp.host.balances().unwrap().models();
-    let (energies, error) = models.last().unwrap();
-    ((*energies).clone(), *error)
+    let last = models.last().unwrap();
+    (last.energies.clone(), last.error)
 }
 
 fn class(e: &Energies, name: &str) -> (f64, f64) {
@@ -115,7 +115,8 @@ fn models_are_told_apart() {
     let balances = ran.interp.host.balances().unwrap();
     let models = balances.models();
     assert_eq!(models.len(), 2);
-    assert_eq!(models[0].0, models[1].0);
+    assert_eq!(models[0], models[1]);
+    assert_eq!((models[0].size.nodes, models[0].size.elements["ElasticBeam2d"]), (3, 2));
     let csv = balances.csv();
     assert_eq!(csv.lines().count(), 21);
     assert!(csv.starts_with("model,time,input,kinetic,damping_of_nodal_masses,damping_of_modes,work_ElasticBeam2d,"));

@@ -32,7 +32,7 @@ use hysteron_tcl::{Call, Exception, Interp, Value};
 pub use check::CheckState;
 pub use files::number_files::NumberFiles;
 pub use kind::KindUsage;
-pub use output::Balances;
+pub use output::{AnalysedModel, Balances, ModelSize};
 pub use session::{FileFormat, Mode, ModelBuilder, OnWarning, Outputs, Progress, Session};
 
 /// The interpreter that the commands run in.

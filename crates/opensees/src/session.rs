@@ -273,6 +273,8 @@ pub struct Session {
     /// Failure of the last `analyze`; none if it succeeded.
     pub last_failure: Option<Failure>,
     pub(crate) warnings: Warnings,
+    /// Kinds that the script has made, by command, with their numbers.
+    pub kinds_made: BTreeMap<(&'static str, &'static str), usize>,
     /// Files of numbers that runs of the script have read.
     pub number_files: NumberFiles,
 }
@@ -305,6 +307,7 @@ impl Session {
             check: CheckState::default(),
             last_failure: None,
             warnings: Warnings::default(),
+            kinds_made: BTreeMap::new(),
             number_files: NumberFiles::default(),
         }
     }
@@ -327,6 +330,11 @@ impl Session {
     /// Balances of energy, where they are asked for.
     pub fn balances(&self) -> Option<&Balances> {
         self.output.recorders.balances.as_deref()
+    }
+
+    /// Note that a command makes a kind.
+    pub(crate) fn note_kind(&mut self, command: &'static str, kind: &'static str) {
+        *self.kinds_made.entry((command, kind)).or_default() += 1;
     }
 
     /// Call `handler` with each warning when it comes up.

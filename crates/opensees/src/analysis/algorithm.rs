@@ -129,6 +129,7 @@ fn raphson(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
 fn algorithm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, ALGORITHM);
     let kind = kind::take(&mut a, "kind of algorithm", "algorithm", KINDS.iter())?;
+    interp.host.note_kind("algorithm", kind.names[0]);
     let made = (kind.make)(interp, &mut a)?;
     // A setup takes its own; the parts keep none, so that `analysis` finds the one of the setup.
     if interp.host.engine.setup().is_some() {

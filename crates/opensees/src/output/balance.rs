@@ -1,13 +1,35 @@
 //! The balance of energy of a run, for those who ask for it.
 
 use hysteron_engine::analysis::{Energies, EnergyBalance, Engine};
+use std::collections::BTreeMap;
+
+/// Size of a model when its last analysis began.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct ModelSize {
+    /// Number of nodes.
+    pub nodes: usize,
+    /// Numbers of elements by class.
+    pub elements: BTreeMap<&'static str, usize>,
+}
+
+/// A model of a script that was analysed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AnalysedModel {
+    /// Its size.
+    pub size: ModelSize,
+    /// Energies at its end.
+    pub energies: Energies,
+    /// Largest error of its balance, as a part of the largest energy in it.
+    pub error: f64,
+}
 
 /// Balances of the models of a script, one after the other, with their histories.
 #[derive(Debug, Default)]
 pub struct Balances {
     current: EnergyBalance,
-    /// Balances of models that the script has wiped, with their largest relative errors.
-    finished: Vec<(Energies, f64)>,
+    size: ModelSize,
+    /// Models that the script has wiped.
+    finished: Vec<AnalysedModel>,
     /// Rows of the history: number of the model, and energies.
     history: Option<Vec<(usize, Energies)>>,
 }
@@ -21,6 +43,11 @@ impl Balances {
     pub(crate) fn start(&mut self, engine: &mut Engine) {
         // A model whose constraints make no sense is refused by its first step.
         let _ = self.current.start(engine);
+        let model = engine.model();
+        self.size = ModelSize { nodes: model.nodes.len(), elements: BTreeMap::new() };
+        for e in &model.elements {
+            *self.size.elements.entry(e.element.class()).or_default() += 1;
+        }
     }
 
     pub(crate) fn step(&mut self, engine: &mut Engine) -> Result<(), String> {
@@ -33,18 +60,19 @@ impl Balances {
 
     /// The model has been wiped.
     pub(crate) fn next_model(&mut self) {
-        let last = std::mem::take(&mut self.current);
-        if !last.energies().classes.is_empty() {
-            self.finished.push((last.energies().clone(), last.relative_error()));
-        }
+        self.finished.extend(self.now());
+        (self.current, self.size) = Default::default();
     }
 
-    /// Energies at the end of each model that was analysed, and the largest error of its balance as a part of the largest
-    /// energy in it.
-    pub fn models(&self) -> Vec<(&Energies, f64)> {
-        let current = (self.current.energies(), self.current.relative_error());
-        let finished = self.finished.iter().map(|(e, error)| (e, *error));
-        finished.chain((!current.0.classes.is_empty()).then_some(current)).collect()
+    /// The model as it is; `None` if it was not analysed.
+    fn now(&self) -> Option<AnalysedModel> {
+        let (energies, error) = (self.current.energies().clone(), self.current.relative_error());
+        (!energies.classes.is_empty()).then(|| AnalysedModel { size: self.size.clone(), energies, error })
+    }
+
+    /// The models that were analysed, one after the other.
+    pub fn models(&self) -> Vec<AnalysedModel> {
+        self.finished.iter().cloned().chain(self.now()).collect()
     }
 
     /// The history as CSV: a row for each step, with the work of and the Rayleigh damping in each class of element.

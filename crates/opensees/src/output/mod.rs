@@ -8,4 +8,4 @@ pub(crate) mod print;
 pub(crate) mod query;
 pub(crate) mod recorder;
 
-pub use balance::Balances;
+pub use balance::{AnalysedModel, Balances, ModelSize};

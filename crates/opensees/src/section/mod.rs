@@ -65,6 +65,7 @@ fn section(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     need_model(interp, call)?;
     let mut a = Args::new(call, SECTION);
     let kind = kind::take(&mut a, "kind of section", "section", KINDS.iter())?;
+    interp.host.note_kind("section", kind.names[0]);
     let tag = a.int("tag of the section")?;
     let span = a.last_span();
     let added = match kind.make {
