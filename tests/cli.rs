@@ -11,8 +11,12 @@ mod bearing;
 mod checks;
 #[path = "cli/endings.rs"]
 mod endings;
+#[path = "cli/guard.rs"]
+mod guard;
 #[path = "cli/kikuchi.rs"]
 mod kikuchi;
+#[path = "cli/limits.rs"]
+mod limits;
 #[path = "cli/loops.rs"]
 mod loops;
 #[path = "cli/mistakes.rs"]

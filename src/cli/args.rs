@@ -2,6 +2,7 @@
 
 use super::bearing::BearingArgs;
 use super::init::InitArgs;
+use super::limits::LimitArgs;
 use super::loops::LoopsArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -25,9 +26,10 @@ pub(super) enum Command {
         script: ScriptArgs,
         #[command(flatten)]
         steps: StepArgs,
-        /// Write what the script writes with relative paths into this folder
-        #[arg(long, value_name = "DIR")]
-        out: Option<PathBuf>,
+        #[command(flatten)]
+        limits: LimitArgs,
+        #[command(flatten)]
+        folders: FolderArgs,
         /// The script
         model: String,
         /// Words that the script finds in $argv; behind "--" if they begin with a dash and are no numbers
@@ -77,10 +79,26 @@ pub(super) struct StepArgs {
     pub(super) refine: u32,
 }
 
+/// Folders of a run.
+#[derive(Args, Debug, Default)]
+pub(super) struct FolderArgs {
+    /// Write what the script writes with relative paths into this folder
+    #[arg(long, value_name = "DIR")]
+    pub(super) out: Option<PathBuf>,
+    /// Let the script write into this folder too, and not only below the current one
+    #[arg(long, value_name = "DIR")]
+    pub(super) allow_write: Vec<PathBuf>,
+    /// Let the script read below the current folder and its own only, and hide the environment from it
+    #[arg(long)]
+    pub(super) sandbox: bool,
+}
+
 #[derive(Args, Debug)]
 pub(super) struct CheckArgs {
     #[command(flatten)]
     pub(super) script: ScriptArgs,
+    #[command(flatten)]
+    pub(super) limits: LimitArgs,
     /// Print what the script prints, to standard error. It is discarded otherwise, since a check has no results
     #[arg(long)]
     pub(super) show_output: bool,
@@ -96,6 +114,8 @@ pub(super) struct CheckArgs {
 
 #[derive(Args, Debug)]
 pub(super) struct CalibrateArgs {
+    #[command(flatten)]
+    pub(super) limits: LimitArgs,
     /// Studies, or folders with files study.toml
     #[arg(required = true)]
     pub(super) studies: Vec<PathBuf>,
@@ -133,6 +153,8 @@ pub(super) struct CalibrateArgs {
 
 #[derive(Args, Debug)]
 pub(super) struct DiagnoseArgs {
+    #[command(flatten)]
+    pub(super) limits: LimitArgs,
     /// The study
     pub(super) study: PathBuf,
     /// Where the results go

@@ -64,6 +64,8 @@ thread_local! {
 pub struct Run {
     /// The interpreter.
     pub interp: Tcl,
+    /// Files of recorders that were at work when the script was stopped, as it names them. They have whole rows.
+    pub partial: Vec<String>,
 }
 
 impl Run {
@@ -96,7 +98,7 @@ impl Run {
         }
         let interrupt = interp.interrupt.clone();
         interp.host.stop_on(interrupt);
-        Self { interp }
+        Self { interp, partial: vec![] }
     }
 
     /// Run a script; `args` become `$argv`. Recorders are finished in any case.
@@ -108,6 +110,9 @@ impl Run {
             .and_then(|_| set(&mut self.interp, "argv", list));
         let result = known.and_then(|_| self.interp.eval_file(path));
         let end = self.end_of(result);
+        if matches!(end, End::Interrupted) {
+            self.partial = self.interp.host.open_files();
+        }
         crate::check::finish(&mut self.interp);
         match (self.interp.host.finish(), end) {
             (Err(e), End::Done | End::Failed(_)) => End::Raised(Box::new(Diagnostic::error(e.to_string()))),

@@ -86,6 +86,10 @@ pub(crate) struct PlacedRecorder {
     pub(crate) tags: BTreeMap<String, Span>,
     /// Path of its file.
     pub(crate) path: Option<String>,
+    /// The same as the script names it.
+    pub(crate) file: Option<String>,
+    /// The words of the command.
+    pub(crate) words: Vec<String>,
     pub(crate) reported: bool,
 }
 
@@ -110,10 +114,15 @@ impl Recorders {
         self.next
     }
 
-    /// Finish and forget the recorder of a file; `None` if there is none.
-    pub(crate) fn finish_file(&mut self, path: &str) -> Option<Result<(), RecordError>> {
-        let tag = *self.by_tag.iter().find(|(_, r)| r.path.as_deref() == Some(path))?.0;
-        self.by_tag.remove(&tag).map(|mut r| r.recorder.finish())
+    /// The recorder of a file.
+    pub(crate) fn of_file(&self, path: &str) -> Option<&PlacedRecorder> {
+        self.by_tag.values().find(|r| r.path.as_deref() == Some(path))
+    }
+
+    /// Finish and forget the recorder of a file, if there is one.
+    pub(crate) fn finish_file(&mut self, path: &str) -> Result<(), RecordError> {
+        let tag = self.by_tag.iter().find(|(_, r)| r.path.as_deref() == Some(path)).map(|(tag, _)| *tag);
+        tag.and_then(|tag| self.by_tag.remove(&tag)).map_or(Ok(()), |mut r| r.recorder.finish())
     }
 
     /// Look up what is to be recorded in the model as it is now, as the first row of a run would.
@@ -302,7 +311,16 @@ impl Session {
 
     /// Stop analyses when the flag is set.
     pub fn stop_on(&mut self, flag: Arc<AtomicBool>) {
+        self.engine.interrupt = Some(flag.clone());
         self.output.recorders.interrupt = Some(flag);
+    }
+
+    /// Files that recorders are writing, as the script names them.
+    pub fn open_files(&self) -> Vec<String> {
+        let mut files: Vec<String> = self.output.recorders.by_tag.values().filter_map(|r| r.file.clone()).collect();
+        files.sort();
+        files.dedup();
+        files
     }
 
     /// Report steps to `progress`.

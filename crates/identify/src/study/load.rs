@@ -8,6 +8,7 @@ use super::run::{Role, Run, Setting};
 use super::study_file::{ParameterTable, RunTable, SourceSpans, StudyFile, StudySpans};
 use exmex::Express as _;
 use hysteron_tcl::diagnostic::{Diagnostic, SourceId, SourceMap, Span, nearest};
+use hysteron_tcl::read_whole;
 use std::fs;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
@@ -269,7 +270,8 @@ fn read_run(
         set.push((key.get_ref().clone(), read_setting(spans, value)?));
     }
     let path = t.recording.get_ref();
-    let bytes = fs::read(folder.join(path))
+    let bytes = fs::File::open(folder.join(path))
+        .and_then(read_whole)
         .map_err(|e| spans.error(&t.recording, format!("cannot read {path}: {e}"), "expected a file"))?;
     let recording = Recording::read(path, &bytes, sources).map_err(|mut d| {
         if d.span.is_none() {

@@ -319,6 +319,9 @@ const SOLVERS: &[&str] = &[
 /// Share of the largest eigenvalue that is round-off.
 const ROUND_OFF: f64 = 1e-18;
 
+/// Modes that a check answers for without a model. A script that asks for more gets the message of a run.
+const MAX_PASSED_OVER: usize = 10_000;
+
 fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, EIGEN);
     let (mut problem, mut largest, mut lapack) = (Problem::Generalized, false, false);
@@ -346,6 +349,7 @@ fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let span = a.last_span();
     if interp.host.mode == Mode::Check && interp.host.check.rejected {
         interp.host.check.waits_for_results = true;
+        let count = count.min(MAX_PASSED_OVER);
         interp.host.check.pass_over(count);
         return Ok(Value::list((0..count).map(|_| Value::from(1.0))));
     }
