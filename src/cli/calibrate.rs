@@ -166,7 +166,8 @@ fn calibrate_study(
     dir: &Path,
     stop: &Arc<AtomicBool>,
 ) -> Result<CalibrationResult, i32> {
-    let PreparedStudy { simulator, initial_run, settings } = prepare_with_args(args, file, stop)?;
+    let mut sources = SourceMap::default();
+    let PreparedStudy { simulator, initial_run, settings } = prepare_with_args(args, file, stop, &mut sources)?;
     let study = simulator.study().clone();
     let failed = |message: String| {
         eprintln!("error: {}: {message}", file.display());
@@ -177,7 +178,8 @@ fn calibrate_study(
     }
     fs::create_dir_all(dir).map_err(|e| failed(format!("cannot make {}: {e}", dir.display())))?;
     let threads = threads(args.threads);
-    let checked = check_channels(&simulator, &initial_run, threads, false).map_err(|e| failed(e.to_string()))?;
+    let checked = check_channels(&simulator, &initial_run, threads, false, &sources);
+    let checked = checked.map_err(|e| failed(e.to_string()))?;
     let problem = StudyProblem::of_script(&simulator, threads).map_err(|e| failed(e.to_string()))?;
     let begun = Instant::now();
     let checkpoint_path = dir.join("checkpoint.json");
@@ -215,23 +217,27 @@ fn calibrate_study(
 }
 
 /// Prepare a study with the settings of the arguments, and print its warnings; the exit status if it has errors.
-fn prepare_with_args(args: &CalibrateArgs, file: &Path, stop: &Arc<AtomicBool>) -> Result<PreparedStudy, i32> {
-    let mut sources = SourceMap::default();
+fn prepare_with_args(
+    args: &CalibrateArgs,
+    file: &Path,
+    stop: &Arc<AtomicBool>,
+    sources: &mut SourceMap,
+) -> Result<PreparedStudy, i32> {
     let refused = |d: Box<Diagnostic>, sources: &SourceMap| {
         print_diagnostic(&d, sources);
         INPUT_ERROR
     };
-    let prepared = prepare(file, args.compat, stop, &mut sources);
-    let mut prepared = prepared.map_err(|d| refused(d, &sources))?;
+    let prepared = prepare(file, args.compat, stop, sources);
+    let mut prepared = prepared.map_err(|d| refused(d, sources))?;
     let settings = &mut prepared.settings;
     settings.seed = args.seed.unwrap_or(settings.seed);
     settings.repeats = args.repeats.unwrap_or(settings.repeats);
     if let Some(name) = &args.method {
-        settings.set_method(name).map_err(|d| refused(d, &sources))?;
+        settings.set_method(name).map_err(|d| refused(d, sources))?;
     }
     let warnings = prepared.simulator.study().warnings.iter().chain(&prepared.initial_run.warnings);
     for w in warnings.filter(|w| w.severity != Severity::Note) {
-        print_diagnostic(w, &sources);
+        print_diagnostic(w, sources);
     }
     if let Some(error) = &prepared.initial_run.failure {
         eprintln!("note: with its own values the script has no answer: {error}");

@@ -53,7 +53,7 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
     for w in study.warnings.iter().chain(&initial_run.warnings).filter(|w| w.severity != Severity::Note) {
         show(w, &sources);
     }
-    let checked = match check_channels(&simulator, &initial_run, threads(args.threads), !args.as_recorded) {
+    let checked = match check_channels(&simulator, &initial_run, threads(args.threads), !args.as_recorded, &sources) {
         Ok(checked) => checked,
         Err(e) => {
             eprintln!("error: {e}");

@@ -234,6 +234,7 @@ pub(super) fn print_end(end: &End, interp: &Tcl) {
     match end {
         End::Rejected(d) | End::Raised(d) => eprintln!("{}", messages.render(d, &interp.sources)),
         End::Failed(f) => eprintln!("error: the last analysis failed: {f}"),
+        End::Ignored(f) => eprintln!("error: an analysis failed, and the script went on without a look at it: {f}"),
         End::Interrupted => {
             let place = interp.stopped_at.map(|s| format!(" at {}", interp.sources.location(s))).unwrap_or_default();
             match exceeded() {

@@ -50,7 +50,7 @@ pub(super) fn check(args: &CheckArgs) -> i32 {
     let warnings: Vec<_> = warnings.inspect(|w| print_diagnostic(w, &sources)).collect();
     // Notes about the study itself; those of the script belong to its run.
     study.warnings.iter().filter(|w| w.severity == Severity::Note).for_each(|n| print_diagnostic(n, &sources));
-    let checked = match check_channels(&simulator, &initial_run, threads(None), true) {
+    let checked = match check_channels(&simulator, &initial_run, threads(None), true, &sources) {
         Ok(checked) => checked,
         Err(e) => {
             eprintln!("error: {e}");

@@ -26,6 +26,8 @@ pub enum End {
     Done,
     /// It came to its end, but its last analysis had failed.
     Failed(Failure),
+    /// It came to its end, and never looked at the result of an analysis that had failed.
+    Ignored(Failure),
     /// It ended itself with this status.
     Exit(i32),
     /// A command was rejected.
@@ -44,7 +46,7 @@ impl End {
     pub fn status(&self) -> i32 {
         match self {
             Self::Done | Self::Enough(_) => 0,
-            Self::Failed(_) | Self::Raised(_) => 1,
+            Self::Failed(_) | Self::Ignored(_) | Self::Raised(_) => 1,
             Self::Exit(n) => *n,
             Self::Rejected(_) => 2,
             Self::Interrupted => 130,
@@ -115,7 +117,7 @@ impl Run {
         }
         crate::check::finish(&mut self.interp);
         match (self.interp.host.finish(), end) {
-            (Err(e), End::Done | End::Failed(_)) => End::Raised(Box::new(Diagnostic::error(e.to_string()))),
+            (Err(e), End::Done | End::Failed(_) | End::Ignored(_)) => End::Raised(Box::new(Diagnostic::error(e.to_string()))),
             (_, end) => end,
         }
     }
@@ -129,7 +131,11 @@ impl Run {
         match result {
             // OpenSees ends with status 0 whatever its last analysis did.
             Ok(_) if self.interp.host.follows(&[slips::EXIT_STATUS]) => End::Done,
-            Ok(_) => self.interp.host.last_failure.take().map_or(End::Done, End::Failed),
+            Ok(_) => {
+                let host = &mut self.interp.host;
+                let last = host.last_failure.take();
+                last.map(End::Failed).or(host.ignored_failure.take().map(End::Ignored)).unwrap_or(End::Done)
+            }
             Err(Exception::Exit(status)) => End::Exit(status),
             Err(Exception::Interrupted) if self.interp.budget == Some(0) => End::Enough(None),
             Err(Exception::Interrupted) => End::Interrupted,

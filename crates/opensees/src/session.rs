@@ -1,5 +1,7 @@
 //! State that the OpenSees commands of a script work on.
 
+use crate::analysis::isolator_damping::IsolatorDamping;
+use crate::analysis::plausibility::Looked;
 use crate::check::CheckState;
 use crate::files::number_files::NumberFiles;
 use crate::material::MaterialTests;
@@ -101,6 +103,8 @@ pub(crate) struct Recorders {
     pub(crate) interrupt: Option<Arc<AtomicBool>>,
     pub(crate) progress: Option<Box<dyn Progress>>,
     pub(crate) end: Option<f64>,
+    /// Work of Rayleigh damping in isolators.
+    pub(crate) isolator_damping: IsolatorDamping,
     /// Norms of the iterations, to be printed.
     pub(crate) printed: String,
     pub(crate) print: i32,
@@ -172,6 +176,7 @@ impl Recorders {
 impl Observer for Recorders {
     fn committed(&mut self, engine: &mut Engine) -> Result<(), String> {
         self.record(engine).map_err(|e| e.to_string())?;
+        self.isolator_damping.add_step(engine);
         if self.print != 0 {
             self.note_iterations(engine);
         }
@@ -273,6 +278,10 @@ pub struct Session {
     /// Failure of the last `analyze`; none if it succeeded.
     pub last_failure: Option<Failure>,
     pub(crate) warnings: Warnings,
+    /// What the warnings about analyses have looked at.
+    pub(crate) looked: Looked,
+    /// The first failure of an `analyze` whose result nobody has looked at.
+    pub(crate) ignored_failure: Option<Failure>,
     /// Files of numbers that runs of the script have read.
     pub number_files: NumberFiles,
 }
@@ -305,6 +314,8 @@ impl Session {
             check: CheckState::default(),
             last_failure: None,
             warnings: Warnings::default(),
+            looked: Looked::default(),
+            ignored_failure: None,
             number_files: NumberFiles::default(),
         }
     }
@@ -347,6 +358,8 @@ impl Session {
         self.engine.wipe();
         self.builder = self.builder.wiped();
         self.output.known = Known::default();
+        self.looked = Looked::default();
+        self.output.recorders.isolator_damping = IsolatorDamping::default();
         self.parts = Parts { variable_steps: self.parts.variable_steps, ..Parts::default() };
         finished
     }

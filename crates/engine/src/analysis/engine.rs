@@ -200,6 +200,10 @@ impl Engine {
     }
 
     /// Handler of the analysis, or the default one.
+    pub(super) fn workspace(&self) -> Option<&Workspace> {
+        self.prepared.as_ref().map(|(_, _, work)| work)
+    }
+
     pub(super) fn handler(&self) -> Handler {
         self.setup.as_ref().map_or(self.default_handler, |s| s.handler)
     }

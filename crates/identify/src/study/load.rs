@@ -149,6 +149,14 @@ impl Study {
         self.runs.iter().enumerate().filter(move |(_, r)| r.role == role)
     }
 
+    /// Location of a channel in the file of the study: that of the observed channel of a run, or of its recording.
+    pub fn channel_location(&self, run: &str, channel: &str) -> Option<Span> {
+        let number = self.runs.iter().position(|r| r.name == run)?;
+        let observed = self.runs[number].observe.iter().position(|o| o.channel == channel);
+        let observed = observed.and_then(|at| self.spans.channel(number, at)).map(|s| s.channel);
+        observed.or_else(|| self.spans.recording(number))
+    }
+
     /// The folder with the separators of Tcl.
     pub(super) fn folder_text(&self) -> String {
         self.folder.to_string_lossy().replace('\\', "/")

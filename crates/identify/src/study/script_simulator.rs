@@ -261,7 +261,7 @@ impl ScriptSimulator {
                 Some(failure) => analysis_error(failure),
                 None => return None,
             },
-            End::Failed(failure) => analysis_error(failure),
+            End::Failed(failure) | End::Ignored(failure) => analysis_error(failure),
             End::Exit(status) => SimulationError::Exit(*status),
             // Scripts raise errors after a failed analysis: the analysis is the cause.
             End::Raised(d) => match &interp.host.last_failure {
