@@ -13,8 +13,12 @@ mod checks;
 mod endings;
 #[path = "cli/evidence.rs"]
 mod evidence;
+#[path = "cli/guard.rs"]
+mod guard;
 #[path = "cli/kikuchi.rs"]
 mod kikuchi;
+#[path = "cli/limits.rs"]
+mod limits;
 #[path = "cli/loops.rs"]
 mod loops;
 #[path = "cli/mistakes.rs"]

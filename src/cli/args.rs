@@ -2,6 +2,7 @@
 
 use super::bearing::BearingArgs;
 use super::init::InitArgs;
+use super::limits::LimitArgs;
 use super::loops::LoopsArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -25,17 +26,12 @@ pub(super) enum Command {
         script: ScriptArgs,
         #[command(flatten)]
         steps: StepArgs,
-        /// Write what the script writes with relative paths into this folder
-        #[arg(long, value_name = "DIR")]
-        out: Option<PathBuf>,
-        /// Print the balance of energy at the end: input, kinetic, damping by source, work by class of element, error. With a
-        /// file, write its history there as CSV
-        #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true)]
-        balance: Option<Option<PathBuf>>,
-        /// Write a page for a reviewer: hashes of the inputs, what verifies the kinds used, error of the steps, energy, warnings.
-        /// The script is run once more with half the steps
-        #[arg(long, value_name = "FILE.html")]
-        review: Option<PathBuf>,
+        #[command(flatten)]
+        limits: LimitArgs,
+        #[command(flatten)]
+        folders: FolderArgs,
+        #[command(flatten)]
+        evidence: EvidenceArgs,
         /// The script
         model: String,
         /// Words that the script finds in $argv; behind "--" if they begin with a dash and are no numbers
@@ -74,6 +70,19 @@ pub(super) enum Command {
     },
 }
 
+/// Evidence that is wanted beside the results of a run.
+#[derive(Args, Debug, Default)]
+pub(super) struct EvidenceArgs {
+    /// Print the balance of energy at the end: input, kinetic, damping by source, work by class of element, error. With a
+    /// file, write its history there as CSV
+    #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true)]
+    pub(super) balance: Option<Option<PathBuf>>,
+    /// Write a page for a reviewer: hashes of the inputs, what verifies the kinds used, error of the steps, energy, warnings.
+    /// The script is run once more with half the steps
+    #[arg(long, value_name = "FILE.html")]
+    pub(super) review: Option<PathBuf>,
+}
+
 /// Options of the steps of an analysis beyond those of the script.
 #[derive(Args, Debug, Default)]
 pub(super) struct StepArgs {
@@ -85,10 +94,26 @@ pub(super) struct StepArgs {
     pub(super) refine: u32,
 }
 
+/// Folders of a run.
+#[derive(Args, Debug, Default)]
+pub(super) struct FolderArgs {
+    /// Write what the script writes with relative paths into this folder
+    #[arg(long, value_name = "DIR")]
+    pub(super) out: Option<PathBuf>,
+    /// Let the script write into this folder too, and not only below the current one
+    #[arg(long, value_name = "DIR")]
+    pub(super) allow_write: Vec<PathBuf>,
+    /// Let the script read below the current folder and its own only, and hide the environment from it
+    #[arg(long)]
+    pub(super) sandbox: bool,
+}
+
 #[derive(Args, Debug)]
 pub(super) struct CheckArgs {
     #[command(flatten)]
     pub(super) script: ScriptArgs,
+    #[command(flatten)]
+    pub(super) limits: LimitArgs,
     /// Print what the script prints, to standard error. It is discarded otherwise, since a check has no results
     #[arg(long)]
     pub(super) show_output: bool,
@@ -104,6 +129,8 @@ pub(super) struct CheckArgs {
 
 #[derive(Args, Debug)]
 pub(super) struct CalibrateArgs {
+    #[command(flatten)]
+    pub(super) limits: LimitArgs,
     /// Studies, or folders with files study.toml
     #[arg(required = true)]
     pub(super) studies: Vec<PathBuf>,
@@ -141,6 +168,8 @@ pub(super) struct CalibrateArgs {
 
 #[derive(Args, Debug)]
 pub(super) struct DiagnoseArgs {
+    #[command(flatten)]
+    pub(super) limits: LimitArgs,
     /// The study
     pub(super) study: PathBuf,
     /// Where the results go

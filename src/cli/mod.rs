@@ -1,5 +1,8 @@
 //! The command line: arguments, messages, progress. No other module prints.
 
+#[macro_use]
+mod print;
+
 mod args;
 mod balance;
 mod bearing;
@@ -10,8 +13,10 @@ mod compare;
 mod console;
 mod diagnose;
 mod files;
+mod guard;
 mod help;
 mod init;
+mod limits;
 mod loops;
 mod messages;
 mod output_folder;

@@ -149,7 +149,8 @@ fn warn(interp: &mut Tcl, mut warning: Diagnostic) -> Result<(), Exception> {
 
 /// Warn that the word just taken is none of the command's options, and ignore it.
 fn ignore_option(interp: &mut Tcl, args: &mut Args<'_>, known: &[&str]) -> Result<(), Exception> {
-    warn(interp, args.unknown_option(known))
+    let d = args.unknown_option(known)?;
+    warn(interp, d)
 }
 
 /// Report a message, whether or not warnings are errors.

@@ -1,5 +1,7 @@
 //! State that the OpenSees commands of a script work on.
 
+use crate::analysis::isolator_damping::IsolatorDamping;
+use crate::analysis::plausibility::Looked;
 use crate::check::CheckState;
 use crate::files::number_files::NumberFiles;
 use crate::material::MaterialTests;
@@ -87,6 +89,10 @@ pub(crate) struct PlacedRecorder {
     pub(crate) tags: BTreeMap<String, Span>,
     /// Path of its file.
     pub(crate) path: Option<String>,
+    /// The same as the script names it.
+    pub(crate) file: Option<String>,
+    /// The words of the command.
+    pub(crate) words: Vec<String>,
     pub(crate) reported: bool,
 }
 
@@ -100,6 +106,8 @@ pub(crate) struct Recorders {
     pub(crate) end: Option<f64>,
     /// Balances of energy, where they are asked for.
     pub(crate) balances: Option<Box<Balances>>,
+    /// Work of Rayleigh damping in isolators.
+    pub(crate) isolator_damping: IsolatorDamping,
     /// Norms of the iterations, to be printed.
     pub(crate) printed: String,
     pub(crate) print: i32,
@@ -113,10 +121,15 @@ impl Recorders {
         self.next
     }
 
-    /// Finish and forget the recorder of a file; `None` if there is none.
-    pub(crate) fn finish_file(&mut self, path: &str) -> Option<Result<(), RecordError>> {
-        let tag = *self.by_tag.iter().find(|(_, r)| r.path.as_deref() == Some(path))?.0;
-        self.by_tag.remove(&tag).map(|mut r| r.recorder.finish())
+    /// The recorder of a file.
+    pub(crate) fn of_file(&self, path: &str) -> Option<&PlacedRecorder> {
+        self.by_tag.values().find(|r| r.path.as_deref() == Some(path))
+    }
+
+    /// Finish and forget the recorder of a file, if there is one.
+    pub(crate) fn finish_file(&mut self, path: &str) -> Result<(), RecordError> {
+        let tag = self.by_tag.iter().find(|(_, r)| r.path.as_deref() == Some(path)).map(|(tag, _)| *tag);
+        tag.and_then(|tag| self.by_tag.remove(&tag)).map_or(Ok(()), |mut r| r.recorder.finish())
     }
 
     /// Look up what is to be recorded in the model as it is now, as the first row of a run would.
@@ -172,6 +185,7 @@ impl Observer for Recorders {
         if let Some(balances) = &mut self.balances {
             balances.step(engine)?;
         }
+        self.isolator_damping.add_step(engine);
         if self.print != 0 {
             self.note_iterations(engine);
         }
@@ -275,6 +289,10 @@ pub struct Session {
     pub(crate) warnings: Warnings,
     /// Kinds that the script has made, by command, with their numbers.
     pub kinds_made: BTreeMap<(&'static str, &'static str), usize>,
+    /// What the warnings about analyses have looked at.
+    pub(crate) looked: Looked,
+    /// The first failure of an `analyze` whose result nobody has looked at.
+    pub(crate) ignored_failure: Option<Failure>,
     /// Files of numbers that runs of the script have read.
     pub number_files: NumberFiles,
 }
@@ -308,13 +326,24 @@ impl Session {
             last_failure: None,
             warnings: Warnings::default(),
             kinds_made: BTreeMap::new(),
+            looked: Looked::default(),
+            ignored_failure: None,
             number_files: NumberFiles::default(),
         }
     }
 
     /// Stop analyses when the flag is set.
     pub fn stop_on(&mut self, flag: Arc<AtomicBool>) {
+        self.engine.interrupt = Some(flag.clone());
         self.output.recorders.interrupt = Some(flag);
+    }
+
+    /// Files that recorders are writing, as the script names them.
+    pub fn open_files(&self) -> Vec<String> {
+        let mut files: Vec<String> = self.output.recorders.by_tag.values().filter_map(|r| r.file.clone()).collect();
+        files.sort();
+        files.dedup();
+        files
     }
 
     /// Report steps to `progress`.
@@ -359,6 +388,8 @@ impl Session {
         self.engine.wipe();
         self.builder = self.builder.wiped();
         self.output.known = Known::default();
+        self.looked = Looked::default();
+        self.output.recorders.isolator_damping = IsolatorDamping::default();
         self.parts = Parts { variable_steps: self.parts.variable_steps, ..Parts::default() };
         finished
     }

@@ -19,11 +19,11 @@ struct Known {
 
 /// The inputs of a run. Clones share what is known. A file that the script has written itself is no input.
 #[derive(Clone, Default)]
-pub(in crate::cli) struct Inputs(Rc<RefCell<Known>>);
+pub(super) struct Inputs(Rc<RefCell<Known>>);
 
 impl Inputs {
     /// Path and hash of each file.
-    pub(in crate::cli) fn rows(&self) -> Vec<(String, String)> {
+    pub(super) fn rows(&self) -> Vec<(String, String)> {
         self.0.borrow().read.iter().map(|(path, hash)| (path.clone(), hash.clone())).collect()
     }
 
@@ -39,14 +39,14 @@ impl Inputs {
 }
 
 /// Files that note what is read of them.
-pub(in crate::cli) struct ReadFiles {
+pub(super) struct ReadFiles {
     files: Box<dyn Files>,
     inputs: Inputs,
 }
 
 impl ReadFiles {
     /// Around other files.
-    pub(in crate::cli) fn new(files: Box<dyn Files>, inputs: Inputs) -> Self {
+    pub(super) fn new(files: Box<dyn Files>, inputs: Inputs) -> Self {
         Self { files, inputs }
     }
 

@@ -19,17 +19,17 @@ const SMALL_CHANGE: f64 = 1e-3;
 const MAX_LISTED: usize = 60;
 
 /// What a review tells.
-pub(in crate::cli) struct Page<'a> {
+pub(super) struct Page<'a> {
     /// The script as the user named it.
-    pub(in crate::cli) model: &'a str,
+    pub(super) model: &'a str,
     /// Options of the run, in words of the command line.
-    pub(in crate::cli) options: String,
-    pub(in crate::cli) end: &'a End,
-    pub(in crate::cli) interp: &'a Tcl,
-    pub(in crate::cli) inputs: &'a Inputs,
-    pub(in crate::cli) peaks: &'a BTreeMap<String, Vec<Peak>>,
+    pub(super) options: String,
+    pub(super) end: &'a End,
+    pub(super) interp: &'a Tcl,
+    pub(super) inputs: &'a Inputs,
+    pub(super) peaks: &'a BTreeMap<String, Vec<Peak>>,
     /// Peaks with half the steps; `None` if that run was not made or did not come to its end.
-    pub(in crate::cli) refined: Option<&'a BTreeMap<String, Vec<Peak>>>,
+    pub(super) refined: Option<&'a BTreeMap<String, Vec<Peak>>>,
 }
 
 /// A peak in both runs.
@@ -44,7 +44,7 @@ struct Change<'a> {
 
 impl Page<'_> {
     /// The page as HTML.
-    pub(in crate::cli) fn html(&self) -> String {
+    pub(super) fn html(&self) -> String {
         let mut out = html::head(&format!("Review of {}", self.model));
         let changes = self.changes();
         self.summary(&mut out, &changes);
@@ -69,6 +69,7 @@ impl Page<'_> {
             End::Done | End::Exit(0) => "The script came to its end.".to_owned(),
             End::Exit(n) => format!("The script ended itself with status {n}."),
             End::Failed(f) => format!("The last analysis failed: {f}."),
+            End::Ignored(f) => format!("An analysis failed, and the script went on: {f}."),
             End::Rejected(d) | End::Raised(d) => {
                 format!("The script was stopped: {}", messages.line(d, &self.interp.sources))
             }

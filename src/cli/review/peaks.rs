@@ -9,24 +9,24 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 /// Largest absolute value of a column, with its name.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::cli) struct Peak {
-    pub(in crate::cli) column: String,
-    pub(in crate::cli) value: f64,
+pub(super) struct Peak {
+    pub(super) column: String,
+    pub(super) value: f64,
 }
 
 /// Peaks of all columns, by the file that the script names.
 #[derive(Clone, Debug, Default)]
-pub(in crate::cli) struct Peaks(Arc<Mutex<BTreeMap<String, Vec<Peak>>>>);
+pub(super) struct Peaks(Arc<Mutex<BTreeMap<String, Vec<Peak>>>>);
 
 impl Peaks {
     /// The peaks so far.
-    pub(in crate::cli) fn take(&self) -> BTreeMap<String, Vec<Peak>> {
+    pub(super) fn take(&self) -> BTreeMap<String, Vec<Peak>> {
         std::mem::take(&mut *self.0.lock().unwrap_or_else(PoisonError::into_inner))
     }
 }
 
 /// Outputs whose peaks are noted.
-pub(in crate::cli) struct WithPeaks {
+pub(super) struct WithPeaks {
     outputs: Box<dyn Outputs>,
     peaks: Peaks,
     inputs: Inputs,
@@ -34,7 +34,7 @@ pub(in crate::cli) struct WithPeaks {
 
 impl WithPeaks {
     /// Around other outputs. Their files are no inputs.
-    pub(in crate::cli) fn new(outputs: Box<dyn Outputs>, peaks: Peaks, inputs: Inputs) -> Self {
+    pub(super) fn new(outputs: Box<dyn Outputs>, peaks: Peaks, inputs: Inputs) -> Self {
         Self { outputs, peaks, inputs }
     }
 }

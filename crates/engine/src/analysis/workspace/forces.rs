@@ -3,7 +3,7 @@
 use super::{ElementWorkspace, MassPlace, Workspace};
 use crate::analysis::state::State;
 use crate::element::MAX_DOFS;
-use crate::model::{Model, Rayleigh};
+use crate::model::{ElementId, Model, Rayleigh};
 use crate::numeric::dot;
 
 impl Workspace {
@@ -83,6 +83,14 @@ impl Workspace {
             }
             MassPlace::Consistent(at) => add(&self.elements.mass[at..at + n * n], 1.0, &a[..n]),
         }
+    }
+
+    /// The Rayleigh damping force of an element.
+    pub(in crate::analysis) fn rayleigh_force(&self, model: &Model, id: ElementId, state: &State) -> [f64; MAX_DOFS] {
+        let mut f = [0.0; MAX_DOFS];
+        let m = &self.elements.entries[id.0];
+        self.add_dynamic_force(&model.elements[id.0].dofs, m, &m.rayleigh.forces, state, 0.0, &mut f);
+        f
     }
 
     /// Subtract the Rayleigh damping forces of the elements from `full`.

@@ -100,6 +100,17 @@ pub(super) fn basic_stiffness<const B: usize>(
     kb
 }
 
+/// A rigidity below this part of the other one is none: the model does not bend in that plane.
+const MIN_RIGIDITY_RATIO: f64 = 1e-3;
+
+/// Euler load of a beam with pinned ends: the smaller π² E I / L² of its flexural rigidities.
+pub(super) fn euler_load(rigidities: &[f64], length: f64) -> f64 {
+    let largest = rigidities.iter().fold(0.0f64, |m, ei| m.max(*ei));
+    let counting = rigidities.iter().filter(|ei| **ei > MIN_RIGIDITY_RATIO * largest);
+    let least = counting.fold(f64::INFINITY, |m, ei| m.min(*ei));
+    std::f64::consts::PI.powi(2) * least / (length * length)
+}
+
 /// Properties of an elastic beam besides section and geometry.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ElasticOptions {
@@ -306,6 +317,11 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
     }
     fn init(&self, state: &mut [f64]) {
         self.transform.init(state);
+    }
+    fn euler_load(&self) -> Option<f64> {
+        let s = &self.section;
+        let rigidities = [s.e * s.iz, s.e * s.iy];
+        self.transform.is_small().then(|| euler_load(&rigidities[..B / 3], self.transform.length()))
     }
     fn traits(&self) -> ElementTraits {
         let symmetric = self.transform.is_symmetric();
