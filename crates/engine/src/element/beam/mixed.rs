@@ -154,7 +154,7 @@ impl<const N: usize, const B: usize> Formulation<N, B> for Mixed {
         committed: &[f64],
         trial: &mut [f64],
     ) -> Result<Basic<B>, ElementError> {
-        if self.natural.compat {
+        if Formulation::<N, B>::continues_from_last_trial(self) {
             return Self::iterate(member, v, motion, (committed, trial));
         }
         let projection = Projection::new(member);
