@@ -225,6 +225,8 @@ pub struct ModelBuilder {
     pub(crate) ndm: usize,
     /// Degrees of freedom of a node, unless it has its own number.
     pub(crate) ndf: usize,
+    /// Dimensions and degrees of freedom before `wipe`.
+    pub(crate) former: Option<(usize, usize)>,
     /// The pattern that loads go into.
     pub(crate) pattern: Option<Tag>,
     pub(crate) regions: BTreeMap<Tag, Region>,
@@ -240,7 +242,8 @@ pub struct ModelBuilder {
 impl ModelBuilder {
     /// The state after `wipe`: tags of constraints go on.
     fn wiped(&mut self) -> Self {
-        Self { fibers: self.fibers.take(), next_sp: self.next_sp, next_mp: self.next_mp, ..Self::default() }
+        let former = if self.ndm > 0 { Some((self.ndm, self.ndf)) } else { self.former };
+        Self { former, fibers: self.fibers.take(), next_sp: self.next_sp, next_mp: self.next_mp, ..Self::default() }
     }
 }
 
