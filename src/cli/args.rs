@@ -3,6 +3,7 @@
 use super::bearing::BearingArgs;
 use super::init::InitArgs;
 use super::loops::LoopsArgs;
+use super::motions::MotionsArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -40,6 +41,8 @@ pub(super) enum Command {
     Bearing(BearingArgs),
     /// Measure the cycles in a file: secant stiffness, dissipated energy, equivalent damping
     Loops(LoopsArgs),
+    /// Spectra, intensity, rotation and scaling of ground motions
+    Motions(MotionsArgs),
     /// Write a first study for a script and recordings, with comments on how sure it is
     Init(InitArgs),
     /// Find the parameters of a study that follow its recordings best

@@ -13,6 +13,7 @@ mod help;
 mod init;
 mod loops;
 mod messages;
+mod motions;
 mod output_folder;
 mod preflight;
 mod progress;
