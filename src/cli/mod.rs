@@ -17,6 +17,7 @@ mod motions;
 mod output_folder;
 mod preflight;
 mod progress;
+mod prototype;
 mod run;
 mod script_check;
 mod signals;

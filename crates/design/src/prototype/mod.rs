@@ -5,6 +5,7 @@
 
 mod acceptance;
 mod bounds;
+pub mod report;
 mod script_lines;
 mod trends;
 

@@ -40,7 +40,7 @@ pub fn script_lines(bounds: &Bounds, ratio: f64, weight: Option<f64>, rubber: Op
             let _ = writeln!(out, "        set mu {:.8}; set Reff {:.8e}", p.q_d / w, w / p.k_d);
         }
         if let Some(r) = rubber {
-            let (shear, yield_force) = lead_rubber(p, ratio, r);
+            let (shear, yield_force) = lead_rubber(p, r);
             let _ = writeln!(out, "        set Gr {shear:.8e}; set Fy {yield_force:.8e}");
         }
         out += "    }\n";
@@ -75,9 +75,10 @@ pub fn script_lines(bounds: &Bounds, ratio: f64, weight: Option<f64>, rubber: Op
     out
 }
 
-/// Shear modulus and yield force of `LeadRubberX`: K_d = G A/T_r on the bonded area, Q_d = (1 - α) F_y with α = K_d/K_1.
-fn lead_rubber(p: Properties, ratio: f64, r: &Rubber) -> (f64, f64) {
+/// Shear modulus and F_y of `LeadRubberX`: K_d = G A/T_r on the bonded area. The element's F_y is the largest force of its
+/// hysteretic part, which is Q_d.
+fn lead_rubber(p: Properties, r: &Rubber) -> (f64, f64) {
     // Without a cover, which the line leaves at zero.
     let area = PI / 4.0 * (r.outer.powi(2) - r.inner.powi(2));
-    (p.k_d * r.layers * r.layer / area, p.q_d / (1.0 - 1.0 / ratio))
+    (p.k_d * r.layers * r.layer / area, p.q_d)
 }

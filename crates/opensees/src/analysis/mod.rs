@@ -7,4 +7,5 @@ pub(crate) mod integrator;
 pub(crate) mod matrix;
 pub(crate) mod modal_damping;
 pub(crate) mod modal_properties;
+pub(crate) mod response_spectrum;
 pub(crate) mod solution;
