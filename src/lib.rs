@@ -52,6 +52,7 @@
 
 #![forbid(unsafe_code)]
 
+pub use hysteron_design as design;
 pub use hysteron_diagnose as diagnose;
 pub use hysteron_engine::{analysis, element, material, model, probe, record, rules, section, series, state_struct};
 // Parts of the engine that no program needs.

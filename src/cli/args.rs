@@ -4,6 +4,8 @@ use super::bearing::BearingArgs;
 use super::init::InitArgs;
 use super::limits::LimitArgs;
 use super::loops::LoopsArgs;
+use super::motions::MotionsArgs;
+use super::prototype::PrototypeArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -44,6 +46,10 @@ pub(super) enum Command {
     Bearing(BearingArgs),
     /// Measure the cycles in a file: secant stiffness, dissipated energy, equivalent damping
     Loops(LoopsArgs),
+    /// Spectra, intensity, rotation and scaling of ground motions
+    Motions(MotionsArgs),
+    /// Measure prototype tests of isolators: cycles, acceptance, lower and upper bounds
+    Prototype(PrototypeArgs),
     /// Write a first study for a script and recordings, with comments on how sure it is
     Init(InitArgs),
     /// Find the parameters of a study that follow its recordings best

@@ -286,7 +286,7 @@ fn measure(args: &BearingArgs, time: &[f64], u: &[&Vec<f64>], f: &[&Vec<f64>]) -
 fn csv(names: &[&'static str], columns: &[&Vec<f64>]) -> String {
     let rows = columns.iter().map(|c| c.len()).min().unwrap_or(0);
     let table = Table {
-        columns: names.iter().map(|&name| Column { name, unit: String::new() }).collect(),
+        columns: names.iter().map(|&name| Column { name: name.into(), unit: String::new() }).collect(),
         rows: (0..rows).map(|i| columns.iter().map(|c| c[i].into()).collect()).collect(),
     };
     table.csv()

@@ -42,6 +42,8 @@ pub(crate) fn main() -> i32 {
         Command::Calibrate(args) => super::calibrate::calibrate(&args),
         Command::Diagnose(args) => super::diagnose::run(&args),
         Command::Loops(args) => print(loops(&args)),
+        Command::Prototype(args) => print(super::prototype::prototype(&args)),
+        Command::Motions(args) => print(super::motions::motions(&args)),
         Command::Commands { names } => print(super::commands::usages(&names)),
         Command::Completions { shell } => print(Ok(help::completions(shell))),
         Command::Man { folder } => print(help::man(&folder)),

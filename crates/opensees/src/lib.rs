@@ -103,6 +103,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         analysis::damping::COMMANDS,
         analysis::modal_damping::COMMANDS,
         analysis::modal_properties::COMMANDS,
+        analysis::response_spectrum::COMMANDS,
         analysis::solution::COMMANDS,
         analysis::algorithm::COMMANDS,
         analysis::integrator::COMMANDS,

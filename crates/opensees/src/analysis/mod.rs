@@ -9,4 +9,5 @@ pub(crate) mod matrix;
 pub(crate) mod modal_damping;
 pub(crate) mod modal_properties;
 pub(crate) mod plausibility;
+pub(crate) mod response_spectrum;
 pub(crate) mod solution;

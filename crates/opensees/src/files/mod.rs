@@ -1,5 +1,5 @@
 //! Files of numbers: tables, ground motions.
 
-pub(crate) mod motion;
+pub mod motion;
 pub(crate) mod number_files;
 pub mod table;
