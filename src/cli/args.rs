@@ -3,6 +3,7 @@
 use super::bearing::BearingArgs;
 use super::init::InitArgs;
 use super::loops::LoopsArgs;
+use super::view::ViewArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -28,12 +29,17 @@ pub(super) enum Command {
         /// Write what the script writes with relative paths into this folder
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
+        /// Write a page for a browser too: model, motion, loops and peaks
+        #[arg(long, value_name = "FILE.html")]
+        view: Option<PathBuf>,
         /// The script
         model: String,
         /// Words that the script finds in $argv; behind "--" if they begin with a dash and are no numbers
         #[arg(allow_negative_numbers = true)]
         args: Vec<String>,
     },
+    /// Run a script and write a page for a browser: model, motion, loops, forces and peaks
+    View(ViewArgs),
     /// Report what is wrong with a script without running its analyses, or with a study before its calibration
     Check(CheckArgs),
     /// Drive a single bearing as in a testing machine, and measure its loops

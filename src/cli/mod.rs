@@ -20,5 +20,6 @@ mod run;
 mod script_check;
 mod signals;
 mod study;
+mod view;
 
 pub(crate) use run::main;

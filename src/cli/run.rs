@@ -26,7 +26,11 @@ use std::path::Path;
 pub(crate) fn main() -> i32 {
     let arguments = Arguments::from_arg_matches(&help::command().get_matches()).unwrap_or_else(|e| e.exit());
     match arguments.command {
-        Command::Run { script: s, steps, out, model, args } => run(&s, &steps, out.as_deref(), &model, &args),
+        Command::Run { script: s, steps, out, view, model, args } => match view {
+            None => run(&s, &steps, out.as_deref(), &model, &args),
+            Some(page) => super::view::run(&s, &steps, out.as_deref(), &page, &model, &args),
+        },
+        Command::View(args) => super::view::view(&args),
         Command::Check(args) if args.model.ends_with(".toml") => {
             super::study::check(Path::new(&args.model), args.script.compat, args.script.strict, args.json)
         }
@@ -59,21 +63,44 @@ pub(super) fn print(result: Result<String, String>) -> i32 {
 
 /// Run a script; the exit status.
 pub(super) fn run(script: &ScriptArgs, steps: &StepArgs, out: Option<&Path>, model: &str, args: &[String]) -> i32 {
-    let progress = ProgressLine::new();
-    let (files, outputs): (Box<dyn Files>, Box<dyn Outputs>) = match out.map(OutputFolder::new) {
-        None => (Box::new(OsFiles), Box::new(SystemFiles)),
-        Some(Ok(folder)) => (Box::new(folder.clone()), Box::new(folder)),
+    match destination(out) {
+        Ok(destination) => run_into(script, steps, destination, model, args, |_| ()).0,
+        Err(status) => status,
+    }
+}
+
+/// Destination of what a script writes.
+pub(super) type Destination = (Box<dyn Files>, Box<dyn Outputs>);
+
+/// The folder that a run writes into, the current one without a name; an error is printed and becomes the exit status.
+pub(super) fn destination(out: Option<&Path>) -> Result<Destination, i32> {
+    match out.map(OutputFolder::new) {
+        None => Ok((Box::new(OsFiles), Box::new(SystemFiles))),
+        Some(Ok(folder)) => Ok((Box::new(folder.clone()), Box::new(folder))),
         Some(Err(e)) => {
             eprintln!("error: cannot make {}: {e}", out.unwrap_or(Path::new("")).display());
-            return INPUT_ERROR;
+            Err(INPUT_ERROR)
         }
-    };
+    }
+}
+
+/// Run a script that `prepare` has seen before; the exit status, and the run with its model.
+pub(super) fn run_into(
+    script: &ScriptArgs,
+    steps: &StepArgs,
+    (files, outputs): Destination,
+    model: &str,
+    args: &[String],
+    prepare: impl FnOnce(&mut Run),
+) -> (i32, Run) {
+    let progress = ProgressLine::new();
     let console = Terminal::new(progress.clone());
     let mut run = Run::new(settings(script, steps, Mode::Run), Box::new(console), files, outputs);
     run.interp.host.set_progress(Box::new(progress.steps()));
+    prepare(&mut run);
     let end = execute(&mut run, &progress, model, args);
     print_summary(&run.interp);
-    end.status()
+    (end.status(), run)
 }
 
 /// Check a script; the exit status.

@@ -55,6 +55,16 @@ pub trait Progress {
     fn step(&mut self, time: f64, end: Option<f64>);
 }
 
+/// Receiver of the motion of a model, for programs that show it.
+pub trait MotionObserver {
+    /// An analysis begins with the committed state.
+    fn start(&mut self, engine: &Engine);
+    /// A step has been committed.
+    fn step(&mut self, engine: &Engine);
+    /// The script is about to forget the model.
+    fn wipe(&mut self, engine: &mut Engine);
+}
+
 /// Is called with each warning when it comes up.
 pub type OnWarning = Box<dyn FnMut(&Diagnostic, &SourceMap)>;
 
@@ -97,6 +107,7 @@ pub(crate) struct Recorders {
     pub(crate) interrupt: Option<Arc<AtomicBool>>,
     pub(crate) progress: Option<Box<dyn Progress>>,
     pub(crate) end: Option<f64>,
+    pub(crate) motion: Option<Box<dyn MotionObserver>>,
     /// Norms of the iterations, to be printed.
     pub(crate) printed: String,
     pub(crate) print: i32,
@@ -129,6 +140,9 @@ impl Recorders {
     /// An analysis starts from the committed state.
     pub(crate) fn start(&mut self, engine: &mut Engine) {
         self.by_tag.values_mut().for_each(|r| r.recorder.start(engine));
+        if let Some(motion) = &mut self.motion {
+            motion.start(engine);
+        }
     }
 
     /// Finish and forget all recorders.
@@ -168,6 +182,9 @@ impl Observer for Recorders {
         }
         if let Some(p) = &mut self.progress {
             p.step(engine.state().time, self.end);
+        }
+        if let Some(motion) = &mut self.motion {
+            motion.step(engine);
         }
         Ok(())
     }
@@ -310,6 +327,11 @@ impl Session {
         self.output.recorders.progress = Some(progress);
     }
 
+    /// Report the motion of the model to `motion`.
+    pub fn observe_motion(&mut self, motion: Box<dyn MotionObserver>) {
+        self.output.recorders.motion = Some(motion);
+    }
+
     /// Call `handler` with each warning when it comes up.
     pub fn on_warning(&mut self, handler: OnWarning) {
         self.warnings.handler = Some(handler);
@@ -326,6 +348,9 @@ impl Session {
     /// Forget everything but the settings.
     pub(crate) fn wipe(&mut self) -> Result<(), RecordError> {
         let finished = self.output.recorders.finish();
+        if let Some(motion) = &mut self.output.recorders.motion {
+            motion.wipe(&mut self.engine);
+        }
         self.engine.wipe();
         self.builder = self.builder.wiped();
         self.output.known = Known::default();
