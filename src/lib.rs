@@ -61,3 +61,4 @@ pub use hysteron_engine::{assembly, number_format, numeric, solve};
 pub use hysteron_identify::{calibrate, measure, preflight, protocol, report, study};
 pub use hysteron_opensees::{self as opensees, run};
 pub use hysteron_tcl::{self as tcl, diagnostic};
+pub use hysteron_view as view;

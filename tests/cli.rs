@@ -41,6 +41,8 @@ mod rubber_bearings;
 mod studies;
 #[path = "cli/triple.rs"]
 mod triple;
+#[path = "cli/view.rs"]
+mod view;
 
 use std::fs;
 use std::path::PathBuf;

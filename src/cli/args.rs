@@ -6,6 +6,7 @@ use super::limits::LimitArgs;
 use super::loops::LoopsArgs;
 use super::motions::MotionsArgs;
 use super::prototype::PrototypeArgs;
+use super::view::ViewArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -40,6 +41,8 @@ pub(super) enum Command {
         #[arg(allow_negative_numbers = true)]
         args: Vec<String>,
     },
+    /// Run a script and write a page for a browser: model, motion, loops, forces and peaks
+    View(ViewArgs),
     /// Report what is wrong with a script without running its analyses, or with a study before its calibration
     Check(CheckArgs),
     /// Drive a single bearing as in a testing machine, and measure its loops
@@ -87,6 +90,9 @@ pub(super) struct EvidenceArgs {
     /// The script is run once more with half the steps
     #[arg(long, value_name = "FILE.html")]
     pub(super) review: Option<PathBuf>,
+    /// Write a page for a browser: model, motion, loops and peaks
+    #[arg(long, value_name = "FILE.html")]
+    pub(super) view: Option<PathBuf>,
 }
 
 /// Options of the steps of an analysis beyond those of the script.

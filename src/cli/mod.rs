@@ -29,5 +29,6 @@ mod run;
 mod script_check;
 mod signals;
 mod study;
+mod view;
 
 pub(crate) use run::main;

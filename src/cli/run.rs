@@ -33,8 +33,13 @@ pub(crate) fn main() -> i32 {
     let status = match arguments.command {
         Command::Run { script, steps, limits, folders, evidence, model, args } => {
             let (script, steps, limits, folders, evidence) = (&script, &steps, &limits, &folders, &evidence);
-            run(&RunArgs { script, steps, limits, folders, evidence }, &model, &args)
+            let run_args = RunArgs { script, steps, limits, folders, evidence };
+            match &evidence.view {
+                None => run(&run_args, &model, &args),
+                Some(page) => super::view::run(&run_args, page, &model, &args),
+            }
         }
+        Command::View(args) => super::view::view(&args),
         Command::Check(args) if args.model.ends_with(".toml") => super::study::check(&args),
         Command::Check(args) => check(&args),
         Command::Bearing(args) => bearing(&args),
@@ -76,15 +81,23 @@ pub(super) struct RunArgs<'a> {
 
 /// Run a script; the exit status.
 pub(super) fn run(args: &RunArgs<'_>, model: &str, words: &[String]) -> i32 {
+    run_prepared(args, model, words, |_| ()).map_or_else(|status| status, |(status, _)| status)
+}
+
+/// Run a script that `prepare` has seen before; the exit status, and the run with its model. The error is the exit status of a
+/// run that cannot begin.
+pub(super) fn run_prepared(
+    args: &RunArgs<'_>,
+    model: &str,
+    words: &[String],
+    prepare: impl FnOnce(&mut Run),
+) -> Result<(i32, Run), i32> {
     let progress = ProgressLine::new();
-    let (mut files, mut outputs) = match guarded(args.folders, model) {
-        Ok(both) => both,
-        Err(message) => {
-            eprintln!("error: {message}");
-            return INPUT_ERROR;
-        }
-    };
-    let EvidenceArgs { balance, review } = args.evidence;
+    let (mut files, mut outputs) = guarded(args.folders, model).map_err(|message| {
+        eprintln!("error: {message}");
+        INPUT_ERROR
+    })?;
+    let EvidenceArgs { balance, review, .. } = args.evidence;
     let observed = Observed::default();
     if review.is_some() {
         (files, outputs) = observed.around(files, outputs);
@@ -98,6 +111,7 @@ pub(super) fn run(args: &RunArgs<'_>, model: &str, words: &[String]) -> i32 {
     if balance.is_some() || review.is_some() {
         run.interp.host.balance_energy(matches!(balance, Some(Some(_))));
     }
+    prepare(&mut run);
     let end = execute(&mut run, &progress, args.limits, model, words);
     print_summary(&run.interp);
     let balanced = match (run.interp.host.balances(), balance) {
@@ -107,13 +121,14 @@ pub(super) fn run(args: &RunArgs<'_>, model: &str, words: &[String]) -> i32 {
     let reviewed = review.as_ref().map_or(Ok(()), |path| {
         review::write(path, args, &observed, &Ended { model, words, end: &end, interp: &run.interp })
     });
-    match balanced.and(reviewed) {
-        Ok(()) => status(&end),
-        Err(message) => {
+    let least = balanced.and(reviewed).map_or_else(
+        |message| {
             eprintln!("error: {message}");
-            status(&end).max(1)
-        }
-    }
+            1
+        },
+        |()| 0,
+    );
+    Ok((status(&end).max(least), run))
 }
 
 /// The exit status of a script.

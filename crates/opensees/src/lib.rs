@@ -33,7 +33,7 @@ pub use check::CheckState;
 pub use files::number_files::NumberFiles;
 pub use kind::KindUsage;
 pub use output::{AnalysedModel, Balances, ModelSize};
-pub use session::{FileFormat, Mode, ModelBuilder, OnWarning, Outputs, Progress, Session};
+pub use session::{FileFormat, Mode, ModelBuilder, MotionObserver, OnWarning, Outputs, Progress, Session};
 
 /// The interpreter that the commands run in.
 pub type Tcl = Interp<Session>;

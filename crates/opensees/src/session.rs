@@ -58,6 +58,16 @@ pub trait Progress {
     fn step(&mut self, time: f64, end: Option<f64>);
 }
 
+/// Receiver of the motion of a model, for programs that show it.
+pub trait MotionObserver {
+    /// An analysis begins with the committed state.
+    fn start(&mut self, engine: &Engine);
+    /// A step has been committed.
+    fn step(&mut self, engine: &Engine);
+    /// The script is about to forget the model.
+    fn wipe(&mut self, engine: &mut Engine);
+}
+
 /// Is called with each warning when it comes up.
 pub type OnWarning = Box<dyn FnMut(&Diagnostic, &SourceMap)>;
 
@@ -108,6 +118,7 @@ pub(crate) struct Recorders {
     pub(crate) balances: Option<Box<Balances>>,
     /// Work of Rayleigh damping in isolators.
     pub(crate) isolator_damping: IsolatorDamping,
+    pub(crate) motion: Option<Box<dyn MotionObserver>>,
     /// Norms of the iterations, to be printed.
     pub(crate) printed: String,
     pub(crate) print: i32,
@@ -148,6 +159,9 @@ impl Recorders {
             balances.start(engine);
         }
         self.by_tag.values_mut().for_each(|r| r.recorder.start(engine));
+        if let Some(motion) = &mut self.motion {
+            motion.start(engine);
+        }
     }
 
     /// Finish and forget all recorders.
@@ -191,6 +205,9 @@ impl Observer for Recorders {
         }
         if let Some(p) = &mut self.progress {
             p.step(engine.state().time, self.end);
+        }
+        if let Some(motion) = &mut self.motion {
+            motion.step(engine);
         }
         Ok(())
     }
@@ -369,6 +386,11 @@ impl Session {
         *self.kinds_made.entry((command, kind)).or_default() += 1;
     }
 
+    /// Report the motion of the model to `motion`.
+    pub fn observe_motion(&mut self, motion: Box<dyn MotionObserver>) {
+        self.output.recorders.motion = Some(motion);
+    }
+
     /// Call `handler` with each warning when it comes up.
     pub fn on_warning(&mut self, handler: OnWarning) {
         self.warnings.handler = Some(handler);
@@ -387,6 +409,9 @@ impl Session {
         let finished = self.output.recorders.finish();
         if let Some(balances) = &mut self.output.recorders.balances {
             balances.next_model();
+        }
+        if let Some(motion) = &mut self.output.recorders.motion {
+            motion.wipe(&mut self.engine);
         }
         self.engine.wipe();
         self.builder = self.builder.wiped();

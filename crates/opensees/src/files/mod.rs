@@ -3,3 +3,4 @@
 pub mod motion;
 pub(crate) mod number_files;
 pub mod table;
+pub mod vtu;

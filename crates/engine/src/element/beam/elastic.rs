@@ -1,7 +1,7 @@
 //! `elasticBeamColumn` in the plane and in space: Euler-Bernoulli or, with shear areas, Timoshenko.
 
 use crate::element::load::{ElementLoad, EndActions};
-use crate::element::transform::{Frame, Reactions, Transform};
+use crate::element::transform::{Frame, Reactions, Transform, axis_probe};
 use crate::element::{
     Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
     frame_force_labels,
@@ -412,7 +412,7 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
                 Probe::new(DEFORMATION, names.iter().copied())
             }
             "basicStiffness" => Probe::new(STIFFNESS, (1..=B * B).map(|i| format!("k{i}"))),
-            _ => return None,
+            word => return axis_probe(word),
         })
     }
 
@@ -426,6 +426,7 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
         match path[0] {
+            _ if self.frame().read_axis(path, out) => {}
             LOCAL_FORCE => {
                 self.frame().local_force(&self.basic_force(s.disp, s.state, s.load), &Self::reactions(s.load), out);
             }

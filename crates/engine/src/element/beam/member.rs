@@ -1,7 +1,7 @@
 //! Beams with sections along their length: common part of the formulations.
 
 use crate::element::load::ElementLoad;
-use crate::element::transform::{Reactions, Transform};
+use crate::element::transform::{Reactions, Transform, axis_probe};
 use crate::element::{
     CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask, OpenSeesTraits,
     SharedState, Snapshot, frame_force_labels,
@@ -407,7 +407,7 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
                 let probe = self.member.sections[i].probe(&words[2..])?;
                 return Some(probe.inside(&[SECTION, i as u32]));
             }
-            _ => return None,
+            word => return axis_probe(word),
         })
     }
 
@@ -433,6 +433,7 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
         let deformation = || m.transform.deformation(s.disp, &s.state[..m.head()]);
         let length = m.length();
         match path[0] {
+            _ if m.transform.frame().read_axis(path, out) => {}
             LOCAL_FORCE => m.transform.frame().local_force(&basic.q, &F::reactions(s.load), out),
             BASIC_FORCE => out.copy_from_slice(&basic.q),
             DEFORMATION => out.copy_from_slice(&deformation()),
