@@ -10,6 +10,7 @@
 
 mod analysis;
 mod args;
+pub mod calls;
 pub mod chart;
 mod check;
 mod element;

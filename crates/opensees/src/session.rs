@@ -1,9 +1,11 @@
 //! State that the OpenSees commands of a script work on.
 
+use crate::calls::CallNumbers;
 use crate::check::CheckState;
 use crate::files::number_files::NumberFiles;
 use crate::material::MaterialTests;
 use crate::model::parameter::Parameter;
+use crate::section::open::OpenSection;
 use crate::slips::Slip;
 use hysteron_engine::analysis::algorithm::Algorithm;
 use hysteron_engine::analysis::integrator::Integrator;
@@ -207,6 +209,8 @@ pub struct ModelBuilder {
     pub(crate) regions: BTreeMap<Tag, Region>,
     /// Fibers of the section whose body runs.
     pub(crate) fibers: Option<Vec<Fiber>>,
+    /// The section that takes fibers outside a body, in calls by a host.
+    pub(crate) open_section: Option<OpenSection>,
     /// Parameters that `parameter` has named, by tag.
     pub(crate) parameters: BTreeMap<Tag, Parameter>,
     pub(crate) material_tests: MaterialTests,
@@ -264,6 +268,9 @@ pub struct Session {
     /// Failure of the last `analyze`; none if it succeeded.
     pub last_failure: Option<Failure>,
     pub(crate) warnings: Warnings,
+    /// The commands are called by a host: bodies follow as commands of their own.
+    pub(crate) called_by_host: bool,
+    pub(crate) call_numbers: CallNumbers,
     /// Files of numbers that runs of the script have read.
     pub number_files: NumberFiles,
 }
@@ -296,6 +303,8 @@ impl Session {
             check: CheckState::default(),
             last_failure: None,
             warnings: Warnings::default(),
+            called_by_host: false,
+            call_numbers: CallNumbers::default(),
             number_files: NumberFiles::default(),
         }
     }
