@@ -110,6 +110,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         output::recorder::COMMANDS,
         output::query::COMMANDS,
         output::inventory::COMMANDS,
+        output::loads::COMMANDS,
         output::print::COMMANDS,
         analysis::matrix::COMMANDS,
         model::remove::COMMANDS,
