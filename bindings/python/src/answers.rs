@@ -58,6 +58,12 @@ pub(crate) fn answer(py: Python<'_>, command: &str, value: &Value) -> PyResult<P
             }
             Ok(dict.into_any().unbind())
         }
+        // Tags of sections come as responses, which are doubles.
+        Form::Double(tag) if command == "sectionTag" => Ok((tag as i64).into_pyobject(py)?.into_any().unbind()),
+        Form::List(tags) if command == "sectionTag" => {
+            let tags = tags.iter().map(|t| t.to_f64().unwrap_or_default() as i64);
+            Ok(PyList::new(py, tags.collect::<Vec<_>>())?.into_any().unbind())
+        }
         Form::Int(_) if LISTED_NUMBERS.contains(&command) => list(py, value),
         _ => object(py, value),
     }

@@ -85,7 +85,7 @@ def test_fibers_follow_their_section():
     ("words", "parts"),
     [
         (("uniaxialMaterial", "Stel01", 1, 250.0, 2e5, 0.01), ["'Stel01'", '"Steel01"', "^^^^^^^^"]),
-        (("node", 1, "abc", 0.0), ["not a number", "'abc'", "usage: node(tag"]),
+        (("node", 3, "abc", 0.0), ["not a number", "'abc'", "usage: node(tag"]),
         (("nodeDisp", 99), ["there is no node 99"]),
         (("nodeDisp", 2, 9), ["degree of freedom", "1 to 3"]),
         (("element", "Truss", 7, 1, 2, 1.0, 55), ["uniaxial material 55"]),
@@ -276,6 +276,8 @@ def test_random_calls_raise_at_most_the_errors_of_commands():
                     getattr(model, name)(*given)
                 except OpenSeesError as error:
                     assert str(error)
+                except TypeError:
+                    assert name == "getTime"
 
 
 def test_stubs_are_those_of_the_usages():

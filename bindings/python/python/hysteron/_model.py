@@ -1,6 +1,7 @@
 """Model: the commands of OpenSees as methods, each model with a state of its own."""
 
 import difflib
+import sys
 
 import numpy as np
 
@@ -103,6 +104,13 @@ class Model(_hysteron.Domain):
 
     def setNumThreads(self, number):
         """Accepted: an analysis runs on one thread here, and models run side by side."""
+
+    def pyversion(self, *args):
+        """Version of Python, as openseespy names it."""
+        return sys.version
+
+    def build(self):
+        """Accepted: there is nothing to build."""
 
     def barrier(self):
         """Accepted: there is one process."""

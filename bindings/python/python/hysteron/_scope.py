@@ -19,7 +19,7 @@ OUT_OF_SCOPE = {
     "data bases and conversions of files": (
         "database save restore convertBinaryToText convertTextToBinary stripXML searchPeerNGA metaData defaultUnits"
     ),
-    "other programs and generators": "NDTest ShallowFoundationGen OpenSeesParameter build",
+    "other programs and generators": "NDTest ShallowFoundationGen OpenSeesParameter",
     "parts of laws that hysteron does not have yet": (
         "damping hystereticBackbone limitCurve stiffnessDegradation strengthDegradation strengthControl unloadingRule "
         "updateMaterialStage setCreep InitialStateAnalysis"

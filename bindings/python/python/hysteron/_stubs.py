@@ -40,6 +40,8 @@ _PYTHON = {
     "getNumThreads": "() -> int",
     "setNumThreads": "(number: int) -> None",
     "barrier": "() -> None",
+    "build": "() -> None",
+    "pyversion": "(*args: _Word) -> str",
 }
 _HEAD = '''"""Generated from the usages of the commands by `python -m hysteron._stubs`."""
 
