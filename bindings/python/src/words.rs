@@ -22,6 +22,9 @@ pub(crate) fn words(name: &str, args: &Bound<'_, PyTuple>) -> PyResult<Vec<Value
             )),
         })?;
     }
+    if name.starts_with("block") {
+        gather_block(&mut words);
+    }
     Ok(words)
 }
 
@@ -79,5 +82,52 @@ fn integer(arg: &Bound<'_, PyAny>) -> Result<Value, Refused> {
     match arg.extract::<i64>() {
         Ok(i) => Ok(Value::from(i)),
         Err(_) => Err(Refused::Kind(format!("the integer {}, which needs more than 64 bits", arg.str()?))),
+    }
+}
+
+/// Gather the words of `block2D` and `block3D` into the two lists that the commands take: arguments of the elements, and
+/// numbers of points with their coordinates.
+fn gather_block(words: &mut Vec<Value>) {
+    // Name, divisions, first node, first element, kind of element.
+    let (divisions, corners) = if words[0].as_str() == "block3D" { (3, 8) } else { (2, 4) };
+    let head = divisions + 4;
+    if words.len() <= head {
+        return;
+    }
+    let starts = (head..words.len()).find(|&at| [4, 3].iter().any(|&width| are_points(&words[at..], width, corners)));
+    let Some(at) = starts else { return };
+    let points = Value::list(words.drain(at..).collect::<Vec<_>>());
+    // Options of the command stay between the two lists.
+    let option = words.iter().position(|w| w.as_str() == "-numEleNodes");
+    let options: Vec<Value> = option.map(|at| words.drain(at..).collect()).unwrap_or_default();
+    let arguments = Value::list(words.drain(head..).collect::<Vec<_>>());
+    words.push(arguments);
+    words.extend(options);
+    words.push(points);
+}
+
+/// Returns true if the words are rows of a number, rising from 1, and coordinates: at least one for each corner.
+fn are_points(words: &[Value], width: usize, corners: usize) -> bool {
+    let first = |row: &[Value]| row[0].to_f64().ok();
+    words.len() % width == 0
+        && words.len() / width >= corners
+        && words.chunks(width).enumerate().all(|(i, row)| {
+            if i < corners { first(row) == Some(i as f64 + 1.0) } else { first(row).is_some_and(|n| n > corners as f64) }
+        })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::gather_block;
+    use hysteron_tcl::Value;
+
+    #[test]
+    fn blocks_have_two_lists() {
+        let text = "block2D 8 2 1 1 quad 1.0 PlaneStrain 1 1 0 0 2 4 0 3 4 3 4 0 3";
+        let mut words: Vec<Value> = text.split(' ').map(Value::from).collect();
+        gather_block(&mut words);
+        assert_eq!(words.len(), 8);
+        assert_eq!(words[6].as_str(), "1.0 PlaneStrain 1");
+        assert_eq!(words[7].as_str(), "1 0 0 2 4 0 3 4 3 4 0 3");
     }
 }

@@ -109,6 +109,12 @@ class Model(_hysteron.Domain):
         """Version of Python, as openseespy names it."""
         return sys.version
 
+    def defaultUnits(self, *args):
+        """Accepted: numbers have the units that the script gives them, and nothing is converted."""
+
+    def metaData(self, *args):
+        """Accepted: notes about a model change nothing of it."""
+
     def build(self):
         """Accepted: there is nothing to build."""
 

@@ -17,7 +17,7 @@ OUT_OF_SCOPE = {
     "meshes that change, and fluids": "mesh remesh IGA nodePressure setNodePressure pressureConstraint",
     "temperature": "getNodeTemperature setNodeTemperature",
     "data bases and conversions of files": (
-        "database save restore convertBinaryToText convertTextToBinary stripXML searchPeerNGA metaData defaultUnits"
+        "database save restore convertBinaryToText convertTextToBinary stripXML searchPeerNGA"
     ),
     "other programs and generators": "NDTest ShallowFoundationGen OpenSeesParameter",
     "parts of laws that hysteron does not have yet": (

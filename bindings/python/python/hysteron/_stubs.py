@@ -41,6 +41,8 @@ _PYTHON = {
     "setNumThreads": "(number: int) -> None",
     "barrier": "() -> None",
     "build": "() -> None",
+    "defaultUnits": "(*args: _Word) -> None",
+    "metaData": "(*args: _Word) -> None",
     "pyversion": "(*args: _Word) -> str",
 }
 _HEAD = '''"""Generated from the usages of the commands by `python -m hysteron._stubs`."""
