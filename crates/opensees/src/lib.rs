@@ -10,6 +10,7 @@
 
 mod analysis;
 mod args;
+pub mod calls;
 pub mod chart;
 mod check;
 mod element;
@@ -111,6 +112,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         output::recorder::COMMANDS,
         output::query::COMMANDS,
         output::inventory::COMMANDS,
+        output::loads::COMMANDS,
         output::print::COMMANDS,
         analysis::matrix::COMMANDS,
         model::remove::COMMANDS,

@@ -2,11 +2,13 @@
 
 use crate::analysis::isolator_damping::IsolatorDamping;
 use crate::analysis::plausibility::Looked;
+use crate::calls::CallNumbers;
 use crate::check::CheckState;
 use crate::files::number_files::NumberFiles;
 use crate::material::MaterialTests;
 use crate::model::parameter::Parameter;
 use crate::output::Balances;
+use crate::section::open::OpenSection;
 use crate::slips::Slip;
 use hysteron_engine::analysis::algorithm::Algorithm;
 use hysteron_engine::analysis::integrator::Integrator;
@@ -249,6 +251,8 @@ pub struct ModelBuilder {
     pub(crate) regions: BTreeMap<Tag, Region>,
     /// Fibers of the section whose body runs.
     pub(crate) fibers: Option<Vec<Fiber>>,
+    /// The section that takes fibers outside a body, in calls by a host.
+    pub(crate) open_section: Option<OpenSection>,
     /// Parameters that `parameter` has named, by tag.
     pub(crate) parameters: BTreeMap<Tag, Parameter>,
     pub(crate) material_tests: MaterialTests,
@@ -313,6 +317,9 @@ pub struct Session {
     pub(crate) looked: Looked,
     /// The first failure of an `analyze` whose result nobody has looked at.
     pub(crate) ignored_failure: Option<Failure>,
+    /// The commands are called by a host: bodies follow as commands of their own.
+    pub(crate) called_by_host: bool,
+    pub(crate) call_numbers: CallNumbers,
     /// Files of numbers that runs of the script have read.
     pub number_files: NumberFiles,
 }
@@ -348,6 +355,8 @@ impl Session {
             kinds_made: BTreeMap::new(),
             looked: Looked::default(),
             ignored_failure: None,
+            called_by_host: false,
+            call_numbers: CallNumbers::default(),
             number_files: NumberFiles::default(),
         }
     }

@@ -227,6 +227,11 @@ impl Core {
         }
     }
 
+    /// Take the current folder of the files for that of the script: the host may have changed it.
+    pub fn enter_current_dir(&mut self) {
+        self.cwd = self.files.current_dir();
+    }
+
     /// Called before each command.
     #[inline]
     pub(crate) fn tick(&mut self) -> Result<(), Exception> {

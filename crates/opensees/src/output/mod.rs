@@ -4,6 +4,7 @@ mod balance;
 pub(crate) mod display;
 pub(crate) mod figure;
 pub(crate) mod inventory;
+pub(crate) mod loads;
 pub(crate) mod print;
 pub(crate) mod query;
 pub(crate) mod recorder;
