@@ -31,6 +31,8 @@ mod parameters;
 mod phenomena;
 #[path = "cli/recorders.rs"]
 mod recorders;
+#[path = "cli/plausibility.rs"]
+mod plausibility;
 #[path = "cli/rubber.rs"]
 mod rubber;
 #[path = "cli/rubber_bearings.rs"]

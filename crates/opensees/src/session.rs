@@ -278,6 +278,8 @@ pub struct Session {
     /// Failure of the last `analyze`; none if it succeeded.
     pub last_failure: Option<Failure>,
     pub(crate) warnings: Warnings,
+    /// Name of the database that states are saved in.
+    pub(crate) database: Option<String>,
     /// What the warnings about analyses have looked at.
     pub(crate) looked: Looked,
     /// The first failure of an `analyze` whose result nobody has looked at.
@@ -314,6 +316,7 @@ impl Session {
             check: CheckState::default(),
             last_failure: None,
             warnings: Warnings::default(),
+            database: None,
             looked: Looked::default(),
             ignored_failure: None,
             number_files: NumberFiles::default(),
