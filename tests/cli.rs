@@ -31,6 +31,8 @@ mod models;
 mod parameters;
 #[path = "cli/phenomena.rs"]
 mod phenomena;
+#[path = "cli/plausibility.rs"]
+mod plausibility;
 #[path = "cli/recorders.rs"]
 mod recorders;
 #[path = "cli/rubber.rs"]

@@ -116,6 +116,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         output::print::COMMANDS,
         analysis::matrix::COMMANDS,
         model::remove::COMMANDS,
+        model::database::COMMANDS,
         model::parameter::COMMANDS,
         output::display::COMMANDS,
         output::figure::COMMANDS,

@@ -313,6 +313,8 @@ pub struct Session {
     pub(crate) warnings: Warnings,
     /// Kinds that the script has made, by command, with their numbers.
     pub kinds_made: BTreeMap<(&'static str, &'static str), usize>,
+    /// Name of the database that states are saved in.
+    pub(crate) database: Option<String>,
     /// What the warnings about analyses have looked at.
     pub(crate) looked: Looked,
     /// The first failure of an `analyze` whose result nobody has looked at.
@@ -353,6 +355,7 @@ impl Session {
             last_failure: None,
             warnings: Warnings::default(),
             kinds_made: BTreeMap::new(),
+            database: None,
             looked: Looked::default(),
             ignored_failure: None,
             called_by_host: false,

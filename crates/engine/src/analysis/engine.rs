@@ -312,7 +312,7 @@ impl Engine {
         self.forget_work();
     }
 
-    fn forget_work(&mut self) {
+    pub(super) fn forget_work(&mut self) {
         self.step_start.forget();
         if let Some((_, _, work)) = &mut self.prepared {
             work.forget();
@@ -325,6 +325,14 @@ impl Engine {
         self.committed = State::default();
         self.step_start.forget();
         self.committed.grow(&self.model);
+        self.trial.clone_from(&self.committed);
+        self.fresh = true;
+        self.drop_prepared();
+    }
+
+    /// Commit another state of the same model. The analysis begins anew from it.
+    pub(super) fn set_committed(&mut self, state: State, step_start: StepStart) {
+        (self.committed, self.step_start) = (state, step_start);
         self.trial.clone_from(&self.committed);
         self.fresh = true;
         self.drop_prepared();

@@ -34,6 +34,10 @@ pub(crate) struct Looked {
 
 /// Warn of what an analysis cannot mean, before its first step. `dt` is its step of time.
 pub(crate) fn before(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), Exception> {
+    // What follows from a mistake that a check has reported is no news.
+    if interp.host.mode == Mode::Check && interp.host.check.rejected {
+        return Ok(());
+    }
     let state = (interp.host.engine.model().revision(), dt);
     if interp.host.looked.before == Some(state) {
         return Ok(());
