@@ -124,7 +124,7 @@ fn interrupted() {
     out.read_to_string(&mut rest).unwrap();
     child.stderr.take().unwrap().read_to_string(&mut err).unwrap();
     assert_eq!((child.wait().unwrap().code(), rest.as_str()), (Some(130), ""), "{err}");
-    assert!(err.contains("interrupted at m.tcl:14:1: what was recorded so far has been kept"), "{err}");
+    assert!(err.contains("interrupted at m.tcl:15:1: what was recorded so far has been kept"), "{err}");
     assert!(err.contains("partial, with whole rows up to there: d.txt"), "{err}");
     let record = fs::read_to_string(place.0.join("d.txt")).unwrap();
     assert!(record.ends_with('\n') && record.lines().all(|l| l.split(' ').count() == 2));

@@ -91,14 +91,14 @@ fn excitations_without_effect() {
     let gravity = "timeSeries Linear 7\npattern Plain 7 7 { load 3 1. }\nintegrator LoadControl 0.1\nalgorithm Linear\n\
         analysis Static\nanalyze 10\n";
     let shaken = |between: &str| format!("{CHAIN}{gravity}{between}\nwipeAnalysis\n{record}{NEWMARK}analyze 16 0.01\n");
-    warned(&shaken("loadConst"), 0, "ends at time 0.16, and the analysis begins at 1");
+    warned(&shaken("loadConst"), 0, "ends at time 0.180000, and the analysis begins at 1.000000");
     accepted(&shaken("loadConst -time 0.0"));
 }
 
 #[test]
 fn beam_beyond_its_euler_load() {
     let script = |kind: &str, load: f64| {
-        format!("{}pattern Plain 1 1 {{ load 2 0 -{load} 0 }}\nanalyze 1\n", COLUMN.replace("KIND", kind))
+        format!("{}pattern Plain 1 1 {{ load 2 0 {} 0 }}\nanalyze 1\n", COLUMN.replace("KIND", kind), -load)
     };
     warned(&script("Linear", 100.0), 0, "above its Euler load of 9.8696e1");
     warned(&script("PDelta", 100.0), 0, "above its Euler load");
@@ -127,7 +127,7 @@ fn failed_analysis_that_the_script_ignores() {
              test NormDispIncr 1e-10 2\n{look}\ntest NormDispIncr 1e-10 20\nanalyze 1\n"
         )
     };
-    for ignoring in ["analyze 4", "for {set i 0} {$i < 4} {incr i} {analyze 1}", "if 1 {\n  analyze 4\n}"] {
+    for ignoring in ["analyze 4", "for {set i 0} {$i < 3} {incr i} {analyze 1}", "if 1 {\n  analyze 4\n}"] {
         let said = warned(&script(ignoring), 1, "no convergence at time 12");
         assert!(said.contains("nothing looks at the result"), "{said}");
     }

@@ -115,7 +115,8 @@ fn excitations(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), Exce
         let is_new = looked.patterns.insert(*tag);
         let Some(series) = series(pattern) else { continue };
         if let Some(end) = series.end().filter(|end| is_new && *end > series.start() && time >= *end) {
-            let message = format!("the series of pattern {tag} ends at time {end}, and the analysis begins at {time}");
+            let message =
+                format!("the series of pattern {tag} ends at time {end:.6}, and the analysis begins at {time:.6}");
             let d = Diagnostic::warning(message).at(span, "the record is over before it begins");
             warnings.push(("record is over", d.help("\"loadConst -time 0.0\" after the gravity loads sets the time")));
         }
