@@ -1,6 +1,6 @@
 //! Points of a fiber section: strains from the deformations of the section, and sums over stresses and tangents.
 
-use crate::numeric::lanes::{LANES, Lanes, in_lanes};
+use crate::numeric::lanes::{LANES, Lanes, copy, copy_back, in_lanes};
 
 /// Coordinates and areas of the points, one quantity after the other.
 #[derive(Clone, Debug, Default)]
@@ -65,9 +65,12 @@ impl Points {
 
     /// Sums for stresses and tangents; writes the energies of the points.
     pub(super) fn integrate<const M: usize>(&self, tangent: &[f64], work: Work<'_>) -> Sums<M> {
-        let mut summation = Summation::<M> { points: self, tangent, work, sums: [[0.0; LANES]; QUANTITIES] };
+        let mut summation = Summation::<M> { points: self, tangent, work, sums: [[0.0; BLOCK]; QUANTITIES] };
         in_lanes(&mut summation);
-        let total = |q: usize| summation.sums[q].iter().sum::<f64>();
+        let total = |q: usize| {
+            let half: [f64; LANES] = std::array::from_fn(|i| summation.sums[q][i] + summation.sums[q][i + LANES]);
+            (half[0] + half[1]) + (half[2] + half[3])
+        };
         let mut sums = Sums { force: [0.0; M], stiffness: [[0.0; M]; M] };
         let mut q = M;
         for i in 0..M {
@@ -83,61 +86,77 @@ impl Points {
 
 /// Sums in space: three resultants and six stiffnesses.
 const QUANTITIES: usize = 9;
+/// Points of a block, and sums side by side.
+const BLOCK: usize = 2 * LANES;
 
 struct Summation<'a, const M: usize> {
     points: &'a Points,
     tangent: &'a [f64],
     work: Work<'a>,
-    sums: [[f64; LANES]; QUANTITIES],
+    sums: [[f64; BLOCK]; QUANTITIES],
 }
 
-/// The next numbers of a slice, zeros after its end.
+/// The numbers of a block, zeros after the end of the slice.
 #[inline(always)]
-fn next(slice: &[f64], start: usize) -> [f64; LANES] {
-    match slice[start..].first_chunk::<LANES>() {
-        Some(chunk) => *chunk,
-        None => std::array::from_fn(|lane| slice.get(start + lane).copied().unwrap_or(0.0)),
-    }
+fn block(slice: &[f64], start: usize) -> [f64; BLOCK] {
+    let mut out = [0.0; BLOCK];
+    copy(&slice[start..], &mut out);
+    out
 }
 
 impl<const M: usize> Lanes for Summation<'_, M> {
     #[inline(always)]
     fn evaluate(&mut self) {
         let n = self.points.len();
-        let [y, z] = &self.points.gradients;
-        let mut sums = self.sums;
-        for start in (0..n).step_by(LANES) {
-            let [e0, e1] = self.work.strains.map(|s| next(s, start));
-            let [s0, s1] = self.work.stresses.map(|s| next(s, start));
-            let (area, tangent) = (next(&self.points.areas, start), next(self.tangent, start));
-            let (y, z) = (next(y, start), if M == 3 { next(z, start) } else { [0.0; LANES] });
-            let mut energy = next(self.work.energies.0, start);
-            for lane in 0..LANES {
-                energy[lane] += 0.5 * (s0[lane] + s1[lane]) * (e1[lane] - e0[lane]);
-                let (force, stiffness) = (s1[lane] * area[lane], tangent[lane] * area[lane]);
-                let (by_y, by_z) = (stiffness * y[lane], stiffness * z[lane]);
-                sums[0][lane] += force;
-                sums[1][lane] += force * y[lane];
-                if M == 2 {
-                    sums[2][lane] += stiffness;
-                    sums[3][lane] += by_y;
-                    sums[4][lane] += by_y * y[lane];
-                } else {
-                    sums[2][lane] += force * z[lane];
-                    sums[3][lane] += stiffness;
-                    sums[4][lane] += by_y;
-                    sums[5][lane] += by_y * y[lane];
-                    sums[6][lane] += by_z;
-                    sums[7][lane] += by_z * y[lane];
-                    sums[8][lane] += by_z * z[lane];
-                }
+        let [all_y, all_z] = &self.points.gradients;
+        for start in (0..n).step_by(BLOCK) {
+            let [e0, e1] = self.work.strains.map(|s| block(s, start));
+            let [s0, s1] = self.work.stresses.map(|s| block(s, start));
+            let (area, tangent, y) =
+                (block(&self.points.areas, start), block(self.tangent, start), block(all_y, start));
+            let mut energy = block(self.work.energies.0, start);
+            for i in 0..BLOCK {
+                energy[i] += 0.5 * (s0[i] + s1[i]) * (e1[i] - e0[i]);
             }
-            let out = &mut self.work.energies.1[start..n];
-            match out.first_chunk_mut::<LANES>() {
-                Some(chunk) => *chunk = energy,
-                None => out.iter_mut().zip(energy).for_each(|(out, energy)| *out = energy),
+            copy_back(&energy, &mut self.work.energies.1[start..n]);
+            // Each sum is a loop of its own, which is sure to become vector instructions.
+            let sums = &mut self.sums;
+            let (mut force, mut stiffness, mut by_y) = ([0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK]);
+            for i in 0..BLOCK {
+                force[i] = s1[i] * area[i];
+                stiffness[i] = tangent[i] * area[i];
+                by_y[i] = stiffness[i] * y[i];
+            }
+            add(&mut sums[0], &force);
+            add_products(&mut sums[1], &force, &y);
+            add(&mut sums[M], &stiffness);
+            add(&mut sums[M + 1], &by_y);
+            add_products(&mut sums[M + 2], &by_y, &y);
+            if M == 3 {
+                let z = block(all_z, start);
+                let mut by_z = [0.0; BLOCK];
+                for i in 0..BLOCK {
+                    by_z[i] = stiffness[i] * z[i];
+                }
+                add_products(&mut sums[2], &force, &z);
+                add(&mut sums[M + 3], &by_z);
+                add_products(&mut sums[M + 4], &by_z, &y);
+                add_products(&mut sums[M + 5], &by_z, &z);
             }
         }
-        self.sums = sums;
+    }
+}
+
+#[inline(always)]
+fn add(sums: &mut [f64; BLOCK], x: &[f64; BLOCK]) {
+    for i in 0..BLOCK {
+        sums[i] += x[i];
+    }
+}
+
+#[inline(always)]
+fn add_products(sums: &mut [f64; BLOCK], x: &[f64; BLOCK], y: &[f64; BLOCK]) {
+    for i in 0..BLOCK {
+        sums[i] += x[i] * y[i];
     }
 }
