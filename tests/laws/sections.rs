@@ -8,7 +8,9 @@ use hysteron::element::beam::{
 use hysteron::element::load::ElementLoad;
 use hysteron::element::transform::{Ends, TransformKind, TransformSpec};
 use hysteron::material::{Concrete02, Elastic as ElasticMaterial, Material, Steel02};
-use hysteron::section::{Aggregator, Elastic, ElasticSection, Fiber, FiberBending, FiberSection, Resultant, SharedSection};
+use hysteron::section::{
+    Aggregator, Elastic, ElasticSection, Fiber, FiberBending, FiberSection, Resultant, SharedSection,
+};
 use nalgebra::{Matrix3, Vector3};
 use std::sync::Arc;
 
@@ -70,11 +72,8 @@ fn rectangle(material: &Material, space: bool) -> SharedSection {
         material: (material.clone(), 1),
     };
     let fibers = (0..32).map(|k| cell(k / 4, k % 4)).collect();
-    let bending = if space {
-        FiberBending::Space(Some((Arc::new(ElasticMaterial::new(5.0)), 2)))
-    } else {
-        FiberBending::Plane
-    };
+    let bending =
+        if space { FiberBending::Space(Some((Arc::new(ElasticMaterial::new(5.0)), 2))) } else { FiberBending::Plane };
     Arc::new(FiberSection::new(fibers, bending, false))
 }
 

@@ -123,8 +123,7 @@ pub(crate) struct FiberOptions {
 impl FiberOptions {
     /// Section of these fibers.
     pub(crate) fn section(&self, fibers: Vec<Fiber>) -> SharedSection {
-        let bending =
-            if self.space { FiberBending::Space(self.torsion.clone()) } else { FiberBending::Plane };
+        let bending = if self.space { FiberBending::Space(self.torsion.clone()) } else { FiberBending::Plane };
         Arc::new(FiberSection::new(fibers, bending, self.origin))
     }
 }
