@@ -180,6 +180,10 @@ pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {
     /// Name in the `uniaxialMaterial` command.
     const NAME: &'static str;
 
+    /// The histories of many points stand one quantity after the other, for [`UniaxialLaw::update_points`], and not one
+    /// point after the other.
+    const BY_QUANTITY: bool = false;
+
     /// Returns the stress and the next state for a trial strain, from the committed state.
     ///
     /// # Errors
@@ -377,6 +381,24 @@ impl<L: UniaxialLaw> Uniaxial for L {
     }
     fn init(&self, state: &mut [f64]) {
         L::State::default().write(state);
+    }
+    fn init_all(&self, n: usize, state: &mut [f64]) {
+        let len = L::State::LEN;
+        if !L::BY_QUANTITY {
+            state.chunks_exact_mut(len.max(1)).for_each(|point| L::State::default().write(point));
+            return;
+        }
+        let mut one = vec![0.0; len];
+        L::State::default().write(&mut one);
+        state.chunks_exact_mut(n.max(1)).zip(one).for_each(|(quantity, value)| quantity.fill(value));
+    }
+    fn copy_history(&self, (from, i, n): (&[f64], usize, usize), (to, j, m): (&mut [f64], usize, usize)) {
+        let len = L::State::LEN;
+        if L::BY_QUANTITY {
+            (0..len).for_each(|q| to[q * m + j] = from[q * n + i]);
+        } else {
+            to[j * len..(j + 1) * len].copy_from_slice(&from[i * len..(i + 1) * len]);
+        }
     }
     #[inline]
     fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
