@@ -115,7 +115,9 @@ impl UniaxialLaw for Bwbn {
         let slope = (rate.value + rate.by_e * k * z * d) / (1.0 - (rate.by_z + rate.by_e * k * d) * d);
         let (value, tangent) = (elastic * strain.value + k * z, elastic + k * slope);
         if !(value.is_finite() && tangent.is_finite()) {
-            return Err(MaterialError(format!("BWBN found no hysteretic displacement for a strain increment of {d:.6e}")));
+            return Err(MaterialError(format!(
+                "BWBN found no hysteretic displacement for a strain increment of {d:.6e}"
+            )));
         }
         Ok((
             Stress { value, tangent, damping: 0.0 },

@@ -72,11 +72,8 @@ impl UniaxialLaw for Sma {
         let side = if x < 0.0 { -1.0 } else { 1.0 };
         let (size, stress) = (x.abs(), side * c.stress);
         let grows = side * (x - c.strain) > 0.0;
-        let (m, slope) = if grows {
-            self.load(size, stress, c.martensite)
-        } else {
-            self.unload(size, stress, c.martensite)
-        };
+        let (m, slope) =
+            if grows { self.load(size, stress, c.martensite) } else { self.unload(size, stress, c.martensite) };
         let tangent = self.e * (1.0 - self.eps_l * slope);
         let value = side * self.e * (size - m * self.eps_l);
         let next = History { strain: x, stress: value, martensite: m, softening: tangent - self.e };
