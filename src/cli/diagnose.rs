@@ -5,7 +5,7 @@ use super::files::{CHECKPOINT_INTERVAL, note_replaced, write_atomically, write_c
 use super::messages::Messages;
 use super::preflight::{check_channels, threads};
 use super::progress::PhaseProgress;
-use super::signals::{INTERRUPTED, on_interrupt};
+use super::signals::{on_interrupt, stopped_status};
 use hysteron::analysis::Options;
 use hysteron::diagnose::{
     CheckpointEntry, Diagnosis, ProgressMonitor, Settings, diagnose, hypothesis, identity, report,
@@ -28,6 +28,7 @@ const WRONG_INPUT_STATUS: i32 = 2;
 pub(super) fn run(args: &DiagnoseArgs) -> i32 {
     let stop = Arc::new(AtomicBool::new(false));
     on_interrupt(&stop);
+    args.limits.enforce(&stop);
     for cause in &args.without {
         if hypothesis::of(cause).is_none() {
             let known = || hypothesis::ALL.iter().map(|h| h.cause);
@@ -52,7 +53,7 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
     for w in study.warnings.iter().chain(&initial_run.warnings).filter(|w| w.severity != Severity::Note) {
         show(w, &sources);
     }
-    let checked = match check_channels(&simulator, &initial_run, threads(args.threads), !args.as_recorded) {
+    let checked = match check_channels(&simulator, &initial_run, threads(args.threads), !args.as_recorded, &sources) {
         Ok(checked) => checked,
         Err(e) => {
             eprintln!("error: {e}");
@@ -100,7 +101,7 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
             if saved.exists() {
                 eprintln!("what was worked out is kept; --resume goes on");
             }
-            INTERRUPTED
+            stopped_status(&stop).unwrap_or(FAILED_STATUS)
         }
     }
 }

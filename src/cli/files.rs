@@ -5,6 +5,7 @@ use hysteron::record::{Memory, Output, RecordError, RowFile};
 use hysteron::report::{NamedResponses, channel_files};
 use hysteron::study::Study;
 use std::fs;
+use std::io::{ErrorKind, Write as _};
 use std::path::Path;
 use std::time::Duration;
 
@@ -39,7 +40,17 @@ pub(super) fn write_channels(dir: &Path, study: &Study, models: &[NamedResponses
 /// Write a file under another name and rename it, so that it is complete at any time.
 pub(super) fn write_atomically(path: &Path, text: &str) -> Result<(), String> {
     let temporary = path.with_extension("part");
-    let done = fs::write(&temporary, text).and_then(|()| fs::rename(&temporary, path));
+    let written = || {
+        // Made anew, so that no link under this name is followed.
+        match fs::remove_file(&temporary) {
+            Err(e) if e.kind() != ErrorKind::NotFound => return Err(e),
+            _ => {}
+        }
+        let mut file = fs::File::create_new(&temporary)?;
+        file.write_all(text.as_bytes())?;
+        fs::rename(&temporary, path)
+    };
+    let done = written();
     done.map_err(|e| format!("cannot write {}: {e}", path.display()))
 }
 

@@ -10,7 +10,7 @@ use super::interp::Interp;
 use super::text::Text;
 use super::value::Value;
 use super::vars::VarName;
-use crate::diagnostic::{self, Diagnostic, Span};
+use crate::diagnostic::{self, Diagnostic, SourceId, Span};
 
 /// A command of the host or of the language.
 pub type CommandFn<H> = fn(&mut Interp<H>, &Call<'_>) -> Result<Value, Exception>;
@@ -91,6 +91,8 @@ impl Place<'_> {
 pub struct Call<'a> {
     words: &'a [Value],
     place: Option<Place<'a>>,
+    /// Of a call by the host: the source that stands for it, and the number of the call.
+    number: Option<(SourceId, u32)>,
     blank: Value,
 }
 
@@ -101,7 +103,19 @@ impl<'a> Call<'a> {
     }
 
     pub(crate) fn new(words: &'a [Value], place: Option<Place<'a>>) -> Self {
-        Call { words, place, blank: Value::EMPTY }
+        Call { words, place, number: None, blank: Value::EMPTY }
+    }
+
+    /// A call by the host, whose words have no text; the first word is the name of the command.
+    ///
+    /// The span of word `i` starts at `number` and ends at `i`; that of the whole call ends at `u32::MAX`. The host
+    /// finds the word by them.
+    pub fn numbered(words: &'a [Value], source: SourceId, number: u32) -> Self {
+        Call { words, place: None, number: Some((source, number)), blank: Value::EMPTY }
+    }
+
+    fn numbered_span(&self, end: u32) -> Option<Span> {
+        self.number.map(|(source, start)| Span { source, start, end })
     }
 
     /// The name under which the command was called.
@@ -137,12 +151,16 @@ impl<'a> Call<'a> {
 
     /// Place of a word in the script; none for a text that was built at run time.
     pub fn span(&self, i: usize) -> Option<Span> {
-        self.place.as_ref()?.word(i)
+        match &self.place {
+            Some(place) => place.word(i),
+            None if i < self.words.len() => self.numbered_span(i as u32),
+            None => None,
+        }
     }
 
     /// Place of the whole command.
     pub fn whole_span(&self) -> Option<Span> {
-        self.place.as_ref()?.whole()
+        self.place.as_ref().map_or_else(|| self.numbered_span(u32::MAX), Place::whole)
     }
 
     /// The text of the whole command as it stands in the script.
@@ -192,6 +210,18 @@ impl<'a> Call<'a> {
     /// The one of some names that a word is or, unless `exact`, abbreviates; Tcl's error if it is none.
     pub(crate) fn choose(&self, i: usize, what: &str, names: &[&str], exact: bool) -> Result<usize, Exception> {
         choose(&self.arg(i).as_str(), what, names, exact).map_err(|e| e.at(self.span(i), ""))
+    }
+}
+
+impl Core {
+    /// Returns true if nothing looks at the result of a command: it stands for itself, neither in brackets or `catch` nor at
+    /// the end of a body in a procedure, whose result it may be.
+    pub fn is_discarded(&self, call: &Call<'_>) -> bool {
+        let Some(Place { script, command, .. }) = &call.place else { return false };
+        let is_last = script.commands.last().is_some_and(|last| std::ptr::eq(last, *command));
+        let before = script.unit.slice(0, command.start).trim_end();
+        let is_kept = is_last && self.frame().is_proc || before.ends_with('[') || self.calls.catching > 0;
+        !is_kept && script.unit.origin.is_some()
     }
 }
 

@@ -305,6 +305,11 @@ pub trait Element: fmt::Debug + Send + Sync {
         None
     }
 
+    /// The Euler load π² E I / L² of a beam with small displacements, which does not buckle by itself; `None` for all else.
+    fn euler_load(&self) -> Option<f64> {
+        None
+    }
+
     /// A response by the words of a recorder command; `None` where the element has none of that name.
     /// The global force is common to all elements and is not among them.
     fn probe(&self, words: &[&str]) -> Option<Probe>;

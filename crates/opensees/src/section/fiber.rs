@@ -1,7 +1,7 @@
 //! `fiber`, `patch` and `layer`: what the body of `section Fiber` is made of.
 
 use crate::args::Args;
-use crate::{Command, Outcome, Tcl, finish, warn};
+use crate::{Command, ModelBuilder, Outcome, Tcl, finish, warn};
 use hysteron_engine::material::Material;
 use hysteron_engine::section::Fiber;
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -24,15 +24,21 @@ fn add(
     made: impl IntoIterator<Item = ([f64; 2], f64)>,
 ) -> Result<(), Exception> {
     finish(interp, a)?;
-    let Some(fibers) = &mut interp.host.builder.fibers else {
-        return Err(a.refuse("there is no fiber section to add to", "expected to be in the body of section Fiber"));
+    let ModelBuilder { fibers, open_section, .. } = &mut interp.host.builder;
+    let mut push: Box<dyn FnMut(Fiber)> = match (fibers, open_section) {
+        (Some(fibers), _) => Box::new(|f| fibers.push(f)),
+        (None, Some(open)) => Box::new(|f| open.push(f)),
+        (None, None) => {
+            let expected = "expected to be in the body of section Fiber";
+            return Err(a.refuse("there is no fiber section to add to", expected));
+        }
     };
     for ([y, z], area) in made {
         if area <= 0.0 {
             let message = format!("a fiber at y = {y:.6}, z = {z:.6} has an area of {area:.6e}");
             return Err(a.refuse(message, "expected corners in the sense that goes from y to z"));
         }
-        fibers.push(Fiber { y, z, area, material: material.clone() });
+        push(Fiber { y, z, area, material: material.clone() });
     }
     Ok(())
 }

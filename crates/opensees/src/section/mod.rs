@@ -2,6 +2,7 @@
 
 pub(crate) mod beam_integration;
 pub(crate) mod fiber;
+pub(crate) mod open;
 mod plate;
 mod shapes;
 
@@ -10,7 +11,7 @@ use crate::model::nodes::need_model;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, kind, warn};
 use hysteron_engine::material::Elastic as ElasticMaterial;
 use hysteron_engine::section::plate::SharedPlateSection;
-use hysteron_engine::section::{Aggregator, Elastic, ElasticSection, FiberSection, Resultant, SharedSection};
+use hysteron_engine::section::{Aggregator, Elastic, ElasticSection, Fiber, FiberSection, Resultant, SharedSection};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
@@ -65,8 +66,13 @@ fn section(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     need_model(interp, call)?;
     let mut a = Args::new(call, SECTION);
     let kind = kind::take(&mut a, "kind of section", "section", KINDS.iter())?;
+    interp.host.note_kind("section", kind.names[0]);
     let tag = a.int("tag of the section")?;
     let span = a.last_span();
+    interp.host.builder.open_section = None;
+    if interp.host.called_by_host && kind.names.contains(&"Fiber") {
+        return open::open(interp, &mut a, tag);
+    }
     let added = match kind.make {
         Make::Beam(make) => {
             let made = make(interp, &mut a)?;
@@ -105,11 +111,27 @@ fn elastic(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exceptio
     Ok(Arc::new(Elastic::new(s, plane)))
 }
 
-fn fibers(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
+/// The words of a fiber section before its body.
+pub(crate) struct FiberOptions {
+    torsion: Option<(hysteron_engine::material::Material, i32)>,
+    origin: bool,
+    space: bool,
+}
+
+impl FiberOptions {
+    /// Section of these fibers.
+    pub(crate) fn section(&self, fibers: Vec<Fiber>) -> SharedSection {
+        let made = FiberSection::new(fibers, self.torsion.clone().filter(|_| self.space), self.origin);
+        Arc::new(if self.space { made.bent_about_both_axes() } else { made })
+    }
+}
+
+/// Take the options of a fiber section; the last `behind` words are left.
+fn fiber_options(interp: &mut Tcl, a: &mut Args<'_>, behind: usize) -> Result<FiberOptions, Exception> {
     let span = a.last_span();
     let (mut torsion, mut origin) = (None, false);
     // The words before the body that are no options, such as a shear centre, go unused in OpenSees.
-    while a.left() > 1 {
+    while a.left() > behind {
         match a.option().as_deref().unwrap_or_default() {
             "-GJ" => {
                 let gj = a.not_negative("torsional rigidity GJ")?;
@@ -129,6 +151,12 @@ fn fibers(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception
     if space && torsion.is_none() {
         warn_of_torsion(interp, span)?;
     }
+    Ok(FiberOptions { torsion, origin, space })
+}
+
+fn fibers(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
+    let span = a.last_span();
+    let options = fiber_options(interp, a, 1)?;
     let body = a.value("body with the fibers")?;
     let outer = interp.host.builder.fibers.replace(vec![]);
     let done = interp.eval_value(&body);
@@ -137,8 +165,7 @@ fn fibers(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception
     if fibers.iter().map(|f| f.area).sum::<f64>() <= 0.0 {
         return Err(a.refuse_at(span, "the section has no area", "expected patches, layers or fibers in its body"));
     }
-    let made = FiberSection::new(fibers, torsion.filter(|_| space), origin);
-    Ok(Arc::new(if space { made.bent_about_both_axes() } else { made }))
+    Ok(options.section(fibers))
 }
 
 /// OpenSees 2 knew no torsion of fiber sections; OpenSees 3 refuses one without.

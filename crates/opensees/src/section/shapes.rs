@@ -69,7 +69,7 @@ fn wide_flange(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exce
     let [in_web, in_flange] = a.parts(["fibers of the web nfdw", "fibers of a flange nftf"])?;
     let mut across = 1;
     if a.at_number() {
-        across = a.count("fibers across a flange nfbf")?;
+        across = a.parts_of(in_flange, "fibers across a flange nfbf")?;
         a.count("fibers across the web nftw")?;
     }
     let mut fibers = vec![];

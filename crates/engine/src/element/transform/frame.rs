@@ -3,6 +3,7 @@
 use super::{Ends, Reactions};
 use crate::element::axes::{self, AxesError};
 use crate::element::dot;
+use crate::probe::Probe;
 use nalgebra::{Matrix3, Vector3};
 
 /// Undeformed geometry of a beam with `N` degrees of freedom and `B` basic deformations.
@@ -18,6 +19,23 @@ pub struct Frame<const N: usize, const B: usize> {
     pub basic: [[f64; N]; B],
     /// Displacements of the nodes when the beam was created.
     pub initial: [f64; N],
+}
+
+/// Paths of the local axes as responses.
+const AXES: [(&str, u32); 6] = [
+    ("xaxis", X_AXIS),
+    ("xlocal", X_AXIS),
+    ("yaxis", X_AXIS + 1),
+    ("ylocal", X_AXIS + 1),
+    ("zaxis", Z_AXIS),
+    ("zlocal", Z_AXIS),
+];
+const X_AXIS: u32 = 90;
+const Z_AXIS: u32 = 92;
+
+/// A local axis of a beam as a response, by the first word of a recorder.
+pub fn axis_probe(word: &str) -> Option<Probe> {
+    AXES.iter().find(|(name, _)| *name == word).map(|(_, id)| Probe::new(*id, ["x", "y", "z"]))
 }
 
 /// Local displacements conjugate to the reactions: axial at i, y at i and j, z at i and j.
@@ -117,6 +135,15 @@ fn product<const N: usize, const B: usize>(a: &[[f64; N]; B], b: &[[f64; N]; N])
 }
 
 impl<const N: usize, const B: usize> Frame<N, B> {
+    /// Writes a local axis, if the path is that of one; returns true if it is.
+    pub fn read_axis(&self, path: &[u32], out: &mut [f64]) -> bool {
+        let axis = path.first().filter(|id| (X_AXIS..=Z_AXIS).contains(id));
+        if let Some(id) = axis {
+            out.iter_mut().zip(self.axes.row((id - X_AXIS) as usize).iter()).for_each(|(o, a)| *o = *a);
+        }
+        axis.is_some()
+    }
+
     /// Displacements since the creation of the beam.
     #[inline]
     pub fn since_made(&self, disp: &[f64]) -> [f64; N] {

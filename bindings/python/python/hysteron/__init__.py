@@ -1,0 +1,32 @@
+"""Structural analysis of buildings and bridges on seismic isolation: OpenSees' commands and scripts."""
+
+from ._hysteron import Message, OpenSeesError, OpenSeesWarning, ScriptResult, __version__, check, run
+from ._install import install
+from ._model import Model, Recording, USAGES as _USAGES
+from ._study import Calibration, Diagnosis, Study
+
+__all__ = [
+    "Calibration",
+    "Diagnosis",
+    "Message",
+    "Model",
+    "OpenSeesError",
+    "OpenSeesWarning",
+    "Recording",
+    "ScriptResult",
+    "Study",
+    "check",
+    "commands",
+    "install",
+    "run",
+]
+
+
+def commands(name=None):
+    """Usages: of all commands by name, or of the kinds that one command makes."""
+    if name is None:
+        return {n: usage for n, (usage, _) in _USAGES.items()}
+    if name not in _USAGES:
+        raise OpenSeesError(f"unknown command {name!r}")
+    usage, kinds = _USAGES[name]
+    return {n: kind_usage for names, kind_usage in kinds for n in names} or {name: usage}

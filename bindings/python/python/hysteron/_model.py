@@ -1,0 +1,142 @@
+"""Model: the commands of OpenSees as methods, each model with a state of its own."""
+
+import difflib
+import sys
+
+import numpy as np
+
+from . import _hysteron
+from ._hysteron import OpenSeesError
+from ._scope import REASONS
+
+USAGES = {name: (usage, kinds) for name, usage, kinds in _hysteron.usages()}
+
+#: Commands of scripts in Tcl that Python has its own words for.
+_TCL_ONLY = {"lassign", "print", "pset"}
+
+#: Short names of what a recorder of nodes takes down.
+_NODE_QUANTITIES = {"disp", "vel", "accel", "incrDisp", "reaction", "rayleighForces"}
+
+
+class Recording(dict):
+    """Histories by name, with ``time`` and the code of the analysis in ``code``."""
+
+    code: int = 0
+
+
+def _documentation(name):
+    usage, kinds = USAGES[name]
+    lines = [usage]
+    lines += ["", "Kinds: " + ", ".join(sorted(k[0][0] for k in kinds))] if kinds else []
+    return "\n".join(lines)
+
+
+def _method(name):
+    def call(self, *args):
+        return self._call(name, *args)
+
+    call.__name__ = name
+    call.__qualname__ = f"Model.{name}"
+    call.__doc__ = _documentation(name)
+    return call
+
+
+def _refusal(name):
+    reason = REASONS[name]
+
+    def call(self, *args):
+        raise OpenSeesError(f"{name} is out of hysteron's scope: {reason}")
+
+    call.__name__ = name
+    call.__qualname__ = f"Model.{name}"
+    call.__doc__ = f"Out of scope: {reason}."
+    return call
+
+
+class Model(_hysteron.Domain):
+    """A model of OpenSees with its state and analysis.
+
+    The commands of OpenSees are its methods. Models are independent of each other; one thread at a time uses a model, and
+    other threads run while it is analysed.
+
+    ``ndm`` and ``ndf`` are those of the command ``model``. ``strict`` makes errors of warnings, ``compat`` gives the numbers
+    of OpenSees also where they depend on a slip, and ``ladder`` tries other algorithms and shorter steps where a step fails.
+    """
+
+    def __init__(self, ndm=None, ndf=None, *, strict=False, compat=False, ladder=False):
+        if ndm is not None:
+            self._call("model", "basic", "-ndm", ndm, *(() if ndf is None else ("-ndf", ndf)))
+        elif ndf is not None:
+            raise OpenSeesError("Model: ndf is given, and ndm is not")
+
+    def __new__(cls, ndm=None, ndf=None, *, strict=False, compat=False, ladder=False):
+        return super().__new__(cls, strict=strict, compat=compat, ladder=ladder)
+
+    def __getattr__(self, name):
+        near = difflib.get_close_matches(name, USAGES, 1)
+        hint = f". Did you mean '{near[0]}'?" if near else ""
+        raise AttributeError(f"OpenSees has no command '{name}'{hint}", name=name, obj=self)
+
+    def analyze(self, *args, record=None):
+        """analyze(steps, <dt>): 0, or the code of the failure.
+
+        With ``record``, the histories of responses by name: ``record={'roof': ('disp', 4, 1)}`` for node 4 and degree of
+        freedom 1, ``('Element', '-ele', 1, 'force')`` for the words of a recorder without its file. They are arrays of shape
+        (rows, columns), or (rows,) for a single column.
+        """
+        if record is None:
+            return self._call("analyze", *args)
+        made = {name: self._record(*_recorder_words(name, what)) for name, what in record.items()}
+        histories = Recording()
+        try:
+            histories.code = self._call("analyze", *args)
+        finally:
+            for name, (tag, file) in made.items():
+                rows = self._recorded(tag, file)
+                times, columns = rows[:, :1].ravel(), rows[:, 1:]
+                histories.setdefault("time", times)
+                histories[name] = columns[:, 0] if columns.shape[1] == 1 else columns
+        return histories
+
+    def getNumThreads(self):
+        """Number of threads of an analysis: 1."""
+        return 1
+
+    def setNumThreads(self, number):
+        """Accepted: an analysis runs on one thread here, and models run side by side."""
+
+    def pyversion(self, *args):
+        """Version of Python, as openseespy names it."""
+        return sys.version
+
+    def defaultUnits(self, *args):
+        """Accepted: numbers have the units that the script gives them, and nothing is converted."""
+
+    def metaData(self, *args):
+        """Accepted: notes about a model change nothing of it."""
+
+    def build(self):
+        """Accepted: there is nothing to build."""
+
+    def barrier(self):
+        """Accepted: there is one process."""
+
+
+def _recorder_words(name, what):
+    words = list(what) if isinstance(what, (list, tuple)) else [what]
+    if words and words[0] in _NODE_QUANTITIES:
+        quantity, nodes, *dofs = words
+        return ["Node", "-node", nodes, *(["-dof", *dofs] if dofs else []), quantity]
+    if len(words) < 2:
+        raise OpenSeesError(
+            f"record {name!r}: {what!r} is no recorder\n  expected ('disp', node, dof) or the words of a recorder"
+        )
+    return words
+
+
+for _name in USAGES:
+    if _name not in _TCL_ONLY and not hasattr(Model, _name) | (_name in Model.__dict__):
+        setattr(Model, _name, _method(_name))
+for _name in REASONS:
+    if _name not in USAGES:
+        setattr(Model, _name, _refusal(_name))

@@ -1,0 +1,33 @@
+"""Names of openseespy that hysteron has no command for, by the reason."""
+
+#: Names by reason. A call of one raises OpenSeesError with the reason.
+OUT_OF_SCOPE = {
+    "analyses of one model on several processes": "Bcast recv send partition",
+    "reliability": (
+        "randomVariable correlate getCDF getInverseCDF getLSFTags getMean getPDF getRVParamTag getRVTags getRVValue "
+        "getStdv filter findDesignPoint functionEvaluator gradPerformanceFunction gradientEvaluator "
+        "meritFunctionCheck modulatingFunction performanceFunction probabilityTransformation randomNumberGenerator "
+        "reliabilityConvergenceCheck rootFinding runFORMAnalysis runFOSMAnalysis runImportanceSamplingAnalysis "
+        "runSORMAnalysis searchDirection spectrum startPoint stepSizeRule transformUtoX wipeReliability findCurvatures"
+    ),
+    "gradients by direct differentiation": (
+        "computeGradients sensLambda sensNodeAccel sensNodeDisp sensNodePressure sensNodeVel sensSectionForce "
+        "sensitivityAlgorithm"
+    ),
+    "meshes that change, and fluids": "mesh remesh IGA nodePressure setNodePressure pressureConstraint",
+    "temperature": "getNodeTemperature setNodeTemperature",
+    "data bases and conversions of files": (
+        "database save restore convertBinaryToText convertTextToBinary stripXML searchPeerNGA"
+    ),
+    "other programs and generators": "NDTest ShallowFoundationGen OpenSeesParameter",
+    "parts of laws that hysteron does not have yet": (
+        "damping hystereticBackbone limitCurve stiffnessDegradation strengthDegradation strengthControl unloadingRule "
+        "updateMaterialStage setCreep InitialStateAnalysis"
+    ),
+    "queries that hysteron does not have yet": (
+        "accelCPU solveCPU totalCPU cbdiDisplacement sectionDisplacement domainCommitTag eleDynamicalForce printGID printX "
+        "classType "
+        "responseSpectrumAnalysis sdfResponse setStartNodeTag updateElementDomain equalDOF_Mixed"
+    ),
+}
+REASONS = {name: reason for reason, names in OUT_OF_SCOPE.items() for name in names.split()}

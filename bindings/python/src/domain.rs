@@ -1,0 +1,177 @@
+//! A model with its state and analysis, as Python sees it.
+
+use crate::answers::answer;
+use crate::errors::OpenSeesError;
+use crate::messages::render;
+use crate::outputs::{self, Files, MEMORY, Shared, Signals, Text, hold};
+use crate::owned::Owned;
+use crate::words::words;
+use hysteron_engine::analysis::{Options, RecoveryStrategy};
+use hysteron_opensees::run::{Run, Settings};
+use hysteron_opensees::{Command, Mode, Session, calls};
+use hysteron_tcl::diagnostic::Diagnostic;
+use hysteron_tcl::{Exception, OsFiles, Value};
+use numpy::PyArray2;
+use pyo3::exceptions::PyRuntimeError;
+use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+use std::sync::atomic::Ordering;
+use std::sync::{Mutex, MutexGuard, TryLockError};
+use std::time::Instant;
+
+/// Commands that may take long: Python's other threads go on meanwhile.
+const LONG: &[&str] = &["analyze", "eigen", "modalProperties"];
+
+/// Commands that change nothing of what the queries give.
+const PURE: &[&str] = &["nodeCoord", "nodeMass", "getNodeTags", "getEleTags", "eleNodes", "eleType", "nodeEigenvector"];
+
+/// A model with its state and analysis: each command of OpenSees by `_call`, and fast queries.
+#[pyclass(frozen, subclass, module = "hysteron._hysteron")]
+pub(crate) struct Domain {
+    inner: Mutex<Inner>,
+    text: Text,
+    files: Files,
+    warned: Shared<Vec<Diagnostic>>,
+    raised: Shared<Option<PyErr>>,
+}
+
+/// Parts of a model that one thread at a time uses.
+pub(crate) struct Inner {
+    owned: Owned,
+    /// Reactions at all degrees of freedom of the present state, once they have been asked for.
+    pub(crate) reactions: Option<Vec<f64>>,
+    recorded: usize,
+}
+
+impl Inner {
+    pub(crate) fn session(&mut self) -> &mut Session {
+        &mut self.owned.run().interp.host
+    }
+}
+
+impl Domain {
+    /// Hold the model.
+    pub(crate) fn hold(&self) -> PyResult<MutexGuard<'_, Inner>> {
+        self.inner.try_lock().map_err(|e| match e {
+            TryLockError::WouldBlock => PyRuntimeError::new_err("the model is in use: an analysis runs, or a command"),
+            TryLockError::Poisoned(_) => PyRuntimeError::new_err("the model is not usable after an internal error"),
+        })
+    }
+
+    /// Call a command with words.
+    pub(crate) fn command(&self, py: Python<'_>, command: &'static Command, words: &[Value]) -> PyResult<Py<PyAny>> {
+        let mut inner = self.hold()?;
+        if !PURE.contains(&command.name) {
+            inner.reactions = None;
+        }
+        let run = inner.owned.run();
+        run.interp.interrupt.store(false, Ordering::Relaxed);
+        let outcome = run.call(command, words);
+        self.finish(py, &mut inner, command, words, outcome)
+    }
+
+    /// The same for a command that may take long.
+    fn long_command(&self, py: Python<'_>, command: &'static Command, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
+        let words = words(command.name, args)?;
+        let mut inner = self.hold()?;
+        inner.reactions = None;
+        inner.owned.run().interp.interrupt.store(false, Ordering::Relaxed);
+        let owned = &mut inner.owned;
+        owned.set_words(words);
+        py.detach(|| owned.call(command));
+        let (words, outcome) = owned.take();
+        self.finish(py, &mut inner, command, &words, outcome)
+    }
+
+    /// Give out text and warnings, and the answer or the error.
+    fn finish(
+        &self,
+        py: Python<'_>,
+        inner: &mut Inner,
+        command: &'static Command,
+        words: &[Value],
+        outcome: Result<Value, Exception>,
+    ) -> PyResult<Py<PyAny>> {
+        let interp = &mut inner.owned.run().interp;
+        let warned = std::mem::take(&mut *hold(&self.warned));
+        interp.core.warnings.clear();
+        let numbers = interp.host.call_numbers();
+        let render = |d: &Diagnostic| render(d, words, numbers, &interp.core.sources);
+        let warned: Vec<String> = warned.iter().map(&render).collect();
+        let result = match outcome {
+            Ok(value) => answer(py, command.name, &value),
+            Err(Exception::Error(e)) => Err(OpenSeesError::new_err(render(&e.diagnostic))),
+            Err(Exception::Interrupted) => Err(self.interruption()),
+            Err(_) => Err(OpenSeesError::new_err(format!("{}: ended by a command of its body", command.name))),
+        };
+        self.text.flush(py)?;
+        warned.iter().try_for_each(|w| outputs::warn(py, w, 2))?;
+        result
+    }
+
+    fn interruption(&self) -> PyErr {
+        let raised = hold(&self.raised).take();
+        raised.unwrap_or_else(|| PyRuntimeError::new_err("the analysis was interrupted"))
+    }
+
+    fn known(name: &str) -> PyResult<&'static Command> {
+        calls::command(name).ok_or_else(|| OpenSeesError::new_err(format!("unknown command \"{name}\"")))
+    }
+}
+
+#[pymethods]
+impl Domain {
+    #[new]
+    #[pyo3(signature = (*, strict = false, compat = false, ladder = false, **_more))]
+    fn new(strict: bool, compat: bool, ladder: bool, _more: Option<&Bound<'_, pyo3::types::PyDict>>) -> Self {
+        let options =
+            Options { compat, ladder: ladder.then(RecoveryStrategy::default), dense: None, refine: Options::default().refine };
+        let (text, files) = (Text::default(), Files::default());
+        let settings = Settings { mode: Mode::Run, strict, options };
+        let mut run = Run::for_calls(settings, Box::new(text.clone()), Box::new(OsFiles), Box::new(files.clone()));
+        let (warned, raised): (Shared<Vec<Diagnostic>>, Shared<Option<PyErr>>) = Default::default();
+        let into = warned.clone();
+        run.interp.host.on_warning(Box::new(move |d, _| hold(&into).push(d.clone())));
+        let interrupt = run.interp.interrupt.clone();
+        let signals = Signals { raised: raised.clone(), interrupt, last: Instant::now() };
+        run.interp.host.set_progress(Box::new(signals));
+        let inner = Inner { owned: Owned::new(run), reactions: None, recorded: 0 };
+        Self { inner: Mutex::new(inner), text, files, warned, raised }
+    }
+
+    /// Call a command of OpenSees by its name.
+    #[pyo3(signature = (name, *args))]
+    pub(crate) fn _call(&self, py: Python<'_>, name: &str, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
+        let command = Self::known(name)?;
+        if LONG.contains(&name) {
+            return self.long_command(py, command, args);
+        }
+        self.command(py, command, &words(name, args)?)
+    }
+
+    /// Keep in memory what a recorder of these words would write; the number of the recorder.
+    #[pyo3(signature = (kind, *args))]
+    fn _record(&self, py: Python<'_>, kind: &str, args: &Bound<'_, PyTuple>) -> PyResult<(i64, String)> {
+        let name = {
+            let mut inner = self.hold()?;
+            inner.recorded += 1;
+            format!("{MEMORY}{}", inner.recorded)
+        };
+        let mut all = words("recorder", args)?;
+        all.splice(1..1, [Value::from(kind), Value::from("-file"), Value::from(name.as_str()), Value::from("-time")]);
+        let tag = self.command(py, Self::known("recorder")?, &all)?;
+        Ok((tag.extract(py)?, name))
+    }
+
+    /// Rows of a recorder in memory, which is removed: the times, then the columns.
+    fn _recorded<'py>(&self, py: Python<'py>, tag: i64, name: &str) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.command(py, Self::known("remove")?, &[Value::from("remove"), Value::from("recorder"), Value::from(tag)])?;
+        let rows = self.files.take(name);
+        PyArray2::from_vec2(py, &rows).map_err(|e| PyRuntimeError::new_err(e.to_string()))
+    }
+
+    /// Finish the recorders: their files are complete.
+    fn _finish(&self) -> PyResult<()> {
+        self.hold()?.session().finish().map_err(|e| OpenSeesError::new_err(e.to_string()))
+    }
+}

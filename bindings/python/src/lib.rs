@@ -1,0 +1,30 @@
+//! hysteron for Python: the extension module behind the package `hysteron`.
+
+mod answers;
+mod domain;
+mod errors;
+mod messages;
+mod outputs;
+mod owned;
+mod queries;
+mod script;
+mod study;
+mod words;
+
+use pyo3::prelude::*;
+
+#[pymodule]
+fn _hysteron(m: &Bound<'_, PyModule>) -> PyResult<()> {
+    let py = m.py();
+    m.add("OpenSeesError", py.get_type::<errors::OpenSeesError>())?;
+    m.add("OpenSeesWarning", py.get_type::<errors::OpenSeesWarning>())?;
+    m.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    m.add_class::<domain::Domain>()?;
+    m.add_class::<script::ScriptResult>()?;
+    m.add_class::<study::Study>()?;
+    m.add_class::<script::Message>()?;
+    m.add_function(wrap_pyfunction!(script::run, m)?)?;
+    m.add_function(wrap_pyfunction!(script::check, m)?)?;
+    m.add_function(wrap_pyfunction!(messages::usages, m)?)?;
+    Ok(())
+}

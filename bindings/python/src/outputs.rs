@@ -1,0 +1,113 @@
+//! Destination of what commands write: text for `sys.stderr`, recorders' files, and rows for numpy.
+
+use crate::errors::OpenSeesWarning;
+use hysteron_engine::record::{Memory, Output, RecordError, RowFile};
+use hysteron_opensees::{FileFormat, Outputs, Progress};
+use hysteron_tcl::Console;
+use pyo3::prelude::*;
+use std::collections::HashMap;
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+/// Time between looks at Python's signals during an analysis.
+const SIGNAL_INTERVAL: Duration = Duration::from_millis(50);
+
+/// Start of the names of recorders' files that are kept in memory.
+pub(crate) const MEMORY: &str = "\u{1}memory ";
+
+/// Something shared by a model and what it writes to.
+pub(crate) type Shared<T> = Arc<Mutex<T>>;
+
+/// Hold something shared. A panic while it was held leaves text or rows, which are as good as before.
+pub(crate) fn hold<T>(shared: &Shared<T>) -> MutexGuard<'_, T> {
+    shared.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Collects text until Python's interpreter can take it.
+#[derive(Clone, Default)]
+pub(crate) struct Text {
+    /// Text for `sys.stdout`, and text for `sys.stderr`.
+    written: Shared<(String, String)>,
+}
+
+impl Console for Text {
+    fn out(&mut self, text: &str) {
+        hold(&self.written).0.push_str(text);
+    }
+
+    fn err(&mut self, text: &str) {
+        hold(&self.written).1.push_str(text);
+    }
+}
+
+impl Text {
+    /// What was written since the last call.
+    pub(crate) fn take(&self) -> (String, String) {
+        std::mem::take(&mut *hold(&self.written))
+    }
+
+    /// Write to `sys.stdout` and `sys.stderr`.
+    pub(crate) fn flush(&self, py: Python<'_>) -> PyResult<()> {
+        let (out, err) = self.take();
+        for (stream, text) in [("stdout", out), ("stderr", err)] {
+            if !text.is_empty() {
+                py.import("sys")?.getattr(stream)?.call_method1("write", (text,))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Recorders' files on the disk, or rows in memory.
+#[derive(Clone, Default)]
+pub(crate) struct Files {
+    rows: Shared<HashMap<String, Memory>>,
+}
+
+impl Files {
+    /// The rows of a recorder in memory, taken out.
+    pub(crate) fn take(&self, name: &str) -> Vec<Vec<f64>> {
+        hold(&self.rows).remove(name).map(|m| m.take()).unwrap_or_default()
+    }
+}
+
+impl Outputs for Files {
+    fn create(&mut self, name: &str, path: &Path, f: FileFormat) -> Result<Box<dyn Output>, RecordError> {
+        if name.starts_with(MEMORY) {
+            let memory = Memory::default();
+            hold(&self.rows).insert(name.to_owned(), memory.clone());
+            return Ok(Box::new(memory));
+        }
+        Ok(Box::new(RowFile::create(path, f.layout, f.style, f.close_on_write)?))
+    }
+}
+
+/// Looks at Python's signals between the steps of an analysis.
+pub(crate) struct Signals {
+    pub(crate) raised: Shared<Option<PyErr>>,
+    pub(crate) interrupt: Arc<AtomicBool>,
+    pub(crate) last: Instant,
+}
+
+impl Progress for Signals {
+    fn step(&mut self, _: f64, _: Option<f64>) {
+        if self.last.elapsed() < SIGNAL_INTERVAL {
+            return;
+        }
+        self.last = Instant::now();
+        // Ctrl-C sets a flag that Python's main thread looks at; its handler raises `KeyboardInterrupt`.
+        if let Err(e) = Python::attach(|py| py.check_signals()) {
+            *hold(&self.raised) = Some(e);
+            self.interrupt.store(true, Ordering::Relaxed);
+        }
+    }
+}
+
+/// Give a warning at the caller's line.
+pub(crate) fn warn(py: Python<'_>, text: &str, frames: i32) -> PyResult<()> {
+    let category = py.get_type::<OpenSeesWarning>();
+    py.import("warnings")?.call_method1("warn", (text, category, frames))?;
+    Ok(())
+}

@@ -1,0 +1,43 @@
+//! A model that one thread at a time uses.
+
+use hysteron_opensees::Command;
+use hysteron_opensees::run::Run;
+use hysteron_tcl::{Exception, Value};
+
+/// An interpreter with all that it works on, which may be handed from thread to thread.
+pub(crate) struct Owned {
+    run: Run,
+    words: Vec<Value>,
+    outcome: Option<Result<Value, Exception>>,
+}
+
+impl Owned {
+    pub(crate) fn new(run: Run) -> Self {
+        Self { run, words: vec![], outcome: None }
+    }
+
+    pub(crate) fn run(&mut self) -> &mut Run {
+        &mut self.run
+    }
+
+    /// Keep the words of the next call.
+    pub(crate) fn set_words(&mut self, words: Vec<Value>) {
+        self.words = words;
+    }
+
+    /// Call a command with the words, and keep its outcome.
+    pub(crate) fn call(&mut self, command: &'static Command) {
+        self.outcome = Some(self.run.call(command, &self.words));
+    }
+
+    /// Words and outcome of the last call.
+    pub(crate) fn take(&mut self) -> (Vec<Value>, Result<Value, Exception>) {
+        (std::mem::take(&mut self.words), self.outcome.take().unwrap_or(Ok(Value::EMPTY)))
+    }
+}
+
+// SAFETY: The values of an interpreter count their references without locks, so that all references to one must stay
+// with one thread at a time. `Run::for_calls` makes an interpreter that shares none with the thread's other interpreters.
+// Words are made, and answers taken apart, while the lock of `Domain` is held; none is kept outside. The lock orders the
+// threads. No file is run as a script, so that the thread's store of parsed files has no part in it.
+unsafe impl Send for Owned {}

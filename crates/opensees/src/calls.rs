@@ -1,0 +1,133 @@
+//! Calls of single commands by a host program, without a script.
+//!
+//! ```
+//! use hysteron_opensees::run::{Run, Settings};
+//! use hysteron_opensees::{Mode, calls};
+//! # use hysteron_engine::analysis::Options;
+//! # use hysteron_tcl::{MemoryFiles, Recorded, Value};
+//! # struct None;
+//! # impl hysteron_opensees::Outputs for None {
+//! #     fn create(&mut self, _: &str, _: &std::path::Path, _: hysteron_opensees::FileFormat)
+//! #         -> Result<Box<dyn hysteron_engine::record::Output>, hysteron_engine::record::RecordError> {
+//! #         Ok(Box::new(hysteron_engine::record::Memory::default()))
+//! #     }
+//! # }
+//! let settings = Settings { mode: Mode::Run, strict: false, options: Options::default() };
+//! let mut run = Run::for_calls(settings, Box::new(Recorded::default()), Box::new(MemoryFiles::default()), Box::new(None));
+//! let mut call = |words: &[&str]| {
+//!     let command = calls::command(words[0]).unwrap();
+//!     run.call(command, &words.iter().map(|w| Value::from(*w)).collect::<Vec<_>>())
+//! };
+//! call(&["model", "BasicBuilder", "-ndm", "1"]).unwrap();
+//! call(&["node", "1", "0.5"]).unwrap();
+//! assert_eq!(call(&["nodeCoord", "1", "1"]).unwrap().to_f64().unwrap(), 0.5);
+//! ```
+
+use crate::run::{Run, Settings};
+use crate::section::{fiber, open};
+use crate::{Command, Mode, Outcome, Outputs, Session, commands, elsewhere};
+use hysteron_engine::analysis::{Failure, ReactionKind};
+use hysteron_engine::model::{ElementId, NodeId};
+use hysteron_engine::record::ElementResponse;
+use hysteron_tcl::diagnostic::{SourceId, Span};
+use hysteron_tcl::{Call, Console, Files, Interp, Value};
+
+/// The command of a name.
+pub fn command(name: &str) -> Option<&'static Command> {
+    commands().find(|c| c.name == name)
+}
+
+/// Number of calls made by a host, and the source that stands for them in the places of messages.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct CallNumbers {
+    source: Option<SourceId>,
+    last: u32,
+}
+
+impl CallNumbers {
+    /// The word of the last call that a span names; `Some(None)` for the whole call, `None` for another call or a file.
+    pub fn word(&self, span: Span) -> Option<Option<usize>> {
+        let is_last = Some(span.source) == self.source && span.start == self.last;
+        is_last.then(|| (span.end != u32::MAX).then_some(span.end as usize))
+    }
+
+    /// Returns true if the span is one of a call by the host.
+    pub fn is_call(&self, span: Span) -> bool {
+        Some(span.source) == self.source
+    }
+}
+
+impl Run {
+    /// Prepare to call commands one by one with [`Run::call`].
+    ///
+    /// The interpreter shares nothing with others of the thread.
+    pub fn for_calls(
+        settings: Settings,
+        console: Box<dyn Console>,
+        files: Box<dyn Files>,
+        outputs: Box<dyn Outputs>,
+    ) -> Self {
+        let session = Session::new(settings.options, Mode::Run, settings.strict, outputs);
+        let mut interp = Interp::new(session, console, files);
+        crate::install(&mut interp);
+        interp.elsewhere = elsewhere::command;
+        interp.host.called_by_host = true;
+        let interrupt = interp.interrupt.clone();
+        interp.host.stop_on(interrupt);
+        Self { interp, partial: vec![] }
+    }
+
+    /// Call a command with its words, the first of which is its name.
+    ///
+    /// Fibers of a section, loads of a pattern and motions of supports are commands of their own after the command that
+    /// has a body in a script.
+    ///
+    /// # Errors
+    /// The command is rejected. The places in the message are those of [`CallNumbers`].
+    pub fn call(&mut self, command: &'static Command, words: &[Value]) -> Outcome {
+        let numbers = &mut self.interp.host.call_numbers;
+        numbers.last = numbers.last.wrapping_add(1);
+        let number = numbers.last;
+        let source = match numbers.source {
+            Some(source) => source,
+            None => {
+                let source = self.interp.core.sources.add("call", "");
+                self.interp.host.call_numbers.source = Some(source);
+                source
+            }
+        };
+        if !fiber::COMMANDS.iter().any(|c| c.name == command.name) {
+            open::settle(&mut self.interp)?;
+        }
+        self.interp.core.enter_current_dir();
+        (command.run)(&mut self.interp, &Call::numbered(words, source, number))
+    }
+}
+
+impl Session {
+    /// Number of calls by a host.
+    pub fn call_numbers(&self) -> CallNumbers {
+        self.call_numbers
+    }
+
+    /// Reactions at all degrees of freedom in the committed state, of the kind that `reactions` has set.
+    ///
+    /// # Errors
+    /// The model cannot be evaluated.
+    pub fn reactions(&mut self) -> Result<Vec<f64>, Failure> {
+        let mut all = vec![];
+        let kind: ReactionKind = self.output.reaction_kind;
+        self.engine.reactions(kind, &mut all)?;
+        Ok(all)
+    }
+
+    /// Degrees of freedom of a node in the arrays of the state.
+    pub fn node_dofs(&self, node: NodeId) -> std::ops::Range<usize> {
+        self.engine.model().nodes[node.0].dofs()
+    }
+
+    /// Response of an element in the committed state, by the words that name it; `None` if it has none of that name.
+    pub fn element_response(&mut self, element: ElementId, words: &[&str]) -> Option<Vec<f64>> {
+        ElementResponse::evaluate(&self.engine, element, words, &mut self.output.known)
+    }
+}

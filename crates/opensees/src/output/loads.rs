@@ -1,0 +1,156 @@
+//! Queries that programs which draw models make: numbers of classes, and the loads of patterns.
+
+use crate::args::Args;
+use crate::{Command, Outcome, Tcl, finish};
+use hysteron_engine::element::ElementLoad;
+use hysteron_engine::model::Pattern;
+use hysteron_tcl::{Call, Exception, Value};
+
+pub(crate) const COMMANDS: &[Command] = &[
+    Command::new("getEleClassTags", "getEleClassTags <$element>", class_tags),
+    Command::new("getCrdTransfTags", "getCrdTransfTags", |i, _| {
+        Ok(Value::list(i.host.builder.definitions.transforms.tags().map(|t| Value::from(i64::from(t)))))
+    }),
+    Command::new("getEleLoadTags", "getEleLoadTags <$pattern>", |i, c| {
+        element_loads(i, c, |tag, _, _, out| out.push(Value::from(i64::from(tag))))
+    }),
+    Command::new("getEleLoadClassTags", "getEleLoadClassTags <$pattern>", |i, c| {
+        element_loads(i, c, |_, load, space, out| out.push(Value::from(described(load, space).0)))
+    }),
+    Command::new("getEleLoadData", "getEleLoadData <$pattern>", |i, c| {
+        element_loads(i, c, |_, load, space, out| out.extend(described(load, space).1.into_iter().map(Value::from)))
+    }),
+    Command::new("getNodeLoadTags", "getNodeLoadTags <$pattern>", node_load_tags),
+    Command::new("getNodeLoadData", "getNodeLoadData <$pattern>", node_load_data),
+];
+
+/// OpenSees' numbers of the classes of elements (`SRC/classTags.h`).
+const CLASS_TAGS: &[(&str, i64)] = &[
+    ("Brick", 56),
+    ("ComponentElement2d", 195),
+    ("CorotTruss", 14),
+    ("CoupledZeroLength", 26),
+    ("DispBeamColumn2d", 62),
+    ("DispBeamColumn3d", 64),
+    ("ElasticBeam2d", 3),
+    ("ElasticBeam3d", 5),
+    ("ElasticTimoshenkoBeam2d", 145),
+    ("ElasticTimoshenkoBeam3d", 146),
+    ("ElastomericBearingBoucWen2d", 90),
+    ("ElastomericBearingBoucWen3d", 91),
+    ("ElastomericBearingPlasticity2d", 85),
+    ("ElastomericBearingPlasticity3d", 84),
+    ("ElastomericBearingUFRP2d", 147),
+    ("ElastomericX", 152),
+    ("FPBearingPTV", 166),
+    ("FlatSliderSimple2d", 92),
+    ("FlatSliderSimple3d", 93),
+    ("ForceBeamColumn2d", 73),
+    ("ForceBeamColumn3d", 74),
+    ("ForceBeamColumnCBDI2d", 77),
+    ("ForceBeamColumnCBDI3d", 78),
+    ("FourNodeQuad", 31),
+    ("HDR", 151),
+    ("KikuchiBearing", 160),
+    ("LeadRubberX", 153),
+    ("ModElasticBeam2d", 4),
+    ("MultipleNormalSpring", 159),
+    ("MultipleShearSpring", 158),
+    ("RJWatsonEQS2d", 149),
+    ("RJWatsonEQS3d", 150),
+    ("ShellDKGQ", 156),
+    ("ShellDKGT", 167),
+    ("ShellMITC4", 53),
+    ("SingleFPSimple2d", 96),
+    ("SingleFPSimple3d", 97),
+    ("TripleFrictionPendulum", 132),
+    ("TripleFrictionPendulumX", 258),
+    ("Truss", 12),
+    ("TwoNodeLink", 86),
+    ("YamamotoBiaxialHDR", 161),
+    ("ZeroLength", 19),
+    ("ZeroLengthSection", 20),
+];
+
+fn class_tags(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "getEleClassTags <$element>");
+    let model = interp.host.engine.model();
+    let mut ids: Vec<_> = model.elements_by_tag().collect();
+    if a.left() > 0 {
+        let tag = a.int("tag of the element")?;
+        let id = model.element(tag);
+        ids = vec![id.ok_or_else(|| a.refuse(format!("there is no element {tag}"), "expected the tag of an element"))?];
+    }
+    let class = |name: &str| CLASS_TAGS.iter().find(|c| c.0 == name).map_or(0, |c| c.1);
+    let tags = ids.iter().map(|id| Value::from(class(model.elements[id.0].element.class())));
+    let tags = Value::list(tags);
+    finish(interp, &a)?;
+    Ok(tags)
+}
+
+/// The pattern that the call names, or all of them.
+fn patterns<'a>(interp: &'a Tcl, call: &Call<'_>) -> Result<Vec<&'a Pattern>, Exception> {
+    let mut a = Args::new(call, "getEleLoadTags <$pattern>");
+    let all = &interp.host.engine.model().patterns;
+    if a.left() == 0 {
+        return Ok(all.values().collect());
+    }
+    let tag = a.int("tag of the pattern")?;
+    let pattern = all.get(&tag);
+    pattern
+        .map(|p| vec![p])
+        .ok_or_else(|| a.refuse(format!("there is no load pattern {tag}"), "expected the tag of a pattern"))
+}
+
+/// What `put` gives for each element load: from the tag of the element, the load, and true in space.
+fn element_loads(interp: &mut Tcl, call: &Call<'_>, put: fn(i32, &ElementLoad, bool, &mut Vec<Value>)) -> Outcome {
+    let mut out = vec![];
+    for pattern in patterns(interp, call)? {
+        for (id, load) in &pattern.element_loads {
+            let model = interp.host.engine.model();
+            let element = &model.elements[id.0];
+            let space = element.nodes.first().is_some_and(|n| model.nodes[n.0].ndm() == 3);
+            put(element.tag, load, space, &mut out);
+        }
+    }
+    Ok(Value::list(out))
+}
+
+/// Number of the class of a load, and its numbers in OpenSees' order.
+fn described(load: &ElementLoad, space: bool) -> (i64, Vec<f64>) {
+    match *load {
+        ElementLoad::Distributed { span, y, z, x } if span == (0.0, 1.0) && y.0 == y.1 && z.0 == z.1 && x.0 == x.1 => {
+            if space {
+                (5, vec![y.0, z.0, x.0])
+            } else {
+                (3, vec![y.0, x.0])
+            }
+        }
+        ElementLoad::Distributed { span, y, z, x } => {
+            if space {
+                (121, vec![y.0, z.0, x.0, span.0, span.1, y.1, z.1, x.1])
+            } else {
+                (12, vec![y.0, y.1, x.0, x.1, span.0, span.1])
+            }
+        }
+        ElementLoad::Point { at, y, z, x } => {
+            if space {
+                (6, vec![y, z, x, at])
+            } else {
+                (4, vec![y, x, at])
+            }
+        }
+        ElementLoad::Moment { z } => (60, vec![0.0, 0.0, z]),
+    }
+}
+
+fn node_load_tags(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let nodes = &interp.host.engine.model().nodes;
+    let loads = patterns(interp, call)?.into_iter().flat_map(|p| &p.nodal_loads);
+    Ok(Value::list(loads.map(|l| Value::from(i64::from(nodes[l.node.0].tag)))))
+}
+
+fn node_load_data(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let loads = patterns(interp, call)?.into_iter().flat_map(|p| &p.nodal_loads);
+    Ok(Value::list(loads.flat_map(|l| l.values.iter().map(|x| Value::from(*x)))))
+}

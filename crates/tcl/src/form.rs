@@ -1,0 +1,41 @@
+//! Form of a value: what it is made of, for hosts whose values have types.
+
+use super::list::List;
+use super::value::{Rep, Value};
+
+/// Form in which a value was made.
+#[derive(Clone)]
+pub enum Form<'a> {
+    /// The empty text, list or dictionary.
+    Empty,
+    /// An integer.
+    Int(i64),
+    /// A double.
+    Double(f64),
+    /// A text, or an integer beyond 64 bits.
+    Text(std::borrow::Cow<'a, str>),
+    /// A list.
+    List(List),
+    /// A dictionary: keys and values in turn.
+    Dict(List),
+}
+
+impl Value {
+    /// Form in which the value was made. A number that was read from a text is a text.
+    ///
+    /// ```
+    /// use hysteron_tcl::{Form, Value};
+    /// assert!(matches!(Value::from(0.5).form(), Form::Double(0.5)));
+    /// assert!(matches!(Value::from("0.5").form(), Form::Text(_)));
+    /// ```
+    pub fn form(&self) -> Form<'_> {
+        match &self.0 {
+            Rep::Empty => Form::Empty,
+            Rep::Int(i) => Form::Int(*i),
+            Rep::Double(d) => Form::Double(d.get()),
+            Rep::Big(_) | Rep::Str(_) => Form::Text(self.as_str()),
+            Rep::List(l) => Form::List(List(l.clone())),
+            Rep::Dict(d) => Form::Dict(d.to_list()),
+        }
+    }
+}
