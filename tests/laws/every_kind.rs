@@ -217,6 +217,7 @@ const ELEMENTS: &[(usize, usize, Shape, &str)] = &[
     (3, 6, Shape::Corners, "ShellMITC4 @ 42"),
     (3, 6, Shape::Corners, "ShellMITC4 @ 43"),
     (3, 6, Shape::Corners, "ShellDKGQ @ 43"),
+    (3, 6, Shape::Corners, "ShellNLDKGQ @ 43"),
     (3, 6, Shape::Triangle, "ShellDKGT @ 43"),
     (3, 3, Shape::Brick, "stdBrick @ 31"),
 ];

@@ -98,6 +98,7 @@ const KINDS: &[Kind] = &[
     shell::MITC4,
     shell::DKGQ,
     shell::DKGT,
+    shell::UPDATED,
 ];
 
 /// The two nodes of an element.
