@@ -167,6 +167,9 @@ pub(super) struct CalibrateArgs {
     /// Sample the posterior of the parameters, with this many sweeps
     #[arg(long, value_name = "SWEEPS", num_args = 0..=1, default_missing_value = "400")]
     pub(super) posterior: Option<usize>,
+    /// Write report_interactive.html too: the report with charts to be zoomed and asked in a browser
+    #[arg(long)]
+    pub(super) view: bool,
     /// Go on where an interrupted calibration was stopped
     #[arg(long)]
     pub(super) resume: bool,
@@ -193,6 +196,9 @@ pub(super) struct DiagnoseArgs {
     /// Number of threads; all cores if it is not given. The result does not depend on it
     #[arg(long, value_name = "N")]
     pub(super) threads: Option<usize>,
+    /// Write report_interactive.html too: the report with charts to be zoomed and asked in a browser
+    #[arg(long)]
+    pub(super) view: bool,
     /// Go on where an interrupted diagnosis was stopped
     #[arg(long)]
     pub(super) resume: bool,

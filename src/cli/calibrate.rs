@@ -2,7 +2,7 @@
 
 use super::args::{CalibrateArgs, Compat};
 use super::calibration_summary::{plan, replaced, summary};
-use super::files::{CHECKPOINT_INTERVAL, write_atomically, write_channels};
+use super::files::{CHECKPOINT_INTERVAL, write_atomically, write_channels, write_report};
 use super::messages::Messages;
 use super::preflight::{check_channels, threads};
 use super::signals::{on_interrupt, stopped_status};
@@ -209,7 +209,7 @@ fn calibrate_study(
     let runs = 0..study.runs.len();
     let displacements = runs.map(|r| simulator.displacement(r, &result.values)).collect();
     result.add_amplitudes(&displacements);
-    write(dir, &simulator, &result, &initial_run, &displacements).map_err(&failed)?;
+    write(dir, &simulator, &result, &initial_run, &displacements, args.view).map_err(&failed)?;
     if stopped {
         stop.store(true, Ordering::Relaxed);
     }
@@ -328,6 +328,7 @@ fn write(
     result: &CalibrationResult,
     initial_run: &InitialRun,
     displacements: &Displacements,
+    view: bool,
 ) -> Result<(), String> {
     let study = &result.study;
     let text = fs::read_to_string(study.folder.join(&study.model)).map_err(|e| e.to_string())?;
@@ -344,7 +345,7 @@ fn write(
     }
     let simulated = result.scored_runs.iter().map(|r| r.as_ref().ok()).collect();
     write_channels(dir, study, &[("simulated", simulated)])?;
-    write_atomically(&dir.join("report.html"), &page(result, displacements))
+    write_report(dir, &page(result, displacements), view)
 }
 
 /// Shows the progress of a calibration, writes its checkpoints, and stops it on an interrupt.

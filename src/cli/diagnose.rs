@@ -1,7 +1,7 @@
 //! `hysteron diagnose`.
 
 use super::args::DiagnoseArgs;
-use super::files::{CHECKPOINT_INTERVAL, note_replaced, write_atomically, write_channels};
+use super::files::{CHECKPOINT_INTERVAL, note_replaced, write_atomically, write_channels, write_report};
 use super::messages::Messages;
 use super::preflight::{check_channels, threads};
 use super::progress::PhaseProgress;
@@ -86,7 +86,7 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
             (report(&d, &study, &text), d)
         })
     });
-    match found.and_then(|(report, d)| write(&dir, &simulator, &d, &report).map(|()| d)) {
+    match found.and_then(|(report, d)| write(&dir, &simulator, &d, &report, args.view).map(|()| d)) {
         Ok(d) => {
             let _ = fs::remove_file(&saved);
             print_verdict(&d, args);
@@ -143,7 +143,7 @@ fn read_checkpoint(saved: &Path, identity: u64) -> Result<Vec<CheckpointEntry>, 
 }
 
 /// Writes the files of a diagnosis.
-fn write(dir: &Path, simulator: &ScriptSimulator, d: &Diagnosis, report: &str) -> Result<(), String> {
+fn write(dir: &Path, simulator: &ScriptSimulator, d: &Diagnosis, report: &str, view: bool) -> Result<(), String> {
     note_replaced(dir, RESULT_FILE, &d.outcome.study);
     write_atomically(&dir.join("corrected.tcl"), &standalone_script(simulator, dir, &d.repaired_script))?;
     let opensees = dir.join("corrected_opensees.tcl");
@@ -155,7 +155,7 @@ fn write(dir: &Path, simulator: &ScriptSimulator, d: &Diagnosis, report: &str) -
     let models = [("simulated", &d.baseline_fits), ("repaired", &d.repaired_fits)];
     let models = models.map(|(name, runs)| (name, runs.iter().map(Option::as_ref).collect()));
     write_channels(dir, simulator.study(), &models)?;
-    write_atomically(&dir.join("report.html"), report)?;
+    write_report(dir, report, view)?;
     for (name, motion) in d.next_test.iter().flat_map(|t| &t.motions) {
         write_atomically(&dir.join(name), motion)?;
     }

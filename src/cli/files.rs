@@ -2,8 +2,10 @@
 
 use hysteron::opensees::{FileFormat, Outputs};
 use hysteron::record::{Memory, Output, RecordError, RowFile};
+use hysteron::report::html::without_numbers;
 use hysteron::report::{NamedResponses, channel_files};
 use hysteron::study::Study;
+use hysteron::view::interactive;
 use std::fs;
 use std::io::{ErrorKind, Write as _};
 use std::path::Path;
@@ -28,6 +30,12 @@ impl Outputs for NoFiles {
     fn create(&mut self, _: &str, _: &Path, _: FileFormat) -> Result<Box<dyn Output>, RecordError> {
         Ok(Box::new(Memory::default()))
     }
+}
+
+/// Write the report of a calibration or a diagnosis into a folder; with `view` another one for the screen too.
+pub(super) fn write_report(dir: &Path, report: &str, view: bool) -> Result<(), String> {
+    write_atomically(&dir.join("report.html"), &without_numbers(report))?;
+    if view { write_atomically(&dir.join("report_interactive.html"), &interactive(report)) } else { Ok(()) }
 }
 
 /// Write the files of the channels into a folder of their own.

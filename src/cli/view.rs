@@ -74,7 +74,7 @@ pub(super) fn run(args: &RunArgs<'_>, page: &Path, model: &str, words: &[String]
     Wanted { page: Some(page), ..Wanted::default() }.run(args, model, words)
 }
 
-/// What is made of a run.
+/// Files to be made of a run.
 #[derive(Default)]
 struct Wanted<'a> {
     page: Option<&'a Path>,

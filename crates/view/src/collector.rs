@@ -1,4 +1,4 @@
-//! What is kept of a run.
+//! The record of a run: the model, its motion and its forces.
 
 use crate::devices::Device;
 use crate::fibers::FiberFrames;
@@ -45,7 +45,7 @@ pub(crate) struct NodePeak {
     pub(crate) accel: (f32, u32),
 }
 
-/// What is kept of a model and its motion.
+/// Record of a model and its motion.
 #[derive(Debug)]
 pub struct Motion {
     /// The model at rest.
@@ -121,8 +121,8 @@ impl Motion {
         }
         if self.revision != engine.model().revision() {
             // Loads and constraints may be new; nodes and elements are the same.
-            let modes = std::mem::take(&mut self.scene);
-            self.scene = Scene { elements: modes.elements, ..Scene::new(engine) };
+            let before = std::mem::take(&mut self.scene);
+            self.scene = Scene { elements: before.elements, ..Scene::new(engine) };
             self.revision = engine.model().revision();
         }
         self.take_nodes(engine, step, always);
@@ -269,7 +269,7 @@ impl Observer {
         Self(Rc::new(RefCell::new(Collector::new(modes))))
     }
 
-    /// What has been collected.
+    /// The collector, with all that it has seen.
     pub fn take(&self) -> Collector {
         self.0.take()
     }

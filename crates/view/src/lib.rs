@@ -21,6 +21,6 @@ mod thin;
 pub mod vtk;
 
 pub use collector::{Collector, Motion, Observer, Units};
-pub use page::page;
+pub use page::{interactive, page};
 pub use scene::{Family, Scene};
 pub use thin::thinned;

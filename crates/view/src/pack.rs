@@ -21,7 +21,7 @@ impl Pack {
     /// Place of an array and its description.
     fn place(&mut self, kind: &str, length: usize, bytes: impl IntoIterator<Item = u8>) -> Value {
         // Typed arrays of a browser begin at multiples of their size.
-        while self.bytes.len() % 4 != 0 {
+        while !self.bytes.len().is_multiple_of(4) {
             self.bytes.push(0);
         }
         let at = self.bytes.len();

@@ -53,12 +53,25 @@ pub fn page(motion: &Motion, title: &str, units: &Units, models: usize) -> Strin
     out
 }
 
+/// A report whose charts can be zoomed and asked on a screen: those that carry their numbers are drawn anew. The pictures
+/// stay for paper, and where scripts are not allowed.
+pub fn interactive(report: &str) -> String {
+    const HIDE: &str =
+        "<style>@media screen{figure.live>svg{display:none}}@media print{figure.live>.plot{display:none}}</style>\n";
+    let library = encoded(LIBRARY);
+    let script = include_str!("report.js");
+    let end = format!(
+        "{HIDE}<script type=\"application/octet-stream\" id=\"library\">{library}</script>\n<script>\n\"use strict\";\n{script}</script>\n</body>"
+    );
+    report.replacen("</body>", &end, 1)
+}
+
 /// A text with the special characters of HTML replaced.
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// What the page shows, with the places of its arrays in `pack`.
+/// Content of the page, with the places of its arrays in `pack`.
 pub(crate) fn description(motion: &Motion, title: &str, units: &Units, models: usize, pack: &mut Pack) -> Value {
     let scene = &motion.scene;
     let kind = |k: Kind| if k == Kind::Static { "static" } else { "transient" };

@@ -4,7 +4,7 @@ use crate::numbers::range;
 
 /// Rows of a table to keep, rising: the first, the last, those with the extremes of each column, and as many others as
 /// a straight line between the kept rows needs to differ by no more than `tolerance` times the range of each column.
-/// Where this keeps more than `most` rows, the tolerance is doubled until it does not.
+/// The tolerance is doubled until no more than `most` rows are kept.
 ///
 /// `rows` has `columns` numbers a row. The rows are found by the method of Ramer (1972) and of Douglas and Peucker
 /// (1973), with distances along the ordinate.
