@@ -41,6 +41,7 @@ _PYTHON = {
     "setNumThreads": "(number: int) -> None",
     "barrier": "() -> None",
     "build": "() -> None",
+    "nodePressure": "(node: _Word) -> float",
     "defaultUnits": "(*args: _Word) -> None",
     "metaData": "(*args: _Word) -> None",
     "pyversion": "(*args: _Word) -> str",

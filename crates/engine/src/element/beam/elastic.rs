@@ -1,7 +1,7 @@
 //! `elasticBeamColumn` in the plane and in space: Euler-Bernoulli or, with shear areas, Timoshenko.
 
 use crate::element::load::{ElementLoad, EndActions};
-use crate::element::transform::{Frame, Reactions, Transform};
+use crate::element::transform::{Frame, Reactions, Transform, axis_probe};
 use crate::element::{
     Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
     frame_force_labels,
@@ -396,12 +396,12 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
                 Probe::new(DEFORMATION, names.iter().copied())
             }
             "basicStiffness" => Probe::new(STIFFNESS, (1..=B * B).map(|i| format!("k{i}"))),
-            _ => return None,
+            name => return axis_probe(name),
         })
     }
 
     fn probe_names(&self) -> &'static [&'static str] {
-        &["localForce", "basicForce", "deformations", "basicDeformation", "chordRotation", "basicStiffness"]
+        &["localForce", "basicForce", "deformations", "basicDeformation", "chordRotation", "basicStiffness", "xaxis"]
     }
 
     fn force_labels(&self) -> Vec<String> {
@@ -409,6 +409,9 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
+        if self.frame().read_axis(path, out) {
+            return;
+        }
         match path[0] {
             LOCAL_FORCE => {
                 self.frame().local_force(&self.basic_force(s.disp, s.state, s.load), &Self::reactions(s.load), out);

@@ -1,7 +1,7 @@
 //! Beams with sections along their length: common part of the formulations.
 
 use crate::element::load::ElementLoad;
-use crate::element::transform::{Reactions, Transform};
+use crate::element::transform::{Reactions, Transform, axis_probe};
 use crate::element::{
     CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask, OpenSeesTraits,
     SharedState, Snapshot, frame_force_labels,
@@ -391,7 +391,7 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
                 let probe = self.member.sections[i].probe(&words[2..])?;
                 return Some(probe.inside(&[SECTION, i as u32]));
             }
-            _ => return None,
+            name => return axis_probe(name),
         })
     }
 
@@ -413,6 +413,9 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
         let m = &self.member;
+        if m.transform.frame().read_axis(path, out) {
+            return;
+        }
         let basic = Basic::<B>::read(&s.state[m.head()..]);
         let deformation = || m.transform.deformation(s.disp, &s.state[..m.head()]);
         let length = m.length();

@@ -2,7 +2,7 @@
 
 use super::elastic::{basic_stiffness, lumped_mass};
 use super::{Bending, Release};
-use crate::element::transform::{Frame, Reactions};
+use crate::element::transform::{Frame, Reactions, axis_probe};
 use crate::element::{
     Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
     dot, frame_force_labels,
@@ -257,19 +257,26 @@ impl<const N: usize, const B: usize> Element for TimoshenkoBeam<N, B> {
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         let names: &[&str] = if N == 6 { &["N", "V", "M"] } else { &["N", "Vy", "Vz", "T", "My", "Mz"] };
-        matches!(*words.first()?, "localForce" | "localForces")
-            .then(|| Probe::new(LOCAL_FORCE, (1..=2).flat_map(|e| names.iter().map(move |n| format!("{n}_{e}")))))
+        match *words.first()? {
+            "localForce" | "localForces" => {
+                Some(Probe::new(LOCAL_FORCE, (1..=2).flat_map(|e| names.iter().map(move |n| format!("{n}_{e}")))))
+            }
+            name => axis_probe(name),
+        }
     }
 
     fn probe_names(&self) -> &'static [&'static str] {
-        &["localForce"]
+        &["localForce", "xaxis"]
     }
 
     fn force_labels(&self) -> Vec<String> {
         frame_force_labels(N)
     }
 
-    fn read(&self, _: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
+    fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
+        if self.frame.read_axis(path, out) {
+            return;
+        }
         let q = self.basic_force(s.disp);
         self.frame.local_force(&q, &[0.0; 5], out);
         axpy(1.0, s.load, out);

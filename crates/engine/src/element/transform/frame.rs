@@ -3,6 +3,7 @@
 use super::{Ends, Reactions};
 use crate::element::axes::{self, AxesError};
 use crate::element::dot;
+use crate::probe::Probe;
 use nalgebra::{Matrix3, Vector3};
 
 /// Undeformed geometry of a beam with `N` degrees of freedom and `B` basic deformations.
@@ -18,6 +19,16 @@ pub struct Frame<const N: usize, const B: usize> {
     pub basic: [[f64; N]; B],
     /// Displacements of the nodes when the beam was created.
     pub initial: [f64; N],
+}
+
+/// Number of the local x axis among the responses of a beam; y and z follow.
+const AXIS: u32 = 40;
+
+/// Probe of a local axis by OpenSees' name for it, for instance `xaxis` or `xlocal`.
+pub(crate) fn axis_probe(name: &str) -> Option<Probe> {
+    let (axis, rest) = name.split_at_checked(1)?;
+    let i = ["x", "y", "z"].iter().position(|a| *a == axis)?;
+    matches!(rest, "axis" | "local").then(|| Probe::new(AXIS + i as u32, ["x", "y", "z"]))
 }
 
 /// Local displacements conjugate to the reactions: axial at i, y at i and j, z at i and j.
@@ -117,6 +128,15 @@ fn product<const N: usize, const B: usize>(a: &[[f64; N]; B], b: &[[f64; N]; N])
 }
 
 impl<const N: usize, const B: usize> Frame<N, B> {
+    /// Write the local axis of a path of [`axis_probe`], in global components; returns false for another path.
+    pub(crate) fn read_axis(&self, path: &[u32], out: &mut [f64]) -> bool {
+        let axis = path.first().and_then(|id| id.checked_sub(AXIS)).filter(|i| *i < 3);
+        axis.is_some_and(|i| {
+            out.iter_mut().zip(self.axes.row(i as usize).iter()).for_each(|(o, x)| *o = *x);
+            true
+        })
+    }
+
     /// Displacements since the creation of the beam.
     #[inline]
     pub fn since_made(&self, disp: &[f64]) -> [f64; N] {
