@@ -26,7 +26,6 @@ OUT_OF_SCOPE = {
     ),
     "queries that hysteron does not have yet": (
         "accelCPU solveCPU totalCPU cbdiDisplacement sectionDisplacement domainCommitTag eleDynamicalForce printGID printX "
-        "classType "
         "responseSpectrumAnalysis sdfResponse setStartNodeTag updateElementDomain equalDOF_Mixed"
     ),
 }
