@@ -115,6 +115,11 @@ class Model(_hysteron.Domain):
     def metaData(self, *args):
         """Accepted: notes about a model change nothing of it."""
 
+    def nodePressure(self, node):
+        """Pressure of a fluid at a node: 0, since models have no fluid."""
+        self.nodeCoord(node)
+        return 0.0
+
     def build(self):
         """Accepted: there is nothing to build."""
 

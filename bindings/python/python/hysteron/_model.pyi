@@ -232,7 +232,7 @@ class Model:
         """nodeEigenvector(node, mode, <dof>)"""
     def nodeMass(self, node: _Word, dof: _Word = ..., /) -> list[float] | float:
         """nodeMass(node, <dof>)"""
-    def nodePressure(self, *args: Any) -> NoReturn: ...
+    def nodePressure(self, node: _Word) -> float: ...
     def nodeReaction(self, node: _Word, dof: _Word = ..., /) -> list[float] | float:
         """nodeReaction(node, <dof>)"""
     def nodeResponse(self, *args: _Word) -> float:

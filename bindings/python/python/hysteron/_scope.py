@@ -14,7 +14,7 @@ OUT_OF_SCOPE = {
         "computeGradients sensLambda sensNodeAccel sensNodeDisp sensNodePressure sensNodeVel sensSectionForce "
         "sensitivityAlgorithm"
     ),
-    "meshes that change, and fluids": "mesh remesh IGA nodePressure setNodePressure pressureConstraint",
+    "meshes that change, and fluids": "mesh remesh IGA setNodePressure pressureConstraint",
     "temperature": "getNodeTemperature setNodeTemperature",
     "data bases and conversions of files": (
         "database save restore convertBinaryToText convertTextToBinary stripXML searchPeerNGA"
@@ -26,7 +26,6 @@ OUT_OF_SCOPE = {
     ),
     "queries that hysteron does not have yet": (
         "accelCPU solveCPU totalCPU cbdiDisplacement sectionDisplacement domainCommitTag eleDynamicalForce printGID printX "
-        "classType "
         "responseSpectrumAnalysis sdfResponse setStartNodeTag updateElementDomain equalDOF_Mixed"
     ),
 }

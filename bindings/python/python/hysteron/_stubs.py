@@ -29,7 +29,7 @@ _RETURNS = {
     **dict.fromkeys(
         "systemSize testIter numIter getPID getNP getNumThreads recorder parameter updateParameter".split(), "int"
     ),
-    **dict.fromkeys("version eleType".split(), "str"),
+    **dict.fromkeys("version eleType classType".split(), "str"),
     "sectionTag": "list[int] | int",
     "modalProperties": "dict[str, list[float]] | None",
     "printA": "list[float] | None",
@@ -41,6 +41,7 @@ _PYTHON = {
     "setNumThreads": "(number: int) -> None",
     "barrier": "() -> None",
     "build": "() -> None",
+    "nodePressure": "(node: _Word) -> float",
     "defaultUnits": "(*args: _Word) -> None",
     "metaData": "(*args: _Word) -> None",
     "pyversion": "(*args: _Word) -> str",

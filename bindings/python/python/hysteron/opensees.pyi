@@ -227,7 +227,7 @@ def nodeEigenvector(node: _Word, mode: _Word, dof: _Word = ..., /) -> list[float
     """nodeEigenvector(node, mode, <dof>)"""
 def nodeMass(node: _Word, dof: _Word = ..., /) -> list[float] | float:
     """nodeMass(node, <dof>)"""
-def nodePressure(*args: Any) -> NoReturn: ...
+def nodePressure(node: _Word) -> float: ...
 def nodeReaction(node: _Word, dof: _Word = ..., /) -> list[float] | float:
     """nodeReaction(node, <dof>)"""
 def nodeResponse(*args: _Word) -> float:

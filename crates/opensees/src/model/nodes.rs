@@ -128,7 +128,10 @@ fn mass(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, MASS);
     let id = node_of(interp, &mut a, "tag of the node")?;
     let ndf = interp.host.engine.model().nodes[id.0].ndf;
-    let m = masses(&mut a, ndf)?;
+    // OpenSees in Python takes fewer values than degrees of freedom: the others are zero.
+    let given = if interp.host.called_by_host { a.left().clamp(1, ndf) } else { ndf };
+    let mut m = masses(&mut a, given)?;
+    m.resize(ndf, 0.0);
     finish(interp, &a)?;
     interp.host.engine.change_model(|model| model.nodes[id.0].mass = m);
     Ok(Value::EMPTY)

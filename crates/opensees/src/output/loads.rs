@@ -8,6 +8,7 @@ use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("getEleClassTags", "getEleClassTags <$element>", class_tags),
+    Command::new("classType", CLASS_TYPE, class_type),
     Command::new("getCrdTransfTags", "getCrdTransfTags", |i, _| {
         Ok(Value::list(i.host.builder.definitions.transforms.tags().map(|t| Value::from(i64::from(t)))))
     }),
@@ -86,6 +87,27 @@ fn class_tags(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let tags = Value::list(tags);
     finish(interp, &a)?;
     Ok(tags)
+}
+
+const CLASS_TYPE: &str = "classType section|element $tag";
+
+/// Name of the class of a section or an element.
+fn class_type(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, CLASS_TYPE);
+    let session = &interp.host;
+    let class = match a.word("kind of thing")?.as_ref() {
+        "section" => a.of(&session.builder.definitions.sections)?.0.class(),
+        "element" => {
+            let tag = a.int("tag of the element")?;
+            let model = session.engine.model();
+            let id = model.element(tag);
+            let missing = || a.refuse(format!("there is no element {tag}"), "expected the tag of an element");
+            model.elements[id.ok_or_else(missing)?.0].element.class()
+        }
+        _ => return Err(a.unknown_name("kind of thing with a class", ["section", "element"])),
+    };
+    finish(interp, &a)?;
+    Ok(Value::from(class))
 }
 
 /// The pattern that the call names, or all of them.
