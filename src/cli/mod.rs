@@ -11,6 +11,7 @@ mod diagnose;
 mod files;
 mod help;
 mod init;
+mod isolate;
 mod loops;
 mod messages;
 mod motions;
