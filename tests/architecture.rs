@@ -41,9 +41,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "suite",
             "prototype",
             "lateral_force",
-            "modal",
             "isolate",
-            "fragility",
         ],
     ),
     (

@@ -2,6 +2,7 @@
 
 use super::bearing::BearingArgs;
 use super::init::InitArgs;
+use super::isolate::IsolateArgs;
 use super::limits::LimitArgs;
 use super::loops::LoopsArgs;
 use super::motions::MotionsArgs;
@@ -51,6 +52,8 @@ pub(super) enum Command {
     Loops(LoopsArgs),
     /// Spectra, intensity, rotation and scaling of ground motions
     Motions(MotionsArgs),
+    /// Run an isolation study: bounds, motions and eccentricities; bearing schedule and checks
+    Isolate(IsolateArgs),
     /// Measure prototype tests of isolators: cycles, acceptance, lower and upper bounds
     Prototype(PrototypeArgs),
     /// Write a first study for a script and recordings, with comments on how sure it is

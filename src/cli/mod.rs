@@ -16,6 +16,7 @@ mod files;
 mod guard;
 mod help;
 mod init;
+mod isolate;
 mod limits;
 mod loops;
 mod messages;

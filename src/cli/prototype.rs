@@ -8,8 +8,10 @@ use hysteron::design::prototype::{
     BoundFactors, Bounds, Factors, Nominal, PrototypeTest, Rubber, TestRecord, acceptance, cycle_table, report,
     script_lines, trends,
 };
+use hysteron::diagnostic::SourceMap;
 use hysteron::measure::CycleDetection;
 use hysteron::opensees::files::table::Table as Columns;
+use hysteron::study::Recording;
 use std::fs;
 use std::path::PathBuf;
 
@@ -83,10 +85,25 @@ struct Columnar {
     f: Vec<f64>,
 }
 
+/// The rows of a recording without missing samples.
+fn complete_rows(file: &str, text: &str) -> Option<Columns> {
+    let r = Recording::parse(file, text, &mut SourceMap::default()).ok()?;
+    let is_complete = |i: &usize| r.columns.iter().all(|c| c.values[*i].is_finite());
+    let rows: Vec<usize> = (0..r.times.len()).filter(is_complete).collect();
+    let of = |values: &[f64]| rows.iter().map(|i| values[*i]).collect::<Vec<f64>>();
+    let names = std::iter::once("time".to_owned()).chain(r.columns.iter().map(|c| c.name.clone())).collect();
+    let columns = std::iter::once(of(&r.times)).chain(r.columns.iter().map(|c| of(&c.values))).collect();
+    Some(Columns { names, columns })
+}
+
 fn columns(a: &PrototypeArgs, file: &str) -> Result<Columnar, String> {
     let text = fs::read_to_string(file).map_err(|e| format!("cannot read \"{file}\": {e}"))?;
     let of_file = |e: String| format!("\"{file}\": {e}");
-    let table = Columns::parse(&text).map_err(of_file)?;
+    let table = match Columns::parse(&text) {
+        Ok(table) => table,
+        // Missing samples, units below the names, other separators.
+        Err(first) => complete_rows(file, &text).ok_or_else(|| of_file(first))?,
+    };
     let column = |which: &str| {
         let values = table.column(which).map_err(of_file)?;
         match values.iter().position(|x| !x.is_finite()) {

@@ -48,6 +48,7 @@ pub(crate) fn main() -> i32 {
         Command::Diagnose(args) => super::diagnose::run(&args),
         Command::Loops(args) => print(loops(&args)),
         Command::Prototype(args) => print(super::prototype::prototype(&args)),
+        Command::Isolate(args) => super::isolate::isolate(&args),
         Command::Motions(args) => print(super::motions::motions(&args)),
         Command::Commands { names } => print(super::commands::usages(&names)),
         Command::Completions { shell } => print(Ok(help::completions(shell))),

@@ -63,3 +63,28 @@ fn report() {
     assert_eq!(code, Some(0), "{err}");
     assert!(err.contains("MODAL ANALYSIS REPORT") && text.is_empty(), "{err}");
 }
+
+/// openseespy 3.7.1, `responseSpectrumAnalysis` by mode: displacements of node 2 and 3, shear moment of element 1. The sign of
+/// a step does not depend on that of the shape.
+#[test]
+fn steps_of_a_response_spectrum() {
+    let command = "for {set m 1} {$m <= 3} {incr m} {\n\
+                   responseSpectrumAnalysis 1 -Tn 0.0 0.2 1.0 3.0 -Sa 4.0 10.0 8.0 1.0 -mode $m\n\
+                   puts \"[nodeDisp 2 1] [nodeDisp 3 2] [nodeDisp 3 3] [lindex [eleForce 1] 2]\"\n}";
+    let (code, out, err, _) = run(command);
+    assert_eq!(code, Some(0), "{err}");
+    let expected = [
+        [0.257156060606758, -0.014202169306880511, -0.06602346634065646, 25.72120308775786],
+        [-3.7674769601953704e-05, 0.0012152729081417117, -0.0001176941105372607, 0.04060099382148182],
+        [0.0001197786388899198, 0.0002683724338706272, 0.0003528586640702623, 0.0018984514991975312],
+    ];
+    for (line, expected) in out.lines().zip(expected) {
+        let values: Vec<f64> = line.split(' ').map(|x| x.parse().unwrap()).collect();
+        for (got, expected) in values.iter().zip(expected) {
+            assert!((got - expected).abs() < 1e-6 * expected.abs().max(1e-5), "{line}");
+        }
+    }
+    assert_eq!(out.lines().count(), 3, "{out}");
+    let (code, _, err, _) = run("responseSpectrumAnalysis 1 -Tn 1.0 0.5 -Sa 1.0 2.0");
+    assert!(code == Some(2) && err.contains("increase"), "{err}");
+}

@@ -82,7 +82,7 @@ pub const PAGES: &[Page] = &[
         title: "Analysis",
         intro: "The parts of an analysis, its steps, and modes.",
         commands: "constraints numberer system test algorithm integrator analysis analyze eigen modalProperties \
-                   reset revertToStart wipeAnalysis initialize numFact numIter testIter testNorm testNorms \
+                   responseSpectrumAnalysis reset revertToStart wipeAnalysis initialize numFact numIter testIter testNorm testNorms \
                    systemSize printA printB",
     },
     Page {

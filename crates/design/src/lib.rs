@@ -1,11 +1,13 @@
 //! The isolation engineer's work around a script: ground motions, prototype tests, bounds of bearings, checks of codes.
 //!
-//! Motions, spectra and prototype tests know no script.
+//! Motions, spectra and prototype tests know no script; [`isolate`] runs one.
 
 #![forbid(unsafe_code)]
 
 pub mod check;
 pub mod codes;
+pub mod isolate;
+pub mod lateral_force;
 pub mod motion;
 pub mod prototype;
 pub mod scaling;

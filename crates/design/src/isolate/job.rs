@@ -1,0 +1,405 @@
+//! One analysis of a study: the script with the values of a bound, a motion and an eccentricity.
+
+use super::BOUNDS;
+use super::outcome::{BearingOutcome, JobOutcome};
+use super::study::{BearingType, Study};
+use crate::lateral_force::overlap;
+use crate::spectrum::{Oscillator, logarithmic};
+use hysteron_engine::analysis::Options;
+use hysteron_engine::record::{Memory, Output, RecordError};
+use hysteron_identify::measure::work;
+use hysteron_opensees::run::{End, Run, Settings};
+use hysteron_opensees::{FileFormat, Mode, Outputs, Progress, Tcl};
+use hysteron_tcl::{Console, OsFiles, OverlayFiles, Value};
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex};
+
+/// An analysis to be made.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Job {
+    /// Name of the bound.
+    pub bound: &'static str,
+    /// Index of the motion.
+    pub motion: usize,
+    /// Index of the eccentricity.
+    pub eccentricity: usize,
+    /// Factor on the motion, for stripes.
+    pub level: f64,
+}
+
+impl Job {
+    /// Name for files.
+    pub fn name(&self) -> String {
+        let level = if self.level == 1.0 { String::new() } else { format!("_x{}", self.level) };
+        format!("{}_motion{}_ecc{}{level}", self.bound, self.motion + 1, self.eccentricity + 1)
+    }
+}
+
+/// All analyses of a study.
+pub fn jobs(study: &Study) -> Vec<Job> {
+    let mut all = vec![];
+    for bound in BOUNDS {
+        for motion in 0..study.motions.len() {
+            for eccentricity in 0..study.eccentricities.len() {
+                all.push(Job { bound, motion, eccentricity, level: 1.0 });
+            }
+        }
+    }
+    all
+}
+
+/// Folder of the names of the recorders that the study adds.
+const FOLDER: &str = "hysteron_isolate";
+
+/// Periods of floor spectra.
+const FLOOR_PERIODS: usize = 30;
+
+/// Points of a thinned history, at most.
+const MAX_POINTS: usize = 1200;
+
+/// Adds the recorders before the first step of a transient analysis.
+const PROLOGUE: &str = r#"
+rename analyze hysteron_analyze
+proc analyze {args} {
+    if {[llength $args] >= 2 && ![info exists ::hysteron_recorded]} {
+        set ::hysteron_recorded 1
+        foreach tag $::hysteron_bearings {
+            lassign [eleNodes $tag] lower upper
+            set dofs [lrange {1 2 3} 0 [expr {[llength [nodeCoord $upper]] - 1}]]
+            recorder Node -file hysteron_isolate/$tag/lower -node $lower -dof {*}$dofs disp
+            recorder Node -file hysteron_isolate/$tag/upper -node $upper -dof {*}$dofs disp
+            recorder Element -file hysteron_isolate/$tag/force -ele $tag globalForce
+        }
+        foreach node $::hysteron_floors {
+            set dofs [lrange {1 2} 0 [expr {[llength [nodeCoord $node]] - 2}]]
+            recorder Node -file hysteron_isolate/floor$node/disp -node $node -dof {*}$dofs disp
+            recorder Node -file hysteron_isolate/floor$node/accel -node $node -dof {*}$dofs accel
+        }
+    }
+    uplevel 1 [linsert $args 0 hysteron_analyze]
+}
+"#;
+
+struct Silent;
+
+impl Console for Silent {
+    fn out(&mut self, _: &str) {}
+    fn err(&mut self, _: &str) {}
+}
+
+/// Rows of a recorder with their times, the state at the start of the analysis first.
+#[derive(Clone, Debug, Default)]
+struct Rows {
+    times: Vec<f64>,
+    rows: Vec<Vec<f64>>,
+}
+
+impl Rows {
+    fn column(&self, i: usize) -> Vec<f64> {
+        self.rows.iter().map(|r| r.get(i).copied().unwrap_or(0.0)).collect()
+    }
+
+    fn width(&self) -> usize {
+        self.rows.first().map_or(0, Vec::len)
+    }
+}
+
+#[derive(Debug)]
+struct Capture {
+    shared: Arc<Mutex<Rows>>,
+    own: Rows,
+    time: f64,
+}
+
+impl Output for Capture {
+    fn row(&mut self, row: &[f64]) -> Result<(), RecordError> {
+        self.own.times.push(self.time);
+        self.own.rows.push(row.to_vec());
+        Ok(())
+    }
+    fn wants_start(&self, _: f64) -> bool {
+        self.own.rows.is_empty()
+    }
+    fn start(&mut self, time: f64, row: &[f64]) {
+        if self.own.rows.is_empty() {
+            self.own.times.push(time);
+            self.own.rows.push(row.to_vec());
+        }
+    }
+    fn at(&mut self, time: f64) {
+        self.time = time;
+    }
+    fn finish(&mut self) -> Result<(), RecordError> {
+        if let Ok(mut shared) = self.shared.lock() {
+            *shared = std::mem::take(&mut self.own);
+        }
+        Ok(())
+    }
+}
+
+type Captured = Arc<Mutex<BTreeMap<String, Arc<Mutex<Rows>>>>>;
+
+/// Keeps the recorders of the study; those of the script write nowhere.
+struct StudyOutputs(Captured);
+
+impl Outputs for StudyOutputs {
+    fn create(&mut self, name: &str, _: &Path, _: FileFormat) -> Result<Box<dyn Output>, RecordError> {
+        let Some(key) = name.strip_prefix(FOLDER).map(|n| n.trim_start_matches('/').to_owned()) else {
+            return Ok(Box::new(Memory::default()));
+        };
+        let shared = Arc::<Mutex<Rows>>::default();
+        if let Ok(mut all) = self.0.lock() {
+            all.insert(key, shared.clone());
+        }
+        Ok(Box::new(Capture { shared, own: Rows::default(), time: 0.0 }))
+    }
+}
+
+/// Ends an analysis whose result is not wanted any more.
+struct StopWatch {
+    interrupt: Arc<AtomicBool>,
+    stop: Arc<AtomicBool>,
+    time: Arc<Mutex<f64>>,
+}
+
+impl Progress for StopWatch {
+    fn step(&mut self, time: f64, _: Option<f64>) {
+        if let Ok(mut t) = self.time.lock() {
+            *t = time;
+        }
+        if self.stop.load(Ordering::Relaxed) {
+            self.interrupt.store(true, Ordering::Relaxed);
+        }
+    }
+}
+
+/// Values of the array `isolate`.
+fn values(study: &Study, job: &Job) -> Vec<(String, Value)> {
+    let pair = &study.motions[job.motion];
+    let factor = job.level * study.meter();
+    let list = |k: usize| Value::list(pair.components[k].acceleration.iter().map(|a| Value::from(factor * a)));
+    let [ex, ey] = study.eccentricities[job.eccentricity];
+    let points = pair.components[0].acceleration.len();
+    let mut out = vec![
+        ("bound".to_owned(), Value::from(job.bound)),
+        ("ax".to_owned(), list(0)),
+        ("ay".to_owned(), list(1)),
+        ("dt".to_owned(), Value::from(pair.components[0].dt)),
+        ("points".to_owned(), Value::from(points as i64)),
+        ("ex".to_owned(), Value::from(ex)),
+        ("ey".to_owned(), Value::from(ey)),
+    ];
+    for b in &study.bearings {
+        out.push((format!("Q,{}", b.name), Value::from(study.factor(b, job.bound, 0))));
+        out.push((format!("K,{}", b.name), Value::from(study.factor(b, job.bound, 1))));
+    }
+    out
+}
+
+/// Set the values and add the recorders.
+fn prepare(interp: &mut Tcl, study: &Study, job: &Job) -> Result<(), String> {
+    let tags = study.bearings.iter().flat_map(|b| &b.tags);
+    let bearings = Value::list(tags.map(|t| Value::from(*t)));
+    let floors = Value::list(study.floors.iter().map(|f| Value::from(f.node)));
+    let set = values(study, job).into_iter().flat_map(|(name, value)| [Value::from(name), value]);
+    let failed = |_| "the values of the study cannot be set".to_owned();
+    interp.set_global("hysteron_bearings", bearings).map_err(failed)?;
+    interp.set_global("hysteron_floors", floors).map_err(failed)?;
+    interp.set_global("hysteron_values", Value::list(set)).map_err(failed)?;
+    let text = format!("array set isolate $hysteron_values\nunset hysteron_values\n{PROLOGUE}");
+    interp.eval_str("isolation study", &text).map(|_| ()).map_err(|_| "the recorders cannot be added".to_owned())
+}
+
+fn description(end: &End, run: &Run) -> String {
+    let text = |d: &hysteron_tcl::diagnostic::Diagnostic| match d.span {
+        Some(span) => format!("{}: {}", run.interp.sources.location(span), d.message),
+        None => d.message.clone(),
+    };
+    match end {
+        End::Done | End::Exit(0) => {
+            run.interp.host.last_failure.as_ref().map_or(String::new(), |f| format!("the analysis failed: {f}"))
+        }
+        End::Failed(f) | End::Ignored(f) => format!("the analysis failed: {f}"),
+        End::Raised(d) => match &run.interp.host.last_failure {
+            Some(f) => format!("the analysis failed: {f}"),
+            None => format!("the script raised an error: {}", text(d)),
+        },
+        End::Rejected(d) => format!("the script was rejected: {}", text(d)),
+        End::Exit(status) => format!("the script ended itself with status {status}"),
+        End::Interrupted | End::Enough(_) => "interrupted".into(),
+    }
+}
+
+/// Make an analysis. A failure is part of the outcome; `stop` interrupts it.
+pub fn run_job(study: &Study, job: &Job, stop: &Arc<AtomicBool>) -> JobOutcome {
+    let captured = Captured::default();
+    let settings = Settings { mode: Mode::Run, strict: false, options: Options::default() };
+    let files = OverlayFiles::new(Box::new(OsFiles));
+    let mut run = Run::new(settings, Box::new(Silent), Box::new(files), Box::new(StudyOutputs(captured.clone())));
+    let time = Arc::<Mutex<f64>>::default();
+    let interrupt = run.interp.interrupt.clone();
+    run.interp.host.set_progress(Box::new(StopWatch { interrupt, stop: stop.clone(), time: time.clone() }));
+    let mut out = JobOutcome {
+        fingerprint: study.fingerprint,
+        bound: job.bound.into(),
+        motion: study.motions[job.motion].components[0].name.clone(),
+        eccentricity: study.eccentricities[job.eccentricity],
+        ..JobOutcome::default()
+    };
+    if let Err(e) = prepare(&mut run.interp, study, job) {
+        out.failure = e;
+        return out;
+    }
+    let end = run.script(&study.script.to_string_lossy(), &[]);
+    out.failure = description(&end, &run);
+    out.time = time.lock().map_or(0.0, |t| *t);
+    let rows = |name: &str| -> Option<Rows> {
+        let all = captured.lock().ok()?;
+        let rows = all.get(name)?.lock().ok()?.clone();
+        (rows.rows.len() > 1).then_some(rows)
+    };
+    measure_bearings(study, &rows, &mut out);
+    measure_floors(study, job, &rows, &mut out);
+    out
+}
+
+/// Element of the largest length among vectors.
+fn largest_length(parts: &[Vec<f64>]) -> f64 {
+    let n = parts.first().map_or(0, Vec::len);
+    (0..n).map(|i| parts.iter().map(|p| p[i] * p[i]).sum::<f64>().sqrt()).fold(0.0, f64::max)
+}
+
+fn thinned(a: &[f64], b: &[f64]) -> Vec<[f64; 2]> {
+    let every = a.len().div_ceil(MAX_POINTS).max(1);
+    a.iter().zip(b).step_by(every).map(|(a, b)| [*a, *b]).collect()
+}
+
+fn measure_bearings(study: &Study, rows: &dyn Fn(&str) -> Option<Rows>, out: &mut JobOutcome) {
+    let mut total: Vec<Vec<f64>> = vec![];
+    for kind in &study.bearings {
+        for (k, &tag) in kind.tags.iter().enumerate() {
+            let all = ["lower", "upper", "force"].map(|what| rows(&format!("{tag}/{what}")));
+            let [Some(lower), Some(upper), Some(force)] = all else {
+                if out.failure.is_empty() {
+                    out.failure = format!("the bearing {tag} has no record: is there a transient analysis?");
+                }
+                out.bearings.push(BearingOutcome { tag, ..BearingOutcome::default() });
+                continue;
+            };
+            let ndm = upper.width();
+            let ndf = force.width() / 2;
+            let relative =
+                |d: usize| -> Vec<f64> { upper.column(d).iter().zip(lower.column(d)).map(|(u, l)| u - l).collect() };
+            let u: Vec<Vec<f64>> = (0..ndm).map(relative).collect();
+            // Forces on the upper end, as those that the nodes exert.
+            let f: Vec<Vec<f64>> = (0..ndm).map(|d| force.column(ndf + d)).collect();
+            let (horizontal, vertical) = (0..ndm - 1, ndm - 1);
+            if total.is_empty() {
+                total = vec![vec![0.0; u[0].len()]; ndm - 1];
+            }
+            for (sum, f) in total.iter_mut().zip(&f) {
+                sum.iter_mut().zip(f).for_each(|(s, f)| *s += f);
+            }
+            let b = bearing(kind, tag, &u[horizontal.clone()], &f[horizontal], &u[vertical], &f[vertical], k == 0);
+            out.bearings.push(b);
+        }
+    }
+    out.base_shear = largest_length(&total);
+}
+
+fn bearing(
+    kind: &BearingType,
+    tag: i64,
+    u: &[Vec<f64>],
+    f: &[Vec<f64>],
+    rise: &[f64],
+    axial: &[f64],
+    keeps: bool,
+) -> BearingOutcome {
+    let n = axial.len();
+    let compression: Vec<f64> = axial.iter().map(|f| -f).collect();
+    let tail = n - (n / 10).max(1);
+    let rest = |u: &Vec<f64>| u[tail..].iter().sum::<f64>() / (n - tail) as f64;
+    let length = |i: usize| u.iter().map(|u| u[i] * u[i]).sum::<f64>().sqrt();
+    let stability = kind.critical_load.map(|critical| {
+        let ratio = |i: usize| {
+            let area = kind.diameter.map_or(1.0, |b| overlap(length(i), b));
+            if compression[i] <= 0.0 { 0.0 } else { compression[i] / (critical * area) }
+        };
+        // Without any overlap there is no load that it carries; a number keeps the file readable.
+        (0..n).map(ratio).fold(0.0, f64::max).min(1e9)
+    });
+    let second = if u.len() > 1 { &u[1] } else { &u[0] };
+    BearingOutcome {
+        tag,
+        displacement: (0..n).map(length).fold(0.0, f64::max),
+        residual: u.iter().map(|u| rest(u).powi(2)).sum::<f64>().sqrt(),
+        gravity: compression[0],
+        compression: compression.iter().copied().fold(f64::MIN, f64::max),
+        least: compression.iter().copied().fold(f64::MAX, f64::min),
+        uplift: rise.iter().map(|r| r - rise[0]).fold(0.0, f64::max),
+        shear: largest_length(f),
+        energy: u.iter().zip(f).map(|(u, f)| work(u, f).last().copied().unwrap_or(0.0)).sum(),
+        stability,
+        hysteresis: if keeps { thinned(&u[0], &f[0]) } else { vec![] },
+        orbit: if keeps { thinned(&u[0], second) } else { vec![] },
+    }
+}
+
+fn measure_floors(study: &Study, job: &Job, rows: &dyn Fn(&str) -> Option<Rows>, out: &mut JobOutcome) {
+    let all: Option<Vec<(Rows, Rows)>> = study
+        .floors
+        .iter()
+        .map(|f| Some((rows(&format!("floor{}/disp", f.node))?, rows(&format!("floor{}/accel", f.node))?)))
+        .collect();
+    let Some(all) = all.filter(|a| !a.is_empty()) else { return };
+    let pair = &study.motions[job.motion];
+    let factor = job.level * study.meter();
+    let width = all[0].0.width();
+    let times = &all[0].1.times;
+    let start = times[0];
+    // Ground accelerations at the times of the rows, which begin with the motion.
+    let ground: Vec<Vec<f64>> = (0..width)
+        .map(|d| {
+            let (a, dt) = (&pair.components[d].acceleration, pair.components[d].dt);
+            let at = |t: &f64| {
+                let x = (t - start) / dt;
+                let i = x.floor().max(0.0) as usize;
+                let value = |i: usize| a.get(i).copied().unwrap_or(0.0);
+                factor * (value(i) + (value(i + 1) - value(i)) * (x - i as f64))
+            };
+            times.iter().map(at).collect()
+        })
+        .collect();
+    let mut inertia = vec![vec![0.0; times.len()]; width];
+    let step = if times.len() > 1 { (times[times.len() - 1] - start) / (times.len() - 1) as f64 } else { 0.0 };
+    out.periods = logarithmic(0.05, 3.0, FLOOR_PERIODS);
+    for (k, (disp, accel)) in all.iter().enumerate() {
+        let absolute: Vec<Vec<f64>> =
+            (0..width).map(|d| accel.column(d).iter().zip(&ground[d]).map(|(a, g)| a + g).collect()).collect();
+        let top = absolute.iter().flatten().fold(0.0f64, |m, a| m.max(a.abs()));
+        out.accelerations.push(top / study.gravity);
+        if k > 0 {
+            let below = &all[k - 1].0;
+            let drift = |d: usize| {
+                let pairs = disp.column(d).into_iter().zip(below.column(d));
+                let start = disp.column(d)[0] - below.column(d)[0];
+                pairs.map(|(a, b)| (a - b - start).abs()).fold(0.0, f64::max)
+            };
+            out.drifts.push((0..width).map(drift).fold(0.0, f64::max) / study.floors[k].height);
+            for (sum, a) in inertia.iter_mut().zip(&absolute) {
+                let mass = study.floors[k].weight / study.gravity;
+                sum.iter_mut().zip(a).for_each(|(s, a)| *s += mass * a);
+            }
+        }
+        let spectrum = |period: &f64| {
+            let o = Oscillator { period: *period, damping: 0.05 };
+            let of = |a: &Vec<f64>| o.peaks(step, a).acceleration;
+            absolute.iter().map(of).fold(0.0, f64::max) / study.gravity
+        };
+        out.floor_spectra.push(if step > 0.0 { out.periods.iter().map(spectrum).collect() } else { vec![] });
+    }
+    out.shear_above = largest_length(&inertia);
+}

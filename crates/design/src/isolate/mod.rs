@@ -1,0 +1,20 @@
+//! Isolation studies: a script, its bearings with bounds of their properties, and a suite of motions.
+//!
+//! The script gets its values in the global array `isolate` before it runs, and has values of its own where they are not
+//! set: `isolate(bound)`, the factors `isolate(Q,NAME)` and `isolate(K,NAME)` of each type of bearing, the accelerations
+//! `isolate(ax)` and `isolate(ay)` as lists in its own unit, `isolate(dt)` and `isolate(points)`, and the accidental
+//! eccentricities `isolate(ex)` and `isolate(ey)` as shares of the plan.
+
+mod job;
+mod outcome;
+pub mod report;
+mod study;
+mod summary;
+
+pub use job::{Job, jobs, run_job};
+pub use outcome::{BearingOutcome, JobOutcome};
+pub use study::{BearingType, Floor, Study, load};
+pub use summary::{Summary, summary};
+
+/// Names of the bounds, in the order in which they are run.
+pub const BOUNDS: [&str; 3] = ["lower", "nominal", "upper"];

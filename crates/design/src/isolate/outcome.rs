@@ -1,0 +1,63 @@
+//! Result of one analysis of a study.
+
+use serde::{Deserialize, Serialize};
+
+/// Extremes of a bearing.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct BearingOutcome {
+    /// Tag of the element.
+    pub tag: i64,
+    /// Largest horizontal displacement: vector sum.
+    pub displacement: f64,
+    /// Displacement at the end: vector sum of the means of the last tenth of the record.
+    pub residual: f64,
+    /// Axial force before the motion, compression positive.
+    pub gravity: f64,
+    /// Largest axial force, compression positive.
+    pub compression: f64,
+    /// Smallest axial force; tension is negative.
+    pub least: f64,
+    /// Largest uplift of the upper node above its place before the motion.
+    pub uplift: f64,
+    /// Largest shear: vector sum.
+    pub shear: f64,
+    /// Work of the shear over the record.
+    pub energy: f64,
+    /// Largest P/P_cr with the overlapping area at each time; none without a critical load.
+    pub stability: Option<f64>,
+    /// Displacements and forces in the first direction, thinned, of the first bearing of a type.
+    pub hysteresis: Vec<[f64; 2]>,
+    /// Orbit, thinned, of such a bearing.
+    pub orbit: Vec<[f64; 2]>,
+}
+
+/// Extremes of an analysis.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct JobOutcome {
+    /// Hash of the study, the script and the records.
+    pub fingerprint: u64,
+    /// Bound.
+    pub bound: String,
+    /// Name of the motion.
+    pub motion: String,
+    /// Accidental eccentricities.
+    pub eccentricity: [f64; 2],
+    /// Description of a failure; empty if the analysis came to its end.
+    pub failure: String,
+    /// Time that it came to.
+    pub time: f64,
+    /// Bearings, in the order of the study.
+    pub bearings: Vec<BearingOutcome>,
+    /// Largest shear of all bearings together: vector sum.
+    pub base_shear: f64,
+    /// Largest inertia force of the floors above the base level: vector sum. Zero without floors.
+    pub shear_above: f64,
+    /// Largest storey drift ratios in either direction, from the base level upwards.
+    pub drifts: Vec<f64>,
+    /// Largest absolute accelerations of the floors in either direction, as a share of gravity.
+    pub accelerations: Vec<f64>,
+    /// Periods of the floor spectra in s.
+    pub periods: Vec<f64>,
+    /// Floor spectra: the larger of both directions, as a share of gravity, for 5 % damping.
+    pub floor_spectra: Vec<Vec<f64>>,
+}

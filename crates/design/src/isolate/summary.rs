@@ -1,0 +1,225 @@
+//! Results of a study over its motions, beside the equivalent lateral force procedure, with checks.
+
+use super::BOUNDS;
+use super::outcome::{BearingOutcome, JobOutcome};
+use super::study::Study;
+use crate::check::Check;
+use crate::lateral_force::{LateralForce, System};
+use hysteron_identify::report::{Cell, Table};
+
+/// Results of a study.
+#[derive(Clone, Debug, Default)]
+pub struct Summary {
+    /// Equivalent lateral force procedure by bound; a description where it gives nothing.
+    pub lateral_force: Vec<Result<LateralForce, String>>,
+    /// Bearing schedule: governing values over the bounds.
+    pub schedule: Table,
+    /// Values of the structure by bound.
+    pub structure: Table,
+    /// Checks.
+    pub checks: Vec<Check>,
+    /// Matters that were not checked.
+    pub not_checked: Vec<String>,
+}
+
+/// Pairs from which on the mean counts in place of the largest value.
+fn mean_from(study: &Study) -> usize {
+    study.code.value("suite_size", "least").map_or(usize::MAX, |n| n as usize)
+}
+
+/// Value of a bound: for each eccentricity the mean over the motions if there are enough of them, else the largest; of
+/// these the largest. `None` without a complete analysis.
+fn governing(
+    study: &Study,
+    outcomes: &[JobOutcome],
+    bound: &str,
+    of: &dyn Fn(&JobOutcome) -> Option<f64>,
+) -> Option<f64> {
+    let by_eccentricity = |e: &[f64; 2]| {
+        let all: Vec<f64> = outcomes
+            .iter()
+            .filter(|o| o.bound == bound && o.eccentricity == *e && o.failure.is_empty())
+            .filter_map(of)
+            .collect();
+        let largest = all.iter().copied().reduce(f64::max)?;
+        let mean = all.iter().sum::<f64>() / all.len() as f64;
+        Some(if all.len() >= mean_from(study) { mean } else { largest })
+    };
+    study.eccentricities.iter().filter_map(by_eccentricity).reduce(f64::max)
+}
+
+/// The system of all bearings at a bound.
+fn system(study: &Study, bound: &str) -> Option<System> {
+    let weight = study.weight()?;
+    let (mut q_d, mut k_d, mut yields) = (0.0, 0.0, 0.0);
+    for b in &study.bearings {
+        let n = b.tags.len() as f64;
+        let q = n * b.q_d * study.factor(b, bound, 0);
+        q_d += q;
+        k_d += n * b.k_d * study.factor(b, bound, 1);
+        yields += q * b.yield_displacement;
+    }
+    let weight_above = weight - study.floors.first().map_or(0.0, |f| f.weight);
+    Some(System { q_d, k_d, yield_displacement: yields / q_d, weight, weight_above, gravity: study.gravity })
+}
+
+/// Results of analyses, which may be some of all.
+pub fn summary(study: &Study, outcomes: &[JobOutcome]) -> Summary {
+    let mut out = Summary::default();
+    let meter = study.meter();
+    for bound in BOUNDS {
+        out.lateral_force.push(match system(study, bound) {
+            Some(s) => s.procedure(|t| meter * study.target.at(t), &study.code),
+            None => Err("the weights of the floors are not given".into()),
+        });
+    }
+    out.schedule = schedule(study, outcomes, &mut out.checks);
+    out.structure = structure(study, outcomes, &out.lateral_force);
+    overall(study, outcomes, &mut out);
+    let failed = outcomes.iter().filter(|o| !o.failure.is_empty()).count();
+    if failed > 0 {
+        let subject = format!("{failed} of {} analyses came to no end", outcomes.len());
+        out.checks.push(Check::at_most(subject, "", failed as f64, 0.0));
+    }
+    out.not_checked = [
+        "strength of members, diaphragms, foundations and connections of the bearings",
+        "wind and service loads; vertical ground motion, unless the script applies it",
+        "fire, access for inspection and replacement, utilities across the isolation interface",
+        "damping of Rayleigh type that the script may put on the bearings",
+    ]
+    .map(str::to_owned)
+    .into();
+    out
+}
+
+/// Schedule of the bearings, and the checks of each type.
+fn schedule(study: &Study, outcomes: &[JobOutcome], checks: &mut Vec<Check>) -> Table {
+    let [force, length] = [study.units[0].as_str(), study.units[1].as_str()];
+    let energy = format!("{force} {length}");
+    let mut table = Table::new([
+        ("type", ""),
+        ("bearing", ""),
+        ("D", length),
+        ("bound of D", ""),
+        ("residual", length),
+        ("P gravity", force),
+        ("P max", force),
+        ("P min", force),
+        ("uplift", length),
+        ("V max", force),
+        ("energy", &energy),
+        ("P/P_cr", ""),
+    ]);
+    let mut place = 0;
+    for kind in &study.bearings {
+        let mut worst = [0.0f64, f64::INFINITY, 0.0];
+        for tag in &kind.tags {
+            let over = |of: &dyn Fn(&BearingOutcome) -> f64| -> (f64, &'static str) {
+                let by_bound = BOUNDS.iter().filter_map(|b| {
+                    let value = governing(study, outcomes, b, &|o| Some(of(o.bearings.get(place)?)));
+                    value.map(|v| (v, *b))
+                });
+                by_bound.reduce(|m, x| if x.0 > m.0 { x } else { m }).unwrap_or((f64::NAN, ""))
+            };
+            let (d, bound) = over(&|b| b.displacement);
+            let least = -over(&|b| -b.least).0;
+            let stability = kind.critical_load.map_or(f64::NAN, |_| over(&|b| b.stability.unwrap_or(f64::NAN)).0);
+            let number = |x: f64| if x.is_finite() { Cell::Number(x) } else { Cell::Word("-") };
+            let mut row: Vec<Cell> = vec![kind.name.clone().into(), (*tag as f64).into(), number(d), Cell::Word(bound)];
+            row.extend(
+                [over(&|b| b.residual).0, over(&|b| b.gravity).0, over(&|b| b.compression).0, least].map(number),
+            );
+            row.extend([over(&|b| b.uplift).0, over(&|b| b.shear).0, over(&|b| b.energy).0, stability].map(number));
+            table.rows.push(row);
+            worst = [worst[0].max(d), worst[1].min(least), worst[2].max(stability)];
+            place += 1;
+        }
+        let name = &kind.name;
+        let clause = study.code.clause("total_displacement");
+        let limit = kind.displacement.unwrap_or(f64::NAN);
+        checks.push(Check::at_most(format!("{name}: largest displacement against capacity"), clause, worst[0], limit));
+        let clause = study.code.clause("axial_tension");
+        let tension = kind.tension.unwrap_or(f64::NAN);
+        checks.push(Check::at_most(format!("{name}: tension against capacity"), clause, (-worst[1]).max(0.0), tension));
+        let load = if kind.critical_load.is_some() { worst[2] } else { f64::NAN };
+        checks.push(Check::at_most(format!("{name}: P/P_cr with the overlapping area"), "", load, 1.0));
+    }
+    table
+}
+
+/// Values of the structure by bound: from the analyses, and from the equivalent lateral force procedure.
+fn structure(study: &Study, outcomes: &[JobOutcome], procedure: &[Result<LateralForce, String>]) -> Table {
+    let [force, length] = [study.units[0].as_str(), study.units[1].as_str()];
+    let mut table = Table::new([
+        ("bound", ""),
+        ("D", length),
+        ("V base", force),
+        ("V above", force),
+        ("drift", ""),
+        ("floor acceleration", "g"),
+        ("ELF D_M", length),
+        ("ELF T_M", "s"),
+        ("ELF beta_M", ""),
+        ("ELF V_b", force),
+        ("ELF V_st", force),
+    ]);
+    for (bound, lateral) in BOUNDS.iter().zip(procedure) {
+        let value = |of: &dyn Fn(&JobOutcome) -> Option<f64>| governing(study, outcomes, bound, of).unwrap_or(f64::NAN);
+        let top = |v: &[f64]| v.iter().copied().reduce(f64::max);
+        let found = lateral.clone().ok();
+        let elf = |of: fn(&LateralForce) -> f64| found.as_ref().map_or(f64::NAN, of);
+        let numbers = [
+            value(&|o| o.bearings.iter().map(|b| b.displacement).reduce(f64::max)),
+            value(&|o| Some(o.base_shear)),
+            value(&|o| Some(o.shear_above)),
+            value(&|o| top(&o.drifts)),
+            value(&|o| top(&o.accelerations)),
+            elf(|l| l.displacement),
+            elf(|l| l.period),
+            elf(|l| l.damping),
+            elf(|l| l.shear_below),
+            elf(|l| l.shear_above),
+        ];
+        let mut row = vec![Cell::Word(bound)];
+        row.extend(numbers.map(|x| if x.is_finite() { Cell::Number(x) } else { Cell::Word("-") }));
+        table.rows.push(row);
+    }
+    table
+}
+
+/// Checks of the structure as a whole.
+fn overall(study: &Study, outcomes: &[JobOutcome], out: &mut Summary) {
+    let code = &study.code;
+    let checks = &mut out.checks;
+    checks.push(Check::least_of(code, "suite_size", "pairs of ground motions", study.motions.len() as f64));
+    for (bound, lateral) in BOUNDS.iter().zip(&out.lateral_force) {
+        let value = |of: &dyn Fn(&JobOutcome) -> Option<f64>| governing(study, outcomes, bound, of).unwrap_or(f64::NAN);
+        if let (Ok(l), Some(s)) = (lateral, system(study, bound)) {
+            let share = s.restoring_share(l.displacement);
+            checks.push(Check::least_of(
+                code,
+                "restoring_force",
+                format!("{bound}: restoring force over weight"),
+                share,
+            ));
+            let d = value(&|o| o.bearings.iter().map(|b| b.displacement).reduce(f64::max));
+            let subject = format!("{bound}: displacement over D_TM = 1.15 D_M of the lateral force procedure");
+            let total = code.value("total_displacement", "least").unwrap_or(f64::NAN) * l.displacement;
+            checks.push(Check::least_of(code, "dynamic_displacement", subject, d / total));
+            let subject = format!("{bound}: base shear over V_b");
+            checks.push(Check::least_of(
+                code,
+                "dynamic_shear_below",
+                subject,
+                value(&|o| Some(o.base_shear)) / l.shear_below,
+            ));
+            let activation = code.value("force_minimum", "activation").map(|f| f * s.q_d);
+            if let Some(least) = activation.filter(|_| l.shear_above.is_finite()) {
+                let subject = format!("{bound}: V_st beside the least unreduced force above");
+                checks.push(Check::at_least(subject, code.clause("force_minimum"), l.shear_above, least));
+            }
+        }
+        let drift = value(&|o| o.drifts.iter().copied().reduce(f64::max));
+        checks.push(Check::most_of(code, "drift", format!("{bound}: largest storey drift ratio"), drift));
+    }
+}
