@@ -73,7 +73,7 @@ impl Concrete01 {
         let modulus = self.modulus();
         let slope = modulus - unloading;
         let straight = stress + slope * (eps - strain);
-        let on_envelope = (eps <= min) & (eps < strain) & !(eps > 0.0);
+        let on_envelope = (eps <= min) & (eps < strain) & (eps <= 0.0);
         let (peak, peak_slope) = self.envelope(eps);
         let (new_end, new_slope) = self.unload(eps, peak);
         let before_end = eps <= end;

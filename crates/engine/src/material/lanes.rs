@@ -4,7 +4,7 @@
 //! the law loops.
 
 use super::{MaterialError, Strains, Stresses, UniaxialLaw};
-use crate::numeric::lanes::{LANES, Lanes, copy, copy_back, in_lanes};
+use crate::numeric::lanes::{LANES, Lanes, copy, copy_back, in_lanes, select};
 
 /// A block of `W` points of a law with `Q` state variables: one array for each quantity.
 #[derive(Clone, Debug)]
@@ -37,16 +37,15 @@ impl<const Q: usize, const W: usize> Block<Q, W> {
     /// First point whose stress or tangent is not finite.
     #[inline(always)]
     fn not_finite(&self) -> Option<usize> {
-        // Differences of infinite numbers are no numbers.
-        let mut differences = [0.0; W];
-        for (i, d) in differences.iter_mut().enumerate() {
-            *d = (self.value[i] - self.value[i]) + (self.tangent[i] - self.tangent[i]);
+        let mut wrong = [0.0; W];
+        for (i, wrong) in wrong.iter_mut().enumerate() {
+            *wrong = select(self.value[i].is_finite() & self.tangent[i].is_finite(), 0.0, 1.0);
         }
         let mut sums = [0.0; LANES];
-        for chunk in differences.as_chunks::<LANES>().0 {
-            sums.iter_mut().zip(chunk).for_each(|(sum, d)| *sum += d);
+        for chunk in wrong.as_chunks::<LANES>().0 {
+            sums.iter_mut().zip(chunk).for_each(|(sum, wrong)| *sum += wrong);
         }
-        if sums == [0.0; LANES] { None } else { differences.iter().position(|d| *d != 0.0) }
+        if sums == [0.0; LANES] { None } else { wrong.iter().position(|w| *w != 0.0) }
     }
 }
 

@@ -51,11 +51,11 @@ impl BlockLaw<{ History::LEN }> for Steel01 {
     fn respond<const W: usize>(&self, block: &mut Block<{ History::LEN }, W>) {
         let law = self.clone();
         let mut turned = [0.0; W];
-        for i in 0..W {
+        for (i, turned) in turned.iter_mut().enumerate() {
             let (next, value, tangent, turns) = law.response(block.point(i), block.strain[i]);
             block.set_point(i, next);
             (block.value[i], block.tangent[i]) = (value, tangent);
-            turned[i] = turns;
+            *turned = turns;
         }
         if law.is_isotropic() {
             for (i, turns) in turned.into_iter().enumerate().filter(|(_, turns)| *turns != 0.0) {

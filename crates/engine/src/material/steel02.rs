@@ -160,10 +160,10 @@ impl BlockLaw<{ History::LEN }> for Steel02 {
         let law = self.clone();
         let initial = law.sig_init / law.e0;
         let (mut turns, mut any) = ([0.0; W], 0.0);
-        for i in 0..W {
+        for (i, turns) in turns.iter_mut().enumerate() {
             let (loading, before) = (block.words[LOADING][i], block.words[STRAIN][i]);
             let d = (block.strain[i] + initial) - (before + initial);
-            turns[i] = select((loading == 0.0) | (loading * d < 0.0), 1.0, 0.0);
+            *turns = select((loading == 0.0) | (loading * d < 0.0), 1.0, 0.0);
         }
         turns.iter().for_each(|t| any += t);
         if any > 0.0 {

@@ -352,13 +352,13 @@ fn scaled(d: f64, power: u64) -> Option<u64> {
     let (mantissa, shift) = (fraction | 1 << FRACTION, bias - exponent);
     let product = u128::from(mantissa) * u128::from(power);
     let rounded = match shift {
-        ..=-12 => return None,
-        ..=0 => product << -shift,
+        -11..=0 => product << -shift,
         1..=120 => {
             let (whole, rest, half) = (product >> shift, product & ((1 << shift) - 1), 1 << (shift - 1));
             whole + u128::from(rest > half || (rest == half && whole & 1 == 1))
         }
-        _ => 0,
+        121.. => 0,
+        _ => return None,
     };
     u64::try_from(rounded).ok()
 }
