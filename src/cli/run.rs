@@ -149,10 +149,13 @@ fn hide_environment(interp: &mut Tcl) {
     }
 }
 
+/// Files of a script, and files of its recorders.
+pub(super) type FilesAndOutputs = (Box<dyn Files>, Box<dyn Outputs>);
+
 /// Files and recorder files of a script that may write below the current folder and into the folders of the arguments.
-pub(super) fn guarded(folders: &FolderArgs, model: &str) -> Result<(Box<dyn Files>, Box<dyn Outputs>), String> {
+pub(super) fn guarded(folders: &FolderArgs, model: &str) -> Result<FilesAndOutputs, String> {
     let cannot = |what: &str, folder: &Path, e: std::io::Error| format!("cannot {what} {}: {e}", folder.display());
-    let (files, outputs): (Box<dyn Files>, Box<dyn Outputs>) = match &folders.out {
+    let (files, outputs): FilesAndOutputs = match &folders.out {
         None => (Box::new(OsFiles), Box::new(SystemFiles)),
         Some(out) => {
             let folder = OutputFolder::new(out).map_err(|e| cannot("make", out, e))?;
