@@ -125,11 +125,7 @@ fn patterns<'a>(interp: &'a Tcl, call: &Call<'_>) -> Result<Vec<&'a Pattern>, Ex
 }
 
 /// What `put` gives for each element load: from the tag of the element, the load, and true in space.
-fn element_loads(
-    interp: &mut Tcl,
-    call: &Call<'_>,
-    put: fn(i32, &ElementLoad, bool, &mut Vec<Value>),
-) -> Outcome {
+fn element_loads(interp: &mut Tcl, call: &Call<'_>, put: fn(i32, &ElementLoad, bool, &mut Vec<Value>)) -> Outcome {
     let mut out = vec![];
     for pattern in patterns(interp, call)? {
         for (id, load) in &pattern.element_loads {
@@ -146,7 +142,11 @@ fn element_loads(
 fn described(load: &ElementLoad, space: bool) -> (i64, Vec<f64>) {
     match *load {
         ElementLoad::Distributed { span, y, z, x } if span == (0.0, 1.0) && y.0 == y.1 && z.0 == z.1 && x.0 == x.1 => {
-            if space { (5, vec![y.0, z.0, x.0]) } else { (3, vec![y.0, x.0]) }
+            if space {
+                (5, vec![y.0, z.0, x.0])
+            } else {
+                (3, vec![y.0, x.0])
+            }
         }
         ElementLoad::Distributed { span, y, z, x } => {
             if space {
@@ -156,7 +156,11 @@ fn described(load: &ElementLoad, space: bool) -> (i64, Vec<f64>) {
             }
         }
         ElementLoad::Point { at, y, z, x } => {
-            if space { (6, vec![y, z, x, at]) } else { (4, vec![y, x, at]) }
+            if space {
+                (6, vec![y, z, x, at])
+            } else {
+                (4, vec![y, x, at])
+            }
         }
         ElementLoad::Moment { z } => (60, vec![0.0, 0.0, z]),
     }
