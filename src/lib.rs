@@ -52,6 +52,7 @@
 
 #![forbid(unsafe_code)]
 
+pub use hysteron_design as design;
 pub use hysteron_diagnose as diagnose;
 pub use hysteron_engine::{analysis, element, material, model, probe, record, rules, section, series, state_struct};
 // Parts of the engine that no program needs.
@@ -60,3 +61,4 @@ pub use hysteron_engine::{assembly, number_format, numeric, solve};
 pub use hysteron_identify::{calibrate, measure, preflight, protocol, report, study};
 pub use hysteron_opensees::{self as opensees, run};
 pub use hysteron_tcl::{self as tcl, diagnostic};
+pub use hysteron_view as view;

@@ -7,6 +7,5 @@
 mod cli;
 
 fn main() {
-    let status = cli::main();
-    std::process::exit(status);
+    std::process::exit(cli::main());
 }

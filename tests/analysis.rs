@@ -10,6 +10,8 @@ mod columns;
 mod constraints;
 #[path = "analysis/dynamics.rs"]
 mod dynamics;
+#[path = "analysis/energy.rs"]
+mod energy;
 #[path = "analysis/materials.rs"]
 mod materials;
 #[path = "analysis/model.rs"]

@@ -30,6 +30,23 @@ const LAYERS: &[(&str, &[&str])] = &[
     ),
     ("identify", &["fourier", "halton", "measure", "protocol", "study", "report", "preflight", "calibrate"]),
     (
+        "design",
+        &[
+            "codes",
+            "check",
+            "motion",
+            "spectrum",
+            "target",
+            "scaling",
+            "suite",
+            "prototype",
+            "lateral_force",
+            "modal",
+            "isolate",
+            "fragility",
+        ],
+    ),
+    (
         "diagnose",
         &[
             "prior",
@@ -111,7 +128,7 @@ fn modules_use_only_those_before_them() {
 fn libraries_neither_print_nor_exit_nor_panic() {
     let banned = ["println!", "eprintln!", "print!(", "process::exit", "panic!(", "todo!(", "unimplemented!(", "dbg!("];
     let mut wrong = vec![];
-    for name in ["tcl", "engine", "opensees", "identify", "diagnose"] {
+    for name in ["tcl", "engine", "opensees", "identify", "diagnose", "design", "view"] {
         for (path, text) in sources(&format!("crates/{name}/src")) {
             let code = text.split("#[cfg(test)]").next().unwrap_or("");
             for (i, line) in code.lines().enumerate().filter(|(_, l)| !l.trim_start().starts_with("//")) {

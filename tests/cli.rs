@@ -11,8 +11,14 @@ mod bearing;
 mod checks;
 #[path = "cli/endings.rs"]
 mod endings;
+#[path = "cli/evidence.rs"]
+mod evidence;
+#[path = "cli/guard.rs"]
+mod guard;
 #[path = "cli/kikuchi.rs"]
 mod kikuchi;
+#[path = "cli/limits.rs"]
+mod limits;
 #[path = "cli/loops.rs"]
 mod loops;
 #[path = "cli/mistakes.rs"]
@@ -25,6 +31,8 @@ mod models;
 mod parameters;
 #[path = "cli/phenomena.rs"]
 mod phenomena;
+#[path = "cli/plausibility.rs"]
+mod plausibility;
 #[path = "cli/recorders.rs"]
 mod recorders;
 #[path = "cli/rubber.rs"]
@@ -35,6 +43,8 @@ mod rubber_bearings;
 mod studies;
 #[path = "cli/triple.rs"]
 mod triple;
+#[path = "cli/view.rs"]
+mod view;
 
 use std::fs;
 use std::path::PathBuf;

@@ -2,7 +2,11 @@
 
 use super::bearing::BearingArgs;
 use super::init::InitArgs;
+use super::limits::LimitArgs;
 use super::loops::LoopsArgs;
+use super::motions::MotionsArgs;
+use super::prototype::PrototypeArgs;
+use super::view::ViewArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -25,21 +29,30 @@ pub(super) enum Command {
         script: ScriptArgs,
         #[command(flatten)]
         steps: StepArgs,
-        /// Write what the script writes with relative paths into this folder
-        #[arg(long, value_name = "DIR")]
-        out: Option<PathBuf>,
+        #[command(flatten)]
+        limits: LimitArgs,
+        #[command(flatten)]
+        folders: FolderArgs,
+        #[command(flatten)]
+        evidence: EvidenceArgs,
         /// The script
         model: String,
         /// Words that the script finds in $argv; behind "--" if they begin with a dash and are no numbers
         #[arg(allow_negative_numbers = true)]
         args: Vec<String>,
     },
+    /// Run a script and write a page for a browser: model, motion, loops, forces and peaks
+    View(ViewArgs),
     /// Report what is wrong with a script without running its analyses, or with a study before its calibration
     Check(CheckArgs),
     /// Drive a single bearing as in a testing machine, and measure its loops
     Bearing(BearingArgs),
     /// Measure the cycles in a file: secant stiffness, dissipated energy, equivalent damping
     Loops(LoopsArgs),
+    /// Spectra, intensity, rotation and scaling of ground motions
+    Motions(MotionsArgs),
+    /// Measure prototype tests of isolators: cycles, acceptance, lower and upper bounds
+    Prototype(PrototypeArgs),
     /// Write a first study for a script and recordings, with comments on how sure it is
     Init(InitArgs),
     /// Find the parameters of a study that follow its recordings best
@@ -66,6 +79,22 @@ pub(super) enum Command {
     },
 }
 
+/// Evidence that is wanted beside the results of a run.
+#[derive(Args, Debug, Default)]
+pub(super) struct EvidenceArgs {
+    /// Print the balance of energy at the end: input, kinetic, damping by source, work by class of element, error. With a
+    /// file, write its history there as CSV
+    #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true)]
+    pub(super) balance: Option<Option<PathBuf>>,
+    /// Write a page for a reviewer: hashes of the inputs, what verifies the kinds used, error of the steps, energy, warnings.
+    /// The script is run once more with half the steps
+    #[arg(long, value_name = "FILE.html")]
+    pub(super) review: Option<PathBuf>,
+    /// Write a page for a browser: model, motion, loops and peaks
+    #[arg(long, value_name = "FILE.html")]
+    pub(super) view: Option<PathBuf>,
+}
+
 /// Options of the steps of an analysis beyond those of the script.
 #[derive(Args, Debug, Default)]
 pub(super) struct StepArgs {
@@ -77,10 +106,26 @@ pub(super) struct StepArgs {
     pub(super) refine: u32,
 }
 
+/// Folders of a run.
+#[derive(Args, Debug, Default)]
+pub(super) struct FolderArgs {
+    /// Write what the script writes with relative paths into this folder
+    #[arg(long, value_name = "DIR")]
+    pub(super) out: Option<PathBuf>,
+    /// Let the script write into this folder too, and not only below the current one
+    #[arg(long, value_name = "DIR")]
+    pub(super) allow_write: Vec<PathBuf>,
+    /// Let the script read below the current folder and its own only, and hide the environment from it
+    #[arg(long)]
+    pub(super) sandbox: bool,
+}
+
 #[derive(Args, Debug)]
 pub(super) struct CheckArgs {
     #[command(flatten)]
     pub(super) script: ScriptArgs,
+    #[command(flatten)]
+    pub(super) limits: LimitArgs,
     /// Print what the script prints, to standard error. It is discarded otherwise, since a check has no results
     #[arg(long)]
     pub(super) show_output: bool,
@@ -96,6 +141,8 @@ pub(super) struct CheckArgs {
 
 #[derive(Args, Debug)]
 pub(super) struct CalibrateArgs {
+    #[command(flatten)]
+    pub(super) limits: LimitArgs,
     /// Studies, or folders with files study.toml
     #[arg(required = true)]
     pub(super) studies: Vec<PathBuf>,
@@ -120,6 +167,9 @@ pub(super) struct CalibrateArgs {
     /// Sample the posterior of the parameters, with this many sweeps
     #[arg(long, value_name = "SWEEPS", num_args = 0..=1, default_missing_value = "400")]
     pub(super) posterior: Option<usize>,
+    /// Write report_interactive.html too: the report with charts to be zoomed and asked in a browser
+    #[arg(long)]
+    pub(super) view: bool,
     /// Go on where an interrupted calibration was stopped
     #[arg(long)]
     pub(super) resume: bool,
@@ -133,6 +183,8 @@ pub(super) struct CalibrateArgs {
 
 #[derive(Args, Debug)]
 pub(super) struct DiagnoseArgs {
+    #[command(flatten)]
+    pub(super) limits: LimitArgs,
     /// The study
     pub(super) study: PathBuf,
     /// Where the results go
@@ -144,6 +196,9 @@ pub(super) struct DiagnoseArgs {
     /// Number of threads; all cores if it is not given. The result does not depend on it
     #[arg(long, value_name = "N")]
     pub(super) threads: Option<usize>,
+    /// Write report_interactive.html too: the report with charts to be zoomed and asked in a browser
+    #[arg(long)]
+    pub(super) view: bool,
     /// Go on where an interrupted diagnosis was stopped
     #[arg(long)]
     pub(super) resume: bool,

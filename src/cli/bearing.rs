@@ -1,11 +1,12 @@
 //! `hysteron bearing`: a test of a single bearing, as in a testing machine.
 
-use super::args::{ScriptArgs, StepArgs};
+use super::args::{EvidenceArgs, FolderArgs, ScriptArgs, StepArgs};
 use super::console::Terminal;
 use super::files::NoFiles;
+use super::limits::LimitArgs;
 use super::loops::ReportArgs;
 use super::progress::ProgressLine;
-use super::run;
+use super::run::{self, RunArgs};
 use clap::{Args, ValueEnum};
 use hysteron::analysis::Options;
 use hysteron::measure::CycleDetection;
@@ -23,6 +24,8 @@ use std::path::Path;
 pub(super) struct BearingArgs {
     #[command(flatten)]
     script_args: ScriptArgs,
+    #[command(flatten)]
+    limits: LimitArgs,
     /// A script that defines the bearing as element 1 (nodes and materials too, no supports, loads or analyses); or a file of
     /// models/, whose procedure of the same name makes it
     file: String,
@@ -230,7 +233,11 @@ fn run_test(args: &BearingArgs) -> Result<i32, TestError> {
     if args.script {
         return Ok(run::print(Ok(format!("{script}\n"))));
     }
-    let status = run::run(&args.script_args, &StepArgs::default(), None, &script, &[]);
+    let folders = FolderArgs { allow_write: vec![folder.clone().into()], ..FolderArgs::default() };
+    let (script_args, limits) = (&args.script_args, &args.limits);
+    let (steps, evidence) = (&StepArgs::default(), &EvidenceArgs::default());
+    let run_args = RunArgs { script: script_args, steps, limits, folders: &folders, evidence };
+    let status = run::run(&run_args, &script, &[]);
     let read = |name: &str| -> Result<Columns, String> {
         let text = fs::read_to_string(in_folder(name)).map_err(|e| format!("there are no results: {e}"))?;
         Columns::parse(&text)
@@ -279,7 +286,7 @@ fn measure(args: &BearingArgs, time: &[f64], u: &[&Vec<f64>], f: &[&Vec<f64>]) -
 fn csv(names: &[&'static str], columns: &[&Vec<f64>]) -> String {
     let rows = columns.iter().map(|c| c.len()).min().unwrap_or(0);
     let table = Table {
-        columns: names.iter().map(|&name| Column { name, unit: String::new() }).collect(),
+        columns: names.iter().map(|&name| Column { name: name.into(), unit: String::new() }).collect(),
         rows: (0..rows).map(|i| columns.iter().map(|c| c[i].into()).collect()).collect(),
     };
     table.csv()

@@ -2,10 +2,10 @@
 
 use super::args::{CalibrateArgs, Compat};
 use super::calibration_summary::{plan, replaced, summary};
-use super::files::{CHECKPOINT_INTERVAL, write_atomically, write_channels};
+use super::files::{CHECKPOINT_INTERVAL, write_atomically, write_channels, write_report};
 use super::messages::Messages;
 use super::preflight::{check_channels, threads};
-use super::signals::{INTERRUPTED, on_interrupt};
+use super::signals::{on_interrupt, stopped_status};
 use hysteron::analysis::Options;
 use hysteron::calibrate::{
     CalibrationResult, Checkpoint, Displacements, SearchObserver, SearchSettings, SearchStatus, StudyProblem, page,
@@ -14,7 +14,9 @@ use hysteron::calibrate::{
 use hysteron::diagnostic::{Diagnostic, Severity, SourceMap};
 use hysteron::study::{InitialRun, ScriptSimulator, Study, standalone_script};
 use indicatif::{ProgressBar, ProgressStyle};
+use serde::{Deserialize, Serialize};
 use std::fs;
+use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -32,6 +34,7 @@ const RESULTS: &str = "results";
 pub(super) fn calibrate(args: &CalibrateArgs) -> i32 {
     let stop = Arc::new(AtomicBool::new(false));
     on_interrupt(&stop);
+    args.limits.enforce(&stop);
     let studies = match studies(&args.studies) {
         Ok(studies) => studies,
         Err(message) => {
@@ -72,7 +75,7 @@ pub(super) fn calibrate(args: &CalibrateArgs) -> i32 {
             worst = worst.max(FAILURE);
         }
     }
-    if stop.load(Ordering::Relaxed) { INTERRUPTED } else { worst }
+    stopped_status(&stop).unwrap_or(worst)
 }
 
 /// Print the results as JSON: that of a single study, or a list. Returns the exit status.
@@ -163,7 +166,8 @@ fn calibrate_study(
     dir: &Path,
     stop: &Arc<AtomicBool>,
 ) -> Result<CalibrationResult, i32> {
-    let PreparedStudy { simulator, initial_run, settings } = prepare_with_args(args, file, stop)?;
+    let mut sources = SourceMap::default();
+    let PreparedStudy { simulator, initial_run, settings } = prepare_with_args(args, file, stop, &mut sources)?;
     let study = simulator.study().clone();
     let failed = |message: String| {
         eprintln!("error: {}: {message}", file.display());
@@ -174,18 +178,20 @@ fn calibrate_study(
     }
     fs::create_dir_all(dir).map_err(|e| failed(format!("cannot make {}: {e}", dir.display())))?;
     let threads = threads(args.threads);
-    let checked = check_channels(&simulator, &initial_run, threads, false).map_err(|e| failed(e.to_string()))?;
+    let checked = check_channels(&simulator, &initial_run, threads, false, &sources);
+    let checked = checked.map_err(|e| failed(e.to_string()))?;
     let problem = StudyProblem::of_script(&simulator, threads).map_err(|e| failed(e.to_string()))?;
     let begun = Instant::now();
     let checkpoint_path = dir.join("checkpoint.json");
     let initial_unit_point = study.space.unit_point(&initial_run.values);
     let start = Checkpoint::new(settings.clone(), initial_unit_point);
-    let at = if args.resume { read_checkpoint(&checkpoint_path, &start) } else { Ok(start) };
+    let identity = identity(&simulator);
+    let at = if args.resume { read_checkpoint(&checkpoint_path, &start, identity) } else { Ok(start) };
     let at = at.map_err(|message| {
         eprintln!("error: {message}");
         INPUT_ERROR
     })?;
-    let mut progress = CalibrationProgress::new(&study, checkpoint_path.clone(), stop.clone());
+    let mut progress = CalibrationProgress::new(&study, (checkpoint_path.clone(), identity), stop.clone());
     let found = search(&problem, at, &mut progress);
     progress.finish();
     let stopped = found.stopped;
@@ -203,7 +209,7 @@ fn calibrate_study(
     let runs = 0..study.runs.len();
     let displacements = runs.map(|r| simulator.displacement(r, &result.values)).collect();
     result.add_amplitudes(&displacements);
-    write(dir, &simulator, &result, &initial_run, &displacements).map_err(&failed)?;
+    write(dir, &simulator, &result, &initial_run, &displacements, args.view).map_err(&failed)?;
     if stopped {
         stop.store(true, Ordering::Relaxed);
     }
@@ -211,23 +217,27 @@ fn calibrate_study(
 }
 
 /// Prepare a study with the settings of the arguments, and print its warnings; the exit status if it has errors.
-fn prepare_with_args(args: &CalibrateArgs, file: &Path, stop: &Arc<AtomicBool>) -> Result<PreparedStudy, i32> {
-    let mut sources = SourceMap::default();
+fn prepare_with_args(
+    args: &CalibrateArgs,
+    file: &Path,
+    stop: &Arc<AtomicBool>,
+    sources: &mut SourceMap,
+) -> Result<PreparedStudy, i32> {
     let refused = |d: Box<Diagnostic>, sources: &SourceMap| {
         print_diagnostic(&d, sources);
         INPUT_ERROR
     };
-    let prepared = prepare(file, args.compat, stop, &mut sources);
-    let mut prepared = prepared.map_err(|d| refused(d, &sources))?;
+    let prepared = prepare(file, args.compat, stop, sources);
+    let mut prepared = prepared.map_err(|d| refused(d, sources))?;
     let settings = &mut prepared.settings;
     settings.seed = args.seed.unwrap_or(settings.seed);
     settings.repeats = args.repeats.unwrap_or(settings.repeats);
     if let Some(name) = &args.method {
-        settings.set_method(name).map_err(|d| refused(d, &sources))?;
+        settings.set_method(name).map_err(|d| refused(d, sources))?;
     }
     let warnings = prepared.simulator.study().warnings.iter().chain(&prepared.initial_run.warnings);
     for w in warnings.filter(|w| w.severity != Severity::Note) {
-        print_diagnostic(w, &sources);
+        print_diagnostic(w, sources);
     }
     if let Some(error) = &prepared.initial_run.failure {
         eprintln!("note: with its own values the script has no answer: {error}");
@@ -278,13 +288,35 @@ pub(super) fn prepare(
     Ok(PreparedStudy { simulator, initial_run, settings })
 }
 
+/// The file of an interrupted calibration.
+#[derive(Serialize, Deserialize)]
+struct SavedCheckpoint {
+    /// Identity of the study with all that it reads.
+    identity: u64,
+    checkpoint: Checkpoint,
+}
+
+/// A number that changes with the study, its recordings, and the files that its script reads.
+fn identity(simulator: &ScriptSimulator) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    let study = simulator.study();
+    format!("{:?} {:?}", study.space, study.runs).hash(&mut hasher);
+    (simulator.files_read(), env!("CARGO_PKG_VERSION")).hash(&mut hasher);
+    hasher.finish()
+}
+
 /// The checkpoint of an interrupted calibration that began at `start`.
-fn read_checkpoint(path: &Path, start: &Checkpoint) -> Result<Checkpoint, String> {
+fn read_checkpoint(path: &Path, start: &Checkpoint, identity: u64) -> Result<Checkpoint, String> {
     let shown = path.display();
     let text = fs::read_to_string(path).map_err(|e| format!("cannot go on: {shown}: {e}"))?;
-    let old: Checkpoint = serde_json::from_str(&text).map_err(|e| format!("cannot go on: {shown}: {e}"))?;
+    let old: SavedCheckpoint = serde_json::from_str(&text).map_err(|e| format!("cannot go on: {shown}: {e}"))?;
+    let SavedCheckpoint { identity: of, checkpoint: old } = old;
     if old.settings != start.settings || old.initial_unit_point != start.initial_unit_point {
         return Err(format!("{shown} is of another study, or of another method or seed"));
+    }
+    if of != identity {
+        let changed = "the script, a file that it reads, a recording or hysteron has changed since";
+        return Err(format!("cannot go on from {shown}: {changed}"));
     }
     Ok(old)
 }
@@ -296,10 +328,13 @@ fn write(
     result: &CalibrationResult,
     initial_run: &InitialRun,
     displacements: &Displacements,
+    view: bool,
 ) -> Result<(), String> {
     let study = &result.study;
     let text = fs::read_to_string(study.folder.join(&study.model)).map_err(|e| e.to_string())?;
     let (script, missing) = result.script(&text, initial_run);
+    // The numbers first: what follows can be made from them.
+    write_atomically(&dir.join("calibration.json"), &result.json().map_err(|e| e.to_string())?)?;
     write_atomically(&dir.join("fitted.tcl"), &standalone_script(simulator, dir, &script))?;
     if !missing.is_empty() {
         eprintln!(
@@ -310,8 +345,7 @@ fn write(
     }
     let simulated = result.scored_runs.iter().map(|r| r.as_ref().ok()).collect();
     write_channels(dir, study, &[("simulated", simulated)])?;
-    write_atomically(&dir.join("report.html"), &page(result, displacements))?;
-    write_atomically(&dir.join("calibration.json"), &result.json().map_err(|e| e.to_string())?)
+    write_report(dir, &page(result, displacements), view)
 }
 
 /// Shows the progress of a calibration, writes its checkpoints, and stops it on an interrupt.
@@ -319,13 +353,15 @@ struct CalibrationProgress {
     /// The progress bar; `None` if standard error is no terminal.
     bar: Option<ProgressBar>,
     checkpoint_path: PathBuf,
+    /// Identity of the study with all that it reads.
+    identity: u64,
     last_checkpoint: Instant,
     begun: Instant,
     stop: Arc<AtomicBool>,
 }
 
 impl CalibrationProgress {
-    fn new(study: &Study, checkpoint_path: PathBuf, stop: Arc<AtomicBool>) -> Self {
+    fn new(study: &Study, (checkpoint_path, identity): (PathBuf, u64), stop: Arc<AtomicBool>) -> Self {
         let bar = std::io::stderr().is_terminal().then(|| {
             let bar = ProgressBar::new(1000);
             let style = ProgressStyle::with_template("{prefix} [{bar:24}] {msg}, left {eta}");
@@ -335,7 +371,7 @@ impl CalibrationProgress {
             bar.set_prefix(study.title.clone());
             bar
         });
-        Self { bar, checkpoint_path, last_checkpoint: Instant::now(), begun: Instant::now(), stop }
+        Self { bar, checkpoint_path, identity, last_checkpoint: Instant::now(), begun: Instant::now(), stop }
     }
 
     fn finish(&self) {
@@ -364,7 +400,8 @@ impl SearchObserver for CalibrationProgress {
 
     fn checkpoint(&mut self, c: &Checkpoint) {
         self.last_checkpoint = Instant::now();
-        let written = serde_json::to_string(c)
+        let saved = SavedCheckpoint { identity: self.identity, checkpoint: c.clone() };
+        let written = serde_json::to_string(&saved)
             .map_err(|e| e.to_string())
             .and_then(|t| write_atomically(&self.checkpoint_path, &t));
         if let Err(e) = written {

@@ -1,11 +1,11 @@
 //! `hysteron diagnose`.
 
 use super::args::DiagnoseArgs;
-use super::files::{CHECKPOINT_INTERVAL, note_replaced, write_atomically, write_channels};
+use super::files::{CHECKPOINT_INTERVAL, note_replaced, write_atomically, write_channels, write_report};
 use super::messages::Messages;
 use super::preflight::{check_channels, threads};
 use super::progress::PhaseProgress;
-use super::signals::{INTERRUPTED, on_interrupt};
+use super::signals::{on_interrupt, stopped_status};
 use hysteron::analysis::Options;
 use hysteron::diagnose::{
     CheckpointEntry, Diagnosis, ProgressMonitor, Settings, diagnose, hypothesis, identity, report,
@@ -28,6 +28,7 @@ const WRONG_INPUT_STATUS: i32 = 2;
 pub(super) fn run(args: &DiagnoseArgs) -> i32 {
     let stop = Arc::new(AtomicBool::new(false));
     on_interrupt(&stop);
+    args.limits.enforce(&stop);
     for cause in &args.without {
         if hypothesis::of(cause).is_none() {
             let known = || hypothesis::ALL.iter().map(|h| h.cause);
@@ -52,7 +53,7 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
     for w in study.warnings.iter().chain(&initial_run.warnings).filter(|w| w.severity != Severity::Note) {
         show(w, &sources);
     }
-    let checked = match check_channels(&simulator, &initial_run, threads(args.threads), !args.as_recorded) {
+    let checked = match check_channels(&simulator, &initial_run, threads(args.threads), !args.as_recorded, &sources) {
         Ok(checked) => checked,
         Err(e) => {
             eprintln!("error: {e}");
@@ -85,7 +86,7 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
             (report(&d, &study, &text), d)
         })
     });
-    match found.and_then(|(report, d)| write(&dir, &simulator, &d, &report).map(|()| d)) {
+    match found.and_then(|(report, d)| write(&dir, &simulator, &d, &report, args.view).map(|()| d)) {
         Ok(d) => {
             let _ = fs::remove_file(&saved);
             print_verdict(&d, args);
@@ -100,7 +101,7 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
             if saved.exists() {
                 eprintln!("what was worked out is kept; --resume goes on");
             }
-            INTERRUPTED
+            stopped_status(&stop).unwrap_or(FAILED_STATUS)
         }
     }
 }
@@ -142,7 +143,7 @@ fn read_checkpoint(saved: &Path, identity: u64) -> Result<Vec<CheckpointEntry>, 
 }
 
 /// Writes the files of a diagnosis.
-fn write(dir: &Path, simulator: &ScriptSimulator, d: &Diagnosis, report: &str) -> Result<(), String> {
+fn write(dir: &Path, simulator: &ScriptSimulator, d: &Diagnosis, report: &str, view: bool) -> Result<(), String> {
     note_replaced(dir, RESULT_FILE, &d.outcome.study);
     write_atomically(&dir.join("corrected.tcl"), &standalone_script(simulator, dir, &d.repaired_script))?;
     let opensees = dir.join("corrected_opensees.tcl");
@@ -154,7 +155,7 @@ fn write(dir: &Path, simulator: &ScriptSimulator, d: &Diagnosis, report: &str) -
     let models = [("simulated", &d.baseline_fits), ("repaired", &d.repaired_fits)];
     let models = models.map(|(name, runs)| (name, runs.iter().map(Option::as_ref).collect()));
     write_channels(dir, simulator.study(), &models)?;
-    write_atomically(&dir.join("report.html"), report)?;
+    write_report(dir, report, view)?;
     for (name, motion) in d.next_test.iter().flat_map(|t| &t.motions) {
         write_atomically(&dir.join(name), motion)?;
     }

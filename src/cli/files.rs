@@ -2,9 +2,12 @@
 
 use hysteron::opensees::{FileFormat, Outputs};
 use hysteron::record::{Memory, Output, RecordError, RowFile};
+use hysteron::report::html::without_numbers;
 use hysteron::report::{NamedResponses, channel_files};
 use hysteron::study::Study;
+use hysteron::view::interactive;
 use std::fs;
+use std::io::{ErrorKind, Write as _};
 use std::path::Path;
 use std::time::Duration;
 
@@ -29,6 +32,12 @@ impl Outputs for NoFiles {
     }
 }
 
+/// Write the report of a calibration or a diagnosis into a folder; with `view` another one for the screen too.
+pub(super) fn write_report(dir: &Path, report: &str, view: bool) -> Result<(), String> {
+    write_atomically(&dir.join("report.html"), &without_numbers(report))?;
+    if view { write_atomically(&dir.join("report_interactive.html"), &interactive(report)) } else { Ok(()) }
+}
+
 /// Write the files of the channels into a folder of their own.
 pub(super) fn write_channels(dir: &Path, study: &Study, models: &[NamedResponses<'_>]) -> Result<(), String> {
     let folder = dir.join("channels");
@@ -39,7 +48,17 @@ pub(super) fn write_channels(dir: &Path, study: &Study, models: &[NamedResponses
 /// Write a file under another name and rename it, so that it is complete at any time.
 pub(super) fn write_atomically(path: &Path, text: &str) -> Result<(), String> {
     let temporary = path.with_extension("part");
-    let done = fs::write(&temporary, text).and_then(|()| fs::rename(&temporary, path));
+    let written = || {
+        // Made anew, so that no link under this name is followed.
+        match fs::remove_file(&temporary) {
+            Err(e) if e.kind() != ErrorKind::NotFound => return Err(e),
+            _ => {}
+        }
+        let mut file = fs::File::create_new(&temporary)?;
+        file.write_all(text.as_bytes())?;
+        fs::rename(&temporary, path)
+    };
+    let done = written();
     done.map_err(|e| format!("cannot write {}: {e}", path.display()))
 }
 

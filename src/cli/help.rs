@@ -6,7 +6,7 @@ use clap_complete::Shell;
 use std::path::Path;
 
 /// Examples of each command: what one does, and below it the command line.
-const EXAMPLES: [(&str, &str); 7] = [
+const EXAMPLES: [(&str, &str); 8] = [
     (
         "run",
         "Examples:
@@ -38,6 +38,16 @@ const EXAMPLES: [(&str, &str); 7] = [
     hysteron bearing bearing.tcl --amplitudes 0.05 --cycles 5 --units kN m
   Write the test as a script and do not run it.
     hysteron bearing bearing.tcl --amplitudes 0.05 --script",
+    ),
+    (
+        "view",
+        "Examples:
+  Run a script and write model.html, a page for a browser.
+    hysteron view model.tcl --units kN m
+  With three modes, under another name.
+    hysteron view model.tcl --modes 3 --out building.html
+  Files for ParaView, of every tenth step.
+    hysteron view model.tcl --vtk steps --every 10",
     ),
     (
         "loops",

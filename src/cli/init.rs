@@ -2,19 +2,22 @@
 
 use super::calibrate::{FAILURE, INPUT_ERROR, print_diagnostic};
 use super::files::write_atomically;
-use super::signals::{INTERRUPTED, on_interrupt};
+use super::limits::LimitArgs;
+use super::signals::{on_interrupt, stopped_status};
 use clap::Args;
 use hysteron::diagnostic::SourceMap;
 use hysteron::study::draft_study;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 /// Name of the study beside the script.
 const STUDY: &str = "study.toml";
 
 #[derive(Args, Debug)]
 pub(super) struct InitArgs {
+    #[command(flatten)]
+    limits: LimitArgs,
     /// The script
     model: PathBuf,
     /// Recordings, each of one run
@@ -35,12 +38,13 @@ pub(super) fn init(args: &InitArgs) -> i32 {
     }
     let stop = Arc::new(AtomicBool::new(false));
     on_interrupt(&stop);
+    args.limits.enforce(&stop);
     let mut sources = SourceMap::default();
     let text = match draft_study(&args.model, &args.recordings, &beside(&out), &stop, &mut sources) {
         Ok(text) => text,
         Err(d) => {
             print_diagnostic(&d, &sources);
-            return if stop.load(Ordering::Relaxed) { INTERRUPTED } else { INPUT_ERROR };
+            return stopped_status(&stop).unwrap_or(INPUT_ERROR);
         }
     };
     if let Err(message) = write_atomically(&out, &text) {

@@ -5,6 +5,7 @@ use hysteron::measure::{CycleDetection, Specimen};
 use hysteron::opensees::chart::{Figure, sheet};
 use hysteron::opensees::files::table::Table as Columns;
 use hysteron::report::{Record, Table, Units, cycle_charts, cycle_table, orbit_charts, orbit_table};
+use hysteron::tcl::read_whole;
 use std::fs;
 
 /// Columns of the loops, and options of the report.
@@ -130,8 +131,9 @@ pub(super) fn loops(a: &LoopsArgs) -> Result<String, String> {
         let (u, f) = (a.displacement.len(), a.force.len());
         return Err(format!("there are {u} columns of displacements, but {f} of forces"));
     }
-    let text = fs::read_to_string(&a.file).map_err(|e| format!("cannot read \"{}\": {e}", a.file))?;
+    let bytes = fs::File::open(&a.file).and_then(read_whole).map_err(|e| format!("cannot read \"{}\": {e}", a.file))?;
     let of_file = |e: String| format!("\"{}\": {e}", a.file);
+    let text = String::from_utf8(bytes).map_err(|_| of_file("it is no text".into()))?;
     let columns = Columns::parse(&text).map_err(of_file)?;
     let column = |which: &String, factor: f64| {
         let values: Vec<f64> = columns.column(which).map_err(of_file)?.iter().map(|x| factor * x).collect();

@@ -1,6 +1,10 @@
 //! The command line: arguments, messages, progress. No other module prints.
 
+#[macro_use]
+mod print;
+
 mod args;
+mod balance;
 mod bearing;
 mod calibrate;
 mod calibration_summary;
@@ -9,16 +13,22 @@ mod compare;
 mod console;
 mod diagnose;
 mod files;
+mod guard;
 mod help;
 mod init;
+mod limits;
 mod loops;
 mod messages;
+mod motions;
 mod output_folder;
 mod preflight;
 mod progress;
+mod prototype;
+mod review;
 mod run;
 mod script_check;
 mod signals;
 mod study;
+mod view;
 
 pub(crate) use run::main;

@@ -73,10 +73,26 @@ impl OutputFolder {
             return Err(io::ErrorKind::NotADirectory.into());
         }
         std::fs::create_dir_all(parent(&moved))?;
+        if !self.is_written(path) {
+            self.make_room(&moved)?;
+        }
         let mut changes = self.changes.borrow_mut();
         changes.written.insert(path.to_owned());
         changes.deleted.remove(path);
         Ok(moved)
+    }
+
+    /// Make sure that a file of the folder is made anew: a link in its place is removed and a link to another folder refused,
+    /// so that nothing is written to where they point.
+    fn make_room(&self, moved: &str) -> io::Result<()> {
+        let is_link = |p: &str| std::fs::symlink_metadata(p).is_ok_and(|m| m.file_type().is_symlink());
+        let below = self.out.len() + 1;
+        let ends = moved.match_indices('/').map(|(at, _)| at).filter(|at| *at >= below);
+        if let Some(link) = ends.map(|at| &moved[..at]).find(|folder| is_link(folder)) {
+            let why = format!("{link} is a link to another folder, which is not followed");
+            return Err(io::Error::new(io::ErrorKind::PermissionDenied, why));
+        }
+        if is_link(moved) { std::fs::remove_file(moved) } else { Ok(()) }
     }
 
     fn forget(&self, path: &str) {

@@ -11,16 +11,20 @@ pub(super) fn threads(given: Option<usize>) -> usize {
 }
 
 /// Check the channels of a study and print the findings on standard error. Hard ones are errors if `hard_is_error`.
+/// `sources` has the text of the study.
 pub(super) fn check_channels(
     simulator: &ScriptSimulator,
     initial_run: &InitialRun,
     threads: usize,
     hard_is_error: bool,
+    sources: &SourceMap,
 ) -> std::io::Result<Preflight> {
     let result = preflight(simulator, initial_run, threads)?;
     for f in &result.findings {
         let kind = if f.is_hard && hard_is_error { Diagnostic::error } else { Diagnostic::warning };
-        eprintln!("{}\n", Messages::new().render(&kind(f.message.clone()).help(f.help.clone()), &SourceMap::default()));
+        let place = f.runs.first().and_then(|run| simulator.study().channel_location(run, &f.channel));
+        let d = kind(f.message.clone()).at(place, "").help(f.help.clone());
+        eprintln!("{}\n", Messages::new().render(&d, sources));
     }
     Ok(result)
 }

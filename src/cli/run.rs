@@ -1,15 +1,20 @@
 //! Dispatch of the commands, and the commands `run` and `check`.
 
-use super::args::{Arguments, CheckArgs, Command, ScriptArgs, StepArgs};
+use super::args::{Arguments, CheckArgs, Command, EvidenceArgs, FolderArgs, ScriptArgs, StepArgs};
+use super::balance;
 use super::bearing::bearing;
 use super::calibrate::INPUT_ERROR;
 use super::console::{NoOutput, PrefixedOutput, Terminal};
 use super::files::{NoFiles, SystemFiles};
+use super::guard::{Guard, GuardedFiles, GuardedOutputs};
 use super::help;
+use super::limits::{LimitArgs, exceeded, interrupted_status};
 use super::loops::loops;
 use super::messages::Messages;
 use super::output_folder::OutputFolder;
+use super::print::write_out;
 use super::progress::ProgressLine;
+use super::review::{self, Ended, Observed};
 use super::script_check::{self, print_summary};
 use super::signals::on_interrupt;
 use clap::FromArgMatches as _;
@@ -19,35 +24,43 @@ use hysteron::opensees::{Mode, Outputs, Tcl};
 use hysteron::run::{End, Run, Settings};
 use hysteron::tcl::{Console, Files, OsFiles, OverlayFiles};
 use std::collections::BTreeMap;
-use std::io::Write as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
 
 /// Run the command of the command line; the exit status.
 pub(crate) fn main() -> i32 {
     let arguments = Arguments::from_arg_matches(&help::command().get_matches()).unwrap_or_else(|e| e.exit());
-    match arguments.command {
-        Command::Run { script: s, steps, out, model, args } => run(&s, &steps, out.as_deref(), &model, &args),
-        Command::Check(args) if args.model.ends_with(".toml") => {
-            super::study::check(Path::new(&args.model), args.script.compat, args.script.strict, args.json)
+    let status = match arguments.command {
+        Command::Run { script, steps, limits, folders, evidence, model, args } => {
+            let (script, steps, limits, folders, evidence) = (&script, &steps, &limits, &folders, &evidence);
+            let run_args = RunArgs { script, steps, limits, folders, evidence };
+            match &evidence.view {
+                None => run(&run_args, &model, &args),
+                Some(page) => super::view::run(&run_args, page, &model, &args),
+            }
         }
+        Command::View(args) => super::view::view(&args),
+        Command::Check(args) if args.model.ends_with(".toml") => super::study::check(&args),
         Command::Check(args) => check(&args),
         Command::Bearing(args) => bearing(&args),
         Command::Init(args) => super::init::init(&args),
         Command::Calibrate(args) => super::calibrate::calibrate(&args),
         Command::Diagnose(args) => super::diagnose::run(&args),
         Command::Loops(args) => print(loops(&args)),
+        Command::Prototype(args) => print(super::prototype::prototype(&args)),
+        Command::Motions(args) => print(super::motions::motions(&args)),
         Command::Commands { names } => print(super::commands::usages(&names)),
         Command::Completions { shell } => print(Ok(help::completions(shell))),
         Command::Man { folder } => print(help::man(&folder)),
-    }
+    };
+    super::print::status(status)
 }
 
 /// Print the result of a command, or its error; the exit status.
 pub(super) fn print(result: Result<String, String>) -> i32 {
     match result {
         Ok(text) => {
-            // A closed pipe is no error.
-            let _ = std::io::stdout().write_all(text.as_bytes());
+            write_out(&text);
             0
         }
         Err(message) => {
@@ -57,23 +70,105 @@ pub(super) fn print(result: Result<String, String>) -> i32 {
     }
 }
 
+/// Arguments of a run besides the script.
+pub(super) struct RunArgs<'a> {
+    pub(super) script: &'a ScriptArgs,
+    pub(super) steps: &'a StepArgs,
+    pub(super) limits: &'a LimitArgs,
+    pub(super) folders: &'a FolderArgs,
+    pub(super) evidence: &'a EvidenceArgs,
+}
+
 /// Run a script; the exit status.
-pub(super) fn run(script: &ScriptArgs, steps: &StepArgs, out: Option<&Path>, model: &str, args: &[String]) -> i32 {
+pub(super) fn run(args: &RunArgs<'_>, model: &str, words: &[String]) -> i32 {
+    run_prepared(args, model, words, |_| ()).map_or_else(|status| status, |(status, _)| status)
+}
+
+/// Run a script that `prepare` has seen before; the exit status, and the run with its model. The error is the exit status of a
+/// run that cannot begin.
+pub(super) fn run_prepared(
+    args: &RunArgs<'_>,
+    model: &str,
+    words: &[String],
+    prepare: impl FnOnce(&mut Run),
+) -> Result<(i32, Run), i32> {
     let progress = ProgressLine::new();
-    let (files, outputs): (Box<dyn Files>, Box<dyn Outputs>) = match out.map(OutputFolder::new) {
+    let (mut files, mut outputs) = guarded(args.folders, model).map_err(|message| {
+        eprintln!("error: {message}");
+        INPUT_ERROR
+    })?;
+    let EvidenceArgs { balance, review, .. } = args.evidence;
+    let observed = Observed::default();
+    if review.is_some() {
+        (files, outputs) = observed.around(files, outputs);
+    }
+    let console = Terminal::new(progress.clone());
+    let mut run = Run::new(settings(args.script, args.steps, Mode::Run), Box::new(console), files, outputs);
+    if args.folders.sandbox {
+        hide_environment(&mut run.interp);
+    }
+    run.interp.host.set_progress(Box::new(progress.steps()));
+    if balance.is_some() || review.is_some() {
+        run.interp.host.balance_energy(matches!(balance, Some(Some(_))));
+    }
+    prepare(&mut run);
+    let end = execute(&mut run, &progress, args.limits, model, words);
+    print_summary(&run.interp);
+    let balanced = match (run.interp.host.balances(), balance) {
+        (Some(balances), Some(history)) => balance::print(balances, history.as_deref()),
+        _ => Ok(()),
+    };
+    let reviewed = review.as_ref().map_or(Ok(()), |path| {
+        review::write(path, args, &observed, &Ended { model, words, end: &end, interp: &run.interp })
+    });
+    let least = balanced.and(reviewed).map_or_else(
+        |message| {
+            eprintln!("error: {message}");
+            1
+        },
+        |()| 0,
+    );
+    Ok((status(&end).max(least), run))
+}
+
+/// The exit status of a script.
+fn status(end: &End) -> i32 {
+    match end {
+        End::Interrupted => interrupted_status(end.status()),
+        _ => end.status(),
+    }
+}
+
+/// Leave a script no variable of the environment but the folder of the user, which `~` in a path means.
+fn hide_environment(interp: &mut Tcl) {
+    let script =
+        "foreach name [array names ::env] { if {$name ne {HOME}} { unset ::env($name) } }; unset -nocomplain name";
+    if interp.eval_str("sandbox", script).is_err() {
+        eprintln!("warning: the environment is not hidden from the script");
+    }
+}
+
+/// Files and recorder files of a script that may write below the current folder and into the folders of the arguments.
+pub(super) fn guarded(folders: &FolderArgs, model: &str) -> Result<(Box<dyn Files>, Box<dyn Outputs>), String> {
+    let cannot = |what: &str, folder: &Path, e: std::io::Error| format!("cannot {what} {}: {e}", folder.display());
+    let (files, outputs): (Box<dyn Files>, Box<dyn Outputs>) = match &folders.out {
         None => (Box::new(OsFiles), Box::new(SystemFiles)),
-        Some(Ok(folder)) => (Box::new(folder.clone()), Box::new(folder)),
-        Some(Err(e)) => {
-            eprintln!("error: cannot make {}: {e}", out.unwrap_or(Path::new("")).display());
-            return INPUT_ERROR;
+        Some(out) => {
+            let folder = OutputFolder::new(out).map_err(|e| cannot("make", out, e))?;
+            (Box::new(folder.clone()), Box::new(folder))
         }
     };
-    let console = Terminal::new(progress.clone());
-    let mut run = Run::new(settings(script, steps, Mode::Run), Box::new(console), files, outputs);
-    run.interp.host.set_progress(Box::new(progress.steps()));
-    let end = execute(&mut run, &progress, model, args);
-    print_summary(&run.interp);
-    end.status()
+    let write = folders.allow_write.iter().chain(&folders.out).map(PathBuf::as_path);
+    for folder in &folders.allow_write {
+        folder.canonicalize().map_err(|e| cannot("write into", folder, e))?;
+    }
+    let mut guard = Guard::new(write.chain([Path::new(".")])).map_err(|e| cannot("find", Path::new("."), e))?;
+    if folders.sandbox {
+        let own = Path::new(model).parent().filter(|p| p.is_dir());
+        guard = guard.read_only_below(own).map_err(|e| cannot("find", Path::new(model), e))?;
+    }
+    let guard = Rc::new(guard);
+    Ok((Box::new(GuardedFiles { files, guard: guard.clone() }), Box::new(GuardedOutputs { outputs, guard })))
 }
 
 /// Check a script; the exit status.
@@ -85,13 +180,13 @@ fn check(args: &CheckArgs) -> i32 {
     let files = OverlayFiles::new(Box::new(OsFiles));
     let settings = settings(&args.script, &StepArgs::default(), Mode::Check);
     let mut run = Run::new(settings, console, Box::new(files), Box::new(NoFiles));
-    let end = execute(&mut run, &progress, &args.model, &args.args);
+    let end = execute(&mut run, &progress, &args.limits, &args.model, &args.args);
     if run.interp.host.check.skipped_analyses {
         eprintln!("note: the analyses were not rehearsed, since a definition was rejected");
     }
     print_summary(&run.interp);
     let is_rejected = run.interp.warnings.iter().any(|w| w.severity == Severity::Error);
-    let status = if is_rejected { INPUT_ERROR } else { end.status() };
+    let status = if is_rejected { INPUT_ERROR } else { status(&end) };
     if args.json {
         let last = match &end {
             End::Rejected(d) | End::Raised(d) => Some(&**d),
@@ -107,7 +202,7 @@ fn check(args: &CheckArgs) -> i32 {
     status
 }
 
-fn settings(script: &ScriptArgs, steps: &StepArgs, mode: Mode) -> Settings {
+pub(super) fn settings(script: &ScriptArgs, steps: &StepArgs, mode: Mode) -> Settings {
     let options = Options {
         compat: script.compat.is_some(),
         ladder: steps.ladder.then(RecoveryStrategy::default),
@@ -118,7 +213,7 @@ fn settings(script: &ScriptArgs, steps: &StepArgs, mode: Mode) -> Settings {
 }
 
 /// Run or check a script, and print its messages.
-fn execute(run: &mut Run, progress: &ProgressLine, model: &str, args: &[String]) -> End {
+fn execute(run: &mut Run, progress: &ProgressLine, limits: &LimitArgs, model: &str, args: &[String]) -> End {
     let line = progress.clone();
     let mut counts = WarningCounts::default();
     run.interp.host.on_warning(Box::new(move |warning, sources| {
@@ -127,23 +222,52 @@ fn execute(run: &mut Run, progress: &ProgressLine, model: &str, args: &[String])
         }
     }));
     on_interrupt(&run.interp.interrupt);
+    limits.enforce(&run.interp.interrupt);
     let end = run.script(model, args);
     progress.clear();
     print_end(&end, &run.interp);
+    print_partial(&run.partial);
     end
+}
+
+/// Names of files that a message lists.
+const MAX_LISTED: usize = 12;
+
+/// Say which recorder files are whole rows of an analysis that did not come to its end.
+fn print_partial(files: &[String]) {
+    if files.is_empty() {
+        return;
+    }
+    let more = files.len().saturating_sub(MAX_LISTED);
+    let more = if more > 0 { format!(", and {more} more") } else { String::new() };
+    eprintln!("partial, with whole rows up to there: {}{more}", files[..files.len().min(MAX_LISTED)].join(", "));
 }
 
 /// Number of warnings from each location and label.
 #[derive(Default)]
-struct WarningCounts(BTreeMap<(Option<(u32, u32)>, String), usize>);
+struct WarningCounts {
+    counts: BTreeMap<(Option<(u32, u32)>, String), usize>,
+    shown: usize,
+}
+
+/// Messages that are shown in full; more of them help nobody, and each takes the length of its line.
+const MAX_SHOWN: usize = 200;
 
 impl WarningCounts {
-    /// Count a warning. Returns true for the first three of a location, which are shown in full.
+    /// Count a warning. Returns true for the first three of a location, and [`MAX_SHOWN`] in all, which are shown in full.
     fn is_shown(&mut self, w: &Diagnostic) -> bool {
         let location = w.span.map(|s: Span| (s.start, s.end));
-        let count = self.0.entry((location, w.label.clone())).or_default();
+        if self.shown >= MAX_SHOWN {
+            return false;
+        }
+        let count = self.counts.entry((location, w.label.clone())).or_default();
         *count += 1;
-        *count <= 3
+        let is_shown = *count <= 3;
+        self.shown += usize::from(is_shown);
+        if self.shown == MAX_SHOWN {
+            eprintln!("note: {MAX_SHOWN} messages are shown; further ones are counted only");
+        }
+        is_shown
     }
 }
 
@@ -153,7 +277,14 @@ pub(super) fn print_end(end: &End, interp: &Tcl) {
     match end {
         End::Rejected(d) | End::Raised(d) => eprintln!("{}", messages.render(d, &interp.sources)),
         End::Failed(f) => eprintln!("error: the last analysis failed: {f}"),
-        End::Interrupted => eprintln!("interrupted: what was recorded so far has been kept"),
+        End::Ignored(f) => eprintln!("error: an analysis failed, and the script went on without a look at it: {f}"),
+        End::Interrupted => {
+            let place = interp.stopped_at.map(|s| format!(" at {}", interp.sources.location(s))).unwrap_or_default();
+            match exceeded() {
+                Some(why) => eprintln!("error: stopped{place}: {why}"),
+                None => eprintln!("interrupted{place}: what was recorded so far has been kept"),
+            }
+        }
         End::Enough(None) => eprintln!("note: the check was ended: the script waits for results that only a run has"),
         End::Enough(Some(d)) => {
             let place = messages.line(d, &interp.sources);

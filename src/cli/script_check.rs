@@ -1,9 +1,10 @@
 //! Summary of the messages of a script, and the result of `hysteron check` for other programs.
 
 use super::messages::Messages;
-use hysteron::diagnostic::{Diagnostic, Severity, SourceMap};
+use hysteron::diagnostic::{Diagnostic, Severity, SourceMap, Span};
 use hysteron::opensees::Tcl;
 use serde::Serialize;
+use std::collections::HashMap;
 
 /// A message with its place.
 #[derive(Serialize)]
@@ -71,18 +72,27 @@ pub(super) fn json(script: &str, interp: &Tcl, end: Option<&Diagnostic>) -> Stri
     serde_json::to_string_pretty(&table).unwrap_or_default() + "\n"
 }
 
+/// Lines of a summary.
+const MAX_LINES: usize = 30;
+
 /// Print all warnings again, one line each, so that none is overlooked.
 pub(super) fn print_summary(interp: &Tcl) {
     let messages = Messages::new();
-    let mut lines: Vec<(String, usize)> = vec![];
+    // A warning that comes up again and again has one line; the place of a word takes the length of its line to find.
+    let mut counts: Vec<(&Diagnostic, usize)> = vec![];
+    let mut known: HashMap<(Option<Span>, &str), usize> = HashMap::new();
     for w in &interp.warnings {
-        let kind = if w.severity == Severity::Error { "error" } else { "warning" };
-        let line = format!("{kind}: {}", messages.line(w, &interp.sources));
-        match lines.iter_mut().find(|(l, _)| *l == line) {
+        let at = *known.entry((w.span, &w.message)).or_insert(counts.len());
+        match counts.get_mut(at) {
             Some((_, n)) => *n += 1,
-            None => lines.push((line, 1)),
+            None => counts.push((w, 1)),
         }
     }
+    let line = |(w, n): &(&Diagnostic, usize)| {
+        let kind = if w.severity == Severity::Error { "error" } else { "warning" };
+        (format!("{kind}: {}", messages.line(w, &interp.sources)), *n)
+    };
+    let lines: Vec<(String, usize)> = counts.iter().take(MAX_LINES).map(line).collect();
     if lines.is_empty() {
         return;
     }
@@ -90,12 +100,12 @@ pub(super) fn print_summary(interp: &Tcl) {
     let totals = [(count(interp, Severity::Error), "error"), (count(interp, Severity::Warning), "warning")];
     let totals: Vec<String> = totals.iter().filter(|t| t.0 > 0).map(|t| plural(t.0, t.1)).collect();
     eprintln!("{}:", totals.join(", "));
-    for (line, n) in lines.iter().take(30) {
+    for (line, n) in &lines {
         let times = if *n > 1 { format!(" ({n} times)") } else { String::new() };
         eprintln!("  {line}{times}");
     }
-    if lines.len() > 30 {
-        eprintln!("  ... and {} more", lines.len() - 30);
+    if counts.len() > MAX_LINES {
+        eprintln!("  ... and {} more", counts.len() - MAX_LINES);
     }
     match interp.host.check.held_back {
         0 => {}

@@ -1,16 +1,16 @@
 //! `hysteron check` of a study.
 
-use super::args::Compat;
+use super::args::CheckArgs;
 use super::calibrate::{FAILURE, INPUT_ERROR, PreparedStudy, prepare, print_diagnostic};
 use super::preflight::{check_channels, threads};
 use super::script_check::MessageTable;
-use super::signals::{INTERRUPTED, on_interrupt};
+use super::signals::{on_interrupt, stopped_status};
 use hysteron::diagnostic::{Severity, SourceMap};
 use hysteron::preflight::{Preflight, section};
 use serde::Serialize;
 use std::path::Path;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 /// Result of the check of a study.
 #[derive(Serialize)]
@@ -28,9 +28,11 @@ struct CheckTable<'a> {
 }
 
 /// Do all checks that come before a calibration, with a run of the script with its own values. Returns the exit status.
-pub(super) fn check(file: &Path, compat: Option<Compat>, strict: bool, json: bool) -> i32 {
+pub(super) fn check(args: &CheckArgs) -> i32 {
+    let (file, compat, strict, json) = (Path::new(&args.model), args.script.compat, args.script.strict, args.json);
     let stop = Arc::new(AtomicBool::new(false));
     on_interrupt(&stop);
+    args.limits.enforce(&stop);
     let mut sources = SourceMap::default();
     let prepared = prepare(file, compat, &stop, &mut sources);
     let PreparedStudy { simulator, initial_run, .. } = match prepared {
@@ -40,7 +42,7 @@ pub(super) fn check(file: &Path, compat: Option<Compat>, strict: bool, json: boo
             if json {
                 print_json(&serde_json::json!({ "study": file, "messages": [MessageTable::new(&d, &sources)] }));
             }
-            return if stop.load(Ordering::Relaxed) { INTERRUPTED } else { INPUT_ERROR };
+            return stopped_status(&stop).unwrap_or(INPUT_ERROR);
         }
     };
     let study = simulator.study().clone();
@@ -48,7 +50,7 @@ pub(super) fn check(file: &Path, compat: Option<Compat>, strict: bool, json: boo
     let warnings: Vec<_> = warnings.inspect(|w| print_diagnostic(w, &sources)).collect();
     // Notes about the study itself; those of the script belong to its run.
     study.warnings.iter().filter(|w| w.severity == Severity::Note).for_each(|n| print_diagnostic(n, &sources));
-    let checked = match check_channels(&simulator, &initial_run, threads(None), true) {
+    let checked = match check_channels(&simulator, &initial_run, threads(None), true, &sources) {
         Ok(checked) => checked,
         Err(e) => {
             eprintln!("error: {e}");
@@ -73,8 +75,8 @@ pub(super) fn check(file: &Path, compat: Option<Compat>, strict: bool, json: boo
         );
         print!("{}", section(&checked, &study));
     }
-    if stop.load(Ordering::Relaxed) {
-        return INTERRUPTED;
+    if let Some(status) = stopped_status(&stop) {
+        return status;
     }
     let is_refused = strict && !(warnings.is_empty() && checked.findings.is_empty());
     if checked.has_hard_findings() || is_refused { INPUT_ERROR } else { 0 }

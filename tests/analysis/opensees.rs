@@ -67,6 +67,29 @@ fn an_unloaded_mechanism_stands_still() {
     assert_eq!(bars("0.", Script::default()).numbers()[0], -3.0);
 }
 
+/// A load that is there at once when the reference load is formed; numbers of openseespy 3.7.1.
+#[test]
+fn reference_load_of_a_state_out_of_balance() {
+    let push = |script: Script| {
+        script.run(
+            "model basic -ndm 1 -ndf 1
+            node 1 0; node 2 0; node 3 0; fix 1 1
+            uniaxialMaterial Steel02 1 2. 200. 0.02 15 0.925 0.15
+            element zeroLength 1 1 2 -mat 1 -dir 1; element zeroLength 2 2 3 -mat 1 -dir 1
+            timeSeries Linear 1; pattern Plain 1 1 { load 3 1. }
+            constraints Plain; numberer Plain; system FullGeneral; test EnergyIncr 1e-4 20; algorithm Newton
+            integrator LoadControl 1.; analysis Static; analyze 1
+            pattern Plain 2 1 { load 2 0.7 }
+            integrator DisplacementControl 3 1 0.005
+            for {set i 0} {$i < 3} {incr i} { analyze 1; puts [getTime] }",
+        )
+    };
+    let expected = [1.1420111645984563, 1.241413800462174, 1.2133817625165306];
+    let times = push(Script::compat()).numbers();
+    assert!(times.iter().zip(expected).all(|(t, e)| (t - e).abs() < 1e-12), "{times:?}");
+    assert!((push(Script::default()).numbers()[0] - expected[0]).abs() > 0.01);
+}
+
 /// Under Transformation OpenSees controls the retained node of a rigid link, as openseespy 3.7.1 does.
 #[test]
 fn control_of_a_constrained_node() {

@@ -124,7 +124,8 @@ fn interrupted() {
     out.read_to_string(&mut rest).unwrap();
     child.stderr.take().unwrap().read_to_string(&mut err).unwrap();
     assert_eq!((child.wait().unwrap().code(), rest.as_str()), (Some(130), ""), "{err}");
-    assert!(err.contains("interrupted: what was recorded so far has been kept"), "{err}");
+    assert!(err.contains("interrupted at m.tcl:15:1: what was recorded so far has been kept"), "{err}");
+    assert!(err.contains("partial, with whole rows up to there: d.txt"), "{err}");
     let record = fs::read_to_string(place.0.join("d.txt")).unwrap();
     assert!(record.ends_with('\n') && record.lines().all(|l| l.split(' ').count() == 2));
     assert!(record.lines().count() > 0 && place.names() == ["d.txt", "m.tcl"]);
@@ -152,7 +153,7 @@ fn recorders_of_nothing() {
     assert!(status == Some(0) && err.contains("no node 77"), "{err}");
 }
 
-/// A closed output does not stop the analysis.
+/// A closed output does not stop the analysis; the status tells of it.
 #[test]
 fn closed_output() {
     use std::process::{Command, Stdio};
@@ -165,7 +166,7 @@ fn closed_output() {
         .spawn()
         .unwrap();
     drop(child.stdout.take());
-    assert_eq!(child.wait().unwrap().code(), Some(0));
+    assert_eq!(child.wait().unwrap().code(), Some(1));
     assert!(place.0.join("done").exists());
 }
 

@@ -123,7 +123,7 @@ const REFUSED: &[(&str, usize, &[&str])] = &[
 ];
 
 const TWO_RECORDERS: &str =
-    "recorder Node -file a.txt -node 1 -dof 1 disp; recorder Node -file a.txt -node 1 -dof 2 disp";
+    "recorder Node -file a.txt -node 1 -dof 1 disp; recorder Node -file a.txt -node 1 -dof 1 disp";
 const RULE_WITH_NUMBERS: &str = "section Fiber 1 { fiber 0 0 1 1 }; geomTransf Linear 7; \
      element forceBeamColumn 7 1 2 3 1 7 -integration \"Lobatto 1 5\"";
 

@@ -8,7 +8,9 @@ use hysteron::element::beam::{
 use hysteron::element::load::ElementLoad;
 use hysteron::element::transform::{Ends, TransformKind, TransformSpec};
 use hysteron::material::{Concrete02, Elastic as ElasticMaterial, Material, Steel02};
-use hysteron::section::{Aggregator, Elastic, ElasticSection, Fiber, FiberSection, Resultant, SharedSection};
+use hysteron::section::{
+    Aggregator, Elastic, ElasticSection, Fiber, FiberBending, FiberSection, Resultant, SharedSection,
+};
 use nalgebra::{Matrix3, Vector3};
 use std::sync::Arc;
 
@@ -70,8 +72,39 @@ fn rectangle(material: &Material, space: bool) -> SharedSection {
         material: (material.clone(), 1),
     };
     let fibers = (0..32).map(|k| cell(k / 4, k % 4)).collect();
-    let torsion: Option<(Material, i32)> = space.then(|| (Arc::new(ElasticMaterial::new(5.0)) as Material, 2));
-    Arc::new(FiberSection::new(fibers, torsion, false))
+    let bending =
+        if space { FiberBending::Space(Some((Arc::new(ElasticMaterial::new(5.0)), 2))) } else { FiberBending::Plane };
+    Arc::new(FiberSection::new(fibers, bending, false))
+}
+
+/// In the plane the fibers of a row have one strain: they share a state, and the section is that of their sum.
+#[test]
+fn fibers_of_one_height_share_a_state() {
+    let steel = steel();
+    let rows = (0..8).map(|i| Fiber {
+        y: 1.0 + 0.4 * ((f64::from(i) + 0.5) / 8.0 - 0.5),
+        z: 0.0,
+        area: 0.01,
+        material: (steel.clone(), 1),
+    });
+    let merged: SharedSection = Arc::new(FiberSection::new(rows.collect(), FiberBending::Plane, false));
+    let sections = [rectangle(&steel, false), merged];
+    assert_eq!(sections[0].state_len(), sections[1].state_len());
+    assert!(rectangle(&steel, true).state_len() > 3 * sections[0].state_len());
+    let [found, expected] = sections.map(|section| {
+        let mut committed = vec![0.0; section.state_len()];
+        section.init(&mut committed);
+        let (mut s, mut k) = ([0.0; 2], [0.0; 4]);
+        for e in [[1e-3, 0.05], [-2e-3, -0.08], [5e-4, 0.02]] {
+            let mut next = committed.clone();
+            section.update(&committed, &e, 0.0, &mut next, &mut s, &mut k).expect("a response");
+            committed = next;
+        }
+        [s[0], s[1], k[0], k[1], k[2], k[3]]
+    });
+    for (a, b) in found.iter().zip(expected) {
+        assert!((a - b).abs() <= 1e-12 * b.abs(), "{found:?} {expected:?}");
+    }
 }
 
 fn stiffness(section: &SharedSection) -> Vec<f64> {

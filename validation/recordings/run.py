@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Diagnoses measured recordings and writes outcome.md and a picture for each source, as README.md here says.
+"""Diagnoses measured recordings and writes outcome.md and a picture for each source, and the table of answers in README.md.
 
     validation/recordings/run.py [NAME ...] [--data DIR] [--out DIR] [--engine HYSTERON] [--threads N] [--again]
 
@@ -153,6 +153,27 @@ def prove(args, name):
     (HERE / name / "outcome.md").write_text(f"# {name}: outcome\n\nWritten by `run.py`.\n\n" + "\n".join(lines))
 
 
+BEGIN, END = "<!-- answers, written by run.py -->", "<!-- end of the answers -->"
+ANSWER = re.compile(r"^### (\w+): (\w+)\n\nAnswer: \*\*(.*?)\*\* \(then: (.*?)\); NMSE fitted (.*?)(?:, held out (.*))?$", re.M)
+
+
+def answers():
+    """Rows of all outcomes, as the last run of each source has written them."""
+    rows = ["| source, study | answer | then | fitted NMSE | held out NMSE |", "| --- | --- | --- | --- | --- |"]
+    for outcome in sorted(HERE.glob("*/outcome.md")):
+        name = outcome.parent.name
+        for _, study, answer, then, fitted, held in ANSWER.findall(outcome.read_text()):
+            rows.append(f"| [{name}]({name}/outcome.md), {study} | {answer} | {then} | {fitted} | {held} |")
+    return "\n".join(rows)
+
+
+def write_answers():
+    readme = HERE / "README.md"
+    before, rest = readme.read_text().split(BEGIN)
+    after = rest.split(END)[1]
+    readme.write_text(f"{before}{BEGIN}\n\n{answers()}\n\n{END}{after}")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     names = sorted(p.parent.name for p in HERE.glob("*/prepare.py"))
@@ -165,6 +186,7 @@ def main():
     args = parser.parse_args()
     for name in args.names or names:
         prove(args, name)
+    write_answers()
 
 
 if __name__ == "__main__":

@@ -54,45 +54,131 @@ impl Style {
         }
         let precision = self.precision.min(40);
         let digits = if self.scientific { precision } else { precision.max(1) - 1 };
-        let mut text = Digits { bytes: [0; 64], len: 0 };
-        if write!(text, "{value:.digits$e}").is_err() {
-            return;
+        let Some(number) = Decimal::new(value, digits + 1) else { return };
+        if value.is_sign_negative() {
+            out.push(b'-');
         }
-        let text = std::str::from_utf8(&text.bytes[..text.len]).unwrap_or("");
-        let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
-        let exponent: i32 = exponent.parse().unwrap_or(0);
-        if self.scientific {
-            out.extend_from_slice(mantissa.as_bytes());
-            push_exponent(exponent, out);
-            return;
-        }
-        let (sign, mantissa) = mantissa.strip_prefix('-').map_or(("", mantissa), |m| ("-", m));
-        let all = mantissa.bytes().filter(|b| *b != b'.');
-        // Trailing zeros are not written.
-        let kept = digits + 1 - mantissa.bytes().rev().filter(|b| *b != b'.').take_while(|b| *b == b'0').count();
-        let kept = kept.max(1);
-        out.extend_from_slice(sign.as_bytes());
-        if exponent < -4 || exponent > digits as i32 {
-            for (i, d) in all.take(kept).enumerate() {
-                if i == 1 {
-                    out.push(b'.');
-                }
-                out.push(d);
+        let all = &number.digits[..number.len];
+        let exponent = number.exponent;
+        // Trailing zeros are written in scientific notation only.
+        let kept = if self.scientific { digits + 1 } else { number.len };
+        let zeros = |n: usize, out: &mut Vec<u8>| out.resize(out.len() + n, b'0');
+        if self.scientific || exponent < -4 || exponent > digits as i32 {
+            out.push(all[0]);
+            if kept > 1 {
+                out.push(b'.');
+                out.extend_from_slice(&all[1..]);
+                zeros(kept - number.len, out);
             }
             push_exponent(exponent, out);
         } else if exponent < 0 {
             out.extend_from_slice(b"0.");
-            (1..-exponent).for_each(|_| out.push(b'0'));
-            all.take(kept).for_each(|d| out.push(d));
+            zeros((-exponent - 1) as usize, out);
+            out.extend_from_slice(all);
         } else {
             let whole = exponent as usize + 1;
-            for (i, d) in all.take(kept.max(whole)).enumerate() {
-                if i == whole {
-                    out.push(b'.');
-                }
-                out.push(d);
+            if whole >= number.len {
+                out.extend_from_slice(all);
+                zeros(whole - number.len, out);
+            } else {
+                out.extend_from_slice(&all[..whole]);
+                out.push(b'.');
+                out.extend_from_slice(&all[whole..]);
             }
         }
+    }
+}
+
+/// Most digits that the shortest text of a number decides.
+const DECIDED: usize = 14;
+
+/// A number rounded to decimal digits: d.ddd times ten to the power of the exponent, without zeros at the end.
+struct Decimal {
+    digits: [u8; 64],
+    len: usize,
+    exponent: i32,
+}
+
+impl Decimal {
+    /// Rounds the size of a finite number to at most `most` significant digits, halves to the even digit.
+    fn new(value: f64, most: usize) -> Option<Self> {
+        if value == 0.0 {
+            let mut zero = Self { digits: [0; 64], len: 1, exponent: 0 };
+            zero.digits[0] = b'0';
+            return Some(zero);
+        }
+        let mut decimal = None;
+        if most <= DECIDED {
+            decimal = Self::parse(zmij::Buffer::new().format_finite(value.abs()).as_bytes())?.rounded(most);
+        }
+        if decimal.is_none() {
+            let mut text = Digits { bytes: [0; 64], len: 0 };
+            write!(text, "{:.*e}", most - 1, value.abs()).ok()?;
+            decimal = Self::parse(&text.bytes[..text.len]);
+        }
+        decimal
+    }
+
+    /// Digits and exponent of a positive number.
+    fn parse(text: &[u8]) -> Option<Self> {
+        let mut decimal = Self { digits: [0; 64], len: 0, exponent: 0 };
+        // Places from the first digit to the point.
+        let (mut whole, mut point, mut zeros) = (0, false, 0);
+        for (i, &byte) in text.iter().enumerate() {
+            match byte {
+                b'.' => point = true,
+                b'e' => {
+                    decimal.exponent = std::str::from_utf8(&text[i + 1..]).ok()?.parse().ok()?;
+                    break;
+                }
+                b'0' if decimal.len == 0 => zeros += i32::from(point),
+                _ => {
+                    *decimal.digits.get_mut(decimal.len)? = byte;
+                    decimal.len += 1;
+                    whole += i32::from(!point);
+                }
+            }
+        }
+        decimal.exponent += if whole > 0 { whole - 1 } else { -zeros - 1 };
+        decimal.trim();
+        Some(decimal)
+    }
+
+    fn trim(&mut self) {
+        while self.len > 1 && self.digits[self.len - 1] == b'0' {
+            self.len -= 1;
+        }
+    }
+
+    /// The shortest digits of a number rounded to fewer of them. `None` if they do not decide.
+    ///
+    /// If rounding the number itself gave another result, a boundary of rounding would be between the number and its
+    /// shortest digits. The boundary has one digit more than the result, so the shortest digits would not be longer.
+    /// They are the boundary itself at most.
+    fn rounded(mut self, most: usize) -> Option<Self> {
+        if self.len <= most {
+            return Some(self);
+        }
+        let up = self.digits[most] >= b'5';
+        if self.digits[most] == b'5' && self.len == most + 1 {
+            return None;
+        }
+        self.len = most;
+        if up {
+            let nines = self.digits[..most].iter().rev().take_while(|d| **d == b'9').count();
+            match (most - nines).checked_sub(1) {
+                Some(last) => {
+                    self.digits[last] += 1;
+                    self.len = last + 1;
+                }
+                None => {
+                    (self.digits[0], self.len) = (b'1', 1);
+                    self.exponent += 1;
+                }
+            }
+        }
+        self.trim();
+        Some(self)
     }
 }
 
@@ -141,8 +227,37 @@ mod tests {
         ] {
             assert_eq!(g(value, precision), text);
         }
-        let mut s = String::new();
-        Style { precision: 4, scientific: true }.push(-12345.678, &mut s);
-        assert_eq!(s, "-1.2346e+04");
+        for (value, text) in [(-12345.678, "-1.2346e+04"), (0.0, "0.0000e+00"), (2.5, "2.5000e+00")] {
+            let mut s = String::new();
+            Style { precision: 4, scientific: true }.push(value, &mut s);
+            assert_eq!(s, text);
+        }
+    }
+
+    /// Digits of the standard library, and those of numbers on and beside the boundaries of rounding.
+    #[test]
+    fn digits_are_rounded_exactly() {
+        let mut bits = 0x9E37_79B9_7F4A_7C15u64;
+        for i in 0..200_000 {
+            bits = bits.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let short = (bits >> 40) as f64 / 10f64.powi((i % 9) + 1);
+            let value = match i % 3 {
+                0 => f64::from_bits(bits),
+                1 => short,
+                _ => f64::from_bits((short + 5e-7).to_bits() + u64::from(i as u32 % 5) - 2),
+            };
+            if !value.is_finite() {
+                continue;
+            }
+            for precision in [0, 3, 5, 9, 13, 15] {
+                let mut s = String::new();
+                Style { precision, scientific: true }.push(value, &mut s);
+                let expected = format!("{value:.precision$e}");
+                let (mantissa, exponent) = expected.split_once('e').expect("an exponent");
+                let exponent: i32 = exponent.parse().expect("a number");
+                let sign = if exponent < 0 { '-' } else { '+' };
+                assert_eq!(s, format!("{mantissa}e{sign}{:02}", exponent.abs()), "{value:e} {precision}");
+            }
+        }
     }
 }

@@ -2,6 +2,7 @@
 
 mod dual;
 pub(crate) mod elementary;
+pub(crate) mod lanes;
 
 pub use dual::Dual;
 
@@ -228,7 +229,9 @@ fn invert_any(a: &mut [f64], n: usize) -> bool {
             return false;
         }
         from[column] = pivot;
-        (0..n).for_each(|j| a.swap(column * n + j, pivot * n + j));
+        if pivot != column {
+            (0..n).for_each(|j| a.swap(column * n + j, pivot * n + j));
+        }
         a[column * n + column] = 1.0;
         a[column * n..(column + 1) * n].iter_mut().for_each(|x| *x /= p);
         for row in (0..n).filter(|row| *row != column) {
@@ -236,7 +239,7 @@ fn invert_any(a: &mut [f64], n: usize) -> bool {
             (0..n).for_each(|j| a[row * n + j] -= factor * a[column * n + j]);
         }
     }
-    for column in (0..n).rev() {
+    for column in (0..n).rev().filter(|column| from[*column] != *column) {
         (0..n).for_each(|row| a.swap(row * n + column, row * n + from[column]));
     }
     true

@@ -17,7 +17,12 @@ pub(crate) struct Args<'a> {
     call: &'a Call<'a>,
     at: usize,
     usage: &'static str,
+    /// Words so far that are no options.
+    unknown: usize,
 }
+
+/// Words of a command that are ignored with a warning each. With more the command is not what was meant.
+const MAX_UNKNOWN: usize = 20;
 
 /// Range that a number must lie in.
 #[derive(Clone, Copy)]
@@ -30,7 +35,7 @@ enum Sign {
 impl<'a> Args<'a> {
     /// All words after the name of the command.
     pub(crate) fn new(call: &'a Call<'a>, usage: &'static str) -> Self {
-        Self { call, at: 1, usage }
+        Self { call, at: 1, usage, unknown: 0 }
     }
 
     /// The same words for what a sub-command wants.
@@ -236,14 +241,21 @@ impl<'a> Args<'a> {
     pub(crate) fn parts<const N: usize>(&mut self, what: [&str; N]) -> Result<[usize; N], Exception> {
         let (mut counts, mut parts) = ([1; N], 1_usize);
         for (count, what) in counts.iter_mut().zip(what) {
-            *count = self.count(what)?;
+            *count = self.parts_of(parts, what)?;
             parts = parts.saturating_mul(*count);
-            if parts > MAX_PARTS {
-                let message = format!("{parts} parts are more than one command can make");
-                return Err(self.refuse(message, format!("expected at most {MAX_PARTS} in all")));
-            }
         }
         Ok(counts)
+    }
+
+    /// A count that multiplies the number of parts that a command makes so far; see [`Self::parts`].
+    pub(crate) fn parts_of(&mut self, parts: usize, what: &str) -> Result<usize, Exception> {
+        let count = self.count(what)?;
+        let parts = parts.saturating_mul(count);
+        if parts > MAX_PARTS {
+            let message = format!("{parts} parts are more than one command can make");
+            return Err(self.refuse(message, format!("expected at most {MAX_PARTS} in all")));
+        }
+        Ok(count)
     }
 
     /// A degree of freedom or direction, 1 to `limit`; counted from 0 in the result.
@@ -292,8 +304,15 @@ impl<'a> Args<'a> {
     }
 
     /// A warning about the last word taken, which is no option of the command. Numbers after it are left out with it.
-    pub(crate) fn unknown_option(&mut self, known: &[&str]) -> Diagnostic {
+    ///
+    /// # Errors
+    /// There have been too many.
+    pub(crate) fn unknown_option(&mut self, known: &[&str]) -> Result<Diagnostic, Exception> {
         let (word, span) = (self.last_word(), self.last_span());
+        self.unknown += 1;
+        if self.unknown > MAX_UNKNOWN {
+            return Err(self.refuse(format!("more than {MAX_UNKNOWN} words are no options"), "expected an option"));
+        }
         let mut values = 0;
         while word.starts_with('-') && self.at_number() {
             self.at += 1;
@@ -303,10 +322,10 @@ impl<'a> Args<'a> {
         let message = format!("{}: \"{word}\" is not an option and is ignored{with}", self.call.name());
         let expected = if known.is_empty() { String::new() } else { format!("expected one of {}", known.join(" ")) };
         let d = Diagnostic::warning(message).at(span, expected);
-        match diagnostic::nearest(&word, known.iter().copied()) {
+        Ok(match diagnostic::nearest(&word, known.iter().copied()) {
             Some(near) => d.help(format!("did you mean \"{near}\"?")),
             None => d,
-        }
+        })
     }
 
     /// An error about the last word taken, which is none of the `known` names.

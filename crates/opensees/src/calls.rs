@@ -74,7 +74,7 @@ impl Run {
         interp.host.called_by_host = true;
         let interrupt = interp.interrupt.clone();
         interp.host.stop_on(interrupt);
-        Self { interp }
+        Self { interp, partial: vec![] }
     }
 
     /// Call a command with its words, the first of which is its name.

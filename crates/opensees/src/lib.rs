@@ -33,7 +33,8 @@ use hysteron_tcl::{Call, Exception, Interp, Value};
 pub use check::CheckState;
 pub use files::number_files::NumberFiles;
 pub use kind::KindUsage;
-pub use session::{FileFormat, Mode, ModelBuilder, OnWarning, Outputs, Progress, Session};
+pub use output::{AnalysedModel, Balances, ModelSize};
+pub use session::{FileFormat, Mode, ModelBuilder, MotionObserver, OnWarning, Outputs, Progress, Session};
 
 /// The interpreter that the commands run in.
 pub type Tcl = Interp<Session>;
@@ -103,6 +104,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         analysis::damping::COMMANDS,
         analysis::modal_damping::COMMANDS,
         analysis::modal_properties::COMMANDS,
+        analysis::response_spectrum::COMMANDS,
         analysis::solution::COMMANDS,
         analysis::algorithm::COMMANDS,
         analysis::integrator::COMMANDS,
@@ -114,6 +116,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         output::print::COMMANDS,
         analysis::matrix::COMMANDS,
         model::remove::COMMANDS,
+        model::database::COMMANDS,
         model::parameter::COMMANDS,
         output::display::COMMANDS,
         output::figure::COMMANDS,
@@ -150,7 +153,8 @@ fn warn(interp: &mut Tcl, mut warning: Diagnostic) -> Result<(), Exception> {
 
 /// Warn that the word just taken is none of the command's options, and ignore it.
 fn ignore_option(interp: &mut Tcl, args: &mut Args<'_>, known: &[&str]) -> Result<(), Exception> {
-    warn(interp, args.unknown_option(known))
+    let d = args.unknown_option(known)?;
+    warn(interp, d)
 }
 
 /// Report a message, whether or not warnings are errors.

@@ -26,6 +26,8 @@ pub enum End {
     Done,
     /// It came to its end, but its last analysis had failed.
     Failed(Failure),
+    /// It came to its end, and never looked at the result of an analysis that had failed.
+    Ignored(Failure),
     /// It ended itself with this status.
     Exit(i32),
     /// A command was rejected.
@@ -44,7 +46,7 @@ impl End {
     pub fn status(&self) -> i32 {
         match self {
             Self::Done | Self::Enough(_) => 0,
-            Self::Failed(_) | Self::Raised(_) => 1,
+            Self::Failed(_) | Self::Ignored(_) | Self::Raised(_) => 1,
             Self::Exit(n) => *n,
             Self::Rejected(_) => 2,
             Self::Interrupted => 130,
@@ -64,6 +66,8 @@ thread_local! {
 pub struct Run {
     /// The interpreter.
     pub interp: Tcl,
+    /// Files of recorders that were at work when the script was stopped, as it names them. They have whole rows.
+    pub partial: Vec<String>,
 }
 
 impl Run {
@@ -96,7 +100,7 @@ impl Run {
         }
         let interrupt = interp.interrupt.clone();
         interp.host.stop_on(interrupt);
-        Self { interp }
+        Self { interp, partial: vec![] }
     }
 
     /// Run a script; `args` become `$argv`. Recorders are finished in any case.
@@ -108,9 +112,14 @@ impl Run {
             .and_then(|_| set(&mut self.interp, "argv", list));
         let result = known.and_then(|_| self.interp.eval_file(path));
         let end = self.end_of(result);
+        if matches!(end, End::Interrupted) {
+            self.partial = self.interp.host.open_files();
+        }
         crate::check::finish(&mut self.interp);
         match (self.interp.host.finish(), end) {
-            (Err(e), End::Done | End::Failed(_)) => End::Raised(Box::new(Diagnostic::error(e.to_string()))),
+            (Err(e), End::Done | End::Failed(_) | End::Ignored(_)) => {
+                End::Raised(Box::new(Diagnostic::error(e.to_string())))
+            }
             (_, end) => end,
         }
     }
@@ -124,7 +133,11 @@ impl Run {
         match result {
             // OpenSees ends with status 0 whatever its last analysis did.
             Ok(_) if self.interp.host.follows(&[slips::EXIT_STATUS]) => End::Done,
-            Ok(_) => self.interp.host.last_failure.take().map_or(End::Done, End::Failed),
+            Ok(_) => {
+                let host = &mut self.interp.host;
+                let last = host.last_failure.take();
+                last.map(End::Failed).or(host.ignored_failure.take().map(End::Ignored)).unwrap_or(End::Done)
+            }
             Err(Exception::Exit(status)) => End::Exit(status),
             Err(Exception::Interrupted) if self.interp.budget == Some(0) => End::Enough(None),
             Err(Exception::Interrupted) => End::Interrupted,

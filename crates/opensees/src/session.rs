@@ -1,10 +1,13 @@
 //! State that the OpenSees commands of a script work on.
 
+use crate::analysis::isolator_damping::IsolatorDamping;
+use crate::analysis::plausibility::Looked;
 use crate::calls::CallNumbers;
 use crate::check::CheckState;
 use crate::files::number_files::NumberFiles;
 use crate::material::MaterialTests;
 use crate::model::parameter::Parameter;
+use crate::output::Balances;
 use crate::section::open::OpenSection;
 use crate::slips::Slip;
 use hysteron_engine::analysis::algorithm::Algorithm;
@@ -57,6 +60,16 @@ pub trait Progress {
     fn step(&mut self, time: f64, end: Option<f64>);
 }
 
+/// Receiver of the motion of a model, for programs that show it.
+pub trait MotionObserver {
+    /// An analysis begins with the committed state.
+    fn start(&mut self, engine: &Engine);
+    /// A step has been committed.
+    fn step(&mut self, engine: &Engine);
+    /// The script is about to forget the model.
+    fn wipe(&mut self, engine: &mut Engine);
+}
+
 /// Is called with each warning when it comes up.
 pub type OnWarning = Box<dyn FnMut(&Diagnostic, &SourceMap)>;
 
@@ -88,6 +101,10 @@ pub(crate) struct PlacedRecorder {
     pub(crate) tags: BTreeMap<String, Span>,
     /// Path of its file.
     pub(crate) path: Option<String>,
+    /// The same as the script names it.
+    pub(crate) file: Option<String>,
+    /// The words of the command.
+    pub(crate) words: Vec<String>,
     pub(crate) reported: bool,
 }
 
@@ -99,6 +116,11 @@ pub(crate) struct Recorders {
     pub(crate) interrupt: Option<Arc<AtomicBool>>,
     pub(crate) progress: Option<Box<dyn Progress>>,
     pub(crate) end: Option<f64>,
+    /// Balances of energy, where they are asked for.
+    pub(crate) balances: Option<Box<Balances>>,
+    /// Work of Rayleigh damping in isolators.
+    pub(crate) isolator_damping: IsolatorDamping,
+    pub(crate) motion: Option<Box<dyn MotionObserver>>,
     /// Norms of the iterations, to be printed.
     pub(crate) printed: String,
     pub(crate) print: i32,
@@ -112,10 +134,15 @@ impl Recorders {
         self.next
     }
 
-    /// Finish and forget the recorder of a file; `None` if there is none.
-    pub(crate) fn finish_file(&mut self, path: &str) -> Option<Result<(), RecordError>> {
-        let tag = *self.by_tag.iter().find(|(_, r)| r.path.as_deref() == Some(path))?.0;
-        self.by_tag.remove(&tag).map(|mut r| r.recorder.finish())
+    /// The recorder of a file.
+    pub(crate) fn of_file(&self, path: &str) -> Option<&PlacedRecorder> {
+        self.by_tag.values().find(|r| r.path.as_deref() == Some(path))
+    }
+
+    /// Finish and forget the recorder of a file, if there is one.
+    pub(crate) fn finish_file(&mut self, path: &str) -> Result<(), RecordError> {
+        let tag = self.by_tag.iter().find(|(_, r)| r.path.as_deref() == Some(path)).map(|(tag, _)| *tag);
+        tag.and_then(|tag| self.by_tag.remove(&tag)).map_or(Ok(()), |mut r| r.recorder.finish())
     }
 
     /// Look up what is to be recorded in the model as it is now, as the first row of a run would.
@@ -130,7 +157,13 @@ impl Recorders {
 
     /// An analysis starts from the committed state.
     pub(crate) fn start(&mut self, engine: &mut Engine) {
+        if let Some(balances) = &mut self.balances {
+            balances.start(engine);
+        }
         self.by_tag.values_mut().for_each(|r| r.recorder.start(engine));
+        if let Some(motion) = &mut self.motion {
+            motion.start(engine);
+        }
     }
 
     /// Finish and forget all recorders.
@@ -165,11 +198,18 @@ impl Recorders {
 impl Observer for Recorders {
     fn committed(&mut self, engine: &mut Engine) -> Result<(), String> {
         self.record(engine).map_err(|e| e.to_string())?;
+        if let Some(balances) = &mut self.balances {
+            balances.step(engine)?;
+        }
+        self.isolator_damping.add_step(engine);
         if self.print != 0 {
             self.note_iterations(engine);
         }
         if let Some(p) = &mut self.progress {
             p.step(engine.state().time, self.end);
+        }
+        if let Some(motion) = &mut self.motion {
+            motion.step(engine);
         }
         Ok(())
     }
@@ -204,6 +244,8 @@ pub struct ModelBuilder {
     pub(crate) ndm: usize,
     /// Degrees of freedom of a node, unless it has its own number.
     pub(crate) ndf: usize,
+    /// Dimensions and degrees of freedom before `wipe`.
+    pub(crate) former: Option<(usize, usize)>,
     /// The pattern that loads go into.
     pub(crate) pattern: Option<Tag>,
     pub(crate) regions: BTreeMap<Tag, Region>,
@@ -221,7 +263,8 @@ pub struct ModelBuilder {
 impl ModelBuilder {
     /// The state after `wipe`: tags of constraints go on.
     fn wiped(&mut self) -> Self {
-        Self { fibers: self.fibers.take(), next_sp: self.next_sp, next_mp: self.next_mp, ..Self::default() }
+        let former = if self.ndm > 0 { Some((self.ndm, self.ndf)) } else { self.former };
+        Self { former, fibers: self.fibers.take(), next_sp: self.next_sp, next_mp: self.next_mp, ..Self::default() }
     }
 }
 
@@ -268,6 +311,14 @@ pub struct Session {
     /// Failure of the last `analyze`; none if it succeeded.
     pub last_failure: Option<Failure>,
     pub(crate) warnings: Warnings,
+    /// Kinds that the script has made, by command, with their numbers.
+    pub kinds_made: BTreeMap<(&'static str, &'static str), usize>,
+    /// Name of the database that states are saved in.
+    pub(crate) database: Option<String>,
+    /// What the warnings about analyses have looked at.
+    pub(crate) looked: Looked,
+    /// The first failure of an `analyze` whose result nobody has looked at.
+    pub(crate) ignored_failure: Option<Failure>,
     /// The commands are called by a host: bodies follow as commands of their own.
     pub(crate) called_by_host: bool,
     pub(crate) call_numbers: CallNumbers,
@@ -303,6 +354,10 @@ impl Session {
             check: CheckState::default(),
             last_failure: None,
             warnings: Warnings::default(),
+            kinds_made: BTreeMap::new(),
+            database: None,
+            looked: Looked::default(),
+            ignored_failure: None,
             called_by_host: false,
             call_numbers: CallNumbers::default(),
             number_files: NumberFiles::default(),
@@ -311,12 +366,41 @@ impl Session {
 
     /// Stop analyses when the flag is set.
     pub fn stop_on(&mut self, flag: Arc<AtomicBool>) {
+        self.engine.interrupt = Some(flag.clone());
         self.output.recorders.interrupt = Some(flag);
+    }
+
+    /// Files that recorders are writing, as the script names them.
+    pub fn open_files(&self) -> Vec<String> {
+        let mut files: Vec<String> = self.output.recorders.by_tag.values().filter_map(|r| r.file.clone()).collect();
+        files.sort();
+        files.dedup();
+        files
     }
 
     /// Report steps to `progress`.
     pub fn set_progress(&mut self, progress: Box<dyn Progress>) {
         self.output.recorders.progress = Some(progress);
+    }
+
+    /// Sum the energies of the analyses, with their history if `history`.
+    pub fn balance_energy(&mut self, history: bool) {
+        self.output.recorders.balances = Some(Box::new(Balances::new(history)));
+    }
+
+    /// Balances of energy, where they are asked for.
+    pub fn balances(&self) -> Option<&Balances> {
+        self.output.recorders.balances.as_deref()
+    }
+
+    /// Note that a command makes a kind.
+    pub(crate) fn note_kind(&mut self, command: &'static str, kind: &'static str) {
+        *self.kinds_made.entry((command, kind)).or_default() += 1;
+    }
+
+    /// Report the motion of the model to `motion`.
+    pub fn observe_motion(&mut self, motion: Box<dyn MotionObserver>) {
+        self.output.recorders.motion = Some(motion);
     }
 
     /// Call `handler` with each warning when it comes up.
@@ -335,9 +419,17 @@ impl Session {
     /// Forget everything but the settings.
     pub(crate) fn wipe(&mut self) -> Result<(), RecordError> {
         let finished = self.output.recorders.finish();
+        if let Some(balances) = &mut self.output.recorders.balances {
+            balances.next_model();
+        }
+        if let Some(motion) = &mut self.output.recorders.motion {
+            motion.wipe(&mut self.engine);
+        }
         self.engine.wipe();
         self.builder = self.builder.wiped();
         self.output.known = Known::default();
+        self.looked = Looked::default();
+        self.output.recorders.isolator_damping = IsolatorDamping::default();
         self.parts = Parts { variable_steps: self.parts.variable_steps, ..Parts::default() };
         finished
     }

@@ -2,11 +2,11 @@
 
 use std::cell::{Cell, OnceCell};
 use std::rc::Rc;
-use std::sync::Arc;
 
 use super::expr::Template;
 use super::origin::Origin;
 use super::stack;
+use super::stretch::Stretch;
 use super::text::Text;
 use super::value::Value;
 use super::vars::VarName;
@@ -15,7 +15,7 @@ use crate::diagnostic::Span;
 /// A text that was parsed as a whole.
 #[derive(Debug)]
 pub(crate) struct Unit {
-    pub(crate) text: Arc<str>,
+    pub(crate) text: Stretch,
     pub(crate) origin: Option<Origin>,
 }
 

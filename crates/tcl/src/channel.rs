@@ -1,6 +1,6 @@
 //! Open files of a script, under names like `file3`.
 
-use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};
+use std::io::{self, Seek as _, SeekFrom, Write as _};
 
 use super::console::Console;
 use super::files::Stream;
@@ -176,7 +176,7 @@ impl Channel {
         }
         if !self.exhausted {
             if let Target::File(stream) = &mut self.target {
-                stream.read_to_end(&mut self.input)?;
+                self.input.extend(super::files::read_whole(&mut **stream)?);
             }
             if let Some(c) = self.eof_char
                 && let Some(at) = self.input.iter().position(|b| *b == c)

@@ -213,6 +213,18 @@ impl<'a> Call<'a> {
     }
 }
 
+impl Core {
+    /// Returns true if nothing looks at the result of a command: it stands for itself, neither in brackets or `catch` nor at
+    /// the end of a body in a procedure, whose result it may be.
+    pub fn is_discarded(&self, call: &Call<'_>) -> bool {
+        let Some(Place { script, command, .. }) = &call.place else { return false };
+        let is_last = script.commands.last().is_some_and(|last| std::ptr::eq(last, *command));
+        let before = script.unit.slice(0, command.start).trim_end();
+        let is_kept = is_last && self.frame().is_proc || before.ends_with('[') || self.calls.catching > 0;
+        !is_kept && script.unit.origin.is_some()
+    }
+}
+
 /// The one of some names that a word is or, unless `exact`, abbreviates.
 pub(crate) fn choose(word: &str, what: &str, names: &[&str], exact: bool) -> Result<usize, Exception> {
     if let Some(at) = names.iter().position(|n| *n == word) {

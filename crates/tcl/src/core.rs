@@ -4,6 +4,7 @@ use std::cell::Cell;
 use std::collections::HashMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
 
 use super::channel::Channels;
 use super::command::{CmdId, Definition};
@@ -70,6 +71,12 @@ pub struct Core {
     pub interrupt: Arc<AtomicBool>,
     /// Number of commands that may still run; no limit if `None`.
     pub budget: Option<u64>,
+    /// Time at which the script stops before its next command, but for a few thousand commands; no limit if `None`.
+    pub deadline: Option<Instant>,
+    /// A second flag that stops the script, within a few thousand commands: that of a group of scripts.
+    pub group_interrupt: Option<Arc<AtomicBool>>,
+    /// Place of the command at which the script was stopped.
+    pub stopped_at: Option<Span>,
     pub(crate) calls: CallStack,
     pub(crate) table: CommandTable,
     /// Significant digits of doubles; 0: as many as it takes.
@@ -205,6 +212,9 @@ impl Core {
             elsewhere: |_| None,
             interrupt: Arc::default(),
             budget: None,
+            deadline: None,
+            group_interrupt: None,
+            stopped_at: None,
             calls: CallStack::new(),
             table: CommandTable::new(),
             precision: 0,
@@ -232,10 +242,18 @@ impl Core {
                 None => return Err(Exception::Interrupted),
             }
         }
-        if self.interrupt.load(Ordering::Relaxed) {
+        // Reading the clock takes longer than a small command.
+        let late = self.calls.command_count & 0xfff == 0 && self.is_late();
+        if late || self.interrupt.load(Ordering::Relaxed) {
             return Err(Exception::Interrupted);
         }
         Ok(())
+    }
+
+    #[cold]
+    fn is_late(&self) -> bool {
+        self.deadline.is_some_and(|d| Instant::now() > d)
+            || self.group_interrupt.as_ref().is_some_and(|flag| flag.load(Ordering::Relaxed))
     }
 
     /// An empty row for words, reused.

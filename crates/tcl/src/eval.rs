@@ -41,7 +41,7 @@ pub(crate) fn script_of(value: &Value) -> Rc<Script> {
     if let Some(script) = obj.cached(|c| if let Cache::Script(s) = c { Some(s.clone()) } else { None }) {
         return script;
     }
-    let unit = Rc::new(Unit { text: (*value.as_str()).into(), origin: value.origin().cloned() });
+    let unit = Rc::new(Unit { text: obj.stretch(), origin: value.origin().cloned() });
     let script = Rc::new(lexer::script(&unit));
     obj.set_cache(Cache::Script(script.clone()));
     script
@@ -278,6 +278,9 @@ impl<H> Interp<H> {
     /// Complete an error with where it happened.
     pub(crate) fn failed(&mut self, e: Exception, argv: Vec<Value>, place: Option<Place<'_>>) -> Exception {
         if !matches!(e, Exception::Error(_)) {
+            if matches!(e, Exception::Interrupted) && self.core.stopped_at.is_none() {
+                self.core.stopped_at = place.and_then(|p| p.whole());
+            }
             self.core.give_words(argv);
             return e;
         }

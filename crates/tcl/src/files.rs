@@ -88,10 +88,23 @@ pub trait Files {
 
     /// The whole content of a file.
     fn read(&mut self, path: &str) -> io::Result<Vec<u8>> {
-        let mut content = vec![];
-        self.open(path, OpenMode { read: true, ..OpenMode::default() })?.read_to_end(&mut content)?;
-        Ok(content)
+        read_whole(self.open(path, OpenMode { read: true, ..OpenMode::default() })?)
     }
+}
+
+/// Largest file that is read as a whole, in bytes. A device such as `/dev/zero` has no end.
+pub const MAX_FILE_SIZE: u64 = 1 << 30;
+
+/// The whole content of a file.
+///
+/// # Errors
+/// It cannot be read, or has more than [`MAX_FILE_SIZE`] bytes.
+pub fn read_whole(file: impl Read) -> io::Result<Vec<u8>> {
+    let mut content = vec![];
+    if file.take(MAX_FILE_SIZE + 1).read_to_end(&mut content)? as u64 > MAX_FILE_SIZE {
+        return Err(io::ErrorKind::FileTooLarge.into());
+    }
+    Ok(content)
 }
 
 /// The files of the system.
@@ -175,7 +188,12 @@ fn mode_of(meta: &fs::Metadata) -> u32 {
 /// The error for a file, its message made from the reason.
 pub(crate) fn posix(error: &io::Error, message: impl FnOnce(&str) -> String) -> Exception {
     let (code, why) = reason(error);
-    Exception::coded(message(why), &["POSIX", code, why])
+    let failed = Exception::coded(message(why), &["POSIX", code, why]);
+    // The host may say more than the system would.
+    match error.get_ref() {
+        Some(said) => failed.help(said.to_string()),
+        None => failed,
+    }
 }
 
 /// Error of a file, in the words of the C library that Tcl uses.

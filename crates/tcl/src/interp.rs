@@ -235,7 +235,7 @@ impl Core {
     /// Add a text as a source of its own.
     fn take_text(&mut self, name: &str, text: &str) -> Value {
         let source = self.sources.add(name, text);
-        Value::literal(text.to_owned(), Some(Origin::whole(source)))
+        Value::placed(text, Origin::whole(source))
     }
 
     /// Set a variable of the global namespace, for instance `argv` or `env(HOME)`.

@@ -7,6 +7,7 @@ use super::ast::{Command, Index, Inline, ParseError, Part, Script, Unit, VarRef,
 use super::escape::backslash;
 use super::origin::Origin;
 use super::stack;
+use super::stretch::MIN_SHARED;
 use super::value::Value;
 use super::vars::VarName;
 
@@ -222,8 +223,13 @@ impl<'a> Lexer<'a> {
                 b'}' => {
                     depth -= 1;
                     if depth == 0 {
-                        collected.push_raw(&self.text[taken..i], taken);
                         self.pos = i + 1;
+                        // Only texts of files: a text made at run time would be kept by each of its words.
+                        if taken == open + 1 && i - taken >= MIN_SHARED && self.origin().is_some() {
+                            let origin = self.origin().map(|o| o.slice(taken, i));
+                            return Ok(Value::shared(self.unit.text.part(taken..i), origin));
+                        }
+                        collected.push_raw(&self.text[taken..i], taken);
                         return Ok(self.literal(collected));
                     }
                 }

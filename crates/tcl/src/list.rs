@@ -10,6 +10,7 @@ use super::escape;
 use super::number::is_space;
 use super::origin::Origin;
 use super::stack;
+use super::stretch::{MIN_SHARED, Stretch};
 use super::value::{LazyText, Rep, Value};
 
 /// The elements of a list and, once it was asked for, its text.
@@ -200,8 +201,8 @@ fn end_of_element(text: &str, at: usize, what: &str) -> Result<(), Exception> {
     ))
 }
 
-/// Read a list. Elements know their place where the text does.
-pub(crate) fn parse(text: &str, origin: Option<&Origin>) -> Result<Vec<Value>, Exception> {
+/// Read a list. Elements know their place where the text does; long ones are stretches of `shared`, the same text.
+pub(crate) fn parse(text: &str, origin: Option<&Origin>, shared: Option<&Stretch>) -> Result<Vec<Value>, Exception> {
     let mut items = Vec::new();
     let mut at = 0;
     while let Some(e) = next_element(text, at)? {
@@ -209,7 +210,11 @@ pub(crate) fn parse(text: &str, origin: Option<&Origin>) -> Result<Vec<Value>, E
         items.push(if e.escaped {
             Value::from(escape::unescape(content))
         } else {
-            Value::element(content, || origin.map(|o| o.slice(e.start, e.end)))
+            let origin = || origin.map(|o| o.slice(e.start, e.end));
+            match shared.filter(|_| content.len() >= MIN_SHARED) {
+                Some(stretch) => Value::shared(stretch.part(e.start..e.end), origin()),
+                None => Value::element(content, origin),
+            }
         });
         at = e.next;
     }

@@ -176,6 +176,12 @@ pub(crate) fn looks_like_bad_octal(text: &str) -> bool {
 pub(crate) fn write_double(out: &mut String, d: f64) {
     let size = d.abs();
     if (1e-4..1e17).contains(&size) {
+        let mut buffer = zmij::Buffer::new();
+        let text = buffer.format_finite(d);
+        if !text.as_bytes().contains(&b'e') {
+            out.push_str(text);
+            return;
+        }
         let start = out.len();
         let _ = write!(out, "{d}");
         if !out.as_bytes()[start..].contains(&b'.') {

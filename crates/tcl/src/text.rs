@@ -9,12 +9,13 @@ use super::dict::DictObj;
 use super::list::{self, List};
 use super::number::{self, Number};
 use super::origin::Origin;
+use super::stretch::{Chars, Stretch};
 use super::value::{Rep, Value};
 use super::vars::VarName;
 
 /// A text together with what it was last understood as.
 pub(crate) struct StrObj {
-    pub(super) text: String,
+    pub(super) text: Chars,
     /// Place of the text in a script.
     pub(super) origin: Option<Origin>,
     pub(super) cache: RefCell<Cache>,
@@ -39,7 +40,29 @@ pub(crate) enum Cache {
 
 impl StrObj {
     pub(super) fn new(text: String, origin: Option<Origin>) -> Rc<Self> {
+        Self::of(Chars::Own(text), origin)
+    }
+
+    fn of(text: Chars, origin: Option<Origin>) -> Rc<Self> {
         Rc::new(Self { text, origin, cache: RefCell::default(), chars: Cell::new(u32::MAX) })
+    }
+
+    /// A text that is a part of a longer one.
+    pub(super) fn shared(text: Stretch, origin: Option<Origin>) -> Rc<Self> {
+        Self::of(Chars::Shared(text), origin)
+    }
+
+    /// The shared text, if it is a part of one.
+    pub(super) fn stretch_if_shared(&self) -> Option<&Stretch> {
+        if let Chars::Shared(stretch) = &self.text { Some(stretch) } else { None }
+    }
+
+    /// The text for a parser, whose words may share it.
+    pub(crate) fn stretch(&self) -> Stretch {
+        match &self.text {
+            Chars::Own(text) => text.as_str().into(),
+            Chars::Shared(stretch) => stretch.clone(),
+        }
     }
 
     pub(crate) fn origin(&self) -> Option<&Origin> {

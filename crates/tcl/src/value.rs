@@ -187,7 +187,7 @@ impl Value {
                     obj.cache = RefCell::default();
                     obj.origin = None;
                     obj.chars = Cell::new(u32::MAX);
-                    &mut obj.text
+                    obj.text.own()
                 }
                 None => unreachable!("nothing else holds it"),
             },
@@ -309,7 +309,7 @@ impl Value {
                 if let Some(l) = s.cached(|c| if let Cache::List(l) = c { Some(l.clone()) } else { None }) {
                     return Ok(l);
                 }
-                let l = List::from(list::parse(&s.text, s.origin())?);
+                let l = List::from(list::parse(&s.text, s.origin(), s.stretch_if_shared())?);
                 s.set_cache(Cache::List(l.clone()));
                 Ok(l)
             }

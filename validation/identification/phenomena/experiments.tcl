@@ -1,5 +1,5 @@
 # Which phenomena the models of a bearing capture: experiments on the RR-FRB of models/, one for each row of Table 4 of the paper.
-# Words: boucwen, hdr or kikuchi. Units: N, m. Prints a line for each experiment: its name and numbers, which README.md explains.
+# Words: boucwen, hdr, kikuchi or rheology. Units: N, m. Prints a line for each experiment: its name and numbers, which README.md explains.
 set kind [lindex $argv 0]
 source [file join [file dirname [info script]] .. .. .. models rr_frb_$kind.tcl]
 

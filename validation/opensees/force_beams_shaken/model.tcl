@@ -70,3 +70,38 @@ integrator Newmark 0.5 0.25; analysis Transient
 set done [analyze 240 0.01]
 wipe
 set file [open done.out w]; puts $file $done; close $file
+# Mixed beams: a column in space pushed to and fro in two directions, and a beam in the plane with a rule that is not exact.
+wipe
+model basic -ndm 3 -ndf 6
+node 1 0 0 0; node 2 0 0 1.5; node 3 0 0 3; fix 1 1 1 1 1 1 1
+uniaxialMaterial Steel02 1 350000. 2e8 0.01 18. 0.925 0.15
+section Fiber 1 -GJ 5000. { patch rect 1 6 4 -0.1 -0.08 0.1 0.08 }
+geomTransf Corotational 1 1 0 0
+beamIntegration Lobatto 1 1 5
+element mixedBeamColumn 1 1 2 1 1
+element mixedBeamColumn 2 2 3 1 1 -mass 0.1
+timeSeries Linear 1
+pattern Plain 1 1 { load 3 10. 4. -50. 0 0 1. }
+constraints Plain; numberer RCM; system BandGeneral; test NormDispIncr 1e-10 50 0; algorithm Newton; analysis Static
+recorder Node -file mixed_space.out -time -node 3 -dof 1 2 3 4 5 6 disp
+recorder Element -file mixed_space_force.out -ele 1 localForce
+recorder Element -file mixed_space_section.out -ele 1 section 1 deformation
+foreach {d n} {0.002 60 -0.002 120 0.002 60} { integrator DisplacementControl 3 1 $d; analyze $n }
+wipe
+model basic -ndm 2 -ndf 3
+node 1 0 0; node 2 4 0; fix 1 1 1 0; fix 2 0 1 0
+uniaxialMaterial Steel02 1 350000. 2e8 0.01 18. 0.925 0.15
+section Fiber 1 { patch rect 1 10 1 -0.1 -0.08 0.1 0.08 }
+geomTransf Linear 1
+beamIntegration Lobatto 1 1 3
+beamIntegration Legendre 2 1 2
+node 3 8 0; fix 3 0 0 1
+element mixedBeamColumn 1 1 2 1 1
+element mixedBeamColumn 2 2 3 1 2
+timeSeries Linear 1
+pattern Plain 1 1 { eleLoad -ele 1 2 -type -beamUniform -8. 3.
+ load 3 0 -20. 0 }
+recorder Node -file mixed_plane.out -time -node 1 2 3 -dof 1 2 3 disp
+recorder Element -file mixed_plane_force.out -ele 1 2 force
+constraints Plain; numberer RCM; system BandGeneral; test NormUnbalance 1e-8 50 0; algorithm Newton; integrator LoadControl 0.05; analysis Static
+analyze 30

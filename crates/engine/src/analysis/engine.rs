@@ -16,6 +16,7 @@ use crate::assembly::{Handler, MpScope};
 use crate::element::{Element, Overload, Snapshot};
 use crate::model::{ElementEntry, ElementId, GroundMotion, Model, NodeId, Pattern, PatternKind, Tag};
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 /// Kind of analysis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -128,6 +129,8 @@ pub struct Engine {
     pub failure: Option<Failure>,
     /// Constraint handler where no analysis is set up (for modes and reactions).
     pub default_handler: Handler,
+    /// Set this, from any thread, to stop an analysis before its next iteration.
+    pub interrupt: Option<Arc<AtomicBool>>,
     pub(super) results: Results,
     /// Work done with plans that have been dropped.
     pub(super) earlier_work: WorkCounts,
@@ -150,6 +153,7 @@ impl Engine {
             iterations: 0,
             failure: None,
             default_handler: Handler::Transformation,
+            interrupt: None,
             results: Results::default(),
             earlier_work: WorkCounts::default(),
         }
@@ -174,7 +178,8 @@ impl Engine {
         let imbalance = self.imbalance.take();
         self.drop_prepared();
         let (steps, iterations, earlier_work) = (self.steps, self.iterations, self.earlier_work);
-        *self = Self { imbalance, steps, iterations, earlier_work, ..Self::new(options) };
+        let interrupt = self.interrupt.take();
+        *self = Self { imbalance, steps, iterations, earlier_work, interrupt, ..Self::new(options) };
     }
 
     /// Forget the analysis.
@@ -195,6 +200,10 @@ impl Engine {
     }
 
     /// Handler of the analysis, or the default one.
+    pub(super) fn workspace(&self) -> Option<&Workspace> {
+        self.prepared.as_ref().map(|(_, _, work)| work)
+    }
+
     pub(super) fn handler(&self) -> Handler {
         self.setup.as_ref().map_or(self.default_handler, |s| s.handler)
     }
@@ -303,7 +312,7 @@ impl Engine {
         self.forget_work();
     }
 
-    fn forget_work(&mut self) {
+    pub(super) fn forget_work(&mut self) {
         self.step_start.forget();
         if let Some((_, _, work)) = &mut self.prepared {
             work.forget();
@@ -316,6 +325,14 @@ impl Engine {
         self.committed = State::default();
         self.step_start.forget();
         self.committed.grow(&self.model);
+        self.trial.clone_from(&self.committed);
+        self.fresh = true;
+        self.drop_prepared();
+    }
+
+    /// Commit another state of the same model. The analysis begins anew from it.
+    pub(super) fn set_committed(&mut self, state: State, step_start: StepStart) {
+        (self.committed, self.step_start) = (state, step_start);
         self.trial.clone_from(&self.committed);
         self.fresh = true;
         self.drop_prepared();
@@ -392,7 +409,8 @@ impl Engine {
     #[cold]
     fn prepare_anew(&mut self, options: PrepareOptions) -> Result<(), Failure> {
         let time = self.committed.time;
-        let prepared = Workspace::new(&self.model, &options).map_err(|cause| Failure::new(cause, time, -1))?;
+        let mut prepared = Workspace::new(&self.model, &options).map_err(|cause| Failure::new(cause, time, -1))?;
+        prepared.interrupt.clone_from(&self.interrupt);
         let multipliers = prepared.plan.multipliers;
         self.committed.multipliers.resize(multipliers, 0.0);
         self.trial.clone_from(&self.committed);

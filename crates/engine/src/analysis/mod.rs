@@ -2,6 +2,7 @@
 
 pub mod algorithm;
 mod convergence;
+mod energy;
 mod engine;
 mod failure;
 mod ground_inertia;
@@ -12,8 +13,10 @@ mod modal_damping;
 mod modal_properties;
 mod modes;
 mod opensees;
+mod plausibility;
 mod reactions;
 mod recovery;
+mod saved_state;
 mod state;
 mod system;
 mod two_end_residual;
@@ -21,13 +24,16 @@ mod work_counts;
 mod workspace;
 
 pub use convergence::{Measure, Norm, Test, TestOutcome};
+pub use energy::{ClassEnergy, Energies, EnergyBalance};
 pub use engine::{Engine, Imbalance, Kind, Observer, Options, Quiet, Setup};
 pub use failure::{Cause, Failure};
 pub use matrices::Equations;
 pub use modal_properties::{ModalProperties, cumulative};
 pub use modes::{Modes, ModesError, Problem, Wanted};
+pub use plausibility::{ElementPower, LooseConstraint};
 pub use reactions::ReactionKind;
 pub use recovery::{RecoveryStep, RecoveryStrategy};
+pub use saved_state::SavedState;
 pub use state::State;
 pub use system::{Coefficients, System};
 pub use work_counts::WorkCounts;

@@ -15,6 +15,8 @@ pub struct Modes {
     pub lambda: Vec<f64>,
     /// Mode shapes over all degrees of freedom, of unit modal mass.
     pub shapes: Vec<Vec<f64>>,
+    /// Modes among them that move the model as a rigid body or a mechanism: their eigenvalue is 0.
+    pub rigid: usize,
 }
 
 /// Eigenvalue problem.
@@ -127,6 +129,9 @@ fn as_lapack(matrices: &ElementWorkspace<'_>, pairs: &mut Vec<Pair>, count: usiz
     pairs.resize(pairs.len().max(count), Pair { lambda: f64::MAX, vector: vec![0.0; n] });
 }
 
+/// Eigenvalue over the shift of the stiffness below which it is round-off.
+const RIGID: f64 = 1e-5;
+
 impl Engine {
     /// Modes by rising eigenvalue, under the constraints as the analysis handles them; they stay with the engine.
     ///
@@ -206,7 +211,11 @@ impl Engine {
             work.plan.map.spread(&p.vector[..n], &mut full);
             full
         });
-        let modes = Modes { lambda: pairs.iter().map(|p| p.lambda + shift).collect(), shapes: shapes.collect() };
+        let shapes = shapes.collect();
+        let mut lambda: Vec<f64> = pairs.iter().map(|p| p.lambda + shift).collect();
+        let is_rigid = |l: &&mut f64| l.abs() < RIGID * shift.abs();
+        let rigid = lambda.iter_mut().filter(is_rigid).map(|l| *l = 0.0).count();
+        let modes = Modes { lambda, shapes, rigid };
         Ok(self.results.modes.insert(modes))
     }
 
@@ -216,7 +225,7 @@ impl Engine {
     }
 
     /// Tangents of all elements in the committed state: those of the step that has come to it.
-    fn respond_as_committed(&mut self) -> Result<(), Failure> {
+    pub(super) fn respond_as_committed(&mut self) -> Result<(), Failure> {
         let step_start = self.step_start.state(self.state());
         let time = self.state().time;
         self.with_system_from(step_start.as_ref(), |system| {

@@ -216,14 +216,17 @@ impl System<'_> {
     }
 
     /// Load of the equations per unit of load factor, from `factor` on: what one more of it adds to the unbalance. Loads
-    /// on elements, imposed displacements and series with factors count as they are.
+    /// on elements, imposed displacements and series with factors count as they are. OpenSees takes the whole unbalance
+    /// at one more of it: a state out of equilibrium counts.
     pub fn reference_load(&mut self, factor: f64, out: &mut [f64]) -> Result<(), Failure> {
         self.apply_loads(factor + 1.0)?;
         self.form_unbalance(false)?;
         out.copy_from_slice(&self.work.b);
         self.apply_loads(factor)?;
         self.form_unbalance(false)?;
-        out.iter_mut().zip(&self.work.b).for_each(|(p, b)| *p -= b);
+        if self.work.opensees.is_none() {
+            out.iter_mut().zip(&self.work.b).for_each(|(p, b)| *p -= b);
+        }
         Ok(())
     }
 

@@ -13,6 +13,8 @@ use crate::element::{MAX_DOFS, Mass, MatrixMask, Rows};
 use crate::model::{Model, Rayleigh};
 use crate::numeric::dot;
 use crate::solve::{NEARLY_SINGULAR, Pivots, SolveError, Solver};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 /// Stiffness in the tangent.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -169,6 +171,8 @@ pub struct Workspace {
     pub(super) damped_modes: DampedModes,
     /// Number of updates of the elements, under `--compat opensees` only.
     pub(super) opensees: Option<UpdateCounts>,
+    /// Set to stop before the next iteration.
+    pub(super) interrupt: Option<Arc<AtomicBool>>,
     /// Lumped masses of the nodes: degree of freedom, mass, mass-proportional damping.
     nodal: Vec<(usize, f64, f64)>,
 }
@@ -278,6 +282,7 @@ impl Workspace {
             two_end_residual: None,
             damped_modes: DampedModes::new(model, |full, own| plan.map.condense(full, own), plan.map.equations),
             opensees: options.compat.then(|| UpdateCounts::new(model, &constrained)),
+            interrupt: None,
             plan,
             solver,
         };

@@ -13,6 +13,7 @@ mod basic_row;
 pub mod beam;
 pub mod bearing;
 mod brick;
+mod constant_strain;
 mod corot_truss;
 mod coupled_zero_length;
 pub mod friction;
@@ -36,6 +37,7 @@ use std::sync::Arc;
 pub use bar::BarOptions;
 pub use basic_row::{BasicRow, RowMaterial};
 pub use brick::{Brick, BrickOptions};
+pub use constant_strain::ConstantStrain;
 pub use corot_truss::CorotTruss;
 pub use coupled_zero_length::CoupledZeroLength;
 pub use load::ElementLoad;
@@ -300,6 +302,11 @@ pub trait Element: fmt::Debug + Send + Sync {
 
     /// The load that it carries no longer in a committed state, where it has a critical load.
     fn overload(&self, _history: &[f64]) -> Option<Overload> {
+        None
+    }
+
+    /// The Euler load π² E I / L² of a beam with small displacements, which does not buckle by itself; `None` for all else.
+    fn euler_load(&self) -> Option<f64> {
         None
     }
 

@@ -1,6 +1,9 @@
 //! Concrete without tension: Kent, Scott and Park.
 
-use super::{MaterialError, Strain, Stress, UniaxialLaw};
+use super::lanes::{Block, BlockLaw, update_blocks};
+use super::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
+use crate::numeric::lanes::select;
+use crate::state_struct::StateStruct;
 
 /// Parabola up to the strength, a straight line to the crushing strength, and constant stress beyond; no tension.
 /// Unloading is linear, with a slope that degrades with the largest compressive strain (Kent and Park, 1971; Karsan
@@ -41,30 +44,73 @@ impl Concrete01 {
     }
 
     /// Stress and slope of the envelope.
+    #[inline(always)]
     fn envelope(&self, eps: f64) -> (f64, f64) {
-        if eps > self.epsc0 {
-            let eta = eps / self.epsc0;
-            (self.fpc * (2.0 * eta - eta * eta), self.modulus() * (1.0 - eta))
-        } else if eps > self.epscu {
-            let slope = (self.fpc - self.fpcu) / (self.epsc0 - self.epscu);
-            (self.fpc + slope * (eps - self.epsc0), slope)
-        } else {
-            (self.fpcu, 0.0)
-        }
+        let eta = eps / self.epsc0;
+        let slope = (self.fpc - self.fpcu) / (self.epsc0 - self.epscu);
+        let (rising, falling) = (eps > self.epsc0, eps > self.epscu);
+        let after = select(falling, self.fpc + slope * (eps - self.epsc0), self.fpcu);
+        let stress = select(rising, self.fpc * (2.0 * eta - eta * eta), after);
+        (stress, select(rising, self.modulus() * (1.0 - eta), select(falling, slope, 0.0)))
     }
 
     /// Strain of zero stress and slope of the unloading line from a point of the envelope.
+    #[inline(always)]
     fn unload(&self, min: f64, stress: f64) -> (f64, f64) {
-        let eta = min.max(self.epscu) / self.epsc0;
-        let ratio = if eta < 2.0 { 0.145 * eta * eta + 0.13 * eta } else { 0.707 * (eta - 2.0) + 0.834 };
+        let eta = select(min > self.epscu, min, self.epscu) / self.epsc0;
+        let ratio = select(eta < 2.0, 0.145 * eta * eta + 0.13 * eta, 0.707 * (eta - 2.0) + 0.834);
         let length = min - ratio * self.epsc0;
         let elastic = stress / self.modulus();
-        if length > -f64::EPSILON {
-            (ratio * self.epsc0, self.modulus())
-        } else if length <= elastic {
-            (min - length, stress / length)
-        } else {
-            (min - elastic, self.modulus())
+        let (none, long) = (length > -f64::EPSILON, length <= elastic);
+        let end = select(none, ratio * self.epsc0, min - select(long, length, elastic));
+        (end, select(!none & long, stress / length, self.modulus()))
+    }
+
+    /// Trial state, stress and tangent, without a branch.
+    #[inline(always)]
+    fn response(&self, c: [f64; History::LEN], eps: f64) -> ([f64; History::LEN], f64, f64) {
+        let [strain, stress, softening, min, end, unloading] = c;
+        let modulus = self.modulus();
+        let slope = modulus - unloading;
+        let straight = stress + slope * (eps - strain);
+        let on_envelope = (eps <= min) & (eps < strain) & !(eps > 0.0);
+        let (peak, peak_slope) = self.envelope(eps);
+        let (new_end, new_slope) = self.unload(eps, peak);
+        let before_end = eps <= end;
+        let loaded = select(on_envelope, peak, select(before_end, slope * (eps - end), 0.0));
+        let loaded_slope = select(on_envelope, peak_slope, select(before_end, slope, 0.0));
+        let next_unloading = select(on_envelope, modulus - new_slope, unloading);
+        // The unloading slope of the present step applies if unloading begins on the envelope.
+        let along = straight > loaded;
+        let (loading_stress, loading_slope) =
+            (select(along, straight, loaded), select(along, modulus - next_unloading, loaded_slope));
+        let (opening, closed) = (eps >= strain, straight <= 0.0);
+        let value = select(opening, select(closed, straight, 0.0), loading_stress);
+        let tangent = select(opening, select(closed, slope, 0.0), loading_slope);
+        let (value, tangent) = (select(eps > 0.0, 0.0, value), select(eps > 0.0, 0.0, tangent));
+        // A strain that has not changed.
+        let same = (eps - strain).abs() < f64::EPSILON;
+        let keep = |old, new| select(same, old, new);
+        let next = [
+            keep(strain, eps),
+            keep(stress, value),
+            keep(softening, modulus - tangent),
+            keep(min, select(on_envelope, eps, min)),
+            keep(end, select(on_envelope, new_end, end)),
+            keep(unloading, next_unloading),
+        ];
+        (next, next[1], keep(modulus - softening, tangent))
+    }
+}
+
+impl BlockLaw<{ History::LEN }> for Concrete01 {
+    #[inline(always)]
+    fn respond<const W: usize>(&self, block: &mut Block<{ History::LEN }, W>) {
+        let law = self.clone();
+        for i in 0..W {
+            let (next, value, tangent) = law.response(block.point(i), block.strain[i]);
+            block.set_point(i, next);
+            (block.value[i], block.tangent[i]) = (value, tangent);
         }
     }
 }
@@ -72,37 +118,23 @@ impl Concrete01 {
 impl UniaxialLaw for Concrete01 {
     type State = History;
     const NAME: &'static str = "Concrete01";
+    const BY_QUANTITY: bool = true;
 
-    #[inline]
     fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
-        let eps = strain.value;
-        let modulus = self.modulus();
-        if (eps - c.strain).abs() < f64::EPSILON {
-            return Ok((Stress { value: c.stress, tangent: modulus - c.softening, damping: 0.0 }, *c));
-        }
-        let mut t = History { strain: eps, ..*c };
-        let slope = modulus - c.unloading;
-        let straight = c.stress + slope * (eps - c.strain);
-        let (value, tangent) = if eps > 0.0 {
-            (0.0, 0.0)
-        } else if eps >= c.strain {
-            if straight <= 0.0 { (straight, slope) } else { (0.0, 0.0) }
-        } else {
-            let (stress, tangent) = if eps <= c.min {
-                let (stress, tangent) = self.envelope(eps);
-                let (end, slope) = self.unload(eps, stress);
-                (t.min, t.end, t.unloading) = (eps, end, modulus - slope);
-                (stress, tangent)
-            } else if eps <= c.end {
-                (slope * (eps - c.end), slope)
-            } else {
-                (0.0, 0.0)
-            };
-            // The unloading slope of the present step applies if unloading begins on the envelope.
-            if straight > stress { (straight, modulus - t.unloading) } else { (stress, tangent) }
-        };
-        (t.stress, t.softening) = (value, modulus - tangent);
-        Ok((Stress { value, tangent, damping: 0.0 }, t))
+        let mut words = [0.0; History::LEN];
+        c.write(&mut words);
+        let (next, value, tangent) = self.response(words, strain.value);
+        Ok((Stress { value, tangent, damping: 0.0 }, History::read(&next)))
+    }
+
+    fn update_points(
+        &self,
+        committed: &[f64],
+        strains: &Strains<'_>,
+        next: &mut [f64],
+        stresses: &mut Stresses<'_>,
+    ) -> Result<(), MaterialError> {
+        update_blocks(self, committed, strains, next, stresses)
     }
 
     fn set_parameter(&mut self, name: &str, value: f64) -> Option<f64> {

@@ -1,6 +1,9 @@
 //! Concrete with tension softening: Yassin.
 
-use super::{MaterialError, Strain, Stress, UniaxialLaw};
+use super::lanes::{Block, BlockLaw, update_blocks};
+use super::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
+use crate::numeric::lanes::select;
+use crate::state_struct::StateStruct;
 
 /// The envelope of Kent, Scott and Park in compression, and linear softening in tension. The unloading and reloading
 /// branches are linear and intersect in one point (Yassin, 1994, section 2.3).
@@ -47,28 +50,75 @@ impl Concrete02 {
     }
 
     /// Stress and slope of the envelope in compression.
+    #[inline(always)]
     fn compression(&self, eps: f64) -> (f64, f64) {
-        if eps >= self.epsc0 {
-            let eta = eps / self.epsc0;
-            (self.fc * eta * (2.0 - eta), self.modulus() * (1.0 - eta))
-        } else if eps > self.epscu {
-            let slope = (self.fcu - self.fc) / (self.epscu - self.epsc0);
-            (self.fc + slope * (eps - self.epsc0), slope)
-        } else {
-            (self.fcu, FLAT_TANGENT)
-        }
+        let eta = eps / self.epsc0;
+        let slope = (self.fcu - self.fc) / (self.epscu - self.epsc0);
+        let (rising, falling) = (eps >= self.epsc0, eps > self.epscu);
+        let after = select(falling, self.fc + slope * (eps - self.epsc0), self.fcu);
+        let stress = select(rising, self.fc * eta * (2.0 - eta), after);
+        (stress, select(rising, self.modulus() * (1.0 - eta), select(falling, slope, FLAT_TANGENT)))
     }
 
     /// Stress and slope of the envelope in tension.
+    #[inline(always)]
     fn tension(&self, eps: f64) -> (f64, f64) {
         let modulus = self.modulus();
         let peak = self.ft / modulus;
-        if eps <= peak {
-            (modulus * eps, modulus)
-        } else if eps <= self.ft * (1.0 / self.ets + 1.0 / modulus) {
-            (self.ft - self.ets * (eps - peak), -self.ets)
-        } else {
-            (0.0, FLAT_TANGENT)
+        let (elastic, softening) = (eps <= peak, eps <= self.ft * (1.0 / self.ets + 1.0 / modulus));
+        let after = select(softening, self.ft - self.ets * (eps - peak), 0.0);
+        let slope = select(softening, -self.ets, FLAT_TANGENT);
+        (select(elastic, modulus * eps, after), select(elastic, modulus, slope))
+    }
+
+    /// Trial state, stress and tangent, without a branch.
+    #[inline(always)]
+    fn response(&self, c: [f64; History::LEN], eps: f64) -> ([f64; History::LEN], f64, f64) {
+        let [strain, stress, softening, min, tension] = c;
+        let modulus = self.modulus();
+        let step = eps - strain;
+        let on_envelope = eps < min;
+        let (crushing, crushing_slope) = self.compression(eps);
+        // All reloading branches intersect in R (equations 2.31 and 2.32); slope 2.35, end of unloading 2.36.
+        let eps_r = (self.fcu - self.ratio * modulus * self.epscu) / (modulus * (1.0 - self.ratio));
+        let (sig_min, _) = self.compression(min);
+        let slope = select(min == 0.0, modulus, (sig_min - modulus * eps_r) / (min - eps_r));
+        let end = min - sig_min / slope;
+        let (lower, upper) = (sig_min + slope * (eps - min), 0.5 * slope * (eps - end));
+        let elastic = stress + modulus * step;
+        let (above, below) = (select(elastic > lower, elastic, lower) >= upper, elastic <= lower);
+        let closed = select(above, upper, select(below, lower, elastic));
+        let closed_slope = select(above, 0.5 * slope, select(below, slope, modulus));
+        // Reloading to the largest tensile strain is linear, because the path is not stored (equation 2.43).
+        let reloading = select(tension == 0.0, modulus, self.tension(tension).0 / tension);
+        let (open, open_slope) = self.tension(eps - end);
+        let (is_closed, is_reloading) = (eps <= end, eps <= end + tension);
+        let value = select(is_closed, closed, select(is_reloading, reloading * (eps - end), open));
+        let tangent = select(is_closed, closed_slope, select(is_reloading, reloading, open_slope));
+        let (value, tangent) = (select(on_envelope, crushing, value), select(on_envelope, crushing_slope, tangent));
+        let widens = !on_envelope & !is_closed & !is_reloading;
+        // A strain that has not changed.
+        let same = step.abs() < f64::EPSILON;
+        let keep = |old, new| select(same, old, new);
+        let next = [
+            keep(strain, eps),
+            keep(stress, value),
+            keep(softening, modulus - tangent),
+            keep(min, select(on_envelope, eps, min)),
+            keep(tension, select(widens, eps - end, tension)),
+        ];
+        (next, next[1], keep(modulus - softening, tangent))
+    }
+}
+
+impl BlockLaw<{ History::LEN }> for Concrete02 {
+    #[inline(always)]
+    fn respond<const W: usize>(&self, block: &mut Block<{ History::LEN }, W>) {
+        let law = self.clone();
+        for i in 0..W {
+            let (next, value, tangent) = law.response(block.point(i), block.strain[i]);
+            block.set_point(i, next);
+            (block.value[i], block.tangent[i]) = (value, tangent);
         }
     }
 }
@@ -76,45 +126,23 @@ impl Concrete02 {
 impl UniaxialLaw for Concrete02 {
     type State = History;
     const NAME: &'static str = "Concrete02";
+    const BY_QUANTITY: bool = true;
 
-    #[inline]
     fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
-        let (eps, modulus) = (strain.value, self.modulus());
-        let step = eps - c.strain;
-        if step.abs() < f64::EPSILON {
-            return Ok((Stress { value: c.stress, tangent: modulus - c.softening, damping: 0.0 }, *c));
-        }
-        let mut t = History { strain: eps, ..*c };
-        let (value, tangent) = if eps < c.min {
-            t.min = eps;
-            self.compression(eps)
-        } else {
-            // All reloading branches intersect in R (equations 2.31 and 2.32); slope 2.35, end of unloading 2.36.
-            let eps_r = (self.fcu - self.ratio * modulus * self.epscu) / (modulus * (1.0 - self.ratio));
-            let (sig_min, _) = self.compression(c.min);
-            let slope = if c.min == 0.0 { modulus } else { (sig_min - modulus * eps_r) / (c.min - eps_r) };
-            let end = c.min - sig_min / slope;
-            if eps <= end {
-                let (lower, upper) = (sig_min + slope * (eps - c.min), 0.5 * slope * (eps - end));
-                let elastic = c.stress + modulus * step;
-                if elastic.max(lower) >= upper {
-                    (upper, 0.5 * slope)
-                } else if elastic <= lower {
-                    (lower, slope)
-                } else {
-                    (elastic, modulus)
-                }
-            } else if eps <= end + c.tension {
-                // Reloading to the largest tensile strain is linear, because the path is not stored (equation 2.43).
-                let slope = if c.tension == 0.0 { modulus } else { self.tension(c.tension).0 / c.tension };
-                (slope * (eps - end), slope)
-            } else {
-                t.tension = eps - end;
-                self.tension(t.tension)
-            }
-        };
-        (t.stress, t.softening) = (value, modulus - tangent);
-        Ok((Stress { value, tangent, damping: 0.0 }, t))
+        let mut words = [0.0; History::LEN];
+        c.write(&mut words);
+        let (next, value, tangent) = self.response(words, strain.value);
+        Ok((Stress { value, tangent, damping: 0.0 }, History::read(&next)))
+    }
+
+    fn update_points(
+        &self,
+        committed: &[f64],
+        strains: &Strains<'_>,
+        next: &mut [f64],
+        stresses: &mut Stresses<'_>,
+    ) -> Result<(), MaterialError> {
+        update_blocks(self, committed, strains, next, stresses)
     }
 
     fn initial_tangent(&self) -> f64 {

@@ -1,30 +1,143 @@
 //! Evaluation of many points of one law by vector instructions.
 //!
-//! A law brings what it needs of a block of points into arrays. A loop over the block without branches and calls becomes
-//! vector instructions. Each number has the same bits with all instructions, because none of them is fused.
+//! The histories of the points stand one quantity after the other. A block of points is brought into arrays, over which
+//! the law loops.
 
-use pulp::{Arch, NullaryFnOnce};
+use super::{MaterialError, Strains, Stresses, UniaxialLaw};
+use crate::numeric::lanes::{LANES, Lanes, copy, copy_back, in_lanes};
 
-/// Numbers that the widest instructions take. The number of points of a loop is a multiple of it.
-pub(crate) const LANES: usize = 4;
-/// Points of a block.
-pub(crate) const BLOCK: usize = 16;
-
-/// Arrays over the points of a block, with a loop over them.
-pub(crate) trait Lanes {
-    /// The loop. The method must be inlined, or it is not compiled for the instructions of the processor.
-    fn evaluate(&mut self);
+/// A block of `W` points of a law with `Q` state variables: one array for each quantity.
+#[derive(Clone, Debug)]
+pub(crate) struct Block<const Q: usize, const W: usize> {
+    /// Trial strains.
+    pub(crate) strain: [f64; W],
+    /// State variables: those of the committed state before the response, those of the trial state after it.
+    pub(crate) words: [[f64; W]; Q],
+    /// Stresses.
+    pub(crate) value: [f64; W],
+    /// Tangents.
+    pub(crate) tangent: [f64; W],
 }
 
-/// Evaluates a loop with the widest vector instructions of the processor.
-pub(crate) fn in_lanes<L: Lanes>(lanes: &mut L) {
-    struct Loop<'a, L>(&'a mut L);
-    impl<L: Lanes> NullaryFnOnce for Loop<'_, L> {
-        type Output = ();
-        #[inline(always)]
-        fn call(self) {
-            self.0.evaluate();
+impl<const Q: usize, const W: usize> Block<Q, W> {
+    /// State variables of a point.
+    #[inline(always)]
+    pub(crate) fn point(&self, i: usize) -> [f64; Q] {
+        std::array::from_fn(|q| self.words[q][i])
+    }
+
+    /// Sets the state variables of a point.
+    #[inline(always)]
+    pub(crate) fn set_point(&mut self, i: usize, words: [f64; Q]) {
+        for (q, word) in words.into_iter().enumerate() {
+            self.words[q][i] = word;
         }
     }
-    Arch::new().dispatch(Loop(lanes));
+
+    /// First point whose stress or tangent is not finite.
+    #[inline(always)]
+    fn not_finite(&self) -> Option<usize> {
+        // Differences of infinite numbers are no numbers.
+        let mut differences = [0.0; W];
+        for (i, d) in differences.iter_mut().enumerate() {
+            *d = (self.value[i] - self.value[i]) + (self.tangent[i] - self.tangent[i]);
+        }
+        let mut sums = [0.0; LANES];
+        for chunk in differences.as_chunks::<LANES>().0 {
+            sums.iter_mut().zip(chunk).for_each(|(sum, d)| *sum += d);
+        }
+        if sums == [0.0; LANES] { None } else { differences.iter().position(|d| *d != 0.0) }
+    }
+}
+
+/// A law that is evaluated in blocks. The number of its state variables is `Q`.
+pub(crate) trait BlockLaw<const Q: usize>: UniaxialLaw {
+    /// Writes trial state, stress and tangent of the points of a block. The method must be inlined.
+    fn respond<const W: usize>(&self, block: &mut Block<Q, W>);
+}
+
+/// Points that are evaluated in blocks.
+struct Points<'a, L, const Q: usize> {
+    law: &'a L,
+    committed: &'a [f64],
+    strain: &'a [f64],
+    next: &'a mut [f64],
+    value: &'a mut [f64],
+    tangent: &'a mut [f64],
+    /// First point without a stress.
+    failed: Option<usize>,
+}
+
+impl<L: BlockLaw<Q>, const Q: usize> Points<'_, L, Q> {
+    /// Evaluates up to `W` points.
+    #[inline(always)]
+    fn block<const W: usize>(&mut self, start: usize) {
+        let n = self.strain.len();
+        let end = n.min(start + W);
+        let zeros = [0.0; W];
+        let mut block = Block::<Q, W> { strain: zeros, words: [zeros; Q], value: zeros, tangent: zeros };
+        copy(&self.strain[start..end], &mut block.strain);
+        for (q, column) in block.words.iter_mut().enumerate() {
+            copy(&self.committed[q * n + start..q * n + end], column);
+        }
+        self.law.respond(&mut block);
+        for (q, column) in block.words.iter().enumerate() {
+            copy_back(column, &mut self.next[q * n + start..q * n + end]);
+        }
+        copy_back(&block.value, &mut self.value[start..end]);
+        copy_back(&block.tangent, &mut self.tangent[start..end]);
+        if let Some(i) = block.not_finite().filter(|i| start + i < end) {
+            self.failed = self.failed.or(Some(start + i));
+        }
+    }
+}
+
+impl<L: BlockLaw<Q>, const Q: usize> Lanes for Points<'_, L, Q> {
+    #[inline(always)]
+    fn evaluate(&mut self) {
+        const FULL: usize = 4 * LANES;
+        let n = self.strain.len();
+        let mut start = 0;
+        while n > start + 2 * LANES {
+            self.block::<FULL>(start);
+            start += FULL;
+        }
+        while start < n {
+            self.block::<LANES>(start);
+            start += LANES;
+        }
+    }
+}
+
+/// Evaluates points in blocks, as [`UniaxialLaw::update_points`] does.
+///
+/// # Errors
+/// A stress or a tangent is not finite.
+pub(crate) fn update_blocks<L: BlockLaw<Q>, const Q: usize>(
+    law: &L,
+    committed: &[f64],
+    strains: &Strains<'_>,
+    next: &mut [f64],
+    stresses: &mut Stresses<'_>,
+) -> Result<(), MaterialError> {
+    let n = strains.value.len();
+    let mut points = Points {
+        law,
+        committed,
+        strain: strains.value,
+        next,
+        value: &mut stresses.value[..n],
+        tangent: &mut stresses.tangent[..n],
+        failed: None,
+    };
+    in_lanes(&mut points);
+    let failed = points.failed;
+    stresses.damping[..n].fill(0.0);
+    failed.map_or(Ok(()), |i| Err(no_stress::<L>(strains.value[i])))
+}
+
+/// Error of a stress or a tangent that is not finite.
+#[cold]
+pub(crate) fn no_stress<L: UniaxialLaw>(strain: f64) -> MaterialError {
+    MaterialError(format!("{} has no stress at a strain of {strain:.6e}", L::NAME))
 }

@@ -8,6 +8,7 @@ mod axial_spring;
 mod bilin;
 mod bond_sp01;
 mod bouc_wen;
+mod bwbn;
 mod concrete01;
 mod concrete02;
 mod concrete04;
@@ -39,11 +40,13 @@ mod multi_linear;
 mod no_tension;
 mod parallel;
 mod pinching4;
+mod ratchet;
 mod reinforcing_steel;
 mod saws;
 mod self_centering;
 mod series;
 mod slot;
+mod sma;
 mod softening;
 mod soil_spring;
 mod steel01;
@@ -64,6 +67,7 @@ pub use axial_spring::{AxialParameters, AxialSp, AxialSpHD, AxialSpring};
 pub use bilin::{Bilin, BilinSide, Deterioration};
 pub use bond_sp01::BondSp01;
 pub use bouc_wen::BoucWen;
+pub use bwbn::Bwbn;
 pub use concrete01::Concrete01;
 pub use concrete02::Concrete02;
 pub use concrete04::Concrete04;
@@ -94,11 +98,13 @@ pub use multi_linear::MultiLinear;
 pub use no_tension::NoTension;
 pub use parallel::Parallel;
 pub use pinching4::{Damage, Pinching4, Pinching4Parameters, Pinching4Side};
+pub use ratchet::{Ratchet, Teeth};
 pub use reinforcing_steel::{BarFatigue, Buckling, ReinforcingSteel};
 pub use saws::{Saws, SawsParameters};
 pub use self_centering::SelfCentering;
 pub use series::{Iteration, Series};
 pub use slot::Slot;
+pub use sma::Sma;
 pub use softening::{Mullins, Peak, Softening};
 pub use soil_spring::{PyBackbone, PySimple1, QzBackbone, QzSimple1, Soil, SoilSpring, TzBackbone, TzSimple1};
 pub use steel_brb::{BrbBranch, SteelBrb};
@@ -173,6 +179,10 @@ pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {
 
     /// Name in the `uniaxialMaterial` command.
     const NAME: &'static str;
+
+    /// The histories of many points stand one quantity after the other, for [`UniaxialLaw::update_points`], and not one
+    /// point after the other.
+    const BY_QUANTITY: bool = false;
 
     /// Returns the stress and the next state for a trial strain, from the committed state.
     ///
@@ -371,6 +381,24 @@ impl<L: UniaxialLaw> Uniaxial for L {
     }
     fn init(&self, state: &mut [f64]) {
         L::State::default().write(state);
+    }
+    fn init_all(&self, n: usize, state: &mut [f64]) {
+        let len = L::State::LEN;
+        if !L::BY_QUANTITY {
+            state.chunks_exact_mut(len.max(1)).for_each(|point| L::State::default().write(point));
+            return;
+        }
+        let mut one = vec![0.0; len];
+        L::State::default().write(&mut one);
+        state.chunks_exact_mut(n.max(1)).zip(one).for_each(|(quantity, value)| quantity.fill(value));
+    }
+    fn copy_history(&self, (from, i, n): (&[f64], usize, usize), (to, j, m): (&mut [f64], usize, usize)) {
+        let len = L::State::LEN;
+        if L::BY_QUANTITY {
+            (0..len).for_each(|q| to[q * m + j] = from[q * n + i]);
+        } else {
+            to[j * len..(j + 1) * len].copy_from_slice(&from[i * len..(i + 1) * len]);
+        }
     }
     #[inline]
     fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {

@@ -1,6 +1,9 @@
 //! Bilinear steel with kinematic and optional isotropic hardening.
 
-use super::{MaterialError, Strain, Stress, UniaxialLaw};
+use super::lanes::{Block, BlockLaw, update_blocks};
+use super::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
+use crate::numeric::lanes::select;
+use crate::state_struct::StateStruct;
 
 /// Uniaxial bilinear steel with kinematic hardening. Isotropic hardening shifts the yield envelopes with the strain
 /// range: a1, a2 in compression, a3, a4 in tension (after Filippou, Popov and Bertero, 1983).
@@ -43,19 +46,53 @@ crate::state_struct! {
     }
 }
 
+impl BlockLaw<{ History::LEN }> for Steel01 {
+    #[inline(always)]
+    fn respond<const W: usize>(&self, block: &mut Block<{ History::LEN }, W>) {
+        let law = self.clone();
+        let mut turned = [0.0; W];
+        for i in 0..W {
+            let (next, value, tangent, turns) = law.response(block.point(i), block.strain[i]);
+            block.set_point(i, next);
+            (block.value[i], block.tangent[i]) = (value, tangent);
+            turned[i] = turns;
+        }
+        if law.is_isotropic() {
+            for (i, turns) in turned.into_iter().enumerate().filter(|(_, turns)| *turns != 0.0) {
+                let mut next = History::read(&block.point(i));
+                law.shift(turns, &mut next);
+                let mut words = [0.0; History::LEN];
+                next.write(&mut words);
+                block.set_point(i, words);
+            }
+        }
+    }
+}
+
 impl UniaxialLaw for Steel01 {
     type State = History;
     const NAME: &'static str = "Steel01";
+    const BY_QUANTITY: bool = true;
 
     fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
-        let d = strain.value - c.strain;
-        let mut t = *c;
-        if d.abs() > f64::EPSILON {
-            t.strain = strain.value;
-            self.advance(c, d, &mut t);
+        let mut words = [0.0; History::LEN];
+        c.write(&mut words);
+        let (next, value, tangent, turns) = self.response(words, strain.value);
+        let mut next = History::read(&next);
+        if self.is_isotropic() && turns != 0.0 {
+            self.shift(turns, &mut next);
         }
-        let tangent = if t.tangent == 0.0 && c.loading == 0.0 && t.loading == 0.0 { self.e0 } else { t.tangent };
-        Ok((Stress { value: t.stress, tangent, damping: 0.0 }, t))
+        Ok((Stress { value, tangent, damping: 0.0 }, next))
+    }
+
+    fn update_points(
+        &self,
+        committed: &[f64],
+        strains: &Strains<'_>,
+        next: &mut [f64],
+        stresses: &mut Stresses<'_>,
+    ) -> Result<(), MaterialError> {
+        update_blocks(self, committed, strains, next, stresses)
     }
 
     fn set_parameter(&mut self, name: &str, value: f64) -> Option<f64> {
@@ -78,28 +115,51 @@ impl UniaxialLaw for Steel01 {
 }
 
 impl Steel01 {
-    fn advance(&self, c: &History, d: f64, t: &mut History) {
-        let [a1, a2, a3, a4] = self.a;
+    fn is_isotropic(&self) -> bool {
+        self.a[0] != 0.0 || self.a[2] != 0.0
+    }
+
+    /// Trial state, stress and tangent without a branch, and 1 for a turn towards tension, -1 for one towards
+    /// compression. The shifts of a turn are not in the state.
+    #[inline(always)]
+    fn response(&self, c: [f64; History::LEN], eps: f64) -> ([f64; History::LEN], f64, f64, f64) {
+        let [min, max, shift_p, shift_n, loading, strain, stress, tangent] = c;
+        let d = eps - strain;
+        let moved = d.abs() > f64::EPSILON;
         let fy_1b = self.fy * (1.0 - self.b);
         let esh = self.b * self.e0;
-        let eps_y = self.fy / self.e0;
-        let elastic = c.stress + self.e0 * d;
-        let hardening = esh * t.strain;
-        let upper = hardening + (1.0 + c.shift_p) * fy_1b;
-        let lower = hardening - (1.0 + c.shift_n) * fy_1b;
-        t.stress = elastic.min(upper).max(lower);
-        t.tangent = if (t.stress - elastic).abs() < f64::EPSILON { self.e0 } else { esh };
+        let elastic = stress + self.e0 * d;
+        let hardening = esh * eps;
+        let upper = hardening + (1.0 + shift_p) * fy_1b;
+        let lower = hardening - (1.0 + shift_n) * fy_1b;
+        let capped = select(elastic > upper, upper, elastic);
+        let new_stress = select(capped < lower, lower, capped);
+        let new_tangent = select((new_stress - elastic).abs() < f64::EPSILON, self.e0, esh);
+        let begun = select(loading == 0.0, select(d < 0.0, -1.0, 1.0), loading);
+        let (falls, rises) = (moved & (begun == 1.0) & (d < 0.0), moved & (begun == -1.0) & (d > 0.0));
+        let new_loading = select(falls, -1.0, select(rises, 1.0, begun));
+        let keep = |old, new| select(moved, new, old);
+        let next = [
+            select(rises & (strain < min), strain, min),
+            select(falls & (strain > max), strain, max),
+            shift_p,
+            shift_n,
+            keep(loading, new_loading),
+            keep(strain, eps),
+            keep(stress, new_stress),
+            keep(tangent, new_tangent),
+        ];
+        let virgin = (next[7] == 0.0) & (loading == 0.0) & (next[4] == 0.0);
+        (next, next[6], select(virgin, self.e0, next[7]), select(falls, -1.0, select(rises, 1.0, 0.0)))
+    }
 
-        if c.loading == 0.0 {
-            t.loading = d.signum();
-        }
-        if t.loading == 1.0 && d < 0.0 {
-            t.loading = -1.0;
-            t.max = t.max.max(c.strain);
+    /// Shift of the envelope after a turn.
+    fn shift(&self, turns: f64, t: &mut History) {
+        let [a1, a2, a3, a4] = self.a;
+        let eps_y = self.fy / self.e0;
+        if turns < 0.0 {
             t.shift_n = a1 * ((t.max - t.min) / (2.0 * a2 * eps_y)).powf(0.8);
-        } else if t.loading == -1.0 && d > 0.0 {
-            t.loading = 1.0;
-            t.min = t.min.min(c.strain);
+        } else {
             t.shift_p = a3 * ((t.max - t.min) / (2.0 * a4 * eps_y)).powf(0.8);
         }
     }

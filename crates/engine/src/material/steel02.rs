@@ -1,8 +1,9 @@
 //! Steel of Giuffrè, Menegotto and Pinto with isotropic hardening.
 
-use super::lanes::{BLOCK, LANES, Lanes, in_lanes};
+use super::lanes::{Block, BlockLaw, no_stress, update_blocks};
 use super::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
 use crate::numeric::elementary::{exp, ln, power};
+use crate::numeric::lanes::select;
 use crate::numeric::sign;
 use crate::state_struct::StateStruct;
 
@@ -105,13 +106,6 @@ impl Steel02 {
         }
         Some(t)
     }
-
-    fn checked(&self, strain: f64, value: f64, tangent: f64) -> Result<(), MaterialError> {
-        if value.is_finite() && tangent.is_finite() {
-            return Ok(());
-        }
-        Err(MaterialError(format!("Steel02 has no stress at a strain of {strain:.6e}")))
-    }
 }
 
 /// Branch of a point and its strain: all that the stress depends on.
@@ -128,16 +122,6 @@ struct Curve {
 }
 
 impl Curve {
-    /// In the place of a virgin point, whose response is not taken from a curve.
-    const AT_REST: Self =
-        Self { strain: 0.0, plastic: 0.0, strain_0: 1.0, stress_0: 0.0, strain_r: 0.0, stress_r: 0.0 };
-
-    #[inline]
-    fn of(law: &Steel02, t: &History) -> Self {
-        let (strain, plastic) = (t.strain + law.sig_init / law.e0, t.plastic);
-        Self { strain, plastic, strain_0: t.strain_0, stress_0: t.stress_0, strain_r: t.strain_r, stress_r: t.stress_r }
-    }
-
     /// Stress and tangent.
     #[inline(always)]
     fn response(&self, law: &Steel02) -> (f64, f64) {
@@ -151,60 +135,53 @@ impl Curve {
     }
 }
 
-/// Curves of a block of points and their responses, one quantity after the other.
-struct Curves<'a> {
-    law: &'a Steel02,
-    /// Points that are evaluated.
-    len: usize,
-    strain: [f64; BLOCK],
-    plastic: [f64; BLOCK],
-    strain_0: [f64; BLOCK],
-    stress_0: [f64; BLOCK],
-    strain_r: [f64; BLOCK],
-    stress_r: [f64; BLOCK],
-    value: [f64; BLOCK],
-    tangent: [f64; BLOCK],
-}
+/// Columns of a block: strain, stress and the others that the loop reads, as in [`History`].
+const LOADING: usize = 0;
+const STRAIN: usize = 1;
+const STRESS: usize = 2;
 
-impl<'a> Curves<'a> {
-    fn new(law: &'a Steel02) -> Self {
-        let (zeros, ones) = ([0.0; BLOCK], [1.0; BLOCK]);
-        Self {
-            law,
-            len: BLOCK,
-            strain: zeros,
-            plastic: zeros,
-            strain_0: ones,
-            stress_0: zeros,
-            strain_r: zeros,
-            stress_r: zeros,
-            value: zeros,
-            tangent: zeros,
-        }
-    }
-
-    #[inline]
-    fn set(&mut self, i: usize, c: Curve) {
-        (self.strain[i], self.plastic[i]) = (c.strain, c.plastic);
-        (self.strain_0[i], self.stress_0[i]) = (c.strain_0, c.stress_0);
-        (self.strain_r[i], self.stress_r[i]) = (c.strain_r, c.stress_r);
-    }
-}
-
-impl Lanes for Curves<'_> {
+impl Steel02 {
+    /// Stress and tangent on a branch, or those of a virgin point at rest.
     #[inline(always)]
-    fn evaluate(&mut self) {
-        let law = self.law.clone();
-        for i in 0..self.len.min(BLOCK) {
-            let curve = Curve {
-                strain: self.strain[i],
-                plastic: self.plastic[i],
-                strain_0: self.strain_0[i],
-                stress_0: self.stress_0[i],
-                strain_r: self.strain_r[i],
-                stress_r: self.stress_r[i],
-            };
-            (self.value[i], self.tangent[i]) = curve.response(&law);
+    fn on_branch(
+        &self,
+        [loading, .., plastic, strain_0, stress_0, strain_r, stress_r]: [f64; History::LEN],
+        strain: f64,
+    ) -> (f64, f64) {
+        let curve = Curve { strain: strain + self.sig_init / self.e0, plastic, strain_0, stress_0, strain_r, stress_r };
+        let (value, tangent) = curve.response(self);
+        (select(loading == 0.0, self.sig_init, value), select(loading == 0.0, self.e0, tangent))
+    }
+}
+
+impl BlockLaw<{ History::LEN }> for Steel02 {
+    #[inline(always)]
+    fn respond<const W: usize>(&self, block: &mut Block<{ History::LEN }, W>) {
+        let law = self.clone();
+        let initial = law.sig_init / law.e0;
+        let (mut turns, mut any) = ([0.0; W], 0.0);
+        for i in 0..W {
+            let (loading, before) = (block.words[LOADING][i], block.words[STRAIN][i]);
+            let d = (block.strain[i] + initial) - (before + initial);
+            turns[i] = select((loading == 0.0) | (loading * d < 0.0), 1.0, 0.0);
+        }
+        turns.iter().for_each(|t| any += t);
+        if any > 0.0 {
+            // Few points turn in a step: they take their new branches one by one.
+            for i in (0..W).filter(|i| turns[*i] != 0.0) {
+                let c = History::read(&block.point(i));
+                let mut words = [0.0; History::LEN];
+                law.branch(&c, block.strain[i]).unwrap_or(c).write(&mut words);
+                block.set_point(i, words);
+            }
+        }
+        for i in 0..W {
+            let words = block.point(i);
+            let (value, tangent) = law.on_branch(words, block.strain[i]);
+            (block.value[i], block.tangent[i]) = (value, tangent);
+            let at_rest = words[LOADING] == 0.0;
+            block.words[STRAIN][i] = select(at_rest, words[STRAIN], block.strain[i]);
+            block.words[STRESS][i] = select(at_rest, words[STRESS], value - law.sig_init);
         }
     }
 }
@@ -212,14 +189,19 @@ impl Lanes for Curves<'_> {
 impl UniaxialLaw for Steel02 {
     type State = History;
     const NAME: &'static str = "Steel02";
+    const BY_QUANTITY: bool = true;
 
     fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
         let Some(mut t) = self.branch(c, strain.value) else {
             return Ok((Stress { value: self.sig_init, tangent: self.e0, damping: 0.0 }, *c));
         };
-        let (value, tangent) = Curve::of(self, &t).response(self);
+        let mut words = [0.0; History::LEN];
+        t.write(&mut words);
+        let (value, tangent) = self.on_branch(words, strain.value);
         t.stress = value - self.sig_init;
-        self.checked(strain.value, value, tangent)?;
+        if !(value.is_finite() && tangent.is_finite()) {
+            return Err(no_stress::<Self>(strain.value));
+        }
         Ok((Stress { value, tangent, damping: 0.0 }, t))
     }
 
@@ -230,31 +212,7 @@ impl UniaxialLaw for Steel02 {
         next: &mut [f64],
         stresses: &mut Stresses<'_>,
     ) -> Result<(), MaterialError> {
-        let mut curves = Curves::new(self);
-        let blocks = committed.chunks(BLOCK * History::LEN).zip(next.chunks_mut(BLOCK * History::LEN));
-        for (block, (committed, next)) in blocks.enumerate() {
-            let points = block * BLOCK..strains.value.len().min((block + 1) * BLOCK);
-            let histories = committed.chunks_exact(History::LEN).zip(next.chunks_exact_mut(History::LEN));
-            for (i, ((c, t), eps)) in histories.zip(&strains.value[points.clone()]).enumerate() {
-                let c = History::read(c);
-                let branch = self.branch(&c, *eps);
-                branch.unwrap_or(c).write(t);
-                curves.set(i, branch.map_or(Curve::AT_REST, |t| Curve::of(self, &t)));
-            }
-            curves.len = points.len().next_multiple_of(LANES);
-            in_lanes(&mut curves);
-            for (i, (point, t)) in points.zip(next.chunks_exact_mut(History::LEN)).enumerate() {
-                let (mut value, mut tangent) = (curves.value[i], curves.tangent[i]);
-                if t[0] == 0.0 {
-                    (value, tangent) = (self.sig_init, self.e0);
-                } else {
-                    t[2] = value - self.sig_init;
-                    self.checked(strains.value[point], value, tangent)?;
-                }
-                (stresses.value[point], stresses.tangent[point], stresses.damping[point]) = (value, tangent, 0.0);
-            }
-        }
-        Ok(())
+        update_blocks(self, committed, strains, next, stresses)
     }
 
     fn set_parameter(&mut self, name: &str, value: f64) -> Option<f64> {
@@ -303,8 +261,8 @@ mod tests {
         const POINTS: usize = 37;
         const LEN: usize = History::LEN;
         let mut single = vec![0.0; POINTS * LEN];
-        law.init_all(POINTS, &mut single);
         let mut many = single.clone();
+        law.init_all(POINTS, &mut many);
         for step in 0..200 {
             let strains: Vec<f64> = (0..POINTS)
                 .map(|i| if i == 5 { 0.0 } else { 0.012 * (0.11 * step as f64).sin() * (0.2 + i as f64 / 20.0) })
@@ -321,8 +279,10 @@ mod tests {
                 let strain = Strain { value: strains[i], rate: 0.0, dt: 0.0 };
                 let s = Uniaxial::update(&law, &committed, strain, &mut single[words]).expect("a finite stress");
                 assert_eq!((s.value, s.tangent, 0.0), (value[i], tangent[i], damping[i]), "step {step}, point {i}");
+                let mut one = [0.0; LEN];
+                law.copy_history((&many, i, POINTS), (&mut one, 0, 1));
+                assert_eq!(one, single[i * LEN..(i + 1) * LEN]);
             }
-            assert_eq!(single, many);
         }
     }
 }

@@ -27,7 +27,7 @@ impl PlacedFile {
 
     /// Begin anew.
     pub(super) fn restart(&mut self) -> Result<(), RecordError> {
-        let file = File::create(&self.part).map_err(|e| self.failed(&e))?;
+        let file = made_anew(&self.part).map_err(|e| self.failed(&e))?;
         self.writer = Some(BufWriter::new(file));
         Ok(())
     }
@@ -72,4 +72,12 @@ impl PlacedFile {
         }
         Ok(())
     }
+}
+
+/// A file that is made anew: a link under its name is removed, and not followed to what it points to.
+fn made_anew(path: &Path) -> std::io::Result<File> {
+    if std::fs::symlink_metadata(path).is_ok_and(|m| m.file_type().is_symlink()) {
+        std::fs::remove_file(path)?;
+    }
+    File::create(path)
 }

@@ -1,8 +1,12 @@
 //! Fiber sections.
 
+mod points;
+
 use super::{Resultant, Section, SharedSection};
 use crate::material::{Material, MaterialError, Slot, Strain, Strains, Stresses};
 use crate::probe::Probe;
+use points::Points;
+use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -19,14 +23,25 @@ pub struct Fiber {
     pub material: (Material, i32),
 }
 
+/// Bending that a section of fibers resists.
+#[derive(Clone, Debug)]
+pub enum FiberBending {
+    /// In a plane: fibers of one material at the same y have the same strain.
+    Plane,
+    /// In space, with a material for the torsion and its tag.
+    Space(Option<(Material, i32)>),
+}
+
 /// Fibers with the strains of a plane section: ε = ε₀ - y κ_z + z κ_y, with y and z from the centroid of the areas.
 /// Torsion is uncoupled in space.
 ///
-/// The history holds strain, stress, tangent and energy of all fibers, one quantity after the other. The variables of
-/// the laws follow, run after run, and then those of the torsion.
+/// Fibers of one material with the same strain share a point. The history holds strain, stress, tangent and energy of
+/// all points, one quantity after the other. The variables of the laws follow, run after run, and then those of the
+/// torsion.
 #[derive(Clone, Debug)]
 pub struct FiberSection {
     fibers: Vec<PlacedFiber>,
+    points: Points,
     runs: Vec<FiberRun>,
     torsion: Option<Slot>,
     /// Bending about both axes.
@@ -41,29 +56,54 @@ struct PlacedFiber {
     y: f64,
     z: f64,
     area: f64,
-    /// Derivatives of the strain with respect to the deformations P, Mz and My.
-    strain_gradient: [f64; 3],
+    /// Index of the point.
+    point: usize,
     /// Index of the run.
     run: usize,
 }
 
-/// Consecutive fibers of the same material, evaluated in one dynamic call.
+/// Consecutive points of the same material, evaluated in one dynamic call.
 #[derive(Clone, Debug)]
 struct FiberRun {
     /// The material with the slot of a single fiber.
     slot: Slot,
-    /// Range of fibers.
-    fibers: Range<usize>,
+    /// Range of points.
+    points: Range<usize>,
     /// Offset of the laws' state variables.
     at: usize,
 }
 
-/// Maximum number of fibers of a run; sizes a buffer on the stack.
+/// Maximum number of points of a run; sizes a buffer on the stack.
 const MAX_RUN_LENGTH: usize = 128;
 /// Strain rates of fibers; zero, as in OpenSees.
 const NO_RATE: [f64; MAX_RUN_LENGTH] = [0.0; MAX_RUN_LENGTH];
-/// State variables of a fiber in front of those of its law.
-const FIBER_HEADER: usize = 4;
+/// State variables of a point in front of those of its law.
+const POINT_HEADER: usize = 4;
+/// Distance of fibers that is round-off of their coordinates, as a part of the largest one.
+const SAME_PLACE: f64 = 1e-14;
+
+/// Fibers of each material in the order of their first fibers. Those of a material are in the order of y, then z in a
+/// section that is bent about both axes.
+fn groups(fibers: &[Fiber], biaxial: bool) -> Vec<(Material, i32, Vec<usize>)> {
+    let mut groups: Vec<(Material, i32, Vec<usize>)> = vec![];
+    let mut known = HashMap::new();
+    for (i, f) in fibers.iter().enumerate() {
+        let (material, tag) = &f.material;
+        let group = *known.entry((*tag, Arc::as_ptr(material).cast::<()>())).or_insert_with(|| {
+            groups.push((material.clone(), *tag, vec![]));
+            groups.len() - 1
+        });
+        groups[group].2.push(i);
+    }
+    let place = |i: usize| (fibers[i].y, if biaxial { fibers[i].z } else { 0.0 });
+    for (.., members) in &mut groups {
+        members.sort_by(|a, b| {
+            let ((y, z), (other_y, other_z)) = (place(*a), place(*b));
+            y.total_cmp(&other_y).then(z.total_cmp(&other_z))
+        });
+    }
+    groups
+}
 
 /// Slices of a history.
 struct Parts<T> {
@@ -98,19 +138,7 @@ impl<'a> Parts<&'a mut [f64]> {
 impl FiberRun {
     /// Range of the laws' state variables.
     fn words(&self) -> Range<usize> {
-        self.at..self.at + self.fibers.len() * self.slot.material.state_len()
-    }
-}
-
-impl PlacedFiber {
-    /// Adds the fiber's force and stiffness.
-    #[inline]
-    fn add<const M: usize>(&self, stress: f64, tangent: f64, force: &mut [f64; M], stiffness: &mut [[f64; M]; M]) {
-        for i in 0..M {
-            force[i] += self.strain_gradient[i] * stress * self.area;
-            let row = tangent * self.area * self.strain_gradient[i];
-            (0..M).for_each(|j| stiffness[i][j] += row * self.strain_gradient[j]);
-        }
+        self.at..self.at + self.points.len() * self.slot.material.state_len()
     }
 }
 
@@ -124,41 +152,50 @@ const PLANE: [Resultant; 2] = [Resultant::P, Resultant::Mz];
 const SPACE: [Resultant; 4] = [Resultant::P, Resultant::Mz, Resultant::My, Resultant::T];
 
 impl FiberSection {
-    /// From fibers, and in space a material for the torsion with its tag. Bending is about the centroid of the areas,
-    /// or with `origin` about the origin of the coordinates.
-    pub fn new(fibers: Vec<Fiber>, torsion: Option<(Material, i32)>, origin: bool) -> Self {
+    /// From fibers. Bending is about the centroid of the areas, or with `origin` about the origin of the coordinates.
+    pub fn new(fibers: Vec<Fiber>, bending: FiberBending, origin: bool) -> Self {
         let area: f64 = fibers.iter().map(|f| f.area).sum();
         let mean = |x: fn(&Fiber) -> f64| fibers.iter().map(|f| f.area * x(f)).sum::<f64>() / area;
         let centroid = if origin || area == 0.0 { (0.0, 0.0) } else { (mean(|f| f.y), mean(|f| f.z)) };
-        let mut runs: Vec<FiberRun> = vec![];
+        let (biaxial, torsion) = match bending {
+            FiberBending::Plane => (false, None),
+            FiberBending::Space(torsion) => (true, torsion),
+        };
+        let mut placed: Vec<PlacedFiber> =
+            fibers.iter().map(|f| PlacedFiber { y: f.y, z: f.z, area: f.area, point: 0, run: 0 }).collect();
+        let (mut points, mut runs) = (Points::default(), Vec::<FiberRun>::new());
         let mut at = 0;
-        let mut placed = vec![];
-        for (i, f) in fibers.into_iter().enumerate() {
-            let (material, tag) = f.material;
-            match runs.last_mut() {
-                Some(r)
-                    if r.fibers.len() < MAX_RUN_LENGTH
-                        && r.slot.tag == tag
-                        && Arc::ptr_eq(&r.slot.material, &material) =>
-                {
-                    r.fibers.end = i + 1;
+        for (material, tag, group) in groups(&fibers, biaxial) {
+            let mut last: Option<&Fiber> = None;
+            let largest = group.iter().map(|i| fibers[*i].y.abs().max(fibers[*i].z.abs())).fold(0.0, f64::max);
+            for i in group {
+                let f = &fibers[i];
+                let near = |a: f64, b: f64| (a - b).abs() <= SAME_PLACE * largest;
+                let shared = last.is_some_and(|l| near(l.y, f.y) && (!biaxial || near(l.z, f.z)));
+                if shared {
+                    points.enlarge(f.area);
+                } else {
+                    last = Some(f);
+                    let n = points.push([-(f.y - centroid.0), f.z - centroid.1], f.area);
+                    match runs.last_mut() {
+                        Some(r)
+                            if r.points.len() < MAX_RUN_LENGTH
+                                && r.slot.tag == tag
+                                && Arc::ptr_eq(&r.slot.material, &material) =>
+                        {
+                            r.points.end = n
+                        }
+                        _ => runs.push(FiberRun { slot: Slot::new(material.clone(), tag, 0), points: n - 1..n, at }),
+                    }
+                    at = runs.last().map_or(0, |r| r.words().end);
                 }
-                _ => runs.push(FiberRun { slot: Slot::new(material, tag, 0), fibers: i..i + 1, at }),
+                (placed[i].point, placed[i].run) = (points.len() - 1, runs.len() - 1);
             }
-            at = runs.last().map_or(0, |r| r.words().end);
-            let strain_gradient = [1.0, -(f.y - centroid.0), f.z - centroid.1];
-            placed.push(PlacedFiber { y: f.y, z: f.z, area: f.area, strain_gradient, run: runs.len() - 1 });
         }
-        at += FIBER_HEADER * placed.len();
+        at += POINT_HEADER * points.len();
         let torsion = torsion.map(|(material, tag)| Slot::new(material, tag, at));
         let state_len = at + torsion.as_ref().map_or(0, Slot::len);
-        let biaxial = torsion.is_some();
-        Self { fibers: placed, runs, torsion, biaxial, centroid, state_len }
-    }
-
-    /// The section bent about both axes, also without torsion.
-    pub fn bent_about_both_axes(self) -> Self {
-        Self { biaxial: true, ..self }
+        Self { fibers: placed, points, runs, torsion, biaxial, centroid, state_len }
     }
 
     /// Evaluates the fibers at `M` section deformations and integrates stresses and tangents.
@@ -170,14 +207,12 @@ impl FiberSection {
         next: &mut [f64],
         (s, k): (&mut [f64], &mut [f64]),
     ) -> Result<(), MaterialError> {
-        let e: [f64; M] = std::array::from_fn(|i| e[i]);
-        let (old, new) = (Parts::of(committed, self.fibers.len()), Parts::of_mut(next, self.fibers.len()));
+        let n = self.points.len();
+        let (old, new) = (Parts::of(committed, n), Parts::of_mut(next, n));
+        self.points.strains::<M>(e, new.strain);
         let mut damping = NO_RATE;
         for run in &self.runs {
-            let (range, words) = (run.fibers.clone(), run.words());
-            for (value, f) in new.strain[range.clone()].iter_mut().zip(&self.fibers[range.clone()]) {
-                *value = (0..M).map(|i| f.strain_gradient[i] * e[i]).sum();
-            }
+            let (range, words) = (run.points.clone(), run.words());
             let n = range.len();
             let strains = Strains { value: &new.strain[range.clone()], rate: &NO_RATE[..n], dt };
             let mut stresses = Stresses {
@@ -187,27 +222,24 @@ impl FiberSection {
             };
             run.slot.material.update_all(&old.laws[words.clone()], &strains, &mut new.laws[words], &mut stresses)?;
         }
-        let (mut force, mut stiffness) = ([0.0; M], [[0.0; M]; M]);
-        for (i, f) in self.fibers.iter().enumerate() {
-            f.add(new.stress[i], new.tangent[i], &mut force, &mut stiffness);
-            let work = 0.5 * (old.stress[i] + new.stress[i]) * (new.strain[i] - old.strain[i]);
-            new.energy[i] = old.energy[i] + work;
-        }
-        let n = self.resultants().len();
-        s[..M].copy_from_slice(&force);
-        stiffness.iter().zip(k.chunks_exact_mut(n)).for_each(|(row, k)| k[..M].copy_from_slice(row));
+        let history = points::Work {
+            strains: [old.strain, new.strain],
+            stresses: [old.stress, new.stress],
+            energies: (old.energy, new.energy),
+        };
+        let sums = self.points.integrate::<M>(new.tangent, history);
+        sums.write(self.resultants().len(), s, k);
         Ok(())
     }
 
     /// Adds up the stiffness of the virgin fibers.
     fn virgin<const M: usize>(&self, k: &mut [f64]) {
-        let (mut force, mut stiffness) = ([0.0; M], [[0.0; M]; M]);
-        for f in &self.fibers {
-            let tangent = self.runs[f.run].slot.material.initial_tangent();
-            f.add(0.0, tangent, &mut force, &mut stiffness);
-        }
-        let n = self.resultants().len();
-        stiffness.iter().zip(k.chunks_exact_mut(n)).for_each(|(row, k)| k[..M].copy_from_slice(row));
+        let n = self.points.len();
+        let (zeros, mut tangent, mut energy) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
+        self.runs.iter().for_each(|r| tangent[r.points.clone()].fill(r.slot.material.initial_tangent()));
+        let history = points::Work { strains: [&zeros; 2], stresses: [&zeros; 2], energies: (&zeros, &mut energy) };
+        let sums = self.points.integrate::<M>(&tangent, history);
+        sums.write(self.resultants().len(), &mut [0.0; M], k);
     }
 
     /// Fiber selected by the words of a recorder, and the words after them. The selection is an index, or coordinates
@@ -237,12 +269,13 @@ impl FiberSection {
 
     /// Value of a probe of a fiber, through the state layout of a single fiber.
     fn read_fiber(&self, i: usize, path: &[u32], state: &[f64], out: &mut [f64]) {
-        let (parts, run) = (Parts::of(state, self.fibers.len()), &self.runs[self.fibers[i].run]);
+        let (parts, fiber) = (Parts::of(state, self.points.len()), &self.fibers[i]);
+        let (run, i) = (&self.runs[fiber.run], fiber.point);
         let mut words = vec![0.0; run.slot.len()];
         let header =
             run.slot.write_header(&mut words, [parts.strain[i], parts.stress[i], parts.tangent[i], parts.energy[i]]);
         // A run stores histories in the layout of the material, which only the material can copy.
-        let from = (&parts.laws[run.words()], i - run.fibers.start, run.fibers.len());
+        let from = (&parts.laws[run.words()], i - run.points.start, run.points.len());
         run.slot.material.copy_history(from, (&mut words[header..], 0, 1));
         run.slot.read(path, &words, out);
     }
@@ -264,10 +297,10 @@ impl Section for FiberSection {
     }
     fn init(&self, state: &mut [f64]) {
         state.fill(0.0);
-        let parts = Parts::of_mut(state, self.fibers.len());
+        let parts = Parts::of_mut(state, self.points.len());
         for run in &self.runs {
-            run.slot.material.init_all(run.fibers.len(), &mut parts.laws[run.words()]);
-            parts.tangent[run.fibers.clone()].fill(run.slot.material.initial_tangent());
+            run.slot.material.init_all(run.points.len(), &mut parts.laws[run.words()]);
+            parts.tangent[run.points.clone()].fill(run.slot.material.initial_tangent());
         }
         self.torsion.iter().for_each(|t| t.init(state));
     }
@@ -338,16 +371,16 @@ impl Section for FiberSection {
     }
 
     fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
-        let parts = Parts::of(state, self.fibers.len());
+        let parts = Parts::of(state, self.points.len());
         match path[0] {
             FIBER => self.read_fiber(path[1] as usize, &path[2..], state, out),
             FIBER_DATA => {
-                for ((i, f), row) in self.fibers.iter().enumerate().zip(out.chunks_exact_mut(5)) {
-                    row.copy_from_slice(&[f.y, f.z, f.area, parts.stress[i], parts.strain[i]]);
+                for (f, row) in self.fibers.iter().zip(out.chunks_exact_mut(5)) {
+                    row.copy_from_slice(&[f.y, f.z, f.area, parts.stress[f.point], parts.strain[f.point]]);
                 }
             }
             CENTROID => out.copy_from_slice(&[self.centroid.0, self.centroid.1]),
-            ENERGY => out[0] = self.fibers.iter().zip(parts.energy).map(|(f, e)| f.area * e).sum(),
+            ENERGY => out[0] = self.fibers.iter().map(|f| f.area * parts.energy[f.point]).sum(),
             _ => {
                 if let Some(t) = &self.torsion {
                     t.read(&path[1..], state, out);

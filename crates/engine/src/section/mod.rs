@@ -19,7 +19,7 @@ use std::sync::Arc;
 pub use aggregator::Aggregator;
 pub use axial::Axial;
 pub use elastic::{Elastic, ElasticSection};
-pub use fiber::{Fiber, FiberSection};
+pub use fiber::{Fiber, FiberBending, FiberSection};
 pub use slot::SectionSlot;
 
 /// Maximum number of resultants of a section; sizes the buffers.

@@ -86,6 +86,13 @@ impl SectionSlot {
         self.section.update(&committed[self.at + self.header()..end], deformation, dt, next, s, k)
     }
 
+    /// Deformations, resultants and tangent in a state, apart.
+    pub fn parts<'a>(&self, state: &'a [f64]) -> (&'a [f64], &'a [f64], &'a [f64]) {
+        let (deformation, rest) = self.response(state).split_at(self.order);
+        let (resultant, stiffness) = rest.split_at(self.order);
+        (deformation, resultant, stiffness)
+    }
+
     /// Deformations in a state.
     pub fn deformation<'a>(&self, state: &'a [f64]) -> &'a [f64] {
         &state[self.at..self.at + self.order]
@@ -107,6 +114,14 @@ impl SectionSlot {
     /// The stiffness is singular.
     pub fn flexibility(&self, stiffness: &[f64], out: &mut [f64; MAX_ORDER * MAX_ORDER]) -> Result<(), MaterialError> {
         let n = self.order;
+        if let (2, [a, b, c, d, ..]) = (n, stiffness) {
+            // The section of a beam in the plane: by determinants.
+            let inverse = 1.0 / (a * d - b * c);
+            if inverse.is_finite() && inverse != 0.0 {
+                out[..4].copy_from_slice(&[d * inverse, -b * inverse, -c * inverse, a * inverse]);
+                return Ok(());
+            }
+        }
         out[..n * n].copy_from_slice(&stiffness[..n * n]);
         if invert(&mut out[..n * n], n) {
             return Ok(());

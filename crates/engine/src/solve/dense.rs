@@ -1,6 +1,8 @@
 //! Small dense systems: LU with row exchanges, in place.
 
 use super::{Pivots, SolveError};
+use crate::numeric::dot;
+use crate::numeric::lanes::{Lanes, in_lanes};
 
 /// Dense LU factors.
 #[derive(Debug)]
@@ -11,6 +13,19 @@ pub(super) struct DenseLu {
     exchange: Vec<usize>,
     /// Largest entry of each column before the factorisation.
     scale: Vec<f64>,
+}
+
+/// A factorisation as a loop.
+struct Elimination<'a> {
+    factors: &'a mut DenseLu,
+    done: Result<Pivots, SolveError>,
+}
+
+impl Lanes for Elimination<'_> {
+    #[inline(always)]
+    fn evaluate(&mut self) {
+        self.done = self.done.and_then(|pivots| self.factors.eliminate_all(pivots));
+    }
 }
 
 impl DenseLu {
@@ -38,8 +53,18 @@ impl DenseLu {
             6 => return self.eliminate::<6>(pivots),
             _ => {}
         }
-        for (j, s) in self.scale.iter_mut().enumerate() {
-            *s = (0..n).map(|i| values[i * n + j].abs()).fold(0.0, f64::max);
+        let mut elimination = Elimination { factors: self, done: Ok(pivots) };
+        in_lanes(&mut elimination);
+        elimination.done
+    }
+
+    /// Factor any number of equations.
+    #[inline(always)]
+    fn eliminate_all(&mut self, mut pivots: Pivots) -> Result<Pivots, SolveError> {
+        let n = self.n;
+        self.scale.fill(0.0);
+        for row in self.lu.chunks_exact(n) {
+            self.scale.iter_mut().zip(row).for_each(|(s, x)| *s = if x.abs() > *s { x.abs() } else { *s });
         }
         for k in 0..n {
             let mut p = k;
@@ -128,12 +153,10 @@ impl DenseLu {
             x.swap(k, p);
         }
         for i in 1..n {
-            let s: f64 = self.lu[i * n..i * n + i].iter().zip(&*x).map(|(l, x)| l * x).sum();
-            x[i] -= s;
+            x[i] -= dot(&self.lu[i * n..i * n + i], x);
         }
         for i in (0..n).rev() {
-            let s: f64 = self.lu[i * n + i + 1..i * n + n].iter().zip(&x[i + 1..]).map(|(u, x)| u * x).sum();
-            x[i] = (x[i] - s) / self.lu[i * n + i];
+            x[i] = (x[i] - dot(&self.lu[i * n + i + 1..i * n + n], &x[i + 1..])) / self.lu[i * n + i];
         }
     }
 

@@ -1,6 +1,7 @@
 //! Self-contained HTML pages with their charts.
 
 use hysteron_opensees::chart::{Bars, Curve, Figure, Mark};
+use serde_json::json;
 use std::fmt::Write as _;
 
 const STYLE: &str = "body{font:15px/1.5 system-ui,sans-serif;max-width:1000px;margin:2em auto;padding:0 1em;color:#222}\
@@ -55,11 +56,61 @@ pub fn table(out: &mut String, head: &[&str], rows: impl IntoIterator<Item = Vec
     out.push_str("</table>\n");
 }
 
-/// Append a chart. One without points is left out.
+/// Append a chart with its numbers, for [`without_numbers`] or a page that draws them. One without points is left out.
 pub fn picture(out: &mut String, figure: &Figure) {
     if let Ok(svg) = figure.svg() {
-        let _ = writeln!(out, "<figure>{svg}</figure>");
+        let _ = writeln!(out, "<figure>{svg}{NUMBERS}{}</script></figure>", numbers(figure));
     }
+}
+
+/// Begin of the numbers of a chart.
+const NUMBERS: &str = "<script type=\"application/json\" class=\"chart\">";
+
+/// Points of a curve whose numbers are kept, at most.
+const MAX_POINTS: usize = 4000;
+
+/// Numbers of a chart in JSON, which ends no element of a page.
+fn numbers(figure: &Figure) -> String {
+    let mark = |m: Mark| match m {
+        Mark::Line => "line",
+        Mark::Wide => "wide",
+        Mark::Dots => "dots",
+    };
+    let curves = figure.curves.iter().map(|c| {
+        let points = extremes(&c.points);
+        // A number that is not finite becomes null, which is a gap.
+        let of = |k: fn(&(f64, f64)) -> f64| points.iter().map(|p| k(p) as f32).collect::<Vec<f32>>();
+        json!({ "name": c.name, "mark": mark(c.mark), "x": of(|p| p.0), "y": of(|p| p.1) })
+    });
+    let chart = json!({
+        "title": figure.title, "x": figure.x_label, "y": figure.y_label, "equal": figure.equal, "log": figure.log_y,
+        "shaded": figure.shaded, "colour": figure.first_colour, "curves": curves.collect::<Vec<_>>(),
+    });
+    chart.to_string().replace("</", "<\\/")
+}
+
+/// Points of a long curve with the lowest and the highest of each stretch, in their order.
+fn extremes(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    if points.len() <= MAX_POINTS {
+        return points.to_vec();
+    }
+    let ends = |part: &[(f64, f64)]| {
+        let order = |a: &&(f64, f64), b: &&(f64, f64)| a.1.total_cmp(&b.1);
+        let mut both: Vec<(f64, f64)> =
+            part.iter().min_by(order).into_iter().chain(part.iter().max_by(order)).copied().collect();
+        if both.len() == 2 && part.iter().position(|p| *p == both[0]) > part.iter().position(|p| *p == both[1]) {
+            both.swap(0, 1);
+        }
+        both
+    };
+    points.chunks(points.len().div_ceil(MAX_POINTS / 2)).flat_map(ends).collect()
+}
+
+/// A page without the numbers of its charts, which stay as pictures.
+pub fn without_numbers(page: &str) -> String {
+    let mut parts = page.split(NUMBERS);
+    let first = parts.next().unwrap_or_default().to_owned();
+    parts.fold(first, |out, part| out + part.split_once("</script>").map_or("", |(_, rest)| rest))
 }
 
 /// A curve drawn as a line.
@@ -140,4 +191,27 @@ pub fn head(title: &str) -> String {
 pub fn end(mut page: String) -> String {
     page.push_str("</body></html>\n");
     page
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_of_charts_can_be_taken_out_again() {
+        let points: Vec<(f64, f64)> = (0..20_000).map(|i| (f64::from(i), (f64::from(i) * 0.01).sin())).collect();
+        let figure = Figure { title: "</script>".into(), curves: vec![line("a", points)], ..Figure::default() };
+        let mut out = String::from("<body>");
+        picture(&mut out, &figure);
+        out.push_str("<p>end</p></body>");
+        let text = out.split(NUMBERS).nth(1).and_then(|t| t.split("</script>").next()).unwrap_or_default();
+        let chart: serde_json::Value = serde_json::from_str(text).unwrap_or_default();
+        assert_eq!(chart["title"], "</script>");
+        let y: Vec<f64> =
+            chart["curves"][0]["y"].as_array().into_iter().flatten().filter_map(serde_json::Value::as_f64).collect();
+        assert!(y.len() <= MAX_POINTS && y.len() > MAX_POINTS / 2, "{}", y.len());
+        assert!(y.iter().any(|y| *y > 0.9999) && y.iter().any(|y| *y < -0.9999));
+        let plain = without_numbers(&out);
+        assert!(!plain.contains("application/json") && plain.ends_with("</figure><p>end</p></body>"), "{plain:.200}");
+    }
 }

@@ -2,13 +2,14 @@
 
 use hysteron_engine::number_format::Style;
 use serde_json::{Map, Value, json};
+use std::borrow::Cow;
 use std::fmt::Write as _;
 
 /// A column of a table.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Column {
     /// Name.
-    pub name: &'static str,
+    pub name: Cow<'static, str>,
     /// Unit; empty for none.
     pub unit: String,
 }
@@ -20,6 +21,14 @@ pub enum Cell {
     Number(f64),
     /// A word.
     Word(&'static str),
+    /// A text that is not known before, for instance the name of a file.
+    Text(String),
+}
+
+impl From<String> for Cell {
+    fn from(text: String) -> Self {
+        Self::Text(text)
+    }
 }
 
 impl From<f64> for Cell {
@@ -40,14 +49,14 @@ pub struct Table {
 impl Table {
     /// A table without rows, from names and units of its columns.
     pub fn new<const N: usize>(columns: [(&'static str, &str); N]) -> Self {
-        let columns = columns.map(|(name, unit)| Column { name, unit: unit.to_owned() });
+        let columns = columns.map(|(name, unit)| Column { name: name.into(), unit: unit.to_owned() });
         Self { columns: columns.into(), rows: vec![] }
     }
 
     /// The table as aligned text, with units below the names and five significant digits.
     pub fn text(&self) -> String {
         let heads = [
-            self.columns.iter().map(|c| c.name.to_owned()).collect::<Vec<_>>(),
+            self.columns.iter().map(|c| c.name.to_string()).collect::<Vec<_>>(),
             self.columns.iter().map(|c| c.unit.clone()).collect(),
         ];
         let rows = self.rows.iter().map(|r| r.iter().map(rounded).collect());
@@ -71,8 +80,8 @@ impl Table {
     /// The table as CSV, with one head line of names and units in brackets. Numbers keep all digits.
     pub fn csv(&self) -> String {
         let head = self.columns.iter().map(|c| match c.unit.as_str() {
-            "" => c.name.to_owned(),
-            unit => format!("{} [{unit}]", c.name),
+            "" => quoted(&c.name),
+            unit => quoted(&format!("{} [{unit}]", c.name)),
         });
         let rows = self.rows.iter().map(|r| r.iter().map(exact).collect::<Vec<_>>());
         std::iter::once(head.collect::<Vec<_>>()).chain(rows).map(|r| r.join(",") + "\n").collect()
@@ -83,9 +92,10 @@ impl Table {
         let value = |c: &Cell| match c {
             Cell::Number(x) => json!(x),
             Cell::Word(w) => json!(w),
+            Cell::Text(t) => json!(t),
         };
         let object = |r: &Vec<Cell>| {
-            let members = self.columns.iter().zip(r).map(|(c, x)| (c.name.to_owned(), value(x)));
+            let members = self.columns.iter().zip(r).map(|(c, x)| (c.name.to_string(), value(x)));
             Value::Object(members.collect::<Map<_, _>>())
         };
         let rows: Vec<Value> = self.rows.iter().map(object).collect();
@@ -102,6 +112,7 @@ fn rounded(c: &Cell) -> String {
             text
         }
         Cell::Word(w) => (*w).to_owned(),
+        Cell::Text(t) => t.clone(),
     }
 }
 
@@ -111,7 +122,14 @@ fn exact(c: &Cell) -> String {
         Cell::Number(x) if *x == 0.0 || (1e-5..1e15).contains(&x.abs()) => x.to_string(),
         Cell::Number(x) => format!("{x:e}"),
         Cell::Word(w) => (*w).to_owned(),
+        Cell::Text(t) => quoted(t),
     }
+}
+
+/// A text as a cell of CSV.
+fn quoted(text: &str) -> String {
+    let special = text.contains([',', '"', '\n']);
+    if special { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
 }
 
 #[cfg(test)]

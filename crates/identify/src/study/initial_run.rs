@@ -23,9 +23,9 @@ pub struct RunLimits {
 
 impl RunLimits {
     /// Limits of a script that has not run yet.
-    pub const UNKNOWN: Self = Self { commands: 2_000_000_000, steps: 200_000_000, time: Duration::from_secs(600) };
+    pub const UNKNOWN: Self = Self { commands: 2_000_000_000, steps: 200_000_000, time: Self::MIN_TIME };
 
-    /// Least limit of time.
+    /// Least limit of time, and that of the first run.
     const MIN_TIME: Duration = Duration::from_secs(60);
 
     /// Commands, and steps, of a run over those of the first run.
@@ -85,6 +85,10 @@ impl ScriptSimulator {
         let mut uses = SetUses::default();
         for (number, spec) in study.runs.iter().enumerate() {
             let (ended, error) = self.first_run(number, &mut initial);
+            if let Some(SimulationError::TooLong(what)) = &error {
+                let d = too_long(self.limits[number].time, &ended, what);
+                return Err(with_sources_moved(&ended.script.interp.sources, sources, d, &spec.name));
+            }
             if let End::Rejected(d) = &ended.end {
                 let d = explain(&study, number, &ended, d, sources);
                 return Err(with_sources_moved(&ended.script.interp.sources, sources, d, &spec.name));
@@ -130,6 +134,9 @@ impl ScriptSimulator {
         let (Some(error), Ok(middle)) = (&error, space.values_at(&vec![0.5; space.dimension()])) else {
             return (ended, error);
         };
+        if matches!(error, SimulationError::TooLong(_)) {
+            return (ended, Some(error.clone()));
+        }
         let is_interrupted = *error == SimulationError::Interrupted;
         if initial.failure.is_none() {
             initial.failure = Some(error.clone());
@@ -141,6 +148,15 @@ impl ScriptSimulator {
         let error = self.error(&ended, number);
         (ended, error)
     }
+}
+
+/// The error of a script whose first run does not come to its end.
+fn too_long(limit: Duration, ended: &EndedRun, what: &str) -> Diagnostic {
+    let interp = &ended.script.interp;
+    let message = format!("the script exceeds {what}, after {:.0} s", ended.time.as_secs_f64());
+    let d = Diagnostic::error(message).at(interp.stopped_at, "stopped here");
+    let limit = limit.as_secs_f64();
+    d.help(format!("a run may take {limit} s: time_limit of [calibration] gives another limit"))
 }
 
 /// Take the declared values of the parameters.

@@ -8,6 +8,7 @@ use super::run::{Role, Run, Setting};
 use super::study_file::{ParameterTable, RunTable, SourceSpans, StudyFile, StudySpans};
 use exmex::Express as _;
 use hysteron_tcl::diagnostic::{Diagnostic, SourceId, SourceMap, Span, nearest};
+use hysteron_tcl::read_whole;
 use std::fs;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
@@ -148,6 +149,14 @@ impl Study {
         self.runs.iter().enumerate().filter(move |(_, r)| r.role == role)
     }
 
+    /// Location of a channel in the file of the study: that of the observed channel of a run, or of its recording.
+    pub fn channel_location(&self, run: &str, channel: &str) -> Option<Span> {
+        let number = self.runs.iter().position(|r| r.name == run)?;
+        let observed = self.runs[number].observe.iter().position(|o| o.channel == channel);
+        let observed = observed.and_then(|at| self.spans.channel(number, at)).map(|s| s.channel);
+        observed.or_else(|| self.spans.recording(number))
+    }
+
     /// The folder with the separators of Tcl.
     pub(super) fn folder_text(&self) -> String {
         self.folder.to_string_lossy().replace('\\', "/")
@@ -269,7 +278,8 @@ fn read_run(
         set.push((key.get_ref().clone(), read_setting(spans, value)?));
     }
     let path = t.recording.get_ref();
-    let bytes = fs::read(folder.join(path))
+    let bytes = fs::File::open(folder.join(path))
+        .and_then(read_whole)
         .map_err(|e| spans.error(&t.recording, format!("cannot read {path}: {e}"), "expected a file"))?;
     let recording = Recording::read(path, &bytes, sources).map_err(|mut d| {
         if d.span.is_none() {

@@ -149,7 +149,8 @@ pub(super) fn output_error(simulator: &ScriptSimulator, run: usize, ended: &Ende
         return Box::new(d.help(format!("in run \"{}\"", spec.name)));
     }
     let error = simulator.channels(run).err().unwrap_or(SimulationError::Defect);
-    Box::new(Diagnostic::error(format!("run \"{}\": {error}", spec.name)))
+    let span = simulator.study.spans.recording(run);
+    Box::new(Diagnostic::error(format!("run \"{}\": {error}", spec.name)).at(span, "in this run"))
 }
 
 /// Why a trace does not give a column; `None` if it does.

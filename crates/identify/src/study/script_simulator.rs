@@ -115,16 +115,27 @@ struct LimitWatch {
     steps: u64,
     limits: RunLimits,
     begun: Instant,
+    last_look: Instant,
+    /// The clock is read at every step.
+    slow_steps: bool,
 }
+
+/// Time between two looks at the clock from which on steps are slow.
+const SLOW_STEPS: Duration = Duration::from_millis(20);
 
 impl Progress for LimitWatch {
     fn step(&mut self, _: f64, _: Option<f64>) {
         self.steps += 1;
         // Reading the clock takes longer than a small step.
-        let reads_clock = self.steps.is_multiple_of(64);
-        if self.steps > self.limits.steps
-            || reads_clock && (self.stop.load(Ordering::Relaxed) || self.begun.elapsed() > self.limits.time)
-        {
+        if self.slow_steps || self.steps.is_multiple_of(64) {
+            let now = Instant::now();
+            self.slow_steps = now - self.last_look > SLOW_STEPS;
+            self.last_look = now;
+            if self.stop.load(Ordering::Relaxed) || now - self.begun > self.limits.time {
+                self.interrupt.store(true, Ordering::Relaxed);
+            }
+        }
+        if self.steps > self.limits.steps {
             self.interrupt.store(true, Ordering::Relaxed);
         }
     }
@@ -207,10 +218,20 @@ impl ScriptSimulator {
         let begun = Instant::now();
         let limits = self.limits[run];
         let interrupt = script.interp.interrupt.clone();
-        let watch = LimitWatch { interrupt, stop: self.stop.clone(), steps: 0, limits, begun };
+        let watch = LimitWatch {
+            interrupt,
+            stop: self.stop.clone(),
+            steps: 0,
+            limits,
+            begun,
+            last_look: begun,
+            slow_steps: false,
+        };
         script.interp.host.set_progress(Box::new(watch));
         script.interp.host.number_files = self.numbers.clone();
         script.interp.budget = Some(limits.commands);
+        script.interp.deadline = begun.checked_add(limits.time);
+        script.interp.group_interrupt = Some(self.stop.clone());
         if let Some(values) = values {
             let named = self.study.space.parameters.iter().zip(values);
             script.interp.host.parameters = named.map(|(p, v)| (p.name.clone(), *v)).collect();
@@ -240,7 +261,7 @@ impl ScriptSimulator {
                 Some(failure) => analysis_error(failure),
                 None => return None,
             },
-            End::Failed(failure) => analysis_error(failure),
+            End::Failed(failure) | End::Ignored(failure) => analysis_error(failure),
             End::Exit(status) => SimulationError::Exit(*status),
             // Scripts raise errors after a failed analysis: the analysis is the cause.
             End::Raised(d) => match &interp.host.last_failure {

@@ -152,11 +152,14 @@ pub(super) struct StudySpans {
     set: Vec<Vec<Span>>,
     /// Observed channels, by run.
     channels: Vec<Vec<ChannelSpans>>,
+    /// Recordings, by run.
+    recordings: Vec<Span>,
 }
 
 /// Locations of the words of a `[[run.observe]]`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ChannelSpans {
+    pub(super) channel: Span,
     pub(super) output: Span,
     pub(super) column: Span,
 }
@@ -167,18 +170,28 @@ impl StudySpans {
         let runs = || file.run.iter().map(Spanned::get_ref);
         let channel = |o: &Spanned<ObserveTable>| {
             let o = o.get_ref();
-            ChannelSpans { output: spans.span(&o.output), column: spans.span(&o.column) }
+            ChannelSpans {
+                channel: spans.span(&o.channel),
+                output: spans.span(&o.output),
+                column: spans.span(&o.column),
+            }
         };
         Self {
             names: file.parameter.iter().map(|p| spans.span(&p.get_ref().name)).collect(),
             set: runs().map(|r| r.set.keys().map(|k| spans.span(k)).collect()).collect(),
             channels: runs().map(|r| r.observe.iter().map(channel).collect()).collect(),
+            recordings: runs().map(|r| spans.span(&r.recording)).collect(),
         }
     }
 
     /// The name of a variable in the `set` of a run.
     pub(super) fn set(&self, run: usize, number: usize) -> Option<Span> {
         self.set.get(run)?.get(number).copied()
+    }
+
+    /// The recording of a run.
+    pub(super) fn recording(&self, run: usize) -> Option<Span> {
+        self.recordings.get(run).copied()
     }
 
     /// An observed channel of a run. Studies that are made of others may observe other channels.

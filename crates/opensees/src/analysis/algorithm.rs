@@ -129,6 +129,7 @@ fn raphson(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
 fn algorithm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, ALGORITHM);
     let kind = kind::take(&mut a, "kind of algorithm", "algorithm", KINDS.iter())?;
+    interp.host.note_kind("algorithm", kind.names[0]);
     let made = (kind.make)(interp, &mut a)?;
     // A setup takes its own; the parts keep none, so that `analysis` finds the one of the setup.
     if interp.host.engine.setup().is_some() {
@@ -200,7 +201,10 @@ fn accelerated(interp: &mut Tcl, a: &mut Args<'_>, secant: bool) -> Result<Accel
                     t.increment = mix.unwrap_or(TangentMix::CURRENT);
                 }
             }
-            "-maxDim" => t.period = a.count("largest dimension of the subspace")?,
+            "-maxDim" => {
+                // Each dimension keeps two vectors of the model.
+                t.period = at_most(a, MAX_CORRECTIONS, "largest dimension of the subspace")?;
+            }
             "-factorOnce" | "-FactorOnce" | "-factoronce" | "-factorIncrementOnce" | "-FactorIncrementOnce" => {
                 t.once = true;
             }
@@ -235,6 +239,14 @@ fn secant(interp: &mut Tcl, a: &mut Args<'_>, periodic: bool) -> Made {
 
 /// Largest number of corrections of `BFGS` and `Broyden` with one tangent. Each keeps two vectors of the model.
 const MAX_CORRECTIONS: usize = 1000;
+
+/// A count that is bounded.
+fn at_most(a: &mut Args<'_>, most: usize, what: &str) -> Result<usize, Exception> {
+    match a.count(what)? {
+        n if n <= most => Ok(n),
+        n => Err(a.refuse(format!("{what} is {n}"), format!("expected 1 to {most}"))),
+    }
+}
 
 /// Tangent and count of `BFGS` and `Broyden`.
 fn quasi_newton(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(TangentMix, usize), Exception> {

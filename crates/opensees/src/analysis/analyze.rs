@@ -1,5 +1,6 @@
 //! Analyses: `analysis analyze eigen` and what goes with them.
 
+use super::plausibility;
 use crate::args::Args;
 use crate::session::{Mode, Parts, Session};
 use crate::slips;
@@ -138,6 +139,7 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     }
     warn_of_plain(interp, call.span(0))?;
     warn_of_pseudo_time(interp, call.span(0))?;
+    plausibility::before(interp, dt, call.span(0))?;
     let session = &mut interp.host;
     session.builder.loads_time = None;
     let done = match session.mode {
@@ -156,6 +158,7 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             session.output.recorders.end = session.engine.excitation_end();
             let (engine, steps) = (&mut session.engine, steps as usize);
             session.output.recorders.start(engine);
+            session.output.recorders.isolator_damping.begin(engine);
             match lengths {
                 Some(lengths) => engine.analyze_variable(steps, dt, lengths, &mut session.output.recorders),
                 None => engine.analyze(steps, dt, &mut session.output.recorders),
@@ -168,6 +171,9 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     }
     warn_of_missing(interp)?;
     warn_of_numerics(interp, call.span(0))?;
+    if done.is_ok() {
+        plausibility::after(interp, call.span(0))?;
+    }
     match done {
         Ok(()) => {
             interp.host.last_failure = None;
@@ -182,6 +188,14 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
                 d.severity = Severity::Error;
             }
             let code = failure.code;
+            if interp.is_discarded(call) && interp.host.mode == Mode::Run {
+                interp.host.ignored_failure.get_or_insert_with(|| failure.clone());
+                d = d.help("nothing looks at the result of this command: the script goes on without these steps");
+                if interp.host.strict {
+                    d.severity = Severity::Error;
+                    return Err(Exception::diagnosed(d));
+                }
+            }
             interp.host.last_failure = Some(failure);
             crate::report(interp, d);
             Ok(Value::from(i64::from(code)))
@@ -319,6 +333,9 @@ const SOLVERS: &[&str] = &[
 /// Share of the largest eigenvalue that is round-off.
 const ROUND_OFF: f64 = 1e-18;
 
+/// Modes that a check answers for without a model. A script that asks for more gets the message of a run.
+const MAX_PASSED_OVER: usize = 10_000;
+
 fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, EIGEN);
     let (mut problem, mut largest, mut lapack) = (Problem::Generalized, false, false);
@@ -346,6 +363,7 @@ fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let span = a.last_span();
     if interp.host.mode == Mode::Check && interp.host.check.rejected {
         interp.host.check.waits_for_results = true;
+        let count = count.min(MAX_PASSED_OVER);
         interp.host.check.pass_over(count);
         return Ok(Value::list((0..count).map(|_| Value::from(1.0))));
     }
@@ -356,7 +374,7 @@ fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     }
     match engine.find_modes(Wanted { count, problem, largest, lapack }) {
         Ok(modes) => {
-            let mut lambda = modes.lambda.clone();
+            let (mut lambda, rigid) = (modes.lambda.clone(), modes.rigid);
             // Degrees of freedom without stiffness leave round-off, of either sign.
             let top = lambda.iter().filter(|l| **l < f64::MAX).fold(0.0f64, |m, l| m.max(l.abs()));
             lambda.iter_mut().filter(|l| l.abs() < ROUND_OFF * top).for_each(|l| *l = 0.0);
@@ -367,6 +385,11 @@ fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             if let Some(n) = lambda.iter().position(|l| *l == f64::MAX) {
                 let d = Diagnostic::warning(format!("eigen: the model has only {n} modes: the others are infinite"));
                 warn(interp, d.at(span, "expected no more"))?;
+            }
+            if rigid > 0 {
+                let message = format!("eigen: {rigid} modes move the model as a rigid body or a mechanism");
+                let d = Diagnostic::warning(message).at(span, "their eigenvalue is given as 0: they have no period");
+                warn(interp, d.help("a model that is held everywhere has none"))?;
             }
             Ok(Value::list(lambda.into_iter().map(Value::from)))
         }

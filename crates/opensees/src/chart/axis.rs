@@ -12,6 +12,8 @@ pub(super) struct Axis {
 
 /// Ticks of an axis, about.
 const TICKS: f64 = 7.0;
+/// Largest magnitude that is drawn: beyond, differences and sums of ends are not finite.
+pub(crate) const MAX_DRAWN: f64 = 1e100;
 /// Ratio of the largest to the smallest positive value from which an axis is better logarithmic.
 const LOG_RATIO: f64 = 100.0;
 
@@ -29,7 +31,7 @@ impl Axis {
 
     /// Ends of an axis around values, with a little room; whole decades of a logarithmic one. `None` without values.
     pub(super) fn ends(values: impl Iterator<Item = f64>, log: bool) -> Option<(f64, f64)> {
-        let usable = values.filter(|x| x.is_finite() && (!log || *x > 0.0));
+        let usable = values.filter(|x| x.abs() <= MAX_DRAWN && (!log || *x > 0.0));
         let (low, high) = usable.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
         if low > high {
             return None;

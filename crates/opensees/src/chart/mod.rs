@@ -4,6 +4,7 @@ mod axis;
 mod bars;
 mod svg;
 
+pub(crate) use axis::MAX_DRAWN;
 pub use axis::spans_decades;
 pub use bars::Bars;
 

@@ -1,4 +1,4 @@
-//! `element dispBeamColumn`, `forceBeamColumn`, `nonlinearBeamColumn` and `beamWithHinges`.
+//! `element dispBeamColumn`, `forceBeamColumn`, `nonlinearBeamColumn`, `mixedBeamColumn` and `beamWithHinges`.
 
 use super::beam::{Place, no_transform, numbers_ahead};
 use super::{Ends, Kind, Make};
@@ -8,7 +8,7 @@ use crate::slips;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::beam::{
-    CurvatureBased, DisplacementBased, FiberBeam, ForceBased, Formulation, Hinge, MAX_DEFORMATIONS, Rule,
+    CurvatureBased, DisplacementBased, FiberBeam, ForceBased, Formulation, Hinge, MAX_DEFORMATIONS, Mixed, Rule,
 };
 use hysteron_engine::element::transform::{self, TransformSpec};
 use hysteron_engine::model::Integration;
@@ -43,6 +43,13 @@ pub(super) const CURVATURE_SHEAR: Kind = Kind {
     names: &["forceBeamColumnCSBDI"],
     usage: "element forceBeamColumnCSBDI as forceBeamColumnCBDI with -shear",
     make: Make::TwoNodes(make_curvature_shear),
+};
+
+pub(super) const MIXED: Kind = Kind {
+    names: &["mixedBeamColumn", "mixedBeamColumn2d", "mixedBeamColumn3d"],
+    usage: "element mixedBeamColumn $tag $i $j $transf $integration <-mass $m> or $tag $i $j $n $section $transf \
+            <-mass $m> <-integration $rule>",
+    make: Make::TwoNodes(make_mixed),
 };
 
 pub(super) const WITH_HINGES: Kind = Kind {
@@ -103,6 +110,17 @@ fn make_deflected(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, shear: bool) 
     }
     let formulation = |places: &[f64]| CurvatureBased::new(iteration, places, shear).ok_or_else(refusal);
     build(formulation, a, words, ends, nodes)
+}
+
+fn make_mixed(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let nodes = a.last_span();
+    if a.ahead().any(|word| word.as_str() == "-geomNonlinear") {
+        let message = "-geomNonlinear is not known here: deflections within a mixed beam do not count";
+        return Err(a.refuse_at(nodes, message, "expected more elements instead"));
+    }
+    let words = take(interp, a, ends, Rule::Lobatto, None)?;
+    let mixed = Mixed { natural: words.force_based };
+    build(|_: &[f64]| Ok(mixed), a, words, ends, nodes)
 }
 
 fn check(a: &Args<'_>, ends: &Ends) -> Result<(), Exception> {

@@ -89,12 +89,16 @@ const KINDS: &[Kind] = &[
     fiber_beam::FORCE,
     fiber_beam::CURVATURE,
     fiber_beam::CURVATURE_SHEAR,
+    fiber_beam::MIXED,
     fiber_beam::WITH_HINGES,
     quad::QUAD,
+    quad::STABILISED,
+    quad::TRIANGLE,
     brick::BRICK,
     shell::MITC4,
     shell::DKGQ,
     shell::DKGT,
+    shell::UPDATED,
 ];
 
 /// The two nodes of an element.
@@ -145,6 +149,7 @@ fn element(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     need_model(interp, call)?;
     let mut a = Args::new(call, "element $kind $tag $iNode $jNode ...");
     let kind = kind::take(&mut a, "kind of element", "element", KINDS.iter())?;
+    interp.host.note_kind("element", kind.names[0]);
     let tag = a.int("tag of the element")?;
     if interp.host.engine.model().element(tag).is_some() {
         return Err(a.refuse(format!("there is an element {tag} already"), "expected a new tag"));

@@ -1,5 +1,6 @@
 //! Files of numbers: tables, ground motions.
 
-pub(crate) mod motion;
+pub mod motion;
 pub(crate) mod number_files;
 pub mod table;
+pub mod vtu;

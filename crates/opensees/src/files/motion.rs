@@ -2,18 +2,18 @@
 
 /// A motion at equal steps of time.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Motion {
+pub struct Motion {
     /// Step of time in s, where the file gives it.
-    pub(crate) dt: Option<f64>,
+    pub dt: Option<f64>,
     /// Values, in the unit of the file: g in AT2, cm/s² in V2.
-    pub(crate) values: Vec<f64>,
+    pub values: Vec<f64>,
 }
 
 /// Read a motion: the kind of file is seen from its header.
 ///
 /// # Errors
 /// Description of the fault in the file.
-pub(crate) fn parse(text: &str) -> Result<Motion, String> {
+pub fn parse(text: &str) -> Result<Motion, String> {
     let lines: Vec<&str> = text.lines().collect();
     let lower = |l: &str| l.to_ascii_lowercase();
     let motion = if let Some(at) = lines.iter().position(|l| lower(l).contains("npts") && lower(l).contains("dt")) {

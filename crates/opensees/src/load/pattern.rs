@@ -50,6 +50,7 @@ fn pattern(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     need_model(interp, call)?;
     let mut a = Args::new(call, PLAIN);
     let kind = kind::take(&mut a, "kind of pattern", "load pattern", KINDS.iter())?;
+    interp.host.note_kind("pattern", kind.names[0]);
     let tag = new_tag(interp, &mut a)?;
     (kind.make)(interp, tag, a)
 }

@@ -41,6 +41,7 @@ const KINDS: &[Kind] = &[
 fn time_series(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "timeSeries $kind $tag ...");
     let kind = take_kind(&mut a)?;
+    interp.host.note_kind("timeSeries", kind.names[0]);
     let tag = a.int("tag of the time series")?;
     let span = a.last_span();
     let series = (kind.make)(interp, &mut a)?;

@@ -46,6 +46,7 @@ fn friction_model(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     need_model(interp, call)?;
     let mut a = Args::new(call, USAGE);
     let kind = kind::take(&mut a, "kind of friction model", "friction model", KINDS.iter())?;
+    interp.host.note_kind("frictionModel", kind.names[0]);
     let tag = a.int("tag of the friction model")?;
     let span = a.last_span();
     let made = (kind.make)(interp, &mut a)?;

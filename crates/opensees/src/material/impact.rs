@@ -4,7 +4,7 @@ use super::Kind;
 use crate::args::Args;
 use crate::slips;
 use crate::{Tcl, warn};
-use hysteron_engine::material::{HertzDamp, Impact, JankowskiImpact, Material};
+use hysteron_engine::material::{HertzDamp, Impact, JankowskiImpact, Material, Ratchet, Teeth};
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
@@ -24,6 +24,11 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["JankowskiImpact"],
         usage: "uniaxialMaterial JankowskiImpact $tag $Kh $xi $mEff $gap <$n>",
         make: jankowski,
+    },
+    Kind {
+        names: &["Ratchet"],
+        usage: "uniaxialMaterial Ratchet $tag $E $freeTravel $freeTravelInitial 1|2",
+        make: ratchet,
     },
 ];
 
@@ -73,4 +78,16 @@ fn jankowski(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
     let gap = compressive(interp, a, GAP)?;
     let n = exponent(a)?;
     Ok(Arc::new(JankowskiImpact { kh, xi, mass, gap, n, compat: interp.host.follows(&[slips::IMPACT_TANGENT]) }))
+}
+
+fn ratchet(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let e = a.positive("stiffness E")?;
+    let travel = a.positive("free travel")?;
+    let first = a.float("free travel at the beginning")?;
+    let teeth = match a.int("kind of ratchet")? {
+        1 => Teeth::Spaced,
+        2 => Teeth::Continuous,
+        n => return Err(a.refuse(format!("there is no ratchet {n}"), "expected 1 (teeth) or 2 (none)")),
+    };
+    Ok(Arc::new(Ratchet { e, travel, first, teeth }))
 }

@@ -61,6 +61,7 @@ fn kinds() -> impl Iterator<Item = &'static Kind> + Clone {
 fn uniaxial_material(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "uniaxialMaterial $kind $tag ...");
     let kind = kind::take(&mut a, "kind of material", "uniaxial material", kinds())?;
+    interp.host.note_kind("uniaxialMaterial", kind.names[0]);
     let tag = a.int("tag of the material")?;
     let span = a.last_span();
     let material = (kind.make)(interp, &mut a)?;

@@ -77,6 +77,7 @@ fn plate_rebar(interp: &Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> 
 fn nd_material(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, USAGE);
     let kind = kind::take(&mut a, "kind of material", "material of continua", KINDS.iter())?;
+    interp.host.note_kind("nDMaterial", kind.names[0]);
     let tag = a.int("tag of the material")?;
     let span = a.last_span();
     let material = (kind.make)(interp, &mut a)?;

@@ -59,10 +59,22 @@ pub(super) const KINDS: &[Kind] = &[
     },
 ];
 
-fn steel01(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+/// The hardening ratio of a steel, with a warning where it is none: numbers in another order, or percent.
+fn hardening_ratio(interp: &mut Tcl, a: &mut Args<'_>) -> Result<f64, Exception> {
+    let b = a.float("hardening ratio b")?;
+    if !(0.0..=1.0).contains(&b) {
+        let d = Diagnostic::warning(format!("the hardening ratio b is {b}"));
+        let d = d.at(a.last_span(), "expected the stiffness after yielding over that before, 0 to 1");
+        let what = if b < 0.0 { "softens after yielding" } else { "is stiffer after yielding than before" };
+        warn(interp, d.help(format!("such a steel {what}")))?;
+    }
+    Ok(b)
+}
+
+fn steel01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let fy = a.positive("yield strength Fy")?;
     let e0 = a.positive("elastic modulus E0")?;
-    let b = a.float("hardening ratio b")?;
+    let b = hardening_ratio(interp, a)?;
     let isotropic = isotropic(a, Steel01::NO_ISOTROPIC)?;
     Ok(Arc::new(Steel01 { fy, e0, b, a: isotropic }))
 }
@@ -77,10 +89,10 @@ fn isotropic(a: &mut Args<'_>, mut values: [f64; 4]) -> Result<[f64; 4], Excepti
     Ok(values)
 }
 
-fn steel02(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+fn steel02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let fy = a.positive("yield strength Fy")?;
     let e0 = a.positive("elastic modulus E0")?;
-    let b = a.float("hardening ratio b")?;
+    let b = hardening_ratio(interp, a)?;
     if b == 1.0 {
         return Err(a.refuse("the hardening ratio is 1", "the asymptotes never meet: use the material Elastic"));
     }

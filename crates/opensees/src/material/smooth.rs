@@ -1,11 +1,11 @@
 //! Smooth hysteresis.
 
 use super::Kind;
-use crate::Tcl;
 use crate::args::Args;
-use crate::slips;
-use hysteron_engine::material::{HystereticAsym, HystereticPoly, HystereticSmooth, Material};
+use crate::{Tcl, slips, warn};
+use hysteron_engine::material::{Bwbn, HystereticAsym, HystereticPoly, HystereticSmooth, Material, Sma};
 use hysteron_tcl::Exception;
+use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
 
 pub(super) const KINDS: &[Kind] = &[
@@ -24,6 +24,13 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial HystereticPoly $tag $ka $kb $a $b1 $b2 <$tol>",
         make: poly,
     },
+    Kind {
+        names: &["BWBN"],
+        usage: "uniaxialMaterial BWBN $tag $alpha $ko $n $gamma $beta $Ao $q $zetas $p $Shi $deltaShi $lambda $tol \
+                $maxIter",
+        make: bwbn,
+    },
+    Kind { names: &["SMA"], usage: "uniaxialMaterial SMA $tag $E $epsL $sigAMs $sigAMf $sigMAs $sigMAf", make: sma },
 ];
 
 /// ka and kb, which is less.
@@ -71,4 +78,50 @@ fn poly(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     };
     let compat = interp.host.follows(&[slips::HYSTERETIC_POLY_BRANCH]);
     Ok(Arc::new(HystereticPoly { ka, kb, a: exponent, b, tolerance, compat }))
+}
+
+fn bwbn(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let alpha = a.float("ratio of post-yield stiffness alpha")?;
+    let ko = a.positive("elastic stiffness ko")?;
+    let n = a.positive("exponent n")?;
+    let gamma = a.float("gamma")?;
+    let beta = a.float("beta")?;
+    if beta + gamma <= 0.0 {
+        return Err(a.refuse(format!("beta + gamma is {}", beta + gamma), "expected a sum greater than 0"));
+    }
+    Ok(Arc::new(Bwbn {
+        alpha,
+        ko,
+        n,
+        gamma,
+        beta,
+        ao: a.float("Ao")?,
+        q: a.float("share q of the strength at which the loop is pinched most")?,
+        zetas: a.not_negative("total slip zetas")?,
+        p: a.not_negative("rate p of the pinching")?,
+        shi: a.positive("spread Shi of the pinching")?,
+        delta_shi: a.not_negative("growth deltaShi of the spread")?,
+        lambda: a.positive("lambda")?,
+        tolerance: a.positive("tolerance")?,
+        iterations: a.count("largest number of iterations maxIter")?,
+    }))
+}
+
+fn sma(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let e = a.positive("elastic modulus E")?;
+    let eps_l = a.positive("largest strain of transformation epsL")?;
+    let forward = [
+        a.float("stress sigAMs at the start of austenite to martensite")?,
+        a.float("stress sigAMf at the finish of austenite to martensite")?,
+    ];
+    let reverse = [
+        a.float("stress sigMAs at the start of martensite to austenite")?,
+        a.float("stress sigMAf at the finish of martensite to austenite")?,
+    ];
+    let [start, finish] = forward;
+    if !(0.0 < start && start <= finish && finish >= reverse[0] && 0.0 <= reverse[1] && reverse[1] <= reverse[0]) {
+        let d = Diagnostic::warning("the stresses of the transformations are out of order");
+        warn(interp, d.at(a.last_span(), "expected 0 <= sigMAf <= sigMAs, 0 < sigAMs <= sigAMf"))?;
+    }
+    Ok(Arc::new(Sma { e, eps_l, forward, reverse }))
 }

@@ -2,6 +2,7 @@
 
 pub(crate) mod block;
 pub(crate) mod constraint;
+pub(crate) mod database;
 pub(crate) mod nodes;
 pub(crate) mod parameter;
 pub(crate) mod remove;

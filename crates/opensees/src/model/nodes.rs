@@ -61,10 +61,15 @@ fn model(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     Ok(Value::EMPTY)
 }
 
-/// The command can only be used after `model`.
-pub(crate) fn need_model(interp: &Tcl, call: &Call<'_>) -> Result<(), Exception> {
+/// The command can only be used after `model`. After `wipe` the dimensions of before hold, as in openseespy.
+pub(crate) fn need_model(interp: &mut Tcl, call: &Call<'_>) -> Result<(), Exception> {
     if interp.host.builder.ndm > 0 {
         return Ok(());
+    }
+    if let Some((ndm, ndf)) = interp.host.builder.former {
+        (interp.host.builder.ndm, interp.host.builder.ndf) = (ndm, ndf);
+        let message = format!("the model was wiped: {ndm} dimensions and {ndf} degrees of freedom still hold");
+        return warn(interp, Diagnostic::warning(message).at(call.span(0), "expected a command \"model\" before this"));
     }
     let d = Diagnostic::error(format!("{}: there is no model yet", call.name()))
         .at(call.span(0), "expected a command \"model\" before this")

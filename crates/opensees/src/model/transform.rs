@@ -35,6 +35,7 @@ fn geom_transf(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     need_model(interp, call)?;
     let mut a = Args::new(call, USAGE);
     let kind = kind::take(&mut a, "kind of transformation", "geometric transformation", KINDS.iter())?;
+    interp.host.note_kind("geomTransf", kind.names[0]);
     let tag = a.int("tag of the transformation")?;
     let span = a.last_span();
     let ndm = interp.host.builder.ndm;

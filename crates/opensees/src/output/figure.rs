@@ -1,9 +1,9 @@
 //! Commands of our own to look at results: `columns` reads a table, `figure` draws it.
 
 use crate::args::Args;
-use crate::chart::{Curve, Figure, Mark};
+use crate::chart::{Curve, Figure, MAX_DRAWN, Mark};
 use crate::files::table::Table;
-use crate::{Command, Outcome, Tcl, read_text, warn};
+use crate::{Command, Outcome, Tcl, ignore_option, read_text};
 use hysteron_tcl::{Call, Exception, Value};
 use std::io::Write as _;
 
@@ -28,15 +28,22 @@ fn numbers(a: &mut Args<'_>, what: &str) -> Result<Vec<f64>, Exception> {
     let value = a.value(what)?;
     let wrong = || a.refuse(format!("the {what} are not a list of numbers"), "expected a list of numbers");
     let list = value.to_list().map_err(|_| wrong())?;
-    list.iter().map(|v| v.to_f64().map_err(|_| wrong())).collect()
+    let too_large =
+        |x: f64| a.refuse(format!("{x:e} cannot be drawn"), format!("expected numbers up to {MAX_DRAWN:e}"));
+    let number = |v: &Value| match v.to_f64() {
+        Ok(x) if x.is_finite() && x.abs() > MAX_DRAWN => Err(too_large(x)),
+        Ok(x) => Ok(x),
+        Err(_) => Err(wrong()),
+    };
+    list.iter().map(number).collect()
 }
 
 fn range(a: &mut Args<'_>) -> Result<(f64, f64), Exception> {
     let (low, high) = (a.float("low end of the axis")?, a.float("high end of the axis")?);
-    if low < high {
+    if low < high && low.abs().max(high.abs()) <= MAX_DRAWN {
         Ok((low, high))
     } else {
-        Err(a.refuse(format!("the axis goes from {low} to {high}"), "expected more"))
+        Err(a.refuse(format!("the axis goes from {low} to {high}"), format!("expected more, up to {MAX_DRAWN:e}")))
     }
 }
 
@@ -64,9 +71,10 @@ fn figure(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
                 }
                 f.curves.push(Curve { name, points: xs.into_iter().zip(ys).collect(), mark });
             }
-            _ => warn(
+            _ => ignore_option(
                 interp,
-                a.unknown_option(&["-title", "-x", "-y", "-xrange", "-yrange", "-equal", "-line", "-dots"]),
+                &mut a,
+                &["-title", "-x", "-y", "-xrange", "-yrange", "-equal", "-line", "-dots"],
             )?,
         }
     }

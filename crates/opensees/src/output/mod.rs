@@ -1,5 +1,6 @@
 //! Recorders, queries and pictures.
 
+mod balance;
 pub(crate) mod display;
 pub(crate) mod figure;
 pub(crate) mod inventory;
@@ -7,3 +8,5 @@ pub(crate) mod loads;
 pub(crate) mod print;
 pub(crate) mod query;
 pub(crate) mod recorder;
+
+pub use balance::{AnalysedModel, Balances, ModelSize};

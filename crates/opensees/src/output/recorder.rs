@@ -9,7 +9,7 @@ use hysteron_engine::record::{
     Cadence, Drift, ElementResponse, Layout, NodeQuantity, NodeResponse, Output, Recorder, Separator, Source,
 };
 use hysteron_engine::series::Series;
-use hysteron_tcl::diagnostic::{Diagnostic, Span};
+use hysteron_tcl::diagnostic::{Diagnostic, Severity, Span};
 use hysteron_tcl::{Call, Exception, FileKind, Value};
 use std::collections::BTreeMap;
 
@@ -144,12 +144,7 @@ impl Common {
                     return Err(Exception::diagnosed(d.at(*span, "cannot write here")));
                 }
                 make_missing_folder(interp, name, &path, *span)?;
-                if let Some(finished) = interp.host.output.recorders.finish_file(&path) {
-                    // OpenSees lets both write, and mixes their rows.
-                    finished.map_err(|e| Exception::diagnosed(Diagnostic::error(e.to_string()).at(*span, "")))?;
-                    let d = Diagnostic::warning(format!("another recorder writes {name}: its rows are lost"));
-                    warn(interp, d.at(*span, "expected a file of its own"))?;
-                }
+                replace_recorder(interp, call, name, *span)?;
                 let made = interp.host.output.outputs.create(name, path.as_ref(), format);
                 made.map_err(|e| Exception::diagnosed(Diagnostic::error(e.to_string()).at(*span, "cannot write here")))?
             }
@@ -165,9 +160,45 @@ impl Common {
             Recorder::history(source, output, self.cadence)
         };
         let path = self.file.as_ref().map(|(name, _)| interp.absolute(name));
-        let placed = PlacedRecorder { recorder, span: call.whole_span(), tags: self.tags, path, reported: false };
+        let placed = PlacedRecorder {
+            recorder,
+            span: call.whole_span(),
+            tags: self.tags,
+            path,
+            file: self.file.map(|(name, _)| name),
+            words: words(call),
+            reported: false,
+        };
         Ok(Value::from(i64::from(interp.host.output.recorders.add(placed))))
     }
+}
+
+fn words(call: &Call<'_>) -> Vec<String> {
+    call.args().iter().map(|w| w.as_str().into_owned()).collect()
+}
+
+/// Finish a recorder that writes the same file, with a warning: its rows are lost. OpenSees lets both write, and mixes
+/// their rows.
+///
+/// # Errors
+/// The two are different recorders. OpenSees' answer is wanted: then it is a warning.
+fn replace_recorder(interp: &mut Tcl, call: &Call<'_>, name: &str, span: Option<Span>) -> Result<(), Exception> {
+    let path = interp.absolute(name);
+    let Some(other) = interp.host.output.recorders.of_file(&path) else { return Ok(()) };
+    let (place, is_same) = (other.span, other.words == words(call));
+    let message = format!("another recorder writes {name}{}", if is_same { ": its rows are lost" } else { "" });
+    let mut d = Diagnostic::warning(message).at(span, "expected a file of its own");
+    if let Some(place) = place {
+        d = d.help(format!("{}: the other one", interp.sources.location(place)));
+    }
+    d = d.help("\"remove recorders\" or \"wipe\" ends the recorders of an earlier analysis");
+    if !is_same && !interp.host.engine.options.compat {
+        d.severity = Severity::Error;
+        return Err(Exception::diagnosed(d));
+    }
+    warn(interp, d)?;
+    let finished = interp.host.output.recorders.finish_file(&path);
+    finished.map_err(|e| Exception::diagnosed(Diagnostic::error(e.to_string()).at(span, "")))
 }
 
 /// Make the folder of a recorder's file, with a warning. OpenSees goes on without the file.

@@ -11,7 +11,9 @@ use crate::model::nodes::need_model;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, kind, warn};
 use hysteron_engine::material::Elastic as ElasticMaterial;
 use hysteron_engine::section::plate::SharedPlateSection;
-use hysteron_engine::section::{Aggregator, Elastic, ElasticSection, Fiber, FiberSection, Resultant, SharedSection};
+use hysteron_engine::section::{
+    Aggregator, Elastic, ElasticSection, Fiber, FiberBending, FiberSection, Resultant, SharedSection,
+};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
@@ -66,6 +68,7 @@ fn section(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     need_model(interp, call)?;
     let mut a = Args::new(call, SECTION);
     let kind = kind::take(&mut a, "kind of section", "section", KINDS.iter())?;
+    interp.host.note_kind("section", kind.names[0]);
     let tag = a.int("tag of the section")?;
     let span = a.last_span();
     interp.host.builder.open_section = None;
@@ -120,8 +123,8 @@ pub(crate) struct FiberOptions {
 impl FiberOptions {
     /// Section of these fibers.
     pub(crate) fn section(&self, fibers: Vec<Fiber>) -> SharedSection {
-        let made = FiberSection::new(fibers, self.torsion.clone().filter(|_| self.space), self.origin);
-        Arc::new(if self.space { made.bent_about_both_axes() } else { made })
+        let bending = if self.space { FiberBending::Space(self.torsion.clone()) } else { FiberBending::Plane };
+        Arc::new(FiberSection::new(fibers, bending, self.origin))
     }
 }
 

@@ -49,7 +49,7 @@ fn uniform(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedPlateSection, Exc
 }
 
 fn layered(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedPlateSection, Exception> {
-    let count = a.count("number of layers")?;
+    let [count] = a.parts(["number of layers"])?;
     if count < 3 {
         return Err(a.refuse(format!("there are {count} layers"), "expected 3 or more"));
     }

@@ -4,7 +4,7 @@ use super::{Kind, Make, warn_of_torsion};
 use crate::Tcl;
 use crate::args::Args;
 use hysteron_engine::material::{Elastic, Material};
-use hysteron_engine::section::{Fiber, FiberSection, SharedSection};
+use hysteron_engine::section::{Fiber, FiberBending, FiberSection, SharedSection};
 use hysteron_tcl::Exception;
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -54,8 +54,8 @@ fn finished(interp: &mut Tcl, a: &mut Args<'_>, fibers: Vec<Fiber>) -> Result<Sh
     if space && torsion.is_none() {
         warn_of_torsion(interp, a.last_span())?;
     }
-    let made = FiberSection::new(fibers, torsion.filter(|_| space), false);
-    Ok(Arc::new(if space { made.bent_about_both_axes() } else { made }))
+    let bending = if space { FiberBending::Space(torsion) } else { FiberBending::Plane };
+    Ok(Arc::new(FiberSection::new(fibers, bending, false)))
 }
 
 fn wide_flange(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
@@ -69,7 +69,7 @@ fn wide_flange(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exce
     let [in_web, in_flange] = a.parts(["fibers of the web nfdw", "fibers of a flange nftf"])?;
     let mut across = 1;
     if a.at_number() {
-        across = a.count("fibers across a flange nfbf")?;
+        across = a.parts_of(in_flange, "fibers across a flange nfbf")?;
         a.count("fibers across the web nftw")?;
     }
     let mut fibers = vec![];

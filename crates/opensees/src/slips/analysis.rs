@@ -22,6 +22,13 @@ slips! {
     "The degree of freedom of the node moves by the increment.",
     "Another displacement would be controlled.";
 
+    REFERENCE_LOAD, Analysis, Test("tests/analysis/opensees.rs", "reference_load_of_a_state_out_of_balance"),
+    "`integrator DisplacementControl`, `ArcLength` and `MinUnbalDispNorm` from a state out of equilibrium",
+    "The reference load is the whole unbalance at one more of the load factor. Iterations converge more slowly, and end elsewhere within \
+     the tolerance of the test.",
+    "The reference load is what one more of the load factor adds.",
+    "The answer would depend on how the analysis begins.";
+
     MECHANISMS, Analysis, Test("tests/analysis/opensees.rs", "an_unloaded_mechanism_stands_still"),
     "A mechanism that carries no load",
     "The analysis goes on; the mechanism stands still, up to round-off.",

@@ -86,4 +86,9 @@ pub(super) const OTHERS: &[Slip] = &[
         "The weights do not add up to the length.",
         "The rule is that of Simpson.",
     ),
+    differs(
+        "`ShellNLDKGQ`: tangent",
+        "The geometric stiffness is that of the membrane forces. Large steps may not converge.",
+        "It is the derivative of the forces. Forces are the same.",
+    ),
 ];

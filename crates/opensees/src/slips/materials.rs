@@ -162,6 +162,12 @@ pub(super) const OTHERS: &[Slip] = &[
         "The reported stress is that after the failure, although equilibrium was found before it.",
         "The reported stress is that of the equilibrium.",
     ),
+    differs(
+        "`BWBN`: tangent",
+        "A part of the derivative lacks the increment of the strain. Stresses are the same.",
+        "It is the derivative of the stress.",
+    ),
+    differs("`SMA` at a strain of exactly 0", "The stress of the last trial stays.", "The stress is 0."),
     differs("`BoucWen` at rest", "The reported tangent is that of unloading.", "The reported tangent is the last one."),
     differs(
         "`AxialSp`, `AxialSpHD`, `KikuchiAikenHDR`, `KikuchiAikenLRB`, `HertzDamp`: trial states that are not committed",

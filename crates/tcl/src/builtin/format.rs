@@ -318,8 +318,56 @@ impl Field<'_> {
     }
 }
 
+/// Powers of ten below which numbers of 53 bits times the power fit 128 bits.
+const TENS: [u64; 16] = [
+    1,
+    10,
+    100,
+    1_000,
+    10_000,
+    100_000,
+    1_000_000,
+    10_000_000,
+    100_000_000,
+    1_000_000_000,
+    10_000_000_000,
+    100_000_000_000,
+    1_000_000_000_000,
+    10_000_000_000_000,
+    100_000_000_000_000,
+    1_000_000_000_000_000,
+];
+
+/// The size of a number times a power of ten, rounded to an integer, halves to even. `None` where it needs more than 64
+/// bits.
+fn scaled(d: f64, power: u64) -> Option<u64> {
+    const FRACTION: u32 = 52;
+    let (bits, bias) = (d.to_bits() & !(1 << 63), 1075);
+    let exponent = (bits >> FRACTION) as i32;
+    let fraction = bits & ((1 << FRACTION) - 1);
+    if exponent == 0 {
+        return (fraction == 0).then_some(0);
+    }
+    // d = mantissa / 2^shift.
+    let (mantissa, shift) = (fraction | 1 << FRACTION, bias - exponent);
+    let product = u128::from(mantissa) * u128::from(power);
+    let rounded = match shift {
+        ..=-12 => return None,
+        ..=0 => product << -shift,
+        1..=120 => {
+            let (whole, rest, half) = (product >> shift, product & ((1 << shift) - 1), 1 << (shift - 1));
+            whole + u128::from(rest > half || (rest == half && whole & 1 == 1))
+        }
+        _ => 0,
+    };
+    u64::try_from(rounded).ok()
+}
+
 fn fixed(d: f64, precision: usize, point: bool) -> String {
-    let mut text = format!("{d:.precision$}");
+    let mut text = match TENS.get(precision).and_then(|power| Some((power, scaled(d, *power)?))) {
+        Some((power, number)) if precision > 0 => format!("{}.{:0precision$}", number / power, number % power),
+        _ => format!("{d:.precision$}"),
+    };
     if point && precision == 0 {
         text.push('.');
     }
@@ -352,4 +400,29 @@ fn general(d: f64, precision: usize, keep_zeros: bool) -> String {
     };
     let number = number.trim_end_matches('0').trim_end_matches('.');
     format!("{number}{exponent}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::fixed;
+
+    /// Text of the standard library, for numbers on and beside the boundaries of rounding.
+    #[test]
+    fn fixed_digits_are_rounded_exactly() {
+        let mut bits = 0x9E37_79B9_7F4A_7C15u64;
+        for i in 0..100_000 {
+            bits = bits.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let short = (bits >> 40) as f64 / [1.0, 8.0, 1e3, 1e6, 1e12][i % 5];
+            let value = match i % 3 {
+                0 => f64::from_bits(bits >> 1),
+                1 => short,
+                _ => f64::from_bits(short.to_bits() + i as u64 % 5),
+            };
+            if value.is_finite() && value < 1e30 {
+                for precision in [0, 1, 2, 4, 6, 12, 15, 17] {
+                    assert_eq!(fixed(value, precision, false), format!("{value:.precision$}"), "{value:e} {precision}");
+                }
+            }
+        }
+    }
 }

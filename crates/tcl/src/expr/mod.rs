@@ -143,7 +143,7 @@ pub(crate) fn compile(value: &Value) -> Result<Rc<Expr>, Exception> {
     if let Some(expr) = obj.cached(|c| if let Cache::Expr(e) = c { Some(e.clone()) } else { None }) {
         return Ok(expr);
     }
-    let unit = Rc::new(Unit { text: (*value.as_str()).into(), origin: value.origin().cloned() });
+    let unit = Rc::new(Unit { text: obj.stretch(), origin: value.origin().cloned() });
     let expr = Rc::new(compile_unit(unit)?);
     obj.set_cache(Cache::Expr(expr.clone()));
     Ok(expr)

@@ -8,6 +8,7 @@ use crate::analysis::integrator::Adaptive;
 use crate::analysis::opensees::Stage;
 use crate::analysis::system::System;
 use crate::analysis::workspace::TangentMix;
+use crate::model::Model;
 use crate::numeric::{all_zero, largest};
 use crate::solve::Use;
 
@@ -72,6 +73,26 @@ impl Engine {
             }
         }
         Ok(())
+    }
+
+    /// Impose displacements on the degrees of freedom and commit what the elements make of them. The time stays, and nothing
+    /// is balanced.
+    ///
+    /// # Errors
+    /// The model has no plan, or an element has no response.
+    pub fn impose(&mut self, change: impl FnOnce(&mut [f64], &Model)) -> Result<(), Failure> {
+        let handler = self.handler();
+        self.prepare(handler)?;
+        change(&mut self.trial.disp, &self.model);
+        let Some(mut system) = self.system() else { unreachable!("prepared above") };
+        let done = system.respond(false);
+        system.work.loads.invalidate();
+        self.step_start.forget();
+        match done {
+            Ok(()) => self.committed.commit(&self.trial, &self.model, false),
+            Err(_) => self.trial.copy_from(&self.committed),
+        }
+        done
     }
 
     /// Begin a step and form its equations, to find what is wrong with them, and let the prediction stand for `steps`

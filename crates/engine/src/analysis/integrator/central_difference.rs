@@ -44,6 +44,9 @@ impl Integrator for CentralDifference {
     fn balances(&self) -> bool {
         false
     }
+    fn stability_limit(&self) -> Option<f64> {
+        Some(2.0)
+    }
 
     fn prepare(&mut self, s: &mut System<'_>) -> Result<(), Failure> {
         self.before.resize(s.old.disp.len(), 0.0);

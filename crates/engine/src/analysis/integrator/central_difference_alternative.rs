@@ -20,6 +20,9 @@ impl Integrator for CentralDifferenceAlternative {
     fn balances(&self) -> bool {
         false
     }
+    fn stability_limit(&self) -> Option<f64> {
+        Some(2.0)
+    }
 
     fn begin(&mut self, s: &mut System<'_>, dt: f64) -> Result<(), Failure> {
         (self.dt, self.corrections) = (dt, 0);

@@ -44,6 +44,10 @@ impl Integrator for ExplicitBathe {
     fn balances(&self) -> bool {
         false
     }
+    fn stability_limit(&self) -> Option<f64> {
+        // Noh and Bathe (2013), for p of a half and more.
+        Some(2.0 / self.p.max(1.0 - self.p))
+    }
 
     fn prepare(&mut self, s: &mut System<'_>) -> Result<(), Failure> {
         self.fresh = true;

@@ -40,6 +40,9 @@ impl Integrator for ExplicitDifference {
     fn balances(&self) -> bool {
         false
     }
+    fn stability_limit(&self) -> Option<f64> {
+        Some(2.0)
+    }
 
     fn prepare(&mut self, s: &mut System<'_>) -> Result<(), Failure> {
         self.fresh = true;

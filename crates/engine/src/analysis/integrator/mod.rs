@@ -84,6 +84,12 @@ pub trait Integrator: fmt::Debug + Send {
         true
     }
 
+    /// Largest product of natural frequency and step, ω dt, at which a free oscillation without damping does not grow. `None`
+    /// where there is no limit.
+    fn stability_limit(&self) -> Option<f64> {
+        None
+    }
+
     /// Returns true if [`Integrator::update`] only adds the correction, times its coefficients, to the trial motion.
     fn only_adds(&self) -> bool {
         false

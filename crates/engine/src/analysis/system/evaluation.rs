@@ -4,6 +4,7 @@ use super::{Cause, Failure, System};
 use crate::analysis::opensees::{CountedElement, Updates};
 use crate::element::{ElementError, ElementInput, ElementOutput, MAX_DOFS, OpenSeesCall};
 use std::cell::Cell;
+use std::sync::atomic::Ordering;
 
 /// Velocities where nothing moves.
 static AT_REST: [f64; MAX_DOFS] = [0.0; MAX_DOFS];
@@ -18,6 +19,9 @@ impl System<'_> {
     /// Evaluate the forces of all elements, and their tangents with `want_tangent`.
     #[inline]
     pub fn respond(&mut self, want_tangent: bool) -> Result<(), Failure> {
+        if self.work.interrupt.as_ref().is_some_and(|i| i.load(Ordering::Relaxed)) {
+            return Err(self.failure(Cause::Interrupted));
+        }
         if self.evaluation_is_current(want_tangent) {
             return Ok(());
         }

@@ -3,7 +3,7 @@
 use super::{ElementWorkspace, MassPlace, Workspace};
 use crate::analysis::state::State;
 use crate::element::MAX_DOFS;
-use crate::model::{Model, Rayleigh};
+use crate::model::{ElementId, Model, Rayleigh};
 use crate::numeric::dot;
 
 impl Workspace {
@@ -85,6 +85,14 @@ impl Workspace {
         }
     }
 
+    /// The Rayleigh damping force of an element.
+    pub(in crate::analysis) fn rayleigh_force(&self, model: &Model, id: ElementId, state: &State) -> [f64; MAX_DOFS] {
+        let mut f = [0.0; MAX_DOFS];
+        let m = &self.elements.entries[id.0];
+        self.add_dynamic_force(&model.elements[id.0].dofs, m, &m.rayleigh.forces, state, 0.0, &mut f);
+        f
+    }
+
     /// Subtract the Rayleigh damping forces of the elements from `full`.
     pub(in crate::analysis) fn subtract_damping(&mut self, model: &Model, state: &State) {
         for (e, m) in model.elements.iter().zip(&self.elements.entries).filter(|(_, m)| !m.rayleigh.reported.is_zero())
@@ -95,6 +103,15 @@ impl Workspace {
             for (&d, f) in e.dofs.iter().zip(&f) {
                 self.full[d as usize] -= f;
             }
+        }
+    }
+
+    /// Rayleigh damping forces of all elements that take part in the equations, laid out as `State::force`.
+    pub(in crate::analysis) fn damping_forces(&self, model: &Model, state: &State, out: &mut [f64]) {
+        for (e, m) in model.elements.iter().zip(&self.elements.entries).filter(|(_, m)| m.is_dynamic) {
+            let mut f = [0.0; MAX_DOFS];
+            self.add_dynamic_force(&e.dofs, m, &m.rayleigh.forces, state, 0.0, &mut f);
+            out[e.force.clone()].copy_from_slice(&f[..e.force.len()]);
         }
     }
 

@@ -410,6 +410,9 @@ impl Element for Amended {
     fn overload(&self, history: &[f64]) -> Option<Overload> {
         self.inner.overload(&history[..self.inner_len])
     }
+    fn euler_load(&self) -> Option<f64> {
+        self.inner.euler_load()
+    }
     fn opensees(&self) -> OpenSeesTraits<'_> {
         let inner = self.inner.opensees();
         OpenSeesTraits { calls: inner.calls.map(|_| self as &dyn CallDependent), ..inner }

@@ -362,6 +362,9 @@ impl Element for Hinged {
     fn overload(&self, history: &[f64]) -> Option<Overload> {
         self.inner.overload(&history[..self.inner_len])
     }
+    fn euler_load(&self) -> Option<f64> {
+        self.inner.euler_load()
+    }
     // None of them depends on the number of calls: such an element is refused.
     fn opensees(&self) -> OpenSeesTraits<'_> {
         // An inner element that depends on the number of calls is linear here, and is evaluated like any other.

@@ -1,7 +1,7 @@
 //! An elastic beam between two rotational springs: `componentElement2d`.
 
 use super::elastic::{Bending, Release, add_clamped_load, consistent_mass, lumped_mass};
-use crate::element::transform::{Reactions, Transform};
+use crate::element::transform::{Reactions, Transform, axis_probe};
 use crate::element::{
     Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, Snapshot, frame_force_labels,
 };
@@ -276,7 +276,7 @@ impl Element for ComponentBeam {
             "basicStiffness" => Probe::new(STIFFNESS, (1..=9).map(|i| format!("k{i}"))),
             "hingeDefoAndForce" => Probe::new(HINGES, ["end1_Defo", "end1_Force", "end2_Defo", "end2_Force"]),
             "hingeTangent" => Probe::new(HINGE_TANGENTS, ["end1_Tangent", "end1_Tangent"]),
-            _ => return None,
+            word => return axis_probe(word),
         })
     }
 
@@ -290,6 +290,7 @@ impl Element for ComponentBeam {
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
         match path[0] {
+            _ if self.transform.frame().read_axis(path, out) => {}
             LOCAL_FORCE => {
                 self.transform.frame().local_force(&self.basic_force(s), &Self::reactions(s.load), out);
             }

@@ -100,6 +100,17 @@ pub(super) fn basic_stiffness<const B: usize>(
     kb
 }
 
+/// A rigidity below this part of the other one is none: the model does not bend in that plane.
+const MIN_RIGIDITY_RATIO: f64 = 1e-3;
+
+/// Euler load of a beam with pinned ends: the smaller π² E I / L² of its flexural rigidities.
+pub(super) fn euler_load(rigidities: &[f64], length: f64) -> f64 {
+    let largest = rigidities.iter().fold(0.0f64, |m, ei| m.max(*ei));
+    let counting = rigidities.iter().filter(|ei| **ei > MIN_RIGIDITY_RATIO * largest);
+    let least = counting.fold(f64::INFINITY, |m, ei| m.min(*ei));
+    std::f64::consts::PI.powi(2) * least / (length * length)
+}
+
 /// Properties of an elastic beam besides section and geometry.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ElasticOptions {
@@ -307,6 +318,11 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
     fn init(&self, state: &mut [f64]) {
         self.transform.init(state);
     }
+    fn euler_load(&self) -> Option<f64> {
+        let s = &self.section;
+        let rigidities = [s.e * s.iz, s.e * s.iy];
+        self.transform.is_small().then(|| euler_load(&rigidities[..B / 3], self.transform.length()))
+    }
     fn traits(&self) -> ElementTraits {
         let symmetric = self.transform.is_symmetric();
         ElementTraits { linear: self.transform.is_linear(), symmetric, viscous: false, elapses: false, rayleigh: true }
@@ -396,12 +412,12 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
                 Probe::new(DEFORMATION, names.iter().copied())
             }
             "basicStiffness" => Probe::new(STIFFNESS, (1..=B * B).map(|i| format!("k{i}"))),
-            name => return axis_probe(name),
+            word => return axis_probe(word),
         })
     }
 
     fn probe_names(&self) -> &'static [&'static str] {
-        &["localForce", "basicForce", "deformations", "basicDeformation", "chordRotation", "basicStiffness", "xaxis"]
+        &["localForce", "basicForce", "deformations", "basicDeformation", "chordRotation", "basicStiffness"]
     }
 
     fn force_labels(&self) -> Vec<String> {
@@ -409,10 +425,8 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
-        if self.frame().read_axis(path, out) {
-            return;
-        }
         match path[0] {
+            _ if self.frame().read_axis(path, out) => {}
             LOCAL_FORCE => {
                 self.frame().local_force(&self.basic_force(s.disp, s.state, s.load), &Self::reactions(s.load), out);
             }

@@ -119,36 +119,51 @@ pub(super) struct Point<const B: usize> {
 }
 
 impl<const B: usize> Point<B> {
-    /// Reads a section from a state. The flexibility is that of the virgin section if `initial`.
-    ///
-    /// # Errors
-    /// The stiffness is singular.
-    pub(super) fn new(
-        section: &SectionSlot,
-        (x, length): (f64, f64),
-        trial: &[f64],
-        initial: bool,
-    ) -> Result<Self, MaterialError> {
-        let n = section.resultants().len();
+    /// A section at a fraction `x` of a length, without a state.
+    fn at(section: &SectionSlot, (x, length): (f64, f64)) -> Self {
         let mut p = Self {
             rows: [[0.0; B]; MAX_ORDER],
             flexibility: [0.0; MAX_ORDER * MAX_ORDER],
             e: [0.0; MAX_ORDER],
             s: [0.0; MAX_ORDER],
         };
-        if initial {
-            let mut k = [0.0; MAX_ORDER * MAX_ORDER];
-            section.section.initial_stiffness(&mut k[..n * n]);
-            section.flexibility(&k, &mut p.flexibility)?;
-        } else {
-            section.flexibility(section.stiffness(trial), &mut p.flexibility)?;
-        }
         for (rows, r) in p.rows.iter_mut().zip(section.resultants()) {
             *rows = row(*r, x, length);
         }
-        p.e[..n].copy_from_slice(section.deformation(trial));
-        p.s[..n].copy_from_slice(section.resultant(trial));
+        p
+    }
+
+    /// Reads a section from a state. The flexibility is that of the virgin section if `initial`.
+    ///
+    /// # Errors
+    /// The stiffness is singular.
+    pub(super) fn new(
+        section: &SectionSlot,
+        place: (f64, f64),
+        trial: &[f64],
+        initial: bool,
+    ) -> Result<Self, MaterialError> {
+        let mut p = Self::at(section, place);
+        p.read(section, trial, initial)?;
         Ok(p)
+    }
+
+    /// Reads flexibility, deformations and resultants anew.
+    ///
+    /// # Errors
+    /// The stiffness is singular.
+    pub(super) fn read(&mut self, section: &SectionSlot, trial: &[f64], initial: bool) -> Result<(), MaterialError> {
+        let (e, s, k) = section.parts(trial);
+        if initial {
+            let mut k = [0.0; MAX_ORDER * MAX_ORDER];
+            section.section.initial_stiffness(&mut k[..e.len() * e.len()]);
+            section.flexibility(&k, &mut self.flexibility)?;
+        } else {
+            section.flexibility(k, &mut self.flexibility)?;
+        }
+        self.e.iter_mut().zip(e).for_each(|(own, e)| *own = *e);
+        self.s.iter_mut().zip(s).for_each(|(own, s)| *own = *s);
+        Ok(())
     }
 
     /// Deformations for the basic forces `q`, linear from the state; `internal` are the internal forces of the simple
@@ -224,10 +239,10 @@ impl ForceBased {
             }
         }
         let limit = self.max_iterations * if correction == Correction::Initial { 10 } else { 1 };
-        let read = |(section, x, _): (&SectionSlot, f64, f64), trial: &[f64]| {
-            Point::<B>::new(section, (x, length), trial, false)
-        };
-        let mut points = member.along().map(|s| read(s, trial)).collect::<Result<Vec<_>, _>>()?;
+        let mut points = Vec::with_capacity(member.sections.len());
+        for (section, x, _) in member.along() {
+            points.push(Point::<B>::new(section, (x, length), trial, false)?);
+        }
         for part in 1..=parts {
             let share = part as f64 / parts as f64;
             let (mut iteration, mut extra_iterations) = (0, 0);
@@ -266,14 +281,13 @@ impl ForceBased {
                     Correction::InitialFirst => iteration == 1,
                     Correction::Initial => true,
                 };
-                for (i, (along, point)) in member.along().zip(&mut points).enumerate() {
-                    let (section, x, _) = along;
+                for (i, (section, point)) in member.sections.iter().zip(&mut points).enumerate() {
                     if initial {
-                        *point = Point::new(section, (x, length), trial, true)?;
+                        point.read(section, trial, true)?;
                     }
                     let e = point.deformations(section.resultants(), &basic.q, internal_forces(motion.load, i));
                     section.update(committed, &e, motion.dt, trial)?;
-                    *point = read(along, trial)?;
+                    point.read(section, trial, false)?;
                 }
                 updated = true;
             }
@@ -294,18 +308,12 @@ impl ForceBased {
             let n = section.resultants().len();
             let mut k = [0.0; MAX_ORDER * MAX_ORDER];
             section.section.initial_stiffness(&mut k[..n * n]);
-            let mut p = Point {
-                rows: [[0.0; B]; MAX_ORDER],
-                flexibility: [0.0; MAX_ORDER * MAX_ORDER],
-                e: [0.0; MAX_ORDER],
-                s: [0.0; MAX_ORDER],
-            };
+            let mut p = Point::<B>::at(section, (x, member.length()));
             if section.flexibility(&k, &mut p.flexibility).is_err() {
                 continue;
             }
             let mut s = [0.0; MAX_ORDER];
             for (j, r) in section.resultants().iter().enumerate() {
-                p.rows[j] = row(*r, x, member.length());
                 s[j] = load.get(REACTIONS + i * INTERNAL..).map_or(0.0, |internal| of_load(*r, internal));
             }
             for j in 0..n {

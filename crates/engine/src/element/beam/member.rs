@@ -12,7 +12,7 @@ use crate::section::{Resultant, SectionSlot, SharedSection};
 use std::fmt;
 use std::sync::Arc;
 
-use super::elastic::{BASIC_DEFORMATIONS, BASIC_FORCES, consistent_mass, lumped_mass};
+use super::elastic::{BASIC_DEFORMATIONS, BASIC_FORCES, consistent_mass, euler_load, lumped_mass};
 
 /// Relation between the sections of a beam and its basic system of `B` deformations.
 pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send + Sync + 'static {
@@ -62,6 +62,17 @@ pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send
     fn initial_stiffness(member: &Member<N, B>) -> [[f64; B]; B];
     /// Basic deformations of the virgin beam for basic forces and loads.
     fn elastic_deformation(member: &Member<N, B>, q: &[f64; B], load: &[f64]) -> [f64; B];
+}
+
+/// The flexural rigidities of a virgin section, force x length².
+fn rigidities(section: &SharedSection) -> Vec<f64> {
+    let resultants = section.resultants();
+    let n = resultants.len();
+    let mut k = vec![0.0; n * n];
+    section.initial_stiffness(&mut k);
+    let bends = |r: &Resultant| matches!(r, Resultant::Mz | Resultant::My);
+    let rigidity = |(i, r): (usize, &Resultant)| bends(r).then(|| k[i * n + i]);
+    resultants.iter().enumerate().filter_map(rigidity).collect()
 }
 
 /// Forces and stiffness of the basic system.
@@ -271,6 +282,11 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
         m.sections.iter().for_each(|s| s.init(state));
         Basic { q: [0.0; B], k: F::initial_stiffness(m) }.write(&mut state[m.head()..]);
     }
+    fn euler_load(&self) -> Option<f64> {
+        let m = &self.member;
+        let loads = m.sections.iter().map(|s| euler_load(&rigidities(&s.section), m.length()));
+        m.transform.is_small().then(|| loads.fold(f64::INFINITY, f64::min))
+    }
     fn traits(&self) -> ElementTraits {
         let sections = || self.member.sections.iter().map(|s| &s.section);
         ElementTraits {
@@ -391,7 +407,7 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
                 let probe = self.member.sections[i].probe(&words[2..])?;
                 return Some(probe.inside(&[SECTION, i as u32]));
             }
-            name => return axis_probe(name),
+            word => return axis_probe(word),
         })
     }
 
@@ -413,13 +429,11 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
         let m = &self.member;
-        if m.transform.frame().read_axis(path, out) {
-            return;
-        }
         let basic = Basic::<B>::read(&s.state[m.head()..]);
         let deformation = || m.transform.deformation(s.disp, &s.state[..m.head()]);
         let length = m.length();
         match path[0] {
+            _ if m.transform.frame().read_axis(path, out) => {}
             LOCAL_FORCE => m.transform.frame().local_force(&basic.q, &F::reactions(s.load), out),
             BASIC_FORCE => out.copy_from_slice(&basic.q),
             DEFORMATION => out.copy_from_slice(&deformation()),

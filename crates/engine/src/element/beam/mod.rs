@@ -7,6 +7,7 @@ mod elastic;
 mod force_based;
 mod integration;
 mod member;
+mod mixed;
 mod opensees;
 mod timoshenko;
 
@@ -17,4 +18,5 @@ pub use elastic::{Bending, ElasticBeam, ElasticOptions, Release};
 pub use force_based::ForceBased;
 pub use integration::{Hinge, Points, Rule};
 pub use member::{Basic, FiberBeam, Formulation, Member};
+pub use mixed::Mixed;
 pub use timoshenko::{TimoshenkoBeam, TimoshenkoOptions};

@@ -101,14 +101,14 @@ impl ForceBased {
                 Flexibility::InitialFirst => iteration == 0,
             };
             let (mut f, mut gathered) = ([[0.0; B]; B], [0.0; B]);
-            for (i, ((section, x, weight), point)) in member.along().zip(&mut points).enumerate() {
+            for (i, ((section, _, weight), point)) in member.along().zip(&mut points).enumerate() {
                 let (internal, resultants) = (internal_forces(motion.load, i), section.resultants());
                 if initial && iteration > 0 {
-                    *point = Point::new(section, (x, length), trial, true)?;
+                    point.read(section, trial, true)?;
                 }
                 let wanted = point.deformations(resultants, &basic.q, internal);
                 section.update(committed, &wanted, motion.dt, trial)?;
-                *point = Point::new(section, (x, length), trial, false)?;
+                point.read(section, trial, false)?;
                 let e = point.deformations(resultants, &basic.q, internal);
                 point.add(resultants.len(), weight, &e, &mut f, &mut gathered);
             }

@@ -261,12 +261,12 @@ impl<const N: usize, const B: usize> Element for TimoshenkoBeam<N, B> {
             "localForce" | "localForces" => {
                 Some(Probe::new(LOCAL_FORCE, (1..=2).flat_map(|e| names.iter().map(move |n| format!("{n}_{e}")))))
             }
-            name => axis_probe(name),
+            word => axis_probe(word),
         }
     }
 
     fn probe_names(&self) -> &'static [&'static str] {
-        &["localForce", "xaxis"]
+        &["localForce"]
     }
 
     fn force_labels(&self) -> Vec<String> {

@@ -1,16 +1,20 @@
-//! Flat shells: `ShellMITC4`, `ShellDKGQ`, `ShellDKGT`.
+//! Flat shells: `ShellMITC4`, `ShellDKGQ`, `ShellDKGT`, `ShellNLDKGQ`.
 //!
 //! A formulation gives the derivatives of the plate's deformations by the displacements at each Gauss point; [`Shell`] is
-//! the element around them. Displacements are small, and the plate stays where its nodes were.
+//! the element around them. Displacements are small, and the plate stays where its nodes were. [`UpdatedShell`] follows its
+//! nodes.
 
 mod discrete_kirchhoff;
 mod mitc4;
+mod updated;
 
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot};
 use crate::numeric::axpy;
 use crate::probe::Probe;
 use crate::section::plate::{PLATE_DEFORMATIONS, PLATE_ORDER, PLATE_RESULTANTS, SharedPlateSection};
 use nalgebra::Vector3;
+
+pub use updated::UpdatedShell;
 
 /// Degrees of freedom of the largest shell.
 const MAX: usize = super::MAX_DOFS;

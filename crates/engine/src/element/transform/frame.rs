@@ -21,14 +21,21 @@ pub struct Frame<const N: usize, const B: usize> {
     pub initial: [f64; N],
 }
 
-/// Number of the local x axis among the responses of a beam; y and z follow.
-const AXIS: u32 = 40;
+/// Paths of the local axes as responses.
+const AXES: [(&str, u32); 6] = [
+    ("xaxis", X_AXIS),
+    ("xlocal", X_AXIS),
+    ("yaxis", X_AXIS + 1),
+    ("ylocal", X_AXIS + 1),
+    ("zaxis", Z_AXIS),
+    ("zlocal", Z_AXIS),
+];
+const X_AXIS: u32 = 90;
+const Z_AXIS: u32 = 92;
 
-/// Probe of a local axis by OpenSees' name for it, for instance `xaxis` or `xlocal`.
-pub(crate) fn axis_probe(name: &str) -> Option<Probe> {
-    let (axis, rest) = name.split_at_checked(1)?;
-    let i = ["x", "y", "z"].iter().position(|a| *a == axis)?;
-    matches!(rest, "axis" | "local").then(|| Probe::new(AXIS + i as u32, ["x", "y", "z"]))
+/// A local axis of a beam as a response, by the first word of a recorder.
+pub fn axis_probe(word: &str) -> Option<Probe> {
+    AXES.iter().find(|(name, _)| *name == word).map(|(_, id)| Probe::new(*id, ["x", "y", "z"]))
 }
 
 /// Local displacements conjugate to the reactions: axial at i, y at i and j, z at i and j.
@@ -128,13 +135,13 @@ fn product<const N: usize, const B: usize>(a: &[[f64; N]; B], b: &[[f64; N]; N])
 }
 
 impl<const N: usize, const B: usize> Frame<N, B> {
-    /// Write the local axis of a path of [`axis_probe`], in global components; returns false for another path.
-    pub(crate) fn read_axis(&self, path: &[u32], out: &mut [f64]) -> bool {
-        let axis = path.first().and_then(|id| id.checked_sub(AXIS)).filter(|i| *i < 3);
-        axis.is_some_and(|i| {
-            out.iter_mut().zip(self.axes.row(i as usize).iter()).for_each(|(o, x)| *o = *x);
-            true
-        })
+    /// Writes a local axis, if the path is that of one; returns true if it is.
+    pub fn read_axis(&self, path: &[u32], out: &mut [f64]) -> bool {
+        let axis = path.first().filter(|id| (X_AXIS..=Z_AXIS).contains(id));
+        if let Some(id) = axis {
+            out.iter_mut().zip(self.axes.row((id - X_AXIS) as usize).iter()).for_each(|(o, a)| *o = *a);
+        }
+        axis.is_some()
     }
 
     /// Displacements since the creation of the beam.

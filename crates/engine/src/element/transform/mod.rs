@@ -17,8 +17,7 @@ use std::sync::Arc;
 
 pub use corotational_2d::Corotational2d;
 pub use corotational_3d::Corotational3d;
-pub use frame::Frame;
-pub(crate) use frame::axis_probe;
+pub use frame::{Frame, axis_probe};
 pub use linear::{Linear, PDelta};
 
 /// End reactions of a simple beam to member loads in local axes: axial at i, y at i and j, z at i and j.

@@ -27,6 +27,7 @@ const FAMILIES: &[&[Kind]] =
 fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, INTEGRATOR);
     let kind = kind::take(&mut a, "kind of integrator", "integrator", FAMILIES.iter().copied().flatten())?;
+    interp.host.note_kind("integrator", kind.names[0]);
     let made = (kind.make)(interp, &mut a)?;
     finish(interp, &a)?;
     let is_static = made.is_static();

@@ -1,0 +1,160 @@
+//! Rules of codes, read from data: clause, edition, numbers, and the state of their source.
+
+use hysteron_tcl::diagnostic::nearest;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+
+/// The codes that the program brings with it, by name.
+const BUILT_IN: [(&str, &str); 4] = [
+    ("asce7-16", include_str!("../codes/asce7-16.toml")),
+    ("asce7-22", include_str!("../codes/asce7-22.toml")),
+    ("aashto", include_str!("../codes/aashto.toml")),
+    ("en1998", include_str!("../codes/en1998.toml")),
+];
+
+/// A rule of a code.
+#[derive(Clone, Debug, Default, Deserialize, PartialEq)]
+#[serde(deny_unknown_fields)]
+pub struct Rule {
+    /// Clause, table or equation.
+    pub clause: String,
+    /// The rule in own words.
+    pub text: String,
+    /// Numbers by name.
+    #[serde(default)]
+    pub values: BTreeMap<String, f64>,
+    /// Rows of a table with rising abscissas.
+    #[serde(default)]
+    pub table: Vec<[f64; 2]>,
+}
+
+/// Shapes of elastic spectra of EN 1998-1 by ground type: S, T_B, T_C and T_D.
+#[derive(Clone, Debug, Default, Deserialize, PartialEq)]
+pub struct SpectrumShapes {
+    /// Table.
+    pub clause: String,
+    /// Parameters by ground type.
+    #[serde(flatten)]
+    pub grounds: BTreeMap<String, [f64; 4]>,
+}
+
+/// A code.
+#[derive(Clone, Debug, Default, Deserialize, PartialEq)]
+#[serde(deny_unknown_fields)]
+pub struct Code {
+    /// Name.
+    pub name: String,
+    /// Edition.
+    pub edition: String,
+    /// True if the rules were compared with the text of the code itself.
+    pub text_read: bool,
+    /// Source of the rules.
+    pub source: String,
+    /// Rules by name.
+    pub rule: BTreeMap<String, Rule>,
+    /// Shapes of spectra by name.
+    #[serde(default)]
+    pub spectrum: BTreeMap<String, SpectrumShapes>,
+}
+
+impl Code {
+    /// Names of the codes that the program brings with it.
+    pub fn names() -> impl Iterator<Item = &'static str> {
+        BUILT_IN.iter().map(|(name, _)| *name)
+    }
+
+    /// A code of the program by its name.
+    ///
+    /// # Errors
+    /// There is none of the name, with the nearest one.
+    pub fn named(name: &str) -> Result<Self, String> {
+        let Some((_, text)) = BUILT_IN.iter().find(|(n, _)| *n == name) else {
+            let near = nearest(name, Self::names()).map_or(String::new(), |n| format!("; did you mean {n}?"));
+            let known: Vec<&str> = Self::names().collect();
+            return Err(format!("there is no code \"{name}\": expected {}{near}", known.join(", ")));
+        };
+        Self::parse(text)
+    }
+
+    /// A code from the text of its file.
+    ///
+    /// # Errors
+    /// The text is no such file.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        toml::from_str(text).map_err(|e| e.to_string())
+    }
+
+    /// A number of a rule, if the code has both.
+    pub fn value(&self, rule: &str, name: &str) -> Option<f64> {
+        self.rule.get(rule)?.values.get(name).copied()
+    }
+
+    /// Clause of a rule; empty without one.
+    pub fn clause(&self, rule: &str) -> &str {
+        self.rule.get(rule).map_or("", |r| &r.clause)
+    }
+
+    /// Remark on the source that a result must carry; empty if the text was read.
+    pub fn remark(&self) -> String {
+        if self.text_read {
+            return String::new();
+        }
+        format!("{}: the text was not read, check against the standard (source: {})", self.name, self.source)
+    }
+
+    /// Damping coefficient B that divides the spectrum of 5 % damping, for an effective damping β of 0 or more.
+    pub fn damping_coefficient(&self, damping: f64) -> Option<f64> {
+        let rule = self.rule.get("damping_coefficient")?;
+        if let (Some(first), Some(last)) = (rule.table.first(), rule.table.last()) {
+            let at = rule.table.partition_point(|r| r[0] < damping);
+            return Some(match at {
+                0 => first[1],
+                i if i == rule.table.len() => last[1],
+                i => {
+                    let ([x0, y0], [x1, y1]) = (rule.table[i - 1], rule.table[i]);
+                    y0 + (y1 - y0) * (damping - x0) / (x1 - x0)
+                }
+            });
+        }
+        let value = |name: &str| rule.values.get(name).copied();
+        if let (Some(power), Some(reference), Some(most)) = (value("power"), value("reference"), value("most")) {
+            return Some((damping / reference).powf(power).min(most));
+        }
+        let eta = (value("numerator")? / (value("offset")? + 100.0 * damping)).sqrt();
+        Some(1.0 / eta.max(value("least")?))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Code;
+
+    #[test]
+    fn built_in_codes_are_read_and_say_that_their_text_was_not() {
+        for name in Code::names() {
+            let code = Code::named(name).expect(name);
+            assert!(!code.text_read && code.remark().contains("check against the standard"), "{name}");
+            assert!(code.rule.values().all(|r| !r.clause.is_empty() && !r.text.is_empty()), "{name}");
+        }
+        assert!(Code::named("asce7-61").expect_err("none").contains("asce7-16"));
+    }
+
+    #[test]
+    fn damping_coefficients_of_three_codes() {
+        let of = |name: &str, damping: f64| Code::named(name).expect(name).damping_coefficient(damping).expect("B");
+        for (name, damping, expected) in [
+            ("asce7-16", 0.05, 1.0),
+            ("asce7-16", 0.15, 1.35),
+            ("asce7-16", 0.01, 0.8),
+            ("asce7-16", 0.7, 2.0),
+            ("aashto", 0.05, 1.0),
+            ("aashto", 0.20, 4f64.powf(0.3)),
+            ("aashto", 0.60, 1.7),
+            ("en1998", 0.05, 1.0),
+            ("en1998", 0.15, 2f64.sqrt()),
+            ("en1998", 0.60, 1.0 / 0.55),
+        ] {
+            assert!((of(name, damping) - expected).abs() < 1e-12, "{name} {damping}");
+        }
+    }
+}

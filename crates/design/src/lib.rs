@@ -1,0 +1,14 @@
+//! The isolation engineer's work around a script: ground motions, prototype tests, bounds of bearings, checks of codes.
+//!
+//! Motions, spectra and prototype tests know no script.
+
+#![forbid(unsafe_code)]
+
+pub mod check;
+pub mod codes;
+pub mod motion;
+pub mod prototype;
+pub mod scaling;
+pub mod spectrum;
+pub mod suite;
+pub mod target;

@@ -1,0 +1,174 @@
+//! The mixed beam: `mixedBeamColumn`.
+
+use super::force_based::{ForceBased, Point, internal_forces};
+use super::member::{Basic, Formulation, Member, Trace};
+use crate::element::load::ElementLoad;
+use crate::element::transform::Reactions;
+use crate::element::{ElementError, ElementInput};
+use crate::numeric::{axpy, dot, invert};
+
+/// Internal forces are in equilibrium with natural forces, as in a force-based beam. Section deformations are those of
+/// a displacement-based beam in the mean, weighted by the internal forces (Alemdar and White, 2005; Denavit and
+/// Hajjar, 2010), without geometric nonlinearity inside the beam.
+///
+/// With an integration exact for polynomials of degree 2 this is the force-based beam.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Mixed {
+    /// The force-based beam of the natural forces. With its `compat` the element takes one iteration a call from the
+    /// last trial state, as OpenSees does.
+    pub natural: ForceBased,
+}
+
+/// Integral of the products of moments that are linear along the beam and curvatures of cubic deflections: natural
+/// deformations for basic ones.
+#[derive(Clone, Copy, Debug)]
+struct Projection {
+    /// For the two end rotations about one axis.
+    bending: [[f64; 2]; 2],
+}
+
+impl Projection {
+    fn new<const N: usize, const B: usize>(member: &Member<N, B>) -> Self {
+        let mut bending = [[0.0; 2]; 2];
+        for (x, w) in member.points.0.iter().zip(&member.points.1) {
+            for (row, moment) in bending.iter_mut().zip([x - 1.0, *x]) {
+                axpy(w * moment, &[6.0 * x - 4.0, 6.0 * x - 2.0], row);
+            }
+        }
+        Self { bending }
+    }
+
+    fn transposed(self) -> Self {
+        let [[a, b], [c, d]] = self.bending;
+        Self { bending: [[a, c], [b, d]] }
+    }
+
+    /// The inverse, or the projection itself where it is singular.
+    fn inverse(self) -> Self {
+        let mut inverse = self;
+        if invert(inverse.bending.as_flattened_mut(), 2) { inverse } else { self }
+    }
+
+    /// Product with a vector of the basic system.
+    fn of<const B: usize>(&self, v: &[f64; B]) -> [f64; B] {
+        let mut out = *v;
+        for (from, to) in v[1..].chunks_exact(2).zip(out[1..].chunks_exact_mut(2)) {
+            to.iter_mut().zip(&self.bending).for_each(|(to, row)| *to = dot(row, from));
+        }
+        out
+    }
+
+    /// Stiffness of the basic system from that of the natural one.
+    fn of_stiffness<const B: usize>(&self, k: &[[f64; B]; B]) -> [[f64; B]; B] {
+        let transposed = self.transposed();
+        let half = k.map(|row| transposed.of(&row));
+        let mut out = half;
+        for j in 0..B {
+            let column: [f64; B] = transposed.of(&std::array::from_fn(|i| half[i][j]));
+            out.iter_mut().zip(column).for_each(|(row, x)| row[j] = x);
+        }
+        out
+    }
+}
+
+/// Numbers after those of [`Trace`]: natural forces, and what is missing in the natural deformations.
+const NATURAL: usize = 2;
+
+impl Mixed {
+    /// One iteration from the last trial state.
+    fn iterate<const N: usize, const B: usize>(
+        member: &Member<N, B>,
+        v: &[f64; B],
+        motion: &ElementInput<'_>,
+        (committed, trial): (&[f64], &mut [f64]),
+    ) -> Result<Basic<B>, ElementError> {
+        let (own, length) = (member.own_words(), member.length());
+        let projection = Projection::new(member);
+        let singular = || ElementError("the sections of the beam have no stiffness".into());
+        let last = Trace::<N, B>::read(&trial[own..]);
+        let mut trace = Trace::<N, B> { v: *v, dv: std::array::from_fn(|i| v[i] - last.v[i]), disp: [0.0; N] };
+        trace.disp.copy_from_slice(motion.disp);
+        trace.write(&mut trial[own..]);
+        let natural = own + Trace::<N, B>::LEN;
+        let (mut q, mut missing) = ([0.0; B], [0.0; B]);
+        q.copy_from_slice(&trial[natural..natural + B]);
+        missing.copy_from_slice(&trial[natural + B..natural + NATURAL * B]);
+        axpy(1.0, &projection.of(&trace.dv), &mut missing);
+        let (mut f, mut gathered) = ([[0.0; B]; B], [0.0; B]);
+        for (section, x, weight) in member.along() {
+            let n = section.resultants().len();
+            let e = section.deformation(trial).to_vec();
+            Point::new(section, (x, length), trial, false)?.add(n, weight, &e, &mut f, &mut gathered);
+        }
+        if !invert(f.as_flattened_mut(), B) {
+            return Err(singular());
+        }
+        axpy(1.0, &f.map(|row| dot(&row, &missing)), &mut q);
+        (f, gathered) = ([[0.0; B]; B], [0.0; B]);
+        for (i, (section, x, weight)) in member.along().enumerate() {
+            let (internal, resultants) = (internal_forces(motion.load, i), section.resultants());
+            let e = Point::new(section, (x, length), trial, false)?.deformations(resultants, &q, internal);
+            section.update(committed, &e, motion.dt, trial)?;
+            let point = Point::new(section, (x, length), trial, false)?;
+            let e = point.deformations(resultants, &q, internal);
+            point.add(resultants.len(), weight, &e, &mut f, &mut gathered);
+        }
+        if !invert(f.as_flattened_mut(), B) {
+            return Err(singular());
+        }
+        let wanted = projection.of(v);
+        missing = std::array::from_fn(|i| wanted[i] - gathered[i]);
+        trial[natural..natural + B].copy_from_slice(&q);
+        trial[natural + B..natural + NATURAL * B].copy_from_slice(&missing);
+        axpy(1.0, &f.map(|row| dot(&row, &missing)), &mut q);
+        Ok(Basic { q: projection.transposed().of(&q), k: projection.of_stiffness(&f) })
+    }
+}
+
+impl<const N: usize, const B: usize> Formulation<N, B> for Mixed {
+    const CLASS: [&'static str; 2] = ["MixedBeamColumn2d", "MixedBeamColumn3d"];
+    const NEEDS_TORSION: bool = true;
+    const STATE_LEN: usize = Trace::<N, B>::LEN + NATURAL * B;
+
+    fn continues_from_last_trial(&self) -> bool {
+        self.natural.compat
+    }
+
+    fn load_len(points: usize) -> usize {
+        <ForceBased as Formulation<N, B>>::load_len(points)
+    }
+
+    fn add_load(member: &Member<N, B>, load: &ElementLoad, factor: f64, sums: &mut [f64]) {
+        ForceBased::add_load(member, load, factor, sums);
+    }
+
+    fn reactions(load: &[f64]) -> Reactions {
+        <ForceBased as Formulation<N, B>>::reactions(load)
+    }
+
+    fn respond(
+        &self,
+        member: &Member<N, B>,
+        v: &[f64; B],
+        motion: &ElementInput<'_>,
+        committed: &[f64],
+        trial: &mut [f64],
+    ) -> Result<Basic<B>, ElementError> {
+        if Formulation::<N, B>::continues_from_last_trial(self) {
+            return Self::iterate(member, v, motion, (committed, trial));
+        }
+        let projection = Projection::new(member);
+        let natural = self.natural.respond(member, &projection.of(v), motion, committed, trial)?;
+        Ok(Basic { q: projection.transposed().of(&natural.q), k: projection.of_stiffness(&natural.k) })
+    }
+
+    fn initial_stiffness(member: &Member<N, B>) -> [[f64; B]; B] {
+        Projection::new(member).of_stiffness(&ForceBased::initial_stiffness(member))
+    }
+
+    fn elastic_deformation(member: &Member<N, B>, q: &[f64; B], load: &[f64]) -> [f64; B] {
+        let inverse = Projection::new(member).inverse();
+        let natural = ForceBased::elastic_deformation(member, &inverse.transposed().of(q), load);
+        inverse.of(&natural)
+    }
+}

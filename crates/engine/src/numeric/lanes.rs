@@ -1,0 +1,76 @@
+//! Loops by the widest vector instructions of the processor.
+//!
+//! A loop over arrays without branches and calls becomes vector instructions. Each number has the same bits with all
+//! instructions, because none of them is fused.
+
+use pulp::{Arch, NullaryFnOnce};
+
+/// Numbers of a vector. Sums of many numbers are made of as many sums side by side.
+pub(crate) const LANES: usize = 4;
+
+/// Arrays with a loop over them.
+pub(crate) trait Lanes {
+    /// The loop. The method must be inlined, or it is not compiled for the instructions of the processor.
+    fn evaluate(&mut self);
+}
+
+/// Evaluates a loop with the widest vector instructions of the processor.
+#[inline]
+pub(crate) fn in_lanes<L: Lanes>(lanes: &mut L) {
+    struct Loop<'a, L>(&'a mut L);
+    impl<L: Lanes> NullaryFnOnce for Loop<'_, L> {
+        type Output = ();
+        #[inline(always)]
+        fn call(self) {
+            self.0.evaluate();
+        }
+    }
+    Arch::new().dispatch(Loop(lanes));
+}
+
+/// `a` if the condition holds, else `b`, without a branch.
+#[inline(always)]
+pub(crate) fn select(condition: bool, a: f64, b: f64) -> f64 {
+    if condition { a } else { b }
+}
+
+/// Copies up to `W` numbers into an array, in pieces of a known length.
+#[inline(always)]
+pub(crate) fn copy<const W: usize>(from: &[f64], to: &mut [f64; W]) {
+    if let Some(from) = from.first_chunk::<W>() {
+        *to = *from;
+        return;
+    }
+    let (chunks, rest) = from.as_chunks::<LANES>();
+    let (to, _) = to.as_chunks_mut::<LANES>();
+    to.iter_mut().zip(chunks).for_each(|(to, from)| *to = *from);
+    if let Some(to) = to.get_mut(chunks.len()) {
+        copy_rest(rest, to);
+    }
+}
+
+/// Copies as many numbers of an array as there is room for, in pieces of a known length.
+#[inline(always)]
+pub(crate) fn copy_back<const W: usize>(from: &[f64; W], to: &mut [f64]) {
+    if let Some(to) = to.first_chunk_mut::<W>() {
+        *to = *from;
+        return;
+    }
+    let (from, _) = from.as_chunks::<LANES>();
+    let (to, rest) = to.as_chunks_mut::<LANES>();
+    to.iter_mut().zip(from).for_each(|(to, from)| *to = *from);
+    if let Some(from) = from.get(to.len()) {
+        copy_rest(&from[..rest.len()], rest);
+    }
+}
+
+/// Copies fewer numbers than a vector has.
+#[inline(always)]
+fn copy_rest(from: &[f64], to: &mut [f64]) {
+    match (from, to) {
+        ([a], [x, ..]) => *x = *a,
+        ([a, b], [x, y, ..]) => (*x, *y) = (*a, *b),
+        ([a, b, c], [x, y, z, ..]) => (*x, *y, *z) = (*a, *b, *c),
+        _ => {}
+    }
+}

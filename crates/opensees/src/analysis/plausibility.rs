@@ -1,0 +1,220 @@
+//! Warnings about analyses that run and mean nothing: each comes once, with a place.
+
+use crate::session::{Mode, Session};
+use crate::{Tcl, warn};
+use hysteron_engine::analysis::Kind;
+use hysteron_engine::model::{ElementId, Model, Pattern, PatternKind, Tag};
+use hysteron_engine::series::Series;
+use hysteron_tcl::Exception;
+use hysteron_tcl::diagnostic::{Diagnostic, Span};
+use std::collections::BTreeSet;
+
+/// A step over that of a record from which on the analysis does not follow the record. OpenSees' users thin records by two to
+/// four.
+const MAX_STEP_RATIO: f64 = 4.5;
+/// Part of the largest displacement by which a constraint may be missed.
+const MAX_LOOSENESS: f64 = 0.01;
+/// Steps beyond this part over the stable one grow. The power iteration finds the frequency to a thousandth.
+const STABILITY_MARGIN: f64 = 1.001;
+/// Work beyond this that a step of the model may take for its highest frequency.
+const MAX_EQUATIONS: usize = 200_000;
+
+/// Patterns and steps that have been looked at.
+#[derive(Debug, Default)]
+pub(crate) struct Looked {
+    /// Patterns that a transient analysis has begun with.
+    patterns: BTreeSet<Tag>,
+    /// Revision of the model and step of time that were looked at before an analysis. Scripts may call it for each step.
+    before: Option<(u64, f64)>,
+    /// Revision of the model and step for which the stability of an explicit integrator was examined.
+    stability: Option<(u64, f64)>,
+    /// Euler loads of the beams of a revision of the model.
+    euler_loads: Option<(u64, Vec<(ElementId, f64)>)>,
+}
+
+/// Warn of what an analysis cannot mean, before its first step. `dt` is its step of time.
+pub(crate) fn before(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), Exception> {
+    // What follows from a mistake that a check has reported is no news.
+    if interp.host.mode == Mode::Check && interp.host.check.rejected {
+        return Ok(());
+    }
+    let state = (interp.host.engine.model().revision(), dt);
+    if interp.host.looked.before == Some(state) {
+        return Ok(());
+    }
+    interp.host.looked.before = Some(state);
+    fixed_and_tied(interp, span)?;
+    if interp.host.kind() != Some(Kind::Transient) {
+        return Ok(());
+    }
+    excitations(interp, dt, span)?;
+    stability(interp, dt, span)
+}
+
+/// Warn of what the committed state of an analysis cannot mean.
+pub(crate) fn after(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
+    if interp.host.mode == Mode::Check {
+        return Ok(());
+    }
+    loose_constraint(interp, span)?;
+    buckled_beam(interp, span)?;
+    match interp.host.output.recorders.isolator_damping.warning(span) {
+        Some(d) => warn_once(interp, "damped isolators", d),
+        None => Ok(()),
+    }
+}
+
+/// Warn once for each key.
+fn warn_once(interp: &mut Tcl, key: &'static str, warning: Diagnostic) -> Result<(), Exception> {
+    if interp.host.warnings.reported.insert(key, 1).is_some() { Ok(()) } else { warn(interp, warning) }
+}
+
+fn is_reported(session: &Session, key: &str) -> bool {
+    session.warnings.reported.contains_key(key)
+}
+
+/// A degree of freedom that is held and follows another one, which is not held.
+fn fixed_and_tied(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
+    const KEY: &str = "fixed and tied";
+    let model = interp.host.engine.model();
+    if is_reported(&interp.host, KEY) || model.multi_points.is_empty() {
+        return Ok(());
+    }
+    let held: BTreeSet<_> = model.fixes.iter().map(|f| (f.node, f.dof)).collect();
+    let contradiction = model.multi_points.iter().find_map(|m| {
+        let rows = m.constrained_dofs.iter().enumerate().filter(|(_, dof)| held.contains(&(m.constrained, **dof)));
+        let mut free = rows.filter(|(i, _)| m.row(*i).any(|(dof, c)| c != 0.0 && !held.contains(&(m.retained, dof))));
+        free.next().map(|(_, dof)| (model.nodes[m.constrained.0].tag, dof + 1, model.nodes[m.retained.0].tag))
+    });
+    let Some((node, dof, retained)) = contradiction else { return Ok(()) };
+    let message =
+        format!("node {node} is held in degree of freedom {dof}, and a constraint ties it to node {retained} too");
+    let d = Diagnostic::warning(message).at(span, "expected one of both");
+    warn_once(interp, KEY, d.help(format!("hold node {retained}, which node {node} follows")))
+}
+
+/// The series of the ground motions or loads of a pattern that go on.
+fn series(pattern: &Pattern) -> Option<&Series> {
+    match &pattern.kind {
+        _ if pattern.held.is_some() => None,
+        PatternKind::Uniform(e) => Some(&e.accel),
+        PatternKind::Plain { series, .. } if !(pattern.nodal_loads.is_empty() && pattern.motions.is_empty()) => {
+            Some(series)
+        }
+        _ => None,
+    }
+}
+
+/// Excitations that are over, that move no mass, or that the steps do not follow.
+fn excitations(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), Exception> {
+    let mut warnings: Vec<(&'static str, Diagnostic)> = vec![];
+    let session = &mut interp.host;
+    let (engine, looked) = (&session.engine, &mut session.looked);
+    let (model, time): (&Model, f64) = (engine.model(), engine.state().time);
+    for (tag, pattern) in &model.patterns {
+        let is_new = looked.patterns.insert(*tag);
+        let Some(series) = series(pattern) else { continue };
+        if let Some(end) = series.end().filter(|end| is_new && *end > series.start() && time >= *end) {
+            let message =
+                format!("the series of pattern {tag} ends at time {end:.6}, and the analysis begins at {time:.6}");
+            let d = Diagnostic::warning(message).at(span, "the record is over before it begins");
+            warnings.push(("record is over", d.help("\"loadConst -time 0.0\" after the gravity loads sets the time")));
+        }
+        let PatternKind::Uniform(e) = &pattern.kind else { continue };
+        if !engine.has_mass_along(e.direction) {
+            let message =
+                format!("pattern {tag} moves the ground along {}, where the model has no mass", e.direction + 1);
+            let d = Diagnostic::warning(message).at(span, "the excitation has no effect");
+            warnings.push(("no mass", d.help("\"mass\" of nodes, or a density of elements, gives it one")));
+        }
+        if let Some(step) = series.step().filter(|step| dt > MAX_STEP_RATIO * step) {
+            let message =
+                format!("the steps of {dt} are {:.1} times those of the record of pattern {tag}, {step}", dt / step);
+            let d = Diagnostic::warning(message).at(span, "most of the record is passed over");
+            warnings.push(("coarse steps", d.help("expected steps not longer than those of the record")));
+        }
+    }
+    warnings.into_iter().try_for_each(|(key, d)| warn_once(interp, key, d))
+}
+
+/// An explicit integrator beyond its stable step.
+fn stability(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), Exception> {
+    const KEY: &str = "unstable steps";
+    let session = &mut interp.host;
+    let setup = session.engine.setup();
+    let Some((name, limit)) = setup.and_then(|s| Some((s.integrator.name(), s.integrator.stability_limit()?))) else {
+        return Ok(());
+    };
+    let state = (session.engine.model().revision(), dt);
+    let is_known = session.looked.stability.is_some_and(|known| known.0 == state.0 && known.1 >= dt);
+    // Under --compat elements may depend on the number of their calls.
+    let is_exempt = session.engine.options.compat || session.mode == Mode::Check;
+    if is_known || is_exempt || is_reported(session, KEY) || session.engine.model().dofs() > MAX_EQUATIONS {
+        return Ok(());
+    }
+    session.looked.stability = Some(state);
+    let Some(lambda) = session.engine.largest_eigenvalue() else { return Ok(()) };
+    let stable = limit / lambda.sqrt();
+    if dt <= STABILITY_MARGIN * stable {
+        return Ok(());
+    }
+    let message =
+        format!("{name} is explicit and unstable with steps of {dt}: its longest stable step is {stable:.4e}");
+    let d = Diagnostic::warning(message).at(span, format!("expected steps up to {stable:.4e}"));
+    warn_once(
+        interp,
+        KEY,
+        d.help(format!("the highest frequency of the model is {:.4e} rad per unit of time", lambda.sqrt())),
+    )
+}
+
+/// A penalty that does not hold its constraint.
+fn loose_constraint(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
+    const KEY: &str = "loose constraint";
+    if is_reported(&interp.host, KEY) {
+        return Ok(());
+    }
+    let Some(loose) = interp.host.engine.loose_constraint(MAX_LOOSENESS) else { return Ok(()) };
+    let (node, dof) = loose.node;
+    let to = loose.retained.map_or("its support".into(), |n| format!("node {n}"));
+    let message = format!(
+        "the penalty does not hold: node {node} moves by {:.4e} in degree of freedom {dof}, and {to} by {:.4e}",
+        loose.found, loose.wanted
+    );
+    let d = Diagnostic::warning(message).at(span, "the constraint is not kept");
+    warn_once(
+        interp,
+        KEY,
+        d.help("a larger factor of \"constraints Penalty\" holds it, or \"constraints Transformation\""),
+    )
+}
+
+/// A beam beyond its Euler load.
+///
+/// The script may study exactly this, and its results up to there are right.
+fn buckled_beam(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
+    const KEY: &str = "buckled beam";
+    if is_reported(&interp.host, KEY) {
+        return Ok(());
+    }
+    let Session { engine, looked, .. } = &mut interp.host;
+    let revision = engine.model().revision();
+    if looked.euler_loads.as_ref().is_none_or(|(of, _)| *of != revision) {
+        looked.euler_loads = Some((revision, engine.euler_loads()));
+    }
+    let loads = looked.euler_loads.as_ref().map_or(&[][..], |(_, loads)| loads);
+    let Some((e, overload)) = engine.buckled_beam(loads) else { return Ok(()) };
+    let message = format!(
+        "the compression of {} {} is {:.4e}, above its Euler load of {:.4e}",
+        e.element.class(),
+        e.tag,
+        overload.load,
+        overload.critical
+    );
+    let d = Diagnostic::warning(message).at(span, "it has buckled");
+    warn_once(
+        interp,
+        KEY,
+        d.help("\"geomTransf Corotational\" and several elements along it follow it beyond that load"),
+    )
+}

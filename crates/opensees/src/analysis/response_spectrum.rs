@@ -1,0 +1,117 @@
+//! `responseSpectrumAnalysis`: a step for each mode with its largest displacements.
+
+use crate::args::Args;
+use crate::{Command, Outcome, Tcl, ignore_option, warn};
+use hysteron_engine::analysis::ModalProperties;
+use hysteron_engine::series::Series;
+use hysteron_tcl::diagnostic::Diagnostic;
+use hysteron_tcl::{Call, Exception, Value};
+use std::f64::consts::TAU;
+
+pub(crate) const COMMANDS: &[Command] = &[Command::new("responseSpectrumAnalysis", USAGE, response_spectrum)];
+
+const USAGE: &str = "responseSpectrumAnalysis $series $direction | $direction -Tn $periods -Sa $accelerations \
+                     <-scale $factor> <-mode $mode>";
+
+/// A spectrum: a series over the period, or points.
+enum Spectrum {
+    Series(Series),
+    Points(Vec<f64>, Vec<f64>),
+}
+
+impl Spectrum {
+    /// Acceleration at a period: between points linear, beyond them that of the last one.
+    fn at(&self, period: f64) -> f64 {
+        match self {
+            Self::Series(series) => series.factor(period),
+            Self::Points(t, s) => match t.partition_point(|x| *x < period) {
+                0 => s[0],
+                i if i == t.len() => s[i - 1],
+                i => s[i - 1] + (s[i] - s[i - 1]) * (period - t[i - 1]) / (t[i] - t[i - 1]),
+            },
+        }
+    }
+}
+
+/// The numbers behind an option: words, or one word that is a list.
+fn numbers(a: &mut Args<'_>, what: &str) -> Result<Vec<f64>, Exception> {
+    let mut out = vec![];
+    while a.at_number() {
+        out.push(a.not_negative(what)?);
+    }
+    if out.is_empty() && a.left() > 0 {
+        let word = a.word(what)?.into_owned();
+        for number in word.split_whitespace() {
+            let value = number.parse::<f64>().ok().filter(|x| *x >= 0.0 && x.is_finite());
+            out.push(value.ok_or_else(|| a.refuse(format!("{what}: \"{number}\""), "expected numbers, not negative"))?);
+        }
+    }
+    if out.is_empty() { Err(a.refuse(format!("{what} are missing"), "expected numbers")) } else { Ok(out) }
+}
+
+fn response_spectrum(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, USAGE);
+    let has_points = a.ahead().any(|w| matches!(w.as_str().as_ref(), "-Tn" | "-Sa"));
+    let series = match has_points {
+        true => None,
+        false => Some(a.of(&interp.host.builder.definitions.series)?.0),
+    };
+    let engine = &interp.host.engine;
+    let Some(modes) = engine.modes() else {
+        return Err(a.refuse_at(call.span(0), "there are no modes", "expected a command \"eigen\" before"));
+    };
+    let properties = ModalProperties::new(engine.model(), modes, false);
+    let (lambda, shapes) = (modes.lambda.clone(), modes.shapes.clone());
+    let ndf = properties.factors.first().map_or(0, Vec::len);
+    let direction = a.dof("direction", ndf)?;
+    let (mut periods, mut accelerations, mut only) = (vec![], vec![], None);
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-Tn" => periods = numbers(&mut a, "periods")?,
+            "-Sa" => accelerations = numbers(&mut a, "accelerations")?,
+            "-scale" => {
+                a.float("factor")?;
+                let message = "OpenSees takes -scale and does not use it: multiply the accelerations";
+                warn(interp, Diagnostic::warning(message).at(a.last_span(), "not used"))?;
+            }
+            "-damp" => drop(a.float("damping")?),
+            "-mode" => only = Some(a.count("mode")?),
+            _ => ignore_option(interp, &mut a, &["-Tn", "-Sa", "-scale", "-mode"])?,
+        }
+    }
+    let spectrum = match series {
+        Some(series) => Spectrum::Series(series),
+        None if periods.len() != accelerations.len() => {
+            let message = format!("there are {} periods, but {} accelerations", periods.len(), accelerations.len());
+            return Err(a.refuse_at(call.span(0), message, "expected as many"));
+        }
+        None if periods.windows(2).any(|w| w[0] >= w[1]) => {
+            return Err(a.refuse_at(call.span(0), "the periods do not increase", "expected rising periods"));
+        }
+        None => Spectrum::Points(periods, accelerations),
+    };
+    if only.is_some_and(|m| m == 0 || m > lambda.len()) {
+        let message = format!("there is no mode {}: there are {}", only.unwrap_or(0), lambda.len());
+        return Err(a.refuse_at(call.span(0), message, "expected a mode that \"eigen\" has found"));
+    }
+    for (i, shape) in shapes.iter().enumerate() {
+        if only.is_some_and(|m| m != i + 1) || lambda[i] <= 0.0 {
+            continue;
+        }
+        let period = TAU / lambda[i].sqrt();
+        let factor = properties.factors[i][direction] * spectrum.at(period) / lambda[i];
+        let session = &mut interp.host;
+        let imposed = session.engine.impose(|displacements, model| {
+            for n in &model.nodes {
+                let pressure = |dof: usize| ndf == 6 && n.ndf == 4 && dof == 3;
+                for dof in (0..n.ndf.min(ndf)).filter(|d| !pressure(*d)) {
+                    displacements[n.offset + dof] = factor * shape[n.offset + dof];
+                }
+            }
+        });
+        imposed.map_err(|e| call.error_at(0, e.to_string(), ""))?;
+        let done = session.output.recorders.record(&mut session.engine);
+        done.map_err(|e| call.error_at(0, e.to_string(), ""))?;
+    }
+    Ok(Value::from(0i64))
+}

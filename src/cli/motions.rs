@@ -1,0 +1,127 @@
+//! `hysteron motions`: spectra, intensities, rotation and scaling of ground motions.
+
+use super::files::write_atomically;
+use clap::Args;
+use hysteron::design::codes::Code;
+use hysteron::design::motion::{ReadOptions, read};
+use hysteron::design::suite::{Grouping, Suite, SuiteOptions};
+use hysteron::design::target::Target;
+use hysteron::study::unit::{self, Quantity};
+use std::fs;
+use std::path::PathBuf;
+
+/// Files, and what is done with their motions.
+#[derive(Args, Debug)]
+pub(super) struct MotionsArgs {
+    /// Files: PEER AT2, CSMIP V2, COSMOS V2c, CSV, or columns of numbers
+    #[arg(required = true)]
+    files: Vec<String>,
+    /// Take the components two by two as pairs
+    #[arg(long)]
+    pairs: bool,
+    /// Unit of accelerations of files that do not give one (g, m/s2, cm/s2, in/s2)
+    #[arg(long, value_name = "UNIT")]
+    unit: Option<String>,
+    /// Step of time in s of files that do not give one
+    #[arg(long, value_name = "S")]
+    dt: Option<f64>,
+    /// Azimuths of the components in degrees clockwise from north, in order, where files do not give them
+    #[arg(long, value_name = "DEG", num_args = 1.., value_delimiter = ',')]
+    azimuths: Vec<f64>,
+    /// Turn pairs to fault-normal and fault-parallel for this strike in degrees
+    #[arg(long, value_name = "DEG", conflicts_with = "turn")]
+    strike: Option<f64>,
+    /// Turn pairs to this azimuth in degrees and the direction 90 degrees clockwise from it
+    #[arg(long, value_name = "DEG")]
+    turn: Option<f64>,
+    /// Damping of the spectra in per cent of the critical one
+    #[arg(long, value_name = "PERCENT", default_value = "5", num_args = 1.., value_delimiter = ',')]
+    damping: Vec<f64>,
+    /// Periods of the spectra in s; from 0.02 to 10 if they are not given
+    #[arg(long, value_name = "S", num_args = 1.., value_delimiter = ',')]
+    periods: Vec<f64>,
+    /// Target spectrum: asce7 sms=1.5 sm1=0.9 tl=8, or ec8 ag=0.35 ground=B type=1, or a file of periods and Sa[g]
+    #[arg(long, value_name = "WORD", num_args = 1..)]
+    target: Vec<String>,
+    /// Scale to the target between these periods in s
+    #[arg(long, value_name = "S", num_args = 2, requires = "target")]
+    scale: Vec<f64>,
+    /// Spectrum of a pair that is scaled: rotd50, rotd100, srss, geomean or larger
+    #[arg(long, value_name = "NAME", default_value = "rotd100")]
+    combination: String,
+    /// Raise all factors so that the mean of the suite is not below this part of the target in the range
+    #[arg(long, value_name = "PART", requires = "scale")]
+    least: Option<f64>,
+    /// Code whose rule gives that part: asce7-16, asce7-22
+    #[arg(long, value_name = "NAME", requires = "scale", conflicts_with = "least")]
+    code: Option<String>,
+    /// Write series, tables and pictures into this folder
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Unit of the series that are written
+    #[arg(long, value_name = "UNIT", default_value = "g")]
+    out_unit: String,
+    /// Print the results as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// Run the command; the text for standard output.
+pub(super) fn motions(a: &MotionsArgs) -> Result<String, String> {
+    let text = |file: &str| fs::read(file).map_err(|e| format!("cannot read \"{file}\": {e}"));
+    let as_text = |file: &str| text(file).map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
+    let options = ReadOptions { unit: a.unit.clone(), dt: a.dt };
+    if a.dt.is_some_and(|dt| dt <= 0.0 || !dt.is_finite()) {
+        return Err("--dt: expected more than 0".into());
+    }
+    let mut motions = vec![];
+    for file in &a.files {
+        let name = file.rsplit('/').next().unwrap_or(file);
+        motions.extend(read(name, &as_text(file)?, &options).map_err(|e| format!("\"{file}\": {e}"))?);
+    }
+    if !a.azimuths.is_empty() {
+        if a.azimuths.len() != motions.len() {
+            return Err(format!("there are {} azimuths for {} motions", a.azimuths.len(), motions.len()));
+        }
+        motions.iter_mut().zip(&a.azimuths).for_each(|(m, azimuth)| m.azimuth = Some(azimuth.rem_euclid(360.0)));
+    }
+    let grouping = match (a.pairs, a.strike, a.turn) {
+        (false, None, None) => Grouping::Single,
+        (true, None, None) => Grouping::Pairs,
+        (_, Some(strike), _) => Grouping::FaultComponents(strike),
+        (_, None, Some(azimuth)) => Grouping::Turned(azimuth),
+    };
+    let target = if a.target.is_empty() { None } else { Some(Target::parse(&a.target, as_text)?) };
+    let least = match &a.code {
+        None => a.least,
+        Some(name) => {
+            let code = Code::named(name)?;
+            let least = code.value("scaling_range", "least");
+            Some(least.ok_or_else(|| format!("{} has no rule about the mean of a suite", code.name))?)
+        }
+    };
+    let out_unit = unit::unit(&a.out_unit).filter(|u| u.quantity == Quantity::Acceleration);
+    let out_unit = out_unit.ok_or_else(|| format!("\"{}\" is no unit of accelerations", a.out_unit))?;
+    let options = SuiteOptions {
+        damping: a.damping.iter().map(|d| d / 100.0).collect(),
+        periods: a.periods.clone(),
+        target,
+        range: <[f64; 2]>::try_from(a.scale.clone()).ok(),
+        combination: a.combination.clone(),
+        least,
+    };
+    let suite = Suite::new(motions, grouping, &options)?;
+    for warning in suite.warnings() {
+        eprintln!("warning: {warning}");
+    }
+    if let Some(name) = &a.code {
+        eprintln!("note: {}", Code::named(name)?.remark());
+    }
+    if let Some(folder) = &a.out {
+        fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
+        for (name, text) in suite.files(&out_unit)? {
+            write_atomically(&folder.join(name), &text)?;
+        }
+    }
+    Ok(if a.json { suite.json() } else { suite.summary().text() })
+}
