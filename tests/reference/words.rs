@@ -92,7 +92,9 @@ pub const PAGES: &[Page] = &[
         commands: "recorder record setPrecision print printModel nodeDisp nodeVel nodeAccel nodeReaction nodeUnbalance \
                    nodeMass nodeCoord nodeEigenvector nodeDOFs nodeBounds reactions setNodeDisp setNodeVel \
                    setNodeAccel setNodeMass eleResponse eleForce localForce basicForce basicDeformation \
-                   basicStiffness nodeResponse getNumElements getPatterns getFixedNodes getFixedDOFs \
+                   basicStiffness nodeResponse classType getEleClassTags getCrdTransfTags \
+                   getEleLoadTags getEleLoadClassTags getEleLoadData getNodeLoadTags getNodeLoadData \
+                   getNumElements getPatterns getFixedNodes getFixedDOFs \
                    getConstrainedNodes getConstrainedDOFs getRetainedNodes getRetainedDOFs \
                    eleNodes eleType sectionForce sectionDeformation sectionStiffness sectionFlexibility \
                    sectionLocation sectionWeight sectionTag getTime getLoadFactor getNodeTags getEleTags getNDM \

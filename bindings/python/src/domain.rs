@@ -71,7 +71,12 @@ impl Domain {
     }
 
     /// The same for a command that may take long.
-    fn long_command(&self, py: Python<'_>, command: &'static Command, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
+    fn long_command(
+        &self,
+        py: Python<'_>,
+        command: &'static Command,
+        args: &Bound<'_, PyTuple>,
+    ) -> PyResult<Py<PyAny>> {
         let words = words(command.name, args)?;
         let mut inner = self.hold()?;
         inner.reactions = None;
@@ -124,8 +129,12 @@ impl Domain {
     #[new]
     #[pyo3(signature = (*, strict = false, compat = false, ladder = false, **_more))]
     fn new(strict: bool, compat: bool, ladder: bool, _more: Option<&Bound<'_, pyo3::types::PyDict>>) -> Self {
-        let options =
-            Options { compat, ladder: ladder.then(RecoveryStrategy::default), dense: None, refine: Options::default().refine };
+        let options = Options {
+            compat,
+            ladder: ladder.then(RecoveryStrategy::default),
+            dense: None,
+            refine: Options::default().refine,
+        };
         let (text, files) = (Text::default(), Files::default());
         let settings = Settings { mode: Mode::Run, strict, options };
         let mut run = Run::for_calls(settings, Box::new(text.clone()), Box::new(OsFiles), Box::new(files.clone()));

@@ -112,7 +112,11 @@ fn are_points(words: &[Value], width: usize, corners: usize) -> bool {
     words.len() % width == 0
         && words.len() / width >= corners
         && words.chunks(width).enumerate().all(|(i, row)| {
-            if i < corners { first(row) == Some(i as f64 + 1.0) } else { first(row).is_some_and(|n| n > corners as f64) }
+            if i < corners {
+                first(row) == Some(i as f64 + 1.0)
+            } else {
+                first(row).is_some_and(|n| n > corners as f64)
+            }
         })
 }
 
