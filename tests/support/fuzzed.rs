@@ -112,7 +112,7 @@ pub fn command(usage: &str, choices: &mut impl Choices) -> String {
     // Depth of optional parts that are passed over.
     let (mut depth, mut skipped) = (0_u32, None);
     while !rest.is_empty() {
-        let end = rest.find(|c: char| c == ' ' || c == '<' || c == '>').unwrap_or(rest.len());
+        let end = rest.find([' ', '<', '>']).unwrap_or(rest.len());
         let (word, after) = rest.split_at(end);
         if !word.is_empty() && skipped.is_none() {
             argument(word, &mut out, choices);

@@ -333,7 +333,7 @@ fn grouped(motions: Vec<Motion>, grouping: Grouping) -> Result<(Vec<Motion>, Opt
     if grouping == Grouping::Single {
         return Ok((motions, None));
     }
-    if motions.len() % 2 != 0 {
+    if !motions.len().is_multiple_of(2) {
         return Err(format!("there are {} motions: expected an even number for pairs", motions.len()));
     }
     let mut pairs = vec![];

@@ -91,7 +91,7 @@ impl Nominal {
         if cycles.is_empty() {
             return Err(format!("no test has a cycle at the displacement {amplitude} with a bilinear loop"));
         }
-        let mean = |of: fn(&TestCycle) -> f64| cycles.iter().map(|c| of(c)).sum::<f64>() / cycles.len() as f64;
+        let mean = |of: fn(&TestCycle) -> f64| cycles.iter().map(of).sum::<f64>() / cycles.len() as f64;
         Ok(Self { amplitude, k_eff: mean(|c| c.k_eff), q_d: mean(|c| c.q_d), k_d: mean(|c| c.k_d) })
     }
 }
