@@ -327,7 +327,7 @@ pub struct Session {
 }
 
 impl Session {
-    /// Returns true if OpenSees' answer is wanted where these slips differ from it.
+    /// Returns true if OpenSees' answer is wanted where these slips differ from it; of no slips, where any does.
     pub fn follows(&self, slips: &[Slip]) -> bool {
         self.engine.options.compat && slips.iter().all(Slip::is_followed)
     }

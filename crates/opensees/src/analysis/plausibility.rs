@@ -148,7 +148,7 @@ fn stability(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), Except
     let state = (session.engine.model().revision(), dt);
     let is_known = session.looked.stability.is_some_and(|known| known.0 == state.0 && known.1 >= dt);
     // Under --compat elements may depend on the number of their calls.
-    let is_exempt = session.engine.options.compat || session.mode == Mode::Check;
+    let is_exempt = session.follows(&[]) || session.mode == Mode::Check;
     if is_known || is_exempt || is_reported(session, KEY) || session.engine.model().dofs() > MAX_EQUATIONS {
         return Ok(());
     }

@@ -192,7 +192,7 @@ fn replace_recorder(interp: &mut Tcl, call: &Call<'_>, name: &str, span: Option<
         d = d.help(format!("{}: the other one", interp.sources.location(place)));
     }
     d = d.help("\"remove recorders\" or \"wipe\" ends the recorders of an earlier analysis");
-    if !is_same && !interp.host.engine.options.compat {
+    if !is_same && !interp.host.follows(&[]) {
         d.severity = Severity::Error;
         return Err(Exception::diagnosed(d));
     }
