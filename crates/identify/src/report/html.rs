@@ -212,6 +212,6 @@ mod tests {
         assert!(y.len() <= MAX_POINTS && y.len() > MAX_POINTS / 2, "{}", y.len());
         assert!(y.iter().any(|y| *y > 0.9999) && y.iter().any(|y| *y < -0.9999));
         let plain = without_numbers(&out);
-        assert!(!plain.contains("application/json") && plain.ends_with("</figure><p>end</p></body>"), "{plain:.200}");
+        assert!(!plain.contains("application/json") && plain.ends_with("</figure>\n<p>end</p></body>"), "{plain:.200}");
     }
 }
