@@ -40,7 +40,7 @@ def prepare(data, folder):
     for name, (u, dt, channel, y) in sources.items():
         write(folder, name, u, dt, {channel: y})
     for model, of in (("steel", "steel_coupon"), ("damper", "friction_damper")):
-        shutil.copy(HERE.parent.parent / f"recordings/{of}/model.tcl", folder / f"{model}.tcl")
+        shutil.copy(HERE.parent.parent / f"identification/recordings/{of}/model.tcl", folder / f"{model}.tcl")
     for case, (model, fault, size) in CASES.items():
         (folder / f"{case}.toml").write_text((HERE / f"{model}.toml").read_text().replace("{case}", case))
         VARIANTS[case] = (f"{case}.toml", None)
