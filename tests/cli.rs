@@ -35,6 +35,8 @@ mod phenomena;
 mod plausibility;
 #[path = "cli/recorders.rs"]
 mod recorders;
+#[path = "cli/restart.rs"]
+mod restart;
 #[path = "cli/rubber.rs"]
 mod rubber;
 #[path = "cli/rubber_bearings.rs"]

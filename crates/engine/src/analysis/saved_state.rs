@@ -31,9 +31,8 @@ fn shape(model: &Model) -> Vec<u64> {
 }
 
 impl Engine {
-    /// The committed state. Factors of earlier steps are forgotten, so that this run goes on as one that restores the state.
-    pub fn save(&mut self) -> SavedState {
-        self.forget_work();
+    /// The committed state.
+    pub fn save(&self) -> SavedState {
         SavedState {
             state: self.state().clone(),
             step_start: self.step_start.clone(),

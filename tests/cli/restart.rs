@@ -1,0 +1,74 @@
+//! `database`, `save` and `restore`.
+
+use super::Place;
+
+/// A mass on a yielding spring and a column of fibers, shaken.
+const MODEL: &str = "model basic -ndm 2 -ndf 3\nnode 1 0 0\nnode 2 0 3 -mass 2. 2. 0.1\nnode 3 0 3 -mass 1. 1. 0.1\nfix 1 1 1 1\n\
+    uniaxialMaterial Steel02 1 250. 2e5 0.02 18 0.925 0.15\nuniaxialMaterial Steel01 2 5. 400. 0.1\n\
+    section Fiber 1 { patch rect 1 8 1 -0.1 -0.1 0.1 0.1 }\ngeomTransf PDelta 1\n\
+    element forceBeamColumn 1 1 2 4 1 1\nelement zeroLength 2 2 3 -mat 2 2 2 -dir 1 2 6\n\
+    rayleigh 0.1 0 0.001 0\ntimeSeries Linear 1\npattern Plain 1 1 { load 2 0 -3. 0 }\n\
+    constraints Transformation\ntest NormDispIncr 1e-10 50\nalgorithm Newton\nintegrator LoadControl 0.5\nanalysis Static\n\
+    set ok [analyze 2]\nloadConst -time 0.0\nwipeAnalysis\ntimeSeries Trig 2 0. 10. 0.7 -factor 30.\n\
+    pattern UniformExcitation 2 1 -accel 2\nconstraints Transformation\ntest NormDispIncr 1e-10 50\nalgorithm Newton\n\
+    integrator Newmark 0.5 0.25\nanalysis Transient\ndatabase File states\n";
+/// The state in all digits.
+const SHOW: &str =
+    "puts \"[getTime] [nodeDisp 2] [nodeVel 3] [nodeAccel 2] [eleResponse 1 force] [eleResponse 2 force] [eigen 2]\"\n";
+
+fn run(place: &Place, script: &str) -> String {
+    place.write("m.tcl", script);
+    let (status, out, err) = place.run(&["run", "m.tcl"]);
+    assert!(status == Some(0) && err.is_empty(), "{err}");
+    out
+}
+
+/// Every number of both texts agrees to round-off.
+fn agree(got: &str, expected: &str) {
+    let numbers = |text: &str| -> Vec<f64> { text.split_whitespace().map(|w| w.parse().unwrap()).collect() };
+    let (got, expected) = (numbers(got), numbers(expected));
+    assert_eq!(got.len(), expected.len());
+    for (a, b) in got.iter().zip(&expected) {
+        assert!((a - b).abs() <= 1e-9 * b.abs().max(1e-3), "{a} and {b}");
+    }
+}
+
+/// Steps go on from the same state after a restore in the same process and in another one. The tangents of the first step are
+/// made anew, so that its iterations may end on another last digit.
+#[test]
+fn restored_states_go_on() {
+    let place = Place::new();
+    let whole = run(&place, &format!("{MODEL}set ok [analyze 60 0.01]\nset ok [analyze 60 0.01]\n{SHOW}"));
+    let steps = "set ok [analyze 60 0.01]\n";
+    let at_save = run(&place, &format!("{MODEL}{steps}save 7\n{SHOW}"));
+    // The state itself has the same bits.
+    assert_eq!(run(&place, &format!("{MODEL}restore 7\n{SHOW}")), at_save);
+    let within = format!("{MODEL}{steps}save 7\n{steps}{SHOW}restore 7\n{steps}{SHOW}");
+    agree(&run(&place, &within), &whole.repeat(2));
+    let elsewhere = format!("{MODEL}restore 7\n{steps}{SHOW}");
+    agree(&run(&place, &elsewhere), &whole);
+    assert_eq!(run(&place, &elsewhere), run(&place, &elsewhere));
+    assert_eq!(place.names(), ["m.tcl", "states.7.state"]);
+}
+
+#[test]
+fn states_that_do_not_fit_are_refused() {
+    let place = Place::new();
+    run(&place, &format!("{MODEL}save 7\n"));
+    let refused = |script: &str, words: &str| {
+        place.write("m.tcl", script);
+        let (status, _, err) = place.run(&["run", "m.tcl"]);
+        assert!(status == Some(2) && err.contains(words) && err.contains("m.tcl:"), "{words}: {err}");
+    };
+    refused(&format!("{MODEL}restore 8\n"), "cannot read states.8.state");
+    refused(&format!("{MODEL}node 4 1 1\nrestore 7\n"), "other nodes or elements");
+    refused("save 1\n", "there is no database yet");
+    refused("database MySQL x\n", "kind of database");
+    let mut bytes = std::fs::read(place.0.join("states.7.state")).unwrap();
+    let middle = bytes.len() / 2;
+    bytes[middle] ^= 1;
+    place.write("states.7.state", &bytes);
+    refused(&format!("{MODEL}restore 7\n"), "no saved state, or damaged");
+    place.write("m.tcl", format!("{MODEL}restore 8\n"));
+    assert_eq!(place.run(&["check", "m.tcl"]).0, Some(0));
+}
