@@ -23,31 +23,19 @@ fn run(place: &Place, script: &str) -> String {
     out
 }
 
-/// Every number of both texts agrees to round-off.
-fn agree(got: &str, expected: &str) {
-    let numbers = |text: &str| -> Vec<f64> { text.split_whitespace().map(|w| w.parse().unwrap()).collect() };
-    let (got, expected) = (numbers(got), numbers(expected));
-    assert_eq!(got.len(), expected.len());
-    for (a, b) in got.iter().zip(&expected) {
-        assert!((a - b).abs() <= 1e-9 * b.abs().max(1e-3), "{a} and {b}");
-    }
-}
-
-/// Steps go on from the same state after a restore in the same process and in another one. The tangents of the first step are
-/// made anew, so that its iterations may end on another last digit.
+/// The same bits where the run that saved goes on, after a restore in the same process, and in another process.
 #[test]
-fn restored_states_go_on() {
+fn restored_states_go_on_to_the_same_bits() {
     let place = Place::new();
-    let whole = run(&place, &format!("{MODEL}set ok [analyze 60 0.01]\nset ok [analyze 60 0.01]\n{SHOW}"));
     let steps = "set ok [analyze 60 0.01]\n";
     let at_save = run(&place, &format!("{MODEL}{steps}save 7\n{SHOW}"));
     // The state itself has the same bits.
     assert_eq!(run(&place, &format!("{MODEL}restore 7\n{SHOW}")), at_save);
     let within = format!("{MODEL}{steps}save 7\n{steps}{SHOW}restore 7\n{steps}{SHOW}");
-    agree(&run(&place, &within), &whole.repeat(2));
-    let elsewhere = format!("{MODEL}restore 7\n{steps}{SHOW}");
-    agree(&run(&place, &elsewhere), &whole);
-    assert_eq!(run(&place, &elsewhere), run(&place, &elsewhere));
+    let both = run(&place, &within);
+    let (saved, restored) = both.split_once('\n').unwrap();
+    assert_eq!(saved, restored.trim_end());
+    assert_eq!(run(&place, &format!("{MODEL}restore 7\n{steps}{SHOW}")).trim_end(), saved);
     assert_eq!(place.names(), ["m.tcl", "states.7.state"]);
 }
 

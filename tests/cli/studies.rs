@@ -325,3 +325,61 @@ fn draft_without_parameters_lists_candidates() {
     assert!(status == Some(2) && said.contains("cannot read missing.csv"), "{said}");
     assert!(!place.names().contains(&"other.toml".to_owned()));
 }
+
+/// A device without an end is no recording.
+#[test]
+fn endless_recording() {
+    let place = place();
+    edit(&place, "study.toml", "recording = \"test.csv\"", "recording = \"/dev/zero\"");
+    expect(&place, 2, "", "", &["study.toml:15:", "cannot read /dev/zero"]);
+}
+
+/// A script that loops for ever is stopped at the limit of a run, with its place.
+#[test]
+fn endless_script() {
+    let place = place();
+    edit(&place, "model.tcl", "if {[analyze 20]", "while 1 {set x 1}\nif {[analyze 20]");
+    edit(&place, "study.toml", "[[parameter]]", "[calibration]\ntime_limit = 0.3\n\n[[parameter]]");
+    let begun = std::time::Instant::now();
+    expect(&place, 2, "", "", &["exceeds the time that it may take", "model.tcl:21:1", "time_limit of [calibration]"]);
+    assert!(begun.elapsed().as_secs() < 20);
+}
+
+/// A finding of the channels points at the channel.
+#[test]
+fn finding_has_a_place() {
+    let place = place();
+    let turned = table("time[s],force[kN],disp[mm]", ",", ".");
+    let turned: Vec<String> = turned
+        .lines()
+        .map(|l| {
+            let cells: Vec<&str> = l.split(',').collect();
+            let force = cells[1].strip_prefix('-').map_or_else(|| format!("-{}", cells[1]), str::to_owned);
+            if cells[0].starts_with("time") { l.to_owned() } else { [cells[0], &force, cells[2]].join(",") }
+        })
+        .collect();
+    place.write("test.csv", turned.join("\n") + "\n");
+    expect(&place, 0, "", "", &["study.toml:19:11", "force in all runs"]);
+}
+
+/// A calibration does not go on where the script, its files or the recording have changed.
+#[test]
+fn calibration_of_changed_files_is_not_resumed() {
+    let place = place();
+    // Slow enough to be interrupted.
+    edit(&place, "model.tcl", "if {[analyze 20]", "for {set i 0} {$i < 200000} {incr i} {}\nif {[analyze 20]");
+    edit(&place, "study.toml", "[[parameter]]", "[calibration]\nmethod = \"l-shade\"\n\n[[parameter]]");
+    let (status, _, said) = place.run(&["calibrate", "--time-limit", "3", "study.toml"]);
+    assert!(status == Some(1) && said.contains("the time limit of 3 s is over"), "{status:?} {said}");
+    assert!(place.0.join("results/checkpoint.json").exists(), "{said}");
+    let (status, _, said) = place.run(&["calibrate", "--resume", "--time-limit", "1", "study.toml"]);
+    assert!(status == Some(1) && !said.contains("cannot go on"), "{said}");
+    for (file, old, new) in [("model.tcl", "analyze 20", "analyze 19"), ("test.dat", "5", "6"), ("test.csv", "5", "6")]
+    {
+        let before = std::fs::read(place.0.join(file)).unwrap();
+        edit(&place, file, old, new);
+        let (status, _, said) = place.run(&["calibrate", "--resume", "--time-limit", "1", "study.toml"]);
+        assert!(status == Some(2) && said.contains("has changed since"), "{file}: {status:?} {said}");
+        place.write(file, before);
+    }
+}

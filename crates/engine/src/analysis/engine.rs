@@ -314,6 +314,7 @@ impl Engine {
 
     pub(super) fn forget_work(&mut self) {
         self.step_start.forget();
+        self.setup.iter_mut().for_each(|s| s.algorithm.forget());
         if let Some((_, _, work)) = &mut self.prepared {
             work.forget();
         }
@@ -333,6 +334,7 @@ impl Engine {
     /// Commit another state of the same model. The analysis begins anew from it.
     pub(super) fn set_committed(&mut self, state: State, step_start: StepStart) {
         (self.committed, self.step_start) = (state, step_start);
+        self.setup.iter_mut().for_each(|s| s.algorithm.forget());
         self.trial.clone_from(&self.committed);
         self.fresh = true;
         self.drop_prepared();

@@ -100,6 +100,9 @@ pub trait Algorithm: fmt::Debug + Send {
     /// The model has changed.
     fn prepare(&mut self, _system: &System<'_>) {}
 
+    /// Another state is committed than that of the last step: forget how that went.
+    fn forget(&mut self) {}
+
     /// Solve the step that the integrator has begun; the number of iterations.
     fn solve(&mut self, it: &mut Iteration<'_, '_>) -> Result<usize, Failure>;
 }

@@ -28,6 +28,9 @@ impl Algorithm for Newton {
     fn name(&self) -> &'static str {
         "Newton"
     }
+    fn forget(&mut self) {
+        *self = Self::new(self.choice);
+    }
     fn solve(&mut self, it: &mut Iteration<'_, '_>) -> Result<usize, Failure> {
         let wants = self.choice != TangentChoice::Always(TangentMix::INITIAL);
         it.system.form_unbalance(wants && !self.balanced)?;
