@@ -18,8 +18,8 @@ pub(super) fn print(balances: &Balances, history: Option<&Path>) -> Result<(), S
     history.map_or(Ok(()), |path| write_atomically(path, &balances.csv()))
 }
 
-/// Lines of a balance: energy and its share of the input.
-fn table(e: &Energies, largest_error: f64) -> String {
+/// Energies of a balance by their names; sources of damping that there are not are left out.
+pub(super) fn rows(e: &Energies) -> Vec<(String, f64)> {
     let mut lines = vec![("input".to_owned(), e.input), ("kinetic, at the end".into(), e.kinetic)];
     for (class, energy) in &e.classes {
         lines.push((format!("work on {class}"), energy.work));
@@ -33,9 +33,19 @@ fn table(e: &Energies, largest_error: f64) -> String {
         }
     }
     lines.push(("error".into(), e.error()));
+    lines
+}
+
+/// Share of the input in per cent; empty where nothing came in.
+pub(super) fn share_of_input(x: f64, e: &Energies) -> String {
+    if e.input == 0.0 { String::new() } else { format!("{:.2} %", 100.0 * x / e.input) }
+}
+
+/// Lines of a balance: energy and its share of the input.
+fn table(e: &Energies, largest_error: f64) -> String {
+    let lines = rows(e);
     let width = lines.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
-    let share = |x: f64| if e.input == 0.0 { String::new() } else { format!("{:7.2} %", 100.0 * x / e.input) };
-    let line = |(name, x): &(String, f64)| format!("  {name:width$}  {x:12.5e}  {}\n", share(*x));
+    let line = |(name, x): &(String, f64)| format!("  {name:width$}  {x:12.5e}  {:>9}\n", share_of_input(*x, e));
     let all: String = lines.iter().map(line).collect();
     format!("{all}  largest error so far, of the largest energy: {:.2e} %\n", 100.0 * largest_error)
 }

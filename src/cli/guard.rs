@@ -11,9 +11,9 @@ use std::time::Duration;
 /// Folders that a script may use.
 #[derive(Debug)]
 pub(super) struct Guard {
-    /// Those that it may write into, without links.
+    /// Folders that it may write into, without links.
     write: Vec<PathBuf>,
-    /// Those that it may read from; `None` for all.
+    /// Folders that it may read from; `None` for all.
     read: Option<Vec<PathBuf>>,
 }
 

@@ -43,7 +43,7 @@ impl Console for Text {
 }
 
 impl Text {
-    /// What was written since the last call.
+    /// Text that was written since the last call.
     pub(crate) fn take(&self) -> (String, String) {
         std::mem::take(&mut *hold(&self.written))
     }

@@ -315,7 +315,7 @@ pub struct Session {
     pub kinds_made: BTreeMap<(&'static str, &'static str), usize>,
     /// Name of the database that states are saved in.
     pub(crate) database: Option<String>,
-    /// What the warnings about analyses have looked at.
+    /// Patterns and models that the warnings about analyses have looked at.
     pub(crate) looked: Looked,
     /// The first failure of an `analyze` whose result nobody has looked at.
     pub(crate) ignored_failure: Option<Failure>,

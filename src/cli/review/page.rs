@@ -2,6 +2,7 @@
 
 use super::inputs::Inputs;
 use super::peaks::Peak;
+use crate::cli::balance;
 use crate::cli::messages::Messages;
 use hysteron::analysis::Energies;
 use hysteron::opensees::{AnalysedModel, Tcl};
@@ -18,7 +19,7 @@ const SMALL_CHANGE: f64 = 1e-3;
 /// Columns that a review lists.
 const MAX_LISTED: usize = 60;
 
-/// What a review tells.
+/// Contents of a review.
 pub(super) struct Page<'a> {
     /// The script as the user named it.
     pub(super) model: &'a str,
@@ -207,18 +208,11 @@ impl Page<'_> {
 }
 
 fn energy_rows(model: usize, e: &Energies, error: f64) -> Vec<Vec<String>> {
-    let mut rows = vec![("input".to_owned(), e.input), ("kinetic".into(), e.kinetic)];
-    for (class, energy) in &e.classes {
-        rows.push((format!("work on {class}"), energy.work));
-        if energy.damping != 0.0 {
-            rows.push((format!("Rayleigh damping of {class}"), energy.damping));
-        }
+    let mut rows = balance::rows(e);
+    if let Some((name, _)) = rows.last_mut() {
+        *name += &format!(" (largest on the way {:.2e} %)", 100.0 * error);
     }
-    rows.push(("damping of nodal masses".into(), e.nodal_damping));
-    rows.push(("damping of modes".into(), e.modal_damping));
-    rows.push((format!("error (largest on the way {:.2e} %)", 100.0 * error), e.error()));
-    let share = |x: f64| if e.input == 0.0 { String::new() } else { format!("{:.2} %", 100.0 * x / e.input) };
-    let row = |(name, x): (String, f64)| vec![model.to_string(), name, html::number(x), share(x)];
+    let row = |(name, x): (String, f64)| vec![model.to_string(), name, html::number(x), balance::share_of_input(x, e)];
     rows.into_iter().map(row).collect()
 }
 

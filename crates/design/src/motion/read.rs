@@ -8,7 +8,7 @@ use hysteron_opensees::files::table::Table;
 /// Kind of quantity that a motion has.
 pub(super) const ACCELERATION: Quantity = Quantity::Acceleration;
 
-/// What the user says about files that do not say it themselves.
+/// Unit and step of files that do not give them, as the user gives them.
 #[derive(Clone, Debug, Default)]
 pub struct ReadOptions {
     /// Unit of accelerations where the file gives none.

@@ -10,7 +10,7 @@ use crate::motion::Pair;
 /// Directions in 180 degrees.
 const DIRECTIONS: usize = 180;
 
-/// How two components become one spectrum.
+/// Combination of two components to one spectrum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Combination {
     /// Median over the directions.

@@ -331,15 +331,6 @@ impl Engine {
         self.drop_prepared();
     }
 
-    /// Commit another state of the same model. The analysis begins anew from it.
-    pub(super) fn set_committed(&mut self, state: State, step_start: StepStart) {
-        (self.committed, self.step_start) = (state, step_start);
-        self.setup.iter_mut().for_each(|s| s.algorithm.forget());
-        self.trial.clone_from(&self.committed);
-        self.fresh = true;
-        self.drop_prepared();
-    }
-
     /// Data of the committed state from which a recorder reads the responses of an element.
     pub fn snapshot<'a>(&'a self, id: ElementId, disp: &'a mut Vec<f64>) -> Snapshot<'a> {
         let e = &self.model.elements[id.0];

@@ -1,17 +1,16 @@
 //! The committed state as data that can be kept, written and read.
 
 use super::engine::Engine;
-use super::state::{State, StepStart};
+use super::state::State;
 use crate::model::{Model, Tag};
 
 /// First bytes of a state that has been written.
 const MAGIC: &[u8; 8] = b"hystst\x00\x01";
 
-/// A committed state with what belongs to it: the begin of its last step, and the load factors that are held.
+/// A committed state, with the load factors that are held.
 #[derive(Clone, Debug, Default)]
 pub struct SavedState {
     state: State,
-    step_start: StepStart,
     /// Held load factor of each pattern, by tag.
     held: Vec<(Tag, Option<f64>)>,
     /// Tags and sizes of the nodes and elements that it belongs to.
@@ -31,11 +30,12 @@ fn shape(model: &Model) -> Vec<u64> {
 }
 
 impl Engine {
-    /// The committed state.
-    pub fn save(&self) -> SavedState {
+    /// The committed state. What is remembered of earlier steps is forgotten, so that this run goes on to the same bits as one
+    /// that restores the state.
+    pub fn save(&mut self) -> SavedState {
+        self.forget_work();
         SavedState {
             state: self.state().clone(),
-            step_start: self.step_start.clone(),
             held: self.model().patterns.iter().map(|(tag, p)| (*tag, p.held)).collect(),
             shape: shape(self.model()),
         }
@@ -58,7 +58,7 @@ impl Engine {
                 }
             }
         });
-        self.set_committed(saved.state, saved.step_start);
+        self.restore(&saved.state);
         Ok(())
     }
 }
@@ -105,12 +105,9 @@ impl SavedState {
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut w = Writer(MAGIC.to_vec());
         let s = &self.state;
-        let (history, duration, holds) = self.step_start.parts();
         w.row(self.shape.iter().copied());
-        w.floats(&[s.time, duration, f64::from(u8::from(holds))]);
-        for row in
-            [&s.disp, &s.vel, &s.accel, &s.history, &s.force, &s.element_load, &s.multipliers, &s.shared, history]
-        {
+        w.floats(&[s.time]);
+        for row in [&s.disp, &s.vel, &s.accel, &s.history, &s.force, &s.element_load, &s.multipliers, &s.shared] {
             w.floats(row);
         }
         w.row(self.held.iter().map(|(tag, _)| *tag as u64));
@@ -129,15 +126,14 @@ impl SavedState {
         }
         let mut r = Reader(content.strip_prefix(MAGIC)?);
         let shape = r.row()?;
-        let [time, duration, holds] = r.floats()?[..] else { return None };
+        let [time] = r.floats()?[..] else { return None };
         let [disp, vel, accel, history] = [r.floats()?, r.floats()?, r.floats()?, r.floats()?];
         let [force, element_load, multipliers, shared] = [r.floats()?, r.floats()?, r.floats()?, r.floats()?];
-        let step_start = StepStart::of_parts(r.floats()?, duration, holds != 0.0);
         let (tags, is_held, values) = (r.row()?, r.row()?, r.floats()?);
         let held = tags.iter().zip(is_held).zip(values);
         let held = held.map(|((tag, is_held), value)| (*tag as Tag, (is_held != 0).then_some(value)));
         let state = State { time, disp, vel, accel, history, force, element_load, multipliers, shared };
-        Some(Self { state, step_start, held: held.collect(), shape })
+        Some(Self { state, held: held.collect(), shape })
     }
 }
 

@@ -28,7 +28,7 @@ pub struct State {
 
 /// State at the begin of the last step. The tangent at its end belongs to the step: evaluated from the end, a sliding
 /// bearing may as well go back.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(super) struct StepStart {
     history: Vec<f64>,
     /// Time of the step, zero where the domain time is no time.
@@ -45,16 +45,6 @@ impl StepStart {
             self.history.clone_from(&committed.history);
         }
         (self.duration, self.holds) = (duration, true);
-    }
-
-    /// History, duration and whether they hold, to be written.
-    pub(super) fn parts(&self) -> (&Vec<f64>, f64, bool) {
-        (&self.history, self.duration, self.holds)
-    }
-
-    /// From what was written.
-    pub(super) fn of_parts(history: Vec<f64>, duration: f64, holds: bool) -> Self {
-        Self { history, duration, holds }
     }
 
     /// The committed state is another one than a step has come to.

@@ -1,6 +1,7 @@
 //! The eight-node brick of elasticity: `stdBrick`.
 
-use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot};
+use super::continuum::{add_point_force, strain_or_stress};
+use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot};
 use crate::material::Isotropic;
 use crate::numeric::axpy;
 use crate::probe::Probe;
@@ -129,8 +130,7 @@ impl Brick {
 
     /// Strains or stresses of a Gauss point.
     fn at(&self, rows: &Rows, stress: bool, disp: &[f64]) -> [f64; STRESSES] {
-        let strain = rows.each_ref().map(|row| dot(row, disp));
-        if stress { self.elasticity.each_ref().map(|row| dot(row, &strain)) } else { strain }
+        strain_or_stress(rows, &self.elasticity, stress, disp)
     }
 }
 
@@ -165,9 +165,7 @@ impl Element for Brick {
     ) -> Result<(), ElementError> {
         output.force.copy_from_slice(&self.load_force);
         for (rows, volume) in &self.points {
-            for (row, stress) in rows.iter().zip(self.at(rows, true, m.disp)) {
-                axpy(volume * stress, row, output.force);
-            }
+            add_point_force(rows, &self.elasticity, *volume, m.disp, output.force);
         }
         if let Some(k) = output.tangent {
             axpy(1.0, &self.stiffness, k);

@@ -1,5 +1,6 @@
 //! Plane elements with one point of integration: the stabilised quadrilateral `SSPquad` and the triangle `tri31`.
 
+use super::continuum::{add_point_force, strain_or_stress};
 use super::quad::QuadOptions;
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot};
 use crate::material::{Isotropic, Plane};
@@ -137,8 +138,7 @@ impl ConstantStrain {
 
     /// Strains or stresses xx, yy, xy.
     fn at(&self, stress: bool, disp: &[f64]) -> [f64; 3] {
-        let strain = self.rows.each_ref().map(|row| dot(row, disp));
-        if stress { self.elasticity.each_ref().map(|row| dot(row, &strain)) } else { strain }
+        strain_or_stress(&self.rows, &self.elasticity, stress, disp)
     }
 }
 
@@ -180,9 +180,7 @@ impl Element for ConstantStrain {
         output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         output.force.copy_from_slice(&self.load_force);
-        for (row, stress) in self.rows.iter().zip(self.at(true, m.disp)) {
-            axpy(self.volume * stress, row, output.force);
-        }
+        add_point_force(&self.rows, &self.elasticity, self.volume, m.disp, output.force);
         for (force, row) in output.force.iter_mut().zip(self.stabilisation.chunks_exact(self.dofs())) {
             *force += dot(row, m.disp);
         }

@@ -14,6 +14,7 @@ pub mod beam;
 pub mod bearing;
 mod brick;
 mod constant_strain;
+mod continuum;
 mod corot_truss;
 mod coupled_zero_length;
 pub mod friction;

@@ -1,6 +1,7 @@
 //! The four-node quadrilateral of plane elasticity: `quad`.
 
-use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot};
+use super::continuum::{add_point_force, strain_or_stress};
+use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot};
 use crate::material::{Isotropic, Plane};
 use crate::numeric::axpy;
 use crate::probe::Probe;
@@ -108,8 +109,7 @@ impl Quad {
 
     /// Strains or stresses xx, yy, xy of a Gauss point.
     fn at(&self, point: usize, stress: bool, disp: &[f64]) -> [f64; 3] {
-        let strain = self.points[point].each_ref().map(|row| dot(row, disp));
-        if stress { self.elasticity.each_ref().map(|row| dot(row, &strain)) } else { strain }
+        strain_or_stress(&self.points[point], &self.elasticity, stress, disp)
     }
 }
 
@@ -145,11 +145,8 @@ impl Element for Quad {
         output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         output.force.copy_from_slice(&self.load_force);
-        // Forces from stresses: the round-off of stiffness times displacements would not be in equilibrium.
-        for (point, (rows, volume)) in self.points.iter().zip(&self.volumes).enumerate() {
-            for (row, stress) in rows.iter().zip(self.at(point, true, m.disp)) {
-                axpy(volume * stress, row, output.force);
-            }
+        for (rows, volume) in self.points.iter().zip(&self.volumes) {
+            add_point_force(rows, &self.elasticity, *volume, m.disp, output.force);
         }
         if let Some(k) = output.tangent {
             axpy(1.0, &self.stiffness, k);

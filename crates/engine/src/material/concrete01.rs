@@ -1,6 +1,6 @@
 //! Concrete without tension: Kent, Scott and Park.
 
-use super::lanes::{Block, BlockLaw, update_blocks};
+use super::lanes::{PointLaw, update_blocks};
 use super::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
 use crate::numeric::lanes::select;
 use crate::state_struct::StateStruct;
@@ -65,8 +65,9 @@ impl Concrete01 {
         let end = select(none, ratio * self.epsc0, min - select(long, length, elastic));
         (end, select(!none & long, stress / length, self.modulus()))
     }
+}
 
-    /// Trial state, stress and tangent, without a branch.
+impl PointLaw<{ History::LEN }> for Concrete01 {
     #[inline(always)]
     fn response(&self, c: [f64; History::LEN], eps: f64) -> ([f64; History::LEN], f64, f64) {
         let [strain, stress, softening, min, end, unloading] = c;
@@ -103,28 +104,13 @@ impl Concrete01 {
     }
 }
 
-impl BlockLaw<{ History::LEN }> for Concrete01 {
-    #[inline(always)]
-    fn respond<const W: usize>(&self, block: &mut Block<{ History::LEN }, W>) {
-        let law = self.clone();
-        for i in 0..W {
-            let (next, value, tangent) = law.response(block.point(i), block.strain[i]);
-            block.set_point(i, next);
-            (block.value[i], block.tangent[i]) = (value, tangent);
-        }
-    }
-}
-
 impl UniaxialLaw for Concrete01 {
     type State = History;
     const NAME: &'static str = "Concrete01";
     const BY_QUANTITY: bool = true;
 
     fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
-        let mut words = [0.0; History::LEN];
-        c.write(&mut words);
-        let (next, value, tangent) = self.response(words, strain.value);
-        Ok((Stress { value, tangent, damping: 0.0 }, History::read(&next)))
+        Ok(self.respond_to(c, strain.value))
     }
 
     fn update_points(

@@ -3,8 +3,9 @@
 //! The histories of the points stand one quantity after the other. A block of points is brought into arrays, over which
 //! the law loops.
 
-use super::{MaterialError, Strains, Stresses, UniaxialLaw};
+use super::{MaterialError, Strains, Stress, Stresses, UniaxialLaw};
 use crate::numeric::lanes::{LANES, Lanes, copy, copy_back, in_lanes, select};
+use crate::state_struct::StateStruct as _;
 
 /// A block of `W` points of a law with `Q` state variables: one array for each quantity.
 #[derive(Clone, Debug)]
@@ -53,6 +54,33 @@ impl<const Q: usize, const W: usize> Block<Q, W> {
 pub(crate) trait BlockLaw<const Q: usize>: UniaxialLaw {
     /// Writes trial state, stress and tangent of the points of a block. The method must be inlined.
     fn respond<const W: usize>(&self, block: &mut Block<Q, W>);
+}
+
+/// A law without branches at a single point, which is a law of blocks by this alone.
+pub(crate) trait PointLaw<const Q: usize>: UniaxialLaw {
+    /// Trial state, stress and tangent from the committed state and the trial strain. The method must be inlined.
+    fn response(&self, committed: [f64; Q], strain: f64) -> ([f64; Q], f64, f64);
+
+    /// [`UniaxialLaw::update`] of such a law.
+    fn respond_to(&self, committed: &Self::State, strain: f64) -> (Stress, Self::State) {
+        let mut words = [0.0; Q];
+        committed.write(&mut words);
+        let (next, value, tangent) = self.response(words, strain);
+        (Stress { value, tangent, damping: 0.0 }, Self::State::read(&next))
+    }
+}
+
+impl<L: PointLaw<Q>, const Q: usize> BlockLaw<Q> for L {
+    #[inline(always)]
+    fn respond<const W: usize>(&self, block: &mut Block<Q, W>) {
+        // A copy, so that the optimiser knows that no point of the block changes the law.
+        let law = self.clone();
+        for i in 0..W {
+            let (next, value, tangent) = law.response(block.point(i), block.strain[i]);
+            block.set_point(i, next);
+            (block.value[i], block.tangent[i]) = (value, tangent);
+        }
+    }
 }
 
 /// Points that are evaluated in blocks.

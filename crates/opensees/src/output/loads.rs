@@ -124,7 +124,7 @@ fn patterns<'a>(interp: &'a Tcl, call: &Call<'_>) -> Result<Vec<&'a Pattern>, Ex
         .ok_or_else(|| a.refuse(format!("there is no load pattern {tag}"), "expected the tag of a pattern"))
 }
 
-/// What `put` gives for each element load: from the tag of the element, the load, and true in space.
+/// A list with the values that `put` gives for each element load, from the tag of the element, the load, and true in space.
 fn element_loads(interp: &mut Tcl, call: &Call<'_>, put: fn(i32, &ElementLoad, bool, &mut Vec<Value>)) -> Outcome {
     let mut out = vec![];
     for pattern in patterns(interp, call)? {

@@ -108,10 +108,10 @@ impl Workspace {
 
     /// Rayleigh damping forces of all elements that take part in the equations, laid out as `State::force`.
     pub(in crate::analysis) fn damping_forces(&self, model: &Model, state: &State, out: &mut [f64]) {
-        for (e, m) in model.elements.iter().zip(&self.elements.entries).filter(|(_, m)| m.is_dynamic) {
-            let mut f = [0.0; MAX_DOFS];
-            self.add_dynamic_force(&e.dofs, m, &m.rayleigh.forces, state, 0.0, &mut f);
-            out[e.force.clone()].copy_from_slice(&f[..e.force.len()]);
+        let all = model.elements.iter().zip(&self.elements.entries).enumerate();
+        for (i, (e, _)) in all.filter(|(_, (_, m))| m.is_dynamic) {
+            let force = self.rayleigh_force(model, ElementId(i), state);
+            out[e.force.clone()].copy_from_slice(&force[..e.force.len()]);
         }
     }
 
