@@ -144,8 +144,7 @@ mod tests {
     #[test]
     fn bytes_keep_every_bit_and_damage_is_seen() {
         let state = State { time: -0.0, disp: vec![f64::MIN_POSITIVE / 3.0, 1.0 / 3.0], ..State::default() };
-        let saved =
-            SavedState { state, held: vec![(-3, Some(0.1)), (4, None)], shape: vec![1, 2], ..SavedState::default() };
+        let saved = SavedState { state, held: vec![(-3, Some(0.1)), (4, None)], shape: vec![1, 2] };
         let bytes = saved.to_bytes();
         let read = SavedState::from_bytes(&bytes).expect("whole");
         assert_eq!(read.to_bytes(), bytes);
