@@ -14,6 +14,9 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+#[path = "manual/testing.rs"]
+mod testing;
+
 /// Files of problems, and the titles of their pages.
 const FAMILIES: &[(&str, &str)] = &[
     ("beams", "Beams and columns"),
@@ -184,9 +187,22 @@ fn index(families: &[(&str, &str, Vec<Sheet>)]) -> String {
     out
 }
 
+fn families() -> Vec<(&'static str, &'static str, Vec<Sheet>)> {
+    FAMILIES.iter().map(|(file, title)| (*file, *title, sheets(file))).collect()
+}
+
+/// A generated page is the one in the folder, or is written there where the environment asks for it.
+fn held(path: &Path, text: &str) -> bool {
+    if std::env::var_os("HYSTERON_WRITE").is_some() {
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, text).unwrap();
+    }
+    fs::read_to_string(path).unwrap_or_default() == text
+}
+
 #[test]
 fn results_are_those_on_paper_and_the_pages_are_those_of_the_results() {
-    let families: Vec<_> = FAMILIES.iter().map(|(file, title)| (*file, *title, sheets(file))).collect();
+    let families = families();
     for s in families.iter().flat_map(|(_, _, s)| s) {
         assert!(!s.checks.is_empty(), "{} checks nothing", s.title);
         for c in &s.checks {
@@ -197,16 +213,8 @@ fn results_are_those_on_paper_and_the_pages_are_those_of_the_results() {
     let folder = root().join("docs/verification");
     let mut pages: Vec<_> = families.iter().map(|(file, title, sheets)| (*file, page(title, sheets))).collect();
     pages.push(("index", index(&families)));
-    let mut stale = vec![];
-    for (file, text) in pages {
-        let path = folder.join(format!("{file}.md"));
-        if std::env::var_os("HYSTERON_WRITE").is_some() {
-            fs::create_dir_all(&folder).unwrap();
-            fs::write(&path, text).unwrap();
-        } else if fs::read_to_string(&path).unwrap_or_default() != text {
-            stale.push(file);
-        }
-    }
+    let stale: Vec<_> =
+        pages.iter().filter(|(file, text)| !held(&folder.join(format!("{file}.md")), text)).map(|p| p.0).collect();
     assert!(stale.is_empty(), "HYSTERON_WRITE=1 cargo test --release --test manual writes {stale:?} anew");
 }
 
