@@ -1,6 +1,6 @@
 //! Files that the program writes: those of recorders, and results.
 
-use hysteron::opensees::{FileFormat, Outputs};
+use hysteron::opensees::{DiskSeries, FileFormat, FileSeries, Outputs};
 use hysteron::record::{Memory, Output, RecordError, RowFile};
 use hysteron::report::html::without_numbers;
 use hysteron::report::{NamedResponses, channel_files};
@@ -20,6 +20,10 @@ pub(super) struct SystemFiles;
 impl Outputs for SystemFiles {
     fn create(&mut self, _: &str, path: &Path, f: FileFormat) -> Result<Box<dyn Output>, RecordError> {
         Ok(Box::new(RowFile::create(path, f.layout, f.style, f.close_on_write)?))
+    }
+
+    fn series(&mut self, _: &str, path: &Path) -> Result<Box<dyn FileSeries>, RecordError> {
+        Ok(Box::new(DiskSeries::new(path)?))
     }
 }
 

@@ -1,6 +1,6 @@
 //! Folders in which a script may write, and under `--sandbox` read.
 
-use hysteron::opensees::{FileFormat, Outputs};
+use hysteron::opensees::{FileFormat, FileSeries, Outputs};
 use hysteron::record::{Output, RecordError};
 use hysteron::tcl::{FileInfo, Files, OpenMode, Stream};
 use std::io;
@@ -153,5 +153,15 @@ impl Outputs for GuardedOutputs {
         let allowed = self.guard.check_write(&text, false);
         allowed.map_err(|e| RecordError(format!("cannot write {name}: {e}")))?;
         self.outputs.create(name, path, format)
+    }
+
+    fn series(&mut self, name: &str, path: &Path) -> Result<Box<dyn FileSeries>, RecordError> {
+        for place in [path, &path.with_extension("")] {
+            let text = place.to_string_lossy().replace('\\', "/");
+            // Files go into the folder, so that it must not be a link to elsewhere.
+            let allowed = self.guard.check_write(&text, true);
+            allowed.map_err(|e| RecordError(format!("cannot write {name}: {e}")))?;
+        }
+        self.outputs.series(name, path)
     }
 }

@@ -4,7 +4,7 @@
 //! read from there if the script has written it in this run, and from the current folder otherwise. Files of the current
 //! folder are never changed: one that is appended to is copied first, one that is deleted is hidden. Other paths stay.
 
-use hysteron::opensees::{FileFormat, Outputs};
+use hysteron::opensees::{DiskSeries, FileFormat, FileSeries, Outputs};
 use hysteron::record::{Output, RecordError, RowFile};
 use hysteron::tcl::{FileInfo, FileKind, Files, OpenMode, OsFiles, Stream};
 use std::cell::RefCell;
@@ -200,6 +200,15 @@ impl Outputs for OutputFolder {
         let path = path.to_string_lossy().replace('\\', "/");
         let target = self.target(&path).map_err(|e| RecordError(format!("cannot write {path}: {e}")))?;
         Ok(Box::new(RowFile::create(target.as_ref(), f.layout, f.style, f.close_on_write)?))
+    }
+
+    fn series(&mut self, _: &str, path: &Path) -> Result<Box<dyn FileSeries>, RecordError> {
+        let path = path.to_string_lossy().replace('\\', "/");
+        let cannot = |e: io::Error| RecordError(format!("cannot write {path}: {e}"));
+        let target = self.target(&path).map_err(cannot)?;
+        // A link in place of the folder is removed.
+        self.target(path.strip_suffix(".pvd").unwrap_or(&path)).map_err(cannot)?;
+        Ok(Box::new(DiskSeries::new(target.as_ref())?))
     }
 }
 

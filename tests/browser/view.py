@@ -137,6 +137,15 @@ def vtk(engine, out):
     recorded = numpy.loadtxt(out / "recorded/force.out").reshape(20, 2, 12)
     seen = numpy.array([numpy.concatenate([numpy.concatenate(m.cell_data[k]) for k in ("Force1", "Moment1", "Force2", "Moment2")], axis=1) for m in read[1:]])
     check.holds(numpy.allclose(seen, recorded, rtol=1e-12, atol=1e-12), "end forces are not what the recorder writes")
+    listed = [d.get("file") for d in ElementTree.parse(out / "recorded/pvd/motion.pvd").getroot().iter("DataSet")]
+    read = [meshio.read(out / "recorded/pvd" / f) for f in listed]
+    for name, seen in (
+        ("disp", [m.point_data["Displacement"].ravel() for m in read]),
+        ("reaction", [m.point_data["Reaction"].ravel() for m in read]),
+        ("local", [numpy.concatenate(m.cell_data["localForce"]).ravel() for m in read]),
+    ):
+        recorded = numpy.loadtxt(out / f"recorded/{name}.out")
+        check.holds(numpy.allclose(numpy.array(seen), recorded, rtol=1e-12, atol=1e-15), f"recorder PVD: {name} is not what the recorder of numbers writes")
     return check
 
 

@@ -79,3 +79,24 @@ fn missing_folder() {
     let (status, _, err) = place.run(&["run", "--strict", "m.tcl"]);
     assert!(status == Some(2) && err.contains("there is no folder out/deep") && !err.contains(".part"), "{err}");
 }
+
+#[test]
+fn files_for_paraview() {
+    let place = Place::new();
+    let model = MODEL.replace("node 3 4 0\n", "");
+    let analysis = "integrator LoadControl 1\nalgorithm Linear\nanalysis Static\nanalyze 4\n";
+    place.write("m.tcl", format!("{model}recorder PVD a/b -dT 2 disp reaction eleResponse localForce\n{analysis}"));
+    let (code, _, err) = place.run(&["run", "--out", "out", "m.tcl"]);
+    assert_eq!(code, Some(0), "{err}");
+    let list = fs::read_to_string(place.0.join("out/a/b.pvd")).unwrap();
+    let listed: Vec<&str> = list.split('"').filter(|w| w.ends_with(".vtu")).collect();
+    assert_eq!(listed, ["b/000000.vtu", "b/000001.vtu"], "steps 1 and 3");
+    for file in &listed {
+        let grid = fs::read_to_string(place.0.join("out/a").join(file)).unwrap();
+        for name in ["\"Displacement\"", "\"Reaction\"", "\"localForce\" NumberOfComponents=\"6\""] {
+            assert!(grid.contains(name), "{name} in {grid}");
+        }
+    }
+    assert_eq!(fs::read_dir(place.0.join("out/a/b")).unwrap().count(), 2);
+    assert!(!place.0.join("a").exists(), "nothing beside --out");
+}

@@ -2,7 +2,7 @@
 
 use crate::errors::OpenSeesWarning;
 use hysteron_engine::record::{Memory, Output, RecordError, RowFile};
-use hysteron_opensees::{FileFormat, Outputs, Progress};
+use hysteron_opensees::{DiskSeries, FileFormat, FileSeries, Outputs, Progress};
 use hysteron_tcl::Console;
 use pyo3::prelude::*;
 use std::collections::HashMap;
@@ -81,6 +81,10 @@ impl Outputs for Files {
             return Ok(Box::new(memory));
         }
         Ok(Box::new(RowFile::create(path, f.layout, f.style, f.close_on_write)?))
+    }
+
+    fn series(&mut self, _: &str, path: &Path) -> Result<Box<dyn FileSeries>, RecordError> {
+        Ok(Box::new(DiskSeries::new(path)?))
     }
 }
 

@@ -32,6 +32,7 @@ use hysteron_tcl::{Call, Exception, Interp, Value};
 
 pub use check::CheckState;
 pub use files::number_files::NumberFiles;
+pub use files::series::{DiskSeries, FileSeries};
 pub use kind::KindUsage;
 pub use output::{AnalysedModel, Balances, ModelSize};
 pub use session::{FileFormat, Mode, ModelBuilder, MotionObserver, OnWarning, Outputs, Progress, Session};

@@ -5,6 +5,7 @@ use crate::analysis::plausibility::Looked;
 use crate::calls::CallNumbers;
 use crate::check::CheckState;
 use crate::files::number_files::NumberFiles;
+use crate::files::series::{FileSeries, NoSeries};
 use crate::material::MaterialTests;
 use crate::model::parameter::Parameter;
 use crate::output::Balances;
@@ -52,6 +53,15 @@ pub trait Outputs {
     /// # Errors
     /// It cannot be made.
     fn create(&mut self, name: &str, path: &Path, format: FileFormat) -> Result<Box<dyn Output>, RecordError>;
+
+    /// The place of a file and of a folder of its name without ending beside it, for recorders that write many files.
+    /// By default nothing is kept.
+    ///
+    /// # Errors
+    /// The folder cannot be made.
+    fn series(&mut self, _name: &str, _path: &Path) -> Result<Box<dyn FileSeries>, RecordError> {
+        Ok(Box::new(NoSeries))
+    }
 }
 
 /// Receiver of the progress of an analysis.

@@ -2,7 +2,7 @@
 
 use hysteron_engine::analysis::Engine;
 use hysteron_opensees::MotionObserver;
-use hysteron_opensees::files::vtu::{PointField, collection, grid};
+use hysteron_opensees::files::vtu::{PointField, collection, end_forces, grid};
 use std::cell::RefCell;
 use std::fs;
 use std::io;
@@ -51,9 +51,6 @@ impl Writer {
         if let Some(e) = series.failure.take() {
             return Err(e);
         }
-        if series.files.windows(2).any(|w| w[1].0 <= w[0].0) {
-            series.files.iter_mut().enumerate().for_each(|(i, f)| f.0 = i as f64);
-        }
         fs::write(series.folder.join(LIST), collection(&series.files))?;
         Ok(series.files.len())
     }
@@ -61,9 +58,9 @@ impl Writer {
 
 impl Series {
     fn write(&mut self, engine: &Engine) {
-        let fields = [PointField::Displacement, PointField::Velocity, PointField::Acceleration];
+        let fields = [PointField::displacement, PointField::velocity, PointField::acceleration].map(|f| f(engine));
         let name = format!("{STEPS}/{:06}.vtu", self.files.len());
-        match fs::write(self.folder.join(&name), grid(engine, &fields, true)) {
+        match fs::write(self.folder.join(&name), grid(engine, &fields, &end_forces(engine))) {
             Ok(()) => self.files.push((engine.state().time, name)),
             Err(e) => self.failure = self.failure.take().or(Some(e)),
         }

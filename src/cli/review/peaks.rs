@@ -1,7 +1,7 @@
 //! Peaks of what recorders record.
 
 use super::inputs::Inputs;
-use hysteron::opensees::{FileFormat, Outputs};
+use hysteron::opensees::{FileFormat, FileSeries, Outputs};
 use hysteron::record::{Group, Output, RecordError};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -44,6 +44,10 @@ impl Outputs for WithPeaks {
         let output = self.outputs.create(name, path, format)?;
         self.inputs.written(&path.to_string_lossy());
         Ok(Box::new(PeakOutput { output, name: name.to_owned(), peaks: self.peaks.clone() }))
+    }
+
+    fn series(&mut self, name: &str, path: &Path) -> Result<Box<dyn FileSeries>, RecordError> {
+        self.outputs.series(name, path)
     }
 }
 

@@ -2,5 +2,6 @@
 
 pub mod motion;
 pub(crate) mod number_files;
+pub(crate) mod series;
 pub mod table;
 pub mod vtu;

@@ -6,47 +6,54 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use hysteron_engine::analysis::Engine;
 use hysteron_engine::model::{ElementEntry, ElementId, Model, Node};
+use std::borrow::Cow;
 use std::fmt::Write as _;
 
-/// A field of the nodes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PointField {
-    /// Displacements.
-    Displacement,
-    /// Velocities.
-    Velocity,
-    /// Accelerations.
-    Acceleration,
-    /// A mode shape of the last `eigen`, from 0.
-    Mode(usize),
+/// A field of the nodes: a value for each degree of freedom of the model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PointField<'a> {
+    /// Name of the array.
+    pub name: Cow<'static, str>,
+    /// Values, laid out as the displacements of the state.
+    pub values: Cow<'a, [f64]>,
 }
 
-impl PointField {
-    fn name(self) -> String {
-        match self {
-            Self::Displacement => "Displacement".into(),
-            Self::Velocity => "Velocity".into(),
-            Self::Acceleration => "Acceleration".into(),
-            Self::Mode(i) => format!("Mode{}", i + 1),
-        }
+impl<'a> PointField<'a> {
+    /// Displacements of the committed state.
+    pub fn displacement(engine: &'a Engine) -> Self {
+        Self { name: "Displacement".into(), values: engine.state().disp.as_slice().into() }
     }
 
-    /// Values of all degrees of freedom; `None` for a mode that has not been found.
-    fn values(self, engine: &Engine) -> Option<&[f64]> {
-        let state = engine.state();
-        match self {
-            Self::Displacement => Some(&state.disp),
-            Self::Velocity => Some(&state.vel),
-            Self::Acceleration => Some(&state.accel),
-            Self::Mode(i) => engine.modes()?.shapes.get(i).map(Vec::as_slice),
-        }
+    /// Velocities of the committed state.
+    pub fn velocity(engine: &'a Engine) -> Self {
+        Self { name: "Velocity".into(), values: engine.state().vel.as_slice().into() }
     }
+
+    /// Accelerations of the committed state.
+    pub fn acceleration(engine: &'a Engine) -> Self {
+        Self { name: "Acceleration".into(), values: engine.state().accel.as_slice().into() }
+    }
+
+    /// A mode shape of the last `eigen`, from 0; `None` for one that has not been found.
+    pub fn mode(engine: &'a Engine, number: usize) -> Option<Self> {
+        let shape = engine.modes()?.shapes.get(number)?;
+        Some(Self { name: format!("Mode{}", number + 1).into(), values: shape.as_slice().into() })
+    }
+}
+
+/// A field of the elements.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CellField {
+    /// Name of the array.
+    pub name: String,
+    /// Values of each element, by rising tag; shorter ones are filled with zeros.
+    pub values: Vec<Vec<f64>>,
 }
 
 /// The committed state of a model as a file VTU. The points are the nodes at rest, by rising tag. Each field is an array of
 /// three translations, and one of three rotations where nodes have any ("...Rotation"). Of the elements, which are lines,
-/// polygons and hexahedra by rising tag, the file has tags and the global end forces on the first and the second node.
-pub fn grid(engine: &Engine, fields: &[PointField], forces: bool) -> String {
+/// polygons and hexahedra by rising tag, the file has tags and the given fields.
+pub fn grid(engine: &Engine, fields: &[PointField<'_>], cells: &[CellField]) -> String {
     let model = engine.model();
     let nodes: Vec<&Node> = model.nodes_by_tag().map(|id| &model.nodes[id.0]).collect();
     let mut rank = vec![0; model.nodes.len()];
@@ -64,22 +71,27 @@ pub fn grid(engine: &Engine, fields: &[PointField], forces: bool) -> String {
     );
     integers(&mut out, "Tag", nodes.iter().map(|n| i64::from(n.tag)));
     for field in fields {
-        let Some(values) = field.values(engine) else { continue };
+        let values = &field.values;
         let triples = |part: fn(&Node) -> (usize, usize, usize)| {
             nodes.iter().flat_map(move |n| {
                 let (from, count, at) = part(n);
                 (0..3).map(move |k| if (at..at + count).contains(&k) { values[n.offset + from + k - at] } else { 0.0 })
             })
         };
-        numbers(&mut out, &field.name(), 3, triples(|n| (0, n.ndf.min(n.ndm()).min(3), 0)));
+        numbers(&mut out, &field.name, 3, triples(|n| (0, n.ndf.min(n.ndm()).min(3), 0)));
         if nodes.iter().any(|n| rotations(n).1 > 0) {
-            numbers(&mut out, &format!("{}Rotation", field.name()), 3, triples(rotations));
+            numbers(&mut out, &format!("{}Rotation", field.name), 3, triples(rotations));
         }
     }
     out.push_str("</PointData>\n<CellData>\n");
     integers(&mut out, "Tag", elements.iter().map(|e| i64::from(e.tag)));
-    if forces {
-        end_forces(&mut out, engine, &ids);
+    for field in cells {
+        let width = field.values.iter().map(Vec::len).max().unwrap_or(0);
+        let filled =
+            field.values.iter().flat_map(|v| v.iter().copied().chain(std::iter::repeat_n(0.0, width - v.len())));
+        if width > 0 {
+            numbers(&mut out, &field.name, width, filled);
+        }
     }
     out.push_str("</CellData>\n<Points>\n");
     numbers(&mut out, "Points", 3, nodes.iter().flat_map(|n| <[f64; 3]>::from(n.place())));
@@ -120,21 +132,22 @@ fn cell_type(nodes: usize) -> i64 {
 }
 
 /// Global forces and moments on the first and the second node of each element.
-fn end_forces(out: &mut String, engine: &Engine, ids: &[ElementId]) {
+pub fn end_forces(engine: &Engine) -> Vec<CellField> {
     let model = engine.model();
     let mut all = vec![];
-    for id in ids {
+    for id in model.elements_by_tag() {
         let mut force = vec![];
-        engine.element_force(*id, &mut force);
-        all.push(force);
+        engine.element_force(id, &mut force);
+        all.push((id, force));
     }
+    let mut out = vec![];
     for end in 0..2 {
         for (name, moments) in [("Force", false), ("Moment", true)] {
-            let triples =
-                ids.iter().zip(&all).flat_map(|(id, force)| triple(model, &model.elements[id.0], force, end, moments));
-            numbers(out, &format!("{name}{}", end + 1), 3, triples);
+            let values = all.iter().map(|(id, f)| triple(model, &model.elements[id.0], f, end, moments).to_vec());
+            out.push(CellField { name: format!("{name}{}", end + 1), values: values.collect() });
         }
     }
+    out
 }
 
 /// Forces or moments of an element on one of its nodes in global axes.
@@ -168,12 +181,14 @@ fn array(out: &mut String, kind: &str, name: &str, components: usize, bytes: &[u
     out.push_str("</DataArray>\n");
 }
 
-/// A list of files in time (PVD).
+/// A list of files in time (PVD). Where time goes back, their numbers stand for the times.
 pub fn collection(files: &[(f64, String)]) -> String {
+    let rises = files.windows(2).all(|w| w[1].0 > w[0].0);
     let mut out = String::from(
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n<Collection>\n",
     );
-    for (time, file) in files {
+    for (i, (time, file)) in files.iter().enumerate() {
+        let time = if rises { *time } else { i as f64 };
         let name = file.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
         let _ = writeln!(out, "<DataSet timestep=\"{time}\" group=\"\" part=\"0\" file=\"{name}\"/>");
     }

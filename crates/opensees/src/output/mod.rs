@@ -6,6 +6,7 @@ pub(crate) mod figure;
 pub(crate) mod inventory;
 pub(crate) mod loads;
 pub(crate) mod print;
+mod pvd;
 pub(crate) mod query;
 pub(crate) mod recorder;
 

@@ -1,5 +1,6 @@
 //! `recorder` and `record`.
 
+use super::pvd;
 use crate::args::Args;
 use crate::session::{FileFormat, Mode, PlacedRecorder};
 use crate::{Command, Outcome, Tcl, ignore_option, kind, warn};
@@ -58,6 +59,7 @@ const KINDS: &[Kind] = &[
                 -perpDirn $direction",
         make: |interp, call, a| drift(interp, call, a, true),
     },
+    Kind { names: &["PVD", "pvd"], usage: pvd::USAGE, make: pvd::pvd },
     // Windows of OpenSees.
     Kind {
         names: &["display", "plot", "plotDifferent", "increments"],
@@ -137,14 +139,7 @@ impl Common {
                     layout: self.layout.unwrap_or(Layout::Text(Separator::Space)),
                     close_on_write: self.close_on_write,
                 };
-                let is_folder =
-                    |interp: &Tcl, p: &str| interp.files.info(p, true).is_ok_and(|i| i.kind == FileKind::Directory);
-                if is_folder(interp, &path) {
-                    let d = Diagnostic::error(format!("cannot write {path}: it is a folder"));
-                    return Err(Exception::diagnosed(d.at(*span, "cannot write here")));
-                }
-                make_missing_folder(interp, name, &path, *span)?;
-                replace_recorder(interp, call, name, *span)?;
+                make_room(interp, call, name, *span)?;
                 let made = interp.host.output.outputs.create(name, path.as_ref(), format);
                 made.map_err(|e| Exception::diagnosed(Diagnostic::error(e.to_string()).at(*span, "cannot write here")))?
             }
@@ -159,18 +154,36 @@ impl Common {
         } else {
             Recorder::history(source, output, self.cadence)
         };
-        let path = self.file.as_ref().map(|(name, _)| interp.absolute(name));
-        let placed = PlacedRecorder {
-            recorder,
-            span: call.whole_span(),
-            tags: self.tags,
-            path,
-            file: self.file.map(|(name, _)| name),
-            words: words(call),
-            reported: false,
-        };
-        Ok(Value::from(i64::from(interp.host.output.recorders.add(placed))))
+        Ok(add(interp, call, recorder, self.file.map(|(name, _)| name), self.tags))
     }
+}
+
+/// Add a recorder to the session; its tag.
+pub(super) fn add(
+    interp: &mut Tcl,
+    call: &Call<'_>,
+    recorder: Recorder,
+    file: Option<String>,
+    tags: BTreeMap<String, Span>,
+) -> Value {
+    let path = file.as_ref().map(|name| interp.absolute(name));
+    let (span, words) = (call.whole_span(), words(call));
+    let placed = PlacedRecorder { recorder, span, tags, path, file, words, reported: false };
+    Value::from(i64::from(interp.host.output.recorders.add(placed)))
+}
+
+/// See to it that a recorder can write a file: its folder is there, and no other recorder writes it.
+///
+/// # Errors
+/// It is a folder, or another recorder's.
+pub(super) fn make_room(interp: &mut Tcl, call: &Call<'_>, name: &str, span: Option<Span>) -> Result<(), Exception> {
+    let path = interp.absolute(name);
+    if interp.files.info(&path, true).is_ok_and(|i| i.kind == FileKind::Directory) {
+        let d = Diagnostic::error(format!("cannot write {path}: it is a folder"));
+        return Err(Exception::diagnosed(d.at(span, "cannot write here")));
+    }
+    make_missing_folder(interp, name, &path, span)?;
+    replace_recorder(interp, call, name, span)
 }
 
 fn words(call: &Call<'_>) -> Vec<String> {
