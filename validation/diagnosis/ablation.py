@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Makes each number of the verdict's prior neutral in turn, and counts the verdicts that change.
 
-    python3 validation/diagnosis/ablation.py [--each 1] [--skip SEED ...] [--only NAME ...] [--threads N] [--out DIR]
+    python3 validation/diagnosis/ablation.py [--each 1] [--skip SEED ...] [--only NAME ...] [--joint] [--threads N] [--out DIR]
 
 A copy of the source reads its numbers from the environment and is built once. The cases are the quickest trials of each cause in trials.csv, made again
 of their seeds. Rows go to ablation.csv; numbers that have a row are not tried again, so that a run goes on where it was stopped. A number takes some
-minutes, all of them some hours. Lists of numbers, and numbers from which the source computes constants, are not tried.
+minutes, all of them some hours. `--joint` makes all the numbers after `--only` neutral at once, since two may stand in for each other. Lists of numbers, and numbers from which the source computes constants, are not tried.
 """
 
 import argparse
@@ -26,7 +26,7 @@ TABLE = os.path.join(HERE, "ablation.csv")
 PRIOR = os.path.join("crates", "diagnose", "src", "prior.rs")
 NUMBER = re.compile(r"^    ([A-Z_]+): (\w+) = ([^,\[\]]+), \"", re.M)
 CONSTANT = "$($(#[doc = $doc])+ pub(crate) const $name: $type = $value;)+"
-# In the copy, a number is also a function: its value comes from HYSTERON_PRIOR ("NAME=VALUE") where that names it.
+# In the copy, a number is also a function: its value comes from HYSTERON_PRIOR ("NAME=VALUE,NAME=VALUE") where that names it.
 FUNCTION = CONSTANT + """
         #[allow(non_snake_case)]
         pub(crate) mod now {
@@ -40,7 +40,8 @@ trait Overridden: Copy { fn overridden(self, name: &str) -> Self; }
 macro_rules! overridden { ($($number:ty),*) => {$(impl Overridden for $number {
     fn overridden(self, name: &str) -> Self {
         let text = std::env::var("HYSTERON_PRIOR").unwrap_or_default();
-        match text.split_once('=') { Some((known, value)) if known == name => value.parse().unwrap(), _ => self }
+        let named = text.split(',').filter_map(|t| t.split_once('=')).find(|(known, _)| *known == name);
+        named.map_or(self, |(_, value)| value.parse().unwrap())
     }
 })*}; }
 overridden!(f64, usize, isize, u32);
@@ -168,6 +169,7 @@ def main():
     parser.add_argument("--each", type=int, default=1, help="trials of each cause")
     parser.add_argument("--skip", nargs="*", type=int, default=[], help="seeds to leave out, as those that take minutes")
     parser.add_argument("--only", nargs="*", help="these numbers alone")
+    parser.add_argument("--joint", action="store_true", help="all the numbers after --only at once")
     parser.add_argument("--threads", type=int, default=os.cpu_count())
     parser.add_argument("--out", default=os.path.join(ROOT, "results", "ablation"))
     args = parser.parse_args()
@@ -175,17 +177,21 @@ def main():
     engine, source = built(args.out)
     usual = answers(engine, studies, os.path.join(args.out, "usual"), args.threads)
     done = tried()
-    for name, kind, value in NUMBER.findall(source):
-        if name in done or args.only and name not in args.only:
+    numbers = [(name, value, neutral(name, kind, value)) for name, kind, value in NUMBER.findall(source)]
+    numbers = [n for n in numbers if not args.only or n[0] in args.only]
+    if args.joint:
+        numbers = [tuple(" ".join(words) for words in zip(*numbers))]
+    for name, value, other in numbers:
+        if name in done:
             continue
-        other = neutral(name, kind, value)
-        now = answers(engine, studies, os.path.join(args.out, name), args.threads, f"{name}={other}")
-        changed = [s for s in usual if now[s][0] != usual[s][0]]
+        changed = ",".join(f"{n}={x}" for n, x in zip(name.split(), other.split()))
+        now = answers(engine, studies, os.path.join(args.out, "joint" if args.joint else name), args.threads, changed)
+        different = [s for s in usual if now[s][0] != usual[s][0]]
         moved = sum(abs(now[s][1] - usual[s][1]) for s in usual) / len(usual)
         with open(TABLE, "a") as f:
-            row = [name, value, other, len(usual), len(changed), f"{moved:.3f}", " ".join(map(str, changed))]
+            row = [name, value, other, len(usual), len(different), f"{moved:.3f}", " ".join(map(str, different))]
             csv.writer(f, lineterminator="\n").writerow(row)
-        print(f"{name}: {value} -> {other}, {len(changed)} of {len(usual)} verdicts change", flush=True)
+        print(f"{name}: {value} -> {other}, {len(different)} of {len(usual)} verdicts change", flush=True)
 
 
 if __name__ == "__main__":

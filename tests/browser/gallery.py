@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+"""Makes the pictures of docs/gallery.md from the shipped inputs, in a real browser.
+
+    tests/browser/gallery.py [--engine HYSTERON] [--browser CHROMIUM] [--only NAME ...]
+
+Python 3.9 with playwright and pillow from PyPI, and Chromium.
+"""
+import argparse
+import io
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+
+from PIL import Image
+from playwright.sync_api import sync_playwright
+
+ROOT = Path(__file__).resolve().parents[2]
+GALLERY = ROOT / "docs/gallery"
+
+# Name of the picture: command, page that it writes, element or node to choose, height in pixels, whether it is dark.
+PICTURES = {
+    "building": (["view", "tcl-like-inputs/isolated_building.tcl", "--modes", "3", "--units", "kN", "m"], None, "element 1", 800, False),
+    "orbit": (["view", "tcl-like-inputs/rubber_bearings_orbit.tcl", "--units", "N", "m"], None, "element 1", 800, True),
+    "diagnosis": (["diagnose", "tcl-like-inputs/hdr_study/study.toml", "--view"], "report_interactive.html", None, 1500, False),
+}
+
+
+def chosen(page, label):
+    """Choose an element or a node of a model's page, half of the motion done."""
+    page.fill('input[aria-label^="Find"]', label)
+    page.keyboard.press("Enter")
+    page.wait_for_selector(".panel .js-plotly-plot .main-svg")
+    page.evaluate("""() => { const t = document.querySelector('input[aria-label="Time"]');
+        t.value = t.max / 5; t.dispatchEvent(new Event("input")); }""")
+    page.evaluate("""() => { const label = [...document.querySelectorAll("label")].find(l => l.textContent.startsWith("forces"));
+        const select = label?.querySelector("select"); if (select) { select.value = "Mz"; select.dispatchEvent(new Event("change")); } }""")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--engine", default=str(ROOT / "target/release/hysteron"))
+    parser.add_argument("--browser", default=shutil.which("chromium") or shutil.which("google-chrome"))
+    parser.add_argument("--only", nargs="*", choices=PICTURES)
+    args = parser.parse_args()
+    engine = str(Path(args.engine).resolve())
+    GALLERY.mkdir(exist_ok=True)
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=args.browser, args=["--no-sandbox"])
+        for name, (command, report, label, height, dark) in PICTURES.items():
+            if args.only and name not in args.only:
+                continue
+            out = Path(folder) / (name if report else f"{name}.html")
+            subprocess.run([engine, *command, "--out", str(out)], cwd=ROOT, check=True, capture_output=True)
+            page = browser.new_page(viewport={"width": 1280, "height": height}, color_scheme="dark" if dark else "light")
+            page.goto((out / report if report else out).as_uri())
+            page.wait_for_timeout(1500)
+            if label:
+                chosen(page, label)
+            page.wait_for_timeout(1500)
+            picture = Image.open(io.BytesIO(page.screenshot())).convert("RGB")
+            picture.save(GALLERY / f"{name}.webp", quality=70, method=6)
+            print(f"{name}: {(GALLERY / f'{name}.webp').stat().st_size // 1024} kB", flush=True)
+            page.close()
+        browser.close()
+
+
+if __name__ == "__main__":
+    main()
