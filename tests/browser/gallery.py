@@ -22,7 +22,7 @@ GALLERY = ROOT / "docs/gallery"
 PICTURES = {
     "building": (["view", "tcl-like-inputs/isolated_building.tcl", "--modes", "3", "--units", "kN", "m"], None, "element 1", 800, False),
     "orbit": (["view", "tcl-like-inputs/rubber_bearings_orbit.tcl", "--units", "N", "m"], None, "element 1", 800, True),
-    "diagnosis": (["diagnose", "tcl-like-inputs/hdr_study/study.toml", "--view"], "report_interactive.html", None, 1500, False),
+    "diagnosis": (["diagnose", "tcl-like-inputs/hdr_heating_study/study.toml", "--view"], "report_interactive.html", None, 1500, False),
 }
 
 
