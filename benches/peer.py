@@ -63,6 +63,14 @@ def numbers(folder, script):
     return found
 
 
+def printed(text):
+    """The last line that a script prints, as a row of numbers; none if it is something else."""
+    try:
+        return [[float(word) for word in text.strip().splitlines()[-1].split()]]
+    except (IndexError, ValueError):
+        return []
+
+
 def seconds(command, script, words=(), written=None):
     """Processor time of a script in a copy of its folder, so that neither finds the files of the other, and its output.
     The numbers of the files that it writes go to `written`."""
@@ -74,6 +82,7 @@ def seconds(command, script, words=(), written=None):
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
         if written is not None:
             written.update(numbers(Path(work), script))
+            written["printed"] = printed(done.stdout)
     if done.returncode != 0:
         sys.exit(f"{command[0]} {script}: status {done.returncode}\n{done.stderr[-2000:]}")
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, done.stdout
@@ -93,7 +102,7 @@ def apart(a, b):
 
 
 def files_apart(ours, theirs):
-    """Largest difference of two runs' files, of each column over its peak; none where the files are not alike."""
+    """Largest difference of two runs' files and last printed lines, of each column over its peak; none where the files are not alike."""
     worst = 0.0
     common = [name for name in theirs if name in ours and theirs[name]]
     for name in common:
