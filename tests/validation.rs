@@ -237,7 +237,7 @@ fn tables_of_the_papers() {
     assert!(named > 4, "the table names {named} tests");
 }
 
-/// The paper's identification in small on the target of another bearing: Bouc-Wen is nearest, Kikuchi last.
+/// The identification of Flora, Calabrese and Cardone (2023) in small on the target of another bearing: Bouc-Wen is nearest, Kikuchi last.
 #[test]
 fn rr_frb_in_small() {
     const AMPLITUDES: [f64; 6] = [0.15, 0.20, 0.30, 0.40, 0.50, 0.60];

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The twin of the paper's identification, as README.md here says.
+"""The twin of the paper's identification (Flora, Calabrese and Cardone 2023), as README.md here says.
 
     validation/identification/rr_frb/run.py [--out DIR] [--target reconstructed|twin] [--models NAME ...] [WORD of hysteron calibrate ...]
 
