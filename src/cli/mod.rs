@@ -5,6 +5,7 @@ mod print;
 
 mod args;
 mod balance;
+mod batch;
 mod bearing;
 mod calibrate;
 mod calibration_summary;
@@ -13,6 +14,7 @@ mod compare;
 mod console;
 mod diagnose;
 mod files;
+mod fragility;
 mod guard;
 mod help;
 mod init;

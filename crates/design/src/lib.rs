@@ -6,9 +6,12 @@
 
 pub mod check;
 pub mod codes;
+pub mod fragility;
+pub mod incremental;
 pub mod isolate;
 pub mod lateral_force;
 pub mod motion;
+pub mod performance;
 pub mod prototype;
 pub mod scaling;
 pub mod spectrum;

@@ -5,12 +5,15 @@
 //! `isolate(ax)` and `isolate(ay)` as lists in its own unit, `isolate(dt)` and `isolate(points)`, and the accidental
 //! eccentricities `isolate(ex)` and `isolate(ey)` as shares of the plan.
 
+mod capture;
+mod inputs;
 mod job;
 mod outcome;
 pub mod report;
 mod study;
 mod summary;
 
+pub use inputs::is_current;
 pub use job::{Job, jobs, run_job};
 pub use outcome::{BearingOutcome, JobOutcome};
 pub use study::{BearingType, Floor, Study, load};
