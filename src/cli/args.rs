@@ -8,6 +8,7 @@ use super::limits::LimitArgs;
 use super::loops::LoopsArgs;
 use super::motions::MotionsArgs;
 use super::prototype::PrototypeArgs;
+use super::response_spectrum::ResponseSpectrumArgs;
 use super::view::ViewArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -59,6 +60,8 @@ pub(super) enum Command {
     Ida(IdaArgs),
     /// Fragility functions of an isolation study from stripes of intensity, or of counts in a table
     Fragility(FragilityArgs),
+    /// Multimode spectral analysis of an isolation study: effective stiffness, composite damping, CQC and SRSS
+    ResponseSpectrum(ResponseSpectrumArgs),
     /// Measure prototype tests of isolators: cycles, acceptance, lower and upper bounds
     Prototype(PrototypeArgs),
     /// Write a first study for a script and recordings, with comments on how sure it is

@@ -27,6 +27,7 @@ mod output_folder;
 mod preflight;
 mod progress;
 mod prototype;
+mod response_spectrum;
 mod review;
 mod run;
 mod script_check;

@@ -11,6 +11,7 @@ pub mod incremental;
 pub mod isolate;
 pub mod lateral_force;
 pub mod motion;
+pub mod multimode;
 pub mod performance;
 pub mod prototype;
 pub mod scaling;

@@ -32,6 +32,8 @@ pub struct Fit {
 const CHI_SQUARE: f64 = 3.841_458_820_694_124;
 /// 97.5 % quantile of the normal distribution.
 const QUANTILE: f64 = 1.959_963_984_540_054;
+const SEPARATED: &str = "no dispersion: below an intensity the limit state is never reached and above it always; more levels near \
+                         it, or records, would tell";
 /// Newton steps at most.
 const MAX_STEPS: usize = 200;
 /// Length of a Newton step in (a, b), relative, at which it ends.
@@ -192,9 +194,7 @@ fn newton(data: &[(f64, Observation)], start: [f64; 2]) -> Result<([f64; 2], Val
         let Some((q, w)) = next else { break };
         (p, v) = (q, w);
         if p[1] > MAX_SLOPE || v.value > -1e-9 && !data.iter().any(|(_, o)| matches!(o, Observation::Exact(_))) {
-            return Err("the limit state is never reached below an intensity and always above it: the data do not \
-                        determine a dispersion, more levels or records near it would"
-                .into());
+            return Err(SEPARATED.into());
         }
         if newton && step[0].abs() < TOLERANCE * (1.0 + p[0].abs()) && step[1].abs() < TOLERANCE * (1.0 + p[1].abs()) {
             break;
@@ -204,7 +204,7 @@ fn newton(data: &[(f64, Observation)], start: [f64; 2]) -> Result<([f64; 2], Val
     if aa * bb - ab * ab > 0.0 && v.value.is_finite() {
         return Ok((p, v));
     }
-    Err("the likelihood has no maximum: the records hardly differ".into())
+    Err(SEPARATED.into())
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ use hysteron_engine::analysis::{Options, RecoveryStrategy};
 use hysteron_identify::measure::work;
 use hysteron_opensees::run::{End, Run, Settings};
 use hysteron_opensees::{Mode, Progress, Tcl};
-use hysteron_tcl::{Console, OverlayFiles, Value};
+use hysteron_tcl::{Console, OsFiles, OverlayFiles, Value};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
 
@@ -133,8 +133,34 @@ fn values(study: &Study, job: &Job) -> Vec<(String, Value)> {
     out
 }
 
-/// Set the values and add the recorders.
-fn prepare(interp: &mut Tcl, study: &Study, job: &Job) -> Result<(), String> {
+/// Ends the script before the first step of a transient analysis.
+const STOP_BEFORE: &str = r#"
+rename analyze hysteron_analyze
+proc analyze {args} {
+    if {[llength $args] >= 2} { exit 0 }
+    uplevel 1 [linsert $args 0 hysteron_analyze]
+}
+"#;
+
+/// Run the script of a study at a bound up to its first transient analysis.
+///
+/// # Errors
+/// It fails before, or has no transient analysis.
+pub(crate) fn run_to_transient(study: &Study, bound: &'static str) -> Result<Run, String> {
+    let settings = Settings { mode: Mode::Run, strict: false, options: Options::default() };
+    let files = OverlayFiles::new(Box::new(OsFiles));
+    let mut run = Run::new(settings, Box::new(Silent), Box::new(files), Box::new(StudyOutputs(Captured::default())));
+    prepare(&mut run.interp, study, &Job { bound, motion: 0, eccentricity: 0, level: 1.0 }, STOP_BEFORE)?;
+    let end = run.script(&study.script.to_string_lossy(), &[]);
+    match end {
+        End::Exit(0) => Ok(run),
+        End::Done => Err("the script has no transient analysis".into()),
+        _ => Err(description(&end, &run)),
+    }
+}
+
+/// Set the values, and change the commands by a prologue.
+fn prepare(interp: &mut Tcl, study: &Study, job: &Job, prologue: &str) -> Result<(), String> {
     let tags = study.bearings.iter().flat_map(|b| &b.tags);
     let bearings = Value::list(tags.map(|t| Value::from(*t)));
     let contacts = Value::list(study.contacts().map(Value::from));
@@ -145,7 +171,7 @@ fn prepare(interp: &mut Tcl, study: &Study, job: &Job) -> Result<(), String> {
     interp.set_global("hysteron_bearings", bearings).map_err(failed)?;
     interp.set_global("hysteron_floors", floors).map_err(failed)?;
     interp.set_global("hysteron_values", Value::list(set)).map_err(failed)?;
-    let text = format!("array set isolate $hysteron_values\nunset hysteron_values\n{PROLOGUE}");
+    let text = format!("array set isolate $hysteron_values\nunset hysteron_values\n{prologue}");
     interp.eval_str("isolation study", &text).map(|_| ()).map_err(|_| "the recorders cannot be added".to_owned())
 }
 
@@ -196,7 +222,7 @@ fn attempt(study: &Study, job: &Job, stop: &Arc<AtomicBool>, options: Options) -
         eccentricity: study.eccentricities[job.eccentricity],
         ..JobOutcome::default()
     };
-    if let Err(e) = prepare(&mut run.interp, study, job) {
+    if let Err(e) = prepare(&mut run.interp, study, job, PROLOGUE) {
         out.failure = e;
         return out;
     }

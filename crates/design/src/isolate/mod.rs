@@ -14,6 +14,7 @@ mod study;
 mod summary;
 
 pub use inputs::is_current;
+pub(crate) use job::run_to_transient;
 pub use job::{Job, jobs, run_job};
 pub use outcome::{BearingOutcome, JobOutcome};
 pub use study::{BearingType, Floor, Study, load};
