@@ -95,8 +95,8 @@ foreach s {0 1 2 3} {
     }
 }
 
-# ---------------------------------------------------------------- backfill: compression behind a gap
-uniaxialMaterial HyperbolicGapMaterial 21 2.0e5 2.0e5 0.7 -4500.0 -0.15
+# ---------------------------------------------------------------- backfill: compression behind a gap, softened by a compressible layer
+uniaxialMaterial HyperbolicGapMaterial 21 2.0e4 2.0e4 0.7 -4500.0 -0.15
 node 501 [lindex $supports 0] 0.0 $deck
 node 502 [lindex $supports 3] 0.0 $deck
 lappend fixed 501 502
@@ -179,7 +179,10 @@ pattern MultipleSupport 2 {
     }
     foreach n $moved {
         set s [supportOf $n]
-        foreach d {1 2} { imposedMotion $n $d [expr {10*($s + 1) + $d}] }
+        foreach d {1 2} {
+            remove sp $n $d
+            imposedMotion $n $d [expr {10*($s + 1) + $d}]
+        }
     }
 }
 region 1 -ele 100 101 102 103 104 105 106 107 108 109 {*}$columns -rayleigh 0.0 0.0 0.002 0.0
@@ -191,16 +194,8 @@ algorithm Newton
 integrator Newmark 0.5 0.25
 analysis Transient
 set steps [expr {int(($isolate(points) + $late)/2)}]
-array set top {201 0.0 203 0.0}
-for {set i 0} {$i < $steps} {incr i} {
-    if {[analyze 1 [expr {2*$dt}]] != 0} { error "no convergence at [getTime] s" }
-    foreach tag {201 203} {
-        set sum 0.0
-        foreach d {1 2} {
-            set u [expr {[nodeDisp [expr {$tag + 200}] $d] - [nodeDisp [expr {$tag + 100}] $d]}]
-            set sum [expr {$sum + $u*$u}]
-        }
-        if {sqrt($sum) > $top($tag)} { set top($tag) [expr {sqrt($sum)}] }
-    }
+if {[analyze $steps [expr {2*$dt}]] != 0} { error "no convergence at [getTime] s" }
+proc left {tag d} { return [expr {[nodeDisp [expr {$tag + 200}] $d] - [nodeDisp [expr {$tag + 100}] $d]}] }
+foreach {tag text} {201 "abutment" 203 "pier"} {
+    puts [format "bearing on the %s at the end: %.4f %.4f m" $text [left $tag 1] [left $tag 2]]
 }
-puts [format "largest displacement of a bearing: abutment %.4f m, pier %.4f m" $top(201) $top(203)]
