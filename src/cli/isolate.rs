@@ -5,7 +5,7 @@ use super::calibrate::FAILURE;
 use super::files::write_atomically;
 use clap::Args;
 use hysteron::design::check::{Status, check_table};
-use hysteron::design::isolate::{jobs, load, report, summary};
+use hysteron::design::isolate::{jobs, load, report, script_text, summary};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -17,6 +17,9 @@ pub(super) struct IsolateArgs {
     /// Where the results go
     #[arg(long, value_name = "DIR", default_value = "isolation")]
     out: PathBuf,
+    /// Write a script for each analysis into this folder too, which runs it in OpenSees itself
+    #[arg(long, value_name = "DIR")]
+    scripts: Option<PathBuf>,
 }
 
 /// Run the command; the exit status.
@@ -29,6 +32,12 @@ fn study(a: &IsolateArgs, stop: &Arc<AtomicBool>) -> Result<(String, i32), Strin
     let study = load(&a.batch.study)?;
     let batch = Batch::new(&a.batch, &study, &a.out, stop)?;
     let all = jobs(&study);
+    if let Some(folder) = &a.scripts {
+        std::fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
+        for job in &all {
+            write_atomically(&folder.join(format!("{}.tcl", job.name())), &script_text(&study, job))?;
+        }
+    }
     let outcomes = batch.all(&all, all.len(), |job| batch.one(job))?;
     let results = summary(&study, &outcomes);
     let json = report::json(&study, &outcomes, &results);

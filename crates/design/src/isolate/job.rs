@@ -133,6 +133,16 @@ fn values(study: &Study, job: &Job) -> Vec<(String, Value)> {
     out
 }
 
+/// A script that sets the values of an analysis and goes on with the script of the study, for OpenSees itself.
+pub fn script_text(study: &Study, job: &Job) -> String {
+    let mut out = format!("# {}: {}, {}\n", study.title, job.name(), study.motions[job.motion].name());
+    for (name, value) in values(study, job) {
+        out += &format!("set {{isolate({name})}} {{{}}}\n", value.as_str());
+    }
+    let path = std::path::absolute(&study.script).unwrap_or_else(|_| study.script.clone());
+    out + &format!("source {{{}}}\n", path.display().to_string().replace('\\', "/"))
+}
+
 /// Ends the script before the first step of a transient analysis.
 const STOP_BEFORE: &str = r#"
 rename analyze hysteron_analyze

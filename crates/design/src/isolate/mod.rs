@@ -15,7 +15,7 @@ mod summary;
 
 pub use inputs::is_current;
 pub(crate) use job::run_to_transient;
-pub use job::{Job, jobs, run_job};
+pub use job::{Job, jobs, run_job, script_text};
 pub use outcome::{BearingOutcome, JobOutcome};
 pub use study::{BearingType, Floor, Study, load};
 pub use summary::{Summary, summary};
