@@ -15,7 +15,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// Options of commands that run the analyses of a study.
 #[derive(Args, Debug)]
 pub(super) struct BatchArgs {
-    /// The study
+    /// The study (.toml); `fragility` takes a table of counts (.csv) too
     pub(super) study: PathBuf,
     /// Number of threads; all cores if it is not given. The result does not depend on it
     #[arg(long, value_name = "N")]

@@ -16,7 +16,7 @@ pub(super) struct ResponseSpectrumArgs {
     /// Modes, at most
     #[arg(long, value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u32).range(1..=1000))]
     modes: u32,
-    /// Run the time histories without eccentricity too, for a comparison; an --out of isolate has them already
+    /// Run the time histories without eccentricity too, for a comparison. With --resume and the --out of isolate they are there already
     #[arg(long)]
     history: bool,
     /// Where the results go
