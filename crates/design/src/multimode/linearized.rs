@@ -1,8 +1,7 @@
 //! A bearing with an effective stiffness in shear.
 
-use hysteron_engine::element::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot};
+use hysteron_engine::element::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot};
 use hysteron_engine::probe::Probe;
-use std::sync::Arc;
 
 /// The initial stiffness of an element with another shear stiffness in horizontal directions.
 ///
@@ -11,7 +10,9 @@ use std::sync::Arc;
 /// the stiffness is kept: axial, bending and torsion.
 #[derive(Debug)]
 pub(super) struct Linearized {
-    of: Arc<dyn Element>,
+    class: &'static str,
+    state_len: usize,
+    mass: Mass,
     matrix: Vec<f64>,
     n: usize,
 }
@@ -21,7 +22,7 @@ impl Linearized {
     ///
     /// # Errors
     /// The element has no shear stiffness in one of them.
-    pub(super) fn new(of: Arc<dyn Element>, horizontal: usize, stiffness: f64) -> Result<Self, String> {
+    pub(super) fn new(of: &dyn Element, horizontal: usize, stiffness: f64) -> Result<Self, String> {
         let n = of.dofs();
         let mut matrix = vec![0.0; n * n];
         of.initial_tangent(&mut matrix);
@@ -38,22 +39,22 @@ impl Linearized {
                 }
             }
         }
-        Ok(Self { of, matrix, n })
+        Ok(Self { class: of.class(), state_len: of.state_len(), mass: of.mass(), matrix, n })
     }
 }
 
 impl Element for Linearized {
     fn class(&self) -> &'static str {
-        self.of.class()
+        self.class
     }
     fn dofs(&self) -> usize {
         self.n
     }
     fn state_len(&self) -> usize {
-        self.of.state_len()
+        self.state_len
     }
     fn init(&self, state: &mut [f64]) {
-        self.of.init(state);
+        state.fill(0.0);
     }
     fn traits(&self) -> ElementTraits {
         ElementTraits { linear: true, symmetric: true, viscous: false, elapses: false, rayleigh: false }
@@ -73,6 +74,9 @@ impl Element for Linearized {
             k.iter_mut().zip(&self.matrix).for_each(|(k, m)| *k += m);
         }
         Ok(())
+    }
+    fn mass(&self) -> Mass {
+        self.mass.clone()
     }
     fn initial_tangent(&self, tangent: &mut [f64]) {
         tangent.iter_mut().zip(&self.matrix).for_each(|(k, m)| *k += m);

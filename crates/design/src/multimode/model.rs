@@ -67,7 +67,7 @@ impl ModalModel {
         let engine = &mut self.run.interp.host.engine;
         let tags = study.bearings.iter().flat_map(|b| &b.tags);
         for ((of, id, kind, _), tag) in self.bearings.iter().zip(tags) {
-            let new = Linearized::new(of.clone(), horizontal, stiffnesses[*kind]);
+            let new = Linearized::new(of.as_ref(), horizontal, stiffnesses[*kind]);
             engine.replace_element(*id, Arc::new(new.map_err(|e| format!("the bearing {tag} {e}"))?));
         }
         let mut count = self.wanted;
