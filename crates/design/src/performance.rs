@@ -81,7 +81,8 @@ impl Intensity {
                 let rests = pair.components[1].peak() == 0.0;
                 match how {
                     Some(how) if !rests => return spectrum.combined(how)[0] / G,
-                    _ => [spectrum.components[0][0] / G, spectrum.components[1][0] / G],
+                    // The direction across the first component gives round-off where the second one rests.
+                    _ => [spectrum.components[0][0] / G, 0.0],
                 }
             }
         };
