@@ -64,9 +64,10 @@ fn along(data: &[(f64, Observation)], start: [f64; 2], direction: [f64; 2]) -> f
             }
             step *= 0.5;
         };
-        if !(next.value >= v.value) {
+        // NaN ends the search too.
+        let Some(std::cmp::Ordering::Greater | std::cmp::Ordering::Equal) = next.value.partial_cmp(&v.value) else {
             break;
-        }
+        };
         (t, v) = (t + step, next);
         if step.abs() < TOLERANCE * (1.0 + t.abs()) {
             break;

@@ -10,6 +10,8 @@ use hysteron_opensees::run::Run;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
+type Bearing = (Arc<dyn Element>, ElementId, usize, [usize; 2]);
+
 /// The model of a study before its transient analysis.
 pub struct ModalModel {
     run: Run,
@@ -17,7 +19,7 @@ pub struct ModalModel {
     wanted: usize,
     /// Bearings in the order of the study: element as the script made it, its place, the type, and the first global degrees of
     /// freedom of its lower and upper node.
-    bearings: Vec<(Arc<dyn Element>, ElementId, usize, [usize; 2])>,
+    bearings: Vec<Bearing>,
     /// First global degree of freedom of each floor's node.
     floors: Vec<usize>,
     modes: Modes,
