@@ -41,7 +41,11 @@ const LAYERS: &[(&str, &[&str])] = &[
             "suite",
             "prototype",
             "lateral_force",
+            "fragility",
+            "performance",
             "isolate",
+            "incremental",
+            "multimode",
         ],
     ),
     (

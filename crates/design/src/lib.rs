@@ -6,9 +6,13 @@
 
 pub mod check;
 pub mod codes;
+pub mod fragility;
+pub mod incremental;
 pub mod isolate;
 pub mod lateral_force;
 pub mod motion;
+pub mod multimode;
+pub mod performance;
 pub mod prototype;
 pub mod scaling;
 pub mod spectrum;
