@@ -42,6 +42,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "prototype",
             "lateral_force",
             "isolate",
+            "batch",
         ],
     ),
     (
