@@ -1,5 +1,6 @@
 //! Arguments of the command line. Doc comments of the fields are the help texts.
 
+use super::batch::BatchArgs;
 use super::bearing::BearingArgs;
 use super::init::InitArgs;
 use super::isolate::IsolateArgs;
@@ -54,6 +55,8 @@ pub(super) enum Command {
     Motions(MotionsArgs),
     /// Run an isolation study: bounds, motions and eccentricities; bearing schedule and checks
     Isolate(IsolateArgs),
+    /// Run scripts for many parameters and motions, in parts if wanted; one table of results
+    Batch(BatchArgs),
     /// Measure prototype tests of isolators: cycles, acceptance, lower and upper bounds
     Prototype(PrototypeArgs),
     /// Write a first study for a script and recordings, with comments on how sure it is

@@ -5,6 +5,7 @@ mod print;
 
 mod args;
 mod balance;
+mod batch;
 mod bearing;
 mod calibrate;
 mod calibration_summary;
