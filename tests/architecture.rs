@@ -46,6 +46,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "isolate",
             "incremental",
             "multimode",
+            "batch",
         ],
     ),
     (

@@ -1,5 +1,6 @@
 //! Arguments of the command line. Doc comments of the fields are the help texts.
 
+use super::batch::BatchArgs;
 use super::bearing::BearingArgs;
 use super::fragility::{FragilityArgs, IdaArgs};
 use super::init::InitArgs;
@@ -62,6 +63,8 @@ pub(super) enum Command {
     Fragility(FragilityArgs),
     /// Multimode spectral analysis of an isolation study: effective stiffness, composite damping, CQC and SRSS
     ResponseSpectrum(ResponseSpectrumArgs),
+    /// Run scripts for many parameters and motions, in parts if wanted; one table of results
+    Batch(BatchArgs),
     /// Measure prototype tests of isolators: cycles, acceptance, lower and upper bounds
     Prototype(PrototypeArgs),
     /// Write a first study for a script and recordings, with comments on how sure it is

@@ -1,8 +1,8 @@
 //! `hysteron ida` and `hysteron fragility`: limit states over intensity, and their fragility functions.
 
-use super::batch::{Batch, BatchArgs, finish, stop_flag};
 use super::files::write_atomically;
 use super::run::print;
+use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, stop_flag};
 use clap::Args;
 use hysteron::design::fragility::{Fit, Observation};
 use hysteron::design::incremental::{Ending, Summary, Trace, bounds, hunt, intensities, report, stripe, summary};
@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 #[derive(Args, Debug)]
 pub(super) struct IdaArgs {
     #[command(flatten)]
-    batch: BatchArgs,
+    jobs: StudyJobsArgs,
     /// Where the results go
     #[arg(long, value_name = "DIR", default_value = "ida")]
     out: PathBuf,
@@ -23,7 +23,7 @@ pub(super) struct IdaArgs {
 pub(super) struct FragilityArgs {
     /// Options, and the study: or a table (.csv) of intensities, numbers of records, and records that reached a limit state
     #[command(flatten)]
-    batch: BatchArgs,
+    jobs: StudyJobsArgs,
     /// Where the results go
     #[arg(long, value_name = "DIR", default_value = "fragility")]
     out: PathBuf,
@@ -32,37 +32,37 @@ pub(super) struct FragilityArgs {
 /// Run `hysteron ida`; the exit status.
 pub(super) fn ida(a: &IdaArgs) -> i32 {
     let stop = stop_flag();
-    let result = load(&a.batch.study).and_then(|study| {
+    let result = load(&a.jobs.study).and_then(|study| {
         let runs =
             study.performance.hunt.as_ref().ok_or("the study has no [ida] with first, step, highest and runs")?.runs;
         wanted(&study)?;
-        let batch = Batch::new(&a.batch, &study, &a.out, &stop)?;
+        let jobs = StudyJobs::new(&a.jobs, &study, &a.out, &stop)?;
         let levels = intensities(&study)?;
         let tasks = tasks(&study);
-        let traces = batch.all(&tasks, runs * tasks.len(), |&(bound, motion)| {
-            let points = hunt(&study, bound, motion, levels[motion], &|job| batch.one(job))?;
+        let traces = jobs.all(&tasks, runs * tasks.len(), |&(bound, motion)| {
+            let points = hunt(&study, bound, motion, levels[motion], &|job| jobs.one(job))?;
             Ok(Trace { bound, motion, points })
         })?;
-        written(&study, &summary(&study, traces, levels, false), &a.out, a.batch.json)
+        written(&study, &summary(&study, traces, levels, false), &a.out, a.jobs.json)
     });
     finish(result, &stop)
 }
 
 /// Run `hysteron fragility`; the exit status.
 pub(super) fn fragility(a: &FragilityArgs) -> i32 {
-    if a.batch.study.extension().is_some_and(|e| e == "csv") {
-        return print(counts(&a.batch.study, a.batch.json));
+    if a.jobs.study.extension().is_some_and(|e| e == "csv") {
+        return print(counts(&a.jobs.study, a.jobs.json));
     }
     let stop = stop_flag();
-    let result = load(&a.batch.study).and_then(|study| {
+    let result = load(&a.jobs.study).and_then(|study| {
         let levels = study.performance.stripes.as_ref().ok_or("the study has no [stripes] with levels")?.levels.clone();
         wanted(&study)?;
-        let batch = Batch::new(&a.batch, &study, &a.out, &stop)?;
+        let jobs = StudyJobs::new(&a.jobs, &study, &a.out, &stop)?;
         let scales = intensities(&study)?;
         let of_level = |(bound, motion)| levels.iter().map(move |level| (bound, motion, *level));
         let flat: Vec<(&'static str, usize, f64)> = tasks(&study).into_iter().flat_map(of_level).collect();
-        let points = batch.all(&flat, flat.len(), |&(bound, motion, level)| {
-            stripe(&study, bound, motion, (level, scales[motion]), &|job| batch.one(job))
+        let points = jobs.all(&flat, flat.len(), |&(bound, motion, level)| {
+            stripe(&study, bound, motion, (level, scales[motion]), &|job| jobs.one(job))
         })?;
         let mut traces: Vec<Trace> = vec![];
         for (&(bound, motion, _), point) in flat.iter().zip(points) {
@@ -71,7 +71,7 @@ pub(super) fn fragility(a: &FragilityArgs) -> i32 {
                 _ => traces.push(Trace { bound, motion, points: vec![point] }),
             }
         }
-        written(&study, &summary(&study, traces, scales, true), &a.out, a.batch.json)
+        written(&study, &summary(&study, traces, scales, true), &a.out, a.jobs.json)
     });
     finish(result, &stop)
 }

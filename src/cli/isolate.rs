@@ -1,11 +1,11 @@
 //! `hysteron isolate`: an isolation study.
 
-use super::batch::{Batch, BatchArgs, finish, stop_flag};
 use super::calibrate::FAILURE;
 use super::files::write_atomically;
+use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, stop_flag};
 use clap::Args;
 use hysteron::design::check::{Status, check_table};
-use hysteron::design::isolate::{jobs, load, report, script_text, summary};
+use hysteron::design::isolate::{self, load, report, script_text, summary};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -13,7 +13,7 @@ use std::sync::atomic::AtomicBool;
 #[derive(Args, Debug)]
 pub(super) struct IsolateArgs {
     #[command(flatten)]
-    batch: BatchArgs,
+    jobs: StudyJobsArgs,
     /// Where the results go
     #[arg(long, value_name = "DIR", default_value = "isolation")]
     out: PathBuf,
@@ -29,16 +29,16 @@ pub(super) fn isolate(a: &IsolateArgs) -> i32 {
 }
 
 fn study(a: &IsolateArgs, stop: &Arc<AtomicBool>) -> Result<(String, i32), String> {
-    let study = load(&a.batch.study)?;
-    let batch = Batch::new(&a.batch, &study, &a.out, stop)?;
-    let all = jobs(&study);
+    let study = load(&a.jobs.study)?;
+    let jobs = StudyJobs::new(&a.jobs, &study, &a.out, stop)?;
+    let all = isolate::jobs(&study);
     if let Some(folder) = &a.scripts {
         std::fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
         for job in &all {
             write_atomically(&folder.join(format!("{}.tcl", job.name())), &script_text(&study, job))?;
         }
     }
-    let outcomes = batch.all(&all, all.len(), |job| batch.one(job))?;
+    let outcomes = jobs.all(&all, all.len(), |job| jobs.one(job))?;
     let results = summary(&study, &outcomes);
     let json = report::json(&study, &outcomes, &results);
     let checks = check_table(&results.checks);
@@ -64,5 +64,5 @@ fn study(a: &IsolateArgs, stop: &Arc<AtomicBool>) -> Result<(String, i32), Strin
         results.checks.len(),
         study.code.remark()
     );
-    Ok((if a.batch.json { json } else { text }, if failed > 0 { FAILURE } else { 0 }))
+    Ok((if a.jobs.json { json } else { text }, if failed > 0 { FAILURE } else { 0 }))
 }

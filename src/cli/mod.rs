@@ -33,6 +33,7 @@ mod run;
 mod script_check;
 mod signals;
 mod study;
+mod study_jobs;
 mod view;
 
 pub(crate) use run::main;

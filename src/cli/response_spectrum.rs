@@ -1,9 +1,9 @@
 //! `hysteron response-spectrum`: the multimode method beside the time histories of an isolation study.
 
-use super::batch::{Batch, BatchArgs, finish, stop_flag};
 use super::files::write_atomically;
+use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, stop_flag};
 use clap::Args;
-use hysteron::design::isolate::{jobs, load};
+use hysteron::design::isolate::{self, load};
 use hysteron::design::multimode::{report, respond_at_bounds};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -12,7 +12,7 @@ use std::sync::atomic::AtomicBool;
 #[derive(Args, Debug)]
 pub(super) struct ResponseSpectrumArgs {
     #[command(flatten)]
-    batch: BatchArgs,
+    jobs: StudyJobsArgs,
     /// Modes, at most
     #[arg(long, value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u32).range(1..=1000))]
     modes: u32,
@@ -31,13 +31,13 @@ pub(super) fn response_spectrum(a: &ResponseSpectrumArgs) -> i32 {
 }
 
 fn multimode(a: &ResponseSpectrumArgs, stop: &Arc<AtomicBool>) -> Result<(String, i32), String> {
-    let study = load(&a.batch.study)?;
+    let study = load(&a.jobs.study)?;
     let responses = respond_at_bounds(&study, a.modes as usize)?;
     let mut outcomes = vec![];
     if a.history {
-        let batch = Batch::new(&a.batch, &study, &a.out, stop)?;
-        let all: Vec<_> = jobs(&study).into_iter().filter(|j| j.eccentricity == 0).collect();
-        outcomes = batch.all(&all, all.len(), |job| batch.one(job))?;
+        let jobs = StudyJobs::new(&a.jobs, &study, &a.out, stop)?;
+        let all: Vec<_> = isolate::jobs(&study).into_iter().filter(|j| j.eccentricity == 0).collect();
+        outcomes = jobs.all(&all, all.len(), |job| jobs.one(job))?;
     }
     std::fs::create_dir_all(&a.out).map_err(|e| format!("cannot make {}: {e}", a.out.display()))?;
     let table = report::response_table(&study, &responses, &outcomes);
@@ -52,7 +52,7 @@ fn multimode(a: &ResponseSpectrumArgs, stop: &Arc<AtomicBool>) -> Result<(String
     ] {
         write_atomically(&a.out.join(name), &text)?;
     }
-    if a.batch.json {
+    if a.jobs.json {
         return Ok((json, 0));
     }
     let remarks = report::remarks(&study, &responses).join("\n");

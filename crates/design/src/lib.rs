@@ -1,9 +1,10 @@
 //! The isolation engineer's work around a script: ground motions, prototype tests, bounds of bearings, checks of codes.
 //!
-//! Motions, spectra and prototype tests know no script; [`isolate`] runs one.
+//! Motions, spectra and prototype tests know no script; [`isolate`] runs one, [`batch`] lists runs of many.
 
 #![forbid(unsafe_code)]
 
+pub mod batch;
 pub mod check;
 pub mod codes;
 pub mod fragility;

@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Options of commands that run the analyses of a study.
 #[derive(Args, Debug)]
-pub(super) struct BatchArgs {
+pub(super) struct StudyJobsArgs {
     /// The study (.toml); `fragility` takes a table of counts (.csv) too
     pub(super) study: PathBuf,
     /// Number of threads; all cores if it is not given. The result does not depend on it
@@ -29,7 +29,7 @@ pub(super) struct BatchArgs {
 }
 
 /// Analyses of a study in a folder.
-pub(super) struct Batch<'a> {
+pub(super) struct StudyJobs<'a> {
     study: &'a Study,
     folder: PathBuf,
     resume: bool,
@@ -41,9 +41,9 @@ pub(super) struct Batch<'a> {
 /// Description of an analysis that was stopped.
 const STOPPED: &str = "interrupted";
 
-impl<'a> Batch<'a> {
+impl<'a> StudyJobs<'a> {
     /// Make the folder and the threads. `stop` is set by Ctrl-C and SIGTERM.
-    pub(super) fn new(a: &BatchArgs, study: &'a Study, out: &Path, stop: &Arc<AtomicBool>) -> Result<Self, String> {
+    pub(super) fn new(a: &StudyJobsArgs, study: &'a Study, out: &Path, stop: &Arc<AtomicBool>) -> Result<Self, String> {
         let folder = out.join("analyses");
         fs::create_dir_all(&folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
