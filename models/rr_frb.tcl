@@ -1,7 +1,8 @@
 # The recycled rubber bearing with fibre reinforcement (RR-FRB), 210 x 210 x 210 mm, of the tests of Calabrese et al. as identified in
 # [1]: Tables 5 to 8. Units: N, m, s.
 #
-# [1] Identification and Calibration of Advanced Hysteresis Models for Recycled Rubber-Fiber-Reinforced Bearings.
+# [1] A. Flora, A. Calabrese and D. Cardone, Identification and Calibration of Advanced Hysteresis Models for Recycled
+#     Rubber-Fiber-Reinforced Bearings, Buildings 13(1), 65, 2023, doi:10.3390/buildings13010065.
 #
 # The tables taken literally do not reproduce the errors that [1] gives in its Table 10: they are a start, not a fit.
 

@@ -41,7 +41,12 @@ const LAYERS: &[(&str, &[&str])] = &[
             "suite",
             "prototype",
             "lateral_force",
+            "fragility",
+            "performance",
             "isolate",
+            "incremental",
+            "multimode",
+            "batch",
         ],
     ),
     (

@@ -211,6 +211,78 @@ fn thesis() {
     }
 }
 
+/// Files and tests that the table of the two papers names exist.
+#[test]
+fn tables_of_the_papers() {
+    let folder = root().join("validation/identification");
+    let table = fs::read_to_string(folder.join("README.md")).unwrap();
+    let own = include_str!("validation.rs").to_owned();
+    let tests: String = ["laws", "analysis", "cli", "calibrate"]
+        .iter()
+        .flat_map(|dir| fs::read_dir(root().join("tests").join(dir)).unwrap())
+        .map(|file| fs::read_to_string(file.unwrap().path()).unwrap())
+        .chain([own])
+        .collect();
+    let mut named = 0;
+    for word in table.split('`').skip(1).step_by(2) {
+        let is_test =
+            word.matches('_').count() > 1 && word.chars().all(|c| c.is_ascii_lowercase() || "_0123456789".contains(c));
+        if word.contains('/') && !word.contains('*') {
+            assert!(root().join(word).exists() || folder.join(word).exists(), "no file {word}");
+        } else if is_test {
+            assert!(tests.contains(&format!("fn {word}(")), "no test {word}");
+            named += 1;
+        }
+    }
+    assert!(named > 4, "the table names {named} tests");
+}
+
+/// The identification of Flora, Calabrese and Cardone (2023) in small on the target of another bearing: Bouc-Wen is nearest, Kikuchi last.
+#[test]
+fn rr_frb_in_small() {
+    const AMPLITUDES: [f64; 6] = [0.15, 0.20, 0.30, 0.40, 0.50, 0.60];
+    const STEPS: usize = 300; // of three cycles at 0.5 Hz
+    let work = workplace("rr-frb");
+    copy(&root().join("validation/identification/rr_frb"), &work);
+    fs::create_dir(work.join("models")).unwrap();
+    copy(&root().join("models"), &work.join("models"));
+    let hysteron = |words: &[&str], folder: &Path| {
+        let done = Command::new(env!("CARGO_BIN_EXE_hysteron")).args(words).current_dir(folder).output().unwrap();
+        assert!(done.status.success(), "{words:?}: {}", String::from_utf8_lossy(&done.stderr));
+    };
+    let path: Vec<f64> = std::iter::once(0.0)
+        .chain(
+            AMPLITUDES
+                .iter()
+                .flat_map(|a| (1..=STEPS).map(move |i| 0.2 * a * (std::f64::consts::PI * i as f64 * 0.02).sin())),
+        )
+        .collect();
+    let motion: String = path.iter().map(|u| format!("{u:e}\n")).collect();
+    fs::write(work.join("motion.dat"), &motion).unwrap();
+    fs::write(work.join("drive.tcl"), "set motion motion.dat; set dt 0.02; set npts 1801; source twin.tcl").unwrap();
+    hysteron(&["run", "drive.tcl"], &work);
+    let forces = table(&fs::read_to_string(work.join("force.out")).unwrap()).unwrap();
+    let rows = forces.iter().zip(&path[1..]).enumerate();
+    let recording: String =
+        rows.map(|(i, (row, u))| format!("{},{:e},{u:e}\n", (i + 1) as f64 * 0.02, row[7])).collect();
+    let objective = |model: &str| {
+        let folder = work.join(model);
+        fs::write(folder.join("motion.dat"), &motion).unwrap();
+        fs::write(folder.join("target.csv"), format!("time[s],force[N],disp[m]\n{recording}")).unwrap();
+        let study = fs::read_to_string(folder.join("study.toml")).unwrap();
+        let small = study.replace("population  = 50", "population = 8").replace("generations = 150", "generations = 5");
+        assert!(small.contains("population = 8") && small.contains("generations = 5"), "{study}");
+        fs::write(folder.join("study.toml"), small).unwrap();
+        hysteron(&["calibrate", "study.toml", "--repeats", "1", "--out", "fit"], &folder);
+        let found = fs::read_to_string(folder.join("fit/calibration.json")).unwrap();
+        let found: serde_json::Value = serde_json::from_str(&found).unwrap();
+        found["objective"].as_f64().unwrap()
+    };
+    let [bouc_wen, hdr, kikuchi] = ["bouc_wen", "hdr", "kikuchi"].map(objective);
+    assert!(bouc_wen < hdr && hdr < kikuchi, "{bouc_wen} {hdr} {kikuchi}");
+    fs::remove_dir_all(&work).unwrap();
+}
+
 /// The first command of the README writes the files that the README names.
 #[test]
 fn isolated_building_prints_its_peaks_and_draws_them() {

@@ -49,7 +49,10 @@ TIMES = re.compile(r"warning|failure|error|second|elapsed|duration|time|clock|da
 
 
 # Lines of the command `print`, which OpenSees writes to its error stream.
-OF_PRINT = re.compile(r"\s*(Node:|Element:|Coordinates|Disps|Velocities|commitAccels|unbalanced|Mass|Eigenvectors|ID\s*:)")
+OF_PRINT = re.compile(r"\s*(Node:|Element:|Coordinates|Disps|Velocities|commitAccels|unbalanced|Mass|Eigenvectors|ID\s*:|Rayleigh"
+                      r"|strain:|NODE DATA|ELEMENT DATA|Current Time|Committed Time)")
+# Results beside a time of the analysis, which is no time of the clock.
+OF_RESULTS = re.compile(r"disp|force|reaction|drift", re.I)
 # Names of files of mode shapes and participation factors.
 OF_MODES = re.compile(r"eig|mode|modal|phi", re.I)
 
@@ -148,7 +151,13 @@ def apart(want, got, modes=False):
 
 def printed(text):
     """Numbers that a script prints, without times, messages and what `print` shows of nodes and elements."""
-    return table("\n".join(line for line in text.splitlines() if not TIMES.search(line) and not OF_PRINT.match(line)))
+    lines, of_mass = [], False
+    for line in text.splitlines():
+        # The rows of a matrix of masses follow its heading.
+        of_mass = bool(re.match(r"\s*Mass\s*:", line)) or (of_mass and bool(table(line)) and not re.search("[A-Za-z]{2}", line))
+        if not of_mass and not OF_PRINT.match(line) and (OF_RESULTS.search(line) or not TIMES.search(line)):
+            lines.append(line)
+    return table("\n".join(lines))
 
 
 def compare(want, got, tolerance, modes=False):

@@ -1,12 +1,15 @@
 //! Arguments of the command line. Doc comments of the fields are the help texts.
 
+use super::batch::BatchArgs;
 use super::bearing::BearingArgs;
+use super::fragility::{FragilityArgs, IdaArgs};
 use super::init::InitArgs;
 use super::isolate::IsolateArgs;
 use super::limits::LimitArgs;
 use super::loops::LoopsArgs;
 use super::motions::MotionsArgs;
 use super::prototype::PrototypeArgs;
+use super::response_spectrum::ResponseSpectrumArgs;
 use super::view::ViewArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -54,6 +57,14 @@ pub(super) enum Command {
     Motions(MotionsArgs),
     /// Run an isolation study: bounds, motions and eccentricities; bearing schedule and checks
     Isolate(IsolateArgs),
+    /// Incremental dynamic analysis of an isolation study: capacities of the records, fragility functions
+    Ida(IdaArgs),
+    /// Fragility functions of an isolation study from stripes of intensity, or of counts in a table
+    Fragility(FragilityArgs),
+    /// Multimode spectral analysis of an isolation study: effective stiffness, composite damping, CQC and SRSS
+    ResponseSpectrum(ResponseSpectrumArgs),
+    /// Run scripts for many parameters and motions, in parts if wanted; one table of results
+    Batch(BatchArgs),
     /// Measure prototype tests of isolators: cycles, acceptance, lower and upper bounds
     Prototype(PrototypeArgs),
     /// Write a first study for a script and recordings, with comments on how sure it is

@@ -1,4 +1,4 @@
-//! Table 4 of the paper on recycled rubber bearings: which phenomena its models capture, each shown by a run.
+//! Table 4 of Flora, Calabrese and Cardone (2023, doi:10.3390/buildings13010065) on recycled rubber bearings: which phenomena its models capture, each shown by a run.
 //!
 //! The fourth model is the library's own and captures all of them (see `validation/identification/phenomena/`).
 

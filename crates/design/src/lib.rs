@@ -1,14 +1,19 @@
 //! The isolation engineer's work around a script: ground motions, prototype tests, bounds of bearings, checks of codes.
 //!
-//! Motions, spectra and prototype tests know no script; [`isolate`] runs one.
+//! Motions, spectra and prototype tests know no script; [`isolate`] runs one, [`batch`] lists runs of many.
 
 #![forbid(unsafe_code)]
 
+pub mod batch;
 pub mod check;
 pub mod codes;
+pub mod fragility;
+pub mod incremental;
 pub mod isolate;
 pub mod lateral_force;
 pub mod motion;
+pub mod multimode;
+pub mod performance;
 pub mod prototype;
 pub mod scaling;
 pub mod spectrum;

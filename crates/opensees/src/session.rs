@@ -426,6 +426,11 @@ impl Session {
         self.output.recorders.finish()
     }
 
+    /// Share of the energy into the isolators so far that Rayleigh damping took; 0 without any.
+    pub fn isolator_damping_share(&self) -> f64 {
+        self.output.recorders.isolator_damping.share()
+    }
+
     /// Forget everything but the settings.
     pub(crate) fn wipe(&mut self) -> Result<(), RecordError> {
         let finished = self.output.recorders.finish();

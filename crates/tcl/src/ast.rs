@@ -89,6 +89,8 @@ pub(crate) enum Inline {
     Expr(Box<OnceCell<Option<Template>>>),
     /// `set name value`
     Set(Rc<VarName>),
+    /// `incr name`, `incr name 2`
+    Incr(Rc<VarName>, i64),
 }
 
 /// One word.

@@ -143,8 +143,16 @@ pub(crate) struct CommandTable {
     /// Changes whenever a name may mean another command. Other interpreters of the thread have other numbers, unless
     /// they have the same commands.
     pub(crate) epoch: u32,
-    /// The commands `expr` and `set` of the language, which run without being called.
-    pub(crate) inlined: (Option<CmdId>, Option<CmdId>),
+    /// Commands of the language that run without being called.
+    pub(crate) inlined: InlinedCommands,
+}
+
+/// Commands that run without being called, as long as their names mean those of the language.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct InlinedCommands {
+    pub(crate) expr: Option<CmdId>,
+    pub(crate) set: Option<CmdId>,
+    pub(crate) incr: Option<CmdId>,
 }
 
 impl CommandTable {
@@ -153,7 +161,7 @@ impl CommandTable {
             namespaces: vec![Namespace::global()],
             commands: vec![],
             epoch: fresh_epoch(),
-            inlined: (None, None),
+            inlined: InlinedCommands::default(),
         }
     }
 

@@ -113,7 +113,7 @@ impl<H> Interp<H> {
         match &command.inline {
             Inline::No => {}
             Inline::Expr(_) => {
-                if self.core.is_inlined(Place { script, command, map: None }, self.core.table.inlined.0)
+                if self.core.is_inlined(Place { script, command, map: None }, self.core.table.inlined.expr)
                     && let Some(result) = self.expr_command(script, command)
                 {
                     return result;
@@ -121,7 +121,7 @@ impl<H> Interp<H> {
             }
             Inline::Set(name) => {
                 if let Some(word) = command.words.get(2)
-                    && self.core.is_inlined(Place { script, command, map: None }, self.core.table.inlined.1)
+                    && self.core.is_inlined(Place { script, command, map: None }, self.core.table.inlined.set)
                 {
                     let result = match &word.kind {
                         WordKind::Literal(v) => Ok(v.clone()),
@@ -134,7 +134,19 @@ impl<H> Interp<H> {
                     return result.map_err(|e| self.inline_failed(e, script, command));
                 }
             }
+            Inline::Incr(name, by) => {
+                if self.core.is_inlined(Place { script, command, map: None }, self.core.table.inlined.incr)
+                    && let Some(sum) = self.core.increment(name, *by)
+                {
+                    return Ok(sum);
+                }
+            }
         }
+        self.call_command(script, command)
+    }
+
+    /// Run a command by a call.
+    fn call_command(&mut self, script: &Script, command: &Command) -> Result<Value, Exception> {
         let mut argv = self.core.take_words();
         let mut map: Option<Vec<u32>> = None;
         for (i, word) in command.words.iter().enumerate() {
@@ -195,7 +207,10 @@ impl<H> Interp<H> {
     /// The value of `$name` or `$name(index)`.
     pub(crate) fn variable(&mut self, unit: &Unit, var: &VarRef) -> Result<Value, Exception> {
         let result = match &var.index {
-            None => self.core.read(&var.name, None),
+            None => match self.core.scalar(&var.name) {
+                Some(value) => return Ok(value.clone()),
+                None => self.core.read(&var.name, None),
+            },
             Some(Index::Text(index)) => self.core.read(&var.name, Some(index)),
             Some(Index::Parts(parts)) => match &**parts {
                 [Part::Var(v)] => {

@@ -8,7 +8,7 @@ use super::escape::backslash;
 use super::origin::Origin;
 use super::stack;
 use super::stretch::MIN_SHARED;
-use super::value::Value;
+use super::value::{Rep, Value};
 use super::vars::VarName;
 
 /// Limit of nested brackets and parentheses in one text.
@@ -456,6 +456,11 @@ fn inline(words: &[Word]) -> Inline {
     match (&*name.as_str(), rest) {
         ("expr", _) => Inline::Expr(Box::default()),
         ("set", [Word { kind: WordKind::Literal(name), .. }, _]) => Inline::Set(VarName::of(name)),
+        ("incr", [Word { kind: WordKind::Literal(name), .. }, by @ ..]) => match by {
+            [] => Inline::Incr(VarName::of(name), 1),
+            [Word { kind: WordKind::Literal(Value(Rep::Int(by))), .. }] => Inline::Incr(VarName::of(name), *by),
+            _ => Inline::No,
+        },
         _ => Inline::No,
     }
 }

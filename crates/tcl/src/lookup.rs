@@ -6,7 +6,7 @@ use super::core::{Core, NsId};
 use super::error::Exception;
 use super::table::Table;
 use super::text::Text;
-use super::value::Value;
+use super::value::{Rep, Value};
 use super::vars::{Scope, Slot, Trouble, VarName, Watch, WatchedSlot, put, take};
 use crate::diagnostic;
 
@@ -69,6 +69,7 @@ impl Core {
     }
 
     /// The slot of a variable, if there is one.
+    #[inline]
     pub(crate) fn slot(&self, name: &VarName) -> Option<&Slot> {
         let frame = self.frame();
         if let Scope::Here = name.scope {
@@ -85,6 +86,42 @@ impl Core {
         self.ns(self.scope_of(name)?).vars.get_hashed(&name.tail, name.hash)
     }
 
+    /// The value of a variable that is a plain scalar; `None` does not mean that there is no variable.
+    #[inline]
+    pub(crate) fn scalar(&self, name: &VarName) -> Option<&Value> {
+        match self.slot(name) {
+            Some(Slot::Scalar(value)) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// As [`Core::scalar`], to change the value.
+    #[inline]
+    fn scalar_mut(&mut self, name: &VarName) -> Option<&mut Value> {
+        // Setting this one has consequences.
+        if &*name.tail == "tcl_precision" {
+            return None;
+        }
+        match self.slot_mut(name) {
+            Some(Slot::Scalar(value)) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// Add to an integer in place; `None`, with nothing done, where that takes more.
+    #[inline]
+    pub(crate) fn increment(&mut self, name: &VarName, by: i64) -> Option<Value> {
+        if name.element.is_some() {
+            return None;
+        }
+        let value = self.scalar_mut(name)?;
+        let Rep::Int(old) = value.0 else { return None };
+        let sum = Value::from(old.checked_add(by)?);
+        *value = sum.clone();
+        Some(sum)
+    }
+
+    #[inline]
     fn slot_mut(&mut self, name: &VarName) -> Option<&mut Slot> {
         let active = self.calls.active;
         if let Scope::Here = name.scope {
@@ -157,6 +194,12 @@ impl Core {
 
     /// Set a variable.
     pub(crate) fn write(&mut self, name: &VarName, index: Option<&Text>, value: Value) -> Result<(), Exception> {
+        if index.is_none()
+            && let Some(old) = self.scalar_mut(name)
+        {
+            *old = value;
+            return Ok(());
+        }
         let done = match self.slot_or_new(name) {
             None => Err(Trouble::NoNamespace),
             Some(slot) => slot.with_mut(|slot| put(slot, index, value)),

@@ -173,11 +173,9 @@ impl Core {
         if let Some(&old) = self.ns(ns).commands.get(name) {
             self.table.commands[old.0 as usize].imp = imp;
             // No longer those of the language.
-            if self.table.inlined.0 == Some(old) {
-                self.table.inlined.0 = None;
-            }
-            if self.table.inlined.1 == Some(old) {
-                self.table.inlined.1 = None;
+            let inlined = &mut self.table.inlined;
+            for command in [&mut inlined.expr, &mut inlined.set, &mut inlined.incr] {
+                command.take_if(|id| *id == old);
             }
             return old;
         }

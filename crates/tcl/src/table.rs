@@ -89,6 +89,7 @@ impl<V> Table<V> {
         self.len = 0;
     }
 
+    #[inline]
     fn find(&self, key: &str, hash: u32) -> Option<usize> {
         let mut at = self.heads.first(hash);
         while at != NONE {

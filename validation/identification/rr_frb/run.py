@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The twin of the paper's identification, as README.md here says.
+"""The twin of the paper's identification (Flora, Calabrese and Cardone 2023), as README.md here says.
 
     validation/identification/rr_frb/run.py [--out DIR] [--target reconstructed|twin] [--models NAME ...] [WORD of hysteron calibrate ...]
 
@@ -79,6 +79,25 @@ foreach name {%s} {
 }
 """
 
+# The paper's Fig 8: the target and all models together.
+MEASURES = {"energy": "energy of a cycle, J", "stiffness": "secant stiffness, N/m", "damping": "equivalent damping"}
+
+
+def draw_measures(out, models):
+    """Pictures fig_8_MEASURE.svg in `out`, from the calibrations of `models`."""
+    results = {m: json.loads((out / m / "fit/calibration.json").read_text()) for m in models}
+    rows = {m: result["runs"][0]["channels"][0]["amplitudes"] for m, result in results.items()}
+    numbers = lambda values: "{" + " ".join(f"{x:.9g}" for x in values) + "}"
+    script = []
+    for measure, label in MEASURES.items():
+        curves = [("target", [r[measure][0] for r in rows[models[0]]])]
+        curves += [(m, [r[measure][1] for r in rows[m]]) for m in models]
+        strain = numbers(100 * r["amplitude"] / HEIGHT for r in rows[models[0]])
+        lines = " ".join(f"-line {name} {strain} {numbers(values)}" for name, values in curves)
+        script.append(f'figure fig_8_{measure}.svg -title "{label}, by amplitude" -x "shear strain, %" -y "{label}" {lines}')
+    (out / "fig_8.tcl").write_text("\n".join(script) + "\n")
+    run("fig_8.tcl", out)
+
 
 def run(script, folder):
     subprocess.run([Path(BINARY).resolve(), "run", script], cwd=folder, check=True, capture_output=True)
@@ -120,6 +139,7 @@ def main():
         print(f"## {model}, {args.target} target")
         report(json.loads((folder / "fit/calibration.json").read_text()))
     draw(out, args.models, args.target)
+    draw_measures(out, args.models)
 
 
 def report(result):

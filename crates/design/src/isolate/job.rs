@@ -1,18 +1,17 @@
 //! One analysis of a study: the script with the values of a bound, a motion and an eccentricity.
 
 use super::BOUNDS;
+use super::capture::{Captured, Rows, StudyOutputs};
+use super::inputs::{HashedFiles, InputHashes};
 use super::outcome::{BearingOutcome, JobOutcome};
 use super::study::{BearingType, Study};
 use crate::lateral_force::overlap;
 use crate::spectrum::{Oscillator, logarithmic};
-use hysteron_engine::analysis::Options;
-use hysteron_engine::record::{Memory, Output, RecordError};
+use hysteron_engine::analysis::{Options, RecoveryStrategy};
 use hysteron_identify::measure::work;
 use hysteron_opensees::run::{End, Run, Settings};
-use hysteron_opensees::{FileFormat, Mode, Outputs, Progress, Tcl};
+use hysteron_opensees::{Mode, Progress, Tcl};
 use hysteron_tcl::{Console, OsFiles, OverlayFiles, Value};
-use std::collections::BTreeMap;
-use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
 
@@ -50,14 +49,14 @@ pub fn jobs(study: &Study) -> Vec<Job> {
     all
 }
 
-/// Folder of the names of the recorders that the study adds.
-const FOLDER: &str = "hysteron_isolate";
-
 /// Periods of floor spectra.
 const FLOOR_PERIODS: usize = 30;
 
 /// Points of a thinned history, at most.
 const MAX_POINTS: usize = 1200;
+
+/// Begin of the description of an analysis that did not converge.
+const NO_CONVERGENCE: &str = "the analysis failed";
 
 /// Adds the recorders before the first step of a transient analysis.
 const PROLOGUE: &str = r#"
@@ -67,10 +66,14 @@ proc analyze {args} {
         set ::hysteron_recorded 1
         foreach tag $::hysteron_bearings {
             lassign [eleNodes $tag] lower upper
+            lappend ::hysteron_places {*}[nodeCoord $upper]
             set dofs [lrange {1 2 3} 0 [expr {[llength [nodeCoord $upper]] - 1}]]
             recorder Node -file hysteron_isolate/$tag/lower -node $lower -dof {*}$dofs disp
             recorder Node -file hysteron_isolate/$tag/upper -node $upper -dof {*}$dofs disp
             recorder Element -file hysteron_isolate/$tag/force -ele $tag globalForce
+        }
+        foreach tag $::hysteron_contacts {
+            recorder Element -file hysteron_isolate/contact$tag -ele $tag globalForce
         }
         foreach node $::hysteron_floors {
             set dofs [lrange {1 2} 0 [expr {[llength [nodeCoord $node]] - 2}]]
@@ -87,74 +90,6 @@ struct Silent;
 impl Console for Silent {
     fn out(&mut self, _: &str) {}
     fn err(&mut self, _: &str) {}
-}
-
-/// Rows of a recorder with their times, the state at the start of the analysis first.
-#[derive(Clone, Debug, Default)]
-struct Rows {
-    times: Vec<f64>,
-    rows: Vec<Vec<f64>>,
-}
-
-impl Rows {
-    fn column(&self, i: usize) -> Vec<f64> {
-        self.rows.iter().map(|r| r.get(i).copied().unwrap_or(0.0)).collect()
-    }
-
-    fn width(&self) -> usize {
-        self.rows.first().map_or(0, Vec::len)
-    }
-}
-
-#[derive(Debug)]
-struct Capture {
-    shared: Arc<Mutex<Rows>>,
-    own: Rows,
-    time: f64,
-}
-
-impl Output for Capture {
-    fn row(&mut self, row: &[f64]) -> Result<(), RecordError> {
-        self.own.times.push(self.time);
-        self.own.rows.push(row.to_vec());
-        Ok(())
-    }
-    fn wants_start(&self, _: f64) -> bool {
-        self.own.rows.is_empty()
-    }
-    fn start(&mut self, time: f64, row: &[f64]) {
-        if self.own.rows.is_empty() {
-            self.own.times.push(time);
-            self.own.rows.push(row.to_vec());
-        }
-    }
-    fn at(&mut self, time: f64) {
-        self.time = time;
-    }
-    fn finish(&mut self) -> Result<(), RecordError> {
-        if let Ok(mut shared) = self.shared.lock() {
-            *shared = std::mem::take(&mut self.own);
-        }
-        Ok(())
-    }
-}
-
-type Captured = Arc<Mutex<BTreeMap<String, Arc<Mutex<Rows>>>>>;
-
-/// Keeps the recorders of the study; those of the script write nowhere.
-struct StudyOutputs(Captured);
-
-impl Outputs for StudyOutputs {
-    fn create(&mut self, name: &str, _: &Path, _: FileFormat) -> Result<Box<dyn Output>, RecordError> {
-        let Some(key) = name.strip_prefix(FOLDER).map(|n| n.trim_start_matches('/').to_owned()) else {
-            return Ok(Box::new(Memory::default()));
-        };
-        let shared = Arc::<Mutex<Rows>>::default();
-        if let Ok(mut all) = self.0.lock() {
-            all.insert(key, shared.clone());
-        }
-        Ok(Box::new(Capture { shared, own: Rows::default(), time: 0.0 }))
-    }
 }
 
 /// Ends an analysis whose result is not wanted any more.
@@ -198,17 +133,55 @@ fn values(study: &Study, job: &Job) -> Vec<(String, Value)> {
     out
 }
 
-/// Set the values and add the recorders.
-fn prepare(interp: &mut Tcl, study: &Study, job: &Job) -> Result<(), String> {
+/// A script that sets the values of an analysis and goes on with the script of the study, for OpenSees itself.
+pub fn script_text(study: &Study, job: &Job) -> String {
+    let mut out = format!("# {}: {}, {}\n", study.title, job.name(), study.motions[job.motion].name());
+    for (name, value) in values(study, job) {
+        out += &format!("set {{isolate({name})}} {{{}}}\n", value.as_str());
+    }
+    let path = std::path::absolute(&study.script).unwrap_or_else(|_| study.script.clone());
+    out + &format!("source {{{}}}\n", path.display().to_string().replace('\\', "/"))
+}
+
+/// Ends the script before the first step of a transient analysis.
+const STOP_BEFORE: &str = r#"
+rename analyze hysteron_analyze
+proc analyze {args} {
+    if {[llength $args] >= 2} { exit 0 }
+    uplevel 1 [linsert $args 0 hysteron_analyze]
+}
+"#;
+
+/// Run the script of a study at a bound up to its first transient analysis.
+///
+/// # Errors
+/// It fails before, or has no transient analysis.
+pub(crate) fn run_to_transient(study: &Study, bound: &'static str) -> Result<Run, String> {
+    let settings = Settings { mode: Mode::Run, strict: false, options: Options::default() };
+    let files = OverlayFiles::new(Box::new(OsFiles));
+    let mut run = Run::new(settings, Box::new(Silent), Box::new(files), Box::new(StudyOutputs(Captured::default())));
+    prepare(&mut run.interp, study, &Job { bound, motion: 0, eccentricity: 0, level: 1.0 }, STOP_BEFORE)?;
+    let end = run.script(&study.script.to_string_lossy(), &[]);
+    match end {
+        End::Exit(0) => Ok(run),
+        End::Done => Err("the script has no transient analysis".into()),
+        _ => Err(description(&end, &run)),
+    }
+}
+
+/// Set the values, and change the commands by a prologue.
+fn prepare(interp: &mut Tcl, study: &Study, job: &Job, prologue: &str) -> Result<(), String> {
     let tags = study.bearings.iter().flat_map(|b| &b.tags);
     let bearings = Value::list(tags.map(|t| Value::from(*t)));
+    let contacts = Value::list(study.contacts().map(Value::from));
+    interp.set_global("hysteron_contacts", contacts).map_err(|_| "the values of the study cannot be set".to_owned())?;
     let floors = Value::list(study.floors.iter().map(|f| Value::from(f.node)));
     let set = values(study, job).into_iter().flat_map(|(name, value)| [Value::from(name), value]);
     let failed = |_| "the values of the study cannot be set".to_owned();
     interp.set_global("hysteron_bearings", bearings).map_err(failed)?;
     interp.set_global("hysteron_floors", floors).map_err(failed)?;
     interp.set_global("hysteron_values", Value::list(set)).map_err(failed)?;
-    let text = format!("array set isolate $hysteron_values\nunset hysteron_values\n{PROLOGUE}");
+    let text = format!("array set isolate $hysteron_values\nunset hysteron_values\n{prologue}");
     interp.eval_str("isolation study", &text).map(|_| ()).map_err(|_| "the recorders cannot be added".to_owned())
 }
 
@@ -219,11 +192,11 @@ fn description(end: &End, run: &Run) -> String {
     };
     match end {
         End::Done | End::Exit(0) => {
-            run.interp.host.last_failure.as_ref().map_or(String::new(), |f| format!("the analysis failed: {f}"))
+            run.interp.host.last_failure.as_ref().map_or(String::new(), |f| format!("{NO_CONVERGENCE}: {f}"))
         }
-        End::Failed(f) | End::Ignored(f) => format!("the analysis failed: {f}"),
+        End::Failed(f) | End::Ignored(f) => format!("{NO_CONVERGENCE}: {f}"),
         End::Raised(d) => match &run.interp.host.last_failure {
-            Some(f) => format!("the analysis failed: {f}"),
+            Some(f) => format!("{NO_CONVERGENCE}: {f}"),
             None => format!("the script raised an error: {}", text(d)),
         },
         End::Rejected(d) => format!("the script was rejected: {}", text(d)),
@@ -232,11 +205,22 @@ fn description(end: &End, run: &Run) -> String {
     }
 }
 
-/// Make an analysis. A failure is part of the outcome; `stop` interrupts it.
+/// Make an analysis. A failure is part of the outcome; `stop` interrupts it. An analysis that does not converge is made
+/// once more with the strategy of recovery and half the steps.
 pub fn run_job(study: &Study, job: &Job, stop: &Arc<AtomicBool>) -> JobOutcome {
+    let first = attempt(study, job, stop, Options::default());
+    if !first.failure.starts_with(NO_CONVERGENCE) {
+        return first;
+    }
+    let options = Options { ladder: Some(RecoveryStrategy::default()), refine: 2, ..Options::default() };
+    JobOutcome { retried: true, ..attempt(study, job, stop, options) }
+}
+
+fn attempt(study: &Study, job: &Job, stop: &Arc<AtomicBool>, options: Options) -> JobOutcome {
     let captured = Captured::default();
-    let settings = Settings { mode: Mode::Run, strict: false, options: Options::default() };
-    let files = OverlayFiles::new(Box::new(OsFiles));
+    let settings = Settings { mode: Mode::Run, strict: false, options };
+    let inputs = InputHashes::default();
+    let files = OverlayFiles::new(Box::new(HashedFiles::new(inputs.clone())));
     let mut run = Run::new(settings, Box::new(Silent), Box::new(files), Box::new(StudyOutputs(captured.clone())));
     let time = Arc::<Mutex<f64>>::default();
     let interrupt = run.interp.interrupt.clone();
@@ -248,21 +232,39 @@ pub fn run_job(study: &Study, job: &Job, stop: &Arc<AtomicBool>) -> JobOutcome {
         eccentricity: study.eccentricities[job.eccentricity],
         ..JobOutcome::default()
     };
-    if let Err(e) = prepare(&mut run.interp, study, job) {
+    if let Err(e) = prepare(&mut run.interp, study, job, PROLOGUE) {
         out.failure = e;
         return out;
     }
     let end = run.script(&study.script.to_string_lossy(), &[]);
     out.failure = description(&end, &run);
     out.time = time.lock().map_or(0.0, |t| *t);
+    out.inputs = inputs.hashes();
+    out.damping_share = run.interp.host.isolator_damping_share();
     let rows = |name: &str| -> Option<Rows> {
         let all = captured.lock().ok()?;
         let rows = all.get(name)?.lock().ok()?.clone();
         (rows.rows.len() > 1).then_some(rows)
     };
     measure_bearings(study, &rows, &mut out);
+    let found = places(&mut run.interp, out.bearings.len());
+    out.bearings.iter_mut().zip(found).for_each(|(b, place)| b.place = place);
     measure_floors(study, job, &rows, &mut out);
+    let half = |r: &Rows| {
+        r.rows.iter().map(|row| row[..row.len() / 2].iter().map(|f| f * f).sum::<f64>().sqrt()).fold(0.0, f64::max)
+    };
+    out.contact =
+        study.contacts().map(|tag| (tag, rows(&format!("contact{tag}")).map_or(f64::NAN, |r| half(&r)))).collect();
     out
+}
+
+/// Horizontal coordinates of `count` bearings, as the recorders found them.
+fn places(interp: &mut Tcl, count: usize) -> Vec<Vec<f64>> {
+    let text = "if {[info exists ::hysteron_places]} {set ::hysteron_places} else {list}";
+    let Ok(all) = interp.eval_str("isolation study", text) else { return vec![] };
+    let numbers: Vec<f64> = all.as_str().split_whitespace().filter_map(|w| w.parse().ok()).collect();
+    let ndm = numbers.len() / count.max(1);
+    if ndm < 2 { vec![] } else { numbers.chunks(ndm).map(|xyz| xyz[..ndm - 1].to_vec()).collect() }
 }
 
 /// Element of the largest length among vectors.
@@ -334,6 +336,7 @@ fn bearing(
     let second = if u.len() > 1 { &u[1] } else { &u[0] };
     BearingOutcome {
         tag,
+        place: vec![],
         displacement: (0..n).map(length).fold(0.0, f64::max),
         residual: u.iter().map(|u| rest(u).powi(2)).sum::<f64>().sqrt(),
         gravity: compression[0],
@@ -381,7 +384,13 @@ fn measure_floors(study: &Study, job: &Job, rows: &dyn Fn(&str) -> Option<Rows>,
             (0..width).map(|d| accel.column(d).iter().zip(&ground[d]).map(|(a, g)| a + g).collect()).collect();
         let top = absolute.iter().flatten().fold(0.0f64, |m, a| m.max(a.abs()));
         out.accelerations.push(top / study.gravity);
-        if k > 0 {
+        if k == 0 {
+            let largest = |d: usize| {
+                let u = disp.column(d);
+                u.iter().fold(0.0f64, |m, x| m.max((x - u[0]).abs()))
+            };
+            out.base_displacement = (0..width).map(largest).collect();
+        } else {
             let below = &all[k - 1].0;
             let drift = |d: usize| {
                 let pairs = disp.column(d).into_iter().zip(below.column(d));

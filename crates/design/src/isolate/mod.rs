@@ -5,13 +5,17 @@
 //! `isolate(ax)` and `isolate(ay)` as lists in its own unit, `isolate(dt)` and `isolate(points)`, and the accidental
 //! eccentricities `isolate(ex)` and `isolate(ey)` as shares of the plan.
 
+mod capture;
+mod inputs;
 mod job;
 mod outcome;
 pub mod report;
 mod study;
 mod summary;
 
-pub use job::{Job, jobs, run_job};
+pub use inputs::is_current;
+pub(crate) use job::run_to_transient;
+pub use job::{Job, jobs, run_job, script_text};
 pub use outcome::{BearingOutcome, JobOutcome};
 pub use study::{BearingType, Floor, Study, load};
 pub use summary::{Summary, summary};

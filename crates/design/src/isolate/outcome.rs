@@ -7,6 +7,8 @@ use serde::{Deserialize, Serialize};
 pub struct BearingOutcome {
     /// Tag of the element.
     pub tag: i64,
+    /// Horizontal coordinates of its upper node.
+    pub place: Vec<f64>,
     /// Largest horizontal displacement: vector sum.
     pub displacement: f64,
     /// Displacement at the end: vector sum of the means of the last tenth of the record.
@@ -46,6 +48,10 @@ pub struct JobOutcome {
     pub failure: String,
     /// Time that it came to.
     pub time: f64,
+    /// True if the script's own steps failed, and shorter ones with other algorithms were tried.
+    pub retried: bool,
+    /// Files that the script has read, with their hashes.
+    pub inputs: Vec<(String, u64)>,
     /// Bearings, in the order of the study.
     pub bearings: Vec<BearingOutcome>,
     /// Largest shear of all bearings together: vector sum.
@@ -56,6 +62,12 @@ pub struct JobOutcome {
     pub drifts: Vec<f64>,
     /// Largest absolute accelerations of the floors in either direction, as a share of gravity.
     pub accelerations: Vec<f64>,
+    /// Largest displacements of the lowest floor in each horizontal direction.
+    pub base_displacement: Vec<f64>,
+    /// Largest forces of the elements of contact, by their tags.
+    pub contact: Vec<(i64, f64)>,
+    /// Share of the energy that goes into the isolators and is taken by Rayleigh damping.
+    pub damping_share: f64,
     /// Periods of the floor spectra in s.
     pub periods: Vec<f64>,
     /// Floor spectra: the larger of both directions, as a share of gravity, for 5 % damping.

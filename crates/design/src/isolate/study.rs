@@ -2,6 +2,7 @@
 
 use crate::codes::Code;
 use crate::motion::{Motion, Pair, ReadOptions, read};
+use crate::performance::{Collapse, Hunt, Intensity, LimitState, Performance, Stripes};
 use crate::scaling::scale;
 use crate::spectrum::{Combination, PairSpectrum, logarithmic};
 use crate::target::Target;
@@ -154,6 +155,28 @@ struct StudyFile {
     floor: Vec<Floor>,
     bearing: Vec<BearingType>,
     motion: Vec<MotionEntry>,
+    #[serde(default)]
+    intensity: Intensity,
+    ida: Option<Hunt>,
+    stripes: Option<Stripes>,
+    #[serde(default)]
+    collapse: Collapse,
+    #[serde(default)]
+    limit_state: Vec<LimitState>,
+    /// Bounds of incremental analyses and stripes.
+    #[serde(default = "nominal")]
+    fragility_bounds: Vec<String>,
+    /// Damping of the structure above in modal analyses.
+    #[serde(default = "structure_damping")]
+    structure_damping: f64,
+}
+
+fn nominal() -> Vec<String> {
+    vec!["nominal".into()]
+}
+
+fn structure_damping() -> f64 {
+    0.05
 }
 
 fn default_code() -> String {
@@ -167,7 +190,7 @@ pub struct Study {
     pub title: String,
     /// Path of the script.
     pub script: PathBuf,
-    /// Text of the study and of the script, for the check whether results belong to them.
+    /// Hash of the script, the records and all that an analysis gets from the study.
     pub fingerprint: u64,
     /// Code of the checks.
     pub code: Code,
@@ -191,12 +214,18 @@ pub struct Study {
     pub motions: Vec<Pair>,
     /// Factors that the pairs are scaled by.
     pub factors: Vec<f64>,
+    /// Levels of intensity and limit states.
+    pub performance: Performance,
+    /// Damping of the structure above in modal analyses, as a share of critical.
+    pub structure_damping: f64,
 }
 
-/// Hash of texts (FNV-1a), the same on every machine.
+/// Version of the results of an analysis: those of another one are made again.
+const FORMAT: &str = "2";
+
+/// Hash of texts.
 fn fingerprint(texts: &[&str]) -> u64 {
-    let bytes = texts.iter().flat_map(|t| t.bytes().chain(std::iter::once(0xff)));
-    bytes.fold(0xcbf2_9ce4_8422_2325, |h, b| (h ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3))
+    super::inputs::hash(texts.iter().flat_map(|t| t.bytes().chain(std::iter::once(0xff))))
 }
 
 fn positive(what: &str, x: f64) -> Result<(), String> {
@@ -220,7 +249,7 @@ pub fn load(path: &Path) -> Result<Study, String> {
     check(&file)?;
     let target = Target::parse(&file.target, |name| text_of(&folder.join(name)))?;
     let mut motions = vec![];
-    let mut texts = vec![text.clone(), script_text];
+    let mut texts = vec![FORMAT.to_owned(), script_text];
     for entry in &file.motion {
         let options = ReadOptions { unit: entry.unit.clone(), dt: entry.dt };
         let mut components: Vec<Motion> = vec![];
@@ -249,12 +278,31 @@ pub fn load(path: &Path) -> Result<Study, String> {
     for (pair, f) in motions.iter_mut().zip(&factors) {
         pair.components.iter_mut().for_each(|m| *m = m.scaled(*f));
     }
+    let code = Code::named(&file.code)?;
+    let (gravity, floors, bearings) = (file.gravity, &file.floor, &file.bearing);
+    let share = code.value("system_adjustment", "share");
+    let contacts: Vec<i64> = file.limit_state.iter().flat_map(|l| l.elements.iter().copied()).collect();
+    texts.push(format!(
+        "{gravity:?} {floors:?} {bearings:?} {share:?} {contacts:?} {factors:?} {:?}",
+        file.eccentricities
+    ));
+    texts.extend(file.motion.iter().map(|m| format!("{m:?}")));
+    let types: Vec<&str> = file.bearing.iter().map(|b| b.name.as_str()).collect();
+    let performance = Performance {
+        intensity: file.intensity,
+        hunt: file.ida,
+        stripes: file.stripes,
+        collapse: file.collapse,
+        limit_states: file.limit_state,
+        bounds: file.fragility_bounds,
+    };
+    performance.check(&types, &super::BOUNDS)?;
     let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
     Ok(Study {
         title: if file.title.is_empty() { file.script.clone() } else { file.title },
         script,
         fingerprint: fingerprint(&texts),
-        code: Code::named(&file.code)?,
+        code,
         gravity: file.gravity,
         units: file.units,
         plan: file.plan,
@@ -265,6 +313,8 @@ pub fn load(path: &Path) -> Result<Study, String> {
         bearings: file.bearing,
         motions,
         factors,
+        performance,
+        structure_damping: file.structure_damping,
     })
 }
 
@@ -282,6 +332,9 @@ fn factors(motions: &[Pair], target: &Target, [from, to]: [f64; 2]) -> Result<Ve
 fn check(file: &StudyFile) -> Result<(), String> {
     positive("gravity", file.gravity)?;
     positive("response_modification", file.response_modification)?;
+    if !(0.0..1.0).contains(&file.structure_damping) {
+        return Err(format!("structure_damping is {}: expected 0 to less than 1", file.structure_damping));
+    }
     if file.bearing.is_empty() || file.motion.is_empty() || file.eccentricities.is_empty() {
         return Err("expected at least one [[bearing]], one [[motion]] and one eccentricity".into());
     }
@@ -324,6 +377,13 @@ impl Study {
     pub fn weight(&self) -> Option<f64> {
         let sum: f64 = self.floors.iter().map(|f| f.weight).sum();
         (sum > 0.0).then_some(sum)
+    }
+
+    /// Elements of contact, each once.
+    pub fn contacts(&self) -> impl Iterator<Item = i64> + '_ {
+        let all: std::collections::BTreeSet<i64> =
+            self.performance.limit_states.iter().flat_map(|l| l.elements.iter().copied()).collect();
+        all.into_iter()
     }
 
     /// Length of a meter in the units of the script.

@@ -4,7 +4,7 @@ use super::BOUNDS;
 use super::outcome::{BearingOutcome, JobOutcome};
 use super::study::Study;
 use crate::check::Check;
-use crate::lateral_force::{LateralForce, System};
+use crate::lateral_force::{LateralForce, System, torsional_period_ratio, torsional_ratio};
 use hysteron_identify::report::{Cell, Table};
 
 /// Results of a study.
@@ -21,6 +21,9 @@ pub struct Summary {
     /// Matters that were not checked.
     pub not_checked: Vec<String>,
 }
+
+/// Share of the energy of isolators that Rayleigh damping may take: a bearing has no such damping.
+const MAX_DAMPING_SHARE: f64 = 0.05;
 
 /// Pairs from which on the mean counts in place of the largest value.
 fn mean_from(study: &Study) -> usize {
@@ -73,9 +76,12 @@ pub fn summary(study: &Study, outcomes: &[JobOutcome]) -> Summary {
             None => Err("the weights of the floors are not given".into()),
         });
     }
-    out.schedule = schedule(study, outcomes, &mut out.checks);
+    out.schedule = schedule(study, outcomes, &out.lateral_force, &mut out.checks);
     out.structure = structure(study, outcomes, &out.lateral_force);
     overall(study, outcomes, &mut out);
+    let damped = outcomes.iter().map(|o| o.damping_share).fold(0.0, f64::max);
+    let subject = "Rayleigh damping: share of the energy into the isolators";
+    out.checks.push(Check::at_most(subject, "", damped, MAX_DAMPING_SHARE));
     let failed = outcomes.iter().filter(|o| !o.failure.is_empty()).count();
     if failed > 0 {
         let subject = format!("{failed} of {} analyses came to no end", outcomes.len());
@@ -85,22 +91,68 @@ pub fn summary(study: &Study, outcomes: &[JobOutcome]) -> Summary {
         "strength of members, diaphragms, foundations and connections of the bearings",
         "wind and service loads; vertical ground motion, unless the script applies it",
         "fire, access for inspection and replacement, utilities across the isolation interface",
-        "damping of Rayleigh type that the script may put on the bearings",
+        "least shear above of wind and of a fixed base at T_M; eccentricity of the masses in the plan formula of D_TM",
     ]
     .map(str::to_owned)
     .into();
     out
 }
 
+/// Total displacements D_TM of the bearings by the plan formula of the code, by bound: D_M times
+/// 1 + y/P_T² · 12 e/(b² + d²) with the accidental eccentricity e, at least the share of the code. NaN without a procedure.
+fn plan_totals(study: &Study, outcomes: &[JobOutcome], procedure: &[Result<LateralForce, String>]) -> Vec<Vec<f64>> {
+    let code = &study.code;
+    let least = code.value("total_displacement", "least").unwrap_or(f64::NAN);
+    let count = study.bearings.iter().map(|b| b.tags.len()).sum::<usize>();
+    let places = outcomes.iter().map(|o| o.bearings.iter().map(|b| &b.place).collect::<Vec<_>>());
+    let places = places.into_iter().find(|p| p.len() == count && p.iter().all(|p| p.len() == 2));
+    let ratios = match (study.plan, places, code.value("accidental_eccentricity", "share")) {
+        (Some(plan), Some(places), Some(share)) if code.value("total_displacement", "plan").is_some() => {
+            let n = count as f64;
+            let center = [0, 1].map(|k| places.iter().map(|p| p[k]).sum::<f64>() / n);
+            let points: Vec<[f64; 2]> = places.iter().map(|p| [p[0] - center[0], p[1] - center[1]]).collect();
+            let torsion = torsional_period_ratio(&points, plan);
+            // A force along one side turns the plan about the eccentricity along the other.
+            let of = |p: &[f64; 2]| {
+                let ratio = |k: usize| torsional_ratio(p[k].abs(), share * plan[k], plan, torsion);
+                ratio(0).max(ratio(1)).max(least)
+            };
+            points.iter().map(of).collect()
+        }
+        _ => vec![least; count],
+    };
+    let of = |l: &Result<LateralForce, String>| {
+        let d = l.as_ref().map_or(f64::NAN, |l| l.displacement);
+        ratios.iter().map(|r| r * d).collect()
+    };
+    procedure.iter().map(of).collect()
+}
+
+/// R_I of the structure above: a share of R between limits of the code; 1 where the code has none.
+fn reduction(study: &Study) -> f64 {
+    let value = |name: &str| study.code.value("force_above", name);
+    match (value("response_share"), value("response_least"), value("response_most")) {
+        (Some(share), Some(least), Some(most)) => (share * study.response_modification).clamp(least, most),
+        _ => 1.0,
+    }
+}
+
 /// Schedule of the bearings, and the checks of each type.
-fn schedule(study: &Study, outcomes: &[JobOutcome], checks: &mut Vec<Check>) -> Table {
+fn schedule(
+    study: &Study,
+    outcomes: &[JobOutcome],
+    procedure: &[Result<LateralForce, String>],
+    checks: &mut Vec<Check>,
+) -> Table {
     let [force, length] = [study.units[0].as_str(), study.units[1].as_str()];
+    let totals = plan_totals(study, outcomes, procedure);
     let energy = format!("{force} {length}");
     let mut table = Table::new([
         ("type", ""),
         ("bearing", ""),
         ("D", length),
         ("bound of D", ""),
+        ("D_TM plan", length),
         ("residual", length),
         ("P gravity", force),
         ("P max", force),
@@ -126,6 +178,7 @@ fn schedule(study: &Study, outcomes: &[JobOutcome], checks: &mut Vec<Check>) -> 
             let stability = kind.critical_load.map_or(f64::NAN, |_| over(&|b| b.stability.unwrap_or(f64::NAN)).0);
             let number = |x: f64| if x.is_finite() { Cell::Number(x) } else { Cell::Word("-") };
             let mut row: Vec<Cell> = vec![kind.name.clone().into(), (*tag as f64).into(), number(d), Cell::Word(bound)];
+            row.push(number(totals.iter().map(|t| t[place]).fold(f64::NAN, f64::max)));
             row.extend(
                 [over(&|b| b.residual).0, over(&|b| b.gravity).0, over(&|b| b.compression).0, least].map(number),
             );
@@ -192,7 +245,8 @@ fn overall(study: &Study, outcomes: &[JobOutcome], out: &mut Summary) {
     let code = &study.code;
     let checks = &mut out.checks;
     checks.push(Check::least_of(code, "suite_size", "pairs of ground motions", study.motions.len() as f64));
-    for (bound, lateral) in BOUNDS.iter().zip(&out.lateral_force) {
+    let totals = plan_totals(study, outcomes, &out.lateral_force);
+    for (k, (bound, lateral)) in BOUNDS.iter().zip(&out.lateral_force).enumerate() {
         let value = |of: &dyn Fn(&JobOutcome) -> Option<f64>| governing(study, outcomes, bound, of).unwrap_or(f64::NAN);
         if let (Ok(l), Some(s)) = (lateral, system(study, bound)) {
             let share = s.restoring_share(l.displacement);
@@ -203,8 +257,8 @@ fn overall(study: &Study, outcomes: &[JobOutcome], out: &mut Summary) {
                 share,
             ));
             let d = value(&|o| o.bearings.iter().map(|b| b.displacement).reduce(f64::max));
-            let subject = format!("{bound}: displacement over D_TM = 1.15 D_M of the lateral force procedure");
-            let total = code.value("total_displacement", "least").unwrap_or(f64::NAN) * l.displacement;
+            let subject = format!("{bound}: displacement over the largest D_TM of the plan formula");
+            let total = totals[k].iter().copied().fold(f64::NAN, f64::max);
             checks.push(Check::least_of(code, "dynamic_displacement", subject, d / total));
             let subject = format!("{bound}: base shear over V_b");
             checks.push(Check::least_of(
@@ -217,6 +271,11 @@ fn overall(study: &Study, outcomes: &[JobOutcome], out: &mut Summary) {
             if let Some(least) = activation.filter(|_| l.shear_above.is_finite()) {
                 let subject = format!("{bound}: V_st beside the least unreduced force above");
                 checks.push(Check::at_least(subject, code.clause("force_minimum"), l.shear_above, least));
+                let r = reduction(study);
+                let design = (l.shear_above / r).max(least);
+                let subject = format!("{bound}: shear above over R_I = {r} beside V_s = {design:.5}");
+                let above = value(&|o| Some(o.shear_above)) / r;
+                checks.push(Check::least_of(code, "dynamic_shear_above", subject, above / design));
             }
         }
         let drift = value(&|o| o.drifts.iter().copied().reduce(f64::max));

@@ -66,10 +66,16 @@ impl IsolatorDamping {
         }
     }
 
+    /// Share of the energy that the damping took; 0 without any.
+    pub(crate) fn share(&self) -> f64 {
+        let share = self.damping / (self.damping + self.force.max(0.0));
+        if self.elements.is_empty() || !share.is_finite() { 0.0 } else { share }
+    }
+
     /// The warning about a share of the energy that is too large.
     pub(crate) fn warning(&self, span: Option<Span>) -> Option<Diagnostic> {
-        let share = self.damping / (self.damping + self.force.max(0.0));
-        if self.elements.is_empty() || !share.is_finite() || share < MIN_SHARE {
+        let share = self.share();
+        if share < MIN_SHARE {
             return None;
         }
         let which = match self.tags[..] {

@@ -97,7 +97,8 @@ fn section(interp: &Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSection,
             let (area, e) = (a.positive("cross-sectional area A")?, a.positive("elastic modulus E")?);
             let iz = a.positive("second moment of area Iz")?;
             let (mut g, mut shear) = (0.0, None);
-            if n >= 6 {
+            // Any other count is OpenSees' form without shear areas, with words left over behind the transformation.
+            if n == 6 {
                 g = a.positive("shear modulus G")?;
                 shear = Some(a.positive("shear area Avy")?);
             }
@@ -107,7 +108,7 @@ fn section(interp: &Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSection,
             let (area, e) = (a.positive("cross-sectional area A")?, a.positive("elastic modulus E")?);
             let (g, j) = (a.positive("shear modulus G")?, a.positive("torsion constant J")?);
             let (iy, iz) = (a.positive("second moment of area Iy")?, a.positive("second moment of area Iz")?);
-            let shear = if n >= 9 {
+            let shear = if n == 9 {
                 (Some(a.positive("shear area Avy")?), Some(a.positive("shear area Avz")?))
             } else {
                 (None, None)

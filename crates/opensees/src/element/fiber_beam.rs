@@ -25,7 +25,7 @@ pub(super) const DISPLACEMENT: Kind = Kind {
 };
 
 pub(super) const FORCE: Kind = Kind {
-    names: &["forceBeamColumn", "ForceBeamColumn", "nonlinearBeamColumn", "NonlinearBeamColumn"],
+    names: &["forceBeamColumn", "ForceBeamColumn", "nonlinearBeamColumn", "NonlinearBeamColumn", "ForceFrame"],
     usage: "element forceBeamColumn $tag $i $j $transf $integration <-mass $m> <-iter $maxIter $tol> or \
             $tag $i $j $n $section|-sections $section1 ... $transf <-mass $m> <-iter $maxIter $tol> <-integration $rule>",
     make: Make::TwoNodes(make_force),

@@ -34,7 +34,7 @@ fn remove(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             let tag = a.int("tag of the recorder")?;
             match interp.host.output.recorders.by_tag.remove(&tag) {
                 Some(mut r) => r.recorder.finish().map_err(|e| a.refuse(e.to_string(), ""))?,
-                None => return Err(a.refuse(format!("there is no recorder {tag}"), "expected the tag of a recorder")),
+                None => absent(interp, &a, format!("there is no recorder {tag}"))?,
             }
         }
         "element" | "ele" => {

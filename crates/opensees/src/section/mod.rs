@@ -42,7 +42,7 @@ const KINDS: &[Kind] = &[
         make: Make::Beam(elastic),
     },
     Kind {
-        names: &["Fiber", "fiberSec", "FiberSection", "fiber"],
+        names: &["Fiber", "fiberSec", "FiberSec", "FiberSection", "fiber"],
         usage: "section Fiber $tag <-GJ $GJ | -torsion $material> <-noCentroid> {fibers}",
         make: Make::Beam(fibers),
     },

@@ -35,7 +35,7 @@ mod try_catch;
 mod var;
 
 use super::command::{CommandFn, CoreFn, Imp};
-use super::core::Core;
+use super::core::{Core, InlinedCommands};
 use super::expr::func;
 use super::interp::Interp;
 use super::value::Value;
@@ -90,7 +90,9 @@ pub(crate) fn install<H>(interp: &mut Interp<H>) {
     for name in func::names() {
         interp.core.define(ns, &name.into(), Imp::Core(func::command));
     }
-    interp.core.table.inlined = (interp.core.find_command("expr"), interp.core.find_command("set"));
+    let find = |name| interp.core.find_command(name);
+    let inlined = InlinedCommands { expr: find("expr"), set: find("set"), incr: find("incr") };
+    interp.core.table.inlined = inlined;
 }
 
 /// The variables that Tcl begins with.

@@ -101,8 +101,17 @@ impl<H> Interp<H> {
                 }
                 Op::Function(function) => {
                     let from = stack.len().saturating_sub(function.args);
-                    let args = stack.split_off(from);
-                    let value = self.function(function, args);
+                    let value = if self.is_of_the_language(function) {
+                        match (function.real, stack.get(from..)) {
+                            (Some(real), Some([Value(Rep::Double(x))])) if !x.get().is_nan() => {
+                                func::finite(real(x.get()))
+                            }
+                            (_, args) => func::call(&mut self.core, &function.name, args.unwrap_or_default()),
+                        }
+                    } else {
+                        self.function(function, stack.split_off(from))
+                    };
+                    stack.truncate(from);
                     stack.push(value.map_err(|e| e.at(expr.unit.span(place.start, place.end), ""))?);
                 }
                 Op::And(end) | Op::Or(end) => {
@@ -136,13 +145,15 @@ impl<H> Interp<H> {
         }
     }
 
+    /// Returns true if a math function was found to be Tcl's own and nothing was defined since.
+    fn is_of_the_language(&self, function: &Function) -> bool {
+        let found = function.found.get();
+        found.epoch == self.core.table.epoch && found.namespace == self.core.here().0 && found.command == u32::MAX
+    }
+
     /// Call a math function: one of the script's own, `proc tcl::mathfunc::name`, or one of Tcl's.
     fn function(&mut self, function: &Function, args: Vec<Value>) -> Result<Value, Exception> {
-        let found = function.found.get();
         let ns = self.core.here();
-        if found.epoch == self.core.table.epoch && found.namespace == ns.0 && found.command == u32::MAX {
-            return func::call(&mut self.core, &function.name, &args);
-        }
         let local = format!("tcl::mathfunc::{}", function.name);
         let id = self
             .core

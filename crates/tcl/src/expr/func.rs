@@ -58,6 +58,11 @@ pub(crate) fn names() -> impl Iterator<Item = &'static str> {
     REAL.iter().map(|f| f.0).chain(REAL2.iter().map(|f| f.0)).chain(OTHER.iter().map(|f| f.0))
 }
 
+/// The function of one real number that a name means, if its result is checked at once.
+pub(super) fn real_function(name: &str) -> Option<Real> {
+    REAL.iter().find(|f| f.0 == name && name != "sqrt").map(|f| f.1)
+}
+
 /// The command behind each of `tcl::mathfunc::…`.
 pub(crate) fn command(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     let name = call.name();
@@ -120,7 +125,7 @@ fn round_big(big: &BigInt, up: bool) -> f64 {
     }
 }
 
-fn finite(d: f64) -> Result<Value, Exception> {
+pub(super) fn finite(d: f64) -> Result<Value, Exception> {
     if d.is_nan() { Err(domain_error()) } else { Ok(Value::from(d)) }
 }
 

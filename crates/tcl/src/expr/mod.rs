@@ -64,6 +64,8 @@ enum Op {
 struct Function {
     name: Box<str>,
     args: usize,
+    /// Tcl's own function, where it is of one real number and checked by its result alone.
+    real: Option<fn(f64) -> f64>,
     found: Cell<Found>,
 }
 

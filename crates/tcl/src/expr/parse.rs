@@ -10,7 +10,7 @@ use super::super::lexer::{Lexer, MAX_NESTING};
 use super::super::number::{self, Number};
 use super::super::value::Value;
 use super::lexeme::{self, Lexeme};
-use super::{Binary, Expr, ExprError, Function, Op, Range, Unary};
+use super::{Binary, Expr, ExprError, Function, Op, Range, Unary, func};
 
 /// Characters shown on either side of an error.
 const CONTEXT: usize = 25;
@@ -421,8 +421,10 @@ impl<'a> Parser<'a> {
                 }
             }
             Lexeme::Function => {
-                let name = self.names.pop().unwrap_or_default().into();
-                let function = Function { name, args: pending.commas, found: Cell::new(Found::default()) };
+                let name = self.names.pop().unwrap_or_default();
+                let real = func::real_function(name);
+                let function =
+                    Function { name: name.into(), args: pending.commas, real, found: Cell::new(Found::default()) };
                 self.emit(Op::Function(Box::new(function)), start, right.end, operator);
             }
             // A comma only separates; a question mark has made its jump already.

@@ -1,0 +1,137 @@
+//! Analyses of an isolation study on all cores: kept in a folder, resumable, with progress.
+
+use super::files::write_atomically;
+use super::signals::on_interrupt;
+use clap::Args;
+use hysteron::design::isolate::{Job, JobOutcome, Study, is_current, run_job};
+use hysteron::study::WorkerPool;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::fs;
+use std::io::IsTerminal as _;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Options of commands that run the analyses of a study.
+#[derive(Args, Debug)]
+pub(super) struct StudyJobsArgs {
+    /// The study (.toml); `fragility` takes a table of counts (.csv) too
+    pub(super) study: PathBuf,
+    /// Number of threads; all cores if it is not given. The result does not depend on it
+    #[arg(long, value_name = "N")]
+    threads: Option<usize>,
+    /// Keep the analyses that an interrupted run has made and whose script, records and files read are the same
+    #[arg(long)]
+    resume: bool,
+    /// Print the results as JSON
+    #[arg(long)]
+    pub(super) json: bool,
+}
+
+/// Analyses of a study in a folder.
+pub(super) struct StudyJobs<'a> {
+    study: &'a Study,
+    folder: PathBuf,
+    resume: bool,
+    stop: Arc<AtomicBool>,
+    pool: WorkerPool,
+    bar: Option<ProgressBar>,
+}
+
+/// Description of an analysis that was stopped.
+const STOPPED: &str = "interrupted";
+
+impl<'a> StudyJobs<'a> {
+    /// Make the folder and the threads. `stop` is set by Ctrl-C and SIGTERM.
+    pub(super) fn new(a: &StudyJobsArgs, study: &'a Study, out: &Path, stop: &Arc<AtomicBool>) -> Result<Self, String> {
+        let folder = out.join("analyses");
+        fs::create_dir_all(&folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
+        let cores = std::thread::available_parallelism().map_or(1, usize::from);
+        let pool = WorkerPool::new(a.threads.unwrap_or(cores)).map_err(|e| e.to_string())?;
+        let bar = std::io::stderr().is_terminal().then(|| {
+            let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
+            let style =
+                ProgressStyle::with_template("{elapsed_precise} [{bar:30}] {pos} of {len} analyses, left {eta}");
+            style.map_or(bar.clone(), |s| bar.with_style(s.progress_chars("=> ")))
+        });
+        Ok(Self { study, folder, resume: a.resume, stop: stop.clone(), pool, bar })
+    }
+
+    /// An analysis that has been made before for the same study.
+    fn earlier(&self, path: &Path) -> Option<JobOutcome> {
+        let outcome: JobOutcome = serde_json::from_str(&fs::read_to_string(path).ok()?).ok()?;
+        let same = outcome.fingerprint == self.study.fingerprint && outcome.failure != STOPPED;
+        (same && is_current(&outcome)).then_some(outcome)
+    }
+
+    /// Make an analysis, or find it.
+    ///
+    /// # Errors
+    /// It was interrupted, its script was rejected, or its file cannot be written.
+    pub(super) fn one(&self, job: &Job) -> Result<JobOutcome, String> {
+        let path = self.folder.join(format!("{}.json", job.name()));
+        let earlier = self.resume.then(|| self.earlier(&path)).flatten();
+        let outcome = match earlier {
+            Some(outcome) => outcome,
+            None if self.stop.load(Ordering::Relaxed) => return Err(STOPPED.into()),
+            None => {
+                let outcome = run_job(self.study, job, &self.stop);
+                if outcome.failure == STOPPED {
+                    return Err(STOPPED.into());
+                }
+                let text = serde_json::to_string(&outcome).map_err(|e| e.to_string())?;
+                write_atomically(&path, &text)?;
+                outcome
+            }
+        };
+        if let Some(bar) = &self.bar {
+            bar.inc(1);
+        }
+        // A fault of the script is the same in all analyses, and no result.
+        if outcome.failure.starts_with("the script was rejected") {
+            return Err(outcome.failure);
+        }
+        Ok(outcome)
+    }
+
+    /// Do tasks of about `analyses` analyses on all threads; results in their order.
+    ///
+    /// # Errors
+    /// The first error of a task, or an interrupt.
+    pub(super) fn all<T: Sync, R: Send>(
+        &self,
+        tasks: &[T],
+        analyses: usize,
+        work: impl Fn(&T) -> Result<R, String> + Sync,
+    ) -> Result<Vec<R>, String> {
+        if let Some(bar) = &self.bar {
+            bar.set_length(analyses as u64);
+        }
+        let done = self.pool.run(tasks.iter(), work);
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+        if self.stop.load(Ordering::Relaxed) {
+            return Err("interrupted: go on with --resume".into());
+        }
+        done.into_iter().map(|r| r.unwrap_or_else(|| Err("a defect of this program".into()))).collect()
+    }
+}
+
+/// A flag that Ctrl-C and SIGTERM set.
+pub(super) fn stop_flag() -> Arc<AtomicBool> {
+    let stop = Arc::new(AtomicBool::new(false));
+    on_interrupt(&stop);
+    stop
+}
+
+/// Write results and print their text; the exit status.
+pub(super) fn finish(result: Result<(String, i32), String>, stop: &AtomicBool) -> i32 {
+    match result {
+        Ok((text, status)) => super::run::print(Ok(text)).max(status),
+        Err(message) => {
+            eprintln!("error: {message}");
+            if stop.load(Ordering::Relaxed) { super::signals::INTERRUPTED } else { super::calibrate::INPUT_ERROR }
+        }
+    }
+}
