@@ -114,3 +114,30 @@ fn control_of_a_constrained_node() {
     let (compat, own) = (push(Script::compat()), push(Script::default()));
     assert!((compat[0] - 0.01).abs() < 1e-12 && (own[1] - 0.01).abs() < 1e-12, "{compat:?} {own:?}");
 }
+
+/// A step that fails leaves the reference load of `DisplacementControl` as it was: another test goes on from it. The
+/// numbers are those of OpenSees (openseespy 3.7.1).
+#[test]
+fn the_reference_load_outlives_a_failed_step() {
+    let script = "model basic -ndm 2 -ndf 3; node 1 0 0; node 2 0 0; fix 1 1 1 1; fix 2 0 1 0
+        uniaxialMaterial Concrete01 1 -30. -0.002 -6. -0.006; uniaxialMaterial Steel01 2 400. 2e5 0.01
+        section Fiber 1 {
+            patch rect 1 10 1 -200 -150 200 150
+            layer straight 2 2 1000 -170 -120 -170 120; layer straight 2 2 1000 170 -120 170 120
+        }
+        element zeroLengthSection 1 1 2 1
+        pattern Plain 1 Linear { load 2 -5e5 0 0 }
+        constraints Plain; test EnergyIncr 1e-10 200; algorithm Newton; integrator LoadControl 1; analysis Static
+        puts [analyze 1]
+        loadConst -time 0
+        pattern Plain 2 Linear { load 2 0 0 1 }
+        integrator DisplacementControl 2 3 4e-6; analysis Static
+        test EnergyIncr 1e-30 1; puts [analyze 1]
+        test EnergyIncr 1e-10 50; algorithm ModifiedNewton -initial; puts [analyze 1]
+        algorithm Newton; puts [analyze 3]
+        puts [getTime]; puts [nodeDisp 2 1]";
+    let printed = Script::compat().run(script).done().numbers();
+    assert_eq!(printed[..4], [0.0, -3.0, 0.0, 0.0]);
+    assert!((printed[4] / 347863511.26416975 - 1.0).abs() < 1e-9, "{}", printed[4]);
+    assert!((printed[5] / 0.0012491407075384583 - 1.0).abs() < 1e-9, "{}", printed[5]);
+}

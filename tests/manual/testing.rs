@@ -172,7 +172,7 @@ fn broken_on_purpose() -> String {
 }
 
 /// The page with the counts of today.
-pub fn page(sheets: &[&Sheet]) -> String {
+pub(crate) fn page(sheets: &[&Sheet]) -> String {
     format!(
         "# How hysteron is tested\n\n\
          {}\

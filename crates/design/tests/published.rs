@@ -38,7 +38,7 @@ fn fragility_of_eight_wood_frames() {
     }
 }
 
-/// D_TD/D_D of the design example in the worksheet "Isolated Building" of Holmes Consulting Group (UBC 1997): plan dimensions
+/// D_TD/D_D of the design example in the worksheet "Isolated Building" (UBC 1997): plan dimensions
 /// 5.03 and 6.23, eccentricity 0.31, distance 3.1, ratio 1.182. The eccentricity is 5 % of the longer side and the distance half of
 /// it: 0.3115 and 3.115 before rounding. UBC has no period ratio.
 #[test]
@@ -52,7 +52,7 @@ fn torsional_ratio_of_a_worksheet() {
     assert!((torsion - 3f64.sqrt()).abs() < 1e-12, "{torsion}");
 }
 
-/// A high damping bearing at two amplitudes, a solved problem on isolation design (scribd 518237683, second problem): amplitude in
+/// A high damping bearing at two amplitudes, a solved problem on isolation design (scribd 518237683, read as an excerpt): amplitude in
 /// inches, largest force in kips, energy of a cycle in kip inches, and by the solution storage stiffness K_1, K_eff = p_0/u_0 and
 /// loss stiffness K_2 in kips an inch and damping in per cent.
 const BEARING: [[f64; 7]; 2] =

@@ -215,10 +215,24 @@ impl System<'_> {
         Ok(())
     }
 
+    /// Find the load of the equations per unit of load factor. OpenSees keeps that of the same integrator and model, when
+    /// another algorithm or test takes over after a step that failed.
+    ///
+    /// # Errors
+    /// Loads or elements that make no sense.
+    pub fn renew_reference_load(&mut self, revision: &mut Option<u64>, out: &mut [f64]) -> Result<(), Failure> {
+        let now = Some(self.model.revision());
+        if self.work.opensees.is_none() || *revision != now {
+            self.reference_load(self.old.time, out)?;
+            *revision = now;
+        }
+        Ok(())
+    }
+
     /// Load of the equations per unit of load factor, from `factor` on: what one more of it adds to the unbalance. Loads
     /// on elements, imposed displacements and series with factors count as they are. OpenSees takes the whole unbalance
     /// at one more of it: a state out of equilibrium counts.
-    pub fn reference_load(&mut self, factor: f64, out: &mut [f64]) -> Result<(), Failure> {
+    fn reference_load(&mut self, factor: f64, out: &mut [f64]) -> Result<(), Failure> {
         self.apply_loads(factor + 1.0)?;
         self.form_unbalance(false)?;
         out.copy_from_slice(&self.work.b);

@@ -23,6 +23,8 @@ pub struct DisplacementControl {
     factor: f64,
     /// Reference load of the equations.
     reference: Vec<f64>,
+    /// Revision of the model that the reference load is of.
+    revision: Option<u64>,
     /// Displacement of the equations under the reference load.
     unit: Vec<f64>,
     /// Share of each equation in the controlled degree of freedom.
@@ -41,6 +43,7 @@ impl DisplacementControl {
             mix,
             factor: 0.0,
             reference: vec![],
+            revision: None,
             unit: vec![],
             control: vec![],
         }
@@ -117,7 +120,7 @@ impl Integrator for DisplacementControl {
                 format!("DisplacementControl: {} is held and cannot be controlled", s.model.dof_name(self.dof));
             return Err(s.failure(Cause::Model(message)).with_code(-1));
         }
-        s.reference_load(s.old.time, &mut self.reference)
+        s.renew_reference_load(&mut self.revision, &mut self.reference)
     }
 
     fn begin(&mut self, s: &mut System<'_>, part: f64) -> Result<(), Failure> {

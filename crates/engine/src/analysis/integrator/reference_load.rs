@@ -11,6 +11,8 @@ use crate::solve::Use;
 pub(super) struct ReferenceLoad {
     /// Load of the equations per unit of load factor.
     pub(super) load: Vec<f64>,
+    /// Revision of the model that it is of.
+    revision: Option<u64>,
     /// Displacement of the equations under it.
     pub(super) unit: Vec<f64>,
     /// Load factor of the trial state.
@@ -18,12 +20,12 @@ pub(super) struct ReferenceLoad {
 }
 
 impl ReferenceLoad {
-    /// The model has changed.
+    /// The model or a part of the analysis has changed.
     pub(super) fn prepare(&mut self, s: &mut System<'_>) -> Result<(), Failure> {
         let n = s.work.b.len();
         self.load.resize(n, 0.0);
         self.unit.resize(n, 0.0);
-        s.reference_load(s.old.time, &mut self.load)
+        s.renew_reference_load(&mut self.revision, &mut self.load)
     }
 
     /// Begin a step: tangent and displacement under the reference load at the committed state.
