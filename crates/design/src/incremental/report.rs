@@ -2,7 +2,7 @@
 
 use super::{Ending, StateFit, Summary};
 use crate::isolate::Study;
-use crate::prototype::report::page_table;
+use crate::prototype::report::{page_table, page_table_in_parts};
 use crate::spectrum::logarithmic;
 use hysteron_identify::report::{Table, html as page};
 use hysteron_opensees::chart::{Curve, Figure, Mark};
@@ -123,7 +123,7 @@ pub fn html(study: &Study, summary: &Summary) -> String {
         "<h2>Fragility functions</h2>\n<p>Intensity: {}.</p>\n",
         page::escaped(&study.performance.intensity.label())
     );
-    page_table(&mut out, &summary.fit_table(study));
+    page_table_in_parts(&mut out, &summary.fit_table(study), 2, 8);
     for f in &summary.fits {
         page::picture(&mut out, &fragility(study, summary, f));
     }

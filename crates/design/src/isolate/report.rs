@@ -2,7 +2,7 @@
 
 use super::{JobOutcome, Study, Summary};
 use crate::check::check_table;
-use crate::prototype::report::page_table;
+use crate::prototype::report::{page_table, page_table_in_parts};
 use hysteron_identify::report::{Table, html as page};
 use hysteron_opensees::chart::{Curve, Figure, Mark};
 use serde_json::{Value, json};
@@ -48,7 +48,7 @@ pub fn html(study: &Study, outcomes: &[JobOutcome], summary: &Summary) -> String
         }
     }
     out += "<h2>Bearing schedule</h2>\n";
-    page_table(&mut out, &summary.schedule);
+    page_table_in_parts(&mut out, &summary.schedule, 2, 8);
     out += "<h2>Floor spectra</h2>\n";
     for (k, floor) in study.floors.iter().enumerate() {
         let curve = |o: &JobOutcome| {

@@ -5,7 +5,7 @@ use super::outcome::{BearingOutcome, JobOutcome};
 use super::study::Study;
 use crate::check::Check;
 use crate::lateral_force::{LateralForce, System, torsional_period_ratio, torsional_ratio};
-use hysteron_identify::report::{Cell, Table};
+use hysteron_identify::report::{Cell, Table, html};
 
 /// Results of a study.
 #[derive(Clone, Debug, Default)]
@@ -273,7 +273,7 @@ fn overall(study: &Study, outcomes: &[JobOutcome], out: &mut Summary) {
                 checks.push(Check::at_least(subject, code.clause("force_minimum"), l.shear_above, least));
                 let r = reduction(study);
                 let design = (l.shear_above / r).max(least);
-                let subject = format!("{bound}: shear above over R_I = {r} beside V_s = {design:.5}");
+                let subject = format!("{bound}: shear above over R_I = {r} beside V_s = {}", html::number(design));
                 let above = value(&|o| Some(o.shear_above)) / r;
                 checks.push(Check::least_of(code, "dynamic_shear_above", subject, above / design));
             }

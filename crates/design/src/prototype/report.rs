@@ -89,6 +89,17 @@ pub(crate) fn page_table(out: &mut String, table: &Table) {
     page::table(out, &heads, table.rows.iter().map(|r| r.iter().map(cell).collect()));
 }
 
+/// A table as parts that fit on a page: each has the first `names` columns, and up to `width` in all.
+pub(crate) fn page_table_in_parts(out: &mut String, table: &Table, names: usize, width: usize) {
+    let others: Vec<usize> = (names..table.columns.len()).collect();
+    for part in others.chunks(width - names) {
+        let chosen = || (0..names).chain(part.iter().copied());
+        let columns = chosen().map(|i| table.columns[i].clone()).collect();
+        let rows = table.rows.iter().map(|r| chosen().map(|i| r[i].clone()).collect()).collect();
+        page_table(out, &Table { columns, rows });
+    }
+}
+
 /// A page with loops, tables and checks. `loops` are names, displacements and forces.
 pub fn html(
     loops: &[(&str, &[f64], &[f64])],
