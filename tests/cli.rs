@@ -5,6 +5,8 @@
 
 #[path = "cli/amend.rs"]
 mod amend;
+#[path = "cli/batch.rs"]
+mod batch;
 #[path = "cli/bearing.rs"]
 mod bearing;
 #[path = "cli/checks.rs"]

@@ -61,7 +61,7 @@ impl<'a> StudyJobs<'a> {
     fn earlier(&self, path: &Path) -> Option<JobOutcome> {
         let outcome: JobOutcome = serde_json::from_str(&fs::read_to_string(path).ok()?).ok()?;
         let same = outcome.fingerprint == self.study.fingerprint && outcome.failure != STOPPED;
-        (same && is_current(&outcome)).then_some(outcome)
+        (same && is_current(&outcome.inputs)).then_some(outcome)
     }
 
     /// Make an analysis, or find it.

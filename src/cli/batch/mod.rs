@@ -1,19 +1,19 @@
-//! `hysteron batch`: many runs of scripts.
+//! `hysteron batch`: many runs of scripts, on one machine or as the jobs of a cluster.
 
-use super::args::FolderArgs;
+mod case;
+mod jobs;
+
 use super::calibrate::{FAILURE, INPUT_ERROR};
-use super::console::NoOutput;
 use super::files::write_atomically;
-use super::run::guarded;
 use super::signals::{INTERRUPTED, on_interrupt};
+use case::{ROW, is_done, one};
 use clap::Args;
-use hysteron::analysis::Options;
 use hysteron::design::batch::{Case, Plan, load};
-use hysteron::opensees::Mode;
-use hysteron::run::{End, Run, Settings};
 use hysteron::study::WorkerPool;
-use hysteron::tcl::Value;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use jobs::{Scheduler, scheduled, write_jobs};
 use std::fs;
+use std::io::IsTerminal as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -28,15 +28,21 @@ pub(super) struct BatchArgs {
     /// Number of threads; all cores if it is not given. The result does not depend on it
     #[arg(long, value_name = "N")]
     threads: Option<usize>,
-    /// Keep the cases that an earlier run has completed
+    /// Keep the cases that an earlier run has completed, unless a file that they read has changed
     #[arg(long)]
     resume: bool,
-    /// Run a part of the cases, for instance 2/8
+    /// Run a part of the cases, for instance 2/8; by default that of the environment of a Slurm array or of srun
     #[arg(long, value_name = "I/N", value_parser = shard)]
     shard: Option<(usize, usize)>,
     /// Run nothing: make the table of the cases that the shards have completed
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["shard", "resume"])]
     merge: bool,
+    /// Run nothing: write the files of a job array for a scheduler
+    #[arg(long, value_name = "SCHEDULER", value_enum, conflicts_with_all = ["shard", "resume", "merge"])]
+    emit: Option<Scheduler>,
+    /// Number of jobs of the array
+    #[arg(long, value_name = "N", default_value_t = 8, requires = "emit", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    jobs: u32,
 }
 
 fn shard(text: &str) -> Result<(usize, usize), String> {
@@ -49,13 +55,8 @@ pub(super) fn batch(a: &BatchArgs) -> i32 {
     let stop = Arc::new(AtomicBool::new(false));
     on_interrupt(&stop);
     match run(a, &stop) {
-        Ok(failed) => {
-            if failed > 0 {
-                FAILURE
-            } else {
-                0
-            }
-        }
+        Ok(0) => 0,
+        Ok(_) => FAILURE,
         Err(message) => {
             eprintln!("error: {message}");
             if stop.load(Ordering::Relaxed) { INTERRUPTED } else { INPUT_ERROR }
@@ -63,39 +64,73 @@ pub(super) fn batch(a: &BatchArgs) -> i32 {
     }
 }
 
+/// Do what is asked for; the number of cases that failed.
 fn run(a: &BatchArgs, stop: &Arc<AtomicBool>) -> Result<usize, String> {
     let plan = load(&a.plan)?;
+    if plan.repeated > 0 {
+        eprintln!("warning: {} cases have the inputs of another one: they are run once", plan.repeated);
+    }
+    fs::create_dir_all(&a.out).map_err(|e| format!("cannot make {}: {e}", a.out.display()))?;
+    if let Some(scheduler) = a.emit {
+        write_jobs(scheduler, &a.plan, &a.out, a.jobs)?;
+        return Ok(0);
+    }
     let folder = a.out.join("cases");
     fs::create_dir_all(&folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
-    let (i, n) = a.shard.unwrap_or((1, 1));
+    if a.merge {
+        return table(a, &plan, &folder);
+    }
+    let environment = || scheduled(|name| std::env::var(name).ok());
+    let part = match a.shard {
+        Some(part) => Some(part),
+        None => environment()?,
+    };
+    let (i, n) = part.unwrap_or((1, 1));
     let own: Vec<&Case> = plan.cases.iter().skip(i - 1).step_by(n).collect();
-    if !a.merge {
-        let cores = std::thread::available_parallelism().map_or(1, usize::from);
-        let pool = WorkerPool::new(a.threads.unwrap_or(cores)).map_err(|e| e.to_string())?;
-        let done = pool.run(own.iter(), |case| one(&plan, case, &folder, a.resume, stop));
-        for (case, result) in own.iter().zip(done) {
-            result.unwrap_or_else(|| Err(format!("case {}: a defect of this program", case.hash)))?;
-        }
-        if stop.load(Ordering::Relaxed) {
-            return Err("interrupted: go on with --resume".into());
-        }
-        if n > 1 {
-            eprintln!("{} of {} cases are complete; --merge makes the table of all", own.len(), plan.cases.len());
-            return Ok(0);
-        }
+    if a.shard.is_none() && part.is_some() {
+        eprintln!("shard {i}/{n}, as the environment says");
+    }
+    compute(a, &plan, &own, &folder, stop)?;
+    if n > 1 {
+        eprintln!("{} of {} cases are complete; --merge makes the table of all", own.len(), plan.cases.len());
+        return Ok(0);
     }
     table(a, &plan, &folder)
 }
 
+/// Run cases on all threads.
+fn compute(a: &BatchArgs, plan: &Plan, own: &[&Case], folder: &Path, stop: &Arc<AtomicBool>) -> Result<(), String> {
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let pool = WorkerPool::new(a.threads.unwrap_or(cores)).map_err(|e| e.to_string())?;
+    let bar = std::io::stderr().is_terminal().then(|| {
+        let bar = ProgressBar::with_draw_target(Some(own.len() as u64), ProgressDrawTarget::stderr());
+        let style = ProgressStyle::with_template("{elapsed_precise} [{bar:30}] {pos} of {len} cases, left {eta}");
+        style.map_or(bar.clone(), |s| bar.with_style(s.progress_chars("=> ")))
+    });
+    let done = pool.run(own.iter(), |case| {
+        let done = one(plan, case, folder, a.resume, stop);
+        if let Some(bar) = &bar {
+            bar.inc(1);
+        }
+        done
+    });
+    if let Some(bar) = &bar {
+        bar.finish_and_clear();
+    }
+    for (case, result) in own.iter().zip(done) {
+        result.unwrap_or_else(|| Err(format!("case {}: a defect of this program", case.hash)))?;
+    }
+    if stop.load(Ordering::Relaxed) { Err("interrupted: go on with --resume".into()) } else { Ok(()) }
+}
+
+/// Write the table of all cases; the number of those that failed.
 fn table(a: &BatchArgs, plan: &Plan, folder: &Path) -> Result<usize, String> {
-    let header = ["case", "script"].into_iter().map(str::to_owned).chain(plan.parameters.clone());
-    let header = header.chain(["motion".into(), "status".into()]).chain(plan.results.clone());
-    let mut text = format!("{}\n", header.map(|w| quoted(&w)).collect::<Vec<_>>().join(","));
+    let mut text = case::header(plan);
     let (mut missing, mut failed) = (0, 0);
     for case in &plan.cases {
-        match fs::read_to_string(folder.join(&case.hash).join("row.csv")) {
+        match fs::read_to_string(folder.join(&case.hash).join(ROW)) {
             Ok(row) => {
-                failed += usize::from(!row.contains(",done"));
+                failed += usize::from(!is_done(&row));
                 text += &row;
             }
             Err(_) => missing += 1,
@@ -107,71 +142,4 @@ fn table(a: &BatchArgs, plan: &Plan, folder: &Path) -> Result<usize, String> {
     write_atomically(&a.out.join("results.csv"), &text)?;
     eprintln!("{} cases, {failed} of them failed", plan.cases.len());
     Ok(failed)
-}
-
-fn quoted(word: &str) -> String {
-    let special = word.contains([',', '"', '\n']);
-    if special { format!("\"{}\"", word.replace('"', "\"\"")) } else { word.to_owned() }
-}
-
-fn one(plan: &Plan, case: &Case, folder: &Path, resume: bool, stop: &Arc<AtomicBool>) -> Result<(), String> {
-    let (place, part) = (folder.join(&case.hash), folder.join(format!("{}.part", case.hash)));
-    if stop.load(Ordering::Relaxed) || (resume && place.join("row.csv").is_file()) {
-        return Ok(());
-    }
-    let _ = fs::remove_dir_all(&part);
-    let folders = FolderArgs { out: Some(part.clone()), ..FolderArgs::default() };
-    let script = case.script.to_string_lossy();
-    let (files, outputs) = guarded(&folders, &script)?;
-    let settings = Settings { mode: Mode::Run, strict: false, options: Options::default() };
-    let mut run = Run::new(settings, Box::new(NoOutput), files, outputs);
-    run.interp.interrupt = stop.clone();
-    run.interp.host.stop_on(stop.clone());
-    run.interp.host.parameters = plan.parameters.iter().cloned().zip(case.values.iter().copied()).collect();
-    if let Some(m) = case.motion.map(|m| &plan.motions[m]) {
-        let mut set = vec![Value::from("name"), Value::from(m.name.as_str()), Value::from("dt"), Value::from(m.dt)];
-        for (k, c) in m.components.iter().enumerate() {
-            set.push(Value::from(format!("a{}", k + 1)));
-            set.push(Value::list(c.iter().map(|a| Value::from(*a))));
-        }
-        let failed = |_| "the motion cannot be set".to_owned();
-        run.interp.set_global("hysteron_motion", Value::list(set)).map_err(failed)?;
-        run.interp.eval_str("batch", "array set motion $hysteron_motion; unset hysteron_motion").map_err(failed)?;
-    }
-    let end = run.script(&script, &[]);
-    if stop.load(Ordering::Relaxed) {
-        let _ = fs::remove_dir_all(&part);
-        return Ok(());
-    }
-    let row = row(plan, case, &mut run, &end);
-    drop(run);
-    write_atomically(&part.join("row.csv"), &row)?;
-    let _ = fs::remove_dir_all(&place);
-    fs::rename(&part, &place).map_err(|e| format!("cannot write {}: {e}", place.display()))
-}
-
-fn row(plan: &Plan, case: &Case, run: &mut Run, end: &End) -> String {
-    let undeclared = plan.parameters.iter().find(|p| !run.interp.host.declared.contains_key(*p));
-    let mut status = match (end, undeclared, &run.interp.host.last_failure) {
-        (End::Rejected(d) | End::Raised(d), _, _) => d.message.clone(),
-        (End::Done | End::Exit(0), Some(p), _) => format!("the script has no \"pset {p}\""),
-        (End::Done | End::Exit(0), None, None) => "done".into(),
-        _ => "the analysis failed".into(),
-    };
-    let mut values = vec![];
-    for name in &plan.results {
-        let value = run.interp.eval_str("batch", &format!("set {{::{name}}}")).map(|v| v.to_string());
-        let value = value.ok().filter(|v| v.parse::<f64>().map_or(true, f64::is_finite));
-        if value.is_none() && status == "done" {
-            status = format!("the script has no finite result {name}");
-        }
-        values.push(value.unwrap_or_default());
-    }
-    let script = case.script.file_name().map_or(String::new(), |n| n.to_string_lossy().into_owned());
-    let mut words = vec![case.hash.clone(), script];
-    words.extend(case.values.iter().map(|v| format!("{v:?}")));
-    words.push(case.motion.map_or(String::new(), |m| plan.motions[m].name.clone()));
-    words.push(status);
-    words.extend(values);
-    format!("{}\n", words.iter().map(|w| quoted(w)).collect::<Vec<_>>().join(","))
 }

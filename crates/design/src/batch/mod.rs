@@ -20,6 +20,8 @@ pub struct Plan {
     pub motions: Vec<PlanMotion>,
     /// The cases: scripts outermost, then parameters, then motions.
     pub cases: Vec<Case>,
+    /// Number of cases that were left out because another has the same inputs.
+    pub repeated: usize,
 }
 
 /// Bytes as hexadecimal digits.

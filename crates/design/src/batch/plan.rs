@@ -170,7 +170,7 @@ pub fn load(path: &Path) -> Result<Plan, String> {
     let motions: Vec<PlanMotion> = file.motion.iter().map(|m| motion(m, folder)).collect::<Result<_, _>>()?;
     let choices: Vec<Option<usize>> =
         if motions.is_empty() { vec![None] } else { (0..motions.len()).map(Some).collect() };
-    let (mut cases, mut hashes) = (vec![], BTreeSet::new());
+    let (mut cases, mut hashes, mut repeated) = (vec![], BTreeSet::new(), 0);
     for name in &file.scripts {
         let script = folder.join(name);
         let mut inputs = BTreeMap::new();
@@ -194,11 +194,13 @@ pub fn load(path: &Path) -> Result<Plan, String> {
                 let case = Case { script: script.clone(), values: values.clone(), motion, hash: hash.name() };
                 if hashes.insert(case.hash.clone()) {
                     cases.push(case);
+                } else {
+                    repeated += 1;
                 }
             }
         }
     }
-    Ok(Plan { parameters: rows.names, results: file.results, motions, cases })
+    Ok(Plan { parameters: rows.names, results: file.results, motions, cases, repeated })
 }
 
 /// Columns of the table of results that are not the plan's.

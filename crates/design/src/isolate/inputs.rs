@@ -1,7 +1,6 @@
 //! Hashes of the files that a script reads, so that results of changed files are made again.
 
-use super::JobOutcome;
-use hysteron_tcl::{FileInfo, FileKind, Files, OpenMode, OsFiles, Stream};
+use hysteron_tcl::{FileInfo, FileKind, Files, OpenMode, Stream};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::io;
@@ -15,23 +14,25 @@ pub(super) fn hash(bytes: impl Iterator<Item = u8>) -> u64 {
 
 /// Hashes by path. Clones share them.
 #[derive(Clone, Default)]
-pub(super) struct InputHashes(Rc<RefCell<BTreeMap<String, u64>>>);
+pub struct InputHashes(Rc<RefCell<BTreeMap<String, u64>>>);
 
 impl InputHashes {
-    pub(super) fn hashes(&self) -> Vec<(String, u64)> {
+    /// Paths with the hashes of what was read.
+    pub fn hashes(&self) -> Vec<(String, u64)> {
         self.0.borrow().iter().map(|(path, h)| (path.clone(), *h)).collect()
     }
 }
 
-/// Files of the system that note what is read.
-pub(super) struct HashedFiles {
-    files: OsFiles,
+/// Files that note what is read.
+pub struct HashedFiles {
+    files: Box<dyn Files>,
     inputs: InputHashes,
 }
 
 impl HashedFiles {
-    pub(super) fn new(inputs: InputHashes) -> Self {
-        Self { files: OsFiles, inputs }
+    /// Around other files.
+    pub fn new(files: Box<dyn Files>, inputs: InputHashes) -> Self {
+        Self { files, inputs }
     }
 }
 
@@ -75,8 +76,8 @@ impl Files for HashedFiles {
     }
 }
 
-/// Returns true if no file that the analysis has read has changed since.
-pub fn is_current(outcome: &JobOutcome) -> bool {
+/// Returns true if no file that an analysis has read has changed since.
+pub fn is_current(inputs: &[(String, u64)]) -> bool {
     let same = |(path, h): &(String, u64)| std::fs::read(path).is_ok_and(|content| hash(content.into_iter()) == *h);
-    outcome.inputs.iter().all(same)
+    inputs.iter().all(same)
 }

@@ -220,7 +220,7 @@ fn attempt(study: &Study, job: &Job, stop: &Arc<AtomicBool>, options: Options) -
     let captured = Captured::default();
     let settings = Settings { mode: Mode::Run, strict: false, options };
     let inputs = InputHashes::default();
-    let files = OverlayFiles::new(Box::new(HashedFiles::new(inputs.clone())));
+    let files = OverlayFiles::new(Box::new(HashedFiles::new(Box::new(OsFiles), inputs.clone())));
     let mut run = Run::new(settings, Box::new(Silent), Box::new(files), Box::new(StudyOutputs(captured.clone())));
     let time = Arc::<Mutex<f64>>::default();
     let interrupt = run.interp.interrupt.clone();

@@ -13,7 +13,7 @@ pub mod report;
 mod study;
 mod summary;
 
-pub use inputs::is_current;
+pub use inputs::{HashedFiles, InputHashes, is_current};
 pub(crate) use job::run_to_transient;
 pub use job::{Job, jobs, run_job, script_text};
 pub use outcome::{BearingOutcome, JobOutcome};

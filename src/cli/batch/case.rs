@@ -1,0 +1,129 @@
+//! One case of a batch: its run, its folder and its row in the table.
+
+use crate::cli::args::FolderArgs;
+use crate::cli::console::NoOutput;
+use crate::cli::files::write_atomically;
+use crate::cli::run::guarded;
+use hysteron::analysis::Options;
+use hysteron::design::batch::{Case, Plan};
+use hysteron::design::isolate::{HashedFiles, InputHashes, is_current};
+use hysteron::opensees::Mode;
+use hysteron::run::{End, Run, Settings};
+use hysteron::tcl::Value;
+use std::fs;
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// File of the row of the table in the folder of a case.
+pub(super) const ROW: &str = "row.csv";
+/// File of the hashes of what the case has read.
+const INPUTS: &str = "inputs.json";
+/// Status of a case whose script came to its end.
+const DONE: &str = "done";
+
+/// Head of the table, a line.
+pub(super) fn header(plan: &Plan) -> String {
+    let own = ["case", "status", "script"].map(str::to_owned).into_iter();
+    let columns = own.chain(plan.parameters.clone()).chain(["motion".into()]).chain(plan.results.clone());
+    line(columns.chain(["message".into()]))
+}
+
+/// Returns true if a row is that of a case whose script came to its end.
+pub(super) fn is_done(row: &str) -> bool {
+    row.split(',').nth(1) == Some(DONE)
+}
+
+fn line(words: impl Iterator<Item = String>) -> String {
+    let quoted = |word: String| {
+        let special = word.contains([',', '"', '\n', '\r']);
+        if special { format!("\"{}\"", word.replace('"', "\"\"")) } else { word }
+    };
+    words.map(quoted).collect::<Vec<_>>().join(",") + "\n"
+}
+
+/// Returns true if an earlier run has completed the case, and no file that it read has changed.
+fn is_complete(place: &Path) -> bool {
+    let inputs = fs::read_to_string(place.join(INPUTS)).ok();
+    let inputs: Option<Vec<(String, u64)>> = inputs.and_then(|text| serde_json::from_str(&text).ok());
+    place.join(ROW).is_file() && inputs.is_some_and(|inputs| is_current(&inputs))
+}
+
+/// Run a case in a folder of its own, which gets its name when the case is complete.
+pub(super) fn one(plan: &Plan, case: &Case, folder: &Path, resume: bool, stop: &Arc<AtomicBool>) -> Result<(), String> {
+    let (place, part) = (folder.join(&case.hash), folder.join(format!("{}.part", case.hash)));
+    if stop.load(Ordering::Relaxed) || (resume && is_complete(&place)) {
+        return Ok(());
+    }
+    let _ = fs::remove_dir_all(&part);
+    let folders = FolderArgs { out: Some(part.clone()), ..FolderArgs::default() };
+    let script = case.script.to_string_lossy();
+    let (files, outputs) = guarded(&folders, &script)?;
+    let inputs = InputHashes::default();
+    let files = Box::new(HashedFiles::new(files, inputs.clone()));
+    let settings = Settings { mode: Mode::Run, strict: false, options: Options::default() };
+    let mut run = Run::new(settings, Box::new(NoOutput), files, outputs);
+    run.interp.interrupt = stop.clone();
+    run.interp.host.stop_on(stop.clone());
+    run.interp.host.parameters = plan.parameters.iter().cloned().zip(case.values.iter().copied()).collect();
+    give_motion(plan, case, &mut run)?;
+    let end = run.script(&script, &[]);
+    if stop.load(Ordering::Relaxed) {
+        let _ = fs::remove_dir_all(&part);
+        return Ok(());
+    }
+    let row = row(plan, case, &mut run, &end);
+    drop(run);
+    // A file of its own that a script reads again is no input.
+    let read: Vec<_> = inputs.hashes().into_iter().filter(|(path, _)| Path::new(path).exists()).collect();
+    let read = serde_json::to_string(&read).map_err(|e| e.to_string())?;
+    write_atomically(&part.join(INPUTS), &read)?;
+    write_atomically(&part.join(ROW), &row)?;
+    let _ = fs::remove_dir_all(&place);
+    fs::rename(&part, &place).map_err(|e| format!("cannot write {}: {e}", place.display()))
+}
+
+/// Put the motion of a case into the array `motion` of its script.
+fn give_motion(plan: &Plan, case: &Case, run: &mut Run) -> Result<(), String> {
+    let Some(m) = case.motion.map(|m| &plan.motions[m]) else { return Ok(()) };
+    let mut set = vec![Value::from("name"), Value::from(m.name.as_str()), Value::from("dt"), Value::from(m.dt)];
+    for (k, c) in m.components.iter().enumerate() {
+        set.push(Value::from(format!("a{}", k + 1)));
+        set.push(Value::list(c.iter().map(|a| Value::from(*a))));
+    }
+    let failed = |_| "the motion cannot be set".to_owned();
+    run.interp.set_global("hysteron_motion", Value::list(set)).map_err(failed)?;
+    let unpack = "array set motion $hysteron_motion; unset hysteron_motion";
+    run.interp.eval_str("batch", unpack).map(|_| ()).map_err(failed)
+}
+
+/// Status and message of a run, and the values of the results; none for one that is missing.
+fn outcome(plan: &Plan, run: &mut Run, end: &End) -> (&'static str, String, Vec<String>) {
+    let undeclared = plan.parameters.iter().find(|p| !run.interp.host.declared.contains_key(*p));
+    let (mut status, mut message) = match (end, undeclared, &run.interp.host.last_failure) {
+        (End::Rejected(d) | End::Raised(d), _, _) => ("rejected", d.message.clone()),
+        (End::Done | End::Exit(0), Some(p), _) => ("rejected", format!("the script has no \"pset {p}\"")),
+        (End::Done | End::Exit(0), None, None) => (DONE, String::new()),
+        (_, _, Some(failure)) => ("failed", failure.to_string()),
+        _ => ("failed", "the script did not come to its end".into()),
+    };
+    let mut values = vec![];
+    for name in &plan.results {
+        let value = run.interp.eval_str("batch", &format!("set {{::{name}}}")).map(|v| v.to_string());
+        let value = value.ok().filter(|v| v.parse::<f64>().map_or(true, f64::is_finite));
+        if value.is_none() && status == DONE {
+            (status, message) = ("incomplete", format!("the script has no finite result {name}"));
+        }
+        values.push(value.unwrap_or_default());
+    }
+    (status, message, values)
+}
+
+fn row(plan: &Plan, case: &Case, run: &mut Run, end: &End) -> String {
+    let (status, message, values) = outcome(plan, run, end);
+    let script = case.script.file_name().map_or(String::new(), |n| n.to_string_lossy().into_owned());
+    let motion = case.motion.map_or(String::new(), |m| plan.motions[m].name.clone());
+    let own = [case.hash.clone(), status.to_owned(), script].into_iter();
+    let parameters = case.values.iter().map(|v| format!("{v:?}"));
+    line(own.chain(parameters).chain([motion]).chain(values).chain([message]))
+}
