@@ -17,6 +17,8 @@ mod endings;
 mod evidence;
 #[path = "cli/guard.rs"]
 mod guard;
+#[path = "cli/isolation.rs"]
+mod isolation;
 #[path = "cli/kikuchi.rs"]
 mod kikuchi;
 #[path = "cli/limits.rs"]
