@@ -141,3 +141,32 @@ fn the_reference_load_outlives_a_failed_step() {
     assert!((printed[4] / 347863511.26416975 - 1.0).abs() < 1e-9, "{}", printed[4]);
     assert!((printed[5] / 0.0012491407075384583 - 1.0).abs() < 1e-9, "{}", printed[5]);
 }
+
+/// Spellings and slips of scripts that OpenSees takes: each gives the deflection of the usual words.
+#[test]
+fn old_spellings_and_words_left_over() {
+    let deflection = |section: &str, element: &str| {
+        let script = format!(
+            "model basic -ndm 3 -ndf 6; node 1 0 0 0; node 2 3 0 0; fix 1 1 1 1 1 1 1
+            uniaxialMaterial Elastic 1 2e8
+            {section}
+            geomTransf Linear 1 0 1 0
+            {element}
+            pattern Plain 1 Linear {{ load 2 0 0 -5 0 0 0 }}
+            constraints Plain; integrator LoadControl 1; algorithm Linear; analysis Static
+            remove recorder 9
+            analyze 1
+            puts [nodeDisp 2 3]"
+        );
+        Script::default().run(&script).done().numbers()[0]
+    };
+    let fibers = |name: &str| format!("section {name} 1 -GJ 1e4 {{ patch rect 1 4 4 -0.1 -0.1 0.1 0.1 }}");
+    let beam = |name: &str| format!("element {name} 1 1 2 5 1 1");
+    let usual = deflection(&fibers("Fiber"), &beam("forceBeamColumn"));
+    assert!(usual < 0.0);
+    assert_eq!(deflection(&fibers("FiberSec"), &beam("ForceFrame")), usual);
+    let elastic = |more: &str| format!("element elasticBeamColumn 1 1 2 0.04 2e8 8e7 1e-4 1e-4 1e-4 1 {more}");
+    let usual = deflection("", &elastic(""));
+    assert!((usual + 5.0 * 27.0 / (3.0 * 2e8 * 1e-4)).abs() < 1e-12);
+    assert_eq!(deflection("", &elastic("0")), usual);
+}
