@@ -121,6 +121,8 @@ def vtk(engine, out):
         "timeSeries Trig 1 0 10 0.5\npattern Plain 1 1 { load 5 3 2 -5 0.1 0.2 0.3 }\n"
         "recorder Node -file disp.out -precision 16 -node 3 5 7 -dof 1 2 3 disp\nrecorder Node -file vel.out -precision 16 -node 3 5 7 -dof 1 2 3 vel\n"
         "recorder Node -file rot.out -precision 16 -node 3 5 7 -dof 4 5 6 disp\nrecorder Element -file force.out -precision 16 -ele 1 2 force\n"
+        "recorder Node -file reaction.out -precision 16 -node 3 5 7 -dof 1 2 3 reaction\nrecorder PVD pvd/motion disp reaction eleResponse localForce\n"
+        "recorder Element -file local.out -precision 16 -ele 1 2 localForce\n"
         "constraints Plain\nintegrator Newmark 0.5 0.25\nanalysis Transient\nanalyze 20 0.02\n"
     )
     subprocess.run([engine, "run", "--out", str(out / "recorded"), str(model)], check=True, cwd=out)
