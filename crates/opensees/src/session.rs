@@ -4,6 +4,7 @@ use crate::analysis::isolator_damping::IsolatorDamping;
 use crate::analysis::plausibility::Looked;
 use crate::calls::CallNumbers;
 use crate::check::CheckState;
+use crate::checkpoint::Journal;
 use crate::files::number_files::NumberFiles;
 use crate::files::series::{FileSeries, NoSeries};
 use crate::material::MaterialTests;
@@ -131,6 +132,8 @@ pub(crate) struct Recorders {
     /// Work of Rayleigh damping in isolators.
     pub(crate) isolator_damping: IsolatorDamping,
     pub(crate) motion: Option<Box<dyn MotionObserver>>,
+    /// Checkpoints, where they are asked for.
+    pub(crate) journal: Option<Box<Journal>>,
     /// Norms of the iterations, to be printed.
     pub(crate) printed: String,
     pub(crate) print: i32,
@@ -162,7 +165,7 @@ impl Recorders {
 
     /// Record the committed state.
     pub(crate) fn record(&mut self, engine: &mut Engine) -> Result<(), RecordError> {
-        self.by_tag.values_mut().try_for_each(|r| r.recorder.record(engine))
+        self.by_tag.values_mut().try_for_each(|r| r.recorder.record(engine).map(|_| ()))
     }
 
     /// An analysis starts from the committed state.
@@ -207,7 +210,10 @@ impl Recorders {
 
 impl Observer for Recorders {
     fn committed(&mut self, engine: &mut Engine) -> Result<(), String> {
-        self.record(engine).map_err(|e| e.to_string())?;
+        match &mut self.journal {
+            Some(journal) => journal.record(&mut self.by_tag, engine).map_err(|e| e.to_string())?,
+            None => self.record(engine).map_err(|e| e.to_string())?,
+        }
         if let Some(balances) = &mut self.balances {
             balances.step(engine)?;
         }
@@ -411,6 +417,11 @@ impl Session {
     /// Report the motion of the model to `motion`.
     pub fn observe_motion(&mut self, motion: Box<dyn MotionObserver>) {
         self.output.recorders.motion = Some(motion);
+    }
+
+    /// Keep checkpoints in a journal, and go on from those that it holds.
+    pub fn keep_checkpoints(&mut self, journal: Journal) {
+        self.output.recorders.journal = Some(Box::new(journal));
     }
 
     /// Call `handler` with each warning when it comes up.

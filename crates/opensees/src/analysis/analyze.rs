@@ -2,6 +2,7 @@
 
 use super::plausibility;
 use crate::args::Args;
+use crate::checkpoint;
 use crate::session::{Mode, Parts, Session};
 use crate::slips;
 use crate::{Command, Outcome, Tcl, finish, kind, warn};
@@ -161,6 +162,12 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             session.output.recorders.isolator_damping.begin(engine);
             match lengths {
                 Some(lengths) => engine.analyze_variable(steps, dt, lengths, &mut session.output.recorders),
+                None if kind == Kind::Transient && session.output.recorders.journal.is_some() => {
+                    match checkpoint::analyze(engine, &mut session.output.recorders, steps, dt) {
+                        Ok(done) => done,
+                        Err(why) => return Err(a.refuse_at(call.span(0), format!("checkpoint: {why}"), "")),
+                    }
+                }
                 None => engine.analyze(steps, dt, &mut session.output.recorders),
             }
         }
