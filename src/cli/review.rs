@@ -16,7 +16,8 @@ use super::signals::on_interrupt;
 use hysteron::opensees::{Mode, Outputs, Tcl};
 use hysteron::run::{End, Run};
 use hysteron::tcl::Files;
-use inputs::{Inputs, ReadFiles};
+pub(super) use inputs::Inputs;
+use inputs::ReadFiles;
 use page::Page;
 use peaks::{Peak, Peaks, WithPeaks};
 use std::collections::BTreeMap;
@@ -30,6 +31,11 @@ pub(super) struct Observed {
 }
 
 impl Observed {
+    /// The files that the script has read.
+    pub(super) fn inputs(&self) -> Inputs {
+        self.inputs.clone()
+    }
+
     /// Files and outputs that note inputs and peaks.
     pub(super) fn around(
         &self,

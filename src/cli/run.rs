@@ -1,9 +1,10 @@
 //! Dispatch of the commands, and the commands `run` and `check`.
 
-use super::args::{Arguments, CheckArgs, Command, EvidenceArgs, FolderArgs, ScriptArgs, StepArgs};
+use super::args::{Arguments, CheckArgs, CheckpointArgs, Command, EvidenceArgs, FolderArgs, ScriptArgs, StepArgs};
 use super::balance;
 use super::bearing::bearing;
 use super::calibrate::INPUT_ERROR;
+use super::checkpoint;
 use super::console::{NoOutput, PrefixedOutput, Terminal};
 use super::files::{NoFiles, SystemFiles};
 use super::guard::{Guard, GuardedFiles, GuardedOutputs};
@@ -31,9 +32,10 @@ use std::rc::Rc;
 pub(crate) fn main() -> i32 {
     let arguments = Arguments::from_arg_matches(&help::command().get_matches()).unwrap_or_else(|e| e.exit());
     let status = match arguments.command {
-        Command::Run { script, steps, limits, folders, evidence, model, args } => {
+        Command::Run { script, steps, limits, folders, evidence, checkpoints, model, args } => {
             let (script, steps, limits, folders, evidence) = (&script, &steps, &limits, &folders, &evidence);
-            let run_args = RunArgs { script, steps, limits, folders, evidence };
+            let checkpoints = &checkpoints;
+            let run_args = RunArgs { script, steps, limits, folders, evidence, checkpoints };
             match &evidence.view {
                 None => run(&run_args, &model, &args),
                 Some(page) => super::view::run(&run_args, page, &model, &args),
@@ -82,6 +84,7 @@ pub(super) struct RunArgs<'a> {
     pub(super) limits: &'a LimitArgs,
     pub(super) folders: &'a FolderArgs,
     pub(super) evidence: &'a EvidenceArgs,
+    pub(super) checkpoints: &'a CheckpointArgs,
 }
 
 /// Run a script; the exit status.
@@ -104,7 +107,7 @@ pub(super) fn run_prepared(
     })?;
     let EvidenceArgs { balance, review, .. } = args.evidence;
     let observed = Observed::default();
-    if review.is_some() {
+    if review.is_some() || args.checkpoints.checkpoint.is_some() {
         (files, outputs) = observed.around(files, outputs);
     }
     let console = Terminal::new(progress.clone());
@@ -116,8 +119,15 @@ pub(super) fn run_prepared(
     if balance.is_some() || review.is_some() {
         run.interp.host.balance_energy(matches!(balance, Some(Some(_))));
     }
+    let kept = checkpoint::begin(args, model, words, &observed, &mut run).map_err(|message| {
+        eprintln!("error: {message}");
+        INPUT_ERROR
+    })?;
     prepare(&mut run);
     let end = execute(&mut run, &progress, args.limits, model, words);
+    if let Some(path) = kept.filter(|_| matches!(end, End::Done | End::Exit(0))) {
+        let _ = std::fs::remove_file(path);
+    }
     print_summary(&run.interp);
     let balanced = match (run.interp.host.balances(), balance) {
         (Some(balances), Some(history)) => balance::print(balances, history.as_deref()),

@@ -60,3 +60,31 @@ fn states_that_do_not_fit_are_refused() {
     place.write("m.tcl", format!("{MODEL}restore 8\n"));
     assert_eq!(place.run(&["check", "m.tcl"]).0, Some(0));
 }
+
+/// A run goes on to the same files and texts from any prefix of its checkpoints, as a kill leaves them.
+#[test]
+fn a_killed_run_goes_on_to_the_same_bits() {
+    let place = Place::new();
+    let recorders = "recorder Node -file d.out -time -node 2 3 -dof 1 2 disp\nrecorder Element -file f.out -dT 0.03 -ele 1 2 force\n\
+        recorder EnvelopeNode -file e.out -node 3 -dof 1 accel\n";
+    // The exit status keeps the file of checkpoints.
+    let script = format!("{MODEL}{recorders}puts [analyze 130 0.01]\n{SHOW}set ok [analyze 170 0.01]\n{SHOW}exit 3\n");
+    place.write("m.tcl", &script);
+    let files = || ["d.out", "f.out", "e.out"].map(|f| std::fs::read(place.0.join(f)).unwrap());
+    let (status, out, err) = place.run(&["run", "--checkpoint", "0.000001", "m.tcl"]);
+    assert_eq!(status, Some(3), "{err}");
+    let (expected, whole) = (files(), std::fs::read(place.0.join("m.checkpoint")).unwrap());
+    for part in [16, whole.len() / 7, whole.len() / 3, whole.len() / 2, whole.len() - 1, whole.len()] {
+        place.write("m.checkpoint", &whole[..part]);
+        let (status, again, err) = place.run(&["run", "--checkpoint", "0.000001", "--resume", "m.tcl"]);
+        assert_eq!((status, &again), (Some(3), &out), "{part}: {err}");
+        assert_eq!(files(), expected, "{part}");
+    }
+    place.write("m.checkpoint", &whole);
+    place.write("m.tcl", script.replace("Steel01 2 5.", "Steel01 2 6."));
+    let (status, _, err) = place.run(&["run", "--checkpoint", "1", "--resume", "m.tcl"]);
+    assert!(status == Some(2) && err.contains("has changed since"), "{err}");
+    place.write("m.checkpoint", b"nonsense");
+    let (status, _, err) = place.run(&["run", "--checkpoint", "1", "--resume", "m.tcl"]);
+    assert!(status == Some(2) && err.contains("no file of checkpoints"), "{err}");
+}
