@@ -125,8 +125,8 @@ pub(super) fn run_prepared(
     })?;
     prepare(&mut run);
     let end = execute(&mut run, &progress, args.limits, model, words);
-    if let Some(path) = kept.filter(|_| matches!(end, End::Done | End::Exit(0))) {
-        let _ = std::fs::remove_file(path);
+    if let Some(files) = kept.filter(|_| matches!(end, End::Done | End::Exit(0))) {
+        files.remove();
     }
     print_summary(&run.interp);
     let balanced = match (run.interp.host.balances(), balance) {

@@ -163,6 +163,11 @@ impl Recorders {
         self.by_tag.values_mut().filter(|r| !r.reported).for_each(|r| r.recorder.look_up(engine));
     }
 
+    /// Returns true if steps come from a journal and are not computed: the engine has not their state.
+    pub(crate) fn repeats(&self) -> bool {
+        self.journal.as_ref().is_some_and(|j| j.repeats())
+    }
+
     /// Record the committed state.
     pub(crate) fn record(&mut self, engine: &mut Engine) -> Result<(), RecordError> {
         self.by_tag.values_mut().try_for_each(|r| r.recorder.record(engine).map(|_| ()))
@@ -417,11 +422,6 @@ impl Session {
     /// Report the motion of the model to `motion`.
     pub fn observe_motion(&mut self, motion: Box<dyn MotionObserver>) {
         self.output.recorders.motion = Some(motion);
-    }
-
-    /// Keep checkpoints in a journal, and go on from those that it holds.
-    pub fn keep_checkpoints(&mut self, journal: Journal) {
-        self.output.recorders.journal = Some(Box::new(journal));
     }
 
     /// Call `handler` with each warning when it comes up.

@@ -312,7 +312,8 @@ impl Engine {
         self.forget_work();
     }
 
-    pub(super) fn forget_work(&mut self) {
+    /// Forget what is remembered of earlier steps, so that the next one depends on the committed state alone.
+    pub fn forget_work(&mut self) {
         self.step_start.forget();
         self.setup.iter_mut().for_each(|s| s.algorithm.forget());
         if let Some((_, _, work)) = &mut self.prepared {

@@ -62,6 +62,11 @@ pub trait Source: fmt::Debug + Send {
     /// # Errors
     /// A response cannot be worked out.
     fn row(&mut self, engine: &mut Engine, row: &mut Vec<f64>) -> Result<(), RecordError>;
+
+    /// Returns true if the row is all that the source makes.
+    fn makes_rows_only(&self) -> bool {
+        true
+    }
 }
 
 /// Use of the rows.
@@ -129,6 +134,11 @@ impl Recorder {
         }
         self.keep_row(time)?;
         Ok(true)
+    }
+
+    /// Returns true if [`Recorder::record_again`] does what the record of a state does.
+    pub fn can_repeat(&self) -> bool {
+        self.source.makes_rows_only()
     }
 
     /// The row that was recorded last.

@@ -138,9 +138,12 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if kind == Kind::Transient {
         finish(interp, &a)?;
     }
+    checkpoint::before_analysis(interp, call)?;
     warn_of_plain(interp, call.span(0))?;
     warn_of_pseudo_time(interp, call.span(0))?;
-    plausibility::before(interp, dt, call.span(0))?;
+    if !interp.host.output.recorders.repeats() {
+        plausibility::before(interp, dt, call.span(0))?;
+    }
     let session = &mut interp.host;
     session.builder.loads_time = None;
     let done = match session.mode {
@@ -162,7 +165,7 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             session.output.recorders.isolator_damping.begin(engine);
             match lengths {
                 Some(lengths) => engine.analyze_variable(steps, dt, lengths, &mut session.output.recorders),
-                None if kind == Kind::Transient && session.output.recorders.journal.is_some() => {
+                None if session.output.recorders.journal.is_some() => {
                     match checkpoint::analyze(engine, &mut session.output.recorders, steps, dt) {
                         Ok(done) => done,
                         Err(why) => return Err(a.refuse_at(call.span(0), format!("checkpoint: {why}"), "")),
@@ -177,9 +180,12 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         crate::print_error(interp, &printed);
     }
     warn_of_missing(interp)?;
-    warn_of_numerics(interp, call.span(0))?;
-    if done.is_ok() {
-        plausibility::after(interp, call.span(0))?;
+    checkpoint::warn_of_end(interp, call)?;
+    if !interp.host.output.recorders.repeats() {
+        warn_of_numerics(interp, call.span(0))?;
+        if done.is_ok() {
+            plausibility::after(interp, call.span(0))?;
+        }
     }
     match done {
         Ok(()) => {

@@ -1,140 +1,176 @@
 //! Checkpoints of long time histories, and runs that go on from them.
 //!
-//! A run that goes on executes its script again. Transient analyses are not computed as far as the journal knows them: rows of
-//! recorders, the result and the state at the end come from it. All other commands act on that state as they did before.
+//! A run that goes on executes its script again. Its transient analyses are not computed as far as the journal knows them: rows
+//! of recorders and results come from it, and so do the answers to commands that only ask. Where another command needs the
+//! state of the engine, the journal has it.
 //!
-//! A state that is kept and one that is restored go on to the same bits. So every analysis is made in parts of [`PART`] steps,
-//! after which what is remembered of earlier steps is forgotten, with or without a kill.
+//! A state that is kept and one that is restored go on to the same bits, because what is remembered of earlier steps is forgotten
+//! at the same steps in both runs: after [`PART`] steps, and before a command that needs the state.
 
-mod frame;
+mod format;
+mod journal;
 
-use crate::session::{PlacedRecorder, Recorders};
-use frame::{Ended, Frame, Row};
-use hysteron_engine::analysis::{Cause, Engine, Failure};
-use hysteron_engine::model::Tag;
-use hysteron_engine::record::RecordError;
-use std::collections::BTreeMap;
-use std::collections::VecDeque;
-use std::fs::{File, OpenOptions};
-use std::io::{Read as _, Seek as _, SeekFrom, Write as _};
-use std::path::Path;
-use std::time::{Duration, Instant};
+use crate::session::Recorders;
+use crate::{Command, Outcome, Tcl, commands, output, warn};
+use format::{Ended, Event, Kept, Steps, checksum};
+use hysteron_engine::analysis::{Cause, Engine, Failure, Kind};
+use hysteron_tcl::diagnostic::Diagnostic;
+use hysteron_tcl::{Call, Exception, Value};
 
-pub use frame::{Checkpoints, parse};
+pub use journal::{Journal, Keeping, Paths};
 
 /// Steps after which a state may be kept.
 const PART: usize = 50;
-/// Largest journal, in bytes. A larger one is not continued.
-const MAX_SIZE: u64 = 4 << 30;
 /// Integrators whose next step depends on the state alone. Analyses with others are computed again.
 const ONE_STEP: [&str; 5] = ["Newmark", "HHT", "GeneralizedAlpha", "WilsonTheta", "Collocation"];
+/// Commands that neither need the state nor change it.
+const SETTINGS: [&str; 5] = ["test", "algorithm", "reactions", "analyze", "version"];
+/// Commands beside the queries that change the state.
+const CHANGES: [&str; 4] = ["setNodeDisp", "setNodeVel", "setNodeAccel", "setNodeMass"];
+const OTHER_COURSE: &str = "the script takes another course than before: does it depend on the clock?";
 
-/// The journal of a run: checkpoints of an earlier one that are used up first, and new ones.
-pub struct Journal {
-    file: File,
-    size: u64,
-    interval: Duration,
-    last: Instant,
-    /// Checkpoints of the earlier run that are still to be used.
-    earlier: VecDeque<Frame>,
-    /// Digest of the files that the script has read so far.
-    inputs: Box<dyn Fn() -> u64>,
-    /// Analyses so far.
-    calls: u64,
-    /// Rows since the last checkpoint.
-    rows: Vec<Row>,
-    /// Checkpoints that are not written yet.
-    pending: Vec<u8>,
+/// Returns true if the command only asks for results.
+fn is_question(name: &str) -> bool {
+    let groups = [output::query::COMMANDS, output::inventory::COMMANDS, output::loads::COMMANDS];
+    let mut questions = groups.into_iter().flatten().map(|c| c.name);
+    !SETTINGS.contains(&name) && !CHANGES.contains(&name) && questions.any(|q| q == name)
 }
 
-impl Journal {
-    /// Begin a journal for a run of this digest.
-    ///
-    /// # Errors
-    /// The file cannot be written.
-    pub fn create(path: &Path, run: u64, interval: Duration, inputs: Box<dyn Fn() -> u64>) -> Result<Self, String> {
-        let cannot = |e: std::io::Error| format!("cannot write {}: {e}", path.display());
-        // Made anew, so that no link under this name is followed.
-        match std::fs::remove_file(path) {
-            Err(e) if e.kind() != std::io::ErrorKind::NotFound => return Err(cannot(e)),
-            _ => {}
-        }
-        let mut file = OpenOptions::new().write(true).create_new(true).open(path).map_err(cannot)?;
-        let head = frame::head(run);
-        file.write_all(&head).and_then(|()| file.sync_data()).map_err(cannot)?;
-        Ok(Self::new(file, head.len() as u64, VecDeque::new(), interval, inputs))
+/// Keep a journal of what the commands of a script do. An earlier run's is used up first.
+pub fn keep(interp: &mut Tcl, journal: Journal) {
+    interp.host.output.recorders.journal = Some(Box::new(journal));
+    for c in commands() {
+        let run = match c.name {
+            "wipe" => wipe,
+            name if SETTINGS.contains(&name) => continue,
+            name if is_question(name) => ask,
+            _ => change,
+        };
+        interp.register(c.name, run);
     }
+}
 
-    /// Go on with the journal of an earlier run. What a kill has cut off its end is left out.
-    ///
-    /// # Errors
-    /// There is none, or it is damaged, or that of another run.
-    pub fn resume(path: &Path, run: u64, interval: Duration, inputs: Box<dyn Fn() -> u64>) -> Result<Self, String> {
-        let cannot = |e: std::io::Error| format!("cannot resume from {}: {e}", path.display());
-        let mut file = OpenOptions::new().read(true).write(true).open(path).map_err(cannot)?;
-        let mut bytes = vec![];
-        (&mut file).take(MAX_SIZE).read_to_end(&mut bytes).map_err(cannot)?;
-        let refused = |why: &str| format!("cannot resume from {}: {why}", path.display());
-        let found = parse(&bytes).map_err(refused)?;
-        if found.run != run {
-            return Err(refused("it is that of a run with other arguments, options or another version"));
-        }
-        file.set_len(found.length).and_then(|()| file.seek(SeekFrom::End(0))).map_err(cannot)?;
-        Ok(Self::new(file, found.length, found.frames.into(), interval, inputs))
+fn command(call: &Call<'_>) -> Result<&'static Command, Exception> {
+    let name = call.name();
+    let name = name.rsplit("::").next().unwrap_or_default();
+    let renamed = || Exception::error(format!("the command \"{name}\" was renamed, which checkpoints do not follow"));
+    commands().find(|c| c.name == name).ok_or_else(renamed)
+}
+
+fn refused(call: &Call<'_>, why: &str) -> Exception {
+    Exception::diagnosed(Diagnostic::error(format!("checkpoint: {why}")).at(call.span(0), ""))
+}
+
+fn wipe(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    if let Some(journal) = &mut interp.host.output.recorders.journal {
+        journal.forget_model();
     }
+    (command(call)?.run)(interp, call)
+}
 
-    fn new(file: File, size: u64, earlier: VecDeque<Frame>, interval: Duration, inputs: Box<dyn Fn() -> u64>) -> Self {
-        let (rows, pending) = (vec![], vec![]);
-        Self { file, size, interval, last: Instant::now(), earlier, inputs, calls: 0, rows, pending }
-    }
-
-    /// Record the committed state, and note the rows.
-    pub(crate) fn record(
-        &mut self,
-        recorders: &mut BTreeMap<Tag, PlacedRecorder>,
-        engine: &mut Engine,
-    ) -> Result<(), RecordError> {
-        for (tag, r) in recorders {
-            if r.recorder.record(engine)? {
-                self.rows.push(Row {
-                    recorder: *tag,
-                    time: engine.state().time,
-                    numbers: r.recorder.last_row().to_vec(),
-                });
+/// A command that only asks: its answer comes from the journal, or goes there.
+fn ask(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let command = command(call)?;
+    let Some(journal) = interp.host.output.recorders.journal.as_mut().filter(|j| j.has_analysed) else {
+        return (command.run)(interp, call);
+    };
+    let words = call.args().iter().fold(checksum(command.name.as_bytes()), |h, word| {
+        h.rotate_left(1) ^ checksum(word.as_str().as_bytes())
+    });
+    match journal.earlier.pop_front() {
+        Some(Event::Answer { words: before, text }) if before == words => match text {
+            Some(text) => Ok(Value::from(text)),
+            None => (command.run)(interp, call),
+        },
+        Some(_) => Err(refused(call, OTHER_COURSE)),
+        None => {
+            let answer = (command.run)(interp, call);
+            let text = answer.as_ref().ok().map(|value| value.as_str().into_owned());
+            if let Some(journal) = &mut interp.host.output.recorders.journal {
+                journal.add(&Event::Answer { words, text }).map_err(|why| refused(call, &why))?;
             }
+            answer
         }
-        Ok(())
-    }
-
-    fn is_due(&self) -> bool {
-        self.last.elapsed() >= self.interval
-    }
-
-    /// Add a checkpoint, and write all of them if it is time to.
-    fn add(&mut self, frame: &Frame) -> Result<(), String> {
-        if self.size + self.pending.len() as u64 <= MAX_SIZE {
-            self.pending.extend(frame.to_bytes());
-        }
-        if !self.is_due() {
-            return Ok(());
-        }
-        let written = self.file.write_all(&self.pending).and_then(|()| self.file.sync_data());
-        written.map_err(|e| format!("it cannot be written: {e}"))?;
-        self.size += self.pending.len() as u64;
-        self.pending.clear();
-        self.last = Instant::now();
-        Ok(())
     }
 }
 
-/// The call of an analysis, which both runs must have in common.
+/// A command that may need the state, or change it.
+fn change(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let command = command(call)?;
+    bring_up(interp).map_err(|why| refused(call, &why))?;
+    (command.run)(interp, call)
+}
+
+/// Bring the engine to the state that the script believes it to have.
+fn bring_up(interp: &mut Tcl) -> Result<(), String> {
+    let (engine, recorders) = (&mut interp.host.engine, &mut interp.host.output.recorders);
+    let Some(mut journal) = recorders.journal.take_if(|j| j.is_stale) else { return Ok(()) };
+    let result = match journal.earlier.pop_front() {
+        Some(Event::State(kept)) => restore(&journal, engine, recorders, kept),
+        Some(_) => Err(OTHER_COURSE.to_owned()),
+        None => {
+            let kept = state(&journal, engine, recorders);
+            journal.add(&Event::State(kept))
+        }
+    };
+    (journal.is_stale, journal.since) = (false, 0);
+    recorders.journal = Some(journal);
+    result
+}
+
+fn state(journal: &Journal, engine: &mut Engine, recorders: &Recorders) -> Kept {
+    let isolators = recorders.isolator_damping.energies();
+    Kept { inputs: journal.inputs(), isolators, state: engine.save() }
+}
+
+fn restore(journal: &Journal, engine: &mut Engine, recorders: &mut Recorders, kept: Kept) -> Result<(), String> {
+    if kept.inputs != journal.inputs() {
+        return Err("the script, or a file that it reads, has changed since".into());
+    }
+    engine.restore_saved(kept.state)?;
+    recorders.isolator_damping.go_on(engine, kept.isolators);
+    Ok(())
+}
+
+/// Prepare an analysis. The engine has its state if it is computed, and not if the journal may know it.
+pub(crate) fn before_analysis(interp: &mut Tcl, call: &Call<'_>) -> Result<(), Exception> {
+    let session = &interp.host;
+    let Some(journal) = &session.output.recorders.journal else { return Ok(()) };
+    if !is_kept(&session.engine) {
+        return bring_up(interp).map_err(|why| refused(call, &why));
+    }
+    let recorders = session.output.recorders.by_tag.values();
+    let file = recorders.filter(|r| !r.recorder.can_repeat()).find_map(|r| r.file.clone());
+    match file.filter(|_| !journal.has_analysed) {
+        Some(file) => Err(refused(call, &format!("the recorder of {file} writes more than rows, which are all it keeps"))),
+        None => Ok(()),
+    }
+}
+
+/// Warn, once, that there are no checkpoints any more.
+pub(crate) fn warn_of_end(interp: &mut Tcl, call: &Call<'_>) -> Result<(), Exception> {
+    let is_full = interp.host.output.recorders.journal.as_ref().is_some_and(|j| j.is_full());
+    if !is_full || interp.host.warnings.reported.insert("journal", 1).is_some() {
+        return Ok(());
+    }
+    let d = Diagnostic::warning("checkpoint: the run is longer than its journal may be");
+    warn(interp, d.at(call.span(0), "the last checkpoint is one before this"))
+}
+
+/// Returns true if the journal keeps what the analysis does.
+fn is_kept(engine: &Engine) -> bool {
+    engine.options.ladder.is_none()
+        && engine.setup().is_some_and(|s| s.kind == Kind::Transient && ONE_STEP.contains(&s.integrator.name()))
+}
+
+/// Call of an analysis, which both runs must have in common.
 #[derive(Clone, Copy)]
 struct Asked {
     steps: usize,
     dt: f64,
 }
 
-/// Make steps of a transient analysis as [`Engine::analyze`], as far as the journal does not know them.
+/// Make steps of an analysis as [`Engine::analyze`]. Those that the journal knows are not computed.
 ///
 /// # Errors
 /// The journal does not fit the run, or cannot be written.
@@ -144,23 +180,25 @@ pub(crate) fn analyze(
     steps: usize,
     dt: f64,
 ) -> Result<Result<(), Failure>, String> {
-    let one_step = engine.setup().is_some_and(|s| ONE_STEP.contains(&s.integrator.name()));
-    let by_state_alone = one_step && engine.options.ladder.is_none() && steps > 0;
-    let Some(mut journal) = recorders.journal.take().filter(|_| by_state_alone) else {
+    let is_kept = is_kept(engine) && steps > 0;
+    let Some(mut journal) = recorders.journal.take_if(|_| is_kept) else {
         return Ok(engine.analyze(steps, dt, recorders));
     };
     journal.calls += 1;
+    journal.has_analysed = true;
+    journal.rows.clear();
     let asked = Asked { steps, dt };
-    let done = match replay(&mut journal, engine, recorders, asked) {
-        Ok(Replayed::Ended(result)) => Ok(result),
-        Ok(Replayed::Steps(done)) => {
-            recorders.journal = Some(journal);
-            return compute(engine, recorders, asked, done);
-        }
-        Err(why) => Err(why),
-    };
+    let replayed = replay(&mut journal, engine, recorders, asked);
+    let begins = matches!(replayed, Ok(Replayed::Steps(0))) && journal.earlier.is_empty();
+    if begins && journal.since == 0 && journal.is_due() {
+        let kept = state(&journal, engine, recorders);
+        journal.keep(&kept)?;
+    }
     recorders.journal = Some(journal);
-    done
+    match replayed? {
+        Replayed::Ended(result) => Ok(result),
+        Replayed::Steps(done) => compute(engine, recorders, asked, done),
+    }
 }
 
 enum Replayed {
@@ -176,24 +214,30 @@ fn replay(
     asked: Asked,
 ) -> Result<Replayed, String> {
     let mut done = 0;
-    while let Some(frame) = journal.earlier.pop_front() {
-        if frame.inputs != (journal.inputs)() {
-            return Err("the script, or a file that it reads, has changed since".into());
-        }
-        let same = frame.call == journal.calls
-            && (frame.steps, frame.dt.to_bits()) == (asked.steps as u64, asked.dt.to_bits())
-            && frame.done <= frame.steps;
+    while let Some(event) = journal.earlier.pop_front() {
+        let steps = match event {
+            Event::Steps(steps) => steps,
+            Event::Checkpoint(kept) => {
+                restore(journal, engine, recorders, kept)?;
+                break;
+            }
+            Event::Answer { .. } | Event::State(_) => return Err(OTHER_COURSE.into()),
+        };
+        let same = steps.call == journal.calls
+            && (steps.asked, steps.dt.to_bits()) == (asked.steps as u64, asked.dt.to_bits())
+            && (done as u64..=steps.asked).contains(&steps.done);
         if !same {
-            return Err("the script takes another course than before: does it depend on the clock?".into());
+            return Err(OTHER_COURSE.into());
         }
-        for row in frame.rows {
+        for row in steps.rows {
             let r = recorders.by_tag.get_mut(&row.recorder).ok_or("a recorder is missing")?;
             r.recorder.record_again(engine, row.time, row.numbers).map_err(|e| e.to_string())?;
         }
-        recorders.printed.push_str(&frame.printed);
-        engine.restore_saved(frame.state)?;
-        done = frame.done as usize;
-        match frame.ended {
+        recorders.printed.push_str(&steps.printed);
+        journal.is_stale = true;
+        journal.since = (journal.since + steps.done as usize - done) % PART;
+        done = steps.done as usize;
+        match steps.ended {
             Ended::Not => {}
             Ended::Done => return Ok(Replayed::Ended(Ok(()))),
             Ended::Failed(failure) => return Ok(Replayed::Ended(Err(failure.of(engine)))),
@@ -211,15 +255,19 @@ fn compute(
 ) -> Result<Result<(), Failure>, String> {
     let mut printed = recorders.printed.len();
     loop {
-        let part = PART.min(asked.steps - done);
+        let since = recorders.journal.as_ref().map_or(0, |j| j.since);
+        let part = (PART - since).min(asked.steps - done);
         let result = engine.analyze(part, asked.dt, recorders);
         if result.as_ref().is_err_and(|f| f.cause == Cause::Interrupted) {
             return Ok(result);
         }
-        let state = engine.save();
-        engine.restore_saved(state.clone())?;
         done += part;
-        let Some(journal) = &mut recorders.journal else { return Ok(result) };
+        let Some(mut journal) = recorders.journal.take() else { return Ok(result) };
+        journal.is_stale = true;
+        journal.since = (since + part) % PART;
+        if journal.since == 0 {
+            engine.forget_work();
+        }
         let ended = match &result {
             Err(failure) => Ended::Failed(failure.into()),
             Ok(()) if done == asked.steps => Ended::Done,
@@ -227,20 +275,22 @@ fn compute(
         };
         let has_ended = !matches!(ended, Ended::Not);
         if has_ended || journal.is_due() {
-            let frame = Frame {
-                inputs: (journal.inputs)(),
+            journal.add_steps(Steps {
                 call: journal.calls,
-                steps: asked.steps as u64,
+                asked: asked.steps as u64,
                 dt: asked.dt,
                 done: done as u64,
                 ended,
                 printed: recorders.printed.get(printed..).unwrap_or_default().to_owned(),
-                rows: std::mem::take(&mut journal.rows),
-                state,
-            };
+                rows: vec![],
+            })?;
             printed = recorders.printed.len();
-            journal.add(&frame)?;
         }
+        if !has_ended && journal.is_due() {
+            let kept = state(&journal, engine, recorders);
+            journal.keep(&kept)?;
+        }
+        recorders.journal = Some(journal);
         if has_ended {
             return Ok(result);
         }
