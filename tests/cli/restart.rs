@@ -92,11 +92,13 @@ fn a_stopped_run_goes_on_to_the_same_bits() {
         format!("{model}{}set ok [analyze 30 0.01]\nshake 90\n{SHOW}", recorders(2)),
     ];
     place.write("m.tcl", parts.concat());
-    let run = |stop: i32, resume: bool| {
-        let every = ["run", "--checkpoint", "0.000001s", "m.tcl", "--resume"];
-        place.run_with(&[("STOP", &stop.to_string())], &every[..4 + usize::from(resume)])
+    let run_every = |interval: &str, stop: i32, resume: bool| {
+        let words = ["run", "--checkpoint", interval, "m.tcl", "--resume"];
+        place.run_with(&[("STOP", &stop.to_string())], &words[..4 + usize::from(resume)])
     };
-    let (status, whole, err) = run(-1, false);
+    let run = |stop: i32, resume: bool| run_every("0.000001s", stop, resume);
+    // A run without a checkpoint makes the same steps.
+    let (status, whole, err) = run_every("2h", -1, false);
     assert_eq!(status, Some(0), "{err}");
     let expected = written(&place);
     assert!(whole.contains("step 83 failed") && expected.len() == 6, "{whole}");

@@ -170,7 +170,7 @@ impl Recorders {
 
     /// Record the committed state.
     pub(crate) fn record(&mut self, engine: &mut Engine) -> Result<(), RecordError> {
-        self.by_tag.values_mut().try_for_each(|r| r.recorder.record(engine).map(|_| ()))
+        self.by_tag.values_mut().try_for_each(|r| r.recorder.record(engine).map(drop))
     }
 
     /// An analysis starts from the committed state.

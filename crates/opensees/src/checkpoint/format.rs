@@ -6,8 +6,8 @@
 use hysteron_engine::analysis::{Cause, Engine, Failure, SavedState};
 use hysteron_engine::model::Tag;
 
-const JOURNAL: &[u8; 8] = b"hystjr\x00\x01";
-const CHECKPOINT: &[u8; 8] = b"hystcp\x00\x02";
+pub(super) const JOURNAL: &[u8; 8] = b"hystjr\x00\x01";
+pub(super) const CHECKPOINT: &[u8; 8] = b"hystcp\x00\x02";
 /// A file that is none of ours.
 const FOREIGN: &str = "it is no file of checkpoints of this version";
 const DAMAGED: &str = "it is damaged";
@@ -107,7 +107,10 @@ pub(super) struct Kept {
 #[derive(Clone, Debug)]
 pub(super) enum Event {
     /// The result of a command that only asks; none if it raised an error.
-    Answer { words: u64, text: Option<String> },
+    Answer {
+        words: u64,
+        text: Option<String>,
+    },
     Steps(Steps),
     /// The state that a command needed.
     State(Kept),
@@ -126,7 +129,7 @@ pub(super) fn head(run: u64) -> Vec<u8> {
 }
 
 /// A block of the journal: length, content and checksum.
-pub(super) fn block(content: &[u8]) -> Vec<u8> {
+pub fn block(content: &[u8]) -> Vec<u8> {
     let mut w = Writer::default();
     w.bytes(content);
     w.number(checksum(content));

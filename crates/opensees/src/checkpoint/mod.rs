@@ -17,8 +17,11 @@ use hysteron_engine::analysis::{Cause, Engine, Failure, Kind};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
+pub use format::block;
 pub use journal::{Journal, Keeping, Paths};
 
+/// First bytes of a journal and of a checkpoint. The digest of the run follows.
+pub const MAGICS: [&[u8]; 2] = [format::JOURNAL, format::CHECKPOINT];
 /// Steps after which a state may be kept.
 const PART: usize = 50;
 /// Integrators whose next step depends on the state alone. Analyses with others are computed again.
@@ -28,6 +31,14 @@ const SETTINGS: [&str; 5] = ["test", "algorithm", "reactions", "analyze", "versi
 /// Commands beside the queries that change the state.
 const CHANGES: [&str; 4] = ["setNodeDisp", "setNodeVel", "setNodeAccel", "setNodeMass"];
 const OTHER_COURSE: &str = "the script takes another course than before: does it depend on the clock?";
+
+/// Read bytes as a journal, and as a checkpoint. Returns the number of events in either.
+///
+/// # Errors
+/// They are neither.
+pub fn events(bytes: &[u8], run: u64) -> Result<usize, &'static str> {
+    format::journal(bytes, run).map(|events| events.len()).or_else(|_| format::read_checkpoint(bytes, run).map(|_| 1))
+}
 
 /// Returns true if the command only asks for results.
 fn is_question(name: &str) -> bool {
@@ -74,9 +85,10 @@ fn ask(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let Some(journal) = interp.host.output.recorders.journal.as_mut().filter(|j| j.has_analysed) else {
         return (command.run)(interp, call);
     };
-    let words = call.args().iter().fold(checksum(command.name.as_bytes()), |h, word| {
-        h.rotate_left(1) ^ checksum(word.as_str().as_bytes())
-    });
+    let words = call
+        .args()
+        .iter()
+        .fold(checksum(command.name.as_bytes()), |h, word| h.rotate_left(1) ^ checksum(word.as_str().as_bytes()));
     match journal.earlier.pop_front() {
         Some(Event::Answer { words: before, text }) if before == words => match text {
             Some(text) => Ok(Value::from(text)),
@@ -142,7 +154,9 @@ pub(crate) fn before_analysis(interp: &mut Tcl, call: &Call<'_>) -> Result<(), E
     let recorders = session.output.recorders.by_tag.values();
     let file = recorders.filter(|r| !r.recorder.can_repeat()).find_map(|r| r.file.clone());
     match file.filter(|_| !journal.has_analysed) {
-        Some(file) => Err(refused(call, &format!("the recorder of {file} writes more than rows, which are all it keeps"))),
+        Some(file) => {
+            Err(refused(call, &format!("the recorder of {file} writes more than rows, which are all it keeps")))
+        }
         None => Ok(()),
     }
 }
