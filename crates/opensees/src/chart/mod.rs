@@ -28,7 +28,7 @@ pub enum Mark {
 pub struct Curve {
     /// Name; empty for none.
     pub name: String,
-    /// Points.
+    /// Points. One that is not finite is a gap in a line.
     pub points: Vec<(f64, f64)>,
     /// Marks of the points.
     pub mark: Mark,
@@ -169,13 +169,17 @@ impl Figure {
         let ordered = coloured.iter().filter(|(c, _)| c.mark == Mark::Wide);
         let ordered = ordered.chain(coloured.iter().filter(|(c, _)| c.mark != Mark::Wide));
         for (curve, colour) in ordered {
-            let pixels = curve.points.iter().map(|p| (plot.x.pixel(p.0), plot.y.pixel(p.1)));
-            match curve.mark {
-                Mark::Dots => pixels.filter(|p| plot.contains(*p)).for_each(|p| out.dot(p, colour)),
-                Mark::Line | Mark::Wide => {
-                    let width = if curve.mark == Mark::Wide { 3.5 } else { 1.2 };
-                    for stretch in plot.clipped(&thinned(pixels)) {
-                        out.curve(&stretch, colour, width);
+            let pixel = |p: &Point| (plot.x.pixel(p.0), plot.y.pixel(p.1));
+            // A point that is not finite is a gap.
+            for points in curve.points.split(|p| !(p.0.is_finite() && p.1.is_finite())) {
+                let pixels = points.iter().map(pixel);
+                match curve.mark {
+                    Mark::Dots => pixels.filter(|p| plot.contains(*p)).for_each(|p| out.dot(p, colour)),
+                    Mark::Line | Mark::Wide => {
+                        let width = if curve.mark == Mark::Wide { 3.5 } else { 1.2 };
+                        for stretch in plot.clipped(&thinned(pixels)) {
+                            out.curve(&stretch, colour, width);
+                        }
                     }
                 }
             }
@@ -275,7 +279,7 @@ fn thinned(pixels: impl Iterator<Item = Point>) -> Vec<Point> {
         }
         column.clear();
     };
-    for p in pixels.filter(|p| p.0.is_finite() && p.1.is_finite()) {
+    for p in pixels {
         if column.first().is_some_and(|first| (p.0 - first.0).abs() >= COLUMN) {
             flush(&mut column);
         }
