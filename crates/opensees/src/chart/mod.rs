@@ -88,6 +88,8 @@ const ABOVE: f64 = 32.0;
 /// Distance in pixels within which points of a curve are joined.
 const COLUMN: f64 = 0.5;
 
+/// Number of dots up to which they are large.
+const FEW_DOTS: usize = 40;
 /// Ticks of an axis, at most.
 const MAX_TICKS: usize = 9;
 
@@ -170,11 +172,13 @@ impl Figure {
         let ordered = ordered.chain(coloured.iter().filter(|(c, _)| c.mark != Mark::Wide));
         for (curve, colour) in ordered {
             let pixel = |p: &Point| (plot.x.pixel(p.0), plot.y.pixel(p.1));
+            // A few dots are places, many are a cloud.
+            let radius = if curve.points.len() <= FEW_DOTS { 4.5 } else { 2.5 };
             // A point that is not finite is a gap.
             for points in curve.points.split(|p| !(p.0.is_finite() && p.1.is_finite())) {
                 let pixels = points.iter().map(pixel);
                 match curve.mark {
-                    Mark::Dots => pixels.filter(|p| plot.contains(*p)).for_each(|p| out.dot(p, colour)),
+                    Mark::Dots => pixels.filter(|p| plot.contains(*p)).for_each(|p| out.dot(p, radius, colour)),
                     Mark::Line | Mark::Wide => {
                         let width = if curve.mark == Mark::Wide { 3.5 } else { 1.2 };
                         for stretch in plot.clipped(&thinned(pixels)) {
