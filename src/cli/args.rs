@@ -41,6 +41,9 @@ pub(super) enum Command {
         evidence: EvidenceArgs,
         #[command(flatten)]
         checkpoints: CheckpointArgs,
+        /// Show no progress, peaks and loop in the terminal
+        #[arg(long)]
+        quiet: bool,
         /// The script
         model: String,
         /// Words that the script finds in $argv; behind "--" if they begin with a dash and are no numbers

@@ -237,6 +237,7 @@ fn run_test(args: &BearingArgs) -> Result<i32, TestError> {
     let (script_args, limits) = (&args.script_args, &args.limits);
     let (steps, evidence) = (&StepArgs::default(), &EvidenceArgs::default());
     let run_args = RunArgs {
+        quiet: false,
         script: script_args,
         steps,
         limits,

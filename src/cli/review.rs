@@ -77,7 +77,7 @@ fn refined_peaks(args: &RunArgs<'_>, model: &str, words: &[String]) -> Option<BT
     let steps = StepArgs { refine: 2 * args.steps.refine.max(1), ..*args.steps };
     let mut run = Run::new(settings(args.script, &steps, Mode::Run), Box::new(NoOutput), files, outputs);
     let progress = ProgressLine::new();
-    run.interp.host.set_progress(Box::new(progress.steps()));
+    run.interp.host.set_progress(Box::new(progress.steps(None)));
     on_interrupt(&run.interp.interrupt);
     let end = run.script(model, words);
     progress.clear();

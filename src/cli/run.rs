@@ -14,7 +14,7 @@ use super::loops::loops;
 use super::messages::Messages;
 use super::output_folder::OutputFolder;
 use super::print::write_out;
-use super::progress::ProgressLine;
+use super::progress::{ProgressLine, SharedGlance};
 use super::review::{self, Ended, Observed};
 use super::script_check::{self, print_summary};
 use super::signals::on_interrupt;
@@ -25,6 +25,7 @@ use hysteron::opensees::{Mode, Outputs, Tcl};
 use hysteron::run::{End, Run, Settings};
 use hysteron::tcl::{Console, Files, OsFiles, OverlayFiles};
 use std::collections::BTreeMap;
+use std::io::IsTerminal as _;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
@@ -32,10 +33,10 @@ use std::rc::Rc;
 pub(crate) fn main() -> i32 {
     let arguments = Arguments::from_arg_matches(&help::command().get_matches()).unwrap_or_else(|e| e.exit());
     let status = match arguments.command {
-        Command::Run { script, steps, limits, folders, evidence, checkpoints, model, args } => {
+        Command::Run { script, steps, limits, folders, evidence, checkpoints, quiet, model, args } => {
             let (script, steps, limits, folders, evidence) = (&script, &steps, &limits, &folders, &evidence);
             let checkpoints = &checkpoints;
-            let run_args = RunArgs { script, steps, limits, folders, evidence, checkpoints };
+            let run_args = RunArgs { script, steps, limits, folders, evidence, checkpoints, quiet };
             match &evidence.view {
                 None => run(&run_args, &model, &args),
                 Some(page) => super::view::run(&run_args, page, &model, &args),
@@ -85,6 +86,7 @@ pub(super) struct RunArgs<'a> {
     pub(super) folders: &'a FolderArgs,
     pub(super) evidence: &'a EvidenceArgs,
     pub(super) checkpoints: &'a CheckpointArgs,
+    pub(super) quiet: bool,
 }
 
 /// Run a script; the exit status.
@@ -115,7 +117,13 @@ pub(super) fn run_prepared(
     if args.folders.sandbox {
         hide_environment(&mut run.interp);
     }
-    run.interp.host.set_progress(Box::new(progress.steps()));
+    if !args.quiet {
+        let glance = std::io::stderr().is_terminal().then(SharedGlance::default);
+        run.interp.host.set_progress(Box::new(progress.steps(glance.clone())));
+        if let Some(glance) = glance {
+            run.interp.host.observe_motion(Box::new(glance));
+        }
+    }
     if balance.is_some() || review.is_some() {
         run.interp.host.balance_energy(matches!(balance, Some(Some(_))));
     }
