@@ -11,6 +11,7 @@ diagnoses of an earlier call are read. The truth is that of `integrator.py`, whi
 import argparse
 import csv
 import json
+import math
 import pathlib
 import subprocess
 
@@ -33,8 +34,19 @@ def parameter(values, name):
     return next((x for key, x in values.items() if key in (name, f"hy_{name}", f"hy2_{name}")), None)
 
 
-def table(results):
-    """Rows of Markdown from diagnosis.json of each study."""
+def remaining(folder, channel, by):
+    """Root mean square of what a model leaves of a channel of the runs held out; `by` is simulated or repaired."""
+    missed = []
+    for run in ("slow_c", "fast_d"):
+        for row in csv.DictReader((folder / "channels" / f"{run}.csv").open()):
+            column = {key.split("[")[0]: value for key, value in row.items()}
+            if f"{channel}_recorded" in column:
+                missed.append(float(column[f"{channel}_recorded"]) - float(column[f"{channel}_{by}"]))
+    return math.sqrt(sum(x * x for x in missed) / len(missed)) if missed else None
+
+
+def table(results, folders):
+    """Rows of Markdown from diagnosis.json of each study, and from the folders of channels."""
     head = ["", "true"]
     for label in results:
         head += [f"{label}: as it is", "repaired"]
@@ -57,6 +69,12 @@ def table(results):
         row = [label, ""]
         for d in results.values():
             row += [f"{d[k][key]:.2g}" for k in ("baseline", "corrected")]
+        rows.append(row)
+    for channel, unit, noise in (("stress", "MPa", integrator.NOISE), ("inside", "K", integrator.NOISE_TEMPERATURE)):
+        row = [f"{channel} held out, {unit} (noise)", f"{noise}"]
+        for folder in folders:
+            left = [remaining(folder, channel, by) for by in ("simulated", "repaired")]
+            row += ["" if x is None else f"{x:.3g}" for x in left]
         rows.append(row)
     return "\n".join("| " + " | ".join(row) + " |" for row in rows)
 
@@ -92,7 +110,7 @@ def main():
             words = [a.hysteron, "diagnose", integrator.STUDY / f"{study}.toml", "--threads", a.threads, "--out", a.out / study]
             subprocess.run(words, check=True)
     found = {label: json.loads((results / study / "diagnosis.json").read_text()) for study, label in STUDIES.items()}
-    print(table(found))
+    print(table(found, [results / study for study in STUDIES]))
     draw(a.hysteron, results, a.out)
 
 
