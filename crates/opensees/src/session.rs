@@ -2,6 +2,7 @@
 
 use crate::analysis::isolator_damping::IsolatorDamping;
 use crate::analysis::plausibility::Looked;
+use crate::analysis::softening::BackboneWatch;
 use crate::calls::CallNumbers;
 use crate::check::CheckState;
 use crate::checkpoint::Journal;
@@ -131,6 +132,8 @@ pub(crate) struct Recorders {
     pub(crate) balances: Option<Box<Balances>>,
     /// Work of Rayleigh damping in isolators.
     pub(crate) isolator_damping: IsolatorDamping,
+    /// Bearings that soften.
+    pub(crate) backbones: BackboneWatch,
     pub(crate) motion: Option<Box<dyn MotionObserver>>,
     /// Checkpoints, where they are asked for.
     pub(crate) journal: Option<Box<Journal>>,
@@ -223,6 +226,7 @@ impl Observer for Recorders {
             balances.step(engine)?;
         }
         self.isolator_damping.add_step(engine);
+        self.backbones.step(engine);
         if self.print != 0 {
             self.note_iterations(engine);
         }
@@ -456,6 +460,7 @@ impl Session {
         self.output.known = Known::default();
         self.looked = Looked::default();
         self.output.recorders.isolator_damping = IsolatorDamping::default();
+        self.output.recorders.backbones = BackboneWatch::default();
         self.parts = Parts { variable_steps: self.parts.variable_steps, ..Parts::default() };
         finished
     }

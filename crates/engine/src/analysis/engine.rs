@@ -13,7 +13,7 @@ use super::system::System;
 use super::work_counts::WorkCounts;
 use super::workspace::{PrepareOptions, Workspace};
 use crate::assembly::{Handler, MpScope};
-use crate::element::{Element, Overload, Snapshot};
+use crate::element::{Element, Overload, Snapshot, Softening};
 use crate::model::{ElementEntry, ElementId, GroundMotion, Model, NodeId, Pattern, PatternKind, Tag};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -349,6 +349,12 @@ impl Engine {
     pub fn overload(&self) -> Option<(&ElementEntry, Overload)> {
         let of = |e: &ElementEntry| e.element.overload(&self.committed.history[e.state.clone()]);
         self.model.elements.iter().find_map(|e| of(e).map(|load| (e, load)))
+    }
+
+    /// The ends of the backbone of an element that softens, and its committed deformation.
+    pub fn softening(&self, id: ElementId) -> Option<Softening> {
+        let e = &self.model.elements[id.0];
+        e.element.softening(&self.committed.history[e.state.clone()])
     }
 
     /// The resisting force of an element in the committed state as recorders show it, added to `out`.

@@ -163,6 +163,7 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             let (engine, steps) = (&mut session.engine, steps as usize);
             session.output.recorders.start(engine);
             session.output.recorders.isolator_damping.begin(engine);
+            session.output.recorders.backbones.begin(engine);
             match lengths {
                 Some(lengths) => engine.analyze_variable(steps, dt, lengths, &mut session.output.recorders),
                 None if session.output.recorders.journal.is_some() => {
@@ -311,7 +312,19 @@ fn warn_of_numerics(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exceptio
         warn(interp, Diagnostic::warning(message).at(span, "a tighter test, or one of the unbalance, shows it"))?;
     }
     report_overload(interp, span);
+    report_softening(interp, span);
     Ok(())
+}
+
+/// Report once a bearing whose backbone is negative. It is no error, even where warnings are: a script may study this.
+fn report_softening(interp: &mut Tcl, span: Option<Span>) {
+    let session = &mut interp.host;
+    if session.mode == Mode::Check || session.warnings.reported.contains_key("softening") {
+        return;
+    }
+    let Some(d) = session.output.recorders.backbones.warning(span) else { return };
+    session.warnings.reported.insert("softening", 1);
+    crate::report(interp, d);
 }
 
 /// Report once a bearing under more than its critical load.
