@@ -11,6 +11,7 @@ use crate::files::series::{FileSeries, NoSeries};
 use crate::material::MaterialTests;
 use crate::model::parameter::Parameter;
 use crate::output::Balances;
+use crate::output::model_file::MadeOf;
 use crate::section::open::OpenSection;
 use crate::slips::Slip;
 use hysteron_engine::analysis::algorithm::Algorithm;
@@ -265,6 +266,8 @@ pub struct ModelBuilder {
     pub(crate) loads_time: Option<f64>,
     /// Materials, series, sections and the like, by tag.
     pub definitions: Definitions,
+    /// Definitions that each element was made of.
+    pub(crate) made_of: MadeOf,
     /// Number of dimensions.
     pub(crate) ndm: usize,
     /// Degrees of freedom of a node, unless it has its own number.
