@@ -42,7 +42,8 @@ impl From<PyErr> for Refused {
 
 fn push(words: &mut Vec<Value>, arg: &Bound<'_, PyAny>, depth: usize) -> Result<(), Refused> {
     if let Ok(text) = arg.cast::<PyString>() {
-        words.push(Value::from(text.to_cow()?.as_ref()));
+        // As openseespy takes them: `'-dof '` is an option.
+        words.push(Value::from(text.to_cow()?.trim_matches(|c: char| c.is_ascii_whitespace())));
     } else if let Ok(x) = arg.cast::<PyFloat>() {
         words.push(Value::from(x.value()));
     } else if arg.is_instance_of::<PyInt>() {
