@@ -78,6 +78,9 @@ class Model(_hysteron.Domain):
         hint = f". Did you mean '{near[0]}'?" if near else ""
         raise AttributeError(f"OpenSees has no command '{name}'{hint}", name=name, obj=self)
 
+    def __reduce__(self):
+        raise TypeError("a Model cannot be pickled: a task builds its own, from the parameters that it is given")
+
     def analyze(self, *args, record=None):
         """analyze(steps, <dt>): 0, or the code of the failure.
 

@@ -70,8 +70,9 @@ fn line(words: impl Iterator<Item = String>) -> String {
     words.map(quoted).collect::<Vec<_>>().join(",") + "\n"
 }
 
-/// Returns true if an earlier run has completed the case, and no file that it read has changed.
-fn is_complete(place: &Path) -> bool {
+/// Returns true if an earlier run has completed the case below `folder`, and no file that it read has changed.
+pub fn is_complete(case: &Case, folder: &Path) -> bool {
+    let place = folder.join(&case.hash);
     let inputs = fs::read_to_string(place.join(INPUTS)).ok();
     let inputs: Option<Vec<(String, u64)>> = inputs.and_then(|text| serde_json::from_str(&text).ok());
     place.join(ROW).is_file() && inputs.is_some_and(|inputs| is_current(&inputs))
@@ -102,7 +103,7 @@ fn guarded(out: &Path) -> io::Result<(Box<dyn Files>, Box<dyn Outputs>)> {
 /// A file cannot be written. A script that fails is no error: its row says so.
 pub fn run_case(plan: &Plan, case: &Case, folder: &Path, resume: bool, stop: &Arc<AtomicBool>) -> Result<(), String> {
     let (place, part) = (folder.join(&case.hash), folder.join(format!("{}.part", case.hash)));
-    if stop.load(Ordering::Relaxed) || (resume && is_complete(&place)) {
+    if stop.load(Ordering::Relaxed) || (resume && is_complete(case, folder)) {
         return Ok(());
     }
     let _ = fs::remove_dir_all(&part);

@@ -6,7 +6,7 @@ mod case;
 mod plan;
 mod rows;
 
-pub use case::{Table, run_case, table};
+pub use case::{Table, is_complete, run_case, table};
 pub use plan::{Case, PlanMotion, load};
 
 use std::fmt::Write as _;
