@@ -46,11 +46,15 @@ const LISTS: &[&str] = &[
 /// Commands whose whole number openseespy gives as a list.
 const LISTED_NUMBERS: &[&str] = &["getNDF", "getNDM", "getNumElements"];
 
+/// Commands that answer nothing in openseespy.
+const SILENT: &[&str] = &["responseSpectrumAnalysis"];
+
 /// The answer of a command as an object of Python.
 pub(crate) fn answer(py: Python<'_>, command: &str, value: &Value) -> PyResult<Py<PyAny>> {
     match value.form() {
         Form::Empty if LISTS.contains(&command) => Ok(PyList::empty(py).into_any().unbind()),
         Form::Empty => Ok(py.None()),
+        _ if SILENT.contains(&command) => Ok(py.None()),
         Form::List(pairs) if command == "modalProperties" => {
             let dict = PyDict::new(py);
             for pair in pairs.chunks_exact(2) {

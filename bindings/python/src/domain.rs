@@ -1,7 +1,7 @@
 //! A model with its state and analysis, as Python sees it.
 
 use crate::answers::answer;
-use crate::errors::OpenSeesError;
+use crate::errors::{OpenSeesError, Place};
 use crate::messages::render;
 use crate::outputs::{self, Files, MEMORY, Shared, Signals, Text, hold};
 use crate::owned::Owned;
@@ -105,7 +105,14 @@ impl Domain {
         let warned: Vec<String> = warned.iter().map(&render).collect();
         let result = match outcome {
             Ok(value) => answer(py, command.name, &value),
-            Err(Exception::Error(e)) => Err(OpenSeesError::new_err(render(&e.diagnostic))),
+            Err(Exception::Error(e)) => {
+                let d = &e.diagnostic;
+                let place = match d.span {
+                    Some(span) if !numbers.is_call(span) => Place::in_file(d, &interp.core.sources),
+                    _ => Place::of_call(py, d),
+                };
+                Err(place.error(py, render(d)))
+            }
             Err(Exception::Interrupted) => Err(self.interruption()),
             Err(_) => Err(OpenSeesError::new_err(format!("{}: ended by a command of its body", command.name))),
         };

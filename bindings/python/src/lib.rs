@@ -1,6 +1,7 @@
 //! hysteron for Python: the extension module behind the package `hysteron`.
 
 mod answers;
+mod batch;
 mod domain;
 mod errors;
 mod messages;
@@ -16,12 +17,14 @@ use pyo3::prelude::*;
 #[pymodule]
 fn _hysteron(m: &Bound<'_, PyModule>) -> PyResult<()> {
     let py = m.py();
+    errors::declare(py)?;
     m.add("OpenSeesError", py.get_type::<errors::OpenSeesError>())?;
     m.add("OpenSeesWarning", py.get_type::<errors::OpenSeesWarning>())?;
     m.add("__version__", env!("CARGO_PKG_VERSION"))?;
     m.add_class::<domain::Domain>()?;
     m.add_class::<script::ScriptResult>()?;
     m.add_class::<study::Study>()?;
+    m.add_class::<batch::Plan>()?;
     m.add_class::<script::Message>()?;
     m.add_function(wrap_pyfunction!(script::run, m)?)?;
     m.add_function(wrap_pyfunction!(script::check, m)?)?;

@@ -137,7 +137,7 @@ impl Domain {
         let word = |i: usize| -> Option<String> {
             let item = args.get_borrowed_item(i).ok()?;
             match item.cast::<PyString>() {
-                Ok(text) => Some(text.to_cow().ok()?.into_owned()),
+                Ok(text) => Some(text.to_cow().ok()?.trim().to_owned()),
                 Err(_) => Some(item.extract::<i64>().ok()?.to_string()),
             }
         };

@@ -1,6 +1,6 @@
 //! Studies: calibration and diagnosis, and the objective for any optimiser.
 
-use crate::errors::{OpenSeesError, OpenSeesWarning};
+use crate::errors::{OpenSeesError, OpenSeesWarning, Place};
 use crate::outputs::{Shared, hold};
 use hysteron_diagnose::{CheckpointEntry, ProgressMonitor, Settings, diagnose};
 use hysteron_engine::analysis::Options;
@@ -10,12 +10,15 @@ use hysteron_identify::calibrate::{
 };
 use hysteron_identify::study::{InitialRun, Role, ScoredRun, ScriptSimulator, SimulatorFactory, Study as LoadedStudy};
 use hysteron_tcl::diagnostic::{Diagnostic, Severity, SourceMap};
-use numpy::{PyArray1, PyArray2, PyReadonlyArrayDyn};
+use numpy::{PyArray1, PyArray2, PyArrayMethods as _, PyReadonlyArrayDyn};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
+
+/// Points that a thread evaluates between two looks at Python's signals.
+const POINTS_BETWEEN_SIGNALS: usize = 8;
 
 /// Threads and the problem that they work on.
 type Pool = Mutex<Option<(usize, Arc<StudyProblem>)>>;
@@ -29,6 +32,7 @@ pub(crate) struct Study {
     study: Arc<LoadedStudy>,
     factory: SimulatorFactory,
     initial_run: InitialRun,
+    compat: bool,
     stop: Arc<AtomicBool>,
     pool: Pool,
 }
@@ -114,7 +118,12 @@ impl Study {
     ) -> PyResult<Vec<Option<Evaluation>>> {
         let problem = self.problem(threads.max(1))?;
         let inside: Vec<Vec<f64>> = points.iter().flatten().cloned().collect();
-        let mut found = py.detach(|| problem.evaluate(&inside, residuals)).into_iter();
+        let mut found = Vec::with_capacity(inside.len());
+        for part in inside.chunks(POINTS_BETWEEN_SIGNALS * threads.max(1)) {
+            found.extend(py.detach(|| problem.evaluate(part, residuals)));
+            py.check_signals()?;
+        }
+        let mut found = found.into_iter();
         Ok(points.iter().map(|p| p.as_ref().and_then(|_| found.next())).collect())
     }
 
@@ -146,6 +155,10 @@ impl Study {
 
 /// The rows of an array of one or two dimensions.
 fn rows(x: &PyReadonlyArrayDyn<'_, f64>) -> PyResult<Vec<Vec<f64>>> {
+    // An array that came over a network need not be aligned; its copy is.
+    if !x.data().is_aligned() {
+        return rows(&x.call_method0("copy")?.extract()?);
+    }
     let x = x.as_array();
     match x.ndim() {
         1 => Ok(vec![x.iter().copied().collect()]),
@@ -171,18 +184,19 @@ impl Study {
                 Ok((study, simulator.factory(), initial_run))
             };
             let loaded = load(&mut sources);
-            loaded.map_err(|d: Box<Diagnostic>| place(&d, &sources)).map(|(study, factory, initial)| {
+            let wrong = |d: Box<Diagnostic>| (place(&d, &sources), Place::in_file(&d, &sources));
+            loaded.map_err(wrong).map(|(study, factory, initial)| {
                 let all = study.warnings.iter().chain(&initial.warnings).filter(|w| w.severity != Severity::Note);
                 let warnings: Vec<String> = all.map(|w| place(w, &sources)).collect();
                 (study, factory, initial, warnings)
             })
         });
-        let (study, factory, initial_run, warnings) = loaded.map_err(OpenSeesError::new_err)?;
+        let (study, factory, initial_run, warnings) = loaded.map_err(|(text, at)| at.error(py, text))?;
         let category = py.get_type::<OpenSeesWarning>();
         for w in warnings {
             py.import("warnings")?.call_method1("warn", (w, &category, 2))?;
         }
-        Ok(Self { study, factory, initial_run, stop, pool: Mutex::default() })
+        Ok(Self { study, factory, initial_run, compat, stop, pool: Mutex::default() })
     }
 
     /// Names of the free parameters, in the order of `x`.
@@ -208,6 +222,18 @@ impl Study {
     #[getter]
     fn title(&self) -> &str {
         &self.study.title
+    }
+
+    /// File of the study.
+    #[getter]
+    fn file(&self) -> PathBuf {
+        std::path::absolute(&self.study.file).unwrap_or_else(|_| self.study.file.clone())
+    }
+
+    /// OpenSees' numbers are followed also where they depend on a slip.
+    #[getter]
+    fn compat(&self) -> bool {
+        self.compat
     }
 
     /// Number of recorded samples that a fit compares.

@@ -42,7 +42,8 @@ impl From<PyErr> for Refused {
 
 fn push(words: &mut Vec<Value>, arg: &Bound<'_, PyAny>, depth: usize) -> Result<(), Refused> {
     if let Ok(text) = arg.cast::<PyString>() {
-        words.push(Value::from(text.to_cow()?.as_ref()));
+        // As openseespy takes them: `'-dof '` is an option.
+        words.push(Value::from(text.to_cow()?.trim_matches(|c: char| c.is_ascii_whitespace())));
     } else if let Ok(x) = arg.cast::<PyFloat>() {
         words.push(Value::from(x.value()));
     } else if arg.is_instance_of::<PyInt>() {
@@ -53,7 +54,9 @@ fn push(words: &mut Vec<Value>, arg: &Bound<'_, PyAny>, depth: usize) -> Result<
         list.iter().try_for_each(|item| push(words, &item, depth + 1))?;
     } else if let Ok(tuple) = arg.cast::<PyTuple>() {
         tuple.iter().try_for_each(|item| push(words, &item, depth + 1))?;
-    } else if let Ok(array) = arg.cast::<PyArrayDyn<f64>>() {
+    } else if let Ok(array) = arg.cast::<PyArrayDyn<f64>>()
+        && array.data().is_aligned()
+    {
         let view = array.try_readonly().map_err(|e| Refused::Kind(e.to_string()))?;
         words.extend(view.as_array().iter().map(|x| Value::from(*x)));
     } else if arg.cast::<PyUntypedArray>().is_ok() {

@@ -1,14 +1,12 @@
 //! `hysteron batch`: many runs of scripts, on one machine or as the jobs of a cluster.
 
-mod case;
 mod jobs;
 
 use super::calibrate::{FAILURE, INPUT_ERROR};
 use super::files::write_atomically;
 use super::signals::{INTERRUPTED, on_interrupt};
-use case::{ROW, is_done, one};
 use clap::Args;
-use hysteron::design::batch::{Case, Plan, load};
+use hysteron::design::batch::{Case, Plan, load, run_case, table};
 use hysteron::study::WorkerPool;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use jobs::{Scheduler, scheduled, write_jobs};
@@ -78,7 +76,7 @@ fn run(a: &BatchArgs, stop: &Arc<AtomicBool>) -> Result<usize, String> {
     let folder = a.out.join("cases");
     fs::create_dir_all(&folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
     if a.merge {
-        return table(a, &plan, &folder);
+        return write_table(a, &plan, &folder);
     }
     let environment = || scheduled(|name| std::env::var(name).ok());
     let part = match a.shard {
@@ -95,7 +93,7 @@ fn run(a: &BatchArgs, stop: &Arc<AtomicBool>) -> Result<usize, String> {
         eprintln!("{} of {} cases are complete; --merge makes the table of all", own.len(), plan.cases.len());
         return Ok(0);
     }
-    table(a, &plan, &folder)
+    write_table(a, &plan, &folder)
 }
 
 /// Run cases on all threads.
@@ -108,7 +106,7 @@ fn compute(a: &BatchArgs, plan: &Plan, own: &[&Case], folder: &Path, stop: &Arc<
         style.map_or(bar.clone(), |s| bar.with_style(s.progress_chars("=> ")))
     });
     let done = pool.run(own.iter(), |case| {
-        let done = one(plan, case, folder, a.resume, stop);
+        let done = run_case(plan, case, folder, a.resume, stop);
         if let Some(bar) = &bar {
             bar.inc(1);
         }
@@ -124,22 +122,10 @@ fn compute(a: &BatchArgs, plan: &Plan, own: &[&Case], folder: &Path, stop: &Arc<
 }
 
 /// Write the table of all cases; the number of those that failed.
-fn table(a: &BatchArgs, plan: &Plan, folder: &Path) -> Result<usize, String> {
-    let mut text = case::header(plan);
-    let (mut missing, mut failed) = (0, 0);
-    for case in &plan.cases {
-        match fs::read_to_string(folder.join(&case.hash).join(ROW)) {
-            Ok(row) => {
-                failed += usize::from(!is_done(&row));
-                text += &row;
-            }
-            Err(_) => missing += 1,
-        }
-    }
-    if missing > 0 {
-        return Err(format!("{missing} of {} cases are not complete in {}", plan.cases.len(), folder.display()));
-    }
-    write_atomically(&a.out.join("results.csv"), &text)?;
-    eprintln!("{} cases, {failed} of them failed", plan.cases.len());
-    Ok(failed)
+fn write_table(a: &BatchArgs, plan: &Plan, folder: &Path) -> Result<usize, String> {
+    let incomplete = |n| format!("{n} of {} cases are not complete in {}", plan.cases.len(), folder.display());
+    let table = table(plan, folder).map_err(incomplete)?;
+    write_atomically(&a.out.join("results.csv"), &table.csv)?;
+    eprintln!("{} cases, {} of them failed", plan.cases.len(), table.failed);
+    Ok(table.failed)
 }

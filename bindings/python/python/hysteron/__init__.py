@@ -1,5 +1,6 @@
 """Structural analysis of buildings and bridges on seismic isolation: OpenSees' commands and scripts."""
 
+from ._batch import Table, batch
 from ._hysteron import Message, OpenSeesError, OpenSeesWarning, ScriptResult, __version__, check, run
 from ._install import install
 from ._model import Model, Recording, USAGES as _USAGES
@@ -15,6 +16,8 @@ __all__ = [
     "Recording",
     "ScriptResult",
     "Study",
+    "Table",
+    "batch",
     "check",
     "commands",
     "install",

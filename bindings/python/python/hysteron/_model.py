@@ -8,6 +8,7 @@ import numpy as np
 from . import _hysteron
 from ._hysteron import OpenSeesError
 from ._scope import REASONS
+from ._units import units
 
 USAGES = {name: (usage, kinds) for name, usage, kinds in _hysteron.usages()}
 
@@ -77,6 +78,9 @@ class Model(_hysteron.Domain):
         hint = f". Did you mean '{near[0]}'?" if near else ""
         raise AttributeError(f"OpenSees has no command '{name}'{hint}", name=name, obj=self)
 
+    def __reduce__(self):
+        raise TypeError("a Model cannot be pickled: a task builds its own, from the parameters that it is given")
+
     def analyze(self, *args, record=None):
         """analyze(steps, <dt>): 0, or the code of the failure.
 
@@ -110,7 +114,11 @@ class Model(_hysteron.Domain):
         return sys.version
 
     def defaultUnits(self, *args):
-        """Accepted: numbers have the units that the script gives them, and nothing is converted."""
+        """defaultUnits('-force', unit, '-length', unit, '-time', unit): values of units as variables of the script.
+
+        As in openseespy, ``kN``, ``m``, ``g`` and others become global variables of ``__main__``. Nothing is converted.
+        """
+        vars(sys.modules["__main__"]).update(units(args))
 
     def metaData(self, *args):
         """Accepted: notes about a model change nothing of it."""

@@ -2,6 +2,8 @@
 
 import json
 
+import numpy as np
+
 from . import _hysteron
 
 
@@ -23,10 +25,26 @@ class _Result:
 class Calibration(_Result):
     """Result of ``Study.calibrate``."""
 
+    def __init__(self, text, channels, names):
+        super().__init__(text, channels)
+        #: Names of the free parameters.
+        self.names = names
+
     @property
     def parameters(self):
-        """Values by the names of the parameters."""
-        return {p["name"]: p["value"] for p in self.table["parameters"]}
+        """Values by the names of the parameters, in the order of the study."""
+        return {name: self.table["parameters"][name] for name in self.names}
+
+    @property
+    def x(self):
+        """Values of the parameters as an array."""
+        return np.array(list(self.parameters.values()))
+
+    @property
+    def intervals(self):
+        """Intervals of 95 % of the parameters, an array of shape (parameters, 2); NaN where there are none."""
+        known = {i["name"]: (i["lower"], i["upper"]) for i in (self.table.get("uncertainty") or {}).get("intervals", [])}
+        return np.array([known.get(name, (np.nan, np.nan)) for name in self.names], dtype=float)
 
     @property
     def objective(self):
@@ -62,13 +80,67 @@ class Diagnosis(_Result):
 class Study(_hysteron.Study):
     """A study: a script, its parameters, and the recordings that it is compared with.
 
-    ``names``, ``bounds`` and ``initial`` describe the free parameters; ``x`` has their values in that order.
+    ``names``, ``bounds`` and ``initial`` describe the free parameters; ``x`` has their values in that order. With a ``client`` of
+    Dask its workers evaluate, which see the files of the study under the same paths. They give the same bits.
     """
+
+    def __reduce__(self):
+        return _study, (str(self.file), self.compat)
+
+    def objective(self, x, *, threads=1, client=None):
+        """Objective of a calibration at `x`: mean NMSE of the fitted channels; infinite where the model has no response."""
+        if client is None:
+            return super().objective(x, threads=threads)
+        return self._submit(client, "objective", x)
+
+    def residuals(self, x, *, threads=1, client=None):
+        """Scaled differences between model and recordings at `x`, whose sum of squares is the objective."""
+        if client is None:
+            return super().residuals(x, threads=threads)
+        return self._submit(client, "residuals", x)
+
+    def loglike(self, x, *, n=None, threads=1, client=None):
+        """Logarithm of the likelihood at `x` but for a constant: -n/2 ln(objective). `n` is the number of independent samples."""
+        if client is None:
+            return super().loglike(x, n=n, threads=threads)
+        return self._submit(client, "loglike", x, n=n)
+
+    def loglike_many(self, x, *, n=None, threads=1, client=None):
+        """`loglike` at the rows of `x`, on several threads or on the workers of Dask."""
+        x = np.asarray(x, dtype=float)
+        if client is None:
+            return super().loglike_many(x, n=n, threads=threads)
+        points = np.atleast_2d(x)
+        tasks = min(len(points), max(1, 4 * sum(client.nthreads().values())))
+        parts = [p for p in np.array_split(points, tasks) if len(p)] if tasks else []
+        futures = [client.submit(_evaluate, self.__reduce__()[1], "loglike_many", p, {"n": n}, pure=False) for p in parts]
+        return np.concatenate([np.empty(0), *client.gather(futures)])
+
+    def _submit(self, client, name, x, **options):
+        return client.submit(_evaluate, self.__reduce__()[1], name, list(x), options, pure=False).result()
 
     def calibrate(self, *, method=None, seed=None, evaluations=None, threads=1):
         """Find the parameters that fit the recordings best."""
-        return Calibration(*self._calibrate(method=method, seed=seed, evaluations=evaluations, threads=threads))
+        found = self._calibrate(method=method, seed=seed, evaluations=evaluations, threads=threads)
+        return Calibration(*found, self.names)
 
     def diagnose(self, *, without=(), threads=1):
         """Name the physics that the model leaves out. ``without`` has causes that are not considered."""
         return Diagnosis(*self._diagnose(without=list(without), threads=threads))
+
+
+#: The study that a worker has read last.
+_read = {}
+
+
+def _study(file, compat):
+    return Study(file, compat=compat)
+
+
+def _evaluate(key, name, x, options):
+    """Evaluate a study on a worker."""
+    study = _read.get(key)
+    if study is None:
+        _read.clear()
+        study = _read[key] = _study(*key)
+    return getattr(study, name)(x, **options)

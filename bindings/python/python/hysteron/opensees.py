@@ -8,11 +8,21 @@ import difflib as _difflib
 from ._hysteron import OpenSeesError
 from ._model import Model as _Model
 
-_domain = _Model()
-
 _names = [n for n in dir(_Model) if not n.startswith("_")]
-for _name in _names:
-    globals()[_name] = getattr(_domain, _name)
+_settings = {}
+
+
+def _use(**settings):
+    """Work on a new model with these settings of ``Model``; the same settings keep the model."""
+    global _domain, _settings
+    if settings == _settings:
+        return
+    _domain, _settings = _Model(**settings), settings
+    for name in _names:
+        globals()[name] = getattr(_domain, name)
+
+
+_use(strict=False, compat=False, ladder=False)
 
 __all__ = [*_names, "OpenSeesError"]
 

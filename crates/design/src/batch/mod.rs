@@ -2,9 +2,11 @@
 //!
 //! A case depends on its own inputs alone. Any part of a plan, in any order, therefore gives the same results.
 
+mod case;
 mod plan;
 mod rows;
 
+pub use case::{Table, is_complete, run_case, table};
 pub use plan::{Case, PlanMotion, load};
 
 use std::fmt::Write as _;

@@ -91,6 +91,8 @@ pub(super) struct ElementMatrices {
     initial: Vec<f64>,
     /// Tangents of the committed state; empty unless Rayleigh damping uses them.
     committed: Vec<f64>,
+    /// Tangents and damping matrices at the start of the step, and whether they were those of its state.
+    at_start: (Vec<f64>, Vec<f64>, bool),
     mass: Vec<f64>,
     /// The tangents are those of the trial state.
     pub is_current: bool,
@@ -193,6 +195,27 @@ pub struct PrepareOptions {
 }
 
 impl ElementMatrices {
+    /// Keep the tangents at the start of a step, for another try if the step fails.
+    pub(super) fn keep_start(&mut self) {
+        let (tangent, damping, is_current) = &mut self.at_start;
+        *is_current = self.is_current;
+        if *is_current {
+            tangent.clone_from(&self.tangent);
+            damping.clone_from(&self.damping);
+        }
+    }
+
+    /// Take back the tangents at the start of a step that has failed. A law has none of its own for a committed state: that of
+    /// no increment may be the elastic one, and those of the step are of states that were given up.
+    pub(super) fn revert_to_start(&mut self) {
+        let (tangent, damping, is_current) = &self.at_start;
+        self.is_current = *is_current;
+        if *is_current {
+            self.tangent.clone_from(tangent);
+            self.damping.clone_from(damping);
+        }
+    }
+
     /// For a model, without entries yet but those of the masses; and the length of the motions of all elements.
     fn new(model: &Model, plan: &Plan, compat: bool) -> (Self, usize) {
         let (mut at, mut motion, mut damping) = (0, 0, 0);

@@ -178,6 +178,7 @@ impl Engine {
             ..System::new(&self.model, &self.committed, &mut self.trial, work)
         };
         setup.test.tightened = self.options.refine > 1;
+        system.work.elements.keep_start();
         let result = advance(&mut system, setup, self.fresh, length);
         match result {
             Ok(iterations) => {
@@ -194,6 +195,7 @@ impl Engine {
             }
             Err(failure) => {
                 system.work.loads.invalidate();
+                system.work.elements.revert_to_start();
                 self.committed.shared.copy_from_slice(&self.trial.shared);
                 self.trial.copy_from(&self.committed);
                 Err(failure)

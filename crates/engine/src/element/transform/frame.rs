@@ -19,6 +19,8 @@ pub struct Frame<const N: usize, const B: usize> {
     pub basic: [[f64; N]; B],
     /// Displacements of the nodes when the beam was created.
     pub initial: [f64; N],
+    /// Joint offsets at node i and node j in global axes.
+    pub offsets: [f64; 6],
 }
 
 /// Paths of the local axes as responses.
@@ -32,15 +34,24 @@ const AXES: [(&str, u32); 6] = [
 ];
 const X_AXIS: u32 = 90;
 const Z_AXIS: u32 = 92;
+const OFFSETS: u32 = 93;
 
-/// A local axis of a beam as a response, by the first word of a recorder.
+/// A local axis of a beam, or its joint offsets, as a response by the first word of a recorder.
 pub fn axis_probe(word: &str) -> Option<Probe> {
+    if matches!(word, "offsets" | "rigidOffsets") {
+        return Some(Probe::new(OFFSETS, ["xi", "yi", "zi", "xj", "yj", "zj"]));
+    }
     AXES.iter().find(|(name, _)| *name == word).map(|(_, id)| Probe::new(*id, ["x", "y", "z"]))
 }
 
 /// Local displacements conjugate to the reactions: axial at i, y at i and j, z at i and j.
 fn reaction_rows(n: usize) -> &'static [usize] {
     if n == 6 { &[0, 1, 4] } else { &[0, 1, 7, 2, 8] }
+}
+
+/// Joint offsets as a response.
+fn listed((i, j): &(Vector3<f64>, Vector3<f64>)) -> [f64; 6] {
+    [i.x, i.y, i.z, j.x, j.y, j.z]
 }
 
 impl Frame<6, 3> {
@@ -77,7 +88,7 @@ impl Frame<6, 3> {
         from_local[1][2] = 1.0;
         slope(&mut from_local[2]);
         from_local[2][5] = 1.0;
-        Ok(Self { length, axes, local, basic: product(&from_local, &local), initial })
+        Ok(Self { length, axes, local, basic: product(&from_local, &local), initial, offsets: listed(offsets) })
     }
 }
 
@@ -117,7 +128,7 @@ impl Frame<12, 6> {
         }
         from_local[5][3] = -1.0;
         from_local[5][9] = 1.0;
-        Ok(Self { length, axes, local, basic: product(&from_local, &local), initial })
+        Ok(Self { length, axes, local, basic: product(&from_local, &local), initial, offsets: listed(offsets) })
     }
 }
 
@@ -135,8 +146,12 @@ fn product<const N: usize, const B: usize>(a: &[[f64; N]; B], b: &[[f64; N]; N])
 }
 
 impl<const N: usize, const B: usize> Frame<N, B> {
-    /// Writes a local axis, if the path is that of one; returns true if it is.
+    /// Writes a local axis or the joint offsets, if the path is that of one; returns true if it is.
     pub fn read_axis(&self, path: &[u32], out: &mut [f64]) -> bool {
+        if path.first() == Some(&OFFSETS) {
+            out.copy_from_slice(&self.offsets);
+            return true;
+        }
         let axis = path.first().filter(|id| (X_AXIS..=Z_AXIS).contains(id));
         if let Some(id) = axis {
             out.iter_mut().zip(self.axes.row((id - X_AXIS) as usize).iter()).for_each(|(o, a)| *o = *a);

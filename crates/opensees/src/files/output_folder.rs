@@ -4,9 +4,10 @@
 //! read from there if the script has written it in this run, and from the current folder otherwise. Files of the current
 //! folder are never changed: one that is appended to is copied first, one that is deleted is hidden. Other paths stay.
 
-use hysteron::opensees::{DiskSeries, FileFormat, FileSeries, Outputs};
-use hysteron::record::{Output, RecordError, RowFile};
-use hysteron::tcl::{FileInfo, FileKind, Files, OpenMode, OsFiles, Stream};
+use crate::files::series::{DiskSeries, FileSeries};
+use crate::session::{FileFormat, Outputs};
+use hysteron_engine::record::{Output, RecordError, RowFile};
+use hysteron_tcl::{FileInfo, FileKind, Files, OpenMode, OsFiles, Stream};
 use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::io;
@@ -16,7 +17,7 @@ use std::time::Duration;
 
 /// The folder of the outputs. Clones share what has been written.
 #[derive(Clone)]
-pub(super) struct OutputFolder {
+pub struct OutputFolder {
     /// Current folder at the start of the script.
     base: String,
     /// Folder of the outputs.
@@ -40,7 +41,10 @@ fn parent(path: &str) -> &str {
 
 impl OutputFolder {
     /// Write into a folder, which is made with its parents if it is not there.
-    pub(super) fn new(folder: &Path) -> io::Result<Self> {
+    ///
+    /// # Errors
+    /// The folder cannot be made.
+    pub fn new(folder: &Path) -> io::Result<Self> {
         std::fs::create_dir_all(folder)?;
         let base = OsFiles.current_dir();
         let out = std::path::absolute(folder)?.to_string_lossy().replace('\\', "/");

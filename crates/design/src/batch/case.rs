@@ -1,37 +1,65 @@
 //! One case of a batch: its run, its folder and its row in the table.
 
-use crate::cli::args::FolderArgs;
-use crate::cli::console::NoOutput;
-use crate::cli::files::write_atomically;
-use crate::cli::run::guarded;
-use hysteron::analysis::Options;
-use hysteron::design::batch::{Case, Plan};
-use hysteron::design::isolate::{HashedFiles, InputHashes, is_current};
-use hysteron::opensees::Mode;
-use hysteron::run::{End, Run, Settings};
-use hysteron::tcl::Value;
+use super::{Case, Plan};
+use crate::isolate::{HashedFiles, InputHashes, is_current};
+use hysteron_engine::analysis::Options;
+use hysteron_opensees::files::guard::{Guard, GuardedFiles, GuardedOutputs};
+use hysteron_opensees::files::output_folder::OutputFolder;
+use hysteron_opensees::run::{End, Run, Settings};
+use hysteron_opensees::{Mode, Outputs};
+use hysteron_tcl::{Console, Files, Value};
 use std::fs;
+use std::io;
 use std::path::Path;
+use std::rc::Rc;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// File of the row of the table in the folder of a case.
-pub(super) const ROW: &str = "row.csv";
+const ROW: &str = "row.csv";
 /// File of the hashes of what the case has read.
 const INPUTS: &str = "inputs.json";
 /// Status of a case whose script came to its end.
 const DONE: &str = "done";
 
 /// Head of the table, a line.
-pub(super) fn header(plan: &Plan) -> String {
+fn header(plan: &Plan) -> String {
     let own = ["case", "status", "script"].map(str::to_owned).into_iter();
     let columns = own.chain(plan.parameters.clone()).chain(["motion".into()]).chain(plan.results.clone());
     line(columns.chain(["message".into()]))
 }
 
 /// Returns true if a row is that of a case whose script came to its end.
-pub(super) fn is_done(row: &str) -> bool {
+fn is_done(row: &str) -> bool {
     row.split(',').nth(1) == Some(DONE)
+}
+
+/// Results of the cases of a plan.
+#[derive(Clone, Debug)]
+pub struct Table {
+    /// A line with the names of the columns, and a line for each case, as CSV.
+    pub csv: String,
+    /// Number of cases whose script did not come to its end with all results.
+    pub failed: usize,
+}
+
+/// The table of the cases that `run_case` has completed below `folder`.
+///
+/// # Errors
+/// The number of cases that are not complete.
+pub fn table(plan: &Plan, folder: &Path) -> Result<Table, usize> {
+    let mut table = Table { csv: header(plan), failed: 0 };
+    let mut missing = 0;
+    for case in &plan.cases {
+        match fs::read_to_string(folder.join(&case.hash).join(ROW)) {
+            Ok(row) => {
+                table.failed += usize::from(!is_done(&row));
+                table.csv += &row;
+            }
+            Err(_) => missing += 1,
+        }
+    }
+    if missing == 0 { Ok(table) } else { Err(missing) }
 }
 
 fn line(words: impl Iterator<Item = String>) -> String {
@@ -42,23 +70,45 @@ fn line(words: impl Iterator<Item = String>) -> String {
     words.map(quoted).collect::<Vec<_>>().join(",") + "\n"
 }
 
-/// Returns true if an earlier run has completed the case, and no file that it read has changed.
-fn is_complete(place: &Path) -> bool {
+/// Returns true if an earlier run has completed the case below `folder`, and no file that it read has changed.
+pub fn is_complete(case: &Case, folder: &Path) -> bool {
+    let place = folder.join(&case.hash);
     let inputs = fs::read_to_string(place.join(INPUTS)).ok();
     let inputs: Option<Vec<(String, u64)>> = inputs.and_then(|text| serde_json::from_str(&text).ok());
     place.join(ROW).is_file() && inputs.is_some_and(|inputs| is_current(&inputs))
 }
 
-/// Run a case in a folder of its own, which gets its name when the case is complete.
-pub(super) fn one(plan: &Plan, case: &Case, folder: &Path, resume: bool, stop: &Arc<AtomicBool>) -> Result<(), String> {
+/// Text that a script puts out, which a batch does not keep.
+struct NoOutput;
+
+impl Console for NoOutput {
+    fn out(&mut self, _: &str) {}
+
+    fn err(&mut self, _: &str) {}
+}
+
+/// Files and recorder files of a script that may write below the current folder and into `out`, where its files go.
+fn guarded(out: &Path) -> io::Result<(Box<dyn Files>, Box<dyn Outputs>)> {
+    let folder = OutputFolder::new(out)?;
+    let guard = Rc::new(Guard::new([out, Path::new(".")])?);
+    let files = GuardedFiles { files: Box::new(folder.clone()), guard: guard.clone() };
+    Ok((Box::new(files), Box::new(GuardedOutputs { outputs: Box::new(folder), guard })))
+}
+
+/// Run a case in a folder of its own below `folder`, which gets its name when the case is complete.
+///
+/// With `resume`, a case that is complete is kept, unless a file that it read has changed. A case that is stopped leaves nothing.
+///
+/// # Errors
+/// A file cannot be written. A script that fails is no error: its row says so.
+pub fn run_case(plan: &Plan, case: &Case, folder: &Path, resume: bool, stop: &Arc<AtomicBool>) -> Result<(), String> {
     let (place, part) = (folder.join(&case.hash), folder.join(format!("{}.part", case.hash)));
-    if stop.load(Ordering::Relaxed) || (resume && is_complete(&place)) {
+    if stop.load(Ordering::Relaxed) || (resume && is_complete(case, folder)) {
         return Ok(());
     }
     let _ = fs::remove_dir_all(&part);
-    let folders = FolderArgs { out: Some(part.clone()), ..FolderArgs::default() };
     let script = case.script.to_string_lossy();
-    let (files, outputs) = guarded(&folders, &script)?;
+    let (files, outputs) = guarded(&part).map_err(|e| format!("cannot make {}: {e}", part.display()))?;
     let inputs = InputHashes::default();
     let files = Box::new(HashedFiles::new(files, inputs.clone()));
     let settings = Settings { mode: Mode::Run, strict: false, options: Options::default() };
@@ -77,8 +127,12 @@ pub(super) fn one(plan: &Plan, case: &Case, folder: &Path, resume: bool, stop: &
     // A file of its own that a script reads again is no input.
     let read: Vec<_> = inputs.hashes().into_iter().filter(|(path, _)| Path::new(path).exists()).collect();
     let read = serde_json::to_string(&read).map_err(|e| e.to_string())?;
-    write_atomically(&part.join(INPUTS), &read)?;
-    write_atomically(&part.join(ROW), &row)?;
+    let write = |name: &str, text: &str| {
+        let path = part.join(name);
+        fs::write(&path, text).map_err(|e| format!("cannot write {}: {e}", path.display()))
+    };
+    write(INPUTS, &read)?;
+    write(ROW, &row)?;
     let _ = fs::remove_dir_all(&place);
     fs::rename(&part, &place).map_err(|e| format!("cannot write {}: {e}", place.display()))
 }

@@ -1,8 +1,9 @@
 //! Folders in which a script may write, and under `--sandbox` read.
 
-use hysteron::opensees::{FileFormat, FileSeries, Outputs};
-use hysteron::record::{Output, RecordError};
-use hysteron::tcl::{FileInfo, Files, OpenMode, Stream};
+use crate::files::series::FileSeries;
+use crate::session::{FileFormat, Outputs};
+use hysteron_engine::record::{Output, RecordError};
+use hysteron_tcl::{FileInfo, Files, OpenMode, Stream};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
@@ -10,7 +11,7 @@ use std::time::Duration;
 
 /// Folders that a script may use.
 #[derive(Debug)]
-pub(super) struct Guard {
+pub struct Guard {
     /// Folders that it may write into, without links.
     write: Vec<PathBuf>,
     /// Folders that it may read from; `None` for all.
@@ -22,7 +23,7 @@ impl Guard {
     ///
     /// # Errors
     /// A folder cannot be found.
-    pub(super) fn new<'a>(write: impl IntoIterator<Item = &'a Path>) -> io::Result<Self> {
+    pub fn new<'a>(write: impl IntoIterator<Item = &'a Path>) -> io::Result<Self> {
         Ok(Self { write: write.into_iter().map(Path::canonicalize).collect::<Result<_, _>>()?, read: None })
     }
 
@@ -30,7 +31,7 @@ impl Guard {
     ///
     /// # Errors
     /// A folder cannot be found.
-    pub(super) fn read_only_below<'a>(mut self, folders: impl IntoIterator<Item = &'a Path>) -> io::Result<Self> {
+    pub fn read_only_below<'a>(mut self, folders: impl IntoIterator<Item = &'a Path>) -> io::Result<Self> {
         let more = folders.into_iter().map(Path::canonicalize).collect::<Result<Vec<_>, _>>()?;
         self.read = Some([self.write.clone(), more].concat());
         Ok(self)
@@ -88,9 +89,11 @@ fn resolved(path: &str, follow: bool) -> io::Result<PathBuf> {
 }
 
 /// Files that a guard is asked about first.
-pub(super) struct GuardedFiles {
-    pub(super) files: Box<dyn Files>,
-    pub(super) guard: Rc<Guard>,
+pub struct GuardedFiles {
+    /// The files themselves.
+    pub files: Box<dyn Files>,
+    /// Folders that may be used.
+    pub guard: Rc<Guard>,
 }
 
 impl Files for GuardedFiles {
@@ -141,9 +144,11 @@ impl Files for GuardedFiles {
 }
 
 /// Outputs of recorders that a guard is asked about first.
-pub(super) struct GuardedOutputs {
-    pub(super) outputs: Box<dyn Outputs>,
-    pub(super) guard: Rc<Guard>,
+pub struct GuardedOutputs {
+    /// The outputs themselves.
+    pub outputs: Box<dyn Outputs>,
+    /// Folders that may be used.
+    pub guard: Rc<Guard>,
 }
 
 impl Outputs for GuardedOutputs {
