@@ -144,11 +144,12 @@ pub(crate) struct Recorders {
 }
 
 impl Recorders {
-    /// Add a recorder; its tag.
+    /// Add a recorder; its tag. The first is 0, as in OpenSees, and `wipe` does not begin anew.
     pub(crate) fn add(&mut self, placed: PlacedRecorder) -> Tag {
+        let tag = self.next;
         self.next += 1;
-        self.by_tag.insert(self.next, placed);
-        self.next
+        self.by_tag.insert(tag, placed);
+        tag
     }
 
     /// The recorder of a file.
