@@ -145,7 +145,7 @@ fn untold(value: &serde_json::Value, page: &str, out: &mut Vec<String>) {
 
 #[test]
 fn a_first_analysis() {
-    assert_eq!(follow("first-analysis.md"), 4);
+    assert_eq!(follow("first-analysis.md"), 5);
 }
 
 #[test]
