@@ -147,14 +147,16 @@ fn restore(journal: &Journal, engine: &mut Engine, recorders: &mut Recorders, ke
 /// Prepare an analysis. The engine has its state if it is computed, and not if the journal may know it.
 pub(crate) fn before_analysis(interp: &mut Tcl, call: &Call<'_>) -> Result<(), Exception> {
     let session = &interp.host;
-    let Some(journal) = &session.output.recorders.journal else { return Ok(()) };
+    if session.output.recorders.journal.is_none() {
+        return Ok(());
+    }
     if !is_kept(&session.engine) {
         return bring_up(interp).map_err(|why| refused(call, &why));
     }
-    let recorders = session.output.recorders.by_tag.values();
-    let file = recorders.filter(|r| !r.recorder.can_repeat()).find_map(|r| r.file.clone());
-    match file.filter(|_| !journal.has_analysed) {
-        Some(file) => {
+    let mut recorders = session.output.recorders.by_tag.values();
+    match recorders.find(|r| !r.recorder.can_repeat()) {
+        Some(r) => {
+            let file = r.file.as_deref().unwrap_or_default();
             Err(refused(call, &format!("the recorder of {file} writes more than rows, which are all it keeps")))
         }
         None => Ok(()),
