@@ -13,7 +13,45 @@ proc holds {what condition} {
     puts "holds: $what"
 }
 
+# Level 2 spectra on ground type II, m/s2 at 5 % damping (motions.py has their source), and an oscillator under a motion.
+proc target {type t} {
+    if {$type == 1} { return [expr {$t < 0.18 ? max(15.05*$t**(1.0/3.0), 7.0) : $t <= 1.6 ? 8.5 : 13.6/$t}] }
+    return [expr {$t < 0.4 ? max(32.24*$t**(2.0/3.0), 7.0) : $t <= 1.2 ? 17.5 : 23.71/$t**(5.0/3.0)}]
+}
+proc oscillator {file dt period} {
+    set w [expr {2.0*acos(-1.0)/$period}]
+    wipe
+    model basic -ndm 1 -ndf 1
+    node 1 0.0
+    node 2 0.0
+    fix 1 1
+    mass 2 1.0
+    uniaxialMaterial Elastic 1 [expr {$w*$w}] [expr {2.0*0.05*$w}]
+    element zeroLength 1 1 2 -mat 1 -dir 1
+    timeSeries Path 1 -dt $dt -filePath $file -factor 9.80665
+    pattern UniformExcitation 1 1 -accel 1
+    constraints Plain
+    numberer Plain
+    system BandGeneral
+    algorithm Linear
+    integrator Newmark 0.5 0.25
+    analysis Transient
+    set most 0.0
+    for {set i 0} {$i < 6000} {incr i} {
+        analyze 1 0.01
+        set most [expr {max($most, abs([eleResponse 1 material 1 stress]))}]
+    }
+    return $most
+}
+
 puts ""
+foreach {motion file dt} $motions type {1 2} {
+    foreach period {0.5 1.0 2.0 3.0} {
+        set ratio [expr {[oscillator $file $dt $period]/[target $type $period]}]
+        holds "type $type has its spectrum at $period s" {abs($ratio - 1.0) < 0.1}
+    }
+}
+
 foreach kind {bilinear rheology} {
     foreach type {1 2} {
         foreach temperature {-30 -10 23} {
