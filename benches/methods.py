@@ -16,7 +16,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 BINARY = os.environ.get("HYSTERON", ROOT / "target/release/hysteron")
-METHODS = ["de/rand/1/bin", "de/rand/1/bin/printed", "l-shade", "jso", "cma-es", "least-squares"]
+METHODS = ["de/rand/1/bin", "de/rand/1/bin/printed", "l-shade", "jso", "cma-es", "least-squares", "step-search"]
 
 
 def repeats(study, method, seeds):

@@ -81,7 +81,7 @@ struct Recording(Vec<Recorder>);
 
 impl Observer for Recording {
     fn committed(&mut self, engine: &mut Engine) -> Result<(), String> {
-        self.0.iter_mut().try_for_each(|r| r.record(engine)).map_err(|e| e.to_string())
+        self.0.iter_mut().try_for_each(|r| r.record(engine).map(drop)).map_err(|e| e.to_string())
     }
 }
 

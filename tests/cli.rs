@@ -83,7 +83,13 @@ impl Place {
 
     /// Run with arguments: exit status, standard output, standard error.
     pub fn run(&self, args: &[&str]) -> (Option<i32>, String, String) {
-        let output = Command::new(env!("CARGO_BIN_EXE_hysteron")).args(args).current_dir(&self.0).output().unwrap();
+        self.run_with(&[], args)
+    }
+
+    /// The same with variables of the environment.
+    pub fn run_with(&self, variables: &[(&str, &str)], args: &[&str]) -> (Option<i32>, String, String) {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_hysteron"));
+        let output = command.args(args).envs(variables.iter().copied()).current_dir(&self.0).output().unwrap();
         let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
         let (out, err) = (text(&output.stdout), text(&output.stderr));
         assert!(!err.contains("panicked"), "{err}");

@@ -217,7 +217,7 @@ fn tables_of_the_papers() {
     let folder = root().join("validation/identification");
     let table = fs::read_to_string(folder.join("README.md")).unwrap();
     let own = include_str!("validation.rs").to_owned();
-    let tests: String = ["laws", "analysis", "cli", "calibrate"]
+    let tests: String = ["laws", "analysis", "cli", "calibrate", "diagnose"]
         .iter()
         .flat_map(|dir| fs::read_dir(root().join("tests").join(dir)).unwrap())
         .map(|file| fs::read_to_string(file.unwrap().path()).unwrap())

@@ -39,6 +39,11 @@ pub(super) enum Command {
         folders: FolderArgs,
         #[command(flatten)]
         evidence: EvidenceArgs,
+        #[command(flatten)]
+        checkpoints: CheckpointArgs,
+        /// Show no progress, peaks and loop in the terminal
+        #[arg(long)]
+        quiet: bool,
         /// The script
         model: String,
         /// Words that the script finds in $argv; behind "--" if they begin with a dash and are no numbers
@@ -118,6 +123,18 @@ pub(super) struct StepArgs {
     /// Make each step in N parts, to a hundredth of its tolerance: what changes is the error of the steps
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub(super) refine: u32,
+}
+
+/// Checkpoints of a run.
+#[derive(Args, Debug, Default)]
+pub(super) struct CheckpointArgs {
+    /// Keep the state of transient analyses about every so many seconds, so that --resume goes on after a kill
+    #[arg(long, value_name = "SECONDS", value_parser = super::limits::seconds,
+          conflicts_with_all = ["ladder", "refine", "balance", "review", "view", "compat"])]
+    pub(super) checkpoint: Option<std::time::Duration>,
+    /// Go on from the last checkpoint of a run that was killed
+    #[arg(long, requires = "checkpoint")]
+    pub(super) resume: bool,
 }
 
 /// Folders of a run.

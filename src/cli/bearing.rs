@@ -1,6 +1,6 @@
 //! `hysteron bearing`: a test of a single bearing, as in a testing machine.
 
-use super::args::{EvidenceArgs, FolderArgs, ScriptArgs, StepArgs};
+use super::args::{CheckpointArgs, EvidenceArgs, FolderArgs, ScriptArgs, StepArgs};
 use super::console::Terminal;
 use super::files::NoFiles;
 use super::limits::LimitArgs;
@@ -236,7 +236,15 @@ fn run_test(args: &BearingArgs) -> Result<i32, TestError> {
     let folders = FolderArgs { allow_write: vec![folder.clone().into()], ..FolderArgs::default() };
     let (script_args, limits) = (&args.script_args, &args.limits);
     let (steps, evidence) = (&StepArgs::default(), &EvidenceArgs::default());
-    let run_args = RunArgs { script: script_args, steps, limits, folders: &folders, evidence };
+    let run_args = RunArgs {
+        quiet: false,
+        script: script_args,
+        steps,
+        limits,
+        folders: &folders,
+        evidence,
+        checkpoints: &CheckpointArgs::default(),
+    };
     let status = run::run(&run_args, &script, &[]);
     let read = |name: &str| -> Result<Columns, String> {
         let text = fs::read_to_string(in_folder(name)).map_err(|e| format!("there are no results: {e}"))?;

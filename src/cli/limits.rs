@@ -81,10 +81,14 @@ fn memory() -> usize {
     memory_stats::memory_stats().map_or(0, |m| m.physical_mem)
 }
 
-fn seconds(text: &str) -> Result<Duration, String> {
-    let wrong = || "expected a number of seconds greater than 0".to_owned();
-    let seconds: f64 = text.parse().map_err(|_| wrong())?;
-    Duration::try_from_secs_f64(seconds).ok().filter(|d| !d.is_zero()).ok_or_else(wrong)
+/// A time: a number of seconds, or one with a unit.
+pub(super) fn seconds(text: &str) -> Result<Duration, String> {
+    const UNITS: [(&str, f64); 4] = [("min", 60.0), ("s", 1.0), ("m", 60.0), ("h", 3600.0)];
+    let wrong = || "expected a number of seconds greater than 0, or a time as 60s, 5min or 2h".to_owned();
+    let unit = UNITS.iter().find_map(|(name, factor)| Some((text.strip_suffix(name)?, *factor)));
+    let (number, factor) = unit.unwrap_or((text, 1.0));
+    let number: f64 = number.trim().parse().map_err(|_| wrong())?;
+    Duration::try_from_secs_f64(number * factor).ok().filter(|d| !d.is_zero()).ok_or_else(wrong)
 }
 
 /// Units of a size and their bytes.

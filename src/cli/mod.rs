@@ -9,6 +9,7 @@ mod batch;
 mod bearing;
 mod calibrate;
 mod calibration_summary;
+mod checkpoint;
 mod commands;
 mod compare;
 mod console;

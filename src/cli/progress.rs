@@ -1,8 +1,12 @@
 //! Progress of long analyses, and of the phases of a diagnosis.
 
-use hysteron::opensees::Progress;
+use hysteron::analysis::Engine;
+use hysteron::opensees::{MotionObserver, Progress};
+use hysteron::view::Glance;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::cell::RefCell;
 use std::io::IsTerminal;
+use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 /// The progress line at the bottom of the terminal. Clones share it.
@@ -30,10 +34,25 @@ impl ProgressLine {
         self.bar.finish_and_clear();
     }
 
-    /// A progress of the steps of an analysis that is shown in this line.
-    pub(super) fn steps(&self) -> StepProgress {
-        StepProgress { bar: self.bar.clone(), begun: Instant::now(), shown: false, count: 0, last: Instant::now() }
+    /// A progress of the steps of an analysis that is shown in this line, with what `glance` sees below.
+    pub(super) fn steps(&self, glance: Option<SharedGlance>) -> StepProgress {
+        let now = Instant::now();
+        StepProgress { bar: self.bar.clone(), begun: now, shown: false, count: 0, last: now, glance }
     }
+}
+
+/// A glance at a run that its progress shares.
+#[derive(Clone, Default)]
+pub(super) struct SharedGlance(Rc<RefCell<Glance>>);
+
+impl MotionObserver for SharedGlance {
+    fn start(&mut self, _: &Engine) {}
+
+    fn step(&mut self, engine: &Engine) {
+        self.0.borrow_mut().step(engine);
+    }
+
+    fn wipe(&mut self, _: &mut Engine) {}
 }
 
 /// Shows time, number of steps and steps per second of an analysis.
@@ -43,12 +62,13 @@ pub(super) struct StepProgress {
     last: Instant,
     shown: bool,
     count: u64,
+    glance: Option<SharedGlance>,
 }
 
 impl StepProgress {
     fn show(&mut self, end: Option<f64>) {
         self.shown = true;
-        let with_end = "{elapsed_precise} [{bar:30}] {msg} left {eta}";
+        let with_end = "{elapsed_precise} [{bar:30}] left {eta} {msg}";
         let style = ProgressStyle::with_template(if end.is_some() { with_end } else { "{elapsed_precise} {msg}" });
         if let Ok(style) = style {
             self.bar.set_style(style.progress_chars("=> "));
@@ -77,7 +97,9 @@ impl Progress for StepProgress {
             self.bar.set_position((1000.0 * (time / end).clamp(0.0, 1.0)) as u64);
         }
         let rate = self.count as f64 / (now - self.begun).as_secs_f64();
-        self.bar.set_message(format!("time {time:.4}, {} steps, {rate:.0} steps/s", self.count));
+        let below = self.glance.as_ref().map_or_else(String::new, |g| g.0.borrow().text());
+        let message = format!("time {time:.4}, {} steps, {rate:.0} steps/s\n{below}", self.count);
+        self.bar.set_message(message.trim_end().to_owned());
     }
 }
 

@@ -16,7 +16,8 @@ use super::signals::on_interrupt;
 use hysteron::opensees::{Mode, Outputs, Tcl};
 use hysteron::run::{End, Run};
 use hysteron::tcl::Files;
-use inputs::{Inputs, ReadFiles};
+pub(super) use inputs::Inputs;
+use inputs::ReadFiles;
 use page::Page;
 use peaks::{Peak, Peaks, WithPeaks};
 use std::collections::BTreeMap;
@@ -30,6 +31,11 @@ pub(super) struct Observed {
 }
 
 impl Observed {
+    /// The files that the script has read.
+    pub(super) fn inputs(&self) -> Inputs {
+        self.inputs.clone()
+    }
+
     /// Files and outputs that note inputs and peaks.
     pub(super) fn around(
         &self,
@@ -71,7 +77,7 @@ fn refined_peaks(args: &RunArgs<'_>, model: &str, words: &[String]) -> Option<BT
     let steps = StepArgs { refine: 2 * args.steps.refine.max(1), ..*args.steps };
     let mut run = Run::new(settings(args.script, &steps, Mode::Run), Box::new(NoOutput), files, outputs);
     let progress = ProgressLine::new();
-    run.interp.host.set_progress(Box::new(progress.steps()));
+    run.interp.host.set_progress(Box::new(progress.steps(None)));
     on_interrupt(&run.interp.interrupt);
     let end = run.script(model, words);
     progress.clear();

@@ -1,9 +1,10 @@
 //! Dispatch of the commands, and the commands `run` and `check`.
 
-use super::args::{Arguments, CheckArgs, Command, EvidenceArgs, FolderArgs, ScriptArgs, StepArgs};
+use super::args::{Arguments, CheckArgs, CheckpointArgs, Command, EvidenceArgs, FolderArgs, ScriptArgs, StepArgs};
 use super::balance;
 use super::bearing::bearing;
 use super::calibrate::INPUT_ERROR;
+use super::checkpoint;
 use super::console::{NoOutput, PrefixedOutput, Terminal};
 use super::files::{NoFiles, SystemFiles};
 use super::help;
@@ -11,7 +12,7 @@ use super::limits::{LimitArgs, exceeded, interrupted_status};
 use super::loops::loops;
 use super::messages::Messages;
 use super::print::write_out;
-use super::progress::ProgressLine;
+use super::progress::{ProgressLine, SharedGlance};
 use super::review::{self, Ended, Observed};
 use super::script_check::{self, print_summary};
 use super::signals::on_interrupt;
@@ -24,6 +25,7 @@ use hysteron::opensees::{Mode, Outputs, Tcl};
 use hysteron::run::{End, Run, Settings};
 use hysteron::tcl::{Console, Files, OsFiles, OverlayFiles};
 use std::collections::BTreeMap;
+use std::io::IsTerminal as _;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
@@ -31,9 +33,10 @@ use std::rc::Rc;
 pub(crate) fn main() -> i32 {
     let arguments = Arguments::from_arg_matches(&help::command().get_matches()).unwrap_or_else(|e| e.exit());
     let status = match arguments.command {
-        Command::Run { script, steps, limits, folders, evidence, model, args } => {
+        Command::Run { script, steps, limits, folders, evidence, checkpoints, quiet, model, args } => {
             let (script, steps, limits, folders, evidence) = (&script, &steps, &limits, &folders, &evidence);
-            let run_args = RunArgs { script, steps, limits, folders, evidence };
+            let checkpoints = &checkpoints;
+            let run_args = RunArgs { script, steps, limits, folders, evidence, checkpoints, quiet };
             match &evidence.view {
                 None => run(&run_args, &model, &args),
                 Some(page) => super::view::run(&run_args, page, &model, &args),
@@ -82,6 +85,8 @@ pub(super) struct RunArgs<'a> {
     pub(super) limits: &'a LimitArgs,
     pub(super) folders: &'a FolderArgs,
     pub(super) evidence: &'a EvidenceArgs,
+    pub(super) checkpoints: &'a CheckpointArgs,
+    pub(super) quiet: bool,
 }
 
 /// Run a script; the exit status.
@@ -104,7 +109,7 @@ pub(super) fn run_prepared(
     })?;
     let EvidenceArgs { balance, review, .. } = args.evidence;
     let observed = Observed::default();
-    if review.is_some() {
+    if review.is_some() || args.checkpoints.checkpoint.is_some() {
         (files, outputs) = observed.around(files, outputs);
     }
     let console = Terminal::new(progress.clone());
@@ -112,12 +117,25 @@ pub(super) fn run_prepared(
     if args.folders.sandbox {
         hide_environment(&mut run.interp);
     }
-    run.interp.host.set_progress(Box::new(progress.steps()));
+    if !args.quiet {
+        let glance = std::io::stderr().is_terminal().then(SharedGlance::default);
+        run.interp.host.set_progress(Box::new(progress.steps(glance.clone())));
+        if let Some(glance) = glance {
+            run.interp.host.observe_motion(Box::new(glance));
+        }
+    }
     if balance.is_some() || review.is_some() {
         run.interp.host.balance_energy(matches!(balance, Some(Some(_))));
     }
+    let kept = checkpoint::begin(args, model, words, &observed, &mut run).map_err(|message| {
+        eprintln!("error: {message}");
+        INPUT_ERROR
+    })?;
     prepare(&mut run);
     let end = execute(&mut run, &progress, args.limits, model, words);
+    if let Some(files) = kept.filter(|_| matches!(end, End::Done | End::Exit(0))) {
+        files.remove();
+    }
     print_summary(&run.interp);
     let balanced = match (run.interp.host.balances(), balance) {
         (Some(balances), Some(history)) => balance::print(balances, history.as_deref()),

@@ -1,6 +1,6 @@
 //! The command `view`, and the option `--view` of `run`: a page for a browser, and files for ParaView.
 
-use super::args::{EvidenceArgs, FolderArgs, ScriptArgs, StepArgs};
+use super::args::{CheckpointArgs, EvidenceArgs, FolderArgs, ScriptArgs, StepArgs};
 use super::calibrate::INPUT_ERROR;
 use super::files::write_atomically;
 use super::limits::LimitArgs;
@@ -57,7 +57,15 @@ pub(super) fn view(args: &ViewArgs) -> i32 {
     let scratch = Scratch(std::env::temp_dir().join(format!("hysteron-view-{}", std::process::id())));
     let folders = FolderArgs { out: Some(scratch.0.clone()), ..FolderArgs::default() };
     let (script, steps, limits, evidence) = (&args.script, &args.steps, &args.limits, &EvidenceArgs::default());
-    let run_args = RunArgs { script, steps, limits, folders: &folders, evidence };
+    let run_args = RunArgs {
+        script,
+        steps,
+        limits,
+        folders: &folders,
+        evidence,
+        checkpoints: &CheckpointArgs::default(),
+        quiet: false,
+    };
     let units = match args.units.as_slice() {
         [force, length] => Units { force: force.clone(), length: length.clone() },
         _ => Units::default(),

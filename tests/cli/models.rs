@@ -72,3 +72,39 @@ fn formulas() {
     assert!((lines[1].parse::<f64>().unwrap() - expected).abs() < 1e-3, "{} {expected}", lines[1]);
     assert_eq!(lines[2], "4.0 2.0 0.75 32 10.0 3.0 0.875 1.0 9 1.25");
 }
+
+/// The file of a model has the names and links that openseespy's has: checked against its own for the same script.
+#[test]
+fn the_model_file_says_what_elements_are_made_of() {
+    let script = "model basic -ndm 3 -ndf 6\nnode 1 0 0 0\nnode 2 0 0 3 -mass 2. 2. 2. 0 0 0\nfix 1 1 1 1 1 1 1\nnode 3 1 0 3\n\
+        uniaxialMaterial Elastic 7 100.\nuniaxialMaterial Steel02 8 250. 2e5 0.02 18 0.925 0.15\n\
+        section Fiber 4 -GJ 1e6 { fiber 0.1 0.1 0.01 8\nfiber -0.1 0.1 0.01 8\nfiber 0. -0.1 0.01 8 }\n\
+        geomTransf PDelta 9 1 0 0\nelement dispBeamColumn 5 1 2 3 4 9\nelement zeroLength 6 1 2 -mat 7 8 -dir 1 2\n\
+        equalDOF 2 3 1 2 6\ntimeSeries Linear 1\npattern Plain 1 1 { load 2 0 0 -3. 0 0 0 }\nprint -JSON -file m.json\n";
+    let place = Place::new();
+    place.write("m.tcl", script);
+    let (status, _, err) = place.run(&["run", "m.tcl"]);
+    assert_eq!(status, Some(0), "{err}");
+    let text = std::fs::read_to_string(place.0.join("m.json")).unwrap();
+    let file: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let model = &file["StructuralAnalysisModel"];
+    let at = |path: &str| model.pointer(path).unwrap_or_else(|| panic!("{path}: {text}")).to_string();
+    for (path, value) in [
+        ("/properties/uniaxialMaterials/0/type", "\"ElasticMaterial\""),
+        (
+            "/properties/crdTransformations/0",
+            r#"{"name":"9","type":"PDeltaCrdTransf3d","vecInLocXZPlane":[1.0,0.0,0.0]}"#,
+        ),
+        ("/properties/patterns/0/nodes/0", r#"{"node":2,"value":[0.0,0.0,-3.0,0.0,0.0,0.0]}"#),
+        ("/geometry/nodes/1", r#"{"crd":[0.0,0.0,3.0],"mass":[2.0,2.0,2.0,0.0,0.0,0.0],"name":2,"ndf":6}"#),
+        ("/geometry/elements/0/crdTransformation", "\"9\""),
+        ("/geometry/elements/0/sections", "[\"4\"]"),
+        ("/geometry/elements/1/materials", "[\"7\",\"8\"]"),
+        ("/geometry/elements/1/nodes", "[1,2]"),
+        ("/geometry/constraints/0/dofs", "[1,2,6]"),
+        ("/geometry/constraints/0/matrix", "[[1.0,0.0,0.0],[0.0,1.0,0.0],[0.0,0.0,1.0]]"),
+        ("/geometry/constraints/6", r#"{"dof":6,"name":5,"node":1,"ref_value":0}"#),
+    ] {
+        assert_eq!(at(path), value, "{path}");
+    }
+}

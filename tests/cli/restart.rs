@@ -60,3 +60,96 @@ fn states_that_do_not_fit_are_refused() {
     place.write("m.tcl", format!("{MODEL}restore 8\n"));
     assert_eq!(place.run(&["check", "m.tcl"]).0, Some(0));
 }
+
+/// A run of steps with questions between, a step that fails, gravity and a second run after `wipe`.
+const LOOP: &str = "proc shake {steps} {\n global most\n set n 0\n while {$n < $steps} {\n  incr n\n  incr ::at\n\
+    if {$::at == 83} { test NormDispIncr 1e-30 1 }\n  set ok [analyze 1 0.01]\n\
+    if {$ok != 0} {\n   puts \"step $::at failed\"\n   test NormDispIncr 1e-10 50\n   algorithm ModifiedNewton\n   set ok [analyze 1 0.01]\n\
+      puts \"[testIter] iterations\"\n   algorithm Newton\n  }\n\
+    set d [nodeDisp 2 1]\n  if {abs($d) > $most} { set most [expr {abs($d)}]; puts \"$::at [getTime] $d [nodeDisp 3]\" }\n\
+    if {$::at == $::env(STOP)} { exit 3 }\n }\n}\nset at 0\nset most 0.\n";
+
+/// What a run writes, kept by the name of its file.
+fn written(place: &Place) -> Vec<(String, Vec<u8>)> {
+    let names = place.names().into_iter().filter(|n| n.ends_with(".out"));
+    names.map(|n| (n.clone(), std::fs::read(place.0.join(n)).unwrap())).collect()
+}
+
+/// A run that is stopped at any step goes on to the same files and texts.
+#[test]
+fn a_stopped_run_goes_on_to_the_same_bits() {
+    let place = Place::new();
+    let recorders = |k: i32| {
+        format!(
+            "recorder Node -file d{k}.out -time -node 2 3 -dof 1 2 disp\nrecorder Element -file f{k}.out -dT 0.03 -ele 1 2 force\n\
+             recorder EnvelopeNode -file e{k}.out -node 3 -dof 1 accel\n"
+        )
+    };
+    let model = MODEL.replace("database File states\n", "");
+    let again = "loadConst -time 1.5\nset ok [analyze 77 0.01]\nputs [testNorm]\nset ok [analyze 60 0.005]\n";
+    let parts = [
+        format!("{LOOP}{model}{}shake 120\nputs [eigen 2]\nshake 60\n{again}{SHOW}wipe\n", recorders(1)),
+        format!("{model}{}set ok [analyze 30 0.01]\nshake 90\n{SHOW}", recorders(2)),
+    ];
+    place.write("m.tcl", parts.concat());
+    let run_every = |interval: &str, stop: i32, resume: bool| {
+        let words = ["run", "--checkpoint", interval, "m.tcl", "--resume"];
+        place.run_with(&[("STOP", &stop.to_string())], &words[..4 + usize::from(resume)])
+    };
+    let run = |stop: i32, resume: bool| run_every("0.000001s", stop, resume);
+    // A run without a checkpoint makes the same steps.
+    let (status, whole, err) = run_every("2h", -1, false);
+    assert_eq!(status, Some(0), "{err}");
+    let expected = written(&place);
+    assert!(whole.contains("step 83 failed") && expected.len() == 6, "{whole}");
+    assert!(place.names().iter().all(|n| !n.contains("checkpoint") && !n.contains("journal")));
+    for stop in [1, 49, 50, 51, 83, 84, 101, 119, 121, 150, 180, 181, 200, 269] {
+        assert_eq!(run(stop, false).0, Some(3));
+        // A kill may leave half a block behind the last checkpoint.
+        let journal = place.0.join("m.journal");
+        let bytes = [std::fs::read(&journal).unwrap(), b"half a block".to_vec()].concat();
+        std::fs::write(&journal, bytes).unwrap();
+        // Stopped once more, and then to its end.
+        if stop < 200 {
+            assert_eq!(run(stop + 60, true).0, Some(3), "{stop}");
+        }
+        let (status, out, err) = run(-1, true);
+        assert_eq!((status, &out), (Some(0), &whole), "{stop}: {err}");
+        assert!(written(&place) == expected, "{stop}: other files");
+    }
+}
+
+#[test]
+fn checkpoints_that_do_not_fit_are_refused() {
+    let place = Place::new();
+    let script = format!("{MODEL}set ok [analyze 130 0.01]\n{SHOW}exit 3\n");
+    place.write("m.tcl", &script);
+    let keep: &[&str] = &["run", "--checkpoint", "0.000001", "m.tcl"];
+    let (status, _, err) = place.run(&[keep, &["--resume"]].concat());
+    assert!(status == Some(3) && err.contains("begins at its beginning"), "{err}");
+    let (checkpoint, journal) = (place.0.join("m.checkpoint"), place.0.join("m.journal"));
+    let kept = [&checkpoint, &journal].map(|f| std::fs::read(f).unwrap());
+    let refused = |words: &str, more: &[&str]| {
+        let (status, _, err) = place.run(&[keep, &["--resume"], more].concat());
+        assert!(status == Some(2) && err.contains(words), "{words}: {err}");
+    };
+    place.write("m.tcl", script.replace("Steel01 2 5.", "Steel01 2 6."));
+    refused("has changed since", &[]);
+    place.write("m.tcl", &script);
+    refused("other arguments", &["--strict"]);
+    for (file, bytes) in [(&checkpoint, &kept[0]), (&journal, &kept[1])] {
+        std::fs::write(file, b"nonsense").unwrap();
+        refused("no file of checkpoints", &[]);
+        let mut damaged = bytes.clone();
+        damaged[bytes.len() / 2] ^= 1;
+        std::fs::write(file, &damaged).unwrap();
+        refused("damaged", &[]);
+        std::fs::write(file, &bytes[..bytes.len() - 1]).unwrap();
+        refused("damaged", &[]);
+        std::fs::write(file, bytes).unwrap();
+    }
+    assert_eq!(place.run(&[keep, &["--resume"]].concat()).0, Some(3));
+    place.write("m.tcl", format!("{MODEL}recorder PVD p disp\nset ok [analyze 3 0.01]\n"));
+    let (status, _, err) = place.run(keep);
+    assert!(status == Some(2) && err.contains("writes more than rows") && err.contains("m.tcl:"), "{err}");
+}

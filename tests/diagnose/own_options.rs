@@ -6,6 +6,7 @@ use hysteron::diagnose::Settings;
 use hysteron::study::Simulator;
 use std::f64::consts::TAU;
 use std::fs;
+use std::path::Path;
 use studies::CheckpointRecorder;
 
 const DT: f64 = 0.05;
@@ -90,6 +91,52 @@ fn concealed_self_heating_is_an_option_of_the_law() {
     assert!(done.status.success(), "{}\n{}", String::from_utf8_lossy(&done.stderr), d.repaired_script);
     let _ = fs::remove_dir_all(dir);
     let _ = fs::remove_dir_all(truth);
+}
+
+/// The thesis' programme in small: three cycles of each test, at every second row. An independent integrator has concealed
+/// self-heating and softening; both are found as options of the law, and every constant within 10 %.
+#[test]
+fn thesis_programme_in_small() {
+    const ROWS: usize = 3 * 80;
+    let study = Path::new(env!("CARGO_MANIFEST_DIR")).join("tcl-like-inputs/hdr_heating_study");
+    let dir = std::env::temp_dir().join(format!("hysteron-diagnose-thesis-{}", std::process::id()));
+    fs::create_dir_all(&dir).unwrap();
+    fs::copy(study.join("rubber.tcl"), dir.join("model.tcl")).unwrap();
+    let text = fs::read_to_string(study.join("study.toml")).unwrap();
+    fs::write(dir.join("study.toml"), text.replace("rubber.tcl", "model.tcl")).unwrap();
+    for run in ["sine_a", "sine_b", "slow_c", "fast_d"] {
+        let text = fs::read_to_string(study.join(run).with_extension("csv")).unwrap();
+        let rows = text.lines().enumerate().filter(|(i, _)| *i == 0 || i % 2 == 1 && *i <= ROWS + 1);
+        let small: String = rows.map(|(_, row)| format!("{row}\n")).collect();
+        fs::write(dir.join(run).with_extension("csv"), small).unwrap();
+    }
+    let settings = Settings { threads: 2, ..Settings::default() };
+    let d = studies::attempt(&dir, &settings, &mut CheckpointRecorder::unlimited()).unwrap();
+    let o = &d.outcome;
+    assert_eq!(
+        (o.verdict.cause.as_str(), o.verdict.also.as_slice()),
+        ("self_heating", &["mullins_softening".into()][..])
+    );
+    for option in ["-heatCapacity $::hy_heatCapacity", "-mullins $::hy2_excess $::hy2_strain"] {
+        assert!(d.repaired_script.contains(option), "{}", d.repaired_script);
+    }
+    let concealed = [
+        ("hy_heatCapacity", 3.292),
+        ("hy2_excess", 0.25),
+        ("hy2_strain", 0.6),
+        ("spring", 1.06),
+        ("friction", 0.92),
+        ("overstress", 1.08),
+        ("viscosity", 0.95),
+    ];
+    for (name, truth) in concealed {
+        let found = o.corrected.parameters[name];
+        assert!((found / truth - 1.0).abs() < 0.1, "{name}: {found} instead of {truth}");
+    }
+    // Noise of 0.02 MPa over the variance of the stresses is 0.0001.
+    let (before, after) = (o.baseline.holdout_nmse.unwrap(), o.corrected.holdout_nmse.unwrap());
+    assert!(after < 1.5e-4 && before > 1e-3, "{before} {after}");
+    let _ = fs::remove_dir_all(dir);
 }
 
 /// A parameter that the script changes while it runs reaches the element inside an amendment.

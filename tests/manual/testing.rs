@@ -162,12 +162,18 @@ fn references(sheets: &[&Sheet]) -> String {
 fn broken_on_purpose() -> String {
     let (runs, inputs) = counted("fuzz/counts.csv", "inputs");
     let (_, defects) = counted("fuzz/counts.csv", "defects");
+    let (scripts, kills) = counted("validation/kills.csv", "kills");
+    let (_, other) = counted("validation/kills.csv", "rounds_that_differ");
     let targets = files(&root().join("fuzz/fuzz_targets"), "rs").len();
     format!(
         "{targets} fuzz targets ([fuzz](../fuzz/README.md)) look for inputs that end in a panic, a hang, much memory, or a number that is not one. \
          {} inputs were run in {runs} runs ([counts](../fuzz/counts.csv)); defects that ended a run: {defects}. \
-         The same generator makes some hundred inputs in every run of the tests (`tests/fuzz.rs`).\n",
-        grouped(inputs)
+         The same generator makes some hundred inputs in every run of the tests (`tests/fuzz.rs`).\n\n\
+         {} scripts were killed at {} random moments (`validation/kills.py`) and went on from their checkpoints ([counts](../validation/kills.csv)); \
+         runs that wrote other bytes than one that was left alone: {other}.\n",
+        grouped(inputs),
+        scripts,
+        grouped(kills)
     )
 }
 
@@ -203,6 +209,7 @@ These need more than a Rust toolchain, or hours. They are run before a release.
 | check | command |
 | --- | --- |
 | fuzzing with libFuzzer | `fuzz/run.sh 3600` |
+| kills at random moments, and runs that go on | `validation/kills.py` |
 | licences, sources and advisories of dependencies; the declared minimum version of Rust | `scripts/audit.sh` |
 | pages in a real browser | `tests/browser/check.py`, `tests/browser/view.py` |
 | Python | `pytest` in `bindings/python` |

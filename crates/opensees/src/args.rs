@@ -19,6 +19,8 @@ pub(crate) struct Args<'a> {
     usage: &'static str,
     /// Words so far that are no options.
     unknown: usize,
+    /// Definitions that were taken so far: kind and tag.
+    pub(crate) taken: Vec<(&'static str, Tag)>,
 }
 
 /// Words of a command that are ignored with a warning each. With more the command is not what was meant.
@@ -35,7 +37,7 @@ enum Sign {
 impl<'a> Args<'a> {
     /// All words after the name of the command.
     pub(crate) fn new(call: &'a Call<'a>, usage: &'static str) -> Self {
-        Self { call, at: 1, usage, unknown: 0 }
+        Self { call, at: 1, usage, unknown: 0, taken: vec![] }
     }
 
     /// The same words for what a sub-command wants.
@@ -271,7 +273,10 @@ impl<'a> Args<'a> {
         let kind = registry.kind;
         let tag = self.int(&format!("tag of a {kind}"))?;
         match registry.get(tag) {
-            Some(thing) => Ok((thing.clone(), tag)),
+            Some(thing) => {
+                self.taken.push((kind, tag));
+                Ok((thing.clone(), tag))
+            }
             None => {
                 let known: Vec<String> = registry.tags().map(|t| t.to_string()).collect();
                 let known = match known.len() {

@@ -13,6 +13,7 @@ mod args;
 pub mod calls;
 pub mod chart;
 mod check;
+pub mod checkpoint;
 mod element;
 mod elsewhere;
 pub mod files;

@@ -2,13 +2,16 @@
 
 use crate::analysis::isolator_damping::IsolatorDamping;
 use crate::analysis::plausibility::Looked;
+use crate::analysis::softening::BackboneWatch;
 use crate::calls::CallNumbers;
 use crate::check::CheckState;
+use crate::checkpoint::Journal;
 use crate::files::number_files::NumberFiles;
 use crate::files::series::{FileSeries, NoSeries};
 use crate::material::MaterialTests;
 use crate::model::parameter::Parameter;
 use crate::output::Balances;
+use crate::output::model_file::MadeOf;
 use crate::section::open::OpenSection;
 use crate::slips::Slip;
 use hysteron_engine::analysis::algorithm::Algorithm;
@@ -130,18 +133,23 @@ pub(crate) struct Recorders {
     pub(crate) balances: Option<Box<Balances>>,
     /// Work of Rayleigh damping in isolators.
     pub(crate) isolator_damping: IsolatorDamping,
+    /// Bearings that soften.
+    pub(crate) backbones: BackboneWatch,
     pub(crate) motion: Option<Box<dyn MotionObserver>>,
+    /// Checkpoints, where they are asked for.
+    pub(crate) journal: Option<Box<Journal>>,
     /// Norms of the iterations, to be printed.
     pub(crate) printed: String,
     pub(crate) print: i32,
 }
 
 impl Recorders {
-    /// Add a recorder; its tag.
+    /// Add a recorder; its tag. The first is 0, as in OpenSees, and `wipe` does not begin anew.
     pub(crate) fn add(&mut self, placed: PlacedRecorder) -> Tag {
+        let tag = self.next;
         self.next += 1;
-        self.by_tag.insert(self.next, placed);
-        self.next
+        self.by_tag.insert(tag, placed);
+        tag
     }
 
     /// The recorder of a file.
@@ -160,9 +168,14 @@ impl Recorders {
         self.by_tag.values_mut().filter(|r| !r.reported).for_each(|r| r.recorder.look_up(engine));
     }
 
+    /// Returns true if steps come from a journal and are not computed: the engine has not their state.
+    pub(crate) fn repeats(&self) -> bool {
+        self.journal.as_ref().is_some_and(|j| j.repeats())
+    }
+
     /// Record the committed state.
     pub(crate) fn record(&mut self, engine: &mut Engine) -> Result<(), RecordError> {
-        self.by_tag.values_mut().try_for_each(|r| r.recorder.record(engine))
+        self.by_tag.values_mut().try_for_each(|r| r.recorder.record(engine).map(drop))
     }
 
     /// An analysis starts from the committed state.
@@ -207,11 +220,15 @@ impl Recorders {
 
 impl Observer for Recorders {
     fn committed(&mut self, engine: &mut Engine) -> Result<(), String> {
-        self.record(engine).map_err(|e| e.to_string())?;
+        match &mut self.journal {
+            Some(journal) => journal.record(&mut self.by_tag, engine).map_err(|e| e.to_string())?,
+            None => self.record(engine).map_err(|e| e.to_string())?,
+        }
         if let Some(balances) = &mut self.balances {
             balances.step(engine)?;
         }
         self.isolator_damping.add_step(engine);
+        self.backbones.step(engine);
         if self.print != 0 {
             self.note_iterations(engine);
         }
@@ -250,6 +267,8 @@ pub struct ModelBuilder {
     pub(crate) loads_time: Option<f64>,
     /// Materials, series, sections and the like, by tag.
     pub definitions: Definitions,
+    /// Definitions that each element was made of.
+    pub(crate) made_of: MadeOf,
     /// Number of dimensions.
     pub(crate) ndm: usize,
     /// Degrees of freedom of a node, unless it has its own number.
@@ -445,6 +464,7 @@ impl Session {
         self.output.known = Known::default();
         self.looked = Looked::default();
         self.output.recorders.isolator_damping = IsolatorDamping::default();
+        self.output.recorders.backbones = BackboneWatch::default();
         self.parts = Parts { variable_steps: self.parts.variable_steps, ..Parts::default() };
         finished
     }

@@ -69,6 +69,12 @@ impl Device {
     }
 
     pub(crate) fn step(&mut self, engine: &Engine, step: usize, buffers: &mut (Vec<f64>, Vec<f64>)) {
+        self.read(engine, buffers);
+        self.history.push(step, buffers.1.iter().copied());
+    }
+
+    /// Deformations of all directions, then forces, in the committed state: in the second buffer.
+    pub(crate) fn read(&self, engine: &Engine, buffers: &mut (Vec<f64>, Vec<f64>)) {
         let (disp, row) = buffers;
         let n = self.directions.len();
         row.clear();
@@ -77,7 +83,6 @@ impl Device {
         let element = &engine.model().elements[self.element].element;
         element.read(&self.deformation.path, &snapshot, &mut row[..n]);
         element.read(&self.force.path, &snapshot, &mut row[n..]);
-        self.history.push(step, row.iter().copied());
     }
 }
 

@@ -10,6 +10,7 @@ mod devices;
 mod fibers;
 mod field;
 mod forces;
+mod glance;
 mod history;
 mod numbers;
 mod pack;
@@ -21,6 +22,7 @@ mod thin;
 pub mod vtk;
 
 pub use collector::{Collector, Motion, Observer, Units};
+pub use glance::Glance;
 pub use page::{interactive, page};
 pub use scene::{Family, Scene};
 pub use thin::thinned;

@@ -19,11 +19,11 @@ struct Known {
 
 /// The inputs of a run. Clones share what is known. A file that the script has written itself is no input.
 #[derive(Clone, Default)]
-pub(super) struct Inputs(Rc<RefCell<Known>>);
+pub(in crate::cli) struct Inputs(Rc<RefCell<Known>>);
 
 impl Inputs {
     /// Path and hash of each file.
-    pub(super) fn rows(&self) -> Vec<(String, String)> {
+    pub(in crate::cli) fn rows(&self) -> Vec<(String, String)> {
         self.0.borrow().read.iter().map(|(path, hash)| (path.clone(), hash.clone())).collect()
     }
 

@@ -5,6 +5,7 @@ use super::discriminating_test::discriminating_test;
 use super::explanation::{explanation, observation};
 use super::mismatch::{find_windows, regime};
 use super::result_file::{Baseline, Candidate, Mismatch, Outcome, RepairedModel, UnmovedChannel, Verdict};
+use super::structure_drawing::StructureDrawing;
 use super::summary::{Summary, SummaryContext, summary};
 use super::unmoved::unmoved_in_words;
 use crate::candidate::channel_fault::ChannelFault;
@@ -225,6 +226,7 @@ pub(super) fn conclude(
         opensees_script: opensees.ok(),
         ranking: ranked.iter().map(ranked_hypothesis).collect(),
         displacements: displacements(c, &baseline.fitted.values),
+        drawing: StructureDrawing::of_model(c.simulator, &baseline.fitted.values, c.inventory),
         repaired_fits: verdict.repair.fits,
         baseline_fits,
         next_test,

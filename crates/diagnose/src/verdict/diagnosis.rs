@@ -3,6 +3,7 @@
 use super::conclusion::{ConclusionContext, Ranking, conclude};
 use super::discriminating_test::DiscriminatingTest;
 use super::result_file::Outcome;
+use super::structure_drawing::StructureDrawing;
 use crate::candidate::proposal::Proposal;
 use crate::evidence::ranking::{bootstrap_ranking, rank};
 use crate::fit::baseline::{fit_baseline, is_poor, refit_baseline};
@@ -56,6 +57,8 @@ pub struct Diagnosis {
     pub repaired_fits: Vec<Option<ScoredRun>>,
     /// Displacements over which forces are plotted, by run.
     pub displacements: Displacements,
+    /// The structure with its sensors.
+    pub drawing: StructureDrawing,
     /// Recommended test; none if the motions of the study allow none.
     pub next_test: Option<DiscriminatingTest>,
     /// Number of points at which the fitted runs were evaluated.

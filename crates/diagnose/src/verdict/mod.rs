@@ -7,6 +7,8 @@
 //! - `plausibility`: balances and published ranges
 //! - [`mismatch`]: windows of time in which the model differs
 //! - [`discriminating_test`]: the test that best separates the verdict from its strongest competitor
+//! - `structure_drawing`: errors on the structure
+//! - `error_conditions`: errors over amplitude, rate and temperature
 //! - `result_file`: `diagnosis.json`
 //! - `report`: `report.html`
 
@@ -14,6 +16,7 @@ mod advice;
 pub(crate) mod conclusion;
 pub(crate) mod diagnosis;
 pub(crate) mod discriminating_test;
+mod error_conditions;
 pub(crate) mod explanation;
 pub(crate) mod mismatch;
 pub(crate) mod place;
@@ -21,5 +24,6 @@ mod plausibility;
 pub(crate) mod quantity;
 pub(crate) mod report;
 pub(crate) mod result_file;
+pub(crate) mod structure_drawing;
 pub(crate) mod summary;
 mod unmoved;

@@ -1,5 +1,6 @@
 //! `report.html`: the verdict, then its evidence.
 
+use super::error_conditions::{conditions, error_over};
 use crate::evidence::parametric_bootstrap::{EqualGain, percent};
 use crate::verdict::diagnosis::Diagnosis;
 use hysteron_identify::calibrate::{AmplitudeGroup, amplitude_groups};
@@ -18,6 +19,7 @@ pub fn report(d: &Diagnosis, study: &Study, text: &str) -> String {
     out.extend(d.outcome.preflight.iter().map(Preflight::html));
     let page = Page { d, study };
     page.error_bars(&mut out);
+    page.errors_on_structure(&mut out);
     page.worst_channel(&mut out);
     page.errors(&mut out);
     mismatch_table(&mut out, d);
@@ -82,13 +84,46 @@ impl Page<'_> {
         html::bars(out, &bars);
     }
 
-    /// The channel with the largest error before the repair.
+    /// Errors at the places of the sensors, before and after the repair.
+    fn errors_on_structure(&self, out: &mut String) {
+        let (places, drawing) = (&self.d.outcome.verdict.summary.places, &self.d.drawing);
+        let models = [
+            ("Errors on the structure: model as it was", &self.d.baseline_fits),
+            ("Errors on the structure: repaired", &self.d.repaired_fits),
+        ];
+        for (title, fits) in models.into_iter().take(if self.is_repaired() { 2 } else { 1 }) {
+            let figure = drawing.figure(title, places, |run, channel| Self::nmse(fits, run, channel));
+            figure.iter().for_each(|f| picture(out, f));
+        }
+    }
+
+    /// The channel with the largest error before the repair, over time and over the conditions of the motion.
     fn worst_channel(&self, out: &mut String) {
         let error = |c: &(usize, usize)| Self::nmse(&self.d.baseline_fits, c.0, c.1);
         let known = self.channels().filter(|c| error(c).is_finite());
         if let Some((run, channel)) = known.max_by(|a, b| error(a).total_cmp(&error(b))) {
             let mut figure = self.history(run, channel);
             figure.title = format!("Largest error: {}, run {}", figure.title, self.study.runs[run].name);
+            picture(out, &figure);
+            self.over_conditions(out, run, channel);
+        }
+    }
+
+    /// Error of a channel over amplitude and rate of the motion, and over recorded temperatures.
+    fn over_conditions(&self, out: &mut String, run: usize, channel: usize) {
+        let (r, o) = (&self.study.runs[run], &self.study.runs[run].observe[channel]);
+        let own = || (labelled(&o.channel, &o.unit), o.values.clone());
+        let (name, motion) = self.d.displacements[run].clone().unwrap_or_else(own);
+        for condition in conditions(&r.recording, &name, &motion) {
+            let less = |y: &[f64]| y.iter().zip(&o.values).map(|(y, v)| y - v).collect::<Vec<f64>>();
+            let curve = |(name, y): (&'static str, &[f64])| line(name, error_over(&condition.values, &less(y)));
+            let figure = Figure {
+                title: format!("{}, run {}: where its error is", o.channel, r.name),
+                x_label: condition.label.clone(),
+                y_label: labelled("root mean square error", &o.unit),
+                curves: self.models(run, channel).into_iter().map(curve).collect(),
+                ..Figure::default()
+            };
             picture(out, &figure);
         }
     }

@@ -13,7 +13,7 @@ use super::system::System;
 use super::work_counts::WorkCounts;
 use super::workspace::{PrepareOptions, Workspace};
 use crate::assembly::{Handler, MpScope};
-use crate::element::{Element, Overload, Snapshot};
+use crate::element::{Element, Overload, Snapshot, Softening};
 use crate::model::{ElementEntry, ElementId, GroundMotion, Model, NodeId, Pattern, PatternKind, Tag};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -316,7 +316,8 @@ impl Engine {
         self.forget_work();
     }
 
-    pub(super) fn forget_work(&mut self) {
+    /// Forget what is remembered of earlier steps, so that the next one depends on the committed state alone.
+    pub fn forget_work(&mut self) {
         self.step_start.forget();
         self.setup.iter_mut().for_each(|s| s.algorithm.forget());
         if let Some((_, _, work)) = &mut self.prepared {
@@ -352,6 +353,12 @@ impl Engine {
     pub fn overload(&self) -> Option<(&ElementEntry, Overload)> {
         let of = |e: &ElementEntry| e.element.overload(&self.committed.history[e.state.clone()]);
         self.model.elements.iter().find_map(|e| of(e).map(|load| (e, load)))
+    }
+
+    /// The ends of the backbone of an element that softens, and its committed deformation.
+    pub fn softening(&self, id: ElementId) -> Option<Softening> {
+        let e = &self.model.elements[id.0];
+        e.element.softening(&self.committed.history[e.state.clone()])
     }
 
     /// The resisting force of an element in the committed state as recorders show it, added to `out`.

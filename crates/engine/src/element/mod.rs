@@ -230,6 +230,17 @@ impl From<MaterialError> for ElementError {
     }
 }
 
+/// A shear law whose backbone softens: its force falls from one deformation on, and changes its sign at another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Softening {
+    /// Largest committed deformation of a direction, without sign.
+    pub deformation: f64,
+    /// Deformation from which the stiffness of the backbone is negative.
+    pub stiffness_end: f64,
+    /// Deformation from which the backbone pushes away from rest.
+    pub force_end: f64,
+}
+
 /// An axial load that a bearing does not carry.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Overload {
@@ -303,6 +314,11 @@ pub trait Element: fmt::Debug + Send + Sync {
 
     /// The load that it carries no longer in a committed state, where it has a critical load.
     fn overload(&self, _history: &[f64]) -> Option<Overload> {
+        None
+    }
+
+    /// The ends of a backbone that softens, and the committed deformation; `None` where it does not.
+    fn softening(&self, _history: &[f64]) -> Option<Softening> {
         None
     }
 

@@ -62,6 +62,11 @@ pub trait Source: fmt::Debug + Send {
     /// # Errors
     /// A response cannot be worked out.
     fn row(&mut self, engine: &mut Engine, row: &mut Vec<f64>) -> Result<(), RecordError>;
+
+    /// Returns true if the row is all that the source makes.
+    fn makes_rows_only(&self) -> bool {
+        true
+    }
 }
 
 /// Use of the rows.
@@ -109,36 +114,63 @@ impl Recorder {
         Self { keep: Keep::Envelope(Envelope::default()), ..Self::history(source, output, cadence) }
     }
 
-    /// Record the committed state, if it is time to.
+    /// Record the committed state, if it is time to. Returns true if it was; then [`Recorder::last_row`] is its row.
     ///
     /// # Errors
     /// A response that is not there, or an output that cannot be written.
     #[inline]
-    pub fn record(&mut self, engine: &mut Engine) -> Result<(), RecordError> {
+    pub fn record(&mut self, engine: &mut Engine) -> Result<bool, RecordError> {
         let time = engine.state().time;
         let c = self.cadence;
-        if c.dt != 0.0 {
-            if time - self.next < -c.dt * c.tolerance {
-                return Ok(());
-            }
-            self.next = time + c.dt;
+        if c.dt != 0.0 && time - self.next < -c.dt * c.tolerance {
+            return Ok(false);
         }
         self.find(engine)?;
+        if matches!(self.keep, Keep::History) {
+            self.fill(engine)?;
+        } else {
+            self.row.clear();
+            self.source.row(engine, &mut self.row)?;
+        }
+        self.keep_row(time)?;
+        Ok(true)
+    }
+
+    /// Returns true if [`Recorder::record_again`] does what the record of a state does.
+    pub fn can_repeat(&self) -> bool {
+        self.source.makes_rows_only()
+    }
+
+    /// The row that was recorded last.
+    pub fn last_row(&self) -> &[f64] {
+        &self.row
+    }
+
+    /// Record a row that an earlier run has recorded of this model at this time.
+    ///
+    /// # Errors
+    /// As [`Recorder::record`].
+    pub fn record_again(&mut self, engine: &Engine, time: f64, row: Vec<f64>) -> Result<(), RecordError> {
+        self.find(engine)?;
+        self.row = row;
+        self.keep_row(time)
+    }
+
+    #[inline]
+    fn keep_row(&mut self, time: f64) -> Result<(), RecordError> {
+        self.next = time + self.cadence.dt;
         match &mut self.keep {
             Keep::History => {
-                self.fill(engine)?;
                 self.output.at(time);
-                self.output.row(&self.row)?;
+                self.output.row(&self.row)
             }
             Keep::Envelope(envelope) => {
-                self.row.clear();
-                self.source.row(engine, &mut self.row)?;
                 if envelope.take(time, &self.row) && self.output.wants_every_row() {
-                    envelope.write(c.time, self.output.as_mut())?;
+                    envelope.write(self.cadence.time, self.output.as_mut())?;
                 }
+                Ok(())
             }
         }
-        Ok(())
     }
 
     /// An analysis starts from the committed state: pass it to an output that takes it.

@@ -23,7 +23,7 @@ pub use amplitude_groups::{AmplitudeGroup, amplitude_groups};
 pub use judgement::{HoldoutRatio, Judgement, StructuredChannel};
 pub use method::{
     CmaEs, Crossover, DifferentialEvolution, EvolutionSettings, LevenbergMarquardt, Method, MethodState, Shade,
-    ShadeVariant, Trial,
+    ShadeVariant, StepSearch, Trial,
 };
 pub use page::page;
 pub use posterior::{Posterior, Quantiles, posterior};

@@ -2,6 +2,7 @@
 
 use super::method::{
     CmaEs, Crossover, DifferentialEvolution, EvolutionSettings, LevenbergMarquardt, MethodState, Shade, ShadeVariant,
+    StepSearch,
 };
 use super::search::Stage;
 use crate::study::{Study, StudyError};
@@ -23,17 +24,20 @@ pub enum SearchMethod {
     CmaEs,
     /// Least squares from several starting points.
     LeastSquares,
+    /// Step search along the parameters.
+    StepSearch,
 }
 
 impl SearchMethod {
     /// All methods with their names in a study.
-    pub const ALL: [(&'static str, Self); 6] = [
+    pub const ALL: [(&'static str, Self); 7] = [
         ("de/rand/1/bin", Self::DifferentialEvolution),
         ("de/rand/1/bin/printed", Self::DifferentialEvolutionAsPrinted),
         ("l-shade", Self::LShade),
         ("jso", Self::Jso),
         ("cma-es", Self::CmaEs),
         ("least-squares", Self::LeastSquares),
+        ("step-search", Self::StepSearch),
     ];
 
     /// The default: the quickest of the methods that search the whole ranges, on the problems of `benches/README.md`.
@@ -58,9 +62,9 @@ impl SearchMethod {
         }))
     }
 
-    /// Default of [`SearchSettings::polish`]. Differential evolution is left as the paper has it.
+    /// Default of [`SearchSettings::polish`]. Differential evolution and the step search are left as their sources have them.
     fn is_polished(self) -> bool {
-        !matches!(self, Self::DifferentialEvolution | Self::DifferentialEvolutionAsPrinted)
+        !matches!(self, Self::DifferentialEvolution | Self::DifferentialEvolutionAsPrinted | Self::StepSearch)
     }
 }
 
@@ -200,6 +204,12 @@ impl SearchSettings {
             }
             (Stage::Search, SearchMethod::DifferentialEvolution) => evolution(Crossover::Forced),
             (Stage::Search, SearchMethod::DifferentialEvolutionAsPrinted) => evolution(Crossover::AsPrinted),
+            (Stage::Search, SearchMethod::StepSearch) if repeat == 0 => {
+                MethodState::StepSearch(StepSearch::new(initial, budget))
+            }
+            (Stage::Search, SearchMethod::StepSearch) => {
+                MethodState::StepSearch(StepSearch::new(&random_start(n, seed, 0), budget))
+            }
             (Stage::Search, SearchMethod::LShade) => shade(ShadeVariant::LShade),
             (Stage::Search, SearchMethod::Jso) => shade(ShadeVariant::Jso),
             (Stage::Search, SearchMethod::CmaEs | SearchMethod::LeastSquares) => {

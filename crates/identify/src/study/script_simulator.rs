@@ -313,6 +313,14 @@ impl ScriptSimulator {
         Some(self.outputs[run][at].1.with(Trace::clone))
     }
 
+    /// Names of the recorder columns that the channels of a run observe: "node 3 dof 1". Empty for a column that is not there.
+    /// Makes a run.
+    pub fn column_names(&self, run: usize, values: &[f64]) -> Vec<String> {
+        self.run(run, Some(values), RunMode::default());
+        let channels = self.study.runs[run].observe.iter().zip(&self.outputs[run]);
+        channels.map(|(o, (_, t))| t.with(|trace| trace.labels.get(o.column).cloned().unwrap_or_default())).collect()
+    }
+
     /// The displacement that forces of a run are plotted over: its label, and samples at the times of the recording.
     ///
     /// A recorded displacement is preferred. Otherwise it is column 1 of the first unobserved recorder whose file name

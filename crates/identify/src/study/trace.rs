@@ -14,6 +14,8 @@ pub struct Trace {
     pub values: Vec<f64>,
     /// True if the first row is the state at the start, which the recorder itself did not write.
     pub has_start: bool,
+    /// Names of the columns.
+    pub labels: Vec<String>,
     /// True if the time did not increase within an analysis. The pseudo-time of DisplacementControl is the load factor.
     pub no_clock: bool,
 }
@@ -22,7 +24,7 @@ impl Trace {
     #[inline]
     fn push(&mut self, time: f64, row: &[f64]) {
         if self.width != row.len() {
-            *self = Self { width: row.len(), ..Self::default() };
+            *self = Self { width: row.len(), labels: std::mem::take(&mut self.labels), ..Self::default() };
         }
         self.no_clock |= self.times.last().is_some_and(|t| *t >= time);
         self.times.push(time);
@@ -126,6 +128,15 @@ impl Output for TraceOutput {
         t.clear();
         t.push(time, row);
         t.has_start = true;
+    }
+
+    fn begin(&mut self, labels: &[String]) -> Result<(), RecordError> {
+        let trace = self.writing();
+        // Thousands of runs have the same columns.
+        if trace.labels != labels {
+            trace.labels = labels.to_vec();
+        }
+        Ok(())
     }
 
     fn at(&mut self, time: f64) {

@@ -2,6 +2,7 @@
 
 use super::plausibility;
 use crate::args::Args;
+use crate::checkpoint;
 use crate::session::{Mode, Parts, Session};
 use crate::slips;
 use crate::{Command, Outcome, Tcl, finish, kind, warn};
@@ -137,9 +138,12 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if kind == Kind::Transient {
         finish(interp, &a)?;
     }
+    checkpoint::before_analysis(interp, call)?;
     warn_of_plain(interp, call.span(0))?;
     warn_of_pseudo_time(interp, call.span(0))?;
-    plausibility::before(interp, dt, call.span(0))?;
+    if !interp.host.output.recorders.repeats() {
+        plausibility::before(interp, dt, call.span(0))?;
+    }
     let session = &mut interp.host;
     session.builder.loads_time = None;
     let done = match session.mode {
@@ -159,8 +163,15 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             let (engine, steps) = (&mut session.engine, steps as usize);
             session.output.recorders.start(engine);
             session.output.recorders.isolator_damping.begin(engine);
+            session.output.recorders.backbones.begin(engine);
             match lengths {
                 Some(lengths) => engine.analyze_variable(steps, dt, lengths, &mut session.output.recorders),
+                None if session.output.recorders.journal.is_some() => {
+                    match checkpoint::analyze(engine, &mut session.output.recorders, steps, dt) {
+                        Ok(done) => done,
+                        Err(why) => return Err(a.refuse_at(call.span(0), format!("checkpoint: {why}"), "")),
+                    }
+                }
                 None => engine.analyze(steps, dt, &mut session.output.recorders),
             }
         }
@@ -170,9 +181,12 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         crate::print_error(interp, &printed);
     }
     warn_of_missing(interp)?;
-    warn_of_numerics(interp, call.span(0))?;
-    if done.is_ok() {
-        plausibility::after(interp, call.span(0))?;
+    checkpoint::warn_of_end(interp, call)?;
+    if !interp.host.output.recorders.repeats() {
+        warn_of_numerics(interp, call.span(0))?;
+        if done.is_ok() {
+            plausibility::after(interp, call.span(0))?;
+        }
     }
     match done {
         Ok(()) => {
@@ -298,7 +312,19 @@ fn warn_of_numerics(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exceptio
         warn(interp, Diagnostic::warning(message).at(span, "a tighter test, or one of the unbalance, shows it"))?;
     }
     report_overload(interp, span);
+    report_softening(interp, span);
     Ok(())
+}
+
+/// Report once a bearing whose backbone is negative. It is no error, even where warnings are: a script may study this.
+fn report_softening(interp: &mut Tcl, span: Option<Span>) {
+    let session = &mut interp.host;
+    if session.mode == Mode::Check || session.warnings.reported.contains_key("softening") {
+        return;
+    }
+    let Some(d) = session.output.recorders.backbones.warning(span) else { return };
+    session.warnings.reported.insert("softening", 1);
+    crate::report(interp, d);
 }
 
 /// Report once a bearing under more than its critical load.

@@ -66,6 +66,16 @@ impl IsolatorDamping {
         }
     }
 
+    /// Energies of damping and of force.
+    pub(crate) fn energies(&self) -> [f64; 2] {
+        [self.damping, self.force]
+    }
+
+    /// Go on from the energies of an earlier run, which belong to the committed state.
+    pub(crate) fn go_on(&mut self, engine: &Engine, [damping, force]: [f64; 2]) {
+        (self.time, self.damping, self.force) = (engine.state().time, damping, force);
+    }
+
     /// Share of the energy that the damping took; 0 without any.
     pub(crate) fn share(&self) -> f64 {
         let share = self.damping / (self.damping + self.force.max(0.0));

@@ -10,4 +10,5 @@ pub(crate) mod modal_damping;
 pub(crate) mod modal_properties;
 pub(crate) mod plausibility;
 pub(crate) mod response_spectrum;
+pub(crate) mod softening;
 pub(crate) mod solution;

@@ -28,7 +28,7 @@ pub enum Mark {
 pub struct Curve {
     /// Name; empty for none.
     pub name: String,
-    /// Points.
+    /// Points. One that is not finite is a gap in a line.
     pub points: Vec<(f64, f64)>,
     /// Marks of the points.
     pub mark: Mark,
@@ -88,6 +88,8 @@ const ABOVE: f64 = 32.0;
 /// Distance in pixels within which points of a curve are joined.
 const COLUMN: f64 = 0.5;
 
+/// Number of dots up to which they are large.
+const FEW_DOTS: usize = 40;
 /// Ticks of an axis, at most.
 const MAX_TICKS: usize = 9;
 
@@ -169,13 +171,19 @@ impl Figure {
         let ordered = coloured.iter().filter(|(c, _)| c.mark == Mark::Wide);
         let ordered = ordered.chain(coloured.iter().filter(|(c, _)| c.mark != Mark::Wide));
         for (curve, colour) in ordered {
-            let pixels = curve.points.iter().map(|p| (plot.x.pixel(p.0), plot.y.pixel(p.1)));
-            match curve.mark {
-                Mark::Dots => pixels.filter(|p| plot.contains(*p)).for_each(|p| out.dot(p, colour)),
-                Mark::Line | Mark::Wide => {
-                    let width = if curve.mark == Mark::Wide { 3.5 } else { 1.2 };
-                    for stretch in plot.clipped(&thinned(pixels)) {
-                        out.curve(&stretch, colour, width);
+            let pixel = |p: &Point| (plot.x.pixel(p.0), plot.y.pixel(p.1));
+            // A few dots are places, many are a cloud.
+            let radius = if curve.points.len() <= FEW_DOTS { 4.5 } else { 2.5 };
+            // A point that is not finite is a gap.
+            for points in curve.points.split(|p| !(p.0.is_finite() && p.1.is_finite())) {
+                let pixels = points.iter().map(pixel);
+                match curve.mark {
+                    Mark::Dots => pixels.filter(|p| plot.contains(*p)).for_each(|p| out.dot(p, radius, colour)),
+                    Mark::Line | Mark::Wide => {
+                        let width = if curve.mark == Mark::Wide { 3.5 } else { 1.2 };
+                        for stretch in plot.clipped(&thinned(pixels)) {
+                            out.curve(&stretch, colour, width);
+                        }
                     }
                 }
             }
@@ -275,7 +283,7 @@ fn thinned(pixels: impl Iterator<Item = Point>) -> Vec<Point> {
         }
         column.clear();
     };
-    for p in pixels.filter(|p| p.0.is_finite() && p.1.is_finite()) {
+    for p in pixels {
         if column.first().is_some_and(|first| (p.0 - first.0).abs() >= COLUMN) {
             flush(&mut column);
         }

@@ -102,8 +102,8 @@ impl Svg {
         );
     }
 
-    pub(super) fn dot(&mut self, (x, y): Point, colour: &str) {
-        let _ = writeln!(self.out, "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"2.5\" fill=\"{colour}\"/>");
+    pub(super) fn dot(&mut self, (x, y): Point, radius: f64, colour: &str) {
+        let _ = writeln!(self.out, "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius}\" fill=\"{colour}\"/>");
     }
 
     pub(super) fn curve(&mut self, points: &[Point], colour: &str, width: f64) {

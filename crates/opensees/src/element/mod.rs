@@ -163,6 +163,7 @@ fn element(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     };
     finish(interp, &a)?;
     interp.host.engine.add_element(tag, nodes, made);
+    interp.host.builder.made_of.insert(tag, a.taken);
     Ok(Value::EMPTY)
 }
 

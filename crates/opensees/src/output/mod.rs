@@ -5,6 +5,7 @@ pub(crate) mod display;
 pub(crate) mod figure;
 pub(crate) mod inventory;
 pub(crate) mod loads;
+pub(crate) mod model_file;
 pub(crate) mod print;
 mod pvd;
 pub(crate) mod query;

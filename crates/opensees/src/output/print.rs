@@ -1,8 +1,9 @@
 //! `print`: what the model is, as text or as JSON.
 
+use super::model_file::model_file;
 use crate::args::Args;
 use crate::{Command, Outcome, Tcl, ignore_option, print_error};
-use hysteron_engine::model::{ElementEntry, Model, Node, Tag};
+use hysteron_engine::model::{ElementEntry, Model, Tag};
 use hysteron_tcl::{Call, Exception, OpenMode, Value};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -58,7 +59,12 @@ fn print(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             ));
         }
     }
-    let text = if w.json { json(interp.host.engine.model()) } else { text(interp, &w) };
+    let text = if w.json {
+        let builder = &interp.host.builder;
+        model_file(interp.host.engine.model(), &builder.definitions, &builder.made_of)
+    } else {
+        text(interp, &w)
+    };
     let Some(name) = &w.file else {
         print_error(interp, &text);
         return Ok(Value::EMPTY);
@@ -131,33 +137,4 @@ fn text(interp: &Tcl, w: &Wanted) -> String {
 
 fn node_tags<'a>(model: &'a Model, e: &'a ElementEntry) -> impl Iterator<Item = Tag> + 'a {
     e.nodes.iter().map(|n| model.nodes[n.0].tag)
-}
-
-fn list(values: impl Iterator<Item = String>) -> String {
-    values.collect::<Vec<_>>().join(", ")
-}
-
-/// OpenSees' model file: nodes and elements with what they are made of.
-fn json(model: &Model) -> String {
-    let numbers = |v: &[f64]| list(v.iter().map(ToString::to_string));
-    let node = |n: &Node| {
-        let mass = if n.mass.iter().any(|m| *m != 0.0) {
-            format!(", \"mass\": [{}]", numbers(&n.mass))
-        } else {
-            String::new()
-        };
-        format!("\t\t\t\t{{\"name\": {}, \"ndf\": {}, \"crd\": [{}]{mass}}}", n.tag, n.ndf, numbers(&n.coords))
-    };
-    let element = |e: &ElementEntry| {
-        let nodes = list(node_tags(model, e).map(|t| t.to_string()));
-        format!("\t\t\t\t{{\"name\": {}, \"type\": \"{}\", \"nodes\": [{nodes}]}}", e.tag, e.element.class())
-    };
-    let nodes: Vec<String> = model.nodes_by_tag().map(|id| node(&model.nodes[id.0])).collect();
-    let elements: Vec<String> = model.elements_by_tag().map(|id| element(&model.elements[id.0])).collect();
-    format!(
-        "{{\n\"StructuralAnalysisModel\": {{\n\t\"properties\": {{}},\n\t\"geometry\": {{\n\t\t\"nodes\": [\n{}\n\t\t],\n\
-         \t\t\"elements\": [\n{}\n\t\t]\n\t}}\n}}\n}}\n",
-        nodes.join(",\n"),
-        elements.join(",\n")
-    )
 }

@@ -139,6 +139,10 @@ impl Source for Grids {
         vec![]
     }
 
+    fn makes_rows_only(&self) -> bool {
+        false
+    }
+
     fn row(&mut self, engine: &mut Engine, row: &mut Vec<f64>) -> Result<(), RecordError> {
         let content = self.content(engine)?;
         write(&self.files, Some(&file_name(self.written)), &content)?;

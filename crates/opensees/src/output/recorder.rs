@@ -50,7 +50,7 @@ const KINDS: &[Kind] = &[
     },
     Kind {
         names: &["Drift", "DriftRecorder"],
-        usage: "recorder Drift -file $file <-time> -iNode $tag ... -jNode $tag ... -dof $dof -perpDirn $direction",
+        usage: "recorder Drift -file $file <-time> -iNode $tag ... -jNode $tag ... <-dof $dof> <-perpDirn $direction>",
         make: |interp, call, a| drift(interp, call, a, false),
     },
     Kind {
@@ -447,18 +447,15 @@ fn drift(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, envelope: bool) -> 
             }
         }
     }
-    let (Some(dof), Some(across)) = (dof, across) else {
-        return Err(a.refuse_at(
-            call.span(0),
-            "recorder Drift: the direction is missing",
-            "expected -dof and -perpDirn",
-        ));
-    };
+    if dof.is_none() || across.is_none() {
+        let message = "recorder Drift: the direction is missing: OpenSees takes dof 1 and perpDirn 2";
+        warn(interp, Diagnostic::warning(message).at(call.span(0), "expected -dof and -perpDirn"))?;
+    }
     if i.is_empty() || i.len() != j.len() {
         let message = format!("recorder Drift: {} nodes i but {} nodes j", i.len(), j.len());
         return Err(a.refuse_at(call.span(0), message, "expected as many after -iNode as after -jNode"));
     }
-    let source = Drift::new(i.into_iter().zip(j).collect(), dof, across);
+    let source = Drift::new(i.into_iter().zip(j).collect(), dof.unwrap_or(0), across.unwrap_or(1));
     common.finish(interp, call, Box::new(source), envelope)
 }
 

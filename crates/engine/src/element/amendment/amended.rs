@@ -7,7 +7,7 @@ use super::slack::ForceAndTangent;
 use super::{AmendedForce, Amendment, DeformationState, Pair, Slack, SlackShare};
 use crate::element::{
     BasicRow, CallDependent, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, MAX_DOFS,
-    Mass, MatrixMask, OpenSeesTraits, Overload, Snapshot, dot,
+    Mass, MatrixMask, OpenSeesTraits, Overload, Snapshot, Softening, dot,
 };
 use crate::probe::Probe;
 use crate::series::Series;
@@ -409,6 +409,9 @@ impl Element for Amended {
     }
     fn overload(&self, history: &[f64]) -> Option<Overload> {
         self.inner.overload(&history[..self.inner_len])
+    }
+    fn softening(&self, history: &[f64]) -> Option<Softening> {
+        self.inner.softening(&history[..self.inner_len])
     }
     fn euler_load(&self) -> Option<f64> {
         self.inner.euler_load()

@@ -2,7 +2,7 @@
 
 use crate::element::{
     BasicRow, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, MatrixMask,
-    OpenSeesTraits, Overload, Snapshot, dot,
+    OpenSeesTraits, Overload, Snapshot, Softening, dot,
 };
 use crate::material::{Material, Strain};
 use crate::probe::Probe;
@@ -361,6 +361,9 @@ impl Element for Hinged {
     }
     fn overload(&self, history: &[f64]) -> Option<Overload> {
         self.inner.overload(&history[..self.inner_len])
+    }
+    fn softening(&self, history: &[f64]) -> Option<Softening> {
+        self.inner.softening(&history[..self.inner_len])
     }
     fn euler_load(&self) -> Option<f64> {
         self.inner.euler_load()

@@ -8,6 +8,7 @@ mod cma_es;
 mod differential_evolution;
 mod levenberg_marquardt;
 mod shade;
+mod step_search;
 
 use rand::RngExt as _;
 use rand_pcg::Pcg32;
@@ -17,6 +18,7 @@ pub use cma_es::CmaEs;
 pub use differential_evolution::{Crossover, DifferentialEvolution, EvolutionSettings};
 pub use levenberg_marquardt::LevenbergMarquardt;
 pub use shade::{Shade, ShadeVariant};
+pub use step_search::StepSearch;
 
 /// Result of a trial point.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,6 +70,8 @@ pub enum MethodState {
     CmaEs(CmaEs),
     /// Least squares from one starting point.
     LevenbergMarquardt(LevenbergMarquardt),
+    /// Step search along the parameters.
+    StepSearch(StepSearch),
 }
 
 impl MethodState {
@@ -78,6 +82,7 @@ impl MethodState {
             Self::Shade(m) => m,
             Self::CmaEs(m) => m,
             Self::LevenbergMarquardt(m) => m,
+            Self::StepSearch(m) => m,
         }
     }
 }

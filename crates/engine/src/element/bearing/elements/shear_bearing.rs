@@ -4,7 +4,7 @@ use crate::element::bearing::kinematics::link::Link;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw};
 use crate::element::{
     BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, RowMaterial,
-    Snapshot, frame_force_labels,
+    Snapshot, Softening, frame_force_labels,
 };
 use crate::material::{Material, Slot, Strain};
 use crate::probe::Probe;
@@ -125,6 +125,12 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
 
     fn mass(&self) -> Mass {
         self.law.masses(self.mass)
+    }
+
+    fn softening(&self, history: &[f64]) -> Option<Softening> {
+        let (stiffness_end, force_end) = self.law.backbone_ends()?;
+        let deformation = Shear::<S>::read(history).u.iter().fold(0.0f64, |m, u| m.max(u.abs()));
+        Some(Softening { deformation, stiffness_end, force_end })
     }
 
     fn opensees(&self) -> OpenSeesTraits<'_> {

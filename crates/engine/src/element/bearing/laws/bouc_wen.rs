@@ -1,7 +1,7 @@
 //! Shear law of `elastomericBearingBoucWen`.
 
 use crate::element::ElementError;
-use crate::element::bearing::laws::shear::{Shear, ShearLaw, at_rest, hardening};
+use crate::element::bearing::laws::shear::{Shear, ShearLaw, at_rest, hardening, hardening_ends};
 use crate::numeric::sign;
 
 /// Shear law of `elastomericBearingBoucWen`: q = q_d z + k₂ u + k₃ sign(u) |u|^μ, with ż = (k₀/q_d) [A u̇ - z |z|^(η-2)
@@ -133,6 +133,10 @@ impl BoucWenShear {
 impl<const S: usize> ShearLaw<S> for BoucWenShear {
     const CLASS: [&'static str; 2] = ["ElastomericBearingBoucWen2d", "ElastomericBearingBoucWen3d"];
     const HYSTERETIC: bool = true;
+
+    fn backbone_ends(&self) -> Option<(f64, f64)> {
+        hardening_ends(self.k2, self.k3, self.mu)
+    }
 
     fn virgin(&self) -> Shear<S> {
         let mut virgin = Shear::default();

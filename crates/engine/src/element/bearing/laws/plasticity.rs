@@ -1,7 +1,7 @@
 //! Shear law of `elastomericBearingPlasticity`.
 
 use crate::element::ElementError;
-use crate::element::bearing::laws::shear::{Shear, ShearLaw, at_rest, hardening};
+use crate::element::bearing::laws::shear::{Shear, ShearLaw, at_rest, hardening, hardening_ends};
 
 /// Shear law: an elastic, perfectly plastic part with stiffness k₀ and a circular yield surface of radius q_d. In
 /// parallel each direction has the hardening springs k₂ u + k₃ sign(u) |u|^μ. Return mapping is exact (Simo and Hughes,
@@ -25,6 +25,10 @@ pub struct PlasticShear {
 impl<const S: usize> ShearLaw<S> for PlasticShear {
     const CLASS: [&'static str; 2] = ["ElastomericBearingPlasticity2d", "ElastomericBearingPlasticity3d"];
     const HYSTERETIC: bool = false;
+
+    fn backbone_ends(&self) -> Option<(f64, f64)> {
+        hardening_ends(self.k2, self.k3, self.mu)
+    }
 
     fn virgin(&self) -> Shear<S> {
         self.at(&Shear::default(), [0.0; S])

@@ -73,6 +73,12 @@ pub trait ShearLaw<const S: usize>: Clone + fmt::Debug + Send + Sync {
     /// OpenSees.
     fn leave_trace(&self, _committed: &Shear<S>, _last: &Shear<S>, _next: &mut Shear<S>) {}
 
+    /// Deformations of one direction from which the stiffness and the force of the backbone are negative; `None` where
+    /// they are not.
+    fn backbone_ends(&self) -> Option<(f64, f64)> {
+        None
+    }
+
     /// Mass of the bearing: half at each end.
     fn masses(&self, mass: f64) -> Mass {
         end_masses(mass, 3 * S, S + 1)
@@ -88,6 +94,13 @@ const ROUND_OFF: f64 = 8.0 * f64::EPSILON;
 pub(in crate::element::bearing) fn at_rest<const S: usize>(u: &[f64; S], committed: &[f64; S]) -> bool {
     let size = u.iter().fold(0.0, |m: f64, u| m.max(u.abs()));
     u.iter().zip(committed).all(|(u, c)| (u - c).abs() <= ROUND_OFF * size)
+}
+
+/// Deformations from which stiffness and force of the hardening springs are negative, by k₂ + k₃ μ u^(μ-1) = 0 and
+/// k₂ + k₃ u^(μ-1) = 0.
+pub(in crate::element::bearing) fn hardening_ends(k2: f64, k3: f64, mu: f64) -> Option<(f64, f64)> {
+    let end = |share: f64| (k2 / (-k3 * share)).powf(1.0 / (mu - 1.0));
+    (k2 > 0.0 && k3 < 0.0 && mu > 1.0).then(|| (end(mu), end(1.0)))
 }
 
 /// Force and stiffness of the hardening springs of one direction, k₂ u + k₃ sign(u) |u|^μ.

@@ -1,0 +1,14 @@
+//! Any bytes as a checkpoint, as a journal and as a saved state. Blocks get their checksums, so that what is inside is read too.
+#![no_main]
+
+use hysteron::analysis::SavedState;
+use hysteron::opensees::checkpoint;
+use libfuzzer_sys::fuzz_target;
+
+fuzz_target!(|data: &[u8]| {
+    let _ = SavedState::from_bytes(data);
+    let _ = checkpoint::events(data, 0);
+    for magic in checkpoint::MAGICS {
+        let _ = checkpoint::events(&[magic, &[0; 8], &checkpoint::block(data)].concat(), 0);
+    }
+});
