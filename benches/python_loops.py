@@ -3,8 +3,8 @@
 
     benches/python_loops.py
 
-Needs a Python with openseespy and hysteron. Times are of the processor. Each program runs in a process of its own, the two in turn, --repeats times; the table has the
-medians. A loop makes 1,000 steps with queries between them, as scripts do; the sums of the answers must agree.
+Needs a Python with openseespy and hysteron. Each program runs in a process of its own, the two in turn, --repeats times; the table has
+the medians of the processor time. A loop makes 1,000 steps with queries between them, as scripts do; the sums of the answers must agree.
 """
 import argparse
 import json
