@@ -11,6 +11,7 @@ use hysteron_opensees::run::{Run, Settings};
 use hysteron_opensees::{Command, Mode, Session, calls};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Exception, OsFiles, Value};
+use hysteron_view::Units;
 use numpy::PyArray2;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
@@ -142,7 +143,7 @@ impl Domain {
             dense: None,
             refine: Options::default().refine,
         };
-        let (text, files) = (Text::default(), Files::default());
+        let (text, files) = (Text::default(), Files::at_once());
         let settings = Settings { mode: Mode::Run, strict, options };
         let mut run = Run::for_calls(settings, Box::new(text.clone()), Box::new(OsFiles), Box::new(files.clone()));
         let (warned, raised): (Shared<Vec<Diagnostic>>, Shared<Option<PyErr>>) = Default::default();
@@ -184,6 +185,18 @@ impl Domain {
         self.command(py, Self::known("remove")?, &[Value::from("remove"), Value::from("recorder"), Value::from(tag)])?;
         let rows = self.files.take(name);
         PyArray2::from_vec2(py, &rows).map_err(|e| PyRuntimeError::new_err(e.to_string()))
+    }
+
+    /// Keep the motion from here on for a page.
+    fn _watch(&self) -> PyResult<()> {
+        self.hold()?.owned.watch();
+        Ok(())
+    }
+
+    /// A page that shows the motion; `None` without nodes.
+    fn _page(&self, title: &str, force: &str, length: &str, modes: usize) -> PyResult<Option<String>> {
+        let units = Units { force: force.into(), length: length.into() };
+        Ok(self.hold()?.owned.page(title, &units, modes))
     }
 
     /// Finish the recorders: their files are complete.

@@ -63,10 +63,17 @@ impl Text {
 /// Recorders' files on the disk, or rows in memory.
 #[derive(Clone, Default)]
 pub(crate) struct Files {
+    /// Each row goes to its file at once: Python's programs read files of recorders that are still at work.
+    at_once: bool,
     rows: Shared<HashMap<String, Memory>>,
 }
 
 impl Files {
+    /// Files that have all rows at any time.
+    pub(crate) fn at_once() -> Self {
+        Self { at_once: true, ..Self::default() }
+    }
+
     /// The rows of a recorder in memory, taken out.
     pub(crate) fn take(&self, name: &str) -> Vec<Vec<f64>> {
         hold(&self.rows).remove(name).map(|m| m.take()).unwrap_or_default()
@@ -80,7 +87,7 @@ impl Outputs for Files {
             hold(&self.rows).insert(name.to_owned(), memory.clone());
             return Ok(Box::new(memory));
         }
-        Ok(Box::new(RowFile::create(path, f.layout, f.style, f.close_on_write)?))
+        Ok(Box::new(RowFile::create(path, f.layout, f.style, f.close_on_write || self.at_once)?))
     }
 
     fn series(&mut self, _: &str, path: &Path) -> Result<Box<dyn FileSeries>, RecordError> {

@@ -3,21 +3,39 @@
 use hysteron_opensees::Command;
 use hysteron_opensees::run::Run;
 use hysteron_tcl::{Exception, Value};
+use hysteron_view::{Collector, Observer, Units, page};
 
 /// An interpreter with all that it works on, which may be handed from thread to thread.
 pub(crate) struct Owned {
     run: Run,
     words: Vec<Value>,
     outcome: Option<Result<Value, Exception>>,
+    /// Keeps the motion for a page, once that has been asked for.
+    observer: Option<Observer>,
 }
 
 impl Owned {
     pub(crate) fn new(run: Run) -> Self {
-        Self { run, words: vec![], outcome: None }
+        Self { run, words: vec![], outcome: None, observer: None }
     }
 
     pub(crate) fn run(&mut self) -> &mut Run {
         &mut self.run
+    }
+
+    /// Keep the motion from here on.
+    pub(crate) fn watch(&mut self) {
+        let observer = Observer::new(0);
+        self.run.interp.host.observe_motion(Box::new(observer.clone()));
+        self.observer = Some(observer);
+    }
+
+    /// A page that shows the motion so far, or the committed state where it is not kept; `None` without nodes.
+    pub(crate) fn page(&mut self, title: &str, units: &Units, modes: usize) -> Option<String> {
+        let collector = self.observer.as_ref().map_or_else(Collector::default, Observer::collected).with_modes(modes);
+        let models = collector.models.max(1);
+        let motion = collector.finish(&mut self.run.interp.host.engine)?;
+        Some(page(&motion, title, units, models))
     }
 
     /// Keep the words of the next call.
@@ -38,6 +56,7 @@ impl Owned {
 
 // SAFETY: The values of an interpreter count their references without locks, so that all references to one must stay
 // with one thread at a time. `Run::for_calls` makes an interpreter that shares none with the thread's other interpreters.
+// The observer and its copy in the run are used under the same lock.
 // Words are made, and answers taken apart, while the lock of `Domain` is held; none is kept outside. The lock orders the
 // threads. No file is run as a script, so that the thread's store of parsed files has no part in it.
 unsafe impl Send for Owned {}

@@ -181,6 +181,8 @@ def test_files_go_to_the_folder_of_the_process(frame, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     frame.recorder("Node", "-file", "u.out", "-node", 2, "-dof", 1, "disp")
     frame.analyze(2)
+    # As in programs for openseespy, which read files of recorders that are still at work.
+    assert len((tmp_path / "u.out").read_text().splitlines()) == 2
     frame.remove("recorders")
     assert len((tmp_path / "u.out").read_text().splitlines()) == 2
 
@@ -258,7 +260,7 @@ def test_memory_stays_flat_over_many_models():
 def test_random_calls_raise_at_most_the_errors_of_commands():
     chance = random.Random(1)
     kinds = {name: [k for names, _ in kinds for k in names] for name, (_, kinds) in USAGES.items()}
-    names = sorted(n for n in USAGES if hasattr(Model, n) and n not in {"print", "printModel", "figure"})
+    names = sorted(n for n in USAGES if hasattr(Model, n) and n not in {"print", "printModel", "figure", "plot"})
     words = [0, 1, 2, -1, 3.5, 1e308, "-node", "-dof", "-ele", "x", "", [1, 2], (), 10**9, "1", True, -0.0]
 
     with warnings.catch_warnings():
@@ -289,6 +291,93 @@ def test_stubs_are_those_of_the_usages():
         assert (files(hysteron) / file).read_text(encoding="utf-8") == text, "python -m hysteron._stubs renews them"
 
 
+def test_a_checker_of_types_knows_the_commands(tmp_path):
+    pytest.importorskip("mypy", reason="needs mypy: pip install mypy")
+    program = """
+import numpy as np
+
+import hysteron.opensees as ops
+from hysteron import Model, Study
+
+model = Model(ndm=2, ndf=3)
+model.node(1, 0.0, np.float64(1.0))
+tags: list[int] = ops.getNodeTags()
+time: float = model.getTime()
+{}
+"""
+    for line, status in [("code = model.analyze(1)", 0), ("text: str = model.getTime()", 1), ("model.nodeDips(1)", 1)]:
+        file = tmp_path / "program.py"
+        file.write_text(program.format(line))
+        command = [sys.executable, "-m", "mypy", "--no-incremental", "--cache-dir", str(tmp_path / "cache"), str(file)]
+        done = subprocess.run(command, capture_output=True, text=True)
+        assert done.returncode == status, done.stdout + done.stderr
+
+
+def test_a_model_is_shown_as_a_page(frame, tmp_path):
+    frame.watch()
+    frame.analyze(4)
+    page = frame.plot(tmp_path / "model.html", title="a <frame>", units=("kN", "m"), modes=1)
+    text = (tmp_path / "model.html").read_text()
+    assert text == page.html and "a &lt;frame&gt;" in text and "<script" in text and len(text) < 3e6
+    assert page._repr_html_().startswith("<iframe") and frame.plot().html != page.html
+    assert frame.analyze(1) == 0
+    with pytest.raises(OpenSeesError, match="no nodes"):
+        Model(1, 1).plot()
+
+
+def test_units_are_variables_of_the_script(ops):
+    import __main__
+
+    ops.defaultUnits("-force", "kN", "-length", "m", "-time", "sec", "-temp", "C")
+    assert (__main__.kN, __main__.m, __main__.sec) == (1.0, 1.0, 1.0)
+    assert __main__.kip == pytest.approx(4.4482216152605) and __main__.g == pytest.approx(9.80665, rel=1e-5)
+    with pytest.raises(OpenSeesError, match="-length is missing"):
+        ops.defaultUnits("-force", "kN", "-time", "sec")
+    with pytest.raises(OpenSeesError, match="unknown unit of force 'Kn'"):
+        ops.defaultUnits("-force", "Kn", "-length", "m", "-time", "sec")
+
+
+def test_texts_may_have_spaces_at_their_ends():
+    model = Model(1, 1)
+    model.node(1, 0.0)
+    model.fix(1, 1)
+    assert model.nodeDisp(1, 1) == 0.0
+    model.timeSeries("Linear ", 1, " -factor", 2.0)
+    assert model.getNodeTags() == [1]
+
+
+def test_joint_offsets_are_a_response():
+    model = Model(2, 3)
+    model.node(1, 0.0, 0.0)
+    model.node(2, 4.0, 0.0)
+    model.geomTransf("Linear", 1, "-jntOffset", 0.5, 0.0, -0.25, 0.0)
+    model.element("elasticBeamColumn", 1, 1, 2, 0.01, 2e8, 1e-4, 1)
+    assert model.eleResponse(1, "offsets") == [0.5, 0.0, 0.0, -0.25, 0.0, 0.0]
+
+
+def test_settings_of_the_drop_in():
+    code = """
+import hysteron
+ops = hysteron.install(strict=True)
+import openseespy.opensees as other
+assert other is ops
+ops.wipe(); ops.model("basic", "-ndm", 1, "-ndf", 1)
+try:
+    ops.timeSeries("Linear", 1, "-faktor", 2.0)
+except hysteron.OpenSeesError:
+    print("strict")
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert done.stdout == "strict\n", done.stderr
+
+
 def test_usages_are_there_for_every_command():
     assert hysteron.commands()["nodeDisp"] == "nodeDisp(node, <dof>)"
     assert "Steel01" in hysteron.commands("uniaxialMaterial")
+
+
+def test_nodes_that_come_after_the_modes_take_no_part_in_them(frame):
+    lam = frame.eigen(1)
+    frame.node(3, 1.0, 1.0)
+    assert frame.nodeEigenvector(3, 1) == [0.0, 0.0, 0.0] and frame.nodeEigenvector(2, 1, 1) != 0.0
+    assert frame.modalProperties("-return")["eigenLambda"] == pytest.approx(lam)

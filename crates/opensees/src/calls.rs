@@ -31,10 +31,20 @@ use hysteron_engine::model::{ElementId, NodeId};
 use hysteron_engine::record::ElementResponse;
 use hysteron_tcl::diagnostic::{SourceId, Span};
 use hysteron_tcl::{Call, Console, Files, Interp, Value};
+use std::collections::HashMap;
+use std::sync::OnceLock;
 
 /// The command of a name.
 pub fn command(name: &str) -> Option<&'static Command> {
-    commands().find(|c| c.name == name)
+    static KNOWN: OnceLock<HashMap<&'static str, &'static Command>> = OnceLock::new();
+    let all = || {
+        let mut known = HashMap::new();
+        for command in commands() {
+            known.entry(command.name).or_insert(command);
+        }
+        known
+    };
+    KNOWN.get_or_init(all).get(name).copied()
 }
 
 /// Number of calls made by a host, and the source that stands for them in the places of messages.

@@ -31,7 +31,7 @@ pub struct Stage {
 }
 
 /// History of a node: displacements of its translations, then accelerations.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct NodeHistory {
     /// Place of the node.
     pub(crate) node: usize,
@@ -46,7 +46,7 @@ pub(crate) struct NodePeak {
 }
 
 /// Record of a model and its motion.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Motion {
     /// The model at rest.
     pub scene: Scene,
@@ -215,7 +215,7 @@ fn followed(scene: &Scene) -> Vec<usize> {
 }
 
 /// Keeps what is to be shown of the last model that a script has analysed.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Collector {
     modes: usize,
     current: Option<Motion>,
@@ -240,6 +240,12 @@ impl Collector {
             *models += 1;
             Motion::new(engine)
         })
+    }
+
+    /// The same with another number of modes.
+    #[must_use]
+    pub fn with_modes(self, modes: usize) -> Self {
+        Self { modes, ..self }
     }
 
     /// The motion of the last model, or the model at rest where the script analyses none; `None` without nodes.
@@ -267,6 +273,11 @@ impl Observer {
     /// An observer that finds `modes` modes where the script does not.
     pub fn new(modes: usize) -> Self {
         Self(Rc::new(RefCell::new(Collector::new(modes))))
+    }
+
+    /// A copy of the collector as it is: it goes on collecting.
+    pub fn collected(&self) -> Collector {
+        self.0.borrow().clone()
     }
 
     /// The collector, with all that it has seen.

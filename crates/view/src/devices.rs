@@ -19,7 +19,7 @@ pub(crate) enum Role {
 }
 
 /// A device whose loops are kept.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Device {
     /// Place of the element.
     pub(crate) element: usize,

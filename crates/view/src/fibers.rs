@@ -10,7 +10,7 @@ use hysteron_engine::probe::Probe;
 const FIBER: usize = 5;
 
 /// A section with fibers.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct FiberedSection {
     /// Place of the element.
     pub(crate) element: usize,
@@ -22,7 +22,7 @@ pub(crate) struct FiberedSection {
 }
 
 /// Stresses and strains of the fibers of some sections.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct FiberFrames {
     pub(crate) sections: Vec<FiberedSection>,
     /// Sections that were left out, since there are too many fibers.

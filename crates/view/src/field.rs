@@ -4,7 +4,7 @@ use crate::numbers::{largest, narrow};
 use nalgebra::DMatrix;
 
 /// Rows of numbers of some steps, at equal distances. Where there are too many, every second one is left out.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Frames {
     /// Numbers of a row.
     pub(crate) width: usize,
@@ -60,7 +60,7 @@ impl Frames {
 }
 
 /// Rows as sums of shapes: row = Σ coefficient × shape.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Reduced {
     /// Number of shapes.
     pub(crate) rank: usize,

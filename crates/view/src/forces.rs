@@ -8,7 +8,7 @@ use hysteron_engine::model::ElementId;
 use hysteron_engine::probe::Probe;
 
 /// A member whose end forces are kept.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Member {
     /// Place of the element.
     pub(crate) element: usize,
@@ -23,7 +23,7 @@ impl Member {
 }
 
 /// End forces of beams in local axes, and axial forces of trusses.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct MemberForces {
     pub(crate) members: Vec<Member>,
     pub(crate) frames: Frames,

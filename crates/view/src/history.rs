@@ -5,7 +5,7 @@ use crate::thin::thinned;
 
 /// Rows of a table that grows with the steps. Beyond [`History::MOST`] rows, those that an eye does not miss are left
 /// out.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct History {
     /// Numbers of a row.
     pub(crate) columns: usize,

@@ -1,6 +1,7 @@
 """Model: the commands of OpenSees as methods, each model with a state of its own."""
 
 import difflib
+import html
 import sys
 
 import numpy as np
@@ -23,6 +24,23 @@ class Recording(dict):
     """Histories by name, with ``time`` and the code of the analysis in ``code``."""
 
     code: int = 0
+
+
+class Page:
+    """A page for a browser, which needs no other file."""
+
+    def __init__(self, html):
+        #: Text of the page.
+        self.html = html
+
+    def save(self, file):
+        """Write the page."""
+        with open(file, "w", encoding="utf-8") as out:
+            out.write(self.html)
+
+    def _repr_html_(self):
+        frame = 'width="100%" height="640" style="border:0" sandbox="allow-scripts"'
+        return f'<iframe {frame} srcdoc="{html.escape(self.html)}"></iframe>'
 
 
 def _documentation(name):
@@ -101,6 +119,24 @@ class Model(_hysteron.Domain):
                 histories.setdefault("time", times)
                 histories[name] = columns[:, 0] if columns.shape[1] == 1 else columns
         return histories
+
+    def watch(self):
+        """Keep the motion of the analyses from here on for ``plot``."""
+        self._watch()
+
+    def plot(self, file=None, *, title="model", units=("", ""), modes=0):
+        """The page of `hysteron view` for this model: it turns, moves, and shows histories and loops.
+
+        In a notebook it is shown below its cell; ``file`` writes it as well. Without ``watch`` before the analyses it shows the
+        committed state. ``units`` are the names of force and length, ``modes`` the number of modes to be shown.
+        """
+        text = self._page(title, *units, modes)
+        if text is None:
+            raise OpenSeesError("plot: the model has no nodes")
+        page = Page(text)
+        if file is not None:
+            page.save(file)
+        return page
 
     def getNumThreads(self):
         """Number of threads of an analysis: 1."""

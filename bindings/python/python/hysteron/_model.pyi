@@ -260,8 +260,7 @@ class Model:
     def performanceFunction(self, *args: Any) -> NoReturn: ...
     def plane(self, front: _Word, back: _Word, /) -> None:
         """plane(front, back)"""
-    def plot(self, *args: _Word) -> None:
-        """plot(...)"""
+    def plot(self, file: str | PathLike[str] | None = None, *, title: str = ..., units: tuple[str, str] = ..., modes: int = ...) -> Any: ...
     def port(self, xmin: _Word, xmax: _Word, ymin: _Word, ymax: _Word, /) -> None:
         """port(xmin, xmax, ymin, ymax)"""
     def pressureConstraint(self, *args: Any) -> NoReturn: ...
@@ -422,6 +421,7 @@ class Model:
         """vrp(x, y, z)"""
     def vup(self, x: _Word, y: _Word, z: _Word, /) -> None:
         """vup(x, y, z)"""
+    def watch(self) -> None: ...
     def wipe(self) -> None:
         """wipe()"""
     def wipeAnalysis(self) -> None:

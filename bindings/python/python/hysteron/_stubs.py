@@ -45,6 +45,8 @@ _PYTHON = {
     "defaultUnits": "(*args: _Word) -> None",
     "metaData": "(*args: _Word) -> None",
     "pyversion": "(*args: _Word) -> str",
+    "watch": "() -> None",
+    "plot": "(file: str | PathLike[str] | None = None, *, title: str = ..., units: tuple[str, str] = ..., modes: int = ...) -> Any",
 }
 _HEAD = '''"""Generated from the usages of the commands by `python -m hysteron._stubs`."""
 

@@ -255,8 +255,7 @@ def pattern(*args: _Word) -> None:
 def performanceFunction(*args: Any) -> NoReturn: ...
 def plane(front: _Word, back: _Word, /) -> None:
     """plane(front, back)"""
-def plot(*args: _Word) -> None:
-    """plot(...)"""
+def plot(file: str | PathLike[str] | None = None, *, title: str = ..., units: tuple[str, str] = ..., modes: int = ...) -> Any: ...
 def port(xmin: _Word, xmax: _Word, ymin: _Word, ymax: _Word, /) -> None:
     """port(xmin, xmax, ymin, ymax)"""
 def pressureConstraint(*args: Any) -> NoReturn: ...
@@ -417,6 +416,7 @@ def vrp(x: _Word, y: _Word, z: _Word, /) -> None:
     """vrp(x, y, z)"""
 def vup(x: _Word, y: _Word, z: _Word, /) -> None:
     """vup(x, y, z)"""
+def watch() -> None: ...
 def wipe() -> None:
     """wipe()"""
 def wipeAnalysis() -> None:

@@ -238,6 +238,10 @@ impl Engine {
     /// Add a node.
     pub fn add_node(&mut self, tag: Tag, coords: &[f64], ndf: usize) -> NodeId {
         let id = self.model.add_node(tag, coords, ndf);
+        // The node takes no part in the modes that are known.
+        for shape in self.results.modes.iter_mut().flat_map(|m| &mut m.shapes) {
+            shape.resize(shape.len() + ndf, 0.0);
+        }
         self.committed.grow(&self.model);
         self.trial.grow(&self.model);
         id

@@ -221,7 +221,8 @@ impl Engine {
 
     /// The modes found last.
     pub fn modes(&self) -> Option<&Modes> {
-        self.results.modes.as_ref()
+        // After the removal of nodes the shapes are those of another model.
+        self.results.modes.as_ref().filter(|m| m.shapes.iter().all(|s| s.len() == self.model().dofs()))
     }
 
     /// Tangents of all elements in the committed state: those of the step that has come to it.

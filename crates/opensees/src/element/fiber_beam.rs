@@ -189,7 +189,7 @@ fn take(
             "-shear" if deflects.is_some() => shear = true,
             "-cMass" => consistent = true,
             "-lMass" => consistent = false,
-            "-iter" => iterations(a, &mut force_based)?,
+            "-iter" => iterations(interp, a, &mut force_based)?,
             // Without --compat the step is cut into parts by itself.
             "-subdivide" => {
                 force_based.parts = a.int("number of subdivisions")?.max(1) as u32;
@@ -223,7 +223,12 @@ fn follower(interp: &Tcl) -> ForceBased {
     ForceBased { compat: interp.host.follows(&[slips::FORCE_BEAM_TRIALS]), ..ForceBased::default() }
 }
 
-fn iterations(a: &mut Args<'_>, force_based: &mut ForceBased) -> Result<(), Exception> {
+fn iterations(interp: &mut Tcl, a: &mut Args<'_>, force_based: &mut ForceBased) -> Result<(), Exception> {
+    // OpenSees takes no notice of a number of iterations that is the last word.
+    if a.left() == 1 && a.count("largest number of iterations maxIter").is_ok() {
+        let d = Diagnostic::warning("-iter has no tolerance, and is ignored, as in OpenSees");
+        return warn(interp, d.at(a.last_span(), "expected a tolerance behind it"));
+    }
     force_based.max_iterations = a.count("largest number of iterations maxIter")?;
     force_based.tolerance = a.positive("tolerance")?;
     Ok(())
@@ -313,7 +318,7 @@ fn make_with_hinges(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<A
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-mass" => rho = a.not_negative("mass per length")?,
-            "-iter" => iterations(a, &mut force_based)?,
+            "-iter" => iterations(interp, a, &mut force_based)?,
             _ => ignore_option(interp, a, &["-mass", "-iter"])?,
         }
     }
